@@ -1,0 +1,18 @@
+//! The catalogue: vehicles, people, plants and street furniture, all made by code.
+//!
+//! Meshes are in the object frame (x forward, y left, z up, metres). The origin of things that stand on the ground is
+//! on the ground, under the centre of their footprint.
+
+mod catalogue;
+mod material;
+mod mesh;
+mod person;
+mod prop;
+mod vehicle;
+
+pub use catalogue::Catalogue;
+pub use material::{LensAspect, LightSlot, Material, Surface};
+pub use mesh::{Mesh, MeshBuilder};
+pub use person::{BodyPose, PersonModel};
+pub use prop::Prop;
+pub use vehicle::{VehicleModel, VehicleSpec, Wheel};

@@ -1,0 +1,80 @@
+//! What a town is.
+
+use endless_asset::{Mesh, Prop};
+use endless_road::RoadNetwork;
+use endless_world::{AssetRef, CameraSite, Pose, SignalId};
+use glam::{Affine3A, Vec3};
+
+/// What is placed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum What {
+    /// One of the town's own meshes.
+    Own(u32),
+    /// A prop of the catalogue and its variant.
+    Prop(Prop, u32),
+}
+
+/// A mesh standing in the town.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placement {
+    /// What.
+    pub what: What,
+    /// Where.
+    pub world_from_object: Affine3A,
+    /// The signal group that lights its lenses.
+    pub signal: Option<SignalId>,
+}
+
+/// A vehicle standing parked for ever.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ParkedVehicle {
+    /// Vehicle model and variant.
+    pub asset: AssetRef,
+    /// Where it stands.
+    pub pose: Pose,
+}
+
+/// A street lamp's light.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Lamp {
+    /// Centre of the lens; the light shines downwards from here.
+    pub position: Vec3,
+    /// Linear colour, brightest channel 1.
+    pub color: [f32; 3],
+    /// Luminous intensity straight down, candela.
+    pub intensity_cd: f32,
+}
+
+/// A whole map.
+#[derive(Debug, Clone)]
+pub struct Town {
+    /// `Town01`, ...
+    pub name: String,
+    /// One sentence on its character.
+    pub summary: &'static str,
+    /// Roads, junctions, signals, sidewalks.
+    pub network: RoadNetwork,
+    /// Ground, roads, kerbs, markings and buildings.
+    pub meshes: Vec<Mesh>,
+    /// Everything placed, own meshes included.
+    pub placements: Vec<Placement>,
+    /// Parked vehicles. Number i carries instance id i + 1 in every video.
+    pub parked: Vec<ParkedVehicle>,
+    /// Street lamps.
+    pub lamps: Vec<Lamp>,
+    /// At least five camera sites.
+    pub cameras: Vec<CameraSite>,
+}
+
+/// Why a town could not be made.
+#[derive(Debug, thiserror::Error, PartialEq)]
+pub enum TownError {
+    /// No map of this name.
+    #[error("unknown map '{given}': use one of {}", known.join(", "))]
+    UnknownMap {
+        /// What was asked for.
+        given: String,
+        /// The names there are.
+        known: Vec<&'static str>,
+    },
+}

@@ -1,0 +1,137 @@
+//! What moves: pose, motion and lights of one actor at one instant.
+
+use crate::{InstanceId, ObjectClass};
+use glam::{Affine3A, EulerRot, Quat, Vec3};
+
+/// Position and heading in the world frame. The origin of a vehicle or person is on the ground, under its centre.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Pose {
+    /// Metres.
+    pub position: Vec3,
+    /// Counter-clockwise from east, radians.
+    pub yaw_rad: f32,
+    /// Nose up is positive, radians.
+    pub pitch_rad: f32,
+    /// Left side up is positive (a lean to the right), radians.
+    pub roll_rad: f32,
+}
+
+impl Pose {
+    /// On level ground.
+    pub fn level(position: Vec3, yaw_rad: f32) -> Self {
+        Self { position, yaw_rad, pitch_rad: 0.0, roll_rad: 0.0 }
+    }
+
+    /// The transform from the object frame (x forward, y left, z up) to the world.
+    pub fn world_from_object(&self) -> Affine3A {
+        let rotation = Quat::from_euler(EulerRot::ZYX, self.yaw_rad, -self.pitch_rad, self.roll_rad);
+        Affine3A::from_rotation_translation(rotation, self.position)
+    }
+}
+
+/// Which entry of the catalogue an actor is, and which of its endless variants.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct AssetRef {
+    /// Index into the catalogue's list of that kind (vehicles, or people).
+    pub model: u16,
+    /// Seed of paint, clothes, proportions.
+    pub variant: u64,
+}
+
+/// The lights of a vehicle, CARLA's bit layout.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub struct VehicleLights(pub u32);
+
+impl VehicleLights {
+    /// Side and tail lights.
+    pub const POSITION: u32 = 1;
+    /// Dipped headlights.
+    pub const LOW_BEAM: u32 = 2;
+    /// Main beam.
+    pub const HIGH_BEAM: u32 = 4;
+    /// Brake lights.
+    pub const BRAKE: u32 = 8;
+    /// Right indicator, lit (blinking is the traffic's business).
+    pub const RIGHT_BLINKER: u32 = 16;
+    /// Left indicator, lit.
+    pub const LEFT_BLINKER: u32 = 32;
+    /// Reversing lights.
+    pub const REVERSE: u32 = 64;
+    /// Fog lights.
+    pub const FOG: u32 = 128;
+    /// Cabin light.
+    pub const INTERIOR: u32 = 256;
+
+    /// Whether all of these are on.
+    pub const fn has(self, bits: u32) -> bool {
+        self.0 & bits == bits
+    }
+}
+
+/// How a vehicle's parts stand.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct VehicleMotion {
+    /// Forward speed, m/s.
+    pub speed_mps: f32,
+    /// Distance rolled since the scene began, metres; wheels turn by this over their radius.
+    pub rolled_m: f32,
+    /// Angle of the front wheels, positive to the left, radians.
+    pub steer_rad: f32,
+    /// Lights that are on at this instant.
+    pub lights: VehicleLights,
+}
+
+/// What a person does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Gait {
+    /// Standing.
+    #[default]
+    Stand,
+    /// Walking.
+    Walk,
+    /// Running.
+    Run,
+}
+
+/// How a person's body stands.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct WalkerMotion {
+    /// Forward speed, m/s.
+    pub speed_mps: f32,
+    /// What they do.
+    pub gait: Gait,
+    /// Distance walked since the scene began, metres: legs swing by distance, so that feet do not slide.
+    pub walked_m: f32,
+    /// Seconds since the scene began, for breathing and idling.
+    pub time_s: f32,
+}
+
+/// What moves, by kind.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Motion {
+    /// A car, van, truck, bus, motorcycle or bicycle.
+    Vehicle(VehicleMotion),
+    /// A person on foot.
+    Walker(WalkerMotion),
+}
+
+/// One actor at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Actor {
+    /// Unique within the video.
+    pub id: InstanceId,
+    /// The id of the person riding it, for two-wheelers: class [`ObjectClass::Rider`].
+    pub rider_id: Option<InstanceId>,
+    /// What it is.
+    pub class: ObjectClass,
+    /// Which model and variant.
+    pub asset: AssetRef,
+    /// Where it is.
+    pub pose: Pose,
+    /// World-frame velocity, m/s.
+    pub velocity_mps: Vec3,
+    /// How its parts stand.
+    pub motion: Motion,
+    /// Placed by the town and still for the whole video.
+    pub parked: bool,
+}

@@ -1,0 +1,166 @@
+//! Fixed surveillance cameras: sites, intrinsics, projection.
+
+use crate::math;
+use glam::{Mat3, Vec2, Vec3};
+use serde::{Deserialize, Serialize};
+use std::{fmt, str::FromStr};
+
+/// Image size in pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+pub struct ImageSize {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+impl ImageSize {
+    /// Number of pixels.
+    pub const fn pixels(self) -> usize {
+        self.width as usize * self.height as usize
+    }
+}
+
+impl fmt::Display for ImageSize {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width, self.height)
+    }
+}
+
+impl FromStr for ImageSize {
+    type Err = String;
+    fn from_str(given: &str) -> Result<Self, String> {
+        let parse = || {
+            let (w, h) = given.split_once(['x', 'X'])?;
+            Some(Self { width: w.trim().parse().ok()?, height: h.trim().parse().ok()? })
+        };
+        parse().ok_or_else(|| format!("'{given}' is not a size: write WIDTHxHEIGHT, for example 1280x720"))
+    }
+}
+
+/// What the camera hangs on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Mount {
+    /// A pole of its own or a lamp post.
+    Pole,
+    /// The mast arm or pole of a traffic light.
+    TrafficLight,
+    /// A building's wall.
+    Wall,
+}
+
+/// Where a surveillance camera is and looks. Level: no roll.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CameraSite {
+    /// Unique within the map, e.g. `junction_north`.
+    pub name: String,
+    /// Lens position in the world, metres.
+    pub position: [f32; 3],
+    /// Direction of the optical axis, counter-clockwise from east, radians.
+    pub yaw_rad: f32,
+    /// Angle of the optical axis below the horizon, radians.
+    pub down_tilt_rad: f32,
+    /// Horizontal field of view, radians.
+    pub horizontal_fov_rad: f32,
+    /// What it hangs on.
+    pub mount: Mount,
+}
+
+/// Pinhole intrinsics, pixels.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Intrinsics {
+    /// Focal length along x.
+    pub fx: f32,
+    /// Focal length along y: pixels are square.
+    pub fy: f32,
+    /// Principal point, x.
+    pub cx: f32,
+    /// Principal point, y.
+    pub cy: f32,
+}
+
+impl Intrinsics {
+    /// CARLA's rule: `f = W / (2 tan(fov / 2))`, principal point in the middle.
+    pub fn from_fov(size: ImageSize, horizontal_fov_rad: f32) -> Self {
+        let f = size.width as f32 / (2.0 * math::tan(horizontal_fov_rad / 2.0));
+        Self { fx: f, fy: f, cx: size.width as f32 / 2.0, cy: size.height as f32 / 2.0 }
+    }
+}
+
+/// A camera ready to make rays and project points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PinholeCamera {
+    /// Image size.
+    pub size: ImageSize,
+    /// Intrinsics.
+    pub intrinsics: Intrinsics,
+    /// Lens position in the world.
+    pub position: Vec3,
+    /// Columns are the camera's right, down and forward axes in the world.
+    pub world_from_camera: Mat3,
+}
+
+impl PinholeCamera {
+    /// The camera of a site at an image size.
+    pub fn new(site: &CameraSite, size: ImageSize) -> Self {
+        let (sin_yaw, cos_yaw) = math::sin_cos(site.yaw_rad);
+        let (sin_tilt, cos_tilt) = math::sin_cos(site.down_tilt_rad);
+        let forward = Vec3::new(cos_yaw * cos_tilt, sin_yaw * cos_tilt, -sin_tilt);
+        let right = Vec3::new(sin_yaw, -cos_yaw, 0.0);
+        let down = forward.cross(right);
+        Self {
+            size,
+            intrinsics: Intrinsics::from_fov(size, site.horizontal_fov_rad),
+            position: Vec3::from_array(site.position),
+            world_from_camera: Mat3::from_cols(right, down, forward),
+        }
+    }
+
+    /// Unit direction in the world of the ray through an image point (pixel (i, j) has its centre at i + 0.5, j + 0.5).
+    #[inline]
+    pub fn ray_through(&self, x: f32, y: f32) -> Vec3 {
+        let k = &self.intrinsics;
+        (self.world_from_camera * Vec3::new((x - k.cx) / k.fx, (y - k.cy) / k.fy, 1.0)).normalize()
+    }
+
+    /// A world point in the camera frame (x right, y down, z forward).
+    #[inline]
+    pub fn camera_from_world(&self, point_in_world: Vec3) -> Vec3 {
+        self.world_from_camera.transpose() * (point_in_world - self.position)
+    }
+
+    /// Image point and planar depth (metres along the optical axis); `None` behind the camera.
+    pub fn project(&self, point_in_world: Vec3) -> Option<(Vec2, f32)> {
+        let p = self.camera_from_world(point_in_world);
+        let k = &self.intrinsics;
+        (p.z > 1e-4).then(|| (Vec2::new(k.fx * p.x / p.z + k.cx, k.fy * p.y / p.z + k.cy), p.z))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn projection_inverts_the_ray() {
+        let site = CameraSite {
+            name: "t".into(),
+            position: [3.0, -4.0, 7.0],
+            yaw_rad: 2.1,
+            down_tilt_rad: 0.5,
+            horizontal_fov_rad: 1.2,
+            mount: Mount::Pole,
+        };
+        let camera = PinholeCamera::new(&site, ImageSize { width: 641, height: 363 });
+        assert!((camera.world_from_camera.determinant() - 1.0).abs() < 1e-5);
+        for (x, y) in [(0.5, 0.5), (320.0, 180.0), (640.5, 100.25)] {
+            let point = camera.position + camera.ray_through(x, y) * 30.0;
+            let (image, depth) = camera.project(point).expect("in front");
+            assert!((image - Vec2::new(x, y)).length() < 1e-2);
+            assert!(depth > 0.0 && depth <= 30.0);
+        }
+        // Looking down: the ray through the image's lower half points below the optical axis.
+        assert!(camera.ray_through(320.0, 360.0).z < camera.ray_through(320.0, 10.0).z);
+    }
+}

@@ -1,0 +1,36 @@
+//! The vocabulary that every room of ENDLESS shares: ids, class tags, frames of reference, units, weather, cameras,
+//! scene settings, the per-frame world state and the sensor frame.
+//!
+//! Data flows one way: `Recipe → Plan → SceneSettings → (load) Scene → (tick) WorldState → SensorFrame → Annotations
+//! → files`. The types at the arrows live here, so that rooms meet without knowing one another.
+//!
+//! # Frames of reference
+//! | frame | axes | units | used by |
+//! |---|---|---|---|
+//! | world | right-handed, x east, y north, z up | metres, radians counter-clockwise from east | everything inside |
+//! | object | x forward, y left, z up; origin on the ground under the centre | metres | meshes of vehicles and people |
+//! | camera (RDF) | x right, y down, z forward | metres | projection, depth |
+//! | image | x right, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5) | pixels | boxes, layers |
+//!
+//! CARLA's left-handed degrees appear only at file and wire edges.
+
+mod actor;
+mod camera;
+mod class;
+mod condition;
+mod ids;
+pub mod math;
+mod rng;
+mod scene;
+mod sensor;
+mod state;
+
+pub use actor::{Actor, AssetRef, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
+pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};
+pub use class::{ClassTag, ObjectClass};
+pub use condition::{TimeOfDay, UnknownName, Weather};
+pub use ids::{InstanceId, SignalId};
+pub use rng::Stream;
+pub use scene::SceneSettings;
+pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame};
+pub use state::{SignalAspect, SignalState, WorldState};

@@ -1,0 +1,49 @@
+//! What one camera saw at one instant: aligned layers.
+
+use crate::{ClassTag, ImageSize, InstanceId};
+
+/// Depth of the sky: CARLA's far plane, metres.
+pub const FAR_PLANE_M: f32 = 1000.0;
+
+/// A row-major image, origin at the top-left pixel.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Image<T> {
+    /// Size.
+    pub size: ImageSize,
+    /// `width × height` values.
+    pub data: Vec<T>,
+}
+
+impl<T: Clone> Image<T> {
+    /// An image of one value.
+    pub fn filled(size: ImageSize, value: T) -> Self {
+        Self { size, data: vec![value; size.pixels()] }
+    }
+
+    /// The value at column x, row y.
+    pub fn at(&self, x: u32, y: u32) -> &T {
+        &self.data[y as usize * self.size.width as usize + x as usize]
+    }
+}
+
+/// One pixel of the instance layer: exactly one object, never blended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub struct InstancePixel {
+    /// Class of what the ray through the pixel's centre hit.
+    pub tag: ClassTag,
+    /// Which object; 0 for stuff.
+    pub id: InstanceId,
+}
+
+/// All layers of one camera at one simulation frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SensorFrame {
+    /// Simulation frame.
+    pub frame: u32,
+    /// sRGB, 8 bit.
+    pub rgb: Image<[u8; 3]>,
+    /// Planar depth along the optical axis, metres; [`FAR_PLANE_M`] for the sky.
+    pub depth: Image<f32>,
+    /// Class and instance of every pixel.
+    pub instance: Image<InstancePixel>,
+}
