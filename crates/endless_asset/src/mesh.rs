@@ -142,7 +142,11 @@ mod tests {
     #[test]
     fn a_box_is_closed_and_faces_outwards() {
         let mut b = MeshBuilder::new();
-        b.cuboid(Vec3::new(-1.0, -2.0, 0.0), Vec3::new(1.0, 2.0, 3.0), Material::new(Surface::Metal, [0.5; 3], ClassTag::Static));
+        b.cuboid(
+            Vec3::new(-1.0, -2.0, 0.0),
+            Vec3::new(1.0, 2.0, 3.0),
+            Material::new(Surface::Metal, [0.5; 3], ClassTag::Static),
+        );
         let m = b.finish();
         assert_eq!(m.bounds(), (Vec3::new(-1.0, -2.0, 0.0), Vec3::new(1.0, 2.0, 3.0)));
         // Signed volume by the divergence theorem.

@@ -89,16 +89,8 @@ pub enum ObjectClass {
 
 impl ObjectClass {
     /// All classes, in the order of the label schema.
-    pub const ALL: &[Self] = &[
-        Self::Car,
-        Self::Van,
-        Self::Truck,
-        Self::Bus,
-        Self::Motorcycle,
-        Self::Bicycle,
-        Self::Rider,
-        Self::Pedestrian,
-    ];
+    pub const ALL: &[Self] =
+        &[Self::Car, Self::Van, Self::Truck, Self::Bus, Self::Motorcycle, Self::Bicycle, Self::Rider, Self::Pedestrian];
 
     /// The tag of its pixels in the instance image.
     pub const fn tag(self) -> ClassTag {

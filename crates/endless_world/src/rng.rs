@@ -31,7 +31,8 @@ impl Stream {
 
     /// The stream of a name, for keys that are words ("traffic", "plan").
     pub fn named(seed: u64, name: &str, keys: &[u64]) -> Self {
-        let hash = name.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
+        let hash =
+            name.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
         let mut stream = Self::new(seed ^ hash, keys);
         stream.state = mix(stream.state ^ hash);
         stream
@@ -129,8 +130,14 @@ mod tests {
 
     #[test]
     fn keys_decide_and_only_keys() {
-        let a: Vec<u64> = { let mut s = Stream::new(7, &[1, 2]); (0..4).map(|_| s.next_u64()).collect() };
-        let b: Vec<u64> = { let mut s = Stream::new(7, &[1, 2]); (0..4).map(|_| s.next_u64()).collect() };
+        let a: Vec<u64> = {
+            let mut s = Stream::new(7, &[1, 2]);
+            (0..4).map(|_| s.next_u64()).collect()
+        };
+        let b: Vec<u64> = {
+            let mut s = Stream::new(7, &[1, 2]);
+            (0..4).map(|_| s.next_u64()).collect()
+        };
         assert_eq!(a, b);
         assert_ne!(a[0], Stream::new(7, &[2, 1]).next_u64());
         assert_ne!(a[0], Stream::new(8, &[1, 2]).next_u64());
