@@ -6,11 +6,21 @@
 //! A town generator fills a [`RoadNetwork`] and calls [`RoadNetwork::finish`], which derives what follows from the
 //! geometry: predecessors, conflict areas inside junctions, where crossings cut lanes, spawn points.
 
+mod conflict;
+mod cut;
+mod error;
+mod finish;
 mod network;
 mod polyline;
+mod route;
+mod spawn;
+mod walk;
 
+pub use conflict::swept_overlap;
+pub use error::NetworkError;
 pub use network::{
     Conflict, Control, Crossing, CrossingId, Junction, JunctionId, Lane, LaneCut, LaneId, Phase, RoadNetwork,
     SignalProgram, SpawnPoint, Turn, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId,
 };
 pub use polyline::{OnLine, Polyline};
+pub use walk::WalkGraph;

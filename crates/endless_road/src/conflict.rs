@@ -1,0 +1,110 @@
+//! Conflicts inside junctions: whose paths overlap, and who goes first.
+
+use crate::{Conflict, Control, Junction, Lane, LaneId, RoadNetwork, Turn};
+use endless_world::math::f64::wrap_angle;
+use glam::DVec3;
+
+/// Width of the swept area of a lane, metres: that of a lorry with its mirrors.
+const SWEPT_M: f64 = 2.9;
+/// Distance between samples of a centre line, metres.
+const STEP_M: f64 = 0.5;
+
+pub(crate) fn derive(network: &mut RoadNetwork) {
+    for place in 0..network.junctions.len() {
+        network.junctions[place].conflicts = conflicts_of(network, &network.junctions[place]);
+    }
+}
+
+fn conflicts_of(network: &RoadNetwork, junction: &Junction) -> Vec<Conflict> {
+    let mut conflicts = Vec::new();
+    for (i, &first) in junction.lanes.iter().enumerate() {
+        for &second in &junction.lanes[i + 1..] {
+            let (a, b) = (network.lane(first), network.lane(second));
+            if follow_or_diverge(a, b) {
+                continue;
+            }
+            let Some((range, other_range)) = swept_overlap(a, b) else { continue };
+            let first_waits = gives_way(network, a, b);
+            conflicts.push(Conflict { lane: a.id, other: b.id, range, other_range, gives_way: first_waits });
+            conflicts.push(Conflict {
+                lane: b.id,
+                other: a.id,
+                range: other_range,
+                other_range: range,
+                gives_way: !first_waits,
+            });
+        }
+    }
+    conflicts
+}
+
+/// Lanes one after the other, or that part from the same lane: those who use them already follow one another.
+fn follow_or_diverge(a: &Lane, b: &Lane) -> bool {
+    a.successors.contains(&b.id)
+        || b.successors.contains(&a.id)
+        || a.predecessors.iter().any(|p| b.predecessors.contains(p))
+}
+
+/// The ranges of `s` on two lanes within which their swept areas overlap; `None` if they do not.
+pub fn swept_overlap(a: &Lane, b: &Lane) -> Option<((f64, f64), (f64, f64))> {
+    let clearance = SWEPT_M.min(0.45 * (a.width_m + b.width_m));
+    let (on_a, on_b) = (samples(a), samples(b));
+    let range_of = |of: &[(f64, DVec3)], others: &[(f64, DVec3)]| {
+        let mut range: Option<(f64, f64)> = None;
+        for &(s, p) in of {
+            let touches = others.iter().any(|&(_, q)| {
+                (p - q).truncate().length_squared() < clearance * clearance && (p.z - q.z).abs() < SWEPT_M
+            });
+            if touches {
+                range = Some(range.map_or((s, s), |(low, _)| (low, s)));
+            }
+        }
+        range
+    };
+    Some((range_of(&on_a, &on_b)?, range_of(&on_b, &on_a)?))
+}
+
+fn samples(lane: &Lane) -> Vec<(f64, DVec3)> {
+    let length = lane.centerline.length();
+    let n = (length / STEP_M).ceil().max(1.0) as usize;
+    (0..=n)
+        .map(|i| {
+            let s = length * i as f64 / n as f64;
+            (s, lane.centerline.at(s).position)
+        })
+        .collect()
+}
+
+/// Whether traffic on `a` lets traffic on `b` go first. Exactly one of `gives_way(a, b)` and `gives_way(b, a)` holds.
+fn gives_way(network: &RoadNetwork, a: &Lane, b: &Lane) -> bool {
+    // Signs first: free and signalled approaches before give-way signs before stop signs.
+    let (rank_a, rank_b) = (approach_rank(network, a), approach_rank(network, b));
+    if rank_a != rank_b {
+        return rank_a > rank_b;
+    }
+    // Who turns back waits for everybody; who turns left waits for those who come towards them.
+    let angle = wrap_angle(b.centerline.at(0.0).heading_rad - a.centerline.at(0.0).heading_rad).to_degrees();
+    let oncoming = angle.abs() > 135.0;
+    let back = |lane: &Lane| lane.turn == Turn::UTurn;
+    if back(a) != back(b) {
+        return back(a);
+    }
+    let yields_to_oncoming = |lane: &Lane| matches!(lane.turn, Turn::Left | Turn::UTurn);
+    if oncoming && yields_to_oncoming(a) != yields_to_oncoming(b) {
+        return yields_to_oncoming(a);
+    }
+    // Priority to the right: who heads to my left comes from my right.
+    if !oncoming && angle.abs() > 30.0 {
+        return angle > 0.0;
+    }
+    a.id > b.id
+}
+
+fn approach_rank(network: &RoadNetwork, connector: &Lane) -> u8 {
+    let control = |id: &LaneId| network.lane(*id).end_control;
+    match connector.predecessors.first().map(control) {
+        None | Some(Control::Free | Control::Signal(_)) => 0,
+        Some(Control::Yield) => 1,
+        Some(Control::Stop) => 2,
+    }
+}

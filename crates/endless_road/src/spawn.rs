@@ -1,0 +1,40 @@
+//! Places where vehicles may appear.
+
+use crate::{LaneId, RoadNetwork, SpawnPoint};
+
+/// Distance between spawn points of a lane, metres.
+const SPACING_M: f64 = 8.0;
+/// Distance kept from lane ends and crossings, metres.
+const CLEAR_M: f64 = 6.0;
+
+pub(crate) fn derive(network: &mut RoadNetwork) {
+    let mut blocked: Vec<Vec<(f64, f64)>> = vec![Vec::new(); network.lanes.len()];
+    for cut in network.crossings.iter().flat_map(|c| &c.cuts) {
+        blocked[cut.lane.index()].push((cut.range.0 - CLEAR_M, cut.range.1 + CLEAR_M));
+    }
+    let mut points = Vec::new();
+    for lane in network.lanes.iter().filter(|l| l.junction.is_none()) {
+        let cuts = &mut blocked[lane.id.index()];
+        cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let end = lane.centerline.length() - CLEAR_M;
+        let mut start = CLEAR_M;
+        for &(low, high) in cuts.iter() {
+            fill(lane.id, start, low.min(end), &mut points);
+            start = start.max(high);
+        }
+        fill(lane.id, start, end, &mut points);
+    }
+    network.spawn_points = points;
+}
+
+/// As many points as fit between two places, spread evenly.
+fn fill(lane: LaneId, start: f64, end: f64, points: &mut Vec<SpawnPoint>) {
+    let room = end - start;
+    if room < 0.0 {
+        return;
+    }
+    let gaps = (room / SPACING_M).floor();
+    let spacing = if gaps > 0.0 { room / gaps } else { 0.0 };
+    let first = if gaps > 0.0 { start } else { 0.5 * (start + end) };
+    points.extend((0..=gaps as usize).map(|i| SpawnPoint { lane, s: first + spacing * i as f64 }));
+}
