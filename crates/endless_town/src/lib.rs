@@ -1,5 +1,13 @@
 //! Towns: a road network dressed with ground, buildings, trees, furniture, parked cars, lamps and camera sites.
+//!
+//! A town is made in named passes over one street plan, each a folder: the network (`network`), its surfaces
+//! (`surface`), buildings on lots (`building`), street furniture and plants (`dressing`), camera sites (`camera`).
+//! What sets the eight towns apart is one table, `character`.
 
+mod character;
+mod load;
+mod network;
 mod town;
 
+pub use load::{NAMES, canonical_name, load};
 pub use town::{Lamp, ParkedVehicle, Placement, Town, TownError, What};

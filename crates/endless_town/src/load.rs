@@ -1,0 +1,59 @@
+//! Towns by name.
+
+use crate::character::{CHARACTERS, Character};
+use crate::{Town, TownError, network};
+use endless_asset::Catalogue;
+
+/// The maps there are, in the paper's order.
+pub const NAMES: &[&str] = &["Town01", "Town02", "Town03", "Town04", "Town05", "Town06", "Town07", "Town10HD"];
+
+/// The name of the map that is meant: `Town01_Opt` is `Town01`.
+///
+/// # Errors
+/// [`TownError::UnknownMap`] if there is no such map.
+pub fn canonical_name(given: &str) -> Result<&'static str, TownError> {
+    let plain = given.strip_suffix("_Opt").unwrap_or(given);
+    NAMES
+        .iter()
+        .copied()
+        .find(|&name| name == plain)
+        .ok_or_else(|| TownError::UnknownMap { given: given.to_owned(), known: NAMES.to_vec() })
+}
+
+/// Makes a town. The same name gives the same town everywhere.
+///
+/// # Errors
+/// [`TownError::UnknownMap`] if there is no such map.
+pub fn load(name: &str, catalogue: &Catalogue) -> Result<Town, TownError> {
+    let name = canonical_name(name)?;
+    let character = CHARACTERS.iter().find(|c| c.name == name).expect("every name has a character");
+    Ok(make(character, catalogue))
+}
+
+fn make(character: &Character, _catalogue: &Catalogue) -> Town {
+    let (_plan, network) = network::build(character);
+    Town {
+        name: character.name.to_owned(),
+        summary: character.summary,
+        network,
+        meshes: Vec::new(),
+        placements: Vec::new(),
+        parked: Vec::new(),
+        lamps: Vec::new(),
+        cameras: Vec::new(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_found_with_and_without_suffix() {
+        assert_eq!(canonical_name("Town01_Opt"), Ok("Town01"));
+        assert_eq!(canonical_name("Town10HD"), Ok("Town10HD"));
+        let error = canonical_name("Town99").expect_err("no such map");
+        assert!(error.to_string().contains("Town99") && error.to_string().contains("Town07"));
+        assert!(NAMES.iter().all(|n| CHARACTERS.iter().any(|c| c.name == *n)));
+    }
+}

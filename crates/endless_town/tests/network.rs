@@ -1,0 +1,118 @@
+//! The networks of all towns: no dead ends, everything reachable, signals complete.
+
+use endless_asset::Catalogue;
+use endless_road::{Control, LaneId, RoadNetwork};
+use endless_town::{NAMES, load};
+
+fn networks() -> Vec<(&'static str, RoadNetwork)> {
+    let catalogue = Catalogue::builtin();
+    NAMES.iter().map(|&n| (n, load(n, &catalogue).expect("known").network)).collect()
+}
+
+fn reached_from(network: &RoadNetwork, start: usize) -> usize {
+    let mut seen = vec![false; network.lanes.len()];
+    let mut open = vec![start];
+    while let Some(lane) = open.pop() {
+        if std::mem::replace(&mut seen[lane], true) {
+            continue;
+        }
+        let lane = &network.lanes[lane];
+        open.extend(lane.successors.iter().chain(&lane.left).chain(&lane.right).map(|l| l.index()));
+    }
+    seen.into_iter().filter(|&s| s).count()
+}
+
+#[test]
+fn traffic_never_ends_and_gets_everywhere() {
+    for (name, network) in networks() {
+        assert!(network.lanes.iter().all(|l| !l.successors.is_empty()), "{name}: a lane ends");
+        for lane in &network.lanes {
+            let reached = reached_from(&network, lane.id.index());
+            assert!(reached * 10 >= network.lanes.len() * 9, "{name}: {:?} reaches only {reached}", lane.id);
+        }
+    }
+}
+
+#[test]
+fn lanes_join_end_to_end() {
+    for (name, network) in networks() {
+        for lane in &network.lanes {
+            let end = lane.centerline.at(f64::INFINITY);
+            for &next in &lane.successors {
+                let start = network.lane(next).centerline.at(0.0);
+                let gap = end.position.distance(start.position);
+                let bend = endless_world::math::f64::wrap_angle(end.heading_rad - start.heading_rad);
+                assert!(gap < 0.01 && bend.abs() < 0.1, "{name}: {:?} to {next:?}: {gap} m, {bend} rad", lane.id);
+            }
+            let points = lane.centerline.points();
+            for three in points.windows(3) {
+                let (u, v) = ((three[1] - three[0]).truncate(), (three[2] - three[1]).truncate());
+                assert!(u.angle_to(v).abs() < 0.4, "{name}: {:?} has a kink at {:?}", lane.id, three[1]);
+            }
+        }
+    }
+}
+
+#[test]
+fn every_signal_is_shown_in_every_phase_and_turns_green() {
+    use endless_world::SignalAspect::Green;
+    for (name, network) in networks() {
+        let mut green = vec![false; usize::from(network.signal_groups)];
+        for program in network.junctions.iter().filter_map(|j| j.program.as_ref()) {
+            for phase in &program.phases {
+                assert_eq!(phase.aspects.len(), program.phases[0].aspects.len(), "{name}");
+                assert!(phase.duration_s > 0.0);
+                for &(id, aspect) in &phase.aspects {
+                    green[usize::from(id.0)] |= aspect == Green;
+                }
+            }
+        }
+        for lane in &network.lanes {
+            if let Control::Signal(id) = lane.end_control {
+                assert!(green[usize::from(id.0)], "{name}: {id:?} never turns green");
+            }
+        }
+        let walks = network.crossings.iter().filter_map(|c| c.signal);
+        assert!(walks.into_iter().all(|id| green[usize::from(id.0)]), "{name}: a walk signal never turns green");
+    }
+}
+
+#[test]
+fn the_walk_network_is_one_piece() {
+    for (name, network) in networks() {
+        let n = network.walk.nodes.len();
+        let mut near: Vec<Vec<usize>> = vec![Vec::new(); n];
+        for edge in &network.walk.edges {
+            let [a, b] = edge.nodes.map(|i| i.0 as usize);
+            assert!(network.walk.nodes[a].distance(network.walk.nodes[b]) > 0.2, "{name}: an edge of no length");
+            near[a].push(b);
+            near[b].push(a);
+        }
+        let mut seen = vec![false; n];
+        let mut open = vec![0];
+        while let Some(i) = open.pop() {
+            if !std::mem::replace(&mut seen[i], true) {
+                open.extend(&near[i]);
+            }
+        }
+        let reached = seen.iter().filter(|&&s| s).count();
+        assert!(reached * 2 > n, "{name}: {reached} of {n} walk nodes reached");
+    }
+}
+
+#[test]
+fn lane_ids_index_lanes() {
+    for (_, network) in networks() {
+        assert!(network.lanes.iter().enumerate().all(|(i, l)| l.id == LaneId(i as u32)));
+    }
+}
+
+#[test]
+fn there_is_room_for_a_hundred_vehicles() {
+    for (name, network) in networks() {
+        assert!(network.spawn_points.len() >= 100, "{name}: {} spawn points", network.spawn_points.len());
+        assert!(network.crossings.iter().all(|c| !c.cuts.is_empty()), "{name}: a crossing cuts no lane");
+        let conflicts: usize = network.junctions.iter().map(|j| j.conflicts.len()).sum();
+        assert!(conflicts > 0, "{name}");
+    }
+}
