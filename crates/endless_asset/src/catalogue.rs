@@ -1,17 +1,21 @@
 //! The built-in catalogue.
 
+use crate::vehicle::{self, RiderFit};
 use crate::{Mesh, PersonModel, Prop, VehicleModel};
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes well under a second.
 #[derive(Debug, Clone)]
 pub struct Catalogue {
     vehicles: Vec<VehicleModel>,
+    /// How a rider sits, one a vehicle.
+    fits: Vec<Option<RiderFit>>,
 }
 
 impl Catalogue {
     /// The built-in catalogue.
     pub fn builtin() -> Self {
-        Self { vehicles: Vec::new() }
+        let (vehicles, fits) = vehicle::all().into_iter().map(|b| (b.model, b.fit)).unzip();
+        Self { vehicles, fits }
     }
 
     /// Vehicle models; [`endless_world::AssetRef::model`] indexes them.
@@ -20,8 +24,8 @@ impl Catalogue {
     }
 
     /// Linear paint colour of a variant of a vehicle, distributed as on real roads.
-    pub fn vehicle_tint(&self, _model: u16, _variant: u64) -> [f32; 3] {
-        [0.5; 3]
+    pub fn vehicle_tint(&self, model: u16, variant: u64) -> [f32; 3] {
+        vehicle::tint(&self.vehicles[usize::from(model)].spec, variant)
     }
 
     /// The person of a variant.

@@ -8,6 +8,7 @@ mod material;
 mod mesh;
 mod person;
 mod prop;
+mod shape;
 mod vehicle;
 
 pub use catalogue::Catalogue;

@@ -1,5 +1,21 @@
 //! Vehicle models.
 
+mod assemble;
+mod bus;
+mod car;
+mod cars;
+mod cycle;
+mod motorcycle;
+mod paint;
+mod shell;
+mod tint;
+mod truck;
+mod van;
+mod wheel;
+
+pub(crate) use assemble::{Built, RiderFit};
+pub(crate) use tint::tint;
+
 use crate::Mesh;
 use endless_world::ObjectClass;
 use glam::Vec3;
@@ -59,4 +75,36 @@ pub struct VehicleModel {
     pub wheel_mesh: Mesh,
     /// Centres of the headlights' lenses in the object frame (one for two-wheelers, none for bicycles).
     pub headlights: Vec<Vec3>,
+}
+
+impl VehicleSpec {
+    /// A spec without measures, which assembling the vehicle fills in.
+    pub(crate) fn blank(name: &'static str, class: ObjectClass) -> Self {
+        Self {
+            name,
+            class,
+            length_m: 0.0,
+            width_m: 0.0,
+            height_m: 0.0,
+            front_axle_m: 0.0,
+            rear_axle_m: 0.0,
+            wheel_radius_m: 0.0,
+            cruise_mps: 13.0,
+            acceleration_mps2: 1.5,
+            frequency: 1.0,
+            parks: false,
+            ridden: false,
+        }
+    }
+}
+
+/// All models of the catalogue.
+pub(crate) fn all() -> Vec<Built> {
+    let mut all = cars::all();
+    all.extend(van::all());
+    all.extend(truck::all());
+    all.extend(bus::all());
+    all.extend(motorcycle::all());
+    all.extend(cycle::all());
+    all
 }

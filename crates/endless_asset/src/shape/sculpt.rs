@@ -1,0 +1,180 @@
+//! A soup of triangles under construction.
+
+use crate::{Material, Mesh};
+use glam::{Affine3A, Vec2, Vec3};
+use std::collections::HashMap;
+
+/// One triangle, counter-clockwise seen from outside.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Face {
+    pub(crate) corners: [Vec3; 3],
+    pub(crate) normals: [Vec3; 3],
+    pub(crate) material: Material,
+}
+
+impl Face {
+    /// Normal of the plane, its length twice the area.
+    pub(crate) fn area_normal(&self) -> Vec3 {
+        (self.corners[1] - self.corners[0]).cross(self.corners[2] - self.corners[0])
+    }
+}
+
+/// Triangles with a normal a corner. Parts are made one by one, smoothed, painted by [`crate::shape::Region`]s, and put
+/// together.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Sculpt {
+    pub(crate) faces: Vec<Face>,
+}
+
+/// Below twice this area (m²) a triangle is dropped: nobody could see it, and its normal would be noise.
+const DEGENERATE_AREA: f32 = 2e-8;
+
+/// Positions nearer than about this count as one, metres.
+const WELD_M: f32 = 5e-5;
+
+fn key(p: Vec3) -> [i32; 3] {
+    (p / WELD_M).round().to_array().map(|c| c as i32)
+}
+
+impl Sculpt {
+    pub(crate) fn new() -> Self {
+        Self::default()
+    }
+
+    /// A flat triangle.
+    pub(crate) fn triangle(&mut self, corners: [Vec3; 3], material: Material) {
+        let face = Face { corners, normals: [Vec3::Z; 3], material };
+        let n = face.area_normal();
+        if n.length() > 2.0 * DEGENERATE_AREA {
+            self.faces.push(Face { normals: [n.normalize_or(Vec3::Z); 3], ..face });
+        }
+    }
+
+    /// A flat quadrilateral.
+    pub(crate) fn quad(&mut self, [a, b, c, d]: [Vec3; 4], material: Material) {
+        self.triangle([a, b, c], material);
+        self.triangle([a, c, d], material);
+    }
+
+    /// A sheet over rows of equally many points. Seen from outside, columns go right and rows go up. `closed` joins the
+    /// last column to the first.
+    pub(crate) fn grid(&mut self, rows: &[Vec<Vec3>], closed: bool, material: Material) {
+        for pair in rows.windows(2) {
+            let n = pair[0].len();
+            for j in 0..if closed { n } else { n - 1 } {
+                let k = (j + 1) % n;
+                self.quad([pair[0][j], pair[0][k], pair[1][k], pair[1][j]], material);
+            }
+        }
+    }
+
+    /// A fan over a closed, roughly flat polygon.
+    pub(crate) fn polygon(&mut self, points: &[Vec3], material: Material) {
+        let centre = points.iter().copied().sum::<Vec3>() / points.len() as f32;
+        for (i, &p) in points.iter().enumerate() {
+            self.triangle([centre, p, points[(i + 1) % points.len()]], material);
+        }
+    }
+
+    /// Normals averaged over neighbours that meet at less than this angle.
+    pub(crate) fn smooth(mut self, crease_deg: f32) -> Self {
+        let limit = endless_world::math::cos(crease_deg.to_radians());
+        let flat: Vec<Vec3> = self.faces.iter().map(|f| f.area_normal().normalize_or(Vec3::Z)).collect();
+        let mut around: HashMap<[i32; 3], Vec<(u32, f32)>> = HashMap::with_capacity(self.faces.len());
+        for (i, face) in self.faces.iter().enumerate() {
+            for k in 0..3 {
+                let [p, q, r] = [0, 1, 2].map(|j| face.corners[(k + j) % 3]);
+                let cosine = (q - p).normalize_or_zero().dot((r - p).normalize_or_zero());
+                let angle = endless_world::math::acos(cosine.clamp(-1.0, 1.0));
+                around.entry(key(p)).or_default().push((i as u32, angle));
+            }
+        }
+        for (i, face) in self.faces.iter_mut().enumerate() {
+            for k in 0..3 {
+                let sum: Vec3 = around[&key(face.corners[k])]
+                    .iter()
+                    .filter(|&&(j, _)| flat[j as usize].dot(flat[i]) > limit)
+                    .map(|&(j, angle)| flat[j as usize] * angle)
+                    .sum();
+                face.normals[k] = sum.normalize_or(flat[i]);
+            }
+        }
+        self
+    }
+
+    /// Puts another part beside this one.
+    pub(crate) fn add(&mut self, other: Self) {
+        self.faces.extend(other.faces);
+    }
+
+    /// The same, moved.
+    pub(crate) fn placed(mut self, transform: Affine3A) -> Self {
+        let normal_matrix = transform.matrix3.inverse().transpose();
+        let flips = transform.matrix3.determinant() < 0.0;
+        for face in &mut self.faces {
+            face.corners = face.corners.map(|p| transform.transform_point3(p));
+            face.normals = face.normals.map(|n| (normal_matrix * n).normalize_or(Vec3::Z));
+            if flips {
+                face.corners.swap(1, 2);
+                face.normals.swap(1, 2);
+            }
+        }
+        self
+    }
+
+    /// The same, moved by a vector.
+    pub(crate) fn at(self, offset: Vec3) -> Self {
+        self.placed(Affine3A::from_translation(offset))
+    }
+
+    /// The mirror image, left for right.
+    pub(crate) fn mirrored(&self) -> Self {
+        self.clone().placed(Affine3A::from_scale(Vec3::new(1.0, -1.0, 1.0)))
+    }
+
+    /// This and its mirror image.
+    pub(crate) fn both_sides(mut self) -> Self {
+        let other = self.mirrored();
+        self.add(other);
+        self
+    }
+
+    /// Smallest and largest corner.
+    pub(crate) fn bounds(&self) -> (Vec3, Vec3) {
+        let corners = || self.faces.iter().flat_map(|f| f.corners);
+        (corners().fold(Vec3::INFINITY, Vec3::min), corners().fold(Vec3::NEG_INFINITY, Vec3::max))
+    }
+
+    /// The finished mesh; corners alike in place and normal become one vertex. uv: metres along the face, v upward.
+    pub(crate) fn into_mesh(self) -> Mesh {
+        let mut mesh = Mesh::default();
+        let mut seen: HashMap<([i32; 3], [i32; 3], u8), u32> = HashMap::new();
+        for face in &self.faces {
+            let flat = face.area_normal();
+            let size = flat.abs();
+            let axis = if size.z >= size.x && size.z >= size.y { 2 } else { u8::from(size.y > size.x) };
+            let mut indices = [0; 3];
+            for k in 0..3 {
+                let (p, n) = (face.corners[k], face.normals[k]);
+                let normal_key = (n * 4096.0).round().to_array().map(|c| c as i32);
+                indices[k] = *seen.entry((key(p), normal_key, axis)).or_insert_with(|| {
+                    mesh.positions.push(p);
+                    mesh.normals.push(n);
+                    mesh.uvs.push(match axis {
+                        0 => Vec2::new(p.y, p.z),
+                        1 => Vec2::new(p.x, p.z),
+                        _ => Vec2::new(p.x, p.y),
+                    });
+                    (mesh.positions.len() - 1) as u32
+                });
+            }
+            if indices[0] == indices[1] || indices[1] == indices[2] || indices[2] == indices[0] {
+                continue;
+            }
+            let material = mesh.material_index(face.material);
+            mesh.triangles.push(indices);
+            mesh.triangle_materials.push(material);
+        }
+        mesh
+    }
+}

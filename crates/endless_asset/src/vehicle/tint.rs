@@ -1,0 +1,83 @@
+//! Paint colours as on real roads.
+
+use super::VehicleSpec;
+use endless_world::{ObjectClass, Stream};
+
+/// Share and linear colour.
+type Paint = (f64, [f32; 3]);
+
+/// Passenger cars: white, black, grey and silver are four in five.
+const CARS: &[Paint] = &[
+    (33.0, [0.74, 0.74, 0.73]),
+    (20.0, [0.010, 0.010, 0.011]),
+    (10.0, [0.085, 0.088, 0.092]),
+    (8.0, [0.17, 0.175, 0.18]),
+    (10.0, [0.42, 0.43, 0.44]),
+    (4.0, [0.012, 0.035, 0.13]),
+    (3.0, [0.03, 0.12, 0.30]),
+    (4.5, [0.34, 0.012, 0.012]),
+    (1.5, [0.13, 0.008, 0.012]),
+    (2.0, [0.10, 0.065, 0.04]),
+    (1.5, [0.33, 0.28, 0.20]),
+    (1.0, [0.02, 0.09, 0.045]),
+    (0.8, [0.65, 0.22, 0.02]),
+    (0.7, [0.70, 0.52, 0.04]),
+];
+const TAXIS: &[Paint] = &[(60.0, [0.78, 0.48, 0.02]), (40.0, [0.74, 0.74, 0.73])];
+const VANS: &[Paint] = &[
+    (68.0, [0.74, 0.74, 0.73]),
+    (12.0, [0.40, 0.41, 0.42]),
+    (8.0, [0.09, 0.09, 0.095]),
+    (4.0, [0.02, 0.08, 0.28]),
+    (4.0, [0.38, 0.02, 0.015]),
+    (4.0, [0.66, 0.45, 0.03]),
+];
+const TRUCKS: &[Paint] = &[
+    (50.0, [0.72, 0.72, 0.71]),
+    (14.0, [0.03, 0.10, 0.32]),
+    (14.0, [0.40, 0.025, 0.02]),
+    (10.0, [0.68, 0.40, 0.02]),
+    (6.0, [0.03, 0.18, 0.08]),
+    (6.0, [0.12, 0.12, 0.125]),
+];
+const BUSES: &[Paint] = &[
+    (30.0, [0.46, 0.07, 0.02]),
+    (20.0, [0.03, 0.13, 0.38]),
+    (18.0, [0.05, 0.26, 0.12]),
+    (17.0, [0.70, 0.70, 0.69]),
+    (15.0, [0.66, 0.44, 0.03]),
+];
+const MOTORCYCLES: &[Paint] = &[
+    (34.0, [0.012, 0.012, 0.013]),
+    (30.0, [0.42, 0.012, 0.012]),
+    (14.0, [0.02, 0.06, 0.30]),
+    (12.0, [0.70, 0.70, 0.69]),
+    (10.0, [0.16, 0.165, 0.17]),
+];
+const BICYCLES: &[Paint] = &[
+    (30.0, [0.015, 0.015, 0.016]),
+    (20.0, [0.36, 0.37, 0.38]),
+    (16.0, [0.36, 0.015, 0.015]),
+    (14.0, [0.02, 0.09, 0.34]),
+    (10.0, [0.04, 0.26, 0.14]),
+    (10.0, [0.70, 0.66, 0.55]),
+];
+
+/// Linear paint colour of a variant.
+pub(crate) fn tint(spec: &VehicleSpec, variant: u64) -> [f32; 3] {
+    let paints = match spec.class {
+        ObjectClass::Car if spec.name == "car.taxi" => TAXIS,
+        ObjectClass::Van => VANS,
+        ObjectClass::Truck => TRUCKS,
+        ObjectClass::Bus => BUSES,
+        ObjectClass::Motorcycle => MOTORCYCLES,
+        ObjectClass::Bicycle => BICYCLES,
+        _ => CARS,
+    };
+    let mut stream = Stream::named(variant, "vehicle paint", &[]);
+    let weights: Vec<f64> = paints.iter().map(|p| p.0).collect();
+    let (_, color) = paints[stream.weighted(&weights)];
+    // Batches and years differ a little.
+    let shade = stream.range_f32(0.88, 1.1);
+    color.map(|c| (c * shade).clamp(0.004, 0.85))
+}
