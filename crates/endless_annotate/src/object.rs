@@ -1,0 +1,114 @@
+//! What is known of each object that can be seen in a frame.
+
+use crate::PixelBox;
+use endless_world::{Actor, InstanceId, ObjectClass, WorldState};
+use serde::{Deserialize, Serialize};
+
+/// One annotated object of one frame, as written in `objects.jsonl`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct ObjectRecord {
+    /// The track: the same object has the same id in both cameras and all frames.
+    pub id: InstanceId,
+    /// What it is.
+    pub class: ObjectClass,
+    /// Tight box of its visible pixels.
+    pub bbox: PixelBox,
+    /// Number of its visible pixels.
+    pub pixels: u32,
+    /// Whether the box touches the image's edge, so that more of the object may lie outside.
+    pub truncated: bool,
+    /// Parked for the whole video.
+    pub parked: bool,
+    /// For a rider: the two-wheeler ridden.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub vehicle_id: Option<InstanceId>,
+    /// For a two-wheeler: who rides it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rider_id: Option<InstanceId>,
+    /// Point on the ground under its centre, in the world (x east, y north, z up), metres.
+    pub position: [f64; 3],
+    /// Heading, counter-clockwise from east, radians.
+    pub yaw_rad: f64,
+    /// Speed over ground, m/s.
+    pub speed_mps: f64,
+}
+
+/// All objects of one instant, parked ones included, by id.
+#[derive(Debug, Clone)]
+pub struct SceneObjects(Vec<SceneObject>);
+
+/// An object of the scene, seen or not.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct SceneObject {
+    pub(crate) id: InstanceId,
+    pub(crate) class: ObjectClass,
+    parked: bool,
+    vehicle_id: Option<InstanceId>,
+    rider_id: Option<InstanceId>,
+    position: [f64; 3],
+    yaw_rad: f64,
+    speed_mps: f64,
+}
+
+impl SceneObjects {
+    /// The objects of this instant. `parked` are those that the state leaves out.
+    pub fn new(state: &WorldState, parked: &[Actor]) -> Self {
+        let mut objects = Vec::with_capacity(state.actors.len() + parked.len());
+        for actor in state.actors.iter().chain(parked) {
+            objects.push(SceneObject::of(actor));
+            objects.extend(SceneObject::rider_of(actor));
+        }
+        objects.sort_by_key(|o| o.id);
+        Self(objects)
+    }
+
+    pub(crate) fn find(&self, id: InstanceId) -> Option<&SceneObject> {
+        self.0.binary_search_by_key(&id, |o| o.id).ok().map(|i| &self.0[i])
+    }
+}
+
+impl SceneObject {
+    fn of(actor: &Actor) -> Self {
+        Self {
+            id: actor.id,
+            class: actor.class,
+            parked: actor.parked,
+            vehicle_id: None,
+            rider_id: actor.rider_id,
+            position: actor.pose.position.to_array().map(|v| thousandths(f64::from(v))),
+            yaw_rad: ten_thousandths(f64::from(actor.pose.yaw_rad)),
+            speed_mps: thousandths(f64::from(actor.velocity_mps.length())),
+        }
+    }
+
+    fn rider_of(actor: &Actor) -> Option<Self> {
+        let id = actor.rider_id?;
+        Some(Self { id, class: ObjectClass::Rider, vehicle_id: Some(actor.id), rider_id: None, ..Self::of(actor) })
+    }
+
+    pub(crate) fn record(&self, bbox: PixelBox, pixels: u32, truncated: bool) -> ObjectRecord {
+        ObjectRecord {
+            id: self.id,
+            class: self.class,
+            bbox,
+            pixels,
+            truncated,
+            parked: self.parked,
+            vehicle_id: self.vehicle_id,
+            rider_id: self.rider_id,
+            position: self.position,
+            yaw_rad: self.yaw_rad,
+            speed_mps: self.speed_mps,
+        }
+    }
+}
+
+/// Millimetres are all that the simulation means.
+fn thousandths(value: f64) -> f64 {
+    // Adding zero turns −0 into 0, which would look odd in a file.
+    (value * 1e3).round() / 1e3 + 0.0
+}
+
+fn ten_thousandths(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4 + 0.0
+}
