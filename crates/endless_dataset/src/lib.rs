@@ -1,1 +1,38 @@
-//! placeholder
+//! What lies on disk: layout, encodings, writers, readers, video and validation.
+//!
+//! Every writer goes to a temporary name and renames: what bears its final name is whole. Every writer has a reader,
+//! and [`check`] reopens a whole dataset with them.
+
+mod atomic;
+mod camera_record;
+mod check;
+mod encoding;
+mod error;
+mod labels;
+mod layer;
+mod layout;
+mod manifest;
+mod mp4;
+mod objects;
+mod preview;
+mod raster;
+mod recipe;
+mod scene_record;
+mod video;
+
+pub use atomic::{AtomicFile, remove_temporaries, write_atomic};
+pub use camera_record::CameraRecord;
+pub use check::{CheckReport, Finding, check};
+pub use encoding::{depth_from_rgb, instance_from_rgb, rgb_from_depth, rgb_from_instance};
+pub use error::DatasetError;
+pub use labels::LabelSchema;
+pub use layer::{Layer, RgbFormat};
+pub use layout::{CameraLayout, DatasetLayout, VideoLayout};
+pub use manifest::{Manifest, Tool, VideoEntry, VideoState};
+pub use mp4::{Mp4Info, Mp4Writer, read_mp4};
+pub use objects::{ObjectsWriter, read_objects};
+pub use preview::{depth_preview, instance_preview};
+pub use raster::{decode_jpg, decode_png, encode_jpg, encode_png, read_rgb};
+pub use recipe::Recipe;
+pub use scene_record::{SceneRecord, Spawned, read_json, write_json};
+pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

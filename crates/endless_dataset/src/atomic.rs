@@ -1,0 +1,139 @@
+//! Write to a temporary name, then rename: what bears its final name is whole.
+
+use crate::DatasetError;
+use std::{
+    fs::{self, File},
+    io::{BufWriter, Write},
+    path::{Path, PathBuf},
+};
+
+const SUFFIX: &str = ".tmp";
+
+/// A file that gets its name when it is finished, and vanishes when it is dropped before.
+#[derive(Debug)]
+pub struct AtomicFile {
+    final_path: PathBuf,
+    temporary: PathBuf,
+    writer: Option<BufWriter<File>>,
+}
+
+impl AtomicFile {
+    /// Opens the temporary file beside `final_path`.
+    ///
+    /// # Errors
+    /// When it cannot be created.
+    pub fn create(final_path: &Path) -> Result<Self, DatasetError> {
+        let name = final_path.file_name().unwrap_or_default().to_string_lossy();
+        let temporary = final_path.with_file_name(format!(".{name}{SUFFIX}"));
+        let file = File::create(&temporary).map_err(|e| DatasetError::io("cannot write", final_path, e))?;
+        let writer = Some(BufWriter::with_capacity(1 << 16, file));
+        Ok(Self { final_path: final_path.to_owned(), temporary, writer })
+    }
+
+    /// Appends.
+    ///
+    /// # Errors
+    /// When the disk refuses.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), DatasetError> {
+        let writer = self.writer.as_mut().expect("open until finished");
+        writer.write_all(bytes).map_err(|e| DatasetError::io("cannot write", &self.final_path, e))
+    }
+
+    /// Gives the file its name.
+    ///
+    /// # Errors
+    /// When the disk refuses.
+    pub fn finish(mut self) -> Result<(), DatasetError> {
+        let writer = self.writer.take().expect("open until finished");
+        let failed = |e| DatasetError::io("cannot write", &self.final_path, e);
+        drop(writer.into_inner().map_err(|e| failed(e.into_error()))?);
+        fs::rename(&self.temporary, &self.final_path).map_err(failed)
+    }
+}
+
+impl Drop for AtomicFile {
+    fn drop(&mut self) {
+        if let Some(writer) = self.writer.take() {
+            // What is buffered is thrown away: this file is not wanted.
+            drop(writer.into_parts());
+        }
+        // After a rename there is nothing to remove, and then this fails, as it should.
+        let _ = fs::remove_file(&self.temporary);
+    }
+}
+
+/// Writes a whole file.
+///
+/// # Errors
+/// When the disk refuses; nothing is left behind then.
+pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), DatasetError> {
+    let mut file = AtomicFile::create(path)?;
+    file.write(bytes)?;
+    file.finish()
+}
+
+/// Removes what a killed run left half-written, in this folder and all below it.
+///
+/// # Errors
+/// When a folder cannot be read or a file not be removed.
+pub fn remove_temporaries(folder: &Path) -> Result<(), DatasetError> {
+    for path in list(folder)? {
+        if path.is_dir() {
+            remove_temporaries(&path)?;
+        } else if is_temporary(&path) {
+            fs::remove_file(&path).map_err(|e| DatasetError::io("cannot remove", &path, e))?;
+        }
+    }
+    Ok(())
+}
+
+/// Whether this is the name of a file that is being written.
+pub(crate) fn is_temporary(path: &Path) -> bool {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    name.starts_with('.') && name.ends_with(SUFFIX)
+}
+
+/// What lies in a folder, sorted; nothing if it does not exist.
+pub(crate) fn list(folder: &Path) -> Result<Vec<PathBuf>, DatasetError> {
+    let entries = match fs::read_dir(folder) {
+        Ok(entries) => entries,
+        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(e) => return Err(DatasetError::io("cannot read the folder", folder, e)),
+    };
+    let mut paths = Vec::new();
+    for entry in entries {
+        paths.push(entry.map_err(|e| DatasetError::io("cannot read the folder", folder, e))?.path());
+    }
+    paths.sort();
+    Ok(paths)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_dropped_file_leaves_nothing() {
+        let folder = tempfile::tempdir().expect("temp");
+        let path = folder.path().join("a.png");
+        let mut file = AtomicFile::create(&path).expect("writable");
+        file.write(b"half").expect("writable");
+        drop(file);
+        assert_eq!(list(folder.path()).expect("readable"), Vec::<PathBuf>::new());
+        write_atomic(&path, b"whole").expect("writable");
+        assert_eq!(fs::read(&path).expect("there"), b"whole");
+        assert_eq!(list(folder.path()).expect("readable"), [path]);
+    }
+
+    #[test]
+    fn temporaries_of_a_killed_run_go() {
+        let folder = tempfile::tempdir().expect("temp");
+        fs::create_dir_all(folder.path().join("camera_a/rgb")).expect("writable");
+        let half = folder.path().join("camera_a/rgb/.000001.png.tmp");
+        let whole = folder.path().join("camera_a/rgb/000000.png");
+        fs::write(&half, "x").expect("writable");
+        fs::write(&whole, "x").expect("writable");
+        remove_temporaries(folder.path()).expect("removable");
+        assert!(!half.exists() && whole.exists());
+    }
+}

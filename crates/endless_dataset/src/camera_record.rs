@@ -1,0 +1,103 @@
+//! `camera.json`.
+
+use endless_world::{CameraSite, FAR_PLANE_M, ImageSize, Intrinsics, PinholeCamera};
+use serde::{Deserialize, Serialize};
+
+/// One camera of a video: everything needed to project world points into its images and back.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CameraRecord {
+    /// How to read the numbers.
+    pub conventions: String,
+    /// Image size, pixels.
+    pub size: ImageSize,
+    /// Frames a second.
+    pub fps: f64,
+    /// Focal lengths and principal point, pixels.
+    pub intrinsics: Intrinsics,
+    /// The same as a matrix, row-major: `image ~ K · camera`.
+    pub intrinsics_matrix: [[f64; 3]; 3],
+    /// Row-major 4×4: `world = world_from_camera · camera`.
+    pub world_from_camera: [[f64; 4]; 4],
+    /// The lens.
+    pub lens: Lens,
+    /// Depth of the sky, metres.
+    pub far_plane_m: f64,
+    /// Where it hangs and looks.
+    pub site: CameraSite,
+}
+
+/// The lens model.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Lens {
+    /// `pinhole`.
+    pub model: String,
+    /// Horizontal field of view, radians.
+    pub horizontal_fov_rad: f64,
+    /// OpenCV's k1, k2, p1, p2, k3.
+    pub distortion: [f64; 5],
+}
+
+const CONVENTIONS: &str = "metres and radians; world: right-handed, x east, y north, z up; camera (OpenCV): x right, \
+                           y down, z along the optical axis; image: x right, y down, the centre of pixel (i, j) is \
+                           at (i + 0.5, j + 0.5); matrices are row-major and act on columns; target_from_source: \
+                           world = world_from_camera * camera";
+
+impl CameraRecord {
+    /// The record of a site filming at this size and rate.
+    pub fn new(site: &CameraSite, size: ImageSize, fps: f64) -> Self {
+        let camera = PinholeCamera::new(site, size);
+        let Intrinsics { fx, fy, cx, cy } = camera.intrinsics;
+        let r = camera.world_from_camera;
+        let p = camera.position;
+        let row = |i: usize| [r.col(0)[i], r.col(1)[i], r.col(2)[i], p[i]].map(f64::from);
+        Self {
+            conventions: CONVENTIONS.into(),
+            size,
+            fps,
+            intrinsics: camera.intrinsics,
+            intrinsics_matrix: [
+                [f64::from(fx), 0.0, f64::from(cx)],
+                [0.0, f64::from(fy), f64::from(cy)],
+                [0.0, 0.0, 1.0],
+            ],
+            world_from_camera: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
+            lens: Lens {
+                model: "pinhole".into(),
+                horizontal_fov_rad: f64::from(site.horizontal_fov_rad),
+                distortion: [0.0; 5],
+            },
+            far_plane_m: f64::from(FAR_PLANE_M),
+            site: site.clone(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_world::Mount;
+    use glam::Vec3;
+
+    #[test]
+    fn the_matrices_project_as_the_camera_does() {
+        let site = CameraSite {
+            name: "t".into(),
+            position: [3.0, -4.0, 7.0],
+            yaw_rad: 2.1,
+            down_tilt_rad: 0.5,
+            horizontal_fov_rad: 1.2,
+            mount: Mount::Pole,
+        };
+        let size = ImageSize { width: 641, height: 363 };
+        let record = CameraRecord::new(&site, size, 30.0);
+        let camera = PinholeCamera::new(&site, size);
+        let in_camera = [1.5, -0.7, 12.0, 1.0];
+        let world = record.world_from_camera.map(|row| row.iter().zip(in_camera).map(|(m, c)| m * c).sum::<f64>());
+        let image = record.intrinsics_matrix.map(|row| row.iter().zip(in_camera).map(|(m, c)| m * c).sum::<f64>());
+        let (point, depth) =
+            camera.project(Vec3::new(world[0] as f32, world[1] as f32, world[2] as f32)).expect("in front");
+        assert!((f64::from(depth) - 12.0).abs() < 1e-4);
+        assert!((f64::from(point.x) - image[0] / image[2]).abs() < 1e-2);
+        assert!((f64::from(point.y) - image[1] / image[2]).abs() < 1e-2);
+    }
+}

@@ -1,0 +1,166 @@
+//! Reopens a whole dataset and names everything that is wrong with it.
+
+mod camera;
+mod tracks;
+
+use crate::{DatasetError, DatasetLayout, Manifest, SceneRecord, VideoEntry, VideoState, atomic, read_json};
+use endless_world::SceneSettings;
+use rayon::prelude::*;
+use std::{
+    fmt,
+    path::{Path, PathBuf},
+};
+
+/// Something that is wrong.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finding {
+    /// Where.
+    pub path: PathBuf,
+    /// What.
+    pub problem: String,
+}
+
+impl Finding {
+    fn new(path: impl Into<PathBuf>, problem: impl Into<String>) -> Self {
+        Self { path: path.into(), problem: problem.into() }
+    }
+}
+
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.path.display(), self.problem)
+    }
+}
+
+impl From<DatasetError> for Finding {
+    fn from(error: DatasetError) -> Self {
+        match error {
+            DatasetError::Io { action, path, source } => Self::new(path, format!("{action} ({source})")),
+            DatasetError::Malformed { reason, path } => Self::new(path, reason),
+            DatasetError::DiskFull { path } => Self::new(path, "the disk is full"),
+            DatasetError::Video { reason } => Self::new("", reason),
+        }
+    }
+}
+
+/// What was looked at, and what is wrong.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct CheckReport {
+    /// Videos looked at.
+    pub videos: usize,
+    /// Images decoded.
+    pub images: u64,
+    /// Boxes compared with the instance images.
+    pub boxes: u64,
+    /// Everything that is wrong, by path.
+    pub findings: Vec<Finding>,
+}
+
+/// Checks everything in a dataset's folder.
+///
+/// # Errors
+/// When there is no dataset to check.
+pub fn check(root: &Path) -> Result<CheckReport, DatasetError> {
+    let layout = DatasetLayout::new(root);
+    let manifest: Manifest = read_json(&layout.manifest())?;
+    let mut report = CheckReport { videos: manifest.videos.len(), ..Default::default() };
+    report.findings.extend(check_manifest(&layout, &manifest));
+    for video in &manifest.videos {
+        report.merge(check_video(&layout, &manifest, video));
+    }
+    report.findings.sort_by(|a, b| (&a.path, &a.problem).cmp(&(&b.path, &b.problem)));
+    Ok(report)
+}
+
+impl CheckReport {
+    fn merge(&mut self, other: Self) {
+        self.images += other.images;
+        self.boxes += other.boxes;
+        self.findings.extend(other.findings);
+    }
+}
+
+fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {
+    let mut findings = Vec::new();
+    let path = layout.manifest();
+    if manifest.format != Manifest::FORMAT {
+        let problem = format!("has format {}, this version reads {}", manifest.format, Manifest::FORMAT);
+        findings.push(Finding::new(&path, problem));
+    }
+    if manifest.videos.len() != manifest.recipe.videos as usize {
+        let problem = format!("lists {} videos, its recipe says {}", manifest.videos.len(), manifest.recipe.videos);
+        findings.push(Finding::new(&path, problem));
+    }
+    for (video, number) in manifest.videos.iter().zip(0..) {
+        if video.video != number {
+            findings.push(Finding::new(&path, format!("video {} stands in place {number}", video.video)));
+        }
+    }
+    let expected_videos: Vec<String> = manifest.videos.iter().map(|v| v.name.clone()).collect();
+    let expected_scenes: Vec<String> = manifest.videos.iter().map(|v| format!("{:04}.json", v.video)).collect();
+    findings.extend(strangers(&layout.videos(), &expected_videos));
+    findings.extend(strangers(&layout.scenes(), &expected_scenes));
+    findings
+}
+
+/// What lies in a folder and should not.
+fn strangers(folder: &Path, expected: &[String]) -> Vec<Finding> {
+    let Ok(found) = atomic::list(folder) else {
+        return vec![Finding::new(folder, "cannot be read")];
+    };
+    let stranger = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        !expected.iter().any(|e| *e == name)
+    };
+    let describe = |path: PathBuf| {
+        let half = atomic::is_temporary(&path);
+        let problem =
+            if half { "is left from a killed run: run the same command again" } else { "does not belong here" };
+        Finding::new(path, problem)
+    };
+    found.into_iter().filter(stranger).map(describe).collect()
+}
+
+fn check_video(layout: &DatasetLayout, manifest: &Manifest, entry: &VideoEntry) -> CheckReport {
+    let video = layout.video_named(&entry.name);
+    let mut report = CheckReport::default();
+    if entry.state != VideoState::Complete {
+        report.findings.push(Finding::new(video.folder(), "is not complete: run the same command again"));
+        return report;
+    }
+    let planned: Result<SceneSettings, _> = read_json(&layout.scene(entry.video));
+    let record: Result<SceneRecord, _> = read_json(&video.scene());
+    let (planned, record) = match (planned, record) {
+        (Ok(planned), Ok(record)) => (planned, record),
+        (planned, record) => {
+            report.findings.extend(planned.err().map(Finding::from));
+            report.findings.extend(record.err().map(Finding::from));
+            return report;
+        }
+    };
+    if record.settings != planned {
+        report.findings.push(Finding::new(video.scene(), "differs from the planned settings in scenes/"));
+    }
+    if record.recorded_frames != manifest.recipe.frames() || entry.frames != record.recorded_frames {
+        let problem = format!("{} frames recorded, {} asked for", record.recorded_frames, manifest.recipe.frames());
+        report.findings.push(Finding::new(video.scene(), problem));
+    }
+    let folders = ["camera_a", "camera_b", "scene.json"].map(String::from);
+    report.findings.extend(strangers(video.folder(), &folders));
+    let cameras: Vec<camera::CameraCheck> = (0..2)
+        .into_par_iter()
+        .map(|i| camera::check_camera(&video.camera(i), &record.settings, i, &manifest.recipe))
+        .collect();
+    for (i, camera) in cameras.iter().enumerate() {
+        if camera.report.boxes != record.boxes[i] {
+            let problem = format!("says {} boxes, {} has {}", record.boxes[i], ["a", "b"][i], camera.report.boxes);
+            report.findings.push(Finding::new(video.scene(), problem));
+        }
+    }
+    let tracks: Vec<_> = cameras.iter().map(|c| &c.tracks).collect();
+    report.findings.extend(tracks::disagreements(video.folder(), &tracks));
+    for camera in cameras {
+        report.merge(camera.report);
+    }
+    report
+}

@@ -1,0 +1,196 @@
+//! One camera of a video: every file decodes, sizes, counts, alignment, boxes.
+
+use super::{CheckReport, Finding, strangers, tracks::Tracks};
+use crate::{
+    CameraLayout, CameraRecord, DatasetError, Layer, Recipe, RgbFormat, depth_from_rgb, instance_from_rgb, read_json,
+    read_mp4, read_objects, read_rgb, video,
+};
+use endless_annotate::{FrameObjects, visible_objects};
+use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, SceneSettings};
+use rayon::prelude::*;
+use rusty_h264_decoder::Decoder;
+
+/// What a camera's files show.
+pub(super) struct CameraCheck {
+    pub(super) report: CheckReport,
+    pub(super) tracks: Tracks,
+}
+
+pub(super) fn check_camera(
+    layout: &CameraLayout,
+    settings: &SceneSettings,
+    camera: usize,
+    recipe: &Recipe,
+) -> CameraCheck {
+    let mut report = CheckReport::default();
+    report.findings.extend(check_record(layout, settings, camera));
+    report.findings.extend(check_names(layout, recipe));
+    let lines = read_objects(&layout.objects()).unwrap_or_else(|e| {
+        report.findings.push(e.into());
+        Vec::new()
+    });
+    if lines.len() != recipe.frames() as usize {
+        let problem = format!("has {} lines for {} frames", lines.len(), recipe.frames());
+        report.findings.push(Finding::new(layout.objects(), problem));
+    }
+    let mut tracks = Tracks::default();
+    for object in lines.iter().flat_map(|l| &l.objects) {
+        tracks.add(object.id, object.class);
+        report.boxes += 1;
+    }
+    let frames: Vec<CheckReport> = (0..recipe.frames())
+        .into_par_iter()
+        .map(|frame| check_frame(layout, frame, lines.get(frame as usize), recipe))
+        .collect();
+    for frame in frames {
+        report.merge(frame);
+    }
+    let videos: Vec<Finding> = recipe.mp4.par_iter().filter_map(|l| check_mp4(layout, *l, recipe)).collect();
+    report.findings.extend(videos);
+    CameraCheck { report, tracks }
+}
+
+fn check_record(layout: &CameraLayout, settings: &SceneSettings, camera: usize) -> Option<Finding> {
+    let expected = CameraRecord::new(&settings.cameras[camera], settings.size, settings.fps);
+    match read_json::<CameraRecord>(&layout.camera()) {
+        Ok(record) if record == expected => None,
+        Ok(_) => Some(Finding::new(layout.camera(), "does not describe the camera of the scene")),
+        Err(e) => Some(e.into()),
+    }
+}
+
+fn check_names(layout: &CameraLayout, recipe: &Recipe) -> Vec<Finding> {
+    let mut expected = vec!["camera.json".to_owned(), "objects.jsonl".to_owned()];
+    expected.extend(recipe.layers.iter().map(Layer::to_string));
+    expected.extend(recipe.mp4.iter().map(|l| format!("{l}.mp4")));
+    let mut findings = strangers(layout.folder(), &expected);
+    for &layer in &recipe.layers {
+        let extension = layer.extension(recipe.rgb_format);
+        let frames: Vec<String> = (0..recipe.frames()).map(|f| format!("{f:06}.{extension}")).collect();
+        findings.extend(strangers_sorted(layout, layer, &frames));
+    }
+    findings
+}
+
+/// As [`strangers`], for many names in order.
+fn strangers_sorted(layout: &CameraLayout, layer: Layer, expected: &[String]) -> Vec<Finding> {
+    let folder = layout.layer(layer);
+    let mut findings = strangers(&folder, &[]);
+    findings.retain(|f| {
+        let name = f.path.file_name().unwrap_or_default().to_string_lossy();
+        expected.binary_search_by(|e| e.as_str().cmp(&name)).is_err()
+    });
+    findings
+}
+
+/// The layers of a frame, as far as they decode.
+#[derive(Default)]
+struct Layers {
+    depth: Option<Image<f32>>,
+    instance: Option<Image<InstancePixel>>,
+}
+
+fn check_frame(layout: &CameraLayout, frame: u32, line: Option<&FrameObjects>, recipe: &Recipe) -> CheckReport {
+    let mut report = CheckReport::default();
+    let mut layers = Layers::default();
+    for &layer in &recipe.layers {
+        match read_layer(layout, layer, frame, recipe, &mut layers) {
+            Ok(()) => report.images += 1,
+            Err(error) => report.findings.push(error.into()),
+        }
+    }
+    if let (Some(depth), Some(instance)) = (&layers.depth, &layers.instance) {
+        let path = layout.frame(Layer::Depth, frame, recipe);
+        report.findings.extend(misaligned(depth, instance).map(|problem| Finding::new(path, problem)));
+    }
+    if let Some(line) = line {
+        let problems = line_problems(line, frame, layers.instance.as_ref(), recipe);
+        report.findings.extend(problems.into_iter().map(|problem| Finding::new(layout.objects(), problem)));
+    }
+    report
+}
+
+fn read_layer(
+    layout: &CameraLayout,
+    layer: Layer,
+    frame: u32,
+    recipe: &Recipe,
+    layers: &mut Layers,
+) -> Result<(), DatasetError> {
+    let path = layout.frame(layer, frame, recipe);
+    let format = if layer == Layer::Rgb { recipe.rgb_format } else { RgbFormat::Png };
+    let image = read_rgb(&path, format)?;
+    if image.size != recipe.size {
+        return Err(DatasetError::malformed(path, format!("is {} instead of {}", image.size, recipe.size)));
+    }
+    match layer {
+        Layer::Rgb => {}
+        Layer::Depth => layers.depth = Some(depth_from_rgb(&image)),
+        Layer::Instance => {
+            let decoded = instance_from_rgb(&image);
+            let decoded =
+                decoded.map_err(|tag| DatasetError::malformed(path, format!("has the tag {tag}: they end at 28")))?;
+            layers.instance = Some(decoded);
+        }
+    }
+    Ok(())
+}
+
+/// The sky, and nothing else that the instance image shows as an object, lies on the far plane.
+fn misaligned(depth: &Image<f32>, instance: &Image<InstancePixel>) -> Option<String> {
+    let pairs = || depth.data.iter().zip(&instance.data);
+    let near_sky = pairs().filter(|(d, p)| p.tag == ClassTag::Sky && **d < FAR_PLANE_M).count();
+    let far_objects = pairs().filter(|(d, p)| p.id != InstanceId::STUFF && **d >= FAR_PLANE_M).count();
+    let count = near_sky + far_objects;
+    (count > 0).then(|| format!("is not aligned with the instance image: {count} pixels of sky or objects disagree"))
+}
+
+fn line_problems(
+    line: &FrameObjects,
+    frame: u32,
+    instance: Option<&Image<InstancePixel>>,
+    recipe: &Recipe,
+) -> Vec<String> {
+    let mut problems = Vec::new();
+    if line.frame != frame || (line.time_s - f64::from(frame) / recipe.fps).abs() > 1e-6 {
+        problems.push(format!("line {} is of frame {} at {} s", frame + 1, line.frame, line.time_s));
+    }
+    let Some(instance) = instance else { return problems };
+    let seen: Vec<_> = visible_objects(instance).into_iter().filter(|v| v.pixels >= recipe.min_pixels).collect();
+    let seen: Vec<_> = seen.iter().map(|v| (v.id, v.tag, v.bbox, v.pixels)).collect();
+    let written: Vec<_> = line.objects.iter().map(|o| (o.id, o.class.tag(), o.bbox, o.pixels)).collect();
+    if written != seen {
+        let odd = written.iter().find(|o| !seen.contains(o)).or(seen.iter().find(|o| !written.contains(o)));
+        let odd = odd.map(|o| format!(", first at object {}", o.0)).unwrap_or_default();
+        problems.push(format!(
+            "frame {frame}: {} boxes differ from the {} of the instance image{odd}",
+            written.len(),
+            seen.len()
+        ));
+    }
+    problems
+}
+
+fn check_mp4(layout: &CameraLayout, layer: Layer, recipe: &Recipe) -> Option<Finding> {
+    let path = layout.mp4(layer);
+    let mp4 = match read_mp4(&path) {
+        Ok(mp4) => mp4,
+        Err(e) => return Some(e.into()),
+    };
+    let problem = |text: String| Some(Finding::new(&path, text));
+    if mp4.samples() != recipe.frames() as usize {
+        return problem(format!("has {} frames instead of {}", mp4.samples(), recipe.frames()));
+    }
+    let size = video::even(recipe.size);
+    if mp4.size != size {
+        return problem(format!("is {} instead of {size}", mp4.size));
+    }
+    let mut decoder = Decoder::new();
+    for i in 0..mp4.samples() {
+        let decoded = mp4.access_unit(i).and_then(|unit| decoder.decode(&unit).ok().flatten());
+        if decoded.is_none_or(|p| (p.width, p.height) != (size.width as usize, size.height as usize)) {
+            return problem(format!("frame {i} does not decode"));
+        }
+    }
+    None
+}

@@ -1,0 +1,54 @@
+//! What can go wrong with a file.
+
+use std::{fmt::Display, io, path::PathBuf};
+
+/// A file that could not be written or read. The path comes last in its message.
+#[derive(Debug, thiserror::Error)]
+pub enum DatasetError {
+    /// The disk is full.
+    #[error("the disk is full: make room and run the same command again, it goes on where it stopped: {}", path.display())]
+    DiskFull {
+        /// What was being written.
+        path: PathBuf,
+    },
+    /// The operating system refused.
+    #[error("{action}: {source}: {}", path.display())]
+    Io {
+        /// What was tried, e.g. "cannot write".
+        action: &'static str,
+        /// Where.
+        path: PathBuf,
+        /// Why not.
+        source: io::Error,
+    },
+    /// The file is there but is not what it should be.
+    #[error("{reason}: {}", path.display())]
+    Malformed {
+        /// What is wrong with it.
+        reason: String,
+        /// Which file.
+        path: PathBuf,
+    },
+    /// The video encoder refused a picture.
+    #[error("cannot encode the video: {reason}")]
+    Video {
+        /// What it said.
+        reason: String,
+    },
+}
+
+impl DatasetError {
+    /// A failure of the operating system.
+    pub fn io(action: &'static str, path: impl Into<PathBuf>, source: io::Error) -> Self {
+        let path = path.into();
+        if matches!(source.kind(), io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded) {
+            return Self::DiskFull { path };
+        }
+        Self::Io { action, path, source }
+    }
+
+    /// A file that is not what it should be.
+    pub fn malformed(path: impl Into<PathBuf>, reason: impl Display) -> Self {
+        Self::Malformed { reason: reason.to_string(), path: path.into() }
+    }
+}

@@ -1,0 +1,70 @@
+//! The label schema that every dataset carries with it.
+
+use endless_world::{ClassTag, ObjectClass};
+use serde::{Deserialize, Serialize};
+
+/// What the numbers in the instance image and the words in `objects.jsonl` mean.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct LabelSchema {
+    /// Changes when a tag or a class changes its meaning.
+    pub version: String,
+    /// How to read the instance image.
+    pub instance_encoding: String,
+    /// How to read the depth image.
+    pub depth_encoding: String,
+    /// What `bbox` is.
+    pub bbox: String,
+    /// Values of the red channel of the instance image.
+    pub tags: Vec<TagLabel>,
+    /// Classes of annotated objects.
+    pub classes: Vec<ClassLabel>,
+}
+
+/// One tag.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct TagLabel {
+    /// Red value.
+    pub value: u8,
+    /// CARLA's name.
+    pub name: String,
+    /// CARLA's palette, sRGB.
+    pub color: [u8; 3],
+}
+
+/// One class of annotated objects.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ClassLabel {
+    /// Position in the list: a category id for detectors.
+    pub id: u8,
+    /// The word in `objects.jsonl`.
+    pub name: String,
+    /// Tag of its pixels.
+    pub tag: u8,
+}
+
+impl LabelSchema {
+    /// The schema of this version.
+    pub fn current() -> Self {
+        Self {
+            version: "carla-0.9.14/1".into(),
+            instance_encoding: "R = class tag, instance id = G + 256 B; id 0 is stuff; ids are unique within a video \
+                                and the same in both cameras and all frames"
+                .into(),
+            depth_encoding: "metres = 1000 * (R + 256 G + 65536 B) / (256^3 - 1), planar distance along the optical \
+                             axis; the sky has the largest value"
+                .into(),
+            bbox: "[x, y, w, h] in pixels from the top-left corner, tight around the object's pixels, w = xmax - \
+                   xmin + 1"
+                .into(),
+            tags: ClassTag::ALL
+                .iter()
+                .map(|t| TagLabel { value: t.value(), name: t.name().into(), color: t.color() })
+                .collect(),
+            classes: ObjectClass::ALL
+                .iter()
+                .zip(0..)
+                .map(|(c, id)| ClassLabel { id, name: c.name().into(), tag: c.tag().value() })
+                .collect(),
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! Where everything lies: the tree of the contract.
+
+use crate::{DatasetError, Layer, Recipe};
+use endless_world::SceneSettings;
+use std::{
+    fs,
+    path::{Path, PathBuf},
+};
+
+/// Paths of one dataset.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct DatasetLayout {
+    root: PathBuf,
+}
+
+impl DatasetLayout {
+    /// The dataset in this folder.
+    pub fn new(root: impl Into<PathBuf>) -> Self {
+        Self { root: root.into() }
+    }
+
+    /// The folder itself.
+    pub fn root(&self) -> &Path {
+        &self.root
+    }
+
+    /// `dataset.json`.
+    pub fn manifest(&self) -> PathBuf {
+        self.root.join("dataset.json")
+    }
+
+    /// The lock that keeps a second process out.
+    pub fn lock(&self) -> PathBuf {
+        self.root.join(".lock")
+    }
+
+    /// `scenes`.
+    pub fn scenes(&self) -> PathBuf {
+        self.root.join("scenes")
+    }
+
+    /// Settings of one video: `scenes/0000.json`.
+    pub fn scene(&self, video: u32) -> PathBuf {
+        self.scenes().join(format!("{video:04}.json"))
+    }
+
+    /// `videos`.
+    pub fn videos(&self) -> PathBuf {
+        self.root.join("videos")
+    }
+
+    /// One video.
+    pub fn video(&self, settings: &SceneSettings) -> VideoLayout {
+        VideoLayout { folder: self.videos().join(VideoLayout::name(settings)) }
+    }
+
+    /// A video by the name of its folder.
+    pub fn video_named(&self, name: &str) -> VideoLayout {
+        VideoLayout { folder: self.videos().join(name) }
+    }
+}
+
+/// Paths of one video.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct VideoLayout {
+    folder: PathBuf,
+}
+
+impl VideoLayout {
+    /// The name of a video's folder, e.g. `0000_Town03_rainy_night`.
+    pub fn name(settings: &SceneSettings) -> String {
+        let SceneSettings { video, map, weather, time_of_day, .. } = settings;
+        format!("{video:04}_{map}_{weather}_{time_of_day}")
+    }
+
+    /// The folder itself.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// `scene.json`, written last: where it is, the video is complete.
+    pub fn scene(&self) -> PathBuf {
+        self.folder.join("scene.json")
+    }
+
+    /// Camera 0 (`camera_a`) or 1 (`camera_b`).
+    pub fn camera(&self, camera: usize) -> CameraLayout {
+        CameraLayout { folder: self.folder.join(["camera_a", "camera_b"][camera]) }
+    }
+}
+
+/// Paths of one camera of a video.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct CameraLayout {
+    folder: PathBuf,
+}
+
+impl CameraLayout {
+    /// The folder itself.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
+    /// `camera.json`.
+    pub fn camera(&self) -> PathBuf {
+        self.folder.join("camera.json")
+    }
+
+    /// `objects.jsonl`.
+    pub fn objects(&self) -> PathBuf {
+        self.folder.join("objects.jsonl")
+    }
+
+    /// The video of a layer, e.g. `rgb.mp4`.
+    pub fn mp4(&self, layer: Layer) -> PathBuf {
+        self.folder.join(format!("{layer}.mp4"))
+    }
+
+    /// The folder of a layer's images.
+    pub fn layer(&self, layer: Layer) -> PathBuf {
+        self.folder.join(layer.name())
+    }
+
+    /// One image, e.g. `rgb/000123.png`.
+    pub fn frame(&self, layer: Layer, frame: u32, recipe: &Recipe) -> PathBuf {
+        self.layer(layer).join(format!("{frame:06}.{}", layer.extension(recipe.rgb_format)))
+    }
+
+    /// Makes the folders that a recording needs.
+    ///
+    /// # Errors
+    /// When a folder cannot be made.
+    pub fn create(&self, layers: &[Layer]) -> Result<(), DatasetError> {
+        for folder in layers.iter().map(|l| self.layer(*l)).chain([self.folder.clone()]) {
+            fs::create_dir_all(&folder).map_err(|e| DatasetError::io("cannot make the folder", &folder, e))?;
+        }
+        Ok(())
+    }
+}

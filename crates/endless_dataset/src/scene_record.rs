@@ -1,0 +1,50 @@
+//! JSON files: the settings of a scene, and what happened in it.
+
+use crate::{DatasetError, write_atomic};
+use endless_world::SceneSettings;
+use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use std::{fs, path::Path};
+
+/// What was really placed in a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Spawned {
+    /// Moving vehicles; fewer than asked for where the map has no more room.
+    pub vehicles: u32,
+    /// Pedestrians.
+    pub pedestrians: u32,
+    /// Parked vehicles.
+    pub parked: u32,
+}
+
+/// `scene.json` of a video: its settings plus what happened. Written last, so that its presence means "complete".
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SceneRecord {
+    /// The settings, as in `scenes/`.
+    #[serde(flatten)]
+    pub settings: SceneSettings,
+    /// What was placed.
+    pub spawned: Spawned,
+    /// Frames recorded by each camera.
+    pub recorded_frames: u32,
+    /// Annotated boxes of each camera, summed over frames.
+    pub boxes: [u64; 2],
+}
+
+/// Writes a value as readable JSON.
+///
+/// # Errors
+/// When the disk refuses.
+pub fn write_json<T: Serialize>(path: &Path, value: &T) -> Result<(), DatasetError> {
+    let mut text = serde_json::to_vec_pretty(value).map_err(|e| DatasetError::malformed(path, e))?;
+    text.push(b'\n');
+    write_atomic(path, &text)
+}
+
+/// Reads a JSON file.
+///
+/// # Errors
+/// When it is missing or not what it should be.
+pub fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, DatasetError> {
+    let text = fs::read(path).map_err(|e| DatasetError::io("cannot read", path, e))?;
+    serde_json::from_slice(&text).map_err(|e| DatasetError::malformed(path, format!("is not what it should be ({e})")))
+}
