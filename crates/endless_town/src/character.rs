@@ -1,7 +1,5 @@
 //! The eight towns: what sets each apart.
 
-#![allow(dead_code, reason = "buildings and dressing build on these")]
-
 use crate::network::{
     AVENUE, BOULEVARD, COUNTRY, DOWNTOWN, MAIN, Profile, QUIET, RESIDENTIAL, THROUGH, URBAN, VILLAGE,
 };
@@ -84,6 +82,7 @@ pub(crate) struct Character {
     pub(crate) lamp_cd: f32,
     pub(crate) lamp_spacing_m: f64,
     /// Whether wires hang on wooden poles along quiet streets.
+    #[allow(dead_code, reason = "wires are hung by a later pass")]
     pub(crate) wires: bool,
     /// Share of parking places taken.
     pub(crate) parked: f64,

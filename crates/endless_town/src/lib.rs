@@ -4,9 +4,15 @@
 //! (`surface`), buildings on lots (`building`), street furniture and plants (`dressing`), camera sites (`camera`).
 //! What sets the eight towns apart is one table, `character`.
 
+mod building;
+mod camera;
 mod character;
+mod dressing;
 mod load;
 mod network;
+mod palette;
+mod plot;
+mod surface;
 mod town;
 
 pub use load::{NAMES, canonical_name, load};

@@ -1,8 +1,11 @@
 //! Towns by name.
 
 use crate::character::{CHARACTERS, Character};
-use crate::{Town, TownError, network};
+use crate::dressing::Dresser;
+use crate::plot::{Occupied, Rect};
+use crate::{Placement, Town, TownError, What, building, camera, dressing, network, surface};
 use endless_asset::Catalogue;
+use glam::Affine3A;
 
 /// The maps there are, in the paper's order.
 pub const NAMES: &[&str] = &["Town01", "Town02", "Town03", "Town04", "Town05", "Town06", "Town07", "Town10HD"];
@@ -30,17 +33,34 @@ pub fn load(name: &str, catalogue: &Catalogue) -> Result<Town, TownError> {
     Ok(make(character, catalogue))
 }
 
-fn make(character: &Character, _catalogue: &Catalogue) -> Town {
-    let (_plan, network) = network::build(character);
+fn make(character: &Character, catalogue: &Catalogue) -> Town {
+    let (plan, network) = network::build(character);
+    let mut occupied = Occupied::default();
+    let mut own = vec![(surface::build(character, &plan, &network), Affine3A::IDENTITY)];
+    let (lots, buildings) = building::build(character, &plan, &mut occupied);
+    own.extend(buildings);
+    let mut dresser = Dresser::new(character, &plan, catalogue, occupied);
+    dressing::add_signals(&mut dresser);
+    dressing::add_lamps(&mut dresser);
+    let cameras = camera::choose(&mut dresser, &network, &lots);
+    let houses: Vec<Rect> = lots.iter().map(|lot| lot.footprint).collect();
+    own.push((dressing::dress(&mut dresser, &cameras, &houses), Affine3A::IDENTITY));
+    let mut placements: Vec<Placement> = own
+        .iter()
+        .enumerate()
+        .map(|(i, &(_, world_from_object))| Placement { what: What::Own(i as u32), world_from_object, signal: None })
+        .collect();
+    placements.append(&mut dresser.placements);
+    let meshes = own.into_iter().map(|(mesh, _)| mesh).collect();
     Town {
         name: character.name.to_owned(),
         summary: character.summary,
         network,
-        meshes: Vec::new(),
-        placements: Vec::new(),
-        parked: Vec::new(),
-        lamps: Vec::new(),
-        cameras: Vec::new(),
+        meshes,
+        placements,
+        parked: dresser.parked,
+        lamps: dresser.lamps,
+        cameras,
     }
 }
 

@@ -1,7 +1,5 @@
 //! The streets of a town: reference lines on a bent grid, lanes, junctions, signals, crossings and sidewalks.
 
-#![allow(dead_code, unused_imports, reason = "surfaces and dressing build on these")]
-
 mod connector;
 mod crossing;
 mod cut;
@@ -12,12 +10,12 @@ mod profile;
 mod signal;
 mod walk;
 
-pub(crate) use cut::CROSSING_M;
-pub(crate) use plan::{Arm, CORNER_SEGMENTS, Node, Plan, Rule, Street, angle, on_road};
+pub(crate) use plan::{Arm, Node, Plan, Rule, Street};
 pub(crate) use profile::{
-    AVENUE, BOULEVARD, COUNTRY, DOWNTOWN, FURNITURE_M, GUTTER_M, KERB_HEIGHT_M, KERB_M, MAIN, Profile, QUIET,
-    RESIDENTIAL, THROUGH, URBAN, VILLAGE,
+    AVENUE, BOULEVARD, COUNTRY, DOWNTOWN, FURNITURE_M, KERB_HEIGHT_M, KERB_M, MAIN, Profile, QUIET, RESIDENTIAL,
+    THROUGH, URBAN, VILLAGE,
 };
+pub(crate) use walk::subdivided;
 
 use crate::character::Character;
 use endless_road::{Junction, RoadNetwork};

@@ -1,0 +1,110 @@
+//! Walls with openings, and boxes that stand out from them.
+
+use endless_asset::{Material, MeshBuilder};
+use glam::{Vec2, Vec3};
+
+/// A vertical rectangle seen from outside: `u` to the right, `v` up, `out` towards the viewer.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Wall {
+    /// Lower left corner.
+    pub(crate) origin: Vec3,
+    /// Unit vector to the right.
+    pub(crate) right: Vec3,
+    pub(crate) width: f32,
+}
+
+/// A hole in a wall.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Hole {
+    pub(crate) u: [f32; 2],
+    pub(crate) v: [f32; 2],
+}
+
+impl Wall {
+    pub(crate) fn at(&self, u: f32, v: f32, out: f32) -> Vec3 {
+        self.origin + self.right * u + Vec3::Z * v + self.right.cross(Vec3::Z) * out
+    }
+
+    /// A rectangle parallel to the wall; uv in metres.
+    pub(crate) fn panel(&self, mesh: &mut MeshBuilder, u: [f32; 2], v: [f32; 2], out: f32, material: Material) {
+        let uvs = [[u[0], v[0]], [u[1], v[0]], [u[1], v[1]], [u[0], v[1]]].map(Vec2::from_array);
+        self.panel_uv(mesh, u, v, out, uvs, material);
+    }
+
+    pub(crate) fn panel_uv(
+        &self,
+        mesh: &mut MeshBuilder,
+        u: [f32; 2],
+        v: [f32; 2],
+        out: f32,
+        uvs: [Vec2; 4],
+        material: Material,
+    ) {
+        if u[1] - u[0] < 1e-4 || v[1] - v[0] < 1e-4 {
+            return;
+        }
+        let corners =
+            [self.at(u[0], v[0], out), self.at(u[1], v[0], out), self.at(u[1], v[1], out), self.at(u[0], v[1], out)];
+        mesh.quad(corners, uvs, material);
+    }
+
+    /// The wall between two heights, with holes that do not overlap, from left to right.
+    pub(crate) fn pierced(&self, mesh: &mut MeshBuilder, v: [f32; 2], holes: &[Hole], material: Material) {
+        let mut from = 0.0;
+        for hole in holes {
+            self.panel(mesh, [from, hole.u[0]], v, 0.0, material);
+            self.panel(mesh, hole.u, [v[0], hole.v[0]], 0.0, material);
+            self.panel(mesh, hole.u, [hole.v[1], v[1]], 0.0, material);
+            from = hole.u[1];
+        }
+        self.panel(mesh, [from, self.width], v, 0.0, material);
+    }
+
+    /// The four inner sides of a hole, from the wall's face to `depth` behind it.
+    pub(crate) fn reveal(&self, mesh: &mut MeshBuilder, hole: &Hole, depth: f32, material: Material) {
+        let ([u0, u1], [v0, v1]) = (hole.u, hole.v);
+        let p = |u: f32, v: f32, out: f32| self.at(u, v, out);
+        let faces = [
+            // Bottom, right, top, left, each seen from within the hole.
+            ([p(u0, v0, 0.0), p(u1, v0, 0.0), p(u1, v0, -depth), p(u0, v0, -depth)], u1 - u0),
+            ([p(u1, v0, 0.0), p(u1, v1, 0.0), p(u1, v1, -depth), p(u1, v0, -depth)], v1 - v0),
+            ([p(u1, v1, 0.0), p(u0, v1, 0.0), p(u0, v1, -depth), p(u1, v1, -depth)], u1 - u0),
+            ([p(u0, v1, 0.0), p(u0, v0, 0.0), p(u0, v0, -depth), p(u0, v1, -depth)], v1 - v0),
+        ];
+        for (corners, length) in faces {
+            let uvs = [[0.0, 0.0], [length, 0.0], [length, depth], [0.0, depth]].map(Vec2::from_array);
+            mesh.quad(corners, uvs, material);
+        }
+    }
+
+    /// A box on the wall; `out` from its back (left out if it touches the wall) to its front.
+    pub(crate) fn block(&self, mesh: &mut MeshBuilder, u: [f32; 2], v: [f32; 2], out: [f32; 2], material: Material) {
+        let ([u0, u1], [v0, v1], [o0, o1]) = (u, v, out);
+        let p = |u: f32, v: f32, out: f32| self.at(u, v, out);
+        let (w, h, d) = (u1 - u0, v1 - v0, o1 - o0);
+        let mut faces = vec![
+            ([p(u0, v0, o1), p(u1, v0, o1), p(u1, v1, o1), p(u0, v1, o1)], w, h),
+            ([p(u1, v0, o1), p(u1, v0, o0), p(u1, v1, o0), p(u1, v1, o1)], d, h),
+            ([p(u0, v0, o0), p(u0, v0, o1), p(u0, v1, o1), p(u0, v1, o0)], d, h),
+            ([p(u0, v1, o1), p(u1, v1, o1), p(u1, v1, o0), p(u0, v1, o0)], w, d),
+            ([p(u0, v0, o0), p(u1, v0, o0), p(u1, v0, o1), p(u0, v0, o1)], w, d),
+        ];
+        if o0 > 0.005 {
+            faces.push(([p(u1, v0, o0), p(u0, v0, o0), p(u0, v1, o0), p(u1, v1, o0)], w, h));
+        }
+        for (corners, a, b) in faces {
+            mesh.quad(corners, [[0.0, 0.0], [a, 0.0], [a, b], [0.0, b]].map(Vec2::from_array), material);
+        }
+    }
+}
+
+/// The four walls of a box-shaped volume: front (towards −y), right, back, left.
+pub(crate) fn walls(x: [f32; 2], y: [f32; 2], z: f32) -> [Wall; 4] {
+    let (w, d) = (x[1] - x[0], y[1] - y[0]);
+    [
+        Wall { origin: Vec3::new(x[0], y[0], z), right: Vec3::X, width: w },
+        Wall { origin: Vec3::new(x[1], y[0], z), right: Vec3::Y, width: d },
+        Wall { origin: Vec3::new(x[1], y[1], z), right: Vec3::NEG_X, width: w },
+        Wall { origin: Vec3::new(x[0], y[1], z), right: Vec3::NEG_Y, width: d },
+    ]
+}

@@ -1,0 +1,93 @@
+//! Puts props down, each only where nothing else stands.
+
+use crate::character::Character;
+use crate::network::{Arm, KERB_HEIGHT_M, Plan, Street};
+use crate::plot::{Occupied, Rect};
+use crate::{Lamp, ParkedVehicle, Placement, What};
+use endless_asset::{Catalogue, Prop};
+use endless_world::{SignalId, Stream};
+use glam::{Affine3A, DVec2, Quat, Vec3};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// The town while it is being dressed.
+pub(crate) struct Dresser<'a> {
+    pub(crate) character: &'a Character,
+    pub(crate) plan: &'a Plan,
+    pub(crate) catalogue: &'a Catalogue,
+    pub(crate) occupied: Occupied,
+    pub(crate) placements: Vec<Placement>,
+    pub(crate) lamps: Vec<Lamp>,
+    pub(crate) parked: Vec<ParkedVehicle>,
+    stream: Stream,
+}
+
+/// Where a prop goes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Spot {
+    pub(crate) at: DVec2,
+    /// Height of the ground.
+    pub(crate) z: f64,
+    /// Direction of the prop's +x.
+    pub(crate) yaw: f64,
+    pub(crate) scale: Vec3,
+}
+
+impl Spot {
+    /// On the sidewalk, at the prop's own size.
+    pub(crate) fn new(at: DVec2, yaw: f64) -> Self {
+        Self { at, z: KERB_HEIGHT_M, yaw, scale: Vec3::ONE }
+    }
+}
+
+impl<'a> Dresser<'a> {
+    pub(crate) fn new(character: &'a Character, plan: &'a Plan, catalogue: &'a Catalogue, occupied: Occupied) -> Self {
+        let stream = Stream::named(character.seed, "town/dressing", &[]);
+        Self {
+            character,
+            plan,
+            catalogue,
+            occupied,
+            placements: Vec::new(),
+            lamps: Vec::new(),
+            parked: Vec::new(),
+            stream,
+        }
+    }
+
+    /// The stream of one trade; what others draw does not change it.
+    pub(crate) fn stream(&self, trade: u64) -> Stream {
+        self.stream.fork(trade)
+    }
+
+    /// Puts a prop down if its footprint (half extents along its own axes) is free.
+    pub(crate) fn put(&mut self, prop: Prop, spot: Spot, half: DVec2, signal: Option<SignalId>) -> bool {
+        if !self.occupied.try_take(Rect::new(spot.at, half, spot.yaw)) {
+            return false;
+        }
+        self.place(prop, spot, signal);
+        true
+    }
+
+    /// Puts a prop down where the caller knows that there is room.
+    pub(crate) fn place(&mut self, prop: Prop, spot: Spot, signal: Option<SignalId>) {
+        let mut stream = self.stream.fork(self.placements.len() as u64);
+        let variant = stream.below(self.catalogue.prop_variants(prop).max(1) as usize) as u32;
+        let world_from_object = Affine3A::from_scale_rotation_translation(
+            spot.scale,
+            Quat::from_rotation_z(spot.yaw as f32),
+            spot.at.extend(spot.z).as_vec3(),
+        );
+        self.placements.push(Placement { what: What::Prop(prop, variant), world_from_object, signal });
+    }
+}
+
+/// Direction from a side of a street (+1 left, −1 right) to its middle.
+pub(crate) fn towards_road(street: &Street, s: f64, side: f64) -> f64 {
+    street.heading(s) - side * FRAC_PI_2
+}
+
+/// Outward direction of an arm as an angle.
+pub(crate) fn arm_yaw(plan: &Plan, arm: Arm, distance: f64) -> f64 {
+    let heading = plan.streets[arm.street].heading(plan.arm_s(arm, distance));
+    if arm.end == 0 { heading } else { heading + PI }
+}

@@ -1,0 +1,18 @@
+//! Materials of grounds and streets; linear albedo.
+
+use endless_asset::{Material, Surface};
+use endless_world::ClassTag;
+
+pub(crate) const ASPHALT: Material = Material::new(Surface::Asphalt, [0.075, 0.075, 0.078], ClassTag::Roads);
+pub(crate) const PAVING: Material = Material::new(Surface::Paving, [0.36, 0.34, 0.31], ClassTag::Sidewalks);
+pub(crate) const KERB: Material = Material::new(Surface::Kerb, [0.42, 0.41, 0.39], ClassTag::Sidewalks);
+pub(crate) const VERGE: Material = Material::new(Surface::Grass, [0.10, 0.16, 0.05], ClassTag::Terrain);
+pub(crate) const LAWN: Material = Material::new(Surface::Grass, [0.09, 0.17, 0.045], ClassTag::Terrain);
+pub(crate) const MEADOW: Material = Material::new(Surface::Grass, [0.14, 0.16, 0.06], ClassTag::Terrain);
+pub(crate) const HILL: Material = Material::new(Surface::Grass, [0.07, 0.11, 0.04], ClassTag::Terrain);
+pub(crate) const SOIL: Material = Material::new(Surface::Soil, [0.12, 0.085, 0.055], ClassTag::Terrain);
+pub(crate) const YARD: Material = Material::new(Surface::Concrete, [0.32, 0.31, 0.29], ClassTag::Ground);
+pub(crate) const PLAZA: Material = Material::new(Surface::Paving, [0.30, 0.285, 0.26], ClassTag::Ground);
+pub(crate) const WHITE_PAINT: Material = Material::new(Surface::RoadPaint, [0.72, 0.72, 0.70], ClassTag::RoadLines);
+pub(crate) const YELLOW_PAINT: Material = Material::new(Surface::RoadPaint, [0.72, 0.45, 0.05], ClassTag::RoadLines);
+pub(crate) const IRON: Material = Material::new(Surface::Metal, [0.10, 0.095, 0.09], ClassTag::Roads);
