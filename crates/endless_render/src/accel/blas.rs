@@ -1,0 +1,103 @@
+//! The bottom level: a tree over the triangles of one mesh, in the mesh's own frame.
+
+use std::time::Duration;
+
+use glam::{Vec3, Vec3A};
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::builder::build_bvh2;
+use obvhs::{Boundable, BvhBuildParams};
+
+use super::collapse::{Costs, Tree, collapse};
+use super::node::{EMPTY_BOX, Link, Node, union};
+use super::triangle::TriangleGroup;
+
+/// Acceleration structure over one mesh, to be shared by all its instances.
+#[derive(Clone, Debug)]
+pub struct Blas {
+    pub(super) tree: Tree,
+    pub(super) groups: Vec<TriangleGroup>,
+    triangles: Vec<[u32; 3]>,
+    bounds: (Vec3A, Vec3A),
+}
+
+const COSTS: Costs = Costs { group: 1.0, group_size: TriangleGroup::SIZE as u32, max_leaf: 16 };
+
+/// Meshes above this many triangles are built with a quicker preset.
+const LARGE_MESH: usize = 2_000_000;
+
+struct Corners([Vec3A; 3]);
+
+impl Boundable for Corners {
+    fn aabb(&self) -> Aabb {
+        Aabb::from_points(&self.0)
+    }
+}
+
+impl Blas {
+    /// Builds over `triangles`, which index `positions`. Positions must be finite; degenerate triangles are allowed
+    /// and hit nothing.
+    pub fn build(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
+        let corners: Vec<Corners> =
+            triangles.iter().map(|t| Corners(t.map(|i| Vec3A::from(positions[i as usize])))).collect();
+        let mut groups = Vec::with_capacity(triangles.len() / 3 + 1);
+        let tree = if triangles.is_empty() {
+            Tree::empty()
+        } else {
+            let mut params = if triangles.len() > LARGE_MESH {
+                BvhBuildParams::fast_build()
+            } else {
+                BvhBuildParams::medium_build()
+            };
+            params.max_prims_per_leaf = 1;
+            let source = build_bvh2(&corners, params, &mut Duration::default());
+            collapse(&source, COSTS, |things| {
+                let start = groups.len();
+                groups.extend(things.chunks(TriangleGroup::SIZE).map(TriangleGroup::new));
+                Link::leaf(start, groups.len() - start)
+            })
+        };
+        groups.shrink_to_fit();
+        let mut blas = Blas { tree, groups, triangles: triangles.to_vec(), bounds: EMPTY_BOX };
+        blas.refit(positions);
+        blas
+    }
+
+    /// Takes new positions of the same vertices. Hits are then the same as after a fresh build; speed is that of
+    /// the old tree, so rebuild when the shape has changed much.
+    pub fn refit(&mut self, positions: &[Vec3]) {
+        for group in &mut self.groups {
+            for lane in 0..group.len() {
+                let corners = self.triangles[group.ids[lane] as usize].map(|i| positions[i as usize]);
+                group.set_triangle(lane, corners);
+            }
+        }
+        let groups = &self.groups;
+        self.bounds = self.tree.fit(|leaf| groups[leaf.range()].iter().fold(EMPTY_BOX, |b, g| union(b, group_box(g))));
+    }
+
+    /// Box around all triangles, `(min, max)`; `min > max` if there are none.
+    pub fn bounds(&self) -> (Vec3A, Vec3A) {
+        self.bounds
+    }
+
+    /// Number of triangles.
+    pub fn triangle_count(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// Memory taken, bytes.
+    pub fn memory_bytes(&self) -> usize {
+        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.groups[..]) + size_of_val(&self.triangles[..])
+    }
+
+    pub(super) fn nodes(&self) -> &[Node] {
+        &self.tree.nodes
+    }
+}
+
+fn group_box(group: &TriangleGroup) -> (Vec3A, Vec3A) {
+    (0..group.len()).fold(EMPTY_BOX, |b, lane| {
+        let (min, max) = group.bounds(lane);
+        union(b, (min.into(), max.into()))
+    })
+}

@@ -1,0 +1,90 @@
+//! The definition of a hit, spelt out: every triangle of every instance, one after the other, no tree.
+
+use std::sync::Arc;
+
+use glam::{Affine3A, Vec3, Vec3A};
+
+use super::ray::{Hit, LocalRay, Ray, Transform};
+use super::triangle::solve;
+use super::{Accel, Blas};
+
+/// A scene both as plain triangles and as an `Accel`.
+#[derive(Debug)]
+pub(super) struct Scene {
+    pub(super) meshes: Vec<(Vec<Vec3>, Vec<[u32; 3]>)>,
+    pub(super) instances: Vec<(usize, Affine3A)>,
+    pub(super) accel: Accel,
+}
+
+impl Scene {
+    pub(super) fn new(meshes: Vec<(Vec<Vec3>, Vec<[u32; 3]>)>, instances: Vec<(usize, Affine3A)>) -> Self {
+        let blas: Vec<_> = meshes.iter().map(|(p, t)| Arc::new(Blas::build(p, t))).collect();
+        let accel = Accel::build(instances.iter().map(|&(m, place)| (Arc::clone(&blas[m]), place)).collect());
+        Scene { meshes, instances, accel }
+    }
+
+    /// All hits of a ray. With `boxes` a hit must also enter the boxes of its instance and triangle, as the
+    /// structure requires; without, the triangle test alone decides.
+    fn hits(&self, ray: &Ray, boxes: bool) -> Vec<Hit> {
+        let mut hits = Vec::new();
+        let world = LocalRay::new(ray.origin, ray.direction);
+        for (instance, (mesh, place)) in self.instances.iter().enumerate() {
+            let identity = *place == Affine3A::IDENTITY;
+            let inverse = place.inverse();
+            let transform = Transform { linear: inverse.matrix3, translation: inverse.translation };
+            let local = if identity {
+                world
+            } else {
+                LocalRay::new(transform.point(ray.origin), transform.vector(ray.direction))
+            };
+            let (min, max) = self.accel.instance_bounds(instance);
+            let Some(tmin) = world.enter(min.to_array(), max.to_array()).or((!boxes).then_some(0.0)) else { continue };
+            let (positions, triangles) = &self.meshes[*mesh];
+            for (index, triangle) in triangles.iter().enumerate() {
+                let corners = triangle.map(|i| positions[i as usize]);
+                let Some((t, u, v)) = meet(&local, corners) else { continue };
+                let (min, max) =
+                    (corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2]));
+                let Some(tbox) = local.enter(min.to_array(), max.to_array()).or((!boxes).then_some(0.0)) else {
+                    continue;
+                };
+                let t = if boxes { t.max(tbox).max(tmin) } else { t };
+                if t <= ray.tmax {
+                    hits.push(Hit { t, instance: instance as u32, triangle: index as u32, u, v });
+                }
+            }
+        }
+        hits
+    }
+
+    /// The closest hit as the structure must find it.
+    pub(super) fn closest(&self, ray: &Ray) -> Option<Hit> {
+        nearest(self.hits(ray, true))
+    }
+
+    /// The closest hit by the triangle test alone.
+    pub(super) fn closest_without_boxes(&self, ray: &Ray) -> Option<Hit> {
+        nearest(self.hits(ray, false))
+    }
+}
+
+fn nearest(hits: Vec<Hit>) -> Option<Hit> {
+    hits.into_iter().min_by(|a, b| (a.t.total_cmp(&b.t)).then((a.instance, a.triangle).cmp(&(b.instance, b.triangle))))
+}
+
+/// The triangle test, one triangle at a time.
+fn meet(ray: &LocalRay, corners: [Vec3; 3]) -> Option<(f32, f32, f32)> {
+    let [x, y, z] = ray.shear.axes;
+    let [a, b, c] = corners.map(|p| {
+        let p = Vec3A::from(p) - Vec3A::from(ray.origin);
+        [p[x] - ray.shear.x * p[z], p[y] - ray.shear.y * p[z], p[z]]
+    });
+    let u = c[0] * b[1] - c[1] * b[0];
+    let v = a[0] * c[1] - a[1] * c[0];
+    let w = b[0] * a[1] - b[1] * a[0];
+    let inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+    if !inside {
+        return None;
+    }
+    solve([u, v, w], [a[2], b[2], c[2]], ray.shear.z)
+}

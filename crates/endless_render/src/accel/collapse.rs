@@ -1,0 +1,208 @@
+//! From a binary tree to an eight-wide one, by dynamic programming over the surface area heuristic
+//! (after Ylitie, Karras, Laine: Efficient incoherent ray traversal on GPUs, HPG 2017, section 3.1).
+
+use glam::Vec3A;
+use obvhs::bvh2::Bvh2;
+
+use super::node::{Link, Node};
+
+/// What things cost, relative to one test of a node's eight boxes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Costs {
+    /// Test of one group of things in a leaf.
+    pub(super) group: f32,
+    /// Things per group.
+    pub(super) group_size: u32,
+    /// Most things in one leaf.
+    pub(super) max_leaf: u32,
+}
+
+/// An eight-wide tree. Children come after their parents.
+#[derive(Clone, Debug)]
+pub(super) struct Tree {
+    pub(super) nodes: Vec<Node>,
+    pub(super) root: Link,
+}
+
+impl Tree {
+    /// A tree of nothing.
+    pub(super) fn empty() -> Self {
+        Tree { nodes: Vec::new(), root: Link::EMPTY }
+    }
+
+    /// Computes all boxes bottom-up from those of the leaves and returns the box around everything.
+    pub(super) fn fit(&mut self, leaf_box: impl Fn(Link) -> (Vec3A, Vec3A)) -> (Vec3A, Vec3A) {
+        for index in (0..self.nodes.len()).rev() {
+            let mut node = self.nodes[index];
+            for slot in 0..8 {
+                let link = node.links[slot];
+                if link.is_leaf() {
+                    node.set_box(slot, leaf_box(link));
+                } else if link != Link::EMPTY {
+                    node.set_box(slot, self.nodes[link.node()].bounds());
+                }
+            }
+            self.nodes[index] = node;
+        }
+        match self.root {
+            Link::EMPTY => super::node::EMPTY_BOX,
+            root if root.is_leaf() => leaf_box(root),
+            root => self.nodes[root.node()].bounds(),
+        }
+    }
+}
+
+/// Collapses a binary tree with one thing per leaf; `leaf` stores a run of things and says where. Boxes are left
+/// to `Tree::fit`.
+pub(super) fn collapse(source: &Bvh2, costs: Costs, leaf: impl FnMut(&[u32]) -> Link) -> Tree {
+    if source.nodes.is_empty() {
+        return Tree::empty();
+    }
+    let plan = plan(source, costs);
+    let mut writer = Writer { source, plan: &plan, nodes: Vec::new(), leaf, things: Vec::new() };
+    let root = writer.link(0);
+    let mut open = Vec::new();
+    if root == Link::inner(0) {
+        writer.nodes.push(Node::EMPTY);
+        open.push((0, 0));
+    }
+    while let Some((from, to)) = open.pop() {
+        writer.write(from, to, &mut open);
+    }
+    Tree { nodes: writer.nodes, root }
+}
+
+/// The best way to represent one binary subtree.
+#[derive(Clone, Copy)]
+struct Plan {
+    /// Least cost of the subtree as at most `i + 1` child slots.
+    cost: [f32; 8],
+    /// With at most `i + 1` slots: how many go to the left child; 0 for "as with one slot fewer".
+    left: [u8; 8],
+    /// As a node of its own: how many of its eight slots go to the left child; 0 for a leaf.
+    own_left: u8,
+    things: u32,
+}
+
+fn plan(source: &Bvh2, costs: Costs) -> Vec<Plan> {
+    let blank = Plan { cost: [0.0; 8], left: [0; 8], own_left: 0, things: 1 };
+    let mut plans = vec![blank; source.nodes.len()];
+    let mut parents_first = Vec::with_capacity(source.nodes.len());
+    let mut open = vec![0];
+    while let Some(index) = open.pop() {
+        parents_first.push(index);
+        let node = &source.nodes[index];
+        if !node.is_leaf() {
+            open.extend([node.first_index as usize + 1, node.first_index as usize]);
+        }
+    }
+    for &index in parents_first.iter().rev() {
+        let node = &source.nodes[index];
+        let area = node.aabb().half_area();
+        if node.is_leaf() {
+            plans[index] = Plan { cost: [area * costs.group; 8], things: node.prim_count, ..blank };
+        } else {
+            let (left, right) = (&plans[node.first_index as usize], &plans[node.first_index as usize + 1]);
+            plans[index] = plan_inner(left, right, area, costs);
+        }
+    }
+    plans
+}
+
+fn plan_inner(left: &Plan, right: &Plan, area: f32, costs: Costs) -> Plan {
+    let share = |slots: usize| {
+        (1..slots)
+            .map(|k| (left.cost[k - 1] + right.cost[slots - k - 1], k as u8))
+            .fold((f32::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best })
+    };
+    let things = left.things + right.things;
+    let as_leaf = if things <= costs.max_leaf {
+        area * costs.group * things.div_ceil(costs.group_size) as f32
+    } else {
+        f32::INFINITY
+    };
+    let (children, own_left) = share(8);
+    let as_node = children + area;
+    let mut plan = Plan { cost: [as_leaf; 8], left: [0; 8], own_left: 0, things };
+    // Not `<`: costs that overflow must not make a leaf of everything.
+    if !(as_leaf <= as_node && things <= costs.max_leaf) {
+        plan.cost[0] = as_node;
+        plan.own_left = own_left.max(1);
+    }
+    for slots in 2..=8 {
+        let (cost, k) = share(slots);
+        plan.cost[slots - 1] = plan.cost[slots - 2];
+        if cost < plan.cost[slots - 1] {
+            plan.cost[slots - 1] = cost;
+            plan.left[slots - 1] = k;
+        }
+    }
+    plan
+}
+
+struct Writer<'a, F> {
+    source: &'a Bvh2,
+    plan: &'a [Plan],
+    nodes: Vec<Node>,
+    leaf: F,
+    things: Vec<u32>,
+}
+
+impl<F: FnMut(&[u32]) -> Link> Writer<'_, F> {
+    /// The link to a binary subtree that takes one slot: a stored leaf, or the next free node.
+    fn link(&mut self, index: usize) -> Link {
+        if self.plan[index].own_left > 0 {
+            return Link::inner(self.nodes.len());
+        }
+        self.things.clear();
+        let mut open = vec![index];
+        while let Some(index) = open.pop() {
+            let node = &self.source.nodes[index];
+            let first = node.first_index as usize;
+            if node.is_leaf() {
+                self.things.extend(&self.source.primitive_indices[first..first + node.prim_count as usize]);
+            } else {
+                open.extend([first + 1, first]);
+            }
+        }
+        (self.leaf)(&self.things)
+    }
+
+    /// Fills node `to` from binary subtree `from`; its inner children get the next nodes, side by side.
+    fn write(&mut self, from: usize, to: usize, open: &mut Vec<(usize, usize)>) {
+        let mut children = Vec::with_capacity(8);
+        let first = self.source.nodes[from].first_index as usize;
+        let left = self.plan[from].own_left as usize;
+        self.children(first, left, &mut children);
+        self.children(first + 1, 8 - left, &mut children);
+        // Large boxes first: any-hit traversal takes children in this order.
+        let area = |index: usize| self.source.nodes[index].aabb().half_area();
+        children.sort_by(|&a, &b| area(b).total_cmp(&area(a)));
+        let before = open.len();
+        for (slot, &child) in children.iter().enumerate() {
+            let link = self.link(child);
+            self.nodes[to].links[slot] = link;
+            if !link.is_leaf() {
+                open.push((child, self.nodes.len()));
+                self.nodes.push(Node::EMPTY);
+            }
+        }
+        open[before..].reverse();
+    }
+
+    /// The subtrees that fill at most `slots` slots for `index`.
+    fn children(&self, index: usize, mut slots: usize, out: &mut Vec<usize>) {
+        let plan = &self.plan[index];
+        while slots > 1 && plan.left[slots - 1] == 0 {
+            slots -= 1;
+        }
+        if slots == 1 {
+            out.push(index);
+            return;
+        }
+        let first = self.source.nodes[index].first_index as usize;
+        let left = plan.left[slots - 1] as usize;
+        self.children(first, left, out);
+        self.children(first + 1, slots - left, out);
+    }
+}

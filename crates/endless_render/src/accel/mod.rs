@@ -1,0 +1,30 @@
+//! Ray tracing: which triangle of many placed meshes a ray meets first, or whether it meets any.
+//!
+//! Two levels: a [`Blas`] per mesh, shared by its instances, and an [`Accel`] over the instances. Both are trees of
+//! eight-wide nodes (`node`), built as binary trees by `obvhs` and collapsed by `collapse`.
+//!
+//! ```text
+//! Accel ── Node ─┬─ Entry ── object_from_world ── Blas ── Node ─┬─ TriangleGroup ×n
+//!                └─ Node …                                      └─ Node …
+//! ```
+//!
+//! The hit of a ray is a function of the geometry alone: neither the shape of the trees, nor refitting, nor tracing
+//! rays in packets changes a bit of it. `triangle` and `ray` say why.
+
+mod blas;
+#[cfg(test)]
+mod brute;
+mod collapse;
+mod node;
+mod packet;
+mod ray;
+mod single;
+mod stack;
+#[cfg(test)]
+mod tests;
+mod tlas;
+mod triangle;
+
+pub use blas::Blas;
+pub use ray::{Hit, Ray};
+pub use tlas::Accel;

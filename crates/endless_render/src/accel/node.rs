@@ -1,0 +1,133 @@
+//! The eight-wide node: boxes of up to eight children, side by side.
+
+use glam::Vec3A;
+use wide::f32x8;
+
+use super::ray::{FAR_PAD, LocalRay};
+
+/// What a child slot points to, in 32 bits: nothing, an inner node, or a run of things in a leaf.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Link(pub(super) u32);
+
+impl Link {
+    pub(super) const EMPTY: Link = Link(0x7fff_ffff);
+    const LEAF: u32 = 0x8000_0000;
+    const COUNT_SHIFT: u32 = 27;
+    const START_MASK: u32 = (1 << Self::COUNT_SHIFT) - 1;
+    /// Most things in one leaf.
+    pub(super) const MAX_COUNT: usize = 15;
+
+    pub(super) fn inner(node: usize) -> Self {
+        assert!(node < Self::EMPTY.0 as usize, "too many nodes for one tree");
+        Link(node as u32)
+    }
+
+    pub(super) fn leaf(start: usize, count: usize) -> Self {
+        assert!(start <= Self::START_MASK as usize && count <= Self::MAX_COUNT, "leaf out of range");
+        Link(Self::LEAF | (count as u32) << Self::COUNT_SHIFT | start as u32)
+    }
+
+    #[inline]
+    pub(super) fn is_leaf(self) -> bool {
+        self.0 & Self::LEAF != 0
+    }
+
+    /// Node index of an inner link.
+    #[inline]
+    pub(super) fn node(self) -> usize {
+        self.0 as usize
+    }
+
+    /// First thing of a leaf.
+    #[inline]
+    pub(super) fn start(self) -> usize {
+        (self.0 & Self::START_MASK) as usize
+    }
+
+    /// The run of things of a leaf.
+    #[inline]
+    pub(super) fn range(self) -> std::ops::Range<usize> {
+        self.start()..self.start() + (self.0 >> Self::COUNT_SHIFT & 15) as usize
+    }
+}
+
+/// Eight child boxes as planes `[low, high][axis]`; an empty slot has its low above its high.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(32))]
+pub(super) struct Node {
+    pub(super) planes: [[f32x8; 3]; 2],
+    pub(super) links: [Link; 8],
+}
+
+impl Node {
+    pub(super) const EMPTY: Node = Node {
+        planes: [[f32x8::new([f32::INFINITY; 8]); 3], [f32x8::new([f32::NEG_INFINITY; 8]); 3]],
+        links: [Link::EMPTY; 8],
+    };
+
+    pub(super) fn set_box(&mut self, slot: usize, (min, max): (Vec3A, Vec3A)) {
+        for k in 0..3 {
+            self.planes[0][k].as_mut_array()[slot] = min[k];
+            self.planes[1][k].as_mut_array()[slot] = max[k];
+        }
+    }
+
+    /// Box of one child.
+    pub(super) fn child_box(&self, slot: usize) -> (Vec3A, Vec3A) {
+        let corner = |side: usize| {
+            Vec3A::new(
+                self.planes[side][0].as_array()[slot],
+                self.planes[side][1].as_array()[slot],
+                self.planes[side][2].as_array()[slot],
+            )
+        };
+        (corner(0), corner(1))
+    }
+
+    /// Box around all children.
+    pub(super) fn bounds(&self) -> (Vec3A, Vec3A) {
+        (0..8).filter(|&slot| self.links[slot] != Link::EMPTY).fold(EMPTY_BOX, |b, slot| union(b, self.child_box(slot)))
+    }
+
+    /// Which children a ray (or every ray of a beam) may enter before `tmax`, and where.
+    #[inline(always)]
+    pub(super) fn enter(&self, beam: &Beam, tmax: f32) -> (u32, f32x8) {
+        let near = |k: usize| (self.planes[beam.negative[k] & 1][k] - beam.origin_near[k]) * beam.inverse_near[k];
+        let far = |k: usize| (self.planes[1 - (beam.negative[k] & 1)][k] - beam.origin_far[k]) * beam.inverse_far[k];
+        let tnear = near(0).fast_max(near(1)).fast_max(near(2).fast_max(f32x8::ZERO));
+        let tfar = far(0).fast_min(far(1)).fast_min(far(2).fast_min(f32x8::splat(tmax)));
+        (tnear.simd_le(tfar).to_bitmask(), tnear)
+    }
+}
+
+/// The slab test's operands: of one ray, or of the interval of several rays whose signs agree.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beam {
+    pub(super) negative: [usize; 3],
+    pub(super) origin_near: [f32x8; 3],
+    pub(super) origin_far: [f32x8; 3],
+    pub(super) inverse_near: [f32x8; 3],
+    pub(super) inverse_far: [f32x8; 3],
+}
+
+impl Beam {
+    #[inline(always)]
+    pub(super) fn of_ray(ray: &LocalRay) -> Self {
+        let origin = ray.origin.map(f32x8::splat);
+        Beam {
+            negative: ray.negative,
+            origin_near: origin,
+            origin_far: origin,
+            inverse_near: ray.inverse.map(f32x8::splat),
+            inverse_far: ray.inverse.map(|i| f32x8::splat(i * FAR_PAD)),
+        }
+    }
+}
+
+/// The box around nothing.
+pub(super) const EMPTY_BOX: (Vec3A, Vec3A) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
+
+/// Box around two boxes.
+pub(super) fn union(a: (Vec3A, Vec3A), b: (Vec3A, Vec3A)) -> (Vec3A, Vec3A) {
+    (a.0.min(b.0), a.1.max(b.1))
+}

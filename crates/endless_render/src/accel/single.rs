@@ -1,0 +1,166 @@
+//! Traversal by one ray: nearest child first for the closest hit, any order for occlusion.
+
+use super::blas::Blas;
+use super::node::{Beam, Link, Node};
+use super::ray::{Hit, LocalRay, Ray};
+use super::stack::Stack;
+use super::tlas::{Accel, Entry};
+
+impl Accel {
+    /// The nearest hit; of several at the same `t` the one with the lowest instance, then triangle.
+    pub fn closest(&self, ray: &Ray) -> Option<Hit> {
+        self.trace::<false>(ray).found()
+    }
+
+    /// Whether anything is hit.
+    pub fn occluded(&self, ray: &Ray) -> bool {
+        self.trace::<true>(ray).found().is_some()
+    }
+
+    #[inline(always)]
+    fn trace<const ANY: bool>(&self, ray: &Ray) -> Hit {
+        let mut best = Hit::none(ray.tmax);
+        let mut stack = Stack::new();
+        let world = LocalRay::new(ray.origin, ray.direction);
+        let beam = Beam::of_ray(&world);
+        walk::<ANY>(self.nodes(), self.root(), 0.0, &beam, &mut best, &mut stack, |link, tnear, best, stack| {
+            self.entry(link).trace::<ANY>(ray, &world, &beam, tnear, best, stack)
+        });
+        best
+    }
+}
+
+impl Entry {
+    /// Intersects one instance; says whether a hit was taken.
+    #[inline(always)]
+    pub(super) fn trace<const ANY: bool>(
+        &self,
+        ray: &Ray,
+        world: &LocalRay,
+        beam: &Beam,
+        tnear: f32,
+        best: &mut Hit,
+        stack: &mut Stack,
+    ) -> bool {
+        match &self.object_from_world {
+            None => trace_blas::<ANY>(&self.blas, self.root, self.instance, world, beam, 0.0, best, stack),
+            Some(transform) => {
+                let local = LocalRay::new(transform.point(ray.origin), transform.vector(ray.direction));
+                let beam = Beam::of_ray(&local);
+                trace_blas::<ANY>(&self.blas, self.root, self.instance, &local, &beam, tnear, best, stack)
+            }
+        }
+    }
+}
+
+/// Intersects the part of a mesh under `root`. Hits count as no nearer than `tmin`.
+#[inline(never)]
+pub(super) fn trace_blas<const ANY: bool>(
+    blas: &Blas,
+    root: Link,
+    instance: u32,
+    ray: &LocalRay,
+    beam: &Beam,
+    tmin: f32,
+    best: &mut Hit,
+    stack: &mut Stack,
+) -> bool {
+    walk::<ANY>(blas.nodes(), root, 0.0, beam, best, stack, |link, _, best, _| {
+        let mut found = false;
+        for group in &blas.groups[link.range()] {
+            found |= group.intersect(ray, tmin, best, instance);
+            if ANY && found {
+                return true;
+            }
+        }
+        found
+    })
+}
+
+/// Visits the leaves that the beam may enter before `best.t`. Says whether a leaf reported a hit; with `ANY` it
+/// stops there.
+#[inline(always)]
+fn walk<const ANY: bool>(
+    nodes: &[Node],
+    root: Link,
+    tnear: f32,
+    beam: &Beam,
+    best: &mut Hit,
+    stack: &mut Stack,
+    mut leaf: impl FnMut(Link, f32, &mut Hit, &mut Stack) -> bool,
+) -> bool {
+    if root == Link::EMPTY {
+        return false;
+    }
+    let base = stack.len();
+    let mut found = false;
+    let mut next = Some((root, tnear));
+    while let Some((mut link, mut tnear)) = next {
+        if tnear <= best.t {
+            loop {
+                if link.is_leaf() {
+                    if leaf(link, tnear, best, stack) {
+                        found = true;
+                        if ANY {
+                            while stack.pop(base).is_some() {}
+                            return true;
+                        }
+                    }
+                    break;
+                }
+                // Only rays that are not finite enter empty slots.
+                let Some(node) = nodes.get(link.node()) else { break };
+                let (mut hits, tnears) = node.enter(beam, best.t);
+                if hits == 0 {
+                    break;
+                }
+                let tnears = tnears.as_array();
+                let mut take = || {
+                    let slot = hits.trailing_zeros() as usize & 7;
+                    hits &= hits - 1;
+                    (node.links[slot], tnears[slot], hits)
+                };
+                let (first, tfirst, rest) = take();
+                (link, tnear) = (first, tfirst);
+                if rest == 0 {
+                    continue;
+                }
+                let (second, tsecond, rest) = take();
+                if ANY {
+                    stack.push(second, tsecond);
+                    let mut rest = rest;
+                    while rest != 0 {
+                        let (other, tother, left) = take();
+                        stack.push(other, tother);
+                        rest = left;
+                    }
+                    continue;
+                }
+                if rest == 0 {
+                    if tsecond < tfirst {
+                        stack.push(first, tfirst);
+                        (link, tnear) = (second, tsecond);
+                    } else {
+                        stack.push(second, tsecond);
+                    }
+                    continue;
+                }
+                let from = stack.len();
+                stack.push(first, tfirst);
+                stack.push(second, tsecond);
+                let mut rest = rest;
+                while rest != 0 {
+                    let (other, tother, left) = take();
+                    stack.push(other, tother);
+                    rest = left;
+                }
+                stack.sort_from(from);
+                if let Some((nearest, t)) = stack.pop(from) {
+                    (link, tnear) = (nearest, t);
+                }
+            }
+        }
+        next = stack.pop(base);
+    }
+    found
+}

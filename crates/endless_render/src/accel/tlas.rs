@@ -1,0 +1,176 @@
+//! The top level: a tree over instances of meshes.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use glam::{Affine3A, Vec3A};
+use obvhs::BvhBuildParams;
+use obvhs::aabb::Aabb;
+use obvhs::bvh2::builder::build_bvh2;
+
+use super::blas::Blas;
+use super::collapse::{Costs, Tree, collapse};
+use super::node::{EMPTY_BOX, Link, Node, union};
+use super::ray::Transform;
+
+/// Acceleration structure over placed meshes: what rays are traced against.
+#[derive(Clone, Debug)]
+pub struct Accel {
+    tree: Tree,
+    entries: Vec<Entry>,
+    instance_bounds: Vec<(Vec3A, Vec3A)>,
+    bounds: (Vec3A, Vec3A),
+}
+
+/// What a leaf of the top level holds: an instance, or a part of one.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    /// `None` if the mesh lies in world space as it is.
+    pub(super) object_from_world: Option<Transform>,
+    pub(super) blas: Arc<Blas>,
+    /// Where in the mesh's tree to start.
+    pub(super) root: Link,
+    pub(super) instance: u32,
+}
+
+const COSTS: Costs = Costs { group: 1.0, group_size: 1, max_leaf: 1 };
+
+impl Accel {
+    /// Builds over instances, each a mesh and its `world_from_object`. Instances whose place is not finite, and
+    /// empty meshes, are never hit.
+    pub fn build(instances: Vec<(Arc<Blas>, Affine3A)>) -> Self {
+        let instance_bounds: Vec<_> =
+            instances.iter().map(|(blas, world_from_object)| world_bounds(blas.bounds(), world_from_object)).collect();
+        let mut parts = Vec::with_capacity(instances.len());
+        let mut boxes = Vec::with_capacity(instances.len());
+        for (index, (blas, world_from_object)) in instances.into_iter().enumerate() {
+            let (min, max) = instance_bounds[index];
+            if !(min.is_finite() && max.is_finite()) {
+                continue;
+            }
+            let instance = index as u32;
+            let root = blas.tree.root;
+            if world_from_object == Affine3A::IDENTITY {
+                open_parts(&blas, &mut |root, bounds| {
+                    parts.push(Entry { object_from_world: None, blas: Arc::clone(&blas), root, instance });
+                    boxes.push(bounds);
+                });
+            } else {
+                let inverse = world_from_object.inverse();
+                let transform = Transform { linear: inverse.matrix3, translation: inverse.translation };
+                parts.push(Entry { object_from_world: Some(transform), blas, root, instance });
+                boxes.push((min, max));
+            }
+        }
+        let (mut tree, order) = top_tree(&boxes);
+        let entries = order.iter().map(|&part| parts[part as usize].clone()).collect();
+        let bounds = tree.fit(|leaf| boxes[order[leaf.start()] as usize]);
+        Accel { tree, entries, instance_bounds, bounds }
+    }
+
+    /// Box around everything, `(min, max)`; `min > max` if there is nothing.
+    pub fn bounds(&self) -> (Vec3A, Vec3A) {
+        self.bounds
+    }
+
+    /// Box around one instance in world space, `(min, max)`; `min > max` if its mesh is empty.
+    ///
+    /// # Panics
+    /// If there is no such instance.
+    pub fn instance_bounds(&self, instance: usize) -> (Vec3A, Vec3A) {
+        self.instance_bounds[instance]
+    }
+
+    /// Whether there is nothing to hit.
+    pub fn is_empty(&self) -> bool {
+        self.entries.is_empty()
+    }
+
+    /// Memory of the top level alone, bytes.
+    pub fn memory_bytes(&self) -> usize {
+        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.entries[..]) + size_of_val(&self.instance_bounds[..])
+    }
+
+    pub(super) fn nodes(&self) -> &[Node] {
+        &self.tree.nodes
+    }
+
+    pub(super) fn root(&self) -> Link {
+        self.tree.root
+    }
+
+    #[inline]
+    pub(super) fn entry(&self, leaf: Link) -> &Entry {
+        &self.entries[leaf.start()]
+    }
+}
+
+/// The tree over boxes and the order of its leaves. Few things move every frame, many never do: quality by number.
+fn top_tree(boxes: &[(Vec3A, Vec3A)]) -> (Tree, Vec<u32>) {
+    let mut order = Vec::with_capacity(boxes.len());
+    if boxes.is_empty() {
+        return (Tree::empty(), order);
+    }
+    let boxes: Vec<Aabb> = boxes.iter().map(|&(min, max)| Aabb::new(min, max)).collect();
+    let mut params =
+        if boxes.len() > 1000 { BvhBuildParams::medium_build() } else { BvhBuildParams::very_fast_build() };
+    params.max_prims_per_leaf = 1;
+    let source = build_bvh2(&boxes, params, &mut Duration::default());
+    let mut tree = collapse(&source, COSTS, |things| {
+        order.extend_from_slice(things);
+        Link::leaf(order.len() - 1, 1)
+    });
+    if tree.root.is_leaf() {
+        // Even a lone instance is entered through its box.
+        let mut node = Node::EMPTY;
+        node.links[0] = tree.root;
+        tree = Tree { nodes: vec![node], root: Link::inner(0) };
+    }
+    (tree, order)
+}
+
+/// Meshes that lie in world space span the town and overlap: the top level gets their parts, so that one tree
+/// sorts them all (Benthin et al.: Improved two-level BVHs using partial re-braiding, HPG 2017). Their boxes stay
+/// as they are in the mesh's tree, which keeps the box tests monotone.
+fn open_parts(blas: &Blas, found: &mut impl FnMut(Link, (Vec3A, Vec3A))) {
+    /// Parts of at least this share of the mesh's area are opened further.
+    const SHARE: f32 = 1.0 / 256.0;
+    let root = blas.tree.root;
+    if blas.triangle_count() < 1024 {
+        return found(root, blas.bounds());
+    }
+    let limit = half_area(blas.bounds()) * SHARE;
+    let mut open = vec![(root, blas.bounds())];
+    while let Some((link, bounds)) = open.pop() {
+        if link.is_leaf() || half_area(bounds) < limit {
+            found(link, bounds);
+            continue;
+        }
+        let node = &blas.nodes()[link.node()];
+        open.extend((0..8).filter(|&s| node.links[s] != Link::EMPTY).map(|s| (node.links[s], node.child_box(s))));
+    }
+}
+
+fn half_area((min, max): (Vec3A, Vec3A)) -> f32 {
+    let d = max - min;
+    d.x * d.y + d.y * d.z + d.z * d.x
+}
+
+/// Box around a transformed box, padded for the rounding of the ray's way into object space. The identity gives
+/// the box itself.
+fn world_bounds((min, max): (Vec3A, Vec3A), world_from_object: &Affine3A) -> (Vec3A, Vec3A) {
+    const PAD: f32 = 4e-6;
+    if min.cmpgt(max).any() {
+        return EMPTY_BOX;
+    }
+    if *world_from_object == Affine3A::IDENTITY {
+        return (min, max);
+    }
+    let corners = (0..8).map(|k| {
+        let pick = |axis: usize| if k >> axis & 1 == 0 { min[axis] } else { max[axis] };
+        Vec3A::new(pick(0), pick(1), pick(2))
+    });
+    let (low, high) = corners.map(|c| world_from_object.transform_point3a(c)).fold(EMPTY_BOX, |b, c| union(b, (c, c)));
+    let reach = low.abs().max(high.abs()).max_element() + world_from_object.translation.abs().max_element();
+    (low - PAD * reach, high + PAD * reach)
+}
