@@ -47,7 +47,11 @@ fn follow_or_diverge(a: &Lane, b: &Lane) -> bool {
 
 /// The ranges of `s` on two lanes within which their swept areas overlap; `None` if they do not.
 pub fn swept_overlap(a: &Lane, b: &Lane) -> Option<((f64, f64), (f64, f64))> {
-    let clearance = SWEPT_M.min(0.45 * (a.width_m + b.width_m));
+    near_ranges(a, b, SWEPT_M.min(0.45 * (a.width_m + b.width_m)))
+}
+
+/// The ranges of `s` on two lanes within which their centre lines are nearer than `clearance` metres.
+pub fn near_ranges(a: &Lane, b: &Lane, clearance: f64) -> Option<((f64, f64), (f64, f64))> {
     let (on_a, on_b) = (samples(a), samples(b));
     let range_of = |of: &[(f64, DVec3)], others: &[(f64, DVec3)]| {
         let mut range: Option<(f64, f64)> = None;

@@ -16,7 +16,7 @@ mod route;
 mod spawn;
 mod walk;
 
-pub use conflict::swept_overlap;
+pub use conflict::{near_ranges, swept_overlap};
 pub use error::NetworkError;
 pub use network::{
     Conflict, Control, Crossing, CrossingId, Junction, JunctionId, Lane, LaneCut, LaneId, Phase, RoadNetwork,

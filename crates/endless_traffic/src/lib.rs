@@ -1,1 +1,24 @@
-//! placeholder
+//! Traffic: vehicles, two-wheelers, pedestrians and signals on a road network.
+//!
+//! [`Simulation`] owns a copy of the network and advances frame by frame; [`Simulation::state`] is what the renderer
+//! sees. Everything random comes from streams keyed by the scene's seed, and a frame is a fixed number of equal steps,
+//! so the same scene gives the same states, bit for bit.
+
+mod approach;
+mod crossing;
+mod driver;
+mod kinematics;
+mod lane_change;
+mod lights;
+mod occupancy;
+mod population;
+mod roads;
+mod signals;
+mod simulation;
+mod spawn;
+mod steering;
+mod vehicle;
+mod walker;
+
+pub use population::{Conditions, Population};
+pub use simulation::Simulation;

@@ -1,0 +1,301 @@
+//! Who may enter a junction.
+//!
+//! A vehicle needs leave (a [`Grant`]) to cross the line before a junction: its signal or sign allows it, those with
+//! priority are far enough away, and there is room for it beyond. Where the ways of two vehicles overlap they pass in
+//! the order of their grants, so nobody waits in a circle and no two bodies meet.
+
+use crate::occupancy::Occupancy;
+use crate::roads::Roads;
+use crate::vehicle::{Grant, Vehicle};
+use endless_road::{Control, JunctionId, LaneId, Turn};
+use endless_world::{SignalAspect, SignalState};
+
+/// Room kept free behind the leader beyond a junction, metres.
+const SPARE_M: f64 = 2.5;
+/// Seconds after which those who stand and have priority are taken to let others go first.
+const PATIENCE_S: f64 = 2.5;
+
+/// A vehicle before a junction that has no leave yet.
+#[derive(Debug, Clone)]
+pub(crate) struct Request {
+    vehicle: usize,
+    junction: JunctionId,
+    /// From the front bumper to the line, metres.
+    distance: f64,
+    speed: f64,
+    waited_s: f64,
+    lanes: Vec<LaneId>,
+    exit: LaneId,
+    control: Control,
+    /// Its signal stops it.
+    held: bool,
+}
+
+/// Gives and takes back leave to enter junctions.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Marshal {
+    order: u64,
+    requests: Vec<Request>,
+    /// Vehicles with a grant, by junction.
+    granted: Vec<Vec<usize>>,
+}
+
+impl Marshal {
+    pub(crate) fn granted(&self, junction: JunctionId) -> &[usize] {
+        &self.granted[junction.index()]
+    }
+
+    pub(crate) fn step(
+        &mut self,
+        roads: &Roads,
+        occupancy: &Occupancy,
+        signals: &[SignalState],
+        vehicles: &mut [Vehicle],
+        step_s: f64,
+    ) {
+        release(roads, occupancy, signals, vehicles);
+        self.granted.resize(roads.network.junctions.len(), Vec::new());
+        for list in &mut self.granted {
+            list.clear();
+        }
+        for (i, vehicle) in vehicles.iter().enumerate() {
+            for grant in &vehicle.grants {
+                self.granted[grant.junction.index()].push(i);
+            }
+        }
+        let mut requests = std::mem::take(&mut self.requests);
+        requests.clear();
+        for (i, vehicle) in vehicles.iter_mut().enumerate() {
+            match request(roads, signals, vehicle, i) {
+                Some(request) => {
+                    let waits = vehicle.speed < 0.3 && request.distance < 6.0;
+                    vehicle.waited_s = if waits { vehicle.waited_s + step_s } else { 0.0 };
+                    requests.push(Request { waited_s: vehicle.waited_s, ..request });
+                }
+                None => vehicle.waited_s = 0.0,
+            }
+        }
+        for (k, request) in requests.iter().enumerate() {
+            let others = requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction);
+            let fits = sign_allows(roads, request)
+                && self.next_in_line(roads, occupancy, vehicles, request)
+                && self.room_beyond(roads, occupancy, vehicles, request)
+                && self.clear_of_granted(roads, vehicles, request)
+                && others.into_iter().all(|(_, other)| goes_before(roads, vehicles, request, other));
+            if fits {
+                self.order += 1;
+                let vehicle = &mut vehicles[request.vehicle];
+                vehicle.grants.push(Grant {
+                    junction: request.junction,
+                    order: self.order,
+                    lanes: request.lanes.clone(),
+                    exit: request.exit,
+                    entered: false,
+                });
+                self.granted[request.junction.index()].push(request.vehicle);
+            }
+        }
+        self.requests = requests;
+    }
+
+    /// The vehicle directly ahead on the approach has leave already.
+    fn next_in_line(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &Request) -> bool {
+        let reach = request.distance + vehicles[request.vehicle].half_length;
+        let Some(leader) = occupancy.leader(roads, vehicles, request.vehicle, reach) else { return true };
+        if leader.gap > request.distance {
+            return true;
+        }
+        vehicles[leader.vehicle].grant_for(request.junction).is_some()
+    }
+
+    fn room_beyond(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &Request) -> bool {
+        let exit = roads.table(request.exit);
+        let crossing_end = exit.cuts.iter().filter(|c| c.range.0 < 12.0).map(|c| c.range.1).fold(0.0, f64::max);
+        let needed = (crossing_end + 2.0 * vehicles[request.vehicle].half_length + SPARE_M).min(exit.length - 0.5);
+        let mut free = if exit.length > 60.0 { 60.0 } else { exit.length };
+        for o in occupancy.on(request.exit) {
+            if o.vehicle != request.vehicle {
+                free = free.min(o.rear + vehicles[o.vehicle].firm_stop_m());
+            }
+        }
+        for &other in self.granted(request.junction) {
+            let heads_there = vehicles[other].grant_for(request.junction).is_some_and(|g| g.exit == request.exit);
+            if heads_there && other != request.vehicle && !occupancy.covers_any(other, &[request.exit]) {
+                free -= 2.0 * vehicles[other].half_length + SPARE_M;
+            }
+        }
+        free >= needed
+    }
+
+    /// Those who have leave already and priority will be out of the way in time.
+    fn clear_of_granted(&self, roads: &Roads, vehicles: &[Vehicle], request: &Request) -> bool {
+        let me = &vehicles[request.vehicle];
+        let mut base = request.distance;
+        for &lane in &request.lanes {
+            for &other in self.granted(request.junction) {
+                let them = &vehicles[other];
+                let conflicts = roads.table(lane).conflicts(me.long() || them.long());
+                for conflict in conflicts.iter().filter(|c| c.gives_way) {
+                    let uses = them.grant_for(request.junction).is_some_and(|g| g.lanes.contains(&conflict.other));
+                    if other == request.vehicle || !uses {
+                        continue;
+                    }
+                    let Some(distance) = them.distance_to(roads, conflict.other) else { continue };
+                    let to_clear = distance + conflict.other_range.1 + them.half_length;
+                    let arrival = travel_s(base + conflict.range.0, me.speed, me.driver.accelerate);
+                    if to_clear > 0.0 && travel_s(to_clear, them.speed, 0.8) > arrival {
+                        return false;
+                    }
+                }
+            }
+            base += roads.table(lane).length;
+        }
+        true
+    }
+}
+
+/// Takes leave back from those who have passed, and from those who can and must still stop.
+fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicles: &mut [Vehicle]) {
+    for i in 0..vehicles.len() {
+        let mut grants = std::mem::take(&mut vehicles[i].grants);
+        let vehicle = &vehicles[i];
+        grants.retain_mut(|grant| {
+            if occupancy.covers_any(i, &grant.lanes) {
+                grant.entered = true;
+                return true;
+            }
+            if grant.entered {
+                return false;
+            }
+            let Some(to_line) = vehicle.distance_to(roads, grant.lanes[0]) else { return false };
+            let distance = to_line - vehicle.half_length;
+            let control = approach_control(roads, vehicle, grant.lanes[0]);
+            let stops = matches!(aspect(control, signals), Some(a) if a != SignalAspect::Green);
+            let waits_to_clear = roads.network.lane(grant.lanes[0]).turn == Turn::Left && distance < 3.0;
+            !(stops && distance > stopping_m(vehicle.speed) && !waits_to_clear)
+        });
+        vehicles[i].grants = grants;
+    }
+}
+
+/// Distance within which a driver at a yellow light would rather go on, metres.
+fn stopping_m(speed: f64) -> f64 {
+    speed * speed / (2.0 * 3.0) + 0.3 * speed + 0.5
+}
+
+fn approach_control(roads: &Roads, vehicle: &Vehicle, connector: LaneId) -> Control {
+    let place = vehicle.route.iter().position(|&l| l == connector);
+    place.filter(|&p| p > 0).map_or(Control::Free, |p| roads.network.lane(vehicle.route[p - 1]).end_control)
+}
+
+fn aspect(control: Control, signals: &[SignalState]) -> Option<SignalAspect> {
+    match control {
+        Control::Signal(signal) => Some(signals[usize::from(signal.0)].aspect),
+        _ => None,
+    }
+}
+
+/// The next junction without leave, if it is near enough to matter.
+fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) -> Option<Request> {
+    let trigger = vehicle.speed * vehicle.speed / (2.0 * 1.8) + 1.2 * vehicle.speed + 8.0 + vehicle.half_length;
+    let mut before = None;
+    let mut lanes: Vec<LaneId> = Vec::new();
+    let mut found: Option<(JunctionId, f64, Control)> = None;
+    for (lane, base) in vehicle.ahead(roads) {
+        let junction = roads.table(lane).junction;
+        match found {
+            None => {
+                if base > trigger {
+                    return None;
+                }
+                if let (Some(junction), Some(before)) = (junction, before)
+                    && base > 0.0
+                    && vehicle.grant_for(junction).is_none()
+                {
+                    found = Some((junction, base, roads.network.lane(before).end_control));
+                    lanes.push(lane);
+                }
+            }
+            Some((inside, to_line, control)) => {
+                if junction == Some(inside) {
+                    lanes.push(lane);
+                    continue;
+                }
+                let light = aspect(control, signals);
+                let distance = to_line - vehicle.half_length;
+                // Who has waited at the line to turn left clears the junction when the light changes.
+                let clears = light == Some(SignalAspect::Yellow)
+                    && vehicle.waited_s > 1.5
+                    && roads.network.lane(lanes[0]).turn == Turn::Left;
+                return Some(Request {
+                    vehicle: i,
+                    junction: inside,
+                    distance,
+                    speed: vehicle.speed,
+                    waited_s: vehicle.waited_s,
+                    lanes,
+                    exit: lane,
+                    control,
+                    held: light.is_some_and(|a| a != SignalAspect::Green) && !clears,
+                });
+            }
+        }
+        before = Some(lane);
+    }
+    None
+}
+
+fn sign_allows(roads: &Roads, request: &Request) -> bool {
+    let must_look = roads.network.lane(request.lanes[0]).turn == Turn::UTurn;
+    match request.control {
+        Control::Signal(_) => !request.held,
+        Control::Stop => request.waited_s > 0.7,
+        Control::Yield => request.distance < 14.0,
+        Control::Free => !must_look || request.distance < 14.0,
+    }
+}
+
+/// Whether `me` may go although `other`, which has no leave yet, approaches too.
+fn goes_before(roads: &Roads, vehicles: &[Vehicle], me: &Request, other: &Request) -> bool {
+    if other.held {
+        return true;
+    }
+    let driver = &vehicles[me.vehicle].driver;
+    let length = 2.0 * vehicles[me.vehicle].half_length;
+    // The longer the wait, the smaller the gap that is taken.
+    let margin_s = (1.6 - 0.04 * me.waited_s).max(0.6);
+    let mut base = me.distance;
+    for &lane in &me.lanes {
+        let long = vehicles[me.vehicle].long() || vehicles[other.vehicle].long();
+        for conflict in roads.table(lane).conflicts(long).iter().filter(|c| c.gives_way) {
+            let Some(k) = other.lanes.iter().position(|&l| l == conflict.other) else { continue };
+            if other.speed < 0.5 {
+                // Both stand: the one with priority goes, unless it has let its turn pass.
+                let stuck = other.waited_s > PATIENCE_S && me.waited_s > PATIENCE_S;
+                if other.distance < 6.0 && !stuck {
+                    return false;
+                }
+                continue;
+            }
+            let before: f64 = other.lanes[..k].iter().map(|&l| roads.table(l).length).sum();
+            let arrival = (other.distance + before + conflict.other_range.0) / other.speed.max(3.0);
+            let gone = travel_s(base + conflict.range.1 + length, me.speed, driver.accelerate);
+            if arrival < gone + margin_s {
+                return false;
+            }
+        }
+        base += roads.table(lane).length;
+    }
+    true
+}
+
+/// Seconds to cover a distance from a speed with an acceleration up to 9 m/s.
+fn travel_s(distance: f64, speed: f64, acceleration: f64) -> f64 {
+    let distance = distance.max(0.0);
+    let top = speed.max(9.0);
+    let ramp = (top * top - speed * speed) / (2.0 * acceleration);
+    if distance <= ramp {
+        return ((speed * speed + 2.0 * acceleration * distance).sqrt() - speed) / acceleration;
+    }
+    (top - speed) / acceleration + (distance - ramp) / top
+}

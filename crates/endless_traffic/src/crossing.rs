@@ -1,0 +1,94 @@
+//! Where drivers and people on foot look at one another.
+
+use crate::roads::{Cut, Roads};
+use crate::vehicle::Vehicle;
+use endless_road::CrossingId;
+
+/// Somebody on a crossing.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OnFoot {
+    /// Metres from the crossing's first end.
+    pub(crate) along_m: f64,
+    /// +1 towards the second end, −1 back.
+    pub(crate) direction: f64,
+}
+
+/// One crossing at this instant.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct CrossingState {
+    /// Who is on it.
+    pub(crate) people: Vec<OnFoot>,
+    /// Somebody stands at the kerb and may go as soon as drivers let them.
+    pub(crate) wanted: bool,
+    /// A vehicle is on it.
+    pub(crate) occupied: bool,
+    /// A vehicle is on it or too close to stop.
+    pub(crate) danger: bool,
+    /// Lanes with a vehicle on the crossing or too close to stop: metres along it.
+    pub(crate) taken: Vec<f64>,
+}
+
+/// Walkers closer than this to a lane's middle are in its way, metres.
+const IN_THE_WAY_M: f64 = 2.5;
+/// Drivers stop for people that walk towards their lane from this far, metres.
+const NOTICED_M: f64 = 7.0;
+
+impl CrossingState {
+    /// Whether somebody on it is in the way of a lane, or soon will be.
+    pub(crate) fn blocks(&self, cut: &Cut) -> bool {
+        self.people.iter().any(|p| {
+            let to_lane = (cut.along_m - p.along_m) * p.direction;
+            to_lane > -IN_THE_WAY_M && to_lane < NOTICED_M
+        })
+    }
+
+    /// Whether somebody at this place who walks in this direction would step in front of a vehicle.
+    pub(crate) fn step_is_unsafe(&self, person: OnFoot) -> bool {
+        self.taken.iter().any(|along| {
+            let to_lane = (along - person.along_m) * person.direction;
+            to_lane > 1.0 && to_lane < IN_THE_WAY_M + 0.6
+        })
+    }
+}
+
+/// Comfortable distance to stop from a speed, metres.
+pub(crate) fn comfortable_stop_m(speed: f64) -> f64 {
+    speed * speed / (2.0 * 2.4) + 0.3 * speed + 0.3
+}
+
+/// Notes the crossings that each vehicle is on or can no longer stop for.
+pub(crate) fn note_vehicles(roads: &Roads, vehicles: &[Vehicle], crossings: &mut [CrossingState]) {
+    for crossing in crossings.iter_mut() {
+        crossing.danger = false;
+        crossing.occupied = false;
+        crossing.taken.clear();
+    }
+    for vehicle in vehicles {
+        let reach = vehicle.half_length + comfortable_stop_m(vehicle.speed);
+        let mut note = |cut: &Cut, base: f64| {
+            let (low, high) = (base + cut.range.0, base + cut.range.1);
+            if low < reach && high > -vehicle.half_length - 0.3 {
+                let state = &mut crossings[cut.crossing.index()];
+                state.danger = true;
+                state.occupied |= low < vehicle.half_length;
+                state.taken.push(cut.along_m);
+            }
+        };
+        let mut base = -vehicle.s;
+        for i in (0..vehicle.here).rev() {
+            base -= roads.table(vehicle.route[i]).length;
+            roads.table(vehicle.route[i]).cuts.iter().for_each(|cut| note(cut, base));
+        }
+        for (lane, base) in vehicle.ahead(roads) {
+            if base > reach {
+                break;
+            }
+            roads.table(lane).cuts.iter().for_each(|cut| note(cut, base));
+        }
+    }
+}
+
+/// The signal of a crossing, as an index.
+pub(crate) fn signal_of(roads: &Roads, crossing: CrossingId) -> Option<usize> {
+    roads.network.crossings[crossing.index()].signal.map(|s| usize::from(s.0))
+}

@@ -1,0 +1,133 @@
+//! How a driver accelerates: the Intelligent Driver Model (Treiber, Hennecke, Helbing 2000, "Congested traffic states
+//! in empirical observations and microscopic simulations").
+
+use crate::population::Conditions;
+use endless_asset::VehicleSpec;
+use endless_world::{ObjectClass, Stream};
+
+/// Hardest braking, m/s².
+pub(crate) const HARDEST_BRAKING: f64 = 7.5;
+
+/// One driver's habits.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Driver {
+    /// Comfortable acceleration, m/s².
+    pub(crate) accelerate: f64,
+    /// Comfortable braking, m/s².
+    pub(crate) brake: f64,
+    /// Time headway, seconds.
+    pub(crate) headway_s: f64,
+    /// Gap kept when standing, metres.
+    pub(crate) standing_gap_m: f64,
+    /// Factor on speed limits.
+    pub(crate) limit_factor: f64,
+    /// Speed on an empty road, m/s.
+    pub(crate) cruise_mps: f64,
+    /// Factor on the speed through bends.
+    pub(crate) bend_factor: f64,
+    /// Place in the lane, metres left of its middle.
+    pub(crate) lateral_m: f64,
+    /// Politeness of lane changes (MOBIL's p).
+    pub(crate) politeness: f64,
+}
+
+impl Driver {
+    pub(crate) fn new(spec: &VehicleSpec, conditions: Conditions, stream: &mut Stream) -> Self {
+        let heavy = matches!(spec.class, ObjectClass::Truck | ObjectClass::Bus);
+        let wet = if conditions.wet { 0.88 } else { 1.0 };
+        let lateral_m = match spec.class {
+            ObjectClass::Bicycle => stream.range_f64(-0.95, -0.6),
+            ObjectClass::Motorcycle => stream.range_f64(-0.4, 0.4),
+            ObjectClass::Truck | ObjectClass::Bus => stream.range_f64(-0.05, 0.05),
+            _ => stream.range_f64(-0.15, 0.15),
+        };
+        Self {
+            accelerate: f64::from(spec.acceleration_mps2).clamp(0.5, 2.8) * stream.range_f64(0.85, 1.1),
+            brake: stream.range_f64(1.6, 2.3),
+            headway_s: stream.range_f64(1.0, 1.7) / wet + if heavy { 0.3 } else { 0.0 },
+            standing_gap_m: stream.range_f64(1.6, 2.6),
+            limit_factor: stream.range_f64(0.85, 1.05) * wet,
+            cruise_mps: f64::from(spec.cruise_mps) * stream.range_f64(0.9, 1.1) * wet,
+            bend_factor: stream.range_f64(0.88, 1.1) * wet * if heavy { 0.82 } else { 1.0 },
+            lateral_m,
+            politeness: stream.range_f64(0.1, 0.5),
+        }
+    }
+
+    /// On an open road, with a speed to reach.
+    pub(crate) fn free(&self, speed: f64, wanted: f64) -> f64 {
+        if speed > wanted {
+            return -((speed - wanted) * 2.0).min(self.brake * 1.5);
+        }
+        let ratio = speed / wanted.max(0.1);
+        self.accelerate * (1.0 - ratio * ratio * ratio * ratio)
+    }
+
+    /// Behind something `gap` metres ahead that moves at `leader_speed`.
+    pub(crate) fn follow(&self, speed: f64, gap: f64, leader_speed: f64) -> f64 {
+        self.react(speed, gap, leader_speed, self.standing_gap_m, self.headway_s)
+    }
+
+    /// Towards a line not to be crossed.
+    pub(crate) fn stop_at(&self, speed: f64, gap: f64) -> f64 {
+        self.react(speed, gap, 0.0, 0.4, 0.6)
+    }
+
+    fn react(&self, speed: f64, gap: f64, leader_speed: f64, standing: f64, headway: f64) -> f64 {
+        if gap <= 0.05 {
+            return -HARDEST_BRAKING;
+        }
+        let closing = speed * (speed - leader_speed) / (2.0 * (self.accelerate * self.brake).sqrt());
+        let wanted = standing + (speed * headway + closing).max(0.0);
+        let ratio = wanted / gap;
+        (self.accelerate * (1.0 - ratio * ratio)).max(-HARDEST_BRAKING)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn driver() -> Driver {
+        Driver {
+            accelerate: 1.5,
+            brake: 2.0,
+            headway_s: 1.2,
+            standing_gap_m: 2.0,
+            limit_factor: 1.0,
+            cruise_mps: 14.0,
+            bend_factor: 1.0,
+            lateral_m: 0.0,
+            politeness: 0.3,
+        }
+    }
+
+    #[test]
+    fn stops_before_a_line_and_never_rolls_back() {
+        let d = driver();
+        for start in [20.0, 40.0, 80.0] {
+            let (mut x, mut v) = (0.0f64, if start < 30.0 { 6.0 } else { 13.0 });
+            for _ in 0..3000 {
+                let a = d.free(v, 14.0).min(d.stop_at(v, start - x));
+                v = (v + a / 30.0).max(0.0);
+                x += v / 30.0;
+            }
+            assert!(x < start && start - x < 1.5 && v < 0.05, "{start} {x} {v}");
+        }
+    }
+
+    #[test]
+    fn keeps_its_headway_behind_a_leader() {
+        let d = driver();
+        let (mut x, mut v, mut leader) = (0.0f64, 10.0f64, 30.0f64);
+        for _ in 0..6000 {
+            let a = d.free(v, 14.0).min(d.follow(v, leader - x, 8.0));
+            v = (v + a / 30.0).max(0.0);
+            x += v / 30.0;
+            leader += 8.0 / 30.0;
+        }
+        assert!((v - 8.0).abs() < 0.1);
+        let gap = leader - x;
+        assert!(gap > 2.0 + 1.2 * 8.0 - 0.2 && gap < 20.0, "{gap}");
+    }
+}

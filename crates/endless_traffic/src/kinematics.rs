@@ -1,0 +1,111 @@
+//! From a place on a lane to a pose: a point a little behind the front axle follows the lane, the rear axle follows
+//! that point without slipping sideways, as with a trailer's drawbar (the tractrix). Heading and steering angle are
+//! smooth by construction, and a long body swings out in bends about as far as it cuts in.
+
+use crate::roads::Roads;
+use crate::vehicle::Vehicle;
+use endless_road::LaneId;
+use endless_world::math::f64::{atan, atan2, exp, sin_cos, tan, wrap_angle};
+use endless_world::{ObjectClass, Pose};
+use glam::DVec3;
+
+/// Length of the drawbar over the wheelbase.
+const DRAWBAR: f64 = 0.85;
+const GRAVITY: f64 = 9.81;
+
+/// Offset from the lane's middle and its slope, and whether a lane change has ended.
+fn lateral(vehicle: &Vehicle) -> (f64, f64, bool) {
+    let Some(shift) = vehicle.shift else { return (vehicle.driver.lateral_m, 0.0, false) };
+    let u = ((vehicle.s - shift.begin_s) / shift.length_m).clamp(0.0, 1.0);
+    // Quintic: position, slope and curvature continuous.
+    let rise = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
+    let slope = 30.0 * u * u * (1.0 - u) * (1.0 - u) / shift.length_m;
+    (vehicle.driver.lateral_m + shift.offset_m * (1.0 - rise), -shift.offset_m * slope, u >= 1.0)
+}
+
+/// Puts a vehicle at rest on its lane.
+pub(crate) fn settle(vehicle: &mut Vehicle, roads: &Roads) {
+    vehicle.yaw = roads.network.lane(vehicle.lane()).centerline.at(vehicle.s).heading_rad;
+    place(vehicle, roads, 0.0, 0.0);
+}
+
+/// Moves a vehicle on by one step.
+pub(crate) fn advance(vehicle: &mut Vehicle, roads: &Roads, step_s: f64) {
+    let before = vehicle.speed;
+    vehicle.speed = (before + vehicle.acceleration * step_s).max(0.0);
+    let travelled = 0.5 * (before + vehicle.speed) * step_s;
+    let (_, slope, _) = lateral(vehicle);
+    vehicle.s += travelled / (1.0 + slope * slope).sqrt();
+    while vehicle.s > roads.table(vehicle.lane()).length && vehicle.here + 1 < vehicle.route.len() {
+        vehicle.s -= roads.table(vehicle.lane()).length;
+        vehicle.here += 1;
+    }
+    if vehicle.here > 0 {
+        // Drop the lanes that the tail has left.
+        let mut behind = vehicle.s;
+        let mut keep = vehicle.here;
+        while keep > 0 && behind < vehicle.half_length + 1.0 {
+            keep -= 1;
+            behind += roads.table(vehicle.route[keep]).length;
+        }
+        vehicle.route.drain(..keep);
+        vehicle.here -= keep;
+    }
+    if lateral(vehicle).2 {
+        vehicle.shift = None;
+    }
+    place(vehicle, roads, travelled, step_s);
+}
+
+/// The place this far ahead of the origin on the route.
+fn ahead_by(vehicle: &Vehicle, roads: &Roads, distance: f64) -> (LaneId, f64) {
+    let mut place = (vehicle.lane(), vehicle.s + distance);
+    for (lane, base) in vehicle.ahead(roads) {
+        place = (lane, distance - base);
+        if place.1 <= roads.table(lane).length {
+            break;
+        }
+    }
+    place
+}
+
+fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
+    let drawbar = DRAWBAR * vehicle.wheelbase;
+    let pivot_x = drawbar - vehicle.rear_axle;
+    let (lane, s) = ahead_by(vehicle, roads, pivot_x);
+    let on = roads.network.lane(lane).centerline.at(s);
+    let (t, slope, _) = lateral(vehicle);
+    let course = on.heading_rad + atan(slope);
+    let (sin, cos) = sin_cos(on.heading_rad);
+    let pivot = on.position + DVec3::new(-sin, cos, 0.0) * t;
+    // Exact solution of the drawbar's equation for the straight piece of way that the pivot has come.
+    let way = (pivot - vehicle.pivot).truncate();
+    let moved = step_s > 0.0 && way.length_squared() > 1e-12;
+    let pull = if moved { atan2(way.y, way.x) } else { course };
+    let before = wrap_angle(pull - vehicle.yaw).clamp(-1.2, 1.2);
+    let after = 2.0 * atan(tan(0.5 * before) * exp(-way.length() * f64::from(u8::from(moved)) / drawbar));
+    let yaw = wrap_angle(pull - after);
+    let angle = wrap_angle(course - yaw).clamp(-1.2, 1.2);
+    vehicle.pivot = pivot;
+    let (sin, cos) = sin_cos(yaw);
+    let position = pivot - DVec3::new(cos, sin, on.grade) * pivot_x;
+    let turned = wrap_angle(yaw - vehicle.yaw);
+    vehicle.yaw = yaw;
+    vehicle.steer = atan(tan(angle) / DRAWBAR).clamp(-0.8, 0.8);
+    vehicle.rolled += travelled * sin_cos(angle).1;
+    if step_s > 0.0 && matches!(vehicle.class, ObjectClass::Motorcycle | ObjectClass::Bicycle) {
+        // Two-wheelers lean into the bend.
+        let lean = -atan(vehicle.speed * turned / step_s / GRAVITY).clamp(-0.6, 0.6);
+        vehicle.roll += (lean - vehicle.roll) * (step_s / 0.25).min(1.0);
+    }
+    let (sin, cos) = sin_cos(course);
+    vehicle.velocity = (DVec3::new(cos, sin, on.grade) * vehicle.speed).as_vec3();
+    // The road's rise along the vehicle's heading.
+    let pitch = atan(on.grade * sin_cos(wrap_angle(yaw - on.heading_rad)).1);
+    vehicle.pose = Pose {
+        position: position.as_vec3(),
+        yaw_rad: yaw as f32,
+        pitch_rad: pitch as f32,
+        roll_rad: vehicle.roll as f32,
+    };
+}

@@ -1,0 +1,143 @@
+//! Lane changes by MOBIL (Kesting, Treiber, Helbing 2007, "General lane-changing model MOBIL for car-following
+//! models"): change if it helps me more than it harms the others, and if nobody must brake hard.
+
+use crate::occupancy::Occupancy;
+use crate::roads::Roads;
+use crate::vehicle::{Cover, Shift, Vehicle};
+use endless_road::LaneId;
+use endless_world::ObjectClass;
+
+/// Hardest braking a change may ask of the new follower, m/s².
+const SAFE_BRAKING: f64 = 2.0;
+/// Gain that makes a change worthwhile, m/s².
+const THRESHOLD: f64 = 0.25;
+/// Drivers indicate for this long before they move over, seconds.
+const INDICATE_S: f64 = 1.3;
+/// Lanes with tighter bends are not left, metres.
+const STRAIGHT_RADIUS_M: f64 = 60.0;
+/// Clear of the lane's beginning, metres.
+const FROM_START_M: f64 = 22.0;
+
+/// Goes on with a change that was indicated, or thinks about one. `thinks` is true once a second.
+pub(crate) fn step(
+    roads: &Roads,
+    occupancy: &mut Occupancy,
+    vehicles: &mut [Vehicle],
+    i: usize,
+    thinks: bool,
+    step_s: f64,
+) {
+    if let Some((target, left)) = vehicles[i].intent {
+        let neighbours = roads.network.lane(vehicles[i].lane());
+        let still = neighbours.left == Some(target) || neighbours.right == Some(target);
+        let left = left - step_s;
+        vehicles[i].intent = (still && left > -1.5).then_some((target, left));
+        if still && left <= 0.0 && gain(roads, occupancy, vehicles, i, target).is_some() {
+            begin(roads, occupancy, vehicles, i, target);
+        }
+        return;
+    }
+    if !thinks || vehicles[i].class == ObjectClass::Bicycle {
+        return;
+    }
+    let lane = roads.network.lane(vehicles[i].lane());
+    let best = [lane.left, lane.right]
+        .into_iter()
+        .flatten()
+        .filter_map(|target| gain(roads, occupancy, vehicles, i, target).map(|g| (g, target)))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((gain, target)) = best
+        && gain > THRESHOLD
+    {
+        vehicles[i].intent = Some((target, INDICATE_S));
+    }
+}
+
+fn change_length(vehicle: &Vehicle) -> f64 {
+    (vehicle.speed * 4.0).max(24.0)
+}
+
+/// What a change would gain, m/s²; `None` if it is not possible or not safe.
+fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, target: LaneId) -> Option<f64> {
+    let me = &vehicles[i];
+    let table = roads.table(me.lane());
+    let room = change_length(me) + 12.0 + me.half_length;
+    if me.shift.is_some()
+        || me.speed < 3.0
+        || table.junction.is_some()
+        || !roads.allowed(me.asset.model)[target.index()]
+    {
+        return None;
+    }
+    // Nor is a bend.
+    if table.radius.min(roads.table(target).radius) < STRAIGHT_RADIUS_M {
+        return None;
+    }
+    let at = roads.network.lane(me.lane()).centerline.at(me.s).position.truncate();
+    let (s, _) = roads.network.lane(target).centerline.project(at);
+    if me.s.min(s) < FROM_START_M || (table.length - me.s).min(roads.table(target).length - s) < room {
+        return None;
+    }
+    // A crossing is no place to change lanes.
+    if roads.table(target).cuts.iter().any(|c| c.range.1 > s - me.half_length && c.range.0 < s + room) {
+        return None;
+    }
+    let (mut ahead, mut behind) = ((f64::INFINITY, 0.0), (f64::INFINITY, None));
+    for o in occupancy.on(target).iter().filter(|o| o.vehicle != i) {
+        if o.middle() > s {
+            let gap = o.rear - s - me.half_length;
+            if gap < ahead.0 {
+                ahead = (gap, o.speed);
+            }
+        } else {
+            let gap = s - me.half_length - o.front;
+            if gap < behind.0 {
+                behind = (gap, Some(o.vehicle));
+            }
+        }
+    }
+    if ahead.0 < 3.0 || behind.0 < 3.0 {
+        return None;
+    }
+    let wanted = me.driver.cruise_mps.min(roads.table(me.lane()).speed_at(me.s) * me.driver.limit_factor);
+    let free = me.driver.free(me.speed, wanted);
+    let react = |gap: f64, speed: f64| if gap.is_finite() { me.driver.follow(me.speed, gap, speed) } else { free };
+    let now = occupancy.leader(roads, vehicles, i, 80.0).map_or(free, |l| react(l.gap, l.speed)).min(free);
+    let then = react(ahead.0, ahead.1).min(free);
+    let harm = match behind.1 {
+        Some(follower) => {
+            let them = &vehicles[follower];
+            let after = them.driver.follow(them.speed, behind.0, me.speed);
+            if after < -SAFE_BRAKING {
+                return None;
+            }
+            (them.acceleration.max(after) - after).max(0.0)
+        }
+        None => 0.0,
+    };
+    Some(then - now - me.driver.politeness * harm)
+}
+
+fn begin(roads: &Roads, occupancy: &mut Occupancy, vehicles: &mut [Vehicle], i: usize, target: LaneId) {
+    let me = &mut vehicles[i];
+    let from = me.lane();
+    let at = me.pose.position.as_dvec3().truncate();
+    let (s, t) = roads.network.lane(target).centerline.project(at);
+    me.shift = Some(Shift {
+        from,
+        from_minus_here: me.s - s,
+        offset_m: t - me.driver.lateral_m,
+        begin_s: s,
+        length_m: change_length(me),
+    });
+    me.intent = None;
+    me.s = s;
+    me.here = 0;
+    me.route.clear();
+    me.route.push_back(target);
+    me.grants.retain(|g| g.entered);
+    me.plan(roads);
+    let cover = Cover { lane: target, rear: s - me.half_length, front: s + me.half_length };
+    let speed = me.speed;
+    occupancy.put(i, cover, speed);
+}

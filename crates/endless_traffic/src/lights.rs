@@ -1,0 +1,53 @@
+//! Lights: brake, indicators, headlights.
+
+use crate::population::Conditions;
+use crate::roads::Roads;
+use crate::vehicle::Vehicle;
+use endless_road::Turn;
+use endless_world::{ObjectClass, VehicleLights};
+
+/// Indicators blink this often a second.
+const BLINK_HZ: f64 = 1.5;
+
+pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, conditions: Conditions, time_s: f64, step_s: f64) {
+    let mut bits = 0;
+    if conditions.headlights_on {
+        bits |= VehicleLights::POSITION | VehicleLights::LOW_BEAM;
+    }
+    if vehicle.class != ObjectClass::Bicycle {
+        let braking = vehicle.acceleration < -0.7 || vehicle.speed < 0.05;
+        vehicle.brake_hold_s = if braking { 0.3 } else { vehicle.brake_hold_s - step_s };
+        if vehicle.brake_hold_s > 0.0 {
+            bits |= VehicleLights::BRAKE;
+        }
+        // Every vehicle's relay has its own beat.
+        let beat = (vehicle.asset.variant % 1000) as f64 / 1000.0;
+        if (time_s * BLINK_HZ + beat).rem_euclid(1.0) < 0.5 {
+            bits |= indicated(vehicle, roads);
+        }
+    }
+    vehicle.lights = VehicleLights(bits);
+}
+
+fn indicated(vehicle: &Vehicle, roads: &Roads) -> u32 {
+    if let Some(shift) = vehicle.shift {
+        // Coming from the left (positive offset) means moving to the right.
+        return if shift.offset_m > 0.0 { VehicleLights::RIGHT_BLINKER } else { VehicleLights::LEFT_BLINKER };
+    }
+    if let Some((target, _)) = vehicle.intent {
+        let left = roads.network.lane(vehicle.lane()).left == Some(target);
+        return if left { VehicleLights::LEFT_BLINKER } else { VehicleLights::RIGHT_BLINKER };
+    }
+    let reach = (vehicle.speed * 3.0).max(20.0);
+    for (lane, base) in vehicle.ahead(roads) {
+        if base > reach {
+            break;
+        }
+        match roads.network.lane(lane).turn {
+            Turn::Left | Turn::UTurn => return VehicleLights::LEFT_BLINKER,
+            Turn::Right => return VehicleLights::RIGHT_BLINKER,
+            Turn::Straight => {}
+        }
+    }
+    0
+}

@@ -1,0 +1,104 @@
+//! Which vehicles are on which lane.
+
+use crate::roads::Roads;
+use crate::vehicle::{Cover, Vehicle};
+use endless_road::LaneId;
+
+/// A vehicle on a lane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Occupant {
+    pub(crate) vehicle: usize,
+    pub(crate) rear: f64,
+    pub(crate) front: f64,
+    pub(crate) speed: f64,
+}
+
+impl Occupant {
+    pub(crate) fn middle(&self) -> f64 {
+        0.5 * (self.rear + self.front)
+    }
+}
+
+/// What is ahead.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Leader {
+    pub(crate) vehicle: usize,
+    /// Bumper to bumper, metres.
+    pub(crate) gap: f64,
+    pub(crate) speed: f64,
+}
+
+/// All lanes' occupants, rebuilt every step.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Occupancy {
+    lanes: Vec<Vec<Occupant>>,
+    scratch: Vec<Cover>,
+}
+
+impl Occupancy {
+    pub(crate) fn rebuild(&mut self, roads: &Roads, vehicles: &[Vehicle]) {
+        self.lanes.resize(roads.network.lanes.len(), Vec::new());
+        for lane in &mut self.lanes {
+            lane.clear();
+        }
+        let mut scratch = std::mem::take(&mut self.scratch);
+        for (i, vehicle) in vehicles.iter().enumerate() {
+            vehicle.covers(roads, &mut scratch);
+            for cover in &scratch {
+                self.put(i, *cover, vehicle.speed);
+            }
+        }
+        self.scratch = scratch;
+    }
+
+    pub(crate) fn put(&mut self, vehicle: usize, cover: Cover, speed: f64) {
+        self.lanes[cover.lane.index()].push(Occupant { vehicle, rear: cover.rear, front: cover.front, speed });
+    }
+
+    pub(crate) fn on(&self, lane: LaneId) -> &[Occupant] {
+        &self.lanes[lane.index()]
+    }
+
+    /// Whether the body of a vehicle still covers one of these lanes.
+    pub(crate) fn covers_any(&self, vehicle: usize, lanes: &[LaneId]) -> bool {
+        lanes.iter().any(|&lane| self.on(lane).iter().any(|o| o.vehicle == vehicle))
+    }
+
+    /// The nearest vehicle ahead on the route, also one that turns off but whose tail is still in the way, and on the
+    /// lane that is being left.
+    pub(crate) fn leader(&self, roads: &Roads, vehicles: &[Vehicle], i: usize, reach: f64) -> Option<Leader> {
+        let me = &vehicles[i];
+        let mut best: Option<Leader> = None;
+        let mut consider = |o: &Occupant, base: f64, position: Option<f64>| {
+            // On the same lane, what is further on is ahead; side by side, the lower number leads.
+            let ahead = position.is_none_or(|s| (o.middle(), i) > (s, o.vehicle));
+            if o.vehicle != i && ahead {
+                let gap = base + o.rear - me.half_length;
+                if best.is_none_or(|b| gap < b.gap) {
+                    best = Some(Leader { vehicle: o.vehicle, gap, speed: o.speed });
+                }
+            }
+        };
+        for (k, (lane, base)) in me.ahead(roads).enumerate() {
+            if base > reach {
+                break;
+            }
+            let position = (k == 0).then_some(me.s);
+            for o in self.on(lane) {
+                consider(o, base, position);
+            }
+            for sibling in &roads.table(lane).siblings {
+                for o in self.on(sibling.lane).iter().filter(|o| o.rear < sibling.until) {
+                    consider(o, base, position);
+                }
+            }
+        }
+        if let Some(shift) = me.shift {
+            let s = me.s + shift.from_minus_here;
+            for o in self.on(shift.from) {
+                consider(o, -s, Some(s));
+            }
+        }
+        best
+    }
+}

@@ -1,0 +1,190 @@
+//! What drivers need of the network, looked up by lane.
+
+use endless_road::{Conflict, CrossingId, JunctionId, Lane, LaneId, RoadNetwork, Turn, near_ranges, swept_overlap};
+use endless_world::math::f64::wrap_angle;
+
+/// Distance between stations of a speed profile, metres.
+const STATION_M: f64 = 1.0;
+/// Sideways acceleration that people accept in bends, m/s².
+const BEND_MPS2: f64 = 2.0;
+/// Distance between centre lines at which a long vehicle in a bend may touch another, metres.
+const LONG_SWEPT_M: f64 = 4.4;
+/// Vehicles longer than this are long, metres.
+pub(crate) const LONG_M: f64 = 6.5;
+/// Long vehicles need bends of this many lengths.
+const LONG_RADIUS: f64 = 1.3;
+/// And of this many where nobody makes room for them: beside oncoming traffic.
+const LONG_RADIUS_BESIDE_OTHERS: f64 = 2.6;
+/// Braking planned before a bend, m/s².
+pub(crate) const PLANNED_BRAKING: f64 = 1.3;
+
+/// A crossing over a lane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cut {
+    pub(crate) crossing: CrossingId,
+    /// Range of `s`.
+    pub(crate) range: (f64, f64),
+    /// Place of the lane along the crossing, metres from its first end.
+    pub(crate) along_m: f64,
+}
+
+/// A lane that parts from the same lane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sibling {
+    pub(crate) lane: LaneId,
+    /// Up to this `s` their swept areas overlap.
+    pub(crate) until: f64,
+}
+
+/// One lane's tables.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct LaneTable {
+    pub(crate) length: f64,
+    pub(crate) junction: Option<JunctionId>,
+    profile: Vec<f64>,
+    pub(crate) cuts: Vec<Cut>,
+    /// Smallest radius of the centre line, metres.
+    pub(crate) radius: f64,
+    conflicts: Vec<Conflict>,
+    /// With a long vehicle, which swings out in bends.
+    wide_conflicts: Vec<Conflict>,
+    pub(crate) siblings: Vec<Sibling>,
+}
+
+impl LaneTable {
+    /// Conflicts with other lanes of the junction, wider if one of the two vehicles is long.
+    pub(crate) fn conflicts(&self, long: bool) -> &[Conflict] {
+        if long { &self.wide_conflicts } else { &self.conflicts }
+    }
+
+    /// Highest comfortable speed at `s`, braking for what follows on this lane included.
+    pub(crate) fn speed_at(&self, s: f64) -> f64 {
+        let i = ((s / STATION_M).max(0.0) as usize).min(self.profile.len() - 1);
+        let next = self.profile[(i + 1).min(self.profile.len() - 1)];
+        let t = (s / STATION_M - i as f64).clamp(0.0, 1.0);
+        self.profile[i] + (next - self.profile[i]) * t
+    }
+}
+
+/// The network with its tables.
+#[derive(Debug, Clone)]
+pub(crate) struct Roads {
+    pub(crate) network: RoadNetwork,
+    /// Lanes among which vehicles of each model circulate.
+    allowed: Vec<Vec<bool>>,
+    lanes: Vec<LaneTable>,
+}
+
+impl Roads {
+    pub(crate) fn new(network: RoadNetwork, lengths_m: &[f64]) -> Self {
+        let mut lanes: Vec<LaneTable> = network.lanes.iter().map(|lane| table(&network, lane.id)).collect();
+        for (place, crossing) in network.crossings.iter().enumerate() {
+            let [from, to] = crossing.ends.map(glam::DVec3::truncate);
+            let direction = (to - from).normalize_or_zero();
+            for cut in &crossing.cuts {
+                let middle = network.lane(cut.lane).centerline.at(0.5 * (cut.range.0 + cut.range.1)).position;
+                let along_m = (middle.truncate() - from).dot(direction);
+                lanes[cut.lane.index()].cuts.push(Cut {
+                    crossing: CrossingId(place as u16),
+                    range: cut.range,
+                    along_m,
+                });
+            }
+        }
+        for conflict in network.junctions.iter().flat_map(|j| &j.conflicts) {
+            lanes[conflict.lane.index()].conflicts.push(*conflict);
+        }
+        for lane in &network.lanes {
+            let wide = wide_conflicts(&network, lane, &lanes[lane.id.index()].conflicts);
+            lanes[lane.id.index()].wide_conflicts = wide;
+        }
+        let everybody = network.circulating_lanes();
+        let allowed = lengths_m.iter().map(|&length| circulation(&network, &lanes, &everybody, length)).collect();
+        Self { network, allowed, lanes }
+    }
+
+    /// Lanes among which vehicles of a model can circulate.
+    pub(crate) fn allowed(&self, model: u16) -> &[bool] {
+        &self.allowed[usize::from(model)]
+    }
+
+    pub(crate) fn table(&self, lane: LaneId) -> &LaneTable {
+        &self.lanes[lane.index()]
+    }
+}
+
+/// The lanes on which a vehicle of a length can drive for ever without bends too tight for it.
+fn circulation(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], length_m: f64) -> Vec<bool> {
+    let mut stays = everybody.to_vec();
+    if length_m < LONG_M {
+        return stays;
+    }
+    for (stay, lane) in stays.iter_mut().zip(lanes) {
+        let lengths = if lane.junction.is_some() { LONG_RADIUS } else { LONG_RADIUS_BESIDE_OTHERS };
+        *stay &= lane.radius > lengths * length_m;
+    }
+    loop {
+        let goes_on = |i: usize| network.lanes[i].successors.iter().any(|next| stays[next.index()]);
+        let stuck: Vec<usize> = (0..stays.len()).filter(|&i| stays[i] && !goes_on(i)).collect();
+        if stuck.is_empty() {
+            return stays;
+        }
+        stuck.into_iter().for_each(|i| stays[i] = false);
+    }
+}
+
+/// The conflicts of a lane where turning lanes sweep more than their width, those of the network included.
+fn wide_conflicts(network: &RoadNetwork, lane: &Lane, known: &[Conflict]) -> Vec<Conflict> {
+    let Some(junction) = lane.junction else { return Vec::new() };
+    let mut wide = Vec::new();
+    for &other in network.junctions[junction.index()].lanes.iter().filter(|&&o| o != lane.id) {
+        let them = network.lane(other);
+        let related = lane.successors.contains(&other)
+            || them.successors.contains(&lane.id)
+            || lane.predecessors.iter().any(|p| them.predecessors.contains(p));
+        if related {
+            continue;
+        }
+        let before = known.iter().find(|c| c.other == other);
+        let turns = lane.turn != Turn::Straight || them.turn != Turn::Straight;
+        let ranges = if turns { near_ranges(lane, them, LONG_SWEPT_M) } else { None };
+        if let Some((range, other_range)) = ranges {
+            let gives_way = before.map_or(lane.id > other, |c| c.gives_way);
+            wide.push(Conflict { lane: lane.id, other, range, other_range, gives_way });
+        } else if let Some(&conflict) = before {
+            wide.push(conflict);
+        }
+    }
+    wide
+}
+
+fn table(network: &RoadNetwork, id: LaneId) -> LaneTable {
+    let lane = network.lane(id);
+    let line = &lane.centerline;
+    let length = line.length();
+    let stations = (length / STATION_M).ceil() as usize + 1;
+    let mut radius = f64::INFINITY;
+    let mut profile: Vec<f64> = (0..stations)
+        .map(|i| {
+            let s = (i as f64 * STATION_M).min(length);
+            let (before, after) = ((s - 2.0).max(0.0), (s + 2.0).min(length));
+            let turn = wrap_angle(line.at(after).heading_rad - line.at(before).heading_rad).abs();
+            let bend = turn / (after - before).max(0.5);
+            radius = radius.min(1.0 / bend.max(1e-6));
+            lane.speed_limit_mps.min((BEND_MPS2 / bend.max(1e-4)).sqrt()).max(1.5)
+        })
+        .collect();
+    for i in (0..stations - 1).rev() {
+        let reachable = (profile[i + 1] * profile[i + 1] + 2.0 * PLANNED_BRAKING * STATION_M).sqrt();
+        profile[i] = profile[i].min(reachable);
+    }
+    let mut siblings = Vec::new();
+    for before in &lane.predecessors {
+        for &other in network.lane(*before).successors.iter().filter(|&&o| o != id) {
+            if let Some(((_, until), _)) = swept_overlap(lane, network.lane(other)) {
+                siblings.push(Sibling { lane: other, until: until + 1.0 });
+            }
+        }
+    }
+    LaneTable { length, junction: lane.junction, profile, siblings, radius, ..LaneTable::default() }
+}

@@ -1,0 +1,239 @@
+//! The simulation as a whole.
+
+use crate::approach::Marshal;
+use crate::crossing::{CrossingState, note_vehicles};
+use crate::occupancy::Occupancy;
+use crate::population::{Conditions, Population};
+use crate::roads::Roads;
+use crate::steering::View;
+use crate::vehicle::Vehicle;
+use crate::walker::{Scene, Walker};
+use crate::{kinematics, lane_change, lights, signals, spawn, walker};
+use endless_asset::{Catalogue, VehicleSpec};
+use endless_road::{RoadNetwork, WalkGraph};
+use endless_town::Town;
+use endless_world::{
+    Actor, AssetRef, InstanceId, Motion, ObjectClass, Pose, SignalState, VehicleMotion, WalkerMotion, WorldState,
+};
+use glam::Vec3;
+
+/// Longest step, seconds.
+const STEP_S: f64 = 1.0 / 30.0;
+/// Simulated before frame 0, seconds.
+const WARM_UP_S: f64 = 25.0;
+
+/// Everything that moves in one scene.
+#[derive(Debug, Clone)]
+pub struct Simulation {
+    roads: Roads,
+    graph: WalkGraph,
+    conditions: Conditions,
+    population: Population,
+    parked: Vec<Actor>,
+    vehicles: Vec<Vehicle>,
+    walkers: Vec<Walker>,
+    occupancy: Occupancy,
+    marshal: Marshal,
+    crossings: Vec<CrossingState>,
+    signals: Vec<SignalState>,
+    fps: f64,
+    frame: u32,
+    steps: u64,
+    time_s: f64,
+}
+
+impl Simulation {
+    /// Spawns in rest pose and simulates the warm-up; frame 0 is the first to record. Vehicle models are drawn by
+    /// their frequency in the catalogue.
+    ///
+    /// # Panics
+    /// If `fps` is not positive.
+    pub fn new(
+        town: &Town,
+        catalogue: &Catalogue,
+        vehicles: u32,
+        pedestrians: u32,
+        seed: u64,
+        conditions: Conditions,
+        fps: f64,
+    ) -> Self {
+        let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
+        let parked: Vec<(AssetRef, Pose)> = town.parked.iter().map(|p| (p.asset, p.pose)).collect();
+        let pace = |variant| f64::from(catalogue.person(variant).walk_mps);
+        Self::on_network(&town.network, &specs, &parked, &pace, [vehicles, pedestrians], seed, conditions, fps)
+    }
+
+    /// On a bare network: `specs` are the models, `parked` the vehicles at rest, `pace_of` the walking speed (m/s) of
+    /// a person's variant, `asked` the numbers of vehicles and pedestrians.
+    ///
+    /// # Panics
+    /// If `fps` is not positive, or a parked vehicle's model is not in `specs`.
+    pub fn on_network(
+        network: &RoadNetwork,
+        specs: &[&VehicleSpec],
+        parked: &[(AssetRef, Pose)],
+        pace_of: &dyn Fn(u64) -> f64,
+        asked: [u32; 2],
+        seed: u64,
+        conditions: Conditions,
+        fps: f64,
+    ) -> Self {
+        assert!(fps > 0.0, "frames per second must be positive");
+        let lengths: Vec<f64> = specs.iter().map(|s| f64::from(s.length_m)).collect();
+        let roads = Roads::new(network.clone(), &lengths);
+        let graph = WalkGraph::new(&network.walk);
+        let vehicles = spawn::vehicles(&roads, specs, asked[0], seed, conditions);
+        let walkers = spawn::walkers(&roads, &graph, pace_of, asked[1], seed);
+        let population = Population {
+            vehicles_asked: asked[0],
+            vehicles_spawned: vehicles.len() as u32,
+            vehicle_capacity: spawn::points(&roads, specs.len()).len() as u32,
+            pedestrians_asked: asked[1],
+            pedestrians_spawned: walkers.len() as u32,
+        };
+        let crossings = vec![CrossingState::default(); network.crossings.len()];
+        let warm_up_frames = (WARM_UP_S * fps).ceil() as u32;
+        let mut simulation = Self {
+            roads,
+            graph,
+            conditions,
+            population,
+            parked: parked_actors(parked, specs),
+            vehicles,
+            walkers,
+            occupancy: Occupancy::default(),
+            marshal: Marshal::default(),
+            crossings,
+            signals: Vec::new(),
+            fps,
+            frame: 0,
+            steps: 0,
+            time_s: -f64::from(warm_up_frames) / fps,
+        };
+        for _ in 0..warm_up_frames {
+            simulation.tick();
+        }
+        simulation.frame = 0;
+        simulation.time_s = 0.0;
+        simulation
+    }
+
+    /// How many there are of those asked for.
+    pub fn population(&self) -> Population {
+        self.population
+    }
+
+    /// The town's parked vehicles; number i carries instance id i + 1.
+    pub fn parked(&self) -> &[Actor] {
+        &self.parked
+    }
+
+    /// Advances by one frame: a fixed number of equal steps of at most 1/30 s.
+    pub fn tick(&mut self) {
+        let frame_s = 1.0 / self.fps;
+        let steps = (frame_s / STEP_S - 1e-9).ceil().max(1.0) as u32;
+        let begin = self.time_s;
+        for k in 0..steps {
+            self.time_s = begin + frame_s * f64::from(k) / f64::from(steps);
+            self.step(frame_s / f64::from(steps));
+        }
+        self.frame += 1;
+        self.time_s = if begin < 0.0 { begin + frame_s } else { f64::from(self.frame) / self.fps };
+        signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
+    }
+
+    fn step(&mut self, step_s: f64) {
+        self.steps += 1;
+        signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
+        note_vehicles(&self.roads, &self.vehicles, &mut self.crossings);
+        let scene = Scene { roads: &self.roads, graph: &self.graph, signals: &self.signals };
+        walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
+        self.occupancy.rebuild(&self.roads, &self.vehicles);
+        let a_second = (1.0 / step_s).round().max(1.0) as u64;
+        for i in 0..self.vehicles.len() {
+            let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
+            lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
+        }
+        self.marshal.step(&self.roads, &self.occupancy, &self.signals, &mut self.vehicles, step_s);
+        let view = View {
+            roads: &self.roads,
+            occupancy: &self.occupancy,
+            marshal: &self.marshal,
+            crossings: &self.crossings,
+            signals: &self.signals,
+            vehicles: &self.vehicles,
+        };
+        let accelerations: Vec<f64> = (0..self.vehicles.len()).map(|i| view.acceleration(i, step_s)).collect();
+        for (vehicle, acceleration) in self.vehicles.iter_mut().zip(accelerations) {
+            vehicle.acceleration = acceleration;
+            kinematics::advance(vehicle, &self.roads, step_s);
+            vehicle.plan(&self.roads);
+            lights::update(vehicle, &self.roads, self.conditions, self.time_s + step_s, step_s);
+        }
+    }
+
+    /// The current frame: moving vehicles first, then people on foot, by ascending id. Ids go on after the parked
+    /// vehicles': vehicles, then riders, then pedestrians.
+    pub fn state(&self) -> WorldState {
+        let time_s = f64::from(self.frame) / self.fps;
+        let first = self.parked.len();
+        let mut next_rider = first + self.vehicles.len();
+        let id = |number: usize| InstanceId(u16::try_from(number + 1).unwrap_or(u16::MAX));
+        let mut actors = Vec::with_capacity(self.vehicles.len() + self.walkers.len());
+        for (i, vehicle) in self.vehicles.iter().enumerate() {
+            let rider_id = vehicle.ridden.then(|| {
+                next_rider += 1;
+                id(next_rider - 1)
+            });
+            let motion = VehicleMotion {
+                speed_mps: vehicle.speed as f32,
+                rolled_m: vehicle.rolled as f32,
+                steer_rad: vehicle.steer as f32,
+                lights: vehicle.lights,
+            };
+            actors.push(Actor {
+                id: id(first + i),
+                rider_id,
+                class: vehicle.class,
+                asset: vehicle.asset,
+                pose: vehicle.pose,
+                velocity_mps: vehicle.velocity,
+                motion: Motion::Vehicle(motion),
+                parked: false,
+            });
+        }
+        for (i, walker) in self.walkers.iter().enumerate() {
+            let motion = WalkerMotion {
+                speed_mps: walker.velocity.length() as f32,
+                gait: walker.gait,
+                walked_m: walker.walked as f32,
+                time_s: time_s as f32,
+            };
+            actors.push(Actor {
+                id: id(next_rider + i),
+                rider_id: None,
+                class: ObjectClass::Pedestrian,
+                asset: AssetRef { model: 0, variant: walker.variant },
+                pose: Pose::level(walker.position.extend(walker.height).as_vec3(), walker.yaw as f32),
+                velocity_mps: walker.velocity.extend(0.0).as_vec3(),
+                motion: Motion::Walker(motion),
+                parked: false,
+            });
+        }
+        WorldState { frame: self.frame, time_s, actors, signals: self.signals.clone() }
+    }
+}
+
+fn parked_actors(parked: &[(AssetRef, Pose)], specs: &[&VehicleSpec]) -> Vec<Actor> {
+    let actor = |(i, &(asset, pose)): (usize, &(AssetRef, Pose))| Actor {
+        id: InstanceId(u16::try_from(i + 1).unwrap_or(u16::MAX)),
+        rider_id: None,
+        class: specs[usize::from(asset.model)].class,
+        asset,
+        pose,
+        velocity_mps: Vec3::ZERO,
+        motion: Motion::Vehicle(VehicleMotion::default()),
+        parked: true,
+    };
+    parked.iter().enumerate().map(actor).collect()
+}

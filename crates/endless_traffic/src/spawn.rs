@@ -1,0 +1,136 @@
+//! Who is there when the scene begins.
+
+use crate::driver::Driver;
+use crate::kinematics;
+use crate::population::Conditions;
+use crate::roads::Roads;
+use crate::vehicle::Vehicle;
+use crate::walker::{Walker, height};
+use endless_asset::VehicleSpec;
+use endless_road::{SpawnPoint, WalkEdgeId, WalkGraph, WalkKind};
+use endless_world::math::f64::atan2;
+use endless_world::{AssetRef, Gait, Stream};
+use glam::DVec2;
+
+/// Gap between vehicles that spawn on the same lane, metres.
+const GAP_M: f64 = 3.5;
+/// Places tried for a person.
+const TRIES: u32 = 60;
+/// Vehicles that may find no room before the town counts as full.
+const MISSES: u64 = 40;
+
+/// The spawn points on lanes where vehicles of some model circulate.
+pub(crate) fn points(roads: &Roads, models: usize) -> Vec<SpawnPoint> {
+    let usable = |p: &SpawnPoint| (0..models).any(|m| roads.allowed(m as u16)[p.lane.index()]);
+    roads.network.spawn_points.iter().copied().filter(usable).collect()
+}
+
+/// As many vehicles as asked for, or as fit, in rest pose on their lanes.
+pub(crate) fn vehicles(
+    roads: &Roads,
+    specs: &[&VehicleSpec],
+    asked: u32,
+    seed: u64,
+    conditions: Conditions,
+) -> Vec<Vehicle> {
+    let mut stream = Stream::named(seed, "traffic.spawn", &[]);
+    let mut free = points(roads, specs.len());
+    stream.shuffle(&mut free);
+    // Models that find no way round this town stay away.
+    let has_way = |m: usize| roads.allowed(m as u16).contains(&true);
+    let weights: Vec<f64> = specs.iter().enumerate().map(|(m, s)| if has_way(m) { s.frequency } else { 0.0 }).collect();
+    let mut placed: Vec<Vehicle> = Vec::new();
+    let mut misses = 0;
+    if specs.is_empty() || weights.iter().sum::<f64>() <= 0.0 {
+        return placed;
+    }
+    while placed.len() < asked as usize && !free.is_empty() {
+        let mut own = Stream::named(seed, "traffic.vehicle", &[placed.len() as u64, misses]);
+        let model = own.weighted(&weights);
+        let spec = specs[model];
+        let half = 0.5 * f64::from(spec.length_m);
+        let fits = |p: &SpawnPoint| {
+            let length = roads.table(p.lane).length;
+            let inside = roads.allowed(model as u16)[p.lane.index()] && p.s > half + 1.0 && p.s < length - half - 1.0;
+            inside && placed.iter().all(|v| v.lane() != p.lane || (v.s - p.s).abs() > v.half_length + half + GAP_M)
+        };
+        let Some(place) = free.iter().position(fits) else {
+            // Nothing of this length fits any more; a shorter one may.
+            misses += 1;
+            if misses > MISSES {
+                break;
+            }
+            continue;
+        };
+        let point = free.remove(place);
+        let asset = AssetRef { model: model as u16, variant: own.next_u64() };
+        let driver = Driver::new(spec, conditions, &mut own);
+        let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
+        vehicle.plan(roads);
+        kinematics::settle(&mut vehicle, roads);
+        placed.push(vehicle);
+    }
+    placed
+}
+
+/// As many people as asked for, or as find room on the sidewalks.
+pub(crate) fn walkers(
+    roads: &Roads,
+    graph: &WalkGraph,
+    pace_of: &dyn Fn(u64) -> f64,
+    asked: u32,
+    seed: u64,
+) -> Vec<Walker> {
+    let walk = &roads.network.walk;
+    let lengths: Vec<f64> = walk
+        .edges
+        .iter()
+        .map(|e| {
+            let [a, b] = e.nodes.map(|n| walk.nodes[n.index()]);
+            if e.kind == WalkKind::Sidewalk { a.distance(b) } else { 0.0 }
+        })
+        .collect();
+    let mut placed: Vec<Walker> = Vec::new();
+    if lengths.iter().sum::<f64>() <= 0.0 {
+        return placed;
+    }
+    for k in 0..asked {
+        let mut own = Stream::named(seed, "traffic.walker", &[u64::from(k)]);
+        let variant = own.next_u64();
+        let hurries = own.chance(0.05);
+        let pace = pace_of(variant).clamp(0.6, 2.0) * if hurries { 1.9 } else { own.range_f64(0.92, 1.08) };
+        let side = own.range_f64(0.15, 0.85);
+        for _ in 0..TRIES {
+            let edge = WalkEdgeId(own.weighted(&lengths) as u32);
+            let mut nodes = walk.edges[edge.index()].nodes;
+            if own.chance(0.5) {
+                nodes.reverse();
+            }
+            let [a, b] = nodes.map(|n| walk.nodes[n.index()].truncate());
+            let along = (b - a).normalize_or(DVec2::X);
+            let room = (0.5 * walk.edges[edge.index()].width_m - 0.25).max(0.1);
+            let position = a.lerp(b, own.range_f64(0.05, 0.95)) - along.perp() * (side * room);
+            if placed.iter().any(|w| w.position.distance(position) < 0.9) {
+                continue;
+            }
+            let mut walker = Walker {
+                variant,
+                stream: own.fork(1),
+                pace,
+                side,
+                from: nodes[0],
+                way: [(edge, nodes[1])].into(),
+                position,
+                velocity: DVec2::ZERO,
+                height: height(roads, nodes[0], (edge, nodes[1]), position),
+                yaw: atan2(along.y, along.x),
+                walked: own.range_f64(0.0, 2.0),
+                gait: Gait::Stand,
+            };
+            walker.plan(roads, graph);
+            placed.push(walker);
+            break;
+        }
+    }
+    placed
+}

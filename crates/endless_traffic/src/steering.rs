@@ -1,0 +1,149 @@
+//! One vehicle's acceleration: the smallest of what each thing ahead asks for.
+
+use crate::approach::Marshal;
+use crate::crossing::{CrossingState, comfortable_stop_m, signal_of};
+use crate::driver::HARDEST_BRAKING;
+use crate::occupancy::{Leader, Occupancy};
+use crate::roads::{PLANNED_BRAKING, Roads};
+use crate::vehicle::Vehicle;
+use endless_world::{SignalAspect, SignalState};
+
+/// How far drivers look, metres.
+const SIGHT_M: f64 = 110.0;
+/// How fast acceleration may rise and fall, m/s³.
+const JERK_UP: f64 = 5.0;
+const JERK_DOWN: f64 = 25.0;
+
+/// What all drivers see.
+pub(crate) struct View<'a> {
+    pub(crate) roads: &'a Roads,
+    pub(crate) occupancy: &'a Occupancy,
+    pub(crate) marshal: &'a Marshal,
+    pub(crate) crossings: &'a [CrossingState],
+    pub(crate) signals: &'a [SignalState],
+    pub(crate) vehicles: &'a [Vehicle],
+}
+
+impl View<'_> {
+    /// Acceleration of a vehicle for the coming step, m/s².
+    pub(crate) fn acceleration(&self, i: usize, step_s: f64) -> f64 {
+        let me = &self.vehicles[i];
+        let driver = &me.driver;
+        let leader = self.occupancy.leader(self.roads, self.vehicles, i, SIGHT_M);
+        let mut wanted = driver.free(me.speed, self.speed_ahead(me));
+        if let Some(leader) = leader {
+            wanted = wanted.min(driver.follow(me.speed, leader.gap, leader.speed));
+        }
+        if let Some(gap) = self.line_ahead(i, leader) {
+            wanted = wanted.min(driver.stop_at(me.speed, gap));
+        }
+        let eased = wanted.clamp(me.acceleration - JERK_DOWN * step_s, me.acceleration + JERK_UP * step_s);
+        eased.clamp(-HARDEST_BRAKING, driver.accelerate)
+    }
+
+    /// The speed that limits and bends allow, now and in time to brake.
+    fn speed_ahead(&self, me: &Vehicle) -> f64 {
+        let mut speed = me.driver.cruise_mps;
+        for (k, (lane, base)) in me.ahead(self.roads).enumerate() {
+            if base > SIGHT_M {
+                break;
+            }
+            let table = self.roads.table(lane);
+            let limit = self.roads.network.lane(lane).speed_limit_mps;
+            let (at, distance) = if k == 0 { (me.s, 0.0) } else { (0.0, base) };
+            let profile = table.speed_at(at);
+            // Bends by the driver's courage, limits by the driver's patience.
+            let allowed = (profile * me.driver.bend_factor).min(limit * me.driver.limit_factor);
+            speed = speed.min((allowed * allowed + 2.0 * PLANNED_BRAKING * distance).sqrt());
+        }
+        speed
+    }
+
+    /// Distance from the front bumper to the nearest line at which to stop.
+    fn line_ahead(&self, i: usize, leader: Option<Leader>) -> Option<f64> {
+        let me = &self.vehicles[i];
+        let mut nearest = f64::INFINITY;
+        for (k, (lane, base)) in me.ahead(self.roads).enumerate() {
+            if base > SIGHT_M {
+                break;
+            }
+            let table = self.roads.table(lane);
+            if let Some(junction) = table.junction {
+                match me.grant_for(junction) {
+                    Some(grant) => nearest = nearest.min(self.earlier_ahead(i, lane, base, grant.order)),
+                    None if k > 0 && base > 0.0 => {
+                        let line = nearest.min(base - me.half_length - 0.3);
+                        return Some(self.off_crossings(me, line));
+                    }
+                    None => {}
+                }
+            }
+            for cut in &table.cuts {
+                let gap = base + cut.range.0 - me.half_length - 0.8;
+                if gap < -0.5 {
+                    continue;
+                }
+                let state = &self.crossings[cut.crossing.index()];
+                let invited =
+                    signal_of(self.roads, cut.crossing).is_none_or(|s| self.signals[s].aspect == SignalAspect::Green);
+                let lets_go = state.wanted && invited && !state.occupied && gap > comfortable_stop_m(me.speed);
+                let full = table.junction.is_none()
+                    && leader.is_some_and(|l| {
+                        let beyond = base + cut.range.1 + me.half_length + 1.0;
+                        l.gap < beyond && l.gap + l.speed * l.speed / 6.0 < beyond
+                    });
+                if state.blocks(cut) || lets_go || full {
+                    nearest = nearest.min(gap.max(0.06));
+                }
+            }
+        }
+        nearest.is_finite().then(|| self.off_crossings(me, nearest))
+    }
+
+    /// A stop so that the body does not stand on a crossing that it has not reached yet.
+    fn off_crossings(&self, me: &Vehicle, line: f64) -> f64 {
+        let mut stop = line;
+        for (lane, base) in me.ahead(self.roads) {
+            if base > stop + me.half_length {
+                break;
+            }
+            for cut in &self.roads.table(lane).cuts {
+                let begin = base + cut.range.0 - me.half_length - 0.8;
+                let end = base + cut.range.1 - me.half_length;
+                if begin >= 0.0 && begin < stop && stop - 2.0 * me.half_length < end {
+                    stop = begin.max(0.06);
+                }
+            }
+        }
+        stop
+    }
+
+    /// Distance to the nearest place on a lane where somebody who entered the junction before has not passed yet.
+    fn earlier_ahead(&self, i: usize, lane: endless_road::LaneId, base: f64, order: u64) -> f64 {
+        let me = &self.vehicles[i];
+        let mut nearest = f64::INFINITY;
+        let Some(junction) = self.roads.table(lane).junction else { return nearest };
+        for &other in self.marshal.granted(junction) {
+            let them = &self.vehicles[other];
+            let Some(grant) = them.grant_for(junction).filter(|g| other != i && g.order < order) else { continue };
+            for conflict in self.roads.table(lane).conflicts(me.long() || them.long()) {
+                let gap = base + conflict.range.0 - me.half_length - 0.4;
+                if gap < -1.0 || !grant.lanes.contains(&conflict.other) {
+                    continue;
+                }
+                let Some(distance) = them.distance_to(self.roads, conflict.other) else { continue };
+                let to_clear = distance + conflict.other_range.1 + them.half_length + 0.3;
+                if to_clear <= 0.0 {
+                    continue;
+                }
+                // No need to brake for who will be gone, as long as stopping is still possible.
+                let gone_in = to_clear / them.speed.max(0.1);
+                let in_time = gone_in + 0.5 < gap / me.speed.max(1.0);
+                if !(in_time && gap > comfortable_stop_m(me.speed) + 1.0) {
+                    nearest = nearest.min(gap.max(0.06));
+                }
+            }
+        }
+        nearest
+    }
+}

@@ -1,0 +1,203 @@
+//! One moving vehicle.
+
+use crate::driver::Driver;
+use crate::roads::{LONG_M, Roads};
+use endless_asset::VehicleSpec;
+use endless_road::{JunctionId, LaneId};
+use endless_world::{AssetRef, ObjectClass, Pose, Stream, VehicleLights};
+use glam::{DVec3, Vec3};
+use std::collections::VecDeque;
+
+/// How far ahead a route is planned, metres.
+pub(crate) const HORIZON_M: f64 = 130.0;
+
+/// Leave to cross a junction. Vehicles pass a place where their ways overlap in the order of `order`.
+#[derive(Debug, Clone)]
+pub(crate) struct Grant {
+    pub(crate) junction: JunctionId,
+    pub(crate) order: u64,
+    pub(crate) lanes: Vec<LaneId>,
+    pub(crate) exit: LaneId,
+    pub(crate) entered: bool,
+}
+
+/// A lane change under way.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Shift {
+    /// The lane being left, and its `s` minus the new lane's.
+    pub(crate) from: LaneId,
+    pub(crate) from_minus_here: f64,
+    /// Offset from the new lane at the beginning, metres.
+    pub(crate) offset_m: f64,
+    /// Where it began, on the new lane.
+    pub(crate) begin_s: f64,
+    /// Metres along the road.
+    pub(crate) length_m: f64,
+}
+
+/// A part of a lane that a body covers, not clipped to the lane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Cover {
+    pub(crate) lane: LaneId,
+    pub(crate) rear: f64,
+    pub(crate) front: f64,
+}
+
+#[derive(Debug, Clone)]
+pub(crate) struct Vehicle {
+    pub(crate) asset: AssetRef,
+    pub(crate) class: ObjectClass,
+    pub(crate) ridden: bool,
+    pub(crate) half_length: f64,
+    pub(crate) wheelbase: f64,
+    /// Distance of the rear axle behind the origin, metres.
+    pub(crate) rear_axle: f64,
+    pub(crate) driver: Driver,
+    pub(crate) stream: Stream,
+
+    /// Lanes behind that the body may still cover, the lane of the origin (at `here`), lanes to come.
+    pub(crate) route: VecDeque<LaneId>,
+    pub(crate) here: usize,
+    /// Of the origin, on the lane at `here`.
+    pub(crate) s: f64,
+    pub(crate) speed: f64,
+    pub(crate) acceleration: f64,
+    pub(crate) shift: Option<Shift>,
+    /// Lane change to come: target, and seconds until it begins.
+    pub(crate) intent: Option<(LaneId, f64)>,
+    pub(crate) grants: Vec<Grant>,
+    /// Seconds standing before a junction.
+    pub(crate) waited_s: f64,
+
+    pub(crate) pose: Pose,
+    pub(crate) yaw: f64,
+    /// The point that follows the lane.
+    pub(crate) pivot: DVec3,
+    pub(crate) roll: f64,
+    pub(crate) steer: f64,
+    pub(crate) velocity: Vec3,
+    pub(crate) rolled: f64,
+    pub(crate) lights: VehicleLights,
+    pub(crate) brake_hold_s: f64,
+}
+
+impl Vehicle {
+    pub(crate) fn new(
+        spec: &VehicleSpec,
+        asset: AssetRef,
+        driver: Driver,
+        lane: LaneId,
+        s: f64,
+        stream: Stream,
+    ) -> Self {
+        Self {
+            asset,
+            class: spec.class,
+            ridden: spec.ridden,
+            half_length: 0.5 * f64::from(spec.length_m),
+            wheelbase: f64::from(spec.front_axle_m - spec.rear_axle_m).max(0.6),
+            rear_axle: f64::from(-spec.rear_axle_m),
+            driver,
+            stream,
+            route: VecDeque::from([lane]),
+            here: 0,
+            s,
+            speed: 0.0,
+            acceleration: 0.0,
+            shift: None,
+            intent: None,
+            grants: Vec::new(),
+            waited_s: 0.0,
+            pose: Pose::default(),
+            yaw: 0.0,
+            pivot: DVec3::ZERO,
+            roll: 0.0,
+            steer: 0.0,
+            velocity: Vec3::ZERO,
+            rolled: 0.0,
+            lights: VehicleLights::default(),
+            brake_hold_s: 0.0,
+        }
+    }
+
+    pub(crate) fn lane(&self) -> LaneId {
+        self.route[self.here]
+    }
+
+    /// Lanes from here on, each with the distance from the origin to its beginning (negative for the first).
+    pub(crate) fn ahead<'a>(&'a self, roads: &'a Roads) -> impl Iterator<Item = (LaneId, f64)> + 'a {
+        let mut base = -self.s;
+        self.route.iter().skip(self.here).map(move |&lane| {
+            let start = base;
+            base += roads.table(lane).length;
+            (lane, start)
+        })
+    }
+
+    /// Distance from the origin to the beginning of a lane of the route (negative if it lies behind); `None` if the
+    /// lane is not on it any more.
+    pub(crate) fn distance_to(&self, roads: &Roads, lane: LaneId) -> Option<f64> {
+        let mut base = -self.s;
+        for i in (0..self.here).rev() {
+            base -= roads.table(self.route[i]).length;
+        }
+        for &l in &self.route {
+            if l == lane {
+                return Some(base);
+            }
+            base += roads.table(l).length;
+        }
+        None
+    }
+
+    /// Extends the route at random up to the horizon.
+    pub(crate) fn plan(&mut self, roads: &Roads) {
+        let mut reach: f64 =
+            self.ahead(roads).map(|(lane, base)| base + roads.table(lane).length).last().unwrap_or(0.0);
+        while reach < HORIZON_M || self.route.back().is_some_and(|&l| roads.table(l).junction.is_some()) {
+            let Some(&last) = self.route.back() else { return };
+            let allowed = roads.allowed(self.asset.model);
+            let Some(next) = roads.network.next_lane(last, allowed, &mut self.stream) else { return };
+            self.route.push_back(next);
+            reach += roads.table(next).length;
+        }
+    }
+
+    /// Whether it swings out in bends.
+    pub(crate) fn long(&self) -> bool {
+        2.0 * self.half_length >= LONG_M
+    }
+
+    /// The parts of lanes the body covers.
+    pub(crate) fn covers(&self, roads: &Roads, into: &mut Vec<Cover>) {
+        into.clear();
+        let mut base = 0.0;
+        // Lanes behind.
+        for i in (0..self.here).rev() {
+            base += roads.table(self.route[i]).length;
+            let at = self.s + base;
+            if at - self.half_length < roads.table(self.route[i]).length {
+                into.push(Cover { lane: self.route[i], rear: at - self.half_length, front: at + self.half_length });
+            }
+        }
+        for (lane, base) in self.ahead(roads) {
+            if base > self.half_length {
+                break;
+            }
+            into.push(Cover { lane, rear: -base - self.half_length, front: -base + self.half_length });
+        }
+        if let Some(shift) = self.shift {
+            let at = self.s + shift.from_minus_here;
+            into.push(Cover { lane: shift.from, rear: at - self.half_length, front: at + self.half_length });
+        }
+    }
+
+    /// Where it could stand at the earliest if it braked firmly, metres from now.
+    pub(crate) fn firm_stop_m(&self) -> f64 {
+        self.speed * self.speed / (2.0 * 3.0)
+    }
+
+    pub(crate) fn grant_for(&self, junction: JunctionId) -> Option<&Grant> {
+        self.grants.iter().find(|g| g.junction == junction)
+    }
+}

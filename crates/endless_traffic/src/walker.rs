@@ -1,0 +1,348 @@
+//! People on foot: they walk to random places for ever, keep to their right, step around one another, and cross roads
+//! at crossings when they may.
+
+use crate::crossing::{CrossingState, OnFoot, signal_of};
+use crate::roads::Roads;
+use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
+use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
+use endless_world::{Gait, SignalAspect, SignalState, Stream};
+use glam::{DVec2, DVec3};
+use std::collections::VecDeque;
+
+/// Bodies are discs of this radius, metres.
+pub(crate) const BODY_M: f64 = 0.25;
+/// How far people look for others, metres.
+const SIGHT_M: f64 = 5.0;
+/// How far ahead on their way people aim, metres.
+const AIM_M: f64 = 1.6;
+/// Who is this near to a crossing's beginning wants to cross, metres.
+const KERB_M: f64 = 2.0;
+/// Turning rate, rad/s.
+const TURN_RATE: f64 = 3.5;
+/// Most acceleration, m/s².
+const ACCELERATION: f64 = 2.5;
+
+#[derive(Debug, Clone)]
+pub(crate) struct Walker {
+    pub(crate) variant: u64,
+    pub(crate) stream: Stream,
+    /// Comfortable speed, m/s.
+    pub(crate) pace: f64,
+    /// Where on the strip they like to walk: 0 middle, 1 right edge.
+    pub(crate) side: f64,
+    pub(crate) from: WalkNodeId,
+    /// The edge underfoot, then those to come, each with the node it leads to.
+    pub(crate) way: VecDeque<(WalkEdgeId, WalkNodeId)>,
+    pub(crate) position: DVec2,
+    pub(crate) velocity: DVec2,
+    pub(crate) height: f64,
+    pub(crate) yaw: f64,
+    pub(crate) walked: f64,
+    pub(crate) gait: Gait,
+}
+
+/// A directed strip: from, unit direction, length, usable half width.
+#[derive(Debug, Clone, Copy)]
+struct Strip {
+    from: DVec2,
+    along: DVec2,
+    length: f64,
+    half_width: f64,
+    kind: WalkKind,
+}
+
+impl Strip {
+    fn new(roads: &Roads, from: WalkNodeId, edge: WalkEdgeId, to: WalkNodeId) -> Self {
+        let walk = &roads.network.walk;
+        let (a, b) = (walk.nodes[from.index()].truncate(), walk.nodes[to.index()].truncate());
+        let data = &walk.edges[edge.index()];
+        Self {
+            from: a,
+            along: (b - a).normalize_or(DVec2::X),
+            length: a.distance(b),
+            half_width: (0.5 * data.width_m - BODY_M).max(0.1),
+            kind: data.kind,
+        }
+    }
+
+    /// Along and to the left.
+    fn local(&self, p: DVec2) -> (f64, f64) {
+        let d = p - self.from;
+        (d.dot(self.along), self.along.perp_dot(d))
+    }
+
+    fn point(&self, along: f64, left: f64) -> DVec2 {
+        self.from + self.along * along + self.along.perp() * left
+    }
+
+    /// How far outside the strip a point lies.
+    fn outside(&self, p: DVec2) -> f64 {
+        let (along, left) = self.local(p);
+        let over = (along - self.length).max(-along).max(0.0);
+        over.max(left.abs() - self.half_width).max(0.0)
+    }
+}
+
+/// What people see.
+pub(crate) struct Scene<'a> {
+    pub(crate) roads: &'a Roads,
+    pub(crate) graph: &'a WalkGraph,
+    pub(crate) signals: &'a [SignalState],
+}
+
+/// Moves everybody on by one step, one after the other.
+pub(crate) fn step(scene: &Scene<'_>, walkers: &mut [Walker], crossings: &mut [CrossingState], step_s: f64) {
+    for i in 0..walkers.len() {
+        let near: Vec<(DVec2, DVec2)> = walkers
+            .iter()
+            .enumerate()
+            .filter(|(j, w)| *j != i && w.position.distance_squared(walkers[i].position) < SIGHT_M * SIGHT_M)
+            .map(|(_, w)| (w.position, w.velocity))
+            .collect();
+        walkers[i].step(scene, &near, crossings, step_s);
+    }
+    for state in crossings.iter_mut() {
+        state.people.clear();
+        state.wanted = false;
+    }
+    for walker in walkers.iter() {
+        if let Some((id, person)) = walker.crossing(scene.roads) {
+            crossings[id.index()].people.push(person);
+        } else if let Some(id) = walker.wants(scene.roads) {
+            crossings[id.index()].wanted = true;
+        }
+    }
+}
+
+impl Walker {
+    fn strip(&self, roads: &Roads) -> Strip {
+        let (edge, to) = self.way[0];
+        Strip::new(roads, self.from, edge, to)
+    }
+
+    fn next_strip(&self, roads: &Roads) -> Option<Strip> {
+        let &(edge, to) = self.way.get(1)?;
+        Some(Strip::new(roads, self.way[0].1, edge, to))
+    }
+
+    /// The crossing underfoot.
+    fn crossing(&self, roads: &Roads) -> Option<(CrossingId, OnFoot)> {
+        let strip = self.strip(roads);
+        let WalkKind::Crossing(id) = strip.kind else { return None };
+        let [a, b] = roads.network.crossings[id.index()].ends.map(DVec3::truncate);
+        let along = (b - a).normalize_or_zero();
+        let direction = along.dot(strip.along).signum();
+        Some((id, OnFoot { along_m: (self.position - a).dot(along), direction }))
+    }
+
+    /// The crossing at whose beginning they stand or will be in a moment.
+    fn wants(&self, roads: &Roads) -> Option<CrossingId> {
+        let WalkKind::Crossing(id) = self.next_strip(roads)?.kind else { return None };
+        let strip = self.strip(roads);
+        (strip.length - strip.local(self.position).0 < KERB_M).then_some(id)
+    }
+
+    fn may_cross(&self, scene: &Scene<'_>, id: CrossingId, crossings: &[CrossingState]) -> bool {
+        let light = signal_of(scene.roads, id).map(|s| scene.signals[s].aspect);
+        light.is_none_or(|a| a == SignalAspect::Green) && !crossings[id.index()].danger
+    }
+
+    fn step(&mut self, scene: &Scene<'_>, near: &[(DVec2, DVec2)], crossings: &mut [CrossingState], step_s: f64) {
+        let roads = scene.roads;
+        self.go_on(scene, crossings);
+        let strip = self.strip(roads);
+        let next = self.next_strip(roads);
+        let (along, _) = strip.local(self.position);
+        let kerb = matches!(next.map(|n| n.kind), Some(WalkKind::Crossing(_)));
+        let mut pace = self.pace;
+        if let Some((id, person)) = self.crossing(roads) {
+            let light = signal_of(roads, id).map(|s| scene.signals[s].aspect);
+            if matches!(light, Some(SignalAspect::Yellow | SignalAspect::Red)) {
+                // The light changes: hurry.
+                pace = (1.5 * pace).min(2.6);
+            }
+            if crossings[id.index()].step_is_unsafe(person) {
+                pace = 0.0;
+            }
+        }
+        // Aim at a point further on, on the right-hand side of the strip, around the corner if that is near.
+        let keep = |s: &Strip| -self.side * s.half_width;
+        let ahead = along + AIM_M;
+        let target = match next {
+            _ if ahead <= strip.length => strip.point(ahead.max(0.3), keep(&strip)),
+            Some(n) if !kerb => n.point((ahead - strip.length).min(n.length), keep(&n)),
+            _ => strip.point(strip.length, keep(&strip)),
+        };
+        let to_target = target - self.position;
+        if kerb && to_target.length() < 0.9 {
+            // At the kerb: stand and wait.
+            pace *= ((to_target.length() - 0.25) / 0.65).clamp(0.0, 1.0);
+        }
+        let wanted = to_target.normalize_or_zero() * pace;
+        let chosen = self.avoid(wanted, near, &strip, next.as_ref().filter(|_| !kerb));
+        let change = chosen - self.velocity;
+        self.velocity += change.clamp_length_max(ACCELERATION * step_s);
+        self.advance(near, step_s);
+        self.turn(&strip, next.as_ref().filter(|_| kerb), step_s);
+        self.height = height(roads, self.from, self.way[0], self.position);
+    }
+
+    /// Takes the next edge when the end of this one is near, and plans a new way when it ends.
+    fn go_on(&mut self, scene: &Scene<'_>, crossings: &[CrossingState]) {
+        if self.way.len() < 2 {
+            self.plan(scene.roads, scene.graph);
+        }
+        let strip = self.strip(scene.roads);
+        let left = strip.length - strip.local(self.position).0;
+        let Some(next) = self.next_strip(scene.roads) else { return };
+        let passes = match next.kind {
+            WalkKind::Crossing(id) => left < KERB_M && self.may_cross(scene, id, crossings),
+            WalkKind::Sidewalk => left < 0.35 || (left < 1.5 && next.outside(self.position) <= 0.0),
+        };
+        if passes && let Some((_, node)) = self.way.pop_front() {
+            self.from = node;
+        }
+    }
+
+    /// A way to a random place, after what is planned.
+    pub(crate) fn plan(&mut self, roads: &Roads, graph: &WalkGraph) {
+        let start = self.way.back().map_or(self.from, |w| w.1);
+        for _ in 0..20 {
+            let goal = WalkNodeId(self.stream.below(roads.network.walk.nodes.len()) as u32);
+            let way = graph.shortest(&roads.network.walk, start, goal);
+            // Nobody turns on the spot if there is another way.
+            let turns = way.first().is_some_and(|w| self.way.back().is_some_and(|b| b.0 == w.0));
+            let avoidable = turns && graph.edges_at(start).len() > 1;
+            if !way.is_empty() && !avoidable {
+                self.way.extend(way);
+                return;
+            }
+        }
+        if let Some(&edge) = graph.edges_at(start).first() {
+            let [a, b] = roads.network.walk.edges[edge.index()].nodes;
+            self.way.push_back((edge, if a == start { b } else { a }));
+        }
+    }
+
+    /// The velocity nearest to the wanted one that meets nobody in the next seconds (sampled velocity obstacles,
+    /// Fiorini and Shiller 1998) and stays on the strip.
+    fn avoid(&self, wanted: DVec2, near: &[(DVec2, DVec2)], strip: &Strip, next: Option<&Strip>) -> DVec2 {
+        let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
+        let here = outside(self.position);
+        let mut best = (f64::INFINITY, DVec2::ZERO);
+        for (turn, share) in [
+            (0.0, 1.0),
+            (-0.3, 1.0),
+            (0.3, 1.0),
+            (-0.7, 0.9),
+            (0.7, 0.9),
+            (0.0, 0.5),
+            (-1.3, 0.6),
+            (1.3, 0.6),
+            (0.0, 0.0),
+        ] {
+            let candidate = DVec2::from_angle_exact(turn).rotate(wanted) * share;
+            let mut cost = (candidate - wanted).length() + if turn > 0.0 { 0.05 } else { 0.0 };
+            for &(position, velocity) in near {
+                cost += threat(position - self.position, velocity - candidate);
+            }
+            let over = outside(self.position + candidate * 0.5) - here;
+            if over > 0.0 {
+                cost += 6.0 * over;
+            }
+            if cost < best.0 {
+                best = (cost, candidate);
+            }
+            if near.is_empty() && turn == 0.0 {
+                break;
+            }
+        }
+        best.1
+    }
+
+    /// Moves, but never into somebody.
+    fn advance(&mut self, near: &[(DVec2, DVec2)], step_s: f64) {
+        let goal = self.position + self.velocity * step_s;
+        let blocked = near.iter().any(|(p, _)| {
+            let after = goal.distance(*p);
+            after < 2.0 * BODY_M + 0.02 && after < self.position.distance(*p)
+        });
+        if blocked {
+            self.velocity = DVec2::ZERO;
+        } else {
+            self.walked += self.position.distance(goal);
+            self.position = goal;
+        }
+        let speed = self.velocity.length();
+        self.gait = match speed {
+            v if v < 0.08 => Gait::Stand,
+            v if v < 2.1 => Gait::Walk,
+            _ => Gait::Run,
+        };
+    }
+
+    fn turn(&mut self, strip: &Strip, waits_for: Option<&Strip>, step_s: f64) {
+        let speed = self.velocity.length();
+        let facing = if speed > 0.25 {
+            self.velocity
+        } else if let Some(next) = waits_for {
+            next.along
+        } else if speed > 0.05 {
+            strip.along
+        } else {
+            return;
+        };
+        let off = wrap_angle(atan2(facing.y, facing.x) - self.yaw);
+        self.yaw = wrap_angle(self.yaw + (off * 5.0).clamp(-TURN_RATE, TURN_RATE) * step_s);
+    }
+}
+
+/// How much a neighbour at a relative place with a relative velocity is in the way.
+fn threat(relative: DVec2, velocity: DVec2) -> f64 {
+    let apart = 2.0 * BODY_M + 0.15;
+    let distance = relative.length();
+    let closing = -relative.dot(velocity);
+    let mut cost = if distance < apart + 0.2 && closing > 0.0 { 2.0 } else { 0.0 };
+    // Time until the discs touch: |relative + velocity t| = apart.
+    let a = velocity.length_squared();
+    let b = -closing;
+    let c = relative.length_squared() - apart * apart;
+    let discriminant = b * b - a * c;
+    if closing > 0.0 && discriminant > 0.0 && a > 1e-6 && c > 0.0 {
+        let time = (-b - discriminant.sqrt()) / a;
+        if time < 3.0 {
+            cost += 0.9 / (time + 0.15) - 0.28;
+        }
+    }
+    cost
+}
+
+/// Height of the walking surface: sidewalks as drawn, crossings on the road between their kerbs.
+pub(crate) fn height(roads: &Roads, from: WalkNodeId, (edge, to): (WalkEdgeId, WalkNodeId), at: DVec2) -> f64 {
+    let walk = &roads.network.walk;
+    let (a, b) = (walk.nodes[from.index()], walk.nodes[to.index()]);
+    let strip = Strip::new(roads, from, edge, to);
+    let u = (strip.local(at).0 / strip.length.max(1e-6)).clamp(0.0, 1.0);
+    let high = a.z + (b.z - a.z) * u;
+    let WalkKind::Crossing(id) = strip.kind else { return high };
+    let [p, q] = roads.network.crossings[id.index()].ends;
+    let d = (q - p).truncate();
+    let length = d.length().max(1e-6);
+    let along = (at - p.truncate()).dot(d) / length;
+    let road = p.z + (q.z - p.z) * (along / length).clamp(0.0, 1.0);
+    // A step down takes a foot's length.
+    let on_road = (along.min(length - along) / 0.3 + 0.5).clamp(0.0, 1.0);
+    high + (road - high) * on_road
+}
+
+/// `DVec2::from_angle` with the same bits on every machine.
+trait ExactAngle {
+    fn from_angle_exact(angle: f64) -> DVec2;
+}
+
+impl ExactAngle for DVec2 {
+    fn from_angle_exact(angle: f64) -> DVec2 {
+        let (sin, cos) = sin_cos(angle);
+        DVec2::new(cos, sin)
+    }
+}

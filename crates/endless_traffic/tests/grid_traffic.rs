@@ -1,0 +1,88 @@
+//! Traffic on a grid of test streets.
+
+#[path = "../../endless_road/tests/grid/mod.rs"]
+mod grid;
+mod watch;
+
+use endless_asset::VehicleSpec;
+use endless_traffic::{Conditions, Simulation};
+use grid::Grid;
+use watch::{Findings, specs};
+
+const FPS: f64 = 30.0;
+
+fn simulate(grid: &Grid, asked: [u32; 2], seed: u64, seconds: f64) -> Findings {
+    let specs = specs();
+    let specs: Vec<&VehicleSpec> = specs.iter().collect();
+    let network = grid.network();
+    let mut s = Simulation::on_network(&network, &specs, &[], &|_| 1.35, asked, seed, Conditions::default(), FPS);
+    let population = s.population();
+    assert_eq!(population.vehicles_spawned, asked[0]);
+    assert_eq!(population.pedestrians_spawned, asked[1]);
+    watch::watch(&mut s, &specs, seconds, FPS)
+}
+
+fn check(f: &Findings, asked: [u32; 2], seconds: f64) {
+    assert!(f.overlaps.is_empty(), "{} overlaps: {:#?}", f.overlaps.len(), f.overlaps);
+    assert!(f.walker_hits.is_empty(), "{} hits: {:#?}", f.walker_hits.len(), f.walker_hits);
+    assert_eq!(f.touching_walkers, 0);
+    assert!(f.jumps.is_empty(), "{:?}", f.jumps);
+    assert!(f.worst_slip_mps < 0.35, "slip {}", f.worst_slip_mps);
+    assert!(f.worst_acceleration < 8.0, "acceleration {}", f.worst_acceleration);
+    assert!(f.worst_yaw_rate < 1.6, "yaw rate {}", f.worst_yaw_rate);
+    assert!(f.driven_m / f64::from(asked[0]) / seconds > 1.5, "traffic stands: {} m", f.driven_m);
+    assert!(f.walked_m / f64::from(asked[1]) / seconds > 0.6, "people stand: {} m", f.walked_m);
+    assert!(f.longest_stand.0 < 180.0, "stuck: {:?}", f.longest_stand);
+}
+
+#[test]
+fn two_lane_streets_flow_without_a_touch() {
+    for seed in 0..3 {
+        let f = simulate(&Grid { columns: 3, rows: 3, lanes: 2 }, [60, 60], seed, 120.0);
+        check(&f, [60, 60], 120.0);
+    }
+}
+
+#[test]
+fn narrow_streets_flow_without_a_touch() {
+    for seed in 0..3 {
+        let f = simulate(&Grid { columns: 4, rows: 4, lanes: 1 }, [70, 60], seed, 120.0);
+        check(&f, [70, 60], 120.0);
+    }
+}
+
+#[test]
+fn a_hundred_vehicles_flow_for_ten_minutes() {
+    let f = simulate(&Grid { columns: 4, rows: 4, lanes: 2 }, [100, 60], 7, 600.0);
+    check(&f, [100, 60], 600.0);
+}
+
+#[test]
+fn the_same_seed_gives_the_same_states() {
+    let specs = specs();
+    let specs: Vec<&VehicleSpec> = specs.iter().collect();
+    let network = Grid { columns: 3, rows: 3, lanes: 2 }.network();
+    let run = |seed| {
+        let mut s =
+            Simulation::on_network(&network, &specs, &[], &|_| 1.4, [30, 20], seed, Conditions::default(), 25.0);
+        for _ in 0..200 {
+            s.tick();
+        }
+        s.state()
+    };
+    assert_eq!(run(5), run(5));
+    assert_ne!(run(5), run(6));
+}
+
+#[test]
+fn as_many_as_fit_are_spawned_and_the_rest_is_reported() {
+    let specs = specs();
+    let specs: Vec<&VehicleSpec> = specs.iter().collect();
+    let network = Grid { columns: 2, rows: 2, lanes: 1 }.network();
+    let s = Simulation::on_network(&network, &specs, &[], &|_| 1.4, [1000, 3], 1, Conditions::default(), 10.0);
+    let p = s.population();
+    assert_eq!(p.vehicles_asked, 1000);
+    assert!(p.vehicles_spawned <= p.vehicle_capacity && p.vehicles_spawned > 30, "{p:?}");
+    let ids: Vec<u16> = s.state().actors.iter().map(|a| a.id.0).collect();
+    assert!(ids.windows(2).all(|w| w[0] < w[1]) && ids[0] == 1);
+}
