@@ -126,6 +126,7 @@ pub(crate) fn walkers(
                 yaw: atan2(along.y, along.x),
                 walked: own.range_f64(0.0, 2.0),
                 gait: Gait::Stand,
+                stuck: (0.0, 0.0),
             };
             walker.plan(roads, graph);
             placed.push(walker);

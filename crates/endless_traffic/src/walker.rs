@@ -39,6 +39,8 @@ pub(crate) struct Walker {
     pub(crate) yaw: f64,
     pub(crate) walked: f64,
     pub(crate) gait: Gait,
+    /// Seconds for which somebody has stood in the way, and the turn tried to get past, radians.
+    pub(crate) stuck: (f64, f64),
 }
 
 /// A directed strip: from, unit direction, length, usable half width.
@@ -178,7 +180,21 @@ impl Walker {
             // At the kerb: stand and wait.
             pace *= ((to_target.length() - 0.25) / 0.65).clamp(0.0, 1.0);
         }
-        let wanted = to_target.normalize_or_zero() * pace;
+        let mut wanted = to_target.normalize_or_zero() * pace;
+        if pace > 0.3 && self.velocity.length() < 0.15 {
+            self.stuck.0 += step_s;
+            if self.stuck.0 > 1.5 {
+                // Face to face: step aside or back, and try again.
+                self.stuck = (0.5, self.stream.range_f64(-2.4, 1.6));
+            }
+        } else {
+            self.stuck.0 = (self.stuck.0 - step_s).max(0.0);
+        }
+        if self.stuck.0 > 0.0 && self.stuck.1 != 0.0 {
+            wanted = DVec2::from_angle_exact(self.stuck.1).rotate(wanted) * 0.5;
+        } else {
+            self.stuck.1 = 0.0;
+        }
         let chosen = self.avoid(wanted, near, &strip, next.as_ref().filter(|_| !kerb));
         let change = chosen - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
