@@ -1,0 +1,114 @@
+//! Renders one frame of a town with actors standing at its spawn points, without traffic:
+//! `cargo run --release -p endless_render --example look -- Town03 0 rainy night look.png [WIDTHxHEIGHT] [instance.png]`.
+
+use endless_asset::Catalogue;
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_town::Town;
+use endless_world::{
+    Actor, AssetRef, Gait, ImageSize, InstanceId, Motion, ObjectClass, Pose, SignalAspect, SignalState, TimeOfDay,
+    VehicleLights, VehicleMotion, WalkerMotion, Weather, WorldState,
+};
+use glam::Vec3;
+use std::{error::Error, fs::File, path::Path, time::Instant};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [map, camera, weather, time, out, ..] = arguments.as_slice() else {
+        return Err("usage: look MAP CAMERA WEATHER TIME OUT.png [WIDTHxHEIGHT] [INSTANCE.png]".into());
+    };
+    let (weather, time): (Weather, TimeOfDay) = (weather.parse()?, time.parse()?);
+    let size: ImageSize = arguments.get(5).map_or("960x540", String::as_str).parse()?;
+    let catalogue = Catalogue::builtin();
+    let clock = Instant::now();
+    let town = endless_town::load(map, &catalogue)?;
+    eprintln!("town {:.2} s", clock.elapsed().as_secs_f32());
+    let clock = Instant::now();
+    let still = StaticScene::load(&town, &catalogue);
+    eprintln!("scene {:.2} s, {} triangles", clock.elapsed().as_secs_f32(), still.placed_triangles());
+    let site = &town.cameras[camera.parse::<usize>()? % town.cameras.len()];
+    let clock = Instant::now();
+    let settings = RenderSettings { weather, time_of_day: time, seed: 7, size, gather_rays: 6, keep_irradiance: false };
+    let bake = CameraBake::bake(&still, &settings, site);
+    eprintln!("bake {:.2} s, {} rays", clock.elapsed().as_secs_f32(), bake.stats().rays());
+    let state = crowd(&town, &catalogue, time == TimeOfDay::Night || weather == Weather::Rainy);
+    let cast = Cast::new(&catalogue, &state.actors);
+    let clock = Instant::now();
+    let frame = FrameScene::new(&cast, &state);
+    eprintln!("frame scene {:.4} s", clock.elapsed().as_secs_f32());
+    let clock = Instant::now();
+    let image = bake.render(&still, &frame);
+    eprintln!("frame {:.3} s on one core, camera {}", clock.elapsed().as_secs_f32(), site.name);
+    write_png(out, size, image.rgb.data.as_flattened())?;
+    if let Some(out) = arguments.get(6) {
+        let colors: Vec<[u8; 3]> = image
+            .instance
+            .data
+            .iter()
+            .map(|p| {
+                let [r, g, b] = p.tag.color();
+                let turn = (p.id.0 as u8).wrapping_mul(37);
+                if p.id.0 == 0 { [r, g, b] } else { [r ^ turn, g ^ turn.rotate_left(3), b] }
+            })
+            .collect();
+        write_png(out, size, colors.as_flattened())?;
+    }
+    Ok(())
+}
+
+/// A vehicle at every fourth spawn point, a person at every few sidewalk nodes.
+fn crowd(town: &Town, catalogue: &Catalogue, lights: bool) -> WorldState {
+    let first = town.parked.len() as u16 + 1;
+    let mut actors = Vec::new();
+    let mut next = first;
+    for (i, spawn) in town.network.spawn_points.iter().enumerate().step_by(3) {
+        let model = (i * 7 / 3 % catalogue.vehicles().len().max(1)) as u16;
+        let Some(entry) = catalogue.vehicles().get(usize::from(model)) else { break };
+        let place = town.network.lane(spawn.lane).centerline.at(spawn.s);
+        let rider_id = entry.spec.ridden.then(|| InstanceId(next + 1));
+        let bits = if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION } else { 0 };
+        actors.push(Actor {
+            id: InstanceId(next),
+            rider_id,
+            class: entry.spec.class,
+            asset: AssetRef { model, variant: i as u64 * 977 },
+            pose: Pose::level(place.position.as_vec3(), place.heading_rad as f32),
+            velocity_mps: Vec3::ZERO,
+            motion: Motion::Vehicle(VehicleMotion { lights: VehicleLights(bits), ..VehicleMotion::default() }),
+            parked: false,
+        });
+        next += 2;
+    }
+    for (i, edge) in town.network.walk.edges.iter().enumerate().step_by(2) {
+        let [a, b] = edge.nodes.map(|n| town.network.walk.nodes[n.index()].as_vec3());
+        let along = b - a;
+        let position = a + along * 0.37;
+        let yaw = endless_world::math::atan2(along.y, along.x);
+        actors.push(Actor {
+            id: InstanceId(next),
+            rider_id: None,
+            class: ObjectClass::Pedestrian,
+            asset: AssetRef { model: 0, variant: i as u64 * 31 },
+            pose: Pose::level(position, yaw),
+            velocity_mps: Vec3::ZERO,
+            motion: Motion::Walker(WalkerMotion {
+                speed_mps: 1.3,
+                gait: Gait::Walk,
+                walked_m: i as f32 * 0.37,
+                time_s: 0.0,
+            }),
+            parked: false,
+        });
+        next += 1;
+    }
+    let aspects = [SignalAspect::Red, SignalAspect::Green];
+    let signals =
+        (0..town.network.signal_groups).map(|i| SignalState { aspect: aspects[usize::from(i) % 2] }).collect();
+    WorldState { frame: 0, time_s: 0.0, actors, signals }
+}
+
+fn write_png(path: impl AsRef<Path>, size: ImageSize, data: &[u8]) -> Result<(), Box<dyn Error>> {
+    let mut encoder = png::Encoder::new(File::create(path)?, size.width, size.height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.write_header()?.write_image_data(data)?;
+    Ok(())
+}

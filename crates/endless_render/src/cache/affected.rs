@@ -1,0 +1,178 @@
+//! Which tiles what moves can change, and how. Errs towards more.
+
+use super::bake::CameraBake;
+use super::compose::{CONTACT_REACH_M, CONTACT_RISE_M};
+use super::tile::{BLOCK, TILE, TileBounds};
+use crate::light::Lamps;
+use crate::scene::{FrameScene, MovingObject, StaticScene};
+use endless_world::PinholeCamera;
+use glam::{Vec2, Vec3, Vec3A};
+
+/// What must be done again in a tile.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Work {
+    /// Moving surfaces may be seen.
+    pub(super) seen: bool,
+    /// Sunlight may be blocked.
+    pub(super) sun: bool,
+    /// Lamp light may be blocked.
+    pub(super) lamps: bool,
+    /// Mirrors may show something that moves.
+    pub(super) mirror: bool,
+    /// A traffic light's lens is in view.
+    pub(super) lens: bool,
+    /// Objects that may darken the ground at their feet, ascending.
+    pub(super) contacts: Vec<u16>,
+    /// Vehicle lights that may reach it, ascending.
+    pub(super) beams: Vec<u16>,
+}
+
+impl Work {
+    /// Everything, for the frame made without the cache.
+    pub(super) fn everything(frame: &FrameScene) -> Self {
+        let all = |n: usize| (0..n).map(|i| i as u16).collect();
+        Self {
+            seen: true,
+            sun: true,
+            lamps: true,
+            mirror: true,
+            lens: true,
+            contacts: all(frame.objects.len()),
+            beams: all(frame.beams.len()),
+        }
+    }
+
+    /// Nothing to do.
+    pub(super) fn is_none(&self) -> bool {
+        !(self.seen || self.sun || self.lamps || self.mirror || self.lens)
+            && self.contacts.is_empty()
+            && self.beams.is_empty()
+    }
+}
+
+/// The work of every tile of a frame.
+pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScene) -> Vec<Work> {
+    let mut work = vec![Work::default(); bake.tiles.len()];
+    for (tile, bounds) in work.iter_mut().zip(&bake.tiles) {
+        tile.lens = bounds.lens;
+    }
+    for (i, object) in frame.objects.iter().enumerate() {
+        mark_seen(bake, object, &mut work);
+        let i = i as u16;
+        mark(bake, &mut work, |bounds, tile| mark_object(bake, still, object, i, bounds, tile));
+    }
+    for (i, beam) in frame.beams.iter().enumerate() {
+        mark(bake, &mut work, |bounds, tile| {
+            let reaches = !bounds.points.is_empty() && beam.reaches(bounds.points.low - 0.1, bounds.points.high + 0.1);
+            if let (Some(tile), true) = (tile, reaches) {
+                tile.beams.push(i as u16);
+            }
+            reaches
+        });
+    }
+    work
+}
+
+/// Runs a test over blocks, and over the tiles of those blocks that pass it.
+fn mark(bake: &CameraBake, work: &mut [Work], mut test: impl FnMut(&TileBounds, Option<&mut Work>) -> bool) {
+    for (b, block) in bake.blocks.iter().enumerate() {
+        if !test(block, None) {
+            continue;
+        }
+        let (bx, by) = (b as u32 % bake.block_columns * BLOCK, b as u32 / bake.block_columns * BLOCK);
+        for y in by..(by + BLOCK).min(bake.tile_rows) {
+            for x in bx..(bx + BLOCK).min(bake.tile_columns) {
+                let i = (y * bake.tile_columns + x) as usize;
+                test(&bake.tiles[i], Some(&mut work[i]));
+            }
+        }
+    }
+}
+
+/// Marks a tile (if given) with what an object does to it; says whether it does anything.
+fn mark_object(
+    bake: &CameraBake,
+    still: &StaticScene,
+    object: &MovingObject,
+    index: u16,
+    bounds: &TileBounds,
+    tile: Option<&mut Work>,
+) -> bool {
+    if bounds.points.is_empty() {
+        return false;
+    }
+    let (low, high) = (object.low, object.high);
+    let sun = bake
+        .environment
+        .sun
+        .as_ref()
+        .is_some_and(|sun| bounds.sun_bundle(sun.direction).is_some_and(|b| b.may_meet(low, high, f32::MAX)));
+    let mirror = bounds.mirror_bundle().is_some_and(|b| b.may_meet(low, high, f32::MAX));
+    let contact = {
+        let reach = Vec3A::new(CONTACT_REACH_M, CONTACT_REACH_M, 0.0);
+        let radius = object.half.length();
+        let centre = Vec3A::new(object.centre.x, object.centre.y, object.ground);
+        let around = Vec3A::new(radius, radius, CONTACT_RISE_M + 0.05);
+        bounds.points.meets(centre - around - reach, centre + around + reach)
+    };
+    let lamps = bake.environment.night
+        && !tile.as_ref().is_some_and(|t| t.lamps)
+        && lamps_blocked(&still.lamps, object, bounds);
+    if let Some(tile) = tile {
+        tile.sun |= sun;
+        tile.mirror |= mirror;
+        tile.lamps |= lamps;
+        if contact {
+            tile.contacts.push(index);
+        }
+    }
+    sun || mirror || contact || lamps
+}
+
+/// Whether an object can stand between a lamp and a tile's surfaces.
+fn lamps_blocked(lamps: &Lamps, object: &MovingObject, bounds: &TileBounds) -> bool {
+    let range = Lamps::range_m();
+    lamps.all().iter().any(|lamp| {
+        let nearest = lamp.position.clamp(bounds.points.low, bounds.points.high);
+        let near_object = lamp.position.clamp(object.low, object.high);
+        nearest.distance_squared(lamp.position) <= range * range * 1.01
+            && near_object.distance_squared(lamp.position) <= range * range * 1.01
+            && bounds.lamp_bundle(lamp.position).may_meet(object.low, object.high, 1.0)
+    })
+}
+
+/// Marks the tiles over which an object's box projects.
+fn mark_seen(bake: &CameraBake, object: &MovingObject, work: &mut [Work]) {
+    let Some((low, high)) = projected(&bake.camera, object.low, object.high) else { return };
+    let limit = Vec2::new(bake.camera.size.width as f32, bake.camera.size.height as f32);
+    // A pixel of slack: samples lie up to half a pixel from the centre.
+    let (low, high) = (low - 1.5, high + 1.5);
+    if high.x < 0.0 || high.y < 0.0 || low.x >= limit.x || low.y >= limit.y {
+        return;
+    }
+    let (low, high) = (low.max(Vec2::ZERO).as_uvec2() / TILE, high.min(limit - 1.0).max(Vec2::ZERO).as_uvec2() / TILE);
+    for y in low.y..=high.y {
+        for x in low.x..=high.x {
+            work[(y * bake.tile_columns + x) as usize].seen = true;
+        }
+    }
+}
+
+/// Bounds of a box in the image; `None` if it lies behind the camera.
+fn projected(camera: &PinholeCamera, low: Vec3A, high: Vec3A) -> Option<(Vec2, Vec2)> {
+    const NEAR: f32 = 0.05;
+    let corners: [Vec3; 8] = std::array::from_fn(|i| {
+        let pick = |bit: usize, a: f32, b: f32| if i >> bit & 1 == 0 { a } else { b };
+        camera.camera_from_world(Vec3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z)))
+    });
+    if corners.iter().all(|c| c.z < NEAR) {
+        return None;
+    }
+    if corners.iter().any(|c| c.z < NEAR) {
+        // It reaches past the lens: it may be anywhere.
+        return Some((Vec2::splat(-1.0), Vec2::splat(f32::MAX)));
+    }
+    let k = &camera.intrinsics;
+    let image = corners.map(|c| Vec2::new(k.fx * c.x / c.z + k.cx, k.fy * c.y / c.z + k.cy));
+    Some(image.iter().fold((image[0], image[0]), |(a, b), &p| (a.min(p), b.max(p))))
+}

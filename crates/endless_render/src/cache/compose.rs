@@ -1,0 +1,192 @@
+//! The radiance of a still sample in a world where things move.
+
+use super::affected::Work;
+use super::still_sample::{StillSample, lamp_light, still_look, sun_share};
+use crate::accel::Ray;
+use crate::scene::{FrameScene, MovingObject, SurfacePoint};
+use crate::shade::{Tracer, beam_light, mirror_footprint, mirror_ray, shade_secondary};
+use endless_asset::{LensAspect, Surface};
+use endless_world::SignalAspect;
+use glam::{Vec2, Vec3A};
+
+/// How far from its footprint an object darkens the ground, metres.
+pub(super) const CONTACT_REACH_M: f32 = 2.2;
+/// How far above its ground, metres.
+pub(super) const CONTACT_RISE_M: f32 = 0.4;
+
+/// Radiance of a still sample, without vehicle lights. `tracer.moving` must be set; `work` says what can matter.
+pub(super) fn compose(
+    tracer: &Tracer<'_>,
+    frame: &FrameScene,
+    work: &Work,
+    still: &StillSample,
+    ray: &Ray,
+    sample: usize,
+    pixel_angle: f32,
+) -> Vec3A {
+    if still.is_sky() {
+        return Vec3A::from(still.rest);
+    }
+    let environment = tracer.environment;
+    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
+    let mut contact = 1.0;
+    for &i in &work.contacts {
+        contact *= contact_light(&frame.objects[usize::from(i)], &point);
+    }
+    let mut direct_share = sun_share(environment, still.sun_free);
+    if work.sun && still.sun_free != 0 {
+        direct_share = sun_share(environment, sun_left(tracer, frame, &point, still, sample));
+    }
+    let mut mirror = Vec3A::from(still.mirror);
+    if work.mirror && still.flags & StillSample::MIRRORS != 0 {
+        mirror = moving_mirror(tracer, frame, &point, sample, pixel_angle).unwrap_or(mirror);
+    }
+    let mut radiance = still.radiance(contact, direct_share, mirror);
+    if work.lamps && environment.night && lamps_touched(tracer, frame, &point) {
+        let look = still_look(&point, environment, sample, pixel_angle);
+        let direct = lamp_light(tracer, &point, &look, true) * environment.fog.transmittance(still.hit.t);
+        radiance = Vec3A::from(still.rest) + Vec3A::from(still.ambient) * contact + direct * direct_share + mirror;
+    }
+    if work.lens && still.flags & StillSample::LENS != 0 {
+        radiance += lens_light(frame, &point, environment.night) * environment.fog.transmittance(still.hit.t);
+    }
+    radiance
+}
+
+/// Directions to the sun that neither town nor traffic blocks.
+fn sun_left(
+    tracer: &Tracer<'_>,
+    frame: &FrameScene,
+    point: &SurfacePoint<'_>,
+    still: &StillSample,
+    sample: usize,
+) -> u8 {
+    let Some(sun) = &tracer.environment.sun else { return still.sun_free };
+    let origin = sun_origin(point, sun.direction);
+    let mut free = still.sun_free;
+    for (bit, &direction) in sun.disc[sample].iter().enumerate() {
+        if free >> bit & 1 == 1 && frame.accel.occluded(&Ray { origin, direction, tmax: f32::MAX }) {
+            free &= !(1 << bit);
+        }
+    }
+    free
+}
+
+/// Where rays to the sun start: leaves lit from behind let light through, so theirs start on the far side.
+pub(super) fn sun_origin(point: &SurfacePoint<'_>, sun: Vec3A) -> Vec3A {
+    let origin = point.ray_origin();
+    if point.geometric_normal.dot(sun) < 0.0 { point.position * 2.0 - origin } else { origin }
+}
+
+/// Whether the sun can light a point at all: from the front, or through a leaf.
+pub(super) fn sun_can_light(point: &SurfacePoint<'_>, sun: Vec3A) -> bool {
+    point.geometric_normal.dot(sun) > 0.0 || point.material.surface == Surface::Foliage
+}
+
+/// Whether what moves blocks any lamp in reach.
+fn lamps_touched(tracer: &Tracer<'_>, frame: &FrameScene, point: &SurfacePoint<'_>) -> bool {
+    let origin = point.ray_origin();
+    tracer.still.lamps.near(point.position).any(|lamp| {
+        let (illuminance, direction) = lamp.illuminance_at(point.position);
+        point.geometric_normal.dot(direction) > 0.0
+            && illuminance.max_element() > 0.0
+            && frame.accel.occluded(&Ray { origin, direction: lamp.position - origin, tmax: 0.999 })
+    })
+}
+
+/// The mirror image, if something that moves is in it.
+fn moving_mirror(
+    tracer: &Tracer<'_>,
+    frame: &FrameScene,
+    point: &SurfacePoint<'_>,
+    sample: usize,
+    pixel_angle: f32,
+) -> Option<Vec3A> {
+    let environment = tracer.environment;
+    let look = still_look(point, environment, sample, pixel_angle);
+    let ray = mirror_ray(point, &look);
+    let hit = frame.accel.closest(&ray)?;
+    if tracer.still.accel.occluded(&Ray { tmax: hit.t, ..ray }) {
+        return None;
+    }
+    let weight = look.coat_reflectance(-point.direction) * environment.fog.transmittance(point.distance);
+    Some(weight * shade_secondary(tracer, &ray, mirror_footprint(point, &look, pixel_angle)))
+}
+
+/// Light of vehicle lamps on a still point, fog included.
+pub(super) fn beams_on(
+    tracer: &Tracer<'_>,
+    frame: &FrameScene,
+    beams: &[u16],
+    still: &StillSample,
+    ray: &Ray,
+    sample: usize,
+    pixel_angle: f32,
+) -> Vec3A {
+    if still.is_sky() {
+        return Vec3A::ZERO;
+    }
+    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
+    // Most lamps do not reach: ask them before the costly look.
+    let reached = |i: &&u16| frame.beams[usize::from(**i)].illuminance_at(point.position).0.max_element() > FAINT_KLX;
+    if beams.iter().find(reached).is_none() {
+        return Vec3A::ZERO;
+    }
+    let look = still_look(&point, tracer.environment, sample, pixel_angle);
+    let origin = point.ray_origin();
+    let mut sum = Vec3A::ZERO;
+    for i in beams.iter().filter(reached) {
+        sum += beam_light(tracer, &frame.beams[usize::from(*i)], &point, &look, origin);
+    }
+    sum * tracer.environment.fog.transmittance(still.hit.t)
+}
+
+/// Illuminance below which a vehicle light is not asked for, klx.
+const FAINT_KLX: f32 = 4.0e-5;
+
+/// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box
+/// hides, and nearly all of it beneath.
+fn contact_light(object: &MovingObject, point: &SurfacePoint<'_>) -> f32 {
+    let rise = point.position.z - object.ground;
+    if rise.abs() > CONTACT_RISE_M || point.geometric_normal.z < 0.5 {
+        return 1.0;
+    }
+    let offset = Vec2::new(point.position.x, point.position.y) - object.centre;
+    let local = Vec2::new(offset.dot(object.along), offset.perp_dot(object.along)).abs() - object.half;
+    let outside = local.max(Vec2::ZERO).length();
+    if outside >= CONTACT_REACH_M {
+        return 1.0;
+    }
+    let fade = 1.0 - rise.abs() / CONTACT_RISE_M;
+    let hidden = if outside > 0.0 {
+        let reach = 1.0 - outside / CONTACT_REACH_M;
+        let height = object.height.min(1.2) * (object.half.min_element() / 0.9).min(1.0);
+        0.5 * (1.0 - outside / (outside * outside + height * height).sqrt()) * reach * reach
+    } else {
+        let depth = (-local.max_element()).min(0.6) / 0.6;
+        0.5 + 0.42 * depth
+    };
+    1.0 - hidden * fade
+}
+
+/// Light of a traffic light's lens in the state that its group is in.
+fn lens_light(frame: &FrameScene, point: &SurfacePoint<'_>, night: bool) -> Vec3A {
+    let (Surface::SignalLens(lens), Some(signal)) = (point.material.surface, point.instance.signal) else {
+        return Vec3A::ZERO;
+    };
+    let Some(aspect) = frame.signals.get(usize::from(signal.0)) else { return Vec3A::ZERO };
+    let lit = match lens {
+        LensAspect::Red => matches!(aspect, SignalAspect::Red | SignalAspect::RedYellow),
+        LensAspect::Yellow => matches!(aspect, SignalAspect::Yellow | SignalAspect::RedYellow),
+        LensAspect::Green => matches!(aspect, SignalAspect::Green),
+    };
+    if !lit {
+        return Vec3A::ZERO;
+    }
+    let color = match lens {
+        LensAspect::Red => Vec3A::new(1.0, 0.04, 0.02),
+        LensAspect::Yellow => Vec3A::new(1.0, 0.46, 0.02),
+        LensAspect::Green => Vec3A::new(0.02, 1.0, 0.42),
+    };
+    color * if night { 0.3 } else { 11.0 }
+}

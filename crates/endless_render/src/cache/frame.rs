@@ -1,0 +1,198 @@
+//! One frame: the still picture with everything that moves.
+
+use super::affected::{Work, affected};
+use super::bake::{CameraBake, planar_depth, still_sample};
+use super::compose::{beams_on, compose, sun_can_light, sun_origin};
+use super::still_sample::StillSample;
+use super::tile::TILE;
+use crate::accel::{Hit, Ray};
+use crate::film::add_glare;
+use crate::sampling::SAMPLES;
+use crate::scene::{FrameScene, StaticScene, SurfacePoint};
+use crate::shade::{Tracer, shade_moving};
+use endless_world::{Image, InstancePixel, SensorFrame};
+use glam::Vec3A;
+
+/// One pixel of a frame.
+struct Pixel {
+    radiance: Vec3A,
+    /// Depth and label, if something that moves covers the pixel's centre.
+    covered: Option<(f32, InstancePixel)>,
+}
+
+impl CameraBake {
+    /// What the camera sees at an instant.
+    pub fn render(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
+        let tracer = self.tracer(still, frame);
+        let mut canvas = Canvas::new(self);
+        let mut traced = 0;
+        for (tile, work) in affected(self, still, frame).iter().enumerate() {
+            if !work.is_none() {
+                traced += self.render_tile(&tracer, frame, work, tile as u32, &mut canvas);
+            }
+        }
+        self.stats.add(traced);
+        canvas.develop(self, frame.frame)
+    }
+
+    /// The same without the cache: every sample traced and shaded again, every moving thing asked everywhere. Slow; the
+    /// oracle of [`Self::render`]. Needs [`super::RenderSettings::keep_irradiance`].
+    ///
+    /// # Panics
+    /// If the bake did not keep its irradiance.
+    pub fn render_uncached(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
+        assert_eq!(self.irradiance.len(), self.samples.len(), "the bake kept no irradiance");
+        let tracer = self.tracer(still, frame);
+        let empty = Tracer { moving: None, ..tracer };
+        let everything = Work::everything(frame);
+        let mut canvas = Canvas::new(self);
+        for y in 0..self.camera.size.height {
+            for x in 0..self.camera.size.width {
+                let samples: [StillSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
+                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, &mut |ray, tmax| {
+                    frame.accel.closest(&Ray { tmax, ..*ray })
+                });
+                canvas.set(self, x, y, &pixel);
+            }
+        }
+        canvas.develop(self, frame.frame)
+    }
+
+    fn tracer<'a>(&'a self, still: &'a StaticScene, frame: &'a FrameScene) -> Tracer<'a> {
+        Tracer { still, moving: Some(frame), environment: &self.environment, probes: Some(&self.probes) }
+    }
+
+    /// A still sample from nothing but the scene and the baked irradiance.
+    fn retrace(&self, tracer: &Tracer<'_>, x: u32, y: u32, sample: usize) -> StillSample {
+        let ray = self.ray(x, y, sample);
+        let hit = tracer.still.accel.closest(&ray);
+        let mut sun_free = 0;
+        if let (Some(hit), Some(sun)) = (&hit, &self.environment.sun) {
+            let point = SurfacePoint::new(&tracer.still.instances, &ray, hit);
+            if sun_can_light(&point, sun.direction) {
+                let origin = sun_origin(&point, sun.direction);
+                for (bit, &direction) in sun.disc[sample].iter().enumerate() {
+                    let free = !tracer.still.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
+                    sun_free |= u8::from(free) << bit;
+                }
+            }
+        }
+        let index = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES + sample;
+        let irradiance = Vec3A::from(self.irradiance[index]);
+        still_sample(tracer, &ray, hit.as_ref(), sun_free, irradiance, sample, self.pixel_angle)
+    }
+
+    /// Renders a tile; returns about how many rays that took.
+    fn render_tile(&self, tracer: &Tracer<'_>, frame: &FrameScene, work: &Work, tile: u32, canvas: &mut Canvas) -> u64 {
+        let (x0, y0) = (tile % self.tile_columns * TILE, tile / self.tile_columns * TILE);
+        let (x1, y1) = ((x0 + TILE).min(self.camera.size.width), (y0 + TILE).min(self.camera.size.height));
+        let mut rays = 0;
+        for y in y0..y1 {
+            for x in x0..x1 {
+                let first = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES;
+                let samples = &self.samples[first..first + SAMPLES];
+                let pixel = self.pixel(tracer, frame, work, x, y, samples, &mut |ray, tmax| {
+                    rays += 1;
+                    frame.accel.closest(&Ray { tmax, ..*ray })
+                });
+                canvas.set(self, x, y, &pixel);
+            }
+        }
+        rays
+    }
+
+    fn pixel(
+        &self,
+        tracer: &Tracer<'_>,
+        frame: &FrameScene,
+        work: &Work,
+        x: u32,
+        y: u32,
+        samples: &[StillSample],
+        closest_moving: &mut dyn FnMut(&Ray, f32) -> Option<Hit>,
+    ) -> Pixel {
+        let uniform = self.uniform[y as usize * self.camera.size.width as usize + x as usize];
+        let beams = |s: usize, ray: &Ray| {
+            if work.beams.is_empty() {
+                Vec3A::ZERO
+            } else {
+                beams_on(tracer, frame, &work.beams, &samples[s], ray, s, self.pixel_angle)
+            }
+        };
+        let shared = if uniform { beams(0, &self.ray(x, y, 0)) } else { Vec3A::ZERO };
+        let mut covered = None;
+        let mut sum = Vec3A::ZERO;
+        for (s, still) in samples.iter().enumerate() {
+            let ray = self.ray(x, y, s);
+            let hit = if work.seen { closest_moving(&ray, still.hit.t) } else { None };
+            // What stands still wins a tie.
+            if let Some(hit) = hit.filter(|h| h.t < still.hit.t) {
+                let point = SurfacePoint::new(&frame.instances, &ray, &hit);
+                if s == 0 {
+                    let label = InstancePixel { tag: point.tag(), id: point.instance.id };
+                    covered = Some((planar_depth(&self.camera, &ray, hit.t), label));
+                }
+                sum += shade_moving(tracer, &point, s, self.pixel_angle);
+            } else {
+                let lit = if uniform { shared } else { beams(s, &ray) };
+                sum += compose(tracer, frame, work, still, &ray, s, self.pixel_angle) + lit;
+            }
+        }
+        Pixel { radiance: sum / SAMPLES as f32, covered }
+    }
+}
+
+/// A frame in the making: starts as the still picture.
+struct Canvas {
+    /// Full radiance, where the film needs all of it (glare, rain).
+    radiance: Option<Vec<Vec3A>>,
+    rgb: Vec<[u8; 3]>,
+    depth: Vec<f32>,
+    instance: Vec<InstancePixel>,
+}
+
+impl Canvas {
+    fn new(bake: &CameraBake) -> Self {
+        let whole = bake.rain.is_some() || bake.glare > 0.0;
+        Self {
+            radiance: whole.then(|| bake.radiance.clone()),
+            rgb: bake.rgb.clone(),
+            depth: bake.depth.clone(),
+            instance: bake.instance.clone(),
+        }
+    }
+
+    fn set(&mut self, bake: &CameraBake, x: u32, y: u32, pixel: &Pixel) {
+        let i = y as usize * bake.camera.size.width as usize + x as usize;
+        match &mut self.radiance {
+            Some(radiance) => radiance[i] = pixel.radiance,
+            None => self.rgb[i] = bake.tone.apply(pixel.radiance),
+        }
+        if let Some((depth, label)) = pixel.covered {
+            self.depth[i] = depth;
+            self.instance[i] = label;
+        }
+    }
+
+    /// Rain, glare and tone curve.
+    fn develop(mut self, bake: &CameraBake, frame: u32) -> SensorFrame {
+        let size = bake.camera.size;
+        if let Some(mut radiance) = self.radiance.take() {
+            if let Some(rain) = &bake.rain {
+                rain.draw(frame, &bake.camera, &self.depth, &mut radiance);
+            }
+            if bake.glare > 0.0 {
+                add_glare(size, &mut radiance, bake.glare);
+            }
+            for (rgb, &r) in self.rgb.iter_mut().zip(&radiance) {
+                *rgb = bake.tone.apply(r);
+            }
+        }
+        SensorFrame {
+            frame,
+            rgb: Image { size, data: self.rgb },
+            depth: Image { size, data: self.depth },
+            instance: Image { size, data: self.instance },
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! One sub-pixel sample of the still picture, its light taken apart by what can change it.
+
+use crate::accel::{Hit, Ray};
+use crate::light::{Environment, SUN_SAMPLES};
+use crate::material::{Look, look};
+use crate::scene::SurfacePoint;
+use crate::shade::{Tracer, footprint_m, mirror_light};
+use endless_asset::Surface;
+use glam::Vec3A;
+
+/// No instance: the sky.
+pub(super) const SKY: u32 = u32::MAX;
+
+/// What a sample saw and the parts of its radiance, fog applied, kcd/m².
+#[derive(Debug, Clone, Copy)]
+pub(super) struct StillSample {
+    pub(super) hit: Hit,
+    /// Emitted by the surface and scattered in by the air.
+    pub(super) rest: [f32; 3],
+    /// Reflected sky and bounced light; moving objects nearby darken it.
+    pub(super) ambient: [f32; 3],
+    /// By day the sun's light if nothing were in its way; at night that of all lamps, shadowed by the still town.
+    pub(super) direct: [f32; 3],
+    /// What the coat mirrors.
+    pub(super) mirror: [f32; 3],
+    /// Which directions to the sun's disc the still town leaves free, a bit each.
+    pub(super) sun_free: u8,
+    /// [`Self::MIRRORS`], [`Self::LENS`].
+    pub(super) flags: u8,
+}
+
+impl StillSample {
+    /// Its mirror is strong enough to show moving things.
+    pub(super) const MIRRORS: u8 = 1;
+    /// A traffic light's lens.
+    pub(super) const LENS: u8 = 2;
+
+    /// The open sky.
+    pub(super) fn sky(radiance: Vec3A) -> Self {
+        Self {
+            hit: Hit { t: f32::MAX, instance: SKY, triangle: 0, u: 0.0, v: 0.0 },
+            rest: radiance.to_array(),
+            ambient: [0.0; 3],
+            direct: [0.0; 3],
+            mirror: [0.0; 3],
+            sun_free: 0,
+            flags: 0,
+        }
+    }
+
+    /// Whether it saw the sky.
+    pub(super) fn is_sky(&self) -> bool {
+        self.hit.instance == SKY
+    }
+
+    /// Its radiance when nothing moves.
+    pub(super) fn still_radiance(&self, environment: &Environment) -> Vec3A {
+        self.radiance(1.0, sun_share(environment, self.sun_free), Vec3A::from(self.mirror))
+    }
+
+    /// The parts put together.
+    pub(super) fn radiance(&self, contact: f32, direct_share: f32, mirror: Vec3A) -> Vec3A {
+        Vec3A::from(self.rest) + Vec3A::from(self.ambient) * contact + Vec3A::from(self.direct) * direct_share + mirror
+    }
+}
+
+/// Share of the direct light that arrives through these free directions.
+pub(super) fn sun_share(environment: &Environment, free: u8) -> f32 {
+    if environment.night { 1.0 } else { free.count_ones() as f32 / SUN_SAMPLES as f32 }
+}
+
+/// The look of a still sample; the same wherever it is asked for.
+pub(super) fn still_look(point: &SurfacePoint<'_>, environment: &Environment, sample: usize, pixel_angle: f32) -> Look {
+    look(point, environment, footprint_m(point, pixel_angle), sample as f32 / 4.0 + 0.1)
+}
+
+/// Shades a sample of the still town; `tracer` must hold nothing that moves. `irradiance` is what the bake gathered
+/// there, klx.
+pub(super) fn shade_still(
+    tracer: &Tracer<'_>,
+    ray: &Ray,
+    hit: &Hit,
+    sun_free: u8,
+    irradiance: Vec3A,
+    sample: usize,
+    pixel_angle: f32,
+) -> StillSample {
+    let environment = tracer.environment;
+    let point = SurfacePoint::new(&tracer.still.instances, ray, hit);
+    let look = still_look(&point, environment, sample, pixel_angle);
+    let view = -ray.direction;
+    let transmittance = environment.fog.transmittance(hit.t);
+    let mirror = mirror_light(tracer, &point, &look, pixel_angle);
+    let mirrors = look.coat_reflectance(view).max_element() >= crate::shade::MIRROR_THRESHOLD;
+    let lens = matches!(point.material.surface, Surface::SignalLens(_)) && point.instance.signal.is_some();
+    let direct = if environment.night {
+        lamp_light(tracer, &point, &look, false)
+    } else {
+        environment.sun.as_ref().map_or(Vec3A::ZERO, |sun| look.lit_by(sun.illuminance, sun.direction, view))
+    };
+    let rest = look.emission * transmittance
+        + environment.fog.in_scatter(ray.direction, transmittance)
+        + halos(tracer, ray, hit.t);
+    StillSample {
+        hit: *hit,
+        rest: rest.to_array(),
+        ambient: (look.lit_by_ambient(irradiance, view) * transmittance).to_array(),
+        direct: (direct * transmittance).to_array(),
+        mirror: (mirror * transmittance).to_array(),
+        sun_free,
+        flags: u8::from(mirrors) * StillSample::MIRRORS + u8::from(lens) * StillSample::LENS,
+    }
+}
+
+/// Light of all lamps in reach, shadowed by the still town and, if asked, by what moves.
+pub(super) fn lamp_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, moving_too: bool) -> Vec3A {
+    let origin = point.ray_origin();
+    let mut sum = Vec3A::ZERO;
+    for lamp in tracer.still.lamps.near(point.position) {
+        let (illuminance, direction) = lamp.illuminance_at(point.position);
+        if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
+            continue;
+        }
+        let ray = Ray { origin, direction: lamp.position - origin, tmax: 0.999 };
+        let blocked =
+            tracer.still.accel.occluded(&ray) || moving_too && tracer.moving.is_some_and(|m| m.accel.occluded(&ray));
+        if !blocked {
+            sum += look.lit_by(illuminance, direction, -point.direction);
+        }
+    }
+    sum
+}
+
+/// Glow of lamps in misty night air along a view ray.
+pub(super) fn halos(tracer: &Tracer<'_>, ray: &Ray, distance: f32) -> Vec3A {
+    let environment = tracer.environment;
+    if !environment.night || environment.fog.extinction < 0.004 {
+        return Vec3A::ZERO;
+    }
+    let reach = distance.min(150.0);
+    tracer
+        .still
+        .lamps
+        .all()
+        .iter()
+        .filter(|lamp| lamp.position.distance_squared(ray.origin) < 140.0 * 140.0)
+        .map(|lamp| environment.fog.halo(ray.origin, ray.direction, reach, lamp.position, lamp.intensity))
+        .sum()
+}

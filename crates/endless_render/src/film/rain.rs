@@ -1,0 +1,80 @@
+//! Falling rain between the lens and the scene: short streaks, each at its own depth, behind nothing nearer.
+//!
+//! A drop is a tiny wide-angle lens: it shows the mean of what lies around (Garg and Nayar 2007), so streaks are
+//! brighter than a dark street and vanish before the sky.
+
+use endless_world::{PinholeCamera, Stream};
+use glam::{Vec2, Vec3A};
+
+/// The rain of one scene.
+#[derive(Debug, Clone)]
+pub(crate) struct Rain {
+    /// Streaks a frame.
+    pub(crate) drops: u32,
+    /// Radiance of a drop, kcd/m².
+    pub(crate) radiance: Vec3A,
+    /// Horizontal drift over fall, from wind.
+    pub(crate) slant: f32,
+    pub(crate) seed: u64,
+}
+
+/// Drops fall at about 8 m/s; the shutter is open for a sixtieth of a second.
+const STREAK_M: f32 = 0.14;
+const NEAREST_M: f32 = 1.2;
+const FARTHEST_M: f32 = 22.0;
+
+impl Rain {
+    /// Draws a frame's streaks over a picture; `depth` is planar, metres.
+    pub(crate) fn draw(&self, frame: u32, camera: &PinholeCamera, depth: &[f32], pixels: &mut [Vec3A]) {
+        let mut random = Stream::named(self.seed, "rain", &[u64::from(frame)]);
+        let (width, height) = (camera.size.width as f32, camera.size.height as f32);
+        let k = &camera.intrinsics;
+        for _ in 0..self.drops {
+            // Uniform in the volume of the view cone: z³ uniform.
+            let cube = random.range_f32(NEAREST_M.powi(3), FARTHEST_M.powi(3));
+            let z = endless_world::math::pow(cube, 1.0 / 3.0);
+            let at = Vec2::new(random.f32() * width, random.f32() * height * 1.1);
+            let length = (STREAK_M * random.range_f32(0.7, 1.3) * k.fy / z).clamp(2.0, height * 0.12);
+            let lean = self.slant + random.range_f32(-0.05, 0.05);
+            let thickness = (0.0022 * k.fx / z).clamp(0.3, 2.5);
+            let opacity = (0.30 * thickness.min(1.0)) * random.range_f32(0.5, 1.0);
+            self.streak(camera, depth, pixels, at, Vec2::new(lean, -1.0).normalize() * length, thickness, opacity, z);
+        }
+    }
+
+    fn streak(
+        &self,
+        camera: &PinholeCamera,
+        depth: &[f32],
+        pixels: &mut [Vec3A],
+        from: Vec2,
+        along: Vec2,
+        thickness: f32,
+        opacity: f32,
+        z: f32,
+    ) {
+        let (width, height) = (camera.size.width as i32, camera.size.height as i32);
+        let steps = along.length().ceil().max(1.0) as i32;
+        let half = (thickness * 0.5).max(0.5);
+        for step in 0..=steps {
+            let t = step as f32 / steps as f32;
+            let p = from + along * t;
+            // Fades towards both ends.
+            let along_fade = 1.0 - (2.0 * t - 1.0) * (2.0 * t - 1.0);
+            let y = p.y.floor() as i32;
+            let (x0, x1) = ((p.x - half).floor() as i32, (p.x + half).floor() as i32);
+            if y < 0 || y >= height {
+                continue;
+            }
+            for x in x0.max(0)..=x1.min(width - 1) {
+                let i = (y * width + x) as usize;
+                if depth[i] < z {
+                    continue;
+                }
+                let across = 1.0 - ((x as f32 + 0.5 - p.x).abs() / (half + 0.5)).min(1.0);
+                let a = opacity * along_fade * across;
+                pixels[i] = pixels[i] * (1.0 - a) + self.radiance * a;
+            }
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! A grid of irradiance probes in the air of what a camera sees: the ambient light of everything that moves.
+
+use super::harmonics::Harmonics;
+use crate::accel::Ray;
+use crate::sampling::{hammersley, rotated, sphere_direction};
+use crate::shade::{Tracer, shade_secondary};
+use crate::{light::Environment, material::noise, scene::StaticScene};
+use glam::{UVec3, Vec2, Vec3, Vec3A};
+use rayon::prelude::*;
+use std::f32::consts::PI;
+
+const SPACING_M: f32 = 4.0;
+/// Heights of the layers above the lowest ground: dense where cars and people are.
+const HEIGHTS_M: [f32; 6] = [0.7, 1.8, 3.5, 6.5, 11.0, 18.0];
+const RAYS: u32 = 192;
+
+/// The probes around one camera's view.
+pub(crate) struct ProbeGrid {
+    low: Vec2,
+    ground: f32,
+    size: UVec3,
+    probes: Vec<Probe>,
+}
+
+struct Probe {
+    light: Harmonics,
+    /// 0 inside walls, 1 in the open.
+    trust: f32,
+}
+
+impl ProbeGrid {
+    /// Bakes probes over a rectangle of ground: first light that bounced once, then twice.
+    pub(crate) fn bake(still: &StaticScene, environment: &Environment, low: Vec2, high: Vec2, ground: f32) -> Self {
+        let columns = ((high.x - low.x) / SPACING_M).ceil().max(1.0) as u32 + 1;
+        let rows = ((high.y - low.y) / SPACING_M).ceil().max(1.0) as u32 + 1;
+        let mut grid =
+            Self { low, ground, size: UVec3::new(columns, rows, HEIGHTS_M.len() as u32), probes: Vec::new() };
+        for _bounce in 0..2 {
+            let known = (!grid.probes.is_empty()).then_some(&grid);
+            let tracer = Tracer { still, moving: None, environment, probes: known };
+            let probes = (0..columns * rows * grid.size.z)
+                .into_par_iter()
+                .map(|i| {
+                    let (x, y, z) = (i % columns, i / columns % rows, i / (columns * rows));
+                    probe(&tracer, grid.position(x, y, z), i)
+                })
+                .collect();
+            grid.probes = probes;
+        }
+        grid
+    }
+
+    fn position(&self, x: u32, y: u32, z: u32) -> Vec3A {
+        Vec3A::new(
+            self.low.x + x as f32 * SPACING_M,
+            self.low.y + y as f32 * SPACING_M,
+            self.ground + HEIGHTS_M[z as usize],
+        )
+    }
+
+    /// Illuminance of a surface with this normal, klx: trilinear between the probes in the open.
+    pub(crate) fn irradiance(&self, position: Vec3A, normal: Vec3A) -> Vec3A {
+        let p = Vec3::from(position);
+        let last = self.size - UVec3::ONE;
+        let u = ((p.x - self.low.x) / SPACING_M).clamp(0.0, last.x as f32);
+        let v = ((p.y - self.low.y) / SPACING_M).clamp(0.0, last.y as f32);
+        let height = p.z - self.ground;
+        let layer = HEIGHTS_M.partition_point(|&h| h <= height).clamp(1, HEIGHTS_M.len() - 1) - 1;
+        let w = ((height - HEIGHTS_M[layer]) / (HEIGHTS_M[layer + 1] - HEIGHTS_M[layer])).clamp(0.0, 1.0);
+        let (x0, y0) = ((u as u32).min(last.x), (v as u32).min(last.y));
+        let (fx, fy) = (u - x0 as f32, v - y0 as f32);
+        let mut sum = Harmonics::ZERO;
+        let mut total = 0.0;
+        for corner in 0..8u32 {
+            let (dx, dy, dz) = (corner & 1, corner >> 1 & 1, corner >> 2);
+            let weight = (if dx == 1 { fx } else { 1.0 - fx })
+                * (if dy == 1 { fy } else { 1.0 - fy })
+                * (if dz == 1 { w } else { 1.0 - w });
+            let (x, y) = ((x0 + dx).min(last.x), (y0 + dy).min(last.y));
+            let probe = &self.probes[((layer as u32 + dz) * self.size.y * self.size.x + y * self.size.x + x) as usize];
+            let weight = weight * probe.trust + 1e-6 * weight;
+            sum.accumulate(&probe.light, weight);
+            total += weight;
+        }
+        sum.irradiance(normal) / total.max(1e-9)
+    }
+}
+
+fn probe(tracer: &Tracer<'_>, position: Vec3A, index: u32) -> Probe {
+    let mut light = Harmonics::ZERO;
+    let mut behind = 0u32;
+    let turn = Vec2::new(noise::cell1(index, 1), noise::cell1(index, 2));
+    for k in 0..RAYS {
+        let direction = sphere_direction(rotated(hammersley(k, RAYS), turn));
+        let ray = Ray { origin: position, direction, tmax: f32::MAX };
+        if let Some(struck) = tracer.closest(&ray) {
+            let point = tracer.point(&ray, &struck);
+            behind += u32::from(point.from_behind && point.material.surface != endless_asset::Surface::Foliage);
+        }
+        light.add(direction, shade_secondary(tracer, &ray, 0.6), 4.0 * PI / RAYS as f32);
+    }
+    let inside = behind as f32 / RAYS as f32;
+    Probe { light, trust: (1.0 - inside * 4.0).clamp(0.0, 1.0) }
+}

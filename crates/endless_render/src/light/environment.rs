@@ -1,0 +1,182 @@
+//! Weather and time of day as light: fifteen conditions, varied by the scene's seed within each.
+
+use super::{
+    Fog, Sky,
+    clouds::Clouds,
+    sky::{SOLAR_ILLUMINANCE_KLX, SkyParameters, sun_transmittance},
+};
+use endless_world::{Stream, TimeOfDay, Weather, math};
+use glam::{Vec2, Vec3A};
+use std::f32::consts::TAU;
+
+/// Directions towards the sun's disc that one sample tests.
+pub(crate) const SUN_SAMPLES: usize = 4;
+
+/// The sun, where it shines.
+#[derive(Debug, Clone)]
+pub(crate) struct Sun {
+    /// Towards the centre of its disc.
+    pub(crate) direction: Vec3A,
+    /// Illuminance of a surface facing it, klx a channel.
+    pub(crate) illuminance: Vec3A,
+    /// Directions over the disc: [sub-pixel sample][test].
+    pub(crate) disc: [[Vec3A; SUN_SAMPLES]; 4],
+}
+
+/// Everything about light, air and wetness in one scene.
+#[derive(Debug, Clone)]
+pub(crate) struct Environment {
+    /// `None` at night and under a closed sky.
+    pub(crate) sun: Option<Sun>,
+    pub(crate) sky: Sky,
+    pub(crate) fog: Fog,
+    /// Street lamps, windows and signs are lit.
+    pub(crate) night: bool,
+    /// 0 dry to 1 soaked.
+    pub(crate) wetness: f32,
+    /// Share of wet ground that is puddle.
+    pub(crate) puddles: f32,
+    /// Rain drops in the air, 0 to 1.
+    pub(crate) rain: f32,
+    /// How much of the middle grey the exposure aims for: night should look like night.
+    pub(crate) exposure_key: f32,
+}
+
+impl Environment {
+    /// The light of a scene.
+    pub(crate) fn new(weather: Weather, time: TimeOfDay, seed: u64) -> Self {
+        let mut random = Stream::named(seed, "environment", &[]);
+        let sun_direction = sun_direction(time, &mut random);
+        let night = time == TimeOfDay::Night;
+        let morning = time == TimeOfDay::Morning;
+        let day_light = if morning { 0.45 } else { 1.0 };
+        let glow = if night { Vec3A::new(0.0011, 0.0010, 0.0011) } else { Vec3A::ZERO };
+        let cloud_seed = Vec2::new(random.range_f32(-500.0, 500.0), random.range_f32(-500.0, 500.0));
+        let warm = if morning { Vec3A::new(1.0, 0.86, 0.72) } else { Vec3A::ONE };
+        let (turbidity, overcast, overcast_klx, cover) = match weather {
+            Weather::ClearSky => (if morning { 3.0 } else { 2.2 }, 0.0, 0.0, 0.28),
+            Weather::Cloudy => (3.0, 0.93, 17.0, 0.0),
+            Weather::Rainy => (4.0, 1.0, 8.0, 0.0),
+            Weather::Foggy => (5.0, 0.96, 12.0, 0.0),
+            Weather::AfterRain => (2.0, 0.12, 10.0, 0.55),
+        };
+        let clouds = (cover > 0.0 && !night).then(|| Clouds {
+            cover,
+            lit: warm * (9.5 * day_light),
+            dark: Vec3A::new(0.80, 0.9, 1.05) * (3.6 * day_light),
+            seed: cloud_seed,
+        });
+        let sky = Sky::new(&SkyParameters {
+            sun_direction,
+            turbidity,
+            overcast: if night { 0.0 } else { overcast },
+            overcast_klx: overcast_klx * day_light,
+            glow: glow * if matches!(weather, Weather::ClearSky) { 1.0 } else { 1.9 },
+            clouds,
+        });
+        // What clouds leave of the sun.
+        let sun_share = match weather {
+            Weather::ClearSky => 1.0,
+            Weather::AfterRain => 0.72,
+            Weather::Cloudy | Weather::Rainy | Weather::Foggy => 0.0,
+        };
+        let sun = (!night && sun_share > 0.0).then(|| Sun {
+            direction: sun_direction,
+            illuminance: sun_transmittance(sun_direction, turbidity) * (SOLAR_ILLUMINANCE_KLX * sun_share),
+            disc: sun_disc(sun_direction),
+        });
+        let visibility_m = match weather {
+            Weather::ClearSky => 14_000.0,
+            Weather::Cloudy => 7_000.0,
+            Weather::AfterRain => 9_000.0,
+            Weather::Rainy => 420.0,
+            Weather::Foggy => random.range_f32(75.0, 120.0),
+        };
+        let horizon = sky.mean;
+        let sunward = match (weather, night) {
+            (_, true) => Vec3A::ZERO,
+            (Weather::Foggy, _) => warm * horizon * if morning { 0.9 } else { 0.35 },
+            (Weather::ClearSky | Weather::AfterRain, _) => warm * horizon * 0.8,
+            _ => Vec3A::ZERO,
+        };
+        let airlight = if night {
+            // Town light scattered back by the air itself.
+            Vec3A::new(0.0042, 0.0038, 0.0035) * if weather == Weather::Foggy { 1.4 } else { 0.55 }
+        } else {
+            horizon * if weather == Weather::Foggy { 0.9 } else { 0.85 }
+        };
+        let (wetness, puddles, rain) = match weather {
+            Weather::Rainy => (1.0, 0.42, 1.0),
+            Weather::AfterRain => (0.75, 0.36, 0.0),
+            Weather::Foggy => (0.12, 0.0, 0.0),
+            Weather::ClearSky | Weather::Cloudy => (0.0, 0.0, 0.0),
+        };
+        let exposure_key = match (time, weather) {
+            (TimeOfDay::Night, _) => 0.075,
+            (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.17,
+            (TimeOfDay::Morning, Weather::Foggy) => 0.22,
+            (TimeOfDay::Morning, _) => 0.115,
+            (TimeOfDay::Afternoon, Weather::Foggy) => 0.27,
+            (TimeOfDay::Afternoon, Weather::Rainy) => 0.15,
+            (TimeOfDay::Afternoon, _) => 0.20,
+        };
+        Self {
+            sun,
+            sky,
+            fog: Fog { extinction: Fog::extinction_for_visibility(visibility_m), airlight, sunward, sun_direction },
+            night,
+            wetness,
+            puddles,
+            rain,
+            exposure_key,
+        }
+    }
+}
+
+/// Morning: low in the east; afternoon: high in the south to south-west; night: below the horizon.
+fn sun_direction(time: TimeOfDay, random: &mut Stream) -> Vec3A {
+    let (azimuth_deg, elevation_deg) = match time {
+        TimeOfDay::Morning => (random.range_f32(-25.0, 35.0), random.range_f32(11.0, 19.0)),
+        TimeOfDay::Afternoon => (random.range_f32(215.0, 285.0), random.range_f32(42.0, 60.0)),
+        TimeOfDay::Night => (random.range_f32(0.0, 360.0), -40.0),
+    };
+    let (sin_azimuth, cos_azimuth) = math::sin_cos(azimuth_deg.to_radians());
+    let (sin_elevation, cos_elevation) = math::sin_cos(elevation_deg.to_radians());
+    Vec3A::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, sin_elevation)
+}
+
+/// A sunflower over the disc, dealt out to the four sub-pixel samples. The disc is drawn half as large again as the
+/// sun's 0.27°: thin haze around it shines too.
+fn sun_disc(direction: Vec3A) -> [[Vec3A; SUN_SAMPLES]; 4] {
+    const RADIUS_RAD: f32 = 0.0070;
+    let (a, b) = direction.any_orthonormal_pair();
+    let mut disc = [[direction; SUN_SAMPLES]; 4];
+    for i in 0..SUN_SAMPLES * 4 {
+        let radius = ((i as f32 + 0.5) / (SUN_SAMPLES * 4) as f32).sqrt() * RADIUS_RAD;
+        let (sin, cos) = math::sin_cos(i as f32 * TAU * 0.618_034);
+        disc[i % 4][i / 4] = (direction + a * (radius * cos) + b * (radius * sin)).normalize();
+    }
+    disc
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn conditions_differ_as_they_should() {
+        let light = |w, t| Environment::new(w, t, 5);
+        let noon = light(Weather::ClearSky, TimeOfDay::Afternoon);
+        let dawn = light(Weather::ClearSky, TimeOfDay::Morning);
+        let (high, low) = (noon.sun.expect("sun"), dawn.sun.expect("sun"));
+        assert!(high.direction.z > 2.0 * low.direction.z);
+        assert!(low.illuminance.x / low.illuminance.z > 1.3 * high.illuminance.x / high.illuminance.z);
+        for weather in Weather::ALL {
+            let night = light(*weather, TimeOfDay::Night);
+            assert!(night.sun.is_none() && night.night);
+            assert!(night.sky.mean.y * 200.0 < light(*weather, TimeOfDay::Afternoon).sky.mean.y);
+        }
+        assert!(light(Weather::Rainy, TimeOfDay::Morning).sun.is_none());
+        assert!(light(Weather::Foggy, TimeOfDay::Morning).fog.extinction > 50.0 * noon.fog.extinction);
+    }
+}

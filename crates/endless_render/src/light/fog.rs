@@ -1,0 +1,81 @@
+//! What the air between surface and camera does: extinction and in-scattered light.
+
+use endless_world::math;
+use glam::Vec3A;
+
+/// A homogeneous medium (Beer–Lambert), with light scattered towards the viewer mostly from the sun's side.
+#[derive(Debug, Clone)]
+pub(crate) struct Fog {
+    /// 1/m.
+    pub(crate) extinction: f32,
+    /// Radiance of infinitely deep air, kcd/m².
+    pub(crate) airlight: Vec3A,
+    /// Extra radiance towards the sun.
+    pub(crate) sunward: Vec3A,
+    /// Towards the sun.
+    pub(crate) sun_direction: Vec3A,
+}
+
+impl Fog {
+    /// Extinction at which contrast falls to 2 % over this distance (Koschmieder 1924).
+    pub(crate) fn extinction_for_visibility(visibility_m: f32) -> f32 {
+        3.912 / visibility_m
+    }
+
+    /// Share of light left after a distance.
+    #[inline]
+    pub(crate) fn transmittance(&self, distance_m: f32) -> f32 {
+        math::exp(-self.extinction * distance_m)
+    }
+
+    /// Light scattered into a view ray along a distance.
+    #[inline]
+    pub(crate) fn in_scatter(&self, direction: Vec3A, transmittance: f32) -> Vec3A {
+        let cosine = direction.dot(self.sun_direction).max(0.0);
+        let lobe = cosine * cosine;
+        (self.airlight + self.sunward * (lobe * lobe * lobe)) * (1.0 - transmittance)
+    }
+
+    /// Radiance seen through the air in front of something.
+    #[inline]
+    pub(crate) fn through(&self, radiance: Vec3A, direction: Vec3A, distance_m: f32) -> Vec3A {
+        let t = self.transmittance(distance_m);
+        radiance * t + self.in_scatter(direction, t)
+    }
+
+    /// Light of a lamp scattered into a view ray (single scattering, isotropic; the closed form of the airlight
+    /// integral without extinction, as in Sun, Ramamoorthi, Narasimhan, Nayar 2005).
+    pub(crate) fn halo(
+        &self,
+        origin: Vec3A,
+        direction: Vec3A,
+        distance_m: f32,
+        lamp: Vec3A,
+        intensity: Vec3A,
+    ) -> Vec3A {
+        let to_lamp = lamp - origin;
+        let along = to_lamp.dot(direction);
+        let aside = (to_lamp.length_squared() - along * along).max(0.04).sqrt();
+        let swept = math::atan2(distance_m - along, aside) + math::atan2(along, aside);
+        let reach = along.clamp(0.0, distance_m);
+        intensity * (self.extinction * swept / (4.0 * std::f32::consts::PI * aside) * self.transmittance(reach))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn far_things_take_the_colour_of_the_air() {
+        let fog = Fog {
+            extinction: Fog::extinction_for_visibility(100.0),
+            airlight: Vec3A::splat(2.0),
+            sunward: Vec3A::ZERO,
+            sun_direction: Vec3A::Z,
+        };
+        assert!((fog.transmittance(100.0) - 0.02).abs() < 1e-3);
+        assert!((fog.through(Vec3A::ZERO, Vec3A::X, 1000.0) - fog.airlight).length() < 1e-3);
+        assert_eq!(fog.through(Vec3A::ONE, Vec3A::X, 0.0), Vec3A::ONE);
+    }
+}

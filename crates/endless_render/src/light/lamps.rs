@@ -1,0 +1,119 @@
+//! Street lamps: many small lights in a grid, so that a point asks only those that reach it.
+
+use endless_town::Lamp;
+use endless_world::math;
+use glam::{Vec2, Vec3A};
+
+/// Beyond this a lamp's light is nothing.
+const RANGE_M: f32 = 32.0;
+const CELL_M: f32 = 16.0;
+
+/// One street lamp.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LampLight {
+    /// Just below the lens.
+    pub(crate) position: Vec3A,
+    /// Luminous intensity straight down, kcd a channel.
+    pub(crate) intensity: Vec3A,
+}
+
+impl LampLight {
+    /// Illuminance of a surface facing the lamp, klx a channel: inverse square, batwing distribution with a cut-off
+    /// towards the horizon, faded out at the end of its range.
+    #[inline]
+    pub(crate) fn illuminance_at(&self, point: Vec3A) -> (Vec3A, Vec3A) {
+        let to_lamp = self.position - point;
+        let distance_squared = to_lamp.length_squared().max(0.01);
+        if distance_squared > RANGE_M * RANGE_M {
+            return (Vec3A::ZERO, Vec3A::Z);
+        }
+        let distance = distance_squared.sqrt();
+        let direction = to_lamp / distance;
+        let down = direction.z;
+        // Street luminaires throw more light aside than down: about 1 / cos² up to 65°, none above 80°.
+        let batwing = (1.0 / (down * down).max(0.16)).min(2.6) * math::smoothstep(0.10, 0.42, down);
+        let q = distance_squared / (RANGE_M * RANGE_M);
+        let window = (1.0 - q * q).max(0.0);
+        (self.intensity * (batwing * window * window / distance_squared), direction)
+    }
+}
+
+/// All lamps of a town.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Lamps {
+    lights: Vec<LampLight>,
+    low: Vec2,
+    columns: usize,
+    rows: usize,
+    /// Lamps in reach of each cell, ascending.
+    cells: Vec<Vec<u16>>,
+}
+
+impl Lamps {
+    /// Indexes a town's lamps.
+    pub(crate) fn new(lamps: &[Lamp]) -> Self {
+        let lights: Vec<LampLight> = lamps
+            .iter()
+            .map(|l| LampLight {
+                position: Vec3A::from(l.position) - Vec3A::Z * 0.12,
+                intensity: Vec3A::from_array(l.color) * (l.intensity_cd * 1e-3),
+            })
+            .collect();
+        let Some(first) = lights.first() else { return Self::default() };
+        let flat = |l: &LampLight| Vec2::new(l.position.x, l.position.y);
+        let (low, high) = lights.iter().fold((flat(first), flat(first)), |(a, b), l| (a.min(flat(l)), b.max(flat(l))));
+        let (low, high) = (low - RANGE_M, high + RANGE_M);
+        let size = ((high - low) / CELL_M).ceil();
+        let (columns, rows) = (size.x as usize, size.y as usize);
+        let mut cells = vec![Vec::new(); columns * rows];
+        for (i, light) in lights.iter().enumerate() {
+            for row in 0..rows {
+                for column in 0..columns {
+                    let cell_low = low + Vec2::new(column as f32, row as f32) * CELL_M;
+                    let nearest = flat(light).clamp(cell_low, cell_low + CELL_M);
+                    if nearest.distance(flat(light)) < RANGE_M {
+                        cells[row * columns + column].push(i as u16);
+                    }
+                }
+            }
+        }
+        Self { lights, low, columns, rows, cells }
+    }
+
+    /// Lamps that may reach a point.
+    pub(crate) fn near(&self, point: Vec3A) -> impl Iterator<Item = &LampLight> {
+        let cell = ((Vec2::new(point.x, point.y) - self.low) / CELL_M).floor();
+        let inside =
+            cell.x >= 0.0 && cell.y >= 0.0 && (cell.x as usize) < self.columns && (cell.y as usize) < self.rows;
+        let list: &[u16] = if inside { &self.cells[cell.y as usize * self.columns + cell.x as usize] } else { &[] };
+        list.iter().map(|&i| &self.lights[usize::from(i)])
+    }
+
+    /// All of them.
+    pub(crate) fn all(&self) -> &[LampLight] {
+        &self.lights
+    }
+
+    /// How far a lamp reaches, metres.
+    pub(crate) const fn range_m() -> f32 {
+        RANGE_M
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn a_lamp_follows_the_inverse_square() {
+        let lamps = Lamps::new(&[Lamp { position: Vec3::new(0.0, 0.0, 8.12), color: [1.0; 3], intensity_cd: 5000.0 }]);
+        let at = |z: f32| {
+            lamps.near(Vec3A::new(0.0, 0.0, z)).map(|l| l.illuminance_at(Vec3A::new(0.0, 0.0, z)).0.x).sum::<f32>()
+        };
+        // 5 kcd at 4 m and at 8 m: a quarter (the range window takes less than 1 %).
+        assert!((at(4.0) / at(0.0) - 4.0).abs() < 0.05);
+        assert!((at(0.0) - 5.0 / 64.0).abs() < 0.001);
+        assert!(lamps.near(Vec3A::new(500.0, 0.0, 0.0)).next().is_none());
+    }
+}

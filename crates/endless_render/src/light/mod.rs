@@ -1,0 +1,14 @@
+//! Where light comes from: sun, sky, lamps, headlights; and what the air does to it.
+
+mod beams;
+mod clouds;
+mod environment;
+mod fog;
+mod lamps;
+mod sky;
+
+pub(crate) use beams::{Beam, BeamKind};
+pub(crate) use environment::{Environment, SUN_SAMPLES};
+pub(crate) use fog::Fog;
+pub(crate) use lamps::Lamps;
+pub(crate) use sky::Sky;

@@ -1,0 +1,252 @@
+//! The sky's radiance in every direction, as a table made once a scene.
+//!
+//! Clear sky: single scattering in an exponential Rayleigh and Mie atmosphere (Nishita, Sirai, Tadamura, Nakamae 1993),
+//! with the coefficients of Bruneton and Neyret 2008, plus a uniform share of the light for the further orders of
+//! scattering that the integral leaves out. Overcast sky: the CIE standard overcast luminance distribution
+//! (Moon and Spencer 1942). Radiance in kcd/m² per linear RGB channel.
+
+use super::clouds::Clouds;
+use endless_world::math;
+use glam::Vec3A;
+use std::f32::consts::{PI, TAU};
+
+const WIDTH: usize = 512;
+const HEIGHT: usize = 256;
+
+const EARTH_RADIUS_M: f32 = 6_360_000.0;
+const ATMOSPHERE_RADIUS_M: f32 = 6_420_000.0;
+const RAYLEIGH_SCALE_M: f32 = 8_000.0;
+const MIE_SCALE_M: f32 = 1_200.0;
+/// Scattering coefficients at sea level for 680, 550 and 440 nm, 1/m.
+const RAYLEIGH_BETA: Vec3A = Vec3A::new(5.8e-6, 13.5e-6, 33.1e-6);
+/// Ozone absorbs green and red: keeps the twilight sky blue. 1/m at its share of the Rayleigh profile.
+const OZONE_BETA: Vec3A = Vec3A::new(0.65e-6, 1.88e-6, 0.085e-6);
+const MIE_ANISOTROPY: f32 = 0.76;
+/// Illuminance of the sun outside the atmosphere, klx.
+pub(crate) const SOLAR_ILLUMINANCE_KLX: f32 = 128.0;
+
+/// Sky radiance by direction: equirectangular, upper hemisphere only.
+#[derive(Debug, Clone)]
+pub(crate) struct Sky {
+    table: Vec<Vec3A>,
+    /// Mean radiance of the upper hemisphere.
+    pub(crate) mean: Vec3A,
+}
+
+/// What the sky is made of.
+#[derive(Debug, Clone)]
+pub(crate) struct SkyParameters {
+    /// Towards the sun; below the horizon at night.
+    pub(crate) sun_direction: Vec3A,
+    /// Aerosols, relative to clean air (1).
+    pub(crate) turbidity: f32,
+    /// 0: clear sky model only; 1: CIE overcast only.
+    pub(crate) overcast: f32,
+    /// Horizontal illuminance of the fully overcast sky, klx.
+    pub(crate) overcast_klx: f32,
+    /// Light that a town throws into its night sky: radiance at the horizon, kcd/m².
+    pub(crate) glow: Vec3A,
+    /// Broken clouds over the clear part.
+    pub(crate) clouds: Option<Clouds>,
+}
+
+impl Sky {
+    /// Tabulates the sky.
+    pub(crate) fn new(parameters: &SkyParameters) -> Self {
+        let mut table = Vec::with_capacity(WIDTH * HEIGHT);
+        for row in 0..HEIGHT {
+            for column in 0..WIDTH {
+                table.push(parameters.radiance(direction_of(column as f32 + 0.5, row as f32 + 0.5)));
+            }
+        }
+        let (mut sum, mut solid_angle) = (Vec3A::ZERO, 0.0);
+        for (row, line) in table.chunks_exact(WIDTH).enumerate() {
+            let weight = math::sin(elevation_of(row as f32 + 1.0)) - math::sin(elevation_of(row as f32));
+            sum += line.iter().copied().sum::<Vec3A>() * weight;
+            solid_angle += weight * WIDTH as f32;
+        }
+        Self { table, mean: sum / solid_angle }
+    }
+
+    /// Radiance from a direction, kcd/m²; below the horizon, that of the horizon.
+    pub(crate) fn radiance(&self, direction: Vec3A) -> Vec3A {
+        let azimuth = math::atan2(direction.y, direction.x);
+        let elevation = math::asin(direction.z.clamp(0.0, 1.0));
+        let x = (azimuth / TAU + 0.5) * WIDTH as f32 - 0.5;
+        // Rows crowd at the horizon: row ∝ sqrt(elevation).
+        let y = ((elevation / (PI / 2.0)).sqrt() * HEIGHT as f32 - 0.5).clamp(0.0, (HEIGHT - 1) as f32);
+        let (x0, y0) = (x.floor(), y.floor());
+        let (fx, fy) = (x - x0, y - y0);
+        let column = |i: f32| (i as i32).rem_euclid(WIDTH as i32) as usize;
+        let (c0, c1) = (column(x0), column(x0 + 1.0));
+        let (r0, r1) = (y0 as usize, (y0 as usize + 1).min(HEIGHT - 1));
+        let at = |c: usize, r: usize| self.table[r * WIDTH + c];
+        at(c0, r0).lerp(at(c1, r0), fx).lerp(at(c0, r1).lerp(at(c1, r1), fx), fy)
+    }
+
+    /// Illuminance on a horizontal plane, klx, by quadrature over the table.
+    #[cfg(test)]
+    pub(crate) fn horizontal_illuminance(&self) -> Vec3A {
+        let mut sum = Vec3A::ZERO;
+        for (row, line) in self.table.chunks_exact(WIDTH).enumerate() {
+            let (low, high) = (elevation_of(row as f32), elevation_of(row as f32 + 1.0));
+            // ∫ sin cos over the row's elevations.
+            let weight = (math::sin(high) * math::sin(high) - math::sin(low) * math::sin(low)) / 2.0;
+            sum += line.iter().copied().sum::<Vec3A>() * (weight * TAU / WIDTH as f32);
+        }
+        sum
+    }
+}
+
+fn elevation_of(row: f32) -> f32 {
+    let t = row / HEIGHT as f32;
+    t * t * (PI / 2.0)
+}
+
+fn direction_of(column: f32, row: f32) -> Vec3A {
+    let (sin_azimuth, cos_azimuth) = math::sin_cos((column / WIDTH as f32 - 0.5) * TAU);
+    let (sin_elevation, cos_elevation) = math::sin_cos(elevation_of(row));
+    Vec3A::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, sin_elevation)
+}
+
+impl SkyParameters {
+    fn radiance(&self, direction: Vec3A) -> Vec3A {
+        let mut clear = Vec3A::ZERO;
+        if self.overcast < 1.0 {
+            clear = single_scattering(direction, self.sun_direction, self.turbidity);
+            if let Some(clouds) = &self.clouds {
+                clear = clouds.over(clear, direction, self.sun_direction);
+            }
+        }
+        // CIE overcast: L = Lz (1 + 2 sin e) / 3, and E = 7 π Lz / 9.
+        let zenith = self.overcast_klx * 9.0 / (7.0 * PI);
+        let grey = Vec3A::new(0.95, 1.0, 1.08) * (zenith * (1.0 + 2.0 * direction.z) / 3.0);
+        let horizon = (1.0 - direction.z).max(0.0);
+        clear.lerp(grey, self.overcast) + self.glow * (0.25 + 0.75 * horizon * horizon * horizon)
+    }
+}
+
+/// Distance from inside to the sphere of this radius around the Earth's centre.
+fn to_shell(origin: Vec3A, direction: Vec3A, radius: f32) -> f32 {
+    // In double precision: the Earth's radius squared leaves no digits for a street in single.
+    let b = f64::from(origin.dot(direction));
+    let c = f64::from(origin.length()).powi(2) - f64::from(radius).powi(2);
+    ((b * b - c).max(0.0).sqrt() - b) as f32
+}
+
+fn optical_depth(origin: Vec3A, direction: Vec3A, steps: u32) -> (f32, f32) {
+    let length = to_shell(origin, direction, ATMOSPHERE_RADIUS_M);
+    let step = length / steps as f32;
+    let (mut rayleigh, mut mie) = (0.0, 0.0);
+    for i in 0..steps {
+        let height = (origin + direction * ((i as f32 + 0.5) * step)).length() - EARTH_RADIUS_M;
+        rayleigh += math::exp(-height / RAYLEIGH_SCALE_M) * step;
+        mie += math::exp(-height / MIE_SCALE_M) * step;
+    }
+    (rayleigh, mie)
+}
+
+fn mie_beta(turbidity: f32) -> f32 {
+    4.0e-6 * turbidity
+}
+
+fn extinction(rayleigh: f32, mie: f32, turbidity: f32) -> Vec3A {
+    let tau = (RAYLEIGH_BETA + OZONE_BETA) * rayleigh + Vec3A::splat(1.11 * mie_beta(turbidity) * mie);
+    Vec3A::new(math::exp(-tau.x), math::exp(-tau.y), math::exp(-tau.z))
+}
+
+/// Share of the sunlight that reaches the ground, per channel.
+pub(crate) fn sun_transmittance(sun_direction: Vec3A, turbidity: f32) -> Vec3A {
+    let (rayleigh, mie) = optical_depth(Vec3A::new(0.0, 0.0, EARTH_RADIUS_M + 10.0), sun_direction, 32);
+    extinction(rayleigh, mie, turbidity)
+}
+
+fn single_scattering(direction: Vec3A, sun: Vec3A, turbidity: f32) -> Vec3A {
+    if sun.z < -0.12 {
+        return Vec3A::ZERO;
+    }
+    const STEPS: u32 = 16;
+    let origin = Vec3A::new(0.0, 0.0, EARTH_RADIUS_M + 10.0);
+    let direction = Vec3A::new(direction.x, direction.y, direction.z.max(0.004)).normalize();
+    let length = to_shell(origin, direction, ATMOSPHERE_RADIUS_M);
+    let cosine = direction.dot(sun);
+    let rayleigh_phase = 3.0 / (16.0 * PI) * (1.0 + cosine * cosine);
+    let g = MIE_ANISOTROPY;
+    let mie_phase = 3.0 / (8.0 * PI) * (1.0 - g * g) * (1.0 + cosine * cosine)
+        / ((2.0 + g * g) * math::pow((1.0 + g * g - 2.0 * g * cosine).max(1e-4), 1.5));
+    let (mut depth_rayleigh, mut depth_mie) = (0.0, 0.0);
+    let mut in_scattered = Vec3A::ZERO;
+    let mut from = 0.0;
+    for i in 0..STEPS {
+        // Steps grow with distance: air is dense near the ground.
+        let t = (i + 1) as f32 / STEPS as f32;
+        let to = length * t * t;
+        let (step, middle) = (to - from, (to + from) / 2.0);
+        from = to;
+        let point = origin + direction * middle;
+        let height = (point.length() - EARTH_RADIUS_M).max(0.0);
+        let (rho_rayleigh, rho_mie) =
+            (math::exp(-height / RAYLEIGH_SCALE_M) * step, math::exp(-height / MIE_SCALE_M) * step);
+        depth_rayleigh += rho_rayleigh;
+        depth_mie += rho_mie;
+        let (sun_rayleigh, sun_mie) = optical_depth(point, sun, 6);
+        let light = extinction(depth_rayleigh + sun_rayleigh, depth_mie + sun_mie, turbidity);
+        let single =
+            RAYLEIGH_BETA * (rho_rayleigh * rayleigh_phase) + Vec3A::splat(mie_beta(turbidity) * rho_mie * mie_phase);
+        // Further orders: nearly isotropic, about as much again as the first.
+        let multiple =
+            (RAYLEIGH_BETA * rho_rayleigh + Vec3A::splat(mie_beta(turbidity) * rho_mie)) * (0.85 / (4.0 * PI));
+        in_scattered += light * (single + multiple);
+    }
+    in_scattered * SOLAR_ILLUMINANCE_KLX
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn clear(elevation_rad: f32) -> SkyParameters {
+        SkyParameters {
+            sun_direction: Vec3A::new(math::cos(elevation_rad), 0.0, math::sin(elevation_rad)),
+            turbidity: 2.0,
+            overcast: 0.0,
+            overcast_klx: 0.0,
+            glow: Vec3A::ZERO,
+            clouds: None,
+        }
+    }
+
+    fn luminance(c: Vec3A) -> f32 {
+        c.dot(Vec3A::new(0.2126, 0.7152, 0.0722))
+    }
+
+    #[test]
+    fn clear_sky_illuminance_is_as_outdoors() {
+        // Diffuse horizontal illuminance of clear skies: about 6-10 klx at 20° and 10-18 klx at 60° (CIE 108).
+        let low = luminance(Sky::new(&clear(20f32.to_radians())).horizontal_illuminance());
+        let high = luminance(Sky::new(&clear(60f32.to_radians())).horizontal_illuminance());
+        assert!((4.0..14.0).contains(&low), "{low}");
+        assert!((8.0..24.0).contains(&high), "{high}");
+        assert!(high > low);
+    }
+
+    #[test]
+    fn low_sun_is_warm_and_weak() {
+        let high = sun_transmittance(Vec3A::new(0.0, 0.5, 0.87), 2.0);
+        let low = sun_transmittance(Vec3A::new(0.0, 0.98, 0.2).normalize(), 2.0);
+        assert!(luminance(low) < luminance(high) && low.x / low.z > high.x / high.z * 1.3);
+    }
+
+    #[test]
+    fn overcast_sky_gives_its_illuminance() {
+        let sky = Sky::new(&SkyParameters { overcast: 1.0, overcast_klx: 10.0, ..clear(0.5) });
+        assert!((luminance(sky.horizontal_illuminance()) - 10.0).abs() < 0.2);
+    }
+
+    #[test]
+    fn the_blue_sky_is_blue() {
+        let sky = Sky::new(&clear(0.9));
+        let zenith = sky.radiance(Vec3A::Z);
+        assert!(zenith.z > zenith.y && zenith.y > zenith.x);
+    }
+}

@@ -1,0 +1,89 @@
+//! Walls and roofs; uv is in metres along and up.
+
+use super::{Look, noise};
+use crate::scene::SurfacePoint;
+use endless_world::math::smoothstep;
+use glam::{Vec2, Vec3A};
+
+/// Dirt that rain leaves on a wall: streaks downwards, a splash zone at the foot.
+fn weathering(point: &SurfacePoint<'_>, footprint: f32) -> f32 {
+    let p = point.position;
+    let along = p.x * point.geometric_normal.y.abs() + p.y * point.geometric_normal.x.abs();
+    let streaks = noise::filtered_fbm2(Vec2::new(along, p.z * 0.12), 0.6, 4, footprint);
+    let broad = noise::filtered_fbm2(Vec2::new(along, p.z), 3.5, 4, footprint);
+    let foot = 0.82 + 0.18 * smoothstep(0.1, 0.9, p.z + 0.25 * broad);
+    (1.0 + 0.16 * streaks + 0.14 * broad) * foot
+}
+
+/// Offset and share of a running bond: (distance to the nearest joint, brick cell).
+fn bond(uv: Vec2, size: Vec2) -> (f32, glam::IVec2) {
+    let row = (uv.y / size.y).floor();
+    let shifted = Vec2::new(uv.x / size.x + 0.5 * (row - 2.0 * (row * 0.5).floor()), uv.y / size.y);
+    let cell = shifted.floor();
+    let local = (shifted - cell) * size;
+    (local.min(size - local).min_element(), cell.as_ivec2())
+}
+
+pub(super) fn brick(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let (edge, cell) = bond(point.uv, Vec2::new(0.25, 0.075));
+    let seen = (0.05 / footprint.max(1e-3)).min(1.0);
+    let each = Vec3A::ONE.lerp(noise::tint(cell, 61, 0.28), seen);
+    let mortar = (1.0 - smoothstep(0.005, 0.005 + footprint.max(0.004), edge)) * seen + 0.16 * (1.0 - seen);
+    let body = base * each * weathering(point, footprint);
+    Look::matte(body.lerp(Vec3A::new(0.42, 0.40, 0.37), mortar * 0.8), point.normal)
+}
+
+pub(super) fn plaster(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let fine = 1.0 + 0.06 * noise::filtered_fbm2(point.uv, 0.12, 3, footprint);
+    Look::matte(base * (fine * weathering(point, footprint)), point.normal)
+}
+
+pub(super) fn stone(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let (edge, cell) = bond(point.uv, Vec2::new(0.8, 0.4));
+    let joint = 1.0 - smoothstep(0.008, 0.008 + footprint.max(0.006), edge);
+    let each = noise::tint(cell, 62, 0.12);
+    Look::matte(base * each * (weathering(point, footprint) * (1.0 - 0.4 * joint)), point.normal)
+}
+
+pub(super) fn cladding(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let (edge, cell) = {
+        let size = Vec2::new(1.2, 0.9);
+        let cell = (point.uv / size).floor();
+        let local = point.uv - cell * size;
+        (local.min(size - local).min_element(), cell.as_ivec2())
+    };
+    let seam = 1.0 - smoothstep(0.006, 0.006 + footprint.max(0.006), edge);
+    let each = 1.0 + (noise::cell2(cell, 63) - 0.5) * 0.08;
+    let mut look = Look::matte(base * (each * weathering(point, footprint) * (1.0 - 0.5 * seam)), point.normal);
+    look.roughness = 0.4;
+    look.specular = 0.045;
+    look
+}
+
+pub(super) fn roof_tile(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let size = Vec2::new(0.24, 0.32);
+    let cell = (point.uv / size).floor();
+    let local = point.uv / size - cell;
+    let seen = (0.12 / footprint.max(1e-3)).min(1.0);
+    let shade = 1.0 - 0.35 * seen * (1.0 - smoothstep(0.0, 0.22, local.y)) - 0.25 * seen * (local.x * 2.0 - 1.0).abs();
+    let each = noise::tint(cell.as_ivec2(), 64, 0.18 * seen);
+    let moss = smoothstep(0.25, 0.6, noise::filtered_fbm2(point.uv, 2.2, 4, footprint));
+    let color = (base * each).lerp(Vec3A::new(0.12, 0.13, 0.08), moss * 0.5);
+    Look::matte(color * (shade + 0.1), point.normal)
+}
+
+pub(super) fn flat_roof(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = Vec2::new(point.position.x, point.position.y);
+    let tone = 1.0 + 0.3 * noise::filtered_fbm2(p, 4.0, 5, footprint);
+    Look::matte(base * tone, point.normal)
+}
+
+pub(super) fn wood(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let board = (point.uv.x / 0.14).floor();
+    let local = point.uv.x / 0.14 - board;
+    let seen = (0.05 / footprint.max(1e-3)).min(1.0);
+    let gap = seen * (1.0 - smoothstep(0.0, 0.08, local.min(1.0 - local)));
+    let each = noise::tint(glam::IVec2::new(board as i32, 0), 65, 0.2 * seen);
+    let grain = 1.0 + 0.25 * noise::filtered_fbm2(point.uv * Vec2::new(1.0, 0.07), 0.06, 3, footprint);
+    Look::matte(base * each * (grain * (1.0 - 0.6 * gap)), point.normal)
+}

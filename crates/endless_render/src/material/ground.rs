@@ -1,0 +1,141 @@
+//! Ground: asphalt, paint on it, slabs, kerbs, concrete, lawn, earth.
+
+use super::{Look, noise};
+use crate::scene::SurfacePoint;
+use endless_world::math::smoothstep;
+use glam::{IVec2, Vec2, Vec3A};
+
+fn plan(point: &SurfacePoint<'_>) -> Vec2 {
+    Vec2::new(point.position.x, point.position.y)
+}
+
+/// 1 on a line `width` wide around `distance` = 0, blurred by the footprint.
+fn line(distance: f32, width: f32, footprint: f32) -> f32 {
+    let blur = footprint.max(0.002);
+    let coverage = (width / (width + blur)).min(1.0);
+    (1.0 - smoothstep(width * 0.5, width * 0.5 + blur, distance)) * coverage
+}
+
+/// Brightness of asphalt at a place, around 1: mixes, patches, cracks, tyre tracks, oil.
+fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
+    let broad = noise::filtered_fbm2(p, 11.0, 4, footprint);
+    let grain = noise::filtered_fbm2(p, 0.05, 3, footprint);
+    let mut tone = 1.0 + 0.22 * broad + 0.35 * grain;
+    // Repairs: rectangles of newer asphalt with a tar seam around.
+    let block = Vec2::new(5.3, 3.1);
+    let shifted = p + Vec2::new(noise::value2(p * 0.05, 5), noise::value2(p * 0.05, 6)) * 0.4;
+    let cell = (shifted / block).floor();
+    let id = cell.as_ivec2();
+    if noise::cell2(id, 71) < 0.16 {
+        let local = (shifted / block - cell) * block;
+        let low = Vec2::new(noise::cell2(id, 72), noise::cell2(id, 73)) * 1.2 + 0.15;
+        let high = block - Vec2::new(noise::cell2(id, 74), noise::cell2(id, 75)) * 1.2 - 0.15;
+        let inside = (local - low).min(high - local).min_element();
+        let newer = smoothstep(-footprint, footprint.max(0.01), inside);
+        tone *= 1.0 - newer * (0.10 + 0.22 * noise::cell2(id, 76));
+        tone *= 1.0 - 0.45 * line((inside - 0.02).abs(), 0.05, footprint);
+    }
+    // Cracks along the borders of a cell pattern, where the surface is old.
+    let old = smoothstep(0.05, 0.35, noise::value2(p * 0.11, 9));
+    if old > 0.0 && footprint < 0.15 {
+        let wobble = Vec2::new(noise::value2(p * 1.7, 11), noise::value2(p * 1.7, 12)) * 0.22;
+        let (first, second, _) = noise::cells2((p + wobble) / 1.9, 13);
+        tone *= 1.0 - 0.5 * old * line((second - first) * 1.9, 0.016, footprint);
+    }
+    // Wheel paths polish and darken; oil drips between them.
+    let lateral = uv.y;
+    if lateral.abs() < 2.2 {
+        let path = 1.0 - smoothstep(0.15, 0.55, (lateral.abs() - 0.78).abs());
+        let drip = 1.0 - smoothstep(0.05, 0.45, lateral.abs());
+        let spots = smoothstep(0.1, 0.7, noise::filtered_fbm2(p, 0.9, 3, footprint) + 0.3);
+        tone *= 1.0 - 0.13 * path - 0.16 * drip * spots;
+    }
+    let stain = smoothstep(0.42, 0.62, noise::filtered_fbm2(p + 40.0, 2.4, 3, footprint));
+    tone * (1.0 - 0.22 * stain)
+}
+
+fn bumped(normal: Vec3A, p: Vec2, wavelength: f32, strength: f32, footprint: f32) -> Vec3A {
+    let keep = (wavelength / footprint.max(1e-4) * 0.5 - 0.5).clamp(0.0, 1.0) * strength;
+    if keep == 0.0 {
+        return normal;
+    }
+    let q = p / wavelength;
+    (normal + Vec3A::new(noise::value2(q, 21), noise::value2(q, 22), 0.0) * keep).normalize()
+}
+
+pub(super) fn asphalt(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = plan(point);
+    let tone = asphalt_tone(p, point.uv, footprint);
+    let mut look = Look::matte(base * tone, bumped(point.normal, p, 0.03, 0.10, footprint));
+    look.roughness = 0.72;
+    look.specular = 0.035;
+    look
+}
+
+pub(super) fn road_paint(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = plan(point);
+    let tone = asphalt_tone(p, Vec2::new(0.0, 9.0), footprint);
+    let wear = noise::filtered_fbm2(p, 0.7, 5, footprint) + 0.25 * noise::value2(p * 0.2, 33);
+    let gone = smoothstep(0.18, 0.42, wear) * 0.75;
+    let dirty = base * (0.86 + 0.14 * tone) * (1.0 - 0.12 * noise::value2(p * 0.9, 35).max(0.0));
+    let mut look = Look::matte(dirty.lerp(Vec3A::splat(0.085) * tone, gone), point.normal);
+    look.roughness = 0.6;
+    look
+}
+
+pub(super) fn paving(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = plan(point);
+    const SLAB: Vec2 = Vec2::new(0.6, 0.4);
+    // Half-bond: every other row shifted by half a slab.
+    let row = (p.y / SLAB.y).floor();
+    let shifted = Vec2::new(p.x / SLAB.x + 0.5 * (row - 2.0 * (row * 0.5).floor()), p.y / SLAB.y);
+    let cell = shifted.floor();
+    let local = (shifted - cell) * SLAB;
+    let edge = local.min(SLAB - local).min_element();
+    let visible = (0.5 / footprint.max(0.01) * 0.25).min(1.0);
+    let slab = 1.0 + (noise::cell2(cell.as_ivec2(), 41) - 0.5) * 0.22 * visible;
+    let joint = line(edge, 0.012, footprint);
+    let stain = 1.0 + 0.22 * noise::filtered_fbm2(p, 3.1, 5, footprint);
+    let gum = {
+        let (first, _, id) = noise::cells2(p / 0.8, 43);
+        if id < 0.25 && footprint < 0.05 { 0.35 * (1.0 - smoothstep(0.02, 0.035, first * 0.8)) } else { 0.0 }
+    };
+    Look::matte(base * (slab * stain * (1.0 - 0.5 * joint) * (1.0 - gum)), point.normal)
+}
+
+pub(super) fn kerb(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = plan(point);
+    let along = p.x * point.normal.y.abs().max(0.3) + p.y * point.normal.x.abs().max(0.3);
+    let joint = line((along - (along + 0.5).floor()).abs(), 0.015, footprint);
+    let grime = 1.0 + 0.3 * noise::filtered_fbm2(p, 1.3, 5, footprint);
+    let splash = 0.72 + 0.28 * smoothstep(0.0, 0.14, point.position.z);
+    Look::matte(base * (grime * splash * (1.0 - 0.45 * joint)), point.normal)
+}
+
+pub(super) fn concrete(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = plan(point) + point.position.z * Vec2::new(0.37, 0.91);
+    let tone = 1.0 + 0.25 * noise::filtered_fbm2(p, 2.7, 6, footprint);
+    Look::matte(base * tone, point.normal)
+}
+
+pub(super) fn grass(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = plan(point);
+    let broad = noise::filtered_fbm2(p, 7.0, 4, footprint);
+    let tuft = noise::filtered_fbm2(p, 0.35, 4, footprint);
+    let blades = noise::filtered_fbm2(p * Vec2::new(1.0, 0.6), 0.05, 3, footprint);
+    let dry = smoothstep(0.1, 0.6, noise::filtered_fbm2(p + 90.0, 5.0, 3, footprint) + 0.15 * tuft);
+    let green = base * (1.0 + 0.25 * broad + 0.5 * tuft + 0.7 * blades);
+    let straw = Vec3A::new(0.22, 0.19, 0.085) * (1.0 + 0.4 * blades);
+    let mut look = Look::matte(green.lerp(straw, dry * 0.55), bumped(point.normal, p, 0.12, 0.5, footprint));
+    look.roughness = 0.8;
+    look
+}
+
+pub(super) fn loose(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = plan(point);
+    let tone = 1.0 + 0.35 * noise::filtered_fbm2(p, 2.0, 7, footprint);
+    let (_, _, id) = noise::cells2(p / 0.035, 51);
+    let pebble = 1.0 + (id - 0.5) * 0.5 * (0.03 / footprint.max(1e-3)).min(1.0);
+    let tint = noise::tint(IVec2::new((p.x / 3.0) as i32, 0), 52, 0.02);
+    Look::matte(base * tint * (tone * pebble), bumped(point.normal, p, 0.06, 0.4, footprint))
+}

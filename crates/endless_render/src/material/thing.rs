@@ -1,0 +1,97 @@
+//! Vehicles, plants, poles, lights.
+
+use super::{Look, noise};
+use crate::light::Environment;
+use crate::scene::SurfacePoint;
+use endless_asset::LightSlot;
+use endless_world::VehicleLights;
+use endless_world::math::smoothstep;
+use glam::{Vec2, Vec3, Vec3A};
+
+/// Lights that look as bright at night as by day would blind the exposure: cameras clip both.
+const NIGHT_GLARE: f32 = 0.03;
+
+pub(super) fn car_paint(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
+    let p = Vec3::from(point.object_position);
+    // Dust and road dirt, most at the sills.
+    let low = 1.0 - smoothstep(0.25, 0.85, p.z);
+    let dirt = (0.06 + 0.35 * low) * (0.6 + 0.4 * noise::value3(p * 3.1, 3)).max(0.0);
+    let dirt = dirt * (1.0 - 0.5 * environment.rain);
+    let color = (base * point.instance.tint).lerp(Vec3A::new(0.20, 0.17, 0.14), dirt);
+    let mut look = Look::matte(color, point.normal).coated(1.0 - 0.6 * dirt, 0.045, 0.14);
+    look.roughness = 0.35;
+    look.specular = 0.05;
+    look
+}
+
+pub(super) fn car_glass(point: &SurfacePoint<'_>, base: Vec3A) -> Look {
+    let mut look = Look::matte((base * 0.35).min(Vec3A::splat(0.05)), point.normal).coated(1.0, 0.06, 0.07);
+    look.specular = 0.0;
+    look
+}
+
+pub(super) fn metal(point: &SurfacePoint<'_>, base: Vec3A, mirror: f32) -> Look {
+    let mut look = Look::matte(base * (1.0 - 0.75 * mirror), point.normal).coated(mirror, 0.6, 0.25);
+    look.coat_f0 = base.max(Vec3A::splat(0.3)) * 0.85;
+    look.roughness = 0.45;
+    look
+}
+
+/// Unevenness of painted street furniture.
+pub(super) fn grime(point: &SurfacePoint<'_>) -> f32 {
+    1.0 + 0.12 * noise::value3(Vec3::from(point.position) * 2.3, 5)
+        - 0.15 * (1.0 - smoothstep(0.0, 0.5, point.object_position.z))
+}
+
+pub(super) fn bark(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    let p = point.object_position;
+    let ridges = noise::filtered_fbm2(Vec2::new(p.x * 3.0 + p.y * 3.0, p.z * 0.5), 0.25, 4, footprint);
+    Look::matte(base * (1.0 + 0.6 * ridges), point.normal)
+}
+
+pub(super) fn foliage(point: &SurfacePoint<'_>, base: Vec3A) -> Look {
+    let vary = 1.0 + 0.25 * noise::value3(Vec3::from(point.position) * 1.7, 8);
+    let mut look = Look::matte(base * vary, point.normal);
+    look.translucency = 0.35;
+    look.roughness = 0.55;
+    look.specular = 0.03;
+    look
+}
+
+pub(super) fn lit_sign(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
+    let mut look = Look::matte(base, point.normal).coated(0.5, 0.04, 0.2);
+    if environment.night {
+        look.emission = base * 0.05;
+    }
+    look
+}
+
+pub(super) fn lamp_lens(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
+    let mut look = Look::matte(base, point.normal).coated(0.6, 0.04, 0.2);
+    if environment.night {
+        look.emission = Vec3A::new(1.0, 0.86, 0.66) * 0.9;
+    }
+    look
+}
+
+pub(super) fn vehicle_light(point: &SurfacePoint<'_>, base: Vec3A, slot: LightSlot, environment: &Environment) -> Look {
+    let mut look = Look::matte(base, point.normal).coated(1.0, 0.05, 0.08);
+    let on = |bits| point.instance.lights & bits != 0;
+    let glare = if environment.night { NIGHT_GLARE } else { 1.0 };
+    let red = Vec3A::new(1.0, 0.035, 0.02);
+    let amber = Vec3A::new(1.0, 0.42, 0.03);
+    look.emission = glare
+        * match slot {
+            LightSlot::Head if on(VehicleLights::LOW_BEAM | VehicleLights::HIGH_BEAM) => {
+                Vec3A::new(1.0, 0.95, 0.86) * 45.0
+            }
+            LightSlot::Tail if on(VehicleLights::BRAKE) => red * 16.0,
+            LightSlot::Tail if on(VehicleLights::POSITION) => red * 5.0,
+            LightSlot::Brake if on(VehicleLights::BRAKE) => red * 18.0,
+            LightSlot::IndicatorLeft if on(VehicleLights::LEFT_BLINKER) => amber * 16.0,
+            LightSlot::IndicatorRight if on(VehicleLights::RIGHT_BLINKER) => amber * 16.0,
+            LightSlot::Reverse if on(VehicleLights::REVERSE) => Vec3A::splat(12.0),
+            _ => Vec3A::ZERO,
+        };
+    look
+}

@@ -1,0 +1,87 @@
+//! Meshes as the renderer holds them, and their instances.
+
+use crate::accel::Blas;
+use endless_asset::{Material, Mesh};
+use endless_world::{ClassTag, InstanceId, SignalId};
+use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
+use std::sync::Arc;
+
+/// What does not change when a mesh deforms.
+#[derive(Debug)]
+pub(crate) struct Shape {
+    pub(crate) triangles: Vec<[u32; 3]>,
+    pub(crate) uvs: Vec<Vec2>,
+    pub(crate) triangle_materials: Vec<u16>,
+    pub(crate) materials: Vec<Material>,
+    /// Share of the surroundings that each vertex sees past its own body, 0 to 1; empty means 1 everywhere.
+    pub(crate) openness: Vec<f32>,
+}
+
+/// What changes when a mesh deforms.
+#[derive(Debug)]
+pub(crate) struct Body {
+    pub(crate) positions: Vec<Vec3>,
+    pub(crate) normals: Vec<Vec3>,
+    pub(crate) blas: Arc<Blas>,
+}
+
+/// Splits a mesh; `None` if it has no triangles.
+pub(crate) fn model(mesh: &Mesh) -> Option<(Arc<Shape>, Arc<Body>)> {
+    if mesh.triangles.is_empty() {
+        return None;
+    }
+    let shape = Shape {
+        triangles: mesh.triangles.clone(),
+        uvs: mesh.uvs.clone(),
+        triangle_materials: mesh.triangle_materials.clone(),
+        materials: mesh.materials.clone(),
+        openness: Vec::new(),
+    };
+    let body = Body {
+        positions: mesh.positions.clone(),
+        normals: mesh.normals.clone(),
+        blas: Arc::new(Blas::build(&mesh.positions, &mesh.triangles)),
+    };
+    Some((Arc::new(shape), Arc::new(body)))
+}
+
+/// A mesh standing somewhere, as something.
+#[derive(Debug, Clone)]
+pub(crate) struct Instance {
+    pub(crate) shape: Arc<Shape>,
+    pub(crate) body: Arc<Body>,
+    pub(crate) world_from_object: Affine3A,
+    /// Inverse transpose, for normals.
+    pub(crate) normal_matrix: Mat3A,
+    pub(crate) id: InstanceId,
+    /// Class of the whole instance; `None`: each material's own.
+    pub(crate) class: Option<ClassTag>,
+    /// Paint.
+    pub(crate) tint: Vec3A,
+    /// Vehicle lights that are on (CARLA's bits).
+    pub(crate) lights: u32,
+    /// Signal group whose aspect lights its lenses.
+    pub(crate) signal: Option<SignalId>,
+}
+
+impl Instance {
+    /// A piece of the town: no id, materials' own classes.
+    pub(crate) fn stuff(shape: Arc<Shape>, body: Arc<Body>, world_from_object: Affine3A) -> Self {
+        Self {
+            shape,
+            body,
+            world_from_object,
+            normal_matrix: world_from_object.matrix3.inverse().transpose(),
+            id: InstanceId::STUFF,
+            class: None,
+            tint: Vec3A::ONE,
+            lights: 0,
+            signal: None,
+        }
+    }
+
+    /// For the acceleration structure.
+    pub(crate) fn placed(&self) -> (Arc<Blas>, Affine3A) {
+        (Arc::clone(&self.body.blas), self.world_from_object)
+    }
+}

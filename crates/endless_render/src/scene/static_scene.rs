@@ -1,0 +1,99 @@
+//! The town as it stands: everything that is the same in every frame of every video on this map.
+
+use super::{Body, Instance, Shape, model::model};
+use crate::accel::Accel;
+use crate::light::Lamps;
+use endless_asset::{Catalogue, VehicleModel};
+use endless_town::{Town, What};
+use endless_world::InstanceId;
+use glam::{Affine3A, Mat3A, Vec3A};
+use std::{collections::BTreeMap, sync::Arc};
+
+/// A town ready to be traced. Load it once a map.
+pub struct StaticScene {
+    pub(crate) instances: Vec<Instance>,
+    pub(crate) accel: Accel,
+    pub(crate) lamps: Lamps,
+}
+
+impl StaticScene {
+    /// Builds the town's meshes, props and parked vehicles (number i gets instance id i + 1).
+    pub fn load(town: &Town, catalogue: &Catalogue) -> Self {
+        type Model = Option<(Arc<Shape>, Arc<Body>)>;
+        let own: Vec<Model> = town.meshes.iter().map(model).collect();
+        let mut props: BTreeMap<What, Model> = BTreeMap::new();
+        let mut instances = Vec::new();
+        for placement in &town.placements {
+            let found = match placement.what {
+                What::Own(i) => own.get(i as usize).cloned().flatten(),
+                What::Prop(prop, variant) => {
+                    props.entry(placement.what).or_insert_with(|| model(&catalogue.prop(prop, variant))).clone()
+                }
+            };
+            if let Some((shape, body)) = found {
+                let mut instance = Instance::stuff(shape, body, placement.world_from_object);
+                instance.signal = placement.signal;
+                instances.push(instance);
+            }
+        }
+        let mut vehicles: BTreeMap<u16, VehicleParts> = BTreeMap::new();
+        for (i, parked) in town.parked.iter().enumerate() {
+            let Some(entry) = catalogue.vehicles().get(usize::from(parked.asset.model)) else { continue };
+            let parts = vehicles.entry(parked.asset.model).or_insert_with(|| VehicleParts::new(entry));
+            let first = instances.len();
+            parts.place(&mut instances, parked.pose.world_from_object(), 0.0, 0.0);
+            let tint = Vec3A::from_array(catalogue.vehicle_tint(parked.asset.model, parked.asset.variant));
+            let id = InstanceId(u16::try_from(i + 1).unwrap_or(u16::MAX));
+            for instance in &mut instances[first..] {
+                instance.id = id;
+                instance.class = Some(entry.spec.class.tag());
+                instance.tint = tint;
+            }
+        }
+        let accel = Accel::build(instances.iter().map(Instance::placed).collect());
+        Self { instances, accel, lamps: Lamps::new(&town.lamps) }
+    }
+
+    /// Number of triangles as placed, for reports.
+    pub fn placed_triangles(&self) -> usize {
+        self.instances.iter().map(|i| i.shape.triangles.len()).sum()
+    }
+}
+
+/// A vehicle's body and wheels.
+#[derive(Debug, Clone)]
+pub(crate) struct VehicleParts {
+    pub(crate) body: Option<(Arc<Shape>, Arc<Body>)>,
+    pub(crate) wheel: Option<(Arc<Shape>, Arc<Body>)>,
+    wheels: Vec<endless_asset::Wheel>,
+    wheel_radius_m: f32,
+}
+
+impl VehicleParts {
+    pub(crate) fn new(entry: &VehicleModel) -> Self {
+        Self {
+            body: model(&entry.body),
+            wheel: model(&entry.wheel_mesh),
+            wheels: entry.wheels.clone(),
+            wheel_radius_m: entry.spec.wheel_radius_m,
+        }
+    }
+
+    /// Adds the body and its wheels, rolled and steered.
+    pub(crate) fn place(&self, to: &mut Vec<Instance>, world_from_object: Affine3A, rolled_m: f32, steer_rad: f32) {
+        if let Some((shape, body)) = &self.body {
+            to.push(Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object));
+        }
+        let Some((shape, body)) = &self.wheel else { return };
+        for wheel in &self.wheels {
+            let steer = if wheel.steered { steer_rad } else { 0.0 };
+            let roll = rolled_m / self.wheel_radius_m.max(0.05);
+            let mirror = if wheel.mirrored { -1.0 } else { 1.0 };
+            let turned = Mat3A::from_rotation_z(steer)
+                * Mat3A::from_rotation_y(roll)
+                * Mat3A::from_diagonal(glam::Vec3::new(1.0, mirror, 1.0));
+            let object_from_wheel = Affine3A { matrix3: turned, translation: Vec3A::from(wheel.position) };
+            to.push(Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object * object_from_wheel));
+        }
+    }
+}

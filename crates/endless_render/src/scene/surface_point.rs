@@ -1,0 +1,93 @@
+//! A point where a ray met a surface.
+
+use super::Instance;
+use crate::accel::{Hit, Ray};
+use endless_asset::Material;
+use endless_world::ClassTag;
+use glam::{Vec2, Vec3A};
+
+/// Everything that shading needs to know of a hit.
+#[derive(Debug, Clone)]
+pub(crate) struct SurfacePoint<'a> {
+    pub(crate) instance: &'a Instance,
+    pub(crate) material: &'a Material,
+    /// World frame.
+    pub(crate) position: Vec3A,
+    /// Unit, on the side that the ray came from.
+    pub(crate) geometric_normal: Vec3A,
+    /// Unit, interpolated, on the side that the ray came from.
+    pub(crate) normal: Vec3A,
+    /// Object frame.
+    pub(crate) object_position: Vec3A,
+    pub(crate) uv: Vec2,
+    /// Distance from the ray's origin, metres.
+    pub(crate) distance: f32,
+    /// Unit direction of the ray that met it.
+    pub(crate) direction: Vec3A,
+    /// Share of the surroundings seen past its own body.
+    pub(crate) openness: f32,
+    /// Whether the ray met the inner side.
+    pub(crate) from_behind: bool,
+}
+
+impl<'a> SurfacePoint<'a> {
+    /// The point of a hit; the ray's direction must be of unit length.
+    pub(crate) fn new(instances: &'a [Instance], ray: &Ray, hit: &Hit) -> Self {
+        let instance = &instances[hit.instance as usize];
+        let triangle = hit.triangle as usize;
+        let [a, b, c] = instance.shape.triangles[triangle].map(|i| i as usize);
+        let body = &instance.body;
+        let corner = |i: usize| Vec3A::from(body.positions[i]);
+        let (pa, pb, pc) = (corner(a), corner(b), corner(c));
+        let w = 1.0 - hit.u - hit.v;
+        let object_position = pa * w + pb * hit.u + pc * hit.v;
+        let normal_of = |i: usize| Vec3A::from(body.normals[i]);
+        let smooth = normal_of(a) * w + normal_of(b) * hit.u + normal_of(c) * hit.v;
+        let flat = (pb - pa).cross(pc - pa);
+        let mut geometric_normal = (instance.normal_matrix * flat).normalize_or(Vec3A::Z);
+        let mut normal = (instance.normal_matrix * smooth).normalize_or(geometric_normal);
+        // Mirrored instances turn the winding round: let the vertex normals decide which side is out.
+        if geometric_normal.dot(normal) < 0.0 {
+            geometric_normal = -geometric_normal;
+        }
+        let from_behind = geometric_normal.dot(ray.direction) > 0.0;
+        if from_behind {
+            geometric_normal = -geometric_normal;
+            normal = -normal;
+        }
+        // An interpolated normal may lean away from the viewer at silhouettes: bend it back.
+        let facing = normal.dot(ray.direction);
+        if facing > -0.02 {
+            normal = (normal - ray.direction * (facing + 0.02)).normalize_or(geometric_normal);
+        }
+        let uv = instance.shape.uvs[a] * w + instance.shape.uvs[b] * hit.u + instance.shape.uvs[c] * hit.v;
+        let openness = match instance.shape.openness.as_slice() {
+            [] => 1.0,
+            open => open[a] * w + open[b] * hit.u + open[c] * hit.v,
+        };
+        Self {
+            instance,
+            material: &instance.shape.materials[usize::from(instance.shape.triangle_materials[triangle])],
+            position: ray.origin + ray.direction * hit.t,
+            geometric_normal,
+            normal,
+            object_position,
+            uv,
+            distance: hit.t,
+            direction: ray.direction,
+            openness,
+            from_behind,
+        }
+    }
+
+    /// The class of the pixel.
+    pub(crate) fn tag(&self) -> ClassTag {
+        self.instance.class.unwrap_or(self.material.tag)
+    }
+
+    /// Where rays leave the surface without meeting it again.
+    pub(crate) fn ray_origin(&self) -> Vec3A {
+        let away = 1.5e-3 + 2.0e-5 * self.distance + 4.0e-7 * self.position.abs().max_element();
+        self.position + self.geometric_normal * away
+    }
+}

@@ -1,0 +1,9 @@
+//! Light from a point towards a viewer: for what moves, and for what is seen in mirrors and by indirect rays.
+
+mod moving;
+mod secondary;
+mod tracer;
+
+pub(crate) use moving::{beam_light, footprint_m, shade_moving};
+pub(crate) use secondary::{MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_secondary};
+pub(crate) use tracer::Tracer;

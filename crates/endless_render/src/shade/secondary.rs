@@ -1,0 +1,112 @@
+//! Surfaces seen in mirrors and by indirect rays: shaded once, from the caches, without further rays but to the lights.
+
+use super::Tracer;
+use crate::accel::Ray;
+use crate::material::{Look, look};
+use crate::scene::SurfacePoint;
+use glam::Vec3A;
+
+/// Lamps whose shadows a secondary point tests.
+const LAMPS: usize = 2;
+
+/// Radiance that arrives along a ray, kcd/m². `footprint_m` is the width of detail that matters where it lands.
+pub(crate) fn shade_secondary(tracer: &Tracer<'_>, ray: &Ray, footprint_m: f32) -> Vec3A {
+    let Some(struck) = tracer.closest(ray) else { return tracer.environment.sky.radiance(ray.direction) };
+    let point = tracer.point(ray, &struck);
+    let radiance = shade_point(tracer, &point, footprint_m);
+    tracer.environment.fog.through(radiance, ray.direction, struck.hit.t)
+}
+
+/// Radiance of a surface point towards where it was seen from, without fog.
+fn shade_point(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, footprint_m: f32) -> Vec3A {
+    let environment = tracer.environment;
+    let view = -point.direction;
+    let look = look(point, environment, footprint_m, 0.5);
+    let ambient = tracer.ambient(point.position + point.geometric_normal * 0.25, look.normal) * point.openness;
+    let mut radiance = look.emission + look.lit_by_ambient(ambient, view);
+    // A second mirror shows the sky, as far as the sky is there.
+    let coat = look.coat_reflectance(view);
+    if coat.max_element() > 0.0 {
+        let direction = look.mirror_direction(point.direction, point.geometric_normal);
+        let sky = environment.sky.radiance(direction) * direction.z.clamp(0.0, 0.35) * 2.0;
+        radiance += coat * sky * point.openness;
+    }
+    radiance + direct(tracer, point, &look, view, LAMPS)
+}
+
+/// Light from the sun's centre and the strongest lamps, with hard shadows.
+pub(super) fn direct(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, view: Vec3A, lamps: usize) -> Vec3A {
+    let mut radiance = Vec3A::ZERO;
+    let origin = point.ray_origin();
+    if let Some(sun) = &tracer.environment.sun
+        && point.geometric_normal.dot(sun.direction) > 0.0
+        && !tracer.occluded(&Ray { origin, direction: sun.direction, tmax: f32::MAX })
+    {
+        radiance += look.lit_by(sun.illuminance, sun.direction, view);
+    }
+    if tracer.environment.night {
+        radiance += strongest_lamps(tracer, point, look, view, origin, lamps);
+    }
+    radiance
+}
+
+fn strongest_lamps(
+    tracer: &Tracer<'_>,
+    point: &SurfacePoint<'_>,
+    look: &Look,
+    view: Vec3A,
+    origin: Vec3A,
+    count: usize,
+) -> Vec3A {
+    // The few strongest, by insertion into a short list.
+    let mut best = [(0.0f32, Vec3A::ZERO, Vec3A::ZERO); 4];
+    let count = count.min(best.len());
+    for lamp in tracer.still.lamps.near(point.position) {
+        let (illuminance, direction) = lamp.illuminance_at(point.position);
+        let lit = look.lit_by(illuminance, direction, view);
+        let strength = lit.max_element();
+        if point.geometric_normal.dot(direction) <= 0.0 || strength <= best[count - 1].0 {
+            continue;
+        }
+        let mut at = count - 1;
+        while at > 0 && best[at - 1].0 < strength {
+            best[at] = best[at - 1];
+            at -= 1;
+        }
+        best[at] = (strength, lit, lamp.position);
+    }
+    best[..count]
+        .iter()
+        .filter(|(strength, _, lamp)| {
+            *strength > 0.0 && !tracer.occluded(&Ray { origin, direction: *lamp - origin, tmax: 0.999 })
+        })
+        .map(|&(_, lit, _)| lit)
+        .sum()
+}
+
+/// What a coat's mirror shows, weighted by its reflectance. No light where the weight is too small to see.
+pub(crate) fn mirror_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, pixel_angle: f32) -> Vec3A {
+    let weight = look.coat_reflectance(-point.direction);
+    if weight.max_element() < MIRROR_THRESHOLD {
+        return Vec3A::ZERO;
+    }
+    let ray = mirror_ray(point, look);
+    let footprint = mirror_footprint(point, look, pixel_angle);
+    weight * shade_secondary(tracer, &ray, footprint)
+}
+
+/// Mirrors weaker than this show nothing.
+pub(crate) const MIRROR_THRESHOLD: f32 = 0.006;
+
+pub(crate) fn mirror_ray(point: &SurfacePoint<'_>, look: &Look) -> Ray {
+    Ray {
+        origin: point.ray_origin(),
+        direction: look.mirror_direction(point.direction, point.geometric_normal),
+        tmax: f32::MAX,
+    }
+}
+
+/// Rough width of detail in a mirror image.
+pub(crate) fn mirror_footprint(point: &SurfacePoint<'_>, look: &Look, pixel_angle: f32) -> f32 {
+    (point.distance + 12.0) * (pixel_angle + 0.05 * look.coat_roughness)
+}
