@@ -1,5 +1,8 @@
 //! The built-in catalogue.
 
+use crate::furniture;
+use crate::person;
+use crate::plant;
 use crate::vehicle::{self, RiderFit};
 use crate::{Mesh, PersonModel, Prop, VehicleModel};
 
@@ -29,23 +32,40 @@ impl Catalogue {
     }
 
     /// The person of a variant.
-    pub fn person(&self, _variant: u64) -> PersonModel {
-        PersonModel { rest: Mesh::default(), height_m: 1.7, walk_mps: 1.4 }
+    pub fn person(&self, variant: u64) -> PersonModel {
+        PersonModel::new(variant)
     }
 
     /// The rider of a two-wheeler, seated, in the vehicle's object frame; `None` for other models.
-    pub fn rider(&self, _model: u16, _variant: u64) -> Option<Mesh> {
-        None
+    pub fn rider(&self, model: u16, variant: u64) -> Option<Mesh> {
+        let fit = self.fits.get(usize::from(model))?.as_ref()?;
+        Some(person::rider(fit, variant))
     }
 
     /// A plant or a piece of furniture. Few distinct variants exist of each ([`Self::prop_variants`]), so that towns
     /// can instance them.
-    pub fn prop(&self, _prop: Prop, _variant: u32) -> Mesh {
-        Mesh::default()
+    pub fn prop(&self, prop: Prop, variant: u32) -> Mesh {
+        let variant = variant % self.prop_variants(prop);
+        match prop {
+            Prop::BroadleafTree => plant::broadleaf(variant),
+            Prop::Conifer => plant::conifer(variant),
+            Prop::Palm => plant::palm(variant),
+            Prop::Bush => plant::bush(variant),
+            Prop::Hedge => plant::hedge(variant),
+            Prop::Planter => plant::planter(variant),
+            _ => furniture::furniture(prop, variant),
+        }
     }
 
     /// How many variants of a prop there are, at least 1.
-    pub fn prop_variants(&self, _prop: Prop) -> u32 {
-        1
+    pub fn prop_variants(&self, prop: Prop) -> u32 {
+        match prop {
+            Prop::BroadleafTree => plant::BROADLEAF_VARIANTS,
+            Prop::Conifer => plant::CONIFER_VARIANTS,
+            Prop::Palm => 3,
+            Prop::Bush | Prop::Planter => 4,
+            Prop::Hedge => 2,
+            _ => furniture::variants(prop),
+        }
     }
 }

@@ -4,9 +4,11 @@
 //! on the ground, under the centre of their footprint.
 
 mod catalogue;
+mod furniture;
 mod material;
 mod mesh;
 mod person;
+mod plant;
 mod prop;
 mod shape;
 mod vehicle;

@@ -1,0 +1,112 @@
+//! Traffic lights.
+
+use super::lamp::pole;
+use super::paint;
+use crate::Material;
+use crate::shape::Sculpt;
+use glam::{Affine3A, Quat, Vec3};
+use std::f32::consts::FRAC_PI_2;
+
+/// A lens facing +x with a visor over it.
+fn lens(centre: Vec3, radius: f32, material: Material) -> Sculpt {
+    let mut s = Sculpt::lathe(&[(radius, 0.0), (radius * 0.7, 0.016), (0.0, 0.024)], 20, 60.0, material);
+    s.add(Sculpt::lathe(&[(radius * 1.12, 0.0), (radius * 1.12, 0.012), (radius, 0.012)], 20, 30.0, paint::HOUSING));
+    // The visor: most of a cylinder, open below, seen from both sides.
+    let n = 14;
+    let (mut outer, mut inner) = (Vec::new(), Vec::new());
+    for (k, depth) in [(0, 0.0f32), (1, 1.0)] {
+        let ring = |r: f32| -> Vec<Vec3> {
+            (0..=n)
+                .map(|i| {
+                    let angle = -2.25 + 4.5 * i as f32 / n as f32;
+                    let (sin, cos) = endless_world::math::sin_cos(angle);
+                    // Longest on top (local −x, which turns upwards).
+                    let reach = depth * radius * (0.9 + 0.9 * (0.5 + 0.5 * cos));
+                    Vec3::new(-r * cos, r * sin, reach + 0.002 * k as f32)
+                })
+                .collect()
+        };
+        outer.push(ring(radius * 1.12).into_iter().rev().collect());
+        inner.push(ring(radius * 1.09));
+    }
+    let mut visor = Sculpt::new();
+    visor.grid(&outer, false, paint::HOUSING);
+    visor.grid(&inner, false, paint::HOUSING);
+    s.add(visor.smooth(40.0));
+    // z turns to +x, −x to +z.
+    s.placed(Affine3A::from_rotation_translation(Quat::from_rotation_y(FRAC_PI_2), centre))
+}
+
+/// A three-lens head facing +x, its middle at this place, on a back-plate.
+fn head(centre: Vec3) -> Sculpt {
+    let (r, pitch) = (0.10, 0.27);
+    let mut s = Sculpt::cuboid(
+        centre + Vec3::new(-0.17, -0.145, -0.42),
+        centre + Vec3::new(0.0, 0.145, 0.42),
+        0.025,
+        paint::HOUSING,
+    );
+    s.add(Sculpt::cuboid(
+        centre + Vec3::new(-0.12, -0.25, -0.54),
+        centre + Vec3::new(-0.10, 0.25, 0.54),
+        0.008,
+        paint::HOUSING,
+    ));
+    for (i, m) in [paint::GREEN_LENS, paint::YELLOW_LENS, paint::RED_LENS].into_iter().enumerate() {
+        s.add(lens(centre + Vec3::new(0.002, 0.0, pitch * (i as f32 - 1.0)), r, m));
+    }
+    s
+}
+
+fn bracket(from: Vec3, to: Vec3) -> Sculpt {
+    Sculpt::tube(&[(from, 0.022), (to, 0.022)], 8, paint::POLE)
+}
+
+/// A pole with one head at 3.2 m.
+pub(crate) fn pole_head() -> Sculpt {
+    let mut s = pole(3.75, 0.07, 0.055, paint::POLE);
+    s.add(head(Vec3::new(0.28, 0.0, 3.2)));
+    for dz in [-0.3, 0.3] {
+        s.add(bracket(Vec3::new(0.0, 0.0, 3.2 + dz), Vec3::new(0.13, 0.0, 3.2 + dz)));
+    }
+    s
+}
+
+/// Pole with an arm along −y.
+pub(crate) fn mast() -> Sculpt {
+    let mut s = pole(5.95, 0.13, 0.10, paint::POLE);
+    s.add(head(Vec3::new(0.33, 0.0, 3.2)));
+    for dz in [-0.3, 0.3] {
+        s.add(bracket(Vec3::new(0.0, 0.0, 3.2 + dz), Vec3::new(0.17, 0.0, 3.2 + dz)));
+    }
+    let arm = [
+        (Vec3::new(0.0, 0.12, 5.72), 0.075),
+        (Vec3::new(0.0, -0.4, 5.76), 0.072),
+        (Vec3::new(0.0, -3.0, 5.80), 0.055),
+        (Vec3::new(0.0, -5.5, 5.80), 0.042),
+    ];
+    s.add(Sculpt::tube(&arm, 12, paint::POLE));
+    for y in [-2.6, -5.2] {
+        s.add(head(Vec3::new(0.24, y, 5.80)));
+        s.add(bracket(Vec3::new(0.0, y, 5.80), Vec3::new(0.10, y, 5.80)));
+    }
+    s
+}
+
+/// Pedestrian signal: red above green at 2.4 m, and a push button.
+pub(crate) fn walk() -> Sculpt {
+    let mut s = pole(2.75, 0.055, 0.05, paint::POLE);
+    let centre = Vec3::new(0.22, 0.0, 2.4);
+    s.add(Sculpt::cuboid(
+        centre + Vec3::new(-0.14, -0.13, -0.27),
+        centre + Vec3::new(0.0, 0.13, 0.27),
+        0.02,
+        paint::HOUSING,
+    ));
+    s.add(lens(centre + Vec3::new(0.002, 0.0, 0.125), 0.095, paint::RED_LENS));
+    s.add(lens(centre + Vec3::new(0.002, 0.0, -0.125), 0.095, paint::GREEN_LENS));
+    s.add(bracket(Vec3::new(0.0, 0.0, 2.4), centre - Vec3::X * 0.1));
+    let yellow = Material { base_color: [0.70, 0.42, 0.01], ..paint::HOUSING };
+    s.add(Sculpt::cuboid(Vec3::new(0.05, -0.05, 0.98), Vec3::new(0.12, 0.05, 1.20), 0.015, yellow));
+    s
+}

@@ -1,0 +1,54 @@
+//! People on two wheels.
+
+use super::PersonModel;
+use super::look::{Hair, Look};
+use super::posture::{Arm, Leg, Posture};
+use super::skeleton::{Bone, Side};
+use crate::Mesh;
+use crate::vehicle::RiderFit;
+use endless_world::{ClassTag, Stream};
+use glam::{Quat, Vec3};
+
+/// A person seated on a two-wheeler, in the vehicle's object frame.
+pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
+    let mut stream = Stream::named(variant, "rider", &[]);
+    let helmet = if fit.helmet > 0.7 { Hair::FullHelmet } else { Hair::CycleHelmet };
+    let wears = stream.chance(fit.helmet);
+    let look = Look::riding(variant, wears.then_some(helmet));
+    let person = PersonModel::with_look(variant, &look);
+    let skeleton = &person.skeleton;
+    let h = look.height;
+    let ankle_rest = skeleton.joint(Bone::FootL);
+    let seat = fit.seat + Vec3::Z * 0.072 * h;
+    let lean = Quat::from_rotation_y(fit.lean_rad);
+    let leg = |side: Side| {
+        let sole =
+            if side == Side::Left { fit.foot } else { Vec3::new(fit.foot.x, -fit.foot.y, fit.foot.z) + fit.right_foot };
+        // The ball of the foot is on the peg; the heel hangs a little.
+        Leg {
+            ankle: sole + Vec3::new(-0.055 * h, 0.0, ankle_rest.z),
+            pitch: 0.0,
+            knee: Vec3::new(1.0, 0.16 * side.sign(), 0.35),
+        }
+    };
+    let arm = |side: Side| {
+        let grip = Vec3::new(fit.grip.x, fit.grip.y * side.sign(), fit.grip.z);
+        // The hand lies on the grip from behind and above.
+        Arm::Reach(grip + Vec3::new(-0.045 * h, 0.0, 0.022 * h))
+    };
+    let posture = Posture {
+        pelvis: Vec3::new(seat.x, 0.0, seat.z),
+        pelvis_turn: Quat::from_rotation_y(0.35 * fit.lean_rad - 0.08),
+        spine: Quat::from_rotation_y(0.40 * fit.lean_rad + 0.06),
+        chest: Quat::from_rotation_y(0.25 * fit.lean_rad + 0.08),
+        head: lean.inverse() * Quat::from_rotation_y(-0.02),
+        arms: Side::BOTH.map(arm),
+        legs: Side::BOTH.map(leg),
+    };
+    let pose = person.skinned(&posture.solve(skeleton));
+    let mut mesh = Mesh { positions: pose.positions, normals: pose.normals, ..person.rest };
+    for material in &mut mesh.materials {
+        material.tag = ClassTag::Rider;
+    }
+    mesh
+}
