@@ -82,7 +82,6 @@ pub(crate) struct Character {
     pub(crate) lamp_cd: f32,
     pub(crate) lamp_spacing_m: f64,
     /// Whether wires hang on wooden poles along quiet streets.
-    #[allow(dead_code, reason = "wires are hung by a later pass")]
     pub(crate) wires: bool,
     /// Share of parking places taken.
     pub(crate) parked: f64,

@@ -2,7 +2,7 @@
 
 use crate::character::{CHARACTERS, Character};
 use crate::dressing::Dresser;
-use crate::plot::{Occupied, Rect};
+use crate::plot::Occupied;
 use crate::{Placement, Town, TownError, What, building, camera, dressing, network, surface};
 use endless_asset::Catalogue;
 use glam::Affine3A;
@@ -43,8 +43,7 @@ fn make(character: &Character, catalogue: &Catalogue) -> Town {
     dressing::add_signals(&mut dresser);
     dressing::add_lamps(&mut dresser);
     let cameras = camera::choose(&mut dresser, &network, &lots);
-    let houses: Vec<Rect> = lots.iter().map(|lot| lot.footprint).collect();
-    own.push((dressing::dress(&mut dresser, &cameras, &houses), Affine3A::IDENTITY));
+    own.push((dressing::dress(&mut dresser, &cameras, &lots), Affine3A::IDENTITY));
     let mut placements: Vec<Placement> = own
         .iter()
         .enumerate()

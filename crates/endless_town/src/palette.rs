@@ -11,6 +11,7 @@ pub(crate) const LAWN: Material = Material::new(Surface::Grass, [0.09, 0.17, 0.0
 pub(crate) const MEADOW: Material = Material::new(Surface::Grass, [0.14, 0.16, 0.06], ClassTag::Terrain);
 pub(crate) const HILL: Material = Material::new(Surface::Grass, [0.07, 0.11, 0.04], ClassTag::Terrain);
 pub(crate) const SOIL: Material = Material::new(Surface::Soil, [0.12, 0.085, 0.055], ClassTag::Terrain);
+pub(crate) const GRAVEL: Material = Material::new(Surface::Gravel, [0.33, 0.30, 0.26], ClassTag::Ground);
 pub(crate) const YARD: Material = Material::new(Surface::Concrete, [0.32, 0.31, 0.29], ClassTag::Ground);
 pub(crate) const PLAZA: Material = Material::new(Surface::Paving, [0.30, 0.285, 0.26], ClassTag::Ground);
 pub(crate) const WHITE_PAINT: Material = Material::new(Surface::RoadPaint, [0.72, 0.72, 0.70], ClassTag::RoadLines);

@@ -3,6 +3,7 @@
 use endless_asset::{Catalogue, Mesh, Prop};
 use endless_town::{NAMES, Town, What, load};
 use endless_world::ClassTag;
+use glam::{Affine3A, DVec2, Vec3};
 
 fn towns() -> Vec<Town> {
     let catalogue = Catalogue::builtin();
@@ -89,5 +90,111 @@ fn props_keep_off_the_carriageway() {
         }
         let poles = town.placements.iter().filter(|p| p.what == What::Prop(Prop::CameraPole, 0)).count();
         assert!(poles <= town.cameras.len());
+    }
+}
+
+/// The rectangle of a thing in the world: four corners, counter-clockwise.
+type Corners = [DVec2; 4];
+
+fn corners(world_from_object: Affine3A, low: Vec3, high: Vec3) -> Corners {
+    [(low.x, low.y), (high.x, low.y), (high.x, high.y), (low.x, high.y)]
+        .map(|(x, y)| world_from_object.transform_point3(Vec3::new(x, y, 0.0)).truncate().as_dvec2())
+}
+
+/// Depth by which two rectangles overlap along their most separating edge normal; negative if apart.
+fn overlap(a: &Corners, b: &Corners) -> f64 {
+    let axes = [a[1] - a[0], a[2] - a[1], b[1] - b[0], b[2] - b[1]].map(DVec2::normalize);
+    let span = |r: &Corners, axis: DVec2| {
+        r.iter().map(|p| p.dot(axis)).fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)))
+    };
+    axes.iter()
+        .map(|&axis| {
+            let ((al, ah), (bl, bh)) = (span(a, axis), span(b, axis));
+            (ah - bl).min(bh - al)
+        })
+        .fold(f64::MAX, f64::min)
+}
+
+fn parked(town: &Town, catalogue: &Catalogue) -> Vec<Corners> {
+    let place = |p: &endless_town::ParkedVehicle| {
+        let spec = &catalogue.vehicles()[usize::from(p.asset.model)].spec;
+        let half = Vec3::new(spec.length_m, spec.width_m, 0.0) / 2.0;
+        corners(p.pose.world_from_object(), -half, half)
+    };
+    town.parked.iter().map(place).collect()
+}
+
+/// Walls of each building up to head height: awnings and eaves may reach over sidewalks.
+fn buildings(town: &Town) -> Vec<Corners> {
+    let own = town.placements.iter().filter_map(|p| match p.what {
+        What::Own(i) => Some((&town.meshes[i as usize], p.world_from_object)),
+        What::Prop(..) => None,
+    });
+    own.filter(|(mesh, _)| mesh.materials.iter().any(|m| m.tag == ClassTag::Buildings))
+        .map(|(mesh, place)| {
+            let low = mesh.positions.iter().filter(|p| p.z < 2.1);
+            let (a, b) = low.fold((Vec3::MAX, Vec3::MIN), |(l, h), &p| (l.min(p), h.max(p)));
+            corners(place, a, b)
+        })
+        .collect()
+}
+
+#[test]
+fn nothing_stands_inside_anything_else() {
+    let catalogue = Catalogue::builtin();
+    for town in towns() {
+        let mut things = parked(&town, &catalogue);
+        things.extend(buildings(&town));
+        for (i, a) in things.iter().enumerate() {
+            for b in &things[..i] {
+                assert!(overlap(a, b) < 0.06, "{}: {a:?} overlaps {b:?} by {}", town.name, overlap(a, b));
+            }
+        }
+        let posts = town.placements.iter().filter(|p| matches!(p.what, What::Prop(..)));
+        for post in posts {
+            let at = post.world_from_object.translation.truncate().as_dvec2();
+            let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| at + DVec2::new(x, y) * 0.1);
+            let hit = things.iter().find(|t| overlap(t, &square) > 0.0);
+            assert!(hit.is_none(), "{}: {:?} at {at} stands in {hit:?}", town.name, post.what);
+        }
+    }
+}
+
+#[test]
+fn lanes_crossings_and_sidewalks_are_clear() {
+    let catalogue = Catalogue::builtin();
+    for town in towns() {
+        let mut things = parked(&town, &catalogue);
+        things.extend(buildings(&town));
+        let near =
+            |t: &Corners, p: DVec2, reach: f64| (t[0] + t[2]).distance(p * 2.0) < t[0].distance(t[2]) + 2.0 * reach;
+        let square = |p: DVec2, half: f64| {
+            [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| p + DVec2::new(x, y) * half)
+        };
+        for lane in &town.network.lanes {
+            for i in 0..(lane.centerline.length() / 2.0) as usize {
+                let p = lane.centerline.at(2.0 * i as f64).position.truncate();
+                let core = square(p, 1.0);
+                let hit = things.iter().filter(|t| near(t, p, 3.0)).find(|t| overlap(t, &core) > 0.0);
+                assert!(hit.is_none(), "{}: {hit:?} on {:?} at {p}", town.name, lane.id);
+            }
+        }
+        for p in town.network.walk.nodes.iter().map(|n| n.truncate()) {
+            let hit = things.iter().filter(|t| near(t, p, 3.0)).find(|t| overlap(t, &square(p, 0.3)) > 0.0);
+            assert!(hit.is_none(), "{}: {hit:?} on the sidewalk at {p}", town.name);
+        }
+        for crossing in &town.network.crossings {
+            let [a, b] = crossing.ends.map(|e| e.truncate());
+            for k in 0..=10 {
+                let p = a.lerp(b, f64::from(k) / 10.0);
+                let core = square(p, crossing.width_m / 2.0 - 0.1);
+                assert!(things.iter().all(|t| overlap(t, &core) <= 0.0), "{}: crossing at {p} is blocked", town.name);
+                let posts = town.placements.iter().filter(|q| matches!(q.what, What::Prop(..)));
+                let clear = posts
+                    .map(|q| q.world_from_object.translation.truncate().as_dvec2())
+                    .all(|q| q.distance(p) > crossing.width_m / 2.0);
+                assert!(clear, "{}: a post on the crossing at {p}", town.name);
+            }
+        }
     }
 }

@@ -18,10 +18,14 @@ pub(crate) struct Lot {
     pub(crate) angle_rad: f64,
     pub(crate) footprint: Rect,
     pub(crate) seed: u64,
+    /// From the sidewalk to the front wall.
+    pub(crate) set_back: f64,
 }
 
 /// Distance kept between footprints and sidewalks, metres.
 const BEHIND_SIDEWALK_M: f64 = 0.12;
+/// Depth of houses' porches.
+const PORCH_M: f64 = 1.4;
 
 /// Fills both sides of every street, as far as there is room.
 pub(crate) fn lay(character: &Character, plan: &Plan, occupied: &mut Occupied) -> Vec<Lot> {
@@ -51,7 +55,18 @@ pub(crate) fn lay(character: &Character, plan: &Plan, occupied: &mut Occupied) -
             }
         }
     }
+    for i in 0..lots.len() {
+        lots[i].measures.party_walls = [1.0, -1.0].map(|side| has_neighbour(&lots, i, side));
+    }
     lots
+}
+
+/// Whether another building stands right beside a lot's right (+1) or left (−1) wall.
+fn has_neighbour(lots: &[Lot], i: usize, side: f64) -> bool {
+    let own = &lots[i].footprint;
+    let centre = own.centre + own.axis * (side * (own.half.x + 0.3));
+    let beside = Rect { centre, half: DVec2::new(0.25, own.half.y * 0.8), axis: own.axis };
+    lots.iter().enumerate().any(|(k, other)| k != i && other.footprint.meets(&beside))
 }
 
 struct Row<'a> {
@@ -94,10 +109,12 @@ impl Row<'_> {
         for _ in 0..3 {
             let lot = self.lot(s, (width, depth), set_back, kind);
             if self.fits(&lot, kind, occupied) {
-                let party_walls = kind == Kind::Terrace;
+                let party_walls = [false; 2];
                 let measures = Measures { kind, width: width as f32, depth: depth as f32, storeys, shops, party_walls };
                 let (front, footprint, angle_rad) = lot;
-                let lot = Lot { measures, front, angle_rad, footprint, seed };
+                let bulge = if kind == Kind::House { PORCH_M } else { 0.0 };
+                let lot =
+                    Lot { measures, front, angle_rad, footprint, seed, set_back: set_back + bulge + BEHIND_SIDEWALK_M };
                 return Some((Some(lot), s + width + gap));
             }
             width *= 0.86;
@@ -124,7 +141,7 @@ impl Row<'_> {
         let heading = self.street.heading(middle);
         // Seen from the street the lot lies behind its front: turn the right-hand side's fronts about.
         let angle = if self.side > 0.0 { heading } else { heading + std::f64::consts::PI };
-        let bulge = if kind == Kind::House { 1.4 } else { 0.0 };
+        let bulge = if kind == Kind::House { PORCH_M } else { 0.0 };
         let away = profile.back() + BEHIND_SIDEWALK_M + set_back + bulge;
         let front = self.street.point(middle, self.side * away);
         let mut footprint = Rect::new(front, DVec2::new(width / 2.0, depth / 2.0), angle);

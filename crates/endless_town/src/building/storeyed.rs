@@ -18,8 +18,8 @@ pub(crate) struct Measures {
     pub(crate) storeys: u32,
     /// Shops on the ground floor.
     pub(crate) shops: bool,
-    /// Whether neighbours touch its sides.
-    pub(crate) party_walls: bool,
+    /// Whether a neighbour stands right beside its right and its left wall.
+    pub(crate) party_walls: [bool; 2],
 }
 
 /// The rhythm of a facade.
@@ -85,7 +85,7 @@ fn add_wall(
     numbers: &mut WindowNumbers,
 ) {
     let front = side == 0;
-    let blind = measures.party_walls && (side == 1 || side == 3);
+    let blind = measures.party_walls[0] && side == 1 || measures.party_walls[1] && side == 3;
     let bays = ((wall.width - 0.8) / rhythm.bay).floor().max(1.0) as usize;
     let pitch = (wall.width - 0.8) / bays as f32;
     let centre = |k: usize| 0.4 + pitch * (k as f32 + 0.5);
@@ -115,12 +115,12 @@ fn add_wall(
             for hole in &holes {
                 window(mesh, wall, hole, &style.joinery, if sparse { Detail::Plain } else { detail }, numbers);
             }
-            let balconies = measures.kind == Kind::Flats && storey > 0 && (front || side == 2);
+            let balconies = measures.kind == Kind::Flats && storey > 0 && front;
             for (k, hole) in holes.iter().enumerate() {
                 if balconies && k % 3 == 1 {
                     add_balcony(mesh, wall, hole, from, style);
                 }
-                if !front && !balconies && stream.chance(0.06) {
+                if side == 2 && storey > 0 && stream.chance(0.1) {
                     // An air conditioner below the window.
                     let u = hole.u[0] + 0.1;
                     wall.block(mesh, [u, u + 0.8], [hole.v[0] - 0.72, hole.v[0] - 0.12], [0.02, 0.34], style.trim);

@@ -1,23 +1,32 @@
 //! Street furniture, plants, parked vehicles and lights.
 
 mod dresser;
+mod furniture;
+mod garden;
 mod parking;
 mod post;
 mod tree;
+mod wire;
 
 pub(crate) use dresser::{Dresser, Spot};
-pub(crate) use post::{POST_M, add_lamps, add_signals, add_signs};
+pub(crate) use post::{POST_M, add_lamps, add_signals};
 
+use crate::building::Lot;
 use crate::plot::Rect;
-use endless_asset::Mesh;
+use endless_asset::{Mesh, MeshBuilder};
 use endless_world::CameraSite;
 
-/// Everything that must not spoil the cameras' views, and so comes after them. Returns what lies on the ground.
-pub(crate) fn dress(dresser: &mut Dresser<'_>, sites: &[CameraSite], houses: &[Rect]) -> Mesh {
-    add_signs(dresser);
+/// Everything that must not spoil the cameras' views, and so comes after them. Returns slabs, tree pits and wires.
+pub(crate) fn dress(dresser: &mut Dresser<'_>, sites: &[CameraSite], lots: &[Lot]) -> Mesh {
+    let houses: Vec<Rect> = lots.iter().map(|lot| lot.footprint).collect();
+    let mut mesh = MeshBuilder::new();
+    post::add_signs(dresser);
     parking::add_parked(dresser);
-    let ground = tree::add_street_trees(dresser, sites, houses);
+    wire::add(dresser, &mut mesh, sites);
+    garden::add(dresser, &mut mesh, lots);
+    tree::add_street_trees(dresser, &mut mesh, sites, &houses);
+    furniture::add(dresser, sites);
     tree::add_garden_trees(dresser, sites);
     tree::add_woods(dresser);
-    ground
+    mesh.finish()
 }

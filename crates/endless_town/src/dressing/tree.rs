@@ -6,7 +6,7 @@ use crate::network::{KERB_HEIGHT_M, Street};
 use crate::palette::SOIL;
 use crate::plot::{Rect, inside};
 use crate::surface;
-use endless_asset::{Mesh, MeshBuilder, Prop};
+use endless_asset::{MeshBuilder, Prop};
 use endless_world::{CameraSite, Stream};
 use glam::{DVec2, Vec2, Vec3};
 use std::f64::consts::TAU;
@@ -34,9 +34,13 @@ fn grown(at: DVec2, z: f64, size: (f32, f32), stream: &mut Stream) -> Spot {
     Spot { at, z, yaw: stream.range_f64(0.0, TAU), scale }
 }
 
-/// Rows of one species along each street; in paved sidewalks each stands in a pit, whose soil is the mesh returned.
-pub(crate) fn add_street_trees(dresser: &mut Dresser<'_>, sites: &[CameraSite], houses: &[Rect]) -> Mesh {
-    let mut pits = MeshBuilder::new();
+/// Rows of one species along each street; in paved sidewalks each stands in a pit of soil.
+pub(crate) fn add_street_trees(
+    dresser: &mut Dresser<'_>,
+    pits: &mut MeshBuilder,
+    sites: &[CameraSite],
+    houses: &[Rect],
+) {
     let plan = dresser.plan;
     for (i, street) in plan.streets.iter().enumerate() {
         let mut stream = dresser.stream(1000 + i as u64);
@@ -54,7 +58,7 @@ pub(crate) fn add_street_trees(dresser: &mut Dresser<'_>, sites: &[CameraSite], 
             let mut s = from + 6.0 + stream.range_f64(0.0, spacing / 2.0);
             while s < to - 6.0 {
                 if stream.chance(0.85) {
-                    street_tree(dresser, &mut pits, street, (s, side), row, (sites, houses), &mut stream);
+                    street_tree(dresser, pits, street, (s, side), row, (sites, houses), &mut stream);
                 }
                 s += spacing * stream.range_f64(0.9, 1.15);
             }
@@ -71,7 +75,6 @@ pub(crate) fn add_street_trees(dresser: &mut Dresser<'_>, sites: &[CameraSite], 
             }
         }
     }
-    pits.finish()
 }
 
 fn street_tree(

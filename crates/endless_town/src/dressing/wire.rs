@@ -1,0 +1,74 @@
+//! Utility poles along quiet streets, with wires that sag between them.
+
+use super::dresser::{Dresser, Spot};
+use super::post::POST_M;
+use crate::network::KERB_HEIGHT_M;
+use endless_asset::{Material, MeshBuilder, Prop, Surface};
+use endless_world::{CameraSite, ClassTag};
+use glam::{DVec2, DVec3, Vec2};
+
+const WIRE: Material = Material::new(Surface::Rubber, [0.02, 0.02, 0.02], ClassTag::Static);
+const RADIUS_M: f64 = 0.014;
+const SPACING_M: f64 = 30.0;
+/// Sag of a full span.
+const SAG_M: f64 = 0.7;
+
+pub(crate) fn add(dresser: &mut Dresser<'_>, mesh: &mut MeshBuilder, sites: &[CameraSite]) {
+    if !dresser.character.wires {
+        return;
+    }
+    let plan = dresser.plan;
+    for street in plan.streets.iter().filter(|s| s.profile.priority < 3) {
+        let (from, to) = street.body();
+        let count = ((to - from - 8.0) / SPACING_M).floor().max(1.0);
+        let spacing = (to - from - 8.0) / count;
+        let mut last: Option<(f64, DVec2)> = None;
+        for k in 0..=count as usize {
+            let wanted = from + 4.0 + k as f64 * spacing;
+            let found = [0.0, 1.2, -1.2, 2.4, -2.4].into_iter().map(|step| wanted + step).find(|&s| {
+                let at = street.point(s, -(street.profile.kerb() + POST_M + 0.1));
+                let before_lens = sites.iter().any(|site| {
+                    DVec2::new(f64::from(site.position[0]), f64::from(site.position[1])).distance(at) < 3.0
+                });
+                let spot = Spot::new(at, street.heading(s));
+                !before_lens
+                    && !street.near_crossing(s, 1.4)
+                    && dresser.put(Prop::UtilityPole, spot, DVec2::splat(0.22), None)
+            });
+            let Some(s) = found else { continue };
+            let here = (s, street.point(s, -(street.profile.kerb() + POST_M + 0.1)));
+            if let Some(before) = last.filter(|before| s - before.0 < 1.7 * SPACING_M) {
+                let across = |s: f64| {
+                    let (sin, cos) = endless_world::math::f64::sin_cos(street.heading(s));
+                    DVec2::new(-sin, cos)
+                };
+                for y in [-0.85, 0.0, 0.85] {
+                    let top = KERB_HEIGHT_M + 8.75;
+                    let a = (before.1 + across(before.0) * y).extend(top);
+                    let b = (here.1 + across(s) * y).extend(top);
+                    span(mesh, a, b, SAG_M * (a.distance(b) / SPACING_M).powi(2));
+                }
+            }
+            last = Some(here);
+        }
+    }
+}
+
+/// A three-sided tube along a parabola.
+fn span(mesh: &mut MeshBuilder, a: DVec3, b: DVec3, sag: f64) {
+    const PIECES: usize = 10;
+    let side = (b - a).truncate().normalize_or(DVec2::X).perp().extend(0.0) * RADIUS_M;
+    let up = DVec3::Z * RADIUS_M;
+    let ring = |k: usize| {
+        let t = k as f64 / PIECES as f64;
+        let p = a.lerp(b, t) - DVec3::Z * (4.0 * sag * t * (1.0 - t));
+        [p + up, p + side * 0.87 - up * 0.5, p - side * 0.87 - up * 0.5].map(DVec3::as_vec3)
+    };
+    for k in 0..PIECES {
+        let (from, to) = (ring(k), ring(k + 1));
+        for i in 0..3 {
+            let j = (i + 1) % 3;
+            mesh.quad([from[j], to[j], to[i], from[i]], [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y], WIRE);
+        }
+    }
+}
