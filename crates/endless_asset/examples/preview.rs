@@ -1,6 +1,8 @@
 //! Contact sheets of the catalogue, to look at: `cargo run --example preview -- vehicles OUT.png [filter]`, or `people`,
 //! `gait`, `riders`, `plants`, `furniture`. A small z-buffer rasteriser with sun, sky and mirrored sky.
 
+#![expect(clippy::print_stdout, reason = "it says what it drew")]
+
 use endless_asset::{Catalogue, Material, Mesh, Prop, Surface};
 use endless_world::{Gait, WalkerMotion};
 use glam::{Affine3A, Quat, Vec3};
@@ -166,9 +168,9 @@ struct Tile {
 }
 
 fn sheet(tiles: &[Tile], path: &str) -> Result<()> {
-    let columns = if tiles.len() % 3 == 0 && tiles.len() < 12 {
+    let columns = if tiles.len().is_multiple_of(3) && tiles.len() < 12 {
         3
-    } else if tiles.len() % 8 == 0 {
+    } else if tiles.len().is_multiple_of(8) {
         8
     } else {
         6

@@ -19,7 +19,7 @@ pub enum Prop {
     UtilityPole,
     /// Plain steel pole for a camera, 6 m.
     CameraPole,
-    /// Traffic-light pole with a vertical vehicle head at 3.2 m and a mast arm along +y... the head faces +x.
+    /// Traffic-light pole with a vertical three-lens head at 3.2 m facing +x.
     SignalPole,
     /// Traffic-light pole with a mast arm: pole at the origin, arm 5.5 m along −y at 5.8 m height, two heads on the arm
     /// and one on the pole, all facing +x.

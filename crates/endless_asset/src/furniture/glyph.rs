@@ -83,13 +83,14 @@ fn strokes(c: char) -> &'static [&'static [(f32, f32)]] {
 /// Text on a vertical face looking towards +x, as raised strokes; who reads it has +y on the right.
 pub(crate) fn text(words: &str, centre: Vec3, height: f32, stroke: f32, material: Material) -> Sculpt {
     let unit = 0.5 * height;
-    let pitch = 1.0 * unit + 2.2 * stroke;
+    let width = 0.78 * unit;
+    let pitch = width + 2.0 * stroke;
     let count = words.chars().count() as f32;
-    let left = -0.5 * (pitch * count - 2.2 * stroke);
+    let left = -0.5 * (pitch * count - 2.0 * stroke);
     let mut s = Sculpt::new();
     for (i, c) in words.chars().enumerate() {
         for chain in strokes(c) {
-            let place = |(u, v): (f32, f32)| Vec2::new(left + pitch * i as f32 + u * unit, (v - 1.0) * unit);
+            let place = |(u, v): (f32, f32)| Vec2::new(left + pitch * i as f32 + u * width, (v - 1.0) * unit);
             for pair in chain.windows(2) {
                 line(&mut s, centre, place(pair[0]), place(pair[1]), stroke, material);
             }

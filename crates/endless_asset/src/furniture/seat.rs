@@ -90,8 +90,7 @@ fn parasol(cloth: Material) -> Sculpt {
         ring(0.75, 2.40, 0.03),
         ring(0.02, 2.60, 0.0),
     ];
-    s.grid(&rows[..2].iter().map(|r| r.iter().copied().collect()).collect::<Vec<_>>(), true, cloth);
+    s.grid(&rows[..2], true, cloth);
     s.grid(&rows[2..], true, cloth);
-    // The underside looks down.
     s.smooth(35.0)
 }

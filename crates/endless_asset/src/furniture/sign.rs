@@ -64,7 +64,7 @@ pub(crate) fn stop() -> Sculpt {
     let mut s = post(z + 0.28);
     plate(&mut s, &regular(8, 0.41, eighth), z, paint::WHITE);
     film(&mut s, &regular(8, 0.385, eighth), z, 1.0, paint::RED);
-    s.add(text("STOP", Vec3::new(FRONT + 2.0 * LAYER, 0.0, z), 0.26, 0.038, paint::WHITE));
+    s.add(text("STOP", Vec3::new(FRONT + 2.0 * LAYER, 0.0, z), 0.25, 0.036, paint::WHITE));
     s
 }
 

@@ -47,10 +47,10 @@ const MALE: &[Section] = &[
     (0.620, 0.088, 0.063, 0.003),
     (0.670, 0.093, 0.066, 0.004),
     (0.720, 0.102, 0.071, 0.002),
-    (0.760, 0.107, 0.069, -0.004),
-    (0.790, 0.108, 0.060, -0.008),
-    (0.812, 0.090, 0.050, -0.010),
-    (0.828, 0.056, 0.041, -0.011),
+    (0.760, 0.102, 0.069, -0.004),
+    (0.787, 0.094, 0.060, -0.008),
+    (0.810, 0.074, 0.050, -0.010),
+    (0.828, 0.050, 0.041, -0.011),
     (0.842, 0.038, 0.036, -0.010),
 ];
 const FEMALE: &[Section] = &[
@@ -61,10 +61,10 @@ const FEMALE: &[Section] = &[
     (0.620, 0.077, 0.055, 0.003),
     (0.670, 0.083, 0.061, 0.007),
     (0.720, 0.091, 0.075, 0.012),
-    (0.760, 0.095, 0.066, 0.002),
-    (0.790, 0.096, 0.053, -0.007),
-    (0.812, 0.080, 0.045, -0.010),
-    (0.828, 0.050, 0.037, -0.011),
+    (0.760, 0.090, 0.066, 0.002),
+    (0.787, 0.083, 0.053, -0.007),
+    (0.810, 0.066, 0.045, -0.010),
+    (0.828, 0.045, 0.037, -0.011),
     (0.842, 0.034, 0.032, -0.010),
 ];
 
@@ -138,7 +138,7 @@ impl<'a> Body<'a> {
             skin.add(self.around(0.462, 0.615, |_| 0.004 * self.h, look.bottom_color), blend);
         }
         let (hem, ease) = match look.top {
-            Top::TankTop => (0.545, 0.004),
+            Top::Sleeveless => (0.545, 0.004),
             Top::TShirt => (0.505, 0.007),
             Top::Shirt => (0.495, 0.007),
             Top::Hoodie => (0.500, 0.012),
@@ -161,7 +161,7 @@ impl<'a> Body<'a> {
                 top.paint(&front.clone().beyond(Vec3::Z, 0.53 * self.b), look.inner_color);
                 top.paint(&front.within(Vec3::Z, 0.53 * self.b), look.bottom_color);
             }
-            Top::TankTop | Top::TShirt => {
+            Top::Sleeveless | Top::TShirt => {
                 top.paint(&Region::all().beyond(Vec3::Z, 0.829 * self.b), look.skin);
                 let v = Region::all()
                     .within(Vec3::new(0.0, 1.0, -1.2), -0.97 * self.b)
@@ -198,7 +198,7 @@ impl<'a> Body<'a> {
             ),
             _ => {}
         }
-        if matches!(look.bottom, Bottom::Trousers | Bottom::Shorts) && matches!(look.top, Top::TankTop) {
+        if matches!(look.bottom, Bottom::Trousers | Bottom::Shorts) && matches!(look.top, Top::Sleeveless) {
             let belt = Material { base_color: [0.03, 0.025, 0.02], ..look.shoe_color };
             skin.add(self.around(0.588, 0.606, |_| 0.006 * self.h, belt), blend);
         }
@@ -327,7 +327,7 @@ impl<'a> Body<'a> {
         };
         let start = -0.022 * h;
         let (sleeve, ease, cuff) = match look.top {
-            Top::TankTop => (0.0, 0.0, 0.0),
+            Top::Sleeveless => (0.0, 0.0, 0.0),
             Top::TShirt => (0.56 * elbow, 0.004, 0.007),
             Top::Shirt if look.stripes => (0.60 * elbow, 0.004, 0.007),
             Top::Shirt => (0.985 * length, 0.004, 0.002),

@@ -11,7 +11,7 @@ pub(crate) enum Top {
     Hoodie,
     Jacket,
     Coat,
-    TankTop,
+    Sleeveless,
 }
 
 /// Garment of the legs.
@@ -179,7 +179,7 @@ impl Look {
             2 => Bottom::Skirt,
             _ => Bottom::Dress,
         };
-        let top = [Top::TShirt, Top::Shirt, Top::Hoodie, Top::Jacket, Top::Coat, Top::TankTop]
+        let top = [Top::TShirt, Top::Shirt, Top::Hoodie, Top::Jacket, Top::Coat, Top::Sleeveless]
             [s.weighted(&[38.0, 20.0, 13.0, 15.0, 7.0, if female { 7.0 } else { 2.0 }])];
         let top = if bottom == Bottom::Dress && matches!(top, Top::Hoodie | Top::Coat) { Top::TShirt } else { top };
         let top = if bottom == Bottom::Shorts && top == Top::Coat { Top::TShirt } else { top };

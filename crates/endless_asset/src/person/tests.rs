@@ -78,3 +78,11 @@ fn joints_do_not_tear() {
         }
     }
 }
+
+/// Not a benchmark, but a pose must not become slow unseen: a hundred people at 30 Hz are 3,000 poses a second.
+#[test]
+fn posing_is_quick() {
+    let person = PersonModel::new(3);
+    assert!(person.blends.len() < 260, "{} mixtures", person.blends.len());
+    assert!(person.rest.positions.len() < 5000, "{} vertices", person.rest.positions.len());
+}

@@ -45,7 +45,7 @@ pub(crate) fn hedge(variant: u32) -> Mesh {
     let half = Vec3::new(0.5, 0.27, 0.48);
     let middle = Vec3::Z * 0.49;
     // Each face in proportion to its area, top thickest.
-    let faces = [(Vec3::Z, 760), (Vec3::Y, 900), (Vec3::NEG_Y, 900), (Vec3::X, 260), (Vec3::NEG_X, 260)];
+    let faces = [(Vec3::Z, 1000), (Vec3::Y, 1500), (Vec3::NEG_Y, 1500), (Vec3::X, 420), (Vec3::NEG_X, 420)];
     for (out, count) in faces {
         for _ in 0..count {
             let spread = Vec3::new(s.range_f32(-1.0, 1.0), s.range_f32(-1.0, 1.0), s.range_f32(-1.0, 1.0));
@@ -54,7 +54,7 @@ pub(crate) fn hedge(variant: u32) -> Mesh {
             let along = (direction(&mut s) + out * 0.4).normalize_or(out);
             let face = (out + direction(&mut s) * 0.7).normalize_or(out);
             let shade = shades[(1 + usize::from(depth > -0.03) + s.below(2) + usize::from(out.z > 0.5)).min(4)];
-            let size = s.range_f32(0.045, 0.075);
+            let size = s.range_f32(0.055, 0.10);
             let stalk = Vec3::new((p.x).clamp(-0.5, 0.5), p.y, p.z.max(0.01));
             leaves.leaf(stalk, along, face, Vec2::new(size, size * 0.6), out + direction(&mut s) * 0.45, shade);
         }

@@ -182,21 +182,21 @@ pub(crate) fn broadleaf(variant: u32) -> Mesh {
         }
     }
     // Clumps fill a shell of the crown unevenly: gaps let the sky through.
-    let clumps = (170.0 * kind.density) as usize;
+    let clumps = (190.0 * kind.density) as usize;
     let lobes: Vec<(Vec3, f32)> = (0..9).map(|_| (direction(&mut s), s.range_f32(0.86, 1.12))).collect();
     for _ in 0..clumps {
         let d = direction(&mut s);
         let (_, bulge) =
             lobes.iter().fold((-2.0, 1.0), |best, &(l, k)| if l.dot(d) > best.0 { (l.dot(d), k) } else { best });
-        let r = math::pow(s.range_f32(0.12, 1.0), 0.42) * bulge;
+        let r = math::pow(s.range_f32(0.06, 1.0), 0.45) * bulge;
         let mut p = middle + Vec3::new(d.x * across, d.y * across, d.z * up) * r * 0.9;
         // The underside is flatter.
         if d.z < 0.0 {
-            p.z = math::lerp(p.z, middle.z - 0.55 * up, 0.35);
+            p.z = middle.z + 0.82 * (p.z - middle.z);
         }
         let out = ((p - middle) / Vec3::new(across, across, up)).normalize_or(Vec3::Z);
         let radius = s.range_f32(0.075, 0.135) * h * 0.62;
-        leaves.clump(p, radius, 84, kind.leaf, out, &shades, &mut s);
+        leaves.clump(p, radius, 76, kind.leaf * 1.22, out, &shades, &mut s);
     }
     let mut mesh = trunk.into_mesh();
     mesh.append(&leaves.finish(), Affine3A::IDENTITY);
@@ -221,16 +221,17 @@ pub(crate) fn conifer(variant: u32) -> Mesh {
         wood,
     );
     let mut leaves = Leaves::default();
-    let whorls = 26;
+    let whorls = 32;
     for i in 0..whorls {
         let t = i as f32 / (whorls - 1) as f32;
         let z = math::lerp(0.12, 0.975, t) * h;
         let reach = spread * math::pow(1.0 - t, 0.8) + 0.12;
-        let n = 8 - (t * 3.0) as usize;
+        let n = 7 - (t * 3.0) as usize;
         let phase = s.range_f32(0.0, TAU);
         for k in 0..n {
             let (sin, cos) = math::sin_cos(phase + TAU * k as f32 / n as f32 + s.range_f32(-0.2, 0.2));
             let out = Vec3::new(cos, sin, 0.0);
+            let z = z + s.range_f32(-0.024, 0.012) * h;
             let reach = reach * s.range_f32(0.78, 1.08);
             let droop = math::lerp(-0.28, 0.25, t) * reach;
             let tip = Vec3::new(0.0, 0.0, z + droop) + out * reach;
@@ -241,7 +242,7 @@ pub(crate) fn conifer(variant: u32) -> Mesh {
                 let p = (Vec3::Z * z).lerp(tip, f) + Vec3::Z * 0.06 * reach * 4.0 * f * (1.0 - f);
                 let side = Quat::from_rotation_z(s.range_f32(-1.15, 1.15)) * out;
                 let along = (side + Vec3::NEG_Z * s.range_f32(-0.1, 0.5)).normalize_or(out);
-                let size = s.range_f32(0.16, 0.30) * (1.15 - 0.45 * f);
+                let size = s.range_f32(0.19, 0.34) * (1.15 - 0.45 * f);
                 let shade = shades[((f * 3.0) as usize + s.below(2)).min(4)];
                 let face = (Vec3::Z + direction(&mut s) * 0.6).normalize_or(Vec3::Z);
                 leaves.leaf(p, along, face, Vec2::new(size * 1.5, size * 0.42), out * 0.8 + Vec3::Z * 0.6, shade);
