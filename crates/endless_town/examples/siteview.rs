@@ -1,7 +1,7 @@
 //! Draws what a camera site sees, flat-shaded: `cargo run -p endless_town --release --example siteview -- Town03 0 out.png`.
 //! Lists the sites if no number is given.
 
-use endless_asset::{Catalogue, Mesh};
+use endless_asset::{Catalogue, Mesh, Surface};
 use endless_town::{Town, What, load};
 use endless_world::{ImageSize, PinholeCamera, math};
 use glam::{Affine3A, Vec2, Vec3};
@@ -26,7 +26,8 @@ impl Film {
             let back = normal.dot(corners[0] - self.camera.position) > 0.0;
             let base = Vec3::from_array(mesh.materials[usize::from(m)].base_color) * tint * light;
             // Faces seen from behind would be holes in a solid: show them in magenta.
-            let base = if back { Vec3::new(base.x.max(0.3), 0.0, base.z.max(0.3)) } else { base };
+            let leaf = mesh.materials[usize::from(m)].surface == Surface::Foliage;
+            let base = if back && !leaf { Vec3::new(base.x.max(0.3), 0.0, base.z.max(0.3)) } else { base };
             let color = base.to_array().map(|v| (math::pow(v.clamp(0.0, 1.0), 1.0 / 2.2) * 255.0) as u8);
             self.clipped(corners.map(|p| self.camera.camera_from_world(p)), color);
         }

@@ -2,8 +2,8 @@
 
 use endless_asset::{Catalogue, Mesh, Prop};
 use endless_town::{NAMES, Town, What, load};
-use endless_world::ClassTag;
-use glam::{Affine3A, DVec2, Vec3};
+use endless_world::{ClassTag, ImageSize, PinholeCamera};
+use glam::{Affine3A, DVec2, DVec3, Vec3};
 
 fn towns() -> Vec<Town> {
     let catalogue = Catalogue::builtin();
@@ -184,7 +184,7 @@ fn lanes_crossings_and_sidewalks_are_clear() {
             assert!(hit.is_none(), "{}: {hit:?} on the sidewalk at {p}", town.name);
         }
         for crossing in &town.network.crossings {
-            let [a, b] = crossing.ends.map(|e| e.truncate());
+            let [a, b] = crossing.ends.map(DVec3::truncate);
             for k in 0..=10 {
                 let p = a.lerp(b, f64::from(k) / 10.0);
                 let core = square(p, crossing.width_m / 2.0 - 0.1);
@@ -197,4 +197,53 @@ fn lanes_crossings_and_sidewalks_are_clear() {
             }
         }
     }
+}
+
+/// Each camera sees lanes and crossings in the range that matters, with no building before them.
+#[test]
+fn cameras_look_at_streets() {
+    let size = ImageSize { width: 1280, height: 720 };
+    for town in towns() {
+        for site in &town.cameras {
+            let camera = PinholeCamera::new(site, size);
+            let seen = |p: Vec3| {
+                camera.project(p).is_some_and(|(q, depth)| {
+                    (0.0..1280.0).contains(&q.x) && (0.0..720.0).contains(&q.y) && (6.0..60.0).contains(&depth)
+                })
+            };
+            let lanes = town
+                .network
+                .lanes
+                .iter()
+                .flat_map(|l| (0..(l.centerline.length() / 3.0) as usize).map(|i| l.centerline.at(3.0 * i as f64)))
+                .filter(|place| seen(place.position.as_vec3()))
+                .count();
+            assert!(lanes >= 12, "{}: {} sees {lanes} places on lanes", town.name, site.name);
+            let forward = camera.world_from_camera.z_axis;
+            let near =
+                town.placements.iter().filter(|p| matches!(p.what, What::Prop(prop, _) if prop != Prop::CameraPole));
+            for placement in near {
+                let between =
+                    Vec3::from(placement.world_from_object.translation).truncate() - camera.position.truncate();
+                let ahead = between.dot(forward.truncate().normalize());
+                let aside = (between.length_squared() - ahead * ahead).max(0.0).sqrt();
+                let low = matches!(placement.what, What::Prop(prop, _) if is_low(prop));
+                assert!(
+                    low || !(0.0..1.5).contains(&ahead) || aside > 1.0,
+                    "{}: {:?} before {}",
+                    town.name,
+                    placement.what,
+                    site.name
+                );
+            }
+        }
+    }
+}
+
+/// Things that end well below any lens.
+fn is_low(prop: Prop) -> bool {
+    !matches!(
+        prop,
+        Prop::BroadleafTree | Prop::Conifer | Prop::Palm | Prop::StreetLamp | Prop::UtilityPole | Prop::SignalMast
+    )
 }

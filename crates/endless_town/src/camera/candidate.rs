@@ -87,8 +87,9 @@ fn at_junction(plan: &Plan, n: usize, node: &Node, found: &mut Vec<Candidate>) {
         let across = node.position - foot;
         let height = (5.6 + 0.16 * across.length()).clamp(6.6, 9.5);
         for turn in [-0.3, 0.0, 0.3] {
-            let aim =
-                foot + DVec2::new(cos(turn), sin(turn)).rotate(across.normalize_or(DVec2::X)) * (across.length() + 5.0);
+            let aim = foot
+                + DVec2::new(cos(turn), sin(turn)).rotate(across.normalize_or(DVec2::X))
+                    * (across.length() + 9.0).max(23.0);
             let site = aimed(foot, height, aim, 84.0, Mount::Pole);
             found.push(Candidate { view, subject: n, pole: Some(foot), site });
         }

@@ -53,7 +53,8 @@ impl Sights {
         let blocked = self.posts.iter().any(|&post| {
             let distance = post.distance(here);
             let seen = [3.0, 5.0, 7.0].iter().any(|&z| in_picture(post.as_vec2().extend(z)));
-            distance > 0.6 && distance < 7.0 && seen
+            let ahead = camera.world_from_camera.z_axis.truncate().as_dvec2().dot(post - here) > 0.0;
+            (distance < 7.0 && seen) || (distance < 1.8 && ahead)
         });
         if blocked || self.solids.iter().any(|(rect, _)| rect.grown(0.3).contains(here)) {
             return None;
