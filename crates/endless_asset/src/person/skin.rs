@@ -50,7 +50,7 @@ pub(crate) struct Skin {
 impl Skin {
     /// Adds a part whose vertices follow the bones that `blend` says.
     pub(crate) fn add(&mut self, part: Sculpt, blend: impl Fn(Vec3) -> Blend) {
-        let part = part.into_mesh();
+        let part = part.into_mesh_without_seams();
         for &p in &part.positions {
             let wanted = blend(p).rounded();
             let index = self.blends.iter().position(|&b| b == wanted).unwrap_or_else(|| {

@@ -147,6 +147,15 @@ impl Sculpt {
 
     /// The finished mesh; corners alike in place and normal become one vertex. uv: metres along the face, v upward.
     pub(crate) fn into_mesh(self) -> Mesh {
+        self.welded(true)
+    }
+
+    /// The same with fewer vertices: uv is that of whichever face came first, for surfaces that do not use it.
+    pub(crate) fn into_mesh_without_seams(self) -> Mesh {
+        self.welded(false)
+    }
+
+    fn welded(self, seams: bool) -> Mesh {
         let mut mesh = Mesh::default();
         let mut seen: HashMap<([i32; 3], [i32; 3], u8), u32> = HashMap::new();
         for face in &self.faces {
@@ -157,7 +166,7 @@ impl Sculpt {
             for k in 0..3 {
                 let (p, n) = (face.corners[k], face.normals[k]);
                 let normal_key = (n * 4096.0).round().to_array().map(|c| c as i32);
-                indices[k] = *seen.entry((key(p), normal_key, axis)).or_insert_with(|| {
+                indices[k] = *seen.entry((key(p), normal_key, if seams { axis } else { 0 })).or_insert_with(|| {
                     mesh.positions.push(p);
                     mesh.normals.push(n);
                     mesh.uvs.push(match axis {
