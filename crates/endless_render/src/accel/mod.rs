@@ -17,6 +17,7 @@ mod brute;
 mod collapse;
 mod node;
 mod packet;
+mod packet_ray;
 mod ray;
 mod single;
 mod stack;

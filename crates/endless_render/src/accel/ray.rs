@@ -52,7 +52,7 @@ impl Hit {
 pub(super) const FAR_PAD: f32 = 1.0 + 16.0 / 16_777_216.0;
 
 /// The inverse of a direction component is limited to this, so that `0 * inverse` stays a number.
-const MAX_INVERSE: f32 = 1e20;
+pub(super) const MAX_INVERSE: f32 = 1e20;
 
 /// Finite inverse of a direction component; keeps the sign, that of zero included.
 #[inline]

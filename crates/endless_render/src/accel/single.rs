@@ -102,7 +102,7 @@ fn walk<const ANY: bool>(
                     if leaf(link, tnear, best, stack) {
                         found = true;
                         if ANY {
-                            while stack.pop(base).is_some() {}
+                            stack.truncate(base);
                             return true;
                         }
                     }

@@ -45,6 +45,13 @@ impl Stack {
         Some((Link(entry as u32), f32::from_bits((entry >> 32) as u32)))
     }
 
+    /// Drops the entries from `base` on.
+    #[inline]
+    pub(super) fn truncate(&mut self, base: usize) {
+        self.len = self.len.min(base);
+        self.spill.truncate(self.len.saturating_sub(INLINE));
+    }
+
     /// Sorts the entries from `base` on, so that the nearest is popped first.
     #[inline]
     pub(super) fn sort_from(&mut self, base: usize) {

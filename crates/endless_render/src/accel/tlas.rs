@@ -31,6 +31,8 @@ pub(super) struct Entry {
     /// Where in the mesh's tree to start.
     pub(super) root: Link,
     pub(super) instance: u32,
+    /// Box in world space, as in the leaf's slot.
+    pub(super) bounds: (Vec3A, Vec3A),
 }
 
 const COSTS: Costs = Costs { group: 1.0, group_size: 1, max_leaf: 1 };
@@ -52,13 +54,13 @@ impl Accel {
             let root = blas.tree.root;
             if world_from_object == Affine3A::IDENTITY {
                 open_parts(&blas, &mut |root, bounds| {
-                    parts.push(Entry { object_from_world: None, blas: Arc::clone(&blas), root, instance });
+                    parts.push(Entry { object_from_world: None, blas: Arc::clone(&blas), root, instance, bounds });
                     boxes.push(bounds);
                 });
             } else {
                 let inverse = world_from_object.inverse();
                 let transform = Transform { linear: inverse.matrix3, translation: inverse.translation };
-                parts.push(Entry { object_from_world: Some(transform), blas, root, instance });
+                parts.push(Entry { object_from_world: Some(transform), blas, root, instance, bounds: (min, max) });
                 boxes.push((min, max));
             }
         }

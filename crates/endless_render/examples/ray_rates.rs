@@ -1,0 +1,130 @@
+//! Prints rates of tracing in a made-up town, own traversal beside those of `obvhs`:
+//! `cargo run --release -p endless_render --example ray_rates`.
+#![expect(clippy::print_stdout, reason = "a table is what it is for")]
+
+#[path = "../benches/town/baseline.rs"]
+mod baseline;
+#[path = "../benches/town/mod.rs"]
+mod town;
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
+
+use endless_render::{Accel, Ray};
+use obvhs::bvh2::Bvh2;
+use obvhs::cwbvh::CwBvh;
+use town::{Packet, Town};
+
+const THREADS: usize = 2;
+const ROUNDS: usize = 5;
+
+/// Time this thread has run, so that other work on the machine does not count; wall time where the system does not
+/// tell.
+struct Clock(Instant, Option<usize>);
+
+impl Clock {
+    fn start() -> Self {
+        Clock(Instant::now(), Self::busy())
+    }
+
+    fn busy() -> Option<usize> {
+        std::fs::read_to_string("/proc/thread-self/schedstat").ok()?.split_whitespace().next()?.parse().ok()
+    }
+
+    fn nanoseconds(&self) -> usize {
+        match (self.1, Self::busy()) {
+            (Some(before), Some(now)) => now - before,
+            _ => self.0.elapsed().as_nanos() as usize,
+        }
+    }
+}
+
+/// Millions of active rays per second, best of some rounds, and how many hit.
+fn rate(packets: &[Packet], trace: impl Fn(&[Ray; 8], u8) -> u32 + Sync) -> (f64, usize) {
+    const CHUNK: usize = 512;
+    let rays: u32 = packets.iter().map(|(_, active)| active.count_ones()).sum();
+    let mut best = f64::INFINITY;
+    let mut hits = 0;
+    for _ in 0..ROUNDS {
+        let (next, found, busy) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(0));
+        std::thread::scope(|scope| {
+            for _ in 0..THREADS {
+                scope.spawn(|| {
+                    let clock = Clock::start();
+                    let mut sum = 0;
+                    while let Some(chunk) = packets.chunks(CHUNK).nth(next.fetch_add(1, Ordering::Relaxed)) {
+                        sum += chunk.iter().map(|(rays, active)| trace(rays, *active) as usize).sum::<usize>();
+                    }
+                    found.fetch_add(sum, Ordering::Relaxed);
+                    busy.fetch_add(clock.nanoseconds(), Ordering::Relaxed);
+                });
+            }
+        });
+        best = best.min(busy.into_inner() as f64 * 1e-9 / THREADS as f64);
+        hits = found.into_inner();
+    }
+    (f64::from(rays) / best / 1e6, hits)
+}
+
+fn each(active: u8, rays: &[Ray; 8], hit: impl Fn(&Ray) -> bool) -> u32 {
+    (0..8).filter(|&lane| active >> lane & 1 != 0 && hit(&rays[lane])).count() as u32
+}
+
+fn main() {
+    let start = Instant::now();
+    let town = Town::new();
+    println!("built in {:.1} s", start.elapsed().as_secs_f64());
+    let unique: usize = town.meshes.iter().map(|m| m.triangles.len()).sum();
+    let bytes: usize = town.blas.iter().map(|b| b.memory_bytes()).sum();
+    println!(
+        "{} instances, {unique} own triangles at {:.0} B, {} instanced; top level {:.1} MB",
+        town.instances.len(),
+        bytes as f64 / unique as f64,
+        town.instances.iter().map(|(m, _)| town.meshes[*m].triangles.len()).sum::<usize>(),
+        town.accel.memory_bytes() as f64 / 1e6
+    );
+    for count in [100, 600, town.instances.len()] {
+        let place = |_| town::placed(&town.blas, &town.instances[town.instances.len() - count..]);
+        let lists: Vec<_> = (0..9).map(place).collect();
+        let times = lists.into_iter().map(|list| {
+            let start = Instant::now();
+            std::hint::black_box(Accel::build(list));
+            start.elapsed().as_secs_f64() * 1e3
+        });
+        println!("top level over {count} instances: {:.3} ms", times.fold(f64::INFINITY, f64::min));
+    }
+    let [primary, sun, diffuse] = town.rays();
+    let accel = &town.accel;
+    let report = |name: &str, rates: [(f64, usize); 3]| {
+        let [a, b, c] = rates;
+        println!(
+            "{name:16} primary {:6.2}  sun {:6.2}  diffuse {:6.2} Mrays/s   hits {} {} {}",
+            a.0, b.0, c.0, a.1, b.1, c.1
+        );
+    };
+    let single = |r: &[Ray; 8], m| each(m, r, |ray| accel.closest(ray).is_some());
+    report(
+        "own, single",
+        [rate(&primary, single), rate(&sun, |r, m| each(m, r, |ray| accel.occluded(ray))), rate(&diffuse, single)],
+    );
+    let packet = |r: &[Ray; 8], m| accel.closest8(r, m).iter().flatten().count() as u32;
+    report(
+        "own, packets",
+        [rate(&primary, packet), rate(&sun, |r, m| accel.occluded8(r, m).count_ones()), rate(&diffuse, packet)],
+    );
+    if std::env::args().any(|a| a == "own") {
+        return;
+    }
+    let cw = baseline::Baseline::<CwBvh>::new(&town);
+    let single = |r: &[Ray; 8], m| each(m, r, |ray| cw.closest(ray).is_some());
+    report(
+        "obvhs CWBVH",
+        [rate(&primary, single), rate(&sun, |r, m| each(m, r, |ray| cw.occluded(ray))), rate(&diffuse, single)],
+    );
+    let b2 = baseline::Baseline::<Bvh2>::new(&town);
+    let single = |r: &[Ray; 8], m| each(m, r, |ray| b2.closest(ray).is_some());
+    report(
+        "obvhs BVH2",
+        [rate(&primary, single), rate(&sun, |r, m| each(m, r, |ray| b2.occluded(ray))), rate(&diffuse, single)],
+    );
+}
