@@ -14,6 +14,11 @@ use endless_world::{SignalAspect, SignalState};
 const SPARE_M: f64 = 2.5;
 /// Seconds after which those who stand and have priority are taken to let others go first.
 const PATIENCE_S: f64 = 2.5;
+/// Seconds of waiting after which those in slow traffic let somebody in, and for how long they stand for it.
+const COURTESY_S: f64 = 25.0;
+const COURTEOUS_S: f64 = 6.0;
+/// Traffic is slow below this speed, m/s.
+const SLOW_MPS: f64 = 4.0;
 
 /// A vehicle before a junction that has no leave yet.
 #[derive(Debug, Clone)]
@@ -76,12 +81,13 @@ impl Marshal {
             }
         }
         for (k, request) in requests.iter().enumerate() {
-            let others = requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction);
+            let mut others =
+                requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction).map(|(_, r)| r);
             let fits = sign_allows(roads, request)
                 && self.next_in_line(roads, occupancy, vehicles, request)
                 && self.room_beyond(roads, occupancy, vehicles, request)
                 && self.clear_of_granted(roads, vehicles, request)
-                && others.into_iter().all(|(_, other)| goes_before(roads, vehicles, request, other));
+                && others.all(|other| !lets_in(roads, request, other) && goes_before(roads, vehicles, request, other));
             if fits {
                 self.order += 1;
                 let vehicle = &mut vehicles[request.vehicle];
@@ -253,6 +259,18 @@ fn sign_allows(roads: &Roads, request: &Request) -> bool {
         Control::Yield => request.distance < 14.0,
         Control::Free => !must_look || request.distance < 14.0,
     }
+}
+
+/// Whether `me`, in slow traffic, gives up its turn for `other`, who has waited long to join it or to get across.
+fn lets_in(roads: &Roads, me: &Request, other: &Request) -> bool {
+    let meet =
+        || me.lanes.iter().any(|&l| roads.table(l).conflicts(true).iter().any(|c| other.lanes.contains(&c.other)));
+    other.waited_s > COURTESY_S
+        && other.waited_s > me.waited_s
+        && !other.held
+        && me.speed < SLOW_MPS
+        && me.waited_s < COURTEOUS_S
+        && (me.exit == other.exit || meet())
 }
 
 /// Whether `me` may go although `other`, which has no leave yet, approaches too.

@@ -20,7 +20,7 @@ pub(crate) struct CrossingState {
     pub(crate) people: Vec<OnFoot>,
     /// Somebody stands at the kerb and may go as soon as drivers let them.
     pub(crate) wanted: bool,
-    /// A vehicle is on it.
+    /// A vehicle is on it, or at its very edge.
     pub(crate) occupied: bool,
     /// A vehicle is on it or too close to stop.
     pub(crate) danger: bool,
@@ -28,6 +28,8 @@ pub(crate) struct CrossingState {
     pub(crate) taken: Vec<f64>,
 }
 
+/// Vehicles closer than this to a crossing stand on it in people's eyes, metres.
+const CLEAR_M: f64 = 0.3;
 /// Walkers closer than this to a lane's middle are in its way, metres.
 const IN_THE_WAY_M: f64 = 2.5;
 /// Drivers stop for people that walk towards their lane from this far, metres.
@@ -42,6 +44,11 @@ impl CrossingState {
         })
     }
 
+    /// Whether somebody on it has still to pass a lane, however far away.
+    pub(crate) fn awaits(&self, cut: &Cut) -> bool {
+        self.people.iter().any(|p| (cut.along_m - p.along_m) * p.direction > -IN_THE_WAY_M)
+    }
+
     /// Whether somebody at this place who walks in this direction would step in front of a vehicle.
     pub(crate) fn step_is_unsafe(&self, person: OnFoot) -> bool {
         self.taken.iter().any(|along| {
@@ -53,7 +60,7 @@ impl CrossingState {
 
 /// Comfortable distance to stop from a speed, metres.
 pub(crate) fn comfortable_stop_m(speed: f64) -> f64 {
-    speed * speed / (2.0 * 2.4) + 0.3 * speed + 0.3
+    speed * speed / (2.0 * 2.4) + 0.3 * speed + CLEAR_M
 }
 
 /// Notes the crossings that each vehicle is on or can no longer stop for.
@@ -67,10 +74,10 @@ pub(crate) fn note_vehicles(roads: &Roads, vehicles: &[Vehicle], crossings: &mut
         let reach = vehicle.half_length + comfortable_stop_m(vehicle.speed);
         let mut note = |cut: &Cut, base: f64| {
             let (low, high) = (base + cut.range.0, base + cut.range.1);
-            if low < reach && high > -vehicle.half_length - 0.3 {
+            if low < reach && high > -vehicle.half_length - CLEAR_M {
                 let state = &mut crossings[cut.crossing.index()];
                 state.danger = true;
-                state.occupied |= low < vehicle.half_length;
+                state.occupied |= low < vehicle.half_length + CLEAR_M;
                 state.taken.push(cut.along_m);
             }
         };

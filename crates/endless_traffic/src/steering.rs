@@ -6,10 +6,13 @@ use crate::driver::HARDEST_BRAKING;
 use crate::occupancy::{Leader, Occupancy};
 use crate::roads::{PLANNED_BRAKING, Roads};
 use crate::vehicle::Vehicle;
+use endless_road::LaneId;
 use endless_world::{SignalAspect, SignalState};
 
 /// How far drivers look, metres.
 const SIGHT_M: f64 = 110.0;
+/// How far they look for a place to wait that is no crossing, metres.
+const CLOSE_M: f64 = 50.0;
 /// How fast acceleration may rise and fall, m/s³.
 const JERK_UP: f64 = 5.0;
 const JERK_DOWN: f64 = 25.0;
@@ -62,6 +65,7 @@ impl View<'_> {
     /// Distance from the front bumper to the nearest line at which to stop.
     fn line_ahead(&self, i: usize, leader: Option<Leader>) -> Option<f64> {
         let me = &self.vehicles[i];
+        let sure = self.surely_free(i, leader);
         let mut nearest = f64::INFINITY;
         for (k, (lane, base)) in me.ahead(self.roads).enumerate() {
             if base > SIGHT_M {
@@ -70,7 +74,7 @@ impl View<'_> {
             let table = self.roads.table(lane);
             if let Some(junction) = table.junction {
                 match me.grant_for(junction) {
-                    Some(grant) => nearest = nearest.min(self.earlier_ahead(i, lane, base, grant.order)),
+                    Some(grant) => nearest = nearest.min(self.earlier_ahead(i, lane, base, grant.order, true)),
                     None if k > 0 && base > 0.0 => {
                         let line = nearest.min(base - me.half_length - 0.3);
                         return Some(self.off_crossings(me, line));
@@ -87,17 +91,29 @@ impl View<'_> {
                 let invited =
                     signal_of(self.roads, cut.crossing).is_none_or(|s| self.signals[s].aspect == SignalAspect::Green);
                 let lets_go = state.wanted && invited && !state.occupied && gap > comfortable_stop_m(me.speed);
-                let full = table.junction.is_none()
-                    && leader.is_some_and(|l| {
-                        let beyond = base + cut.range.1 + me.half_length + 1.0;
-                        l.gap < beyond && l.gap + l.speed * l.speed / 6.0 < beyond
-                    });
-                if state.blocks(cut) || lets_go || full {
+                // Who may have to stop on it keeps off while people come, or if it is no junction's, always: nobody on
+                // foot shall find the way barred in the middle of the road.
+                let stops_on_it = sure < base + cut.range.1 + me.half_length + me.driver.standing_gap_m;
+                let keeps_off = stops_on_it && (table.junction.is_none() || state.awaits(cut));
+                if state.blocks(cut) || lets_go || keeps_off {
                     nearest = nearest.min(gap.max(0.06));
                 }
             }
         }
         nearest.is_finite().then(|| self.off_crossings(me, nearest))
+    }
+
+    /// How far the front bumper gets without waiting for anybody, even if those ahead brake, metres.
+    fn surely_free(&self, i: usize, leader: Option<Leader>) -> f64 {
+        let me = &self.vehicles[i];
+        let mut free = leader.map_or(f64::INFINITY, |l| l.gap + l.speed * l.speed / 6.0);
+        for (lane, base) in me.ahead(self.roads).take_while(|a| a.1 < CLOSE_M) {
+            let grant = self.roads.table(lane).junction.and_then(|junction| me.grant_for(junction));
+            if let Some(grant) = grant {
+                free = free.min(self.earlier_ahead(i, lane, base, grant.order, false));
+            }
+        }
+        free
     }
 
     /// A stop so that the body does not stand on a crossing that it has not reached yet.
@@ -118,8 +134,9 @@ impl View<'_> {
         stop
     }
 
-    /// Distance to the nearest place on a lane where somebody who entered the junction before has not passed yet.
-    fn earlier_ahead(&self, i: usize, lane: endless_road::LaneId, base: f64, order: u64) -> f64 {
+    /// Distance to the nearest place on a lane where somebody who entered the junction before has not passed yet;
+    /// with `foresight`, unless they will be gone in time.
+    fn earlier_ahead(&self, i: usize, lane: LaneId, base: f64, order: u64, foresight: bool) -> f64 {
         let me = &self.vehicles[i];
         let mut nearest = f64::INFINITY;
         let Some(junction) = self.roads.table(lane).junction else { return nearest };
@@ -139,7 +156,7 @@ impl View<'_> {
                 // No need to brake for who will be gone, as long as stopping is still possible.
                 let gone_in = to_clear / them.speed.max(0.1);
                 let in_time = gone_in + 0.5 < gap / me.speed.max(1.0);
-                if !(in_time && gap > comfortable_stop_m(me.speed) + 1.0) {
+                if !(foresight && in_time && gap > comfortable_stop_m(me.speed) + 1.0) {
                     nearest = nearest.min(gap.max(0.06));
                 }
             }
