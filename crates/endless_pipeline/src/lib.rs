@@ -1,1 +1,19 @@
-//! placeholder
+//! Recipe → plan → scenes → record → resume: the one place where all rooms meet.
+
+mod builtin;
+mod error;
+mod generate;
+mod plan;
+mod progress;
+mod recipe;
+mod record;
+mod simulator;
+
+pub use builtin::{BuiltinMap, BuiltinSimulator};
+pub use error::{GenerateError, PlanError, RecipeError};
+pub use generate::{Estimate, GenerateOptions, Generated, generate};
+pub use plan::Plan;
+pub use progress::{Event, Progress, Silent};
+pub use recipe::RecipeDraft;
+pub use record::StageTimes;
+pub use simulator::{Cameras, MapCatalog, RenderStats, Scene, Simulator, SimulatorError, Traffic};

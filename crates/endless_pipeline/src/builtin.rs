@@ -1,0 +1,153 @@
+//! The built-in city: towns, traffic and the ray tracer joined.
+
+use crate::{Cameras, MapCatalog, RenderStats, Scene, Simulator, SimulatorError, Traffic};
+use endless_asset::Catalogue;
+use endless_dataset::Spawned;
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_town::{Town, TownError};
+use endless_traffic::{Conditions, Simulation};
+use endless_world::{Actor, CameraSite, SceneSettings, SensorFrame, WorldState};
+use std::{
+    collections::BTreeMap,
+    sync::{Mutex, PoisonError},
+};
+
+/// Rays that gather indirect light for each sample of the bake.
+const GATHER_RAYS: u32 = 6;
+
+/// Simulates and renders without anything outside this program.
+#[derive(Debug)]
+pub struct BuiltinSimulator {
+    catalogue: Catalogue,
+    /// What is asked of a town without loading it for good.
+    known: Mutex<BTreeMap<String, (String, Vec<CameraSite>)>>,
+}
+
+/// A town and its geometry.
+pub struct BuiltinMap {
+    town: Town,
+    still: StaticScene,
+}
+
+impl BuiltinSimulator {
+    /// The built-in catalogue and towns.
+    pub fn new() -> Self {
+        Self { catalogue: Catalogue::builtin(), known: Mutex::default() }
+    }
+
+    fn town(&self, name: &str) -> Result<Town, SimulatorError> {
+        endless_town::load(name, &self.catalogue).map_err(|e: TownError| SimulatorError(e.to_string()))
+    }
+
+    fn describe(&self, map: &str) -> Result<(String, Vec<CameraSite>), SimulatorError> {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = known.get(map) {
+            return Ok(found.clone());
+        }
+        let town = self.town(map)?;
+        let described = (town.summary.to_owned(), town.cameras);
+        known.insert(map.to_owned(), described.clone());
+        Ok(described)
+    }
+}
+
+impl Default for BuiltinSimulator {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl MapCatalog for BuiltinSimulator {
+    fn maps(&self) -> Vec<String> {
+        endless_town::NAMES.iter().map(ToString::to_string).collect()
+    }
+
+    fn summary(&self, map: &str) -> Result<String, SimulatorError> {
+        Ok(self.describe(map)?.0)
+    }
+
+    fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
+        Ok(self.describe(map)?.1)
+    }
+}
+
+impl Simulator for BuiltinSimulator {
+    type Map = BuiltinMap;
+
+    fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
+        let town = self.town(name)?;
+        let still = StaticScene::load(&town, &self.catalogue);
+        Ok(BuiltinMap { town, still })
+    }
+
+    fn load_scene<'m>(&'m self, map: &'m BuiltinMap, settings: &SceneSettings) -> Result<Scene<'m>, SimulatorError> {
+        let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
+        let conditions = Conditions::new(weather, time_of_day);
+        let simulation = Simulation::new(&map.town, &self.catalogue, vehicles, pedestrians, seed, conditions, fps);
+        let population = simulation.population();
+        let parked = simulation.parked().to_vec();
+        let spawned = Spawned {
+            vehicles: population.vehicles_spawned,
+            pedestrians: population.pedestrians_spawned,
+            parked: parked.len() as u32,
+        };
+        let moving = simulation.state().actors;
+        Ok(Scene { spawned, parked, moving, traffic: Box::new(City { simulation, begun: false }) })
+    }
+
+    fn bake<'m>(
+        &'m self,
+        map: &'m BuiltinMap,
+        settings: &SceneSettings,
+        moving: &[Actor],
+    ) -> Result<Box<dyn Cameras + 'm>, SimulatorError> {
+        let render = RenderSettings {
+            weather: settings.weather,
+            time_of_day: settings.time_of_day,
+            seed: settings.seed,
+            size: settings.size,
+            gather_rays: GATHER_RAYS,
+            keep_irradiance: false,
+        };
+        let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(&map.still, &render, site));
+        let bake_rays = rays(&baked);
+        Ok(Box::new(Pair { still: &map.still, cast: Cast::new(&self.catalogue, moving), baked, bake_rays }))
+    }
+}
+
+struct City {
+    simulation: Simulation,
+    begun: bool,
+}
+
+impl Traffic for City {
+    fn tick(&mut self) -> WorldState {
+        if self.begun {
+            self.simulation.tick();
+        }
+        self.begun = true;
+        self.simulation.state()
+    }
+}
+
+struct Pair<'m> {
+    still: &'m StaticScene,
+    cast: Cast,
+    baked: [CameraBake; 2],
+    bake_rays: u64,
+}
+
+fn rays(baked: &[CameraBake; 2]) -> u64 {
+    baked.iter().map(|b| b.stats().rays()).sum()
+}
+
+impl Cameras for Pair<'_> {
+    fn render(&self, state: &WorldState) -> [SensorFrame; 2] {
+        let frame = FrameScene::new(&self.cast, state);
+        self.baked.each_ref().map(|camera| camera.render(self.still, &frame))
+    }
+
+    fn stats(&self) -> RenderStats {
+        RenderStats { bake_rays: self.bake_rays, frame_rays: rays(&self.baked) - self.bake_rays }
+    }
+}

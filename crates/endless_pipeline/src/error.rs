@@ -1,0 +1,183 @@
+//! What can go wrong between a recipe and its dataset. Every message is one line that says what to do.
+
+use crate::{Estimate, SimulatorError};
+use endless_annotate::AnnotateError;
+use endless_dataset::DatasetError;
+use endless_world::UnknownName;
+use std::path::PathBuf;
+
+/// A recipe that cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum RecipeError {
+    /// A word that is not in the list.
+    #[error(transparent)]
+    Unknown(#[from] UnknownName),
+    /// A map that there is not.
+    #[error("unknown map '{given}': use one of {}", known.join(", "))]
+    UnknownMap {
+        /// What was given.
+        given: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+    /// A number outside its range.
+    #[error("{field} cannot be {given}: {rule}")]
+    OutOfRange {
+        /// The option's name.
+        field: &'static str,
+        /// What was given.
+        given: String,
+        /// What can be given.
+        rule: String,
+    },
+    /// A list without entries.
+    #[error("{field} is empty: name at least one of {}", known.join(", "))]
+    EmptyList {
+        /// The option's name.
+        field: &'static str,
+        /// What can be named.
+        known: Vec<String>,
+    },
+    /// A video of a layer that is not recorded.
+    #[error("mp4 names the layer {layer}, which is not recorded: add it to layers or leave it out of mp4")]
+    VideoWithoutLayer {
+        /// The layer.
+        layer: endless_dataset::Layer,
+    },
+    /// A simulator that this version does not have.
+    #[error(
+        "simulator '{given}': this version has only the built-in simulator, leave out --simulator or write builtin"
+    )]
+    Simulator {
+        /// What was given.
+        given: String,
+    },
+    /// A recipe file that cannot be read.
+    #[error("cannot read the recipe: {source}: {}", path.display())]
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// Why not.
+        source: std::io::Error,
+    },
+    /// A recipe file that is not a recipe.
+    #[error("{}:{line}:{column}: {message}", path.display())]
+    Malformed {
+        /// The file.
+        path: PathBuf,
+        /// Line, from 1.
+        line: usize,
+        /// Column, from 1.
+        column: usize,
+        /// What is wrong there.
+        message: String,
+    },
+}
+
+/// A plan that cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum PlanError {
+    /// The simulator cannot give the cameras.
+    #[error(transparent)]
+    Simulator(#[from] SimulatorError),
+    /// Too few cameras for a pair.
+    #[error("map {map} has {cameras} camera sites: a pair needs two")]
+    NoPair {
+        /// The map.
+        map: String,
+        /// How many it has.
+        cameras: usize,
+    },
+}
+
+/// A dataset that cannot be made or resumed.
+#[derive(Debug, thiserror::Error)]
+pub enum GenerateError {
+    /// The plan cannot be made.
+    #[error(transparent)]
+    Plan(#[from] PlanError),
+    /// A file cannot be read or written.
+    #[error(transparent)]
+    Dataset(#[from] DatasetError),
+    /// The simulator failed.
+    #[error(transparent)]
+    Simulator(#[from] SimulatorError),
+    /// Image and scene disagree.
+    #[error("the simulator contradicts itself: {0}")]
+    Annotate(#[from] AnnotateError),
+    /// The output is a file.
+    #[error("the output is a file: give a folder, which need not exist: {}", path.display())]
+    OutputIsFile {
+        /// The output.
+        path: PathBuf,
+    },
+    /// The output holds something else.
+    #[error("the output holds other files ('{found}'): give a new or an empty folder: {}", path.display())]
+    OutputInUse {
+        /// One of them.
+        found: String,
+        /// The output.
+        path: PathBuf,
+    },
+    /// Somebody else writes there.
+    #[error("another process is writing this dataset: wait for it, or give another folder: {}", path.display())]
+    Locked {
+        /// The output.
+        path: PathBuf,
+    },
+    /// The output holds the dataset of another recipe.
+    #[error(
+        "the output holds a dataset of another recipe ({field} is {theirs} there, {mine} here): use the same recipe \
+         or give another folder: {}",
+        path.display()
+    )]
+    OtherRecipe {
+        /// The first field that differs.
+        field: String,
+        /// Its value in the output.
+        theirs: String,
+        /// Its value now.
+        mine: String,
+        /// The output.
+        path: PathBuf,
+    },
+    /// A scene in the output is not what the recipe plans.
+    #[error("this scene is not the one that the recipe plans: give another folder, or delete it: {}", path.display())]
+    OtherScene {
+        /// The scene's file.
+        path: PathBuf,
+    },
+    /// A video that nothing proves to be this recipe's.
+    #[error(
+        "dataset.json is missing, and nothing says that this video is of this recipe: delete it, or give another \
+         folder: {}",
+        path.display()
+    )]
+    UnprovenVideo {
+        /// The video's folder.
+        path: PathBuf,
+    },
+    /// The disk has not enough room.
+    #[error(
+        "the disk has {} free, the dataset needs about {}: make room, ask for less, or use --rgb-format jpg: {}",
+        human_bytes(estimate.free), human_bytes(estimate.bytes), path.display()
+    )]
+    DiskTooSmall {
+        /// How much is needed and there.
+        estimate: Estimate,
+        /// The output.
+        path: PathBuf,
+    },
+}
+
+/// Bytes as people say them.
+pub(crate) fn human_bytes(bytes: u64) -> String {
+    const UNITS: [&str; 5] = ["bytes", "kB", "MB", "GB", "TB"];
+    let mut value = bytes as f64;
+    let mut unit = 0;
+    while value >= 1000.0 && unit + 1 < UNITS.len() {
+        value /= 1000.0;
+        unit += 1;
+    }
+    if unit == 0 { format!("{bytes} bytes") } else { format!("{value:.1} {}", UNITS[unit]) }
+}

@@ -1,0 +1,60 @@
+//! How much disk a dataset takes.
+
+use crate::{GenerateError, record::count_images};
+use endless_dataset::{DatasetError, DatasetLayout, Layer, Recipe, RgbFormat};
+use endless_world::SceneSettings;
+use std::path::Path;
+
+/// What is still to be made, and the room for it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Estimate {
+    /// Images of each layer still to be made.
+    pub camera_frames: u64,
+    /// About so many bytes.
+    pub bytes: u64,
+    /// Bytes free on the disk.
+    pub free: u64,
+}
+
+/// Bytes a pixel, as measured on rendered streets by day (the dearest).
+fn bytes_a_pixel(layer: Layer, rgb_format: RgbFormat) -> f64 {
+    match (layer, rgb_format) {
+        (Layer::Rgb, RgbFormat::Png) => 1.6,
+        (Layer::Rgb, RgbFormat::Jpg) => 0.35,
+        (Layer::Depth, _) => 1.5,
+        (Layer::Instance, _) => 0.06,
+    }
+}
+
+/// Bytes a pixel of a video's frame.
+const VIDEO_BYTES_A_PIXEL: f64 = 0.015;
+/// Headers, annotations and what a file takes beyond its bytes.
+const BYTES_A_FILE: f64 = 4096.0;
+
+pub(super) fn estimate(
+    layout: &DatasetLayout,
+    recipe: &Recipe,
+    to_do: &[&SceneSettings],
+) -> Result<Estimate, GenerateError> {
+    let mut present = 0;
+    for settings in to_do {
+        for camera in 0..2 {
+            present += count_images(&layout.video(settings).camera(camera), recipe)?;
+        }
+    }
+    let camera_frames = 2 * to_do.len() as u64 * u64::from(recipe.frames());
+    let missing = (camera_frames - present / recipe.layers.len() as u64) as f64;
+    let pixels = recipe.size.pixels() as f64;
+    let images: f64 = recipe.layers.iter().map(|l| bytes_a_pixel(*l, recipe.rgb_format) * pixels + BYTES_A_FILE).sum();
+    // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.
+    let videos = recipe.mp4.len() as f64 * VIDEO_BYTES_A_PIXEL * pixels * camera_frames as f64;
+    let bytes = (missing * images + videos + camera_frames as f64 * BYTES_A_FILE) as u64;
+    Ok(Estimate { camera_frames: missing as u64, bytes, free: free(layout.root())? })
+}
+
+/// Free bytes where the folder is or will be.
+fn free(root: &Path) -> Result<u64, GenerateError> {
+    let absolute = std::path::absolute(root).unwrap_or_else(|_no_current_folder| root.to_owned());
+    let there = absolute.ancestors().find(|p| p.exists()).unwrap_or(Path::new("."));
+    fs4::available_space(there).map_err(|e| DatasetError::io("cannot ask for the free space", root, e).into())
+}

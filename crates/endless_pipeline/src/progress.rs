@@ -1,0 +1,73 @@
+//! What a run tells while it works.
+
+use crate::Estimate;
+
+/// Something worth telling.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Event<'a> {
+    /// About to start.
+    Start {
+        /// Videos to make or complete.
+        videos: u32,
+        /// Videos that are complete already.
+        complete: u32,
+        /// What it takes.
+        estimate: Estimate,
+    },
+    /// A map is being loaded.
+    LoadMap {
+        /// Which.
+        map: &'a str,
+    },
+    /// A video begins; its cameras are baked first.
+    Video {
+        /// Its folder's name.
+        name: &'a str,
+        /// Place in the work order, from 1.
+        place: u32,
+        /// Videos to do in all.
+        of: u32,
+        /// Camera frames it has.
+        camera_frames: u64,
+    },
+    /// Fewer were placed than asked for.
+    Fewer {
+        /// `vehicles` or `pedestrians`.
+        what: &'static str,
+        /// Asked for.
+        asked: u32,
+        /// Placed.
+        placed: u32,
+        /// The map.
+        map: &'a str,
+    },
+    /// The cameras are ready after so many seconds.
+    Baked {
+        /// Seconds.
+        seconds: f64,
+    },
+    /// One frame of both cameras is on disk.
+    Frame {
+        /// Whether it was there already.
+        resumed: bool,
+    },
+    /// A video is complete.
+    VideoDone {
+        /// Its folder's name.
+        name: &'a str,
+    },
+}
+
+/// Who listens. Called from several threads.
+pub trait Progress: Sync {
+    /// Something happened.
+    fn event(&self, event: &Event<'_>);
+}
+
+/// Nobody listens.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Silent;
+
+impl Progress for Silent {
+    fn event(&self, _event: &Event<'_>) {}
+}

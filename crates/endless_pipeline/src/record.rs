@@ -1,0 +1,165 @@
+//! Records one video: ticks once, renders frames on all threads, writes everything in order.
+//!
+//! There is one kind of thread. A worker first does ordered work if some waits (feeding a camera's video encoder and
+//! its list of objects), and else takes the next state of the world, renders both cameras, encodes and writes the
+//! images. The board keeps the workers within a window of frames, so memory is the same after ten seconds and after
+//! an hour.
+
+mod board;
+mod existing;
+mod frame;
+mod lane;
+mod times;
+
+pub use times::StageTimes;
+pub(crate) use {
+    existing::{camera_is_complete, count_images},
+    times::{Clock, Stage},
+};
+
+use crate::{Cameras, Event, GenerateError, Progress, Scene, Simulator};
+use board::{Board, Job};
+use endless_dataset::{CameraRecord, Recipe, SceneRecord, VideoLayout, remove_temporaries, write_json};
+use endless_world::{Actor, SceneSettings};
+use existing::Existing;
+use frame::FrameMaker;
+use lane::{Lane, Ordered};
+use std::{
+    sync::{Mutex, OnceLock, PoisonError},
+    time::Instant,
+};
+
+/// What a recording needs besides the simulator.
+pub(crate) struct Recording<'a> {
+    pub(crate) settings: &'a SceneSettings,
+    pub(crate) recipe: &'a Recipe,
+    pub(crate) layout: &'a VideoLayout,
+    pub(crate) threads: usize,
+    pub(crate) progress: &'a dyn Progress,
+    pub(crate) clock: &'a Clock,
+}
+
+/// The two cameras, baked when the first frame needs them.
+struct LazyCameras<'a, S: Simulator> {
+    simulator: &'a S,
+    map: &'a S::Map,
+    recording: &'a Recording<'a>,
+    moving: &'a [Actor],
+    baked: OnceLock<Result<Box<dyn Cameras + 'a>, GenerateError>>,
+}
+
+impl<'a, S: Simulator> LazyCameras<'a, S> {
+    /// `None` when baking failed; the error waits in `baked`.
+    fn get(&self) -> Option<&(dyn Cameras + 'a)> {
+        let baked = self.baked.get_or_init(|| {
+            let start = Instant::now();
+            let cameras = self.recording.clock.time(Stage::Bake, || {
+                self.simulator.bake(self.map, self.recording.settings, self.moving).map_err(GenerateError::from)
+            });
+            self.recording.progress.event(&Event::Baked { seconds: start.elapsed().as_secs_f64() });
+            cameras
+        });
+        baked.as_ref().ok().map(Box::as_ref)
+    }
+}
+
+/// Records a video, or completes it.
+pub(crate) fn record_video<S: Simulator>(
+    simulator: &S,
+    map: &S::Map,
+    recording: &Recording<'_>,
+) -> Result<SceneRecord, GenerateError> {
+    let Recording { settings, recipe, layout, .. } = *recording;
+    for camera in 0..2 {
+        layout.camera(camera).create(&recipe.layers)?;
+    }
+    remove_temporaries(layout.folder())?;
+    for camera in 0..2 {
+        let record = CameraRecord::new(&settings.cameras[camera], settings.size, settings.fps);
+        write_json(&layout.camera(camera).camera(), &record)?;
+    }
+    let Scene { spawned, parked, moving, traffic } =
+        recording.clock.time(Stage::LoadScene, || simulator.load_scene(map, settings))?;
+    report_fewer(recording, &spawned);
+
+    let existing = Existing::find(recording)?;
+    let cameras = LazyCameras { simulator, map, recording, moving: &moving, baked: OnceLock::new() };
+    if !existing.is_complete() {
+        // On this thread, before the workers start, so that the baking has all cores.
+        cameras.get();
+    }
+    let lanes = [Lane::create(recording, 0)?, Lane::create(recording, 1)?].map(|l| Mutex::new(Some(l)));
+    let board = Board::new(traffic, settings.frames, 2 * recording.threads as u32 + 2);
+    let maker = FrameMaker { recording, parked: &parked, existing: &existing };
+    let failure = Mutex::new(None);
+    if cameras.baked.get().is_none_or(Result::is_ok) {
+        std::thread::scope(|scope| {
+            for _ in 0..recording.threads {
+                scope.spawn(|| {
+                    let _stop_others_on_panic = board.stop_on_panic();
+                    if let Err(error) = work(&board, &lanes, &maker, &cameras) {
+                        failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                        board.stop();
+                    }
+                });
+            }
+        });
+    }
+    if let Some(cameras) = cameras.baked.get().and_then(|c| c.as_ref().ok()) {
+        recording.clock.add_rays(cameras.stats());
+    }
+    if let Some(Err(error)) = cameras.baked.into_inner() {
+        return Err(error);
+    }
+    if let Some(error) = failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        return Err(error);
+    }
+    let mut boxes = [0; 2];
+    for (boxes, lane) in boxes.iter_mut().zip(lanes) {
+        let lane = lane.into_inner().unwrap_or_else(PoisonError::into_inner);
+        *boxes = lane.expect("put back after every use").finish()?;
+    }
+    let record = SceneRecord { settings: settings.clone(), spawned, recorded_frames: settings.frames, boxes };
+    write_json(&layout.scene(), &record)?;
+    Ok(record)
+}
+
+/// What a worker does until there is nothing left. When baking failed, there is nothing to do.
+fn work<S: Simulator>(
+    board: &Board<'_, [Ordered; 2]>,
+    lanes: &[Mutex<Option<Lane>>; 2],
+    maker: &FrameMaker<'_>,
+    cameras: &LazyCameras<'_, S>,
+) -> Result<(), GenerateError> {
+    while let Some(job) = board.next(&maker.recording.clock.timer(Stage::Traffic)) {
+        match job {
+            Job::Frame(state) => {
+                let made = maker.make(&state, || cameras.get())?;
+                let Some((ordered, resumed)) = made else {
+                    board.stop();
+                    return Ok(());
+                };
+                board.deliver(state.frame, ordered);
+                maker.recording.progress.event(&Event::Frame { resumed });
+            }
+            Job::Lane { lane, item } => {
+                let mut slot = lanes[lane].lock().unwrap_or_else(PoisonError::into_inner);
+                slot.as_mut().expect("taken only at the end").push(item, maker.recording.clock)?;
+                drop(slot);
+                board.lane_done(lane);
+            }
+        }
+    }
+    Ok(())
+}
+
+fn report_fewer(recording: &Recording<'_>, spawned: &endless_dataset::Spawned) {
+    let settings = recording.settings;
+    let asked = [("vehicles", settings.vehicles, spawned.vehicles)];
+    let walkers = [("pedestrians", settings.pedestrians, spawned.pedestrians)];
+    for (what, asked, placed) in asked.into_iter().chain(walkers) {
+        if placed < asked {
+            recording.progress.event(&Event::Fewer { what, asked, placed, map: &settings.map });
+        }
+    }
+}

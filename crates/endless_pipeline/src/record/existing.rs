@@ -1,0 +1,75 @@
+//! Which images of a video are there already.
+
+use super::Recording;
+use endless_dataset::{CameraLayout, DatasetError, Layer, Recipe};
+use std::{collections::BTreeSet, ffi::OsString, fs, io};
+
+/// Frames of which every layer of both cameras is there.
+pub(crate) struct Existing {
+    present: Vec<bool>,
+}
+
+impl Existing {
+    /// Looks at the names. Without instance images nothing counts as present: the boxes come from them.
+    pub(super) fn find(recording: &Recording<'_>) -> Result<Self, DatasetError> {
+        let Recording { recipe, layout, .. } = *recording;
+        let mut present = vec![recipe.layers.contains(&Layer::Instance); frames(recipe)];
+        for camera in 0..2 {
+            for &layer in &recipe.layers {
+                mark_absent(&mut present, &layout.camera(camera), layer, recipe)?;
+            }
+        }
+        Ok(Self { present })
+    }
+
+    pub(super) fn has(&self, frame: u32) -> bool {
+        self.present[frame as usize]
+    }
+
+    pub(super) fn is_complete(&self) -> bool {
+        self.present.iter().all(|p| *p)
+    }
+}
+
+fn frames(recipe: &Recipe) -> usize {
+    recipe.frames() as usize
+}
+
+fn mark_absent(present: &mut [bool], camera: &CameraLayout, layer: Layer, recipe: &Recipe) -> Result<(), DatasetError> {
+    let names = names(camera, layer)?;
+    for (present, frame) in present.iter_mut().zip(0..) {
+        *present &= camera.frame(layer, frame, recipe).file_name().is_some_and(|name| names.contains(name));
+    }
+    Ok(())
+}
+
+fn names(camera: &CameraLayout, layer: Layer) -> Result<BTreeSet<OsString>, DatasetError> {
+    let folder = camera.layer(layer);
+    let entries = match fs::read_dir(&folder) {
+        Ok(entries) => entries,
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),
+        Err(e) => return Err(DatasetError::io("cannot read the folder", &folder, e)),
+    };
+    entries
+        .map(|entry| Ok(entry.map_err(|e| DatasetError::io("cannot read the folder", &folder, e))?.file_name()))
+        .collect()
+}
+
+/// How many images of a camera are there.
+pub(crate) fn count_images(camera: &CameraLayout, recipe: &Recipe) -> Result<u64, DatasetError> {
+    let mut count = 0;
+    for &layer in &recipe.layers {
+        let names = names(camera, layer)?;
+        let there =
+            |frame: &u32| camera.frame(layer, *frame, recipe).file_name().is_some_and(|name| names.contains(name));
+        count += (0..recipe.frames()).filter(there).count() as u64;
+    }
+    Ok(count)
+}
+
+/// Whether every file of a camera is there.
+pub(crate) fn camera_is_complete(camera: &CameraLayout, recipe: &Recipe) -> Result<bool, DatasetError> {
+    let others = recipe.mp4.iter().map(|l| camera.mp4(*l)).chain([camera.camera(), camera.objects()]);
+    let all = u64::from(recipe.frames()) * recipe.layers.len() as u64;
+    Ok(others.into_iter().all(|path| path.is_file()) && count_images(camera, recipe)? == all)
+}

@@ -1,0 +1,140 @@
+//! One frame of both cameras: rendered and written, or read back when it is there already.
+
+use super::{Existing, Ordered, Recording, times::Stage};
+use crate::{Cameras, GenerateError};
+use endless_annotate::{SceneObjects, annotate, visible_objects};
+use endless_dataset::{
+    CameraLayout, DatasetError, Layer, RgbFormat, Yuv, decode_jpg, depth_from_rgb, depth_preview, encode_jpg,
+    encode_png, instance_from_rgb, instance_preview, read_rgb, rgb_from_depth, rgb_from_instance, write_atomic,
+    yuv_from_rgb,
+};
+use endless_world::{Actor, Image, InstancePixel, SensorFrame, WorldState};
+
+pub(super) struct FrameMaker<'a> {
+    pub(super) recording: &'a Recording<'a>,
+    pub(super) parked: &'a [Actor],
+    pub(super) existing: &'a Existing,
+}
+
+/// What the ordered work of one camera needs of a frame.
+struct Layers {
+    rgb: Option<Image<[u8; 3]>>,
+    depth: Option<Image<f32>>,
+    instance: Image<InstancePixel>,
+}
+
+impl FrameMaker<'_> {
+    /// The frame, and whether it was there already. `None` when there are no cameras to render with.
+    pub(super) fn make<'c>(
+        &self,
+        state: &WorldState,
+        cameras: impl Fn() -> Option<&'c (dyn Cameras + 'c)>,
+    ) -> Result<Option<([Ordered; 2], bool)>, GenerateError> {
+        let scene = SceneObjects::new(state, self.parked);
+        if self.existing.has(state.frame) {
+            let read = self.recording.clock.time(Stage::Resume, || -> Result<_, DatasetError> {
+                Ok([self.read(0, state.frame)?, self.read(1, state.frame)?])
+            });
+            match read {
+                Ok([a, b]) => {
+                    let ordered = [self.ordered(a, state, &scene)?, self.ordered(b, state, &scene)?];
+                    return Ok(Some((ordered, true)));
+                }
+                // Somebody spoilt the image: it is made again.
+                Err(DatasetError::Malformed { .. }) => {}
+                Err(other) => return Err(other.into()),
+            }
+        }
+        let Some(cameras) = cameras() else { return Ok(None) };
+        let [a, b] = self.recording.clock.time(Stage::Render, || cameras.render(state));
+        let written = self
+            .recording
+            .clock
+            .time(Stage::Images, || -> Result<_, DatasetError> { Ok([self.write(0, a)?, self.write(1, b)?]) });
+        let [a, b] = written?;
+        Ok(Some(([self.ordered(a, state, &scene)?, self.ordered(b, state, &scene)?], false)))
+    }
+
+    fn wants_video(&self, layer: Layer) -> bool {
+        self.recording.recipe.mp4.contains(&layer)
+    }
+
+    fn read(&self, camera: usize, frame: u32) -> Result<Layers, DatasetError> {
+        let recipe = self.recording.recipe;
+        let files = self.recording.layout.camera(camera);
+        let load = |layer: Layer| {
+            let format = if layer == Layer::Rgb { recipe.rgb_format } else { RgbFormat::Png };
+            let path = files.frame(layer, frame, recipe);
+            let image = read_rgb(&path, format)?;
+            if image.size == recipe.size { Ok(image) } else { Err(DatasetError::malformed(path, "has another size")) }
+        };
+        // All are decoded, also those that are not used, so that a spoilt one is noticed.
+        let mut layers = Layers { rgb: None, depth: None, instance: Image { size: recipe.size, data: Vec::new() } };
+        for &layer in &recipe.layers {
+            let image = load(layer)?;
+            match layer {
+                Layer::Rgb => layers.rgb = Some(image),
+                Layer::Depth => layers.depth = self.wants_video(layer).then(|| depth_from_rgb(&image)),
+                Layer::Instance => {
+                    let path = files.frame(layer, frame, recipe);
+                    layers.instance = instance_from_rgb(&image)
+                        .map_err(|tag| DatasetError::malformed(path, format!("has the tag {tag}")))?;
+                }
+            }
+        }
+        Ok(layers)
+    }
+
+    fn write(&self, camera: usize, frame: SensorFrame) -> Result<Layers, DatasetError> {
+        let recipe = self.recording.recipe;
+        let files: CameraLayout = self.recording.layout.camera(camera);
+        let mut layers = Layers { rgb: None, depth: None, instance: frame.instance };
+        for &layer in &recipe.layers {
+            let path = files.frame(layer, frame.frame, recipe);
+            match (layer, recipe.rgb_format) {
+                (Layer::Rgb, RgbFormat::Png) => {
+                    write_atomic(&path, &encode_png(&frame.rgb))?;
+                }
+                (Layer::Rgb, RgbFormat::Jpg) => {
+                    let bytes = encode_jpg(&frame.rgb).map_err(|reason| DatasetError::malformed(&path, reason))?;
+                    write_atomic(&path, &bytes)?;
+                    // The video is made of the frames as they lie on disk, so that a resumed one is the same.
+                    if self.wants_video(layer) {
+                        let stored = decode_jpg(&bytes).map_err(|reason| DatasetError::malformed(&path, reason))?;
+                        layers.rgb = Some(stored);
+                    }
+                }
+                (Layer::Depth, _) => {
+                    let encoded = rgb_from_depth(&frame.depth);
+                    write_atomic(&path, &encode_png(&encoded))?;
+                    layers.depth = self.wants_video(layer).then(|| depth_from_rgb(&encoded));
+                }
+                (Layer::Instance, _) => {
+                    write_atomic(&path, &encode_png(&rgb_from_instance(&layers.instance)))?;
+                }
+            }
+        }
+        if recipe.rgb_format == RgbFormat::Png {
+            layers.rgb = Some(frame.rgb);
+        }
+        Ok(layers)
+    }
+
+    fn ordered(&self, layers: Layers, state: &WorldState, scene: &SceneObjects) -> Result<Ordered, GenerateError> {
+        let Recording { settings, recipe, clock, .. } = *self.recording;
+        let line = clock.time(Stage::Boxes, || {
+            let visible = visible_objects(&layers.instance);
+            let time_s = f64::from(state.frame) / settings.fps;
+            annotate(state.frame, time_s, &visible, scene, settings.size, recipe.min_pixels)
+        })?;
+        let pictures = clock.time(Stage::Video, || {
+            let picture = |layer: &Layer| match layer {
+                Layer::Rgb => layers.rgb.as_ref().map(yuv_from_rgb),
+                Layer::Depth => layers.depth.as_ref().map(|d| yuv_from_rgb(&depth_preview(d))),
+                Layer::Instance => Some(yuv_from_rgb(&instance_preview(&layers.instance))),
+            };
+            recipe.mp4.iter().filter_map(picture).collect::<Vec<Yuv>>()
+        });
+        Ok(Ordered { line, pictures })
+    }
+}

@@ -1,0 +1,98 @@
+//! Where the time goes.
+
+use crate::RenderStats;
+use std::{
+    sync::atomic::{AtomicU64, Ordering},
+    time::{Duration, Instant},
+};
+
+/// A stage of the work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Stage {
+    LoadMap,
+    LoadScene,
+    Bake,
+    Traffic,
+    Render,
+    Boxes,
+    Images,
+    Resume,
+    Video,
+    Record,
+}
+
+const STAGES: usize = 10;
+
+/// Adds up the time of each stage over all threads.
+#[derive(Debug, Default)]
+pub(crate) struct Clock {
+    nanos: [AtomicU64; STAGES],
+    bake_rays: AtomicU64,
+    frame_rays: AtomicU64,
+}
+
+/// Thread-seconds of each stage, and rays.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct StageTimes {
+    /// Loading maps.
+    pub load_map: Duration,
+    /// Populating scenes.
+    pub load_scene: Duration,
+    /// Baking cameras: wall time, it uses all threads itself.
+    pub bake: Duration,
+    /// Ticking the traffic.
+    pub traffic: Duration,
+    /// Rendering frames.
+    pub render: Duration,
+    /// Boxes and visible pixels.
+    pub boxes: Duration,
+    /// Encoding and writing images.
+    pub images: Duration,
+    /// Decoding images that were there already.
+    pub resume: Duration,
+    /// Encoding videos.
+    pub video: Duration,
+    /// Wall time of recording, bake left out.
+    pub record: Duration,
+    /// Rays of the renderer.
+    pub rays: RenderStats,
+}
+
+impl Clock {
+    pub(crate) fn time<R>(&self, stage: Stage, work: impl FnOnce() -> R) -> R {
+        let start = Instant::now();
+        let result = work();
+        self.nanos[stage as usize].fetch_add(start.elapsed().as_nanos() as u64, Ordering::Relaxed);
+        result
+    }
+
+    /// Something that times what it is given.
+    pub(crate) fn timer(&self, stage: Stage) -> impl Fn(&mut dyn FnMut()) + '_ {
+        move |work| self.time(stage, work)
+    }
+
+    pub(crate) fn add_rays(&self, rays: RenderStats) {
+        self.bake_rays.fetch_add(rays.bake_rays, Ordering::Relaxed);
+        self.frame_rays.fetch_add(rays.frame_rays, Ordering::Relaxed);
+    }
+
+    pub(crate) fn times(&self) -> StageTimes {
+        let of = |stage: Stage| Duration::from_nanos(self.nanos[stage as usize].load(Ordering::Relaxed));
+        StageTimes {
+            load_map: of(Stage::LoadMap),
+            load_scene: of(Stage::LoadScene),
+            bake: of(Stage::Bake),
+            traffic: of(Stage::Traffic),
+            render: of(Stage::Render),
+            boxes: of(Stage::Boxes),
+            images: of(Stage::Images),
+            resume: of(Stage::Resume),
+            video: of(Stage::Video),
+            record: of(Stage::Record).saturating_sub(of(Stage::Bake)).saturating_sub(of(Stage::LoadScene)),
+            rays: RenderStats {
+                bake_rays: self.bake_rays.load(Ordering::Relaxed),
+                frame_rays: self.frame_rays.load(Ordering::Relaxed),
+            },
+        }
+    }
+}

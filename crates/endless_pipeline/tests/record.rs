@@ -1,0 +1,212 @@
+//! From recipe to files, with the fake simulator.
+
+mod fake;
+
+use endless_dataset::{Layer, check};
+use endless_pipeline::{GenerateError, GenerateOptions, RecipeDraft, Silent, generate};
+use fake::{Fake, assert_same, contents, draft, first_video, make, recipe};
+use std::{fs, sync::atomic::Ordering};
+
+fn all_layers() -> RecipeDraft {
+    RecipeDraft { mp4: Some(["rgb", "depth", "instance"].map(String::from).to_vec()), ..draft() }
+}
+
+#[test]
+fn the_dataset_is_whole_and_loads_each_map_once() {
+    let out = tempfile::tempdir().expect("temp");
+    let fake = Fake::default();
+    let recipe = recipe(all_layers());
+    let generated = make(&fake, &recipe, out.path(), 2);
+    assert_eq!((generated.videos, generated.camera_frames), (3, 120));
+    assert!(fake.maps_loaded.load(Ordering::SeqCst) <= 2);
+    let report = check(out.path()).expect("a dataset");
+    assert_eq!(report.findings, []);
+    assert_eq!((report.videos, report.images), (3, 3 * 2 * 3 * 20));
+    assert!(report.boxes > 100, "{} boxes", report.boxes);
+}
+
+#[test]
+fn threads_and_runs_do_not_change_a_byte() {
+    for format in ["png", "jpg"] {
+        let recipe = recipe(RecipeDraft { rgb_format: Some(format.into()), ..all_layers() });
+        let outs = [1, 2, 5].map(|threads| {
+            let out = tempfile::tempdir().expect("temp");
+            make(&Fake::default(), &recipe, out.path(), threads);
+            out
+        });
+        assert_same(outs[0].path(), outs[1].path());
+        assert_same(outs[0].path(), outs[2].path());
+    }
+}
+
+#[test]
+fn a_complete_dataset_is_left_alone() {
+    let out = tempfile::tempdir().expect("temp");
+    let recipe = recipe(draft());
+    make(&Fake::default(), &recipe, out.path(), 2);
+    let fake = Fake::default();
+    assert_eq!(make(&fake, &recipe, out.path(), 2).videos, 0);
+    assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner(), fake.maps_loaded.into_inner()), (0, 0, 0));
+}
+
+#[test]
+fn more_videos_extend_the_dataset() {
+    let (grown, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
+    let of = |videos| recipe(RecipeDraft { videos: Some(videos), ..draft() });
+    make(&Fake::default(), &of(2), grown.path(), 2);
+    let fake = Fake::default();
+    assert_eq!(make(&fake, &of(4), grown.path(), 2).videos, 2);
+    assert_eq!(fake.bakes.into_inner(), 2);
+    make(&Fake::default(), &of(4), whole.path(), 2);
+    assert_same(grown.path(), whole.path());
+}
+
+#[test]
+fn what_was_deleted_or_spoilt_comes_back() {
+    let (out, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
+    let recipe = recipe(all_layers());
+    for folder in [&out, &whole] {
+        make(&Fake::default(), &recipe, folder.path(), 2);
+    }
+    let video = first_video(out.path());
+    let camera = video.camera(1);
+    // Only the video file: nothing is rendered, nothing baked.
+    fs::remove_file(camera.mp4(Layer::Rgb)).expect("there");
+    let fake = Fake::default();
+    make(&fake, &recipe, out.path(), 2);
+    assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner()), (0, 0));
+    assert_same(out.path(), whole.path());
+    // Some images, the manifest, a scene.
+    fs::remove_file(camera.frame(Layer::Depth, 3, &recipe)).expect("there");
+    fs::remove_file(out.path().join("dataset.json")).expect("there");
+    fs::remove_file(out.path().join("scenes/0001.json")).expect("there");
+    let fake = Fake::default();
+    make(&fake, &recipe, out.path(), 2);
+    assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner()), (1, 1));
+    assert_same(out.path(), whole.path());
+    // A spoilt image is noticed when its video is gone through.
+    fs::write(camera.frame(Layer::Instance, 7, &recipe), "spoilt").expect("writable");
+    fs::remove_file(video.scene()).expect("there");
+    make(&Fake::default(), &recipe, out.path(), 2);
+    assert_same(out.path(), whole.path());
+}
+
+#[test]
+fn other_recipes_and_other_files_are_refused_and_nothing_is_harmed() {
+    let out = tempfile::tempdir().expect("temp");
+    let fake = Fake::default();
+    make(&fake, &recipe(draft()), out.path(), 2);
+    let before = contents(out.path());
+    let options = GenerateOptions { threads: 2, plan_only: false };
+    let refuse = |draft: RecipeDraft| {
+        generate(&fake, &recipe(draft), out.path(), &options, &Silent).expect_err("refused").to_string()
+    };
+    let fps = refuse(RecipeDraft { fps: Some(5.0), ..draft() });
+    assert!(fps.contains("(fps is 10.0 there, 5.0 here)"), "{fps}");
+    let fewer = refuse(RecipeDraft { videos: Some(1), ..draft() });
+    assert!(fewer.contains("(videos is 3 there, 1 here)"), "{fewer}");
+    fs::remove_file(out.path().join("dataset.json")).expect("there");
+    let seed = refuse(RecipeDraft { seed: Some(9), ..draft() });
+    assert!(seed.contains("scenes/0000.json"), "{seed}");
+    let mut after = contents(out.path());
+    after.insert("dataset.json".into(), before["dataset.json"].clone());
+    assert!(before == after, "nothing changed");
+
+    fs::remove_dir_all(out.path().join("scenes")).expect("there");
+    let unproven = refuse(RecipeDraft { seed: Some(9), ..draft() });
+    assert!(unproven.contains("nothing says that this video is of this recipe"), "{unproven}");
+    let other = tempfile::tempdir().expect("temp");
+    fs::write(other.path().join("thesis.tex"), "dear").expect("writable");
+    let error = generate(&fake, &recipe(draft()), other.path(), &options, &Silent).expect_err("refused");
+    assert!(matches!(error, GenerateError::OutputInUse { .. }));
+    assert_eq!(contents(other.path()).len(), 1);
+}
+
+#[test]
+fn a_second_process_is_kept_out() {
+    let out = tempfile::tempdir().expect("temp");
+    let lock = fs::File::create(out.path().join(".lock")).expect("writable");
+    lock.try_lock().expect("free");
+    let options = GenerateOptions { threads: 1, plan_only: false };
+    let error = generate(&Fake::default(), &recipe(draft()), out.path(), &options, &Silent);
+    assert!(matches!(error, Err(GenerateError::Locked { .. })));
+    drop(lock);
+    make(&Fake::default(), &recipe(draft()), out.path(), 1);
+}
+
+#[test]
+fn the_plan_alone_can_be_written_and_then_recorded() {
+    let (out, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
+    let recipe = recipe(draft());
+    let options = GenerateOptions { threads: 1, plan_only: true };
+    let planned = generate(&Fake::default(), &recipe, out.path(), &options, &Silent).expect("plans");
+    assert_eq!(planned.plan.scenes.len(), 3);
+    assert_eq!(contents(out.path()).len(), 4, "three scenes and the manifest");
+    assert_eq!(check(out.path()).expect("a dataset").findings.len(), 3, "three videos are not complete");
+    make(&Fake::default(), &recipe, out.path(), 2);
+    make(&Fake::default(), &recipe, whole.path(), 2);
+    assert_same(out.path(), whole.path());
+}
+
+#[test]
+fn layers_are_optional() {
+    for layers in [&["rgb"][..], &["depth"], &["instance"], &["depth", "instance"]] {
+        let out = tempfile::tempdir().expect("temp");
+        let layers: Vec<String> = layers.iter().map(|l| (*l).to_owned()).collect();
+        let recipe = recipe(RecipeDraft { layers: Some(layers.clone()), videos: Some(1), ..draft() });
+        make(&Fake::default(), &recipe, out.path(), 2);
+        let report = check(out.path()).expect("a dataset");
+        assert_eq!((report.findings, report.images), (vec![], 40 * layers.len() as u64));
+        assert!(report.boxes > 0, "boxes do not need the layer on disk");
+        let again = make(&Fake::default(), &recipe, out.path(), 2);
+        assert_eq!(again.videos, 0);
+    }
+}
+
+#[test]
+fn fewer_vehicles_than_asked_for_are_recorded() {
+    let out = tempfile::tempdir().expect("temp");
+    let recipe = recipe(RecipeDraft { vehicles: Some(90), videos: Some(1), ..draft() });
+    make(&Fake::default(), &recipe, out.path(), 2);
+    let record: endless_dataset::SceneRecord =
+        endless_dataset::read_json(&first_video(out.path()).scene()).expect("recorded");
+    assert_eq!((record.settings.vehicles, record.spawned.vehicles), (90, 12));
+}
+
+#[test]
+fn check_names_what_is_wrong() {
+    let out = tempfile::tempdir().expect("temp");
+    let recipe = recipe(draft());
+    make(&Fake::default(), &recipe, out.path(), 2);
+    let camera = first_video(out.path()).camera(0);
+    let problems =
+        || check(out.path()).expect("a dataset").findings.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let restore = |path: &std::path::Path, spoil: &dyn Fn(&std::path::Path), expected: &str| {
+        let bytes = fs::read(path).expect("there");
+        spoil(path);
+        let found = problems();
+        assert!(found.iter().any(|p| p.contains(expected)), "{found:?} lacks '{expected}'");
+        fs::write(path, bytes).expect("writable");
+    };
+    let cut = |path: &std::path::Path| {
+        let bytes = fs::read(path).expect("there");
+        fs::write(path, &bytes[..bytes.len() / 2]).expect("writable");
+    };
+    let remove = |path: &std::path::Path| fs::remove_file(path).expect("there");
+    restore(&camera.frame(Layer::Rgb, 4, &recipe), &cut, "000004.png: does not decode");
+    restore(&camera.frame(Layer::Depth, 5, &recipe), &remove, "depth/000005.png: cannot read");
+    restore(&camera.mp4(Layer::Rgb), &cut, "rgb.mp4: is not a whole MP4 file");
+    restore(&camera.objects(), &cut, "objects.jsonl: line");
+    restore(&camera.camera(), &cut, "camera.json: is not what it should be");
+    let instance = |frame| camera.frame(Layer::Instance, frame, &recipe);
+    let swap = |path: &std::path::Path| drop(fs::copy(instance(9), path).expect("copies"));
+    restore(&instance(2), &swap, "objects.jsonl: frame 2:");
+    let relabel = |path: &std::path::Path| {
+        let text = fs::read_to_string(path).expect("text");
+        fs::write(path, text.replacen("\"truck\"", "\"bus\"", 1)).expect("writable");
+    };
+    restore(&camera.objects(), &relabel, "is truck and bus in different frames");
+    fs::write(camera.layer(Layer::Rgb).join("000099.png"), "extra").expect("writable");
+    assert_eq!(problems().len(), 1);
+    assert!(problems()[0].ends_with("000099.png: does not belong here"));
+}
