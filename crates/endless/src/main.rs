@@ -1,1 +1,56 @@
-fn main() {}
+//! `endless`: a recipe in, an annotated urban dataset out.
+
+mod args;
+mod bench;
+mod check;
+mod generate;
+mod maps;
+mod report;
+
+use args::{Cli, Command};
+use clap::Parser;
+use endless_pipeline::{BuiltinSimulator, RecipeError};
+use std::process::ExitCode;
+
+/// What went wrong was what was asked for.
+const USAGE: u8 = 2;
+/// It could not be done.
+const FAILURE: u8 = 1;
+
+fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => return refuse(&error),
+    };
+    let simulator = BuiltinSimulator::new();
+    let result = match cli.command {
+        Command::Generate(args) => generate::run(&simulator, args),
+        Command::Check(args) => check::run(&args),
+        Command::Bench(args) => bench::run(&simulator, &args),
+        Command::Maps => maps::run(&simulator),
+    };
+    match result {
+        Ok(code) => code,
+        Err(error) => {
+            eprintln!("error: {}", one_line(&format!("{error:#}")));
+            ExitCode::from(if error.is::<RecipeError>() { USAGE } else { FAILURE })
+        }
+    }
+}
+
+/// Help and version as they are, a mistake in one line.
+fn refuse(error: &clap::Error) -> ExitCode {
+    if !error.use_stderr() {
+        // Nothing can be done when not even help can be printed.
+        let _ = error.print();
+        return ExitCode::SUCCESS;
+    }
+    let text = error.to_string();
+    let said = text.split("\n\n").next().unwrap_or_default();
+    eprintln!("{} (see endless --help)", one_line(said));
+    ExitCode::from(USAGE)
+}
+
+fn one_line(text: &str) -> String {
+    text.lines().map(str::trim).filter(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
+}

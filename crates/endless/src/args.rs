@@ -1,0 +1,139 @@
+//! The command line.
+
+use clap::{Args, Parser, Subcommand};
+use endless_pipeline::RecipeDraft;
+use std::path::PathBuf;
+
+/// Endless annotated urban datasets seen by surveillance cameras.
+#[derive(Debug, Parser)]
+#[command(version, about, max_term_width = 100)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Command {
+    /// Make a dataset, or go on with one that was interrupted.
+    Generate(GenerateArgs),
+    /// Reopen a whole dataset and name everything that is wrong with it.
+    Check(CheckArgs),
+    /// Time the whole pipeline on a fixed recipe.
+    Bench(BenchArgs),
+    /// List the maps and their cameras.
+    Maps,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct GenerateArgs {
+    /// Folder of the dataset; need not exist.
+    pub(crate) out: PathBuf,
+    #[command(flatten)]
+    pub(crate) recipe: RecipeArgs,
+    /// Take the recipe from a TOML file; flags win over it.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) config: Option<PathBuf>,
+    /// Write the settings of all scenes, print the work order, and stop.
+    #[arg(long)]
+    pub(crate) plan_only: bool,
+    /// Threads that record [default: all cores]. Does not change the result.
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<std::num::NonZeroUsize>,
+}
+
+/// What decides the dataset.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Recipe", allow_negative_numbers = true)]
+pub(crate) struct RecipeArgs {
+    /// Videos to make [default: 2]. A video is one scene filmed by two cameras.
+    #[arg(long, value_name = "N")]
+    videos: Option<i64>,
+    /// Moving vehicles in each scene [default: 30].
+    #[arg(long, value_name = "N")]
+    vehicles: Option<i64>,
+    /// Pedestrians in each scene [default: 20].
+    #[arg(long, value_name = "N")]
+    pedestrians: Option<i64>,
+    /// Maps to choose from [default: all]; see `endless maps`.
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    maps: Option<Vec<String>>,
+    /// Weathers to choose from: clear_sky, rainy, cloudy, foggy, after_rain [default: all].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    weathers: Option<Vec<String>>,
+    /// Times of day to choose from: morning, afternoon, night [default: all].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    times: Option<Vec<String>>,
+    /// Image size [default: 1280x720].
+    #[arg(long, value_name = "WxH")]
+    size: Option<String>,
+    /// Frames a second [default: 30].
+    #[arg(long, value_name = "F")]
+    fps: Option<f64>,
+    /// Seconds of each video [default: 5].
+    #[arg(long, value_name = "S")]
+    duration: Option<f64>,
+    /// Seed of everything random [default: 0].
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Layers to store: rgb, depth, instance [default: all].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    layers: Option<Vec<String>>,
+    /// How to store the RGB layer: png or jpg [default: png].
+    #[arg(long, value_name = "FORMAT")]
+    rgb_format: Option<String>,
+    /// Leave out objects with fewer visible pixels [default: 50].
+    #[arg(long, value_name = "N")]
+    min_pixels: Option<i64>,
+    /// Layers to make a video file of: rgb, depth, instance, or none [default: rgb].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    mp4: Option<Vec<String>>,
+    /// What simulates [default: builtin].
+    #[arg(long, value_name = "NAME")]
+    simulator: Option<String>,
+}
+
+impl From<RecipeArgs> for RecipeDraft {
+    fn from(args: RecipeArgs) -> Self {
+        Self {
+            videos: args.videos,
+            vehicles: args.vehicles,
+            pedestrians: args.pedestrians,
+            maps: args.maps,
+            weathers: args.weathers,
+            times: args.times,
+            size: args.size,
+            fps: args.fps,
+            duration: args.duration,
+            seed: args.seed,
+            layers: args.layers,
+            rgb_format: args.rgb_format,
+            min_pixels: args.min_pixels,
+            mp4: args.mp4,
+            simulator: args.simulator,
+        }
+    }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct CheckArgs {
+    /// Folder of the dataset.
+    pub(crate) out: PathBuf,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct BenchArgs {
+    /// Seconds of video to record.
+    #[arg(long, default_value_t = 2.0, value_name = "S")]
+    pub(crate) duration: f64,
+    /// Threads that record [default: all cores].
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<std::num::NonZeroUsize>,
+    /// Image size.
+    #[arg(long, default_value = "1280x720", value_name = "WxH")]
+    pub(crate) size: String,
+}
+
+/// All cores unless said otherwise.
+pub(crate) fn threads(asked: Option<std::num::NonZeroUsize>) -> usize {
+    asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, Into::into)
+}

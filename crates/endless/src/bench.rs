@@ -1,0 +1,70 @@
+//! `endless bench`: the whole pipeline on a fixed recipe.
+
+use crate::args::{BenchArgs, threads};
+use anyhow::{Context, Result};
+use endless_pipeline::{GenerateOptions, Generated, RecipeDraft, Silent, Simulator, generate};
+use std::{fs, io::Write, process::ExitCode, time::Duration};
+
+pub(crate) fn run<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
+    let draft = RecipeDraft {
+        videos: Some(1),
+        weathers: Some(vec!["clear_sky".into()]),
+        times: Some(vec!["afternoon".into()]),
+        size: Some(args.size.clone()),
+        duration: Some(args.duration),
+        ..RecipeDraft::default()
+    };
+    let recipe = draft.resolve(simulator)?;
+    let out = std::env::current_dir()?.join(format!(".endless-bench-{}", std::process::id()));
+    let options = GenerateOptions { threads: threads(args.threads), plan_only: false };
+    let made = generate(simulator, &recipe, &out, &options, &Silent);
+    let written = folder_bytes(&out).unwrap_or(0);
+    if out.exists() {
+        fs::remove_dir_all(&out).context("cannot remove the bench's files")?;
+    }
+    print(&made?, options.threads, written)?;
+    Ok(ExitCode::SUCCESS)
+}
+
+fn print(made: &Generated, threads: usize, written: u64) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    let t = &made.times;
+    let frames = made.camera_frames as f64;
+    writeln!(out, "stage            seconds   ms a camera frame")?;
+    let once = [("load map", t.load_map), ("load scene", t.load_scene), ("bake (wall)", t.bake)];
+    for (name, time) in once {
+        writeln!(out, "{name:<14} {:>9.2}", time.as_secs_f64())?;
+    }
+    let each =
+        [("traffic", t.traffic), ("render", t.render), ("images", t.images), ("boxes", t.boxes), ("video", t.video)];
+    for (name, time) in each {
+        writeln!(out, "{name:<14} {:>9.2}   {:>8.2}", time.as_secs_f64(), time.as_secs_f64() * 1e3 / frames)?;
+    }
+    let rate = |count: f64, time: Duration| count / time.as_secs_f64().max(1e-9);
+    writeln!(out, "recording (wall) {:.2} s on {threads} threads", t.record.as_secs_f64())?;
+    writeln!(out, "camera frames    {frames}, {:.1} a second", rate(frames, t.record))?;
+    writeln!(out, "bake             {:.1} Mrays/s", rate(t.rays.bake_rays as f64 / 1e6, t.bake))?;
+    writeln!(out, "render           {:.1} Mrays/s a thread", rate(t.rays.frame_rays as f64 / 1e6, t.render))?;
+    writeln!(out, "written          {:.1} MB", written as f64 / 1e6)?;
+    if let Some(peak) = peak_memory_mb() {
+        writeln!(out, "peak memory      {peak:.0} MB")?;
+    }
+    Ok(())
+}
+
+fn folder_bytes(folder: &std::path::Path) -> std::io::Result<u64> {
+    let mut total = 0;
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let data = entry.metadata()?;
+        total += if data.is_dir() { folder_bytes(&entry.path())? } else { data.len() };
+    }
+    Ok(total)
+}
+
+/// As Linux counts it; elsewhere nobody says.
+fn peak_memory_mb() -> Option<f64> {
+    let status = fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
+    line.split_whitespace().next()?.parse::<f64>().ok().map(|kb| kb / 1024.0)
+}

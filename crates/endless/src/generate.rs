@@ -1,0 +1,49 @@
+//! `endless generate`.
+
+use crate::{
+    args::{GenerateArgs, threads},
+    report::Reporter,
+};
+use anyhow::Result;
+use endless_pipeline::{GenerateOptions, Generated, Plan, RecipeDraft, Simulator, generate};
+use std::{io::Write, process::ExitCode};
+
+pub(crate) fn run<S: Simulator>(simulator: &S, args: GenerateArgs) -> Result<ExitCode> {
+    let file = args.config.as_deref().map(RecipeDraft::read).transpose()?.unwrap_or_default();
+    let recipe = RecipeDraft::from(args.recipe).or(file).resolve(simulator)?;
+    let options = GenerateOptions { threads: threads(args.threads), plan_only: args.plan_only };
+    let reporter = Reporter::new();
+    let made = generate(simulator, &recipe, &args.out, &options, &reporter);
+    reporter.finish();
+    let made = made?;
+    if args.plan_only {
+        print_order(&made.plan)?;
+    } else {
+        eprintln!("{}", summary(&made));
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn print_order(plan: &Plan) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    for video in plan.work_order() {
+        let s = &plan.scenes[video as usize];
+        let [a, b] = &s.cameras;
+        writeln!(out, "{video:04} {} {} {} {}+{}", s.map, s.weather, s.time_of_day, a.name, b.name)?;
+    }
+    Ok(())
+}
+
+fn summary(made: &Generated) -> String {
+    if made.videos == 0 {
+        return "nothing to do: the dataset is complete".into();
+    }
+    let recording = made.times.record.as_secs_f64().max(1e-9);
+    format!(
+        "done: {} videos, {} camera frames in {:.1} s ({:.1} camera frames a second while recording)",
+        made.videos,
+        made.camera_frames,
+        made.seconds,
+        made.camera_frames as f64 / recording
+    )
+}

@@ -1,0 +1,91 @@
+//! What a run says on stderr: a bar on a terminal, plain lines elsewhere.
+
+use endless_pipeline::{Event, Progress};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::{
+    io::IsTerminal,
+    sync::atomic::{AtomicU64, Ordering},
+    time::Instant,
+};
+
+/// Tells events as they come.
+#[derive(Debug)]
+pub(crate) struct Reporter {
+    /// Hidden where stderr is no terminal.
+    bar: ProgressBar,
+    terminal: bool,
+    start: Instant,
+    frames: AtomicU64,
+    total: AtomicU64,
+}
+
+impl Reporter {
+    pub(crate) fn new() -> Self {
+        let terminal = std::io::stderr().is_terminal();
+        let bar = if terminal { ProgressBar::new(0) } else { ProgressBar::hidden() };
+        let template = "{prefix} [{bar:30}] {pos}/{len} camera frames, {per_sec}, {eta} left {msg}";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style);
+        }
+        Self { bar, terminal, start: Instant::now(), frames: AtomicU64::new(0), total: AtomicU64::new(0) }
+    }
+
+    pub(crate) fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+
+    fn line(&self, text: &str) {
+        if self.terminal {
+            self.bar.println(text);
+        } else {
+            eprintln!("[{:7.1} s] {text}", self.start.elapsed().as_secs_f64());
+        }
+    }
+
+    fn frame(&self) {
+        self.bar.inc(2);
+        let done = self.frames.fetch_add(2, Ordering::Relaxed) + 2;
+        let total = self.total.load(Ordering::Relaxed).max(1);
+        // Ten lines a video.
+        if !self.terminal && done * 10 / total != (done - 2) * 10 / total {
+            self.line(&format!("{done}/{total} camera frames"));
+        }
+    }
+}
+
+impl Progress for Reporter {
+    fn event(&self, event: &Event<'_>) {
+        match *event {
+            Event::Start { videos: 0, .. } => {}
+            Event::Start { videos, complete, estimate } => {
+                let done = if complete > 0 { format!(" ({complete} are complete)") } else { String::new() };
+                self.line(&format!(
+                    "{videos} videos to make{done}: {} camera frames, about {:.1} GB, {:.1} GB are free",
+                    estimate.camera_frames,
+                    estimate.bytes as f64 / 1e9,
+                    estimate.free as f64 / 1e9
+                ));
+            }
+            Event::LoadMap { map } => self.line(&format!("loading {map}")),
+            Event::Video { name, place, of, camera_frames } => {
+                self.frames.store(0, Ordering::Relaxed);
+                self.total.store(camera_frames, Ordering::Relaxed);
+                self.bar.reset();
+                self.bar.set_length(camera_frames);
+                self.bar.set_prefix(format!("{place}/{of} {name}"));
+                self.line(&format!("video {place} of {of}: {name}"));
+            }
+            Event::Fewer { what, asked, placed, map } => {
+                self.line(&format!(
+                    "warning: {map} has room for {placed} {what}, {asked} were asked for: going on with {placed}"
+                ));
+            }
+            Event::Baked { seconds } => {
+                self.bar.reset_eta();
+                self.line(&format!("cameras baked in {seconds:.1} s"));
+            }
+            Event::Frame { .. } => self.frame(),
+            Event::VideoDone { name } => self.line(&format!("complete: {name}")),
+        }
+    }
+}
