@@ -20,7 +20,7 @@ pub struct Blas {
     bounds: (Vec3A, Vec3A),
 }
 
-const COSTS: Costs = Costs { group: 1.0, group_size: TriangleGroup::SIZE as u32, max_leaf: 16 };
+const COSTS: Costs = Costs { group: 1.5, group_size: TriangleGroup::SIZE as u32, max_leaf: 16 };
 
 /// Meshes above this many triangles are built with a quicker preset.
 const LARGE_MESH: usize = 2_000_000;
