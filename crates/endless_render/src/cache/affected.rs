@@ -2,7 +2,7 @@
 
 use super::bake::CameraBake;
 use super::compose::{CONTACT_REACH_M, CONTACT_RISE_M};
-use super::tile::{BLOCK, TILE, TileBounds};
+use super::tile::{BLOCK, Span, TILE, TileBounds};
 use crate::light::Lamps;
 use crate::scene::{FrameScene, MovingObject, StaticScene};
 use endless_world::PinholeCamera;
@@ -59,7 +59,8 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     for (i, object) in frame.objects.iter().enumerate() {
         mark_seen(bake, object, &mut work);
         let i = i as u16;
-        mark(bake, &mut work, |bounds, tile| mark_object(bake, still, object, i, bounds, tile));
+        let shadows = lamp_shadows(bake, &still.lamps, object);
+        mark(bake, &mut work, |bounds, tile| mark_object(bake, object, &shadows, i, bounds, tile));
     }
     for (i, beam) in frame.beams.iter().enumerate() {
         mark(bake, &mut work, |bounds, tile| {
@@ -92,8 +93,8 @@ fn mark(bake: &CameraBake, work: &mut [Work], mut test: impl FnMut(&TileBounds, 
 /// Marks a tile (if given) with what an object does to it; says whether it does anything.
 fn mark_object(
     bake: &CameraBake,
-    still: &StaticScene,
     object: &MovingObject,
+    shadows: &[(Vec3A, Span)],
     index: u16,
     bounds: &TileBounds,
     tile: Option<&mut Work>,
@@ -115,9 +116,9 @@ fn mark_object(
         let around = Vec3A::new(radius, radius, CONTACT_RISE_M + 0.05);
         bounds.points.meets(centre - around - reach, centre + around + reach)
     };
-    let lamps = bake.environment.night
-        && !tile.as_ref().is_some_and(|t| t.lamps)
-        && lamps_blocked(&still.lamps, object, bounds);
+    let lamps = shadows.iter().any(|(lamp, span)| {
+        bounds.points.meets(span.low - 0.1, span.high + 0.1) && bounds.lamp_bundle(*lamp).may_meet(low, high, 1.0)
+    });
     if let Some(tile) = tile {
         tile.sun |= sun;
         tile.mirror |= mirror;
@@ -129,16 +130,30 @@ fn mark_object(
     sun || mirror || contact || lamps
 }
 
-/// Whether an object can stand between a lamp and a tile's surfaces.
-fn lamps_blocked(lamps: &Lamps, object: &MovingObject, bounds: &TileBounds) -> bool {
+/// Bounds of the shadows that an object throws by the light of lamps, down to the lowest surface in view.
+fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingObject) -> Vec<(Vec3A, Span)> {
     let range = Lamps::range_m();
-    lamps.all().iter().any(|lamp| {
-        let nearest = lamp.position.clamp(bounds.points.low, bounds.points.high);
-        let near_object = lamp.position.clamp(object.low, object.high);
-        nearest.distance_squared(lamp.position) <= range * range * 1.01
-            && near_object.distance_squared(lamp.position) <= range * range * 1.01
-            && bounds.lamp_bundle(lamp.position).may_meet(object.low, object.high, 1.0)
-    })
+    let reach = |p: Vec3A, low: Vec3A, high: Vec3A| p.clamp(low, high).distance_squared(p) <= range * range * 1.01;
+    let floor = bake.lowest - 0.1;
+    lamps
+        .all()
+        .iter()
+        .filter(|lamp| bake.environment.night && reach(lamp.position, object.low, object.high))
+        .map(|lamp| {
+            let position = lamp.position;
+            let mut span = Span { low: object.low.with_z(floor), high: object.high };
+            if position.z > object.high.z + 0.3 {
+                // The top's corners, thrown from the lamp onto the floor.
+                let stretch = (position.z - floor) / (position.z - object.high.z);
+                span.add((position + (object.low - position) * stretch).with_z(floor));
+                span.add((position + (object.high - position) * stretch).with_z(floor));
+            } else {
+                span.add(position - range);
+                span.add(position + range);
+            }
+            (position, span)
+        })
+        .collect()
 }
 
 /// Marks the tiles over which an object's box projects.
@@ -158,21 +173,31 @@ fn mark_seen(bake: &CameraBake, object: &MovingObject, work: &mut [Work]) {
     }
 }
 
-/// Bounds of a box in the image; `None` if it lies behind the camera.
+/// Bounds of the visible part of a box in the image; `None` if it lies behind the camera.
 fn projected(camera: &PinholeCamera, low: Vec3A, high: Vec3A) -> Option<(Vec2, Vec2)> {
-    const NEAR: f32 = 0.05;
+    const NEAR: f32 = 0.02;
     let corners: [Vec3; 8] = std::array::from_fn(|i| {
         let pick = |bit: usize, a: f32, b: f32| if i >> bit & 1 == 0 { a } else { b };
         camera.camera_from_world(Vec3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z)))
     });
-    if corners.iter().all(|c| c.z < NEAR) {
-        return None;
-    }
-    if corners.iter().any(|c| c.z < NEAR) {
-        // It reaches past the lens: it may be anywhere.
-        return Some((Vec2::splat(-1.0), Vec2::splat(f32::MAX)));
-    }
     let k = &camera.intrinsics;
-    let image = corners.map(|c| Vec2::new(k.fx * c.x / c.z + k.cx, k.fy * c.y / c.z + k.cy));
-    Some(image.iter().fold((image[0], image[0]), |(a, b), &p| (a.min(p), b.max(p))))
+    let (mut first, mut last) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+    let mut add = |c: Vec3| {
+        let p = Vec2::new(k.fx * c.x / c.z + k.cx, k.fy * c.y / c.z + k.cy);
+        (first, last) = (first.min(p), last.max(p));
+    };
+    for (i, &a) in corners.iter().enumerate() {
+        if a.z >= NEAR {
+            add(a);
+        }
+        // The three edges that leave towards higher corners, cut at the near plane.
+        for bit in 0..3 {
+            let b = corners[i | 1 << bit];
+            if i >> bit & 1 == 0 && (a.z < NEAR) != (b.z < NEAR) {
+                let t = (NEAR - a.z) / (b.z - a.z);
+                add((a + (b - a) * t).with_z(NEAR));
+            }
+        }
+    }
+    (first.x <= last.x).then_some((first, last))
 }

@@ -7,9 +7,10 @@ use crate::accel::{Hit, Ray};
 use crate::film::{Rain, ToneCurve, exposure};
 use crate::indirect::{Guide, ProbeGrid, denoise, gather};
 use crate::light::Environment;
+use crate::material::Look;
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::scene::{StaticScene, SurfacePoint};
-use crate::shade::{Tracer, footprint_m, mirror_ray};
+use crate::shade::{Tracer, footprint_m};
 use endless_world::{
     CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, InstancePixel, PinholeCamera, TimeOfDay, Weather,
 };
@@ -74,6 +75,10 @@ pub struct CameraBake {
     pub(super) tile_rows: u32,
     pub(super) blocks: Vec<TileBounds>,
     pub(super) block_columns: u32,
+    /// Height of the lowest surface in view.
+    pub(super) lowest: f32,
+    /// At night, the look of each uniform pixel's centre: vehicle lights sweep much of the picture.
+    pub(super) looks: Vec<Look>,
     /// Per sample, if kept.
     pub(super) irradiance: Vec<[f32; 3]>,
     pub(super) stats: BakeStats,
@@ -98,6 +103,8 @@ impl CameraBake {
         let tiles = pass.tile_bounds(&samples, tile_columns, tile_rows);
         let (blocks, block_columns) = join_tiles(&tiles, tile_columns, tile_rows);
         let (uniform, depth, instance) = pass.labels(&samples);
+        let lowest = blocks.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
+        let looks = if environment.night { pass.looks(&samples) } else { Vec::new() };
         drop(seen);
         let radiance: Vec<Vec3A> = samples
             .par_chunks(SAMPLES)
@@ -127,6 +134,8 @@ impl CameraBake {
             tile_rows,
             blocks,
             block_columns,
+            lowest,
+            looks,
             irradiance: if keep { irradiance.iter().map(Vec3A::to_array).collect() } else { Vec::new() },
             environment,
             stats,
@@ -342,11 +351,25 @@ impl Pass<'_> {
         }
         bounds.lens |= still.flags & StillSample::LENS != 0;
         if still.flags & StillSample::MIRRORS != 0 {
-            let point = SurfacePoint::new(&self.tracer.still.instances, &ray, &still.hit);
-            let look = still_look(&point, self.tracer.environment, index % SAMPLES, self.pixel_angle);
             bounds.mirrors.add(position);
-            bounds.mirror_directions.add(mirror_ray(&point, &look).direction);
+            bounds.mirror_directions.add(Vec3A::from(still.mirror_direction));
         }
+    }
+
+    /// The look of every pixel's centre.
+    fn looks(&self, samples: &[StillSample]) -> Vec<Look> {
+        samples
+            .par_chunks_exact(SAMPLES)
+            .enumerate()
+            .map(|(pixel, group)| {
+                if group[0].is_sky() {
+                    return Look::matte(Vec3A::ZERO, Vec3A::Z);
+                }
+                let ray = self.ray_of(pixel * SAMPLES);
+                let point = SurfacePoint::new(&self.tracer.still.instances, &ray, &group[0].hit);
+                still_look(&point, self.tracer.environment, 0, self.pixel_angle)
+            })
+            .collect()
     }
 
     /// Uniformity, depth, class and instance of every pixel.

@@ -3,8 +3,9 @@
 use super::affected::Work;
 use super::still_sample::{StillSample, lamp_light, still_look, sun_share};
 use crate::accel::Ray;
+use crate::material::Look;
 use crate::scene::{FrameScene, MovingObject, SurfacePoint};
-use crate::shade::{Tracer, beam_light, mirror_footprint, mirror_ray, shade_secondary};
+use crate::shade::{Tracer, beam_light, mirror_footprint, shade_secondary};
 use endless_asset::{LensAspect, Surface};
 use endless_world::SignalAspect;
 use glam::{Vec2, Vec3A};
@@ -28,6 +29,14 @@ pub(super) fn compose(
         return Vec3A::from(still.rest);
     }
     let environment = tracer.environment;
+    let touched = !work.contacts.is_empty()
+        || work.sun && still.sun_free != 0
+        || work.mirror && still.flags & StillSample::MIRRORS != 0
+        || work.lamps && environment.night
+        || work.lens && still.flags & StillSample::LENS != 0;
+    if !touched {
+        return still.still_radiance(environment);
+    }
     let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
     let mut contact = 1.0;
     for &i in &work.contacts {
@@ -39,7 +48,7 @@ pub(super) fn compose(
     }
     let mut mirror = Vec3A::from(still.mirror);
     if work.mirror && still.flags & StillSample::MIRRORS != 0 {
-        mirror = moving_mirror(tracer, frame, &point, sample, pixel_angle).unwrap_or(mirror);
+        mirror = moving_mirror(tracer, frame, still, &point, sample, pixel_angle).unwrap_or(mirror);
     }
     let mut radiance = still.radiance(contact, direct_share, mirror);
     if work.lamps && environment.night && lamps_touched(tracer, frame, &point) {
@@ -98,22 +107,23 @@ fn lamps_touched(tracer: &Tracer<'_>, frame: &FrameScene, point: &SurfacePoint<'
 fn moving_mirror(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
+    still: &StillSample,
     point: &SurfacePoint<'_>,
     sample: usize,
     pixel_angle: f32,
 ) -> Option<Vec3A> {
     let environment = tracer.environment;
-    let look = still_look(point, environment, sample, pixel_angle);
-    let ray = mirror_ray(point, &look);
+    let ray = Ray { origin: point.ray_origin(), direction: Vec3A::from(still.mirror_direction), tmax: f32::MAX };
     let hit = frame.accel.closest(&ray)?;
     if tracer.still.accel.occluded(&Ray { tmax: hit.t, ..ray }) {
         return None;
     }
+    let look = still_look(point, environment, sample, pixel_angle);
     let weight = look.coat_reflectance(-point.direction) * environment.fog.transmittance(point.distance);
     Some(weight * shade_secondary(tracer, &ray, mirror_footprint(point, &look, pixel_angle)))
 }
 
-/// Light of vehicle lamps on a still point, fog included.
+/// Light of vehicle lamps on a still point, fog included. `look` is that of the point, if it is known already.
 pub(super) fn beams_on(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
@@ -121,28 +131,33 @@ pub(super) fn beams_on(
     still: &StillSample,
     ray: &Ray,
     sample: usize,
+    look: Option<&Look>,
     pixel_angle: f32,
 ) -> Vec3A {
     if still.is_sky() {
         return Vec3A::ZERO;
     }
-    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
-    // Most lamps do not reach: ask them before the costly look.
-    let reached = |i: &&u16| frame.beams[usize::from(**i)].illuminance_at(point.position).0.max_element() > FAINT_KLX;
-    if beams.iter().find(reached).is_none() {
+    let position = ray.origin + ray.direction * still.hit.t;
+    let mut lights = beams.iter().map(|&i| &frame.beams[usize::from(i)]).filter(|b| b.lights(position)).peekable();
+    if lights.peek().is_none() {
         return Vec3A::ZERO;
     }
-    let look = still_look(&point, tracer.environment, sample, pixel_angle);
+    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
+    let known;
+    let look = match look {
+        Some(look) => look,
+        None => {
+            known = still_look(&point, tracer.environment, sample, pixel_angle);
+            &known
+        }
+    };
     let origin = point.ray_origin();
     let mut sum = Vec3A::ZERO;
-    for i in beams.iter().filter(reached) {
-        sum += beam_light(tracer, &frame.beams[usize::from(*i)], &point, &look, origin);
+    for beam in lights {
+        sum += beam_light(tracer, beam, &point, look, origin);
     }
     sum * tracer.environment.fog.transmittance(still.hit.t)
 }
-
-/// Illuminance below which a vehicle light is not asked for, klx.
-const FAINT_KLX: f32 = 4.0e-5;
 
 /// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box
 /// hides, and nearly all of it beneath.

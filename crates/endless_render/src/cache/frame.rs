@@ -49,7 +49,7 @@ impl CameraBake {
         for y in 0..self.camera.size.height {
             for x in 0..self.camera.size.width {
                 let samples: [StillSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
-                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, &mut |ray, tmax| {
+                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, false, &mut |ray, tmax| {
                     frame.accel.closest(&Ray { tmax, ..*ray })
                 });
                 canvas.set(self, x, y, &pixel);
@@ -91,7 +91,7 @@ impl CameraBake {
             for x in x0..x1 {
                 let first = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES;
                 let samples = &self.samples[first..first + SAMPLES];
-                let pixel = self.pixel(tracer, frame, work, x, y, samples, &mut |ray, tmax| {
+                let pixel = self.pixel(tracer, frame, work, x, y, samples, true, &mut |ray, tmax| {
                     rays += 1;
                     frame.accel.closest(&Ray { tmax, ..*ray })
                 });
@@ -109,14 +109,17 @@ impl CameraBake {
         x: u32,
         y: u32,
         samples: &[StillSample],
+        cached: bool,
         closest_moving: &mut dyn FnMut(&Ray, f32) -> Option<Hit>,
     ) -> Pixel {
-        let uniform = self.uniform[y as usize * self.camera.size.width as usize + x as usize];
+        let index = y as usize * self.camera.size.width as usize + x as usize;
+        let uniform = self.uniform[index];
         let beams = |s: usize, ray: &Ray| {
             if work.beams.is_empty() {
                 Vec3A::ZERO
             } else {
-                beams_on(tracer, frame, &work.beams, &samples[s], ray, s, self.pixel_angle)
+                let look = if s == 0 && uniform && cached { self.looks.get(index) } else { None };
+                beams_on(tracer, frame, &work.beams, &samples[s], ray, s, look, self.pixel_angle)
             }
         };
         let shared = if uniform { beams(0, &self.ray(x, y, 0)) } else { Vec3A::ZERO };

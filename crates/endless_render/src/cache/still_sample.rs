@@ -4,7 +4,7 @@ use crate::accel::{Hit, Ray};
 use crate::light::{Environment, SUN_SAMPLES};
 use crate::material::{Look, look};
 use crate::scene::SurfacePoint;
-use crate::shade::{Tracer, footprint_m, mirror_light};
+use crate::shade::{Tracer, footprint_m, mirror_light, mirror_ray};
 use endless_asset::Surface;
 use glam::Vec3A;
 
@@ -23,6 +23,8 @@ pub(super) struct StillSample {
     pub(super) direct: [f32; 3],
     /// What the coat mirrors.
     pub(super) mirror: [f32; 3],
+    /// Where the coat's mirror ray goes.
+    pub(super) mirror_direction: [f32; 3],
     /// Which directions to the sun's disc the still town leaves free, a bit each.
     pub(super) sun_free: u8,
     /// [`Self::MIRRORS`], [`Self::LENS`].
@@ -43,6 +45,7 @@ impl StillSample {
             ambient: [0.0; 3],
             direct: [0.0; 3],
             mirror: [0.0; 3],
+            mirror_direction: [0.0; 3],
             sun_free: 0,
             flags: 0,
         }
@@ -107,6 +110,7 @@ pub(super) fn shade_still(
         ambient: (look.lit_by_ambient(irradiance, view) * transmittance).to_array(),
         direct: (direct * transmittance).to_array(),
         mirror: (mirror * transmittance).to_array(),
+        mirror_direction: mirror_ray(&point, &look).direction.to_array(),
         sun_free,
         flags: u8::from(mirrors) * StillSample::MIRRORS + u8::from(lens) * StillSample::LENS,
     }

@@ -3,6 +3,11 @@
 use crate::accel::Ray;
 use glam::Vec3A;
 
+/// A twentieth of what street lamps give: less is not seen beside them.
+const FAINT_KLX: f32 = 1.0e-3;
+/// Nothing is lit nearer than this in front of a light, metres.
+const NEAREST_M: f32 = 0.05;
+
 /// What kind of light.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum BeamKind {
@@ -35,47 +40,74 @@ impl Beam {
         }
     }
 
-    /// Illuminance of a surface facing the light, klx, and the unit direction to it.
+    /// Illuminance of a surface facing the light, klx, and the unit direction to it. Light below [`FAINT_KLX`] is
+    /// none; it fades in from there, so that its edge cannot be seen.
     #[inline]
     pub(crate) fn illuminance_at(&self, point: Vec3A) -> (Vec3A, Vec3A) {
         let offset = point - self.position;
         let distance_squared = offset.length_squared().max(0.05);
         let range = self.range_m();
         let ahead = offset.dot(self.forward);
-        if distance_squared > range * range || ahead <= 0.05 {
+        if distance_squared > range * range || ahead <= NEAREST_M {
             return (Vec3A::ZERO, Vec3A::Z);
         }
-        let distance = distance_squared.sqrt();
         let q = distance_squared / (range * range);
         let window = (1.0 - q) * (1.0 - q);
-        let direction = -offset / distance;
-        let intensity = match self.kind {
-            BeamKind::Head => {
-                // Tangents of the angles aside and up; UN ECE R112's pattern in broad strokes: hot spot just below
-                // the horizon, wide foreground, little above the cut-off.
-                let aside = offset.dot(self.left) / ahead;
-                let up = offset.z / ahead;
-                let lateral = 1.0 / (1.0 + (aside * aside) * 9.0);
-                let below = (-up).max(0.0);
-                let vertical = if up > 0.0 { 0.03 + 0.97 * (1.0 - up / 0.03).max(0.0) } else { 1.0 };
-                let spread = 1.0 / (1.0 + below * below * 60.0);
-                Vec3A::new(1.0, 0.94, 0.84) * (14.0 * lateral * lateral * vertical * spread)
-            }
-            BeamKind::Tail => Vec3A::new(0.02, 0.0006, 0.0004) * (ahead / distance),
-            BeamKind::Brake => Vec3A::new(0.10, 0.003, 0.002) * (ahead / distance),
-        };
-        (intensity * (window / distance_squared), direction)
+        let (aside, up) = (offset.dot(self.left) / ahead, offset.z / ahead);
+        let strength = self.intensity(aside * aside, up, (-up).max(0.0)) * window / distance_squared;
+        let seen = (strength - FAINT_KLX).max(0.0);
+        (self.color() * seen, -offset / distance_squared.sqrt())
     }
 
-    /// Whether any of its light can reach a box.
+    /// Whether it gives a point any light.
+    #[inline]
+    pub(crate) fn lights(&self, point: Vec3A) -> bool {
+        self.illuminance_at(point).0.x > 0.0
+    }
+
+    fn color(&self) -> Vec3A {
+        match self.kind {
+            BeamKind::Head => Vec3A::new(1.0, 0.94, 0.84),
+            BeamKind::Tail | BeamKind::Brake => Vec3A::new(1.0, 0.03, 0.02),
+        }
+    }
+
+    /// Luminous intensity, kcd, by the squared tangent aside and the tangents up and down from its axis; falls with
+    /// each of them. UN ECE R112's low beam in broad strokes: a hot spot just below the horizon, a wide foreground,
+    /// little above the cut-off.
+    fn intensity(&self, aside_squared: f32, up: f32, below: f32) -> f32 {
+        let lateral = 1.0 / (1.0 + aside_squared * 9.0);
+        match self.kind {
+            BeamKind::Head => {
+                let vertical = if up > 0.0 { 0.03 + 0.97 * (1.0 - up / 0.03).max(0.0) } else { 1.0 };
+                14.0 * lateral * lateral * vertical / (1.0 + below * below * 60.0)
+            }
+            BeamKind::Tail => 0.02 * lateral,
+            BeamKind::Brake => 0.10 * lateral,
+        }
+    }
+
+    /// Whether any of its light can reach a box: its strength at the nearest distance and the least angles.
     pub(crate) fn reaches(&self, low: Vec3A, high: Vec3A) -> bool {
-        let nearest = self.position.clamp(low, high);
-        if nearest.distance_squared(self.position) > self.range_m() * self.range_m() {
+        let distance_squared = self.position.clamp(low, high).distance_squared(self.position).max(0.05);
+        if distance_squared > self.range_m() * self.range_m() {
             return false;
         }
-        // Some corner of the box must lie ahead.
-        let corner = Vec3A::select(self.forward.cmpge(Vec3A::ZERO), high, low);
-        (corner - self.position).dot(self.forward) > 0.0
+        // Extent of the box along an axis, from the light.
+        let extent = |axis: Vec3A| {
+            let (centre, half) = ((low + high) * 0.5 - self.position, (high - low) * 0.5);
+            let (middle, radius) = (centre.dot(axis), half.dot(axis.abs()));
+            (middle - radius, middle + radius)
+        };
+        let (_, ahead) = extent(self.forward);
+        if ahead <= NEAREST_M {
+            return false;
+        }
+        let (right, left) = extent(self.left);
+        let (bottom, top) = extent(Vec3A::Z);
+        let aside = right.max(-left).max(0.0) / ahead;
+        let (up, below) = (bottom.max(0.0) / ahead, (-top).max(0.0) / ahead);
+        self.intensity(aside * aside, up, below) / distance_squared * 1.001 > FAINT_KLX
     }
 
     /// The ray that must be free for its light to reach a point.
@@ -87,13 +119,26 @@ impl Beam {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn what_is_lit_is_reached(x in -10.0f32..45.0, y in -30.0f32..30.0, z in -2.0f32..6.0, turn in 0.0f32..6.28, size in 0.0f32..3.0, brake: bool) {
+            let forward = Vec3A::new(endless_world::math::cos(turn), endless_world::math::sin(turn), 0.0);
+            let left = Vec3A::new(-forward.y, forward.x, 0.0);
+            let kind = if brake { BeamKind::Brake } else { BeamKind::Head };
+            let beam = Beam { kind, position: Vec3A::new(0.0, 0.0, 0.7), forward, left };
+            let point = Vec3A::new(x, y, z);
+            prop_assert!(!beam.lights(point) || beam.reaches(point - size, point + size * 0.3));
+        }
+    }
 
     #[test]
     fn low_beam_lights_the_road_not_the_sky() {
         let beam =
             Beam { kind: BeamKind::Head, position: Vec3A::new(0.0, 0.0, 0.7), forward: Vec3A::X, left: Vec3A::Y };
         let at = |x: f32, y: f32, z: f32| beam.illuminance_at(Vec3A::new(x, y, z)).0.x;
-        assert!(at(20.0, 0.0, 0.0) > 10.0 * at(20.0, 0.0, 3.0));
+        assert!(at(20.0, 0.0, 0.0) > 5.0 * at(20.0, 0.0, 3.0));
         assert!(at(10.0, 0.0, 0.0) > at(10.0, 8.0, 0.0));
         assert_eq!(at(-5.0, 0.0, 0.0), 0.0);
         assert_eq!(at(60.0, 0.0, 0.5), 0.0);

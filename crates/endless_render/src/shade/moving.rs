@@ -5,7 +5,6 @@ use super::{
     Tracer,
     secondary::{direct, mirror_light},
 };
-use crate::accel::Ray;
 use crate::light::Beam;
 use crate::material::{Look, look};
 use crate::scene::SurfacePoint;
@@ -33,8 +32,7 @@ pub(crate) fn shade_moving(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, sample
     environment.fog.through(radiance, point.direction, point.distance)
 }
 
-/// Light of one vehicle lamp on a point towards its viewer, without fog. Light too weak to be seen is none, so that
-/// nothing is traced for it.
+/// Light of one vehicle lamp on a point towards its viewer, without fog.
 pub(crate) fn beam_light(
     tracer: &Tracer<'_>,
     beam: &Beam,
@@ -46,20 +44,11 @@ pub(crate) fn beam_light(
     if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
         return Vec3A::ZERO;
     }
-    let lit = look.lit_by(illuminance, direction, -point.direction);
-    let strength = lit.max_element();
-    if strength <= BEAM_THRESHOLD {
+    if tracer.occluded(&beam.shadow_ray(origin)) {
         return Vec3A::ZERO;
     }
-    if tracer.occluded(&Ray { tmax: 0.999, ..beam.shadow_ray(origin) }) {
-        return Vec3A::ZERO;
-    }
-    // Fades in from the threshold, so that its edge cannot be seen.
-    lit * ((strength - BEAM_THRESHOLD) / strength)
+    look.lit_by(illuminance, direction, -point.direction)
 }
-
-/// Radiance below which vehicle lights are left out, kcd/m²: a few per cent of a lamp-lit street.
-const BEAM_THRESHOLD: f32 = 4.0e-5;
 
 /// Width of a pixel on a surface.
 pub(crate) fn footprint_m(point: &SurfacePoint<'_>, pixel_angle: f32) -> f32 {
