@@ -1,0 +1,173 @@
+//! The fixed-camera cache leaves nothing out: frames made with it equal frames traced anew, byte for byte.
+
+use endless_asset::Catalogue;
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_town::Town;
+use endless_world::{
+    Actor, AssetRef, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, ObjectClass, PinholeCamera, Pose,
+    SensorFrame, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleMotion, WalkerMotion, Weather,
+    WorldState,
+};
+use glam::Vec3;
+
+const SIZE: ImageSize = ImageSize { width: 129, height: 73 };
+
+/// Vehicles and people where the camera looks, on lanes and sidewalks, some of them half behind the lens.
+fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, random: &mut Stream) -> Vec<Actor> {
+    let camera = PinholeCamera::new(site, SIZE);
+    let near = |p: Vec3| {
+        let c = camera.camera_from_world(p);
+        c.z > -4.0 && c.length() < 70.0 && c.x.abs() < c.z.max(0.0) + 8.0
+    };
+    let mut all = Vec::new();
+    let mut id = town.parked.len() as u16;
+    let mut next = || {
+        id += 1;
+        InstanceId(id)
+    };
+    for spawn in &town.network.spawn_points {
+        let place = town.network.lane(spawn.lane).centerline.at(spawn.s);
+        let position = place.position.as_vec3();
+        if !near(position) || all.len() >= 12 || random.chance(0.4) {
+            continue;
+        }
+        let model = random.below(catalogue.vehicles().len()) as u16;
+        let spec = &catalogue.vehicles()[usize::from(model)].spec;
+        let mut bits = if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION } else { 0 };
+        bits |= if random.chance(0.5) { VehicleLights::BRAKE } else { VehicleLights::LEFT_BLINKER };
+        all.push(Actor {
+            id: next(),
+            rider_id: spec.ridden.then(&mut next),
+            class: spec.class,
+            asset: AssetRef { model, variant: random.next_u64() },
+            pose: Pose::level(position, place.heading_rad as f32 + random.range_f32(-0.2, 0.2)),
+            velocity_mps: Vec3::ZERO,
+            motion: Motion::Vehicle(VehicleMotion {
+                speed_mps: 5.0,
+                rolled_m: random.f32() * 9.0,
+                steer_rad: 0.2,
+                lights: VehicleLights(bits),
+            }),
+            parked: false,
+        });
+    }
+    for edge in &town.network.walk.edges {
+        let [a, b] = edge.nodes.map(|n| town.network.walk.nodes[n.index()].as_vec3());
+        let position = a.lerp(b, random.f32());
+        if !near(position) || all.len() >= 24 {
+            continue;
+        }
+        all.push(Actor {
+            id: next(),
+            rider_id: None,
+            class: ObjectClass::Pedestrian,
+            asset: AssetRef { model: 0, variant: random.next_u64() },
+            pose: Pose::level(position, random.range_f32(-3.0, 3.0)),
+            velocity_mps: Vec3::ZERO,
+            motion: Motion::Walker(WalkerMotion {
+                speed_mps: 1.3,
+                gait: Gait::Walk,
+                walked_m: random.f32() * 3.0,
+                time_s: 1.0,
+            }),
+            parked: false,
+        });
+    }
+    all
+}
+
+fn differing(a: &SensorFrame, b: &SensorFrame) -> usize {
+    let rgb = a.rgb.data.iter().zip(&b.rgb.data).filter(|(p, q)| p != q).count();
+    let depth = a.depth.data.iter().zip(&b.depth.data).filter(|(p, q)| p.to_bits() != q.to_bits()).count();
+    let labels = a.instance.data.iter().zip(&b.instance.data).filter(|(p, q)| p != q).count();
+    rgb + depth + labels
+}
+
+/// Renders a scene both ways; returns how many pixels moving things changed, so that a test cannot pass on an empty
+/// street.
+fn check(map: &str, camera: usize, weather: Weather, time_of_day: TimeOfDay) -> usize {
+    let catalogue = Catalogue::builtin();
+    let town = endless_town::load(map, &catalogue).expect("a built-in town");
+    let still = StaticScene::load(&town, &catalogue);
+    let site = &town.cameras[camera];
+    let settings = RenderSettings { weather, time_of_day, seed: 3, size: SIZE, gather_rays: 1, keep_irradiance: true };
+    let bake = CameraBake::bake(&still, &settings, site);
+    let mut random = Stream::named(5, "exactness", &[camera as u64]);
+    let lights = time_of_day == TimeOfDay::Night || weather == Weather::Rainy;
+    let actors = actors(&town, &catalogue, site, lights, &mut random);
+    let cast = Cast::new(&catalogue, &actors);
+    let aspects = [SignalAspect::Red, SignalAspect::Green, SignalAspect::Yellow, SignalAspect::RedYellow];
+    let signals =
+        (0..town.network.signal_groups).map(|i| SignalState { aspect: aspects[usize::from(i) % 4] }).collect();
+    let state = WorldState { frame: 4, time_s: 0.1, actors, signals };
+    let frame = FrameScene::new(&cast, &state);
+    let (cached, traced) = (bake.render(&still, &frame), bake.render_uncached(&still, &frame));
+    assert_eq!(differing(&cached, &traced), 0, "{map} {weather} {time_of_day}: pixels that differ");
+    let empty = FrameScene::new(&cast, &WorldState { actors: Vec::new(), ..state });
+    differing(&cached, &bake.render(&still, &empty))
+}
+
+#[test]
+fn clear_morning_with_long_shadows() {
+    assert!(check("Town03", 0, Weather::ClearSky, TimeOfDay::Morning) > 150);
+}
+
+#[test]
+fn clear_afternoon() {
+    assert!(check("Town10HD", 1, Weather::ClearSky, TimeOfDay::Afternoon) > 150);
+}
+
+#[test]
+fn rainy_night_with_headlights_and_mirrors() {
+    assert!(check("Town03", 1, Weather::Rainy, TimeOfDay::Night) > 150);
+}
+
+#[test]
+fn clear_night() {
+    assert!(check("Town05", 0, Weather::ClearSky, TimeOfDay::Night) > 150);
+}
+
+#[test]
+fn after_rain_with_puddles() {
+    assert!(check("Town02", 2, Weather::AfterRain, TimeOfDay::Afternoon) > 150);
+}
+
+#[test]
+fn foggy_night_with_halos() {
+    assert!(check("Town01", 0, Weather::Foggy, TimeOfDay::Night) > 150);
+}
+
+#[test]
+fn labels_of_moving_things_are_theirs() {
+    let catalogue = Catalogue::builtin();
+    let town = endless_town::load("Town03", &catalogue).expect("a built-in town");
+    let still = StaticScene::load(&town, &catalogue);
+    let settings = RenderSettings {
+        weather: Weather::Cloudy,
+        time_of_day: TimeOfDay::Afternoon,
+        seed: 3,
+        size: SIZE,
+        gather_rays: 1,
+        keep_irradiance: false,
+    };
+    let bake = CameraBake::bake(&still, &settings, &town.cameras[0]);
+    let mut random = Stream::named(5, "labels", &[]);
+    let actors = actors(&town, &catalogue, &town.cameras[0], false, &mut random);
+    let cast = Cast::new(&catalogue, &actors);
+    let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };
+    let image = bake.render(&still, &FrameScene::new(&cast, &state));
+    let mut seen = 0;
+    for (label, depth) in image.instance.data.iter().zip(&image.depth.data) {
+        let actor = state.actors.iter().find(|a| a.id == label.id);
+        let rider = state.actors.iter().find(|a| a.rider_id == Some(label.id));
+        match (actor, rider) {
+            (Some(actor), _) => assert_eq!(label.tag, actor.class.tag()),
+            (None, Some(_)) => assert_eq!(label.tag, ClassTag::Rider),
+            (None, None) => assert!(usize::from(label.id.0) <= town.parked.len()),
+        }
+        seen += usize::from(actor.is_some());
+        assert!(*depth > 0.0 && *depth <= endless_world::FAR_PLANE_M);
+        assert_eq!(label.tag == ClassTag::Sky, *depth == endless_world::FAR_PLANE_M);
+    }
+    assert!(seen > 40, "{seen}");
+}
