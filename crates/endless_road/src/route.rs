@@ -39,6 +39,17 @@ impl RoadNetwork {
     /// The next lane of a random walk: straight on is likelier than turning, turning back is rare. Only lanes that
     /// are `allowed` (indexed by lane); `None` if there is none.
     pub fn next_lane(&self, lane: LaneId, allowed: &[bool], stream: &mut Stream) -> Option<LaneId> {
+        self.next_lane_preferring(lane, allowed, |choices| vec![1.0; choices.len()], stream)
+    }
+
+    /// The same with a preference: factors on the likelihood of each of the choices it is given.
+    pub fn next_lane_preferring(
+        &self,
+        lane: LaneId,
+        allowed: &[bool],
+        preference: impl FnOnce(&[LaneId]) -> Vec<f64>,
+        stream: &mut Stream,
+    ) -> Option<LaneId> {
         let choices: Vec<LaneId> =
             self.lane(lane).successors.iter().copied().filter(|next| allowed[next.index()]).collect();
         if choices.is_empty() {
@@ -49,7 +60,7 @@ impl RoadNetwork {
             Turn::Left | Turn::Right => 1.0,
             Turn::UTurn => 0.02,
         };
-        let weights: Vec<f64> = choices.iter().map(weight).collect();
+        let weights: Vec<f64> = choices.iter().map(weight).zip(preference(&choices)).map(|(w, p)| w * p).collect();
         Some(choices[stream.weighted(&weights)])
     }
 }

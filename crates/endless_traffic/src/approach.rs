@@ -14,9 +14,10 @@ use endless_world::{SignalAspect, SignalState};
 const SPARE_M: f64 = 2.5;
 /// Seconds after which those who stand and have priority are taken to let others go first.
 const PATIENCE_S: f64 = 2.5;
-/// Seconds of waiting after which those in slow traffic let somebody in, and for how long they stand for it.
+/// Seconds of waiting after which those in slow traffic let somebody in.
 const COURTESY_S: f64 = 25.0;
-const COURTEOUS_S: f64 = 6.0;
+/// They stand for it this share of the time that the other has waited.
+const COURTEOUS_SHARE: f64 = 0.25;
 /// Traffic is slow below this speed, m/s.
 const SLOW_MPS: f64 = 4.0;
 
@@ -269,7 +270,7 @@ fn lets_in(roads: &Roads, me: &Request, other: &Request) -> bool {
         && other.waited_s > me.waited_s
         && !other.held
         && me.speed < SLOW_MPS
-        && me.waited_s < COURTEOUS_S
+        && me.waited_s < COURTEOUS_SHARE * other.waited_s
         && (me.exit == other.exit || meet())
 }
 

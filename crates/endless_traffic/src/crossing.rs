@@ -11,6 +11,8 @@ pub(crate) struct OnFoot {
     pub(crate) along_m: f64,
     /// +1 towards the second end, −1 back.
     pub(crate) direction: f64,
+    /// m/s.
+    pub(crate) speed: f64,
 }
 
 /// One crossing at this instant.
@@ -24,38 +26,49 @@ pub(crate) struct CrossingState {
     pub(crate) occupied: bool,
     /// A vehicle is on it or too close to stop.
     pub(crate) danger: bool,
-    /// Lanes with a vehicle on the crossing or too close to stop: metres along it.
-    pub(crate) taken: Vec<f64>,
+    /// Lanes with a vehicle on the crossing or too close to stop: metres along it, and how far beside the lane's
+    /// middle it sweeps at most.
+    pub(crate) taken: Vec<(f64, f64)>,
 }
 
 /// Vehicles closer than this to a crossing stand on it in people's eyes, metres.
 const CLEAR_M: f64 = 0.3;
-/// Walkers closer than this to a lane's middle are in its way, metres.
+/// Walkers closer than this to a lane's middle are in a car's way, metres.
 const IN_THE_WAY_M: f64 = 2.5;
+/// A long vehicle sweeps this much more in turns, metres.
+const LONG_SWEEPS_M: f64 = 1.2;
+/// How firmly people stop, m/s².
+const HALT_MPS2: f64 = 2.0;
 /// Drivers stop for people that walk towards their lane from this far, metres.
 const NOTICED_M: f64 = 7.0;
 
 impl CrossingState {
-    /// Whether somebody on it is in the way of a lane, or soon will be.
-    pub(crate) fn blocks(&self, cut: &Cut) -> bool {
+    /// Whether somebody on it is in the way of a vehicle on a lane, or soon will be.
+    pub(crate) fn blocks(&self, cut: &Cut, vehicle: &Vehicle) -> bool {
         self.people.iter().any(|p| {
             let to_lane = (cut.along_m - p.along_m) * p.direction;
-            to_lane > -IN_THE_WAY_M && to_lane < NOTICED_M
+            to_lane > -in_the_way_m(vehicle) && to_lane < NOTICED_M
         })
     }
 
     /// Whether somebody on it has still to pass a lane, however far away.
-    pub(crate) fn awaits(&self, cut: &Cut) -> bool {
-        self.people.iter().any(|p| (cut.along_m - p.along_m) * p.direction > -IN_THE_WAY_M)
+    pub(crate) fn awaits(&self, cut: &Cut, vehicle: &Vehicle) -> bool {
+        self.people.iter().any(|p| (cut.along_m - p.along_m) * p.direction > -in_the_way_m(vehicle))
     }
 
     /// Whether somebody at this place who walks in this direction would step in front of a vehicle.
     pub(crate) fn step_is_unsafe(&self, person: OnFoot) -> bool {
-        self.taken.iter().any(|along| {
+        let halt_m = person.speed * person.speed / (2.0 * HALT_MPS2);
+        self.taken.iter().any(|(along, beside)| {
             let to_lane = (along - person.along_m) * person.direction;
-            to_lane > 1.0 && to_lane < IN_THE_WAY_M + 0.6
+            to_lane > 1.0 && to_lane < beside + 0.2 + halt_m
         })
     }
+}
+
+/// People closer than this to the middle of a vehicle's lane are in its way, metres.
+fn in_the_way_m(vehicle: &Vehicle) -> f64 {
+    IN_THE_WAY_M + if vehicle.long() { LONG_SWEEPS_M } else { 0.0 }
 }
 
 /// Comfortable distance to stop from a speed, metres.
@@ -78,7 +91,7 @@ pub(crate) fn note_vehicles(roads: &Roads, vehicles: &[Vehicle], crossings: &mut
                 let state = &mut crossings[cut.crossing.index()];
                 state.danger = true;
                 state.occupied |= low < vehicle.half_length + CLEAR_M;
-                state.taken.push(cut.along_m);
+                state.taken.push((cut.along_m, in_the_way_m(vehicle)));
             }
         };
         let mut base = -vehicle.s;

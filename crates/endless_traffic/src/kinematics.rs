@@ -109,3 +109,6 @@ fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
         roll_rad: vehicle.roll as f32,
     };
 }
+
+#[cfg(test)]
+mod tests;

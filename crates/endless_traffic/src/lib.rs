@@ -5,8 +5,10 @@
 //! so the same scene gives the same states, bit for bit.
 
 mod approach;
+mod attraction;
 mod crossing;
 mod driver;
+mod footprint;
 mod kinematics;
 mod lane_change;
 mod lights;

@@ -1,20 +1,28 @@
 //! What drivers need of the network, looked up by lane.
 
+use crate::attraction::Attraction;
 use endless_road::{Conflict, CrossingId, JunctionId, Lane, LaneId, RoadNetwork, Turn, near_ranges, swept_overlap};
 use endless_world::math::f64::wrap_angle;
+use glam::Vec3;
 
 /// Distance between stations of a speed profile, metres.
 const STATION_M: f64 = 1.0;
 /// Sideways acceleration that people accept in bends, m/s².
 const BEND_MPS2: f64 = 2.0;
 /// Distance between centre lines at which a long vehicle in a bend may touch another, metres.
-const LONG_SWEPT_M: f64 = 4.4;
+const LONG_SWEPT_M: f64 = 5.0;
 /// Vehicles longer than this are long, metres.
-pub(crate) const LONG_M: f64 = 6.5;
-/// Long vehicles need bends of this many lengths.
+const LONG_M: f64 = 6.5;
+/// Vehicles longer than this are given more room where ways meet in bends, metres.
+pub(crate) const SWINGS_OUT_M: f64 = 5.4;
+/// Long vehicles need right turns of this many lengths, or their rear wheels would climb the kerb.
 const LONG_RADIUS: f64 = 1.3;
+/// And left turns of this many: the ground inside them is the junction's own, kept free for them.
+const LONG_RADIUS_LEFT: f64 = 0.9;
 /// And of this many where nobody makes room for them: beside oncoming traffic.
 const LONG_RADIUS_BESIDE_OTHERS: f64 = 2.6;
+/// Vehicles longer than this keep to streets of several lanes, metres.
+const BUS_M: f64 = 9.0;
 /// Braking planned before a bend, m/s².
 pub(crate) const PLANNED_BRAKING: f64 = 1.3;
 
@@ -73,10 +81,12 @@ pub(crate) struct Roads {
     /// Lanes among which vehicles of each model circulate.
     allowed: Vec<Vec<bool>>,
     lanes: Vec<LaneTable>,
+    pub(crate) attraction: Attraction,
 }
 
 impl Roads {
-    pub(crate) fn new(network: RoadNetwork, lengths_m: &[f64]) -> Self {
+    /// With the lengths of all models, and the places that are looked at.
+    pub(crate) fn new(network: RoadNetwork, lengths_m: &[f64], focus: &[Vec3]) -> Self {
         let mut lanes: Vec<LaneTable> = network.lanes.iter().map(|lane| table(&network, lane.id)).collect();
         for (place, crossing) in network.crossings.iter().enumerate() {
             let [from, to] = crossing.ends.map(glam::DVec3::truncate);
@@ -100,7 +110,8 @@ impl Roads {
         }
         let everybody = network.circulating_lanes();
         let allowed = lengths_m.iter().map(|&length| circulation(&network, &lanes, &everybody, length)).collect();
-        Self { network, allowed, lanes }
+        let attraction = Attraction::new(&network, focus);
+        Self { network, allowed, lanes, attraction }
     }
 
     /// Lanes among which vehicles of a model can circulate.
@@ -119,9 +130,14 @@ fn circulation(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], l
     if length_m < LONG_M {
         return stays;
     }
-    for (stay, lane) in stays.iter_mut().zip(lanes) {
-        let lengths = if lane.junction.is_some() { LONG_RADIUS } else { LONG_RADIUS_BESIDE_OTHERS };
-        *stay &= lane.radius > lengths * length_m;
+    for ((stay, table), lane) in stays.iter_mut().zip(lanes).zip(&network.lanes) {
+        let lengths = match (table.junction, lane.turn) {
+            (None, _) => LONG_RADIUS_BESIDE_OTHERS,
+            (Some(_), Turn::Left) => LONG_RADIUS_LEFT,
+            (Some(_), _) => LONG_RADIUS,
+        };
+        let broad = lane.junction.is_some() || lane.left.is_some() || lane.right.is_some();
+        *stay &= table.radius > lengths * length_m && (broad || length_m < BUS_M);
     }
     loop {
         let goes_on = |i: usize| network.lanes[i].successors.iter().any(|next| stays[next.index()]);

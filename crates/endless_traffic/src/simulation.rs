@@ -44,7 +44,7 @@ pub struct Simulation {
 
 impl Simulation {
     /// Spawns in rest pose and simulates the warm-up; frame 0 is the first to record. Vehicle models are drawn by
-    /// their frequency in the catalogue.
+    /// their frequency in the catalogue. Vehicles and people are spread evenly over the whole map.
     ///
     /// # Panics
     /// If `fps` is not positive.
@@ -57,14 +57,32 @@ impl Simulation {
         conditions: Conditions,
         fps: f64,
     ) -> Self {
+        Self::focused(town, catalogue, vehicles, pedestrians, seed, conditions, fps, &[])
+    }
+
+    /// The same, but denser around the places of `focus` (world frame, metres; say, the recorded cameras), and with
+    /// ways that rather lead there.
+    ///
+    /// # Panics
+    /// If `fps` is not positive.
+    pub fn focused(
+        town: &Town,
+        catalogue: &Catalogue,
+        vehicles: u32,
+        pedestrians: u32,
+        seed: u64,
+        conditions: Conditions,
+        fps: f64,
+        focus: &[Vec3],
+    ) -> Self {
         let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
         let parked: Vec<(AssetRef, Pose)> = town.parked.iter().map(|p| (p.asset, p.pose)).collect();
         let pace = |variant| f64::from(catalogue.person(variant).walk_mps);
-        Self::on_network(&town.network, &specs, &parked, &pace, [vehicles, pedestrians], seed, conditions, fps)
+        Self::on_network(&town.network, &specs, &parked, &pace, [vehicles, pedestrians], seed, conditions, fps, focus)
     }
 
     /// On a bare network: `specs` are the models, `parked` the vehicles at rest, `pace_of` the walking speed (m/s) of
-    /// a person's variant, `asked` the numbers of vehicles and pedestrians.
+    /// a person's variant, `asked` the numbers of vehicles and pedestrians, `focus` the places looked at.
     ///
     /// # Panics
     /// If `fps` is not positive, or a parked vehicle's model is not in `specs`.
@@ -77,12 +95,13 @@ impl Simulation {
         seed: u64,
         conditions: Conditions,
         fps: f64,
+        focus: &[Vec3],
     ) -> Self {
         assert!(fps > 0.0, "frames per second must be positive");
         let lengths: Vec<f64> = specs.iter().map(|s| f64::from(s.length_m)).collect();
-        let roads = Roads::new(network.clone(), &lengths);
+        let roads = Roads::new(network.clone(), &lengths, focus);
         let graph = WalkGraph::new(&network.walk);
-        let vehicles = spawn::vehicles(&roads, specs, asked[0], seed, conditions);
+        let vehicles = spawn::vehicles(&roads, specs, parked, asked[0], seed, conditions);
         let walkers = spawn::walkers(&roads, &graph, pace_of, asked[1], seed);
         let population = Population {
             vehicles_asked: asked[0],

@@ -1,6 +1,7 @@
 //! Who is there when the scene begins.
 
 use crate::driver::Driver;
+use crate::footprint::Footprint;
 use crate::kinematics;
 use crate::population::Conditions;
 use crate::roads::Roads;
@@ -9,13 +10,17 @@ use crate::walker::{Walker, height};
 use endless_asset::VehicleSpec;
 use endless_road::{SpawnPoint, WalkEdgeId, WalkGraph, WalkKind};
 use endless_world::math::f64::atan2;
-use endless_world::{AssetRef, Gait, Stream};
+use endless_world::{AssetRef, Gait, Pose, Stream};
 use glam::DVec2;
 
 /// Gap between vehicles that spawn on the same lane, metres.
 const GAP_M: f64 = 3.5;
 /// Places tried for a person.
 const TRIES: u32 = 60;
+/// Places among which the roomiest is taken.
+const CANDIDATES: usize = 40;
+/// Room kept to parked vehicles, metres.
+const PARKED_M: f64 = 0.15;
 /// Vehicles that may find no room before the town counts as full.
 const MISSES: u64 = 40;
 
@@ -29,13 +34,20 @@ pub(crate) fn points(roads: &Roads, models: usize) -> Vec<SpawnPoint> {
 pub(crate) fn vehicles(
     roads: &Roads,
     specs: &[&VehicleSpec],
+    parked: &[(AssetRef, Pose)],
     asked: u32,
     seed: u64,
     conditions: Conditions,
 ) -> Vec<Vehicle> {
     let mut stream = Stream::named(seed, "traffic.spawn", &[]);
     let mut free = points(roads, specs.len());
-    stream.shuffle(&mut free);
+    let standing: Vec<Footprint> = parked
+        .iter()
+        .map(|(asset, pose)| {
+            let spec = specs[usize::from(asset.model)];
+            Footprint::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), PARKED_M)
+        })
+        .collect();
     // Models that find no way round this town stay away.
     let has_way = |m: usize| roads.allowed(m as u16).contains(&true);
     let weights: Vec<f64> = specs.iter().enumerate().map(|(m, s)| if has_way(m) { s.frequency } else { 0.0 }).collect();
@@ -51,10 +63,22 @@ pub(crate) fn vehicles(
         let half = 0.5 * f64::from(spec.length_m);
         let fits = |p: &SpawnPoint| {
             let length = roads.table(p.lane).length;
+            let on = roads.network.lane(p.lane).centerline.at(p.s);
+            let body = Footprint::new(spec, on.position.truncate(), on.heading_rad, 0.0);
             let inside = roads.allowed(model as u16)[p.lane.index()] && p.s > half + 1.0 && p.s < length - half - 1.0;
-            inside && placed.iter().all(|v| v.lane() != p.lane || (v.s - p.s).abs() > v.half_length + half + GAP_M)
+            inside
+                && placed.iter().all(|v| v.lane() != p.lane || (v.s - p.s).abs() > v.half_length + half + GAP_M)
+                && standing.iter().all(|other| other.center.distance(body.center) > 20.0 || !body.overlaps(other))
         };
-        let Some(place) = free.iter().position(fits) else {
+        // The roomiest of some places.
+        let fitting: Vec<usize> = (0..free.len()).filter(|&i| fits(&free[i])).collect();
+        let candidates: Vec<usize> = (0..CANDIDATES.min(fitting.len())).map(|_| *stream.pick(&fitting)).collect();
+        let room = |&i: &usize| {
+            let at = roads.network.lane(free[i].lane).centerline.at(free[i].s).position.truncate();
+            let wanted = roads.attraction.departure_density(&roads.network, free[i].lane, free[i].s);
+            wanted * room_at(at, placed.iter().map(|v| v.pose.position.as_dvec3().truncate()))
+        };
+        let Some(place) = candidates.into_iter().max_by(|a, b| room(a).total_cmp(&room(b))) else {
             // Nothing of this length fits any more; a shorter one may.
             misses += 1;
             if misses > MISSES {
@@ -71,6 +95,13 @@ pub(crate) fn vehicles(
         placed.push(vehicle);
     }
     placed
+}
+
+/// How much room a place has: the square of the distance to the nearest of those placed, to be weighed with the density
+/// that is wanted there. Taking the roomiest of some random places spreads points evenly (Mitchell 1991, "Spectrally
+/// optimal sampling for distribution ray tracing").
+fn room_at(at: DVec2, placed: impl Iterator<Item = DVec2>) -> f64 {
+    placed.map(|p| p.distance_squared(at)).fold(1e6, f64::min)
 }
 
 /// As many people as asked for, or as find room on the sidewalks.
@@ -100,6 +131,8 @@ pub(crate) fn walkers(
         let hurries = own.chance(0.05);
         let pace = pace_of(variant).clamp(0.6, 2.0) * if hurries { 1.9 } else { own.range_f64(0.92, 1.08) };
         let side = own.range_f64(0.15, 0.85);
+        let mut best: Option<(f64, Walker)> = None;
+        let mut found = 0;
         for _ in 0..TRIES {
             let edge = WalkEdgeId(own.weighted(&lengths) as u32);
             let mut nodes = walk.edges[edge.index()].nodes;
@@ -113,7 +146,12 @@ pub(crate) fn walkers(
             if placed.iter().any(|w| w.position.distance(position) < 0.9) {
                 continue;
             }
-            let mut walker = Walker {
+            let room = roads.attraction.density(position) * room_at(position, placed.iter().map(|w| w.position));
+            found += 1;
+            if best.as_ref().is_some_and(|(other, _)| *other >= room) {
+                continue;
+            }
+            let walker = Walker {
                 variant,
                 stream: own.fork(1),
                 pace,
@@ -128,10 +166,18 @@ pub(crate) fn walkers(
                 gait: Gait::Stand,
                 stuck: (0.0, 0.0),
             };
+            best = Some((room, walker));
+            if found == CANDIDATES {
+                break;
+            }
+        }
+        if let Some((_, mut walker)) = best {
             walker.plan(roads, graph);
             placed.push(walker);
-            break;
         }
     }
     placed
 }
+
+#[cfg(test)]
+mod tests;

@@ -94,8 +94,8 @@ impl View<'_> {
                 // Who may have to stop on it keeps off while people come, or if it is no junction's, always: nobody on
                 // foot shall find the way barred in the middle of the road.
                 let stops_on_it = sure < base + cut.range.1 + me.half_length + me.driver.standing_gap_m;
-                let keeps_off = stops_on_it && (table.junction.is_none() || state.awaits(cut));
-                if state.blocks(cut) || lets_go || keeps_off {
+                let keeps_off = stops_on_it && (table.junction.is_none() || state.awaits(cut, me));
+                if state.blocks(cut, me) || lets_go || keeps_off {
                     nearest = nearest.min(gap.max(0.06));
                 }
             }

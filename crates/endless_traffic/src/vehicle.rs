@@ -1,7 +1,7 @@
 //! One moving vehicle.
 
 use crate::driver::Driver;
-use crate::roads::{LONG_M, Roads};
+use crate::roads::{Roads, SWINGS_OUT_M};
 use endless_asset::VehicleSpec;
 use endless_road::{JunctionId, LaneId};
 use endless_world::{AssetRef, ObjectClass, Pose, Stream, VehicleLights};
@@ -157,7 +157,9 @@ impl Vehicle {
         while reach < HORIZON_M || self.route.back().is_some_and(|&l| roads.table(l).junction.is_some()) {
             let Some(&last) = self.route.back() else { return };
             let allowed = roads.allowed(self.asset.model);
-            let Some(next) = roads.network.next_lane(last, allowed, &mut self.stream) else { return };
+            let preference = |choices: &[LaneId]| roads.attraction.preference(choices);
+            let next = roads.network.next_lane_preferring(last, allowed, preference, &mut self.stream);
+            let Some(next) = next else { return };
             self.route.push_back(next);
             reach += roads.table(next).length;
         }
@@ -165,7 +167,7 @@ impl Vehicle {
 
     /// Whether it swings out in bends.
     pub(crate) fn long(&self) -> bool {
-        2.0 * self.half_length >= LONG_M
+        2.0 * self.half_length >= SWINGS_OUT_M
     }
 
     /// The parts of lanes the body covers.

@@ -134,7 +134,7 @@ impl Walker {
         let [a, b] = roads.network.crossings[id.index()].ends.map(DVec3::truncate);
         let along = (b - a).normalize_or_zero();
         let direction = along.dot(strip.along).signum();
-        Some((id, OnFoot { along_m: (self.position - a).dot(along), direction }))
+        Some((id, OnFoot { along_m: (self.position - a).dot(along), direction, speed: self.velocity.length() }))
     }
 
     /// The crossing at whose beginning they stand or will be in a moment.
@@ -224,7 +224,7 @@ impl Walker {
     pub(crate) fn plan(&mut self, roads: &Roads, graph: &WalkGraph) {
         let start = self.way.back().map_or(self.from, |w| w.1);
         for _ in 0..20 {
-            let goal = WalkNodeId(self.stream.below(roads.network.walk.nodes.len()) as u32);
+            let goal = WalkNodeId(self.stream.weighted(roads.attraction.goals()) as u32);
             let way = graph.shortest(&roads.network.walk, start, goal);
             // Nobody turns on the spot if there is another way.
             let turns = way.first().is_some_and(|w| self.way.back().is_some_and(|b| b.0 == w.0));

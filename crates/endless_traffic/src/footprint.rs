@@ -1,0 +1,31 @@
+//! Bodies seen from above.
+
+use endless_asset::VehicleSpec;
+use endless_world::math::f64::sin_cos;
+use glam::DVec2;
+
+/// An oriented rectangle.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Footprint {
+    pub(crate) center: DVec2,
+    axis: DVec2,
+    half: DVec2,
+}
+
+impl Footprint {
+    /// Of a vehicle at a place, with a margin all round, metres.
+    pub(crate) fn new(spec: &VehicleSpec, center: DVec2, yaw_rad: f64, margin_m: f64) -> Self {
+        let (sin, cos) = sin_cos(yaw_rad);
+        let half = 0.5 * DVec2::new(f64::from(spec.length_m), f64::from(spec.width_m)) + DVec2::splat(margin_m);
+        Self { center, axis: DVec2::new(cos, sin), half }
+    }
+
+    /// Whether two of them overlap (separating axes).
+    pub(crate) fn overlaps(&self, other: &Self) -> bool {
+        let apart = other.center - self.center;
+        let reach = |f: &Self, n: DVec2| f.half.x * f.axis.dot(n).abs() + f.half.y * f.axis.perp().dot(n).abs();
+        [self.axis, self.axis.perp(), other.axis, other.axis.perp()]
+            .into_iter()
+            .all(|n| reach(self, n) + reach(other, n) > apart.dot(n).abs())
+    }
+}

@@ -1,0 +1,126 @@
+use super::*;
+use endless_asset::Catalogue;
+use endless_town::Town;
+use endless_world::ObjectClass;
+use glam::Vec3;
+
+struct Place {
+    catalogue: Catalogue,
+    town: Town,
+}
+
+impl Place {
+    fn new(name: &str) -> Self {
+        let catalogue = Catalogue::builtin();
+        let town = endless_town::load(name, &catalogue).expect("a town");
+        Self { catalogue, town }
+    }
+
+    fn specs(&self) -> Vec<&VehicleSpec> {
+        self.catalogue.vehicles().iter().map(|m| &m.spec).collect()
+    }
+
+    fn roads(&self, focus: &[Vec3]) -> Roads {
+        let lengths: Vec<f64> = self.specs().iter().map(|s| f64::from(s.length_m)).collect();
+        Roads::new(self.town.network.clone(), &lengths, focus)
+    }
+}
+
+fn at(vehicle: &Vehicle) -> DVec2 {
+    vehicle.pose.position.as_dvec3().truncate()
+}
+
+#[test]
+fn vehicles_begin_clear_of_parked_ones() {
+    let place = Place::new("Town02");
+    let (specs, roads) = (place.specs(), place.roads(&[]));
+    let car = specs.iter().position(|s| s.parks).expect("something parks") as u16;
+    // Parked so badly that every other spawn point is taken.
+    let parked: Vec<(AssetRef, Pose)> = roads
+        .network
+        .spawn_points
+        .iter()
+        .step_by(2)
+        .map(|p| {
+            let on = roads.network.lane(p.lane).centerline.at(p.s);
+            let pose = Pose::level(on.position.as_vec3(), on.heading_rad as f32 + 0.4);
+            (AssetRef { model: car, variant: 0 }, pose)
+        })
+        .collect();
+    let print = |asset: AssetRef, pose: &Pose| {
+        let spec = specs[usize::from(asset.model)];
+        Footprint::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), 0.0)
+    };
+    let placed = vehicles(&roads, &specs, &parked, 60, 3, Conditions::default());
+    assert!(placed.len() > 10, "{} vehicles", placed.len());
+    for vehicle in &placed {
+        let body = print(vehicle.asset, &vehicle.pose);
+        assert!(parked.iter().all(|(asset, pose)| !body.overlaps(&print(*asset, pose))), "at {:.1}", at(vehicle));
+    }
+}
+
+#[test]
+fn buses_and_lorries_are_as_frequent_as_in_the_catalogue_where_streets_have_several_lanes() {
+    const SEEDS: u64 = 60;
+    for name in ["Town05", "Town06", "Town10HD"] {
+        let place = Place::new(name);
+        let (specs, roads) = (place.specs(), place.roads(&[]));
+        let total: f64 = specs.iter().map(|s| s.frequency).sum();
+        let mut counts = [0.0; 2];
+        for seed in 0..SEEDS {
+            for vehicle in vehicles(&roads, &specs, &[], 30, seed, Conditions::default()) {
+                counts[0] += f64::from(u8::from(vehicle.class == ObjectClass::Bus));
+                counts[1] += f64::from(u8::from(vehicle.class == ObjectClass::Truck));
+            }
+        }
+        for (count, class) in counts.into_iter().zip([ObjectClass::Bus, ObjectClass::Truck]) {
+            let share: f64 = specs.iter().filter(|s| s.class == class).map(|s| s.frequency).sum::<f64>() / total;
+            let expected = share * 30.0 * SEEDS as f64;
+            assert!(count > 0.7 * expected && count < 1.4 * expected, "{name}: {count} of {expected:.0} {class}");
+        }
+    }
+}
+
+#[test]
+fn vehicles_and_people_are_spread_over_the_map() {
+    let place = Place::new("Town03");
+    let (specs, roads) = (place.specs(), place.roads(&[]));
+    let graph = WalkGraph::new(&roads.network.walk);
+    for seed in 0..6 {
+        let cars: Vec<DVec2> = vehicles(&roads, &specs, &[], 30, seed, Conditions::default()).iter().map(at).collect();
+        let people: Vec<DVec2> = walkers(&roads, &graph, &|_| 1.3, 30, seed).iter().map(|w| w.position).collect();
+        for points in [&cars, &people] {
+            assert_eq!(points.len(), 30);
+            // Each ninth of the map has its share, and nobody has a neighbour close by.
+            let cell = |x: f64| ((x + 215.0) / 144.0).clamp(0.0, 2.0) as usize;
+            let mut counts = [0; 9];
+            points.iter().for_each(|p| counts[3 * cell(p.y) + cell(p.x)] += 1);
+            assert!(counts.iter().all(|&n| (1..=7).contains(&n)), "{counts:?}");
+            let near = |p: &DVec2| points.iter().filter(|q| q != &p).map(|q| q.distance(*p)).fold(1e9, f64::min);
+            let mean = points.iter().map(near).sum::<f64>() / 30.0;
+            assert!(mean > 35.0, "{mean:.0} m to the nearest other");
+        }
+    }
+}
+
+#[test]
+fn more_begin_near_the_places_looked_at() {
+    let place = Place::new("Town04");
+    let specs = place.specs();
+    let focus: Vec<Vec3> = place.town.cameras.iter().take(2).map(|c| Vec3::from_array(c.position)).collect();
+    let near = |focus_on: &[Vec3]| {
+        let roads = place.roads(focus_on);
+        let graph = WalkGraph::new(&roads.network.walk);
+        let mut count = [0, 0];
+        for seed in 0..5 {
+            let close = |p: DVec2| focus.iter().any(|f| f.as_dvec3().truncate().distance(p) < 150.0);
+            let cars = vehicles(&roads, &specs, &[], 30, seed, Conditions::default());
+            count[0] += cars.iter().filter(|v| close(at(v))).count();
+            let close = |p: DVec2| focus.iter().any(|f| f.as_dvec3().truncate().distance(p) < 60.0);
+            count[1] += walkers(&roads, &graph, &|_| 1.3, 20, seed).iter().filter(|w| close(w.position)).count();
+        }
+        count
+    };
+    let (even, focused) = (near(&[]), near(&focus));
+    assert!(focused[0] > even[0] * 5 / 4 && focused[1] > 2 * even[1], "{even:?} {focused:?}");
+}
