@@ -21,6 +21,8 @@ const LONG_RADIUS: f64 = 1.3;
 const LONG_RADIUS_LEFT: f64 = 0.9;
 /// And of this many where nobody makes room for them: beside oncoming traffic.
 const LONG_RADIUS_BESIDE_OTHERS: f64 = 2.6;
+/// And of this many where they arrive beside the kerb: their front corner would sweep over who waits there.
+const LONG_RADIUS_LEFT_TO_KERB: f64 = 1.8;
 /// Vehicles longer than this keep to streets of several lanes, metres.
 const BUS_M: f64 = 9.0;
 /// Braking planned before a bend, m/s².
@@ -133,7 +135,10 @@ fn circulation(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], l
     for ((stay, table), lane) in stays.iter_mut().zip(lanes).zip(&network.lanes) {
         let lengths = match (table.junction, lane.turn) {
             (None, _) => LONG_RADIUS_BESIDE_OTHERS,
-            (Some(_), Turn::Left) => LONG_RADIUS_LEFT,
+            (Some(_), Turn::Left) if lane.successors.iter().all(|&to| network.lane(to).right.is_some()) => {
+                LONG_RADIUS_LEFT
+            }
+            (Some(_), Turn::Left) => LONG_RADIUS_LEFT_TO_KERB,
             (Some(_), _) => LONG_RADIUS,
         };
         let broad = lane.junction.is_some() || lane.left.is_some() || lane.right.is_some();

@@ -11,6 +11,8 @@ use std::collections::VecDeque;
 
 /// Bodies are discs of this radius, metres.
 pub(crate) const BODY_M: f64 = 0.25;
+/// Room that people like to keep between bodies, metres.
+const SHY_M: f64 = 0.15;
 /// How far people look for others, metres.
 const SIGHT_M: f64 = 5.0;
 /// How far ahead on their way people aim, metres.
@@ -245,6 +247,8 @@ impl Walker {
     fn avoid(&self, wanted: DVec2, near: &[(DVec2, DVec2)], strip: &Strip, next: Option<&Strip>) -> DVec2 {
         let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
         let here = outside(self.position);
+        // Who has been stuck squeezes past, shoulder to shoulder.
+        let shy = if self.stuck.1 == 0.0 { SHY_M } else { 0.1 * SHY_M };
         let mut best = (f64::INFINITY, DVec2::ZERO);
         for (turn, share) in [
             (0.0, 1.0),
@@ -260,7 +264,7 @@ impl Walker {
             let candidate = DVec2::from_angle_exact(turn).rotate(wanted) * share;
             let mut cost = (candidate - wanted).length() + if turn > 0.0 { 0.05 } else { 0.0 };
             for &(position, velocity) in near {
-                cost += threat(position - self.position, velocity - candidate);
+                cost += threat(position - self.position, velocity - candidate, shy);
             }
             let over = outside(self.position + candidate * 0.5) - here;
             if over > 0.0 {
@@ -313,12 +317,13 @@ impl Walker {
     }
 }
 
-/// How much a neighbour at a relative place with a relative velocity is in the way.
-fn threat(relative: DVec2, velocity: DVec2) -> f64 {
-    let apart = 2.0 * BODY_M + 0.15;
+/// How much a neighbour at a relative place with a relative velocity is in the way of somebody who likes to keep `shy`
+/// metres away.
+fn threat(relative: DVec2, velocity: DVec2, shy: f64) -> f64 {
+    let apart = 2.0 * BODY_M + shy;
     let distance = relative.length();
     let closing = -relative.dot(velocity);
-    let mut cost = if distance < apart + 0.2 && closing > 0.0 { 2.0 } else { 0.0 };
+    let mut cost = if distance < apart + 1.3 * shy && closing > 0.0 { 2.0 } else { 0.0 };
     // Time until the discs touch: |relative + velocity t| = apart.
     let a = velocity.length_squared();
     let b = -closing;
