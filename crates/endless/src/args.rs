@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 /// Endless annotated urban datasets seen by surveillance cameras.
 #[derive(Debug, Parser)]
-#[command(version, about, max_term_width = 100)]
+#[command(version, about, max_term_width = 100, arg_required_else_help = false)]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,

@@ -35,7 +35,7 @@ impl fmt::Display for Finding {
 impl From<DatasetError> for Finding {
     fn from(error: DatasetError) -> Self {
         match error {
-            DatasetError::Io { action, path, source } => Self::new(path, format!("{action} ({source})")),
+            DatasetError::Io { action, path, cause } => Self::new(path, format!("{action} ({cause})")),
             DatasetError::Malformed { reason, path } => Self::new(path, reason),
             DatasetError::DiskFull { path } => Self::new(path, "the disk is full"),
             DatasetError::Video { reason } => Self::new("", reason),

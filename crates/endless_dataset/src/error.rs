@@ -12,14 +12,14 @@ pub enum DatasetError {
         path: PathBuf,
     },
     /// The operating system refused.
-    #[error("{action}: {source}: {}", path.display())]
+    #[error("{action}: {cause}: {}", path.display())]
     Io {
         /// What was tried, e.g. "cannot write".
         action: &'static str,
         /// Where.
         path: PathBuf,
         /// Why not.
-        source: io::Error,
+        cause: io::Error,
     },
     /// The file is there but is not what it should be.
     #[error("{reason}: {}", path.display())]
@@ -39,12 +39,12 @@ pub enum DatasetError {
 
 impl DatasetError {
     /// A failure of the operating system.
-    pub fn io(action: &'static str, path: impl Into<PathBuf>, source: io::Error) -> Self {
+    pub fn io(action: &'static str, path: impl Into<PathBuf>, cause: io::Error) -> Self {
         let path = path.into();
-        if matches!(source.kind(), io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded) {
+        if matches!(cause.kind(), io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded) {
             return Self::DiskFull { path };
         }
-        Self::Io { action, path, source }
+        Self::Io { action, path, cause }
     }
 
     /// A file that is not what it should be.

@@ -9,7 +9,7 @@ use endless_traffic::{Conditions, Simulation};
 use endless_world::{Actor, CameraSite, SceneSettings, SensorFrame, WorldState};
 use std::{
     collections::BTreeMap,
-    sync::{Mutex, PoisonError},
+    sync::{Mutex, OnceLock, PoisonError},
 };
 
 /// Rays that gather indirect light for each sample of the bake.
@@ -18,7 +18,8 @@ const GATHER_RAYS: u32 = 6;
 /// Simulates and renders without anything outside this program.
 #[derive(Debug)]
 pub struct BuiltinSimulator {
-    catalogue: Catalogue,
+    /// Built when first needed: a mistake in the recipe is told at once.
+    catalogue: OnceLock<Catalogue>,
     /// What is asked of a town without loading it for good.
     known: Mutex<BTreeMap<String, (String, Vec<CameraSite>)>>,
 }
@@ -32,11 +33,15 @@ pub struct BuiltinMap {
 impl BuiltinSimulator {
     /// The built-in catalogue and towns.
     pub fn new() -> Self {
-        Self { catalogue: Catalogue::builtin(), known: Mutex::default() }
+        Self { catalogue: OnceLock::new(), known: Mutex::default() }
+    }
+
+    fn catalogue(&self) -> &Catalogue {
+        self.catalogue.get_or_init(Catalogue::builtin)
     }
 
     fn town(&self, name: &str) -> Result<Town, SimulatorError> {
-        endless_town::load(name, &self.catalogue).map_err(|e: TownError| SimulatorError(e.to_string()))
+        endless_town::load(name, self.catalogue()).map_err(|e: TownError| SimulatorError(e.to_string()))
     }
 
     fn describe(&self, map: &str) -> Result<(String, Vec<CameraSite>), SimulatorError> {
@@ -76,14 +81,14 @@ impl Simulator for BuiltinSimulator {
 
     fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
         let town = self.town(name)?;
-        let still = StaticScene::load(&town, &self.catalogue);
+        let still = StaticScene::load(&town, self.catalogue());
         Ok(BuiltinMap { town, still })
     }
 
     fn load_scene<'m>(&'m self, map: &'m BuiltinMap, settings: &SceneSettings) -> Result<Scene<'m>, SimulatorError> {
         let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
         let conditions = Conditions::new(weather, time_of_day);
-        let simulation = Simulation::new(&map.town, &self.catalogue, vehicles, pedestrians, seed, conditions, fps);
+        let simulation = Simulation::new(&map.town, self.catalogue(), vehicles, pedestrians, seed, conditions, fps);
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
         let spawned = Spawned {
@@ -111,7 +116,7 @@ impl Simulator for BuiltinSimulator {
         };
         let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(&map.still, &render, site));
         let bake_rays = rays(&baked);
-        Ok(Box::new(Pair { still: &map.still, cast: Cast::new(&self.catalogue, moving), baked, bake_rays }))
+        Ok(Box::new(Pair { still: &map.still, cast: Cast::new(self.catalogue(), moving), baked, bake_rays }))
     }
 }
 

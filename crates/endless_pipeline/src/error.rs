@@ -53,12 +53,12 @@ pub enum RecipeError {
         given: String,
     },
     /// A recipe file that cannot be read.
-    #[error("cannot read the recipe: {source}: {}", path.display())]
+    #[error("cannot read the recipe: {cause}: {}", path.display())]
     Unreadable {
         /// The file.
         path: PathBuf,
         /// Why not.
-        source: std::io::Error,
+        cause: std::io::Error,
     },
     /// A recipe file that is not a recipe.
     #[error("{}:{line}:{column}: {message}", path.display())]

@@ -57,7 +57,7 @@ impl RecipeDraft {
     /// When it cannot be read or is not a recipe.
     pub fn read(path: &Path) -> Result<Self, RecipeError> {
         let text =
-            fs::read_to_string(path).map_err(|source| RecipeError::Unreadable { path: path.to_owned(), source })?;
+            fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
         toml::from_str(&text).map_err(|e: toml::de::Error| {
             let before = &text[..e.span().map_or(0, |s| s.start.min(text.len()))];
             RecipeError::Malformed {

@@ -24,11 +24,11 @@ impl Output {
     pub(super) fn inspect(layout: &DatasetLayout, recipe: &Recipe, plan: &Plan) -> Result<Self, GenerateError> {
         let nothing = Self { complete: BTreeMap::new() };
         let root = layout.root();
+        if let Some(file) = root.ancestors().find(|p| p.is_file()) {
+            return Err(GenerateError::OutputIsFile { path: file.to_owned() });
+        }
         if !root.exists() {
             return Ok(nothing);
-        }
-        if !root.is_dir() {
-            return Err(GenerateError::OutputIsFile { path: root.to_owned() });
         }
         if layout.manifest().exists() {
             refuse_other_recipe(layout, recipe)?;

@@ -60,6 +60,9 @@ pub(crate) fn count_images(camera: &CameraLayout, recipe: &Recipe) -> Result<u64
     let mut count = 0;
     for &layer in &recipe.layers {
         let names = names(camera, layer)?;
+        if names.is_empty() {
+            continue;
+        }
         let there =
             |frame: &u32| camera.frame(layer, *frame, recipe).file_name().is_some_and(|name| names.contains(name));
         count += (0..recipe.frames()).filter(there).count() as u64;

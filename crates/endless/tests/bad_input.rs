@@ -1,0 +1,110 @@
+//! Every bad input is refused in one line that says what to do, and harms nothing.
+
+use std::{
+    fs,
+    path::Path,
+    process::{Command, Output},
+};
+
+fn endless(folder: &Path, args: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_endless"))
+        .args(args.split_whitespace())
+        .current_dir(folder)
+        .output()
+        .expect("runs")
+}
+
+/// Exit code and what was said, for each command line.
+fn said(folder: &Path, commands: &[&str]) -> String {
+    let mut text = String::new();
+    for args in commands {
+        let output = endless(folder, args);
+        let message = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(message.lines().count(), 1, "one line for '{args}': {message}");
+        assert!(output.stdout.is_empty());
+        let code = output.status.code().expect("no signal");
+        text += &format!("endless {args}\n  {code}: {message}");
+    }
+    text
+}
+
+#[test]
+fn what_was_asked_cannot_be() {
+    let folder = tempfile::tempdir().expect("temp");
+    fs::write(folder.path().join("typo.toml"), "videos = 3\nwheather = [\"rainy\"]\n").expect("writable");
+    fs::write(folder.path().join("broken.toml"), "videos = = 3\n").expect("writable");
+    fs::write(folder.path().join("words.toml"), "videos = \"many\"\n").expect("writable");
+    insta::assert_snapshot!(said(
+        folder.path(),
+        &[
+            "",
+            "generat out",
+            "generate",
+            "generate out --frames 3",
+            "generate out --maps Town99",
+            "generate out --maps Town01,",
+            "generate out --weathers snowy",
+            "generate out --times noon",
+            "generate out --layers rgb,flow",
+            "generate out --mp4 depth --layers rgb",
+            "generate out --rgb-format webp",
+            "generate out --videos 0",
+            "generate out --videos -3",
+            "generate out --videos many",
+            "generate out --vehicles -1",
+            "generate out --pedestrians -1",
+            "generate out --min-pixels -1",
+            "generate out --fps 0",
+            "generate out --fps nan",
+            "generate out --duration 0",
+            "generate out --duration -2",
+            "generate out --duration 0.01",
+            "generate out --duration 1000000",
+            "generate out --size 0x720",
+            "generate out --size 8193x720",
+            "generate out --size 720p",
+            "generate out --threads 0",
+            "generate out --simulator carla://localhost:2000",
+            "generate out --config missing.toml",
+            "generate out --config typo.toml",
+            "generate out --config broken.toml",
+            "generate out --config words.toml",
+        ],
+    ));
+    assert!(!folder.path().join("out").exists(), "nothing was made");
+}
+
+#[test]
+fn the_output_cannot_be_used() {
+    let folder = tempfile::tempdir().expect("temp");
+    fs::write(folder.path().join("file"), "dear").expect("writable");
+    fs::create_dir(folder.path().join("full")).expect("writable");
+    fs::write(folder.path().join("full/thesis.tex"), "dear").expect("writable");
+    insta::assert_snapshot!(said(
+        folder.path(),
+        &[
+            "generate file --maps Town01",
+            "generate full --maps Town01",
+            "generate file/below --maps Town01 --plan-only",
+            "generate /proc/out --maps Town01 --plan-only",
+            "check full",
+            "check nowhere",
+        ],
+    ));
+    assert_eq!(fs::read_to_string(folder.path().join("full/thesis.tex")).expect("there"), "dear");
+    let plan = endless(folder.path(), "generate out --maps Town01 --videos 3 --plan-only");
+    assert_eq!((plan.status.code(), String::from_utf8_lossy(&plan.stdout).lines().count()), (Some(0), 3));
+    insta::assert_snapshot!(said(
+        folder.path(),
+        &[
+            "generate out --maps Town01 --videos 3 --fps 25",
+            "generate out --maps Town01 --videos 2",
+            "generate out --maps Town01 --videos 3 --seed 1",
+        ],
+    ));
+    let huge = endless(folder.path(), "generate huge --maps Town01 --videos 5000 --duration 900");
+    let message = String::from_utf8_lossy(&huge.stderr);
+    assert_eq!(huge.status.code(), Some(1));
+    assert!(message.contains("free, the dataset needs about") && message.lines().count() == 1, "{message}");
+    assert!(!folder.path().join("huge").exists(), "said before it starts");
+}
