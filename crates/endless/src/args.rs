@@ -15,7 +15,7 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
     /// Make a dataset, or go on with one that was interrupted.
-    Generate(GenerateArgs),
+    Generate(Box<GenerateArgs>),
     /// Reopen a whole dataset and name everything that is wrong with it.
     Check(CheckArgs),
     /// Time the whole pipeline on a fixed recipe.

@@ -24,7 +24,7 @@ fn main() -> ExitCode {
     };
     let simulator = BuiltinSimulator::new();
     let result = match cli.command {
-        Command::Generate(args) => generate::run(&simulator, args),
+        Command::Generate(args) => generate::run(&simulator, *args),
         Command::Check(args) => check::run(&args),
         Command::Bench(args) => bench::run(&simulator, &args),
         Command::Maps => maps::run(&simulator),

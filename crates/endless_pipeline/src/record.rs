@@ -144,7 +144,7 @@ fn work<S: Simulator>(
             }
             Job::Lane { lane, item } => {
                 let mut slot = lanes[lane].lock().unwrap_or_else(PoisonError::into_inner);
-                slot.as_mut().expect("taken only at the end").push(item, maker.recording.clock)?;
+                slot.as_mut().expect("taken only at the end").push(&item, maker.recording.clock)?;
                 drop(slot);
                 board.lane_done(lane);
             }

@@ -199,7 +199,9 @@ fn check_names_what_is_wrong() {
     restore(&camera.objects(), &cut, "objects.jsonl: line");
     restore(&camera.camera(), &cut, "camera.json: is not what it should be");
     let instance = |frame| camera.frame(Layer::Instance, frame, &recipe);
-    let swap = |path: &std::path::Path| drop(fs::copy(instance(9), path).expect("copies"));
+    let swap = |path: &std::path::Path| {
+        fs::copy(instance(9), path).expect("copies");
+    };
     restore(&instance(2), &swap, "objects.jsonl: frame 2:");
     let relabel = |path: &std::path::Path| {
         let text = fs::read_to_string(path).expect("text");

@@ -37,7 +37,7 @@ impl FrameMaker<'_> {
             });
             match read {
                 Ok([a, b]) => {
-                    let ordered = [self.ordered(a, state, &scene)?, self.ordered(b, state, &scene)?];
+                    let ordered = [self.ordered(&a, state, &scene)?, self.ordered(&b, state, &scene)?];
                     return Ok(Some((ordered, true)));
                 }
                 // Somebody spoilt the image: it is made again.
@@ -52,7 +52,7 @@ impl FrameMaker<'_> {
             .clock
             .time(Stage::Images, || -> Result<_, DatasetError> { Ok([self.write(0, a)?, self.write(1, b)?]) });
         let [a, b] = written?;
-        Ok(Some(([self.ordered(a, state, &scene)?, self.ordered(b, state, &scene)?], false)))
+        Ok(Some(([self.ordered(&a, state, &scene)?, self.ordered(&b, state, &scene)?], false)))
     }
 
     fn wants_video(&self, layer: Layer) -> bool {
@@ -120,7 +120,7 @@ impl FrameMaker<'_> {
         Ok(layers)
     }
 
-    fn ordered(&self, layers: Layers, state: &WorldState, scene: &SceneObjects) -> Result<Ordered, GenerateError> {
+    fn ordered(&self, layers: &Layers, state: &WorldState, scene: &SceneObjects) -> Result<Ordered, GenerateError> {
         let Recording { settings, recipe, clock, .. } = *self.recording;
         let line = clock.time(Stage::Boxes, || {
             let visible = visible_objects(&layers.instance);

@@ -34,7 +34,7 @@ impl Lane {
         Ok(Self { objects: ObjectsWriter::create(&files.objects())?, videos, boxes: 0 })
     }
 
-    pub(super) fn push(&mut self, frame: Ordered, clock: &Clock) -> Result<(), DatasetError> {
+    pub(super) fn push(&mut self, frame: &Ordered, clock: &Clock) -> Result<(), DatasetError> {
         self.boxes += frame.line.objects.len() as u64;
         self.objects.write(&frame.line)?;
         clock.time(Stage::Video, || {

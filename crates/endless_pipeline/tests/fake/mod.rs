@@ -19,10 +19,10 @@ use std::{
 };
 
 #[derive(Default)]
-pub struct Fake {
-    pub maps_loaded: AtomicU32,
-    pub bakes: AtomicU32,
-    pub renders: AtomicU32,
+pub(crate) struct Fake {
+    pub(crate) maps_loaded: AtomicU32,
+    pub(crate) bakes: AtomicU32,
+    pub(crate) renders: AtomicU32,
 }
 
 impl MapCatalog for Fake {
@@ -169,7 +169,7 @@ impl Eyes<'_> {
     }
 }
 
-pub fn draft() -> RecipeDraft {
+pub(crate) fn draft() -> RecipeDraft {
     RecipeDraft {
         videos: Some(3),
         vehicles: Some(6),
@@ -182,16 +182,16 @@ pub fn draft() -> RecipeDraft {
     }
 }
 
-pub fn recipe(draft: RecipeDraft) -> Recipe {
+pub(crate) fn recipe(draft: RecipeDraft) -> Recipe {
     draft.resolve(&Fake::default()).expect("valid")
 }
 
-pub fn make(fake: &Fake, recipe: &Recipe, out: &Path, threads: usize) -> Generated {
+pub(crate) fn make(fake: &Fake, recipe: &Recipe, out: &Path, threads: usize) -> Generated {
     generate(fake, recipe, out, &GenerateOptions { threads, plan_only: false }, &Silent).expect("makes the dataset")
 }
 
 /// Every file and its bytes.
-pub fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+pub(crate) fn contents(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut files = BTreeMap::new();
     gather(folder, folder, &mut files);
     files
@@ -210,7 +210,7 @@ fn gather(root: &Path, folder: &Path, files: &mut BTreeMap<String, Vec<u8>>) {
 }
 
 /// Fails with the first names that differ, not with megabytes of bytes.
-pub fn assert_same(a: &Path, b: &Path) {
+pub(crate) fn assert_same(a: &Path, b: &Path) {
     let (a, b) = (contents(a), contents(b));
     let names = |files: &BTreeMap<String, Vec<u8>>| files.keys().cloned().collect::<Vec<_>>();
     assert_eq!(names(&a), names(&b), "the same files");
@@ -219,7 +219,7 @@ pub fn assert_same(a: &Path, b: &Path) {
 }
 
 /// The first video's layout.
-pub fn first_video(out: &Path) -> endless_dataset::VideoLayout {
+pub(crate) fn first_video(out: &Path) -> endless_dataset::VideoLayout {
     let layout = DatasetLayout::new(out);
     let settings: SceneSettings = endless_dataset::read_json(&layout.scene(0)).expect("planned");
     layout.video(&settings)
