@@ -18,8 +18,8 @@ pub(crate) struct Rain {
     pub(crate) seed: u64,
 }
 
-/// Drops fall at about 8 m/s; the shutter is open for a sixtieth of a second.
-const STREAK_M: f32 = 0.14;
+/// Drops fall at about 8 m/s; the shutter is open for a thirtieth of a second under dark clouds.
+const STREAK_M: f32 = 0.27;
 const NEAREST_M: f32 = 1.2;
 const FARTHEST_M: f32 = 22.0;
 
@@ -35,9 +35,9 @@ impl Rain {
             let z = endless_world::math::pow(cube, 1.0 / 3.0);
             let at = Vec2::new(random.f32() * width, random.f32() * height * 1.1);
             let length = (STREAK_M * random.range_f32(0.7, 1.3) * k.fy / z).clamp(2.0, height * 0.12);
-            let lean = self.slant + random.range_f32(-0.05, 0.05);
-            let thickness = (0.0022 * k.fx / z).clamp(0.3, 2.5);
-            let opacity = (0.30 * thickness.min(1.0)) * random.range_f32(0.5, 1.0);
+            let lean = self.slant * 1.5 + 0.07f32.copysign(self.slant) + random.range_f32(-0.03, 0.03);
+            let thickness = (0.0024 * k.fx / z).clamp(0.3, 2.0);
+            let opacity = (0.55 * thickness.min(1.0)) * random.range_f32(0.5, 1.0);
             self.streak(camera, depth, pixels, at, Vec2::new(lean, -1.0).normalize() * length, thickness, opacity, z);
         }
     }

@@ -1,4 +1,4 @@
-//! A filmic tone curve (Hable 2010) and the sRGB transfer function, as one table.
+//! A contrasty tone curve with a toe and a shoulder (Lottes 2016) and the sRGB transfer function, as one table.
 
 use endless_world::math;
 use glam::Vec3A;
@@ -12,14 +12,23 @@ pub(crate) struct ToneCurve {
     table: Vec<u8>,
 }
 
-fn hable(x: f32) -> f32 {
-    const A: f32 = 0.22;
-    const B: f32 = 0.30;
-    const C: f32 = 0.10;
-    const D: f32 = 0.20;
-    const E: f32 = 0.01;
-    const F: f32 = 0.30;
-    (x * (A * x + C * B) + D * E) / (x * (A * x + B) + D * F) - E / F
+/// Slope in the middle of the curve on a log scale: cameras that watch streets are set to more contrast than eyes see.
+const CONTRAST: f32 = 1.12;
+/// How early the shoulder bends; 1 is a plain power curve.
+const SHOULDER: f32 = 0.96;
+/// Input that becomes full white.
+const WHITE: f32 = 7.0;
+/// Input that stays as it is.
+const GREY: f32 = 0.18;
+
+/// x^a / (b x^(a d) + c), through (grey, grey) and (white, 1).
+fn filmic(x: f32) -> f32 {
+    let (grey, white) = (math::pow(GREY, CONTRAST), math::pow(WHITE, CONTRAST));
+    let (grey_bent, white_bent) = (math::pow(GREY, CONTRAST * SHOULDER), math::pow(WHITE, CONTRAST * SHOULDER));
+    let scale = (white_bent - grey_bent) * GREY;
+    let b = (white * GREY - grey) / scale;
+    let c = (white_bent * grey - white * grey_bent * GREY) / scale;
+    math::pow(x, CONTRAST) / (math::pow(x, CONTRAST * SHOULDER) * b + c)
 }
 
 fn srgb(linear: f32) -> f32 {
@@ -29,14 +38,11 @@ fn srgb(linear: f32) -> f32 {
 impl ToneCurve {
     /// The curve at an exposure (factor from kcd/m² to scene-referred units where 0.18 is middle grey).
     pub(crate) fn new(exposure: f32) -> Self {
-        const WHITE: f32 = 8.0;
-        // Middle grey lands where a straight curve would put it.
-        let gain = 2.6;
         let table = (0..ENTRIES)
             .map(|i| {
                 let t = i as f32 / (ENTRIES - 1) as f32;
-                let x = if t < 1.0 { t / (1.0 - t) } else { f32::MAX.sqrt() };
-                let y = hable(x * gain) / hable(WHITE * gain);
+                let x = if t < 1.0 { (t / (1.0 - t)).min(WHITE) } else { WHITE };
+                let y = filmic(x);
                 (srgb(y.clamp(0.0, 1.0)) * 255.0 + 0.5) as u8
             })
             .collect();

@@ -71,13 +71,14 @@ impl Environment {
             turbidity,
             overcast: if night { 0.0 } else { overcast },
             overcast_klx: overcast_klx * day_light,
+            white_balance: if night { 0.0 } else { 0.5 },
             glow: glow * if matches!(weather, Weather::ClearSky) { 1.0 } else { 1.9 },
             clouds,
         });
-        // What clouds leave of the sun.
+        // What haze and clouds leave of the sun.
         let sun_share = match weather {
-            Weather::ClearSky => 1.0,
-            Weather::AfterRain => 0.72,
+            Weather::ClearSky => 0.85,
+            Weather::AfterRain => 0.65,
             Weather::Cloudy | Weather::Rainy | Weather::Foggy => 0.0,
         };
         let sun = (!night && sun_share > 0.0).then(|| Sun {
@@ -90,7 +91,7 @@ impl Environment {
             Weather::Cloudy => 7_000.0,
             Weather::AfterRain => 9_000.0,
             Weather::Rainy => 420.0,
-            Weather::Foggy => random.range_f32(75.0, 120.0),
+            Weather::Foggy => random.range_f32(110.0, 180.0),
         };
         let horizon = sky.mean;
         let sunward = match (weather, night) {
@@ -101,7 +102,12 @@ impl Environment {
         };
         let airlight = if night {
             // Town light scattered back by the air itself.
-            Vec3A::new(0.0042, 0.0038, 0.0035) * if weather == Weather::Foggy { 1.4 } else { 0.55 }
+            Vec3A::new(0.0042, 0.0039, 0.0038)
+                * match weather {
+                    Weather::Foggy => 0.42,
+                    Weather::Rainy => 0.12,
+                    _ => 0.30,
+                }
         } else {
             horizon * if weather == Weather::Foggy { 0.9 } else { 0.85 }
         };
@@ -113,12 +119,13 @@ impl Environment {
         };
         let exposure_key = match (time, weather) {
             (TimeOfDay::Night, _) => 0.075,
-            (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.17,
-            (TimeOfDay::Morning, Weather::Foggy) => 0.22,
+            (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.105,
+            (TimeOfDay::Morning, Weather::Foggy) => 0.20,
             (TimeOfDay::Morning, _) => 0.115,
-            (TimeOfDay::Afternoon, Weather::Foggy) => 0.27,
-            (TimeOfDay::Afternoon, Weather::Rainy) => 0.15,
-            (TimeOfDay::Afternoon, _) => 0.20,
+            (TimeOfDay::Afternoon, Weather::Foggy) => 0.23,
+            (TimeOfDay::Afternoon, Weather::Rainy) => 0.13,
+            (TimeOfDay::Afternoon, Weather::Cloudy) => 0.16,
+            (TimeOfDay::Afternoon, _) => 0.11,
         };
         Self {
             sun,

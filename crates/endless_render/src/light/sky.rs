@@ -25,6 +25,9 @@ const MIE_ANISOTROPY: f32 = 0.76;
 /// Illuminance of the sun outside the atmosphere, klx.
 pub(crate) const SOLAR_ILLUMINANCE_KLX: f32 = 128.0;
 
+/// Weights of the channels in luminance.
+const LUMINANCE: Vec3A = Vec3A::new(0.2126, 0.7152, 0.0722);
+
 /// Sky radiance by direction: equirectangular, upper hemisphere only.
 #[derive(Debug, Clone)]
 pub(crate) struct Sky {
@@ -46,6 +49,8 @@ pub(crate) struct SkyParameters {
     pub(crate) overcast_klx: f32,
     /// Light that a town throws into its night sky: radiance at the horizon, kcd/m².
     pub(crate) glow: Vec3A,
+    /// Share of the colour that the camera's white balance takes from the sky's light, 0 to 1.
+    pub(crate) white_balance: f32,
     /// Broken clouds over the clear part.
     pub(crate) clouds: Option<Clouds>,
 }
@@ -122,7 +127,8 @@ impl SkyParameters {
         let zenith = self.overcast_klx * 9.0 / (7.0 * PI);
         let grey = Vec3A::new(0.95, 1.0, 1.08) * (zenith * (1.0 + 2.0 * direction.z) / 3.0);
         let horizon = (1.0 - direction.z).max(0.0);
-        clear.lerp(grey, self.overcast) + self.glow * (0.25 + 0.75 * horizon * horizon * horizon)
+        let sky = clear.lerp(grey, self.overcast) + self.glow * (0.25 + 0.75 * horizon * horizon * horizon);
+        sky.lerp(Vec3A::splat(sky.dot(LUMINANCE)), self.white_balance)
     }
 }
 
@@ -212,12 +218,13 @@ mod tests {
             overcast: 0.0,
             overcast_klx: 0.0,
             glow: Vec3A::ZERO,
+            white_balance: 0.0,
             clouds: None,
         }
     }
 
     fn luminance(c: Vec3A) -> f32 {
-        c.dot(Vec3A::new(0.2126, 0.7152, 0.0722))
+        c.dot(LUMINANCE)
     }
 
     #[test]
