@@ -20,7 +20,8 @@ impl Look {
         let coat = self.coat_reflectance(view);
         let below = Vec3A::ONE - coat;
         // What the specular lobe takes on the way in and out, the diffuse base does not get.
-        let left = (1.0 - grazing(self.specular, cosine)) * (1.0 - grazing(self.specular, self.normal.dot(view)));
+        let left = (1.0 - grazing(self.specular, self.roughness, cosine))
+            * (1.0 - grazing(self.specular, self.roughness, self.normal.dot(view)));
         let mut reflected = self.albedo * (FRAC_1_PI * cosine.max(0.0) * left);
         if self.translucency > 0.0 {
             // Leaves: part of the light comes through, greener and brighter against the sun.
@@ -30,7 +31,7 @@ impl Look {
         let mut out = below * reflected;
         if cosine > 0.0 {
             let lobe = ggx(self.normal, view, light, self.roughness);
-            out += below * (lobe * schlick(self.specular, view, light) * cosine);
+            out += below * (lobe * schlick(self.specular, self.roughness, view, light) * cosine);
         }
         if self.coat > 0.0 {
             let coat_cosine = self.coat_normal.dot(light);
@@ -46,7 +47,7 @@ impl Look {
     /// Radiance towards `view` under ambient illuminance (klx) on the surface.
     pub(crate) fn lit_by_ambient(&self, illuminance: Vec3A, view: Vec3A) -> Vec3A {
         let coat = self.coat_reflectance(view);
-        (Vec3A::ONE - coat) * (self.albedo + Vec3A::splat(self.specular * 0.5)) * (illuminance * FRAC_1_PI)
+        (Vec3A::ONE - coat) * (self.albedo + Vec3A::splat(self.specular * 0.35)) * (illuminance * FRAC_1_PI)
     }
 
     /// Direction of the coat's mirror reflection; `direction` points at the surface.
@@ -66,16 +67,18 @@ fn fresnel(f0: Vec3A, cosine: f32) -> Vec3A {
 }
 
 #[inline]
-fn schlick(f0: f32, view: Vec3A, light: Vec3A) -> f32 {
-    grazing(f0, (view + light).normalize_or_zero().dot(view))
+fn schlick(f0: f32, roughness: f32, view: Vec3A, light: Vec3A) -> f32 {
+    grazing(f0, roughness, (view + light).normalize_or_zero().dot(view))
 }
 
-/// Schlick's reflectance; surfaces that reflect almost nothing head-on do not shine at grazing angles either.
+/// Schlick's reflectance; surfaces that reflect almost nothing head-on do not shine at grazing angles either, nor do
+/// rough ones: their bumps hide each other's glancing sides.
 #[inline]
-fn grazing(f0: f32, cosine: f32) -> f32 {
+fn grazing(f0: f32, roughness: f32, cosine: f32) -> f32 {
     let m = (1.0 - cosine).clamp(0.0, 1.0);
     let m2 = m * m;
-    f0 + ((f0 * 50.0).min(1.0) - f0) * (m2 * m2 * m)
+    let smooth = (1.0 - roughness).max(0.0);
+    f0 + ((f0 * 50.0).min(1.0) - f0) * (smooth * smooth) * (m2 * m2 * m)
 }
 
 /// Distribution and shadowing-masking of GGX over 4 cos cos.
@@ -120,7 +123,38 @@ mod tests {
         assert!((albedo(&look, view) - 1.0).abs() < 0.01);
     }
 
+    #[test]
+    fn rough_ground_does_not_shine_under_a_low_sun() {
+        let mut asphalt = Look::matte(Vec3A::splat(0.08), Vec3A::Z);
+        asphalt.roughness = 0.84;
+        asphalt.specular = 0.022;
+        // Towards a sun 8 degrees high, seen at 8 degrees: where a smooth road would blind.
+        let (sin, cos) = endless_world::math::sin_cos(8f32.to_radians());
+        let (light, view) = (Vec3A::new(cos, 0.0, sin), Vec3A::new(-cos, 0.0, sin));
+        let matte = 0.08 * FRAC_1_PI * sin;
+        let shine = |look: &Look| look.lit_by(Vec3A::ONE, light, view).y / matte;
+        let rough = shine(&asphalt);
+        assert!((1.0..4.0).contains(&rough), "{rough}");
+        asphalt.roughness = 0.4;
+        assert!(shine(&asphalt) > 4.0 * rough);
+    }
+
     proptest! {
+        #[test]
+        fn light_and_viewer_may_change_places(
+            roughness in 0.1f32..1.0, specular in 0.0f32..0.08, a in 0.1f32..1.5, b in 0.1f32..1.5, turn in 0.0f32..6.2,
+        ) {
+            let mut look = Look::matte(Vec3A::splat(0.3), Vec3A::Z);
+            look.roughness = roughness;
+            look.specular = specular;
+            let (sin_turn, cos_turn) = endless_world::math::sin_cos(turn);
+            let ((sin_a, cos_a), (sin_b, cos_b)) = (endless_world::math::sin_cos(a), endless_world::math::sin_cos(b));
+            let (light, view) = (Vec3A::new(cos_a, 0.0, sin_a), Vec3A::new(cos_b * cos_turn, cos_b * sin_turn, sin_b));
+            let forth = look.lit_by(Vec3A::ONE, light, view).y / sin_a;
+            let back = look.lit_by(Vec3A::ONE, view, light).y / sin_b;
+            prop_assert!((forth - back).abs() < 1e-3 * forth.max(back).max(1.0));
+        }
+
         #[test]
         fn no_surface_gives_more_than_it_gets(
             roughness in 0.3f32..1.0, specular in 0.0f32..0.08, coat in 0.0f32..1.0, elevation in 0.15f32..1.5, grey in 0.0f32..0.85,

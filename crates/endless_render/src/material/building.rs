@@ -11,8 +11,11 @@ fn weathering(point: &SurfacePoint<'_>, footprint: f32) -> f32 {
     let along = p.x * point.geometric_normal.y.abs() + p.y * point.geometric_normal.x.abs();
     let streaks = noise::filtered_fbm2(Vec2::new(along, p.z * 0.12), 0.6, 4, footprint);
     let broad = noise::filtered_fbm2(Vec2::new(along, p.z), 3.5, 4, footprint);
-    let foot = 0.82 + 0.18 * smoothstep(0.1, 0.9, p.z + 0.25 * broad);
-    (1.0 + 0.16 * streaks + 0.14 * broad) * foot
+    let foot = 0.70 + 0.30 * smoothstep(0.0, 1.1, p.z + 0.25 * broad);
+    // Whole stretches of wall age differently; soot and runoff darken more than sun bleaches.
+    let large = noise::filtered_fbm2(Vec2::new(along, p.z * 0.6) + 19.0, 11.0, 2, footprint);
+    let runs = smoothstep(0.12, 0.5, streaks + 0.35 * broad);
+    (0.95 + 0.14 * streaks + 0.20 * broad + 0.18 * large - 0.20 * runs) * foot
 }
 
 /// Offset and share of a running bond: (distance to the nearest joint, brick cell).
@@ -34,7 +37,7 @@ pub(super) fn brick(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Lo
 }
 
 pub(super) fn plaster(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
-    let fine = 1.0 + 0.06 * noise::filtered_fbm2(point.uv, 0.12, 3, footprint);
+    let fine = 0.94 + 0.08 * noise::filtered_fbm2(point.uv, 0.12, 3, footprint);
     Look::matte(base * (fine * weathering(point, footprint)), point.normal)
 }
 
@@ -74,7 +77,7 @@ pub(super) fn roof_tile(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -
 
 pub(super) fn flat_roof(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
     let p = Vec2::new(point.position.x, point.position.y);
-    let tone = 1.0 + 0.3 * noise::filtered_fbm2(p, 4.0, 5, footprint);
+    let tone = 0.95 + 0.42 * noise::filtered_fbm2(p, 4.0, 5, footprint);
     Look::matte(base * tone, point.normal)
 }
 

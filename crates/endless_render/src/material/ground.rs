@@ -19,8 +19,9 @@ fn line(distance: f32, width: f32, footprint: f32) -> f32 {
 /// Brightness of asphalt at a place, around 1: mixes, patches, cracks, tyre tracks, oil.
 fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
     let broad = noise::filtered_fbm2(p, 11.0, 4, footprint);
+    let mottle = noise::filtered_fbm2(p + 70.0, 0.6, 3, footprint);
     let grain = noise::filtered_fbm2(p, 0.05, 3, footprint);
-    let mut tone = 1.0 + 0.22 * broad + 0.35 * grain;
+    let mut tone = 1.0 + 0.30 * broad + 0.22 * mottle + 0.50 * grain;
     // Repairs: rectangles of newer asphalt with a tar seam around.
     let block = Vec2::new(5.3, 3.1);
     let shifted = p + Vec2::new(noise::value2(p * 0.05, 5), noise::value2(p * 0.05, 6)) * 0.4;
@@ -32,7 +33,8 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
         let high = block - Vec2::new(noise::cell2(id, 74), noise::cell2(id, 75)) * 1.2 - 0.15;
         let inside = (local - low).min(high - local).min_element();
         let newer = smoothstep(-footprint, footprint.max(0.01), inside);
-        tone *= 1.0 - newer * (0.10 + 0.22 * noise::cell2(id, 76));
+        // Most repairs are darker than the old road; some have bleached.
+        tone *= 1.0 - newer * (0.36 * noise::cell2(id, 76) - 0.06);
         tone *= 1.0 - 0.45 * line((inside - 0.02).abs(), 0.05, footprint);
     }
     // Cracks along the borders of a cell pattern, where the surface is old.
@@ -48,10 +50,22 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
         let path = 1.0 - smoothstep(0.15, 0.55, (lateral.abs() - 0.78).abs());
         let drip = 1.0 - smoothstep(0.05, 0.45, lateral.abs());
         let spots = smoothstep(0.1, 0.7, noise::filtered_fbm2(p, 0.9, 3, footprint) + 0.3);
-        tone *= 1.0 - 0.13 * path - 0.16 * drip * spots;
+        tone *= 1.0 - 0.20 * path * (0.75 + 0.5 * mottle) - 0.20 * drip * spots;
+        // The joint where two lanes were laid beside each other.
+        tone *= 1.0 - 0.18 * line((lateral.abs() - 1.72).abs(), 0.04, footprint);
+    } else {
+        // Where traffic crosses: rubber and oil in smears.
+        let smear = noise::filtered_fbm2(p * Vec2::new(0.45, 1.0), 1.4, 3, footprint)
+            + noise::filtered_fbm2(p * Vec2::new(1.0, 0.45) + 31.0, 1.4, 3, footprint);
+        tone *= 0.94 - 0.16 * smoothstep(0.0, 0.6, smear);
     }
     let stain = smoothstep(0.42, 0.62, noise::filtered_fbm2(p + 40.0, 2.4, 3, footprint));
     tone * (1.0 - 0.22 * stain)
+}
+
+/// The colour with a share of its saturation taken away.
+pub(super) fn muted(color: Vec3A, share: f32) -> Vec3A {
+    color.lerp(Vec3A::splat(color.dot(Vec3A::new(0.2126, 0.7152, 0.0722))), share)
 }
 
 fn bumped(normal: Vec3A, p: Vec2, wavelength: f32, strength: f32, footprint: f32) -> Vec3A {
@@ -67,8 +81,8 @@ pub(super) fn asphalt(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> 
     let p = plan(point);
     let tone = asphalt_tone(p, point.uv, footprint);
     let mut look = Look::matte(base * tone, bumped(point.normal, p, 0.03, 0.10, footprint));
-    look.roughness = 0.72;
-    look.specular = 0.035;
+    look.roughness = 0.84;
+    look.specular = 0.022;
     look
 }
 
@@ -79,7 +93,7 @@ pub(super) fn road_paint(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) 
     let gone = smoothstep(0.18, 0.42, wear) * 0.75;
     let dirty = base * (0.86 + 0.14 * tone) * (1.0 - 0.12 * noise::value2(p * 0.9, 35).max(0.0));
     let mut look = Look::matte(dirty.lerp(Vec3A::splat(0.085) * tone, gone), point.normal);
-    look.roughness = 0.6;
+    look.roughness = 0.7;
     look
 }
 
@@ -93,9 +107,10 @@ pub(super) fn paving(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> L
     let local = (shifted - cell) * SLAB;
     let edge = local.min(SLAB - local).min_element();
     let visible = (0.5 / footprint.max(0.01) * 0.25).min(1.0);
-    let slab = 1.0 + (noise::cell2(cell.as_ivec2(), 41) - 0.5) * 0.22 * visible;
+    let slab = 0.84 + (noise::cell2(cell.as_ivec2(), 41) - 0.5) * 0.26 * visible;
     let joint = line(edge, 0.012, footprint);
-    let stain = 1.0 + 0.22 * noise::filtered_fbm2(p, 3.1, 5, footprint);
+    let stain =
+        1.0 + 0.34 * noise::filtered_fbm2(p, 3.1, 5, footprint) + 0.16 * noise::filtered_fbm2(p, 14.0, 2, footprint);
     let gum = {
         let (first, _, id) = noise::cells2(p / 0.8, 43);
         if id < 0.25 && footprint < 0.05 { 0.35 * (1.0 - smoothstep(0.02, 0.035, first * 0.8)) } else { 0.0 }
@@ -107,14 +122,16 @@ pub(super) fn kerb(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Loo
     let p = plan(point);
     let along = p.x * point.normal.y.abs().max(0.3) + p.y * point.normal.x.abs().max(0.3);
     let joint = line((along - (along + 0.5).floor()).abs(), 0.015, footprint);
-    let grime = 1.0 + 0.3 * noise::filtered_fbm2(p, 1.3, 5, footprint);
-    let splash = 0.72 + 0.28 * smoothstep(0.0, 0.14, point.position.z);
+    let grime = 0.82 + 0.36 * noise::filtered_fbm2(p, 1.3, 5, footprint);
+    let splash = 0.62 + 0.38 * smoothstep(0.0, 0.14, point.position.z);
     Look::matte(base * (grime * splash * (1.0 - 0.45 * joint)), point.normal)
 }
 
 pub(super) fn concrete(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
     let p = plan(point) + point.position.z * Vec2::new(0.37, 0.91);
-    let tone = 1.0 + 0.25 * noise::filtered_fbm2(p, 2.7, 6, footprint);
+    let broad = noise::filtered_fbm2(p + 11.0, 9.0, 3, footprint);
+    let stain = smoothstep(0.25, 0.6, noise::filtered_fbm2(p + 57.0, 1.9, 4, footprint));
+    let tone = 0.86 + 0.26 * noise::filtered_fbm2(p, 2.7, 6, footprint) + 0.18 * broad - 0.16 * stain;
     Look::matte(base * tone, point.normal)
 }
 
@@ -124,9 +141,12 @@ pub(super) fn grass(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Lo
     let tuft = noise::filtered_fbm2(p, 0.35, 4, footprint);
     let blades = noise::filtered_fbm2(p * Vec2::new(1.0, 0.6), 0.05, 3, footprint);
     let dry = smoothstep(0.1, 0.6, noise::filtered_fbm2(p + 90.0, 5.0, 3, footprint) + 0.15 * tuft);
-    let green = base * (1.0 + 0.25 * broad + 0.5 * tuft + 0.7 * blades);
-    let straw = Vec3A::new(0.22, 0.19, 0.085) * (1.0 + 0.4 * blades);
-    let mut look = Look::matte(green.lerp(straw, dry * 0.55), bumped(point.normal, p, 0.12, 0.5, footprint));
+    let worn = smoothstep(0.28, 0.62, noise::filtered_fbm2(p + 210.0, 3.3, 4, footprint) + 0.1 * tuft);
+    let green = muted(base, 0.22) * (0.92 + 0.40 * broad + 0.5 * tuft + 0.7 * blades);
+    let straw = Vec3A::new(0.20, 0.17, 0.085) * (1.0 + 0.4 * blades + 0.3 * tuft);
+    let earth = Vec3A::new(0.115, 0.09, 0.065) * (1.0 + 0.5 * tuft);
+    let color = green.lerp(straw, dry * 0.6).lerp(earth, worn * 0.6);
+    let mut look = Look::matte(color, bumped(point.normal, p, 0.12, 0.5, footprint));
     look.roughness = 0.8;
     look
 }

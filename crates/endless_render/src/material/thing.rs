@@ -50,8 +50,9 @@ pub(super) fn bark(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Loo
 }
 
 pub(super) fn foliage(point: &SurfacePoint<'_>, base: Vec3A) -> Look {
-    let vary = 1.0 + 0.25 * noise::value3(Vec3::from(point.position) * 1.7, 8);
-    let mut look = Look::matte(base * vary, point.normal);
+    let p = Vec3::from(point.position);
+    let vary = 0.92 + 0.25 * noise::value3(p * 1.7, 8) + 0.15 * noise::value3(p * 0.23, 9);
+    let mut look = Look::matte(super::ground::muted(base, 0.25) * vary, point.normal);
     look.translucency = 0.35;
     look.roughness = 0.55;
     look.specular = 0.03;
