@@ -123,7 +123,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn what_is_lit_is_reached(x in -10.0f32..45.0, y in -30.0f32..30.0, z in -2.0f32..6.0, turn in 0.0f32..6.28, size in 0.0f32..3.0, brake: bool) {
+        fn what_is_lit_is_reached(x in -10.0f32..45.0, y in -30.0f32..30.0, z in -2.0f32..6.0, turn in 0.0f32..std::f32::consts::TAU, size in 0.0f32..3.0, brake: bool) {
             let forward = Vec3A::new(endless_world::math::cos(turn), endless_world::math::sin(turn), 0.0);
             let left = Vec3A::new(-forward.y, forward.x, 0.0);
             let kind = if brake { BeamKind::Brake } else { BeamKind::Head };
