@@ -13,7 +13,7 @@ use std::{
 };
 
 /// Rays that gather indirect light for each sample of the bake.
-const GATHER_RAYS: u32 = 6;
+const GATHER_RAYS: u32 = 4;
 
 /// Simulates and renders without anything outside this program.
 #[derive(Debug)]

@@ -27,10 +27,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     eprintln!("scene {:.2} s, {} triangles", clock.elapsed().as_secs_f32(), still.placed_triangles());
     let site = &town.cameras[camera.parse::<usize>()? % town.cameras.len()];
     let clock = Instant::now();
-    let settings = RenderSettings { weather, time_of_day: time, seed: 7, size, gather_rays: 6, keep_irradiance: false };
+    let settings = RenderSettings { weather, time_of_day: time, seed: 7, size, gather_rays: 4, keep_irradiance: false };
     let bake = CameraBake::bake(&still, &settings, site);
     eprintln!("bake {:.2} s, {} rays", clock.elapsed().as_secs_f32(), bake.stats().rays());
-    let state = crowd(&town, &catalogue, time == TimeOfDay::Night || weather == Weather::Rainy);
+    let state = crowd(&town, site.position, &catalogue, time == TimeOfDay::Night || weather == Weather::Rainy);
     let cast = Cast::new(&catalogue, &state.actors);
     let clock = Instant::now();
     let frame = FrameScene::new(&cast, &state);
@@ -68,8 +68,8 @@ fn thread_cpu_seconds() -> f64 {
     nanoseconds.unwrap_or(0.0) * 1e-9
 }
 
-/// A vehicle at every fourth spawn point, a person at every few sidewalk nodes.
-fn crowd(town: &Town, catalogue: &Catalogue, lights: bool) -> WorldState {
+/// A vehicle at every fourth spawn point, a person at every few sidewalk nodes near the camera.
+fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: bool) -> WorldState {
     let first = town.parked.len() as u16 + 1;
     let mut actors = Vec::new();
     let mut next = first;
@@ -96,6 +96,10 @@ fn crowd(town: &Town, catalogue: &Catalogue, lights: bool) -> WorldState {
         let along = b - a;
         let position = a + along * 0.37;
         let yaw = endless_world::math::atan2(along.y, along.x);
+        let [x, y, z] = eye;
+        if position.distance(Vec3::new(x, y, z)) > 70.0 {
+            continue;
+        }
         actors.push(Actor {
             id: InstanceId(next),
             rider_id: None,

@@ -70,3 +70,33 @@ pub fn smoothstep(from: f32, to: f32, x: f32) -> f32 {
 pub fn lerp(a: f32, b: f32, t: f32) -> f32 {
     a + (b - a) * t
 }
+
+/// [`atan2`] within 2e-5 radians, several times as fast: for looking up directions in tables, not for geometry.
+#[inline]
+pub fn atan2_approx(y: f32, x: f32) -> f32 {
+    use std::f32::consts::{FRAC_PI_2, PI};
+    let (ax, ay) = (x.abs(), y.abs());
+    let t = ax.min(ay) / ax.max(ay).max(f32::MIN_POSITIVE);
+    // Abramowitz and Stegun 4.4.49.
+    let t2 = t * t;
+    let poly = 0.999_866 + t2 * (-0.330_299_5 + t2 * (0.180_141 + t2 * (-0.085_133 + t2 * 0.020_835_1)));
+    let octant = t * poly;
+    let quadrant = if ay > ax { FRAC_PI_2 - octant } else { octant };
+    let half = if x < 0.0 { PI - quadrant } else { quadrant };
+    if y < 0.0 { -half } else { half }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_quick_angle_is_close() {
+        for i in 0..2000 {
+            let angle = (i as f32 / 1000.0 - 1.0) * 3.141;
+            let (sin, cos) = sin_cos(angle);
+            assert!((atan2_approx(3.0 * sin, 3.0 * cos) - angle).abs() < 2e-5, "{angle}");
+        }
+        assert_eq!(atan2_approx(0.0, 0.0), 0.0);
+    }
+}

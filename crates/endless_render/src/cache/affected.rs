@@ -15,26 +15,26 @@ pub(super) struct Work {
     pub(super) seen: bool,
     /// Sunlight may be blocked.
     pub(super) sun: bool,
-    /// Lamp light may be blocked.
-    pub(super) lamps: bool,
     /// Mirrors may show something that moves.
     pub(super) mirror: bool,
     /// A traffic light's lens is in view.
     pub(super) lens: bool,
     /// Objects that may darken the ground at their feet, ascending.
     pub(super) contacts: Vec<u16>,
+    /// Lamps whose light may be blocked, by index.
+    pub(super) lamps: Vec<u16>,
     /// Vehicle lights that may reach it, ascending.
     pub(super) beams: Vec<u16>,
 }
 
 impl Work {
     /// Everything, for the frame made without the cache.
-    pub(super) fn everything(frame: &FrameScene) -> Self {
+    pub(super) fn everything(still: &StaticScene, frame: &FrameScene) -> Self {
         let all = |n: usize| (0..n).map(|i| i as u16).collect();
         Self {
             seen: true,
             sun: true,
-            lamps: true,
+            lamps: all(still.lamps.all().len()),
             mirror: true,
             lens: true,
             contacts: all(frame.objects.len()),
@@ -44,8 +44,9 @@ impl Work {
 
     /// Nothing to do.
     pub(super) fn is_none(&self) -> bool {
-        !(self.seen || self.sun || self.lamps || self.mirror || self.lens)
+        !(self.seen || self.sun || self.mirror || self.lens)
             && self.contacts.is_empty()
+            && self.lamps.is_empty()
             && self.beams.is_empty()
     }
 }
@@ -94,7 +95,7 @@ fn mark(bake: &CameraBake, work: &mut [Work], mut test: impl FnMut(&TileBounds, 
 fn mark_object(
     bake: &CameraBake,
     object: &MovingObject,
-    shadows: &[(Vec3A, Span)],
+    shadows: &[LampShadow],
     index: u16,
     bounds: &TileBounds,
     tile: Option<&mut Work>,
@@ -116,30 +117,42 @@ fn mark_object(
         let around = Vec3A::new(radius, radius, CONTACT_RISE_M + 0.05);
         bounds.points.meets(centre - around - reach, centre + around + reach)
     };
-    let lamps = shadows.iter().any(|(lamp, span)| {
-        bounds.points.meets(span.low - 0.1, span.high + 0.1) && bounds.lamp_bundle(*lamp).may_meet(low, high, 1.0)
-    });
-    if let Some(tile) = tile {
-        tile.sun |= sun;
-        tile.mirror |= mirror;
-        tile.lamps |= lamps;
-        if contact {
-            tile.contacts.push(index);
+    let shades = |shadow: &LampShadow| {
+        bounds.points.meets(shadow.span.low - 0.1, shadow.span.high + 0.1)
+            && bounds.lamp_bundle(shadow.position).may_meet(low, high, 1.0)
+    };
+    let Some(tile) = tile else { return sun || mirror || contact || shadows.iter().any(shades) };
+    tile.sun |= sun;
+    tile.mirror |= mirror;
+    if contact {
+        tile.contacts.push(index);
+    }
+    for shadow in shadows.iter().filter(|s| shades(s)) {
+        if !tile.lamps.contains(&shadow.lamp) {
+            tile.lamps.push(shadow.lamp);
         }
     }
-    sun || mirror || contact || lamps
+    true
+}
+
+/// Where an object's shadow by one lamp can lie.
+struct LampShadow {
+    lamp: u16,
+    position: Vec3A,
+    span: Span,
 }
 
 /// Bounds of the shadows that an object throws by the light of lamps, down to the lowest surface in view.
-fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingObject) -> Vec<(Vec3A, Span)> {
+fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingObject) -> Vec<LampShadow> {
     let range = Lamps::range_m();
     let reach = |p: Vec3A, low: Vec3A, high: Vec3A| p.clamp(low, high).distance_squared(p) <= range * range * 1.01;
     let floor = bake.lowest - 0.1;
     lamps
         .all()
         .iter()
-        .filter(|lamp| bake.environment.night && reach(lamp.position, object.low, object.high))
-        .map(|lamp| {
+        .enumerate()
+        .filter(|(_, lamp)| bake.environment.night && reach(lamp.position, object.low, object.high))
+        .map(|(i, lamp)| {
             let position = lamp.position;
             let mut span = Span { low: object.low.with_z(floor), high: object.high };
             if position.z > object.high.z + 0.3 {
@@ -151,7 +164,7 @@ fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingObject) -> Vec<
                 span.add(position - range);
                 span.add(position + range);
             }
-            (position, span)
+            LampShadow { lamp: i as u16, position, span }
         })
         .collect()
 }

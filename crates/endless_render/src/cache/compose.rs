@@ -32,7 +32,7 @@ pub(super) fn compose(
     let touched = !work.contacts.is_empty()
         || work.sun && still.sun_free != 0
         || work.mirror && still.flags & StillSample::MIRRORS != 0
-        || work.lamps && environment.night
+        || !work.lamps.is_empty()
         || work.lens && still.flags & StillSample::LENS != 0;
     if !touched {
         return still.still_radiance(environment);
@@ -51,7 +51,7 @@ pub(super) fn compose(
         mirror = moving_mirror(tracer, frame, still, &point, sample, pixel_angle).unwrap_or(mirror);
     }
     let mut radiance = still.radiance(contact, direct_share, mirror);
-    if work.lamps && environment.night && lamps_touched(tracer, frame, &point) {
+    if environment.night && lamps_touched(tracer, frame, &work.lamps, &point) {
         let look = still_look(&point, environment, sample, pixel_angle);
         let direct = lamp_light(tracer, &point, &look, true) * environment.fog.transmittance(still.hit.t);
         radiance = Vec3A::from(still.rest) + Vec3A::from(still.ambient) * contact + direct * direct_share + mirror;
@@ -92,10 +92,10 @@ pub(super) fn sun_can_light(point: &SurfacePoint<'_>, sun: Vec3A) -> bool {
     point.geometric_normal.dot(sun) > 0.0 || point.material.surface == Surface::Foliage
 }
 
-/// Whether what moves blocks any lamp in reach.
-fn lamps_touched(tracer: &Tracer<'_>, frame: &FrameScene, point: &SurfacePoint<'_>) -> bool {
+/// Whether what moves blocks any of these lamps.
+fn lamps_touched(tracer: &Tracer<'_>, frame: &FrameScene, lamps: &[u16], point: &SurfacePoint<'_>) -> bool {
     let origin = point.ray_origin();
-    tracer.still.lamps.near(point.position).any(|lamp| {
+    lamps.iter().map(|&i| &tracer.still.lamps.all()[usize::from(i)]).any(|lamp| {
         let (illuminance, direction) = lamp.illuminance_at(point.position);
         point.geometric_normal.dot(direction) > 0.0
             && illuminance.max_element() > 0.0

@@ -10,6 +10,7 @@ use crate::film::add_glare;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfacePoint};
 use crate::shade::{Tracer, shade_moving};
+use endless_asset::Surface;
 use endless_world::{Image, InstancePixel, SensorFrame};
 use glam::Vec3A;
 
@@ -44,14 +45,14 @@ impl CameraBake {
         assert_eq!(self.irradiance.len(), self.samples.len(), "the bake kept no irradiance");
         let tracer = self.tracer(still, frame);
         let empty = Tracer { moving: None, ..tracer };
-        let everything = Work::everything(frame);
+        let everything = Work::everything(still, frame);
         let mut canvas = Canvas::new(self);
         for y in 0..self.camera.size.height {
             for x in 0..self.camera.size.width {
                 let samples: [StillSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
-                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, false, &mut |ray, tmax| {
-                    frame.accel.closest(&Ray { tmax, ..*ray })
-                });
+                let hits =
+                    std::array::from_fn(|s| frame.accel.closest(&Ray { tmax: samples[s].hit.t, ..self.ray(x, y, s) }));
+                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, false, &hits);
                 canvas.set(self, x, y, &pixel);
             }
         }
@@ -87,20 +88,46 @@ impl CameraBake {
         let (x0, y0) = (tile % self.tile_columns * TILE, tile / self.tile_columns * TILE);
         let (x1, y1) = ((x0 + TILE).min(self.camera.size.width), (y0 + TILE).min(self.camera.size.height));
         let mut rays = 0;
+        let mut row_hits: [[Option<Hit>; SAMPLES]; TILE as usize] = [[None; SAMPLES]; TILE as usize];
         for y in y0..y1 {
+            if work.seen {
+                self.moving_hits(frame, x0, x1, y, &mut row_hits);
+                rays += u64::from(x1 - x0) * SAMPLES as u64;
+            }
             for x in x0..x1 {
                 let first = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES;
                 let samples = &self.samples[first..first + SAMPLES];
-                let pixel = self.pixel(tracer, frame, work, x, y, samples, true, &mut |ray, tmax| {
-                    rays += 1;
-                    frame.accel.closest(&Ray { tmax, ..*ray })
-                });
+                let hits = &row_hits[(x - x0) as usize];
+                let pixel = self.pixel(tracer, frame, work, x, y, samples, true, hits);
                 canvas.set(self, x, y, &pixel);
             }
         }
         rays
     }
 
+    /// What moves in front of the still surfaces of a row of at most eight pixels.
+    fn moving_hits(
+        &self,
+        frame: &FrameScene,
+        x0: u32,
+        x1: u32,
+        y: u32,
+        hits: &mut [[Option<Hit>; SAMPLES]; TILE as usize],
+    ) {
+        let active = ((1u16 << (x1 - x0)) - 1) as u8;
+        for s in 0..SAMPLES {
+            let rays: [Ray; TILE as usize] = std::array::from_fn(|i| {
+                let x = (x0 + i as u32).min(x1 - 1);
+                let index = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES + s;
+                Ray { tmax: self.samples[index].hit.t, ..self.ray(x, y, s) }
+            });
+            for (pixel, hit) in hits.iter_mut().zip(frame.accel.closest8(&rays, active)) {
+                pixel[s] = hit;
+            }
+        }
+    }
+
+    /// One pixel, given what moves along its samples' rays no farther than the still surfaces.
     fn pixel(
         &self,
         tracer: &Tracer<'_>,
@@ -110,7 +137,7 @@ impl CameraBake {
         y: u32,
         samples: &[StillSample],
         cached: bool,
-        closest_moving: &mut dyn FnMut(&Ray, f32) -> Option<Hit>,
+        hits: &[Option<Hit>; SAMPLES],
     ) -> Pixel {
         let index = y as usize * self.camera.size.width as usize + x as usize;
         let uniform = self.uniform[index];
@@ -122,26 +149,50 @@ impl CameraBake {
                 beams_on(tracer, frame, &work.beams, &samples[s], ray, s, look, self.pixel_angle)
             }
         };
+        // What stands still wins a tie.
+        let points: [Option<SurfacePoint<'_>>; SAMPLES] = std::array::from_fn(|s| {
+            let hit = hits[s].filter(|h| work.seen && h.t < samples[s].hit.t)?;
+            Some(SurfacePoint::new(&frame.instances, &self.ray(x, y, s), &hit))
+        });
+        let covered = points[0].as_ref().map(|point| {
+            let label = InstancePixel { tag: point.tag(), id: point.instance.id };
+            (planar_depth(&self.camera, &self.ray(x, y, 0), point.distance), label)
+        });
+        if let Some(radiance) = self.whole(tracer, &points) {
+            return Pixel { radiance, covered };
+        }
         let shared = if uniform { beams(0, &self.ray(x, y, 0)) } else { Vec3A::ZERO };
-        let mut covered = None;
         let mut sum = Vec3A::ZERO;
         for (s, still) in samples.iter().enumerate() {
-            let ray = self.ray(x, y, s);
-            let hit = if work.seen { closest_moving(&ray, still.hit.t) } else { None };
-            // What stands still wins a tie.
-            if let Some(hit) = hit.filter(|h| h.t < still.hit.t) {
-                let point = SurfacePoint::new(&frame.instances, &ray, &hit);
-                if s == 0 {
-                    let label = InstancePixel { tag: point.tag(), id: point.instance.id };
-                    covered = Some((planar_depth(&self.camera, &ray, hit.t), label));
-                }
-                sum += shade_moving(tracer, &point, s, self.pixel_angle);
+            if let Some(point) = &points[s] {
+                sum += shade_moving(tracer, point, s, self.pixel_angle);
             } else {
+                let ray = self.ray(x, y, s);
                 let lit = if uniform { shared } else { beams(s, &ray) };
                 sum += compose(tracer, frame, work, still, &ray, s, self.pixel_angle) + lit;
             }
         }
         Pixel { radiance: sum / SAMPLES as f32, covered }
+    }
+
+    /// The radiance of a pixel that lies wholly on one smooth piece of something that moves: fewer samples than the
+    /// pixel has tell it, one on dull surfaces, two on shiny ones.
+    fn whole(&self, tracer: &Tracer<'_>, points: &[Option<SurfacePoint<'_>>; SAMPLES]) -> Option<Vec3A> {
+        let [Some(centre), Some(a), Some(b), Some(c)] = points else { return None };
+        let smooth = |p: &SurfacePoint<'_>| {
+            std::ptr::eq(p.material, centre.material)
+                && p.instance.id == centre.instance.id
+                && p.normal.dot(centre.normal) > 0.96
+        };
+        if ![a, b, c].into_iter().all(smooth) {
+            return None;
+        }
+        let first = shade_moving(tracer, centre, 0, self.pixel_angle);
+        let shiny = matches!(
+            centre.material.surface,
+            Surface::CarPaint | Surface::CarGlass | Surface::Chrome | Surface::Painted
+        );
+        if shiny { Some((first + shade_moving(tracer, b, 2, self.pixel_angle)) * 0.5) } else { Some(first) }
     }
 }
 

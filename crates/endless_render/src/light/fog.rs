@@ -56,7 +56,7 @@ impl Fog {
         let to_lamp = lamp - origin;
         let along = to_lamp.dot(direction);
         let aside = (to_lamp.length_squared() - along * along).max(0.04).sqrt();
-        let swept = math::atan2(distance_m - along, aside) + math::atan2(along, aside);
+        let swept = math::atan2_approx(distance_m - along, aside) + math::atan2_approx(along, aside);
         let reach = along.clamp(0.0, distance_m);
         intensity * (self.extinction * swept / (4.0 * std::f32::consts::PI * aside) * self.transmittance(reach))
     }

@@ -75,8 +75,9 @@ impl Sky {
 
     /// Radiance from a direction, kcd/m²; below the horizon, that of the horizon.
     pub(crate) fn radiance(&self, direction: Vec3A) -> Vec3A {
-        let azimuth = math::atan2(direction.y, direction.x);
-        let elevation = math::asin(direction.z.clamp(0.0, 1.0));
+        let azimuth = math::atan2_approx(direction.y, direction.x);
+        let level = (direction.x * direction.x + direction.y * direction.y).sqrt();
+        let elevation = math::atan2_approx(direction.z.max(0.0), level);
         let x = (azimuth / TAU + 0.5) * WIDTH as f32 - 0.5;
         // Rows crowd at the horizon: row ∝ sqrt(elevation).
         let y = ((elevation / (PI / 2.0)).sqrt() * HEIGHT as f32 - 0.5).clamp(0.0, (HEIGHT - 1) as f32);

@@ -7,7 +7,7 @@ use glam::{Affine3A, Vec3A};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-const RAYS: u32 = 48;
+const RAYS: u32 = 24;
 
 /// Openness of every vertex, 0 to 1: the cosine-weighted share of directions that neither meet the body itself nor
 /// the dark ground beneath it. `low` and `high` bound the whole object, wheels included.
