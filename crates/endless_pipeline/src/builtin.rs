@@ -7,6 +7,7 @@ use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::{Town, TownError};
 use endless_traffic::{Conditions, Simulation};
 use endless_world::{Actor, CameraSite, SceneSettings, SensorFrame, WorldState};
+use glam::Vec3;
 use std::{
     collections::BTreeMap,
     sync::{Mutex, OnceLock, PoisonError},
@@ -88,7 +89,10 @@ impl Simulator for BuiltinSimulator {
     fn load_scene<'m>(&'m self, map: &'m BuiltinMap, settings: &SceneSettings) -> Result<Scene<'m>, SimulatorError> {
         let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
         let conditions = Conditions::new(weather, time_of_day);
-        let simulation = Simulation::new(&map.town, self.catalogue(), vehicles, pedestrians, seed, conditions, fps);
+        // Traffic over the whole map, denser where the cameras look.
+        let focus = settings.cameras.each_ref().map(|site| Vec3::from_array(site.position));
+        let simulation =
+            Simulation::focused(&map.town, self.catalogue(), vehicles, pedestrians, seed, conditions, fps, &focus);
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
         let spawned = Spawned {
