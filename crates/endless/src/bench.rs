@@ -18,15 +18,14 @@ pub(crate) fn run<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitC
     let out = std::env::current_dir()?.join(format!(".endless-bench-{}", std::process::id()));
     let options = GenerateOptions { threads: threads(args.threads), plan_only: false };
     let made = generate(simulator, &recipe, &out, &options, &Silent);
-    let written = folder_bytes(&out).unwrap_or(0);
     if out.exists() {
         fs::remove_dir_all(&out).context("cannot remove the bench's files")?;
     }
-    print(&made?, options.threads, written)?;
+    print(&made?, options.threads)?;
     Ok(ExitCode::SUCCESS)
 }
 
-fn print(made: &Generated, threads: usize, written: u64) -> Result<()> {
+fn print(made: &Generated, threads: usize) -> Result<()> {
     let mut out = std::io::stdout().lock();
     let t = &made.times;
     let frames = made.camera_frames as f64;
@@ -45,21 +44,12 @@ fn print(made: &Generated, threads: usize, written: u64) -> Result<()> {
     writeln!(out, "camera frames    {frames}, {:.1} a second", rate(frames, t.record))?;
     writeln!(out, "bake             {:.1} Mrays/s", rate(t.rays.bake_rays as f64 / 1e6, t.bake))?;
     writeln!(out, "render           {:.1} Mrays/s a thread", rate(t.rays.frame_rays as f64 / 1e6, t.render))?;
-    writeln!(out, "written          {:.1} MB", written as f64 / 1e6)?;
+    let megabytes = made.bytes as f64 / 1e6;
+    writeln!(out, "written          {megabytes:.1} MB, {:.3} MB a camera frame", megabytes / frames)?;
     if let Some(peak) = peak_memory_mb() {
         writeln!(out, "peak memory      {peak:.0} MB")?;
     }
     Ok(())
-}
-
-fn folder_bytes(folder: &std::path::Path) -> std::io::Result<u64> {
-    let mut total = 0;
-    for entry in fs::read_dir(folder)? {
-        let entry = entry?;
-        let data = entry.metadata()?;
-        total += if data.is_dir() { folder_bytes(&entry.path())? } else { data.len() };
-    }
-    Ok(total)
 }
 
 /// As Linux counts it; elsewhere nobody says.

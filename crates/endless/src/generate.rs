@@ -39,11 +39,15 @@ fn summary(made: &Generated) -> String {
         return "nothing to do: the dataset is complete".into();
     }
     let recording = made.times.record.as_secs_f64().max(1e-9);
+    let megabytes = made.bytes as f64 / 1e6;
+    let frames = made.camera_frames as f64;
     format!(
-        "done: {} videos, {} camera frames in {:.1} s ({:.1} camera frames a second while recording)",
+        "done: {} videos, {} camera frames, {megabytes:.1} MB ({:.3} MB a camera frame) in {:.1} s ({:.1} camera frames a \
+         second while recording)",
         made.videos,
         made.camera_frames,
+        megabytes / frames,
         made.seconds,
-        made.camera_frames as f64 / recording
+        frames / recording
     )
 }

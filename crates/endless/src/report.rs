@@ -1,6 +1,6 @@
 //! What a run says on stderr: a bar on a terminal, plain lines elsewhere.
 
-use endless_pipeline::{Event, Progress};
+use endless_pipeline::{Event, Progress, human_bytes};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::{
     io::IsTerminal,
@@ -60,10 +60,10 @@ impl Progress for Reporter {
             Event::Start { videos, complete, estimate } => {
                 let done = if complete > 0 { format!(" ({complete} are complete)") } else { String::new() };
                 self.line(&format!(
-                    "{videos} videos to make{done}: {} camera frames, about {:.1} GB, {:.1} GB are free",
+                    "{videos} videos to make{done}: {} camera frames, at most about {}, {} are free",
                     estimate.camera_frames,
-                    estimate.bytes as f64 / 1e9,
-                    estimate.free as f64 / 1e9
+                    human_bytes(estimate.bytes),
+                    human_bytes(estimate.free)
                 ));
             }
             Event::LoadMap { map } => self.line(&format!("loading {map}")),

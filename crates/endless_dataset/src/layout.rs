@@ -1,6 +1,6 @@
 //! Where everything lies: the tree of the contract.
 
-use crate::{DatasetError, Layer, Recipe};
+use crate::{DatasetError, Layer, Recipe, atomic::list};
 use endless_world::SceneSettings;
 use std::{
     fs,
@@ -83,6 +83,14 @@ impl VideoLayout {
         self.folder.join("scene.json")
     }
 
+    /// Bytes of all its files.
+    ///
+    /// # Errors
+    /// When a folder or a file cannot be read.
+    pub fn bytes(&self) -> Result<u64, DatasetError> {
+        bytes_below(&self.folder)
+    }
+
     /// Camera 0 (`camera_a`) or 1 (`camera_b`).
     pub fn camera(&self, camera: usize) -> CameraLayout {
         CameraLayout { folder: self.folder.join(["camera_a", "camera_b"][camera]) }
@@ -136,4 +144,13 @@ impl CameraLayout {
         }
         Ok(())
     }
+}
+
+fn bytes_below(folder: &Path) -> Result<u64, DatasetError> {
+    let mut total = 0;
+    for path in list(folder)? {
+        let data = fs::metadata(&path).map_err(|e| DatasetError::io("cannot read", &path, e))?;
+        total += if data.is_dir() { bytes_below(&path)? } else { data.len() };
+    }
+    Ok(total)
 }

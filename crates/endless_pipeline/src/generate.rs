@@ -32,6 +32,8 @@ pub struct Generated {
     pub videos: u32,
     /// Camera frames of these.
     pub camera_frames: u64,
+    /// Bytes of all their files.
+    pub bytes: u64,
     /// Seconds that recording took, wall time.
     pub seconds: f64,
     /// Where the time went.
@@ -58,16 +60,21 @@ pub fn generate<S: Simulator>(
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
-    let lock = Lock::take(&layout)?;
+    let _lock = Lock::take(&layout)?;
     // Once more, now that nobody else can change it.
     let output = Output::inspect(&layout, recipe, &plan)?;
     let to_do = output.to_do(&plan);
     let mut manifest = Manifest::new(recipe.clone(), output.entries(&plan));
     output::write_plan(&layout, &manifest, &plan)?;
-    let mut generated =
-        Generated { plan: plan.clone(), videos: 0, camera_frames: 0, seconds: 0.0, times: StageTimes::default() };
+    let mut generated = Generated {
+        plan: plan.clone(),
+        videos: 0,
+        camera_frames: 0,
+        bytes: 0,
+        seconds: 0.0,
+        times: StageTimes::default(),
+    };
     if options.plan_only {
-        lock.release();
         return Ok(generated);
     }
     let complete = recipe.videos - to_do.len() as u32;
@@ -83,9 +90,9 @@ pub fn generate<S: Simulator>(
             write_json(&layout.manifest(), &manifest)?;
             generated.videos += 1;
             generated.camera_frames += 2 * u64::from(settings.frames);
+            generated.bytes += layout.video(settings).bytes()?;
         }
     }
-    lock.release();
     generated.seconds = start.elapsed().as_secs_f64();
     generated.times = clock.times();
     Ok(generated)

@@ -10,7 +10,7 @@ mod record;
 mod simulator;
 
 pub use builtin::{BuiltinMap, BuiltinSimulator};
-pub use error::{GenerateError, PlanError, RecipeError};
+pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{Estimate, GenerateOptions, Generated, generate};
 pub use plan::Plan;
 pub use progress::{Event, Progress, Silent};

@@ -16,12 +16,13 @@ pub struct Estimate {
     pub free: u64,
 }
 
-/// Bytes a pixel, as measured on rendered streets by day (the dearest).
+/// Bytes a pixel: a safe bound. Measured on whole videos at 1280x720, files summed and divided by pixels and camera
+/// frames: 0.45 to 1.15 for RGB, 0.6 to 1.0 for depth, 0.03 to 0.06 for instances, and 1.66 for all three together.
 fn bytes_a_pixel(layer: Layer, rgb_format: RgbFormat) -> f64 {
     match (layer, rgb_format) {
-        (Layer::Rgb, RgbFormat::Png) => 1.6,
+        (Layer::Rgb, RgbFormat::Png) => 1.15,
         (Layer::Rgb, RgbFormat::Jpg) => 0.35,
-        (Layer::Depth, _) => 1.5,
+        (Layer::Depth, _) => 1.0,
         (Layer::Instance, _) => 0.06,
     }
 }

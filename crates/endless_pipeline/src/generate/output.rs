@@ -171,7 +171,7 @@ fn complete_video(
     Ok(whole.then_some(record))
 }
 
-/// Keeps a second process out. Released when the process ends, however it ends.
+/// Keeps a second process out. Released when the process ends, however it ends; leaves no trace when it is dropped.
 #[derive(Debug)]
 pub(super) struct Lock {
     _file: File,
@@ -190,9 +190,10 @@ impl Lock {
             Err(TryLockError::Error(e)) => Err(DatasetError::io("cannot lock", root, e).into()),
         }
     }
+}
 
-    /// Leaves no trace.
-    pub(super) fn release(self) {
+impl Drop for Lock {
+    fn drop(&mut self) {
         let _ = fs::remove_file(&self.path);
     }
 }
