@@ -3,7 +3,7 @@
 use super::bake::CameraBake;
 use super::compose::{CONTACT_REACH_M, CONTACT_RISE_M};
 use super::tile::{BLOCK, Span, TILE, TileBounds};
-use crate::light::Lamps;
+use crate::light::{Beam, Lamps};
 use crate::scene::{FrameScene, MovingObject, StaticScene};
 use endless_world::PinholeCamera;
 use glam::{Vec2, Vec3, Vec3A};
@@ -29,7 +29,7 @@ pub(super) struct Work {
 
 impl Work {
     /// Everything, for the frame made without the cache.
-    pub(super) fn everything(still: &StaticScene, frame: &FrameScene) -> Self {
+    pub(super) fn everything(night: bool, still: &StaticScene, frame: &FrameScene) -> Self {
         let all = |n: usize| (0..n).map(|i| i as u16).collect();
         Self {
             seen: true,
@@ -38,16 +38,18 @@ impl Work {
             mirror: true,
             lens: true,
             contacts: all(frame.objects.len()),
-            beams: all(frame.beams.len()),
+            beams: all(if night { frame.beams.len() } else { 0 }),
         }
+    }
+
+    /// Nothing but vehicle light.
+    pub(super) fn only_beams(&self) -> bool {
+        !(self.seen || self.sun || self.mirror || self.lens) && self.contacts.is_empty() && self.lamps.is_empty()
     }
 
     /// Nothing to do.
     pub(super) fn is_none(&self) -> bool {
-        !(self.seen || self.sun || self.mirror || self.lens)
-            && self.contacts.is_empty()
-            && self.lamps.is_empty()
-            && self.beams.is_empty()
+        self.only_beams() && self.beams.is_empty()
     }
 }
 
@@ -63,7 +65,9 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
         let shadows = lamp_shadows(bake, &still.lamps, object);
         mark(bake, &mut work, |bounds, tile| mark_object(bake, object, &shadows, i, bounds, tile));
     }
-    for (i, beam) in frame.beams.iter().enumerate() {
+    // By day vehicle lights are seen, but light nothing.
+    let beams: &[Beam] = if bake.environment.night { &frame.beams } else { &[] };
+    for (i, beam) in beams.iter().enumerate() {
         mark(bake, &mut work, |bounds, tile| {
             let reaches = !bounds.points.is_empty() && beam.reaches(bounds.points.low - 0.1, bounds.points.high + 0.1);
             if let (Some(tile), true) = (tile, reaches) {

@@ -372,6 +372,23 @@ impl Pass<'_> {
             .collect()
     }
 
+    /// Whether a pixel's samples lie on one flat piece of one surface.
+    fn is_uniform(&self, pixel: usize, group: &[StillSample]) -> bool {
+        if group.iter().any(StillSample::is_sky) {
+            return false;
+        }
+        let point = |s: usize| {
+            SurfacePoint::new(&self.tracer.still.instances, &self.ray_of(pixel * SAMPLES + s), &group[s].hit)
+        };
+        let centre = point(0);
+        (1..SAMPLES).map(point).all(|p| {
+            std::ptr::eq(p.instance, centre.instance)
+                && p.material == centre.material
+                && p.normal.dot(centre.normal) > 0.995
+                && (p.position - centre.position).dot(centre.geometric_normal).abs() < 0.02
+        })
+    }
+
     /// Uniformity, depth, class and instance of every pixel.
     fn labels(&self, samples: &[StillSample]) -> (Vec<bool>, Vec<f32>, Vec<InstancePixel>) {
         let mut uniform = Vec::with_capacity(self.camera.size.pixels());
@@ -379,8 +396,7 @@ impl Pass<'_> {
         let mut instance = Vec::with_capacity(self.camera.size.pixels());
         for (pixel, group) in samples.chunks_exact(SAMPLES).enumerate() {
             let centre = &group[0];
-            let same = |s: &StillSample| s.hit.instance == centre.hit.instance && s.hit.triangle == centre.hit.triangle;
-            uniform.push(!centre.is_sky() && group.iter().all(same));
+            uniform.push(self.is_uniform(pixel, group));
             if centre.is_sky() {
                 depth.push(FAR_PLANE_M);
                 instance.push(InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF });

@@ -3,9 +3,8 @@
 use super::affected::Work;
 use super::still_sample::{StillSample, lamp_light, still_look, sun_share};
 use crate::accel::Ray;
-use crate::material::Look;
 use crate::scene::{FrameScene, MovingObject, SurfacePoint};
-use crate::shade::{Tracer, beam_light, mirror_footprint, shade_secondary};
+use crate::shade::{Tracer, mirror_footprint, shade_secondary};
 use endless_asset::{LensAspect, Surface};
 use endless_world::SignalAspect;
 use glam::{Vec2, Vec3A};
@@ -121,42 +120,6 @@ fn moving_mirror(
     let look = still_look(point, environment, sample, pixel_angle);
     let weight = look.coat_reflectance(-point.direction) * environment.fog.transmittance(point.distance);
     Some(weight * shade_secondary(tracer, &ray, mirror_footprint(point, &look, pixel_angle)))
-}
-
-/// Light of vehicle lamps on a still point, fog included. `look` is that of the point, if it is known already.
-pub(super) fn beams_on(
-    tracer: &Tracer<'_>,
-    frame: &FrameScene,
-    beams: &[u16],
-    still: &StillSample,
-    ray: &Ray,
-    sample: usize,
-    look: Option<&Look>,
-    pixel_angle: f32,
-) -> Vec3A {
-    if still.is_sky() {
-        return Vec3A::ZERO;
-    }
-    let position = ray.origin + ray.direction * still.hit.t;
-    let mut lights = beams.iter().map(|&i| &frame.beams[usize::from(i)]).filter(|b| b.lights(position)).peekable();
-    if lights.peek().is_none() {
-        return Vec3A::ZERO;
-    }
-    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
-    let known;
-    let look = match look {
-        Some(look) => look,
-        None => {
-            known = still_look(&point, tracer.environment, sample, pixel_angle);
-            &known
-        }
-    };
-    let origin = point.ray_origin();
-    let mut sum = Vec3A::ZERO;
-    for beam in lights {
-        sum += beam_light(tracer, beam, &point, look, origin);
-    }
-    sum * tracer.environment.fog.transmittance(still.hit.t)
 }
 
 /// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box

@@ -2,8 +2,9 @@
 
 use super::affected::{Work, affected};
 use super::bake::{CameraBake, planar_depth, still_sample};
-use super::compose::{beams_on, compose, sun_can_light, sun_origin};
+use super::compose::{compose, sun_can_light, sun_origin};
 use super::still_sample::StillSample;
+use super::sweep::{Centre, beams_on, beams_on_row};
 use super::tile::TILE;
 use crate::accel::{Hit, Ray};
 use crate::film::add_glare;
@@ -45,14 +46,14 @@ impl CameraBake {
         assert_eq!(self.irradiance.len(), self.samples.len(), "the bake kept no irradiance");
         let tracer = self.tracer(still, frame);
         let empty = Tracer { moving: None, ..tracer };
-        let everything = Work::everything(still, frame);
+        let everything = Work::everything(self.environment.night, still, frame);
         let mut canvas = Canvas::new(self);
         for y in 0..self.camera.size.height {
             for x in 0..self.camera.size.width {
                 let samples: [StillSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
                 let hits =
                     std::array::from_fn(|s| frame.accel.closest(&Ray { tmax: samples[s].hit.t, ..self.ray(x, y, s) }));
-                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, false, &hits);
+                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, None, &hits);
                 canvas.set(self, x, y, &pixel);
             }
         }
@@ -94,15 +95,48 @@ impl CameraBake {
                 self.moving_hits(frame, x0, x1, y, &mut row_hits);
                 rays += u64::from(x1 - x0) * SAMPLES as u64;
             }
+            let swept = self.swept_row(tracer, frame, work, x0, x1, y);
             for x in x0..x1 {
-                let first = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES;
+                let i = (x - x0) as usize;
+                let index = y as usize * self.camera.size.width as usize + x as usize;
+                if work.only_beams() && self.uniform[index] {
+                    if swept[i] != Vec3A::ZERO {
+                        let radiance = self.radiance[index] + swept[i];
+                        canvas.set(self, x, y, &Pixel { radiance, covered: None });
+                    }
+                    continue;
+                }
+                let first = index * SAMPLES;
                 let samples = &self.samples[first..first + SAMPLES];
-                let hits = &row_hits[(x - x0) as usize];
-                let pixel = self.pixel(tracer, frame, work, x, y, samples, true, hits);
+                let pixel = self.pixel(tracer, frame, work, x, y, samples, Some(swept[i]), &row_hits[i]);
                 canvas.set(self, x, y, &pixel);
             }
         }
         rays
+    }
+
+    /// Vehicle light on the uniform pixels of a row of at most eight.
+    fn swept_row(
+        &self,
+        tracer: &Tracer<'_>,
+        frame: &FrameScene,
+        work: &Work,
+        x0: u32,
+        x1: u32,
+        y: u32,
+    ) -> [Vec3A; TILE as usize] {
+        if work.beams.is_empty() {
+            return [Vec3A::ZERO; TILE as usize];
+        }
+        let row: [Option<Centre<'_>>; TILE as usize] = std::array::from_fn(|i| {
+            let x = x0 + i as u32;
+            let index = y as usize * self.camera.size.width as usize + x as usize;
+            (x < x1 && self.uniform[index]).then(|| ()).and_then(|()| {
+                let look = self.looks.get(index)?;
+                Some(Centre { still: &self.samples[index * SAMPLES], ray: self.ray(x, y, 0), look })
+            })
+        });
+        beams_on_row(tracer, frame, &work.beams, &row)
     }
 
     /// What moves in front of the still surfaces of a row of at most eight pixels.
@@ -127,7 +161,8 @@ impl CameraBake {
         }
     }
 
-    /// One pixel, given what moves along its samples' rays no farther than the still surfaces.
+    /// One pixel, given what moves along its samples' rays no farther than the still surfaces. `swept` is the vehicle
+    /// light on a uniform pixel, if it is known already.
     fn pixel(
         &self,
         tracer: &Tracer<'_>,
@@ -136,19 +171,12 @@ impl CameraBake {
         x: u32,
         y: u32,
         samples: &[StillSample],
-        cached: bool,
+        swept: Option<Vec3A>,
         hits: &[Option<Hit>; SAMPLES],
     ) -> Pixel {
         let index = y as usize * self.camera.size.width as usize + x as usize;
         let uniform = self.uniform[index];
-        let beams = |s: usize, ray: &Ray| {
-            if work.beams.is_empty() {
-                Vec3A::ZERO
-            } else {
-                let look = if s == 0 && uniform && cached { self.looks.get(index) } else { None };
-                beams_on(tracer, frame, &work.beams, &samples[s], ray, s, look, self.pixel_angle)
-            }
-        };
+        let beams = |s: usize, ray: &Ray| beams_on(tracer, frame, &work.beams, &samples[s], ray, s, self.pixel_angle);
         // What stands still wins a tie.
         let points: [Option<SurfacePoint<'_>>; SAMPLES] = std::array::from_fn(|s| {
             let hit = hits[s].filter(|h| work.seen && h.t < samples[s].hit.t)?;
@@ -161,18 +189,27 @@ impl CameraBake {
         if let Some(radiance) = self.whole(tracer, &points) {
             return Pixel { radiance, covered };
         }
-        let shared = if uniform { beams(0, &self.ray(x, y, 0)) } else { Vec3A::ZERO };
+        let shared = match swept {
+            Some(light) if !self.looks.is_empty() => light,
+            _ if uniform => beams(0, &self.ray(x, y, 0)),
+            _ => Vec3A::ZERO,
+        };
         let mut sum = Vec3A::ZERO;
+        let mut uncovered = 0;
         for (s, still) in samples.iter().enumerate() {
             if let Some(point) = &points[s] {
                 sum += shade_moving(tracer, point, s, self.pixel_angle);
             } else {
                 let ray = self.ray(x, y, s);
-                let lit = if uniform { shared } else { beams(s, &ray) };
-                sum += compose(tracer, frame, work, still, &ray, s, self.pixel_angle) + lit;
+                uncovered += 1;
+                let mut radiance = compose(tracer, frame, work, still, &ray, s, self.pixel_angle);
+                if !uniform {
+                    radiance += beams(s, &ray);
+                }
+                sum += radiance;
             }
         }
-        Pixel { radiance: sum / SAMPLES as f32, covered }
+        Pixel { radiance: sum / SAMPLES as f32 + shared * (uncovered as f32 / SAMPLES as f32), covered }
     }
 
     /// The radiance of a pixel that lies wholly on one smooth piece of something that moves: fewer samples than the

@@ -12,6 +12,7 @@ mod beam_box;
 mod compose;
 mod frame;
 mod still_sample;
+mod sweep;
 mod tile;
 
 pub use bake::{BakeStats, CameraBake, RenderSettings};

@@ -9,10 +9,11 @@ use glam::{UVec3, Vec2, Vec3, Vec3A};
 use rayon::prelude::*;
 use std::f32::consts::PI;
 
-const SPACING_M: f32 = 4.0;
+const SPACING_M: f32 = 6.0;
 /// Heights of the layers above the lowest ground: dense where cars and people are.
-const HEIGHTS_M: [f32; 6] = [0.7, 1.8, 3.5, 6.5, 11.0, 18.0];
-const RAYS: u32 = 192;
+const HEIGHTS_M: [f32; 5] = [0.8, 2.2, 4.5, 9.0, 18.0];
+/// Rays a probe, by bounce.
+const RAYS: [u32; 2] = [64, 144];
 
 /// The probes around one camera's view.
 pub(crate) struct ProbeGrid {
@@ -35,14 +36,14 @@ impl ProbeGrid {
         let rows = ((high.y - low.y) / SPACING_M).ceil().max(1.0) as u32 + 1;
         let mut grid =
             Self { low, ground, size: UVec3::new(columns, rows, HEIGHTS_M.len() as u32), probes: Vec::new() };
-        for _bounce in 0..2 {
+        for rays in RAYS {
             let known = (!grid.probes.is_empty()).then_some(&grid);
             let tracer = Tracer { still, moving: None, environment, probes: known };
             let probes = (0..columns * rows * grid.size.z)
                 .into_par_iter()
                 .map(|i| {
                     let (x, y, z) = (i % columns, i / columns % rows, i / (columns * rows));
-                    probe(&tracer, grid.position(x, y, z), i)
+                    probe(&tracer, grid.position(x, y, z), i, rays)
                 })
                 .collect();
             grid.probes = probes;
@@ -86,19 +87,19 @@ impl ProbeGrid {
     }
 }
 
-fn probe(tracer: &Tracer<'_>, position: Vec3A, index: u32) -> Probe {
+fn probe(tracer: &Tracer<'_>, position: Vec3A, index: u32, rays: u32) -> Probe {
     let mut light = Harmonics::ZERO;
     let mut behind = 0u32;
     let turn = Vec2::new(noise::cell1(index, 1), noise::cell1(index, 2));
-    for k in 0..RAYS {
-        let direction = sphere_direction(rotated(hammersley(k, RAYS), turn));
+    for k in 0..rays {
+        let direction = sphere_direction(rotated(hammersley(k, rays), turn));
         let ray = Ray { origin: position, direction, tmax: f32::MAX };
         if let Some(struck) = tracer.closest(&ray) {
             let point = tracer.point(&ray, &struck);
             behind += u32::from(point.from_behind && point.material.surface != endless_asset::Surface::Foliage);
         }
-        light.add(direction, shade_secondary(tracer, &ray, 0.6), 4.0 * PI / RAYS as f32);
+        light.add(direction, shade_secondary(tracer, &ray, 0.6), 4.0 * PI / rays as f32);
     }
-    let inside = behind as f32 / RAYS as f32;
+    let inside = behind as f32 / rays as f32;
     Probe { light, trust: (1.0 - inside * 4.0).clamp(0.0, 1.0) }
 }

@@ -23,7 +23,9 @@ pub(crate) fn shade_moving(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, sample
     let mut radiance = look.emission + look.lit_by_ambient(ambient, view);
     radiance += direct(tracer, point, &look, view, LAMPS);
     radiance += mirror_light(tracer, point, &look, pixel_angle);
-    if let Some(moving) = tracer.moving {
+    if environment.night
+        && let Some(moving) = tracer.moving
+    {
         let origin = point.ray_origin();
         for beam in &moving.beams {
             radiance += beam_light(tracer, beam, point, &look, origin);

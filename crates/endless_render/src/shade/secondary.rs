@@ -96,7 +96,7 @@ pub(crate) fn mirror_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: 
 }
 
 /// Mirrors weaker than this show nothing.
-pub(crate) const MIRROR_THRESHOLD: f32 = 0.006;
+pub(crate) const MIRROR_THRESHOLD: f32 = 0.02;
 
 pub(crate) fn mirror_ray(point: &SurfacePoint<'_>, look: &Look) -> Ray {
     Ray {
