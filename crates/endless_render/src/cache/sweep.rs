@@ -9,7 +9,7 @@ use crate::shade::{Tracer, beam_light};
 use glam::Vec3A;
 
 /// Illuminance, dimmed by the air before it, below which a vehicle light is not seen, klx.
-const UNSEEN_KLX: f32 = 4.0e-4;
+const UNSEEN_KLX: f32 = 8.0e-4;
 
 /// Whether a light shows on a still surface, seen through the air from the camera.
 fn shows(beam: &Beam, position: Vec3A, transmittance: f32) -> bool {

@@ -3,8 +3,8 @@
 use crate::accel::Ray;
 use glam::Vec3A;
 
-/// A tenth of what street lamps give: less is hardly seen beside them.
-const FAINT_KLX: f32 = 2.5e-3;
+/// A fraction of what street lamps give: less is hardly seen beside them.
+const FAINT_KLX: f32 = 4.0e-3;
 /// Nothing is lit nearer than this in front of a light, metres.
 const NEAREST_M: f32 = 0.05;
 
@@ -34,7 +34,7 @@ impl Beam {
     /// Beyond this the light is nothing, metres.
     pub(crate) fn range_m(&self) -> f32 {
         match self.kind {
-            BeamKind::Head => 45.0,
+            BeamKind::Head => 34.0,
             BeamKind::Tail => 5.0,
             BeamKind::Brake => 8.0,
         }
