@@ -114,7 +114,7 @@ impl CameraBake {
         let tone = ToneCurve::new(exposure);
         let rgb = radiance.iter().map(|&r| tone.apply(r)).collect();
         let rain = rain(&environment, exposure, settings.seed);
-        let glare = if environment.night { 0.10 } else { 0.0 };
+        let glare = if environment.night { 0.06 } else { 0.0 };
         let keep = settings.keep_irradiance;
         Self {
             camera,

@@ -62,8 +62,8 @@ impl Environment {
         };
         let clouds = (cover > 0.0 && !night).then(|| Clouds {
             cover,
-            lit: warm * (9.5 * day_light),
-            dark: Vec3A::new(0.80, 0.9, 1.05) * (3.6 * day_light),
+            lit: warm * (14.0 * day_light),
+            dark: Vec3A::new(0.80, 0.9, 1.05) * (6.0 * day_light),
             seed: cloud_seed,
         });
         let sky = Sky::new(&SkyParameters {
@@ -71,7 +71,7 @@ impl Environment {
             turbidity,
             overcast: if night { 0.0 } else { overcast },
             overcast_klx: overcast_klx * day_light,
-            white_balance: if night { 0.0 } else { 0.5 },
+            white_balance: if night { 0.0 } else { 0.35 },
             glow: glow * if matches!(weather, Weather::ClearSky) { 1.0 } else { 1.9 },
             clouds,
         });
@@ -118,14 +118,14 @@ impl Environment {
             Weather::ClearSky | Weather::Cloudy => (0.0, 0.0, 0.0),
         };
         let exposure_key = match (time, weather) {
-            (TimeOfDay::Night, _) => 0.075,
-            (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.105,
+            (TimeOfDay::Night, _) => 0.065,
+            (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.15,
             (TimeOfDay::Morning, Weather::Foggy) => 0.20,
-            (TimeOfDay::Morning, _) => 0.115,
+            (TimeOfDay::Morning, _) => 0.135,
             (TimeOfDay::Afternoon, Weather::Foggy) => 0.23,
-            (TimeOfDay::Afternoon, Weather::Rainy) => 0.13,
-            (TimeOfDay::Afternoon, Weather::Cloudy) => 0.16,
-            (TimeOfDay::Afternoon, _) => 0.11,
+            (TimeOfDay::Afternoon, Weather::Rainy) => 0.155,
+            (TimeOfDay::Afternoon, Weather::Cloudy) => 0.20,
+            (TimeOfDay::Afternoon, _) => 0.17,
         };
         Self {
             sun,

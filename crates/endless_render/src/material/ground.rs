@@ -57,10 +57,10 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
         // Where traffic crosses: rubber and oil in smears.
         let smear = noise::filtered_fbm2(p * Vec2::new(0.45, 1.0), 1.4, 3, footprint)
             + noise::filtered_fbm2(p * Vec2::new(1.0, 0.45) + 31.0, 1.4, 3, footprint);
-        tone *= 0.94 - 0.16 * smoothstep(0.0, 0.6, smear);
+        tone *= 0.96 - 0.07 * smoothstep(0.0, 0.6, smear);
     }
     let stain = smoothstep(0.42, 0.62, noise::filtered_fbm2(p + 40.0, 2.4, 3, footprint));
-    tone * (1.0 - 0.22 * stain)
+    tone * (1.0 - 0.12 * stain)
 }
 
 /// The colour with a share of its saturation taken away.
