@@ -131,10 +131,11 @@ impl CameraBake {
         let row: [Option<Centre<'_>>; TILE as usize] = std::array::from_fn(|i| {
             let x = x0 + i as u32;
             let index = y as usize * self.camera.size.width as usize + x as usize;
-            (x < x1 && self.uniform[index]).then(|| ()).and_then(|()| {
-                let look = self.looks.get(index)?;
-                Some(Centre { still: &self.samples[index * SAMPLES], ray: self.ray(x, y, 0), look })
-            })
+            if x >= x1 || !self.uniform[index] {
+                return None;
+            }
+            let look = self.looks.get(index)?;
+            Some(Centre { still: &self.samples[index * SAMPLES], ray: self.ray(x, y, 0), look })
         });
         beams_on_row(tracer, frame, &work.beams, &row)
     }
