@@ -93,7 +93,7 @@ mod tests {
     #[test]
     fn the_quick_angle_is_close() {
         for i in 0..2000 {
-            let angle = (i as f32 / 1000.0 - 1.0) * 3.141;
+            let angle = (i as f32 / 1000.0 - 1.0) * 3.1;
             let (sin, cos) = sin_cos(angle);
             assert!((atan2_approx(3.0 * sin, 3.0 * cos) - angle).abs() < 2e-5, "{angle}");
         }
