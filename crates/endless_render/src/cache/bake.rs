@@ -1,7 +1,7 @@
 //! The still picture of one camera in one scene.
 
 use super::compose::{sun_can_light, sun_origin};
-use super::still_sample::{StillSample, shade_still, still_look};
+use super::still_sample::{StillSample, shade_still, share_lamp_light, still_look};
 use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
 use crate::film::{Rain, ToneCurve, exposure};
@@ -97,12 +97,15 @@ impl CameraBake {
         let pass = Pass { tracer, camera: &camera, pixel_angle, gather_rays: settings.gather_rays, stats: &stats };
         let seen = pass.trace();
         let irradiance = pass.irradiance(&seen);
-        let samples = pass.shade(&seen, &irradiance);
+        let mut samples = pass.shade(&seen, &irradiance);
         let tile_columns = settings.size.width.div_ceil(TILE);
         let tile_rows = settings.size.height.div_ceil(TILE);
         let tiles = pass.tile_bounds(&samples, tile_columns, tile_rows);
         let (blocks, block_columns) = join_tiles(&tiles, tile_columns, tile_rows);
         let (uniform, depth, instance) = pass.labels(&samples);
+        if environment.night {
+            samples.par_chunks_mut(SAMPLES).zip(&uniform).filter(|(_, u)| **u).for_each(|(s, _)| share_lamp_light(s));
+        }
         let lowest = blocks.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
         let looks = if environment.night { pass.looks(&samples) } else { Vec::new() };
         drop(seen);

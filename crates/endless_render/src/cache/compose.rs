@@ -3,6 +3,7 @@
 use super::affected::Work;
 use super::still_sample::{StillSample, lamp_light, still_look, sun_share};
 use crate::accel::Ray;
+use crate::material::Look;
 use crate::scene::{FrameScene, MovingObject, SurfacePoint};
 use crate::shade::{Tracer, mirror_footprint, shade_secondary};
 use endless_asset::{LensAspect, Surface};
@@ -14,11 +15,50 @@ pub(super) const CONTACT_REACH_M: f32 = 2.2;
 /// How far above its ground, metres.
 pub(super) const CONTACT_RISE_M: f32 = 0.4;
 
-/// Radiance of a still sample, without vehicle lights. `tracer.moving` must be set; `work` says what can matter.
+/// What moving objects do to the ambient and the lamp light of a uniform pixel at night, found once at its centre.
+pub(super) struct CentreLight {
+    /// Share of the ambient light left.
+    contact: f32,
+    /// Lamp light, fog included, where something blocks a lamp.
+    direct: Option<Vec3A>,
+}
+
+/// The centre light of a pixel; `look` is that of its centre, if it is known already.
+pub(super) fn centre_light(
+    tracer: &Tracer<'_>,
+    frame: &FrameScene,
+    work: &Work,
+    still: &StillSample,
+    ray: &Ray,
+    look: Option<&Look>,
+    pixel_angle: f32,
+) -> CentreLight {
+    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
+    let direct = lamps_touched(tracer, frame, &work.lamps, &point).then(|| {
+        let transmittance = tracer.environment.fog.transmittance(still.hit.t);
+        match look {
+            Some(look) => lamp_light(tracer, &point, look, true) * transmittance,
+            None => {
+                let look = still_look(&point, tracer.environment, 0, pixel_angle);
+                lamp_light(tracer, &point, &look, true) * transmittance
+            }
+        }
+    });
+    CentreLight { contact: contact_left(frame, work, &point), direct }
+}
+
+/// Share of the ambient light that the objects standing near leave.
+fn contact_left(frame: &FrameScene, work: &Work, point: &SurfacePoint<'_>) -> f32 {
+    work.contacts.iter().map(|&i| contact_light(&frame.objects[usize::from(i)], point)).product()
+}
+
+/// Radiance of a still sample, without vehicle lights. `tracer.moving` must be set; `work` says what can matter,
+/// `centre` what is known from the pixel's centre.
 pub(super) fn compose(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     work: &Work,
+    centre: Option<&CentreLight>,
     still: &StillSample,
     ray: &Ray,
     sample: usize,
@@ -28,37 +68,37 @@ pub(super) fn compose(
         return Vec3A::from(still.rest);
     }
     let environment = tracer.environment;
-    let touched = !work.contacts.is_empty()
-        || work.sun && still.sun_free != 0
-        || work.mirror && still.flags & StillSample::MIRRORS != 0
-        || !work.lamps.is_empty()
-        || work.lens && still.flags & StillSample::LENS != 0;
-    if !touched {
-        return still.still_radiance(environment);
-    }
-    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
-    let mut contact = 1.0;
-    for &i in &work.contacts {
-        contact *= contact_light(&frame.objects[usize::from(i)], &point);
-    }
+    let alone = centre.is_none() && !(work.contacts.is_empty() && work.lamps.is_empty());
+    let sun = work.sun && still.sun_free != 0;
+    let mirrors = work.mirror && still.flags & StillSample::MIRRORS != 0;
+    let lens = work.lens && still.flags & StillSample::LENS != 0;
+    let mut contact = centre.map_or(1.0, |c| c.contact);
+    let mut direct = centre.and_then(|c| c.direct);
     let mut direct_share = sun_share(environment, still.sun_free);
-    if work.sun && still.sun_free != 0 {
-        direct_share = sun_share(environment, sun_left(tracer, frame, &point, still, sample));
-    }
     let mut mirror = Vec3A::from(still.mirror);
-    if work.mirror && still.flags & StillSample::MIRRORS != 0 {
-        mirror = moving_mirror(tracer, frame, still, &point, sample, pixel_angle).unwrap_or(mirror);
+    let mut signal = Vec3A::ZERO;
+    if alone || sun || mirrors || lens {
+        let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
+        if alone {
+            contact = contact_left(frame, work, &point);
+            if environment.night && lamps_touched(tracer, frame, &work.lamps, &point) {
+                let look = still_look(&point, environment, sample, pixel_angle);
+                let light = lamp_light(tracer, &point, &look, true);
+                direct = Some(light * environment.fog.transmittance(still.hit.t));
+            }
+        }
+        if sun {
+            direct_share = sun_share(environment, sun_left(tracer, frame, &point, still, sample));
+        }
+        if mirrors {
+            mirror = moving_mirror(tracer, frame, still, &point, sample, pixel_angle).unwrap_or(mirror);
+        }
+        if lens {
+            signal = lens_light(frame, &point, environment.night) * environment.fog.transmittance(still.hit.t);
+        }
     }
-    let mut radiance = still.radiance(contact, direct_share, mirror);
-    if environment.night && lamps_touched(tracer, frame, &work.lamps, &point) {
-        let look = still_look(&point, environment, sample, pixel_angle);
-        let direct = lamp_light(tracer, &point, &look, true) * environment.fog.transmittance(still.hit.t);
-        radiance = Vec3A::from(still.rest) + Vec3A::from(still.ambient) * contact + direct * direct_share + mirror;
-    }
-    if work.lens && still.flags & StillSample::LENS != 0 {
-        radiance += lens_light(frame, &point, environment.night) * environment.fog.transmittance(still.hit.t);
-    }
-    radiance
+    let direct = direct.unwrap_or(Vec3A::from(still.direct));
+    Vec3A::from(still.rest) + Vec3A::from(still.ambient) * contact + direct * direct_share + mirror + signal
 }
 
 /// Directions to the sun that neither town nor traffic blocks.

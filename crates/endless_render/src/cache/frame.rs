@@ -2,8 +2,8 @@
 
 use super::affected::{Work, affected};
 use super::bake::{CameraBake, planar_depth, still_sample};
-use super::compose::{compose, sun_can_light, sun_origin};
-use super::still_sample::StillSample;
+use super::compose::{centre_light, compose, sun_can_light, sun_origin};
+use super::still_sample::{StillSample, share_lamp_light};
 use super::sweep::{Centre, beams_on, beams_on_row};
 use super::tile::TILE;
 use crate::accel::{Hit, Ray};
@@ -50,7 +50,10 @@ impl CameraBake {
         let mut canvas = Canvas::new(self);
         for y in 0..self.camera.size.height {
             for x in 0..self.camera.size.width {
-                let samples: [StillSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
+                let mut samples: [StillSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
+                if self.environment.night && self.uniform[(y * self.camera.size.width + x) as usize] {
+                    share_lamp_light(&mut samples);
+                }
                 let hits =
                     std::array::from_fn(|s| frame.accel.closest(&Ray { tmax: samples[s].hit.t, ..self.ray(x, y, s) }));
                 let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, None, &hits);
@@ -195,6 +198,11 @@ impl CameraBake {
             _ if uniform => beams(0, &self.ray(x, y, 0)),
             _ => Vec3A::ZERO,
         };
+        let shaded = !(work.contacts.is_empty() && work.lamps.is_empty());
+        let centre = (uniform && self.environment.night && shaded).then(|| {
+            let look = swept.and_then(|_| self.looks.get(index));
+            centre_light(tracer, frame, work, &samples[0], &self.ray(x, y, 0), look, self.pixel_angle)
+        });
         let mut sum = Vec3A::ZERO;
         let mut uncovered = 0;
         for (s, still) in samples.iter().enumerate() {
@@ -203,7 +211,7 @@ impl CameraBake {
             } else {
                 let ray = self.ray(x, y, s);
                 uncovered += 1;
-                let mut radiance = compose(tracer, frame, work, still, &ray, s, self.pixel_angle);
+                let mut radiance = compose(tracer, frame, work, centre.as_ref(), still, &ray, s, self.pixel_angle);
                 if !uniform {
                     radiance += beams(s, &ray);
                 }

@@ -56,14 +56,10 @@ impl StillSample {
         self.hit.instance == SKY
     }
 
-    /// Its radiance when nothing moves.
+    /// Its radiance when nothing moves: the parts put together.
     pub(super) fn still_radiance(&self, environment: &Environment) -> Vec3A {
-        self.radiance(1.0, sun_share(environment, self.sun_free), Vec3A::from(self.mirror))
-    }
-
-    /// The parts put together.
-    pub(super) fn radiance(&self, contact: f32, direct_share: f32, mirror: Vec3A) -> Vec3A {
-        Vec3A::from(self.rest) + Vec3A::from(self.ambient) * contact + Vec3A::from(self.direct) * direct_share + mirror
+        let share = sun_share(environment, self.sun_free);
+        Vec3A::from(self.rest) + Vec3A::from(self.ambient) + Vec3A::from(self.direct) * share + Vec3A::from(self.mirror)
     }
 }
 
@@ -113,6 +109,15 @@ pub(super) fn shade_still(
         mirror_direction: mirror_ray(&point, &look).direction.to_array(),
         sun_free,
         flags: u8::from(mirrors) * StillSample::MIRRORS + u8::from(lens) * StillSample::LENS,
+    }
+}
+
+/// Gives all samples of a uniform pixel the lamp light of its centre.
+pub(super) fn share_lamp_light(pixel: &mut [StillSample]) {
+    if let [centre, others @ ..] = pixel {
+        for other in others {
+            other.direct = centre.direct;
+        }
     }
 }
 
