@@ -12,6 +12,7 @@ mod error;
 mod finish;
 mod network;
 mod polyline;
+mod road_map;
 mod route;
 mod spawn;
 mod walk;
@@ -23,4 +24,5 @@ pub use network::{
     SignalProgram, SpawnPoint, Turn, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId,
 };
 pub use polyline::{OnLine, Polyline};
+pub use road_map::{Area, AreaKind, Footprint, Mark, Note, Paint, RoadMap, Strip, StripKind, Thing, ThingKind};
 pub use walk::WalkGraph;
