@@ -12,6 +12,9 @@ pub struct RoadMap {
     pub network: RoadNetwork,
     /// Everything that is paved or lies between pavements, one strip a lane (connectors included).
     pub strips: Vec<Strip>,
+    /// Asphalt where roads meet and no strips say what lies there: outlines on the surface, counter-clockwise, not
+    /// closed. Importers whose connectors cover their junctions leave it empty; strips in a junction may overlap it.
+    pub junction_areas: Vec<Vec<DVec3>>,
     /// Paint on the road.
     pub marks: Vec<Mark>,
     /// What the land beside the roads is.
