@@ -11,6 +11,7 @@ mod cut;
 mod error;
 mod finish;
 mod network;
+pub mod opendrive;
 mod polyline;
 mod road_map;
 mod route;

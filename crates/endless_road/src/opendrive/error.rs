@@ -1,0 +1,43 @@
+//! What can be wrong with an OpenDRIVE file.
+
+use crate::NetworkError;
+
+/// Why a file was refused. One line, with the place in the file.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum OpenDriveError {
+    /// Not well-formed XML.
+    #[error("line {line}: not well-formed XML: {what}")]
+    Xml {
+        /// Line in the file, from 1.
+        line: usize,
+        /// What is wrong.
+        what: String,
+    },
+    /// Well-formed, but not OpenDRIVE as the standard has it.
+    #[error("line {line}: <{element}> {what}")]
+    Format {
+        /// Line in the file, from 1.
+        line: usize,
+        /// The element.
+        element: String,
+        /// What is wrong with it.
+        what: String,
+    },
+    /// More than a map can hold.
+    #[error("the file has more {what} than {most}")]
+    TooMuch {
+        /// Of what.
+        what: &'static str,
+        /// How many there may be.
+        most: usize,
+    },
+    /// Nothing to drive on.
+    #[error("the file has no lane for driving (of {roads} roads)")]
+    NoLanes {
+        /// How many roads it has.
+        roads: usize,
+    },
+    /// The network made of it contradicts itself.
+    #[error("the network of the file's lanes is not usable: {0}")]
+    Network(#[from] NetworkError),
+}

@@ -1,0 +1,21 @@
+//! ASAM OpenDRIVE 1.4 to 1.8: reading files into a [`RoadMap`](crate::RoadMap).
+//!
+//! [`Document::parse`] reads the file as it is written; `geometry` evaluates its curves and profiles; `to_map` makes
+//! lanes, junctions, signals, crossings and sidewalks of it. What is not understood becomes a note with its line.
+//! Which elements are read is listed in `docs/opendrive.md`.
+
+mod document;
+mod error;
+mod geometry;
+mod parse;
+mod schema;
+mod to_map;
+mod xml;
+
+pub use document::{
+    Connection, Controller, Corner, Cubic, Curve, Document, End, Geometry, Junction, JunctionKind, LaneRecord,
+    LaneSection, MarkLine, Object, Orientation, Repeat, Road, RoadLink, RoadMark, RoadType, Shape, Signal,
+    SignalReference,
+};
+pub use error::OpenDriveError;
+pub use to_map::read;

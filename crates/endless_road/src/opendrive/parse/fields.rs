@@ -1,0 +1,139 @@
+//! Values of attributes, and complaints about them.
+
+use super::super::OpenDriveError;
+use super::super::document::{Cubic, End, Orientation};
+use super::super::xml::Element;
+use crate::Note;
+
+/// Beyond this no coordinate or length means anything, metres.
+const FARTHEST: f64 = 1e7;
+
+/// Reads attributes; collects what had to be guessed.
+#[derive(Debug, Default)]
+pub(super) struct Fields {
+    pub(super) notes: Vec<Note>,
+}
+
+pub(super) fn format_error(element: &Element, what: impl Into<String>) -> OpenDriveError {
+    OpenDriveError::Format { line: element.line, element: element.name.clone(), what: what.into() }
+}
+
+impl Fields {
+    pub(super) fn note(&mut self, element: &Element, text: String) {
+        let id = element.attribute("id").map(|id| format!(" {id}")).unwrap_or_default();
+        self.notes.push(Note { place: format!("line {}: {}{id}", element.line, element.name), text });
+    }
+
+    /// A number that must be there.
+    pub(super) fn number(&self, element: &Element, name: &str) -> Result<f64, OpenDriveError> {
+        let Some(text) = element.attribute(name) else {
+            return Err(format_error(element, format!("lacks the attribute {name}")));
+        };
+        match finite(text) {
+            Some(value) => Ok(value),
+            None => Err(format_error(element, format!("has {name}=\"{}\", which is no usable number", short(text)))),
+        }
+    }
+
+    /// A number that may be missing; one that makes no sense counts as missing, with a note.
+    pub(super) fn optional(&mut self, element: &Element, name: &str) -> Option<f64> {
+        let text = element.attribute(name)?;
+        let value = finite(text);
+        if value.is_none() && !text.trim().is_empty() {
+            self.note(element, format!("{name}=\"{}\" is no usable number and was left out", short(text)));
+        }
+        value
+    }
+
+    pub(super) fn number_or(&mut self, element: &Element, name: &str, default: f64) -> f64 {
+        self.optional(element, name).unwrap_or(default)
+    }
+
+    pub(super) fn lane_id(&self, element: &Element, name: &str) -> Result<i32, OpenDriveError> {
+        let text = element.attribute(name).unwrap_or_default();
+        match text.trim().parse() {
+            Ok(id) => Ok(id),
+            Err(_) => Err(format_error(element, format!("has {name}=\"{}\", which is no lane id", short(text)))),
+        }
+    }
+
+    pub(super) fn cubic(&self, element: &Element, start: &str) -> Result<Cubic, OpenDriveError> {
+        let s = self.number(element, start)?;
+        Ok(Cubic { s, abcd: self.four(element, ["a", "b", "c", "d"])? })
+    }
+
+    pub(super) fn four(&self, element: &Element, names: [&str; 4]) -> Result<[f64; 4], OpenDriveError> {
+        let mut values = [0.0; 4];
+        for (value, name) in values.iter_mut().zip(names) {
+            *value = self.number(element, name)?;
+        }
+        Ok(values)
+    }
+
+    /// All cubics of a name, in order of `s`.
+    pub(super) fn cubics(
+        &self,
+        parent: Option<&Element>,
+        name: &str,
+        start: &str,
+    ) -> Result<Vec<Cubic>, OpenDriveError> {
+        let mut cubics = Vec::new();
+        for element in parent.into_iter().flat_map(|parent| parent.all(name)) {
+            cubics.push(self.cubic(element, start)?);
+        }
+        cubics.sort_by(|a, b| a.s.total_cmp(&b.s));
+        Ok(cubics)
+    }
+
+    /// A speed in metres a second.
+    pub(super) fn speed(&mut self, element: &Element) -> Option<f64> {
+        let text = element.attribute("max").unwrap_or_default().trim();
+        if matches!(text, "" | "no limit" | "undefined") {
+            return None;
+        }
+        let value = self.optional(element, "max")?;
+        let unit = element.attribute("unit").unwrap_or("m/s").trim();
+        let factor = match unit {
+            "m/s" | "" => 1.0,
+            "km/h" | "kmh" => 1.0 / 3.6,
+            "mph" => 0.44704,
+            other => {
+                self.note(element, format!("speed in unknown unit \"{}\" was left out", short(other)));
+                return None;
+            }
+        };
+        (value > 0.0).then_some(value * factor)
+    }
+
+    pub(super) fn contact(&mut self, element: &Element, default: End) -> End {
+        match element.attribute("contactPoint") {
+            Some("start") => End::Start,
+            Some("end") => End::End,
+            None => default,
+            Some(other) => {
+                self.note(element, format!("contactPoint=\"{}\" is neither start nor end", short(other)));
+                default
+            }
+        }
+    }
+}
+
+pub(super) fn orientation(element: &Element) -> Orientation {
+    match element.attribute("orientation") {
+        Some("+") => Orientation::Along,
+        Some("-") => Orientation::Against,
+        _ => Orientation::Both,
+    }
+}
+
+pub(super) fn text(element: &Element, name: &str) -> String {
+    element.attribute(name).unwrap_or_default().trim().to_owned()
+}
+
+fn finite(text: &str) -> Option<f64> {
+    text.trim().parse::<f64>().ok().filter(|value| value.abs() <= FARTHEST)
+}
+
+fn short(text: &str) -> String {
+    text.chars().filter(|c| !c.is_control()).take(40).collect()
+}

@@ -1,0 +1,55 @@
+//! Junctions and controllers.
+
+use super::super::OpenDriveError;
+use super::super::document::{Connection, Controller, End, Junction, JunctionKind};
+use super::super::xml::Element;
+use super::fields::{Fields, text};
+
+impl Fields {
+    pub(super) fn junction(&mut self, element: &Element) -> Result<Junction, OpenDriveError> {
+        let kind = match element.attribute("type") {
+            Some("direct") => JunctionKind::Direct,
+            Some("virtual") => JunctionKind::Virtual,
+            Some("crossing") => JunctionKind::Crossing,
+            _ => JunctionKind::Default,
+        };
+        let mut junction = Junction {
+            id: text(element, "id"),
+            line: element.line,
+            name: text(element, "name"),
+            kind,
+            ..Junction::default()
+        };
+        for connection in element.all("connection") {
+            let mut lane_links = Vec::new();
+            for link in connection.all("laneLink") {
+                lane_links.push((self.lane_id(link, "from")?, self.lane_id(link, "to")?));
+            }
+            let connecting = if kind == JunctionKind::Direct { "linkedRoad" } else { "connectingRoad" };
+            junction.connections.push(Connection {
+                line: connection.line,
+                incoming: text(connection, "incomingRoad"),
+                connecting: text(connection, connecting),
+                contact: self.contact(connection, End::Start),
+                lane_links,
+            });
+        }
+        for priority in element.all("priority") {
+            junction.priorities.push((text(priority, "high"), text(priority, "low")));
+        }
+        for controller in element.all("controller") {
+            let sequence = self.number_or(controller, "sequence", 0.0).max(0.0) as u32;
+            junction.controllers.push((text(controller, "id"), sequence));
+        }
+        Ok(junction)
+    }
+
+    pub(super) fn controller(&mut self, element: &Element) -> Result<Controller, OpenDriveError> {
+        Ok(Controller {
+            id: text(element, "id"),
+            name: text(element, "name"),
+            sequence: self.optional(element, "sequence").map(|value| value.max(0.0) as u32),
+            signals: element.all("control").map(|control| text(control, "signalId")).collect(),
+        })
+    }
+}

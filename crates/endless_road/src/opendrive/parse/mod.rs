@@ -1,0 +1,59 @@
+//! From the tree of elements to a [`Document`].
+
+mod fields;
+mod junction;
+mod lane;
+mod object;
+mod road;
+
+use super::document::Document;
+use super::xml::{self, Element};
+use super::{OpenDriveError, schema};
+use fields::Fields;
+
+impl Document {
+    /// Reads a file's text.
+    ///
+    /// # Errors
+    /// If it is not well-formed XML, not OpenDRIVE, or lacks what cannot be guessed, with the line.
+    pub fn parse(text: &str) -> Result<Self, OpenDriveError> {
+        let root = xml::tree(text)?;
+        if root.name != "OpenDRIVE" {
+            let what = "is not <OpenDRIVE>: this is another kind of file".to_owned();
+            return Err(OpenDriveError::Format { line: root.line, element: root.name, what });
+        }
+        let mut fields = Fields::default();
+        let mut document = Document::default();
+        if let Some(header) = root.first("header") {
+            read_header(header, &mut fields, &mut document);
+        }
+        for element in root.all("road") {
+            let road = fields.road(element)?;
+            document.roads.push(road);
+        }
+        for element in root.all("junction") {
+            let junction = fields.junction(element)?;
+            document.junctions.push(junction);
+        }
+        for element in root.all("controller") {
+            document.controllers.push(fields.controller(element)?);
+        }
+        document.notes = schema::unknown_parts(&root);
+        document.notes.extend(fields.notes);
+        Ok(document)
+    }
+}
+
+fn read_header(header: &Element, fields: &mut Fields, document: &mut Document) {
+    let revision = |name: &str| header.attribute(name).and_then(|v| v.trim().parse().ok()).unwrap_or(0);
+    document.revision = (revision("revMajor"), revision("revMinor"));
+    if document.revision.0 != 1 {
+        fields.note(header, format!("revision {} is read as if it were 1", document.revision.0));
+    }
+    document.name = header.attribute("name").unwrap_or_default().to_owned();
+    document.georeference = header.first("geoReference").map(|g| g.text.clone()).filter(|text| !text.is_empty());
+    if header.first("offset").is_some() {
+        let what = "the offset is not added: coordinates stay as the file has them";
+        fields.note(header, what.to_owned());
+    }
+}

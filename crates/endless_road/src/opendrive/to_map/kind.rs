@@ -1,0 +1,64 @@
+//! What the standard's lane types mean here.
+
+use crate::StripKind;
+
+/// Whether traffic drives on a lane of this type.
+pub(super) fn is_driven(kind: &str) -> bool {
+    matches!(
+        kind,
+        "driving"
+            | "entry"
+            | "exit"
+            | "onRamp"
+            | "offRamp"
+            | "connectingRamp"
+            | "slipLane"
+            | "mwyEntry"
+            | "mwyExit"
+            | "bus"
+            | "taxi"
+            | "HOV"
+            | "shared"
+    )
+}
+
+/// Whether people walk on it.
+pub(super) fn is_walked(kind: &str) -> bool {
+    matches!(kind, "sidewalk" | "walking")
+}
+
+/// The surface of a lane of this type; `None` for what is not paved.
+pub(super) fn strip_kind(kind: &str) -> Option<StripKind> {
+    Some(match kind {
+        kind if is_driven(kind) => StripKind::Driving,
+        "bidirectional" => StripKind::Driving,
+        kind if is_walked(kind) => StripKind::Sidewalk,
+        "shoulder" | "border" | "stop" | "restricted" | "roadWorks" | "special1" | "special2" | "special3" => {
+            StripKind::Shoulder
+        }
+        "parking" => StripKind::Parking,
+        "biking" => StripKind::Biking,
+        "median" => StripKind::Median,
+        "curb" => StripKind::Curb,
+        "tram" | "rail" => StripKind::Rail,
+        _ => return None,
+    })
+}
+
+/// The limit on a road of this type where none is stated, m/s.
+pub(super) fn usual_speed(kind: &str) -> f64 {
+    let kmh = match kind {
+        "motorway" => 120.0,
+        "rural" | "townExpressway" => 80.0,
+        "lowSpeed" | "townPrivate" => 30.0,
+        "pedestrian" | "townPlayStreet" => 15.0,
+        _ => 50.0,
+    };
+    kmh / 3.6
+}
+
+/// Surfaces that are not paved.
+pub(super) fn is_unpaved(material: &str) -> bool {
+    let material = material.to_ascii_lowercase();
+    ["gravel", "soil", "earth", "dirt", "grass", "sand", "mud"].iter().any(|word| material.contains(word))
+}

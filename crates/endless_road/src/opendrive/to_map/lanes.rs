@@ -1,0 +1,394 @@
+//! The lanes traffic drives on: pieces of lanes by section, joined to one another and then to longer lanes.
+
+use super::super::document::End;
+use super::joins::LaneEnd;
+use super::kind::{is_driven, usual_speed};
+use super::sampled::{LaneKey, Sampled};
+use crate::{Control, Junction, JunctionId, Lane, LaneId, Note, Polyline, Turn};
+use endless_world::math::f64::{atan2, wrap_angle};
+use glam::DVec3;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A lane narrower than this along its middle is not driven on, metres.
+const NARROWEST_M: f64 = 1.5;
+/// Lanes shorter than this are joined to others, metres.
+pub(super) const SHORTEST_M: f64 = 1.5;
+/// Ends further apart than this are not joined, whatever the file says, metres.
+const MOST_GAP_M: f64 = 2.5;
+/// Nor lanes that meet at more than this, radians.
+const MOST_KINK: f64 = 1.2;
+
+/// A lane to be.
+#[derive(Debug, Clone)]
+pub(super) struct Node {
+    /// In the direction of travel.
+    pub(super) points: Vec<DVec3>,
+    /// Width at each point.
+    pub(super) widths: Vec<f64>,
+    /// The lanes of sections it is made of, in the direction of travel.
+    pub(super) keys: Vec<LaneKey>,
+    pub(super) next: Vec<usize>,
+    pub(super) before: Vec<usize>,
+    /// Whether it runs in the direction of its road's `s`.
+    pub(super) along: bool,
+    /// Place of its junction in the document.
+    pub(super) junction: Option<usize>,
+    /// Joined to others, or dropped.
+    pub(super) gone: bool,
+}
+
+impl Node {
+    pub(super) fn length(&self) -> f64 {
+        self.points.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
+    }
+
+    pub(super) fn first_heading(&self) -> f64 {
+        heading(self.points[0], self.points[1])
+    }
+
+    pub(super) fn last_heading(&self) -> f64 {
+        let n = self.points.len();
+        heading(self.points[n - 2], self.points[n - 1])
+    }
+}
+
+fn heading(a: DVec3, b: DVec3) -> f64 {
+    atan2(b.y - a.y, b.x - a.x)
+}
+
+/// Lanes to be, and which follow which.
+#[derive(Debug, Clone)]
+pub(super) struct Graph {
+    pub(super) nodes: Vec<Node>,
+    /// The node a lane of a section has become part of.
+    pub(super) owner: BTreeMap<LaneKey, usize>,
+    /// The lanes' ids, once finished.
+    pub(super) ids: Vec<Option<LaneId>>,
+}
+
+impl Graph {
+    pub(super) fn new(sampled: &Sampled<'_>, joins: &BTreeSet<(LaneEnd, LaneEnd)>, notes: &mut Vec<Note>) -> Self {
+        let mut graph = Self { nodes: Vec::new(), owner: BTreeMap::new(), ids: Vec::new() };
+        let junction_places: BTreeMap<&str, usize> =
+            sampled.document.junctions.iter().enumerate().map(|(i, j)| (j.id.as_str(), i)).collect();
+        for (key, record) in sampled.keys().filter(|(_, record)| is_driven(&record.kind)) {
+            let Some(node) = node(sampled, key, &junction_places) else { continue };
+            if middle_width(&node) < NARROWEST_M {
+                let place = format!("line {}", record.line);
+                notes.push(Note { place, text: "a lane too narrow to drive on is only drawn".to_owned() });
+                continue;
+            }
+            graph.owner.insert(key, graph.nodes.len());
+            graph.nodes.push(node);
+        }
+        for &(a, b) in joins {
+            graph.join(sampled, a, b, notes);
+        }
+        graph
+    }
+
+    fn join(&mut self, sampled: &Sampled<'_>, a: LaneEnd, b: LaneEnd, notes: &mut Vec<Note>) {
+        let (Some(&x), Some(&y)) = (self.owner.get(&a.0), self.owner.get(&b.0)) else { return };
+        let leaves = |(key, end): LaneEnd| sampled.runs_along(key) == (end == End::End);
+        let (from, to) = match (leaves(a), leaves(b)) {
+            (true, false) => (x, y),
+            (false, true) => (y, x),
+            _ => return,
+        };
+        let (p, q) = (&self.nodes[from], &self.nodes[to]);
+        let gap = p.points[p.points.len() - 1].distance(q.points[0]);
+        let kink = wrap_angle(q.first_heading() - p.last_heading()).abs();
+        if gap > MOST_GAP_M || kink > MOST_KINK {
+            let line = sampled.record(a.0).map_or(0, |lane| lane.line);
+            let road = |key: LaneKey| &sampled.document.roads[key.road].id;
+            let text = format!(
+                "lane {} of road {} and lane {} of road {} are linked but {gap:.2} m and {:.0}° apart: not joined",
+                a.0.lane,
+                road(a.0),
+                b.0.lane,
+                road(b.0),
+                kink.to_degrees()
+            );
+            notes.push(Note { place: format!("line {line}"), text });
+            return;
+        }
+        if !self.nodes[from].next.contains(&to) {
+            self.nodes[from].next.push(to);
+            self.nodes[to].before.push(from);
+        }
+    }
+
+    /// Makes one lane of those that simply go on in the next section, and lets none be very short.
+    pub(super) fn simplify(&mut self) {
+        self.join_sections();
+        self.join_short();
+    }
+
+    /// Sections whose lanes in one direction follow one another one to one are joined, all lanes at once: lanes side
+    /// by side stay side by side.
+    fn join_sections(&mut self) {
+        // Lanes by road, direction and section.
+        let mut sides: BTreeMap<(usize, bool), BTreeMap<usize, Vec<usize>>> = BTreeMap::new();
+        for (&key, &node) in &self.owner {
+            sides.entry((key.road, self.nodes[node].along)).or_default().entry(key.section).or_default().push(node);
+        }
+        for ((_, along), sections) in sides {
+            let mut order: Vec<(usize, Vec<usize>)> = sections.into_iter().collect();
+            if !along {
+                order.reverse();
+            }
+            let mut heads: Vec<usize> = Vec::new();
+            let mut last_section = None;
+            for (section, nodes) in order {
+                let adjacent = last_section.is_some_and(|last: usize| last.abs_diff(section) == 1);
+                let follows = |graph: &Self, tail: usize| match graph.nodes[tail].next[..] {
+                    [next] => (graph.nodes[next].before.len() == 1 && nodes.contains(&next)).then_some(next),
+                    _ => None,
+                };
+                let matches =
+                    adjacent && heads.len() == nodes.len() && heads.iter().all(|&head| follows(self, head).is_some());
+                if matches {
+                    for head in heads.clone() {
+                        if let Some(next) = follows(self, head) {
+                            self.append(head, next);
+                        }
+                    }
+                } else {
+                    heads = nodes;
+                }
+                last_section = Some(section);
+            }
+        }
+    }
+
+    /// `next`, which alone follows `node` and follows it alone, becomes part of it.
+    fn append(&mut self, node: usize, next: usize) {
+        let taken = std::mem::take(&mut self.nodes[next].points);
+        let widths = std::mem::take(&mut self.nodes[next].widths);
+        let keys = std::mem::take(&mut self.nodes[next].keys);
+        let after = std::mem::take(&mut self.nodes[next].next);
+        self.nodes[next].gone = true;
+        for &key in &keys {
+            self.owner.insert(key, node);
+        }
+        for &later in &after {
+            for before in &mut self.nodes[later].before {
+                if *before == next {
+                    *before = node;
+                }
+            }
+        }
+        let target = &mut self.nodes[node];
+        extend(&mut target.points, &mut target.widths, &taken, &widths);
+        target.keys.extend(keys);
+        target.next = after;
+    }
+
+    fn join_short(&mut self) {
+        for short in 0..self.nodes.len() {
+            if !self.nodes[short].gone && self.nodes[short].length() < SHORTEST_M {
+                self.join_one(short);
+            }
+        }
+    }
+
+    /// Makes a short lane part of those before or after it; where it merges with others it becomes part of each.
+    fn join_one(&mut self, short: usize) {
+        let Node { before, next, .. } = self.nodes[short].clone();
+        let only = |list: &[usize]| (list.len() == 1 && list[0] != short).then(|| list[0]);
+        if let Some(after) = only(&next).filter(|&after| self.nodes[after].before.len() == 1) {
+            let kept = self.nodes[after].junction;
+            self.append(short, after);
+            self.nodes[short].junction = kept;
+            return;
+        }
+        if let Some(earlier) = only(&before).filter(|&earlier| self.nodes[earlier].next.len() == 1) {
+            self.append(earlier, short);
+            return;
+        }
+        let leads_only_here = |list: &[usize], of: &dyn Fn(usize) -> usize| {
+            !list.is_empty() && !list.contains(&short) && list.iter().all(|&other| of(other) == 1)
+        };
+        if leads_only_here(&before, &|other| self.nodes[other].next.len()) {
+            let Node { points, widths, .. } = self.nodes[short].clone();
+            for &earlier in &before {
+                let node = &mut self.nodes[earlier];
+                extend(&mut node.points, &mut node.widths, &points, &widths);
+            }
+            self.bypass(short, before[0]);
+        } else if leads_only_here(&next, &|other| self.nodes[other].before.len()) {
+            let Node { points, widths, .. } = self.nodes[short].clone();
+            for &later in &next {
+                let node = &mut self.nodes[later];
+                let (mut all, mut all_widths) = (points.clone(), widths.clone());
+                extend(&mut all, &mut all_widths, &node.points, &node.widths);
+                (node.points, node.widths) = (all, all_widths);
+            }
+            self.bypass(short, next[0]);
+        } else if before.is_empty() || next.is_empty() || self.nodes[short].length() < 0.5 {
+            let heir = before.first().or(next.first()).copied().unwrap_or(short);
+            self.bypass(short, heir);
+        }
+    }
+
+    /// Drops a lane; those before it lead to those after it.
+    fn bypass(&mut self, short: usize, heir: usize) {
+        let Node { before, next, keys, .. } = self.nodes[short].clone();
+        for &earlier in &before {
+            let list = &mut self.nodes[earlier].next;
+            list.retain(|&n| n != short);
+            for &later in next.iter().filter(|&&later| later != short) {
+                if !list.contains(&later) {
+                    list.push(later);
+                }
+            }
+        }
+        for &later in &next {
+            let list = &mut self.nodes[later].before;
+            list.retain(|&n| n != short);
+            for &earlier in before.iter().filter(|&&earlier| earlier != short) {
+                if !list.contains(&earlier) {
+                    list.push(earlier);
+                }
+            }
+        }
+        for key in keys {
+            if heir == short {
+                self.owner.remove(&key);
+            } else {
+                self.owner.insert(key, heir);
+            }
+        }
+        let node = &mut self.nodes[short];
+        (node.before, node.next, node.gone) = (Vec::new(), Vec::new(), true);
+    }
+
+    /// Lanes and junctions with their final ids.
+    pub(super) fn finish(&mut self, sampled: &Sampled<'_>) -> (Vec<Lane>, Vec<Junction>) {
+        self.ids = vec![None; self.nodes.len()];
+        let mut count = 0;
+        for (node, id) in self.nodes.iter().zip(&mut self.ids) {
+            if !node.gone && node.points.iter().any(|p| p.distance(node.points[0]) > 0.01) {
+                *id = Some(LaneId(count));
+                count += 1;
+            }
+        }
+        let used: BTreeSet<usize> = self.present().filter_map(|(node, _)| node.junction).collect();
+        let places: BTreeMap<usize, JunctionId> =
+            used.iter().enumerate().map(|(i, &j)| (j, JunctionId(i as u16))).collect();
+        let mut junctions = vec![Junction::default(); used.len()];
+        let mut lanes = Vec::new();
+        for (node, id) in self.present() {
+            let junction = node.junction.map(|j| places[&j]);
+            if let Some(junction) = junction {
+                junctions[junction.index()].lanes.push(id);
+            }
+            lanes.push(Lane {
+                id,
+                centerline: Polyline::new(node.points.iter().copied()),
+                width_m: middle_width(node),
+                speed_limit_mps: self.speed(sampled, node),
+                successors: node.next.iter().filter_map(|&next| self.ids[next]).collect(),
+                predecessors: Vec::new(),
+                left: None,
+                right: None,
+                junction,
+                turn: if junction.is_some() { turn(node) } else { Turn::Straight },
+                end_control: Control::Free,
+            });
+        }
+        (lanes, junctions)
+    }
+
+    /// The lanes that are left, with their ids.
+    pub(super) fn present(&self) -> impl Iterator<Item = (&Node, LaneId)> {
+        self.nodes.iter().zip(&self.ids).filter_map(|(node, id)| id.map(|id| (node, id)))
+    }
+
+    /// What is stated for the lane or its road, or what is usual; ways through junctions are as fast as the slower
+    /// of the lanes they join.
+    fn speed(&self, sampled: &Sampled<'_>, node: &Node) -> f64 {
+        if let Some(stated) = node.keys.iter().find_map(|&key| stated_speed(sampled, key)) {
+            return stated;
+        }
+        let around = node.before.iter().chain(&node.next).map(|&other| &self.nodes[other]);
+        let speeds = around.filter_map(|other| other.keys.iter().find_map(|&key| stated_speed(sampled, key)));
+        let usual = || {
+            let types = node.keys.first().map(|key| &sampled.document.roads[key.road].types);
+            usual_speed(types.and_then(|types| types.first()).map_or("", |first| first.kind.as_str()))
+        };
+        speeds.min_by(f64::total_cmp).unwrap_or_else(usual)
+    }
+}
+
+fn stated_speed(sampled: &Sampled<'_>, key: LaneKey) -> Option<f64> {
+    let record = sampled.record(key)?;
+    let road = &sampled.document.roads[key.road];
+    let section = sampled.sections[key.road][key.section].as_ref()?;
+    let (from, to) = (section.stations[0], section.stations[section.stations.len() - 1]);
+    let middle = 0.5 * (from + to);
+    let of_lane = record.speeds.iter().rev().find(|speed| speed.0 <= middle - from).map(|speed| speed.1);
+    let of_road = road.types.iter().rev().find(|kind| kind.s <= middle).and_then(|kind| kind.speed);
+    of_lane.or(of_road).map(|speed| speed.clamp(1.5, 100.0))
+}
+
+fn node(sampled: &Sampled<'_>, key: LaneKey, junctions: &BTreeMap<&str, usize>) -> Option<Node> {
+    let lane = sampled.lane(key)?;
+    let (mut points, mut widths) = (lane.middle(), lane.width.clone());
+    let along = sampled.runs_along(key);
+    if !along {
+        points.reverse();
+        widths.reverse();
+    }
+    let junction = sampled.document.roads[key.road].junction.as_deref();
+    Some(Node {
+        points,
+        widths,
+        keys: vec![key],
+        next: Vec::new(),
+        before: Vec::new(),
+        along,
+        junction: junction.and_then(|id| junctions.get(id).copied()),
+        gone: false,
+    })
+}
+
+/// The least width between a quarter and three quarters of the lane.
+fn middle_width(node: &Node) -> f64 {
+    let length = node.length();
+    let (mut s, mut least) = (0.0, f64::INFINITY);
+    for i in 0..node.points.len() {
+        if i > 0 {
+            s += node.points[i - 1].distance(node.points[i]);
+        }
+        if s >= 0.25 * length && s <= 0.75 * length {
+            least = least.min(node.widths[i]);
+        }
+    }
+    if least.is_finite() { least } else { 0.5 * (node.widths[0] + node.widths[node.widths.len() - 1]) }
+}
+
+fn turn(node: &Node) -> Turn {
+    // Summed along the way, so that a loop counts as what it is.
+    let mut total = 0.0;
+    let mut last = node.first_heading();
+    for pair in node.points.windows(2) {
+        let here = heading(pair[0], pair[1]);
+        total += wrap_angle(here - last);
+        last = here;
+    }
+    match total.to_degrees() {
+        angle if angle.abs() < 35.0 => Turn::Straight,
+        angle if angle.abs() > 150.0 => Turn::UTurn,
+        angle if angle > 0.0 => Turn::Left,
+        _ => Turn::Right,
+    }
+}
+
+/// Puts a line after another; of two points nearly in one place the first is kept.
+fn extend(points: &mut Vec<DVec3>, widths: &mut Vec<f64>, more: &[DVec3], more_widths: &[f64]) {
+    let end = points[points.len() - 1];
+    let skip = usize::from(more.len() > 1 && more[0].distance(end) < 0.1);
+    points.extend(&more[skip..]);
+    widths.extend(&more_widths[skip..]);
+}

@@ -1,0 +1,162 @@
+//! An XML file as a tree whose every element knows its line.
+
+use super::OpenDriveError;
+use quick_xml::Reader;
+use quick_xml::events::{BytesStart, Event};
+
+/// Elements deeper than this are not a road network.
+const DEEPEST: usize = 64;
+
+/// One element.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Element {
+    /// Name, without a namespace's prefix.
+    pub(crate) name: String,
+    /// Line in the file, from 1.
+    pub(crate) line: usize,
+    /// In the order of the file.
+    pub(crate) attributes: Vec<(String, String)>,
+    /// In the order of the file.
+    pub(crate) children: Vec<Element>,
+    /// Text directly inside, trimmed.
+    pub(crate) text: String,
+}
+
+impl Element {
+    /// The value of an attribute.
+    pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
+        self.attributes.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
+    }
+
+    /// The children of this name.
+    pub(crate) fn all<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a Element> {
+        self.children.iter().filter(move |child| child.name == name)
+    }
+
+    /// The first child of this name.
+    pub(crate) fn first(&self, name: &str) -> Option<&Element> {
+        self.children.iter().find(|child| child.name == name)
+    }
+}
+
+/// The root element of a file.
+pub(crate) fn tree(text: &str) -> Result<Element, OpenDriveError> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut reader = Reader::from_str(text);
+    let mut lines = Lines { text: text.as_bytes(), at: 0, line: 1 };
+    let mut open: Vec<Element> = Vec::new();
+    loop {
+        let line = lines.of(reader.buffer_position() as usize);
+        let event = reader.read_event().map_err(|error| {
+            let line = lines.of(reader.error_position() as usize);
+            OpenDriveError::Xml { line, what: error.to_string() }
+        })?;
+        match event {
+            Event::Start(start) => {
+                if open.len() >= DEEPEST {
+                    let what = format!("elements are nested deeper than {DEEPEST}");
+                    return Err(OpenDriveError::Xml { line, what });
+                }
+                open.push(element(&start, lines.of(reader.buffer_position() as usize))?);
+            }
+            Event::Empty(start) => {
+                let done = element(&start, lines.of(reader.buffer_position() as usize))?;
+                match open.last_mut() {
+                    Some(parent) => parent.children.push(done),
+                    None => return Ok(done),
+                }
+            }
+            Event::End(_) => {
+                // The reader has checked that the names match, so there is one.
+                let Some(done) = open.pop() else { continue };
+                match open.last_mut() {
+                    Some(parent) => parent.children.push(done),
+                    None => return Ok(done),
+                }
+            }
+            Event::Text(words) => append(&mut open, &words),
+            Event::CData(words) => append(&mut open, &words),
+            Event::Eof => {
+                let what = match open.last() {
+                    Some(element) => {
+                        format!("the file ends inside <{}> of line {}", element.name, element.line)
+                    }
+                    None => "there is no element in the file".to_owned(),
+                };
+                return Err(OpenDriveError::Xml { line, what });
+            }
+            _ => {}
+        }
+    }
+}
+
+fn append(open: &mut [Element], words: &str) {
+    if let Some(element) = open.last_mut() {
+        element.text.push_str(words.trim());
+    }
+}
+
+fn element(start: &BytesStart<'_>, line: usize) -> Result<Element, OpenDriveError> {
+    let mut attributes = Vec::new();
+    for attribute in start.attributes() {
+        let attribute = attribute.map_err(|error| OpenDriveError::Xml { line, what: error.to_string() })?;
+        let raw = &attribute.value;
+        let value = quick_xml::escape::unescape(raw).map_or_else(|_| raw.to_string(), std::borrow::Cow::into_owned);
+        attributes.push((attribute.key.local_name().into_inner().to_owned(), value));
+    }
+    let name = start.local_name().into_inner().to_owned();
+    Ok(Element { name, line, attributes, children: Vec::new(), text: String::new() })
+}
+
+/// Counts lines while the reader goes forward.
+struct Lines<'a> {
+    text: &'a [u8],
+    at: usize,
+    line: usize,
+}
+
+impl Lines<'_> {
+    /// The line of a byte not before those asked for already; before them, the last answer.
+    fn of(&mut self, place: usize) -> usize {
+        let place = place.min(self.text.len());
+        if place > self.at {
+            self.line += self.text[self.at..place].iter().filter(|&&byte| byte == b'\n').count();
+            self.at = place;
+        }
+        self.line
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn elements_know_their_lines() {
+        let root =
+            tree("<?xml version='1.0'?>\n<!-- a\nb -->\n<a x='1 &lt; 2'>\n <b/>\n t\n <c><d y=\"3\"/></c>\n</a>")
+                .unwrap();
+        assert_eq!(
+            (root.name.as_str(), root.line, root.attribute("x"), root.text.as_str()),
+            ("a", 4, Some("1 < 2"), "t")
+        );
+        assert_eq!(root.first("b").unwrap().line, 5);
+        assert_eq!(root.first("c").unwrap().all("d").next().unwrap().line, 7);
+    }
+
+    #[test]
+    fn broken_files_say_where() {
+        for (text, words) in [
+            ("", "no element"),
+            ("<a>\n<b>\n</a>", "line 3"),
+            ("<a>\n<b x=1/>", "line 2"),
+            ("<a>\n<b>", "inside <b> of line 2"),
+            ("just text", "no element"),
+        ] {
+            let error = tree(text).unwrap_err().to_string();
+            assert!(error.contains(words), "{text:?}: {error}");
+            assert!(!error.contains('\n'), "{error}");
+        }
+        assert!(tree(&"<a>".repeat(100)).unwrap_err().to_string().contains("deeper"));
+    }
+}
