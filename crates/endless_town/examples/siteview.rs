@@ -1,16 +1,20 @@
-//! Draws what a camera site sees, flat-shaded: `cargo run -p endless_town --release --example siteview -- Town03 0 out.png`.
-//! Lists the sites if no number is given.
+//! Draws what a camera site sees, flat-shaded: `cargo run -p endless_town --release --example siteview -- Town03 0 out.png`;
+//! `all` in place of the number draws every site on one sheet. Lists the sites if no number is given.
 
-use endless_asset::{Catalogue, Mesh, Surface};
-use endless_town::{Town, What, load};
-use endless_world::{ImageSize, PinholeCamera, math};
+use endless_asset::{Catalogue, Mesh, Prop, Surface};
+use endless_town::{Placement, Town, What, load};
+use endless_world::{CameraSite, ImageSize, PinholeCamera, math};
 use glam::{Affine3A, Vec2, Vec3};
-use std::{error::Error, fs::File, io::BufWriter, io::Write};
+use std::{collections::BTreeMap, error::Error, fs::File, io::BufWriter, io::Write};
 
-const SIZE: ImageSize = ImageSize { width: 960, height: 540 };
+const LARGE: ImageSize = ImageSize { width: 960, height: 540 };
+const SMALL: ImageSize = ImageSize { width: 480, height: 270 };
+/// Pictures side by side on a sheet.
+const COLUMNS: usize = 3;
 const NEAR_M: f32 = 0.1;
 
 struct Film {
+    size: ImageSize,
     camera: PinholeCamera,
     pixels: Vec<[u8; 3]>,
     /// Inverse depth.
@@ -21,6 +25,9 @@ impl Film {
     fn mesh(&mut self, mesh: &Mesh, world_from_mesh: Affine3A, tint: Vec3) {
         for (t, &m) in mesh.triangles.iter().zip(&mesh.triangle_materials) {
             let corners = t.map(|i| world_from_mesh.transform_point3(mesh.positions[i as usize]));
+            if corners.iter().all(|&p| self.camera.camera_from_world(p).z < NEAR_M) {
+                continue;
+            }
             let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize_or_zero();
             let light = 0.3 + 0.55 * normal.dot(Vec3::new(-0.5, 0.35, 0.79)).max(0.0) + 0.15 * normal.z.max(0.0);
             let back = normal.dot(corners[0] - self.camera.position) > 0.0;
@@ -54,7 +61,7 @@ impl Film {
         let k = self.camera.intrinsics;
         let [p, q, r] = corners.map(|c| Vec2::new(k.fx * c.x / c.z + k.cx, k.fy * c.y / c.z + k.cy));
         let area = (q - p).perp_dot(r - p);
-        let limit = Vec2::new(SIZE.width as f32 - 1.0, SIZE.height as f32 - 1.0);
+        let limit = Vec2::new(self.size.width as f32 - 1.0, self.size.height as f32 - 1.0);
         let (low, high) = (p.min(q).min(r).floor().max(Vec2::ZERO), p.max(q).max(r).ceil().min(limit));
         if area.abs() < 1e-9 || high.x < low.x || high.y < low.y {
             return;
@@ -70,7 +77,7 @@ impl Film {
                     continue;
                 }
                 let near = inverse[0] * w0 + inverse[1] * w1 + inverse[2] * w2;
-                let i = y * SIZE.width as usize + x;
+                let i = y * self.size.width as usize + x;
                 if near > self.near[i] {
                     self.near[i] = near;
                     self.pixels[i] = color;
@@ -80,12 +87,18 @@ impl Film {
     }
 }
 
-fn draw(town: &Town, catalogue: &Catalogue, film: &mut Film) {
-    for placement in &town.placements {
+fn draw(town: &Town, catalogue: &Catalogue, made: &mut Made, film: &mut Film) {
+    // Far woods are as good as hills here.
+    let eye = film.camera.position;
+    let near = |p: &&Placement| {
+        matches!(p.what, What::Own(_)) || Vec3::from(p.world_from_object.translation).distance(eye) < 110.0
+    };
+    for placement in town.placements.iter().filter(near) {
         match placement.what {
             What::Own(i) => film.mesh(&town.meshes[i as usize], placement.world_from_object, Vec3::ONE),
             What::Prop(prop, variant) => {
-                film.mesh(&catalogue.prop(prop, variant), placement.world_from_object, Vec3::ONE);
+                let mesh = made.entry((prop, variant)).or_insert_with(|| catalogue.prop(prop, variant));
+                film.mesh(mesh, placement.world_from_object, Vec3::ONE);
             }
         }
     }
@@ -106,15 +119,46 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         return Ok(());
     };
-    let site = town.cameras.get(number.parse::<usize>()?).ok_or("no such site")?;
-    let n = SIZE.pixels();
-    let camera = PinholeCamera::new(site, SIZE);
-    let mut film = Film { camera, pixels: vec![[168, 196, 226]; n], near: vec![0.0; n] };
-    draw(&town, &catalogue, &mut film);
     let path = args.get(2).map_or("siteview.png", String::as_str);
-    let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), SIZE.width, SIZE.height);
+    if number == "all" {
+        return sheet(&town, &catalogue, path);
+    }
+    let site = town.cameras.get(number.parse::<usize>()?).ok_or("no such site")?;
+    write(path, LARGE, &picture(&town, &catalogue, &mut Made::new(), site, LARGE))
+}
+
+/// Props that were made already.
+type Made = BTreeMap<(Prop, u32), Mesh>;
+
+fn picture(town: &Town, catalogue: &Catalogue, made: &mut Made, site: &CameraSite, size: ImageSize) -> Vec<[u8; 3]> {
+    let camera = PinholeCamera::new(site, size);
+    let mut film = Film { size, camera, pixels: vec![[168, 196, 226]; size.pixels()], near: vec![0.0; size.pixels()] };
+    draw(town, catalogue, made, &mut film);
+    film.pixels
+}
+
+/// All sites, row by row.
+fn sheet(town: &Town, catalogue: &Catalogue, path: &str) -> Result<(), Box<dyn Error>> {
+    let (w, h) = (SMALL.width as usize, SMALL.height as usize);
+    let rows = town.cameras.len().div_ceil(COLUMNS);
+    let size = ImageSize { width: SMALL.width * COLUMNS as u32, height: SMALL.height * rows as u32 };
+    let mut pixels = vec![[0; 3]; size.pixels()];
+    let mut made = Made::new();
+    for (i, site) in town.cameras.iter().enumerate() {
+        let small = picture(town, catalogue, &mut made, site, SMALL);
+        let corner = (i / COLUMNS) * h * size.width as usize + (i % COLUMNS) * w;
+        for y in 0..h {
+            let to = corner + y * size.width as usize;
+            pixels[to..to + w].copy_from_slice(&small[y * w..(y + 1) * w]);
+        }
+    }
+    write(path, size, &pixels)
+}
+
+fn write(path: &str, size: ImageSize, pixels: &[[u8; 3]]) -> Result<(), Box<dyn Error>> {
+    let mut encoder = png::Encoder::new(BufWriter::new(File::create(path)?), size.width, size.height);
     encoder.set_color(png::ColorType::Rgb);
     encoder.set_depth(png::BitDepth::Eight);
-    encoder.write_header()?.write_image_data(&film.pixels.concat())?;
+    encoder.write_header()?.write_image_data(&pixels.concat())?;
     Ok(())
 }

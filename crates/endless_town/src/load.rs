@@ -1,11 +1,18 @@
 //! Towns by name.
 
+use crate::building::Lot;
+use crate::camera::{Relief, Scene, Solid};
 use crate::character::{CHARACTERS, Character};
-use crate::dressing::Dresser;
+use crate::dressing::{Dresser, Spot};
 use crate::plot::Occupied;
 use crate::{Placement, Town, TownError, What, building, camera, dressing, network, surface};
-use endless_asset::Catalogue;
-use glam::Affine3A;
+use endless_asset::{Catalogue, Mesh, Prop};
+use endless_road::RoadNetwork;
+use endless_world::CameraSite;
+use glam::{Affine3A, DVec2, Vec3};
+
+/// Height of [`Prop::CameraPole`] as it is made, metres.
+const CAMERA_POLE_M: f32 = 6.0;
 
 /// The maps there are, in the paper's order.
 pub const NAMES: &[&str] = &["Town01", "Town02", "Town03", "Town04", "Town05", "Town06", "Town07", "Town10HD"];
@@ -42,7 +49,10 @@ fn make(character: &Character, catalogue: &Catalogue) -> Town {
     let mut dresser = Dresser::new(character, &plan, catalogue, occupied);
     dressing::add_signals(&mut dresser);
     dressing::add_lamps(&mut dresser);
-    let cameras = camera::choose(&mut dresser, &network, &lots);
+    dressing::add_signs(&mut dresser);
+    dressing::add_parked(&mut dresser);
+    let cameras = cameras(&mut dresser, &network, &own, &lots);
+    dressing::keep_the_seen(&mut dresser.parked, &cameras);
     own.push((dressing::dress(&mut dresser, &cameras, &lots), Affine3A::IDENTITY));
     let mut placements: Vec<Placement> = own
         .iter()
@@ -61,6 +71,29 @@ fn make(character: &Character, catalogue: &Catalogue) -> Town {
         lamps: dresser.lamps,
         cameras,
     }
+}
+
+/// Chooses camera sites and puts up their poles.
+fn cameras(
+    dresser: &mut Dresser<'_>,
+    network: &RoadNetwork,
+    own: &[(Mesh, Affine3A)],
+    lots: &[Lot],
+) -> Vec<CameraSite> {
+    let relief = Relief::new(network, own);
+    let solids: Vec<Solid> = lots.iter().map(Lot::solid).collect();
+    let scene = Scene {
+        network,
+        relief: &relief,
+        solids: &solids,
+        posts: dresser.placements.iter().map(|p| Vec3::from(p.world_from_object.translation)).collect(),
+        parked: dresser.parked.iter().map(|p| p.pose.position).collect(),
+    };
+    camera::choose(scene, &mut |foot, ground, height, yaw| {
+        let scale = Vec3::new(1.0, 1.0, (height as f32 + 0.1) / CAMERA_POLE_M);
+        let spot = Spot { z: ground, scale, ..Spot::new(foot, yaw) };
+        dresser.put(Prop::CameraPole, spot, DVec2::splat(0.2), None)
+    })
 }
 
 #[cfg(test)]

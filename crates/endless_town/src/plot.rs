@@ -3,6 +3,12 @@
 use endless_world::math::f64::sin_cos;
 use glam::DVec2;
 
+/// The unit vector at an angle from east, radians.
+pub(crate) fn unit(angle_rad: f64) -> DVec2 {
+    let (sin, cos) = sin_cos(angle_rad);
+    DVec2::new(cos, sin)
+}
+
 /// An oriented rectangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Rect {
@@ -15,8 +21,7 @@ pub(crate) struct Rect {
 
 impl Rect {
     pub(crate) fn new(centre: DVec2, half: DVec2, angle_rad: f64) -> Self {
-        let (sin, cos) = sin_cos(angle_rad);
-        Self { centre, half, axis: DVec2::new(cos, sin) }
+        Self { centre, half, axis: unit(angle_rad) }
     }
 
     /// A square around a disc.

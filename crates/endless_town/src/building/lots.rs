@@ -1,8 +1,9 @@
 //! Lots along streets: which building stands where.
 
 use super::storeyed::Measures;
+use crate::camera::Solid;
 use crate::character::{Character, Kind};
-use crate::network::{Plan, Street};
+use crate::network::{KERB_HEIGHT_M, Plan, Street};
 use crate::plot::{Occupied, Rect, crosses, inside};
 use crate::surface;
 use endless_world::{Stream, math};
@@ -20,6 +21,14 @@ pub(crate) struct Lot {
     pub(crate) seed: u64,
     /// From the sidewalk to the front wall.
     pub(crate) set_back: f64,
+}
+
+impl Lot {
+    /// The building as sight sees it; roofs may rise above its walls.
+    pub(crate) fn solid(&self) -> Solid {
+        let top = KERB_HEIGHT_M + 3.6 * f64::from(self.measures.storeys) + 1.0;
+        Solid { outline: self.footprint.corners().to_vec(), base: KERB_HEIGHT_M, top }
+    }
 }
 
 /// Distance kept between footprints and sidewalks, metres.

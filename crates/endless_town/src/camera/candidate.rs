@@ -1,25 +1,30 @@
-//! Places from which a camera could look.
+//! Places from which a camera could look: beside lanes, at crossings and stop lines, on walls.
 
-use crate::building::Lot;
-use crate::dressing::POST_M;
-use crate::network::{KERB_HEIGHT_M, Node, Plan, Rule};
-use endless_world::math::f64::{atan2, cos, sin};
+use super::Solid;
+use super::relief::{Relief, Top};
+use crate::plot::unit;
+use endless_road::{Lane, Polyline, RoadNetwork};
+use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::{CameraSite, Mount};
 use glam::DVec2;
 
 /// What a view shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum View {
-    /// A junction with traffic lights.
-    Signals,
-    /// A junction without.
+    /// Over waiting vehicles towards a junction.
+    Approach,
+    /// From a junction out along one of its arms.
+    Arm,
+    /// Across a junction's corner.
     Corner,
-    /// A crossing between junctions.
+    /// A crossing from near by.
     Crossing,
-    /// Along a busy street.
+    /// Along a street with parked cars and sidewalks.
     Street,
-    /// Along a quiet one.
-    Residential,
+    /// Along a fast road.
+    Highway,
+    /// Along a road between fields or trees.
+    Rural,
     /// From a house front.
     Wall,
 }
@@ -27,11 +32,13 @@ pub(crate) enum View {
 impl View {
     pub(crate) fn name(self) -> &'static str {
         match self {
-            Self::Signals => "junction",
+            Self::Approach => "junction",
+            Self::Arm => "arm",
             Self::Corner => "corner",
             Self::Crossing => "crossing",
             Self::Street => "street",
-            Self::Residential => "residential",
+            Self::Highway => "highway",
+            Self::Rural => "rural",
             Self::Wall => "wall",
         }
     }
@@ -41,121 +48,202 @@ impl View {
 #[derive(Debug, Clone)]
 pub(crate) struct Candidate {
     pub(crate) view: View,
-    /// Views of the same thing share this.
-    pub(crate) subject: usize,
-    /// Foot of the pole; `None` on walls.
-    pub(crate) pole: Option<DVec2>,
+    /// Foot of the pole and height of the ground there; `None` on walls.
+    pub(crate) pole: Option<(DVec2, f64)>,
     pub(crate) site: CameraSite,
 }
 
-/// From a pole at `foot`, the lens a little before it at `height` above the sidewalk, towards `aim` on the road.
-fn aimed(foot: DVec2, height: f64, aim: DVec2, fov_deg: f64, mount: Mount) -> CameraSite {
-    let towards = (aim - foot).normalize_or(DVec2::X);
-    let lens = foot + towards * 0.4;
-    let z = KERB_HEIGHT_M + height;
-    // Between 15 and 35 degrees below the horizon.
-    let tilt = atan2(z, lens.distance(aim)).clamp(15.5f64.to_radians(), 34.0f64.to_radians());
+/// From the edge of the carriageway to a pole, metres.
+const POLE_M: f64 = 0.6;
+/// From which speed a road is a highway, m/s.
+const HIGHWAY_MPS: f64 = 16.0;
+/// Most candidates of a kind that are judged.
+const MOST_OF_A_KIND: usize = 420;
+
+/// How a camera is turned at its place.
+#[derive(Debug, Clone, Copy)]
+struct Turned {
+    height: f64,
+    fov_deg: f64,
+    mount: Mount,
+}
+
+/// A lens at `lens` (seen from above), `height` above `ground`, looking at a place on the ground.
+fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: Turned) -> CameraSite {
+    let towards = (aim - lens).normalize_or(DVec2::X);
+    let z = ground + turned.height;
+    let tilt = atan2(z - aim_z, lens.distance(aim)).clamp(15.5f64.to_radians(), 38.0f64.to_radians());
     CameraSite {
         name: String::new(),
         position: lens.extend(z).as_vec3().to_array(),
         yaw_rad: atan2(towards.y, towards.x) as f32,
         down_tilt_rad: tilt as f32,
-        horizontal_fov_rad: fov_deg.to_radians() as f32,
-        mount,
+        horizontal_fov_rad: turned.fov_deg.to_radians() as f32,
+        mount: turned.mount,
     }
 }
 
-pub(crate) fn all(plan: &Plan, lots: &[Lot]) -> Vec<Candidate> {
-    let mut found = Vec::new();
-    for (n, node) in plan.nodes.iter().enumerate() {
-        at_junction(plan, n, node, &mut found);
-    }
-    for i in 0..plan.streets.len() {
-        along_street(plan, i, &mut found);
-        at_crossings(plan, i, &mut found);
-    }
-    on_walls(plan, lots, &mut found);
-    found
-}
-
-/// From every corner over the junction's middle.
-fn at_junction(plan: &Plan, n: usize, node: &Node, found: &mut Vec<Candidate>) {
-    let view = if node.rule == Rule::Signals { View::Signals } else { View::Corner };
-    for i in 0..node.arms.len() {
-        let corner = plan.corner(node, i, POST_M + 0.5, 0.3);
-        let foot = corner[corner.len() / 2];
-        let across = node.position - foot;
-        let height = (5.6 + 0.16 * across.length()).clamp(6.6, 9.5);
-        for turn in [-0.3, 0.0, 0.3] {
-            let aim = foot
-                + DVec2::new(cos(turn), sin(turn)).rotate(across.normalize_or(DVec2::X))
-                    * (across.length() + 9.0).max(23.0);
-            let site = aimed(foot, height, aim, 84.0, Mount::Pole);
-            found.push(Candidate { view, subject: n, pole: Some(foot), site });
+pub(crate) fn all(network: &RoadNetwork, relief: &Relief, solids: &[Solid]) -> Vec<Candidate> {
+    let mut finder = Finder { network, relief, found: Vec::new() };
+    for lane in network.lanes.iter().filter(|l| l.junction.is_none() && l.centerline.length() > 18.0) {
+        for side in [-1.0, 1.0] {
+            let outermost = if side < 0.0 { lane.right.is_none() } else { lane.left.is_none() };
+            if outermost {
+                finder.along(lane, side);
+            }
         }
     }
+    for solid in solids {
+        finder.on_walls(solid);
+    }
+    thinned(&finder.found)
 }
 
-/// From the furniture strip along the street.
-fn along_street(plan: &Plan, i: usize, found: &mut Vec<Candidate>) {
-    let street = &plan.streets[i];
-    let view = if street.profile.priority >= 3 { View::Street } else { View::Residential };
-    let (from, to) = street.body();
-    if to - from < 55.0 {
-        return;
+/// The same number of each kind at most, spread evenly.
+fn thinned(found: &[Candidate]) -> Vec<Candidate> {
+    let mut kept = Vec::new();
+    let mut kinds: Vec<View> = found.iter().map(|c| c.view).collect();
+    kinds.sort_unstable();
+    kinds.dedup();
+    for kind in kinds {
+        let of_kind: Vec<&Candidate> = found.iter().filter(|c| c.view == kind).collect();
+        let stride = of_kind.len() as f64 / of_kind.len().clamp(1, MOST_OF_A_KIND) as f64;
+        kept.extend((0..of_kind.len().min(MOST_OF_A_KIND)).map(|i| of_kind[(i as f64 * stride) as usize].clone()));
     }
-    let height = if view == View::Street { 8.2 } else { 6.8 };
-    for (s, ahead) in [(from + 9.0, 1.0), (from + 24.0, 1.0), (to - 9.0, -1.0), (to - 24.0, -1.0)] {
-        for side in [1.0, -1.0] {
-            let foot = street.point(s, side * (street.profile.kerb() + POST_M));
-            let aim = street.point(s + ahead * 27.0, 0.0);
-            let site = aimed(foot, height, aim, 72.0, Mount::Pole);
-            if !street.near_crossing(s, 1.5) {
-                found.push(Candidate { view, subject: i, pole: Some(foot), site });
+    kept
+}
+
+struct Finder<'a> {
+    network: &'a RoadNetwork,
+    relief: &'a Relief,
+    found: Vec<Candidate>,
+}
+
+/// A place beside a lane, and the direction of the lane there.
+struct Beside {
+    foot: DVec2,
+    ground: f64,
+    road_z: f64,
+    forward: DVec2,
+    /// From the foot to the lane's centre line.
+    across: f64,
+}
+
+impl Finder<'_> {
+    /// The nearest place beside a lane where a pole could stand: to the right (−1) or in the median to the left (+1).
+    fn beside(&self, line: &Polyline, s: f64, width: f64, side: f64) -> Option<Beside> {
+        let place = line.at(s);
+        let forward = unit(place.heading_rad);
+        let outwards = forward.perp() * side;
+        let here = place.position.truncate();
+        let reach = if side < 0.0 { 9.0 } else { 2.2 };
+        let free = |t: f64| {
+            let (z, top) = self.relief.at(here + outwards * t);
+            matches!(top, Top::Walk | Top::Green | Top::Ground) && (f64::from(z) - place.position.z).abs() < 1.5
+        };
+        let steps = (reach / 0.25) as usize;
+        let edge = (0..steps).map(|k| width / 2.0 + 0.1 + 0.25 * k as f64).find(|&t| free(t))?;
+        let t = edge + POLE_M - 0.1;
+        free(t).then(|| {
+            let foot = here + outwards * t;
+            Beside { foot, ground: f64::from(self.relief.at(foot).0), road_z: place.position.z, forward, across: t }
+        })
+    }
+
+    fn push(&mut self, view: View, beside: &Beside, aim: DVec2, turned: Turned) {
+        let towards = (aim - beside.foot).normalize_or(DVec2::X);
+        let lens = beside.foot + towards * 0.4;
+        let site = aimed(lens, beside.ground, aim, beside.road_z, turned);
+        self.found.push(Candidate { view, pole: Some((beside.foot, beside.ground)), site });
+    }
+
+    /// Views from the edge of a lane, along it and back.
+    fn along(&mut self, lane: &Lane, side: f64) {
+        let line = &lane.centerline;
+        let length = line.length();
+        let wide = self.same_way(lane) >= 3 || lane.speed_limit_mps > HIGHWAY_MPS;
+        let pole = |height: f64, fov_deg: f64| Turned { height, fov_deg, mount: Mount::Pole };
+        let ends_at_junction = lane.successors.iter().any(|&next| self.network.lane(next).junction.is_some());
+        let to_middle = |b: &Beside, more: f64| b.forward.perp() * -side * (b.across + more);
+        if ends_at_junction && length > 30.0 {
+            for back in [13.0, 19.0] {
+                let Some(b) = self.beside(line, length - back, lane.width_m, side) else { continue };
+                let aim = b.foot + b.forward * (back + 5.0) + to_middle(&b, lane.width_m);
+                self.push(View::Approach, &b, aim, pole(7.6, 72.0));
+            }
+            if let Some(b) = self.beside(line, length - 2.0, lane.width_m, side) {
+                let aim = b.foot - b.forward * 22.0 + to_middle(&b, lane.width_m * 0.7);
+                self.push(View::Arm, &b, aim, pole(if wide { 9.0 } else { 6.8 }, 68.0));
+                for turn in [0.6f64, 1.05] {
+                    let aim = b.foot + unit(-side * turn).rotate(b.forward) * 22.0;
+                    self.push(View::Corner, &b, aim, pole(8.6, 76.0));
+                }
+            }
+        }
+        if length > 50.0 {
+            let (height, fov, view) = if wide { (9.5, 66.0, View::Highway) } else { (7.2, 74.0, View::Street) };
+            let count = (length / 28.0).floor().min(12.0) as usize;
+            for k in 1..count {
+                let s = length * k as f64 / count as f64;
+                let Some(b) = self.beside(line, s, lane.width_m, side) else { continue };
+                for ahead in [1.0, -1.0] {
+                    let reach = if wide { 34.0 } else { 24.0 };
+                    let aim = b.foot + b.forward * (ahead * reach) + to_middle(&b, lane.width_m * 0.5);
+                    self.push(view, &b, aim, pole(height, fov));
+                }
+            }
+        }
+        for crossing in &self.network.crossings {
+            let Some(cut) = crossing.cuts.iter().find(|c| c.lane == lane.id) else { continue };
+            let middle = (cut.range.0 + cut.range.1) / 2.0;
+            for away in [-11.0, -16.0, 11.0, 16.0] {
+                let s = middle + away;
+                if !(2.0..length - 2.0).contains(&s) {
+                    continue;
+                }
+                let Some(b) = self.beside(line, s, lane.width_m, side) else { continue };
+                let aim = b.foot - b.forward * (away * 1.05) + to_middle(&b, lane.width_m * 0.4);
+                self.push(View::Crossing, &b, aim, pole(6.2, 70.0));
+            }
+        }
+    }
+
+    /// Number of lanes side by side in a lane's direction.
+    fn same_way(&self, lane: &Lane) -> usize {
+        let count = |next: fn(&Lane) -> Option<endless_road::LaneId>| {
+            std::iter::successors(next(lane), |&id| next(self.network.lane(id))).take(8).count()
+        };
+        1 + count(|l| l.left) + count(|l| l.right)
+    }
+
+    /// From fronts near a road, along it.
+    fn on_walls(&mut self, solid: &Solid) {
+        let n = solid.outline.len();
+        for k in 0..n {
+            let (a, b) = (solid.outline[k], solid.outline[(k + 1) % n]);
+            if a.distance(b) < 5.0 || solid.top - solid.base < 8.0 {
+                continue;
+            }
+            let along = (b - a).normalize_or(DVec2::X);
+            // Outlines run counter-clockwise: outside is on the right.
+            let out = -along.perp();
+            let middle = (a + b) / 2.0;
+            let road = (2..28).map(|i| 0.5 * f64::from(i)).find(|&d| self.relief.at(middle + out * d).1 == Top::Road);
+            let Some(road) = road.filter(|d| *d < 8.5) else { continue };
+            let road_z = f64::from(self.relief.at(middle + out * road).0);
+            // Clear of cornices and awnings.
+            let lens = middle + out * 0.6;
+            for turn in [-1.0, 1.0] {
+                let aim = lens + along * (turn * 21.0) + out * (road + 3.0);
+                let turned = Turned { height: 6.9, fov_deg: 76.0, mount: Mount::Wall };
+                let site = aimed(lens, solid.base, aim, road_z, turned);
+                self.found.push(Candidate { view: View::Wall, pole: None, site });
             }
         }
     }
 }
 
-/// Towards crossings in the middle of streets.
-fn at_crossings(plan: &Plan, i: usize, found: &mut Vec<Candidate>) {
-    let street = &plan.streets[i];
-    let (from, to) = street.lane_range();
-    for (k, crossing) in street.crossings.iter().enumerate().filter(|(_, c)| c.s > from && c.s < to) {
-        for (away, side) in [(17.0, 1.0), (-17.0, 1.0), (17.0, -1.0), (-17.0, -1.0)] {
-            let foot = street.point(crossing.s + away, side * (street.profile.kerb() + POST_M));
-            let site = aimed(foot, 7.2, street.point(crossing.s - 0.15 * away, 0.0), 68.0, Mount::Pole);
-            found.push(Candidate { view: View::Crossing, subject: i * 16 + k, pole: Some(foot), site });
-        }
-    }
-}
-
-/// From fronts near the sidewalk, along their street.
-fn on_walls(plan: &Plan, lots: &[Lot], found: &mut Vec<Candidate>) {
-    for (k, lot) in lots.iter().enumerate().filter(|(_, lot)| lot.measures.storeys >= 3) {
-        let Some((street, s, t)) = nearest(plan, lot.front) else { continue };
-        let street = &plan.streets[street];
-        if t.abs() > street.profile.back() + 1.5 {
-            continue;
-        }
-        let outwards = -lot.footprint.axis.perp();
-        for ahead in [24.0, -24.0] {
-            let aim = street.point((s + ahead).clamp(0.0, street.length()), 0.0);
-            // Clear of cornices and awnings.
-            let site = aimed(lot.front + outwards * 0.6, 7.4, aim, 76.0, Mount::Wall);
-            found.push(Candidate { view: View::Wall, subject: k, pole: None, site });
-        }
-    }
-}
-
-/// The street nearest to a point: its index and the place on it.
-fn nearest(plan: &Plan, p: DVec2) -> Option<(usize, f64, f64)> {
-    plan.streets
-        .iter()
-        .enumerate()
-        .map(|(i, street)| {
-            let (s, t) = street.path.project(p);
-            (i, s, t)
-        })
-        .min_by(|a, b| a.2.abs().total_cmp(&b.2.abs()))
+/// Angle between two directions, 0 to π.
+pub(crate) fn between(a: f32, b: f32) -> f64 {
+    wrap_angle(f64::from(a - b)).abs()
 }

@@ -1,74 +1,134 @@
-//! Camera sites: the best views of each kind that a town has.
+//! Camera sites: good views, of different kinds, unlike one another.
+//!
+//! Candidates stand beside lanes, at stop lines and crossings, and hang on walls; each is judged by what its picture
+//! shows (`judge`) on a field of heights (`relief`); the best are taken one after another, each discounted by its
+//! likeness to those taken before.
 
 mod candidate;
-mod sight;
+mod judge;
+mod relief;
 
-use crate::building::Lot;
-use crate::dressing::{Dresser, Spot};
-use candidate::{Candidate, View};
-use endless_asset::Prop;
+use candidate::{Candidate, View, between};
 use endless_road::RoadNetwork;
+use endless_world::CameraSite;
 use endless_world::math::f64::{atan2, wrap_angle};
-use endless_world::{CameraSite, Mount};
 use glam::{DVec2, Vec3};
-use sight::Sights;
+use judge::{Judge, Seen};
 
-/// How many views of each kind are wanted, and how many cameras may look at the same thing.
-const WANTED: [(View, usize); 6] = [
-    (View::Signals, 3),
-    (View::Corner, 2),
-    (View::Crossing, 1),
+pub(crate) use relief::Relief;
+
+/// A building as sight sees it: a prism.
+#[derive(Debug, Clone)]
+pub(crate) struct Solid {
+    /// Counter-clockwise.
+    pub(crate) outline: Vec<DVec2>,
+    pub(crate) base: f64,
+    pub(crate) top: f64,
+}
+
+/// What the cameras of a town are chosen for.
+pub(crate) struct Scene<'a> {
+    pub(crate) network: &'a RoadNetwork,
+    pub(crate) relief: &'a Relief,
+    pub(crate) solids: &'a [Solid],
+    /// Feet of lamp posts, masts and signs.
+    pub(crate) posts: Vec<Vec3>,
+    /// Parked vehicles.
+    pub(crate) parked: Vec<Vec3>,
+}
+
+/// Cameras a town gets, where it has that many places.
+const WANTED: usize = 10;
+/// Cameras it must have, even if the views are modest.
+const LEAST: usize = 5;
+/// Most cameras of one kind.
+const MOST: [(View, usize); 8] = [
+    (View::Approach, 2),
+    (View::Arm, 2),
+    (View::Corner, 1),
+    (View::Crossing, 2),
     (View::Street, 2),
-    (View::Residential, 1),
-    (View::Wall, 1),
+    (View::Highway, 2),
+    (View::Rural, 2),
+    (View::Wall, 2),
 ];
 
-/// Chooses the sites and sets up their poles.
-pub(crate) fn choose(dresser: &mut Dresser<'_>, network: &RoadNetwork, lots: &[Lot]) -> Vec<CameraSite> {
-    let posts = dresser.placements.iter().map(|p| p.world_from_object.translation.truncate().as_dvec2()).collect();
-    let sights = Sights::new(network, lots, posts);
-    let mut ranked: Vec<(f32, Candidate)> = candidate::all(dresser.plan, lots)
+/// A candidate with what it shows.
+struct Judged {
+    candidate: Candidate,
+    seen: Seen,
+    quality: f32,
+}
+
+/// Chooses the sites. `set_up` puts up a pole: foot, height of the ground, height of the pole, direction; it says
+/// whether there was room.
+pub(crate) fn choose(scene: Scene<'_>, set_up: &mut dyn FnMut(DVec2, f64, f64, f64) -> bool) -> Vec<CameraSite> {
+    let judge = Judge::new(scene.network, scene.relief, scene.posts, &scene.parked);
+    let mut left: Vec<Judged> = candidate::all(scene.network, scene.relief, scene.solids)
         .into_iter()
-        .filter_map(|c| sights.score(&c.site).map(|score| (score, c)))
+        .filter_map(|candidate| {
+            let seen = judge.look(&candidate.site)?;
+            let quality = seen.quality()?;
+            Some(Judged { candidate: classed(candidate, &seen), seen, quality })
+        })
         .collect();
-    ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut sites: Vec<CameraSite> = Vec::new();
-    let mut subjects: Vec<(View, usize)> = Vec::new();
-    for (view, wanted) in WANTED {
-        let mut found = 0;
-        for (_, candidate) in ranked.iter().filter(|(_, c)| c.view == view) {
-            // The best junction is seen by two cameras from different corners; all else by one.
-            let shared = subjects.iter().filter(|&&s| s == (view, candidate.subject)).count();
-            let allowed = if view == View::Signals && found == 1 { 2 } else { 1 };
-            if found == wanted || shared >= allowed || sites.iter().any(|s| too_alike(s, &candidate.site)) {
-                continue;
-            }
-            if set_up(dresser, candidate) {
-                sites.push(named(candidate, &sites));
-                subjects.push((view, candidate.subject));
-                found += 1;
-            }
+    let mut taken: Vec<Judged> = Vec::new();
+    while taken.len() < WANTED {
+        let worth = |j: &Judged| taken.iter().fold(j.quality, |worth, other| worth * unlike(j, other));
+        let best = left
+            .iter()
+            .enumerate()
+            .map(|(i, j)| (i, worth(j)))
+            .filter(|(i, _)| allowed(left[*i].candidate.view, &taken))
+            .max_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((i, worth)) = best else { break };
+        if worth < if taken.len() < LEAST { 0.02 } else { 2.0 } {
+            break;
         }
+        let judged = left.swap_remove(i);
+        let site = &judged.candidate.site;
+        let stands = judged.candidate.pole.is_none_or(|(foot, ground)| {
+            set_up(foot, ground, f64::from(site.position[2]) - ground, f64::from(site.yaw_rad))
+        });
+        if stands {
+            taken.push(judged);
+        }
+    }
+    taken.sort_by_key(|j| j.candidate.view);
+    let mut sites: Vec<CameraSite> = Vec::new();
+    for judged in &taken {
+        let site = named(&judged.candidate, &sites);
+        sites.push(site);
     }
     sites
 }
 
-/// Two cameras that would stand side by side or show nearly the same.
-fn too_alike(a: &CameraSite, b: &CameraSite) -> bool {
-    let apart = Vec3::from_array(a.position).distance(Vec3::from_array(b.position));
-    let turned = wrap_angle(f64::from(a.yaw_rad - b.yaw_rad)).abs();
-    apart < 6.0 || (apart < 25.0 && turned < 0.5)
+/// A street between fields is a rural road.
+fn classed(candidate: Candidate, seen: &Seen) -> Candidate {
+    let open = seen.green > 0.3 && seen.solid < 0.08;
+    let view = if open && candidate.view == View::Street { View::Rural } else { candidate.view };
+    Candidate { view, ..candidate }
 }
 
-/// Puts up the pole, if there is room for it.
-fn set_up(dresser: &mut Dresser<'_>, candidate: &Candidate) -> bool {
-    let Some(foot) = candidate.pole else {
-        return candidate.site.mount == Mount::Wall;
-    };
-    let height = candidate.site.position[2] - 0.15;
-    let spot =
-        Spot { scale: Vec3::new(1.0, 1.0, (height + 0.1) / 6.0), ..Spot::new(foot, f64::from(candidate.site.yaw_rad)) };
-    dresser.put(Prop::CameraPole, spot, DVec2::splat(0.2), None)
+fn allowed(view: View, taken: &[Judged]) -> bool {
+    let most = MOST.iter().find(|m| m.0 == view).map_or(1, |m| m.1);
+    taken.iter().filter(|j| j.candidate.view == view).count() < most
+}
+
+/// From 0 (the same picture) to 1 (nothing in common).
+fn unlike(a: &Judged, b: &Judged) -> f32 {
+    let (sa, sb) = (&a.candidate.site, &b.candidate.site);
+    let apart = Vec3::from_array(sa.position).distance(Vec3::from_array(sb.position));
+    let turned = between(sa.yaw_rad, sb.yaw_rad) as f32;
+    if apart < 7.0 || (apart < 30.0 && turned < 0.5) {
+        return 0.0;
+    }
+    let near = (apart / 90.0).min(1.0);
+    let place = 0.55 + 0.45 * near.max((turned / 2.0).min(1.0) * 0.8);
+    let kind = if a.candidate.view == b.candidate.view { 0.62 } else { 1.0 };
+    let shares = |s: &Seen| [s.road, s.junction, s.walk, s.ground, s.green, s.solid, s.sky, s.water];
+    let differ: f32 = shares(&a.seen).iter().zip(shares(&b.seen)).map(|(x, y)| (x - y).abs()).sum();
+    kind * place * (0.75 + 0.25 * (differ / 0.7).min(1.0))
 }
 
 /// The site with a name such as `junction_north`, unique among those before it.
@@ -83,6 +143,17 @@ fn named(candidate: &Candidate, before: &[CameraSite]) -> CameraSite {
         .find(|name| before.iter().all(|site| site.name != *name))
         .unwrap_or(base.clone());
     CameraSite { name, ..candidate.site.clone() }
+}
+
+/// Whether a pole would stand large in a camera's picture.
+pub(crate) fn spoils(sites: &[CameraSite], at: DVec2) -> bool {
+    sites.iter().any(|site| {
+        let [x, y, _] = site.position.map(f64::from);
+        let between = at - DVec2::new(x, y);
+        let off_axis = wrap_angle(atan2(between.y, between.x) - f64::from(site.yaw_rad)).abs();
+        let distance = between.length();
+        distance < 3.0 || (distance < 13.0 && off_axis < f64::from(site.horizontal_fov_rad) / 2.0 + 0.05)
+    })
 }
 
 /// Whether a tree or other wide thing would stand in a camera's view: near in front of it, or on its axis.

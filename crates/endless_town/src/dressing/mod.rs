@@ -9,7 +9,8 @@ mod tree;
 mod wire;
 
 pub(crate) use dresser::{Dresser, Spot};
-pub(crate) use post::{POST_M, add_lamps, add_signals};
+pub(crate) use parking::{add_parked, keep_the_seen};
+pub(crate) use post::{add_lamps, add_signals, add_signs};
 
 use crate::building::Lot;
 use crate::plot::Rect;
@@ -20,8 +21,6 @@ use endless_world::CameraSite;
 pub(crate) fn dress(dresser: &mut Dresser<'_>, sites: &[CameraSite], lots: &[Lot]) -> Mesh {
     let houses: Vec<Rect> = lots.iter().map(|lot| lot.footprint).collect();
     let mut mesh = MeshBuilder::new();
-    post::add_signs(dresser);
-    parking::add_parked(dresser);
     wire::add(dresser, &mut mesh, sites);
     garden::add(dresser, &mut mesh, lots);
     tree::add_street_trees(dresser, &mut mesh, sites, &houses);

@@ -4,12 +4,12 @@ use super::dresser::Dresser;
 use crate::ParkedVehicle;
 use crate::plot::Rect;
 use crate::surface;
-use endless_world::{AssetRef, Pose};
-use glam::DVec2;
+use endless_world::{AssetRef, CameraSite, Pose};
+use glam::{DVec2, Vec3};
 use std::f64::consts::PI;
 
-/// Most parked vehicles in a town: those nearest to its middle stay.
-const MOST: usize = 120;
+/// Most vehicles parked along the streets of a town.
+const MOST: usize = 160;
 
 pub(crate) fn add_parked(dresser: &mut Dresser<'_>) {
     let models = dresser.catalogue.vehicles();
@@ -45,7 +45,14 @@ pub(crate) fn add_parked(dresser: &mut Dresser<'_>) {
             }
         }
     }
-    let far = |p: &ParkedVehicle| p.pose.position.length();
-    dresser.parked.sort_by(|a, b| far(a).total_cmp(&far(b)));
-    dresser.parked.truncate(MOST);
+}
+
+/// Keeps the vehicles parked nearest to cameras: no others are ever seen large.
+pub(crate) fn keep_the_seen(parked: &mut Vec<ParkedVehicle>, sites: &[CameraSite]) {
+    let far = |p: &ParkedVehicle| {
+        let of = |s: &CameraSite| Vec3::from_array(s.position).distance(p.pose.position);
+        sites.iter().map(of).fold(f32::INFINITY, f32::min)
+    };
+    parked.sort_by(|a, b| far(a).total_cmp(&far(b)));
+    parked.truncate(MOST);
 }

@@ -2,6 +2,7 @@
 
 use super::dresser::{Dresser, Spot};
 use super::post::POST_M;
+use crate::camera::spoils;
 use crate::network::KERB_HEIGHT_M;
 use endless_asset::{Material, MeshBuilder, Prop, Surface};
 use endless_world::{CameraSite, ClassTag};
@@ -27,9 +28,7 @@ pub(crate) fn add(dresser: &mut Dresser<'_>, mesh: &mut MeshBuilder, sites: &[Ca
             let wanted = from + 4.0 + k as f64 * spacing;
             let found = [0.0, 1.2, -1.2, 2.4, -2.4].into_iter().map(|step| wanted + step).find(|&s| {
                 let at = street.point(s, -(street.profile.kerb() + POST_M + 0.1));
-                let before_lens = sites.iter().any(|site| {
-                    DVec2::new(f64::from(site.position[0]), f64::from(site.position[1])).distance(at) < 3.0
-                });
+                let before_lens = spoils(sites, at);
                 let spot = Spot::new(at, street.heading(s));
                 !before_lens
                     && !street.near_crossing(s, 1.4)

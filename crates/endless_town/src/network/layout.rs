@@ -132,13 +132,7 @@ fn join(points: &[DVec2], mut pieces: Vec<Piece>) -> Plan {
     let number = |grid: usize| used.binary_search(&grid).expect("every end is used");
     let nodes = used
         .iter()
-        .map(|&grid| Node {
-            position: points[grid],
-            arms: Vec::new(),
-            main: Vec::new(),
-            rule: Rule::Yield,
-            signals: Vec::new(),
-        })
+        .map(|_| Node { arms: Vec::new(), main: Vec::new(), rule: Rule::Yield, signals: Vec::new() })
         .collect();
     let streets = pieces
         .into_iter()

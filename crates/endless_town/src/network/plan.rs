@@ -89,7 +89,6 @@ pub(crate) enum Rule {
 /// A junction.
 #[derive(Debug, Clone)]
 pub(crate) struct Node {
-    pub(crate) position: DVec2,
     /// Counter-clockwise.
     pub(crate) arms: Vec<Arm>,
     /// Whether each arm belongs to the main road.

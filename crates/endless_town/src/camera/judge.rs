@@ -1,0 +1,224 @@
+//! How good a view is, measured on rays through its picture and on the places where traffic is expected.
+
+use super::relief::{Relief, Top};
+use crate::plot::unit;
+use endless_road::RoadNetwork;
+use endless_world::{CameraSite, ImageSize, PinholeCamera};
+use glam::{DVec2, Vec3};
+
+/// Pictures are judged at this size.
+const SIZE: ImageSize = ImageSize { width: 1280, height: 720 };
+/// Rays across and down the picture.
+const COLUMNS: u32 = 20;
+const ROWS: u32 = 12;
+/// Furthest distance at which something is told from the hills, metres.
+const REACH_M: f32 = 140.0;
+/// A wall nearer than this spoils a view, metres.
+const WALL_M: f32 = 4.0;
+/// Least share of the picture on road, sidewalk or square.
+pub(crate) const LEAST_PAVED: f32 = 0.32;
+
+/// What a picture shows, as shares of its pixels, and the objects expected in it.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Seen {
+    pub(crate) road: f32,
+    pub(crate) junction: f32,
+    pub(crate) walk: f32,
+    pub(crate) ground: f32,
+    pub(crate) green: f32,
+    pub(crate) water: f32,
+    pub(crate) solid: f32,
+    /// Solid nearer than 10 m.
+    pub(crate) solid_near: f32,
+    pub(crate) sky: f32,
+    /// The same as road and junction, of the picture's lower two thirds.
+    pub(crate) paved_low: f32,
+    /// Junction in the lowest third.
+    pub(crate) junction_low: f32,
+    /// Distance of the nearest place on a lane that is seen, metres.
+    pub(crate) nearest_m: f32,
+    /// Places of vehicles and people by how large they appear: below 32² pixels, up to 96², above.
+    pub(crate) sizes: [f32; 3],
+    /// Places of people.
+    pub(crate) people: f32,
+}
+
+impl Seen {
+    /// Road, sidewalk and square.
+    pub(crate) fn paved(&self) -> f32 {
+        self.road + self.junction + self.walk + self.ground
+    }
+}
+
+/// A place where something is expected.
+#[derive(Debug, Clone, Copy)]
+struct Spot {
+    at: Vec3,
+    weight: f32,
+    /// Typical width of what is there, metres.
+    size: f32,
+    person: bool,
+}
+
+/// Judges sites of one town.
+pub(crate) struct Judge<'a> {
+    pub(crate) relief: &'a Relief,
+    spots: Vec<Spot>,
+    posts: Vec<Vec3>,
+}
+
+impl<'a> Judge<'a> {
+    pub(crate) fn new(network: &RoadNetwork, relief: &'a Relief, posts: Vec<Vec3>, parked: &[Vec3]) -> Self {
+        let mut spots = Vec::new();
+        for lane in &network.lanes {
+            let busy = (lane.speed_limit_mps as f32 / 11.0).clamp(0.6, 1.4);
+            let weight = if lane.junction.is_some() { 0.3 } else { busy };
+            let steps = (lane.centerline.length() / 5.0).ceil() as usize;
+            let along = (0..steps).map(|i| lane.centerline.at(5.0 * i as f64).position.as_vec3());
+            spots.extend(along.map(|at| Spot { at, weight, size: 2.4, person: false }));
+        }
+        for crossing in &network.crossings {
+            let [a, b] = crossing.ends.map(glam::DVec3::as_vec3);
+            spots.extend((0..4).map(|i| Spot { at: a.lerp(b, i as f32 / 3.0), weight: 0.8, size: 1.0, person: true }));
+        }
+        let walkers = network.walk.nodes.iter().map(|n| n.as_vec3());
+        spots.extend(walkers.map(|at| Spot { at, weight: 0.5, size: 1.0, person: true }));
+        spots.extend(parked.iter().map(|&at| Spot { at, weight: 1.2, size: 2.4, person: false }));
+        Self { relief, spots, posts }
+    }
+
+    /// What a site shows; `None` if it stands in something, or something stands close before it.
+    pub(crate) fn look(&self, site: &CameraSite) -> Option<Seen> {
+        let camera = PinholeCamera::new(site, SIZE);
+        let lens = camera.position;
+        let here = lens.truncate().as_dvec2();
+        if self.hemmed_in(&camera, here) {
+            return None;
+        }
+        let mut seen = Seen::default();
+        let share = 1.0 / (COLUMNS * ROWS) as f32;
+        for row in 0..ROWS {
+            for column in 0..COLUMNS {
+                let u = (column as f32 + 0.5) / COLUMNS as f32 * SIZE.width as f32;
+                let v = (row as f32 + 0.5) / ROWS as f32 * SIZE.height as f32;
+                let k = camera.intrinsics;
+                let ray = Vec3::new((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1.0).normalize();
+                let direction = (camera.world_from_camera * ray).normalize();
+                let hit = self.relief.cast(lens, direction, REACH_M);
+                let (distance, top) = hit.unwrap_or((REACH_M, Top::Beyond));
+                if top == Top::Solid && distance < WALL_M {
+                    return None;
+                }
+                seen.count(top, distance, direction.z, row, share);
+            }
+        }
+        self.count_spots(&camera, &mut seen);
+        Some(seen)
+    }
+
+    /// A lamp post or mast right before the lens, or a wall around or close ahead of it.
+    fn hemmed_in(&self, camera: &PinholeCamera, here: DVec2) -> bool {
+        let forward = camera.world_from_camera.z_axis.truncate().as_dvec2().normalize_or(DVec2::X);
+        let post = self.posts.iter().any(|&post| {
+            let between = post.truncate().as_dvec2() - here;
+            let distance = between.length();
+            let ahead = forward.dot(between);
+            let seen = || {
+                [3.0, 5.0, 7.0].iter().any(|&z| {
+                    camera.project(post + Vec3::Z * z).is_some_and(|(image, _)| {
+                        (0.0..SIZE.width as f32).contains(&image.x) && (0.0..SIZE.height as f32).contains(&image.y)
+                    })
+                })
+            };
+            (distance < 1.8 && ahead > -0.3) || (distance < 7.5 && ahead > 0.0 && seen())
+        });
+        let lens = camera.position;
+        let inside = |p: DVec2| {
+            let (z, top) = self.relief.at(p);
+            top == Top::Beyond || (top == Top::Solid && z > lens.z - 4.5)
+        };
+        // All over the field of view, and a little beyond its sides.
+        let half = 0.5 * SIZE.width as f32 / camera.intrinsics.fx;
+        let half = f64::from(endless_world::math::atan(half)) + 0.1;
+        let fan = (-4..=4).any(|i| {
+            let ahead = unit(half * f64::from(i) / 4.0).rotate(forward);
+            (1..=8).any(|k| inside(here + ahead * (0.5 * f64::from(k))))
+        });
+        post || inside(here) || fan
+    }
+
+    fn count_spots(&self, camera: &PinholeCamera, seen: &mut Seen) {
+        seen.nearest_m = f32::INFINITY;
+        let margin = 20.0;
+        for spot in &self.spots {
+            let between = spot.at - camera.position;
+            if between.length_squared() > 85.0 * 85.0 {
+                continue;
+            }
+            let Some((image, depth)) = camera.project(spot.at + Vec3::Z * 0.7) else { continue };
+            let inside = (margin..SIZE.width as f32 - margin).contains(&image.x)
+                && (margin..SIZE.height as f32 - margin).contains(&image.y);
+            if !inside || !self.relief.sees(camera.position, spot.at + Vec3::Z * 1.2) {
+                continue;
+            }
+            let pixels = spot.size * camera.intrinsics.fx / depth;
+            let class = usize::from(pixels > 32.0) + usize::from(pixels > 96.0);
+            seen.sizes[class] += spot.weight;
+            if spot.person {
+                seen.people += spot.weight;
+            } else {
+                seen.nearest_m = seen.nearest_m.min(between.length());
+            }
+        }
+    }
+}
+
+impl Seen {
+    fn count(&mut self, top: Top, distance: f32, up: f32, row: u32, share: f32) {
+        let low = row >= ROWS / 3;
+        match top {
+            Top::Road => self.road += share,
+            Top::Junction => {
+                self.junction += share;
+                if row >= ROWS * 2 / 3 {
+                    self.junction_low += share * 3.0;
+                }
+            }
+            Top::Walk => self.walk += share,
+            Top::Ground => self.ground += share,
+            Top::Green => self.green += share,
+            Top::Water => self.water += share,
+            Top::Solid => {
+                self.solid += share;
+                self.solid_near += if distance < 10.0 { share } else { 0.0 };
+            }
+            Top::Beyond if up > 0.0 => self.sky += share,
+            Top::Beyond => self.green += share,
+        }
+        if low && matches!(top, Top::Road | Top::Junction | Top::Walk | Top::Ground) {
+            self.paved_low += share * 1.5;
+        }
+    }
+
+    /// Quality from about 0 to 10; `None` for views that must not be used.
+    pub(crate) fn quality(&self) -> Option<f32> {
+        let wall_to_wall = self.solid_near > 0.2;
+        if self.paved() < LEAST_PAVED || wall_to_wall || self.nearest_m > 28.0 {
+            return None;
+        }
+        // Each size class counts until there is enough of it.
+        let enough = |x: f32, of: f32| (x / of).min(1.0);
+        let [small, middle, large] = self.sizes;
+        let traffic = 1.2 * enough(small, 6.0) + 2.4 * enough(middle, 16.0) + 2.0 * enough(large, 4.5);
+        let people = 1.2 * enough(self.people, 8.0);
+        let filled = 2.0 * (self.paved_low / 0.75).min(1.0);
+        let near = if (7.0..20.0).contains(&self.nearest_m) { 0.6 } else { 0.0 };
+        // Some sky or horizon gives depth; much of it wastes the picture.
+        let sky = 0.8 * enough(self.sky, 0.06) - 4.0 * (self.sky - 0.2).max(0.0);
+        let surroundings = 0.7 * enough(self.solid + 0.4 * self.green, 0.15);
+        let walk = 0.8 * enough(self.walk, 0.1);
+        let empty = 8.0 * (self.junction_low - 0.2).max(0.0) + 7.0 * (self.junction - 0.22).max(0.0);
+        let hidden = 5.0 * self.solid_near + 3.0 * (self.solid - 0.4).max(0.0);
+        Some((traffic + people + filled + near + sky + surroundings + walk - empty - hidden).max(0.05))
+    }
+}

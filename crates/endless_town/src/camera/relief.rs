@@ -1,0 +1,215 @@
+//! The town as a field of heights with a kind of ground in each cell: what rays of sight are tested against.
+
+use crate::plot::unit;
+use endless_asset::Mesh;
+use endless_road::RoadNetwork;
+use endless_world::ClassTag;
+use glam::{Affine3A, DVec2, Vec2, Vec3};
+
+/// What lies on top at a place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Top {
+    /// Outside the field.
+    Beyond,
+    /// Grass, earth, fields.
+    Green,
+    /// Yards and squares.
+    Ground,
+    /// Sidewalks.
+    Walk,
+    /// Asphalt outside junctions.
+    Road,
+    /// Asphalt inside junctions.
+    Junction,
+    /// Water.
+    Water,
+    /// A building, or a tree that was there before the cameras.
+    Solid,
+}
+
+/// Most cells of a field; large towns get coarser ones.
+const MOST_CELLS: f64 = 3.0e6;
+/// Side of the finest cells, metres.
+const FINEST_M: f64 = 0.5;
+/// Ground around the road network that belongs to the field, metres.
+const MARGIN_M: f64 = 45.0;
+
+/// Heights and kinds on a grid.
+#[derive(Debug, Clone)]
+pub(crate) struct Relief {
+    low: Vec2,
+    cell: f32,
+    width: usize,
+    height: usize,
+    cells: Vec<(f32, Top)>,
+}
+
+impl Relief {
+    /// Of a town's own meshes, with the junctions of its network.
+    pub(crate) fn new<'a>(network: &RoadNetwork, meshes: impl IntoIterator<Item = &'a (Mesh, Affine3A)>) -> Self {
+        let points = network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.truncate());
+        let (low, high) =
+            points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
+        let (low, high) = if low.x <= high.x { (low, high) } else { (DVec2::ZERO, DVec2::ZERO) };
+        let (low, high) = (low - MARGIN_M, high + MARGIN_M);
+        let size = high - low;
+        let cell = (size.x * size.y / MOST_CELLS).sqrt().max(FINEST_M);
+        let (width, height) = ((size.x / cell).ceil() as usize, (size.y / cell).ceil() as usize);
+        let cells = vec![(f32::MIN, Top::Beyond); width * height];
+        let mut relief = Self { low: low.as_vec2(), cell: cell as f32, width, height, cells };
+        for (mesh, place) in meshes {
+            relief.lay(mesh, *place);
+        }
+        relief.mark_junctions(network);
+        relief
+    }
+
+    /// Rasterises a mesh from above; the highest face of each cell stays.
+    fn lay(&mut self, mesh: &Mesh, place: Affine3A) {
+        for (t, &m) in mesh.triangles.iter().zip(&mesh.triangle_materials) {
+            let top = match mesh.materials[usize::from(m)].tag {
+                ClassTag::Roads | ClassTag::RoadLines => Top::Road,
+                ClassTag::Sidewalks => Top::Walk,
+                ClassTag::Ground | ClassTag::Bridge => Top::Ground,
+                ClassTag::Water => Top::Water,
+                ClassTag::Buildings | ClassTag::Walls => Top::Solid,
+                ClassTag::Terrain => Top::Green,
+                _ => continue,
+            };
+            self.triangle(t.map(|i| place.transform_point3(mesh.positions[i as usize])), top);
+        }
+    }
+
+    fn triangle(&mut self, corners: [Vec3; 3], top: Top) {
+        let [a, b, c] = corners.map(|p| (p.truncate() - self.low) / self.cell);
+        let area = (b - a).perp_dot(c - a);
+        if area <= 1e-6 {
+            return;
+        }
+        let limit = Vec2::new(self.width as f32 - 1.0, self.height as f32 - 1.0);
+        let low = (a.min(b).min(c) - 0.5).ceil().max(Vec2::ZERO);
+        let high = (a.max(b).max(c) - 0.5).floor().min(limit);
+        if low.x > high.x || low.y > high.y {
+            return;
+        }
+        for y in low.y as usize..=high.y as usize {
+            for x in low.x as usize..=high.x as usize {
+                let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+                let (u, v) = ((b - p).perp_dot(c - p) / area, (c - p).perp_dot(a - p) / area);
+                if u >= 0.0 && v >= 0.0 && u + v <= 1.0 {
+                    let z = corners[0].z * u + corners[1].z * v + corners[2].z * (1.0 - u - v);
+                    let cell = &mut self.cells[y * self.width + x];
+                    if z > cell.0 {
+                        *cell = (z, top);
+                    }
+                }
+            }
+        }
+    }
+
+    fn mark_junctions(&mut self, network: &RoadNetwork) {
+        for lane in network.lanes.iter().filter(|l| l.junction.is_some()) {
+            let steps = lane.centerline.length().ceil() as usize;
+            for i in 0..=steps {
+                let place = lane.centerline.at(i as f64);
+                let across = unit(place.heading_rad).perp();
+                for k in -3..=3 {
+                    let p = place.position.truncate() + across * (f64::from(k) * lane.width_m / 6.0);
+                    if let Some(cell) = self.index(p.as_vec2()).map(|i| &mut self.cells[i])
+                        && cell.1 == Top::Road
+                    {
+                        cell.1 = Top::Junction;
+                    }
+                }
+            }
+        }
+    }
+
+    #[expect(dead_code, reason = "imported maps have trees")]
+    /// A tree or another column that was there before: its crown hides what is behind.
+    pub(crate) fn add_column(&mut self, at: DVec2, radius: f64, height: f32) {
+        let n = (radius / f64::from(self.cell)).ceil() as i32;
+        for dy in -n..=n {
+            for dx in -n..=n {
+                let step = DVec2::new(f64::from(dx), f64::from(dy)) * f64::from(self.cell);
+                if step.length() <= radius
+                    && let Some(i) = self.index((at + step).as_vec2())
+                {
+                    let ground = self.cells[i].0.max(-1000.0);
+                    self.cells[i] = (ground + height, Top::Solid);
+                }
+            }
+        }
+    }
+
+    fn index(&self, p: Vec2) -> Option<usize> {
+        let q = (p - self.low) / self.cell;
+        let inside = q.x >= 0.0 && q.y >= 0.0 && q.x < self.width as f32 && q.y < self.height as f32;
+        inside.then(|| q.y as usize * self.width + q.x as usize)
+    }
+
+    /// Height and kind at a place.
+    pub(crate) fn at(&self, p: DVec2) -> (f32, Top) {
+        self.index(p.as_vec2()).map_or((f32::MIN, Top::Beyond), |i| self.cells[i])
+    }
+
+    /// What a ray meets within `reach` metres: its distance and kind; `None` for the sky or the far hills.
+    pub(crate) fn cast(&self, from: Vec3, direction: Vec3, reach: f32) -> Option<(f32, Top)> {
+        let mut t = 0.6;
+        while t < reach {
+            let p = from + direction * t;
+            let (z, top) = self.cells[self.index(p.truncate())?];
+            if p.z <= z {
+                return Some((t, top));
+            }
+            t += 0.45 + 0.012 * t;
+        }
+        None
+    }
+
+    /// Whether a point can be seen: nothing rises above the line to it, but for the last metre.
+    pub(crate) fn sees(&self, from: Vec3, to: Vec3) -> bool {
+        let between = to - from;
+        let length = between.length();
+        let direction = between / length.max(1e-6);
+        self.cast(from, direction, length - 1.0).is_none()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_asset::{Material, MeshBuilder, Surface};
+    use endless_road::{Control, Lane, LaneId, Polyline, Turn};
+    use glam::DVec3;
+
+    #[test]
+    fn a_wall_hides_what_is_behind_it() {
+        let lane = Lane {
+            id: LaneId(0),
+            centerline: Polyline::new([DVec3::ZERO, DVec3::new(40.0, 0.0, 0.0)]),
+            width_m: 3.0,
+            speed_limit_mps: 10.0,
+            successors: vec![],
+            predecessors: vec![],
+            left: None,
+            right: None,
+            junction: None,
+            turn: Turn::Straight,
+            end_control: Control::Free,
+        };
+        let network = RoadNetwork { lanes: vec![lane], ..RoadNetwork::default() };
+        let mut mesh = MeshBuilder::new();
+        let flat = |tag| Material::new(Surface::Concrete, [0.5; 3], tag);
+        mesh.cuboid(Vec3::new(-50.0, -50.0, -1.0), Vec3::new(90.0, 50.0, 0.0), flat(ClassTag::Roads));
+        mesh.cuboid(Vec3::new(20.0, -5.0, 0.0), Vec3::new(24.0, 5.0, 6.0), flat(ClassTag::Buildings));
+        let relief = Relief::new(&network, &[(mesh.finish(), Affine3A::IDENTITY)]);
+        let lens = Vec3::new(0.0, 0.0, 5.0);
+        assert!(relief.sees(lens, Vec3::new(15.0, 0.0, 0.0)));
+        assert!(!relief.sees(lens, Vec3::new(30.0, 0.0, 0.0)));
+        assert!(relief.sees(lens, Vec3::new(30.0, 20.0, 0.0)));
+        assert_eq!(relief.at(DVec2::new(22.0, 0.0)), (6.0, Top::Solid));
+        let (t, top) = relief.cast(lens, Vec3::new(1.0, 0.0, -0.5).normalize(), 100.0).expect("ground");
+        assert!((t - 11.2).abs() < 1.0 && top == Top::Road);
+    }
+}
