@@ -22,7 +22,7 @@ pub(crate) fn derive(network: &mut RoadNetwork) -> Result<(), NetworkError> {
 }
 
 /// The range of `s` of the lane's centre line inside the crossing's rectangle.
-fn cut_range(crossing: &Crossing, lane: &Lane) -> Option<(f64, f64)> {
+pub(crate) fn cut_range(crossing: &Crossing, lane: &Lane) -> Option<(f64, f64)> {
     let [from, to] = crossing.ends;
     let length = from.truncate().distance(to.truncate());
     let u_axis = (to - from).truncate().normalize_or_zero();

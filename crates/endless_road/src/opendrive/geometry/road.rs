@@ -2,9 +2,7 @@
 
 use super::super::document::Road;
 use super::curve::{Piece, Pose};
-#[cfg(test)]
-use super::profile::shape_at;
-use super::profile::value_at;
+use super::profile::{shape_at, value_at};
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
 
@@ -26,8 +24,8 @@ impl<'a> RoadShape<'a> {
         self.pieces[at].pose(s - self.pieces[at].s)
     }
 
-    #[cfg(test)]
-    fn point(&self, s: f64, t: f64) -> DVec3 {
+    /// The surface at (s, t), without the lanes' own heights.
+    pub(crate) fn point(&self, s: f64, t: f64) -> DVec3 {
         self.frame(s).point(t, shape_at(&self.road.shapes, s, t))
     }
 

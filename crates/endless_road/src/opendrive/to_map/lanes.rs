@@ -1,5 +1,6 @@
 //! The lanes traffic drives on: pieces of lanes by section, joined to one another and then to longer lanes.
 
+use super::super::OpenDriveError;
 use super::super::document::End;
 use super::joins::LaneEnd;
 use super::kind::{is_driven, usual_speed};
@@ -15,6 +16,10 @@ const NARROWEST_M: f64 = 1.5;
 pub(super) const SHORTEST_M: f64 = 1.5;
 /// Ends further apart than this are not joined, whatever the file says, metres.
 const MOST_GAP_M: f64 = 2.5;
+/// Ways through one junction.
+const MOST_WAYS: usize = 400;
+/// A lane longer than this is no way through a junction, metres.
+const LONGEST_WAY_M: f64 = 600.0;
 /// Nor lanes that meet at more than this, radians.
 const MOST_KINK: f64 = 1.2;
 
@@ -264,7 +269,7 @@ impl Graph {
     }
 
     /// Lanes and junctions with their final ids.
-    pub(super) fn finish(&mut self, sampled: &Sampled<'_>) -> (Vec<Lane>, Vec<Junction>) {
+    pub(super) fn finish(&mut self, sampled: &Sampled<'_>) -> Result<(Vec<Lane>, Vec<Junction>), OpenDriveError> {
         self.ids = vec![None; self.nodes.len()];
         let mut count = 0;
         for (node, id) in self.nodes.iter().zip(&mut self.ids) {
@@ -274,6 +279,9 @@ impl Graph {
             }
         }
         let used: BTreeSet<usize> = self.present().filter_map(|(node, _)| node.junction).collect();
+        if used.len() > usize::from(u16::MAX) {
+            return Err(OpenDriveError::TooMuch { what: "junctions", most: usize::from(u16::MAX) });
+        }
         let places: BTreeMap<usize, JunctionId> =
             used.iter().enumerate().map(|(i, &j)| (j, JunctionId(i as u16))).collect();
         let mut junctions = vec![Junction::default(); used.len()];
@@ -297,7 +305,47 @@ impl Graph {
                 end_control: Control::Free,
             });
         }
-        (lanes, junctions)
+        // Conflicts are sought between all pairs.
+        if junctions.iter().any(|junction| junction.lanes.len() > MOST_WAYS) {
+            return Err(OpenDriveError::TooMuch { what: "lanes in one junction", most: MOST_WAYS });
+        }
+        Ok((lanes, junctions))
+    }
+
+    /// The id of the lane that a lane of a section has become part of.
+    pub(super) fn id(&self, key: LaneKey) -> Option<LaneId> {
+        self.ids[*self.owner.get(&key)?]
+    }
+
+    /// The lanes outside junctions from which a lane inside one is reached; a lane outside is its own.
+    pub(super) fn approaches(&self, node: usize) -> BTreeSet<LaneId> {
+        let mut found = BTreeSet::new();
+        let mut seen = BTreeSet::from([node]);
+        let mut open = vec![node];
+        while let Some(node) = open.pop() {
+            if self.nodes[node].junction.is_none() {
+                found.extend(self.ids[node]);
+            } else {
+                open.extend(self.nodes[node].before.iter().copied().filter(|&before| seen.insert(before)));
+            }
+        }
+        found
+    }
+
+    /// The lanes at which the way along a road ends that goes through this lane.
+    pub(super) fn last_on_road(&self, node: usize, road: usize) -> BTreeSet<LaneId> {
+        let mut found = BTreeSet::new();
+        let mut seen = BTreeSet::from([node]);
+        let mut open = vec![node];
+        while let Some(node) = open.pop() {
+            let here = |n: usize| self.nodes[n].keys.iter().any(|key| key.road == road);
+            let next: Vec<usize> = self.nodes[node].next.iter().copied().filter(|&n| here(n)).collect();
+            if next.is_empty() {
+                found.extend(self.ids[node]);
+            }
+            open.extend(next.into_iter().filter(|&n| seen.insert(n)));
+        }
+        found
     }
 
     /// The lanes that are left, with their ids.
@@ -340,7 +388,9 @@ fn node(sampled: &Sampled<'_>, key: LaneKey, junctions: &BTreeMap<&str, usize>) 
         points.reverse();
         widths.reverse();
     }
-    let junction = sampled.document.roads[key.road].junction.as_deref();
+    let road = &sampled.document.roads[key.road];
+    let junction = road.junction.as_deref();
+    let short_enough = road.length < LONGEST_WAY_M;
     Some(Node {
         points,
         widths,
@@ -348,7 +398,7 @@ fn node(sampled: &Sampled<'_>, key: LaneKey, junctions: &BTreeMap<&str, usize>) 
         next: Vec::new(),
         before: Vec::new(),
         along,
-        junction: junction.and_then(|id| junctions.get(id).copied()),
+        junction: junction.and_then(|id| junctions.get(id).copied()).filter(|_| short_enough),
         gone: false,
     })
 }

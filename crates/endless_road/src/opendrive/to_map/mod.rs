@@ -1,11 +1,18 @@
 //! From a document to a [`RoadMap`].
 
+mod crossings;
 mod joins;
 mod kind;
 mod lanes;
+mod marks;
 mod mend;
+mod neighbours;
+mod outline;
 mod sampled;
+mod signals;
 mod strips;
+mod things;
+mod walk;
 
 use super::{Document, OpenDriveError};
 use crate::{RoadMap, RoadNetwork};
@@ -24,18 +31,27 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     let mut graph = lanes::Graph::new(&sampled, &joins, &mut notes);
     graph.simplify();
     mend::mend(&mut graph, &mut notes);
-    let (lanes, junctions) = graph.finish(&sampled);
+    let (mut lanes, junctions) = graph.finish(&sampled)?;
     if lanes.is_empty() {
         return Err(OpenDriveError::NoLanes { roads: document.roads.len() });
     }
-    let network = RoadNetwork { lanes, junctions, ..RoadNetwork::default() };
+    neighbours::find(&sampled, &graph, &mut lanes);
+    let mut crossings = crossings::crossings(&sampled, &lanes, &mut notes);
+    let walk = walk::walk(&sampled, &joins, &mut crossings, &mut notes);
+    let mut network = RoadNetwork { lanes, junctions, crossings, walk, ..RoadNetwork::default() };
+    let governed = signals::governed(&sampled, &graph, &mut notes);
+    let groups = signals::apply(&sampled, &governed, &mut network, &mut notes);
+    signals::apply_priorities(&sampled, &graph, &mut network);
     let left = document.roads.iter().filter(|road| road.left_hand).count();
-    Ok(RoadMap {
+    let mut map = RoadMap {
         network: network.finish()?,
         strips: strips::strips(&sampled),
+        marks: marks::marks(&sampled),
         left_hand: 2 * left > document.roads.len(),
         georeference: document.georeference.clone(),
         notes,
         ..RoadMap::default()
-    })
+    };
+    things::add(&sampled, &governed, &groups, &mut map);
+    Ok(map)
 }

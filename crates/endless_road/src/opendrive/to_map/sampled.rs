@@ -25,6 +25,14 @@ pub(super) struct LaneKey {
     pub(super) lane: i32,
 }
 
+impl LaneKey {
+    /// All keys of a road.
+    pub(super) fn all_of(road: usize) -> std::ops::Range<Self> {
+        let first = |road| Self { road, section: 0, lane: i32::MIN };
+        first(road)..first(road + 1)
+    }
+}
+
 /// A document with the shape of all its lanes.
 pub(super) struct Sampled<'a> {
     pub(super) document: &'a Document,

@@ -1,0 +1,185 @@
+//! What stands beside the road, and paint that files give as objects.
+
+use super::super::document::{Object, Signal};
+use super::super::geometry::RoadShape;
+use super::outline::{corners, place, rectangle};
+use super::sampled::Sampled;
+use super::signals::{Governed, Meaning, meaning};
+use crate::{Mark, Note, Paint, Polyline, RoadMap, RoadNetwork, Strip, StripKind, Thing, ThingKind};
+use endless_world::SignalId;
+use endless_world::math::f64::wrap_angle;
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+/// Objects given as paint are lines if they are this many times as long as wide.
+const SLENDER: f64 = 3.0;
+
+/// Adds signals, signs, objects, painted lines and parking bays to the map.
+pub(super) fn add(
+    sampled: &Sampled<'_>,
+    governed: &Governed<'_>,
+    groups: &BTreeMap<&str, SignalId>,
+    map: &mut RoadMap,
+) {
+    let mut strange: BTreeMap<String, (usize, usize)> = BTreeMap::new();
+    for shape in &sampled.roads {
+        for signal in &shape.road.signals {
+            if let Some(thing) = signal_thing(shape, signal, governed, groups, &map.network) {
+                map.things.push(thing);
+            }
+        }
+        for object in &shape.road.objects {
+            if object.kind == "crosswalk" {
+                continue;
+            }
+            if is_line(object) {
+                map.marks.extend(line(shape, object));
+            } else if object.kind == "parkingSpace" {
+                map.strips.extend(bay(shape, object));
+            } else if let Some(kind) = thing_kind(object) {
+                stand(shape, object, &kind, &mut map.things);
+            } else {
+                let name = if object.kind.is_empty() || object.kind == "-1" { &object.name } else { &object.kind };
+                strange.entry(name.clone()).or_insert((object.line, 0)).1 += 1;
+            }
+        }
+    }
+    for (kind, (line, times)) in strange {
+        let text = format!("objects of type \"{kind}\" are not placed ({times})");
+        map.notes.push(Note { place: format!("line {line}"), text });
+    }
+}
+
+fn signal_thing(
+    shape: &RoadShape<'_>,
+    signal: &Signal,
+    governed: &Governed<'_>,
+    groups: &BTreeMap<&str, SignalId>,
+    network: &RoadNetwork,
+) -> Option<Thing> {
+    use super::super::document::Orientation;
+    let position = shape.point(signal.s, signal.t);
+    // The direction of the traffic it is for; where that is not known, as it is turned.
+    let lanes = governed.get(signal.id.as_str()).into_iter().flatten();
+    let nearest = lanes
+        .map(|&id| network.lane(id))
+        .map(|lane| lane.centerline.at(lane.centerline.length()))
+        .min_by(|a, b| a.position.distance(position).total_cmp(&b.position.distance(position)));
+    let turned = if signal.orientation == Orientation::Against { PI } else { 0.0 };
+    let heading = shape.pose(signal.s).heading + turned + signal.h_offset;
+    let heading_rad = nearest.map_or(wrap_angle(heading), |end| end.heading_rad);
+    let kind = match meaning(signal) {
+        // A light that governs nothing that is driven is not lit, and not placed.
+        Meaning::Light => ThingKind::TrafficLight(*groups.get(signal.id.as_str())?),
+        Meaning::WalkLight => {
+            let crossing = network.crossings.iter().filter(|c| c.signal.is_some()).min_by(|a, b| {
+                let distance = |c: &crate::Crossing| c.ends[0].distance(position).min(c.ends[1].distance(position));
+                distance(a).total_cmp(&distance(b))
+            });
+            ThingKind::WalkLight(crossing?.signal?)
+        }
+        Meaning::Stop => ThingKind::Stop,
+        Meaning::Yield => ThingKind::Yield,
+        Meaning::SpeedLimit(kmh) => ThingKind::SpeedLimit(kmh),
+        Meaning::Other => {
+            let code = [&signal.country, &signal.kind, &signal.subtype].map(String::as_str);
+            ThingKind::Sign(
+                code.iter().filter(|part| !matches!(**part, "" | "-1")).copied().collect::<Vec<_>>().join(" "),
+            )
+        }
+    };
+    Some(Thing { kind, position, heading_rad })
+}
+
+/// Standard types first; for those that programs give no type, the name.
+fn thing_kind(object: &Object) -> Option<ThingKind> {
+    let name = object.name.to_ascii_lowercase();
+    let height = (object.size[2] > 0.5).then_some(object.size[2].min(60.0));
+    let named = |words: &[&str]| words.iter().any(|word| name.contains(word));
+    match object.kind.as_str() {
+        "tree" => return Some(ThingKind::Tree(height)),
+        "vegetation" if !matches!(object.subtype.as_str(), "bush" | "hedge" | "forest") => {
+            return Some(ThingKind::Tree(height));
+        }
+        "streetLamp" | "streetlamp" => return Some(ThingKind::StreetLamp),
+        "pole" if named(&["lamp", "light", "streetlight"]) && !named(&["traffic", "signal"]) => {
+            return Some(ThingKind::StreetLamp);
+        }
+        "pole" if object.subtype == "bollard" => return Some(ThingKind::Bollard),
+        // Posts of signals and signs come with these.
+        "pole" if !named(&["signal", "sign", "mastarm"]) => return Some(ThingKind::UtilityPole),
+        _ => {}
+    }
+    let by_name: [(&[&str], ThingKind); 7] = [
+        (&["streetlight", "street_light", "streetlamp", "lamp_post"], ThingKind::StreetLamp),
+        (&["bench"], ThingKind::Bench),
+        (&["busstop", "bus_stop"], ThingKind::BusStop),
+        (&["bollard"], ThingKind::Bollard),
+        (&["trash", "litter", "rubbish", "garbage"], ThingKind::Bin),
+        (&["hydrant"], ThingKind::Hydrant),
+        (&["utilitypole", "utility_pole", "powerpole", "telephone"], ThingKind::UtilityPole),
+    ];
+    by_name.into_iter().find(|(words, _)| named(words)).map(|(_, kind)| kind)
+}
+
+fn stand(shape: &RoadShape<'_>, object: &Object, kind: &ThingKind, things: &mut Vec<Thing>) {
+    let mut put = |s: f64, t: f64| {
+        let position = shape.point(s, t);
+        let heading_rad = wrap_angle(shape.pose(s).heading + object.heading);
+        things.push(Thing { kind: kind.clone(), position, heading_rad });
+    };
+    if object.repeats.is_empty() {
+        put(object.s, object.t);
+    }
+    for repeat in object.repeats.iter().filter(|repeat| repeat.distance > 0.0) {
+        for i in 0..=(repeat.length / repeat.distance) as usize {
+            let along = i as f64 * repeat.distance;
+            let share = if repeat.length > 0.0 { along / repeat.length } else { 0.0 };
+            put(repeat.s + along, repeat.t[0] + share * (repeat.t[1] - repeat.t[0]));
+        }
+    }
+}
+
+fn is_line(object: &Object) -> bool {
+    let name = object.name.to_ascii_lowercase();
+    object.kind == "roadMark" || ["stopline", "solidsingle", "soliddouble", "dashed"].iter().any(|w| name.contains(w))
+}
+
+/// A slender painted shape as a line along its middle.
+fn line(shape: &RoadShape<'_>, object: &Object) -> Option<Mark> {
+    let corners = corners(shape, object);
+    let rectangle = rectangle(&corners)?;
+    let (long, short) = (rectangle.long.length(), rectangle.short.length());
+    if long < SLENDER * short {
+        return None;
+    }
+    let height = corners.iter().map(|p| p.z).sum::<f64>() / corners.len() as f64;
+    let ends = [-rectangle.long, rectangle.long].map(|half| (rectangle.middle + half).extend(height));
+    let name = object.name.to_ascii_lowercase();
+    Some(Mark {
+        line: Polyline::new(ends),
+        width_m: (2.0 * short).clamp(0.1, 1.0),
+        dash: name.contains("dashed").then_some([1.0, 1.0]),
+        paint: if name.contains("yellow") { Paint::Yellow } else { Paint::White },
+    })
+}
+
+/// A parking space as a strip along its longer side.
+fn bay(shape: &RoadShape<'_>, object: &Object) -> Option<Strip> {
+    let corners = corners(shape, object);
+    let r = rectangle(&corners).filter(|r| r.short.length() > 0.5)?;
+    let height = place(shape, object).z;
+    let at = |side: f64| {
+        [-1.0, 1.0]
+            .map(|end| (r.middle + r.long * end + r.long.normalize().perp() * r.short.length() * side).extend(height))
+            .to_vec()
+    };
+    Some(Strip {
+        kind: StripKind::Parking,
+        left: at(1.0),
+        right: at(-1.0),
+        in_junction: shape.road.junction.is_some(),
+        unpaved: false,
+        bridge: false,
+    })
+}
