@@ -1,13 +1,13 @@
 //! The still picture of one camera in one scene.
 
+use super::centre::Centre;
 use super::compose::{sun_can_light, sun_origin};
 use super::still_sample::{StillSample, shade_still, share_lamp_light, still_look};
 use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
 use crate::film::{Rain, ToneCurve, exposure};
 use crate::indirect::{Guide, ProbeGrid, denoise, gather};
-use crate::light::Environment;
-use crate::material::Look;
+use crate::light::{Environment, LampMaps, Lamps};
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::scene::{StaticScene, SurfacePoint};
 use crate::shade::{Tracer, footprint_m};
@@ -77,8 +77,9 @@ pub struct CameraBake {
     pub(super) block_columns: u32,
     /// Height of the lowest surface in view.
     pub(super) lowest: f32,
-    /// At night, the look of each uniform pixel's centre: vehicle lights sweep much of the picture.
-    pub(super) looks: Vec<Look>,
+    /// At night, the surface at each uniform pixel's centre; the others' are empty.
+    pub(super) centres: Vec<Centre>,
+    pub(super) lamp_maps: LampMaps,
     /// Per sample, if kept.
     pub(super) irradiance: Vec<[f32; 3]>,
     pub(super) stats: BakeStats,
@@ -91,9 +92,12 @@ impl CameraBake {
         let environment = Environment::new(settings.weather, settings.time_of_day, settings.seed);
         let pixel_angle = 1.0 / camera.intrinsics.fx;
         let (low, high, ground) = viewed_area(still, &camera);
-        let probes = ProbeGrid::bake(still, &environment, low, high, ground);
+        let lamps = if environment.night { still.lamps.all() } else { &[] };
+        let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
+        let probes = ProbeGrid::bake(still, &environment, &lamp_maps, low, high, ground);
         let stats = BakeStats::default();
-        let tracer = Tracer { still, moving: None, environment: &environment, probes: Some(&probes) };
+        let tracer =
+            Tracer { still, moving: None, environment: &environment, lamp_maps: &lamp_maps, probes: Some(&probes) };
         let pass = Pass { tracer, camera: &camera, pixel_angle, gather_rays: settings.gather_rays, stats: &stats };
         let seen = pass.trace();
         let irradiance = pass.irradiance(&seen);
@@ -107,7 +111,7 @@ impl CameraBake {
             samples.par_chunks_mut(SAMPLES).zip(&uniform).filter(|(_, u)| **u).for_each(|(s, _)| share_lamp_light(s));
         }
         let lowest = blocks.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
-        let looks = if environment.night { pass.looks(&samples) } else { Vec::new() };
+        let centres = if environment.night { pass.centres(&samples, &uniform) } else { Vec::new() };
         drop(seen);
         let radiance: Vec<Vec3A> = samples
             .par_chunks(SAMPLES)
@@ -138,7 +142,8 @@ impl CameraBake {
             blocks,
             block_columns,
             lowest,
-            looks,
+            centres,
+            lamp_maps,
             irradiance: if keep { irradiance.iter().map(Vec3A::to_array).collect() } else { Vec::new() },
             environment,
             stats,
@@ -359,18 +364,19 @@ impl Pass<'_> {
         }
     }
 
-    /// The look of every pixel's centre.
-    fn looks(&self, samples: &[StillSample]) -> Vec<Look> {
+    /// The surface at the centre of every uniform pixel.
+    fn centres(&self, samples: &[StillSample], uniform: &[bool]) -> Vec<Centre> {
         samples
             .par_chunks_exact(SAMPLES)
+            .zip(uniform)
             .enumerate()
-            .map(|(pixel, group)| {
-                if group[0].is_sky() {
-                    return Look::matte(Vec3A::ZERO, Vec3A::Z);
+            .map(|(pixel, (group, &uniform))| {
+                if !uniform {
+                    return Centre::NONE;
                 }
                 let ray = self.ray_of(pixel * SAMPLES);
                 let point = SurfacePoint::new(&self.tracer.still.instances, &ray, &group[0].hit);
-                still_look(&point, self.tracer.environment, 0, self.pixel_angle)
+                Centre::new(&point, still_look(&point, self.tracer.environment, 0, self.pixel_angle))
             })
             .collect()
     }

@@ -1,10 +1,10 @@
 //! The radiance of a still sample in a world where things move.
 
 use super::affected::Work;
-use super::still_sample::{StillSample, lamp_light, still_look, sun_share};
+use super::centre::CentreLight;
+use super::still_sample::{StillSample, lamp_sum, lamps_blocked, still_look, sun_share};
 use crate::accel::Ray;
-use crate::material::Look;
-use crate::scene::{FrameScene, MovingObject, SurfacePoint};
+use crate::scene::{Facet, FrameScene, MovingObject, SurfacePoint};
 use crate::shade::{Tracer, mirror_footprint, shade_secondary};
 use endless_asset::{LensAspect, Surface};
 use endless_world::SignalAspect;
@@ -15,41 +15,9 @@ pub(super) const CONTACT_REACH_M: f32 = 2.2;
 /// How far above its ground, metres.
 pub(super) const CONTACT_RISE_M: f32 = 0.4;
 
-/// What moving objects do to the ambient and the lamp light of a uniform pixel at night, found once at its centre.
-pub(super) struct CentreLight {
-    /// Share of the ambient light left.
-    contact: f32,
-    /// Lamp light, fog included, where something blocks a lamp.
-    direct: Option<Vec3A>,
-}
-
-/// The centre light of a pixel; `look` is that of its centre, if it is known already.
-pub(super) fn centre_light(
-    tracer: &Tracer<'_>,
-    frame: &FrameScene,
-    work: &Work,
-    still: &StillSample,
-    ray: &Ray,
-    look: Option<&Look>,
-    pixel_angle: f32,
-) -> CentreLight {
-    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
-    let direct = lamps_touched(tracer, frame, &work.lamps, &point).then(|| {
-        let transmittance = tracer.environment.fog.transmittance(still.hit.t);
-        match look {
-            Some(look) => lamp_light(tracer, &point, look, true) * transmittance,
-            None => {
-                let look = still_look(&point, tracer.environment, 0, pixel_angle);
-                lamp_light(tracer, &point, &look, true) * transmittance
-            }
-        }
-    });
-    CentreLight { contact: contact_left(frame, work, &point), direct }
-}
-
 /// Share of the ambient light that the objects standing near leave.
-fn contact_left(frame: &FrameScene, work: &Work, point: &SurfacePoint<'_>) -> f32 {
-    work.contacts.iter().map(|&i| contact_light(&frame.objects[usize::from(i)], point)).product()
+pub(super) fn contact_left(frame: &FrameScene, work: &Work, facet: &Facet) -> f32 {
+    work.contacts.iter().map(|&i| contact_light(&frame.objects[usize::from(i)], facet)).product()
 }
 
 /// Radiance of a still sample, without vehicle lights. `tracer.moving` must be set; `work` says what can matter,
@@ -80,10 +48,12 @@ pub(super) fn compose(
     if alone || sun || mirrors || lens {
         let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
         if alone {
-            contact = contact_left(frame, work, &point);
-            if environment.night && lamps_touched(tracer, frame, &work.lamps, &point) {
+            let facet = point.facet();
+            contact = contact_left(frame, work, &facet);
+            let blocked = lamps_blocked(tracer, frame, &work.lamps, &facet, still.lamps_free);
+            if blocked != 0 {
                 let look = still_look(&point, environment, sample, pixel_angle);
-                let light = lamp_light(tracer, &point, &look, true);
+                let light = lamp_sum(tracer, &facet, &look, still.lamps_free & !blocked);
                 direct = Some(light * environment.fog.transmittance(still.hit.t));
             }
         }
@@ -131,17 +101,6 @@ pub(super) fn sun_can_light(point: &SurfacePoint<'_>, sun: Vec3A) -> bool {
     point.geometric_normal.dot(sun) > 0.0 || point.material.surface == Surface::Foliage
 }
 
-/// Whether what moves blocks any of these lamps.
-fn lamps_touched(tracer: &Tracer<'_>, frame: &FrameScene, lamps: &[u16], point: &SurfacePoint<'_>) -> bool {
-    let origin = point.ray_origin();
-    lamps.iter().map(|&i| &tracer.still.lamps.all()[usize::from(i)]).any(|lamp| {
-        let (illuminance, direction) = lamp.illuminance_at(point.position);
-        point.geometric_normal.dot(direction) > 0.0
-            && illuminance.max_element() > 0.0
-            && frame.accel.occluded(&Ray { origin, direction: lamp.position - origin, tmax: 0.999 })
-    })
-}
-
 /// The mirror image, if something that moves is in it.
 fn moving_mirror(
     tracer: &Tracer<'_>,
@@ -164,7 +123,7 @@ fn moving_mirror(
 
 /// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box
 /// hides, and nearly all of it beneath.
-fn contact_light(object: &MovingObject, point: &SurfacePoint<'_>) -> f32 {
+fn contact_light(object: &MovingObject, point: &Facet) -> f32 {
     let rise = point.position.z - object.ground;
     if rise.abs() > CONTACT_RISE_M || point.geometric_normal.z < 0.5 {
         return 1.0;

@@ -2,9 +2,10 @@
 
 use super::affected::{Work, affected};
 use super::bake::{CameraBake, planar_depth, still_sample};
-use super::compose::{centre_light, compose, sun_can_light, sun_origin};
-use super::still_sample::{StillSample, share_lamp_light};
-use super::sweep::{Centre, beams_on, beams_on_row};
+use super::centre::{CentreLight, Place, centre_lights};
+use super::compose::{compose, sun_can_light, sun_origin};
+use super::still_sample::{StillSample, share_lamp_light, still_look};
+use super::sweep::beams_on;
 use super::tile::TILE;
 use crate::accel::{Hit, Ray};
 use crate::film::add_glare;
@@ -56,7 +57,8 @@ impl CameraBake {
                 }
                 let hits =
                     std::array::from_fn(|s| frame.accel.closest(&Ray { tmax: samples[s].hit.t, ..self.ray(x, y, s) }));
-                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, None, &hits);
+                let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples[0]);
+                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, light.as_ref(), &hits);
                 canvas.set(self, x, y, &pixel);
             }
         }
@@ -64,7 +66,13 @@ impl CameraBake {
     }
 
     fn tracer<'a>(&'a self, still: &'a StaticScene, frame: &'a FrameScene) -> Tracer<'a> {
-        Tracer { still, moving: Some(frame), environment: &self.environment, probes: Some(&self.probes) }
+        Tracer {
+            still,
+            moving: Some(frame),
+            environment: &self.environment,
+            lamp_maps: &self.lamp_maps,
+            probes: Some(&self.probes),
+        }
     }
 
     /// A still sample from nothing but the scene and the baked irradiance.
@@ -98,28 +106,30 @@ impl CameraBake {
                 self.moving_hits(frame, x0, x1, y, &mut row_hits);
                 rays += u64::from(x1 - x0) * SAMPLES as u64;
             }
-            let swept = self.swept_row(tracer, frame, work, x0, x1, y);
+            let lights = self.centre_lights(tracer, frame, work, x0, x1, y, &row_hits);
             for x in x0..x1 {
                 let i = (x - x0) as usize;
                 let index = y as usize * self.camera.size.width as usize + x as usize;
-                if work.only_beams() && self.uniform[index] {
-                    if swept[i] != Vec3A::ZERO {
-                        let radiance = self.radiance[index] + swept[i];
+                let light = lights.as_ref().filter(|_| self.uniform[index]).map(|lights| &lights[i]);
+                if let Some(light) = light.filter(|_| work.only_beams()) {
+                    if light.swept != Vec3A::ZERO {
+                        let radiance = self.radiance[index] + light.swept;
                         canvas.set(self, x, y, &Pixel { radiance, covered: None });
                     }
                     continue;
                 }
                 let first = index * SAMPLES;
                 let samples = &self.samples[first..first + SAMPLES];
-                let pixel = self.pixel(tracer, frame, work, x, y, samples, Some(swept[i]), &row_hits[i]);
+                let pixel = self.pixel(tracer, frame, work, x, y, samples, light, &row_hits[i]);
                 canvas.set(self, x, y, &pixel);
             }
         }
         rays
     }
 
-    /// Vehicle light on the uniform pixels of a row of at most eight.
-    fn swept_row(
+    /// At night, the light that the samples of each uniform pixel share, in a row of at most eight; `hits` says which
+    /// pixels something that moves covers wholly.
+    fn centre_lights(
         &self,
         tracer: &Tracer<'_>,
         frame: &FrameScene,
@@ -127,20 +137,46 @@ impl CameraBake {
         x0: u32,
         x1: u32,
         y: u32,
-    ) -> [Vec3A; TILE as usize] {
-        if work.beams.is_empty() {
-            return [Vec3A::ZERO; TILE as usize];
+        hits: &[[Option<Hit>; SAMPLES]; TILE as usize],
+    ) -> Option<[CentreLight; TILE as usize]> {
+        if !self.environment.night {
+            return None;
         }
-        let row: [Option<Centre<'_>>; TILE as usize] = std::array::from_fn(|i| {
+        let row: [Option<Place<'_>>; TILE as usize] = std::array::from_fn(|i| {
             let x = x0 + i as u32;
             let index = y as usize * self.camera.size.width as usize + x as usize;
             if x >= x1 || !self.uniform[index] {
                 return None;
             }
-            let look = self.looks.get(index)?;
-            Some(Centre { still: &self.samples[index * SAMPLES], ray: self.ray(x, y, 0), look })
+            let samples = &self.samples[index * SAMPLES..][..SAMPLES];
+            let covered = |(hit, still): (&Option<Hit>, &StillSample)| hit.is_some_and(|h| h.t < still.hit.t);
+            if work.seen && hits[i].iter().zip(samples).all(covered) {
+                return None;
+            }
+            let (centre, still) = (&self.centres[index], &samples[0]);
+            Some(Place { facet: centre.facet(&self.ray(x, y, 0), still.hit.t), look: &centre.look, still })
         });
-        beams_on_row(tracer, frame, &work.beams, &row)
+        Some(centre_lights(tracer, frame, work, &row))
+    }
+
+    /// The same for one pixel, from nothing but its retraced centre.
+    fn retraced_centre(
+        &self,
+        tracer: &Tracer<'_>,
+        frame: &FrameScene,
+        work: &Work,
+        x: u32,
+        y: u32,
+        still: &StillSample,
+    ) -> Option<CentreLight> {
+        if !(self.environment.night && self.uniform[(y * self.camera.size.width + x) as usize]) {
+            return None;
+        }
+        let point = SurfacePoint::new(&tracer.still.instances, &self.ray(x, y, 0), &still.hit);
+        let look = still_look(&point, &self.environment, 0, self.pixel_angle);
+        let mut row = [None; 8];
+        row[0] = Some(Place { facet: point.facet(), look: &look, still });
+        Some(centre_lights(tracer, frame, work, &row)[0])
     }
 
     /// What moves in front of the still surfaces of a row of at most eight pixels.
@@ -165,8 +201,8 @@ impl CameraBake {
         }
     }
 
-    /// One pixel, given what moves along its samples' rays no farther than the still surfaces. `swept` is the vehicle
-    /// light on a uniform pixel, if it is known already.
+    /// One pixel, given what moves along its samples' rays no farther than the still surfaces, and the light that its
+    /// samples share if it is uniform at night.
     fn pixel(
         &self,
         tracer: &Tracer<'_>,
@@ -175,11 +211,9 @@ impl CameraBake {
         x: u32,
         y: u32,
         samples: &[StillSample],
-        swept: Option<Vec3A>,
+        centre: Option<&CentreLight>,
         hits: &[Option<Hit>; SAMPLES],
     ) -> Pixel {
-        let index = y as usize * self.camera.size.width as usize + x as usize;
-        let uniform = self.uniform[index];
         let beams = |s: usize, ray: &Ray| beams_on(tracer, frame, &work.beams, &samples[s], ray, s, self.pixel_angle);
         // What stands still wins a tie.
         let points: [Option<SurfacePoint<'_>>; SAMPLES] = std::array::from_fn(|s| {
@@ -193,16 +227,6 @@ impl CameraBake {
         if let Some(radiance) = self.whole(tracer, &points) {
             return Pixel { radiance, covered };
         }
-        let shared = match swept {
-            Some(light) if !self.looks.is_empty() => light,
-            _ if uniform => beams(0, &self.ray(x, y, 0)),
-            _ => Vec3A::ZERO,
-        };
-        let shaded = !(work.contacts.is_empty() && work.lamps.is_empty());
-        let centre = (uniform && self.environment.night && shaded).then(|| {
-            let look = swept.and_then(|_| self.looks.get(index));
-            centre_light(tracer, frame, work, &samples[0], &self.ray(x, y, 0), look, self.pixel_angle)
-        });
         let mut sum = Vec3A::ZERO;
         let mut uncovered = 0;
         for (s, still) in samples.iter().enumerate() {
@@ -211,18 +235,19 @@ impl CameraBake {
             } else {
                 let ray = self.ray(x, y, s);
                 uncovered += 1;
-                let mut radiance = compose(tracer, frame, work, centre.as_ref(), still, &ray, s, self.pixel_angle);
-                if !uniform {
+                let mut radiance = compose(tracer, frame, work, centre, still, &ray, s, self.pixel_angle);
+                if centre.is_none() {
                     radiance += beams(s, &ray);
                 }
                 sum += radiance;
             }
         }
-        Pixel { radiance: sum / SAMPLES as f32 + shared * (uncovered as f32 / SAMPLES as f32), covered }
+        let swept = centre.map_or(Vec3A::ZERO, |light| light.swept * (uncovered as f32 / SAMPLES as f32));
+        Pixel { radiance: sum / SAMPLES as f32 + swept, covered }
     }
 
     /// The radiance of a pixel that lies wholly on one smooth piece of something that moves: fewer samples than the
-    /// pixel has tell it, one on dull surfaces, two on shiny ones.
+    /// pixel has tell it: two on shiny curves, else one.
     fn whole(&self, tracer: &Tracer<'_>, points: &[Option<SurfacePoint<'_>>; SAMPLES]) -> Option<Vec3A> {
         let [Some(centre), Some(a), Some(b), Some(c)] = points else { return None };
         let smooth = |p: &SurfacePoint<'_>| {
@@ -234,10 +259,12 @@ impl CameraBake {
             return None;
         }
         let first = shade_moving(tracer, centre, 0, self.pixel_angle);
-        let shiny = matches!(
-            centre.material.surface,
-            Surface::CarPaint | Surface::CarGlass | Surface::Chrome | Surface::Painted
-        );
+        let flat = [a, b, c].into_iter().all(|p| p.normal.dot(centre.normal) > 0.995);
+        let shiny = !flat
+            && matches!(
+                centre.material.surface,
+                Surface::CarPaint | Surface::CarGlass | Surface::Chrome | Surface::Painted
+            );
         if shiny { Some((first + shade_moving(tracer, b, 2, self.pixel_angle)) * 0.5) } else { Some(first) }
     }
 }

@@ -9,6 +9,7 @@
 mod affected;
 mod bake;
 mod beam_box;
+mod centre;
 mod compose;
 mod frame;
 mod still_sample;

@@ -3,7 +3,7 @@
 use crate::accel::{Hit, Ray};
 use crate::light::{Environment, SUN_SAMPLES};
 use crate::material::{Look, look};
-use crate::scene::SurfacePoint;
+use crate::scene::{Facet, FrameScene, SurfacePoint};
 use crate::shade::{Tracer, footprint_m, mirror_light, mirror_ray};
 use endless_asset::Surface;
 use glam::Vec3A;
@@ -27,6 +27,8 @@ pub(super) struct StillSample {
     pub(super) mirror_direction: [f32; 3],
     /// Which directions to the sun's disc the still town leaves free, a bit each.
     pub(super) sun_free: u8,
+    /// Which lamps near it light it past the still town, a bit each.
+    pub(super) lamps_free: u32,
     /// [`Self::MIRRORS`], [`Self::LENS`].
     pub(super) flags: u8,
 }
@@ -47,6 +49,7 @@ impl StillSample {
             mirror: [0.0; 3],
             mirror_direction: [0.0; 3],
             sun_free: 0,
+            lamps_free: 0,
             flags: 0,
         }
     }
@@ -92,8 +95,10 @@ pub(super) fn shade_still(
     let mirror = mirror_light(tracer, &point, &look, pixel_angle);
     let mirrors = look.coat_reflectance(view).max_element() >= crate::shade::MIRROR_THRESHOLD;
     let lens = matches!(point.material.surface, Surface::SignalLens(_)) && point.instance.signal.is_some();
+    let facet = point.facet();
+    let lamps_free = if environment.night { lamps_free(tracer, &facet) } else { 0 };
     let direct = if environment.night {
-        lamp_light(tracer, &point, &look, false)
+        lamp_sum(tracer, &facet, &look, lamps_free)
     } else {
         environment.sun.as_ref().map_or(Vec3A::ZERO, |sun| look.lit_by(sun.illuminance, sun.direction, view))
     };
@@ -108,6 +113,7 @@ pub(super) fn shade_still(
         mirror: (mirror * transmittance).to_array(),
         mirror_direction: mirror_ray(&point, &look).direction.to_array(),
         sun_free,
+        lamps_free,
         flags: u8::from(mirrors) * StillSample::MIRRORS + u8::from(lens) * StillSample::LENS,
     }
 }
@@ -121,20 +127,44 @@ pub(super) fn share_lamp_light(pixel: &mut [StillSample]) {
     }
 }
 
-/// Light of all lamps in reach, shadowed by the still town and, if asked, by what moves.
-pub(super) fn lamp_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, moving_too: bool) -> Vec3A {
-    let origin = point.ray_origin();
-    let mut sum = Vec3A::ZERO;
-    for lamp in tracer.still.lamps.near(point.position) {
-        let (illuminance, direction) = lamp.illuminance_at(point.position);
-        if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
-            continue;
-        }
+/// The lamps near a point that light it past the still town, a bit each.
+fn lamps_free(tracer: &Tracer<'_>, facet: &Facet) -> u32 {
+    let origin = facet.ray_origin();
+    let mut free = 0;
+    for (bit, lamp) in tracer.still.lamps.near(facet.position).enumerate() {
+        let (illuminance, direction) = lamp.illuminance_at(facet.position);
+        let lit = facet.geometric_normal.dot(direction) > 0.0 && illuminance.max_element() > 0.0;
         let ray = Ray { origin, direction: lamp.position - origin, tmax: 0.999 };
-        let blocked =
-            tracer.still.accel.occluded(&ray) || moving_too && tracer.moving.is_some_and(|m| m.accel.occluded(&ray));
-        if !blocked {
-            sum += look.lit_by(illuminance, direction, -point.direction);
+        free |= u32::from(lit && !tracer.still.accel.occluded(&ray)) << bit;
+    }
+    free
+}
+
+/// Those of the free lamps that something that moves hides; only `lamps` (indices) are asked.
+pub(super) fn lamps_blocked(tracer: &Tracer<'_>, frame: &FrameScene, lamps: &[u16], facet: &Facet, free: u32) -> u32 {
+    if lamps.is_empty() || free == 0 {
+        return 0;
+    }
+    let near = tracer.still.lamps.indices_near(facet.position);
+    let origin = facet.ray_origin();
+    let mut blocked = 0;
+    for lamp in lamps {
+        let Ok(bit) = near.binary_search(lamp) else { continue };
+        let position = tracer.still.lamps.all()[usize::from(*lamp)].position;
+        let hidden =
+            free >> bit & 1 == 1 && frame.accel.occluded(&Ray { origin, direction: position - origin, tmax: 0.999 });
+        blocked |= u32::from(hidden) << bit;
+    }
+    blocked
+}
+
+/// Light of these lamps near a point, without fog.
+pub(super) fn lamp_sum(tracer: &Tracer<'_>, facet: &Facet, look: &Look, free: u32) -> Vec3A {
+    let mut sum = Vec3A::ZERO;
+    for (bit, lamp) in tracer.still.lamps.near(facet.position).enumerate() {
+        if free >> bit & 1 == 1 {
+            let (illuminance, direction) = lamp.illuminance_at(facet.position);
+            sum += look.lit_by(illuminance, direction, -facet.direction);
         }
     }
     sum

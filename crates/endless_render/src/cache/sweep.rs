@@ -1,9 +1,9 @@
 //! Light of vehicle lamps that sweeps the still town.
 
+use super::centre::Place;
 use super::still_sample::{StillSample, still_look};
 use crate::accel::Ray;
 use crate::light::Beam;
-use crate::material::Look;
 use crate::scene::{FrameScene, SurfacePoint};
 use crate::shade::{Tracer, beam_light};
 use glam::Vec3A;
@@ -38,45 +38,33 @@ pub(super) fn beams_on(
     }
     let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
     let look = still_look(&point, tracer.environment, sample, pixel_angle);
-    let origin = point.ray_origin();
+    let facet = point.facet();
     let mut sum = Vec3A::ZERO;
     for &i in lights {
-        sum += beam_light(tracer, &frame.beams[usize::from(i)], &point, &look, origin);
+        sum += beam_light(tracer, &frame.beams[usize::from(i)], &facet, &look);
     }
     sum * transmittance
 }
 
-/// A uniform pixel's centre.
-#[derive(Clone, Copy)]
-pub(super) struct Centre<'a> {
-    pub(super) still: &'a StillSample,
-    pub(super) ray: Ray,
-    pub(super) look: &'a Look,
-}
-
-/// The same for the centres of up to eight neighbouring pixels at once: rays to one lamp are traced together. Gives
-/// each the bits that [`beams_on`] would.
+/// The same for the centres of up to eight neighbouring pixels at once: rays to one lamp are traced together.
 pub(super) fn beams_on_row(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     beams: &[u16],
-    row: &[Option<Centre<'_>>; 8],
+    row: &[Option<Place<'_>>; 8],
+    transmittance: &[f32; 8],
 ) -> [Vec3A; 8] {
     let mut sums = [Vec3A::ZERO; 8];
-    let mut transmittance = [0.0f32; 8];
-    let points: [Option<SurfacePoint<'_>>; 8] = std::array::from_fn(|i| {
-        let centre = row[i].as_ref().filter(|c| !c.still.is_sky())?;
-        transmittance[i] = tracer.environment.fog.transmittance(centre.still.hit.t);
-        Some(SurfacePoint::new(&tracer.still.instances, &centre.ray, &centre.still.hit))
-    });
-    let origins: [Vec3A; 8] = std::array::from_fn(|i| points[i].as_ref().map_or(Vec3A::ZERO, SurfacePoint::ray_origin));
+    let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
     for &b in beams {
         let beam = &frame.beams[usize::from(b)];
         let mut active = 0u8;
-        for (i, point) in points.iter().enumerate() {
-            let Some(point) = point else { continue };
-            let (_, direction) = beam.illuminance_at(point.position);
-            let lit = shows(beam, point.position, transmittance[i]) && point.geometric_normal.dot(direction) > 0.0;
+        let mut lights = [(Vec3A::ZERO, Vec3A::Z); 8];
+        for (i, place) in row.iter().enumerate() {
+            let Some(Place { facet, .. }) = place else { continue };
+            lights[i] = beam.illuminance_at(facet.position);
+            let (illuminance, direction) = lights[i];
+            let lit = illuminance.x * transmittance[i] > UNSEEN_KLX && facet.geometric_normal.dot(direction) > 0.0;
             active |= u8::from(lit) << i;
         }
         if active == 0 {
@@ -87,10 +75,10 @@ pub(super) fn beams_on_row(
         if active != 0 {
             active &= !tracer.still.accel.occluded8(&rays, active);
         }
-        for (i, point) in points.iter().enumerate() {
-            if let (Some(point), Some(centre), 1) = (point, &row[i], active >> i & 1) {
-                let (illuminance, direction) = beam.illuminance_at(point.position);
-                sums[i] += centre.look.lit_by(illuminance, direction, -point.direction);
+        for (i, place) in row.iter().enumerate() {
+            if let (Some(place), 1) = (place, active >> i & 1) {
+                let (illuminance, direction) = lights[i];
+                sums[i] += place.look.lit_by(illuminance, direction, -place.facet.direction);
             }
         }
     }

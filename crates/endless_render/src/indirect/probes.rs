@@ -4,7 +4,11 @@ use super::harmonics::Harmonics;
 use crate::accel::Ray;
 use crate::sampling::{hammersley, rotated, sphere_direction};
 use crate::shade::{Tracer, shade_secondary};
-use crate::{light::Environment, material::noise, scene::StaticScene};
+use crate::{
+    light::{Environment, LampMaps},
+    material::noise,
+    scene::StaticScene,
+};
 use glam::{UVec3, Vec2, Vec3, Vec3A};
 use rayon::prelude::*;
 use std::f32::consts::PI;
@@ -31,14 +35,21 @@ struct Probe {
 
 impl ProbeGrid {
     /// Bakes probes over a rectangle of ground: first light that bounced once, then twice.
-    pub(crate) fn bake(still: &StaticScene, environment: &Environment, low: Vec2, high: Vec2, ground: f32) -> Self {
+    pub(crate) fn bake(
+        still: &StaticScene,
+        environment: &Environment,
+        lamp_maps: &LampMaps,
+        low: Vec2,
+        high: Vec2,
+        ground: f32,
+    ) -> Self {
         let columns = ((high.x - low.x) / SPACING_M).ceil().max(1.0) as u32 + 1;
         let rows = ((high.y - low.y) / SPACING_M).ceil().max(1.0) as u32 + 1;
         let mut grid =
             Self { low, ground, size: UVec3::new(columns, rows, HEIGHTS_M.len() as u32), probes: Vec::new() };
         for rays in RAYS {
             let known = (!grid.probes.is_empty()).then_some(&grid);
-            let tracer = Tracer { still, moving: None, environment, probes: known };
+            let tracer = Tracer { still, moving: None, environment, lamp_maps, probes: known };
             let probes = (0..columns * rows * grid.size.z)
                 .into_par_iter()
                 .map(|i| {

@@ -7,6 +7,8 @@ use glam::{Vec2, Vec3A};
 /// Beyond this a lamp's light is nothing.
 const RANGE_M: f32 = 32.0;
 const CELL_M: f32 = 16.0;
+/// Lamps that a cell knows: a bit each in a mask.
+const MOST: usize = 32;
 
 /// One street lamp.
 #[derive(Debug, Clone, Copy)]
@@ -45,7 +47,7 @@ pub(crate) struct Lamps {
     low: Vec2,
     columns: usize,
     rows: usize,
-    /// Lamps in reach of each cell, ascending.
+    /// The nearest lamps in reach of each cell, at most [`MOST`], ascending.
     cells: Vec<Vec<u16>>,
 }
 
@@ -77,16 +79,29 @@ impl Lamps {
                 }
             }
         }
+        for (i, cell) in cells.iter_mut().enumerate().filter(|(_, cell)| cell.len() > MOST) {
+            let centre = low + (Vec2::new((i % columns) as f32, (i / columns) as f32) + 0.5) * CELL_M;
+            cell.sort_by(|&a, &b| {
+                let distance = |i: u16| flat(&lights[usize::from(i)]).distance_squared(centre);
+                distance(a).total_cmp(&distance(b)).then(a.cmp(&b))
+            });
+            cell.truncate(MOST);
+            cell.sort_unstable();
+        }
         Self { lights, low, columns, rows, cells }
     }
 
-    /// Lamps that may reach a point.
+    /// Lamps that may reach a point; the position in this list is the lamp's bit in masks of that point.
     pub(crate) fn near(&self, point: Vec3A) -> impl Iterator<Item = &LampLight> {
+        self.indices_near(point).iter().map(|&i| &self.lights[usize::from(i)])
+    }
+
+    /// The same as indices into [`Self::all`], ascending.
+    pub(crate) fn indices_near(&self, point: Vec3A) -> &[u16] {
         let cell = ((Vec2::new(point.x, point.y) - self.low) / CELL_M).floor();
         let inside =
             cell.x >= 0.0 && cell.y >= 0.0 && (cell.x as usize) < self.columns && (cell.y as usize) < self.rows;
-        let list: &[u16] = if inside { &self.cells[cell.y as usize * self.columns + cell.x as usize] } else { &[] };
-        list.iter().map(|&i| &self.lights[usize::from(i)])
+        if inside { &self.cells[cell.y as usize * self.columns + cell.x as usize] } else { &[] }
     }
 
     /// All of them.

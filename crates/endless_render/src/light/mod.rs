@@ -4,11 +4,13 @@ mod beams;
 mod clouds;
 mod environment;
 mod fog;
+mod lamp_maps;
 mod lamps;
 mod sky;
 
 pub(crate) use beams::{Beam, BeamKind};
 pub(crate) use environment::{Environment, SUN_SAMPLES};
 pub(crate) use fog::Fog;
+pub(crate) use lamp_maps::LampMaps;
 pub(crate) use lamps::Lamps;
 pub(crate) use sky::Sky;

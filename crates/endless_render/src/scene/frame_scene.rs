@@ -22,6 +22,8 @@ pub(crate) struct MovingObject {
     /// Height of the surface it stands on.
     pub(crate) ground: f32,
     pub(crate) height: f32,
+    /// Vehicle lights that may reach it, ascending.
+    pub(crate) beams: Vec<u16>,
 }
 
 /// The moving part of the scene at one instant. Cheap to make: a millisecond or two.
@@ -47,6 +49,9 @@ impl FrameScene {
                 Motion::Walker(_) => add_person(cast, actor, &mut instances),
             };
             if let Some((half, height)) = placed {
+                for instance in &mut instances[first..] {
+                    instance.object = spans.len() as u16;
+                }
                 spans.push((first..instances.len(), actor, half, height));
             }
         }
@@ -59,6 +64,8 @@ impl FrameScene {
                     let (a, b) = accel.instance_bounds(i);
                     (low, high) = (low.min(a), high.max(b));
                 }
+                let reaches = |beam: &Beam| beam.reaches(low - 0.1, high + 0.1);
+                let beams = (0u16..).zip(&beams).filter(|(_, beam)| reaches(beam)).map(|(i, _)| i).collect();
                 let forward = actor.pose.world_from_object().matrix3.x_axis;
                 let position = actor.pose.position;
                 MovingObject {
@@ -69,6 +76,7 @@ impl FrameScene {
                     half,
                     ground: position.z,
                     height,
+                    beams,
                 }
             })
             .collect();
@@ -80,6 +88,11 @@ impl FrameScene {
             beams,
             signals: state.signals.iter().map(|s| s.aspect).collect(),
         }
+    }
+
+    /// Vehicle lights that may reach an instance of what moves.
+    pub(crate) fn beams_on(&self, instance: &Instance) -> &[u16] {
+        self.objects.get(usize::from(instance.object)).map_or(&[], |object| &object.beams)
     }
 }
 

@@ -12,4 +12,4 @@ pub use frame_scene::FrameScene;
 pub(crate) use frame_scene::MovingObject;
 pub(crate) use model::{Body, Instance, Shape};
 pub use static_scene::StaticScene;
-pub(crate) use surface_point::SurfacePoint;
+pub(crate) use surface_point::{Facet, SurfacePoint};

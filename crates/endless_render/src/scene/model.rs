@@ -62,6 +62,8 @@ pub(crate) struct Instance {
     pub(crate) lights: u32,
     /// Signal group whose aspect lights its lenses.
     pub(crate) signal: Option<SignalId>,
+    /// The moving object that it is a part of, by index; [`u16::MAX`] for the town.
+    pub(crate) object: u16,
 }
 
 impl Instance {
@@ -77,6 +79,7 @@ impl Instance {
             tint: Vec3A::ONE,
             lights: 0,
             signal: None,
+            object: u16::MAX,
         }
     }
 

@@ -6,6 +6,27 @@ use endless_asset::Material;
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3A};
 
+/// What lights need to know of a point.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Facet {
+    /// World frame.
+    pub(crate) position: Vec3A,
+    /// Unit, on the side that the ray came from.
+    pub(crate) geometric_normal: Vec3A,
+    /// Unit direction of the ray that met it.
+    pub(crate) direction: Vec3A,
+    /// Distance from the ray's origin, metres.
+    pub(crate) distance: f32,
+}
+
+impl Facet {
+    /// Where rays leave the surface without meeting it again.
+    pub(crate) fn ray_origin(&self) -> Vec3A {
+        let away = 1.5e-3 + 2.0e-5 * self.distance + 4.0e-7 * self.position.abs().max_element();
+        self.position + self.geometric_normal * away
+    }
+}
+
 /// Everything that shading needs to know of a hit.
 #[derive(Debug, Clone)]
 pub(crate) struct SurfacePoint<'a> {
@@ -80,6 +101,12 @@ impl<'a> SurfacePoint<'a> {
         }
     }
 
+    /// The part that lights need.
+    pub(crate) fn facet(&self) -> Facet {
+        let Self { position, geometric_normal, direction, distance, .. } = *self;
+        Facet { position, geometric_normal, direction, distance }
+    }
+
     /// The class of the pixel.
     pub(crate) fn tag(&self) -> ClassTag {
         self.instance.class.unwrap_or(self.material.tag)
@@ -87,7 +114,6 @@ impl<'a> SurfacePoint<'a> {
 
     /// Where rays leave the surface without meeting it again.
     pub(crate) fn ray_origin(&self) -> Vec3A {
-        let away = 1.5e-3 + 2.0e-5 * self.distance + 4.0e-7 * self.position.abs().max_element();
-        self.position + self.geometric_normal * away
+        self.facet().ray_origin()
     }
 }

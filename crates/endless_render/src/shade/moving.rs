@@ -7,7 +7,7 @@ use super::{
 };
 use crate::light::Beam;
 use crate::material::{Look, look};
-use crate::scene::SurfacePoint;
+use crate::scene::{Facet, SurfacePoint};
 use glam::Vec3A;
 
 /// Lamps whose shadows a moving point tests.
@@ -26,27 +26,21 @@ pub(crate) fn shade_moving(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, sample
     if environment.night
         && let Some(moving) = tracer.moving
     {
-        let origin = point.ray_origin();
-        for beam in &moving.beams {
-            radiance += beam_light(tracer, beam, point, &look, origin);
+        let facet = point.facet();
+        for &beam in moving.beams_on(point.instance) {
+            radiance += beam_light(tracer, &moving.beams[usize::from(beam)], &facet, &look);
         }
     }
     environment.fog.through(radiance, point.direction, point.distance)
 }
 
 /// Light of one vehicle lamp on a point towards its viewer, without fog.
-pub(crate) fn beam_light(
-    tracer: &Tracer<'_>,
-    beam: &Beam,
-    point: &SurfacePoint<'_>,
-    look: &Look,
-    origin: Vec3A,
-) -> Vec3A {
+pub(crate) fn beam_light(tracer: &Tracer<'_>, beam: &Beam, point: &Facet, look: &Look) -> Vec3A {
     let (illuminance, direction) = beam.illuminance_at(point.position);
     if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
         return Vec3A::ZERO;
     }
-    if tracer.occluded(&beam.shadow_ray(origin)) {
+    if tracer.occluded(&beam.shadow_ray(point.ray_origin())) {
         return Vec3A::ZERO;
     }
     look.lit_by(illuminance, direction, -point.direction)

@@ -59,29 +59,48 @@ fn strongest_lamps(
     count: usize,
 ) -> Vec3A {
     // The few strongest, by insertion into a short list.
-    let mut best = [(0.0f32, Vec3A::ZERO, Vec3A::ZERO); 4];
+    let mut best = [Candidate { strength: 0.0, lit: Vec3A::ZERO, lamp: 0, direction: Vec3A::Z }; 4];
     let count = count.min(best.len());
-    for lamp in tracer.still.lamps.near(point.position) {
-        let (illuminance, direction) = lamp.illuminance_at(point.position);
+    for &lamp in tracer.still.lamps.indices_near(point.position) {
+        let (illuminance, direction) = tracer.still.lamps.all()[usize::from(lamp)].illuminance_at(point.position);
+        if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
+            continue;
+        }
         let lit = look.lit_by(illuminance, direction, view);
         let strength = lit.max_element();
-        if point.geometric_normal.dot(direction) <= 0.0 || strength <= best[count - 1].0 {
+        if strength <= best[count - 1].strength {
             continue;
         }
         let mut at = count - 1;
-        while at > 0 && best[at - 1].0 < strength {
+        while at > 0 && best[at - 1].strength < strength {
             best[at] = best[at - 1];
             at -= 1;
         }
-        best[at] = (strength, lit, lamp.position);
+        best[at] = Candidate { strength, lit, lamp, direction };
     }
-    best[..count]
-        .iter()
-        .filter(|(strength, _, lamp)| {
-            *strength > 0.0 && !tracer.occluded(&Ray { origin, direction: *lamp - origin, tmax: 0.999 })
-        })
-        .map(|&(_, lit, _)| lit)
-        .sum()
+    best[..count].iter().filter(|c| c.strength > 0.0).map(|c| c.lit * lamp_share(tracer, c, origin)).sum()
+}
+
+/// A lamp that may light a point.
+#[derive(Clone, Copy)]
+struct Candidate {
+    strength: f32,
+    lit: Vec3A,
+    lamp: u16,
+    /// To the lamp.
+    direction: Vec3A,
+}
+
+/// Share of a lamp's light that arrives: past the town by the lamp's map, past what moves by a ray.
+fn lamp_share(tracer: &Tracer<'_>, candidate: &Candidate, origin: Vec3A) -> f32 {
+    let lamp = usize::from(candidate.lamp);
+    let way = tracer.still.lamps.all()[lamp].position - origin;
+    let ray = Ray { origin, direction: way, tmax: 0.999 };
+    let share = match tracer.lamp_maps.lit(lamp, candidate.direction, way.length()) {
+        Some(share) => share,
+        None => f32::from(!tracer.still.accel.occluded(&ray)),
+    };
+    if share > 0.0 && tracer.moving.is_some_and(|m| m.accel.occluded(&ray)) { 0.0 } else { share }
 }
 
 /// What a coat's mirror shows, weighted by its reflectance. No light where the weight is too small to see.

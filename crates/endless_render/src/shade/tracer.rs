@@ -2,7 +2,7 @@
 
 use crate::accel::{Hit, Ray};
 use crate::indirect::ProbeGrid;
-use crate::light::Environment;
+use crate::light::{Environment, LampMaps};
 use crate::scene::{FrameScene, StaticScene, SurfacePoint};
 use glam::Vec3A;
 
@@ -13,6 +13,7 @@ pub(crate) struct Tracer<'a> {
     /// `None` while baking.
     pub(crate) moving: Option<&'a FrameScene>,
     pub(crate) environment: &'a Environment,
+    pub(crate) lamp_maps: &'a LampMaps,
     /// `None` while the probes themselves are made.
     pub(crate) probes: Option<&'a ProbeGrid>,
 }

@@ -1,0 +1,63 @@
+//! What a frame of a planned scene costs, on one thread, and a fingerprint of its pixels:
+//! `cargo run --release -p endless_pipeline --example frame_cost -- OUT/scenes/0001.json [FRAMES] [STRIDE]`.
+
+use endless_asset::Catalogue;
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_traffic::{Conditions, Simulation};
+use endless_world::SceneSettings;
+use glam::Vec3;
+use std::{error::Error, hash::Hasher, time::Duration};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [scene, rest @ ..] = arguments.as_slice() else {
+        return Err("usage: frame_cost SCENE.json [FRAMES] [STRIDE]".into());
+    };
+    let number = |i: usize, otherwise: u32| rest.get(i).map_or(Ok(otherwise), |n| n.parse());
+    let (frames, stride) = (number(0, 10)?, number(1, 15)?);
+    let settings: SceneSettings = serde_json::from_str(&std::fs::read_to_string(scene)?)?;
+    let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, size, .. } = settings;
+    let catalogue = Catalogue::builtin();
+    let town = endless_town::load(&settings.map, &catalogue)?;
+    let still = StaticScene::load(&town, &catalogue);
+    // One gathered ray: the light is noisy, the cost of a frame is the same.
+    let render = RenderSettings { weather, time_of_day, seed, size, gather_rays: 1, keep_irradiance: false };
+    let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(&still, &render, site));
+    let focus = settings.cameras.each_ref().map(|site| Vec3::from_array(site.position));
+    let conditions = Conditions::new(weather, time_of_day);
+    let mut traffic = Simulation::focused(&town, &catalogue, vehicles, pedestrians, seed, conditions, fps, &focus);
+    let cast = Cast::new(&catalogue, &traffic.state().actors);
+    let (mut scene_time, mut times) = (Duration::ZERO, [Duration::ZERO; 2]);
+    let mut print = std::hash::DefaultHasher::new();
+    for _ in 0..frames {
+        for _ in 0..stride {
+            traffic.tick();
+        }
+        let state = traffic.state();
+        let begin = processor_time();
+        let frame = FrameScene::new(&cast, &state);
+        scene_time += processor_time().saturating_sub(begin);
+        for (camera, time) in baked.iter().zip(&mut times) {
+            let begin = processor_time();
+            let image = camera.render(&still, &frame);
+            *time += processor_time().saturating_sub(begin);
+            print.write(image.rgb.data.as_flattened());
+        }
+    }
+    let each = |t: Duration| t.as_secs_f64() * 1e3 / f64::from(frames);
+    eprintln!(
+        "{} {weather} {time_of_day}: scene {:.1} ms, cameras {:.1} and {:.1} ms a frame, pixels {:016x}",
+        settings.map,
+        each(scene_time),
+        each(times[0]),
+        each(times[1]),
+        print.finish()
+    );
+    Ok(())
+}
+
+/// Processor time of this thread, where the system tells it.
+fn processor_time() -> Duration {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    Duration::from_nanos(told.and_then(|s| s.split(' ').next()?.parse().ok()).unwrap_or(0))
+}

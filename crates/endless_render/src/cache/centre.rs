@@ -1,0 +1,133 @@
+//! What light that moves does to a uniform pixel, found once at the pixel's centre, for up to eight neighbours at a time.
+
+use super::affected::Work;
+use super::compose::contact_left;
+use super::still_sample::{StillSample, lamp_sum};
+use super::sweep::beams_on_row;
+use crate::accel::Ray;
+use crate::material::Look;
+use crate::scene::{Facet, FrameScene, SurfacePoint};
+use crate::shade::Tracer;
+use glam::Vec3A;
+
+/// The surface at the centre of a uniform pixel, kept at night: vehicle lights sweep much of the picture.
+#[derive(Debug, Clone)]
+pub(super) struct Centre {
+    pub(super) look: Look,
+    position: Vec3A,
+    geometric_normal: Vec3A,
+}
+
+impl Centre {
+    /// Of a pixel that is not uniform: never asked.
+    pub(super) const NONE: Self = Self {
+        look: Look {
+            albedo: Vec3A::ZERO,
+            normal: Vec3A::Z,
+            roughness: 1.0,
+            specular: 0.0,
+            coat: 0.0,
+            coat_f0: Vec3A::ZERO,
+            coat_normal: Vec3A::Z,
+            coat_roughness: 1.0,
+            translucency: 0.0,
+            emission: Vec3A::ZERO,
+        },
+        position: Vec3A::ZERO,
+        geometric_normal: Vec3A::Z,
+    };
+
+    pub(super) fn new(point: &SurfacePoint<'_>, look: Look) -> Self {
+        Self { look, position: point.position, geometric_normal: point.geometric_normal }
+    }
+
+    /// As the ray through the pixel's centre met it.
+    pub(super) fn facet(&self, ray: &Ray, distance: f32) -> Facet {
+        let Self { position, geometric_normal, .. } = *self;
+        Facet { position, geometric_normal, direction: ray.direction, distance }
+    }
+}
+
+/// A pixel's centre in a row.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    pub(super) facet: Facet,
+    pub(super) look: &'a Look,
+    pub(super) still: &'a StillSample,
+}
+
+/// Light of a uniform pixel that its samples share.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CentreLight {
+    /// Vehicle light, fog included.
+    pub(super) swept: Vec3A,
+    /// Share of the ambient light that objects standing near leave.
+    pub(super) contact: f32,
+    /// Lamp light, fog included, where something that moves blocks a lamp.
+    pub(super) direct: Option<Vec3A>,
+}
+
+impl CentreLight {
+    const NONE: Self = Self { swept: Vec3A::ZERO, contact: 1.0, direct: None };
+}
+
+/// The light of these pixels; `work` says what can matter.
+pub(super) fn centre_lights(
+    tracer: &Tracer<'_>,
+    frame: &FrameScene,
+    work: &Work,
+    row: &[Option<Place<'_>>; 8],
+) -> [CentreLight; 8] {
+    let mut lights = [CentreLight::NONE; 8];
+    if row.iter().all(Option::is_none) {
+        return lights;
+    }
+    let transmittance: [f32; 8] =
+        std::array::from_fn(|i| row[i].map_or(0.0, |p| tracer.environment.fog.transmittance(p.facet.distance)));
+    if !work.beams.is_empty() {
+        let swept = beams_on_row(tracer, frame, &work.beams, row, &transmittance);
+        for (light, swept) in lights.iter_mut().zip(swept) {
+            light.swept = swept;
+        }
+    }
+    let blocked = lamps_blocked_row(tracer, frame, &work.lamps, row);
+    for (i, light) in lights.iter_mut().enumerate() {
+        let Some(Place { facet, look, still }) = &row[i] else { continue };
+        light.contact = contact_left(frame, work, facet);
+        light.direct =
+            (blocked[i] != 0).then(|| lamp_sum(tracer, facet, look, still.lamps_free & !blocked[i]) * transmittance[i]);
+    }
+    lights
+}
+
+/// Lamps that something that moves hides from each pixel, a bit each of those near it.
+fn lamps_blocked_row(tracer: &Tracer<'_>, frame: &FrameScene, lamps: &[u16], row: &[Option<Place<'_>>; 8]) -> [u32; 8] {
+    let mut blocked = [0u32; 8];
+    if lamps.is_empty() {
+        return blocked;
+    }
+    let near: [&[u16]; 8] =
+        std::array::from_fn(|i| row[i].map_or(&[][..], |p| tracer.still.lamps.indices_near(p.facet.position)));
+    let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
+    for lamp in lamps {
+        let mut bits = [0u8; 8];
+        let mut active = 0u8;
+        for (i, place) in row.iter().enumerate() {
+            let Some(place) = place else { continue };
+            if let Ok(bit) = near[i].binary_search(lamp) {
+                bits[i] = bit as u8;
+                active |= ((place.still.lamps_free >> bit & 1) as u8) << i;
+            }
+        }
+        if active == 0 {
+            continue;
+        }
+        let position = tracer.still.lamps.all()[usize::from(*lamp)].position;
+        let rays = origins.map(|origin| Ray { origin, direction: position - origin, tmax: 0.999 });
+        let hidden = frame.accel.occluded8(&rays, active);
+        for i in 0..8 {
+            blocked[i] |= u32::from(hidden >> i & 1) << bits[i];
+        }
+    }
+    blocked
+}
