@@ -24,7 +24,15 @@ pub(super) struct Work {
     /// Lamps whose light may be blocked, by index.
     pub(super) lamps: Vec<u16>,
     /// Vehicle lights that may reach it, ascending.
-    pub(super) beams: Vec<u16>,
+    pub(super) beams: Vec<Sweep>,
+}
+
+/// A vehicle light that may reach a tile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Sweep {
+    pub(super) beam: u16,
+    /// Something that moves may stand in its way.
+    pub(super) crossed: bool,
 }
 
 impl Work {
@@ -38,7 +46,7 @@ impl Work {
             mirror: true,
             lens: true,
             contacts: all(frame.objects.len()),
-            beams: all(if night { frame.beams.len() } else { 0 }),
+            beams: (0..frame.beams.len() as u16).filter(|_| night).map(|beam| Sweep { beam, crossed: true }).collect(),
         }
     }
 
@@ -68,10 +76,15 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     // By day vehicle lights are seen, but light nothing.
     let beams: &[Beam] = if bake.environment.night { &frame.beams } else { &[] };
     for (i, beam) in beams.iter().enumerate() {
+        let range = beam.range_m();
+        let near = |o: &&MovingObject| beam.position.clamp(o.low, o.high).distance(beam.position) <= range * 1.01;
+        let objects: Vec<&MovingObject> = frame.objects.iter().filter(near).collect();
         mark(bake, &mut work, |bounds, tile| {
             let reaches = !bounds.points.is_empty() && beam.reaches(bounds.points.low - 0.1, bounds.points.high + 0.1);
             if let (Some(tile), true) = (tile, reaches) {
-                tile.beams.push(i as u16);
+                let way = bounds.lamp_bundle(beam.position);
+                let crossed = objects.iter().any(|o| way.may_meet(o.low, o.high, 1.0));
+                tile.beams.push(Sweep { beam: i as u16, crossed });
             }
             reaches
         });

@@ -2,6 +2,7 @@
 
 use super::centre::Centre;
 use super::compose::{sun_can_light, sun_origin};
+use super::spare::Spare;
 use super::still_sample::{StillSample, shade_still, share_lamp_light, still_look};
 use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
@@ -83,6 +84,7 @@ pub struct CameraBake {
     /// Per sample, if kept.
     pub(super) irradiance: Vec<[f32; 3]>,
     pub(super) stats: BakeStats,
+    pub(super) spare: Spare,
 }
 
 impl CameraBake {
@@ -147,6 +149,7 @@ impl CameraBake {
             irradiance: if keep { irradiance.iter().map(Vec3A::to_array).collect() } else { Vec::new() },
             environment,
             stats,
+            spare: Spare::default(),
         }
     }
 

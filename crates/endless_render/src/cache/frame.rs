@@ -8,7 +8,7 @@ use super::still_sample::{StillSample, share_lamp_light, still_look};
 use super::sweep::beams_on;
 use super::tile::TILE;
 use crate::accel::{Hit, Ray};
-use crate::film::add_glare;
+use crate::film::with_glare;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfacePoint};
 use crate::shade::{Tracer, shade_moving};
@@ -216,14 +216,20 @@ impl CameraBake {
     ) -> Pixel {
         let beams = |s: usize, ray: &Ray| beams_on(tracer, frame, &work.beams, &samples[s], ray, s, self.pixel_angle);
         // What stands still wins a tie.
-        let points: [Option<SurfacePoint<'_>>; SAMPLES] = std::array::from_fn(|s| {
-            let hit = hits[s].filter(|h| work.seen && h.t < samples[s].hit.t)?;
-            Some(SurfacePoint::new(&frame.instances, &self.ray(x, y, s), &hit))
-        });
-        let covered = points[0].as_ref().map(|point| {
+        let seen: [Option<&Hit>; SAMPLES] =
+            std::array::from_fn(|s| hits[s].as_ref().filter(|h| work.seen && h.t < samples[s].hit.t));
+        let point = |s: usize| seen[s].map(|hit| SurfacePoint::new(&frame.instances, &self.ray(x, y, s), hit));
+        let first = point(0);
+        let covered = first.as_ref().map(|point| {
             let label = InstancePixel { tag: point.tag(), id: point.instance.id };
             (planar_depth(&self.camera, &self.ray(x, y, 0), point.distance), label)
         });
+        if let (Some(point), [Some(a), Some(b), Some(c), Some(d)]) = (&first, seen)
+            && [b, c, d].into_iter().all(|h| (h.instance, h.triangle) == (a.instance, a.triangle))
+        {
+            return Pixel { radiance: shade_moving(tracer, point, 0, self.pixel_angle), covered };
+        }
+        let points = [first, point(1), point(2), point(3)];
         if let Some(radiance) = self.whole(tracer, &points) {
             return Pixel { radiance, covered };
         }
@@ -282,8 +288,8 @@ impl Canvas {
     fn new(bake: &CameraBake) -> Self {
         let whole = bake.rain.is_some() || bake.glare > 0.0;
         Self {
-            radiance: whole.then(|| bake.radiance.clone()),
-            rgb: bake.rgb.clone(),
+            radiance: whole.then(|| bake.spare.copy(&bake.radiance)),
+            rgb: if whole { Vec::with_capacity(bake.rgb.len()) } else { bake.rgb.clone() },
             depth: bake.depth.clone(),
             instance: bake.instance.clone(),
         }
@@ -308,12 +314,13 @@ impl Canvas {
             if let Some(rain) = &bake.rain {
                 rain.draw(frame, &bake.camera, &self.depth, &mut radiance);
             }
+            self.rgb.clear();
             if bake.glare > 0.0 {
-                add_glare(size, &mut radiance, bake.glare);
+                with_glare(size, &radiance, bake.glare, |r| self.rgb.push(bake.tone.apply(r)));
+            } else {
+                self.rgb.extend(radiance.iter().map(|&r| bake.tone.apply(r)));
             }
-            for (rgb, &r) in self.rgb.iter_mut().zip(&radiance) {
-                *rgb = bake.tone.apply(r);
-            }
+            bake.spare.give(radiance);
         }
         SensorFrame {
             frame,

@@ -1,5 +1,6 @@
 //! Light of vehicle lamps that sweeps the still town.
 
+use super::affected::Sweep;
 use super::centre::Place;
 use super::still_sample::{StillSample, still_look};
 use crate::accel::Ray;
@@ -20,7 +21,7 @@ fn shows(beam: &Beam, position: Vec3A, transmittance: f32) -> bool {
 pub(super) fn beams_on(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
-    beams: &[u16],
+    beams: &[Sweep],
     still: &StillSample,
     ray: &Ray,
     sample: usize,
@@ -31,7 +32,7 @@ pub(super) fn beams_on(
     }
     let position = ray.origin + ray.direction * still.hit.t;
     let transmittance = tracer.environment.fog.transmittance(still.hit.t);
-    let shown = |i: &&u16| shows(&frame.beams[usize::from(**i)], position, transmittance);
+    let shown = |sweep: &&Sweep| shows(&frame.beams[usize::from(sweep.beam)], position, transmittance);
     let mut lights = beams.iter().filter(shown).peekable();
     if lights.peek().is_none() {
         return Vec3A::ZERO;
@@ -40,8 +41,8 @@ pub(super) fn beams_on(
     let look = still_look(&point, tracer.environment, sample, pixel_angle);
     let facet = point.facet();
     let mut sum = Vec3A::ZERO;
-    for &i in lights {
-        sum += beam_light(tracer, &frame.beams[usize::from(i)], &facet, &look);
+    for sweep in lights {
+        sum += beam_light(tracer, &frame.beams[usize::from(sweep.beam)], &facet, &look);
     }
     sum * transmittance
 }
@@ -50,14 +51,14 @@ pub(super) fn beams_on(
 pub(super) fn beams_on_row(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
-    beams: &[u16],
+    beams: &[Sweep],
     row: &[Option<Place<'_>>; 8],
     transmittance: &[f32; 8],
 ) -> [Vec3A; 8] {
     let mut sums = [Vec3A::ZERO; 8];
     let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
-    for &b in beams {
-        let beam = &frame.beams[usize::from(b)];
+    for sweep in beams {
+        let beam = &frame.beams[usize::from(sweep.beam)];
         let mut active = 0u8;
         let mut lights = [(Vec3A::ZERO, Vec3A::Z); 8];
         for (i, place) in row.iter().enumerate() {
@@ -71,7 +72,9 @@ pub(super) fn beams_on_row(
             continue;
         }
         let rays = origins.map(|origin| beam.shadow_ray(origin));
-        active &= !frame.accel.occluded8(&rays, active);
+        if sweep.crossed {
+            active &= !frame.accel.occluded8(&rays, active);
+        }
         if active != 0 {
             active &= !tracer.still.accel.occluded8(&rays, active);
         }

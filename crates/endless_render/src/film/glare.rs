@@ -8,33 +8,33 @@ const REDUCE: usize = 4;
 /// (box radius in reduced pixels, share).
 const LOBES: [(usize, f32); 3] = [(1, 0.5), (4, 0.3), (13, 0.2)];
 
-/// Mixes a share of blurred light into a picture.
-pub(crate) fn add_glare(size: ImageSize, pixels: &mut [Vec3A], share: f32) {
+/// Mixes a share of blurred light into a picture; gives each pixel's light to `develop`, row by row.
+pub(crate) fn with_glare(size: ImageSize, pixels: &[Vec3A], share: f32, mut develop: impl FnMut(Vec3A)) {
     let (width, height) = (size.width as usize, size.height as usize);
     let (w, h) = (width.div_ceil(REDUCE), height.div_ceil(REDUCE));
     let small = reduce(width, height, pixels, w, h);
     let mut glow = vec![Vec3A::ZERO; w * h];
     for (radius, part) in LOBES {
-        let mut blurred = small.clone();
-        for _ in 0..2 {
-            blurred = box_blur(&blurred, w, h, radius);
-        }
+        let blurred = box_blur(&box_blur(&small, w, h, radius), w, h, radius);
         for (g, b) in glow.iter_mut().zip(&blurred) {
             *g += *b * part;
         }
     }
-    for y in 0..height {
-        let v = ((y as f32 + 0.5) / REDUCE as f32 - 0.5).clamp(0.0, (h - 1) as f32);
-        let (y0, fy) = (v as usize, v - (v as usize) as f32);
-        let y1 = (y0 + 1).min(h - 1);
-        for x in 0..width {
-            let u = ((x as f32 + 0.5) / REDUCE as f32 - 0.5).clamp(0.0, (w - 1) as f32);
-            let (x0, fx) = (u as usize, u - (u as usize) as f32);
-            let x1 = (x0 + 1).min(w - 1);
-            let top = glow[y0 * w + x0].lerp(glow[y0 * w + x1], fx);
-            let bottom = glow[y1 * w + x0].lerp(glow[y1 * w + x1], fx);
-            let pixel = &mut pixels[y * width + x];
-            *pixel = *pixel * (1.0 - share) + top.lerp(bottom, fy) * share;
+    // Bilinear: rows first, then along the row.
+    let place = |i: usize, n: usize| {
+        let at = ((i as f32 + 0.5) / REDUCE as f32 - 0.5).clamp(0.0, (n - 1) as f32);
+        (at as usize, (at as usize + 1).min(n - 1), at - (at as usize) as f32)
+    };
+    let columns: Vec<(usize, usize, f32)> = (0..width).map(|x| place(x, w)).collect();
+    let mut row = vec![Vec3A::ZERO; w];
+    for (y, pixels) in pixels.chunks_exact(width).enumerate() {
+        let (y0, y1, v) = place(y, h);
+        let (top, bottom) = (&glow[y0 * w..][..w], &glow[y1 * w..][..w]);
+        for ((mixed, &a), &b) in row.iter_mut().zip(top).zip(bottom) {
+            *mixed = a.lerp(b, v) * share;
+        }
+        for (&pixel, &(x0, x1, u)) in pixels.iter().zip(&columns) {
+            develop(pixel * (1.0 - share) + row[x0].lerp(row[x1], u));
         }
     }
 }
@@ -88,12 +88,12 @@ mod tests {
         let size = ImageSize { width: 61, height: 47 };
         let mut pixels = vec![Vec3A::ZERO; size.pixels()];
         pixels[23 * 61 + 30] = Vec3A::splat(1000.0);
-        add_glare(size, &mut pixels, 0.1);
-        let total: f32 = pixels.iter().map(|p| p.x).sum();
+        let mut spread = Vec::new();
+        with_glare(size, &pixels, 0.1, |r| spread.push(r));
+        let total: f32 = spread.iter().map(|p| p.x).sum();
         assert!((total - 1000.0).abs() < 60.0, "{total}");
-        assert!(pixels[23 * 61 + 36].x > pixels[5 * 61 + 5].x);
-        let mut flat = vec![Vec3A::ONE; size.pixels()];
-        add_glare(size, &mut flat, 0.1);
-        assert!(flat.iter().all(|p| (p.x - 1.0).abs() < 1e-4));
+        assert!(spread[23 * 61 + 36].x > spread[5 * 61 + 5].x);
+        let flat = vec![Vec3A::ONE; size.pixels()];
+        with_glare(size, &flat, 0.1, |r| assert!((r.x - 1.0).abs() < 1e-4));
     }
 }

@@ -6,6 +6,6 @@ mod rain;
 mod tone;
 
 pub(crate) use exposure::exposure;
-pub(crate) use glare::add_glare;
+pub(crate) use glare::with_glare;
 pub(crate) use rain::Rain;
 pub(crate) use tone::ToneCurve;

@@ -3,7 +3,7 @@
 
 use super::{
     Tracer,
-    secondary::{direct, mirror_light},
+    secondary::{direct, moving_mirror_light},
 };
 use crate::light::Beam;
 use crate::material::{Look, look};
@@ -22,7 +22,7 @@ pub(crate) fn shade_moving(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, sample
     let ambient = tracer.ambient(point.position + point.geometric_normal * 0.3, look.normal) * point.openness;
     let mut radiance = look.emission + look.lit_by_ambient(ambient, view);
     radiance += direct(tracer, point, &look, view, LAMPS);
-    radiance += mirror_light(tracer, point, &look, pixel_angle);
+    radiance += moving_mirror_light(tracer, point, &look, pixel_angle);
     if environment.night
         && let Some(moving) = tracer.moving
     {

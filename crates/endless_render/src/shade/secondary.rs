@@ -4,7 +4,9 @@ use super::Tracer;
 use crate::accel::Ray;
 use crate::material::{Look, look};
 use crate::scene::SurfacePoint;
+use endless_world::math;
 use glam::Vec3A;
+use std::f32::consts::FRAC_1_PI;
 
 /// Lamps whose shadows a secondary point tests.
 const LAMPS: usize = 2;
@@ -112,6 +114,32 @@ pub(crate) fn mirror_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: 
     let ray = mirror_ray(point, look);
     let footprint = mirror_footprint(point, look, pixel_angle);
     weight * shade_secondary(tracer, &ray, footprint)
+}
+
+/// The same for what moves: on bright paint a weak mirror is hardly seen, so there it shows the probes' soft light
+/// instead of what a ray meets.
+pub(super) fn moving_mirror_light(
+    tracer: &Tracer<'_>,
+    point: &SurfacePoint<'_>,
+    look: &Look,
+    pixel_angle: f32,
+) -> Vec3A {
+    let weight = look.coat_reflectance(-point.direction);
+    if weight.max_element() < MIRROR_THRESHOLD {
+        return Vec3A::ZERO;
+    }
+    let ray = mirror_ray(point, look);
+    let contrast = weight.max_element() / (look.albedo.max_element() + 0.05);
+    let sharp = math::smoothstep(0.12, 0.20, contrast);
+    let mut shown = Vec3A::ZERO;
+    if sharp > 0.0 {
+        shown += shade_secondary(tracer, &ray, mirror_footprint(point, look, pixel_angle)) * sharp;
+    }
+    if sharp < 1.0 {
+        let soft = tracer.ambient(point.position, ray.direction) * (FRAC_1_PI * point.openness);
+        shown += soft * (1.0 - sharp);
+    }
+    weight * shown
 }
 
 /// Mirrors weaker than this show nothing.
