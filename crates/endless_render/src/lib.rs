@@ -18,6 +18,7 @@ mod film;
 mod indirect;
 mod light;
 mod material;
+mod octahedron;
 mod sampling;
 mod scene;
 mod shade;

@@ -1,6 +1,5 @@
 //! The still picture of one camera in one scene.
 
-use super::centre::Centre;
 use super::compose::{sun_can_light, sun_origin};
 use super::spare::Spare;
 use super::still_sample::{StillSample, shade_still, share_lamp_light, still_look};
@@ -9,6 +8,7 @@ use crate::accel::{Hit, Ray};
 use crate::film::{Rain, ToneCurve, exposure};
 use crate::indirect::{Guide, ProbeGrid, denoise, gather};
 use crate::light::{Environment, LampMaps, Lamps};
+use crate::material::Look;
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::scene::{StaticScene, SurfacePoint};
 use crate::shade::{Tracer, footprint_m};
@@ -78,8 +78,8 @@ pub struct CameraBake {
     pub(super) block_columns: u32,
     /// Height of the lowest surface in view.
     pub(super) lowest: f32,
-    /// At night, the surface at each uniform pixel's centre; the others' are empty.
-    pub(super) centres: Vec<Centre>,
+    /// At night, the look of each uniform pixel's centre: vehicle lights sweep much of the picture.
+    pub(super) looks: Vec<Look>,
     pub(super) lamp_maps: LampMaps,
     /// Per sample, if kept.
     pub(super) irradiance: Vec<[f32; 3]>,
@@ -113,7 +113,7 @@ impl CameraBake {
             samples.par_chunks_mut(SAMPLES).zip(&uniform).filter(|(_, u)| **u).for_each(|(s, _)| share_lamp_light(s));
         }
         let lowest = blocks.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
-        let centres = if environment.night { pass.centres(&samples, &uniform) } else { Vec::new() };
+        let looks = if environment.night { pass.looks(&samples, &uniform) } else { Vec::new() };
         drop(seen);
         let radiance: Vec<Vec3A> = samples
             .par_chunks(SAMPLES)
@@ -144,7 +144,7 @@ impl CameraBake {
             blocks,
             block_columns,
             lowest,
-            centres,
+            looks,
             lamp_maps,
             irradiance: if keep { irradiance.iter().map(Vec3A::to_array).collect() } else { Vec::new() },
             environment,
@@ -274,7 +274,7 @@ impl Pass<'_> {
             let Some(hit) = found[i].filter(|_| i < count) else { return Vec3A::ZERO };
             let point = SurfacePoint::new(&self.tracer.still.instances, &rays[i], &hit);
             lit |= u8::from(sun_can_light(&point, sun.direction)) << i;
-            sun_origin(&point, sun.direction)
+            sun_origin(&point.facet(), sun.direction)
         });
         for (bit, &direction) in sun.disc[sample].iter().enumerate() {
             let to_sun = origins.map(|origin| Ray { origin, direction, tmax: f32::MAX });
@@ -361,25 +361,25 @@ impl Pass<'_> {
             bounds.sunlit.add(position);
         }
         bounds.lens |= still.flags & StillSample::LENS != 0;
-        if still.flags & StillSample::MIRRORS != 0 {
+        if still.mirrors() {
             bounds.mirrors.add(position);
             bounds.mirror_directions.add(Vec3A::from(still.mirror_direction));
         }
     }
 
-    /// The surface at the centre of every uniform pixel.
-    fn centres(&self, samples: &[StillSample], uniform: &[bool]) -> Vec<Centre> {
+    /// The look of every uniform pixel's centre.
+    fn looks(&self, samples: &[StillSample], uniform: &[bool]) -> Vec<Look> {
         samples
             .par_chunks_exact(SAMPLES)
             .zip(uniform)
             .enumerate()
             .map(|(pixel, (group, &uniform))| {
                 if !uniform {
-                    return Centre::NONE;
+                    return Look::matte(Vec3A::ZERO, Vec3A::Z);
                 }
                 let ray = self.ray_of(pixel * SAMPLES);
                 let point = SurfacePoint::new(&self.tracer.still.instances, &ray, &group[0].hit);
-                Centre::new(&point, still_look(&point, self.tracer.environment, 0, self.pixel_angle))
+                still_look(&point, self.tracer.environment, 0, self.pixel_angle)
             })
             .collect()
     }

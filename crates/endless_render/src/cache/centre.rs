@@ -1,4 +1,5 @@
-//! What light that moves does to a uniform pixel, found once at the pixel's centre, for up to eight neighbours at a time.
+//! What the samples of a uniform pixel share of what moving things do to their light, found once at the pixel's centre,
+//! for up to eight neighbours at a time.
 
 use super::affected::Work;
 use super::compose::contact_left;
@@ -6,53 +7,16 @@ use super::still_sample::{StillSample, lamp_sum};
 use super::sweep::beams_on_row;
 use crate::accel::Ray;
 use crate::material::Look;
-use crate::scene::{Facet, FrameScene, SurfacePoint};
+use crate::scene::{Facet, FrameScene};
 use crate::shade::Tracer;
 use glam::Vec3A;
-
-/// The surface at the centre of a uniform pixel, kept at night: vehicle lights sweep much of the picture.
-#[derive(Debug, Clone)]
-pub(super) struct Centre {
-    pub(super) look: Look,
-    position: Vec3A,
-    geometric_normal: Vec3A,
-}
-
-impl Centre {
-    /// Of a pixel that is not uniform: never asked.
-    pub(super) const NONE: Self = Self {
-        look: Look {
-            albedo: Vec3A::ZERO,
-            normal: Vec3A::Z,
-            roughness: 1.0,
-            specular: 0.0,
-            coat: 0.0,
-            coat_f0: Vec3A::ZERO,
-            coat_normal: Vec3A::Z,
-            coat_roughness: 1.0,
-            translucency: 0.0,
-            emission: Vec3A::ZERO,
-        },
-        position: Vec3A::ZERO,
-        geometric_normal: Vec3A::Z,
-    };
-
-    pub(super) fn new(point: &SurfacePoint<'_>, look: Look) -> Self {
-        Self { look, position: point.position, geometric_normal: point.geometric_normal }
-    }
-
-    /// As the ray through the pixel's centre met it.
-    pub(super) fn facet(&self, ray: &Ray, distance: f32) -> Facet {
-        let Self { position, geometric_normal, .. } = *self;
-        Facet { position, geometric_normal, direction: ray.direction, distance }
-    }
-}
 
 /// A pixel's centre in a row.
 #[derive(Clone, Copy)]
 pub(super) struct Place<'a> {
     pub(super) facet: Facet,
-    pub(super) look: &'a Look,
+    /// At night.
+    pub(super) look: Option<&'a Look>,
     pub(super) still: &'a StillSample,
 }
 
@@ -94,8 +58,9 @@ pub(super) fn centre_lights(
     for (i, light) in lights.iter_mut().enumerate() {
         let Some(Place { facet, look, still }) = &row[i] else { continue };
         light.contact = contact_left(frame, work, facet);
-        light.direct =
-            (blocked[i] != 0).then(|| lamp_sum(tracer, facet, look, still.lamps_free & !blocked[i]) * transmittance[i]);
+        light.direct = look
+            .filter(|_| blocked[i] != 0)
+            .map(|look| lamp_sum(tracer, facet, look, still.lamps_free & !blocked[i]) * transmittance[i]);
     }
     lights
 }

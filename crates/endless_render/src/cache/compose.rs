@@ -3,9 +3,9 @@
 use super::affected::Work;
 use super::centre::CentreLight;
 use super::still_sample::{StillSample, lamp_sum, lamps_blocked, still_look, sun_share};
-use crate::accel::Ray;
+use crate::accel::{Hit, Ray};
 use crate::scene::{Facet, FrameScene, MovingObject, SurfacePoint};
-use crate::shade::{Tracer, mirror_footprint, shade_secondary};
+use crate::shade::{Struck, Tracer, mirror_footprint, shade_struck};
 use endless_asset::{LensAspect, Surface};
 use endless_world::SignalAspect;
 use glam::{Vec2, Vec3A};
@@ -21,13 +21,14 @@ pub(super) fn contact_left(frame: &FrameScene, work: &Work, facet: &Facet) -> f3
 }
 
 /// Radiance of a still sample, without vehicle lights. `tracer.moving` must be set; `work` says what can matter,
-/// `centre` what is known from the pixel's centre.
+/// `centre` what is known from the pixel's centre, `sun_free` and `mirrored` what rays towards what moves found.
 pub(super) fn compose(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     work: &Work,
     centre: Option<&CentreLight>,
     still: &StillSample,
+    (sun_free, mirrored): (u8, Option<&Hit>),
     ray: &Ray,
     sample: usize,
     pixel_angle: f32,
@@ -36,64 +37,36 @@ pub(super) fn compose(
         return Vec3A::from(still.rest);
     }
     let environment = tracer.environment;
-    let alone = centre.is_none() && !(work.contacts.is_empty() && work.lamps.is_empty());
-    let sun = work.sun && still.sun_free != 0;
-    let mirrors = work.mirror && still.flags & StillSample::MIRRORS != 0;
-    let lens = work.lens && still.flags & StillSample::LENS != 0;
     let mut contact = centre.map_or(1.0, |c| c.contact);
     let mut direct = centre.and_then(|c| c.direct);
-    let mut direct_share = sun_share(environment, still.sun_free);
-    let mut mirror = Vec3A::from(still.mirror);
-    let mut signal = Vec3A::ZERO;
-    if alone || sun || mirrors || lens {
-        let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
-        if alone {
-            let facet = point.facet();
-            contact = contact_left(frame, work, &facet);
-            let blocked = lamps_blocked(tracer, frame, &work.lamps, &facet, still.lamps_free);
-            if blocked != 0 {
-                let look = still_look(&point, environment, sample, pixel_angle);
-                let light = lamp_sum(tracer, &facet, &look, still.lamps_free & !blocked);
-                direct = Some(light * environment.fog.transmittance(still.hit.t));
-            }
-        }
-        if sun {
-            direct_share = sun_share(environment, sun_left(tracer, frame, &point, still, sample));
-        }
-        if mirrors {
-            mirror = moving_mirror(tracer, frame, still, &point, sample, pixel_angle).unwrap_or(mirror);
-        }
-        if lens {
-            signal = lens_light(frame, &point, environment.night) * environment.fog.transmittance(still.hit.t);
+    let point = || SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
+    if centre.is_none() && !(work.contacts.is_empty() && work.lamps.is_empty()) {
+        let facet = still.facet(ray);
+        contact = contact_left(frame, work, &facet);
+        let blocked = lamps_blocked(tracer, frame, &work.lamps, &facet, still.lamps_free);
+        if blocked != 0 {
+            let look = still_look(&point(), environment, sample, pixel_angle);
+            let light = lamp_sum(tracer, &facet, &look, still.lamps_free & !blocked);
+            direct = Some(light * environment.fog.transmittance(still.hit.t));
         }
     }
-    let direct = direct.unwrap_or(Vec3A::from(still.direct));
-    Vec3A::from(still.rest) + Vec3A::from(still.ambient) * contact + direct * direct_share + mirror + signal
-}
-
-/// Directions to the sun that neither town nor traffic blocks.
-fn sun_left(
-    tracer: &Tracer<'_>,
-    frame: &FrameScene,
-    point: &SurfacePoint<'_>,
-    still: &StillSample,
-    sample: usize,
-) -> u8 {
-    let Some(sun) = &tracer.environment.sun else { return still.sun_free };
-    let origin = sun_origin(point, sun.direction);
-    let mut free = still.sun_free;
-    for (bit, &direction) in sun.disc[sample].iter().enumerate() {
-        if free >> bit & 1 == 1 && frame.accel.occluded(&Ray { origin, direction, tmax: f32::MAX }) {
-            free &= !(1 << bit);
-        }
-    }
-    free
+    let mirror = match mirrored {
+        Some(hit) => moving_mirror(tracer, still, hit, ray, &point(), sample, pixel_angle),
+        None => Vec3A::from(still.mirror),
+    };
+    let signal = if work.lens && still.flags & StillSample::LENS != 0 {
+        lens_light(frame, &point(), environment.night) * environment.fog.transmittance(still.hit.t)
+    } else {
+        Vec3A::ZERO
+    };
+    let direct = direct.unwrap_or(Vec3A::from(still.direct)) * sun_share(environment, sun_free);
+    Vec3A::from(still.rest) + Vec3A::from(still.ambient) * contact + direct + mirror + signal
 }
 
 /// Where rays to the sun start: leaves lit from behind let light through, so theirs start on the far side.
-pub(super) fn sun_origin(point: &SurfacePoint<'_>, sun: Vec3A) -> Vec3A {
-    let origin = point.ray_origin();
-    if point.geometric_normal.dot(sun) < 0.0 { point.position * 2.0 - origin } else { origin }
+pub(super) fn sun_origin(facet: &Facet, sun: Vec3A) -> Vec3A {
+    let origin = facet.ray_origin();
+    if facet.geometric_normal.dot(sun) < 0.0 { facet.position * 2.0 - origin } else { origin }
 }
 
 /// Whether the sun can light a point at all: from the front, or through a leaf.
@@ -101,24 +74,22 @@ pub(super) fn sun_can_light(point: &SurfacePoint<'_>, sun: Vec3A) -> bool {
     point.geometric_normal.dot(sun) > 0.0 || point.material.surface == Surface::Foliage
 }
 
-/// The mirror image, if something that moves is in it.
+/// The image of something that moves.
 fn moving_mirror(
     tracer: &Tracer<'_>,
-    frame: &FrameScene,
     still: &StillSample,
+    hit: &Hit,
+    ray: &Ray,
     point: &SurfacePoint<'_>,
     sample: usize,
     pixel_angle: f32,
-) -> Option<Vec3A> {
+) -> Vec3A {
     let environment = tracer.environment;
-    let ray = Ray { origin: point.ray_origin(), direction: Vec3A::from(still.mirror_direction), tmax: f32::MAX };
-    let hit = frame.accel.closest(&ray)?;
-    if tracer.still.accel.occluded(&Ray { tmax: hit.t, ..ray }) {
-        return None;
-    }
     let look = still_look(point, environment, sample, pixel_angle);
     let weight = look.coat_reflectance(-point.direction) * environment.fog.transmittance(point.distance);
-    Some(weight * shade_secondary(tracer, &ray, mirror_footprint(point, &look, pixel_angle)))
+    let ray = still.mirror_ray(&still.facet(ray));
+    let struck = Struck { hit: *hit, moving: true };
+    weight * shade_struck(tracer, &ray, Some(&struck), mirror_footprint(point, &look, pixel_angle))
 }
 
 /// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box

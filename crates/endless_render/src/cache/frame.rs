@@ -4,10 +4,11 @@ use super::affected::{Work, affected};
 use super::bake::{CameraBake, planar_depth, still_sample};
 use super::centre::{CentreLight, Place, centre_lights};
 use super::compose::{compose, sun_can_light, sun_origin};
+use super::row::{Found, Row};
 use super::still_sample::{StillSample, share_lamp_light, still_look};
 use super::sweep::beams_on;
 use super::tile::TILE;
-use crate::accel::{Hit, Ray};
+use crate::accel::Ray;
 use crate::film::with_glare;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfacePoint};
@@ -55,10 +56,10 @@ impl CameraBake {
                 if self.environment.night && self.uniform[(y * self.camera.size.width + x) as usize] {
                     share_lamp_light(&mut samples);
                 }
-                let hits =
-                    std::array::from_fn(|s| frame.accel.closest(&Ray { tmax: samples[s].hit.t, ..self.ray(x, y, s) }));
+                let rays = std::array::from_fn(|s| self.ray(x, y, s));
+                let found = Found::one_by_one(self, frame, &rays, &samples);
                 let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples[0]);
-                let pixel = self.pixel(&tracer, frame, &everything, x, y, &samples, light.as_ref(), &hits);
+                let pixel = self.pixel(&tracer, frame, &everything, &rays, &samples, light.as_ref(), &found);
                 canvas.set(self, x, y, &pixel);
             }
         }
@@ -83,7 +84,7 @@ impl CameraBake {
         if let (Some(hit), Some(sun)) = (&hit, &self.environment.sun) {
             let point = SurfacePoint::new(&tracer.still.instances, &ray, hit);
             if sun_can_light(&point, sun.direction) {
-                let origin = sun_origin(&point, sun.direction);
+                let origin = sun_origin(&point.facet(), sun.direction);
                 for (bit, &direction) in sun.disc[sample].iter().enumerate() {
                     let free = !tracer.still.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
                     sun_free |= u8::from(free) << bit;
@@ -100,17 +101,15 @@ impl CameraBake {
         let (x0, y0) = (tile % self.tile_columns * TILE, tile / self.tile_columns * TILE);
         let (x1, y1) = ((x0 + TILE).min(self.camera.size.width), (y0 + TILE).min(self.camera.size.height));
         let mut rays = 0;
-        let mut row_hits: [[Option<Hit>; SAMPLES]; TILE as usize] = [[None; SAMPLES]; TILE as usize];
         for y in y0..y1 {
-            if work.seen {
-                self.moving_hits(frame, x0, x1, y, &mut row_hits);
-                rays += u64::from(x1 - x0) * SAMPLES as u64;
-            }
-            let lights = self.centre_lights(tracer, frame, work, x0, x1, y, &row_hits);
+            let row = Row::new(self, x0, x1, y);
+            let (found, traced) = row.find(frame, work);
+            rays += traced;
+            let lights = self.centre_lights(tracer, frame, work, &row, (x1 - x0) as usize, &found);
             for x in x0..x1 {
                 let i = (x - x0) as usize;
-                let index = y as usize * self.camera.size.width as usize + x as usize;
-                let light = lights.as_ref().filter(|_| self.uniform[index]).map(|lights| &lights[i]);
+                let index = row.pixel(i);
+                let light = Some(&lights[i]).filter(|_| self.uniform[index]);
                 if let Some(light) = light.filter(|_| work.only_beams()) {
                     if light.swept != Vec3A::ZERO {
                         let radiance = self.radiance[index] + light.swept;
@@ -118,45 +117,34 @@ impl CameraBake {
                     }
                     continue;
                 }
-                let first = index * SAMPLES;
-                let samples = &self.samples[first..first + SAMPLES];
-                let pixel = self.pixel(tracer, frame, work, x, y, samples, light, &row_hits[i]);
+                let samples = &self.samples[index * SAMPLES..][..SAMPLES];
+                let pixel = self.pixel(tracer, frame, work, &row.rays(i), samples, light, &found[i]);
                 canvas.set(self, x, y, &pixel);
             }
         }
         rays
     }
 
-    /// At night, the light that the samples of each uniform pixel share, in a row of at most eight; `hits` says which
-    /// pixels something that moves covers wholly.
+    /// The light that the samples of each uniform pixel of a row share; pixels that something that moves covers wholly
+    /// are left out.
     fn centre_lights(
         &self,
         tracer: &Tracer<'_>,
         frame: &FrameScene,
         work: &Work,
-        x0: u32,
-        x1: u32,
-        y: u32,
-        hits: &[[Option<Hit>; SAMPLES]; TILE as usize],
-    ) -> Option<[CentreLight; TILE as usize]> {
-        if !self.environment.night {
-            return None;
-        }
-        let row: [Option<Place<'_>>; TILE as usize] = std::array::from_fn(|i| {
-            let x = x0 + i as u32;
-            let index = y as usize * self.camera.size.width as usize + x as usize;
-            if x >= x1 || !self.uniform[index] {
+        row: &Row<'_>,
+        count: usize,
+        found: &[Found; TILE as usize],
+    ) -> [CentreLight; TILE as usize] {
+        let places: [Option<Place<'_>>; TILE as usize] = std::array::from_fn(|i| {
+            let index = row.pixel(i);
+            if i >= count || !self.uniform[index] || found[i].seen.iter().all(Option::is_some) {
                 return None;
             }
-            let samples = &self.samples[index * SAMPLES..][..SAMPLES];
-            let covered = |(hit, still): (&Option<Hit>, &StillSample)| hit.is_some_and(|h| h.t < still.hit.t);
-            if work.seen && hits[i].iter().zip(samples).all(covered) {
-                return None;
-            }
-            let (centre, still) = (&self.centres[index], &samples[0]);
-            Some(Place { facet: centre.facet(&self.ray(x, y, 0), still.hit.t), look: &centre.look, still })
+            let still = &self.samples[index * SAMPLES];
+            Some(Place { facet: still.facet(&row.rays(i)[0]), look: self.looks.get(index), still })
         });
-        Some(centre_lights(tracer, frame, work, &row))
+        centre_lights(tracer, frame, work, &places)
     }
 
     /// The same for one pixel, from nothing but its retraced centre.
@@ -169,62 +157,36 @@ impl CameraBake {
         y: u32,
         still: &StillSample,
     ) -> Option<CentreLight> {
-        if !(self.environment.night && self.uniform[(y * self.camera.size.width + x) as usize]) {
+        if !self.uniform[(y * self.camera.size.width + x) as usize] {
             return None;
         }
-        let point = SurfacePoint::new(&tracer.still.instances, &self.ray(x, y, 0), &still.hit);
+        let ray = self.ray(x, y, 0);
+        let point = SurfacePoint::new(&tracer.still.instances, &ray, &still.hit);
         let look = still_look(&point, &self.environment, 0, self.pixel_angle);
         let mut row = [None; 8];
-        row[0] = Some(Place { facet: point.facet(), look: &look, still });
+        row[0] = Some(Place { facet: still.facet(&ray), look: Some(&look).filter(|_| self.environment.night), still });
         Some(centre_lights(tracer, frame, work, &row)[0])
     }
 
-    /// What moves in front of the still surfaces of a row of at most eight pixels.
-    fn moving_hits(
-        &self,
-        frame: &FrameScene,
-        x0: u32,
-        x1: u32,
-        y: u32,
-        hits: &mut [[Option<Hit>; SAMPLES]; TILE as usize],
-    ) {
-        let active = ((1u16 << (x1 - x0)) - 1) as u8;
-        for s in 0..SAMPLES {
-            let rays: [Ray; TILE as usize] = std::array::from_fn(|i| {
-                let x = (x0 + i as u32).min(x1 - 1);
-                let index = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES + s;
-                Ray { tmax: self.samples[index].hit.t, ..self.ray(x, y, s) }
-            });
-            for (pixel, hit) in hits.iter_mut().zip(frame.accel.closest8(&rays, active)) {
-                pixel[s] = hit;
-            }
-        }
-    }
-
-    /// One pixel, given what moves along its samples' rays no farther than the still surfaces, and the light that its
-    /// samples share if it is uniform at night.
+    /// One pixel, given its still samples, what rays towards what moves found, and the light that its samples share if
+    /// it is uniform.
     fn pixel(
         &self,
         tracer: &Tracer<'_>,
         frame: &FrameScene,
         work: &Work,
-        x: u32,
-        y: u32,
+        rays: &[Ray; SAMPLES],
         samples: &[StillSample],
         centre: Option<&CentreLight>,
-        hits: &[Option<Hit>; SAMPLES],
+        found: &Found,
     ) -> Pixel {
-        let beams = |s: usize, ray: &Ray| beams_on(tracer, frame, &work.beams, &samples[s], ray, s, self.pixel_angle);
-        // What stands still wins a tie.
-        let seen: [Option<&Hit>; SAMPLES] =
-            std::array::from_fn(|s| hits[s].as_ref().filter(|h| work.seen && h.t < samples[s].hit.t));
-        let point = |s: usize| seen[s].map(|hit| SurfacePoint::new(&frame.instances, &self.ray(x, y, s), hit));
+        let point = |s: usize| found.seen[s].as_ref().map(|hit| SurfacePoint::new(&frame.instances, &rays[s], hit));
         let first = point(0);
         let covered = first.as_ref().map(|point| {
             let label = InstancePixel { tag: point.tag(), id: point.instance.id };
-            (planar_depth(&self.camera, &self.ray(x, y, 0), point.distance), label)
+            (planar_depth(&self.camera, &rays[0], point.distance), label)
         });
-        if let (Some(point), [Some(a), Some(b), Some(c), Some(d)]) = (&first, seen)
+        if let (Some(point), [Some(a), Some(b), Some(c), Some(d)]) = (&first, &found.seen)
             && [b, c, d].into_iter().all(|h| (h.instance, h.triangle) == (a.instance, a.triangle))
         {
             return Pixel { radiance: shade_moving(tracer, point, 0, self.pixel_angle), covered };
@@ -239,11 +201,12 @@ impl CameraBake {
             if let Some(point) = &points[s] {
                 sum += shade_moving(tracer, point, s, self.pixel_angle);
             } else {
-                let ray = self.ray(x, y, s);
+                let ray = &rays[s];
                 uncovered += 1;
-                let mut radiance = compose(tracer, frame, work, centre, still, &ray, s, self.pixel_angle);
+                let moving = (found.sun_free[s], found.mirrored[s].as_ref());
+                let mut radiance = compose(tracer, frame, work, centre, still, moving, ray, s, self.pixel_angle);
                 if centre.is_none() {
-                    radiance += beams(s, &ray);
+                    radiance += beams_on(tracer, frame, &work.beams, still, ray, s, self.pixel_angle);
                 }
                 sum += radiance;
             }

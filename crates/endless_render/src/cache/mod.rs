@@ -12,6 +12,7 @@ mod beam_box;
 mod centre;
 mod compose;
 mod frame;
+mod row;
 mod spare;
 mod still_sample;
 mod sweep;

@@ -3,8 +3,9 @@
 use crate::accel::{Hit, Ray};
 use crate::light::{Environment, SUN_SAMPLES};
 use crate::material::{Look, look};
+use crate::octahedron;
 use crate::scene::{Facet, FrameScene, SurfacePoint};
-use crate::shade::{Tracer, footprint_m, mirror_light, mirror_ray};
+use crate::shade::{MIRROR_THRESHOLD, Tracer, footprint_m, mirror_light, mirror_ray};
 use endless_asset::Surface;
 use glam::Vec3A;
 
@@ -25,6 +26,10 @@ pub(super) struct StillSample {
     pub(super) mirror: [f32; 3],
     /// Where the coat's mirror ray goes.
     pub(super) mirror_direction: [f32; 3],
+    /// How far that ray gets in the still town.
+    pub(super) mirror_t: f32,
+    /// Geometric normal, packed.
+    normal: u32,
     /// Which directions to the sun's disc the still town leaves free, a bit each.
     pub(super) sun_free: u8,
     /// Which lamps near it light it past the still town, a bit each.
@@ -48,6 +53,8 @@ impl StillSample {
             direct: [0.0; 3],
             mirror: [0.0; 3],
             mirror_direction: [0.0; 3],
+            mirror_t: 0.0,
+            normal: 0,
             sun_free: 0,
             lamps_free: 0,
             flags: 0,
@@ -57,6 +64,26 @@ impl StillSample {
     /// Whether it saw the sky.
     pub(super) fn is_sky(&self) -> bool {
         self.hit.instance == SKY
+    }
+
+    /// Whether its mirror is strong enough to show moving things.
+    pub(super) fn mirrors(&self) -> bool {
+        self.flags & Self::MIRRORS != 0
+    }
+
+    /// Its surface; `ray` is the one that met it.
+    pub(super) fn facet(&self, ray: &Ray) -> Facet {
+        Facet {
+            position: ray.origin + ray.direction * self.hit.t,
+            geometric_normal: octahedron::unpack(self.normal),
+            direction: ray.direction,
+            distance: self.hit.t,
+        }
+    }
+
+    /// The ray into its mirror, as far as the still town.
+    pub(super) fn mirror_ray(&self, facet: &Facet) -> Ray {
+        Ray { origin: facet.ray_origin(), direction: Vec3A::from(self.mirror_direction), tmax: self.mirror_t }
     }
 
     /// Its radiance when nothing moves: the parts put together.
@@ -92,8 +119,8 @@ pub(super) fn shade_still(
     let look = still_look(&point, environment, sample, pixel_angle);
     let view = -ray.direction;
     let transmittance = environment.fog.transmittance(hit.t);
-    let mirror = mirror_light(tracer, &point, &look, pixel_angle);
-    let mirrors = look.coat_reflectance(view).max_element() >= crate::shade::MIRROR_THRESHOLD;
+    let (mirror, mirror_t) = mirror_light(tracer, &point, &look, pixel_angle);
+    let mirrors = look.coat_reflectance(view).max_element() >= MIRROR_THRESHOLD;
     let lens = matches!(point.material.surface, Surface::SignalLens(_)) && point.instance.signal.is_some();
     let facet = point.facet();
     let lamps_free = if environment.night { lamps_free(tracer, &facet) } else { 0 };
@@ -112,6 +139,8 @@ pub(super) fn shade_still(
         direct: (direct * transmittance).to_array(),
         mirror: (mirror * transmittance).to_array(),
         mirror_direction: mirror_ray(&point, &look).direction.to_array(),
+        mirror_t,
+        normal: octahedron::pack(point.geometric_normal),
         sun_free,
         lamps_free,
         flags: u8::from(mirrors) * StillSample::MIRRORS + u8::from(lens) * StillSample::LENS,

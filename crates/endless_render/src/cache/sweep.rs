@@ -39,7 +39,7 @@ pub(super) fn beams_on(
     }
     let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
     let look = still_look(&point, tracer.environment, sample, pixel_angle);
-    let facet = point.facet();
+    let facet = still.facet(ray);
     let mut sum = Vec3A::ZERO;
     for sweep in lights {
         sum += beam_light(tracer, &frame.beams[usize::from(sweep.beam)], &facet, &look);
@@ -79,9 +79,9 @@ pub(super) fn beams_on_row(
             active &= !tracer.still.accel.occluded8(&rays, active);
         }
         for (i, place) in row.iter().enumerate() {
-            if let (Some(place), 1) = (place, active >> i & 1) {
+            if let (Some(Place { look: Some(look), facet, .. }), 1) = (place, active >> i & 1) {
                 let (illuminance, direction) = lights[i];
-                sums[i] += place.look.lit_by(illuminance, direction, -place.facet.direction);
+                sums[i] += look.lit_by(illuminance, direction, -facet.direction);
             }
         }
     }

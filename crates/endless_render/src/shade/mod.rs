@@ -5,5 +5,7 @@ mod secondary;
 mod tracer;
 
 pub(crate) use moving::{beam_light, footprint_m, shade_moving};
-pub(crate) use secondary::{MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_secondary};
-pub(crate) use tracer::Tracer;
+pub(crate) use secondary::{
+    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_secondary, shade_struck,
+};
+pub(crate) use tracer::{Struck, Tracer};

@@ -1,6 +1,6 @@
 //! Surfaces seen in mirrors and by indirect rays: shaded once, from the caches, without further rays but to the lights.
 
-use super::Tracer;
+use super::{Tracer, tracer::Struck};
 use crate::accel::Ray;
 use crate::material::{Look, look};
 use crate::scene::SurfacePoint;
@@ -13,8 +13,13 @@ const LAMPS: usize = 2;
 
 /// Radiance that arrives along a ray, kcd/m². `footprint_m` is the width of detail that matters where it lands.
 pub(crate) fn shade_secondary(tracer: &Tracer<'_>, ray: &Ray, footprint_m: f32) -> Vec3A {
-    let Some(struck) = tracer.closest(ray) else { return tracer.environment.sky.radiance(ray.direction) };
-    let point = tracer.point(ray, &struck);
+    shade_struck(tracer, ray, tracer.closest(ray).as_ref(), footprint_m)
+}
+
+/// The same for a ray of which it is known what it met.
+pub(crate) fn shade_struck(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&Struck>, footprint_m: f32) -> Vec3A {
+    let Some(struck) = struck else { return tracer.environment.sky.radiance(ray.direction) };
+    let point = tracer.point(ray, struck);
     let radiance = shade_point(tracer, &point, footprint_m);
     tracer.environment.fog.through(radiance, ray.direction, struck.hit.t)
 }
@@ -105,15 +110,22 @@ fn lamp_share(tracer: &Tracer<'_>, candidate: &Candidate, origin: Vec3A) -> f32 
     if share > 0.0 && tracer.moving.is_some_and(|m| m.accel.occluded(&ray)) { 0.0 } else { share }
 }
 
-/// What a coat's mirror shows, weighted by its reflectance. No light where the weight is too small to see.
-pub(crate) fn mirror_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, pixel_angle: f32) -> Vec3A {
+/// What a coat's mirror shows, weighted by its reflectance, and how far it sees. No light where the weight is too small
+/// to see.
+pub(crate) fn mirror_light(
+    tracer: &Tracer<'_>,
+    point: &SurfacePoint<'_>,
+    look: &Look,
+    pixel_angle: f32,
+) -> (Vec3A, f32) {
     let weight = look.coat_reflectance(-point.direction);
     if weight.max_element() < MIRROR_THRESHOLD {
-        return Vec3A::ZERO;
+        return (Vec3A::ZERO, 0.0);
     }
     let ray = mirror_ray(point, look);
-    let footprint = mirror_footprint(point, look, pixel_angle);
-    weight * shade_secondary(tracer, &ray, footprint)
+    let struck = tracer.closest(&ray);
+    let light = shade_struck(tracer, &ray, struck.as_ref(), mirror_footprint(point, look, pixel_angle));
+    (weight * light, struck.map_or(f32::MAX, |s| s.hit.t))
 }
 
 /// The same for what moves: on bright paint a weak mirror is hardly seen, so there it shows the probes' soft light

@@ -1,0 +1,160 @@
+//! Up to eight neighbouring pixels of a row: their rays towards what moves go in packets.
+
+use super::affected::Work;
+use super::bake::CameraBake;
+use super::compose::sun_origin;
+use super::still_sample::StillSample;
+use super::tile::TILE;
+use crate::accel::{Hit, Ray};
+use crate::sampling::SAMPLES;
+use crate::scene::FrameScene;
+use glam::Vec3A;
+
+/// What a pixel's rays towards what moves found, a sample each.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Found {
+    /// In front of the still surface.
+    pub(super) seen: [Option<Hit>; SAMPLES],
+    /// Directions to the sun that neither town nor traffic blocks, a bit each.
+    pub(super) sun_free: [u8; SAMPLES],
+    /// In the mirror, nearer than what it mirrors of the town.
+    pub(super) mirrored: [Option<Hit>; SAMPLES],
+}
+
+impl Found {
+    /// Before asking what moves.
+    fn nothing(samples: &[StillSample]) -> Self {
+        Self { sun_free: std::array::from_fn(|s| samples[s].sun_free), ..Self::default() }
+    }
+
+    /// Asks everything that moves, a ray at a time: the oracle of [`Row::find`].
+    pub(super) fn one_by_one(
+        bake: &CameraBake,
+        frame: &FrameScene,
+        rays: &[Ray; SAMPLES],
+        samples: &[StillSample],
+    ) -> Self {
+        let mut found = Self::nothing(samples);
+        for (s, still) in samples.iter().enumerate() {
+            let nearer = |ray: Ray| frame.accel.closest(&ray).filter(|hit| hit.t < ray.tmax);
+            found.seen[s] = nearer(Ray { tmax: still.hit.t, ..rays[s] });
+            if still.is_sky() {
+                continue;
+            }
+            let facet = still.facet(&rays[s]);
+            if let Some(sun) = &bake.environment.sun {
+                let origin = sun_origin(&facet, sun.direction);
+                for (bit, &direction) in sun.disc[s].iter().enumerate() {
+                    let blocked = frame.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
+                    found.sun_free[s] &= !(u8::from(blocked) << bit);
+                }
+            }
+            if still.mirrors() {
+                found.mirrored[s] = nearer(still.mirror_ray(&facet));
+            }
+        }
+        found
+    }
+}
+
+/// A row of pixels.
+pub(super) struct Row<'a> {
+    bake: &'a CameraBake,
+    /// The first pixel, as an index into the picture.
+    first: usize,
+    count: usize,
+    rays: [[Ray; TILE as usize]; SAMPLES],
+}
+
+impl<'a> Row<'a> {
+    /// The pixels `x0..x1` of line `y`, at most eight.
+    pub(super) fn new(bake: &'a CameraBake, x0: u32, x1: u32, y: u32) -> Self {
+        let rays = std::array::from_fn(|s| std::array::from_fn(|i| bake.ray((x0 + i as u32).min(x1 - 1), y, s)));
+        let first = y as usize * bake.camera.size.width as usize + x0 as usize;
+        Self { bake, first, count: (x1 - x0) as usize, rays }
+    }
+
+    /// Index of a pixel in the picture.
+    pub(super) fn pixel(&self, i: usize) -> usize {
+        self.first + i.min(self.count - 1)
+    }
+
+    /// Rays of a pixel's samples.
+    pub(super) fn rays(&self, i: usize) -> [Ray; SAMPLES] {
+        std::array::from_fn(|s| self.rays[s][i])
+    }
+
+    fn still(&self, i: usize, sample: usize) -> &'a StillSample {
+        &self.bake.samples[self.pixel(i) * SAMPLES + sample]
+    }
+
+    /// Asks what moves, as far as `work` says that it can matter; returns the number of rays.
+    pub(super) fn find(&self, frame: &FrameScene, work: &Work) -> ([Found; TILE as usize], u64) {
+        let mut found: [Found; TILE as usize] =
+            std::array::from_fn(|i| Found::nothing(&self.bake.samples[self.pixel(i) * SAMPLES..][..SAMPLES]));
+        let all = ((1u16 << self.count) - 1) as u8;
+        let mut rays = 0;
+        for s in 0..SAMPLES {
+            let stills: [&StillSample; TILE as usize] = std::array::from_fn(|i| self.still(i, s));
+            let mut open = all & mask(|i| !stills[i].is_sky());
+            if work.seen {
+                let towards = std::array::from_fn(|i| Ray { tmax: stills[i].hit.t, ..self.rays[s][i] });
+                for (i, hit) in frame.accel.closest8(&towards, all).into_iter().enumerate() {
+                    found[i].seen[s] = hit.filter(|hit| hit.t < stills[i].hit.t);
+                    open &= !(u8::from(found[i].seen[s].is_some()) << i);
+                }
+                rays += u64::from(all.count_ones());
+            }
+            if work.sun {
+                rays += self.find_sun(frame, s, &stills, open, &mut found);
+            }
+            if work.mirror {
+                let active = open & mask(|i| stills[i].mirrors());
+                if active != 0 {
+                    let towards = std::array::from_fn(|i| stills[i].mirror_ray(&stills[i].facet(&self.rays[s][i])));
+                    for (i, hit) in frame.accel.closest8(&towards, active).into_iter().enumerate() {
+                        found[i].mirrored[s] = hit.filter(|hit| active >> i & 1 == 1 && hit.t < stills[i].mirror_t);
+                    }
+                }
+                rays += u64::from(active.count_ones());
+            }
+        }
+        (found, rays)
+    }
+
+    fn find_sun(
+        &self,
+        frame: &FrameScene,
+        sample: usize,
+        stills: &[&StillSample; TILE as usize],
+        open: u8,
+        found: &mut [Found; TILE as usize],
+    ) -> u64 {
+        let Some(sun) = &self.bake.environment.sun else { return 0 };
+        let open = open & mask(|i| stills[i].sun_free != 0);
+        if open == 0 {
+            return 0;
+        }
+        let origins: [Vec3A; TILE as usize] =
+            std::array::from_fn(|i| sun_origin(&stills[i].facet(&self.rays[sample][i]), sun.direction));
+        let mut rays = 0;
+        for (bit, &direction) in sun.disc[sample].iter().enumerate() {
+            let active = open & mask(|i| stills[i].sun_free >> bit & 1 == 1);
+            if active == 0 {
+                continue;
+            }
+            let blocked =
+                frame.accel.occluded8(&origins.map(|origin| Ray { origin, direction, tmax: f32::MAX }), active);
+            for (i, found) in found.iter_mut().enumerate() {
+                found.sun_free[sample] &= !(((blocked & active) >> i & 1) << bit);
+            }
+            rays += u64::from(active.count_ones());
+        }
+        rays
+    }
+}
+
+/// A bit for each of eight.
+fn mask(test: impl Fn(usize) -> bool) -> u8 {
+    (0..8).fold(0, |bits, i| bits | u8::from(test(i)) << i)
+}
