@@ -102,7 +102,9 @@ impl CameraBake {
         let (x1, y1) = ((x0 + TILE).min(self.camera.size.width), (y0 + TILE).min(self.camera.size.height));
         let mut rays = 0;
         for y in y0..y1 {
-            let row = Row::new(self, x0, x1, y);
+            let first = (y * self.camera.size.width + x0) as usize;
+            let uniform = &self.uniform[first..first + (x1 - x0) as usize];
+            let row = Row::new(self, x0, x1, y, work.only_beams() && uniform.iter().all(|u| *u));
             let (found, traced) = row.find(frame, work);
             rays += traced;
             let lights = self.centre_lights(tracer, frame, work, &row, (x1 - x0) as usize, &found);

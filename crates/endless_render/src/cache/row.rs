@@ -67,9 +67,12 @@ pub(super) struct Row<'a> {
 }
 
 impl<'a> Row<'a> {
-    /// The pixels `x0..x1` of line `y`, at most eight.
-    pub(super) fn new(bake: &'a CameraBake, x0: u32, x1: u32, y: u32) -> Self {
-        let rays = std::array::from_fn(|s| std::array::from_fn(|i| bake.ray((x0 + i as u32).min(x1 - 1), y, s)));
+    /// The pixels `x0..x1` of line `y`, at most eight. With `centres_only`, the other samples' rays are not made: they
+    /// are the centres' too.
+    pub(super) fn new(bake: &'a CameraBake, x0: u32, x1: u32, y: u32, centres_only: bool) -> Self {
+        let rays = |s: usize| std::array::from_fn(|i| bake.ray((x0 + i as u32).min(x1 - 1), y, s));
+        let centres = rays(0);
+        let rays = std::array::from_fn(|s| if s == 0 || centres_only { centres } else { rays(s) });
         let first = y as usize * bake.camera.size.width as usize + x0 as usize;
         Self { bake, first, count: (x1 - x0) as usize, rays }
     }

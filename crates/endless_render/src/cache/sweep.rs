@@ -8,6 +8,7 @@ use crate::light::Beam;
 use crate::scene::{FrameScene, SurfacePoint};
 use crate::shade::{Tracer, beam_light};
 use glam::Vec3A;
+use wide::f32x8;
 
 /// Illuminance, dimmed by the air before it, below which a vehicle light is not seen, klx.
 const UNSEEN_KLX: f32 = 8.0e-4;
@@ -57,15 +58,16 @@ pub(super) fn beams_on_row(
 ) -> [Vec3A; 8] {
     let mut sums = [Vec3A::ZERO; 8];
     let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
+    let axis = |axis: usize| f32x8::new(std::array::from_fn(|i| row[i].map_or(0.0, |p| p.facet.position[axis])));
+    let positions = [axis(0), axis(1), axis(2)];
     for sweep in beams {
         let beam = &frame.beams[usize::from(sweep.beam)];
         let mut active = 0u8;
-        let mut lights = [(Vec3A::ZERO, Vec3A::Z); 8];
+        let strengths = beam.strengths_at(positions);
         for (i, place) in row.iter().enumerate() {
             let Some(Place { facet, .. }) = place else { continue };
-            lights[i] = beam.illuminance_at(facet.position);
-            let (illuminance, direction) = lights[i];
-            let lit = illuminance.x * transmittance[i] > UNSEEN_KLX && facet.geometric_normal.dot(direction) > 0.0;
+            let lit = strengths[i] * transmittance[i] > UNSEEN_KLX
+                && facet.geometric_normal.dot(beam.position - facet.position) > 0.0;
             active |= u8::from(lit) << i;
         }
         if active == 0 {
@@ -80,8 +82,8 @@ pub(super) fn beams_on_row(
         }
         for (i, place) in row.iter().enumerate() {
             if let (Some(Place { look: Some(look), facet, .. }), 1) = (place, active >> i & 1) {
-                let (illuminance, direction) = lights[i];
-                sums[i] += look.lit_by(illuminance, direction, -facet.direction);
+                let direction = (beam.position - facet.position).normalize();
+                sums[i] += look.lit_by(beam.color() * strengths[i], direction, -facet.direction);
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::accel::Ray;
 use glam::Vec3A;
+use wide::f32x8;
 
 /// A fraction of what street lamps give: less is hardly seen beside them.
 const FAINT_KLX: f32 = 4.0e-3;
@@ -59,7 +60,38 @@ impl Beam {
         (self.color() * seen, -offset / distance_squared.sqrt())
     }
 
-    fn color(&self) -> Vec3A {
+    /// Strengths of this light at eight points: the illuminance of [`Self::illuminance_at`] in units of its colour.
+    #[inline]
+    pub(crate) fn strengths_at(&self, [x, y, z]: [f32x8; 3]) -> [f32; 8] {
+        let splat = f32x8::splat;
+        let offset = [x - splat(self.position.x), y - splat(self.position.y), z - splat(self.position.z)];
+        let dot = |a: Vec3A| offset[0] * splat(a.x) + offset[1] * splat(a.y) + offset[2] * splat(a.z);
+        let distance_squared = (offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]).max(splat(0.05));
+        let range_squared = splat(self.range_m() * self.range_m());
+        let ahead = dot(self.forward);
+        let reached = distance_squared.simd_le(range_squared) & ahead.simd_gt(splat(NEAREST_M));
+        if reached.none() {
+            return [0.0; 8];
+        }
+        let one = f32x8::ONE;
+        let window = one - distance_squared / range_squared;
+        let (aside, up) = (dot(self.left) / ahead, offset[2] / ahead);
+        let lateral = one / (one + aside * aside * splat(9.0));
+        let intensity = match self.kind {
+            BeamKind::Head => {
+                let above = splat(0.03) + splat(0.97) * (one - up / splat(0.03)).max(f32x8::ZERO);
+                let vertical = up.simd_gt(f32x8::ZERO).select(above, one);
+                let below = (-up).max(f32x8::ZERO);
+                splat(14.0) * lateral * lateral * vertical / (one + below * below * splat(60.0))
+            }
+            BeamKind::Tail => splat(0.02) * lateral,
+            BeamKind::Brake => splat(0.10) * lateral,
+        };
+        let strength = intensity * window * window / distance_squared - splat(FAINT_KLX);
+        reached.select(strength.max(f32x8::ZERO), f32x8::ZERO).to_array()
+    }
+
+    pub(crate) fn color(&self) -> Vec3A {
         match self.kind {
             BeamKind::Head => Vec3A::new(1.0, 0.94, 0.84),
             BeamKind::Tail | BeamKind::Brake => Vec3A::new(1.0, 0.03, 0.02),
@@ -124,6 +156,9 @@ mod tests {
             let beam = Beam { kind, position: Vec3A::new(0.0, 0.0, 0.7), forward, left };
             let point = Vec3A::new(x, y, z);
             prop_assert!(beam.illuminance_at(point).0 == Vec3A::ZERO || beam.reaches(point - size, point + size * 0.3));
+            let one = beam.illuminance_at(point).0.x;
+            let eight = beam.strengths_at([x, y, z].map(f32x8::splat));
+            prop_assert!(eight.iter().all(|s| (s - one).abs() <= 1e-4 * one.max(0.01)), "{} {}", eight[0], one);
         }
     }
 
