@@ -21,14 +21,15 @@ pub(super) fn contact_left(frame: &FrameScene, work: &Work, facet: &Facet) -> f3
 }
 
 /// Radiance of a still sample, without vehicle lights. `tracer.moving` must be set; `work` says what can matter,
-/// `centre` what is known from the pixel's centre, `sun_free` and `mirrored` what rays towards what moves found.
+/// `centre` what is known from the pixel's centre, `sun_free` and `mirrored` what rays towards what
+/// moves found.
 pub(super) fn compose(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     work: &Work,
     centre: Option<&CentreLight>,
     still: &StillSample,
-    (sun_free, mirrored): (u8, Option<&Hit>),
+    (sun_free, mirrored): (u8, Option<Vec3A>),
     ray: &Ray,
     sample: usize,
     pixel_angle: f32,
@@ -50,10 +51,7 @@ pub(super) fn compose(
             direct = Some(light * environment.fog.transmittance(still.hit.t));
         }
     }
-    let mirror = match mirrored {
-        Some(hit) => moving_mirror(tracer, still, hit, ray, &point(), sample, pixel_angle),
-        None => Vec3A::from(still.mirror),
-    };
+    let mirror = mirrored.unwrap_or(Vec3A::from(still.mirror));
     let signal = if work.lens && still.flags & StillSample::LENS != 0 {
         lens_light(frame, &point(), environment.night) * environment.fog.transmittance(still.hit.t)
     } else {
@@ -74,22 +72,12 @@ pub(super) fn sun_can_light(point: &SurfacePoint<'_>, sun: Vec3A) -> bool {
     point.geometric_normal.dot(sun) > 0.0 || point.material.surface == Surface::Foliage
 }
 
-/// The image of something that moves.
-fn moving_mirror(
-    tracer: &Tracer<'_>,
-    still: &StillSample,
-    hit: &Hit,
-    ray: &Ray,
-    point: &SurfacePoint<'_>,
-    sample: usize,
-    pixel_angle: f32,
-) -> Vec3A {
-    let environment = tracer.environment;
-    let look = still_look(point, environment, sample, pixel_angle);
-    let weight = look.coat_reflectance(-point.direction) * environment.fog.transmittance(point.distance);
-    let ray = still.mirror_ray(&still.facet(ray));
+/// The image of something that moves in a still mirror.
+pub(super) fn moving_mirror(tracer: &Tracer<'_>, still: &StillSample, hit: &Hit, ray: &Ray, pixel_angle: f32) -> Vec3A {
+    let (weight, roughness) = still.mirror_weight();
     let struck = Struck { hit: *hit, moving: true };
-    weight * shade_struck(tracer, &ray, Some(&struck), mirror_footprint(point, &look, pixel_angle))
+    let footprint = mirror_footprint(still.hit.t, roughness, pixel_angle);
+    weight * shade_struck(tracer, &still.mirror_ray(&still.facet(ray)), Some(&struck), footprint)
 }
 
 /// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box

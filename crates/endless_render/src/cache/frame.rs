@@ -3,7 +3,7 @@
 use super::affected::{Work, affected};
 use super::bake::{CameraBake, planar_depth, still_sample};
 use super::centre::{CentreLight, Place, centre_lights};
-use super::compose::{compose, sun_can_light, sun_origin};
+use super::compose::{compose, moving_mirror, sun_can_light, sun_origin};
 use super::row::{Found, Row};
 use super::still_sample::{StillSample, share_lamp_light, still_look};
 use super::sweep::beams_on;
@@ -57,7 +57,13 @@ impl CameraBake {
                     share_lamp_light(&mut samples);
                 }
                 let rays = std::array::from_fn(|s| self.ray(x, y, s));
-                let found = Found::one_by_one(self, frame, &rays, &samples);
+                let found = Found::one_by_one(
+                    self,
+                    frame,
+                    &rays,
+                    &samples,
+                    self.uniform[(y * self.camera.size.width + x) as usize],
+                );
                 let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples[0]);
                 let pixel = self.pixel(&tracer, frame, &everything, &rays, &samples, light.as_ref(), &found);
                 canvas.set(self, x, y, &pixel);
@@ -197,6 +203,16 @@ impl CameraBake {
         if let Some(radiance) = self.whole(tracer, &points) {
             return Pixel { radiance, covered };
         }
+        // The samples of a uniform pixel share what their mirrors show in pairs.
+        let mut mirrored: [Option<Vec3A>; SAMPLES] = std::array::from_fn(|s| {
+            let hit = found.mirrored[s].as_ref()?;
+            Some(moving_mirror(tracer, &samples[s], hit, &rays[s], self.pixel_angle))
+        });
+        if centre.is_some() {
+            for s in (1..SAMPLES).step_by(2) {
+                mirrored[s] = mirrored[s - 1].filter(|_| samples[s].mirrors());
+            }
+        }
         let mut sum = Vec3A::ZERO;
         let mut uncovered = 0;
         for (s, still) in samples.iter().enumerate() {
@@ -205,7 +221,7 @@ impl CameraBake {
             } else {
                 let ray = &rays[s];
                 uncovered += 1;
-                let moving = (found.sun_free[s], found.mirrored[s].as_ref());
+                let moving = (found.sun_free[s], mirrored[s]);
                 let mut radiance = compose(tracer, frame, work, centre, still, moving, ray, s, self.pixel_angle);
                 if centre.is_none() {
                     radiance += beams_on(tracer, frame, &work.beams, still, ray, s, self.pixel_angle);

@@ -17,7 +17,7 @@ pub(super) struct Found {
     pub(super) seen: [Option<Hit>; SAMPLES],
     /// Directions to the sun that neither town nor traffic blocks, a bit each.
     pub(super) sun_free: [u8; SAMPLES],
-    /// In the mirror, nearer than what it mirrors of the town.
+    /// In the mirror, nearer than what it mirrors of the town. A uniform pixel asks for every other sample.
     pub(super) mirrored: [Option<Hit>; SAMPLES],
 }
 
@@ -33,6 +33,7 @@ impl Found {
         frame: &FrameScene,
         rays: &[Ray; SAMPLES],
         samples: &[StillSample],
+        uniform: bool,
     ) -> Self {
         let mut found = Self::nothing(samples);
         for (s, still) in samples.iter().enumerate() {
@@ -49,7 +50,7 @@ impl Found {
                     found.sun_free[s] &= !(u8::from(blocked) << bit);
                 }
             }
-            if still.mirrors() {
+            if still.mirrors() && !(uniform && s % 2 == 1) {
                 found.mirrored[s] = nearer(still.mirror_ray(&facet));
             }
         }
@@ -112,7 +113,11 @@ impl<'a> Row<'a> {
                 rays += self.find_sun(frame, s, &stills, open, &mut found);
             }
             if work.mirror {
-                let active = open & mask(|i| stills[i].mirrors());
+                let asks = |i: usize| match self.bake.uniform[self.pixel(i)] {
+                    true => s % 2 == 0,
+                    false => open >> i & 1 == 1,
+                };
+                let active = all & mask(|i| stills[i].mirrors() && asks(i));
                 if active != 0 {
                     let towards = std::array::from_fn(|i| stills[i].mirror_ray(&stills[i].facet(&self.rays[s][i])));
                     for (i, hit) in frame.accel.closest8(&towards, active).into_iter().enumerate() {

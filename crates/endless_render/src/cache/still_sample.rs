@@ -28,6 +28,8 @@ pub(super) struct StillSample {
     pub(super) mirror_direction: [f32; 3],
     /// How far that ray gets in the still town.
     pub(super) mirror_t: f32,
+    /// Share of the mirrored light that arrives, fog applied, a channel each, and the coat's roughness; 65,535 is 1.
+    mirror_weight: [u16; 4],
     /// Geometric normal, packed.
     normal: u32,
     /// Which directions to the sun's disc the still town leaves free, a bit each.
@@ -54,6 +56,7 @@ impl StillSample {
             mirror: [0.0; 3],
             mirror_direction: [0.0; 3],
             mirror_t: 0.0,
+            mirror_weight: [0; 4],
             normal: 0,
             sun_free: 0,
             lamps_free: 0,
@@ -86,6 +89,12 @@ impl StillSample {
         Ray { origin: facet.ray_origin(), direction: Vec3A::from(self.mirror_direction), tmax: self.mirror_t }
     }
 
+    /// Share of the mirrored light that arrives, and the roughness of the mirror.
+    pub(super) fn mirror_weight(&self) -> (Vec3A, f32) {
+        let [r, g, b, roughness] = self.mirror_weight.map(|c| f32::from(c) / 65_535.0);
+        (Vec3A::new(r, g, b), roughness)
+    }
+
     /// Its radiance when nothing moves: the parts put together.
     pub(super) fn still_radiance(&self, environment: &Environment) -> Vec3A {
         let share = sun_share(environment, self.sun_free);
@@ -101,6 +110,10 @@ pub(super) fn sun_share(environment: &Environment, free: u8) -> f32 {
 /// The look of a still sample; the same wherever it is asked for.
 pub(super) fn still_look(point: &SurfacePoint<'_>, environment: &Environment, sample: usize, pixel_angle: f32) -> Look {
     look(point, environment, footprint_m(point, pixel_angle), sample as f32 / 4.0 + 0.1)
+}
+
+fn pack_weight(weight: Vec3A, roughness: f32) -> [u16; 4] {
+    [weight.x, weight.y, weight.z, roughness].map(|c| (c.clamp(0.0, 1.0) * 65_535.0).round() as u16)
 }
 
 /// Shades a sample of the still town; `tracer` must hold nothing that moves. `irradiance` is what the bake gathered
@@ -140,6 +153,7 @@ pub(super) fn shade_still(
         mirror: (mirror * transmittance).to_array(),
         mirror_direction: mirror_ray(&point, &look).direction.to_array(),
         mirror_t,
+        mirror_weight: pack_weight(look.coat_reflectance(view) * transmittance, look.coat_roughness),
         normal: octahedron::pack(point.geometric_normal),
         sun_free,
         lamps_free,

@@ -124,7 +124,8 @@ pub(crate) fn mirror_light(
     }
     let ray = mirror_ray(point, look);
     let struck = tracer.closest(&ray);
-    let light = shade_struck(tracer, &ray, struck.as_ref(), mirror_footprint(point, look, pixel_angle));
+    let light =
+        shade_struck(tracer, &ray, struck.as_ref(), mirror_footprint(point.distance, look.coat_roughness, pixel_angle));
     (weight * light, struck.map_or(f32::MAX, |s| s.hit.t))
 }
 
@@ -145,7 +146,8 @@ pub(super) fn moving_mirror_light(
     let sharp = math::smoothstep(0.12, 0.20, contrast);
     let mut shown = Vec3A::ZERO;
     if sharp > 0.0 {
-        shown += shade_secondary(tracer, &ray, mirror_footprint(point, look, pixel_angle)) * sharp;
+        shown +=
+            shade_secondary(tracer, &ray, mirror_footprint(point.distance, look.coat_roughness, pixel_angle)) * sharp;
     }
     if sharp < 1.0 {
         let soft = tracer.ambient(point.position, ray.direction) * (FRAC_1_PI * point.openness);
@@ -165,7 +167,7 @@ pub(crate) fn mirror_ray(point: &SurfacePoint<'_>, look: &Look) -> Ray {
     }
 }
 
-/// Rough width of detail in a mirror image.
-pub(crate) fn mirror_footprint(point: &SurfacePoint<'_>, look: &Look, pixel_angle: f32) -> f32 {
-    (point.distance + 12.0) * (pixel_angle + 0.05 * look.coat_roughness)
+/// Rough width of detail in a mirror image seen from this far.
+pub(crate) fn mirror_footprint(distance: f32, roughness: f32, pixel_angle: f32) -> f32 {
+    (distance + 12.0) * (pixel_angle + 0.05 * roughness)
 }
