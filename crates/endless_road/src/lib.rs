@@ -12,6 +12,7 @@ mod error;
 mod finish;
 mod network;
 pub mod opendrive;
+pub mod osm;
 mod polyline;
 mod road_map;
 mod route;

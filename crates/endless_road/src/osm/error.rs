@@ -1,0 +1,52 @@
+//! Why a file is no map.
+
+/// What is wrong with a file, and where.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OsmError {
+    /// The XML is malformed or ends too early.
+    #[error("line {line}, column {column}: {reason}")]
+    Xml {
+        /// Counted from 1.
+        line: usize,
+        /// Counted from 1, in bytes.
+        column: usize,
+        /// What is wrong.
+        reason: String,
+    },
+    /// The PBF is malformed, ends too early, or uses what cannot be read.
+    #[error("byte {offset}: {reason}")]
+    Pbf {
+        /// Of the blob in the file, or of the field in the unpacked blob.
+        offset: usize,
+        /// What is wrong.
+        reason: String,
+    },
+    /// Neither `.osm` nor `.osm.pbf`.
+    #[error("this is neither OpenStreetMap XML nor PBF: it begins with {beginning:?}")]
+    Unknown {
+        /// The first bytes.
+        beginning: String,
+    },
+    /// No road for vehicles in it.
+    #[error("no road for vehicles in {ways} ways and {nodes} nodes")]
+    NoRoads {
+        /// How many ways there are.
+        ways: usize,
+        /// How many nodes there are.
+        nodes: usize,
+    },
+    /// More than a network can number.
+    #[error("too large: {count} {what}, at most {most} can be numbered; cut a smaller extract")]
+    TooLarge {
+        /// What there are too many of.
+        what: &'static str,
+        /// How many there are.
+        count: usize,
+        /// How many there may be.
+        most: usize,
+    },
+    /// The network made from it contradicts itself.
+    #[error("the network made from this file is wrong: {0}")]
+    Network(#[from] crate::NetworkError),
+}

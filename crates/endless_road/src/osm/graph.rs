@@ -1,0 +1,130 @@
+//! From ways to a graph: stretches of road between the places where they meet.
+
+use super::class::RoadClass;
+use super::ways::Stretch;
+use std::collections::BTreeMap;
+
+/// The end of a stretch at a knot.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct End {
+    pub(super) stretch: usize,
+    /// 0 for its beginning, 1 for its end.
+    pub(super) end: usize,
+}
+
+/// Cuts stretches where they share nodes.
+pub(super) fn split(stretches: &[Stretch]) -> Vec<Stretch> {
+    let mut uses: BTreeMap<i64, usize> = BTreeMap::new();
+    for stretch in stretches {
+        let last = stretch.vertices.len() - 1;
+        for (i, vertex) in stretch.vertices.iter().enumerate() {
+            // A node inside a stretch that another touches is a place to cut; ends count alike.
+            *uses.entry(vertex.node).or_default() += if i == 0 || i == last { 1 } else { 2 };
+        }
+    }
+    let mut parts = Vec::new();
+    for stretch in stretches {
+        let mut from = 0;
+        let last = stretch.vertices.len() - 1;
+        for i in 1..=last {
+            if i == last || uses[&stretch.vertices[i].node] > 2 {
+                parts.push(stretch.part(from, i));
+                from = i;
+            }
+        }
+    }
+    parts
+}
+
+/// The ends at each node.
+pub(super) fn ends(stretches: &[Stretch]) -> BTreeMap<i64, Vec<End>> {
+    let mut ends: BTreeMap<i64, Vec<End>> = BTreeMap::new();
+    for (stretch, data) in stretches.iter().enumerate() {
+        for end in 0..2 {
+            ends.entry(data.end_node(end)).or_default().push(End { stretch, end });
+        }
+    }
+    ends
+}
+
+/// Parts yards and blind alleys from the roads: what leads nowhere is paved, but nobody circulates there.
+pub(super) fn part_yards(stretches: Vec<Stretch>) -> (Vec<Stretch>, Vec<Stretch>) {
+    let only_service = stretches.iter().all(|s| s.class == RoadClass::Service);
+    if only_service {
+        return (stretches, Vec::new());
+    }
+    let mut gone: Vec<bool> = stretches.iter().map(|s| s.yard).collect();
+    let ends = ends(&stretches);
+    loop {
+        let mut changed = false;
+        for (node, at) in &ends {
+            let left: Vec<usize> = at.iter().map(|e| e.stretch).filter(|&s| !gone[s]).collect();
+            if let [only] = left[..]
+                && stretches[only].class == RoadClass::Service
+            {
+                let _ = node;
+                gone[only] = true;
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+    }
+    let (mut roads, mut yards) = (Vec::new(), Vec::new());
+    for (stretch, gone) in stretches.into_iter().zip(gone) {
+        if gone { yards.push(stretch) } else { roads.push(stretch) }
+    }
+    (roads, yards)
+}
+
+/// Joins stretches that merely follow one another, but for the nodes to keep.
+pub(super) fn merge(stretches: Vec<Stretch>, keep: impl Fn(i64) -> bool) -> Vec<Stretch> {
+    let mut slots: Vec<Option<Stretch>> = stretches.into_iter().map(Some).collect();
+    let all: Vec<Stretch> = slots.iter().flatten().cloned().collect();
+    let mut at = ends(&all);
+    let nodes: Vec<i64> = at.iter().filter(|(n, e)| e.len() == 2 && !keep(**n)).map(|(n, _)| *n).collect();
+    for node in nodes {
+        let [a, b] = at[&node][..] else { continue };
+        if a.stretch == b.stretch {
+            continue;
+        }
+        let (Some(first), Some(second)) = (slots[a.stretch].clone(), slots[b.stretch].clone()) else { continue };
+        // The first towards the node, the second away from it.
+        let first = if a.end == 1 { first } else { first.reversed() };
+        let second = if b.end == 0 { second } else { second.reversed() };
+        if !alike(&first, &second) {
+            continue;
+        }
+        let far = second.end_node(1);
+        let joined = join(first, second);
+        if let Some(list) = at.get_mut(&far) {
+            for end in list.iter_mut().filter(|e| **e == (End { stretch: b.stretch, end: 1 - b.end })) {
+                *end = End { stretch: a.stretch, end: 1 };
+            }
+        }
+        let near = joined.end_node(0);
+        if let Some(list) = at.get_mut(&near) {
+            for end in list.iter_mut().filter(|e| **e == (End { stretch: a.stretch, end: 1 - a.end })) {
+                *end = End { stretch: a.stretch, end: 0 };
+            }
+        }
+        slots[a.stretch] = Some(joined);
+        slots[b.stretch] = None;
+        at.remove(&node);
+    }
+    slots.into_iter().flatten().collect()
+}
+
+fn alike(a: &Stretch, b: &Stretch) -> bool {
+    a.section.continues(&b.section) && a.link == b.link && a.roundabout == b.roundabout && a.class == b.class
+}
+
+fn join(mut a: Stretch, b: Stretch) -> Stretch {
+    let (la, lb) = (a.length(), b.length());
+    a.speed_mps = (a.speed_mps * la + b.speed_mps * lb) / (la + lb).max(1e-9);
+    a.vertices.extend(&b.vertices[1..]);
+    a.levels.extend(b.levels);
+    a.ways[1] = b.ways[1];
+    a
+}

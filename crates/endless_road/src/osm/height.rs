@@ -1,0 +1,143 @@
+//! Heights: bridges over other roads are raised, tunnels sink, ramps lead up and down. The ground is flat.
+
+use super::curve::segments_cross;
+use super::ways::{Level, Stretch, Vertex};
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BinaryHeap};
+
+/// From one level to the next, metres.
+const STOREY_M: f64 = 5.6;
+/// Slope of ramps, and of roads that dive into tunnels.
+const RAMP: f64 = 0.06;
+const DIVE: f64 = 0.09;
+/// Deepest a tunnel lies, metres.
+const DEEPEST_M: f64 = 6.0;
+/// Longest piece of a ramp, metres.
+const PIECE_M: f64 = 8.0;
+
+/// Gives every node a height, metres; nodes that are not in it lie at 0. Divides long segments where there are ramps.
+pub(super) fn heights(stretches: &mut [Stretch]) -> BTreeMap<i64, f64> {
+    let raised = raised(stretches);
+    let tunnels = stretches.iter().any(|s| s.levels.iter().any(|l| l.tunnel));
+    if raised.is_empty() && !tunnels {
+        return BTreeMap::new();
+    }
+    let mut next_id = i64::MIN / 2;
+    for stretch in stretches.iter_mut() {
+        divide(stretch, &mut next_id);
+    }
+    let edges = edges(stretches);
+    let mut heights = spread(&edges, raised, RAMP, |_| true);
+    sink(stretches, &edges, &mut heights);
+    heights
+}
+
+/// Nodes of bridges that pass over another road, with their heights.
+fn raised(stretches: &[Stretch]) -> BTreeMap<i64, f64> {
+    let mut raised: BTreeMap<i64, f64> = BTreeMap::new();
+    for stretch in stretches {
+        let mut i = 0;
+        while i < stretch.levels.len() {
+            let level = stretch.levels[i];
+            let mut to = i + 1;
+            while to < stretch.levels.len() && stretch.levels[to] == level {
+                to += 1;
+            }
+            if level.bridge
+                && let Some(storeys) = storeys(stretches, &stretch.vertices[i..=to], level)
+            {
+                for vertex in &stretch.vertices[i..=to] {
+                    let height = raised.entry(vertex.node).or_default();
+                    *height = height.max(storeys * STOREY_M);
+                }
+            }
+            i = to;
+        }
+    }
+    raised
+}
+
+/// By how many levels a bridge must be raised above what it crosses.
+fn storeys(stretches: &[Stretch], bridge: &[Vertex], level: Level) -> Option<f64> {
+    let mut most: Option<i8> = None;
+    for other in stretches {
+        for (under, pair) in other.levels.iter().zip(other.vertices.windows(2)) {
+            if under.layer >= level.layer || under.tunnel {
+                continue;
+            }
+            let crosses = bridge.windows(2).any(|b| segments_cross(b[0].at, b[1].at, pair[0].at, pair[1].at).is_some());
+            if crosses {
+                let by = (level.layer - under.layer.max(0)).clamp(1, 3);
+                most = Some(most.map_or(by, |m| m.max(by)));
+            }
+        }
+    }
+    most.map(f64::from)
+}
+
+fn divide(stretch: &mut Stretch, next_id: &mut i64) {
+    let (mut vertices, mut levels) = (vec![stretch.vertices[0]], Vec::new());
+    for (pair, &level) in stretch.vertices.windows(2).zip(&stretch.levels) {
+        let pieces = (pair[0].at.distance(pair[1].at) / PIECE_M).ceil().clamp(1.0, 1000.0) as usize;
+        for k in 1..=pieces {
+            let at = pair[0].at.lerp(pair[1].at, k as f64 / pieces as f64);
+            *next_id += 1;
+            vertices.push(if k == pieces { pair[1] } else { Vertex { node: *next_id, at } });
+            levels.push(level);
+        }
+    }
+    stretch.vertices = vertices;
+    stretch.levels = levels;
+}
+
+type Edges = BTreeMap<i64, Vec<(i64, f64)>>;
+
+fn edges(stretches: &[Stretch]) -> Edges {
+    let mut edges: Edges = BTreeMap::new();
+    for pair in stretches.iter().flat_map(|s| s.vertices.windows(2)) {
+        let length = pair[0].at.distance(pair[1].at);
+        edges.entry(pair[0].node).or_default().push((pair[1].node, length));
+        edges.entry(pair[1].node).or_default().push((pair[0].node, length));
+    }
+    edges
+}
+
+/// Lets heights fall off along the roads by a slope, down to 0, over the nodes that are wanted.
+fn spread(edges: &Edges, seeds: BTreeMap<i64, f64>, slope: f64, wanted: impl Fn(i64) -> bool) -> BTreeMap<i64, f64> {
+    let key = |z: f64| (z * 1e6) as i64;
+    let mut queue: BinaryHeap<(i64, Reverse<i64>)> = seeds.iter().map(|(&n, &z)| (key(z), Reverse(n))).collect();
+    let mut heights = seeds;
+    while let Some((z, Reverse(node))) = queue.pop() {
+        let here = heights[&node];
+        if z < key(here) {
+            continue;
+        }
+        for &(next, length) in edges.get(&node).into_iter().flatten() {
+            let there = here - slope * length;
+            if there > 0.01 && wanted(next) && heights.get(&next).is_none_or(|&h| there > h + 1e-6) {
+                heights.insert(next, there);
+                queue.push((key(there), Reverse(next)));
+            }
+        }
+    }
+    heights
+}
+
+/// Tunnels: as deep as the way to the nearest mouth allows.
+fn sink(stretches: &[Stretch], edges: &Edges, heights: &mut BTreeMap<i64, f64>) {
+    // A node where anything touches the open is a mouth.
+    let mut inside: BTreeMap<i64, bool> = BTreeMap::new();
+    for stretch in stretches {
+        for (level, pair) in stretch.levels.iter().zip(stretch.vertices.windows(2)) {
+            for vertex in pair {
+                *inside.entry(vertex.node).or_insert(true) &= level.tunnel;
+            }
+        }
+    }
+    let mouths = inside.iter().filter(|(_, i)| !**i).map(|(&n, _)| (n, DEEPEST_M)).collect();
+    // Height above the deepest floor falls from the mouths inwards.
+    let above = spread(edges, mouths, DIVE, |n| inside[&n]);
+    for (&node, _) in inside.iter().filter(|(_, i)| **i) {
+        heights.insert(node, above.get(&node).copied().unwrap_or(0.0) - DEEPEST_M);
+    }
+}

@@ -1,0 +1,152 @@
+//! OpenStreetMap: from an extract (`.osm` XML or `.osm.pbf`) to a [`RoadMap`].
+//!
+//! The steps, each a small file: read ([`xml`], [`pbf`]) into an [`extract`]; lay it out in metres ([`projection`],
+//! [`site`]); ways become stretches with cross-sections ([`ways`], [`section`]), cut and joined to a graph ([`graph`]),
+//! raised on bridges ([`height`]), rounded into streets ([`plan`]) and cut back where they meet ([`trim`]); rules,
+//! crossings and lanes follow ([`rules`], [`crossing`], [`lane`], [`movement`], [`connector`], [`signal`], [`walk`]),
+//! then what lies there ([`surface`], [`paint`]) and stands beside it.
+//!
+//! Left-hand traffic is built in a [`mirror`].
+
+mod class;
+mod connector;
+mod country;
+mod crossing;
+mod curve;
+mod error;
+mod extract;
+mod graph;
+mod height;
+mod lane;
+mod mirror;
+mod movement;
+mod paint;
+mod patch;
+mod pbf;
+mod plan;
+mod projection;
+mod restriction;
+mod ring;
+mod rules;
+mod section;
+mod signal;
+mod site;
+mod surface;
+mod surroundings;
+mod trim;
+mod walk;
+mod ways;
+mod xml;
+
+pub use error::OsmError;
+pub use extract::{Bounds, Extract, Member, MemberKind, Node, Relation, Tags, Way};
+
+use crate::{Junction, JunctionId, RoadMap};
+use plan::Plan;
+use site::Site;
+
+/// On which side of the road traffic keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum DrivingSide {
+    /// As in Britain, India, Japan.
+    Left,
+    /// As in most countries.
+    Right,
+}
+
+/// How to read an extract.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct OsmOptions {
+    /// The side of traffic; by the extract's place where `None`.
+    pub driving_side: Option<DrivingSide>,
+}
+
+/// Reads the elements of a file, `.osm` or `.osm.pbf` by its content.
+///
+/// # Errors
+/// [`OsmError`] with the place in the file where it is malformed, cut off or of another format.
+pub fn read_extract(bytes: &[u8]) -> Result<Extract, OsmError> {
+    if pbf::looks_like(bytes) {
+        return pbf::read(bytes);
+    }
+    let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    if text.trim_ascii_start().first() != Some(&b'<') {
+        let beginning = String::from_utf8_lossy(&bytes[..bytes.len().min(16)]).into_owned();
+        return Err(OsmError::Unknown { beginning });
+    }
+    xml::read(text)
+}
+
+/// Reads a map from a file, `.osm` or `.osm.pbf` by its content.
+///
+/// # Errors
+/// [`OsmError`]: the file is malformed (with the place), has no roads, or too many.
+pub fn read(bytes: &[u8], options: &OsmOptions) -> Result<RoadMap, OsmError> {
+    map_from(&read_extract(bytes)?, options)
+}
+
+/// Makes a map of an extract.
+///
+/// # Errors
+/// [`OsmError::NoRoads`], [`OsmError::TooLarge`].
+pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmError> {
+    let mut site = Site::new(extract, options.driving_side.map(|side| side == DrivingSide::Left));
+    let stretches = graph::split(&ways::collect(extract, &mut site));
+    let (roads, yards) = graph::part_yards(stretches);
+    if roads.is_empty() {
+        return Err(OsmError::NoRoads { ways: extract.ways.len(), nodes: extract.nodes.len() });
+    }
+    let roads = rules::split_at_lights(graph::merge(roads, |_| false), &site);
+    let mut plan = Plan::new(roads);
+    trim::trim(&mut plan);
+    check_count("junctions", plan.knots.len())?;
+    let mut map = build(&mut plan, &site)?;
+    surface::yards(&yards, &mut map);
+    surroundings::add(&mut site, &mut map);
+    map.georeference = Some(site.projection.georeference());
+    if site.mirrored {
+        mirror::map(&mut map);
+    }
+    map.notes = site.into_notes();
+    Ok(map)
+}
+
+fn check_count(what: &'static str, count: usize) -> Result<(), OsmError> {
+    let most = usize::from(u16::MAX);
+    if count > most { Err(OsmError::TooLarge { what, count, most }) } else { Ok(()) }
+}
+
+/// Lanes, signals, crossings, walks, surfaces and paint of a plan.
+fn build(plan: &mut Plan, site: &Site<'_>) -> Result<RoadMap, OsmError> {
+    let mut map = RoadMap::default();
+    let network = &mut map.network;
+    let mut groups = 0;
+    rules::decide(plan, site, &mut groups);
+    crossing::decide(plan, site);
+    signal::number_walks(plan, &mut groups);
+    check_count("signal groups", groups)?;
+    check_count("crossings", plan.streets.iter().map(|s| s.crossings.len()).sum())?;
+    network.signal_groups = groups as u16;
+    lane::add(plan, network);
+    walk::add(plan, network);
+    let restrictions = restriction::Restrictions::new(site.extract);
+    let mut surfaces = RoadMap::default();
+    for knot in 0..plan.knots.len() {
+        if plan.knots[knot].arms.is_empty() {
+            continue;
+        }
+        let junction = JunctionId(network.junctions.len() as u16);
+        network.junctions.push(Junction::default());
+        let movements = movement::movements(plan, knot, &restrictions);
+        let lanes = connector::add(plan, network, junction, &movements);
+        network.junctions[junction.index()].program = signal::program(plan, knot, &movements);
+        surface::knot(plan, knot, &movements, &mut surfaces);
+        surface::connectors(plan, lanes.iter().map(|&l| network.lane(l)), &movements, &mut surfaces);
+    }
+    map.network = std::mem::take(&mut map.network).finish()?;
+    surface::streets(plan, &mut map);
+    map.strips.extend(surfaces.strips);
+    map.junction_areas = surfaces.junction_areas;
+    paint::streets(plan, &site.country, &mut map);
+    Ok(map)
+}

@@ -1,0 +1,144 @@
+//! Paint: lines between lanes, stop lines, crossings.
+
+use super::class::RoadClass;
+use super::country::Country;
+use super::crossing::CROSSING_M;
+use super::curve::line_through;
+use super::lane::inside;
+use super::plan::{OnFoot, Plan, Street};
+use super::section::Use;
+use crate::{Control, Mark, Paint, RoadMap};
+
+const LINE_M: f64 = 0.12;
+const STOP_LINE_M: f64 = 0.4;
+/// A bar and the gap after it, metres.
+const BAR_M: f64 = 0.5;
+const DASH: [f64; 2] = [3.0, 5.0];
+/// Lines between lanes are unbroken this far before a stop line, metres.
+const SOLID_M: f64 = 18.0;
+
+/// Paints all streets.
+pub(super) fn streets(plan: &Plan, country: &Country, map: &mut RoadMap) {
+    let hidden = inside(plan);
+    for (street, _) in plan.streets.iter().zip(hidden).filter(|(_, hidden)| !hidden) {
+        if !street.section.unpaved {
+            lines(street, country, map);
+            stop_lines(street, map);
+        }
+        for crossing in street.crossings.iter().filter(|c| c.painted) {
+            bars(street, crossing, country, map);
+        }
+    }
+}
+
+/// A line along a street.
+fn along(street: &Street, t: f64, from: f64, to: f64, dash: Option<[f64; 2]>, paint: Paint, map: &mut RoadMap) {
+    if to - from < 1.0 {
+        return;
+    }
+    let points: Vec<_> = street.stations(from, to, 4.0).into_iter().map(|s| street.point(s, t)).collect();
+    map.marks.push(Mark { line: line_through(points), width_m: LINE_M, dash, paint });
+}
+
+/// The free pieces of a street between crossings.
+fn pieces(street: &Street) -> Vec<(f64, f64)> {
+    let (mut from, to) = (street.stops[0], street.length() - street.stops[1]);
+    let mut pieces = Vec::new();
+    for crossing in street.crossings.iter().filter(|c| c.end.is_none()) {
+        pieces.push((from, crossing.s - 0.5 * CROSSING_M - 0.8));
+        from = crossing.s + 0.5 * CROSSING_M + 0.8;
+    }
+    pieces.push((from, to));
+    pieces
+}
+
+fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
+    let quiet = street.class <= RoadClass::Residential || street.class == RoadClass::Service;
+    let bands = &street.section.bands;
+    let yellow = if country.yellow_centre { Paint::Yellow } else { Paint::White };
+    let many = bands.iter().filter(|b| matches!(b.what, Use::Lane { .. })).count() > 2;
+    for (from, to) in pieces(street) {
+        for (i, pair) in bands.windows(2).enumerate() {
+            let t = street.section.edges(i)[1];
+            match (pair[0].what, pair[1].what) {
+                (Use::Lane { forward: a, .. }, Use::Lane { forward: b, .. }) if a != b => {
+                    if quiet && !many {
+                        continue;
+                    }
+                    if many {
+                        for side in [-0.12, 0.12] {
+                            along(street, t + side, from, to, None, yellow, map);
+                        }
+                    } else {
+                        along(street, t, from, to, Some(DASH), yellow, map);
+                    }
+                }
+                (Use::Lane { forward, .. }, Use::Lane { .. }) => {
+                    // Unbroken before the stop line.
+                    let end = usize::from(forward);
+                    let solid =
+                        if matches!(street.control[end], Control::Free) { 0.0 } else { SOLID_M.min(0.4 * (to - from)) };
+                    let (a, b) = if forward { (from, to - solid) } else { (from + solid, to) };
+                    along(street, t, a, b, Some(DASH), Paint::White, map);
+                    if solid > 1.0 {
+                        let (a, b) = if forward { (to - solid, to) } else { (from, from + solid) };
+                        along(street, t, a, b, None, Paint::White, map);
+                    }
+                }
+                (Use::Bike, _) | (_, Use::Bike) => along(street, t, from, to, Some([1.0, 1.0]), Paint::White, map),
+                (Use::Shoulder, Use::Lane { .. }) | (Use::Lane { .. }, Use::Shoulder) => {
+                    along(street, t, from, to, None, Paint::White, map);
+                }
+                _ => {}
+            }
+        }
+        let rural = street.section.sidewalks == [0.0; 2] && street.class >= RoadClass::Tertiary && !street.link;
+        if rural && !matches!(bands.first().map(|b| b.what), Some(Use::Shoulder)) {
+            for (t, inwards) in [(street.section.kerbs[0], -0.2), (street.section.kerbs[1], 0.2)] {
+                along(street, t + inwards, from, to, None, Paint::White, map);
+            }
+        }
+    }
+}
+
+fn stop_lines(street: &Street, map: &mut RoadMap) {
+    for end in 0..2 {
+        let forward = end == 1;
+        let lanes = street.section.lanes(forward);
+        let dash = match street.control[end] {
+            Control::Free => continue,
+            Control::Yield => Some([0.5, 0.35]),
+            Control::Stop | Control::Signal(_) => None,
+        };
+        let (Some(&first), Some(&last)) = (lanes.first(), lanes.last()) else { continue };
+        let s = if forward { street.length() - street.stops[1] - 0.25 } else { street.stops[0] + 0.25 };
+        let (a, b) = (street.section.edges(first), street.section.edges(last));
+        let (left, right) = (a[0].max(b[0]) - 0.15, a[1].min(b[1]) + 0.15);
+        if left - right < 0.5 {
+            continue;
+        }
+        let line = line_through(vec![street.point(s, left), street.point(s, right)]);
+        map.marks.push(Mark { line, width_m: STOP_LINE_M, dash, paint: Paint::White });
+    }
+}
+
+fn bars(street: &Street, crossing: &OnFoot, country: &Country, map: &mut RoadMap) {
+    let [left, right] = street.section.kerbs;
+    let (from, to) = (crossing.s - 0.5 * CROSSING_M, crossing.s + 0.5 * CROSSING_M);
+    let mut paint = |a, b, width_m| {
+        map.marks.push(Mark { line: line_through(vec![a, b]), width_m, dash: None, paint: Paint::White });
+    };
+    if crossing.signal.is_some() && !country.bars_at_signals {
+        for s in [from, to] {
+            paint(street.point(s, left - 0.2), street.point(s, right + 0.2), LINE_M);
+        }
+        return;
+    }
+    let count = ((left - right - 0.4) / (2.0 * BAR_M)).floor().max(1.0) as usize;
+    let used = (2 * count - 1) as f64 * BAR_M;
+    let first = 0.5 * (left + right) + 0.5 * used - 0.5 * BAR_M;
+    for k in 0..count {
+        let t = first - 2.0 * BAR_M * k as f64;
+        paint(street.point(from, t), street.point(to, t), BAR_M);
+    }
+}

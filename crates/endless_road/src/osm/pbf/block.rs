@@ -1,0 +1,168 @@
+//! One block of nodes, ways and relations.
+
+use super::wire::{Message, Value, packed, signed, summed};
+use crate::osm::OsmError;
+use crate::osm::extract::{Extract, Member, MemberKind, Node, Relation, Tags, Way};
+
+/// What the block's numbers mean.
+struct Frame<'a> {
+    strings: Vec<&'a [u8]>,
+    granularity: i64,
+    lat_offset: i64,
+    lon_offset: i64,
+}
+
+impl Frame<'_> {
+    fn text(&self, index: u64) -> Result<String, OsmError> {
+        let bytes = usize::try_from(index).ok().and_then(|i| self.strings.get(i));
+        let bytes = bytes.ok_or_else(|| error(format!("string {index} does not exist")))?;
+        Ok(String::from_utf8_lossy(bytes).into_owned())
+    }
+
+    fn tags(&self, keys: &[u64], values: &[u64]) -> Result<Tags, OsmError> {
+        let mut tags = Tags::default();
+        for (&key, &value) in keys.iter().zip(values) {
+            tags.set(self.text(key)?, self.text(value)?);
+        }
+        Ok(tags)
+    }
+
+    fn add_node(&self, extract: &mut Extract, id: i64, lat: i64, lon: i64, tags: Tags) {
+        let degrees = |offset: i64, v: i64| 1e-9 * (offset as f64 + self.granularity as f64 * v as f64);
+        let (lat, lon) = (degrees(self.lat_offset, lat), degrees(self.lon_offset, lon));
+        if lat.abs() <= 90.0 && lon.abs() <= 180.0 {
+            extract.nodes.insert(id, Node { lat, lon, tags });
+        }
+    }
+}
+
+fn error(reason: String) -> OsmError {
+    OsmError::Pbf { offset: 0, reason }
+}
+
+pub(super) fn read(bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+    let mut frame = Frame { strings: Vec::new(), granularity: 100, lat_offset: 0, lon_offset: 0 };
+    let mut groups = Vec::new();
+    let mut message = Message::new(bytes);
+    while let Some((field, value)) = message.field()? {
+        match (field, value) {
+            (1, Value::Bytes(table)) => {
+                let mut table = Message::new(table);
+                while let Some((field, value)) = table.field()? {
+                    if let (1, Value::Bytes(text)) = (field, value) {
+                        frame.strings.push(text);
+                    }
+                }
+            }
+            (2, Value::Bytes(group)) => groups.push(group),
+            (17, Value::Varint(v)) => frame.granularity = v as i64,
+            (19, Value::Varint(v)) => frame.lat_offset = v as i64,
+            (20, Value::Varint(v)) => frame.lon_offset = v as i64,
+            _ => {}
+        }
+    }
+    for group in groups {
+        let mut group = Message::new(group);
+        while let Some((field, value)) = group.field()? {
+            match (field, value) {
+                (1, Value::Bytes(bytes)) => plain_node(&frame, bytes, extract)?,
+                (2, Value::Bytes(bytes)) => dense_nodes(&frame, bytes, extract)?,
+                (3, Value::Bytes(bytes)) => way(&frame, bytes, extract)?,
+                (4, Value::Bytes(bytes)) => relation(&frame, bytes, extract)?,
+                _ => {}
+            }
+        }
+    }
+    Ok(())
+}
+
+fn plain_node(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+    let (mut id, mut lat, mut lon, mut keys, mut values) = (0, 0, 0, Vec::new(), Vec::new());
+    let mut message = Message::new(bytes);
+    while let Some((field, value)) = message.field()? {
+        match (field, value) {
+            (1, Value::Varint(v)) => id = signed(v),
+            (2, Value::Bytes(b)) => keys = packed(b)?,
+            (3, Value::Bytes(b)) => values = packed(b)?,
+            (8, Value::Varint(v)) => lat = signed(v),
+            (9, Value::Varint(v)) => lon = signed(v),
+            _ => {}
+        }
+    }
+    let tags = frame.tags(&keys, &values)?;
+    frame.add_node(extract, id, lat, lon, tags);
+    Ok(())
+}
+
+fn dense_nodes(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+    let (mut ids, mut lats, mut lons, mut tags) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let mut message = Message::new(bytes);
+    while let Some((field, value)) = message.field()? {
+        match (field, value) {
+            (1, Value::Bytes(b)) => ids = summed(b)?,
+            (8, Value::Bytes(b)) => lats = summed(b)?,
+            (9, Value::Bytes(b)) => lons = summed(b)?,
+            (10, Value::Bytes(b)) => tags = packed(b)?,
+            _ => {}
+        }
+    }
+    if ids.len() != lats.len() || ids.len() != lons.len() {
+        let (n, a, b) = (ids.len(), lats.len(), lons.len());
+        return Err(error(format!("{n} dense nodes with {a} latitudes and {b} longitudes")));
+    }
+    // Keys and values in turn, a 0 after each node's.
+    let mut rest = tags.iter().copied();
+    for ((id, lat), lon) in ids.into_iter().zip(lats).zip(lons) {
+        let mut own = Tags::default();
+        while let Some(key) = rest.next().filter(|&k| k != 0) {
+            let value = rest.next().ok_or_else(|| error("a key without value".into()))?;
+            own.set(frame.text(key)?, frame.text(value)?);
+        }
+        frame.add_node(extract, id, lat, lon, own);
+    }
+    Ok(())
+}
+
+fn way(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+    let (mut id, mut nodes, mut keys, mut values) = (0, Vec::new(), Vec::new(), Vec::new());
+    let mut message = Message::new(bytes);
+    while let Some((field, value)) = message.field()? {
+        match (field, value) {
+            (1, Value::Varint(v)) => id = v as i64,
+            (2, Value::Bytes(b)) => keys = packed(b)?,
+            (3, Value::Bytes(b)) => values = packed(b)?,
+            (8, Value::Bytes(b)) => nodes = summed(b)?,
+            _ => {}
+        }
+    }
+    extract.ways.push(Way { id, nodes, tags: frame.tags(&keys, &values)? });
+    Ok(())
+}
+
+fn relation(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+    let (mut id, mut keys, mut values) = (0, Vec::new(), Vec::new());
+    let (mut roles, mut ids, mut kinds) = (Vec::new(), Vec::new(), Vec::new());
+    let mut message = Message::new(bytes);
+    while let Some((field, value)) = message.field()? {
+        match (field, value) {
+            (1, Value::Varint(v)) => id = v as i64,
+            (2, Value::Bytes(b)) => keys = packed(b)?,
+            (3, Value::Bytes(b)) => values = packed(b)?,
+            (8, Value::Bytes(b)) => roles = packed(b)?,
+            (9, Value::Bytes(b)) => ids = summed(b)?,
+            (10, Value::Bytes(b)) => kinds = packed(b)?,
+            _ => {}
+        }
+    }
+    let mut members = Vec::new();
+    for ((&role, id), kind) in roles.iter().zip(ids).zip(kinds) {
+        let kind = match kind {
+            0 => MemberKind::Node,
+            1 => MemberKind::Way,
+            _ => MemberKind::Relation,
+        };
+        members.push(Member { kind, id, role: frame.text(role)? });
+    }
+    extract.relations.push(Relation { id, members, tags: frame.tags(&keys, &values)? });
+    Ok(())
+}

@@ -1,0 +1,193 @@
+//! Who waits for whom at a knot: lights and signs where they are mapped, the road's class where not.
+
+use super::class::RoadClass;
+use super::extract::Tags;
+use super::graph::End;
+use super::plan::Plan;
+use super::site::Site;
+use super::ways::Stretch;
+use crate::Control;
+use endless_world::SignalId;
+
+/// Lights and signs this far before a junction belong to it, metres.
+pub(super) const APPROACH_M: f64 = 30.0;
+
+/// Whether a node has traffic lights for vehicles.
+pub(super) fn has_lights(tags: &Tags) -> bool {
+    tags.is("highway", &["traffic_signals"])
+        || (tags.is("highway", &["crossing"])
+            && (tags.is("crossing", &["traffic_signals"]) || tags.is("crossing:signals", &["yes"])))
+}
+
+/// Cuts stretches at traffic lights between junctions, where only people cross.
+pub(super) fn split_at_lights(stretches: Vec<Stretch>, site: &Site<'_>) -> Vec<Stretch> {
+    let mut out = Vec::new();
+    for stretch in stretches {
+        let total = stretch.length();
+        let mut from = 0;
+        let (mut s, mut last) = (0.0, 0.0);
+        for i in 1..stretch.vertices.len() - 1 {
+            s += stretch.vertices[i - 1].at.distance(stretch.vertices[i].at);
+            let lit = site.node_tags(stretch.vertices[i].node).is_some_and(has_lights);
+            if lit && s - last > APPROACH_M + 10.0 && total - s > APPROACH_M + 10.0 && !stretch.roundabout {
+                out.push(stretch.part(from, i));
+                from = i;
+                last = s;
+            }
+        }
+        let end = stretch.vertices.len() - 1;
+        out.push(if from == 0 { stretch } else { stretch.part(from, end) });
+    }
+    out
+}
+
+/// Nodes on an arm with their distance from the knot, nearest first.
+pub(super) fn nodes_on(plan: &Plan, arm: End) -> Vec<(i64, f64)> {
+    let street = plan.street(arm);
+    let length = street.length();
+    let mut nodes: Vec<(i64, f64)> =
+        street.on.iter().map(|&(n, s)| (n, if arm.end == 0 { s } else { length - s })).collect();
+    nodes.sort_by(|a, b| a.1.total_cmp(&b.1));
+    nodes
+}
+
+/// Whether a sign on an arm stands for who drives towards the knot.
+fn faces_knot(tags: &Tags, arm: End) -> bool {
+    let direction = tags.get("direction").or_else(|| tags.get("traffic_signals:direction"));
+    match direction {
+        Some("forward") => arm.end == 1,
+        Some("backward") => arm.end == 0,
+        _ => true,
+    }
+}
+
+/// Decides for all knots; numbers the signal groups of vehicles.
+pub(super) fn decide(plan: &mut Plan, site: &Site<'_>, groups: &mut usize) {
+    for knot in 0..plan.knots.len() {
+        let arms = plan.knots[knot].arms.clone();
+        if arms.len() < 2 {
+            continue;
+        }
+        let lit = lights(plan, site, knot);
+        plan.knots[knot].signals = lit;
+        let rules = if lit {
+            Vec::new()
+        } else if arms.len() == 2 {
+            vec![Control::Free; 2]
+        } else {
+            signs(plan, site, knot)
+        };
+        for (i, arm) in arms.into_iter().enumerate() {
+            if plan.lanes_in(arm).is_empty() {
+                continue;
+            }
+            plan.streets[arm.stretch].control[arm.end] = if lit {
+                *groups += 1;
+                Control::Signal(SignalId((*groups - 1).min(usize::from(u16::MAX)) as u16))
+            } else {
+                rules[i]
+            };
+        }
+    }
+}
+
+fn lights(plan: &Plan, site: &Site<'_>, knot: usize) -> bool {
+    let k = &plan.knots[knot];
+    let lit = |node: i64| site.node_tags(node).is_some_and(has_lights);
+    if k.nodes.iter().any(|&n| lit(n)) {
+        return true;
+    }
+    if k.arms.len() < 3 {
+        return false;
+    }
+    let ring = k.arms.iter().any(|&arm| plan.street(arm).roundabout);
+    let inside = k.inside.iter().any(|&s| plan.streets[s].on.iter().any(|&(n, _)| lit(n)));
+    inside
+        || k.arms.iter().filter(|arm| !ring || !plan.street(**arm).roundabout).any(|&arm| {
+            let near = |d: f64| d < plan.cut(arm) + APPROACH_M && d < 0.6 * plan.street(arm).length();
+            !plan.lanes_in(arm).is_empty()
+                && nodes_on(plan, arm).into_iter().any(|(node, d)| {
+                    near(d)
+                        && site
+                            .node_tags(node)
+                            .is_some_and(|tags| tags.is("highway", &["traffic_signals"]) && faces_knot(tags, arm))
+                })
+        })
+}
+
+/// Ranks by class; a roundabout's ring before all.
+fn rank(plan: &Plan, arm: End) -> u32 {
+    let street = plan.street(arm);
+    if street.roundabout {
+        return 100;
+    }
+    2 * street.class as u32 + u32::from(!street.link)
+}
+
+fn signs(plan: &Plan, site: &Site<'_>, knot: usize) -> Vec<Control> {
+    let arms = &plan.knots[knot].arms;
+    let ranks: Vec<u32> = arms.iter().map(|&arm| rank(plan, arm)).collect();
+    let highest = ranks.iter().copied().max().unwrap_or(0);
+    let all_stop = plan.knots[knot].nodes.iter().any(|&n| site.node_tags(n).is_some_and(|t| t.is("stop", &["all"])));
+    let minor = if site.country.all_way_stop && highest < 100 { Control::Stop } else { Control::Yield };
+    let equal = ranks.iter().all(|&r| r == highest);
+    let mut rules: Vec<Control> = if all_stop || (equal && arms.len() > 3 && site.country.all_way_stop) {
+        vec![Control::Stop; arms.len()]
+    } else if equal && arms.len() > 3 {
+        // Right before left.
+        vec![Control::Free; arms.len()]
+    } else {
+        let main = through(plan, arms, &ranks, highest);
+        (0..arms.len()).map(|i| if main.contains(&i) { Control::Free } else { minor }).collect()
+    };
+    for (rule, &arm) in rules.iter_mut().zip(arms) {
+        if let Some(sign) = mapped(plan, site, arm) {
+            *rule = sign;
+        }
+    }
+    rules
+}
+
+/// The arms with priority: those of the highest rank if there are two or more and others besides; else the
+/// straightest pair with one of them.
+fn through(plan: &Plan, arms: &[End], ranks: &[u32], highest: u32) -> Vec<usize> {
+    let top: Vec<usize> = (0..arms.len()).filter(|&i| ranks[i] == highest).collect();
+    if top.len() >= 2 && (top.len() < arms.len() || highest == 100) {
+        return top;
+    }
+    let mut best = (f64::INFINITY, Vec::new());
+    for i in 0..arms.len() {
+        for j in i + 1..arms.len() {
+            if !top.contains(&i) && !top.contains(&j) {
+                continue;
+            }
+            let direction = |k: usize| plan.arm_direction(arms[k], plan.cut(arms[k]));
+            let bend = direction(i).dot(direction(j)) - 0.05 * f64::from(ranks[i].min(ranks[j]));
+            if bend < best.0 {
+                best = (bend, vec![i, j]);
+            }
+        }
+    }
+    best.1
+}
+
+/// A sign that is mapped on an arm.
+fn mapped(plan: &Plan, site: &Site<'_>, arm: End) -> Option<Control> {
+    let street = plan.street(arm);
+    nodes_on(plan, arm)
+        .into_iter()
+        .filter(|&(_, d)| d > 0.0 && d < plan.cut(arm) + APPROACH_M && d < 0.6 * street.length())
+        .find_map(|(node, _)| {
+            let tags = site.node_tags(node).filter(|tags| faces_knot(tags, arm))?;
+            match tags.get("highway") {
+                Some("stop") => Some(Control::Stop),
+                Some("give_way") => Some(Control::Yield),
+                _ => None,
+            }
+        })
+}
+
+/// Whether people may cross this road without lights or paint.
+pub(super) fn walkable(class: RoadClass, speed_mps: f64) -> bool {
+    class < RoadClass::Trunk && speed_mps < 20.0
+}

@@ -1,0 +1,145 @@
+//! Where people walk: sidewalks, corners, crossings.
+
+use super::crossing::{CROSSING_M, has_walk};
+use super::graph::End;
+use super::lane::inside;
+use super::plan::Plan;
+use super::surface::{KERB_HEIGHT_M, STUB_M, corner_line, walk_width};
+use crate::{Crossing, CrossingId, RoadNetwork, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
+use glam::DVec3;
+
+/// Distance between nodes along a sidewalk, metres.
+const STEP_M: f64 = 8.0;
+
+/// The walk network as it grows.
+pub(super) struct Walks<'a> {
+    pub(super) walk: &'a mut WalkNetwork,
+}
+
+impl Walks<'_> {
+    pub(super) fn node(&mut self, p: DVec3) -> WalkNodeId {
+        self.walk.nodes.push(p);
+        WalkNodeId(self.walk.nodes.len() as u32 - 1)
+    }
+
+    pub(super) fn edge(&mut self, a: WalkNodeId, b: WalkNodeId, width_m: f64, kind: WalkKind) {
+        if a != b {
+            self.walk.edges.push(WalkEdge { nodes: [a, b], width_m, kind });
+        }
+    }
+}
+
+/// By street, end and side (0 left of its line): the node at which the corner's path takes over.
+type Anchors = Vec<[[Option<WalkNodeId>; 2]; 2]>;
+
+/// Adds the crossings and everything that people walk on along streets.
+pub(super) fn add(plan: &mut Plan, network: &mut RoadNetwork) {
+    add_crossings(plan, network);
+    let mut walks = Walks { walk: &mut network.walk };
+    let anchors = sides(plan, &mut walks);
+    for knot in &plan.knots {
+        let n = knot.arms.len();
+        for i in 0..n {
+            corner(plan, knot.arms[i], knot.arms[(i + 1) % n], &anchors, &mut walks);
+        }
+    }
+}
+
+fn add_crossings(plan: &mut Plan, network: &mut RoadNetwork) {
+    let hidden = inside(plan);
+    for (street, hidden) in plan.streets.iter_mut().zip(hidden) {
+        if hidden {
+            street.crossings.clear();
+        }
+        let mut crossings = std::mem::take(&mut street.crossings);
+        for crossing in &mut crossings {
+            let ends = street.section.kerbs.map(|t| street.point(crossing.s, t));
+            crossing.id = Some(CrossingId(network.crossings.len().min(usize::from(u16::MAX)) as u16));
+            network.crossings.push(Crossing { ends, width_m: CROSSING_M, signal: crossing.signal, cuts: Vec::new() });
+        }
+        street.crossings = crossings;
+    }
+}
+
+fn sides(plan: &Plan, walks: &mut Walks<'_>) -> Anchors {
+    let hidden = inside(plan);
+    let mut anchors: Anchors = vec![[[None; 2]; 2]; plan.streets.len()];
+    for (i, street) in plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]) {
+        let mut at_crossing = vec![[None; 2]; street.crossings.len()];
+        for side in 0..2 {
+            let t = street.section.walk_line(side);
+            let point = |s: f64| street.point(s, t) + DVec3::Z * KERB_HEIGHT_M;
+            if street.section.sidewalks[side] <= 0.0 {
+                // Nobody walks here, but people arrive over the crossings at its ends.
+                for (c, crossing) in street.crossings.iter().enumerate() {
+                    let node = walks.node(point(crossing.s));
+                    at_crossing[c][side] = Some(node);
+                    if let Some(end) = crossing.end {
+                        anchors[i][end][side] = Some(node);
+                    }
+                }
+                continue;
+            }
+            let width = street.section.sidewalks[side];
+            let (from, to) = (street.cuts[0], street.length() - street.cuts[1]);
+            let mut last: Option<(f64, WalkNodeId)> = None;
+            for (s, crossing) in stations(from, to, street.crossings.iter().map(|c| c.s)) {
+                let node = walks.node(point(s));
+                if let Some((_, before)) = last {
+                    walks.edge(before, node, width, WalkKind::Sidewalk);
+                } else {
+                    anchors[i][0][side] = Some(node);
+                }
+                if let Some(c) = crossing {
+                    at_crossing[c][side] = Some(node);
+                }
+                last = Some((s, node));
+            }
+            anchors[i][1][side] = last.map(|(_, node)| node);
+        }
+        for (crossing, nodes) in street.crossings.iter().zip(at_crossing) {
+            if let ([Some(a), Some(b)], Some(id)) = (nodes, crossing.id) {
+                walks.edge(a, b, CROSSING_M - 0.4, WalkKind::Crossing(id));
+            }
+        }
+    }
+    anchors
+}
+
+/// Places from `from` to `to`, at crossings and between; with the crossing's number.
+fn stations(from: f64, to: f64, crossings: impl Iterator<Item = f64>) -> Vec<(f64, Option<usize>)> {
+    let mut fixed: Vec<(f64, Option<usize>)> = vec![(from, None), (to, None)];
+    fixed.extend(crossings.enumerate().map(|(c, s)| (s.clamp(from, to), Some(c))));
+    fixed.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut out: Vec<(f64, Option<usize>)> = Vec::new();
+    for (s, crossing) in fixed {
+        if let Some(&(last, _)) = out.last() {
+            let n = ((s - last) / STEP_M).ceil().max(1.0) as usize;
+            out.extend((1..n).map(|k| (last + (s - last) * k as f64 / n as f64, None)));
+        }
+        out.push((s, crossing));
+    }
+    out
+}
+
+fn corner(plan: &Plan, a: End, b: End, anchors: &Anchors, walks: &mut Walks<'_>) {
+    let anchor = |arm: End, left: bool| anchors[arm.stretch][arm.end][usize::from(left == (arm.end == 1))];
+    let (from, to) = (anchor(a, true), anchor(b, false));
+    let (Some(from), Some(to)) = (from, to) else { return };
+    let (wa, wb) = (walk_width(plan, a, true).unwrap_or(STUB_M), walk_width(plan, b, false).unwrap_or(STUB_M));
+    let middle = |w: f64, walk: bool| if walk { 0.5 * (w + super::section::KERB_M) } else { 0.9 };
+    let line = corner_line(plan, a, b, middle(wa, has_walk(plan, a, true)), middle(wb, has_walk(plan, b, false)));
+    let n = line.len();
+    let width = wa.min(wb);
+    let mut last = from;
+    for k in [n / 5, n / 2, n - 1 - n / 5] {
+        let p = line[k] + DVec3::Z * KERB_HEIGHT_M;
+        if walks.walk.nodes[last.index()].distance(p) < 0.3 || walks.walk.nodes[to.index()].distance(p) < 0.3 {
+            continue;
+        }
+        let node = walks.node(p);
+        walks.edge(last, node, width, WalkKind::Sidewalk);
+        last = node;
+    }
+    walks.edge(last, to, width, WalkKind::Sidewalk);
+}
