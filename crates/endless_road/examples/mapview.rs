@@ -1,7 +1,8 @@
-//! Draws a map from above: `mapview FILE.xodr OUT.png [PIXELS [X Y METRES]]`. Strips by kind, paint, lanes with
+//! Draws a map (`.xodr`, `.osm`, `.osm.pbf`) from above: `mapview FILE OUT.png [PIXELS [X Y METRES]]`. Strips by kind, paint, lanes with
 //! their direction (ways through junctions thinner), stop lines by what governs them, crossings, sidewalks, things.
 #![expect(clippy::print_stdout, reason = "a program")]
 
+use endless_road::osm::{self, OsmOptions};
 use endless_road::{Control, RoadMap, StripKind, ThingKind, WalkKind, opendrive};
 use glam::{DVec2, DVec3};
 use std::error::Error;
@@ -11,9 +12,13 @@ type Color = [u8; 3];
 fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let [file, out, rest @ ..] = &args[..] else {
-        return Err("usage: mapview FILE.xodr OUT.png [PIXELS [X Y METRES]]".into());
+        return Err("usage: mapview FILE OUT.png [PIXELS [X Y METRES]]".into());
     };
-    let map = opendrive::read(&std::fs::read_to_string(file)?).map_err(|error| format!("{file}: {error}"))?;
+    let map = if file.ends_with(".xodr") {
+        opendrive::read(&std::fs::read_to_string(file)?).map_err(|error| format!("{file}: {error}"))?
+    } else {
+        osm::read(&std::fs::read(file)?, &OsmOptions::default()).map_err(|error| format!("{file}: {error}"))?
+    };
     let number = |i: usize| rest.get(i).map(|text| text.parse::<f64>()).transpose();
     let pixels = number(0)?.unwrap_or(1400.0);
     let (middle, metres) = match (number(1)?, number(2)?, number(3)?) {

@@ -1,4 +1,5 @@
 //! Real extracts become maps that hold together.
+#![expect(clippy::print_stdout, reason = "says which files were there, and figures")]
 
 use endless_road::osm::{self, OsmOptions};
 use endless_road::{LaneId, RoadMap, RoadNetwork, WalkKind};
@@ -55,18 +56,6 @@ fn successors_meet() {
             }
         }
         println!("{name}: at most {:.4} m and {:.2}°", worst.0, worst.1);
-    }
-}
-
-#[test]
-fn lanes_do_not_kink() {
-    for (name, map) in maps(&OsmOptions::default()) {
-        for lane in &map.network.lanes {
-            for three in lane.centerline.points().windows(3) {
-                let (u, v) = ((three[1] - three[0]).truncate(), (three[2] - three[1]).truncate());
-                assert!(u.angle_to(v).abs() < 0.7, "{name}: {:?} has a kink at {:?}", lane.id, three[1]);
-            }
-        }
     }
 }
 

@@ -5,7 +5,7 @@ use endless_world::math::f64::{atan2, cos, tan, wrap_angle};
 use glam::{DVec2, DVec3};
 
 /// Largest change of direction from one point of a bend to the next, radians.
-const STEP_RAD: f64 = 0.06;
+const STEP_RAD: f64 = 0.03;
 
 /// Angle of a direction, counter-clockwise from east, radians.
 pub(super) fn angle(v: DVec2) -> f64 {
@@ -66,9 +66,37 @@ pub(super) fn rounded(points: &[DVec3], radius_m: f64) -> Vec<DVec3> {
     out
 }
 
+/// The same chain where hairpins are opened until nothing bends tighter than a radius; its ends stay where they are.
+pub(super) fn relaxed(points: Vec<DVec3>, radius_m: f64) -> Vec<DVec3> {
+    const PIECE_M: f64 = 0.7;
+    let line = line_through(points.clone());
+    let n = (line.length() / PIECE_M).ceil().clamp(4.0, 20_000.0) as usize;
+    let mut chain: Vec<DVec3> = (0..=n).map(|k| line.at(line.length() * k as f64 / n as f64).position).collect();
+    let mut moved = false;
+    for _ in 0..400 {
+        let sharp = |i: usize| {
+            let (u, v) = ((chain[i] - chain[i - 2]).truncate(), (chain[i + 2] - chain[i]).truncate());
+            wrap_angle(angle(v) - angle(u)).abs() * radius_m > 0.5 * (u.length() + v.length())
+        };
+        let mut loose = vec![false; n + 1];
+        for i in (2..n.saturating_sub(1)).filter(|&i| sharp(i)) {
+            loose[i.saturating_sub(8)..=(i + 8).min(n)].fill(true);
+        }
+        if !loose.contains(&true) {
+            break;
+        }
+        moved = true;
+        let before = chain.clone();
+        for i in (1..n).filter(|&i| loose[i]) {
+            chain[i] = before[i].lerp(before[i - 1].midpoint(before[i + 1]), 0.9);
+        }
+    }
+    if moved { rounded(&chain, radius_m) } else { points }
+}
+
 /// From `a` to `b` with the tangents towards `corner`: an arc where both are equally far, a conic otherwise.
 fn arc(a: DVec3, corner: DVec3, b: DVec3, turn: f64) -> Vec<DVec3> {
-    let steps = (turn / STEP_RAD).ceil().clamp(2.0, 60.0) as usize;
+    let steps = (turn / STEP_RAD).ceil().clamp(2.0, 100.0) as usize;
     let weight = cos(turn.min(2.8) / 2.0).max(0.15);
     (0..=steps).map(|k| conic(a, corner, b, weight, k as f64 / steps as f64)).collect()
 }
@@ -125,7 +153,7 @@ fn cubic(a: DVec2, b: DVec2, c: DVec2, d: DVec2, t: f64) -> DVec2 {
 pub(super) fn way_through(p: DVec2, u: DVec2, q: DVec2, v: DVec2) -> Vec<DVec2> {
     let gap = p.distance(q);
     let turn = wrap_angle(angle(v) - angle(u)).abs();
-    let steps = ((gap / 0.8).max(turn / (0.6 * STEP_RAD))).ceil().clamp(4.0, 80.0) as usize;
+    let steps = ((gap / 0.8).max(turn / STEP_RAD)).ceil().clamp(4.0, 110.0) as usize;
     if let Some((a, b)) = rays_meet(p, u, q, -v)
         && a > 0.3
         && b > 0.3

@@ -11,7 +11,7 @@ pub(super) fn tags(tags: &Tags) -> Tags {
     let mut mirrored = Tags::default();
     for (key, value) in tags.iter() {
         let words: Vec<&str> = key.split(':').map(side).collect();
-        let by_lane = words.iter().any(|w| *w == "lanes") && value.contains('|');
+        let by_lane = words.contains(&"lanes") && value.contains('|');
         let value = if by_lane { value.rsplit('|').map(turned).collect::<Vec<_>>().join("|") } else { turned(value) };
         mirrored.set(words.join(":"), value);
     }

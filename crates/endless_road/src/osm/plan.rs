@@ -1,7 +1,7 @@
 //! The plan: streets with their lines and sections, and the knots where they meet.
 
 use super::class::RoadClass;
-use super::curve::{angle, line_through, rounded, simplified};
+use super::curve::{angle, line_through, relaxed, rounded, simplified};
 use super::graph::{self, End};
 use super::section::Section;
 use super::ways::{Level, Stretch};
@@ -167,7 +167,7 @@ impl Street {
     /// piece are short, so that chords point as the line does.
     pub(super) fn stations(&self, from: f64, to: f64, step: f64) -> Vec<f64> {
         let length = to - from;
-        let tip = (0.15f64).min(0.1 * length);
+        let tip = (0.04f64).min(0.1 * length);
         let mut fixed = vec![from + tip];
         let mut s = 0.0;
         for pair in self.line.points().windows(2) {
@@ -211,7 +211,8 @@ fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i6
         _ => 12.0,
     };
     let bends = rounded(&simplified(&points, 0.12), radius_m + half);
-    let line = line_through(bends);
+    // Lanes on the inside must not fold.
+    let line = line_through(relaxed(bends, (0.75 * half + 0.8).min(9.0)));
     let on: Vec<(i64, f64)> = stretch.vertices.iter().map(|v| (v.node, line.project(v.at).0)).collect();
     let mut levels: Vec<(f64, Level)> = Vec::new();
     for (i, level) in stretch.levels.iter().enumerate() {

@@ -227,13 +227,8 @@ fn sidewalk_m(said: &Said<'_>, side: usize) -> f64 {
     match said.tags.get("sidewalk") {
         Some("both" | "yes" | "separate") => usual,
         Some("no" | "none") => 0.0,
-        Some(word @ ("left" | "right")) => {
-            if word == own {
-                usual
-            } else {
-                0.0
-            }
-        }
+        Some(word) if word == own => usual,
+        Some("left" | "right") => 0.0,
         _ if said.built_up && !said.link && said.class.sidewalk_m() > 0.0 && !(said.roundabout && side == 0) => {
             said.class.sidewalk_m()
         }

@@ -167,7 +167,8 @@ fn attributes(source: &Source<'_>, element: &BytesStart<'_>) -> Result<Attribute
             let parsed = value.trim().parse::<f64>().ok().filter(|v| v.is_finite());
             parsed.ok_or_else(|| source.error(format!("{value:?} is not a number")))
         };
-        let whole = || value.trim().parse::<i64>().map_err(|_| source.error(format!("{value:?} is not an id")));
+        let whole =
+            || value.trim().parse::<i64>().map_err(|error| source.error(format!("{value:?} is not an id: {error}")));
         match attribute.key.as_ref() {
             "id" => a.id = Some(whole()?),
             "ref" => a.reference = Some(whole()?),
