@@ -1,4 +1,4 @@
-//! ASAM OpenDRIVE 1.4 to 1.8: reading files into a [`RoadMap`](crate::RoadMap).
+//! ASAM OpenDRIVE 1.4 to 1.8: reading files into a [`RoadMap`](crate::RoadMap), and writing one.
 //!
 //! [`Document::parse`] reads the file as it is written; `geometry` evaluates its curves and profiles; `to_map` makes
 //! lanes, junctions, signals, crossings and sidewalks of it. What is not understood becomes a note with its line.
@@ -10,6 +10,7 @@ mod geometry;
 mod parse;
 mod schema;
 mod to_map;
+mod write;
 mod xml;
 
 pub use document::{
@@ -19,3 +20,4 @@ pub use document::{
 };
 pub use error::OpenDriveError;
 pub use to_map::read;
+pub use write::write;

@@ -7,6 +7,10 @@ use glam::DVec3;
 
 /// Borders may leave the true curve by this, metres.
 const CHORD_M: f64 = 0.01;
+/// Pieces of the reference line shorter than this were sampled by whoever wrote the file, metres: their ends are kept
+/// as they are, unless borders leave the curve by more than the second figure.
+const DENSE_M: f64 = 4.0;
+const DENSE_CHORD_M: f64 = 0.1;
 /// Segments may turn from the true direction by this (as cosine): 3 degrees.
 const STRAIGHT: f64 = 0.998_6;
 /// At the ends of a section, where others go on: 0.4 degrees, over half as far.
@@ -137,7 +141,7 @@ impl Across<'_> {
 
     fn stations(&self, from: f64, to: f64) -> Vec<f64> {
         let mut fixed = vec![from];
-        let far = |a: f64, b: f64| b - a > NEAREST_M;
+        let far = |a: f64, b: f64| b - a > 0.25 * NEAREST_M;
         for joint in self.shape.joints().filter(|&s| s > from && s < to) {
             if far(fixed[fixed.len() - 1], joint) && far(joint, to) {
                 fixed.push(joint);
@@ -150,8 +154,10 @@ impl Across<'_> {
             for i in 0..n {
                 let at = |k: usize| pair[0] + (pair[1] - pair[0]) * k as f64 / n as f64;
                 let (a, b) = (at(i), if i + 1 == n { pair[1] } else { at(i + 1) });
-                let strict = (a <= from, b >= to);
-                self.split((a, &self.probes(a)), (b, &self.probes(b)), strict, &mut stations);
+                let dense = pair[1] - pair[0] < DENSE_M && to - from > DENSE_M;
+                let (chord, strict) =
+                    if dense { (DENSE_CHORD_M, (false, false)) } else { (CHORD_M, (a <= from, b >= to)) };
+                self.split((a, &self.probes(a)), (b, &self.probes(b)), chord, strict, &mut stations);
                 stations.push(b);
             }
         }
@@ -159,7 +165,7 @@ impl Across<'_> {
     }
 
     /// Adds the stations needed between two, in order.
-    fn split(&self, a: (f64, &[DVec3]), b: (f64, &[DVec3]), strict: (bool, bool), stations: &mut Vec<f64>) {
+    fn split(&self, a: (f64, &[DVec3]), b: (f64, &[DVec3]), chord: f64, strict: (bool, bool), stations: &mut Vec<f64>) {
         let span = b.0 - a.0;
         if span < 2.0 * NEAREST_M {
             return;
@@ -168,16 +174,20 @@ impl Across<'_> {
         let at_middle = self.probes(middle);
         let quarters = [0.25, 0.75].map(|share| (share, self.probes(a.0 + span * share)));
         let straight = a.1.iter().zip(b.1).enumerate().all(|(i, (&p, &q))| {
-            let near = |share: f64, r: DVec3| p.lerp(q, share).distance(r) < CHORD_M;
+            let along = q - p;
+            let near = |r: DVec3| {
+                let share = ((r - p).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+                (p + along * share).distance(r) < chord
+            };
             let aligned = |r: DVec3, s: DVec3, most: f64| {
                 let (u, v) = ((r - p).normalize_or_zero(), (s - r).normalize_or_zero());
-                u.dot(v) > most || s.distance(p) < 0.02
+                u.dot(v) > most || s.distance(p) < 0.02 || chord >= DENSE_CHORD_M
             };
             let m = at_middle[i];
             let (first, third) = (quarters[0].1[i], quarters[1].1[i]);
-            near(0.5, m)
-                && near(0.25, first)
-                && near(0.75, third)
+            near(m)
+                && near(first)
+                && near(third)
                 && aligned(first, m, if strict.0 { STRAIGHT_AT_ENDS } else { STRAIGHT })
                 && aligned(first, third, STRAIGHT)
                 && aligned(m, q, if strict.1 { STRAIGHT_AT_ENDS } else { STRAIGHT })
@@ -185,9 +195,9 @@ impl Across<'_> {
         if straight {
             return;
         }
-        self.split(a, (middle, &at_middle), (strict.0, false), stations);
+        self.split(a, (middle, &at_middle), chord, (strict.0, false), stations);
         stations.push(middle);
-        self.split((middle, &at_middle), b, (false, strict.1), stations);
+        self.split((middle, &at_middle), b, chord, (false, strict.1), stations);
     }
 }
 

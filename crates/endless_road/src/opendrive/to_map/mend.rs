@@ -13,7 +13,7 @@ use std::collections::BTreeMap;
 /// Ends nearer than this to where they should be are moved without a word, metres.
 const QUIET_M: f64 = 0.1;
 /// Directions that differ less than this are left alone, radians.
-const QUIET_KINK: f64 = 0.02;
+const QUIET_KINK: f64 = 0.03;
 /// A lane's end is bent over this length, metres.
 const BEND_M: f64 = 6.0;
 

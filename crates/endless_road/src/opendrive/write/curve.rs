@@ -1,0 +1,137 @@
+//! A smooth reference line through the points of a lane's centre line: straight pieces and cubics whose directions
+//! agree where they meet.
+
+use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
+use glam::{DVec2, DVec3};
+
+/// Pieces that leave their chord by less than this are straight, metres.
+const STRAIGHT_M: f64 = 1e-4;
+/// And turn less than this, radians: lanes far from the reference line swing with it.
+const STRAIGHT_RAD: f64 = 4e-4;
+
+/// One piece.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Piece {
+    pub(super) s: f64,
+    pub(super) start: DVec2,
+    pub(super) heading: f64,
+    pub(super) length: f64,
+    /// `[aU bU cU dU], [aV bV cV dV]` over a parameter from 0 to 1; `None` if straight.
+    pub(super) cubic: Option<[[f64; 4]; 2]>,
+}
+
+/// A reference line with its height.
+#[derive(Debug, Clone)]
+pub(super) struct Line {
+    pub(super) pieces: Vec<Piece>,
+    /// `s` and height at each point.
+    pub(super) heights: Vec<(f64, f64)>,
+    pub(super) length: f64,
+}
+
+impl Line {
+    /// Through points, with the direction at each.
+    pub(super) fn new(points: &[DVec3], directions: &[DVec2]) -> Self {
+        let mut line = Self { pieces: Vec::new(), heights: vec![(0.0, points[0].z)], length: 0.0 };
+        for i in 1..points.len() {
+            let (a, b) = (points[i - 1].truncate(), points[i].truncate());
+            let chord = a.distance(b);
+            if chord < 1e-6 {
+                continue;
+            }
+            let along = (b - a) / chord;
+            let bend = |direction: DVec2| along.perp_dot(direction).abs();
+            let turn = bend(directions[i - 1]) + bend(directions[i]);
+            let straight = turn * chord * 0.15 < STRAIGHT_M && turn < STRAIGHT_RAD;
+            let heading = if straight { angle(along) } else { angle(directions[i - 1]) };
+            let (sin, cos) = sin_cos(heading);
+            let local = |v: DVec2| DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x);
+            let cubic = (!straight).then(|| hermite(chord, local(b - a), local(directions[i])));
+            let length = cubic.as_ref().map_or(chord, arc_length);
+            line.pieces.push(Piece { s: line.length, start: a, heading, length, cubic });
+            line.length += length;
+            line.heights.push((line.length, points[i].z));
+        }
+        line
+    }
+
+    /// `s`, `t` and the direction of the line nearest to a place.
+    pub(super) fn nearest(&self, place: DVec2) -> (f64, f64, f64) {
+        let mut best = (f64::INFINITY, 0.0, 0.0, 0.0);
+        for piece in &self.pieces {
+            let (sin, cos) = sin_cos(piece.heading);
+            let n = if piece.cubic.is_some() { 16 } else { 1 };
+            let at = |k: usize| {
+                let p = k as f64 / f64::from(n as u32);
+                let local = match &piece.cubic {
+                    Some([u, v]) => DVec2::new(value(u, p), value(v, p)),
+                    None => DVec2::new(p * piece.length, 0.0),
+                };
+                piece.start + DVec2::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y)
+            };
+            for k in 0..n {
+                let (a, b) = (at(k), at(k + 1));
+                let along = b - a;
+                let share = ((place - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+                let offset = place - (a + along * share);
+                if offset.length_squared() < best.0 {
+                    let s = piece.s + piece.length * (k as f64 + share) / f64::from(n as u32);
+                    best = (offset.length_squared(), s, along.normalize_or_zero().perp_dot(offset), angle(along));
+                }
+            }
+        }
+        (best.1, best.2, best.3)
+    }
+}
+
+/// Directions at the points of a line: at each the mean of its two sides, the longer counting more, so that long
+/// straight pieces stay straight.
+pub(super) fn directions(points: &[DVec3]) -> Vec<DVec2> {
+    let side = |i: usize| (points[i + 1] - points[i]).truncate();
+    let last = points.len() - 1;
+    (0..points.len())
+        .map(|i| {
+            let sum = if i > 0 { side(i - 1) } else { DVec2::ZERO } + if i < last { side(i) } else { DVec2::ZERO };
+            sum.normalize_or(DVec2::X)
+        })
+        .collect()
+}
+
+fn angle(v: DVec2) -> f64 {
+    wrap_angle(atan2(v.y, v.x))
+}
+
+/// From the origin along u to `end` with direction `leaving`.
+fn hermite(chord: f64, end: DVec2, leaving: DVec2) -> [[f64; 4]; 2] {
+    let (m0, m1) = (DVec2::new(chord, 0.0), leaving * chord);
+    let c = 3.0 * end - 2.0 * m0 - m1;
+    let d = -2.0 * end + m0 + m1;
+    [[0.0, m0.x, c.x, d.x], [0.0, m0.y, c.y, d.y]]
+}
+
+fn value(c: &[f64; 4], p: f64) -> f64 {
+    c[0] + p * (c[1] + p * (c[2] + p * c[3]))
+}
+
+/// Simpson's rule on the speed.
+fn arc_length(cubic: &[[f64; 4]; 2]) -> f64 {
+    let speed = |p: f64| {
+        let d = |c: &[f64; 4]| c[1] + p * (2.0 * c[2] + p * 3.0 * c[3]);
+        DVec2::new(d(&cubic[0]), d(&cubic[1])).length()
+    };
+    let n = 32;
+    let step = 1.0 / f64::from(n);
+    let sum: f64 = (0..=n)
+        .map(|i| {
+            let weight = if i == 0 || i == n {
+                1.0
+            } else if i % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            };
+            weight * speed(f64::from(i) * step)
+        })
+        .sum();
+    sum * step / 3.0
+}

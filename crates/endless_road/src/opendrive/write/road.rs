@@ -1,0 +1,278 @@
+//! Roads with their lanes, signals and crossings.
+
+use super::curve::Line;
+use super::element::{Element, number};
+use super::plan::{Joined, Plan};
+use crate::{Control, Crossing, Lane, LaneId};
+use endless_world::SignalId;
+use endless_world::math::f64::{atan2, wrap_angle};
+use glam::DVec3;
+use std::collections::BTreeMap;
+
+/// Signals stand this far from the edge of the road, metres.
+const ASIDE_M: f64 = 0.8;
+
+pub(super) fn road(plan: &Plan<'_>, place: usize) -> Element {
+    let planned = &plan.roads[place];
+    let junction = planned.junction.map_or("-1".to_owned(), junction_id);
+    Element::new("road")
+        .with("name", "")
+        .with("length", number(planned.line.length))
+        .with("id", place + 1)
+        .with("junction", junction)
+        .with("rule", if plan.left_hand { "LHT" } else { "RHT" })
+        .holding([
+            link(plan, place),
+            road_type(plan, place),
+            plan_view(&planned.line),
+            elevation(&planned.line),
+            Element::new("lateralProfile"),
+            lanes(plan, place),
+            objects(plan, place),
+            signals(plan, place),
+        ])
+}
+
+/// Ids of junctions do not clash with those of roads: some readers keep both in one table.
+pub(super) fn junction_id(place: usize) -> String {
+    format!("{}", 100_000 + place)
+}
+
+fn link(plan: &Plan<'_>, place: usize) -> Element {
+    let mut link = Element::new("link");
+    for (name, at_end, contact) in [("predecessor", false, "end"), ("successor", true, "start")] {
+        match plan.joined(place, at_end) {
+            Joined::Nothing => {}
+            Joined::Road(other) => link.push(
+                Element::new(name)
+                    .with("elementType", "road")
+                    .with("elementId", other + 1)
+                    .with("contactPoint", contact),
+            ),
+            Joined::Junction(junction) => {
+                link.push(Element::new(name).with("elementType", "junction").with("elementId", junction_id(junction)));
+            }
+        }
+    }
+    link
+}
+
+fn road_type(plan: &Plan<'_>, place: usize) -> Element {
+    let fastest =
+        plan.roads[place].lanes.iter().map(|&lane| plan.network.lane(lane).speed_limit_mps).fold(0.0, f64::max);
+    let kind = if fastest > 23.0 { "motorway" } else { "town" };
+    Element::new("type")
+        .with("s", "0")
+        .with("type", kind)
+        .holding([Element::new("speed").with("max", number(fastest)).with("unit", "m/s")])
+}
+
+pub(super) fn plan_view(line: &Line) -> Element {
+    let pieces = line.pieces.iter().map(|piece| {
+        let shape = match piece.cubic {
+            None => Element::new("line"),
+            Some([u, v]) => {
+                let [a_u, b_u, c_u, d_u] = u.map(number);
+                let [a_v, b_v, c_v, d_v] = v.map(number);
+                Element::new("paramPoly3")
+                    .with("aU", a_u)
+                    .with("bU", b_u)
+                    .with("cU", c_u)
+                    .with("dU", d_u)
+                    .with("aV", a_v)
+                    .with("bV", b_v)
+                    .with("cV", c_v)
+                    .with("dV", d_v)
+                    .with("pRange", "normalized")
+            }
+        };
+        Element::new("geometry")
+            .with("s", number(piece.s))
+            .with("x", number(piece.start.x))
+            .with("y", number(piece.start.y))
+            .with("hdg", number(piece.heading))
+            .with("length", number(piece.length))
+            .holding([shape])
+    });
+    Element::new("planView").holding(pieces)
+}
+
+pub(super) fn elevation(line: &Line) -> Element {
+    let heights = &line.heights;
+    let mut records = Vec::new();
+    let mut last_slope = f64::NAN;
+    for pair in heights.windows(2) {
+        let slope = (pair[1].1 - pair[0].1) / (pair[1].0 - pair[0].0);
+        // One record for as long as the slope stays the same.
+        if (slope - last_slope).abs() < 1e-9 {
+            continue;
+        }
+        last_slope = slope;
+        records.push(Element::new("elevation").with("s", number(pair[0].0)).with_cubic([pair[0].1, slope, 0.0, 0.0]));
+    }
+    Element::new("elevationProfile").holding(records)
+}
+
+fn lanes(plan: &Plan<'_>, place: usize) -> Element {
+    let planned = &plan.roads[place];
+    let half = 0.5 * plan.network.lane(planned.lanes[planned.reference]).width_m;
+    let offset = Element::new("laneOffset").with("s", "0").with_cubic([
+        if plan.left_hand { -half } else { half },
+        0.0,
+        0.0,
+        0.0,
+    ]);
+    let centre = Element::new("lane")
+        .with("id", "0")
+        .with("type", "none")
+        .with("level", "false")
+        .holding([mark(if planned.junction.is_some() { "none" } else { "solid" }, "none")]);
+    let all: Vec<Element> = planned.lanes.iter().map(|&lane| lane_element(plan, plan.network.lane(lane))).collect();
+    let center = Element::new("center").holding([centre]);
+    let sides = if plan.left_hand {
+        [Element::new("left").holding(all), center]
+    } else {
+        [center, Element::new("right").holding(all)]
+    };
+    Element::new("lanes").holding([offset, Element::new("laneSection").with("s", "0").holding(sides)])
+}
+
+fn mark(kind: &str, change: &str) -> Element {
+    Element::new("roadMark")
+        .with("sOffset", "0")
+        .with("type", kind)
+        .with("weight", "standard")
+        .with("color", "standard")
+        .with("width", "0.12")
+        .with("laneChange", change)
+}
+
+fn lane_element(plan: &Plan<'_>, lane: &Lane) -> Element {
+    let place = plan.road_of[lane.id.index()];
+    let mut link = Element::new("link");
+    for (name, at_end) in [("predecessor", false), ("successor", true)] {
+        if let Joined::Road(other) = plan.joined(place, at_end) {
+            let linked = if at_end { &lane.successors } else { &lane.predecessors };
+            for &next in linked.iter().filter(|next| plan.road_of[next.index()] == other) {
+                link.push(Element::new(name).with("id", plan.lane_id(next)));
+            }
+        }
+    }
+    let width = Element::new("width").with("sOffset", "0").with_cubic([lane.width_m, 0.0, 0.0, 0.0]);
+    let speed =
+        Element::new("speed").with("sOffset", "0").with("max", number(lane.speed_limit_mps)).with("unit", "m/s");
+    Element::new("lane").with("id", plan.lane_id(lane.id)).with("type", "driving").with("level", "false").holding([
+        link,
+        width,
+        outer_mark(plan, lane),
+        speed,
+    ])
+}
+
+/// The mark at the edge away from the centre: to the right, or in left-hand traffic to the left.
+fn outer_mark(plan: &Plan<'_>, lane: &Lane) -> Element {
+    if lane.junction.is_some() {
+        return mark("none", "none");
+    }
+    let road = plan.road_of[lane.id.index()];
+    let outer = if plan.left_hand { lane.left } else { lane.right };
+    let Some(outer) = outer.filter(|other| plan.road_of[other.index()] == road) else { return mark("solid", "none") };
+    let back = plan.network.lane(outer);
+    let back = if plan.left_hand { back.right } else { back.left };
+    // Outwards ids grow in left-hand and fall in right-hand traffic.
+    let change = match (back == Some(lane.id), plan.left_hand) {
+        (true, _) => "both",
+        (false, true) => "increase",
+        (false, false) => "decrease",
+    };
+    mark("broken", change)
+}
+
+fn objects(plan: &Plan<'_>, place: usize) -> Element {
+    let mut objects = Element::new("objects");
+    for (number, crossing) in plan.network.crossings.iter().enumerate() {
+        let home = crossing.cuts.first().map(|cut| plan.road_of[cut.lane.index()]);
+        if home == Some(place) {
+            objects.push(crosswalk(plan, place, crossing, number));
+        }
+    }
+    objects
+}
+
+fn crosswalk(plan: &Plan<'_>, place: usize, crossing: &Crossing, id: usize) -> Element {
+    let [a, b] = crossing.ends.map(DVec3::truncate);
+    let (s, t, direction) = plan.roads[place].line.nearest(a.midpoint(b));
+    let (half_length, half_width) = (0.5 * a.distance(b), 0.5 * crossing.width_m);
+    let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(u, v): (f64, f64)| {
+        Element::new("cornerLocal")
+            .with("u", number(u * half_length))
+            .with("v", number(v * half_width))
+            .with("z", "0")
+            .with("height", "0")
+    });
+    Element::new("object")
+        .with("id", id + 1)
+        .with("name", "crosswalk")
+        .with("type", "crosswalk")
+        .with("s", number(s))
+        .with("t", number(t))
+        .with("zOffset", "0")
+        .with("hdg", number(wrap_angle(atan2(b.y - a.y, b.x - a.x) - direction)))
+        .with("pitch", "0")
+        .with("roll", "0")
+        .with("orientation", "none")
+        .with("length", number(2.0 * half_length))
+        .with("width", number(2.0 * half_width))
+        .with("height", "0")
+        .holding([Element::new("outlines").holding([Element::new("outline").with("id", "0").holding(corners)])])
+}
+
+/// The id of the signal of a group that stands at a road.
+pub(super) fn light_id(group: SignalId, place: usize) -> String {
+    format!("{}_{}", group.0, place + 1)
+}
+
+fn signals(plan: &Plan<'_>, place: usize) -> Element {
+    let planned = &plan.roads[place];
+    let mut by_control: BTreeMap<String, (Control, Vec<LaneId>)> = BTreeMap::new();
+    for &lane in &planned.lanes {
+        let control = plan.network.lane(lane).end_control;
+        let id = match control {
+            Control::Free => continue,
+            Control::Signal(group) => light_id(group, place),
+            Control::Stop => format!("stop_{}", place + 1),
+            Control::Yield => format!("yield_{}", place + 1),
+        };
+        by_control.entry(id).or_insert((control, Vec::new())).1.push(lane);
+    }
+    let signals = by_control.into_iter().map(|(id, (control, lanes))| {
+        let (dynamic, country, kind, name) = match control {
+            Control::Signal(_) => ("yes", "OpenDRIVE", "1000001", "traffic light"),
+            Control::Stop => ("no", "DE", "206", "stop"),
+            _ => ("no", "DE", "205", "give way"),
+        };
+        let validity = lanes.iter().map(|&lane| {
+            let id = plan.lane_id(lane);
+            Element::new("validity").with("fromLane", id).with("toLane", id)
+        });
+        Element::new("signal")
+            .with("s", number((planned.line.length - 0.05).max(0.0)))
+            .with("t", number(plan.right_edge(place) - ASIDE_M))
+            .with("id", id)
+            .with("name", name)
+            .with("dynamic", dynamic)
+            .with("orientation", "+")
+            .with("zOffset", "0")
+            .with("country", country)
+            .with("type", kind)
+            .with("subtype", "-1")
+            .with("value", "-1")
+            .with("hOffset", "0")
+            .with("pitch", "0")
+            .with("roll", "0")
+            .with("height", "0.9")
+            .with("width", "0.3")
+            .holding(validity)
+    });
+    Element::new("signals").holding(signals)
+}
