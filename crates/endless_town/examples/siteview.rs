@@ -1,8 +1,10 @@
 //! Draws what a camera site sees, flat-shaded: `cargo run -p endless_town --release --example siteview -- Town03 0 out.png`;
 //! `all` in place of the number draws every site on one sheet. Lists the sites if no number is given.
 
+mod open;
+
 use endless_asset::{Catalogue, Mesh, Prop, Surface};
-use endless_town::{Placement, Town, What, load};
+use endless_town::{Placement, Town, What};
 use endless_world::{CameraSite, ImageSize, PinholeCamera, math};
 use glam::{Affine3A, Vec2, Vec3};
 use std::{collections::BTreeMap, error::Error, fs::File, io::BufWriter, io::Write};
@@ -112,7 +114,7 @@ fn draw(town: &Town, catalogue: &Catalogue, made: &mut Made, film: &mut Film) {
 fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let catalogue = Catalogue::builtin();
-    let town = load(args.first().map_or("Town01", String::as_str), &catalogue)?;
+    let town = open::open(args.first().map_or("Town01", String::as_str), &catalogue)?;
     let Some(number) = args.get(1) else {
         for (i, site) in town.cameras.iter().enumerate() {
             writeln!(std::io::stdout(), "{i} {site:?}")?;

@@ -1,7 +1,9 @@
 //! Draws a town from above: `cargo run -p endless_town --release --example topview -- Town03 out.png [pixels a metre]`.
 
+mod open;
+
 use endless_asset::{Catalogue, Mesh};
-use endless_town::{Town, What, load};
+use endless_town::{Town, What};
 use endless_world::math;
 use glam::{Affine3A, Vec2, Vec3};
 use std::{error::Error, fs::File, io::BufWriter};
@@ -162,11 +164,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let name = args.first().map_or("Town01", String::as_str);
     let path = args.get(1).map_or("topview.png", String::as_str);
     let number = |i: usize, default: f32| args.get(i).and_then(|a| a.parse().ok()).unwrap_or(default);
-    let (scale, metres) = (number(2, 2.0), number(3, 500.0));
     let overlay = args.get(6).is_none_or(|a| a != "plain");
     let catalogue = Catalogue::builtin();
-    let town = load(name, &catalogue)?;
-    let mut canvas = Canvas::new(metres, scale, Vec2::new(number(4, 0.0), number(5, 0.0)));
+    let town = open::open(name, &catalogue)?;
+    let points = town.network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.as_vec3().truncate());
+    let (low, high) = points.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+    let (middle, size) = ((low + high) / 2.0, (high - low).max_element() + 80.0);
+    let (scale, metres) = (number(2, 1200.0 / size), number(3, size));
+    let mut canvas = Canvas::new(metres, scale, Vec2::new(number(4, middle.x), number(5, middle.y)));
     draw(&town, &catalogue, &mut canvas, overlay);
     canvas.save(path)
 }

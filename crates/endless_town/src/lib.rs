@@ -2,12 +2,14 @@
 //!
 //! A town is made in named passes over one street plan, each a folder: the network (`network`), its surfaces
 //! (`surface`), buildings on lots (`building`), street furniture and plants (`dressing`), camera sites (`camera`).
-//! What sets the eight towns apart is one table, `character`.
+//! What sets the eight towns apart is one table, `character`. Maps read from files are dressed by `imported`.
 
+mod assemble;
 mod building;
 mod camera;
 mod character;
 mod dressing;
+mod imported;
 mod load;
 mod network;
 mod palette;
@@ -15,5 +17,6 @@ mod plot;
 mod surface;
 mod town;
 
+pub use imported::dress_map;
 pub use load::{NAMES, canonical_name, load};
 pub use town::{Lamp, ParkedVehicle, Placement, Town, TownError, What};

@@ -1,18 +1,14 @@
 //! Towns by name.
 
+use crate::assemble::{assemble, set_up_cameras};
 use crate::building::Lot;
-use crate::camera::{Relief, Scene, Solid};
+use crate::camera::{Relief, Solid};
 use crate::character::{CHARACTERS, Character};
-use crate::dressing::{Dresser, Spot};
+use crate::dressing::Dresser;
 use crate::plot::Occupied;
-use crate::{Placement, Town, TownError, What, building, camera, dressing, network, surface};
-use endless_asset::{Catalogue, Mesh, Prop};
-use endless_road::RoadNetwork;
-use endless_world::CameraSite;
-use glam::{Affine3A, DVec2, Vec3};
-
-/// Height of [`Prop::CameraPole`] as it is made, metres.
-const CAMERA_POLE_M: f32 = 6.0;
+use crate::{Town, TownError, building, dressing, network, surface};
+use endless_asset::Catalogue;
+use glam::Affine3A;
 
 /// The maps there are, in the paper's order.
 pub const NAMES: &[&str] = &["Town01", "Town02", "Town03", "Town04", "Town05", "Town06", "Town07", "Town10HD"];
@@ -51,49 +47,11 @@ fn make(character: &Character, catalogue: &Catalogue) -> Town {
     dressing::add_lamps(&mut dresser);
     dressing::add_signs(&mut dresser);
     dressing::add_parked(&mut dresser);
-    let cameras = cameras(&mut dresser, &network, &own, &lots);
+    let solids: Vec<Solid> = lots.iter().map(Lot::solid).collect();
+    let cameras = set_up_cameras(&mut dresser, &network, &Relief::new(&network, &own), &solids);
     dressing::keep_the_seen(&mut dresser.parked, &cameras);
     own.push((dressing::dress(&mut dresser, &cameras, &lots), Affine3A::IDENTITY));
-    let mut placements: Vec<Placement> = own
-        .iter()
-        .enumerate()
-        .map(|(i, &(_, world_from_object))| Placement { what: What::Own(i as u32), world_from_object, signal: None })
-        .collect();
-    placements.append(&mut dresser.placements);
-    let meshes = own.into_iter().map(|(mesh, _)| mesh).collect();
-    Town {
-        name: character.name.to_owned(),
-        summary: character.summary,
-        network,
-        meshes,
-        placements,
-        parked: dresser.parked,
-        lamps: dresser.lamps,
-        cameras,
-    }
-}
-
-/// Chooses camera sites and puts up their poles.
-fn cameras(
-    dresser: &mut Dresser<'_>,
-    network: &RoadNetwork,
-    own: &[(Mesh, Affine3A)],
-    lots: &[Lot],
-) -> Vec<CameraSite> {
-    let relief = Relief::new(network, own);
-    let solids: Vec<Solid> = lots.iter().map(Lot::solid).collect();
-    let scene = Scene {
-        network,
-        relief: &relief,
-        solids: &solids,
-        posts: dresser.placements.iter().map(|p| Vec3::from(p.world_from_object.translation)).collect(),
-        parked: dresser.parked.iter().map(|p| p.pose.position).collect(),
-    };
-    camera::choose(scene, &mut |foot, ground, height, yaw| {
-        let scale = Vec3::new(1.0, 1.0, (height as f32 + 0.1) / CAMERA_POLE_M);
-        let spot = Spot { z: ground, scale, ..Spot::new(foot, yaw) };
-        dresser.put(Prop::CameraPole, spot, DVec2::splat(0.2), None)
-    })
+    assemble(character.name, character.summary, network, own, dresser.into_stage(), cameras)
 }
 
 #[cfg(test)]

@@ -51,7 +51,7 @@ pub struct Town {
     /// `Town01`, ...
     pub name: String,
     /// One sentence on its character.
-    pub summary: &'static str,
+    pub summary: String,
     /// Roads, junctions, signals, sidewalks.
     pub network: RoadNetwork,
     /// Ground, roads, kerbs, markings and buildings.
@@ -69,6 +69,24 @@ pub struct Town {
 /// Why a town could not be made.
 #[derive(Debug, thiserror::Error, PartialEq)]
 pub enum TownError {
+    /// A map with nothing to drive on.
+    #[error("map '{name}' has no lane for driving: nothing can be dressed")]
+    NoLanes {
+        /// The map.
+        name: String,
+    },
+    /// A map that is larger than a town can be.
+    #[error("map '{name}' is {width_km:.1} by {height_km:.1} km: cut out a part of at most {most_km} km a side")]
+    TooLarge {
+        /// The map.
+        name: String,
+        /// Size from west to east, kilometres.
+        width_km: f64,
+        /// Size from south to north, kilometres.
+        height_km: f64,
+        /// The most.
+        most_km: f64,
+    },
     /// No map of this name.
     #[error("unknown map '{given}': use one of {}", known.join(", "))]
     UnknownMap {

@@ -173,7 +173,7 @@ impl Row<'_> {
 }
 
 /// Width and depth, metres.
-fn size(kind: Kind, stream: &mut Stream) -> (f64, f64) {
+pub(crate) fn size(kind: Kind, stream: &mut Stream) -> (f64, f64) {
     let (w, d) = match kind {
         Kind::House => ((8.5, 12.5), (8.0, 10.5)),
         Kind::Terrace => ((6.5, 12.0), (10.0, 13.0)),
@@ -187,7 +187,7 @@ fn size(kind: Kind, stream: &mut Stream) -> (f64, f64) {
     (stream.range_f64(w.0, w.1), stream.range_f64(d.0, d.1))
 }
 
-fn storeys(kind: Kind, low: u32, high: u32, stream: &mut Stream) -> u32 {
+pub(crate) fn storeys(kind: Kind, low: u32, high: u32, stream: &mut Stream) -> u32 {
     let between = |stream: &mut Stream, a: u32, b: u32| a + stream.below((b - a + 1) as usize) as u32;
     match kind {
         Kind::House => between(stream, 1, 2),
@@ -202,7 +202,7 @@ fn storeys(kind: Kind, low: u32, high: u32, stream: &mut Stream) -> u32 {
 }
 
 /// How far roofs reach beyond the walls; terraces stand wall to wall.
-fn eaves(kind: Kind) -> f64 {
+pub(crate) fn eaves(kind: Kind) -> f64 {
     match kind {
         Kind::House | Kind::Barn => 0.55,
         Kind::Terrace => 0.0,

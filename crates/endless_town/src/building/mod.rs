@@ -1,5 +1,6 @@
 //! Buildings: real geometry on lots along the streets.
 
+mod freeform;
 mod lots;
 mod opening;
 mod roof;
@@ -7,7 +8,10 @@ mod storeyed;
 mod style;
 mod wall;
 
-pub(crate) use lots::Lot;
+pub(crate) use freeform::{Block, house, on_rectangle};
+pub(crate) use lots::{Lot, eaves, size, storeys};
+pub(crate) use opening::WindowNumbers;
+pub(crate) use storeyed::Measures;
 
 use crate::character::Character;
 use crate::network::{KERB_HEIGHT_M, Plan};
@@ -15,7 +19,6 @@ use crate::plot::Occupied;
 use endless_asset::Mesh;
 use endless_world::Stream;
 use glam::{Affine3A, Quat};
-use opening::WindowNumbers;
 
 /// Builds on the lots of a town; each mesh with its place in the world.
 pub(crate) fn build(character: &Character, plan: &Plan, occupied: &mut Occupied) -> (Vec<Lot>, Vec<(Mesh, Affine3A)>) {

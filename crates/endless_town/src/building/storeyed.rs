@@ -24,7 +24,7 @@ pub(crate) struct Measures {
 
 /// The rhythm of a facade.
 #[derive(Debug, Clone, Copy)]
-struct Rhythm {
+pub(super) struct Rhythm {
     bay: f32,
     window: [f32; 2],
     sill: f32,
@@ -33,7 +33,7 @@ struct Rhythm {
 }
 
 impl Rhythm {
-    fn of(kind: Kind, shops: bool, stream: &mut Stream) -> Self {
+    pub(super) fn of(kind: Kind, shops: bool, stream: &mut Stream) -> Self {
         let (bay, window, sill, storey) = match kind {
             Kind::House => (2.6, [1.25, 1.3], 0.9, 2.8),
             Kind::Terrace => (2.3, [1.05, 1.65], 0.75, 3.1),
@@ -54,27 +54,50 @@ impl Rhythm {
         };
         Self { bay: bay * stretch, window, sill, storey, ground }
     }
+
+    /// With storeys of such heights that the eaves are where they are known to be.
+    pub(super) fn stretched(self, height: f32, storeys: u32) -> Self {
+        let factor = (height / self.height(storeys)).clamp(0.8, 1.5);
+        let [w, h] = self.window;
+        Self { storey: self.storey * factor, ground: self.ground * factor, window: [w, h * factor.min(1.1)], ..self }
+    }
+
+    /// From the ground to the eaves.
+    pub(super) fn height(&self, storeys: u32) -> f32 {
+        self.ground + self.storey * (storeys.max(1) - 1) as f32
+    }
 }
 
 /// Makes the mesh of a building.
 pub(crate) fn make(measures: &Measures, stream: &mut Stream, numbers: &mut WindowNumbers) -> Mesh {
     let style = Style::draw(measures.kind, stream);
     let rhythm = Rhythm::of(measures.kind, measures.shops, stream);
+    make_styled(measures, &style, &rhythm, stream, numbers)
+}
+
+/// The same of given materials.
+pub(super) fn make_styled(
+    measures: &Measures,
+    style: &Style,
+    rhythm: &Rhythm,
+    stream: &mut Stream,
+    numbers: &mut WindowNumbers,
+) -> Mesh {
     let mut mesh = MeshBuilder::new();
     let half = measures.width / 2.0;
     let (x, y) = ([-half, half], [0.0, measures.depth]);
-    let height = rhythm.ground + rhythm.storey * (measures.storeys - 1) as f32;
+    let height = rhythm.height(measures.storeys);
     for (side, wall) in walls(x, y, 0.0).iter().enumerate() {
-        add_wall(&mut mesh, wall, side, measures, &style, &rhythm, stream, numbers);
+        add_wall(&mut mesh, wall, side, measures, style, rhythm, stream, numbers);
     }
-    add_roof(&mut mesh, measures, (x, y), height, &style, stream);
+    add_roof(&mut mesh, measures, (x, y), height, style, stream);
     if matches!(measures.kind, Kind::House) {
-        add_porch(&mut mesh, &style);
+        add_porch(&mut mesh, style);
     }
     mesh.finish()
 }
 
-fn add_wall(
+pub(super) fn add_wall(
     mesh: &mut MeshBuilder,
     wall: &Wall,
     side: usize,

@@ -41,6 +41,9 @@ pub(crate) struct Scene<'a> {
 const WANTED: usize = 10;
 /// Cameras it must have, even if the views are modest.
 const LEAST: usize = 5;
+/// Views that are not good enough, taken where a map has no better: their worth, and what they must show of pavement.
+const MODEST: f32 = 0.02;
+const MODEST_PAVED: f32 = 0.25;
 /// Most cameras of one kind.
 const MOST: [(View, usize); 8] = [
     (View::Approach, 2),
@@ -68,21 +71,24 @@ pub(crate) fn choose(scene: Scene<'_>, set_up: &mut dyn FnMut(DVec2, f64, f64, f
         .into_iter()
         .filter_map(|candidate| {
             let seen = judge.look(&candidate.site)?;
-            let quality = seen.quality()?;
+            let quality = seen.quality().or((seen.paved() > MODEST_PAVED).then_some(MODEST))?;
             Some(Judged { candidate: classed(candidate, &seen), seen, quality })
         })
         .collect();
     let mut taken: Vec<Judged> = Vec::new();
     while taken.len() < WANTED {
+        // A small map may have one street and no more.
+        let full = |j: &Judged| !allowed(j.candidate.view, &taken);
+        let any = taken.len() < LEAST && left.iter().all(full);
         let worth = |j: &Judged| taken.iter().fold(j.quality, |worth, other| worth * unlike(j, other));
         let best = left
             .iter()
             .enumerate()
             .map(|(i, j)| (i, worth(j)))
-            .filter(|(i, _)| allowed(left[*i].candidate.view, &taken))
+            .filter(|(i, _)| any || !full(&left[*i]))
             .max_by(|a, b| a.1.total_cmp(&b.1));
         let Some((i, worth)) = best else { break };
-        if worth < if taken.len() < LEAST { 0.02 } else { 2.0 } {
+        if worth < if taken.len() < LEAST { 1e-4 } else { 2.0 } {
             break;
         }
         let judged = left.swap_remove(i);

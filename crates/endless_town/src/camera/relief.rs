@@ -125,7 +125,6 @@ impl Relief {
         }
     }
 
-    #[expect(dead_code, reason = "imported maps have trees")]
     /// A tree or another column that was there before: its crown hides what is behind.
     pub(crate) fn add_column(&mut self, at: DVec2, radius: f64, height: f32) {
         let n = (radius / f64::from(self.cell)).ceil() as i32;

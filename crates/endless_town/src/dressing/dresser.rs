@@ -8,17 +8,36 @@ use endless_asset::{Catalogue, Prop};
 use endless_world::{SignalId, Stream};
 use glam::{Affine3A, DVec2, Quat, Vec3};
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::{Deref, DerefMut};
 
-/// The town while it is being dressed.
-pub(crate) struct Dresser<'a> {
-    pub(crate) character: &'a Character,
-    pub(crate) plan: &'a Plan,
+/// Everything that stands in a town, while it is being put down.
+pub(crate) struct Stage<'a> {
     pub(crate) catalogue: &'a Catalogue,
     pub(crate) occupied: Occupied,
     pub(crate) placements: Vec<Placement>,
     pub(crate) lamps: Vec<Lamp>,
     pub(crate) parked: Vec<ParkedVehicle>,
     stream: Stream,
+}
+
+/// A generated town while it is being dressed.
+pub(crate) struct Dresser<'a> {
+    pub(crate) character: &'a Character,
+    pub(crate) plan: &'a Plan,
+    stage: Stage<'a>,
+}
+
+impl<'a> Deref for Dresser<'a> {
+    type Target = Stage<'a>;
+    fn deref(&self) -> &Stage<'a> {
+        &self.stage
+    }
+}
+
+impl<'a> DerefMut for Dresser<'a> {
+    fn deref_mut(&mut self) -> &mut Stage<'a> {
+        &mut self.stage
+    }
 }
 
 /// Where a prop goes.
@@ -41,17 +60,18 @@ impl Spot {
 
 impl<'a> Dresser<'a> {
     pub(crate) fn new(character: &'a Character, plan: &'a Plan, catalogue: &'a Catalogue, occupied: Occupied) -> Self {
-        let stream = Stream::named(character.seed, "town/dressing", &[]);
-        Self {
-            character,
-            plan,
-            catalogue,
-            occupied,
-            placements: Vec::new(),
-            lamps: Vec::new(),
-            parked: Vec::new(),
-            stream,
-        }
+        Self { character, plan, stage: Stage::new(catalogue, occupied, character.seed) }
+    }
+
+    pub(crate) fn into_stage(self) -> Stage<'a> {
+        self.stage
+    }
+}
+
+impl<'a> Stage<'a> {
+    pub(crate) fn new(catalogue: &'a Catalogue, occupied: Occupied, seed: u64) -> Self {
+        let stream = Stream::named(seed, "town/dressing", &[]);
+        Self { catalogue, occupied, placements: Vec::new(), lamps: Vec::new(), parked: Vec::new(), stream }
     }
 
     /// The stream of one trade; what others draw does not change it.

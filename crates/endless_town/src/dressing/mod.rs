@@ -8,7 +8,7 @@ mod post;
 mod tree;
 mod wire;
 
-pub(crate) use dresser::{Dresser, Spot};
+pub(crate) use dresser::{Dresser, Spot, Stage};
 pub(crate) use parking::{add_parked, keep_the_seen};
 pub(crate) use post::{add_lamps, add_signals, add_signs};
 

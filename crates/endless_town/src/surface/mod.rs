@@ -9,6 +9,7 @@ mod street;
 mod strip;
 
 pub(crate) use ground::{Slopes, blocks, outline};
+pub(crate) use polygon::{area, triangulate, with_holes};
 pub(crate) use street::{BAY_M, bays, island_ranges};
 
 use crate::character::Character;
@@ -21,7 +22,7 @@ const PAINT_M: f32 = 0.003;
 /// Height of manholes and grates.
 const IRON_M: f32 = 0.005;
 /// `v` of asphalt that belongs to no lane: far from any wheel path.
-const NO_LANE: f32 = 50.0;
+pub(crate) const NO_LANE: f32 = 50.0;
 
 /// Everything flat (and the hills), as one mesh in the world frame.
 pub(crate) fn build(character: &Character, plan: &Plan, network: &RoadNetwork) -> Mesh {

@@ -1,0 +1,60 @@
+//! The last steps of making any town: cameras on their poles, and everything put together.
+
+use crate::camera::{self, Relief, Scene, Solid};
+use crate::dressing::{Spot, Stage};
+use crate::{Placement, Town, What};
+use endless_asset::{Mesh, Prop};
+use endless_road::RoadNetwork;
+use endless_world::CameraSite;
+use glam::{Affine3A, DVec2, Vec3};
+
+/// Height of [`Prop::CameraPole`] as it is made, metres.
+const CAMERA_POLE_M: f32 = 6.0;
+
+/// Chooses camera sites among what stands already, and puts up their poles.
+pub(crate) fn set_up_cameras(
+    stage: &mut Stage<'_>,
+    network: &RoadNetwork,
+    relief: &Relief,
+    solids: &[Solid],
+) -> Vec<CameraSite> {
+    let scene = Scene {
+        network,
+        relief,
+        solids,
+        posts: stage.placements.iter().map(|p| Vec3::from(p.world_from_object.translation)).collect(),
+        parked: stage.parked.iter().map(|p| p.pose.position).collect(),
+    };
+    camera::choose(scene, &mut |foot, ground, height, yaw| {
+        let scale = Vec3::new(1.0, 1.0, (height as f32 + 0.1) / CAMERA_POLE_M);
+        let spot = Spot { z: ground, scale, ..Spot::new(foot, yaw) };
+        stage.put(Prop::CameraPole, spot, DVec2::splat(0.2), None)
+    })
+}
+
+/// A town of its own meshes and of what was put down.
+pub(crate) fn assemble(
+    name: &str,
+    summary: &str,
+    network: RoadNetwork,
+    own: Vec<(Mesh, Affine3A)>,
+    mut stage: Stage<'_>,
+    cameras: Vec<CameraSite>,
+) -> Town {
+    let mut placements: Vec<Placement> = own
+        .iter()
+        .enumerate()
+        .map(|(i, &(_, world_from_object))| Placement { what: What::Own(i as u32), world_from_object, signal: None })
+        .collect();
+    placements.append(&mut stage.placements);
+    Town {
+        name: name.to_owned(),
+        summary: summary.to_owned(),
+        network,
+        meshes: own.into_iter().map(|(mesh, _)| mesh).collect(),
+        placements,
+        parked: stage.parked,
+        lamps: stage.lamps,
+        cameras,
+    }
+}

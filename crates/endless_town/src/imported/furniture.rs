@@ -1,0 +1,76 @@
+//! Benches, bins and the rest along sidewalks, and wires' poles beside quiet roads.
+
+use super::post::Poster;
+use crate::camera::spoils;
+use crate::dressing::{Spot, Stage};
+use crate::plot::Rect;
+use endless_asset::Prop;
+use endless_world::CameraSite;
+use glam::{DVec2, DVec3};
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// What stands at the kerb: half sizes, share, and turn from facing the road.
+const PIECES: &[(Prop, [f64; 2], f64, f64)] = &[
+    (Prop::Bench, [0.42, 0.95], 1.0, PI),
+    (Prop::Bin, [0.3, 0.3], 1.4, 0.0),
+    (Prop::Hydrant, [0.25, 0.25], 0.7, 0.0),
+    (Prop::PostBox, [0.35, 0.35], 0.35, PI),
+    (Prop::Bollard, [0.15, 0.15], 1.0, 0.0),
+    (Prop::Planter, [0.4, 0.8], 0.7, 0.0),
+    (Prop::BikeRack, [0.5, 0.4], 0.8, FRAC_PI_2),
+    (Prop::Cabinet, [0.35, 0.6], 0.6, PI),
+];
+/// Most pieces of a map.
+const MOST: usize = 1200;
+/// Distance between utility poles, metres.
+const POLES_M: f64 = 38.0;
+
+pub(super) fn add(stage: &mut Stage<'_>, poster: &Poster<'_>, sites: &[CameraSite]) {
+    let weights: Vec<f64> = PIECES.iter().map(|p| p.2).collect();
+    let crossings: Vec<DVec2> = poster.map.network.crossings.iter().flat_map(|c| c.ends).map(DVec3::truncate).collect();
+    let mut placed = 0;
+    for (i, lane) in poster.map.network.lanes.iter().enumerate() {
+        if lane.junction.is_some() || !poster.is_outermost(lane) {
+            continue;
+        }
+        let mut stream = stage.stream(30_000 + i as u64);
+        let length = lane.centerline.length();
+        let mut s = stream.range_f64(3.0, 14.0);
+        while s < length - 3.0 && placed < MOST {
+            let (prop, half, _, turn) = PIECES[stream.weighted(&weights)];
+            let verge = poster.verge(lane, s, poster.side(), 0.7);
+            let heading = lane.centerline.at(s).heading_rad;
+            s += stream.range_f64(7.0, 24.0);
+            let Some(verge) = verge.filter(|v| v.walk) else { continue };
+            if crossings.iter().any(|c| c.distance(verge.at) < 4.0) {
+                continue;
+            }
+            let yaw = heading - poster.side() * FRAC_PI_2 + turn;
+            let spot = Spot { z: verge.z, ..Spot::new(verge.at, yaw) };
+            placed += usize::from(stage.put(prop, spot, DVec2::from_array(half), None));
+        }
+    }
+    add_poles(stage, poster, sites);
+}
+
+/// Wooden poles beside roads without sidewalks, where the map has none of its own.
+fn add_poles(stage: &mut Stage<'_>, poster: &Poster<'_>, sites: &[CameraSite]) {
+    for lane in poster.map.network.lanes.iter().filter(|l| l.junction.is_none() && poster.is_outermost(l)) {
+        let length = lane.centerline.length();
+        // One side of the road is enough: that of the lanes that lead north or east.
+        let way = crate::plot::unit(lane.centerline.at(length / 2.0).heading_rad);
+        if way.x + way.y < 0.0 || length < POLES_M || lane.speed_limit_mps > 25.0 {
+            continue;
+        }
+        let count = (length / POLES_M).floor() as usize;
+        for k in 0..=count {
+            let s = length * k as f64 / count as f64;
+            let Some(verge) = poster.verge(lane, s, poster.side(), 2.2).filter(|v| !v.walk) else { continue };
+            let clear = !spoils(sites, verge.at) && stage.occupied.is_free(&Rect::around(verge.at, 0.6));
+            if clear {
+                let spot = Spot { z: verge.z, ..Spot::new(verge.at, lane.centerline.at(s).heading_rad) };
+                stage.put(Prop::UtilityPole, spot, DVec2::splat(0.22), None);
+            }
+        }
+    }
+}

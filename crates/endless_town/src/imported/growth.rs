@@ -1,0 +1,236 @@
+//! Buildings where the map knows of none: grown along its roads, higher and closer the denser the roads are.
+
+use super::cover::Cover;
+use super::footprint::Built;
+use super::land::Land;
+use crate::building::{Block, Measures, WindowNumbers, eaves, on_rectangle, size, storeys};
+use crate::camera::Solid;
+use crate::character::Kind;
+use crate::plot::{Occupied, Rect, unit};
+use endless_road::{Lane, RoadNetwork};
+use endless_world::Stream;
+use glam::{Affine3A, DVec2, Quat};
+
+/// Faster roads have no houses along them, m/s.
+const OPEN_ROAD_MPS: f64 = 20.5;
+/// Roads within this distance tell how dense a place is, metres.
+const AROUND_M: f64 = 130.0;
+/// The steepest ground that is built on: difference of height over a lot, metres.
+const STEEPEST_M: f64 = 2.2;
+/// Most buildings of a map.
+const MOST: usize = 420;
+
+/// What is built where roads are so dense.
+pub(super) struct Quarter {
+    kinds: &'static [(Kind, f64)],
+    storeys: (u32, u32),
+    /// Share of lots left open.
+    open: f64,
+}
+
+const QUARTERS: [(f64, Quarter); 4] = [
+    (0.0, Quarter { kinds: &[(Kind::House, 4.0), (Kind::Barn, 1.0)], storeys: (1, 2), open: 0.55 }),
+    (
+        55.0,
+        Quarter {
+            kinds: &[(Kind::House, 4.0), (Kind::Shop, 1.2), (Kind::Flats, 1.0), (Kind::Hall, 0.5)],
+            storeys: (2, 3),
+            open: 0.2,
+        },
+    ),
+    (
+        125.0,
+        Quarter {
+            kinds: &[(Kind::Terrace, 4.0), (Kind::Flats, 2.0), (Kind::Shop, 1.4), (Kind::House, 1.2)],
+            storeys: (2, 5),
+            open: 0.1,
+        },
+    ),
+    (
+        235.0,
+        Quarter {
+            kinds: &[(Kind::Terrace, 2.5), (Kind::Office, 3.0), (Kind::Flats, 2.0), (Kind::Tower, 1.2)],
+            storeys: (4, 8),
+            open: 0.06,
+        },
+    ),
+];
+
+/// Metres of lane on a hectare around places, on a grid.
+pub(super) struct Density {
+    low: DVec2,
+    columns: usize,
+    cells: Vec<f64>,
+}
+
+/// Side of the cells of [`Density`], metres.
+const CELL_M: f64 = 32.0;
+
+impl Density {
+    pub(super) fn new(network: &RoadNetwork, low: DVec2, high: DVec2) -> Self {
+        const STEP_M: f64 = 20.0;
+        let size = (high - low).max(DVec2::ONE) / CELL_M;
+        let (columns, rows) = (size.x.ceil() as usize, size.y.ceil() as usize);
+        let mut cells = vec![0.0; columns * rows];
+        let hectares = std::f64::consts::PI * AROUND_M * AROUND_M / 10_000.0;
+        let reach = (AROUND_M / CELL_M).ceil() as usize;
+        // Highways make no town.
+        let local = |l: &&Lane| l.junction.is_none() && l.speed_limit_mps < OPEN_ROAD_MPS;
+        for lane in network.lanes.iter().filter(local) {
+            let n = (lane.centerline.length() / STEP_M).ceil().max(1.0) as usize;
+            let share = lane.centerline.length() / n as f64;
+            for i in 0..n {
+                let p = (lane.centerline.at((i as f64 + 0.5) * share).position.truncate() - low) / CELL_M;
+                let (x, y) = (p.x.max(0.0) as usize, p.y.max(0.0) as usize);
+                for row in y.saturating_sub(reach)..(y + reach + 1).min(rows) {
+                    for column in x.saturating_sub(reach)..(x + reach + 1).min(columns) {
+                        let middle = DVec2::new(column as f64 + 0.5, row as f64 + 0.5);
+                        if middle.distance(p) * CELL_M < AROUND_M {
+                            cells[row * columns + column] += share / hectares;
+                        }
+                    }
+                }
+            }
+        }
+        Self { low, columns, cells }
+    }
+
+    pub(super) fn at(&self, p: DVec2) -> f64 {
+        let q = ((p - self.low) / CELL_M).max(DVec2::ZERO);
+        let (x, y) = ((q.x as usize).min(self.columns - 1), (q.y as usize).min(self.cells.len() / self.columns - 1));
+        self.cells[y * self.columns + x]
+    }
+
+    fn quarter(&self, p: DVec2) -> &'static Quarter {
+        let density = self.at(p);
+        let of = QUARTERS.iter().rev().find(|q| density >= q.0).unwrap_or(&QUARTERS[0]);
+        &of.1
+    }
+}
+
+pub(super) struct Grower<'a> {
+    pub(super) network: &'a RoadNetwork,
+    pub(super) cover: &'a Cover,
+    pub(super) land: &'a Land,
+    pub(super) density: &'a Density,
+    pub(super) seed: u64,
+}
+
+impl Grower<'_> {
+    /// Fills the land on both sides of slow roads.
+    pub(super) fn grow(&self, occupied: &mut Occupied, numbers: &mut WindowNumbers) -> Vec<Built> {
+        let mut built = Vec::new();
+        for lane in self.network.lanes.iter().filter(|l| l.junction.is_none() && l.speed_limit_mps < OPEN_ROAD_MPS) {
+            for side in [-1.0, 1.0] {
+                let outermost = if side < 0.0 { lane.right.is_none() } else { lane.left.is_none() };
+                if outermost {
+                    self.row(lane, side, occupied, numbers, &mut built);
+                }
+            }
+        }
+        built
+    }
+
+    fn row(
+        &self,
+        lane: &Lane,
+        side: f64,
+        occupied: &mut Occupied,
+        numbers: &mut WindowNumbers,
+        built: &mut Vec<Built>,
+    ) {
+        let mut stream = Stream::named(self.seed, "town/growth", &[u64::from(lane.id.0), (side > 0.0).into()]);
+        let length = lane.centerline.length();
+        let mut s = 1.0;
+        while s < length - 4.0 && built.len() < MOST {
+            let quarter = self.density.quarter(lane.centerline.at(s).position.truncate());
+            let weights: Vec<f64> = quarter.kinds.iter().map(|k| k.1).collect();
+            let kind = quarter.kinds[stream.weighted(&weights)].0;
+            let (width, depth) = size(kind, &mut stream);
+            let gap = match kind {
+                Kind::Terrace => 0.02,
+                Kind::House => stream.range_f64(3.0, 6.0),
+                _ => stream.range_f64(2.0, 8.0),
+            };
+            let set_back = match kind {
+                Kind::Terrace => 0.15,
+                Kind::House | Kind::Flats => stream.range_f64(3.0, 8.0),
+                Kind::Hall | Kind::Barn => stream.range_f64(5.0, 10.0),
+                _ => stream.range_f64(0.5, 4.0),
+            };
+            let storeys = storeys(kind, quarter.storeys.0, quarter.storeys.1, &mut stream);
+            let shops = kind == Kind::Terrace && stream.chance(0.45) || kind == Kind::Office && stream.chance(0.5);
+            let seed = stream.next_u64();
+            if stream.chance(quarter.open) {
+                s += width + gap;
+                continue;
+            }
+            let measures =
+                Measures { kind, width: width as f32, depth: depth as f32, storeys, shops, party_walls: [false; 2] };
+            match self.lot(lane, side, s + width / 2.0, (width, depth), set_back, kind, occupied) {
+                Some(rect) => {
+                    occupied.take(rect.grown(eaves(kind) + if kind == Kind::House { 1.3 } else { 0.0 }));
+                    built.push(self.raise(measures, &rect, seed, numbers));
+                    s += width + gap;
+                }
+                None => s += 5.0,
+            }
+        }
+    }
+
+    /// A free rectangle beside a lane, its front towards the road.
+    fn lot(
+        &self,
+        lane: &Lane,
+        side: f64,
+        s: f64,
+        (width, depth): (f64, f64),
+        set_back: f64,
+        kind: Kind,
+        occupied: &Occupied,
+    ) -> Option<Rect> {
+        let place = lane.centerline.at(s);
+        let out = unit(place.heading_rad).perp() * side;
+        let here = place.position.truncate();
+        // Beyond the last pavement: a metre and a half without any.
+        let steps = 70;
+        let paved = |d: f64| self.cover.is_paved(here + out * d);
+        let edge =
+            (0..steps).map(|k| 0.5 * f64::from(k)).find(|&d| [0.0, 0.5, 1.0, 1.5].iter().all(|e| !paved(d + e)))?;
+        let porch = if kind == Kind::House { 1.4 } else { 0.0 };
+        let centre = here + out * (edge + set_back + porch + depth / 2.0);
+        // The front looks at the road: the lot lies to the left of its axis.
+        let rect = Rect { centre, half: DVec2::new(width / 2.0, depth / 2.0), axis: -out.perp() };
+        let margin = if kind == Kind::Terrace { 0.3 } else { 1.0 };
+        let clear = self.clear_of_pavement(&rect.grown(margin)) && occupied.is_free(&rect.grown(eaves(kind)));
+        let (low, high) = self.land.range(&rect.corners());
+        (clear && high - low < STEEPEST_M && (low - place.position.z).abs() < 4.0).then_some(rect)
+    }
+
+    fn clear_of_pavement(&self, rect: &Rect) -> bool {
+        let steps = |half: f64| (half * 2.0 / 2.0).ceil().max(1.0) as i32;
+        let (nx, ny) = (steps(rect.half.x), steps(rect.half.y));
+        (0..=nx).all(|i| {
+            (0..=ny).all(|j| {
+                let x = rect.half.x * (2.0 * f64::from(i) / f64::from(nx) - 1.0);
+                let y = rect.half.y * (2.0 * f64::from(j) / f64::from(ny) - 1.0);
+                !self.cover.is_paved(rect.centre + rect.axis * x + rect.axis.perp() * y)
+            })
+        })
+    }
+
+    fn raise(&self, measures: Measures, rect: &Rect, seed: u64, numbers: &mut WindowNumbers) -> Built {
+        let front = rect.centre - rect.axis.perp() * rect.half.y;
+        let base = self.land.level(front).max(self.land.range(&rect.corners()).0);
+        let half = rect.half.x;
+        let depth = 2.0 * rect.half.y;
+        let local = [(-half, 0.0), (half, 0.0), (half, depth), (-half, depth)].map(|(x, y)| DVec2::new(x, y));
+        let block = Block { outline: &local, holes: &[], front: 0, blind: &[], color: None, height: None };
+        let mut stream = Stream::named(seed, "town/building", &[]);
+        let (mesh, top) = on_rectangle(&measures, &block, &mut stream, numbers);
+        let angle = endless_world::math::f64::atan2(rect.axis.y, rect.axis.x);
+        let turn = Quat::from_rotation_z(angle as f32);
+        let solid = Solid { outline: rect.corners().to_vec(), base, top: base + f64::from(top) };
+        Built { mesh, place: Affine3A::from_rotation_translation(turn, front.extend(base).as_vec3()), solid }
+    }
+}

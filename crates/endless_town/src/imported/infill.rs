@@ -1,0 +1,144 @@
+//! Holes that a file leaves between the lanes of a junction: paved over.
+
+use super::cover::Cover;
+use crate::palette::ASPHALT;
+use crate::surface::NO_LANE;
+use endless_asset::MeshBuilder;
+use endless_road::{JunctionId, RoadNetwork};
+use glam::{DVec2, Vec2, Vec3};
+
+/// Side of the cells in which holes are looked for, metres.
+const CELL_M: f64 = 0.5;
+/// Around a junction's lanes, metres.
+const AROUND_M: f64 = 16.0;
+/// Larger holes are islands or lawns, m².
+const MOST_M2: f64 = 110.0;
+/// Below the pavements around.
+const BELOW_M: f64 = 0.006;
+
+/// A grid over one junction.
+struct Patch<'a> {
+    cover: &'a Cover,
+    low: DVec2,
+    nx: usize,
+    ny: usize,
+    open: Vec<bool>,
+}
+
+pub(super) fn add(mesh: &mut MeshBuilder, network: &RoadNetwork, cover: &Cover) {
+    for junction in 0..network.junctions.len() {
+        let id = JunctionId(junction as u16);
+        let lanes = network.lanes.iter().filter(|l| l.junction == Some(id));
+        let points = lanes.flat_map(|l| l.centerline.points()).map(|p| p.truncate());
+        let (low, high) = points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+        let size = high - low;
+        // What is called a junction of several hundred metres is none to be paved.
+        if size.x >= 0.0 && size.max_element() < 250.0 {
+            Patch::new(cover, low - AROUND_M, high + AROUND_M).fill(mesh);
+        }
+    }
+}
+
+impl<'a> Patch<'a> {
+    fn new(cover: &'a Cover, low: DVec2, high: DVec2) -> Self {
+        let size = (high - low) / CELL_M;
+        let (nx, ny) = (size.x.ceil() as usize, size.y.ceil() as usize);
+        let mut patch = Self { cover, low, nx, ny, open: Vec::new() };
+        patch.open = (0..nx * ny).map(|i| !cover.is_paved(patch.middle(i))).collect();
+        patch
+    }
+
+    fn middle(&self, i: usize) -> DVec2 {
+        self.low + DVec2::new((i % self.nx) as f64 + 0.5, (i / self.nx) as f64 + 0.5) * CELL_M
+    }
+
+    fn neighbours(&self, i: usize) -> impl Iterator<Item = usize> {
+        let (x, y) = (i % self.nx, i / self.nx);
+        let (nx, ny) = (self.nx, self.ny);
+        [(0i64, 1i64), (1, 0), (0, -1), (-1, 0)].into_iter().filter_map(move |(dx, dy)| {
+            let (x, y) = (x as i64 + dx, y as i64 + dy);
+            let inside = x >= 0 && y >= 0 && x < nx as i64 && y < ny as i64;
+            inside.then_some(y as usize * nx + x as usize)
+        })
+    }
+
+    fn fill(&self, mesh: &mut MeshBuilder) {
+        let mut seen = vec![false; self.open.len()];
+        for start in 0..self.open.len() {
+            if seen[start] || !self.open[start] {
+                continue;
+            }
+            let (mut hole, mut next) = (vec![start], 0);
+            seen[start] = true;
+            while next < hole.len() {
+                for i in self.neighbours(hole[next]) {
+                    if self.open[i] && !std::mem::replace(&mut seen[i], true) {
+                        hole.push(i);
+                    }
+                }
+                next += 1;
+            }
+            let at_rim = |i: &usize| {
+                let (x, y) = (i % self.nx, i / self.nx);
+                x == 0 || y == 0 || x + 1 == self.nx || y + 1 == self.ny
+            };
+            let small = hole.len() as f64 * CELL_M * CELL_M < MOST_M2;
+            if small && !hole.iter().any(at_rim) && self.is_in_the_road(&hole) {
+                self.pave(mesh, hole);
+            }
+        }
+    }
+
+    /// Whether at least a quarter of a hole's border is carriageway.
+    fn is_in_the_road(&self, hole: &[usize]) -> bool {
+        let border: Vec<usize> = hole.iter().flat_map(|&i| self.neighbours(i)).filter(|&i| !self.open[i]).collect();
+        let road = border.iter().filter(|&&i| self.cover.is_carriageway(self.middle(i))).count();
+        road * 4 >= border.len()
+    }
+
+    /// Asphalt over the hole and a cell beyond it, under the pavements.
+    fn pave(&self, mesh: &mut MeshBuilder, mut hole: Vec<usize>) {
+        let rim: Vec<usize> =
+            hole.iter().flat_map(|&i| self.neighbours(i)).flat_map(|i| self.neighbours(i).chain([i])).collect();
+        hole.extend(rim);
+        hole.sort_unstable();
+        hole.dedup();
+        // Runs of cells along x become one quad.
+        let mut from = 0;
+        while from < hole.len() {
+            let mut to = from + 1;
+            while to < hole.len() && hole[to] == hole[to - 1] + 1 && to - from < 6 && !hole[to].is_multiple_of(self.nx)
+            {
+                to += 1;
+            }
+            let (a, b) = (self.middle(hole[from]) - CELL_M / 2.0, self.middle(hole[to - 1]) + CELL_M / 2.0);
+            let corners = [a, DVec2::new(b.x, a.y), b, DVec2::new(a.x, b.y)];
+            if let Some(corners) = self.lowered(corners) {
+                mesh.quad(corners, corners.map(|p| Vec2::new(p.x, NO_LANE)), ASPHALT);
+            }
+            from = to;
+        }
+    }
+
+    /// The corners at the height of the road next to each.
+    fn lowered(&self, corners: [DVec2; 4]) -> Option<[Vec3; 4]> {
+        let height = |p: DVec2| {
+            (0..14).find_map(|ring| {
+                let around = (0..8).filter_map(|k| {
+                    let q = p + crate::plot::unit(std::f64::consts::FRAC_PI_4 * f64::from(k)) * (0.5 * f64::from(ring));
+                    self.cover
+                        .at(q)
+                        .filter(|(piece, _)| super::cover::is_carriageway(piece.kind))
+                        .map(|(_, z)| z)
+                        .min_by(f64::total_cmp)
+                });
+                around.min_by(f64::total_cmp)
+            })
+        };
+        let mut found = [Vec3::ZERO; 4];
+        for (to, p) in found.iter_mut().zip(corners) {
+            *to = p.extend(height(p)? - BELOW_M).as_vec3();
+        }
+        Some(found)
+    }
+}

@@ -1,0 +1,128 @@
+//! Maps read from files, dressed as towns: pavements from their strips, land that follows them, buildings on footprints
+//! or grown along the roads, and everything that stands in streets.
+
+mod area;
+mod cover;
+mod footprint;
+mod furniture;
+mod growth;
+mod infill;
+mod land;
+mod paint;
+mod parking;
+mod plant;
+mod post;
+mod road;
+
+use crate::assemble::{assemble, set_up_cameras};
+use crate::building::WindowNumbers;
+use crate::camera::{Relief, Solid};
+use crate::dressing::{Stage, keep_the_seen};
+use crate::palette::{LAWN, MEADOW};
+use crate::plot::{Occupied, Rect};
+use crate::{Town, TownError};
+use area::Areas;
+use cover::Cover;
+use endless_asset::{Catalogue, MeshBuilder};
+use endless_road::RoadMap;
+use glam::{Affine3A, DVec2};
+use growth::{Density, Grower};
+use land::Land;
+use plant::Planter;
+use post::Poster;
+
+/// Size of a tree of the map, as sight sees it, metres.
+const CROWN_M: f64 = 2.0;
+const TREE_M: f32 = 8.0;
+/// Longest side of a map, metres.
+const MOST_M: f64 = 12_000.0;
+
+/// Makes a town of a map. The same name and map give the same town everywhere.
+///
+/// # Errors
+/// [`TownError::NoLanes`] if there is nothing to drive on, [`TownError::TooLarge`] if the map is larger than 12 km.
+pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Town, TownError> {
+    let (low, high) = bounds(map).ok_or_else(|| TownError::NoLanes { name: name.to_owned() })?;
+    let size = high - low;
+    if size.max_element() > MOST_M {
+        let (width_km, height_km) = (size.x / 1000.0, size.y / 1000.0);
+        return Err(TownError::TooLarge { name: name.to_owned(), width_km, height_km, most_km: MOST_M / 1000.0 });
+    }
+    let seed = seed_of(name);
+    let strips = road::laid(map);
+    let cover = Cover::new(&strips, low, high);
+    let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, low, high);
+    let areas = Areas::new(&map.areas);
+    let density = Density::new(&map.network, low, high);
+    let mut occupied = Occupied::default();
+    let mut numbers = WindowNumbers::default();
+
+    let mut ground = MeshBuilder::new();
+    road::Paver { strips: &strips, cover: &cover, land: &land }.pave(&mut ground, &mut occupied);
+    road::junction_areas(&mut ground, map);
+    if map.junction_areas.is_empty() {
+        infill::add(&mut ground, &map.network, &cover);
+    }
+    paint::add(&mut ground, map, &cover);
+    land.add(&mut ground, seed, &|p| areas.material(p, if density.at(p) > 60.0 { LAWN } else { MEADOW }));
+    areas.lay(&mut ground, &land);
+    let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
+
+    let mut built = footprint::build(&map.footprints, &cover, &land, &mut occupied, &mut numbers, seed);
+    if map.footprints.is_empty() {
+        let grower = Grower { network: &map.network, cover: &cover, land: &land, density: &density, seed };
+        built.extend(grower.grow(&mut occupied, &mut numbers));
+    }
+    let solids: Vec<Solid> = built.iter().map(|b| b.solid.clone()).collect();
+    let houses: Vec<Rect> = solids.iter().map(|s| footprint::around(&s.outline)).collect();
+    own.extend(built.into_iter().map(|b| (b.mesh, b.place)));
+
+    let mut stage = Stage::new(catalogue, occupied, seed);
+    let poster = Poster { map, cover: &cover, land: &land };
+    let planter = Planter { map, cover: &cover, land: &land, areas: &areas, density: &density, seed };
+    poster.signals(&mut stage);
+    poster.signs(&mut stage);
+    poster.lamps(&mut stage);
+    poster.things(&mut stage);
+    let known_trees = planter.known(&mut stage);
+    parking::add(&mut stage, &map.network, &strips, &areas, &cover, &land);
+
+    let mut relief = Relief::new(&map.network, &own);
+    for at in known_trees {
+        relief.add_column(at, CROWN_M, TREE_M);
+    }
+    let cameras = set_up_cameras(&mut stage, &map.network, &relief, &solids);
+    keep_the_seen(&mut stage.parked, &cameras);
+    planter.rows(&mut stage, &poster, &cameras, &houses);
+    furniture::add(&mut stage, &poster, &cameras);
+    planter.land(&mut stage, &cameras, low, high);
+    planter.hills(&mut stage);
+    Ok(assemble(name, &summary(map), map.network.clone(), own, stage, cameras))
+}
+
+/// A seed from a name (FNV-1a).
+fn seed_of(name: &str) -> u64 {
+    name.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3))
+}
+
+/// Smallest and largest place of lanes and strips.
+fn bounds(map: &RoadMap) -> Option<(DVec2, DVec2)> {
+    let strips = map.strips.iter().flat_map(|s| s.left.iter().chain(&s.right));
+    let lanes = map.network.lanes.iter().flat_map(|l| l.centerline.points());
+    let points = lanes.chain(strips).map(|p| p.truncate()).filter(|p| p.is_finite());
+    let (low, high) = points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+    (!map.network.lanes.is_empty() && low.x <= high.x).then_some((low, high))
+}
+
+/// One sentence on what the map has.
+fn summary(map: &RoadMap) -> String {
+    let network = &map.network;
+    let kilometres: f64 = network.lanes.iter().map(|l| l.centerline.length()).sum::<f64>() / 1000.0;
+    let signals = network.junctions.iter().filter(|j| j.program.is_some()).count();
+    let buildings = map.footprints.len();
+    format!(
+        "An imported map: {} lanes ({kilometres:.1} km), {} junctions ({signals} with signals), {buildings} known buildings.",
+        network.lanes.len(),
+        network.junctions.len(),
+    )
+}

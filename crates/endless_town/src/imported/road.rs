@@ -1,0 +1,271 @@
+//! Pavements: the surface of every strip, kerbs and edges, bridges.
+
+use super::cover::{Cover, Piece, is_carriageway};
+use super::land::Land;
+use crate::palette::{ASPHALT, BALLAST, CYCLEWAY, DECK, KERB, LAWN, PAVING, TRACK};
+use crate::plot::{Occupied, Rect};
+use crate::surface::{NO_LANE, triangulate};
+use endless_asset::{Material, MeshBuilder};
+use endless_road::{RoadMap, Strip, StripKind};
+use glam::{DVec2, DVec3, Vec2, Vec3};
+
+/// Medians at least this wide are raised, by this much, metres.
+const MEDIAN_FROM_M: f64 = 0.7;
+const MEDIAN_M: f64 = 0.12;
+/// Overlapping strips in junctions lie in layers, this far apart, metres.
+const LAYER_M: f64 = 0.000_6;
+const LAYERS: usize = 14;
+/// Height of paint above all layers.
+pub(super) const PAINT_M: f64 = 0.011;
+/// From which height above the land a pavement is a bridge.
+const BRIDGE_FROM_M: f64 = 1.3;
+/// Thickness of a deck, and size of parapets.
+const DECK_M: f64 = 0.9;
+const PARAPET_M: [f64; 2] = [0.25, 0.95];
+/// Distance between piers along a bridge.
+const PIERS_M: f64 = 24.0;
+
+/// The strips as they will lie: medians raised.
+pub(super) fn laid(map: &RoadMap) -> Vec<Strip> {
+    let mut strips: Vec<Strip> =
+        map.strips.iter().filter(|s| s.left.len() == s.right.len() && s.left.len() > 1).cloned().collect();
+    for strip in strips.iter_mut().filter(|s| s.kind == StripKind::Median && !s.in_junction) {
+        let widest = strip.left.iter().zip(&strip.right).map(|(l, r)| l.distance(*r)).fold(0.0, f64::max);
+        if widest > MEDIAN_FROM_M {
+            strip.left.iter_mut().chain(&mut strip.right).for_each(|p| p.z += MEDIAN_M);
+        }
+    }
+    strips
+}
+
+fn material(strip: &Strip) -> Material {
+    let wide = strip.left.iter().zip(&strip.right).map(|(l, r)| l.distance(*r)).fold(0.0, f64::max);
+    match strip.kind {
+        _ if strip.unpaved => TRACK,
+        StripKind::Driving | StripKind::Shoulder | StripKind::Parking => ASPHALT,
+        StripKind::Biking => CYCLEWAY,
+        StripKind::Sidewalk => PAVING,
+        StripKind::Curb => KERB,
+        StripKind::Median if wide > 1.6 => LAWN,
+        StripKind::Median => PAVING,
+        StripKind::Rail => BALLAST,
+    }
+}
+
+/// A layer for every strip in a junction, so that no two that overlap share one, where there are enough.
+fn layers(strips: &[Strip]) -> Vec<usize> {
+    let boxes: Vec<(DVec2, DVec2)> = strips.iter().map(bounds).collect();
+    let mut layers = vec![0; strips.len()];
+    let inside: Vec<usize> = (0..strips.len()).filter(|&i| strips[i].in_junction).collect();
+    for (place, &i) in inside.iter().enumerate() {
+        let mut used = [false; LAYERS];
+        for &k in &inside[..place] {
+            if boxes[i].0.cmplt(boxes[k].1).all() && boxes[k].0.cmplt(boxes[i].1).all() {
+                used[layers[k]] = true;
+            }
+        }
+        layers[i] = used.iter().position(|u| !u).unwrap_or(place % LAYERS);
+    }
+    layers
+}
+
+fn bounds(strip: &Strip) -> (DVec2, DVec2) {
+    let points = strip.left.iter().chain(&strip.right).map(|p| p.truncate());
+    points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)))
+}
+
+/// Lays all pavements.
+pub(super) struct Paver<'a> {
+    pub(super) strips: &'a [Strip],
+    pub(super) cover: &'a Cover,
+    pub(super) land: &'a Land,
+}
+
+impl Paver<'_> {
+    pub(super) fn pave(&self, mesh: &mut MeshBuilder, occupied: &mut Occupied) {
+        let layers = layers(self.strips);
+        let mut along = 0.0;
+        let mut last = u32::MAX;
+        for (i, piece) in self.cover.pieces.iter().enumerate() {
+            let first = piece.strip != last;
+            if first {
+                (along, last) = (0.0, piece.strip);
+            }
+            let ends = self.cover.pieces.get(i + 1).is_none_or(|next| next.strip != piece.strip);
+            let [r0, r1, ..] = piece.corners;
+            let length = r0.distance(r1);
+            let lift = LAYER_M * layers[piece.strip as usize] as f64;
+            let high = self.is_high(piece);
+            for part in self.shown(piece) {
+                self.surface(mesh, piece, part, lift, along);
+            }
+            if !self.is_buried(piece, piece.middle()) {
+                self.edges(mesh, piece, [first, ends], high);
+                if high {
+                    self.underside(mesh, piece);
+                    if (along / PIERS_M).floor() < ((along + length) / PIERS_M).floor() {
+                        self.pier(mesh, piece, occupied);
+                    }
+                }
+            }
+            along += length;
+        }
+    }
+
+    /// Whether the land is far below.
+    fn is_high(&self, piece: &Piece) -> bool {
+        let middle = piece.middle();
+        middle.z - self.land.height(middle.truncate()) > BRIDGE_FROM_M
+    }
+
+    /// Whether a driving lane lies over a place of a strip that is not one.
+    fn is_buried(&self, piece: &Piece, p: DVec3) -> bool {
+        piece.kind != StripKind::Driving
+            && self.cover.at(p.truncate()).any(|(other, z)| {
+                other.kind == StripKind::Driving && other.strip != piece.strip && (z - p.z).abs() < 1.0
+            })
+    }
+
+    /// The parts of a piece that are to be seen, as ranges across it from right to left: in junctions, sidewalks and
+    /// shoulders give way to driving lanes.
+    fn shown(&self, piece: &Piece) -> Vec<[f64; 2]> {
+        if piece.kind == StripKind::Driving {
+            return vec![[0.0, 1.0]];
+        }
+        const PARTS: usize = 4;
+        let [r0, r1, l1, l0] = piece.corners;
+        let covered = |t: f64| {
+            let (a, b) = (r0.lerp(l0, t), r1.lerp(l1, t));
+            [0.2, 0.8].iter().any(|&s| self.is_buried(piece, a.lerp(b, s)))
+        };
+        let part = |k: usize| [k as f64 / PARTS as f64, (k + 1) as f64 / PARTS as f64];
+        let shown: Vec<[f64; 2]> = (0..PARTS).map(part).filter(|[a, b]| !covered((a + b) / 2.0)).collect();
+        if shown.len() == PARTS { vec![[0.0, 1.0]] } else { shown }
+    }
+
+    fn surface(&self, mesh: &mut MeshBuilder, piece: &Piece, [from, to]: [f64; 2], lift: f64, along: f64) {
+        let strip = &self.strips[piece.strip as usize];
+        let [r0, r1, l1, l0] = piece.corners;
+        let up = DVec3::Z * lift;
+        let corners = [r0.lerp(l0, from), r1.lerp(l1, from), r1.lerp(l1, to), r0.lerp(l0, to)].map(|p| p + up);
+        let lane = piece.kind == StripKind::Driving && !piece.in_junction;
+        let half = r0.distance(l0).max(r1.distance(l1)) / 2.0;
+        let v = |t: f64| if lane { (half * (2.0 * t - 1.0)) as f32 } else { NO_LANE };
+        let (u0, u1) = (along as f32, (along + r0.distance(r1)) as f32);
+        let uvs = if is_carriageway(piece.kind) {
+            [[u0, v(from)], [u1, v(from)], [u1, v(to)], [u0, v(to)]].map(Vec2::from_array)
+        } else {
+            corners.map(|p| p.truncate().as_vec2())
+        };
+        quad(mesh, corners, uvs, material(strip));
+    }
+
+    /// Kerbs where a neighbour lies lower, skirts into the ground where there is none, parapets on bridges.
+    fn edges(&self, mesh: &mut MeshBuilder, piece: &Piece, [first, last]: [bool; 2], high: bool) {
+        let [r0, r1, l1, l0] = piece.corners;
+        let raised = matches!(piece.kind, StripKind::Sidewalk | StripKind::Median | StripKind::Curb);
+        let sides = [(r0, r1, true), (r1, l1, last), (l1, l0, true), (l0, r0, first)];
+        for (k, (a, b, wanted)) in sides.into_iter().enumerate() {
+            let along = (b - a).truncate();
+            if !wanted || along.length() < 1e-3 {
+                continue;
+            }
+            let out = -along.normalize().perp();
+            let middle = (a + b) / 2.0;
+            let beyond = middle.truncate() + out * 0.22;
+            let neighbour = self
+                .cover
+                .at(beyond)
+                .filter(|(other, z)| !std::ptr::eq(*other, piece) && (z - middle.z).abs() < 0.8)
+                .map(|(_, z)| z)
+                .max_by(f64::total_cmp);
+            let end = k % 2 == 1;
+            match neighbour {
+                Some(z) if middle.z - z > 0.02 => face(mesh, (a, b), [z - middle.z - 0.02, 0.0], KERB),
+                Some(_) => {}
+                None if high && !end => self.parapet(mesh, a, b, out),
+                None if high => face(mesh, (a, b), [-DECK_M, 0.0], DECK),
+                None => face(
+                    mesh,
+                    (a, b),
+                    [-0.6, 0.0],
+                    if raised { KERB } else { material(&self.strips[piece.strip as usize]) },
+                ),
+            }
+        }
+    }
+
+    fn parapet(&self, mesh: &mut MeshBuilder, a: DVec3, b: DVec3, out: DVec2) {
+        let [thick, tall] = PARAPET_M;
+        let (c, d) = (a + (out * thick).extend(0.0), b + (out * thick).extend(0.0));
+        face(mesh, (c, d), [-DECK_M, tall], DECK);
+        face(mesh, (b, a), [0.0, tall], DECK);
+        let (up, down) = (DVec3::Z * tall, DVec3::Z * DECK_M);
+        quad(mesh, [a + up, c + up, d + up, b + up], flat_uv([a, c, d, b]), DECK);
+        quad(mesh, [b - down, d - down, c - down, a - down], flat_uv([b, d, c, a]), DECK);
+    }
+
+    fn underside(&self, mesh: &mut MeshBuilder, piece: &Piece) {
+        let [r0, r1, l1, l0] = piece.corners.map(|p| p - DVec3::Z * DECK_M);
+        quad(mesh, [l0, l1, r1, r0], flat_uv([l0, l1, r1, r0]), DECK);
+    }
+
+    /// A column below a deck, where nothing passes.
+    fn pier(&self, mesh: &mut MeshBuilder, piece: &Piece, occupied: &mut Occupied) {
+        let top = piece.middle() - DVec3::Z * DECK_M;
+        let at = top.truncate();
+        let ground = self.land.level(at) - 0.6;
+        let passes = (0..9).any(|k| {
+            let p = at + if k == 0 { DVec2::ZERO } else { crate::plot::unit(f64::from(k) * 0.785) * 1.6 };
+            self.cover.at(p).any(|(_, z)| z < top.z - 0.6)
+        });
+        if passes || top.z - ground < 3.0 || !occupied.try_take(Rect::around(at, 4.5)) {
+            return;
+        }
+        let half = DVec3::new(0.6, 0.6, 0.0);
+        let low = DVec3::new(at.x, at.y, ground);
+        mesh.cuboid((low - half).as_vec3(), (top + half).as_vec3(), DECK);
+    }
+}
+
+/// Asphalt where roads meet and no strips say what lies there: a little below strips.
+pub(super) fn junction_areas(mesh: &mut MeshBuilder, map: &RoadMap) {
+    for outline in &map.junction_areas {
+        let flat: Vec<DVec2> = outline.iter().map(|p| p.truncate()).collect();
+        if flat.len() < 3 || crate::surface::area(&flat) <= 0.0 {
+            continue;
+        }
+        let base = mesh.vertices(outline.iter().map(|p| {
+            let p = (*p - DVec3::Z * 0.004).as_vec3();
+            (p, Vec3::Z, Vec2::new(p.x, NO_LANE))
+        }));
+        for t in triangulate(&flat) {
+            mesh.triangle_indices(t.map(|k| base + k as u32), ASPHALT);
+        }
+        for k in 0..outline.len() {
+            face(mesh, (outline[k], outline[(k + 1) % outline.len()]), [-0.6, -0.004], ASPHALT);
+        }
+    }
+}
+
+fn flat_uv(corners: [DVec3; 4]) -> [Vec2; 4] {
+    corners.map(|p| p.truncate().as_vec2())
+}
+
+/// A quadrilateral that may be degenerate at one end.
+pub(super) fn quad(mesh: &mut MeshBuilder, corners: [DVec3; 4], uvs: [Vec2; 4], material: Material) {
+    let c = corners.map(DVec3::as_vec3);
+    for [i, j, k] in [[0, 1, 2], [0, 2, 3]] {
+        if (c[j] - c[i]).cross(c[k] - c[i]).length() > 1e-5 {
+            mesh.triangle([c[i], c[j], c[k]], [uvs[i], uvs[j], uvs[k]], material);
+        }
+    }
+}
+
+/// A vertical face below or above an edge whose outside is on its right.
+fn face(mesh: &mut MeshBuilder, (a, b): (DVec3, DVec3), [low, high]: [f64; 2], material: Material) {
+    let (down, up) = (DVec3::Z * low, DVec3::Z * high);
+    let (w, h) = (a.distance(b) as f32, (high - low) as f32);
+    let uvs = [[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]].map(Vec2::from_array);
+    quad(mesh, [a + down, b + down, b + up, a + up], uvs, material);
+}
