@@ -60,6 +60,18 @@ fn successors_meet() {
 }
 
 #[test]
+fn lanes_do_not_kink() {
+    for (name, map) in maps(&OsmOptions::default()) {
+        for lane in &map.network.lanes {
+            for three in lane.centerline.points().windows(3) {
+                let (u, v) = ((three[1] - three[0]).truncate(), (three[2] - three[1]).truncate());
+                assert!(u.angle_to(v).abs() < 0.7, "{name}: {:?} has a kink at {:?}", lane.id, three[1]);
+            }
+        }
+    }
+}
+
+#[test]
 fn every_crossing_joins_two_sidewalks() {
     for (name, map) in maps(&OsmOptions::default()) {
         let walk = &map.network.walk;

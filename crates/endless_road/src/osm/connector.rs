@@ -47,6 +47,27 @@ pub(super) fn add(plan: &Plan, network: &mut RoadNetwork, junction: JunctionId, 
     added
 }
 
+/// A way that winds by this much more than it turns is none, radians.
+const WINDING_RAD: f64 = 1.3;
+
+/// The movements that can be driven: where the ends of arms lie side by side or behind one another, ways between them
+/// would loop. They stay only where a lane has no other.
+pub(super) fn sensible(plan: &Plan, movements: Vec<Movement>) -> Vec<Movement> {
+    let winds: Vec<bool> = movements.iter().map(|m| m.from != m.to && winding(plan, m) > WINDING_RAD).collect();
+    let other =
+        |m: &Movement| movements.iter().zip(&winds).any(|(o, w)| !w && o.from == m.from && o.lane_in == m.lane_in);
+    movements.iter().zip(&winds).filter(|(m, winds)| !**winds || !other(m)).map(|(m, _)| *m).collect()
+}
+
+/// By how much the direction changes along a way beyond what its ends ask for, radians.
+fn winding(plan: &Plan, m: &Movement) -> f64 {
+    use endless_world::math::f64::wrap_angle;
+    let line = line(plan, m);
+    let headings: Vec<f64> = line.points().windows(2).map(|w| super::curve::angle((w[1] - w[0]).truncate())).collect();
+    let total: f64 = headings.windows(2).map(|h| wrap_angle(h[1] - h[0]).abs()).sum();
+    total - wrap_angle(headings[headings.len() - 1] - headings[0]).abs()
+}
+
 fn comfortable(line: &Polyline) -> f64 {
     let length = line.length();
     let n = (length / 2.0).ceil() as usize;

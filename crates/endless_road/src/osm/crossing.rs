@@ -46,7 +46,8 @@ type Wish = Option<bool>;
 fn wishes(plan: &Plan, site: &Site<'_>) -> Vec<[Wish; 2]> {
     let mut wanted = vec![[None; 2]; plan.streets.len()];
     for knot in &plan.knots {
-        if knot.arms.len() < 2 || knot.turnaround {
+        let sidewalks = knot.arms.iter().any(|&arm| has_walk(plan, arm, true) || has_walk(plan, arm, false));
+        if knot.arms.len() < 2 || knot.turnaround || !sidewalks {
             continue;
         }
         let rules: Vec<Control> = knot.arms.iter().map(|&a| plan.street(a).control[a.end]).collect();

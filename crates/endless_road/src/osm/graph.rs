@@ -78,12 +78,12 @@ pub(super) fn part_yards(stretches: Vec<Stretch>) -> (Vec<Stretch>, Vec<Stretch>
     (roads, yards)
 }
 
-/// Joins stretches that merely follow one another, but for the nodes to keep.
-pub(super) fn merge(stretches: Vec<Stretch>, keep: impl Fn(i64) -> bool) -> Vec<Stretch> {
+/// Joins stretches that merely follow one another.
+pub(super) fn merge(stretches: Vec<Stretch>) -> Vec<Stretch> {
     let mut slots: Vec<Option<Stretch>> = stretches.into_iter().map(Some).collect();
     let all: Vec<Stretch> = slots.iter().flatten().cloned().collect();
     let mut at = ends(&all);
-    let nodes: Vec<i64> = at.iter().filter(|(n, e)| e.len() == 2 && !keep(**n)).map(|(n, _)| *n).collect();
+    let nodes: Vec<i64> = at.iter().filter(|(_, e)| e.len() == 2).map(|(n, _)| *n).collect();
     for node in nodes {
         let [a, b] = at[&node][..] else { continue };
         if a.stretch == b.stretch {
@@ -114,6 +114,43 @@ pub(super) fn merge(stretches: Vec<Stretch>, keep: impl Fn(i64) -> bool) -> Vec<
         at.remove(&node);
     }
     slots.into_iter().flatten().collect()
+}
+
+/// A stretch shorter than this does not change a road's section, metres.
+const SCRAP_M: f64 = 16.0;
+
+/// Gives short pieces of a road the section of what they follow, where their lanes are the same: bays that begin a car's
+/// length before a junction would make a road of steps.
+pub(super) fn without_scraps(mut stretches: Vec<Stretch>) -> Vec<Stretch> {
+    let lanes = |s: &Stretch| (s.section.lanes(true).len(), s.section.lanes(false).len());
+    for _ in 0..3 {
+        let ends = ends(&stretches);
+        for i in 0..stretches.len() {
+            if stretches[i].length() > SCRAP_M {
+                continue;
+            }
+            let neighbours = (0..2).filter_map(|end| {
+                let [a, b] = ends[&stretches[i].end_node(end)][..] else { return None };
+                let other = if a.stretch == i { b } else { a };
+                // Running the same way, or turned round.
+                Some((other.stretch, other.end != end))
+            });
+            let longest = neighbours
+                .filter(|&(other, _)| other != i && stretches[other].length() > stretches[i].length())
+                .max_by(|a, b| stretches[a.0].length().total_cmp(&stretches[b.0].length()));
+            if let Some((other, same)) = longest {
+                let section = &stretches[other].section;
+                let section = if same { section.clone() } else { section.reversed() };
+                let own = lanes(&stretches[i]);
+                if own == (section.lanes(true).len(), section.lanes(false).len())
+                    && stretches[i].class == stretches[other].class
+                {
+                    stretches[i].section = section;
+                }
+            }
+        }
+    }
+    stretches
 }
 
 fn alike(a: &Stretch, b: &Stretch) -> bool {

@@ -29,11 +29,14 @@ mod restriction;
 mod ring;
 mod rules;
 mod section;
+mod sign;
 mod signal;
 mod site;
 mod surface;
 mod surroundings;
 mod trim;
+mod turnaround;
+mod twin;
 mod walk;
 mod ways;
 mod xml;
@@ -96,8 +99,10 @@ pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmE
     if roads.is_empty() {
         return Err(OsmError::NoRoads { ways: extract.ways.len(), nodes: extract.nodes.len() });
     }
-    let roads = rules::split_at_lights(graph::merge(roads, |_| false), &site);
+    let roads = rules::split_at_lights(graph::merge(graph::without_scraps(roads)), &site);
     let mut plan = Plan::new(roads);
+    twin::find(&mut plan);
+    turnaround::join_dead_ends(&mut plan);
     trim::trim(&mut plan);
     check_count("junctions", plan.knots.len())?;
     let mut map = build(&mut plan, &site)?;
@@ -137,16 +142,18 @@ fn build(plan: &mut Plan, site: &Site<'_>) -> Result<RoadMap, OsmError> {
         }
         let junction = JunctionId(network.junctions.len() as u16);
         network.junctions.push(Junction::default());
-        let movements = movement::movements(plan, knot, &restrictions);
+        let movements = connector::sensible(plan, movement::movements(plan, knot, &restrictions));
         let lanes = connector::add(plan, network, junction, &movements);
         network.junctions[junction.index()].program = signal::program(plan, knot, &movements);
-        surface::knot(plan, knot, &movements, &mut surfaces);
-        surface::connectors(plan, lanes.iter().map(|&l| network.lane(l)), &movements, &mut surfaces);
+        let lanes: Vec<_> = lanes.iter().map(|&l| network.lane(l)).collect();
+        surface::knot(plan, knot, &movements, &lanes, &mut surfaces);
+        surface::connectors(plan, &lanes, &movements, &mut surfaces);
     }
     map.network = std::mem::take(&mut map.network).finish()?;
     surface::streets(plan, &mut map);
     map.strips.extend(surfaces.strips);
     map.junction_areas = surfaces.junction_areas;
     paint::streets(plan, &site.country, &mut map);
+    sign::add(plan, &mut map);
     Ok(map)
 }

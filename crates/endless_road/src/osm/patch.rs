@@ -52,7 +52,7 @@ fn rings(site: &Site<'_>, chains: &[Vec<i64>], clip: bool, counter_clockwise: bo
         let points: Vec<DVec2> = ring.iter().map(|&n| site.place(n)).collect::<Option<_>>()?;
         let points = match site.bounds() {
             Some(bounds) if clip => clipped(&points, bounds),
-            _ if points.iter().any(|&p| site.inside(p)) => points,
+            _ if points.iter().filter(|&&p| site.inside(p)).count() * 2 > points.len() => points,
             _ => return None,
         };
         tidy(&points, counter_clockwise)

@@ -46,6 +46,8 @@ pub(super) struct Street {
     /// Where levels begin, with the level.
     pub(super) levels: Vec<(f64, Level)>,
     pub(super) crossings: Vec<OnFoot>,
+    /// Half the width of the median on its left, by place; empty without one.
+    pub(super) median: Vec<(f64, f64)>,
     /// What governs its ends for who arrives there.
     pub(super) control: [Control; 2],
     /// Lanes by band, once they are there.
@@ -236,6 +238,7 @@ fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i6
         on,
         levels,
         crossings: Vec::new(),
+        median: Vec::new(),
         control: [Control::Free; 2],
         lanes: Vec::new(),
     }

@@ -2,7 +2,7 @@
 
 use super::connector::{is_back, loop_radius};
 use super::crossing::has_walk;
-use super::curve::{area, corner, crosses_itself, hull, line_through, unfolded};
+use super::curve::{area, corner, crosses_itself, hull, line_through, segments_cross, unfolded};
 use super::graph::End;
 use super::lane::inside;
 use super::movement::Movement;
@@ -36,31 +36,8 @@ fn street_strips(street: &Street, map: &mut RoadMap) {
     let (from, to) = (street.cuts[0], street.length() - street.cuts[1]);
     let stations = street.stations(from, to, STEP_M);
     let section = &street.section;
-    let mut add = |kind: StripKind, edges: [f64; 2], height: f64, reversed: bool| {
-        // One strip a level, so that bridges are told from the ground.
-        let mut start = 0;
-        while start + 1 < stations.len() {
-            let bridge = street.level(0.5 * (stations[start] + stations[start + 1])).bridge;
-            let mut end = start + 1;
-            while end + 1 < stations.len() && street.level(0.5 * (stations[end] + stations[end + 1])).bridge == bridge {
-                end += 1;
-            }
-            let along: Vec<DVec3> = stations[start..=end].iter().map(|&s| street.point(s, 0.0)).collect();
-            let line = |t: f64| -> Vec<DVec3> {
-                let raw: Vec<DVec3> =
-                    stations[start..=end].iter().map(|&s| street.point(s, t) + DVec3::Z * height).collect();
-                unfolded(&raw, &along)
-            };
-            let (mut left, mut right) = (line(edges[0]), line(edges[1]));
-            if reversed {
-                left.reverse();
-                right.reverse();
-                std::mem::swap(&mut left, &mut right);
-            }
-            map.strips.push(Strip { kind, left, right, in_junction: false, unpaved: section.unpaved, bridge });
-            start = end;
-        }
-    };
+    median(street, &stations, map);
+    let mut add = strips(street, &stations, map);
     for (i, band) in section.bands.iter().enumerate() {
         let (kind, reversed) = match band.what {
             Use::Lane { forward, .. } => (StripKind::Driving, !forward),
@@ -83,14 +60,70 @@ fn street_strips(street: &Street, map: &mut RoadMap) {
     }
 }
 
+/// What adds strips along a street: kind, left and right edge, height above the road, and whether they run against it.
+fn strips<'a>(
+    street: &'a Street,
+    stations: &'a [f64],
+    map: &'a mut RoadMap,
+) -> impl FnMut(StripKind, [f64; 2], f64, bool) + 'a {
+    move |kind, edges, height, reversed| {
+        // One strip a level, so that bridges are told from the ground.
+        let mut start = 0;
+        while start + 1 < stations.len() {
+            let bridge = street.level(0.5 * (stations[start] + stations[start + 1])).bridge;
+            let mut end = start + 1;
+            while end + 1 < stations.len() && street.level(0.5 * (stations[end] + stations[end + 1])).bridge == bridge {
+                end += 1;
+            }
+            let along: Vec<DVec3> = stations[start..=end].iter().map(|&s| street.point(s, 0.0)).collect();
+            let line = |t: f64| -> Vec<DVec3> {
+                let raw: Vec<DVec3> =
+                    stations[start..=end].iter().map(|&s| street.point(s, t) + DVec3::Z * height).collect();
+                unfolded(&raw, &along)
+            };
+            let (mut left, mut right) = (line(edges[0]), line(edges[1]));
+            if reversed {
+                left.reverse();
+                right.reverse();
+                std::mem::swap(&mut left, &mut right);
+            }
+            map.strips.push(Strip { kind, left, right, in_junction: false, unpaved: street.section.unpaved, bridge });
+            start = end;
+        }
+    }
+}
+
+/// The half of the median that lies beside this carriageway.
+fn median(street: &Street, stations: &[f64], map: &mut RoadMap) {
+    let kerb = street.section.kerbs[0];
+    let wide = |s: f64| street.half_median(s) > 0.3;
+    let mut start = 0;
+    while start < stations.len() {
+        let end = (start..stations.len()).find(|&k| !wide(stations[k])).unwrap_or(stations.len());
+        if end - start >= 2 {
+            let part = &stations[start..end];
+            let along: Vec<DVec3> = part.iter().map(|&s| street.point(s, 0.0)).collect();
+            let line = |width: &dyn Fn(f64) -> f64| -> Vec<DVec3> {
+                let raw: Vec<DVec3> =
+                    part.iter().map(|&s| street.point(s, kerb + width(s)) + DVec3::Z * KERB_HEIGHT_M).collect();
+                unfolded(&raw, &along)
+            };
+            let (face, stone, middle) = (line(&|_| 0.0), line(&|_| KERB_M), line(&|s| street.half_median(s)));
+            let bridge = street.level(part[0]).bridge;
+            let mut add = |kind, left: &[DVec3], right: &[DVec3]| {
+                let (left, right) = (left.to_vec(), right.to_vec());
+                map.strips.push(Strip { kind, left, right, in_junction: false, unpaved: false, bridge });
+            };
+            add(StripKind::Curb, &stone, &face);
+            add(StripKind::Median, &middle, &stone);
+        }
+        start = end + 1;
+    }
+}
+
 /// Strips of the lanes through a junction.
-pub(super) fn connectors<'a>(
-    plan: &Plan,
-    lanes: impl Iterator<Item = &'a Lane>,
-    movements: &[Movement],
-    map: &mut RoadMap,
-) {
-    for (lane, movement) in lanes.zip(movements) {
+pub(super) fn connectors(plan: &Plan, lanes: &[&Lane], movements: &[Movement], map: &mut RoadMap) {
+    for (lane, movement) in lanes.iter().zip(movements) {
         let half = 0.5 * lane.width_m;
         let line = &lane.centerline;
         // Between the cuts only: the streets' own strips reach that far.
@@ -137,10 +170,14 @@ pub(super) fn corner_line(plan: &Plan, a: End, b: End, behind_a: f64, behind_b: 
 }
 
 /// The asphalt of a knot and the sidewalks around its corners.
-pub(super) fn knot(plan: &Plan, knot: usize, movements: &[Movement], map: &mut RoadMap) {
+pub(super) fn knot(plan: &Plan, knot: usize, movements: &[Movement], lanes: &[&Lane], map: &mut RoadMap) {
     let arms = &plan.knots[knot].arms;
     if arms.len() == 1 {
         dead_end(plan, arms[0], movements, map);
+        return;
+    }
+    if plan.knots[knot].turnaround {
+        loop_area(plan, arms, lanes, map);
         return;
     }
     let mut outline: Vec<DVec3> = Vec::new();
@@ -161,7 +198,7 @@ pub(super) fn knot(plan: &Plan, knot: usize, movements: &[Movement], map: &mut R
     }
     for (i, &arm) in arms.iter().enumerate() {
         let next = arms[(i + 1) % arms.len()];
-        corner_strip(plan, arm, next, map);
+        corner_strip(plan, arm, next, lanes, map);
     }
 }
 
@@ -174,12 +211,16 @@ pub(super) fn walk_width(plan: &Plan, arm: End, left: bool) -> Option<f64> {
     plan.street(arm).crossings.iter().any(|c| c.end == Some(arm.end)).then_some(STUB_M)
 }
 
-fn corner_strip(plan: &Plan, a: End, b: End, map: &mut RoadMap) {
+fn corner_strip(plan: &Plan, a: End, b: End, lanes: &[&Lane], map: &mut RoadMap) {
     let (Some(wa), Some(wb)) = (walk_width(plan, a, true), walk_width(plan, b, false)) else { return };
     let raised = |line: Vec<DVec3>| -> Vec<DVec3> { line.into_iter().map(|p| p + DVec3::Z * KERB_HEIGHT_M).collect() };
     let face = raised(corner_line(plan, a, b, 0.0, 0.0));
     let stone = raised(corner_line(plan, a, b, KERB_M, KERB_M));
     let back = raised(corner_line(plan, a, b, wa, wb));
+    // Between carriageways whose ends overlap there is no corner: vehicles drive there.
+    if lanes.iter().any(|lane| lines_cross(lane.centerline.points(), &stone)) {
+        return;
+    }
     let unpaved = false;
     // Counter-clockwise around the junction the sidewalk lies to the right of its kerb.
     let mut add = |kind: StripKind, left: &[DVec3], right: &[DVec3]| {
@@ -188,6 +229,33 @@ fn corner_strip(plan: &Plan, a: End, b: End, map: &mut RoadMap) {
     };
     add(StripKind::Curb, &face, &stone);
     add(StripKind::Sidewalk, &stone, &back);
+}
+
+fn lines_cross(a: &[DVec3], b: &[DVec3]) -> bool {
+    a.windows(2).any(|p| {
+        let [p, q] = [p[0].truncate(), p[1].truncate()];
+        b.windows(2).any(|r| segments_cross(p, q, r[0].truncate(), r[1].truncate()).is_some())
+    })
+}
+
+/// The asphalt of a loop between two carriageways.
+fn loop_area(plan: &Plan, arms: &[End], lanes: &[&Lane], map: &mut RoadMap) {
+    let mut points: Vec<DVec2> = Vec::new();
+    for &arm in arms {
+        let section = plan.arm_section(arm);
+        points.extend(section.kerbs.map(|t| plan.arm_point(arm, plan.cut(arm), t).truncate()));
+        let (u, cut) = (plan.arm_direction(arm, 0.0), plan.cut(arm));
+        let past = |p: DVec2| (p - plan.arm_point(arm, cut, 0.0).truncate()).dot(u) < 0.0;
+        for lane in lanes {
+            for pair in lane.centerline.points().windows(2) {
+                let out = (pair[1] - pair[0]).truncate().normalize_or_zero().perp() * (0.5 * lane.width_m + 0.3);
+                let p = pair[0].truncate();
+                points.extend([p + out, p - out].into_iter().filter(|&p| past(p)));
+            }
+        }
+    }
+    let z = plan.arm_point(arms[0], plan.cut(arms[0]), 0.0).z;
+    map.junction_areas.push(hull(&points).into_iter().map(|p| p.extend(z)).collect());
 }
 
 fn dead_end(plan: &Plan, arm: End, movements: &[Movement], map: &mut RoadMap) {

@@ -96,6 +96,11 @@ fn cut_knot(plan: &mut Plan, knot: usize) {
     for (i, &arm) in arms.iter().enumerate() {
         let cut = match arms.len() {
             1 => dead_end_cut(plan, arm),
+            // Room for the loop.
+            2 if plan.knots[knot].turnaround => {
+                let gap = reaches[0].line[0].distance(reaches[1].line[0]);
+                (0.6 * gap + 3.0).min(0.4 * plan.street(arm).length())
+            }
             n => {
                 let least = if n == 2 { CHANGE_M } else { 1.5 };
                 (0..n)
@@ -194,7 +199,7 @@ fn may_join(plan: &Plan, a: usize, b: usize) -> bool {
 }
 
 /// Makes knot `b` part of knot `a`; short streets between them come to lie inside.
-fn join(plan: &mut Plan, a: usize, b: usize) {
+pub(super) fn join(plan: &mut Plan, a: usize, b: usize) {
     let moved = std::mem::take(&mut plan.knots[b]);
     for arm in &moved.arms {
         plan.streets[arm.stretch].knots[arm.end] = a;

@@ -1,0 +1,38 @@
+//! Where the extract's edge cuts both carriageways of a road, a loop joins them: traffic that leaves comes back.
+
+use super::plan::Plan;
+
+/// Carriageways further apart than this are not joined, metres.
+const MOST_M: f64 = 60.0;
+
+/// Joins dead ends of one-way roads, those that leave with those that arrive, nearest first.
+pub(super) fn join_dead_ends(plan: &mut Plan) {
+    let mut leaving = Vec::new();
+    let mut arriving = Vec::new();
+    for (k, knot) in plan.knots.iter().enumerate() {
+        if let [arm] = knot.arms[..] {
+            let street = plan.street(arm);
+            if street.oneway() && !street.roundabout && street.length() > 15.0 {
+                let list = if arm.end == 1 { &mut leaving } else { &mut arriving };
+                list.push((k, plan.arm_point(arm, 0.0, 0.0).truncate(), plan.arm_direction(arm, 1.0)));
+            }
+        }
+    }
+    let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
+    for (k, p, u) in &leaving {
+        for (l, q, v) in &arriving {
+            let apart = p.distance(*q);
+            // The way back lies on the left.
+            if apart < MOST_M && u.dot(*v) > 0.6 && (-*u).perp_dot(*q - *p) > 0.0 {
+                pairs.push((apart, *k, *l));
+            }
+        }
+    }
+    pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
+    for (_, k, l) in pairs {
+        if plan.knots[k].arms.len() == 1 && plan.knots[l].arms.len() == 1 {
+            super::trim::join(plan, k, l);
+            plan.knots[k].turnaround = true;
+        }
+    }
+}
