@@ -27,6 +27,11 @@ pub(crate) fn cut_range(crossing: &Crossing, lane: &Lane) -> Option<(f64, f64)> 
     let length = from.truncate().distance(to.truncate());
     let u_axis = (to - from).truncate().normalize_or_zero();
     let half = 0.5 * crossing.width_m;
+    // Most lanes of a map are far away.
+    let reach = lane.centerline.length() + length + crossing.width_m;
+    if lane.centerline.points()[0].truncate().distance_squared(from.truncate()) > reach * reach {
+        return None;
+    }
     let mut range: Option<(f64, f64)> = None;
     let mut s = 0.0;
     for pair in lane.centerline.points().windows(2) {

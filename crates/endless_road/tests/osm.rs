@@ -117,3 +117,174 @@ fn vehicles_get_around() {
         }
     }
 }
+
+/// A village: a cross of two-way streets, a one-way pair, a roundabout, lights, crossings, a house with a court.
+fn village() -> String {
+    let mut text = String::from("<?xml version='1.0'?>\n<osm version='0.6'>\n");
+    let mut node = |id: i64, x: f64, y: f64, tags: &str| {
+        let (lat, lon) = (48.0 + y / 111_200.0, 11.0 + x / 74_600.0);
+        text += &format!("<node id='{id}' lat='{lat:.7}' lon='{lon:.7}'>{tags}</node>\n");
+    };
+    node(1, 0.0, 0.0, "<tag k='highway' v='traffic_signals'/>");
+    node(2, 150.0, 0.0, "");
+    node(3, 0.0, 120.0, "");
+    node(4, -140.0, 5.0, "");
+    node(5, 0.0, -130.0, "");
+    node(6, 70.0, 0.0, "<tag k='highway' v='crossing'/><tag k='crossing' v='zebra'/>");
+    for (i, angle) in (0..12).map(|i| (i, f64::from(i) * 30f64.to_radians())) {
+        let (sin, cos) = endless_world::math::f64::sin_cos(angle);
+        node(20 + i64::from(i), 170.0 + 20.0 * cos, 20.0 * sin, "");
+    }
+    node(40, 260.0, 0.0, "");
+    node(41, 60.0, -90.0, "");
+    for (i, (x, y)) in [(15.0, 15.0), (40.0, 15.0), (40.0, 40.0), (15.0, 40.0)].into_iter().enumerate() {
+        node(50 + i as i64, x, y, "");
+    }
+    node(60, 30.0, -10.0, "<tag k='natural' v='tree'/>");
+    let mut way = |id: i64, nodes: &[i64], tags: &[(&str, &str)]| {
+        text += &format!("<way id='{id}'>");
+        nodes.iter().for_each(|n| text += &format!("<nd ref='{n}'/>"));
+        tags.iter().for_each(|(k, v)| text += &format!("<tag k='{k}' v='{v}'/>"));
+        text += "</way>\n";
+    };
+    let two = [("highway", "secondary"), ("sidewalk", "both"), ("lanes", "2")];
+    way(100, &[4, 1, 6, 26], &two);
+    way(101, &[3, 1, 5], &[("highway", "residential"), ("sidewalk", "both"), ("maxspeed", "30")]);
+    let ring: Vec<i64> = (0..12).map(|i| 20 + i).chain([20]).collect();
+    way(102, &ring, &[("highway", "secondary"), ("junction", "roundabout")]);
+    way(103, &[20, 40], &two);
+    way(
+        104,
+        &[5, 41, 6],
+        &[("highway", "residential"), ("oneway", "yes"), ("turn:lanes", "left|right"), ("lanes", "2")],
+    );
+    way(105, &[50, 51, 52, 53, 50], &[("building", "apartments"), ("building:levels", "4")]);
+    text += "</osm>\n";
+    text
+}
+
+#[test]
+fn a_village_is_read_on_either_side() {
+    use endless_road::osm::DrivingSide;
+    let text = village();
+    let read = |side| {
+        let options = OsmOptions { driving_side: Some(side) };
+        osm::read(text.as_bytes(), &options).expect("a village")
+    };
+    let (right, left) = (read(DrivingSide::Right), read(DrivingSide::Left));
+    assert!(!right.left_hand && left.left_hand);
+    assert_eq!(right.footprints.len(), 1);
+    assert_eq!(right.footprints[0].levels, Some(4.0));
+    for map in [&right, &left] {
+        let network = &map.network;
+        assert!(network.junctions.iter().any(|j| j.program.is_some()), "the lights have a program");
+        assert!(
+            network.crossings.iter().any(|c| c.signal.is_some())
+                && network.crossings.iter().any(|c| c.signal.is_none())
+        );
+        // Looking along a two-way street, who comes towards one is on the side away from one's own.
+        let lanes: Vec<_> = network.lanes.iter().filter(|l| l.junction.is_none()).collect();
+        let mut checked = 0;
+        for a in &lanes {
+            let here = a.centerline.at(0.5 * a.centerline.length());
+            let (sin, cos) = endless_world::math::f64::sin_cos(here.heading_rad);
+            let ahead = glam::DVec2::new(cos, sin);
+            for b in &lanes {
+                let (s, _) = b.centerline.project(here.position.truncate());
+                let there = b.centerline.at(s);
+                let across = (there.position - here.position).truncate();
+                let oncoming = endless_world::math::f64::wrap_angle(there.heading_rad - here.heading_rad).abs() > 3.0;
+                if oncoming && across.length() < 5.0 {
+                    assert_eq!(ahead.perp_dot(across) > 0.0, !map.left_hand, "{:?} and {:?}", a.id, b.id);
+                    checked += 1;
+                }
+            }
+        }
+        assert!(checked > 4);
+    }
+    // The same place is at the same place.
+    let corner = |map: &RoadMap| map.footprints[0].outline.iter().fold(glam::DVec2::INFINITY, |a, b| a.min(*b));
+    assert!(corner(&right).distance(corner(&left)) < 1e-6);
+}
+
+#[test]
+fn the_walks_of_a_village_hang_together() {
+    let map = osm::read(village().as_bytes(), &OsmOptions::default()).expect("a village");
+    let walk = &map.network.walk;
+    let graph = endless_road::WalkGraph::new(walk);
+    let first = graph.part(endless_road::WalkNodeId(0));
+    let joined = (0..walk.nodes.len()).filter(|&i| graph.part(endless_road::WalkNodeId(i as u32)) == first).count();
+    assert!(joined * 10 >= walk.nodes.len() * 8, "{joined} of {}", walk.nodes.len());
+}
+
+#[test]
+fn what_is_no_map_says_so() {
+    let read = |bytes: &[u8]| osm::read(bytes, &OsmOptions::default()).expect_err("no map").to_string();
+    assert!(read(b"").contains("neither"));
+    assert!(read(b"PK\x03\x04").contains("neither"));
+    assert!(read(b"<osm>").contains("line 1"));
+    assert!(read(b"<osm></osm>").contains("no road"));
+    let half = village();
+    assert!(read(&half.as_bytes()[..half.len() / 2]).contains("line"));
+}
+
+mod damage {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 160, ..ProptestConfig::default() })]
+
+        /// Bytes changed and cut off anywhere: an error or a map, never a panic.
+        #[test]
+        fn never_panics(changes in prop::collection::vec((0usize..8000, any::<u8>()), 0..12), cut in 0usize..9000) {
+            let mut bytes = village().into_bytes();
+            for (at, byte) in changes {
+                let n = bytes.len();
+                bytes[at % n] = byte;
+            }
+            bytes.truncate(cut.max(10));
+            let _ = osm::read(&bytes, &OsmOptions::default());
+        }
+
+        /// Nodes anywhere, in any order, joined by streets of any class.
+        #[test]
+        fn any_geometry_is_taken(
+            places in prop::collection::vec((-120.0..120.0f64, -120.0..120.0f64), 4..14),
+            ways in prop::collection::vec((prop::collection::vec(0usize..14, 2..7), 0usize..8, 0usize..6), 1..9),
+        ) {
+            let mut text = String::from("<osm>");
+            for (i, (x, y)) in places.iter().enumerate() {
+                text += &format!("<node id='{i}' lat='{:.7}' lon='{:.7}'/>", y / 111_200.0, x / 111_300.0);
+            }
+            let classes = ["motorway", "trunk_link", "primary", "secondary", "residential", "service", "footway", "living_street"];
+            let extras = [
+                "",
+                "<tag k='oneway' v='yes'/><tag k='lanes' v='3'/>",
+                "<tag k='junction' v='roundabout'/>",
+                "<tag k='bridge' v='yes'/><tag k='layer' v='1'/>",
+                "<tag k='tunnel' v='yes'/>",
+                "<tag k='lanes' v='5'/><tag k='sidewalk' v='both'/>",
+            ];
+            for (id, (nodes, class, extra)) in ways.iter().enumerate() {
+                text += &format!("<way id='{id}'>");
+                nodes.iter().for_each(|n| text += &format!("<nd ref='{}'/>", n % places.len()));
+                text += &format!("<tag k='highway' v='{}'/>{}</way>", classes[*class], extras[*extra]);
+            }
+            text += "</osm>";
+            match osm::read(text.as_bytes(), &OsmOptions::default()) {
+                Ok(map) => {
+                    for lane in &map.network.lanes {
+                        prop_assert!(lane.centerline.points().iter().all(|p| p.is_finite()));
+                    }
+                    for strip in &map.strips {
+                        prop_assert_eq!(strip.left.len(), strip.right.len());
+                        prop_assert!(strip.left.iter().chain(&strip.right).all(|p| p.is_finite()));
+                    }
+                }
+                Err(osm::OsmError::NoRoads { .. }) => {}
+                Err(error) => return Err(TestCaseError::fail(format!("{error}\n{text}"))),
+            }
+        }
+    }
+}

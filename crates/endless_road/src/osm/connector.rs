@@ -52,7 +52,7 @@ const WINDING_RAD: f64 = 1.3;
 
 /// The movements that can be driven: where the ends of arms lie side by side or behind one another, ways between them
 /// would loop. They stay only where a lane has no other.
-pub(super) fn sensible(plan: &Plan, movements: Vec<Movement>) -> Vec<Movement> {
+pub(super) fn sensible(plan: &Plan, movements: &[Movement]) -> Vec<Movement> {
     let winds: Vec<bool> = movements.iter().map(|m| m.from != m.to && winding(plan, m) > WINDING_RAD).collect();
     let other =
         |m: &Movement| movements.iter().zip(&winds).any(|(o, w)| !w && o.from == m.from && o.lane_in == m.lane_in);

@@ -18,10 +18,13 @@ mod extract;
 mod graph;
 mod height;
 mod lane;
+mod mend;
 mod mirror;
 mod movement;
+mod near;
 mod paint;
 mod patch;
+mod path;
 mod pbf;
 mod plan;
 mod projection;
@@ -105,7 +108,7 @@ pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmE
     turnaround::join_dead_ends(&mut plan);
     trim::trim(&mut plan);
     check_count("junctions", plan.knots.len())?;
-    let mut map = build(&mut plan, &site)?;
+    let mut map = build(&mut plan, &mut site)?;
     surface::yards(&yards, &mut map);
     surroundings::add(&mut site, &mut map);
     map.georeference = Some(site.projection.georeference());
@@ -122,7 +125,7 @@ fn check_count(what: &'static str, count: usize) -> Result<(), OsmError> {
 }
 
 /// Lanes, signals, crossings, walks, surfaces and paint of a plan.
-fn build(plan: &mut Plan, site: &Site<'_>) -> Result<RoadMap, OsmError> {
+fn build(plan: &mut Plan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
     let mut map = RoadMap::default();
     let network = &mut map.network;
     let mut groups = 0;
@@ -134,6 +137,7 @@ fn build(plan: &mut Plan, site: &Site<'_>) -> Result<RoadMap, OsmError> {
     network.signal_groups = groups as u16;
     lane::add(plan, network);
     walk::add(plan, network);
+    let paths = path::add(plan, site, network);
     let restrictions = restriction::Restrictions::new(site.extract);
     let mut surfaces = RoadMap::default();
     for knot in 0..plan.knots.len() {
@@ -142,16 +146,21 @@ fn build(plan: &mut Plan, site: &Site<'_>) -> Result<RoadMap, OsmError> {
         }
         let junction = JunctionId(network.junctions.len() as u16);
         network.junctions.push(Junction::default());
-        let movements = connector::sensible(plan, movement::movements(plan, knot, &restrictions));
+        let movements = connector::sensible(plan, &movement::movements(plan, knot, &restrictions));
         let lanes = connector::add(plan, network, junction, &movements);
         network.junctions[junction.index()].program = signal::program(plan, knot, &movements);
         let lanes: Vec<_> = lanes.iter().map(|&l| network.lane(l)).collect();
         surface::knot(plan, knot, &movements, &lanes, &mut surfaces);
         surface::connectors(plan, &lanes, &movements, &mut surfaces);
     }
+    surroundings::land(site, &mut surfaces);
+    path::squares(&surfaces.areas, network);
+    mend::mend(network, site);
     map.network = std::mem::take(&mut map.network).finish()?;
     surface::streets(plan, &mut map);
     map.strips.extend(surfaces.strips);
+    map.strips.extend(paths.strips);
+    map.areas = surfaces.areas;
     map.junction_areas = surfaces.junction_areas;
     paint::streets(plan, &site.country, &mut map);
     sign::add(plan, &mut map);

@@ -4,7 +4,7 @@ use super::class::metres;
 use super::extract::Tags;
 use super::patch::patches;
 use super::site::Site;
-use crate::{Area, AreaKind, Footprint, RoadMap, Thing, ThingKind};
+use crate::{Area, AreaKind, Footprint, RoadMap, Strip, StripKind, Thing, ThingKind};
 use endless_world::math::f64::atan2;
 use glam::DVec2;
 
@@ -13,9 +13,11 @@ const ROW_M: f64 = 8.0;
 /// Width of watercourses where nothing is said, metres.
 const RIVER_M: f64 = 15.0;
 const STREAM_M: f64 = 2.0;
+/// Width of a track's bed, metres.
+const RAIL_M: f64 = 2.8;
 
-/// Adds everything to a map.
-pub(super) fn add(site: &mut Site<'_>, map: &mut RoadMap) {
+/// Adds what the land is used as.
+pub(super) fn land(site: &mut Site<'_>, map: &mut RoadMap) {
     for patch in patches(site, true, |tags| area_kind(tags).is_some()) {
         if let Some(kind) = area_kind(patch.tags) {
             map.areas.push(Area { kind, outline: patch.outline, holes: patch.holes });
@@ -24,6 +26,11 @@ pub(super) fn add(site: &mut Site<'_>, map: &mut RoadMap) {
     // The large ones first: what is drawn later lies on top.
     map.areas.sort_by(|a, b| super::curve::area(&b.outline).total_cmp(&super::curve::area(&a.outline)));
     watercourses(site, map);
+}
+
+/// Adds what stands on it, once the roads are there.
+pub(super) fn add(site: &mut Site<'_>, map: &mut RoadMap) {
+    rails(site, map);
     buildings(site, map);
     things(site, map);
     tree_rows(site, map);
@@ -91,6 +98,21 @@ fn watercourses(site: &mut Site<'_>, map: &mut RoadMap) {
             if let Some(outline) = super::ring::tidy(&ring, true) {
                 map.areas.push(Area { kind: AreaKind::Water, outline, holes: Vec::new() });
             }
+        }
+    }
+}
+
+fn rails(site: &mut Site<'_>, map: &mut RoadMap) {
+    let extract = site.extract;
+    for way in extract.ways.iter().filter(|w| w.tags.is("railway", &["rail", "tram", "light_rail", "narrow_gauge"])) {
+        if way.tags.get("tunnel").is_some_and(|v| v != "no") || below_ground(&way.tags) {
+            continue;
+        }
+        let bridge = way.tags.get("bridge").is_some_and(|v| v != "no");
+        for (vertices, _) in super::ways::runs(way, &way.tags, site) {
+            let points: Vec<_> = vertices.iter().map(|v| v.at.extend(0.02)).collect();
+            let (left, right) = super::surface::ribbon(&points, 0.5 * RAIL_M, -0.5 * RAIL_M, 40.0);
+            map.strips.push(Strip { kind: StripKind::Rail, left, right, in_junction: true, unpaved: false, bridge });
         }
     }
 }
