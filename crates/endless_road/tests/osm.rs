@@ -288,3 +288,90 @@ mod damage {
         }
     }
 }
+
+#[test]
+fn every_light_turns_green() {
+    use endless_road::Control;
+    use endless_world::SignalAspect::Green;
+    for (name, map) in maps(&OsmOptions::default()) {
+        let network = &map.network;
+        let mut green = vec![false; usize::from(network.signal_groups)];
+        for program in network.junctions.iter().filter_map(|j| j.program.as_ref()) {
+            for phase in &program.phases {
+                assert_eq!(phase.aspects.len(), program.phases[0].aspects.len(), "{name}");
+                phase.aspects.iter().for_each(|&(id, aspect)| green[usize::from(id.0)] |= aspect == Green);
+            }
+        }
+        for lane in &network.lanes {
+            if let Control::Signal(id) = lane.end_control {
+                assert!(green[usize::from(id.0)], "{name}: {id:?} stays red");
+            }
+        }
+        for crossing in &network.crossings {
+            assert!(crossing.signal.is_none_or(|id| green[usize::from(id.0)]), "{name}: people wait for ever");
+        }
+    }
+}
+
+/// Nodes at places in metres and ways with tags, as a file.
+fn file(nodes: &[(i64, f64, f64)], ways: &[(i64, &[i64], &str)], rest: &str) -> String {
+    let mut text = String::from("<osm version='0.6'>");
+    for (id, x, y) in nodes {
+        text += &format!("<node id='{id}' lat='{:.7}' lon='{:.7}'/>", y / 111_200.0, x / 111_300.0);
+    }
+    for (id, nodes, tags) in ways {
+        text += &format!("<way id='{id}'>");
+        nodes.iter().for_each(|n| text += &format!("<nd ref='{n}'/>"));
+        for (k, v) in tags.split(' ').filter_map(|t| t.split_once('=')) {
+            text += &format!("<tag k='{k}' v='{v}'/>");
+        }
+        text += "</way>";
+    }
+    text + rest + "</osm>"
+}
+
+#[test]
+fn restrictions_are_obeyed() {
+    use endless_road::Turn;
+    let nodes = [(1, 0.0, 0.0), (2, 100.0, 0.0), (3, -100.0, 0.0), (4, 0.0, -100.0)];
+    let ways: [(i64, &[i64], &str); 3] =
+        [(10, &[3, 1], "highway=tertiary"), (11, &[1, 2], "highway=tertiary"), (12, &[4, 1], "highway=residential")];
+    let rule = "<relation id='1'><member type='way' ref='12' role='from'/><member type='node' ref='1' role='via'/>\
+        <member type='way' ref='10' role='to'/><tag k='type' v='restriction'/><tag k='restriction' v='no_left_turn'/></relation>";
+    let turns = |rest: &str| {
+        let map = osm::read(file(&nodes, &ways, rest).as_bytes(), &OsmOptions::default()).expect("a junction");
+        map.network.lanes.iter().filter(|l| l.junction.is_some() && l.turn == Turn::Left).count()
+    };
+    assert_eq!(turns("") - turns(rule), 1);
+}
+
+#[test]
+fn bridges_pass_over() {
+    let nodes = [(1, -200.0, 0.0), (2, -20.0, 0.0), (3, 20.0, 0.0), (4, 200.0, 0.0), (5, 0.0, -150.0), (6, 0.0, 150.0)];
+    let ways: [(i64, &[i64], &str); 4] = [
+        (10, &[1, 2], "highway=secondary"),
+        (11, &[2, 3], "highway=secondary bridge=yes layer=1"),
+        (12, &[3, 4], "highway=secondary"),
+        (13, &[5, 6], "highway=secondary"),
+    ];
+    let map = osm::read(file(&nodes, &ways, "").as_bytes(), &OsmOptions::default()).expect("a bridge");
+    let high = map.network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.z).fold(0.0, f64::max);
+    assert!((5.0..7.0).contains(&high), "{high}");
+    let steepest = map.network.lanes.iter().map(|l| l.centerline.at(0.3 * l.centerline.length()).grade.abs());
+    assert!(steepest.fold(0.0, f64::max) < 0.08);
+    assert!(map.strips.iter().any(|s| s.bridge && s.left.iter().all(|p| p.z > 4.0)));
+    // Nobody turns from one road to the other.
+    assert!(map.network.junctions.iter().all(|j| j.conflicts.is_empty()));
+}
+
+#[test]
+fn roundabouts_turn_left_in_right_hand_traffic() {
+    for (name, map) in maps(&OsmOptions::default()).into_iter().filter(|(name, _)| name.starts_with("tiny_roundabout"))
+    {
+        let turning = map.network.lanes.iter().filter(|l| l.junction.is_none()).filter(|l| {
+            let end = l.centerline.at(f64::INFINITY).heading_rad;
+            endless_world::math::f64::wrap_angle(end - l.centerline.at(0.0).heading_rad) > 1.0
+        });
+        assert!(turning.count() >= 2, "{name}");
+    }
+}

@@ -162,6 +162,9 @@ fn link_islands(plan: &Plan, wanted: &mut [[Wish; 2]]) {
     let side_of = |arm: End, left: bool| 2 * arm.stretch + usize::from(left == (arm.end == 1));
     for (knot, &base) in plan.knots.iter().zip(&first) {
         let n = knot.arms.len();
+        if n < 2 || knot.turnaround {
+            continue;
+        }
         for i in 0..n {
             let (a, b) = (knot.arms[i], knot.arms[(i + 1) % n]);
             for (arm, left) in [(a, true), (b, false)] {

@@ -109,7 +109,7 @@ pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmE
     trim::trim(&mut plan);
     check_count("junctions", plan.knots.len())?;
     let mut map = build(&mut plan, &mut site)?;
-    surface::yards(&yards, &mut map);
+    surface::yards(&plan, &yards, &mut map);
     surroundings::add(&mut site, &mut map);
     map.georeference = Some(site.projection.georeference());
     if site.mirrored {

@@ -6,6 +6,7 @@ use super::curve::{area, corner, crosses_itself, hull, line_through, segments_cr
 use super::graph::End;
 use super::lane::inside;
 use super::movement::Movement;
+use super::near::Near;
 use super::plan::{Plan, Street};
 use super::section::{KERB_M, Use};
 use super::ways::Stretch;
@@ -276,20 +277,38 @@ fn dead_end(plan: &Plan, arm: End, movements: &[Movement], map: &mut RoadMap) {
     map.junction_areas.push(hull(&points).into_iter().map(|p| p.extend(middle.z)).collect());
 }
 
-/// Strips of driveways and aisles.
-pub(super) fn yards(yards: &[Stretch], map: &mut RoadMap) {
+/// Strips of driveways and aisles, from behind the sidewalk on.
+pub(super) fn yards(plan: &Plan, yards: &[Stretch], map: &mut RoadMap) {
+    let hidden = inside(plan);
+    let near = Near::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
+    let on_street = |p: DVec2| {
+        near.at(p).iter().any(|&i| {
+            let street = &plan.streets[i];
+            let (_, t) = street.line.project(p);
+            t.abs() < street.section.back(usize::from(t < 0.0)).abs() - 0.1
+        })
+    };
     for yard in yards {
-        let points: Vec<DVec3> = yard.vertices.iter().map(|v| v.at.extend(0.0)).collect();
-        let (left, right) = ribbon(&points, yard.section.kerbs[0], yard.section.kerbs[1], 4.0);
         let bridge = yard.levels.iter().any(|l| l.bridge);
-        map.strips.push(Strip {
-            kind: StripKind::Driving,
-            left,
-            right,
-            in_junction: true,
-            unpaved: yard.section.unpaved,
-            bridge,
-        });
+        let mut runs: Vec<Vec<DVec3>> = vec![Vec::new()];
+        for pair in yard.vertices.windows(2) {
+            let n = (pair[0].at.distance(pair[1].at) / 0.7).ceil().clamp(1.0, 5000.0) as usize;
+            for k in 0..=n {
+                let p = pair[0].at.lerp(pair[1].at, k as f64 / n as f64);
+                if !on_street(p) {
+                    runs.last_mut().expect("never empty").push(p.extend(0.0));
+                } else if runs[runs.len() - 1].len() > 1 {
+                    runs.push(Vec::new());
+                } else {
+                    runs.last_mut().expect("never empty").clear();
+                }
+            }
+        }
+        for points in runs.into_iter().filter(|r| r.len() > 1 && r[0].distance(r[r.len() - 1]) > 0.5) {
+            let (left, right) = ribbon(&points, yard.section.kerbs[0], yard.section.kerbs[1], 4.0);
+            let unpaved = yard.section.unpaved;
+            map.strips.push(Strip { kind: StripKind::Driving, left, right, in_junction: true, unpaved, bridge });
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Where the extract's edge cuts both carriageways of a road, a loop joins them: traffic that leaves comes back.
 
 use super::plan::Plan;
+use super::twin::widest_m;
 
 /// Carriageways further apart than this are not joined, metres.
 const MOST_M: f64 = 60.0;
@@ -14,16 +15,17 @@ pub(super) fn join_dead_ends(plan: &mut Plan) {
             let street = plan.street(arm);
             if street.oneway() && !street.roundabout && street.length() > 15.0 {
                 let list = if arm.end == 1 { &mut leaving } else { &mut arriving };
-                list.push((k, plan.arm_point(arm, 0.0, 0.0).truncate(), plan.arm_direction(arm, 1.0)));
+                list.push((k, plan.arm_point(arm, 0.0, 0.0).truncate(), plan.arm_direction(arm, 1.0), street.class));
             }
         }
     }
     let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
-    for (k, p, u) in &leaving {
-        for (l, q, v) in &arriving {
+    for (k, p, u, class) in &leaving {
+        for (l, q, v, other) in &arriving {
             let apart = p.distance(*q);
             // The way back lies on the left.
-            if apart < MOST_M && u.dot(*v) > 0.6 && (-*u).perp_dot(*q - *p) > 0.0 {
+            let near = apart < MOST_M.min(2.0 * widest_m(*class) + 8.0);
+            if near && class == other && u.dot(*v) > 0.6 && (-*u).perp_dot(*q - *p) > 0.0 {
                 pairs.push((apart, *k, *l));
             }
         }

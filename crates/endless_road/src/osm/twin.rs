@@ -6,8 +6,17 @@ use glam::DVec2;
 
 /// Distance between samples, metres.
 const SAMPLE_M: f64 = 8.0;
-/// Widest median, metres.
+/// Widest median of any road, metres.
 const WIDEST_M: f64 = 26.0;
+
+/// Widest median that is usual for a class, metres: quiet streets on two sides of a square are no twins.
+pub(super) fn widest_m(class: RoadClass) -> f64 {
+    match class {
+        RoadClass::Service | RoadClass::Living | RoadClass::Residential | RoadClass::Unclassified => 7.0,
+        RoadClass::Tertiary => 14.0,
+        _ => WIDEST_M,
+    }
+}
 
 /// Finds the twins of all one-way roads, takes the sidewalks between them away and notes the median's half width.
 pub(super) fn find(plan: &mut Plan) {
@@ -20,7 +29,11 @@ pub(super) fn find(plan: &mut Plan) {
         let near: Vec<&Street> = (0..plan.streets.len())
             .filter(|&j| {
                 let other = &plan.streets[j];
-                j != i && other.oneway() && !other.roundabout && overlap(&boxes[i], &boxes[j])
+                j != i
+                    && other.oneway()
+                    && !other.roundabout
+                    && other.class == street.class
+                    && overlap(&boxes[i], &boxes[j])
             })
             .map(|j| &plan.streets[j])
             .collect();
@@ -62,7 +75,8 @@ fn gap(street: &Street, s: f64, other: &Street) -> Option<f64> {
     // At its left, and beside it rather than ahead.
     let beside = ahead.perp_dot(across) > 0.9 * across.length();
     let gap = t.abs() - street.section.kerbs[0] - other.section.kerbs[0];
-    (opposite && beside && (there.z - here.z).abs() < 2.0 && (-1.0..WIDEST_M).contains(&gap)).then_some(gap.max(0.0))
+    (opposite && beside && (there.z - here.z).abs() < 2.0 && (-1.0..widest_m(street.class)).contains(&gap))
+        .then_some(gap.max(0.0))
 }
 
 impl Street {

@@ -39,6 +39,10 @@ pub(super) fn add(plan: &mut Plan, network: &mut RoadNetwork) {
     let anchors = sides(plan, &mut walks);
     for knot in &plan.knots {
         let n = knot.arms.len();
+        // Nobody walks through the loop at a dead end.
+        if n < 2 || knot.turnaround {
+            continue;
+        }
         for i in 0..n {
             corner(plan, knot.arms[i], knot.arms[(i + 1) % n], &anchors, &mut walks);
         }
