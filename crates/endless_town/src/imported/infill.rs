@@ -58,7 +58,7 @@ impl<'a> Patch<'a> {
         [(0i64, 1i64), (1, 0), (0, -1), (-1, 0)].into_iter().filter_map(move |(dx, dy)| {
             let (x, y) = (x as i64 + dx, y as i64 + dy);
             let inside = x >= 0 && y >= 0 && x < nx as i64 && y < ny as i64;
-            inside.then_some(y as usize * nx + x as usize)
+            inside.then(|| y as usize * nx + x as usize)
         })
     }
 
