@@ -1,15 +1,20 @@
-//! Lists the lanes of OpenDRIVE files, tab-separated: `lanes FILE...`. A line a lane: file, id, junction or -, metres,
-//! width, successors. `scripts/judge_opendrive.py` compares it with what SUMO reads.
+//! Lists the lanes of OpenDRIVE files, tab-separated: `lanes FILE...`. A line a lane: file, id, junction (`-` outside,
+//! `loop` for those added where roads end), metres, width, successors. `scripts/judge_opendrive.py` compares it with what SUMO reads.
 #![expect(clippy::print_stdout, reason = "a program")]
 
-use endless_road::opendrive;
+use endless_road::{LaneId, Turn, opendrive};
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {
     for file in std::env::args().skip(1) {
         let map = opendrive::read(&std::fs::read_to_string(&file)?).map_err(|error| format!("{file}: {error}"))?;
         for lane in &map.network.lanes {
-            let junction = lane.junction.map_or("-".to_owned(), |junction| junction.0.to_string());
+            let turns_back = |id: &LaneId| map.network.lane(*id).turn == Turn::UTurn;
+            let junction = match lane.junction {
+                None => "-".to_owned(),
+                Some(j) if map.network.junctions[j.index()].lanes.iter().all(turns_back) => "loop".to_owned(),
+                Some(j) => j.0.to_string(),
+            };
             let length = lane.centerline.length();
             let next: Vec<String> = lane.successors.iter().map(|next| next.0.to_string()).collect();
             println!("{file}\t{}\t{junction}\t{length:.3}\t{:.2}\t{}", lane.id.0, lane.width_m, next.join(","));

@@ -5,6 +5,8 @@ use super::super::document::{Curve, End, Geometry, Road, RoadLink, RoadType, Sha
 use super::super::xml::Element;
 use super::fields::{Fields, format_error, text};
 
+/// Longer than this is no road, metres.
+const LONGEST_M: f64 = 200_000.0;
 /// Sharper than this is no road, 1/m.
 const SHARPEST: f64 = 10.0;
 
@@ -85,6 +87,10 @@ impl Fields {
             return Err(format_error(element, format!("{} has no reference line", road.id)));
         };
         road.length = last.s + last.length;
+        if road.length > LONGEST_M {
+            let what = format!("{} is {:.0} km long, which no road of a map is", road.id, road.length / 1000.0);
+            return Err(format_error(element, what));
+        }
         let stated = self.number_or(element, "length", road.length);
         if (stated - road.length).abs() > 0.01 {
             self.note(element, format!("length {stated} is not that of its reference line, {:.3}", road.length));

@@ -5,7 +5,7 @@
 //! a junction bends more readily than the road before it.
 
 use super::lanes::Graph;
-use crate::Note;
+use crate::{Lane, LaneId, Note};
 use endless_world::math::f64::{sin_cos, wrap_angle};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -16,6 +16,10 @@ const QUIET_M: f64 = 0.1;
 const QUIET_KINK: f64 = 0.03;
 /// A lane's end is bent over this length, metres.
 const BEND_M: f64 = 6.0;
+
+/// What a network accepts, and a little less: metres, radians.
+const MOST_GAP_M: f64 = 0.045;
+const MOST_KINK: f64 = 0.13;
 
 /// Joined ends: (node, whether its end rather than its start).
 type Joint = Vec<(usize, bool)>;
@@ -36,6 +40,25 @@ pub(super) fn mend(graph: &mut Graph, notes: &mut Vec<Note>) {
     if moved > 0 {
         let text = format!("{moved} ends of lanes were moved to meet others, by up to {farthest:.2} m");
         notes.push(Note { place: "file".to_owned(), text });
+    }
+}
+
+/// Lanes that still do not meet what follows them do not lead there.
+pub(super) fn drop_unmet(lanes: &mut [Lane], notes: &mut Vec<Note>) {
+    for i in 0..lanes.len() {
+        let end = lanes[i].centerline.at(lanes[i].centerline.length());
+        let meets = |next: &LaneId| {
+            let start = lanes[next.index()].centerline.at(0.0);
+            let kink = wrap_angle(start.heading_rad - end.heading_rad).abs();
+            end.position.distance(start.position) < MOST_GAP_M && kink < MOST_KINK
+        };
+        let met: Vec<LaneId> = lanes[i].successors.iter().copied().filter(meets).collect();
+        if met.len() < lanes[i].successors.len() {
+            let p = end.position;
+            let place = format!("lane that ends at ({:.1}, {:.1})", p.x, p.y);
+            notes.push(Note { place, text: "is linked to a lane that it does not meet: not joined".to_owned() });
+            lanes[i].successors = met;
+        }
     }
 }
 

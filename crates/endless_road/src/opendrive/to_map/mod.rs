@@ -1,5 +1,6 @@
 //! From a document to a [`RoadMap`].
 
+mod approach;
 mod crossings;
 mod joins;
 mod kind;
@@ -12,6 +13,7 @@ mod sampled;
 mod signals;
 mod strips;
 mod things;
+mod turnaround;
 mod walk;
 
 use super::{Document, OpenDriveError};
@@ -31,12 +33,15 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     let mut graph = lanes::Graph::new(&sampled, &joins, &mut notes);
     graph.simplify();
     mend::mend(&mut graph, &mut notes);
+    let loops = turnaround::add(&mut graph, document.junctions.len(), &mut notes);
     let (mut lanes, junctions) = graph.finish(&sampled)?;
     if lanes.is_empty() {
         return Err(OpenDriveError::NoLanes { roads: document.roads.len() });
     }
+    mend::drop_unmet(&mut lanes, &mut notes);
     neighbours::find(&sampled, &graph, &mut lanes);
     let mut crossings = crossings::crossings(&sampled, &lanes, &mut notes);
+    approach::hold_back(&mut lanes, &crossings);
     let walk = walk::walk(&sampled, &joins, &mut crossings, &mut notes);
     let mut network = RoadNetwork { lanes, junctions, crossings, walk, ..RoadNetwork::default() };
     let governed = signals::governed(&sampled, &graph, &mut notes);
@@ -52,6 +57,9 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
         notes,
         ..RoadMap::default()
     };
+    map.strips.extend(loops);
     things::add(&sampled, &governed, &groups, &mut map);
+    let lines = approach::stop_lines(&map.network.lanes, &map.marks);
+    map.marks.extend(lines);
     Ok(map)
 }

@@ -6,11 +6,11 @@ use super::super::geometry::{LaneShape, RoadShape, SectionShape};
 use std::collections::BTreeMap;
 
 /// More than a map can hold: points of borders.
-const MOST_POINTS: usize = 20_000_000;
+const MOST_POINTS: usize = 10_000_000;
 /// Lane sections.
 const MOST_SECTIONS: usize = 500_000;
 /// Metres of road.
-const MOST_METRES: usize = 20_000_000;
+const MOST_METRES: usize = 5_000_000;
 /// No point of a map is further from its origin, metres.
 const FARTHEST: f64 = 1e7;
 

@@ -216,16 +216,18 @@ fn stages(network: &RoadNetwork, groups: &[(SignalId, Vec<LaneId>)]) -> Vec<Vec<
 }
 
 fn add_program(network: &mut RoadNetwork, junction: JunctionId, groups: &[(SignalId, Vec<LaneId>)]) {
-    let stages = stages(network, groups);
+    let mut stages = stages(network, groups);
     let crossings = crossings_of(network, junction, groups);
+    // A stage without vehicles: for those who wait at signs where all lights are green together, and for people whose
+    // crossing is driven over in every other.
+    let driven_over = |met: &BTreeSet<usize>| stages.iter().all(|stage| stage.iter().any(|g| met.contains(g)));
+    if stages.len() == 1 || crossings.iter().any(|(_, met)| driven_over(met)) {
+        stages.push(Vec::new());
+    }
     let mut walks: Vec<Vec<(SignalId, f64)>> = vec![Vec::new(); stages.len()];
     for (crossing, met) in crossings {
         let free: Vec<usize> = (0..stages.len()).filter(|&s| !stages[s].iter().any(|g| met.contains(g))).collect();
         let Some(next) = network.signal_groups.checked_add(1) else { continue };
-        // Where every stage drives over it, drivers give way as at any crossing.
-        if free.is_empty() {
-            continue;
-        }
         let id = SignalId(network.signal_groups);
         network.signal_groups = next;
         network.crossings[crossing].signal = Some(id);
