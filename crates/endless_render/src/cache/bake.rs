@@ -7,7 +7,7 @@ use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
 use crate::film::{Rain, ToneCurve, exposure};
 use crate::indirect::{Guide, ProbeGrid, denoise, gather};
-use crate::light::{Environment, LampMaps, Lamps};
+use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
 use crate::material::Look;
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::scene::{StaticScene, SurfacePoint};
@@ -81,6 +81,8 @@ pub struct CameraBake {
     /// At night, the look of each uniform pixel's centre: vehicle lights sweep much of the picture.
     pub(super) looks: Vec<Look>,
     pub(super) lamp_maps: LampMaps,
+    /// Where lamps glow in the air.
+    pub(super) halos: Option<HaloGrid>,
     /// Per sample, if kept.
     pub(super) irradiance: Vec<[f32; 3]>,
     pub(super) stats: BakeStats,
@@ -114,6 +116,13 @@ impl CameraBake {
         }
         let lowest = blocks.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
         let looks = if environment.night { pass.looks(&samples, &uniform) } else { Vec::new() };
+        let halos = environment.halos().then(|| {
+            HaloGrid::bake(settings.size.width, settings.size.height, |x, y, distance| {
+                let direction = Vec3A::from(camera.ray_through(x, y));
+                let ray = Ray { origin: Vec3A::from(camera.position), direction, tmax: f32::MAX };
+                super::still_sample::halos(&tracer, &ray, distance)
+            })
+        });
         drop(seen);
         let radiance: Vec<Vec3A> = samples
             .par_chunks(SAMPLES)
@@ -123,7 +132,7 @@ impl CameraBake {
         let tone = ToneCurve::new(exposure);
         let rgb = radiance.iter().map(|&r| tone.apply(r)).collect();
         let rain = rain(&environment, exposure, settings.seed);
-        let glare = if environment.night { 0.06 } else { 0.0 };
+        let glare = environment.glare;
         let keep = settings.keep_irradiance;
         Self {
             camera,
@@ -146,6 +155,7 @@ impl CameraBake {
             lowest,
             looks,
             lamp_maps,
+            halos,
             irradiance: if keep { irradiance.iter().map(Vec3A::to_array).collect() } else { Vec::new() },
             environment,
             stats,

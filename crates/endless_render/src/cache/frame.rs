@@ -65,7 +65,7 @@ impl CameraBake {
                     self.uniform[(y * self.camera.size.width + x) as usize],
                 );
                 let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples[0]);
-                let pixel = self.pixel(&tracer, frame, &everything, &rays, &samples, light.as_ref(), &found);
+                let pixel = self.pixel(&tracer, frame, &everything, (x, y), &rays, &samples, light.as_ref(), &found);
                 canvas.set(self, x, y, &pixel);
             }
         }
@@ -126,7 +126,7 @@ impl CameraBake {
                     continue;
                 }
                 let samples = &self.samples[index * SAMPLES..][..SAMPLES];
-                let pixel = self.pixel(tracer, frame, work, &row.rays(i), samples, light, &found[i]);
+                let pixel = self.pixel(tracer, frame, work, (x, y), &row.rays(i), samples, light, &found[i]);
                 canvas.set(self, x, y, &pixel);
             }
         }
@@ -183,11 +183,13 @@ impl CameraBake {
         tracer: &Tracer<'_>,
         frame: &FrameScene,
         work: &Work,
+        (x, y): (u32, u32),
         rays: &[Ray; SAMPLES],
         samples: &[StillSample],
         centre: Option<&CentreLight>,
         found: &Found,
     ) -> Pixel {
+        let halo = |distance: f32| self.halos.as_ref().map_or(Vec3A::ZERO, |halos| halos.at(x, y, distance));
         let point = |s: usize| found.seen[s].as_ref().map(|hit| SurfacePoint::new(&frame.instances, &rays[s], hit));
         let first = point(0);
         let covered = first.as_ref().map(|point| {
@@ -197,11 +199,12 @@ impl CameraBake {
         if let (Some(point), [Some(a), Some(b), Some(c), Some(d)]) = (&first, &found.seen)
             && [b, c, d].into_iter().all(|h| (h.instance, h.triangle) == (a.instance, a.triangle))
         {
-            return Pixel { radiance: shade_moving(tracer, point, 0, self.pixel_angle), covered };
+            let radiance = shade_moving(tracer, point, 0, self.pixel_angle) + halo(point.distance);
+            return Pixel { radiance, covered };
         }
         let points = [first, point(1), point(2), point(3)];
-        if let Some(radiance) = self.whole(tracer, &points) {
-            return Pixel { radiance, covered };
+        if let (Some(radiance), Some(centre)) = (self.whole(tracer, &points), &points[0]) {
+            return Pixel { radiance: radiance + halo(centre.distance), covered };
         }
         // The samples of a uniform pixel share what their mirrors show in pairs.
         let mut mirrored: [Option<Vec3A>; SAMPLES] = std::array::from_fn(|s| {
@@ -217,7 +220,7 @@ impl CameraBake {
         let mut uncovered = 0;
         for (s, still) in samples.iter().enumerate() {
             if let Some(point) = &points[s] {
-                sum += shade_moving(tracer, point, s, self.pixel_angle);
+                sum += shade_moving(tracer, point, s, self.pixel_angle) + halo(point.distance);
             } else {
                 let ray = &rays[s];
                 uncovered += 1;

@@ -216,7 +216,7 @@ pub(super) fn lamp_sum(tracer: &Tracer<'_>, facet: &Facet, look: &Look, free: u3
 /// Glow of lamps in misty night air along a view ray.
 pub(super) fn halos(tracer: &Tracer<'_>, ray: &Ray, distance: f32) -> Vec3A {
     let environment = tracer.environment;
-    if !environment.night || environment.fog.extinction < 0.004 {
+    if !environment.halos() {
         return Vec3A::ZERO;
     }
     let reach = distance.min(150.0);

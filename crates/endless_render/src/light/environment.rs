@@ -40,6 +40,8 @@ pub(crate) struct Environment {
     pub(crate) rain: f32,
     /// How much of the middle grey the exposure aims for: night should look like night.
     pub(crate) exposure_key: f32,
+    /// Share of the light that spreads around bright things.
+    pub(crate) glare: f32,
 }
 
 impl Environment {
@@ -117,7 +119,15 @@ impl Environment {
             Weather::Foggy => (0.12, 0.0, 0.0),
             Weather::ClearSky | Weather::Cloudy => (0.0, 0.0, 0.0),
         };
+        // Droplets in the air and on the lens spread bright light.
+        let glare = match weather {
+            _ if !night => 0.0,
+            Weather::Foggy => 0.13,
+            Weather::Rainy => 0.10,
+            _ => 0.06,
+        };
         let exposure_key = match (time, weather) {
+            (TimeOfDay::Night, Weather::Foggy | Weather::Rainy) => 0.075,
             (TimeOfDay::Night, _) => 0.065,
             (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.15,
             (TimeOfDay::Morning, Weather::Foggy) => 0.20,
@@ -130,13 +140,25 @@ impl Environment {
         Self {
             sun,
             sky,
-            fog: Fog { extinction: Fog::extinction_for_visibility(visibility_m), airlight, sunward, sun_direction },
+            fog: Fog {
+                extinction: Fog::extinction_for_visibility(visibility_m),
+                glow: if weather == Weather::Rainy { 0.35 } else { 0.65 },
+                airlight,
+                sunward,
+                sun_direction,
+            },
             night,
             wetness,
             puddles,
             rain,
             exposure_key,
+            glare,
         }
+    }
+
+    /// Whether lamps glow in the air.
+    pub(crate) fn halos(&self) -> bool {
+        self.night && self.fog.extinction > 0.004
     }
 }
 

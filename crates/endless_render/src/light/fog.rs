@@ -2,12 +2,16 @@
 
 use endless_world::math;
 use glam::Vec3A;
+use std::f32::consts::PI;
 
 /// A homogeneous medium (Beer–Lambert), with light scattered towards the viewer mostly from the sun's side.
 #[derive(Debug, Clone)]
 pub(crate) struct Fog {
     /// 1/m.
     pub(crate) extinction: f32,
+    /// How much of a lamp's light the air spreads as a halo: all of it would be 1; rain less than fog, for its drops are few and
+    /// large.
+    pub(crate) glow: f32,
     /// Radiance of infinitely deep air, kcd/m².
     pub(crate) airlight: Vec3A,
     /// Extra radiance towards the sun.
@@ -43,8 +47,8 @@ impl Fog {
         radiance * t + self.in_scatter(direction, t)
     }
 
-    /// Light of a lamp scattered into a view ray (single scattering, isotropic; the closed form of the airlight
-    /// integral without extinction, as in Sun, Ramamoorthi, Narasimhan, Nayar 2005).
+    /// Light of a lamp scattered into a view ray: single scattering in the closed form of the airlight integral without
+    /// extinction (Sun, Ramamoorthi, Narasimhan, Nayar 2005), weighted by how much droplets send on towards the viewer.
     pub(crate) fn halo(
         &self,
         origin: Vec3A,
@@ -58,8 +62,19 @@ impl Fog {
         let aside = (to_lamp.length_squared() - along * along).max(0.04).sqrt();
         let swept = math::atan2_approx(distance_m - along, aside) + math::atan2_approx(along, aside);
         let reach = along.clamp(0.0, distance_m);
-        intensity * (self.extinction * swept / (4.0 * std::f32::consts::PI * aside) * self.transmittance(reach))
+        let forward = droplet_phase(along / to_lamp.length().max(0.2));
+        // The nearest part of the ray scatters most: the light has come that far, and has as far to go.
+        let faded = self.transmittance(reach + 0.7 * aside);
+        intensity * (self.glow * forward * faded * self.extinction * swept / (4.0 * PI * aside))
     }
+}
+
+/// Light that fog droplets scatter by an angle of this cosine, 1 on average: most goes nearly straight on (Henyey and
+/// Greenstein 1941, g = 0.6, which makes up for scattering more than once).
+fn droplet_phase(cosine: f32) -> f32 {
+    const G: f32 = 0.6;
+    let d = 1.0 + G * G - 2.0 * G * cosine;
+    (1.0 - G * G) / (d * d.sqrt())
 }
 
 #[cfg(test)]
@@ -67,9 +82,18 @@ mod tests {
     use super::*;
 
     #[test]
+    fn droplets_lose_no_light() {
+        let n = 20_000;
+        let mean = (0..n).map(|i| droplet_phase(2.0 * (i as f32 + 0.5) / n as f32 - 1.0)).sum::<f32>() / n as f32;
+        assert!((mean - 1.0).abs() < 1e-3);
+        assert!(droplet_phase(1.0) > 20.0 * droplet_phase(-1.0));
+    }
+
+    #[test]
     fn far_things_take_the_colour_of_the_air() {
         let fog = Fog {
             extinction: Fog::extinction_for_visibility(100.0),
+            glow: 1.0,
             airlight: Vec3A::splat(2.0),
             sunward: Vec3A::ZERO,
             sun_direction: Vec3A::Z,

@@ -1,0 +1,48 @@
+#!/usr/bin/env python3
+"""Kills `endless generate` with SIGKILL at random instants, resumes it each time, and compares the end with a run that
+was left alone, byte by byte.
+
+    python3 scripts/kill_and_resume.py path/to/endless [KILLS]
+"""
+import filecmp
+import os
+import random
+import subprocess
+import sys
+import tempfile
+import time
+
+ARGUMENTS = ["--videos", "2", "--size", "161x91", "--fps", "10", "--duration", "30", "--seed", "3", "--min-pixels", "10"]
+
+
+def files(root):
+    return sorted(os.path.relpath(os.path.join(d, f), root) for d, _, names in os.walk(root) for f in names)
+
+
+def main():
+    endless, kills = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 20
+    with tempfile.TemporaryDirectory() as work:
+        whole, killed = os.path.join(work, "whole"), os.path.join(work, "killed")
+        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        begin = time.monotonic()
+        subprocess.run([endless, "generate", whole, *ARGUMENTS], check=True, **quiet)
+        length = time.monotonic() - begin
+        dice, done = random.Random(1), 0
+        for kill in range(kills):
+            process = subprocess.Popen([endless, "generate", killed, *ARGUMENTS], **quiet)
+            # Every run gets further, so instants are spread over what a whole run takes.
+            time.sleep(dice.uniform(0.02, length * 0.5))
+            process.kill()
+            done += process.wait() != 0
+            print(f"kill {kill + 1}: {len(files(killed))} files", flush=True)
+        subprocess.run([endless, "generate", killed, *ARGUMENTS], check=True, **quiet)
+        subprocess.run([endless, "check", killed], check=True, **quiet)
+        left, right = files(whole), files(killed)
+        assert left == right, f"files differ: {sorted(set(left) ^ set(right))[:5]}"
+        _, differ, broken = filecmp.cmpfiles(whole, killed, left, shallow=False)
+        assert not differ and not broken, f"bytes differ: {(differ + broken)[:5]}"
+        print(f"{done} of {kills} runs were killed before their end; {len(left)} files are the same, byte by byte")
+
+
+if __name__ == "__main__":
+    main()
