@@ -1,5 +1,4 @@
 //! OpenDRIVE on files that are at hand everywhere: what is read, what is refused, and that nothing breaks the reader.
-#![expect(clippy::unwrap_used, reason = "tests")]
 
 use endless_road::opendrive::{self, Document, OpenDriveError};
 use endless_road::{Control, RoadMap, StripKind, ThingKind, Turn, WalkKind};
