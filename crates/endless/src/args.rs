@@ -20,8 +20,8 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Time the whole pipeline on a fixed recipe.
     Bench(BenchArgs),
-    /// List the maps and their cameras.
-    Maps,
+    /// List, preview, import and export maps.
+    Maps(MapsArgs),
 }
 
 #[derive(Debug, Args)]
@@ -112,6 +112,63 @@ impl From<RecipeArgs> for RecipeDraft {
             simulator: args.simulator,
         }
     }
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct MapsArgs {
+    #[command(subcommand)]
+    pub(crate) command: Option<MapsCommand>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum MapsCommand {
+    /// List the maps with their size, lanes, cameras and features (what `endless maps` alone does).
+    List {
+        /// These maps only.
+        maps: Vec<String>,
+        /// The cameras of each, too.
+        #[arg(long)]
+        cameras: bool,
+    },
+    /// Draw a map from above, and what each of its cameras sees.
+    Preview {
+        /// Name of the map.
+        map: String,
+        /// The picture to write.
+        #[arg(long, value_name = "FILE.png")]
+        out: PathBuf,
+    },
+    /// Make a town of an OpenDRIVE (.xodr) or OpenStreetMap (.osm, .osm.pbf) file and keep it under a name.
+    Import {
+        /// The file.
+        file: PathBuf,
+        /// Name of the map [default: the file's].
+        #[arg(long)]
+        name: Option<String>,
+        /// On which side traffic keeps [default: as the file or its place says].
+        #[arg(long, value_name = "left|right")]
+        driving_side: Option<Side>,
+        /// Replace an imported map of the same name.
+        #[arg(long)]
+        replace: bool,
+    },
+    /// Write a map's roads to a file.
+    Export {
+        /// Name of the map.
+        map: String,
+        /// As OpenDRIVE 1.6.
+        #[arg(long, value_name = "FILE.xodr")]
+        opendrive: PathBuf,
+    },
+}
+
+/// On which side traffic keeps.
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
+pub(crate) enum Side {
+    /// As in Britain, India, Japan.
+    Left,
+    /// As in most countries.
+    Right,
 }
 
 #[derive(Debug, Args)]

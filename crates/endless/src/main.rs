@@ -27,7 +27,7 @@ fn main() -> ExitCode {
         Command::Generate(args) => generate::run(&simulator, *args),
         Command::Check(args) => check::run(&args),
         Command::Bench(args) => bench::run(&simulator, &args),
-        Command::Maps => maps::run(&simulator),
+        Command::Maps(args) => maps::run(&simulator, args),
     };
     match result {
         Ok(code) => code,

@@ -1,14 +1,45 @@
-//! `endless maps`.
+//! `endless maps`: what maps there are, how they look, and maps from files.
 
-use anyhow::Result;
-use endless_pipeline::MapCatalog;
-use std::{io::Write, process::ExitCode};
+use crate::args::{MapsArgs, MapsCommand, Side};
+use anyhow::{Context, Result};
+use endless_pipeline::{About, BuiltinSimulator, DrivingSide, MapCatalog};
+use std::{
+    fs,
+    io::Write,
+    path::{Path, PathBuf},
+    process::ExitCode,
+};
 
-pub(crate) fn run(catalog: &dyn MapCatalog) -> Result<ExitCode> {
+/// Notes on an imported file that are told; the rest are counted.
+const NOTES: usize = 8;
+
+pub(crate) fn run(simulator: &BuiltinSimulator, args: MapsArgs) -> Result<ExitCode> {
+    match args.command.unwrap_or(MapsCommand::List { maps: Vec::new(), cameras: false }) {
+        MapsCommand::List { maps, cameras } => list(simulator, &maps, cameras)?,
+        MapsCommand::Preview { map, out } => preview(simulator, &map, &out)?,
+        MapsCommand::Import { file, name, driving_side, replace } => {
+            import(simulator, &file, name.as_deref(), driving_side, replace)?;
+        }
+        MapsCommand::Export { map, opendrive } => export(simulator, &map, &opendrive)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn list(simulator: &BuiltinSimulator, maps: &[String], cameras: bool) -> Result<()> {
     let mut out = std::io::stdout().lock();
-    for map in catalog.maps() {
-        writeln!(out, "{map}  {}", catalog.summary(&map)?)?;
-        for camera in catalog.cameras(&map)? {
+    let all = || simulator.maps().into_iter().chain(simulator.imported()).collect();
+    for map in if maps.is_empty() { all() } else { maps.to_vec() } {
+        // One damaged map must not hide the others.
+        let town = match simulator.town(&map) {
+            Ok(town) => town,
+            Err(error) => {
+                writeln!(out, "{map:<16} {error}")?;
+                continue;
+            }
+        };
+        writeln!(out, "{}", row(&About::of(&town)))?;
+        writeln!(out, "{:<16} {}", "", town.summary)?;
+        for camera in town.cameras.iter().filter(|_| cameras) {
             let [x, y, z] = camera.position;
             let (yaw, down) = (camera.yaw_rad.to_degrees(), camera.down_tilt_rad.to_degrees());
             let fov = camera.horizontal_fov_rad.to_degrees();
@@ -19,5 +50,63 @@ pub(crate) fn run(catalog: &dyn MapCatalog) -> Result<ExitCode> {
             )?;
         }
     }
-    Ok(ExitCode::SUCCESS)
+    Ok(())
+}
+
+fn row(about: &About) -> String {
+    format!(
+        "{:<16} {:.2} km², {} lanes ({:.1} km), {} cameras, {}",
+        about.name,
+        about.area_km2,
+        about.lanes,
+        about.lane_km,
+        about.cameras,
+        about.features.join(", ")
+    )
+}
+
+fn preview(simulator: &BuiltinSimulator, map: &str, out: &Path) -> Result<()> {
+    let picture = simulator.preview(map)?;
+    write(out, &endless_dataset::encode_png(&picture))
+}
+
+fn import(
+    simulator: &BuiltinSimulator,
+    file: &Path,
+    name: Option<&str>,
+    side: Option<Side>,
+    replace: bool,
+) -> Result<()> {
+    let side = side.map(|side| match side {
+        Side::Left => DrivingSide::Left,
+        Side::Right => DrivingSide::Right,
+    });
+    let (stored, about, notes) = simulator.import(file, name, side, replace)?;
+    let own = file.file_name().is_some_and(|f| f.to_string_lossy().starts_with(&format!("{}.", stored.name)));
+    if name.is_none() && !own {
+        eprintln!("note: the map is called {} (give another with --name)", stored.name);
+    }
+    for note in notes.iter().take(NOTES) {
+        eprintln!("note: {note}");
+    }
+    if notes.len() > NOTES {
+        eprintln!("note: and {} more of the file's parts were not understood or were mended", notes.len() - NOTES);
+    }
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "{}", row(&about))?;
+    writeln!(out, "film it with: endless generate OUT --maps {}", stored.name)?;
+    Ok(())
+}
+
+fn export(simulator: &BuiltinSimulator, map: &str, file: &Path) -> Result<()> {
+    write(file, simulator.opendrive(map)?.as_bytes())
+}
+
+/// Writes a whole file or nothing.
+fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()).map(PathBuf::from) {
+        fs::create_dir_all(&folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
+    }
+    endless_dataset::write_atomic(path, bytes)?;
+    Ok(())
 }

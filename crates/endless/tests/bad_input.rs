@@ -10,6 +10,7 @@ fn endless(folder: &Path, args: &str) -> Output {
     Command::new(env!("CARGO_BIN_EXE_endless"))
         .args(args.split_whitespace())
         .current_dir(folder)
+        .env("ENDLESS_MAPS", folder.join("maps"))
         .output()
         .expect("runs")
 }

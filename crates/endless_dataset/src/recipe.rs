@@ -3,6 +3,7 @@
 use crate::{Layer, RgbFormat};
 use endless_world::{ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// Everything that decides a dataset's bytes, complete and validated. Lists are in their canonical order, without
 /// repetition.
@@ -16,6 +17,9 @@ pub struct Recipe {
     pub pedestrians: u32,
     /// Maps to choose from.
     pub maps: Vec<String>,
+    /// Hash of the content of each map among them that was imported from a file, by its name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub map_files: BTreeMap<String, String>,
     /// Weathers to choose from.
     pub weathers: Vec<Weather>,
     /// Times of day to choose from.

@@ -1,15 +1,18 @@
 //! The built-in city: towns, traffic and the ray tracer joined.
 
+use crate::maps::{self, About, DrivingSide, MapError, MapStore, StoredMap};
 use crate::{Cameras, MapCatalog, RenderStats, Scene, Simulator, SimulatorError, Traffic};
 use endless_asset::Catalogue;
 use endless_dataset::Spawned;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
-use endless_town::{Town, TownError};
+use endless_road::{RoadMap, opendrive};
+use endless_town::{Town, dress_map};
 use endless_traffic::{Conditions, Simulation};
-use endless_world::{Actor, CameraSite, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, CameraSite, Image, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
+    path::Path,
     sync::{Mutex, OnceLock, PoisonError},
 };
 
@@ -23,6 +26,8 @@ pub struct BuiltinSimulator {
     catalogue: OnceLock<Catalogue>,
     /// What is asked of a town without loading it for good.
     known: Mutex<BTreeMap<String, (String, Vec<CameraSite>)>>,
+    /// Where imported maps are kept; `None` where there is no such place.
+    store: Option<MapStore>,
 }
 
 /// A town and its geometry.
@@ -32,17 +37,90 @@ pub struct BuiltinMap {
 }
 
 impl BuiltinSimulator {
-    /// The built-in catalogue and towns.
+    /// The built-in catalogue and towns, and the maps that the user imported.
     pub fn new() -> Self {
-        Self { catalogue: OnceLock::new(), known: Mutex::default() }
+        Self { catalogue: OnceLock::new(), known: Mutex::default(), store: MapStore::user().ok() }
+    }
+
+    /// With the imported maps of another place.
+    pub fn with_maps(store: MapStore) -> Self {
+        Self { store: Some(store), ..Self::new() }
     }
 
     fn catalogue(&self) -> &Catalogue {
         self.catalogue.get_or_init(Catalogue::builtin)
     }
 
-    fn town(&self, name: &str) -> Result<Town, SimulatorError> {
-        endless_town::load(name, self.catalogue()).map_err(|e: TownError| SimulatorError(e.to_string()))
+    /// A whole town, built in or imported.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn town(&self, name: &str) -> Result<Town, MapError> {
+        match self.stored(name)? {
+            Some((store, stored)) => Ok(dress_map(name, &store.read(&stored)?, self.catalogue())?),
+            None => Ok(endless_town::load(name, self.catalogue())?),
+        }
+    }
+
+    /// The road map of an imported map; `None` for built-in towns.
+    ///
+    /// # Errors
+    /// When it cannot be read.
+    pub fn road_map(&self, name: &str) -> Result<Option<RoadMap>, MapError> {
+        self.stored(name)?.map(|(store, stored)| store.read(&stored)).transpose()
+    }
+
+    /// The manifest of an imported map.
+    fn stored(&self, name: &str) -> Result<Option<(&MapStore, StoredMap)>, MapError> {
+        let Some(store) = &self.store else { return Ok(None) };
+        Ok(store.find(name)?.map(|stored| (store, stored)))
+    }
+
+    /// Imports a map file: `None` for `name` takes the file's own. Returns its manifest, what it has become, and notes
+    /// on what in the file was not understood or had to be mended.
+    ///
+    /// # Errors
+    /// When it is no map, cannot be filmed, or its name is taken.
+    pub fn import(
+        &self,
+        file: &Path,
+        name: Option<&str>,
+        side: Option<DrivingSide>,
+        replace: bool,
+    ) -> Result<(StoredMap, About, Vec<String>), MapError> {
+        let store = self.store.as_ref().ok_or(MapError::NoFolder)?;
+        let mut found = None;
+        let stored = store.import(file, name, side, replace, |name, map| {
+            let town = dress_map(name, map, self.catalogue())?;
+            if town.cameras.len() < 2 {
+                return Err(MapError::FewCameras { name: name.to_owned(), cameras: town.cameras.len() });
+            }
+            let notes = map.notes.iter().map(|n| format!("{}: {}", n.place, n.text)).collect();
+            found = Some((About::of(&town), notes));
+            Ok(())
+        })?;
+        let (about, notes) = found.expect("an imported map was judged");
+        Ok((stored, about, notes))
+    }
+
+    /// A map's roads as an OpenDRIVE file.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn opendrive(&self, name: &str) -> Result<String, MapError> {
+        let map = match self.road_map(name)? {
+            Some(map) => map,
+            None => RoadMap { network: self.town(name)?.network, ..RoadMap::default() },
+        };
+        Ok(opendrive::write(&map, name))
+    }
+
+    /// A picture of a map: from above, and what each camera sees.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn preview(&self, name: &str) -> Result<Image<[u8; 3]>, MapError> {
+        Ok(maps::preview(&self.town(name)?, self.catalogue()))
     }
 
     fn describe(&self, map: &str) -> Result<(String, Vec<CameraSite>), SimulatorError> {
@@ -57,6 +135,12 @@ impl BuiltinSimulator {
     }
 }
 
+impl From<MapError> for SimulatorError {
+    fn from(error: MapError) -> Self {
+        Self(error.to_string())
+    }
+}
+
 impl Default for BuiltinSimulator {
     fn default() -> Self {
         Self::new()
@@ -66,6 +150,14 @@ impl Default for BuiltinSimulator {
 impl MapCatalog for BuiltinSimulator {
     fn maps(&self) -> Vec<String> {
         endless_town::NAMES.iter().map(ToString::to_string).collect()
+    }
+
+    fn imported(&self) -> Vec<String> {
+        self.store.as_ref().map_or_else(Vec::new, MapStore::names)
+    }
+
+    fn content_hash(&self, map: &str) -> Result<Option<String>, SimulatorError> {
+        Ok(self.stored(map)?.map(|(_, stored)| stored.hash))
     }
 
     fn summary(&self, map: &str) -> Result<String, SimulatorError> {

@@ -20,6 +20,9 @@ pub enum RecipeError {
         /// The names there are.
         known: Vec<String>,
     },
+    /// A map that cannot be read.
+    #[error(transparent)]
+    Map(#[from] SimulatorError),
     /// A number outside its range.
     #[error("{field} cannot be {given}: {rule}")]
     OutOfRange {

@@ -3,6 +3,7 @@
 mod builtin;
 mod error;
 mod generate;
+mod maps;
 mod plan;
 mod progress;
 mod recipe;
@@ -12,6 +13,7 @@ mod simulator;
 pub use builtin::{BuiltinMap, BuiltinSimulator};
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{Estimate, GenerateOptions, Generated, generate};
+pub use maps::{About, DrivingSide, MapError, MapFormat, MapStore, StoredMap};
 pub use plan::Plan;
 pub use progress::{Event, Progress, Silent};
 pub use recipe::RecipeDraft;

@@ -4,7 +4,7 @@ use crate::{MapCatalog, RecipeError};
 use endless_dataset::{Layer, Recipe, RgbFormat};
 use endless_world::{ImageSize, TimeOfDay, UnknownName, Weather};
 use serde::Deserialize;
-use std::{fs, path::Path, str::FromStr};
+use std::{collections::BTreeMap, fs, path::Path, str::FromStr};
 
 /// What the user wrote: any part of a recipe. The same on the command line and in a TOML file.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
@@ -101,11 +101,19 @@ impl RecipeDraft {
         }
         let layers: Vec<Layer> = choose("layers", self.layers, Layer::ALL, Layer::name)?;
         let rgb_format = self.rgb_format.map_or(Ok(RgbFormat::Png), |given| given.parse())?;
+        let maps = maps(self.maps, catalog)?;
+        let mut map_files = BTreeMap::new();
+        for map in &maps {
+            if let Some(hash) = catalog.content_hash(map)? {
+                map_files.insert(map.clone(), hash);
+            }
+        }
         let recipe = Recipe {
             videos: count("videos", self.videos, 2, 1..=MAX_VIDEOS)?,
             vehicles: count("vehicles", self.vehicles, 30, 0..=MAX_ACTORS)?,
             pedestrians: count("pedestrians", self.pedestrians, 20, 0..=MAX_ACTORS)?,
-            maps: maps(self.maps, catalog)?,
+            maps,
+            map_files,
             weathers: choose("weathers", self.weathers, Weather::ALL, Weather::name)?,
             times: choose("times", self.times, TimeOfDay::ALL, TimeOfDay::name)?,
             size: size(self.size)?,
@@ -182,14 +190,16 @@ fn choose<T: Copy + PartialEq + FromStr<Err = UnknownName>>(
 
 /// CARLA's layered maps (`Town01_Opt`) are the same towns.
 fn maps(given: Option<Vec<String>>, catalog: &dyn MapCatalog) -> Result<Vec<String>, RecipeError> {
-    let known = catalog.maps();
-    let Some(given) = given else { return Ok(known) };
+    let Some(given) = given else { return Ok(catalog.maps()) };
+    let known: Vec<String> = catalog.maps().into_iter().chain(catalog.imported()).collect();
     if given.is_empty() {
         return Err(RecipeError::EmptyList { field: "maps", known });
     }
     let mut chosen = Vec::new();
     for word in &given {
-        let name = word.trim().strip_suffix("_Opt").unwrap_or(word.trim());
+        let exact = word.trim();
+        let plain = exact.strip_suffix("_Opt").unwrap_or(exact);
+        let name = if known.iter().any(|k| k == exact) { exact } else { plain };
         if !known.iter().any(|k| k == name) {
             return Err(RecipeError::UnknownMap { given: word.clone(), known });
         }

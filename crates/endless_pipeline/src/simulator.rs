@@ -10,8 +10,21 @@ pub struct SimulatorError(pub String);
 
 /// Which maps there are and where their cameras hang.
 pub trait MapCatalog {
-    /// Names of all maps, in canonical order.
+    /// Names of the maps that are used if none is named, in canonical order.
     fn maps(&self) -> Vec<String>;
+
+    /// Names of further maps that can be named: those that the user imported.
+    fn imported(&self) -> Vec<String> {
+        Vec::new()
+    }
+
+    /// Hash of an imported map's file; `None` for maps that come with the program.
+    ///
+    /// # Errors
+    /// When the map cannot be read.
+    fn content_hash(&self, _map: &str) -> Result<Option<String>, SimulatorError> {
+        Ok(None)
+    }
 
     /// One sentence on a map's character.
     ///

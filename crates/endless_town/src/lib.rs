@@ -15,8 +15,10 @@ mod network;
 mod palette;
 mod plot;
 mod surface;
+mod top_view;
 mod town;
 
 pub use imported::dress_map;
 pub use load::{NAMES, canonical_name, load};
+pub use top_view::{top_view, top_view_of};
 pub use town::{Lamp, ParkedVehicle, Placement, Town, TownError, What};

@@ -8,7 +8,11 @@ pub(crate) fn open(map: &str, catalogue: &Catalogue) -> Result<Town, Box<dyn Err
     if !map.contains('.') {
         return Ok(load(map, catalogue)?);
     }
-    let read = endless_road::opendrive::read(&fs::read_to_string(map)?)?;
+    let read = if map.ends_with(".xodr") {
+        endless_road::opendrive::read(&fs::read_to_string(map)?)?
+    } else {
+        endless_road::osm::read(&fs::read(map)?, &endless_road::osm::OsmOptions::default())?
+    };
     let town = dress_map(map, &read, catalogue)?;
     let triangles: usize = town.meshes.iter().map(|m| m.triangles.len()).sum();
     let (meshes, placements, cameras) = (town.meshes.len(), town.placements.len(), town.cameras.len());

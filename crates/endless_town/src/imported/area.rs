@@ -1,4 +1,4 @@
-//! What covers the land: fields, woods, lawns as the ground's own colour; squares, car parks and water laid upon it.
+//! What covers the land: squares, lawns, fields and water, laid upon flat land or as the colour of uneven land.
 
 use super::land::Land;
 use crate::palette::{CAR_PARK, FIELD, GRAVEL, LAWN, MEADOW, PLAZA, SOIL, WATER, WOODLAND, YARD};
@@ -11,68 +11,80 @@ use glam::{DVec2, Vec3};
 /// Land that is flatter than this over an area can carry it as one plane, metres.
 const FLAT_M: f64 = 0.25;
 
-/// Areas with their bounds.
+/// An area with its bounds.
+struct Bounded<'a> {
+    area: &'a Area,
+    low: DVec2,
+    high: DVec2,
+    /// The height of flat land, on which it lies with sharp borders; uneven land takes its colour instead.
+    flat: Option<f64>,
+}
+
+/// Areas, the smaller before the larger.
 pub(super) struct Areas<'a> {
-    list: Vec<(&'a Area, DVec2, DVec2)>,
+    list: Vec<Bounded<'a>>,
 }
 
 impl<'a> Areas<'a> {
-    pub(super) fn new(areas: &'a [Area]) -> Self {
-        let mut list: Vec<(&Area, DVec2, DVec2)> = areas
+    pub(super) fn new(areas: &'a [Area], land: &Land) -> Self {
+        let mut list: Vec<Bounded<'_>> = areas
             .iter()
             .filter(|a| a.outline.len() >= 3)
-            .map(|a| {
-                let low = a.outline.iter().fold(DVec2::INFINITY, |l, &p| l.min(p));
-                (a, low, a.outline.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p)))
+            .map(|area| {
+                let low = area.outline.iter().fold(DVec2::INFINITY, |l, &p| l.min(p));
+                let high = area.outline.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p));
+                let (least, most) = land.range(&area.outline);
+                Bounded { area, low, high, flat: (most - least < FLAT_M).then_some(most) }
             })
             .collect();
         // Small areas lie upon large ones.
-        list.sort_by(|a, b| area(&a.0.outline).abs().total_cmp(&area(&b.0.outline).abs()));
+        list.sort_by(|a, b| area(&a.area.outline).abs().total_cmp(&area(&b.area.outline).abs()));
         Self { list }
+    }
+
+    fn over(&self, p: DVec2) -> impl Iterator<Item = &Bounded<'a>> {
+        self.list.iter().filter(move |a| {
+            p.cmpge(a.low).all()
+                && p.cmple(a.high).all()
+                && inside(&a.area.outline, p)
+                && !a.area.holes.iter().any(|h| inside(h, p))
+        })
     }
 
     /// The smallest area at a place.
     pub(super) fn at(&self, p: DVec2) -> Option<AreaKind> {
-        let within = |a: &&(&Area, DVec2, DVec2)| {
-            p.cmpge(a.1).all()
-                && p.cmple(a.2).all()
-                && inside(&a.0.outline, p)
-                && !a.0.holes.iter().any(|h| inside(h, p))
-        };
-        self.list.iter().find(within).map(|a| a.0.kind)
+        self.over(p).next().map(|a| a.area.kind)
     }
 
     /// All of a kind.
     pub(super) fn of(&self, kind: AreaKind) -> impl Iterator<Item = &'a Area> {
-        self.list.iter().filter(move |a| a.0.kind == kind).map(|a| a.0)
+        self.list.iter().filter(move |a| a.area.kind == kind).map(|a| a.area)
     }
 
-    /// What the ground is made of at a place; `usual` where no area says.
+    /// What the ground is made of at a place; `usual` where no area says, or one is laid upon the ground.
     pub(super) fn material(&self, p: DVec2, usual: Material) -> Material {
-        self.at(p).map_or(usual, ground)
+        self.over(p).find(|a| a.flat.is_none()).map_or(usual, |a| ground(a.area.kind))
     }
 
-    /// Lays plazas, car parks and water on flat land with sharp borders, larger ones below smaller ones.
-    pub(super) fn lay(&self, mesh: &mut MeshBuilder, land: &Land) {
-        let sharp =
-            |kind: AreaKind| matches!(kind, AreaKind::Plaza | AreaKind::Parking | AreaKind::Water | AreaKind::Park);
-        for (place, (area_, ..)) in self.list.iter().rev().filter(|a| sharp(a.0.kind)).enumerate() {
-            let (low, high) = land.range(&area_.outline);
-            if high - low > FLAT_M {
-                continue;
-            }
-            let mut outline = area_.outline.clone();
+    /// Lays areas on flat land with sharp borders, larger ones below smaller ones.
+    pub(super) fn lay(&self, mesh: &mut MeshBuilder) {
+        for (place, bounded) in self.list.iter().rev().enumerate() {
+            let Some(level) = bounded.flat else { continue };
+            let mut outline = bounded.area.outline.clone();
             if area(&outline) < 0.0 {
                 outline.reverse();
             }
             outline.dedup();
-            let joined = with_holes(&outline, &area_.holes);
+            if outline.len() < 3 {
+                continue;
+            }
+            let joined = with_holes(&outline, &bounded.area.holes);
             // Above the ground beside pavements, below the pavements.
-            let z = high - 0.035 + 0.000_05 * (place % 400) as f64;
+            let z = level - 0.048 + 0.000_1 * (place % 350) as f64;
             let base = mesh.vertices(joined.iter().map(|p| (p.extend(z).as_vec3(), Vec3::Z, p.as_vec2())));
             for t in triangulate(&joined) {
                 if area(&t.map(|k| joined[k])) > 1e-4 {
-                    mesh.triangle_indices(t.map(|k| base + k as u32), ground(area_.kind));
+                    mesh.triangle_indices(t.map(|k| base + k as u32), ground(bounded.area.kind));
                 }
             }
         }

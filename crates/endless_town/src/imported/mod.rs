@@ -52,7 +52,7 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
     let strips = road::laid(map);
     let cover = Cover::new(&strips, low, high);
     let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, low, high);
-    let areas = Areas::new(&map.areas);
+    let areas = Areas::new(&map.areas, &land);
     let density = Density::new(&map.network, low, high);
     let mut occupied = Occupied::default();
     let mut numbers = WindowNumbers::default();
@@ -65,7 +65,7 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
     }
     paint::add(&mut ground, map, &cover);
     land.add(&mut ground, seed, &|p| areas.material(p, if density.at(p) > 60.0 { LAWN } else { MEADOW }));
-    areas.lay(&mut ground, &land);
+    areas.lay(&mut ground);
     let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
 
     let mut built = footprint::build(&map.footprints, &cover, &land, &mut occupied, &mut numbers, seed);

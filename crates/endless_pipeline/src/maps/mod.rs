@@ -1,0 +1,11 @@
+//! Maps that the user imported: where they are kept, what is known of a map, and pictures of it.
+
+mod about;
+mod error;
+mod preview;
+mod store;
+
+pub use about::About;
+pub use error::MapError;
+pub(crate) use preview::preview;
+pub use store::{DrivingSide, MapFormat, MapStore, StoredMap};

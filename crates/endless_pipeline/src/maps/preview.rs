@@ -1,0 +1,44 @@
+//! A map on one picture: from above, with what its cameras see beside it.
+
+use endless_asset::Catalogue;
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_town::{Town, top_view};
+use endless_world::{Image, ImageSize, SignalAspect, SignalState, TimeOfDay, Weather, WorldState};
+
+/// Size of a camera's picture.
+const SMALL: ImageSize = ImageSize { width: 320, height: 180 };
+/// Pictures side by side below the view from above.
+const COLUMNS: usize = 3;
+
+/// Draws the view from above with lanes, signals and cameras, and below it each camera's picture, in the order of
+/// the cameras' names.
+pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Image<[u8; 3]> {
+    let width = SMALL.width as usize * COLUMNS;
+    let above = top_view(town, catalogue, width as u32);
+    let rows = town.cameras.len().div_ceil(COLUMNS);
+    let height = width + rows * SMALL.height as usize;
+    let mut pixels = vec![[0u8; 3]; width * height];
+    pixels[..width * width].copy_from_slice(&above);
+    let still = StaticScene::load(town, catalogue);
+    let settings = RenderSettings {
+        weather: Weather::ClearSky,
+        time_of_day: TimeOfDay::Afternoon,
+        seed: 0,
+        size: SMALL,
+        gather_rays: 2,
+        keep_irradiance: false,
+    };
+    let signals = vec![SignalState { aspect: SignalAspect::Red }; usize::from(town.network.signal_groups)];
+    let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals };
+    let cast = Cast::new(catalogue, &state.actors);
+    let frame = FrameScene::new(&cast, &state);
+    for (i, site) in town.cameras.iter().enumerate() {
+        let seen = CameraBake::bake(&still, &settings, site).render(&still, &frame).rgb;
+        let corner = (width + (i / COLUMNS) * SMALL.height as usize) * width + (i % COLUMNS) * SMALL.width as usize;
+        for (y, row) in seen.data.chunks(SMALL.width as usize).enumerate() {
+            pixels[corner + y * width..corner + y * width + row.len()].copy_from_slice(row);
+        }
+    }
+    let size = ImageSize { width: width as u32, height: height as u32 };
+    Image { size, data: pixels }
+}

@@ -1,0 +1,328 @@
+//! The folder of imported maps: for each a copy of its file, and a manifest beside it.
+
+use super::MapError;
+use endless_dataset::AtomicFile;
+use endless_road::{RoadMap, opendrive, osm};
+use serde::{Deserialize, Serialize};
+use std::{
+    env, fs,
+    path::{Path, PathBuf},
+};
+
+/// Longest name of a map.
+const LONGEST_NAME: usize = 60;
+
+/// Format of a map file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum MapFormat {
+    /// ASAM OpenDRIVE.
+    OpenDrive,
+    /// OpenStreetMap, XML or PBF.
+    Osm,
+}
+
+/// On which side of the road traffic keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum DrivingSide {
+    /// As in Britain, India, Japan.
+    Left,
+    /// As in most countries.
+    Right,
+}
+
+/// The manifest of an imported map.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct StoredMap {
+    /// Its name.
+    pub name: String,
+    /// Its format.
+    pub format: MapFormat,
+    /// The side of traffic, where the user said it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub driving_side: Option<DrivingSide>,
+    /// Name of the file that was imported.
+    pub source: String,
+    /// Hash of the file's content and of how it is read: FNV-1a, 64 bits, hexadecimal.
+    pub hash: String,
+}
+
+/// A folder of imported maps.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MapStore {
+    folder: PathBuf,
+}
+
+/// The format of a file, by its content.
+fn format_of(bytes: &[u8], path: &Path) -> Result<MapFormat, MapError> {
+    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
+    let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    if head.contains("<OpenDRIVE") || name.ends_with(".xodr") {
+        Ok(MapFormat::OpenDrive)
+    } else if head.contains("<osm") || name.ends_with(".pbf") || name.ends_with(".osm") {
+        Ok(MapFormat::Osm)
+    } else {
+        Err(MapError::Format { path: path.to_owned() })
+    }
+}
+
+/// Reads a map of a file's content.
+fn parse(bytes: &[u8], format: MapFormat, side: Option<DrivingSide>, path: &Path) -> Result<RoadMap, MapError> {
+    match format {
+        MapFormat::OpenDrive => {
+            let map = opendrive::read(&String::from_utf8_lossy(bytes))
+                .map_err(|cause| MapError::OpenDrive { path: path.to_owned(), cause })?;
+            let says = if map.left_hand { DrivingSide::Left } else { DrivingSide::Right };
+            if side.is_some_and(|side| side != says) {
+                let side = if map.left_hand { "left" } else { "right" };
+                return Err(MapError::DrivingSide { path: path.to_owned(), side });
+            }
+            Ok(map)
+        }
+        MapFormat::Osm => {
+            let driving_side = side.map(|side| match side {
+                DrivingSide::Left => osm::DrivingSide::Left,
+                DrivingSide::Right => osm::DrivingSide::Right,
+            });
+            osm::read(bytes, &osm::OsmOptions { driving_side })
+                .map_err(|cause| MapError::Osm { path: path.to_owned(), cause })
+        }
+    }
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, MapError> {
+    fs::read(path).map_err(|cause| MapError::Unreadable { path: path.to_owned(), cause })
+}
+
+/// FNV-1a over how a file is read and what it holds.
+fn hash(bytes: &[u8], format: MapFormat, side: Option<DrivingSide>) -> String {
+    let how = [format as u8, side.map_or(0, |s| 1 + s as u8)];
+    let step = |h: u64, b: &u8| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3);
+    format!("{:016x}", how.iter().chain(bytes).fold(0xcbf2_9ce4_8422_2325, step))
+}
+
+impl MapStore {
+    /// The user's own: `$ENDLESS_MAPS`, or `endless/maps` where the platform keeps data.
+    ///
+    /// # Errors
+    /// When neither is set.
+    pub fn user() -> Result<Self, MapError> {
+        let set = |name: &str| env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
+        let data =
+            || set("XDG_DATA_HOME").or_else(|| Some(set("HOME")?.join(".local/share"))).or_else(|| set("APPDATA"));
+        let folder = set("ENDLESS_MAPS").or_else(|| Some(data()?.join("endless/maps")));
+        folder.map(Self::at).ok_or(MapError::NoFolder)
+    }
+
+    /// In a folder, which need not exist.
+    pub fn at(folder: PathBuf) -> Self {
+        Self { folder }
+    }
+
+    fn manifest(&self, name: &str) -> PathBuf {
+        self.folder.join(format!("{name}.toml"))
+    }
+
+    fn source(&self, map: &StoredMap) -> PathBuf {
+        self.folder.join(format!("{}.{}", map.name, if map.format == MapFormat::Osm { "osm" } else { "xodr" }))
+    }
+
+    /// Names of the maps there are, in order.
+    pub fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        let mut names: Vec<String> = entries
+            .filter_map(|e| e.file_name().into_string().ok()?.strip_suffix(".toml").map(str::to_owned))
+            .filter(|name| is_name(name) && !is_built_in(name))
+            .collect();
+        names.sort();
+        names
+    }
+
+    /// The manifest of a map; `None` if there is no map of this name.
+    ///
+    /// # Errors
+    /// When it cannot be read.
+    pub fn find(&self, name: &str) -> Result<Option<StoredMap>, MapError> {
+        let path = self.manifest(name);
+        if !is_name(name) || is_built_in(name) || !path.is_file() {
+            return Ok(None);
+        }
+        let text = String::from_utf8_lossy(&read(&path)?).into_owned();
+        let damaged = |reason: String| MapError::Damaged { path: path.clone(), reason };
+        let map: StoredMap = toml::from_str(&text)
+            .map_err(|e: toml::de::Error| damaged(e.message().lines().collect::<Vec<_>>().join(", ")))?;
+        if map.name != name {
+            return Err(damaged(format!("it calls itself '{}'", map.name)));
+        }
+        Ok(Some(map))
+    }
+
+    /// The map itself.
+    ///
+    /// # Errors
+    /// When its file is gone, changed or no map.
+    pub fn read(&self, map: &StoredMap) -> Result<RoadMap, MapError> {
+        let path = self.source(map);
+        let bytes = fs::read(&path).map_err(|cause| MapError::Damaged {
+            path: self.manifest(&map.name),
+            reason: format!("its file {} cannot be read: {cause}", path.display()),
+        })?;
+        if hash(&bytes, map.format, map.driving_side) != map.hash {
+            let reason = "its file was changed after it was imported".to_owned();
+            return Err(MapError::Damaged { path: self.manifest(&map.name), reason });
+        }
+        parse(&bytes, map.format, map.driving_side, &path)
+    }
+
+    /// Reads a file, has it judged, and keeps it under a name (by default [`default_name`]). What is there is whole:
+    /// the manifest is written last.
+    ///
+    /// # Errors
+    /// When the file is no map, the name is taken, or `judge` refuses.
+    pub fn import(
+        &self,
+        file: &Path,
+        name: Option<&str>,
+        side: Option<DrivingSide>,
+        replace: bool,
+        judge: impl FnOnce(&str, &RoadMap) -> Result<(), MapError>,
+    ) -> Result<StoredMap, MapError> {
+        let bytes = read(file)?;
+        let format = format_of(&bytes, file)?;
+        let source = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let name = name.map_or_else(|| default_name(&source), str::to_owned);
+        if !is_name(&name) {
+            return Err(MapError::Name { name });
+        }
+        if is_built_in(&name) {
+            return Err(MapError::Taken { name, imported: false });
+        }
+        let hash = hash(&bytes, format, side);
+        if !replace && self.find(&name)?.is_some_and(|there| there.hash != hash) {
+            return Err(MapError::Taken { name, imported: true });
+        }
+        judge(&name, &parse(&bytes, format, side, file)?)?;
+        let map = StoredMap { name, format, driving_side: side, source, hash };
+        fs::create_dir_all(&self.folder).map_err(|cause| MapError::Folder { path: self.folder.clone(), cause })?;
+        write(&self.source(&map), &bytes)?;
+        let text = toml::to_string(&map).expect("a manifest is plain data");
+        write(&self.manifest(&map.name), text.as_bytes())?;
+        Ok(map)
+    }
+}
+
+fn write(path: &Path, bytes: &[u8]) -> Result<(), MapError> {
+    let mut file = AtomicFile::create(path)?;
+    file.write(bytes)?;
+    Ok(file.finish()?)
+}
+
+/// The name of a map of which none is given: the file's without its endings, other characters replaced. A built-in
+/// town's name is taken: `Town04.xodr` becomes `Town04_imported`.
+fn default_name(file: &str) -> String {
+    let stem = file.split('.').find(|part| !part.is_empty()).unwrap_or_default();
+    let stem: String =
+        stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' || c == '-' { c } else { '_' }).collect();
+    if is_built_in(&stem) { format!("{stem}_imported") } else { stem }
+}
+
+/// Whether a name, in whatever case, means a built-in town.
+fn is_built_in(name: &str) -> bool {
+    let plain = name.strip_suffix("_Opt").unwrap_or(name);
+    endless_town::NAMES.iter().any(|n| n.eq_ignore_ascii_case(plain))
+}
+
+fn is_name(name: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
+    (1..=LONGEST_NAME).contains(&name.len()) && name.chars().all(plain) && !name.starts_with('-')
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FILE: &str = r#"<?xml version="1.0"?><OpenDRIVE><header revMajor="1" revMinor="6"/>
+        <road name="r" length="200" id="1" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="200"><line/></geometry></planView>
+        <lanes><laneSection s="0"><center><lane id="0" type="none"/></center>
+        <right><lane id="-1" type="driving"><width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane></right></laneSection></lanes></road></OpenDRIVE>"#;
+
+    #[test]
+    fn a_file_is_kept_and_found_again() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let store = MapStore::at(folder.path().join("maps"));
+        let file = folder.path().join("my road.v2.xodr");
+        fs::write(&file, FILE).expect("written");
+        assert_eq!(store.names(), Vec::<String>::new());
+        let map = store.import(&file, None, None, false, |_, _| Ok(())).expect("a map");
+        assert_eq!((map.name.as_str(), map.source.as_str()), ("my_road", "my road.v2.xodr"));
+        assert_eq!(store.names(), ["my_road"]);
+        assert_eq!(store.find("my_road").expect("readable"), Some(map.clone()));
+        assert_eq!(store.read(&map).expect("a map").network.lanes.len(), 1);
+        // The same again is no change; another content under the same name is one.
+        assert_eq!(store.import(&file, None, None, false, |_, _| Ok(())).expect("the same"), map);
+        fs::write(&file, FILE.replace("200", "300")).expect("written");
+        let taken = store.import(&file, None, None, false, |_, _| Ok(())).expect_err("taken");
+        assert!(taken.to_string().contains("--replace"), "{taken}");
+        let other = store.import(&file, None, None, true, |_, _| Ok(())).expect("replaced");
+        assert_ne!(other.hash, map.hash);
+        // The manifest of the old content does not fit the new.
+        assert!(matches!(store.read(&map), Err(MapError::Damaged { .. })));
+    }
+
+    #[test]
+    fn the_name_of_a_built_in_town_is_left_to_it() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let store = MapStore::at(folder.path().join("maps"));
+        let file = folder.path().join("Town04.xodr");
+        fs::write(&file, FILE).expect("written");
+        let map = store.import(&file, None, None, false, |_, _| Ok(())).expect("another name");
+        assert_eq!(map.name, "Town04_imported");
+        for name in ["Town04", "town04", "Town04_Opt"] {
+            let error = store.import(&file, Some(name), None, false, |_, _| Ok(())).expect_err("taken");
+            assert!(matches!(error, MapError::Taken { imported: false, .. }), "{error}");
+        }
+        // A manifest that got there otherwise does not hide the town.
+        fs::copy(store.manifest("Town04_imported"), store.manifest("Town04")).expect("copied");
+        assert_eq!((store.names(), store.find("Town04").expect("readable")), (vec![map.name], None));
+    }
+
+    #[test]
+    fn a_map_without_its_file_is_told_from_no_map() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let store = MapStore::at(folder.path().join("maps"));
+        let file = folder.path().join("a.xodr");
+        fs::write(&file, FILE).expect("written");
+        let map = store.import(&file, None, None, false, |_, _| Ok(())).expect("a map");
+        fs::remove_file(store.source(&map)).expect("removed");
+        assert_eq!(store.find("a").expect("its manifest is there"), Some(map.clone()));
+        let error = store.read(&map).expect_err("its file is gone").to_string();
+        assert!(error.contains("import it again"), "{error}");
+    }
+
+    #[test]
+    fn mistakes_are_told_in_one_line() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let store = MapStore::at(folder.path().join("maps"));
+        let write = |name: &str, text: &str| {
+            let path = folder.path().join(name);
+            fs::write(&path, text).expect("written");
+            path
+        };
+        let cases = [
+            (write("b.xodr", FILE), Some("Town01"), "already"),
+            (write("a.xodr", FILE), Some("../b"), "cannot be a map's name"),
+            (write("broken.xodr", "<OpenDRIVE><road"), None, "broken.xodr"),
+            (write("text.txt", "hello"), None, "neither"),
+            (folder.path().join("absent.osm"), None, "cannot read"),
+        ];
+        for (path, name, said) in cases {
+            let error = store.import(&path, name, None, false, |_, _| Ok(())).expect_err("refused").to_string();
+            assert!(error.contains(said) && !error.contains('\n'), "{error}");
+        }
+        let left = store.import(&write("c.xodr", FILE), None, Some(DrivingSide::Left), false, |_, _| Ok(()));
+        assert!(left.expect_err("right-hand").to_string().contains("right"));
+        assert_eq!(store.names(), Vec::<String>::new());
+    }
+}
