@@ -1,7 +1,7 @@
-//! Chores of the repository: `cargo xtask rooms`.
+//! Chores of the repository: `cargo xtask rooms`, `cargo xtask fuzz PARSER --seconds N`.
 
 use anyhow::{Context, Result, bail};
-use std::{collections::BTreeMap, env, fs, path::Path, process::ExitCode};
+use std::{collections::BTreeMap, env, fs, path::Path, process::Command, process::ExitCode};
 
 /// The rooms, lowest first: a crate may use only crates that stand before it, and never one of its own shelf.
 const SHELVES: &[&[&str]] = &[
@@ -15,9 +15,11 @@ const SHELVES: &[&[&str]] = &[
 ];
 
 fn main() -> ExitCode {
-    let result = match env::args().nth(1).as_deref() {
+    let args: Vec<String> = env::args().skip(1).collect();
+    let result = match args.first().map(String::as_str) {
         Some("rooms") => rooms(Path::new(".")),
-        other => Err(anyhow::anyhow!("unknown chore {other:?}: use `cargo xtask rooms`")),
+        Some("fuzz") => fuzz(&args[1..]),
+        other => Err(anyhow::anyhow!("unknown chore {other:?}: use `cargo xtask rooms` or `cargo xtask fuzz`")),
     };
     match result {
         Ok(()) => ExitCode::SUCCESS,
@@ -26,6 +28,34 @@ fn main() -> ExitCode {
             ExitCode::FAILURE
         }
     }
+}
+
+/// Parsers that can be fuzzed, and the crate that has each.
+const PARSERS: &[(&str, &str)] = &[("opendrive", "endless_road"), ("osm", "endless_road"), ("pbf", "endless_road")];
+
+/// Changes files at random and has them read: `fuzz PARSER [--seconds 60] [--seed 1]`. The readers are compiled as for
+/// tests: optimised, with the checks for overflow.
+fn fuzz(args: &[String]) -> Result<()> {
+    let names: Vec<&str> = PARSERS.iter().map(|parser| parser.0).collect();
+    let named = args.first().and_then(|name| PARSERS.iter().find(|parser| parser.0 == name));
+    let Some((parser, package)) = named else { bail!("which parser? one of {}", names.join(", ")) };
+    let (mut seconds, mut seed) = (60u64, 1u64);
+    for pair in args[1..].chunks(2) {
+        let [option, value] = pair else { bail!("{} needs a number", pair[0]) };
+        let number = value.parse().with_context(|| format!("{option} {value}"))?;
+        match option.as_str() {
+            "--seconds" => seconds = number,
+            "--seed" => seed = number,
+            other => bail!("unknown option {other}: use --seconds and --seed"),
+        }
+    }
+    let status = Command::new(env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned()))
+        .args(["test", "--package", package, "--test", "fuzz", "--", "--ignored", "--exact", "--nocapture", "hunt"])
+        .env("FUZZ_PARSER", parser)
+        .env("FUZZ_SECONDS", seconds.to_string())
+        .env("FUZZ_SEED", seed.to_string())
+        .status()?;
+    if status.success() { Ok(()) } else { bail!("found something: see target/fuzz/{parser}") }
 }
 
 /// Dependencies point down only, and every crate is in `ARCHITECTURE.md`.

@@ -2,7 +2,7 @@
 
 use crate::{Conflict, Control, Junction, Lane, LaneId, RoadNetwork, Turn};
 use endless_world::math::f64::wrap_angle;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// Width of the swept area of a lane, metres: that of a lorry with its mirrors.
 const SWEPT_M: f64 = 2.9;
@@ -16,14 +16,15 @@ pub(crate) fn derive(network: &mut RoadNetwork) {
 }
 
 fn conflicts_of(network: &RoadNetwork, junction: &Junction) -> Vec<Conflict> {
+    let sampled: Vec<Sampled> = junction.lanes.iter().map(|&lane| Sampled::new(network.lane(lane))).collect();
     let mut conflicts = Vec::new();
     for (i, &first) in junction.lanes.iter().enumerate() {
-        for &second in &junction.lanes[i + 1..] {
+        for (j, &second) in junction.lanes.iter().enumerate().skip(i + 1) {
             let (a, b) = (network.lane(first), network.lane(second));
             if follow_or_diverge(a, b) {
                 continue;
             }
-            let Some((range, other_range)) = swept_overlap(a, b) else { continue };
+            let Some((range, other_range)) = sampled[i].near(&sampled[j], swept_m(a, b)) else { continue };
             let first_waits = gives_way(network, a, b);
             conflicts.push(Conflict { lane: a.id, other: b.id, range, other_range, gives_way: first_waits });
             conflicts.push(Conflict {
@@ -47,36 +48,61 @@ fn follow_or_diverge(a: &Lane, b: &Lane) -> bool {
 
 /// The ranges of `s` on two lanes within which their swept areas overlap; `None` if they do not.
 pub fn swept_overlap(a: &Lane, b: &Lane) -> Option<((f64, f64), (f64, f64))> {
-    near_ranges(a, b, SWEPT_M.min(0.45 * (a.width_m + b.width_m)))
+    near_ranges(a, b, swept_m(a, b))
 }
 
 /// The ranges of `s` on two lanes within which their centre lines are nearer than `clearance` metres.
 pub fn near_ranges(a: &Lane, b: &Lane, clearance: f64) -> Option<((f64, f64), (f64, f64))> {
-    let (on_a, on_b) = (samples(a), samples(b));
-    let range_of = |of: &[(f64, DVec3)], others: &[(f64, DVec3)]| {
-        let mut range: Option<(f64, f64)> = None;
-        for &(s, p) in of {
-            let touches = others.iter().any(|&(_, q)| {
-                (p - q).truncate().length_squared() < clearance * clearance && (p.z - q.z).abs() < SWEPT_M
-            });
-            if touches {
-                range = Some(range.map_or((s, s), |(low, _)| (low, s)));
-            }
-        }
-        range
-    };
-    Some((range_of(&on_a, &on_b)?, range_of(&on_b, &on_a)?))
+    Sampled::new(a).near(&Sampled::new(b), clearance)
 }
 
-fn samples(lane: &Lane) -> Vec<(f64, DVec3)> {
-    let length = lane.centerline.length();
-    let n = (length / STEP_M).ceil().max(1.0) as usize;
-    (0..=n)
-        .map(|i| {
-            let s = length * i as f64 / n as f64;
-            (s, lane.centerline.at(s).position)
-        })
-        .collect()
+/// Centre lines nearer than this have swept areas that overlap, metres.
+fn swept_m(a: &Lane, b: &Lane) -> f64 {
+    SWEPT_M.min(0.45 * (a.width_m + b.width_m))
+}
+
+/// A lane's centre line at close places, and the box around it.
+struct Sampled {
+    places: Vec<(f64, DVec3)>,
+    low: DVec2,
+    high: DVec2,
+}
+
+impl Sampled {
+    fn new(lane: &Lane) -> Self {
+        let length = lane.centerline.length();
+        let n = (length / STEP_M).ceil().max(1.0) as usize;
+        let at = |i: usize| length * i as f64 / n as f64;
+        let places: Vec<(f64, DVec3)> = (0..=n).map(|i| (at(i), lane.centerline.position(at(i)))).collect();
+        let flat = || places.iter().map(|(_, p)| p.truncate());
+        let (low, high) = (flat().fold(DVec2::INFINITY, DVec2::min), flat().fold(DVec2::NEG_INFINITY, DVec2::max));
+        Self { places, low, high }
+    }
+
+    /// The ranges of `s` on both within which they are nearer than `clearance`.
+    fn near(&self, other: &Self, clearance: f64) -> Option<((f64, f64), (f64, f64))> {
+        if (self.low - clearance).cmpgt(other.high).any() || (other.low - clearance).cmpgt(self.high).any() {
+            return None;
+        }
+        let range_of = |of: &Self, others: &Self| {
+            let (low, high) = (others.low - clearance, others.high + clearance);
+            let mut range: Option<(f64, f64)> = None;
+            for &(s, p) in &of.places {
+                let flat = p.truncate();
+                if flat.cmplt(low).any() || flat.cmpgt(high).any() {
+                    continue;
+                }
+                let touches = others.places.iter().any(|&(_, q)| {
+                    (p - q).truncate().length_squared() < clearance * clearance && (p.z - q.z).abs() < SWEPT_M
+                });
+                if touches {
+                    range = Some(range.map_or((s, s), |(low, _)| (low, s)));
+                }
+            }
+            range
+        };
+        Some((range_of(self, other)?, range_of(other, self)?))
+    }
 }
 
 /// Whether traffic on `a` lets traffic on `b` go first. Exactly one of `gives_way(a, b)` and `gives_way(b, a)` holds.

@@ -93,3 +93,13 @@ pub enum NetworkError {
         edge: WalkEdgeId,
     },
 }
+
+/// Words of others, or of a file, as a part of a message of one line.
+pub(crate) fn one_line(text: &str) -> String {
+    const MOST: usize = 160;
+    let plain: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(MOST + 1).collect();
+    match plain.char_indices().nth(MOST) {
+        Some((at, _)) => format!("{}...", &plain[..at]),
+        None => plain,
+    }
+}

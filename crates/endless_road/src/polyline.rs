@@ -77,6 +77,13 @@ impl Polyline {
         }
     }
 
+    /// The position at arc length `s`, clamped to the ends: [`Self::at`] without the direction.
+    pub fn position(&self, s: f64) -> DVec3 {
+        let s = s.clamp(0.0, self.length());
+        let i = self.segment_of(s);
+        self.points[i].lerp(self.points[i + 1], (s - self.s[i]) / (self.s[i + 1] - self.s[i]))
+    }
+
     /// Arc length of the nearest point, seen from above, and the signed distance to it (`t`, positive to the left).
     pub fn project(&self, point: DVec2) -> (f64, f64) {
         let mut best = (f64::INFINITY, 0.0, 0.0);

@@ -1,6 +1,7 @@
 //! An XML file as a tree whose every element knows its line.
 
 use super::OpenDriveError;
+use crate::error::one_line;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
@@ -49,7 +50,7 @@ pub(crate) fn tree(text: &str) -> Result<Element, OpenDriveError> {
         let line = lines.of(reader.buffer_position() as usize);
         let event = reader.read_event().map_err(|error| {
             let line = lines.of(reader.error_position() as usize);
-            OpenDriveError::Xml { line, what: error.to_string() }
+            OpenDriveError::Xml { line, what: one_line(&error.to_string()) }
         })?;
         match event {
             Event::Start(start) => {
@@ -79,7 +80,7 @@ pub(crate) fn tree(text: &str) -> Result<Element, OpenDriveError> {
             Event::Eof => {
                 let what = match open.last() {
                     Some(element) => {
-                        format!("the file ends inside <{}> of line {}", element.name, element.line)
+                        format!("the file ends inside <{}> of line {}", one_line(&element.name), element.line)
                     }
                     None => "there is no element in the file".to_owned(),
                 };
@@ -99,7 +100,7 @@ fn append(open: &mut [Element], words: &str) {
 fn element(start: &BytesStart<'_>, line: usize) -> Result<Element, OpenDriveError> {
     let mut attributes = Vec::new();
     for attribute in start.attributes() {
-        let attribute = attribute.map_err(|error| OpenDriveError::Xml { line, what: error.to_string() })?;
+        let attribute = attribute.map_err(|error| OpenDriveError::Xml { line, what: one_line(&error.to_string()) })?;
         let raw = &attribute.value;
         let value = quick_xml::escape::unescape(raw).map_or_else(|_| raw.to_string(), std::borrow::Cow::into_owned);
         attributes.push((attribute.key.local_name().into_inner().to_owned(), value));

@@ -17,7 +17,7 @@ pub enum OsmError {
     /// The PBF is malformed, ends too early, or uses what cannot be read.
     #[error("byte {offset}: {reason}")]
     Pbf {
-        /// Of the blob in the file, or of the field in the unpacked blob.
+        /// Of the blob in the file.
         offset: usize,
         /// What is wrong.
         reason: String,

@@ -1,8 +1,10 @@
 //! From ways to a graph: stretches of road between the places where they meet.
 
 use super::class::RoadClass;
+use super::site::Site;
 use super::ways::Stretch;
-use std::collections::BTreeMap;
+use std::cmp::Reverse;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The end of a stretch at a knot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -10,6 +12,33 @@ pub(super) struct End {
     pub(super) stretch: usize,
     /// 0 for its beginning, 1 for its end.
     pub(super) end: usize,
+}
+
+/// Takes away what is there twice: of roads between the same two nodes the most important one stays.
+pub(super) fn once(stretches: &[Stretch], site: &mut Site<'_>) -> Vec<Stretch> {
+    let mut order: Vec<usize> = (0..stretches.len()).collect();
+    order.sort_by_key(|&i| (Reverse(stretches[i].class), i));
+    let mut taken: BTreeSet<(i64, i64)> = BTreeSet::new();
+    let mut parts: Vec<Vec<Stretch>> = vec![Vec::new(); stretches.len()];
+    for i in order {
+        let stretch = &stretches[i];
+        let mut from = 0;
+        let last = stretch.vertices.len() - 1;
+        for k in 0..last {
+            let [a, b] = [k, k + 1].map(|k| stretch.vertices[k].node);
+            if !taken.insert((a.min(b), a.max(b))) {
+                site.note(format!("way {}", stretch.ways[0]), "runs twice between the same nodes: once is enough");
+                if k > from {
+                    parts[i].push(stretch.part(from, k));
+                }
+                from = k + 1;
+            }
+        }
+        if last > from {
+            parts[i].push(stretch.part(from, last));
+        }
+    }
+    parts.into_iter().flatten().collect()
 }
 
 /// Cuts stretches where they share nodes.

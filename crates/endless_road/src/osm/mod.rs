@@ -97,7 +97,8 @@ pub fn read(bytes: &[u8], options: &OsmOptions) -> Result<RoadMap, OsmError> {
 /// [`OsmError::NoRoads`], [`OsmError::TooLarge`].
 pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmError> {
     let mut site = Site::new(extract, options.driving_side.map(|side| side == DrivingSide::Left));
-    let stretches = graph::split(&ways::collect(extract, &mut site));
+    let ways = ways::collect(extract, &mut site);
+    let stretches = graph::split(&graph::once(&ways, &mut site));
     let (roads, yards) = graph::part_yards(stretches);
     if roads.is_empty() {
         return Err(OsmError::NoRoads { ways: extract.ways.len(), nodes: extract.nodes.len() });

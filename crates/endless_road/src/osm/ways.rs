@@ -7,6 +7,9 @@ use super::section::{self, Said, Section};
 use super::site::Site;
 use glam::DVec2;
 
+/// No two nodes of a way that follow one another are this far apart, metres: one of them is elsewhere by mistake.
+const FARTHEST_M: f64 = 20_000.0;
+
 /// A point of a way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Vertex {
@@ -165,6 +168,14 @@ pub(super) fn runs(way: &Way, tags: &Tags, site: &mut Site<'_>) -> Vec<(Vec<Vert
             continue;
         };
         let vertex = Vertex { node, at };
+        if let Some(last) = before
+            && last.at.distance(at) > FARTHEST_M
+        {
+            let km = last.at.distance(at) / 1000.0;
+            site.note(format!("way {}", way.id), format!("two of its nodes are {km:.0} km apart: it is cut there"));
+            runs.push(Vec::new());
+            before = None;
+        }
         if let Some(last) = before
             && site.inside(last.at) != site.inside(at)
         {

@@ -2,6 +2,7 @@
 
 use super::OsmError;
 use super::extract::{Bounds, Extract, Member, MemberKind, Node, Relation, Tags, Way};
+use crate::error::one_line;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
@@ -25,7 +26,7 @@ impl Source<'_> {
         let before = &self.bytes[..at];
         let line = before.iter().filter(|&&b| b == b'\n').count() + 1;
         let column = before.iter().rev().take_while(|&&b| b != b'\n').count() + 1;
-        OsmError::Xml { line, column, reason: reason.into() }
+        OsmError::Xml { line, column, reason: one_line(&reason.into()) }
     }
 }
 

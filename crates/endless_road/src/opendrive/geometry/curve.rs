@@ -59,6 +59,11 @@ impl Piece {
         Self { s: geometry.s, length, start, kind }
     }
 
+    /// Metres of curve for each metre that the file gives it: 1 but for a parametric cubic of another length.
+    pub(crate) fn stretch(&self) -> f64 {
+        if let Kind::Cubic(cubic) = &self.kind { cubic.scale } else { 1.0 }
+    }
+
     /// The place `ds` metres after the piece's beginning, clamped to it.
     pub(crate) fn pose(&self, ds: f64) -> Pose {
         let ds = ds.clamp(0.0, self.length);

@@ -2,11 +2,14 @@
 
 use super::super::OpenDriveError;
 use super::super::document::{Curve, End, Geometry, Road, RoadLink, RoadType, Shape};
+use super::super::geometry::Piece;
 use super::super::xml::Element;
 use super::fields::{Fields, format_error, text};
 
 /// Longer than this is no road, metres.
 const LONGEST_M: f64 = 200_000.0;
+/// A curve this many times as long as its file says is a mistake.
+const MOST_STRETCH: f64 = 10.0;
 /// Sharper than this is no road, 1/m.
 const SHARPEST: f64 = 10.0;
 
@@ -73,14 +76,23 @@ impl Fields {
             if length < 1e-9 {
                 continue;
             }
-            road.plan_view.push(Geometry {
+            let piece = Geometry {
                 s: self.number(geometry, "s")?,
                 x: self.number(geometry, "x")?,
                 y: self.number(geometry, "y")?,
                 heading: self.number(geometry, "hdg")?,
                 length,
                 shape: self.curve(geometry)?,
-            });
+            };
+            let stretch = if length > LONGEST_M { 1.0 } else { Piece::new(&piece).stretch() };
+            if stretch > MOST_STRETCH {
+                let what = format!("is {:.0} m long, but its length is given as {length}", stretch * length);
+                return Err(format_error(geometry, what));
+            }
+            if (stretch - 1.0).abs() > 0.01 && (stretch - 1.0).abs() * length > 0.05 {
+                self.note(geometry, format!("is {:.2} m long, but its length is given as {length}", stretch * length));
+            }
+            road.plan_view.push(piece);
         }
         road.plan_view.sort_by(|a, b| a.s.total_cmp(&b.s));
         let Some(last) = road.plan_view.last() else {

@@ -11,6 +11,8 @@ const MOST_POINTS: usize = 10_000_000;
 const MOST_SECTIONS: usize = 500_000;
 /// Metres of road.
 const MOST_METRES: usize = 5_000_000;
+/// No lane is wider than this, metres.
+const WIDEST_M: f64 = 1000.0;
 /// No point of a map is further from its origin, metres.
 const FARTHEST: f64 = 1e7;
 
@@ -71,6 +73,14 @@ impl<'a> Sampled<'a> {
                     .any(|p| !p.is_finite() || p.abs().max_element() > FARTHEST)
                 {
                     let what = format!("of road {} reaches further than 10 000 km", shape.road.id);
+                    return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
+                }
+                if let Some(lane) =
+                    sampled.iter().flat_map(|s| &s.lanes).find(|lane| lane.width.iter().any(|w| *w > WIDEST_M))
+                {
+                    let widest = lane.width.iter().copied().fold(0.0, f64::max);
+                    let what =
+                        format!("of road {} has lane {} {widest:.0} m wide, which no lane is", shape.road.id, lane.id);
                     return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
                 }
                 of_road.push(sampled);

@@ -31,21 +31,38 @@ pub(super) fn read(bytes: &[u8]) -> Result<Extract, OsmError> {
             return Err(error("a blob's header is larger than 64 KiB"));
         }
         let Some(header) = bytes[at + 4..].get(..header_size) else { return Err(error("a blob's header is cut off")) };
-        let (kind, size) = blob_header(header)?;
+        let (kind, size) = blob_header(header).map_err(|error| in_blob(error, at + 4))?;
         if size > MOST_BLOB {
             return Err(error("a blob is larger than 32 MiB"));
         }
         let from = at + 4 + header_size;
+        let inside = |error| in_blob(error, from);
         let Some(blob) = bytes[from..].get(..size) else { return Err(error("a blob is cut off")) };
         match kind.as_slice() {
-            b"OSMHeader" => extract.bounds = header_block(&unpacked(blob, from)?)?,
-            b"OSMData" => block::read(&unpacked(blob, from)?, &mut extract)?,
+            b"OSMHeader" => {
+                let block = unpacked(blob, from).map_err(inside)?;
+                extract.bounds = header_block(&block).map_err(inside)?;
+            }
+            b"OSMData" => {
+                let block = unpacked(blob, from).map_err(inside)?;
+                block::read(&block, &mut extract).map_err(inside)?;
+            }
             _ => {}
         }
         at = from + size;
     }
     extract.put_in_order();
     Ok(extract)
+}
+
+/// What is wrong inside a blob, with the place of the blob in the file: its own bytes may be packed.
+fn in_blob(error: OsmError, offset: usize) -> OsmError {
+    match error {
+        OsmError::Pbf { reason, .. } => {
+            OsmError::Pbf { offset, reason: format!("in the blob that begins here: {reason}") }
+        }
+        other => other,
+    }
 }
 
 fn blob_header(bytes: &[u8]) -> Result<(Vec<u8>, usize), OsmError> {
