@@ -188,6 +188,9 @@ pub(crate) struct BenchArgs {
     /// Image size.
     #[arg(long, default_value = "1280x720", value_name = "WxH")]
     pub(crate) size: String,
+    /// Film each of the fifteen conditions, over all towns in turn, and compare them.
+    #[arg(long)]
+    pub(crate) conditions: bool,
 }
 
 /// All cores unless said otherwise.

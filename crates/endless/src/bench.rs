@@ -1,19 +1,36 @@
-//! `endless bench`: the whole pipeline on a fixed recipe.
+//! `endless bench`: the whole pipeline on a fixed recipe, or under all conditions.
 
 use crate::args::{BenchArgs, threads};
 use anyhow::{Context, Result};
 use endless_pipeline::{GenerateOptions, Generated, RecipeDraft, Silent, Simulator, generate};
+use endless_world::{TimeOfDay, Weather};
 use std::{fs, io::Write, process::ExitCode, time::Duration};
 
 pub(crate) fn run<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
+    if args.conditions {
+        return conditions(simulator, args);
+    }
     let draft = RecipeDraft {
-        videos: Some(1),
         weathers: Some(vec!["clear_sky".into()]),
         times: Some(vec!["afternoon".into()]),
+        ..draft(args)
+    };
+    print(&film(simulator, args, draft)?, threads(args.threads))?;
+    Ok(ExitCode::SUCCESS)
+}
+
+/// What all benches have in common.
+fn draft(args: &BenchArgs) -> RecipeDraft {
+    RecipeDraft {
+        videos: Some(1),
         size: Some(args.size.clone()),
         duration: Some(args.duration),
         ..RecipeDraft::default()
-    };
+    }
+}
+
+/// Makes a dataset, and leaves nothing of it.
+fn film<S: Simulator>(simulator: &S, args: &BenchArgs, draft: RecipeDraft) -> Result<Generated> {
     let recipe = draft.resolve(simulator)?;
     let out = std::env::current_dir()?.join(format!(".endless-bench-{}", std::process::id()));
     let options = GenerateOptions { threads: threads(args.threads), plan_only: false };
@@ -21,7 +38,42 @@ pub(crate) fn run<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitC
     if out.exists() {
         fs::remove_dir_all(&out).context("cannot remove the bench's files")?;
     }
-    print(&made?, options.threads)?;
+    Ok(made?)
+}
+
+/// A line for each condition, and the rate of all together.
+fn conditions<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
+    let maps = simulator.maps();
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "weather     time       map        bake s/camera   render ms   camera frames/s")?;
+    let (mut frames, mut time) = (0, Duration::ZERO);
+    for (i, (weather, hour)) in Weather::ALL.iter().flat_map(|w| TimeOfDay::ALL.iter().map(move |t| (w, t))).enumerate()
+    {
+        let map = &maps[i % maps.len()];
+        let made = film(
+            simulator,
+            args,
+            RecipeDraft {
+                maps: Some(vec![map.clone()]),
+                weathers: Some(vec![weather.to_string()]),
+                times: Some(vec![hour.to_string()]),
+                ..draft(args)
+            },
+        )?;
+        let count = made.camera_frames as f64;
+        writeln!(
+            out,
+            "{:<11} {:<10} {map:<10} {:>13.1} {:>11.1} {:>17.1}",
+            weather.to_string(),
+            hour.to_string(),
+            made.times.bake.as_secs_f64() / 2.0,
+            made.times.render.as_secs_f64() * 1e3 / count,
+            count / made.times.record.as_secs_f64()
+        )?;
+        frames += made.camera_frames;
+        time += made.times.record;
+    }
+    writeln!(out, "all conditions: {:.1} camera frames/s", frames as f64 / time.as_secs_f64())?;
     Ok(ExitCode::SUCCESS)
 }
 

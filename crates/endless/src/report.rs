@@ -1,8 +1,9 @@
 //! What a run says on stderr: a bar on a terminal, plain lines elsewhere.
 
 use endless_pipeline::{Event, Progress, human_bytes};
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::{
+    fmt,
     io::IsTerminal,
     sync::atomic::{AtomicU64, Ordering},
     time::Instant,
@@ -23,9 +24,12 @@ impl Reporter {
     pub(crate) fn new() -> Self {
         let terminal = std::io::stderr().is_terminal();
         let bar = if terminal { ProgressBar::new(0) } else { ProgressBar::hidden() };
-        let template = "{prefix} [{bar:30}] {pos}/{len} camera frames, {per_sec}, {eta} left {msg}";
+        let template = "{prefix} [{bar:30}] {pos}/{len} camera frames, {rate}, {eta} left {msg}";
         if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style);
+            bar.set_style(style.with_key("rate", |state: &ProgressState, to: &mut dyn fmt::Write| {
+                // Nothing can be done about a terminal that takes no text.
+                let _ = write!(to, "{:.1}/s", state.per_sec());
+            }));
         }
         Self { bar, terminal, start: Instant::now(), frames: AtomicU64::new(0), total: AtomicU64::new(0) }
     }
