@@ -10,11 +10,8 @@ pub(crate) fn run<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitC
     if args.conditions {
         return conditions(simulator, args);
     }
-    let draft = RecipeDraft {
-        weathers: Some(vec!["clear_sky".into()]),
-        times: Some(vec!["afternoon".into()]),
-        ..draft(args)
-    };
+    let draft =
+        RecipeDraft { weathers: Some(vec!["clear_sky".into()]), times: Some(vec!["afternoon".into()]), ..draft(args) };
     print(&film(simulator, args, draft)?, threads(args.threads))?;
     Ok(ExitCode::SUCCESS)
 }

@@ -80,6 +80,28 @@ impl Blas {
         self.bounds
     }
 
+    /// Boxes that together hold all triangles, about `count` of them: the tree's own, cut where they are largest.
+    pub(crate) fn parts(&self, count: usize) -> Vec<(Vec3A, Vec3A)> {
+        let mut open = vec![(self.tree.root, self.bounds)];
+        let mut whole = Vec::new();
+        while !open.is_empty() && open.len() + whole.len() < count {
+            let area = |&(_, (low, high)): &(Link, (Vec3A, Vec3A))| {
+                let d: Vec3A = high - low;
+                d.x * d.y + d.y * d.z + d.z * d.x
+            };
+            let largest = (0..open.len()).max_by(|&a, &b| area(&open[a]).total_cmp(&area(&open[b]))).unwrap_or(0);
+            let (link, bounds) = open.swap_remove(largest);
+            if link.is_leaf() {
+                whole.push(bounds);
+                continue;
+            }
+            let node = &self.tree.nodes[link.node()];
+            open.extend((0..8).filter(|&s| node.links[s] != Link::EMPTY).map(|s| (node.links[s], node.child_box(s))));
+        }
+        whole.extend(open.into_iter().map(|(_, bounds)| bounds));
+        whole
+    }
+
     /// Number of triangles.
     pub fn triangle_count(&self) -> usize {
         self.triangles.len()

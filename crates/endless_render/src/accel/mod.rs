@@ -29,3 +29,4 @@ mod triangle;
 pub use blas::Blas;
 pub use ray::{Hit, Ray};
 pub use tlas::Accel;
+pub(crate) use tlas::world_bounds;

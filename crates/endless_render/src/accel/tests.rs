@@ -88,6 +88,18 @@ proptest! {
     }
 
     #[test]
+    fn every_triangle_lies_in_a_part((points, triangles) in mesh(), count in 1usize..40) {
+        let parts = Blas::build(&points, &triangles).parts(count);
+        prop_assert!(parts.len() <= count + 7);
+        for corners in triangles.iter().map(|t| t.map(|i| Vec3A::from(points[i as usize]))) {
+            let holds = |&(low, high): &(Vec3A, Vec3A)| {
+                corners.iter().all(|p| p.cmpge(low).all() && p.cmple(high).all())
+            };
+            prop_assert!(parts.iter().any(holds));
+        }
+    }
+
+    #[test]
     fn refit_equals_rebuild((points, triangles) in mesh(), moves in prop::collection::vec(point(), 24), rays in prop::collection::vec(ray(), 24)) {
         let moved: Vec<Vec3> = points.iter().zip(&moves).map(|(p, m)| *p + *m).collect();
         let mut refitted = Blas::build(&points, &triangles);

@@ -160,7 +160,7 @@ fn half_area((min, max): (Vec3A, Vec3A)) -> f32 {
 
 /// Box around a transformed box, padded for the rounding of the ray's way into object space. The identity gives
 /// the box itself.
-fn world_bounds((min, max): (Vec3A, Vec3A), world_from_object: &Affine3A) -> (Vec3A, Vec3A) {
+pub(crate) fn world_bounds((min, max): (Vec3A, Vec3A), world_from_object: &Affine3A) -> (Vec3A, Vec3A) {
     const PAD: f32 = 4e-6;
     if min.cmpgt(max).any() {
         return EMPTY_BOX;

@@ -1,12 +1,16 @@
 //! Which tiles what moves can change, and how. Errs towards more.
 
 use super::bake::CameraBake;
+use super::beam_box::Bundle;
 use super::compose::{CONTACT_REACH_M, CONTACT_RISE_M};
 use super::tile::{BLOCK, Span, TILE, TileBounds};
 use crate::light::{Beam, Lamps};
-use crate::scene::{FrameScene, MovingObject, StaticScene};
+use crate::scene::{FrameScene, Instance, MovingObject, StaticScene};
 use endless_world::PinholeCamera;
-use glam::{Vec2, Vec3, Vec3A};
+use glam::{Affine3A, UVec2, Vec2, Vec3, Vec3A};
+
+/// Most boxes as which something that moves is told apart in the picture.
+const MOST_PARTS: usize = 128;
 
 /// What must be done again in a tile.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -55,6 +59,11 @@ impl Work {
         !(self.seen || self.sun || self.mirror || self.lens) && self.contacts.is_empty() && self.lamps.is_empty()
     }
 
+    /// Nothing but what rays find: pixels whose rays find nothing are as they were.
+    pub(super) fn only_found(&self) -> bool {
+        !self.lens && self.contacts.is_empty() && self.lamps.is_empty() && self.beams.is_empty()
+    }
+
     /// Nothing to do.
     pub(super) fn is_none(&self) -> bool {
         self.only_beams() && self.beams.is_empty()
@@ -67,8 +76,10 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     for (tile, bounds) in work.iter_mut().zip(&bake.tiles) {
         tile.lens = bounds.lens;
     }
+    for instance in &frame.instances {
+        mark_seen(bake, instance, &mut work);
+    }
     for (i, object) in frame.objects.iter().enumerate() {
-        mark_seen(bake, object, &mut work);
         let i = i as u16;
         let shadows = lamp_shadows(bake, &still.lamps, object);
         mark(bake, &mut work, |bounds, tile| mark_object(bake, object, &shadows, i, bounds, tile));
@@ -121,12 +132,15 @@ fn mark_object(
         return false;
     }
     let (low, high) = (object.low, object.high);
-    let sun = bake
-        .environment
-        .sun
-        .as_ref()
-        .is_some_and(|sun| bounds.sun_bundle(sun.direction).is_some_and(|b| b.may_meet(low, high, f32::MAX)));
-    let mirror = bounds.mirror_bundle().is_some_and(|b| b.may_meet(low, high, f32::MAX));
+    // A block of tiles asks for the whole, a tile for the parts.
+    let closely = tile.is_some();
+    let meets = |bundle: &Bundle| {
+        bundle.may_meet(low, high, f32::MAX)
+            && (!closely || object.parts.iter().any(|&(low, high)| bundle.may_meet(low, high, f32::MAX)))
+    };
+    let sun =
+        bake.environment.sun.as_ref().is_some_and(|sun| bounds.sun_bundle(sun.direction).is_some_and(|b| meets(&b)));
+    let mirror = bounds.mirror_bundle().is_some_and(|b| meets(&b));
     let contact = {
         let reach = Vec3A::new(CONTACT_REACH_M, CONTACT_REACH_M, 0.0);
         let radius = object.half.length();
@@ -186,29 +200,45 @@ fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingObject) -> Vec<
         .collect()
 }
 
-/// Marks the tiles over which an object's box projects.
-fn mark_seen(bake: &CameraBake, object: &MovingObject, work: &mut [Work]) {
-    let Some((low, high)) = projected(&bake.camera, object.low, object.high) else { return };
-    let limit = Vec2::new(bake.camera.size.width as f32, bake.camera.size.height as f32);
-    // A pixel of slack: samples lie up to half a pixel from the centre.
-    let (low, high) = (low - 1.5, high + 1.5);
-    if high.x < 0.0 || high.y < 0.0 || low.x >= limit.x || low.y >= limit.y {
-        return;
-    }
-    let (low, high) = (low.max(Vec2::ZERO).as_uvec2() / TILE, high.min(limit - 1.0).max(Vec2::ZERO).as_uvec2() / TILE);
-    for y in low.y..=high.y {
-        for x in low.x..=high.x {
-            work[(y * bake.tile_columns + x) as usize].seen = true;
+/// Marks the tiles over which the parts of something that moves project.
+fn mark_seen(bake: &CameraBake, instance: &Instance, work: &mut [Work]) {
+    let blas = &instance.body.blas;
+    let tiles = |bounds| tiles_of(bake, &instance.world_from_object, bounds);
+    let Some([low, high]) = tiles(blas.bounds()) else { return };
+    // About as many parts as tiles: smaller ones tell no more.
+    let area = (high - low + 1).element_product();
+    for [low, high] in blas.parts((area as usize).min(MOST_PARTS)).into_iter().filter_map(tiles) {
+        for y in low.y..=high.y {
+            for x in low.x..=high.x {
+                work[(y * bake.tile_columns + x) as usize].seen = true;
+            }
         }
     }
 }
 
-/// Bounds of the visible part of a box in the image; `None` if it lies behind the camera.
-fn projected(camera: &PinholeCamera, low: Vec3A, high: Vec3A) -> Option<(Vec2, Vec2)> {
+/// The first and last tile, column and row, over which a box of an object projects.
+fn tiles_of(bake: &CameraBake, world_from_object: &Affine3A, bounds: (Vec3A, Vec3A)) -> Option<[UVec2; 2]> {
+    let (low, high) = projected(&bake.camera, world_from_object, bounds)?;
+    let limit = Vec2::new(bake.camera.size.width as f32, bake.camera.size.height as f32);
+    // A pixel of slack: samples lie up to half a pixel from the centre.
+    let (low, high) = (low - 1.5, high + 1.5);
+    if high.x < 0.0 || high.y < 0.0 || low.x >= limit.x || low.y >= limit.y {
+        return None;
+    }
+    Some([low.max(Vec2::ZERO).as_uvec2() / TILE, high.min(limit - 1.0).max(Vec2::ZERO).as_uvec2() / TILE])
+}
+
+/// Bounds of the visible part of an object's box in the image; `None` if it lies behind the camera.
+fn projected(
+    camera: &PinholeCamera,
+    world_from_object: &Affine3A,
+    (low, high): (Vec3A, Vec3A),
+) -> Option<(Vec2, Vec2)> {
     const NEAR: f32 = 0.02;
     let corners: [Vec3; 8] = std::array::from_fn(|i| {
         let pick = |bit: usize, a: f32, b: f32| if i >> bit & 1 == 0 { a } else { b };
-        camera.camera_from_world(Vec3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z)))
+        let corner = Vec3A::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z));
+        camera.camera_from_world(world_from_object.transform_point3a(corner).into())
     });
     let k = &camera.intrinsics;
     let (mut first, mut last) = (Vec2::INFINITY, Vec2::NEG_INFINITY);

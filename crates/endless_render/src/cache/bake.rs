@@ -62,6 +62,8 @@ pub struct CameraBake {
     pub(super) pixel_angle: f32,
     /// Four a pixel, row-major.
     pub(super) samples: Vec<StillSample>,
+    /// Distance of each pixel's samples from the lens; [`f32::MAX`] for the sky. Also in `samples`, here side by side.
+    pub(super) distances: Vec<[f32; SAMPLES]>,
     /// All four samples of the pixel lie on one smooth piece: vehicle light is computed once for them.
     pub(super) uniform: Vec<bool>,
     pub(super) radiance: Vec<Vec3A>,
@@ -124,6 +126,7 @@ impl CameraBake {
             })
         });
         drop(seen);
+        let distances = samples.as_chunks().0.iter().map(|s: &[StillSample; SAMPLES]| s.map(|s| s.hit.t)).collect();
         let radiance: Vec<Vec3A> = samples
             .par_chunks(SAMPLES)
             .map(|s| s.iter().map(|s| s.still_radiance(&environment)).sum::<Vec3A>() / SAMPLES as f32)
@@ -139,6 +142,7 @@ impl CameraBake {
             probes,
             pixel_angle,
             samples,
+            distances,
             uniform,
             radiance,
             rgb,

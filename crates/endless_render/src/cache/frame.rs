@@ -113,9 +113,16 @@ impl CameraBake {
             let row = Row::new(self, x0, x1, y, work.only_beams() && uniform.iter().all(|u| *u));
             let (found, traced) = row.find(frame, work);
             rays += traced;
+            let same = |i: usize| work.only_found() && found[i].is_nothing();
+            if (0..(x1 - x0) as usize).all(same) {
+                continue;
+            }
             let lights = self.centre_lights(tracer, frame, work, &row, (x1 - x0) as usize, &found);
             for x in x0..x1 {
                 let i = (x - x0) as usize;
+                if same(i) {
+                    continue;
+                }
                 let index = row.pixel(i);
                 let light = Some(&lights[i]).filter(|_| self.uniform[index]);
                 if let Some(light) = light.filter(|_| work.only_beams()) {
@@ -224,7 +231,7 @@ impl CameraBake {
             } else {
                 let ray = &rays[s];
                 uncovered += 1;
-                let moving = (found.sun_free[s], mirrored[s]);
+                let moving = (still.sun_free & !found.sun_blocked[s], mirrored[s]);
                 let mut radiance = compose(tracer, frame, work, centre, still, moving, ray, s, self.pixel_angle);
                 if centre.is_none() {
                     radiance += beams_on(tracer, frame, &work.beams, still, ray, s, self.pixel_angle);

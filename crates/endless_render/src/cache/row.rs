@@ -15,16 +15,16 @@ use glam::Vec3A;
 pub(super) struct Found {
     /// In front of the still surface.
     pub(super) seen: [Option<Hit>; SAMPLES],
-    /// Directions to the sun that neither town nor traffic blocks, a bit each.
-    pub(super) sun_free: [u8; SAMPLES],
+    /// Directions to the sun that traffic blocks, a bit each.
+    pub(super) sun_blocked: [u8; SAMPLES],
     /// In the mirror, nearer than what it mirrors of the town. A uniform pixel asks for every other sample.
     pub(super) mirrored: [Option<Hit>; SAMPLES],
 }
 
 impl Found {
-    /// Before asking what moves.
-    fn nothing(samples: &[StillSample]) -> Self {
-        Self { sun_free: std::array::from_fn(|s| samples[s].sun_free), ..Self::default() }
+    /// Nothing that moves is on its way.
+    pub(super) fn is_nothing(&self) -> bool {
+        self.sun_blocked == [0; SAMPLES] && self.seen.iter().chain(&self.mirrored).all(Option::is_none)
     }
 
     /// Asks everything that moves, a ray at a time: the oracle of [`Row::find`].
@@ -35,7 +35,7 @@ impl Found {
         samples: &[StillSample],
         uniform: bool,
     ) -> Self {
-        let mut found = Self::nothing(samples);
+        let mut found = Self::default();
         for (s, still) in samples.iter().enumerate() {
             let nearer = |ray: Ray| frame.accel.closest(&ray).filter(|hit| hit.t < ray.tmax);
             found.seen[s] = nearer(Ray { tmax: still.hit.t, ..rays[s] });
@@ -47,7 +47,7 @@ impl Found {
                 let origin = sun_origin(&facet, sun.direction);
                 for (bit, &direction) in sun.disc[s].iter().enumerate() {
                     let blocked = frame.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
-                    found.sun_free[s] &= !(u8::from(blocked) << bit);
+                    found.sun_blocked[s] |= u8::from(blocked && still.sun_free >> bit & 1 == 1) << bit;
                 }
             }
             if still.mirrors() && !(uniform && s % 2 == 1) {
@@ -94,17 +94,17 @@ impl<'a> Row<'a> {
 
     /// Asks what moves, as far as `work` says that it can matter; returns the number of rays.
     pub(super) fn find(&self, frame: &FrameScene, work: &Work) -> ([Found; TILE as usize], u64) {
-        let mut found: [Found; TILE as usize] =
-            std::array::from_fn(|i| Found::nothing(&self.bake.samples[self.pixel(i) * SAMPLES..][..SAMPLES]));
+        let mut found = [Found::default(); TILE as usize];
         let all = ((1u16 << self.count) - 1) as u8;
         let mut rays = 0;
         for s in 0..SAMPLES {
             let stills: [&StillSample; TILE as usize] = std::array::from_fn(|i| self.still(i, s));
-            let mut open = all & mask(|i| !stills[i].is_sky());
+            let distances: [f32; TILE as usize] = std::array::from_fn(|i| self.bake.distances[self.pixel(i)][s]);
+            let mut open = all & mask(|i| distances[i] < f32::MAX);
             if work.seen {
-                let towards = std::array::from_fn(|i| Ray { tmax: stills[i].hit.t, ..self.rays[s][i] });
+                let towards = std::array::from_fn(|i| Ray { tmax: distances[i], ..self.rays[s][i] });
                 for (i, hit) in frame.accel.closest8(&towards, all).into_iter().enumerate() {
-                    found[i].seen[s] = hit.filter(|hit| hit.t < stills[i].hit.t);
+                    found[i].seen[s] = hit.filter(|hit| hit.t < distances[i]);
                     open &= !(u8::from(found[i].seen[s].is_some()) << i);
                 }
                 rays += u64::from(all.count_ones());
@@ -154,7 +154,7 @@ impl<'a> Row<'a> {
             let blocked =
                 frame.accel.occluded8(&origins.map(|origin| Ray { origin, direction, tmax: f32::MAX }), active);
             for (i, found) in found.iter_mut().enumerate() {
-                found.sun_free[sample] &= !(((blocked & active) >> i & 1) << bit);
+                found.sun_blocked[sample] |= ((blocked & active) >> i & 1) << bit;
             }
             rays += u64::from(active.count_ones());
         }

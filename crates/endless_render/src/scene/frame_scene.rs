@@ -7,12 +7,17 @@ use endless_world::{Actor, ClassTag, Motion, SignalAspect, VehicleLights, WorldS
 use glam::{Vec2, Vec3A};
 use std::sync::Arc;
 
+/// Boxes as which a large piece of something that moves is known.
+const PARTS: usize = 24;
+
 /// One actor as a volume: what its shadows, reflections and contact darkening are bounded by.
 #[derive(Debug, Clone)]
 pub(crate) struct MovingObject {
     /// World-space bounds of all its instances.
     pub(crate) low: Vec3A,
     pub(crate) high: Vec3A,
+    /// World-space boxes, `(low, high)`, that together hold it more closely.
+    pub(crate) parts: Vec<(Vec3A, Vec3A)>,
     /// Centre of the footprint, seen from above.
     pub(crate) centre: Vec2,
     /// Unit vector along the body.
@@ -60,9 +65,11 @@ impl FrameScene {
             .into_iter()
             .map(|(span, actor, half, height)| {
                 let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
+                let mut parts = Vec::new();
                 for i in span {
                     let (a, b) = accel.instance_bounds(i);
                     (low, high) = (low.min(a), high.max(b));
+                    parts.extend(instances[i].parts(PARTS));
                 }
                 let reaches = |beam: &Beam| beam.reaches(low - 0.1, high + 0.1);
                 let beams = (0u16..).zip(&beams).filter(|(_, beam)| reaches(beam)).map(|(i, _)| i).collect();
@@ -71,6 +78,7 @@ impl FrameScene {
                 MovingObject {
                     low,
                     high,
+                    parts,
                     centre: Vec2::new(position.x, position.y),
                     along: Vec2::new(forward.x, forward.y).normalize_or(Vec2::X),
                     half,

@@ -1,6 +1,6 @@
 //! Meshes as the renderer holds them, and their instances.
 
-use crate::accel::Blas;
+use crate::accel::{Blas, world_bounds};
 use endless_asset::{Material, Mesh};
 use endless_world::{ClassTag, InstanceId, SignalId};
 use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
@@ -67,6 +67,13 @@ pub(crate) struct Instance {
 }
 
 impl Instance {
+    /// World-space boxes that together hold it, about `count` if it is large.
+    pub(crate) fn parts(&self, count: usize) -> impl Iterator<Item = (Vec3A, Vec3A)> {
+        let blas = &self.body.blas;
+        let count = if blas.triangle_count() < 1000 { 1 } else { count };
+        blas.parts(count).into_iter().map(|bounds| world_bounds(bounds, &self.world_from_object))
+    }
+
     /// A piece of the town: no id, materials' own classes.
     pub(crate) fn stuff(shape: Arc<Shape>, body: Arc<Body>, world_from_object: Affine3A) -> Self {
         Self {
