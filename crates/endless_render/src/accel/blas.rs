@@ -83,6 +83,7 @@ impl Blas {
     /// Boxes that together hold all triangles, about `count` of them: the tree's own, cut where they are largest.
     pub(crate) fn parts(&self, count: usize) -> Vec<(Vec3A, Vec3A)> {
         let mut open = vec![(self.tree.root, self.bounds)];
+        open.retain(|(root, _)| *root != Link::EMPTY);
         let mut whole = Vec::new();
         while !open.is_empty() && open.len() + whole.len() < count {
             let area = |&(_, (low, high)): &(Link, (Vec3A, Vec3A))| {
