@@ -9,6 +9,7 @@
 mod conflict;
 mod cut;
 mod error;
+mod fault;
 mod finish;
 mod network;
 pub mod opendrive;
@@ -21,6 +22,7 @@ mod walk;
 
 pub use conflict::{near_ranges, swept_overlap};
 pub use error::NetworkError;
+pub use fault::{Fault, FaultKind};
 pub use network::{
     Conflict, Control, Crossing, CrossingId, Junction, JunctionId, Lane, LaneCut, LaneId, Phase, RoadNetwork,
     SignalProgram, SpawnPoint, Turn, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId,

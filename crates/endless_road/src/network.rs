@@ -177,7 +177,8 @@ pub struct WalkNetwork {
     pub edges: Vec<WalkEdge>,
 }
 
-/// A place where a vehicle may appear: middle of the lane, clear of junctions and crossings.
+/// A place where a vehicle may appear: middle of the lane, clear of junctions and crossings, and not where it would be
+/// trapped: most lanes around can be reached from there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpawnPoint {
     /// Lane.

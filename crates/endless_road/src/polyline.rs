@@ -84,6 +84,12 @@ impl Polyline {
         self.points[i].lerp(self.points[i + 1], (s - self.s[i]) / (self.s[i + 1] - self.s[i]))
     }
 
+    /// The direction of the segment at arc length `s`, seen from above; a unit vector.
+    pub fn direction(&self, s: f64) -> DVec2 {
+        let i = self.segment_of(s.clamp(0.0, self.length()));
+        (self.points[i + 1] - self.points[i]).truncate().normalize_or(DVec2::X)
+    }
+
     /// Arc length of the nearest point, seen from above, and the signed distance to it (`t`, positive to the left).
     pub fn project(&self, point: DVec2) -> (f64, f64) {
         let mut best = (f64::INFINITY, 0.0, 0.0);

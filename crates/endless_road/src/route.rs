@@ -2,12 +2,73 @@
 
 use crate::{Lane, LaneId, RoadNetwork, Turn};
 use endless_world::Stream;
+use std::collections::BTreeMap;
 
 impl RoadNetwork {
     /// The number of each lane's strongly connected component over successors and lane changes (Tarjan 1972).
     /// Lanes of the same number can reach one another.
     pub fn lane_components(&self) -> Vec<u32> {
         Tarjan::new(self).run()
+    }
+
+    /// For every lane the share of the lanes joined to it, however they are directed, that can be reached from it by
+    /// successors and lane changes; 1 for all.
+    pub fn lane_reach(&self) -> Vec<f64> {
+        let component = self.lane_components();
+        let whole = self.joined_lanes();
+        let mut size: BTreeMap<u32, usize> = BTreeMap::new();
+        for &part in &whole {
+            *size.entry(part).or_default() += 1;
+        }
+        // All lanes of a component reach the same lanes.
+        let mut reached: BTreeMap<u32, usize> = BTreeMap::new();
+        let mut seen = vec![usize::MAX; self.lanes.len()];
+        for start in 0..self.lanes.len() {
+            reached.entry(component[start]).or_insert_with(|| {
+                let mut open = vec![start];
+                let mut count = 0;
+                seen[start] = start;
+                while let Some(lane) = open.pop() {
+                    count += 1;
+                    for next in neighbours(&self.lanes[lane]) {
+                        if std::mem::replace(&mut seen[next.index()], start) != start {
+                            open.push(next.index());
+                        }
+                    }
+                }
+                count
+            });
+        }
+        (0..self.lanes.len()).map(|i| reached[&component[i]] as f64 / size[&whole[i]] as f64).collect()
+    }
+
+    /// The number of the part of the network that each lane is joined to, however it is directed.
+    fn joined_lanes(&self) -> Vec<u32> {
+        let mut joined: Vec<Vec<usize>> = vec![Vec::new(); self.lanes.len()];
+        for lane in &self.lanes {
+            for next in neighbours(lane) {
+                joined[lane.id.index()].push(next.index());
+                joined[next.index()].push(lane.id.index());
+            }
+        }
+        let mut part = vec![UNSEEN; self.lanes.len()];
+        let mut parts = 0;
+        for root in 0..self.lanes.len() {
+            if part[root] != UNSEEN {
+                continue;
+            }
+            let mut open = vec![root];
+            part[root] = parts;
+            while let Some(lane) = open.pop() {
+                for &next in &joined[lane] {
+                    if std::mem::replace(&mut part[next], parts) == UNSEEN {
+                        open.push(next);
+                    }
+                }
+            }
+            parts += 1;
+        }
+        part
     }
 
     /// The lanes among which a vehicle can drive for ever: the largest component by length, without the lanes that

@@ -1,5 +1,6 @@
 //! Places where vehicles may appear.
 
+use crate::fault::enough_reach;
 use crate::{LaneId, RoadNetwork, SpawnPoint};
 
 /// Distance between spawn points of a lane, metres.
@@ -13,7 +14,10 @@ pub(crate) fn derive(network: &mut RoadNetwork) {
         blocked[cut.lane.index()].push((cut.range.0 - CLEAR_M, cut.range.1 + CLEAR_M));
     }
     let mut points = Vec::new();
-    for lane in network.lanes.iter().filter(|l| l.junction.is_none()) {
+    // Nobody begins where one gets nowhere; on a map without a way around, as far as may be.
+    let reach = network.lane_reach();
+    let enough = enough_reach(network, &reach);
+    for lane in network.lanes.iter().filter(|lane| lane.junction.is_none() && reach[lane.id.index()] >= enough) {
         let cuts = &mut blocked[lane.id.index()];
         cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
         let end = lane.centerline.length() - CLEAR_M;

@@ -6,10 +6,15 @@ use crate::{Placement, Town, What};
 use endless_asset::{Mesh, Prop};
 use endless_road::RoadNetwork;
 use endless_world::CameraSite;
-use glam::{Affine3A, DVec2, Vec3};
+use glam::{Affine3A, DVec2, DVec3, Vec3};
 
 /// Height of [`Prop::CameraPole`] as it is made, metres.
 const CAMERA_POLE_M: f32 = 6.0;
+
+/// Poles stand further than this from the middle of every lane, metres.
+const CLEAR_M: f64 = 1.3;
+/// Lanes this much higher or lower pass over or under.
+const OTHER_LEVEL_M: f64 = 2.5;
 
 /// Chooses camera sites among what stands already, and puts up their poles.
 pub(crate) fn set_up_cameras(
@@ -26,9 +31,22 @@ pub(crate) fn set_up_cameras(
         parked: stage.parked.iter().map(|p| p.pose.position).collect(),
     };
     camera::choose(scene, &mut |foot, ground, height, yaw| {
+        if in_the_way(network, foot.extend(ground)) {
+            return false;
+        }
         let scale = Vec3::new(1.0, 1.0, (height as f32 + 0.1) / CAMERA_POLE_M);
         let spot = Spot { z: ground, scale, ..Spot::new(foot, yaw) };
         stage.put(Prop::CameraPole, spot, DVec2::splat(0.2), None)
+    })
+}
+
+/// Whether something drives by so near that a pole would be hit. Lanes that widen or narrow run where the surface
+/// alone does not tell.
+fn in_the_way(network: &RoadNetwork, foot: DVec3) -> bool {
+    network.lanes.iter().any(|lane| {
+        let (s, _) = lane.centerline.project(foot.truncate());
+        let nearest = lane.centerline.position(s);
+        nearest.truncate().distance(foot.truncate()) < CLEAR_M && (nearest.z - foot.z).abs() < OTHER_LEVEL_M
     })
 }
 

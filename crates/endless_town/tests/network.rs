@@ -116,3 +116,13 @@ fn there_is_room_for_a_hundred_vehicles() {
         assert!(conflicts > 0, "{name}");
     }
 }
+
+/// Lanes do not overlap, successors meet within 5 cm and 2°, spawn points are no traps, crossings join sidewalks.
+#[test]
+fn networks_keep_their_promises() {
+    for (name, network) in networks() {
+        let faults: Vec<String> =
+            network.faults().into_iter().map(|f| format!("{:?} {}: {}", f.kind, f.place, f.text)).collect();
+        assert_eq!(faults, [""; 0], "{name}");
+    }
+}

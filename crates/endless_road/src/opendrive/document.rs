@@ -13,6 +13,8 @@ pub struct Document {
     pub name: String,
     /// PROJ string.
     pub georeference: Option<String>,
+    /// Lanes end where traffic waits, before crossings: files that we write say so in the header's `userData`.
+    pub lanes_end_at_stops: bool,
     /// All roads, in the order of the file.
     pub roads: Vec<Road>,
     /// All junctions.

@@ -50,6 +50,9 @@ fn read_header(header: &Element, fields: &mut Fields, document: &mut Document) {
     if document.revision.0 != 1 {
         fields.note(header, format!("revision {} is read as if it were 1", document.revision.0));
     }
+    document.lanes_end_at_stops = header
+        .all("userData")
+        .any(|data| data.attribute("code") == Some("laneEnds") && data.attribute("value") == Some("stop"));
     document.name = header.attribute("name").unwrap_or_default().to_owned();
     document.georeference = header.first("geoReference").map(|g| g.text.clone()).filter(|text| !text.is_empty());
     if header.first("offset").is_some() {

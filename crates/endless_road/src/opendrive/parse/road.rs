@@ -5,11 +5,15 @@ use super::super::document::{Curve, End, Geometry, Road, RoadLink, RoadType, Sha
 use super::super::geometry::Piece;
 use super::super::xml::Element;
 use super::fields::{Fields, format_error, text};
+use glam::DVec2;
 
 /// Longer than this is no road, metres.
 const LONGEST_M: f64 = 200_000.0;
 /// A curve this many times as long as its file says is a mistake.
 const MOST_STRETCH: f64 = 10.0;
+/// Jumps of the reference line that are told, and those that make no road, metres.
+const QUIET_JUMP_M: f64 = 0.2;
+const MOST_JUMP_M: f64 = 100.0;
 /// Sharper than this is no road, 1/m.
 const SHARPEST: f64 = 10.0;
 
@@ -95,6 +99,7 @@ impl Fields {
             road.plan_view.push(piece);
         }
         road.plan_view.sort_by(|a, b| a.s.total_cmp(&b.s));
+        self.check_joints(element, road)?;
         let Some(last) = road.plan_view.last() else {
             return Err(format_error(element, format!("{} has no reference line", road.id)));
         };
@@ -106,6 +111,27 @@ impl Fields {
         let stated = self.number_or(element, "length", road.length);
         if (stated - road.length).abs() > 0.01 {
             self.note(element, format!("length {stated} is not that of its reference line, {:.3}", road.length));
+        }
+        Ok(())
+    }
+
+    /// Pieces of the reference line begin where those before them end, or nearly so.
+    fn check_joints(&mut self, element: &Element, road: &Road) -> Result<(), OpenDriveError> {
+        let mut farthest = (0.0, 0.0);
+        for pair in road.plan_view.windows(2).filter(|pair| pair[0].length < LONGEST_M) {
+            let end = Piece::new(&pair[0]).pose(pair[0].length).position;
+            let gap = end.distance(DVec2::new(pair[1].x, pair[1].y));
+            if gap > farthest.0 {
+                farthest = (gap, pair[1].s);
+            }
+        }
+        let (gap, s) = farthest;
+        let text = || format!("{} has a reference line that jumps by {gap:.2} m at s={s}", road.id);
+        if gap > MOST_JUMP_M {
+            return Err(format_error(element, text()));
+        }
+        if gap > QUIET_JUMP_M {
+            self.note(element, text());
         }
         Ok(())
     }

@@ -12,6 +12,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// A lane narrower than this along its middle is not driven on, metres.
 const NARROWEST_M: f64 = 1.5;
+/// Lanes that widen from nothing begin at this share of their width.
+const WIDE_ENOUGH: f64 = 0.9;
 /// Lanes shorter than this are joined to others, metres.
 pub(super) const SHORTEST_M: f64 = 1.5;
 /// Ends further apart than this are not joined, whatever the file says, metres.
@@ -126,7 +128,38 @@ impl Graph {
     /// Makes one lane of those that simply go on in the next section, and lets none be very short.
     pub(super) fn simplify(&mut self) {
         self.join_sections();
+        self.trim_tapers();
         self.join_short();
+    }
+
+    /// A lane that nothing leads into begins where it is wide enough, and one that leads nowhere ends there: what widens
+    /// from nothing beside another lane would lie on it.
+    fn trim_tapers(&mut self) {
+        for node in self.nodes.iter_mut().filter(|node| !node.gone && node.junction.is_none()) {
+            let enough = WIDE_ENOUGH * middle_width(node);
+            let narrow = |width: &&f64| **width < enough;
+            let first = if node.before.is_empty() { node.widths.iter().take_while(narrow).count() } else { 0 };
+            let last = if node.next.is_empty() { node.widths.iter().rev().take_while(narrow).count() } else { 0 };
+            let end = node.points.len() - last;
+            if first + last == 0 || first + 2 > end {
+                continue;
+            }
+            // Exactly where it is wide enough.
+            let between = |from: usize, to: usize| {
+                let share = ((enough - node.widths[from]) / (node.widths[to] - node.widths[from])).clamp(0.0, 1.0);
+                node.points[from].lerp(node.points[to], share)
+            };
+            let (mut points, mut widths) = (node.points[first..end].to_vec(), node.widths[first..end].to_vec());
+            if first > 0 {
+                points.insert(0, between(first - 1, first));
+                widths.insert(0, enough);
+            }
+            if last > 0 {
+                points.push(between(end, end - 1));
+                widths.push(enough);
+            }
+            (node.points, node.widths) = (points, widths);
+        }
     }
 
     /// Sections whose lanes in one direction follow one another one to one are joined, all lanes at once: lanes side

@@ -41,7 +41,9 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     mend::drop_unmet(&mut lanes, &mut notes);
     neighbours::find(&sampled, &graph, &mut lanes);
     let mut crossings = crossings::crossings(&sampled, &lanes, &mut notes);
-    approach::hold_back(&mut lanes, &crossings);
+    if !document.lanes_end_at_stops {
+        approach::hold_back(&mut lanes, &crossings);
+    }
     let walk = walk::walk(&sampled, &joins, &mut crossings, &mut notes);
     let mut network = RoadNetwork { lanes, junctions, crossings, walk, ..RoadNetwork::default() };
     let governed = signals::governed(&sampled, &graph, &mut notes);

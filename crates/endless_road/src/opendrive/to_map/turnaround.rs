@@ -14,6 +14,8 @@ const REACH_M: f64 = 30.0;
 /// Radius of the innermost loop, and how much wider the next are, metres.
 const RADIUS_M: f64 = 6.5;
 const WIDER_M: f64 = 3.5;
+/// Length of the loops' segments, metres: the first leaves the lane at less than 2 degrees.
+const CHORD_M: f64 = 0.4;
 /// The lanes must be opposite to within this, radians.
 const ASKEW: f64 = 0.12;
 /// Beside the lane's own width, metres.
@@ -105,7 +107,7 @@ fn loop_line(end: &Node, start: &Node, already: usize) -> Option<Vec<DVec3>> {
     };
     straight(&mut local, 0.0, along.max(0.0));
     for turn in [-away * side, (PI + 2.0 * away) * side, -away * side] {
-        let n = (radius * turn.abs() / 0.8).ceil().max(1.0) as usize;
+        let n = (radius * turn.abs() / CHORD_M).ceil().max(1.0) as usize;
         for _ in 0..n {
             let step = turn / n as f64;
             let chord = 2.0 * radius * sin_cos(step.abs() / 2.0).0;

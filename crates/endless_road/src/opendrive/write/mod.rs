@@ -57,5 +57,6 @@ fn header(map: &RoadMap, name: &str) -> Element {
     if let Some(reference) = &map.georeference {
         header.push(Element::new("geoReference").text(reference));
     }
+    header.push(Element::new("userData").with("code", "laneEnds").with("value", "stop"));
     header
 }
