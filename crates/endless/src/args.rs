@@ -152,14 +152,28 @@ pub(crate) enum MapsCommand {
         #[arg(long)]
         replace: bool,
     },
-    /// Write a map's roads to a file.
+    /// Write a map to files of other formats.
     Export {
         /// Name of the map.
         map: String,
-        /// As OpenDRIVE 1.6.
-        #[arg(long, value_name = "FILE.xodr")]
-        opendrive: PathBuf,
+        #[command(flatten)]
+        files: ExportFiles,
     },
+}
+
+/// What to write; at least one.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = true)]
+pub(crate) struct ExportFiles {
+    /// Its roads as OpenDRIVE 1.6.
+    #[arg(long, value_name = "FILE.xodr")]
+    pub(crate) opendrive: Option<PathBuf>,
+    /// The whole town as binary glTF 2.0, which Blender opens.
+    #[arg(long, value_name = "FILE.glb")]
+    pub(crate) gltf: Option<PathBuf>,
+    /// Lanes, crossings, sidewalks, signals, buildings and cameras as GeoJSON.
+    #[arg(long, value_name = "FILE.geojson")]
+    pub(crate) geojson: Option<PathBuf>,
 }
 
 /// On which side traffic keeps.

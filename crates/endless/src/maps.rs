@@ -1,6 +1,6 @@
 //! `endless maps`: what maps there are, how they look, and maps from files.
 
-use crate::args::{MapsArgs, MapsCommand, Side};
+use crate::args::{ExportFiles, MapsArgs, MapsCommand, Side};
 use anyhow::{Context, Result};
 use endless_pipeline::{About, BuiltinSimulator, DrivingSide, MapCatalog};
 use std::{
@@ -20,7 +20,7 @@ pub(crate) fn run(simulator: &BuiltinSimulator, args: MapsArgs) -> Result<ExitCo
         MapsCommand::Import { file, name, driving_side, replace } => {
             import(simulator, &file, name.as_deref(), driving_side, replace)?;
         }
-        MapsCommand::Export { map, opendrive } => export(simulator, &map, &opendrive)?,
+        MapsCommand::Export { map, files } => export(simulator, &map, &files)?,
     }
     Ok(ExitCode::SUCCESS)
 }
@@ -98,8 +98,17 @@ fn import(
     Ok(())
 }
 
-fn export(simulator: &BuiltinSimulator, map: &str, file: &Path) -> Result<()> {
-    write(file, simulator.opendrive(map)?.as_bytes())
+fn export(simulator: &BuiltinSimulator, map: &str, files: &ExportFiles) -> Result<()> {
+    if let Some(path) = &files.opendrive {
+        write(path, simulator.opendrive(map)?.as_bytes())?;
+    }
+    if let Some(path) = &files.gltf {
+        write(path, &simulator.gltf(map)?)?;
+    }
+    if let Some(path) = &files.geojson {
+        write(path, simulator.geojson(map)?.as_bytes())?;
+    }
+    Ok(())
 }
 
 /// Writes a whole file or nothing.

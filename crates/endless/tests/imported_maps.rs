@@ -90,7 +90,11 @@ fn an_opendrive_file_becomes_a_dataset() {
     assert!(notes.contains("called Town04_imported"), "{notes}");
     from_first_to_last(folder.path(), "Town04_imported");
     assert!(refused(folder.path(), "maps import Town04.xodr --name Town04").contains("already"));
-    succeed(folder.path(), "maps export Town04_imported --opendrive again.xodr");
+    succeed(folder.path(), "maps export Town04_imported --opendrive again.xodr --gltf town.glb --geojson town.geojson");
+    let starts = |file: &str, with: &[u8]| fs::read(folder.path().join(file)).expect("written").starts_with(with);
+    assert!(starts("town.glb", b"glTF\x02\0\0\0") && starts("town.geojson", b"{\""));
+    let output = endless(folder.path(), "maps export Town04_imported");
+    assert_eq!(output.status.code(), Some(2), "a file to write is needed");
     succeed(folder.path(), "maps import again.xodr");
 }
 

@@ -115,6 +115,26 @@ impl BuiltinSimulator {
         Ok(opendrive::write(&map, name))
     }
 
+    /// A whole dressed map as a binary glTF file.
+    ///
+    /// # Errors
+    /// When there is no such map, it cannot be read, or it is too large.
+    pub fn gltf(&self, name: &str) -> Result<Vec<u8>, MapError> {
+        let too_large = |_: maps::gltf::TooLarge| MapError::TooLarge { name: name.to_owned() };
+        maps::gltf::write(&self.town(name)?, self.catalogue()).map_err(too_large)
+    }
+
+    /// What is known of a map as GeoJSON.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn geojson(&self, name: &str) -> Result<String, MapError> {
+        let map = self.road_map(name)?.unwrap_or_default();
+        let town = self.town(name)?;
+        let georeference = map.georeference.as_deref();
+        Ok(maps::geojson::write(&maps::geojson::Source { town: &town, footprints: &map.footprints, georeference }))
+    }
+
     /// A picture of a map: from above, and what each camera sees.
     ///
     /// # Errors

@@ -11,6 +11,7 @@ mod cut;
 mod error;
 mod fault;
 mod finish;
+mod geographic;
 mod network;
 pub mod opendrive;
 pub mod osm;
@@ -23,6 +24,7 @@ mod walk;
 pub use conflict::{near_ranges, swept_overlap};
 pub use error::NetworkError;
 pub use fault::{Fault, FaultKind};
+pub use geographic::Georeference;
 pub use network::{
     Conflict, Control, Crossing, CrossingId, Junction, JunctionId, Lane, LaneCut, LaneId, Phase, RoadNetwork,
     SignalProgram, SpawnPoint, Turn, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId,

@@ -82,6 +82,12 @@ pub enum MapError {
         /// What is wrong.
         reason: String,
     },
+    /// A town that no `.glb` can hold.
+    #[error("map '{name}' is larger than a .glb file can be (4 GiB): import a smaller part")]
+    TooLarge {
+        /// The map.
+        name: String,
+    },
     /// A file cannot be written.
     #[error(transparent)]
     Dataset(#[from] DatasetError),

@@ -2,6 +2,8 @@
 
 mod about;
 mod error;
+pub(crate) mod geojson;
+pub(crate) mod gltf;
 mod preview;
 mod store;
 

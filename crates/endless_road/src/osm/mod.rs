@@ -46,6 +46,7 @@ mod xml;
 
 pub use error::OsmError;
 pub use extract::{Bounds, Extract, Member, MemberKind, Node, Relation, Tags, Way};
+pub(crate) use projection::raw as mercator;
 
 use crate::{Junction, JunctionId, RoadMap};
 use plan::Plan;

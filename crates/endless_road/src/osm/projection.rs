@@ -51,7 +51,7 @@ impl Projection {
 }
 
 /// From the equator, at `east` degrees from the central meridian.
-fn raw(lat: f64, east: f64) -> DVec2 {
+pub(crate) fn raw(lat: f64, east: f64) -> DVec2 {
     let n = FLATTENING / (2.0 - FLATTENING);
     let (n2, n3) = (n * n, n * n * n);
     let scale = RADIUS_M / (1.0 + n) * (1.0 + n2 / 4.0 + n2 * n2 / 64.0);
