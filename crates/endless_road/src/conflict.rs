@@ -8,6 +8,8 @@ use glam::{DVec2, DVec3};
 const SWEPT_M: f64 = 2.9;
 /// Distance between samples of a centre line, metres.
 const STEP_M: f64 = 0.5;
+/// Places that are looked at together.
+const CHUNK: usize = 16;
 
 pub(crate) fn derive(network: &mut RoadNetwork) {
     for place in 0..network.junctions.len() {
@@ -61,9 +63,17 @@ fn swept_m(a: &Lane, b: &Lane) -> f64 {
     SWEPT_M.min(0.45 * (a.width_m + b.width_m))
 }
 
+/// The box around places.
+fn around(places: &[(f64, DVec3)]) -> [DVec2; 2] {
+    let flat = || places.iter().map(|(_, p)| p.truncate());
+    [flat().fold(DVec2::INFINITY, DVec2::min), flat().fold(DVec2::NEG_INFINITY, DVec2::max)]
+}
+
 /// A lane's centre line at close places, and the box around it.
 struct Sampled {
     places: Vec<(f64, DVec3)>,
+    /// Around every [`CHUNK`] places.
+    boxes: Vec<[DVec2; 2]>,
     low: DVec2,
     high: DVec2,
 }
@@ -74,9 +84,10 @@ impl Sampled {
         let n = (length / STEP_M).ceil().max(1.0) as usize;
         let at = |i: usize| length * i as f64 / n as f64;
         let places: Vec<(f64, DVec3)> = (0..=n).map(|i| (at(i), lane.centerline.position(at(i)))).collect();
-        let flat = || places.iter().map(|(_, p)| p.truncate());
-        let (low, high) = (flat().fold(DVec2::INFINITY, DVec2::min), flat().fold(DVec2::NEG_INFINITY, DVec2::max));
-        Self { places, low, high }
+        let boxes: Vec<[DVec2; 2]> = places.chunks(CHUNK).map(around).collect();
+        let low = boxes.iter().map(|b| b[0]).fold(DVec2::INFINITY, DVec2::min);
+        let high = boxes.iter().map(|b| b[1]).fold(DVec2::NEG_INFINITY, DVec2::max);
+        Self { places, boxes, low, high }
     }
 
     /// The ranges of `s` on both within which they are nearer than `clearance`.
@@ -92,8 +103,13 @@ impl Sampled {
                 if flat.cmplt(low).any() || flat.cmpgt(high).any() {
                     continue;
                 }
-                let touches = others.places.iter().any(|&(_, q)| {
+                let close = |&(_, q): &(f64, DVec3)| {
                     (p - q).truncate().length_squared() < clearance * clearance && (p.z - q.z).abs() < SWEPT_M
+                };
+                let mut chunks = others.places.chunks(CHUNK).zip(&others.boxes);
+                let touches = chunks.any(|(places, [low, high])| {
+                    !(flat.cmplt(*low - clearance).any() || flat.cmpgt(*high + clearance).any())
+                        && places.iter().any(close)
                 });
                 if touches {
                     range = Some(range.map_or((s, s), |(low, _)| (low, s)));

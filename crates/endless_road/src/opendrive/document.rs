@@ -89,6 +89,8 @@ pub struct Road {
     pub superelevation: Vec<Cubic>,
     /// Height of the surface above that plane, by `s` and `t`.
     pub shapes: Vec<Shape>,
+    /// Fall of the surface away from the reference line, radians, in order of `s`.
+    pub crossfalls: Vec<Crossfall>,
     /// Shift of the lanes' centre.
     pub lane_offset: Vec<Cubic>,
     /// In order of `s`; at least one.
@@ -101,6 +103,15 @@ pub struct Road {
     pub objects: Vec<Object>,
     /// Ranges of `s` on bridges.
     pub bridges: Vec<(f64, f64)>,
+}
+
+/// Fall of one side or both from a place on (1.4 and 1.5).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Crossfall {
+    /// For the left side, and for the right side.
+    pub sides: [bool; 2],
+    /// Angle, positive downwards to the outside.
+    pub angle: Cubic,
 }
 
 /// The type of a road from a place on.
@@ -232,6 +243,8 @@ pub struct MarkLine {
     pub length: f64,
     /// Gap after it; 0 is unbroken.
     pub space: f64,
+    /// Painted once, not again and again.
+    pub once: bool,
     /// From the lane's edge, positive to the left.
     pub t_offset: f64,
     /// Where it begins, from the mark's `s`.
@@ -286,6 +299,17 @@ pub struct Signal {
     pub text: String,
     /// Ranges of lanes it is valid for; none given is all.
     pub validity: Vec<(i32, i32)>,
+    /// Where it really stands, if not where it counts.
+    pub stands: Option<Stands>,
+}
+
+/// Where a signal really stands.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Stands {
+    /// In the world: x, y, z.
+    Inertial([f64; 3]),
+    /// On another road: its id, `s`, `t`.
+    Road(String, [f64; 2]),
 }
 
 /// A signal that stands elsewhere.

@@ -14,9 +14,9 @@ mod write;
 mod xml;
 
 pub use document::{
-    Connection, Controller, Corner, Cubic, Curve, Document, End, Geometry, Junction, JunctionKind, LaneRecord,
-    LaneSection, MarkLine, Object, Orientation, Repeat, Road, RoadLink, RoadMark, RoadType, Shape, Signal,
-    SignalReference,
+    Connection, Controller, Corner, Crossfall, Cubic, Curve, Document, End, Geometry, Junction, JunctionKind,
+    LaneRecord, LaneSection, MarkLine, Object, Orientation, Repeat, Road, RoadLink, RoadMark, RoadType, Shape, Signal,
+    SignalReference, Stands,
 };
 pub use error::OpenDriveError;
 pub use to_map::read;

@@ -53,7 +53,7 @@ pub(crate) const ELEMENTS: &[(&str, &str, Use, &str)] = &[
     ("road", "lateralProfile", Used, ""),
     ("lateralProfile", "superelevation", Used, "s a b c d"),
     ("lateralProfile", "shape", Used, "s t a b c d"),
-    ("lateralProfile", "crossfall", Unused, ""),
+    ("lateralProfile", "crossfall", Used, "side s a b c d"),
     ("lateralProfile", "crossSectionSurface", Unused, ""),
     ("road", "lanes", Used, ""),
     ("lanes", "laneOffset", Used, "s a b c d"),
@@ -91,8 +91,8 @@ pub(crate) const ELEMENTS: &[(&str, &str, Use, &str)] = &[
     ("signal", "validity", Used, "fromLane toLane"),
     ("signal", "dependency", Needless, ""),
     ("signal", "reference", Needless, ""),
-    ("signal", "positionInertial", Unused, ""),
-    ("signal", "positionRoad", Unused, ""),
+    ("signal", "positionInertial", Used, "x y z hdg pitch roll"),
+    ("signal", "positionRoad", Used, "roadId s t zOffset hOffset pitch roll"),
     ("signal", "semantics", Needless, ""),
     ("signalReference", "validity", Used, "fromLane toLane"),
     ("road", "objects", Used, ""),
@@ -205,5 +205,22 @@ mod tests {
                 "line 6: <railroad> in <road> is not used"
             ]
         );
+    }
+
+    #[test]
+    fn the_table_in_the_docs_is_true() {
+        let text = include_str!("../../../../docs/opendrive.md");
+        for &(parent, name, using, attributes) in ELEMENTS {
+            let parent = if parent.is_empty() { "any" } else { parent };
+            let (attributes, word) = match using {
+                Used if name == "OpenDRIVE" => ("", "read"),
+                Used => (attributes, "read"),
+                Needless => ("", "means nothing here"),
+                Unused => ("", "reported"),
+            };
+            let row = format!("| {parent} | `{name}` | {attributes} | {word} |");
+            assert!(text.contains(&row), "docs/opendrive.md lacks {row}");
+        }
+        assert_eq!(text.matches("\n| ").count(), ELEMENTS.len() + 1);
     }
 }

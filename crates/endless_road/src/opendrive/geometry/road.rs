@@ -26,7 +26,21 @@ impl<'a> RoadShape<'a> {
 
     /// The surface at (s, t), without the lanes' own heights.
     pub(crate) fn point(&self, s: f64, t: f64) -> DVec3 {
-        self.frame(s).point(t, shape_at(&self.road.shapes, s, t))
+        self.frame(s).point(t, self.height(s, t))
+    }
+
+    /// Height of the surface above the plane across the road.
+    pub(crate) fn height(&self, s: f64, t: f64) -> f64 {
+        shape_at(&self.road.shapes, s, t) - self.fall(s, t)
+    }
+
+    /// How much the surface falls to the outside.
+    fn fall(&self, s: f64, t: f64) -> f64 {
+        let side = usize::from(t < 0.0);
+        let of_side = || self.road.crossfalls.iter().filter(|fall| fall.sides[side]);
+        let Some(fall) = of_side().take_while(|fall| fall.angle.s <= s).last().or(of_side().next()) else { return 0.0 };
+        let (sin, cos) = sin_cos(value_at(&[fall.angle], s).clamp(-1.0, 1.0));
+        t.abs() * sin / cos
     }
 
     /// The frame across the road at `s`.

@@ -1,7 +1,7 @@
 //! The lanes of a section as pairs of borders, sampled where they bend.
 
 use super::super::document::{LaneRecord, LaneSection};
-use super::profile::{shape_at, value_at};
+use super::profile::value_at;
 use super::road::RoadShape;
 use glam::DVec3;
 
@@ -94,7 +94,7 @@ impl Across<'_> {
         let centre = value_at(&road.lane_offset, inside);
         let left_of_centre = self.section.lanes.partition_point(|lane| lane.id > 0);
         let (left, right) = self.section.lanes.split_at(left_of_centre);
-        let surface = |t: f64, height: f64| frame.point(t, height + shape_at(&road.shapes, inside, t));
+        let surface = |t: f64, height: f64| frame.point(t, height + self.shape.height(inside, t));
         let side = |lanes: &mut dyn Iterator<Item = &LaneRecord>, sign: f64| {
             let mut inner = centre;
             let mut level_from: Option<DVec3> = None;
@@ -142,7 +142,12 @@ impl Across<'_> {
     fn stations(&self, from: f64, to: f64) -> Vec<f64> {
         let mut fixed = vec![from];
         let far = |a: f64, b: f64| b - a > 0.25 * NEAREST_M;
-        for joint in self.shape.joints().filter(|&s| s > from && s < to) {
+        // Where pieces begin, and what is on a bridge or of another material.
+        let bridges = self.shape.road.bridges.iter().flat_map(|&(a, b)| [a, b]);
+        let materials = self.section.lanes.iter().flat_map(|lane| &lane.materials).map(|m| self.section.s + m.0);
+        let mut joints: Vec<f64> = self.shape.joints().chain(bridges).chain(materials).collect();
+        joints.sort_by(f64::total_cmp);
+        for joint in joints.into_iter().filter(|&s| s > from && s < to) {
             if far(fixed[fixed.len() - 1], joint) && far(joint, to) {
                 fixed.push(joint);
             }

@@ -47,6 +47,11 @@ impl Fields {
             borders: self.cubics(Some(element), "border", "sOffset")?,
             ..LaneRecord::default()
         };
+        if lane.kind == "bidirectional" {
+            self.note(element, "is for both directions: it is drawn, and nobody drives there".to_owned());
+        } else if element.attribute("direction") == Some("both") {
+            self.note(element, "is for both directions: traffic runs as on its side of the road".to_owned());
+        }
         if let Some(link) = element.first("link") {
             for (name, ids) in [("predecessor", &mut lane.predecessors), ("successor", &mut lane.successors)] {
                 for linked in link.all(name) {
@@ -94,13 +99,11 @@ impl Fields {
                 mark.lines.push(MarkLine {
                     length: self.number_or(line, "length", 0.0).max(0.0),
                     space: if explicit { 0.0 } else { self.number_or(line, "space", 0.0).max(0.0) },
+                    once: explicit,
                     t_offset: self.number_or(line, "tOffset", 0.0).clamp(-5.0, 5.0),
                     s_offset: self.number_or(line, "sOffset", 0.0),
                     width: self.optional(line, "width").or(common).filter(|width| *width > 0.0 && *width < 5.0),
                 });
-            }
-            if explicit && !mark.lines.is_empty() {
-                self.note(element, "explicit lines are drawn as unbroken lines".to_owned());
             }
         }
         mark

@@ -1,7 +1,7 @@
 //! Signals and objects.
 
 use super::super::OpenDriveError;
-use super::super::document::{Corner, Object, Repeat, Road, Signal, SignalReference};
+use super::super::document::{Corner, Object, Repeat, Road, Signal, SignalReference, Stands};
 use super::super::xml::Element;
 use super::fields::{Fields, orientation, text};
 
@@ -29,6 +29,7 @@ impl Fields {
                 unit: text(signal, "unit"),
                 text: text(signal, "text"),
                 validity: self.validity(signal)?,
+                stands: self.stands(signal),
             });
         }
         for reference in signals.all("signalReference") {
@@ -40,6 +41,15 @@ impl Fields {
             });
         }
         Ok(())
+    }
+
+    fn stands(&mut self, signal: &Element) -> Option<Stands> {
+        if let Some(place) = signal.first("positionInertial") {
+            let [x, y, z] = ["x", "y", "z"].map(|name| self.optional(place, name));
+            return Some(Stands::Inertial([x?, y?, z.unwrap_or(0.0)]));
+        }
+        let place = signal.first("positionRoad")?;
+        Some(Stands::Road(text(place, "roadId"), [self.optional(place, "s")?, self.optional(place, "t")?]))
     }
 
     fn validity(&mut self, element: &Element) -> Result<Vec<(i32, i32)>, OpenDriveError> {

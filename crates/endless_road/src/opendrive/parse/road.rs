@@ -1,7 +1,7 @@
 //! Roads: links, reference line, profiles.
 
 use super::super::OpenDriveError;
-use super::super::document::{Curve, End, Geometry, Road, RoadLink, RoadType, Shape};
+use super::super::document::{Crossfall, Curve, End, Geometry, Road, RoadLink, RoadType, Shape};
 use super::super::geometry::Piece;
 use super::super::xml::Element;
 use super::fields::{Fields, format_error, text};
@@ -46,6 +46,15 @@ impl Fields {
             let (s, t) = (self.number(shape, "s")?, self.number(shape, "t")?);
             road.shapes.push(Shape { s, t, abcd: self.four(shape, ["a", "b", "c", "d"])? });
         }
+        for crossfall in lateral.into_iter().flat_map(|profile| profile.all("crossfall")) {
+            let sides = match crossfall.attribute("side") {
+                Some("left") => [true, false],
+                Some("right") => [false, true],
+                _ => [true, true],
+            };
+            road.crossfalls.push(Crossfall { sides, angle: self.cubic(crossfall, "s")? });
+        }
+        road.crossfalls.sort_by(|a, b| a.angle.s.total_cmp(&b.angle.s));
         road.shapes.sort_by(|a, b| a.s.total_cmp(&b.s).then(a.t.total_cmp(&b.t)));
         self.read_plan_view(element, &mut road)?;
         let Some(lanes) = element.first("lanes") else {

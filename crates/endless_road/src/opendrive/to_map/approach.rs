@@ -10,6 +10,8 @@ const NEAR_END_M: f64 = 14.0;
 const BEFORE_CROSSING_M: f64 = 1.2;
 /// A lane is not made shorter than this, metres.
 const SHORTEST_M: f64 = 6.0;
+/// Cosine of the bend allowed where a lane is cut: 2 degrees.
+const STRAIGHT: f64 = 0.999_4;
 /// Stop lines and give-way lines, metres.
 const STOP_LINE_M: f64 = 0.4;
 const YIELD_DASH_M: [f64; 2] = [0.6, 0.4];
@@ -36,7 +38,10 @@ pub(super) fn hold_back(lanes: &mut [Lane], crossings: &[Crossing]) {
         if hold < SHORTEST_M || hold > length - 0.5 {
             continue;
         }
-        let (kept, rest) = split(&lane.centerline, hold);
+        // Not in a bend: the lane's end and what follows have one direction.
+        let holds = [hold, hold - 0.7, hold - 1.4, hold - 2.1];
+        let cuts = holds.into_iter().filter(|&hold| hold >= SHORTEST_M).map(|hold| split(&lane.centerline, hold));
+        let Some((kept, rest)) = cuts.into_iter().find(|(kept, rest)| is_straight(kept, rest)) else { continue };
         let following = lane.successors.clone();
         lanes[i].centerline = kept;
         for next in following {
@@ -44,6 +49,10 @@ pub(super) fn hold_back(lanes: &mut [Lane], crossings: &[Crossing]) {
             *way = Polyline::new(rest.points().iter().chain(way.points()).copied());
         }
     }
+}
+
+fn is_straight(kept: &Polyline, rest: &Polyline) -> bool {
+    kept.direction(kept.length()).dot(rest.direction(0.0)) > STRAIGHT
 }
 
 fn split(line: &Polyline, at: f64) -> (Polyline, Polyline) {

@@ -120,7 +120,13 @@ impl Joins<'_, '_> {
     }
 
     fn through_junction(&mut self, junction: &Junction) {
-        if matches!(junction.kind, JunctionKind::Crossing | JunctionKind::Virtual) {
+        let why = match junction.kind {
+            JunctionKind::Crossing => "roads that cross at a level: vehicles do not mind one another there",
+            JunctionKind::Virtual => "is virtual: nobody turns off the road that goes on",
+            JunctionKind::Default | JunctionKind::Direct => "",
+        };
+        if !why.is_empty() {
+            self.note(junction.line, format!("junction {} {why}", junction.id));
             return;
         }
         for connection in &junction.connections {

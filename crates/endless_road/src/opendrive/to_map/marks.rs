@@ -84,13 +84,16 @@ pub(super) fn clipped(stations: &[f64], line: &[DVec3], from: f64, to: f64) -> V
 fn draw(mark: &RoadMark, line: &[DVec3], dash: [f64; 2], marks: &mut Vec<Mark>) {
     let width_m = mark.width.unwrap_or(if mark.bold { BOLD_M } else { LINE_M });
     let paint = if mark.color == "yellow" { Paint::Yellow } else { Paint::White };
-    let mut add = |offset: f64, width_m: f64, dash: Option<[f64; 2]>, skip: f64| {
+    let mut add_part = |offset: f64, width_m: f64, dash: Option<[f64; 2]>, (skip, length): (f64, f64)| {
         if !is_line(line) {
             return;
         }
         let mut line = Polyline::new(line.iter().copied());
         if skip > 0.0 && skip + SHORTEST_M < line.length() {
-            line = after(&line, skip);
+            line = part(&line, skip, f64::INFINITY);
+        }
+        if length < line.length() {
+            line = part(&line, 0.0, length.max(0.1));
         }
         if offset != 0.0 {
             line = line.offset(offset);
@@ -100,25 +103,29 @@ fn draw(mark: &RoadMark, line: &[DVec3], dash: [f64; 2], marks: &mut Vec<Mark>) 
     if !mark.lines.is_empty() && !matches!(mark.kind.as_str(), "none" | "curb" | "grass") {
         for l in &mark.lines {
             let broken = l.space > 0.0 && l.length > 0.0;
-            add(l.t_offset, l.width.unwrap_or(width_m), broken.then_some([l.length, l.space]), l.s_offset.max(0.0));
+            let length = if l.once { l.length } else { f64::INFINITY };
+            let dash = broken.then_some([l.length, l.space]);
+            add_part(l.t_offset, l.width.unwrap_or(width_m), dash, (l.s_offset.max(0.0), length));
         }
         return;
     }
+    let mut add =
+        |offset: f64, width_m: f64, dash: Option<[f64; 2]>| add_part(offset, width_m, dash, (0.0, f64::INFINITY));
     // Of double lines the first named is the left one (towards higher `t`).
     let half = 0.5 * DOUBLE_M.max(2.0 * width_m);
     match mark.kind.as_str() {
-        "solid" => add(0.0, width_m, None, 0.0),
-        "broken" => add(0.0, width_m, Some(dash), 0.0),
-        "botts dots" => add(0.0, 0.1, Some(DOTS_M), 0.0),
-        "solid solid" => [half, -half].into_iter().for_each(|t| add(t, width_m, None, 0.0)),
-        "broken broken" => [half, -half].into_iter().for_each(|t| add(t, width_m, Some(dash), 0.0)),
+        "solid" => add(0.0, width_m, None),
+        "broken" => add(0.0, width_m, Some(dash)),
+        "botts dots" => add(0.0, 0.1, Some(DOTS_M)),
+        "solid solid" => [half, -half].into_iter().for_each(|t| add(t, width_m, None)),
+        "broken broken" => [half, -half].into_iter().for_each(|t| add(t, width_m, Some(dash))),
         "solid broken" => {
-            add(half, width_m, None, 0.0);
-            add(-half, width_m, Some(dash), 0.0);
+            add(half, width_m, None);
+            add(-half, width_m, Some(dash));
         }
         "broken solid" => {
-            add(half, width_m, Some(dash), 0.0);
-            add(-half, width_m, None, 0.0);
+            add(half, width_m, Some(dash));
+            add(-half, width_m, None);
         }
         // Kerbs and edges are no paint.
         _ => {}
@@ -130,15 +137,17 @@ pub(super) fn is_line(points: &[DVec3]) -> bool {
     points.iter().any(|p| p.distance(points[0]) > 0.05)
 }
 
-/// The line without its first `skip` metres.
-fn after(line: &Polyline, skip: f64) -> Polyline {
+/// A part of a line.
+fn part(line: &Polyline, from: f64, to: f64) -> Polyline {
+    let to = to.min(line.length());
     let mut s = 0.0;
-    let mut rest = vec![line.at(skip).position];
+    let mut rest = vec![line.position(from)];
     for pair in line.points().windows(2) {
         s += pair[0].distance(pair[1]);
-        if s > skip + 0.01 {
+        if s > from + 0.01 && s < to - 0.01 {
             rest.push(pair[1]);
         }
     }
+    rest.push(line.position(to));
     Polyline::new(rest)
 }

@@ -11,8 +11,8 @@ const MOST_POINTS: usize = 10_000_000;
 const MOST_SECTIONS: usize = 500_000;
 /// Metres of road.
 const MOST_METRES: usize = 5_000_000;
-/// No lane is wider than this, metres.
-const WIDEST_M: f64 = 1000.0;
+/// No lane lies further beside its reference line than this, metres.
+const ASIDE_M: f64 = 1000.0;
 /// No point of a map is further from its origin, metres.
 const FARTHEST: f64 = 1e7;
 
@@ -75,12 +75,8 @@ impl<'a> Sampled<'a> {
                     let what = format!("of road {} reaches further than 10 000 km", shape.road.id);
                     return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
                 }
-                if let Some(lane) =
-                    sampled.iter().flat_map(|s| &s.lanes).find(|lane| lane.width.iter().any(|w| *w > WIDEST_M))
-                {
-                    let widest = lane.width.iter().copied().fold(0.0, f64::max);
-                    let what =
-                        format!("of road {} has lane {} {widest:.0} m wide, which no lane is", shape.road.id, lane.id);
+                if let Some(metres) = sampled.as_ref().and_then(|section| strays(shape, section)) {
+                    let what = format!("of road {} has a lane {metres:.0} m off its reference line", shape.road.id);
                     return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
                 }
                 of_road.push(sampled);
@@ -135,4 +131,14 @@ impl<'a> Sampled<'a> {
         let reversed = self.record(key).is_some_and(|lane| lane.reversed);
         ((key.lane < 0) != left_hand) != reversed
     }
+}
+
+/// How far a lane lies beside its reference line, if that is more than any lane does.
+fn strays(shape: &RoadShape<'_>, section: &SectionShape) -> Option<f64> {
+    let lanes = section.lanes.iter().flat_map(|lane| [&lane.left, &lane.right]);
+    let off = |line: &Vec<glam::DVec3>| {
+        let places = line.iter().zip(&section.stations);
+        places.map(|(p, &s)| p.truncate().distance(shape.pose(s).position)).fold(0.0, f64::max)
+    };
+    lanes.map(off).find(|&metres| metres > ASIDE_M)
 }

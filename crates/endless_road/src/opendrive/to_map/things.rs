@@ -1,16 +1,22 @@
 //! What stands beside the road, and paint that files give as objects.
 
-use super::super::document::{Object, Signal};
+use super::super::document::{Object, Signal, Stands};
 use super::super::geometry::RoadShape;
 use super::outline::{corners, place, rectangle};
 use super::sampled::Sampled;
 use super::signals::{Governed, Meaning, meaning};
-use crate::{Mark, Note, Paint, Polyline, RoadMap, RoadNetwork, Strip, StripKind, Thing, ThingKind};
+use super::strips::KERB_M;
+use crate::{
+    Area, AreaKind, Footprint, Mark, Note, Paint, Polyline, RoadMap, RoadNetwork, Strip, StripKind, Thing, ThingKind,
+};
 use endless_world::SignalId;
 use endless_world::math::f64::wrap_angle;
+use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
+/// Smaller outlines are none, square metres.
+const LEAST_M2: f64 = 1.0;
 /// Objects given as paint are lines if they are this many times as long as wide.
 const SLENDER: f64 = 3.0;
 
@@ -24,7 +30,7 @@ pub(super) fn add(
     let mut strange: BTreeMap<String, (usize, usize)> = BTreeMap::new();
     for shape in &sampled.roads {
         for signal in &shape.road.signals {
-            if let Some(thing) = signal_thing(shape, signal, governed, groups, &map.network) {
+            if let Some(thing) = signal_thing((sampled, shape), signal, governed, groups, &map.network) {
                 map.things.push(thing);
             }
         }
@@ -36,6 +42,12 @@ pub(super) fn add(
                 map.marks.extend(line(shape, object));
             } else if object.kind == "parkingSpace" {
                 map.strips.extend(bay(shape, object));
+            } else if object.kind == "building" {
+                map.footprints.extend(building(shape, object));
+            } else if object.kind == "trafficIsland" {
+                map.strips.extend(island(shape, object));
+            } else if let Some((kind, outline)) = land(shape, object) {
+                map.areas.push(Area { kind, outline, holes: Vec::new() });
             } else if let Some(kind) = thing_kind(object) {
                 stand(shape, object, &kind, &mut map.things);
             } else {
@@ -51,14 +63,20 @@ pub(super) fn add(
 }
 
 fn signal_thing(
-    shape: &RoadShape<'_>,
+    (sampled, shape): (&Sampled<'_>, &RoadShape<'_>),
     signal: &Signal,
     governed: &Governed<'_>,
     groups: &BTreeMap<&str, SignalId>,
     network: &RoadNetwork,
 ) -> Option<Thing> {
     use super::super::document::Orientation;
-    let position = shape.point(signal.s, signal.t);
+    let position = match &signal.stands {
+        Some(Stands::Inertial([x, y, z])) => DVec3::new(*x, *y, *z),
+        Some(Stands::Road(road, [s, t])) => {
+            sampled.road(road).map_or(shape, |place| &sampled.roads[place]).point(*s, *t)
+        }
+        None => shape.point(signal.s, signal.t),
+    };
     // The direction of the traffic it is for; where that is not known, as it is turned.
     let lanes = governed.get(signal.id.as_str()).into_iter().flatten();
     let nearest = lanes
@@ -138,6 +156,42 @@ fn stand(shape: &RoadShape<'_>, object: &Object, kind: &ThingKind, things: &mut 
             put(repeat.s + along, repeat.t[0] + share * (repeat.t[1] - repeat.t[0]));
         }
     }
+}
+
+/// The outline of an object, counter-clockwise, if it has some extent.
+fn outline(shape: &RoadShape<'_>, object: &Object) -> Option<Vec<DVec2>> {
+    let mut outline: Vec<DVec2> = corners(shape, object).iter().map(|p| p.truncate()).collect();
+    let twice: f64 = (0..outline.len()).map(|i| outline[i].perp_dot(outline[(i + 1) % outline.len()])).sum();
+    if twice < 0.0 {
+        outline.reverse();
+    }
+    (twice.abs() > 2.0 * LEAST_M2).then_some(outline)
+}
+
+fn building(shape: &RoadShape<'_>, object: &Object) -> Option<Footprint> {
+    let height_m = (object.size[2] > 1.0).then_some(object.size[2].min(500.0));
+    let (outline, kind) = (outline(shape, object)?, "yes".to_owned());
+    Some(Footprint { outline, holes: Vec::new(), height_m, levels: None, kind, color: None })
+}
+
+/// Land that is given as an object with an outline: woods and bushes.
+fn land(shape: &RoadShape<'_>, object: &Object) -> Option<(AreaKind, Vec<DVec2>)> {
+    let kind = match (object.kind.as_str(), object.subtype.as_str()) {
+        ("vegetation", "forest") => AreaKind::Wood,
+        ("vegetation", "bush" | "hedge") => AreaKind::Grass,
+        _ => return None,
+    };
+    object.outlines.iter().any(|outline| outline.len() >= 3).then_some(())?;
+    Some((kind, outline(shape, object)?))
+}
+
+/// An island as a raised strip along its longer side.
+fn island(shape: &RoadShape<'_>, object: &Object) -> Option<Strip> {
+    let mut strip = bay(shape, object)?;
+    strip.kind = StripKind::Median;
+    let up = if object.size[2] > 0.01 { object.size[2].min(0.5) } else { KERB_M };
+    strip.left.iter_mut().chain(&mut strip.right).for_each(|p| p.z += up);
+    Some(strip)
 }
 
 fn is_line(object: &Object) -> bool {
