@@ -78,6 +78,9 @@ pub(crate) struct RecipeArgs {
     /// Layers to store: rgb, depth, instance [default: all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     layers: Option<Vec<String>>,
+    /// What lens, sensor and recorder do to the RGB layer: clean, cctv or random [default: clean].
+    #[arg(long, value_name = "LOOK")]
+    camera_look: Option<String>,
     /// How to store the RGB layer: png or jpg [default: png].
     #[arg(long, value_name = "FORMAT")]
     rgb_format: Option<String>,
@@ -106,6 +109,7 @@ impl From<RecipeArgs> for RecipeDraft {
             duration: args.duration,
             seed: args.seed,
             layers: args.layers,
+            camera_look: args.camera_look,
             rgb_format: args.rgb_format,
             min_pixels: args.min_pixels,
             mp4: args.mp4,

@@ -1,6 +1,6 @@
 //! `camera.json`.
 
-use endless_world::{CameraSite, FAR_PLANE_M, ImageSize, Intrinsics, PinholeCamera};
+use endless_world::{CameraSite, Distortion, FAR_PLANE_M, ImageSize, Intrinsics, PinholeCamera};
 use serde::{Deserialize, Serialize};
 
 /// One camera of a video: everything needed to project world points into its images and back.
@@ -29,7 +29,7 @@ pub struct CameraRecord {
 /// The lens model.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Lens {
-    /// `pinhole`.
+    /// `pinhole`, or `opencv` where the lens distorts.
     pub model: String,
     /// Horizontal field of view, radians.
     pub horizontal_fov_rad: f64,
@@ -43,8 +43,8 @@ const CONVENTIONS: &str = "metres and radians; world: right-handed, x east, y no
                            world = world_from_camera * camera";
 
 impl CameraRecord {
-    /// The record of a site filming at this size and rate.
-    pub fn new(site: &CameraSite, size: ImageSize, fps: f64) -> Self {
+    /// The record of a site filming through a lens at this size and rate.
+    pub fn new(site: &CameraSite, distortion: Distortion, size: ImageSize, fps: f64) -> Self {
         let camera = PinholeCamera::new(site, size);
         let Intrinsics { fx, fy, cx, cy } = camera.intrinsics;
         let r = camera.world_from_camera;
@@ -62,9 +62,9 @@ impl CameraRecord {
             ],
             world_from_camera: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
             lens: Lens {
-                model: "pinhole".into(),
+                model: if distortion == Distortion::NONE { "pinhole" } else { "opencv" }.into(),
                 horizontal_fov_rad: f64::from(site.horizontal_fov_rad),
-                distortion: [0.0; 5],
+                distortion: [f64::from(distortion.k1), f64::from(distortion.k2), 0.0, 0.0, 0.0],
             },
             far_plane_m: f64::from(FAR_PLANE_M),
             site: site.clone(),
@@ -89,7 +89,7 @@ mod tests {
             mount: Mount::Pole,
         };
         let size = ImageSize { width: 641, height: 363 };
-        let record = CameraRecord::new(&site, size, 30.0);
+        let record = CameraRecord::new(&site, Distortion::NONE, size, 30.0);
         let camera = PinholeCamera::new(&site, size);
         let in_camera = [1.5, -0.7, 12.0, 1.0];
         let world = record.world_from_camera.map(|row| row.iter().zip(in_camera).map(|(m, c)| m * c).sum::<f64>());

@@ -1,7 +1,7 @@
 //! The resolved recipe: everything that decides a dataset's bytes.
 
 use crate::{Layer, RgbFormat};
-use endless_world::{ImageSize, TimeOfDay, Weather};
+use endless_world::{ImageSize, LookChoice, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -35,6 +35,9 @@ pub struct Recipe {
     pub seed: u64,
     /// Layers that are stored.
     pub layers: Vec<Layer>,
+    /// What lens, sensor and recorder do to the RGB layer.
+    #[serde(default = "clean", skip_serializing_if = "is_clean")]
+    pub camera_look: LookChoice,
     /// How the RGB layer is stored.
     pub rgb_format: RgbFormat,
     /// Objects with fewer visible pixels are not annotated.
@@ -43,6 +46,14 @@ pub struct Recipe {
     pub mp4: Vec<Layer>,
     /// What simulates: `builtin`.
     pub simulator: String,
+}
+
+fn clean() -> LookChoice {
+    LookChoice::Clean
+}
+
+fn is_clean(look: &LookChoice) -> bool {
+    *look == LookChoice::Clean
 }
 
 impl Recipe {

@@ -21,7 +21,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let town = endless_town::load(&settings.map, &catalogue)?;
     let still = StaticScene::load(&town, &catalogue);
     // One gathered ray: the light is noisy, the cost of a frame is the same.
-    let render = RenderSettings { weather, time_of_day, seed, size, gather_rays: 1, keep_irradiance: false };
+    let render = RenderSettings {
+        weather,
+        time_of_day,
+        seed,
+        size,
+        gather_rays: 1,
+        look: settings.looks[0],
+        fps,
+        keep_irradiance: false,
+    };
     let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(&still, &render, site));
     let focus = settings.cameras.each_ref().map(|site| Vec3::from_array(site.position));
     let conditions = Conditions::new(weather, time_of_day);

@@ -222,15 +222,20 @@ impl Simulator for BuiltinSimulator {
         settings: &SceneSettings,
         moving: &[Actor],
     ) -> Result<Box<dyn Cameras + 'm>, SimulatorError> {
-        let render = RenderSettings {
-            weather: settings.weather,
-            time_of_day: settings.time_of_day,
-            seed: settings.seed,
-            size: settings.size,
-            gather_rays: GATHER_RAYS,
-            keep_irradiance: false,
+        let bake = |camera: usize| {
+            let render = RenderSettings {
+                look: settings.looks[camera],
+                fps: settings.fps,
+                weather: settings.weather,
+                time_of_day: settings.time_of_day,
+                seed: settings.seed,
+                size: settings.size,
+                gather_rays: GATHER_RAYS,
+                keep_irradiance: false,
+            };
+            CameraBake::bake(&map.still, &render, &settings.cameras[camera])
         };
-        let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(&map.still, &render, site));
+        let baked = [0, 1].map(bake);
         let bake_rays = rays(&baked);
         Ok(Box::new(Pair { still: &map.still, cast: Cast::new(self.catalogue(), moving), baked, bake_rays }))
     }

@@ -2,7 +2,7 @@
 
 use crate::{MapCatalog, PlanError};
 use endless_dataset::Recipe;
-use endless_world::{CameraSite, SceneSettings, Stream, TimeOfDay, Weather};
+use endless_world::{CameraLook, CameraSite, Clock, SceneSettings, Stream, TimeOfDay, Weather};
 
 /// The settings of every video, by number.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,12 +83,17 @@ fn product<'a>(recipe: &Recipe, sites: &'a [(String, Vec<CameraSite>)]) -> Vec<C
 
 impl Combination<'_> {
     fn settings(&self, video: u32, recipe: &Recipe) -> SceneSettings {
+        let clock = Clock::new(self.time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]));
         SceneSettings {
             video,
             map: self.map.to_owned(),
             weather: self.weather,
             time_of_day: self.time_of_day,
             cameras: self.cameras.map(CameraSite::clone),
+            looks: [0, 1].map(|camera| {
+                let mut random = Stream::named(recipe.seed, "camera look", &[u64::from(video), camera]);
+                CameraLook::new(recipe.camera_look, self.time_of_day, clock, &mut random)
+            }),
             vehicles: recipe.vehicles,
             pedestrians: recipe.pedestrians,
             size: recipe.size,

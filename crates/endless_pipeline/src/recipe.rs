@@ -2,7 +2,7 @@
 
 use crate::{MapCatalog, RecipeError};
 use endless_dataset::{Layer, Recipe, RgbFormat};
-use endless_world::{ImageSize, TimeOfDay, UnknownName, Weather};
+use endless_world::{ImageSize, LookChoice, TimeOfDay, UnknownName, Weather};
 use serde::Deserialize;
 use std::{collections::BTreeMap, fs, path::Path, str::FromStr};
 
@@ -32,6 +32,8 @@ pub struct RecipeDraft {
     pub seed: Option<u64>,
     /// Layers that are stored.
     pub layers: Option<Vec<String>>,
+    /// What lens, sensor and recorder do to the RGB layer.
+    pub camera_look: Option<String>,
     /// How the RGB layer is stored.
     pub rgb_format: Option<String>,
     /// Objects with fewer visible pixels are not annotated.
@@ -83,6 +85,7 @@ impl RecipeDraft {
             duration: self.duration.or(other.duration),
             seed: self.seed.or(other.seed),
             layers: self.layers.or(other.layers),
+            camera_look: self.camera_look.or(other.camera_look),
             rgb_format: self.rgb_format.or(other.rgb_format),
             min_pixels: self.min_pixels.or(other.min_pixels),
             mp4: self.mp4.or(other.mp4),
@@ -101,6 +104,7 @@ impl RecipeDraft {
         }
         let layers: Vec<Layer> = choose("layers", self.layers, Layer::ALL, Layer::name)?;
         let rgb_format = self.rgb_format.map_or(Ok(RgbFormat::Png), |given| given.parse())?;
+        let camera_look = self.camera_look.map_or(Ok(LookChoice::Clean), |given| given.parse())?;
         let maps = maps(self.maps, catalog)?;
         let mut map_files = BTreeMap::new();
         for map in &maps {
@@ -122,6 +126,7 @@ impl RecipeDraft {
             seed: self.seed.unwrap_or(0),
             mp4: mp4(self.mp4, &layers)?,
             layers,
+            camera_look,
             rgb_format,
             min_pixels: count("min-pixels", self.min_pixels, 50, 0..=u32::MAX)?,
             simulator,

@@ -75,7 +75,12 @@ pub(crate) fn record_video<S: Simulator>(
     }
     remove_temporaries(layout.folder())?;
     for camera in 0..2 {
-        let record = CameraRecord::new(&settings.cameras[camera], settings.size, settings.fps);
+        let record = CameraRecord::new(
+            &settings.cameras[camera],
+            settings.looks[camera].distortion,
+            settings.size,
+            settings.fps,
+        );
         write_json(&layout.camera(camera).camera(), &record)?;
     }
     let Scene { spawned, parked, moving, traffic } =

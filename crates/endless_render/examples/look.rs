@@ -5,8 +5,8 @@ use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::Town;
 use endless_world::{
-    Actor, AssetRef, Gait, ImageSize, InstanceId, Motion, ObjectClass, Pose, SignalAspect, SignalState, TimeOfDay,
-    VehicleLights, VehicleMotion, WalkerMotion, Weather, WorldState,
+    Actor, AssetRef, CameraLook, Gait, ImageSize, InstanceId, Motion, ObjectClass, Pose, SignalAspect, SignalState,
+    TimeOfDay, VehicleLights, VehicleMotion, WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 use std::{error::Error, fs::File, path::Path, time::Instant};
@@ -27,7 +27,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     eprintln!("scene {:.2} s, {} triangles", clock.elapsed().as_secs_f32(), still.placed_triangles());
     let site = &town.cameras[camera.parse::<usize>()? % town.cameras.len()];
     let clock = Instant::now();
-    let settings = RenderSettings { weather, time_of_day: time, seed: 7, size, gather_rays: 4, keep_irradiance: false };
+    let settings = RenderSettings {
+        weather,
+        time_of_day: time,
+        seed: 7,
+        size,
+        gather_rays: 4,
+        look: CameraLook::CLEAN,
+        fps: 30.0,
+        keep_irradiance: false,
+    };
     let bake = CameraBake::bake(&still, &settings, site);
     eprintln!("bake {:.2} s, {} rays", clock.elapsed().as_secs_f32(), bake.stats().rays());
     let state = crowd(&town, site.position, &catalogue, time == TimeOfDay::Night || weather == Weather::Rainy);

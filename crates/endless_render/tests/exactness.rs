@@ -4,9 +4,9 @@ use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::Town;
 use endless_world::{
-    Actor, AssetRef, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, ObjectClass, PinholeCamera, Pose,
-    SensorFrame, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleMotion, WalkerMotion, Weather,
-    WorldState,
+    Actor, AssetRef, CameraLook, CameraSite, ClassTag, Clock, Distortion, Gait, ImageSize, InstanceId, LookChoice,
+    Motion, ObjectClass, PinholeCamera, Pose, SensorFrame, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights,
+    VehicleMotion, WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 
@@ -86,11 +86,24 @@ fn differing(a: &SensorFrame, b: &SensorFrame) -> usize {
 /// Renders a scene both ways; returns how many pixels moving things changed, so that a test cannot pass on an empty
 /// street.
 fn check(map: &str, camera: usize, weather: Weather, time_of_day: TimeOfDay) -> usize {
+    check_through(CameraLook::CLEAN, map, camera, weather, time_of_day)
+}
+
+fn check_through(look: CameraLook, map: &str, camera: usize, weather: Weather, time_of_day: TimeOfDay) -> usize {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue).expect("a built-in town");
     let still = StaticScene::load(&town, &catalogue);
     let site = &town.cameras[camera];
-    let settings = RenderSettings { weather, time_of_day, seed: 3, size: SIZE, gather_rays: 1, keep_irradiance: true };
+    let settings = RenderSettings {
+        weather,
+        time_of_day,
+        seed: 3,
+        size: SIZE,
+        gather_rays: 1,
+        look,
+        fps: 30.0,
+        keep_irradiance: true,
+    };
     let bake = CameraBake::bake(&still, &settings, site);
     let mut random = Stream::named(5, "exactness", &[camera as u64]);
     let lights = time_of_day == TimeOfDay::Night || weather == Weather::Rainy;
@@ -138,6 +151,41 @@ fn foggy_night_with_halos() {
 }
 
 #[test]
+fn all_other_conditions() {
+    use TimeOfDay::{Afternoon, Morning, Night};
+    use Weather::{AfterRain, Cloudy, Foggy, Rainy};
+    for (i, (weather, time)) in [
+        (Cloudy, Morning),
+        (Cloudy, Afternoon),
+        (Cloudy, Night),
+        (Rainy, Morning),
+        (Rainy, Afternoon),
+        (Foggy, Morning),
+        (Foggy, Afternoon),
+        (AfterRain, Morning),
+        (AfterRain, Night),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let map = endless_town::NAMES[i % endless_town::NAMES.len()];
+        // Fog may hide all that moves.
+        assert!(check(map, 1 + i % 3, weather, time) > 30, "{map} {weather} {time}");
+    }
+}
+
+#[test]
+fn through_lenses_that_distort() {
+    for seed in 0..3 {
+        let mut random = Stream::named(seed, "camera look", &[]);
+        let clock = Clock::new(TimeOfDay::Afternoon, &mut random);
+        let look = CameraLook::new(LookChoice::Random, TimeOfDay::Afternoon, clock, &mut random);
+        let look = CameraLook { distortion: Distortion::barrel(-0.25), ..look };
+        assert!(check_through(look, "Town03", 1 + seed as usize, Weather::ClearSky, TimeOfDay::Afternoon) > 150);
+    }
+}
+
+#[test]
 fn labels_of_moving_things_are_theirs() {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load("Town03", &catalogue).expect("a built-in town");
@@ -148,6 +196,8 @@ fn labels_of_moving_things_are_theirs() {
         seed: 3,
         size: SIZE,
         gather_rays: 1,
+        look: CameraLook::CLEAN,
+        fps: 30.0,
         keep_irradiance: false,
     };
     let bake = CameraBake::bake(&still, &settings, &town.cameras[0]);

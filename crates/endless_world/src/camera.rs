@@ -1,6 +1,6 @@
 //! Fixed surveillance cameras: sites, intrinsics, projection.
 
-use crate::math;
+use crate::{Distortion, math};
 use glam::{Mat3, Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 use std::{fmt, str::FromStr};
@@ -99,6 +99,8 @@ pub struct PinholeCamera {
     pub position: Vec3,
     /// Columns are the camera's right, down and forward axes in the world.
     pub world_from_camera: Mat3,
+    /// Radial distortion of the lens; none in a true pinhole.
+    pub distortion: Distortion,
 }
 
 impl PinholeCamera {
@@ -114,14 +116,21 @@ impl PinholeCamera {
             intrinsics: Intrinsics::from_fov(size, site.horizontal_fov_rad),
             position: Vec3::from_array(site.position),
             world_from_camera: Mat3::from_cols(right, down, forward),
+            distortion: Distortion::NONE,
         }
+    }
+
+    /// The same camera behind a lens that distorts.
+    pub fn with_distortion(self, distortion: Distortion) -> Self {
+        Self { distortion, ..self }
     }
 
     /// Unit direction in the world of the ray through an image point (pixel (i, j) has its centre at i + 0.5, j + 0.5).
     #[inline]
     pub fn ray_through(&self, x: f32, y: f32) -> Vec3 {
         let k = &self.intrinsics;
-        (self.world_from_camera * Vec3::new((x - k.cx) / k.fx, (y - k.cy) / k.fy, 1.0)).normalize()
+        let straight = self.distortion.undistort(Vec2::new((x - k.cx) / k.fx, (y - k.cy) / k.fy));
+        (self.world_from_camera * straight.extend(1.0)).normalize()
     }
 
     /// A world point in the camera frame (x right, y down, z forward).
@@ -134,7 +143,10 @@ impl PinholeCamera {
     pub fn project(&self, point_in_world: Vec3) -> Option<(Vec2, f32)> {
         let p = self.camera_from_world(point_in_world);
         let k = &self.intrinsics;
-        (p.z > 1e-4).then(|| (Vec2::new(k.fx * p.x / p.z + k.cx, k.fy * p.y / p.z + k.cy), p.z))
+        (p.z > 1e-4).then(|| {
+            let bent = self.distortion.distort(Vec2::new(p.x, p.y) / p.z);
+            (Vec2::new(k.fx * bent.x + k.cx, k.fy * bent.y + k.cy), p.z)
+        })
     }
 }
 
@@ -144,6 +156,12 @@ mod tests {
 
     #[test]
     fn projection_inverts_the_ray() {
+        for k1 in [0.0, -0.05, -0.25] {
+            projection_inverts_the_ray_of(Distortion::barrel(k1));
+        }
+    }
+
+    fn projection_inverts_the_ray_of(distortion: Distortion) {
         let site = CameraSite {
             name: "t".into(),
             position: [3.0, -4.0, 7.0],
@@ -152,7 +170,7 @@ mod tests {
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
         };
-        let camera = PinholeCamera::new(&site, ImageSize { width: 641, height: 363 });
+        let camera = PinholeCamera::new(&site, ImageSize { width: 641, height: 363 }).with_distortion(distortion);
         assert!((camera.world_from_camera.determinant() - 1.0).abs() < 1e-5);
         for (x, y) in [(0.5, 0.5), (320.0, 180.0), (640.5, 100.25)] {
             let point = camera.position + camera.ray_through(x, y) * 30.0;

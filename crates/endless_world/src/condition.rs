@@ -52,6 +52,8 @@ macro_rules! named_enum {
     };
 }
 
+pub(crate) use named_enum;
+
 named_enum! {
     /// What the sky and the ground are like.
     Weather, "weather",

@@ -1,6 +1,6 @@
 //! The settings of one scene: what the paper writes as JSON before anything is simulated.
 
-use crate::{CameraSite, ImageSize, TimeOfDay, Weather};
+use crate::{CameraLook, CameraSite, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 
 /// Everything that decides one video.
@@ -16,6 +16,9 @@ pub struct SceneSettings {
     pub time_of_day: TimeOfDay,
     /// The pair of cameras, filming the same instants.
     pub cameras: [CameraSite; 2],
+    /// What lens, sensor and recorder of each do to the picture.
+    #[serde(default, skip_serializing_if = "all_clean")]
+    pub looks: [CameraLook; 2],
     /// Vehicles asked for (parked ones come on top).
     pub vehicles: u32,
     /// Pedestrians asked for.
@@ -28,4 +31,8 @@ pub struct SceneSettings {
     pub frames: u32,
     /// Seed of everything random in this scene.
     pub seed: u64,
+}
+
+fn all_clean(looks: &[CameraLook; 2]) -> bool {
+    looks.iter().all(CameraLook::is_clean)
 }

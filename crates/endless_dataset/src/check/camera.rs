@@ -51,7 +51,8 @@ pub(super) fn check_camera(
 }
 
 fn check_record(layout: &CameraLayout, settings: &SceneSettings, camera: usize) -> Option<Finding> {
-    let expected = CameraRecord::new(&settings.cameras[camera], settings.size, settings.fps);
+    let expected =
+        CameraRecord::new(&settings.cameras[camera], settings.looks[camera].distortion, settings.size, settings.fps);
     match read_json::<CameraRecord>(&layout.camera()) {
         Ok(record) if record == expected => None,
         Ok(_) => Some(Finding::new(layout.camera(), "does not describe the camera of the scene")),

@@ -2,7 +2,7 @@
 
 use crate::{GenerateError, record::count_images};
 use endless_dataset::{DatasetError, DatasetLayout, Layer, Recipe, RgbFormat};
-use endless_world::SceneSettings;
+use endless_world::{LookChoice, SceneSettings};
 use std::path::Path;
 
 /// What is still to be made, and the room for it.
@@ -19,9 +19,12 @@ pub struct Estimate {
 /// Bytes a pixel, a tenth above the dearest scene measured. Four scenes at 1280x720 (rain, fog, clear sky and after rain,
 /// by day and by night), each file's bytes by its pixels: 0.45 to 1.11 for RGB, 0.63 to 1.0 for depth, 0.035 to 0.06 for
 /// instances; all three of a camera frame 1.1 to 2.0, about 1.7 in the mean.
-fn bytes_a_pixel(layer: Layer, rgb_format: RgbFormat) -> f64 {
+fn bytes_a_pixel(layer: Layer, rgb_format: RgbFormat, look: LookChoice) -> f64 {
     match (layer, rgb_format) {
+        // Noise does not compress.
+        (Layer::Rgb, RgbFormat::Png) if look != LookChoice::Clean => 3.01,
         (Layer::Rgb, RgbFormat::Png) => 1.2,
+        (Layer::Rgb, RgbFormat::Jpg) if look != LookChoice::Clean => 0.9,
         (Layer::Rgb, RgbFormat::Jpg) => 0.35,
         (Layer::Depth, _) => 1.1,
         (Layer::Instance, _) => 0.06,
@@ -47,7 +50,11 @@ pub(super) fn estimate(
     let camera_frames = 2 * to_do.len() as u64 * u64::from(recipe.frames());
     let missing = (camera_frames - present / recipe.layers.len() as u64) as f64;
     let pixels = recipe.size.pixels() as f64;
-    let images: f64 = recipe.layers.iter().map(|l| bytes_a_pixel(*l, recipe.rgb_format) * pixels + BYTES_A_FILE).sum();
+    let images: f64 = recipe
+        .layers
+        .iter()
+        .map(|l| bytes_a_pixel(*l, recipe.rgb_format, recipe.camera_look) * pixels + BYTES_A_FILE)
+        .sum();
     // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.
     let videos = recipe.mp4.len() as f64 * VIDEO_BYTES_A_PIXEL * pixels * camera_frames as f64;
     let bytes = (missing * images + videos + camera_frames as f64 * BYTES_A_FILE) as u64;

@@ -3,7 +3,7 @@
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::{Town, top_view};
-use endless_world::{Image, ImageSize, SignalAspect, SignalState, TimeOfDay, Weather, WorldState};
+use endless_world::{CameraLook, Image, ImageSize, SignalAspect, SignalState, TimeOfDay, Weather, WorldState};
 
 /// Size of a camera's picture.
 const SMALL: ImageSize = ImageSize { width: 320, height: 180 };
@@ -26,6 +26,8 @@ pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Image<[u8; 3]> {
         seed: 0,
         size: SMALL,
         gather_rays: 2,
+        look: CameraLook::CLEAN,
+        fps: 30.0,
         keep_irradiance: false,
     };
     let signals = vec![SignalState { aspect: SignalAspect::Red }; usize::from(town.network.signal_groups)];

@@ -6,7 +6,7 @@ use super::compose::{CONTACT_REACH_M, CONTACT_RISE_M};
 use super::tile::{BLOCK, Span, TILE, TileBounds};
 use crate::light::{Beam, Lamps};
 use crate::scene::{FrameScene, Instance, MovingObject, StaticScene};
-use endless_world::PinholeCamera;
+use endless_world::{Distortion, PinholeCamera};
 use glam::{Affine3A, UVec2, Vec2, Vec3, Vec3A};
 
 /// Most boxes as which something that moves is told apart in the picture.
@@ -240,10 +240,9 @@ fn projected(
         let corner = Vec3A::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z));
         camera.camera_from_world(world_from_object.transform_point3a(corner).into())
     });
-    let k = &camera.intrinsics;
     let (mut first, mut last) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
     let mut add = |c: Vec3| {
-        let p = Vec2::new(k.fx * c.x / c.z + k.cx, k.fy * c.y / c.z + k.cy);
+        let p = Vec2::new(c.x, c.y) / c.z;
         (first, last) = (first.min(p), last.max(p));
     };
     for (i, &a) in corners.iter().enumerate() {
@@ -259,5 +258,28 @@ fn projected(
             }
         }
     }
-    (first.x <= last.x).then_some((first, last))
+    (first.x <= last.x).then(|| in_pixels(camera, first, last))
+}
+
+/// Bounds in the image of a rectangle of the plane at distance 1 before the lens.
+fn in_pixels(camera: &PinholeCamera, mut first: Vec2, mut last: Vec2) -> (Vec2, Vec2) {
+    let k = &camera.intrinsics;
+    let lens = camera.distortion;
+    if lens != Distortion::NONE {
+        // Far beyond the picture the lens is of no interest, and its curve no longer simple.
+        let edge = lens.undistort(Vec2::new(k.cx / k.fx, k.cy / k.fy)) * 1.1;
+        (first, last) = (first.clamp(-edge, edge), last.clamp(-edge, edge));
+        // A side bulges most where it is nearest to the middle or farthest from it.
+        let middle = Vec2::ZERO.clamp(first, last);
+        let (mut low, mut high) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
+        for x in [first.x, last.x, middle.x] {
+            for y in [first.y, last.y, middle.y] {
+                let bent = lens.distort(Vec2::new(x, y));
+                (low, high) = (low.min(bent), high.max(bent));
+            }
+        }
+        (first, last) = (low, high);
+    }
+    let pixel = |p: Vec2| p * Vec2::new(k.fx, k.fy) + Vec2::new(k.cx, k.cy);
+    (pixel(first), pixel(last))
 }

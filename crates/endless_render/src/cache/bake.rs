@@ -5,6 +5,7 @@ use super::spare::Spare;
 use super::still_sample::{StillSample, shade_still, share_lamp_light, still_look};
 use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
+use crate::film::Finish;
 use crate::film::{Rain, ToneCurve, exposure};
 use crate::indirect::{Guide, ProbeGrid, denoise, gather};
 use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
@@ -13,7 +14,8 @@ use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::scene::{StaticScene, SurfacePoint};
 use crate::shade::{Tracer, footprint_m};
 use endless_world::{
-    CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, InstancePixel, PinholeCamera, TimeOfDay, Weather,
+    CameraLook, CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, InstancePixel, PinholeCamera, TimeOfDay,
+    Weather,
 };
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
@@ -32,6 +34,10 @@ pub struct RenderSettings {
     pub size: ImageSize,
     /// Rays that gather indirect light for each of a pixel's samples; 6 is clean after denoising.
     pub gather_rays: u32,
+    /// What lens, sensor and recorder do to the picture.
+    pub look: CameraLook,
+    /// Frames a second, for the recorder's clock.
+    pub fps: f64,
     /// Keep what [`CameraBake::render_uncached`] needs (12 bytes a sample).
     pub keep_irradiance: bool,
 }
@@ -56,6 +62,8 @@ impl BakeStats {
 /// The fixed-camera cache of one camera in one scene.
 pub struct CameraBake {
     pub(super) camera: PinholeCamera,
+    /// What lens, sensor and recorder do to a picture, if they do anything.
+    pub(super) finish: Option<Finish>,
     pub(super) environment: Environment,
     pub(super) probes: ProbeGrid,
     /// Angle of a pixel, radians.
@@ -94,7 +102,7 @@ pub struct CameraBake {
 impl CameraBake {
     /// Traces and shades the still town as this camera sees it.
     pub fn bake(still: &StaticScene, settings: &RenderSettings, site: &CameraSite) -> Self {
-        let camera = PinholeCamera::new(site, settings.size);
+        let camera = PinholeCamera::new(site, settings.size).with_distortion(settings.look.distortion);
         let environment = Environment::new(settings.weather, settings.time_of_day, settings.seed);
         let pixel_angle = 1.0 / camera.intrinsics.fx;
         let (low, high, ground) = viewed_area(still, &camera);
@@ -151,6 +159,7 @@ impl CameraBake {
             tone,
             rain,
             glare,
+            finish: Finish::new(&settings.look, settings.size, settings.fps, settings.seed),
             tiles,
             tile_columns,
             tile_rows,

@@ -277,7 +277,7 @@ struct Canvas {
 
 impl Canvas {
     fn new(bake: &CameraBake) -> Self {
-        let whole = bake.rain.is_some() || bake.glare > 0.0;
+        let whole = bake.rain.is_some() || bake.glare > 0.0 || bake.finish.is_some();
         Self {
             radiance: whole.then(|| bake.spare.copy(&bake.radiance)),
             rgb: if whole { Vec::with_capacity(bake.rgb.len()) } else { bake.rgb.clone() },
@@ -298,12 +298,15 @@ impl Canvas {
         }
     }
 
-    /// Rain, glare and tone curve.
+    /// Rain, lens, glare, tone curve, sensor and recorder.
     fn develop(mut self, bake: &CameraBake, frame: u32) -> SensorFrame {
         let size = bake.camera.size;
         if let Some(mut radiance) = self.radiance.take() {
             if let Some(rain) = &bake.rain {
                 rain.draw(frame, &bake.camera, &self.depth, &mut radiance);
+            }
+            if let Some(finish) = &bake.finish {
+                finish.lens(&mut radiance);
             }
             self.rgb.clear();
             if bake.glare > 0.0 {
@@ -312,6 +315,9 @@ impl Canvas {
                 self.rgb.extend(radiance.iter().map(|&r| bake.tone.apply(r)));
             }
             bake.spare.give(radiance);
+        }
+        if let Some(finish) = &bake.finish {
+            finish.record(frame, &mut self.rgb);
         }
         SensorFrame {
             frame,

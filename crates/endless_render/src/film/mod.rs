@@ -1,11 +1,14 @@
-//! From radiance to pixels: exposure, tone curve, glare, rain in front of the lens.
+//! From radiance to pixels: exposure, tone curve, glare, rain in front of the lens; what lens, sensor and recorder do.
 
+mod clock;
 mod exposure;
+mod finish;
 mod glare;
 mod rain;
 mod tone;
 
 pub(crate) use exposure::exposure;
+pub(crate) use finish::Finish;
 pub(crate) use glare::with_glare;
 pub(crate) use rain::Rain;
 pub(crate) use tone::ToneCurve;

@@ -1,0 +1,73 @@
+//! The time that a recorder stamps into its pictures.
+
+use endless_world::{Clock, ImageSize};
+
+/// Digits, dash and colon, five columns by seven rows, a row a number, the left column its highest bit.
+const GLYPHS: [(char, [u8; 7]); 12] = [
+    ('0', [0b01110, 0b10001, 0b10011, 0b10101, 0b11001, 0b10001, 0b01110]),
+    ('1', [0b00100, 0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110]),
+    ('2', [0b01110, 0b10001, 0b00001, 0b00110, 0b01000, 0b10000, 0b11111]),
+    ('3', [0b11110, 0b00001, 0b00001, 0b01110, 0b00001, 0b00001, 0b11110]),
+    ('4', [0b00010, 0b00110, 0b01010, 0b10010, 0b11111, 0b00010, 0b00010]),
+    ('5', [0b11111, 0b10000, 0b11110, 0b00001, 0b00001, 0b10001, 0b01110]),
+    ('6', [0b00110, 0b01000, 0b10000, 0b11110, 0b10001, 0b10001, 0b01110]),
+    ('7', [0b11111, 0b00001, 0b00010, 0b00100, 0b01000, 0b01000, 0b01000]),
+    ('8', [0b01110, 0b10001, 0b10001, 0b01110, 0b10001, 0b10001, 0b01110]),
+    ('9', [0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100]),
+    ('-', [0, 0, 0, 0b11111, 0, 0, 0]),
+    (':', [0, 0b00100, 0b00100, 0, 0b00100, 0b00100, 0]),
+];
+
+/// What the clock shows so many seconds after the first frame.
+fn text(clock: Clock, later_s: u32) -> String {
+    let [year, month, day] = clock.date;
+    let second = (clock.second + later_s) % 86_400;
+    format!("{year:04}-{month:02}-{day:02} {:02}:{:02}:{:02}", second / 3600, second / 60 % 60, second % 60)
+}
+
+/// Stamps the time into a picture's upper left corner: white with a dark rim.
+pub(super) fn stamp(clock: Clock, later_s: u32, size: ImageSize, rgb: &mut [[u8; 3]]) {
+    let dot = i64::from(size.height / 300).max(1);
+    let (left, top) = (8 * dot, 8 * dot);
+    for (value, rim) in [([16; 3], 1), ([240; 3], 0)] {
+        for (n, character) in text(clock, later_s).chars().enumerate() {
+            let Some((_, rows)) = GLYPHS.iter().find(|(c, _)| *c == character) else { continue };
+            for (y, row) in (0i64..).zip(rows) {
+                for x in (0..5i64).filter(|x| row >> (4 - x) & 1 == 1) {
+                    let (x, y) = (left + (n as i64 * 6 + x) * dot, top + y * dot);
+                    fill(rgb, size, [x - rim, y - rim], dot + 2 * rim, value);
+                }
+            }
+        }
+    }
+}
+
+fn fill(rgb: &mut [[u8; 3]], size: ImageSize, [x0, y0]: [i64; 2], side: i64, value: [u8; 3]) {
+    for y in y0.max(0)..(y0 + side).min(i64::from(size.height)) {
+        for x in x0.max(0)..(x0 + side).min(i64::from(size.width)) {
+            rgb[(y * i64::from(size.width) + x) as usize] = value;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_clock_ticks() {
+        let clock = Clock { date: [2024, 3, 9], second: 23 * 3600 + 59 * 60 + 58 };
+        assert_eq!(text(clock, 1), "2024-03-09 23:59:59");
+        assert_eq!(text(clock, 2), "2024-03-09 00:00:00");
+    }
+
+    #[test]
+    fn small_pictures_are_no_trouble() {
+        for (width, height) in [(1, 1), (20, 3), (200, 40)] {
+            let size = ImageSize { width, height };
+            let mut rgb = vec![[100u8; 3]; size.pixels()];
+            stamp(Clock { date: [2024, 1, 1], second: 0 }, 0, size, &mut rgb);
+            assert_eq!(rgb.iter().any(|p| *p != [100; 3]), width >= 20 && height >= 10);
+        }
+    }
+}

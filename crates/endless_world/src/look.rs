@@ -1,0 +1,190 @@
+//! What a camera's lens, sensor and recorder do to its pictures.
+
+use crate::condition::{UnknownName, named_enum};
+use crate::{Stream, TimeOfDay};
+use glam::Vec2;
+use serde::{Deserialize, Serialize};
+use std::{fmt, str::FromStr};
+
+named_enum! {
+    /// Which looks a recipe asks for.
+    LookChoice, "camera look",
+    /// The picture as light made it.
+    Clean = "clean",
+    /// A usual surveillance camera: a wide lens, some noise, a recorder that compresses and stamps the time.
+    Cctv = "cctv",
+    /// Another camera each time, from good to poor.
+    Random = "random",
+}
+
+/// Radial distortion in OpenCV's model: an image point at `r` (in focal lengths from the principal point) moves to
+/// `r (1 + k1 r² + k2 r⁴)`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Distortion {
+    /// Second order: below 0, straight lines bulge outwards (barrel).
+    pub k1: f32,
+    /// Fourth order.
+    pub k2: f32,
+}
+
+impl Distortion {
+    /// A true pinhole.
+    pub const NONE: Self = Self { k1: 0.0, k2: 0.0 };
+
+    /// A barrel that is monotone everywhere: with k2 = k1² / 2 no ray folds back into the picture.
+    pub fn barrel(k1: f32) -> Self {
+        Self { k1, k2: 0.5 * k1 * k1 }
+    }
+
+    /// Where an image point of the pinhole goes.
+    #[inline]
+    pub fn distort(self, p: Vec2) -> Vec2 {
+        let r2 = p.length_squared();
+        p * (1.0 + r2 * (self.k1 + self.k2 * r2))
+    }
+
+    /// Where a point of the distorted image comes from: Newton's method on the radius.
+    #[inline]
+    pub fn undistort(self, p: Vec2) -> Vec2 {
+        if self == Self::NONE {
+            return p;
+        }
+        let bent = p.length();
+        let mut r = bent;
+        for _ in 0..8 {
+            let r2 = r * r;
+            let miss = r * (1.0 + r2 * (self.k1 + self.k2 * r2)) - bent;
+            r -= miss / (1.0 + r2 * (3.0 * self.k1 + 5.0 * self.k2 * r2)).max(0.05);
+        }
+        if bent > 0.0 { p * (r / bent) } else { p }
+    }
+}
+
+/// The recorder's clock at the first frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Clock {
+    /// Year, month, day.
+    pub date: [u16; 3],
+    /// Seconds since midnight.
+    pub second: u32,
+}
+
+impl Clock {
+    /// Some day, at an hour that fits the light.
+    pub fn new(time: TimeOfDay, random: &mut Stream) -> Self {
+        let hour = match time {
+            TimeOfDay::Morning => 7,
+            TimeOfDay::Afternoon => 14,
+            TimeOfDay::Night => 22,
+        };
+        let mut number = |n: u32| random.range_f32(0.0, n as f32) as u32;
+        let date = [2019 + number(6) as u16, 1 + number(12) as u16, 1 + number(28) as u16];
+        Self { date, second: hour * 3600 + number(5400) }
+    }
+}
+
+/// The look of one camera; the values that a scene settled on.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct CameraLook {
+    /// Of all layers, identically.
+    pub distortion: Distortion,
+    /// Share of the light that the corners lose.
+    pub vignetting: f32,
+    /// How much farther from the middle red lies, and how much nearer blue, as a share.
+    pub aberration: f32,
+    /// Standard deviation of the sensor's noise in middle grey, in 255ths.
+    pub noise: f32,
+    /// Strength of the unsharp mask.
+    pub sharpening: f32,
+    /// Quality of the recorder's JPEG-like compression, 1 to 100.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub jpeg_quality: Option<u8>,
+    /// The time that is stamped into the picture.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clock: Option<Clock>,
+}
+
+impl CameraLook {
+    /// Nothing done.
+    pub const CLEAN: Self = Self {
+        distortion: Distortion::NONE,
+        vignetting: 0.0,
+        aberration: 0.0,
+        noise: 0.0,
+        sharpening: 0.0,
+        jpeg_quality: None,
+        clock: None,
+    };
+
+    /// The look of a camera; `random` is its own, `clock` that of the scene.
+    pub fn new(choice: LookChoice, time: TimeOfDay, clock: Clock, random: &mut Stream) -> Self {
+        let dark = if time == TimeOfDay::Night { 2.5 } else { 1.0 };
+        match choice {
+            LookChoice::Clean => Self::CLEAN,
+            LookChoice::Cctv => Self {
+                distortion: Distortion::barrel(-0.12),
+                vignetting: 0.3,
+                aberration: 0.0006,
+                noise: 1.4 * dark,
+                sharpening: 0.5,
+                jpeg_quality: Some(60),
+                clock: Some(clock),
+            },
+            LookChoice::Random => {
+                let mut share = |chance: f32| random.f32() < chance;
+                let (bent, recorded, stamped) = (share(0.7), share(0.75), share(0.6));
+                let mut within = |low: f32, high: f32| random.range_f32(low, high);
+                Self {
+                    distortion: Distortion::barrel(if bent { -within(0.02, 0.22) } else { 0.0 }),
+                    vignetting: within(0.0, 0.5),
+                    aberration: within(0.0, 0.0014),
+                    noise: within(0.3, 3.0) * dark,
+                    sharpening: within(0.0, 1.0),
+                    jpeg_quality: recorded.then(|| within(30.0, 92.0) as u8),
+                    clock: stamped.then_some(clock),
+                }
+            }
+        }
+    }
+
+    /// Whether nothing is done.
+    pub fn is_clean(&self) -> bool {
+        *self == Self::CLEAN
+    }
+}
+
+impl Default for CameraLook {
+    fn default() -> Self {
+        Self::CLEAN
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn barrels_are_monotone_and_invertible() {
+        for k1 in [0.0f32, -0.02, -0.12, -0.22, -0.3] {
+            let lens = Distortion::barrel(k1);
+            let mut before = -1.0;
+            for i in 0..200 {
+                let r = i as f32 * 0.008;
+                let bent = lens.distort(Vec2::new(0.6 * r, -0.8 * r));
+                assert!(bent.length() > before, "{k1} folds at {r}");
+                before = bent.length();
+                let back = lens.undistort(bent);
+                assert!((back.length() - r).abs() < 2e-5, "{k1} at {r}: {back}");
+            }
+        }
+    }
+
+    #[test]
+    fn looks_differ_from_camera_to_camera() {
+        let look =
+            |n| CameraLook::new(LookChoice::Random, TimeOfDay::Night, &mut Stream::named(1, "camera look", &[n]));
+        assert_ne!(look(0), look(1));
+        assert_eq!(look(2), look(2));
+        assert!(CameraLook::new(LookChoice::Clean, TimeOfDay::Night, clock, &mut Stream::named(1, "", &[])).is_clean());
+    }
+}
