@@ -181,8 +181,10 @@ mod tests {
 
     #[test]
     fn looks_differ_from_camera_to_camera() {
-        let look =
-            |n| CameraLook::new(LookChoice::Random, TimeOfDay::Night, &mut Stream::named(1, "camera look", &[n]));
+        let clock = Clock::new(TimeOfDay::Night, &mut Stream::named(1, "clock", &[]));
+        let look = |n| {
+            CameraLook::new(LookChoice::Random, TimeOfDay::Night, clock, &mut Stream::named(1, "camera look", &[n]))
+        };
         assert_ne!(look(0), look(1));
         assert_eq!(look(2), look(2));
         assert!(CameraLook::new(LookChoice::Clean, TimeOfDay::Night, clock, &mut Stream::named(1, "", &[])).is_clean());
