@@ -11,8 +11,9 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
-/// A small file must not keep a reader longer than this.
-const SLOW: Duration = Duration::from_secs(10);
+/// A small file must not keep a reader busy for longer than this, seconds: of the processor's time, which does not
+/// depend on what else runs, or of ten times as much on the clock.
+const SLOW_S: f64 = 10.0;
 /// Nor take more memory than this, bytes.
 const LARGE: usize = 1 << 30;
 /// Larger files are not tried, nor kept.
@@ -101,8 +102,8 @@ pub(crate) fn hunt(target: Target, corpus: Vec<(PathBuf, Vec<u8>)>, seconds: u64
     assert!(found.is_empty(), "findings: {found:?}");
 }
 
-/// A file that is being read, and since when.
-type Reading = Mutex<Option<(Instant, Vec<u8>)>>;
+/// A file that is being read, and since when, on the clock and in seconds of the processor.
+type Reading = Mutex<Option<(Instant, f64, Vec<u8>)>>;
 
 /// Looks at the clock and the memory while files are read; ends the program with the file kept when it takes too much
 /// of either, because nothing else stops a reader that hangs.
@@ -118,9 +119,10 @@ impl Watch {
             loop {
                 std::thread::sleep(Duration::from_millis(100));
                 let Ok(reading) = seen.lock() else { return };
-                let Some((since, file)) = reading.as_ref() else { continue };
+                let Some((since, before, file)) = reading.as_ref() else { continue };
                 let large = resident() > LARGE;
-                if large || since.elapsed() > SLOW {
+                let slow = busy_s() - before > SLOW_S || since.elapsed().as_secs_f64() > 10.0 * SLOW_S;
+                if large || slow {
                     let path = folder.join(if large { "found-large" } else { "found-slow" });
                     let _ = fs::write(&path, file);
                     println!("{}: took too {}", path.display(), if large { "much memory" } else { "long" });
@@ -132,7 +134,7 @@ impl Watch {
     }
 
     fn reads(&self, file: &[u8]) {
-        *self.reading.lock().unwrap() = Some((Instant::now(), file.to_vec()));
+        *self.reading.lock().unwrap() = Some((Instant::now(), busy_s(), file.to_vec()));
     }
 
     fn rests(&self) {
@@ -144,4 +146,12 @@ impl Watch {
 fn resident() -> usize {
     let text = fs::read_to_string("/proc/self/statm").unwrap_or_default();
     text.split(' ').nth(1).and_then(|pages| pages.parse::<usize>().ok()).map_or(0, |pages| pages * 4096)
+}
+
+/// Seconds of the processor that this program has used; 0 where the system does not say.
+fn busy_s() -> f64 {
+    let text = fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    // After the name in parentheses; user and system time are the 14th and 15th field, hundredths of a second.
+    let fields = text.rsplit(')').next().unwrap_or_default().split_ascii_whitespace().skip(11).take(2);
+    fields.filter_map(|ticks| ticks.parse::<f64>().ok()).sum::<f64>() / 100.0
 }

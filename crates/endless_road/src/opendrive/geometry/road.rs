@@ -43,11 +43,16 @@ impl<'a> RoadShape<'a> {
         t.abs() * sin / cos
     }
 
+    /// Superelevation at `s`, radians.
+    pub(crate) fn roll(&self, s: f64) -> f64 {
+        value_at(&self.road.superelevation, s)
+    }
+
     /// The frame across the road at `s`.
     pub(crate) fn frame(&self, s: f64) -> Frame {
         let pose = self.pose(s);
         let (sin, cos) = sin_cos(pose.heading);
-        let (roll_sin, roll_cos) = sin_cos(value_at(&self.road.superelevation, s));
+        let (roll_sin, roll_cos) = sin_cos(self.roll(s));
         Frame {
             origin: pose.position.extend(value_at(&self.road.elevation, s)),
             left: DVec2::new(-sin, cos),

@@ -4,6 +4,7 @@ use super::super::OpenDriveError;
 use super::super::document::{Document, End, LaneRecord};
 use super::super::geometry::{LaneShape, RoadShape, SectionShape};
 use std::collections::BTreeMap;
+use std::f64::consts::FRAC_PI_2;
 
 /// More than a map can hold: points of borders.
 const MOST_POINTS: usize = 10_000_000;
@@ -11,6 +12,8 @@ const MOST_POINTS: usize = 10_000_000;
 const MOST_SECTIONS: usize = 500_000;
 /// Metres of road.
 const MOST_METRES: usize = 5_000_000;
+/// No lane is higher or deeper than this, metres.
+const HIGHEST_M: f64 = 10_000.0;
 /// No lane lies further beside its reference line than this, metres.
 const ASIDE_M: f64 = 1000.0;
 /// No point of a map is further from its origin, metres.
@@ -75,8 +78,8 @@ impl<'a> Sampled<'a> {
                     let what = format!("of road {} reaches further than 10 000 km", shape.road.id);
                     return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
                 }
-                if let Some(metres) = sampled.as_ref().and_then(|section| strays(shape, section)) {
-                    let what = format!("of road {} has a lane {metres:.0} m off its reference line", shape.road.id);
+                if let Some(wrong) = sampled.as_ref().and_then(|section| implausible(shape, section)) {
+                    let what = format!("of road {} {wrong}", shape.road.id);
                     return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
                 }
                 of_road.push(sampled);
@@ -133,12 +136,21 @@ impl<'a> Sampled<'a> {
     }
 }
 
-/// How far a lane lies beside its reference line, if that is more than any lane does.
-fn strays(shape: &RoadShape<'_>, section: &SectionShape) -> Option<f64> {
-    let lanes = section.lanes.iter().flat_map(|lane| [&lane.left, &lane.right]);
-    let off = |line: &Vec<glam::DVec3>| {
-        let places = line.iter().zip(&section.stations);
-        places.map(|(p, &s)| p.truncate().distance(shape.pose(s).position)).fold(0.0, f64::max)
-    };
-    lanes.map(off).find(|&metres| metres > ASIDE_M)
+/// What no lane of a map does, if one does.
+fn implausible(shape: &RoadShape<'_>, section: &SectionShape) -> Option<String> {
+    if let Some(&s) = section.stations.iter().find(|&&s| shape.roll(s).abs() > FRAC_PI_2) {
+        return Some(format!("leans by {:.1} radians at s={s:.1}", shape.roll(s)));
+    }
+    for line in section.lanes.iter().flat_map(|lane| [&lane.left, &lane.right]) {
+        for (p, &s) in line.iter().zip(&section.stations) {
+            let aside = p.truncate().distance(shape.pose(s).position);
+            if aside > ASIDE_M {
+                return Some(format!("has a lane {aside:.0} m off its reference line at s={s:.1}"));
+            }
+            if p.z.abs() > HIGHEST_M {
+                return Some(format!("is {:.0} m high at s={s:.1}", p.z));
+            }
+        }
+    }
+    None
 }
