@@ -17,6 +17,8 @@ const REACH_M: f32 = 140.0;
 const WALL_M: f32 = 4.0;
 /// Least share of the picture on road, sidewalk or square.
 pub(crate) const LEAST_PAVED: f32 = 0.32;
+/// Least share on road or sidewalk.
+pub(crate) const LEAST_STREET: f32 = 0.27;
 
 /// What a picture shows, as shares of its pixels, and the objects expected in it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -46,7 +48,12 @@ pub(crate) struct Seen {
 impl Seen {
     /// Road, sidewalk and square.
     pub(crate) fn paved(&self) -> f32 {
-        self.road + self.junction + self.walk + self.ground
+        self.street() + self.ground
+    }
+
+    /// Road and sidewalk: yards are no view.
+    pub(crate) fn street(&self) -> f32 {
+        self.road + self.junction + self.walk
     }
 }
 
@@ -203,7 +210,7 @@ impl Seen {
     /// Quality from about 0 to 10; `None` for views that must not be used.
     pub(crate) fn quality(&self) -> Option<f32> {
         let wall_to_wall = self.solid_near > 0.2;
-        if self.paved() < LEAST_PAVED || wall_to_wall || self.nearest_m > 28.0 {
+        if self.paved() < LEAST_PAVED || self.street() < LEAST_STREET || wall_to_wall || self.nearest_m > 28.0 {
             return None;
         }
         // Each size class counts until there is enough of it.

@@ -43,7 +43,7 @@ const WANTED: usize = 10;
 const LEAST: usize = 5;
 /// Views that are not good enough, taken where a map has no better: their worth, and what they must show of pavement.
 const MODEST: f32 = 0.02;
-const MODEST_PAVED: f32 = 0.25;
+const MODEST_PAVED: f32 = 0.27;
 /// Most cameras of one kind.
 const MOST: [(View, usize); 8] = [
     (View::Approach, 2),
@@ -71,7 +71,7 @@ pub(crate) fn choose(scene: Scene<'_>, set_up: &mut dyn FnMut(DVec2, f64, f64, f
         .into_iter()
         .filter_map(|candidate| {
             let seen = judge.look(&candidate.site)?;
-            let quality = seen.quality().or((seen.paved() > MODEST_PAVED).then_some(MODEST))?;
+            let quality = seen.quality().or((seen.street() > MODEST_PAVED).then_some(MODEST))?;
             Some(Judged { candidate: classed(candidate, &seen), seen, quality })
         })
         .collect();

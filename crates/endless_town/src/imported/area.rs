@@ -9,7 +9,7 @@ use endless_road::{Area, AreaKind};
 use glam::{DVec2, Vec3};
 
 /// Land that is flatter than this over an area can carry it as one plane, metres.
-const FLAT_M: f64 = 0.25;
+const FLAT_M: f64 = 0.03;
 
 /// An area with its bounds.
 struct Bounded<'a> {
@@ -62,14 +62,14 @@ impl<'a> Areas<'a> {
     }
 
     /// What the ground is made of at a place; `usual` where no area says, or one is laid upon the ground.
-    pub(super) fn material(&self, p: DVec2, usual: Material) -> Material {
-        self.over(p).find(|a| a.flat.is_none()).map_or(usual, |a| ground(a.area.kind))
+    pub(super) fn material(&self, p: DVec2, usual: &dyn Fn() -> Material) -> Material {
+        self.over(p).filter(|a| a.flat.is_none()).find_map(|a| ground(a.area.kind)).unwrap_or_else(usual)
     }
 
     /// Lays areas on flat land with sharp borders, larger ones below smaller ones.
     pub(super) fn lay(&self, mesh: &mut MeshBuilder) {
         for (place, bounded) in self.list.iter().rev().enumerate() {
-            let Some(level) = bounded.flat else { continue };
+            let (Some(level), Some(material)) = (bounded.flat, ground(bounded.area.kind)) else { continue };
             let mut outline = bounded.area.outline.clone();
             if area(&outline) < 0.0 {
                 outline.reverse();
@@ -84,16 +84,18 @@ impl<'a> Areas<'a> {
             let base = mesh.vertices(joined.iter().map(|p| (p.extend(z).as_vec3(), Vec3::Z, p.as_vec2())));
             for t in triangulate(&joined) {
                 if area(&t.map(|k| joined[k])) > 1e-4 {
-                    mesh.triangle_indices(t.map(|k| base + k as u32), ground(bounded.area.kind));
+                    mesh.triangle_indices(t.map(|k| base + k as u32), material);
                 }
             }
         }
     }
 }
 
-fn ground(kind: AreaKind) -> Material {
-    match kind {
-        AreaKind::Park | AreaKind::Residential => LAWN,
+/// What covers an area; `None` where it says nothing of it.
+fn ground(kind: AreaKind) -> Option<Material> {
+    Some(match kind {
+        AreaKind::Residential => return None,
+        AreaKind::Park => LAWN,
         AreaKind::Wood => WOODLAND,
         AreaKind::Farmland => FIELD,
         AreaKind::Grass => MEADOW,
@@ -103,5 +105,5 @@ fn ground(kind: AreaKind) -> Material {
         AreaKind::Commercial => YARD,
         AreaKind::Industrial => GRAVEL,
         AreaKind::Bare => SOIL,
-    }
+    })
 }

@@ -1,24 +1,36 @@
-//! Buildings where the map knows of none: grown along its roads, higher and closer the denser the roads are.
+//! Buildings where the map knows of none: grown along its roads, higher and closer the denser the roads are, of a kind
+//! that fits what the map says of the land.
 
+use super::area::Areas;
 use super::cover::Cover;
 use super::footprint::Built;
 use super::land::Land;
+use super::urban::{Mapped, may_be_built_on};
 use crate::building::{Block, Measures, WindowNumbers, eaves, on_rectangle, size, storeys};
 use crate::camera::Solid;
 use crate::character::Kind;
 use crate::plot::{Occupied, Rect, unit};
-use endless_road::{Lane, RoadNetwork};
+use endless_road::{AreaKind, Lane, RoadNetwork};
 use endless_world::Stream;
 use glam::{Affine3A, DVec2, Quat};
 
-/// Faster roads have no houses along them, m/s.
-const OPEN_ROAD_MPS: f64 = 20.5;
 /// Roads within this distance tell how dense a place is, metres.
 const AROUND_M: f64 = 130.0;
+/// Land so far beside a lane's middle says what is built there, metres.
+const BESIDE_M: f64 = 18.0;
 /// The steepest ground that is built on: difference of height over a lot, metres.
 const STEEPEST_M: f64 = 2.2;
 /// Most buildings of a map.
-const MOST: usize = 420;
+const MOST: usize = 2400;
+/// Around the buildings that a map knows nothing more is built, metres: on maps that know most buildings, and on maps
+/// that know few.
+const AROUND_KNOWN_M: [f64; 2] = [40.0, 12.0];
+/// A map knows most buildings if it has some along this share of its streets in towns.
+const MOST_KNOWN: f64 = 0.45;
+/// Width and depth of a house where there is no room for another.
+const SLIM_M: [f64; 2] = [6.5, 7.5];
+/// Roads on which shops are, m/s.
+const MAIN_STREET_MPS: f64 = 12.5;
 
 /// What is built where roads are so dense.
 pub(super) struct Quarter {
@@ -56,6 +68,14 @@ const QUARTERS: [(f64, Quarter); 4] = [
     ),
 ];
 
+const WORKS: Quarter =
+    Quarter { kinds: &[(Kind::Hall, 4.0), (Kind::Shop, 0.7), (Kind::Office, 0.5)], storeys: (1, 3), open: 0.2 };
+const TRADE: Quarter = Quarter {
+    kinds: &[(Kind::Office, 2.0), (Kind::Shop, 2.5), (Kind::Terrace, 1.5), (Kind::Flats, 0.7)],
+    storeys: (2, 5),
+    open: 0.12,
+};
+
 /// Metres of lane on a hectare around places, on a grid.
 pub(super) struct Density {
     low: DVec2,
@@ -67,16 +87,15 @@ pub(super) struct Density {
 const CELL_M: f64 = 32.0;
 
 impl Density {
-    pub(super) fn new(network: &RoadNetwork, low: DVec2, high: DVec2) -> Self {
+    /// Of the lanes that are streets: highways make no town.
+    pub(super) fn new(network: &RoadNetwork, streets: &[bool], low: DVec2, high: DVec2) -> Self {
         const STEP_M: f64 = 20.0;
         let size = (high - low).max(DVec2::ONE) / CELL_M;
         let (columns, rows) = (size.x.ceil() as usize, size.y.ceil() as usize);
         let mut cells = vec![0.0; columns * rows];
         let hectares = std::f64::consts::PI * AROUND_M * AROUND_M / 10_000.0;
         let reach = (AROUND_M / CELL_M).ceil() as usize;
-        // Highways make no town.
-        let local = |l: &&Lane| l.junction.is_none() && l.speed_limit_mps < OPEN_ROAD_MPS;
-        for lane in network.lanes.iter().filter(local) {
+        for lane in network.lanes.iter().filter(|l| streets[l.id.index()]) {
             let n = (lane.centerline.length() / STEP_M).ceil().max(1.0) as usize;
             let share = lane.centerline.length() / n as f64;
             for i in 0..n {
@@ -95,10 +114,16 @@ impl Density {
         Self { low, columns, cells }
     }
 
+    /// Between the middles of the four cells around, so that no steps show.
     pub(super) fn at(&self, p: DVec2) -> f64 {
-        let q = ((p - self.low) / CELL_M).max(DVec2::ZERO);
-        let (x, y) = ((q.x as usize).min(self.columns - 1), (q.y as usize).min(self.cells.len() / self.columns - 1));
-        self.cells[y * self.columns + x]
+        let rows = self.cells.len() / self.columns;
+        let last = DVec2::new((self.columns - 1) as f64, (rows - 1) as f64);
+        let q = ((p - self.low) / CELL_M - 0.5).clamp(DVec2::ZERO, last);
+        let (x, y) = (q.x as usize, q.y as usize);
+        let (x1, y1) = ((x + 1).min(self.columns - 1), (y + 1).min(rows - 1));
+        let (u, v) = (q.x - x as f64, q.y - y as f64);
+        let row = |y: usize| self.cells[y * self.columns + x] * (1.0 - u) + self.cells[y * self.columns + x1] * u;
+        row(y) * (1.0 - v) + row(y1) * v
     }
 
     fn quarter(&self, p: DVec2) -> &'static Quarter {
@@ -113,18 +138,41 @@ pub(super) struct Grower<'a> {
     pub(super) cover: &'a Cover,
     pub(super) land: &'a Land,
     pub(super) density: &'a Density,
+    pub(super) streets: &'a [bool],
+    pub(super) areas: &'a Areas<'a>,
+    /// The buildings of the map, if it has any: then it is believed where it says that nothing stands.
+    pub(super) mapped: Option<Mapped>,
     pub(super) seed: u64,
 }
 
 impl Grower<'_> {
-    /// Fills the land on both sides of slow roads.
+    /// Distance from known buildings within which nothing is built.
+    fn around_known(&self) -> f64 {
+        let Some(mapped) = &self.mapped else { return 0.0 };
+        let (mut places, mut known) = (0u32, 0u32);
+        for lane in self.network.lanes.iter().filter(|l| self.streets[l.id.index()] && l.right.is_none()) {
+            let length = lane.centerline.length();
+            for k in 0..(length / 20.0) as usize {
+                let place = lane.centerline.at(20.0 * k as f64 + 10.0);
+                let beside = place.position.truncate() - unit(place.heading_rad).perp() * BESIDE_M;
+                if self.density.at(beside) >= QUARTERS[1].0 && may_be_built_on(self.areas.at(beside)) {
+                    places += 1;
+                    known += u32::from(mapped.is_near(beside, 20.0));
+                }
+            }
+        }
+        AROUND_KNOWN_M[usize::from(f64::from(known) < MOST_KNOWN * f64::from(places))]
+    }
+
+    /// Fills the land on both sides of streets.
     pub(super) fn grow(&self, occupied: &mut Occupied, numbers: &mut WindowNumbers) -> Vec<Built> {
         let mut built = Vec::new();
-        for lane in self.network.lanes.iter().filter(|l| l.junction.is_none() && l.speed_limit_mps < OPEN_ROAD_MPS) {
+        let around_known = self.around_known();
+        for lane in self.network.lanes.iter().filter(|l| self.streets[l.id.index()]) {
             for side in [-1.0, 1.0] {
                 let outermost = if side < 0.0 { lane.right.is_none() } else { lane.left.is_none() };
                 if outermost {
-                    self.row(lane, side, occupied, numbers, &mut built);
+                    self.row(lane, side, around_known, occupied, numbers, &mut built);
                 }
             }
         }
@@ -135,6 +183,7 @@ impl Grower<'_> {
         &self,
         lane: &Lane,
         side: f64,
+        around_known: f64,
         occupied: &mut Occupied,
         numbers: &mut WindowNumbers,
         built: &mut Vec<Built>,
@@ -143,8 +192,15 @@ impl Grower<'_> {
         let length = lane.centerline.length();
         let mut s = 1.0;
         while s < length - 4.0 && built.len() < MOST {
-            let quarter = self.density.quarter(lane.centerline.at(s).position.truncate());
-            let weights: Vec<f64> = quarter.kinds.iter().map(|k| k.1).collect();
+            let place = lane.centerline.at(s);
+            let beside = place.position.truncate() + unit(place.heading_rad).perp() * (side * BESIDE_M);
+            let Some(quarter) = self.quarter(beside, around_known) else {
+                s += 8.0;
+                continue;
+            };
+            let main = lane.speed_limit_mps > MAIN_STREET_MPS;
+            let likely = |kind: Kind| if main && kind == Kind::House { 0.4 } else { 1.0 };
+            let weights: Vec<f64> = quarter.kinds.iter().map(|k| k.1 * likely(k.0)).collect();
             let kind = quarter.kinds[stream.weighted(&weights)].0;
             let (width, depth) = size(kind, &mut stream);
             let gap = match kind {
@@ -159,7 +215,8 @@ impl Grower<'_> {
                 _ => stream.range_f64(0.5, 4.0),
             };
             let storeys = storeys(kind, quarter.storeys.0, quarter.storeys.1, &mut stream);
-            let shops = kind == Kind::Terrace && stream.chance(0.45) || kind == Kind::Office && stream.chance(0.5);
+            let shops = kind == Kind::Terrace && stream.chance(if main { 0.75 } else { 0.35 })
+                || kind == Kind::Office && stream.chance(0.5);
             let seed = stream.next_u64();
             if stream.chance(quarter.open) {
                 s += width + gap;
@@ -167,15 +224,43 @@ impl Grower<'_> {
             }
             let measures =
                 Measures { kind, width: width as f32, depth: depth as f32, storeys, shops, party_walls: [false; 2] };
-            match self.lot(lane, side, s + width / 2.0, (width, depth), set_back, kind, occupied) {
-                Some(rect) => {
+            let wide = self.lot(lane, side, s + width / 2.0, (width, depth), set_back, kind, occupied);
+            // Corners and narrow blocks have room for a small house at least.
+            let narrow = || {
+                let measures =
+                    Measures { kind: Kind::Terrace, width: SLIM_M[0] as f32, depth: SLIM_M[1] as f32, ..measures };
+                let dense = quarter.storeys.1 >= 5;
+                let at = s + SLIM_M[0] / 2.0;
+                let rect = dense.then(|| self.lot(lane, side, at, SLIM_M.into(), 0.15, Kind::Terrace, occupied))?;
+                Some((measures, rect?))
+            };
+            match wide.map(|rect| (measures, rect)).or_else(narrow) {
+                Some((measures, rect)) => {
+                    let kind = measures.kind;
                     occupied.take(rect.grown(eaves(kind) + if kind == Kind::House { 1.3 } else { 0.0 }));
                     built.push(self.raise(measures, &rect, seed, numbers));
-                    s += width + gap;
+                    s += 2.0 * rect.half.x + gap;
                 }
                 None => s += 5.0,
             }
         }
+    }
+
+    /// What is built at a place; `None` where the map says that nothing is.
+    fn quarter(&self, p: DVec2, around_known: f64) -> Option<&'static Quarter> {
+        let area = self.areas.at(p);
+        let usual = self.density.quarter(p);
+        let built_up = area.is_some() || self.density.at(p) >= QUARTERS[1].0;
+        let known = self.mapped.as_ref().is_some_and(|m| !built_up || m.is_near(p, around_known));
+        if known || !may_be_built_on(area) {
+            return None;
+        }
+        Some(match area {
+            Some(AreaKind::Industrial) => &WORKS,
+            Some(AreaKind::Commercial) => &TRADE,
+            Some(_) if self.density.at(p) < QUARTERS[1].0 => &QUARTERS[1].1,
+            _ => usual,
+        })
     }
 
     /// A free rectangle beside a lane, its front towards the road.
@@ -204,6 +289,7 @@ impl Grower<'_> {
         let margin = if kind == Kind::Terrace { 0.3 } else { 1.0 };
         let clear = self.clear_of_pavement(&rect.grown(margin)) && occupied.is_free(&rect.grown(eaves(kind)));
         let (low, high) = self.land.range(&rect.corners());
+        let clear = clear && rect.corners().into_iter().all(|p| may_be_built_on(self.areas.at(p)));
         (clear && high - low < STEEPEST_M && (low - place.position.z).abs() < 4.0).then_some(rect)
     }
 

@@ -13,12 +13,12 @@ mod parking;
 mod plant;
 mod post;
 mod road;
+mod urban;
 
 use crate::assemble::{assemble, set_up_cameras};
 use crate::building::WindowNumbers;
 use crate::camera::{Relief, Solid};
 use crate::dressing::{Stage, keep_the_seen};
-use crate::palette::{LAWN, MEADOW};
 use crate::plot::{Occupied, Rect};
 use crate::{Town, TownError};
 use area::Areas;
@@ -30,6 +30,7 @@ use growth::{Density, Grower};
 use land::Land;
 use plant::Planter;
 use post::Poster;
+use urban::Mapped;
 
 /// Size of a tree of the map, as sight sees it, metres.
 const CROWN_M: f64 = 2.0;
@@ -53,7 +54,8 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
     let cover = Cover::new(&strips, low, high);
     let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, low, high);
     let areas = Areas::new(&map.areas, &land);
-    let density = Density::new(&map.network, low, high);
+    let streets = urban::streets(&map.network, &cover);
+    let density = Density::new(&map.network, &streets, low, high);
     let mut occupied = Occupied::default();
     let mut numbers = WindowNumbers::default();
 
@@ -64,15 +66,22 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
         infill::add(&mut ground, &map.network, &cover);
     }
     paint::add(&mut ground, map, &cover);
-    land.add(&mut ground, seed, &|p| areas.material(p, if density.at(p) > 60.0 { LAWN } else { MEADOW }));
+    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas)));
     areas.lay(&mut ground);
     let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
 
     let mut built = footprint::build(&map.footprints, &cover, &land, &mut occupied, &mut numbers, seed);
-    if map.footprints.is_empty() {
-        let grower = Grower { network: &map.network, cover: &cover, land: &land, density: &density, seed };
-        built.extend(grower.grow(&mut occupied, &mut numbers));
-    }
+    let grower = Grower {
+        network: &map.network,
+        cover: &cover,
+        land: &land,
+        density: &density,
+        streets: &streets,
+        areas: &areas,
+        mapped: (!map.footprints.is_empty()).then(|| Mapped::new(&map.footprints, low, high)),
+        seed,
+    };
+    built.extend(grower.grow(&mut occupied, &mut numbers));
     let solids: Vec<Solid> = built.iter().map(|b| b.solid.clone()).collect();
     let houses: Vec<Rect> = solids.iter().map(|s| footprint::around(&s.outline)).collect();
     own.extend(built.into_iter().map(|b| (b.mesh, b.place)));
