@@ -92,11 +92,10 @@ impl RoadNetwork {
                     let (first, second) = (self.lane(a), self.lane(b));
                     let room = 0.5 * (first.width_m + second.width_m) - SHARED_M;
                     let flat = (p - q).truncate();
-                    // Samples are apart along the lane, too.
-                    let across = flat - first.centerline.direction(s) * flat.dot(first.centerline.direction(s));
-                    let near = flat.length() < room && across.length() < room && (p.z - q.z).abs() < OTHER_LEVEL_M;
+                    let near = flat.length() < room && (p.z - q.z).abs() < OTHER_LEVEL_M;
                     if near && !self.tapers((first, s), (second, r)) && told.insert((a, b)) {
-                        let apart = across.length();
+                        // Samples are apart along the lane, too.
+                        let apart = first.centerline.direction(s).perp_dot(flat).abs();
                         let text = format!("lanes {} and {} are {apart:.2} m apart", a.0, b.0);
                         faults.push(Fault { kind: FaultKind::Overlap, place: p, text });
                     }
