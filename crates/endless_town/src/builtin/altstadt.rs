@@ -24,6 +24,7 @@ pub(super) fn make() -> (RoadMap, Look) {
         lamp_cd: 3000.0,
         conifers: 0.05,
         paving: COBBLES,
+        yards: true,
         ..Look::default()
     };
     plan.build(Some(&height), look)

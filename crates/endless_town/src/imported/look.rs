@@ -37,6 +37,8 @@ pub(crate) struct Look {
     pub(crate) bright: bool,
     /// Maize grows on the fields.
     pub(crate) maize: bool,
+    /// Ground between houses is paved where roads are many.
+    pub(crate) yards: bool,
     /// Buildings grow along the roads even where the map knows some.
     pub(crate) grows: bool,
 }
@@ -55,6 +57,7 @@ impl Default for Look {
             wires: false,
             bright: false,
             maize: false,
+            yards: false,
             grows: true,
         }
     }

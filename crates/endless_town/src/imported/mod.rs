@@ -47,7 +47,7 @@ const MOST_M: f64 = 12_000.0;
 /// # Errors
 /// [`TownError::NoLanes`] if there is nothing to drive on, [`TownError::TooLarge`] if the map is larger than 12 km.
 pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Town, TownError> {
-    dress(name, map, &Look { summary: summary(map), grows: false, ..Look::default() }, catalogue)
+    dress(name, map, &Look { summary: summary(map), grows: false, yards: true, ..Look::default() }, catalogue)
 }
 
 /// Makes a town of a map with a look of its own.
@@ -76,7 +76,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     }
     paint::add(&mut ground, map, &cover);
     bump::add(&mut ground, map, &cover);
-    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas)));
+    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, look.yards)));
     areas.lay(&mut ground);
     let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
 
