@@ -41,8 +41,6 @@ pub enum Surface {
     RoadPaint,
     /// Sidewalk slabs.
     Paving,
-    /// Small square stones set in rows of a roadway.
-    Cobbles,
     /// Kerb stone.
     Kerb,
     /// Cast concrete.

@@ -6,7 +6,6 @@
 
 mod assemble;
 mod building;
-mod builtin;
 mod camera;
 mod character;
 mod dressing;

@@ -15,7 +15,6 @@ pub(super) fn wet(look: &mut Look, point: &SurfacePoint<'_>, environment: &Envir
         Surface::Asphalt
         | Surface::RoadPaint
         | Surface::Paving
-        | Surface::Cobbles
         | Surface::Kerb
         | Surface::Concrete
         | Surface::FlatRoof => {

@@ -2,14 +2,12 @@
 //! or grown along the roads, and everything that stands in streets.
 
 mod area;
-mod bump;
 mod cover;
 mod footprint;
 mod furniture;
 mod growth;
 mod infill;
 mod land;
-mod look;
 mod paint;
 mod parking;
 mod plant;
@@ -34,8 +32,6 @@ use plant::Planter;
 use post::Poster;
 use urban::Mapped;
 
-pub(crate) use look::{Look, Zone};
-
 /// Size of a tree of the map, as sight sees it, metres.
 const CROWN_M: f64 = 2.0;
 const TREE_M: f32 = 8.0;
@@ -47,11 +43,6 @@ const MOST_M: f64 = 12_000.0;
 /// # Errors
 /// [`TownError::NoLanes`] if there is nothing to drive on, [`TownError::TooLarge`] if the map is larger than 12 km.
 pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Town, TownError> {
-    dress(name, map, &Look { summary: summary(map), grows: false, yards: true, ..Look::default() }, catalogue)
-}
-
-/// Makes a town of a map with a look of its own.
-pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogue) -> Result<Town, TownError> {
     let (low, high) = bounds(map).ok_or_else(|| TownError::NoLanes { name: name.to_owned() })?;
     let size = high - low;
     if size.max_element() > MOST_M {
@@ -61,22 +52,21 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     let seed = seed_of(name);
     let strips = road::laid(map);
     let cover = Cover::new(&strips, low, high);
-    let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, map.terrain.as_ref(), low, high);
-    let areas = Areas::new(&map.areas, &land, map.terrain.is_some());
+    let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, low, high);
+    let areas = Areas::new(&map.areas, &land);
     let streets = urban::streets(&map.network, &cover);
     let density = Density::new(&map.network, &streets, low, high);
     let mut occupied = Occupied::default();
     let mut numbers = WindowNumbers::default();
 
     let mut ground = MeshBuilder::new();
-    road::Paver { strips: &strips, cover: &cover, land: &land, paving: look.paving }.pave(&mut ground, &mut occupied);
-    road::junction_areas(&mut ground, map, look.paving);
+    road::Paver { strips: &strips, cover: &cover, land: &land }.pave(&mut ground, &mut occupied);
+    road::junction_areas(&mut ground, map);
     if map.junction_areas.is_empty() {
         infill::add(&mut ground, &map.network, &cover);
     }
     paint::add(&mut ground, map, &cover);
-    bump::add(&mut ground, map, &cover);
-    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, look.yards)));
+    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas)));
     areas.lay(&mut ground);
     let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
 
@@ -85,11 +75,10 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
         network: &map.network,
         cover: &cover,
         land: &land,
-        areas: &areas,
         density: &density,
         streets: &streets,
-        look,
-        mapped: (!map.footprints.is_empty() && !look.grows).then(|| Mapped::new(&map.footprints, low, high)),
+        areas: &areas,
+        mapped: (!map.footprints.is_empty()).then(|| Mapped::new(&map.footprints, low, high)),
         seed,
     };
     built.extend(grower.grow(&mut occupied, &mut numbers));
@@ -98,8 +87,8 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     own.extend(built.into_iter().map(|b| (b.mesh, b.place)));
 
     let mut stage = Stage::new(catalogue, occupied, seed);
-    let poster = Poster { map, cover: &cover, land: &land, look };
-    let planter = Planter { map, cover: &cover, land: &land, areas: &areas, density: &density, look, seed };
+    let poster = Poster { map, cover: &cover, land: &land };
+    let planter = Planter { map, cover: &cover, land: &land, areas: &areas, density: &density, seed };
     poster.signals(&mut stage);
     poster.signs(&mut stage);
     poster.lamps(&mut stage);
@@ -114,15 +103,10 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     let cameras = set_up_cameras(&mut stage, &map.network, &relief, &solids);
     keep_the_seen(&mut stage.parked, &cameras);
     planter.rows(&mut stage, &poster, &cameras, &houses);
-    let mut wires = MeshBuilder::new();
-    furniture::add(&mut stage, &mut wires, &poster, &cameras);
-    own.push((wires.finish(), Affine3A::IDENTITY));
-    if look.maize {
-        planter.maize(&mut stage, &cameras);
-    }
+    furniture::add(&mut stage, &poster, &cameras);
     planter.land(&mut stage, &cameras, low, high);
     planter.hills(&mut stage);
-    Ok(assemble(name, &look.summary, map.network.clone(), own, stage, cameras))
+    Ok(assemble(name, &summary(map), map.network.clone(), own, stage, cameras))
 }
 
 /// A seed from a name (FNV-1a).
