@@ -32,7 +32,7 @@ pub use class::{ClassTag, ObjectClass};
 pub use condition::{TimeOfDay, UnknownName, Weather};
 pub use ids::{InstanceId, SignalId};
 pub use look::{CameraLook, Clock, Distortion, LookChoice};
-pub use rng::Stream;
+pub use rng::{Stream, fnv1a};
 pub use scene::SceneSettings;
 pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame};
 pub use state::{SignalAspect, SignalState, WorldState};

@@ -19,6 +19,11 @@ const fn mix(mut z: u64) -> u64 {
     z ^ (z >> 31)
 }
 
+/// FNV-1a, 64 bits: a name or a file as a number. Not for keys that an adversary chooses.
+pub fn fnv1a(bytes: impl IntoIterator<Item = u8>) -> u64 {
+    bytes.into_iter().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
+}
+
 impl Stream {
     /// The stream of these keys.
     pub fn new(seed: u64, keys: &[u64]) -> Self {
@@ -31,8 +36,7 @@ impl Stream {
 
     /// The stream of a name, for keys that are words ("traffic", "plan").
     pub fn named(seed: u64, name: &str, keys: &[u64]) -> Self {
-        let hash =
-            name.bytes().fold(0xcbf2_9ce4_8422_2325u64, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3));
+        let hash = fnv1a(name.bytes());
         let mut stream = Self::new(seed ^ hash, keys);
         stream.state = mix(stream.state ^ hash);
         stream

@@ -3,6 +3,7 @@
 use super::MapError;
 use endless_dataset::AtomicFile;
 use endless_road::{RoadMap, opendrive, osm};
+use endless_world::fnv1a;
 use serde::{Deserialize, Serialize};
 use std::{
     env, fs,
@@ -99,8 +100,7 @@ fn read(path: &Path) -> Result<Vec<u8>, MapError> {
 /// FNV-1a over how a file is read and what it holds.
 fn hash(bytes: &[u8], format: MapFormat, side: Option<DrivingSide>) -> String {
     let how = [format as u8, side.map_or(0, |s| 1 + s as u8)];
-    let step = |h: u64, b: &u8| (h ^ u64::from(*b)).wrapping_mul(0x100_0000_01b3);
-    format!("{:016x}", how.iter().chain(bytes).fold(0xcbf2_9ce4_8422_2325, step))
+    format!("{:016x}", fnv1a(how.iter().chain(bytes).copied()))
 }
 
 impl MapStore {

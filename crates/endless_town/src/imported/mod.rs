@@ -25,6 +25,7 @@ use area::Areas;
 use cover::Cover;
 use endless_asset::{Catalogue, MeshBuilder};
 use endless_road::RoadMap;
+use endless_world::fnv1a;
 use glam::{Affine3A, DVec2};
 use growth::{Density, Grower};
 use land::Land;
@@ -49,7 +50,7 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
         let (width_km, height_km) = (size.x / 1000.0, size.y / 1000.0);
         return Err(TownError::TooLarge { name: name.to_owned(), width_km, height_km, most_km: MOST_M / 1000.0 });
     }
-    let seed = seed_of(name);
+    let seed = fnv1a(name.bytes());
     let strips = road::laid(map);
     let cover = Cover::new(&strips, low, high);
     let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, low, high);
@@ -107,11 +108,6 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
     planter.land(&mut stage, &cameras, low, high);
     planter.hills(&mut stage);
     Ok(assemble(name, &summary(map), map.network.clone(), own, stage, cameras))
-}
-
-/// A seed from a name (FNV-1a).
-fn seed_of(name: &str) -> u64 {
-    name.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x100_0000_01b3))
 }
 
 /// Smallest and largest place of lanes and strips.
