@@ -8,7 +8,7 @@ use obvhs::bvh2::builder::build_bvh2;
 use obvhs::{Boundable, BvhBuildParams};
 
 use super::collapse::{Costs, Tree, collapse};
-use super::node::{EMPTY_BOX, Link, Node, union};
+use super::node::{EMPTY_BOX, Link, Node, half_area, union};
 use super::triangle::TriangleGroup;
 
 /// Acceleration structure over one mesh, to be shared by all its instances.
@@ -86,18 +86,14 @@ impl Blas {
         open.retain(|(root, _)| *root != Link::EMPTY);
         let mut whole = Vec::new();
         while !open.is_empty() && open.len() + whole.len() < count {
-            let area = |&(_, (low, high)): &(Link, (Vec3A, Vec3A))| {
-                let d: Vec3A = high - low;
-                d.x * d.y + d.y * d.z + d.z * d.x
-            };
-            let largest = (0..open.len()).max_by(|&a, &b| area(&open[a]).total_cmp(&area(&open[b]))).unwrap_or(0);
+            let area = |i: usize| half_area(open[i].1);
+            let largest = (0..open.len()).max_by(|&a, &b| area(a).total_cmp(&area(b))).unwrap_or(0);
             let (link, bounds) = open.swap_remove(largest);
             if link.is_leaf() {
                 whole.push(bounds);
                 continue;
             }
-            let node = &self.tree.nodes[link.node()];
-            open.extend((0..8).filter(|&s| node.links[s] != Link::EMPTY).map(|s| (node.links[s], node.child_box(s))));
+            open.extend(self.tree.nodes[link.node()].children());
         }
         whole.extend(open.into_iter().map(|(_, bounds)| bounds));
         whole

@@ -84,9 +84,14 @@ impl Node {
         (corner(0), corner(1))
     }
 
+    /// The children there are, and their boxes.
+    pub(super) fn children(&self) -> impl Iterator<Item = (Link, (Vec3A, Vec3A))> {
+        (0..8).filter(|&slot| self.links[slot] != Link::EMPTY).map(|slot| (self.links[slot], self.child_box(slot)))
+    }
+
     /// Box around all children.
     pub(super) fn bounds(&self) -> (Vec3A, Vec3A) {
-        (0..8).filter(|&slot| self.links[slot] != Link::EMPTY).fold(EMPTY_BOX, |b, slot| union(b, self.child_box(slot)))
+        self.children().fold(EMPTY_BOX, |b, (_, child)| union(b, child))
     }
 
     /// Which children a ray (or every ray of a beam) may enter before `tmax`, and where.
@@ -130,4 +135,18 @@ pub(super) const EMPTY_BOX: (Vec3A, Vec3A) = (Vec3A::INFINITY, Vec3A::NEG_INFINI
 /// Box around two boxes.
 pub(super) fn union(a: (Vec3A, Vec3A), b: (Vec3A, Vec3A)) -> (Vec3A, Vec3A) {
     (a.0.min(b.0), a.1.max(b.1))
+}
+
+/// Half of a box's surface.
+pub(super) fn half_area((min, max): (Vec3A, Vec3A)) -> f32 {
+    let d = max - min;
+    d.x * d.y + d.y * d.z + d.z * d.x
+}
+
+/// The eight corners of a box; bit k of the index picks the upper side along axis k.
+pub(crate) fn corners((min, max): (Vec3A, Vec3A)) -> [Vec3A; 8] {
+    std::array::from_fn(|i| {
+        let pick = |axis: usize| if i >> axis & 1 == 0 { min[axis] } else { max[axis] };
+        Vec3A::new(pick(0), pick(1), pick(2))
+    })
 }

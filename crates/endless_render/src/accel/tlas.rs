@@ -10,7 +10,7 @@ use obvhs::bvh2::builder::build_bvh2;
 
 use super::blas::Blas;
 use super::collapse::{Costs, Tree, collapse};
-use super::node::{EMPTY_BOX, Link, Node, union};
+use super::node::{EMPTY_BOX, Link, Node, corners, half_area, union};
 use super::ray::Transform;
 
 /// Acceleration structure over placed meshes: what rays are traced against.
@@ -148,14 +148,8 @@ fn open_parts(blas: &Blas, found: &mut impl FnMut(Link, (Vec3A, Vec3A))) {
             found(link, bounds);
             continue;
         }
-        let node = &blas.nodes()[link.node()];
-        open.extend((0..8).filter(|&s| node.links[s] != Link::EMPTY).map(|s| (node.links[s], node.child_box(s))));
+        open.extend(blas.nodes()[link.node()].children());
     }
-}
-
-fn half_area((min, max): (Vec3A, Vec3A)) -> f32 {
-    let d = max - min;
-    d.x * d.y + d.y * d.z + d.z * d.x
 }
 
 /// Box around a transformed box, padded for the rounding of the ray's way into object space. The identity gives
@@ -168,11 +162,8 @@ pub(crate) fn world_bounds((min, max): (Vec3A, Vec3A), world_from_object: &Affin
     if *world_from_object == Affine3A::IDENTITY {
         return (min, max);
     }
-    let corners = (0..8).map(|k| {
-        let pick = |axis: usize| if k >> axis & 1 == 0 { min[axis] } else { max[axis] };
-        Vec3A::new(pick(0), pick(1), pick(2))
-    });
-    let (low, high) = corners.map(|c| world_from_object.transform_point3a(c)).fold(EMPTY_BOX, |b, c| union(b, (c, c)));
+    let corners = corners((min, max)).map(|c| world_from_object.transform_point3a(c));
+    let (low, high) = corners.into_iter().fold(EMPTY_BOX, |b, c| union(b, (c, c)));
     let reach = low.abs().max(high.abs()).max_element() + world_from_object.translation.abs().max_element();
     (low - PAD * reach, high + PAD * reach)
 }

@@ -4,6 +4,7 @@ use super::bake::CameraBake;
 use super::beam_box::Bundle;
 use super::compose::{CONTACT_REACH_M, CONTACT_RISE_M};
 use super::tile::{BLOCK, Span, TILE, TileBounds};
+use crate::accel::corners;
 use crate::light::{Beam, Lamps};
 use crate::scene::{FrameScene, Instance, MovingObject, StaticScene};
 use endless_world::{Distortion, PinholeCamera};
@@ -229,17 +230,10 @@ fn tiles_of(bake: &CameraBake, world_from_object: &Affine3A, bounds: (Vec3A, Vec
 }
 
 /// Bounds of the visible part of an object's box in the image; `None` if it lies behind the camera.
-fn projected(
-    camera: &PinholeCamera,
-    world_from_object: &Affine3A,
-    (low, high): (Vec3A, Vec3A),
-) -> Option<(Vec2, Vec2)> {
+fn projected(camera: &PinholeCamera, world_from_object: &Affine3A, bounds: (Vec3A, Vec3A)) -> Option<(Vec2, Vec2)> {
     const NEAR: f32 = 0.02;
-    let corners: [Vec3; 8] = std::array::from_fn(|i| {
-        let pick = |bit: usize, a: f32, b: f32| if i >> bit & 1 == 0 { a } else { b };
-        let corner = Vec3A::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z));
-        camera.camera_from_world(world_from_object.transform_point3a(corner).into())
-    });
+    let seen = |corner| camera.camera_from_world(world_from_object.transform_point3a(corner).into());
+    let corners: [Vec3; 8] = corners(bounds).map(seen);
     let (mut first, mut last) = (Vec2::INFINITY, Vec2::NEG_INFINITY);
     let mut add = |c: Vec3| {
         let p = Vec2::new(c.x, c.y) / c.z;

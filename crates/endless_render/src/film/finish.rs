@@ -2,6 +2,7 @@
 //! the clock, and compression. Distortion is not here: rays are bent by it, so all layers have it alike.
 
 use super::clock::stamp;
+use crate::material::noise::hash;
 use endless_world::{CameraLook, ImageSize};
 use glam::{Vec2, Vec3A};
 
@@ -115,13 +116,6 @@ fn compressed(rgb: &[[u8; 3]], size: ImageSize, quality: u8) -> Vec<[u8; 3]> {
     // Neither fails on a picture in memory whose sides are within JPEG's 65,535.
     encoded.expect("a picture can be compressed");
     decoded.expect("what was compressed can be read").as_chunks::<3>().0.to_vec()
-}
-
-/// A 32-bit mix (Wellons' lowbias32).
-fn hash(mut x: u32) -> u32 {
-    x = (x ^ x >> 16).wrapping_mul(0x7feb_352d);
-    x = (x ^ x >> 15).wrapping_mul(0x846c_a68b);
-    x ^ x >> 16
 }
 
 /// Nearly a standard normal: the sum of four bytes.

@@ -2,8 +2,9 @@
 
 use glam::{IVec2, IVec3, Vec2, Vec3, Vec3A};
 
+/// Mixes all bits.
 #[inline]
-fn hash(mut x: u32) -> u32 {
+pub(crate) fn hash(mut x: u32) -> u32 {
     // lowbias32 (Wellons 2018).
     x ^= x >> 16;
     x = x.wrapping_mul(0x7feb_352d);
