@@ -53,6 +53,7 @@ impl Catalogue {
             Prop::Bush => plant::bush(variant),
             Prop::Hedge => plant::hedge(variant),
             Prop::Planter => plant::planter(variant),
+            Prop::Corn => plant::corn(variant),
             _ => furniture::furniture(prop, variant),
         }
     }
@@ -62,7 +63,7 @@ impl Catalogue {
         match prop {
             Prop::BroadleafTree => plant::BROADLEAF_VARIANTS,
             Prop::Conifer => plant::CONIFER_VARIANTS,
-            Prop::Palm => 3,
+            Prop::Palm | Prop::Corn => 3,
             Prop::Bush | Prop::Planter => 4,
             Prop::Hedge => 2,
             _ => furniture::variants(prop),

@@ -41,6 +41,8 @@ pub enum Surface {
     RoadPaint,
     /// Sidewalk slabs.
     Paving,
+    /// Small square stones set in rows of a roadway.
+    Cobbles,
     /// Kerb stone.
     Kerb,
     /// Cast concrete.

@@ -13,6 +13,8 @@ pub enum Prop {
     Bush,
     /// A straight metre of clipped hedge along x, 1 m high, 0.6 m deep.
     Hedge,
+    /// A square block of maize of 4 m, rows along x, about 2 m high.
+    Corn,
     /// Lamp post, 8 m, arm along +x reaching 2 m; lens at (2, 0, 7.9).
     StreetLamp,
     /// Wooden utility pole, 9 m, cross-arm along y.

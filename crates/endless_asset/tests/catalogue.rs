@@ -14,6 +14,7 @@ const PROPS: &[Prop] = &[
     Prop::Palm,
     Prop::Bush,
     Prop::Hedge,
+    Prop::Corn,
     Prop::StreetLamp,
     Prop::UtilityPole,
     Prop::CameraPole,
@@ -234,6 +235,7 @@ fn props_stand_as_documented() {
     height(Prop::Palm, 6.0, 10.0);
     height(Prop::Bush, 0.7, 1.6);
     height(Prop::Hedge, 0.9, 1.15);
+    height(Prop::Corn, 1.7, 2.8);
     height(Prop::UtilityPole, 8.9, 9.1);
     height(Prop::CameraPole, 5.9, 6.1);
     height(Prop::Bollard, 0.89, 0.91);

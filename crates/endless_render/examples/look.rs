@@ -1,14 +1,12 @@
 //! Renders one frame of a town with actors standing at its spawn points, without traffic:
 //! `cargo run --release -p endless_render --example look -- Town03 0 rainy night look.png [WIDTHxHEIGHT] [instance.png]`.
 
+mod staged;
+
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
-use endless_town::Town;
-use endless_world::{
-    Actor, AssetRef, CameraLook, Gait, ImageSize, InstanceId, Motion, ObjectClass, Pose, SignalAspect, SignalState,
-    TimeOfDay, VehicleLights, VehicleMotion, WalkerMotion, Weather, WorldState,
-};
-use glam::Vec3;
+use endless_world::{CameraLook, ImageSize, TimeOfDay, Weather};
+use staged::crowd;
 use std::{error::Error, fs::File, path::Path, time::Instant};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -75,61 +73,6 @@ fn thread_cpu_seconds() -> f64 {
         .ok()
         .and_then(|s| s.split(' ').next()?.parse::<f64>().ok());
     nanoseconds.unwrap_or(0.0) * 1e-9
-}
-
-/// A vehicle at every fourth spawn point, a person at every few sidewalk nodes near the camera.
-fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: bool) -> WorldState {
-    let first = town.parked.len() as u16 + 1;
-    let mut actors = Vec::new();
-    let mut next = first;
-    for (i, spawn) in town.network.spawn_points.iter().enumerate().step_by(5) {
-        let model = (i * 7 / 3 % catalogue.vehicles().len().max(1)) as u16;
-        let Some(entry) = catalogue.vehicles().get(usize::from(model)) else { break };
-        let place = town.network.lane(spawn.lane).centerline.at(spawn.s);
-        let rider_id = entry.spec.ridden.then(|| InstanceId(next + 1));
-        let bits = if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION } else { 0 };
-        actors.push(Actor {
-            id: InstanceId(next),
-            rider_id,
-            class: entry.spec.class,
-            asset: AssetRef { model, variant: i as u64 * 977 },
-            pose: Pose::level(place.position.as_vec3(), place.heading_rad as f32),
-            velocity_mps: Vec3::ZERO,
-            motion: Motion::Vehicle(VehicleMotion { lights: VehicleLights(bits), ..VehicleMotion::default() }),
-            parked: false,
-        });
-        next += 2;
-    }
-    for (i, edge) in town.network.walk.edges.iter().enumerate().step_by(2) {
-        let [a, b] = edge.nodes.map(|n| town.network.walk.nodes[n.index()].as_vec3());
-        let along = b - a;
-        let position = a + along * 0.37;
-        let yaw = endless_world::math::atan2(along.y, along.x);
-        let [x, y, z] = eye;
-        if position.distance(Vec3::new(x, y, z)) > 70.0 {
-            continue;
-        }
-        actors.push(Actor {
-            id: InstanceId(next),
-            rider_id: None,
-            class: ObjectClass::Pedestrian,
-            asset: AssetRef { model: 0, variant: i as u64 * 31 },
-            pose: Pose::level(position, yaw),
-            velocity_mps: Vec3::ZERO,
-            motion: Motion::Walker(WalkerMotion {
-                speed_mps: 1.3,
-                gait: Gait::Walk,
-                walked_m: i as f32 * 0.37,
-                time_s: 0.0,
-            }),
-            parked: false,
-        });
-        next += 1;
-    }
-    let aspects = [SignalAspect::Red, SignalAspect::Green];
-    let signals =
-        (0..town.network.signal_groups).map(|i| SignalState { aspect: aspects[usize::from(i) % 2] }).collect();
-    WorldState { frame: 0, time_s: 0.0, actors, signals }
 }
 
 fn write_png(path: impl AsRef<Path>, size: ImageSize, data: &[u8]) -> Result<(), Box<dyn Error>> {

@@ -19,6 +19,7 @@ mod polyline;
 mod road_map;
 mod route;
 mod spawn;
+mod terrain;
 mod walk;
 
 pub use conflict::{near_ranges, swept_overlap};
@@ -31,4 +32,5 @@ pub use network::{
 };
 pub use polyline::{OnLine, Polyline};
 pub use road_map::{Area, AreaKind, Footprint, Mark, Note, Paint, RoadMap, Strip, StripKind, Thing, ThingKind};
+pub use terrain::Terrain;
 pub use walk::WalkGraph;

@@ -1,7 +1,7 @@
 //! A map as a file describes it: what traffic drives on, the surfaces that lie there, and what is known of the
 //! surroundings. Importers make it; a town is dressed from it.
 
-use crate::{Polyline, RoadNetwork};
+use crate::{Polyline, RoadNetwork, Terrain};
 use endless_world::SignalId;
 use glam::{DVec2, DVec3};
 
@@ -23,6 +23,8 @@ pub struct RoadMap {
     pub footprints: Vec<Footprint>,
     /// Things that stand at a place.
     pub things: Vec<Thing>,
+    /// The lie of the land beside the roads, where known.
+    pub terrain: Option<Terrain>,
     /// Whether traffic keeps to the left.
     pub left_hand: bool,
     /// PROJ string or WGS 84 origin of the local frame, as the file gives it.
@@ -177,6 +179,8 @@ pub enum ThingKind {
     Hydrant,
     /// A power or telephone pole.
     UtilityPole,
+    /// A bump across the road, to slow traffic down; its heading is the road's.
+    SpeedBump,
 }
 
 /// Something that stands at a place.

@@ -168,7 +168,7 @@ fn a_village_is_read_on_either_side() {
     use endless_road::osm::DrivingSide;
     let text = village();
     let read = |side| {
-        let options = OsmOptions { driving_side: Some(side) };
+        let options = OsmOptions { driving_side: Some(side), ..OsmOptions::default() };
         osm::read(text.as_bytes(), &options).expect("a village")
     };
     let (right, left) = (read(DrivingSide::Right), read(DrivingSide::Left));

@@ -6,6 +6,7 @@
 
 mod assemble;
 mod building;
+mod builtin;
 mod camera;
 mod character;
 mod dressing;

@@ -6,12 +6,13 @@ use crate::camera::{Relief, Solid};
 use crate::character::{CHARACTERS, Character};
 use crate::dressing::Dresser;
 use crate::plot::Occupied;
-use crate::{Town, TownError, building, dressing, network, surface};
+use crate::{Town, TownError, building, builtin, dressing, network, surface};
 use endless_asset::Catalogue;
 use glam::Affine3A;
 
-/// The maps there are, in the paper's order.
-pub const NAMES: &[&str] = &["Town01", "Town02", "Town03", "Town04", "Town05", "Town06", "Town07", "Town10HD"];
+/// The maps there are: the paper's in its order, then two of our own.
+pub const NAMES: &[&str] =
+    &["Town01", "Town02", "Town03", "Town04", "Town05", "Town06", "Town07", "Town10HD", "Ladera", "Altstadt"];
 
 /// The name of the map that is meant: `Town01_Opt` is `Town01`.
 ///
@@ -32,6 +33,9 @@ pub fn canonical_name(given: &str) -> Result<&'static str, TownError> {
 /// [`TownError::UnknownMap`] if there is no such map.
 pub fn load(name: &str, catalogue: &Catalogue) -> Result<Town, TownError> {
     let name = canonical_name(name)?;
+    if let Some(town) = builtin::load(name, catalogue) {
+        return town;
+    }
     let character = CHARACTERS.iter().find(|c| c.name == name).expect("every name has a character");
     Ok(make(character, catalogue))
 }
@@ -64,6 +68,7 @@ mod tests {
         assert_eq!(canonical_name("Town10HD"), Ok("Town10HD"));
         let error = canonical_name("Town99").expect_err("no such map");
         assert!(error.to_string().contains("Town99") && error.to_string().contains("Town07"));
-        assert!(NAMES.iter().all(|n| CHARACTERS.iter().any(|c| c.name == *n)));
+        let known = |n: &str| builtin::has(n) || CHARACTERS.iter().any(|c| c.name == n);
+        assert!(NAMES.iter().all(|n| known(n)));
     }
 }

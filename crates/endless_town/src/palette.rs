@@ -4,6 +4,7 @@ use endless_asset::{Material, Surface};
 use endless_world::ClassTag;
 
 pub(crate) const ASPHALT: Material = Material::new(Surface::Asphalt, [0.075, 0.075, 0.078], ClassTag::Roads);
+pub(crate) const COBBLES: Material = Material::new(Surface::Cobbles, [0.155, 0.145, 0.135], ClassTag::Roads);
 pub(crate) const PAVING: Material = Material::new(Surface::Paving, [0.36, 0.34, 0.31], ClassTag::Sidewalks);
 pub(crate) const KERB: Material = Material::new(Surface::Kerb, [0.42, 0.41, 0.39], ClassTag::Sidewalks);
 pub(crate) const VERGE: Material = Material::new(Surface::Grass, [0.10, 0.16, 0.05], ClassTag::Terrain);

@@ -41,7 +41,9 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
         Prop::Kiosk => shelter::kiosk(variant),
         Prop::Railing => wall::railing(),
         Prop::FencePanel => wall::fence_panel(),
-        Prop::BroadleafTree | Prop::Conifer | Prop::Palm | Prop::Bush | Prop::Hedge | Prop::Planter => Sculpt::new(),
+        Prop::BroadleafTree | Prop::Conifer | Prop::Palm | Prop::Bush | Prop::Hedge | Prop::Corn | Prop::Planter => {
+            Sculpt::new()
+        }
     };
     sculpt.into_mesh()
 }

@@ -87,7 +87,7 @@ fn parse(bytes: &[u8], format: MapFormat, side: Option<DrivingSide>, path: &Path
                 DrivingSide::Left => osm::DrivingSide::Left,
                 DrivingSide::Right => osm::DrivingSide::Right,
             });
-            osm::read(bytes, &osm::OsmOptions { driving_side })
+            osm::read(bytes, &osm::OsmOptions { driving_side, ..osm::OsmOptions::default() })
                 .map_err(|cause| MapError::Osm { path: path.to_owned(), cause })
         }
     }

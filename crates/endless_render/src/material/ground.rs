@@ -118,6 +118,20 @@ pub(super) fn paving(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> L
     Look::matte(base * (slab * stain * (1.0 - 0.5 * joint) * (1.0 - gum)), point.normal)
 }
 
+/// Setts of a hand's width, worn round, with dark joints.
+pub(super) fn cobbles(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    const SETT_M: f32 = 0.13;
+    let p = plan(point);
+    let (first, second, id) = noise::cells2(p / SETT_M, 53);
+    let joint = line((second - first) * SETT_M, 0.022, footprint);
+    // Stones differ as far as a pixel still tells them apart.
+    let visible = (0.12 / footprint.max(0.01)).min(1.0);
+    let stone = 0.92 + (id - 0.5) * 0.5 * visible;
+    let broad =
+        1.0 + 0.22 * noise::filtered_fbm2(p, 6.0, 4, footprint) + 0.16 * noise::filtered_fbm2(p, 1.1, 3, footprint);
+    Look::matte(base * (stone * broad * (1.0 - 0.55 * joint)), point.normal)
+}
+
 pub(super) fn kerb(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
     let p = plan(point);
     let along = p.x * point.normal.y.abs().max(0.3) + p.y * point.normal.x.abs().max(0.3);

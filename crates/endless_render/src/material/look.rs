@@ -66,6 +66,7 @@ pub(crate) fn look(point: &SurfacePoint<'_>, environment: &Environment, footprin
         Surface::Asphalt => ground::asphalt(point, base, footprint_m),
         Surface::RoadPaint => ground::road_paint(point, base, footprint_m),
         Surface::Paving => ground::paving(point, base, footprint_m),
+        Surface::Cobbles => ground::cobbles(point, base, footprint_m),
         Surface::Kerb => ground::kerb(point, base, footprint_m),
         Surface::Concrete => ground::concrete(point, base, footprint_m),
         Surface::Grass => ground::grass(point, base, footprint_m),

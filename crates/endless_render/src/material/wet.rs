@@ -15,6 +15,7 @@ pub(super) fn wet(look: &mut Look, point: &SurfacePoint<'_>, environment: &Envir
         Surface::Asphalt
         | Surface::RoadPaint
         | Surface::Paving
+        | Surface::Cobbles
         | Surface::Kerb
         | Surface::Concrete
         | Surface::FlatRoof => {

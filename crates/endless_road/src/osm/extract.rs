@@ -1,5 +1,6 @@
 //! What an OpenStreetMap file holds: nodes, ways, relations, each with tags.
 
+use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// Keys and values.
@@ -106,6 +107,11 @@ pub struct Extract {
 }
 
 impl Extract {
+    /// Degrees north and east of a place that is given in metres east and north of a centre.
+    pub fn degrees(centre: [f64; 2], metres: DVec2) -> [f64; 2] {
+        super::projection::Projection::around(centre[0], centre[1]).unproject(metres)
+    }
+
     /// Sorts by id and keeps the last of each: the same file in another order gives the same map.
     pub(super) fn put_in_order(&mut self) {
         self.ways.sort_by_key(|w| w.id);

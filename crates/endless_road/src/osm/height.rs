@@ -1,7 +1,9 @@
-//! Heights: bridges over other roads are raised, tunnels sink, ramps lead up and down. The ground is flat.
+//! Heights: bridges over other roads are raised, tunnels sink, ramps lead up and down. The ground is flat
+//! unless its relief is known.
 
 use super::curve::segments_cross;
 use super::ways::{Level, Stretch, Vertex};
+use glam::DVec2;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -14,12 +16,17 @@ const DIVE: f64 = 0.09;
 const DEEPEST_M: f64 = 6.0;
 /// Longest piece of a ramp, metres.
 const PIECE_M: f64 = 8.0;
+/// Levels are smoothed over so many pieces to both sides.
+const SMOOTH_PIECES: usize = 2;
+
+/// Height of the land at a place, metres.
+pub(super) type Ground<'a> = &'a dyn Fn(DVec2) -> f64;
 
 /// Gives every node a height, metres; nodes that are not in it lie at 0. Divides long segments where there are ramps.
-pub(super) fn heights(stretches: &mut [Stretch]) -> BTreeMap<i64, f64> {
+pub(super) fn heights(stretches: &mut [Stretch], ground: Option<Ground<'_>>) -> BTreeMap<i64, f64> {
     let raised = raised(stretches);
     let tunnels = stretches.iter().any(|s| s.levels.iter().any(|l| l.tunnel));
-    if raised.is_empty() && !tunnels {
+    if raised.is_empty() && !tunnels && ground.is_none() {
         return BTreeMap::new();
     }
     let mut next_id = i64::MIN / 2;
@@ -29,7 +36,38 @@ pub(super) fn heights(stretches: &mut [Stretch]) -> BTreeMap<i64, f64> {
     let edges = edges(stretches);
     let mut heights = spread(&edges, raised, RAMP, |_| true);
     sink(stretches, &edges, &mut heights);
+    if let Some(ground) = ground {
+        let mut levels: BTreeMap<i64, f64> = BTreeMap::new();
+        for stretch in stretches.iter() {
+            levels.extend(profile(stretch, ground));
+        }
+        for (node, level) in levels {
+            *heights.entry(node).or_default() += level;
+        }
+    }
     heights
+}
+
+/// Levels of a stretch's nodes on the land: straight over bridges and through tunnels, smooth elsewhere.
+fn profile(stretch: &Stretch, ground: Ground<'_>) -> Vec<(i64, f64)> {
+    let n = stretch.vertices.len() - 1;
+    let mut levels: Vec<f64> = stretch.vertices.iter().map(|v| ground(v.at)).collect();
+    let mut from = 0;
+    while from < n {
+        let free = |k: &usize| !stretch.levels[*k].bridge && !stretch.levels[*k].tunnel;
+        let to = (from..n).find(free).unwrap_or(n);
+        for k in from + 1..to {
+            levels[k] = levels[from] + (levels[to] - levels[from]) * (k - from) as f64 / (to - from) as f64;
+        }
+        from = to.max(from) + 1;
+    }
+    let smoothed = (0..=n).map(|k| {
+        // Ends stay where they are: other stretches begin there.
+        let window = SMOOTH_PIECES.min(k).min(n - k);
+        let around = &levels[k - window..=k + window];
+        (stretch.vertices[k].node, around.iter().sum::<f64>() / around.len() as f64)
+    });
+    smoothed.collect()
 }
 
 /// Nodes of bridges that pass over another road, with their heights.
@@ -65,7 +103,10 @@ fn storeys(stretches: &[Stretch], bridge: &[Vertex], level: Level) -> Option<f64
             if under.layer >= level.layer || under.tunnel {
                 continue;
             }
-            let crosses = bridge.windows(2).any(|b| segments_cross(b[0].at, b[1].at, pair[0].at, pair[1].at).is_some());
+            // A little longer, so that a way through the other's very node counts.
+            let over = 0.01 * (pair[1].at - pair[0].at);
+            let (from, to) = (pair[0].at - over, pair[1].at + over);
+            let crosses = bridge.windows(2).any(|b| segments_cross(b[0].at, b[1].at, from, to).is_some());
             if crosses {
                 let by = (level.layer - under.layer.max(0)).clamp(1, 3);
                 most = Some(most.map_or(by, |m| m.max(by)));

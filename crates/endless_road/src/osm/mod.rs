@@ -2,7 +2,7 @@
 //!
 //! The steps, each a small file: read ([`xml`], [`pbf`]) into an [`extract`]; lay it out in metres ([`projection`],
 //! [`site`]); ways become stretches with cross-sections ([`ways`], [`section`]), cut and joined to a graph ([`graph`]),
-//! raised on bridges ([`height`]), rounded into streets ([`plan`]) and cut back where they meet ([`trim`]); rules,
+//! raised on bridges and over the lie of the land ([`height`], [`relief`]), rounded into streets ([`plan`]) and cut back where they meet ([`trim`]); rules,
 //! crossings and lanes follow ([`rules`], [`crossing`], [`lane`], [`movement`], [`connector`], [`signal`], [`walk`]),
 //! then what lies there ([`surface`], [`paint`]) and stands beside it.
 //!
@@ -28,6 +28,7 @@ mod path;
 mod pbf;
 mod plan;
 mod projection;
+mod relief;
 mod restriction;
 mod ring;
 mod rules;
@@ -48,8 +49,11 @@ pub use error::OsmError;
 pub use extract::{Bounds, Extract, Member, MemberKind, Node, Relation, Tags, Way};
 pub(crate) use projection::raw as mercator;
 
-use crate::{Junction, JunctionId, RoadMap};
+use crate::{Junction, JunctionId, RoadMap, Terrain};
+use glam::DVec2;
+use height::Ground;
 use plan::Plan;
+use relief::Formation;
 use site::Site;
 
 /// On which side of the road traffic keeps.
@@ -66,6 +70,8 @@ pub enum DrivingSide {
 pub struct OsmOptions {
     /// The side of traffic; by the extract's place where `None`.
     pub driving_side: Option<DrivingSide>,
+    /// The lie of the land in the map's own frame (metres east and north of the extract's middle); flat where `None`.
+    pub terrain: Option<Terrain>,
 }
 
 /// Reads the elements of a file, `.osm` or `.osm.pbf` by its content.
@@ -105,14 +111,21 @@ pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmE
         return Err(OsmError::NoRoads { ways: extract.ways.len(), nodes: extract.nodes.len() });
     }
     let roads = rules::split_at_lights(graph::merge(graph::without_scraps(roads)), &site);
-    let mut plan = Plan::new(roads);
+    let side = if site.mirrored { -1.0 } else { 1.0 };
+    let natural = options.terrain.as_ref().map(|terrain| move |p: DVec2| terrain.height(DVec2::new(side * p.x, p.y)));
+    let ground = natural.as_ref().map(|natural| natural as Ground<'_>);
+    let mut plan = Plan::new(roads, ground);
     twin::find(&mut plan);
     turnaround::join_dead_ends(&mut plan);
     trim::trim(&mut plan);
     check_count("junctions", plan.knots.len())?;
+    if let Some(ground) = ground {
+        site.formation = Some(Formation::new(&plan, ground));
+    }
     let mut map = build(&mut plan, &mut site)?;
-    surface::yards(&plan, &yards, &mut map);
+    surface::yards(&plan, &site, &yards, &mut map);
     surroundings::add(&mut site, &mut map);
+    map.terrain.clone_from(&options.terrain);
     map.georeference = Some(site.projection.georeference());
     if site.mirrored {
         mirror::map(&mut map);
@@ -150,13 +163,21 @@ fn build(plan: &mut Plan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
         network.junctions.push(Junction::default());
         let movements = connector::sensible(plan, &movement::movements(plan, knot, &restrictions));
         let lanes = connector::add(plan, network, junction, &movements);
+        if let Some(formation) = &site.formation {
+            for lane in &lanes {
+                formation.lay(&mut network.lanes[lane.index()].centerline);
+            }
+        }
         network.junctions[junction.index()].program = signal::program(plan, knot, &movements);
         let lanes: Vec<_> = lanes.iter().map(|&l| network.lane(l)).collect();
         surface::knot(plan, knot, &movements, &lanes, &mut surfaces);
         surface::connectors(plan, &lanes, &movements, &mut surfaces);
     }
+    if let Some(formation) = &site.formation {
+        surfaces.junction_areas = surfaces.junction_areas.iter().flat_map(|o| formation.pieces(o)).collect();
+    }
     surroundings::land(site, &mut surfaces);
-    path::squares(&surfaces.areas, network);
+    path::squares(&surfaces.areas, site, network);
     mend::mend(network, site);
     map.network = std::mem::take(&mut map.network).finish()?;
     surface::streets(plan, &mut map);

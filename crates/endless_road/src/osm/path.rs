@@ -80,9 +80,9 @@ pub(super) fn add(plan: &Plan, site: &mut Site<'_>, network: &mut RoadNetwork) -
     }
     let mut walks = Walks { walk: &mut network.walk };
     for piece in &pieces {
-        paths.strips.push(strip(piece));
+        paths.strips.push(strip(piece, site));
         if piece.walkable {
-            lay(piece, &mut walks, &mut at_node, &uses, &mut loose);
+            lay(piece, site, &mut walks, &mut at_node, &uses, &mut loose);
         }
     }
     for node in loose {
@@ -162,14 +162,16 @@ fn outside_streets(plan: &Plan, near: &Near, way: &Way, vertices: &[Vertex]) -> 
     pieces
 }
 
-fn strip(piece: &Piece) -> Strip {
+fn strip(piece: &Piece, site: &Site<'_>) -> Strip {
     let points: Vec<DVec3> = piece.points.iter().map(|p| p.extend(PATH_Z_M)).collect();
-    let (left, right) = ribbon(&points, 0.5 * piece.width_m, -0.5 * piece.width_m, 1.5);
+    let (mut left, mut right) = ribbon(&points, 0.5 * piece.width_m, -0.5 * piece.width_m, 1.5);
+    left.iter_mut().chain(&mut right).for_each(|p| p.z += site.ground(p.truncate()));
     Strip { kind: piece.kind, left, right, in_junction: true, unpaved: piece.unpaved, bridge: false }
 }
 
 fn lay(
     piece: &Piece,
+    site: &Site<'_>,
     walks: &mut Walks<'_>,
     at_node: &mut BTreeMap<i64, WalkNodeId>,
     uses: &BTreeMap<i64, usize>,
@@ -180,6 +182,7 @@ fn lay(
     let mut last: Option<WalkNodeId> = None;
     for k in 0..=n {
         let p = line.at(line.length() * k as f64 / n as f64).position;
+        let p = p + DVec3::Z * site.ground(p.truncate());
         let end = if k == 0 { Some(piece.ends[0]) } else { (k == n).then_some(piece.ends[1]) };
         let here = match end {
             Some(Some(node)) => *at_node.entry(node).or_insert_with(|| walks.node(p)),
@@ -209,7 +212,7 @@ fn join(walks: &mut Walks<'_>, node: WalkNodeId, streets_nodes: usize) {
 }
 
 /// Squares: from a node in the middle to the walks that end at its edge or cross it.
-pub(super) fn squares(areas: &[Area], network: &mut RoadNetwork) {
+pub(super) fn squares(areas: &[Area], site: &Site<'_>, network: &mut RoadNetwork) {
     for area in areas.iter().filter(|a| a.kind == AreaKind::Plaza) {
         let n = area.outline.len() as f64;
         let middle = area.outline.iter().sum::<DVec2>() / n;
@@ -236,7 +239,7 @@ pub(super) fn squares(areas: &[Area], network: &mut RoadNetwork) {
             let p = walks.walk.nodes[i].truncate();
             if chosen.len() < 8 && chosen.iter().all(|q| q.distance(p) > 8.0) {
                 chosen.push(p);
-                let hub = *hub.get_or_insert_with(|| walks.node(middle.extend(PATH_Z_M)));
+                let hub = *hub.get_or_insert_with(|| walks.node(middle.extend(PATH_Z_M + site.ground(middle))));
                 walks.edge(hub, WalkNodeId(i as u32), 3.0, WalkKind::Sidewalk);
             }
         }

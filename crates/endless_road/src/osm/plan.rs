@@ -3,6 +3,7 @@
 use super::class::RoadClass;
 use super::curve::{angle, line_through, relaxed, rounded, simplified};
 use super::graph::{self, End};
+use super::height::Ground;
 use super::section::Section;
 use super::ways::{Level, Stretch};
 use crate::{Control, CrossingId, LaneId, Polyline};
@@ -78,8 +79,9 @@ pub(super) struct Plan {
 
 impl Plan {
     /// From stretches that meet at their ends only.
-    pub(super) fn new(mut stretches: Vec<Stretch>) -> Self {
-        let heights = super::height::heights(&mut stretches);
+    pub(super) fn new(mut stretches: Vec<Stretch>, ground: Option<Ground<'_>>) -> Self {
+        let heights = super::height::heights(&mut stretches, ground);
+        let tolerance_m = if ground.is_some() { 0.03 } else { 0.12 };
         let mut plan = Self::default();
         let mut knot_at: BTreeMap<i64, usize> = BTreeMap::new();
         for (node, arms) in graph::ends(&stretches) {
@@ -88,7 +90,7 @@ impl Plan {
             knot_at.insert(node, plan.knots.len());
             plan.knots.push(Knot { nodes: vec![node], arms, at, ..Knot::default() });
         }
-        plan.streets = stretches.iter().map(|s| street(s, &heights, &knot_at)).collect();
+        plan.streets = stretches.iter().map(|s| street(s, &heights, &knot_at, tolerance_m)).collect();
         plan
     }
 
@@ -201,7 +203,7 @@ impl Street {
     }
 }
 
-fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i64, usize>) -> Street {
+fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i64, usize>, tolerance_m: f64) -> Street {
     let points: Vec<DVec3> =
         stretch.vertices.iter().map(|v| v.at.extend(heights.get(&v.node).copied().unwrap_or(0.0))).collect();
     let half = 0.5 * stretch.section.width_m();
@@ -212,7 +214,7 @@ fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i6
         RoadClass::Tertiary | RoadClass::Unclassified => 20.0,
         _ => 12.0,
     };
-    let bends = rounded(&simplified(&points, 0.12), radius_m + half);
+    let bends = rounded(&simplified(&points, tolerance_m), radius_m + half);
     // Lanes on the inside must not fold.
     let line = line_through(relaxed(bends, (0.75 * half + 0.8).min(9.0)));
     let on: Vec<(i64, f64)> = stretch.vertices.iter().map(|v| (v.node, line.project(v.at).0)).collect();

@@ -43,6 +43,17 @@ impl Projection {
         raw(lat.clamp(-89.9, 89.9), east.clamp(-80.0, 80.0)) - DVec2::new(0.0, self.north_m)
     }
 
+    /// Degrees north and east of a place in the frame, to a millimetre within a few kilometres.
+    pub(super) fn unproject(&self, p: DVec2) -> [f64; 2] {
+        let (mut lat, mut lon) = (self.lat, self.lon);
+        for _ in 0..4 {
+            let off = p - self.project(lat, lon);
+            lat += off.y / 111_132.0;
+            lon += off.x / (111_320.0 * cos(lat.to_radians()));
+        }
+        [lat, lon]
+    }
+
     /// In PROJ's words.
     pub(super) fn georeference(&self) -> String {
         let (lat, lon) = (self.lat, self.lon);
@@ -85,5 +96,8 @@ mod tests {
         let step = local.project(45.001, 7.001) - local.project(45.0, 7.0);
         assert!((step.x - 78.846).abs() < 0.01 && (step.y - 111.132).abs() < 0.01, "{step}");
         assert!(local.project(45.0, 7.0).length() < 1e-6);
+        let p = DVec2::new(731.0, -462.0);
+        let [lat, lon] = local.unproject(p);
+        assert!(local.project(lat, lon).distance(p) < 1e-4);
     }
 }

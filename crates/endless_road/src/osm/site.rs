@@ -4,6 +4,7 @@ use super::country::Country;
 use super::extract::{Extract, Tags};
 use super::mirror;
 use super::projection::Projection;
+use super::relief::Formation;
 use super::ways::Vertex;
 use crate::Note;
 use glam::DVec2;
@@ -24,6 +25,8 @@ pub(super) struct Site<'a> {
     /// Seen in a mirror: traffic keeps to the left.
     pub(super) mirrored: bool,
     pub(super) notes: Vec<Note>,
+    /// The land as roads shape it, where its relief is known.
+    pub(super) formation: Option<Formation>,
     bounds: Option<[DVec2; 2]>,
     built: BTreeSet<(i64, i64)>,
     missing: BTreeMap<i64, usize>,
@@ -41,6 +44,7 @@ impl<'a> Site<'a> {
             country,
             mirrored: left_hand.unwrap_or(country.left_hand),
             notes: Vec::new(),
+            formation: None,
             bounds: None,
             built: BTreeSet::new(),
             missing: BTreeMap::new(),
@@ -87,6 +91,11 @@ impl<'a> Site<'a> {
     pub(super) fn place(&self, node: i64) -> Option<DVec2> {
         let node = self.extract.nodes.get(&node)?;
         Some(self.seen(self.projection.project(node.lat, node.lon)))
+    }
+
+    /// Height of the land at a place, metres.
+    pub(super) fn ground(&self, at: DVec2) -> f64 {
+        self.formation.as_ref().map_or(0.0, |f| f.height(at))
     }
 
     /// A road's tags, as seen in the mirror for left-hand traffic.

@@ -9,6 +9,7 @@ use super::movement::Movement;
 use super::near::Near;
 use super::plan::{Plan, Street};
 use super::section::{KERB_M, Use};
+use super::site::Site;
 use super::ways::Stretch;
 use crate::{Lane, RoadMap, Strip, StripKind};
 use endless_world::math::f64::sin_cos;
@@ -278,7 +279,7 @@ fn dead_end(plan: &Plan, arm: End, movements: &[Movement], map: &mut RoadMap) {
 }
 
 /// Strips of driveways and aisles, from behind the sidewalk on.
-pub(super) fn yards(plan: &Plan, yards: &[Stretch], map: &mut RoadMap) {
+pub(super) fn yards(plan: &Plan, site: &Site<'_>, yards: &[Stretch], map: &mut RoadMap) {
     let hidden = inside(plan);
     let near = Near::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
     let on_street = |p: DVec2| {
@@ -296,7 +297,7 @@ pub(super) fn yards(plan: &Plan, yards: &[Stretch], map: &mut RoadMap) {
             for k in 0..=n {
                 let p = pair[0].at.lerp(pair[1].at, k as f64 / n as f64);
                 if !on_street(p) {
-                    runs.last_mut().expect("never empty").push(p.extend(0.0));
+                    runs.last_mut().expect("never empty").push(p.extend(site.ground(p)));
                 } else if runs[runs.len() - 1].len() > 1 {
                     runs.push(Vec::new());
                 } else {

@@ -110,7 +110,7 @@ fn rails(site: &mut Site<'_>, map: &mut RoadMap) {
         }
         let bridge = way.tags.get("bridge").is_some_and(|v| v != "no");
         for (vertices, _) in super::ways::runs(way, &way.tags, site) {
-            let points: Vec<_> = vertices.iter().map(|v| v.at.extend(0.02)).collect();
+            let points: Vec<_> = vertices.iter().map(|v| v.at.extend(site.ground(v.at) + 0.02)).collect();
             let (left, right) = super::surface::ribbon(&points, 0.5 * RAIL_M, -0.5 * RAIL_M, 40.0);
             map.strips.push(Strip { kind: StripKind::Rail, left, right, in_junction: true, unpaved: false, bridge });
         }
@@ -194,7 +194,7 @@ fn things(site: &Site<'_>, map: &mut RoadMap) {
         let Some(kind) = thing_kind(&node.tags) else { continue };
         let Some(at) = site.place(id).filter(|&p| site.inside(p)) else { continue };
         let heading_rad = facing(map, at, &kind);
-        map.things.push(Thing { kind, position: at.extend(0.0), heading_rad });
+        map.things.push(Thing { kind, position: at.extend(site.ground(at)), heading_rad });
     }
 }
 
@@ -216,6 +216,8 @@ fn thing_kind(tags: &Tags) -> Option<ThingKind> {
         ThingKind::Hydrant
     } else if tags.is("power", &["pole"]) || tags.is("man_made", &["utility_pole"]) {
         ThingKind::UtilityPole
+    } else if tags.is("traffic_calming", &["bump", "hump"]) {
+        ThingKind::SpeedBump
     } else {
         return None;
     })
@@ -240,7 +242,14 @@ fn facing(map: &RoadMap, at: DVec2, kind: &ThingKind) -> f64 {
         if t.abs() < best.0 {
             let on = lane.centerline.at(s);
             let to = on.position.truncate() - at;
-            best = (t.abs(), if *kind == ThingKind::BusStop { on.heading_rad } else { atan2(to.y, to.x) });
+            best = (
+                t.abs(),
+                if matches!(kind, ThingKind::BusStop | ThingKind::SpeedBump) {
+                    on.heading_rad
+                } else {
+                    atan2(to.y, to.x)
+                },
+            );
         }
     }
     best.1
@@ -253,7 +262,8 @@ fn tree_rows(site: &mut Site<'_>, map: &mut RoadMap) {
             let line = super::curve::line_through(vertices.iter().map(|v| v.at.extend(0.0)).collect());
             let n = (line.length() / ROW_M).round().clamp(1.0, 2000.0) as usize;
             for k in 0..=n {
-                let at = line.at(line.length() * k as f64 / n as f64).position;
+                let at = line.at(line.length() * k as f64 / n as f64).position.truncate();
+                let at = at.extend(site.ground(at));
                 let taken = map
                     .things
                     .iter()

@@ -11,6 +11,7 @@ mod wire;
 pub(crate) use dresser::{Dresser, Spot, Stage};
 pub(crate) use parking::{add_parked, keep_the_seen};
 pub(crate) use post::{add_lamps, add_signals, add_signs};
+pub(crate) use wire::hang;
 
 use crate::building::Lot;
 use crate::plot::Rect;

@@ -37,19 +37,20 @@ pub(crate) fn add(dresser: &mut Dresser<'_>, mesh: &mut MeshBuilder, sites: &[Ca
             let Some(s) = found else { continue };
             let here = (s, street.point(s, -(street.profile.kerb() + POST_M + 0.1)));
             if let Some(before) = last.filter(|before| s - before.0 < 1.7 * SPACING_M) {
-                let across = |s: f64| {
-                    let (sin, cos) = endless_world::math::f64::sin_cos(street.heading(s));
-                    DVec2::new(-sin, cos)
-                };
-                for y in [-0.85, 0.0, 0.85] {
-                    let top = KERB_HEIGHT_M + 8.75;
-                    let a = (before.1 + across(before.0) * y).extend(top);
-                    let b = (here.1 + across(s) * y).extend(top);
-                    span(mesh, a, b, SAG_M * (a.distance(b) / SPACING_M).powi(2));
-                }
+                hang(mesh, before.1.extend(KERB_HEIGHT_M), here.1.extend(KERB_HEIGHT_M));
             }
             last = Some(here);
         }
+    }
+}
+
+/// Three wires between the cross-arms of two poles with their feet at two places.
+pub(crate) fn hang(mesh: &mut MeshBuilder, from: DVec3, to: DVec3) {
+    let across = (to - from).truncate().normalize_or(DVec2::X).perp();
+    for y in [-0.85, 0.0, 0.85] {
+        let end = |foot: DVec3| foot + (across * y).extend(8.75);
+        let (a, b) = (end(from), end(to));
+        span(mesh, a, b, SAG_M * (a.distance(b) / SPACING_M).powi(2));
     }
 }
 

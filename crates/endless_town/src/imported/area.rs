@@ -23,23 +23,35 @@ struct Bounded<'a> {
 /// Areas, the smaller before the larger.
 pub(super) struct Areas<'a> {
     list: Vec<Bounded<'a>>,
+    /// The land is lower under water than beside it.
+    relief: bool,
 }
 
 impl<'a> Areas<'a> {
-    pub(super) fn new(areas: &'a [Area], land: &Land) -> Self {
+    pub(super) fn new(areas: &'a [Area], land: &Land, relief: bool) -> Self {
         let mut list: Vec<Bounded<'_>> = areas
             .iter()
             .filter(|a| a.outline.len() >= 3)
             .map(|area| {
                 let low = area.outline.iter().fold(DVec2::INFINITY, |l, &p| l.min(p));
                 let high = area.outline.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p));
-                let (least, most) = land.range(&area.outline);
-                Bounded { area, low, high, flat: (most - least < FLAT_M).then_some(most) }
+                let middle = area.outline.iter().sum::<DVec2>() / area.outline.len() as f64;
+                let inner = if relief { [0.0, 0.3, 0.6] } else { [0.0; 3] };
+                let places: Vec<DVec2> =
+                    inner.iter().flat_map(|&t| area.outline.iter().map(move |p| p.lerp(middle, t))).collect();
+                let (least, most) = land.range(&places);
+                let flat = if relief && area.kind == AreaKind::Water {
+                    // Water finds its level between the banks.
+                    Some(land.middle(&area.outline))
+                } else {
+                    (most - least < FLAT_M).then_some(most)
+                };
+                Bounded { area, low, high, flat }
             })
             .collect();
         // Small areas lie upon large ones.
         list.sort_by(|a, b| area(&a.area.outline).abs().total_cmp(&area(&b.area.outline).abs()));
-        Self { list }
+        Self { list, relief }
     }
 
     fn over(&self, p: DVec2) -> impl Iterator<Item = &Bounded<'a>> {
@@ -63,7 +75,9 @@ impl<'a> Areas<'a> {
 
     /// What the ground is made of at a place; `usual` where no area says, or one is laid upon the ground.
     pub(super) fn material(&self, p: DVec2, usual: &dyn Fn() -> Material) -> Material {
-        self.over(p).filter(|a| a.flat.is_none()).find_map(|a| ground(a.area.kind)).unwrap_or_else(usual)
+        let bed = |a: &Bounded<'_>| self.relief && a.area.kind == AreaKind::Water;
+        let own = |a: &Bounded<'_>| if bed(a) { Some(SOIL) } else { ground(a.area.kind) };
+        self.over(p).filter(|a| a.flat.is_none() || bed(a)).find_map(own).unwrap_or_else(usual)
     }
 
     /// Lays areas on flat land with sharp borders, larger ones below smaller ones.

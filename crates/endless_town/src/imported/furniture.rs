@@ -2,9 +2,9 @@
 
 use super::post::Poster;
 use crate::camera::spoils;
-use crate::dressing::{Spot, Stage};
+use crate::dressing::{Spot, Stage, hang};
 use crate::plot::Rect;
-use endless_asset::Prop;
+use endless_asset::{MeshBuilder, Prop};
 use endless_world::CameraSite;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -25,7 +25,7 @@ const MOST: usize = 1200;
 /// Distance between utility poles, metres.
 const POLES_M: f64 = 38.0;
 
-pub(super) fn add(stage: &mut Stage<'_>, poster: &Poster<'_>, sites: &[CameraSite]) {
+pub(super) fn add(stage: &mut Stage<'_>, mesh: &mut MeshBuilder, poster: &Poster<'_>, sites: &[CameraSite]) {
     let weights: Vec<f64> = PIECES.iter().map(|p| p.2).collect();
     let crossings: Vec<DVec2> = poster.map.network.crossings.iter().flat_map(|c| c.ends).map(DVec3::truncate).collect();
     let mut placed = 0;
@@ -50,27 +50,37 @@ pub(super) fn add(stage: &mut Stage<'_>, poster: &Poster<'_>, sites: &[CameraSit
             placed += usize::from(stage.put(prop, spot, DVec2::from_array(half), None));
         }
     }
-    add_poles(stage, poster, sites);
+    add_poles(stage, mesh, poster, sites);
 }
 
-/// Wooden poles beside roads without sidewalks, where the map has none of its own.
-fn add_poles(stage: &mut Stage<'_>, poster: &Poster<'_>, sites: &[CameraSite]) {
+/// Wooden poles with wires, along roads without sidewalks, or along all quiet ones where that is the custom.
+fn add_poles(stage: &mut Stage<'_>, mesh: &mut MeshBuilder, poster: &Poster<'_>, sites: &[CameraSite]) {
     for lane in poster.map.network.lanes.iter().filter(|l| l.junction.is_none() && poster.is_outermost(l)) {
         let length = lane.centerline.length();
         // One side of the road is enough: that of the lanes that lead north or east.
         let way = crate::plot::unit(lane.centerline.at(length / 2.0).heading_rad);
-        if way.x + way.y < 0.0 || length < POLES_M || lane.speed_limit_mps > 25.0 {
+        let least = if poster.look.wires { 16.0 } else { POLES_M };
+        if way.x + way.y < 0.0 || length < least || lane.speed_limit_mps > 25.0 {
             continue;
         }
-        let count = (length / POLES_M).floor() as usize;
-        for k in 0..=count {
-            let s = length * k as f64 / count as f64;
-            let Some(verge) = poster.verge(lane, s, poster.side(), 2.2).filter(|v| !v.walk) else { continue };
-            let clear = !spoils(sites, verge.at) && stage.occupied.is_free(&Rect::around(verge.at, 0.6));
-            if clear {
-                let spot = Spot { z: verge.z, ..Spot::new(verge.at, lane.centerline.at(s).heading_rad) };
-                stage.put(Prop::UtilityPole, spot, DVec2::splat(0.22), None);
+        let step = if poster.look.wires { 26.0 } else { POLES_M };
+        let count = (length / step).floor().max(1.0);
+        let mut last: Option<(f64, DVec3)> = None;
+        for k in 0..=count as usize {
+            let s = (length * k as f64 / count).clamp(1.5, length - 1.5);
+            let beyond = if poster.look.wires { 0.35 } else { 2.2 };
+            let verge = poster.verge(lane, s, poster.side(), beyond);
+            let Some(verge) = verge.filter(|v| poster.look.wires || !v.walk) else { continue };
+            let clear = !spoils(sites, verge.at) && stage.occupied.is_free(&Rect::around(verge.at, 0.3));
+            let spot = Spot { z: verge.z, ..Spot::new(verge.at, lane.centerline.at(s).heading_rad) };
+            if !clear || !stage.put(Prop::UtilityPole, spot, DVec2::splat(0.22), None) {
+                continue;
             }
+            let here = verge.at.extend(verge.z);
+            if let Some((_, before)) = last.filter(|l| s - l.0 < 1.8 * step) {
+                hang(mesh, before, here);
+            }
+            last = Some((s, here));
         }
     }
 }

@@ -5,11 +5,12 @@ use super::area::Areas;
 use super::cover::Cover;
 use super::footprint::Built;
 use super::land::Land;
+use super::look::Look;
 use super::urban::{Mapped, may_be_built_on};
-use crate::building::{Block, Measures, WindowNumbers, eaves, on_rectangle, size, storeys};
+use crate::building::{Block, Measures, WindowNumbers, eaves, house, on_rectangle, size, storeys};
 use crate::camera::Solid;
 use crate::character::Kind;
-use crate::plot::{Occupied, Rect, unit};
+use crate::plot::{Occupied, Rect, inside, unit};
 use endless_road::{AreaKind, Lane, RoadNetwork};
 use endless_world::Stream;
 use glam::{Affine3A, DVec2, Quat};
@@ -20,6 +21,20 @@ const AROUND_M: f64 = 130.0;
 const BESIDE_M: f64 = 18.0;
 /// The steepest ground that is built on: difference of height over a lot, metres.
 const STEEPEST_M: f64 = 2.2;
+/// Colours of walls where houses are bright; linear.
+const BRIGHT: &[[f32; 3]] = &[
+    [0.70, 0.42, 0.08],
+    [0.62, 0.16, 0.09],
+    [0.10, 0.32, 0.50],
+    [0.16, 0.42, 0.30],
+    [0.72, 0.66, 0.52],
+    [0.66, 0.30, 0.28],
+    [0.42, 0.22, 0.45],
+    [0.74, 0.70, 0.64],
+    [0.30, 0.52, 0.52],
+    [0.68, 0.52, 0.20],
+    [0.40, 0.22, 0.14],
+];
 /// Most buildings of a map.
 const MOST: usize = 2400;
 /// Around the buildings that a map knows nothing more is built, metres: on maps that know most buildings, and on maps
@@ -33,6 +48,7 @@ const SLIM_M: [f64; 2] = [6.5, 7.5];
 const MAIN_STREET_MPS: f64 = 12.5;
 
 /// What is built where roads are so dense.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Quarter {
     kinds: &'static [(Kind, f64)],
     storeys: (u32, u32),
@@ -126,10 +142,9 @@ impl Density {
         row(y) * (1.0 - v) + row(y1) * v
     }
 
-    fn quarter(&self, p: DVec2) -> &'static Quarter {
+    fn quarter(&self, p: DVec2) -> Quarter {
         let density = self.at(p);
-        let of = QUARTERS.iter().rev().find(|q| density >= q.0).unwrap_or(&QUARTERS[0]);
-        &of.1
+        QUARTERS.iter().rev().find(|q| density >= q.0).unwrap_or(&QUARTERS[0]).1
     }
 }
 
@@ -137,9 +152,10 @@ pub(super) struct Grower<'a> {
     pub(super) network: &'a RoadNetwork,
     pub(super) cover: &'a Cover,
     pub(super) land: &'a Land,
+    pub(super) areas: &'a Areas<'a>,
     pub(super) density: &'a Density,
     pub(super) streets: &'a [bool],
-    pub(super) areas: &'a Areas<'a>,
+    pub(super) look: &'a Look,
     /// The buildings of the map, if it has any: then it is believed where it says that nothing stands.
     pub(super) mapped: Option<Mapped>,
     pub(super) seed: u64,
@@ -222,8 +238,14 @@ impl Grower<'_> {
                 s += width + gap;
                 continue;
             }
-            let measures =
-                Measures { kind, width: width as f32, depth: depth as f32, storeys, shops, party_walls: [false; 2] };
+            let measures = Measures {
+                kind,
+                width: width as f32,
+                depth: depth as f32,
+                storeys,
+                shops,
+                party_walls: [kind == Kind::Terrace; 2],
+            };
             let wide = self.lot(lane, side, s + width / 2.0, (width, depth), set_back, kind, occupied);
             // Corners and narrow blocks have room for a small house at least.
             let narrow = || {
@@ -247,8 +269,12 @@ impl Grower<'_> {
     }
 
     /// What is built at a place; `None` where the map says that nothing is.
-    fn quarter(&self, p: DVec2, around_known: f64) -> Option<&'static Quarter> {
+    fn quarter(&self, p: DVec2, around_known: f64) -> Option<Quarter> {
         let area = self.areas.at(p);
+        if let Some(zone) = self.look.zones.iter().find(|zone| inside(&zone.outline, p)) {
+            let quarter = Quarter { kinds: zone.kinds, storeys: zone.storeys, open: zone.open };
+            return may_be_built_on(area).then_some(quarter);
+        }
         let usual = self.density.quarter(p);
         let built_up = area.is_some() || self.density.at(p) >= QUARTERS[1].0;
         let known = self.mapped.as_ref().is_some_and(|m| !built_up || m.is_near(p, around_known));
@@ -256,9 +282,9 @@ impl Grower<'_> {
             return None;
         }
         Some(match area {
-            Some(AreaKind::Industrial) => &WORKS,
-            Some(AreaKind::Commercial) => &TRADE,
-            Some(_) if self.density.at(p) < QUARTERS[1].0 => &QUARTERS[1].1,
+            Some(AreaKind::Industrial) => WORKS,
+            Some(AreaKind::Commercial) => TRADE,
+            Some(_) if self.density.at(p) < QUARTERS[1].0 => QUARTERS[1].1,
             _ => usual,
         })
     }
@@ -311,9 +337,18 @@ impl Grower<'_> {
         let half = rect.half.x;
         let depth = 2.0 * rect.half.y;
         let local = [(-half, 0.0), (half, 0.0), (half, depth), (-half, depth)].map(|(x, y)| DVec2::new(x, y));
-        let block = Block { outline: &local, holes: &[], front: 0, blind: &[], color: None, height: None };
         let mut stream = Stream::named(seed, "town/building", &[]);
-        let (mesh, top) = on_rectangle(&measures, &block, &mut stream, numbers);
+        let color = self.look.bright.then(|| *stream.pick(BRIGHT));
+        // Terraces stand wall to wall.
+        let wall_to_wall = measures.kind == Kind::Terrace;
+        let blind = [false, wall_to_wall, false, wall_to_wall];
+        let block = Block { outline: &local, holes: &[], front: 0, blind: &blind, color, height: None };
+        let flat = self.look.bright && measures.storeys <= 4;
+        let (mesh, top) = if flat {
+            house(&measures, &block, &mut stream, numbers)
+        } else {
+            on_rectangle(&measures, &block, &mut stream, numbers)
+        };
         let angle = endless_world::math::f64::atan2(rect.axis.y, rect.axis.x);
         let turn = Quat::from_rotation_z(angle as f32);
         let solid = Solid { outline: rect.corners().to_vec(), base, top: base + f64::from(top) };

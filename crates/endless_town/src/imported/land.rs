@@ -3,6 +3,7 @@
 use super::cover::Cover;
 use crate::palette::{HILL, LAWN, MEADOW};
 use endless_asset::{Material, MeshBuilder};
+use endless_road::Terrain;
 use endless_world::math;
 use endless_world::math::f64::{atan2, sin};
 use glam::{DVec2, DVec3, Vec3};
@@ -17,6 +18,9 @@ const FINER: usize = 3;
 /// Beside pavements the ground lies this much below them, under them this much.
 const BESIDE_M: f64 = 0.05;
 const UNDER_M: f64 = 0.45;
+/// Width of banks: the least, and by metre of height between a road and the terrain.
+const LEAST_BANK_M: f64 = 5.0;
+const BANK: f64 = 1.7;
 
 /// A grid of heights.
 #[derive(Debug, Clone)]
@@ -30,16 +34,25 @@ pub(crate) struct Land {
     heights: Vec<f64>,
     /// Without the cut below pavements.
     level: Vec<f64>,
+    /// The lie of the land beyond the roads' banks, where the map knows it.
+    terrain: Option<Terrain>,
 }
 
 impl Land {
-    /// Through the pavements of a map; bridges do not carry land.
-    pub(crate) fn new(cover: &Cover, on_bridge: &dyn Fn(u32) -> bool, low: DVec2, high: DVec2) -> Self {
+    /// Through the pavements of a map, and as its terrain lies away from them; bridges do not carry land.
+    pub(crate) fn new(
+        cover: &Cover,
+        on_bridge: &dyn Fn(u32) -> bool,
+        terrain: Option<&Terrain>,
+        low: DVec2,
+        high: DVec2,
+    ) -> Self {
         let (low, high) = (low - MARGIN_M, high + MARGIN_M);
         let size = high - low;
         let cell = (size.x * size.y / MOST_CELLS).sqrt().max(FINEST_M);
         let (nx, ny) = ((size.x / cell).ceil() as usize + 1, (size.y / cell).ceil() as usize + 1);
-        let mut land = Self { low, cell, nx, ny, heights: vec![0.0; nx * ny], level: vec![0.0; nx * ny] };
+        let flat = vec![0.0; nx * ny];
+        let mut land = Self { low, cell, nx, ny, heights: flat.clone(), level: flat, terrain: terrain.cloned() };
         let mut known: Vec<Option<f64>> = vec![None; nx * ny];
         let mut under = vec![false; nx * ny];
         for (i, known) in known.iter_mut().enumerate() {
@@ -56,9 +69,41 @@ impl Land {
                 .filter_map(|k| ground(p + crate::plot::unit(std::f64::consts::FRAC_PI_4 * f64::from(k)) * reach));
             *known = around.chain(here).min_by(f64::total_cmp);
         }
+        if let Some(terrain) = terrain {
+            land.know_terrain(terrain, &mut known);
+        }
         land.level = spread(&known, nx, ny);
         land.heights = (0..nx * ny).map(|i| land.level[i] - if under[i] { UNDER_M } else { BESIDE_M }).collect();
         land
+    }
+
+    /// Takes the terrain's height wherever no bank reaches from a road that lies above or below it.
+    fn know_terrain(&self, terrain: &Terrain, known: &mut [Option<f64>]) {
+        let natural: Vec<f64> =
+            (0..known.len()).map(|i| terrain.height(self.vertex(i % self.nx, i / self.nx))).collect();
+        let mut reach: Vec<f64> = known
+            .iter()
+            .zip(&natural)
+            .map(|(known, natural)| known.map_or(0.0, |z| LEAST_BANK_M + BANK * (z - natural).abs()))
+            .collect();
+        let n = known.len();
+        for _ in 0..2 {
+            for i in 0..n {
+                let before = if i % self.nx > 0 { reach[i - 1] } else { 0.0 };
+                let below = if i >= self.nx { reach[i - self.nx] } else { 0.0 };
+                reach[i] = reach[i].max(before.max(below) - self.cell);
+            }
+            for i in (0..n).rev() {
+                let after = if (i + 1) % self.nx > 0 && i + 1 < n { reach[i + 1] } else { 0.0 };
+                let above = if i + self.nx < n { reach[i + self.nx] } else { 0.0 };
+                reach[i] = reach[i].max(after.max(above) - self.cell);
+            }
+        }
+        for i in 0..n {
+            if known[i].is_none() && reach[i] <= 0.0 {
+                known[i] = Some(natural[i]);
+            }
+        }
     }
 
     fn vertex(&self, x: usize, y: usize) -> DVec2 {
@@ -89,6 +134,15 @@ impl Land {
     pub(crate) fn range(&self, outline: &[DVec2]) -> (f64, f64) {
         let heights = outline.iter().map(|&p| self.level(p));
         heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), z| (l.min(z), h.max(z)))
+    }
+
+    /// The height that half the places on an outline lie above, of those on the grid.
+    pub(crate) fn middle(&self, outline: &[DVec2]) -> f64 {
+        let high = self.vertex(self.nx - 1, self.ny - 1);
+        let inside = outline.iter().filter(|p| p.cmpge(self.low).all() && p.cmple(high).all());
+        let mut heights: Vec<f64> = inside.map(|&p| self.level(p)).collect();
+        heights.sort_by(f64::total_cmp);
+        heights.get(heights.len() / 2).copied().unwrap_or(0.0)
     }
 
     /// The grid as a mesh, and hills around it. `material` says what covers a place.
@@ -197,6 +251,11 @@ impl Land {
         let middle = self.vertex(self.nx / 2, self.ny / 2);
         let (out, rise) = RINGS[ring];
         let p = from + (from - middle).normalize_or(DVec2::X) * out;
+        if let Some(terrain) = &self.terrain {
+            let join = (out / 40.0).min(1.0);
+            let ground = z + (terrain.height(p) - z) * join;
+            return p.extend(ground + rise * hilliness(p - middle, seed));
+        }
         let fade = 1.0 / (1.0 + out / 250.0);
         p.extend(z * fade + (z.min(0.0)) * (1.0 - fade) + rise * hilliness(p - middle, seed))
     }

@@ -2,12 +2,14 @@
 //! or grown along the roads, and everything that stands in streets.
 
 mod area;
+mod bump;
 mod cover;
 mod footprint;
 mod furniture;
 mod growth;
 mod infill;
 mod land;
+mod look;
 mod paint;
 mod parking;
 mod plant;
@@ -33,6 +35,8 @@ use plant::Planter;
 use post::Poster;
 use urban::Mapped;
 
+pub(crate) use look::{Look, Zone};
+
 /// Size of a tree of the map, as sight sees it, metres.
 const CROWN_M: f64 = 2.0;
 const TREE_M: f32 = 8.0;
@@ -44,6 +48,11 @@ const MOST_M: f64 = 12_000.0;
 /// # Errors
 /// [`TownError::NoLanes`] if there is nothing to drive on, [`TownError::TooLarge`] if the map is larger than 12 km.
 pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Town, TownError> {
+    dress(name, map, &Look { summary: summary(map), grows: false, yards: true, ..Look::default() }, catalogue)
+}
+
+/// Makes a town of a map with a look of its own.
+pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogue) -> Result<Town, TownError> {
     let (low, high) = bounds(map).ok_or_else(|| TownError::NoLanes { name: name.to_owned() })?;
     let size = high - low;
     if size.max_element() > MOST_M {
@@ -53,21 +62,22 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
     let seed = fnv1a(name.bytes());
     let strips = road::laid(map);
     let cover = Cover::new(&strips, low, high);
-    let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, low, high);
-    let areas = Areas::new(&map.areas, &land);
+    let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, map.terrain.as_ref(), low, high);
+    let areas = Areas::new(&map.areas, &land, map.terrain.is_some());
     let streets = urban::streets(&map.network, &cover);
     let density = Density::new(&map.network, &streets, low, high);
     let mut occupied = Occupied::default();
     let mut numbers = WindowNumbers::default();
 
     let mut ground = MeshBuilder::new();
-    road::Paver { strips: &strips, cover: &cover, land: &land }.pave(&mut ground, &mut occupied);
-    road::junction_areas(&mut ground, map);
+    road::Paver { strips: &strips, cover: &cover, land: &land, paving: look.paving }.pave(&mut ground, &mut occupied);
+    road::junction_areas(&mut ground, map, look.paving);
     if map.junction_areas.is_empty() {
         infill::add(&mut ground, &map.network, &cover);
     }
     paint::add(&mut ground, map, &cover);
-    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas)));
+    bump::add(&mut ground, map, &cover);
+    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, look.yards)));
     areas.lay(&mut ground);
     let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
 
@@ -76,10 +86,11 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
         network: &map.network,
         cover: &cover,
         land: &land,
+        areas: &areas,
         density: &density,
         streets: &streets,
-        areas: &areas,
-        mapped: (!map.footprints.is_empty()).then(|| Mapped::new(&map.footprints, low, high)),
+        look,
+        mapped: (!map.footprints.is_empty() && !look.grows).then(|| Mapped::new(&map.footprints, low, high)),
         seed,
     };
     built.extend(grower.grow(&mut occupied, &mut numbers));
@@ -88,8 +99,8 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
     own.extend(built.into_iter().map(|b| (b.mesh, b.place)));
 
     let mut stage = Stage::new(catalogue, occupied, seed);
-    let poster = Poster { map, cover: &cover, land: &land };
-    let planter = Planter { map, cover: &cover, land: &land, areas: &areas, density: &density, seed };
+    let poster = Poster { map, cover: &cover, land: &land, look };
+    let planter = Planter { map, cover: &cover, land: &land, areas: &areas, density: &density, look, seed };
     poster.signals(&mut stage);
     poster.signs(&mut stage);
     poster.lamps(&mut stage);
@@ -104,10 +115,15 @@ pub fn dress_map(name: &str, map: &RoadMap, catalogue: &Catalogue) -> Result<Tow
     let cameras = set_up_cameras(&mut stage, &map.network, &relief, &solids);
     keep_the_seen(&mut stage.parked, &cameras);
     planter.rows(&mut stage, &poster, &cameras, &houses);
-    furniture::add(&mut stage, &poster, &cameras);
+    let mut wires = MeshBuilder::new();
+    furniture::add(&mut stage, &mut wires, &poster, &cameras);
+    own.push((wires.finish(), Affine3A::IDENTITY));
+    if look.maize {
+        planter.maize(&mut stage, &cameras);
+    }
     planter.land(&mut stage, &cameras, low, high);
     planter.hills(&mut stage);
-    Ok(assemble(name, &summary(map), map.network.clone(), own, stage, cameras))
+    Ok(assemble(name, &look.summary, map.network.clone(), own, stage, cameras))
 }
 
 /// Smallest and largest place of lanes and strips.

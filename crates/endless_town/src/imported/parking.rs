@@ -41,6 +41,15 @@ pub(super) fn add(
         let middle = strip.left[strip.left.len() / 2];
         let way = traffic_heading(network, middle.truncate());
         for mut bay in along(strip) {
+            let reach = unit(bay.yaw) * 2.3;
+            let side = reach.normalize_or(DVec2::X).perp() * 0.85;
+            let at = bay.at.truncate();
+            let drives = |p: DVec2| cover.at(p).any(|(piece, _)| piece.kind == StripKind::Driving);
+            let in_the_road =
+                [reach + side, reach - side, -reach + side, -reach - side].iter().any(|&d| drives(at + d));
+            if in_the_road || near_crossing(network, at) {
+                continue;
+            }
             // As the traffic beside it drives.
             if way.is_some_and(|way| wrap_angle(way - bay.yaw).abs() > FRAC_PI_2 + 0.1) {
                 (bay.yaw, bay.grade) = (bay.yaw + PI, -bay.grade);
@@ -54,6 +63,15 @@ pub(super) fn add(
             park(stage, &bay, &mut stream);
         }
     }
+}
+
+/// Whether a car would stand on or right before a crossing.
+fn near_crossing(network: &RoadNetwork, at: DVec2) -> bool {
+    network.crossings.iter().any(|crossing| {
+        let [a, b] = crossing.ends.map(DVec3::truncate);
+        let t = ((at - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
+        a.lerp(b, t).distance(at) < 3.4 + crossing.width_m / 2.0
+    })
 }
 
 /// Bays of a parking lane.

@@ -4,20 +4,24 @@ use super::area::Areas;
 use super::cover::Cover;
 use super::growth::Density;
 use super::land::Land;
+use super::look::Look;
 use super::post::Poster;
 use crate::camera::in_the_way;
 use crate::dressing::{Spot, Stage};
-use crate::plot::Rect;
+use crate::plot::{Rect, inside};
 use endless_asset::Prop;
 use endless_road::{AreaKind, RoadMap, ThingKind};
+use endless_world::math::f64::atan2;
 use endless_world::{CameraSite, Stream};
 use glam::{DVec2, Vec3};
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// Most trees of each sort of planting.
 const MOST_ON_LAND: usize = 2600;
 const MOST_ON_HILLS: usize = 1100;
 const MOST_IN_ROWS: usize = 900;
+/// From this far a field of maize is a colour, metres.
+const SEEN_M: f64 = 170.0;
 /// Distance between street trees, metres.
 const ROW_M: f64 = 15.0;
 
@@ -28,6 +32,7 @@ pub(super) struct Planter<'a> {
     pub(super) land: &'a Land,
     pub(super) areas: &'a Areas<'a>,
     pub(super) density: &'a Density,
+    pub(super) look: &'a Look,
     pub(super) seed: u64,
 }
 
@@ -83,7 +88,8 @@ impl Planter<'_> {
                 let blocked = lit || in_the_way(sites, verge.at, 2.6) || houses.iter().any(|h| h.meets(&crown));
                 if roomy && !blocked && stream.chance(0.85) {
                     let spot = tall(verge.at, verge.z, (0.8, 1.05), &mut stream);
-                    planted += usize::from(stage.put(Prop::BroadleafTree, spot, DVec2::splat(0.4), None));
+                    let prop = if stream.chance(self.look.palms) { Prop::Palm } else { Prop::BroadleafTree };
+                    planted += usize::from(stage.put(prop, spot, DVec2::splat(0.4), None));
                 }
             }
         }
@@ -108,7 +114,8 @@ impl Planter<'_> {
                 None => (0.4, 0.1),
             };
             let (prop, room) = match dice {
-                d if d < tree && kind < 0.22 => (Prop::Conifer, 2.2),
+                d if d < tree && kind < self.look.conifers => (Prop::Conifer, 2.2),
+                d if d < tree && kind > 1.0 - self.look.palms => (Prop::Palm, 1.8),
                 d if d < tree => (Prop::BroadleafTree, 2.4),
                 d if d < tree + bush => (Prop::Bush, 0.9),
                 _ => continue,
@@ -125,13 +132,38 @@ impl Planter<'_> {
         }
     }
 
+    /// Maize on the fields that cameras see.
+    pub(super) fn maize(&self, stage: &mut Stage<'_>, sites: &[CameraSite]) {
+        const BLOCK_M: f64 = 4.0;
+        let mut stream = stage.stream(24_000);
+        for field in self.areas.of(AreaKind::Farmland) {
+            let rect = super::footprint::around(&field.outline);
+            let (nx, ny) = ((2.0 * rect.half.x / BLOCK_M) as i64, (2.0 * rect.half.y / BLOCK_M) as i64);
+            for i in 0..nx * ny {
+                let step = DVec2::new((i % nx) as f64 + 0.5, (i / nx) as f64 + 0.5) * BLOCK_M - rect.half;
+                let at = rect.centre + rect.axis * step.x + rect.axis.perp() * step.y;
+                let seen = sites.iter().any(|s| {
+                    let [x, y, _] = s.position.map(f64::from);
+                    (4.0..SEEN_M).contains(&at.distance(DVec2::new(x, y)))
+                });
+                let block = Rect { centre: at, half: DVec2::splat(BLOCK_M / 2.0), axis: rect.axis };
+                let whole = block.corners().iter().all(|&c| inside(&field.outline, c) && !self.cover.is_near(c, 2.5));
+                if seen && whole && stage.occupied.is_free(&block) {
+                    let yaw = atan2(rect.axis.y, rect.axis.x) + if stream.chance(0.5) { 0.0 } else { PI };
+                    let scale = Vec3::new(1.0, 1.0, stream.range_f32(0.92, 1.06));
+                    stage.place(Prop::Corn, Spot { at, z: self.land.height(at), yaw, scale }, None);
+                }
+            }
+        }
+    }
+
     /// Woods around the map: they hide the edge of the world.
     pub(super) fn hills(&self, stage: &mut Stage<'_>) {
         let mut stream = stage.stream(23_000);
         for _ in 0..MOST_ON_HILLS {
             let ring = stream.weighted(&[1.2, 1.5, 1.5, 0.9]);
             let place = self.land.on_hills(self.seed, ring, (stream.f64(), stream.f64()));
-            let prop = if stream.chance(0.35) { Prop::Conifer } else { Prop::BroadleafTree };
+            let prop = if stream.chance(self.look.conifers + 0.13) { Prop::Conifer } else { Prop::BroadleafTree };
             let spot = tall(place.truncate(), place.z, (0.9, 1.4), &mut stream);
             stage.place(prop, spot, None);
         }

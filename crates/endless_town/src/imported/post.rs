@@ -2,6 +2,7 @@
 
 use super::cover::Cover;
 use super::land::Land;
+use super::look::Look;
 use crate::Lamp;
 use crate::dressing::{Spot, Stage};
 use crate::plot::unit;
@@ -15,10 +16,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// From the edge of the carriageway to the middle of posts, metres.
 pub(super) const POST_M: f64 = 0.55;
 const HALF: DVec2 = DVec2::splat(0.2);
-/// Distance between lamps, and their light.
+/// Distance between lamps, metres.
 const LAMPS_M: f64 = 30.0;
-const LAMP_COLOR: [f32; 3] = [1.0, 0.86, 0.66];
-const LAMP_CD: f32 = 4800.0;
 /// Roads at least this fast are lit even without sidewalks, m/s.
 const LIT_FROM_MPS: f64 = 16.0;
 /// Most lamps of a map.
@@ -38,6 +37,7 @@ pub(super) struct Poster<'a> {
     pub(super) map: &'a RoadMap,
     pub(super) cover: &'a Cover,
     pub(super) land: &'a Land,
+    pub(super) look: &'a Look,
 }
 
 impl Poster<'_> {
@@ -237,7 +237,7 @@ impl Poster<'_> {
     fn lamp(&self, stage: &mut Stage<'_>, at: DVec2, z: f64, yaw: f64) {
         if self.put(stage, Prop::StreetLamp, at, z, yaw, None) {
             let lens = (at + unit(yaw) * 2.0).extend(z + 7.9).as_vec3();
-            stage.lamps.push(Lamp { position: lens, color: LAMP_COLOR, intensity_cd: LAMP_CD });
+            stage.lamps.push(Lamp { position: lens, color: self.look.lamp_color, intensity_cd: self.look.lamp_cd });
         }
     }
 }

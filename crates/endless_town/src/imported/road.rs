@@ -2,7 +2,7 @@
 
 use super::cover::{Cover, Piece, is_carriageway};
 use super::land::Land;
-use crate::palette::{ASPHALT, BALLAST, CYCLEWAY, DECK, KERB, LAWN, PAVING, TRACK};
+use crate::palette::{BALLAST, CYCLEWAY, DECK, KERB, LAWN, PAVING, TRACK};
 use crate::plot::{Occupied, Rect};
 use crate::surface::{NO_LANE, triangulate};
 use endless_asset::{Material, MeshBuilder};
@@ -38,11 +38,11 @@ pub(super) fn laid(map: &RoadMap) -> Vec<Strip> {
     strips
 }
 
-fn material(strip: &Strip) -> Material {
+fn material(strip: &Strip, paving: Material) -> Material {
     let wide = strip.left.iter().zip(&strip.right).map(|(l, r)| l.distance(*r)).fold(0.0, f64::max);
     match strip.kind {
         _ if strip.unpaved => TRACK,
-        StripKind::Driving | StripKind::Shoulder | StripKind::Parking => ASPHALT,
+        StripKind::Driving | StripKind::Shoulder | StripKind::Parking => paving,
         StripKind::Biking => CYCLEWAY,
         StripKind::Sidewalk => PAVING,
         StripKind::Curb => KERB,
@@ -79,6 +79,7 @@ pub(super) struct Paver<'a> {
     pub(super) strips: &'a [Strip],
     pub(super) cover: &'a Cover,
     pub(super) land: &'a Land,
+    pub(super) paving: Material,
 }
 
 impl Paver<'_> {
@@ -157,7 +158,14 @@ impl Paver<'_> {
         } else {
             corners.map(|p| p.truncate().as_vec2())
         };
-        quad(mesh, corners, uvs, material(strip));
+        // Where a border waits in a tight bend a piece may turn over.
+        let flat = corners.map(DVec3::truncate);
+        let c = corners.map(DVec3::as_vec3);
+        for [i, j, k] in [[0, 1, 2], [0, 2, 3]] {
+            if (flat[j] - flat[i]).perp_dot(flat[k] - flat[i]) > 2e-4 {
+                mesh.triangle([c[i], c[j], c[k]], [uvs[i], uvs[j], uvs[k]], material(strip, self.paving));
+            }
+        }
     }
 
     /// Kerbs where a neighbour lies lower, skirts into the ground where there is none, parapets on bridges.
@@ -189,7 +197,7 @@ impl Paver<'_> {
                     mesh,
                     (a, b),
                     [-0.6, 0.0],
-                    if raised { KERB } else { material(&self.strips[piece.strip as usize]) },
+                    if raised { KERB } else { material(&self.strips[piece.strip as usize], self.paving) },
                 ),
             }
         }
@@ -229,7 +237,7 @@ impl Paver<'_> {
 }
 
 /// Asphalt where roads meet and no strips say what lies there: a little below strips.
-pub(super) fn junction_areas(mesh: &mut MeshBuilder, map: &RoadMap) {
+pub(super) fn junction_areas(mesh: &mut MeshBuilder, map: &RoadMap, paving: Material) {
     for outline in &map.junction_areas {
         let flat: Vec<DVec2> = outline.iter().map(|p| p.truncate()).collect();
         if flat.len() < 3 || crate::surface::area(&flat) <= 0.0 {
@@ -239,11 +247,11 @@ pub(super) fn junction_areas(mesh: &mut MeshBuilder, map: &RoadMap) {
             let p = (*p - DVec3::Z * 0.004).as_vec3();
             (p, Vec3::Z, Vec2::new(p.x, NO_LANE))
         }));
-        for t in triangulate(&flat) {
-            mesh.triangle_indices(t.map(|k| base + k as u32), ASPHALT);
+        for t in triangulate(&flat).into_iter().filter(|t| crate::surface::area(&t.map(|k| flat[k])) > 1e-3) {
+            mesh.triangle_indices(t.map(|k| base + k as u32), paving);
         }
         for k in 0..outline.len() {
-            face(mesh, (outline[k], outline[(k + 1) % outline.len()]), [-0.6, -0.004], ASPHALT);
+            face(mesh, (outline[k], outline[(k + 1) % outline.len()]), [-0.6, -0.004], paving);
         }
     }
 }

@@ -89,12 +89,12 @@ pub(super) fn may_be_built_on(area: Option<AreaKind>) -> bool {
 }
 
 /// What covers a place of which the map says nothing, or that people live there: meadows outside, lawns where roads
-/// are many, paved yards in the midst of towns. Its borders wind.
-pub(super) fn bare(p: DVec2, density: &Density, areas: &Areas<'_>) -> Material {
+/// are many, with `yards` paved in the midst of towns. Its borders wind.
+pub(super) fn bare(p: DVec2, density: &Density, areas: &Areas<'_>, yards: bool) -> Material {
     let winding = sin(0.093 * p.x + 1.7 * sin(0.041 * p.y)) + sin(0.087 * p.y + 1.9 * sin(0.047 * p.x));
     let here = density.at(p) + 9.0 * winding;
     match here {
-        d if d > PAVED => YARD,
+        d if yards && d > PAVED => YARD,
         d if d > BUILT_UP || areas.at(p) == Some(AreaKind::Residential) => LAWN,
         _ => MEADOW,
     }

@@ -1,0 +1,121 @@
+//! Town01: a small town on both banks of a river; its streets meet in T-junctions.
+
+use super::plan::Plan;
+use super::shape::{band, beside, distance, hill, points, rect, rise, smooth};
+use crate::character::Kind;
+use crate::imported::Look;
+use endless_road::RoadMap;
+use glam::DVec2;
+
+/// Half the river from bank to bank and at the water's edge, metres; and its depth below the banks.
+const BANKS_M: f64 = 15.0;
+const WATER_M: f64 = 10.6;
+const BED_M: f64 = 3.6;
+
+fn river() -> Vec<DVec2> {
+    smooth(&[
+        (-760.0, -60.0),
+        (-560.0, 20.0),
+        (-400.0, 10.0),
+        (-290.0, -14.0),
+        (-205.0, 0.0),
+        (-110.0, 12.0),
+        (-15.0, 0.0),
+        (95.0, -12.0),
+        (205.0, 0.0),
+        (300.0, 18.0),
+        (420.0, -6.0),
+        (580.0, 30.0),
+        (760.0, -40.0),
+    ])
+}
+
+fn height(p: DVec2, river: &[DVec2]) -> f64 {
+    let away = distance(river, p);
+    let banks = -BED_M * rise(BANKS_M, BANKS_M - 8.0, away);
+    let valley = 5.0 * rise(70.0, 260.0, away) + 40.0 * rise(300.0, 760.0, away);
+    banks + valley + hill(p, (-90.0, 300.0), 220.0, 9.0)
+}
+
+pub(super) fn make() -> (RoadMap, Look) {
+    let mut plan = Plan::of([41.2, -84.0]);
+    let river = river();
+    streets(&mut plan);
+    land(&mut plan, &river);
+    let look = Look {
+        summary: "A small town on both banks of a river: bridges, quiet streets, T-junctions.".to_owned(),
+        lamp_color: [1.0, 0.62, 0.25],
+        lamp_cd: 3400.0,
+        conifers: 0.2,
+        ..Look::default()
+    };
+    plan.build(Some(&|p| height(p, &river)), look)
+}
+
+fn streets(plan: &mut Plan) {
+    let ring = "tertiary sidewalk=both maxspeed=50";
+    let main = "tertiary sidewalk=both parking:both=lane maxspeed=40";
+    let quiet = "residential sidewalk=both maxspeed=40";
+    let home = "residential sidewalk=both parking:right=lane maxspeed=40";
+    let over = |x: f64| (DVec2::new(x, 0.0), 19.0);
+    // Around the town, over the river in the west and in the east.
+    let west = points(&[(-205.0, -66.0), (-205.0, 60.0)]);
+    let east = points(&[(205.0, -62.0), (205.0, 64.0)]);
+    plan.road_with_bridges(ring, &west, &[over(-205.0)]);
+    plan.road_with_bridges(ring, &east, &[over(205.0)]);
+    plan.road(
+        ring,
+        &points(&[(-205.0, 60.0), (-203.0, 172.0), (-60.0, 180.0), (80.0, 172.0), (205.0, 166.0), (205.0, 64.0)]),
+    );
+    plan.road(
+        ring,
+        &points(&[
+            (-205.0, -66.0),
+            (-205.0, -164.0),
+            (-40.0, -172.0),
+            (110.0, -166.0),
+            (205.0, -170.0),
+            (205.0, -62.0),
+        ]),
+    );
+    // Along the banks, and the bridge between them.
+    plan.road(main, &points(&[(-205.0, 60.0), (-110.0, 66.0), (-15.0, 56.0), (95.0, 44.0), (205.0, 64.0)]));
+    plan.road(main, &points(&[(-205.0, -66.0), (-110.0, -50.0), (-15.0, -62.0), (95.0, -72.0), (205.0, -62.0)]));
+    plan.road_with_bridges(main, &points(&[(-15.0, -62.0), (-15.0, 56.0)]), &[(DVec2::new(-15.0, 0.0), 19.0)]);
+    // Side streets, none opposite another.
+    plan.road(home, &points(&[(-112.0, 66.0), (-118.0, 120.0), (-112.0, 177.0)]));
+    plan.road(quiet, &points(&[(62.0, 48.0), (66.0, 110.0), (58.0, 174.0)]));
+    plan.road(home, &points(&[(-118.0, 120.0), (-40.0, 116.0), (64.0, 112.0)]));
+    plan.road(quiet, &points(&[(66.0, 90.0), (130.0, 106.0), (205.0, 112.0)]));
+    plan.road(home, &points(&[(-82.0, -54.0), (-84.0, -112.0), (-78.0, -170.0)]));
+    plan.road(quiet, &points(&[(102.0, -72.0), (106.0, -120.0), (100.0, -166.0)]));
+    plan.road(quiet, &points(&[(-84.0, -118.0), (-140.0, -112.0), (-205.0, -118.0)]));
+    plan.road(home, &points(&[(-83.0, -106.0), (10.0, -118.0), (105.0, -114.0)]));
+    plan.lights(DVec2::new(-15.0, 56.0));
+    plan.zebra(DVec2::new(-15.0, -62.0));
+    plan.zebra(DVec2::new(62.0, 48.0));
+    plan.zebra(DVec2::new(-82.0, -54.0));
+}
+
+fn land(plan: &mut Plan, river: &[DVec2]) {
+    plan.land("natural=water", &band(river, WATER_M));
+    plan.tree_row(&part_of(&beside(river, 21.0), -180.0, 180.0));
+    plan.land("leisure=park", &points(&[(-14.0 + 12.0, -54.0), (80.0, -60.0), (86.0, -34.0), (0.0, -22.0)]));
+    plan.land("place=square", &rect((-46.0, 86.0), (40.0, 30.0), -3.0));
+    plan.building("church building:levels=3", &rect((-52.0, 104.0), (16.0, 9.0), 0.0));
+    plan.land("landuse=farmland", &rect((0.0, 300.0), (420.0, 160.0), 0.0));
+    plan.land("landuse=farmland", &rect((40.0, -290.0), (460.0, 150.0), 0.0));
+    let centre = rect((-20.0, 0.0), (190.0, 150.0), 0.0);
+    plan.zone(centre, &[(Kind::Terrace, 5.0), (Kind::Shop, 1.0), (Kind::Flats, 0.5)], (2, 3), 0.03);
+    plan.zone(
+        rect((0.0, 0.0), (3000.0, 3000.0), 0.0),
+        &[(Kind::House, 6.0), (Kind::Terrace, 1.0), (Kind::Shop, 0.4)],
+        (1, 2),
+        0.08,
+    );
+}
+
+/// The points of a line between two places from west to east.
+fn part_of(line: &[DVec2], west: f64, east: f64) -> Vec<DVec2> {
+    line.iter().copied().filter(|p| (west..east).contains(&p.x)).collect()
+}

@@ -1,0 +1,173 @@
+//! Town04: a small town inside a highway loop, at the foot of hills.
+
+use super::plan::Plan;
+use super::shape::{beside, hill, part, points, rect, rise, smooth, smooth_ring, turned};
+use crate::character::Kind;
+use crate::imported::Look;
+use endless_road::RoadMap;
+use endless_world::math::f64::sin;
+use glam::DVec2;
+
+/// From the middle of the median to the middle of a carriageway, metres.
+const APART_M: f64 = 7.6;
+
+fn height(p: DVec2) -> f64 {
+    let slope = 24.0 * rise(-60.0, 480.0, p.y);
+    let waves = 2.2 * sin(p.x / 95.0 + 0.6) * rise(-40.0, 160.0, p.y);
+    let hills = hill(p, (-160.0, 640.0), 420.0, 70.0) + hill(p, (420.0, 620.0), 380.0, 55.0);
+    slope + waves + hills + hill(p, (-760.0, 180.0), 300.0, 45.0)
+}
+
+pub(super) fn make() -> (RoadMap, Look) {
+    let mut plan = Plan::of([42.0, -83.5]);
+    highway(&mut plan);
+    streets(&mut plan);
+    land(&mut plan);
+    let look = Look {
+        summary: "A small town inside a highway loop with ramps and bridges, at the foot of wooded hills.".to_owned(),
+        lamp_color: [0.96, 1.0, 0.94],
+        conifers: 0.5,
+        ..Look::default()
+    };
+    plan.build(Some(&height), look)
+}
+
+/// The loop: two carriageways, over the main street in the south, under the avenue in the west and a road in the north.
+fn highway(plan: &mut Plan) {
+    let middle = smooth_ring(&[
+        (0.0, -262.0),
+        (190.0, -252.0),
+        (345.0, -170.0),
+        (392.0, 0.0),
+        (335.0, 170.0),
+        (180.0, 252.0),
+        (0.0, 268.0),
+        (-190.0, 250.0),
+        (-345.0, 165.0),
+        (-395.0, 3.0),
+        (-345.0, -165.0),
+        (-190.0, -250.0),
+    ]);
+    let words = "motorway oneway=yes lanes=2 maxspeed=90";
+    // Counter-clockwise outside, clockwise inside: both keep to the right.
+    let outer = beside(&middle, -APART_M);
+    let inner = turned(&beside(&middle, APART_M));
+    for ring in [&outer, &inner] {
+        let length: f64 = ring.windows(2).map(|w| w[0].distance(w[1])).sum();
+        // Begun away from the bridge.
+        let half = [part(ring, length / 2.0, length), part(ring, 0.0, length / 2.0)];
+        let line: Vec<DVec2> = half[0].iter().chain(&half[1][1..]).copied().collect();
+        let south = DVec2::new(0.0, -262.0);
+        plan.road_with_bridges(words, &line, &[(south, 19.0)]);
+    }
+    let ramp = "motorway_link oneway=yes lanes=1 maxspeed=50";
+    let on = |line: &[DVec2], near: (f64, f64)| {
+        let p = DVec2::new(near.0, near.1);
+        line.iter().copied().min_by(|a, b| a.distance(p).total_cmp(&b.distance(p))).unwrap_or(p)
+    };
+    let mut link = |from: DVec2, through: &[(f64, f64)], to: DVec2| {
+        // Straight at its ends: what leaves slowly lies long upon the carriageway.
+        let between = through.iter().map(|&(x, y)| DVec2::new(x, y));
+        let all: Vec<DVec2> = std::iter::once(from).chain(between).chain([to]).collect();
+        plan.road(ramp, &all);
+    };
+    // South: a diamond on both sides of the main street.
+    let at = DVec2::new;
+    link(on(&outer, (-175.0, -262.0)), &[(-130.0, -303.0), (-60.0, -312.0)], at(0.0, -312.0));
+    link(at(0.0, -312.0), &[(60.0, -312.0), (130.0, -303.0)], on(&outer, (175.0, -262.0)));
+    link(on(&inner, (175.0, -246.0)), &[(130.0, -216.0), (60.0, -208.0)], at(0.0, -212.0));
+    link(at(0.0, -212.0), &[(-60.0, -208.0), (-130.0, -216.0)], on(&inner, (-175.0, -246.0)));
+    // West: the same about the avenue's bridge.
+    link(on(&outer, (-380.0, 130.0)), &[(-428.0, 88.0), (-446.0, 40.0)], at(-446.0, 0.0));
+    link(at(-446.0, 0.0), &[(-446.0, -40.0), (-428.0, -88.0)], on(&outer, (-380.0, -130.0)));
+    link(on(&inner, (-350.0, -120.0)), &[(-332.0, -78.0), (-334.0, -36.0)], at(-340.0, 0.0));
+    link(at(-340.0, 0.0), &[(-334.0, 36.0), (-332.0, 78.0)], on(&inner, (-350.0, 120.0)));
+}
+
+fn streets(plan: &mut Plan) {
+    let avenue = "secondary lanes=4 sidewalk=both maxspeed=50";
+    let main = "tertiary sidewalk=both parking:both=lane maxspeed=50";
+    let quiet = "residential sidewalk=both maxspeed=40";
+    let home = "residential sidewalk=both parking:right=lane maxspeed=40";
+    let road = "unclassified sidewalk=no maxspeed=60";
+    // Nobody walks across ramps.
+    plan.road_with_bridges(
+        "secondary lanes=4 sidewalk=no maxspeed=60",
+        &points(&[(-520.0, 0.0), (-446.0, 0.0), (-340.0, 0.0), (-210.0, 0.0)]),
+        &[(DVec2::new(-395.0, 0.0), 20.0)],
+    );
+    plan.road(avenue, &points(&[(-210.0, 0.0), (0.0, 0.0), (235.0, 8.0)]));
+    plan.road(
+        "tertiary sidewalk=no maxspeed=60",
+        &points(&[(0.0, -392.0), (0.0, -312.0), (0.0, -212.0), (0.0, -190.0)]),
+    );
+    plan.road(main, &points(&[(0.0, -190.0), (0.0, 0.0), (6.0, 120.0)]));
+    plan.road_with_bridges(
+        road,
+        &smooth(&[(6.0, 120.0), (8.0, 190.0), (2.0, 268.0), (-6.0, 340.0), (-40.0, 400.0)]),
+        &[(DVec2::new(2.0, 268.0), 20.0)],
+    );
+    plan.road(
+        road,
+        &smooth(&[
+            (0.0, -392.0),
+            (-130.0, -384.0),
+            (-280.0, -350.0),
+            (-420.0, -260.0),
+            (-500.0, -130.0),
+            (-520.0, 0.0),
+        ]),
+    );
+    // Round the outside of the loop, through the hills, back to the avenue.
+    plan.road(
+        road,
+        &smooth(&[
+            (-40.0, 400.0),
+            (-120.0, 386.0),
+            (-210.0, 340.0),
+            (-320.0, 330.0),
+            (-420.0, 270.0),
+            (-486.0, 160.0),
+            (-516.0, 60.0),
+            (-520.0, 0.0),
+        ]),
+    );
+    plan.road(quiet, &points(&[(-205.0, -128.0), (0.0, -120.0), (150.0, -124.0), (240.0, -104.0), (235.0, 8.0)]));
+    plan.road(home, &points(&[(-205.0, -128.0), (-210.0, 0.0), (-196.0, 108.0), (-96.0, 118.0), (6.0, 120.0)]));
+    plan.road(home, &points(&[(6.0, 120.0), (128.0, 112.0), (226.0, 96.0), (235.0, 8.0)]));
+    plan.road(quiet, &points(&[(118.0, -123.0), (114.0, 0.0), (128.0, 112.0)]));
+    plan.road(home, &points(&[(-104.0, -124.0), (-100.0, 0.0), (-96.0, 118.0)]));
+    plan.road(quiet, &points(&[(-210.0, -60.0), (-104.0, -64.0)]));
+    plan.lights(DVec2::new(0.0, 0.0));
+    plan.lights(DVec2::new(-210.0, 0.0));
+    plan.zebra(DVec2::new(0.0, -120.0));
+    plan.zebra(DVec2::new(114.0, 0.0));
+}
+
+fn land(plan: &mut Plan) {
+    plan.land("leisure=park", &rect((58.0, -62.0), (86.0, 92.0), 0.0));
+    plan.land("place=square", &rect((-27.0, -26.0), (30.0, 26.0), 0.0));
+    plan.land("amenity=parking", &rect((-50.0, -176.0), (56.0, 42.0), 0.0));
+    plan.building("supermarket building:levels=1", &rect((-52.0, -212.0), (46.0, 20.0), 0.0));
+    plan.land(
+        "landuse=forest",
+        &smooth(&[(60.0, 300.0), (330.0, 250.0), (430.0, 330.0), (180.0, 430.0), (60.0, 380.0)]),
+    );
+    plan.land("landuse=forest", &smooth(&[(-330.0, 380.0), (-120.0, 430.0), (-150.0, 500.0), (-420.0, 460.0)]));
+    plan.land("landuse=meadow", &rect((290.0, 0.0), (90.0, 240.0), 0.0));
+    let centre = rect((0.0, -8.0), (190.0, 120.0), 0.0);
+    plan.zone(
+        centre,
+        &[(Kind::Terrace, 4.0), (Kind::Shop, 1.6), (Kind::Flats, 1.0), (Kind::Office, 0.6)],
+        (2, 3),
+        0.03,
+    );
+    plan.zone(rect((0.0, -320.0), (420.0, 130.0), 0.0), &[(Kind::Hall, 2.0), (Kind::Shop, 2.0)], (1, 2), 0.2);
+    plan.zone(
+        rect((10.0, 0.0), (520.0, 300.0), 0.0),
+        &[(Kind::House, 6.0), (Kind::Flats, 0.7), (Kind::Shop, 0.5)],
+        (1, 3),
+        0.07,
+    );
+    plan.zone(rect((0.0, 0.0), (3000.0, 3000.0), 0.0), &[(Kind::House, 1.0), (Kind::Barn, 1.0)], (1, 2), 0.75);
+}
