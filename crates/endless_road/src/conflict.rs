@@ -122,7 +122,7 @@ impl Sampled {
 }
 
 /// Whether traffic on `a` lets traffic on `b` go first. Exactly one of `gives_way(a, b)` and `gives_way(b, a)` holds.
-fn gives_way(network: &RoadNetwork, a: &Lane, b: &Lane) -> bool {
+pub fn gives_way(network: &RoadNetwork, a: &Lane, b: &Lane) -> bool {
     // Signs first: free and signalled approaches before give-way signs before stop signs.
     let (rank_a, rank_b) = (approach_rank(network, a), approach_rank(network, b));
     if rank_a != rank_b {

@@ -22,7 +22,7 @@ mod spawn;
 mod terrain;
 mod walk;
 
-pub use conflict::{near_ranges, swept_overlap};
+pub use conflict::{gives_way, near_ranges, swept_overlap};
 pub use error::NetworkError;
 pub use fault::{Fault, FaultKind};
 pub use geographic::Georeference;

@@ -47,6 +47,14 @@ impl Polyline {
         &self.points
     }
 
+    /// Arc length at a point, metres.
+    ///
+    /// # Panics
+    /// If there are fewer points.
+    pub fn station(&self, point: usize) -> f64 {
+        self.s[point]
+    }
+
     /// Metres.
     pub fn length(&self) -> f64 {
         self.s[self.s.len() - 1]

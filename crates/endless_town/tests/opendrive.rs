@@ -78,8 +78,6 @@ fn towns_come_back_as_they_went_out() {
             assert_eq!(kind(lane.end_control), kind(other.end_control), "{name} {:?}", lane.id);
         }
         println!("{name}: {} lanes, at most {:.4} m apart", a.lanes.len(), farthest);
-        // Tight ways through junctions that are not arcs are written as cubics of another length.
-        let most = if ["Town02", "Town03", "Town05", "Town06", "Town10HD"].contains(name) { 0.01 } else { 0.2 };
-        assert!(farthest < most, "{name}: {farthest}");
+        assert!(farthest < 0.01, "{name}: {farthest}");
     }
 }

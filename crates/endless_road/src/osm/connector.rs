@@ -1,6 +1,6 @@
 //! Lanes through junctions.
 
-use super::curve::{line_through, way_through};
+use super::curve::{kerb_radius, line_through, way_through};
 use super::graph::End;
 use super::movement::Movement;
 use super::plan::Plan;
@@ -113,7 +113,7 @@ fn line(plan: &Plan, m: &Movement) -> Polyline {
     let curve = if m.from == m.to {
         loop_back(p.truncate(), u, q.truncate(), loop_radius(plan.cut(m.from)))
     } else {
-        way_through(p.truncate(), u, q.truncate(), v)
+        way_through(p.truncate(), u, q.truncate(), v, widest(plan, m, u.perp_dot(v) < 0.0))
     };
     let total: f64 = curve.windows(2).map(|w| w[0].distance(w[1])).sum();
     let mut s = 0.0;
@@ -131,6 +131,22 @@ pub(super) const DEAD_END_RADIUS_M: f64 = 4.2;
 /// Radius of the loop at a dead end that is cut back by `cut` metres.
 pub(super) fn loop_radius(cut: f64) -> f64 {
     (cut / 2.5).clamp(1.0, DEAD_END_RADIUS_M)
+}
+
+/// Radius of the widest bend of a way: to the right concentric with the kerb of the corner, or those who turn would cut
+/// across it.
+fn widest(plan: &Plan, m: &Movement, right: bool) -> f64 {
+    if !right {
+        return f64::INFINITY;
+    }
+    let kerb = kerb_radius(plan.street(m.from).class.corner_m().min(plan.street(m.to).class.corner_m()));
+    let beside = |arm: End, band: usize, side: usize| {
+        let section = plan.arm_section(arm);
+        let band = if arm.end == 0 { band } else { section.bands.len() - 1 - band };
+        (section.middle(band) - section.kerbs[side]).abs()
+    };
+    // Seen outwards from the junction: who arrives keeps to the left, who leaves to the right.
+    kerb + beside(m.from, m.lane_in, 0).min(beside(m.to, m.lane_out, 1))
 }
 
 /// Around at a dead end: outwards to the right, and back in a circle.

@@ -7,6 +7,9 @@ use glam::{DVec2, DVec3};
 /// Largest change of direction from one point of a bend to the next, radians.
 const STEP_RAD: f64 = 0.03;
 
+/// Ways through junctions are not laid tighter than this where there is room, metres.
+const TIGHT_M: f64 = 6.0;
+
 /// Angle of a direction, counter-clockwise from east, radians.
 pub(super) fn angle(v: DVec2) -> f64 {
     atan2(v.y, v.x)
@@ -118,6 +121,11 @@ pub(super) fn rays_meet(p: DVec2, u: DVec2, q: DVec2, v: DVec2) -> Option<(f64, 
     Some((d.perp_dot(v) / cross, d.perp_dot(u) / cross))
 }
 
+/// A kerb's radius at a corner, for a usual one of the road class.
+pub(super) fn kerb_radius(usual_m: f64) -> f64 {
+    1.3 * usual_m
+}
+
 /// A kerb around a corner from `p`, arriving along `u`, to `q`, leaving against `v` (both point into the junction);
 /// always `n + 3` points, whatever its form.
 pub(super) fn corner(p: DVec2, u: DVec2, q: DVec2, v: DVec2, radius_m: f64, n: usize) -> Vec<DVec2> {
@@ -127,7 +135,7 @@ pub(super) fn corner(p: DVec2, u: DVec2, q: DVec2, v: DVec2, radius_m: f64, n: u
     if let Some((a, b)) = meet {
         let corner = p + u * a;
         let turn = wrap_angle(angle(-v) - angle(u)).abs();
-        let tangent = a.min(b).min(1.3 * radius_m * tan(turn.min(2.8) / 2.0));
+        let tangent = a.min(b).min(kerb_radius(radius_m) * tan(turn.min(2.8) / 2.0));
         let (from, to) = (corner - u * tangent, corner - v * tangent);
         let weight = cos(turn.min(2.8) / 2.0).max(0.15);
         let at = |t| conic(from.extend(0.0), corner.extend(0.0), to.extend(0.0), weight, t).truncate();
@@ -149,8 +157,9 @@ fn cubic(a: DVec2, b: DVec2, c: DVec2, d: DVec2, t: f64) -> DVec2 {
     a * (s * s * s) + b * (3.0 * s * s * t) + c * (3.0 * s * t * t) + d * (t * t * t)
 }
 
-/// A way through a junction from `p` in direction `u` to `q` in direction `v`, points closer than a metre or so.
-pub(super) fn way_through(p: DVec2, u: DVec2, q: DVec2, v: DVec2) -> Vec<DVec2> {
+/// A way through a junction from `p` in direction `u` to `q` in direction `v`, points closer than a metre or so. It bends
+/// no wider than `widest_m`, where it can bend in one arc.
+pub(super) fn way_through(p: DVec2, u: DVec2, q: DVec2, v: DVec2, widest_m: f64) -> Vec<DVec2> {
     let gap = p.distance(q);
     let turn = wrap_angle(angle(v) - angle(u)).abs();
     let steps = ((gap / 0.8).max(turn / STEP_RAD)).ceil().clamp(4.0, 110.0) as usize;
@@ -158,9 +167,10 @@ pub(super) fn way_through(p: DVec2, u: DVec2, q: DVec2, v: DVec2) -> Vec<DVec2> 
         && a > 0.3
         && b > 0.3
         && (0.12..2.5).contains(&turn)
+        && (a.min(b) > 0.6 * a.max(b) || a.min(b) > TIGHT_M * tan(turn / 2.0))
     {
         let corner = p + u * a;
-        let tangent = a.min(b);
+        let tangent = a.min(b).min(widest_m * tan(turn / 2.0));
         let (from, to) = (corner - u * tangent, corner + v * tangent);
         let weight = cos(turn / 2.0).max(0.15);
         let mut out = straight(p, from);
@@ -174,10 +184,40 @@ pub(super) fn way_through(p: DVec2, u: DVec2, q: DVec2, v: DVec2) -> Vec<DVec2> 
         out.push(q);
         return eased(out);
     }
-    let reach = if turn > 2.0 { gap.max(3.0) * 0.75 } else { gap * 0.4 };
-    let (c, d) = (p + u * reach, q - v * reach);
+    let (near, far) = if turn > 2.0 { (gap.max(3.0) * 0.75, gap.max(3.0) * 0.75) } else { reaches(p, u, q, v) };
+    let (c, d) = (p + u * near, q - v * far);
     // Points closer where it begins and ends, so that chords point as the curve does.
     eased((0..=steps).map(|k| cubic(p, c, d, q, k as f64 / steps as f64)).collect())
+}
+
+/// How far a way's handles reach at its ends: neither winding nor tighter than need be.
+fn reaches(p: DVec2, u: DVec2, q: DVec2, v: DVec2) -> (f64, f64) {
+    const SHARES: [f64; 6] = [0.4, 0.3, 0.2, 0.5, 0.12, 0.65];
+    let gap = p.distance(q);
+    let turn = wrap_angle(angle(v) - angle(u)).abs();
+    let cost = |near: f64, far: f64| {
+        let (c, d) = (p + u * near, q - v * far);
+        let points: Vec<DVec2> = (0..=24).map(|k| cubic(p, c, d, q, f64::from(k) / 24.0)).collect();
+        let (mut winding, mut tightest) = (-turn, TIGHT_M);
+        for w in points.windows(3) {
+            let (a, b) = (w[1] - w[0], w[2] - w[1]);
+            let bend = wrap_angle(angle(b) - angle(a)).abs();
+            winding += bend;
+            tightest = tightest.min(0.5 * (a.length() + b.length()) / bend.max(1e-9));
+        }
+        winding.max(0.0) + 0.5 * (TIGHT_M / tightest.max(0.1) - 1.0)
+    };
+    // A symmetric way is taken unless another is clearly better.
+    let mut best = (cost(0.4 * gap, 0.4 * gap) - 0.1, 0.4 * gap, 0.4 * gap);
+    for near in SHARES {
+        for far in SHARES {
+            let found = cost(near * gap, far * gap);
+            if found < best.0 {
+                best = (found, near * gap, far * gap);
+            }
+        }
+    }
+    (best.1, best.2)
 }
 
 fn straight(a: DVec2, b: DVec2) -> Vec<DVec2> {

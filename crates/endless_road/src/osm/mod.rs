@@ -18,6 +18,7 @@ mod extract;
 mod graph;
 mod height;
 mod lane;
+mod lift;
 mod mend;
 mod mirror;
 mod movement;

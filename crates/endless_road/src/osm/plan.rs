@@ -4,12 +4,16 @@ use super::class::RoadClass;
 use super::curve::{angle, line_through, relaxed, rounded, simplified};
 use super::graph::{self, End};
 use super::height::Ground;
+use super::lift::lifted;
 use super::section::Section;
 use super::ways::{Level, Stretch};
 use crate::{Control, CrossingId, LaneId, Polyline};
 use endless_world::SignalId;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
+
+/// Vertices this near to the line through the others are no bends, metres.
+const TOLERANCE_M: f64 = 0.12;
 
 /// What crosses a street on foot.
 #[derive(Debug, Clone, PartialEq)]
@@ -81,7 +85,6 @@ impl Plan {
     /// From stretches that meet at their ends only.
     pub(super) fn new(mut stretches: Vec<Stretch>, ground: Option<Ground<'_>>) -> Self {
         let heights = super::height::heights(&mut stretches, ground);
-        let tolerance_m = if ground.is_some() { 0.03 } else { 0.12 };
         let mut plan = Self::default();
         let mut knot_at: BTreeMap<i64, usize> = BTreeMap::new();
         for (node, arms) in graph::ends(&stretches) {
@@ -90,7 +93,7 @@ impl Plan {
             knot_at.insert(node, plan.knots.len());
             plan.knots.push(Knot { nodes: vec![node], arms, at, ..Knot::default() });
         }
-        plan.streets = stretches.iter().map(|s| street(s, &heights, &knot_at, tolerance_m)).collect();
+        plan.streets = stretches.iter().map(|s| street(s, &heights, &knot_at)).collect();
         plan
     }
 
@@ -203,7 +206,7 @@ impl Street {
     }
 }
 
-fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i64, usize>, tolerance_m: f64) -> Street {
+fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i64, usize>) -> Street {
     let points: Vec<DVec3> =
         stretch.vertices.iter().map(|v| v.at.extend(heights.get(&v.node).copied().unwrap_or(0.0))).collect();
     let half = 0.5 * stretch.section.width_m();
@@ -214,9 +217,10 @@ fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i6
         RoadClass::Tertiary | RoadClass::Unclassified => 20.0,
         _ => 12.0,
     };
-    let bends = rounded(&simplified(&points, tolerance_m), radius_m + half);
+    let plain: Vec<DVec3> = points.iter().map(|p| p.with_z(0.0)).collect();
+    let bends = rounded(&simplified(&plain, TOLERANCE_M), radius_m + half);
     // Lanes on the inside must not fold.
-    let line = line_through(relaxed(bends, (0.75 * half + 0.8).min(9.0)));
+    let line = lifted(&line_through(relaxed(bends, (0.75 * half + 0.8).min(9.0))), &points);
     let on: Vec<(i64, f64)> = stretch.vertices.iter().map(|v| (v.node, line.project(v.at).0)).collect();
     let mut levels: Vec<(f64, Level)> = Vec::new();
     for (i, level) in stretch.levels.iter().enumerate() {

@@ -1,15 +1,24 @@
 //! Where people walk: sidewalks, corners, crossings.
 
-use super::crossing::{CROSSING_M, has_walk};
+use super::crossing::CROSSING_M;
+use super::curve::simplified;
 use super::graph::End;
 use super::lane::inside;
 use super::plan::Plan;
+use super::section::KERB_M;
 use super::surface::{KERB_HEIGHT_M, STUB_M, corner_line, walk_width};
 use crate::{Crossing, CrossingId, RoadNetwork, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
 use glam::DVec3;
 
 /// Distance between nodes along a sidewalk, metres.
 const STEP_M: f64 = 8.0;
+
+/// Straight pieces may leave a bend's middle by this much, metres.
+const BULGE_M: f64 = 0.1;
+
+/// At corners people keep this much more from the kerb, metres, if enough is left for two to pass.
+const SHY_M: f64 = 0.4;
+const PASS_M: f64 = 1.2;
 
 /// The walk network as it grows.
 pub(super) struct Walks<'a> {
@@ -87,10 +96,11 @@ fn sides(plan: &Plan, walks: &mut Walks<'_>) -> Anchors {
             let width = street.section.sidewalks[side];
             let (from, to) = (street.cuts[0], street.length() - street.cuts[1]);
             let mut last: Option<(f64, WalkNodeId)> = None;
-            for (s, crossing) in stations(from, to, street.crossings.iter().map(|c| c.s)) {
+            let places = stations(from, to, street.crossings.iter().map(|c| c.s));
+            for (s, crossing) in around_bends(places, &point) {
                 let node = walks.node(point(s));
                 if let Some((_, before)) = last {
-                    walks.edge(before, node, width, WalkKind::Sidewalk);
+                    walks.edge(before, node, (width - KERB_M).max(0.3), WalkKind::Sidewalk);
                 } else {
                     anchors[i][0][side] = Some(node);
                 }
@@ -126,18 +136,41 @@ fn stations(from: f64, to: f64, crossings: impl Iterator<Item = f64>) -> Vec<(f6
     out
 }
 
+/// The same places with more between where the straight way from one to the next would leave the bend.
+fn around_bends(places: Vec<(f64, Option<usize>)>, point: &dyn Fn(f64) -> DVec3) -> Vec<(f64, Option<usize>)> {
+    let mut out: Vec<(f64, Option<usize>)> = Vec::with_capacity(places.len());
+    for place in places {
+        if let Some(&(from, _)) = out.last() {
+            let sagitta = |a: f64, b: f64| {
+                let middle = point(a).truncate().midpoint(point(b).truncate());
+                middle.distance(point(0.5 * (a + b)).truncate())
+            };
+            let pieces = (1..=4).find(|&n| {
+                let at = |k: usize| from + (place.0 - from) * k as f64 / n as f64;
+                (0..n).all(|k| sagitta(at(k), at(k + 1)) < BULGE_M)
+            });
+            let n = pieces.unwrap_or(4);
+            out.extend((1..n).map(|k| (from + (place.0 - from) * k as f64 / n as f64, None)));
+        }
+        out.push(place);
+    }
+    out
+}
+
 fn corner(plan: &Plan, a: End, b: End, anchors: &Anchors, walks: &mut Walks<'_>) {
     let anchor = |arm: End, left: bool| anchors[arm.stretch][arm.end][usize::from(left == (arm.end == 1))];
     let (from, to) = (anchor(a, true), anchor(b, false));
     let (Some(from), Some(to)) = (from, to) else { return };
     let (wa, wb) = (walk_width(plan, a, true).unwrap_or(STUB_M), walk_width(plan, b, false).unwrap_or(STUB_M));
-    let middle = |w: f64, walk: bool| if walk { 0.5 * (w + super::section::KERB_M) } else { 0.9 };
-    let line = corner_line(plan, a, b, middle(wa, has_walk(plan, a, true)), middle(wb, has_walk(plan, b, false)));
-    let n = line.len();
-    let width = wa.min(wb);
+    // Those who turn come near the kerb here, with their front or rear over it.
+    let shy = (wa.min(wb) - KERB_M - PASS_M).clamp(0.0, SHY_M);
+    let middle = |w: f64| 0.5 * (w + KERB_M + shy);
+    let line = corner_line(plan, a, b, middle(wa), middle(wb));
+    let width = (wa.min(wb) - KERB_M - shy).max(0.3);
+    let bends = simplified(&line, BULGE_M);
     let mut last = from;
-    for k in [n / 5, n / 2, n - 1 - n / 5] {
-        let p = line[k] + DVec3::Z * KERB_HEIGHT_M;
+    for k in 1..bends.len() - 1 {
+        let p = bends[k] + DVec3::Z * KERB_HEIGHT_M;
         if walks.walk.nodes[last.index()].distance(p) < 0.3 || walks.walk.nodes[to.index()].distance(p) < 0.3 {
             continue;
         }

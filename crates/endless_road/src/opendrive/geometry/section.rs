@@ -17,6 +17,8 @@ const STRAIGHT: f64 = 0.998_6;
 const STRAIGHT_AT_ENDS: f64 = 0.999_975;
 /// Stations are not nearer than this, metres.
 const NEAREST_M: f64 = 0.2;
+/// And joints of pieces that are kept beside the ends of a section.
+const TIP_M: f64 = 0.015;
 /// Nor further apart than this.
 const FARTHEST_M: f64 = 25.0;
 
@@ -141,7 +143,9 @@ impl Across<'_> {
 
     fn stations(&self, from: f64, to: f64) -> Vec<f64> {
         let mut fixed = vec![from];
-        let far = |a: f64, b: f64| b - a > 0.25 * NEAREST_M;
+        // Short pieces at the ends are kept: they say in which direction a lane begins and ends.
+        let least = |s: f64| if s <= from || s >= to { TIP_M } else { 0.25 * NEAREST_M };
+        let far = |a: f64, b: f64| b - a > least(a).min(least(b));
         // Where pieces begin, and what is on a bridge or of another material.
         let bridges = self.shape.road.bridges.iter().flat_map(|&(a, b)| [a, b]);
         let materials = self.section.lanes.iter().flat_map(|lane| &lane.materials).map(|m| self.section.s + m.0);

@@ -9,6 +9,12 @@ const STRAIGHT_M: f64 = 1e-4;
 /// And turn less than this, radians: lanes far from the reference line swing with it.
 const STRAIGHT_RAD: f64 = 4e-4;
 
+/// A curve leaves its chord by this share of the chord's length at most, for a bend of 1 at one of its ends: the greatest
+/// value of t (1 - t)^2.
+const HERMITE_OFF: f64 = 4.0 / 27.0;
+/// Curves may leave the chain that they are to follow by this, metres.
+const MOST_OFF_M: f64 = 0.004;
+
 /// One piece.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Piece {
@@ -97,6 +103,33 @@ pub(super) fn directions(points: &[DVec3]) -> Vec<DVec2> {
         .collect()
 }
 
+/// The same points with more beside those where a curve through them would leave the chain: there the curve bends within
+/// a short way and is straight before and behind. Returns them with their directions.
+pub(super) fn tightened(points: &[DVec3], directions: &[DVec2]) -> (Vec<DVec3>, Vec<DVec2>) {
+    let (mut out, mut along) = (Vec::new(), Vec::new());
+    for i in 0..points.len() {
+        let side = |j: usize| {
+            let way = points[j] - points[i];
+            let bend = (way.truncate().normalize_or_zero().perp_dot(directions[i])).abs();
+            let off = HERMITE_OFF * bend * way.truncate().length();
+            // Where the curve begins to bend, and the direction there.
+            let share = (0.5 * MOST_OFF_M / off).min(0.3);
+            (off > MOST_OFF_M).then(|| (points[i] + way * share, way.truncate().normalize_or(DVec2::X)))
+        };
+        if let Some((p, back)) = (i > 0).then(|| side(i - 1)).flatten() {
+            out.push(p);
+            along.push(-back);
+        }
+        out.push(points[i]);
+        along.push(directions[i]);
+        if let Some((p, forward)) = (i + 1 < points.len()).then(|| side(i + 1)).flatten() {
+            out.push(p);
+            along.push(forward);
+        }
+    }
+    (out, along)
+}
+
 fn angle(v: DVec2) -> f64 {
     wrap_angle(atan2(v.y, v.x))
 }
@@ -134,4 +167,40 @@ fn arc_length(cubic: &[[f64; 4]; 2]) -> f64 {
         })
         .sum();
     sum * step / 3.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn curves_stay_on_chains_with_sharp_bends() {
+        let bend = |turn: f64| {
+            let (sin, cos) = sin_cos(turn);
+            [DVec3::ZERO, DVec3::new(2.0, 0.0, 0.1), DVec3::new(2.0 + 3.0 * cos, 3.0 * sin, 0.2)]
+        };
+        for turn in [0.01, 0.1, 0.5, 1.2] {
+            let chain = bend(turn);
+            let (points, along) = tightened(&chain, &directions(&chain));
+            let line = Line::new(&points, &along);
+            for piece in &line.pieces {
+                let (sin, cos) = sin_cos(piece.heading);
+                for k in 0..=20 {
+                    let p = f64::from(k) / 20.0;
+                    let local = match &piece.cubic {
+                        Some([u, v]) => DVec2::new(value(u, p), value(v, p)),
+                        None => DVec2::new(p * piece.length, 0.0),
+                    };
+                    let at = piece.start + DVec2::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y);
+                    let off = chain.windows(2).map(|w| {
+                        let (a, way) = (w[0].truncate(), (w[1] - w[0]).truncate());
+                        let t = ((at - a).dot(way) / way.length_squared()).clamp(0.0, 1.0);
+                        at.distance(a + way * t)
+                    });
+                    let off = off.fold(f64::INFINITY, f64::min);
+                    assert!(off < 0.006, "turn {turn}: {off} m");
+                }
+            }
+        }
+    }
 }

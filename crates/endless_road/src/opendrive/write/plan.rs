@@ -1,6 +1,6 @@
 //! Which lanes make up which road, and how roads are joined.
 
-use super::curve::{Line, directions};
+use super::curve::{Line, directions, tightened};
 use crate::{Junction, Lane, LaneId, RoadNetwork};
 use std::collections::BTreeSet;
 
@@ -93,7 +93,12 @@ impl<'a> Plan<'a> {
         for &lane in lanes {
             self.road_of[lane.index()] = self.roads.len();
         }
-        let line = Line::new(points, &along);
+        let line = if lanes.len() > 1 {
+            Line::new(points, &along)
+        } else {
+            let (points, along) = tightened(points, &along);
+            Line::new(&points, &along)
+        };
         let junction = network.lane(lanes[0]).junction.map(crate::JunctionId::index);
         self.roads.push(PlannedRoad { lanes: lanes.to_vec(), reference, line, junction });
         true
