@@ -28,6 +28,8 @@ pub(crate) struct Request {
     junction: JunctionId,
     /// From the front bumper to the line, metres.
     distance: f64,
+    /// How far before the line it waits, metres.
+    setback: f64,
     speed: f64,
     waited_s: f64,
     lanes: Vec<LaneId>,
@@ -35,6 +37,13 @@ pub(crate) struct Request {
     control: Control,
     /// Its signal stops it.
     held: bool,
+}
+
+impl Request {
+    /// Nobody else stands between it and the line.
+    fn at_the_line(&self) -> bool {
+        self.distance < 6.0 + self.setback
+    }
 }
 
 /// Gives and takes back leave to enter junctions.
@@ -74,7 +83,7 @@ impl Marshal {
         for (i, vehicle) in vehicles.iter_mut().enumerate() {
             match request(roads, signals, vehicle, i) {
                 Some(request) => {
-                    let waits = vehicle.speed < 0.3 && request.distance < 6.0;
+                    let waits = vehicle.speed < 0.3 && request.at_the_line();
                     vehicle.waited_s = if waits { vehicle.waited_s + step_s } else { 0.0 };
                     requests.push(Request { waited_s: vehicle.waited_s, ..request });
                 }
@@ -207,7 +216,7 @@ fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) 
     let trigger = vehicle.speed * vehicle.speed / (2.0 * 1.8) + 1.2 * vehicle.speed + 8.0 + vehicle.half_length;
     let mut before = None;
     let mut lanes: Vec<LaneId> = Vec::new();
-    let mut found: Option<(JunctionId, f64, Control)> = None;
+    let mut found: Option<(JunctionId, f64, LaneId)> = None;
     for (lane, base) in vehicle.ahead(roads) {
         let junction = roads.table(lane).junction;
         match found {
@@ -219,15 +228,16 @@ fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) 
                     && base > 0.0
                     && vehicle.grant_for(junction).is_none()
                 {
-                    found = Some((junction, base, roads.network.lane(before).end_control));
+                    found = Some((junction, base, before));
                     lanes.push(lane);
                 }
             }
-            Some((inside, to_line, control)) => {
+            Some((inside, to_line, before)) => {
                 if junction == Some(inside) {
                     lanes.push(lane);
                     continue;
                 }
+                let control = roads.network.lane(before).end_control;
                 let light = aspect(control, signals);
                 let distance = to_line - vehicle.half_length;
                 // Who has waited at the line to turn left clears the junction when the light changes.
@@ -238,6 +248,7 @@ fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) 
                     vehicle: i,
                     junction: inside,
                     distance,
+                    setback: roads.table(before).setback,
                     speed: vehicle.speed,
                     waited_s: vehicle.waited_s,
                     lanes,
@@ -257,8 +268,8 @@ fn sign_allows(roads: &Roads, request: &Request) -> bool {
     match request.control {
         Control::Signal(_) => !request.held,
         Control::Stop => request.waited_s > 0.7,
-        Control::Yield => request.distance < 14.0,
-        Control::Free => !must_look || request.distance < 14.0,
+        Control::Yield => request.distance < 14.0 + request.setback,
+        Control::Free => !must_look || request.distance < 14.0 + request.setback,
     }
 }
 
@@ -291,7 +302,7 @@ fn goes_before(roads: &Roads, vehicles: &[Vehicle], me: &Request, other: &Reques
             if other.speed < 0.5 {
                 // Both stand: the one with priority goes, unless it has let its turn pass.
                 let stuck = other.waited_s > PATIENCE_S && me.waited_s > PATIENCE_S;
-                if other.distance < 6.0 && !stuck {
+                if other.at_the_line() && !stuck {
                     return false;
                 }
                 continue;

@@ -20,6 +20,17 @@ impl Footprint {
         Self { center, axis: DVec2::new(cos, sin), half }
     }
 
+    /// Of half sizes, around a place.
+    pub(crate) fn of(half: DVec2, center: DVec2, yaw_rad: f64) -> Self {
+        let (sin, cos) = sin_cos(yaw_rad);
+        Self { center, axis: DVec2::new(cos, sin), half }
+    }
+
+    /// The same, further on by some metres.
+    pub(crate) fn moved(self, by_m: f64) -> Self {
+        Self { center: self.center + self.axis * by_m, ..self }
+    }
+
     /// Whether two of them overlap (separating axes).
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
         let apart = other.center - self.center;

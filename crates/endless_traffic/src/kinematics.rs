@@ -10,7 +10,7 @@ use endless_world::{ObjectClass, Pose};
 use glam::DVec3;
 
 /// Length of the drawbar over the wheelbase.
-const DRAWBAR: f64 = 0.85;
+pub(crate) const DRAWBAR: f64 = 0.85;
 const GRAVITY: f64 = 9.81;
 
 /// Offset from the lane's middle and its slope, and whether a lane change has ended.
@@ -21,6 +21,11 @@ fn lateral(vehicle: &Vehicle) -> (f64, f64, bool) {
     let rise = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
     let slope = 30.0 * u * u * (1.0 - u) * (1.0 - u) / shift.length_m;
     (vehicle.driver.lateral_m + shift.offset_m * (1.0 - rise), -shift.offset_m * slope, u >= 1.0)
+}
+
+/// How far the point that follows the lane is ahead of the origin, metres.
+pub(crate) fn pivot_ahead_m(vehicle: &Vehicle) -> f64 {
+    DRAWBAR * vehicle.wheelbase - vehicle.rear_axle
 }
 
 /// Puts a vehicle at rest on its lane.
@@ -69,22 +74,26 @@ fn ahead_by(vehicle: &Vehicle, roads: &Roads, distance: f64) -> (LaneId, f64) {
     place
 }
 
+/// Heading of what is drawn by a bar when the bar's front has come some metres in direction `pull`: the exact solution of
+/// the drawbar's equation for a straight piece of way.
+pub(crate) fn drawn(yaw: f64, pull: f64, way_m: f64, drawbar_m: f64) -> f64 {
+    let before = wrap_angle(pull - yaw).clamp(-1.2, 1.2);
+    wrap_angle(pull - 2.0 * atan(tan(0.5 * before) * exp(-way_m / drawbar_m)))
+}
+
 fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
     let drawbar = DRAWBAR * vehicle.wheelbase;
-    let pivot_x = drawbar - vehicle.rear_axle;
+    let pivot_x = pivot_ahead_m(vehicle);
     let (lane, s) = ahead_by(vehicle, roads, pivot_x);
     let on = roads.network.lane(lane).centerline.at(s);
     let (t, slope, _) = lateral(vehicle);
     let course = on.heading_rad + atan(slope);
     let (sin, cos) = sin_cos(on.heading_rad);
     let pivot = on.position + DVec3::new(-sin, cos, 0.0) * t;
-    // Exact solution of the drawbar's equation for the straight piece of way that the pivot has come.
     let way = (pivot - vehicle.pivot).truncate();
     let moved = step_s > 0.0 && way.length_squared() > 1e-12;
     let pull = if moved { atan2(way.y, way.x) } else { course };
-    let before = wrap_angle(pull - vehicle.yaw).clamp(-1.2, 1.2);
-    let after = 2.0 * atan(tan(0.5 * before) * exp(-way.length() * f64::from(u8::from(moved)) / drawbar));
-    let yaw = wrap_angle(pull - after);
+    let yaw = drawn(vehicle.yaw, pull, way.length() * f64::from(u8::from(moved)), drawbar);
     let angle = wrap_angle(course - yaw).clamp(-1.2, 1.2);
     vehicle.pivot = pivot;
     let (sin, cos) = sin_cos(yaw);

@@ -1,6 +1,7 @@
 //! Lane changes by MOBIL (Kesting, Treiber, Helbing 2007, "General lane-changing model MOBIL for car-following
 //! models"): change if it helps me more than it harms the others, and if nobody must brake hard.
 
+use crate::kinematics;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::{Cover, Shift, Vehicle};
@@ -121,8 +122,9 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
 fn begin(roads: &Roads, occupancy: &mut Occupancy, vehicles: &mut [Vehicle], i: usize, target: LaneId) {
     let me = &mut vehicles[i];
     let from = me.lane();
-    let at = me.pose.position.as_dvec3().truncate();
-    let (s, t) = roads.network.lane(target).centerline.project(at);
+    // The point that follows the lane must not jump: in a bend the lanes are not equally long.
+    let (at_pivot, t) = roads.network.lane(target).centerline.project(me.pivot.truncate());
+    let s = at_pivot - kinematics::pivot_ahead_m(me);
     me.shift = Some(Shift {
         from,
         from_minus_here: me.s - s,

@@ -13,12 +13,14 @@ mod kinematics;
 mod lane_change;
 mod lights;
 mod occupancy;
+mod overlap;
 mod population;
 mod roads;
 mod signals;
 mod simulation;
 mod spawn;
 mod steering;
+mod sweep;
 mod vehicle;
 mod walker;
 

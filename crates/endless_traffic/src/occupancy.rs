@@ -1,8 +1,12 @@
 //! Which vehicles are on which lane.
 
+use crate::overlap::Alongside;
 use crate::roads::Roads;
 use crate::vehicle::{Cover, Vehicle};
 use endless_road::LaneId;
+
+/// Who comes to where lanes run into one another is seen from this far before it, metres.
+const MERGE_M: f64 = 30.0;
 
 /// A vehicle on a lane.
 #[derive(Debug, Clone, Copy)]
@@ -69,6 +73,17 @@ impl Occupancy {
     pub(crate) fn leader(&self, roads: &Roads, vehicles: &[Vehicle], i: usize, reach: f64) -> Option<Leader> {
         let me = &vehicles[i];
         let mut best: Option<Leader> = None;
+        for (lane, base) in me.ahead(roads).take_while(|(_, base)| *base <= reach) {
+            for beside in &roads.table(lane).alongside {
+                for o in self.on(beside.lane).iter().filter(|o| beside.other_range.0 - o.front < MERGE_M) {
+                    if let Some(leader) = merging(me, i, base, beside, o)
+                        && best.is_none_or(|b| leader.gap < b.gap)
+                    {
+                        best = Some(leader);
+                    }
+                }
+            }
+        }
         let mut consider = |o: &Occupant, base: f64, position: Option<f64>| {
             // On the same lane, what is further on is ahead; side by side, the lower number leads.
             let ahead = position.is_none_or(|s| (o.middle(), i) > (s, o.vehicle));
@@ -101,4 +116,19 @@ impl Occupancy {
         }
         best
     }
+}
+
+/// Who is ahead, or to be let in, on a lane that runs into mine `base` metres from my origin.
+fn merging(me: &Vehicle, i: usize, base: f64, beside: &Alongside, o: &Occupant) -> Option<Leader> {
+    // Everything in `s` of my lane.
+    let (mine, shift) = (-base, beside.here_minus_there());
+    let theirs = o.middle() + shift;
+    let gone = o.rear > beside.other_range.1 + 0.5 * (o.front - o.rear);
+    if o.vehicle == i || gone || mine > beside.range.1 || (theirs, i) <= (mine, o.vehicle) {
+        return None;
+    }
+    // Side by side before the lanes meet: the one behind lets the other go, without standing on its brakes.
+    let room = beside.range.0 - mine;
+    let gap = (o.rear + shift - mine - me.half_length).max(room);
+    Some(Leader { vehicle: o.vehicle, gap, speed: o.speed })
 }

@@ -1,7 +1,9 @@
 //! What drivers need of the network, looked up by lane.
 
 use crate::attraction::Attraction;
-use endless_road::{Conflict, CrossingId, JunctionId, Lane, LaneId, RoadNetwork, Turn, near_ranges, swept_overlap};
+use crate::overlap::{Alongside, Bodies, Conflicts, Sibling, alongside, make_room, siblings};
+use endless_asset::VehicleSpec;
+use endless_road::{Conflict, CrossingId, JunctionId, LaneId, RoadNetwork, Turn};
 use endless_world::math::f64::wrap_angle;
 use glam::Vec3;
 
@@ -9,10 +11,8 @@ use glam::Vec3;
 const STATION_M: f64 = 1.0;
 /// Sideways acceleration that people accept in bends, m/s².
 const BEND_MPS2: f64 = 2.0;
-/// Distance between centre lines at which a long vehicle in a bend may touch another, metres.
-const LONG_SWEPT_M: f64 = 5.0;
 /// Vehicles longer than this are long, metres.
-const LONG_M: f64 = 6.5;
+pub(crate) const LONG_M: f64 = 6.5;
 /// Vehicles longer than this are given more room where ways meet in bends, metres.
 pub(crate) const SWINGS_OUT_M: f64 = 5.4;
 /// Long vehicles need right turns of this many lengths, or their rear wheels would climb the kerb.
@@ -23,6 +23,8 @@ const LONG_RADIUS_LEFT: f64 = 0.9;
 const LONG_RADIUS_BESIDE_OTHERS: f64 = 2.6;
 /// And of this many where they arrive beside the kerb: their front corner would sweep over who waits there.
 const LONG_RADIUS_LEFT_TO_KERB: f64 = 1.8;
+/// Long vehicles need lanes wider than they are by this, metres.
+const BESIDE_M: f64 = 0.4;
 /// Vehicles longer than this keep to streets of several lanes, metres.
 const BUS_M: f64 = 9.0;
 /// Braking planned before a bend, m/s².
@@ -38,14 +40,6 @@ pub(crate) struct Cut {
     pub(crate) along_m: f64,
 }
 
-/// A lane that parts from the same lane.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Sibling {
-    pub(crate) lane: LaneId,
-    /// Up to this `s` their swept areas overlap.
-    pub(crate) until: f64,
-}
-
 /// One lane's tables.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LaneTable {
@@ -59,6 +53,9 @@ pub(crate) struct LaneTable {
     /// With a long vehicle, which swings out in bends.
     wide_conflicts: Vec<Conflict>,
     pub(crate) siblings: Vec<Sibling>,
+    pub(crate) alongside: Vec<Alongside>,
+    /// Who waits at the end of the lane keeps this far from it, so that those who turn get past, metres.
+    pub(crate) setback: f64,
 }
 
 impl LaneTable {
@@ -87,8 +84,9 @@ pub(crate) struct Roads {
 }
 
 impl Roads {
-    /// With the lengths of all models, and the places that are looked at.
-    pub(crate) fn new(network: RoadNetwork, lengths_m: &[f64], focus: &[Vec3]) -> Self {
+    /// With all models, and the places that are looked at.
+    pub(crate) fn new(network: RoadNetwork, specs: &[&VehicleSpec], focus: &[Vec3]) -> Self {
+        let bodies = Bodies::of(specs);
         let mut lanes: Vec<LaneTable> = network.lanes.iter().map(|lane| table(&network, lane.id)).collect();
         for (place, crossing) in network.crossings.iter().enumerate() {
             let [from, to] = crossing.ends.map(glam::DVec3::truncate);
@@ -103,15 +101,31 @@ impl Roads {
                 });
             }
         }
-        for conflict in network.junctions.iter().flat_map(|j| &j.conflicts) {
-            lanes[conflict.lane.index()].conflicts.push(*conflict);
+        let conflicts = Conflicts::of(&network, bodies);
+        let beside = alongside(&network, bodies);
+        for (((table, small), (wide, setback)), beside) in
+            lanes.iter_mut().zip(conflicts.small).zip(conflicts.wide.into_iter().zip(conflicts.setbacks)).zip(beside)
+        {
+            (table.conflicts, table.wide_conflicts, table.setback, table.alongside) = (small, wide, setback, beside);
         }
         for lane in &network.lanes {
-            let wide = wide_conflicts(&network, lane, &lanes[lane.id.index()].conflicts);
-            lanes[lane.id.index()].wide_conflicts = wide;
+            lanes[lane.id.index()].siblings = siblings(&network, lane, &bodies);
         }
         let everybody = network.circulating_lanes();
-        let allowed = lengths_m.iter().map(|&length| circulation(&network, &lanes, &everybody, length)).collect();
+        let mut setbacks: Vec<f64> = lanes.iter().map(|table| table.setback).collect();
+        let allowed = specs
+            .iter()
+            .map(|spec| {
+                let mut stays = wide_enough(&network, &lanes, &everybody, spec);
+                if f64::from(spec.length_m) >= LONG_M {
+                    make_room(&network, bodies, spec, &mut stays, &mut setbacks);
+                }
+                circulation(&network, stays)
+            })
+            .collect();
+        for (table, setback) in lanes.iter_mut().zip(setbacks) {
+            table.setback = setback.min((table.length - bodies.length_m()).max(0.0));
+        }
         let attraction = Attraction::new(&network, focus);
         Self { network, allowed, lanes, attraction }
     }
@@ -126,9 +140,10 @@ impl Roads {
     }
 }
 
-/// The lanes on which a vehicle of a length can drive for ever without bends too tight for it.
-fn circulation(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], length_m: f64) -> Vec<bool> {
+/// The lanes on which a model fits, without bends too tight for it.
+fn wide_enough(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], spec: &VehicleSpec) -> Vec<bool> {
     let mut stays = everybody.to_vec();
+    let length_m = f64::from(spec.length_m);
     if length_m < LONG_M {
         return stays;
     }
@@ -142,8 +157,14 @@ fn circulation(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], l
             (Some(_), _) => LONG_RADIUS,
         };
         let broad = lane.junction.is_some() || lane.left.is_some() || lane.right.is_some();
-        *stay &= table.radius > lengths * length_m && (broad || length_m < BUS_M);
+        let fits = lane.width_m > f64::from(spec.width_m) + BESIDE_M;
+        *stay &= fits && table.radius > lengths * length_m && (broad || length_m < BUS_M);
     }
+    stays
+}
+
+/// The lanes among these on which one can drive for ever.
+fn circulation(network: &RoadNetwork, mut stays: Vec<bool>) -> Vec<bool> {
     loop {
         let goes_on = |i: usize| network.lanes[i].successors.iter().any(|next| stays[next.index()]);
         let stuck: Vec<usize> = (0..stays.len()).filter(|&i| stays[i] && !goes_on(i)).collect();
@@ -152,31 +173,6 @@ fn circulation(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], l
         }
         stuck.into_iter().for_each(|i| stays[i] = false);
     }
-}
-
-/// The conflicts of a lane where turning lanes sweep more than their width, those of the network included.
-fn wide_conflicts(network: &RoadNetwork, lane: &Lane, known: &[Conflict]) -> Vec<Conflict> {
-    let Some(junction) = lane.junction else { return Vec::new() };
-    let mut wide = Vec::new();
-    for &other in network.junctions[junction.index()].lanes.iter().filter(|&&o| o != lane.id) {
-        let them = network.lane(other);
-        let related = lane.successors.contains(&other)
-            || them.successors.contains(&lane.id)
-            || lane.predecessors.iter().any(|p| them.predecessors.contains(p));
-        if related {
-            continue;
-        }
-        let before = known.iter().find(|c| c.other == other);
-        let turns = lane.turn != Turn::Straight || them.turn != Turn::Straight;
-        let ranges = if turns { near_ranges(lane, them, LONG_SWEPT_M) } else { None };
-        if let Some((range, other_range)) = ranges {
-            let gives_way = before.map_or(lane.id > other, |c| c.gives_way);
-            wide.push(Conflict { lane: lane.id, other, range, other_range, gives_way });
-        } else if let Some(&conflict) = before {
-            wide.push(conflict);
-        }
-    }
-    wide
 }
 
 fn table(network: &RoadNetwork, id: LaneId) -> LaneTable {
@@ -199,13 +195,5 @@ fn table(network: &RoadNetwork, id: LaneId) -> LaneTable {
         let reachable = (profile[i + 1] * profile[i + 1] + 2.0 * PLANNED_BRAKING * STATION_M).sqrt();
         profile[i] = profile[i].min(reachable);
     }
-    let mut siblings = Vec::new();
-    for before in &lane.predecessors {
-        for &other in network.lane(*before).successors.iter().filter(|&&o| o != id) {
-            if let Some(((_, until), _)) = swept_overlap(lane, network.lane(other)) {
-                siblings.push(Sibling { lane: other, until: until + 1.0 });
-            }
-        }
-    }
-    LaneTable { length, junction: lane.junction, profile, siblings, radius, ..LaneTable::default() }
+    LaneTable { length, junction: lane.junction, profile, radius, ..LaneTable::default() }
 }

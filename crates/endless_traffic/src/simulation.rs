@@ -98,8 +98,7 @@ impl Simulation {
         focus: &[Vec3],
     ) -> Self {
         assert!(fps > 0.0, "frames per second must be positive");
-        let lengths: Vec<f64> = specs.iter().map(|s| f64::from(s.length_m)).collect();
-        let roads = Roads::new(network.clone(), &lengths, focus);
+        let roads = Roads::new(network.clone(), specs, focus);
         let graph = WalkGraph::new(&network.walk);
         let vehicles = spawn::vehicles(&roads, specs, parked, asked[0], seed, conditions);
         let walkers = spawn::walkers(&roads, &graph, pace_of, asked[1], seed);

@@ -19,6 +19,10 @@ const GAP_M: f64 = 3.5;
 const TRIES: u32 = 60;
 /// Places among which the roomiest is taken.
 const CANDIDATES: usize = 40;
+/// Room kept to vehicles on other lanes, metres.
+const CLEAR_M: f64 = 0.4;
+/// Who is further above or below is on another level, metres.
+const STOREY_M: f64 = 3.0;
 /// Room kept to parked vehicles, metres.
 const PARKED_M: f64 = 0.15;
 /// Vehicles that may find no room before the town counts as full.
@@ -68,6 +72,11 @@ pub(crate) fn vehicles(
             let inside = roads.allowed(model as u16)[p.lane.index()] && p.s > half + 1.0 && p.s < length - half - 1.0;
             inside
                 && placed.iter().all(|v| v.lane() != p.lane || (v.s - p.s).abs() > v.half_length + half + GAP_M)
+                && placed.iter().all(|v| {
+                    let apart = v.pose.position.as_dvec3() - on.position;
+                    let far = apart.truncate().length() > 20.0 || apart.z.abs() > STOREY_M;
+                    far || !body.overlaps(&v.footprint(specs, CLEAR_M))
+                })
                 && standing.iter().all(|other| other.center.distance(body.center) > 20.0 || !body.overlaps(other))
         };
         // The roomiest of some places.

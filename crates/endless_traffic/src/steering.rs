@@ -67,16 +67,22 @@ impl View<'_> {
         let me = &self.vehicles[i];
         let sure = self.surely_free(i, leader);
         let mut nearest = f64::INFINITY;
+        let mut setback = 0.0;
         for (k, (lane, base)) in me.ahead(self.roads).enumerate() {
             if base > SIGHT_M {
                 break;
             }
             let table = self.roads.table(lane);
+            let kept = std::mem::replace(&mut setback, table.setback);
             if let Some(junction) = table.junction {
                 match me.grant_for(junction) {
                     Some(grant) => nearest = nearest.min(self.earlier_ahead(i, lane, base, grant.order, true)),
                     None if k > 0 && base > 0.0 => {
-                        let line = nearest.min(base - me.half_length - 0.3);
+                        let at_line = base - me.half_length - 0.3;
+                        // Room for those who turn is left by who can still stop for it; who stands in it stays there.
+                        let short = at_line - kept;
+                        let late = me.speed > 0.5 && short < me.firm_stop_m();
+                        let line = nearest.min(if late { at_line } else { short.max(at_line.min(0.06)) });
                         return Some(self.off_crossings(me, line));
                     }
                     None => {}

@@ -1,6 +1,7 @@
 //! One moving vehicle.
 
 use crate::driver::Driver;
+use crate::footprint::Footprint;
 use crate::roads::{Roads, SWINGS_OUT_M};
 use endless_asset::VehicleSpec;
 use endless_road::{JunctionId, LaneId};
@@ -192,6 +193,12 @@ impl Vehicle {
             let at = self.s + shift.from_minus_here;
             into.push(Cover { lane: shift.from, rear: at - self.half_length, front: at + self.half_length });
         }
+    }
+
+    /// Its body seen from above, with a margin all round, metres.
+    pub(crate) fn footprint(&self, specs: &[&VehicleSpec], margin_m: f64) -> Footprint {
+        let spec = specs[usize::from(self.asset.model)];
+        Footprint::new(spec, self.pose.position.as_dvec3().truncate(), self.yaw, margin_m)
     }
 
     /// Where it could stand at the earliest if it braked firmly, metres from now.

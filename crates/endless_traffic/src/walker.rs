@@ -200,7 +200,7 @@ impl Walker {
         let chosen = self.avoid(wanted, near, &strip, next.as_ref().filter(|_| !kerb));
         let change = chosen - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
-        self.advance(near, step_s);
+        self.advance(near, &strip, next.as_ref().filter(|_| !kerb), step_s);
         self.turn(&strip, next.as_ref().filter(|_| kerb), step_s);
         self.height = height(roads, self.from, self.way[0], self.position);
     }
@@ -280,8 +280,17 @@ impl Walker {
         best.1
     }
 
-    /// Moves, but never into somebody.
-    fn advance(&mut self, near: &[(DVec2, DVec2)], step_s: f64) {
+    /// Moves, but never into somebody, and not off the sidewalk to get past them.
+    fn advance(&mut self, near: &[(DVec2, DVec2)], strip: &Strip, next: Option<&Strip>, step_s: f64) {
+        let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
+        let here = outside(self.position);
+        let leaves = |velocity: DVec2| outside(self.position + velocity * step_s) > here + 1e-9;
+        if strip.kind == WalkKind::Sidewalk && leaves(self.velocity) {
+            let slides = std::iter::once(strip).chain(next).map(|s| s.along * self.velocity.dot(s.along));
+            if let Some(slide) = slides.into_iter().find(|&v| !leaves(v)) {
+                self.velocity = slide;
+            }
+        }
         let goal = self.position + self.velocity * step_s;
         let blocked = near.iter().any(|(p, _)| {
             let after = goal.distance(*p);

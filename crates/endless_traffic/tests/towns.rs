@@ -59,4 +59,6 @@ towns! {
     town06_flows_without_a_touch: "Town06";
     town07_flows_without_a_touch: "Town07";
     town10_flows_without_a_touch: "Town10HD";
+    ladera_flows_without_a_touch: "Ladera";
+    altstadt_flows_without_a_touch: "Altstadt";
 }

@@ -25,11 +25,10 @@ fn tyres(vehicle: &Vehicle, spec: &VehicleSpec) -> [DVec2; 4] {
 fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
     let catalogue = Catalogue::builtin();
     let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
-    let lengths: Vec<f64> = specs.iter().map(|s| f64::from(s.length_m)).collect();
     let mut turns = [0, 0];
     for name in endless_town::NAMES {
         let town = endless_town::load(name, &catalogue).expect("a town");
-        let roads = Roads::new(town.network, &lengths, &[]);
+        let roads = Roads::new(town.network, &specs, &[]);
         let network = &roads.network;
         for (model, spec) in specs.iter().enumerate().filter(|(_, s)| s.length_m > 6.5) {
             let allowed = roads.allowed(model as u16);

@@ -21,8 +21,7 @@ impl Place {
     }
 
     fn roads(&self, focus: &[Vec3]) -> Roads {
-        let lengths: Vec<f64> = self.specs().iter().map(|s| f64::from(s.length_m)).collect();
-        Roads::new(self.town.network.clone(), &lengths, focus)
+        Roads::new(self.town.network.clone(), &self.specs(), focus)
     }
 }
 

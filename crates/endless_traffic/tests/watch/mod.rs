@@ -7,6 +7,9 @@ use endless_world::math::f64::{sin_cos, wrap_angle};
 use endless_world::{Actor, Motion, ObjectClass, Pose};
 use glam::DVec2;
 
+/// Height of a person, metres.
+const TALL_M: f64 = 1.8;
+
 pub(crate) fn spec(
     name: &'static str,
     class: ObjectClass,
@@ -44,10 +47,12 @@ pub(crate) fn specs() -> Vec<VehicleSpec> {
     ]
 }
 
-/// The body seen from above: centre, axes, half sizes.
+/// The body seen from above: centre, axes, half sizes; and the heights between which it is.
 #[derive(Clone, Copy)]
 pub(crate) struct Footprint {
     center: DVec2,
+    bottom: f64,
+    top: f64,
     axis: DVec2,
     half: DVec2,
 }
@@ -56,11 +61,21 @@ impl Footprint {
     pub(crate) fn of(pose: &Pose, spec: &VehicleSpec) -> Self {
         let (sin, cos) = sin_cos(f64::from(pose.yaw_rad));
         let half = DVec2::new(f64::from(spec.length_m), f64::from(spec.width_m)) * 0.5;
-        Self { center: pose.position.as_dvec3().truncate(), axis: DVec2::new(cos, sin), half }
+        let bottom = f64::from(pose.position.z);
+        let top = bottom + f64::from(spec.height_m);
+        Self { center: pose.position.as_dvec3().truncate(), bottom, top, axis: DVec2::new(cos, sin), half }
+    }
+
+    /// Whether one is above the other, as on a bridge.
+    pub(crate) fn passes_over(&self, other: &Self) -> bool {
+        self.bottom > other.top || other.bottom > self.top
     }
 
     /// How deep two footprints overlap (separating axes); not positive if they do not.
     pub(crate) fn depth(&self, other: &Self) -> f64 {
+        if self.passes_over(other) {
+            return -1.0;
+        }
         let d = other.center - self.center;
         let radius = |f: &Self, n: DVec2| f.half.x * f.axis.dot(n).abs() + f.half.y * f.axis.perp().dot(n).abs();
         [self.axis, self.axis.perp(), other.axis, other.axis.perp()]
@@ -130,12 +145,17 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
         for (k, w) in walkers.iter().enumerate() {
             let p = w.pose.position.as_dvec3().truncate();
             for (i, print) in prints.iter().enumerate() {
-                if print.center.distance_squared(p) < 100.0 && print.distance(p) < 0.25 {
-                    f.walker_hits.push(format!("t={:.1} walker {k} vehicle {i} at {p:.1}", now.time_s));
+                let feet = f64::from(w.pose.position.z);
+                let level = feet < print.top && feet + TALL_M > print.bottom;
+                if level && print.center.distance_squared(p) < 100.0 && print.distance(p) < 0.25 {
+                    let (what, at) = (vehicles.get(i).map(|v| v.class), print.center);
+                    f.walker_hits
+                        .push(format!("t={:.1} walker {k} at {p:.1} vehicle {i} {what:?} at {at:.1}", now.time_s));
                 }
             }
             for other in &walkers[k + 1..] {
-                if other.pose.position.truncate().distance(w.pose.position.truncate()) < 0.499 {
+                let apart = other.pose.position - w.pose.position;
+                if apart.truncate().length() < 0.499 && apart.z.abs() < TALL_M as f32 {
                     f.touching_walkers += 1;
                 }
             }
@@ -161,14 +181,14 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
                     let slip = (rear(a) - rear(b)).dot(DVec2::new(-sin, cos)).abs() * fps;
                     f.worst_slip_mps = f.worst_slip_mps.max(slip);
                     let forward = (rear(a) - rear(b)).dot(DVec2::new(cos, sin)) * fps;
-                    assert!(forward > -0.05, "vehicle {k} rolls back at {forward} m/s");
+                    assert!(forward > -0.05, "vehicle {k} rolls back at {forward} m/s, {at:.1}");
                     let change = f64::from(m.speed_mps - n.speed_mps).abs() * fps;
                     f.worst_acceleration = f.worst_acceleration.max(change);
                     let rate = f64::from(wrap(a.pose.yaw_rad - b.pose.yaw_rad)).abs() * fps;
                     f.worst_yaw_rate = f.worst_yaw_rate.max(rate);
                     assert!(
                         speed < f64::from(m.speed_mps) * 1.2 + 1.0,
-                        "vehicle {k} jumps: {speed} at {}",
+                        "vehicle {k} jumps: {speed} at {}, {at:.1}",
                         m.speed_mps
                     );
                 }

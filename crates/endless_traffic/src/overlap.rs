@@ -1,0 +1,259 @@
+//! Where the areas swept on different lanes overlap: inside junctions, before their lines, and where lanes run into one
+//! another without a junction.
+
+use crate::roads::{LONG_M, SWINGS_OUT_M};
+use crate::sweep::{Body, Sweep};
+use endless_asset::VehicleSpec;
+use endless_road::{Conflict, Lane, LaneId, OnLine, RoadNetwork, Turn, gives_way, near_ranges};
+use endless_world::math::f64::{cos, wrap_angle};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Distance between centre lines at which a long vehicle in a bend may touch another, metres.
+const LONG_SWEPT_M: f64 = 5.0;
+/// Beside the middle of their lanes drivers keep within this, metres.
+const ASIDE_M: f64 = 0.15;
+/// Lines before junctions are never kept from further than this, metres.
+const MOST_SETBACK_M: f64 = 6.0;
+/// Lanes with places nearer than this may run into one another, metres.
+const NEAR_M: f64 = 3.0;
+/// Distance between these places, and size of the cells in which they are looked up, metres.
+const PLACE_M: f64 = 2.0;
+
+/// A lane that parts from the same lane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Sibling {
+    pub(crate) lane: LaneId,
+    /// Up to this `s` their swept areas overlap.
+    pub(crate) until: f64,
+}
+
+/// A lane that runs into this one, or along it too near, without a junction.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Alongside {
+    pub(crate) lane: LaneId,
+    /// Range of `s` of this lane within which bodies touch, and that of the other lane.
+    pub(crate) range: (f64, f64),
+    pub(crate) other_range: (f64, f64),
+}
+
+impl Alongside {
+    /// From `s` of the other lane to that of this one.
+    pub(crate) fn here_minus_there(&self) -> f64 {
+        self.range.1 - self.other_range.1
+    }
+}
+
+/// The bodies for which room is kept.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bodies {
+    small: Body,
+    /// Vans too.
+    broad: Body,
+}
+
+impl Bodies {
+    pub(crate) fn of(specs: &[&VehicleSpec]) -> Self {
+        let shorter = |than: f64| {
+            let specs = specs.iter().copied().filter(move |s| f64::from(s.length_m) < than);
+            Body::around(specs, ASIDE_M)
+        };
+        Self { small: shorter(SWINGS_OUT_M), broad: shorter(LONG_M) }
+    }
+
+    /// Length of the longest of them, metres.
+    pub(crate) fn length_m(&self) -> f64 {
+        2.0 * self.broad.half.x
+    }
+}
+
+/// Conflicts inside junctions, by lane: for cars, and if one of the two is long and swings out in bends.
+#[derive(Debug, Default)]
+pub(crate) struct Conflicts {
+    pub(crate) small: Vec<Vec<Conflict>>,
+    pub(crate) wide: Vec<Vec<Conflict>>,
+    /// How far before its end each lane is to be waited on, so that those who turn get past, metres.
+    pub(crate) setbacks: Vec<f64>,
+}
+
+impl Conflicts {
+    pub(crate) fn of(network: &RoadNetwork, bodies: Bodies) -> Self {
+        let n = network.lanes.len();
+        let mut all = Self { small: vec![Vec::new(); n], wide: vec![Vec::new(); n], setbacks: vec![0.0; n] };
+        for junction in &network.junctions {
+            let sweep = |body: Body| -> Vec<Sweep> {
+                junction.lanes.iter().map(|&l| Sweep::along(network, network.lane(l), body)).collect()
+            };
+            let (small, broad) = (sweep(bodies.small), sweep(bodies.broad));
+            let known: BTreeMap<(LaneId, LaneId), Conflict> =
+                junction.conflicts.iter().map(|c| ((c.lane, c.other), *c)).collect();
+            for (i, &a) in junction.lanes.iter().enumerate() {
+                for (j, &b) in junction.lanes.iter().enumerate().skip(i + 1) {
+                    let (first, second) = (network.lane(a), network.lane(b));
+                    if follow_or_part(first, second) {
+                        continue;
+                    }
+                    let before = known.get(&(a, b)).map(|c| (c.range, c.other_range));
+                    let waits = known.get(&(a, b)).map_or_else(|| gives_way(network, first, second), |c| c.gives_way);
+                    let turns = first.turn != Turn::Straight || second.turn != Turn::Straight;
+                    let near = if turns { near_ranges(first, second, LONG_SWEPT_M) } else { None };
+                    let swept = join(before, small[i].conflict(&small[j]));
+                    let widest = join(join(swept, near), broad[i].conflict(&broad[j]));
+                    for (ranges, lists) in [(swept, &mut all.small), (widest, &mut all.wide)] {
+                        let Some((range, other_range)) = ranges else { continue };
+                        let there = Conflict { lane: a, other: b, range, other_range, gives_way: waits };
+                        let back =
+                            Conflict { lane: b, other: a, range: other_range, other_range: range, gives_way: !waits };
+                        lists[a.index()].push(there);
+                        lists[b.index()].push(back);
+                    }
+                }
+            }
+            for before in approaches(network, &junction.lanes) {
+                let own = |l: LaneId| network.lane(before).successors.contains(&l);
+                let others = junction.lanes.iter().zip(&broad).filter(|(l, _)| !own(**l));
+                let needed = others.map(|(_, sweep)| setback(network, before, bodies.broad, sweep));
+                all.setbacks[before.index()] = needed.filter(|&b| b <= MOST_SETBACK_M).fold(0.0, f64::max);
+            }
+        }
+        all
+    }
+}
+
+type Ranges = ((f64, f64), (f64, f64));
+
+/// Both together.
+fn join(a: Option<Ranges>, b: Option<Ranges>) -> Option<Ranges> {
+    let wider = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
+    match (a, b) {
+        (Some(a), Some(b)) => Some((wider(a.0, b.0), wider(a.1, b.1))),
+        (one, other) => one.or(other),
+    }
+}
+
+/// Lanes one after the other, or that part from the same lane: those who use them already follow one another.
+fn follow_or_part(a: &Lane, b: &Lane) -> bool {
+    a.successors.contains(&b.id)
+        || b.successors.contains(&a.id)
+        || a.predecessors.iter().any(|p| b.predecessors.contains(p))
+}
+
+/// The lanes that lead into a junction.
+fn approaches(network: &RoadNetwork, inside: &[LaneId]) -> BTreeSet<LaneId> {
+    let before = inside.iter().flat_map(|&l| network.lane(l).predecessors.iter().copied());
+    before.filter(|&l| network.lane(l).junction.is_none()).collect()
+}
+
+/// How far before the end of a lane those who wait there must keep, for one who turns beside them to get past; more than
+/// [`MOST_SETBACK_M`] if that is not enough.
+fn setback(network: &RoadNetwork, before: LaneId, body: Body, turning: &Sweep) -> f64 {
+    let lane = network.lane(before);
+    let at_line = lane.centerline.length() - body.half.x;
+    let waits = Sweep::between(network, lane, body, (at_line - MOST_SETBACK_M - 2.0).max(0.0), at_line);
+    waits.touch(turning).map_or(0.0, |(mine, _)| at_line - mine.0)
+}
+
+/// Takes the ways through junctions from a long model on which it would touch those who wait, wherever they wait, and
+/// keeps its room free before the lines elsewhere.
+pub(crate) fn make_room(
+    network: &RoadNetwork,
+    bodies: Bodies,
+    spec: &VehicleSpec,
+    allowed: &mut [bool],
+    setbacks: &mut [f64],
+) {
+    let body = Body::around(std::iter::once(spec), ASIDE_M);
+    for junction in &network.junctions {
+        let before = approaches(network, &junction.lanes);
+        for &lane in junction.lanes.iter().filter(|l| network.lane(**l).turn != Turn::Straight) {
+            if !allowed[lane.index()] {
+                continue;
+            }
+            let sweep = Sweep::along(network, network.lane(lane), body);
+            let beside = || before.iter().filter(|b| !network.lane(**b).successors.contains(&lane));
+            let needed: Vec<(LaneId, f64)> =
+                beside().map(|&b| (b, setback(network, b, bodies.broad, &sweep))).collect();
+            if needed.iter().any(|n| n.1 > MOST_SETBACK_M) {
+                allowed[lane.index()] = false;
+                continue;
+            }
+            for (before, needed) in needed {
+                setbacks[before.index()] = needed.max(setbacks[before.index()]);
+            }
+        }
+    }
+}
+
+/// Lanes that part from the same lane as this one, while they overlap.
+pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &Bodies) -> Vec<Sibling> {
+    let mut siblings = Vec::new();
+    for before in &lane.predecessors {
+        for &other in network.lane(*before).successors.iter().filter(|&&o| o != lane.id) {
+            let them = network.lane(other);
+            let known = endless_road::swept_overlap(lane, them).map(|((_, until), _)| until);
+            // No longer than both last: lanes that part for good are what this is about.
+            let reach = lane.centerline.length().min(them.centerline.length()).min(40.0);
+            let sweep = |l: &Lane| Sweep::between(network, l, body.broad, 0.0, reach);
+            let swept = sweep(lane).conflict(&sweep(them)).map(|((_, until), _)| until);
+            if let Some(until) = known.into_iter().chain(swept).reduce(f64::max) {
+                siblings.push(Sibling { lane: other, until: until + 1.0 });
+            }
+        }
+    }
+    siblings
+}
+
+/// For every lane the lanes with the same direction of travel that run into it, or too near beside it, without a
+/// junction that would order who goes first.
+pub(crate) fn alongside(network: &RoadNetwork, bodies: Bodies) -> Vec<Vec<Alongside>> {
+    let mut found: Vec<Vec<Alongside>> = vec![Vec::new(); network.lanes.len()];
+    for (a, b) in near_pairs(network) {
+        let (one, other) = (network.lane(a), network.lane(b));
+        let sweep = |l: &Lane| Sweep::between(network, l, bodies.small, 0.0, l.centerline.length());
+        let Some((range, other_range)) = sweep(one).touch(&sweep(other)) else { continue };
+        found[a.index()].push(Alongside { lane: b, range, other_range });
+        found[b.index()].push(Alongside { lane: a, range: other_range, other_range: range });
+    }
+    found
+}
+
+/// A place on a lane.
+struct Place {
+    lane: LaneId,
+    on: OnLine,
+}
+
+/// Lanes with the same direction of travel that come near one another, and that nothing else relates.
+fn near_pairs(network: &RoadNetwork) -> BTreeSet<(LaneId, LaneId)> {
+    let mut cells: BTreeMap<(i64, i64), Vec<Place>> = BTreeMap::new();
+    let mut pairs = BTreeSet::new();
+    let cell = |x: f64| (x / NEAR_M).floor() as i64;
+    for lane in &network.lanes {
+        let length = lane.centerline.length();
+        let n = (length / PLACE_M).ceil().max(1.0) as usize;
+        for k in 0..=n {
+            let on = lane.centerline.at(length * k as f64 / n as f64);
+            let (x, y) = (cell(on.position.x), cell(on.position.y));
+            for others in (x - 1..=x + 1).flat_map(|i| (y - 1..=y + 1).map(move |j| (i, j))) {
+                for other in cells.get(&others).into_iter().flatten() {
+                    let apart = other.on.position - on.position;
+                    let near = apart.truncate().length_squared() < NEAR_M * NEAR_M
+                        && apart.z.abs() < NEAR_M
+                        && cos(wrap_angle(other.on.heading_rad - on.heading_rad)) > 0.7;
+                    if near && other.lane != lane.id && unrelated(network.lane(other.lane), lane) {
+                        pairs.insert((other.lane, lane.id));
+                    }
+                }
+            }
+            cells.entry((x, y)).or_default().push(Place { lane: lane.id, on });
+        }
+    }
+    pairs
+}
+
+/// Outside junctions, where nobody orders who goes first; neither neighbours nor one after the other nor from one lane.
+fn unrelated(a: &Lane, b: &Lane) -> bool {
+    let outside = a.junction.is_none() && b.junction.is_none();
+    let beside = [a.left, a.right].contains(&Some(b.id)) || [b.left, b.right].contains(&Some(a.id));
+    let soon_after = |a: &Lane, b: &Lane| a.successors.iter().any(|s| b.predecessors.contains(s));
+    outside && !(beside || follow_or_part(a, b) || soon_after(a, b) || soon_after(b, a))
+}

@@ -1,0 +1,197 @@
+//! The area that a body sweeps while it follows a lane, its overhangs and the cutting-in of its rear included.
+
+use crate::footprint::Footprint;
+use crate::kinematics::{DRAWBAR, drawn};
+use endless_asset::VehicleSpec;
+use endless_road::{Lane, Polyline, RoadNetwork};
+use endless_world::math::f64::atan2;
+use glam::{DVec2, DVec3};
+
+/// Distance between the places at which bodies are compared, metres.
+const STEP_M: f64 = 0.5;
+/// Way on which a body comes to its posture before a lane begins, metres.
+const RUN_UP_M: f64 = 12.0;
+/// Bodies are apart where one is this much above the other, metres.
+const STOREY_M: f64 = 3.0;
+
+/// A typical body: the largest of those that go everywhere.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Body {
+    pub(crate) half: DVec2,
+    wheelbase: f64,
+    rear_axle: f64,
+}
+
+impl Body {
+    /// That holds every one of these, `aside` metres beside the middle of the lane.
+    pub(crate) fn around<'a>(specs: impl Iterator<Item = &'a VehicleSpec>, aside: f64) -> Self {
+        let mut body = Self { half: DVec2::new(2.2, 0.9), wheelbase: 2.6, rear_axle: 1.3 };
+        for spec in specs {
+            let half = DVec2::new(f64::from(spec.length_m), f64::from(spec.width_m)) / 2.0;
+            if half.x > body.half.x {
+                body.wheelbase = f64::from(spec.front_axle_m - spec.rear_axle_m);
+                body.rear_axle = f64::from(-spec.rear_axle_m);
+            }
+            body.half = body.half.max(half);
+        }
+        body.half.y += aside;
+        body
+    }
+
+    fn reach(&self) -> f64 {
+        self.half.length()
+    }
+}
+
+/// Where a body is, by the `s` of its origin on the lane; before its beginning and behind its end too.
+#[derive(Debug, Clone)]
+pub(crate) struct Sweep {
+    places: Vec<(f64, Footprint, f64)>,
+    low: DVec2,
+    high: DVec2,
+    body: Body,
+}
+
+/// A lane with what comes before it and after it.
+struct Course<'a> {
+    before: Option<&'a Polyline>,
+    lane: &'a Polyline,
+    after: Option<&'a Polyline>,
+}
+
+impl Course<'_> {
+    fn at(&self, s: f64) -> DVec3 {
+        let length = self.lane.length();
+        let straight_on = |line: &Polyline, s: f64| {
+            let on = line.position(s);
+            let over = s - s.clamp(0.0, line.length());
+            on + (line.direction(s) * over).extend(0.0)
+        };
+        match (self.before, self.after) {
+            (Some(before), _) if s < 0.0 => straight_on(before, before.length() + s),
+            (_, Some(after)) if s > length => straight_on(after, s - length),
+            _ => straight_on(self.lane, s),
+        }
+    }
+}
+
+impl Sweep {
+    /// Along a lane from where the body begins to cover it to where it has left it.
+    pub(crate) fn along(network: &RoadNetwork, lane: &Lane, body: Body) -> Self {
+        Self::between(network, lane, body, -body.half.x, lane.centerline.length() + body.half.x)
+    }
+
+    /// From one `s` of its origin to another.
+    pub(crate) fn between(network: &RoadNetwork, lane: &Lane, body: Body, from: f64, to: f64) -> Self {
+        let line = |id: Option<&endless_road::LaneId>| id.map(|&id| &network.lane(id).centerline);
+        let course = Course {
+            before: line(lane.predecessors.first()),
+            lane: &lane.centerline,
+            after: line(lane.successors.first()),
+        };
+        let pivot_x = DRAWBAR * body.wheelbase - body.rear_axle;
+        let steps = ((to - from + RUN_UP_M) / STEP_M).ceil().max(1.0) as usize;
+        let begin = from - RUN_UP_M;
+        let s_at = |k: usize| begin + (to - begin) * k as f64 / steps as f64;
+        let mut pivot = course.at(s_at(0) + pivot_x);
+        let first = course.at(s_at(0) + pivot_x + STEP_M) - pivot;
+        let mut yaw = atan2(first.y, first.x);
+        let mut places = Vec::with_capacity(steps + 1);
+        let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
+        for k in 0..=steps {
+            let s = s_at(k);
+            let next = course.at(s + pivot_x);
+            let way = (next - pivot).truncate();
+            if way.length_squared() > 1e-12 {
+                yaw = drawn(yaw, atan2(way.y, way.x), way.length(), DRAWBAR * body.wheelbase);
+            }
+            pivot = next;
+            if s >= from - 1e-9 {
+                let print = Footprint::of(body.half, pivot.truncate(), yaw).moved(-pivot_x);
+                low = low.min(print.center - body.reach());
+                high = high.max(print.center + body.reach());
+                places.push((s, print, pivot.z));
+            }
+        }
+        Self { places, low, high, body }
+    }
+
+    /// The ranges of `s` of the origin on both lanes within which two bodies can touch.
+    pub(crate) fn touch(&self, other: &Self) -> Option<((f64, f64), (f64, f64))> {
+        if self.low.cmpgt(other.high).any() || other.low.cmpgt(self.high).any() {
+            return None;
+        }
+        let near = (self.body.reach() + other.body.reach()) * (self.body.reach() + other.body.reach());
+        let mut found: Option<((f64, f64), (f64, f64))> = None;
+        for (s, print, z) in &self.places {
+            for (t, theirs, their_z) in &other.places {
+                let close = print.center.distance_squared(theirs.center) < near && (z - their_z).abs() < STOREY_M;
+                if !close || !print.overlaps(theirs) {
+                    continue;
+                }
+                let (a, b) = found.unwrap_or(((*s, *s), (*t, *t)));
+                found = Some(((a.0.min(*s), a.1.max(*s)), (b.0.min(*t), b.1.max(*t))));
+            }
+        }
+        found
+    }
+
+    /// The same as ranges of arc length for bumpers: a front bumper enters at the first of each pair, a rear bumper
+    /// has left at the second, which may be less.
+    pub(crate) fn conflict(&self, other: &Self) -> Option<((f64, f64), (f64, f64))> {
+        let (a, b) = self.touch(other)?;
+        let bumpers = |r: (f64, f64), body: &Body| ((r.0 + body.half.x).max(0.0), r.1 - body.half.x);
+        Some((bumpers(a, &self.body), bumpers(b, &other.body)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_road::{Control, LaneId, Turn};
+
+    fn lane(id: u32, points: &[(f64, f64)]) -> Lane {
+        Lane {
+            id: LaneId(id),
+            centerline: Polyline::new(points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0))),
+            width_m: 3.0,
+            speed_limit_mps: 14.0,
+            successors: Vec::new(),
+            predecessors: Vec::new(),
+            left: None,
+            right: None,
+            junction: None,
+            turn: Turn::Straight,
+            end_control: Control::Free,
+        }
+    }
+
+    fn touch(a: &[(f64, f64)], b: &[(f64, f64)]) -> Option<((f64, f64), (f64, f64))> {
+        let body = Body { half: DVec2::new(2.5, 1.0), wheelbase: 2.8, rear_axle: 1.4 };
+        let network = RoadNetwork { lanes: vec![lane(0, a), lane(1, b)], ..RoadNetwork::default() };
+        let sweep = |k: usize| Sweep::along(&network, &network.lanes[k], body);
+        sweep(0).conflict(&sweep(1))
+    }
+
+    #[test]
+    fn bodies_that_cross_meet_where_their_sides_do() {
+        let ((from, to), _) = touch(&[(-20.0, 0.0), (20.0, 0.0)], &[(0.0, -20.0), (0.0, 20.0)]).expect("they cross");
+        // The front bumper enters a metre before the other's middle, the rear leaves a metre behind it.
+        assert!((from - 19.0).abs() < 0.6 && (to - 21.0).abs() < 0.6, "{from} {to}");
+    }
+
+    #[test]
+    fn bodies_side_by_side_do_not_meet_unless_one_turns() {
+        let straight = [(-20.0, 0.0), (20.0, 0.0)];
+        assert!(touch(&straight, &[(20.0, 2.4), (-20.0, 2.4)]).is_none());
+        assert!(touch(&straight, &[(20.0, 1.9), (-20.0, 1.9)]).is_some());
+        // A bend whose middle stays 2.4 m away: the body in it swings nearer.
+        let bend: Vec<(f64, f64)> = (0..=30)
+            .map(|k| {
+                let (sin, cos) = endless_world::math::f64::sin_cos(f64::from(k) * 0.1);
+                (5.0 * cos, 7.4 - 5.0 * sin)
+            })
+            .collect();
+        assert!(touch(&straight, &bend).is_some());
+    }
+}
