@@ -85,8 +85,8 @@ fn streets(plan: &mut Plan) {
     // Side streets, none opposite another.
     plan.road(home, &points(&[(-112.0, 66.0), (-118.0, 120.0), (-112.0, 177.0)]));
     plan.road(quiet, &points(&[(62.0, 48.0), (66.0, 110.0), (58.0, 174.0)]));
-    plan.road(home, &points(&[(-118.0, 120.0), (-40.0, 116.0), (64.0, 112.0)]));
-    plan.road(quiet, &points(&[(66.0, 90.0), (130.0, 106.0), (205.0, 112.0)]));
+    plan.road(home, &points(&[(-118.0, 120.0), (-40.0, 124.0), (62.5, 136.0)]));
+    plan.road(quiet, &points(&[(64.5, 88.0), (130.0, 100.0), (205.0, 108.0)]));
     plan.road(home, &points(&[(-82.0, -54.0), (-84.0, -112.0), (-78.0, -170.0)]));
     plan.road(quiet, &points(&[(102.0, -72.0), (106.0, -120.0), (100.0, -166.0)]));
     plan.road(quiet, &points(&[(-84.0, -118.0), (-140.0, -112.0), (-205.0, -118.0)]));

@@ -29,11 +29,12 @@ pub(super) fn make() -> (RoadMap, Look) {
 }
 
 fn roads(plan: &mut Plan) {
-    let lane = "residential width=5.6 sidewalk=no maxspeed=60";
-    let village = "residential width=6.2 sidewalk=right maxspeed=40";
-    let track = "residential width=4.8 surface=gravel sidewalk=no maxspeed=30";
+    let lane = "residential width=6 sidewalk=no maxspeed=60";
+    let village = "residential width=6.2 sidewalk=both sidewalk:both:width=1.8 maxspeed=40";
+    let track = "residential width=5.4 surface=gravel sidewalk=no maxspeed=30";
     plan.road(village, &smooth(&[(-120.0, 14.0), (-60.0, -4.0), (0.0, 0.0), (70.0, 12.0), (130.0, 0.0)]));
-    plan.road(village, &smooth(&[(0.0, 0.0), (10.0, 60.0), (-6.0, 118.0)]));
+    let bays = format!("{village} parking:right=lane");
+    plan.road(&bays, &smooth(&[(0.0, 0.0), (10.0, 60.0), (-6.0, 118.0)]));
     plan.road(lane, &smooth(&[(-120.0, 14.0), (-190.0, 40.0), (-262.0, 20.0), (-318.0, 60.0)]));
     plan.road(lane, &smooth(&[(130.0, 0.0), (200.0, -24.0), (262.0, 8.0), (316.0, 0.0)]));
     plan.road(lane, &smooth(&[(-6.0, 118.0), (-20.0, 180.0), (24.0, 232.0), (20.0, 268.0)]));
@@ -72,6 +73,12 @@ fn land(plan: &mut Plan) {
     plan.building("barn", &rect((-160.0, 8.0), (13.0, 24.0), 24.0));
     plan.building("barn", &rect((160.0, 30.0), (24.0, 13.0), -20.0));
     plan.building("barn", &rect((44.0, -116.0), (13.0, 22.0), 30.0));
+    // Beside the church, and the farms' yards.
+    for (middle, size, turn) in
+        [((56.0, 27.0), (28.0, 17.0), 8.0), ((-140.0, 0.0), (18.0, 16.0), 24.0), ((146.0, 14.0), (18.0, 16.0), -20.0)]
+    {
+        plan.land("amenity=parking", &rect(middle, size, turn));
+    }
     plan.zone(
         points(&[(-140.0, -50.0), (140.0, -50.0), (140.0, 70.0), (40.0, 130.0), (-50.0, 130.0), (-140.0, 60.0)]),
         &[(Kind::House, 5.0), (Kind::Barn, 1.0)],
