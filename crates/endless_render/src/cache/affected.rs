@@ -2,7 +2,7 @@
 
 use super::bake::CameraBake;
 use super::beam_box::Bundle;
-use super::compose::{CONTACT_REACH_M, CONTACT_RISE_M};
+use super::contact::contact_may_reach;
 use super::tile::{BLOCK, Span, TILE, TileBounds};
 use crate::accel::corners;
 use crate::light::{Beam, Lamps};
@@ -55,9 +55,9 @@ impl Work {
         }
     }
 
-    /// Nothing but vehicle light.
-    pub(super) fn only_beams(&self) -> bool {
-        !(self.seen || self.sun || self.mirror || self.lens) && self.contacts.is_empty() && self.lamps.is_empty()
+    /// Whether rays must look for what moves.
+    pub(super) fn asks_rays(&self) -> bool {
+        self.seen || self.sun || self.mirror
     }
 
     /// Nothing but what rays find: pixels whose rays find nothing are as they were.
@@ -67,7 +67,7 @@ impl Work {
 
     /// Nothing to do.
     pub(super) fn is_none(&self) -> bool {
-        self.only_beams() && self.beams.is_empty()
+        self.only_found() && !self.asks_rays()
     }
 }
 
@@ -142,13 +142,7 @@ fn mark_object(
     let sun =
         bake.environment.sun.as_ref().is_some_and(|sun| bounds.sun_bundle(sun.direction).is_some_and(|b| meets(&b)));
     let mirror = bounds.mirror_bundle().is_some_and(|b| meets(&b));
-    let contact = {
-        let reach = Vec3A::new(CONTACT_REACH_M, CONTACT_REACH_M, 0.0);
-        let radius = object.half.length();
-        let centre = Vec3A::new(object.centre.x, object.centre.y, object.ground);
-        let around = Vec3A::new(radius, radius, CONTACT_RISE_M + 0.05);
-        bounds.points.meets(centre - around - reach, centre + around + reach)
-    };
+    let contact = contact_may_reach(object, &bounds.points);
     let shades = |shadow: &LampShadow| {
         bounds.points.meets(shadow.span.low - 0.1, shadow.span.high + 0.1)
             && bounds.lamp_bundle(shadow.position).may_meet(low, high, 1.0)

@@ -2,7 +2,7 @@
 
 use super::compose::{sun_can_light, sun_origin};
 use super::spare::Spare;
-use super::still_sample::{StillSample, shade_still, share_lamp_light, still_look};
+use super::still_sample::{StillSample, shade_still, share_lamp_light, still_light, still_look};
 use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
 use crate::film::Finish;
@@ -72,9 +72,12 @@ pub struct CameraBake {
     pub(super) samples: Vec<StillSample>,
     /// Distance of each pixel's samples from the lens; [`f32::MAX`] for the sky. Also in `samples`, here side by side.
     pub(super) distances: Vec<[f32; SAMPLES]>,
-    /// All four samples of the pixel lie on one smooth piece: vehicle light is computed once for them.
+    /// All four samples of the pixel lie on one smooth piece that gives no light of its own: what moves does the same to
+    /// the light of all four, so that is found once.
     pub(super) uniform: Vec<bool>,
     pub(super) radiance: Vec<Vec3A>,
+    /// The part of `radiance` that objects standing near darken.
+    pub(super) ambient: Vec<[f32; 3]>,
     pub(super) rgb: Vec<[u8; 3]>,
     pub(super) depth: Vec<f32>,
     pub(super) instance: Vec<InstancePixel>,
@@ -135,10 +138,13 @@ impl CameraBake {
         });
         drop(seen);
         let distances = samples.as_chunks().0.iter().map(|s: &[StillSample; SAMPLES]| s.map(|s| s.hit.t)).collect();
-        let radiance: Vec<Vec3A> = samples
+        let (radiance, ambient): (Vec<Vec3A>, Vec<[f32; 3]>) = samples
             .par_chunks(SAMPLES)
-            .map(|s| s.iter().map(|s| s.still_radiance(&environment)).sum::<Vec3A>() / SAMPLES as f32)
-            .collect();
+            .map(|pixel| {
+                let (radiance, ambient) = still_light(pixel, &environment);
+                (radiance, ambient.to_array())
+            })
+            .unzip();
         let exposure = exposure(&radiance, environment.exposure_key);
         let tone = ToneCurve::new(exposure);
         let rgb = radiance.iter().map(|&r| tone.apply(r)).collect();
@@ -153,6 +159,7 @@ impl CameraBake {
             distances,
             uniform,
             radiance,
+            ambient,
             rgb,
             depth,
             instance,
@@ -184,6 +191,11 @@ impl CameraBake {
     /// Counters.
     pub fn stats(&self) -> &BakeStats {
         &self.stats
+    }
+
+    /// Whether lens or glare make a pixel depend on others.
+    pub(super) fn spreads_light(&self) -> bool {
+        self.glare > 0.0 || self.finish.is_some()
     }
 
     /// The ray of a pixel's sample.
@@ -415,6 +427,9 @@ impl Pass<'_> {
         let point = |s: usize| {
             SurfacePoint::new(&self.tracer.still.instances, &self.ray_of(pixel * SAMPLES + s), &group[s].hit)
         };
+        if group[0].flags & StillSample::LENS != 0 {
+            return false;
+        }
         let centre = point(0);
         (1..SAMPLES).map(point).all(|p| {
             std::ptr::eq(p.instance, centre.instance)

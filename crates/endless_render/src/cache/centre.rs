@@ -2,7 +2,7 @@
 //! for up to eight neighbours at a time.
 
 use super::affected::Work;
-use super::compose::contact_left;
+use super::contact::contact_left;
 use super::still_sample::{StillSample, lamp_sum};
 use super::sweep::beams_on_row;
 use crate::accel::Ray;
@@ -33,6 +33,11 @@ pub(super) struct CentreLight {
 
 impl CentreLight {
     const NONE: Self = Self { swept: Vec3A::ZERO, contact: 1.0, direct: None };
+
+    /// Nothing that moves does anything to the light.
+    pub(super) fn is_nothing(&self) -> bool {
+        self.swept == Vec3A::ZERO && self.contact == 1.0 && self.direct.is_none()
+    }
 }
 
 /// The light of these pixels; `work` says what can matter.

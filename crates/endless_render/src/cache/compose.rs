@@ -2,23 +2,14 @@
 
 use super::affected::Work;
 use super::centre::CentreLight;
+use super::contact::contact_left;
 use super::still_sample::{StillSample, lamp_sum, lamps_blocked, still_look, sun_share};
 use crate::accel::{Hit, Ray};
-use crate::scene::{Facet, FrameScene, MovingObject, SurfacePoint};
+use crate::scene::{Facet, FrameScene, SurfacePoint};
 use crate::shade::{Struck, Tracer, mirror_footprint, shade_struck};
 use endless_asset::{LensAspect, Surface};
 use endless_world::SignalAspect;
-use glam::{Vec2, Vec3A};
-
-/// How far from its footprint an object darkens the ground, metres.
-pub(super) const CONTACT_REACH_M: f32 = 2.2;
-/// How far above its ground, metres.
-pub(super) const CONTACT_RISE_M: f32 = 0.4;
-
-/// Share of the ambient light that the objects standing near leave.
-pub(super) fn contact_left(frame: &FrameScene, work: &Work, facet: &Facet) -> f32 {
-    work.contacts.iter().map(|&i| contact_light(&frame.objects[usize::from(i)], facet)).product()
-}
+use glam::Vec3A;
 
 /// Radiance of a still sample, without vehicle lights. `tracer.moving` must be set; `work` says what can matter,
 /// `centre` what is known from the pixel's centre, `sun_free` and `mirrored` what rays towards what
@@ -78,31 +69,6 @@ pub(super) fn moving_mirror(tracer: &Tracer<'_>, still: &StillSample, hit: &Hit,
     let struck = Struck { hit: *hit, moving: true };
     let footprint = mirror_footprint(still.hit.t, roughness, pixel_angle);
     weight * shade_struck(tracer, &still.mirror_ray(&still.facet(ray)), Some(&struck), footprint)
-}
-
-/// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box
-/// hides, and nearly all of it beneath.
-fn contact_light(object: &MovingObject, point: &Facet) -> f32 {
-    let rise = point.position.z - object.ground;
-    if rise.abs() > CONTACT_RISE_M || point.geometric_normal.z < 0.5 {
-        return 1.0;
-    }
-    let offset = Vec2::new(point.position.x, point.position.y) - object.centre;
-    let local = Vec2::new(offset.dot(object.along), offset.perp_dot(object.along)).abs() - object.half;
-    let outside = local.max(Vec2::ZERO).length();
-    if outside >= CONTACT_REACH_M {
-        return 1.0;
-    }
-    let fade = 1.0 - rise.abs() / CONTACT_RISE_M;
-    let hidden = if outside > 0.0 {
-        let reach = 1.0 - outside / CONTACT_REACH_M;
-        let height = object.height.min(1.2) * (object.half.min_element() / 0.9).min(1.0);
-        0.5 * (1.0 - outside / (outside * outside + height * height).sqrt()) * reach * reach
-    } else {
-        let depth = (-local.max_element()).min(0.6) / 0.6;
-        0.5 + 0.42 * depth
-    };
-    1.0 - hidden * fade
 }
 
 /// Light of a traffic light's lens in the state that its group is in.

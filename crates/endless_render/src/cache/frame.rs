@@ -1,19 +1,19 @@
 //! One frame: the still picture with everything that moves.
 
 use super::affected::{Work, affected};
-use super::bake::{CameraBake, planar_depth, still_sample};
+use super::bake::{CameraBake, still_sample};
 use super::centre::{CentreLight, Place, centre_lights};
 use super::compose::{compose, moving_mirror, sun_can_light, sun_origin};
+use super::cover::Cover;
 use super::row::{Found, Row};
-use super::still_sample::{StillSample, share_lamp_light, still_look};
+use super::still_sample::{StillSample, share_lamp_light, still_light, still_look};
 use super::sweep::beams_on;
 use super::tile::TILE;
 use crate::accel::Ray;
 use crate::film::with_glare;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfacePoint};
-use crate::shade::{Tracer, shade_moving};
-use endless_asset::Surface;
+use crate::shade::{Seen, Tracer, shade_moving, shade_moving8};
 use endless_world::{Image, InstancePixel, SensorFrame};
 use glam::Vec3A;
 
@@ -65,7 +65,19 @@ impl CameraBake {
                     self.uniform[(y * self.camera.size.width + x) as usize],
                 );
                 let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples[0]);
-                let pixel = self.pixel(&tracer, frame, &everything, (x, y), &rays, &samples, light.as_ref(), &found);
+                let still = still_light(&samples, &self.environment);
+                let pixel = match undisturbed(still, light.as_ref(), &found) {
+                    Some(radiance) => Pixel { radiance, covered: None },
+                    None => {
+                        let mut seen = Vec::new();
+                        let cover = Cover::new(self, frame, &rays, &found, &mut seen);
+                        let shade =
+                            |seen: &Seen<'_>| shade_moving(&tracer, seen, self.pixel_angle) + self.halo(x, y, seen);
+                        let lights: Vec<Vec3A> = seen.iter().map(shade).collect();
+                        let moving = (&cover, &lights[..]);
+                        self.pixel(&tracer, frame, &everything, &rays, &samples, light.as_ref(), &found, moving)
+                    }
+                };
                 canvas.set(self, x, y, &pixel);
             }
         }
@@ -110,7 +122,7 @@ impl CameraBake {
         for y in y0..y1 {
             let first = (y * self.camera.size.width + x0) as usize;
             let uniform = &self.uniform[first..first + (x1 - x0) as usize];
-            let row = Row::new(self, x0, x1, y, work.only_beams() && uniform.iter().all(|u| *u));
+            let row = Row::new(self, x0, x1, y, !work.asks_rays() && uniform.iter().all(|u| *u));
             let (found, traced) = row.find(frame, work);
             rays += traced;
             let same = |i: usize| work.only_found() && found[i].is_nothing();
@@ -118,6 +130,7 @@ impl CameraBake {
                 continue;
             }
             let lights = self.centre_lights(tracer, frame, work, &row, (x1 - x0) as usize, &found);
+            let (covers, shaded) = self.shade_row(tracer, frame, &row, (x0, x1, y), &found);
             for x in x0..x1 {
                 let i = (x - x0) as usize;
                 if same(i) {
@@ -125,19 +138,54 @@ impl CameraBake {
                 }
                 let index = row.pixel(i);
                 let light = Some(&lights[i]).filter(|_| self.uniform[index]);
-                if let Some(light) = light.filter(|_| work.only_beams()) {
-                    if light.swept != Vec3A::ZERO {
-                        let radiance = self.radiance[index] + light.swept;
-                        canvas.set(self, x, y, &Pixel { radiance, covered: None });
-                    }
+                if light.is_some_and(CentreLight::is_nothing) && found[i].is_nothing() {
+                    continue;
+                }
+                let still = (self.radiance[index], Vec3A::from(self.ambient[index]));
+                if let Some(radiance) = undisturbed(still, light, &found[i]) {
+                    canvas.set(self, x, y, &Pixel { radiance, covered: None });
                     continue;
                 }
                 let samples = &self.samples[index * SAMPLES..][..SAMPLES];
-                let pixel = self.pixel(tracer, frame, work, (x, y), &row.rays(i), samples, light, &found[i]);
+                let moving = (&covers[i], &shaded[covers[i].shaded.clone()]);
+                let pixel = self.pixel(tracer, frame, work, &row.rays(i), samples, light, &found[i], moving);
                 canvas.set(self, x, y, &pixel);
             }
         }
         rays
+    }
+
+    /// What covers each pixel of a row, and the light of its shaded samples, eight side by side.
+    fn shade_row(
+        &self,
+        tracer: &Tracer<'_>,
+        frame: &FrameScene,
+        row: &Row<'_>,
+        (x0, x1, y): (u32, u32, u32),
+        found: &[Found; TILE as usize],
+    ) -> ([Cover; TILE as usize], Vec<Vec3A>) {
+        let mut seen = Vec::new();
+        let covers: [Cover; TILE as usize] = std::array::from_fn(|i| {
+            if i as u32 >= x1 - x0 || found[i].seen.iter().all(Option::is_none) {
+                return Cover::NONE;
+            }
+            Cover::new(self, frame, &row.rays(i), &found[i], &mut seen)
+        });
+        let mut lights = vec![Vec3A::ZERO; seen.len()];
+        for (seen, lights) in seen.chunks(8).zip(lights.chunks_mut(8)) {
+            shade_moving8(tracer, seen, self.pixel_angle, lights);
+        }
+        for (x, cover) in (x0..).zip(&covers) {
+            for i in cover.shaded.clone() {
+                lights[i] += self.halo(x, y, &seen[i]);
+            }
+        }
+        (covers, lights)
+    }
+
+    /// Glow of lamps in the air before something that moves.
+    fn halo(&self, x: u32, y: u32, seen: &Seen<'_>) -> Vec3A {
+        self.halos.as_ref().map_or(Vec3A::ZERO, |halos| halos.at(x, y, seen.point.distance))
     }
 
     /// The light that the samples of each uniform pixel of a row share; pixels that something that moves covers wholly
@@ -157,7 +205,7 @@ impl CameraBake {
                 return None;
             }
             let still = &self.samples[index * SAMPLES];
-            Some(Place { facet: still.facet(&row.rays(i)[0]), look: self.looks.get(index), still })
+            Some(Place { facet: still.facet(&row.ray(i, 0)), look: self.looks.get(index), still })
         });
         centre_lights(tracer, frame, work, &places)
     }
@@ -183,35 +231,21 @@ impl CameraBake {
         Some(centre_lights(tracer, frame, work, &row)[0])
     }
 
-    /// One pixel, given its still samples, what rays towards what moves found, and the light that its samples share if
-    /// it is uniform.
+    /// One pixel, given its still samples, the light that these share if it is uniform, what rays towards what moves
+    /// found, and the light of what of that covers it.
     fn pixel(
         &self,
         tracer: &Tracer<'_>,
         frame: &FrameScene,
         work: &Work,
-        (x, y): (u32, u32),
         rays: &[Ray; SAMPLES],
         samples: &[StillSample],
         centre: Option<&CentreLight>,
         found: &Found,
+        (cover, lights): (&Cover, &[Vec3A]),
     ) -> Pixel {
-        let halo = |distance: f32| self.halos.as_ref().map_or(Vec3A::ZERO, |halos| halos.at(x, y, distance));
-        let point = |s: usize| found.seen[s].as_ref().map(|hit| SurfacePoint::new(&frame.instances, &rays[s], hit));
-        let first = point(0);
-        let covered = first.as_ref().map(|point| {
-            let label = InstancePixel { tag: point.tag(), id: point.instance.id };
-            (planar_depth(&self.camera, &rays[0], point.distance), label)
-        });
-        if let (Some(point), [Some(a), Some(b), Some(c), Some(d)]) = (&first, &found.seen)
-            && [b, c, d].into_iter().all(|h| (h.instance, h.triangle) == (a.instance, a.triangle))
-        {
-            let radiance = shade_moving(tracer, point, 0, self.pixel_angle) + halo(point.distance);
-            return Pixel { radiance, covered };
-        }
-        let points = [first, point(1), point(2), point(3)];
-        if let (Some(radiance), Some(centre)) = (self.whole(tracer, &points), &points[0]) {
-            return Pixel { radiance: radiance + halo(centre.distance), covered };
+        if cover.whole {
+            return Pixel { radiance: lights.iter().sum::<Vec3A>() / lights.len() as f32, covered: cover.centre };
         }
         // The samples of a uniform pixel share what their mirrors show in pairs.
         let mut mirrored: [Option<Vec3A>; SAMPLES] = std::array::from_fn(|s| {
@@ -223,53 +257,35 @@ impl CameraBake {
                 mirrored[s] = mirrored[s - 1].filter(|_| samples[s].mirrors());
             }
         }
-        let mut sum = Vec3A::ZERO;
-        let mut uncovered = 0;
-        for (s, still) in samples.iter().enumerate() {
-            if let Some(point) = &points[s] {
-                sum += shade_moving(tracer, point, s, self.pixel_angle) + halo(point.distance);
-            } else {
-                let ray = &rays[s];
-                uncovered += 1;
-                let moving = (still.sun_free & !found.sun_blocked[s], mirrored[s]);
-                let mut radiance = compose(tracer, frame, work, centre, still, moving, ray, s, self.pixel_angle);
-                if centre.is_none() {
-                    radiance += beams_on(tracer, frame, &work.beams, still, ray, s, self.pixel_angle);
-                }
-                sum += radiance;
+        let mut sum: Vec3A = lights.iter().sum();
+        let open = (0..SAMPLES).filter(|&s| found.seen[s].is_none());
+        for s in open {
+            let (still, ray) = (&samples[s], &rays[s]);
+            let moving = (still.sun_free & !found.sun_blocked[s], mirrored[s]);
+            sum += compose(tracer, frame, work, centre, still, moving, ray, s, self.pixel_angle);
+            if centre.is_none() {
+                sum += beams_on(tracer, frame, &work.beams, still, ray, s, self.pixel_angle);
             }
         }
+        let uncovered = SAMPLES - lights.len();
         let swept = centre.map_or(Vec3A::ZERO, |light| light.swept * (uncovered as f32 / SAMPLES as f32));
-        Pixel { radiance: sum / SAMPLES as f32 + swept, covered }
+        Pixel { radiance: sum / SAMPLES as f32 + swept, covered: cover.centre }
     }
+}
 
-    /// The radiance of a pixel that lies wholly on one smooth piece of something that moves: fewer samples than the
-    /// pixel has tell it: two on shiny curves, else one.
-    fn whole(&self, tracer: &Tracer<'_>, points: &[Option<SurfacePoint<'_>>; SAMPLES]) -> Option<Vec3A> {
-        let [Some(centre), Some(a), Some(b), Some(c)] = points else { return None };
-        let smooth = |p: &SurfacePoint<'_>| {
-            std::ptr::eq(p.material, centre.material)
-                && p.instance.id == centre.instance.id
-                && p.normal.dot(centre.normal) > 0.96
-        };
-        if ![a, b, c].into_iter().all(smooth) {
-            return None;
-        }
-        let first = shade_moving(tracer, centre, 0, self.pixel_angle);
-        let flat = [a, b, c].into_iter().all(|p| p.normal.dot(centre.normal) > 0.995);
-        let shiny = !flat
-            && matches!(
-                centre.material.surface,
-                Surface::CarPaint | Surface::CarGlass | Surface::Chrome | Surface::Painted
-            );
-        if shiny { Some((first + shade_moving(tracer, b, 2, self.pixel_angle)) * 0.5) } else { Some(first) }
-    }
+/// Radiance of a uniform pixel towards which nothing that moves was found and whose lamps are all free, from that of
+/// the still picture and its ambient part.
+fn undisturbed((radiance, ambient): (Vec3A, Vec3A), light: Option<&CentreLight>, found: &Found) -> Option<Vec3A> {
+    let light = light.filter(|light| light.direct.is_none() && found.is_nothing())?;
+    Some(radiance + ambient * (light.contact - 1.0) + light.swept)
 }
 
 /// A frame in the making: starts as the still picture.
 struct Canvas {
-    /// Full radiance, where the film needs all of it (glare, rain).
+    /// Full radiance, where the film needs it (rain, lens, glare).
     radiance: Option<Vec<Vec3A>>,
+    /// The pixels whose radiance is no longer that of the still picture.
+    touched: Vec<u32>,
     rgb: Vec<[u8; 3]>,
     depth: Vec<f32>,
     instance: Vec<InstancePixel>,
@@ -277,10 +293,11 @@ struct Canvas {
 
 impl Canvas {
     fn new(bake: &CameraBake) -> Self {
-        let whole = bake.rain.is_some() || bake.glare > 0.0 || bake.finish.is_some();
+        let keeps = bake.rain.is_some() || bake.spreads_light();
         Self {
-            radiance: whole.then(|| bake.spare.copy(&bake.radiance)),
-            rgb: if whole { Vec::with_capacity(bake.rgb.len()) } else { bake.rgb.clone() },
+            radiance: keeps.then(|| bake.spare.take(&bake.radiance)),
+            touched: Vec::new(),
+            rgb: if bake.spreads_light() { Vec::with_capacity(bake.rgb.len()) } else { bake.rgb.clone() },
             depth: bake.depth.clone(),
             instance: bake.instance.clone(),
         }
@@ -289,7 +306,10 @@ impl Canvas {
     fn set(&mut self, bake: &CameraBake, x: u32, y: u32, pixel: &Pixel) {
         let i = y as usize * bake.camera.size.width as usize + x as usize;
         match &mut self.radiance {
-            Some(radiance) => radiance[i] = pixel.radiance,
+            Some(radiance) => {
+                radiance[i] = pixel.radiance;
+                self.touched.push(i as u32);
+            }
             None => self.rgb[i] = bake.tone.apply(pixel.radiance),
         }
         if let Some((depth, label)) = pixel.covered {
@@ -303,16 +323,21 @@ impl Canvas {
         let size = bake.camera.size;
         if let Some(mut radiance) = self.radiance.take() {
             if let Some(rain) = &bake.rain {
-                rain.draw(frame, &bake.camera, &self.depth, &mut radiance);
+                rain.draw(frame, &bake.camera, &self.depth, |i, share| {
+                    radiance[i] = radiance[i].lerp(rain.radiance, share);
+                    self.touched.push(i as u32);
+                });
             }
-            if let Some(finish) = &bake.finish {
-                finish.lens(&mut radiance);
+            match &bake.finish {
+                Some(finish) => {
+                    let mut through = radiance.clone();
+                    finish.lens(&mut through);
+                    self.expose(bake, &through);
+                }
+                None => self.expose(bake, &radiance),
             }
-            self.rgb.clear();
-            if bake.glare > 0.0 {
-                with_glare(size, &radiance, bake.glare, |r| self.rgb.push(bake.tone.apply(r)));
-            } else {
-                self.rgb.extend(radiance.iter().map(|&r| bake.tone.apply(r)));
+            for i in self.touched {
+                radiance[i as usize] = bake.radiance[i as usize];
             }
             bake.spare.give(radiance);
         }
@@ -324,6 +349,19 @@ impl Canvas {
             rgb: Image { size, data: self.rgb },
             depth: Image { size, data: self.depth },
             instance: Image { size, data: self.instance },
+        }
+    }
+
+    /// Glare and tone curve.
+    fn expose(&mut self, bake: &CameraBake, radiance: &[Vec3A]) {
+        if !bake.spreads_light() {
+            for &i in &self.touched {
+                self.rgb[i as usize] = bake.tone.apply(radiance[i as usize]);
+            }
+        } else if bake.glare > 0.0 {
+            with_glare(bake.camera.size, radiance, bake.glare, |r| self.rgb.push(bake.tone.apply(r)));
+        } else {
+            self.rgb.extend(radiance.iter().map(|&r| bake.tone.apply(r)));
         }
     }
 }

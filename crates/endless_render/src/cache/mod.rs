@@ -11,6 +11,8 @@ mod bake;
 mod beam_box;
 mod centre;
 mod compose;
+mod contact;
+mod cover;
 mod frame;
 mod row;
 mod spare;

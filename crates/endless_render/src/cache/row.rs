@@ -11,7 +11,7 @@ use crate::scene::FrameScene;
 use glam::Vec3A;
 
 /// What a pixel's rays towards what moves found, a sample each.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Found {
     /// In front of the still surface.
     pub(super) seen: [Option<Hit>; SAMPLES],
@@ -22,6 +22,10 @@ pub(super) struct Found {
 }
 
 impl Found {
+    /// Nothing found.
+    pub(super) const NOTHING: Self =
+        Self { seen: [None; SAMPLES], sun_blocked: [0; SAMPLES], mirrored: [None; SAMPLES] };
+
     /// Nothing that moves is on its way.
     pub(super) fn is_nothing(&self) -> bool {
         self.sun_blocked == [0; SAMPLES] && self.seen.iter().chain(&self.mirrored).all(Option::is_none)
@@ -35,7 +39,7 @@ impl Found {
         samples: &[StillSample],
         uniform: bool,
     ) -> Self {
-        let mut found = Self::default();
+        let mut found = Self::NOTHING;
         for (s, still) in samples.iter().enumerate() {
             let nearer = |ray: Ray| frame.accel.closest(&ray).filter(|hit| hit.t < ray.tmax);
             found.seen[s] = nearer(Ray { tmax: still.hit.t, ..rays[s] });
@@ -45,9 +49,11 @@ impl Found {
             let facet = still.facet(&rays[s]);
             if let Some(sun) = &bake.environment.sun {
                 let origin = sun_origin(&facet, sun.direction);
-                for (bit, &direction) in sun.disc[s].iter().enumerate() {
-                    let blocked = frame.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
-                    found.sun_blocked[s] |= u8::from(blocked && still.sun_free >> bit & 1 == 1) << bit;
+                for (half, direction) in sun.halves(s) {
+                    let asked = still.sun_free & half;
+                    if asked != 0 && frame.accel.occluded(&Ray { origin, direction, tmax: f32::MAX }) {
+                        found.sun_blocked[s] |= asked;
+                    }
                 }
             }
             if still.mirrors() && !(uniform && s % 2 == 1) {
@@ -64,18 +70,24 @@ pub(super) struct Row<'a> {
     /// The first pixel, as an index into the picture.
     first: usize,
     count: usize,
-    rays: [[Ray; TILE as usize]; SAMPLES],
+    origin: Vec3A,
+    /// Of the rays, by sample.
+    directions: [[Vec3A; TILE as usize]; SAMPLES],
 }
 
 impl<'a> Row<'a> {
     /// The pixels `x0..x1` of line `y`, at most eight. With `centres_only`, the other samples' rays are not made: they
-    /// are the centres' too.
+    /// must not be asked for.
     pub(super) fn new(bake: &'a CameraBake, x0: u32, x1: u32, y: u32, centres_only: bool) -> Self {
-        let rays = |s: usize| std::array::from_fn(|i| bake.ray((x0 + i as u32).min(x1 - 1), y, s));
-        let centres = rays(0);
-        let rays = std::array::from_fn(|s| if s == 0 || centres_only { centres } else { rays(s) });
         let first = y as usize * bake.camera.size.width as usize + x0 as usize;
-        Self { bake, first, count: (x1 - x0) as usize, rays }
+        let origin = Vec3A::from(bake.camera.position);
+        let mut row = Self { bake, first, count: (x1 - x0) as usize, origin, directions: [[Vec3A::ZERO; 8]; SAMPLES] };
+        for (s, directions) in row.directions.iter_mut().enumerate() {
+            if s == 0 || !centres_only {
+                *directions = std::array::from_fn(|i| bake.ray((x0 + i as u32).min(x1 - 1), y, s).direction);
+            }
+        }
+        row
     }
 
     /// Index of a pixel in the picture.
@@ -85,7 +97,12 @@ impl<'a> Row<'a> {
 
     /// Rays of a pixel's samples.
     pub(super) fn rays(&self, i: usize) -> [Ray; SAMPLES] {
-        std::array::from_fn(|s| self.rays[s][i])
+        std::array::from_fn(|s| self.ray(i, s))
+    }
+
+    /// The ray of a pixel's sample.
+    pub(super) fn ray(&self, i: usize, sample: usize) -> Ray {
+        Ray { origin: self.origin, direction: self.directions[sample][i], tmax: f32::MAX }
     }
 
     fn still(&self, i: usize, sample: usize) -> &'a StillSample {
@@ -94,7 +111,10 @@ impl<'a> Row<'a> {
 
     /// Asks what moves, as far as `work` says that it can matter; returns the number of rays.
     pub(super) fn find(&self, frame: &FrameScene, work: &Work) -> ([Found; TILE as usize], u64) {
-        let mut found = [Found::default(); TILE as usize];
+        let mut found = [Found::NOTHING; TILE as usize];
+        if !work.asks_rays() {
+            return (found, 0);
+        }
         let all = ((1u16 << self.count) - 1) as u8;
         let mut rays = 0;
         for s in 0..SAMPLES {
@@ -102,7 +122,7 @@ impl<'a> Row<'a> {
             let distances: [f32; TILE as usize] = std::array::from_fn(|i| self.bake.distances[self.pixel(i)][s]);
             let mut open = all & mask(|i| distances[i] < f32::MAX);
             if work.seen {
-                let towards = std::array::from_fn(|i| Ray { tmax: distances[i], ..self.rays[s][i] });
+                let towards = std::array::from_fn(|i| Ray { tmax: distances[i], ..self.ray(i, s) });
                 for (i, hit) in frame.accel.closest8(&towards, all).into_iter().enumerate() {
                     found[i].seen[s] = hit.filter(|hit| hit.t < distances[i]);
                     open &= !(u8::from(found[i].seen[s].is_some()) << i);
@@ -119,7 +139,7 @@ impl<'a> Row<'a> {
                 };
                 let active = all & mask(|i| stills[i].mirrors() && asks(i));
                 if active != 0 {
-                    let towards = std::array::from_fn(|i| stills[i].mirror_ray(&stills[i].facet(&self.rays[s][i])));
+                    let towards = std::array::from_fn(|i| stills[i].mirror_ray(&stills[i].facet(&self.ray(i, s))));
                     for (i, hit) in frame.accel.closest8(&towards, active).into_iter().enumerate() {
                         found[i].mirrored[s] = hit.filter(|hit| active >> i & 1 == 1 && hit.t < stills[i].mirror_t);
                     }
@@ -144,17 +164,17 @@ impl<'a> Row<'a> {
             return 0;
         }
         let origins: [Vec3A; TILE as usize] =
-            std::array::from_fn(|i| sun_origin(&stills[i].facet(&self.rays[sample][i]), sun.direction));
+            std::array::from_fn(|i| sun_origin(&stills[i].facet(&self.ray(i, sample)), sun.direction));
         let mut rays = 0;
-        for (bit, &direction) in sun.disc[sample].iter().enumerate() {
-            let active = open & mask(|i| stills[i].sun_free >> bit & 1 == 1);
+        for (half, direction) in sun.halves(sample) {
+            let active = open & mask(|i| stills[i].sun_free & half != 0);
             if active == 0 {
                 continue;
             }
             let blocked =
                 frame.accel.occluded8(&origins.map(|origin| Ray { origin, direction, tmax: f32::MAX }), active);
-            for (i, found) in found.iter_mut().enumerate() {
-                found.sun_blocked[sample] |= ((blocked & active) >> i & 1) << bit;
+            for (i, found) in found.iter_mut().enumerate().filter(|(i, _)| blocked >> i & 1 == 1) {
+                found.sun_blocked[sample] |= stills[i].sun_free & half;
             }
             rays += u64::from(active.count_ones());
         }

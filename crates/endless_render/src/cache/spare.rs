@@ -1,4 +1,5 @@
-//! Large buffers that frames hand on to one another: fresh memory costs more to map than to fill.
+//! Copies of the still picture that frames hand on to one another: each puts back the little that it changed, which
+//! costs less than a fresh copy.
 
 use glam::Vec3A;
 use std::sync::{Mutex, PoisonError};
@@ -8,16 +9,13 @@ use std::sync::{Mutex, PoisonError};
 pub(super) struct Spare(Mutex<Vec<Vec<Vec3A>>>);
 
 impl Spare {
-    /// A copy of a picture.
-    pub(super) fn copy(&self, of: &[Vec3A]) -> Vec<Vec3A> {
+    /// A copy of the still picture.
+    pub(super) fn take(&self, still: &[Vec3A]) -> Vec<Vec3A> {
         let spare = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        let mut picture = spare.unwrap_or_default();
-        picture.clear();
-        picture.extend_from_slice(of);
-        picture
+        spare.unwrap_or_else(|| still.to_vec())
     }
 
-    /// Takes a picture back.
+    /// Takes a copy back, which must be as it was.
     pub(super) fn give(&self, picture: Vec<Vec3A>) {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).push(picture);
     }

@@ -102,6 +102,13 @@ impl StillSample {
     }
 }
 
+/// Mean radiance of a pixel when nothing moves, and the ambient part of it.
+pub(super) fn still_light(pixel: &[StillSample], environment: &Environment) -> (Vec3A, Vec3A) {
+    let mean = |sum: Vec3A| sum / pixel.len() as f32;
+    let radiance = pixel.iter().map(|s| s.still_radiance(environment)).sum();
+    (mean(radiance), mean(pixel.iter().map(|s| Vec3A::from(s.ambient)).sum()))
+}
+
 /// Share of the direct light that arrives through these free directions.
 pub(super) fn sun_share(environment: &Environment, free: u8) -> f32 {
     if environment.night { 1.0 } else { free.count_ones() as f32 / SUN_SAMPLES as f32 }

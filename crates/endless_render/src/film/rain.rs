@@ -3,7 +3,7 @@
 //! A drop is a tiny wide-angle lens: it shows the mean of what lies around (Garg and Nayar 2007), so streaks are
 //! brighter than a dark street and vanish before the sky.
 
-use endless_world::{PinholeCamera, Stream};
+use endless_world::{ImageSize, PinholeCamera, Stream};
 use glam::{Vec2, Vec3A};
 
 /// The rain of one scene.
@@ -24,8 +24,9 @@ const NEAREST_M: f32 = 1.2;
 const FARTHEST_M: f32 = 22.0;
 
 impl Rain {
-    /// Draws a frame's streaks over a picture; `depth` is planar, metres.
-    pub(crate) fn draw(&self, frame: u32, camera: &PinholeCamera, depth: &[f32], pixels: &mut [Vec3A]) {
+    /// A frame's streaks over a picture of planar `depth`, metres: gives `blend` pixels and the share of each that
+    /// becomes rain.
+    pub(crate) fn draw(&self, frame: u32, camera: &PinholeCamera, depth: &[f32], mut blend: impl FnMut(usize, f32)) {
         let mut random = Stream::named(self.seed, "rain", &[u64::from(frame)]);
         let (width, height) = (camera.size.width as f32, camera.size.height as f32);
         let k = &camera.intrinsics;
@@ -38,43 +39,33 @@ impl Rain {
             let lean = self.slant * 1.5 + 0.07f32.copysign(self.slant) + random.range_f32(-0.03, 0.03);
             let thickness = (0.0024 * k.fx / z).clamp(0.3, 2.0);
             let opacity = (0.55 * thickness.min(1.0)) * random.range_f32(0.5, 1.0);
-            self.streak(camera, depth, pixels, at, Vec2::new(lean, -1.0).normalize() * length, thickness, opacity, z);
+            let along = Vec2::new(lean, -1.0).normalize() * length;
+            streak(camera.size, at, along, thickness, |i, share| {
+                if depth[i] >= z {
+                    blend(i, opacity * share);
+                }
+            });
         }
     }
+}
 
-    fn streak(
-        &self,
-        camera: &PinholeCamera,
-        depth: &[f32],
-        pixels: &mut [Vec3A],
-        from: Vec2,
-        along: Vec2,
-        thickness: f32,
-        opacity: f32,
-        z: f32,
-    ) {
-        let (width, height) = (camera.size.width as i32, camera.size.height as i32);
-        let steps = along.length().ceil().max(1.0) as i32;
-        let half = (thickness * 0.5).max(0.5);
-        for step in 0..=steps {
-            let t = step as f32 / steps as f32;
-            let p = from + along * t;
-            // Fades towards both ends.
-            let along_fade = 1.0 - (2.0 * t - 1.0) * (2.0 * t - 1.0);
-            let y = p.y.floor() as i32;
-            let (x0, x1) = ((p.x - half).floor() as i32, (p.x + half).floor() as i32);
-            if y < 0 || y >= height {
-                continue;
-            }
-            for x in x0.max(0)..=x1.min(width - 1) {
-                let i = (y * width + x) as usize;
-                if depth[i] < z {
-                    continue;
-                }
-                let across = 1.0 - ((x as f32 + 0.5 - p.x).abs() / (half + 0.5)).min(1.0);
-                let a = opacity * along_fade * across;
-                pixels[i] = pixels[i] * (1.0 - a) + self.radiance * a;
-            }
+/// The pixels of a streak, and how strong it is there: it fades towards its ends and sides.
+fn streak(size: ImageSize, from: Vec2, along: Vec2, thickness: f32, mut each: impl FnMut(usize, f32)) {
+    let (width, height) = (size.width as i32, size.height as i32);
+    let steps = along.length().ceil().max(1.0) as i32;
+    let half = (thickness * 0.5).max(0.5);
+    for step in 0..=steps {
+        let t = step as f32 / steps as f32;
+        let p = from + along * t;
+        let along_fade = 1.0 - (2.0 * t - 1.0) * (2.0 * t - 1.0);
+        let y = p.y.floor() as i32;
+        let (x0, x1) = ((p.x - half).floor() as i32, (p.x + half).floor() as i32);
+        if y < 0 || y >= height {
+            continue;
+        }
+        for x in x0.max(0)..=x1.min(width - 1) {
+            let across = 1.0 - ((x as f32 + 0.5 - p.x).abs() / (half + 0.5)).min(1.0);
+            each((y * width + x) as usize, along_fade * across);
         }
     }
 }

@@ -5,6 +5,8 @@ use super::{
     clouds::Clouds,
     sky::{SOLAR_ILLUMINANCE_KLX, SkyParameters, sun_transmittance},
 };
+use crate::accel::Ray;
+use crate::scene::SurfacePoint;
 use endless_world::{Stream, TimeOfDay, Weather, math};
 use glam::{Vec2, Vec3A};
 use std::f32::consts::TAU;
@@ -172,6 +174,21 @@ fn sun_direction(time: TimeOfDay, random: &mut Stream) -> Vec3A {
     let (sin_azimuth, cos_azimuth) = math::sin_cos(azimuth_deg.to_radians());
     let (sin_elevation, cos_elevation) = math::sin_cos(elevation_deg.to_radians());
     Vec3A::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, sin_elevation)
+}
+
+impl Sun {
+    /// Towards the disc's centre, from where it can light a point.
+    pub(crate) fn ray_from(&self, point: &SurfacePoint<'_>) -> Option<Ray> {
+        let faces = point.geometric_normal.dot(self.direction) > 0.0;
+        faces.then(|| Ray { origin: point.ray_origin(), direction: self.direction, tmax: f32::MAX })
+    }
+
+    /// The two halves of the disc as what moves hides them from a sample: the directions of [`Self::disc`] that a half
+    /// stands for, a bit each, and the one to ask.
+    pub(crate) fn halves(&self, sample: usize) -> [(u8, Vec3A); 2] {
+        let disc = &self.disc[sample];
+        [(0b0011, disc[1]), (0b1100, disc[2])]
+    }
 }
 
 /// A sunflower over the disc, dealt out to the four sub-pixel samples. The disc is drawn half as large again as the

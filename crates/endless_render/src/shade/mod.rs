@@ -4,7 +4,7 @@ mod moving;
 mod secondary;
 mod tracer;
 
-pub(crate) use moving::{beam_light, footprint_m, shade_moving};
+pub(crate) use moving::{Seen, beam_light, footprint_m, shade_moving, shade_moving8};
 pub(crate) use secondary::{
     MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_secondary, shade_struck,
 };

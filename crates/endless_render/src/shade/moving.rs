@@ -1,37 +1,143 @@
 //! Shading of moving objects: no random numbers, so no grain. Direct light by shadow rays to the lights that matter,
 //! indirect light from the probes, one mirror ray for paint and glass.
 
-use super::{
-    Tracer,
-    secondary::{direct, moving_mirror_light},
-};
+use super::Tracer;
+use super::secondary::{MIRROR_THRESHOLD, lamp_light, mirror_footprint, mirror_ray, shade_struck};
+use super::tracer::Struck;
+use crate::accel::Ray;
 use crate::light::Beam;
 use crate::material::{Look, look};
 use crate::scene::{Facet, SurfacePoint};
+use endless_world::math;
 use glam::Vec3A;
+use std::f32::consts::FRAC_1_PI;
 
 /// Lamps whose shadows a moving point tests.
 const LAMPS: usize = 3;
 
-/// Radiance of a moving surface towards the camera, fog included. `sample` is the pixel's sample that saw it.
-pub(crate) fn shade_moving(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, sample: usize, pixel_angle: f32) -> Vec3A {
-    let environment = tracer.environment;
-    let view = -point.direction;
-    let footprint = footprint_m(point, pixel_angle);
-    let look = look(point, environment, footprint, sample as f32 / 4.0);
-    let ambient = tracer.ambient(point.position + point.geometric_normal * 0.3, look.normal) * point.openness;
-    let mut radiance = look.emission + look.lit_by_ambient(ambient, view);
-    radiance += direct(tracer, point, &look, view, LAMPS);
-    radiance += moving_mirror_light(tracer, point, &look, pixel_angle);
-    if environment.night
-        && let Some(moving) = tracer.moving
-    {
-        let facet = point.facet();
-        for &beam in moving.beams_on(point.instance) {
-            radiance += beam_light(tracer, &moving.beams[usize::from(beam)], &facet, &look);
+/// A point of a moving surface and the pixel's sample that saw it.
+pub(crate) struct Seen<'a> {
+    pub(crate) point: SurfacePoint<'a>,
+    pub(crate) sample: usize,
+}
+
+/// Radiance of a moving surface towards the camera, fog included.
+pub(crate) fn shade_moving(tracer: &Tracer<'_>, seen: &Seen<'_>, pixel_angle: f32) -> Vec3A {
+    let asked = Asked::new(tracer, seen, pixel_angle);
+    let sunlit = asked.sun.is_some_and(|ray| !tracer.occluded(&ray));
+    let mirrored = asked.mirror.as_ref().and_then(Mirror::asked).and_then(|ray| tracer.closest(&ray));
+    asked.radiance(tracer, &seen.point, sunlit, mirrored.as_ref())
+}
+
+/// The same for up to eight points: their rays run side by side.
+pub(crate) fn shade_moving8(tracer: &Tracer<'_>, seen: &[Seen<'_>], pixel_angle: f32, found: &mut [Vec3A]) {
+    debug_assert!(seen.len() <= 8 && found.len() == seen.len());
+    let asked: [Option<Asked>; 8] = std::array::from_fn(|i| Some(Asked::new(tracer, seen.get(i)?, pixel_angle)));
+    let rays = |of: fn(&Asked) -> Option<Ray>| {
+        let mut active = 0u8;
+        let rays: [Ray; 8] = std::array::from_fn(|i| {
+            let ray = asked[i].as_ref().and_then(of);
+            active |= u8::from(ray.is_some()) << i;
+            ray.unwrap_or(Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 })
+        });
+        (rays, active)
+    };
+    let (to_sun, active) = rays(|asked| asked.sun);
+    let sunlit = active & !tracer.occluded8(&to_sun, active);
+    let (into_mirror, active) = rays(|asked| asked.mirror.as_ref().and_then(Mirror::asked));
+    let mirrored = tracer.closest8(&into_mirror, active);
+    for (i, (seen, found)) in seen.iter().zip(found).enumerate() {
+        if let Some(asked) = &asked[i] {
+            *found = asked.radiance(tracer, &seen.point, sunlit >> i & 1 == 1, mirrored[i].as_ref());
         }
     }
-    environment.fog.through(radiance, point.direction, point.distance)
+}
+
+/// What must be known of a moving point's surroundings.
+struct Asked {
+    look: Look,
+    /// Towards the sun, if it can light the point.
+    sun: Option<Ray>,
+    mirror: Option<Mirror>,
+}
+
+/// A coat's mirror image.
+struct Mirror {
+    ray: Ray,
+    /// Share of the mirrored light that the coat gives.
+    weight: Vec3A,
+    /// Share of the image that is what the ray meets; the rest is the probes' soft light.
+    sharp: f32,
+    footprint_m: f32,
+}
+
+impl Asked {
+    fn new(tracer: &Tracer<'_>, seen: &Seen<'_>, pixel_angle: f32) -> Self {
+        let Seen { point, sample } = seen;
+        let environment = tracer.environment;
+        let look = look(point, environment, footprint_m(point, pixel_angle), *sample as f32 / 4.0);
+        let sun = environment.sun.as_ref().and_then(|sun| sun.ray_from(point));
+        let mirror = Mirror::new(point, &look, pixel_angle);
+        Self { look, sun, mirror }
+    }
+
+    fn radiance(
+        &self,
+        tracer: &Tracer<'_>,
+        point: &SurfacePoint<'_>,
+        sunlit: bool,
+        mirrored: Option<&Struck>,
+    ) -> Vec3A {
+        let environment = tracer.environment;
+        let (look, view) = (&self.look, -point.direction);
+        let ambient = tracer.ambient(point.position + point.geometric_normal * 0.3, look.normal) * point.openness;
+        let mut radiance = look.emission + look.lit_by_ambient(ambient, view);
+        if let Some(sun) = environment.sun.as_ref().filter(|_| sunlit) {
+            radiance += look.lit_by(sun.illuminance, sun.direction, view);
+        }
+        if let Some(mirror) = &self.mirror {
+            radiance += mirror.light(tracer, point, mirrored);
+        }
+        if environment.night {
+            radiance += lamp_light(tracer, point, look, view, LAMPS);
+            if let Some(moving) = tracer.moving {
+                let facet = point.facet();
+                for &beam in moving.beams_on(point.instance) {
+                    radiance += beam_light(tracer, &moving.beams[usize::from(beam)], &facet, look);
+                }
+            }
+        }
+        environment.fog.through(radiance, point.direction, point.distance)
+    }
+}
+
+impl Mirror {
+    /// On bright paint a weak mirror is hardly seen: there it shows soft light alone.
+    fn new(point: &SurfacePoint<'_>, look: &Look, pixel_angle: f32) -> Option<Self> {
+        let weight = look.coat_reflectance(-point.direction);
+        let contrast = weight.max_element() / (look.albedo.max_element() + 0.05);
+        let sharp = math::smoothstep(0.12, 0.20, contrast);
+        let ray = mirror_ray(point, look);
+        let footprint_m = mirror_footprint(point.distance, look.coat_roughness, pixel_angle);
+        (weight.max_element() >= MIRROR_THRESHOLD).then_some(Self { ray, weight, sharp, footprint_m })
+    }
+
+    /// The ray to trace.
+    fn asked(&self) -> Option<Ray> {
+        (self.sharp > 0.0).then_some(self.ray)
+    }
+
+    fn light(&self, tracer: &Tracer<'_>, point: &SurfacePoint<'_>, struck: Option<&Struck>) -> Vec3A {
+        let mut shown = Vec3A::ZERO;
+        if self.sharp > 0.0 {
+            shown += shade_struck(tracer, &self.ray, struck, self.footprint_m) * self.sharp;
+        }
+        if self.sharp < 1.0 {
+            let soft = tracer.ambient(point.position, self.ray.direction) * (FRAC_1_PI * point.openness);
+            shown += soft * (1.0 - self.sharp);
+        }
+        self.weight * shown
+    }
 }
 
 /// Light of one vehicle lamp on a point towards its viewer, without fog.

@@ -4,9 +4,7 @@ use super::{Tracer, tracer::Struck};
 use crate::accel::Ray;
 use crate::material::{Look, look};
 use crate::scene::SurfacePoint;
-use endless_world::math;
 use glam::Vec3A;
-use std::f32::consts::FRAC_1_PI;
 
 /// Lamps whose shadows a secondary point tests.
 const LAMPS: usize = 2;
@@ -38,33 +36,32 @@ fn shade_point(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, footprint_m: f32) 
         let sky = environment.sky.radiance(direction) * direction.z.clamp(0.0, 0.35) * 2.0;
         radiance += coat * sky * point.openness;
     }
-    radiance + direct(tracer, point, &look, view, LAMPS)
+    radiance + direct(tracer, point, &look, view)
 }
 
 /// Light from the sun's centre and the strongest lamps, with hard shadows.
-pub(super) fn direct(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, view: Vec3A, lamps: usize) -> Vec3A {
-    let mut radiance = Vec3A::ZERO;
-    let origin = point.ray_origin();
-    if let Some(sun) = &tracer.environment.sun
-        && point.geometric_normal.dot(sun.direction) > 0.0
-        && !tracer.occluded(&Ray { origin, direction: sun.direction, tmax: f32::MAX })
-    {
-        radiance += look.lit_by(sun.illuminance, sun.direction, view);
+fn direct(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, view: Vec3A) -> Vec3A {
+    let environment = tracer.environment;
+    if environment.night {
+        return lamp_light(tracer, point, look, view, LAMPS);
     }
-    if tracer.environment.night {
-        radiance += strongest_lamps(tracer, point, look, view, origin, lamps);
+    match &environment.sun {
+        Some(sun) if sun.ray_from(point).is_some_and(|ray| !tracer.occluded(&ray)) => {
+            look.lit_by(sun.illuminance, sun.direction, view)
+        }
+        _ => Vec3A::ZERO,
     }
-    radiance
 }
 
-fn strongest_lamps(
+/// Light of the strongest lamps, with hard shadows.
+pub(super) fn lamp_light(
     tracer: &Tracer<'_>,
     point: &SurfacePoint<'_>,
     look: &Look,
     view: Vec3A,
-    origin: Vec3A,
     count: usize,
 ) -> Vec3A {
+    let origin = point.ray_origin();
     // The few strongest, by insertion into a short list.
     let mut best = [Candidate { strength: 0.0, lit: Vec3A::ZERO, lamp: 0, direction: Vec3A::Z }; 4];
     let count = count.min(best.len());
@@ -127,33 +124,6 @@ pub(crate) fn mirror_light(
     let light =
         shade_struck(tracer, &ray, struck.as_ref(), mirror_footprint(point.distance, look.coat_roughness, pixel_angle));
     (weight * light, struck.map_or(f32::MAX, |s| s.hit.t))
-}
-
-/// The same for what moves: on bright paint a weak mirror is hardly seen, so there it shows the probes' soft light
-/// instead of what a ray meets.
-pub(super) fn moving_mirror_light(
-    tracer: &Tracer<'_>,
-    point: &SurfacePoint<'_>,
-    look: &Look,
-    pixel_angle: f32,
-) -> Vec3A {
-    let weight = look.coat_reflectance(-point.direction);
-    if weight.max_element() < MIRROR_THRESHOLD {
-        return Vec3A::ZERO;
-    }
-    let ray = mirror_ray(point, look);
-    let contrast = weight.max_element() / (look.albedo.max_element() + 0.05);
-    let sharp = math::smoothstep(0.12, 0.20, contrast);
-    let mut shown = Vec3A::ZERO;
-    if sharp > 0.0 {
-        shown +=
-            shade_secondary(tracer, &ray, mirror_footprint(point.distance, look.coat_roughness, pixel_angle)) * sharp;
-    }
-    if sharp < 1.0 {
-        let soft = tracer.ambient(point.position, ray.direction) * (FRAC_1_PI * point.openness);
-        shown += soft * (1.0 - sharp);
-    }
-    weight * shown
 }
 
 /// Mirrors weaker than this show nothing.

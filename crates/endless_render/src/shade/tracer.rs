@@ -31,12 +31,25 @@ impl<'a> Tracer<'a> {
         let still = self.still.accel.closest(ray);
         let shortened = Ray { tmax: still.map_or(ray.tmax, |h| h.t), ..*ray };
         let moving = self.moving.and_then(|m| m.accel.closest(&shortened));
-        match (still, moving) {
-            (Some(s), Some(m)) if m.t >= s.t => Some(Struck { hit: s, moving: false }),
-            (_, Some(hit)) => Some(Struck { hit, moving: true }),
-            (Some(hit), None) => Some(Struck { hit, moving: false }),
-            (None, None) => None,
+        nearer(still, moving)
+    }
+
+    /// [`Self::closest`] for those of eight rays whose bit is set in `active`.
+    pub(crate) fn closest8(&self, rays: &[Ray; 8], active: u8) -> [Option<Struck>; 8] {
+        if active == 0 {
+            return [None; 8];
         }
+        let still = self.still.accel.closest8(rays, active);
+        let shortened = std::array::from_fn(|i| Ray { tmax: still[i].map_or(rays[i].tmax, |h| h.t), ..rays[i] });
+        let moving = self.moving.map_or([None; 8], |m| m.accel.closest8(&shortened, active));
+        std::array::from_fn(|i| nearer(still[i], moving[i]))
+    }
+
+    /// [`Self::occluded`] for those of eight rays whose bit is set in `active`, a bit each.
+    pub(crate) fn occluded8(&self, rays: &[Ray; 8], active: u8) -> u8 {
+        let by_moving = self.moving.filter(|_| active != 0).map_or(0, |m| m.accel.occluded8(rays, active));
+        let open = active & !by_moving;
+        if open == 0 { by_moving } else { by_moving | self.still.accel.occluded8(rays, open) }
     }
 
     /// Whether anything is in the way.
@@ -58,5 +71,15 @@ impl<'a> Tracer<'a> {
             Some(probes) => probes.irradiance(position, normal),
             None => self.environment.sky.mean * (std::f32::consts::PI * (0.35 + 0.25 * normal.z)),
         }
+    }
+}
+
+/// What stands still wins a tie.
+fn nearer(still: Option<Hit>, moving: Option<Hit>) -> Option<Struck> {
+    match (still, moving) {
+        (Some(s), Some(m)) if m.t >= s.t => Some(Struck { hit: s, moving: false }),
+        (_, Some(hit)) => Some(Struck { hit, moving: true }),
+        (Some(hit), None) => Some(Struck { hit, moving: false }),
+        (None, None) => None,
     }
 }
