@@ -289,6 +289,28 @@ fn cameras_stand_clear_and_see_pavement() {
     }
 }
 
+/// Just below the horizon there is land, or something that stands on it, all across each picture.
+#[test]
+fn no_camera_sees_the_edge_of_the_world() {
+    const COLUMNS: u32 = 9;
+    const BELOW_HORIZON: f32 = 0.005;
+    let size = ImageSize { width: COLUMNS, height: 5 };
+    for town in towns() {
+        let still = still(town);
+        for site in &town.cameras {
+            let camera = PinholeCamera::new(site, size);
+            for column in 0..COLUMNS {
+                let u = column as f32 + 0.5 - camera.intrinsics.cx;
+                let across = camera.world_from_camera * Vec3::new(u / camera.intrinsics.fx, 0.0, 1.0).normalize();
+                let level = across.truncate().normalize();
+                let direction = level.extend(-BELOW_HORIZON).normalize();
+                let ends = still.iter().all(|(t, _)| hit(t, camera.position, direction).is_none());
+                assert!(!ends, "{}: {} sees past the land towards {level:.2}", town.name, site.name);
+            }
+        }
+    }
+}
+
 /// Flat things of different kinds never lie at the same height one upon the other.
 #[test]
 fn paint_lies_clear_of_what_is_below() {
