@@ -1,0 +1,65 @@
+//! Lanes that part and run together without a junction to order who goes first.
+
+mod watch;
+
+use endless_asset::VehicleSpec;
+use endless_road::{Control, Lane, LaneId, Polyline, RoadNetwork, Turn};
+use endless_traffic::{Conditions, Simulation};
+use endless_world::math::f64::sin_cos;
+use glam::DVec3;
+use std::f64::consts::PI;
+
+const FPS: f64 = 30.0;
+const STRAIGHT_M: f64 = 220.0;
+const RADIUS_M: f64 = 40.0;
+
+fn lane(id: u32, points: Vec<DVec3>, successors: &[u32]) -> Lane {
+    Lane {
+        id: LaneId(id),
+        centerline: Polyline::new(points),
+        width_m: 3.3,
+        speed_limit_mps: 13.9,
+        successors: successors.iter().map(|&s| LaneId(s)).collect(),
+        predecessors: Vec::new(),
+        left: None,
+        right: None,
+        junction: None,
+        turn: Turn::Straight,
+        end_control: Control::Free,
+    }
+}
+
+/// From the end of the straight, round to one side, and back to its beginning.
+fn around(side: f64) -> Vec<DVec3> {
+    let bend = |from: DVec3, begin: f64| {
+        (0..=80).map(move |k| {
+            let (sin, cos) = sin_cos(begin + PI * f64::from(k) / 80.0);
+            from + DVec3::new(RADIUS_M * cos, side * RADIUS_M * (1.0 + sin), 0.0)
+        })
+    };
+    let there = bend(DVec3::new(STRAIGHT_M, 0.0, 0.0), -0.5 * PI);
+    there.chain(bend(DVec3::ZERO, 0.5 * PI)).collect()
+}
+
+#[test]
+fn those_who_come_together_let_one_another_in() {
+    let straight = vec![DVec3::ZERO, DVec3::new(STRAIGHT_M, 0.0, 0.0)];
+    let lanes = vec![lane(0, straight, &[1, 2]), lane(1, around(1.0), &[0]), lane(2, around(-1.0), &[0])];
+    let network = RoadNetwork { lanes, ..RoadNetwork::default() }.finish().expect("a sound network");
+    let specs = watch::specs();
+    let specs: Vec<&VehicleSpec> = specs.iter().collect();
+    for seed in 0..6 {
+        let mut simulation =
+            Simulation::on_network(&network, &specs, &[], &|_| 1.35, [24, 0], seed, Conditions::default(), FPS, &[]);
+        let spawned = simulation.population().vehicles_spawned;
+        let found = watch::watch(&mut simulation, &specs, 120.0, FPS);
+        let driven = found.driven_m / f64::from(spawned) / 120.0;
+        assert!(spawned > 15, "{spawned} vehicles");
+        assert!(found.overlaps.is_empty(), "seed {seed}, bodies touch: {:#?}", found.overlaps);
+        assert!(
+            driven > 3.0 && found.longest_stand.0 < 40.0,
+            "seed {seed}: {driven:.1} m/s, {:?}",
+            found.longest_stand
+        );
+    }
+}
