@@ -1,5 +1,6 @@
 //! The still picture of one camera in one scene.
 
+use super::centre::Centre;
 use super::compose::{sun_can_light, sun_origin};
 use super::spare::Spare;
 use super::still_sample::{StillSample, shade_still, share_lamp_light, still_light, still_look};
@@ -72,6 +73,8 @@ pub struct CameraBake {
     pub(super) samples: Vec<StillSample>,
     /// Distance of each pixel's samples from the lens; [`f32::MAX`] for the sky. Also in `samples`, here side by side.
     pub(super) distances: Vec<[f32; SAMPLES]>,
+    /// What is asked most of each pixel's samples.
+    pub(super) centres: Vec<Centre>,
     /// All four samples of the pixel lie on one smooth piece that gives no light of its own: what moves does the same to
     /// the light of all four, so that is found once.
     pub(super) uniform: Vec<bool>,
@@ -137,7 +140,9 @@ impl CameraBake {
             })
         });
         drop(seen);
-        let distances = samples.as_chunks().0.iter().map(|s: &[StillSample; SAMPLES]| s.map(|s| s.hit.t)).collect();
+        let pixels: &[[StillSample; SAMPLES]] = samples.as_chunks().0;
+        let distances = pixels.iter().map(|pixel| pixel.map(|s| s.hit.t)).collect();
+        let centres = pixels.iter().map(Centre::new).collect();
         let (radiance, ambient): (Vec<Vec3A>, Vec<[f32; 3]>) = samples
             .par_chunks(SAMPLES)
             .map(|pixel| {
@@ -157,6 +162,7 @@ impl CameraBake {
             pixel_angle,
             samples,
             distances,
+            centres,
             uniform,
             radiance,
             ambient,

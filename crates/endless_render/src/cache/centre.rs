@@ -7,9 +7,43 @@ use super::still_sample::{StillSample, lamp_sum};
 use super::sweep::beams_on_row;
 use crate::accel::Ray;
 use crate::material::Look;
+use crate::octahedron;
+use crate::sampling::SAMPLES;
 use crate::scene::{Facet, FrameScene};
 use crate::shade::Tracer;
 use glam::Vec3A;
+
+/// What rows of pixels ask of their samples most, side by side: the samples themselves lie far apart in memory.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Centre {
+    distance: f32,
+    /// Geometric normal, packed.
+    normal: u32,
+    /// Which lamps near it light it past the still town, a bit each.
+    lamps_free: u32,
+    /// Which of the pixel's samples mirror, a bit each.
+    pub(super) mirrors: u8,
+}
+
+impl Centre {
+    /// Of a pixel's samples.
+    pub(super) fn new(samples: &[StillSample; SAMPLES]) -> Self {
+        let mirrors = samples.iter().rev().fold(0, |bits, s| bits << 1 | u8::from(s.mirrors()));
+        let centre = &samples[0];
+        Self { distance: centre.hit.t, normal: centre.normal, lamps_free: centre.lamps_free, mirrors }
+    }
+
+    /// As seen along a ray.
+    pub(super) fn place<'a>(&self, ray: &Ray, look: Option<&'a Look>) -> Place<'a> {
+        let facet = Facet {
+            position: ray.origin + ray.direction * self.distance,
+            geometric_normal: octahedron::unpack(self.normal),
+            direction: ray.direction,
+            distance: self.distance,
+        };
+        Place { facet, look, lamps_free: self.lamps_free }
+    }
+}
 
 /// A pixel's centre in a row.
 #[derive(Clone, Copy)]
@@ -17,7 +51,7 @@ pub(super) struct Place<'a> {
     pub(super) facet: Facet,
     /// At night.
     pub(super) look: Option<&'a Look>,
-    pub(super) still: &'a StillSample,
+    pub(super) lamps_free: u32,
 }
 
 /// Light of a uniform pixel that its samples share.
@@ -61,11 +95,11 @@ pub(super) fn centre_lights(
     }
     let blocked = lamps_blocked_row(tracer, frame, &work.lamps, row);
     for (i, light) in lights.iter_mut().enumerate() {
-        let Some(Place { facet, look, still }) = &row[i] else { continue };
+        let Some(Place { facet, look, lamps_free }) = &row[i] else { continue };
         light.contact = contact_left(frame, work, facet);
         light.direct = look
             .filter(|_| blocked[i] != 0)
-            .map(|look| lamp_sum(tracer, facet, look, still.lamps_free & !blocked[i]) * transmittance[i]);
+            .map(|look| lamp_sum(tracer, facet, look, lamps_free & !blocked[i]) * transmittance[i]);
     }
     lights
 }
@@ -86,7 +120,7 @@ fn lamps_blocked_row(tracer: &Tracer<'_>, frame: &FrameScene, lamps: &[u16], row
             let Some(place) = place else { continue };
             if let Ok(bit) = near[i].binary_search(lamp) {
                 bits[i] = bit as u8;
-                active |= ((place.still.lamps_free >> bit & 1) as u8) << i;
+                active |= ((place.lamps_free >> bit & 1) as u8) << i;
             }
         }
         if active == 0 {

@@ -2,7 +2,7 @@
 
 use super::affected::{Work, affected};
 use super::bake::{CameraBake, still_sample};
-use super::centre::{CentreLight, Place, centre_lights};
+use super::centre::{Centre, CentreLight, Place, centre_lights};
 use super::compose::{compose, moving_mirror, sun_can_light, sun_origin};
 use super::cover::Cover;
 use super::row::{Found, Row};
@@ -64,7 +64,7 @@ impl CameraBake {
                     &samples,
                     self.uniform[(y * self.camera.size.width + x) as usize],
                 );
-                let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples[0]);
+                let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples);
                 let still = still_light(&samples, &self.environment);
                 let pixel = match undisturbed(still, light.as_ref(), &found) {
                     Some(radiance) => Pixel { radiance, covered: None },
@@ -204,8 +204,7 @@ impl CameraBake {
             if i >= count || !self.uniform[index] || found[i].seen.iter().all(Option::is_some) {
                 return None;
             }
-            let still = &self.samples[index * SAMPLES];
-            Some(Place { facet: still.facet(&row.ray(i, 0)), look: self.looks.get(index), still })
+            Some(self.centres[index].place(&row.ray(i, 0), self.looks.get(index)))
         });
         centre_lights(tracer, frame, work, &places)
     }
@@ -218,16 +217,16 @@ impl CameraBake {
         work: &Work,
         x: u32,
         y: u32,
-        still: &StillSample,
+        samples: &[StillSample; SAMPLES],
     ) -> Option<CentreLight> {
         if !self.uniform[(y * self.camera.size.width + x) as usize] {
             return None;
         }
         let ray = self.ray(x, y, 0);
-        let point = SurfacePoint::new(&tracer.still.instances, &ray, &still.hit);
+        let point = SurfacePoint::new(&tracer.still.instances, &ray, &samples[0].hit);
         let look = still_look(&point, &self.environment, 0, self.pixel_angle);
         let mut row = [None; 8];
-        row[0] = Some(Place { facet: still.facet(&ray), look: Some(&look).filter(|_| self.environment.night), still });
+        row[0] = Some(Centre::new(samples).place(&ray, Some(&look).filter(|_| self.environment.night)));
         Some(centre_lights(tracer, frame, work, &row)[0])
     }
 

@@ -137,7 +137,8 @@ impl<'a> Row<'a> {
                     true => s % 2 == 0,
                     false => open >> i & 1 == 1,
                 };
-                let active = all & mask(|i| stills[i].mirrors() && asks(i));
+                let mirrors = |i: usize| self.bake.centres[self.pixel(i)].mirrors >> s & 1 == 1;
+                let active = all & mask(|i| mirrors(i) && asks(i));
                 if active != 0 {
                     let towards = std::array::from_fn(|i| stills[i].mirror_ray(&stills[i].facet(&self.ray(i, s))));
                     for (i, hit) in frame.accel.closest8(&towards, active).into_iter().enumerate() {

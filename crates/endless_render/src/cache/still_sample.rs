@@ -31,7 +31,7 @@ pub(super) struct StillSample {
     /// Share of the mirrored light that arrives, fog applied, a channel each, and the coat's roughness; 65,535 is 1.
     mirror_weight: [u16; 4],
     /// Geometric normal, packed.
-    normal: u32,
+    pub(super) normal: u32,
     /// Which directions to the sun's disc the still town leaves free, a bit each.
     pub(super) sun_free: u8,
     /// Which lamps near it light it past the still town, a bit each.
