@@ -14,6 +14,12 @@ const LONG_SWEPT_M: f64 = 5.0;
 const ASIDE_M: f64 = 0.15;
 /// Lines before junctions are never kept from further than this, metres.
 const MOST_SETBACK_M: f64 = 6.0;
+/// Long vehicles touch this much before others do where lanes run together, metres.
+const LONGER_M: f64 = 4.0;
+/// Lanes that part have parted after this, metres: if they are near one another again, they run together.
+const PART_M: f64 = 60.0;
+/// Lanes with nothing but a lane shorter than this between follow one another, metres.
+const SCRAP_M: f64 = 10.0;
 /// Lanes with places nearer than this may run into one another, metres.
 const NEAR_M: f64 = 3.0;
 /// Distance between these places, and size of the cells in which they are looked up, metres.
@@ -189,9 +195,8 @@ pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &Bodies) -> Vec
     for before in &lane.predecessors {
         for &other in network.lane(*before).successors.iter().filter(|&&o| o != lane.id) {
             let them = network.lane(other);
-            let known = endless_road::swept_overlap(lane, them).map(|((_, until), _)| until);
-            // No longer than both last: lanes that part for good are what this is about.
-            let reach = lane.centerline.length().min(them.centerline.length()).min(40.0);
+            let known = endless_road::swept_overlap(lane, them).map(|((_, until), _)| until.min(PART_M));
+            let reach = lane.centerline.length().min(them.centerline.length()).min(PART_M);
             let sweep = |l: &Lane| Sweep::between(network, l, body.broad, 0.0, reach);
             let swept = sweep(lane).conflict(&sweep(them)).map(|((_, until), _)| until);
             if let Some(until) = known.into_iter().chain(swept).reduce(f64::max) {
@@ -208,8 +213,16 @@ pub(crate) fn alongside(network: &RoadNetwork, bodies: Bodies) -> Vec<Vec<Alongs
     let mut found: Vec<Vec<Alongside>> = vec![Vec::new(); network.lanes.len()];
     for (a, b) in near_pairs(network) {
         let (one, other) = (network.lane(a), network.lane(b));
-        let sweep = |l: &Lane| Sweep::between(network, l, bodies.small, 0.0, l.centerline.length());
+        let parted = one.predecessors.iter().any(|p| other.predecessors.contains(p));
+        let from = if parted { PART_M } else { 0.0 };
+        if one.centerline.length().min(other.centerline.length()) <= from {
+            continue;
+        }
+        let sweep = |l: &Lane| Sweep::between(network, l, bodies.broad, from, l.centerline.length());
         let Some((range, other_range)) = sweep(one).touch(&sweep(other)) else { continue };
+        // Long vehicles swing out further.
+        let early = |r: (f64, f64)| ((r.0 - LONGER_M).max(from), r.1);
+        let (range, other_range) = (early(range), early(other_range));
         found[a.index()].push(Alongside { lane: b, range, other_range });
         found[b.index()].push(Alongside { lane: a, range: other_range, other_range: range });
     }
@@ -239,7 +252,7 @@ fn near_pairs(network: &RoadNetwork) -> BTreeSet<(LaneId, LaneId)> {
                     let near = apart.truncate().length_squared() < NEAR_M * NEAR_M
                         && apart.z.abs() < NEAR_M
                         && cos(wrap_angle(other.on.heading_rad - on.heading_rad)) > 0.7;
-                    if near && other.lane != lane.id && unrelated(network.lane(other.lane), lane) {
+                    if near && other.lane != lane.id && unrelated(network, network.lane(other.lane), lane) {
                         pairs.insert((other.lane, lane.id));
                     }
                 }
@@ -250,10 +263,12 @@ fn near_pairs(network: &RoadNetwork) -> BTreeSet<(LaneId, LaneId)> {
     pairs
 }
 
-/// Outside junctions, where nobody orders who goes first; neither neighbours nor one after the other nor from one lane.
-fn unrelated(a: &Lane, b: &Lane) -> bool {
+/// Outside junctions, where nobody orders who goes first; neither neighbours nor one after the other.
+fn unrelated(network: &RoadNetwork, a: &Lane, b: &Lane) -> bool {
     let outside = a.junction.is_none() && b.junction.is_none();
     let beside = [a.left, a.right].contains(&Some(b.id)) || [b.left, b.right].contains(&Some(a.id));
-    let soon_after = |a: &Lane, b: &Lane| a.successors.iter().any(|s| b.predecessors.contains(s));
-    outside && !(beside || follow_or_part(a, b) || soon_after(a, b) || soon_after(b, a))
+    let after = |a: &Lane, b: &Lane| a.successors.contains(&b.id);
+    let scrap = |id: LaneId| network.lane(id).centerline.length() < SCRAP_M;
+    let soon_after = |a: &Lane, b: &Lane| a.successors.iter().any(|&s| scrap(s) && b.predecessors.contains(&s));
+    outside && !(beside || after(a, b) || after(b, a) || soon_after(a, b) || soon_after(b, a))
 }
