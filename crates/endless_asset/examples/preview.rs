@@ -70,14 +70,7 @@ const FURNITURE: &[Prop] = &[
 
 fn with_wheels(catalogue: &Catalogue, model: u16, variant: u64, rider: bool) -> Tinted {
     let vehicle = &catalogue.vehicles()[usize::from(model)];
-    let mut mesh = vehicle.body.clone();
-    for wheel in &vehicle.wheels {
-        let flip = Vec3::new(1.0, if wheel.mirrored { -1.0 } else { 1.0 }, 1.0);
-        mesh.append(
-            &vehicle.wheel_mesh,
-            Affine3A::from_scale_rotation_translation(flip, Quat::IDENTITY, wheel.position),
-        );
-    }
+    let mut mesh = vehicle.whole();
     if let (true, Some(rider)) = (rider, catalogue.rider(model, variant)) {
         mesh.append(&rider, Affine3A::IDENTITY);
     }
@@ -87,7 +80,12 @@ fn with_wheels(catalogue: &Catalogue, model: u16, variant: u64, rider: bool) -> 
 /// Seen from the front left and the rear right, from a camera's height.
 fn vehicles(catalogue: &Catalogue, filter: &str) -> Vec<Tile> {
     let mut tiles = Vec::new();
+    let mut last = "";
     for (i, v) in catalogue.vehicles().iter().enumerate().filter(|(_, v)| v.spec.name.contains(filter)) {
+        if filter.is_empty() && last == v.spec.name {
+            continue;
+        }
+        last = v.spec.name;
         for (angle, elevation) in [(50.0, 22.0), (-140.0, 22.0), (90.0, 3.0)] {
             let (mesh, tint) = with_wheels(catalogue, i as u16, 3 + i as u64, angle > 0.0);
             tiles.push(Tile { mesh, tint, angle, elevation });
@@ -95,7 +93,7 @@ fn vehicles(catalogue: &Catalogue, filter: &str) -> Vec<Tile> {
         println!(
             "{:24} {:6} triangles {:.2} x {:.2} x {:.2} m",
             v.spec.name,
-            v.body.triangles.len(),
+            v.body().triangles.len(),
             v.spec.length_m,
             v.spec.width_m,
             v.spec.height_m

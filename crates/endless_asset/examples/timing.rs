@@ -9,6 +9,19 @@ fn main() {
     let start = Instant::now();
     let catalogue = Catalogue::builtin();
     println!("catalogue: {:.0} ms", start.elapsed().as_secs_f64() * 1e3);
+    let (mut slowest, mut name) = (0.0, "");
+    let start = Instant::now();
+    for vehicle in catalogue.vehicles() {
+        let own = Instant::now();
+        std::hint::black_box(vehicle.body());
+        let ms = own.elapsed().as_secs_f64() * 1e3;
+        if ms > slowest {
+            (slowest, name) = (ms, vehicle.spec.name);
+        }
+    }
+    let n = catalogue.vehicles().len();
+    let each = start.elapsed().as_secs_f64() * 1e3 / n as f64;
+    println!("{n} vehicles: {each:.1} ms each, at most {slowest:.1} ms ({name})");
     let start = Instant::now();
     let people: Vec<_> = (0..20).map(|v| catalogue.person(v)).collect();
     println!("a person: {:.1} ms", start.elapsed().as_secs_f64() * 1e3 / 20.0);

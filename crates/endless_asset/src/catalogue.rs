@@ -3,32 +3,41 @@
 use crate::furniture;
 use crate::person;
 use crate::plant;
-use crate::vehicle::{self, RiderFit};
-use crate::{Mesh, PersonModel, Prop, VehicleModel};
+use crate::vehicle;
+use crate::{Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
 
-/// Everything that can be placed in a scene. Building it is deterministic and takes well under a second.
+/// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
+/// when they are first asked for.
 #[derive(Debug, Clone)]
 pub struct Catalogue {
     vehicles: Vec<VehicleModel>,
-    /// How a rider sits, one a vehicle.
-    fits: Vec<Option<RiderFit>>,
 }
 
 impl Catalogue {
     /// The built-in catalogue.
     pub fn builtin() -> Self {
-        let (vehicles, fits) = vehicle::all().into_iter().map(|b| (b.model, b.fit)).unzip();
-        Self { vehicles, fits }
+        Self { vehicles: vehicle::all() }
     }
 
-    /// Vehicle models; [`endless_world::AssetRef::model`] indexes them.
+    /// Vehicle models, some draws of each design; [`endless_world::AssetRef::model`] indexes them.
     pub fn vehicles(&self) -> &[VehicleModel] {
         &self.vehicles
     }
 
+    /// The designs of vehicles with the ranges of their sizes.
+    pub fn vehicle_kinds() -> Vec<VehicleKind> {
+        vehicle::kinds()
+    }
+
+    /// Any draw of the design of a name (`car.sedan`): no end of vehicles beside those of [`Self::vehicles`], which
+    /// are the first draws.
+    pub fn draw_vehicle(name: &str, index: u64) -> Option<VehicleModel> {
+        vehicle::drawn(name, index)
+    }
+
     /// Linear paint colour of a variant of a vehicle, distributed as on real roads.
     pub fn vehicle_tint(&self, model: u16, variant: u64) -> [f32; 3] {
-        vehicle::tint(&self.vehicles[usize::from(model)].spec, variant)
+        self.vehicles[usize::from(model)].tint(variant)
     }
 
     /// The person of a variant.
@@ -38,7 +47,7 @@ impl Catalogue {
 
     /// The rider of a two-wheeler, seated, in the vehicle's object frame; `None` for other models.
     pub fn rider(&self, model: u16, variant: u64) -> Option<Mesh> {
-        let fit = self.fits.get(usize::from(model))?.as_ref()?;
+        let fit = self.vehicles.get(usize::from(model))?.fit()?;
         Some(person::rider(fit, variant))
     }
 

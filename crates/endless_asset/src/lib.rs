@@ -18,4 +18,4 @@ pub use material::{LensAspect, LightSlot, Material, Surface};
 pub use mesh::{Mesh, MeshBuilder};
 pub use person::{BodyPose, PersonModel};
 pub use prop::Prop;
-pub use vehicle::{VehicleModel, VehicleSpec, Wheel};
+pub use vehicle::{VehicleKind, VehicleModel, VehicleSpec, Wheel};

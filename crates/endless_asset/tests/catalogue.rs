@@ -86,71 +86,88 @@ fn volume(mesh: &Mesh) -> f32 {
         .sum()
 }
 
-fn whole(vehicle: &VehicleModel) -> (Vec3, Vec3) {
-    let (mut low, mut high) = vehicle.body.bounds();
-    let (wheel_low, wheel_high) = vehicle.wheel_mesh.bounds();
-    for wheel in &vehicle.wheels {
-        low = low.min(wheel.position + wheel_low);
-        high = high.max(wheel.position + wheel_high);
+fn assert_measures(v: &VehicleModel) {
+    let (low, high) = v.whole().bounds();
+    let s = &v.spec;
+    let name = s.name;
+    assert!((low.x + high.x).abs() < 1e-3, "{name} is not centred: {low} {high}");
+    assert!((high.x - low.x - s.length_m).abs() < 1e-3, "{name}: {} long, not {}", high.x - low.x, s.length_m);
+    assert!((high.z - s.height_m).abs() < 1e-3, "{name}: {} high, not {}", high.z, s.height_m);
+    // Mirrors, and bars of two-wheelers, stand out by at most 35 cm a side.
+    let width = high.y - low.y;
+    assert!(width > s.width_m - 0.12 && width < s.width_m + 0.70, "{name}: {width} wide, not {}", s.width_m);
+    for wheel in v.wheels() {
+        let low = wheel.position.z + v.wheel_mesh().bounds().0.z;
+        assert!(low.abs() < 1e-3, "{name}: a wheel {low} m above the road");
     }
-    (low, high)
+    assert!(low.z > -1e-3, "{name} reaches below the road");
+    assert!(s.front_axle_m > 0.0 && s.rear_axle_m < 0.0, "{name}");
+    let axles = || v.wheels().iter().map(|w| w.position.x);
+    assert!((axles().fold(f32::MIN, f32::max) - s.front_axle_m).abs() < 1e-3, "{name}: front axle");
+    assert!((axles().fold(f32::MAX, f32::min) - s.rear_axle_m).abs() < 1e-3, "{name}: rear axle");
+    for lamp in v.headlights() {
+        assert!(lamp.x > 0.4 && lamp.x < high.x + 0.05 && lamp.z > 0.4 && lamp.z < 1.35, "{name}: {lamp}");
+    }
 }
 
 #[test]
-fn vehicles_are_sound() {
+fn vehicles_are_sound_and_measure_what_they_say() {
     for v in CATALOGUE.vehicles() {
-        assert_sound(&v.body, v.spec.name);
-        assert_sound(&v.wheel_mesh, v.spec.name);
-        assert!(volume(&v.body) > 0.0 && volume(&v.wheel_mesh) > 0.0, "{}", v.spec.name);
+        assert_sound(v.body(), v.spec.name);
+        assert_sound(v.wheel_mesh(), v.spec.name);
+        assert!(volume(v.body()) > 0.0 && volume(v.wheel_mesh()) > 0.0, "{}", v.spec.name);
+        assert_measures(v);
     }
 }
 
 #[test]
-fn vehicles_measure_what_they_say() {
-    for v in CATALOGUE.vehicles() {
-        let (low, high) = whole(v);
-        let name = v.spec.name;
-        assert!((low.x + high.x).abs() < 1e-3, "{name} is not centred: {low} {high}");
-        assert!((high.x - low.x - v.spec.length_m).abs() < 1e-3, "{name}");
-        assert!((high.z - v.spec.height_m).abs() < 1e-3, "{name}");
-        // Mirrors, and bars of two-wheelers, stand out by at most 35 cm a side.
-        let width = high.y - low.y;
-        assert!(width > v.spec.width_m - 0.12 && width < v.spec.width_m + 0.70, "{name}: {width}");
-        let ground: Vec<f32> = v.wheels.iter().map(|w| w.position.z + v.wheel_mesh.bounds().0.z).collect();
-        assert!(ground.iter().all(|z| z.abs() < 1e-3), "{name}: {ground:?}");
-        assert!(low.z > -1e-3, "{name} reaches below the road");
-        assert!(v.spec.front_axle_m > 0.0 && v.spec.rear_axle_m < 0.0, "{name}");
-        for lamp in &v.headlights {
-            assert!(lamp.x > 0.4 && lamp.x < high.x + 0.05 && lamp.z > 0.4 && lamp.z < 1.2, "{name}: {lamp}");
+fn any_draw_is_sound_and_measures_what_it_says() {
+    for (k, kind) in Catalogue::vehicle_kinds().iter().enumerate() {
+        for i in 0..4 {
+            let v = Catalogue::draw_vehicle(kind.name, 100 + 37 * k as u64 + i).expect("a design of the list");
+            assert_sound(v.body(), kind.name);
+            assert_measures(&v);
         }
     }
 }
 
 #[test]
-fn vehicles_have_the_sizes_of_their_class() {
-    for v in CATALOGUE.vehicles() {
-        let s = &v.spec;
-        let (length, width, height) = match s.class {
-            ObjectClass::Car => (3.4..5.5, 1.6..2.0, 1.4..1.95),
-            ObjectClass::Van => (4.8..6.5, 1.9..2.1, 1.9..2.8),
-            ObjectClass::Truck => (5.5..9.5, 2.2..2.55, 2.3..3.9),
-            ObjectClass::Bus => (10.0..13.0, 2.45..2.56, 2.9..3.9),
-            ObjectClass::Motorcycle => (1.7..2.2, 0.6..0.9, 1.0..1.4),
-            ObjectClass::Bicycle => (1.6..1.9, 0.5..0.7, 0.95..1.15),
-            ObjectClass::Rider | ObjectClass::Pedestrian => panic!("{} is no vehicle", s.name),
-        };
-        assert!(length.contains(&s.length_m) && width.contains(&s.width_m) && height.contains(&s.height_m), "{s:?}");
+fn draws_of_a_design_differ() {
+    for kind in Catalogue::vehicle_kinds() {
+        let [a, b] = [1, 2].map(|i| Catalogue::draw_vehicle(kind.name, i).expect("a design of the list"));
+        assert_ne!(a.spec.length_m, b.spec.length_m, "{}", kind.name);
+        assert!(kind.length_m[1] > 1.02 * kind.length_m[0], "{kind:?}");
     }
 }
 
 #[test]
-fn names_differ_and_the_traffic_mix_is_that_of_a_city() {
+fn vehicles_have_the_sizes_of_their_class() {
+    for kind in Catalogue::vehicle_kinds() {
+        let (length, width, height) = match kind.class {
+            ObjectClass::Car => ([2.3, 6.1], [1.45, 2.08], [1.2, 2.1]),
+            ObjectClass::Van => ([4.2, 6.5], [1.7, 2.1], [1.7, 2.95]),
+            ObjectClass::Truck => ([5.3, 9.5], [1.9, 2.66], [2.0, 3.9]),
+            ObjectClass::Bus => ([8.0, 13.0], [2.3, 2.56], [2.8, 4.6]),
+            ObjectClass::Motorcycle => ([1.7, 2.4], [0.6, 0.95], [1.05, 1.45]),
+            ObjectClass::Bicycle => ([1.0, 2.7], [0.4, 0.8], [0.9, 1.25]),
+            ObjectClass::Rider | ObjectClass::Pedestrian => panic!("{} is no vehicle", kind.name),
+        };
+        let within = |range: [f32; 2], allowed: [f32; 2]| range[0] >= allowed[0] && range[1] <= allowed[1];
+        assert!(
+            within(kind.length_m, length) && within(kind.width_m, width) && within(kind.height_m, height),
+            "{kind:?}"
+        );
+    }
+}
+
+#[test]
+fn there_are_fifty_designs_and_the_traffic_mix_is_that_of_a_city() {
     let vehicles = CATALOGUE.vehicles();
     let total: f64 = vehicles.iter().map(|v| v.spec.frequency).sum();
     let share =
         |class| vehicles.iter().filter(|v| v.spec.class == class).map(|v| v.spec.frequency).sum::<f64>() / total;
     for (class, wanted) in [
-        (ObjectClass::Car, 0.75),
+        (ObjectClass::Car, 0.76),
         (ObjectClass::Van, 0.08),
         (ObjectClass::Truck, 0.05),
         (ObjectClass::Bus, 0.03),
@@ -159,15 +176,18 @@ fn names_differ_and_the_traffic_mix_is_that_of_a_city() {
     ] {
         assert!((share(class) - wanted).abs() < 0.015, "{class}: {}", share(class));
     }
-    for (i, v) in vehicles.iter().enumerate() {
-        assert!(vehicles[..i].iter().all(|w| w.spec.name != v.spec.name));
+    let kinds = Catalogue::vehicle_kinds();
+    assert!(kinds.len() >= 50, "{} designs", kinds.len());
+    for (i, kind) in kinds.iter().enumerate() {
+        assert!(kinds[..i].iter().all(|other| other.name != kind.name), "two are called {}", kind.name);
+        assert!(vehicles.iter().any(|v| v.spec.name == kind.name), "no {} in the catalogue", kind.name);
     }
 }
 
 #[test]
 fn a_third_of_cars_is_white_and_a_fifth_black() {
     let n = 4000;
-    let tints: Vec<[f32; 3]> = (0..n).map(|i| CATALOGUE.vehicle_tint(1, i)).collect();
+    let tints: Vec<[f32; 3]> = (0..n).map(|i| CATALOGUE.vehicle_tint(2, i)).collect();
     let share = |f: &dyn Fn(&[f32; 3]) -> bool| tints.iter().filter(|c| f(c)).count() as f64 / n as f64;
     assert!((share(&|c| c.iter().all(|&v| v > 0.6)) - 0.33).abs() < 0.03);
     assert!((share(&|c| c.iter().all(|&v| v < 0.014)) - 0.20).abs() < 0.03);
@@ -182,8 +202,8 @@ fn only_two_wheelers_have_riders() {
             let Some(rider) = CATALOGUE.rider(model, variant) else { continue };
             assert_sound(&rider, v.spec.name);
             let (low, high) = rider.bounds();
-            assert!(low.z > 0.02 && high.z > 1.3 && high.z < 2.05, "{}: {low} {high}", v.spec.name);
-            assert!(low.x > -0.5 * v.spec.length_m && high.x < 0.5 * v.spec.length_m, "{}", v.spec.name);
+            assert!(low.z > 0.02 && high.z > 1.2 && high.z < 2.15, "{}: {low} {high}", v.spec.name);
+            assert!(low.x > -0.5 * v.spec.length_m && high.x < 0.5 * v.spec.length_m, "{}: {low} {high}", v.spec.name);
             assert!(rider.materials.iter().all(|m| m.tag == ClassTag::Rider));
         }
     }

@@ -107,7 +107,7 @@ fn draw(town: &Town, catalogue: &Catalogue, made: &mut Made, film: &mut Film) {
     for parked in &town.parked {
         let model = &catalogue.vehicles()[usize::from(parked.asset.model)];
         let tint = catalogue.vehicle_tint(parked.asset.model, parked.asset.variant);
-        film.mesh(&model.body, parked.pose.world_from_object(), Vec3::from_array(tint));
+        film.mesh(model.body(), parked.pose.world_from_object(), Vec3::from_array(tint));
     }
 }
 

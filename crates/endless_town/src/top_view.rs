@@ -125,7 +125,7 @@ impl Canvas {
         }
         for parked in &town.parked {
             if let Some(model) = catalogue.vehicles().get(usize::from(parked.asset.model)) {
-                self.mesh(&model.body, parked.pose.world_from_object());
+                self.mesh(model.body(), parked.pose.world_from_object());
             }
         }
         for placement in &town.placements {

@@ -19,7 +19,12 @@ pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
     let skeleton = &person.skeleton;
     let h = look.height;
     let ankle_rest = skeleton.joint(Bone::FootL);
-    let seat = fit.seat + Vec3::Z * 0.072 * h;
+    let seat = if fit.standing {
+        // Legs nearly straight above the deck.
+        fit.seat + Vec3::Z * (skeleton.joint(Bone::Pelvis).z - 0.012 * h)
+    } else {
+        fit.seat + Vec3::Z * 0.072 * h
+    };
     let lean = Quat::from_rotation_y(fit.lean_rad);
     let leg = |side: Side| {
         let sole =

@@ -114,35 +114,61 @@ impl Sculpt {
         drop(self.split(region));
     }
 
+    /// Gives what is of one material in a region another.
+    pub(crate) fn repaint(&mut self, region: &Region, from: Material, to: Material) {
+        for mut face in self.split_of(region, Some(from)) {
+            face.material = to;
+            self.faces.push(face);
+        }
+    }
+
+    /// The same on both sides.
+    pub(crate) fn repaint_both(&mut self, region: &Region, from: Material, to: Material) {
+        self.repaint(region, from, to);
+        self.repaint(&region.mirrored(), from, to);
+    }
+
     /// Takes out what lies in a region and returns it.
     fn split(&mut self, region: &Region) -> Vec<Face> {
-        let mut inside = Vec::new();
-        let mut kept = Vec::with_capacity(self.faces.len());
-        for face in self.faces.drain(..) {
-            let faces_it =
-                region.facing.is_none_or(|(d, cosine)| face.area_normal().normalize_or_zero().dot(d) >= cosine);
+        self.split_of(region, None)
+    }
+
+    /// Takes out what lies in a region, of one material if it is given, and returns it. The faces that stay are not
+    /// moved in memory: most regions touch few of a body's faces.
+    fn split_of(&mut self, region: &Region, material: Option<Material>) -> Vec<Face> {
+        let (mut inside, mut rest) = (Vec::new(), Vec::new());
+        let (mut pieces, mut next, mut outside) = (Vec::new(), Vec::new(), Vec::new());
+        let mut i = 0;
+        while i < self.faces.len() {
+            let face = self.faces[i];
             let misses = region.planes.iter().any(|&(n, d)| face.corners.iter().all(|p| n.dot(*p) >= d));
-            if !faces_it || misses {
-                kept.push(face);
+            if misses
+                || material.is_some_and(|m| m != face.material)
+                || !region.facing.is_none_or(|(d, cosine)| face.area_normal().normalize_or_zero().dot(d) >= cosine)
+            {
+                i += 1;
                 continue;
             }
-            let (mut pieces, mut outside) = (vec![face], Vec::new());
+            pieces.clear();
+            outside.clear();
+            pieces.push(face);
             for &(n, d) in &region.planes {
-                let mut next = Vec::new();
-                for piece in pieces {
-                    clip(&piece, n, d, &mut next, &mut outside);
+                next.clear();
+                for piece in &pieces {
+                    clip(piece, n, d, &mut next, &mut outside);
                 }
-                pieces = next;
+                std::mem::swap(&mut pieces, &mut next);
             }
-            // A face that only looked as if it were touched stays whole.
             if pieces.is_empty() {
-                kept.push(face);
-            } else {
-                kept.extend(outside);
-                inside.extend(pieces);
+                // A face that only looked as if it were touched stays whole.
+                i += 1;
+                continue;
             }
+            self.faces.swap_remove(i);
+            rest.append(&mut outside);
+            inside.append(&mut pieces);
         }
-        self.faces = kept;
+        self.faces.append(&mut rest);
         inside
     }
 }

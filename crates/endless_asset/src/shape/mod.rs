@@ -4,6 +4,7 @@ mod curve;
 mod cut;
 mod sculpt;
 mod solids;
+mod weld;
 
 pub(crate) use curve::Curve;
 pub(crate) use cut::{Region, rounded};

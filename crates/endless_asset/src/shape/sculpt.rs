@@ -1,8 +1,8 @@
 //! A soup of triangles under construction.
 
+use super::weld::{Cell, CellMap};
 use crate::{Material, Mesh};
 use glam::{Affine3A, Vec2, Vec3};
-use std::collections::HashMap;
 
 /// One triangle, counter-clockwise seen from outside.
 #[derive(Debug, Clone, Copy)]
@@ -32,8 +32,13 @@ const DEGENERATE_AREA: f32 = 2e-8;
 /// Positions nearer than about this count as one, metres.
 const WELD_M: f32 = 5e-5;
 
-fn key(p: Vec3) -> [i32; 3] {
-    (p / WELD_M).round().to_array().map(|c| c as i32)
+fn key(p: Vec3) -> Cell {
+    cell(p / WELD_M)
+}
+
+/// The nearest point of the unit grid.
+fn cell(p: Vec3) -> Cell {
+    Cell(p.to_array().map(|c| (c + 0.5f32.copysign(c)) as i32))
 }
 
 impl Sculpt {
@@ -80,22 +85,34 @@ impl Sculpt {
     pub(crate) fn smooth(mut self, crease_deg: f32) -> Self {
         let limit = endless_world::math::cos(crease_deg.to_radians());
         let flat: Vec<Vec3> = self.faces.iter().map(|f| f.area_normal().normalize_or(Vec3::Z)).collect();
-        let mut around: HashMap<[i32; 3], Vec<(u32, f32)>> = HashMap::with_capacity(self.faces.len());
-        for (i, face) in self.faces.iter().enumerate() {
-            for k in 0..3 {
+        // Corners by place: the first of each place, and the next one of the same place.
+        let mut first: CellMap<Cell, u32> = CellMap::with_capacity_and_hasher(self.faces.len(), Default::default());
+        let mut next = vec![u32::MAX; self.faces.len() * 3];
+        let mut angles = vec![0.0f32; self.faces.len() * 3];
+        for (i, face) in self.faces.iter().enumerate().rev() {
+            for k in (0..3).rev() {
                 let [p, q, r] = [0, 1, 2].map(|j| face.corners[(k + j) % 3]);
                 let cosine = (q - p).normalize_or_zero().dot((r - p).normalize_or_zero());
-                let angle = endless_world::math::acos(cosine.clamp(-1.0, 1.0));
-                around.entry(key(p)).or_default().push((i as u32, angle));
+                let at = 3 * i + k;
+                angles[at] = endless_world::math::acos(cosine.clamp(-1.0, 1.0));
+                if let Some(other) = first.insert(key(p), at as u32) {
+                    next[at] = other;
+                }
             }
         }
         for (i, face) in self.faces.iter_mut().enumerate() {
             for k in 0..3 {
-                let sum: Vec3 = around[&key(face.corners[k])]
-                    .iter()
-                    .filter(|&&(j, _)| flat[j as usize].dot(flat[i]) > limit)
-                    .map(|&(j, angle)| flat[j as usize] * angle)
-                    .sum();
+                let mut sum = Vec3::ZERO;
+                let mut at = first[&key(face.corners[k])] as usize;
+                loop {
+                    if flat[at / 3].dot(flat[i]) > limit {
+                        sum += flat[at / 3] * angles[at];
+                    }
+                    if next[at] == u32::MAX {
+                        break;
+                    }
+                    at = next[at] as usize;
+                }
                 face.normals[k] = sum.normalize_or(flat[i]);
             }
         }
@@ -157,7 +174,8 @@ impl Sculpt {
 
     fn welded(self, seams: bool) -> Mesh {
         let mut mesh = Mesh::default();
-        let mut seen: HashMap<([i32; 3], [i32; 3], u8), u32> = HashMap::new();
+        let mut seen: CellMap<(Cell, Cell, u8), u32> =
+            CellMap::with_capacity_and_hasher(self.faces.len() * 2, Default::default());
         for face in &self.faces {
             let flat = face.area_normal();
             let size = flat.abs();
@@ -165,7 +183,7 @@ impl Sculpt {
             let mut indices = [0; 3];
             for k in 0..3 {
                 let (p, n) = (face.corners[k], face.normals[k]);
-                let normal_key = (n * 4096.0).round().to_array().map(|c| c as i32);
+                let normal_key = cell(n * 4096.0);
                 indices[k] = *seen.entry((key(p), normal_key, if seams { axis } else { 0 })).or_insert_with(|| {
                     mesh.positions.push(p);
                     mesh.normals.push(n);

@@ -1,14 +1,14 @@
-//! Putting body and wheels together and measuring the result.
+//! From what a design plans to a finished vehicle: put together, centred, and exactly as large as planned.
 
-use super::{VehicleModel, VehicleSpec, Wheel};
+use super::Wheel;
 use crate::Mesh;
 use crate::shape::Sculpt;
-use glam::Vec3;
+use glam::{Affine3A, Mat3, Vec3};
 
 /// Where a rider touches a two-wheeler: left side, object frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct RiderFit {
-    /// Top of the seat.
+    /// Top of the seat; of the deck for who stands.
     pub(crate) seat: Vec3,
     /// Middle of the left grip.
     pub(crate) grip: Vec3,
@@ -20,30 +20,101 @@ pub(crate) struct RiderFit {
     pub(crate) lean_rad: f32,
     /// How likely a helmet is worn.
     pub(crate) helmet: f64,
+    /// Whether one stands on it.
+    pub(crate) standing: bool,
 }
 
-/// A finished vehicle and how it is ridden.
+/// Measures that are known before anything is built; in the frame in which the vehicle is built, metres.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Size {
+    /// x of the foremost and the rearmost point.
+    pub(crate) front: f32,
+    pub(crate) rear: f32,
+    /// Without mirrors and bars.
+    pub(crate) width: f32,
+    pub(crate) height: f32,
+    /// x of the foremost and the rearmost axle.
+    pub(crate) axles: [f32; 2],
+    pub(crate) wheel_radius: f32,
+}
+
+impl Size {
+    /// x of the middle.
+    pub(crate) fn middle(&self) -> f32 {
+        0.5 * (self.front + self.rear)
+    }
+
+    /// The same of a vehicle this many times as large.
+    pub(crate) fn scaled(&self, k: f32) -> Self {
+        Self {
+            front: self.front * k,
+            rear: self.rear * k,
+            width: self.width * k,
+            height: self.height * k,
+            axles: self.axles.map(|x| x * k),
+            wheel_radius: self.wheel_radius * k,
+        }
+    }
+}
+
+/// What a design makes of a draw: measures at once, the vehicle when it is needed.
+pub(crate) struct Plan {
+    pub(crate) size: Size,
+    pub(crate) build: Box<dyn FnOnce() -> Assembly>,
+}
+
+impl Plan {
+    pub(crate) fn new(size: Size, build: impl FnOnce() -> Assembly + 'static) -> Self {
+        Self { size, build: Box::new(build) }
+    }
+
+    /// The same vehicle, this many times as large.
+    pub(crate) fn scaled(self, k: f32) -> Self {
+        Self { size: self.size.scaled(k), build: Box::new(move || (self.build)().scaled(k)) }
+    }
+
+    /// With more on it, or painted over.
+    pub(crate) fn with(self, dress: impl FnOnce(&mut Assembly) + 'static) -> Self {
+        Self {
+            size: self.size,
+            build: Box::new(move || {
+                let mut assembly = (self.build)();
+                dress(&mut assembly);
+                assembly
+            }),
+        }
+    }
+
+    /// The finished vehicle.
+    pub(crate) fn finish(self) -> Parts {
+        (self.build)().finish(&self.size)
+    }
+}
+
+/// A finished vehicle: what is drawn, and how it is ridden. Object frame.
 #[derive(Debug, Clone)]
-pub(crate) struct Built {
-    pub(crate) model: VehicleModel,
+pub(crate) struct Parts {
+    pub(crate) body: Mesh,
+    pub(crate) wheels: Vec<Wheel>,
+    pub(crate) wheel_mesh: Mesh,
+    pub(crate) headlights: Vec<Vec3>,
     pub(crate) fit: Option<RiderFit>,
 }
 
-/// A vehicle before it is centred and measured.
+/// A vehicle before it is centred.
 #[derive(Debug, Clone)]
 pub(crate) struct Assembly {
-    pub(crate) spec: VehicleSpec,
     pub(crate) body: Sculpt,
     pub(crate) wheels: Vec<Wheel>,
     pub(crate) wheel_mesh: Mesh,
     pub(crate) headlights: Vec<Vec3>,
     pub(crate) fit: Option<RiderFit>,
-    wheel_radius: f32,
+    pub(crate) wheel_radius: f32,
 }
 
 impl Assembly {
-    pub(crate) fn new(spec: VehicleSpec, body: Sculpt, wheel_mesh: Mesh, wheel_radius: f32) -> Self {
-        Self { spec, body, wheels: Vec::new(), wheel_mesh, headlights: Vec::new(), fit: None, wheel_radius }
+    pub(crate) fn new(body: Sculpt, wheel_mesh: Mesh, wheel_radius: f32) -> Self {
+        Self { body, wheels: Vec::new(), wheel_mesh, headlights: Vec::new(), fit: None, wheel_radius }
     }
 
     /// Two wheels on an axle at x, at ±y.
@@ -58,35 +129,58 @@ impl Assembly {
         self.wheels.push(Wheel { position: Vec3::new(x, 0.0, self.wheel_radius), steered, mirrored: false });
     }
 
-    /// Centres the vehicle on its footprint and writes its measures into the spec. The width is that of the body without
-    /// mirrors.
-    pub(crate) fn finish(mut self, width_m: f32) -> Built {
-        let (mut low, mut high) = self.body.bounds();
-        let (wheel_low, wheel_high) = self.wheel_mesh.bounds();
-        for wheel in &self.wheels {
-            low = low.min(wheel.position + wheel_low);
-            high = high.max(wheel.position + wheel_high);
-        }
-        let shift = Vec3::new(-0.5 * (low.x + high.x), 0.0, 0.0);
+    fn scaled(mut self, k: f32) -> Self {
+        let grow = Affine3A::from_scale(Vec3::splat(k));
+        self.body = self.body.placed(grow);
         for wheel in &mut self.wheels {
-            wheel.position += shift;
+            wheel.position *= k;
         }
+        for p in &mut self.wheel_mesh.positions {
+            *p *= k;
+        }
+        for p in &mut self.headlights {
+            *p *= k;
+        }
+        self.wheel_radius *= k;
+        self.fit = self.fit.map(|f| RiderFit {
+            seat: f.seat * k,
+            grip: f.grip * k,
+            foot: f.foot * k,
+            right_foot: f.right_foot * k,
+            ..f
+        });
+        self
+    }
+
+    /// Centres the vehicle on its footprint. Bumpers, plates and rails that stand out a little more or less than planned
+    /// are brought to the planned size by stretching the body by a few thousandths.
+    fn finish(mut self, size: &Size) -> Parts {
+        let middle = size.middle();
+        for wheel in &mut self.wheels {
+            wheel.position.x -= middle;
+        }
+        let (wheel_low, wheel_high) = self.wheel_mesh.bounds();
         let xs = || self.wheels.iter().map(|w| w.position.x);
-        let mut spec = self.spec;
-        spec.length_m = high.x - low.x;
-        spec.height_m = high.z;
-        spec.width_m = width_m;
-        spec.front_axle_m = xs().fold(f32::NEG_INFINITY, f32::max);
-        spec.rear_axle_m = xs().fold(f32::INFINITY, f32::min);
-        spec.wheel_radius_m = self.wheel_radius;
-        let fit = self.fit.map(|f| RiderFit { seat: f.seat + shift, grip: f.grip + shift, foot: f.foot + shift, ..f });
-        let model = VehicleModel {
-            spec,
-            body: self.body.at(shift).into_mesh(),
+        let wheels_front = xs().fold(f32::NEG_INFINITY, f32::max) + wheel_high.x;
+        let wheels_rear = xs().fold(f32::INFINITY, f32::min) + wheel_low.x;
+        let (low, high) = self.body.bounds();
+        // Where a wheel is the outermost part, the body keeps its place.
+        let half = 0.5 * (size.front - size.rear);
+        let front = if high.x - middle > wheels_front { half } else { high.x - middle };
+        let rear = if low.x - middle < wheels_rear { -half } else { low.x - middle };
+        let kx = (front - rear) / (high.x - low.x);
+        let kz = size.height / high.z;
+        let object_from_built = Affine3A::from_mat3_translation(
+            Mat3::from_diagonal(Vec3::new(kx, 1.0, kz)),
+            Vec3::new(rear - kx * low.x, 0.0, 0.0),
+        );
+        let place = |p: Vec3| object_from_built.transform_point3(p);
+        Parts {
+            fit: self.fit.map(|f| RiderFit { seat: place(f.seat), grip: place(f.grip), foot: place(f.foot), ..f }),
+            headlights: self.headlights.iter().map(|&p| place(p)).collect(),
+            body: self.body.placed(object_from_built).into_mesh(),
             wheels: self.wheels,
             wheel_mesh: self.wheel_mesh,
-            headlights: self.headlights.iter().map(|&p| p + shift).collect(),
-        };
-        Built { model, fit }
+        }
     }
 }

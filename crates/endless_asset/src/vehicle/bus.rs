@@ -1,14 +1,14 @@
-//! City bus and coach.
+//! Buses: city, midi, double-decker, coach, school.
 
-use super::VehicleSpec;
-use super::assemble::{Assembly, Built};
-use super::car::{open_arch, plate};
+use super::assemble::{Assembly, Plan, Size};
+use super::car::{CarShape, Grille, open_arch, plate};
+use super::draw::Draw;
 use super::paint;
 use super::shell::{Arch, Cabin, Ring, Shell};
 use super::wheel::{Rim, wheel};
 use crate::shape::{Curve, Region, Sculpt, rounded};
 use crate::{Material, Surface};
-use endless_world::{ClassTag, ObjectClass};
+use endless_world::ClassTag;
 use glam::Vec3;
 
 struct BusShape {
@@ -21,43 +21,157 @@ struct BusShape {
     wheel_radius: f32,
     /// Lower and upper edge of the side windows.
     glass_z: [f32; 2],
+    /// The same of the upper deck.
+    upper_glass_z: Option<[f32; 2]>,
     pane: f32,
     /// Doors on the right side: distance from the front and width.
     doors: Vec<(f32, f32)>,
     /// How far the roof's front lies behind the bumper.
     rake: f32,
     coach: bool,
+    white_roof: bool,
 }
 
-/// City bus and coach.
-pub(crate) fn all() -> Vec<Built> {
-    let city = BusShape {
-        length: 12.0,
-        height: 2.98,
+/// A low-floor city bus of twelve metres.
+pub(crate) fn city(draw: &Draw) -> Plan {
+    let length = draw.range("length", 11.7, 12.2);
+    let shape = BusShape {
+        length,
+        height: draw.range("height", 2.92, 3.05),
         half_width: 1.275,
         floor: 0.30,
-        axles_d: [2.70, 8.65],
+        axles_d: [2.70, 2.70 + 0.495 * length],
         wheel_radius: 0.48,
-        glass_z: [1.10, 2.30],
-        pane: 1.42,
-        doors: vec![(0.55, 1.25), (5.6, 1.35), (9.6, 1.25)],
-        rake: 0.16,
+        glass_z: [draw.range("glass foot", 0.98, 1.16), draw.range("glass top", 2.25, 2.36)],
+        upper_glass_z: None,
+        pane: draw.range("pane", 1.25, 1.6),
+        doors: if draw.chance("two doors", 0.35) {
+            vec![(0.55, 1.25), (5.9, 1.35)]
+        } else {
+            vec![(0.55, 1.25), (5.6, 1.35), (9.4, 1.25)]
+        },
+        rake: draw.range("rake", 0.10, 0.24),
         coach: false,
+        white_roof: draw.chance("white roof", 0.6),
     };
-    let coach = BusShape {
-        length: 12.4,
-        height: 3.52,
+    shape.plan()
+}
+
+/// Nine metres, for narrow streets.
+pub(crate) fn midi(draw: &Draw) -> Plan {
+    let length = draw.range("length", 8.3, 8.75);
+    let shape = BusShape {
+        length,
+        height: draw.range("height", 2.80, 2.95),
+        half_width: draw.range("half width", 1.16, 1.22),
+        floor: 0.30,
+        axles_d: [2.25, 2.25 + 0.47 * length],
+        wheel_radius: 0.42,
+        glass_z: [draw.range("glass foot", 1.0, 1.15), draw.range("glass top", 2.15, 2.25)],
+        upper_glass_z: None,
+        pane: draw.range("pane", 1.15, 1.5),
+        doors: vec![(0.50, 1.15), (4.1, 1.25)],
+        rake: draw.range("rake", 0.14, 0.30),
+        coach: false,
+        white_roof: draw.chance("white roof", 0.5),
+    };
+    shape.plan()
+}
+
+/// Two decks.
+pub(crate) fn double_decker(draw: &Draw) -> Plan {
+    let length = draw.range("length", 10.6, 11.1);
+    let height = draw.range("height", 4.18, 4.35);
+    let shape = BusShape {
+        length,
+        height,
+        half_width: 1.265,
+        floor: 0.30,
+        axles_d: [2.62, 2.62 + 0.49 * length],
+        wheel_radius: 0.48,
+        glass_z: [1.05, 1.98],
+        upper_glass_z: Some([height - 1.46, height - 0.52]),
+        pane: draw.range("pane", 1.25, 1.5),
+        doors: vec![(0.55, 1.25), (4.9, 1.25)],
+        rake: draw.range("rake", 0.16, 0.26),
+        coach: false,
+        white_roof: draw.chance("white roof", 0.4),
+    };
+    shape.plan()
+}
+
+/// For long journeys: luggage below, passengers high up.
+pub(crate) fn coach(draw: &Draw) -> Plan {
+    let length = draw.range("length", 11.9, 12.4);
+    let height = draw.range("height", 3.38, 3.58);
+    let shape = BusShape {
+        length,
+        height,
         half_width: 1.275,
         floor: 0.34,
-        axles_d: [2.75, 8.95],
+        axles_d: [2.75, 2.75 + 0.495 * length],
         wheel_radius: 0.51,
-        glass_z: [1.72, 2.92],
-        pane: 1.75,
+        glass_z: [height - 1.80, height - 0.60],
+        upper_glass_z: None,
+        pane: draw.range("pane", 1.6, 1.95),
         doors: vec![(0.60, 0.95)],
-        rake: 0.42,
+        rake: draw.range("rake", 0.30, 0.50),
         coach: true,
+        white_roof: false,
     };
-    vec![city.build("bus.city", 2.2, 11.5), coach.build("bus.coach", 0.8, 12.5)]
+    shape.plan()
+}
+
+/// A yellow school bus with a bonnet.
+pub(crate) fn school(draw: &Draw) -> Plan {
+    let length = draw.range("length", 8.6, 9.2);
+    let end = length - 0.12;
+    let windows = ((end - 2.9) / 0.78) as usize;
+    let shape = CarShape {
+        length,
+        half_width: 1.2,
+        clearance: 0.42,
+        wheelbase: 0.475 * length,
+        front_axle_d: 0.98,
+        wheel_radius: 0.46,
+        tyre_width: 0.27,
+        rim: Rim::Steel,
+        deck: vec![(0.10, 1.38), (0.40, 1.48), (1.0, 1.56), (1.62, 1.62), (end, 1.66), (length, 1.64)],
+        belt: vec![(0.05, 1.34), (0.40, 1.45), (1.62, 1.56), (3.0, 1.58), (length - 0.02, 1.58)],
+        roof: vec![(1.85, 2.72), (2.2, 2.92), (2.9, 2.98), (length - 1.0, 2.98), (end, 2.92)],
+        cabin_d: [1.62, 1.86, end, length - 0.05],
+        tumblehome: 0.10,
+        bow: [0.10, 0.05],
+        corner: [0.24, 0.18],
+        rake: [0.08, 0.0],
+        pillars_d: (0..windows).map(|i| 2.85 + 0.78 * i as f32).collect(),
+        glass_end_d: [end - 0.12, end - 0.14],
+        doors_d: vec![1.95, 2.80],
+        cladding: false,
+        rails: false,
+        upright_lamps: true,
+        rear_window: true,
+        tail_lamp_z: [1.05, 1.35],
+        head_lamp_z: [1.0, 1.2],
+        grille: Grille::Bars,
+    };
+    let mut plan = shape.clone().plan();
+    plan.size.height += 0.01;
+    plan.with(move |a| {
+        // Rub rails, and the lamps that warn when children get on and off.
+        for z in [0.78, 1.06, 1.42] {
+            a.body.repaint_both(&shape.panel(2.7, length - 0.15, z, z + 0.07), paint::BODY, paint::TRIM);
+        }
+        let top = shape.height();
+        for (x, out) in [(shape.x(2.12), 1.0), (shape.x(length - 0.06), -1.0)] {
+            for y in [-0.62f32, -0.36, 0.36, 0.62] {
+                let color = if y.abs() > 0.5 { paint::RED_LIGHT } else { paint::AMBER_LIGHT };
+                let at = Vec3::new(x, y, top - 0.16);
+                let half = Vec3::new(0.05, 0.09, 0.09);
+                a.body.add(Sculpt::cuboid(at - half + Vec3::X * 0.02 * out, at + half, 0.03, color));
+            }
+        }
+    })
 }
 
 fn rect(a0: f32, a1: f32, b0: f32, b1: f32) -> [(f32, f32); 4] {
@@ -107,12 +221,26 @@ impl BusShape {
         }
     }
 
-    fn build(&self, name: &'static str, frequency: f64, cruise_mps: f32) -> Built {
+    fn plan(self) -> Plan {
+        let size = Size {
+            // Mirrors reach ahead of the front.
+            front: self.x(0.02 + 0.5 * self.rake) + 0.26,
+            rear: self.x(self.length) - 0.006,
+            width: 2.0 * self.half_width,
+            height: self.height + 0.19,
+            axles: self.axles_d.map(|d| self.x(d)),
+            wheel_radius: self.wheel_radius,
+        };
+        Plan::new(size, move || self.build())
+    }
+
+    fn build(&self) -> Assembly {
         let shell = self.shell();
         let mut body = shell.sculpt(paint::BODY);
         body.paint(&Region::all().facing(-Vec3::Z, 0.5).within(Vec3::Z, self.floor + 0.3), paint::DARK);
-        if !self.coach {
-            body.paint(&Region::all().beyond(Vec3::Z, self.glass_z[1] + 0.28), paint::WHITE);
+        if self.white_roof {
+            let edge = self.upper_glass_z.unwrap_or(self.glass_z)[1] + 0.28;
+            body.paint(&Region::all().beyond(Vec3::Z, edge), paint::WHITE);
         }
         self.sides(&mut body);
         self.front(&mut body);
@@ -121,20 +249,18 @@ impl BusShape {
         for arch in &shell.arches {
             open_arch(&mut body, arch, self.half_width, true);
         }
-        let spec =
-            VehicleSpec { cruise_mps, acceleration_mps2: 1.1, frequency, ..VehicleSpec::blank(name, ObjectClass::Bus) };
         let wheel_mesh = wheel(self.wheel_radius, 0.29, 0.62, Rim::Steel, paint::STEEL);
-        let mut assembly = Assembly::new(spec, body, wheel_mesh, self.wheel_radius);
+        let mut assembly = Assembly::new(body, wheel_mesh, self.wheel_radius);
         for (i, d) in self.axles_d.iter().enumerate() {
             assembly.axle(self.x(*d), self.half_width - 0.16, i == 0);
         }
         let lamp = Vec3::new(self.x(0.12), self.half_width - 0.32, 0.78);
         assembly.headlights = vec![lamp, Vec3::new(lamp.x, -lamp.y, lamp.z)];
-        assembly.finish(2.0 * self.half_width)
+        assembly
     }
 
-    fn sides(&self, body: &mut Sculpt) {
-        let [z0, z1] = self.glass_z;
+    /// A row of side windows in a dark band.
+    fn panes(&self, body: &mut Sculpt, [z0, z1]: [f32; 2]) {
         let side = |polygon: &[(f32, f32)], r: f32| {
             Region::side(&rounded(polygon, r)).facing(Vec3::Y, 0.6).beyond(Vec3::Y, 0.7 * self.half_width)
         };
@@ -150,6 +276,17 @@ impl BusShape {
                 body.paint_both(&side(&rect(x - pane + 0.04, x - 0.04, slit, slit + 0.025), 0.0), paint::TRIM);
             }
         }
+    }
+
+    fn sides(&self, body: &mut Sculpt) {
+        for glass_z in std::iter::once(self.glass_z).chain(self.upper_glass_z) {
+            self.panes(body, glass_z);
+        }
+        let [z0, z1] = self.glass_z;
+        let side = |polygon: &[(f32, f32)], r: f32| {
+            Region::side(&rounded(polygon, r)).facing(Vec3::Y, 0.6).beyond(Vec3::Y, 0.7 * self.half_width)
+        };
+        let (front, rear) = (self.x(0.55 + self.rake), self.x(self.length - 0.30));
         // A stripe in the livery, panel seams, skirt line.
         let stripe = if self.coach { 1.18 } else { 0.86 };
         body.paint_both(&side(&rect(rear - 0.1, front, stripe, stripe + 0.11), 0.0), paint::WHITE);
@@ -191,7 +328,12 @@ impl BusShape {
         let front = |polygon: &[(f32, f32)], r: f32| {
             Region::end(&rounded(polygon, r)).facing(Vec3::X, 0.25).beyond(Vec3::X, self.x(1.0))
         };
-        let top = self.height - 0.18;
+        let top = self.upper_glass_z.map_or(self.height - 0.18, |z| z[0] - 0.06);
+        if let Some([z0, z1]) = self.upper_glass_z {
+            body.paint(&front(&rect(-w + 0.05, w - 0.05, z0 - 0.03, z1 + 0.12), 0.12), paint::TRIM);
+            body.paint(&front(&rect(-w + 0.09, w - 0.09, z0, z1 + 0.09), 0.11), paint::GLASS);
+            body.paint(&front(&rect(-0.02, 0.02, z0, z1 + 0.09), 0.0), paint::TRIM);
+        }
         let low = if self.coach { 1.28 } else { 0.98 };
         body.paint(&front(&rect(-w + 0.03, w - 0.03, low, top), 0.10), paint::TRIM);
         body.paint(&front(&rect(-w + 0.09, w - 0.09, low + 0.05, top - 0.34), 0.10), paint::GLASS);
@@ -249,6 +391,9 @@ impl BusShape {
         let [z0, z1] = self.glass_z;
         body.paint(&rear(&rect(-w + 0.16, w - 0.16, z0 + 0.25, z1 + 0.05), 0.10), paint::TRIM);
         body.paint(&rear(&rect(-w + 0.20, w - 0.20, z0 + 0.29, z1 + 0.01), 0.10), paint::GLASS);
+        if let Some([z0, z1]) = self.upper_glass_z {
+            body.paint(&rear(&rect(-w + 0.2, w - 0.2, z0, z1), 0.10), paint::GLASS);
+        }
         for i in 0..7 {
             let z = f + 0.42 + 0.07 * i as f32;
             body.paint(&rear(&rect(-0.75, 0.75, z, z + 0.035), 0.0), paint::DARK);
@@ -271,9 +416,9 @@ impl BusShape {
         let unit = |d0: f32, d1: f32, half: f32, h: f32| {
             Sculpt::cuboid(Vec3::new(self.x(d1), -half, z), Vec3::new(self.x(d0), half, z + h), 0.07, paint::WHITE)
         };
-        body.add(unit(3.6, 6.0, 0.78, 0.22));
+        body.add(unit(0.3 * self.length, 0.5 * self.length, 0.78, 0.22));
         body.add(unit(self.length - 2.6, self.length - 1.0, 0.70, 0.16));
-        for d in [2.0, 7.4] {
+        for d in [2.0, 0.62 * self.length] {
             body.add(Sculpt::cuboid(
                 Vec3::new(self.x(d + 0.7), -0.35, z),
                 Vec3::new(self.x(d), 0.35, z + 0.07),

@@ -4,34 +4,42 @@ mod assemble;
 mod bus;
 mod car;
 mod cars;
-mod cycle;
-mod motorcycle;
+mod design;
+mod draw;
+mod emergency;
+mod fire;
+mod heavy;
+mod lorry;
 mod paint;
 mod shell;
 mod tint;
 mod truck;
+mod two;
 mod van;
 mod wheel;
 
-pub(crate) use assemble::{Built, RiderFit};
-pub(crate) use tint::tint;
+pub(crate) use assemble::RiderFit;
 
 use crate::Mesh;
+use assemble::Parts;
+use design::{DESIGNS, Design};
+use draw::Draw;
 use endless_world::ObjectClass;
 use glam::Vec3;
+use std::sync::{Arc, OnceLock};
 
 /// What traffic needs to know of a vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VehicleSpec {
-    /// Unique, e.g. `car.hatchback`.
+    /// Name of the design, e.g. `car.hatchback`; vehicles of one design differ in size and equipment.
     pub name: &'static str,
     /// Class of the vehicle itself (the rider of a two-wheeler is an object of its own).
     pub class: ObjectClass,
-    /// Bumper to bumper, metres; equals the mesh's bounds.
+    /// Foremost to rearmost point, metres; equals the mesh's bounds.
     pub length_m: f32,
     /// Without mirrors, metres.
     pub width_m: f32,
-    /// Metres.
+    /// Metres; equals the mesh's bounds.
     pub height_m: f32,
     /// x of the front axle in the object frame, metres.
     pub front_axle_m: f32,
@@ -62,49 +70,141 @@ pub struct Wheel {
     pub mirrored: bool,
 }
 
-/// One model of the catalogue.
-#[derive(Debug, Clone, PartialEq)]
+/// One vehicle of the catalogue: a draw from the ranges of its design. Its measures are known at once; its meshes are
+/// made when they are first asked for.
+#[derive(Clone)]
 pub struct VehicleModel {
     /// Sizes and habits.
     pub spec: VehicleSpec,
-    /// Everything but wheels and rider. [`crate::Surface::CarPaint`] is tinted per variant.
-    pub body: Mesh,
-    /// Wheels, all with `wheel_mesh`.
-    pub wheels: Vec<Wheel>,
-    /// Axis along y, centre at the origin, outer side towards +y.
-    pub wheel_mesh: Mesh,
-    /// Centres of the headlights' lenses in the object frame (one for two-wheelers, none for bicycles).
-    pub headlights: Vec<Vec3>,
+    design: &'static Design,
+    draw: Draw,
+    parts: OnceLock<Arc<Parts>>,
 }
 
-impl VehicleSpec {
-    /// A spec without measures, which assembling the vehicle fills in.
-    pub(crate) fn blank(name: &'static str, class: ObjectClass) -> Self {
-        Self {
-            name,
-            class,
-            length_m: 0.0,
-            width_m: 0.0,
-            height_m: 0.0,
-            front_axle_m: 0.0,
-            rear_axle_m: 0.0,
-            wheel_radius_m: 0.0,
-            cruise_mps: 13.0,
-            acceleration_mps2: 1.5,
-            frequency: 1.0,
-            parks: false,
-            ridden: false,
+impl VehicleModel {
+    fn new(design: &'static Design, index: u64, frequency: f64) -> Self {
+        let draw = Draw::new(design.name, index);
+        let size = (design.plan)(&draw).size;
+        let [front, rear] = size.axles.map(|x| x - size.middle());
+        let spec = VehicleSpec {
+            name: design.name,
+            class: design.class,
+            length_m: size.front - size.rear,
+            width_m: size.width,
+            height_m: size.height,
+            front_axle_m: front,
+            rear_axle_m: rear,
+            wheel_radius_m: size.wheel_radius,
+            cruise_mps: design.cruise_mps,
+            acceleration_mps2: design.acceleration_mps2,
+            frequency,
+            parks: design.parks,
+            ridden: matches!(design.class, ObjectClass::Motorcycle | ObjectClass::Bicycle),
+        };
+        Self { spec, design, draw, parts: OnceLock::new() }
+    }
+
+    fn parts(&self) -> &Parts {
+        self.parts.get_or_init(|| Arc::new((self.design.plan)(&self.draw).finish()))
+    }
+
+    /// Everything but wheels and rider. [`crate::Surface::CarPaint`] is tinted per variant.
+    pub fn body(&self) -> &Mesh {
+        &self.parts().body
+    }
+
+    /// Wheels, all with [`Self::wheel_mesh`].
+    pub fn wheels(&self) -> &[Wheel] {
+        &self.parts().wheels
+    }
+
+    /// Axis along y, centre at the origin, outer side towards +y.
+    pub fn wheel_mesh(&self) -> &Mesh {
+        &self.parts().wheel_mesh
+    }
+
+    /// Centres of the headlights' lenses in the object frame (one for two-wheelers, none for bicycles).
+    pub fn headlights(&self) -> &[Vec3] {
+        &self.parts().headlights
+    }
+
+    /// Body and wheels as one mesh, standing still.
+    pub fn whole(&self) -> Mesh {
+        let parts = self.parts();
+        let mut mesh = parts.body.clone();
+        for wheel in &parts.wheels {
+            let flip = Vec3::new(1.0, if wheel.mirrored { -1.0 } else { 1.0 }, 1.0);
+            let place = glam::Affine3A::from_scale_rotation_translation(flip, glam::Quat::IDENTITY, wheel.position);
+            mesh.append(&parts.wheel_mesh, place);
         }
+        mesh
+    }
+
+    pub(crate) fn fit(&self) -> Option<&RiderFit> {
+        if self.spec.ridden { self.parts().fit.as_ref() } else { None }
+    }
+
+    /// Linear paint colour of a variant, distributed as on real roads.
+    pub(crate) fn tint(&self, variant: u64) -> [f32; 3] {
+        tint::tint(self.design.paints, variant)
     }
 }
 
-/// All models of the catalogue.
-pub(crate) fn all() -> Vec<Built> {
-    let mut all = cars::all();
-    all.extend(van::all());
-    all.extend(truck::all());
-    all.extend(bus::all());
-    all.extend(motorcycle::all());
-    all.extend(cycle::all());
-    all
+impl std::fmt::Debug for VehicleModel {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("VehicleModel").field("spec", &self.spec).finish_non_exhaustive()
+    }
+}
+
+/// A design of the catalogue and the sizes that its draws have, metres, smallest and largest.
+#[derive(Debug, Clone, PartialEq)]
+pub struct VehicleKind {
+    /// Unique, e.g. `car.hatchback`.
+    pub name: &'static str,
+    /// Class of the vehicle itself.
+    pub class: ObjectClass,
+    /// Foremost to rearmost point.
+    pub length_m: [f32; 2],
+    /// Without mirrors.
+    pub width_m: [f32; 2],
+    /// Height.
+    pub height_m: [f32; 2],
+}
+
+/// The designs, from small to large within each class.
+pub(crate) fn kinds() -> Vec<VehicleKind> {
+    /// Draws looked at.
+    const DRAWS: u64 = 256;
+    let span = |values: &[f32]| {
+        let wider = |[low, high]: [f32; 2], &v: &f32| [low.min(v), high.max(v)];
+        values.iter().fold([f32::INFINITY, f32::NEG_INFINITY], wider)
+    };
+    DESIGNS
+        .iter()
+        .map(|design| {
+            let sizes = || (0..DRAWS).map(|i| (design.plan)(&Draw::new(design.name, i)).size);
+            VehicleKind {
+                name: design.name,
+                class: design.class,
+                length_m: span(&sizes().map(|s| s.front - s.rear).collect::<Vec<_>>()),
+                width_m: span(&sizes().map(|s| s.width).collect::<Vec<_>>()),
+                height_m: span(&sizes().map(|s| s.height).collect::<Vec<_>>()),
+            }
+        })
+        .collect()
+}
+
+/// Draw number `index` of the design of a name.
+pub(crate) fn drawn(name: &str, index: u64) -> Option<VehicleModel> {
+    let design = DESIGNS.iter().find(|d| d.name == name)?;
+    Some(VehicleModel::new(design, index, design.frequency))
+}
+
+/// The vehicles of the catalogue: the first draws of each design, which share its frequency.
+pub(crate) fn all() -> Vec<VehicleModel> {
+    let draws = |d: &'static Design| {
+        let each = d.frequency / f64::from(d.draws);
+        (0..u64::from(d.draws)).map(move |i| VehicleModel::new(d, i, each))
+    };
+    DESIGNS.iter().flat_map(draws).collect()
 }

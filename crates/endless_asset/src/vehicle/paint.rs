@@ -35,3 +35,16 @@ pub(crate) const BRAKE_LIGHT: Material = of(Surface::VehicleLight(LightSlot::Bra
 pub(crate) const REVERSE: Material = of(Surface::VehicleLight(LightSlot::Reverse), [0.7, 0.7, 0.7]);
 pub(crate) const LEFT: Material = of(Surface::VehicleLight(LightSlot::IndicatorLeft), [0.85, 0.30, 0.02]);
 pub(crate) const RIGHT: Material = of(Surface::VehicleLight(LightSlot::IndicatorRight), [0.85, 0.30, 0.02]);
+pub(crate) const BLUE_LIGHT: Material = of(Surface::LitSign, [0.015, 0.07, 0.62]);
+pub(crate) const RED_LIGHT: Material = of(Surface::LitSign, [0.60, 0.015, 0.012]);
+pub(crate) const AMBER_LIGHT: Material = of(Surface::LitSign, [0.80, 0.34, 0.01]);
+/// Colours of liveries.
+pub(crate) const BLUE: Material = of(Surface::Plate, [0.012, 0.055, 0.30]);
+pub(crate) const RED: Material = of(Surface::Plate, [0.48, 0.015, 0.012]);
+pub(crate) const LIME: Material = of(Surface::Plate, [0.52, 0.62, 0.03]);
+pub(crate) const YELLOW: Material = of(Surface::Plate, [0.72, 0.50, 0.02]);
+pub(crate) const BRIGHT_STEEL: Material = of(Surface::Metal, [0.55, 0.56, 0.57]);
+pub(crate) const WOOD: Material = of(Surface::Painted, [0.23, 0.16, 0.09]);
+pub(crate) const CARTON: Material = of(Surface::Painted, [0.34, 0.24, 0.14]);
+pub(crate) const PIPE: Material = of(Surface::Plastic, [0.55, 0.22, 0.06]);
+pub(crate) const TEAL: Material = of(Surface::Plate, [0.01, 0.42, 0.36]);

@@ -1,226 +1,85 @@
-//! Lorries: a cab over the front axle, a chassis, and what it carries.
+//! What lorries carry.
 
-use super::VehicleSpec;
-use super::assemble::{Assembly, Built};
-use super::car::{open_arch, plate};
+use super::assemble::Plan;
+use super::draw::Draw;
+use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
-use super::shell::{Arch, Cabin, Ring, Shell};
-use super::wheel::{Rim, wheel};
-use crate::shape::{Curve, Region, Sculpt, rounded};
+use crate::shape::{Region, Sculpt};
 use crate::{Material, Surface};
-use endless_world::{ClassTag, ObjectClass, Stream};
+use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
 
-const HALF_WIDTH: f32 = 1.15;
-const WHEEL: f32 = 0.44;
-const AXLE_D: f32 = 1.15;
-const CAB_LENGTH: f32 = 1.95;
-const CAB_TOP: f32 = 2.58;
-const FLOOR: f32 = 0.48;
-const BELT: f32 = 1.55;
-/// Top of the chassis.
-const FRAME_Z: f32 = 0.98;
+const W: f32 = BODY_HALF_WIDTH;
 
-/// Box lorry and tipper.
-pub(crate) fn all() -> Vec<Built> {
-    vec![box_truck(), tipper()]
+fn side(polygon: &[(f32, f32)]) -> Region {
+    Region::side(&polygon.iter().map(|&p| Vec2::from(p)).collect::<Vec<_>>()).facing(Vec3::Y, 0.9)
 }
 
-fn rect(a0: f32, a1: f32, b0: f32, b1: f32) -> [(f32, f32); 4] {
-    [(a0, b0), (a1, b0), (a1, b1), (a0, b1)]
+fn back(polygon: &[(f32, f32)]) -> Region {
+    Region::end(&polygon.iter().map(|&p| Vec2::from(p)).collect::<Vec<_>>()).facing(-Vec3::X, 0.9)
 }
 
-/// The cab, its front at x = 0.
-fn cab() -> Sculpt {
-    let outline = Ring {
-        front: 0.0,
-        rear: -CAB_LENGTH,
-        half_width: HALF_WIDTH,
-        bow: [0.10, 0.0],
-        corner: [0.22, 0.06],
-        taper: [0.02, 0.0],
-    };
-    let flat = |z: f32| Curve::new(&[(-9.0, z), (9.0, z)]);
-    let arch = Arch { x: -AXLE_D, z: WHEEL, radius: WHEEL + 0.10, flare: 0.015 };
-    let shell = Shell {
-        outline,
-        section: vec![
-            (0.0, 0.08, 0.10, 0.0),
-            (0.04, 0.02, 0.02, 0.0),
-            (0.2, 0.0, 0.0, 0.0),
-            (0.42, 0.0, 0.0, 0.0),
-            (0.48, 0.0, 0.03, 0.0),
-            (0.8, 0.0, 0.05, 0.0),
-            (1.0, 0.01, 0.07, 0.0),
-        ],
-        sill: flat(FLOOR),
-        belt: flat(BELT),
-        deck: flat(BELT),
-        cabin: Cabin {
-            foot: outline.inset(0.015, 0.075, 0.0),
-            top: outline.inset(0.10, 0.30, 0.06),
-            roof: Curve::new(&[(-CAB_LENGTH, CAB_TOP), (-0.9, CAB_TOP), (-0.2, CAB_TOP - 0.10)]),
-            edge_drop: 0.10,
-            bulge: 0.01,
-        },
-        arches: vec![arch],
-    };
-    let mut body = shell.sculpt(paint::BODY);
-    let w = HALF_WIDTH;
-    let front =
-        |polygon: &[(f32, f32)], r: f32| Region::end(&rounded(polygon, r)).facing(Vec3::X, 0.25).beyond(Vec3::X, -0.6);
-    let side =
-        |polygon: &[(f32, f32)], r: f32| Region::side(&rounded(polygon, r)).facing(Vec3::Y, 0.5).beyond(Vec3::Y, 0.6);
-    body.paint(&Region::all().facing(-Vec3::Z, 0.5).within(Vec3::Z, 0.8), paint::DARK);
-    body.paint(
-        &front(&[(-w + 0.05, BELT), (w - 0.05, BELT), (w - 0.14, CAB_TOP - 0.22), (-w + 0.14, CAB_TOP - 0.22)], 0.10),
-        paint::TRIM,
-    );
-    body.paint(
-        &front(
-            &[
-                (-w + 0.10, BELT + 0.05),
-                (w - 0.10, BELT + 0.05),
-                (w - 0.19, CAB_TOP - 0.26),
-                (-w + 0.19, CAB_TOP - 0.26),
-            ],
-            0.10,
-        ),
-        paint::GLASS,
-    );
-    let window = [(-1.22, BELT + 0.05), (-0.42, BELT - 0.10), (-0.55, CAB_TOP - 0.30), (-1.22, CAB_TOP - 0.28)];
-    body.paint_both(&side(&window, 0.08), paint::TRIM);
-    let pane = [(-1.19, BELT + 0.08), (-0.46, BELT - 0.06), (-0.58, CAB_TOP - 0.33), (-1.19, CAB_TOP - 0.31)];
-    body.paint_both(&side(&pane, 0.08), paint::GLASS);
-    for x in [-1.34, -0.33] {
-        body.paint_both(&side(&rect(x, x + 0.013, FLOOR + 0.3, CAB_TOP - 0.2), 0.0), paint::DARK);
-    }
-    body.add(
-        Sculpt::ellipsoid(Vec3::new(-1.2, w + 0.003, BELT - 0.22), Vec3::new(0.09, 0.022, 0.018), 10, paint::TRIM)
-            .both_sides(),
-    );
-    // Grille in bars, bumper, lamps.
-    for i in 0..4 {
-        let z = 1.02 + 0.095 * i as f32;
-        body.paint(&front(&rect(-0.72, 0.72, z, z + 0.06), 0.02), paint::DARK);
-    }
-    body.paint(&front(&rect(-w, w, FLOOR, 0.72), 0.0), paint::TRIM);
-    body.paint(&side(&rect(-0.6, 0.1, FLOOR, 0.72), 0.0), paint::TRIM);
-    body.paint_both(&front(&rect(w - 0.48, w - 0.06, 0.74, 0.96), 0.04), paint::DARK);
-    body.paint_both(&front(&rect(w - 0.46, w - 0.20, 0.76, 0.94), 0.04), paint::HEAD);
-    body.paint(&front(&rect(w - 0.18, w - 0.08, 0.77, 0.93), 0.02), paint::LEFT);
-    body.paint(&front(&rect(w - 0.18, w - 0.08, 0.77, 0.93), 0.02).mirrored(), paint::RIGHT);
-    open_arch(&mut body, &arch, HALF_WIDTH, true);
-    plate(&mut body, Vec3::new(0.005, 0.0, 0.60), 1.0);
-    let mirror = [
-        (Vec3::new(-0.35, w - 0.04, 2.25), 0.016),
-        (Vec3::new(-0.22, w + 0.14, 2.25), 0.016),
-        (Vec3::new(-0.22, w + 0.14, 1.6), 0.016),
-    ];
-    body.add(Sculpt::tube(&mirror, 6, paint::TRIM).both_sides());
-    body.add(
-        Sculpt::cuboid(Vec3::new(-0.26, w + 0.05, 1.72), Vec3::new(-0.18, w + 0.24, 2.16), 0.025, paint::TRIM)
-            .both_sides(),
-    );
-    for y in [-0.5, 0.3] {
-        body.add(Sculpt::tube(
-            &[(Vec3::new(-0.03, y, BELT + 0.03), 0.011), (Vec3::new(-0.10, y + 0.55, BELT + 0.2), 0.008)],
-            5,
-            paint::DARK,
-        ));
-    }
-    body
+fn block(low: Vec3, high: Vec3, material: Material) -> Sculpt {
+    Sculpt::cuboid(low, high, 0.0, material)
 }
 
-/// Frame rails, tank, guards and the lamp bar; front at x = 0.
-fn chassis(length: f32, rear_axle_d: f32) -> Sculpt {
-    let mut s = Sculpt::new();
-    let rear = -length;
-    s.add(
-        Sculpt::cuboid(Vec3::new(rear + 0.1, 0.32, 0.72), Vec3::new(-0.6, 0.42, FRAME_Z), 0.0, paint::CHASSIS)
-            .both_sides(),
+const fn v(x: f32, y: f32, z: f32) -> Vec3 {
+    Vec3::new(x, y, z)
+}
+
+/// A lorry of a length whose rear axle lies where its load asks for it.
+fn two_axles(length: f32, cab: Cab, height: f32) -> Lorry {
+    Lorry { length, cab, rear_axles_d: vec![0.725 * length], height }
+}
+
+/// A box of 12 tons.
+pub(crate) fn box_truck(draw: &Draw) -> Plan {
+    boxed(draw, draw.range("length", 6.9, 7.9), draw.range("height", 3.15, 3.55))
+        .scaled(draw.range("scale", 0.98, 1.03))
+}
+
+/// A box of 3.5 to 7.5 tons, for parcels and removals.
+pub(crate) fn small_box(draw: &Draw) -> Plan {
+    boxed(draw, draw.range("length", 6.7, 7.4), draw.range("height", 3.3, 3.6)).scaled(draw.range("scale", 0.82, 0.87))
+}
+
+fn boxed(draw: &Draw, length: f32, top: f32) -> Plan {
+    let curtain = draw.chance("curtain sides", 0.35);
+    let refrigerated = draw.chance("refrigerated", 0.3);
+    two_axles(length, Cab::Day, top).plan(move |lorry| {
+        let (length, x1) = (lorry.length, lorry.body_front() + 0.01);
+        let (z0, z1, w) = (FRAME_Z + 0.10, top, W);
+        let mut cargo = closed_box(length, x1, z0, z1, curtain);
+        if refrigerated {
+            let (low, high) = (v(x1 - 0.02, -0.75, z1 - 0.75), v(x1 + 0.32, 0.75, z1 - 0.12));
+            cargo.add(Sculpt::cuboid(low, high, 0.06, paint::WHITE));
+            cargo.add(block(v(x1 + 0.31, -0.5, z1 - 0.55), v(x1 + 0.33, 0.5, z1 - 0.25), paint::DARK));
+        } else {
+            // A deflector over the cab.
+            let slope = [(x1 + 0.02, CAB_TOP - 0.05), (x1 + 1.35, CAB_TOP - 0.02), (x1 + 0.02, z1 - 0.2)];
+            cargo.add(Sculpt::slab(&slope.map(Vec2::from), -0.9 * w, 0.9 * w, 20.0, paint::BODY));
+        }
+        cargo
+    })
+}
+
+/// A box from the rear at -`length` to x1, with aluminium edges, seams, doors with bars, and a livery on its sides.
+fn closed_box(length: f32, x1: f32, z0: f32, z1: f32, curtain: bool) -> Sculpt {
+    let w = W;
+    let mut cargo = Sculpt::cuboid(
+        Vec3::new(-length, -w, z0),
+        Vec3::new(x1, w, z1),
+        0.035,
+        if curtain { paint::BODY } else { paint::CARGO_WHITE },
     );
-    s.add(Sculpt::cuboid(
-        Vec3::new(-AXLE_D - 0.06, -0.9, WHEEL - 0.06),
-        Vec3::new(-AXLE_D + 0.06, 0.9, WHEEL + 0.06),
-        0.0,
-        paint::CHASSIS,
-    ));
-    s.add(Sculpt::cuboid(
-        Vec3::new(-rear_axle_d - 0.08, -0.9, WHEEL - 0.08),
-        Vec3::new(-rear_axle_d + 0.08, 0.9, WHEEL + 0.08),
-        0.0,
-        paint::CHASSIS,
-    ));
-    let tank = -(AXLE_D + 1.5);
-    s.add(Sculpt::cuboid(Vec3::new(tank - 0.85, 0.55, 0.42), Vec3::new(tank, 1.05, 0.90), 0.10, paint::STEEL));
-    s.add(Sculpt::cuboid(Vec3::new(tank - 0.6, -1.05, 0.45), Vec3::new(tank, -0.55, 0.90), 0.04, paint::CHASSIS));
-    // Side guards and mudguards.
-    for z in [0.48, 0.72] {
-        s.add(
-            Sculpt::cuboid(
-                Vec3::new(-rear_axle_d + 0.62, 1.06, z),
-                Vec3::new(tank - 0.95, 1.09, z + 0.10),
-                0.0,
-                paint::STEEL,
-            )
-            .both_sides(),
-        );
-    }
-    for x in [-rear_axle_d - 0.60, -rear_axle_d + 0.58] {
-        s.add(
-            Sculpt::cuboid(Vec3::new(x, 0.60, 0.45), Vec3::new(x + 0.02, 1.12, 0.95), 0.0, paint::RUBBER).both_sides(),
-        );
-    }
-    // Rear bumper bar with lamps.
-    s.add(Sculpt::cuboid(Vec3::new(rear, -1.12, 0.50), Vec3::new(rear + 0.10, 1.12, 0.66), 0.02, paint::CHASSIS));
-    let lamp = |y0: f32, y1: f32, m: Material| {
-        Sculpt::cuboid(Vec3::new(rear - 0.015, y0, 0.70), Vec3::new(rear + 0.05, y1, 0.86), 0.012, m)
-    };
-    s.add(lamp(0.86, 1.10, paint::TAIL).both_sides());
-    s.add(lamp(0.72, 0.85, paint::LEFT));
-    s.add(lamp(0.72, 0.85, paint::RIGHT).mirrored());
-    s.add(lamp(0.60, 0.71, paint::REVERSE).both_sides());
-    plate(&mut s, Vec3::new(rear, 0.0, 0.78), -1.0);
-    s
-}
-
-fn assemble(name: &'static str, frequency: f64, length: f32, rear_axle_d: f32, cargo: Sculpt) -> Built {
-    let mut body = cab();
-    body.add(chassis(length, rear_axle_d));
-    body.add(cargo);
-    let spec = VehicleSpec {
-        cruise_mps: 11.0,
-        acceleration_mps2: 1.0,
-        frequency,
-        parks: false,
-        ..VehicleSpec::blank(name, ObjectClass::Truck)
-    };
-    let mut assembly = Assembly::new(spec, body, wheel(WHEEL, 0.27, 0.60, Rim::Steel, paint::STEEL), WHEEL);
-    assembly.axle(-AXLE_D, 0.98, true);
-    // Twin tyres behind.
-    assembly.axle(-rear_axle_d, 0.98, false);
-    assembly.axle(-rear_axle_d, 0.68, false);
-    let lamp = Vec3::new(-0.08, HALF_WIDTH - 0.33, 0.85);
-    assembly.headlights = vec![lamp, Vec3::new(lamp.x, -lamp.y, lamp.z)];
-    assembly.finish(2.0 * 1.2)
-}
-
-fn box_truck() -> Built {
-    let (length, x1) = (7.4, -CAB_LENGTH - 0.12);
-    let (z0, z1, w) = (FRAME_Z + 0.10, 3.35, 1.2);
-    let mut cargo = Sculpt::cuboid(Vec3::new(-length, -w, z0), Vec3::new(x1, w, z1), 0.035, paint::CARGO_WHITE);
     // Aluminium edges, panel seams, rear doors with bars, and a livery block on the sides.
     for (a, b) in [(z0, z0 + 0.12), (z1 - 0.09, z1)] {
         cargo.paint(&Region::all().beyond(Vec3::Z, a).within(Vec3::Z, b).facing(Vec3::Y, 0.3), paint::STEEL);
         cargo.paint(&Region::all().beyond(Vec3::Z, a).within(Vec3::Z, b).facing(-Vec3::Y, 0.3), paint::STEEL);
         cargo.paint(&Region::all().beyond(Vec3::Z, a).within(Vec3::Z, b).facing(-Vec3::X, 0.3), paint::STEEL);
     }
-    let side = |polygon: &[(f32, f32)]| {
-        Region::side(&polygon.iter().map(|&p| Vec2::from(p)).collect::<Vec<_>>()).facing(Vec3::Y, 0.9)
-    };
     let logo = [(-5.6, z0 + 0.75), (-3.7, z0 + 0.75), (-3.4, z0 + 1.55), (-5.3, z0 + 1.55)];
-    cargo.paint_both(&side(&logo), paint::BODY);
+    cargo.paint_both(&side(&logo), if curtain { paint::CARGO_WHITE } else { paint::BODY });
     let stripe = [(-length + 0.3, z0 + 0.32), (x1 - 0.3, z0 + 0.32), (x1 - 0.3, z0 + 0.44), (-length + 0.3, z0 + 0.44)];
     cargo.paint_both(&side(&stripe), paint::BODY);
     let mut x = x1 - 0.6;
@@ -228,9 +87,6 @@ fn box_truck() -> Built {
         cargo.paint_both(&side(&rect(x, x + 0.012, z0 + 0.12, z1 - 0.09)), paint::STEEL);
         x -= 0.6;
     }
-    let back = |polygon: &[(f32, f32)]| {
-        Region::end(&polygon.iter().map(|&p| Vec2::from(p)).collect::<Vec<_>>()).facing(-Vec3::X, 0.9)
-    };
     cargo.paint(&back(&rect(-0.01, 0.01, z0 + 0.1, z1 - 0.1)), paint::DARK);
     for y in [-0.75, -0.28, 0.28, 0.75] {
         cargo.add(Sculpt::tube(
@@ -239,12 +95,21 @@ fn box_truck() -> Built {
             paint::STEEL,
         ));
     }
-    assemble("truck.box", 3.0, length, 5.35, cargo)
+    cargo
 }
 
-fn tipper() -> Built {
-    let (length, x1) = (7.0, -CAB_LENGTH - 0.15);
-    let (x0, z0, z1, w) = (-length + 0.1, FRAME_Z + 0.16, 2.15, 1.2);
+pub(crate) fn tipper(draw: &Draw) -> Plan {
+    let (length, z1) = (draw.range("length", 6.7, 7.3), draw.range("wall", 1.95, 2.25));
+    let seed = (draw.range("load", 0.0, 1e6)) as u64;
+    let loaded = draw.chance("loaded", 0.7);
+    two_axles(length, Cab::Day, CAB_TOP + 0.11)
+        .plan(move |lorry| tipping_body(lorry, z1, loaded, seed))
+        .scaled(draw.range("scale", 0.98, 1.05))
+}
+
+fn tipping_body(lorry: &Lorry, z1: f32, loaded: bool, seed: u64) -> Sculpt {
+    let (length, x1) = (lorry.length, lorry.body_front() - 0.02);
+    let (x0, z0, w) = (-length + 0.1, FRAME_Z + 0.16, W - 0.05);
     let wall = |low: Vec3, high: Vec3| Sculpt::cuboid(low, high, 0.0, paint::BODY);
     let t = 0.07;
     let mut cargo = wall(Vec3::new(x0, -w, z0 - 0.10), Vec3::new(x1, w, z0));
@@ -275,9 +140,16 @@ fn tipper() -> Built {
         0.0,
         paint::BODY,
     ));
-    // A heap of sand.
+    if loaded {
+        cargo.add(heap(x0 + t, x1 - t, w - t, z1, seed));
+    }
+    cargo
+}
+
+/// A heap of sand or earth between walls.
+fn heap(x0: f32, x1: f32, w: f32, z1: f32, seed: u64) -> Sculpt {
     let sand = Material::new(Surface::Gravel, [0.30, 0.23, 0.15], ClassTag::Truck);
-    let mut stream = Stream::named(0, "tipper load", &[]);
+    let mut stream = Stream::named(seed, "tipper load", &[]);
     let (nx, ny) = (14, 8);
     let rows: Vec<Vec<Vec3>> = (0..=ny)
         .map(|j| {
@@ -286,13 +158,12 @@ fn tipper() -> Built {
                     let (u, v) = (i as f32 / nx as f32, j as f32 / ny as f32);
                     let heap = (1.0 - (2.0 * u - 1.0) * (2.0 * u - 1.0)) * (1.0 - (2.0 * v - 1.0) * (2.0 * v - 1.0));
                     let z = z1 - 0.35 + 0.55 * heap + stream.range_f32(-0.025, 0.025);
-                    Vec3::new(x0 + t + u * (x1 - x0 - 2.0 * t), -w + t + v * 2.0 * (w - t), z)
+                    Vec3::new(x0 + u * (x1 - x0), -w + v * 2.0 * w, z)
                 })
                 .collect()
         })
         .collect();
     let mut heap = Sculpt::new();
     heap.grid(&rows, false, sand);
-    cargo.add(heap.smooth(60.0));
-    assemble("truck.tipper", 2.0, length, 5.15, cargo)
+    heap.smooth(60.0)
 }

@@ -4,7 +4,11 @@ use super::{Body, Shape, ambient_occlusion::openness, model::model, static_scene
 use endless_asset::{Catalogue, PersonModel};
 use endless_world::{Actor, AssetRef, Motion};
 use glam::Vec3A;
-use std::{collections::BTreeMap, sync::Arc};
+use rayon::prelude::*;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 /// Models of all actors of a scene.
 pub struct Cast {
@@ -41,6 +45,12 @@ impl Cast {
             riders: BTreeMap::new(),
             tints: BTreeMap::new(),
         };
+        // Meshes are made when they are first asked for: by all threads, once.
+        let models: BTreeSet<u16> =
+            actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_))).map(|a| a.asset.model).collect();
+        models.into_par_iter().filter_map(|m| catalogue.vehicles().get(usize::from(m))).for_each(|entry| {
+            entry.body();
+        });
         for actor in actors {
             match actor.motion {
                 Motion::Vehicle(_) => cast.add_vehicle(catalogue, actor),
@@ -60,7 +70,7 @@ impl Cast {
             for part in [&mut parts.body, &mut parts.wheel] {
                 shade_by_itself(part, low, extent);
             }
-            let lenses = &entry.headlights;
+            let lenses = entry.headlights();
             let headlight = (!lenses.is_empty())
                 .then(|| lenses.iter().map(|&p| Vec3A::from(p)).sum::<Vec3A>() / lenses.len() as f32);
             VehicleCast { parts, extent, headlight, half_length: extent.x }

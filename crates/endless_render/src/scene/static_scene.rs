@@ -7,7 +7,11 @@ use endless_asset::{Catalogue, VehicleModel};
 use endless_town::{Town, What};
 use endless_world::InstanceId;
 use glam::{Affine3A, Mat3A, Vec3A};
-use std::{collections::BTreeMap, sync::Arc};
+use rayon::prelude::*;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
 
 /// A town ready to be traced. Load it once a map.
 pub struct StaticScene {
@@ -36,10 +40,14 @@ impl StaticScene {
                 instances.push(instance);
             }
         }
-        let mut vehicles: BTreeMap<u16, VehicleParts> = BTreeMap::new();
+        let used: BTreeSet<u16> = town.parked.iter().map(|p| p.asset.model).collect();
+        let vehicles: BTreeMap<u16, VehicleParts> = used
+            .into_par_iter()
+            .filter_map(|model| Some((model, VehicleParts::new(catalogue.vehicles().get(usize::from(model))?))))
+            .collect();
         for (i, parked) in town.parked.iter().enumerate() {
             let Some(entry) = catalogue.vehicles().get(usize::from(parked.asset.model)) else { continue };
-            let parts = vehicles.entry(parked.asset.model).or_insert_with(|| VehicleParts::new(entry));
+            let Some(parts) = vehicles.get(&parked.asset.model) else { continue };
             let first = instances.len();
             parts.place(&mut instances, parked.pose.world_from_object(), 0.0, 0.0);
             let tint = Vec3A::from_array(catalogue.vehicle_tint(parked.asset.model, parked.asset.variant));
@@ -72,9 +80,9 @@ pub(crate) struct VehicleParts {
 impl VehicleParts {
     pub(crate) fn new(entry: &VehicleModel) -> Self {
         Self {
-            body: model(&entry.body),
-            wheel: model(&entry.wheel_mesh),
-            wheels: entry.wheels.clone(),
+            body: model(entry.body()),
+            wheel: model(entry.wheel_mesh()),
+            wheels: entry.wheels().to_vec(),
             wheel_radius_m: entry.spec.wheel_radius_m,
         }
     }

@@ -137,8 +137,9 @@ impl Scene<'_> {
             let number = parked.asset.model;
             let Some(model) = self.catalogue.vehicles().get(usize::from(number)) else { continue };
             let tint = self.catalogue.vehicle_tint(number, parked.asset.variant);
-            let parts =
-                models.entry(number).or_insert_with(|| [self.geometry(&model.body), self.geometry(&model.wheel_mesh)]);
+            let parts = models
+                .entry(number)
+                .or_insert_with(|| [self.geometry(model.body()), self.geometry(model.wheel_mesh())]);
             let meshes = *bodies.entry((number, tint.map(f32::to_bits))).or_insert_with(|| {
                 let [body, wheel] = parts;
                 let name = model.spec.name;
@@ -153,7 +154,7 @@ impl Scene<'_> {
     fn vehicle(&mut self, model: &VehicleModel, [body, wheel]: [Option<usize>; 2], place: Affine3A) -> usize {
         let mut parts: Vec<usize> =
             body.into_iter().map(|mesh| self.instance("body", mesh, Affine3A::IDENTITY)).collect();
-        for (at, mesh) in model.wheels.iter().filter_map(|at| Some((at, wheel?))) {
+        for (at, mesh) in model.wheels().iter().filter_map(|at| Some((at, wheel?))) {
             let side = if at.mirrored { Vec3::new(1.0, -1.0, 1.0) } else { Vec3::ONE };
             let place = Affine3A::from_scale_rotation_translation(side, Quat::IDENTITY, at.position);
             parts.push(self.instance("wheel", mesh, place));

@@ -1,0 +1,161 @@
+//! The one list of vehicle designs.
+
+use super::assemble::Plan;
+use super::draw::Draw;
+use super::tint::{self, Paint};
+use super::{bus, cars, emergency, fire, heavy, truck, two, van};
+use endless_world::ObjectClass;
+
+/// What all draws of a design have in common.
+pub(crate) struct Design {
+    /// Unique.
+    pub(crate) name: &'static str,
+    pub(crate) class: ObjectClass,
+    /// Comfortable speed on an empty road, m/s.
+    pub(crate) cruise_mps: f32,
+    /// m/s².
+    pub(crate) acceleration_mps2: f32,
+    /// Relative frequency on the road, of all draws together. Sums by class are those of a city: cars 78, vans 8,
+    /// lorries 5, buses 3, motorcycles 6, bicycles 3.
+    pub(crate) frequency: f64,
+    /// Whether it may stand parked at a kerb.
+    pub(crate) parks: bool,
+    /// How many draws the catalogue holds.
+    pub(crate) draws: u8,
+    pub(crate) paints: &'static [Paint],
+    pub(crate) plan: fn(&Draw) -> Plan,
+}
+
+type PlanOf = fn(&Draw) -> Plan;
+
+const fn car(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+    Design {
+        name,
+        class: ObjectClass::Car,
+        cruise_mps: 13.5,
+        acceleration_mps2: 2.0,
+        frequency,
+        parks: true,
+        draws,
+        paints: tint::CARS,
+        plan,
+    }
+}
+
+const fn van(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+    Design {
+        class: ObjectClass::Van,
+        cruise_mps: 12.5,
+        acceleration_mps2: 1.5,
+        paints: tint::VANS,
+        ..car(name, frequency, draws, plan)
+    }
+}
+
+const fn truck(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+    Design {
+        class: ObjectClass::Truck,
+        cruise_mps: 11.0,
+        acceleration_mps2: 1.0,
+        parks: false,
+        paints: tint::TRUCKS,
+        ..car(name, frequency, draws, plan)
+    }
+}
+
+const fn bus(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+    Design {
+        class: ObjectClass::Bus,
+        cruise_mps: 11.5,
+        acceleration_mps2: 1.1,
+        parks: false,
+        paints: tint::BUSES,
+        ..car(name, frequency, draws, plan)
+    }
+}
+
+const fn motorcycle(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+    Design {
+        class: ObjectClass::Motorcycle,
+        cruise_mps: 13.0,
+        acceleration_mps2: 2.4,
+        paints: tint::MOTORCYCLES,
+        ..car(name, frequency, draws, plan)
+    }
+}
+
+const fn bicycle(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+    Design {
+        class: ObjectClass::Bicycle,
+        cruise_mps: 4.8,
+        acceleration_mps2: 0.9,
+        parks: false,
+        paints: tint::BICYCLES,
+        ..car(name, frequency, draws, plan)
+    }
+}
+
+impl Design {
+    const fn painted(self, paints: &'static [Paint]) -> Self {
+        Self { paints, ..self }
+    }
+
+    const fn cruising(self, cruise_mps: f32) -> Self {
+        Self { cruise_mps, ..self }
+    }
+}
+
+/// All of them, by class.
+pub(crate) static DESIGNS: &[Design] = &[
+    car("car.micro", 1.5, 2, cars::micro),
+    car("car.city", 8.0, 3, cars::city),
+    car("car.hatchback", 13.0, 4, cars::hatchback),
+    car("car.liftback", 3.5, 2, cars::liftback),
+    car("car.sedan", 10.0, 4, cars::sedan),
+    car("car.executive", 4.0, 2, cars::executive),
+    car("car.estate", 5.0, 3, cars::estate),
+    car("car.coupe", 2.5, 2, cars::coupe),
+    car("car.crossover", 6.0, 3, cars::crossover),
+    car("car.suv", 7.0, 3, cars::suv),
+    car("car.suv_large", 2.5, 2, cars::large_suv),
+    car("car.offroad", 1.0, 2, cars::offroad),
+    car("car.mpv", 4.0, 2, cars::mpv),
+    car("car.pickup", 3.6, 2, cars::pickup),
+    car("car.pickup_large", 1.0, 2, cars::large_pickup),
+    car("car.taxi", 3.6, 2, cars::taxi).painted(tint::TAXIS),
+    car("car.taxi_mpv", 0.8, 1, cars::large_taxi).painted(tint::TAXIS),
+    car("car.police", 1.0, 2, emergency::police_car).painted(tint::POLICE),
+    car("car.police_suv", 0.4, 1, emergency::police_suv).painted(tint::POLICE),
+    van("van.small", 2.2, 2, van::small),
+    van("van.panel", 2.8, 2, van::panel),
+    van("van.high", 1.0, 2, van::high),
+    van("van.minibus", 1.2, 2, van::minibus),
+    van("van.camper", 0.3, 1, van::camper).painted(tint::CAMPERS),
+    van("van.ambulance", 0.4, 2, emergency::ambulance).painted(tint::AMBULANCES),
+    van("van.police", 0.3, 1, emergency::police_van).painted(tint::WHITES),
+    truck("truck.box_small", 1.2, 2, truck::small_box),
+    truck("truck.box", 1.2, 2, truck::box_truck),
+    truck("truck.flatbed", 0.8, 2, heavy::flatbed),
+    truck("truck.tipper", 0.6, 2, truck::tipper),
+    truck("truck.mixer", 0.25, 1, heavy::mixer),
+    truck("truck.tanker", 0.25, 1, heavy::tanker),
+    truck("truck.tractor", 0.2, 1, heavy::tractor),
+    truck("truck.refuse", 0.35, 1, heavy::refuse).painted(tint::REFUSE),
+    truck("truck.fire", 0.15, 1, fire::engine).painted(tint::FIRE),
+    bus("bus.midi", 0.6, 1, bus::midi),
+    bus("bus.school", 0.2, 1, bus::school).painted(tint::SCHOOL),
+    bus("bus.double", 0.3, 1, bus::double_decker),
+    bus("bus.city", 1.3, 2, bus::city),
+    bus("bus.coach", 0.6, 1, bus::coach).cruising(12.5),
+    motorcycle("motorcycle.scooter", 1.4, 2, two::scooter).cruising(12.0),
+    motorcycle("motorcycle.scooter_delivery", 0.8, 2, two::moped_delivery).cruising(12.0),
+    motorcycle("motorcycle.commuter", 1.9, 2, two::commuter).cruising(13.5),
+    motorcycle("motorcycle.delivery", 0.7, 2, two::delivery),
+    motorcycle("motorcycle.sport", 0.7, 2, two::sport).cruising(15.0),
+    motorcycle("motorcycle.cruiser", 0.5, 2, two::cruiser),
+    bicycle("bicycle.city", 1.3, 2, two::city),
+    bicycle("bicycle.mountain", 0.6, 2, two::mountain).cruising(5.2),
+    bicycle("bicycle.road", 0.4, 1, two::road).cruising(7.0),
+    bicycle("bicycle.cargo", 0.25, 1, two::cargo).cruising(4.5),
+    bicycle("bicycle.kick_scooter", 0.45, 1, two::kick).cruising(5.0),
+];
