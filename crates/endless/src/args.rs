@@ -22,6 +22,8 @@ pub(crate) enum Command {
     Bench(BenchArgs),
     /// List, preview, import and export maps.
     Maps(MapsArgs),
+    /// List, preview and export vehicles, people, plants and street furniture.
+    Assets(AssetsArgs),
 }
 
 #[derive(Debug, Args)]
@@ -162,6 +164,43 @@ pub(crate) enum MapsCommand {
         map: String,
         #[command(flatten)]
         files: ExportFiles,
+    },
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct AssetsArgs {
+    #[command(subcommand)]
+    pub(crate) command: Option<AssetsCommand>,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum AssetsCommand {
+    /// List the assets with their class, ranges of sizes and triangles (what `endless assets` alone does).
+    List {
+        /// Only those of this class, or with this in their name.
+        filter: Option<String>,
+    },
+    /// Draw an asset from all sides.
+    Preview {
+        /// Name of the asset.
+        name: String,
+        /// Which of its draws, and in which colours.
+        #[arg(long, value_name = "N", default_value_t = 0)]
+        variant: u64,
+        /// The picture to write.
+        #[arg(long, value_name = "FILE.png")]
+        out: PathBuf,
+    },
+    /// Write an asset as binary glTF 2.0, which Blender opens.
+    Export {
+        /// Name of the asset.
+        name: String,
+        /// Which of its draws, and in which colours.
+        #[arg(long, value_name = "N", default_value_t = 0)]
+        variant: u64,
+        /// The file to write.
+        #[arg(long, value_name = "FILE.glb")]
+        out: PathBuf,
     },
 }
 

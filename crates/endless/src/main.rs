@@ -1,6 +1,7 @@
 //! `endless`: a recipe in, an annotated urban dataset out.
 
 mod args;
+mod assets;
 mod bench;
 mod check;
 mod generate;
@@ -27,6 +28,7 @@ fn main() -> ExitCode {
         Command::Generate(args) => generate::run(&simulator, *args),
         Command::Check(args) => check::run(&args),
         Command::Bench(args) => bench::run(&simulator, &args),
+        Command::Assets(args) => assets::run(&simulator, args),
         Command::Maps(args) => maps::run(&simulator, args),
     };
     match result {

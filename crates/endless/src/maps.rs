@@ -112,7 +112,7 @@ fn export(simulator: &BuiltinSimulator, map: &str, files: &ExportFiles) -> Resul
 }
 
 /// Writes a whole file or nothing.
-fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()).map(PathBuf::from) {
         fs::create_dir_all(&folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
     }

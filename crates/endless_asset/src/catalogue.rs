@@ -1,7 +1,7 @@
 //! The built-in catalogue.
 
+use crate::carla;
 use crate::furniture;
-use crate::person;
 use crate::plant;
 use crate::vehicle;
 use crate::{Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
@@ -35,6 +35,22 @@ impl Catalogue {
         vehicle::drawn(name, index)
     }
 
+    /// The vehicle that stands for one of CARLA's blueprints (`vehicle.audi.a2`): of its class and about its size.
+    pub fn carla_vehicle(&self, id: &str) -> Option<u16> {
+        let place = carla::VEHICLES.iter().position(|b| b.0 == id)?;
+        u16::try_from(self.vehicles.len() - carla::VEHICLES.len() + place).ok()
+    }
+
+    /// The person (a variant) that stands for one of CARLA's blueprints (`walker.pedestrian.0001`).
+    pub fn carla_walker(id: &str) -> Option<u64> {
+        carla::walker(id)
+    }
+
+    /// Ids of the blueprints of CARLA that have a counterpart here: vehicles, then walkers.
+    pub fn carla_ids() -> (Vec<&'static str>, Vec<String>) {
+        (carla::VEHICLES.iter().map(|b| b.0).collect(), carla::walkers().collect())
+    }
+
     /// Linear paint colour of a variant of a vehicle, distributed as on real roads.
     pub fn vehicle_tint(&self, model: u16, variant: u64) -> [f32; 3] {
         self.vehicles[usize::from(model)].tint(variant)
@@ -47,8 +63,7 @@ impl Catalogue {
 
     /// The rider of a two-wheeler, seated, in the vehicle's object frame; `None` for other models.
     pub fn rider(&self, model: u16, variant: u64) -> Option<Mesh> {
-        let fit = self.vehicles.get(usize::from(model))?.fit()?;
-        Some(person::rider(fit, variant))
+        self.vehicles.get(usize::from(model))?.rider(variant)
     }
 
     /// A plant or a piece of furniture. Few distinct variants exist of each ([`Self::prop_variants`]), so that towns

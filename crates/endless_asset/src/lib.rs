@@ -3,6 +3,7 @@
 //! Meshes are in the object frame (x forward, y left, z up, metres). The origin of things that stand on the ground is
 //! on the ground, under the centre of their footprint.
 
+mod carla;
 mod catalogue;
 mod furniture;
 mod material;

@@ -69,3 +69,57 @@ pub enum Prop {
     /// Dumpster.
     Dumpster,
 }
+
+impl Prop {
+    /// All of them.
+    pub const ALL: &'static [Self] = &[
+        Self::BroadleafTree,
+        Self::Conifer,
+        Self::Palm,
+        Self::Bush,
+        Self::Hedge,
+        Self::StreetLamp,
+        Self::UtilityPole,
+        Self::CameraPole,
+        Self::SignalPole,
+        Self::SignalMast,
+        Self::WalkSignal,
+        Self::StopSign,
+        Self::YieldSign,
+        Self::SpeedSign,
+        Self::CrossingSign,
+        Self::Bench,
+        Self::Bin,
+        Self::Hydrant,
+        Self::PostBox,
+        Self::Bollard,
+        Self::BusShelter,
+        Self::Billboard,
+        Self::Planter,
+        Self::Cone,
+        Self::Kiosk,
+        Self::Railing,
+        Self::FencePanel,
+        Self::BikeRack,
+        Self::CafeTable,
+        Self::Cabinet,
+        Self::Dumpster,
+    ];
+
+    /// Name in lists and files: `street_lamp`.
+    pub fn name(self) -> String {
+        let mut name = String::new();
+        for c in format!("{self:?}").chars() {
+            if c.is_uppercase() && !name.is_empty() {
+                name.push('_');
+            }
+            name.push(c.to_ascii_lowercase());
+        }
+        name
+    }
+
+    /// Whether it grows.
+    pub const fn is_plant(self) -> bool {
+        matches!(self, Self::BroadleafTree | Self::Conifer | Self::Palm | Self::Bush | Self::Hedge | Self::Planter)
+    }
+}

@@ -1,5 +1,6 @@
 //! The built-in city: towns, traffic and the ray tracer joined.
 
+use crate::assets::{self, AssetError, AssetKind};
 use crate::maps::{self, About, DrivingSide, MapError, MapStore, StoredMap};
 use crate::{Cameras, MapCatalog, RenderStats, Scene, Simulator, SimulatorError, Traffic};
 use endless_asset::Catalogue;
@@ -141,6 +142,27 @@ impl BuiltinSimulator {
     /// When there is no such map or it cannot be read.
     pub fn preview(&self, name: &str) -> Result<Image<[u8; 3]>, MapError> {
         Ok(maps::preview(&self.town(name)?, self.catalogue()))
+    }
+
+    /// Everything that the catalogue holds: vehicles, people, plants, furniture.
+    pub fn assets(&self) -> Vec<AssetKind> {
+        assets::list(self.catalogue())
+    }
+
+    /// Views of one asset from all sides; `variant` counts its draws and colours.
+    ///
+    /// # Errors
+    /// When there is no such asset.
+    pub fn asset_preview(&self, name: &str, variant: u64) -> Result<Image<[u8; 3]>, AssetError> {
+        assets::preview(self.catalogue(), name, variant)
+    }
+
+    /// One asset as a binary glTF file.
+    ///
+    /// # Errors
+    /// When there is no such asset.
+    pub fn asset_gltf(&self, name: &str, variant: u64) -> Result<Vec<u8>, AssetError> {
+        assets::export(self.catalogue(), name, variant)
     }
 
     fn describe(&self, map: &str) -> Result<(String, Vec<CameraSite>), SimulatorError> {

@@ -1,5 +1,6 @@
 //! Recipe → plan → scenes → record → resume: the one place where all rooms meet.
 
+mod assets;
 mod builtin;
 mod error;
 mod generate;
@@ -10,6 +11,7 @@ mod recipe;
 mod record;
 mod simulator;
 
+pub use assets::{AssetError, AssetKind};
 pub use builtin::{BuiltinMap, BuiltinSimulator};
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{Estimate, GenerateOptions, Generated, generate};

@@ -13,6 +13,7 @@ mod skin;
 use crate::Mesh;
 use endless_world::WalkerMotion;
 use glam::{Affine3A, Vec3};
+pub(crate) use look::Look;
 pub(crate) use rider::rider;
 use skeleton::{BONES, Skeleton};
 use skin::Blend;
@@ -47,10 +48,10 @@ pub struct BodyPose {
 impl PersonModel {
     /// The person of a variant.
     pub(crate) fn new(variant: u64) -> Self {
-        Self::with_look(variant, &look::Look::of(variant))
+        Self::with_look(variant, &Look::of(variant))
     }
 
-    fn with_look(variant: u64, look: &look::Look) -> Self {
+    fn with_look(variant: u64, look: &Look) -> Self {
         let skeleton = Skeleton::new(look);
         let skin::Skin { mesh, blends, vertex_blend } = figure::build(look, &skeleton);
         let habit = gait::Habit::new(variant, look);

@@ -57,20 +57,20 @@ pub(crate) fn city(draw: &Draw) -> Plan {
     shape.plan()
 }
 
-/// Nine metres, for narrow streets.
+/// Eight to ten metres, for narrow streets.
 pub(crate) fn midi(draw: &Draw) -> Plan {
-    let length = draw.range("length", 8.3, 8.75);
+    let length = draw.range("length", 8.3, 9.9);
     let shape = BusShape {
         length,
         height: draw.range("height", 2.80, 2.95),
         half_width: draw.range("half width", 1.16, 1.22),
         floor: 0.30,
-        axles_d: [2.25, 2.25 + 0.47 * length],
+        axles_d: [2.25, 2.25 + 0.48 * length],
         wheel_radius: 0.42,
         glass_z: [draw.range("glass foot", 1.0, 1.15), draw.range("glass top", 2.15, 2.25)],
         upper_glass_z: None,
         pane: draw.range("pane", 1.15, 1.5),
-        doors: vec![(0.50, 1.15), (4.1, 1.25)],
+        doors: vec![(0.50, 1.15), (0.48 * length, 1.25)],
         rake: draw.range("rake", 0.14, 0.30),
         coach: false,
         white_roof: draw.chance("white roof", 0.5),

@@ -142,7 +142,7 @@ pub(crate) static DESIGNS: &[Design] = &[
     truck("truck.tractor", 0.2, 1, heavy::tractor),
     truck("truck.refuse", 0.35, 1, heavy::refuse).painted(tint::REFUSE),
     truck("truck.fire", 0.15, 1, fire::engine).painted(tint::FIRE),
-    bus("bus.midi", 0.6, 1, bus::midi),
+    bus("bus.midi", 0.6, 2, bus::midi),
     bus("bus.school", 0.2, 1, bus::school).painted(tint::SCHOOL),
     bus("bus.double", 0.3, 1, bus::double_decker),
     bus("bus.city", 1.3, 2, bus::city),

@@ -142,14 +142,14 @@ pub(crate) fn tanker(draw: &Draw) -> Plan {
         }
         s
     });
-    plan.scaled(draw.range("scale", 1.0, 1.07))
+    plan.scaled(draw.range("scale", 1.0, 1.06))
 }
 
 /// A concrete mixer on three axles.
 pub(crate) fn mixer(draw: &Draw) -> Plan {
     let length = draw.range("length", 7.5, 7.9);
     let striped = draw.chance("striped drum", 0.6);
-    let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![4.45, 5.65], height: 3.42 };
+    let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![4.05, 5.2], height: 3.42 };
     let plan = lorry.plan(move |lorry| {
         let (x0, x1) = (-lorry.length, lorry.body_front());
         // The drum lies on a pedestal behind the cab and rises to its mouth.
@@ -208,7 +208,7 @@ pub(crate) fn mixer(draw: &Draw) -> Plan {
         s.add(block(v(x0 + 0.9, 1.02, 0.92), v(x1 - 0.9, 1.18, 1.02), paint::CHASSIS).both_sides());
         s
     });
-    plan.scaled(draw.range("scale", 1.05, 1.1))
+    plan.scaled(draw.range("scale", 1.02, 1.06))
 }
 
 /// What pulls semi-trailers, without one.
@@ -238,14 +238,14 @@ pub(crate) fn tractor(draw: &Draw) -> Plan {
         }
         s
     });
-    plan.scaled(draw.range("scale", 1.04, 1.08))
+    plan.scaled(draw.range("scale", 1.02, 1.06))
 }
 
 /// Collects household waste from behind.
 pub(crate) fn refuse(draw: &Draw) -> Plan {
     let length = draw.range("length", 7.5, 8.1);
     let top = draw.range("height", 3.05, 3.25);
-    let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![4.75, 5.95], height: top };
+    let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![4.35, 5.5], height: top };
     let plan = lorry.plan(move |lorry| {
         let (x0, x1, z0) = (-lorry.length, lorry.body_front() + 0.02, FRAME_Z + 0.06);
         let tail = x0 + 1.75;
@@ -285,5 +285,5 @@ pub(crate) fn refuse(draw: &Draw) -> Plan {
         s.add(Sculpt::cuboid(v(-0.95, -0.5, CAB_TOP - 0.02), v(-0.75, 0.5, CAB_TOP + 0.10), 0.03, paint::AMBER_LIGHT));
         s
     });
-    plan.scaled(draw.range("scale", 1.04, 1.07))
+    plan.scaled(draw.range("scale", 1.02, 1.06))
 }

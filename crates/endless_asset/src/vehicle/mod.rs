@@ -20,7 +20,7 @@ mod wheel;
 
 pub(crate) use assemble::RiderFit;
 
-use crate::Mesh;
+use crate::{Mesh, carla};
 use assemble::Parts;
 use design::{DESIGNS, Design};
 use draw::Draw;
@@ -140,12 +140,17 @@ impl VehicleModel {
         mesh
     }
 
-    pub(crate) fn fit(&self) -> Option<&RiderFit> {
+    /// The rider of a two-wheeler, in place, in the vehicle's object frame; `None` for other vehicles.
+    pub fn rider(&self, variant: u64) -> Option<Mesh> {
+        Some(crate::person::rider(self.fit()?, variant))
+    }
+
+    fn fit(&self) -> Option<&RiderFit> {
         if self.spec.ridden { self.parts().fit.as_ref() } else { None }
     }
 
     /// Linear paint colour of a variant, distributed as on real roads.
-    pub(crate) fn tint(&self, variant: u64) -> [f32; 3] {
+    pub fn tint(&self, variant: u64) -> [f32; 3] {
         tint::tint(self.design.paints, variant)
     }
 }
@@ -200,11 +205,14 @@ pub(crate) fn drawn(name: &str, index: u64) -> Option<VehicleModel> {
     Some(VehicleModel::new(design, index, design.frequency))
 }
 
-/// The vehicles of the catalogue: the first draws of each design, which share its frequency.
+/// The vehicles of the catalogue: the first draws of each design, which share its frequency, and those that stand for
+/// CARLA's, which the traffic of our own towns leaves out.
 pub(crate) fn all() -> Vec<VehicleModel> {
     let draws = |d: &'static Design| {
         let each = d.frequency / f64::from(d.draws);
         (0..u64::from(d.draws)).map(move |i| VehicleModel::new(d, i, each))
     };
-    DESIGNS.iter().flat_map(draws).collect()
+    let design = |name: &str| DESIGNS.iter().find(|d| d.name == name);
+    let of_carla = carla::VEHICLES.iter().filter_map(|b| Some(VehicleModel::new(design(b.3)?, b.4, 0.0)));
+    DESIGNS.iter().flat_map(draws).chain(of_carla).collect()
 }

@@ -32,7 +32,13 @@ pub(crate) fn service_suv(draw: &Draw) -> CarShape {
 }
 
 pub(crate) fn taxi(draw: &Draw) -> Plan {
-    taxi_of(CarShape { rails: false, ..draw.pick("base", &[shape::sedan, shape::liftback])().drawn(draw) }, draw)
+    taxi_of(
+        CarShape {
+            rails: false,
+            ..draw.pick("base", &[shape::sedan, shape::liftback, shape::executive])().drawn(draw)
+        },
+        draw,
+    )
 }
 
 pub(crate) fn large_taxi(draw: &Draw) -> Plan {

@@ -1,4 +1,4 @@
-//! A whole town as one binary glTF 2.0 file (`.glb`): metres, y up, x east, z south.
+//! A whole town, or one thing of the catalogue, as a binary glTF 2.0 file (`.glb`): metres, y up, x east, z south.
 //!
 //! Things that look alike share a mesh; parts of a mesh that differ in material share its vertices. Materials have
 //! base colour, metallicness, roughness and emission; their procedural detail is the renderer's and stays behind.
@@ -10,37 +10,35 @@ mod scene;
 
 pub(crate) use binary::TooLarge;
 
-use binary::Binary;
+use crate::assets::Thing;
 use endless_asset::Catalogue;
 use endless_town::Town;
-use material::Materials;
 use scene::Scene;
-use serde_json::json;
 
-/// The file.
+/// A whole town.
 ///
 /// # Errors
 /// [`TooLarge`] if it would have more than 4 GiB.
 pub(crate) fn write(town: &Town, catalogue: &Catalogue) -> Result<Vec<u8>, TooLarge> {
-    let mut scene =
-        Scene { catalogue, binary: Binary::default(), materials: Materials::default(), meshes: vec![], nodes: vec![] };
+    let mut scene = Scene::new(catalogue);
     let groups = [scene.ground_and_buildings(town), scene.furniture(town), scene.parked(town)];
     let (seen_from, cameras) = scene.cameras(town);
-    let mut roots: Vec<usize> = groups.into_iter().flatten().collect();
-    roots.extend(seen_from);
-    let Scene { binary, materials, meshes, nodes, .. } = scene;
-    let mut document = json!({
-        "asset": { "version": "2.0", "generator": concat!("endless ", env!("CARGO_PKG_VERSION")) },
-        "scene": 0,
-        "scenes": [{ "name": town.name, "nodes": roots }],
-        "nodes": nodes,
-        "meshes": meshes,
-        "materials": materials.described(),
-    });
-    if !cameras.is_empty() {
-        document["cameras"] = json!(cameras);
-    }
-    binary.container(document)
+    let roots: Vec<usize> = groups.into_iter().flatten().chain(seen_from).collect();
+    scene.document(&town.name, &roots, &cameras)
+}
+
+/// One thing of the catalogue, standing at the origin.
+///
+/// # Errors
+/// [`TooLarge`] if it would have more than 4 GiB.
+pub(crate) fn write_thing(thing: &Thing, name: &str, variant: u64, catalogue: &Catalogue) -> Result<Vec<u8>, TooLarge> {
+    let mut scene = Scene::new(catalogue);
+    let root = match thing {
+        Thing::Vehicle(vehicle) => scene.single_vehicle(vehicle, variant),
+        Thing::Person(person) => scene.single(name, &person.rest),
+        Thing::Prop(prop, variant) => scene.single(name, &catalogue.prop(*prop, *variant)),
+    };
+    scene.document(name, root.as_slice(), &[])
 }
 
 #[cfg(test)]

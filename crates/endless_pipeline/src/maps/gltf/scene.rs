@@ -1,6 +1,6 @@
 //! Meshes and nodes: what stands where.
 
-use super::binary::Binary;
+use super::binary::{Binary, TooLarge};
 use super::material::Materials;
 use endless_asset::{Catalogue, Mesh, Prop, VehicleModel};
 use endless_town::{Town, What};
@@ -11,11 +11,11 @@ use std::collections::BTreeMap;
 
 /// A file in the making.
 pub(super) struct Scene<'a> {
-    pub(super) catalogue: &'a Catalogue,
-    pub(super) binary: Binary,
-    pub(super) materials: Materials,
-    pub(super) meshes: Vec<Value>,
-    pub(super) nodes: Vec<Value>,
+    catalogue: &'a Catalogue,
+    binary: Binary,
+    materials: Materials,
+    meshes: Vec<Value>,
+    nodes: Vec<Value>,
 }
 
 /// A mesh's accessors: vertices, and the triangles of each material.
@@ -41,7 +41,51 @@ fn placed(world_from_object: Affine3A) -> Value {
     })
 }
 
-impl Scene<'_> {
+impl<'a> Scene<'a> {
+    /// Empty.
+    pub(super) fn new(catalogue: &'a Catalogue) -> Self {
+        Self { catalogue, binary: Binary::default(), materials: Materials::default(), meshes: vec![], nodes: vec![] }
+    }
+
+    /// The file of what was added, with these nodes at the top.
+    ///
+    /// # Errors
+    /// [`TooLarge`] if it would have more than 4 GiB.
+    pub(super) fn document(self, name: &str, roots: &[usize], cameras: &[Value]) -> Result<Vec<u8>, TooLarge> {
+        let mut document = json!({
+            "asset": { "version": "2.0", "generator": concat!("endless ", env!("CARGO_PKG_VERSION")) },
+            "scene": 0,
+            "scenes": [{ "name": name, "nodes": roots }],
+            "nodes": self.nodes,
+            "meshes": self.meshes,
+            "materials": self.materials.described(),
+        });
+        if !cameras.is_empty() {
+            document["cameras"] = json!(cameras);
+        }
+        self.binary.container(document)
+    }
+
+    /// One mesh at the origin.
+    pub(super) fn single(&mut self, name: &str, mesh: &Mesh) -> Option<usize> {
+        let geometry = self.geometry(mesh)?;
+        let mesh = self.mesh(name, &geometry, None);
+        Some(self.instance(name, mesh, Affine3A::IDENTITY))
+    }
+
+    /// One vehicle at the origin, in the paint of a variant, with its rider if it has one.
+    pub(super) fn single_vehicle(&mut self, model: &VehicleModel, variant: u64) -> Option<usize> {
+        let name = model.spec.name;
+        let tint = Some(model.tint(variant));
+        let [body, wheel] = [("", model.body()), (" wheel", model.wheel_mesh())].map(|(part, mesh)| {
+            let geometry = self.geometry(mesh)?;
+            Some(self.mesh(&format!("{name}{part}"), &geometry, tint))
+        });
+        let rider = model.rider(variant).and_then(|rider| self.single("rider", &rider));
+        let vehicle = self.vehicle(model, [body, wheel], Affine3A::IDENTITY);
+        self.group(name, &rider.into_iter().chain([vehicle]).collect::<Vec<_>>())
+    }
+
     /// A mesh's vertices and triangles; `None` if it has none.
     fn geometry(&mut self, mesh: &Mesh) -> Option<Geometry> {
         let mut of_material = vec![Vec::new(); mesh.materials.len()];

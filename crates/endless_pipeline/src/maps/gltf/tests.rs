@@ -1,7 +1,8 @@
 //! What was written is opened by another reader and compared with the town.
 
-use super::write;
-use endless_asset::{Catalogue, Surface};
+use super::{write, write_thing};
+use crate::assets::Thing;
+use endless_asset::{Catalogue, Prop, Surface};
 use endless_town::{Town, What, load};
 use endless_world::math;
 use glam::{Mat4, Vec3};
@@ -131,5 +132,32 @@ fn cameras_look_as_the_sites_do() {
         };
         let wide = 2.0 * math::atan(math::tan(lens.yfov() / 2.0) * lens.aspect_ratio().expect("given"));
         assert!((wide - site.horizontal_fov_rad).abs() < 1e-4);
+    }
+}
+
+#[test]
+fn another_reader_finds_a_single_thing() {
+    let catalogue = Catalogue::builtin();
+    let bike = Catalogue::draw_vehicle("bicycle.city", 1).expect("a design");
+    let rider = bike.rider(5).expect("somebody rides it");
+    let triangles = bike.whole().triangles.len() + rider.triangles.len();
+    let person = catalogue.person(2);
+    let bench = catalogue.prop(Prop::Bench, 0);
+    let (persons, benchs) = (person.rest.triangles.len(), bench.triangles.len());
+    let things = [
+        (Thing::Vehicle(bike), triangles),
+        (Thing::Person(Box::new(person)), persons),
+        (Thing::Prop(Prop::Bench, 0), benchs),
+    ];
+    for (thing, wanted) in things {
+        let bytes = write_thing(&thing, "thing", 5, &catalogue).expect("not too large");
+        let file = gltf::Gltf::from_slice(&bytes).expect("valid glTF");
+        let shown: usize = nodes(&file)
+            .iter()
+            .filter_map(|(n, _)| n.mesh())
+            .flat_map(|mesh| mesh.primitives().filter_map(|p| p.indices()).collect::<Vec<_>>())
+            .map(|indices| indices.count() / 3)
+            .sum();
+        assert_eq!(shown, wanted);
     }
 }

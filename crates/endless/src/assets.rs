@@ -1,0 +1,38 @@
+//! `endless assets`: what the catalogue holds, how it looks, and files of it.
+
+use crate::args::{AssetsArgs, AssetsCommand};
+use crate::maps::write;
+use anyhow::Result;
+use endless_pipeline::BuiltinSimulator;
+use std::{io::Write, process::ExitCode};
+
+pub(crate) fn run(simulator: &BuiltinSimulator, args: AssetsArgs) -> Result<ExitCode> {
+    match args.command.unwrap_or(AssetsCommand::List { filter: None }) {
+        AssetsCommand::List { filter } => list(simulator, filter.as_deref().unwrap_or_default())?,
+        AssetsCommand::Preview { name, variant, out } => {
+            let picture = simulator.asset_preview(&name, variant)?;
+            write(&out, &endless_dataset::encode_png(&picture))?;
+        }
+        AssetsCommand::Export { name, variant, out } => write(&out, &simulator.asset_gltf(&name, variant)?)?,
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+fn list(simulator: &BuiltinSimulator, filter: &str) -> Result<()> {
+    let mut out = std::io::stdout().lock();
+    let header = ["length m", "width m", "height m"];
+    writeln!(out, "{:<28} {:<11} {:<13} {:<13} {:<13} triangles", "name", "class", header[0], header[1], header[2])?;
+    for kind in simulator.assets().iter().filter(|k| k.name.contains(filter) || k.class == filter) {
+        let [length, width, height] = [kind.length_m, kind.width_m, kind.height_m].map(range);
+        writeln!(
+            out,
+            "{:<28} {:<11} {length:<13} {width:<13} {height:<13} {:>9}",
+            kind.name, kind.class, kind.triangles
+        )?;
+    }
+    Ok(())
+}
+
+fn range([low, high]: [f32; 2]) -> String {
+    if high - low < 0.005 { format!("{high:.2}") } else { format!("{low:.2}-{high:.2}") }
+}

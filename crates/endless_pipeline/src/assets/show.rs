@@ -1,0 +1,127 @@
+//! Pictures of single assets, made by the renderer on an empty square in daylight.
+
+use super::Thing;
+use endless_asset::{Catalogue, Material, Mesh, MeshBuilder, Surface};
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_road::RoadNetwork;
+use endless_town::{Placement, Town, What};
+use endless_world::{CameraLook, CameraSite, ClassTag, Image, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
+use glam::{Affine3A, Vec2, Vec3};
+use std::f32::consts::{PI, TAU};
+
+/// Size of one view.
+const VIEW: ImageSize = ImageSize { width: 480, height: 360 };
+/// Views of a turntable: columns and rows.
+const SHEET: [u32; 2] = [4, 2];
+const FIELD_OF_VIEW_RAD: f32 = 0.5;
+/// From which height it is seen: as from a camera on a pole 15 m away.
+const DOWN_TILT_RAD: f32 = 0.38;
+
+/// Eight views from all sides, the first from ahead and left.
+pub(super) fn turntable(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Image<[u8; 3]> {
+    let mesh = whole(catalogue, thing, variant);
+    let (low, high) = mesh.bounds();
+    let town = stage(mesh);
+    let still = StaticScene::load(&town, catalogue);
+    let [columns, rows] = SHEET;
+    let size = ImageSize { width: columns * VIEW.width, height: rows * VIEW.height };
+    let mut pixels = vec![[0u8; 3]; size.pixels()];
+    for i in 0..columns * rows {
+        let azimuth = PI / 5.0 + TAU * i as f32 / (columns * rows) as f32;
+        let view = seen(&still, catalogue, &site(low, high, azimuth));
+        let corner = (i / columns * VIEW.height * size.width + i % columns * VIEW.width) as usize;
+        for (y, row) in view.data.chunks(VIEW.width as usize).enumerate() {
+            let at = corner + y * size.width as usize;
+            pixels[at..at + row.len()].copy_from_slice(row);
+        }
+    }
+    Image { size, data: pixels }
+}
+
+/// With wheels, in its paint, and with who rides it.
+fn whole(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Mesh {
+    match thing {
+        Thing::Vehicle(vehicle) => {
+            let mut mesh = vehicle.whole();
+            let tint = vehicle.tint(variant);
+            for material in mesh.materials.iter_mut().filter(|m| m.surface == Surface::CarPaint) {
+                material.base_color = [0, 1, 2].map(|k| material.base_color[k] * tint[k]);
+            }
+            if let Some(rider) = vehicle.rider(variant) {
+                mesh.append(&rider, Affine3A::IDENTITY);
+            }
+            mesh
+        }
+        Thing::Person(person) => {
+            let motion = endless_world::WalkerMotion {
+                speed_mps: person.walk_mps,
+                gait: endless_world::Gait::Walk,
+                walked_m: 0.15,
+                time_s: 0.0,
+            };
+            let pose = person.pose(&motion);
+            Mesh { positions: pose.positions, normals: pose.normals, ..person.rest.clone() }
+        }
+        Thing::Prop(prop, variant) => catalogue.prop(*prop, *variant),
+    }
+}
+
+/// A town that is a paved square with a thing in its middle.
+fn stage(thing: Mesh) -> Town {
+    let ground = Material::new(Surface::Asphalt, [0.14, 0.14, 0.14], ClassTag::Roads);
+    let mut square = MeshBuilder::new();
+    let corner = |x: f32, y: f32| Vec3::new(x, y, 0.0) * 300.0;
+    let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+    square.quad(corners, corners.map(|c| Vec2::new(c.x, c.y + 50.0)), ground);
+    let place = |number| Placement { what: What::Own(number), world_from_object: Affine3A::IDENTITY, signal: None };
+    Town {
+        name: "stage".to_owned(),
+        summary: String::new(),
+        network: RoadNetwork::default(),
+        meshes: vec![square.finish(), thing],
+        placements: vec![place(0), place(1)],
+        parked: Vec::new(),
+        lamps: Vec::new(),
+        cameras: Vec::new(),
+    }
+}
+
+/// A camera from which a box of these corners fills the picture.
+fn site(low: Vec3, high: Vec3, azimuth: f32) -> CameraSite {
+    let middle = 0.5 * (low + high);
+    let (sin, cos) = math::sin_cos(azimuth);
+    // What the box measures across the view and upwards in it, seen from here.
+    let half = 0.5 * (high - low);
+    let across = half.x * sin.abs() + half.y * cos.abs();
+    let deep = half.x * cos.abs() + half.y * sin.abs();
+    let (down_sin, down_cos) = math::sin_cos(DOWN_TILT_RAD);
+    let upward = half.z * down_cos + deep * down_sin;
+    let tangent = math::tan(0.5 * FIELD_OF_VIEW_RAD);
+    let aspect = VIEW.width as f32 / VIEW.height as f32;
+    let distance = 1.12 * (across / tangent).max(upward * aspect / tangent) + deep;
+    let position = middle + distance * Vec3::new(cos * down_cos, sin * down_cos, down_sin);
+    CameraSite {
+        name: "view".to_owned(),
+        position: position.to_array(),
+        yaw_rad: azimuth + PI,
+        down_tilt_rad: DOWN_TILT_RAD,
+        horizontal_fov_rad: FIELD_OF_VIEW_RAD,
+        mount: Mount::Pole,
+    }
+}
+
+fn seen(still: &StaticScene, catalogue: &Catalogue, site: &CameraSite) -> Image<[u8; 3]> {
+    let settings = RenderSettings {
+        weather: Weather::ClearSky,
+        time_of_day: TimeOfDay::Afternoon,
+        seed: 0,
+        size: VIEW,
+        gather_rays: 4,
+        look: CameraLook::CLEAN,
+        fps: 30.0,
+        keep_irradiance: false,
+    };
+    let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals: Vec::new() };
+    let cast = Cast::new(catalogue, &state.actors);
+    CameraBake::bake(still, &settings, site).render(still, &FrameScene::new(&cast, &state)).rgb
+}
