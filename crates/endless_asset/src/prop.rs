@@ -78,6 +78,7 @@ impl Prop {
         Self::Palm,
         Self::Bush,
         Self::Hedge,
+        Self::Corn,
         Self::StreetLamp,
         Self::UtilityPole,
         Self::CameraPole,
@@ -120,6 +121,9 @@ impl Prop {
 
     /// Whether it grows.
     pub const fn is_plant(self) -> bool {
-        matches!(self, Self::BroadleafTree | Self::Conifer | Self::Palm | Self::Bush | Self::Hedge | Self::Planter)
+        matches!(
+            self,
+            Self::BroadleafTree | Self::Conifer | Self::Palm | Self::Bush | Self::Hedge | Self::Corn | Self::Planter
+        )
     }
 }

@@ -8,44 +8,6 @@ use std::sync::LazyLock;
 
 static CATALOGUE: LazyLock<Catalogue> = LazyLock::new(Catalogue::builtin);
 
-<<<<<<< HEAD
-const PROPS: &[Prop] = &[
-    Prop::BroadleafTree,
-    Prop::Conifer,
-    Prop::Palm,
-    Prop::Bush,
-    Prop::Hedge,
-    Prop::Corn,
-    Prop::StreetLamp,
-    Prop::UtilityPole,
-    Prop::CameraPole,
-    Prop::SignalPole,
-    Prop::SignalMast,
-    Prop::WalkSignal,
-    Prop::StopSign,
-    Prop::YieldSign,
-    Prop::SpeedSign,
-    Prop::CrossingSign,
-    Prop::Bench,
-    Prop::Bin,
-    Prop::Hydrant,
-    Prop::PostBox,
-    Prop::Bollard,
-    Prop::BusShelter,
-    Prop::Billboard,
-    Prop::Planter,
-    Prop::Cone,
-    Prop::Kiosk,
-    Prop::Railing,
-    Prop::FencePanel,
-    Prop::BikeRack,
-    Prop::CafeTable,
-    Prop::Cabinet,
-    Prop::Dumpster,
-];
-
-=======
->>>>>>> 8674e32 (endless assets: list, preview and export; CARLA's blueprints have counterparts; lorries of three axles turn like others)
 /// Finite, indexed in range, unit normals that agree with the faces, hardly any degenerate triangle.
 fn assert_sound(mesh: &Mesh, name: &str) {
     assert!(!mesh.triangles.is_empty(), "{name} is empty");

@@ -125,7 +125,7 @@ fn open_bed(body: &mut Sculpt, shape: &CarShape) {
         .beyond(Vec3::Z, top - 0.22)
         .facing(Vec3::Z, 0.3);
     body.remove(&bed);
-    let liner = Sculpt::cuboid(Vec3::new(x0, -y, top - 0.42), Vec3::new(x1, y, top + 0.005), 0.0, paint::TRIM);
+    let liner = Sculpt::cuboid(Vec3::new(x0, -y, top - 0.42), Vec3::new(x1, y, top + 0.03), 0.0, paint::TRIM);
     let mut inside = Sculpt::new();
     for face in liner.faces.iter().filter(|f| f.normals[0].z < 0.5) {
         let [a, b, c] = face.corners;

@@ -1,0 +1,158 @@
+//! What vehicles look like from outside: no holes, lamps where they can be seen, sizes that agree.
+
+use endless_asset::{Catalogue, LightSlot, Mesh, Surface, VehicleModel};
+use endless_world::{ObjectClass, Stream};
+use glam::Vec3;
+
+/// Triangles in columns along x, so that rays need not try them all.
+struct Soup {
+    corners: Vec<[Vec3; 3]>,
+    surfaces: Vec<Surface>,
+    low: Vec3,
+    high: Vec3,
+}
+
+impl Soup {
+    fn new(mesh: &Mesh) -> Self {
+        let corners = mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).collect();
+        let surfaces = mesh.triangle_materials.iter().map(|&m| mesh.materials[usize::from(m)].surface).collect();
+        let (low, high) = mesh.bounds();
+        Self { corners, surfaces, low, high }
+    }
+
+    /// Distance and number of the first triangle that a ray meets, from either side (Möller and Trumbore 1997).
+    fn first(&self, origin: Vec3, direction: Vec3) -> Option<(f32, usize)> {
+        let mut best: Option<(f32, usize)> = None;
+        for (i, &[a, b, c]) in self.corners.iter().enumerate() {
+            let (e, f) = (b - a, c - a);
+            let p = direction.cross(f);
+            let determinant = e.dot(p);
+            if determinant.abs() < 1e-12 {
+                continue;
+            }
+            let s = origin - a;
+            let u = s.dot(p) / determinant;
+            if !(0.0..=1.0).contains(&u) {
+                continue;
+            }
+            let q = s.cross(e);
+            let v = direction.dot(q) / determinant;
+            let t = f.dot(q) / determinant;
+            if v >= 0.0 && u + v <= 1.0 && t > 1e-5 && best.is_none_or(|(known, _)| t < known) {
+                best = Some((t, i));
+            }
+        }
+        best
+    }
+
+    fn normal(&self, i: usize) -> Vec3 {
+        let [a, b, c] = self.corners[i];
+        (b - a).cross(c - a).normalize_or_zero()
+    }
+}
+
+/// Draws of every design, as many as a quick test can afford.
+fn draws(each: u64) -> impl Iterator<Item = VehicleModel> {
+    let kinds = Catalogue::vehicle_kinds();
+    kinds
+        .into_iter()
+        .flat_map(move |k| (0..each).map(move |i| Catalogue::draw_vehicle(k.name, 1000 + i).expect("a design")))
+}
+
+/// Who looks from where a camera may hang meets outer sides only: skins are closed, and wound alike.
+fn inner_sides(vehicle: &VehicleModel) -> Option<String> {
+    const RAYS: usize = 300;
+    let soup = Soup::new(&vehicle.whole());
+    let (mut met, mut inner) = (0, 0);
+    let mut stream = Stream::named(7, vehicle.spec.name, &[]);
+    let middle = 0.5 * (soup.low + soup.high);
+    for _ in 0..RAYS {
+        let azimuth = stream.range_f32(0.0, std::f32::consts::TAU);
+        let up = stream.range_f32(0.1, 1.3);
+        let (sin, cos) = endless_world::math::sin_cos(azimuth);
+        let (up_sin, up_cos) = endless_world::math::sin_cos(up);
+        let from = middle + 30.0 * Vec3::new(cos * up_cos, sin * up_cos, up_sin);
+        let unit = Vec3::new(stream.f32(), stream.f32(), stream.f32());
+        let direction = (soup.low + (soup.high - soup.low) * unit - from).normalize();
+        if let Some((_, i)) = soup.first(from, direction) {
+            met += 1;
+            inner += usize::from(soup.normal(i).dot(direction) > 0.02);
+        }
+    }
+    assert!(met > RAYS / 4, "{}: {met} rays met it", vehicle.spec.name);
+    // A sheet's edge or the gap of a wheel arch may show its inner side.
+    let allowed = if vehicle.spec.ridden { met / 25 } else { met / 50 };
+    (inner > allowed).then(|| format!("{}: {inner} of {met} rays met an inner side", vehicle.spec.name))
+}
+
+#[test]
+fn vehicles_are_closed_as_seen_from_outside() {
+    let open: Vec<String> = draws(2).filter_map(|v| inner_sides(&v)).collect();
+    assert!(open.is_empty(), "{open:#?}");
+}
+
+/// Lamps of each kind are there, on the right side, and most of them can be seen from where they shine.
+#[test]
+fn lights_are_on_the_surface() {
+    for vehicle in draws(2) {
+        let name = vehicle.spec.name;
+        let soup = Soup::new(vehicle.body());
+        let lens = |slot: LightSlot| -> Vec<usize> {
+            (0..soup.corners.len()).filter(|&i| soup.surfaces[i] == Surface::VehicleLight(slot)).collect()
+        };
+        let centre = |i: usize| soup.corners[i].iter().copied().sum::<Vec3>() / 3.0;
+        let area = |i: usize| {
+            let [a, b, c] = soup.corners[i];
+            (b - a).cross(c - a).length() / 2.0
+        };
+        let motor = vehicle.spec.class != ObjectClass::Bicycle;
+        let slots = [
+            (LightSlot::Tail, -Vec3::X, true),
+            (LightSlot::Head, Vec3::X, motor),
+            (LightSlot::IndicatorLeft, Vec3::Y, motor),
+            (LightSlot::IndicatorRight, -Vec3::Y, motor),
+        ];
+        for (slot, towards, wanted) in slots {
+            let parts = lens(slot);
+            assert_eq!(!parts.is_empty(), wanted, "{name}: {slot:?}");
+            let (mut open, mut all) = (0.0, 0.0);
+            for &i in &parts {
+                let side = centre(i).dot(towards) > 0.0;
+                assert!(side, "{name}: {slot:?} at {}", centre(i));
+                let normal = soup.normal(i);
+                if normal.dot(towards) < 0.2 && towards.x != 0.0 {
+                    continue;
+                }
+                all += area(i);
+                let blocked = soup.first(centre(i) + normal * 0.003, normal).is_some_and(|(t, _)| t < 0.25);
+                open += if blocked { 0.0 } else { area(i) };
+            }
+            if wanted {
+                assert!(all > 2e-4, "{name}: {slot:?} has {all} m²");
+                assert!(open > 0.5 * all, "{name}: {open} of {all} m² of {slot:?} can be seen");
+            }
+        }
+        for &lamp in vehicle.headlights() {
+            let near = lens(LightSlot::Head).iter().map(|&i| centre(i).distance(lamp)).fold(f32::INFINITY, f32::min);
+            assert!(near < 0.30, "{name}: a headlight {near} m from its lens");
+        }
+    }
+}
+
+#[test]
+fn hundreds_of_draws_of_every_design_have_measures_that_agree() {
+    for kind in Catalogue::vehicle_kinds() {
+        for i in 0..300 {
+            let v = Catalogue::draw_vehicle(kind.name, i).expect("a design");
+            let s = &v.spec;
+            let half = 0.5 * s.length_m;
+            assert!(s.front_axle_m + s.wheel_radius_m <= half + 1e-4, "{s:?}");
+            assert!(-s.rear_axle_m + s.wheel_radius_m <= half + 1e-4, "{s:?}");
+            let wheelbase = s.front_axle_m - s.rear_axle_m;
+            assert!(wheelbase > 0.4 * s.length_m && wheelbase < 0.85 * s.length_m, "{s:?}");
+            assert!(s.width_m <= 2.56, "{s:?} is wider than roads allow");
+            let within = |x: f32, [low, high]: [f32; 2]| x > low - 0.05 * high && x < high * 1.05;
+            assert!(within(s.length_m, kind.length_m) && within(s.height_m, kind.height_m), "{s:?}");
+        }
+    }
+}
