@@ -79,7 +79,7 @@ fn inner_sides(vehicle: &VehicleModel) -> Option<String> {
             inner += usize::from(soup.normal(i).dot(direction) > 0.02);
         }
     }
-    assert!(met > RAYS / 4, "{}: {met} rays met it", vehicle.spec.name);
+    assert!(met > RAYS / 10, "{}: {met} rays met it", vehicle.spec.name);
     // A sheet's edge or the gap of a wheel arch may show its inner side.
     let allowed = if vehicle.spec.ridden { met / 25 } else { met / 50 };
     (inner > allowed).then(|| format!("{}: {inner} of {met} rays met an inner side", vehicle.spec.name))

@@ -1,0 +1,129 @@
+//! The cast on an empty square in daylight, as a camera on a mast sees it: one vehicle of every design, or sixty people.
+//! `cargo run --release -p endless_render --example lot -- vehicles|people OUT.jpg`.
+
+use endless_asset::{Catalogue, Material, MeshBuilder, Surface};
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_town::{Placement, Town, What};
+use endless_world::{
+    Actor, AssetRef, CameraLook, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose,
+    TimeOfDay, VehicleMotion, WalkerMotion, Weather, WorldState,
+};
+use glam::{Affine3A, Vec2, Vec3};
+use std::error::Error;
+
+/// JPEG quality.
+const QUALITY: u8 = 88;
+const SIZE: ImageSize = ImageSize { width: 1920, height: 1200 };
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [what, out] = arguments.as_slice() else { return Err("usage: lot vehicles|people OUT.jpg".into()) };
+    let catalogue = Catalogue::builtin();
+    let (actors, height) = if what == "people" { (people(&catalogue), 7.0) } else { (vehicles(&catalogue), 34.0) };
+    let town = square();
+    let still = StaticScene::load(&town, &catalogue);
+    let site = CameraSite {
+        name: "mast".to_owned(),
+        position: [0.0, -1.25 * height, height],
+        yaw_rad: std::f32::consts::FRAC_PI_2,
+        down_tilt_rad: 0.69,
+        horizontal_fov_rad: 0.95,
+        mount: Mount::Pole,
+    };
+    let settings = RenderSettings {
+        weather: Weather::ClearSky,
+        time_of_day: TimeOfDay::Afternoon,
+        seed: 1,
+        size: SIZE,
+        gather_rays: 4,
+        look: CameraLook::CLEAN,
+        fps: 30.0,
+        keep_irradiance: false,
+    };
+    let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };
+    let cast = Cast::new(&catalogue, &state.actors);
+    let image = CameraBake::bake(&still, &settings, &site).render(&still, &FrameScene::new(&cast, &state)).rgb;
+    let encoder = jpeg_encoder::Encoder::new_file(out, QUALITY)?;
+    encoder.encode(image.data.as_flattened(), SIZE.width as u16, SIZE.height as u16, jpeg_encoder::ColorType::Rgb)?;
+    Ok(())
+}
+
+fn actor(number: usize, class: ObjectClass, asset: AssetRef, pose: Pose, motion: Motion) -> Actor {
+    let ridden = matches!(class, ObjectClass::Motorcycle | ObjectClass::Bicycle);
+    Actor {
+        id: InstanceId(2 * number as u16 + 1),
+        rider_id: ridden.then_some(InstanceId(2 * number as u16 + 2)),
+        class,
+        asset,
+        pose,
+        velocity_mps: Vec3::ZERO,
+        motion,
+        parked: false,
+    }
+}
+
+/// The first draw of each design, side by side in rows; long ones behind.
+fn vehicles(catalogue: &Catalogue) -> Vec<Actor> {
+    let mut names: Vec<(&str, u16)> = Vec::new();
+    for (i, model) in catalogue.vehicles().iter().enumerate() {
+        if names.iter().all(|n| n.0 != model.spec.name) {
+            names.push((model.spec.name, i as u16));
+        }
+    }
+    let length = |&(_, i): &(&str, u16)| catalogue.vehicles()[usize::from(i)].spec.length_m;
+    names.sort_by(|a, b| length(a).total_cmp(&length(b)));
+    let mut actors = Vec::new();
+    let mut y = -22.0;
+    for row in names.chunks(12) {
+        let deep = row.iter().map(length).fold(0.0, f32::max);
+        y += 0.5 * deep + 0.8;
+        let step = 40.0 / row.len() as f32 * (1.0 + 0.012 * (y + 22.0));
+        for (k, &(_, model)) in row.iter().enumerate() {
+            let x = step * (k as f32 - 0.5 * (row.len() - 1) as f32);
+            let turn = -std::f32::consts::FRAC_PI_2 + 0.5 + 0.25 * ((k * 7 % 5) as f32 - 2.0) * 0.2;
+            let spec = &catalogue.vehicles()[usize::from(model)].spec;
+            let pose = Pose::level(Vec3::new(x, y, 0.0), turn);
+            let asset = AssetRef { model, variant: u64::from(model) * 31 + 5 };
+            actors.push(actor(actors.len(), spec.class, asset, pose, Motion::Vehicle(VehicleMotion::default())));
+        }
+        y += 0.5 * deep + 0.8;
+    }
+    actors
+}
+
+/// Sixty people who stand, walk and run.
+fn people(catalogue: &Catalogue) -> Vec<Actor> {
+    (0..60u64)
+        .map(|i| {
+            let at = Vec3::new((i % 12) as f32 * 0.95 - 5.2, (i / 12) as f32 * 1.7 - 4.0, 0.0);
+            let gait = [Gait::Walk, Gait::Walk, Gait::Stand, Gait::Walk, Gait::Run][i as usize % 5];
+            let speed_mps = match gait {
+                Gait::Stand => 0.0,
+                Gait::Walk => catalogue.person(i).walk_mps,
+                Gait::Run => 3.0,
+            };
+            let motion = WalkerMotion { speed_mps, gait, walked_m: 0.37 * i as f32, time_s: 0.0 };
+            let pose = Pose::level(at, -1.57 + 0.9 * ((i * 13 % 7) as f32 - 3.0));
+            let asset = AssetRef { model: 0, variant: i };
+            actor(i as usize, ObjectClass::Pedestrian, asset, pose, Motion::Walker(motion))
+        })
+        .collect()
+}
+
+fn square() -> Town {
+    let ground = Material::new(Surface::Concrete, [0.33, 0.33, 0.32], ClassTag::Ground);
+    let mut mesh = MeshBuilder::new();
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec3::new(x, y, 0.0) * 300.0);
+    mesh.quad(corners, corners.map(|c| Vec2::new(c.x, c.y)), ground);
+    let place = Placement { what: What::Own(0), world_from_object: Affine3A::IDENTITY, signal: None };
+    Town {
+        name: "square".to_owned(),
+        summary: String::new(),
+        network: Default::default(),
+        meshes: vec![mesh.finish()],
+        placements: vec![place],
+        parked: Vec::new(),
+        lamps: Vec::new(),
+        cameras: Vec::new(),
+    }
+}
