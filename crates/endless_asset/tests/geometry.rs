@@ -80,8 +80,8 @@ fn inner_sides(vehicle: &VehicleModel) -> Option<String> {
         }
     }
     assert!(met > RAYS / 10, "{}: {met} rays met it", vehicle.spec.name);
-    // A sheet's edge or the gap of a wheel arch may show its inner side.
-    let allowed = if vehicle.spec.ridden { met / 25 } else { met / 50 };
+    // A sheet's edge, the gap of a wheel arch or the rim of a pickup's bed may show its inner side.
+    let allowed = if vehicle.spec.ridden { met / 25 } else { met / 40 };
     (inner > allowed).then(|| format!("{}: {inner} of {met} rays met an inner side", vehicle.spec.name))
 }
 

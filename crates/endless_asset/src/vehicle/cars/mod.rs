@@ -125,13 +125,20 @@ fn open_bed(body: &mut Sculpt, shape: &CarShape) {
         .beyond(Vec3::Z, top - 0.22)
         .facing(Vec3::Z, 0.3);
     body.remove(&bed);
-    let liner = Sculpt::cuboid(Vec3::new(x0, -y, top - 0.42), Vec3::new(x1, y, top + 0.03), 0.0, paint::TRIM);
+    let liner = Sculpt::cuboid(Vec3::new(x0, -y, top - 0.42), Vec3::new(x1, y, top + 0.005), 0.0, paint::TRIM);
     let mut inside = Sculpt::new();
     for face in liner.faces.iter().filter(|f| f.normals[0].z < 0.5) {
         let [a, b, c] = face.corners;
         inside.triangle([a, c, b], paint::TRIM);
     }
     body.add(inside);
+    // A cap over the rim, where bed and body meet.
+    let cap = |from: Vec2, to: Vec2| {
+        Sculpt::cuboid((from - 0.02).extend(top - 0.05), (to + 0.03).extend(top + 0.035), 0.0, paint::TRIM)
+    };
+    body.add(cap(Vec2::new(x0, y), Vec2::new(x1, y)).both_sides());
+    body.add(cap(Vec2::new(x0 - 0.01, -y), Vec2::new(x0, y)));
+    body.add(cap(Vec2::new(x1, -y), Vec2::new(x1 + 0.01, y)));
     // Gap between cabin and bed.
     let x = shape.x(shape.cabin_d[3] + 0.07);
     let strip = [(x, 0.4), (x + 0.02, 0.4), (x + 0.02, top + 0.1), (x, top + 0.1)].map(Vec2::from);
