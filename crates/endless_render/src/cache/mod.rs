@@ -18,6 +18,8 @@ mod row;
 mod spare;
 mod still_sample;
 mod sweep;
+#[cfg(test)]
+mod tests;
 mod tile;
 
 pub use bake::{BakeStats, CameraBake, RenderSettings};
