@@ -2,14 +2,14 @@
 
 use super::bake::{planar_depth, sample_ray};
 use crate::accel::{Accel, Blas};
-use endless_world::{CameraSite, ImageSize, Mount, PinholeCamera};
+use endless_world::{CameraSite, ImageSize, Mount, PinholeCamera, math};
 use glam::{Affine3A, DVec3, Vec3};
 use std::sync::Arc;
 
 /// Depth of the plane z = 0 through a pixel's centre, in double precision.
 fn depth_of_ground(site: &CameraSite, camera: &PinholeCamera, x: u32, y: u32) -> f64 {
-    let (sin_yaw, cos_yaw) = f64::from(site.yaw_rad).sin_cos();
-    let (sin_tilt, cos_tilt) = f64::from(site.down_tilt_rad).sin_cos();
+    let (sin_yaw, cos_yaw) = math::f64::sin_cos(f64::from(site.yaw_rad));
+    let (sin_tilt, cos_tilt) = math::f64::sin_cos(f64::from(site.down_tilt_rad));
     let forward = DVec3::new(cos_yaw * cos_tilt, sin_yaw * cos_tilt, -sin_tilt);
     let right = DVec3::new(sin_yaw, -cos_yaw, 0.0);
     let k = &camera.intrinsics;
