@@ -1,7 +1,7 @@
 //! `endless assets`: what the catalogue holds, how it looks, and files of it.
 
 use crate::args::{AssetsArgs, AssetsCommand};
-use crate::maps::write;
+use crate::file::write;
 use anyhow::Result;
 use endless_pipeline::BuiltinSimulator;
 use std::{io::Write, process::ExitCode};

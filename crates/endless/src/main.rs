@@ -4,6 +4,7 @@ mod args;
 mod assets;
 mod bench;
 mod check;
+mod file;
 mod generate;
 mod maps;
 mod report;

@@ -1,14 +1,10 @@
 //! `endless maps`: what maps there are, how they look, and maps from files.
 
 use crate::args::{ExportFiles, MapsArgs, MapsCommand, Side};
-use anyhow::{Context, Result};
+use crate::file::write;
+use anyhow::Result;
 use endless_pipeline::{About, BuiltinSimulator, DrivingSide, MapCatalog};
-use std::{
-    fs,
-    io::Write,
-    path::{Path, PathBuf},
-    process::ExitCode,
-};
+use std::{io::Write, path::Path, process::ExitCode};
 
 /// Notes on an imported file that are told; the rest are counted.
 const NOTES: usize = 8;
@@ -108,14 +104,5 @@ fn export(simulator: &BuiltinSimulator, map: &str, files: &ExportFiles) -> Resul
     if let Some(path) = &files.geojson {
         write(path, simulator.geojson(map)?.as_bytes())?;
     }
-    Ok(())
-}
-
-/// Writes a whole file or nothing.
-pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()).map(PathBuf::from) {
-        fs::create_dir_all(&folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
-    }
-    endless_dataset::write_atomic(path, bytes)?;
     Ok(())
 }

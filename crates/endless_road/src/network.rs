@@ -82,6 +82,25 @@ pub struct Lane {
     pub end_control: Control,
 }
 
+impl Lane {
+    /// A lane outside junctions with no lanes before, after or beside it, whose end nothing governs.
+    pub fn new(id: LaneId, centerline: Polyline, width_m: f64, speed_limit_mps: f64) -> Self {
+        Self {
+            id,
+            centerline,
+            width_m,
+            speed_limit_mps,
+            successors: Vec::new(),
+            predecessors: Vec::new(),
+            left: None,
+            right: None,
+            junction: None,
+            turn: Turn::Straight,
+            end_control: Control::Free,
+        }
+    }
+}
+
 /// Two junction lanes whose swept areas overlap.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conflict {

@@ -2,9 +2,7 @@
 #![expect(clippy::print_stdout, clippy::unwrap_used, reason = "tests")]
 
 use endless_asset::Catalogue;
-use endless_road::{
-    Area, AreaKind, Control, Footprint, Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind, Turn,
-};
+use endless_road::{Area, AreaKind, Footprint, Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind};
 use endless_town::{Town, TownError, What, dress_map};
 use endless_world::ClassTag;
 use glam::{DVec2, DVec3, Vec3};
@@ -12,19 +10,7 @@ use std::path::PathBuf;
 
 fn lane(id: u32, from: DVec3, to: DVec3) -> Lane {
     let steps = 40;
-    Lane {
-        id: LaneId(id),
-        centerline: Polyline::new((0..=steps).map(|i| from.lerp(to, f64::from(i) / f64::from(steps)))),
-        width_m: 3.5,
-        speed_limit_mps: 11.0,
-        successors: vec![],
-        predecessors: vec![],
-        left: None,
-        right: None,
-        junction: None,
-        turn: Turn::Straight,
-        end_control: Control::Free,
-    }
+    Lane::new(LaneId(id), Polyline::new((0..=steps).map(|i| from.lerp(to, f64::from(i) / f64::from(steps)))), 3.5, 11.0)
 }
 
 /// A street of 240 m on a slope of 5 %, with sidewalks, a house, a courtyard block and a pond.

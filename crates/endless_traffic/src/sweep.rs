@@ -148,22 +148,10 @@ impl Sweep {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_road::{Control, LaneId, Turn};
+    use endless_road::LaneId;
 
     fn lane(id: u32, points: &[(f64, f64)]) -> Lane {
-        Lane {
-            id: LaneId(id),
-            centerline: Polyline::new(points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0))),
-            width_m: 3.0,
-            speed_limit_mps: 14.0,
-            successors: Vec::new(),
-            predecessors: Vec::new(),
-            left: None,
-            right: None,
-            junction: None,
-            turn: Turn::Straight,
-            end_control: Control::Free,
-        }
+        Lane::new(LaneId(id), Polyline::new(points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0))), 3.0, 14.0)
     }
 
     fn touch(a: &[(f64, f64)], b: &[(f64, f64)]) -> Option<((f64, f64), (f64, f64))> {

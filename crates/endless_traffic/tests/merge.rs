@@ -3,7 +3,7 @@
 mod watch;
 
 use endless_asset::VehicleSpec;
-use endless_road::{Control, Lane, LaneId, Polyline, RoadNetwork, Turn};
+use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
 use endless_traffic::{Conditions, Simulation};
 use endless_world::math::f64::sin_cos;
 use glam::DVec3;
@@ -15,17 +15,8 @@ const RADIUS_M: f64 = 40.0;
 
 fn lane(id: u32, points: Vec<DVec3>, successors: &[u32]) -> Lane {
     Lane {
-        id: LaneId(id),
-        centerline: Polyline::new(points),
-        width_m: 3.3,
-        speed_limit_mps: 13.9,
         successors: successors.iter().map(|&s| LaneId(s)).collect(),
-        predecessors: Vec::new(),
-        left: None,
-        right: None,
-        junction: None,
-        turn: Turn::Straight,
-        end_control: Control::Free,
+        ..Lane::new(LaneId(id), Polyline::new(points), 3.3, 13.9)
     }
 }
 

@@ -3,7 +3,7 @@
 mod watch;
 
 use endless_asset::VehicleSpec;
-use endless_road::{Control, Lane, LaneId, Polyline, RoadNetwork, Turn};
+use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
 use endless_traffic::{Conditions, Simulation};
 use endless_world::Pose;
 use endless_world::math::f64::{atan, sin_cos};
@@ -26,17 +26,8 @@ fn loop_road() -> RoadNetwork {
         straight.chain(bend).map(|p| p * turn).map(|p| p.extend(p.dot(RISE))).collect()
     };
     let lane = |id: u32, points: Vec<DVec3>| Lane {
-        id: LaneId(id),
-        centerline: Polyline::new(points),
-        width_m: 3.4,
-        speed_limit_mps: 11.0,
         successors: vec![LaneId(1 - id)],
-        predecessors: Vec::new(),
-        left: None,
-        right: None,
-        junction: None,
-        turn: Turn::Straight,
-        end_control: Control::Free,
+        ..Lane::new(LaneId(id), Polyline::new(points), 3.4, 11.0)
     };
     let lanes = vec![lane(0, half(1.0)), lane(1, half(-1.0))];
     RoadNetwork { lanes, ..RoadNetwork::default() }.finish().expect("a sound network")

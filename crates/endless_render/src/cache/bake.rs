@@ -1,8 +1,8 @@
 //! The still picture of one camera in one scene.
 
-use super::centre::Centre;
 use super::compose::{sun_can_light, sun_origin};
 use super::spare::Spare;
+use super::still_pixel::StillPixel;
 use super::still_sample::{StillSample, shade_still, share_lamp_light, still_light, still_look};
 use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
@@ -71,10 +71,8 @@ pub struct CameraBake {
     pub(super) pixel_angle: f32,
     /// Four a pixel, row-major.
     pub(super) samples: Vec<StillSample>,
-    /// Distance of each pixel's samples from the lens; [`f32::MAX`] for the sky. Also in `samples`, here side by side.
-    pub(super) distances: Vec<[f32; SAMPLES]>,
     /// What is asked most of each pixel's samples.
-    pub(super) centres: Vec<Centre>,
+    pub(super) pixels: Vec<StillPixel>,
     /// All four samples of the pixel lie on one smooth piece that gives no light of its own: what moves does the same to
     /// the light of all four, so that is found once.
     pub(super) uniform: Vec<bool>,
@@ -140,9 +138,7 @@ impl CameraBake {
             })
         });
         drop(seen);
-        let pixels: &[[StillSample; SAMPLES]] = samples.as_chunks().0;
-        let distances = pixels.iter().map(|pixel| pixel.map(|s| s.hit.t)).collect();
-        let centres = pixels.iter().map(Centre::new).collect();
+        let pixels = samples.as_chunks().0.iter().map(StillPixel::new).collect();
         let (radiance, ambient): (Vec<Vec3A>, Vec<[f32; 3]>) = samples
             .par_chunks(SAMPLES)
             .map(|pixel| {
@@ -161,8 +157,7 @@ impl CameraBake {
             probes,
             pixel_angle,
             samples,
-            distances,
-            centres,
+            pixels,
             uniform,
             radiance,
             ambient,

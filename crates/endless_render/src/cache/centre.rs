@@ -3,47 +3,13 @@
 
 use super::affected::Work;
 use super::contact::contact_left;
-use super::still_sample::{StillSample, lamp_sum};
+use super::still_sample::lamp_sum;
 use super::sweep::beams_on_row;
 use crate::accel::Ray;
 use crate::material::Look;
-use crate::octahedron;
-use crate::sampling::SAMPLES;
 use crate::scene::{Facet, FrameScene};
 use crate::shade::Tracer;
 use glam::Vec3A;
-
-/// What rows of pixels ask of their samples most, side by side: the samples themselves lie far apart in memory.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Centre {
-    distance: f32,
-    /// Geometric normal, packed.
-    normal: u32,
-    /// Which lamps near it light it past the still town, a bit each.
-    lamps_free: u32,
-    /// Which of the pixel's samples mirror, a bit each.
-    pub(super) mirrors: u8,
-}
-
-impl Centre {
-    /// Of a pixel's samples.
-    pub(super) fn new(samples: &[StillSample; SAMPLES]) -> Self {
-        let mirrors = samples.iter().rev().fold(0, |bits, s| bits << 1 | u8::from(s.mirrors()));
-        let centre = &samples[0];
-        Self { distance: centre.hit.t, normal: centre.normal, lamps_free: centre.lamps_free, mirrors }
-    }
-
-    /// As seen along a ray.
-    pub(super) fn place<'a>(&self, ray: &Ray, look: Option<&'a Look>) -> Place<'a> {
-        let facet = Facet {
-            position: ray.origin + ray.direction * self.distance,
-            geometric_normal: octahedron::unpack(self.normal),
-            direction: ray.direction,
-            distance: self.distance,
-        };
-        Place { facet, look, lamps_free: self.lamps_free }
-    }
-}
 
 /// A pixel's centre in a row.
 #[derive(Clone, Copy)]

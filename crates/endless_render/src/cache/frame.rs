@@ -2,10 +2,11 @@
 
 use super::affected::{Work, affected};
 use super::bake::{CameraBake, still_sample};
-use super::centre::{Centre, CentreLight, Place, centre_lights};
+use super::centre::{CentreLight, Place, centre_lights};
 use super::compose::{compose, moving_mirror, sun_can_light, sun_origin};
 use super::cover::Cover;
 use super::row::{Found, Row};
+use super::still_pixel::StillPixel;
 use super::still_sample::{StillSample, share_lamp_light, still_light, still_look};
 use super::sweep::beams_on;
 use super::tile::TILE;
@@ -204,7 +205,7 @@ impl CameraBake {
             if i >= count || !self.uniform[index] || found[i].seen.iter().all(Option::is_some) {
                 return None;
             }
-            Some(self.centres[index].place(&row.ray(i, 0), self.looks.get(index)))
+            Some(self.pixels[index].place(&row.ray(i, 0), self.looks.get(index)))
         });
         centre_lights(tracer, frame, work, &places)
     }
@@ -226,7 +227,7 @@ impl CameraBake {
         let point = SurfacePoint::new(&tracer.still.instances, &ray, &samples[0].hit);
         let look = still_look(&point, &self.environment, 0, self.pixel_angle);
         let mut row = [None; 8];
-        row[0] = Some(Centre::new(samples).place(&ray, Some(&look).filter(|_| self.environment.night)));
+        row[0] = Some(StillPixel::new(samples).place(&ray, Some(&look).filter(|_| self.environment.night)));
         Some(centre_lights(tracer, frame, work, &row)[0])
     }
 

@@ -16,6 +16,7 @@ mod cover;
 mod frame;
 mod row;
 mod spare;
+mod still_pixel;
 mod still_sample;
 mod sweep;
 #[cfg(test)]

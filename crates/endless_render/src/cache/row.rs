@@ -119,7 +119,7 @@ impl<'a> Row<'a> {
         let mut rays = 0;
         for s in 0..SAMPLES {
             let stills: [&StillSample; TILE as usize] = std::array::from_fn(|i| self.still(i, s));
-            let distances: [f32; TILE as usize] = std::array::from_fn(|i| self.bake.distances[self.pixel(i)][s]);
+            let distances: [f32; TILE as usize] = std::array::from_fn(|i| self.bake.pixels[self.pixel(i)].distances[s]);
             let mut open = all & mask(|i| distances[i] < f32::MAX);
             if work.seen {
                 let towards = std::array::from_fn(|i| Ray { tmax: distances[i], ..self.ray(i, s) });
@@ -137,7 +137,7 @@ impl<'a> Row<'a> {
                     true => s % 2 == 0,
                     false => open >> i & 1 == 1,
                 };
-                let mirrors = |i: usize| self.bake.centres[self.pixel(i)].mirrors >> s & 1 == 1;
+                let mirrors = |i: usize| self.bake.pixels[self.pixel(i)].mirrors >> s & 1 == 1;
                 let active = all & mask(|i| mirrors(i) && asks(i));
                 if active != 0 {
                     let towards = std::array::from_fn(|i| stills[i].mirror_ray(&stills[i].facet(&self.ray(i, s))));

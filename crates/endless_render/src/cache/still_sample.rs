@@ -76,12 +76,7 @@ impl StillSample {
 
     /// Its surface; `ray` is the one that met it.
     pub(super) fn facet(&self, ray: &Ray) -> Facet {
-        Facet {
-            position: ray.origin + ray.direction * self.hit.t,
-            geometric_normal: octahedron::unpack(self.normal),
-            direction: ray.direction,
-            distance: self.hit.t,
-        }
+        Facet::along(ray, self.hit.t, octahedron::unpack(self.normal))
     }
 
     /// The ray into its mirror, as far as the still town.

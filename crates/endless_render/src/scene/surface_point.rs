@@ -20,6 +20,11 @@ pub(crate) struct Facet {
 }
 
 impl Facet {
+    /// Where a ray has come after `distance` metres.
+    pub(crate) fn along(ray: &Ray, distance: f32, geometric_normal: Vec3A) -> Self {
+        Self { position: ray.origin + ray.direction * distance, geometric_normal, direction: ray.direction, distance }
+    }
+
     /// Where rays leave the surface without meeting it again.
     pub(crate) fn ray_origin(&self) -> Vec3A {
         let away = 1.5e-3 + 2.0e-5 * self.distance + 4.0e-7 * self.position.abs().max_element();

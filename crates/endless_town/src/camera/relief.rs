@@ -179,24 +179,12 @@ impl Relief {
 mod tests {
     use super::*;
     use endless_asset::{Material, MeshBuilder, Surface};
-    use endless_road::{Control, Lane, LaneId, Polyline, Turn};
+    use endless_road::{Lane, LaneId, Polyline};
     use glam::DVec3;
 
     #[test]
     fn a_wall_hides_what_is_behind_it() {
-        let lane = Lane {
-            id: LaneId(0),
-            centerline: Polyline::new([DVec3::ZERO, DVec3::new(40.0, 0.0, 0.0)]),
-            width_m: 3.0,
-            speed_limit_mps: 10.0,
-            successors: vec![],
-            predecessors: vec![],
-            left: None,
-            right: None,
-            junction: None,
-            turn: Turn::Straight,
-            end_control: Control::Free,
-        };
+        let lane = Lane::new(LaneId(0), Polyline::new([DVec3::ZERO, DVec3::new(40.0, 0.0, 0.0)]), 3.0, 10.0);
         let network = RoadNetwork { lanes: vec![lane], ..RoadNetwork::default() };
         let mut mesh = MeshBuilder::new();
         let flat = |tag| Material::new(Surface::Concrete, [0.5; 3], tag);

@@ -1,0 +1,13 @@
+//! Files that a command was asked to write.
+
+use anyhow::{Context, Result};
+use std::{fs, path::Path};
+
+/// Writes a whole file or nothing, and the folders that it lies in.
+pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
+        fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
+    }
+    endless_dataset::write_atomic(path, bytes)?;
+    Ok(())
+}
