@@ -80,7 +80,8 @@ pub(crate) struct RecipeArgs {
     /// Layers to store: rgb, depth, instance [default: all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     layers: Option<Vec<String>>,
-    /// What lens, sensor and recorder do to the RGB layer: clean, cctv or random [default: clean].
+    /// What lens, sensor and recorder do to the RGB layer: natural, clean, cctv or random
+    /// [default: natural].
     #[arg(long, value_name = "LOOK")]
     camera_look: Option<String>,
     /// How to store the RGB layer: png or jpg [default: png].

@@ -22,14 +22,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let still = StaticScene::load(&town, &catalogue);
     // One gathered ray: the light is noisy, the cost of a frame is the same.
     let render = RenderSettings {
-        weather,
-        time_of_day,
-        seed,
-        size,
         gather_rays: 1,
         look: settings.looks[0],
         fps,
-        keep_irradiance: false,
+        ..RenderSettings::new(weather, time_of_day, seed, size)
     };
     let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(&still, &render, site));
     let focus = settings.cameras.each_ref().map(|site| Vec3::from_array(site.position));

@@ -17,9 +17,6 @@ use std::{
     sync::{Mutex, OnceLock, PoisonError},
 };
 
-/// Rays that gather indirect light for each sample of the bake.
-const GATHER_RAYS: u32 = 4;
-
 /// Simulates and renders without anything outside this program.
 #[derive(Debug)]
 pub struct BuiltinSimulator {
@@ -248,12 +245,7 @@ impl Simulator for BuiltinSimulator {
             let render = RenderSettings {
                 look: settings.looks[camera],
                 fps: settings.fps,
-                weather: settings.weather,
-                time_of_day: settings.time_of_day,
-                seed: settings.seed,
-                size: settings.size,
-                gather_rays: GATHER_RAYS,
-                keep_irradiance: false,
+                ..RenderSettings::new(settings.weather, settings.time_of_day, settings.seed, settings.size)
             };
             CameraBake::bake(&map.still, &render, &settings.cameras[camera])
         };

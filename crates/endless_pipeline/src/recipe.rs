@@ -104,7 +104,7 @@ impl RecipeDraft {
         }
         let layers: Vec<Layer> = choose("layers", self.layers, Layer::ALL, Layer::name)?;
         let rgb_format = self.rgb_format.map_or(Ok(RgbFormat::Png), |given| given.parse())?;
-        let camera_look = self.camera_look.map_or(Ok(LookChoice::Clean), |given| given.parse())?;
+        let camera_look = self.camera_look.map_or(Ok(LookChoice::Natural), |given| given.parse())?;
         let maps = maps(self.maps, catalog)?;
         let mut map_files = BTreeMap::new();
         for map in &maps {

@@ -5,7 +5,7 @@ mod staged;
 
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
-use endless_world::{CameraLook, ImageSize, TimeOfDay, Weather};
+use endless_world::{ImageSize, TimeOfDay, Weather};
 use staged::crowd;
 use std::{error::Error, fs::File, path::Path, time::Instant};
 
@@ -25,16 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     eprintln!("scene {:.2} s, {} triangles", clock.elapsed().as_secs_f32(), still.placed_triangles());
     let site = &town.cameras[camera.parse::<usize>()? % town.cameras.len()];
     let clock = Instant::now();
-    let settings = RenderSettings {
-        weather,
-        time_of_day: time,
-        seed: 7,
-        size,
-        gather_rays: 4,
-        look: CameraLook::CLEAN,
-        fps: 30.0,
-        keep_irradiance: false,
-    };
+    let settings = RenderSettings::new(weather, time, 7, size);
     let bake = CameraBake::bake(&still, &settings, site);
     eprintln!("bake {:.2} s, {} rays", clock.elapsed().as_secs_f32(), bake.stats().rays());
     let state = crowd(&town, site.position, &catalogue, time == TimeOfDay::Night || weather == Weather::Rainy);

@@ -5,8 +5,8 @@ use endless_asset::{Catalogue, Material, MeshBuilder, Surface};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::{Placement, Town, What};
 use endless_world::{
-    Actor, AssetRef, CameraLook, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose,
-    TimeOfDay, VehicleMotion, WalkerMotion, Weather, WorldState,
+    Actor, AssetRef, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay,
+    VehicleMotion, WalkerMotion, Weather, WorldState,
 };
 use glam::{Affine3A, Vec2, Vec3};
 use std::error::Error;
@@ -30,16 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         horizontal_fov_rad: 0.95,
         mount: Mount::Pole,
     };
-    let settings = RenderSettings {
-        weather: Weather::ClearSky,
-        time_of_day: TimeOfDay::Afternoon,
-        seed: 1,
-        size: SIZE,
-        gather_rays: 4,
-        look: CameraLook::CLEAN,
-        fps: 30.0,
-        keep_irradiance: false,
-    };
+    let settings = RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 1, SIZE);
     let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };
     let cast = Cast::new(&catalogue, &state.actors);
     let image = CameraBake::bake(&still, &settings, &site).render(&still, &FrameScene::new(&cast, &state)).rgb;

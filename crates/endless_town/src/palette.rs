@@ -3,7 +3,7 @@
 use endless_asset::{Material, Surface};
 use endless_world::ClassTag;
 
-pub(crate) const ASPHALT: Material = Material::new(Surface::Asphalt, [0.075, 0.075, 0.078], ClassTag::Roads);
+pub(crate) const ASPHALT: Material = Material::new(Surface::Asphalt, [0.125, 0.125, 0.127], ClassTag::Roads);
 pub(crate) const COBBLES: Material = Material::new(Surface::Cobbles, [0.155, 0.145, 0.135], ClassTag::Roads);
 pub(crate) const PAVING: Material = Material::new(Surface::Paving, [0.36, 0.34, 0.31], ClassTag::Sidewalks);
 pub(crate) const KERB: Material = Material::new(Surface::Kerb, [0.42, 0.41, 0.39], ClassTag::Sidewalks);
@@ -25,4 +25,4 @@ pub(crate) const DECK: Material = Material::new(Surface::Concrete, [0.40, 0.39, 
 pub(crate) const FIELD: Material = Material::new(Surface::Soil, [0.17, 0.14, 0.08], ClassTag::Terrain);
 pub(crate) const WOODLAND: Material = Material::new(Surface::Grass, [0.06, 0.09, 0.03], ClassTag::Terrain);
 pub(crate) const WATER: Material = Material::new(Surface::Water, [0.03, 0.06, 0.06], ClassTag::Water);
-pub(crate) const CAR_PARK: Material = Material::new(Surface::Asphalt, [0.085, 0.084, 0.084], ClassTag::Ground);
+pub(crate) const CAR_PARK: Material = Material::new(Surface::Asphalt, [0.118, 0.117, 0.116], ClassTag::Ground);

@@ -9,7 +9,9 @@ use std::{fmt, str::FromStr};
 named_enum! {
     /// Which looks a recipe asks for.
     LookChoice, "camera look",
-    /// The picture as light made it.
+    /// A good camera: a little noise, and what moves is blurred by as long as the shutter is open.
+    Natural = "natural",
+    /// The picture as light made it, at one instant.
     Clean = "clean",
     /// A usual surveillance camera: a wide lens, some noise, a recorder that compresses and stamps the time.
     Cctv = "cctv",
@@ -92,6 +94,10 @@ pub struct CameraLook {
     pub vignetting: f32,
     /// How much farther from the middle red lies, and how much nearer blue, as a share.
     pub aberration: f32,
+    /// How long the shutter is open, seconds: what moves is blurred by it. Labels are of the middle of that time. 0: an
+    /// instant.
+    #[serde(default)]
+    pub shutter_s: f32,
     /// Standard deviation of the sensor's noise in middle grey, in 255ths.
     pub noise: f32,
     /// Strength of the unsharp mask.
@@ -110,6 +116,7 @@ impl CameraLook {
         distortion: Distortion::NONE,
         vignetting: 0.0,
         aberration: 0.0,
+        shutter_s: 0.0,
         noise: 0.0,
         sharpening: 0.0,
         jpeg_quality: None,
@@ -119,12 +126,20 @@ impl CameraLook {
     /// The look of a camera; `random` is its own, `clock` that of the scene.
     pub fn new(choice: LookChoice, time: TimeOfDay, clock: Clock, random: &mut Stream) -> Self {
         let dark = if time == TimeOfDay::Night { 2.5 } else { 1.0 };
+        // Cameras open the shutter for as long as the light asks, then amplify.
+        let shutter_s = match time {
+            TimeOfDay::Morning => 1.0 / 200.0,
+            TimeOfDay::Afternoon => 1.0 / 500.0,
+            TimeOfDay::Night => 1.0 / 60.0,
+        };
         match choice {
             LookChoice::Clean => Self::CLEAN,
+            LookChoice::Natural => Self { shutter_s, noise: 0.6 * dark, ..Self::CLEAN },
             LookChoice::Cctv => Self {
                 distortion: Distortion::barrel(-0.12),
                 vignetting: 0.3,
                 aberration: 0.0006,
+                shutter_s: 1.5 * shutter_s,
                 noise: 1.4 * dark,
                 sharpening: 0.5,
                 jpeg_quality: Some(60),
@@ -138,6 +153,7 @@ impl CameraLook {
                     distortion: Distortion::barrel(if bent { -within(0.02, 0.22) } else { 0.0 }),
                     vignetting: within(0.0, 0.5),
                     aberration: within(0.0, 0.0014),
+                    shutter_s: within(0.5, 2.0) * shutter_s,
                     noise: within(0.3, 3.0) * dark,
                     sharpening: within(0.0, 1.0),
                     jpeg_quality: recorded.then(|| within(30.0, 92.0) as u8),
@@ -187,6 +203,8 @@ mod tests {
         };
         assert_ne!(look(0), look(1));
         assert_eq!(look(2), look(2));
+        let natural = CameraLook::new(LookChoice::Natural, TimeOfDay::Night, clock, &mut Stream::named(1, "", &[]));
+        assert!(natural.shutter_s > 0.01 && natural.noise > 0.0 && natural.distortion == Distortion::NONE);
         assert!(CameraLook::new(LookChoice::Clean, TimeOfDay::Night, clock, &mut Stream::named(1, "", &[])).is_clean());
     }
 }

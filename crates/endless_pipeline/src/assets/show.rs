@@ -5,7 +5,7 @@ use endless_asset::{Catalogue, Material, Mesh, MeshBuilder, Surface};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_road::RoadNetwork;
 use endless_town::{Placement, Town, What};
-use endless_world::{CameraLook, CameraSite, ClassTag, Image, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
+use endless_world::{CameraSite, ClassTag, Image, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
 use glam::{Affine3A, Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
 
@@ -111,16 +111,7 @@ fn site(low: Vec3, high: Vec3, azimuth: f32) -> CameraSite {
 }
 
 fn seen(still: &StaticScene, catalogue: &Catalogue, site: &CameraSite) -> Image<[u8; 3]> {
-    let settings = RenderSettings {
-        weather: Weather::ClearSky,
-        time_of_day: TimeOfDay::Afternoon,
-        seed: 0,
-        size: VIEW,
-        gather_rays: 4,
-        look: CameraLook::CLEAN,
-        fps: 30.0,
-        keep_irradiance: false,
-    };
+    let settings = RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, VIEW);
     let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals: Vec::new() };
     let cast = Cast::new(catalogue, &state.actors);
     CameraBake::bake(still, &settings, site).render(still, &FrameScene::new(&cast, &state)).rgb

@@ -21,7 +21,8 @@ pub struct Estimate {
 /// instances; all three of a camera frame 1.1 to 2.0, about 1.7 in the mean.
 fn bytes_a_pixel(layer: Layer, rgb_format: RgbFormat, look: LookChoice) -> f64 {
     match (layer, rgb_format) {
-        // Noise does not compress.
+        // Noise does not compress: a little of it adds a bit or three a value, much of it all there is.
+        (Layer::Rgb, RgbFormat::Png) if look == LookChoice::Natural => 2.1,
         (Layer::Rgb, RgbFormat::Png) if look != LookChoice::Clean => 3.01,
         (Layer::Rgb, RgbFormat::Png) => 1.2,
         (Layer::Rgb, RgbFormat::Jpg) if look != LookChoice::Clean => 0.9,
@@ -31,8 +32,8 @@ fn bytes_a_pixel(layer: Layer, rgb_format: RgbFormat, look: LookChoice) -> f64 {
     }
 }
 
-/// Bytes a pixel of a video's frame.
-const VIDEO_BYTES_A_PIXEL: f64 = 0.015;
+/// Bytes a pixel of a video's frame, noise included.
+const VIDEO_BYTES_A_PIXEL: f64 = 0.035;
 /// Headers, annotations and what a file takes beyond its bytes.
 const BYTES_A_FILE: f64 = 4096.0;
 

@@ -3,7 +3,7 @@
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::{Town, top_view};
-use endless_world::{CameraLook, Image, ImageSize, SignalAspect, SignalState, TimeOfDay, Weather, WorldState};
+use endless_world::{Image, ImageSize, SignalAspect, SignalState, TimeOfDay, Weather, WorldState};
 
 /// Size of a camera's picture.
 const SMALL: ImageSize = ImageSize { width: 320, height: 180 };
@@ -20,16 +20,8 @@ pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Image<[u8; 3]> {
     let mut pixels = vec![[0u8; 3]; width * height];
     pixels[..width * width].copy_from_slice(&above);
     let still = StaticScene::load(town, catalogue);
-    let settings = RenderSettings {
-        weather: Weather::ClearSky,
-        time_of_day: TimeOfDay::Afternoon,
-        seed: 0,
-        size: SMALL,
-        gather_rays: 2,
-        look: CameraLook::CLEAN,
-        fps: 30.0,
-        keep_irradiance: false,
-    };
+    let settings =
+        RenderSettings { gather_rays: 2, ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, SMALL) };
     let signals = vec![SignalState { aspect: SignalAspect::Red }; usize::from(town.network.signal_groups)];
     let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals };
     let cast = Cast::new(catalogue, &state.actors);

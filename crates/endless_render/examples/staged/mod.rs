@@ -1,5 +1,10 @@
 //! Actors standing at spawn points and on sidewalks, without traffic.
 
+#![allow(dead_code, reason = "each example uses some of it")]
+
+pub(crate) mod draw;
+pub(crate) mod sheet;
+
 use endless_asset::Catalogue;
 use endless_town::Town;
 use endless_world::{

@@ -7,12 +7,12 @@ use super::still_sample::{StillSample, shade_still, share_lamp_light, still_ligh
 use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
 use crate::film::Finish;
-use crate::film::{Rain, ToneCurve, exposure};
-use crate::indirect::{Guide, ProbeGrid, denoise, gather};
+use crate::film::{LONGEST_PX, Rain, ToneCurve, exposure};
+use crate::indirect::{Air, Guide, ProbeGrid, denoise, gather};
 use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
-use crate::material::Look;
+use crate::material::{Look, noise};
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
-use crate::scene::{StaticScene, SurfacePoint};
+use crate::scene::{StaticScene, SurfacePoint, Velocity};
 use crate::shade::{Tracer, footprint_m};
 use endless_world::{
     CameraLook, CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, InstancePixel, PinholeCamera, TimeOfDay,
@@ -33,14 +33,34 @@ pub struct RenderSettings {
     pub seed: u64,
     /// Image size.
     pub size: ImageSize,
-    /// Rays that gather indirect light for each of a pixel's samples; 6 is clean after denoising.
+    /// Rays that gather indirect light for each of a pixel's samples; 4 is clean after denoising.
     pub gather_rays: u32,
+    /// Which of many equal patterns the gathering rays follow: pictures that differ in nothing else differ by the grain
+    /// that is left.
+    pub pattern: u32,
     /// What lens, sensor and recorder do to the picture.
     pub look: CameraLook,
     /// Frames a second, for the recorder's clock.
     pub fps: f64,
     /// Keep what [`CameraBake::render_uncached`] needs (12 bytes a sample).
     pub keep_irradiance: bool,
+}
+
+impl RenderSettings {
+    /// As clean as datasets are by default, at 30 frames a second.
+    pub fn new(weather: Weather, time_of_day: TimeOfDay, seed: u64, size: ImageSize) -> Self {
+        Self {
+            weather,
+            time_of_day,
+            seed,
+            size,
+            gather_rays: 4,
+            pattern: 0,
+            look: CameraLook::CLEAN,
+            fps: 30.0,
+            keep_irradiance: false,
+        }
+    }
 }
 
 /// Rays traced, for reports.
@@ -84,6 +104,8 @@ pub struct CameraBake {
     pub(super) instance: Vec<InstancePixel>,
     pub(super) tone: ToneCurve,
     pub(super) rain: Option<Rain>,
+    /// How long the shutter is open.
+    pub(super) shutter_s: f32,
     pub(super) glare: f32,
     pub(super) tiles: Vec<TileBounds>,
     pub(super) tile_columns: u32,
@@ -112,11 +134,12 @@ impl CameraBake {
         let (low, high, ground) = viewed_area(still, &camera);
         let lamps = if environment.night { still.lamps.all() } else { &[] };
         let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
-        let probes = ProbeGrid::bake(still, &environment, &lamp_maps, low, high, ground);
+        let air = Air { low, high, ground, pattern: settings.pattern };
+        let probes = ProbeGrid::bake(still, &environment, &lamp_maps, &air);
         let stats = BakeStats::default();
         let tracer =
             Tracer { still, moving: None, environment: &environment, lamp_maps: &lamp_maps, probes: Some(&probes) };
-        let pass = Pass { tracer, camera: &camera, pixel_angle, gather_rays: settings.gather_rays, stats: &stats };
+        let pass = Pass { tracer, camera: &camera, pixel_angle, settings, stats: &stats };
         let seen = pass.trace();
         let irradiance = pass.irradiance(&seen);
         let mut samples = pass.shade(&seen, &irradiance);
@@ -147,7 +170,7 @@ impl CameraBake {
             })
             .unzip();
         let exposure = exposure(&radiance, environment.exposure_key);
-        let tone = ToneCurve::new(exposure);
+        let tone = ToneCurve::new(exposure, environment.white_balance());
         let rgb = radiance.iter().map(|&r| tone.apply(r)).collect();
         let rain = rain(&environment, exposure, settings.seed);
         let glare = environment.glare;
@@ -167,6 +190,7 @@ impl CameraBake {
             tone,
             rain,
             glare,
+            shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
             finish: Finish::new(&settings.look, settings.size, settings.fps, settings.seed),
             tiles,
             tile_columns,
@@ -194,9 +218,22 @@ impl CameraBake {
         &self.stats
     }
 
-    /// Whether lens or glare make a pixel depend on others.
+    /// Whether all of a frame must be developed again: glare and lens change every pixel.
     pub(super) fn spreads_light(&self) -> bool {
-        self.glare > 0.0 || self.finish.is_some()
+        self.glare > 0.0 || self.finish.as_ref().is_some_and(Finish::has_lens)
+    }
+
+    /// Way in the image of a point that moves, while the shutter is open, pixels.
+    pub(super) fn way_in_image(&self, point: Vec3A, velocity: Velocity) -> Vec2 {
+        if self.shutter_s == 0.0 || velocity == Velocity::ZERO {
+            return Vec2::ZERO;
+        }
+        let half = velocity.at(point) * (0.5 * self.shutter_s);
+        let at = |p: Vec3A| self.camera.project(p.into()).map(|(at, _)| at);
+        match (at(point - half), at(point + half)) {
+            (Some(from), Some(to)) => (to - from).clamp_length_max(LONGEST_PX),
+            _ => Vec2::ZERO,
+        }
     }
 
     /// The ray of a pixel's sample.
@@ -217,7 +254,7 @@ fn rain(environment: &Environment, exposure: f32, seed: u64) -> Option<Rain> {
     (environment.rain > 0.0).then(|| {
         let radiance =
             if environment.night { Vec3A::new(1.0, 0.9, 0.78) * (0.16 / exposure) } else { environment.sky.mean * 1.1 };
-        let slant = (crate::material::noise::cell1(seed as u32, 5) - 0.5) * 0.3;
+        let slant = (noise::cell1(seed as u32, 5) - 0.5) * 0.3;
         Rain { drops: (2200.0 * environment.rain) as u32, radiance, slant, seed }
     })
 }
@@ -265,7 +302,7 @@ struct Pass<'a> {
     tracer: Tracer<'a>,
     camera: &'a PinholeCamera,
     pixel_angle: f32,
-    gather_rays: u32,
+    settings: &'a RenderSettings,
     stats: &'a BakeStats,
 }
 
@@ -332,7 +369,7 @@ impl Pass<'_> {
             let clean = denoise(self.width(), &guides, light, 5);
             all.par_chunks_mut(SAMPLES).zip(clean).for_each(|(pixel, light)| pixel[sample] = light);
         }
-        self.stats.add(seen.hits.len() as u64 * u64::from(self.gather_rays) * 2);
+        self.stats.add(seen.hits.len() as u64 * u64::from(self.settings.gather_rays) * 2);
         all
     }
 
@@ -343,7 +380,8 @@ impl Pass<'_> {
         let ray = self.ray_of(index);
         let point = SurfacePoint::new(&self.tracer.still.instances, &ray, hit);
         let reach_m = footprint_m(&point, self.pixel_angle).max(0.01);
-        let light = gather(&self.tracer, &point, index as u32, self.gather_rays);
+        let turn = index as u32 ^ noise::hash(self.settings.pattern);
+        let light = gather(&self.tracer, &point, turn, self.settings.gather_rays);
         (Guide { position: point.position, normal: point.normal, reach_m }, light)
     }
 

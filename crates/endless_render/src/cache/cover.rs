@@ -8,6 +8,7 @@ use crate::scene::{FrameScene, SurfacePoint};
 use crate::shade::Seen;
 use endless_asset::Surface;
 use endless_world::InstancePixel;
+use glam::Vec2;
 use std::ops::Range;
 
 /// What moves in front of a pixel.
@@ -16,13 +17,15 @@ pub(super) struct Cover {
     pub(super) centre: Option<(f32, InstancePixel)>,
     /// It fills the pixel: the mean of the shaded samples is the pixel's colour.
     pub(super) whole: bool,
+    /// Way of what covers it in the image while the shutter is open, pixels.
+    pub(super) way: Vec2,
     /// Where the samples to shade stand in the list; all that are covered, in order, if not `whole`.
     pub(super) shaded: Range<usize>,
 }
 
 impl Cover {
     /// Nothing.
-    pub(super) const NONE: Self = Self { centre: None, whole: false, shaded: 0..0 };
+    pub(super) const NONE: Self = Self { centre: None, whole: false, way: Vec2::ZERO, shaded: 0..0 };
 
     /// What rays found in front of a pixel; adds the samples to shade to a list.
     pub(super) fn new<'a>(
@@ -44,6 +47,7 @@ impl Cover {
             (planar_depth(&bake.camera, &rays[0], point.distance), label)
         });
         list.extend(centre);
+        let way = |seen: &Seen<'_>| bake.way_in_image(seen.point.position, seen.point.instance.velocity);
         let mut whole = triangle(0).is_some() && (1..SAMPLES).all(|s| triangle(s) == triangle(0));
         if !whole {
             list.extend((1..SAMPLES).filter_map(seen));
@@ -54,7 +58,7 @@ impl Cover {
                 list.truncate(first + count);
             }
         }
-        Self { centre: label, whole, shaded: first..list.len() }
+        Self { centre: label, whole, way: list.get(first).map_or(Vec2::ZERO, way), shaded: first..list.len() }
     }
 }
 
@@ -62,6 +66,10 @@ impl Cover {
 /// one.
 fn enough(seen: &[Seen<'_>]) -> Option<usize> {
     let [Seen { point: centre, .. }, rest @ ..] = seen else { return None };
+    if centre.material.surface == Surface::CarGlass {
+        // What it shows of the inside has edges of its own.
+        return None;
+    }
     let smooth = |s: &Seen<'_>| {
         std::ptr::eq(s.point.material, centre.material)
             && s.point.instance.id == centre.instance.id
@@ -71,10 +79,6 @@ fn enough(seen: &[Seen<'_>]) -> Option<usize> {
         return None;
     }
     let flat = rest.iter().all(|s| s.point.normal.dot(centre.normal) > 0.995);
-    let shiny = !flat
-        && matches!(
-            centre.material.surface,
-            Surface::CarPaint | Surface::CarGlass | Surface::Chrome | Surface::Painted
-        );
+    let shiny = !flat && matches!(centre.material.surface, Surface::CarPaint | Surface::Chrome | Surface::Painted);
     Some(if shiny { 2 } else { 1 })
 }

@@ -1,7 +1,8 @@
 //! One frame: the still picture with everything that moves.
 
 use super::affected::{Work, affected};
-use super::bake::{CameraBake, still_sample};
+use super::bake::{CameraBake, planar_depth, still_sample};
+use super::canvas::{Canvas, Pixel};
 use super::centre::{CentreLight, Place, centre_lights};
 use super::compose::{compose, moving_mirror, sun_can_light, sun_origin};
 use super::cover::Cover;
@@ -11,19 +12,12 @@ use super::still_sample::{StillSample, share_lamp_light, still_light, still_look
 use super::sweep::beams_on;
 use super::tile::TILE;
 use crate::accel::Ray;
-use crate::film::with_glare;
+use crate::film::{LEAST_PX, Streak};
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfacePoint};
 use crate::shade::{Seen, Tracer, shade_moving, shade_moving8};
-use endless_world::{Image, InstancePixel, SensorFrame};
-use glam::Vec3A;
-
-/// One pixel of a frame.
-struct Pixel {
-    radiance: Vec3A,
-    /// Depth and label, if something that moves covers the pixel's centre.
-    covered: Option<(f32, InstancePixel)>,
-}
+use endless_world::SensorFrame;
+use glam::{Vec2, Vec3A};
 
 impl CameraBake {
     /// What the camera sees at an instant.
@@ -68,7 +62,7 @@ impl CameraBake {
                 let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples);
                 let still = still_light(&samples, &self.environment);
                 let pixel = match undisturbed(still, light.as_ref(), &found) {
-                    Some(radiance) => Pixel { radiance, covered: None },
+                    Some(radiance) => Pixel { radiance, covered: None, streak: None },
                     None => {
                         let mut seen = Vec::new();
                         let cover = Cover::new(self, frame, &rays, &found, &mut seen);
@@ -144,7 +138,7 @@ impl CameraBake {
                 }
                 let still = (self.radiance[index], Vec3A::from(self.ambient[index]));
                 if let Some(radiance) = undisturbed(still, light, &found[i]) {
-                    canvas.set(self, x, y, &Pixel { radiance, covered: None });
+                    canvas.set(self, x, y, &Pixel { radiance, covered: None, streak: None });
                     continue;
                 }
                 let samples = &self.samples[index * SAMPLES..][..SAMPLES];
@@ -245,7 +239,9 @@ impl CameraBake {
         (cover, lights): (&Cover, &[Vec3A]),
     ) -> Pixel {
         if cover.whole {
-            return Pixel { radiance: lights.iter().sum::<Vec3A>() / lights.len() as f32, covered: cover.centre };
+            let radiance = lights.iter().sum::<Vec3A>() / lights.len() as f32;
+            let streak = self.streak(frame, &rays[0], found, cover.way, radiance, 1.0, radiance);
+            return Pixel { radiance, covered: cover.centre, streak };
         }
         // The samples of a uniform pixel share what their mirrors show in pairs.
         let mut mirrored: [Option<Vec3A>; SAMPLES] = std::array::from_fn(|s| {
@@ -269,7 +265,31 @@ impl CameraBake {
         }
         let uncovered = SAMPLES - lights.len();
         let swept = centre.map_or(Vec3A::ZERO, |light| light.swept * (uncovered as f32 / SAMPLES as f32));
-        Pixel { radiance: sum / SAMPLES as f32 + swept, covered: cover.centre }
+        let radiance = sum / SAMPLES as f32 + swept;
+        let share = lights.len() as f32 / SAMPLES as f32;
+        let light = lights.iter().sum::<Vec3A>() / SAMPLES as f32;
+        let streak = self.streak(frame, &rays[0], found, cover.way, light, share, radiance);
+        Pixel { radiance, covered: cover.centre, streak }
+    }
+
+    /// What moves in a pixel, if it moves far enough to blur: its `light` covers a share of the pixel.
+    fn streak(
+        &self,
+        frame: &FrameScene,
+        ray: &Ray,
+        found: &Found,
+        way: Vec2,
+        light: Vec3A,
+        cover: f32,
+        radiance: Vec3A,
+    ) -> Option<Streak> {
+        if way.length_squared() < LEAST_PX * LEAST_PX {
+            return None;
+        }
+        let nearest = found.seen.iter().flatten().min_by(|a, b| a.t.total_cmp(&b.t))?;
+        let behind = (cover < 1.0).then(|| (radiance - light) / (1.0 - cover));
+        let id = frame.instances[nearest.instance as usize].id;
+        Some(Streak { id, light, cover, behind, way, depth: planar_depth(&self.camera, ray, nearest.t) })
     }
 }
 
@@ -278,90 +298,4 @@ impl CameraBake {
 fn undisturbed((radiance, ambient): (Vec3A, Vec3A), light: Option<&CentreLight>, found: &Found) -> Option<Vec3A> {
     let light = light.filter(|light| light.direct.is_none() && found.is_nothing())?;
     Some(radiance + ambient * (light.contact - 1.0) + light.swept)
-}
-
-/// A frame in the making: starts as the still picture.
-struct Canvas {
-    /// Full radiance, where the film needs it (rain, lens, glare).
-    radiance: Option<Vec<Vec3A>>,
-    /// The pixels whose radiance is no longer that of the still picture.
-    touched: Vec<u32>,
-    rgb: Vec<[u8; 3]>,
-    depth: Vec<f32>,
-    instance: Vec<InstancePixel>,
-}
-
-impl Canvas {
-    fn new(bake: &CameraBake) -> Self {
-        let keeps = bake.rain.is_some() || bake.spreads_light();
-        Self {
-            radiance: keeps.then(|| bake.spare.take(&bake.radiance)),
-            touched: Vec::new(),
-            rgb: if bake.spreads_light() { Vec::with_capacity(bake.rgb.len()) } else { bake.rgb.clone() },
-            depth: bake.depth.clone(),
-            instance: bake.instance.clone(),
-        }
-    }
-
-    fn set(&mut self, bake: &CameraBake, x: u32, y: u32, pixel: &Pixel) {
-        let i = y as usize * bake.camera.size.width as usize + x as usize;
-        match &mut self.radiance {
-            Some(radiance) => {
-                radiance[i] = pixel.radiance;
-                self.touched.push(i as u32);
-            }
-            None => self.rgb[i] = bake.tone.apply(pixel.radiance),
-        }
-        if let Some((depth, label)) = pixel.covered {
-            self.depth[i] = depth;
-            self.instance[i] = label;
-        }
-    }
-
-    /// Rain, lens, glare, tone curve, sensor and recorder.
-    fn develop(mut self, bake: &CameraBake, frame: u32) -> SensorFrame {
-        let size = bake.camera.size;
-        if let Some(mut radiance) = self.radiance.take() {
-            if let Some(rain) = &bake.rain {
-                rain.draw(frame, &bake.camera, &self.depth, |i, share| {
-                    radiance[i] = radiance[i].lerp(rain.radiance, share);
-                    self.touched.push(i as u32);
-                });
-            }
-            match &bake.finish {
-                Some(finish) => {
-                    let mut through = radiance.clone();
-                    finish.lens(&mut through);
-                    self.expose(bake, &through);
-                }
-                None => self.expose(bake, &radiance),
-            }
-            for i in self.touched {
-                radiance[i as usize] = bake.radiance[i as usize];
-            }
-            bake.spare.give(radiance);
-        }
-        if let Some(finish) = &bake.finish {
-            finish.record(frame, &mut self.rgb);
-        }
-        SensorFrame {
-            frame,
-            rgb: Image { size, data: self.rgb },
-            depth: Image { size, data: self.depth },
-            instance: Image { size, data: self.instance },
-        }
-    }
-
-    /// Glare and tone curve.
-    fn expose(&mut self, bake: &CameraBake, radiance: &[Vec3A]) {
-        if !bake.spreads_light() {
-            for &i in &self.touched {
-                self.rgb[i as usize] = bake.tone.apply(radiance[i as usize]);
-            }
-        } else if bake.glare > 0.0 {
-            with_glare(bake.camera.size, radiance, bake.glare, |r| self.rgb.push(bake.tone.apply(r)));
-        } else {
-            self.rgb.extend(radiance.iter().map(|&r| bake.tone.apply(r)));
-        }
-    }
 }

@@ -9,6 +9,7 @@
 mod affected;
 mod bake;
 mod beam_box;
+mod canvas;
 mod centre;
 mod compose;
 mod contact;

@@ -2,7 +2,7 @@
 //! the clock, and compression. Distortion is not here: rays are bent by it, so all layers have it alike.
 
 use super::clock::stamp;
-use crate::material::noise::hash;
+use super::grain::Grain;
 use endless_world::{CameraLook, ImageSize};
 use glam::{Vec2, Vec3A};
 
@@ -12,13 +12,19 @@ pub(crate) struct Finish {
     look: CameraLook,
     size: ImageSize,
     fps: f64,
-    seed: u64,
+    grain: Option<Grain>,
 }
 
 impl Finish {
     /// `None` where nothing is done to pictures.
     pub(crate) fn new(look: &CameraLook, size: ImageSize, fps: f64, seed: u64) -> Option<Self> {
-        (!look.is_clean()).then_some(Self { look: *look, size, fps, seed })
+        let grain = (look.noise > 0.0).then(|| Grain::new(look.noise, seed));
+        (!look.is_clean()).then_some(Self { look: *look, size, fps, grain })
+    }
+
+    /// Whether the lens does anything to light.
+    pub(crate) fn has_lens(&self) -> bool {
+        self.look.vignetting > 0.0 || self.look.aberration > 0.0
     }
 
     /// What the lens does to a picture in linear light.
@@ -42,8 +48,8 @@ impl Finish {
 
     /// What sensor and recorder do to the developed picture of a frame.
     pub(crate) fn record(&self, frame: u32, rgb: &mut Vec<[u8; 3]>) {
-        if self.look.noise > 0.0 {
-            self.add_noise(frame, rgb);
+        if let Some(grain) = &self.grain {
+            grain.add(frame, self.size.width as usize, rgb);
         }
         if self.look.sharpening > 0.0 {
             self.sharpen(rgb);
@@ -53,22 +59,6 @@ impl Finish {
         }
         if let Some(quality) = self.look.jpeg_quality {
             *rgb = compressed(rgb, self.size, quality);
-        }
-    }
-
-    /// Noise of photons and of the amplifier: strongest, after the tone curve, in the darker tones.
-    fn add_noise(&self, frame: u32, rgb: &mut [[u8; 3]]) {
-        let key = hash(self.seed as u32 ^ hash((self.seed >> 32) as u32 ^ hash(frame)));
-        for (i, pixel) in rgb.iter_mut().enumerate() {
-            let h = hash(key ^ i as u32);
-            let common = normal(h);
-            let own = hash(h);
-            for (c, value) in pixel.iter_mut().enumerate() {
-                let v = f32::from(*value);
-                let strength = self.look.noise * (1.35 - 0.7 * v / 255.0);
-                let noise = 0.85 * common + 0.5 * normal(own.rotate_left(11 * c as u32).wrapping_mul(0x9e37_79b1));
-                *value = (v + strength * noise).round().clamp(0.0, 255.0) as u8;
-            }
         }
     }
 
@@ -116,12 +106,6 @@ fn compressed(rgb: &[[u8; 3]], size: ImageSize, quality: u8) -> Vec<[u8; 3]> {
     // Neither fails on a picture in memory whose sides are within JPEG's 65,535.
     encoded.expect("a picture can be compressed");
     decoded.expect("what was compressed can be read").as_chunks::<3>().0.to_vec()
-}
-
-/// Nearly a standard normal: the sum of four bytes.
-fn normal(bits: u32) -> f32 {
-    let sum: u32 = bits.to_le_bytes().iter().map(|&b| u32::from(b)).sum();
-    (sum as f32 - 510.0) / 147.8
 }
 
 #[cfg(test)]

@@ -1,14 +1,18 @@
-//! From radiance to pixels: exposure, tone curve, glare, rain in front of the lens; what lens, sensor and recorder do.
+//! From radiance to pixels: exposure, tone curve, glare, rain in front of the lens, motion
+//! blur; what lens, sensor and recorder do.
 
 mod clock;
 mod exposure;
 mod finish;
 mod glare;
+mod grain;
+mod motion_blur;
 mod rain;
 mod tone;
 
 pub(crate) use exposure::exposure;
 pub(crate) use finish::Finish;
 pub(crate) use glare::with_glare;
+pub(crate) use motion_blur::{LEAST_PX, LONGEST_PX, Streak, blur};
 pub(crate) use rain::Rain;
 pub(crate) use tone::ToneCurve;

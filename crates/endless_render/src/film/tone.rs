@@ -7,7 +7,8 @@ const ENTRIES: usize = 8192;
 
 /// Radiance to 8-bit sRGB.
 pub(crate) struct ToneCurve {
-    exposure: f32,
+    /// Exposure by channel: white balance included.
+    exposure: Vec3A,
     /// By x / (1 + x).
     table: Vec<u8>,
 }
@@ -36,8 +37,9 @@ fn srgb(linear: f32) -> f32 {
 }
 
 impl ToneCurve {
-    /// The curve at an exposure (factor from kcd/m² to scene-referred units where 0.18 is middle grey).
-    pub(crate) fn new(exposure: f32) -> Self {
+    /// The curve at an exposure (factor from kcd/m² to scene-referred units where 0.18 is middle grey) and a white balance
+    /// (factors by channel).
+    pub(crate) fn new(exposure: f32, white_balance: Vec3A) -> Self {
         let table = (0..ENTRIES)
             .map(|i| {
                 let t = i as f32 / (ENTRIES - 1) as f32;
@@ -46,7 +48,7 @@ impl ToneCurve {
                 (srgb(y.clamp(0.0, 1.0)) * 255.0 + 0.5) as u8
             })
             .collect();
-        Self { exposure, table }
+        Self { exposure: white_balance * exposure, table }
     }
 
     /// One pixel.
@@ -68,7 +70,7 @@ mod tests {
 
     #[test]
     fn the_curve_rises_from_black_to_white() {
-        let curve = ToneCurve::new(1.0);
+        let curve = ToneCurve::new(1.0, Vec3A::ONE);
         assert_eq!(curve.apply(Vec3A::ZERO), [0, 0, 0]);
         assert!(curve.apply(Vec3A::splat(50.0))[0] >= 250);
         let grey = curve.apply(Vec3A::splat(0.18))[0];

@@ -11,7 +11,7 @@ use std::f32::consts::PI;
 /// Brightest single contribution, in units of the mean sky: keeps rare bright hits from spotting the picture.
 const CLAMP: f32 = 12.0;
 
-/// Illuminance from everything but the sun's disc and the lamps, klx; noisy, to be denoised. `index` names the sample.
+/// Illuminance from everything but the sun's disc and the lamps, klx; noisy, to be denoised. `index` names the pattern of rays.
 pub(crate) fn gather(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, index: u32, rays: u32) -> Vec3A {
     let origin = point.ray_origin();
     let turn = Vec2::new(noise::cell1(index, 11), noise::cell1(index, 12));

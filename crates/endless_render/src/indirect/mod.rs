@@ -8,4 +8,4 @@ mod probes;
 
 pub(crate) use denoise::{Guide, denoise};
 pub(crate) use gather::gather;
-pub(crate) use probes::ProbeGrid;
+pub(crate) use probes::{Air, ProbeGrid};

@@ -19,6 +19,17 @@ const HEIGHTS_M: [f32; 5] = [0.8, 2.2, 4.5, 9.0, 18.0];
 /// Rays a probe, by bounce.
 const RAYS: [u32; 2] = [64, 144];
 
+/// Where probes are wanted.
+pub(crate) struct Air {
+    /// Corners of a rectangle, seen from above.
+    pub(crate) low: Vec2,
+    pub(crate) high: Vec2,
+    /// Height of the lowest ground in it.
+    pub(crate) ground: f32,
+    /// Which of many equal patterns the probes' rays follow.
+    pub(crate) pattern: u32,
+}
+
 /// The probes around one camera's view.
 pub(crate) struct ProbeGrid {
     low: Vec2,
@@ -39,9 +50,7 @@ impl ProbeGrid {
         still: &StaticScene,
         environment: &Environment,
         lamp_maps: &LampMaps,
-        low: Vec2,
-        high: Vec2,
-        ground: f32,
+        &Air { low, high, ground, pattern }: &Air,
     ) -> Self {
         let columns = ((high.x - low.x) / SPACING_M).ceil().max(1.0) as u32 + 1;
         let rows = ((high.y - low.y) / SPACING_M).ceil().max(1.0) as u32 + 1;
@@ -54,7 +63,7 @@ impl ProbeGrid {
                 .into_par_iter()
                 .map(|i| {
                     let (x, y, z) = (i % columns, i / columns % rows, i / (columns * rows));
-                    probe(&tracer, grid.position(x, y, z), i, rays)
+                    probe(&tracer, grid.position(x, y, z), i ^ noise::hash(pattern), rays)
                 })
                 .collect();
             grid.probes = probes;
@@ -98,10 +107,10 @@ impl ProbeGrid {
     }
 }
 
-fn probe(tracer: &Tracer<'_>, position: Vec3A, index: u32, rays: u32) -> Probe {
+fn probe(tracer: &Tracer<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe {
     let mut light = Harmonics::ZERO;
     let mut behind = 0u32;
-    let turn = Vec2::new(noise::cell1(index, 1), noise::cell1(index, 2));
+    let turn = Vec2::new(noise::cell1(pattern, 1), noise::cell1(pattern, 2));
     for k in 0..rays {
         let direction = sphere_direction(rotated(hammersley(k, rays), turn));
         let ray = Ray { origin: position, direction, tmax: f32::MAX };

@@ -3,13 +3,13 @@
 use super::{
     Fog, Sky,
     clouds::Clouds,
-    sky::{SOLAR_ILLUMINANCE_KLX, SkyParameters, sun_transmittance},
+    sky::{LUMINANCE, SOLAR_ILLUMINANCE_KLX, SkyParameters, sun_transmittance},
 };
 use crate::accel::Ray;
 use crate::scene::SurfacePoint;
 use endless_world::{Stream, TimeOfDay, Weather, math};
 use glam::{Vec2, Vec3A};
-use std::f32::consts::TAU;
+use std::f32::consts::{PI, TAU};
 
 /// Directions towards the sun's disc that one sample tests.
 pub(crate) const SUN_SAMPLES: usize = 4;
@@ -75,14 +75,13 @@ impl Environment {
             turbidity,
             overcast: if night { 0.0 } else { overcast },
             overcast_klx: overcast_klx * day_light,
-            white_balance: if night { 0.0 } else { 0.35 },
             glow: glow * if matches!(weather, Weather::ClearSky) { 1.0 } else { 1.9 },
             clouds,
         });
         // What haze and clouds leave of the sun.
         let sun_share = match weather {
-            Weather::ClearSky => 0.85,
-            Weather::AfterRain => 0.65,
+            Weather::ClearSky => 1.0,
+            Weather::AfterRain => 0.8,
             Weather::Cloudy | Weather::Rainy | Weather::Foggy => 0.0,
         };
         let sun = (!night && sun_share > 0.0).then(|| Sun {
@@ -131,13 +130,13 @@ impl Environment {
         let exposure_key = match (time, weather) {
             (TimeOfDay::Night, Weather::Foggy | Weather::Rainy) => 0.075,
             (TimeOfDay::Night, _) => 0.065,
-            (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.15,
-            (TimeOfDay::Morning, Weather::Foggy) => 0.20,
-            (TimeOfDay::Morning, _) => 0.135,
-            (TimeOfDay::Afternoon, Weather::Foggy) => 0.23,
-            (TimeOfDay::Afternoon, Weather::Rainy) => 0.155,
-            (TimeOfDay::Afternoon, Weather::Cloudy) => 0.20,
-            (TimeOfDay::Afternoon, _) => 0.17,
+            (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.19,
+            (TimeOfDay::Morning, Weather::Foggy) => 0.27,
+            (TimeOfDay::Morning, _) => 0.165,
+            (TimeOfDay::Afternoon, Weather::Foggy) => 0.34,
+            (TimeOfDay::Afternoon, Weather::Rainy) => 0.20,
+            (TimeOfDay::Afternoon, Weather::Cloudy) => 0.235,
+            (TimeOfDay::Afternoon, _) => 0.235,
         };
         Self {
             sun,
@@ -156,6 +155,19 @@ impl Environment {
             exposure_key,
             glare,
         }
+    }
+
+    /// Factors by channel with which a camera makes most of the daylight's colour white; at night cameras keep that of a
+    /// mean lamp.
+    pub(crate) fn white_balance(&self) -> Vec3A {
+        const STRENGTH: f32 = 0.7;
+        if self.night {
+            return Vec3A::ONE;
+        }
+        let sun = self.sun.as_ref().map_or(Vec3A::ZERO, |sun| sun.illuminance * sun.direction.z);
+        let light = sun + self.sky.mean * PI;
+        let white = light.dot(LUMINANCE) / light.max(Vec3A::splat(1e-6));
+        Vec3A::ONE.lerp(white, STRENGTH)
     }
 
     /// Whether lamps glow in the air.

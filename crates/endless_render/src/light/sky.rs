@@ -1,8 +1,8 @@
 //! The sky's radiance in every direction, as a table made once a scene.
 //!
 //! Clear sky: single scattering in an exponential Rayleigh and Mie atmosphere (Nishita, Sirai, Tadamura, Nakamae 1993),
-//! with the coefficients of Bruneton and Neyret 2008, plus a uniform share of the light for the further orders of
-//! scattering that the integral leaves out. Overcast sky: the CIE standard overcast luminance distribution
+//! with the air of Bruneton and Neyret 2008 and the aerosols of Preetham, Shirley and Smits 1999, plus a uniform share of
+//! the light for the further orders of scattering that the integral leaves out. Overcast sky: the CIE standard overcast luminance distribution
 //! (Moon and Spencer 1942). Radiance in kcd/m² per linear RGB channel.
 
 use super::clouds::Clouds;
@@ -22,11 +22,17 @@ const RAYLEIGH_BETA: Vec3A = Vec3A::new(5.8e-6, 13.5e-6, 33.1e-6);
 /// Ozone absorbs green and red: keeps the twilight sky blue. 1/m at its share of the Rayleigh profile.
 const OZONE_BETA: Vec3A = Vec3A::new(0.65e-6, 1.88e-6, 0.085e-6);
 const MIE_ANISOTROPY: f32 = 0.76;
+/// Share of the light that aerosols take from a ray which they scatter; they absorb the rest.
+const MIE_ALBEDO: f32 = 0.9;
+/// (wavelength / 1 µm)^-1.3 for 680, 550 and 440 nm: how aerosols' optical depth depends on colour (Ångström 1929).
+const ANGSTROM: Vec3A = Vec3A::new(1.651, 2.175, 2.907);
+/// Light scattered more than once, as a share of that scattered once.
+const FURTHER_ORDERS: f32 = 0.38;
 /// Illuminance of the sun outside the atmosphere, klx.
 pub(crate) const SOLAR_ILLUMINANCE_KLX: f32 = 128.0;
 
 /// Weights of the channels in luminance.
-const LUMINANCE: Vec3A = Vec3A::new(0.2126, 0.7152, 0.0722);
+pub(super) const LUMINANCE: Vec3A = Vec3A::new(0.2126, 0.7152, 0.0722);
 
 /// Sky radiance by direction: equirectangular, upper hemisphere only.
 #[derive(Debug, Clone)]
@@ -41,7 +47,7 @@ pub(crate) struct Sky {
 pub(crate) struct SkyParameters {
     /// Towards the sun; below the horizon at night.
     pub(crate) sun_direction: Vec3A,
-    /// Aerosols, relative to clean air (1).
+    /// Linke turbidity: 1 is air without aerosols, 2 very clear, 3 clear, 6 hazy.
     pub(crate) turbidity: f32,
     /// 0: clear sky model only; 1: CIE overcast only.
     pub(crate) overcast: f32,
@@ -49,8 +55,6 @@ pub(crate) struct SkyParameters {
     pub(crate) overcast_klx: f32,
     /// Light that a town throws into its night sky: radiance at the horizon, kcd/m².
     pub(crate) glow: Vec3A,
-    /// Share of the colour that the camera's white balance takes from the sky's light, 0 to 1.
-    pub(crate) white_balance: f32,
     /// Broken clouds over the clear part.
     pub(crate) clouds: Option<Clouds>,
 }
@@ -128,8 +132,7 @@ impl SkyParameters {
         let zenith = self.overcast_klx * 9.0 / (7.0 * PI);
         let grey = Vec3A::new(0.95, 1.0, 1.08) * (zenith * (1.0 + 2.0 * direction.z) / 3.0);
         let horizon = (1.0 - direction.z).max(0.0);
-        let sky = clear.lerp(grey, self.overcast) + self.glow * (0.25 + 0.75 * horizon * horizon * horizon);
-        sky.lerp(Vec3A::splat(sky.dot(LUMINANCE)), self.white_balance)
+        clear.lerp(grey, self.overcast) + self.glow * (0.25 + 0.75 * horizon * horizon * horizon)
     }
 }
 
@@ -153,12 +156,14 @@ fn optical_depth(origin: Vec3A, direction: Vec3A, steps: u32) -> (f32, f32) {
     (rayleigh, mie)
 }
 
-fn mie_beta(turbidity: f32) -> f32 {
-    4.0e-6 * turbidity
+/// Extinction by aerosols at sea level, 1/m: Ångström's coefficient by turbidity as Preetham et al. give it.
+fn mie_extinction(turbidity: f32) -> Vec3A {
+    ANGSTROM * ((0.046_08 * turbidity - 0.045_86).max(0.0) / MIE_SCALE_M)
 }
 
+/// Share of light left along columns of air and aerosols, metres at sea-level density.
 fn extinction(rayleigh: f32, mie: f32, turbidity: f32) -> Vec3A {
-    let tau = (RAYLEIGH_BETA + OZONE_BETA) * rayleigh + Vec3A::splat(1.11 * mie_beta(turbidity) * mie);
+    let tau = (RAYLEIGH_BETA + OZONE_BETA) * rayleigh + mie_extinction(turbidity) * mie;
     Vec3A::new(math::exp(-tau.x), math::exp(-tau.y), math::exp(-tau.z))
 }
 
@@ -179,6 +184,7 @@ fn single_scattering(direction: Vec3A, sun: Vec3A, turbidity: f32) -> Vec3A {
     let cosine = direction.dot(sun);
     let rayleigh_phase = 3.0 / (16.0 * PI) * (1.0 + cosine * cosine);
     let g = MIE_ANISOTROPY;
+    let mie_beta = mie_extinction(turbidity) * MIE_ALBEDO;
     let mie_phase = 3.0 / (8.0 * PI) * (1.0 - g * g) * (1.0 + cosine * cosine)
         / ((2.0 + g * g) * math::pow((1.0 + g * g - 2.0 * g * cosine).max(1e-4), 1.5));
     let (mut depth_rayleigh, mut depth_mie) = (0.0, 0.0);
@@ -198,11 +204,9 @@ fn single_scattering(direction: Vec3A, sun: Vec3A, turbidity: f32) -> Vec3A {
         depth_mie += rho_mie;
         let (sun_rayleigh, sun_mie) = optical_depth(point, sun, 6);
         let light = extinction(depth_rayleigh + sun_rayleigh, depth_mie + sun_mie, turbidity);
-        let single =
-            RAYLEIGH_BETA * (rho_rayleigh * rayleigh_phase) + Vec3A::splat(mie_beta(turbidity) * rho_mie * mie_phase);
-        // Further orders: nearly isotropic, about as much again as the first.
-        let multiple =
-            (RAYLEIGH_BETA * rho_rayleigh + Vec3A::splat(mie_beta(turbidity) * rho_mie)) * (0.85 / (4.0 * PI));
+        let single = RAYLEIGH_BETA * (rho_rayleigh * rayleigh_phase) + mie_beta * (rho_mie * mie_phase);
+        // Further orders are nearly isotropic.
+        let multiple = (RAYLEIGH_BETA * rho_rayleigh + mie_beta * rho_mie) * (FURTHER_ORDERS / (4.0 * PI));
         in_scattered += light * (single + multiple);
     }
     in_scattered * SOLAR_ILLUMINANCE_KLX
@@ -219,7 +223,6 @@ mod tests {
             overcast: 0.0,
             overcast_klx: 0.0,
             glow: Vec3A::ZERO,
-            white_balance: 0.0,
             clouds: None,
         }
     }
@@ -228,14 +231,26 @@ mod tests {
         c.dot(LUMINANCE)
     }
 
+    /// Horizontal daylight of a clear sky, klx: (sun, sky), by the sun's elevation (IES RP-21-84; Robbins and Hunter).
+    fn published(elevation: f32) -> (f32, f32) {
+        let sine = math::sin(elevation);
+        (127.5 * math::exp(-0.21 / sine) * sine, 0.8 + 15.5 * sine.sqrt())
+    }
+
     #[test]
-    fn clear_sky_illuminance_is_as_outdoors() {
-        // Diffuse horizontal illuminance of clear skies: about 6-10 klx at 20° and 10-18 klx at 60° (CIE 108).
-        let low = luminance(Sky::new(&clear(20f32.to_radians())).horizontal_illuminance());
-        let high = luminance(Sky::new(&clear(60f32.to_radians())).horizontal_illuminance());
-        assert!((4.0..14.0).contains(&low), "{low}");
-        assert!((8.0..24.0).contains(&high), "{high}");
-        assert!(high > low);
+    fn daylight_is_as_published() {
+        for degrees in [15f32, 30.0, 60.0] {
+            let elevation = degrees.to_radians();
+            let parameters = clear(elevation);
+            let direct = sun_transmittance(parameters.sun_direction, parameters.turbidity) * SOLAR_ILLUMINANCE_KLX;
+            let sun = luminance(direct) * math::sin(elevation);
+            let sky = luminance(Sky::new(&parameters).horizontal_illuminance());
+            let (published_sun, published_sky) = published(elevation);
+            let of_published = |ours: f32, published: f32| ours / published - 1.0;
+            let total = of_published(sun + sky, published_sun + published_sky);
+            assert!(total.abs() < 0.08, "{degrees}: sun and sky {total}");
+            assert!(of_published(sky, published_sky).abs() < 0.12, "{degrees}: sky {sky} {published_sky}");
+        }
     }
 
     #[test]

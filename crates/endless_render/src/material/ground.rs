@@ -22,6 +22,8 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
     let mottle = noise::filtered_fbm2(p + 70.0, 0.6, 3, footprint);
     let grain = noise::filtered_fbm2(p, 0.05, 3, footprint);
     let mut tone = 1.0 + 0.30 * broad + 0.22 * mottle + 0.50 * grain;
+    // Sun and traffic bleach bitumen over the years: whole stretches are of one age.
+    tone *= 1.0 + 0.45 * noise::filtered_fbm2(p + 900.0, 85.0, 2, footprint);
     // Repairs: rectangles of newer asphalt with a tar seam around.
     let block = Vec2::new(5.3, 3.1);
     let shifted = p + Vec2::new(noise::value2(p * 0.05, 5), noise::value2(p * 0.05, 6)) * 0.4;
@@ -43,6 +45,15 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
         let wobble = Vec2::new(noise::value2(p * 1.7, 11), noise::value2(p * 1.7, 12)) * 0.22;
         let (first, second, _) = noise::cells2((p + wobble) / 1.9, 13);
         tone *= 1.0 - 0.5 * old * line((second - first) * 1.9, 0.016, footprint);
+    }
+    // Cracks that were sealed: broad bands of tar that wander along and across.
+    if footprint < 0.3 {
+        let wander = Vec2::new(noise::value2(p * 0.4, 14), noise::value2(p * 0.4, 15)) * 1.1
+            + Vec2::new(noise::value2(p * 1.9, 16), noise::value2(p * 1.9, 17)) * 0.2;
+        let (first, second, id) = noise::cells2((p + wander) / 7.0, 18);
+        if id < 0.55 {
+            tone *= 1.0 - 0.42 * line((second - first) * 7.0, 0.07, footprint);
+        }
     }
     // Wheel paths polish and darken; oil drips between them.
     let lateral = uv.y;
@@ -92,7 +103,7 @@ pub(super) fn road_paint(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) 
     let wear = noise::filtered_fbm2(p, 0.7, 5, footprint) + 0.25 * noise::value2(p * 0.2, 33);
     let gone = smoothstep(0.18, 0.42, wear) * 0.75;
     let dirty = base * (0.86 + 0.14 * tone) * (1.0 - 0.12 * noise::value2(p * 0.9, 35).max(0.0));
-    let mut look = Look::matte(dirty.lerp(Vec3A::splat(0.085) * tone, gone), point.normal);
+    let mut look = Look::matte(dirty.lerp(Vec3A::splat(0.125) * tone, gone), point.normal);
     look.roughness = 0.7;
     look
 }

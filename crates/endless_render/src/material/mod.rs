@@ -3,6 +3,7 @@
 
 mod bsdf;
 mod building;
+mod cabin;
 mod ground;
 mod look;
 pub(crate) mod noise;

@@ -1,6 +1,6 @@
 //! Vehicles, plants, poles, lights.
 
-use super::{Look, noise};
+use super::{Look, cabin, noise};
 use crate::light::Environment;
 use crate::scene::SurfacePoint;
 use endless_asset::LightSlot;
@@ -25,7 +25,10 @@ pub(super) fn car_paint(point: &SurfacePoint<'_>, base: Vec3A, environment: &Env
 }
 
 pub(super) fn car_glass(point: &SurfacePoint<'_>, base: Vec3A) -> Look {
-    let mut look = Look::matte((base * 0.35).min(Vec3A::splat(0.05)), point.normal).coated(1.0, 0.06, 0.07);
+    /// What a pane lets through both ways: windscreens must pass 70 %, rear panes are often tinted.
+    const THROUGH: f32 = 0.7;
+    let behind = cabin::behind(point, THROUGH).unwrap_or((base * 0.35).min(Vec3A::splat(0.05)));
+    let mut look = Look::matte(behind, point.normal).coated(1.0, 0.05, 0.07);
     look.specular = 0.0;
     look
 }

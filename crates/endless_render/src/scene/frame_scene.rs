@@ -1,6 +1,6 @@
 //! What moves, at one instant: instances to trace, bodies that shade the ground, lights that sweep it.
 
-use super::{Body, Cast, Instance};
+use super::{Body, Cast, Instance, Velocity};
 use crate::accel::Accel;
 use crate::light::{Beam, BeamKind};
 use endless_world::{Actor, ClassTag, Motion, SignalAspect, VehicleLights, WorldState};
@@ -115,7 +115,8 @@ fn add_vehicle(
     let vehicle = cast.vehicle(actor.asset.model)?;
     let world_from_object = actor.pose.world_from_object();
     let first = instances.len();
-    vehicle.parts.place(instances, world_from_object, motion.rolled_m, motion.steer_rad);
+    let velocity = Velocity::of(actor, vehicle.parts.wheelbase_m());
+    vehicle.parts.place(instances, world_from_object, &motion, velocity);
     let tint = cast.tint(actor.asset);
     for instance in &mut instances[first..] {
         instance.id = actor.id;
@@ -127,6 +128,7 @@ fn add_vehicle(
         let mut rider = Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object);
         rider.id = rider_id;
         rider.class = Some(ClassTag::Rider);
+        rider.velocity = velocity;
         instances.push(rider);
     }
     if motion.lights.has(VehicleLights::LOW_BEAM)
@@ -156,6 +158,7 @@ fn add_person(cast: &Cast, actor: &Actor, instances: &mut Vec<Instance>) -> Opti
     let mut instance = Instance::stuff(Arc::clone(&person.shape), Arc::new(body), actor.pose.world_from_object());
     instance.id = actor.id;
     instance.class = Some(actor.class.tag());
+    instance.velocity = Velocity::of(actor, 0.0);
     instances.push(instance);
     Some((Vec2::new(0.2, 0.22), person.model.height_m))
 }

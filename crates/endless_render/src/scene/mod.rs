@@ -6,6 +6,7 @@ mod frame_scene;
 mod model;
 mod static_scene;
 mod surface_point;
+mod velocity;
 
 pub use cast::Cast;
 pub use frame_scene::FrameScene;
@@ -13,3 +14,4 @@ pub(crate) use frame_scene::MovingObject;
 pub(crate) use model::{Body, Instance, Shape};
 pub use static_scene::StaticScene;
 pub(crate) use surface_point::{Facet, SurfacePoint};
+pub(crate) use velocity::Velocity;

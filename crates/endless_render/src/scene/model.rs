@@ -1,5 +1,6 @@
 //! Meshes as the renderer holds them, and their instances.
 
+use super::Velocity;
 use crate::accel::{Blas, world_bounds};
 use endless_asset::{Material, Mesh};
 use endless_world::{ClassTag, InstanceId, SignalId};
@@ -62,6 +63,8 @@ pub(crate) struct Instance {
     pub(crate) lights: u32,
     /// Signal group whose aspect lights its lenses.
     pub(crate) signal: Option<SignalId>,
+    /// How it moves.
+    pub(crate) velocity: Velocity,
     /// The moving object that it is a part of, by index; [`u16::MAX`] for the town.
     pub(crate) object: u16,
 }
@@ -86,6 +89,7 @@ impl Instance {
             tint: Vec3A::ONE,
             lights: 0,
             signal: None,
+            velocity: Velocity::ZERO,
             object: u16::MAX,
         }
     }

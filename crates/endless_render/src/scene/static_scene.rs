@@ -1,11 +1,11 @@
 //! The town as it stands: everything that is the same in every frame of every video on this map.
 
-use super::{Body, Instance, Shape, model::model};
+use super::{Body, Instance, Shape, Velocity, model::model};
 use crate::accel::Accel;
 use crate::light::Lamps;
 use endless_asset::{Catalogue, VehicleModel};
 use endless_town::{Town, What};
-use endless_world::InstanceId;
+use endless_world::{InstanceId, VehicleMotion};
 use glam::{Affine3A, Mat3A, Vec3A};
 use rayon::prelude::*;
 use std::{
@@ -49,7 +49,7 @@ impl StaticScene {
             let Some(entry) = catalogue.vehicles().get(usize::from(parked.asset.model)) else { continue };
             let Some(parts) = vehicles.get(&parked.asset.model) else { continue };
             let first = instances.len();
-            parts.place(&mut instances, parked.pose.world_from_object(), 0.0, 0.0);
+            parts.place(&mut instances, parked.pose.world_from_object(), &VehicleMotion::default(), Velocity::ZERO);
             let tint = Vec3A::from_array(catalogue.vehicle_tint(parked.asset.model, parked.asset.variant));
             let id = InstanceId(u16::try_from(i + 1).unwrap_or(u16::MAX));
             for instance in &mut instances[first..] {
@@ -87,21 +87,38 @@ impl VehicleParts {
         }
     }
 
+    /// Distance between the axles that are farthest apart.
+    pub(crate) fn wheelbase_m(&self) -> f32 {
+        let along = || self.wheels.iter().map(|w| w.position.x);
+        (along().fold(f32::MIN, f32::max) - along().fold(f32::MAX, f32::min)).max(0.0)
+    }
+
     /// Adds the body and its wheels, rolled and steered.
-    pub(crate) fn place(&self, to: &mut Vec<Instance>, world_from_object: Affine3A, rolled_m: f32, steer_rad: f32) {
+    pub(crate) fn place(
+        &self,
+        to: &mut Vec<Instance>,
+        world_from_object: Affine3A,
+        &VehicleMotion { speed_mps, rolled_m, steer_rad, .. }: &VehicleMotion,
+        velocity: Velocity,
+    ) {
         if let Some((shape, body)) = &self.body {
-            to.push(Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object));
+            let still = Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object);
+            to.push(Instance { velocity, ..still });
         }
         let Some((shape, body)) = &self.wheel else { return };
         for wheel in &self.wheels {
             let steer = if wheel.steered { steer_rad } else { 0.0 };
-            let roll = rolled_m / self.wheel_radius_m.max(0.05);
+            let radius = self.wheel_radius_m.max(0.05);
+            let roll = rolled_m / radius;
             let mirror = if wheel.mirrored { -1.0 } else { 1.0 };
             let turned = Mat3A::from_rotation_z(steer)
                 * Mat3A::from_rotation_y(roll)
                 * Mat3A::from_diagonal(glam::Vec3::new(1.0, mirror, 1.0));
             let object_from_wheel = Affine3A { matrix3: turned, translation: Vec3A::from(wheel.position) };
-            to.push(Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object * object_from_wheel));
+            let still = Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object * object_from_wheel);
+            let hub = world_from_object.transform_point3a(Vec3A::from(wheel.position));
+            let axle = world_from_object.transform_vector3a(Mat3A::from_rotation_z(steer) * Vec3A::Y);
+            to.push(Instance { velocity: velocity.of_wheel(hub, axle, speed_mps / radius), ..still });
         }
     }
 }

@@ -1,0 +1,24 @@
+//! A frame of a town with actors standing in it.
+
+use super::crowd;
+use endless_asset::Catalogue;
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_town::Town;
+use endless_world::{CameraSite, ImageSize, TimeOfDay, Weather};
+
+/// What one of a town's cameras sees of it in some condition.
+pub(crate) fn draw(
+    town: &Town,
+    still: &StaticScene,
+    catalogue: &Catalogue,
+    site: &CameraSite,
+    (weather, time_of_day): (Weather, TimeOfDay),
+    size: ImageSize,
+) -> Vec<[u8; 3]> {
+    let settings = RenderSettings { gather_rays: 1, ..RenderSettings::new(weather, time_of_day, 7, size) };
+    let bake = CameraBake::bake(still, &settings, site);
+    let lights = time_of_day == TimeOfDay::Night || matches!(weather, Weather::Rainy | Weather::Foggy);
+    let state = crowd(town, site.position, catalogue, lights);
+    let cast = Cast::new(catalogue, &state.actors);
+    bake.render(still, &FrameScene::new(&cast, &state)).rgb.data
+}

@@ -1,0 +1,119 @@
+//! A frame in the making.
+
+use super::bake::CameraBake;
+use crate::film::{Streak, blur, with_glare};
+use endless_world::{Image, InstancePixel, SensorFrame};
+use glam::Vec3A;
+
+/// One pixel of a frame.
+pub(super) struct Pixel {
+    pub(super) radiance: Vec3A,
+    /// Depth and label, if something that moves covers the pixel's centre.
+    pub(super) covered: Option<(f32, InstancePixel)>,
+    /// What of it moves so fast that the picture blurs.
+    pub(super) streak: Option<Streak>,
+}
+
+/// The picture, its depth and its labels: those of the still town, until pixels are set.
+pub(super) struct Canvas {
+    /// Full radiance, where the film needs it (rain, lens, glare, blur).
+    radiance: Option<Vec<Vec3A>>,
+    /// The pixels whose radiance is no longer that of the still picture.
+    touched: Vec<u32>,
+    /// What moves fast, by pixel.
+    streaks: Vec<(u32, Streak)>,
+    rgb: Vec<[u8; 3]>,
+    depth: Vec<f32>,
+    instance: Vec<InstancePixel>,
+}
+
+impl Canvas {
+    /// The still picture.
+    pub(super) fn new(bake: &CameraBake) -> Self {
+        let keeps = bake.rain.is_some() || bake.spreads_light() || bake.shutter_s > 0.0;
+        Self {
+            radiance: keeps.then(|| bake.spare.take(&bake.radiance)),
+            touched: Vec::new(),
+            streaks: Vec::new(),
+            rgb: if bake.spreads_light() { Vec::with_capacity(bake.rgb.len()) } else { bake.rgb.clone() },
+            depth: bake.depth.clone(),
+            instance: bake.instance.clone(),
+        }
+    }
+
+    /// Sets a pixel.
+    pub(super) fn set(&mut self, bake: &CameraBake, x: u32, y: u32, pixel: &Pixel) {
+        let i = y as usize * bake.camera.size.width as usize + x as usize;
+        match &mut self.radiance {
+            Some(radiance) => {
+                radiance[i] = pixel.radiance;
+                self.touched.push(i as u32);
+            }
+            None => self.rgb[i] = bake.tone.apply(pixel.radiance),
+        }
+        if let Some((depth, label)) = pixel.covered {
+            self.depth[i] = depth;
+            self.instance[i] = label;
+        }
+        self.streaks.extend(pixel.streak.map(|streak| (i as u32, streak)));
+    }
+
+    /// Blur, rain, lens, glare, tone curve, sensor and recorder.
+    pub(super) fn develop(mut self, bake: &CameraBake, frame: u32) -> SensorFrame {
+        let size = bake.camera.size;
+        if let Some(mut radiance) = self.radiance.take() {
+            self.blur(bake, &mut radiance);
+            if let Some(rain) = &bake.rain {
+                rain.draw(frame, &bake.camera, &self.depth, |i, share| {
+                    radiance[i] = radiance[i].lerp(rain.radiance, share);
+                    self.touched.push(i as u32);
+                });
+            }
+            match bake.finish.as_ref().filter(|finish| finish.has_lens()) {
+                Some(finish) => {
+                    let mut through = radiance.clone();
+                    finish.lens(&mut through);
+                    self.expose(bake, &through);
+                }
+                None => self.expose(bake, &radiance),
+            }
+            for i in self.touched {
+                radiance[i as usize] = bake.radiance[i as usize];
+            }
+            bake.spare.give(radiance);
+        }
+        if let Some(finish) = &bake.finish {
+            finish.record(frame, &mut self.rgb);
+        }
+        SensorFrame {
+            frame,
+            rgb: Image { size, data: self.rgb },
+            depth: Image { size, data: self.depth },
+            instance: Image { size, data: self.instance },
+        }
+    }
+
+    fn blur(&mut self, bake: &CameraBake, radiance: &mut [Vec3A]) {
+        if self.streaks.is_empty() {
+            return;
+        }
+        // Something else that is nearer by more than a thing's own unevenness.
+        let hidden = |pixel: usize, streak: &Streak| {
+            self.instance[pixel].id != streak.id && self.depth[pixel] < 0.98 * streak.depth - 0.3
+        };
+        blur(bake.camera.size, &mut self.streaks, &bake.radiance, hidden, radiance, &mut self.touched);
+    }
+
+    /// Glare and tone curve.
+    fn expose(&mut self, bake: &CameraBake, radiance: &[Vec3A]) {
+        if !bake.spreads_light() {
+            for &i in &self.touched {
+                self.rgb[i as usize] = bake.tone.apply(radiance[i as usize]);
+            }
+        } else if bake.glare > 0.0 {
+            with_glare(bake.camera.size, radiance, bake.glare, |r| self.rgb.push(bake.tone.apply(r)));
+        } else {
+            self.rgb.extend(radiance.iter().map(|&r| bake.tone.apply(r)));
+        }
+    }
+}

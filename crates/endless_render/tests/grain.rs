@@ -1,0 +1,77 @@
+//! What moves has no visible grain: pictures made with other patterns of rays hardly differ there.
+
+use endless_asset::Catalogue;
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_world::{
+    Actor, AssetRef, CameraSite, ClassTag, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay,
+    VehicleLights, VehicleMotion, Weather, WorldState,
+};
+use glam::Vec3;
+
+const SIZE: ImageSize = ImageSize { width: 96, height: 54 };
+const PATTERNS: u32 = 16;
+
+/// Standard deviation over patterns of the pixels of a car under a camera, 255ths, in the mean.
+fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
+    let catalogue = Catalogue::builtin();
+    let town = endless_town::load("Town02", &catalogue).expect("a built-in town");
+    let still = StaticScene::load(&town, &catalogue);
+    let spawn = town.network.spawn_points[7];
+    let place = town.network.lane(spawn.lane).centerline.at(spawn.s);
+    let yaw = place.heading_rad as f32;
+    let (sin, cos) = endless_world::math::sin_cos(yaw);
+    let car = place.position.as_vec3();
+    // In front of the car and to its right, six metres up.
+    let site = CameraSite {
+        name: "close".to_owned(),
+        position: (car + Vec3::new(7.0 * cos + 4.0 * sin, 7.0 * sin - 4.0 * cos, 6.0)).to_array(),
+        yaw_rad: yaw + std::f32::consts::PI - 0.52,
+        down_tilt_rad: 0.6,
+        horizontal_fov_rad: 0.9,
+        mount: Mount::Pole,
+    };
+    let model = catalogue.vehicles().iter().position(|v| v.spec.class == ObjectClass::Car).expect("a car") as u16;
+    let actor = Actor {
+        id: InstanceId(60_000),
+        rider_id: None,
+        class: ObjectClass::Car,
+        asset: AssetRef { model, variant: 5 },
+        pose: Pose::level(car, yaw),
+        velocity_mps: Vec3::ZERO,
+        motion: Motion::Vehicle(VehicleMotion {
+            lights: VehicleLights(VehicleLights::LOW_BEAM | VehicleLights::POSITION),
+            ..VehicleMotion::default()
+        }),
+        parked: false,
+    };
+    let state = WorldState { frame: 0, time_s: 0.0, actors: vec![actor], signals: Vec::new() };
+    let cast = Cast::new(&catalogue, &state.actors);
+    let frame = FrameScene::new(&cast, &state);
+    let images: Vec<_> = (0..PATTERNS)
+        .map(|pattern| {
+            let settings = RenderSettings { pattern, ..RenderSettings::new(weather, time_of_day, 4, SIZE) };
+            CameraBake::bake(&still, &settings, &site).render(&still, &frame)
+        })
+        .collect();
+    let pixels: Vec<usize> = (0..SIZE.pixels()).filter(|&i| images[0].instance.data[i].tag == ClassTag::Car).collect();
+    assert!(pixels.len() > 300, "the car covers {} pixels", pixels.len());
+    assert!(images.iter().any(|image| image.rgb != images[0].rgb), "patterns that change nothing prove nothing");
+    let deviation = |i: usize, channel: usize| {
+        let values: Vec<f64> = images.iter().map(|image| f64::from(image.rgb.data[i][channel])).collect();
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        (values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / (values.len() - 1) as f64).sqrt()
+    };
+    pixels.iter().flat_map(|&i| [0, 1, 2].map(|c| deviation(i, c))).sum::<f64>() / (3 * pixels.len()) as f64
+}
+
+#[test]
+fn by_day() {
+    let grain = grain(Weather::ClearSky, TimeOfDay::Afternoon);
+    assert!(grain < 1.5, "{grain}");
+}
+
+#[test]
+fn at_night() {
+    let grain = grain(Weather::Rainy, TimeOfDay::Night);
+    assert!(grain < 3.0, "{grain}");
+}
