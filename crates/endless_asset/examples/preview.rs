@@ -103,7 +103,7 @@ fn vehicles(catalogue: &Catalogue, filter: &str) -> Vec<Tile> {
 }
 
 fn people(catalogue: &Catalogue) -> Vec<Tile> {
-    (0..24)
+    (0..48)
         .map(|i| {
             let person = catalogue.person(i);
             let gait = if i % 4 == 0 { Gait::Stand } else { Gait::Walk };
@@ -115,11 +115,11 @@ fn people(catalogue: &Catalogue) -> Vec<Tile> {
 
 fn posed(person: &endless_asset::PersonModel, gait: Gait, walked_m: f32) -> Mesh {
     let speed_mps = match gait {
-        Gait::Stand => 0.0,
         Gait::Walk => person.walk_mps,
         Gait::Run => 3.0,
+        _ => 0.0,
     };
-    let pose = person.pose(&WalkerMotion { speed_mps, gait, walked_m, time_s: walked_m });
+    let pose = person.pose(&WalkerMotion { speed_mps, gait, walked_m, time_s: walked_m, footing: None });
     Mesh { positions: pose.positions, normals: pose.normals, ..person.rest.clone() }
 }
 

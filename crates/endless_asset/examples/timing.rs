@@ -31,7 +31,7 @@ fn main() {
     for k in 0..n {
         for person in &people {
             let walked_m = 0.03 * k as f32;
-            let motion = WalkerMotion { speed_mps: 1.4, gait: Gait::Walk, walked_m, time_s: 0.0 };
+            let motion = WalkerMotion { speed_mps: 1.4, gait: Gait::Walk, walked_m, ..WalkerMotion::default() };
             vertices += person.pose(&motion).positions.len();
         }
     }

@@ -5,6 +5,7 @@ use crate::furniture;
 use crate::plant;
 use crate::vehicle;
 use crate::{Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
+use endless_world::AssetRef;
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
 /// when they are first asked for.
@@ -56,9 +57,14 @@ impl Catalogue {
         self.vehicles[usize::from(model)].tint(variant)
     }
 
-    /// The person of a variant.
+    /// The person of a variant, dressed for fair weather.
     pub fn person(&self, variant: u64) -> PersonModel {
-        PersonModel::new(variant)
+        PersonModel::new(variant, AssetRef::FAIR)
+    }
+
+    /// The person that an actor's asset names, dressed for the weather that it says.
+    pub fn person_of(&self, asset: AssetRef) -> PersonModel {
+        PersonModel::new(asset.variant, asset.model)
     }
 
     /// The rider of a two-wheeler, seated, in the vehicle's object frame; `None` for other models.

@@ -17,6 +17,6 @@ mod vehicle;
 pub use catalogue::Catalogue;
 pub use material::{LensAspect, LightSlot, Material, Surface};
 pub use mesh::{Mesh, MeshBuilder};
-pub use person::{BodyPose, PersonModel};
+pub use person::{BodyPart, BodyPose, Bone, Footsteps, KEYPOINTS, PersonModel, PersonTraits};
 pub use prop::Prop;
 pub use vehicle::{VehicleKind, VehicleModel, VehicleSpec, Wheel};

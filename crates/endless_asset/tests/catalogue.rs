@@ -236,10 +236,10 @@ proptest! {
         let person = CATALOGUE.person(variant);
         assert_sound(&person.rest, "person at rest");
         let gait = [Gait::Stand, Gait::Walk, Gait::Run][gait];
-        let pose = person.pose(&WalkerMotion { speed_mps: person.walk_mps, gait, walked_m, time_s: walked_m });
+        let pose = person.pose(&WalkerMotion { speed_mps: person.walk_mps, gait, walked_m, time_s: walked_m, footing: None });
         let posed = Mesh { positions: pose.positions, normals: pose.normals, ..person.rest.clone() };
         let n = posed.triangles.len();
-        prop_assert!((1200..8000).contains(&n), "{} triangles", n);
+        prop_assert!((3000..10_500).contains(&n), "{} triangles", n);
         for (p, q) in posed.positions.iter().zip(&posed.normals) {
             prop_assert!(p.is_finite() && (q.length() - 1.0).abs() < 1e-3);
             prop_assert!(p.z > -0.01 && p.z < 2.2 && p.truncate().length() < 1.3);

@@ -82,20 +82,44 @@ fn vehicles(catalogue: &Catalogue) -> Vec<Actor> {
     actors
 }
 
-/// Sixty people who stand, walk and run.
+/// Sixty people who stand, wait, talk, walk, hurry, run, push, sit.
 fn people(catalogue: &Catalogue) -> Vec<Actor> {
+    const GAITS: [Gait; 12] = [
+        Gait::Walk,
+        Gait::Idle,
+        Gait::Walk,
+        Gait::Talk,
+        Gait::Hurry,
+        Gait::Walk,
+        Gait::Wait,
+        Gait::Walk,
+        Gait::Run,
+        Gait::Walk,
+        Gait::Stand,
+        Gait::Walk,
+    ];
     (0..60u64)
         .map(|i| {
-            let at = Vec3::new((i % 12) as f32 * 0.95 - 5.2, (i / 12) as f32 * 1.7 - 4.0, 0.0);
-            let gait = [Gait::Walk, Gait::Walk, Gait::Stand, Gait::Walk, Gait::Run][i as usize % 5];
+            let row = i / 12;
+            let spread = 1.12 + 0.10 * row as f32;
+            let at = Vec3::new(((i % 12) as f32 - 5.5) * spread, row as f32 * 2.1 - 3.4, 0.0);
+            let person = catalogue.person(i);
+            let gait = GAITS[(i as usize * 5 + row as usize) % 12];
             let speed_mps = match gait {
-                Gait::Stand => 0.0,
-                Gait::Walk => catalogue.person(i).walk_mps,
+                Gait::Walk | Gait::Push => person.walk_mps,
+                Gait::Hurry => 1.35 * person.walk_mps,
                 Gait::Run => 3.0,
+                _ => 0.0,
             };
-            let motion = WalkerMotion { speed_mps, gait, walked_m: 0.37 * i as f32, time_s: 0.0 };
-            let pose = Pose::level(at, -1.57 + 0.9 * ((i * 13 % 7) as f32 - 3.0));
-            let asset = AssetRef { model: 0, variant: i };
+            let motion = WalkerMotion {
+                speed_mps,
+                gait,
+                walked_m: 0.37 * i as f32,
+                time_s: 1.7 * i as f32,
+                ..WalkerMotion::default()
+            };
+            let pose = Pose::level(at, -1.57 + 0.55 * ((i * 13 % 7) as f32 - 3.0));
+            let asset = AssetRef { model: AssetRef::FAIR, variant: i };
             actor(i as usize, ObjectClass::Pedestrian, asset, pose, Motion::Walker(motion))
         })
         .collect()

@@ -79,6 +79,7 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
                 gait: Gait::Walk,
                 walked_m: random.f32() * 3.0,
                 time_s: 1.0,
+                footing: None,
             }),
             parked: false,
         });

@@ -9,6 +9,8 @@ pub struct Conditions {
     pub headlights_on: bool,
     /// The road is wet: everybody drives a little slower and keeps more distance.
     pub wet: bool,
+    /// Rain falls: people on foot are dressed for it.
+    pub raining: bool,
 }
 
 impl Conditions {
@@ -17,6 +19,7 @@ impl Conditions {
         Self {
             headlights_on: time == TimeOfDay::Night || matches!(weather, Weather::Rainy | Weather::Foggy),
             wet: matches!(weather, Weather::Rainy | Weather::AfterRain),
+            raining: weather == Weather::Rainy,
         }
     }
 }

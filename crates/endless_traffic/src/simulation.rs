@@ -9,7 +9,7 @@ use crate::steering::View;
 use crate::vehicle::Vehicle;
 use crate::walker::{Scene, Walker};
 use crate::{kinematics, lane_change, lights, signals, spawn, walker};
-use endless_asset::{Catalogue, VehicleSpec};
+use endless_asset::{Catalogue, Footsteps, VehicleSpec};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_town::Town;
 use endless_world::{
@@ -77,7 +77,7 @@ impl Simulation {
     ) -> Self {
         let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
         let parked: Vec<(AssetRef, Pose)> = town.parked.iter().map(|p| (p.asset, p.pose)).collect();
-        let pace = |variant| f64::from(catalogue.person(variant).walk_mps);
+        let pace = |variant| Footsteps::new(variant, glam::DVec2::ZERO, 0.0).walk_mps();
         Self::on_network(&town.network, &specs, &parked, &pace, [vehicles, pedestrians], seed, conditions, fps, focus)
     }
 
@@ -220,18 +220,20 @@ impl Simulation {
                 parked: false,
             });
         }
+        let dressed = if self.conditions.raining { AssetRef::RAIN } else { AssetRef::FAIR };
         for (i, walker) in self.walkers.iter().enumerate() {
             let motion = WalkerMotion {
                 speed_mps: walker.velocity.length() as f32,
                 gait: walker.gait,
                 walked_m: walker.walked as f32,
                 time_s: time_s as f32,
+                footing: Some(walker.steps.footing()),
             };
             actors.push(Actor {
                 id: id(next_rider + i),
                 rider_id: None,
                 class: ObjectClass::Pedestrian,
-                asset: AssetRef { model: 0, variant: walker.variant },
+                asset: AssetRef { model: dressed, variant: walker.variant },
                 pose: Pose::level(walker.position.extend(walker.height).as_vec3(), walker.yaw as f32),
                 velocity_mps: walker.velocity.extend(0.0).as_vec3(),
                 motion: Motion::Walker(motion),

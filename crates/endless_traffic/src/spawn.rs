@@ -7,7 +7,7 @@ use crate::population::Conditions;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, height};
-use endless_asset::VehicleSpec;
+use endless_asset::{Footsteps, VehicleSpec};
 use endless_road::{SpawnPoint, WalkEdgeId, WalkGraph, WalkKind};
 use endless_world::math::f64::atan2;
 use endless_world::{AssetRef, Gait, Pose, Stream};
@@ -138,7 +138,9 @@ pub(crate) fn walkers(
         let mut own = Stream::named(seed, "traffic.walker", &[u64::from(k)]);
         let variant = own.next_u64();
         let hurries = own.chance(0.05);
-        let pace = pace_of(variant).clamp(0.6, 2.0) * if hurries { 1.9 } else { own.range_f64(0.92, 1.08) };
+        let can_run = Footsteps::new(variant, DVec2::ZERO, 0.0).can_run();
+        let brisk = own.range_f64(0.92, 1.08);
+        let pace = pace_of(variant).clamp(0.6, 2.0) * if hurries && can_run { 1.9 } else { brisk };
         let side = own.range_f64(0.15, 0.85);
         let mut best: Option<(f64, Walker)> = None;
         let mut found = 0;
@@ -173,6 +175,7 @@ pub(crate) fn walkers(
                 yaw: atan2(along.y, along.x),
                 walked: own.range_f64(0.0, 2.0),
                 gait: Gait::Stand,
+                steps: Footsteps::new(variant, position, atan2(along.y, along.x)),
                 stuck: (0.0, 0.0),
             };
             best = Some((room, walker));

@@ -3,6 +3,7 @@
 
 use crate::crossing::{CrossingState, OnFoot, signal_of};
 use crate::roads::Roads;
+use endless_asset::Footsteps;
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
 use endless_world::{Gait, SignalAspect, SignalState, Stream};
@@ -41,6 +42,7 @@ pub(crate) struct Walker {
     pub(crate) yaw: f64,
     pub(crate) walked: f64,
     pub(crate) gait: Gait,
+    pub(crate) steps: Footsteps,
     /// Seconds for which somebody has stood in the way, and the turn tried to get past, radians.
     pub(crate) stuck: (f64, f64),
 }
@@ -163,7 +165,7 @@ impl Walker {
             let light = signal_of(roads, id).map(|s| scene.signals[s].aspect);
             if matches!(light, Some(SignalAspect::Yellow | SignalAspect::Red)) {
                 // The light changes: hurry.
-                pace = (1.5 * pace).min(2.6);
+                pace = (1.5 * pace).min(if self.steps.can_run() { 2.6 } else { 1.9 });
             }
             if crossings[id.index()].step_is_unsafe(person) {
                 pace = 0.0;
@@ -200,8 +202,9 @@ impl Walker {
         let chosen = self.avoid(wanted, near, &strip, next.as_ref().filter(|_| !kerb));
         let change = chosen - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
-        self.advance(near, &strip, next.as_ref().filter(|_| !kerb), step_s);
+        self.advance(near, &strip, next.as_ref().filter(|_| !kerb), kerb, step_s);
         self.turn(&strip, next.as_ref().filter(|_| kerb), step_s);
+        self.steps.advance(self.position, self.yaw, self.velocity, step_s);
         self.height = height(roads, self.from, self.way[0], self.position);
     }
 
@@ -281,7 +284,7 @@ impl Walker {
     }
 
     /// Moves, but never into somebody, and not off the sidewalk to get past them.
-    fn advance(&mut self, near: &[(DVec2, DVec2)], strip: &Strip, next: Option<&Strip>, step_s: f64) {
+    fn advance(&mut self, near: &[(DVec2, DVec2)], strip: &Strip, next: Option<&Strip>, waits: bool, step_s: f64) {
         let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
         let here = outside(self.position);
         let leaves = |velocity: DVec2| outside(self.position + velocity * step_s) > here + 1e-9;
@@ -303,11 +306,7 @@ impl Walker {
             self.position = goal;
         }
         let speed = self.velocity.length();
-        self.gait = match speed {
-            v if v < 0.08 => Gait::Stand,
-            v if v < 2.1 => Gait::Walk,
-            _ => Gait::Run,
-        };
+        self.gait = self.steps.gait(speed, waits);
     }
 
     fn turn(&mut self, strip: &Strip, waits_for: Option<&Strip>, step_s: f64) {

@@ -203,8 +203,9 @@ fn feet_keep_pace_with_the_ground() {
             assert!((n.walked_m - m.walked_m - moved).abs() < 2e-3, "{moved} m on {} m of steps", n.walked_m);
             assert!((n.speed_mps - moved * FPS as f32).abs() < 0.05, "{} m/s", n.speed_mps);
             match n.gait {
-                Gait::Stand => assert!(n.speed_mps < 0.1),
-                Gait::Walk => assert!(n.speed_mps > 0.05 && n.speed_mps < 2.2),
+                Gait::Stand | Gait::Idle | Gait::Wait | Gait::Talk => assert!(n.speed_mps < 0.1),
+                Gait::Walk | Gait::Hurry | Gait::Push => assert!(n.speed_mps > 0.05 && n.speed_mps < 2.2),
+                Gait::Sit => assert!(n.speed_mps < 2.2),
                 Gait::Run => assert!(n.speed_mps > 2.0),
             }
             walked += moved;

@@ -32,10 +32,18 @@ impl Pose {
 /// Which entry of the catalogue an actor is, and which of its endless variants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct AssetRef {
-    /// Index into the catalogue's list of that kind (vehicles, or people).
+    /// Index into the catalogue's list of vehicles; for people, how they are dressed: [`Self::FAIR`] or
+    /// [`Self::RAIN`].
     pub model: u16,
     /// Seed of paint, clothes, proportions.
     pub variant: u64,
+}
+
+impl AssetRef {
+    /// People dressed for fair weather.
+    pub const FAIR: u16 = 0;
+    /// People dressed for rain: coats closed, hoods up, umbrellas open.
+    pub const RAIN: u16 = 1;
 }
 
 /// The lights of a vehicle, CARLA's bit layout.
@@ -87,10 +95,46 @@ pub enum Gait {
     /// Standing.
     #[default]
     Stand,
+    /// Standing about: shifts weight, looks around.
+    Idle,
+    /// Waiting for something: looks out for it.
+    Wait,
+    /// Standing and talking.
+    Talk,
     /// Walking.
     Walk,
+    /// Walking as fast as one can.
+    Hurry,
     /// Running.
     Run,
+    /// Sitting, or rolling in a wheelchair.
+    Sit,
+    /// Walking with both hands on something on wheels.
+    Push,
+}
+
+/// A foot on the ground or on its way, in the person's object frame.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FootPlace {
+    /// Where the ankle's vertical meets the ground when the sole is flat, metres forward and to the left.
+    pub at: [f32; 2],
+    /// Toes turned to the left, radians.
+    pub yaw_rad: f32,
+    /// Sole above the ground, metres.
+    pub lift_m: f32,
+    /// Heel up is positive: on the ground the foot rolls over its ball; toes up is negative: over its heel. Radians.
+    pub pitch_rad: f32,
+    /// Toes bent upwards, radians.
+    pub toes_rad: f32,
+}
+
+/// Where both feet are when they do not simply follow from a steady walk: while starting, stopping and turning.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Footing {
+    /// Place in the cycle of two steps, 0 to 1; the left foot strikes at 0.
+    pub phase: f32,
+    /// Left, right.
+    pub feet: [FootPlace; 2],
 }
 
 /// How a person's body stands.
@@ -104,6 +148,8 @@ pub struct WalkerMotion {
     pub walked_m: f32,
     /// Seconds since the scene began, for breathing and idling.
     pub time_s: f32,
+    /// Where the feet are; `None`: as in a steady walk straight ahead.
+    pub footing: Option<Footing>,
 }
 
 /// What moves, by kind.

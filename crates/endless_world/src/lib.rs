@@ -26,7 +26,7 @@ mod scene;
 mod sensor;
 mod state;
 
-pub use actor::{Actor, AssetRef, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
+pub use actor::{Actor, AssetRef, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
 pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};
 pub use class::{ClassTag, ObjectClass};
 pub use condition::{TimeOfDay, UnknownName, Weather};

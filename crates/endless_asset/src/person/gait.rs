@@ -1,196 +1,263 @@
-//! Standing, walking and running.
+//! From what a person does to how their body stands: trunk, arms and head over the feet.
 
 use super::look::{Carried, Look};
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{Bone, Side, Skeleton};
-use endless_world::{Gait, Stream, WalkerMotion, math};
+use super::step;
+use super::{hold, thing};
+use endless_world::{FootPlace, Gait, Stream, WalkerMotion, math};
 use glam::{Quat, Vec3};
-use std::f32::consts::{PI, TAU};
+use std::f32::consts::TAU;
 
 /// A person's way of moving.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Habit {
     pub(crate) walk_mps: f32,
-    /// Two steps, metres. It depends on height and habit but not on the speed of the moment: the phase is the distance
-    /// walked over the stride, and a stride that changed on the way would make the legs jump.
-    walk_stride: f32,
-    run_stride: f32,
     /// Phase at distance 0, so that a crowd is out of step.
     pub(crate) offset: f32,
     swing: f32,
     elbow: f32,
+    /// Forward bend of the upper back, radians; old people stoop.
     slouch: f32,
-    /// Holds a telephone before them while standing.
-    phone: bool,
-    /// Carries a bag in the left hand: that arm hangs still.
-    bag: bool,
+    /// One of several ways to stand about.
+    manner: usize,
+    pub(crate) carried: Carried,
 }
 
 impl Habit {
     pub(crate) fn new(variant: u64, look: &Look) -> Self {
         let mut s = Stream::named(variant, "gait", &[]);
-        let brisk = (1.0 + 0.1 * s.normal() as f32).clamp(0.78, 1.25);
+        let brisk = (1.0 + 0.1 * s.normal() as f32).clamp(0.8, 1.22);
+        let old = math::smoothstep(60.0, 85.0, look.age);
+        let burden = match look.carried {
+            Carried::Cane => 0.72,
+            Carried::Suitcase | Carried::Pram | Carried::Wheelchair => 0.92,
+            _ => 1.0,
+        };
         Self {
-            walk_mps: 1.36 * brisk * (look.height / 1.7).sqrt(),
-            walk_stride: 0.76 * look.height * (0.5 + 0.5 * brisk),
-            run_stride: 1.25 * look.height,
+            walk_mps: 1.36 * brisk * (look.height / 1.7).sqrt() * (1.0 - 0.2 * old) * burden,
             offset: s.f32(),
-            swing: s.range_f32(0.7, 1.15),
-            elbow: s.range_f32(0.12, 0.42),
-            slouch: s.range_f32(-0.02, 0.10),
-            phone: s.chance(0.18),
-            bag: matches!(look.carried, Carried::Handbag | Carried::ShoppingBag),
+            swing: s.range_f32(0.75, 1.15),
+            elbow: s.range_f32(0.16, 0.42),
+            slouch: s.range_f32(-0.02, 0.10) + 0.26 * old,
+            manner: s.below(6),
+            carried: look.carried,
+        }
+    }
+
+    /// The speed that a gait's stride is for, when no steps are given.
+    fn pace(&self, gait: Gait, height: f32) -> f32 {
+        match gait {
+            Gait::Run => 3.0 * (height / 1.72).sqrt(),
+            Gait::Hurry => (1.35 * self.walk_mps).min(1.9 * (height / 1.72).sqrt()),
+            Gait::Push => 0.9 * self.walk_mps,
+            _ => self.walk_mps,
         }
     }
 
     /// Length of two steps at a gait, metres.
-    pub(crate) fn stride(&self, gait: Gait) -> f32 {
-        if gait == Gait::Run { self.run_stride } else { self.walk_stride }
+    pub(crate) fn stride(&self, gait: Gait, height: f32) -> f32 {
+        step::stride(height, self.pace(gait, height))
     }
 }
 
-/// What distinguishes running from walking.
-struct Style {
-    /// Share of the cycle that a foot is on the ground.
-    duty: f32,
-    strike: f32,
-    push: f32,
-    lift: f32,
-    crouch: f32,
-    lean: f32,
-    arms: f32,
-    elbow: f32,
+/// Phase of the left foot and both feet.
+fn feet(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> (f32, [FootPlace; 2]) {
+    if let Some(footing) = motion.footing {
+        return (footing.phase, footing.feet);
+    }
+    let still = matches!(motion.gait, Gait::Stand | Gait::Idle | Gait::Wait | Gait::Talk | Gait::Sit);
+    if still {
+        let feet = Side::BOTH.map(|side| {
+            let (at, yaw_rad) = step::home(skeleton.height, side, 0.0);
+            // One foot a little ahead.
+            let ahead = 0.022 * skeleton.height * side.sign() * math::sin(habit.offset * TAU);
+            FootPlace { at: [at.x + ahead, at.y], yaw_rad, ..FootPlace::default() }
+        });
+        return (0.0, feet);
+    }
+    let stride = habit.stride(motion.gait, skeleton.height);
+    let cycle = motion.walked_m / stride + habit.offset;
+    let pace = habit.pace(motion.gait, skeleton.height);
+    let feet = Side::BOTH.map(|side| {
+        let phase = cycle + 0.5 * side.index() as f32;
+        step::steady(phase - phase.floor(), side, skeleton, step::alike(skeleton.height, pace), stride, 1.0)
+    });
+    (cycle - cycle.floor(), feet)
 }
-
-const WALK: Style =
-    Style { duty: 0.62, strike: -0.30, push: 0.72, lift: 0.035, crouch: 0.985, lean: 0.03, arms: 0.42, elbow: 0.0 };
-const RUN: Style =
-    Style { duty: 0.36, strike: -0.10, push: 0.85, lift: 0.16, crouch: 0.93, lean: 0.14, arms: 0.75, elbow: 1.35 };
 
 /// The posture at an instant.
 pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> Posture {
-    match motion.gait {
-        Gait::Stand => standing(motion.time_s, skeleton, habit),
-        Gait::Walk => moving(motion, skeleton, habit, &WALK),
-        Gait::Run => moving(motion, skeleton, habit, &RUN),
+    if motion.gait == Gait::Sit || habit.carried == Carried::Wheelchair {
+        return sitting(motion, skeleton, habit);
     }
-}
-
-fn standing(time_s: f32, skeleton: &Skeleton, habit: &Habit) -> Posture {
+    let (phase, feet) = feet(motion, skeleton, habit);
     let h = skeleton.height;
-    let phase = habit.offset * TAU;
-    let shift = math::sin(0.31 * time_s + phase);
-    let breath = math::sin(1.6 * time_s + phase);
-    let foot = skeleton.joint(Bone::FootL);
-    let leg = |side: Side| Leg {
-        ankle: Vec3::new(
-            foot.x + 0.012 * h * side.sign() * math::sin(phase),
-            (foot.y + 0.012 * h) * side.sign(),
-            foot.z,
-        ),
-        pitch: 0.0,
-        knee: Vec3::new(1.0, 0.22 * side.sign(), 0.0),
-    };
-    let rest = skeleton.joint(Bone::Pelvis);
-    let arm = |sign: f32| Arm::Swing {
-        forward: 0.04 + 0.03 * math::sin(0.4 * time_s + phase * sign),
-        outward: 0.13,
-        elbow: 0.5 * habit.elbow + 0.08,
-    };
-    let right = if habit.phone { Arm::Swing { forward: 0.35, outward: 0.02, elbow: 1.65 } } else { arm(2.0) };
-    Posture {
-        pelvis: Vec3::new(rest.x, 0.018 * h * shift, rest.z - 0.006 * h),
-        pelvis_turn: Quat::from_rotation_x(0.035 * shift),
-        spine: Quat::from_rotation_x(-0.045 * shift) * Quat::from_rotation_y(habit.slouch * 0.5),
-        chest: Quat::from_rotation_y(0.4 * habit.slouch - 0.012 * breath),
-        head: Quat::from_rotation_z(0.35 * math::sin(0.17 * time_s + 2.0 * phase))
-            * Quat::from_rotation_y(if habit.phone { 0.42 } else { 0.02 }),
-        arms: [arm(1.0), right],
-        legs: Side::BOTH.map(leg),
-    }
-}
+    let speed = motion.speed_mps;
+    // 0 standing, 1 under way.
+    let go = math::smoothstep(0.12, 0.75, speed);
+    let vigour = (0.45 + 0.55 * speed / habit.walk_mps).clamp(0.45, 1.25) * go;
+    let run = step::running(step::alike(h, speed));
+    let wave = math::cos(TAU * phase);
+    let sway = math::sin(TAU * (phase - 0.06));
+    let own = habit.offset * TAU;
+    let (shift, breath) = (math::sin(0.31 * motion.time_s + own), math::sin(1.6 * motion.time_s + own));
+    let rest = 1.0 - go;
+    let turn = math::lerp(0.09, 0.14, run) * vigour;
+    let lean = math::lerp(0.02 * vigour, 0.15, run);
 
-/// One foot at its phase: ankle relative to the hip's vertical, ankle height, pitch.
-fn foot_at(phase: f32, stride: f32, skeleton: &Skeleton, style: &Style) -> (f32, f32, f32) {
-    let ankle = skeleton.joint(Bone::FootL).z;
-    let middle = 0.5 * style.duty;
-    // On the ground the foot stays where it is in the world: backwards under the body by the distance walked.
-    let planted = |u: f32| {
-        let x = stride * (middle - style.duty * u);
-        let strike = style.strike * (1.0 - math::smoothstep(0.0, 0.16, u));
-        let push = style.push * math::smoothstep(0.52, 1.05, u);
-        let pitch = strike + push;
-        // It rolls over the heel, then over the toes.
-        let pivot = if pitch < 0.0 { -skeleton.heel } else { skeleton.toe * 0.82 };
-        let (sin, cos) = math::sin_cos(pitch);
-        let (px, pz) = (-pivot, ankle);
-        (x + pivot + px * cos + pz * sin, -px * sin + pz * cos, pitch)
-    };
-    if phase < style.duty {
-        return planted(phase / style.duty);
-    }
-    let u = (phase - style.duty) / (1.0 - style.duty);
-    let (a, b) = (planted(1.0), planted(0.0));
-    let t = u * u * (3.0 - 2.0 * u);
-    let arc = math::sin(PI * u);
-    let lift = style.lift * skeleton.height * arc * (1.0 + 0.5 * math::cos(PI * u));
-    let pitch = math::lerp(a.2, b.2, math::smoothstep(0.0, 0.85, u));
-    (math::lerp(a.0, b.0, t), math::lerp(a.1, b.1, t) + lift, pitch)
-}
-
-fn moving(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit, style: &Style) -> Posture {
-    let stride = habit.stride(motion.gait);
-    let cycle = motion.walked_m / stride + habit.offset;
-    let phase = [cycle - cycle.floor(), (cycle + 0.5) - (cycle + 0.5).floor()];
-    let feet = phase.map(|p| foot_at(p, stride, skeleton, style));
-    let h = skeleton.height;
-    // Slow steps swing less.
-    let vigour = (0.55 + 0.45 * motion.speed_mps / habit.walk_mps).clamp(0.55, 1.2);
-    let wave = math::cos(TAU * phase[0]);
-    let sway = math::sin(TAU * (phase[0] - 0.06));
+    let ankles = feet.map(|f| step::ankle(&f, skeleton));
     let hip = skeleton.joint(Bone::ThighL);
     let pelvis_rest = skeleton.joint(Bone::Pelvis);
     let reach = (hip - skeleton.joint(Bone::ShinL)).length()
         + (skeleton.joint(Bone::ShinL) - skeleton.joint(Bone::FootL)).length();
-    let turn = 0.10 * vigour;
+    let side_shift = (0.013 * sway * go + 0.016 * shift * rest) * h;
+    let pelvis_turn = Quat::from_rotation_z(-turn * wave)
+        * Quat::from_rotation_x(0.03 * sway * go + 0.035 * shift * rest)
+        * Quat::from_rotation_y(0.3 * lean);
     // As high as both legs allow.
-    let mut hip_z = hip.z * style.crouch;
-    for (i, foot) in feet.iter().enumerate() {
-        let ahead = if i == 0 { wave } else { -wave };
-        let dx = foot.0 - turn * ahead * hip.y;
-        let r = 0.992 * reach;
-        hip_z = hip_z.min(foot.1 + (r * r - dx * dx).max(0.1 * r * r).sqrt());
+    let upright = hip.z * math::lerp(math::lerp(0.994, 0.988, go), 0.945, run);
+    let mut pelvis_z = upright + pelvis_rest.z - hip.z;
+    for side in Side::BOTH {
+        let ankle = ankles[side.index()];
+        let joint = pelvis_turn * (side.flip(hip) - pelvis_rest);
+        let (dx, dy) = (ankle.x - joint.x, ankle.y - side_shift - joint.y);
+        let r = 0.995 * reach;
+        pelvis_z = pelvis_z.min(ankle.z + (r * r - dx * dx - dy * dy).max(0.1 * r * r).sqrt() - joint.z);
     }
-    let leg = |side: Side| {
-        let foot = feet[usize::from(side == Side::Right)];
-        Leg {
-            ankle: Vec3::new(foot.0, 0.72 * hip.y * side.sign(), foot.1),
-            pitch: foot.2,
-            knee: Vec3::new(1.0, 0.06 * side.sign(), 0.0),
+    let legs = Side::BOTH.map(|side| {
+        let (foot, ankle) = (feet[side.index()], ankles[side.index()]);
+        let out = 0.06 * side.sign() + 0.8 * foot.yaw_rad;
+        Leg { ankle, pitch: foot.pitch_rad, knee: Vec3::new(1.0, out, 0.0), yaw: foot.yaw_rad, toes: foot.toes_rad }
+    });
+    let arms = Side::BOTH.map(|side| {
+        let ahead = if side == Side::Left { -wave } else { wave };
+        let amount = math::lerp(0.40, 0.75, run) * habit.swing * vigour;
+        let drift = 0.03 * math::sin(0.4 * motion.time_s + own * (1.5 + side.sign()));
+        Arm::Swing {
+            forward: amount * ahead + 0.02 + rest * drift,
+            outward: 0.10 + 0.03 * rest + 0.06 * run,
+            elbow: habit.elbow * (0.5 + 0.5 * go) + 0.08 * rest + 1.35 * run + 0.20 * (1.0 + ahead) * vigour,
+        }
+    });
+    let mut posture = Posture {
+        pelvis: Vec3::new(0.0, side_shift, pelvis_z),
+        pelvis_turn,
+        spine: Quat::from_rotation_z(0.6 * turn * wave)
+            * Quat::from_rotation_x(-0.045 * shift * rest)
+            * Quat::from_rotation_y(0.5 * lean + 0.5 * habit.slouch),
+        chest: Quat::from_rotation_z(1.3 * turn * wave)
+            * Quat::from_rotation_y(0.5 * habit.slouch - 0.012 * breath * rest)
+            * Quat::from_rotation_x(-0.03 * sway * go),
+        head: Quat::from_rotation_z(-0.9 * turn * wave + 0.30 * rest * math::sin(0.17 * motion.time_s + 2.0 * own))
+            * Quat::from_rotation_y(0.03 - 0.7 * habit.slouch - 0.6 * lean),
+        arms,
+        legs,
+    };
+    act(&mut posture, motion, skeleton, habit, rest);
+    hold::hold(&mut posture, &feet, skeleton, habit.carried);
+    posture
+}
+
+/// What people do with head and arms while they stand.
+fn act(posture: &mut Posture, motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit, rest: f32) {
+    if rest < 0.02 {
+        return;
+    }
+    let (t, own) = (motion.time_s, habit.offset * TAU);
+    let (h, b) = (skeleton.height, skeleton.body);
+    let beat = |rate: f32, k: f32| math::sin(rate * t + k * own);
+    let toward = |arm: Arm, wanted: Arm| match (arm, wanted) {
+        (Arm::Swing { forward, outward, elbow }, Arm::Swing { forward: f, outward: o, elbow: e }) => Arm::Swing {
+            forward: math::lerp(forward, f, rest),
+            outward: math::lerp(outward, o, rest),
+            elbow: math::lerp(elbow, e, rest),
+        },
+        (a, b) => {
+            if rest > 0.5 {
+                b
+            } else {
+                a
+            }
         }
     };
-    let arm = |ahead: f32| {
-        let forward = style.arms * habit.swing * vigour * ahead;
-        Arm::Swing {
-            forward: forward + 0.02,
-            outward: 0.12,
-            elbow: habit.elbow + style.elbow + 0.22 * (1.0 + ahead) * vigour,
+    let hip = |side: Side| Arm::Reach(Vec3::new(0.03 * h, 0.105 * h * side.sign(), 0.585 * b));
+    match motion.gait {
+        Gait::Talk => {
+            let gesture = |k: f32| Arm::Swing {
+                forward: 0.30 + 0.16 * beat(1.9, k),
+                outward: 0.16 + 0.10 * beat(1.3, k + 1.0),
+                elbow: 1.25 + 0.40 * beat(2.3, k),
+            };
+            posture.arms[0] = toward(posture.arms[0], gesture(1.0));
+            if habit.manner.is_multiple_of(2) {
+                posture.arms[1] = toward(posture.arms[1], gesture(2.6));
+            }
+            posture.head *= Quat::from_rotation_y(0.07 * rest * beat(2.1, 1.7));
         }
+        Gait::Wait => {
+            // Left and right, as before a road.
+            posture.head = Quat::from_rotation_z(0.75 * rest * beat(0.55, 1.0)) * posture.head;
+            match habit.manner {
+                0 => posture.arms = Side::BOTH.map(hip),
+                // Hands in pockets.
+                1 | 2 => {
+                    posture.arms =
+                        posture.arms.map(|a| toward(a, Arm::Swing { forward: -0.08, outward: 0.17, elbow: 0.55 }));
+                }
+                _ => {}
+            }
+        }
+        Gait::Idle | Gait::Stand => match habit.manner {
+            0 => posture.arms[1] = hip(Side::Right),
+            1 => {
+                // Arms folded.
+                posture.arms = Side::BOTH.map(|s| {
+                    let raised = if s == Side::Left { 0.655 } else { 0.675 };
+                    Arm::Reach(Vec3::new(0.125 * h, -0.045 * h * s.sign(), raised * b))
+                });
+            }
+            2 => {
+                posture.arms =
+                    posture.arms.map(|a| toward(a, Arm::Swing { forward: -0.06, outward: 0.16, elbow: 0.5 }));
+            }
+            _ => {}
+        },
+        _ => {}
+    }
+}
+
+/// On a seat of a chair's height; in a wheelchair hands drive the wheels.
+fn sitting(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> Posture {
+    let (h, b) = (skeleton.height, skeleton.body);
+    let own = habit.offset * TAU;
+    let foot = skeleton.joint(Bone::FootL);
+    let rolls = habit.carried == Carried::Wheelchair;
+    let lift = if rolls { 0.075 * h } else { 0.0 };
+    let legs = Side::BOTH.map(|side| Leg {
+        ankle: Vec3::new(0.245 * h, 0.055 * h * side.sign(), foot.z + lift),
+        pitch: 0.0,
+        knee: Vec3::new(1.0, 0.12 * side.sign(), 0.8),
+        yaw: 0.12 * side.sign(),
+        toes: 0.0,
+    });
+    let push = motion.walked_m / 0.9 + habit.offset;
+    let stroke = math::sin(TAU * push) * f32::from(motion.speed_mps > 0.05);
+    let arm = |side: Side| {
+        let y = 0.165 * h * side.sign();
+        Arm::Reach(if rolls {
+            Vec3::new((0.02 + 0.10 * stroke) * h, y, 0.375 * b)
+        } else {
+            Vec3::new(0.16 * h, 0.06 * h * side.sign(), 0.335 * b)
+        })
     };
     Posture {
-        pelvis: Vec3::new(0.0, 0.012 * h * sway, hip_z + pelvis_rest.z - hip.z),
-        pelvis_turn: Quat::from_rotation_z(-turn * wave)
-            * Quat::from_rotation_x(0.03 * sway)
-            * Quat::from_rotation_y(0.3 * style.lean),
-        spine: Quat::from_rotation_z(0.6 * turn * wave) * Quat::from_rotation_y(0.5 * style.lean + 0.5 * habit.slouch),
-        chest: Quat::from_rotation_z(1.3 * turn * wave)
-            * Quat::from_rotation_y(0.4 * habit.slouch)
-            * Quat::from_rotation_x(-0.03 * sway),
-        head: Quat::from_rotation_z(-0.9 * turn * wave) * Quat::from_rotation_y(-0.5 * habit.slouch - 0.6 * style.lean),
-        arms: [
-            if habit.bag { Arm::Swing { forward: -0.10 * wave, outward: 0.16, elbow: 0.10 } } else { arm(-wave) },
-            arm(wave),
-        ],
-        legs: Side::BOTH.map(leg),
+        pelvis: Vec3::new(-0.02 * h, 0.0, thing::SEAT * b + 0.055 * h),
+        pelvis_turn: Quat::from_rotation_y(-0.12),
+        spine: Quat::from_rotation_y(0.08 + 0.3 * habit.slouch + 0.06 * stroke),
+        chest: Quat::from_rotation_y(0.06 + 0.3 * habit.slouch + 0.06 * stroke),
+        head: Quat::from_rotation_z(0.35 * math::sin(0.23 * motion.time_s + own)) * Quat::from_rotation_y(-0.02),
+        arms: Side::BOTH.map(arm),
+        legs,
     }
 }

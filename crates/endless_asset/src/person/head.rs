@@ -1,186 +1,248 @@
-//! Neck, head, hair and headgear.
+//! The head: skull and face as one surface, and shells over it (hair, hats) that rise where they show.
 
-use super::look::{Hair, Look};
+use super::look::{Beard, Glasses, Look};
+use super::palette;
 use super::skeleton::{Bone, Skeleton};
-use super::skin::{Blend, Skin};
-use crate::shape::{Region, Sculpt};
+use super::skin::Skin;
+use crate::shape::{Curve, Sculpt};
 use crate::{Material, Surface};
-use endless_world::math::smoothstep;
-use glam::{Vec2, Vec3};
+use endless_world::math::{self, smoothstep};
+use glam::Vec3;
+use std::f32::consts::TAU;
 
-/// Everything above the collar.
-pub(crate) fn add(skin: &mut Skin, look: &Look, skeleton: &Skeleton) {
-    let chin = Vec3::new(0.008 * look.height, 0.0, skeleton.height - skeleton.head_height);
-    let head = Head { look, chin, size: skeleton.head_height };
-    head.neck(skin, skeleton);
-    head.face(skin);
-    match look.hair {
-        Hair::Bald => {}
-        Hair::Short => head.short(skin, 1.0),
-        Hair::Long => head.long(skin, skeleton),
-        Hair::Bun => {
-            head.short(skin, 1.0);
-            head.ball(skin, Vec3::new(-0.46, 0.0, 0.86), Vec3::new(0.14, 0.15, 0.14), look.hair_color);
-        }
-        Hair::Cap => head.cap(skin),
-        Hair::FullHelmet => head.full_helmet(skin),
-        Hair::CycleHelmet => head.cycle_helmet(skin),
-    }
-}
+/// Columns around the head, denser in the face.
+const COLUMNS: usize = 24;
 
-struct Head<'a> {
-    look: &'a Look,
+/// Heights of rows above the chin, over the head's height.
+const ROWS: [f32; 17] =
+    [0.0, 0.04, 0.10, 0.16, 0.215, 0.27, 0.32, 0.37, 0.44, 0.50, 0.56, 0.64, 0.73, 0.82, 0.90, 0.965, 1.0];
+
+/// The surface of a head, in units of its height above the chin.
+pub(crate) struct Head<'a> {
+    pub(crate) look: &'a Look,
     chin: Vec3,
     /// Chin to crown, metres.
-    size: f32,
+    pub(crate) size: f32,
+    breadth: Curve,
+    front: Curve,
+    back: Curve,
 }
 
-impl Head<'_> {
+impl<'a> Head<'a> {
+    pub(crate) fn new(look: &'a Look, skeleton: &Skeleton) -> Self {
+        let chin = Vec3::new(0.004 * look.height, 0.0, skeleton.height - skeleton.head_height);
+        // Jaws of women and children are narrower; flesh rounds them.
+        let jaw = if look.female || look.age < 14.0 { 0.92 } else { 1.0 } * (0.75 + 0.25 * look.girth);
+        let breadth = [
+            (0.0, 0.090 * jaw),
+            (0.04, 0.165 * jaw),
+            (0.12, 0.235 * jaw),
+            (0.20, 0.265 * jaw),
+            (0.35, 0.300),
+            (0.50, 0.325),
+            (0.65, 0.345),
+            (0.80, 0.315),
+            (0.90, 0.235),
+            (0.965, 0.14),
+            (1.0, 0.012),
+        ];
+        let front = [
+            (0.0, 0.320),
+            (0.05, 0.385),
+            (0.13, 0.375),
+            (0.22, 0.390),
+            (0.30, 0.375),
+            (0.38, 0.375),
+            (0.50, 0.380),
+            (0.57, 0.405),
+            (0.70, 0.400),
+            (0.82, 0.345),
+            (0.90, 0.255),
+            (0.965, 0.15),
+            (1.0, 0.012),
+        ];
+        let back = [
+            (0.0, 0.02),
+            (0.06, 0.10),
+            (0.14, 0.27),
+            (0.22, 0.36),
+            (0.35, 0.415),
+            (0.50, 0.455),
+            (0.65, 0.460),
+            (0.80, 0.410),
+            (0.90, 0.310),
+            (0.965, 0.18),
+            (1.0, 0.012),
+        ];
+        Self {
+            look,
+            chin,
+            size: skeleton.head_height,
+            breadth: Curve::new(&breadth),
+            front: Curve::new(&front),
+            back: Curve::new(&back),
+        }
+    }
+
     /// A place in units of the head's height above the chin.
-    fn at(&self, p: Vec3) -> Vec3 {
+    pub(crate) fn at(&self, p: Vec3) -> Vec3 {
         self.chin + p * self.size
     }
 
-    fn ball(&self, skin: &mut Skin, centre: Vec3, radii: Vec3, material: Material) {
-        skin.add(Sculpt::ellipsoid(self.at(centre), radii * self.size, 12, material), |_| Blend::one(Bone::Head));
+    /// The angle of a column: 0 is ahead, positive to the left.
+    fn angle(column: f32) -> f32 {
+        let half = 0.5 * COLUMNS as f32;
+        let u = TAU * if column > half { column - COLUMNS as f32 } else { column } / COLUMNS as f32;
+        u - 0.38 * math::sin(u)
     }
 
-    fn neck(&self, skin: &mut Skin, skeleton: &Skeleton) {
-        let base = skeleton.joint(Bone::Neck) - Vec3::Z * 0.10 * self.size;
-        let top = self.at(Vec3::new(-0.12, 0.0, 0.22));
-        let r = if self.look.female { 0.215 } else { 0.25 } * self.size;
-        let path = [(base, 1.2 * r), (base.lerp(top, 0.45), r), (top, 0.95 * r)];
-        let z = (base.z, top.z);
-        skin.add(Sculpt::tube(&path, 12, self.look.skin), |p| {
-            Blend::two(Bone::Neck, Bone::Head, smoothstep(z.0 + 0.3 * (z.1 - z.0), z.1, p.z))
-        });
+    /// A point of the surface, raised by `grow`; all in units of the head's height.
+    pub(crate) fn surface(&self, z: f32, angle: f32, grow: f32) -> Vec3 {
+        let (sin, cos) = math::sin_cos(angle);
+        let depth = if cos >= 0.0 { self.front.at(z) } else { self.back.at(z) };
+        let p = Vec3::new(cos * depth, sin * self.breadth.at(z), z);
+        let p = p + Vec3::X * if cos > 0.0 { self.relief(p.y, z) } else { 0.0 };
+        let out = Vec3::new(p.x, p.y, (z - 0.5) * 1.1).normalize_or(Vec3::Z);
+        p + out * grow
     }
 
-    /// The skull and jaw as a loft: height, offset ahead, half breadth, half depth.
-    fn skull(&self, grow: f32, material: Material) -> Sculpt {
-        let rows: &[(f32, f32, f32, f32)] = &[
-            (0.000, 0.16, 0.08, 0.07),
-            (0.025, 0.135, 0.145, 0.15),
-            (0.10, 0.085, 0.225, 0.255),
-            (0.20, 0.035, 0.270, 0.335),
-            (0.32, 0.005, 0.300, 0.395),
-            (0.46, -0.02, 0.325, 0.425),
-            (0.60, -0.04, 0.340, 0.435),
-            (0.74, -0.05, 0.335, 0.420),
-            (0.86, -0.05, 0.285, 0.355),
-            (0.94, -0.045, 0.205, 0.255),
-            (0.985, -0.04, 0.105, 0.135),
-            (1.0, -0.04, 0.020, 0.025),
-        ];
-        let path: Vec<(Vec3, Vec2)> = rows
-            .iter()
-            .map(|&(z, x, ry, rx)| {
-                let z = 0.5 + (z - 0.5) * (1.0 + grow);
-                (self.at(Vec3::new(x, 0.0, z)), Vec2::new(ry + 0.5 * grow, rx + 0.5 * grow) * self.size)
+    /// Nose, brows, eye sockets, lips, chin: how far they stand out.
+    fn relief(&self, y: f32, z: f32) -> f32 {
+        let bell = |d: f32| math::exp(-d * d);
+        let side = (y.abs() - 0.135) / 0.075;
+        let nose = if z < 0.37 { smoothstep(0.295, 0.355, z) } else { (1.0 - (z - 0.36) / 0.19).clamp(0.0, 1.0) };
+        let young = 1.0 - 0.35 * smoothstep(14.0, 4.0, self.look.age);
+        0.105 * nose * bell(y / 0.058) * young + 0.012 * bell((z - 0.575) / 0.03) * bell(y / 0.22)
+            - 0.034 * bell(side) * bell((z - 0.505) / 0.042)
+            + 0.014 * bell((z - 0.215) / 0.035) * bell(y / 0.10)
+            + 0.018 * bell((z - 0.05) / 0.045) * bell(y / 0.10)
+            - 0.010 * bell((z - 0.135) / 0.03) * bell(y / 0.12)
+    }
+
+    /// A sheet over the head; `grow` gives its height over the skin by height and angle. Where it lies beneath the
+    /// skin it is left out.
+    pub(crate) fn shell(&self, grow: impl Fn(f32, f32) -> f32, material: Material) -> Sculpt {
+        let n = COLUMNS;
+        let heights: Vec<Vec<f32>> =
+            ROWS.iter().map(|&z| (0..n).map(|j| grow(z, Self::angle(j as f32))).collect()).collect();
+        let mut s = Sculpt::new();
+        let point = |i: usize, j: usize| self.at(self.surface(ROWS[i], Self::angle(j as f32), heights[i][j]));
+        for i in 0..ROWS.len() - 1 {
+            for j in 0..n {
+                let k = (j + 1) % n;
+                let corners = [(i, j), (i, k), (i + 1, k), (i + 1, j)];
+                if corners.iter().any(|&(r, c)| heights[r][c] > -0.008) {
+                    s.quad(corners.map(|(r, c)| point(r, c)), material);
+                }
+            }
+        }
+        s.smooth(75.0)
+    }
+
+    /// Everything that is seen of the head itself.
+    pub(crate) fn add(&self, skin: &mut Skin) {
+        let look = self.look;
+        let mut face = self.shell(|_, _| 0.0, look.skin);
+        let under: Vec<Vec3> =
+            (0..COLUMNS).rev().map(|j| self.at(self.surface(0.0, Self::angle(j as f32), 0.0))).collect();
+        face.polygon(&under, look.skin);
+        skin.add_rigid(face, Bone::Head);
+        let [r, g, b] = look.skin.base_color;
+        let darker = |k: [f32; 3]| Material { base_color: [r * k[0], g * k[1], b * k[2]], ..look.skin };
+        let red = if look.female { 0.40 } else { 0.55 };
+        let mut features = Sculpt::new();
+        features.add(self.patch([0.0, 0.212], [0.085, 0.020], 0.006, darker([0.80, red, red])));
+        let white = palette::linear(Surface::Skin, [0.42, 0.40, 0.38]);
+        let iris = palette::linear(Surface::Leather, [0.018, 0.014, 0.012]);
+        let brow = Material { surface: Surface::Hair, ..look.hair_color };
+        let thick = if look.female { 0.011 } else { 0.016 };
+        for y in [-0.138, 0.138] {
+            features.add(self.patch([y, 0.502], [0.052, 0.021], 0.006, white));
+            features.add(self.patch([y, 0.502], [0.024, 0.022], 0.009, iris));
+            features.add(self.patch([1.02 * y, 0.527], [0.062, 0.008], 0.010, darker([0.35, 0.30, 0.30])));
+            features.add(self.patch([1.02 * y, 0.575], [0.072, thick], 0.008, brow));
+            let ear = Vec3::new(-0.03, y.signum() * 0.335, 0.45);
+            features.add(Sculpt::ellipsoid(self.at(ear), Vec3::new(0.062, 0.028, 0.098) * self.size, 8, look.skin));
+        }
+        skin.add_rigid(features, Bone::Head);
+        self.beard(skin);
+        self.glasses(skin);
+    }
+
+    /// An ellipse laid on the face: centre and half axes (to the left, up).
+    fn patch(&self, [y, z]: [f32; 2], [ry, rz]: [f32; 2], lift: f32, material: Material) -> Sculpt {
+        let n = 8;
+        let points: Vec<Vec3> = (0..n)
+            .map(|i| {
+                let (sin, cos) = math::sin_cos(TAU * i as f32 / n as f32);
+                self.at(self.on_face(y + ry * cos, z + rz * sin, lift))
             })
             .collect();
-        Sculpt::sweep(&path, Vec3::Y, 18, 2.0, true, material).smooth(80.0)
+        let mut s = Sculpt::new();
+        s.polygon(&points, material);
+        s.smooth(180.0)
     }
 
-    fn face(&self, skin: &mut Skin) {
-        skin.add(self.skull(0.0, self.look.skin), |_| Blend::one(Bone::Head));
-        let nose = [
-            (self.at(Vec3::new(0.365, 0.0, 0.52)), 0.025 * self.size),
-            (self.at(Vec3::new(0.425, 0.0, 0.37)), 0.05 * self.size),
-            (self.at(Vec3::new(0.36, 0.0, 0.33)), 0.035 * self.size),
-        ];
-        skin.add(Sculpt::tube(&nose, 7, self.look.skin), |_| Blend::one(Bone::Head));
-        let dark = Material { base_color: [0.02, 0.015, 0.012], ..self.look.hair_color };
-        let [r, g, b] = self.look.skin.base_color;
-        let lips = Material { base_color: [r * 0.72, g * 0.45, b * 0.45], ..self.look.skin };
-        self.ball(skin, Vec3::new(0.355, 0.0, 0.225), Vec3::new(0.025, 0.085, 0.022), lips);
-        for y in [-0.14, 0.14] {
-            self.ball(skin, Vec3::new(0.335, y, 0.505), Vec3::new(0.03, 0.05, 0.022), dark);
-            self.ball(skin, Vec3::new(0.350, y, 0.575), Vec3::new(0.025, 0.075, 0.014), self.look.hair_color);
-            self.ball(skin, Vec3::new(-0.03, 2.35 * y, 0.44), Vec3::new(0.065, 0.035, 0.10), self.look.skin);
+    /// The surface straight ahead of a point of the face, raised.
+    fn on_face(&self, y: f32, z: f32, lift: f32) -> Vec3 {
+        let sin = (y / self.breadth.at(z)).clamp(-0.98, 0.98);
+        self.surface(z, math::asin(sin), lift)
+    }
+
+    fn beard(&self, skin: &mut Skin) {
+        let (volume, moustache_only) = match self.look.beard {
+            Beard::None => return,
+            Beard::Stubble => (0.008, false),
+            Beard::Moustache => (0.02, true),
+            Beard::Full => (0.040, false),
+        };
+        if moustache_only {
+            return skin.add_rigid(self.patch([0.0, 0.262], [0.105, 0.020], 0.018, self.look.hair_color), Bone::Head);
         }
-    }
-
-    /// Hair follows the skull above a line from the forehead over the ears to the nape.
-    fn scalp(&self, grow: f32, material: Material) -> Sculpt {
-        let mut hair = self.skull(grow, material);
-        let plane = |x: f32, z: f32, p: Vec3| Vec3::new(x, 0.0, z).dot(self.at(p));
-        let face = Region::all()
-            .within(Vec3::new(-0.5, 0.0, 1.0), plane(-0.5, 1.0, Vec3::new(0.42, 0.0, 0.80)))
-            .beyond(Vec3::X, plane(1.0, 0.0, Vec3::new(0.02, 0.0, 0.0)));
-        hair.remove(&face);
-        let low = Region::all().within(Vec3::Z, plane(0.0, 1.0, Vec3::new(0.0, 0.0, 0.22)));
-        hair.remove(&low);
-        hair
-    }
-
-    fn short(&self, skin: &mut Skin, volume: f32) {
-        skin.add(self.scalp(0.075 * volume, self.look.hair_color), |_| Blend::one(Bone::Head));
-    }
-
-    fn long(&self, skin: &mut Skin, skeleton: &Skeleton) {
-        self.short(skin, 1.15);
-        let row = |x: f32, z: f32, ry: f32, rx: f32| (self.at(Vec3::new(x, 0.0, z)), Vec2::new(ry, rx) * self.size);
-        let fall = [
-            row(-0.20, 0.80, 0.30, 0.24),
-            row(-0.24, 0.50, 0.385, 0.27),
-            row(-0.27, 0.20, 0.385, 0.23),
-            row(-0.30, -0.10, 0.37, 0.18),
-            row(-0.31, -0.35, 0.33, 0.13),
-            row(-0.31, -0.55, 0.22, 0.06),
-        ];
-        let neck = skeleton.joint(Bone::Neck).z;
-        skin.add(Sculpt::sweep(&fall, Vec3::Y, 16, 2.2, true, self.look.hair_color), |p| {
-            Blend::two(
-                Bone::Head,
-                Bone::Chest,
-                0.85 * smoothstep(neck + 0.30 * self.size, neck - 0.25 * self.size, p.z),
-            )
-        });
-    }
-
-    fn cap(&self, skin: &mut Skin) {
-        self.short(skin, 0.9);
-        let mut cap = self.skull(0.12, self.look.inner_color);
-        cap.remove(&Region::all().within(Vec3::Z, self.at(Vec3::new(0.0, 0.0, 0.68)).z));
-        skin.add(cap, |_| Blend::one(Bone::Head));
-        let row = |x: f32, z: f32, ry: f32| (self.at(Vec3::new(x, 0.0, z)), Vec2::new(ry, 0.018) * self.size);
-        let visor = [row(0.25, 0.72, 0.31), row(0.50, 0.705, 0.29), row(0.66, 0.67, 0.20), row(0.70, 0.66, 0.08)];
-        skin.add(Sculpt::sweep(&visor, Vec3::Y, 12, 2.4, true, self.look.inner_color), |_| Blend::one(Bone::Head));
-    }
-
-    fn full_helmet(&self, skin: &mut Skin) {
-        let shell =
-            Material { surface: Surface::CarPaint, base_color: self.look.bag_color.base_color, ..self.look.skin };
-        let plain = Material { surface: Surface::Plastic, ..shell };
-        let visor = Material { surface: Surface::CarGlass, base_color: [0.015; 3], ..shell };
-        let mut helmet =
-            Sculpt::ellipsoid(self.at(Vec3::new(0.0, 0.0, 0.52)), Vec3::new(0.60, 0.50, 0.62) * self.size, 22, plain);
-        let z = |t: f32| self.at(Vec3::new(0.0, 0.0, t)).z;
-        helmet.remove(&Region::all().within(Vec3::Z, z(0.02)));
-        helmet.paint(
-            &Region::all().beyond(Vec3::Z, z(0.34)).within(Vec3::Z, z(0.74)).beyond(Vec3::X, self.at(Vec3::X * 0.16).x),
-            visor,
-        );
-        skin.add(helmet, |_| Blend::one(Bone::Head));
-    }
-
-    fn cycle_helmet(&self, skin: &mut Skin) {
-        self.short(skin, 0.8);
-        let shell =
-            Material { surface: Surface::Plastic, base_color: self.look.bag_color.base_color, ..self.look.skin };
-        let dark = Material { base_color: [0.02; 3], ..shell };
-        let mut helmet =
-            Sculpt::ellipsoid(self.at(Vec3::new(0.0, 0.0, 0.70)), Vec3::new(0.58, 0.44, 0.44) * self.size, 20, shell);
-        helmet.remove(&Region::all().within(Vec3::Z, self.at(Vec3::new(0.0, 0.0, 0.66)).z));
-        for y in [-0.24, -0.08, 0.08, 0.24] {
-            let y = y * self.size;
-            let w = 0.035 * self.size;
-            helmet.paint(
-                &Region::all().beyond(Vec3::Y, y - w).within(Vec3::Y, y + w).beyond(Vec3::Z, self.at(Vec3::Z * 0.80).z),
-                dark,
-            );
+        // Over jaw and chin up to the ears, around the mouth.
+        let grow = move |z: f32, angle: f32| {
+            let a = angle.abs();
+            let top = if a < 0.35 { 0.28 } else { 0.26 + 0.20 * smoothstep(0.5, 1.35, a) };
+            let mouth = 1.0 - smoothstep(0.16, 0.30, a);
+            let lips = mouth * smoothstep(0.17, 0.195, z) * (1.0 - smoothstep(0.235, 0.255, z));
+            let back = smoothstep(1.75, 1.45, a);
+            let inside = smoothstep(top + 0.02, top - 0.03, z) * back * (1.0 - lips);
+            volume * inside - 0.012 * (1.0 - inside)
+        };
+        let mut material = self.look.hair_color;
+        if self.look.beard == Beard::Stubble {
+            for (c, s) in material.base_color.iter_mut().zip(self.look.skin.base_color) {
+                *c = 0.35 * *c + 0.65 * 0.6 * s;
+            }
         }
-        skin.add(helmet, |_| Blend::one(Bone::Head));
+        skin.add_rigid(self.shell(grow, material), Bone::Head);
+    }
+
+    fn glasses(&self, skin: &mut Skin) {
+        if self.look.glasses == Glasses::None {
+            return;
+        }
+        let frame = palette::linear(Surface::Plastic, [0.015, 0.014, 0.013]);
+        let mut s = Sculpt::new();
+        for y in [-0.145, 0.145] {
+            if self.look.glasses == Glasses::Sun {
+                let lens = palette::linear(Surface::CarGlass, [0.012, 0.012, 0.014]);
+                s.add(self.patch([y, 0.495], [0.095, 0.065], 0.050, lens));
+            } else {
+                let rim: Vec<(Vec3, f32)> = (0..=10)
+                    .map(|i| {
+                        let (sin, cos) = math::sin_cos(TAU * i as f32 / 10.0);
+                        (self.at(self.on_face(y + 0.088 * cos, 0.495 + 0.058 * sin, 0.045)), 0.011 * self.size)
+                    })
+                    .collect();
+                s.add(Sculpt::tube(&rim, 4, frame));
+            }
+            let hinge = self.at(self.on_face(1.62 * y, 0.51, 0.045));
+            let ear = self.at(Vec3::new(-0.05, y.signum() * 0.352, 0.50));
+            s.add(Sculpt::tube(&[(hinge, 0.011 * self.size), (ear, 0.010 * self.size)], 4, frame));
+        }
+        let bridge = [-0.06, 0.06].map(|y| (self.at(self.on_face(y, 0.505, 0.030)), 0.010 * self.size));
+        s.add(Sculpt::tube(&bridge, 4, frame));
+        skin.add_rigid(s, Bone::Head);
     }
 }

@@ -1,252 +1,243 @@
-//! What a person looks like: age, sex, build, skin, hair, clothes, things carried.
+//! Who a person is: age, sex, height, build, skin, hair; what they wear and carry is chosen in `wardrobe`.
 
-use crate::{Material, Surface};
-use endless_world::{ClassTag, Stream};
+use super::palette;
+use super::wardrobe::{self, Garment, Legs, Shoes};
+use crate::Material;
+use endless_world::{Stream, math};
 
-/// Garment of the upper body.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Top {
-    TShirt,
-    Shirt,
-    Hoodie,
-    Jacket,
-    Coat,
-    Sleeveless,
-}
-
-/// Garment of the legs.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Bottom {
-    Trousers,
-    Shorts,
-    Skirt,
-    Dress,
-}
-
-/// What is on the head.
+/// What grows on the head.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Hair {
     Bald,
+    Balding,
+    Buzz,
     Short,
+    Parted,
+    Curly,
+    Afro,
+    Bob,
     Long,
+    Ponytail,
     Bun,
+}
+
+/// What grows on the chin.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Beard {
+    None,
+    Stubble,
+    Moustache,
+    Full,
+}
+
+/// What is worn on the head.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Hat {
+    None,
     Cap,
+    Beanie,
+    Brimmed,
+    Fedora,
+    Headscarf,
+    Turban,
+    SiteHelmet,
+    PeakedCap,
+    Hood,
     /// Motorcycle helmet.
     FullHelmet,
     /// Bicycle helmet.
     CycleHelmet,
 }
 
-/// What is carried.
+/// What is worn before the eyes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Glasses {
+    None,
+    Clear,
+    Sun,
+}
+
+/// What is carried, pushed, led, or sat in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Carried {
     Nothing,
     Backpack,
     Handbag,
+    ShoulderBag,
     ShoppingBag,
+    Briefcase,
+    /// Looked at.
+    Phone,
+    /// Held to the ear.
+    Call,
+    Umbrella,
+    Pram,
+    Suitcase,
+    Cane,
+    Dog,
+    Wheelchair,
 }
 
 /// A person's looks.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Look {
-    pub(crate) height: f32,
+    /// Years.
+    pub(crate) age: f32,
     pub(crate) female: bool,
-    pub(crate) child: bool,
+    /// Standing height, metres.
+    pub(crate) height: f32,
     /// Girth over the average's.
     pub(crate) girth: f32,
     /// Shoulder breadth over the average's.
     pub(crate) shoulder: f32,
-    pub(crate) top: Top,
-    pub(crate) bottom: Bottom,
-    pub(crate) hair: Hair,
-    pub(crate) carried: Carried,
-    pub(crate) stripes: bool,
+    /// Where folds lie.
+    pub(crate) folds: f32,
+    /// Monk Skin Tone, 0 to 9.
+    pub(crate) tone: usize,
     pub(crate) skin: Material,
+    pub(crate) hair: Hair,
     pub(crate) hair_color: Material,
-    pub(crate) top_color: Material,
-    pub(crate) inner_color: Material,
-    pub(crate) bottom_color: Material,
-    pub(crate) shoe_color: Material,
+    pub(crate) beard: Beard,
+    pub(crate) glasses: Glasses,
+    pub(crate) hat: Hat,
+    pub(crate) hat_color: Material,
+    /// From the inside out.
+    pub(crate) garments: Vec<Garment>,
+    pub(crate) legs: Legs,
+    pub(crate) shoes: Shoes,
+    pub(crate) carried: Carried,
     pub(crate) bag_color: Material,
+    /// What kind of outfit it is.
+    pub(crate) outfit: &'static str,
 }
 
-const fn srgb(r: u8, g: u8, b: u8) -> [u8; 3] {
-    [r, g, b]
-}
-
-/// The ten tones of the Monk scale, sRGB.
-const SKIN: [[u8; 3]; 10] = [
-    srgb(246, 237, 228),
-    srgb(243, 231, 219),
-    srgb(247, 234, 208),
-    srgb(234, 218, 186),
-    srgb(215, 189, 150),
-    srgb(160, 126, 86),
-    srgb(130, 92, 67),
-    srgb(96, 65, 52),
-    srgb(58, 49, 42),
-    srgb(41, 36, 32),
-];
-const HAIR: [[u8; 3]; 7] = [
-    srgb(20, 17, 16),
-    srgb(32, 24, 20),
-    srgb(52, 36, 26),
-    srgb(84, 58, 38),
-    srgb(150, 115, 72),
-    srgb(150, 148, 145),
-    srgb(110, 52, 30),
-];
-/// Muted for the most part, some bright.
-const TOPS: [[u8; 3]; 20] = [
-    srgb(235, 235, 230),
-    srgb(222, 220, 212),
-    srgb(28, 28, 30),
-    srgb(40, 41, 45),
-    srgb(90, 92, 96),
-    srgb(140, 142, 145),
-    srgb(33, 45, 75),
-    srgb(52, 74, 112),
-    srgb(108, 138, 172),
-    srgb(170, 190, 208),
-    srgb(92, 34, 38),
-    srgb(178, 40, 38),
-    srgb(62, 82, 60),
-    srgb(98, 108, 72),
-    srgb(180, 158, 126),
-    srgb(120, 92, 68),
-    srgb(206, 158, 60),
-    srgb(210, 118, 130),
-    srgb(36, 120, 116),
-    srgb(226, 110, 40),
-];
-const BOTTOMS: [[u8; 3]; 10] = [
-    srgb(34, 44, 66),
-    srgb(52, 68, 98),
-    srgb(82, 104, 138),
-    srgb(25, 25, 27),
-    srgb(38, 38, 41),
-    srgb(76, 78, 82),
-    srgb(166, 148, 116),
-    srgb(110, 96, 76),
-    srgb(70, 74, 58),
-    srgb(150, 150, 150),
-];
-const SHOES: [[u8; 3]; 7] = [
-    srgb(24, 23, 23),
-    srgb(30, 28, 27),
-    srgb(82, 56, 38),
-    srgb(228, 228, 226),
-    srgb(120, 122, 126),
-    srgb(44, 56, 84),
-    srgb(150, 40, 40),
+/// Median standing heights of boys and girls by age (WHO and CDC growth references), metres.
+const GROWTH: [(f32, f32, f32); 11] = [
+    (3.0, 0.96, 0.95),
+    (4.0, 1.03, 1.02),
+    (6.0, 1.16, 1.15),
+    (8.0, 1.28, 1.28),
+    (10.0, 1.39, 1.39),
+    (12.0, 1.50, 1.52),
+    (13.0, 1.57, 1.58),
+    (14.0, 1.64, 1.61),
+    (16.0, 1.74, 1.63),
+    (18.0, 1.765, 1.635),
+    (120.0, 1.765, 1.635),
 ];
 
-fn material(surface: Surface, srgb: [u8; 3], shade: f32) -> Material {
-    let linear = srgb.map(|c| (endless_world::math::pow(f32::from(c) / 255.0, 2.2) * shade).clamp(0.002, 0.85));
-    Material::new(surface, linear, ClassTag::Pedestrians)
-}
-
-/// Albedo of a tone. The scale shows skin as photographed in full light; in albedo the light tones are darker and
-/// redder.
-fn skin_tone(tone: usize) -> Material {
-    let mut m = material(Surface::Skin, SKIN[tone], 1.0);
-    let light = 1.0 - tone.min(5) as f32 / 5.0;
-    let filter = [0.86 - 0.18 * light, 0.84 - 0.36 * light, 0.82 - 0.44 * light];
-    for (c, f) in m.base_color.iter_mut().zip(filter) {
-        *c *= f;
-    }
-    m
+fn median_height(age: f32, female: bool) -> f32 {
+    let i = GROWTH.partition_point(|g| g.0 <= age).clamp(1, GROWTH.len() - 1);
+    let (a, b) = (GROWTH[i - 1], GROWTH[i]);
+    let k = ((age - a.0) / (b.0 - a.0)).clamp(0.0, 1.0);
+    let height = if female { math::lerp(a.2, b.2, k) } else { math::lerp(a.1, b.1, k) };
+    height - 0.04 * math::smoothstep(55.0, 85.0, age)
 }
 
 impl Look {
-    /// The looks of a variant.
-    pub(crate) fn of(variant: u64) -> Self {
+    /// The looks of a variant, dressed for fair weather or for rain.
+    pub(crate) fn of(variant: u64, rain: bool) -> Self {
         let mut s = Stream::named(variant, "person", &[]);
         let female = s.chance(0.5);
-        let child = s.chance(0.07);
-        let height = if child {
-            s.range_f32(1.08, 1.5)
-        } else {
-            let (mean, sd) = if female { (1.63, 0.062) } else { (1.755, 0.068) };
-            (mean + sd * s.normal() as f32).clamp(1.5, 1.95)
+        let age = match s.weighted(&[7.0, 8.0, 45.0, 26.0, 14.0]) {
+            0 => s.range_f32(4.0, 12.5),
+            1 => s.range_f32(12.5, 18.0),
+            2 => s.range_f32(18.0, 40.0),
+            3 => s.range_f32(40.0, 63.0),
+            _ => s.range_f32(63.0, 86.0),
         };
-        let girth = (1.0 + 0.11 * s.normal() as f32).clamp(0.84, 1.34);
+        let median = median_height(age, female);
+        let height = (median * (1.0 + 0.038 * s.normal() as f32)).clamp(0.93 * median, 1.10 * median).min(1.97);
+        let girth = 1.0 + 0.11 * s.normal() as f32 + 0.05 * math::smoothstep(25.0, 55.0, age);
+        let girth = girth.clamp(0.86, if age < 14.0 { 1.2 } else { 1.36 });
         let tone = s.below(10);
-        let old = !child && s.chance(0.14);
-        let bottom = match s.weighted(if female { &[62.0, 10.0, 13.0, 15.0] } else { &[80.0, 20.0, 0.0, 0.0] }) {
-            0 => Bottom::Trousers,
-            1 => Bottom::Shorts,
-            2 => Bottom::Skirt,
-            _ => Bottom::Dress,
-        };
-        let top = [Top::TShirt, Top::Shirt, Top::Hoodie, Top::Jacket, Top::Coat, Top::Sleeveless]
-            [s.weighted(&[38.0, 20.0, 13.0, 15.0, 7.0, if female { 7.0 } else { 2.0 }])];
-        let top = if bottom == Bottom::Dress && matches!(top, Top::Hoodie | Top::Coat) { Top::TShirt } else { top };
-        let top = if bottom == Bottom::Shorts && top == Top::Coat { Top::TShirt } else { top };
-        let hair = [Hair::Bald, Hair::Short, Hair::Long, Hair::Bun, Hair::Cap]
-            [s.weighted(if female { &[0.0, 18.0, 55.0, 22.0, 5.0] } else { &[12.0, 68.0, 4.0, 1.0, 15.0] })];
-        let carried = [Carried::Nothing, Carried::Backpack, Carried::Handbag, Carried::ShoppingBag]
-            [s.weighted(&[58.0, 20.0, if female { 18.0 } else { 2.0 }, 8.0])];
-        let hair_index = if old {
-            5
-        } else if tone > 4 {
-            s.below(2)
+        let skin = palette::skin(tone);
+        let hair_color = palette::hair(&mut s, tone, age);
+        let hair = hair(&mut s, female, age, tone);
+        let beard = if female || age < 19.0 {
+            Beard::None
         } else {
-            s.weighted(&[30.0, 25.0, 20.0, 12.0, 9.0, 0.0, 4.0])
+            [Beard::None, Beard::Stubble, Beard::Moustache, Beard::Full][s.weighted(&[60.0, 16.0, 6.0, 18.0])]
         };
-        let shade = |s: &mut Stream| s.range_f32(0.8, 1.15);
-        let cloth = |s: &mut Stream, palette: &[[u8; 3]]| {
-            let color = *s.pick(palette);
-            let k = shade(s);
-            material(Surface::Cloth, color, k)
-        };
-        let top_color = cloth(&mut s, &TOPS);
-        let bottom_color = if matches!(bottom, Bottom::Dress) {
-            top_color
-        } else if bottom == Bottom::Skirt {
-            cloth(&mut s, &TOPS)
-        } else {
-            cloth(&mut s, &BOTTOMS)
-        };
-        let shoe = *s.pick(&SHOES);
-        Self {
-            height,
+        let glasses = [Glasses::None, Glasses::Clear, Glasses::Sun][s.weighted(&[
+            1.0,
+            0.16 + if age > 45.0 { 0.2 } else { 0.0 },
+            if rain || age < 12.0 { 0.0 } else { 0.14 },
+        ])];
+        let plain = palette::linear(crate::Surface::Cloth, [0.5; 3]);
+        let mut look = Self {
+            age,
             female,
-            child,
+            height,
             girth,
-            shoulder: s.range_f32(0.95, 1.05),
-            top,
-            bottom,
+            shoulder: s.range_f32(0.95, 1.06),
+            folds: s.range_f32(0.0, 6.3),
+            tone,
+            skin,
             hair,
-            carried,
-            stripes: matches!(top, Top::TShirt | Top::Shirt) && s.chance(0.16),
-            skin: skin_tone(tone),
-            hair_color: material(Surface::Hair, HAIR[hair_index], 1.0),
-            top_color,
-            inner_color: cloth(&mut s, &TOPS),
-            bottom_color,
-            shoe_color: material(Surface::Leather, shoe, 1.0),
-            bag_color: cloth(&mut s, &TOPS),
-        }
+            hair_color,
+            beard,
+            glasses,
+            hat: Hat::None,
+            hat_color: plain,
+            garments: Vec::new(),
+            legs: Legs::bare(skin),
+            shoes: Shoes::plain(),
+            carried: Carried::Nothing,
+            bag_color: plain,
+            outfit: "casual",
+        };
+        wardrobe::dress(&mut look, &mut Stream::named(variant, "wardrobe", &[]), rain);
+        look
     }
 
-    /// A grown-up in trousers, as people on two wheels are.
-    pub(crate) fn riding(variant: u64, hair: Option<Hair>) -> Self {
-        let mut look = Self::of(variant);
+    /// Below this age people count as children.
+    pub(crate) fn child(&self) -> bool {
+        self.age < 13.0
+    }
+
+    /// A grown-up dressed to ride, as people on two wheels are.
+    pub(crate) fn riding(variant: u64, helmet: Option<Hat>) -> Self {
+        let mut look = (0..)
+            .map(|i| Self::of(variant.wrapping_add(i * 0x9e37), false))
+            .find(|l| l.age > 17.0 && l.age < 66.0 && l.legs.can_ride())
+            .unwrap_or_else(|| Self::of(variant, false));
         look.height = look.height.clamp(1.56, 1.86);
-        look.child = false;
-        if matches!(look.bottom, Bottom::Skirt | Bottom::Dress) {
-            look.bottom = Bottom::Trousers;
-        }
-        if look.top == Top::Coat {
-            look.top = Top::Jacket;
-        }
-        if !matches!(look.carried, Carried::Backpack) {
+        if look.carried != Carried::Backpack {
             look.carried = Carried::Nothing;
         }
-        if let Some(hair) = hair {
-            look.hair = hair;
+        look.garments.retain(|g| g.hem > 0.44);
+        if let Some(hat) = helmet {
+            look.hat = hat;
+            look.hat_color = look.bag_color;
+        } else if matches!(look.hat, Hat::Brimmed | Hat::Fedora | Hat::Hood) {
+            look.hat = Hat::None;
         }
         look
     }
+}
+
+fn hair(s: &mut Stream, female: bool, age: f32, tone: usize) -> Hair {
+    const STYLES: [Hair; 11] = [
+        Hair::Bald,
+        Hair::Balding,
+        Hair::Buzz,
+        Hair::Short,
+        Hair::Parted,
+        Hair::Curly,
+        Hair::Afro,
+        Hair::Bob,
+        Hair::Long,
+        Hair::Ponytail,
+        Hair::Bun,
+    ];
+    let old = f64::from(math::smoothstep(30.0, 70.0, age));
+    let afro = if tone > 5 { 10.0 } else { 1.0 };
+    let weights = if female {
+        let long = 40.0 * (1.0 - 0.7 * old);
+        [0.0, 0.0, 0.5, 6.0 + 16.0 * old, 2.0, 6.0 + 8.0 * old, 0.6 * afro, 22.0, long, 22.0 * (1.0 - 0.6 * old), 14.0]
+    } else {
+        [2.0 + 10.0 * old, 26.0 * old, 12.0, 40.0, 22.0, 8.0, 0.6 * afro, 1.0, 2.0, 1.0, 1.0]
+    };
+    STYLES[s.weighted(&weights)]
 }

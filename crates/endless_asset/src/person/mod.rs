@@ -1,20 +1,38 @@
 //! People: a skinned body with clothes, posed by gait.
 
-mod clothes;
+mod body;
+mod cage;
+mod collar;
+mod dog;
 mod figure;
+mod footsteps;
 mod gait;
+mod hair;
 mod head;
+mod hold;
+mod limbs;
 mod look;
+mod palette;
+mod part;
 mod posture;
 mod rider;
+mod sewing;
 mod skeleton;
 mod skin;
+mod step;
+mod thing;
+mod wardrobe;
+mod wheeled;
 
 use crate::Mesh;
-use endless_world::WalkerMotion;
+use endless_world::{AssetRef, WalkerMotion};
 use glam::{Affine3A, Vec3};
+
+pub use footsteps::Footsteps;
 pub(crate) use look::Look;
-pub(crate) use rider::rider;
+pub use part::{BodyPart, KEYPOINTS, PersonTraits};
+pub(crate) use rider::{rider, rider_keypoints};
+pub use skeleton::Bone;
 use skeleton::{BONES, Skeleton};
 use skin::Blend;
 
@@ -28,6 +46,11 @@ pub struct PersonModel {
     pub height_m: f32,
     /// Comfortable walking speed, m/s.
     pub walk_mps: f32,
+    /// Who they are and what they wear.
+    pub traits: PersonTraits,
+    /// Which part of the body each triangle of the mesh shows.
+    pub parts: Vec<BodyPart>,
+    keypoints: [(Bone, Vec3); 17],
     skeleton: Skeleton,
     /// Distinct mixtures of bones, and which one each vertex follows.
     blends: Vec<Blend>,
@@ -35,6 +58,9 @@ pub struct PersonModel {
     /// Habits of moving, from the variant.
     habit: gait::Habit,
 }
+
+/// Thickness of cloth on the ground, metres.
+const HEM_M: f32 = 0.004;
 
 /// A deformed mesh: same triangles and materials as the rest mesh, new vertices.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -46,27 +72,61 @@ pub struct BodyPose {
 }
 
 impl PersonModel {
-    /// The person of a variant.
-    pub(crate) fn new(variant: u64) -> Self {
-        Self::with_look(variant, &Look::of(variant))
+    /// The person of a variant, dressed for the weather ([`AssetRef::FAIR`] or [`AssetRef::RAIN`]).
+    pub(crate) fn new(variant: u64, weather: u16) -> Self {
+        Self::with_look(variant, &Look::of(variant, weather == AssetRef::RAIN))
     }
 
     fn with_look(variant: u64, look: &Look) -> Self {
         let skeleton = Skeleton::new(look);
-        let skin::Skin { mesh, blends, vertex_blend } = figure::build(look, &skeleton);
+        let skin = figure::build(look, &skeleton);
         let habit = gait::Habit::new(variant, look);
-        Self { rest: mesh, height_m: look.height, walk_mps: habit.walk_mps, skeleton, blends, vertex_blend, habit }
+        let leader = |i: u32| skin.blends[usize::from(skin.vertex_blend[i as usize])].leader();
+        // A triangle shows the part that two of its corners follow.
+        let part = |t: &[u32; 3]| {
+            let [a, b, c] = t.map(|i| BodyPart::of(leader(i)));
+            if b == c { b } else { a }
+        };
+        Self {
+            traits: PersonTraits::new(look),
+            parts: skin.mesh.triangles.iter().map(part).collect(),
+            keypoints: part::keypoints(look, &skeleton),
+            rest: skin.mesh,
+            height_m: look.height,
+            walk_mps: habit.walk_mps,
+            skeleton,
+            blends: skin.blends,
+            vertex_blend: skin.vertex_blend,
+            habit,
+        }
     }
 
-    /// The body at an instant, in the person's object frame. The lowest point is on the ground.
+    /// The body at an instant, in the person's object frame. Feet on the ground are at z = 0.
     pub fn pose(&self, motion: &WalkerMotion) -> BodyPose {
-        let posture = gait::posture(motion, &self.skeleton, &self.habit);
-        let mut pose = self.skinned(&posture.solve(&self.skeleton));
-        let lowest = pose.positions.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
-        for p in &mut pose.positions {
-            p.z -= lowest;
-        }
-        pose
+        self.skinned(&self.bones(motion))
+    }
+
+    /// The keypoints of COCO ([`KEYPOINTS`]) at an instant, in the person's object frame.
+    pub fn keypoints(&self, motion: &WalkerMotion) -> [Vec3; 17] {
+        self.keypoints_on(&self.bones(motion))
+    }
+
+    fn keypoints_on(&self, bones: &[Affine3A; BONES]) -> [Vec3; 17] {
+        self.keypoints.map(|(bone, p)| bones[bone as usize].transform_point3(p))
+    }
+
+    /// Where the joint of every bone is at an instant, in the order of [`Bone::ALL`], in the person's object frame.
+    /// Those of things are of no meaning for who carries none.
+    pub fn joints(&self, motion: &WalkerMotion) -> [Vec3; Bone::ALL.len()] {
+        let bones = self.bones(motion);
+        Bone::ALL.map(|b| bones[b as usize].transform_point3(self.skeleton.joint(b)))
+    }
+
+    /// How every bone stands at an instant, from the rest pose.
+    fn bones(&self, motion: &WalkerMotion) -> [Affine3A; BONES] {
+        let mut bones = gait::posture(motion, &self.skeleton, &self.habit).solve(&self.skeleton);
+        hold::place(&mut bones, motion, &self.skeleton, self.habit.carried);
+        bones
     }
 
     /// Linear-blend skinning; normals turn with the blended bones.
@@ -76,7 +136,13 @@ impl PersonModel {
         let mut pose = BodyPose { positions: Vec::with_capacity(n), normals: Vec::with_capacity(n) };
         for i in 0..n {
             let m = &mixed[usize::from(self.vertex_blend[i])];
-            pose.positions.push(m.transform_point3(self.rest.positions[i]));
+            let rest = self.rest.positions[i];
+            let mut p = m.transform_point3(rest);
+            // Hems that reach the ground lie on it.
+            if p.z < HEM_M && rest.z > 10.0 * HEM_M {
+                p.z = HEM_M;
+            }
+            pose.positions.push(p);
             pose.normals.push(m.transform_vector3(self.rest.normals[i]).normalize_or(Vec3::Z));
         }
         pose

@@ -20,11 +20,16 @@ pub(crate) struct Leg {
     pub(crate) pitch: f32,
     /// Direction the knee points to.
     pub(crate) knee: Vec3,
+    /// Heading of the toes, positive to the left, radians.
+    pub(crate) yaw: f32,
+    /// Toes bent upwards, radians.
+    pub(crate) toes: f32,
 }
 
 /// A whole posture in the object frame; left first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Posture {
+    /// The pelvis's joint.
     pub(crate) pelvis: Vec3,
     pub(crate) pelvis_turn: Quat,
     /// Each relative to the bone below it.
@@ -36,7 +41,7 @@ pub(crate) struct Posture {
 }
 
 /// Turns about a joint.
-fn about(joint: Vec3, turn: Quat) -> Affine3A {
+pub(crate) fn about(joint: Vec3, turn: Quat) -> Affine3A {
     Affine3A::from_rotation_translation(turn, joint - turn * joint)
 }
 
@@ -94,7 +99,11 @@ impl Posture {
                     let e = shoulder + turned(upper) * l1;
                     (e, e + turned(fore) * l2)
                 }
-                Arm::Reach(wrist) => bend(shoulder, wrist, l1, l2, turned(Vec3::new(-0.45, 0.75 * side.sign(), -0.8))),
+                // Elbows point down and out; forward where the hand is raised.
+                Arm::Reach(wrist) => {
+                    let ahead = if wrist.z > shoulder.z - 0.05 { 0.7 } else { -0.45 };
+                    bend(shoulder, wrist, l1, l2, turned(Vec3::new(ahead, 0.65 * side.sign(), -0.9)))
+                }
             };
             let elbow_rest = -Vec3::X;
             let pole = elbow - 0.5 * (shoulder + wrist);
@@ -103,16 +112,16 @@ impl Posture {
             out[fore as usize] = limb((e0, w0, elbow_rest), (elbow, wrist, pole));
             out[hand as usize] = out[fore as usize];
 
-            let [thigh, shin, foot] = side.leg();
+            let [thigh, shin, foot, toes] = side.leg();
             let (h0, k0, a0) = (j(thigh), j(shin), j(foot));
             let hip = pelvis.transform_point3(h0);
             let leg = self.legs[i];
             let (knee, ankle) = bend(hip, leg.ankle, (k0 - h0).length(), (a0 - k0).length(), leg.knee);
             out[thigh as usize] = limb((h0, k0, Vec3::X), (hip, knee, leg.knee));
             out[shin as usize] = limb((k0, a0, Vec3::X), (knee, ankle, leg.knee));
-            let toe = Quat::from_rotation_arc(Vec3::X, Vec3::new(leg.knee.x, leg.knee.y, 0.0).normalize_or(Vec3::X));
-            let turn = toe * Quat::from_rotation_y(leg.pitch);
+            let turn = Quat::from_rotation_z(leg.yaw) * Quat::from_rotation_y(leg.pitch);
             out[foot as usize] = Affine3A::from_rotation_translation(turn, ankle - turn * a0);
+            out[toes as usize] = out[foot as usize] * about(j(toes), Quat::from_rotation_y(-leg.toes));
         }
         out
     }

@@ -1,18 +1,34 @@
 //! People on two wheels.
 
 use super::PersonModel;
-use super::look::{Hair, Look};
+use super::look::{Hat, Look};
 use super::posture::{Arm, Leg, Posture};
-use super::skeleton::{Bone, Side};
+use super::skeleton::{BONES, Bone, Side};
 use crate::Mesh;
 use crate::vehicle::RiderFit;
 use endless_world::{ClassTag, Stream};
-use glam::{Quat, Vec3};
+use glam::{Affine3A, Quat, Vec3};
 
 /// A person seated on a two-wheeler, in the vehicle's object frame.
 pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
+    let (person, bones) = seated(fit, variant);
+    let pose = person.skinned(&bones);
+    let mut mesh = Mesh { positions: pose.positions, normals: pose.normals, ..person.rest };
+    for material in &mut mesh.materials {
+        material.tag = ClassTag::Rider;
+    }
+    mesh
+}
+
+/// The keypoints of COCO of that person, in the vehicle's object frame.
+pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> [Vec3; 17] {
+    let (person, bones) = seated(fit, variant);
+    person.keypoints_on(&bones)
+}
+
+fn seated(fit: &RiderFit, variant: u64) -> (PersonModel, [Affine3A; BONES]) {
     let mut stream = Stream::named(variant, "rider", &[]);
-    let helmet = if fit.helmet > 0.7 { Hair::FullHelmet } else { Hair::CycleHelmet };
+    let helmet = if fit.helmet > 0.7 { Hat::FullHelmet } else { Hat::CycleHelmet };
     let wears = stream.chance(fit.helmet);
     let look = Look::riding(variant, wears.then_some(helmet));
     let person = PersonModel::with_look(variant, &look);
@@ -34,6 +50,8 @@ pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
             ankle: sole + Vec3::new(-0.055 * h, 0.0, ankle_rest.z),
             pitch: 0.0,
             knee: Vec3::new(1.0, 0.16 * side.sign(), 0.35),
+            yaw: 0.10 * side.sign(),
+            toes: 0.0,
         }
     };
     let arm = |side: Side| {
@@ -50,10 +68,6 @@ pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
         arms: Side::BOTH.map(arm),
         legs: Side::BOTH.map(leg),
     };
-    let pose = person.skinned(&posture.solve(skeleton));
-    let mut mesh = Mesh { positions: pose.positions, normals: pose.normals, ..person.rest };
-    for material in &mut mesh.materials {
-        material.tag = ClassTag::Rider;
-    }
-    mesh
+    let bones = posture.solve(skeleton);
+    (person, bones)
 }

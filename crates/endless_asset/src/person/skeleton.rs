@@ -3,31 +3,93 @@
 use super::look::Look;
 use glam::Vec3;
 
-/// The bones; each turns about its joint, the end nearer to the pelvis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+/// The bones of a person; each turns about its joint, the end nearer to the pelvis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[repr(u8)]
-pub(crate) enum Bone {
+pub enum Bone {
+    /// Hips; joint between the hip joints.
     Pelvis,
+    /// Lumbar spine; joint at the waist.
     Spine,
+    /// Rib cage.
     Chest,
+    /// Neck; joint at its base.
     Neck,
+    /// Skull; joint below the ears.
     Head,
+    /// Left upper arm; joint at the shoulder.
     UpperArmL,
+    /// Left forearm; joint at the elbow.
     ForearmL,
+    /// Left hand; joint at the wrist.
     HandL,
+    /// Right upper arm; joint at the shoulder.
     UpperArmR,
+    /// Right forearm; joint at the elbow.
     ForearmR,
+    /// Right hand; joint at the wrist.
     HandR,
+    /// Left thigh; joint at the hip.
     ThighL,
+    /// Left shin; joint at the knee.
     ShinL,
+    /// Left foot; joint at the ankle.
     FootL,
+    /// Left toes; joint at the ball of the foot.
+    ToesL,
+    /// Right thigh; joint at the hip.
     ThighR,
+    /// Right shin; joint at the knee.
     ShinR,
+    /// Right foot; joint at the ankle.
     FootR,
+    /// Right toes; joint at the ball of the foot.
+    ToesR,
+    /// What is carried, pushed or led.
+    Thing,
+    /// A part of it that moves: front wheels, one pair of a dog's legs.
+    ThingFront,
+    /// Another: rear wheels, the other pair of legs.
+    ThingRear,
 }
 
 /// How many bones there are.
-pub(crate) const BONES: usize = 17;
+pub(crate) const BONES: usize = 22;
+
+impl Bone {
+    /// All of them, in order.
+    pub const ALL: [Self; BONES] = {
+        use Bone::{
+            Chest, FootL, FootR, ForearmL, ForearmR, HandL, HandR, Head, Neck, Pelvis, ShinL, ShinR, Spine, ThighL,
+            ThighR, Thing, ThingFront, ThingRear, ToesL, ToesR, UpperArmL, UpperArmR,
+        };
+        [
+            Pelvis, Spine, Chest, Neck, Head, UpperArmL, ForearmL, HandL, UpperArmR, ForearmR, HandR, ThighL, ShinL,
+            FootL, ToesL, ThighR, ShinR, FootR, ToesR, Thing, ThingFront, ThingRear,
+        ]
+    };
+
+    /// The bone that it hangs from; `None` for the pelvis and for things.
+    pub const fn parent(self) -> Option<Self> {
+        Some(match self {
+            Self::Pelvis | Self::Thing | Self::ThingFront | Self::ThingRear => return None,
+            Self::Spine | Self::ThighL | Self::ThighR => Self::Pelvis,
+            Self::Chest => Self::Spine,
+            Self::Neck | Self::UpperArmL | Self::UpperArmR => Self::Chest,
+            Self::Head => Self::Neck,
+            Self::ForearmL => Self::UpperArmL,
+            Self::HandL => Self::ForearmL,
+            Self::ForearmR => Self::UpperArmR,
+            Self::HandR => Self::ForearmR,
+            Self::ShinL => Self::ThighL,
+            Self::FootL => Self::ShinL,
+            Self::ToesL => Self::FootL,
+            Self::ShinR => Self::ThighR,
+            Self::FootR => Self::ShinR,
+            Self::ToesR => Self::FootR,
+        })
+    }
+}
 
 /// Left or right.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,6 +106,16 @@ impl Side {
         if self == Self::Left { 1.0 } else { -1.0 }
     }
 
+    /// Left is 0.
+    pub(crate) fn index(self) -> usize {
+        usize::from(self == Self::Right)
+    }
+
+    /// Mirrors what is meant for the left.
+    pub(crate) fn flip(self, p: Vec3) -> Vec3 {
+        Vec3::new(p.x, p.y * self.sign(), p.z)
+    }
+
     /// Upper arm, forearm, hand.
     pub(crate) fn arm(self) -> [Bone; 3] {
         match self {
@@ -52,14 +124,17 @@ impl Side {
         }
     }
 
-    /// Thigh, shin, foot.
-    pub(crate) fn leg(self) -> [Bone; 3] {
+    /// Thigh, shin, foot, toes.
+    pub(crate) fn leg(self) -> [Bone; 4] {
         match self {
-            Self::Left => [Bone::ThighL, Bone::ShinL, Bone::FootL],
-            Self::Right => [Bone::ThighR, Bone::ShinR, Bone::FootR],
+            Self::Left => [Bone::ThighL, Bone::ShinL, Bone::FootL, Bone::ToesL],
+            Self::Right => [Bone::ThighR, Bone::ShinR, Bone::FootR, Bone::ToesR],
         }
     }
 }
+
+/// Direction in which the left arm points in the rest pose.
+pub(crate) const ARM: Vec3 = Vec3::new(0.0, 0.588, -0.809);
 
 /// Joints in the rest pose, and the measures that clothes and gait need.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,19 +144,24 @@ pub(crate) struct Skeleton {
     pub(crate) height: f32,
     /// Chin to crown.
     pub(crate) head_height: f32,
+    /// Height of the body without its head, so scaled that the base of the neck is at 0.83.
+    pub(crate) body: f32,
     /// Tip of the toes ahead of the ankle, and the heel behind it.
     pub(crate) toe: f32,
     pub(crate) heel: f32,
 }
 
+/// Lengths of upper arm and forearm, over the body's height.
+const ARM_LENGTHS: [f32; 2] = [0.172, 0.146];
+
 impl Skeleton {
+    /// Shares of stature after Drillis and Contini (1966); children's heads are larger.
     pub(crate) fn new(look: &Look) -> Self {
         let h = look.height;
         let head_height = 0.145 + 0.048 * h;
-        // Up to the base of the neck: children's heads are large, their trunk and legs share the rest.
         let body = (h - head_height) / 0.87;
-        let shoulder = h * if look.female { 0.090 } else { 0.102 } * look.shoulder;
-        let hip = 0.050 * h;
+        let shoulder = h * if look.female { 0.086 } else { 0.096 } * look.shoulder;
+        let hip = 0.0485 * h;
         let mut joints = [Vec3::ZERO; BONES];
         let mut set = |b: Bone, p: Vec3| joints[b as usize] = p;
         set(Bone::Pelvis, Vec3::new(0.0, 0.0, 0.545 * body));
@@ -89,23 +169,29 @@ impl Skeleton {
         set(Bone::Chest, Vec3::new(-0.008 * h, 0.0, 0.69 * body));
         set(Bone::Neck, Vec3::new(-0.012 * h, 0.0, 0.83 * body));
         set(Bone::Head, Vec3::new(-0.004 * h, 0.0, h - head_height * 0.92));
-        let along = Vec3::new(0.0, 0.30, -0.954);
+        let toe = 0.106 * h;
         for side in Side::BOTH {
-            let flip = |p: Vec3| Vec3::new(p.x, p.y * side.sign(), p.z);
             let [upper, fore, hand] = side.arm();
-            let root = Vec3::new(-0.010 * h, shoulder, 0.793 * body);
-            set(upper, flip(root));
-            set(fore, flip(root + along * 0.168 * body));
-            set(hand, flip(root + along * (0.168 + 0.148) * body));
-            let [thigh, shin, foot] = side.leg();
-            set(thigh, flip(Vec3::new(0.0, hip, 0.525 * body)));
-            set(shin, flip(Vec3::new(0.004 * h, hip, 0.285 * body)));
-            set(foot, flip(Vec3::new(-0.012 * h, hip, 0.048 * body)));
+            let root = Vec3::new(-0.010 * h, shoulder, 0.795 * body);
+            set(upper, side.flip(root));
+            set(fore, side.flip(root + ARM * ARM_LENGTHS[0] * body));
+            set(hand, side.flip(root + ARM * (ARM_LENGTHS[0] + ARM_LENGTHS[1]) * body));
+            let [thigh, shin, foot, toes] = side.leg();
+            let ankle = Vec3::new(-0.010 * h, 1.0 * hip, 0.046 * body);
+            set(thigh, side.flip(Vec3::new(0.0, hip, 0.525 * body)));
+            set(shin, side.flip(Vec3::new(0.004 * h, hip, 0.285 * body)));
+            set(foot, side.flip(ankle));
+            set(toes, side.flip(Vec3::new(ankle.x + 0.62 * toe, hip, 0.011 * h)));
         }
-        Self { joints, height: h, head_height, toe: 0.112 * h, heel: 0.042 * h }
+        Self { joints, height: h, head_height, body, toe, heel: 0.040 * h }
     }
 
     pub(crate) fn joint(&self, bone: Bone) -> Vec3 {
         self.joints[bone as usize]
+    }
+
+    /// Middle of what a closed hand holds, in the rest pose.
+    pub(crate) fn grip(&self, side: Side) -> Vec3 {
+        self.joint(side.arm()[2]) + side.flip(ARM) * 0.052 * self.height
     }
 }

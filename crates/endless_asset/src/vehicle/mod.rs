@@ -145,6 +145,11 @@ impl VehicleModel {
         Some(crate::person::rider(self.fit()?, variant))
     }
 
+    /// The keypoints of that rider ([`crate::KEYPOINTS`]), in the vehicle's object frame.
+    pub fn rider_keypoints(&self, variant: u64) -> Option<[Vec3; 17]> {
+        Some(crate::person::rider_keypoints(self.fit()?, variant))
+    }
+
     fn fit(&self) -> Option<&RiderFit> {
         if self.spec.ridden { self.parts().fit.as_ref() } else { None }
     }

@@ -57,7 +57,7 @@ fn whole(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Mesh {
                 speed_mps: person.walk_mps,
                 gait: endless_world::Gait::Walk,
                 walked_m: 0.15,
-                time_s: 0.0,
+                ..endless_world::WalkerMotion::default()
             };
             let pose = person.pose(&motion);
             Mesh { positions: pose.positions, normals: pose.normals, ..person.rest.clone() }

@@ -56,7 +56,7 @@ pub(crate) fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: b
                 speed_mps: 1.3,
                 gait: Gait::Walk,
                 walked_m: i as f32 * 0.37,
-                time_s: 0.0,
+                ..WalkerMotion::default()
             }),
             parked: false,
         });

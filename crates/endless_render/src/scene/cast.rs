@@ -13,7 +13,7 @@ use std::{
 /// Models of all actors of a scene.
 pub struct Cast {
     vehicles: BTreeMap<u16, VehicleCast>,
-    people: BTreeMap<u64, PersonCast>,
+    people: BTreeMap<(u16, u64), PersonCast>,
     riders: BTreeMap<(u16, u64), (Arc<Shape>, Arc<Body>)>,
     tints: BTreeMap<(u16, u64), Vec3A>,
 }
@@ -54,7 +54,7 @@ impl Cast {
         for actor in actors {
             match actor.motion {
                 Motion::Vehicle(_) => cast.add_vehicle(catalogue, actor),
-                Motion::Walker(_) => cast.add_person(catalogue, actor.asset.variant),
+                Motion::Walker(_) => cast.add_person(catalogue, actor.asset),
             }
         }
         cast
@@ -86,16 +86,17 @@ impl Cast {
         }
     }
 
-    fn add_person(&mut self, catalogue: &Catalogue, variant: u64) {
-        if self.people.contains_key(&variant) {
+    fn add_person(&mut self, catalogue: &Catalogue, asset: AssetRef) {
+        let key = (asset.model, asset.variant);
+        if self.people.contains_key(&key) {
             return;
         }
-        let person = catalogue.person(variant);
+        let person = catalogue.person_of(asset);
         let mut parts = model(&person.rest);
         let high = Vec3A::new(0.25, 0.3, person.height_m);
         shade_by_itself(&mut parts, Vec3A::new(-0.25, -0.3, 0.0), high);
         if let Some((shape, rest)) = parts {
-            self.people.insert(variant, PersonCast { model: person, shape, rest });
+            self.people.insert(key, PersonCast { model: person, shape, rest });
         }
     }
 
@@ -103,8 +104,8 @@ impl Cast {
         self.vehicles.get(&model)
     }
 
-    pub(crate) fn person(&self, variant: u64) -> Option<&PersonCast> {
-        self.people.get(&variant)
+    pub(crate) fn person(&self, asset: AssetRef) -> Option<&PersonCast> {
+        self.people.get(&(asset.model, asset.variant))
     }
 
     pub(crate) fn rider(&self, asset: AssetRef) -> Option<&(Arc<Shape>, Arc<Body>)> {

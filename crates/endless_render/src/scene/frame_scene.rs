@@ -150,7 +150,7 @@ fn add_vehicle(
 /// Adds a person in their pose; returns the half extents of their footprint and their height.
 fn add_person(cast: &Cast, actor: &Actor, instances: &mut Vec<Instance>) -> Option<(Vec2, f32)> {
     let Motion::Walker(motion) = actor.motion else { return None };
-    let person = cast.person(actor.asset.variant)?;
+    let person = cast.person(actor.asset)?;
     let pose = person.model.pose(&motion);
     let mut blas = (*person.rest.blas).clone();
     blas.refit(&pose.positions);

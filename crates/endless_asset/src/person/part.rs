@@ -1,0 +1,184 @@
+//! What can be told of a person: parts of the body, keypoints, and who they are.
+
+use super::head::Head;
+use super::look::{Carried, Glasses, Hat, Look};
+use super::skeleton::{Bone, Skeleton};
+use glam::Vec3;
+
+/// A part of the body, as annotations name it; clothes belong to what they cover.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[repr(u8)]
+pub enum BodyPart {
+    /// Head and neck, hair and hats.
+    Head = 1,
+    /// Chest, belly, hips.
+    Torso = 2,
+    /// Left upper arm.
+    LeftUpperArm = 3,
+    /// Left forearm.
+    LeftForearm = 4,
+    /// Left hand.
+    LeftHand = 5,
+    /// Right upper arm.
+    RightUpperArm = 6,
+    /// Right forearm.
+    RightForearm = 7,
+    /// Right hand.
+    RightHand = 8,
+    /// Left thigh.
+    LeftThigh = 9,
+    /// Left shin.
+    LeftShin = 10,
+    /// Left foot.
+    LeftFoot = 11,
+    /// Right thigh.
+    RightThigh = 12,
+    /// Right shin.
+    RightShin = 13,
+    /// Right foot.
+    RightFoot = 14,
+    /// Something carried, pushed, led or sat in.
+    Thing = 15,
+}
+
+impl BodyPart {
+    /// The part that a bone moves.
+    pub const fn of(bone: Bone) -> Self {
+        match bone {
+            Bone::Pelvis | Bone::Spine | Bone::Chest => Self::Torso,
+            Bone::Neck | Bone::Head => Self::Head,
+            Bone::UpperArmL => Self::LeftUpperArm,
+            Bone::ForearmL => Self::LeftForearm,
+            Bone::HandL => Self::LeftHand,
+            Bone::UpperArmR => Self::RightUpperArm,
+            Bone::ForearmR => Self::RightForearm,
+            Bone::HandR => Self::RightHand,
+            Bone::ThighL => Self::LeftThigh,
+            Bone::ShinL => Self::LeftShin,
+            Bone::FootL | Bone::ToesL => Self::LeftFoot,
+            Bone::ThighR => Self::RightThigh,
+            Bone::ShinR => Self::RightShin,
+            Bone::FootR | Bone::ToesR => Self::RightFoot,
+            Bone::Thing | Bone::ThingFront | Bone::ThingRear => Self::Thing,
+        }
+    }
+}
+
+/// Names of the keypoints of COCO, in its order.
+pub const KEYPOINTS: [&str; 17] = [
+    "nose",
+    "left_eye",
+    "right_eye",
+    "left_ear",
+    "right_ear",
+    "left_shoulder",
+    "right_shoulder",
+    "left_elbow",
+    "right_elbow",
+    "left_wrist",
+    "right_wrist",
+    "left_hip",
+    "right_hip",
+    "left_knee",
+    "right_knee",
+    "left_ankle",
+    "right_ankle",
+];
+
+/// Keypoints in the rest pose, and the bone that each follows.
+pub(crate) fn keypoints(look: &Look, skeleton: &Skeleton) -> [(Bone, Vec3); 17] {
+    let head = Head::new(look, skeleton);
+    let at = |x: f32, y: f32, z: f32| (Bone::Head, head.at(Vec3::new(x, y, z)));
+    let joint = |b: Bone| (b, skeleton.joint(b));
+    [
+        at(0.48, 0.0, 0.37),
+        at(0.34, 0.138, 0.502),
+        at(0.34, -0.138, 0.502),
+        at(-0.03, 0.335, 0.45),
+        at(-0.03, -0.335, 0.45),
+        joint(Bone::UpperArmL),
+        joint(Bone::UpperArmR),
+        joint(Bone::ForearmL),
+        joint(Bone::ForearmR),
+        joint(Bone::HandL),
+        joint(Bone::HandR),
+        joint(Bone::ThighL),
+        joint(Bone::ThighR),
+        joint(Bone::ShinL),
+        joint(Bone::ShinR),
+        joint(Bone::FootL),
+        joint(Bone::FootR),
+    ]
+}
+
+/// Who a person is and what they wear, for annotations and for those who choose people.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PersonTraits {
+    /// Years.
+    pub age_years: f32,
+    /// Female or male.
+    pub female: bool,
+    /// Standing height, metres.
+    pub height_m: f32,
+    /// Girth over the average's of that height.
+    pub girth: f32,
+    /// Monk Skin Tone, 1 (lightest) to 10.
+    pub skin_tone: u8,
+    /// Kind of outfit: `casual`, `office`, `suit`, `sports`, `high_visibility`, `uniform`, `regional`.
+    pub outfit: &'static str,
+    /// What is worn, by name, from the inside out, headgear and glasses last.
+    pub wears: Vec<&'static str>,
+    /// What is carried, pushed, led or sat in; empty for nothing.
+    pub carries: &'static str,
+}
+
+impl PersonTraits {
+    pub(crate) fn new(look: &Look) -> Self {
+        let mut wears = vec![look.legs.name];
+        wears.extend(look.garments.iter().map(|g| g.name));
+        wears.push(match look.hat {
+            Hat::None => "",
+            Hat::Cap => "cap",
+            Hat::Beanie => "beanie",
+            Hat::Brimmed => "sun_hat",
+            Hat::Fedora => "fedora",
+            Hat::Headscarf => "headscarf",
+            Hat::Turban => "turban",
+            Hat::SiteHelmet => "hard_hat",
+            Hat::PeakedCap => "peaked_cap",
+            Hat::Hood => "hood",
+            Hat::FullHelmet => "motorcycle_helmet",
+            Hat::CycleHelmet => "bicycle_helmet",
+        });
+        wears.push(match look.glasses {
+            Glasses::None => "",
+            Glasses::Clear => "glasses",
+            Glasses::Sun => "sunglasses",
+        });
+        wears.retain(|name| !name.is_empty());
+        Self {
+            age_years: look.age,
+            female: look.female,
+            height_m: look.height,
+            girth: look.girth,
+            skin_tone: look.tone as u8 + 1,
+            outfit: look.outfit,
+            wears,
+            carries: match look.carried {
+                Carried::Nothing => "",
+                Carried::Backpack => "backpack",
+                Carried::Handbag => "handbag",
+                Carried::ShoulderBag => "shoulder_bag",
+                Carried::ShoppingBag => "shopping_bag",
+                Carried::Briefcase => "briefcase",
+                Carried::Phone | Carried::Call => "phone",
+                Carried::Umbrella => "umbrella",
+                Carried::Pram => "pram",
+                Carried::Suitcase => "suitcase",
+                Carried::Cane => "cane",
+                Carried::Dog => "dog",
+                Carried::Wheelchair => "wheelchair",
+            },
+        }
+    }
+}
