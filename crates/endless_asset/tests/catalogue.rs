@@ -242,7 +242,8 @@ proptest! {
         prop_assert!((3000..10_500).contains(&n), "{} triangles", n);
         for (p, q) in posed.positions.iter().zip(&posed.normals) {
             prop_assert!(p.is_finite() && (q.length() - 1.0).abs() < 1e-3);
-            prop_assert!(p.z > -0.01 && p.z < 2.2 && p.truncate().length() < 1.3);
+            // Prams reach far ahead, umbrellas far up.
+            prop_assert!(p.z > -0.016 && p.z < 2.6 && p.truncate().length() < 1.9);
         }
         prop_assert!((0.7..2.2).contains(&person.walk_mps));
     }

@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [what, out] = arguments.as_slice() else { return Err("usage: lot vehicles|people OUT.jpg".into()) };
     let catalogue = Catalogue::builtin();
-    let (actors, height) = if what == "people" { (people(&catalogue), 7.0) } else { (vehicles(&catalogue), 34.0) };
+    let (actors, height) = if what == "people" { (people(&catalogue), 7.6) } else { (vehicles(&catalogue), 34.0) };
     let town = square();
     let still = StaticScene::load(&town, &catalogue);
     let site = CameraSite {
@@ -98,12 +98,27 @@ fn people(catalogue: &Catalogue) -> Vec<Actor> {
         Gait::Stand,
         Gait::Walk,
     ];
+    // Rare things are shown, too.
+    let mut shown: Vec<u64> = Vec::new();
+    for wanted in ["pram", "dog", "wheelchair", "suitcase", "cane", "briefcase", "phone", "handbag"] {
+        shown.extend((100..).find(|&v| catalogue.person(v).traits.carries == wanted));
+    }
+    for wanted in ["uniform", "high_visibility", "suit"] {
+        shown.extend((100..).find(|&v| catalogue.person(v).traits.outfit == wanted));
+    }
+    for wanted in ["sari", "abaya"] {
+        shown.extend((100..).find(|&v| catalogue.person(v).traits.wears.contains(&wanted)));
+    }
     (0..60u64)
         .map(|i| {
+            // One in eight is dressed for rain.
+            let model = if i % 8 == 3 { AssetRef::RAIN } else { AssetRef::FAIR };
+            let rare = (i % 4 == 1).then(|| shown.get(i as usize / 4)).flatten();
+            let asset = AssetRef { model, variant: rare.copied().unwrap_or(i) };
             let row = i / 12;
-            let spread = 1.12 + 0.10 * row as f32;
-            let at = Vec3::new(((i % 12) as f32 - 5.5) * spread, row as f32 * 2.1 - 3.4, 0.0);
-            let person = catalogue.person(i);
+            let spread = 0.93 + 0.115 * row as f32;
+            let at = Vec3::new(((i % 12) as f32 - 5.5) * spread, row as f32 * 1.95 - 3.1, 0.0);
+            let person = catalogue.person_of(asset);
             let gait = GAITS[(i as usize * 5 + row as usize) % 12];
             let speed_mps = match gait {
                 Gait::Walk | Gait::Push => person.walk_mps,
@@ -119,7 +134,6 @@ fn people(catalogue: &Catalogue) -> Vec<Actor> {
                 ..WalkerMotion::default()
             };
             let pose = Pose::level(at, -1.57 + 0.55 * ((i * 13 % 7) as f32 - 3.0));
-            let asset = AssetRef { model: AssetRef::FAIR, variant: i };
             actor(i as usize, ObjectClass::Pedestrian, asset, pose, Motion::Walker(motion))
         })
         .collect()

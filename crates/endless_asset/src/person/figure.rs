@@ -160,7 +160,10 @@ fn below(skin: &mut Skin, body: &Body<'_>) {
     };
     let ease = |zone: Zone, t: f32| match zone {
         Zone::Trunk => within.max(0.4 * legs.ease),
-        _ => legs.ease * smoothstep(2.0, 1.2, t).max(0.5) + legs.cuff * smoothstep(1.35, legs.end, t),
+        _ => {
+            legs.ease * smoothstep(2.0, 1.2, t).max(0.5)
+                + legs.cuff * smoothstep((legs.end + 1.35).min(1.95), legs.end, t)
+        }
     };
     let stripe = |column: usize| legs.stripe && matches!(column, 4 | 3);
     let color = |zone: Zone, _: f32, column: usize| {

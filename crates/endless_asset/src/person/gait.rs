@@ -214,7 +214,7 @@ fn act(posture: &mut Posture, motion: &WalkerMotion, skeleton: &Skeleton, habit:
                 // Arms folded.
                 posture.arms = Side::BOTH.map(|s| {
                     let raised = if s == Side::Left { 0.655 } else { 0.675 };
-                    Arm::Reach(Vec3::new(0.125 * h, -0.045 * h * s.sign(), raised * b))
+                    Arm::Reach(Vec3::new(0.098 * h, -0.055 * h * s.sign(), raised * b))
                 });
             }
             2 => {

@@ -17,7 +17,27 @@ pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
     for material in &mut mesh.materials {
         material.tag = ClassTag::Rider;
     }
+    mend_normals(&mut mesh);
     mesh
+}
+
+/// Where cloth is squeezed between hip and thigh, normals that only turned with the bones may look inwards: those are
+/// taken from the faces around.
+fn mend_normals(mesh: &mut Mesh) {
+    let mut around = vec![Vec3::ZERO; mesh.positions.len()];
+    for t in &mesh.triangles {
+        let [a, b, c] = t.map(|i| mesh.positions[i as usize]);
+        let normal = (b - a).cross(c - a);
+        for &i in t {
+            around[i as usize] += normal;
+        }
+    }
+    for (normal, around) in mesh.normals.iter_mut().zip(around) {
+        let around = around.normalize_or(*normal);
+        if normal.dot(around) < 0.5 {
+            *normal = around;
+        }
+    }
 }
 
 /// The keypoints of COCO of that person, in the vehicle's object frame.

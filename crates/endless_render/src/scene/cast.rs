@@ -2,7 +2,7 @@
 
 use super::{Body, Shape, ambient_occlusion::openness, model::model, static_scene::VehicleParts};
 use endless_asset::{Catalogue, PersonModel};
-use endless_world::{Actor, AssetRef, Motion};
+use endless_world::{Actor, AssetRef, Gait, Motion, WalkerMotion};
 use glam::Vec3A;
 use rayon::prelude::*;
 use std::{
@@ -93,8 +93,7 @@ impl Cast {
         }
         let person = catalogue.person_of(asset);
         let mut parts = model(&person.rest);
-        let high = Vec3A::new(0.25, 0.3, person.height_m);
-        shade_by_itself(&mut parts, Vec3A::new(-0.25, -0.3, 0.0), high);
+        shade_in_motion(&mut parts, &person);
         if let Some((shape, rest)) = parts {
             self.people.insert(key, PersonCast { model: person, shape, rest });
         }
@@ -114,6 +113,20 @@ impl Cast {
 
     pub(crate) fn tint(&self, asset: AssetRef) -> Vec3A {
         self.tints.get(&(asset.model, asset.variant)).copied().unwrap_or(Vec3A::ONE)
+    }
+}
+
+/// Fills in the openness of a person in mid-stride: legs and arms that touch at rest would be dark for ever.
+fn shade_in_motion(parts: &mut Option<(Arc<Shape>, Arc<Body>)>, person: &PersonModel) {
+    let Some((shape, rest)) = parts else { return };
+    let stride = WalkerMotion { speed_mps: 1.3, gait: Gait::Walk, ..WalkerMotion::default() };
+    let pose = person.pose(&stride);
+    let mut blas = (*rest.blas).clone();
+    blas.refit(&pose.positions);
+    let body = Body { positions: pose.positions, normals: pose.normals, blas: Arc::new(blas) };
+    let open = openness(shape, &body, Vec3A::new(-0.25, -0.3, 0.0), Vec3A::new(0.25, 0.3, person.height_m));
+    if let Some(shape) = Arc::get_mut(shape) {
+        shape.openness = open;
     }
 }
 
