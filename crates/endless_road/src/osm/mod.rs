@@ -171,6 +171,10 @@ fn build(plan: &mut Plan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
         }
         network.junctions[junction.index()].program = signal::program(plan, knot, &movements);
         let lanes: Vec<_> = lanes.iter().map(|&l| network.lane(l)).collect();
+        if movements.len() == lanes.len() {
+            let ways: Vec<_> = movements.iter().copied().zip(lanes.iter().copied()).collect();
+            paint::through(plan, knot, &ways, &mut surfaces);
+        }
         surface::knot(plan, knot, &movements, &lanes, &mut surfaces);
         surface::connectors(plan, &lanes, &movements, &mut surfaces);
     }
@@ -183,6 +187,7 @@ fn build(plan: &mut Plan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
     map.network = std::mem::take(&mut map.network).finish()?;
     surface::streets(plan, &mut map);
     map.strips.extend(surfaces.strips);
+    map.marks.extend(surfaces.marks);
     map.strips.extend(paths.strips);
     map.areas = surfaces.areas;
     map.junction_areas = surfaces.junction_areas;

@@ -34,6 +34,9 @@ struct Exit {
 
 /// All movements of a knot.
 pub(super) fn movements(plan: &Plan, knot: usize, restrictions: &Restrictions) -> Vec<Movement> {
+    if let Some([left, right]) = lanes_add_up(plan, knot) {
+        return side_by_side(plan, knot, left, right);
+    }
     let arms = &plan.knots[knot].arms;
     let mut all: Vec<Movement> = Vec::new();
     for &from in arms.iter().filter(|&&arm| !plan.lanes_in(arm).is_empty()) {
@@ -42,6 +45,32 @@ pub(super) fn movements(plan: &Plan, knot: usize, restrictions: &Restrictions) -
     }
     feed_empty_lanes(plan, knot, &mut all);
     all
+}
+
+/// Two one-way roads that become one with all their lanes, from left to right: nobody has to give way.
+pub(super) fn lanes_add_up(plan: &Plan, knot: usize) -> Option<[End; 2]> {
+    let arms = &plan.knots[knot].arms;
+    let oneway = arms.iter().all(|&arm| plan.street(arm).oneway() && !plan.street(arm).roundabout);
+    let (ins, outs): (Vec<End>, Vec<End>) = arms.iter().partition(|&&arm| !plan.lanes_in(arm).is_empty());
+    let ([a, b], [to]) = (&ins[..], &outs[..]) else { return None };
+    let ahead = bend(plan, *a, *to).abs() < STRAIGHT_RAD && bend(plan, *b, *to).abs() < STRAIGHT_RAD;
+    if !oneway || !ahead || plan.lanes_in(*a).len() + plan.lanes_in(*b).len() != plan.lanes_out(*to).len() {
+        return None;
+    }
+    let place = |arm: &End| plan.arm_point(*arm, plan.cut(*arm), 0.0).truncate();
+    let to_the_left = plan.arm_direction(*to, plan.cut(*to)).perp_dot(place(a) - place(b)) > 0.0;
+    Some(if to_the_left { [*a, *b] } else { [*b, *a] })
+}
+
+fn side_by_side(plan: &Plan, knot: usize, left: End, right: End) -> Vec<Movement> {
+    let to = plan.knots[knot].arms.iter().copied().find(|&arm| !plan.lanes_out(arm).is_empty());
+    let lanes_in =
+        [left, right].into_iter().flat_map(|arm| plan.lanes_in(arm).into_iter().map(move |lane| (arm, lane)));
+    let lanes_out = to.into_iter().flat_map(|to| plan.lanes_out(to).into_iter().map(move |lane| (to, lane)));
+    lanes_in
+        .zip(lanes_out)
+        .map(|((from, lane_in), (to, lane_out))| Movement { from, lane_in, to, lane_out, turn: Turn::Straight })
+        .collect()
 }
 
 fn bend(plan: &Plan, from: End, to: End) -> f64 {
@@ -115,6 +144,10 @@ fn lanes_for(plan: &Plan, from: End, exit: &Exit, exits: &[Exit]) -> Vec<usize> 
     }
     let has = |turn: Turn| exits.iter().any(|e| e.turn == turn);
     let out = plan.lanes_out(exit.to).len();
+    if plan.street(from).roundabout && !plan.street(exit.to).roundabout {
+        // Nobody changes lanes in a ring: who enters on the inside must get out again.
+        return (0..n).collect();
+    }
     match exit.turn {
         Turn::Straight => {
             let (mut first, mut last) = (0, n);

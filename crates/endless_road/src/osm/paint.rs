@@ -4,10 +4,12 @@ use super::class::RoadClass;
 use super::country::Country;
 use super::crossing::CROSSING_M;
 use super::curve::line_through;
+use super::graph::End;
 use super::lane::inside;
+use super::movement::Movement;
 use super::plan::{OnFoot, Plan, Street};
 use super::section::Use;
-use crate::{Control, Mark, Paint, RoadMap};
+use crate::{Control, Lane, Mark, Paint, RoadMap, Turn};
 
 const LINE_M: f64 = 0.12;
 const STOP_LINE_M: f64 = 0.4;
@@ -98,6 +100,40 @@ fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
                 along(street, t + inwards, from, to, None, Paint::White, map);
             }
         }
+    }
+}
+
+/// Dashes between lanes that lead side by side through a place where nothing crosses: merges, rings, changes of width.
+pub(super) fn through(plan: &Plan, knot: usize, ways: &[(Movement, &Lane)], map: &mut RoadMap) {
+    let k = &plan.knots[knot];
+    let crossed = k.arms.len() > 2 && !k.arms.iter().all(|&arm| plan.street(arm).oneway());
+    for &(m, lane) in ways {
+        let ring = plan.street(m.from).roundabout && plan.street(m.to).roundabout;
+        if k.signals || m.turn != Turn::Straight || (crossed && !ring) {
+            continue;
+        }
+        let next = |arm: End, band: usize, lanes: &[usize]| {
+            let place = lanes.iter().position(|&l| l == band)?;
+            Some((arm, *lanes.get(place + 1)?))
+        };
+        let (ins, outs) = (plan.lanes_in(m.from), plan.lanes_out(m.to));
+        let beside = next(m.from, m.lane_in, &ins).zip(next(m.to, m.lane_out, &outs));
+        let Some(((from, lane_in), (to, lane_out))) = beside else { continue };
+        let is_beside =
+            |o: &&(Movement, &Lane)| (o.0.from, o.0.lane_in, o.0.to, o.0.lane_out) == (from, lane_in, to, lane_out);
+        let Some((_, right)) = ways.iter().find(is_beside) else { continue };
+        let (a, b) = (&lane.centerline, &right.centerline);
+        let n = (a.length() / 4.0).ceil().max(2.0) as usize;
+        let points = (0..=n).map(|i| {
+            let share = i as f64 / n as f64;
+            a.position(a.length() * share).midpoint(b.position(b.length() * share))
+        });
+        map.marks.push(Mark {
+            line: line_through(points.collect()),
+            width_m: LINE_M,
+            dash: Some(DASH),
+            paint: Paint::White,
+        });
     }
 }
 

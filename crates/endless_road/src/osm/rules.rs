@@ -3,6 +3,7 @@
 use super::class::RoadClass;
 use super::extract::Tags;
 use super::graph::End;
+use super::movement::lanes_add_up;
 use super::plan::Plan;
 use super::site::Site;
 use super::ways::Stretch;
@@ -72,8 +73,8 @@ pub(super) fn decide(plan: &mut Plan, site: &Site<'_>, groups: &mut usize) {
         plan.knots[knot].signals = lit;
         let rules = if lit {
             Vec::new()
-        } else if arms.len() == 2 {
-            vec![Control::Free; 2]
+        } else if arms.len() == 2 || lanes_add_up(plan, knot).is_some() {
+            vec![Control::Free; arms.len()]
         } else {
             signs(plan, site, knot)
         };
@@ -129,7 +130,10 @@ fn signs(plan: &Plan, site: &Site<'_>, knot: usize) -> Vec<Control> {
     let ranks: Vec<u32> = arms.iter().map(|&arm| rank(plan, arm)).collect();
     let highest = ranks.iter().copied().max().unwrap_or(0);
     let all_stop = plan.knots[knot].nodes.iter().any(|&n| site.node_tags(n).is_some_and(|t| t.is("stop", &["all"])));
-    let minor = if site.country.all_way_stop && highest < 100 { Control::Stop } else { Control::Yield };
+    // Nobody stops before a road that they merge into.
+    let merges = arms.iter().all(|&arm| plan.street(arm).oneway())
+        && arms.iter().filter(|&&arm| !plan.lanes_out(arm).is_empty()).count() == 1;
+    let minor = if site.country.all_way_stop && highest < 100 && !merges { Control::Stop } else { Control::Yield };
     let equal = ranks.iter().all(|&r| r == highest);
     let mut rules: Vec<Control> = if all_stop || (equal && arms.len() > 3 && site.country.all_way_stop) {
         vec![Control::Stop; arms.len()]

@@ -281,6 +281,19 @@ pub(super) fn of(said: &Said<'_>) -> Section {
     assemble(said, lane_m, (forward, both, backward), parking, bikes)
 }
 
+/// How many lanes of a one-way road lie to the left of its line: `placement=right_of:2`.
+fn lanes_left_of_line(placement: &str) -> Option<f64> {
+    let (side, lane) = placement.split_once(':')?;
+    let lane = lane.trim().parse::<u32>().ok().filter(|lane| (1..=10).contains(lane))?;
+    let aside = match side.trim() {
+        "left_of" => 1.0,
+        "middle_of" => 0.5,
+        "right_of" => 0.0,
+        _ => return None,
+    };
+    Some(f64::from(lane) - aside)
+}
+
 fn assemble(
     said: &Said<'_>,
     lane_m: f64,
@@ -325,8 +338,14 @@ fn assemble(
     let half = 0.5 * lane_m * (forward + both + backward) as f64;
     let left = half + parking[0] + bikes[0] + shoulder[0];
     let width: f64 = bands.iter().map(|b| b.width_m).sum();
-    let centred = said.tags.get("width").is_some() || said.tags.get("placement").is_none();
-    let left = if centred { width / 2.0 } else { left };
+    let placed = said.tags.get("placement").filter(|_| said.tags.get("width").is_none());
+    let left = match placed {
+        None => width / 2.0,
+        Some(word) => match lanes_left_of_line(word).filter(|_| said.oneway) {
+            Some(lanes) => left + (lanes - 0.5 * forward as f64) * lane_m,
+            None => left,
+        },
+    };
     let unpaved = said.tags.is(
         "surface",
         &[

@@ -1,6 +1,7 @@
 //! How far roads are cut back where they meet, so that their borders do not overlap and kerbs find room for a radius;
 //! and which places are so close together that they are one junction.
 
+use super::class::RoadClass;
 use super::connector::DEAD_END_RADIUS_M;
 use super::curve::angle;
 use super::graph::End;
@@ -10,6 +11,8 @@ use glam::DVec2;
 
 /// Roads are never cut back further than this, metres.
 const MOST_M: f64 = 40.0;
+/// Nor where a road parts slowly from a fast one than this, metres.
+const MOST_RAMP_M: f64 = 120.0;
 const STEP_M: f64 = 0.5;
 /// Where two roads merely follow one another, each gives this much for the change, metres.
 const CHANGE_M: f64 = 4.0;
@@ -51,13 +54,17 @@ struct Reach {
     outwards: DVec2,
     corner_m: f64,
     most: f64,
+    /// The same beside a road to which it is nearly parallel.
+    most_beside: f64,
 }
 
 fn reach(plan: &Plan, arm: End) -> Reach {
     let street = plan.street(arm);
     let section = plan.arm_section(arm);
     let length = street.length();
-    let far = length.min(MOST_M + 15.0);
+    let ramp = street.oneway() && (street.link || street.class >= RoadClass::Trunk);
+    let most = if ramp { MOST_RAMP_M } else { MOST_M };
+    let far = length.min(most + 15.0);
     let n = (far / 2.5).ceil().max(2.0) as usize;
     Reach {
         line: (0..=n).map(|k| plan.arm_point(arm, far * k as f64 / n as f64, 0.0).truncate()).collect(),
@@ -68,6 +75,7 @@ fn reach(plan: &Plan, arm: End) -> Reach {
             .normalize_or(DVec2::X),
         corner_m: street.class.corner_m(),
         most: MOST_M.min(0.92 * length),
+        most_beside: most.min(if ramp { 0.45 } else { 0.92 } * length).max(MOST_M.min(0.92 * length)),
     }
 }
 
@@ -133,7 +141,7 @@ fn cut_between(plan: &Plan, arm: End, a: &Reach, b: &Reach, arms: usize) -> f64 
     let radius = if arms == 2 { 2.0 } else { a.corner_m.min(b.corner_m) };
     let clear = if parallel { 0.4 } else { radius * (1.0 + cos(theta)).min(1.2) };
     let mut d = 0.5;
-    while d < a.most {
+    while d < if parallel { a.most_beside.min(b.most_beside) } else { a.most } {
         let worst = [a.left, 0.0, -a.right]
             .into_iter()
             .map(|t| outside(b, plan.arm_point(arm, d, t).truncate()))

@@ -6,7 +6,9 @@ mod ladera;
 mod plan;
 mod shape;
 mod town01;
+mod town03;
 mod town04;
+mod town06;
 mod town07;
 
 use crate::imported::{Look, dress};
@@ -18,7 +20,9 @@ type Make = fn() -> (RoadMap, Look);
 
 const PLANS: &[(&str, Make)] = &[
     ("Town01", town01::make),
+    ("Town03", town03::make),
     ("Town04", town04::make),
+    ("Town06", town06::make),
     ("Town07", town07::make),
     ("Ladera", ladera::make),
     ("Altstadt", altstadt::make),

@@ -4,7 +4,7 @@
 use super::shape::{along, split_at};
 use crate::character::Kind;
 use crate::imported::{Look, Zone};
-use endless_road::osm::{DrivingSide, Extract, Node, OsmOptions, Tags, Way, map_from};
+use endless_road::osm::{DrivingSide, Extract, Member, MemberKind, Node, OsmOptions, Relation, Tags, Way, map_from};
 use endless_road::{RoadMap, Terrain};
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -36,6 +36,8 @@ pub(super) struct Plan {
     /// Tags of places; on the nearest point of a road where one is near.
     marks: Vec<(DVec2, Tags)>,
     zones: Vec<Zone>,
+    /// Forbidden turns: from a way, at a place, to a way.
+    forbidden: Vec<(usize, DVec2, usize)>,
 }
 
 /// `secondary lanes=4 sidewalk=both`: the first word is the value of `key`, if it is not a pair itself.
@@ -53,12 +55,24 @@ fn tags(key: &str, words: &str) -> Tags {
 impl Plan {
     /// An empty plan of a place, degrees north and east.
     pub(super) fn of(place: [f64; 2]) -> Self {
-        Self { place, lines: Vec::new(), marks: Vec::new(), zones: Vec::new() }
+        Self { place, lines: Vec::new(), marks: Vec::new(), zones: Vec::new(), forbidden: Vec::new() }
     }
 
-    /// A road of a class, with more tags.
-    pub(super) fn road(&mut self, words: &str, points: &[DVec2]) {
+    /// A road of a class, with more tags; its number.
+    pub(super) fn road(&mut self, words: &str, points: &[DVec2]) -> usize {
         self.lines.push(Line { tags: tags("highway", words), points: points.to_vec(), road: true });
+        self.lines.len() - 1
+    }
+
+    /// Nobody turns left from one road to another.
+    pub(super) fn no_left(&mut self, from: usize, at: DVec2, to: usize) {
+        self.forbidden.push((from, at, to));
+    }
+
+    /// A ring of a roundabout, driven counter-clockwise.
+    pub(super) fn roundabout(&mut self, words: &str, centre: DVec2, radius: f64) {
+        let ring = super::shape::arc(centre, radius, 0.0, 360.0);
+        self.road(&format!("{words} junction=roundabout oneway=yes"), &ring);
     }
 
     /// A road that crosses something on a bridge around a place, from `half` metres before it to `half` behind.
@@ -163,7 +177,7 @@ impl Plan {
     fn extract(&self) -> Extract {
         let degrees = |p: DVec2| Extract::degrees(self.place, p);
         let mut extract = Extract::default();
-        let mut ids: BTreeMap<(i64, i64), i64> = BTreeMap::new();
+        let mut ids: BTreeMap<(i64, i64, i64), i64> = BTreeMap::new();
         let mut on_roads: Vec<(DVec2, i64)> = Vec::new();
         let half = self.lines.iter().flat_map(|l| &l.points).map(|p| p.abs().max_element()).fold(0.0, f64::max) + 100.0;
         let (low, high) = (degrees(DVec2::splat(-half)), degrees(DVec2::splat(half)));
@@ -175,9 +189,12 @@ impl Plan {
         });
         for (way, line) in self.lines.iter().enumerate() {
             let mut nodes = Vec::new();
-            for &p in &line.points {
-                // Land shares no nodes with roads.
-                let key = ((p.x * 20.0).round() as i64, (p.y * 20.0).round() as i64 * 2 + i64::from(line.road));
+            let last = line.points.len() - 1;
+            for (k, &p) in line.points.iter().enumerate() {
+                // Land shares no nodes with roads, nor roads of different levels but at their ends.
+                let level = line.tags.get("layer").filter(|_| k > 0 && k < last).map_or(0, |l| l.parse().unwrap_or(0));
+                let level = if line.road { 1 + level } else { 0 };
+                let key = ((p.x * 20.0).round() as i64, (p.y * 20.0).round() as i64, level);
                 let next = ids.len() as i64 + 1;
                 let id = *ids.entry(key).or_insert(next);
                 extract.nodes.entry(id).or_insert_with(|| {
@@ -204,6 +221,19 @@ impl Plan {
             let [lat, lon] = degrees(*at);
             let id = 1_000_000 + extract.nodes.len() as i64;
             extract.nodes.insert(id, Node { lat, lon, tags: tags.clone() });
+        }
+        for (k, (from, at, to)) in self.forbidden.iter().enumerate() {
+            let Some(&(_, via)) = on_roads.iter().min_by(|a, b| a.0.distance(*at).total_cmp(&b.0.distance(*at))) else {
+                continue;
+            };
+            let member = |kind, id, role: &str| Member { kind, id, role: role.to_owned() };
+            let members = vec![
+                member(MemberKind::Way, *from as i64 + 1, "from"),
+                member(MemberKind::Node, via, "via"),
+                member(MemberKind::Way, *to as i64 + 1, "to"),
+            ];
+            let tags = tags("restriction", "no_left_turn type=restriction");
+            extract.relations.push(Relation { id: k as i64 + 1, members, tags });
         }
         extract
     }

@@ -92,6 +92,17 @@ pub(super) fn rect((x, y): (f64, f64), (width, depth): (f64, f64), turn_deg: f64
     vec![centre - u - v, centre + u - v, centre + u + v, centre - u + v]
 }
 
+/// Points around a centre, between two angles in degrees; all the way round the last is the first.
+pub(super) fn arc(centre: DVec2, radius: f64, from_deg: f64, to_deg: f64) -> Vec<DVec2> {
+    let n = ((to_deg - from_deg).abs() / 9.0).ceil().max(2.0) as usize;
+    let at = |k: usize| from_deg + (to_deg - from_deg) * k as f64 / n as f64;
+    let mut out: Vec<DVec2> = (0..=n).map(|k| centre + unit(at(k).to_radians()) * radius).collect();
+    if (to_deg - from_deg - 360.0).abs() < 1e-9 {
+        out[n] = out[0];
+    }
+    out
+}
+
 /// Arc length of the place on a chain that is nearest to a point.
 pub(super) fn along(line: &[DVec2], p: DVec2) -> f64 {
     let (mut best, mut found, mut s) = (f64::INFINITY, 0.0, 0.0);
