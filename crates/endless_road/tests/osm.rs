@@ -375,3 +375,21 @@ fn roundabouts_turn_left_in_right_hand_traffic() {
         assert!(turning.count() >= 2, "{name}");
     }
 }
+
+/// A node far from all others is an error that says which, at once.
+#[test]
+fn roads_reach_no_further_than_a_city() {
+    let village = |node: &str| {
+        format!(
+            "<osm><node id='1' lat='48.0' lon='11.0'/><node id='2' lat='48.0' lon='11.002'/>\
+             <node id='3' lat='48.001' lon='11.002'/>{node}<way id='7'><nd ref='1'/><nd ref='2'/><nd ref='3'/>\
+             <tag k='highway' v='residential'/></way><way id='8'><nd ref='3'/><nd ref='4'/><nd ref='5'/>\
+             <tag k='highway' v='residential'/></way></osm>"
+        )
+    };
+    let near = village("<node id='4' lat='48.1' lon='11.1'/><node id='5' lat='48.15' lon='11.2'/>");
+    assert!(osm::read(near.as_bytes(), &OsmOptions::default()).is_ok());
+    let far = village("<node id='4' lat='48.15' lon='11.1'/><node id='5' lat='48.3' lon='11.2'/>");
+    let error = osm::read(far.as_bytes(), &OsmOptions::default()).expect_err("33 km away").to_string();
+    assert!(error.contains("node 5 of way 8 (48.30000, 11.20000)") && error.contains("33 km"), "{error}");
+}

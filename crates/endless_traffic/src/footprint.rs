@@ -31,6 +31,11 @@ impl Footprint {
         Self { center: self.center + self.axis * by_m, ..self }
     }
 
+    /// A place of its own, ahead of its middle and to the left of it, metres.
+    pub(crate) fn place(&self, ahead_m: f64, left_m: f64) -> DVec2 {
+        self.center + self.axis * ahead_m + self.axis.perp() * left_m
+    }
+
     /// Whether two of them overlap (separating axes).
     pub(crate) fn overlaps(&self, other: &Self) -> bool {
         let apart = other.center - self.center;

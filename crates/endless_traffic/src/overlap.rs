@@ -175,6 +175,15 @@ pub(crate) fn make_room(
                 continue;
             }
             let sweep = Sweep::along(network, network.lane(lane), body);
+            if network.lane(lane).turn == Turn::Right {
+                let after = &network.lane(lane).successors;
+                let ends = network.lane(lane).predecessors.first().into_iter().chain(after.first());
+                let way: Vec<&Lane> = ends.chain([&lane]).map(|&l| network.lane(l)).collect();
+                if !sweep.keeps_to(spec, &way) {
+                    allowed[lane.index()] = false;
+                    continue;
+                }
+            }
             let beside = || before.iter().filter(|b| !network.lane(**b).successors.contains(&lane));
             let needed: Vec<(LaneId, f64)> =
                 beside().map(|&b| (b, setback(network, b, bodies.broad, &sweep))).collect();

@@ -11,6 +11,9 @@ use glam::{DVec2, DVec3};
 const STEP_M: f64 = 0.5;
 /// Way on which a body comes to its posture before a lane begins, metres.
 const RUN_UP_M: f64 = 12.0;
+/// From the side of a body to its tyres, and what tyres may leave their lane by: the gutter, less what drivers stray.
+const TYRE_M: f64 = 0.05;
+const GUTTER_M: f64 = 0.15;
 /// Bodies are apart where one is this much above the other, metres.
 const STOREY_M: f64 = 3.0;
 
@@ -114,6 +117,20 @@ impl Sweep {
             }
         }
         Self { places, low, high, body }
+    }
+
+    /// Whether the tyres of the vehicle that is swept stay on these lanes, the middle one of which is followed.
+    pub(crate) fn keeps_to(&self, spec: &VehicleSpec, way: &[&Lane]) -> bool {
+        let across = 0.5 * f64::from(spec.width_m) - TYRE_M;
+        let (front, rear) = (f64::from(spec.front_axle_m), f64::from(spec.rear_axle_m));
+        let on_lane = |p: DVec2| {
+            let places = way.iter().map(|lane| (lane.centerline.project(p), lane));
+            let beside = places.filter(|((s, _), lane)| *s > 0.0 && *s < lane.centerline.length());
+            let nearest = beside.min_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
+            nearest.is_none_or(|((_, t), lane)| t.abs() < 0.5 * lane.width_m + GUTTER_M)
+        };
+        let corners = [(front, across), (front, -across), (rear, across), (rear, -across)];
+        self.places.iter().all(|(_, print, _)| corners.iter().all(|&(x, y)| on_lane(print.place(x, y))))
     }
 
     /// The ranges of `s` of the origin on both lanes within which two bodies can touch.

@@ -46,6 +46,33 @@ pub enum OsmError {
         /// How many there may be.
         most: usize,
     },
+    /// A road reaches further than any town.
+    #[error(
+        "too large: node {node} of way {way} ({lat:.5}, {lon:.5}) lies {km:.0} km from the middle of the roads, at most \
+         {most_km:.0} km are read; cut a smaller extract, or mend the node"
+    )]
+    TooWide {
+        /// The way's id.
+        way: i64,
+        /// The node's id.
+        node: i64,
+        /// Of the node, degrees.
+        lat: f64,
+        /// Of the node, degrees.
+        lon: f64,
+        /// Its distance, kilometres.
+        km: f64,
+        /// The farthest that is read, kilometres.
+        most_km: f64,
+    },
+    /// More road than a city has.
+    #[error("too large: with way {way} there are more than {most_km:.0} km of roads; cut a smaller extract")]
+    TooLong {
+        /// The way's id.
+        way: i64,
+        /// The most that is read, kilometres.
+        most_km: f64,
+    },
     /// The network made from it contradicts itself.
     #[error("the network made from this file is wrong: {0}")]
     Network(#[from] crate::NetworkError),

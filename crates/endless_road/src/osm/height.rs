@@ -24,14 +24,14 @@ pub(super) type Ground<'a> = &'a dyn Fn(DVec2) -> f64;
 
 /// Gives every node a height, metres; nodes that are not in it lie at 0. Divides long segments where there are ramps.
 pub(super) fn heights(stretches: &mut [Stretch], ground: Option<Ground<'_>>) -> BTreeMap<i64, f64> {
-    let raised = raised(stretches);
+    let mut raised = raised(stretches);
     let tunnels = stretches.iter().any(|s| s.levels.iter().any(|l| l.tunnel));
     if raised.is_empty() && !tunnels && ground.is_none() {
         return BTreeMap::new();
     }
     let mut next_id = i64::MIN / 2;
     for stretch in stretches.iter_mut() {
-        divide(stretch, &mut next_id);
+        divide(stretch, &mut raised, &mut next_id);
     }
     let edges = edges(stretches);
     let mut heights = spread(&edges, raised, RAMP, |_| true);
@@ -116,13 +116,19 @@ fn storeys(stretches: &[Stretch], bridge: &[Vertex], level: Level) -> Option<f64
     most.map(f64::from)
 }
 
-fn divide(stretch: &mut Stretch, next_id: &mut i64) {
+/// Cuts long segments; what lies between raised nodes of a bridge is raised as well.
+fn divide(stretch: &mut Stretch, raised: &mut BTreeMap<i64, f64>, next_id: &mut i64) {
     let (mut vertices, mut levels) = (vec![stretch.vertices[0]], Vec::new());
     for (pair, &level) in stretch.vertices.windows(2).zip(&stretch.levels) {
         let pieces = (pair[0].at.distance(pair[1].at) / PIECE_M).ceil().clamp(1.0, 1000.0) as usize;
+        let high = [0, 1].map(|end| raised.get(&pair[end].node).copied());
         for k in 1..=pieces {
-            let at = pair[0].at.lerp(pair[1].at, k as f64 / pieces as f64);
+            let share = k as f64 / pieces as f64;
+            let at = pair[0].at.lerp(pair[1].at, share);
             *next_id += 1;
+            if let ([Some(from), Some(to)], true) = (high, level.bridge && k < pieces) {
+                raised.insert(*next_id, from + (to - from) * share);
+            }
             vertices.push(if k == pieces { pair[1] } else { Vertex { node: *next_id, at } });
             levels.push(level);
         }

@@ -14,6 +14,7 @@ mod country;
 mod crossing;
 mod curve;
 mod error;
+mod extent;
 mod extract;
 mod graph;
 mod height;
@@ -28,6 +29,7 @@ mod patch;
 mod path;
 mod pbf;
 mod plan;
+mod plaza;
 mod projection;
 mod relief;
 mod restriction;
@@ -102,10 +104,11 @@ pub fn read(bytes: &[u8], options: &OsmOptions) -> Result<RoadMap, OsmError> {
 /// Makes a map of an extract.
 ///
 /// # Errors
-/// [`OsmError::NoRoads`], [`OsmError::TooLarge`].
+/// [`OsmError::NoRoads`], [`OsmError::TooLarge`], [`OsmError::TooWide`], [`OsmError::TooLong`].
 pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmError> {
     let mut site = Site::new(extract, options.driving_side.map(|side| side == DrivingSide::Left));
     let ways = ways::collect(extract, &mut site);
+    extent::check(&ways, &site)?;
     let stretches = graph::split(&graph::once(&ways, &mut site));
     let (roads, yards) = graph::part_yards(stretches);
     if roads.is_empty() {
@@ -182,7 +185,7 @@ fn build(plan: &mut Plan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
         surfaces.junction_areas = surfaces.junction_areas.iter().flat_map(|o| formation.pieces(o)).collect();
     }
     surroundings::land(site, &mut surfaces);
-    path::squares(&surfaces.areas, site, network);
+    plaza::add(&surfaces.areas, &surroundings::outlines_of_buildings(site), site, network);
     mend::mend(network, site);
     map.network = std::mem::take(&mut map.network).finish()?;
     surface::streets(plan, &mut map);

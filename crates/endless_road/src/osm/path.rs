@@ -1,17 +1,16 @@
-//! Ways on foot that are mapped on their own: paths, steps, pedestrian streets, and squares to walk across. Where they
-//! run along a street that has a sidewalk they are that sidewalk, and nothing is added.
+//! Ways on foot that are mapped on their own: paths, steps, pedestrian streets. Where they run along a street that has a
+//! sidewalk they are that sidewalk, and nothing is added.
 
 use super::class::metres;
 use super::extract::{Tags, Way};
 use super::lane::inside;
 use super::near::Near;
 use super::plan::Plan;
-use super::ring::contains;
 use super::site::Site;
 use super::surface::ribbon;
 use super::walk::Walks;
 use super::ways::{Vertex, runs};
-use crate::{Area, AreaKind, Polyline, RoadNetwork, Strip, StripKind, WalkGraph, WalkKind, WalkNodeId};
+use crate::{Polyline, RoadNetwork, Strip, StripKind, WalkGraph, WalkKind, WalkNodeId};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
@@ -64,10 +63,14 @@ pub(super) fn add(plan: &Plan, site: &mut Site<'_>, network: &mut RoadNetwork) -
     let hidden = inside(plan);
     let near = Near::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
     let extract = site.extract;
+    let mut shared: BTreeMap<i64, usize> = BTreeMap::new();
+    for way in extract.ways.iter().filter(|w| is_path(&w.tags)) {
+        way.nodes.iter().for_each(|&node| *shared.entry(node).or_default() += 1);
+    }
     let mut pieces = Vec::new();
     for way in extract.ways.iter().filter(|w| is_path(&w.tags)) {
         for (vertices, _) in runs(way, &way.tags, site) {
-            pieces.extend(outside_streets(plan, &near, way, &vertices));
+            pieces.extend(outside_streets(plan, &near, way, &vertices, &shared));
         }
     }
     let streets_nodes = network.walk.nodes.len();
@@ -93,7 +96,13 @@ pub(super) fn add(plan: &Plan, site: &mut Site<'_>, network: &mut RoadNetwork) -
 }
 
 /// The parts of a path that lie outside of streets and their sidewalks, divided at the nodes it shares.
-fn outside_streets(plan: &Plan, near: &Near, way: &Way, vertices: &[Vertex]) -> Vec<Piece> {
+fn outside_streets(
+    plan: &Plan,
+    near: &Near,
+    way: &Way,
+    vertices: &[Vertex],
+    shared: &BTreeMap<i64, usize>,
+) -> Vec<Piece> {
     let tags = &way.tags;
     let sidepath =
         tags.is("footway", &["sidewalk"]) || tags.is("is_sidepath", &["yes"]) || tags.get("is_sidepath:of").is_some();
@@ -127,7 +136,8 @@ fn outside_streets(plan: &Plan, near: &Near, way: &Way, vertices: &[Vertex]) -> 
     let mut finish = |points: &mut Vec<DVec2>, ends: [Option<i64>; 2]| {
         let points = std::mem::take(points);
         let length: f64 = points.windows(2).map(|w| w[0].distance(w[1])).sum();
-        if length > 2.0 {
+        let between = ends.iter().all(Option::is_some);
+        if length > if between { 0.3 } else { 2.0 } {
             pieces.push(Piece { points, ends, width_m, kind, unpaved, walkable });
         }
     };
@@ -151,12 +161,14 @@ fn outside_streets(plan: &Plan, near: &Near, way: &Way, vertices: &[Vertex]) -> 
             continue;
         }
         points.push(vertex.at);
-        // Every node may be where another path joins.
-        if points.len() > 1 {
-            finish(&mut points, [from, Some(vertex.node)]);
-            points.push(vertex.at);
+        let divides = k == 0 || k + 1 == vertices.len() || shared.get(&vertex.node).is_some_and(|n| *n > 1);
+        if divides {
+            if points.len() > 1 {
+                finish(&mut points, [from, Some(vertex.node)]);
+                points.push(vertex.at);
+            }
+            from = Some(vertex.node);
         }
-        from = Some(vertex.node);
     }
     finish(&mut points, [from, None]);
     pieces
@@ -208,41 +220,6 @@ fn join(walks: &mut Walks<'_>, node: WalkNodeId, streets_nodes: usize) {
         .filter(|(d, _)| *d < JOIN_M * JOIN_M && *d > 0.04);
     if let Some((_, i)) = nearest {
         walks.edge(node, WalkNodeId(i as u32), 1.8, WalkKind::Sidewalk);
-    }
-}
-
-/// Squares: from a node in the middle to the walks that end at its edge or cross it.
-pub(super) fn squares(areas: &[Area], site: &Site<'_>, network: &mut RoadNetwork) {
-    for area in areas.iter().filter(|a| a.kind == AreaKind::Plaza) {
-        let n = area.outline.len() as f64;
-        let middle = area.outline.iter().sum::<DVec2>() / n;
-        let free = |p: DVec2| contains(&area.outline, p) && !area.holes.iter().any(|h| contains(h, p));
-        if !free(middle) {
-            continue;
-        }
-        let mut doors: Vec<(f64, usize)> = Vec::new();
-        for (i, node) in network.walk.nodes.iter().enumerate() {
-            let p = node.truncate();
-            let reach = p.distance(middle);
-            let inwards = p.lerp(middle, (5.0 / reach.max(5.0)).min(1.0));
-            let straight = (1..10).all(|k| free(inwards.lerp(middle, f64::from(k) / 10.0)));
-            if reach > 1.0 && free(inwards) && straight {
-                doors.push((reach, i));
-            }
-        }
-        // Every third at most, the nearest first: a square is a star of ways.
-        doors.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut chosen: Vec<DVec2> = Vec::new();
-        let mut walks = Walks { walk: &mut network.walk };
-        let mut hub = None;
-        for (_, i) in doors {
-            let p = walks.walk.nodes[i].truncate();
-            if chosen.len() < 8 && chosen.iter().all(|q| q.distance(p) > 8.0) {
-                chosen.push(p);
-                let hub = *hub.get_or_insert_with(|| walks.node(middle.extend(PATH_Z_M + site.ground(middle))));
-                walks.edge(hub, WalkNodeId(i as u32), 3.0, WalkKind::Sidewalk);
-            }
-        }
     }
 }
 

@@ -117,9 +117,21 @@ fn rails(site: &mut Site<'_>, map: &mut RoadMap) {
     }
 }
 
+fn is_building(tags: &Tags) -> bool {
+    tags.get("building").is_some_and(|v| v != "no") && !below_ground(tags)
+}
+
+/// Where buildings stand.
+pub(super) fn outlines_of_buildings(site: &mut Site<'_>) -> Vec<Vec<DVec2>> {
+    let noted = site.notes.len();
+    let outlines = patches(site, false, is_building).into_iter().map(|patch| patch.outline).collect();
+    // They are told of when they are built.
+    site.notes.truncate(noted);
+    outlines
+}
+
 fn buildings(site: &mut Site<'_>, map: &mut RoadMap) {
-    let wanted = |tags: &Tags| tags.get("building").is_some_and(|v| v != "no") && !below_ground(tags);
-    for patch in patches(site, false, wanted) {
+    for patch in patches(site, false, is_building) {
         let tags = patch.tags;
         let number =
             |key: &str| tags.get(key).and_then(|v| v.split(';').next()).and_then(|v| v.trim().parse::<f64>().ok());

@@ -8,8 +8,10 @@ mod shape;
 mod town01;
 mod town03;
 mod town04;
+mod town05;
 mod town06;
 mod town07;
+mod town10hd;
 
 use crate::imported::{Look, dress};
 use crate::{Town, TownError};
@@ -22,8 +24,10 @@ const PLANS: &[(&str, Make)] = &[
     ("Town01", town01::make),
     ("Town03", town03::make),
     ("Town04", town04::make),
+    ("Town05", town05::make),
     ("Town06", town06::make),
     ("Town07", town07::make),
+    ("Town10HD", town10hd::make),
     ("Ladera", ladera::make),
     ("Altstadt", altstadt::make),
 ];

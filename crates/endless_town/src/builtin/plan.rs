@@ -13,6 +13,8 @@ use std::collections::BTreeMap;
 const JOIN_M: f64 = 6.0;
 /// Roads that go on this far behind the last other one end there, metres.
 const STUB_M: f64 = 14.0;
+/// Ways of parks lead this far beyond its edge, metres.
+const GATE_M: f64 = 2.5;
 /// Points nearer than this are one, metres.
 const SAME_M: f64 = 0.3;
 /// The terrain reaches this far beyond the roads, and its grid, metres.
@@ -97,6 +99,34 @@ impl Plan {
         let mut points = outline.to_vec();
         points.push(outline[0]);
         self.lines.push(Line { tags: tags("landuse", words), points, road: false });
+    }
+
+    /// A paved square to walk on.
+    pub(super) fn square(&mut self, outline: &[DVec2]) {
+        self.land("place=square", outline);
+    }
+
+    /// A park of four corners, with ways across that lead to the sidewalks around it.
+    pub(super) fn park(&mut self, corners: &[DVec2]) {
+        self.land("leisure=park", corners);
+        let middle = corners.iter().sum::<DVec2>() / corners.len() as f64;
+        let gate = |k: usize| {
+            let at = corners[k % corners.len()].midpoint(corners[(k + 1) % corners.len()]);
+            at + (at - middle).normalize_or_zero() * GATE_M
+        };
+        let half = gate(0).distance(middle).min(gate(1).distance(middle));
+        let ring = super::shape::arc(middle, 0.36 * half, 0.0, 360.0);
+        for k in 0..corners.len() {
+            let on_ring = ring.iter().copied().min_by(|a, b| a.distance(gate(k)).total_cmp(&b.distance(gate(k))));
+            self.path(&[on_ring.unwrap_or(middle), gate(k)]);
+        }
+        self.path(&ring);
+    }
+
+    /// A way on foot.
+    pub(super) fn path(&mut self, points: &[DVec2]) {
+        let tags = tags("highway", "footway width=2.6 surface=paving_stones");
+        self.lines.push(Line { tags, points: points.to_vec(), road: false });
     }
 
     /// A building of a kind: `church building:levels=3`.

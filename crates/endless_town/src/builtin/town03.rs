@@ -153,11 +153,8 @@ fn land(plan: &mut Plan) {
         plan.thing("natural=tree", unit(f64::from(k) * std::f64::consts::FRAC_PI_3) * 10.0);
     }
     // A square between the avenue and the diagonal.
-    plan.land("place=square", &rect((78.0, -42.0), (38.0, 34.0), -30.0));
-    for (x, y) in [(68.0, -46.0), (76.0, -34.0), (86.0, -50.0)] {
-        plan.thing("bench", DVec2::new(x, y));
-    }
-    plan.land("leisure=park", &rect((48.0, -196.0), (66.0, 88.0), 0.0));
+    plan.square(&points(&[(44.0, -7.5), (106.0, -7.5), (96.0, -46.0), (52.0, -46.0)]));
+    plan.park(&points(&[(9.0, -240.0), (88.0, -240.0), (86.0, -182.0), (10.0, -150.0)]));
     plan.land("amenity=parking", &rect((276.0, -60.0), (78.0, 62.0), 0.0));
     plan.building("supermarket building:levels=1", &rect((276.0, 52.0), (64.0, 34.0), 0.0));
     let middle = arc(DVec2::ZERO, 150.0, 0.0, 353.0);

@@ -84,10 +84,13 @@ fn boulevard(plan: &mut Plan) {
     let east = plan.road(words, &points(&[(-ENDS_M, -BOULEVARD_M), (ENDS_M, -BOULEVARD_M)]));
     let west = plan.road(words, &points(&[(ENDS_M, BOULEVARD_M), (-ENDS_M, BOULEVARD_M)]));
     for x in ARTERIALS {
-        let across = plan.road(arterial, &points(&[(x, -190.0), (x, 300.0)]));
         let (south, north) = (DVec2::new(x, -BOULEVARD_M), DVec2::new(x, BOULEVARD_M));
+        plan.road(arterial, &[DVec2::new(x, -190.0), south]);
+        let across = plan.road(arterial, &[south, north]);
+        plan.road(arterial, &[north, DVec2::new(x, 300.0)]);
         plan.lights(south);
         plan.lights(north);
+        // Lefts begin or end on the piece through the median; rights do not touch it.
         plan.no_left(east, south, across);
         plan.no_left(west, north, across);
         plan.no_left(across, south, east);

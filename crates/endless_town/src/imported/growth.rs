@@ -44,6 +44,8 @@ const AROUND_KNOWN_M: [f64; 2] = [40.0, 12.0];
 const MOST_KNOWN: f64 = 0.45;
 /// Width and depth of a house where there is no room for another.
 const SLIM_M: [f64; 2] = [6.5, 7.5];
+/// Room for the porch of a house, metres.
+const PORCH_M: f64 = 1.4;
 /// Roads on which shops are, m/s.
 const MAIN_STREET_MPS: f64 = 12.5;
 
@@ -148,6 +150,16 @@ impl Density {
     }
 }
 
+/// A grown building with the ground before it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Yard {
+    /// Its x axis runs along the front, and the front is its lower side.
+    pub(super) rect: Rect,
+    /// From the front wall to the pavement, metres.
+    pub(super) front_m: f64,
+    pub(super) kind: Kind,
+}
+
 pub(super) struct Grower<'a> {
     pub(super) network: &'a RoadNetwork,
     pub(super) cover: &'a Cover,
@@ -181,7 +193,7 @@ impl Grower<'_> {
     }
 
     /// Fills the land on both sides of streets.
-    pub(super) fn grow(&self, occupied: &mut Occupied, numbers: &mut WindowNumbers) -> Vec<Built> {
+    pub(super) fn grow(&self, occupied: &mut Occupied, numbers: &mut WindowNumbers) -> Vec<(Built, Yard)> {
         let mut built = Vec::new();
         let around_known = self.around_known();
         for lane in self.network.lanes.iter().filter(|l| self.streets[l.id.index()]) {
@@ -202,7 +214,7 @@ impl Grower<'_> {
         around_known: f64,
         occupied: &mut Occupied,
         numbers: &mut WindowNumbers,
-        built: &mut Vec<Built>,
+        built: &mut Vec<(Built, Yard)>,
     ) {
         let mut stream = Stream::named(self.seed, "town/growth", &[u64::from(lane.id.0), (side > 0.0).into()]);
         let length = lane.centerline.length();
@@ -256,11 +268,13 @@ impl Grower<'_> {
                 let rect = dense.then(|| self.lot(lane, side, at, SLIM_M.into(), 0.15, Kind::Terrace, occupied))?;
                 Some((measures, rect?))
             };
-            match wide.map(|rect| (measures, rect)).or_else(narrow) {
-                Some((measures, rect)) => {
+            let porch = if kind == Kind::House { PORCH_M } else { 0.0 };
+            let wide = wide.map(|rect| (measures, rect, set_back + porch));
+            match wide.or_else(|| narrow().map(|(measures, rect)| (measures, rect, 0.15))) {
+                Some((measures, rect, front_m)) => {
                     let kind = measures.kind;
                     occupied.take(rect.grown(eaves(kind) + if kind == Kind::House { 1.3 } else { 0.0 }));
-                    built.push(self.raise(measures, &rect, seed, numbers));
+                    built.push((self.raise(measures, &rect, seed, numbers), Yard { rect, front_m, kind }));
                     s += 2.0 * rect.half.x + gap;
                 }
                 None => s += 5.0,
@@ -308,7 +322,7 @@ impl Grower<'_> {
         let paved = |d: f64| self.cover.is_paved(here + out * d);
         let edge =
             (0..steps).map(|k| 0.5 * f64::from(k)).find(|&d| [0.0, 0.5, 1.0, 1.5].iter().all(|e| !paved(d + e)))?;
-        let porch = if kind == Kind::House { 1.4 } else { 0.0 };
+        let porch = if kind == Kind::House { PORCH_M } else { 0.0 };
         let centre = here + out * (edge + set_back + porch + depth / 2.0);
         // The front looks at the road: the lot lies to the left of its axis.
         let rect = Rect { centre, half: DVec2::new(width / 2.0, depth / 2.0), axis: -out.perp() };

@@ -6,6 +6,7 @@ mod bump;
 mod cover;
 mod footprint;
 mod furniture;
+mod garden;
 mod growth;
 mod infill;
 mod land;
@@ -15,6 +16,7 @@ mod parking;
 mod plant;
 mod post;
 mod road;
+mod square;
 mod urban;
 
 use crate::assemble::{assemble, set_up_cameras};
@@ -28,11 +30,13 @@ use cover::Cover;
 use endless_asset::{Catalogue, MeshBuilder};
 use endless_road::RoadMap;
 use endless_world::fnv1a;
+use garden::Gardener;
 use glam::{Affine3A, DVec2};
 use growth::{Density, Grower};
 use land::Land;
 use plant::Planter;
 use post::Poster;
+use square::Furnisher;
 use urban::Mapped;
 
 pub(crate) use look::{Look, Zone};
@@ -93,7 +97,8 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
         mapped: (!map.footprints.is_empty() && !look.grows).then(|| Mapped::new(&map.footprints, low, high)),
         seed,
     };
-    built.extend(grower.grow(&mut occupied, &mut numbers));
+    let (grown, yards): (Vec<_>, Vec<_>) = grower.grow(&mut occupied, &mut numbers).into_iter().unzip();
+    built.extend(grown);
     let solids: Vec<Solid> = built.iter().map(|b| b.solid.clone()).collect();
     let houses: Vec<Rect> = solids.iter().map(|s| footprint::around(&s.outline)).collect();
     own.extend(built.into_iter().map(|b| (b.mesh, b.place)));
@@ -107,6 +112,10 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     poster.things(&mut stage);
     let known_trees = planter.known(&mut stage);
     parking::add(&mut stage, &map.network, &strips, &areas, &cover, &land);
+    let gardener = Gardener { cover: &cover, land: &land };
+    let mut gardens = MeshBuilder::new();
+    gardener.pave(&yards, &mut gardens, &mut stage);
+    own.push((gardens.finish(), Affine3A::IDENTITY));
 
     let mut relief = Relief::new(&map.network, &own);
     for at in known_trees {
@@ -115,6 +124,8 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     let cameras = set_up_cameras(&mut stage, &map.network, &relief, &solids);
     keep_the_seen(&mut stage.parked, &cameras);
     planter.rows(&mut stage, &poster, &cameras, &houses);
+    Furnisher { network: &map.network, cover: &cover, land: &land, areas: &areas }.add(&mut stage, &poster, &cameras);
+    gardener.fence(&yards, &mut stage);
     let mut wires = MeshBuilder::new();
     furniture::add(&mut stage, &mut wires, &poster, &cameras);
     own.push((wires.finish(), Affine3A::IDENTITY));

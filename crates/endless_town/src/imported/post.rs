@@ -216,7 +216,7 @@ impl Poster<'_> {
                 let s = length * (k as f64 + shift) / count;
                 let Some(verge) = self.verge(lane, s, self.side(), POST_M) else { continue };
                 let wanted = verge.walk || lane.speed_limit_mps > LIT_FROM_MPS;
-                if wanted && stage.lamps.len() < MOST_LAMPS {
+                if wanted {
                     let yaw = lane.centerline.at(s).heading_rad - self.side() * FRAC_PI_2;
                     self.lamp(stage, verge.at, verge.z, yaw);
                 }
@@ -234,10 +234,13 @@ impl Poster<'_> {
         near.min_by(|a, b| a.0.total_cmp(&b.0)).map_or(usual, |n| n.1)
     }
 
-    fn lamp(&self, stage: &mut Stage<'_>, at: DVec2, z: f64, yaw: f64) {
-        if self.put(stage, Prop::StreetLamp, at, z, yaw, None) {
+    /// A lamp post whose arm points along `yaw`; whether there was room.
+    pub(super) fn lamp(&self, stage: &mut Stage<'_>, at: DVec2, z: f64, yaw: f64) -> bool {
+        let stands = stage.lamps.len() < MOST_LAMPS && self.put(stage, Prop::StreetLamp, at, z, yaw, None);
+        if stands {
             let lens = (at + unit(yaw) * 2.0).extend(z + 7.9).as_vec3();
             stage.lamps.push(Lamp { position: lens, color: self.look.lamp_color, intensity_cd: self.look.lamp_cd });
         }
+        stands
     }
 }

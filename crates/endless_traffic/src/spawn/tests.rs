@@ -85,16 +85,18 @@ fn vehicles_and_people_are_spread_over_the_map() {
     let place = Place::new("Town03");
     let (specs, roads) = (place.specs(), place.roads(&[]));
     let graph = WalkGraph::new(&roads.network.walk);
+    let places = || roads.network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.truncate());
+    let (low, high) = (places().fold(DVec2::INFINITY, DVec2::min), places().fold(DVec2::NEG_INFINITY, DVec2::max));
     for seed in 0..6 {
         let cars: Vec<DVec2> = vehicles(&roads, &specs, &[], 30, seed, Conditions::default()).iter().map(at).collect();
         let people: Vec<DVec2> = walkers(&roads, &graph, &|_| 1.3, 30, seed).iter().map(|w| w.position).collect();
         for points in [&cars, &people] {
             assert_eq!(points.len(), 30);
             // Each ninth of the map has its share, and nobody has a neighbour close by.
-            let cell = |x: f64| ((x + 215.0) / 144.0).clamp(0.0, 2.0) as usize;
+            let cell = |share: f64| (3.0 * share).clamp(0.0, 2.0) as usize;
             let mut counts = [0; 9];
-            points.iter().for_each(|p| counts[3 * cell(p.y) + cell(p.x)] += 1);
-            assert!(counts.iter().all(|&n| (1..=7).contains(&n)), "{counts:?}");
+            points.iter().map(|p| (*p - low) / (high - low)).for_each(|p| counts[3 * cell(p.y) + cell(p.x)] += 1);
+            assert!(counts.iter().all(|&n| (1..=8).contains(&n)), "{counts:?}");
             let near = |p: &DVec2| points.iter().filter(|q| q != &p).map(|q| q.distance(*p)).fold(1e9, f64::min);
             let mean = points.iter().map(near).sum::<f64>() / 30.0;
             assert!(mean > 35.0, "{mean:.0} m to the nearest other");

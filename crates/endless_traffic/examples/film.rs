@@ -1,5 +1,5 @@
 //! Films a town's middle from above, half a second a picture:
-//! `cargo run -p endless_traffic --release --example topview -- Town03 out/frame [pictures] [x y] [metres]`.
+//! `cargo run -p endless_traffic --release --example film -- Town03 out/frame [pictures] [x y] [metres]`.
 //! Lanes are grey, stop lines carry their signal's colour, crossings are white, vehicles are boxes with a light nose
 //! (red tail: brake lights, yellow flank: indicator), parked ones grey, people are discs with a nose.
 
