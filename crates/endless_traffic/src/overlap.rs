@@ -175,7 +175,8 @@ pub(crate) fn make_room(
                 continue;
             }
             let sweep = Sweep::along(network, network.lane(lane), body);
-            if network.lane(lane).turn == Turn::Right {
+            // To the left the ground inside the bend is the junction's own.
+            if network.lane(lane).turn != Turn::Left {
                 let after = &network.lane(lane).successors;
                 let ends = network.lane(lane).predecessors.first().into_iter().chain(after.first());
                 let way: Vec<&Lane> = ends.chain([&lane]).map(|&l| network.lane(l)).collect();

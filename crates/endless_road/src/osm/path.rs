@@ -14,8 +14,8 @@ use crate::{Polyline, RoadNetwork, Strip, StripKind, WalkGraph, WalkKind, WalkNo
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
-/// Height of paths above the ground, metres.
-const PATH_Z_M: f64 = 0.03;
+/// Height of paths above the level of roads, metres: nearly that of sidewalks, above the lawns between them.
+const PATH_Z_M: f64 = 0.11;
 /// Distance between nodes, metres.
 const STEP_M: f64 = 8.0;
 /// Paths begin this far behind a street's sidewalk.

@@ -7,8 +7,8 @@ use crate::{Area, AreaKind, Lane, RoadNetwork, WalkKind, WalkNetwork, WalkNodeId
 use glam::DVec2;
 use std::collections::BTreeMap;
 
-/// Height above the ground, metres.
-const SQUARE_Z_M: f64 = 0.03;
+/// Height above the level of roads, metres: squares lie a little lower than the sidewalks around them.
+const SQUARE_Z_M: f64 = 0.09;
 /// Distance between the ways of a mesh, metres; more on squares so large that there would be more than so many.
 const STEP_M: f64 = 11.0;
 const MOST_ACROSS: f64 = 40.0;

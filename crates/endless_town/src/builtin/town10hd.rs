@@ -37,7 +37,7 @@ pub(super) fn make() -> (RoadMap, Look) {
 fn streets(plan: &mut Plan) {
     let downtown = "secondary lanes=4 sidewalk=both maxspeed=50";
     let avenue = "primary lanes=4 sidewalk=both parking:both=lane maxspeed=50";
-    let parked = "tertiary lanes=2 sidewalk=both parking:both=lane maxspeed=40";
+    let parked = "secondary lanes=4 sidewalk=both parking:both=lane maxspeed=40";
     for (k, x) in COLUMNS.into_iter().enumerate() {
         let words = [downtown, parked, avenue, parked, downtown][k];
         plan.road(words, &points(&[(x, ROWS[0]), (x, ROWS[4])]));
@@ -63,7 +63,7 @@ fn land(plan: &mut Plan) {
     for x in COLUMNS.windows(2) {
         for y in ROWS.windows(2) {
             let middle = (x[0].midpoint(x[1]), y[0].midpoint(y[1]));
-            plan.land("landuse=commercial", &rect(middle, (x[1] - x[0] - 12.0, y[1] - y[0] - 12.0), 0.0));
+            plan.land("landuse=commercial", &rect(middle, (x[1] - x[0] - 4.0, y[1] - y[0] - 4.0), 0.0));
         }
     }
     plan.park(&points(&[(-81.0, 97.0), (-17.5, 97.0), (-17.5, 152.0), (-81.0, 152.0)]));

@@ -15,6 +15,9 @@ const ROWS: u32 = 12;
 const REACH_M: f32 = 140.0;
 /// A wall nearer than this spoils a view, metres.
 const WALL_M: f32 = 4.0;
+/// Posts are not seen nearer than this, nor nearer than this in the middle of the picture, metres.
+const NEAR_POST_M: f64 = 7.5;
+const CENTRAL_POST_M: f64 = 13.0;
 /// Least share of the picture on road, sidewalk or square.
 pub(crate) const LEAST_PAVED: f32 = 0.32;
 /// Least share on road or sidewalk.
@@ -130,14 +133,19 @@ impl<'a> Judge<'a> {
             let between = post.truncate().as_dvec2() - here;
             let distance = between.length();
             let ahead = forward.dot(between);
-            let seen = || {
+            // Within a share of the picture's width around its middle.
+            let seen = |share: f32| {
+                let aside = (1.0 - share) / 2.0 * SIZE.width as f32;
                 [3.0, 5.0, 7.0].iter().any(|&z| {
                     camera.project(post + Vec3::Z * z).is_some_and(|(image, _)| {
-                        (0.0..SIZE.width as f32).contains(&image.x) && (0.0..SIZE.height as f32).contains(&image.y)
+                        (aside..SIZE.width as f32 - aside).contains(&image.x)
+                            && (0.0..SIZE.height as f32).contains(&image.y)
                     })
                 })
             };
-            (distance < 1.8 && ahead > -0.3) || (distance < 7.5 && ahead > 0.0 && seen())
+            (distance < 1.8 && ahead > -0.3)
+                || (distance < NEAR_POST_M && ahead > 0.0 && seen(1.0))
+                || (distance < CENTRAL_POST_M && ahead > 0.0 && seen(0.5))
         });
         let lens = camera.position;
         let inside = |p: DVec2| {
