@@ -13,7 +13,7 @@ const STEP_M: f64 = 0.5;
 const RUN_UP_M: f64 = 12.0;
 /// From the side of a body to its tyres, and what tyres may leave their lane by: the gutter, less what drivers stray.
 const TYRE_M: f64 = 0.05;
-const GUTTER_M: f64 = 0.15;
+const GUTTER_M: f64 = 0.25;
 /// Bodies are apart where one is this much above the other, metres.
 const STOREY_M: f64 = 3.0;
 

@@ -73,7 +73,7 @@ fn land(plan: &mut Plan) {
     plan.zone(
         rect((0.0, 0.0), (3000.0, 3000.0), 0.0),
         &[(Kind::Office, 3.0), (Kind::Flats, 3.0), (Kind::Terrace, 2.0), (Kind::Shop, 1.4), (Kind::Tower, 0.5)],
-        (4, 8),
-        0.03,
+        (4, 7),
+        0.08,
     );
 }

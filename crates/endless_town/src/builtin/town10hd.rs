@@ -70,13 +70,13 @@ fn land(plan: &mut Plan) {
     plan.zone(
         rect((0.0, 20.0), (250.0, 240.0), 0.0),
         &[(Kind::Tower, 3.0), (Kind::Office, 4.0), (Kind::Terrace, 2.0)],
-        (6, 12),
+        (6, 10),
         0.0,
     );
     plan.zone(
         rect((0.0, 0.0), (3000.0, 3000.0), 0.0),
         &[(Kind::Terrace, 3.0), (Kind::Office, 4.0), (Kind::Tower, 1.4), (Kind::Flats, 1.0)],
-        (5, 9),
+        (4, 8),
         0.02,
     );
 }
