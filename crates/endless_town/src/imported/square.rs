@@ -97,7 +97,7 @@ impl Furnisher<'_> {
         let rect = super::footprint::around(&area.outline);
         let ways = self.ways(area);
         // Tables stand together, at one corner of the square.
-        let cafe = rect.corners()[stream.below(4) as usize];
+        let cafe = rect.corners()[stream.below(4)];
         let reach = rect.half.min_element() * 0.9;
         let (nx, ny) = ((rect.half.x / STEP_M).floor() as i32, (rect.half.y / STEP_M).floor() as i32);
         let mut lamps: Vec<DVec2> = Vec::new();
