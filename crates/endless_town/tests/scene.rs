@@ -378,6 +378,13 @@ fn cameras_look_at_streets() {
 fn is_low(prop: Prop) -> bool {
     !matches!(
         prop,
-        Prop::BroadleafTree | Prop::Conifer | Prop::Palm | Prop::StreetLamp | Prop::UtilityPole | Prop::SignalMast
+        Prop::BroadleafTree
+            | Prop::Conifer
+            | Prop::Palm
+            | Prop::StreetLamp
+            | Prop::UtilityPole
+            | Prop::CrowdedPole
+            | Prop::SignalMast
+            | Prop::Flagpole
     )
 }
