@@ -8,10 +8,10 @@ use endless_world::{CameraLook, CameraSite, ClassTag, ImageSize, Mount, TimeOfDa
 use glam::{Affine3A, Vec2, Vec3};
 use std::error::Error;
 
-/// Size of one picture, and how much larger it is drawn.
-const TILE: ImageSize = ImageSize { width: 190, height: 170 };
+/// Sizes of one picture, and how much larger it is drawn.
+const SMALL: ImageSize = ImageSize { width: 190, height: 170 };
+const LARGE: ImageSize = ImageSize { width: 318, height: 240 };
 const FINER: u32 = 2;
-const COLUMNS: usize = 10;
 const GAP: usize = 2;
 const FIELD_OF_VIEW_RAD: f32 = 0.5;
 const QUALITY: u8 = 84;
@@ -25,18 +25,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut pieces = match what.as_str() {
         "furniture" => props(&catalogue, false),
         "plants" => props(&catalogue, true),
+        "buildings" => buildings(),
         _ => return Err(format!("no sheet of {what}").into()),
     };
+    // Fronts of buildings look towards −y.
+    let (tile, columns, azimuth) = match what.as_str() {
+        "buildings" => (LARGE, 6, -1.05),
+        "plants" => (LARGE, 6, -0.62),
+        _ => (SMALL, 10, -0.62),
+    };
     pieces.retain(|p| only.is_empty() || only.contains(&p.0));
-    let tiles: Vec<Vec<[u8; 3]>> = pieces.iter().map(|(_, mesh)| picture(mesh, &catalogue)).collect();
+    let tiles: Vec<Vec<[u8; 3]>> = pieces.iter().map(|(_, mesh)| picture(mesh, &catalogue, tile, azimuth)).collect();
     eprintln!("{}", pieces.iter().map(|p| p.0.as_str()).collect::<Vec<_>>().join(" "));
-    let (wide, tall) = (TILE.width as usize, TILE.height as usize);
-    let (columns, rows) = (COLUMNS.min(tiles.len()), tiles.len().div_ceil(COLUMNS));
+    let (wide, tall) = (tile.width as usize, tile.height as usize);
+    let (rows, columns) = (tiles.len().div_ceil(columns), columns.min(tiles.len()));
     let (width, height) = (columns * (wide + GAP) - GAP, rows * (tall + GAP) - GAP);
     let mut sheet = vec![[20u8, 20, 22]; width * height];
-    for (i, tile) in tiles.iter().enumerate() {
-        let corner = (i / COLUMNS * (tall + GAP)) * width + i % COLUMNS * (wide + GAP);
-        for (line, pixels) in tile.chunks(wide).enumerate() {
+    for (i, picture) in tiles.iter().enumerate() {
+        let corner = (i / columns * (tall + GAP)) * width + i % columns * (wide + GAP);
+        for (line, pixels) in picture.chunks(wide).enumerate() {
             let start = corner + line * width;
             sheet[start..start + wide].copy_from_slice(pixels);
         }
@@ -63,6 +70,12 @@ fn props(catalogue: &Catalogue, plants: bool) -> Vec<(String, Mesh)> {
     all
 }
 
+/// One building of every manner.
+fn buildings() -> Vec<(String, Mesh)> {
+    let names = endless_town::building_manners();
+    names.into_iter().filter_map(|n| Some((n.to_owned(), endless_town::sample_building(n, 3)?))).collect()
+}
+
 /// A square with a thing in its middle.
 fn stage(thing: &Mesh) -> Town {
     let ground = Material::new(Surface::Concrete, [0.23, 0.23, 0.225], ClassTag::Ground);
@@ -83,8 +96,8 @@ fn stage(thing: &Mesh) -> Town {
 }
 
 /// A camera that a box of these corners fills, as far up as one on a pole 12 m away, ahead and to the right of it.
-fn site(low: Vec3, high: Vec3) -> CameraSite {
-    let (azimuth, tilt) = (-0.62f32, 0.24f32);
+fn site(low: Vec3, high: Vec3, tile: ImageSize, azimuth: f32) -> CameraSite {
+    let tilt = 0.24f32;
     let middle = 0.5 * (low + high);
     let half = 0.5 * (high - low);
     let (sin, cos) = math::sin_cos(azimuth);
@@ -93,8 +106,8 @@ fn site(low: Vec3, high: Vec3) -> CameraSite {
     let (tilt_sin, tilt_cos) = math::sin_cos(tilt);
     let upward = half.z * tilt_cos + deep * tilt_sin;
     let tangent = math::tan(0.5 * FIELD_OF_VIEW_RAD);
-    let aspect = TILE.width as f32 / TILE.height as f32;
-    let distance = (1.06 * (across / tangent).max(upward * aspect / tangent) + deep).max(2.0);
+    let aspect = tile.width as f32 / tile.height as f32;
+    let distance = (0.98 * (across / tangent).max(upward * aspect / tangent) + 0.75 * deep).max(2.0);
     let position = middle + distance * Vec3::new(cos * tilt_cos, sin * tilt_cos, tilt_sin);
     CameraSite {
         name: "view".to_owned(),
@@ -106,9 +119,9 @@ fn site(low: Vec3, high: Vec3) -> CameraSite {
     }
 }
 
-fn picture(mesh: &Mesh, catalogue: &Catalogue) -> Vec<[u8; 3]> {
+fn picture(mesh: &Mesh, catalogue: &Catalogue, tile: ImageSize, azimuth: f32) -> Vec<[u8; 3]> {
     let still = StaticScene::load(&stage(mesh), catalogue);
-    let size = ImageSize { width: TILE.width * FINER, height: TILE.height * FINER };
+    let size = ImageSize { width: tile.width * FINER, height: tile.height * FINER };
     let settings = RenderSettings {
         weather: Weather::ClearSky,
         time_of_day: TimeOfDay::Afternoon,
@@ -125,7 +138,7 @@ fn picture(mesh: &Mesh, catalogue: &Catalogue) -> Vec<[u8; 3]> {
     low.z = low.z.max(high.z - 3.0 * wide.max(0.5));
     let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals: Vec::new() };
     let cast = Cast::new(catalogue, &state.actors);
-    let bake = CameraBake::bake(&still, &settings, &site(low, high));
+    let bake = CameraBake::bake(&still, &settings, &site(low, high, tile, azimuth));
     shrunk(&bake.render(&still, &FrameScene::new(&cast, &state)).rgb.data, size)
 }
 

@@ -11,7 +11,7 @@ pub(crate) struct WindowNumbers(u32);
 
 impl WindowNumbers {
     /// The uv square of the next pane.
-    fn next_square(&mut self) -> [Vec2; 4] {
+    pub(super) fn next_square(&mut self) -> [Vec2; 4] {
         let n = self.0;
         self.0 += 1;
         let base = Vec2::new((n % 512) as f32, (n / 512) as f32);
@@ -70,7 +70,7 @@ pub(crate) fn window(
     }
     // The pane lies behind its frame.
     let glass = joinery.recess + 0.03;
-    let frame_hole = Wall { origin: wall.at(0.0, 0.0, -joinery.recess), ..*wall };
+    let frame_hole = wall.behind(joinery.recess);
     frame_hole.reveal(mesh, &inner, 0.03, joinery.frame);
     wall.panel_uv(mesh, inner.u, inner.v, -glass, square, GLASS);
     let middle = (inner.u[0] + inner.u[1]) / 2.0;
