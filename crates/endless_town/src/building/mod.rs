@@ -11,6 +11,8 @@ mod rooftop;
 mod special;
 mod storeyed;
 mod style;
+#[cfg(test)]
+mod tests;
 mod top;
 mod upper;
 mod wall;

@@ -74,7 +74,13 @@ pub(super) fn lintel(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, material:
 }
 
 /// Open shutters of slats on both sides of a window, as far as there is wall.
-pub(super) fn shutters(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, room: f32, material: Material) {
+pub(super) fn shutters(
+    mesh: &mut MeshBuilder,
+    wall: &Wall,
+    hole: &Hole,
+    (room, slatted): (f32, bool),
+    material: Material,
+) {
     let w = (0.5 * (hole.u[1] - hole.u[0])).min(room - 0.04);
     if w < 0.25 {
         return;
@@ -82,11 +88,11 @@ pub(super) fn shutters(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, room: f
     for u in [hole.u[0] - w - 0.02, hole.u[1] + 0.02] {
         let range = [hole.v[0], hole.v[1]];
         wall.block(mesh, [u, u + w], range, [0.0, 0.045], material);
-        let slats = ((range[1] - range[0] - 0.16) / 0.12) as usize;
+        let slats = if slatted { ((range[1] - range[0] - 0.16) / 0.24) as usize } else { 0 };
         let shade = Material { base_color: material.base_color.map(|c| c * 0.62), ..material };
         for k in 0..slats {
-            let v = range[0] + 0.08 + 0.12 * k as f32;
-            wall.block(mesh, [u + 0.06, u + w - 0.06], [v, v + 0.05], [0.04, 0.06], shade);
+            let v = range[0] + 0.08 + 0.24 * k as f32;
+            wall.block(mesh, [u + 0.06, u + w - 0.06], [v, v + 0.12], [0.04, 0.06], shade);
         }
     }
 }
@@ -166,11 +172,11 @@ pub(super) fn flower_box(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, strea
     let petal = Material::new(Surface::Foliage, *stream.pick(&petals), ClassTag::Vegetation);
     let ([u0, u1], v) = (hole.u, hole.v[0]);
     wall.block(mesh, [u0, u1], [v + 0.0, v + 0.16], [0.06, 0.24], of(Surface::Wood, [0.22, 0.13, 0.08]));
-    let count = ((u1 - u0) / 0.09) as usize;
+    let count = ((u1 - u0) / 0.13) as usize;
     for k in 0..count {
-        let u = u0 + 0.05 + 0.09 * k as f32;
+        let u = u0 + 0.05 + 0.13 * k as f32;
         let (h, o) = (stream.range_f32(0.07, 0.2), stream.range_f32(0.09, 0.2));
-        wall.block(mesh, [u - 0.035, u + 0.04], [v + 0.15, v + 0.15 + h], [o - 0.03, o + 0.05], green);
+        wall.block(mesh, [u - 0.055, u + 0.065], [v + 0.15, v + 0.15 + h], [o - 0.03, o + 0.05], green);
         if k % 2 == 0 {
             wall.block(mesh, [u - 0.03, u + 0.03], [v + 0.13 + h, v + 0.18 + h], [o - 0.02, o + 0.07], petal);
         }

@@ -252,14 +252,14 @@ pub(super) fn parking_deck(mesh: &mut MeshBuilder, measures: &Measures, style: &
         boxed(mesh, x, y, [low, z + 0.02], style.wall);
         if storey > 0 {
             for wall in walls(x, y, z) {
-                wall.block(mesh, [0.0, wall.width], [0.02, 1.02], [-0.16, 0.01], style.accent);
+                wall.solid(mesh, [0.0, wall.width], [0.02, 1.02], [-0.16, 0.01], style.accent);
             }
         } else {
             for (side, wall) in walls(x, y, z).iter().enumerate() {
                 let gap =
                     if side == 0 { [wall.width / 2.0 - 3.2, wall.width / 2.0 + 3.2] } else { [wall.width, wall.width] };
-                wall.block(mesh, [0.0, gap[0]], [0.0, 1.0], [-0.16, 0.01], style.accent);
-                wall.block(mesh, [gap[1], wall.width + 0.01], [0.0, 1.0], [-0.16, 0.01], style.accent);
+                wall.solid(mesh, [0.0, gap[0]], [0.0, 1.0], [-0.16, 0.01], style.accent);
+                wall.solid(mesh, [gap[1], wall.width + 0.01], [0.0, 1.0], [-0.16, 0.01], style.accent);
             }
         }
     }
@@ -267,7 +267,7 @@ pub(super) fn parking_deck(mesh: &mut MeshBuilder, measures: &Measures, style: &
         let count = (wall.width / 5.0).round().max(1.0) as usize;
         for k in 0..=count {
             let u = (wall.width * k as f32 / count as f32 - 0.2).clamp(0.0, wall.width - 0.4);
-            wall.block(mesh, [u, u + 0.4], [0.0, height], [-0.5, 0.05], style.wall);
+            wall.solid(mesh, [u, u + 0.4], [0.0, height], [-0.5, 0.05], style.wall);
         }
     }
     // Stair and lift.
@@ -279,7 +279,7 @@ pub(super) fn parking_deck(mesh: &mut MeshBuilder, measures: &Measures, style: &
     let white = Material { base_color: [0.80; 3], ..blue };
     letters(mesh, &front, ([0.2, 1.2], height + 2.05), 0.106, 0.8, "P", white);
     let entrance = Wall::upright(Vec3::new(-3.2, 0.0, 0.0), Vec3::X, 6.4);
-    entrance.block(
+    entrance.solid(
         mesh,
         [0.0, 6.4],
         [rhythm.ground - 0.6, rhythm.ground - 0.05],

@@ -65,7 +65,7 @@ impl Rhythm {
             Manner::RibbonOffice => (2.9, [2.78, 1.7], 0.95, 3.5),
             Manner::School => (3.2, [2.5, 1.8], 0.9, 3.4),
             Manner::ParkingDeck => (5.0, [4.6, 1.35], 1.05, 2.75),
-            Manner::GlassTower => (1.7, [1.62, 3.1], 0.2, 3.5),
+            Manner::GlassTower => (2.2, [2.12, 3.1], 0.2, 3.5),
             Manner::ConcreteTower => (3.0, [1.9, 1.75], 0.85, 3.2),
             Manner::Warehouse => (5.0, [2.6, 0.9], 1.6, 3.6),
             Manner::Works => (3.4, [2.3, 1.9], 1.2, 3.6),
@@ -150,7 +150,7 @@ pub(super) fn add_wall(
     let all_round = matches!(measures.kind, Kind::Tower | Kind::Office);
     let balconied = |k: usize, storey: u32| {
         let manner = matches!(style.manner, Manner::Balconies | Manner::Panels);
-        manner && storey > 0 && (front && k % 3 == 1 || side == 2 && k % 4 == 2)
+        manner && storey > 0 && (front && k % 3 == 1 || side == 2 && k % 6 == 2)
     };
     let mut from = 0.0;
     let mut floors = Vec::new();
@@ -172,7 +172,7 @@ pub(super) fn add_wall(
             add_ground_front(mesh, wall, range, measures, style, &holes, stream, numbers);
         } else {
             wall.pierced(mesh, range, &holes, material);
-            let detail = detail_of(style.manner, front, storey);
+            let detail = detail_of(style.manner, front, (storey, measures.storeys));
             for (k, hole) in holes.iter().enumerate() {
                 opening::window(mesh, wall, hole, &style.joinery, detail, numbers);
                 dress_window(mesh, wall, hole, (pitch - width, side, storey), style, stream);
@@ -197,11 +197,12 @@ pub(super) fn add_wall(
     dirt(mesh, wall, side, measures, style, from, stream);
 }
 
-fn detail_of(manner: Manner, front: bool, storey: u32) -> Detail {
+/// Windows that cameras may see from near are modelled in full.
+fn detail_of(manner: Manner, front: bool, (storey, storeys): (u32, u32)) -> Detail {
     match manner {
         Manner::GlassTower => Detail::Plain,
         Manner::Barn if storey == 0 => Detail::Plain,
-        _ if front || storey < 6 => Detail::Full,
+        _ if front && storey < 5 || storeys <= 2 => Detail::Full,
         _ => Detail::Plain,
     }
 }

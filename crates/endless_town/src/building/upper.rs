@@ -18,19 +18,27 @@ pub(super) fn dress_window(
     stream: &mut Stream,
 ) {
     let front = side == 0;
+    // Nothing may stand out where people pass.
+    let up = storey > 0;
     let middle = (hole.u[0] + hole.u[1]) / 2.0;
     match style.manner {
-        Manner::OldTown => {
+        Manner::OldTown if front || storey < 2 => {
             surround(mesh, wall, hole, front && storey == 1, style.accent);
             if style.shuttered {
-                shutters(mesh, wall, hole, between / 2.0, Material { surface: Surface::Painted, ..style.joinery.door });
-            } else if front && stream.chance(0.12) {
+                shutters(
+                    mesh,
+                    wall,
+                    hole,
+                    (between / 2.0, front && storey < 4),
+                    Material { surface: Surface::Painted, ..style.joinery.door },
+                );
+            } else if front && up && stream.chance(0.12) {
                 flower_box(mesh, wall, hole, stream);
             }
         }
         Manner::TerracedBrick | Manner::Tenement | Manner::Works => {
             lintel(mesh, wall, hole, style.accent);
-            if style.manner == Manner::Tenement && stream.chance(0.14) {
+            if style.manner == Manner::Tenement && up && stream.chance(0.14) {
                 wall.block(
                     mesh,
                     [middle - 0.3, middle + 0.3],
@@ -42,9 +50,9 @@ pub(super) fn dress_window(
         }
         Manner::Cottage | Manner::TimberFrame => {
             if style.shuttered {
-                shutters(mesh, wall, hole, between / 2.0, style.accent);
+                shutters(mesh, wall, hole, (between / 2.0, front && storey < 4), style.accent);
             }
-            if front && stream.chance(0.3) {
+            if front && up && stream.chance(0.3) {
                 flower_box(mesh, wall, hole, stream);
             }
         }
@@ -53,17 +61,17 @@ pub(super) fn dress_window(
             if storey < 2 {
                 grille(mesh, wall, hole, style.joinery.frame);
             }
-            if stream.chance(0.18) {
+            if up && stream.chance(0.18) {
                 air_conditioner(mesh, wall, middle, hole.v[0]);
             }
         }
         Manner::Balconies | Manner::Panels | Manner::BrickFlats => {
             let x = stream.f32();
-            if style.manner != Manner::BrickFlats {
+            if style.manner != Manner::BrickFlats && front && storey < 5 {
                 let drop = (stream.range_f32(-0.6, 0.9)).max(0.0);
                 roller_blind(mesh, wall, hole, style.joinery.recess, drop, style.trim);
             }
-            let window = hole.v[1] - hole.v[0] < 1.8;
+            let window = up && hole.v[1] - hole.v[0] < 1.8;
             if window && x < 0.13 {
                 air_conditioner(mesh, wall, middle, hole.v[0]);
             } else if window && x < 0.20 && between > 0.9 {
@@ -72,7 +80,7 @@ pub(super) fn dress_window(
                 flower_box(mesh, wall, hole, stream);
             }
         }
-        Manner::ConcreteTower if stream.chance(0.12) => air_conditioner(mesh, wall, middle, hole.v[0]),
+        Manner::ConcreteTower if up && stream.chance(0.12) => air_conditioner(mesh, wall, middle, hole.v[0]),
         _ => {}
     }
 }
@@ -98,12 +106,12 @@ pub(super) fn add_balcony(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, floo
     for end in [u[0], u[1] - 0.04] {
         wall.block(mesh, [end, end + 0.04], [floor + 1.0, floor + 1.05], [0.0, reach - 0.06], rail);
         wall.block(mesh, [end, end + 0.04], [floor + 0.08, floor + 0.12], [0.0, reach - 0.06], rail);
-        for k in 0..8 {
-            let out = 0.08 + 0.145 * k as f32;
+        for k in 0..5 {
+            let out = 0.16 + 0.21 * k as f32;
             wall.block(mesh, [end, end + 0.02], [floor + 0.12, floor + 1.0], [out, out + 0.02], rail);
         }
     }
-    let bars = ((u[1] - u[0]) / 0.16) as usize;
+    let bars = ((u[1] - u[0]) / 0.2) as usize;
     for k in 0..=bars {
         let at = u[0] + (u[1] - u[0] - 0.02) * k as f32 / bars.max(1) as f32;
         wall.block(mesh, [at, at + 0.02], [floor + 0.0, floor + 1.0], [reach - 0.05, reach - 0.03], rail);

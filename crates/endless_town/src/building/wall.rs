@@ -119,6 +119,14 @@ impl Wall {
         }
     }
 
+    /// A box on the wall with all its sides.
+    pub(crate) fn solid(&self, mesh: &mut MeshBuilder, u: [f32; 2], v: [f32; 2], out: [f32; 2], material: Material) {
+        self.block(mesh, u, v, out, material);
+        let back = Self { origin: self.at(self.width, 0.0, out[0]), right: -self.right, ..*self };
+        let from = self.width;
+        back.panel(mesh, [from - u[1], from - u[0]], v, 0.0, material);
+    }
+
     /// A box on the wall; `out` from its back (left out if it touches the wall) to its front.
     pub(crate) fn block(&self, mesh: &mut MeshBuilder, u: [f32; 2], v: [f32; 2], out: [f32; 2], material: Material) {
         let ([u0, u1], [v0, v1], [o0, o1]) = (u, v, out);
@@ -131,6 +139,7 @@ impl Wall {
             ([p(u0, v1, o1), p(u1, v1, o1), p(u1, v1, o0), p(u0, v1, o0)], w, d),
             ([p(u0, v0, o0), p(u1, v0, o0), p(u1, v0, o1), p(u0, v0, o1)], w, d),
         ];
+        // Behind what touches the wall nobody looks.
         if o0 > 0.005 {
             faces.push(([p(u1, v0, o0), p(u0, v0, o0), p(u0, v1, o0), p(u1, v1, o0)], w, h));
         }
