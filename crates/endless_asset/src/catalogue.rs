@@ -84,6 +84,12 @@ impl Catalogue {
             Prop::Hedge => plant::hedge(variant),
             Prop::Planter => plant::planter(variant),
             Prop::Corn => plant::corn(variant),
+            Prop::Cypress => plant::cypress(variant),
+            Prop::BareTree => plant::bare(variant),
+            Prop::FlowerBed => plant::flower_bed(variant),
+            Prop::GrassTuft => plant::grass(variant),
+            Prop::Wheat => plant::wheat(variant),
+            Prop::Rock => plant::rock(variant),
             _ => furniture::furniture(prop, variant),
         }
     }
@@ -105,7 +111,10 @@ impl Catalogue {
         match prop {
             Prop::BroadleafTree => plant::BROADLEAF_VARIANTS,
             Prop::Conifer => plant::CONIFER_VARIANTS,
-            Prop::Palm | Prop::Corn => 3,
+            Prop::BareTree => plant::BARE_VARIANTS,
+            Prop::Palm | Prop::Corn | Prop::Cypress | Prop::GrassTuft => 3,
+            Prop::FlowerBed | Prop::Rock => 4,
+            Prop::Wheat => 2,
             Prop::Bush | Prop::Planter => 4,
             Prop::Hedge => 2,
             _ => furniture::variants(prop),

@@ -164,6 +164,18 @@ pub enum Prop {
     StoneWall,
     /// Wire netting, 2 m along x, 1.8 m high.
     ChainLink,
+    /// Cypress, a narrow flame of about 7 to 11 m.
+    Cypress,
+    /// Broadleaf tree in winter, without leaves.
+    BareTree,
+    /// Bed of flowers in an edging of stones, 2 m along x.
+    FlowerBed,
+    /// Tuft of grass, half a metre across.
+    GrassTuft,
+    /// A square block of wheat of 2 m, rows along x, 0.9 m high.
+    Wheat,
+    /// Boulder, about 1.5 m across.
+    Rock,
     /// White picket fence, 2 m along x, 0.95 m high.
     PicketFence,
 }
@@ -252,6 +264,12 @@ impl Prop {
         Self::StoneWall,
         Self::ChainLink,
         Self::PicketFence,
+        Self::Cypress,
+        Self::BareTree,
+        Self::FlowerBed,
+        Self::GrassTuft,
+        Self::Wheat,
+        Self::Rock,
     ];
 
     /// Name in lists and files: `street_lamp`.
@@ -266,11 +284,23 @@ impl Prop {
         name
     }
 
-    /// Whether it grows.
+    /// Whether it is of nature: what grows, and rocks.
     pub const fn is_plant(self) -> bool {
         matches!(
             self,
-            Self::BroadleafTree | Self::Conifer | Self::Palm | Self::Bush | Self::Hedge | Self::Corn | Self::Planter
+            Self::BroadleafTree
+                | Self::Conifer
+                | Self::Palm
+                | Self::Bush
+                | Self::Hedge
+                | Self::Corn
+                | Self::Planter
+                | Self::Cypress
+                | Self::BareTree
+                | Self::FlowerBed
+                | Self::GrassTuft
+                | Self::Wheat
+                | Self::Rock
         )
     }
 }

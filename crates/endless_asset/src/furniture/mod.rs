@@ -99,9 +99,19 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
         Prop::StoneWall => wall::stone_wall(),
         Prop::ChainLink => wall::chain_link(),
         Prop::PicketFence => wall::picket_fence(),
-        Prop::BroadleafTree | Prop::Conifer | Prop::Palm | Prop::Bush | Prop::Hedge | Prop::Corn | Prop::Planter => {
-            Sculpt::new()
-        }
+        Prop::BroadleafTree
+        | Prop::Conifer
+        | Prop::Palm
+        | Prop::Bush
+        | Prop::Hedge
+        | Prop::Corn
+        | Prop::Planter
+        | Prop::Cypress
+        | Prop::BareTree
+        | Prop::FlowerBed
+        | Prop::GrassTuft
+        | Prop::Wheat
+        | Prop::Rock => Sculpt::new(),
     };
     sculpt.into_mesh()
 }
