@@ -128,6 +128,7 @@ fn picture(mesh: &Mesh, catalogue: &Catalogue, tile: ImageSize, azimuth: f32) ->
         seed: 1,
         size,
         gather_rays: 2,
+        pattern: 0,
         look: CameraLook::CLEAN,
         fps: 30.0,
         keep_irradiance: false,

@@ -60,9 +60,9 @@ pub(crate) fn brick_wall() -> Sculpt {
     let brick = Material::new(Surface::Brick, [0.34, 0.15, 0.10], ClassTag::Walls);
     let coping = Material::new(Surface::Concrete, [0.46, 0.45, 0.42], ClassTag::Walls);
     let mut s = Sculpt::cuboid(Vec3::new(-1.0, -0.11, 0.0), Vec3::new(1.0, 0.11, 1.72), 0.0, brick);
-    s.add(Sculpt::cuboid(Vec3::new(-1.0, -0.16, 1.72), Vec3::new(1.0, 0.16, 1.79), 0.0, coping));
+    s.add(Sculpt::cuboid(Vec3::new(-1.0, -0.16, 1.72), Vec3::new(1.0, 0.16, 1.79), 0.012, coping));
     s.add(Sculpt::cuboid(Vec3::new(-1.0, -0.19, 0.0), Vec3::new(-0.64, 0.19, 1.80), 0.0, brick));
-    s.add(Sculpt::cuboid(Vec3::new(-1.0, -0.23, 1.80), Vec3::new(-0.60, 0.23, 1.87), 0.0, coping));
+    s.add(Sculpt::cuboid(Vec3::new(-1.0, -0.23, 1.80), Vec3::new(-0.60, 0.23, 1.87), 0.012, coping));
     s
 }
 
