@@ -25,6 +25,8 @@ impl WindowNumbers {
 pub(crate) enum Detail {
     /// Reveal, frame, cross-bar and sill.
     Full,
+    /// The same with a sill that does not reach over to a neighbour.
+    Beside,
     /// Reveal and pane with a frame drawn as its border.
     Plain,
 }
@@ -82,7 +84,7 @@ pub(crate) fn window(
         mesh,
         [hole.u[0] - 0.06, hole.u[1] + 0.06],
         [hole.v[0] - 0.07, hole.v[0] - 0.005],
-        [0.0, 0.09],
+        [0.0, if detail == Detail::Full { 0.09 } else { 0.035 }],
         joinery.sill,
     );
 }

@@ -53,7 +53,7 @@ const NAMES: &[&str] = &[
 /// The frame of plaster or stone about a window, with a hood over it if it is a fine one.
 pub(super) fn surround(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, fine: bool, material: Material) {
     let ([u0, u1], [v0, v1]) = (hole.u, hole.v);
-    let (w, out) = (0.13, [0.0, 0.045]);
+    let (w, out) = (0.13, [0.0, 0.036]);
     wall.block(mesh, [u0 - w, u0], [v0, v1 + w], out, material);
     wall.block(mesh, [u1, u1 + w], [v0, v1 + w], out, material);
     wall.block(mesh, [u0, u1], [v1, v1 + w], out, material);
@@ -185,10 +185,10 @@ pub(super) fn flower_box(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, strea
 
 /// A downpipe with its clamps.
 pub(super) fn downpipe(mesh: &mut MeshBuilder, wall: &Wall, u: f32, top: f32) {
-    wall.block(mesh, [u, u + 0.09], [0.0, top], [0.0, 0.05], ZINC);
+    wall.block(mesh, [u, u + 0.09], [0.0, top], [0.0, 0.03], ZINC);
     for k in 0..(top / 2.2) as usize {
         let v = 1.2 + 2.2 * k as f32;
-        wall.block(mesh, [u - 0.025, u + 0.115], [v, v + 0.04], [0.0, 0.058], ZINC);
+        wall.block(mesh, [u - 0.025, u + 0.115], [v, v + 0.04], [0.0, 0.036], ZINC);
     }
     if top > 3.0 {
         wall.block(mesh, [u - 0.05, u + 0.14], [top - 0.22, top], [0.0, 0.14], ZINC);
@@ -203,8 +203,8 @@ pub(super) fn cables(mesh: &mut MeshBuilder, wall: &Wall, v: f32, stream: &mut S
     }
     let u = wall.width * stream.range_f32(0.1, 0.9);
     wall.block(mesh, [u, u + 0.022], [1.9, v], [0.0, 0.022], CABLE);
-    wall.block(mesh, [u - 0.14, u + 0.16], [1.3, 1.75], [0.0, 0.05], MACHINE);
-    wall.block(mesh, [u - 0.06, u + 0.08], [1.48, 1.64], [0.05, 0.06], DARK);
+    wall.block(mesh, [u - 0.14, u + 0.16], [1.3, 1.75], [0.0, 0.03], MACHINE);
+    wall.block(mesh, [u - 0.06, u + 0.08], [1.48, 1.64], [0.03, 0.036], DARK);
 }
 
 /// Iron platforms with railings before every storey from the second on, joined by slanting stairs.

@@ -267,7 +267,7 @@ pub(super) fn parking_deck(mesh: &mut MeshBuilder, measures: &Measures, style: &
         let count = (wall.width / 5.0).round().max(1.0) as usize;
         for k in 0..=count {
             let u = (wall.width * k as f32 / count as f32 - 0.2).clamp(0.0, wall.width - 0.4);
-            wall.solid(mesh, [u, u + 0.4], [0.0, height], [-0.5, 0.05], style.wall);
+            wall.solid(mesh, [u, u + 0.4], [0.0, height], [-0.5, 0.03], style.wall);
         }
     }
     // Stair and lift.

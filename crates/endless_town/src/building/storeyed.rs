@@ -202,7 +202,8 @@ fn detail_of(manner: Manner, front: bool, (storey, storeys): (u32, u32)) -> Deta
     match manner {
         Manner::GlassTower => Detail::Plain,
         Manner::Barn if storey == 0 => Detail::Plain,
-        _ if front && storey < 5 || storeys <= 2 => Detail::Full,
+        _ if front && storey < 5 => Detail::Full,
+        _ if storeys <= 2 => Detail::Beside,
         _ => Detail::Plain,
     }
 }
@@ -281,9 +282,9 @@ fn relief(
         }
         Manner::School => {
             string(mesh, [top - 0.4, top - 0.02], 0.2);
-            pier(mesh, 0.14, [0.35, top - 0.4], 0.10);
+            pier(mesh, 0.14, [2.2, top - 0.4], 0.10);
         }
-        Manner::Works => pier(mesh, 0.22, [0.0, top - 0.1], 0.11),
+        Manner::Works => pier(mesh, 0.22, [2.2, top - 0.1], 0.11),
         Manner::TimberFrame => timbers(mesh, wall, (bays, pitch), (ground, rhythm.storey), top, style),
         Manner::Latin if front => string(mesh, [top - 0.15, top - 0.01], 0.12),
         Manner::Villa | Manner::Cottage | Manner::Weatherboard => {
