@@ -76,7 +76,6 @@ const SPECIES: [Species; 8] = [
         trunk: 0.24,
         green: [0.058, 0.105, 0.024],
         bark: [0.15, 0.13, 0.11],
-        ..PLANE
     },
     // Birch: slender, white, its twigs hang.
     Species {
@@ -92,7 +91,6 @@ const SPECIES: [Species; 8] = [
         trunk: 0.12,
         green: [0.100, 0.155, 0.040],
         bark: [0.62, 0.61, 0.57],
-        ..PLANE
     },
     // Maple: a full round crown.
     Species {
@@ -138,7 +136,6 @@ const SPECIES: [Species; 8] = [
         trunk: 0.15,
         green: [0.052, 0.112, 0.028],
         bark: [0.20, 0.19, 0.16],
-        ..PLANE
     },
     // Robinia: light tufts at the ends of crooked boughs.
     Species {
@@ -214,7 +211,7 @@ pub(crate) fn broadleaf(variant: u32) -> Mesh {
     let mut leaves = Leaves::default();
     let each = (species.leaves / thin.len().max(1)).max(1);
     let middle = Vec3::Z * (0.5 * (1.0 + species.fork) * species.height);
-    for (i, node) in thin.iter().enumerate() {
+    for node in &thin {
         let nearest =
             clusters.iter().copied().min_by(|a, b| a.distance_squared(node.at).total_cmp(&b.distance_squared(node.at)));
         // Lit as the cluster and the crown are round.
