@@ -21,7 +21,7 @@ static CWBVH: LazyLock<Baseline<CwBvh>> = LazyLock::new(|| Baseline::new(&TOWN))
 static BVH2: LazyLock<Baseline<Bvh2>> = LazyLock::new(|| Baseline::new(&TOWN));
 
 /// Every 16th tile of the frame, by kind of ray.
-static RAYS: LazyLock<[Vec<Packet>; 3]> =
+static RAYS: LazyLock<[Vec<Packet>; 4]> =
     LazyLock::new(|| TOWN.rays().map(|set| set.chunks(8).step_by(16).flatten().copied().collect()));
 
 const PRIMARY: usize = 0;

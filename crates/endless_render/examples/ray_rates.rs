@@ -1,9 +1,11 @@
-//! Prints rates of tracing in a made-up town, own traversal beside those of `obvhs`:
-//! `cargo run --release -p endless_render --example ray_rates`.
+//! Prints rates of tracing in a made-up town, or in a built-in one, own traversal beside those of `obvhs`:
+//! `cargo run --release -p endless_render --example ray_rates -- [Town03]`.
 #![expect(clippy::print_stdout, reason = "a table is what it is for")]
 
 #[path = "../benches/town/baseline.rs"]
 mod baseline;
+#[path = "../benches/town/builtin.rs"]
+mod builtin;
 #[path = "../benches/town/mod.rs"]
 mod town;
 
@@ -72,7 +74,7 @@ fn each(active: u8, rays: &[Ray; 8], hit: impl Fn(&Ray) -> bool) -> u32 {
 
 fn main() {
     let start = Instant::now();
-    let town = Town::new();
+    let town = std::env::args().nth(1).map_or_else(Town::new, |name| Town::builtin(&name));
     println!("built in {:.1} s", start.elapsed().as_secs_f64());
     let unique: usize = town.meshes.iter().map(|m| m.triangles.len()).sum();
     let bytes: usize = town.blas.iter().map(|b| b.memory_bytes()).sum();
@@ -93,38 +95,30 @@ fn main() {
         });
         println!("top level over {count} instances: {:.3} ms", times.fold(f64::INFINITY, f64::min));
     }
-    let [primary, sun, diffuse] = town.rays();
+    let [primary, sun, diffuse, scattered] = town.rays();
     let accel = &town.accel;
-    let report = |name: &str, rates: [(f64, usize); 3]| {
-        let [a, b, c] = rates;
+    let report = |name: &str,
+                  closest: &(dyn Fn(&[Ray; 8], u8) -> u32 + Sync),
+                  occluded: &(dyn Fn(&[Ray; 8], u8) -> u32 + Sync)| {
+        let [a, b, c, d] =
+            [rate(&primary, closest), rate(&sun, occluded), rate(&diffuse, closest), rate(&scattered, closest)];
         println!(
-            "{name:16} primary {:6.2}  sun {:6.2}  diffuse {:6.2} Mrays/s   hits {} {} {}",
-            a.0, b.0, c.0, a.1, b.1, c.1
+            "{name:16} primary {:6.2}  sun {:6.2}  diffuse {:6.2}  scattered {:6.2} Mrays/s   hits {} {} {} {}",
+            a.0, b.0, c.0, d.0, a.1, b.1, c.1, d.1
         );
     };
-    let single = |r: &[Ray; 8], m| each(m, r, |ray| accel.closest(ray).is_some());
-    report(
-        "own, single",
-        [rate(&primary, single), rate(&sun, |r, m| each(m, r, |ray| accel.occluded(ray))), rate(&diffuse, single)],
-    );
-    let packet = |r: &[Ray; 8], m| accel.closest8(r, m).iter().flatten().count() as u32;
-    report(
-        "own, packets",
-        [rate(&primary, packet), rate(&sun, |r, m| accel.occluded8(r, m).count_ones()), rate(&diffuse, packet)],
-    );
-    if std::env::args().any(|a| a == "own") {
-        return;
-    }
+    report("own, single", &|r, m| each(m, r, |ray| accel.closest(ray).is_some()), &|r, m| {
+        each(m, r, |ray| accel.occluded(ray))
+    });
+    report("own, packets", &|r, m| accel.closest8(r, m).iter().flatten().count() as u32, &|r, m| {
+        accel.occluded8(r, m).count_ones()
+    });
     let cw = baseline::Baseline::<CwBvh>::new(&town);
-    let single = |r: &[Ray; 8], m| each(m, r, |ray| cw.closest(ray).is_some());
-    report(
-        "obvhs CWBVH",
-        [rate(&primary, single), rate(&sun, |r, m| each(m, r, |ray| cw.occluded(ray))), rate(&diffuse, single)],
-    );
+    report("obvhs CWBVH", &|r, m| each(m, r, |ray| cw.closest(ray).is_some()), &|r, m| {
+        each(m, r, |ray| cw.occluded(ray))
+    });
     let b2 = baseline::Baseline::<Bvh2>::new(&town);
-    let single = |r: &[Ray; 8], m| each(m, r, |ray| b2.closest(ray).is_some());
-    report(
-        "obvhs BVH2",
-        [rate(&primary, single), rate(&sun, |r, m| each(m, r, |ray| b2.occluded(ray))), rate(&diffuse, single)],
-    );
+    report("obvhs BVH2", &|r, m| each(m, r, |ray| b2.closest(ray).is_some()), &|r, m| {
+        each(m, r, |ray| b2.occluded(ray))
+    });
 }

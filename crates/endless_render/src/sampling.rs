@@ -62,6 +62,41 @@ mod tests {
         assert!((mean - normal * (2.0 / 3.0)).length() < 0.01);
     }
 
+    /// Pearson's chi-square of directions in a grid of equally likely cells, in standard deviations above its mean.
+    fn chi_square(cells: usize, mut cell: impl FnMut(&mut endless_world::Stream) -> usize) -> f64 {
+        const DRAWS: usize = 100_000;
+        let mut random = endless_world::Stream::named(9, "chi square", &[]);
+        let mut counts = vec![0u32; cells];
+        for _ in 0..DRAWS {
+            counts[cell(&mut random)] += 1;
+        }
+        let expected = DRAWS as f64 / cells as f64;
+        let sum: f64 = counts.iter().map(|&n| (f64::from(n) - expected).powi(2) / expected).sum();
+        let degrees = (cells - 1) as f64;
+        (sum - degrees) / (2.0 * degrees).sqrt()
+    }
+
+    /// Cell of a direction around an axis: 16 sectors, and 10 rings by a height from 0 to 1.
+    fn cell(direction: Vec3A, axis: Vec3A, height: impl Fn(f32) -> f32) -> usize {
+        let (a, b) = axis.any_orthonormal_pair();
+        let turn = math::atan2(direction.dot(b), direction.dot(a)) / TAU + 0.5;
+        let ring = (height(direction.dot(axis)) * 10.0) as usize;
+        ring.min(9) * 16 + ((turn * 16.0) as usize).min(15)
+    }
+
+    #[test]
+    fn directions_follow_their_densities() {
+        let axis = Vec3A::new(0.3, -0.5, 0.8).normalize();
+        let point = |random: &mut endless_world::Stream| Vec2::new(random.f32(), random.f32());
+        // cos / pi over the hemisphere: the squared sine is uniform. 1 / (4 pi) over the sphere: the height is.
+        let lobe = chi_square(160, |r| cell(cosine_direction(axis, point(r)), axis, |c| 1.0 - c * c));
+        let sphere = chi_square(160, |r| cell(sphere_direction(point(r)), axis, |c| 0.5 + 0.5 * c));
+        assert!(lobe.abs() < 4.0 && sphere.abs() < 4.0, "{lobe} {sphere}");
+        // Another density is told from it.
+        let wrong = chi_square(160, |r| cell(cosine_direction(axis, point(r)), axis, |c| c));
+        assert!(wrong > 50.0, "{wrong}");
+    }
+
     #[test]
     fn sphere_directions_cancel() {
         let n = 4096;

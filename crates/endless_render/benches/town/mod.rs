@@ -39,6 +39,9 @@ pub(crate) struct Town {
     pub(crate) instances: Vec<(usize, Affine3A)>,
     pub(crate) accel: Accel,
     pub(crate) blas: Vec<Arc<Blas>>,
+    /// Where a camera hangs, and where it looks.
+    pub(crate) eye: Vec3A,
+    pub(crate) forward: Vec3A,
 }
 
 /// Half the side of the town, metres.
@@ -82,7 +85,8 @@ impl Town {
         }
         let blas: Vec<_> = meshes.iter().map(|m| Arc::new(Blas::build(&m.positions, &m.triangles))).collect();
         let accel = Accel::build(placed(&blas, &instances));
-        Town { meshes, instances, accel, blas }
+        let (eye, forward) = (Vec3A::new(-120.0, 1.0, 8.0), Vec3A::new(1.0, 0.12, -0.28).normalize());
+        Town { meshes, instances, accel, blas, eye, forward }
     }
 
     /// The surface's normal on the ray's side.
@@ -95,53 +99,83 @@ impl Town {
         if normal.dot(direction) > 0.0 { -normal } else { normal }
     }
 
-    /// Rays of a frame: primary, sun and diffuse, each eight pixels (4 by 2) at a time with the active ones' mask.
-    pub(crate) fn rays(&self) -> [Vec<Packet>; 3] {
+    /// Rays of a frame, eight at a time with the active ones' mask: primary and sun by 4 by 2 pixels; diffuse as a bake
+    /// sends them, the same pattern from every fourth pixel of a row; and scattered, from 4 by 2 pixels, each its own way.
+    pub(crate) fn rays(&self) -> [Vec<Packet>; 4] {
         let mut stream = Stream::named(5, "rays", &[]);
         let sun = Vec3A::new(0.45, 0.3, 0.6).normalize();
-        let (origin, forward) = (Vec3A::new(-120.0, 1.0, 8.0), Vec3A::new(1.0, 0.12, -0.28).normalize());
-        let right = forward.cross(Vec3A::Z).normalize();
-        let up = right.cross(forward);
-        let none = Ray { origin, direction: forward, tmax: 0.0 };
-        let mut sets = [vec![], vec![], vec![]];
+        let none = Ray { origin: self.eye, direction: self.forward, tmax: 0.0 };
+        let seen: Vec<Option<Seen>> = (0..WIDTH * HEIGHT).map(|i| self.seen(i % WIDTH, i / WIDTH)).collect();
+        let packet = |pixels: [usize; 8], ray: &mut dyn FnMut(usize, &Seen) -> Option<Ray>| {
+            let mut active = 0u8;
+            let rays = std::array::from_fn(|lane| {
+                let found = seen[pixels[lane]].as_ref().and_then(|seen| ray(pixels[lane], seen));
+                active |= u8::from(found.is_some()) << lane;
+                found.unwrap_or(none)
+            });
+            (rays, active)
+        };
+        let mut sets = [vec![], vec![], vec![], vec![]];
         for tile in 0..WIDTH / 8 * (HEIGHT / 8) {
-            for packet in 0..8 {
-                let (left, top) = (tile % (WIDTH / 8) * 8 + packet % 2 * 4, tile / (WIDTH / 8) * 8 + packet / 2 * 2);
-                let primary: [Ray; 8] = std::array::from_fn(|lane| {
-                    let (x, y) = ((left + lane % 4) as f32 + 0.5, (top + lane / 4) as f32 + 0.5);
-                    let (w, h) = (WIDTH as f32, HEIGHT as f32);
-                    let direction = forward + right * (1.4 * (x / w - 0.5)) - up * (1.4 * (y - h * 0.5) / w);
-                    Ray { origin, direction: direction.normalize(), tmax: f32::INFINITY }
-                });
-                let (mut suns, mut diffuses, mut lit, mut hits) = ([none; 8], [none; 8], 0, 0);
-                for lane in 0..8 {
-                    let ray = &primary[lane];
-                    let Some(hit) = self.accel.closest(ray) else { continue };
-                    let normal = self.normal(&hit, ray.direction);
-                    let origin = ray.origin + ray.direction * hit.t + normal * 2e-3;
-                    let scatter = |radius: f32, height: f32, axis: Vec3A, stream: &mut Stream| {
-                        let angle = stream.range_f32(0.0, TAU);
-                        let (a, b) = axis.any_orthonormal_pair();
-                        axis * height + a * (radius * math::cos(angle)) + b * (radius * math::sin(angle))
-                    };
-                    if normal.dot(sun) > 0.0 {
-                        let radius = 0.005 * stream.f32().sqrt();
-                        suns[lane] =
-                            Ray { origin, direction: scatter(radius, 1.0, sun, &mut stream), tmax: f32::INFINITY };
-                        lit |= 1 << lane;
-                    }
-                    let r2 = stream.f32();
-                    let direction = scatter(r2.sqrt(), (1.0 - r2).sqrt(), normal, &mut stream);
-                    diffuses[lane] = Ray { origin, direction, tmax: f32::INFINITY };
-                    hits |= 1 << lane;
-                }
-                sets[0].push((primary, 255));
-                sets[1].push((suns, lit));
-                sets[2].push((diffuses, hits));
+            for part in 0..8 {
+                let (left, top) = (tile % (WIDTH / 8) * 8 + part % 2 * 4, tile / (WIDTH / 8) * 8 + part / 2 * 2);
+                let pixels: [usize; 8] = std::array::from_fn(|lane| (top + lane / 4) * WIDTH + left + lane % 4);
+                sets[0].push((pixels.map(|i| self.primary(i % WIDTH, i / WIDTH)), 255));
+                sets[1].push(packet(pixels, &mut |_, seen| {
+                    let direction = around(sun, (0.005 * stream.f32().sqrt(), 1.0), stream.f32());
+                    (seen.normal.dot(sun) > 0.0).then_some(seen.ray(direction))
+                }));
+                sets[3].push(packet(pixels, &mut |_, seen| Some(seen.scatter(stream.f32(), stream.f32()))));
             }
+        }
+        for first in (0..WIDTH * HEIGHT).filter(|i| i % WIDTH % 32 < 4) {
+            let pixels = std::array::from_fn(|lane| first + 4 * lane);
+            let pattern = (first / WIDTH % 4 * 4 + first % 4) as u32;
+            let (u, v) = (pattern as f32 / 16.0, pattern.reverse_bits() as f32 / u32::MAX as f32);
+            sets[2].push(packet(pixels, &mut |_, seen| Some(seen.scatter(u, v))));
         }
         sets
     }
+
+    fn primary(&self, x: usize, y: usize) -> Ray {
+        let right = self.forward.cross(Vec3A::Z).normalize();
+        let up = right.cross(self.forward);
+        let (x, y, w, h) = (x as f32 + 0.5, y as f32 + 0.5, WIDTH as f32, HEIGHT as f32);
+        let direction = self.forward + right * (1.4 * (x / w - 0.5)) - up * (1.4 * (y - h * 0.5) / w);
+        Ray { origin: self.eye, direction: direction.normalize(), tmax: f32::INFINITY }
+    }
+
+    fn seen(&self, x: usize, y: usize) -> Option<Seen> {
+        let ray = self.primary(x, y);
+        let hit = self.accel.closest(&ray)?;
+        let normal = self.normal(&hit, ray.direction);
+        Some(Seen { origin: ray.origin + ray.direction * hit.t + normal * 2e-3, normal })
+    }
+}
+
+/// What a pixel sees.
+struct Seen {
+    /// Just above the surface.
+    origin: Vec3A,
+    normal: Vec3A,
+}
+
+impl Seen {
+    fn ray(&self, direction: Vec3A) -> Ray {
+        Ray { origin: self.origin, direction, tmax: f32::INFINITY }
+    }
+
+    /// A ray of the cosine lobe.
+    fn scatter(&self, u: f32, v: f32) -> Ray {
+        self.ray(around(self.normal, (u.sqrt(), (1.0 - u).sqrt()), v))
+    }
+}
+
+/// So far aside from an axis and along it, at a share of a turn.
+fn around(axis: Vec3A, (aside, along): (f32, f32), turn: f32) -> Vec3A {
+    let (a, b) = axis.any_orthonormal_pair();
+    let (sin, cos) = math::sin_cos(turn * TAU);
+    axis * along + a * (aside * cos) + b * (aside * sin)
 }
 
 /// The list an `Accel` is built from.

@@ -8,7 +8,7 @@ use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
 use crate::film::Finish;
 use crate::film::{LONGEST_PX, Rain, ToneCurve, exposure};
-use crate::indirect::{Air, Guide, ProbeGrid, denoise, gather};
+use crate::indirect::{Air, Guide, PATTERN_SIDE, ProbeGrid, denoise, gather8, turn};
 use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
 use crate::material::{Look, noise};
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
@@ -360,29 +360,53 @@ impl Pass<'_> {
 
     /// Gathered and denoised irradiance of every sample.
     fn irradiance(&self, seen: &Seen) -> Vec<Vec3A> {
+        const SKY: Guide = Guide { position: Vec3A::ZERO, normal: Vec3A::ZERO, reach_m: 1.0 };
+        let width = self.width();
         let mut all = vec![Vec3A::ZERO; seen.hits.len()];
         for sample in 0..SAMPLES {
-            let (guides, light): (Vec<Guide>, Vec<Vec3A>) = (0..self.camera.size.pixels())
-                .into_par_iter()
-                .map(|pixel| self.gather_one(seen, pixel * SAMPLES + sample))
-                .unzip();
-            let clean = denoise(self.width(), &guides, light, 5);
+            let mut guides = vec![SKY; self.camera.size.pixels()];
+            let mut light = vec![Vec3A::ZERO; guides.len()];
+            guides.par_chunks_mut(width).zip(light.par_chunks_mut(width)).enumerate().for_each(
+                |(y, (guides, light))| {
+                    // Every fourth pixel of 32 shares a pattern of rays.
+                    for block in (0..width).step_by(8 * PATTERN_SIDE) {
+                        for first in block..(block + PATTERN_SIDE).min(width) {
+                            self.gather_eight(seen, y, first, sample, guides, light);
+                        }
+                    }
+                },
+            );
+            let clean = denoise(width, &guides, light, 5);
             all.par_chunks_mut(SAMPLES).zip(clean).for_each(|(pixel, light)| pixel[sample] = light);
         }
         self.stats.add(seen.hits.len() as u64 * u64::from(self.settings.gather_rays) * 2);
         all
     }
 
-    fn gather_one(&self, seen: &Seen, index: usize) -> (Guide, Vec3A) {
-        let Some(hit) = &seen.hits[index] else {
-            return (Guide { position: Vec3A::ZERO, normal: Vec3A::ZERO, reach_m: 1.0 }, Vec3A::ZERO);
-        };
-        let ray = self.ray_of(index);
-        let point = SurfacePoint::new(&self.tracer.still.instances, &ray, hit);
-        let reach_m = footprint_m(&point, self.pixel_angle).max(0.01);
-        let turn = index as u32 ^ noise::hash(self.settings.pattern);
-        let light = gather(&self.tracer, &point, turn, self.settings.gather_rays);
-        (Guide { position: point.position, normal: point.normal, reach_m }, light)
+    /// Gathers for eight pixels of a row, [`PATTERN_SIDE`] apart.
+    fn gather_eight(
+        &self,
+        seen: &Seen,
+        y: usize,
+        first: usize,
+        sample: usize,
+        guides: &mut [Guide],
+        light: &mut [Vec3A],
+    ) {
+        let column = |i: usize| first + i * PATTERN_SIDE;
+        let points: [Option<SurfacePoint<'_>>; 8] = std::array::from_fn(|i| {
+            let index = (y * self.width() + column(i)) * SAMPLES + sample;
+            let hit = seen.hits[..(y + 1) * self.width() * SAMPLES].get(index)?.as_ref()?;
+            Some(SurfacePoint::new(&self.tracer.still.instances, &self.ray_of(index), hit))
+        });
+        let turn = turn(first, y, sample, self.settings.pattern);
+        let gathered = gather8(&self.tracer, &points, turn, self.settings.gather_rays);
+        for (i, point) in points.iter().enumerate() {
+            let Some(point) = point else { continue };
+            let reach_m = footprint_m(point, self.pixel_angle).max(0.01);
+            guides[column(i)] = Guide { position: point.position, normal: point.normal, reach_m };
+            light[column(i)] = gathered[i];
+        }
     }
 
     /// Shades every sample.

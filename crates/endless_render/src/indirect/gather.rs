@@ -1,29 +1,77 @@
-//! Irradiance of one sample of the still picture, gathered by rays over its hemisphere.
+//! Irradiance of the still picture's samples, gathered by rays over their hemispheres.
+//!
+//! Pixels take turns at a few patterns of rays (interleaved sampling; Keller and Heidrich 2001): those that share one
+//! send their rays side by side, and the denoiser mixes neighbours, which have different ones.
 
 use crate::accel::Ray;
 use crate::material::noise;
-use crate::sampling::{cosine_direction, hammersley, rotated};
+use crate::sampling::{SAMPLES, cosine_direction, hammersley, rotated};
 use crate::scene::SurfacePoint;
-use crate::shade::{Tracer, shade_secondary};
+use crate::shade::{Tracer, shade_secondary8};
 use glam::{Vec2, Vec3A};
 use std::f32::consts::PI;
 
 /// Brightest single contribution, in units of the mean sky: keeps rare bright hits from spotting the picture.
 const CLAMP: f32 = 12.0;
+/// Patterns repeat after this many pixels along and down.
+pub(crate) const PATTERN_SIDE: usize = 4;
 
-/// Illuminance from everything but the sun's disc and the lamps, klx; noisy, to be denoised. `index` names the pattern of rays.
-pub(crate) fn gather(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, index: u32, rays: u32) -> Vec3A {
-    let origin = point.ray_origin();
-    let turn = Vec2::new(noise::cell1(index, 11), noise::cell1(index, 12));
+/// How the pattern of rays of a pixel's sample is turned; pixels `PATTERN_SIDE` apart share it.
+pub(crate) fn turn(x: usize, y: usize, sample: usize, pattern: u32) -> Vec2 {
+    let place = (y % PATTERN_SIDE) * PATTERN_SIDE + x % PATTERN_SIDE;
+    let count = PATTERN_SIDE * PATTERN_SIDE * SAMPLES;
+    // An odd factor scatters the turns of neighbours over the square.
+    let index = (place * SAMPLES + sample) * 37 % count;
+    let shift = Vec2::new(noise::cell1(pattern, 11), noise::cell1(pattern, 12));
+    rotated(hammersley(index as u32, count as u32), shift)
+}
+
+/// Illuminance from everything but the sun's disc and the lamps, klx, of up to eight points whose patterns are turned
+/// alike; noisy, to be denoised.
+pub(crate) fn gather8(
+    tracer: &Tracer<'_>,
+    points: &[Option<SurfacePoint<'_>>; 8],
+    turn: Vec2,
+    rays: u32,
+) -> [Vec3A; 8] {
+    let active = points.iter().enumerate().fold(0u8, |bits, (i, point)| bits | u8::from(point.is_some()) << i);
     let limit = (tracer.environment.sky.mean.max_element() * CLAMP).max(0.05);
-    let mut sum = Vec3A::ZERO;
+    let mut sums = [Vec3A::ZERO; 8];
     for k in 0..rays {
-        let direction = cosine_direction(point.normal, rotated(hammersley(k, rays), turn));
-        let below = direction.dot(point.geometric_normal);
-        let direction =
-            if below < 0.01 { (direction + point.geometric_normal * (0.01 - below)).normalize() } else { direction };
-        let ray = Ray { origin, direction, tmax: f32::MAX };
-        sum += shade_secondary(tracer, &ray, 0.5).min(Vec3A::splat(limit));
+        let u = rotated(hammersley(k, rays), turn);
+        let towards = std::array::from_fn(|i| match &points[i] {
+            Some(point) => Ray { origin: point.ray_origin(), direction: above(point, u), tmax: f32::MAX },
+            None => Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 },
+        });
+        for (sum, light) in sums.iter_mut().zip(shade_secondary8(tracer, &towards, active, 0.5)) {
+            *sum += light.min(Vec3A::splat(limit));
+        }
     }
-    sum * (PI / rays as f32)
+    sums.map(|sum| sum * (PI / rays as f32))
+}
+
+/// A direction of the cosine lobe around a point's normal, bent up where it would enter the surface.
+fn above(point: &SurfacePoint<'_>, u: Vec2) -> Vec3A {
+    let direction = cosine_direction(point.normal, u);
+    let below = direction.dot(point.geometric_normal);
+    if below < 0.01 { (direction + point.geometric_normal * (0.01 - below)).normalize() } else { direction }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn neighbours_have_other_patterns_and_those_farther_on_the_same() {
+        let mut all = Vec::new();
+        for y in 0..PATTERN_SIDE {
+            for x in 0..PATTERN_SIDE {
+                assert_eq!(turn(x, y, 1, 5), turn(x + PATTERN_SIDE, y + 2 * PATTERN_SIDE, 1, 5));
+                all.extend((0..SAMPLES).map(|s| turn(x, y, s, 5)));
+            }
+        }
+        for (i, a) in all.iter().enumerate() {
+            assert!(all[i + 1..].iter().all(|b| a.distance(*b) > 1e-3));
+        }
+    }
 }

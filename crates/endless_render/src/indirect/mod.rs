@@ -7,5 +7,5 @@ mod harmonics;
 mod probes;
 
 pub(crate) use denoise::{Guide, denoise};
-pub(crate) use gather::gather;
+pub(crate) use gather::{PATTERN_SIDE, gather8, turn};
 pub(crate) use probes::{Air, ProbeGrid};

@@ -6,6 +6,6 @@ mod tracer;
 
 pub(crate) use moving::{Seen, beam_light, footprint_m, shade_moving, shade_moving8};
 pub(crate) use secondary::{
-    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_secondary, shade_struck,
+    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_secondary, shade_secondary8, shade_struck,
 };
 pub(crate) use tracer::{Struck, Tracer};

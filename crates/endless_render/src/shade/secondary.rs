@@ -18,12 +18,40 @@ pub(crate) fn shade_secondary(tracer: &Tracer<'_>, ray: &Ray, footprint_m: f32) 
 pub(crate) fn shade_struck(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&Struck>, footprint_m: f32) -> Vec3A {
     let Some(struck) = struck else { return tracer.environment.sky.radiance(ray.direction) };
     let point = tracer.point(ray, struck);
-    let radiance = shade_point(tracer, &point, footprint_m);
+    let sunlit = sun_ray(tracer, &point).is_some_and(|ray| !tracer.occluded(&ray));
+    let radiance = shade_point(tracer, &point, footprint_m, sunlit);
     tracer.environment.fog.through(radiance, ray.direction, struck.hit.t)
 }
 
+/// [`shade_secondary`] for those of eight rays whose bit is set in `active`: they run side by side.
+pub(crate) fn shade_secondary8(tracer: &Tracer<'_>, rays: &[Ray; 8], active: u8, footprint_m: f32) -> [Vec3A; 8] {
+    let struck = tracer.closest8(rays, active);
+    let points: [Option<SurfacePoint<'_>>; 8] =
+        std::array::from_fn(|i| struck[i].as_ref().map(|struck| tracer.point(&rays[i], struck)));
+    let mut asked = 0u8;
+    let to_sun = std::array::from_fn(|i| {
+        let ray = points[i].as_ref().and_then(|point| sun_ray(tracer, point));
+        asked |= u8::from(ray.is_some()) << i;
+        ray.unwrap_or(Ray { tmax: 0.0, ..rays[i] })
+    });
+    let sunlit = asked & !tracer.occluded8(&to_sun, asked);
+    std::array::from_fn(|i| match &points[i] {
+        Some(point) => {
+            let radiance = shade_point(tracer, point, footprint_m, sunlit >> i & 1 == 1);
+            tracer.environment.fog.through(radiance, rays[i].direction, point.distance)
+        }
+        None if active >> i & 1 == 1 => tracer.environment.sky.radiance(rays[i].direction),
+        None => Vec3A::ZERO,
+    })
+}
+
+/// Towards the centre of the sun's disc, if that can light a point.
+fn sun_ray(tracer: &Tracer<'_>, point: &SurfacePoint<'_>) -> Option<Ray> {
+    tracer.environment.sun.as_ref()?.ray_from(point)
+}
+
 /// Radiance of a surface point towards where it was seen from, without fog.
-fn shade_point(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, footprint_m: f32) -> Vec3A {
+fn shade_point(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, footprint_m: f32, sunlit: bool) -> Vec3A {
     let environment = tracer.environment;
     let view = -point.direction;
     let look = look(point, environment, footprint_m, 0.5);
@@ -36,19 +64,17 @@ fn shade_point(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, footprint_m: f32) 
         let sky = environment.sky.radiance(direction) * direction.z.clamp(0.0, 0.35) * 2.0;
         radiance += coat * sky * point.openness;
     }
-    radiance + direct(tracer, point, &look, view)
+    radiance + direct(tracer, point, &look, view, sunlit)
 }
 
-/// Light from the sun's centre and the strongest lamps, with hard shadows.
-fn direct(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, view: Vec3A) -> Vec3A {
+/// Light from the sun's centre, if the point is `sunlit`, and the strongest lamps, with hard shadows.
+fn direct(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, view: Vec3A, sunlit: bool) -> Vec3A {
     let environment = tracer.environment;
     if environment.night {
         return lamp_light(tracer, point, look, view, LAMPS);
     }
     match &environment.sun {
-        Some(sun) if sun.ray_from(point).is_some_and(|ray| !tracer.occluded(&ray)) => {
-            look.lit_by(sun.illuminance, sun.direction, view)
-        }
+        Some(sun) if sunlit => look.lit_by(sun.illuminance, sun.direction, view),
         _ => Vec3A::ZERO,
     }
 }
