@@ -140,7 +140,8 @@ fn clear_afternoon() {
 
 #[test]
 fn rainy_night_with_headlights_and_mirrors() {
-    assert!(check("Town03", 1, Weather::Rainy, TimeOfDay::Night) > 150);
+    let wet = CameraLook { droplets: 9, ..BLURRED };
+    assert!(check_through(wet, "Town03", 1, Weather::Rainy, TimeOfDay::Night) > 150);
 }
 
 #[test]

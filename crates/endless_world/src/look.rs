@@ -94,6 +94,9 @@ pub struct CameraLook {
     pub vignetting: f32,
     /// How much farther from the middle red lies, and how much nearer blue, as a share.
     pub aberration: f32,
+    /// Drops of rain on the lens, in rainy scenes.
+    #[serde(default)]
+    pub droplets: u32,
     /// How long the shutter is open, seconds: what moves is blurred by it. Labels are of the middle of that time. 0: an
     /// instant.
     #[serde(default)]
@@ -116,6 +119,7 @@ impl CameraLook {
         distortion: Distortion::NONE,
         vignetting: 0.0,
         aberration: 0.0,
+        droplets: 0,
         shutter_s: 0.0,
         noise: 0.0,
         sharpening: 0.0,
@@ -139,6 +143,7 @@ impl CameraLook {
                 distortion: Distortion::barrel(-0.12),
                 vignetting: 0.3,
                 aberration: 0.0006,
+                droplets: 14,
                 shutter_s: 1.5 * shutter_s,
                 noise: 1.4 * dark,
                 sharpening: 0.5,
@@ -153,6 +158,7 @@ impl CameraLook {
                     distortion: Distortion::barrel(if bent { -within(0.02, 0.22) } else { 0.0 }),
                     vignetting: within(0.0, 0.5),
                     aberration: within(0.0, 0.0014),
+                    droplets: (within(-30.0, 60.0).max(0.0)) as u32,
                     shutter_s: within(0.5, 2.0) * shutter_s,
                     noise: within(0.3, 3.0) * dark,
                     sharpening: within(0.0, 1.0),

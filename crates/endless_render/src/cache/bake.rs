@@ -191,7 +191,7 @@ impl CameraBake {
             rain,
             glare,
             shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
-            finish: Finish::new(&settings.look, settings.size, settings.fps, settings.seed),
+            finish: Finish::new(&settings.look, settings.size, settings.fps, settings.seed, environment.rain > 0.0),
             tiles,
             tile_columns,
             tile_rows,

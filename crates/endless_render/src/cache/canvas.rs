@@ -64,10 +64,16 @@ impl Canvas {
         if let Some(mut radiance) = self.radiance.take() {
             self.blur(bake, &mut radiance);
             if let Some(rain) = &bake.rain {
-                rain.draw(frame, &bake.camera, &self.depth, |i, share| {
+                let mut wet = |i: usize, share: f32| {
                     radiance[i] = radiance[i].lerp(rain.radiance, share);
                     self.touched.push(i as u32);
-                });
+                };
+                let ground = |i: usize| {
+                    let bare = self.instance[i] == bake.instance[i] && self.depth[i] == bake.depth[i];
+                    (bare && bake.pixels[i].is_level()).then_some(self.depth[i])
+                };
+                rain.splash(frame, &bake.camera, ground, &mut wet);
+                rain.draw(frame, &bake.camera, &self.depth, wet);
             }
             match bake.finish.as_ref().filter(|finish| finish.has_lens()) {
                 Some(finish) => {

@@ -30,6 +30,11 @@ impl StillPixel {
         Self { distances, normal: centre.normal, lamps_free: centre.lamps_free, mirrors }
     }
 
+    /// Whether the centre lies on something level, where rain splashes.
+    pub(super) fn is_level(&self) -> bool {
+        self.distances[0] < f32::MAX && octahedron::unpack(self.normal).z > 0.9
+    }
+
     /// The centre, seen along its ray.
     pub(super) fn place<'a>(&self, ray: &Ray, look: Option<&'a Look>) -> Place<'a> {
         let facet = Facet::along(ray, self.distances[0], octahedron::unpack(self.normal));

@@ -20,9 +20,25 @@ const GLYPHS: [(char, [u8; 7]); 12] = [
 
 /// What the clock shows so many seconds after the first frame.
 fn text(clock: Clock, later_s: u32) -> String {
-    let [year, month, day] = clock.date;
-    let second = (clock.second + later_s) % 86_400;
+    let second = clock.second + later_s;
+    let [year, month, day] = (0..second / 86_400).fold(clock.date, |date, _| next_day(date));
+    let second = second % 86_400;
     format!("{year:04}-{month:02}-{day:02} {:02}:{:02}:{:02}", second / 3600, second / 60 % 60, second % 60)
+}
+
+/// The day after, in the Gregorian calendar.
+fn next_day([year, month, day]: [u16; 3]) -> [u16; 3] {
+    let leap = year % 4 == 0 && (year % 100 != 0 || year % 400 == 0);
+    let days = match month {
+        2 => 28 + u16::from(leap),
+        4 | 6 | 9 | 11 => 30,
+        _ => 31,
+    };
+    match (day < days, month < 12) {
+        (true, _) => [year, month, day + 1],
+        (false, true) => [year, month + 1, 1],
+        (false, false) => [year + 1, 1, 1],
+    }
 }
 
 /// Stamps the time into a picture's upper left corner: white with a dark rim.
@@ -58,7 +74,10 @@ mod tests {
     fn the_clock_ticks() {
         let clock = Clock { date: [2024, 3, 9], second: 23 * 3600 + 59 * 60 + 58 };
         assert_eq!(text(clock, 1), "2024-03-09 23:59:59");
-        assert_eq!(text(clock, 2), "2024-03-09 00:00:00");
+        assert_eq!(text(clock, 2), "2024-03-10 00:00:00");
+        assert_eq!(next_day([2024, 2, 28]), [2024, 2, 29]);
+        assert_eq!(next_day([2100, 2, 28]), [2100, 3, 1]);
+        assert_eq!(next_day([2025, 12, 31]), [2026, 1, 1]);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //! the clock, and compression. Distortion is not here: rays are bent by it, so all layers have it alike.
 
 use super::clock::stamp;
+use super::droplets::Droplets;
 use super::grain::Grain;
 use endless_world::{CameraLook, ImageSize};
 use glam::{Vec2, Vec3A};
@@ -13,23 +14,29 @@ pub(crate) struct Finish {
     size: ImageSize,
     fps: f64,
     grain: Option<Grain>,
+    /// In rain.
+    droplets: Option<Droplets>,
 }
 
 impl Finish {
     /// `None` where nothing is done to pictures.
-    pub(crate) fn new(look: &CameraLook, size: ImageSize, fps: f64, seed: u64) -> Option<Self> {
+    pub(crate) fn new(look: &CameraLook, size: ImageSize, fps: f64, seed: u64, rains: bool) -> Option<Self> {
         let grain = (look.noise > 0.0).then(|| Grain::new(look.noise, seed));
-        (!look.is_clean()).then_some(Self { look: *look, size, fps, grain })
+        let droplets = (rains && look.droplets > 0).then(|| Droplets::new(look.droplets, size, seed));
+        (!look.is_clean()).then_some(Self { look: *look, size, fps, grain, droplets })
     }
 
     /// Whether the lens does anything to light.
     pub(crate) fn has_lens(&self) -> bool {
-        self.look.vignetting > 0.0 || self.look.aberration > 0.0
+        self.look.vignetting > 0.0 || self.look.aberration > 0.0 || self.droplets.is_some()
     }
 
     /// What the lens does to a picture in linear light.
     pub(crate) fn lens(&self, pixels: &mut [Vec3A]) {
         let CameraLook { vignetting, aberration, .. } = self.look;
+        if let Some(droplets) = &self.droplets {
+            droplets.draw(self.size, pixels);
+        }
         let from = (aberration > 0.0).then(|| pixels.to_vec());
         let (width, height) = (self.size.width as usize, self.size.height as usize);
         let middle = Vec2::new(width as f32, height as f32) * 0.5;
@@ -115,12 +122,12 @@ mod tests {
     const SIZE: ImageSize = ImageSize { width: 320, height: 200 };
 
     fn finish(look: CameraLook) -> Finish {
-        Finish::new(&look, SIZE, 30.0, 7).expect("not clean")
+        Finish::new(&look, SIZE, 30.0, 7, true).expect("not clean")
     }
 
     #[test]
     fn nothing_is_done_by_a_clean_camera() {
-        assert!(Finish::new(&CameraLook::CLEAN, SIZE, 30.0, 1).is_none());
+        assert!(Finish::new(&CameraLook::CLEAN, SIZE, 30.0, 1, true).is_none());
     }
 
     #[test]

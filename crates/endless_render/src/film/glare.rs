@@ -4,7 +4,8 @@
 use endless_world::ImageSize;
 use glam::Vec3A;
 
-const REDUCE: usize = 4;
+/// Side of the squares of pixels that become one.
+pub(super) const REDUCE: usize = 4;
 /// (box radius in reduced pixels, share).
 const LOBES: [(usize, f32); 3] = [(1, 0.5), (4, 0.3), (13, 0.2)];
 
@@ -39,7 +40,8 @@ pub(crate) fn with_glare(size: ImageSize, pixels: &[Vec3A], share: f32, mut deve
     }
 }
 
-fn reduce(width: usize, height: usize, pixels: &[Vec3A], w: usize, h: usize) -> Vec<Vec3A> {
+/// Means of squares of pixels.
+pub(super) fn reduce(width: usize, height: usize, pixels: &[Vec3A], w: usize, h: usize) -> Vec<Vec3A> {
     let mut small = vec![Vec3A::ZERO; w * h];
     for y in 0..height {
         for x in 0..width {
@@ -55,7 +57,7 @@ fn reduce(width: usize, height: usize, pixels: &[Vec3A], w: usize, h: usize) -> 
 }
 
 /// Box filter along rows, then along columns; the border is repeated.
-fn box_blur(from: &[Vec3A], w: usize, h: usize, radius: usize) -> Vec<Vec3A> {
+pub(super) fn box_blur(from: &[Vec3A], w: usize, h: usize, radius: usize) -> Vec<Vec3A> {
     let mut rows = vec![Vec3A::ZERO; w * h];
     for y in 0..h {
         blur_line(|i| from[y * w + i], |i, v| rows[y * w + i] = v, w, radius);

@@ -2,6 +2,7 @@
 //! blur; what lens, sensor and recorder do.
 
 mod clock;
+mod droplets;
 mod exposure;
 mod finish;
 mod glare;

@@ -22,8 +22,39 @@ pub(crate) struct Rain {
 const STREAK_M: f32 = 0.27;
 const NEAREST_M: f32 = 1.2;
 const FARTHEST_M: f32 = 22.0;
+/// Spray is not seen from farther.
+const SPRAY_SEEN_M: f32 = 45.0;
 
 impl Rain {
+    /// Drops that burst on the ground at this instant: specks of spray where `ground` gives the distance of a pixel of
+    /// level ground; gives pixels as [`Self::draw`] does.
+    pub(crate) fn splash(
+        &self,
+        frame: u32,
+        camera: &PinholeCamera,
+        ground: impl Fn(usize) -> Option<f32>,
+        mut blend: impl FnMut(usize, f32),
+    ) {
+        let mut random = Stream::named(self.seed, "splashes", &[u64::from(frame)]);
+        let (width, height) = (camera.size.width as i32, camera.size.height as i32);
+        for _ in 0..self.drops {
+            let (x, y) = ((random.f32() * width as f32) as i32, (random.f32() * height as f32) as i32);
+            let (size_m, strength) = (random.range_f32(0.012, 0.035), random.range_f32(0.15, 0.5));
+            let Some(distance) = ground((y * width + x) as usize).filter(|d| *d < SPRAY_SEEN_M) else { continue };
+            // A crown of spray: a small arc, open above, wider than high.
+            let half = size_m * camera.intrinsics.fx / distance;
+            let fade = strength * (half / 0.7).min(1.0) * (1.0 - distance / SPRAY_SEEN_M);
+            let reach = half.ceil() as i32;
+            for dx in -reach..=reach {
+                let t = dx as f32 / half.max(0.5);
+                let (x, y) = (x + dx, y - (t * t * half * 0.8) as i32);
+                if t.abs() <= 1.0 && (0..width).contains(&x) && (0..height).contains(&y) {
+                    blend((y * width + x) as usize, fade * (0.5 + 0.5 * t * t));
+                }
+            }
+        }
+    }
+
     /// A frame's streaks over a picture of planar `depth`, metres: gives `blend` pixels and the share of each that
     /// becomes rain.
     pub(crate) fn draw(&self, frame: u32, camera: &PinholeCamera, depth: &[f32], mut blend: impl FnMut(usize, f32)) {
