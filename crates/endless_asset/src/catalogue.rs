@@ -4,7 +4,7 @@ use crate::carla;
 use crate::furniture;
 use crate::plant;
 use crate::vehicle;
-use crate::{Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
+use crate::{Material, Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
 use endless_world::AssetRef;
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
@@ -84,8 +84,26 @@ impl Catalogue {
             Prop::Hedge => plant::hedge(variant),
             Prop::Planter => plant::planter(variant),
             Prop::Corn => plant::corn(variant),
+            Prop::Cypress => plant::cypress(variant),
+            Prop::BareTree => plant::bare(variant),
+            Prop::FlowerBed => plant::flower_bed(variant),
+            Prop::GrassTuft => plant::grass(variant),
+            Prop::Wheat => plant::wheat(variant),
+            Prop::Rock => plant::rock(variant),
             _ => furniture::furniture(prop, variant),
         }
+    }
+
+    /// Codes of traffic signs, of the Vienna Convention (`C,1`) and of the MUTCD (`R5-1`): the variants of
+    /// [`Prop::TrafficSign`].
+    pub fn sign_codes() -> &'static [&'static str] {
+        furniture::CODES
+    }
+
+    /// Words in raised strokes on a plane that looks towards +x, their middle at the origin; +y is the reader's right.
+    /// Letters A to Z, figures, hyphen and exclamation mark.
+    pub fn lettering(words: &str, height_m: f32, stroke_m: f32, material: Material) -> Mesh {
+        furniture::lettering(words, height_m, stroke_m, material)
     }
 
     /// How many variants of a prop there are, at least 1.
@@ -93,7 +111,10 @@ impl Catalogue {
         match prop {
             Prop::BroadleafTree => plant::BROADLEAF_VARIANTS,
             Prop::Conifer => plant::CONIFER_VARIANTS,
-            Prop::Palm | Prop::Corn => 3,
+            Prop::BareTree => plant::BARE_VARIANTS,
+            Prop::Palm | Prop::Corn | Prop::Cypress | Prop::GrassTuft => 3,
+            Prop::FlowerBed | Prop::Rock => 4,
+            Prop::Wheat => 2,
             Prop::Bush | Prop::Planter => 4,
             Prop::Hedge => 2,
             _ => furniture::variants(prop),

@@ -68,6 +68,116 @@ pub enum Prop {
     Cabinet,
     /// Dumpster.
     Dumpster,
+    /// Cast-iron lantern of old streets, 4.4 m; lens at (0, 0, 3.75).
+    LanternPost,
+    /// Globe or disc on a slender post, 3.8 m; lens at (0, 0, 3.6).
+    ParkLamp,
+    /// Lamp post of wide roads, 10 m, arms along ±x; lenses at (±2.1, 0, 9.9).
+    DoubleLamp,
+    /// Mast of 20 m with a ring of floodlights.
+    HighMast,
+    /// Concrete utility pole, 9 m, with a transformer, coils of cable and boxes; cross-arm along y.
+    CrowdedPole,
+    /// Two poles 14 m apart along y with two traffic-light heads hung from a wire between them, facing +x.
+    SpanSignal,
+    /// Small traffic light for cyclists at 2.35 m, facing +x.
+    CycleSignal,
+    /// Traffic sign facing +x; its variants are the codes of [`crate::Catalogue::sign_codes`].
+    TrafficSign,
+    /// Names of two streets on a post, along y and x.
+    StreetName,
+    /// Board of directions on two posts, 3.2 m along y, facing +x.
+    GuideSign,
+    /// Bus stop: a flag with its timetable, facing +x.
+    BusStop,
+    /// Steel guard rail, 4 m along x, facing −y.
+    GuardRail,
+    /// Concrete barrier, 3 m along x.
+    JerseyBarrier,
+    /// Plastic barrier filled with water, 2 m along x.
+    WaterBarrier,
+    /// Red and white boards about roadworks, 2 m along x.
+    WorksBarrier,
+    /// Three striped boards that close a road, 1.8 m along x.
+    Barricade,
+    /// Mesh fence of building sites, 3.5 m along x, 2 m high.
+    SiteFence,
+    /// Orange traffic drum.
+    Drum,
+    /// Striped beacon board with a lamp, facing ±x.
+    Beacon,
+    /// Boom of a car park: arm lowered along +y, 3.2 m.
+    BoomGate,
+    /// Parking meter, facing +x.
+    ParkingMeter,
+    /// Ticket machine of a car park, facing +x.
+    PayStation,
+    /// Telephone box, 2.5 m.
+    PhoneBooth,
+    /// Boxes for newspapers in a row along y, facing +x.
+    NewsBox,
+    /// Charging point for cars, facing +x.
+    Charger,
+    /// Speed camera, facing +x.
+    SpeedCamera,
+    /// Drinking fountain, facing +x.
+    DrinkingFountain,
+    /// Round column with posters, 3.5 m.
+    AdvertColumn,
+    /// Lit poster case, 1.3 m along y, facing ±x.
+    CityLight,
+    /// Folding board before a shop, facing ±x.
+    SandwichBoard,
+    /// Flag on a pole of 9 m, blowing towards +y.
+    Flagpole,
+    /// Three wheeled bins in a row along y, facing +x.
+    WheelieBins,
+    /// Container for glass, 1.6 m.
+    BottleBank,
+    /// Builder's skip with rubble, 3.4 m along x.
+    Skip,
+    /// Heap of rubbish bags.
+    RubbishBags,
+    /// Stack of pallets.
+    Pallets,
+    /// Round manhole cover, level with the ground.
+    Manhole,
+    /// Gully grate, level with the ground.
+    Drain,
+    /// Table with two benches along x.
+    PicnicTable,
+    /// Bench of stone along y.
+    StoneBench,
+    /// Fountain with a basin of 5 m.
+    Fountain,
+    /// Bronze figure on a plinth, 4.1 m, facing +x.
+    Monument,
+    /// Market stall, 2.8 m along y, facing +x.
+    MarketStall,
+    /// Iron grate and guard about a tree.
+    TreeGuard,
+    /// Stand for five bicycles, 2.4 m along y.
+    BikeStand,
+    /// Brick wall, 2 m along x, 1.8 m high.
+    BrickWall,
+    /// Wall of field stones, 2 m along x, 0.8 m high.
+    StoneWall,
+    /// Wire netting, 2 m along x, 1.8 m high.
+    ChainLink,
+    /// Cypress, a narrow flame of about 7 to 11 m.
+    Cypress,
+    /// Broadleaf tree in winter, without leaves.
+    BareTree,
+    /// Bed of flowers in an edging of stones, 2 m along x.
+    FlowerBed,
+    /// Tuft of grass, half a metre across.
+    GrassTuft,
+    /// A square block of wheat of 2 m, rows along x, 0.9 m high.
+    Wheat,
+    /// Boulder, about 1.5 m across.
+    Rock,
+    /// White picket fence, 2 m along x, 0.95 m high.
+    PicketFence,
 }
 
 impl Prop {
@@ -105,6 +215,61 @@ impl Prop {
         Self::CafeTable,
         Self::Cabinet,
         Self::Dumpster,
+        Self::LanternPost,
+        Self::ParkLamp,
+        Self::DoubleLamp,
+        Self::HighMast,
+        Self::CrowdedPole,
+        Self::SpanSignal,
+        Self::CycleSignal,
+        Self::TrafficSign,
+        Self::StreetName,
+        Self::GuideSign,
+        Self::BusStop,
+        Self::GuardRail,
+        Self::JerseyBarrier,
+        Self::WaterBarrier,
+        Self::WorksBarrier,
+        Self::Barricade,
+        Self::SiteFence,
+        Self::Drum,
+        Self::Beacon,
+        Self::BoomGate,
+        Self::ParkingMeter,
+        Self::PayStation,
+        Self::PhoneBooth,
+        Self::NewsBox,
+        Self::Charger,
+        Self::SpeedCamera,
+        Self::DrinkingFountain,
+        Self::AdvertColumn,
+        Self::CityLight,
+        Self::SandwichBoard,
+        Self::Flagpole,
+        Self::WheelieBins,
+        Self::BottleBank,
+        Self::Skip,
+        Self::RubbishBags,
+        Self::Pallets,
+        Self::Manhole,
+        Self::Drain,
+        Self::PicnicTable,
+        Self::StoneBench,
+        Self::Fountain,
+        Self::Monument,
+        Self::MarketStall,
+        Self::TreeGuard,
+        Self::BikeStand,
+        Self::BrickWall,
+        Self::StoneWall,
+        Self::ChainLink,
+        Self::PicketFence,
+        Self::Cypress,
+        Self::BareTree,
+        Self::FlowerBed,
+        Self::GrassTuft,
+        Self::Wheat,
+        Self::Rock,
     ];
 
     /// Name in lists and files: `street_lamp`.
@@ -119,11 +284,23 @@ impl Prop {
         name
     }
 
-    /// Whether it grows.
+    /// Whether it is of nature: what grows, and rocks.
     pub const fn is_plant(self) -> bool {
         matches!(
             self,
-            Self::BroadleafTree | Self::Conifer | Self::Palm | Self::Bush | Self::Hedge | Self::Corn | Self::Planter
+            Self::BroadleafTree
+                | Self::Conifer
+                | Self::Palm
+                | Self::Bush
+                | Self::Hedge
+                | Self::Corn
+                | Self::Planter
+                | Self::Cypress
+                | Self::BareTree
+                | Self::FlowerBed
+                | Self::GrassTuft
+                | Self::Wheat
+                | Self::Rock
         )
     }
 }

@@ -1,55 +1,11 @@
 //! What vehicles look like from outside: no holes, lamps where they can be seen, sizes that agree.
 
-use endless_asset::{Catalogue, LightSlot, Mesh, Surface, VehicleModel};
-use endless_world::{ObjectClass, Stream};
+mod soup;
+
+use endless_asset::{Catalogue, LightSlot, Surface, VehicleModel};
+use endless_world::ObjectClass;
 use glam::Vec3;
-
-/// Triangles in columns along x, so that rays need not try them all.
-struct Soup {
-    corners: Vec<[Vec3; 3]>,
-    surfaces: Vec<Surface>,
-    low: Vec3,
-    high: Vec3,
-}
-
-impl Soup {
-    fn new(mesh: &Mesh) -> Self {
-        let corners = mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).collect();
-        let surfaces = mesh.triangle_materials.iter().map(|&m| mesh.materials[usize::from(m)].surface).collect();
-        let (low, high) = mesh.bounds();
-        Self { corners, surfaces, low, high }
-    }
-
-    /// Distance and number of the first triangle that a ray meets, from either side (Möller and Trumbore 1997).
-    fn first(&self, origin: Vec3, direction: Vec3) -> Option<(f32, usize)> {
-        let mut best: Option<(f32, usize)> = None;
-        for (i, &[a, b, c]) in self.corners.iter().enumerate() {
-            let (e, f) = (b - a, c - a);
-            let p = direction.cross(f);
-            let determinant = e.dot(p);
-            if determinant.abs() < 1e-12 {
-                continue;
-            }
-            let s = origin - a;
-            let u = s.dot(p) / determinant;
-            if !(0.0..=1.0).contains(&u) {
-                continue;
-            }
-            let q = s.cross(e);
-            let v = direction.dot(q) / determinant;
-            let t = f.dot(q) / determinant;
-            if v >= 0.0 && u + v <= 1.0 && t > 1e-5 && best.is_none_or(|(known, _)| t < known) {
-                best = Some((t, i));
-            }
-        }
-        best
-    }
-
-    fn normal(&self, i: usize) -> Vec3 {
-        let [a, b, c] = self.corners[i];
-        (b - a).cross(c - a).normalize_or_zero()
-    }
-}
+use soup::Soup;
 
 /// Draws of every design, as many as a quick test can afford.
 fn draws(each: u64) -> impl Iterator<Item = VehicleModel> {
@@ -63,22 +19,7 @@ fn draws(each: u64) -> impl Iterator<Item = VehicleModel> {
 fn inner_sides(vehicle: &VehicleModel) -> Option<String> {
     const RAYS: usize = 300;
     let soup = Soup::new(&vehicle.whole());
-    let (mut met, mut inner) = (0, 0);
-    let mut stream = Stream::named(7, vehicle.spec.name, &[]);
-    let middle = 0.5 * (soup.low + soup.high);
-    for _ in 0..RAYS {
-        let azimuth = stream.range_f32(0.0, std::f32::consts::TAU);
-        let up = stream.range_f32(0.1, 1.3);
-        let (sin, cos) = endless_world::math::sin_cos(azimuth);
-        let (up_sin, up_cos) = endless_world::math::sin_cos(up);
-        let from = middle + 30.0 * Vec3::new(cos * up_cos, sin * up_cos, up_sin);
-        let unit = Vec3::new(stream.f32(), stream.f32(), stream.f32());
-        let direction = (soup.low + (soup.high - soup.low) * unit - from).normalize();
-        if let Some((_, i)) = soup.first(from, direction) {
-            met += 1;
-            inner += usize::from(soup.normal(i).dot(direction) > 0.02);
-        }
-    }
+    let (met, inner) = soup.inner_sides(RAYS, vehicle.spec.name);
     assert!(met > RAYS / 10, "{}: {met} rays met it", vehicle.spec.name);
     // A sheet's edge, the gap of a wheel arch or the rim of a pickup's bed may show its inner side.
     let allowed = if vehicle.spec.ridden { met / 25 } else { met / 40 };
@@ -96,9 +37,11 @@ fn vehicles_are_closed_as_seen_from_outside() {
 fn lights_are_on_the_surface() {
     for vehicle in draws(2) {
         let name = vehicle.spec.name;
-        let soup = Soup::new(vehicle.body());
+        let body = vehicle.body();
+        let soup = Soup::new(body);
+        let surface = |i: usize| body.materials[usize::from(body.triangle_materials[i])].surface;
         let lens = |slot: LightSlot| -> Vec<usize> {
-            (0..soup.corners.len()).filter(|&i| soup.surfaces[i] == Surface::VehicleLight(slot)).collect()
+            (0..soup.corners.len()).filter(|&i| surface(i) == Surface::VehicleLight(slot)).collect()
         };
         let centre = |i: usize| soup.corners[i].iter().copied().sum::<Vec3>() / 3.0;
         let area = |i: usize| {

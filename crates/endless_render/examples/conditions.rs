@@ -10,7 +10,7 @@ use staged::{draw::draw, sheet};
 use std::error::Error;
 
 /// A street, a junction and a square that differ much.
-const CAMERAS: [&str; 3] = ["Town02:0", "Town05:1", "Town10HD:2"];
+const CAMERAS: [&str; 3] = ["Town02:0", "Town05:1", "Town10HD:5"];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();

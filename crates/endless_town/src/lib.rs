@@ -19,6 +19,7 @@ mod surface;
 mod top_view;
 mod town;
 
+pub use building::{building_manners, sample_building};
 pub use imported::dress_map;
 pub use load::{NAMES, canonical_name, load};
 pub use top_view::{top_view, top_view_of};

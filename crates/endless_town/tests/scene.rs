@@ -52,7 +52,8 @@ fn meshes_are_sound() {
             assert!(!building || filled > 0.2, "{}: building {m} is {filled} full", town.name);
             total += mesh.triangles.len();
         }
-        assert!((20_000..1_500_000).contains(&total), "{}: {total} triangles", town.name);
+        // Facades have depth; the largest town has 2.4 million triangles.
+        assert!((20_000..2_500_000).contains(&total), "{}: {total} triangles", town.name);
     }
 }
 
@@ -378,6 +379,13 @@ fn cameras_look_at_streets() {
 fn is_low(prop: Prop) -> bool {
     !matches!(
         prop,
-        Prop::BroadleafTree | Prop::Conifer | Prop::Palm | Prop::StreetLamp | Prop::UtilityPole | Prop::SignalMast
+        Prop::BroadleafTree
+            | Prop::Conifer
+            | Prop::Palm
+            | Prop::StreetLamp
+            | Prop::UtilityPole
+            | Prop::CrowdedPole
+            | Prop::SignalMast
+            | Prop::Flagpole
     )
 }

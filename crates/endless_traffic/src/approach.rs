@@ -18,6 +18,8 @@ const PATIENCE_S: f64 = 2.5;
 const COURTESY_S: f64 = 25.0;
 /// They stand for it this share of the time that the other has waited.
 const COURTEOUS_SHARE: f64 = 0.25;
+/// Who has leave and has stood this long before the junction is held up by something else, seconds.
+const HELD_UP_S: f64 = 4.0;
 /// Traffic is slow below this speed, m/s.
 const SLOW_MPS: f64 = 4.0;
 
@@ -68,7 +70,7 @@ impl Marshal {
         vehicles: &mut [Vehicle],
         step_s: f64,
     ) {
-        release(roads, occupancy, signals, vehicles);
+        release(roads, occupancy, signals, vehicles, step_s);
         self.granted.resize(roads.network.junctions.len(), Vec::new());
         for list in &mut self.granted {
             list.clear();
@@ -107,6 +109,7 @@ impl Marshal {
                     lanes: request.lanes.clone(),
                     exit: request.exit,
                     entered: false,
+                    stood_s: 0.0,
                 });
                 self.granted[request.junction.index()].push(request.vehicle);
             }
@@ -170,8 +173,9 @@ impl Marshal {
     }
 }
 
-/// Takes leave back from those who have passed, and from those who can and must still stop.
-fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicles: &mut [Vehicle]) {
+/// Takes leave back from those who have passed, from those who can and must still stop, and from those who are held up
+/// before they come to the junction: others might wait for them, and they for those.
+fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicles: &mut [Vehicle], step_s: f64) {
     for i in 0..vehicles.len() {
         let mut grants = std::mem::take(&mut vehicles[i].grants);
         let vehicle = &vehicles[i];
@@ -185,6 +189,10 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
             }
             let Some(to_line) = vehicle.distance_to(roads, grant.lanes[0]) else { return false };
             let distance = to_line - vehicle.half_length;
+            grant.stood_s = if vehicle.speed < 0.05 { grant.stood_s + step_s } else { 0.0 };
+            if grant.stood_s > HELD_UP_S {
+                return false;
+            }
             let control = approach_control(roads, vehicle, grant.lanes[0]);
             let stops = matches!(aspect(control, signals), Some(a) if a != SignalAspect::Green);
             let waits_to_clear = roads.network.lane(grant.lanes[0]).turn == Turn::Left && distance < 3.0;

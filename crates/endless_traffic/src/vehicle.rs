@@ -20,6 +20,8 @@ pub(crate) struct Grant {
     pub(crate) lanes: Vec<LaneId>,
     pub(crate) exit: LaneId,
     pub(crate) entered: bool,
+    /// How long its holder has stood since, before it entered, seconds.
+    pub(crate) stood_s: f64,
 }
 
 /// A lane change under way.

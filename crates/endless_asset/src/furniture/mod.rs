@@ -1,14 +1,23 @@
 //! Street furniture.
 
+mod advert;
+mod barrier;
 mod glyph;
 mod lamp;
+mod lantern;
 mod paint;
 mod seat;
+mod service;
 mod shelter;
 mod sign;
+mod sign_face;
 mod signal;
 mod small;
+mod square;
 mod wall;
+mod waste;
+
+pub(crate) use sign_face::{CODES, lettering};
 
 use crate::shape::Sculpt;
 use crate::{Mesh, Prop};
@@ -16,7 +25,7 @@ use crate::{Mesh, Prop};
 /// The mesh of a piece of furniture; plants are not furniture and come out empty.
 pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
     let sculpt = match prop {
-        Prop::StreetLamp => lamp::street_lamp(),
+        Prop::StreetLamp => lamp::street_lamp(variant),
         Prop::UtilityPole => lamp::utility_pole(),
         Prop::CameraPole => lamp::camera_pole(),
         Prop::SignalPole => signal::pole_head(),
@@ -41,9 +50,68 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
         Prop::Kiosk => shelter::kiosk(variant),
         Prop::Railing => wall::railing(),
         Prop::FencePanel => wall::fence_panel(),
-        Prop::BroadleafTree | Prop::Conifer | Prop::Palm | Prop::Bush | Prop::Hedge | Prop::Corn | Prop::Planter => {
-            Sculpt::new()
-        }
+        Prop::LanternPost => lantern::lantern_post(),
+        Prop::ParkLamp => lantern::park_lamp(variant),
+        Prop::DoubleLamp => lantern::double_lamp(),
+        Prop::HighMast => lantern::high_mast(),
+        Prop::CrowdedPole => lamp::crowded_pole(),
+        Prop::SpanSignal => signal::span_wire(),
+        Prop::CycleSignal => signal::cycle_signal(),
+        Prop::TrafficSign => sign_face::sign(variant),
+        Prop::StreetName => advert::street_name(variant),
+        Prop::GuideSign => advert::guide_sign(variant),
+        Prop::BusStop => service::bus_stop(),
+        Prop::GuardRail => barrier::guard_rail(),
+        Prop::JerseyBarrier => barrier::jersey_barrier(),
+        Prop::WaterBarrier => barrier::water_barrier(variant),
+        Prop::WorksBarrier => barrier::works_barrier(),
+        Prop::Barricade => barrier::barricade(),
+        Prop::SiteFence => barrier::site_fence(),
+        Prop::Drum => barrier::drum(),
+        Prop::Beacon => barrier::beacon(),
+        Prop::BoomGate => barrier::boom_gate(),
+        Prop::ParkingMeter => service::parking_meter(),
+        Prop::PayStation => service::pay_station(),
+        Prop::PhoneBooth => service::phone_booth(variant),
+        Prop::NewsBox => service::news_box(variant),
+        Prop::Charger => service::charger(),
+        Prop::SpeedCamera => service::speed_camera(variant),
+        Prop::DrinkingFountain => service::drinking_fountain(),
+        Prop::AdvertColumn => advert::advert_column(variant),
+        Prop::CityLight => advert::city_light(variant),
+        Prop::SandwichBoard => advert::sandwich_board(variant),
+        Prop::Flagpole => advert::flagpole(variant),
+        Prop::WheelieBins => waste::wheelie_bins(variant),
+        Prop::BottleBank => waste::bottle_bank(variant),
+        Prop::Skip => waste::skip(variant),
+        Prop::RubbishBags => waste::rubbish_bags(variant),
+        Prop::Pallets => waste::pallets(variant),
+        Prop::Manhole => waste::manhole(),
+        Prop::Drain => waste::drain(),
+        Prop::PicnicTable => square::picnic_table(),
+        Prop::StoneBench => square::stone_bench(),
+        Prop::Fountain => square::fountain(),
+        Prop::Monument => square::monument(),
+        Prop::MarketStall => square::market_stall(variant),
+        Prop::TreeGuard => square::tree_guard(),
+        Prop::BikeStand => square::bike_stand(),
+        Prop::BrickWall => wall::brick_wall(),
+        Prop::StoneWall => wall::stone_wall(),
+        Prop::ChainLink => wall::chain_link(),
+        Prop::PicketFence => wall::picket_fence(),
+        Prop::BroadleafTree
+        | Prop::Conifer
+        | Prop::Palm
+        | Prop::Bush
+        | Prop::Hedge
+        | Prop::Corn
+        | Prop::Planter
+        | Prop::Cypress
+        | Prop::BareTree
+        | Prop::FlowerBed
+        | Prop::GrassTuft
+        | Prop::Wheat
+        | Prop::Rock => Sculpt::new(),
     };
     sculpt.into_mesh()
 }
@@ -51,8 +119,30 @@ pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {
 /// How many variants there are.
 pub(crate) fn variants(prop: Prop) -> u32 {
     match prop {
-        Prop::SpeedSign | Prop::CafeTable | Prop::Billboard | Prop::Kiosk | Prop::Dumpster => 3,
-        Prop::Bin | Prop::PostBox => 2,
+        Prop::TrafficSign => CODES.len() as u32,
+        Prop::AdvertColumn | Prop::WheelieBins | Prop::RubbishBags => 4,
+        Prop::StreetLamp
+        | Prop::SpeedSign
+        | Prop::CafeTable
+        | Prop::Billboard
+        | Prop::Kiosk
+        | Prop::Dumpster
+        | Prop::StreetName
+        | Prop::CityLight
+        | Prop::SandwichBoard
+        | Prop::Flagpole
+        | Prop::NewsBox
+        | Prop::MarketStall => 3,
+        Prop::Bin
+        | Prop::PostBox
+        | Prop::ParkLamp
+        | Prop::GuideSign
+        | Prop::WaterBarrier
+        | Prop::PhoneBooth
+        | Prop::SpeedCamera
+        | Prop::BottleBank
+        | Prop::Skip
+        | Prop::Pallets => 2,
         _ => 1,
     }
 }

@@ -12,7 +12,7 @@ fn block(low: (f32, f32, f32), high: (f32, f32, f32), bevel: f32, material: Mate
 }
 
 /// Poster: a block of colours as a printer would set them.
-fn poster(s: &mut Sculpt, x: f32, y0: f32, y1: f32, z0: f32, z1: f32, variant: u32) {
+pub(crate) fn poster(s: &mut Sculpt, x: f32, y0: f32, y1: f32, z0: f32, z1: f32, variant: u32) {
     let palettes = [
         [[0.03, 0.16, 0.42], [0.75, 0.62, 0.05], [0.80, 0.80, 0.78]],
         [[0.55, 0.04, 0.05], [0.80, 0.78, 0.70], [0.03, 0.03, 0.03]],

@@ -8,12 +8,12 @@ use crate::shape::Sculpt;
 use glam::{Vec2, Vec3};
 
 /// Front of the plates.
-const FRONT: f32 = 0.065;
+pub(crate) const FRONT: f32 = 0.065;
 /// One layer of sign film: enough that layers never fight.
-const LAYER: f32 = 0.0015;
+pub(crate) const LAYER: f32 = 0.0015;
 
 /// A regular polygon or disc in the (y, z) plane, first corner at this angle from the top.
-fn regular(n: usize, radius: f32, first: f32) -> Vec<Vec2> {
+pub(crate) fn regular(n: usize, radius: f32, first: f32) -> Vec<Vec2> {
     (0..n)
         .map(|i| {
             let (sin, cos) = endless_world::math::sin_cos(first + std::f32::consts::TAU * i as f32 / n as f32);
@@ -23,7 +23,7 @@ fn regular(n: usize, radius: f32, first: f32) -> Vec<Vec2> {
 }
 
 /// A plate: metal back and edge, and a coloured face.
-fn plate(s: &mut Sculpt, outline: &[Vec2], z: f32, color: Material) {
+pub(crate) fn plate(s: &mut Sculpt, outline: &[Vec2], z: f32, color: Material) {
     let at = |x: f32| -> Vec<Vec3> { outline.iter().map(|p| Vec3::new(x, p.x, z + p.y)).collect() };
     // The outline runs clockwise seen from +x when it starts at the top and turns to −y... it is brought into order.
     let area: f32 = (0..outline.len()).map(|i| outline[i].perp_dot(outline[(i + 1) % outline.len()])).sum();
@@ -40,7 +40,7 @@ fn plate(s: &mut Sculpt, outline: &[Vec2], z: f32, color: Material) {
 }
 
 /// A further layer of film on the face.
-fn film(s: &mut Sculpt, outline: &[Vec2], z: f32, layer: f32, color: Material) {
+pub(crate) fn film(s: &mut Sculpt, outline: &[Vec2], z: f32, layer: f32, color: Material) {
     let area: f32 = (0..outline.len()).map(|i| outline[i].perp_dot(outline[(i + 1) % outline.len()])).sum();
     let mut points: Vec<Vec3> = outline.iter().map(|p| Vec3::new(FRONT + layer * LAYER, p.x, z + p.y)).collect();
     if area < 0.0 {
@@ -49,7 +49,7 @@ fn film(s: &mut Sculpt, outline: &[Vec2], z: f32, layer: f32, color: Material) {
     s.polygon(&points, color);
 }
 
-fn post(height: f32) -> Sculpt {
+pub(crate) fn post(height: f32) -> Sculpt {
     let mut s = pole(height, 0.038, 0.032, paint::POLE);
     for z in [height - 0.16, height - 0.5] {
         s.add(Sculpt::cuboid(Vec3::new(-0.045, -0.06, z), Vec3::new(FRONT - 0.012, 0.06, z + 0.04), 0.0, paint::POLE));

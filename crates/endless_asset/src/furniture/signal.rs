@@ -93,6 +93,48 @@ pub(crate) fn mast() -> Sculpt {
     s
 }
 
+/// Two poles 14 m apart along y, a wire between them, and two heads hung from it, facing +x.
+pub(crate) fn span_wire() -> Sculpt {
+    let mut s = Sculpt::new();
+    for y in [-7.0, 7.0] {
+        s.add(pole(7.6, 0.15, 0.10, paint::POLE).at(Vec3::Y * y));
+    }
+    let cable = Material { base_color: [0.03; 3], ..paint::POLE };
+    let sag = |y: f32, depth: f32| 7.4 - depth * (1.0 - (y / 7.0) * (y / 7.0));
+    let wire = |depth: f32, r: f32| -> Sculpt {
+        let path: Vec<(Vec3, f32)> =
+            (0..=16).map(|i| -7.0 + 0.875 * i as f32).map(|y| (Vec3::new(0.0, y, sag(y, depth)), r)).collect();
+        Sculpt::tube(&path, 6, cable)
+    };
+    s.add(wire(0.5, 0.014));
+    s.add(wire(0.85, 0.010));
+    for y in [-1.9, 1.9] {
+        let top = sag(y, 0.85);
+        s.add(head(Vec3::new(0.10, y, top - 0.72)));
+        s.add(bracket(Vec3::new(0.0, y, top - 0.2), Vec3::new(0.0, y, sag(y, 0.5))));
+    }
+    s
+}
+
+/// A head at 2.2 m for those who wait first in line, over one for cyclists, on a thin pole.
+pub(crate) fn cycle_signal() -> Sculpt {
+    let mut s = pole(2.7, 0.05, 0.045, paint::POLE);
+    let centre = Vec3::new(0.16, 0.0, 2.35);
+    s.add(Sculpt::cuboid(
+        centre - Vec3::new(0.10, 0.075, 0.25),
+        centre + Vec3::new(0.0, 0.075, 0.25),
+        0.015,
+        paint::HOUSING,
+    ));
+    for (i, m) in [paint::GREEN_LENS, paint::YELLOW_LENS, paint::RED_LENS].into_iter().enumerate() {
+        s.add(lens(centre + Vec3::new(0.002, 0.0, 0.155 * (i as f32 - 1.0)), 0.055, m));
+    }
+    for dz in [-0.2, 0.2] {
+        s.add(bracket(Vec3::new(0.0, 0.0, 2.35 + dz), Vec3::new(0.08, 0.0, 2.35 + dz)));
+    }
+    s
+}
+
 /// Pedestrian signal: red above green at 2.4 m, and a push button.
 pub(crate) fn walk() -> Sculpt {
     let mut s = pole(2.75, 0.055, 0.05, paint::POLE);

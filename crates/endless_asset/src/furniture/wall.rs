@@ -54,3 +54,82 @@ pub(crate) fn fence_panel() -> Sculpt {
     }
     s
 }
+
+/// Two metres of brick wall along x with a coping, 1.8 m high, piers at its ends.
+pub(crate) fn brick_wall() -> Sculpt {
+    let brick = Material::new(Surface::Brick, [0.34, 0.15, 0.10], ClassTag::Walls);
+    let coping = Material::new(Surface::Concrete, [0.46, 0.45, 0.42], ClassTag::Walls);
+    let mut s = Sculpt::cuboid(Vec3::new(-1.0, -0.11, 0.0), Vec3::new(1.0, 0.11, 1.72), 0.0, brick);
+    s.add(Sculpt::cuboid(Vec3::new(-1.0, -0.16, 1.72), Vec3::new(1.0, 0.16, 1.79), 0.012, coping));
+    s.add(Sculpt::cuboid(Vec3::new(-1.0, -0.19, 0.0), Vec3::new(-0.64, 0.19, 1.80), 0.0, brick));
+    s.add(Sculpt::cuboid(Vec3::new(-1.0, -0.23, 1.80), Vec3::new(-0.60, 0.23, 1.87), 0.012, coping));
+    s
+}
+
+/// Two metres of field stones along x, 0.8 m high.
+pub(crate) fn stone_wall() -> Sculpt {
+    let mut stream = Stream::named(0, "field stones", &[]);
+    let stone = |k: f32| Material::new(Surface::Plaster, [0.34 * k, 0.32 * k, 0.28 * k], ClassTag::Walls);
+    let mut s = Sculpt::cuboid(Vec3::new(-1.0, -0.17, 0.0), Vec3::new(1.0, 0.17, 0.68), 0.0, stone(0.35));
+    let mut z = 0.0;
+    while z < 0.66 {
+        let h = stream.range_f32(0.11, 0.19);
+        let mut x = -1.0;
+        while x < 0.96 {
+            let w = stream.range_f32(0.14, 0.36).min(1.0 - x);
+            let (dy, tone) = (stream.range_f32(0.18, 0.23), stream.range_f32(0.65, 1.25));
+            let low = Vec3::new(x + 0.006, -dy, z + 0.005);
+            s.add(Sculpt::cuboid(low, Vec3::new(x + w - 0.006, dy, z + h - 0.005), 0.035, stone(tone)));
+            x += w;
+        }
+        z += h;
+    }
+    s
+}
+
+/// Two metres of wire netting between steel posts along x, 1.8 m high.
+pub(crate) fn chain_link() -> Sculpt {
+    let zinc = Material::new(Surface::Metal, [0.36, 0.38, 0.37], ClassTag::Fences);
+    let rod = |a: (f32, f32), b: (f32, f32), r: f32, sides: usize| {
+        Sculpt::tube(&[(Vec3::new(a.0, 0.0, a.1), r), (Vec3::new(b.0, 0.0, b.1), r)], sides, zinc)
+    };
+    let mut s = rod((-0.98, 0.0), (-0.98, 1.85), 0.028, 8);
+    s.add(rod((-1.0, 1.8), (1.0, 1.8), 0.018, 6));
+    for z in [0.06, 0.95] {
+        s.add(rod((-1.0, z), (1.0, z), 0.004, 3));
+    }
+    // Two families of slanting wires.
+    let (low, high, pitch) = (0.06, 1.8, 0.16);
+    let rise = high - low;
+    let mut from = -1.0 - rise;
+    while from < 1.0 {
+        for mirror in [1.0, -1.0] {
+            let enter = (-1.0f32).max(from);
+            let leave = 1.0f32.min(from + rise);
+            if leave - enter > 0.02 {
+                let at = |x: f32| (mirror * x, low + (x - from));
+                s.add(rod(at(enter), at(leave), 0.0035, 3));
+            }
+        }
+        from += pitch;
+    }
+    s
+}
+
+/// Two metres of white pickets along x, 0.95 m high.
+pub(crate) fn picket_fence() -> Sculpt {
+    let white = Material::new(Surface::Painted, [0.68, 0.68, 0.65], ClassTag::Fences);
+    let mut s = Sculpt::new();
+    for x in [-0.96, 0.96] {
+        s.add(Sculpt::cuboid(Vec3::new(x - 0.04, -0.04, 0.0), Vec3::new(x + 0.04, 0.04, 0.95), 0.008, white));
+    }
+    for z in [0.25, 0.68] {
+        s.add(Sculpt::cuboid(Vec3::new(-0.96, -0.025, z), Vec3::new(0.96, 0.0, z + 0.08), 0.0, white));
+    }
+    for i in 0..14 {
+        let x = -0.90 + 0.1335 * i as f32;
+        let outline = [(0.0, 0.06), (0.075, 0.06), (0.075, 0.86), (0.0375, 0.93), (0.0, 0.86)];
+        s.add(Sculpt::slab(&outline.map(|(u, v)| Vec2::new(x + u - 0.0375, v)), -0.045, -0.025, 10.0, white));
+    }
+    s
+}

@@ -1,12 +1,15 @@
-//! Plants: grown by branching, with many small leaves.
+//! Plants: grown by branching, with many small leaves; and rocks.
 
+mod conifer;
 mod corn;
+mod grow;
 mod leaf;
 mod low;
 mod palm;
 mod tree;
 
+pub(crate) use conifer::{CONIFER_VARIANTS, conifer, cypress};
 pub(crate) use corn::corn;
-pub(crate) use low::{bush, hedge, planter};
+pub(crate) use low::{bush, flower_bed, grass, hedge, planter, rock, wheat};
 pub(crate) use palm::palm;
-pub(crate) use tree::{BROADLEAF_VARIANTS, CONIFER_VARIANTS, broadleaf, conifer};
+pub(crate) use tree::{BARE_VARIANTS, BROADLEAF_VARIANTS, bare, broadleaf};

@@ -1,263 +1,248 @@
-//! Broadleaf trees and conifers.
+//! Broadleaf trees, in leaf and in winter.
 
+use super::grow::{Node, grow, wood};
 use super::leaf::{Leaves, bark, direction, shades};
 use crate::shape::Sculpt;
 use crate::{Material, Mesh};
 use endless_world::{Stream, math};
-use glam::{Affine3A, Quat, Vec2, Vec3};
-use std::f32::consts::TAU;
+use glam::{Affine3A, Vec3};
 
-/// A kind of broadleaf tree.
-struct Kind {
+/// A species: the outline of its crown, its boughs, its leaves.
+struct Species {
     height: f32,
     /// Height where the crown begins, over the height.
     fork: f32,
-    /// Semi-axes of the crown over the height: across, and up.
-    crown: [f32; 2],
+    /// Largest radius of the crown, over the height.
+    spread: f32,
+    /// Radius over the largest one, at even steps from the crown's foot to its top.
+    outline: [f32; 6],
+    /// Boughs that bear a cluster of leaves each: many small ones are dense, few leave gaps.
+    boughs: usize,
+    /// Radius of such a cluster, over the crown's.
+    cluster: f32,
+    /// Young wood bends down, below zero up.
+    droop: f32,
     /// Trunk radius at breast height.
     trunk: f32,
     leaf: f32,
+    leaves: usize,
     green: [f32; 3],
     bark: [f32; 3],
-    /// Share of clumps: airy 0.6 to dense 1.2.
-    density: f32,
 }
 
-const KINDS: [Kind; 8] = [
-    // Plane, lime, maple, robinia, ash, flowering cherry, hornbeam, ficus.
-    Kind {
-        height: 10.5,
-        fork: 0.30,
-        crown: [0.36, 0.36],
-        trunk: 0.20,
-        leaf: 0.19,
-        green: [0.075, 0.135, 0.028],
-        bark: [0.27, 0.25, 0.19],
-        density: 0.95,
-    },
-    Kind {
-        height: 9.6,
-        fork: 0.27,
-        crown: [0.28, 0.39],
-        trunk: 0.16,
-        leaf: 0.15,
+const PLANE: Species = Species {
+    height: 10.8,
+    fork: 0.27,
+    spread: 0.36,
+    outline: [0.55, 0.92, 1.0, 0.93, 0.72, 0.30],
+    boughs: 26,
+    cluster: 0.36,
+    droop: 0.0,
+    trunk: 0.21,
+    leaf: 0.21,
+    leaves: 11_000,
+    green: [0.078, 0.138, 0.030],
+    bark: [0.30, 0.28, 0.21],
+};
+
+const SPECIES: [Species; 8] = [
+    PLANE,
+    // Lime: a dense heart.
+    Species {
+        height: 9.8,
+        fork: 0.22,
+        spread: 0.28,
+        outline: [0.80, 1.0, 0.95, 0.80, 0.55, 0.18],
+        boughs: 34,
+        cluster: 0.36,
+        leaf: 0.16,
+        leaves: 13_000,
+        trunk: 0.17,
         green: [0.060, 0.125, 0.030],
         bark: [0.14, 0.12, 0.10],
-        density: 1.1,
+        ..PLANE
     },
-    Kind {
-        height: 8.4,
-        fork: 0.28,
-        crown: [0.36, 0.36],
-        trunk: 0.15,
-        leaf: 0.16,
-        green: [0.080, 0.120, 0.024],
-        bark: [0.17, 0.14, 0.11],
-        density: 1.0,
-    },
-    Kind {
-        height: 9.0,
-        fork: 0.34,
-        crown: [0.33, 0.31],
-        trunk: 0.15,
-        leaf: 0.13,
-        green: [0.095, 0.155, 0.040],
-        bark: [0.12, 0.10, 0.08],
-        density: 0.75,
-    },
-    Kind {
-        height: 11.0,
-        fork: 0.32,
-        crown: [0.30, 0.34],
-        trunk: 0.18,
-        leaf: 0.15,
-        green: [0.055, 0.105, 0.028],
-        bark: [0.20, 0.18, 0.15],
-        density: 0.85,
-    },
-    Kind {
-        height: 7.2,
-        fork: 0.26,
-        crown: [0.38, 0.33],
-        trunk: 0.13,
-        leaf: 0.14,
-        green: [0.085, 0.100, 0.030],
-        bark: [0.10, 0.06, 0.05],
-        density: 0.9,
-    },
-    Kind {
+    // Oak: wide boughs with much air between them.
+    Species {
         height: 8.8,
         fork: 0.22,
-        crown: [0.20, 0.41],
-        trunk: 0.13,
-        leaf: 0.13,
-        green: [0.048, 0.110, 0.026],
-        bark: [0.16, 0.15, 0.13],
-        density: 1.15,
+        spread: 0.47,
+        outline: [0.62, 0.95, 1.0, 0.92, 0.72, 0.40],
+        boughs: 21,
+        cluster: 0.33,
+        droop: 0.02,
+        leaf: 0.17,
+        leaves: 12_500,
+        trunk: 0.24,
+        green: [0.058, 0.105, 0.024],
+        bark: [0.15, 0.13, 0.11],
     },
-    Kind {
-        height: 7.6,
-        fork: 0.30,
-        crown: [0.42, 0.32],
-        trunk: 0.19,
-        leaf: 0.15,
-        green: [0.038, 0.090, 0.022],
-        bark: [0.22, 0.20, 0.17],
-        density: 1.1,
+    // Birch: slender, white, its twigs hang.
+    Species {
+        height: 10.5,
+        fork: 0.20,
+        spread: 0.20,
+        outline: [0.55, 0.95, 1.0, 0.85, 0.60, 0.25],
+        boughs: 24,
+        cluster: 0.44,
+        droop: 0.16,
+        leaf: 0.105,
+        leaves: 12_500,
+        trunk: 0.12,
+        green: [0.100, 0.155, 0.040],
+        bark: [0.62, 0.61, 0.57],
+    },
+    // Maple: a full round crown.
+    Species {
+        height: 8.6,
+        fork: 0.25,
+        spread: 0.34,
+        outline: [0.60, 0.95, 1.0, 0.95, 0.78, 0.42],
+        boughs: 30,
+        cluster: 0.34,
+        leaf: 0.175,
+        leaves: 12_500,
+        trunk: 0.16,
+        green: [0.082, 0.122, 0.024],
+        bark: [0.17, 0.14, 0.11],
+        ..PLANE
+    },
+    // Cherry: a low vase.
+    Species {
+        height: 6.8,
+        fork: 0.24,
+        spread: 0.42,
+        outline: [0.35, 0.70, 0.95, 1.0, 0.85, 0.45],
+        boughs: 24,
+        cluster: 0.32,
+        droop: -0.04,
+        leaf: 0.115,
+        leaves: 14_000,
+        trunk: 0.13,
+        green: [0.085, 0.100, 0.030],
+        bark: [0.10, 0.06, 0.05],
+    },
+    // Poplar: a column.
+    Species {
+        height: 11.8,
+        fork: 0.12,
+        spread: 0.125,
+        outline: [0.70, 0.95, 1.0, 0.92, 0.72, 0.30],
+        boughs: 36,
+        cluster: 0.60,
+        droop: -0.25,
+        leaf: 0.125,
+        leaves: 12_500,
+        trunk: 0.15,
+        green: [0.052, 0.112, 0.028],
+        bark: [0.20, 0.19, 0.16],
+    },
+    // Robinia: light tufts at the ends of crooked boughs.
+    Species {
+        height: 9.4,
+        fork: 0.32,
+        spread: 0.33,
+        outline: [0.50, 0.80, 1.0, 0.95, 0.80, 0.45],
+        boughs: 19,
+        cluster: 0.30,
+        leaf: 0.12,
+        leaves: 11_500,
+        trunk: 0.16,
+        green: [0.095, 0.155, 0.042],
+        bark: [0.13, 0.11, 0.09],
+        ..PLANE
     },
 ];
 
 /// How many broadleaf trees there are.
-pub(crate) const BROADLEAF_VARIANTS: u32 = KINDS.len() as u32;
-/// How many conifers there are.
-pub(crate) const CONIFER_VARIANTS: u32 = 3;
+pub(crate) const BROADLEAF_VARIANTS: u32 = SPECIES.len() as u32;
+/// How many trees in winter there are.
+pub(crate) const BARE_VARIANTS: u32 = 3;
+/// Points of light about each bough.
+const LIGHT: usize = 17;
 
-/// A bent, tapered branch.
-fn branch(
-    from: Vec3,
-    to: Vec3,
-    r0: f32,
-    r1: f32,
-    sag: f32,
-    sides: usize,
-    material: Material,
-    s: &mut Stream,
-) -> Sculpt {
-    let n = 4;
-    let wobble = direction(s) * (to - from).length() * 0.05;
-    let path: Vec<(Vec3, f32)> = (0..=n)
-        .map(|i| {
-            let t = i as f32 / n as f32;
-            let p = from.lerp(to, t) + (wobble + Vec3::Z * sag) * (4.0 * t * (1.0 - t));
-            (p, math::lerp(r0, r1, t))
-        })
-        .collect();
-    Sculpt::tube(&path, sides, material)
-}
-
-/// A broadleaf street tree.
-pub(crate) fn broadleaf(variant: u32) -> Mesh {
-    let kind = &KINDS[variant as usize % KINDS.len()];
-    let mut s = Stream::named(u64::from(variant), "broadleaf", &[]);
-    let wood = bark(kind.bark);
-    let shades = shades(kind.green);
-    let h = kind.height;
-    let [across, up] = kind.crown.map(|k| k * h);
-    let middle = Vec3::new(0.0, 0.0, h - up);
-    let fork = Vec3::new(s.range_f32(-0.12, 0.12), s.range_f32(-0.12, 0.12), kind.fork * h);
-    let mut trunk = Sculpt::tube(
-        &[
-            (Vec3::new(0.0, 0.0, -0.05), kind.trunk * 1.55),
-            (Vec3::new(0.0, 0.0, 0.12), kind.trunk * 1.2),
-            (Vec3::new(0.02, -0.01, 0.5), kind.trunk),
-            (0.5 * fork + Vec3::new(0.03, 0.02, 0.0), kind.trunk * 0.92),
-            (fork, kind.trunk * 0.85),
-        ],
-        10,
-        wood,
-    );
-    // The leader goes on to near the top.
-    let top = Vec3::new(fork.x, fork.y, h - 0.35 * up);
-    trunk.add(branch(fork - Vec3::Z * 0.1, top, kind.trunk * 0.75, 0.03, 0.0, 7, wood, &mut s));
-    let mut leaves = Leaves::default();
-    let limbs = 9;
-    let phase = s.range_f32(0.0, TAU);
-    for i in 0..limbs {
-        let t = i as f32 / limbs as f32;
-        // Golden angle around the trunk.
-        let (sin, cos) = math::sin_cos(phase + 2.4 * i as f32 + s.range_f32(-0.3, 0.3));
-        let from = fork.lerp(top, 0.75 * t);
-        let rise = -0.45 + 1.15 * t + s.range_f32(-0.12, 0.12);
-        let reach = s.range_f32(0.62, 0.88);
-        let flat = (1.0 - (rise * 0.85) * (rise * 0.85)).max(0.1).sqrt();
-        let to = middle + Vec3::new(cos * flat * across, sin * flat * across, rise * up) * reach;
-        let r = kind.trunk * (0.46 - 0.2 * t);
-        trunk.add(branch(from, to, r, r * 0.3, 0.10 * (to - from).length(), 6, wood, &mut s));
-        for _ in 0..3 {
-            let k = s.range_f32(0.4, 0.9);
-            let twig = from.lerp(to, k);
-            let d = (to - from).normalize_or(Vec3::Z) + direction(&mut s) * 0.9;
-            let end = twig + d.normalize_or(Vec3::Z) * across * s.range_f32(0.25, 0.45);
-            trunk.add(branch(twig, end, r * 0.32, 0.012, 0.03, 5, wood, &mut s));
-        }
+impl Species {
+    /// Radius of the crown at a share of its height, metres.
+    fn radius(&self, t: f32) -> f32 {
+        let x = t.clamp(0.0, 1.0) * 5.0;
+        let i = (x as usize).min(4);
+        self.spread * self.height * math::lerp(self.outline[i], self.outline[i + 1], x - i as f32)
     }
-    // Clumps fill a shell of the crown unevenly: gaps let the sky through.
-    let clumps = (190.0 * kind.density) as usize;
-    let lobes: Vec<(Vec3, f32)> = (0..9).map(|_| (direction(&mut s), s.range_f32(0.86, 1.12))).collect();
-    for _ in 0..clumps {
-        let d = direction(&mut s);
-        let (_, bulge) =
-            lobes.iter().fold((-2.0, 1.0), |best, &(l, k)| if l.dot(d) > best.0 { (l.dot(d), k) } else { best });
-        let r = math::pow(s.range_f32(0.06, 1.0), 0.45) * bulge;
-        let mut p = middle + Vec3::new(d.x * across, d.y * across, d.z * up) * r * 0.9;
-        // The underside is flatter.
-        if d.z < 0.0 {
-            p.z = middle.z + 0.82 * (p.z - middle.z);
-        }
-        let out = ((p - middle) / Vec3::new(across, across, up)).normalize_or(Vec3::Z);
-        let radius = s.range_f32(0.075, 0.135) * h * 0.62;
-        leaves.clump(p, radius, 76, kind.leaf * 1.22, out, &shades, &mut s);
-    }
-    let mut mesh = trunk.into_mesh();
-    mesh.append(&leaves.finish(), Affine3A::IDENTITY);
-    mesh
-}
 
-/// A spruce or pine-like conifer: whorls of drooping branches with needle sprays.
-pub(crate) fn conifer(variant: u32) -> Mesh {
-    let mut s = Stream::named(u64::from(variant), "conifer", &[]);
-    let h = [11.0, 9.0, 13.2][variant as usize % 3];
-    let spread = [0.21, 0.25, 0.17][variant as usize % 3] * h;
-    let shades = shades([[0.030, 0.070, 0.028], [0.038, 0.082, 0.050], [0.026, 0.062, 0.024]][variant as usize % 3]);
-    let wood = bark([0.13, 0.095, 0.07]);
-    let mut trunk = Sculpt::tube(
-        &[
-            (Vec3::new(0.0, 0.0, -0.05), 0.24),
-            (Vec3::Z * 0.3, 0.17),
-            (Vec3::Z * 0.6 * h, 0.09),
-            (Vec3::Z * (h - 0.1), 0.012),
-        ],
-        9,
-        wood,
-    );
-    let mut leaves = Leaves::default();
-    let whorls = 32;
-    for i in 0..whorls {
-        let t = i as f32 / (whorls - 1) as f32;
-        let z = math::lerp(0.12, 0.975, t) * h;
-        let reach = spread * math::pow(1.0 - t, 0.8) + 0.12;
-        let n = 7 - (t * 3.0) as usize;
-        let phase = s.range_f32(0.0, TAU);
-        for k in 0..n {
-            let (sin, cos) = math::sin_cos(phase + TAU * k as f32 / n as f32 + s.range_f32(-0.2, 0.2));
-            let out = Vec3::new(cos, sin, 0.0);
-            let z = z + s.range_f32(-0.024, 0.012) * h;
-            let reach = reach * s.range_f32(0.78, 1.08);
-            let droop = math::lerp(-0.28, 0.25, t) * reach;
-            let tip = Vec3::new(0.0, 0.0, z + droop) + out * reach;
-            trunk.add(branch(Vec3::Z * z, tip, 0.012 + 0.018 * (1.0 - t), 0.006, 0.06 * reach, 4, wood, &mut s));
-            let sprays = 5 + (reach * 22.0) as usize;
-            for j in 0..sprays {
-                let f = math::lerp(0.18, 1.0, (j as f32 + s.f32()) / sprays as f32);
-                let p = (Vec3::Z * z).lerp(tip, f) + Vec3::Z * 0.06 * reach * 4.0 * f * (1.0 - f);
-                let side = Quat::from_rotation_z(s.range_f32(-1.15, 1.15)) * out;
-                let along = (side + Vec3::NEG_Z * s.range_f32(-0.1, 0.5)).normalize_or(out);
-                let size = s.range_f32(0.19, 0.34) * (1.15 - 0.45 * f);
-                let shade = shades[((f * 3.0) as usize + s.below(2)).min(4)];
-                let face = (Vec3::Z + direction(&mut s) * 0.6).normalize_or(Vec3::Z);
-                leaves.leaf(p, along, face, Vec2::new(size * 1.5, size * 0.42), out * 0.8 + Vec3::Z * 0.6, shade);
-                leaves.leaf(
-                    p,
-                    (along + direction(&mut s) * 0.5).normalize_or(along),
-                    side,
-                    Vec2::new(size, size * 0.35),
-                    out + Vec3::Z * 0.3,
-                    shade,
-                );
+    /// Centres of clusters: spread over the crown's outline, a few within.
+    fn clusters(&self, s: &mut Stream) -> Vec<Vec3> {
+        let foot = self.fork * self.height + 0.35;
+        let reach = self.cluster * self.spread * self.height;
+        let top = self.height - 0.75 * reach;
+        (0..self.boughs)
+            .map(|i| {
+                // Golden angle; more of them where the crown is wide.
+                let t = (i as f32 + 0.5 + s.range_f32(-0.4, 0.4)) / self.boughs as f32;
+                let (sin, cos) = math::sin_cos(2.4 * i as f32 + s.range_f32(-0.35, 0.35));
+                let out = if i % 5 == 4 { s.range_f32(0.1, 0.4) } else { s.range_f32(0.78, 1.02) };
+                let r = (self.radius(t) - 0.8 * reach).max(0.12 * reach) * out;
+                Vec3::new(cos * r, sin * r, foot + t * (top - foot))
+            })
+            .collect()
+    }
+
+    fn grown(&self, s: &mut Stream) -> (Vec<Vec3>, Vec<Node>) {
+        let clusters = self.clusters(s);
+        let reach = self.cluster * self.spread * self.height;
+        let mut light = Vec::with_capacity(clusters.len() * LIGHT);
+        for &centre in &clusters {
+            for _ in 0..LIGHT {
+                light.push(centre + direction(s) * Vec3::new(1.0, 1.0, 0.72) * (reach * math::pow(s.f32(), 0.4)));
             }
         }
+        let nodes = grow(self.fork * self.height, self.trunk, self.droop, light, s);
+        (clusters, nodes)
+    }
+}
+
+/// A broadleaf tree; the variant is its species.
+pub(crate) fn broadleaf(variant: u32) -> Mesh {
+    let species = &SPECIES[variant as usize % SPECIES.len()];
+    let mut s = Stream::named(u64::from(variant), "broadleaf", &[]);
+    let (clusters, nodes) = species.grown(&mut s);
+    let trunk = wood(&nodes, bark(species.bark));
+    let greens = shades(species.green);
+    let thin: Vec<&Node> = nodes.iter().filter(|n| n.radius < 0.022).collect();
+    let mut leaves = Leaves::default();
+    let each = (species.leaves / thin.len().max(1)).max(1);
+    let middle = Vec3::Z * (0.5 * (1.0 + species.fork) * species.height);
+    for node in &thin {
+        let nearest =
+            clusters.iter().copied().min_by(|a, b| a.distance_squared(node.at).total_cmp(&b.distance_squared(node.at)));
+        // Lit as the cluster and the crown are round.
+        let of_cluster = (node.at - nearest.unwrap_or(middle)).normalize_or(Vec3::Z);
+        let out =
+            (0.7 * of_cluster + 0.6 * (node.at - middle).normalize_or(Vec3::Z) + Vec3::Z * 0.2).normalize_or(Vec3::Z);
+        let hang = Vec3::NEG_Z * species.droop * 0.9;
+        leaves.clump(node.at + hang + out * 0.06, 0.30, each, species.leaf, out, &greens, &mut s);
     }
     let mut mesh = trunk.into_mesh();
     mesh.append(&leaves.finish(), Affine3A::IDENTITY);
     mesh
+}
+
+/// A tree without leaves, down to its twigs.
+pub(crate) fn bare(variant: u32) -> Mesh {
+    let species = &SPECIES[[2, 4, 3][variant as usize % 3]];
+    let mut s = Stream::named(u64::from(variant), "bare tree", &[]);
+    let (_, nodes) = species.grown(&mut s);
+    let material = bark(species.bark.map(|c| 0.85 * c));
+    let mut trunk = wood(&nodes, material);
+    let twig = Material { base_color: [0.10, 0.075, 0.06], ..material };
+    for node in nodes.iter().skip(1).filter(|n| n.radius < 0.03) {
+        let along = (node.at - nodes[node.parent].at).normalize_or(Vec3::Z);
+        for _ in 0..if node.children == 0 { 5 } else { 2 } {
+            let way = (along + direction(&mut s) * 0.9 - Vec3::Z * (1.5 * species.droop)).normalize_or(along);
+            let length = s.range_f32(0.28, 0.6);
+            let bent = (way + Vec3::Z * 0.35).normalize_or(way);
+            let elbow = node.at + way * length * 0.5;
+            trunk.add(Sculpt::tube(&[(node.at, 0.008), (elbow, 0.006), (elbow + bent * length * 0.5, 0.003)], 3, twig));
+        }
+    }
+    trunk.into_mesh()
 }

@@ -26,6 +26,11 @@ impl Region {
         Self::prism(polygon, |e| Vec3::new(e.x, 0.0, e.y)).beyond(Vec3::Y, 0.0)
     }
 
+    /// The prism over a convex polygon drawn in side view, (x, z), right through.
+    pub(crate) fn elevation(polygon: &[Vec2]) -> Self {
+        Self::prism(polygon, |e| Vec3::new(e.x, 0.0, e.y))
+    }
+
     /// The prism over a convex polygon drawn in front or rear view, (y, z).
     pub(crate) fn end(polygon: &[Vec2]) -> Self {
         Self::prism(polygon, |e| Vec3::new(0.0, e.x, e.y))

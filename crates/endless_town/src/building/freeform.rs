@@ -1,5 +1,6 @@
 //! Buildings on any outline: the same facades, under a flat roof behind a parapet.
 
+use super::manner::Manner;
 use super::opening::WindowNumbers;
 use super::storeyed::{Measures, Rhythm, add_wall, make_styled};
 use super::style::Style;
@@ -34,13 +35,13 @@ pub(crate) struct Block<'a> {
 }
 
 fn styled(measures: &Measures, block: &Block<'_>, stream: &mut Stream) -> (Style, Rhythm) {
-    let mut style = Style::draw(measures.kind, stream);
+    let mut style = measures.style(stream);
     if let Some(color) = block.color {
         style.wall.base_color = color;
         style.base.base_color = color;
         style.joinery.wall.base_color = color;
     }
-    let rhythm = Rhythm::of(measures.kind, measures.shops, stream);
+    let rhythm = Rhythm::of(style.manner, measures.shops, stream);
     let rhythm = block.height.map_or(rhythm, |height| rhythm.stretched(height, measures.storeys));
     (style, rhythm)
 }
@@ -64,6 +65,12 @@ pub(crate) fn house(
     }
     let parapet = stream.range_f32(0.35, 0.8);
     flat_roof(&mut mesh, block, height, parapet, &style);
+    let middle = around(block.outline);
+    if style.manner == Manner::Latin {
+        super::top::on_latin_roof(&mut mesh, middle, height, stream);
+    } else {
+        super::top::on_flat_roof(&mut mesh, measures, middle, height, &style, stream);
+    }
     (mesh.finish(), height + parapet)
 }
 
@@ -85,11 +92,21 @@ pub(crate) fn on_rectangle(
     (whole.finish(), height + 1.0)
 }
 
+/// A rectangle about the middle of an outline that lies within it, if it is not too crooked.
+fn around(outline: &[DVec2]) -> ([f32; 2], [f32; 2]) {
+    let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
+    let near =
+        |way: fn(DVec2) -> f64| 0.62 * outline.iter().map(|p| way(*p - middle).abs()).fold(f64::INFINITY, f64::min);
+    let (w, d) = (near(|p| p.x).max(0.8) as f32, near(|p| p.y).max(0.8) as f32);
+    let (x, y) = (middle.x as f32, middle.y as f32);
+    ([x - w, x + w], [y - d, y + d])
+}
+
 fn edges(outline: &[DVec2]) -> impl Iterator<Item = Wall> {
     (0..outline.len()).filter_map(|k| {
         let (a, b) = (outline[k], outline[(k + 1) % outline.len()]);
         let right = (b - a).try_normalize()?.extend(0.0).as_vec3();
-        Some(Wall { origin: a.extend(0.0).as_vec3(), right, width: a.distance(b) as f32 })
+        Some(Wall::upright(a.extend(0.0).as_vec3(), right, a.distance(b) as f32))
     })
 }
 

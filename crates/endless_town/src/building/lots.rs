@@ -119,12 +119,13 @@ impl Row<'_> {
             let lot = self.lot(s, (width, depth), set_back, kind);
             if self.fits(&lot, kind, occupied) {
                 let party_walls = [false; 2];
-                let measures = Measures { kind, width: width as f32, depth: depth as f32, storeys, shops, party_walls };
+                let (width, depth) = (width as f32, depth as f32);
+                let measures = Measures { kind, manner: None, width, depth, storeys, shops, party_walls };
                 let (front, footprint, angle_rad) = lot;
                 let bulge = if kind == Kind::House { PORCH_M } else { 0.0 };
                 let lot =
                     Lot { measures, front, angle_rad, footprint, seed, set_back: set_back + bulge + BEHIND_SIDEWALK_M };
-                return Some((Some(lot), s + width + gap));
+                return Some((Some(lot), s + f64::from(width) + gap));
             }
             width *= 0.86;
             depth *= 0.84;

@@ -11,7 +11,7 @@ pub(crate) struct WindowNumbers(u32);
 
 impl WindowNumbers {
     /// The uv square of the next pane.
-    fn next_square(&mut self) -> [Vec2; 4] {
+    pub(super) fn next_square(&mut self) -> [Vec2; 4] {
         let n = self.0;
         self.0 += 1;
         let base = Vec2::new((n % 512) as f32, (n / 512) as f32);
@@ -25,6 +25,8 @@ impl WindowNumbers {
 pub(crate) enum Detail {
     /// Reveal, frame, cross-bar and sill.
     Full,
+    /// The same with a sill that does not reach over to a neighbour.
+    Beside,
     /// Reveal and pane with a frame drawn as its border.
     Plain,
 }
@@ -70,7 +72,7 @@ pub(crate) fn window(
     }
     // The pane lies behind its frame.
     let glass = joinery.recess + 0.03;
-    let frame_hole = Wall { origin: wall.at(0.0, 0.0, -joinery.recess), ..*wall };
+    let frame_hole = wall.behind(joinery.recess);
     frame_hole.reveal(mesh, &inner, 0.03, joinery.frame);
     wall.panel_uv(mesh, inner.u, inner.v, -glass, square, GLASS);
     let middle = (inner.u[0] + inner.u[1]) / 2.0;
@@ -82,7 +84,7 @@ pub(crate) fn window(
         mesh,
         [hole.u[0] - 0.06, hole.u[1] + 0.06],
         [hole.v[0] - 0.07, hole.v[0] - 0.005],
-        [0.0, 0.09],
+        [0.0, if detail == Detail::Full { 0.09 } else { 0.035 }],
         joinery.sill,
     );
 }

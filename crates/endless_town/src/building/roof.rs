@@ -1,6 +1,6 @@
 //! Roofs: flat with parapet and plant, gabled, hipped; chimneys.
 
-use super::wall::walls;
+use super::wall::{Wall, walls};
 use endless_asset::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
@@ -35,11 +35,7 @@ pub(crate) fn flat(
     for (outer, inner) in walls(x, y, z).iter().zip(walls(xi, yi, z)) {
         outer.panel(mesh, [0.0, outer.width], [0.0, parapet], 0.0, wall);
         // The inner face looks the other way.
-        let back = super::wall::Wall {
-            origin: inner.origin + inner.right * inner.width,
-            right: -inner.right,
-            width: inner.width,
-        };
+        let back = Wall::upright(inner.origin + inner.right * inner.width, -inner.right, inner.width);
         back.panel(mesh, [0.0, back.width], [0.0, parapet], 0.0, wall);
         let (a, b) = (outer.origin, outer.origin + outer.right * outer.width);
         let (c, d) = (inner.origin + inner.right * inner.width, inner.origin);
@@ -67,7 +63,8 @@ pub(crate) fn plant(mesh: &mut MeshBuilder, (x, y): ([f32; 2], [f32; 2]), z: f32
     }
 }
 
-/// A gabled roof: ridge along x if `along_x`, eaves at `z`. The gables are walls of their own.
+/// A gabled roof: ridge along x if `along_x`, eaves at `z`. The gables are walls of their own. Returns its two slopes,
+/// that towards the front or the right first.
 pub(crate) fn gabled(
     mesh: &mut MeshBuilder,
     (x, y): ([f32; 2], [f32; 2]),
@@ -75,7 +72,7 @@ pub(crate) fn gabled(
     rise: f32,
     (along_x, eaves, verge): (bool, f32, f32),
     (tiles, gable): (Material, Material),
-) {
+) -> [Wall; 2] {
     // In the roof's own frame: `a` along the ridge, `b` across it; an even swap of axes keeps the winding.
     let (a, b) = if along_x { (x, y) } else { (y, [-x[1], -x[0]]) };
     let p = |pa: f32, pb: f32, pz: f32| if along_x { Vec3::new(pa, pb, pz) } else { Vec3::new(-pb, pa, pz) };
@@ -123,6 +120,13 @@ pub(crate) fn gabled(
         }
         mesh.triangle(corners, [[0.0, 0.0], [2.0 * half, 0.0], [half, rise]].map(Vec2::from_array), gable);
     }
+    let slant =
+        |foot: Vec3, right: Vec3, head: Vec3| Wall { origin: foot, right, up: (head - foot).normalize(), width: w };
+    let along = (p(1.0, 0.0, 0.0) - p(0.0, 0.0, 0.0)).normalize();
+    [
+        slant(p(a0, b0, low + up), along, p(a0, middle, top + up)),
+        slant(p(a1, b1, low + up), -along, p(a1, middle, top + up)),
+    ]
 }
 
 /// A hipped roof over a volume at least as long in x as in y, or the other way round.

@@ -1,18 +1,25 @@
 //! Buildings of storeys: houses, terraces, flats, shops, offices, towers, halls and barns share one way of building
-//! and differ by their measures.
+//! and differ by their measures and their manner.
 
-use super::opening::{Detail, WindowNumbers, door, gate, shop_front, window};
-use super::roof::{boxed, chimney, flat, gabled, hipped, plant};
+use super::ground::add_ground_front;
+use super::manner::Manner;
+use super::opening::{Detail, WindowNumbers};
+use super::ornament::{cables, downpipe, fire_escape, graffito, posters};
 use super::style::Style;
+use super::upper::{add_balcony, dress_window};
 use super::wall::{Hole, Wall, walls};
+use super::{opening, special, top};
 use crate::character::Kind;
 use endless_asset::{Mesh, MeshBuilder};
 use endless_world::Stream;
+use glam::Vec2;
 
 /// The measures of a building. Its frame: x along the front, y into the lot, the front wall at y = 0.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Measures {
     pub(crate) kind: Kind,
+    /// How it is built, where that is known; drawn otherwise.
+    pub(crate) manner: Option<Manner>,
     pub(crate) width: f32,
     pub(crate) depth: f32,
     pub(crate) storeys: u32,
@@ -22,35 +29,54 @@ pub(crate) struct Measures {
     pub(crate) party_walls: [bool; 2],
 }
 
+impl Measures {
+    /// The manner and the materials.
+    pub(super) fn style(&self, stream: &mut Stream) -> Style {
+        let drawn = Manner::draw(self.kind, self.storeys, self.shops, stream);
+        Style::draw(self.manner.unwrap_or(drawn), stream)
+    }
+}
+
 /// The rhythm of a facade.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rhythm {
     bay: f32,
     window: [f32; 2],
     sill: f32,
-    storey: f32,
-    ground: f32,
+    pub(super) storey: f32,
+    pub(super) ground: f32,
 }
 
 impl Rhythm {
-    pub(super) fn of(kind: Kind, shops: bool, stream: &mut Stream) -> Self {
-        let (bay, window, sill, storey) = match kind {
-            Kind::House => (2.6, [1.25, 1.3], 0.9, 2.8),
-            Kind::Terrace => (2.3, [1.05, 1.65], 0.75, 3.1),
-            Kind::Flats => (2.9, [1.6, 1.4], 0.85, 2.85),
-            Kind::Shop => (3.0, [1.8, 1.2], 1.0, 3.4),
-            Kind::Office => (2.7, [1.7, 1.9], 0.8, 3.5),
-            Kind::Tower => (2.9, [2.66, 2.6], 0.55, 3.5),
-            Kind::Hall => (5.0, [2.6, 0.9], 1.6, 3.6),
-            Kind::Barn => (4.2, [0.8, 0.8], 1.5, 3.2),
+    pub(super) fn of(manner: Manner, shops: bool, stream: &mut Stream) -> Self {
+        let (bay, window, sill, storey) = match manner {
+            Manner::Cottage | Manner::Villa | Manner::Weatherboard => (2.6, [1.25, 1.35], 0.9, 2.8),
+            Manner::TimberFrame => (1.9, [0.95, 1.15], 0.95, 2.75),
+            Manner::TerracedBrick => (2.4, [1.05, 1.6], 0.8, 2.95),
+            Manner::OldTown => (2.3, [1.05, 1.75], 0.75, 3.2),
+            Manner::Tenement => (2.2, [1.0, 1.7], 0.75, 3.1),
+            Manner::Latin => (2.7, [1.15, 1.25], 0.95, 2.8),
+            Manner::Balconies => (2.9, [1.6, 1.4], 0.85, 2.85),
+            Manner::Panels => (3.0, [1.7, 1.4], 0.85, 2.75),
+            Manner::BrickFlats => (2.9, [1.7, 1.35], 0.9, 2.9),
+            Manner::ShopRow | Manner::Petrol => (3.0, [1.8, 1.2], 1.0, 3.8),
+            Manner::Supermarket => (4.5, [2.4, 1.0], 2.6, 5.2),
+            Manner::StoneOffice => (2.7, [1.6, 2.0], 0.8, 3.5),
+            Manner::RibbonOffice => (2.9, [2.78, 1.7], 0.95, 3.5),
+            Manner::School => (3.2, [2.5, 1.8], 0.9, 3.4),
+            Manner::ParkingDeck => (5.0, [4.6, 1.35], 1.05, 2.75),
+            Manner::GlassTower => (2.2, [2.12, 3.1], 0.2, 3.5),
+            Manner::ConcreteTower => (3.0, [1.9, 1.75], 0.85, 3.2),
+            Manner::Warehouse => (5.0, [2.6, 0.9], 1.6, 3.6),
+            Manner::Works => (3.4, [2.3, 1.9], 1.2, 3.6),
+            Manner::Barn => (4.2, [0.8, 0.8], 1.5, 3.2),
+            Manner::Church => (3.6, [1.3, 4.2], 2.2, 7.5),
         };
         let stretch = stream.range_f32(0.94, 1.1);
-        let ground = if shops {
-            4.0
-        } else if kind == Kind::Tower {
-            5.0
-        } else {
-            storey
+        let ground = match manner {
+            _ if shops => 4.0,
+            Manner::GlassTower | Manner::ConcreteTower => 5.0,
+            _ => storey,
         };
         Self { bay: bay * stretch, window, sill, storey, ground }
     }
@@ -70,8 +96,8 @@ impl Rhythm {
 
 /// Makes the mesh of a building.
 pub(crate) fn make(measures: &Measures, stream: &mut Stream, numbers: &mut WindowNumbers) -> Mesh {
-    let style = Style::draw(measures.kind, stream);
-    let rhythm = Rhythm::of(measures.kind, measures.shops, stream);
+    let style = measures.style(stream);
+    let rhythm = Rhythm::of(style.manner, measures.shops, stream);
     make_styled(measures, &style, &rhythm, stream, numbers)
 }
 
@@ -84,19 +110,27 @@ pub(super) fn make_styled(
     numbers: &mut WindowNumbers,
 ) -> Mesh {
     let mut mesh = MeshBuilder::new();
-    let half = measures.width / 2.0;
-    let (x, y) = ([-half, half], [0.0, measures.depth]);
-    let height = rhythm.height(measures.storeys);
-    for (side, wall) in walls(x, y, 0.0).iter().enumerate() {
-        add_wall(&mut mesh, wall, side, measures, style, rhythm, stream, numbers);
-    }
-    add_roof(&mut mesh, measures, (x, y), height, style, stream);
-    if matches!(measures.kind, Kind::House) {
-        add_porch(&mut mesh, style);
+    match style.manner {
+        Manner::Petrol => special::petrol_station(&mut mesh, measures, style, stream, numbers),
+        Manner::Church => special::church(&mut mesh, measures, style, numbers),
+        Manner::ParkingDeck => special::parking_deck(&mut mesh, measures, style, rhythm),
+        _ => {
+            let half = measures.width / 2.0;
+            let (x, y) = ([-half, half], [0.0, measures.depth]);
+            let height = rhythm.height(measures.storeys);
+            for (side, wall) in walls(x, y, 0.0).iter().enumerate() {
+                add_wall(&mut mesh, wall, side, measures, style, rhythm, stream, numbers);
+            }
+            top::add_roof(&mut mesh, measures, (x, y), height, style, stream, numbers);
+            if measures.kind == Kind::House {
+                top::add_porch(&mut mesh, measures, style);
+            }
+        }
     }
     mesh.finish()
 }
 
+/// A wall with all its storeys; `side` 0 is the front, 1 right, 2 back, 3 left.
 pub(super) fn add_wall(
     mesh: &mut MeshBuilder,
     wall: &Wall,
@@ -112,228 +146,242 @@ pub(super) fn add_wall(
     let bays = ((wall.width - 0.8) / rhythm.bay).floor().max(1.0) as usize;
     let pitch = (wall.width - 0.8) / bays as f32;
     let centre = |k: usize| 0.4 + pitch * (k as f32 + 0.5);
-    let width = rhythm.window[0].min(pitch - 0.18);
-    let detail = if front && measures.storeys <= 6 { Detail::Full } else { Detail::Plain };
+    let width = rhythm.window[0].min(pitch - if rhythm.window[0] > 0.9 * rhythm.bay { 0.06 } else { 0.18 });
+    let all_round = matches!(measures.kind, Kind::Tower | Kind::Office);
+    let balconied = |k: usize, storey: u32| {
+        let manner = matches!(style.manner, Manner::Balconies | Manner::Panels);
+        manner && storey > 0 && (front && k % 3 == 1 || side == 2 && k % 6 == 2)
+    };
     let mut from = 0.0;
+    let mut floors = Vec::new();
     for storey in 0..measures.storeys {
         let height = if storey == 0 { rhythm.ground } else { rhythm.storey };
         let material = if storey == 0 { style.base } else { style.wall };
         let range = [from, from + height];
         let holes: Vec<Hole> = (0..bays)
             .filter(|_| !blind)
-            .filter(|k| side == 0 || side == 2 || matches!(measures.kind, Kind::Tower | Kind::Office) || k % 2 == 0)
+            .filter(|k| side == 0 || side == 2 || all_round || k % 2 == 0)
             .map(|k| {
-                let sill = from + rhythm.sill;
-                Hole {
-                    u: [centre(k) - width / 2.0, centre(k) + width / 2.0],
-                    v: [sill, (sill + rhythm.window[1]).min(from + height - 0.25)],
-                }
+                // Behind balconies there are doors.
+                let sill = from + if balconied(k, storey) { 0.04 } else { rhythm.sill };
+                let top = from + rhythm.sill + rhythm.window[1];
+                Hole { u: [centre(k) - width / 2.0, centre(k) + width / 2.0], v: [sill, top.min(from + height - 0.25)] }
             })
             .collect();
         if front && storey == 0 {
-            add_ground_front(mesh, wall, range, measures, style, &holes, numbers);
+            add_ground_front(mesh, wall, range, measures, style, &holes, stream, numbers);
         } else {
             wall.pierced(mesh, range, &holes, material);
-            let sparse = measures.kind == Kind::Barn && storey == 0;
-            for hole in &holes {
-                window(mesh, wall, hole, &style.joinery, if sparse { Detail::Plain } else { detail }, numbers);
-            }
-            let balconies = measures.kind == Kind::Flats && storey > 0 && front;
+            let detail = detail_of(style.manner, front, (storey, measures.storeys));
             for (k, hole) in holes.iter().enumerate() {
-                if balconies && k % 3 == 1 {
+                opening::window(mesh, wall, hole, &style.joinery, detail, numbers);
+                dress_window(mesh, wall, hole, (pitch - width, side, storey), style, stream);
+                let bay = if side == 0 || side == 2 || all_round { k } else { 2 * k };
+                if balconied(bay, storey) {
                     add_balcony(mesh, wall, hole, from, style);
                 }
-                if side == 2 && storey > 0 && stream.chance(0.1) {
-                    // An air conditioner below the window.
-                    let u = hole.u[0] + 0.1;
-                    wall.block(mesh, [u, u + 0.8], [hole.v[0] - 0.72, hole.v[0] - 0.12], [0.02, 0.34], style.trim);
-                }
             }
+        }
+        if storey > 0 {
+            floors.push(from);
         }
         from += height;
     }
-    // A plinth where the ground floor does not open on the street, string courses and a cornice.
-    if !(front || blind || measures.kind == Kind::Barn) {
+    if blind {
+        return;
+    }
+    relief(mesh, wall, (side, bays, pitch), (measures, style, rhythm), from);
+    if style.manner == Manner::Tenement && front && measures.storeys >= 4 && wall.width > 5.0 {
+        fire_escape(mesh, wall, wall.width / 2.0, &floors);
+    }
+    dirt(mesh, wall, side, measures, style, from, stream);
+}
+
+/// Windows that cameras may see from near are modelled in full.
+fn detail_of(manner: Manner, front: bool, (storey, storeys): (u32, u32)) -> Detail {
+    match manner {
+        Manner::GlassTower => Detail::Plain,
+        Manner::Barn if storey == 0 => Detail::Plain,
+        _ if front && storey < 5 => Detail::Full,
+        _ if storeys <= 2 => Detail::Beside,
+        _ => Detail::Plain,
+    }
+}
+
+/// What stands out from a wall as a whole: plinth, string courses, cornice, pilasters, fins, frames of timber.
+fn relief(
+    mesh: &mut MeshBuilder,
+    wall: &Wall,
+    (side, bays, pitch): (usize, usize, f32),
+    (measures, style, rhythm): (&Measures, &Style, &Rhythm),
+    top: f32,
+) {
+    let front = side == 0;
+    if !(front || measures.kind == Kind::Barn) {
         wall.block(mesh, [0.01, wall.width - 0.01], [0.0, 0.35], [0.0, 0.04], style.trim);
     }
-    if front && measures.storeys > 1 && !matches!(measures.kind, Kind::Barn | Kind::Hall | Kind::House) {
-        let v = rhythm.ground;
-        wall.block(mesh, [0.005, wall.width - 0.005], [v - 0.12, v + 0.1], [0.0, 0.1], style.trim);
-        wall.block(mesh, [0.0, wall.width], [from - 0.3, from - 0.02], [0.0, 0.22], style.trim);
-    }
-    if front && measures.kind == Kind::Office {
+    let string = |mesh: &mut MeshBuilder, v: [f32; 2], out: f32| {
+        wall.block(mesh, [0.005, wall.width - 0.005], v, [0.0, out], style.accent);
+    };
+    let pier = |mesh: &mut MeshBuilder, half: f32, v: [f32; 2], out: f32| {
         for k in 0..=bays {
-            let u = (0.4 + pitch * k as f32 - 0.17).clamp(0.02, wall.width - 0.36);
-            wall.block(mesh, [u, u + 0.34], [rhythm.ground + 0.1, from - 0.3], [0.0, 0.12], style.trim);
+            let u = (0.4 + pitch * k as f32 - half).clamp(0.02, wall.width - 2.0 * half - 0.02);
+            wall.block(mesh, [u, u + 2.0 * half], v, [0.0, out], style.accent);
         }
-    }
-}
-
-/// The street side of the ground floor: shops under a sign and an awning, or windows about a door, or gates.
-fn add_ground_front(
-    mesh: &mut MeshBuilder,
-    wall: &Wall,
-    range: [f32; 2],
-    measures: &Measures,
-    style: &Style,
-    holes: &[Hole],
-    numbers: &mut WindowNumbers,
-) {
-    let height = range[1] - range[0];
-    match measures.kind {
-        Kind::Hall | Kind::Barn => {
-            let gates = if measures.kind == Kind::Barn { 1 } else { (wall.width / 9.0).floor().max(1.0) as usize };
-            let top = (height - 0.3).min(3.1);
-            let pitch = wall.width / gates as f32;
-            let openings: Vec<Hole> = (0..gates)
-                .map(|k| {
-                    let middle = pitch * (k as f32 + 0.5);
-                    Hole { u: [middle - 1.9, middle + 1.9], v: [0.02, top] }
-                })
-                .collect();
-            wall.pierced(mesh, range, &openings, style.base);
-            for hole in &openings {
-                gate(mesh, wall, hole, &style.joinery);
+    };
+    let ground = rhythm.ground;
+    match style.manner {
+        Manner::OldTown | Manner::Tenement if front => {
+            string(mesh, [ground - 0.12, ground + 0.1], 0.1);
+            wall.block(mesh, [0.0, wall.width], [top - 0.34, top - 0.22], [0.0, 0.14], style.accent);
+            wall.block(mesh, [0.0, wall.width], [top - 0.12, top - 0.01], [0.0, 0.34], style.accent);
+            for k in 0..(wall.width / 0.45) as usize {
+                let u = 0.12 + 0.45 * k as f32;
+                wall.block(mesh, [u, u + 0.16], [top - 0.22, top - 0.12], [0.0, 0.28], style.accent);
             }
-        }
-        _ if measures.shops || measures.kind == Kind::Shop => {
-            add_shops(mesh, wall, range, measures, style, numbers);
-        }
-        _ => {
-            // The middle window gives way to the door.
-            let mut openings = holes.to_vec();
-            let entrance = openings.len() / 2;
-            let mut door_hole = None;
-            if let Some(hole) = openings.get_mut(entrance) {
-                let middle = (hole.u[0] + hole.u[1]) / 2.0;
-                let wide = if matches!(measures.kind, Kind::House | Kind::Terrace) { 0.52 } else { 0.95 };
-                *hole = Hole { u: [middle - wide, middle + wide], v: [0.05, 2.5] };
-                door_hole = Some(*hole);
-            }
-            wall.pierced(mesh, range, &openings, style.base);
-            for (k, hole) in openings.iter().enumerate() {
-                if k == entrance {
-                    door(mesh, wall, hole, &style.joinery, numbers);
-                } else {
-                    window(mesh, wall, hole, &style.joinery, Detail::Full, numbers);
+            for u in [0.0, wall.width - 0.42] {
+                for k in 0..((top - ground - 0.6) / 0.6) as usize {
+                    let (v, w) = (ground + 0.14 + 0.6 * k as f32, if k % 2 == 0 { 0.42 } else { 0.28 });
+                    let from = if u == 0.0 { 0.0 } else { wall.width - w };
+                    wall.block(mesh, [from, from + w], [v, v + 0.52], [0.0, 0.03], style.accent);
                 }
             }
-            if let (Some(hole), false) = (door_hole, measures.kind == Kind::House) {
-                let u = [hole.u[0] - 0.35, hole.u[1] + 0.35];
-                wall.block(mesh, u, [2.62, 2.74], [0.0, 0.7], style.trim);
+        }
+        Manner::TerracedBrick if front => {
+            string(mesh, [ground - 0.05, ground + 0.1], 0.06);
+            wall.block(mesh, [0.0, wall.width], [top - 0.25, top - 0.02], [0.0, 0.16], style.accent);
+        }
+        Manner::StoneOffice => {
+            string(mesh, [ground - 0.15, ground + 0.15], 0.12);
+            string(mesh, [top - 0.35, top - 0.02], 0.26);
+            if measures.storeys > 1 {
+                pier(mesh, 0.2, [ground + 0.15, top - 0.35], 0.14);
             }
         }
+        Manner::RibbonOffice => {
+            for storey in 1..measures.storeys {
+                let v = ground + rhythm.storey * (storey - 1) as f32;
+                string(mesh, [v + 0.06, v + 0.14], 0.10);
+                string(mesh, [v + 0.72, v + 0.80], 0.10);
+            }
+        }
+        Manner::GlassTower => {
+            pier(mesh, 0.035, [ground, top], 0.16);
+            for storey in 1..measures.storeys {
+                let v = ground + rhythm.storey * (storey - 1) as f32;
+                wall.block(mesh, [0.0, wall.width], [v - 0.08, v + 0.08], [0.0, 0.05], style.accent);
+            }
+        }
+        Manner::ConcreteTower => pier(mesh, 0.28, [ground, top], 0.22),
+        Manner::Panels => joints(mesh, wall, (bays, pitch), (ground, rhythm.storey), top, style),
+        Manner::BrickFlats => {
+            for storey in 0..measures.storeys {
+                let v = ground + rhythm.storey * storey as f32;
+                string(mesh, [(v - 0.2).min(top - 0.22), (v + 0.02).min(top - 0.01)], 0.03);
+            }
+        }
+        Manner::School => {
+            string(mesh, [top - 0.4, top - 0.02], 0.2);
+            pier(mesh, 0.14, [2.2, top - 0.4], 0.10);
+        }
+        Manner::Works => pier(mesh, 0.22, [2.2, top - 0.1], 0.11),
+        Manner::TimberFrame => timbers(mesh, wall, (bays, pitch), (ground, rhythm.storey), top, style),
+        Manner::Latin if front => string(mesh, [top - 0.15, top - 0.01], 0.12),
+        Manner::Villa | Manner::Cottage | Manner::Weatherboard => {
+            let w = if style.manner == Manner::Weatherboard { 0.12 } else { 0.0 };
+            for u in [0.0, wall.width - w].into_iter().filter(|_| w > 0.0) {
+                wall.block(mesh, [u, u + w], [0.0, top], [0.0, 0.03], style.accent);
+            }
+        }
+        _ => {}
     }
 }
 
-fn add_shops(
+/// The dark joints between prefabricated panels, and coloured fields below some windows.
+fn joints(
     mesh: &mut MeshBuilder,
     wall: &Wall,
-    range: [f32; 2],
-    measures: &Measures,
+    (bays, pitch): (usize, f32),
+    (ground, storey): (f32, f32),
+    top: f32,
     style: &Style,
-    numbers: &mut WindowNumbers,
 ) {
-    let shops = (wall.width / 9.0).round().max(1.0) as usize;
-    let pitch = wall.width / shops as f32;
-    let openings: Vec<Hole> = (0..shops)
-        .map(|k| Hole { u: [pitch * k as f32 + 0.35, pitch * (k + 1) as f32 - 0.35], v: [0.02, 2.75] })
-        .collect();
-    wall.pierced(mesh, range, &openings, style.base);
-    for (k, hole) in openings.iter().enumerate() {
-        shop_front(mesh, wall, hole, &style.joinery, numbers);
-        wall.block(mesh, [hole.u[0] - 0.1, hole.u[1] + 0.1], [2.95, 3.55], [0.0, 0.16], style.sign);
-        if (k + measures.storeys as usize).is_multiple_of(2) {
-            add_awning(mesh, wall, hole, style);
+    let seal = endless_asset::Material { base_color: [0.16, 0.155, 0.15], ..style.wall };
+    for k in 0..=bays {
+        let u = 0.4 + pitch * k as f32;
+        wall.block(mesh, [u - 0.012, u + 0.012], [0.35, top], [0.0, 0.008], seal);
+    }
+    let mut v = ground;
+    let mut number = 0;
+    while v < top - 0.5 {
+        wall.block(mesh, [0.0, wall.width], [v - 0.012, v + 0.012], [0.0, 0.009], seal);
+        for k in (0..bays).filter(|k| (k + number) % 3 == 0) {
+            let u = 0.4 + pitch * k as f32;
+            wall.block(mesh, [u + 0.1, u + pitch - 0.1], [v + 0.06, v + 0.76], [0.0, 0.03], style.accent);
         }
+        v += storey;
+        number += 1;
     }
 }
 
-/// A sloping awning over a shop front, both sides of the cloth.
-fn add_awning(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, style: &Style) {
-    let (u0, u1) = (hole.u[0] - 0.05, hole.u[1] + 0.05);
-    let (back, front) = (2.9, 2.42);
-    let reach = 1.1;
-    let p = |u: f32, v: f32, out: f32| wall.at(u, v, out);
-    let top = [p(u0, front, reach), p(u1, front, reach), p(u1, back, 0.01), p(u0, back, 0.01)];
-    let drop = 0.03;
-    let below =
-        [p(u1, front - drop, reach), p(u0, front - drop, reach), p(u0, back - drop, 0.01), p(u1, back - drop, 0.01)];
-    let uv = [[0.0, 0.0], [u1 - u0, 0.0], [u1 - u0, 1.2], [0.0, 1.2]].map(glam::Vec2::from_array);
-    mesh.quad(top, uv, style.awning);
-    mesh.quad(below, uv, style.awning);
-    wall.panel(mesh, [u0, u1], [front - 0.25, front], reach, style.awning);
-}
-
-/// A slab with a railing of bars in front of a window.
-fn add_balcony(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, floor: f32, style: &Style) {
-    let u = [hole.u[0] - 0.5, hole.u[1] + 0.5];
-    let reach = 1.2;
-    wall.block(mesh, u, [floor - 0.16, floor], [0.0, reach], style.trim);
-    let rail = style.joinery.frame;
-    wall.block(mesh, u, [floor + 1.0, floor + 1.05], [reach - 0.06, reach - 0.01], rail);
-    wall.block(mesh, u, [floor + 0.08, floor + 0.12], [reach - 0.05, reach - 0.02], rail);
-    for end in [u[0], u[1] - 0.05] {
-        wall.block(mesh, [end, end + 0.05], [floor + 1.0, floor + 1.05], [0.0, reach - 0.06], rail);
-    }
-    let bars = ((u[1] - u[0]) / 0.28) as usize;
-    for k in 0..=bars {
-        let at = u[0] + (u[1] - u[0] - 0.03) * k as f32 / bars as f32;
-        wall.block(mesh, [at, at + 0.03], [floor + 0.0, floor + 1.0], [reach - 0.05, reach - 0.02], rail);
-    }
-}
-
-fn add_roof(
+/// Posts, rails and braces of dark timber.
+fn timbers(
     mesh: &mut MeshBuilder,
-    measures: &Measures,
-    (x, y): ([f32; 2], [f32; 2]),
-    height: f32,
+    wall: &Wall,
+    (bays, pitch): (usize, f32),
+    (ground, storey): (f32, f32),
+    top: f32,
     style: &Style,
+) {
+    let out = [0.0, 0.035];
+    let mut v = ground;
+    while v < top - 0.3 {
+        let high = (v + storey).min(top);
+        for y in [v - 0.09, v + 0.80, high - 0.22] {
+            wall.block(mesh, [0.0, wall.width], [y, y + 0.17], out, style.accent);
+        }
+        for k in 0..=bays {
+            let u = 0.4 + pitch * k as f32;
+            wall.block(mesh, [u - 0.08, u + 0.08], [v, high], out, style.accent);
+            // Braces in the fields below windows.
+            if k < bays && k % 2 == 0 {
+                let (a, b) = (Vec2::new(u + 0.1, v + 0.1), Vec2::new(u + pitch - 0.1, v + 0.80));
+                wall.bar(mesh, (a, b), 0.13, [0.0, 0.03], style.accent);
+                wall.bar(mesh, (Vec2::new(a.x, b.y), Vec2::new(b.x, a.y)), 0.13, [0.0, 0.028], style.accent);
+            }
+        }
+        for u in [0.02, wall.width - 0.2] {
+            wall.block(mesh, [u, u + 0.18], [v, high], out, style.accent);
+        }
+        v += storey;
+    }
+}
+
+/// Pipes, cables, posters and tags.
+fn dirt(
+    mesh: &mut MeshBuilder,
+    wall: &Wall,
+    side: usize,
+    measures: &Measures,
+    style: &Style,
+    top: f32,
     stream: &mut Stream,
 ) {
-    match measures.kind {
-        Kind::House => {
-            let span = measures.depth.min(measures.width);
-            let rise = span * stream.range_f32(0.3, 0.42);
-            if stream.chance(0.3) {
-                hipped(mesh, (x, y), height, rise, (style.roof, style.trim));
-            } else {
-                let along = measures.width >= measures.depth || stream.chance(0.4);
-                let across = if along { measures.depth } else { measures.width };
-                let rise = across * stream.range_f32(0.3, 0.42);
-                gabled(mesh, (x, y), height, rise, (along, 0.45, 0.3), (style.roof, style.wall));
-            }
-            let cx = measures.width * stream.range_f32(-0.3, 0.3);
-            chimney(mesh, cx, measures.depth * 0.58, height + 0.2, height + rise + 0.7);
-        }
-        Kind::Terrace if measures.storeys <= 4 && stream.chance(0.75) => {
-            let rise = measures.depth * stream.range_f32(0.26, 0.36);
-            gabled(mesh, (x, y), height, rise, (true, 0.3, 0.0), (style.roof, style.wall));
-            chimney(mesh, x[0] + 0.6, measures.depth * 0.62, height + 0.3, height + rise + 0.6);
-        }
-        Kind::Barn => {
-            let rise = measures.width * 0.42;
-            gabled(mesh, (x, y), height, rise, (false, 0.5, 0.4), (style.roof, style.wall));
-        }
-        Kind::Hall => {
-            flat(mesh, (x, y), height, 0.35, (style.wall, style.trim));
-            for k in 1..4 {
-                let cx = x[0] + measures.width * k as f32 / 4.0;
-                boxed(mesh, [cx - 0.9, cx + 0.9], [3.0, measures.depth - 3.0], [height, height + 0.45], style.trim);
-            }
-        }
-        _ => {
-            flat(mesh, (x, y), height, stream.range_f32(0.45, 1.0), (style.wall, style.trim));
-            plant(mesh, (x, y), height, stream);
+    let street = !matches!(measures.kind, Kind::House | Kind::Barn);
+    let piped = !matches!(style.manner, Manner::GlassTower | Manner::RibbonOffice | Manner::ConcreteTower);
+    if piped && (side == 0 || side == 2) && wall.width > 3.0 {
+        downpipe(mesh, wall, 0.03, top - 0.05);
+        if wall.width > 14.0 {
+            downpipe(mesh, wall, wall.width - 0.14, top - 0.05);
         }
     }
-}
-
-/// A step and a little roof on two posts before a house's door.
-fn add_porch(mesh: &mut MeshBuilder, style: &Style) {
-    boxed(mesh, [-0.9, 0.9], [-1.2, -0.01], [0.0, 0.05], style.trim);
-    boxed(mesh, [-1.0, 1.0], [-1.3, -0.01], [2.6, 2.72], style.trim);
-    for x in [-0.9, 0.8] {
-        boxed(mesh, [x, x + 0.1], [-1.2, -1.1], [0.05, 2.6], style.joinery.frame);
+    if style.manner == Manner::Latin && side == 0 {
+        cables(mesh, wall, 2.7, stream);
+    }
+    let blank_foot = side != 0 && street && wall.width > 5.0;
+    if blank_foot && measures.storeys <= 6 && stream.chance(0.16) {
+        graffito(mesh, wall, wall.width * stream.range_f32(0.05, 0.5), stream);
+    } else if blank_foot && stream.chance(0.10) {
+        posters(mesh, wall, 0.5, stream);
     }
 }

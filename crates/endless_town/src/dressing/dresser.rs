@@ -88,10 +88,23 @@ impl<'a> Stage<'a> {
         true
     }
 
+    /// The same with a variant of the caller's choice.
+    pub(crate) fn put_variant(&mut self, (prop, variant): (Prop, u32), spot: Spot, half: DVec2) -> bool {
+        let free = self.occupied.try_take(Rect::new(spot.at, half, spot.yaw));
+        if free {
+            self.place_variant((prop, variant), spot, None);
+        }
+        free
+    }
+
     /// Puts a prop down where the caller knows that there is room.
     pub(crate) fn place(&mut self, prop: Prop, spot: Spot, signal: Option<SignalId>) {
         let mut stream = self.stream.fork(self.placements.len() as u64);
         let variant = stream.below(self.catalogue.prop_variants(prop).max(1) as usize) as u32;
+        self.place_variant((prop, variant), spot, signal);
+    }
+
+    fn place_variant(&mut self, (prop, variant): (Prop, u32), spot: Spot, signal: Option<SignalId>) {
         let world_from_object = Affine3A::from_scale_rotation_translation(
             spot.scale,
             Quat::from_rotation_z(spot.yaw as f32),

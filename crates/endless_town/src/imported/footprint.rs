@@ -54,6 +54,7 @@ pub(super) fn build(
         let edge = outline[(front + 1) % outline.len()] - outline[front];
         let measures = Measures {
             kind,
+            manner: None,
             width: edge.length() as f32,
             depth: (area(outline) / edge.length().max(1.0)) as f32,
             storeys,

@@ -5,6 +5,7 @@ use crate::camera::spoils;
 use crate::dressing::{Spot, Stage, hang};
 use crate::plot::Rect;
 use endless_asset::{MeshBuilder, Prop};
+use endless_road::Lane;
 use endless_world::CameraSite;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -19,7 +20,22 @@ const PIECES: &[(Prop, [f64; 2], f64, f64)] = &[
     (Prop::Planter, [0.4, 0.8], 0.7, 0.0),
     (Prop::BikeRack, [0.5, 0.4], 0.8, FRAC_PI_2),
     (Prop::Cabinet, [0.35, 0.6], 0.6, PI),
+    (Prop::ParkingMeter, [0.2, 0.2], 0.5, PI),
+    (Prop::PayStation, [0.25, 0.3], 0.2, PI),
+    (Prop::NewsBox, [0.3, 0.75], 0.2, PI),
+    (Prop::BusStop, [0.2, 0.3], 0.3, FRAC_PI_2),
+    (Prop::WheelieBins, [0.45, 1.05], 0.5, PI),
+    (Prop::RubbishBags, [0.55, 0.6], 0.35, 0.0),
+    (Prop::SandwichBoard, [0.3, 0.35], 0.3, FRAC_PI_2),
+    (Prop::BikeStand, [0.4, 1.2], 0.25, 0.0),
+    (Prop::Charger, [0.25, 0.35], 0.2, 0.0),
+    (Prop::CityLight, [0.2, 0.7], 0.25, FRAC_PI_2),
+    (Prop::DrinkingFountain, [0.3, 0.3], 0.08, PI),
 ];
+/// Roads at least this fast have guard rails, m/s; rails stand this far outside them, a piece this long, metres.
+const RAILED_FROM_MPS: f64 = 24.0;
+const RAIL_BEYOND_M: f64 = 0.9;
+const RAIL_M: f64 = 4.0;
 /// Most pieces of a map.
 const MOST: usize = 1200;
 /// Distance between utility poles, metres.
@@ -51,6 +67,27 @@ pub(super) fn add(stage: &mut Stage<'_>, mesh: &mut MeshBuilder, poster: &Poster
         }
     }
     add_poles(stage, mesh, poster, sites);
+    add_guard_rails(stage, poster);
+}
+
+/// Guard rails along both sides of fast roads.
+fn add_guard_rails(stage: &mut Stage<'_>, poster: &Poster<'_>) {
+    let fast = |l: &&Lane| l.junction.is_none() && l.speed_limit_mps >= RAILED_FROM_MPS;
+    for lane in poster.map.network.lanes.iter().filter(fast) {
+        let length = lane.centerline.length();
+        let sides = [(-1.0, lane.right.is_none()), (1.0, lane.left.is_none())];
+        for (side, _) in sides.into_iter().filter(|s| s.1) {
+            for k in 0..(length / RAIL_M) as usize {
+                let s = (k as f64 + 0.5) * RAIL_M;
+                let Some(verge) = poster.verge(lane, s, side, RAIL_BEYOND_M).filter(|v| !v.walk) else { continue };
+                // Its face looks at the road.
+                let heading = lane.centerline.at(s).heading_rad;
+                let yaw = if side < 0.0 { heading + PI } else { heading };
+                let spot = Spot { z: verge.z, ..Spot::new(verge.at, yaw) };
+                stage.put(Prop::GuardRail, spot, DVec2::new(RAIL_M / 2.0 - 0.05, 0.12), None);
+            }
+        }
+    }
 }
 
 /// Wooden poles with wires, along roads without sidewalks, or along all quiet ones where that is the custom.
@@ -73,7 +110,8 @@ fn add_poles(stage: &mut Stage<'_>, mesh: &mut MeshBuilder, poster: &Poster<'_>,
             let Some(verge) = verge.filter(|v| poster.look.wires || !v.walk) else { continue };
             let clear = !spoils(sites, verge.at) && stage.occupied.is_free(&Rect::around(verge.at, 0.3));
             let spot = Spot { z: verge.z, ..Spot::new(verge.at, lane.centerline.at(s).heading_rad) };
-            if !clear || !stage.put(Prop::UtilityPole, spot, DVec2::splat(0.22), None) {
+            let pole = if poster.look.bright { Prop::CrowdedPole } else { Prop::UtilityPole };
+            if !clear || !stage.put(pole, spot, DVec2::splat(0.22), None) {
                 continue;
             }
             let here = verge.at.extend(verge.z);

@@ -7,7 +7,7 @@ use super::footprint::Built;
 use super::land::Land;
 use super::look::Look;
 use super::urban::{Mapped, may_be_built_on};
-use crate::building::{Block, Measures, WindowNumbers, eaves, house, on_rectangle, size, storeys};
+use crate::building::{Block, Manner, Measures, WindowNumbers, eaves, house, on_rectangle, size, storeys};
 use crate::camera::Solid;
 use crate::character::Kind;
 use crate::plot::{Occupied, Rect, inside, unit};
@@ -252,6 +252,7 @@ impl Grower<'_> {
             }
             let measures = Measures {
                 kind,
+                manner: (self.look.bright && storeys <= 4 && kind == Kind::Terrace).then_some(Manner::Latin),
                 width: width as f32,
                 depth: depth as f32,
                 storeys,

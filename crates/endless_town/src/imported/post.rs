@@ -23,6 +23,42 @@ const LIT_FROM_MPS: f64 = 16.0;
 /// Most lamps of a map.
 const MOST_LAMPS: usize = 900;
 
+/// Signs of the German catalogue (VzKat), which most OpenDRIVE files use, and what they are in the Vienna Convention.
+const GERMAN: &[(&str, &str)] = &[
+    ("101", "A,32"),
+    ("103", "A,1b"),
+    ("105", "A,1b"),
+    ("123", "A,16"),
+    ("131", "A,17a"),
+    ("133", "A,12"),
+    ("136", "A,13"),
+    ("209", "D,1a"),
+    ("215", "D,3"),
+    ("220", "E,3"),
+    ("222", "D,2"),
+    ("237", "D,4"),
+    ("240", "D,4"),
+    ("241", "D,4"),
+    ("250", "C,2"),
+    ("267", "C,1"),
+    ("283", "C,19"),
+    ("286", "C,18"),
+    ("306", "B,3"),
+    ("314", "E,14"),
+];
+
+/// The face of a sign of this code (country, type, subtype): of the German catalogue or of the MUTCD.
+fn face_of(code: &str) -> Option<u32> {
+    let codes = endless_asset::Catalogue::sign_codes();
+    let place = |code: &str| codes.iter().position(|c| *c == code);
+    let words = code.split(|c: char| !c.is_ascii_alphanumeric() && c != '-');
+    let found = words.filter_map(|word| {
+        let german = GERMAN.iter().find(|g| g.0 == word.split('-').next().unwrap_or(word));
+        german.map_or_else(|| place(word), |g| place(g.1))
+    });
+    found.max().map(|k| k as u32)
+}
+
 /// A place beside a carriageway.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Verge {
@@ -142,6 +178,14 @@ impl Poster<'_> {
                 ThingKind::Yield => Prop::YieldSign,
                 ThingKind::SpeedLimit(_) => Prop::SpeedSign,
                 ThingKind::Sign(code) if code.contains("350") => Prop::CrossingSign,
+                ThingKind::Sign(code) => {
+                    let at = thing.position.truncate();
+                    if let Some(variant) = face_of(code).filter(|_| !self.cover.is_carriageway(at)) {
+                        let spot = Spot { z: self.ground(thing.position), ..Spot::new(at, thing.heading_rad + PI) };
+                        stage.put_variant((Prop::TrafficSign, variant), spot, HALF);
+                    }
+                    continue;
+                }
                 _ => continue,
             };
             let at = thing.position.truncate();

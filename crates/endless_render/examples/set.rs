@@ -1,0 +1,157 @@
+//! Contact sheets of what stands still, each piece on a square of its own in daylight:
+//! `cargo run --release -p endless_render --example set -- furniture|plants|buildings OUT.jpg [NAME ...]`.
+
+use endless_asset::{Catalogue, Material, Mesh, MeshBuilder, Prop, Surface};
+use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_town::{Placement, Town, What};
+use endless_world::{CameraLook, CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
+use glam::{Affine3A, Vec2, Vec3};
+use std::error::Error;
+
+/// Sizes of one picture, and how much larger it is drawn.
+const SMALL: ImageSize = ImageSize { width: 190, height: 170 };
+const LARGE: ImageSize = ImageSize { width: 318, height: 240 };
+const FINER: u32 = 2;
+const GAP: usize = 2;
+const FIELD_OF_VIEW_RAD: f32 = 0.5;
+const QUALITY: u8 = 84;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [what, out, only @ ..] = arguments.as_slice() else {
+        return Err("usage: set furniture|plants|buildings OUT.jpg [NAME ...]".into());
+    };
+    let catalogue = Catalogue::builtin();
+    let mut pieces = match what.as_str() {
+        "furniture" => props(&catalogue, false),
+        "plants" => props(&catalogue, true),
+        "buildings" => buildings(),
+        _ => return Err(format!("no sheet of {what}").into()),
+    };
+    // Fronts of buildings look towards −y.
+    let (tile, columns, azimuth) = match what.as_str() {
+        "buildings" => (LARGE, 6, -1.05),
+        "plants" => (LARGE, 6, -0.62),
+        _ => (SMALL, 10, -0.62),
+    };
+    pieces.retain(|p| only.is_empty() || only.contains(&p.0));
+    let tiles: Vec<Vec<[u8; 3]>> = pieces.iter().map(|(_, mesh)| picture(mesh, &catalogue, tile, azimuth)).collect();
+    eprintln!("{}", pieces.iter().map(|p| p.0.as_str()).collect::<Vec<_>>().join(" "));
+    let (wide, tall) = (tile.width as usize, tile.height as usize);
+    let (rows, columns) = (tiles.len().div_ceil(columns), columns.min(tiles.len()));
+    let (width, height) = (columns * (wide + GAP) - GAP, rows * (tall + GAP) - GAP);
+    let mut sheet = vec![[20u8, 20, 22]; width * height];
+    for (i, picture) in tiles.iter().enumerate() {
+        let corner = (i / columns * (tall + GAP)) * width + i % columns * (wide + GAP);
+        for (line, pixels) in picture.chunks(wide).enumerate() {
+            let start = corner + line * width;
+            sheet[start..start + wide].copy_from_slice(pixels);
+        }
+    }
+    let encoder = jpeg_encoder::Encoder::new_file(out, QUALITY)?;
+    encoder.encode(sheet.as_flattened(), width as u16, height as u16, jpeg_encoder::ColorType::Rgb)?;
+    Ok(())
+}
+
+/// One variant of every prop; of signs one more of each kind of face.
+fn props(catalogue: &Catalogue, plants: bool) -> Vec<(String, Mesh)> {
+    let mut all = Vec::new();
+    for &prop in Prop::ALL.iter().filter(|p| p.is_plant() == plants) {
+        let variants = catalogue.prop_variants(prop);
+        let shown = match prop {
+            Prop::TrafficSign => 6,
+            _ if plants => variants.min(4),
+            _ => 1,
+        };
+        for k in 0..shown {
+            all.push((prop.name(), catalogue.prop(prop, k * variants / shown)));
+        }
+    }
+    all
+}
+
+/// One building of every manner.
+fn buildings() -> Vec<(String, Mesh)> {
+    let names = endless_town::building_manners();
+    names.into_iter().filter_map(|n| Some((n.to_owned(), endless_town::sample_building(n, 3)?))).collect()
+}
+
+/// A square with a thing in its middle.
+fn stage(thing: &Mesh) -> Town {
+    let ground = Material::new(Surface::Concrete, [0.23, 0.23, 0.225], ClassTag::Ground);
+    let mut square = MeshBuilder::new();
+    let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec3::new(x, y, 0.0) * 400.0);
+    square.quad(corners, corners.map(|c| Vec2::new(c.x, c.y)), ground);
+    let place = |number| Placement { what: What::Own(number), world_from_object: Affine3A::IDENTITY, signal: None };
+    Town {
+        name: "square".to_owned(),
+        summary: String::new(),
+        network: Default::default(),
+        meshes: vec![square.finish(), thing.clone()],
+        placements: vec![place(0), place(1)],
+        parked: Vec::new(),
+        lamps: Vec::new(),
+        cameras: Vec::new(),
+    }
+}
+
+/// A camera that a box of these corners fills, as far up as one on a pole 12 m away, ahead and to the right of it.
+fn site(low: Vec3, high: Vec3, tile: ImageSize, azimuth: f32) -> CameraSite {
+    let tilt = 0.24f32;
+    let middle = 0.5 * (low + high);
+    let half = 0.5 * (high - low);
+    let (sin, cos) = math::sin_cos(azimuth);
+    let across = half.x * sin.abs() + half.y * cos.abs();
+    let deep = half.x * cos.abs() + half.y * sin.abs();
+    let (tilt_sin, tilt_cos) = math::sin_cos(tilt);
+    let upward = half.z * tilt_cos + deep * tilt_sin;
+    let tangent = math::tan(0.5 * FIELD_OF_VIEW_RAD);
+    let aspect = tile.width as f32 / tile.height as f32;
+    let distance = (0.98 * (across / tangent).max(upward * aspect / tangent) + 0.75 * deep).max(2.0);
+    let position = middle + distance * Vec3::new(cos * tilt_cos, sin * tilt_cos, tilt_sin);
+    CameraSite {
+        name: "view".to_owned(),
+        position: position.to_array(),
+        yaw_rad: azimuth + std::f32::consts::PI,
+        down_tilt_rad: tilt,
+        horizontal_fov_rad: FIELD_OF_VIEW_RAD,
+        mount: Mount::Pole,
+    }
+}
+
+fn picture(mesh: &Mesh, catalogue: &Catalogue, tile: ImageSize, azimuth: f32) -> Vec<[u8; 3]> {
+    let still = StaticScene::load(&stage(mesh), catalogue);
+    let size = ImageSize { width: tile.width * FINER, height: tile.height * FINER };
+    let settings = RenderSettings {
+        weather: Weather::ClearSky,
+        time_of_day: TimeOfDay::Afternoon,
+        seed: 1,
+        size,
+        gather_rays: 2,
+        pattern: 0,
+        look: CameraLook::CLEAN,
+        fps: 30.0,
+        keep_irradiance: false,
+    };
+    let (mut low, high) = mesh.bounds();
+    // Of slender things the upper part tells what they are.
+    let wide = (high.x - low.x).max(high.y - low.y);
+    low.z = low.z.max(high.z - 3.0 * wide.max(0.5));
+    let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals: Vec::new() };
+    let cast = Cast::new(catalogue, &state.actors);
+    let bake = CameraBake::bake(&still, &settings, &site(low, high, tile, azimuth));
+    shrunk(&bake.render(&still, &FrameScene::new(&cast, &state)).rgb.data, size)
+}
+
+/// Means of squares of pixels.
+fn shrunk(pixels: &[[u8; 3]], size: ImageSize) -> Vec<[u8; 3]> {
+    let (width, finer) = (size.width as usize, FINER as usize);
+    let mean = |x: usize, y: usize, channel: usize| {
+        let square = (0..finer * finer).map(|k| pixels[(y * finer + k / finer) * width + x * finer + k % finer]);
+        (square.map(|p| usize::from(p[channel])).sum::<usize>() / (finer * finer)) as u8
+    };
+    (0..size.height as usize / finer)
+        .flat_map(|y| (0..width / finer).map(move |x| (x, y)))
+        .map(|(x, y)| [0, 1, 2].map(|channel| mean(x, y, channel)))
+        .collect()
+}

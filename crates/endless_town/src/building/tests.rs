@@ -1,0 +1,115 @@
+//! Buildings of every manner are sound: closed as seen from the street, wound alike, on the ground, of real sizes.
+
+use super::manner::Manner;
+use super::{building_manners, sample_building};
+use endless_asset::Mesh;
+use endless_world::{Stream, math};
+use glam::Vec3;
+
+const SEEDS: u64 = 12;
+
+fn samples() -> impl Iterator<Item = (&'static str, u64, Mesh)> {
+    let all = building_manners().into_iter().flat_map(|n| (0..SEEDS).map(move |seed| (n, seed)));
+    all.map(|(name, seed)| (name, seed, sample_building(name, seed).expect("a manner of the list")))
+}
+
+fn corners(mesh: &Mesh) -> Vec<[Vec3; 3]> {
+    mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).collect()
+}
+
+#[test]
+fn there_are_two_dozen_manners_with_names_of_their_own() {
+    let names = building_manners();
+    assert!(names.len() >= 24);
+    for (i, name) in names.iter().enumerate() {
+        assert!(!names[..i].contains(name), "{name}");
+    }
+    assert!(sample_building("castle", 0).is_none());
+}
+
+#[test]
+fn buildings_are_sound_and_stand_on_the_ground() {
+    for (name, seed, mesh) in samples() {
+        assert!(mesh.positions.iter().all(|p| p.is_finite()), "{name} {seed}");
+        assert!(mesh.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-3), "{name} {seed}");
+        let triangles = corners(&mesh);
+        let area = |[a, b, c]: &[Vec3; 3]| (*b - *a).cross(*c - *a).length();
+        let flat = triangles.iter().filter(|t| area(t) < 1e-7).count();
+        assert!(flat * 1000 <= triangles.len(), "{name} {seed}: {flat} of {} degenerate", triangles.len());
+        let volume: f32 = triangles.iter().map(|[a, b, c]| a.dot(b.cross(*c)) / 6.0).sum();
+        assert!(volume > 60.0, "{name} {seed}: {volume} m³");
+        let (low, high) = mesh.bounds();
+        assert!(low.z > -0.02 && low.z < 0.01, "{name} {seed} begins at {}", low.z);
+        let size = high - low;
+        assert!((4.0..45.0).contains(&size.x) && (4.0..45.0).contains(&size.y), "{name} {seed}: {size}");
+        let (least, most) = match name {
+            "glass_tower" | "concrete_tower" => (35.0, 90.0),
+            "church" => (14.0, 40.0),
+            "shop_row" | "supermarket" | "petrol_station" | "barn" | "latin_american_house" => (3.5, 13.0),
+            _ => (6.0, 32.0),
+        };
+        assert!((least..most).contains(&size.z), "{name} {seed} is {} m high", size.z);
+        assert!((200..30_000).contains(&triangles.len()), "{name} {seed}: {} triangles", triangles.len());
+    }
+}
+
+/// Distance to a triangle and whether it is met from behind (Möller and Trumbore 1997).
+fn met([a, b, c]: &[Vec3; 3], from: Vec3, direction: Vec3) -> Option<(f32, bool)> {
+    let (e, f) = (*b - *a, *c - *a);
+    let p = direction.cross(f);
+    let determinant = e.dot(p);
+    if determinant.abs() < 1e-12 {
+        return None;
+    }
+    let s = from - *a;
+    let u = s.dot(p) / determinant;
+    let q = s.cross(e);
+    let v = direction.dot(q) / determinant;
+    let t = f.dot(q) / determinant;
+    (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 1e-4).then_some((t, determinant < 0.0))
+}
+
+/// From where cameras may hang, outer sides alone are seen.
+#[test]
+fn buildings_are_closed_as_seen_from_the_street() {
+    const RAYS: usize = 150;
+    let mut open = Vec::new();
+    for (name, seed, mesh) in samples().filter(|s| s.1 < 4) {
+        let triangles = corners(&mesh);
+        let (low, high) = mesh.bounds();
+        let mut stream = Stream::named(seed, name, &[]);
+        let (mut hits, mut inner) = (0, 0);
+        for _ in 0..RAYS {
+            let (sin, cos) = math::sin_cos(stream.range_f32(0.0, std::f32::consts::TAU));
+            let middle = 0.5 * (low + high);
+            let from = Vec3::new(middle.x + 45.0 * cos, middle.y + 45.0 * sin, stream.range_f32(3.0, 14.0));
+            let aim = low + (high - low) * Vec3::new(stream.f32(), stream.f32(), stream.f32());
+            let direction = (aim - from).normalize();
+            let first = triangles.iter().filter_map(|t| met(t, from, direction)).min_by(|a, b| a.0.total_cmp(&b.0));
+            if let Some((_, behind)) = first {
+                hits += 1;
+                inner += usize::from(behind);
+            }
+        }
+        if inner * 40 > hits {
+            open.push(format!("{name} {seed}: {inner} of {hits}"));
+        }
+    }
+    assert!(open.is_empty(), "{open:#?}");
+}
+
+#[test]
+fn every_manner_is_drawn_or_asked_for() {
+    let mut seen: Vec<Manner> = vec![Manner::Church, Manner::Latin];
+    for (_, kind, _) in Manner::ALL {
+        for storeys in [1, 2, 3, 5, 8, 14] {
+            for seed in 0..40 {
+                let mut stream = Stream::named(seed, "manner", &[]);
+                seen.push(Manner::draw(kind, storeys, seed % 2 == 0, &mut stream));
+            }
+        }
+    }
+    for (manner, ..) in Manner::ALL {
+        assert!(seen.contains(&manner), "{manner:?}");
+    }
+}
