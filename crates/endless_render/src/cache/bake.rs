@@ -7,7 +7,7 @@ use super::still_sample::{StillSample, shade_still, share_lamp_light, still_ligh
 use super::tile::{BLOCK, TILE, TileBounds};
 use crate::accel::{Hit, Ray};
 use crate::film::Finish;
-use crate::film::{LONGEST_PX, Rain, ToneCurve, exposure};
+use crate::film::{LONGEST_PX, Rain, ToneCurve, black_level, exposure};
 use crate::indirect::{Air, Guide, PATTERN_SIDE, ProbeGrid, denoise, gather8, turn};
 use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
 use crate::material::{Look, noise};
@@ -129,9 +129,9 @@ impl CameraBake {
     /// Traces and shades the still town as this camera sees it.
     pub fn bake(still: &StaticScene, settings: &RenderSettings, site: &CameraSite) -> Self {
         let camera = PinholeCamera::new(site, settings.size).with_distortion(settings.look.distortion);
-        let environment = Environment::new(settings.weather, settings.time_of_day, settings.seed);
         let pixel_angle = 1.0 / camera.intrinsics.fx;
         let (low, high, ground) = viewed_area(still, &camera);
+        let environment = Environment::new(settings.weather, settings.time_of_day, settings.seed, ground);
         let lamps = if environment.night { still.lamps.all() } else { &[] };
         let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
         let air = Air { low, high, ground, pattern: settings.pattern };
@@ -169,8 +169,9 @@ impl CameraBake {
                 (radiance, ambient.to_array())
             })
             .unzip();
-        let exposure = exposure(&radiance, environment.exposure_key);
-        let tone = ToneCurve::new(exposure, environment.white_balance());
+        let black = black_level(&radiance);
+        let exposure = exposure(&radiance, black, environment.exposure_key);
+        let tone = ToneCurve::new(exposure, environment.white_balance(), black);
         let rgb = radiance.iter().map(|&r| tone.apply(r)).collect();
         let rain = rain(&environment, exposure, settings.seed);
         let glare = environment.glare;
@@ -541,8 +542,8 @@ pub(super) fn still_sample(
             let halos = super::still_sample::halos(tracer, ray, f32::MAX);
             let sky = environment.sky.radiance(ray.direction);
             // Fog and rain fill the whole way to the sky; thin haze is part of the sky model already.
-            let air = if environment.fog.extinction > 0.004 {
-                environment.fog.through(sky, ray.direction, 2000.0)
+            let air = if environment.fog.is_dense() {
+                environment.fog.through(sky, ray.origin, ray.direction, 2000.0)
             } else {
                 sky
             };

@@ -40,9 +40,10 @@ impl CentreLight {
     }
 }
 
-/// The light of these pixels; `work` says what can matter.
+/// The light of these pixels, seen from `eye`; `work` says what can matter.
 pub(super) fn centre_lights(
     tracer: &Tracer<'_>,
+    eye: Vec3A,
     frame: &FrameScene,
     work: &Work,
     row: &[Option<Place<'_>>; 8],
@@ -51,8 +52,11 @@ pub(super) fn centre_lights(
     if row.iter().all(Option::is_none) {
         return lights;
     }
-    let transmittance: [f32; 8] =
-        std::array::from_fn(|i| row[i].map_or(0.0, |p| tracer.environment.fog.transmittance(p.facet.distance)));
+    let transmittance: [f32; 8] = std::array::from_fn(|i| {
+        row[i].map_or(0.0, |Place { facet, .. }| {
+            tracer.environment.fog.transmittance(eye, facet.direction, facet.distance)
+        })
+    });
     if !work.beams.is_empty() {
         let swept = beams_on_row(tracer, frame, &work.beams, row, &transmittance);
         for (light, swept) in lights.iter_mut().zip(swept) {

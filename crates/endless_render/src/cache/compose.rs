@@ -32,6 +32,7 @@ pub(super) fn compose(
     let mut contact = centre.map_or(1.0, |c| c.contact);
     let mut direct = centre.and_then(|c| c.direct);
     let point = || SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
+    let transmittance = || environment.fog.transmittance(ray.origin, ray.direction, still.hit.t);
     if centre.is_none() && !(work.contacts.is_empty() && work.lamps.is_empty()) {
         let facet = still.facet(ray);
         contact = contact_left(frame, work, &facet);
@@ -39,12 +40,12 @@ pub(super) fn compose(
         if blocked != 0 {
             let look = still_look(&point(), environment, sample, pixel_angle);
             let light = lamp_sum(tracer, &facet, &look, still.lamps_free & !blocked);
-            direct = Some(light * environment.fog.transmittance(still.hit.t));
+            direct = Some(light * transmittance());
         }
     }
     let mirror = mirrored.unwrap_or(Vec3A::from(still.mirror));
     let signal = if work.lens && still.flags & StillSample::LENS != 0 {
-        lens_light(frame, &point(), environment.night) * environment.fog.transmittance(still.hit.t)
+        lens_light(frame, &point(), environment.night) * transmittance()
     } else {
         Vec3A::ZERO
     };

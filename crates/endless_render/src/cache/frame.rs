@@ -201,7 +201,7 @@ impl CameraBake {
             }
             Some(self.pixels[index].place(&row.ray(i, 0), self.looks.get(index)))
         });
-        centre_lights(tracer, frame, work, &places)
+        centre_lights(tracer, Vec3A::from(self.camera.position), frame, work, &places)
     }
 
     /// The same for one pixel, from nothing but its retraced centre.
@@ -222,7 +222,7 @@ impl CameraBake {
         let look = still_look(&point, &self.environment, 0, self.pixel_angle);
         let mut row = [None; 8];
         row[0] = Some(StillPixel::new(samples).place(&ray, Some(&look).filter(|_| self.environment.night)));
-        Some(centre_lights(tracer, frame, work, &row)[0])
+        Some(centre_lights(tracer, Vec3A::from(self.camera.position), frame, work, &row)[0])
     }
 
     /// One pixel, given its still samples, the light that these share if it is uniform, what rays towards what moves

@@ -133,7 +133,7 @@ pub(super) fn shade_still(
     let point = SurfacePoint::new(&tracer.still.instances, ray, hit);
     let look = still_look(&point, environment, sample, pixel_angle);
     let view = -ray.direction;
-    let transmittance = environment.fog.transmittance(hit.t);
+    let transmittance = environment.fog.transmittance(ray.origin, ray.direction, hit.t);
     let (mirror, mirror_t) = mirror_light(tracer, &point, &look, pixel_angle);
     let mirrors = look.coat_reflectance(view).max_element() >= MIRROR_THRESHOLD;
     let lens = matches!(point.material.surface, Surface::SignalLens(_)) && point.instance.signal.is_some();

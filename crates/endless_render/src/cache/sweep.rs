@@ -32,7 +32,7 @@ pub(super) fn beams_on(
         return Vec3A::ZERO;
     }
     let position = ray.origin + ray.direction * still.hit.t;
-    let transmittance = tracer.environment.fog.transmittance(still.hit.t);
+    let transmittance = tracer.environment.fog.transmittance(ray.origin, ray.direction, still.hit.t);
     let shown = |sweep: &&Sweep| shows(&frame.beams[usize::from(sweep.beam)], position, transmittance);
     let mut lights = beams.iter().filter(shown).peekable();
     if lights.peek().is_none() {

@@ -1,14 +1,15 @@
-//! Automatic exposure, fixed for a whole video as the still picture needs it.
+//! Automatic exposure and black level, fixed for a whole video as the still picture needs it.
 
 use endless_world::math;
 use glam::Vec3A;
 
 const LUMINANCE: Vec3A = Vec3A::new(0.2126, 0.7152, 0.0722);
 
-/// Factor from kcd/m² to the tone curve's input: the log-average of the picture (Reinhard et al. 2002), without its
-/// darkest and brightest tenths, becomes `key`.
-pub(crate) fn exposure(pixels: &[Vec3A], key: f32) -> f32 {
-    let mut logs: Vec<f32> = pixels.iter().step_by(7).map(|p| math::ln(p.dot(LUMINANCE).max(1e-7))).collect();
+/// Factor from kcd/m² above `black` to the tone curve's input: the log-average of the picture (Reinhard et al. 2002),
+/// without its darkest and brightest tenths, becomes `key`.
+pub(crate) fn exposure(pixels: &[Vec3A], black: Vec3A, key: f32) -> f32 {
+    let above = |p: &Vec3A| (*p - black).dot(LUMINANCE).max(1e-7);
+    let mut logs: Vec<f32> = pixels.iter().step_by(7).map(|p| math::ln(above(p))).collect();
     if logs.is_empty() {
         return 1.0;
     }
@@ -19,14 +20,40 @@ pub(crate) fn exposure(pixels: &[Vec3A], key: f32) -> f32 {
     key / math::exp(mean as f32)
 }
 
+/// Radiance of even light over the whole picture, such as fog in front of everything, of which cameras take most away to
+/// win contrast back: by the darkest hundredth of the pixels.
+pub(crate) fn black_level(pixels: &[Vec3A]) -> Vec3A {
+    const TAKEN: f32 = 0.6;
+    let mut dark: Vec<Vec3A> = pixels.iter().step_by(7).copied().collect();
+    let hundredth = dark.len() / 100;
+    if hundredth == 0 {
+        return Vec3A::ZERO;
+    }
+    let brighter = |a: &Vec3A, b: &Vec3A| a.dot(LUMINANCE).total_cmp(&b.dot(LUMINANCE));
+    dark.select_nth_unstable_by(hundredth, brighter);
+    // In the order of the pixels' brightness, so that the sum does not depend on how they were parted.
+    dark[..hundredth].sort_by(brighter);
+    let mean = dark[..hundredth].iter().copied().sum::<Vec3A>() / hundredth as f32;
+    Vec3A::splat(mean.min_element().max(0.0) * TAKEN)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
+    fn a_veil_is_taken_for_black() {
+        let scene: Vec<Vec3A> = (0..10_000).map(|i| Vec3A::splat((i % 100) as f32 * 0.05)).collect();
+        let veiled: Vec<Vec3A> = scene.iter().map(|&p| p + 2.0).collect();
+        assert!(black_level(&scene).x < 0.02);
+        assert!((black_level(&veiled).x - 1.2).abs() < 0.02);
+        assert_eq!(black_level(&[]), Vec3A::ZERO);
+    }
+
+    #[test]
     fn a_grey_picture_lands_on_the_key() {
-        let e = exposure(&vec![Vec3A::splat(3.0); 1000], 0.18);
+        let e = exposure(&vec![Vec3A::splat(3.0); 1000], Vec3A::ZERO, 0.18);
         assert!((e * 3.0 - 0.18).abs() < 1e-4);
-        assert!(exposure(&[], 0.18).is_finite());
+        assert!(exposure(&[], Vec3A::ZERO, 0.18).is_finite());
     }
 }

@@ -11,7 +11,7 @@ mod motion_blur;
 mod rain;
 mod tone;
 
-pub(crate) use exposure::exposure;
+pub(crate) use exposure::{black_level, exposure};
 pub(crate) use finish::Finish;
 pub(crate) use glare::with_glare;
 pub(crate) use motion_blur::{LEAST_PX, LONGEST_PX, Streak, blur};

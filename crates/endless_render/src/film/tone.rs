@@ -7,6 +7,8 @@ const ENTRIES: usize = 8192;
 
 /// Radiance to 8-bit sRGB.
 pub(crate) struct ToneCurve {
+    /// Radiance that becomes black.
+    black: Vec3A,
     /// Exposure by channel: white balance included.
     exposure: Vec3A,
     /// By x / (1 + x).
@@ -14,7 +16,7 @@ pub(crate) struct ToneCurve {
 }
 
 /// Slope in the middle of the curve on a log scale: cameras that watch streets are set to more contrast than eyes see.
-const CONTRAST: f32 = 1.12;
+const CONTRAST: f32 = 1.2;
 /// How early the shoulder bends; 1 is a plain power curve.
 const SHOULDER: f32 = 0.96;
 /// Input that becomes full white.
@@ -38,8 +40,8 @@ fn srgb(linear: f32) -> f32 {
 
 impl ToneCurve {
     /// The curve at an exposure (factor from kcd/m² to scene-referred units where 0.18 is middle grey) and a white balance
-    /// (factors by channel).
-    pub(crate) fn new(exposure: f32, white_balance: Vec3A) -> Self {
+    /// (factors by channel), above a black level (kcd/m²).
+    pub(crate) fn new(exposure: f32, white_balance: Vec3A, black: Vec3A) -> Self {
         let table = (0..ENTRIES)
             .map(|i| {
                 let t = i as f32 / (ENTRIES - 1) as f32;
@@ -48,13 +50,13 @@ impl ToneCurve {
                 (srgb(y.clamp(0.0, 1.0)) * 255.0 + 0.5) as u8
             })
             .collect();
-        Self { exposure: white_balance * exposure, table }
+        Self { black, exposure: white_balance * exposure, table }
     }
 
     /// One pixel.
     #[inline]
     pub(crate) fn apply(&self, radiance: Vec3A) -> [u8; 3] {
-        let x = (radiance * self.exposure).max(Vec3A::ZERO);
+        let x = ((radiance - self.black) * self.exposure).max(Vec3A::ZERO);
         // Very bright light bleaches: each channel takes a little of the brightest.
         let peak = x.max_element();
         let bleach = (peak - 1.0).max(0.0);
@@ -70,7 +72,7 @@ mod tests {
 
     #[test]
     fn the_curve_rises_from_black_to_white() {
-        let curve = ToneCurve::new(1.0, Vec3A::ONE);
+        let curve = ToneCurve::new(1.0, Vec3A::ONE, Vec3A::ZERO);
         assert_eq!(curve.apply(Vec3A::ZERO), [0, 0, 0]);
         assert!(curve.apply(Vec3A::splat(50.0))[0] >= 250);
         let grey = curve.apply(Vec3A::splat(0.18))[0];

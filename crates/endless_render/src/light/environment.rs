@@ -47,8 +47,8 @@ pub(crate) struct Environment {
 }
 
 impl Environment {
-    /// The light of a scene.
-    pub(crate) fn new(weather: Weather, time: TimeOfDay, seed: u64) -> Self {
+    /// The light of a scene whose ground lies at this height, metres.
+    pub(crate) fn new(weather: Weather, time: TimeOfDay, seed: u64, ground: f32) -> Self {
         let mut random = Stream::named(seed, "environment", &[]);
         let sun_direction = sun_direction(time, &mut random);
         let night = time == TimeOfDay::Night;
@@ -93,8 +93,8 @@ impl Environment {
             Weather::ClearSky => 14_000.0,
             Weather::Cloudy => 7_000.0,
             Weather::AfterRain => 9_000.0,
-            Weather::Rainy => 420.0,
-            Weather::Foggy => random.range_f32(110.0, 180.0),
+            Weather::Rainy => random.range_f32(900.0, 1600.0),
+            Weather::Foggy => random.range_f32(110.0, 200.0),
         };
         let horizon = sky.mean;
         let sunward = match (weather, night) {
@@ -143,7 +143,10 @@ impl Environment {
             sky,
             fog: Fog {
                 extinction: Fog::extinction_for_visibility(visibility_m),
-                glow: if weather == Weather::Rainy { 0.35 } else { 0.65 },
+                ground,
+                // Haze and rain reach high up; fog lies on the ground as it cools.
+                scale_height_m: if weather == Weather::Foggy { random.range_f32(35.0, 70.0) } else { 1200.0 },
+                glow: if weather == Weather::Rainy { 0.95 } else { 0.65 },
                 airlight,
                 sunward,
                 sun_direction,
@@ -172,7 +175,7 @@ impl Environment {
 
     /// Whether lamps glow in the air.
     pub(crate) fn halos(&self) -> bool {
-        self.night && self.fog.extinction > 0.004
+        self.night && self.fog.is_dense()
     }
 }
 
@@ -223,7 +226,7 @@ mod tests {
 
     #[test]
     fn conditions_differ_as_they_should() {
-        let light = |w, t| Environment::new(w, t, 5);
+        let light = |w, t| Environment::new(w, t, 5, 0.0);
         let noon = light(Weather::ClearSky, TimeOfDay::Afternoon);
         let dawn = light(Weather::ClearSky, TimeOfDay::Morning);
         let (high, low) = (noon.sun.expect("sun"), dawn.sun.expect("sun"));

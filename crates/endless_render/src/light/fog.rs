@@ -4,11 +4,16 @@ use endless_world::math;
 use glam::Vec3A;
 use std::f32::consts::PI;
 
-/// A homogeneous medium (Beer–Lambert), with light scattered towards the viewer mostly from the sun's side.
+/// Air that thins out exponentially with height (Beer–Lambert), with light scattered towards the viewer mostly from the
+/// sun's side.
 #[derive(Debug, Clone)]
 pub(crate) struct Fog {
-    /// 1/m.
+    /// At the ground, 1/m.
     pub(crate) extinction: f32,
+    /// Height of that ground, metres.
+    pub(crate) ground: f32,
+    /// How much higher the air is thinner by the factor e, metres.
+    pub(crate) scale_height_m: f32,
     /// How much of a lamp's light the air spreads as a halo: all of it would be 1; rain less than fog, for its drops are few and
     /// large.
     pub(crate) glow: f32,
@@ -26,10 +31,25 @@ impl Fog {
         3.912 / visibility_m
     }
 
-    /// Share of light left after a distance.
+    /// Whether it is more than the haze of a fair day.
+    pub(crate) fn is_dense(&self) -> bool {
+        self.extinction > 0.0015
+    }
+
+    /// Share of light left after a distance along a ray: the integral of the exponential profile in closed form.
     #[inline]
-    pub(crate) fn transmittance(&self, distance_m: f32) -> f32 {
-        math::exp(-self.extinction * distance_m)
+    pub(crate) fn transmittance(&self, origin: Vec3A, direction: Vec3A, distance_m: f32) -> f32 {
+        let climb = direction.z * distance_m / self.scale_height_m;
+        // (1 - e^-x) / x, by its series where the difference would lose its digits.
+        let mean =
+            if climb.abs() < 0.01 { 1.0 - climb * (0.5 - climb / 6.0) } else { (1.0 - math::exp(-climb)) / climb };
+        math::exp(-self.extinction_at(origin.z) * mean * distance_m)
+    }
+
+    /// At a height, 1/m.
+    #[inline]
+    fn extinction_at(&self, z: f32) -> f32 {
+        self.extinction * math::exp((self.ground - z) / self.scale_height_m)
     }
 
     /// Light scattered into a view ray along a distance.
@@ -40,10 +60,10 @@ impl Fog {
         (self.airlight + self.sunward * (lobe * lobe * lobe)) * (1.0 - transmittance)
     }
 
-    /// Radiance seen through the air in front of something.
+    /// Radiance seen along a ray through the air in front of something.
     #[inline]
-    pub(crate) fn through(&self, radiance: Vec3A, direction: Vec3A, distance_m: f32) -> Vec3A {
-        let t = self.transmittance(distance_m);
+    pub(crate) fn through(&self, radiance: Vec3A, origin: Vec3A, direction: Vec3A, distance_m: f32) -> Vec3A {
+        let t = self.transmittance(origin, direction, distance_m);
         radiance * t + self.in_scatter(direction, t)
     }
 
@@ -64,8 +84,9 @@ impl Fog {
         let reach = along.clamp(0.0, distance_m);
         let forward = droplet_phase(along / to_lamp.length().max(0.2));
         // The nearest part of the ray scatters most: the light has come that far, and has as far to go.
-        let faded = self.transmittance(reach + 0.7 * aside);
-        intensity * (self.glow * forward * faded * self.extinction * swept / (4.0 * PI * aside))
+        let extinction = self.extinction_at(lamp.z);
+        let faded = math::exp(-extinction * (reach + 0.7 * aside));
+        intensity * (self.glow * forward * faded * extinction * swept / (4.0 * PI * aside))
     }
 }
 
@@ -89,17 +110,41 @@ mod tests {
         assert!(droplet_phase(1.0) > 20.0 * droplet_phase(-1.0));
     }
 
-    #[test]
-    fn far_things_take_the_colour_of_the_air() {
-        let fog = Fog {
+    fn fog(scale_height_m: f32) -> Fog {
+        Fog {
             extinction: Fog::extinction_for_visibility(100.0),
+            ground: 5.0,
+            scale_height_m,
             glow: 1.0,
             airlight: Vec3A::splat(2.0),
             sunward: Vec3A::ZERO,
             sun_direction: Vec3A::Z,
-        };
-        assert!((fog.transmittance(100.0) - 0.02).abs() < 1e-3);
-        assert!((fog.through(Vec3A::ZERO, Vec3A::X, 1000.0) - fog.airlight).length() < 1e-3);
-        assert_eq!(fog.through(Vec3A::ONE, Vec3A::X, 0.0), Vec3A::ONE);
+        }
+    }
+
+    #[test]
+    fn far_things_take_the_colour_of_the_air() {
+        let (fog, ground) = (fog(40.0), Vec3A::Z * 5.0);
+        assert!((fog.transmittance(ground, Vec3A::X, 100.0) - 0.02).abs() < 1e-3);
+        assert!((fog.through(Vec3A::ZERO, ground, Vec3A::X, 1000.0) - fog.airlight).length() < 1e-3);
+        assert_eq!(fog.through(Vec3A::ONE, ground, Vec3A::X, 0.0), Vec3A::ONE);
+    }
+
+    #[test]
+    fn air_thins_out_with_height() {
+        let fog = fog(40.0);
+        for (from, direction) in [(12.0, Vec3A::new(0.8, 0.0, -0.6)), (12.0, Vec3A::Z), (5.0, Vec3A::new(1.0, 0.0, 1e-4))] {
+            let origin = Vec3A::Z * from;
+            let steps = 10_000;
+            let depth: f64 = (0..steps)
+                .map(|i| {
+                    let z = from + direction.z * 11.0 * (i as f32 + 0.5) / steps as f32;
+                    f64::from(fog.extinction_at(z)) * 11.0 / f64::from(steps)
+                })
+                .sum();
+            let t = fog.transmittance(origin, direction, 11.0);
+            assert!((f64::from(t) - (-depth).exp()).abs() < 1e-5, "{direction}");
+        }
+        assert!(fog.transmittance(Vec3A::Z * 5.0, Vec3A::Z, 1e5) > 0.2, "one sees the sky through a shallow fog");
     }
 }

@@ -106,6 +106,11 @@ impl<'a> SurfacePoint<'a> {
         }
     }
 
+    /// Where the ray started.
+    pub(crate) fn seen_from(&self) -> Vec3A {
+        self.position - self.direction * self.distance
+    }
+
     /// The part that lights need.
     pub(crate) fn facet(&self) -> Facet {
         let Self { position, geometric_normal, direction, distance, .. } = *self;

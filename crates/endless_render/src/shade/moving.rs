@@ -107,7 +107,7 @@ impl Asked {
                 }
             }
         }
-        environment.fog.through(radiance, point.direction, point.distance)
+        environment.fog.through(radiance, point.seen_from(), point.direction, point.distance)
     }
 }
 

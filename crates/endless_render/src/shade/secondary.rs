@@ -20,7 +20,7 @@ pub(crate) fn shade_struck(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&Struc
     let point = tracer.point(ray, struck);
     let sunlit = sun_ray(tracer, &point).is_some_and(|ray| !tracer.occluded(&ray));
     let radiance = shade_point(tracer, &point, footprint_m, sunlit);
-    tracer.environment.fog.through(radiance, ray.direction, struck.hit.t)
+    tracer.environment.fog.through(radiance, ray.origin, ray.direction, struck.hit.t)
 }
 
 /// [`shade_secondary`] for those of eight rays whose bit is set in `active`: they run side by side.
@@ -38,7 +38,7 @@ pub(crate) fn shade_secondary8(tracer: &Tracer<'_>, rays: &[Ray; 8], active: u8,
     std::array::from_fn(|i| match &points[i] {
         Some(point) => {
             let radiance = shade_point(tracer, point, footprint_m, sunlit >> i & 1 == 1);
-            tracer.environment.fog.through(radiance, rays[i].direction, point.distance)
+            tracer.environment.fog.through(radiance, rays[i].origin, rays[i].direction, point.distance)
         }
         None if active >> i & 1 == 1 => tracer.environment.sky.radiance(rays[i].direction),
         None => Vec3A::ZERO,
