@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let clock = Instant::now();
     let frame = FrameScene::new(&cast, &state);
     eprintln!("frame scene {:.4} s", clock.elapsed().as_secs_f32());
-    const REPEAT: u32 = 5;
+    const REPEAT: u32 = 20;
     let before = thread_cpu_seconds();
     for _ in 1..REPEAT {
         std::hint::black_box(bake.render(&still, &frame));

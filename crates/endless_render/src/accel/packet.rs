@@ -10,6 +10,7 @@ use super::ray::{Hit, LocalRay, Ray};
 use super::single::trace_blas;
 use super::stack::Stack;
 use super::tlas::{Accel, Entry};
+use wide::f32x8;
 
 /// With this few lanes left single rays are faster.
 const FEW: u32 = 2;
@@ -35,7 +36,7 @@ impl Accel {
                 if ANY && self.occluded(&rays[lane]) {
                     trip.live &= !(1 << lane);
                 } else if !ANY && let Some(hit) = self.closest(&rays[lane]) {
-                    trip.best[lane] = hit;
+                    trip.improve(lane, hit);
                 }
             }
             return trip;
@@ -52,20 +53,38 @@ impl Accel {
 pub(super) struct Trip {
     /// Lanes still to trace, one bit each.
     pub(super) live: u32,
-    pub(super) best: [Hit; 8],
-    /// Largest `best.t` of the live lanes.
+    best: [Hit; 8],
+    /// `t` of each `best`, side by side: boxes are tested against it.
+    pub(super) ends: f32x8,
+    /// Largest of those of the live lanes.
     pub(super) reach: f32,
 }
 
 impl Trip {
     fn new(rays: &[Ray; 8], active: u8) -> Self {
-        let mut trip = Trip { live: u32::from(active), best: rays.map(|ray| Hit::none(ray.tmax)), reach: 0.0 };
+        let best = rays.map(|ray| Hit::none(ray.tmax));
+        let ends = f32x8::new(best.map(|hit| hit.t));
+        let mut trip = Trip { live: u32::from(active), best, ends, reach: 0.0 };
         trip.update_reach();
         trip
     }
 
     pub(super) fn update_reach(&mut self) {
-        self.reach = lanes(self.live).map(|lane| self.best[lane].t).fold(0.0, f32::max);
+        let ends = self.ends.as_array();
+        self.reach = lanes(self.live).map(|lane| ends[lane]).fold(0.0, f32::max);
+    }
+
+    /// The best hit of a lane so far.
+    #[inline]
+    pub(super) fn best(&self, lane: usize) -> &Hit {
+        &self.best[lane]
+    }
+
+    /// A better one.
+    #[inline]
+    pub(super) fn improve(&mut self, lane: usize, hit: Hit) {
+        self.best[lane] = hit;
+        self.ends.as_mut_array()[lane] = hit.t;
     }
 }
 
@@ -109,7 +128,10 @@ impl Entry {
             _ => {
                 for lane in lanes(entered) {
                     let tmin = tmin.map_or(0.0, |t| t[lane]);
-                    if self.trace_lane::<ANY>(&rays[lane], tmin, &mut trip.best[lane], stack) && ANY {
+                    let mut best = *trip.best(lane);
+                    let found = self.trace_lane::<ANY>(&rays[lane], tmin, &mut best, stack);
+                    trip.improve(lane, best);
+                    if found && ANY {
                         trip.live &= !(1 << lane);
                     }
                 }

@@ -74,8 +74,7 @@ impl PacketRay {
     #[inline(always)]
     pub(super) fn enter(&self, min: [f32; 3], max: [f32; 3], trip: &Trip) -> (u32, [f32; 8]) {
         let (tnear, tfar) = self.slabs(min, max);
-        let tmax = f32x8::new(trip.best.map(|hit| hit.t));
-        (tnear.simd_le(tfar.fast_min(tmax)).to_bitmask() & trip.live, tnear.to_array())
+        (tnear.simd_le(tfar.fast_min(trip.ends)).to_bitmask() & trip.live, tnear.to_array())
     }
 
     #[inline(always)]
@@ -138,8 +137,8 @@ impl PacketRay {
             for ray in lanes(candidates) {
                 let t = tmin.map_or(ts[ray], |tmin| ts[ray].max(tmin[ray]));
                 let hit = Hit { t, instance, triangle, u: us[ray], v: vs[ray] };
-                if hit.precedes(&trip.best[ray]) {
-                    trip.best[ray] = hit;
+                if hit.precedes(trip.best(ray)) {
+                    trip.improve(ray, hit);
                     found |= 1 << ray;
                 }
             }

@@ -3,7 +3,7 @@
 use super::bake::CameraBake;
 use super::beam_box::Bundle;
 use super::contact::contact_may_reach;
-use super::tile::{BLOCK, Span, TILE, TileBounds};
+use super::tile::{BLOCK, Span, TILE, TileBounds, TileBundles};
 use crate::accel::corners;
 use crate::light::{Beam, Lamps};
 use crate::scene::{FrameScene, Instance, MovingObject, StaticScene};
@@ -83,7 +83,7 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     for (i, object) in frame.objects.iter().enumerate() {
         let i = i as u16;
         let shadows = lamp_shadows(bake, &still.lamps, object);
-        mark(bake, &mut work, |bounds, tile| mark_object(bake, object, &shadows, i, bounds, tile));
+        mark(bake, &mut work, |area, tile| mark_object(object, &shadows, i, area, tile));
     }
     // By day vehicle lights are seen, but light nothing.
     let beams: &[Beam] = if bake.environment.night { &frame.beams } else { &[] };
@@ -91,7 +91,7 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
         let range = beam.range_m();
         let near = |o: &&MovingObject| beam.position.clamp(o.low, o.high).distance(beam.position) <= range * 1.01;
         let objects: Vec<&MovingObject> = frame.objects.iter().filter(near).collect();
-        mark(bake, &mut work, |bounds, tile| {
+        mark(bake, &mut work, |Area { bounds, .. }, tile| {
             let reaches = !bounds.points.is_empty() && beam.reaches(bounds.points.low - 0.1, bounds.points.high + 0.1);
             if let (Some(tile), true) = (tile, reaches) {
                 let way = bounds.lamp_bundle(beam.position);
@@ -104,17 +104,24 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     work
 }
 
+/// A tile or a block of tiles.
+#[derive(Clone, Copy)]
+struct Area<'a> {
+    bounds: &'a TileBounds,
+    bundles: &'a TileBundles,
+}
+
 /// Runs a test over blocks, and over the tiles of those blocks that pass it.
-fn mark(bake: &CameraBake, work: &mut [Work], mut test: impl FnMut(&TileBounds, Option<&mut Work>) -> bool) {
-    for (b, block) in bake.blocks.iter().enumerate() {
-        if !test(block, None) {
+fn mark(bake: &CameraBake, work: &mut [Work], mut test: impl FnMut(Area<'_>, Option<&mut Work>) -> bool) {
+    for (b, (bounds, bundles)) in bake.blocks.iter().zip(&bake.block_bundles).enumerate() {
+        if !test(Area { bounds, bundles }, None) {
             continue;
         }
         let (bx, by) = (b as u32 % bake.block_columns * BLOCK, b as u32 / bake.block_columns * BLOCK);
         for y in by..(by + BLOCK).min(bake.tile_rows) {
             for x in bx..(bx + BLOCK).min(bake.tile_columns) {
                 let i = (y * bake.tile_columns + x) as usize;
-                test(&bake.tiles[i], Some(&mut work[i]));
+                test(Area { bounds: &bake.tiles[i], bundles: &bake.tile_bundles[i] }, Some(&mut work[i]));
             }
         }
     }
@@ -122,11 +129,10 @@ fn mark(bake: &CameraBake, work: &mut [Work], mut test: impl FnMut(&TileBounds, 
 
 /// Marks a tile (if given) with what an object does to it; says whether it does anything.
 fn mark_object(
-    bake: &CameraBake,
     object: &MovingObject,
     shadows: &[LampShadow],
     index: u16,
-    bounds: &TileBounds,
+    Area { bounds, bundles }: Area<'_>,
     tile: Option<&mut Work>,
 ) -> bool {
     if bounds.points.is_empty() {
@@ -135,13 +141,12 @@ fn mark_object(
     let (low, high) = (object.low, object.high);
     // A block of tiles asks for the whole, a tile for the parts.
     let closely = tile.is_some();
-    let meets = |bundle: &Bundle| {
-        bundle.may_meet(low, high, f32::MAX)
-            && (!closely || object.parts.iter().any(|&(low, high)| bundle.may_meet(low, high, f32::MAX)))
+    let meets = |bundle: &Bundle, reach: f32| {
+        bundle.may_meet(low, high, reach)
+            && (!closely || object.parts.iter().any(|&(low, high)| bundle.may_meet(low, high, reach)))
     };
-    let sun =
-        bake.environment.sun.as_ref().is_some_and(|sun| bounds.sun_bundle(sun.direction).is_some_and(|b| meets(&b)));
-    let mirror = bounds.mirror_bundle().is_some_and(|b| meets(&b));
+    let sun = bundles.sun.as_ref().is_some_and(|b| meets(b, f32::MAX));
+    let mirror = bundles.mirror.as_ref().is_some_and(|b| meets(b, bounds.mirror_reach * 1.001 + 0.1));
     let contact = contact_may_reach(object, &bounds.points);
     let shades = |shadow: &LampShadow| {
         bounds.points.meets(shadow.span.low - 0.1, shadow.span.high + 0.1)

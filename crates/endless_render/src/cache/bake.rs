@@ -4,10 +4,10 @@ use super::compose::{sun_can_light, sun_origin};
 use super::spare::Spare;
 use super::still_pixel::StillPixel;
 use super::still_sample::{StillSample, shade_still, share_lamp_light, still_light, still_look};
-use super::tile::{BLOCK, TILE, TileBounds};
+use super::tile::{BLOCK, TILE, TileBounds, TileBundles};
 use crate::accel::{Hit, Ray};
 use crate::film::Finish;
-use crate::film::{LONGEST_PX, Rain, ToneCurve, black_level, exposure};
+use crate::film::{LONGEST_PX, Pad, Rain, ToneCurve, black_level, exposure};
 use crate::indirect::{Air, Guide, PATTERN_SIDE, ProbeGrid, denoise, gather8, turn};
 use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
 use crate::material::{Look, noise};
@@ -108,9 +108,11 @@ pub struct CameraBake {
     pub(super) shutter_s: f32,
     pub(super) glare: f32,
     pub(super) tiles: Vec<TileBounds>,
+    pub(super) tile_bundles: Vec<TileBundles>,
     pub(super) tile_columns: u32,
     pub(super) tile_rows: u32,
     pub(super) blocks: Vec<TileBounds>,
+    pub(super) block_bundles: Vec<TileBundles>,
     pub(super) block_columns: u32,
     /// Height of the lowest surface in view.
     pub(super) lowest: f32,
@@ -122,7 +124,9 @@ pub struct CameraBake {
     /// Per sample, if kept.
     pub(super) irradiance: Vec<[f32; 3]>,
     pub(super) stats: BakeStats,
-    pub(super) spare: Spare,
+    /// Copies of `radiance`.
+    pub(super) spare: Spare<Vec<Vec3A>>,
+    pub(super) blur_pads: Spare<Pad>,
 }
 
 impl CameraBake {
@@ -147,6 +151,9 @@ impl CameraBake {
         let tile_rows = settings.size.height.div_ceil(TILE);
         let tiles = pass.tile_bounds(&samples, tile_columns, tile_rows);
         let (blocks, block_columns) = join_tiles(&tiles, tile_columns, tile_rows);
+        let sun = environment.sun.as_ref().map(|sun| sun.direction);
+        let bundles = |bounds: &[TileBounds]| bounds.iter().map(|b| b.bundles(sun)).collect();
+        let (tile_bundles, block_bundles) = (bundles(&tiles), bundles(&blocks));
         let (uniform, depth, instance) = pass.labels(&samples);
         if environment.night {
             samples.par_chunks_mut(SAMPLES).zip(&uniform).filter(|(_, u)| **u).for_each(|(s, _)| share_lamp_light(s));
@@ -194,9 +201,11 @@ impl CameraBake {
             shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
             finish: Finish::new(&settings.look, settings.size, settings.fps, settings.seed, environment.rain > 0.0),
             tiles,
+            tile_bundles,
             tile_columns,
             tile_rows,
             blocks,
+            block_bundles,
             block_columns,
             lowest,
             looks,
@@ -206,6 +215,7 @@ impl CameraBake {
             environment,
             stats,
             spare: Spare::default(),
+            blur_pads: Spare::default(),
         }
     }
 
@@ -463,6 +473,7 @@ impl Pass<'_> {
         if still.mirrors() {
             bounds.mirrors.add(position);
             bounds.mirror_directions.add(Vec3A::from(still.mirror_direction));
+            bounds.mirror_reach = bounds.mirror_reach.max(still.mirror_t);
         }
     }
 

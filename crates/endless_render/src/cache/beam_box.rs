@@ -5,53 +5,46 @@ use glam::Vec3A;
 /// Rays from anywhere in a box of origins, along any direction in a box of directions.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bundle {
-    pub(super) origin_low: Vec3A,
-    pub(super) origin_high: Vec3A,
-    pub(super) direction_low: Vec3A,
-    pub(super) direction_high: Vec3A,
+    origin_low: Vec3A,
+    origin_high: Vec3A,
+    /// One over the least and the greatest direction, axis by axis.
+    over_low: Vec3A,
+    over_high: Vec3A,
 }
+
+/// No direction is nearer to zero along an axis: one over it stays finite.
+const LEAST: f32 = 1e-9;
 
 impl Bundle {
-    /// Whether some origin + t × direction with 0 ≤ t ≤ `tmax` may lie in the box.
-    pub(super) fn may_meet(&self, low: Vec3A, high: Vec3A, tmax: f32) -> bool {
-        let (mut from, mut to) = (0.0f32, tmax);
-        for axis in 0..3 {
-            // Need t d ∈ [a, b] for some d in [d0, d1].
-            let a = low[axis] - self.origin_high[axis];
-            let b = high[axis] - self.origin_low[axis];
-            let (d0, d1) = (self.direction_low[axis], self.direction_high[axis]);
-            let (enter, leave) = times(a, b, d0, d1);
-            from = from.max(enter);
-            to = to.min(leave);
-            if from > to {
-                return false;
-            }
-        }
-        true
+    /// All rays from a box of origins with directions in another box.
+    pub(super) fn new(origins: (Vec3A, Vec3A), directions: (Vec3A, Vec3A)) -> Self {
+        // Bounds that are zero move outwards: that only widens the bundle.
+        let moved = |d: Vec3A, to: f32| Vec3A::select(d.abs().cmplt(Vec3A::splat(LEAST)), Vec3A::splat(to), d);
+        let (low, high) = (moved(directions.0, -LEAST), moved(directions.1, LEAST));
+        Self { origin_low: origins.0, origin_high: origins.1, over_low: low.recip(), over_high: high.recip() }
     }
-}
 
-/// Bounds of the times t ≥ 0 at which the interval t × [d0, d1] meets [a, b].
-fn times(a: f32, b: f32, d0: f32, d1: f32) -> (f32, f32) {
-    // A hair of slack for rounding.
-    let slack = 1e-4 * (1.0 + a.abs().max(b.abs()));
-    let (a, b) = (a - slack, b + slack);
-    if a <= 0.0 && b >= 0.0 {
-        // Inside at t = 0; leaves when the slowest edge has passed.
-        let up = if d0 > 0.0 { b / d0 } else { f32::INFINITY };
-        let down = if d1 < 0.0 { a / d1 } else { f32::INFINITY };
-        return (0.0, up.min(down) * 1.0001);
+    /// Whether some origin + t × direction with 0 ≤ t ≤ `tmax` may lie in the box.
+    ///
+    /// At the time t the rays fill, axis by axis, `origin_low + t × direction_low` to `origin_high + t × direction_high`:
+    /// the first must not lie above the box, the second not below it. Both are linear in t.
+    pub(super) fn may_meet(&self, low: Vec3A, high: Vec3A, tmax: f32) -> bool {
+        // A hair of slack for rounding.
+        let (ahead, behind) = (high - self.origin_low, low - self.origin_high);
+        let slack = (Vec3A::ONE + ahead.abs().max(behind.abs())) * 1e-4;
+        let first = (ahead + slack) * self.over_low;
+        let second = (behind - slack) * self.over_high;
+        // Whoever flies up leaves by the top when its slowest does, and comes in by the bottom when its fastest does.
+        let (slowest_rises, fastest_rises) = (self.over_low.cmpgt(Vec3A::ZERO), self.over_high.cmpgt(Vec3A::ZERO));
+        let leave = Vec3A::select(slowest_rises, first, Vec3A::INFINITY).min(Vec3A::select(
+            fastest_rises,
+            Vec3A::INFINITY,
+            second,
+        ));
+        let enter =
+            Vec3A::select(slowest_rises, Vec3A::ZERO, first).max(Vec3A::select(fastest_rises, second, Vec3A::ZERO));
+        enter.max_element() * 0.9999 <= (leave.min_element() * 1.0001).min(tmax)
     }
-    if a > 0.0 {
-        // Ahead in the positive direction.
-        if d1 <= 0.0 {
-            return (f32::INFINITY, 0.0);
-        }
-        let leave = if d0 > 0.0 { b / d0 } else { f32::INFINITY };
-        return (a / d1 * 0.9999, leave * 1.0001);
-    }
-    let (enter, leave) = times(-b + slack, -a - slack, -d1, -d0);
-    (enter, leave)
 }
 
 #[cfg(test)]
@@ -69,7 +62,7 @@ mod tests {
             o in vec(-20.0..20.0), os in vec(0.0..3.0), d in vec(-1.0..1.0), ds in vec(0.0..0.3),
             w in vec(0.0..1.0), v in vec(0.0..1.0), t in 0.0f32..30.0, size in vec(0.01..2.0),
         ) {
-            let bundle = Bundle { origin_low: o, origin_high: o + os, direction_low: d, direction_high: d + ds };
+            let bundle = Bundle::new((o, o + os), (d, d + ds));
             let point = (o + os * w) + (d + ds * v) * t;
             prop_assert!(bundle.may_meet(point - size, point + size, 30.0));
         }
@@ -77,12 +70,7 @@ mod tests {
 
     #[test]
     fn denies_what_lies_behind_or_aside() {
-        let b = Bundle {
-            origin_low: Vec3A::ZERO,
-            origin_high: Vec3A::ONE,
-            direction_low: Vec3A::new(0.9, -0.1, -0.1),
-            direction_high: Vec3A::new(1.0, 0.1, 0.1),
-        };
+        let b = Bundle::new((Vec3A::ZERO, Vec3A::ONE), (Vec3A::new(0.9, -0.1, -0.1), Vec3A::new(1.0, 0.1, 0.1)));
         assert!(b.may_meet(Vec3A::new(10.0, 0.0, 0.0), Vec3A::new(11.0, 1.0, 1.0), f32::MAX));
         assert!(!b.may_meet(Vec3A::new(-11.0, 0.0, 0.0), Vec3A::new(-10.0, 1.0, 1.0), f32::MAX));
         assert!(!b.may_meet(Vec3A::new(10.0, 8.0, 0.0), Vec3A::new(11.0, 9.0, 1.0), f32::MAX));

@@ -1,7 +1,7 @@
 //! A frame in the making.
 
 use super::bake::CameraBake;
-use crate::film::{Streak, blur, with_glare};
+use crate::film::{Pad, Streak, blur, with_glare};
 use endless_world::{Image, InstancePixel, SensorFrame};
 use glam::Vec3A;
 
@@ -32,7 +32,7 @@ impl Canvas {
     pub(super) fn new(bake: &CameraBake) -> Self {
         let keeps = bake.rain.is_some() || bake.spreads_light() || bake.shutter_s > 0.0;
         Self {
-            radiance: keeps.then(|| bake.spare.take(&bake.radiance)),
+            radiance: keeps.then(|| bake.spare.take(|| bake.radiance.clone())),
             touched: Vec::new(),
             streaks: Vec::new(),
             rgb: if bake.spreads_light() { Vec::with_capacity(bake.rgb.len()) } else { bake.rgb.clone() },
@@ -107,7 +107,9 @@ impl Canvas {
         let hidden = |pixel: usize, streak: &Streak| {
             self.instance[pixel].id != streak.id && self.depth[pixel] < 0.98 * streak.depth - 0.3
         };
-        blur(bake.camera.size, &mut self.streaks, &bake.radiance, hidden, radiance, &mut self.touched);
+        let mut pad = bake.blur_pads.take(Pad::default);
+        blur(bake.camera.size, &mut self.streaks, &bake.radiance, hidden, radiance, &mut self.touched, &mut pad);
+        bake.blur_pads.give(pad);
     }
 
     /// Glare and tone curve.

@@ -2,30 +2,32 @@
 
 use super::bake::{CameraBake, planar_depth};
 use super::row::Found;
-use crate::accel::Ray;
+use crate::accel::{Hit, Ray};
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, SurfacePoint};
 use crate::shade::Seen;
 use endless_asset::Surface;
 use endless_world::InstancePixel;
-use glam::Vec2;
+use glam::{Vec2, Vec3A};
 use std::ops::Range;
 
 /// What moves in front of a pixel.
 pub(super) struct Cover {
     /// Depth and label, if it covers the pixel's centre.
     pub(super) centre: Option<(f32, InstancePixel)>,
-    /// It fills the pixel: the mean of the shaded samples is the pixel's colour.
-    pub(super) whole: bool,
+    /// Samples that it covers.
+    pub(super) samples: usize,
     /// Way of what covers it in the image while the shutter is open, pixels.
     pub(super) way: Vec2,
-    /// Where the samples to shade stand in the list; all that are covered, in order, if not `whole`.
+    /// Where the samples to shade stand in the list.
     pub(super) shaded: Range<usize>,
+    /// Light of the covered samples, once known: their sum.
+    pub(super) light: Vec3A,
 }
 
 impl Cover {
     /// Nothing.
-    pub(super) const NONE: Self = Self { centre: None, whole: false, way: Vec2::ZERO, shaded: 0..0 };
+    pub(super) const NONE: Self = Self { centre: None, samples: 0, way: Vec2::ZERO, shaded: 0..0, light: Vec3A::ZERO };
 
     /// What rays found in front of a pixel; adds the samples to shade to a list.
     pub(super) fn new<'a>(
@@ -36,49 +38,48 @@ impl Cover {
         list: &mut Vec<Seen<'a>>,
     ) -> Self {
         let first = list.len();
-        let seen = |s: usize| {
-            let hit = found.seen[s].as_ref()?;
-            Some(Seen { point: SurfacePoint::new(&frame.instances, &rays[s], hit), sample: s })
-        };
-        let triangle = |s: usize| found.seen[s].as_ref().map(|hit| (hit.instance, hit.triangle));
-        let centre = seen(0);
-        let label = centre.as_ref().map(|Seen { point, .. }| {
-            let label = InstancePixel { tag: point.tag(), id: point.instance.id };
-            (planar_depth(&bake.camera, &rays[0], point.distance), label)
-        });
-        list.extend(centre);
-        let way = |seen: &Seen<'_>| bake.way_in_image(seen.point.position, seen.point.instance.velocity);
-        let mut whole = triangle(0).is_some() && (1..SAMPLES).all(|s| triangle(s) == triangle(0));
-        if !whole {
-            list.extend((1..SAMPLES).filter_map(seen));
-            if let Some(count) = enough(&list[first..]) {
-                whole = true;
-                // The centre and a sample on the far side.
-                list.swap(first + 1, first + 2);
-                list.truncate(first + count);
+        let mut samples = 0;
+        let mut centre = None;
+        for (sample, (ray, hit)) in rays.iter().zip(&found.seen).enumerate() {
+            let Some(hit) = hit else { continue };
+            samples += 1;
+            let point = SurfacePoint::new(&frame.instances, ray, hit);
+            if sample == 0 {
+                let label = InstancePixel { tag: point.tag(), id: point.instance.id };
+                centre = Some((planar_depth(&bake.camera, ray, point.distance), label));
+            }
+            let piece = |hit: &Hit| (hit.instance, hit.triangle);
+            let same = |seen: &Seen<'_>| found.seen[seen.sample].as_ref().map(piece) == Some(piece(hit));
+            match list[first..].iter_mut().find(|seen| same(seen) || tells(seen, &point)) {
+                Some(seen) => seen.stands_for += 1,
+                None => list.push(Seen { point, sample, stands_for: 1 }),
             }
         }
-        Self { centre: label, whole, way: list.get(first).map_or(Vec2::ZERO, way), shaded: first..list.len() }
+        let way = |seen: &Seen<'_>| bake.way_in_image(seen.point.position, seen.point.instance.velocity);
+        let way = list.get(first).map_or(Vec2::ZERO, way);
+        Self { centre, samples, way, shaded: first..list.len(), light: Vec3A::ZERO }
+    }
+
+    /// With the lights of the listed samples.
+    pub(super) fn lit(self, seen: &[Seen<'_>], lights: &[Vec3A]) -> Self {
+        let each = self.shaded.clone();
+        let weighted = |(seen, light): (&Seen<'_>, &Vec3A)| *light * f32::from(seen.stands_for);
+        Self { light: seen[each.clone()].iter().zip(&lights[each]).map(weighted).sum(), ..self }
     }
 }
 
-/// How many samples tell a pixel that lies wholly on one smooth piece of something that moves: two on shiny curves, else
-/// one.
-fn enough(seen: &[Seen<'_>]) -> Option<usize> {
-    let [Seen { point: centre, .. }, rest @ ..] = seen else { return None };
-    if centre.material.surface == Surface::CarGlass {
-        // What it shows of the inside has edges of its own.
-        return None;
+/// Whether a sample's light is as good as that of another on the same smooth piece of something that moves. On shiny
+/// curves, and on glass, which shows what has edges of its own, two samples are not told by one.
+fn tells(seen: &Seen<'_>, other: &SurfacePoint<'_>) -> bool {
+    let point = &seen.point;
+    let cosine = point.normal.dot(other.normal);
+    if !std::ptr::eq(point.material, other.material) || point.instance.id != other.instance.id || cosine <= 0.96 {
+        return false;
     }
-    let smooth = |s: &Seen<'_>| {
-        std::ptr::eq(s.point.material, centre.material)
-            && s.point.instance.id == centre.instance.id
-            && s.point.normal.dot(centre.normal) > 0.96
+    let alike = match point.material.surface {
+        Surface::CarGlass => 2,
+        Surface::CarPaint | Surface::Chrome | Surface::Painted if cosine <= 0.995 => 2,
+        _ => SAMPLES as u8,
     };
-    if seen.len() < SAMPLES || !rest.iter().all(smooth) {
-        return None;
-    }
-    let flat = rest.iter().all(|s| s.point.normal.dot(centre.normal) > 0.995);
-    let shiny = !flat && matches!(centre.material.surface, Surface::CarPaint | Surface::Chrome | Surface::Painted);
-    Some(if shiny { 2 } else { 1 })
+    seen.stands_for < alike
 }

@@ -69,8 +69,8 @@ impl CameraBake {
                         let shade =
                             |seen: &Seen<'_>| shade_moving(&tracer, seen, self.pixel_angle) + self.halo(x, y, seen);
                         let lights: Vec<Vec3A> = seen.iter().map(shade).collect();
-                        let moving = (&cover, &lights[..]);
-                        self.pixel(&tracer, frame, &everything, &rays, &samples, light.as_ref(), &found, moving)
+                        let cover = cover.lit(&seen, &lights);
+                        self.pixel(&tracer, frame, &everything, &rays, &samples, light.as_ref(), &found, &cover)
                     }
                 };
                 canvas.set(self, x, y, &pixel);
@@ -125,7 +125,7 @@ impl CameraBake {
                 continue;
             }
             let lights = self.centre_lights(tracer, frame, work, &row, (x1 - x0) as usize, &found);
-            let (covers, shaded) = self.shade_row(tracer, frame, &row, (x0, x1, y), &found);
+            let covers = self.shade_row(tracer, frame, &row, (x0, x1, y), &found);
             for x in x0..x1 {
                 let i = (x - x0) as usize;
                 if same(i) {
@@ -142,15 +142,14 @@ impl CameraBake {
                     continue;
                 }
                 let samples = &self.samples[index * SAMPLES..][..SAMPLES];
-                let moving = (&covers[i], &shaded[covers[i].shaded.clone()]);
-                let pixel = self.pixel(tracer, frame, work, &row.rays(i), samples, light, &found[i], moving);
+                let pixel = self.pixel(tracer, frame, work, &row.rays(i), samples, light, &found[i], &covers[i]);
                 canvas.set(self, x, y, &pixel);
             }
         }
         rays
     }
 
-    /// What covers each pixel of a row, and the light of its shaded samples, eight side by side.
+    /// What covers each pixel of a row, and its light, shaded eight samples side by side.
     fn shade_row(
         &self,
         tracer: &Tracer<'_>,
@@ -158,7 +157,7 @@ impl CameraBake {
         row: &Row<'_>,
         (x0, x1, y): (u32, u32, u32),
         found: &[Found; TILE as usize],
-    ) -> ([Cover; TILE as usize], Vec<Vec3A>) {
+    ) -> [Cover; TILE as usize] {
         let mut seen = Vec::new();
         let covers: [Cover; TILE as usize] = std::array::from_fn(|i| {
             if i as u32 >= x1 - x0 || found[i].seen.iter().all(Option::is_none) {
@@ -175,7 +174,7 @@ impl CameraBake {
                 lights[i] += self.halo(x, y, &seen[i]);
             }
         }
-        (covers, lights)
+        covers.map(|cover| cover.lit(&seen, &lights))
     }
 
     /// Glow of lamps in the air before something that moves.
@@ -236,10 +235,10 @@ impl CameraBake {
         samples: &[StillSample],
         centre: Option<&CentreLight>,
         found: &Found,
-        (cover, lights): (&Cover, &[Vec3A]),
+        cover: &Cover,
     ) -> Pixel {
-        if cover.whole {
-            let radiance = lights.iter().sum::<Vec3A>() / lights.len() as f32;
+        if cover.samples == SAMPLES {
+            let radiance = cover.light / SAMPLES as f32;
             let streak = self.streak(frame, &rays[0], found, cover.way, radiance, 1.0, radiance);
             return Pixel { radiance, covered: cover.centre, streak };
         }
@@ -253,7 +252,7 @@ impl CameraBake {
                 mirrored[s] = mirrored[s - 1].filter(|_| samples[s].mirrors());
             }
         }
-        let mut sum: Vec3A = lights.iter().sum();
+        let mut sum = cover.light;
         let open = (0..SAMPLES).filter(|&s| found.seen[s].is_none());
         for s in open {
             let (still, ray) = (&samples[s], &rays[s]);
@@ -263,11 +262,11 @@ impl CameraBake {
                 sum += beams_on(tracer, frame, &work.beams, still, ray, s, self.pixel_angle);
             }
         }
-        let uncovered = SAMPLES - lights.len();
+        let uncovered = SAMPLES - cover.samples;
         let swept = centre.map_or(Vec3A::ZERO, |light| light.swept * (uncovered as f32 / SAMPLES as f32));
         let radiance = sum / SAMPLES as f32 + swept;
-        let share = lights.len() as f32 / SAMPLES as f32;
-        let light = lights.iter().sum::<Vec3A>() / SAMPLES as f32;
+        let share = cover.samples as f32 / SAMPLES as f32;
+        let light = cover.light / SAMPLES as f32;
         let streak = self.streak(frame, &rays[0], found, cover.way, light, share, radiance);
         Pixel { radiance, covered: cover.centre, streak }
     }

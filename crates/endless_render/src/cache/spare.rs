@@ -1,22 +1,27 @@
-//! Copies of the still picture that frames hand on to one another: each puts back the little that it changed, which
-//! costs less than a fresh copy.
+//! Large things that frames hand on to one another: each puts back the little that it changed, which costs less than
+//! fresh ones.
 
-use glam::Vec3A;
 use std::sync::{Mutex, PoisonError};
 
-/// Pictures not in use; at most as many as frames are made at once.
-#[derive(Debug, Default)]
-pub(super) struct Spare(Mutex<Vec<Vec<Vec3A>>>);
+/// Those not in use; at most as many as frames are made at once.
+#[derive(Debug)]
+pub(super) struct Spare<T>(Mutex<Vec<T>>);
 
-impl Spare {
-    /// A copy of the still picture.
-    pub(super) fn take(&self, still: &[Vec3A]) -> Vec<Vec3A> {
+impl<T> Default for Spare<T> {
+    fn default() -> Self {
+        Self(Mutex::default())
+    }
+}
+
+impl<T> Spare<T> {
+    /// One that is left over, or a fresh one.
+    pub(super) fn take(&self, fresh: impl FnOnce() -> T) -> T {
         let spare = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
-        spare.unwrap_or_else(|| still.to_vec())
+        spare.unwrap_or_else(fresh)
     }
 
-    /// Takes a copy back, which must be as it was.
-    pub(super) fn give(&self, picture: Vec<Vec3A>) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(picture);
+    /// Takes one back, which must be as it was.
+    pub(super) fn give(&self, it: T) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(it);
     }
 }

@@ -13,10 +13,12 @@ use crate::scene::Facet;
 pub(super) struct StillPixel {
     /// How far each sample lies from the lens, metres; [`f32::MAX`] for the sky.
     pub(super) distances: [f32; SAMPLES],
-    /// Geometric normal at the centre, packed.
-    normal: u32,
+    /// Geometric normal of each sample, packed.
+    normals: [u32; SAMPLES],
     /// Which lamps near the centre light it past the still town, a bit each.
     lamps_free: u32,
+    /// Which directions to the sun's disc the still town leaves each sample, a bit each.
+    pub(super) sun_free: [u8; SAMPLES],
     /// Which of the pixel's samples mirror, a bit each.
     pub(super) mirrors: u8,
 }
@@ -25,19 +27,27 @@ impl StillPixel {
     /// Of a pixel's samples.
     pub(super) fn new(samples: &[StillSample; SAMPLES]) -> Self {
         let mirrors = samples.iter().rev().fold(0, |bits, s| bits << 1 | u8::from(s.mirrors()));
-        let centre = &samples[0];
-        let distances = samples.map(|s| s.hit.t);
-        Self { distances, normal: centre.normal, lamps_free: centre.lamps_free, mirrors }
+        Self {
+            distances: samples.map(|s| s.hit.t),
+            normals: samples.map(|s| s.normal),
+            lamps_free: samples[0].lamps_free,
+            sun_free: samples.map(|s| s.sun_free),
+            mirrors,
+        }
     }
 
     /// Whether the centre lies on something level, where rain splashes.
     pub(super) fn is_level(&self) -> bool {
-        self.distances[0] < f32::MAX && octahedron::unpack(self.normal).z > 0.9
+        self.distances[0] < f32::MAX && octahedron::unpack(self.normals[0]).z > 0.9
+    }
+
+    /// The surface of a sample, seen along its ray.
+    pub(super) fn facet(&self, ray: &Ray, sample: usize) -> Facet {
+        Facet::along(ray, self.distances[sample], octahedron::unpack(self.normals[sample]))
     }
 
     /// The centre, seen along its ray.
     pub(super) fn place<'a>(&self, ray: &Ray, look: Option<&'a Look>) -> Place<'a> {
-        let facet = Facet::along(ray, self.distances[0], octahedron::unpack(self.normal));
-        Place { facet, look, lamps_free: self.lamps_free }
+        Place { facet: self.facet(ray, 0), look, lamps_free: self.lamps_free }
     }
 }

@@ -49,6 +49,8 @@ pub(super) struct TileBounds {
     pub(super) mirrors: Span,
     /// Directions of their mirror rays.
     pub(super) mirror_directions: Span,
+    /// How far the longest of them gets in the still town.
+    pub(super) mirror_reach: f32,
     /// Some sample is a traffic light's lens.
     pub(super) lens: bool,
 }
@@ -59,6 +61,7 @@ impl TileBounds {
         sunlit: Span::EMPTY,
         mirrors: Span::EMPTY,
         mirror_directions: Span::EMPTY,
+        mirror_reach: 0.0,
         lens: false,
     };
 
@@ -67,18 +70,16 @@ impl TileBounds {
         self.sunlit.join(&other.sunlit);
         self.mirrors.join(&other.mirrors);
         self.mirror_directions.join(&other.mirror_directions);
+        self.mirror_reach = self.mirror_reach.max(other.mirror_reach);
         self.lens |= other.lens;
     }
 
-    /// The mirror rays, if there are any.
-    pub(super) fn mirror_bundle(&self) -> Option<Bundle> {
-        (!self.mirrors.is_empty())
-            .then(|| bundle(&self.mirrors, self.mirror_directions.low, self.mirror_directions.high))
-    }
-
-    /// The rays to the sun's disc, if the sun reaches the tile.
-    pub(super) fn sun_bundle(&self, sun: Vec3A) -> Option<Bundle> {
-        (!self.sunlit.is_empty()).then(|| bundle(&self.sunlit, sun - 0.011, sun + 0.011))
+    /// The rays from a tile whose bounds are known.
+    pub(super) fn bundles(&self, sun: Option<Vec3A>) -> TileBundles {
+        let mirror = (!self.mirrors.is_empty())
+            .then(|| bundle(&self.mirrors, self.mirror_directions.low, self.mirror_directions.high));
+        let sun = sun.filter(|_| !self.sunlit.is_empty()).map(|sun| bundle(&self.sunlit, sun - 0.011, sun + 0.011));
+        TileBundles { mirror, sun }
     }
 
     /// The rays to a lamp: t from 0 to 1.
@@ -87,9 +88,18 @@ impl TileBounds {
     }
 }
 
+/// The rays that leave a tile in every frame.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct TileBundles {
+    /// Into its mirrors, if it has any.
+    pub(super) mirror: Option<Bundle>,
+    /// To the sun's disc, if the sun reaches it.
+    pub(super) sun: Option<Bundle>,
+}
+
 /// Rays start a little off their surface.
 const SLACK: f32 = 0.06;
 
 fn bundle(origins: &Span, direction_low: Vec3A, direction_high: Vec3A) -> Bundle {
-    Bundle { origin_low: origins.low - SLACK, origin_high: origins.high + SLACK, direction_low, direction_high }
+    Bundle::new((origins.low - SLACK, origins.high + SLACK), (direction_low, direction_high))
 }

@@ -25,6 +25,17 @@ pub(crate) struct Streak {
     pub(crate) depth: f32,
 }
 
+/// Room to work in, which frames hand on to one another: empty, but large.
+#[derive(Debug, Default)]
+pub(crate) struct Pad {
+    /// Light and cover that pixels get.
+    spread: Vec<Vec4>,
+    /// One more than the number of each pixel's streak; 0 without.
+    at: Vec<u32>,
+    /// Pixels that get any.
+    reached: Vec<u32>,
+}
+
 /// Spreads streaks, each with the index of its pixel, over a picture. `still` is the picture without anything that moves;
 /// `hidden` tells whether a pixel shows something in front of a streak. `changed` gets the pixels that are not as they
 /// were.
@@ -35,11 +46,16 @@ pub(crate) fn blur(
     hidden: impl Fn(usize, &Streak) -> bool,
     picture: &mut [Vec3A],
     changed: &mut Vec<u32>,
+    pad: &mut Pad,
 ) {
     // In one order, whatever the order in which the picture was made: sums depend on it.
     streaks.sort_unstable_by_key(|(pixel, _)| *pixel);
-    let mut spread = vec![Vec4::ZERO; picture.len()];
-    let mut reached = Vec::new();
+    let Pad { spread, at, reached } = pad;
+    spread.resize(picture.len(), Vec4::ZERO);
+    at.resize(picture.len(), 0);
+    for (i, (pixel, _)) in streaks.iter().enumerate() {
+        at[*pixel as usize] = i as u32 + 1;
+    }
     for (pixel, streak) in &*streaks {
         picture[*pixel as usize] = streak.behind.unwrap_or(still[*pixel as usize]);
         changed.push(*pixel);
@@ -53,15 +69,18 @@ pub(crate) fn blur(
             spread[pixel] += Vec3::from(streak.light * share).extend(streak.cover * share);
         });
     }
-    for &pixel in &reached {
-        let mut light = spread[pixel as usize];
-        if light.w > 1.0 || inside(size, streaks, pixel) {
+    for &pixel in &*reached {
+        let mut light = std::mem::take(&mut spread[pixel as usize]);
+        if light.w > 1.0 || inside(size, streaks, at, pixel) {
             light /= light.w.max(1e-3);
         }
         let behind = picture[pixel as usize];
         picture[pixel as usize] = Vec3A::from_vec4(light) + behind * (1.0 - light.w).max(0.0);
     }
-    changed.extend(reached);
+    changed.append(reached);
+    for (pixel, _) in &*streaks {
+        at[*pixel as usize] = 0;
+    }
 }
 
 /// Where a pixel lies.
@@ -90,8 +109,8 @@ fn along(size: ImageSize, pixel: u32, streak: &Streak, mut give: impl FnMut(usiz
 }
 
 /// Whether a pixel shows one thing, and nothing else, all the while.
-fn inside(size: ImageSize, streaks: &[(u32, Streak)], pixel: u32) -> bool {
-    let find = |pixel: u32| Some(&streaks[streaks.binary_search_by_key(&pixel, |(p, _)| *p).ok()?].1);
+fn inside(size: ImageSize, streaks: &[(u32, Streak)], at: &[u32], pixel: u32) -> bool {
+    let find = |pixel: u32| Some(&streaks[at[pixel as usize].checked_sub(1)? as usize].1);
     let Some(here) = find(pixel).filter(|s| s.cover >= 1.0) else { return false };
     let limit = Vec2::new(size.width as f32, size.height as f32);
     [-0.5, 0.5].into_iter().all(|end| {
@@ -129,7 +148,7 @@ mod tests {
         let (mut streaks, mut picture) = square(Vec2::new(7.0, 0.0));
         let before: f32 = picture.iter().map(|p| p.x).sum();
         let mut changed = Vec::new();
-        blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut picture, &mut changed);
+        blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut picture, &mut changed, &mut Pad::default());
         let after: f32 = picture.iter().map(|p| p.x).sum();
         assert!((after / before - 1.0).abs() < 3e-3, "{before} {after}");
         let row = |x: usize| picture[8 * SIZE.width as usize + x].x;
@@ -144,7 +163,8 @@ mod tests {
     #[test]
     fn what_stands_in_front_stays_clean() {
         let (mut streaks, mut picture) = square(Vec2::new(12.0, 0.0));
-        blur(SIZE, &mut streaks, &WALL, |pixel, _| pixel % 64 == 38, &mut picture, &mut Vec::new());
+        let mut pad = Pad::default();
+        blur(SIZE, &mut streaks, &WALL, |pixel, _| pixel % 64 == 38, &mut picture, &mut Vec::new(), &mut pad);
         assert!((0..16).all(|y| picture[y * 64 + 38].x == 0.5));
         assert!(picture[8 * 64 + 37].x > 0.6);
     }
@@ -153,9 +173,11 @@ mod tests {
     fn order_does_not_matter() {
         let (mut streaks, picture) = square(Vec2::new(5.3, -2.2));
         let (mut a, mut b) = (picture.clone(), picture);
-        blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut a, &mut Vec::new());
+        // The second finds the pad as the first left it.
+        let mut pad = Pad::default();
+        blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut a, &mut Vec::new(), &mut pad);
         streaks.reverse();
-        blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut b, &mut Vec::new());
+        blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut b, &mut Vec::new(), &mut pad);
         assert_eq!(a, b);
     }
 }

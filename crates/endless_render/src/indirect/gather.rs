@@ -43,7 +43,7 @@ pub(crate) fn gather8(
             Some(point) => Ray { origin: point.ray_origin(), direction: above(point, u), tmax: f32::MAX },
             None => Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 },
         });
-        for (sum, light) in sums.iter_mut().zip(shade_secondary8(tracer, &towards, active, 0.5)) {
+        for (sum, light) in sums.iter_mut().zip(shade_secondary8(tracer, &towards, active, &[0.5; 8])) {
             *sum += light.min(Vec3A::splat(limit));
         }
     }

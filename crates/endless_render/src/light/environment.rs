@@ -198,11 +198,16 @@ impl Sun {
         faces.then(|| Ray { origin: point.ray_origin(), direction: self.direction, tmax: f32::MAX })
     }
 
-    /// The two halves of the disc as what moves hides them from a sample: the directions of [`Self::disc`] that a half
-    /// stands for, a bit each, and the one to ask.
-    pub(crate) fn halves(&self, sample: usize) -> [(u8, Vec3A); 2] {
+    /// The parts of the disc as what moves hides them from a sample: the directions of [`Self::disc`] that a part stands
+    /// for, a bit each, and the one to ask. A sample of a `uniform` pixel asks but one: its neighbours ask others.
+    pub(crate) fn parts(&self, sample: usize, uniform: bool) -> [(u8, Vec3A); 2] {
         let disc = &self.disc[sample];
-        [(0b0011, disc[1]), (0b1100, disc[2])]
+        let bits = match (uniform, sample % 2) {
+            (false, _) => [0b0011, 0b1100],
+            (true, 0) => [0b1111, 0],
+            (true, _) => [0, 0b1111],
+        };
+        [(bits[0], disc[1]), (bits[1], disc[2])]
     }
 }
 

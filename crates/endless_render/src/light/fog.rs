@@ -133,7 +133,9 @@ mod tests {
     #[test]
     fn air_thins_out_with_height() {
         let fog = fog(40.0);
-        for (from, direction) in [(12.0, Vec3A::new(0.8, 0.0, -0.6)), (12.0, Vec3A::Z), (5.0, Vec3A::new(1.0, 0.0, 1e-4))] {
+        for (from, direction) in
+            [(12.0, Vec3A::new(0.8, 0.0, -0.6)), (12.0, Vec3A::Z), (5.0, Vec3A::new(1.0, 0.0, 1e-4))]
+        {
             let origin = Vec3A::Z * from;
             let steps = 10_000;
             let depth: f64 = (0..steps)

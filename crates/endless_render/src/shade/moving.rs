@@ -2,8 +2,7 @@
 //! indirect light from the probes, one mirror ray for paint and glass.
 
 use super::Tracer;
-use super::secondary::{MIRROR_THRESHOLD, lamp_light, mirror_footprint, mirror_ray, shade_struck};
-use super::tracer::Struck;
+use super::secondary::{MIRROR_THRESHOLD, lamp_light, mirror_footprint, mirror_ray, shade_secondary8, shade_struck};
 use crate::accel::Ray;
 use crate::light::Beam;
 use crate::material::{Look, look};
@@ -19,14 +18,19 @@ const LAMPS: usize = 3;
 pub(crate) struct Seen<'a> {
     pub(crate) point: SurfacePoint<'a>,
     pub(crate) sample: usize,
+    /// Samples of the pixel whose light it tells, itself included.
+    pub(crate) stands_for: u8,
 }
 
 /// Radiance of a moving surface towards the camera, fog included.
 pub(crate) fn shade_moving(tracer: &Tracer<'_>, seen: &Seen<'_>, pixel_angle: f32) -> Vec3A {
     let asked = Asked::new(tracer, seen, pixel_angle);
     let sunlit = asked.sun.is_some_and(|ray| !tracer.occluded(&ray));
-    let mirrored = asked.mirror.as_ref().and_then(Mirror::asked).and_then(|ray| tracer.closest(&ray));
-    asked.radiance(tracer, &seen.point, sunlit, mirrored.as_ref())
+    let image = asked.mirror.as_ref().filter(|mirror| mirror.is_asked()).map(|mirror| {
+        let struck = tracer.closest(&mirror.ray);
+        shade_struck(tracer, &mirror.ray, struck.as_ref(), mirror.footprint_m)
+    });
+    asked.radiance(tracer, &seen.point, sunlit, image)
 }
 
 /// The same for up to eight points: their rays run side by side.
@@ -44,11 +48,17 @@ pub(crate) fn shade_moving8(tracer: &Tracer<'_>, seen: &[Seen<'_>], pixel_angle:
     };
     let (to_sun, active) = rays(|asked| asked.sun);
     let sunlit = active & !tracer.occluded8(&to_sun, active);
-    let (into_mirror, active) = rays(|asked| asked.mirror.as_ref().and_then(Mirror::asked));
-    let mirrored = tracer.closest8(&into_mirror, active);
+    let mirror = |asked: &Asked| asked.mirror.as_ref().filter(|mirror| mirror.is_asked()).map(|mirror| mirror.ray);
+    let (into_mirror, active) = rays(mirror);
+    let footprints_m = std::array::from_fn(|i| {
+        let mirror = asked[i].as_ref().and_then(|asked| asked.mirror.as_ref());
+        mirror.map_or(0.0, |mirror| mirror.footprint_m)
+    });
+    let images = shade_secondary8(tracer, &into_mirror, active, &footprints_m);
     for (i, (seen, found)) in seen.iter().zip(found).enumerate() {
         if let Some(asked) = &asked[i] {
-            *found = asked.radiance(tracer, &seen.point, sunlit >> i & 1 == 1, mirrored[i].as_ref());
+            let image = (active >> i & 1 == 1).then_some(images[i]);
+            *found = asked.radiance(tracer, &seen.point, sunlit >> i & 1 == 1, image);
         }
     }
 }
@@ -73,7 +83,7 @@ struct Mirror {
 
 impl Asked {
     fn new(tracer: &Tracer<'_>, seen: &Seen<'_>, pixel_angle: f32) -> Self {
-        let Seen { point, sample } = seen;
+        let Seen { point, sample, .. } = seen;
         let environment = tracer.environment;
         let look = look(point, environment, footprint_m(point, pixel_angle), *sample as f32 / 4.0);
         let sun = environment.sun.as_ref().and_then(|sun| sun.ray_from(point));
@@ -81,13 +91,7 @@ impl Asked {
         Self { look, sun, mirror }
     }
 
-    fn radiance(
-        &self,
-        tracer: &Tracer<'_>,
-        point: &SurfacePoint<'_>,
-        sunlit: bool,
-        mirrored: Option<&Struck>,
-    ) -> Vec3A {
+    fn radiance(&self, tracer: &Tracer<'_>, point: &SurfacePoint<'_>, sunlit: bool, image: Option<Vec3A>) -> Vec3A {
         let environment = tracer.environment;
         let (look, view) = (&self.look, -point.direction);
         let ambient = tracer.ambient(point.position + point.geometric_normal * 0.3, look.normal) * point.openness;
@@ -96,7 +100,7 @@ impl Asked {
             radiance += look.lit_by(sun.illuminance, sun.direction, view);
         }
         if let Some(mirror) = &self.mirror {
-            radiance += mirror.light(tracer, point, mirrored);
+            radiance += mirror.light(tracer, point, image);
         }
         if environment.night {
             radiance += lamp_light(tracer, point, look, view, LAMPS);
@@ -122,16 +126,14 @@ impl Mirror {
         (weight.max_element() >= MIRROR_THRESHOLD).then_some(Self { ray, weight, sharp, footprint_m })
     }
 
-    /// The ray to trace.
-    fn asked(&self) -> Option<Ray> {
-        (self.sharp > 0.0).then_some(self.ray)
+    /// Whether its ray must be traced.
+    fn is_asked(&self) -> bool {
+        self.sharp > 0.0
     }
 
-    fn light(&self, tracer: &Tracer<'_>, point: &SurfacePoint<'_>, struck: Option<&Struck>) -> Vec3A {
-        let mut shown = Vec3A::ZERO;
-        if self.sharp > 0.0 {
-            shown += shade_struck(tracer, &self.ray, struck, self.footprint_m) * self.sharp;
-        }
+    /// Its light, given the radiance along its ray if that was asked.
+    fn light(&self, tracer: &Tracer<'_>, point: &SurfacePoint<'_>, image: Option<Vec3A>) -> Vec3A {
+        let mut shown = image.unwrap_or(Vec3A::ZERO) * self.sharp;
         if self.sharp < 1.0 {
             let soft = tracer.ambient(point.position, self.ray.direction) * (FRAC_1_PI * point.openness);
             shown += soft * (1.0 - self.sharp);

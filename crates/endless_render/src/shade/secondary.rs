@@ -24,7 +24,15 @@ pub(crate) fn shade_struck(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&Struc
 }
 
 /// [`shade_secondary`] for those of eight rays whose bit is set in `active`: they run side by side.
-pub(crate) fn shade_secondary8(tracer: &Tracer<'_>, rays: &[Ray; 8], active: u8, footprint_m: f32) -> [Vec3A; 8] {
+pub(crate) fn shade_secondary8(
+    tracer: &Tracer<'_>,
+    rays: &[Ray; 8],
+    active: u8,
+    footprints_m: &[f32; 8],
+) -> [Vec3A; 8] {
+    if active == 0 {
+        return [Vec3A::ZERO; 8];
+    }
     let struck = tracer.closest8(rays, active);
     let points: [Option<SurfacePoint<'_>>; 8] =
         std::array::from_fn(|i| struck[i].as_ref().map(|struck| tracer.point(&rays[i], struck)));
@@ -37,7 +45,7 @@ pub(crate) fn shade_secondary8(tracer: &Tracer<'_>, rays: &[Ray; 8], active: u8,
     let sunlit = asked & !tracer.occluded8(&to_sun, asked);
     std::array::from_fn(|i| match &points[i] {
         Some(point) => {
-            let radiance = shade_point(tracer, point, footprint_m, sunlit >> i & 1 == 1);
+            let radiance = shade_point(tracer, point, footprints_m[i], sunlit >> i & 1 == 1);
             tracer.environment.fog.through(radiance, rays[i].origin, rays[i].direction, point.distance)
         }
         None if active >> i & 1 == 1 => tracer.environment.sky.radiance(rays[i].direction),
