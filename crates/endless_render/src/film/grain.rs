@@ -2,8 +2,10 @@
 
 use crate::material::noise::hash;
 
-/// Entries of the table of noise; rows of a picture start in it at random.
-const ENTRIES: usize = 1 << 15;
+/// Places in the table of noise where rows of a picture may start.
+const STARTS: usize = 1 << 15;
+/// Entries of the table: no row of a picture is longer than what follows the last start.
+const ENTRIES: usize = STARTS + (1 << 16);
 /// The table's unit, as a share of the standard deviation.
 const UNIT: f32 = 1.0 / 64.0;
 
@@ -12,8 +14,8 @@ const UNIT: f32 = 1.0 / 64.0;
 pub(crate) struct Grain {
     /// Red, green and blue of one pixel after another, nearly normal: mostly common to the three.
     table: Vec<[i16; 3]>,
-    /// Strength by the value that it is added to, in 256ths of the table's unit.
-    strength: [i32; 256],
+    /// Strength on black, in 2^-20ths of the table's unit, and how much less it is for each step of the value.
+    strength: [i32; 2],
     key: u32,
 }
 
@@ -31,8 +33,7 @@ impl Grain {
                 })
             })
             .collect();
-        let strength =
-            std::array::from_fn(|v| (deviation * (1.35 - 0.7 * v as f32 / 255.0) * UNIT * 65_536.0).round() as i32);
+        let strength = [1.35, 0.7 / 255.0].map(|share| (deviation * share * UNIT * (1 << 20) as f32).round() as i32);
         Self { table, strength, key }
     }
 
@@ -40,13 +41,13 @@ impl Grain {
     pub(crate) fn add(&self, frame: u32, width: usize, rgb: &mut [[u8; 3]]) {
         let key = self.key ^ hash(frame);
         for (y, row) in rgb.chunks_mut(width).enumerate() {
-            let start = hash(key ^ y as u32) as usize % ENTRIES;
-            let noise = self.table[start..].iter().chain(self.table.iter().cycle());
-            for (pixel, noise) in row.iter_mut().zip(noise) {
-                for (value, noise) in pixel.iter_mut().zip(noise) {
-                    let change = (self.strength[usize::from(*value)] * i32::from(*noise) + 32_768) >> 16;
-                    *value = (i32::from(*value) + change).clamp(0, 255) as u8;
-                }
+            let start = hash(key ^ y as u32) as usize % STARTS;
+            let noise = self.table[start..].as_flattened();
+            let [black, less] = self.strength;
+            for (value, noise) in row.as_flattened_mut().iter_mut().zip(noise) {
+                let strength = black - less * i32::from(*value);
+                let change = (strength * i32::from(*noise) + (1 << 19)) >> 20;
+                *value = (i32::from(*value) + change).clamp(0, 255) as u8;
             }
         }
     }
