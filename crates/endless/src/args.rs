@@ -249,6 +249,12 @@ pub(crate) struct BenchArgs {
     /// Film each of the fifteen conditions, over all towns in turn, and compare them.
     #[arg(long)]
     pub(crate) conditions: bool,
+    /// Weathers to film [default: clear_sky, with --conditions all].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) weathers: Option<Vec<String>>,
+    /// Times of day to film [default: afternoon, with --conditions all].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) times: Option<Vec<String>>,
 }
 
 /// All cores unless said otherwise.
