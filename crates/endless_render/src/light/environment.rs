@@ -146,7 +146,7 @@ impl Environment {
                 ground,
                 // Haze and rain reach high up; fog lies on the ground as it cools.
                 scale_height_m: if weather == Weather::Foggy { random.range_f32(35.0, 70.0) } else { 1200.0 },
-                glow: if weather == Weather::Rainy { 0.95 } else { 0.65 },
+                glow: if weather == Weather::Rainy { 0.5 } else { 0.65 },
                 airlight,
                 sunward,
                 sun_direction,
