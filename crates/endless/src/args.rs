@@ -22,7 +22,7 @@ pub(crate) enum Command {
     Bench(BenchArgs),
     /// List, preview, import and export maps.
     Maps(MapsArgs),
-    /// List, preview and export vehicles, people, plants and street furniture.
+    /// List, preview and export vehicles, people, buildings, plants and street furniture.
     Assets(AssetsArgs),
 }
 
@@ -96,6 +96,13 @@ pub(crate) struct RecipeArgs {
     /// What simulates [default: builtin].
     #[arg(long, value_name = "NAME")]
     simulator: Option<String>,
+    /// Folder of glTF models with an assets.toml: vehicles that drive, props and buildings that
+    /// stand in the towns.
+    #[arg(long, value_name = "DIR")]
+    assets: Option<PathBuf>,
+    /// Leave out models that cannot be read, with a warning.
+    #[arg(long)]
+    skip_broken: bool,
 }
 
 impl From<RecipeArgs> for RecipeDraft {
@@ -117,6 +124,8 @@ impl From<RecipeArgs> for RecipeDraft {
             min_pixels: args.min_pixels,
             mp4: args.mp4,
             simulator: args.simulator,
+            assets: args.assets,
+            skip_broken: args.skip_broken.then_some(true),
         }
     }
 }
@@ -172,6 +181,12 @@ pub(crate) enum MapsCommand {
 pub(crate) struct AssetsArgs {
     #[command(subcommand)]
     pub(crate) command: Option<AssetsCommand>,
+    /// Folder of glTF models with an assets.toml, to be part of the catalogue.
+    #[arg(long, value_name = "DIR", global = true)]
+    pub(crate) assets: Option<PathBuf>,
+    /// Leave out models that cannot be read, with a warning.
+    #[arg(long, global = true)]
+    pub(crate) skip_broken: bool,
 }
 
 #[derive(Debug, Subcommand)]

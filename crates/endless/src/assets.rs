@@ -3,10 +3,25 @@
 use crate::args::{AssetsArgs, AssetsCommand};
 use crate::file::write;
 use anyhow::Result;
-use endless_pipeline::BuiltinSimulator;
-use std::{io::Write, process::ExitCode};
+use endless_pipeline::{AssetFolder, BuiltinSimulator};
+use std::{io::Write, path::Path, process::ExitCode};
 
-pub(crate) fn run(simulator: &BuiltinSimulator, args: AssetsArgs) -> Result<ExitCode> {
+/// The simulator with the models of a folder, if one is named; what is skipped is told.
+pub(crate) fn with_folder(
+    simulator: BuiltinSimulator,
+    folder: Option<&Path>,
+    skip_broken: bool,
+) -> Result<BuiltinSimulator> {
+    let Some(folder) = folder else { return Ok(simulator) };
+    let folder = AssetFolder::read(folder, skip_broken)?;
+    for reason in &folder.skipped {
+        eprintln!("warning: skipped {reason}");
+    }
+    Ok(simulator.with_assets(folder))
+}
+
+pub(crate) fn run(simulator: BuiltinSimulator, args: AssetsArgs) -> Result<ExitCode> {
+    let simulator = &with_folder(simulator, args.assets.as_deref(), args.skip_broken)?;
     match args.command.unwrap_or(AssetsCommand::List { filter: None }) {
         AssetsCommand::List { filter } => list(simulator, filter.as_deref().unwrap_or_default())?,
         AssetsCommand::Preview { name, variant, out } => {

@@ -2,15 +2,18 @@
 
 use crate::{
     args::{GenerateArgs, threads},
+    assets,
     report::Reporter,
 };
 use anyhow::Result;
-use endless_pipeline::{GenerateOptions, Generated, Plan, RecipeDraft, Simulator, generate};
+use endless_pipeline::{BuiltinSimulator, GenerateOptions, Generated, Plan, RecipeDraft, generate};
 use std::{io::Write, process::ExitCode};
 
-pub(crate) fn run<S: Simulator>(simulator: &S, args: GenerateArgs) -> Result<ExitCode> {
+pub(crate) fn run(simulator: BuiltinSimulator, args: GenerateArgs) -> Result<ExitCode> {
     let file = args.config.as_deref().map(RecipeDraft::read).transpose()?.unwrap_or_default();
-    let recipe = RecipeDraft::from(args.recipe).or(file).resolve(simulator)?;
+    let draft = RecipeDraft::from(args.recipe).or(file);
+    let simulator = &assets::with_folder(simulator, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
+    let recipe = draft.resolve(simulator)?;
     let options = GenerateOptions { threads: threads(args.threads), plan_only: args.plan_only };
     let reporter = Reporter::new();
     let made = generate(simulator, &recipe, &args.out, &options, &reporter);

@@ -26,10 +26,10 @@ fn main() -> ExitCode {
     };
     let simulator = BuiltinSimulator::new();
     let result = match cli.command {
-        Command::Generate(args) => generate::run(&simulator, *args),
+        Command::Generate(args) => generate::run(simulator, *args),
         Command::Check(args) => check::run(&args),
         Command::Bench(args) => bench::run(&simulator, &args),
-        Command::Assets(args) => assets::run(&simulator, args),
+        Command::Assets(args) => assets::run(simulator, args),
         Command::Maps(args) => maps::run(&simulator, args),
     };
     match result {

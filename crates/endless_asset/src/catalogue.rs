@@ -4,7 +4,7 @@ use crate::carla;
 use crate::furniture;
 use crate::plant;
 use crate::vehicle;
-use crate::{Material, Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
+use crate::{ImportedAsset, ImportedThing, Material, Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
 use endless_world::AssetRef;
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
@@ -12,12 +12,38 @@ use endless_world::AssetRef;
 #[derive(Debug, Clone)]
 pub struct Catalogue {
     vehicles: Vec<VehicleModel>,
+    /// How many of them are built in; those from files follow.
+    built_in: usize,
+    things: Vec<ImportedThing>,
 }
 
 impl Catalogue {
     /// The built-in catalogue.
     pub fn builtin() -> Self {
-        Self { vehicles: vehicle::all() }
+        let vehicles = vehicle::all();
+        Self { built_in: vehicles.len(), vehicles, things: Vec::new() }
+    }
+
+    /// With more, from files, in this order. What was there keeps its place.
+    #[must_use]
+    pub fn with(mut self, imported: impl IntoIterator<Item = ImportedAsset>) -> Self {
+        for asset in imported {
+            match asset {
+                ImportedAsset::Vehicle(vehicle) => self.vehicles.push(vehicle),
+                ImportedAsset::Thing(thing) => self.things.push(thing),
+            }
+        }
+        self
+    }
+
+    /// The vehicles among [`Self::vehicles`] that come from files.
+    pub fn imported_vehicles(&self) -> &[VehicleModel] {
+        &self.vehicles[self.built_in..]
+    }
+
+    /// Props and buildings from files.
+    pub fn imported_things(&self) -> &[ImportedThing] {
+        &self.things
     }
 
     /// Vehicle models, some draws of each design; [`endless_world::AssetRef::model`] indexes them.
@@ -39,7 +65,7 @@ impl Catalogue {
     /// The vehicle that stands for one of CARLA's blueprints (`vehicle.audi.a2`): of its class and about its size.
     pub fn carla_vehicle(&self, id: &str) -> Option<u16> {
         let place = carla::VEHICLES.iter().position(|b| b.0 == id)?;
-        u16::try_from(self.vehicles.len() - carla::VEHICLES.len() + place).ok()
+        u16::try_from(self.built_in - carla::VEHICLES.len() + place).ok()
     }
 
     /// The person (a variant) that stands for one of CARLA's blueprints (`walker.pedestrian.0001`).
@@ -75,23 +101,7 @@ impl Catalogue {
     /// A plant or a piece of furniture. Few distinct variants exist of each ([`Self::prop_variants`]), so that towns
     /// can instance them.
     pub fn prop(&self, prop: Prop, variant: u32) -> Mesh {
-        let variant = variant % self.prop_variants(prop);
-        match prop {
-            Prop::BroadleafTree => plant::broadleaf(variant),
-            Prop::Conifer => plant::conifer(variant),
-            Prop::Palm => plant::palm(variant),
-            Prop::Bush => plant::bush(variant),
-            Prop::Hedge => plant::hedge(variant),
-            Prop::Planter => plant::planter(variant),
-            Prop::Corn => plant::corn(variant),
-            Prop::Cypress => plant::cypress(variant),
-            Prop::BareTree => plant::bare(variant),
-            Prop::FlowerBed => plant::flower_bed(variant),
-            Prop::GrassTuft => plant::grass(variant),
-            Prop::Wheat => plant::wheat(variant),
-            Prop::Rock => plant::rock(variant),
-            _ => furniture::furniture(prop, variant),
-        }
+        self::prop(prop, variant)
     }
 
     /// Codes of traffic signs, of the Vienna Convention (`C,1`) and of the MUTCD (`R5-1`): the variants of
@@ -108,16 +118,42 @@ impl Catalogue {
 
     /// How many variants of a prop there are, at least 1.
     pub fn prop_variants(&self, prop: Prop) -> u32 {
-        match prop {
-            Prop::BroadleafTree => plant::BROADLEAF_VARIANTS,
-            Prop::Conifer => plant::CONIFER_VARIANTS,
-            Prop::BareTree => plant::BARE_VARIANTS,
-            Prop::Palm | Prop::Corn | Prop::Cypress | Prop::GrassTuft => 3,
-            Prop::FlowerBed | Prop::Rock => 4,
-            Prop::Wheat => 2,
-            Prop::Bush | Prop::Planter => 4,
-            Prop::Hedge => 2,
-            _ => furniture::variants(prop),
-        }
+        variants(prop)
+    }
+}
+
+/// A plant or a piece of furniture.
+pub(crate) fn prop(prop: Prop, variant: u32) -> Mesh {
+    let variant = variant % variants(prop);
+    match prop {
+        Prop::BroadleafTree => plant::broadleaf(variant),
+        Prop::Conifer => plant::conifer(variant),
+        Prop::Palm => plant::palm(variant),
+        Prop::Bush => plant::bush(variant),
+        Prop::Hedge => plant::hedge(variant),
+        Prop::Planter => plant::planter(variant),
+        Prop::Corn => plant::corn(variant),
+        Prop::Cypress => plant::cypress(variant),
+        Prop::BareTree => plant::bare(variant),
+        Prop::FlowerBed => plant::flower_bed(variant),
+        Prop::GrassTuft => plant::grass(variant),
+        Prop::Wheat => plant::wheat(variant),
+        Prop::Rock => plant::rock(variant),
+        _ => furniture::furniture(prop, variant),
+    }
+}
+
+/// How many variants there are.
+fn variants(prop: Prop) -> u32 {
+    match prop {
+        Prop::BroadleafTree => plant::BROADLEAF_VARIANTS,
+        Prop::Conifer => plant::CONIFER_VARIANTS,
+        Prop::BareTree => plant::BARE_VARIANTS,
+        Prop::Palm | Prop::Corn | Prop::Cypress | Prop::GrassTuft => 3,
+        Prop::FlowerBed | Prop::Rock => 4,
+        Prop::Wheat => 2,
+        Prop::Bush | Prop::Planter => 4,
+        Prop::Hedge => 2,
+        _ => furniture::variants(prop),
     }
 }

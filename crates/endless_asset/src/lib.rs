@@ -1,4 +1,4 @@
-//! The catalogue: vehicles, people, plants and street furniture, all made by code.
+//! The catalogue: vehicles, people, plants and street furniture, all made by code, and what is imported from files.
 //!
 //! Meshes are in the object frame (x forward, y left, z up, metres). The origin of things that stand on the ground is
 //! on the ground, under the centre of their footprint.
@@ -6,6 +6,7 @@
 mod carla;
 mod catalogue;
 mod furniture;
+mod import;
 mod material;
 mod mesh;
 mod person;
@@ -15,6 +16,10 @@ mod shape;
 mod vehicle;
 
 pub use catalogue::Catalogue;
+pub use import::{
+    AssetEntry, AssetManifest, Beside, Forward, ImportError, ImportedAsset, ImportedThing, LampKind, LampPlaces,
+    RiderEntry,
+};
 pub use material::{LensAspect, LightSlot, Material, Surface};
 pub use mesh::{Mesh, MeshBuilder};
 pub use person::{BodyPart, BodyPose, Bone, Footsteps, KEYPOINTS, PersonModel, PersonTraits};

@@ -115,6 +115,66 @@ pub enum Surface {
     LampLens,
 }
 
+impl Surface {
+    /// All of them.
+    pub const ALL: &'static [Self] = &[
+        Self::Asphalt,
+        Self::RoadPaint,
+        Self::Paving,
+        Self::Cobbles,
+        Self::Kerb,
+        Self::Concrete,
+        Self::Grass,
+        Self::Soil,
+        Self::Gravel,
+        Self::Brick,
+        Self::Plaster,
+        Self::Stone,
+        Self::Cladding,
+        Self::RoofTile,
+        Self::FlatRoof,
+        Self::Wood,
+        Self::WindowGlass,
+        Self::ShopGlass,
+        Self::LitSign,
+        Self::CarPaint,
+        Self::CarGlass,
+        Self::Rubber,
+        Self::Plastic,
+        Self::Metal,
+        Self::Chrome,
+        Self::Painted,
+        Self::Cloth,
+        Self::Skin,
+        Self::Hair,
+        Self::Leather,
+        Self::Bark,
+        Self::Foliage,
+        Self::Water,
+        Self::Plate,
+        Self::VehicleLight(LightSlot::Head),
+        Self::VehicleLight(LightSlot::Tail),
+        Self::VehicleLight(LightSlot::Brake),
+        Self::VehicleLight(LightSlot::IndicatorLeft),
+        Self::VehicleLight(LightSlot::IndicatorRight),
+        Self::VehicleLight(LightSlot::Reverse),
+        Self::SignalLens(LensAspect::Red),
+        Self::SignalLens(LensAspect::Yellow),
+        Self::SignalLens(LensAspect::Green),
+        Self::LampLens,
+    ];
+
+    /// Name in files: `CarPaint`, `VehicleLight(Head)`.
+    pub fn name(self) -> String {
+        format!("{self:?}")
+    }
+
+    /// The surface of a name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.iter().copied().find(|s| s.name() == name)
+    }
+}
+
 /// One entry of a mesh's material table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Material {

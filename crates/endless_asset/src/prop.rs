@@ -284,6 +284,11 @@ impl Prop {
         name
     }
 
+    /// Whether it shows the state of a signal program.
+    pub const fn is_signal(self) -> bool {
+        matches!(self, Self::SignalPole | Self::SignalMast | Self::WalkSignal | Self::SpanSignal | Self::CycleSignal)
+    }
+
     /// Whether it is of nature: what grows, and rocks.
     pub const fn is_plant(self) -> bool {
         matches!(

@@ -20,6 +20,9 @@ pub struct Recipe {
     /// Hash of the content of each map among them that was imported from a file, by its name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub map_files: BTreeMap<String, String>,
+    /// Hash of the manifest and of each file of imported models, by its name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub asset_files: BTreeMap<String, String>,
     /// Weathers to choose from.
     pub weathers: Vec<Weather>,
     /// Times of day to choose from.
@@ -69,13 +72,12 @@ impl Recipe {
             _ => unreachable!("a recipe is a plain struct"),
         };
         let (mine, theirs) = (fields(self), fields(other));
-        mine.into_iter()
-            .filter(|(name, value)| name != "videos" && theirs.get(name) != Some(value))
-            .map(|(name, value)| {
-                let theirs = theirs.get(&name).map(plain).unwrap_or_default();
-                (name, plain(&value), theirs)
-            })
-            .next()
+        // Some fields are left out where they say nothing: those of both are looked at.
+        let value = |of: &serde_json::Map<_, _>, name: &String| of.get(name).map(plain).unwrap_or_default();
+        mine.keys()
+            .chain(theirs.keys())
+            .find(|name| *name != "videos" && mine.get(*name) != theirs.get(*name))
+            .map(|name| (name.clone(), value(&mine, name), value(&theirs, name)))
     }
 }
 

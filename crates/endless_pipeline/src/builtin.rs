@@ -1,6 +1,6 @@
 //! The built-in city: towns, traffic and the ray tracer joined.
 
-use crate::assets::{self, AssetError, AssetKind};
+use crate::assets::{self, AssetError, AssetFolder, AssetKind};
 use crate::maps::{self, About, DrivingSide, MapError, MapStore, StoredMap};
 use crate::{Cameras, MapCatalog, RenderStats, Scene, Simulator, SimulatorError, Traffic};
 use endless_asset::Catalogue;
@@ -26,6 +26,8 @@ pub struct BuiltinSimulator {
     known: Mutex<BTreeMap<String, (String, Vec<CameraSite>)>>,
     /// Where imported maps are kept; `None` where there is no such place.
     store: Option<MapStore>,
+    /// Models from files.
+    folder: Option<AssetFolder>,
 }
 
 /// A town and its geometry.
@@ -37,7 +39,7 @@ pub struct BuiltinMap {
 impl BuiltinSimulator {
     /// The built-in catalogue and towns, and the maps that the user imported.
     pub fn new() -> Self {
-        Self { catalogue: OnceLock::new(), known: Mutex::default(), store: MapStore::user().ok() }
+        Self { catalogue: OnceLock::new(), known: Mutex::default(), store: MapStore::user().ok(), folder: None }
     }
 
     /// With the imported maps of another place.
@@ -45,8 +47,15 @@ impl BuiltinSimulator {
         Self { store: Some(store), ..Self::new() }
     }
 
+    /// With vehicles, props and buildings from a folder of models.
+    #[must_use]
+    pub fn with_assets(self, folder: AssetFolder) -> Self {
+        Self { folder: Some(folder), catalogue: OnceLock::new(), known: Mutex::default(), ..self }
+    }
+
     fn catalogue(&self) -> &Catalogue {
-        self.catalogue.get_or_init(Catalogue::builtin)
+        let imported = || self.folder.iter().flat_map(|f| f.assets.iter().cloned());
+        self.catalogue.get_or_init(|| Catalogue::builtin().with(imported()))
     }
 
     /// A whole town, built in or imported.
@@ -54,10 +63,12 @@ impl BuiltinSimulator {
     /// # Errors
     /// When there is no such map or it cannot be read.
     pub fn town(&self, name: &str) -> Result<Town, MapError> {
-        match self.stored(name)? {
-            Some((store, stored)) => Ok(dress_map(name, &store.read(&stored)?, self.catalogue())?),
-            None => Ok(endless_town::load(name, self.catalogue())?),
-        }
+        let mut town = match self.stored(name)? {
+            Some((store, stored)) => dress_map(name, &store.read(&stored)?, self.catalogue())?,
+            None => endless_town::load(name, self.catalogue())?,
+        };
+        assets::stand_in(&mut town, self.catalogue());
+        Ok(town)
     }
 
     /// The road map of an imported map; `None` for built-in towns.
@@ -197,6 +208,10 @@ impl MapCatalog for BuiltinSimulator {
 
     fn content_hash(&self, map: &str) -> Result<Option<String>, SimulatorError> {
         Ok(self.stored(map)?.map(|(_, stored)| stored.hash))
+    }
+
+    fn asset_files(&self) -> BTreeMap<String, String> {
+        self.folder.as_ref().map_or_else(BTreeMap::new, |folder| folder.files.clone())
     }
 
     fn summary(&self, map: &str) -> Result<String, SimulatorError> {

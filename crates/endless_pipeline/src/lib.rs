@@ -11,7 +11,7 @@ mod recipe;
 mod record;
 mod simulator;
 
-pub use assets::{AssetError, AssetKind};
+pub use assets::{AssetError, AssetFolder, AssetFolderError, AssetKind};
 pub use builtin::{BuiltinMap, BuiltinSimulator};
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{Estimate, GenerateOptions, Generated, generate};

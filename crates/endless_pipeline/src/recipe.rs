@@ -4,7 +4,12 @@ use crate::{MapCatalog, RecipeError};
 use endless_dataset::{Layer, Recipe, RgbFormat};
 use endless_world::{ImageSize, LookChoice, TimeOfDay, UnknownName, Weather};
 use serde::Deserialize;
-use std::{collections::BTreeMap, fs, path::Path, str::FromStr};
+use std::{
+    collections::BTreeMap,
+    fs,
+    path::{Path, PathBuf},
+    str::FromStr,
+};
 
 /// What the user wrote: any part of a recipe. The same on the command line and in a TOML file.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
@@ -42,6 +47,10 @@ pub struct RecipeDraft {
     pub mp4: Option<Vec<String>>,
     /// What simulates.
     pub simulator: Option<String>,
+    /// Folder of models, see `docs/assets.md`; in a file, as seen from the file's folder.
+    pub assets: Option<PathBuf>,
+    /// Leave out models that cannot be read.
+    pub skip_broken: Option<bool>,
 }
 
 /// The longest side of an image.
@@ -60,7 +69,7 @@ impl RecipeDraft {
     pub fn read(path: &Path) -> Result<Self, RecipeError> {
         let text =
             fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
-        toml::from_str(&text).map_err(|e: toml::de::Error| {
+        let mut draft: Self = toml::from_str(&text).map_err(|e: toml::de::Error| {
             let before = &text[..e.span().map_or(0, |s| s.start.min(text.len()))];
             RecipeError::Malformed {
                 path: path.to_owned(),
@@ -68,7 +77,11 @@ impl RecipeDraft {
                 column: before.chars().rev().take_while(|c| *c != '\n').count() + 1,
                 message: e.message().lines().collect::<Vec<_>>().join(", "),
             }
-        })
+        })?;
+        if let (Some(assets), Some(folder)) = (&mut draft.assets, path.parent()) {
+            *assets = folder.join(&*assets);
+        }
+        Ok(draft)
     }
 
     /// Fills what is not given here from another draft: what is written here wins.
@@ -90,10 +103,12 @@ impl RecipeDraft {
             min_pixels: self.min_pixels.or(other.min_pixels),
             mp4: self.mp4.or(other.mp4),
             simulator: self.simulator.or(other.simulator),
+            assets: self.assets.or(other.assets),
+            skip_broken: self.skip_broken.or(other.skip_broken),
         }
     }
 
-    /// Completes with the defaults and validates.
+    /// Completes with the defaults and validates. Models come from the catalogue, which has read their folder.
     ///
     /// # Errors
     /// The first thing that cannot be.
@@ -118,6 +133,7 @@ impl RecipeDraft {
             pedestrians: count("pedestrians", self.pedestrians, 20, 0..=MAX_ACTORS)?,
             maps,
             map_files,
+            asset_files: catalog.asset_files(),
             weathers: choose("weathers", self.weathers, Weather::ALL, Weather::name)?,
             times: choose("times", self.times, TimeOfDay::ALL, TimeOfDay::name)?,
             size: size(self.size)?,

@@ -2,6 +2,7 @@
 
 use endless_dataset::Spawned;
 use endless_world::{Actor, CameraSite, SceneSettings, SensorFrame, WorldState};
+use std::collections::BTreeMap;
 
 /// What a simulator says when it cannot do what it is asked.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -24,6 +25,11 @@ pub trait MapCatalog {
     /// When the map cannot be read.
     fn content_hash(&self, _map: &str) -> Result<Option<String>, SimulatorError> {
         Ok(None)
+    }
+
+    /// Hashes of the files of imported models, by their names.
+    fn asset_files(&self) -> BTreeMap<String, String> {
+        BTreeMap::new()
     }
 
     /// One sentence on a map's character.

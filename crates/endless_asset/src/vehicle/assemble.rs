@@ -101,6 +101,19 @@ pub(crate) struct Parts {
     pub(crate) fit: Option<RiderFit>,
 }
 
+impl Parts {
+    /// Body and wheels as one mesh, standing still.
+    pub(crate) fn whole(&self) -> Mesh {
+        let mut mesh = self.body.clone();
+        for wheel in &self.wheels {
+            let flip = Vec3::new(1.0, if wheel.mirrored { -1.0 } else { 1.0 }, 1.0);
+            let place = Affine3A::from_scale_rotation_translation(flip, glam::Quat::IDENTITY, wheel.position);
+            mesh.append(&self.wheel_mesh, place);
+        }
+        mesh
+    }
+}
+
 /// A vehicle before it is centred.
 #[derive(Debug, Clone)]
 pub(crate) struct Assembly {

@@ -18,20 +18,21 @@ mod two;
 mod van;
 mod wheel;
 
-pub(crate) use assemble::RiderFit;
+pub(crate) use assemble::{Parts, RiderFit};
 
 use crate::{Mesh, carla};
-use assemble::Parts;
 use design::{DESIGNS, Design};
 use draw::Draw;
 use endless_world::ObjectClass;
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
+use tint::Paint;
 
 /// What traffic needs to know of a vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VehicleSpec {
-    /// Name of the design, e.g. `car.hatchback`; vehicles of one design differ in size and equipment.
+    /// Name of the design, e.g. `car.hatchback`; vehicles of one design differ in size and equipment. `imported` of all
+    /// vehicles from files.
     pub name: &'static str,
     /// Class of the vehicle itself (the rider of a two-wheeler is an object of its own).
     pub class: ObjectClass,
@@ -70,15 +71,29 @@ pub struct Wheel {
     pub mirrored: bool,
 }
 
-/// One vehicle of the catalogue: a draw from the ranges of its design. Its measures are known at once; its meshes are
-/// made when they are first asked for.
+/// One vehicle of the catalogue: a draw from the ranges of its design, or one from a file. Its measures are known at
+/// once; its meshes are made when they are first asked for.
 #[derive(Clone)]
 pub struct VehicleModel {
     /// Sizes and habits.
     pub spec: VehicleSpec,
-    design: &'static Design,
-    draw: Draw,
+    origin: Origin,
     parts: OnceLock<Arc<Parts>>,
+}
+
+/// Where a vehicle comes from.
+#[derive(Clone)]
+enum Origin {
+    Drawn {
+        design: &'static Design,
+        draw: Draw,
+    },
+    File {
+        /// In the catalogue.
+        name: Arc<str>,
+        /// Colours for [`crate::Surface::CarPaint`]; none: as in the file.
+        paints: Option<&'static [Paint]>,
+    },
 }
 
 impl VehicleModel {
@@ -101,11 +116,28 @@ impl VehicleModel {
             parks: design.parks,
             ridden: matches!(design.class, ObjectClass::Motorcycle | ObjectClass::Bicycle),
         };
-        Self { spec, design, draw, parts: OnceLock::new() }
+        Self { spec, origin: Origin::Drawn { design, draw }, parts: OnceLock::new() }
+    }
+
+    /// From a file.
+    pub(crate) fn imported(name: String, spec: VehicleSpec, parts: Parts, painted: bool) -> Self {
+        let paints = painted.then(|| tint::of_class(spec.class));
+        Self { spec, origin: Origin::File { name: name.into(), paints }, parts: OnceLock::from(Arc::new(parts)) }
+    }
+
+    /// Name in the catalogue: of the design, or of the file.
+    pub fn name(&self) -> &str {
+        match &self.origin {
+            Origin::Drawn { design, .. } => design.name,
+            Origin::File { name, .. } => name,
+        }
     }
 
     fn parts(&self) -> &Parts {
-        self.parts.get_or_init(|| Arc::new((self.design.plan)(&self.draw).finish()))
+        self.parts.get_or_init(|| match &self.origin {
+            Origin::Drawn { design, draw } => Arc::new((design.plan)(draw).finish()),
+            Origin::File { .. } => unreachable!("what comes from a file has its parts"),
+        })
     }
 
     /// Everything but wheels and rider. [`crate::Surface::CarPaint`] is tinted per variant.
@@ -130,14 +162,7 @@ impl VehicleModel {
 
     /// Body and wheels as one mesh, standing still.
     pub fn whole(&self) -> Mesh {
-        let parts = self.parts();
-        let mut mesh = parts.body.clone();
-        for wheel in &parts.wheels {
-            let flip = Vec3::new(1.0, if wheel.mirrored { -1.0 } else { 1.0 }, 1.0);
-            let place = glam::Affine3A::from_scale_rotation_translation(flip, glam::Quat::IDENTITY, wheel.position);
-            mesh.append(&parts.wheel_mesh, place);
-        }
-        mesh
+        self.parts().whole()
     }
 
     /// The rider of a two-wheeler, in place, in the vehicle's object frame; `None` for other vehicles.
@@ -156,7 +181,10 @@ impl VehicleModel {
 
     /// Linear paint colour of a variant, distributed as on real roads.
     pub fn tint(&self, variant: u64) -> [f32; 3] {
-        tint::tint(self.design.paints, variant)
+        match &self.origin {
+            Origin::Drawn { design, .. } => tint::tint(design.paints, variant),
+            Origin::File { paints, .. } => paints.map_or([1.0; 3], |paints| tint::tint(paints, variant)),
+        }
     }
 }
 

@@ -1,9 +1,21 @@
 //! Paint colours as on real roads.
 
-use endless_world::Stream;
+use endless_world::{ObjectClass, Stream};
 
 /// Share and linear colour.
 pub(crate) type Paint = (f64, [f32; 3]);
+
+/// The paints of a class.
+pub(crate) fn of_class(class: ObjectClass) -> &'static [Paint] {
+    match class {
+        ObjectClass::Van => VANS,
+        ObjectClass::Truck => TRUCKS,
+        ObjectClass::Bus => BUSES,
+        ObjectClass::Motorcycle => MOTORCYCLES,
+        ObjectClass::Bicycle => BICYCLES,
+        _ => CARS,
+    }
+}
 
 /// Passenger cars: white, black, grey and silver are four in five.
 pub(crate) const CARS: &[Paint] = &[

@@ -1,16 +1,27 @@
 //! What the catalogue holds: listed, drawn, and written to files.
 
+mod folder;
+mod place;
 mod show;
 
+pub use folder::{AssetFolder, AssetFolderError};
+pub(crate) use place::stand_in;
+
 use crate::maps::gltf;
-use endless_asset::{Catalogue, Mesh, PersonModel, Prop, VehicleModel};
+use endless_asset::{Catalogue, ImportedThing, Mesh, PersonModel, Prop, VehicleModel};
+use endless_town::{building_manners, sample_building};
 use endless_world::Image;
 use glam::Vec3;
+use std::borrow::Borrow;
 
 /// People whose sizes are looked at for the list.
 const PEOPLE: u64 = 64;
 /// Name of the one body that all people are draws of.
 const PERSON: &str = "person";
+/// What the names of buildings begin with.
+const BUILDING: &str = "building.";
+/// Buildings of each manner whose sizes are looked at for the list.
+const BUILDINGS: u64 = 12;
 
 /// An asset as it is listed. Sizes are smallest and largest, metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,10 +44,12 @@ pub struct AssetKind {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum AssetError {
     /// None of the names.
-    #[error("unknown asset '{given}': see `endless assets list`{}", similar(given))]
+    #[error("unknown asset '{given}': see `endless assets list`{}", told(similar))]
     Unknown {
         /// What was asked for.
         given: String,
+        /// Names that begin alike.
+        similar: Vec<String>,
     },
     /// More than a `.glb` can hold.
     #[error("asset '{name}' does not fit into one file")]
@@ -46,11 +59,14 @@ pub enum AssetError {
     },
 }
 
+fn told(similar: &[String]) -> String {
+    if similar.is_empty() { String::new() } else { format!(" (there are {})", similar.join(", ")) }
+}
+
 /// Names that begin alike, to be told with a name that is none.
-fn similar(given: &str) -> String {
+fn similar(catalogue: &Catalogue, given: &str) -> Vec<String> {
     let stem = given.split('.').next().unwrap_or(given).to_lowercase();
-    let close: Vec<String> = names().into_iter().filter(|n| n.contains(&stem) && !stem.is_empty()).take(6).collect();
-    if close.is_empty() { String::new() } else { format!(" (there are {})", close.join(", ")) }
+    names(catalogue).into_iter().filter(|n| n.contains(&stem) && !stem.is_empty()).take(6).collect()
 }
 
 /// Something of the catalogue.
@@ -59,11 +75,17 @@ pub(crate) enum Thing {
     Vehicle(VehicleModel),
     Person(Box<PersonModel>),
     Prop(Prop, u32),
+    Building(Mesh),
+    Imported(ImportedThing),
 }
 
-fn names() -> Vec<String> {
+fn names(catalogue: &Catalogue) -> Vec<String> {
     let vehicles = Catalogue::vehicle_kinds().into_iter().map(|k| k.name.to_owned());
-    vehicles.chain([PERSON.to_owned()]).chain(Prop::ALL.iter().map(|p| p.name())).collect()
+    let imported = catalogue.imported_vehicles().iter().map(|v| v.name().to_owned());
+    let imported = imported.chain(catalogue.imported_things().iter().map(|t| t.name.clone()));
+    let buildings = building_manners().into_iter().map(|manner| format!("{BUILDING}{manner}"));
+    let props = Prop::ALL.iter().map(|p| p.name());
+    vehicles.chain([PERSON.to_owned()]).chain(buildings).chain(props).chain(imported).collect()
 }
 
 /// The asset of a name; `variant` counts its draws.
@@ -74,38 +96,65 @@ fn find(catalogue: &Catalogue, name: &str, variant: u64) -> Result<Thing, AssetE
     if name == PERSON {
         return Ok(Thing::Person(Box::new(catalogue.person(variant))));
     }
+    if let Some(vehicle) = catalogue.imported_vehicles().iter().find(|v| v.name() == name) {
+        return Ok(Thing::Vehicle(vehicle.clone()));
+    }
+    if let Some(thing) = catalogue.imported_things().iter().find(|t| t.name == name) {
+        return Ok(Thing::Imported(thing.clone()));
+    }
+    if let Some(building) = name.strip_prefix(BUILDING).and_then(|manner| sample_building(manner, variant)) {
+        return Ok(Thing::Building(building));
+    }
     let prop = Prop::ALL.iter().copied().find(|p| p.name() == name);
-    let prop = prop.ok_or_else(|| AssetError::Unknown { given: name.to_owned() })?;
+    let unknown = || AssetError::Unknown { given: name.to_owned(), similar: similar(catalogue, name) };
+    let prop = prop.ok_or_else(unknown)?;
     Ok(Thing::Prop(prop, (variant % u64::from(catalogue.prop_variants(prop))) as u32))
 }
 
-/// Everything there is, vehicles first.
+/// Triangles of a vehicle with its wheels and its rider.
+fn triangles(vehicle: &VehicleModel) -> usize {
+    let rider = vehicle.rider(0).map_or(0, |r| r.triangles.len());
+    vehicle.body().triangles.len() + vehicle.wheels().len() * vehicle.wheel_mesh().triangles.len() + rider
+}
+
+/// Everything there is, vehicles first, what comes from files last.
 pub(crate) fn list(catalogue: &Catalogue) -> Vec<AssetKind> {
-    let vehicles = Catalogue::vehicle_kinds().into_iter().map(|kind| {
-        let model = Catalogue::draw_vehicle(kind.name, 0);
-        let triangles = |v: VehicleModel| {
-            let rider = v.rider(0).map_or(0, |r| r.triangles.len());
-            v.body().triangles.len() + v.wheels().len() * v.wheel_mesh().triangles.len() + rider
-        };
-        AssetKind {
-            name: kind.name.to_owned(),
-            class: kind.class.to_string(),
-            length_m: kind.length_m,
-            width_m: kind.width_m,
-            height_m: kind.height_m,
-            triangles: model.map_or(0, triangles),
-        }
+    let vehicles = Catalogue::vehicle_kinds().into_iter().map(|kind| AssetKind {
+        name: kind.name.to_owned(),
+        class: kind.class.to_string(),
+        length_m: kind.length_m,
+        width_m: kind.width_m,
+        height_m: kind.height_m,
+        triangles: Catalogue::draw_vehicle(kind.name, 0).map_or(0, |v| triangles(&v)),
     });
     let people: Vec<Mesh> = (0..PEOPLE).map(|v| catalogue.person(v).rest).collect();
+    let buildings = building_manners().into_iter().map(|manner| {
+        let all: Vec<Mesh> = (0..BUILDINGS).filter_map(|seed| sample_building(manner, seed)).collect();
+        measured(format!("{BUILDING}{manner}"), "building", &all)
+    });
     let props = Prop::ALL.iter().map(|&prop| {
         let all: Vec<Mesh> = (0..catalogue.prop_variants(prop)).map(|v| catalogue.prop(prop, v)).collect();
         measured(prop.name(), if prop.is_plant() { "plant" } else { "furniture" }, &all)
     });
-    vehicles.chain([measured(PERSON.to_owned(), "pedestrian", &people)]).chain(props).collect()
+    let imported = catalogue.imported_vehicles().iter().map(|vehicle| AssetKind {
+        name: vehicle.name().to_owned(),
+        class: vehicle.spec.class.to_string(),
+        length_m: [vehicle.spec.length_m; 2],
+        width_m: [vehicle.spec.width_m; 2],
+        height_m: [vehicle.spec.height_m; 2],
+        triangles: triangles(vehicle),
+    });
+    let things = catalogue.imported_things().iter().map(|thing| {
+        let class = thing.prop.map_or("building", |p| if p.is_plant() { "plant" } else { "furniture" });
+        measured(thing.name.clone(), class, std::slice::from_ref(&thing.mesh))
+    });
+    let people = [measured(PERSON.to_owned(), "pedestrian", &people)];
+    vehicles.chain(people).chain(buildings).chain(props).chain(imported).chain(things).collect()
 }
 
-fn measured(name: String, class: &str, meshes: &[Mesh]) -> AssetKind {
-    let sizes = || meshes.iter().map(Mesh::bounds).map(|(low, high)| Vec3::new(high.x - low.x, high.y - low.y, high.z));
+fn measured<M: Borrow<Mesh>>(name: String, class: &str, meshes: &[M]) -> AssetKind {
+    let meshes = || meshes.iter().map(Borrow::borrow);
+    let sizes = || meshes().map(Mesh::bounds).map(|(low, high)| Vec3::new(high.x - low.x, high.y - low.y, high.z));
     let low = sizes().fold(Vec3::INFINITY, Vec3::min);
     let high = sizes().fold(Vec3::ZERO, Vec3::max);
     AssetKind {
@@ -114,7 +163,7 @@ fn measured(name: String, class: &str, meshes: &[Mesh]) -> AssetKind {
         length_m: [low.x, high.x],
         width_m: [low.y, high.y],
         height_m: [low.z, high.z],
-        triangles: meshes.iter().map(|m| m.triangles.len()).max().unwrap_or(0),
+        triangles: meshes().map(|m| m.triangles.len()).max().unwrap_or(0),
     }
 }
 
@@ -144,7 +193,7 @@ mod tests {
         let catalogue = Catalogue::builtin();
         let listed = list(&catalogue);
         let all: Vec<String> = listed.iter().map(|k| k.name.clone()).collect();
-        assert_eq!(all, names());
+        assert_eq!(all, names(&catalogue));
         for kind in &listed {
             assert!(find(&catalogue, &kind.name, 3).is_ok(), "{}", kind.name);
             assert!(kind.triangles > 50 && kind.height_m[0] <= kind.height_m[1], "{kind:?}");

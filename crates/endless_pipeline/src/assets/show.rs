@@ -62,6 +62,8 @@ fn whole(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Mesh {
             let pose = person.pose(&motion);
             Mesh { positions: pose.positions, normals: pose.normals, ..person.rest.clone() }
         }
+        Thing::Building(mesh) => mesh.clone(),
+        Thing::Imported(thing) => (*thing.mesh).clone(),
         Thing::Prop(prop, variant) => catalogue.prop(*prop, *variant),
     }
 }

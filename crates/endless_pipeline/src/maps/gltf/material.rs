@@ -64,6 +64,6 @@ fn describe(material: &Material) -> Value {
         },
         "emissiveFactor": color.map(|c| c * light),
         "doubleSided": material.surface == Surface::Foliage,
-        "extras": { "class": material.tag.name() },
+        "extras": { "class": material.tag.name(), "surface": material.surface.name() },
     })
 }

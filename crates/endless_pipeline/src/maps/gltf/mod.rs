@@ -36,6 +36,8 @@ pub(crate) fn write_thing(thing: &Thing, name: &str, variant: u64, catalogue: &C
     let root = match thing {
         Thing::Vehicle(vehicle) => scene.single_vehicle(vehicle, variant),
         Thing::Person(person) => scene.single(name, &person.rest),
+        Thing::Building(mesh) => scene.single(name, mesh),
+        Thing::Imported(thing) => scene.single(name, &thing.mesh),
         Thing::Prop(prop, variant) => scene.single(name, &catalogue.prop(*prop, *variant)),
     };
     scene.document(name, root.as_slice(), &[])

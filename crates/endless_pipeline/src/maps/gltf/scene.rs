@@ -75,7 +75,7 @@ impl<'a> Scene<'a> {
 
     /// One vehicle at the origin, in the paint of a variant, with its rider if it has one.
     pub(super) fn single_vehicle(&mut self, model: &VehicleModel, variant: u64) -> Option<usize> {
-        let name = model.spec.name;
+        let name = model.name();
         let tint = Some(model.tint(variant));
         let [body, wheel] = [("", model.body()), (" wheel", model.wheel_mesh())].map(|(part, mesh)| {
             let geometry = self.geometry(mesh)?;
@@ -186,7 +186,7 @@ impl<'a> Scene<'a> {
                 .or_insert_with(|| [self.geometry(model.body()), self.geometry(model.wheel_mesh())]);
             let meshes = *bodies.entry((number, tint.map(f32::to_bits))).or_insert_with(|| {
                 let [body, wheel] = parts;
-                let name = model.spec.name;
+                let name = model.name();
                 let body = body.as_ref().map(|g| self.mesh(name, g, Some(tint)));
                 [body, wheel.as_ref().map(|g| self.mesh(&format!("{name} wheel"), g, Some(tint)))]
             });
@@ -204,7 +204,7 @@ impl<'a> Scene<'a> {
             parts.push(self.instance("wheel", mesh, place));
         }
         let mut node = placed(place);
-        node["name"] = json!(model.spec.name);
+        node["name"] = json!(model.name());
         node["children"] = json!(parts);
         self.node(node)
     }

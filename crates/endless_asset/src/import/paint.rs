@@ -1,0 +1,165 @@
+//! Parts of a model as one mesh: pictures become colours of triangles, cut smaller where a picture changes.
+
+use super::coat::{Coat, Pattern};
+use super::model::Part;
+use crate::{Material, Mesh, Surface};
+use endless_world::ClassTag;
+use glam::{Vec2, Vec3, Vec4};
+use std::collections::BTreeMap;
+
+/// Edges are cut until they are this short where colours change, metres.
+const FINEST_M: f32 = 0.035;
+/// Colours that differ by less than this (square root of linear light) are one.
+const SAME: f32 = 0.07;
+/// Levels of a colour channel.
+const LEVELS: f32 = 40.0;
+/// Triangles that cutting may make of a model.
+const MOST_CUT: usize = 300_000;
+
+/// A corner of a triangle while it is cut.
+#[derive(Debug, Clone, Copy)]
+struct Corner {
+    position: Vec3,
+    normal: Vec3,
+    uv: Vec2,
+    color: Vec3,
+}
+
+impl Corner {
+    fn between(self, other: Self) -> Self {
+        Self {
+            position: 0.5 * (self.position + other.position),
+            normal: (self.normal + other.normal).normalize_or(self.normal),
+            uv: 0.5 * (self.uv + other.uv),
+            color: 0.5 * (self.color + other.color),
+        }
+    }
+}
+
+/// Makes a mesh of parts that stand in their final place.
+pub(super) struct Painter<'a> {
+    coats: &'a [Coat],
+    /// Class of what names none.
+    tag: ClassTag,
+    /// Whether the file's own classes count: not for vehicles, which are of one class.
+    own_tags: bool,
+    mesh: Mesh,
+    materials: BTreeMap<(usize, [u32; 3]), u16>,
+    cut: usize,
+}
+
+impl<'a> Painter<'a> {
+    pub(super) fn new(coats: &'a [Coat], tag: ClassTag, own_tags: bool) -> Self {
+        Self { coats, tag, own_tags, mesh: Mesh::default(), materials: BTreeMap::new(), cut: 0 }
+    }
+
+    pub(super) fn finish(self) -> Mesh {
+        self.mesh
+    }
+
+    /// Adds a part, moved.
+    pub(super) fn add(&mut self, part: &Part, by: Vec3) {
+        let coats = self.coats;
+        let coat = &coats[part.coat];
+        let plain = part.colors.iter().all(|&c| c == Vec3::ONE);
+        let base = self.mesh.positions.len() as u32;
+        let patterned = coat.picture.as_ref().filter(|_| !matches!(coat.surface, Surface::CarGlass));
+        if patterned.is_none() {
+            self.mesh.positions.extend(part.positions.iter().map(|&p| p + by));
+            self.mesh.normals.extend_from_slice(&part.normals);
+            self.mesh.uvs.extend_from_slice(&part.uvs);
+            for t in &part.triangles {
+                let shade = t.iter().map(|&i| part.colors[i as usize]).sum::<Vec3>() / 3.0;
+                let color = coat.color.truncate() * if plain { Vec3::ONE } else { shade };
+                let material = self.material(part.coat, color, plain);
+                self.mesh.triangles.push(t.map(|i| i + base));
+                self.mesh.triangle_materials.push(material);
+            }
+            return;
+        }
+        let corner = |i: u32| {
+            let i = i as usize;
+            Corner { position: part.positions[i] + by, normal: part.normals[i], uv: part.uvs[i], color: part.colors[i] }
+        };
+        if let Some(pattern) = patterned {
+            for t in &part.triangles {
+                self.cut(part.coat, pattern, t.map(corner));
+            }
+        }
+    }
+
+    fn cut(&mut self, coat: usize, pattern: &Pattern, corners: [Corner; 3]) {
+        let [a, b, c] = corners;
+        let seen = Seen::of(pattern, corners);
+        let long = [(a, b), (b, c), (c, a)].iter().map(|(p, q)| p.position.distance(q.position)).fold(0.0, f32::max);
+        if seen.spread > SAME && long > FINEST_M && self.cut < MOST_CUT {
+            self.cut += 3;
+            let [ab, bc, ca] = [a.between(b), b.between(c), c.between(a)];
+            for small in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]] {
+                self.cut(coat, pattern, small);
+            }
+            return;
+        }
+        let own = &self.coats[coat];
+        if own.cutoff.is_some_and(|least| seen.mean.w * own.color.w < least) {
+            return;
+        }
+        let shade = (a.color + b.color + c.color) / 3.0;
+        let material = self.material(coat, own.color.truncate() * seen.mean.truncate() * shade, false);
+        let base = self.mesh.positions.len() as u32;
+        for corner in corners {
+            self.mesh.positions.push(corner.position);
+            self.mesh.normals.push(corner.normal);
+            self.mesh.uvs.push(corner.uv);
+        }
+        self.mesh.triangles.push([base, base + 1, base + 2]);
+        self.mesh.triangle_materials.push(material);
+    }
+
+    /// The material of a coat in a colour; colours of pictures are rounded, so that there are not too many.
+    fn material(&mut self, coat: usize, color: Vec3, exact: bool) -> u16 {
+        let own = &self.coats[coat];
+        let rounded = color.map(|c| {
+            let level = (c.clamp(0.0, 1.0).sqrt() * LEVELS).round() / LEVELS;
+            level * level
+        });
+        let color = if exact { color } else { rounded };
+        let tag = own.tag.filter(|_| self.own_tags).unwrap_or(self.tag);
+        let known = &mut self.materials;
+        let materials = &mut self.mesh.materials;
+        *known.entry((coat, color.to_array().map(f32::to_bits))).or_insert_with(|| {
+            // Full tables take the nearest that is there: the last.
+            if materials.len() < usize::from(u16::MAX) {
+                materials.push(Material::new(own.surface, color.to_array(), tag));
+            }
+            (materials.len() - 1) as u16
+        })
+    }
+}
+
+/// What a picture shows on a triangle.
+struct Seen {
+    mean: Vec4,
+    /// Largest difference of a sample from the mean, as the eye has it.
+    spread: f32,
+}
+
+impl Seen {
+    /// Looks at fifteen places.
+    fn of(pattern: &Pattern, corners: [Corner; 3]) -> Self {
+        let [a, b, c] = corners.map(|c| c.uv);
+        let mut samples = [Vec4::ZERO; 15];
+        let mut k = 0;
+        for i in 0..5u8 {
+            for j in 0..5 - i {
+                let (u, v) = ((f32::from(i) + 0.33) / 5.0, (f32::from(j) + 0.33) / 5.0);
+                samples[k] = pattern.at(a + (b - a) * u + (c - a) * v);
+                k += 1;
+            }
+        }
+        let mean = samples.iter().sum::<Vec4>() / 15.0;
+        let eye = |v: Vec4| v.max(Vec4::ZERO).map(f32::sqrt);
+        let spread = samples.iter().map(|&s| (eye(s) - eye(mean)).abs().max_element()).fold(0.0, f32::max);
+        Self { mean, spread }
+    }
+}

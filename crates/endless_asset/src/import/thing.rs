@@ -1,0 +1,70 @@
+//! Props and buildings.
+
+use super::model::Model;
+use super::paint::Painter;
+use super::{AssetEntry, ImportError, Kind};
+use crate::{Mesh, Prop, catalogue};
+use endless_world::ClassTag;
+use glam::Vec3;
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// Width and height may differ this much from what the entry says.
+pub(super) const OFF: f32 = 0.12;
+
+/// A prop or a building from a file.
+#[derive(Debug, Clone)]
+pub struct ImportedThing {
+    /// Name in the catalogue.
+    pub name: String,
+    /// What it stands for: a prop, or `None` for a building.
+    pub prop: Option<Prop>,
+    /// Share of the places of its class that it takes.
+    pub share: f64,
+    /// Its front looks along +x; origin on the ground, under the middle of its footprint.
+    pub mesh: Arc<Mesh>,
+}
+
+/// Brings a model to its real length with its footprint's middle at the origin; returns length, width and height.
+///
+/// # Errors
+/// When it has none.
+pub(super) fn stand(model: &mut Model, length_m: f32) -> Result<Vec3, ImportError> {
+    let (low, high) = model.bounds();
+    let extent = high - low;
+    if !(extent.x > 0.0 && extent.is_finite()) {
+        return Err(ImportError::Empty);
+    }
+    let scale = length_m / extent.x;
+    let middle = 0.5 * (low + high);
+    model.place(scale, -scale * Vec3::new(middle.x, middle.y, low.z));
+    let size = extent * scale;
+    if size.is_finite() { Ok(size) } else { Err(ImportError::Empty) }
+}
+
+pub(super) fn make(entry: &AssetEntry, kind: Kind, mut model: Model) -> Result<ImportedThing, ImportError> {
+    let size = stand(&mut model, entry.size[0])?;
+    let off = |k: usize| (size[k] - entry.size[k]).abs() > OFF * entry.size[k] + 0.02;
+    if off(1) || off(2) {
+        return Err(ImportError::Size { found: size.to_array(), stated: entry.size });
+    }
+    let prop = if let Kind::Prop(prop) = kind { Some(prop) } else { None };
+    let tag = prop.map_or(ClassTag::Buildings, |prop| usual_tag(&catalogue::prop(prop, 0)));
+    let mut painter = Painter::new(&model.coats, tag, true);
+    model.parts.iter().for_each(|part| painter.add(part, Vec3::ZERO));
+    let mesh = painter.finish();
+    if mesh.triangles.is_empty() {
+        return Err(ImportError::Empty);
+    }
+    Ok(ImportedThing { name: entry.asset_name(), prop, share: entry.share, mesh: Arc::new(mesh) })
+}
+
+/// The class that most of a mesh's triangles carry.
+fn usual_tag(mesh: &Mesh) -> ClassTag {
+    let mut counts = BTreeMap::new();
+    for &m in &mesh.triangle_materials {
+        *counts.entry(mesh.materials[usize::from(m)].tag.value()).or_insert(0u32) += 1;
+    }
+    let usual = counts.into_iter().max_by_key(|c| c.1).map(|c| c.0);
+    ClassTag::ALL.iter().copied().find(|t| Some(t.value()) == usual).unwrap_or(ClassTag::Static)
+}

@@ -1,0 +1,209 @@
+//! Vehicles: a body, wheels that roll and steer, lamps.
+
+use super::coat::Coat;
+use super::model::{Model, Part};
+use super::paint::Painter;
+use super::thing::{OFF, stand};
+use super::{AssetEntry, ImportError, lamp};
+use crate::vehicle::{Parts, RiderFit, VehicleModel, VehicleSpec, Wheel};
+use crate::{LightSlot, Mesh, Surface};
+use endless_world::ObjectClass;
+use glam::Vec3;
+use std::collections::BTreeMap;
+
+/// Mirrors stand out: the model may be this much wider than the entry says.
+const MIRRORS: f32 = 1.4;
+/// Wheels that differ by more than this from the first do not roll.
+const ALIKE: f32 = 0.04;
+/// Wheels this near to the foremost steer with it, metres.
+const SAME_AXLE_M: f32 = 0.25;
+
+/// Parts of one wheel.
+struct Round<'a> {
+    parts: Vec<&'a Part>,
+    low: Vec3,
+    high: Vec3,
+}
+
+impl Round<'_> {
+    fn centre(&self) -> Vec3 {
+        0.5 * (self.low + self.high)
+    }
+
+    /// Half of width, and radius.
+    fn half(&self) -> Vec3 {
+        0.5 * (self.high - self.low)
+    }
+
+    fn is_round(&self) -> bool {
+        let half = self.half();
+        half.z > 0.05 && half.z < 1.2 && (half.x - half.z).abs() < 0.08 * half.z && half.y < half.z
+    }
+}
+
+pub(super) fn make(entry: &AssetEntry, class: ObjectClass, mut model: Model) -> Result<VehicleModel, ImportError> {
+    let found = stand(&mut model, entry.size[0])?;
+    let [_, width, height] = entry.size;
+    let narrow = found.y < (1.0 - OFF) * width || found.y > MIRRORS * width;
+    if narrow || (found.z - height).abs() > OFF * height {
+        return Err(ImportError::Size { found: found.to_array(), stated: entry.size });
+    }
+    dress(entry, &mut model.coats)?;
+    let tag = class.tag();
+    let wheels = wheels(entry, &model.parts);
+    let rolling = Rolling::of(&wheels);
+    let mut painter = Painter::new(&model.coats, tag, false);
+    let rolls = |part: &Part| rolling.parts.iter().any(|&p| std::ptr::eq(p, part));
+    model.parts.iter().filter(|part| !rolls(part)).for_each(|part| painter.add(part, Vec3::ZERO));
+    let mut body = painter.finish();
+    if body.triangles.is_empty() {
+        return Err(ImportError::Empty);
+    }
+    lamp::at_places(entry, &mut body, tag)?;
+    let mut painter = Painter::new(&model.coats, tag, false);
+    if let Some(pattern) = rolling.pattern {
+        pattern.parts.iter().for_each(|part| painter.add(part, -pattern.centre()));
+    }
+    let wheel_mesh = painter.finish();
+    let [front, rear] = match (entry.axles, rolling.span()) {
+        (Some(axles), _) => axles,
+        (None, Some(span)) => span,
+        (None, None) => return Err(ImportError::NoAxles { wheels: entry.wheels.chars().take(40).collect() }),
+    };
+    let radius = entry.wheel_radius.or(rolling.pattern.map(|p| p.half().z)).unwrap_or(0.33);
+    // Lenses may stand out by millimetres: what is written down is what is there.
+    let parts = Parts {
+        headlights: headlights(&body),
+        body,
+        wheels: rolling.wheels,
+        wheel_mesh,
+        fit: entry.rider.map(|r| RiderFit {
+            seat: Vec3::from_array(r.seat),
+            grip: Vec3::from_array(r.grip),
+            foot: Vec3::from_array(r.foot),
+            right_foot: Vec3::ZERO,
+            lean_rad: r.lean,
+            helmet: r.helmet,
+            standing: false,
+        }),
+    };
+    let (low, high) = parts.whole().bounds();
+    let (cruise_mps, acceleration_mps2) = habits(class);
+    let spec = VehicleSpec {
+        name: "imported",
+        class,
+        length_m: high.x - low.x,
+        width_m: width.min(high.y - low.y),
+        height_m: high.z,
+        front_axle_m: front,
+        rear_axle_m: rear,
+        wheel_radius_m: radius,
+        cruise_mps,
+        acceleration_mps2,
+        frequency: entry.frequency,
+        parks: entry.parks.unwrap_or(matches!(class, ObjectClass::Car | ObjectClass::Van)),
+        ridden: parts.fit.is_some(),
+    };
+    let paints = !entry.paint.is_empty();
+    Ok(VehicleModel::imported(entry.asset_name(), spec, parts, paints))
+}
+
+/// Materials that are painted anew, and materials that shine.
+fn dress(entry: &AssetEntry, coats: &mut [Coat]) -> Result<(), ImportError> {
+    for name in &entry.paint {
+        for k in lamp::named(coats, name, "paint")? {
+            coats[k].surface = Surface::CarPaint;
+            coats[k].color = glam::Vec4::ONE;
+            coats[k].picture = None;
+        }
+    }
+    lamp::of_materials(entry, coats)
+}
+
+/// The wheels: what lies under nodes whose names begin as the entry says.
+fn wheels<'a>(entry: &AssetEntry, parts: &'a [Part]) -> Vec<Round<'a>> {
+    let begins = entry.wheels.to_lowercase();
+    let mut of_node: BTreeMap<usize, Round<'a>> = BTreeMap::new();
+    for part in parts {
+        let wheel = part.path.iter().find(|(_, name)| !begins.is_empty() && name.to_lowercase().starts_with(&begins));
+        let Some(&(node, _)) = wheel else { continue };
+        let empty = || Round { parts: vec![], low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
+        let round = of_node.entry(node).or_insert_with(empty);
+        round.parts.push(part);
+        for &i in part.triangles.iter().flatten() {
+            let p = part.positions[i as usize];
+            (round.low, round.high) = (round.low.min(p), round.high.max(p));
+        }
+    }
+    of_node.into_values().collect()
+}
+
+/// The wheels that roll: the first on the left side is the pattern of all.
+struct Rolling<'a> {
+    pattern: Option<&'a Round<'a>>,
+    parts: Vec<&'a Part>,
+    wheels: Vec<Wheel>,
+}
+
+impl<'a> Rolling<'a> {
+    fn of(wheels: &'a [Round<'a>]) -> Self {
+        let left = |w: &&Round<'_>| w.is_round() && w.centre().y > -0.05;
+        let Some(pattern) = wheels.iter().find(left) else {
+            return Self { pattern: None, parts: vec![], wheels: vec![] };
+        };
+        let alike = |w: &&Round<'_>| {
+            w.is_round()
+                && (w.half().z / pattern.half().z - 1.0).abs() < ALIKE
+                && (w.half().y / pattern.half().y.max(1e-3) - 1.0).abs() < 3.0 * ALIKE
+        };
+        let rolling: Vec<&Round<'_>> = wheels.iter().filter(alike).collect();
+        let foremost = rolling.iter().map(|w| w.centre().x).fold(f32::NEG_INFINITY, f32::max);
+        let wheel = |w: &&Round<'_>| Wheel {
+            position: w.centre(),
+            steered: w.centre().x > foremost - SAME_AXLE_M,
+            mirrored: w.centre().y < -0.05,
+        };
+        Self {
+            pattern: Some(pattern),
+            wheels: rolling.iter().map(wheel).collect(),
+            parts: rolling.iter().flat_map(|w| w.parts.iter().copied()).collect(),
+        }
+    }
+
+    /// Front and rear axle.
+    fn span(&self) -> Option<[f32; 2]> {
+        let xs = || self.wheels.iter().map(|w| w.position.x);
+        let (front, rear) = (xs().fold(f32::NEG_INFINITY, f32::max), xs().fold(f32::INFINITY, f32::min));
+        (front > rear).then_some([front, rear])
+    }
+}
+
+/// The middles of the headlights' lenses on each side.
+fn headlights(body: &Mesh) -> Vec<Vec3> {
+    let shines = |m: u16| body.materials[usize::from(m)].surface == Surface::VehicleLight(LightSlot::Head);
+    let lit = body.triangles.iter().zip(&body.triangle_materials).filter(|t| shines(*t.1));
+    let lenses: Vec<(Vec3, f32)> = lit
+        .map(|(t, _)| {
+            let [a, b, c] = t.map(|i| body.positions[i as usize]);
+            ((a + b + c) / 3.0, (b - a).cross(c - a).length())
+        })
+        .collect();
+    let middle = |side: fn(f32) -> bool| {
+        let there = lenses.iter().filter(|l| side(l.0.y));
+        let (sum, area) = there.fold((Vec3::ZERO, 0.0), |(sum, area), l| (sum + l.0 * l.1, area + l.1));
+        (area > 0.0).then(|| sum / area)
+    };
+    [middle(|y| y > 0.1), middle(|y| y.abs() <= 0.1), middle(|y| y < -0.1)].into_iter().flatten().collect()
+}
+
+/// Cruising speed, m/s, and acceleration, m/s², of a class.
+fn habits(class: ObjectClass) -> (f32, f32) {
+    match class {
+        ObjectClass::Van => (12.5, 1.5),
+        ObjectClass::Truck => (11.0, 1.0),
+        ObjectClass::Bus => (11.5, 1.1),
+        ObjectClass::Motorcycle => (13.0, 2.4),
+        ObjectClass::Bicycle => (4.8, 0.9),
+        _ => (13.5, 2.0),
+    }
+}
