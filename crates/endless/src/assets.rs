@@ -36,15 +36,27 @@ pub(crate) fn run(simulator: BuiltinSimulator, args: AssetsArgs) -> Result<ExitC
 fn list(simulator: &BuiltinSimulator, filter: &str) -> Result<()> {
     let mut out = std::io::stdout().lock();
     let header = ["length m", "width m", "height m"];
-    writeln!(out, "{:<28} {:<11} {:<13} {:<13} {:<13} triangles", "name", "class", header[0], header[1], header[2])?;
+    writeln!(
+        out,
+        "{:<32} {:<11} {:<13} {:<13} {:<13} triangles  draws",
+        "name", "class", header[0], header[1], header[2]
+    )?;
+    let mut counts: Vec<(String, u32)> = Vec::new();
     for kind in simulator.assets().iter().filter(|k| k.name.contains(filter) || k.class == filter) {
         let [length, width, height] = [kind.length_m, kind.width_m, kind.height_m].map(range);
+        let draws = kind.draws.map_or("any".to_owned(), |n| n.to_string());
         writeln!(
             out,
-            "{:<28} {:<11} {length:<13} {width:<13} {height:<13} {:>9}",
+            "{:<32} {:<11} {length:<13} {width:<13} {height:<13} {:>9}  {draws:>5}",
             kind.name, kind.class, kind.triangles
         )?;
+        match counts.iter_mut().find(|c| c.0 == kind.class) {
+            Some(count) => count.1 += 1,
+            None => counts.push((kind.class.clone(), 1)),
+        }
     }
+    let told: Vec<String> = counts.iter().map(|(class, n)| format!("{n} {class}")).collect();
+    eprintln!("{}", told.join(", "));
     Ok(())
 }
 

@@ -136,6 +136,10 @@ mod tests {
         assert_eq!(line.objects[2].vehicle_id, Some(InstanceId(5)));
         assert_eq!(line.objects[2].bbox, PixelBox { x: 4, y: 1, w: 2, h: 2 });
         assert_eq!(line.objects[1].speed_mps, 5.0);
+        let tones = [(InstanceId(6), 4)].into();
+        let line =
+            annotate(3, 0.1, &visible_objects(&image), &scene().with_skin_tones(&tones), SIZE, 2).expect("consistent");
+        assert_eq!(line.objects.iter().map(|o| o.skin_tone).collect::<Vec<_>>(), [None, None, Some(4)]);
     }
 
     #[test]

@@ -3,6 +3,7 @@
 use crate::PixelBox;
 use endless_world::{Actor, InstanceId, ObjectClass, WorldState};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 
 /// One annotated object of one frame, as written in `objects.jsonl`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,6 +26,9 @@ pub struct ObjectRecord {
     /// For a two-wheeler: who rides it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rider_id: Option<InstanceId>,
+    /// Of people, riders too: skin on the Monk scale, 1 to 10.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub skin_tone: Option<u8>,
     /// Point on the ground under its centre, in the world (x east, y north, z up), metres.
     pub position: [f64; 3],
     /// Heading, counter-clockwise from east, radians.
@@ -45,6 +49,7 @@ pub(crate) struct SceneObject {
     parked: bool,
     vehicle_id: Option<InstanceId>,
     rider_id: Option<InstanceId>,
+    skin_tone: Option<u8>,
     position: [f64; 3],
     yaw_rad: f64,
     speed_mps: f64,
@@ -62,6 +67,15 @@ impl SceneObjects {
         Self(objects)
     }
 
+    /// With the skin tones of those who have one.
+    #[must_use]
+    pub fn with_skin_tones(mut self, tones: &BTreeMap<InstanceId, u8>) -> Self {
+        for object in &mut self.0 {
+            object.skin_tone = tones.get(&object.id).copied();
+        }
+        self
+    }
+
     pub(crate) fn find(&self, id: InstanceId) -> Option<&SceneObject> {
         self.0.binary_search_by_key(&id, |o| o.id).ok().map(|i| &self.0[i])
     }
@@ -75,6 +89,7 @@ impl SceneObject {
             parked: actor.parked,
             vehicle_id: None,
             rider_id: actor.rider_id,
+            skin_tone: None,
             position: actor.pose.position.to_array().map(|v| thousandths(f64::from(v))),
             yaw_rad: ten_thousandths(f64::from(actor.pose.yaw_rad)),
             speed_mps: thousandths(f64::from(actor.velocity_mps.length())),
@@ -96,6 +111,7 @@ impl SceneObject {
             parked: self.parked,
             vehicle_id: self.vehicle_id,
             rider_id: self.rider_id,
+            skin_tone: self.skin_tone,
             position: self.position,
             yaw_rad: self.yaw_rad,
             speed_mps: self.speed_mps,

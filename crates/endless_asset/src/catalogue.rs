@@ -2,6 +2,7 @@
 
 use crate::carla;
 use crate::furniture;
+use crate::person;
 use crate::plant;
 use crate::vehicle;
 use crate::{ImportedAsset, ImportedThing, Material, Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
@@ -91,6 +92,14 @@ impl Catalogue {
     /// The person that an actor's asset names, dressed for the weather that it says.
     pub fn person_of(&self, asset: AssetRef) -> PersonModel {
         PersonModel::new(asset.variant, asset.model)
+    }
+
+    /// Skin of a person on foot and of a vehicle's rider, 1 to 10 on the Monk scale; `None` for what has no skin.
+    pub fn skin_tone(&self, asset: AssetRef, on_foot: bool) -> Option<u8> {
+        if on_foot {
+            return Some(person::skin_tone(asset.variant));
+        }
+        self.vehicles.get(usize::from(asset.model))?.rider_skin_tone(asset.variant)
     }
 
     /// The rider of a two-wheeler, seated, in the vehicle's object frame; `None` for other models.

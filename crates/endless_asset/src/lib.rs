@@ -24,4 +24,4 @@ pub use material::{LensAspect, LightSlot, Material, Surface};
 pub use mesh::{Mesh, MeshBuilder};
 pub use person::{BodyPart, BodyPose, Bone, Footsteps, KEYPOINTS, PersonModel, PersonTraits};
 pub use prop::Prop;
-pub use vehicle::{VehicleKind, VehicleModel, VehicleSpec, Wheel};
+pub use vehicle::{Trailer, TrailerSpec, VehicleKind, VehicleModel, VehicleSpec, Wheel};

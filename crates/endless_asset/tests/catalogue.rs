@@ -61,12 +61,24 @@ fn assert_measures(v: &VehicleModel) {
     // Mirrors, and bars of two-wheelers, stand out by at most 35 cm a side.
     let width = high.y - low.y;
     assert!(width > s.width_m - 0.12 && width < s.width_m + 0.70, "{name}: {width} wide, not {}", s.width_m);
-    for wheel in v.wheels() {
+    for wheel in v.wheels().iter().chain(v.trailer().iter().flat_map(|t| &t.wheels)) {
         let low = wheel.position.z + v.wheel_mesh().bounds().0.z;
         assert!(low.abs() < 1e-3, "{name}: a wheel {low} m above the road");
     }
     assert!(low.z > -1e-3, "{name} reaches below the road");
-    assert!(s.front_axle_m > 0.0 && s.rear_axle_m < 0.0, "{name}");
+    assert!(s.front_axle_m > 0.0 && (s.rear_axle_m < 0.0 || s.trailer.is_some()), "{name}");
+    assert_eq!(v.trailer().is_some(), s.trailer.is_some(), "{name}");
+    if let (Some(trailer), Some(t)) = (v.trailer(), s.trailer) {
+        assert!((trailer.hitch.x - t.hitch_m).abs() < 0.02, "{name}: {} {t:?}", trailer.hitch);
+        let (rear, front) = (trailer.body.bounds().0.x, trailer.body.bounds().1.x);
+        assert!((front - t.front_m).abs() < 0.03 && (rear + 0.5 * s.length_m).abs() < 1e-3, "{name}: {rear} {front}");
+        let towing = v.body().bounds().0.x;
+        // Folds that lie about the joint turn with neither.
+        assert!(towing > t.towing_rear_m - 1.3 && towing < t.towing_rear_m + 0.03, "{name}: {towing} {t:?}");
+        let axles = || trailer.wheels.iter().map(|w| w.position.x);
+        let middle = 0.5 * (axles().fold(f32::MIN, f32::max) + axles().fold(f32::MAX, f32::min));
+        assert!((middle - t.axle_m).abs() < 0.03 && t.hitch_m - t.axle_m > 1.5, "{name}: {middle} {t:?}");
+    }
     let axles = || v.wheels().iter().map(|w| w.position.x);
     assert!((axles().fold(f32::MIN, f32::max) - s.front_axle_m).abs() < 1e-3, "{name}: front axle");
     assert!((axles().fold(f32::MAX, f32::min) - s.rear_axle_m).abs() < 1e-3, "{name}: rear axle");
@@ -80,6 +92,9 @@ fn vehicles_are_sound_and_measure_what_they_say() {
     for v in CATALOGUE.vehicles() {
         assert_sound(v.body(), v.spec.name);
         assert_sound(v.wheel_mesh(), v.spec.name);
+        if let Some(trailer) = v.trailer() {
+            assert_sound(&trailer.body, v.spec.name);
+        }
         assert!(volume(v.body()) > 0.0 && volume(v.wheel_mesh()) > 0.0, "{}", v.spec.name);
         assert_measures(v);
     }
@@ -116,6 +131,13 @@ fn vehicles_have_the_sizes_of_their_class() {
             ObjectClass::Motorcycle => ([1.7, 2.4], [0.6, 0.95], [1.05, 1.45]),
             ObjectClass::Bicycle => ([1.0, 2.7], [0.4, 0.8], [0.9, 1.25]),
             ObjectClass::Rider | ObjectClass::Pedestrian => panic!("{} is no vehicle", kind.name),
+        };
+        let draws = Catalogue::draw_vehicle(kind.name, 0).is_some_and(|v| v.spec.trailer.is_some());
+        let (length, height) = match kind.class {
+            ObjectClass::Car if draws => ([7.0, 8.8], height),
+            ObjectClass::Truck if draws => ([15.5, 17.0], [3.6, 4.05]),
+            ObjectClass::Bus if draws => ([17.5, 18.8], height),
+            _ => (length, height),
         };
         let within = |range: [f32; 2], allowed: [f32; 2]| range[0] >= allowed[0] && range[1] <= allowed[1];
         assert!(

@@ -35,9 +35,11 @@ fn vehicles_are_closed_as_seen_from_outside() {
 /// Lamps of each kind are there, on the right side, and most of them can be seen from where they shine.
 #[test]
 fn lights_are_on_the_surface() {
-    for vehicle in draws(2) {
+    for (vehicle, rear) in draws(2).flat_map(|v| [(v.clone(), false), (v, true)]) {
         let name = vehicle.spec.name;
-        let body = vehicle.body();
+        // The tail is that of what is drawn, if anything is.
+        let drawn = vehicle.trailer().filter(|_| rear);
+        let body = drawn.map_or(vehicle.body(), |t| &t.body);
         let soup = Soup::new(body);
         let surface = |i: usize| body.materials[usize::from(body.triangle_materials[i])].surface;
         let lens = |slot: LightSlot| -> Vec<usize> {
@@ -55,7 +57,7 @@ fn lights_are_on_the_surface() {
             (LightSlot::IndicatorLeft, Vec3::Y, motor),
             (LightSlot::IndicatorRight, -Vec3::Y, motor),
         ];
-        for (slot, towards, wanted) in slots {
+        for (slot, towards, wanted) in slots.into_iter().filter(|s| (s.0 == LightSlot::Tail) == rear) {
             let parts = lens(slot);
             assert_eq!(!parts.is_empty(), wanted, "{name}: {slot:?}");
             let (mut open, mut all) = (0.0, 0.0);
@@ -75,7 +77,7 @@ fn lights_are_on_the_surface() {
                 assert!(open > 0.5 * all, "{name}: {open} of {all} m² of {slot:?} can be seen");
             }
         }
-        for &lamp in vehicle.headlights() {
+        for &lamp in vehicle.headlights().iter().filter(|_| !rear) {
             let near = lens(LightSlot::Head).iter().map(|&i| centre(i).distance(lamp)).fold(f32::INFINITY, f32::min);
             assert!(near < 0.30, "{name}: a headlight {near} m from its lens");
         }
@@ -92,7 +94,8 @@ fn hundreds_of_draws_of_every_design_have_measures_that_agree() {
             assert!(s.front_axle_m + s.wheel_radius_m <= half + 1e-4, "{s:?}");
             assert!(-s.rear_axle_m + s.wheel_radius_m <= half + 1e-4, "{s:?}");
             let wheelbase = s.front_axle_m - s.rear_axle_m;
-            assert!(wheelbase > 0.4 * s.length_m && wheelbase < 0.85 * s.length_m, "{s:?}");
+            let rigid = s.trailer.map_or(s.length_m, |t| half - t.towing_rear_m);
+            assert!(wheelbase > 0.4 * rigid && wheelbase < 0.85 * rigid, "{s:?}");
             assert!(s.width_m <= 2.56, "{s:?} is wider than roads allow");
             let within = |x: f32, [low, high]: [f32; 2]| x > low - 0.05 * high && x < high * 1.05;
             assert!(within(s.length_m, kind.length_m) && within(s.height_m, kind.height_m), "{s:?}");

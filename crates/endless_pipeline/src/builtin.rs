@@ -9,7 +9,7 @@ use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_road::{RoadMap, opendrive};
 use endless_town::{Town, dress_map};
 use endless_traffic::{Conditions, Simulation};
-use endless_world::{Actor, CameraSite, Image, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, CameraSite, Image, InstanceId, Motion, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
@@ -173,6 +173,16 @@ impl BuiltinSimulator {
         assets::export(self.catalogue(), name, variant)
     }
 
+    /// Of people on foot and of riders.
+    fn skin_tones(&self, moving: &[Actor]) -> BTreeMap<InstanceId, u8> {
+        let who = |actor: &Actor| {
+            let on_foot = matches!(actor.motion, Motion::Walker(_));
+            let id = if on_foot { Some(actor.id) } else { actor.rider_id };
+            Some((id?, self.catalogue().skin_tone(actor.asset, on_foot)?))
+        };
+        moving.iter().filter_map(who).collect()
+    }
+
     fn describe(&self, map: &str) -> Result<(String, Vec<CameraSite>), SimulatorError> {
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(found) = known.get(map) {
@@ -247,7 +257,9 @@ impl Simulator for BuiltinSimulator {
             parked: parked.len() as u32,
         };
         let moving = simulation.state().actors;
-        Ok(Scene { spawned, parked, moving, traffic: Box::new(City { simulation, begun: false }) })
+        let skin_tones = self.skin_tones(&moving);
+        let traffic = Box::new(City { simulation, begun: false });
+        Ok(Scene { spawned, parked, moving, skin_tones, traffic })
     }
 
     fn bake<'m>(

@@ -83,7 +83,7 @@ pub(crate) fn record_video<S: Simulator>(
         );
         write_json(&layout.camera(camera).camera(), &record)?;
     }
-    let Scene { spawned, parked, moving, traffic } =
+    let Scene { spawned, parked, moving, skin_tones, traffic } =
         recording.clock.time(Stage::LoadScene, || simulator.load_scene(map, settings))?;
     report_fewer(recording, &spawned);
 
@@ -95,7 +95,7 @@ pub(crate) fn record_video<S: Simulator>(
     }
     let lanes = [Lane::create(recording, 0)?, Lane::create(recording, 1)?].map(|l| Mutex::new(Some(l)));
     let board = Board::new(traffic, settings.frames, 2 * recording.threads as u32 + 2);
-    let maker = FrameMaker { recording, parked: &parked, existing: &existing };
+    let maker = FrameMaker { recording, parked: &parked, skin_tones: &skin_tones, existing: &existing };
     let failure = Mutex::new(None);
     if cameras.baked.get().is_none_or(Result::is_ok) {
         std::thread::scope(|scope| {

@@ -1,7 +1,7 @@
 //! What simulates and renders: the built-in city, a CARLA server, a test double. Everything after it is the same code.
 
 use endless_dataset::Spawned;
-use endless_world::{Actor, CameraSite, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, CameraSite, InstanceId, SceneSettings, SensorFrame, WorldState};
 use std::collections::BTreeMap;
 
 /// What a simulator says when it cannot do what it is asked.
@@ -82,6 +82,8 @@ pub struct Scene<'m> {
     pub parked: Vec<Actor>,
     /// Everything that moves, as it stands in frame 0. Nothing appears later.
     pub moving: Vec<Actor>,
+    /// Skin of people and riders, 1 to 10 on the Monk scale, where it is known.
+    pub skin_tones: BTreeMap<InstanceId, u8>,
     /// What moves.
     pub traffic: Box<dyn Traffic + 'm>,
 }

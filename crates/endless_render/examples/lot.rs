@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [what, out] = arguments.as_slice() else { return Err("usage: lot vehicles|people OUT.jpg".into()) };
     let catalogue = Catalogue::builtin();
-    let (actors, height) = if what == "people" { (people(&catalogue), 7.6) } else { (vehicles(&catalogue), 34.0) };
+    let (actors, height) = if what == "people" { (people(&catalogue), 8.7) } else { (vehicles(&catalogue), 34.0) };
     let town = square();
     let still = StaticScene::load(&town, &catalogue);
     let site = CameraSite {
@@ -75,7 +75,10 @@ fn vehicles(catalogue: &Catalogue) -> Vec<Actor> {
             let spec = &catalogue.vehicles()[usize::from(model)].spec;
             let pose = Pose::level(Vec3::new(x, y, 0.0), turn);
             let asset = AssetRef { model, variant: u64::from(model) * 31 + 5 };
-            actors.push(actor(actors.len(), spec.class, asset, pose, Motion::Vehicle(VehicleMotion::default())));
+            // What draws something is shown in a bend.
+            let hitch_rad = if spec.trailer.is_some() { 0.3 } else { 0.0 };
+            let motion = VehicleMotion { hitch_rad, ..VehicleMotion::default() };
+            actors.push(actor(actors.len(), spec.class, asset, pose, Motion::Vehicle(motion)));
         }
         y += 0.5 * deep + 0.8;
     }

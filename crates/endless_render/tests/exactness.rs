@@ -55,6 +55,7 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
                 speed_mps: 9.0,
                 rolled_m: random.f32() * 9.0,
                 steer_rad: 0.2,
+                hitch_rad: 0.25,
                 lights: VehicleLights(bits),
             }),
             parked: false,

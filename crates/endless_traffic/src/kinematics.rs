@@ -100,6 +100,13 @@ fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
     let position = pivot - DVec3::new(cos, sin, on.grade) * pivot_x;
     let turned = wrap_angle(yaw - vehicle.yaw);
     vehicle.yaw = yaw;
+    if let Some(trailer) = &mut vehicle.trailer {
+        if step_s > 0.0 {
+            trailer.follow(position.truncate(), yaw);
+        } else {
+            trailer.settle(position.truncate(), yaw);
+        }
+    }
     vehicle.steer = atan(tan(angle) / DRAWBAR).clamp(-0.8, 0.8);
     vehicle.rolled += travelled * sin_cos(angle).1;
     if step_s > 0.0 && matches!(vehicle.class, ObjectClass::Motorcycle | ObjectClass::Bicycle) {

@@ -21,6 +21,7 @@ mod simulation;
 mod spawn;
 mod steering;
 mod sweep;
+mod trailer;
 mod vehicle;
 mod walker;
 

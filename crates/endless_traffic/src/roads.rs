@@ -27,6 +27,8 @@ const LONG_RADIUS_LEFT_TO_KERB: f64 = 1.8;
 const BESIDE_M: f64 = 0.4;
 /// Vehicles longer than this keep to streets of several lanes, metres.
 const BUS_M: f64 = 9.0;
+/// Vehicles of two pieces turn like rigid ones this many times as long as the longer piece.
+const BENDS: f64 = 1.15;
 /// Braking planned before a bend, m/s².
 pub(crate) const PLANNED_BRAKING: f64 = 1.3;
 
@@ -147,6 +149,8 @@ fn wide_enough(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], s
     if length_m < LONG_M {
         return stays;
     }
+    // What bends turns like its longest piece, and a little wider.
+    let rigid_m = f64::from(spec.rigid_length_m()) * if spec.trailer.is_some() { BENDS } else { 1.0 };
     for ((stay, table), lane) in stays.iter_mut().zip(lanes).zip(&network.lanes) {
         let lengths = match (table.junction, lane.turn) {
             (None, _) => LONG_RADIUS_BESIDE_OTHERS,
@@ -158,7 +162,7 @@ fn wide_enough(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], s
         };
         let broad = lane.junction.is_some() || lane.left.is_some() || lane.right.is_some();
         let fits = lane.width_m > f64::from(spec.width_m) + BESIDE_M;
-        *stay &= fits && table.radius > lengths * length_m && (broad || length_m < BUS_M);
+        *stay &= fits && table.radius > lengths * rigid_m && (broad || length_m < BUS_M);
     }
     stays
 }

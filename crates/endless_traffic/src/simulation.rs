@@ -12,6 +12,7 @@ use crate::{kinematics, lane_change, lights, signals, spawn, walker};
 use endless_asset::{Catalogue, Footsteps, VehicleSpec};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_town::Town;
+use endless_world::math::f64::wrap_angle;
 use endless_world::{
     Actor, AssetRef, InstanceId, Motion, ObjectClass, Pose, SignalState, VehicleMotion, WalkerMotion, WorldState,
 };
@@ -207,6 +208,7 @@ impl Simulation {
                 speed_mps: vehicle.speed as f32,
                 rolled_m: vehicle.rolled as f32,
                 steer_rad: vehicle.steer as f32,
+                hitch_rad: vehicle.trailer.map_or(0.0, |t| wrap_angle(t.yaw - vehicle.yaw) as f32),
                 lights: vehicle.lights,
             };
             actors.push(Actor {

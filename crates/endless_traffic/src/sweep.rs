@@ -4,7 +4,7 @@ use crate::footprint::Footprint;
 use crate::kinematics::{DRAWBAR, drawn};
 use endless_asset::VehicleSpec;
 use endless_road::{Lane, Polyline, RoadNetwork};
-use endless_world::math::f64::atan2;
+use endless_world::math::f64::{atan2, sin_cos};
 use glam::{DVec2, DVec3};
 
 /// Distance between the places at which bodies are compared, metres.
@@ -23,17 +23,47 @@ pub(crate) struct Body {
     pub(crate) half: DVec2,
     wheelbase: f64,
     rear_axle: f64,
+    /// What it draws.
+    drawn: Option<Drawn>,
+}
+
+/// A piece behind a hitch: x in the frame of the whole body while it goes straight on, metres.
+#[derive(Debug, Clone, Copy)]
+struct Drawn {
+    hitch: f64,
+    axle: f64,
+    front: f64,
+    /// Rearmost point of the piece that draws it.
+    towing_rear: f64,
+}
+
+impl Drawn {
+    fn of(spec: &VehicleSpec) -> Option<Self> {
+        let t = spec.trailer?;
+        let [hitch, axle, front, towing_rear] = [t.hitch_m, t.axle_m, t.front_m, t.towing_rear_m].map(f64::from);
+        Some(Self { hitch, axle, front, towing_rear })
+    }
+}
+
+/// A rigid piece at a place: its axles are metres ahead of its own middle.
+#[derive(Debug, Clone, Copy)]
+struct Piece {
+    s: f64,
+    print: Footprint,
+    z: f64,
+    axles: [f64; 2],
 }
 
 impl Body {
     /// That holds every one of these, `aside` metres beside the middle of the lane.
     pub(crate) fn around<'a>(specs: impl Iterator<Item = &'a VehicleSpec>, aside: f64) -> Self {
-        let mut body = Self { half: DVec2::new(2.2, 0.9), wheelbase: 2.6, rear_axle: 1.3 };
+        let mut body = Self { half: DVec2::new(2.2, 0.9), wheelbase: 2.6, rear_axle: 1.3, drawn: None };
         for spec in specs {
             let half = DVec2::new(f64::from(spec.length_m), f64::from(spec.width_m)) / 2.0;
             if half.x > body.half.x {
                 body.wheelbase = f64::from(spec.front_axle_m - spec.rear_axle_m);
                 body.rear_axle = f64::from(-spec.rear_axle_m);
+                body.drawn = Drawn::of(spec);
             }
             body.half = body.half.max(half);
         }
@@ -49,7 +79,7 @@ impl Body {
 /// Where a body is, by the `s` of its origin on the lane; before its beginning and behind its end too.
 #[derive(Debug, Clone)]
 pub(crate) struct Sweep {
-    places: Vec<(f64, Footprint, f64)>,
+    places: Vec<Piece>,
     low: DVec2,
     high: DVec2,
     body: Body,
@@ -78,6 +108,32 @@ impl Course<'_> {
     }
 }
 
+/// The piece that steers.
+struct Rigid {
+    half: DVec2,
+    /// Ahead of the body's origin, metres.
+    middle: f64,
+    axles: [f64; 2],
+}
+
+impl Rigid {
+    fn of(body: &Body) -> Self {
+        let rear = body.drawn.map_or(-body.half.x, |d| d.towing_rear);
+        let middle = 0.5 * (body.half.x + rear);
+        let rear_axle = -body.rear_axle - middle;
+        Self {
+            half: DVec2::new(0.5 * (body.half.x - rear), body.half.y),
+            middle,
+            axles: [rear_axle + body.wheelbase, rear_axle],
+        }
+    }
+
+    fn hitch(&self, pivot: DVec3, yaw: f64, pivot_x: f64, hitch_x: f64) -> DVec2 {
+        let (sin, cos) = sin_cos(yaw);
+        pivot.truncate() + DVec2::new(cos, sin) * (hitch_x - pivot_x)
+    }
+}
+
 impl Sweep {
     /// Along a lane from where the body begins to cover it to where it has left it.
     pub(crate) fn along(network: &RoadNetwork, lane: &Lane, body: Body) -> Self {
@@ -99,6 +155,8 @@ impl Sweep {
         let mut pivot = course.at(s_at(0) + pivot_x);
         let first = course.at(s_at(0) + pivot_x + STEP_M) - pivot;
         let mut yaw = atan2(first.y, first.x);
+        let rigid = Rigid::of(&body);
+        let mut trailer = body.drawn.map(|d| (d, rigid.hitch(pivot, yaw, pivot_x, d.hitch), yaw));
         let mut places = Vec::with_capacity(steps + 1);
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         for k in 0..=steps {
@@ -109,12 +167,30 @@ impl Sweep {
                 yaw = drawn(yaw, atan2(way.y, way.x), way.length(), DRAWBAR * body.wheelbase);
             }
             pivot = next;
-            if s >= from - 1e-9 {
-                let print = Footprint::of(body.half, pivot.truncate(), yaw).moved(-pivot_x);
-                low = low.min(print.center - body.reach());
-                high = high.max(print.center + body.reach());
-                places.push((s, print, pivot.z));
+            if let Some((d, hitch, heading)) = &mut trailer {
+                let next = rigid.hitch(pivot, yaw, pivot_x, d.hitch);
+                let way = next - *hitch;
+                if way.length_squared() > 1e-12 {
+                    *heading = drawn(*heading, atan2(way.y, way.x), way.length(), d.hitch - d.axle);
+                }
+                *hitch = next;
             }
+            if s < from - 1e-9 {
+                continue;
+            }
+            let print = Footprint::of(rigid.half, pivot.truncate(), yaw).moved(rigid.middle - pivot_x);
+            places.push(Piece { s, print, z: pivot.z, axles: rigid.axles });
+            if let Some((d, hitch, heading)) = trailer {
+                // From the hitch to its middle.
+                let middle = 0.5 * (d.front - body.half.x);
+                let half = DVec2::new(0.5 * (d.front + body.half.x), body.half.y);
+                let print = Footprint::of(half, hitch, heading).moved(middle - d.hitch);
+                places.push(Piece { s, print, z: pivot.z, axles: [d.axle - middle; 2] });
+            }
+        }
+        for piece in &places {
+            low = low.min(piece.print.center - body.reach());
+            high = high.max(piece.print.center + body.reach());
         }
         Self { places, low, high, body }
     }
@@ -122,15 +198,16 @@ impl Sweep {
     /// Whether the tyres of the vehicle that is swept stay on these lanes, the middle one of which is followed.
     pub(crate) fn keeps_to(&self, spec: &VehicleSpec, way: &[&Lane]) -> bool {
         let across = 0.5 * f64::from(spec.width_m) - TYRE_M;
-        let (front, rear) = (f64::from(spec.front_axle_m), f64::from(spec.rear_axle_m));
         let on_lane = |p: DVec2| {
             let places = way.iter().map(|lane| (lane.centerline.project(p), lane));
             let beside = places.filter(|((s, _), lane)| *s > 0.0 && *s < lane.centerline.length());
             let nearest = beside.min_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
             nearest.is_none_or(|((_, t), lane)| t.abs() < 0.5 * lane.width_m + GUTTER_M)
         };
-        let corners = [(front, across), (front, -across), (rear, across), (rear, -across)];
-        self.places.iter().all(|(_, print, _)| corners.iter().all(|&(x, y)| on_lane(print.place(x, y))))
+        let tyres = |piece: &Piece| {
+            piece.axles.iter().all(|&x| [across, -across].iter().all(|&y| on_lane(piece.print.place(x, y))))
+        };
+        self.places.iter().all(tyres)
     }
 
     /// The ranges of `s` of the origin on both lanes within which two bodies can touch.
@@ -140,8 +217,8 @@ impl Sweep {
         }
         let near = (self.body.reach() + other.body.reach()) * (self.body.reach() + other.body.reach());
         let mut found: Option<((f64, f64), (f64, f64))> = None;
-        for (s, print, z) in &self.places {
-            for (t, theirs, their_z) in &other.places {
+        for Piece { s, print, z, .. } in &self.places {
+            for Piece { s: t, print: theirs, z: their_z, .. } in &other.places {
                 let close = print.center.distance_squared(theirs.center) < near && (z - their_z).abs() < STOREY_M;
                 if !close || !print.overlaps(theirs) {
                     continue;
@@ -172,7 +249,7 @@ mod tests {
     }
 
     fn touch(a: &[(f64, f64)], b: &[(f64, f64)]) -> Option<((f64, f64), (f64, f64))> {
-        let body = Body { half: DVec2::new(2.5, 1.0), wheelbase: 2.8, rear_axle: 1.4 };
+        let body = Body { half: DVec2::new(2.5, 1.0), wheelbase: 2.8, rear_axle: 1.4, drawn: None };
         let network = RoadNetwork { lanes: vec![lane(0, a), lane(1, b)], ..RoadNetwork::default() };
         let sweep = |k: usize| Sweep::along(&network, &network.lanes[k], body);
         sweep(0).conflict(&sweep(1))

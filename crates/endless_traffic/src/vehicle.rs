@@ -3,6 +3,7 @@
 use crate::driver::Driver;
 use crate::footprint::Footprint;
 use crate::roads::{Roads, SWINGS_OUT_M};
+use crate::trailer::Trailer;
 use endless_asset::VehicleSpec;
 use endless_road::{JunctionId, LaneId};
 use endless_world::{AssetRef, ObjectClass, Pose, Stream, VehicleLights};
@@ -80,6 +81,7 @@ pub(crate) struct Vehicle {
     pub(crate) steer: f64,
     pub(crate) velocity: Vec3,
     pub(crate) rolled: f64,
+    pub(crate) trailer: Option<Trailer>,
     pub(crate) lights: VehicleLights,
     pub(crate) brake_hold_s: f64,
 }
@@ -118,6 +120,7 @@ impl Vehicle {
             steer: 0.0,
             velocity: Vec3::ZERO,
             rolled: 0.0,
+            trailer: Trailer::of(spec),
             lights: VehicleLights::default(),
             brake_hold_s: 0.0,
         }

@@ -85,6 +85,8 @@ pub struct VehicleMotion {
     pub rolled_m: f32,
     /// Angle of the front wheels, positive to the left, radians.
     pub steer_rad: f32,
+    /// Heading of what it draws against its own, positive to the left, radians.
+    pub hitch_rad: f32,
     /// Lights that are on at this instant.
     pub lights: VehicleLights,
 }

@@ -153,7 +153,7 @@ impl AssetManifest {
     }
 }
 
-fn refuse(field: &'static str, given: impl ToString, rule: impl Into<String>) -> ImportError {
+fn refuse(field: &'static str, given: &dyn ToString, rule: impl Into<String>) -> ImportError {
     ImportError::Entry { field, given: given.to_string(), rule: rule.into() }
 }
 
@@ -195,7 +195,7 @@ impl AssetEntry {
         let name = self.asset_name();
         let plain = |c: char| c.is_ascii_alphanumeric() || "._- ".contains(c);
         if name.len() > LONGEST_NAME || !name.chars().all(plain) {
-            return Err(refuse("name", name, "write at most 50 letters, digits, points, hyphens or underscores"));
+            return Err(refuse("name", &name, "write at most 50 letters, digits, points, hyphens or underscores"));
         }
         let most = match kind {
             Kind::Vehicle(_) => [30.0, 4.0, 5.5],
@@ -205,25 +205,25 @@ impl AssetEntry {
         if !self.size.iter().zip(most).all(|(s, m)| (0.02..=m).contains(s)) {
             let [l, w, h] = most;
             let rule = format!("write length, width and height in metres, at most {l}, {w} and {h}");
-            return Err(refuse("size", format!("{:?}", self.size), rule));
+            return Err(refuse("size", &format!("{:?}", self.size), rule));
         }
         let half = 0.5 * self.size[0];
         if let Some([front, rear]) = self.axles
             && !(rear >= -half && front <= half && front > rear)
         {
             let rule = "write the front and the rear axle, metres ahead of the vehicle's middle";
-            return Err(refuse("axles", format!("{:?}", [front, rear]), rule));
+            return Err(refuse("axles", &format!("{:?}", [front, rear]), rule));
         }
         if let Some(radius) = self.wheel_radius
             && !(0.05..=1.0).contains(&radius)
         {
-            return Err(refuse("wheel_radius", radius, "write metres, 0.05 to 1"));
+            return Err(refuse("wheel_radius", &radius, "write metres, 0.05 to 1"));
         }
         if !(0.0..=1e6).contains(&self.frequency) {
-            return Err(refuse("frequency", self.frequency, "write a number from 0 to 1000000"));
+            return Err(refuse("frequency", &self.frequency, "write a number from 0 to 1000000"));
         }
         if !(0.0..=1.0).contains(&self.share) {
-            return Err(refuse("share", self.share, "write a number from 0 to 1"));
+            return Err(refuse("share", &self.share, "write a number from 0 to 1"));
         }
         self.validate_rider(kind)
     }
@@ -241,10 +241,10 @@ impl AssetEntry {
                     && near(r.foot)
                     && (-1.0..=1.5).contains(&r.lean)
                     && (0.0..=1.0).contains(&r.helmet);
-                if real { Ok(()) } else { Err(refuse("rider", format!("{r:?}"), rule)) }
+                if real { Ok(()) } else { Err(refuse("rider", &format!("{r:?}"), rule)) }
             }
-            Some(_) => Err(refuse("rider", "{ ... }", rule)),
-            None => Err(refuse("rider", "nothing", rule)),
+            Some(_) => Err(refuse("rider", &"{ ... }", rule)),
+            None => Err(refuse("rider", &"nothing", rule)),
         }
     }
 }

@@ -135,7 +135,8 @@ impl Reader<'_> {
         let given: Vec<[f32; 3]> = accessor::vectors(self.opened, &accessor)?;
         let positions: Vec<Vec3> =
             given.iter().map(|&p| object_from_node.transform_point3(Vec3::from_array(p))).collect();
-        if let Some(vertex) = positions.iter().position(|p| !(p.abs().max_element() < FARTHEST)) {
+        let nowhere = |p: &Vec3| !p.is_finite() || p.abs().max_element() > FARTHEST;
+        if let Some(vertex) = positions.iter().position(nowhere) {
             return Err(ImportError::NotFinite { mesh: mesh.chars().take(60).collect(), vertex });
         }
         let mut corners: Vec<u32> = match primitive.indices() {

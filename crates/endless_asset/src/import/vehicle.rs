@@ -77,6 +77,7 @@ pub(super) fn make(entry: &AssetEntry, class: ObjectClass, mut model: Model) -> 
         body,
         wheels: rolling.wheels,
         wheel_mesh,
+        trailer: None,
         fit: entry.rider.map(|r| RiderFit {
             seat: Vec3::from_array(r.seat),
             grip: Vec3::from_array(r.grip),
@@ -103,6 +104,7 @@ pub(super) fn make(entry: &AssetEntry, class: ObjectClass, mut model: Model) -> 
         frequency: entry.frequency,
         parks: entry.parks.unwrap_or(matches!(class, ObjectClass::Car | ObjectClass::Van)),
         ridden: parts.fit.is_some(),
+        trailer: None,
     };
     let paints = !entry.paint.is_empty();
     Ok(VehicleModel::imported(entry.asset_name(), spec, parts, paints))

@@ -217,6 +217,11 @@ impl Look {
     }
 }
 
+/// Skin of the person of a variant, 1 to 10 on the Monk scale.
+pub(crate) fn skin_tone(variant: u64) -> u8 {
+    Look::of(variant, false).tone as u8 + 1
+}
+
 fn hair(s: &mut Stream, female: bool, age: f32, tone: usize) -> Hair {
     const STYLES: [Hair; 11] = [
         Hair::Bald,

@@ -30,8 +30,9 @@ use glam::{Affine3A, Vec3};
 
 pub use footsteps::Footsteps;
 pub(crate) use look::Look;
+pub(crate) use look::skin_tone;
 pub use part::{BodyPart, KEYPOINTS, PersonTraits};
-pub(crate) use rider::{rider, rider_keypoints};
+pub(crate) use rider::{rider, rider_keypoints, rider_skin_tone};
 pub use skeleton::Bone;
 use skeleton::{BONES, Skeleton};
 use skin::Blend;

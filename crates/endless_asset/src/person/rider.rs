@@ -46,6 +46,11 @@ pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> [Vec3; 17] {
     person.keypoints_on(&bones)
 }
 
+/// Their skin, 1 to 10 on the Monk scale.
+pub(crate) fn rider_skin_tone(variant: u64) -> u8 {
+    Look::riding(variant, None).tone as u8 + 1
+}
+
 fn seated(fit: &RiderFit, variant: u64) -> (PersonModel, [Affine3A; BONES]) {
     let mut stream = Stream::named(variant, "rider", &[]);
     let helmet = if fit.helmet > 0.7 { Hat::FullHelmet } else { Hat::CycleHelmet };

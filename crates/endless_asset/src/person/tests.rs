@@ -215,6 +215,7 @@ fn everything_is_worn_and_carried_by_somebody() {
         worn.extend(traits.wears);
         carried.insert(traits.carries);
         tones[usize::from(traits.skin_tone) - 1] += 1;
+        assert_eq!(traits.skin_tone, super::skin_tone(variant));
     }
     for name in [
         "trousers",

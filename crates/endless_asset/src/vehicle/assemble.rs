@@ -57,26 +57,79 @@ impl Size {
     }
 }
 
+/// Where a vehicle bends that draws another: x in the frame in which it is built, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Joint {
+    /// About this the trailer turns.
+    pub(crate) hitch: f32,
+    /// Middle of the trailer's axles.
+    pub(crate) axle: f32,
+    /// Foremost point of the trailer.
+    pub(crate) front: f32,
+    /// Rearmost point of what draws it.
+    pub(crate) towing_rear: f32,
+}
+
+impl Joint {
+    /// Each measure, changed.
+    fn map(self, f: impl Fn(f32) -> f32) -> Self {
+        let Self { hitch, axle, front, towing_rear } = self;
+        Self { hitch: f(hitch), axle: f(axle), front: f(front), towing_rear: f(towing_rear) }
+    }
+}
+
 /// What a design makes of a draw: measures at once, the vehicle when it is needed.
 pub(crate) struct Plan {
     pub(crate) size: Size,
+    pub(crate) joint: Option<Joint>,
     pub(crate) build: Box<dyn FnOnce() -> Assembly>,
 }
 
 impl Plan {
     pub(crate) fn new(size: Size, build: impl FnOnce() -> Assembly + 'static) -> Self {
-        Self { size, build: Box::new(build) }
+        Self { size, joint: None, build: Box::new(build) }
+    }
+
+    /// With a trailer whose rearmost point and height are given; what it is like is built in the same frame, with the
+    /// x and y of its wheels.
+    pub(crate) fn towing(
+        mut self,
+        joint: Joint,
+        rear: f32,
+        height: f32,
+        build: impl FnOnce() -> (Sculpt, Vec<(f32, f32)>) + 'static,
+    ) -> Self {
+        self.size.rear = rear;
+        self.size.height = self.size.height.max(height);
+        self.joint = Some(joint);
+        self.with(move |assembly| {
+            let (body, wheels) = build();
+            let z = assembly.wheel_radius;
+            let wheels = wheels.into_iter().flat_map(|(x, y)| {
+                [(y, false), (-y, true)].map(|(y, mirrored)| Wheel {
+                    position: Vec3::new(x, y, z),
+                    steered: false,
+                    mirrored,
+                })
+            });
+            assembly.trailer = Some(Drawn { hitch: joint.hitch, body, wheels: wheels.collect() });
+        })
     }
 
     /// The same vehicle, this many times as large.
     pub(crate) fn scaled(self, k: f32) -> Self {
-        Self { size: self.size.scaled(k), build: Box::new(move || (self.build)().scaled(k)) }
+        Self {
+            size: self.size.scaled(k),
+            joint: self.joint.map(|j| j.map(|x| x * k)),
+            build: Box::new(move || (self.build)().scaled(k)),
+        }
     }
 
     /// With more on it, or painted over.
     pub(crate) fn with(self, dress: impl FnOnce(&mut Assembly) + 'static) -> Self {
         Self {
             size: self.size,
+            joint: self.joint,
             build: Box::new(move || {
                 let mut assembly = (self.build)();
                 dress(&mut assembly);
@@ -99,13 +152,28 @@ pub(crate) struct Parts {
     pub(crate) wheel_mesh: Mesh,
     pub(crate) headlights: Vec<Vec3>,
     pub(crate) fit: Option<RiderFit>,
+    pub(crate) trailer: Option<Trailer>,
+}
+
+/// What a vehicle draws, in the vehicle's object frame as it stands when the vehicle goes straight on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trailer {
+    /// On the ground under the joint about which it turns.
+    pub hitch: Vec3,
+    /// Everything but wheels.
+    pub body: Mesh,
+    /// With the vehicle's wheel mesh.
+    pub wheels: Vec<Wheel>,
 }
 
 impl Parts {
-    /// Body and wheels as one mesh, standing still.
+    /// Body, wheels and trailer as one mesh, standing still and straight.
     pub(crate) fn whole(&self) -> Mesh {
         let mut mesh = self.body.clone();
-        for wheel in &self.wheels {
+        if let Some(trailer) = &self.trailer {
+            mesh.append(&trailer.body, Affine3A::IDENTITY);
+        }
+        for wheel in self.wheels.iter().chain(self.trailer.iter().flat_map(|t| &t.wheels)) {
             let flip = Vec3::new(1.0, if wheel.mirrored { -1.0 } else { 1.0 }, 1.0);
             let place = Affine3A::from_scale_rotation_translation(flip, glam::Quat::IDENTITY, wheel.position);
             mesh.append(&self.wheel_mesh, place);
@@ -123,11 +191,20 @@ pub(crate) struct Assembly {
     pub(crate) headlights: Vec<Vec3>,
     pub(crate) fit: Option<RiderFit>,
     pub(crate) wheel_radius: f32,
+    pub(crate) trailer: Option<Drawn>,
+}
+
+/// A trailer before the vehicle is centred.
+#[derive(Debug, Clone)]
+pub(crate) struct Drawn {
+    hitch: f32,
+    body: Sculpt,
+    wheels: Vec<Wheel>,
 }
 
 impl Assembly {
     pub(crate) fn new(body: Sculpt, wheel_mesh: Mesh, wheel_radius: f32) -> Self {
-        Self { body, wheels: Vec::new(), wheel_mesh, headlights: Vec::new(), fit: None, wheel_radius }
+        Self { body, wheels: Vec::new(), wheel_mesh, headlights: Vec::new(), fit: None, wheel_radius, trailer: None }
     }
 
     /// Two wheels on an axle at x, at ±y.
@@ -155,6 +232,10 @@ impl Assembly {
             *p *= k;
         }
         self.wheel_radius *= k;
+        self.trailer = self.trailer.map(|mut t| {
+            t.wheels.iter_mut().for_each(|w| w.position *= k);
+            Drawn { hitch: t.hitch * k, body: t.body.placed(grow), wheels: t.wheels }
+        });
         self.fit = self.fit.map(|f| RiderFit {
             seat: f.seat * k,
             grip: f.grip * k,
@@ -169,14 +250,20 @@ impl Assembly {
     /// are brought to the planned size by stretching the body by a few thousandths.
     fn finish(mut self, size: &Size) -> Parts {
         let middle = size.middle();
-        for wheel in &mut self.wheels {
+        let drawn = self.trailer.iter_mut().flat_map(|t| &mut t.wheels);
+        for wheel in self.wheels.iter_mut().chain(drawn) {
             wheel.position.x -= middle;
         }
         let (wheel_low, wheel_high) = self.wheel_mesh.bounds();
-        let xs = || self.wheels.iter().map(|w| w.position.x);
+        let drawn = || self.trailer.iter().flat_map(|t| &t.wheels);
+        let xs = || self.wheels.iter().chain(drawn()).map(|w| w.position.x);
         let wheels_front = xs().fold(f32::NEG_INFINITY, f32::max) + wheel_high.x;
         let wheels_rear = xs().fold(f32::INFINITY, f32::min) + wheel_low.x;
-        let (low, high) = self.body.bounds();
+        let (mut low, mut high) = self.body.bounds();
+        if let Some(trailer) = &self.trailer {
+            let (a, b) = trailer.body.bounds();
+            (low, high) = (low.min(a), high.max(b));
+        }
         // Where a wheel is the outermost part, the body keeps its place.
         let half = 0.5 * (size.front - size.rear);
         let front = if high.x - middle > wheels_front { half } else { high.x - middle };
@@ -194,6 +281,11 @@ impl Assembly {
             body: self.body.placed(object_from_built).into_mesh(),
             wheels: self.wheels,
             wheel_mesh: self.wheel_mesh,
+            trailer: self.trailer.map(|t| Trailer {
+                hitch: Vec3::new(place(Vec3::X * t.hitch).x, 0.0, 0.0),
+                body: t.body.placed(object_from_built).into_mesh(),
+                wheels: t.wheels,
+            }),
         }
     }
 }

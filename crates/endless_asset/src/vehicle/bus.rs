@@ -1,6 +1,6 @@
 //! Buses: city, midi, double-decker, coach, school.
 
-use super::assemble::{Assembly, Plan, Size};
+use super::assemble::{Assembly, Joint, Plan, Size};
 use super::car::{CarShape, Grille, open_arch, plate};
 use super::draw::Draw;
 use super::paint;
@@ -16,8 +16,8 @@ struct BusShape {
     height: f32,
     half_width: f32,
     floor: f32,
-    /// Distance of both axles from the front.
-    axles_d: [f32; 2],
+    /// Distance of the axles from the front.
+    axles_d: Vec<f32>,
     wheel_radius: f32,
     /// Lower and upper edge of the side windows.
     glass_z: [f32; 2],
@@ -30,6 +30,8 @@ struct BusShape {
     rake: f32,
     coach: bool,
     white_roof: bool,
+    /// Whether front and rear are ends, and not joined to another piece.
+    ends: [bool; 2],
 }
 
 /// A low-floor city bus of twelve metres.
@@ -40,7 +42,7 @@ pub(crate) fn city(draw: &Draw) -> Plan {
         height: draw.range("height", 2.92, 3.05),
         half_width: 1.275,
         floor: 0.30,
-        axles_d: [2.70, 2.70 + 0.495 * length],
+        axles_d: vec![2.70, 2.70 + 0.495 * length],
         wheel_radius: 0.48,
         glass_z: [draw.range("glass foot", 0.98, 1.16), draw.range("glass top", 2.25, 2.36)],
         upper_glass_z: None,
@@ -53,6 +55,7 @@ pub(crate) fn city(draw: &Draw) -> Plan {
         rake: draw.range("rake", 0.10, 0.24),
         coach: false,
         white_roof: draw.chance("white roof", 0.6),
+        ends: [true; 2],
     };
     shape.plan()
 }
@@ -65,7 +68,7 @@ pub(crate) fn midi(draw: &Draw) -> Plan {
         height: draw.range("height", 2.80, 2.95),
         half_width: draw.range("half width", 1.16, 1.22),
         floor: 0.30,
-        axles_d: [2.25, 2.25 + 0.48 * length],
+        axles_d: vec![2.25, 2.25 + 0.48 * length],
         wheel_radius: 0.42,
         glass_z: [draw.range("glass foot", 1.0, 1.15), draw.range("glass top", 2.15, 2.25)],
         upper_glass_z: None,
@@ -74,6 +77,7 @@ pub(crate) fn midi(draw: &Draw) -> Plan {
         rake: draw.range("rake", 0.14, 0.30),
         coach: false,
         white_roof: draw.chance("white roof", 0.5),
+        ends: [true; 2],
     };
     shape.plan()
 }
@@ -87,7 +91,7 @@ pub(crate) fn double_decker(draw: &Draw) -> Plan {
         height,
         half_width: 1.265,
         floor: 0.30,
-        axles_d: [2.62, 2.62 + 0.49 * length],
+        axles_d: vec![2.62, 2.62 + 0.49 * length],
         wheel_radius: 0.48,
         glass_z: [1.05, 1.98],
         upper_glass_z: Some([height - 1.46, height - 0.52]),
@@ -96,6 +100,7 @@ pub(crate) fn double_decker(draw: &Draw) -> Plan {
         rake: draw.range("rake", 0.16, 0.26),
         coach: false,
         white_roof: draw.chance("white roof", 0.4),
+        ends: [true; 2],
     };
     shape.plan()
 }
@@ -109,7 +114,7 @@ pub(crate) fn coach(draw: &Draw) -> Plan {
         height,
         half_width: 1.275,
         floor: 0.34,
-        axles_d: [2.75, 2.75 + 0.495 * length],
+        axles_d: vec![2.75, 2.75 + 0.495 * length],
         wheel_radius: 0.51,
         glass_z: [height - 1.80, height - 0.60],
         upper_glass_z: None,
@@ -118,8 +123,69 @@ pub(crate) fn coach(draw: &Draw) -> Plan {
         rake: draw.range("rake", 0.30, 0.50),
         coach: true,
         white_roof: false,
+        ends: [true; 2],
     };
     shape.plan()
+}
+
+/// Eighteen metres in two pieces, the rear one with an axle of its own.
+pub(crate) fn articulated(draw: &Draw) -> Plan {
+    /// From the joint to the walls on both sides.
+    const GAP_M: f32 = 0.58;
+    let (length, behind) = (draw.range("length", 10.2, 10.5), draw.range("rear length", 6.5, 6.9));
+    let height = draw.range("height", 2.92, 3.05);
+    let glass_z = [draw.range("glass foot", 0.98, 1.16), draw.range("glass top", 2.25, 2.36)];
+    let (pane, white_roof) = (draw.range("pane", 1.25, 1.6), draw.chance("white roof", 0.6));
+    let shape = move |length: f32, axles_d: Vec<f32>, doors: Vec<(f32, f32)>, rake: f32, ends: [bool; 2]| BusShape {
+        length,
+        height,
+        half_width: 1.275,
+        floor: 0.30,
+        axles_d,
+        wheel_radius: 0.48,
+        glass_z,
+        upper_glass_z: None,
+        pane,
+        doors,
+        rake,
+        coach: false,
+        white_roof,
+        ends,
+    };
+    let rake = draw.range("rake", 0.10, 0.24);
+    let front = shape(length, vec![2.70, 8.5], vec![(0.55, 1.25), (5.4, 1.35)], rake, [true, false]);
+    let rear = shape(behind, vec![4.35], vec![(1.3, 1.35)], 0.02, [false, true]);
+    let hitch = front.x(length) - GAP_M;
+    let middle = hitch - GAP_M - 0.5 * behind;
+    let joint = Joint { hitch, axle: middle + rear.x(4.35), front: hitch - GAP_M, towing_rear: hitch };
+    let end = middle + rear.x(behind) - 0.006;
+    let with_bellows = front.plan().with(move |a| a.body.add(bellows(Vec3::X * hitch, height)));
+    with_bellows.towing(joint, end, height + 0.19, move || {
+        let wheel = (middle + rear.x(4.35), rear.half_width - 0.16);
+        (rear.build().body.at(Vec3::X * middle), vec![wheel])
+    })
+}
+
+/// Folds about the joint: a column, so that it fills the gap however the bus is bent.
+fn bellows(joint: Vec3, height: f32) -> Sculpt {
+    const FOLDS: usize = 26;
+    let ring = |z: f32, k: f32| -> Vec<Vec3> {
+        (0..2 * FOLDS)
+            .map(|i| {
+                let (sin, cos) = endless_world::math::sin_cos(std::f32::consts::PI * i as f32 / FOLDS as f32);
+                let r = k * if i % 2 == 0 { 1.16 } else { 1.06 };
+                joint + Vec3::new(r * cos, r * sin, z)
+            })
+            .collect()
+    };
+    let top = height - 0.16;
+    let mut s = Sculpt::new();
+    s.grid(
+        &[ring(0.42, 0.0), ring(0.42, 1.0), ring(top - 0.08, 1.0), ring(top, 0.9), ring(top, 0.0)],
+        true,
+        paint::GREY,
+    );
+    s.smooth(25.0)
 }
 
 /// A yellow school bus with a bonnet.
@@ -215,8 +281,9 @@ impl BusShape {
             },
             arches: self
                 .axles_d
-                .map(|d| Arch { x: self.x(d), z: self.wheel_radius, radius: self.wheel_radius + 0.08, flare: 0.0 })
-                .to_vec(),
+                .iter()
+                .map(|&d| Arch { x: self.x(d), z: self.wheel_radius, radius: self.wheel_radius + 0.08, flare: 0.0 })
+                .collect(),
             outline,
         }
     }
@@ -228,7 +295,7 @@ impl BusShape {
             rear: self.x(self.length) - 0.006,
             width: 2.0 * self.half_width,
             height: self.height + 0.19,
-            axles: self.axles_d.map(|d| self.x(d)),
+            axles: [self.x(self.axles_d[0]), self.x(self.axles_d[self.axles_d.len() - 1])],
             wheel_radius: self.wheel_radius,
         };
         Plan::new(size, move || self.build())
@@ -243,8 +310,12 @@ impl BusShape {
             body.paint(&Region::all().beyond(Vec3::Z, edge), paint::WHITE);
         }
         self.sides(&mut body);
-        self.front(&mut body);
-        self.rear(&mut body);
+        if self.ends[0] {
+            self.front(&mut body);
+        }
+        if self.ends[1] {
+            self.rear(&mut body);
+        }
         self.roof(&mut body);
         for arch in &shell.arches {
             open_arch(&mut body, arch, self.half_width, true);

@@ -3,7 +3,7 @@
 use super::assemble::Plan;
 use super::draw::Draw;
 use super::tint::{self, Paint};
-use super::{bus, cars, emergency, fire, heavy, truck, two, van};
+use super::{articulated, bus, cars, emergency, fire, heavy, truck, two, van};
 use endless_world::ObjectClass;
 
 /// What all draws of a design have in common.
@@ -100,6 +100,10 @@ impl Design {
         Self { paints, ..self }
     }
 
+    const fn never_parked(self) -> Self {
+        Self { parks: false, ..self }
+    }
+
     const fn cruising(self, cruise_mps: f32) -> Self {
         Self { cruise_mps, ..self }
     }
@@ -113,7 +117,7 @@ pub(crate) static DESIGNS: &[Design] = &[
     car("car.liftback", 3.5, 2, cars::liftback),
     car("car.sedan", 10.0, 4, cars::sedan),
     car("car.executive", 4.0, 2, cars::executive),
-    car("car.estate", 5.0, 3, cars::estate),
+    car("car.estate", 4.5, 3, cars::estate),
     car("car.coupe", 2.5, 2, cars::coupe),
     car("car.crossover", 6.0, 3, cars::crossover),
     car("car.suv", 7.0, 3, cars::suv),
@@ -121,6 +125,7 @@ pub(crate) static DESIGNS: &[Design] = &[
     car("car.offroad", 1.0, 2, cars::offroad),
     car("car.mpv", 4.0, 2, cars::mpv),
     car("car.pickup", 3.6, 2, cars::pickup),
+    car("car.trailer", 0.5, 2, articulated::car_with_trailer).never_parked(),
     car("car.pickup_large", 1.0, 2, cars::large_pickup),
     car("car.taxi", 3.6, 2, cars::taxi).painted(tint::TAXIS),
     car("car.taxi_mpv", 0.8, 1, cars::large_taxi).painted(tint::TAXIS),
@@ -133,20 +138,22 @@ pub(crate) static DESIGNS: &[Design] = &[
     van("van.camper", 0.3, 1, van::camper).painted(tint::CAMPERS),
     van("van.ambulance", 0.4, 2, emergency::ambulance).painted(tint::AMBULANCES),
     van("van.police", 0.3, 1, emergency::police_van).painted(tint::WHITES),
-    truck("truck.box_small", 1.2, 2, truck::small_box),
-    truck("truck.box", 1.2, 2, truck::box_truck),
-    truck("truck.flatbed", 0.8, 2, heavy::flatbed),
+    truck("truck.box_small", 1.0, 2, truck::small_box),
+    truck("truck.box", 1.0, 2, truck::box_truck),
+    truck("truck.flatbed", 0.7, 2, heavy::flatbed),
     truck("truck.tipper", 0.6, 2, truck::tipper),
     truck("truck.mixer", 0.25, 1, heavy::mixer),
     truck("truck.tanker", 0.25, 1, heavy::tanker),
-    truck("truck.tractor", 0.2, 1, heavy::tractor),
+    truck("truck.tractor", 0.1, 1, heavy::tractor),
     truck("truck.refuse", 0.35, 1, heavy::refuse).painted(tint::REFUSE),
     truck("truck.fire", 0.15, 1, fire::engine).painted(tint::FIRE),
+    truck("truck.semi", 0.6, 2, articulated::semi),
     bus("bus.midi", 0.6, 2, bus::midi),
     bus("bus.school", 0.2, 1, bus::school).painted(tint::SCHOOL),
     bus("bus.double", 0.3, 1, bus::double_decker),
-    bus("bus.city", 1.3, 2, bus::city),
-    bus("bus.coach", 0.6, 1, bus::coach).cruising(12.5),
+    bus("bus.city", 1.1, 2, bus::city),
+    bus("bus.articulated", 0.3, 1, bus::articulated),
+    bus("bus.coach", 0.5, 1, bus::coach).cruising(12.5),
     motorcycle("motorcycle.scooter", 1.4, 2, two::scooter).cruising(12.0),
     motorcycle("motorcycle.scooter_delivery", 0.8, 2, two::moped_delivery).cruising(12.0),
     motorcycle("motorcycle.commuter", 1.9, 2, two::commuter).cruising(13.5),

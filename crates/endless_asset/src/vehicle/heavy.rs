@@ -213,9 +213,15 @@ pub(crate) fn mixer(draw: &Draw) -> Plan {
 
 /// What pulls semi-trailers, without one.
 pub(crate) fn tractor(draw: &Draw) -> Plan {
+    tractor_unit(draw).0.scaled(draw.range("scale", 1.02, 1.06))
+}
+
+/// A tractor before it is scaled, and x of its fifth wheel.
+pub(super) fn tractor_unit(draw: &Draw) -> (Plan, f32) {
     let length = draw.range("length", 5.45, 5.75);
     let three = draw.chance("three axles", 0.3);
     let rear_axles_d = if three { vec![4.0, 4.98] } else { vec![4.55] };
+    let fifth_wheel = -rear_axles_d[0];
     let fairing = draw.chance("fairing", 0.7);
     let height = CAB_TOP + 0.62;
     let lorry = Lorry { length, cab: Cab::Sleeper, rear_axles_d, height };
@@ -238,7 +244,7 @@ pub(crate) fn tractor(draw: &Draw) -> Plan {
         }
         s
     });
-    plan.scaled(draw.range("scale", 1.02, 1.06))
+    (plan, fifth_wheel)
 }
 
 /// Collects household waste from behind.

@@ -1,5 +1,6 @@
 //! Vehicle models.
 
+mod articulated;
 mod assemble;
 mod bus;
 mod car;
@@ -18,9 +19,11 @@ mod two;
 mod van;
 mod wheel;
 
+pub use assemble::Trailer;
 pub(crate) use assemble::{Parts, RiderFit};
 
 use crate::{Mesh, carla};
+use assemble::Plan;
 use design::{DESIGNS, Design};
 use draw::Draw;
 use endless_world::ObjectClass;
@@ -58,6 +61,29 @@ pub struct VehicleSpec {
     pub parks: bool,
     /// Whether somebody rides on it.
     pub ridden: bool,
+    /// What it draws; axles are then those of what draws it.
+    pub trailer: Option<TrailerSpec>,
+}
+
+/// Measures of a vehicle that draws another: x in the object frame while it goes straight on, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TrailerSpec {
+    /// About this the trailer turns.
+    pub hitch_m: f32,
+    /// Middle of the trailer's axles.
+    pub axle_m: f32,
+    /// Foremost point of the trailer.
+    pub front_m: f32,
+    /// Rearmost point of what draws it.
+    pub towing_rear_m: f32,
+}
+
+impl VehicleSpec {
+    /// Length of its longest rigid piece, metres: how tight it can turn.
+    pub fn rigid_length_m(&self) -> f32 {
+        let half = 0.5 * self.length_m;
+        self.trailer.map_or(self.length_m, |t| (half - t.towing_rear_m).max(t.front_m + half))
+    }
 }
 
 /// A wheel of a vehicle.
@@ -99,7 +125,8 @@ enum Origin {
 impl VehicleModel {
     fn new(design: &'static Design, index: u64, frequency: f64) -> Self {
         let draw = Draw::new(design.name, index);
-        let size = (design.plan)(&draw).size;
+        let Plan { size, joint, .. } = (design.plan)(&draw);
+        let from_middle = |x: f32| x - size.middle();
         let [front, rear] = size.axles.map(|x| x - size.middle());
         let spec = VehicleSpec {
             name: design.name,
@@ -115,6 +142,12 @@ impl VehicleModel {
             frequency,
             parks: design.parks,
             ridden: matches!(design.class, ObjectClass::Motorcycle | ObjectClass::Bicycle),
+            trailer: joint.map(|j| TrailerSpec {
+                hitch_m: from_middle(j.hitch),
+                axle_m: from_middle(j.axle),
+                front_m: from_middle(j.front),
+                towing_rear_m: from_middle(j.towing_rear),
+            }),
         };
         Self { spec, origin: Origin::Drawn { design, draw }, parts: OnceLock::new() }
     }
@@ -140,7 +173,12 @@ impl VehicleModel {
         })
     }
 
-    /// Everything but wheels and rider. [`crate::Surface::CarPaint`] is tinted per variant.
+    /// What it draws, if it draws anything.
+    pub fn trailer(&self) -> Option<&Trailer> {
+        self.parts().trailer.as_ref()
+    }
+
+    /// Everything but wheels, rider and trailer. [`crate::Surface::CarPaint`] is tinted per variant.
     pub fn body(&self) -> &Mesh {
         &self.parts().body
     }
@@ -160,7 +198,7 @@ impl VehicleModel {
         &self.parts().headlights
     }
 
-    /// Body and wheels as one mesh, standing still.
+    /// Body, wheels and trailer as one mesh, standing still and straight.
     pub fn whole(&self) -> Mesh {
         self.parts().whole()
     }
@@ -173,6 +211,11 @@ impl VehicleModel {
     /// The keypoints of that rider ([`crate::KEYPOINTS`]), in the vehicle's object frame.
     pub fn rider_keypoints(&self, variant: u64) -> Option<[Vec3; 17]> {
         Some(crate::person::rider_keypoints(self.fit()?, variant))
+    }
+
+    /// That rider's skin, 1 to 10 on the Monk scale.
+    pub fn rider_skin_tone(&self, variant: u64) -> Option<u8> {
+        self.spec.ridden.then(|| crate::person::rider_skin_tone(variant))
     }
 
     fn fit(&self) -> Option<&RiderFit> {

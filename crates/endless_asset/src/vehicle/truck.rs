@@ -64,7 +64,7 @@ fn boxed(draw: &Draw, length: f32, top: f32) -> Plan {
 }
 
 /// A box from the rear at -`length` to x1, with aluminium edges, seams, doors with bars, and a livery on its sides.
-fn closed_box(length: f32, x1: f32, z0: f32, z1: f32, curtain: bool) -> Sculpt {
+pub(super) fn closed_box(length: f32, x1: f32, z0: f32, z1: f32, curtain: bool) -> Sculpt {
     let w = W;
     let mut cargo = Sculpt::cuboid(
         Vec3::new(-length, -w, z0),

@@ -38,6 +38,8 @@ pub struct AssetKind {
     pub height_m: [f32; 2],
     /// Of the variant with the most, wheels and riders included.
     pub triangles: usize,
+    /// How many different ones there are (species of trees, codes of signs, ...); `None`: any number.
+    pub draws: Option<u32>,
 }
 
 /// Why an asset cannot be shown or written.
@@ -114,7 +116,10 @@ fn find(catalogue: &Catalogue, name: &str, variant: u64) -> Result<Thing, AssetE
 /// Triangles of a vehicle with its wheels and its rider.
 fn triangles(vehicle: &VehicleModel) -> usize {
     let rider = vehicle.rider(0).map_or(0, |r| r.triangles.len());
-    vehicle.body().triangles.len() + vehicle.wheels().len() * vehicle.wheel_mesh().triangles.len() + rider
+    let trailer = vehicle.trailer();
+    let wheels = vehicle.wheels().len() + trailer.map_or(0, |t| t.wheels.len());
+    let bodies = vehicle.body().triangles.len() + trailer.map_or(0, |t| t.body.triangles.len());
+    bodies + wheels * vehicle.wheel_mesh().triangles.len() + rider
 }
 
 /// Everything there is, vehicles first, what comes from files last.
@@ -126,15 +131,16 @@ pub(crate) fn list(catalogue: &Catalogue) -> Vec<AssetKind> {
         width_m: kind.width_m,
         height_m: kind.height_m,
         triangles: Catalogue::draw_vehicle(kind.name, 0).map_or(0, |v| triangles(&v)),
+        draws: None,
     });
     let people: Vec<Mesh> = (0..PEOPLE).map(|v| catalogue.person(v).rest).collect();
     let buildings = building_manners().into_iter().map(|manner| {
         let all: Vec<Mesh> = (0..BUILDINGS).filter_map(|seed| sample_building(manner, seed)).collect();
-        measured(format!("{BUILDING}{manner}"), "building", &all)
+        measured(format!("{BUILDING}{manner}"), "building", &all, None)
     });
     let props = Prop::ALL.iter().map(|&prop| {
         let all: Vec<Mesh> = (0..catalogue.prop_variants(prop)).map(|v| catalogue.prop(prop, v)).collect();
-        measured(prop.name(), if prop.is_plant() { "plant" } else { "furniture" }, &all)
+        measured(prop.name(), set_class(Some(prop)), &all, Some(all.len() as u32))
     });
     let imported = catalogue.imported_vehicles().iter().map(|vehicle| AssetKind {
         name: vehicle.name().to_owned(),
@@ -143,16 +149,22 @@ pub(crate) fn list(catalogue: &Catalogue) -> Vec<AssetKind> {
         width_m: [vehicle.spec.width_m; 2],
         height_m: [vehicle.spec.height_m; 2],
         triangles: triangles(vehicle),
+        draws: Some(1),
     });
-    let things = catalogue.imported_things().iter().map(|thing| {
-        let class = thing.prop.map_or("building", |p| if p.is_plant() { "plant" } else { "furniture" });
-        measured(thing.name.clone(), class, std::slice::from_ref(&thing.mesh))
-    });
-    let people = [measured(PERSON.to_owned(), "pedestrian", &people)];
+    let things = catalogue
+        .imported_things()
+        .iter()
+        .map(|thing| measured(thing.name.clone(), set_class(thing.prop), std::slice::from_ref(&thing.mesh), Some(1)));
+    let people = [measured(PERSON.to_owned(), "pedestrian", &people, None)];
     vehicles.chain(people).chain(buildings).chain(props).chain(imported).chain(things).collect()
 }
 
-fn measured<M: Borrow<Mesh>>(name: String, class: &str, meshes: &[M]) -> AssetKind {
+/// What a prop is of, `None` being a building.
+fn set_class(prop: Option<Prop>) -> &'static str {
+    prop.map_or("building", |p| if p.is_plant() { "plant" } else { "furniture" })
+}
+
+fn measured<M: Borrow<Mesh>>(name: String, class: &str, meshes: &[M], draws: Option<u32>) -> AssetKind {
     let meshes = || meshes.iter().map(Borrow::borrow);
     let sizes = || meshes().map(Mesh::bounds).map(|(low, high)| Vec3::new(high.x - low.x, high.y - low.y, high.z));
     let low = sizes().fold(Vec3::INFINITY, Vec3::min);
@@ -164,6 +176,7 @@ fn measured<M: Borrow<Mesh>>(name: String, class: &str, meshes: &[M]) -> AssetKi
         width_m: [low.y, high.y],
         height_m: [low.z, high.z],
         triangles: meshes().map(|m| m.triangles.len()).max().unwrap_or(0),
+        draws,
     }
 }
 

@@ -8,11 +8,13 @@ use endless_dataset::{
     encode_png, instance_from_rgb, instance_preview, read_rgb, rgb_from_depth, rgb_from_instance, write_atomic,
     yuv_from_rgb,
 };
-use endless_world::{Actor, Image, InstancePixel, SensorFrame, WorldState};
+use endless_world::{Actor, Image, InstanceId, InstancePixel, SensorFrame, WorldState};
+use std::collections::BTreeMap;
 
 pub(super) struct FrameMaker<'a> {
     pub(super) recording: &'a Recording<'a>,
     pub(super) parked: &'a [Actor],
+    pub(super) skin_tones: &'a BTreeMap<InstanceId, u8>,
     pub(super) existing: &'a Existing,
 }
 
@@ -30,7 +32,7 @@ impl FrameMaker<'_> {
         state: &WorldState,
         cameras: impl Fn() -> Option<&'c (dyn Cameras + 'c)>,
     ) -> Result<Option<([Ordered; 2], bool)>, GenerateError> {
-        let scene = SceneObjects::new(state, self.parked);
+        let scene = SceneObjects::new(state, self.parked).with_skin_tones(self.skin_tones);
         if self.existing.has(state.frame) {
             let read = self.recording.clock.time(Stage::Resume, || -> Result<_, DatasetError> {
                 Ok([self.read(0, state.frame)?, self.read(1, state.frame)?])

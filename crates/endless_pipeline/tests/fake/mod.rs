@@ -61,7 +61,13 @@ impl Simulator for Fake {
         let spawned = Spawned { vehicles, pedestrians: settings.pedestrians, parked: 1 };
         let parked = vec![Actor { parked: true, ..actor(1, ObjectClass::Van) }];
         let drive = || Drive { next: 0, fps: settings.fps, seed: settings.seed, spawned };
-        Ok(Scene { spawned, parked, moving: drive().tick().actors, traffic: Box::new(drive()) })
+        Ok(Scene {
+            spawned,
+            parked,
+            moving: drive().tick().actors,
+            skin_tones: Default::default(),
+            traffic: Box::new(drive()),
+        })
     }
 
     fn bake<'m>(

@@ -34,7 +34,7 @@ struct Cabin {
 
 impl Cabin {
     fn of(tag: ClassTag, low: Vec3A, high: Vec3A) -> Option<Self> {
-        let (length, height) = (high.x - low.x, high.z);
+        let (length, middle, height) = (high.x - low.x, 0.5 * (low.x + high.x), high.z);
         let half_width = 0.5 * (high.y - low.y).min(2.6) - 0.12;
         let roof = height - 0.10;
         match tag {
@@ -60,14 +60,14 @@ impl Cabin {
                 x: [high.x - (0.4 * length).min(2.3), high.x - 0.3],
             }),
             ClassTag::Car | ClassTag::Truck => Some(Self {
-                front: 0.02 * length - 0.25,
+                front: middle + 0.02 * length - 0.25,
                 pitch: 0.86,
                 rows: 2,
                 cushion: 0.32 * height,
                 half_width,
                 roof,
                 sill: 0.60 * height,
-                x: [-0.48 * length, 0.42 * length],
+                x: [middle - 0.48 * length, middle + 0.42 * length],
             }),
             _ => None,
         }

@@ -27,6 +27,8 @@ pub(crate) struct VehicleCast {
     pub(crate) headlight: Option<Vec3A>,
     /// Half length, for the tail lights.
     pub(crate) half_length: f32,
+    /// x of the rearmost point of the piece that steers.
+    pub(crate) towing_rear: f32,
 }
 
 /// A person of the cast.
@@ -39,63 +41,24 @@ pub(crate) struct PersonCast {
 impl Cast {
     /// Models of these actors.
     pub fn new(catalogue: &Catalogue, actors: &[Actor]) -> Self {
-        let mut cast = Self {
-            vehicles: BTreeMap::new(),
-            people: BTreeMap::new(),
-            riders: BTreeMap::new(),
-            tints: BTreeMap::new(),
-        };
-        // Meshes are made when they are first asked for: by all threads, once.
-        let models: BTreeSet<u16> =
-            actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_))).map(|a| a.asset.model).collect();
-        models.into_par_iter().filter_map(|m| catalogue.vehicles().get(usize::from(m))).for_each(|entry| {
-            entry.body();
-        });
-        for actor in actors {
-            match actor.motion {
-                Motion::Vehicle(_) => cast.add_vehicle(catalogue, actor),
-                Motion::Walker(_) => cast.add_person(catalogue, actor.asset),
-            }
-        }
-        cast
-    }
-
-    fn add_vehicle(&mut self, catalogue: &Catalogue, actor: &Actor) {
-        let AssetRef { model: index, variant } = actor.asset;
-        let Some(entry) = catalogue.vehicles().get(usize::from(index)) else { return };
-        self.vehicles.entry(index).or_insert_with(|| {
-            let mut parts = VehicleParts::new(entry);
-            let extent = Vec3A::new(entry.spec.length_m / 2.0, entry.spec.width_m / 2.0, entry.spec.height_m);
-            let low = Vec3A::new(-extent.x, -extent.y, 0.0);
-            for part in [&mut parts.body, &mut parts.wheel] {
-                shade_by_itself(part, low, extent);
-            }
-            let lenses = entry.headlights();
-            let headlight = (!lenses.is_empty())
-                .then(|| lenses.iter().map(|&p| Vec3A::from(p)).sum::<Vec3A>() / lenses.len() as f32);
-            VehicleCast { parts, extent, headlight, half_length: extent.x }
-        });
-        self.tints.entry((index, variant)).or_insert_with(|| Vec3A::from_array(catalogue.vehicle_tint(index, variant)));
-        if actor.rider_id.is_some() && !self.riders.contains_key(&(index, variant)) {
-            let mut rider = catalogue.rider(index, variant).as_ref().and_then(model);
-            let high = Vec3A::new(0.5, 0.4, 1.8);
-            shade_by_itself(&mut rider, Vec3A::new(-0.5, -0.4, 0.0), high);
-            if let Some(rider) = rider {
-                self.riders.insert((index, variant), rider);
-            }
-        }
-    }
-
-    fn add_person(&mut self, catalogue: &Catalogue, asset: AssetRef) {
-        let key = (asset.model, asset.variant);
-        if self.people.contains_key(&key) {
-            return;
-        }
-        let person = catalogue.person_of(asset);
-        let mut parts = model(&person.rest);
-        shade_in_motion(&mut parts, &person);
-        if let Some((shape, rest)) = parts {
-            self.people.insert(key, PersonCast { model: person, shape, rest });
+        // Everything is made by all threads, once.
+        let driving = || actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_)));
+        let models: BTreeSet<u16> = driving().map(|a| a.asset.model).collect();
+        let dressed = actors.iter().filter(|a| matches!(a.motion, Motion::Walker(_)));
+        let dressed: BTreeSet<(u16, u64)> = dressed.map(|a| (a.asset.model, a.asset.variant)).collect();
+        let tinted: BTreeSet<(u16, u64)> = driving().map(|a| (a.asset.model, a.asset.variant)).collect();
+        let ridden = driving().filter(|a| a.rider_id.is_some());
+        let ridden: BTreeSet<(u16, u64)> = ridden.map(|a| (a.asset.model, a.asset.variant)).collect();
+        let known = |&(model, _): &(u16, u64)| usize::from(model) < catalogue.vehicles().len();
+        Self {
+            vehicles: models.into_par_iter().filter_map(|m| Some((m, VehicleCast::of(catalogue, m)?))).collect(),
+            people: dressed.into_par_iter().filter_map(|key| Some((key, PersonCast::of(catalogue, key)?))).collect(),
+            riders: ridden.into_par_iter().filter_map(|key| Some((key, rider(catalogue, key)?))).collect(),
+            tints: tinted
+                .into_iter()
+                .filter(known)
+                .map(|(model, variant)| ((model, variant), Vec3A::from_array(catalogue.vehicle_tint(model, variant))))
+                .collect(),
         }
     }
 
@@ -114,6 +77,52 @@ impl Cast {
     pub(crate) fn tint(&self, asset: AssetRef) -> Vec3A {
         self.tints.get(&(asset.model, asset.variant)).copied().unwrap_or(Vec3A::ONE)
     }
+}
+
+impl VehicleCast {
+    fn of(catalogue: &Catalogue, model: u16) -> Option<Self> {
+        let entry = catalogue.vehicles().get(usize::from(model))?;
+        let mut parts = VehicleParts::new(entry);
+        let extent = Vec3A::new(entry.spec.length_m / 2.0, entry.spec.width_m / 2.0, entry.spec.height_m);
+        let low = Vec3A::new(-extent.x, -extent.y, 0.0);
+        for part in [&mut parts.body, &mut parts.wheel] {
+            shade_by_itself(part, low, extent);
+        }
+        if let Some(trailer) = &mut parts.trailer {
+            shade_by_itself(&mut trailer.body, trailer.low, trailer.high);
+        }
+        let lenses = entry.headlights();
+        let headlight =
+            (!lenses.is_empty()).then(|| lenses.iter().map(|&p| Vec3A::from(p)).sum::<Vec3A>() / lenses.len() as f32);
+        let towing_rear = entry.spec.trailer.map_or(-extent.x, |t| t.towing_rear_m);
+        Some(Self { parts, extent, headlight, half_length: extent.x, towing_rear })
+    }
+}
+
+impl PersonCast {
+    fn of(catalogue: &Catalogue, (dress, variant): (u16, u64)) -> Option<Self> {
+        let person = catalogue.person_of(AssetRef { model: dress, variant });
+        let mut parts = model(&person.rest);
+        shade_in_motion(&mut parts, &person);
+        let (shape, rest) = parts?;
+        Some(Self { model: person, shape, rest })
+    }
+
+    /// The body as it stands in a motion.
+    pub(crate) fn posed(&self, motion: &WalkerMotion) -> Body {
+        let pose = self.model.pose(motion);
+        let mut blas = (*self.rest.blas).clone();
+        blas.refit(&pose.positions);
+        Body { positions: pose.positions, normals: pose.normals, blas: Arc::new(blas) }
+    }
+}
+
+/// Who rides a vehicle.
+fn rider(catalogue: &Catalogue, (vehicle, variant): (u16, u64)) -> Option<(Arc<Shape>, Arc<Body>)> {
+    let mut rider = catalogue.rider(vehicle, variant).as_ref().and_then(model);
+    let high = Vec3A::new(0.5, 0.4, 1.8);
+    shade_by_itself(&mut rider, Vec3A::new(-0.5, -0.4, 0.0), high);
+    rider
 }
 
 /// Fills in the openness of a person in mid-stride: legs and arms that touch at rest would be dark for ever.

@@ -4,7 +4,8 @@ use super::{Body, Cast, Instance, Velocity};
 use crate::accel::Accel;
 use crate::light::{Beam, BeamKind};
 use endless_world::{Actor, ClassTag, Motion, SignalAspect, VehicleLights, WorldState};
-use glam::{Vec2, Vec3A};
+use glam::{Affine3A, Mat3A, Vec2, Vec3A};
+use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Boxes as which a large piece of something that moves is known.
@@ -47,23 +48,28 @@ impl FrameScene {
         let mut instances = Vec::new();
         let mut spans = Vec::new();
         let mut beams = Vec::new();
-        for actor in &state.actors {
+        // People are posed by all threads.
+        let posed: Vec<Option<Body>> = state.actors.par_iter().map(|actor| posed(cast, actor)).collect();
+        for (actor, body) in state.actors.iter().zip(posed) {
             let first = instances.len();
-            let placed = match actor.motion {
+            let pieces = match actor.motion {
                 Motion::Vehicle(_) => add_vehicle(cast, actor, &mut instances, &mut beams),
-                Motion::Walker(_) => add_person(cast, actor, &mut instances),
+                Motion::Walker(_) => add_person(cast, actor, body, &mut instances),
             };
-            if let Some((half, height)) = placed {
-                for instance in &mut instances[first..] {
+            let mut from = first;
+            for piece in pieces {
+                let until = piece.until;
+                for instance in &mut instances[from..until] {
                     instance.object = spans.len() as u16;
                 }
-                spans.push((first..instances.len(), actor, half, height));
+                spans.push((from..until, piece));
+                from = until;
             }
         }
         let accel = Accel::build(instances.iter().map(Instance::placed).collect());
         let objects = spans
             .into_iter()
-            .map(|(span, actor, half, height)| {
+            .map(|(span, piece)| {
                 let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
                 let mut parts = Vec::new();
                 for i in span {
@@ -73,17 +79,17 @@ impl FrameScene {
                 }
                 let reaches = |beam: &Beam| beam.reaches(low - 0.1, high + 0.1);
                 let beams = (0u16..).zip(&beams).filter(|(_, beam)| reaches(beam)).map(|(i, _)| i).collect();
-                let forward = actor.pose.world_from_object().matrix3.x_axis;
-                let position = actor.pose.position;
+                let forward = piece.world_from_piece.matrix3.x_axis;
+                let foot = piece.world_from_piece.transform_point3a(Vec3A::X * piece.ahead);
                 MovingObject {
                     low,
                     high,
                     parts,
-                    centre: Vec2::new(position.x, position.y),
+                    centre: Vec2::new(foot.x, foot.y),
                     along: Vec2::new(forward.x, forward.y).normalize_or(Vec2::X),
-                    half,
-                    ground: position.z,
-                    height,
+                    half: piece.half,
+                    ground: foot.z,
+                    height: piece.height,
                     beams,
                 }
             })
@@ -104,19 +110,25 @@ impl FrameScene {
     }
 }
 
-/// Adds a vehicle, its rider and its lights; returns the half extents of its footprint and its height.
-fn add_vehicle(
-    cast: &Cast,
-    actor: &Actor,
-    instances: &mut Vec<Instance>,
-    beams: &mut Vec<Beam>,
-) -> Option<(Vec2, f32)> {
-    let Motion::Vehicle(motion) = actor.motion else { return None };
-    let vehicle = cast.vehicle(actor.asset.model)?;
+/// A rigid part of an actor, with the end of its instances.
+struct Piece {
+    until: usize,
+    world_from_piece: Affine3A,
+    /// Middle of its footprint ahead of the origin, metres.
+    ahead: f32,
+    /// Half extents of its footprint.
+    half: Vec2,
+    height: f32,
+}
+
+/// Adds a vehicle, its rider and its lights, and what it draws; returns its pieces.
+fn add_vehicle(cast: &Cast, actor: &Actor, instances: &mut Vec<Instance>, beams: &mut Vec<Beam>) -> Vec<Piece> {
+    let Motion::Vehicle(motion) = actor.motion else { return vec![] };
+    let Some(vehicle) = cast.vehicle(actor.asset.model) else { return vec![] };
     let world_from_object = actor.pose.world_from_object();
     let first = instances.len();
     let velocity = Velocity::of(actor, vehicle.parts.wheelbase_m());
-    vehicle.parts.place(instances, world_from_object, &motion, velocity);
+    let own = first + vehicle.parts.place(instances, world_from_object, &motion, velocity);
     let tint = cast.tint(actor.asset);
     for instance in &mut instances[first..] {
         instance.id = actor.id;
@@ -124,6 +136,8 @@ fn add_vehicle(
         instance.tint = tint;
         instance.lights = motion.lights.0;
     }
+    let trailer = vehicle.parts.trailer.as_ref();
+    let last = trailer.map_or(world_from_object, |t| world_from_object * t.object_from_straight(motion.hitch_rad));
     if let (Some(rider_id), Some((shape, body))) = (actor.rider_id, cast.rider(actor.asset)) {
         let mut rider = Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object);
         rider.id = rider_id;
@@ -141,24 +155,46 @@ fn add_vehicle(
         beams.push(Beam { kind: BeamKind::Head, position: at(front, lens.z), forward, left });
         let braking = motion.lights.has(VehicleLights::BRAKE);
         let kind = if braking { BeamKind::Brake } else { BeamKind::Tail };
-        let behind = at(-vehicle.half_length - 0.1, 0.8);
-        beams.push(Beam { kind, position: behind, forward: -forward, left: -left });
+        let behind = last.transform_point3a(Vec3A::new(-vehicle.half_length - 0.1, 0.0, 0.8));
+        let Mat3A { x_axis, y_axis, .. } = last.matrix3;
+        beams.push(Beam { kind, position: behind, forward: -x_axis, left: -y_axis });
     }
-    Some((Vec2::new(vehicle.extent.x, vehicle.extent.y), vehicle.extent.z))
+    let (extent, until) = (vehicle.extent, instances.len());
+    let piece = |until: usize, world_from_piece: Affine3A, rear: f32, front: f32| Piece {
+        until,
+        world_from_piece,
+        ahead: 0.5 * (rear + front),
+        half: Vec2::new(0.5 * (front - rear), extent.y),
+        height: extent.z,
+    };
+    match trailer {
+        None => vec![piece(until, world_from_object, -extent.x, extent.x)],
+        Some(t) => {
+            let towing_rear = vehicle.towing_rear.max(-extent.x);
+            vec![piece(own, world_from_object, towing_rear, extent.x), piece(until, last, -extent.x, t.high.x)]
+        }
+    }
 }
 
-/// Adds a person in their pose; returns the half extents of their footprint and their height.
-fn add_person(cast: &Cast, actor: &Actor, instances: &mut Vec<Instance>) -> Option<(Vec2, f32)> {
-    let Motion::Walker(motion) = actor.motion else { return None };
-    let person = cast.person(actor.asset)?;
-    let pose = person.model.pose(&motion);
-    let mut blas = (*person.rest.blas).clone();
-    blas.refit(&pose.positions);
-    let body = Body { positions: pose.positions, normals: pose.normals, blas: Arc::new(blas) };
+/// The body of a person on foot as it stands.
+fn posed(cast: &Cast, actor: &Actor) -> Option<Body> {
+    let Motion::Walker(motion) = &actor.motion else { return None };
+    Some(cast.person(actor.asset)?.posed(motion))
+}
+
+/// Adds a person in their pose.
+fn add_person(cast: &Cast, actor: &Actor, body: Option<Body>, instances: &mut Vec<Instance>) -> Vec<Piece> {
+    let (Some(person), Some(body)) = (cast.person(actor.asset), body) else { return vec![] };
     let mut instance = Instance::stuff(Arc::clone(&person.shape), Arc::new(body), actor.pose.world_from_object());
     instance.id = actor.id;
     instance.class = Some(actor.class.tag());
     instance.velocity = Velocity::of(actor, 0.0);
     instances.push(instance);
-    Some((Vec2::new(0.2, 0.22), person.model.height_m))
+    vec![Piece {
+        until: instances.len(),
+        world_from_piece: actor.pose.world_from_object(),
+        ahead: 0.0,
+        half: Vec2::new(0.2, 0.22),
+        height: person.model.height_m,
+    }]
 }

@@ -5,7 +5,7 @@ use crate::accel::Accel;
 use crate::light::Lamps;
 use endless_asset::{Catalogue, VehicleModel};
 use endless_town::{Town, What};
-use endless_world::{InstanceId, VehicleMotion};
+use endless_world::{InstanceId, VehicleMotion, math};
 use glam::{Affine3A, Mat3A, Vec3A};
 use rayon::prelude::*;
 use std::{
@@ -24,15 +24,19 @@ impl StaticScene {
     /// Builds the town's meshes, props and parked vehicles (number i gets instance id i + 1).
     pub fn load(town: &Town, catalogue: &Catalogue) -> Self {
         type Model = Option<(Arc<Shape>, Arc<Body>)>;
-        let own: Vec<Model> = town.meshes.iter().map(model).collect();
-        let mut props: BTreeMap<What, Model> = BTreeMap::new();
+        let own: Vec<Model> = town.meshes.par_iter().map(model).collect();
+        let placed = town.placements.iter().map(|placement| placement.what);
+        let used: BTreeSet<What> = placed.filter(|what| matches!(what, What::Prop(..))).collect();
+        let made = |what: What| match what {
+            What::Prop(prop, variant) => (what, model(&catalogue.prop(prop, variant))),
+            What::Own(_) => (what, None),
+        };
+        let props: BTreeMap<What, Model> = used.into_par_iter().map(made).collect();
         let mut instances = Vec::new();
         for placement in &town.placements {
             let found = match placement.what {
                 What::Own(i) => own.get(i as usize).cloned().flatten(),
-                What::Prop(prop, variant) => {
-                    props.entry(placement.what).or_insert_with(|| model(&catalogue.prop(prop, variant))).clone()
-                }
+                What::Prop(..) => props.get(&placement.what).cloned().flatten(),
             };
             if let Some((shape, body)) = found {
                 let mut instance = Instance::stuff(shape, body, placement.world_from_object);
@@ -68,13 +72,51 @@ impl StaticScene {
     }
 }
 
+/// A mesh that instances share.
+type Part = (Arc<Shape>, Arc<Body>);
+
 /// A vehicle's body and wheels.
 #[derive(Debug, Clone)]
 pub(crate) struct VehicleParts {
-    pub(crate) body: Option<(Arc<Shape>, Arc<Body>)>,
-    pub(crate) wheel: Option<(Arc<Shape>, Arc<Body>)>,
+    pub(crate) body: Option<Part>,
+    pub(crate) wheel: Option<Part>,
+    pub(crate) trailer: Option<TrailerParts>,
     wheels: Vec<endless_asset::Wheel>,
     wheel_radius_m: f32,
+}
+
+/// What a vehicle draws.
+#[derive(Debug, Clone)]
+pub(crate) struct TrailerParts {
+    pub(crate) body: Option<Part>,
+    wheels: Vec<endless_asset::Wheel>,
+    hitch: Vec3A,
+    /// From the hitch to the axle, metres.
+    bar_m: f32,
+    /// Smallest and largest corner, straight on.
+    pub(crate) low: Vec3A,
+    pub(crate) high: Vec3A,
+}
+
+impl TrailerParts {
+    fn of(entry: &VehicleModel) -> Option<Self> {
+        let (trailer, spec) = (entry.trailer()?, entry.spec.trailer?);
+        let (low, high) = trailer.body.bounds();
+        Some(Self {
+            body: model(&trailer.body),
+            wheels: trailer.wheels.clone(),
+            hitch: Vec3A::from(trailer.hitch),
+            bar_m: (spec.hitch_m - spec.axle_m).max(0.5),
+            low: Vec3A::from(low),
+            high: Vec3A::from(high),
+        })
+    }
+
+    /// Where it stands: turned about the hitch.
+    pub(crate) fn object_from_straight(&self, hitch_rad: f32) -> Affine3A {
+        let turn = Mat3A::from_rotation_z(hitch_rad);
+        Affine3A { matrix3: turn, translation: self.hitch - turn * self.hitch }
+    }
 }
 
 impl VehicleParts {
@@ -82,6 +124,7 @@ impl VehicleParts {
         Self {
             body: model(entry.body()),
             wheel: model(entry.wheel_mesh()),
+            trailer: TrailerParts::of(entry),
             wheels: entry.wheels().to_vec(),
             wheel_radius_m: entry.spec.wheel_radius_m,
         }
@@ -93,20 +136,42 @@ impl VehicleParts {
         (along().fold(f32::MIN, f32::max) - along().fold(f32::MAX, f32::min)).max(0.0)
     }
 
-    /// Adds the body and its wheels, rolled and steered.
+    /// Adds the body and its wheels, rolled and steered, and behind them what it draws; returns how many instances
+    /// are its own.
     pub(crate) fn place(
         &self,
         to: &mut Vec<Instance>,
         world_from_object: Affine3A,
+        motion: &VehicleMotion,
+        velocity: Velocity,
+    ) -> usize {
+        let begin = to.len();
+        self.place_piece(to, (&self.body, &self.wheels), world_from_object, motion, velocity);
+        let own = to.len() - begin;
+        if let Some(trailer) = &self.trailer {
+            let world_from_trailer = world_from_object * trailer.object_from_straight(motion.hitch_rad);
+            let hitch = world_from_object.transform_point3a(trailer.hitch);
+            let turn = -motion.speed_mps * math::sin(motion.hitch_rad) / trailer.bar_m;
+            let velocity = velocity.of_drawn(hitch, turn);
+            self.place_piece(to, (&trailer.body, &trailer.wheels), world_from_trailer, motion, velocity);
+        }
+        own
+    }
+
+    fn place_piece(
+        &self,
+        to: &mut Vec<Instance>,
+        (body, wheels): (&Option<Part>, &[endless_asset::Wheel]),
+        world_from_object: Affine3A,
         &VehicleMotion { speed_mps, rolled_m, steer_rad, .. }: &VehicleMotion,
         velocity: Velocity,
     ) {
-        if let Some((shape, body)) = &self.body {
+        if let Some((shape, body)) = body {
             let still = Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object);
             to.push(Instance { velocity, ..still });
         }
         let Some((shape, body)) = &self.wheel else { return };
-        for wheel in &self.wheels {
+        for wheel in wheels {
             let steer = if wheel.steered { steer_rad } else { 0.0 };
             let radius = self.wheel_radius_m.max(0.05);
             let roll = rolled_m / radius;

@@ -35,6 +35,11 @@ impl Velocity {
         Self { linear: self.at(hub), angular: self.angular + axle * radians_per_second, about: hub }
     }
 
+    /// Of a piece that this body draws by a `hitch`, and that turns by some radians a second.
+    pub(crate) fn of_drawn(&self, hitch: Vec3A, turn: f32) -> Self {
+        Self { linear: self.at(hitch), angular: Vec3A::Z * turn, about: hitch }
+    }
+
     /// Of a point of the piece, m/s.
     pub(crate) fn at(&self, point: Vec3A) -> Vec3A {
         self.linear + self.angular.cross(point - self.about)

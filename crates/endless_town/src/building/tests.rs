@@ -5,12 +5,28 @@ use super::{building_manners, sample_building};
 use endless_asset::Mesh;
 use endless_world::{Stream, math};
 use glam::Vec3;
+use std::sync::Mutex;
 
-const SEEDS: u64 = 12;
+/// Buildings of each manner.
+const SEEDS: u64 = 200;
+/// And those that are looked at from all sides.
+const SEEN: u64 = 12;
 
-fn samples() -> impl Iterator<Item = (&'static str, u64, Mesh)> {
-    let all = building_manners().into_iter().flat_map(|n| (0..SEEDS).map(move |seed| (n, seed)));
-    all.map(|(name, seed)| (name, seed, sample_building(name, seed).expect("a manner of the list")))
+/// Some of every manner, on two threads.
+fn each(seeds: u64, look: impl Fn(&str, u64, &Mesh) + Sync) {
+    let manners = building_manners();
+    std::thread::scope(|scope| {
+        for half in 0..2 {
+            let (manners, look) = (&manners, &look);
+            scope.spawn(move || {
+                for name in manners.iter().skip(half).step_by(2) {
+                    for seed in 0..seeds {
+                        look(name, seed, &sample_building(name, seed).expect("a manner of the list"));
+                    }
+                }
+            });
+        }
+    });
 }
 
 fn corners(mesh: &Mesh) -> Vec<[Vec3; 3]> {
@@ -29,10 +45,10 @@ fn there_are_two_dozen_manners_with_names_of_their_own() {
 
 #[test]
 fn buildings_are_sound_and_stand_on_the_ground() {
-    for (name, seed, mesh) in samples() {
+    each(SEEDS, |name, seed, mesh| {
         assert!(mesh.positions.iter().all(|p| p.is_finite()), "{name} {seed}");
         assert!(mesh.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-3), "{name} {seed}");
-        let triangles = corners(&mesh);
+        let triangles = corners(mesh);
         let area = |[a, b, c]: &[Vec3; 3]| (*b - *a).cross(*c - *a).length();
         let flat = triangles.iter().filter(|t| area(t) < 1e-7).count();
         assert!(flat * 1000 <= triangles.len(), "{name} {seed}: {flat} of {} degenerate", triangles.len());
@@ -50,7 +66,7 @@ fn buildings_are_sound_and_stand_on_the_ground() {
         };
         assert!((least..most).contains(&size.z), "{name} {seed} is {} m high", size.z);
         assert!((200..30_000).contains(&triangles.len()), "{name} {seed}: {} triangles", triangles.len());
-    }
+    });
 }
 
 /// Distance to a triangle and whether it is met from behind (Möller and Trumbore 1997).
@@ -73,9 +89,9 @@ fn met([a, b, c]: &[Vec3; 3], from: Vec3, direction: Vec3) -> Option<(f32, bool)
 #[test]
 fn buildings_are_closed_as_seen_from_the_street() {
     const RAYS: usize = 150;
-    let mut open = Vec::new();
-    for (name, seed, mesh) in samples().filter(|s| s.1 < 4) {
-        let triangles = corners(&mesh);
+    let open = Mutex::new(Vec::new());
+    each(SEEN, |name, seed, mesh| {
+        let triangles = corners(mesh);
         let (low, high) = mesh.bounds();
         let mut stream = Stream::named(seed, name, &[]);
         let (mut hits, mut inner) = (0, 0);
@@ -92,9 +108,10 @@ fn buildings_are_closed_as_seen_from_the_street() {
             }
         }
         if inner * 40 > hits {
-            open.push(format!("{name} {seed}: {inner} of {hits}"));
+            open.lock().expect("nobody panicked").push(format!("{name} {seed}: {inner} of {hits}"));
         }
-    }
+    });
+    let open = open.into_inner().expect("nobody panicked");
     assert!(open.is_empty(), "{open:#?}");
 }
 

@@ -32,6 +32,7 @@ pub(crate) fn spec(
         frequency,
         parks: class == ObjectClass::Car,
         ridden: two_wheeled,
+        trailer: None,
     }
 }
 
@@ -64,6 +65,23 @@ impl Footprint {
         let bottom = f64::from(pose.position.z);
         let top = bottom + f64::from(spec.height_m);
         Self { center: pose.position.as_dvec3().truncate(), bottom, top, axis: DVec2::new(cos, sin), half }
+    }
+
+    /// The rigid pieces of a vehicle.
+    pub(crate) fn pieces(actor: &Actor, spec: &VehicleSpec) -> Vec<Self> {
+        let whole = Self::of(&actor.pose, spec);
+        let (Some(t), Motion::Vehicle(motion)) = (spec.trailer, actor.motion) else { return vec![whole] };
+        let [hitch, front, rear] = [t.hitch_m, t.front_m, t.towing_rear_m].map(f64::from);
+        let piece = |from: DVec2, yaw: f64, x0: f64, x1: f64| {
+            let (sin, cos) = sin_cos(yaw);
+            let axis = DVec2::new(cos, sin);
+            let half = DVec2::new(0.5 * (x1 - x0), whole.half.y);
+            Self { center: from + axis * 0.5 * (x0 + x1), axis, half, ..whole }
+        };
+        let yaw = f64::from(actor.pose.yaw_rad);
+        let joint = whole.center + whole.axis * hitch;
+        let (half, turn) = (whole.half.x, yaw + f64::from(motion.hitch_rad));
+        vec![piece(whole.center, yaw, rear, half), piece(joint, turn, -half - hitch, front - hitch)]
     }
 
     /// Whether one is above the other, as on a bridge.
@@ -118,20 +136,21 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
         simulation.tick();
         let now = simulation.state();
         let vehicles: Vec<&Actor> = now.actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_))).collect();
-        let prints: Vec<Footprint> = vehicles
+        let prints: Vec<Vec<Footprint>> = vehicles
             .iter()
             .copied()
             .chain(&parked)
-            .map(|a| Footprint::of(&a.pose, specs[usize::from(a.asset.model)]))
+            .map(|a| Footprint::pieces(a, specs[usize::from(a.asset.model)]))
             .collect();
         let mut touching = Vec::new();
         for i in 0..vehicles.len() {
             for j in i + 1..prints.len() {
-                let near = prints[i].center.distance_squared(prints[j].center) < 200.0;
-                if near && prints[i].depth(&prints[j]) > 0.0 {
+                let pairs = || prints[i].iter().flat_map(|a| prints[j].iter().map(move |b| (a, b)));
+                let near = |a: &Footprint, b: &Footprint| a.center.distance_squared(b.center) < 300.0;
+                if pairs().any(|(a, b)| near(a, b) && a.depth(b) > 0.0) {
                     touching.push((i, j));
                     if !touching_before.contains(&(i, j)) {
-                        let at = prints[i].center;
+                        let at = prints[i][0].center;
                         let speeds = [i, j].map(|k| vehicles.get(k).map_or(0.0, |v| v.velocity_mps.length()));
                         let classes = [i, j].map(|k| vehicles.get(k).map(|v| v.class));
                         f.overlaps
@@ -144,7 +163,7 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
         let walkers: Vec<&Actor> = now.actors.iter().filter(|a| matches!(a.motion, Motion::Walker(_))).collect();
         for (k, w) in walkers.iter().enumerate() {
             let p = w.pose.position.as_dvec3().truncate();
-            for (i, print) in prints.iter().enumerate() {
+            for (i, print) in prints.iter().enumerate().flat_map(|(i, all)| all.iter().map(move |p| (i, p))) {
                 let feet = f64::from(w.pose.position.z);
                 let level = feet < print.top && feet + TALL_M > print.bottom;
                 if level && print.center.distance_squared(p) < 100.0 && print.distance(p) < 0.25 {

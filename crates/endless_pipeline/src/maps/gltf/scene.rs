@@ -2,7 +2,7 @@
 
 use super::binary::{Binary, TooLarge};
 use super::material::Materials;
-use endless_asset::{Catalogue, Mesh, Prop, VehicleModel};
+use endless_asset::{Catalogue, Mesh, Prop, Trailer, VehicleModel, Wheel};
 use endless_town::{Town, What};
 use endless_world::{ImageSize, PinholeCamera, math};
 use glam::{Affine3A, Mat3, Quat, Vec3};
@@ -83,7 +83,34 @@ impl<'a> Scene<'a> {
         });
         let rider = model.rider(variant).and_then(|rider| self.single("rider", &rider));
         let vehicle = self.vehicle(model, [body, wheel], Affine3A::IDENTITY);
-        self.group(name, &rider.into_iter().chain([vehicle]).collect::<Vec<_>>())
+        let trailer = model.trailer().and_then(|trailer| self.trailer(trailer, wheel, name, tint));
+        self.group(name, &rider.into_iter().chain([vehicle]).chain(trailer).collect::<Vec<_>>())
+    }
+
+    /// What a vehicle draws, straight behind it.
+    fn trailer(
+        &mut self,
+        trailer: &Trailer,
+        wheel: Option<usize>,
+        name: &str,
+        tint: Option<[f32; 3]>,
+    ) -> Option<usize> {
+        let geometry = self.geometry(&trailer.body)?;
+        let mesh = self.mesh(&format!("{name} trailer"), &geometry, tint);
+        let mut parts = vec![self.instance("body", mesh, Affine3A::IDENTITY)];
+        parts.extend(self.wheels(&trailer.wheels, wheel));
+        self.group("trailer", &parts)
+    }
+
+    fn wheels(&mut self, wheels: &[Wheel], mesh: Option<usize>) -> Vec<usize> {
+        let Some(mesh) = mesh else { return vec![] };
+        let mut nodes = Vec::new();
+        for at in wheels {
+            let side = if at.mirrored { Vec3::new(1.0, -1.0, 1.0) } else { Vec3::ONE };
+            let place = Affine3A::from_scale_rotation_translation(side, Quat::IDENTITY, at.position);
+            nodes.push(self.instance("wheel", mesh, place));
+        }
+        nodes
     }
 
     /// A mesh's vertices and triangles; `None` if it has none.
@@ -198,11 +225,7 @@ impl<'a> Scene<'a> {
     fn vehicle(&mut self, model: &VehicleModel, [body, wheel]: [Option<usize>; 2], place: Affine3A) -> usize {
         let mut parts: Vec<usize> =
             body.into_iter().map(|mesh| self.instance("body", mesh, Affine3A::IDENTITY)).collect();
-        for (at, mesh) in model.wheels().iter().filter_map(|at| Some((at, wheel?))) {
-            let side = if at.mirrored { Vec3::new(1.0, -1.0, 1.0) } else { Vec3::ONE };
-            let place = Affine3A::from_scale_rotation_translation(side, Quat::IDENTITY, at.position);
-            parts.push(self.instance("wheel", mesh, place));
-        }
+        parts.extend(self.wheels(model.wheels(), wheel));
         let mut node = placed(place);
         node["name"] = json!(model.name());
         node["children"] = json!(parts);
