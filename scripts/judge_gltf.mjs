@@ -21,7 +21,7 @@ const folder = mkdtempSync(join(tmpdir(), "judge-gltf-"));
 const file = join(folder, "it.glb");
 
 const run = (...args) => execFileSync(endless, args, { encoding: "utf8", maxBuffer: 1 << 28 });
-const names = run("assets", "list").split("\n").slice(1).map((line) => line.split(" ")[0]).filter((name) => name.includes(filter));
+const names = run("assets", "list").split("\n").slice(1).map((line) => line.split(" ")[0]).filter((name) => name !== "" && name.includes(filter));
 
 const totals = { files: 0, errors: 0, warnings: 0, infos: 0 };
 const judge = async (name, args) => {
