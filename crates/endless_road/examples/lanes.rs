@@ -1,5 +1,6 @@
 //! Lists the lanes of OpenDRIVE files, tab-separated: `lanes FILE...`. A line a lane: file, id, junction (`-` outside,
-//! `loop` for those added where roads end), metres, width, successors. `scripts/judge_opendrive.py` compares it with what SUMO reads.
+//! `loop` for those added where roads end), metres, width, successors, points. `scripts/judge_opendrive.py` compares it
+//! with what SUMO reads.
 #![expect(clippy::print_stdout, reason = "a program")]
 
 use endless_road::{LaneId, Turn, opendrive};
@@ -17,7 +18,10 @@ fn main() -> Result<(), Box<dyn Error>> {
             };
             let length = lane.centerline.length();
             let next: Vec<String> = lane.successors.iter().map(|next| next.0.to_string()).collect();
-            println!("{file}\t{}\t{junction}\t{length:.3}\t{:.2}\t{}", lane.id.0, lane.width_m, next.join(","));
+            let points: Vec<String> =
+                lane.centerline.points().iter().map(|p| format!("{:.2},{:.2}", p.x, p.y)).collect();
+            let (id, width, next, points) = (lane.id.0, lane.width_m, next.join(","), points.join(" "));
+            println!("{file}\t{id}\t{junction}\t{length:.3}\t{width:.2}\t{next}\t{points}");
         }
     }
     Ok(())

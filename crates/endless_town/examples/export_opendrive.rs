@@ -9,7 +9,7 @@ use std::path::Path;
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1).ok_or("usage: export_opendrive FOLDER")?;
     let catalogue = Catalogue::builtin();
-    for name in ["Town01", "Town02", "Town03", "Town04", "Town05", "Town06", "Town07", "Town10HD"] {
+    for name in endless_town::NAMES {
         let town = endless_town::load(name, &catalogue)?;
         let map = RoadMap { network: town.network, ..RoadMap::default() };
         let path = Path::new(&folder).join(format!("{name}.xodr"));

@@ -73,6 +73,20 @@ pub enum OsmError {
         /// The most that is read, kilometres.
         most_km: f64,
     },
+    /// More roads meet at a node than anywhere on Earth.
+    #[error("node {node} ({lat:.5}, {lon:.5}): {arms} roads meet here, at most {most} are read as a junction")]
+    Crowded {
+        /// The node's id.
+        node: i64,
+        /// Of the node, degrees.
+        lat: f64,
+        /// Of the node, degrees.
+        lon: f64,
+        /// How many roads end at it or pass through, each way counted.
+        arms: usize,
+        /// How many there may be.
+        most: usize,
+    },
     /// The network made from it contradicts itself.
     #[error("the network made from this file is wrong: {0}")]
     Network(#[from] crate::NetworkError),

@@ -104,7 +104,7 @@ pub fn read(bytes: &[u8], options: &OsmOptions) -> Result<RoadMap, OsmError> {
 /// Makes a map of an extract.
 ///
 /// # Errors
-/// [`OsmError::NoRoads`], [`OsmError::TooLarge`], [`OsmError::TooWide`], [`OsmError::TooLong`].
+/// [`OsmError::NoRoads`], [`OsmError::TooLarge`], [`OsmError::TooWide`], [`OsmError::TooLong`], [`OsmError::Crowded`].
 pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmError> {
     let mut site = Site::new(extract, options.driving_side.map(|side| side == DrivingSide::Left));
     let ways = ways::collect(extract, &mut site);
@@ -119,6 +119,7 @@ pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmE
     let natural = options.terrain.as_ref().map(|terrain| move |p: DVec2| terrain.height(DVec2::new(side * p.x, p.y)));
     let ground = natural.as_ref().map(|natural| natural as Ground<'_>);
     let mut plan = Plan::new(roads, ground);
+    check_arms(&plan, &site)?;
     twin::find(&mut plan);
     turnaround::join_dead_ends(&mut plan);
     trim::trim(&mut plan);
@@ -136,6 +137,14 @@ pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmE
     }
     map.notes = site.into_notes();
     Ok(map)
+}
+
+/// No junction has more arms than any on Earth.
+fn check_arms(plan: &Plan, site: &Site<'_>) -> Result<(), OsmError> {
+    let Some(knot) = plan.knots.iter().find(|knot| knot.arms.len() > trim::MOST_ARMS) else { return Ok(()) };
+    let node = knot.nodes[0];
+    let [lat, lon] = site.extract.nodes.get(&node).map_or([f64::NAN; 2], |n| [n.lat, n.lon]);
+    Err(OsmError::Crowded { node, lat, lon, arms: knot.arms.len(), most: trim::MOST_ARMS })
 }
 
 fn check_count(what: &'static str, count: usize) -> Result<(), OsmError> {

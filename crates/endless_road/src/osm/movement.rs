@@ -13,6 +13,9 @@ const STRAIGHT_RAD: f64 = 0.7;
 /// Back from this bend on.
 const BACK_RAD: f64 = 2.6;
 
+/// A ring is followed past so many exits.
+const MOST_EXITS: usize = 24;
+
 /// From a lane of one arm to a lane of another; bands of their streets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Movement {
@@ -145,8 +148,9 @@ fn lanes_for(plan: &Plan, from: End, exit: &Exit, exits: &[Exit]) -> Vec<usize> 
     let has = |turn: Turn| exits.iter().any(|e| e.turn == turn);
     let out = plan.lanes_out(exit.to).len();
     if plan.street(from).roundabout && !plan.street(exit.to).roundabout {
-        // Nobody changes lanes in a ring: who enters on the inside must get out again.
-        return (0..n).collect();
+        // Nobody changes lanes in a ring: who enters on the inside must get out again, where most lanes lead out.
+        let widest = out >= widest_exit(plan, from);
+        return (if widest { 0 } else { n - out.min(n) }..n).collect();
     }
     match exit.turn {
         Turn::Straight => {
@@ -166,6 +170,25 @@ fn lanes_for(plan: &Plan, from: End, exit: &Exit, exits: &[Exit]) -> Vec<usize> 
         Turn::UTurn if exits.len() == 1 => (0..n).collect(),
         Turn::UTurn => vec![0],
     }
+}
+
+/// The most lanes that lead out of the ring of an arm, at any of its exits.
+fn widest_exit(plan: &Plan, from: End) -> usize {
+    let (mut at, mut most) = (from, 0);
+    for _ in 0..MOST_EXITS {
+        let street = plan.street(at);
+        let arms = &plan.knots[street.knots[at.end]].arms;
+        let outwards = |ring: bool| {
+            arms.iter().filter(move |&&arm| plan.street(arm).roundabout == ring && !plan.lanes_out(arm).is_empty())
+        };
+        most = outwards(false).map(|&arm| plan.lanes_out(arm).len()).fold(most, usize::max);
+        let Some(next) = outwards(true).next() else { break };
+        at = End { end: 1 - next.end, ..*next };
+        if at == from {
+            break;
+        }
+    }
+    most
 }
 
 fn assign(plan: &Plan, from: End, exits: &[Exit]) -> Vec<Movement> {

@@ -20,6 +20,8 @@ const CHANGE_M: f64 = 4.0;
 const NEAR_M: f64 = 12.0;
 /// A junction of several nodes spans at most this, metres.
 const WIDEST_M: f64 = 55.0;
+/// Junctions have no more arms than this: every lane of each leads to every other, and is checked against all others.
+pub(super) const MOST_ARMS: usize = 20;
 /// Shortest street that is left between two junctions, metres.
 const SHORTEST_M: f64 = 4.0;
 
@@ -203,6 +205,9 @@ fn may_join(plan: &Plan, a: usize, b: usize) -> bool {
     let (pa, pb) = (node_places(plan, a), node_places(plan, b));
     let widest = pa.iter().flat_map(|p| pb.iter().map(|q| p.distance(*q))).fold(0.0, f64::max);
     let ring = |k: usize| plan.knots[k].arms.iter().any(|&arm| plan.street(arm).roundabout);
+    if plan.knots[a].arms.len() + plan.knots[b].arms.len() > MOST_ARMS {
+        return false;
+    }
     widest < if ring(a) && ring(b) { 16.0 } else { WIDEST_M }
 }
 

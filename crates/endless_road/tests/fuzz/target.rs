@@ -60,7 +60,7 @@ fn osm_file(bytes: &[u8]) -> Result<Vec<String>, String> {
 
 /// Errors are one line and say where, or of what there is too much or too little.
 fn told(error: &str) -> Result<Vec<String>, String> {
-    let places = ["line ", "byte ", "the file has ", "no road ", "too large", "neither"];
+    let places = ["line ", "byte ", "node ", "the file has ", "no road ", "too large", "neither"];
     if error.contains('\n') || !places.iter().any(|place| error.contains(place)) {
         return Err(format!("an error that does not say where: {error:?}"));
     }

@@ -46,6 +46,7 @@ fn on_ring(degrees: f64) -> (f64, f64) {
 fn main_roads(plan: &mut Plan) {
     let avenue = "primary lanes=4 sidewalk=both maxspeed=50";
     let boulevard = "primary oneway=yes lanes=3 sidewalk=right maxspeed=60";
+    let end = boulevard.replace("lanes=3", "lanes=2");
     let diagonal = "secondary lanes=2 sidewalk=both parking:both=lane maxspeed=50";
     plan.roundabout("primary lanes=2 sidewalk=right maxspeed=30", DVec2::ZERO, RING_M);
     plan.road(avenue, &points(&[on_ring(0.0), (125.0, 0.0), (SOUTHBOUND, 0.0), (NORTHBOUND, 0.0), (335.0, 6.0)]));
@@ -61,8 +62,11 @@ fn main_roads(plan: &mut Plan) {
     );
     plan.road(diagonal, &smooth(&[on_ring(300.0), (34.0, -62.0), (62.0, -108.0), (100.0, -180.0), (104.0, -261.0)]));
     plan.road(avenue, &points(&[(0.0, -125.0), (-6.0, -262.0)]));
-    plan.road(boulevard, &points(&[(NORTHBOUND, -260.0), (NORTHBOUND, 256.0)]));
-    plan.road(boulevard, &points(&[(SOUTHBOUND, 256.0), (SOUTHBOUND, -260.0)]));
+    // Two lanes alone reach the streets at its ends, where one turns right and one left.
+    plan.road(boulevard, &points(&[(NORTHBOUND, -260.0), (NORTHBOUND, 150.0)]));
+    plan.road(&end, &points(&[(NORTHBOUND, 150.0), (NORTHBOUND, 256.0)]));
+    plan.road(boulevard, &points(&[(SOUTHBOUND, 256.0), (SOUTHBOUND, -118.0)]));
+    plan.road(&end, &points(&[(SOUTHBOUND, -118.0), (SOUTHBOUND, -260.0)]));
     plan.road_with_bridges(
         "secondary lanes=4 sidewalk=both maxspeed=60",
         &points(&[(-230.0, -258.0), (-230.0, 150.0), (-222.0, 250.0)]),
