@@ -20,7 +20,7 @@ const MOTORWAY_ENDS_M: f64 = 600.0;
 const RAMP_M: f64 = 200.0;
 /// From the motorway's middle to where its ramps end on an arterial, metres.
 const TERMINAL_M: f64 = 62.0;
-/// The street south of the boulevard, beyond which arterials have two lanes.
+/// The street south of the boulevard.
 const SOUTH_Y: f64 = -100.0;
 const ARTERIALS: [f64; 3] = [-260.0, 30.0, 300.0];
 
@@ -88,7 +88,6 @@ fn motorway(plan: &mut Plan) {
 fn boulevard(plan: &mut Plan) {
     let words = "primary oneway=yes lanes=4 sidewalk=right maxspeed=75";
     let arterial = "secondary lanes=4 sidewalk=both maxspeed=60";
-    let narrow = "secondary lanes=2 sidewalk=both maxspeed=50";
     let street = "tertiary sidewalk=both maxspeed=50";
     let east = plan.road(words, &points(&[(-ENDS_M, -BOULEVARD_M), (ENDS_M, -BOULEVARD_M)]));
     let west = plan.road(words, &points(&[(ENDS_M, BOULEVARD_M), (-ENDS_M, BOULEVARD_M)]));
@@ -96,12 +95,9 @@ fn boulevard(plan: &mut Plan) {
     plan.road(words, &arc(DVec2::new(-ENDS_M, 0.0), BOULEVARD_M, 90.0, 270.0));
     for x in ARTERIALS {
         let (south, north) = (DVec2::new(x, -BOULEVARD_M), DVec2::new(x, BOULEVARD_M));
-        plan.road(narrow, &[DVec2::new(x, -190.0), DVec2::new(x, SOUTH_Y)]);
-        plan.road(arterial, &[DVec2::new(x, SOUTH_Y), south]);
+        plan.road(arterial, &[DVec2::new(x, -190.0), south]);
         let across = plan.road(arterial, &[south, north]);
-        let (terminal, end) = (DVec2::new(x, MOTORWAY_Y + TERMINAL_M), DVec2::new(x, 300.0));
-        plan.road(arterial, &[north, terminal]);
-        plan.road(if x == ARTERIALS[1] { arterial } else { narrow }, &[terminal, end]);
+        plan.road(arterial, &[north, DVec2::new(x, 300.0)]);
         plan.lights(south);
         plan.lights(north);
         // Lefts begin or end on the piece through the median; rights do not touch it.
@@ -125,8 +121,8 @@ fn boulevard(plan: &mut Plan) {
             );
         }
     }
-    plan.road(street, &points(&[(ARTERIALS[0], -190.0), (ARTERIALS[1], -190.0), (ARTERIALS[2], -190.0)]));
-    plan.road(street, &points(&[(ARTERIALS[0], 300.0), (ARTERIALS[1], 300.0), (ARTERIALS[2], 300.0)]));
+    plan.road(arterial, &points(&[(ARTERIALS[0], -190.0), (ARTERIALS[1], -190.0), (ARTERIALS[2], -190.0)]));
+    plan.road(arterial, &points(&[(ARTERIALS[0], 300.0), (ARTERIALS[1], 300.0), (ARTERIALS[2], 300.0)]));
     plan.road(
         street,
         &points(&[

@@ -13,6 +13,7 @@ const SHARE: f64 = 0.4;
 pub(super) fn find(sampled: &Sampled<'_>, graph: &Graph, lanes: &mut [Lane]) {
     // Length along which a change is allowed, and whether it goes to the right.
     let mut allowed: BTreeMap<(LaneId, LaneId), (f64, bool)> = BTreeMap::new();
+    let along_roads = lengths_along_roads(sampled, graph);
     for (key, _) in sampled.keys() {
         // The pair (this lane, the next one to its right along `s`), on one side of the centre.
         let right = LaneKey { lane: key.lane - 1, ..key };
@@ -40,7 +41,9 @@ pub(super) fn find(sampled: &Sampled<'_>, graph: &Graph, lanes: &mut [Lane]) {
         }
     }
     for (&(from, to), &(length, to_the_right)) in &allowed {
-        let shorter = lanes[from.index()].centerline.length().min(lanes[to.index()].centerline.length());
+        // In a bend the outer lane is longer than the road's line along which marks are measured.
+        let of = |lane: LaneId| lanes[lane.index()].centerline.length().min(along_roads[&lane]);
+        let shorter = of(from).min(of(to));
         if length < SHARE * shorter {
             continue;
         }
@@ -48,6 +51,19 @@ pub(super) fn find(sampled: &Sampled<'_>, graph: &Graph, lanes: &mut [Lane]) {
         let side = if to_the_right { &mut lane.right } else { &mut lane.left };
         side.get_or_insert(to);
     }
+}
+
+/// How far each lane runs, along the lines of its roads.
+fn lengths_along_roads(sampled: &Sampled<'_>, graph: &Graph) -> BTreeMap<LaneId, f64> {
+    let mut lengths = BTreeMap::new();
+    for (key, _) in sampled.keys() {
+        let (Some(lane), Some(section)) = (graph.id(key), sampled.sections[key.road][key.section].as_ref()) else {
+            continue;
+        };
+        let stations = &section.stations;
+        *lengths.entry(lane).or_insert(0.0) += stations[stations.len() - 1] - stations[0];
+    }
+    lengths
 }
 
 /// Whether a mark may be crossed towards higher and lower lane ids.
