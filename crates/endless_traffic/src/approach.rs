@@ -12,6 +12,9 @@ use endless_world::{SignalAspect, SignalState};
 
 /// Room kept free behind the leader beyond a junction, metres.
 const SPARE_M: f64 = 2.5;
+/// Roads beyond a junction are looked along this far, metres; and so many of them, where they are short.
+const SEEN_M: f64 = 60.0;
+const MOST_ROADS: usize = 3;
 /// Seconds after which those who stand and have priority are taken to let others go first.
 const PATIENCE_S: f64 = 2.5;
 /// Seconds of waiting after which those in slow traffic let somebody in.
@@ -127,23 +130,44 @@ impl Marshal {
         vehicles[leader.vehicle].grant_for(request.junction).is_some()
     }
 
+    /// Room to stand beyond the junction, clear of it and of its crossings. Where the road to the next junction is too
+    /// short for that, there must be room beyond the next one too, or a body would be left standing in this one.
     fn room_beyond(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &Request) -> bool {
-        let exit = roads.table(request.exit);
-        let crossing_end = exit.cuts.iter().filter(|c| c.range.0 < 12.0).map(|c| c.range.1).fold(0.0, f64::max);
-        let needed = (crossing_end + 2.0 * vehicles[request.vehicle].half_length + SPARE_M).min(exit.length - 0.5);
-        let mut free = if exit.length > 60.0 { 60.0 } else { exit.length };
-        for o in occupancy.on(request.exit) {
-            if o.vehicle != request.vehicle {
-                free = free.min(o.rear + vehicles[o.vehicle].firm_stop_m());
+        let me = &vehicles[request.vehicle];
+        let route = me.route.iter().copied().skip(me.here);
+        let crossings = &roads.table(request.exit).cuts;
+        let crossing_end = crossings.iter().filter(|c| c.range.0 < 12.0).map(|c| c.range.1).fold(0.0, f64::max);
+        let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M;
+        let mut behind = Some(request.junction);
+        let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
+        for _ in 0..MOST_ROADS {
+            let Some(&first) = lanes.peek() else { return true };
+            let (mut length, mut free) = (0.0, f64::INFINITY);
+            while let Some(lane) = lanes.next_if(|&l| length < SEEN_M && roads.table(l).junction.is_none()) {
+                for o in occupancy.on(lane).iter().filter(|o| o.vehicle != request.vehicle) {
+                    free = free.min(length + o.rear + vehicles[o.vehicle].firm_stop_m());
+                }
+                length += roads.table(lane).length;
             }
-        }
-        for &other in self.granted(request.junction) {
-            let heads_there = vehicles[other].grant_for(request.junction).is_some_and(|g| g.exit == request.exit);
-            if heads_there && other != request.vehicle && !occupancy.covers_any(other, &[request.exit]) {
-                free -= 2.0 * vehicles[other].half_length + SPARE_M;
+            free = free.min(length).min(SEEN_M);
+            for &other in behind.map_or(&[][..], |junction| self.granted(junction)) {
+                let heads_there = vehicles[other].grants.iter().any(|g| Some(g.junction) == behind && g.exit == first);
+                if heads_there && other != request.vehicle && !occupancy.covers_any(other, &[first]) {
+                    free -= 2.0 * vehicles[other].half_length + SPARE_M;
+                }
             }
+            let most = length - 0.5;
+            if free < needed.min(most) {
+                return false;
+            }
+            if most >= needed {
+                return true;
+            }
+            behind = lanes.peek().and_then(|&l| roads.table(l).junction);
+            while lanes.next_if(|&l| roads.table(l).junction.is_some()).is_some() {}
+            needed = 2.0 * me.half_length + SPARE_M;
         }
-        free >= needed
+        true
     }
 
     /// Those who have leave already and priority will be out of the way in time.

@@ -106,7 +106,7 @@ impl Simulation {
         let population = Population {
             vehicles_asked: asked[0],
             vehicles_spawned: vehicles.len() as u32,
-            vehicle_capacity: spawn::points(&roads, specs.len()).len() as u32,
+            vehicle_capacity: spawn::capacity(&roads, specs.len()) as u32,
             pedestrians_asked: asked[1],
             pedestrians_spawned: walkers.len() as u32,
         };

@@ -34,6 +34,19 @@ pub(crate) fn points(roads: &Roads, models: usize) -> Vec<SpawnPoint> {
     roads.network.spawn_points.iter().copied().filter(usable).collect()
 }
 
+/// Lane that every vehicle needs for traffic to flow, metres: with less, all wait for one another on a small map.
+const ROOM_M: f64 = 16.0;
+
+/// How many vehicles the lanes can take on which they circulate.
+pub(crate) fn capacity(roads: &Roads, models: usize) -> usize {
+    let points = points(roads, models);
+    let mut lanes: Vec<_> = points.iter().map(|p| p.lane).collect();
+    lanes.sort_unstable();
+    lanes.dedup();
+    let metres: f64 = lanes.iter().map(|&lane| roads.table(lane).length).sum();
+    points.len().min((metres / ROOM_M).ceil() as usize)
+}
+
 /// As many vehicles as asked for, or as fit, in rest pose on their lanes.
 pub(crate) fn vehicles(
     roads: &Roads,
@@ -60,7 +73,8 @@ pub(crate) fn vehicles(
     if specs.is_empty() || weights.iter().sum::<f64>() <= 0.0 {
         return placed;
     }
-    while placed.len() < asked as usize && !free.is_empty() {
+    let most = capacity(roads, specs.len()).min(asked as usize);
+    while placed.len() < most && !free.is_empty() {
         let mut own = Stream::named(seed, "traffic.vehicle", &[placed.len() as u64, misses]);
         let model = own.weighted(&weights);
         let spec = specs[model];

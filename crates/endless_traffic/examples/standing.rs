@@ -1,0 +1,82 @@
+//! Who stands long, and where: `cargo run -p endless_traffic --release --example standing -- MAP [vehicles] [people]
+//! [seconds] [seed]`; a map is the name of a town or a file. A line for every vehicle that stood longer than a minute:
+//! how long, where, on which lane and how far from its end, what governs that end, who stands ahead.
+#![expect(clippy::print_stdout, reason = "a report on standard output")]
+
+use endless_asset::Catalogue;
+use endless_road::osm::{self, OsmOptions};
+use endless_road::{Control, Phase, RoadNetwork, opendrive};
+use endless_town::Town;
+use endless_traffic::{Conditions, Simulation};
+use endless_world::Motion;
+use glam::DVec2;
+use std::error::Error;
+
+const FPS: f64 = 10.0;
+const LONG_S: f64 = 60.0;
+
+fn open(name: &str, catalogue: &Catalogue) -> Result<Town, Box<dyn Error>> {
+    let map = if name.ends_with(".xodr") {
+        opendrive::read(&std::fs::read_to_string(name)?)?
+    } else if name.contains(".osm") {
+        osm::read(&std::fs::read(name)?, &OsmOptions::default())?
+    } else {
+        return Ok(endless_town::load(name, catalogue)?);
+    };
+    Ok(endless_town::dress_map("map", &map, catalogue)?)
+}
+
+/// The lane at a place and what governs its end.
+fn place(network: &RoadNetwork, at: DVec2) -> String {
+    let nearest =
+        network.lanes.iter().map(|l| (l, l.centerline.project(at))).min_by(|a, b| a.1.1.abs().total_cmp(&b.1.1.abs()));
+    let Some((lane, (s, t))) = nearest else { return String::new() };
+    let control = match lane.end_control {
+        Control::Signal(group) => {
+            let shown = |phase: &Phase| phase.aspects.iter().find(|(g, _)| *g == group).map(|(_, aspect)| *aspect);
+            let programs = network.junctions.iter().filter_map(|j| j.program.as_ref());
+            let phases: Vec<_> = programs
+                .flat_map(|p| p.phases.iter().filter_map(|phase| Some((phase.duration_s, shown(phase)?))))
+                .collect();
+            format!("signal {} with phases {phases:?}", group.0)
+        }
+        other => format!("{other:?}"),
+    };
+    let next: Vec<u32> = lane.successors.iter().map(|l| l.0).collect();
+    format!(
+        "lane {} of junction {:?}, {:.1} m before its end, {t:.1} m aside, {:?}, then {next:?}, {control}",
+        lane.id.0,
+        lane.junction.map(|j| j.0),
+        lane.centerline.length() - s,
+        lane.turn,
+    )
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let name = args.first().ok_or("usage: standing MAP [vehicles] [people] [seconds] [seed]")?;
+    let number = |i: usize, usual: u32| args.get(i).map_or(Ok(usual), |a| a.parse::<u32>());
+    let (vehicles, people, seconds, seed) = (number(1, 30)?, number(2, 20)?, number(3, 240)?, number(4, 0)?);
+    let catalogue = Catalogue::builtin();
+    let town = open(name, &catalogue)?;
+    let mut s = Simulation::new(&town, &catalogue, vehicles, people, u64::from(seed), Conditions::default(), FPS);
+    let mut stood = vec![0.0f64; s.state().actors.len()];
+    let mut reported = vec![false; stood.len()];
+    for _ in 0..(f64::from(seconds) * FPS) as usize {
+        s.tick();
+        let state = s.state();
+        for (k, actor) in state.actors.iter().enumerate().filter(|(_, a)| matches!(a.motion, Motion::Vehicle(_))) {
+            stood[k] = if actor.velocity_mps.length() < 0.1 { stood[k] + 1.0 / FPS } else { 0.0 };
+            if stood[k] > LONG_S && !reported[k] {
+                reported[k] = true;
+                let at = actor.pose.position.as_dvec3().truncate();
+                let lane = place(&town.network, at);
+                println!("{:.0} s: vehicle {k}, {:?}, at {at:.1}: {lane}", state.time_s, actor.class);
+            }
+        }
+    }
+    let p = s.population();
+    let long = reported.iter().filter(|r| **r).count();
+    println!("{name}: {} vehicles, {long} stood longer than {LONG_S} s", p.vehicles_spawned);
+    Ok(())
+}
