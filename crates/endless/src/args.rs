@@ -59,6 +59,9 @@ pub(crate) struct RecipeArgs {
     /// Maps to choose from [default: all]; see `endless maps`.
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     maps: Option<Vec<String>>,
+    /// Film from cameras of your own: a list in TOML or JSON, see docs/maps.md.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) cameras: Option<PathBuf>,
     /// Weathers to choose from: clear_sky, rainy, cloudy, foggy, after_rain [default: all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     weathers: Option<Vec<String>>,
@@ -112,6 +115,7 @@ impl From<RecipeArgs> for RecipeDraft {
             vehicles: args.vehicles,
             pedestrians: args.pedestrians,
             maps: args.maps,
+            cameras: None,
             weathers: args.weathers,
             times: args.times,
             size: args.size,

@@ -6,12 +6,13 @@ use crate::{
     report::Reporter,
 };
 use anyhow::Result;
-use endless_pipeline::{BuiltinSimulator, GenerateOptions, Generated, Plan, RecipeDraft, generate};
+use endless_pipeline::{BuiltinSimulator, GenerateOptions, Generated, Plan, RecipeDraft, generate, read_cameras};
 use std::{io::Write, process::ExitCode};
 
 pub(crate) fn run(simulator: BuiltinSimulator, args: GenerateArgs) -> Result<ExitCode> {
     let file = args.config.as_deref().map(RecipeDraft::read).transpose()?.unwrap_or_default();
-    let draft = RecipeDraft::from(args.recipe).or(file);
+    let cameras = args.recipe.cameras.as_deref().map(read_cameras).transpose()?;
+    let draft = RecipeDraft { cameras, ..RecipeDraft::from(args.recipe) }.or(file);
     let simulator = &assets::with_folder(simulator, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
     let recipe = draft.resolve(simulator)?;
     let options = GenerateOptions { threads: threads(args.threads), plan_only: args.plan_only };

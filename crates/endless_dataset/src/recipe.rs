@@ -1,7 +1,7 @@
 //! The resolved recipe: everything that decides a dataset's bytes.
 
 use crate::{Layer, RgbFormat};
-use endless_world::{ImageSize, LookChoice, TimeOfDay, Weather};
+use endless_world::{CameraSite, ImageSize, LookChoice, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -23,6 +23,9 @@ pub struct Recipe {
     /// Hash of the manifest and of each file of imported models, by its name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub asset_files: BTreeMap<String, String>,
+    /// Cameras that film in place of a map's own, by its name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub cameras: BTreeMap<String, Vec<CameraSite>>,
     /// Weathers to choose from.
     pub weathers: Vec<Weather>,
     /// Times of day to choose from.

@@ -2,6 +2,7 @@
 
 mod assets;
 mod builtin;
+mod camera_list;
 mod error;
 mod generate;
 mod maps;
@@ -13,6 +14,7 @@ mod simulator;
 
 pub use assets::{AssetError, AssetFolder, AssetFolderError, AssetKind};
 pub use builtin::{BuiltinMap, BuiltinSimulator};
+pub use camera_list::{OwnCamera, read_cameras};
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{Estimate, GenerateOptions, Generated, generate};
 pub use maps::{About, DrivingSide, MapError, MapFormat, MapStore, StoredMap};

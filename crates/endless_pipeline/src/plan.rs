@@ -35,7 +35,8 @@ impl Plan {
             .maps
             .iter()
             .map(|map| {
-                let cameras = catalog.cameras(map)?;
+                let own = recipe.cameras.get(map).cloned();
+                let cameras = own.map_or_else(|| catalog.cameras(map), Ok)?;
                 if cameras.len() < 2 {
                     return Err(PlanError::NoPair { map: map.clone(), cameras: cameras.len() });
                 }

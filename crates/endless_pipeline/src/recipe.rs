@@ -1,6 +1,6 @@
 //! From what the user wrote to the resolved recipe.
 
-use crate::{MapCatalog, RecipeError};
+use crate::{MapCatalog, OwnCamera, RecipeError, camera_list};
 use endless_dataset::{Layer, Recipe, RgbFormat};
 use endless_world::{ImageSize, LookChoice, TimeOfDay, UnknownName, Weather};
 use serde::Deserialize;
@@ -23,6 +23,8 @@ pub struct RecipeDraft {
     pub pedestrians: Option<i64>,
     /// Maps to choose from.
     pub maps: Option<Vec<String>>,
+    /// Cameras that film in place of a map's own.
+    pub cameras: Option<Vec<OwnCamera>>,
     /// Weathers to choose from.
     pub weathers: Option<Vec<String>>,
     /// Times of day to choose from.
@@ -70,11 +72,11 @@ impl RecipeDraft {
         let text =
             fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
         let mut draft: Self = toml::from_str(&text).map_err(|e: toml::de::Error| {
-            let before = &text[..e.span().map_or(0, |s| s.start.min(text.len()))];
+            let (line, column) = place(&text, e.span().map_or(0, |s| s.start));
             RecipeError::Malformed {
                 path: path.to_owned(),
-                line: before.matches('\n').count() + 1,
-                column: before.chars().rev().take_while(|c| *c != '\n').count() + 1,
+                line,
+                column,
                 message: e.message().lines().collect::<Vec<_>>().join(", "),
             }
         })?;
@@ -91,6 +93,7 @@ impl RecipeDraft {
             vehicles: self.vehicles.or(other.vehicles),
             pedestrians: self.pedestrians.or(other.pedestrians),
             maps: self.maps.or(other.maps),
+            cameras: self.cameras.or(other.cameras),
             weathers: self.weathers.or(other.weathers),
             times: self.times.or(other.times),
             size: self.size.or(other.size),
@@ -127,6 +130,7 @@ impl RecipeDraft {
                 map_files.insert(map.clone(), hash);
             }
         }
+        let cameras = camera_list::resolve(&self.cameras.unwrap_or_default(), &maps, catalog)?;
         let recipe = Recipe {
             videos: count("videos", self.videos, 2, 1..=MAX_VIDEOS)?,
             vehicles: count("vehicles", self.vehicles, 30, 0..=MAX_ACTORS)?,
@@ -134,6 +138,7 @@ impl RecipeDraft {
             maps,
             map_files,
             asset_files: catalog.asset_files(),
+            cameras,
             weathers: choose("weathers", self.weathers, Weather::ALL, Weather::name)?,
             times: choose("times", self.times, TimeOfDay::ALL, TimeOfDay::name)?,
             size: size(self.size)?,
@@ -157,6 +162,12 @@ impl RecipeDraft {
         }
         Ok(recipe)
     }
+}
+
+/// Line and column of a byte of a text, from 1.
+pub(crate) fn place(text: &str, byte: usize) -> (usize, usize) {
+    let before = text.get(..byte).unwrap_or(text);
+    (before.matches('\n').count() + 1, before.chars().rev().take_while(|c| *c != '\n').count() + 1)
 }
 
 fn count(

@@ -4,6 +4,7 @@ mod about;
 mod error;
 pub(crate) mod geojson;
 pub(crate) mod gltf;
+mod label;
 mod preview;
 mod store;
 

@@ -1,5 +1,6 @@
 //! A map on one picture: from above, with what its cameras see beside it.
 
+use super::label;
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::{Town, top_view};
@@ -10,8 +11,7 @@ const SMALL: ImageSize = ImageSize { width: 320, height: 180 };
 /// Pictures side by side below the view from above.
 const COLUMNS: usize = 3;
 
-/// Draws the view from above with lanes, signals and cameras, and below it each camera's picture, in the order of
-/// the cameras' names.
+/// Draws the view from above with lanes, signals and cameras, and below it each camera's picture with its name.
 pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Image<[u8; 3]> {
     let width = SMALL.width as usize * COLUMNS;
     let above = top_view(town, catalogue, width as u32);
@@ -32,6 +32,7 @@ pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Image<[u8; 3]> {
         for (y, row) in seen.data.chunks(SMALL.width as usize).enumerate() {
             pixels[corner + y * width..corner + y * width + row.len()].copy_from_slice(row);
         }
+        label::write(&mut pixels, width, [corner % width + 3, corner / width + 3], &site.name);
     }
     let size = ImageSize { width: width as u32, height: height as u32 };
     Image { size, data: pixels }

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 const ARRAY_BUFFER: u32 = 34_962;
 const ELEMENT_ARRAY_BUFFER: u32 = 34_963;
 const FLOAT: u32 = 5126;
+const UNSIGNED_SHORT: u32 = 5123;
 const UNSIGNED_INT: u32 = 5125;
 
 /// More than a `.glb` can hold.
@@ -20,10 +21,10 @@ pub(super) struct Binary {
 }
 
 impl Binary {
-    /// Vectors of `N` floats, one a vertex; returns their accessor.
-    pub(super) fn vectors<const N: usize>(&mut self, vectors: impl Iterator<Item = [f32; N]>) -> usize {
+    /// Vectors of three floats, one a vertex; returns their accessor.
+    pub(super) fn vectors(&mut self, vectors: impl Iterator<Item = [f32; 3]>) -> usize {
         let from = self.bytes.len();
-        let (mut low, mut high, mut count) = ([f32::INFINITY; N], [f32::NEG_INFINITY; N], 0);
+        let (mut low, mut high, mut count) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3], 0);
         for vector in vectors {
             for (k, x) in vector.into_iter().enumerate() {
                 low[k] = low[k].min(x);
@@ -34,21 +35,35 @@ impl Binary {
         }
         self.view(from, ARRAY_BUFFER);
         self.accessor(json!({
-            "componentType": FLOAT, "count": count, "type": if N == 2 { "VEC2" } else { "VEC3" },
+            "componentType": FLOAT, "count": count, "type": "VEC3",
             "min": low.to_vec(), "max": high.to_vec(),
         }))
     }
 
-    /// Vertex indices; returns their accessor.
+    /// Vertex indices, in two bytes each where that is enough; returns their accessor.
     pub(super) fn indices(&mut self, indices: &[u32]) -> usize {
         let from = self.bytes.len();
-        self.bytes.extend(indices.iter().flat_map(|i| i.to_le_bytes()));
+        // The largest number of either width is no index.
+        let short: Option<Vec<u16>> =
+            indices.iter().map(|i| u16::try_from(*i).ok().filter(|i| *i < u16::MAX)).collect();
+        let kind = match short {
+            Some(short) => {
+                self.bytes.extend(short.iter().flat_map(|i| i.to_le_bytes()));
+                UNSIGNED_SHORT
+            }
+            None => {
+                self.bytes.extend(indices.iter().flat_map(|i| i.to_le_bytes()));
+                UNSIGNED_INT
+            }
+        };
         self.view(from, ELEMENT_ARRAY_BUFFER);
-        self.accessor(json!({ "componentType": UNSIGNED_INT, "count": indices.len(), "type": "SCALAR" }))
+        self.accessor(json!({ "componentType": kind, "count": indices.len(), "type": "SCALAR" }))
     }
 
     fn view(&mut self, from: usize, target: u32) {
         let length = self.bytes.len() - from;
+        // What comes next begins where numbers of four bytes may.
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
         self.views.push(json!({ "buffer": 0, "byteOffset": from, "byteLength": length, "target": target }));
     }
 

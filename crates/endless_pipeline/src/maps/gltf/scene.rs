@@ -126,8 +126,6 @@ impl<'a> Scene<'a> {
         let attributes = json!({
             "POSITION": self.binary.vectors(mesh.positions.iter().map(|&p| y_up(p).to_array())),
             "NORMAL": self.binary.vectors(mesh.normals.iter().map(|&n| upright(n))),
-            // Images have their origin at the top.
-            "TEXCOORD_0": self.binary.vectors(mesh.uvs.iter().map(|uv| [uv.x, -uv.y])),
         });
         let filled = mesh.materials.iter().zip(of_material).filter(|(_, indices)| !indices.is_empty());
         let parts = filled.map(|(&material, indices)| (material, self.binary.indices(&indices))).collect();
