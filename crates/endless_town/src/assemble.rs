@@ -1,6 +1,6 @@
 //! The last steps of making any town: cameras on their poles, and everything put together.
 
-use crate::camera::{self, Relief, Scene, Solid};
+use crate::camera::{self, Open, Relief, Scene, Solid, Things};
 use crate::dressing::{Spot, Stage};
 use crate::{Placement, Town, What};
 use endless_asset::{Mesh, Prop};
@@ -13,6 +13,8 @@ const CAMERA_POLE_M: f32 = 6.0;
 
 /// Poles stand further than this from the middle of every lane, metres.
 const CLEAR_M: f64 = 1.3;
+/// Share of a picture that things near the lens may take.
+const MOST_HIDDEN: f32 = 0.03;
 /// Lanes this much higher or lower pass over or under.
 const OTHER_LEVEL_M: f64 = 2.5;
 
@@ -22,20 +24,28 @@ pub(crate) fn set_up_cameras(
     network: &RoadNetwork,
     relief: &Relief,
     solids: &[Solid],
+    open: &[Open],
 ) -> Vec<CameraSite> {
+    let things = Things::new(stage.catalogue, &stage.placements);
     let scene = Scene {
         network,
         relief,
         solids,
-        posts: stage.placements.iter().map(|p| Vec3::from(p.world_from_object.translation)).collect(),
+        open,
+        posts: things.posts(),
         parked: stage.parked.iter().map(|p| p.pose.position).collect(),
     };
-    camera::choose(scene, &mut |foot, ground, height, yaw| {
+    camera::choose(scene, &mut |candidate| {
+        if things.hide(&candidate.site) > MOST_HIDDEN {
+            return false;
+        }
+        let Some((foot, ground)) = candidate.pole else { return true };
         if in_the_way(network, foot.extend(ground)) {
             return false;
         }
+        let height = f64::from(candidate.site.position[2]) - ground;
         let scale = Vec3::new(1.0, 1.0, (height as f32 + 0.1) / CAMERA_POLE_M);
-        let spot = Spot { z: ground, scale, ..Spot::new(foot, yaw) };
+        let spot = Spot { z: ground, scale, ..Spot::new(foot, f64::from(candidate.site.yaw_rad)) };
         stage.put(Prop::CameraPole, spot, DVec2::splat(0.2), None)
     })
 }

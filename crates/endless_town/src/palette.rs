@@ -15,6 +15,7 @@ pub(crate) const SOIL: Material = Material::new(Surface::Soil, [0.12, 0.085, 0.0
 pub(crate) const GRAVEL: Material = Material::new(Surface::Gravel, [0.33, 0.30, 0.26], ClassTag::Ground);
 pub(crate) const YARD: Material = Material::new(Surface::Concrete, [0.32, 0.31, 0.29], ClassTag::Ground);
 pub(crate) const PLAZA: Material = Material::new(Surface::Paving, [0.30, 0.285, 0.26], ClassTag::Ground);
+pub(crate) const PLAZA_BAND: Material = Material::new(Surface::Paving, [0.15, 0.145, 0.14], ClassTag::Ground);
 pub(crate) const WHITE_PAINT: Material = Material::new(Surface::RoadPaint, [0.72, 0.72, 0.70], ClassTag::RoadLines);
 pub(crate) const YELLOW_PAINT: Material = Material::new(Surface::RoadPaint, [0.72, 0.45, 0.05], ClassTag::RoadLines);
 pub(crate) const IRON: Material = Material::new(Surface::Metal, [0.10, 0.095, 0.09], ClassTag::Roads);

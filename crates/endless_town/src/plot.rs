@@ -2,6 +2,7 @@
 
 use endless_world::math::f64::sin_cos;
 use glam::DVec2;
+use std::collections::BTreeMap;
 
 /// The unit vector at an angle from east, radians.
 pub(crate) fn unit(angle_rad: f64) -> DVec2 {
@@ -86,18 +87,36 @@ pub(crate) fn crosses(outline: &[DVec2], rect: &Rect) -> bool {
     (0..n).any(|i| rect.cut_by(outline[i], outline[(i + 1) % n]))
 }
 
+/// Side of the bins of [`Occupied`], metres.
+const BIN_M: f64 = 12.0;
+
 /// Everything that has been put down so far.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Occupied {
     taken: Vec<Rect>,
+    /// Numbers of those that may reach into a bin.
+    bins: BTreeMap<(i32, i32), Vec<u32>>,
+}
+
+/// The bins that a rectangle may reach into.
+fn bins(rect: &Rect) -> impl Iterator<Item = (i32, i32)> {
+    let corners = rect.corners();
+    let low = corners.iter().fold(DVec2::INFINITY, |l, &p| l.min(p)) / BIN_M;
+    let high = corners.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p)) / BIN_M;
+    let (low, high) = (low.floor().as_ivec2(), high.floor().as_ivec2());
+    (low.y..=high.y).flat_map(move |y| (low.x..=high.x).map(move |x| (x, y)))
 }
 
 impl Occupied {
     pub(crate) fn is_free(&self, rect: &Rect) -> bool {
-        !self.taken.iter().any(|r| r.meets(rect))
+        let near = |bin| self.bins.get(&bin).into_iter().flatten();
+        !bins(rect).flat_map(near).any(|&i| self.taken[i as usize].meets(rect))
     }
 
     pub(crate) fn take(&mut self, rect: Rect) {
+        for bin in bins(&rect) {
+            self.bins.entry(bin).or_default().push(self.taken.len() as u32);
+        }
         self.taken.push(rect);
     }
 
@@ -129,6 +148,19 @@ mod tests {
             });
             prop_assert_eq!(a.meets(&b), b.meets(&a));
             prop_assert!(!shared || a.meets(&b));
+        }
+
+        #[test]
+        fn what_is_free_meets_nothing(
+            places in prop::collection::vec((-60.0..60.0f64, -60.0..60.0f64, 0.0..6.3f64, 0.2..30.0f64, 0.2..4.0f64), 2..40),
+        ) {
+            let rects: Vec<Rect> =
+                places.iter().map(|&(x, y, turn, w, h)| Rect::new(DVec2::new(x, y), DVec2::new(w, h), turn)).collect();
+            let mut occupied = Occupied::default();
+            for (i, rect) in rects.iter().enumerate() {
+                prop_assert_eq!(occupied.is_free(rect), !rects[..i].iter().any(|r| r.meets(rect)));
+                occupied.take(*rect);
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Maps from files become towns that can be filmed: real files where they are at hand, and a small map made here.
 #![expect(clippy::print_stdout, clippy::unwrap_used, reason = "tests")]
 
-use endless_asset::Catalogue;
+use endless_asset::{Catalogue, Prop};
 use endless_road::{Area, AreaKind, Footprint, Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind};
 use endless_town::{Town, TownError, What, dress_map};
 use endless_world::ClassTag;
@@ -138,7 +138,8 @@ fn check(town: &Town) {
     let bare = over.iter().filter(|(_, _, covered)| !covered).count();
     assert!(buried == 0, "{name}: {buried} of {} lanes under the ground", over.len());
     assert!(bare * 50 <= over.len(), "{name}: {bare} of {} lanes without pavement", over.len());
-    for placement in town.placements.iter().filter(|p| matches!(p.what, What::Prop(..))) {
+    let level = |what: What| matches!(what, What::Prop(Prop::Manhole | Prop::Drain, _));
+    for placement in town.placements.iter().filter(|p| matches!(p.what, What::Prop(..)) && !level(p.what)) {
         let at = placement.world_from_object.translation;
         let on = town.network.lanes.iter().find(|l| {
             let (s, t) = l.centerline.project(at.truncate().as_dvec2());

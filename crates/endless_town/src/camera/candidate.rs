@@ -1,8 +1,9 @@
-//! Places from which a camera could look: beside lanes, at crossings and stop lines, on walls.
+//! Places from which a camera could look: beside lanes, at crossings and stop lines, on walls, at squares and in parks.
 
-use super::Solid;
 use super::relief::{Relief, Top};
-use crate::plot::unit;
+use super::{Open, Solid};
+use crate::plot::{inside, unit};
+use crate::surface::area;
 use endless_road::{Lane, Polyline, RoadNetwork};
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::{CameraSite, Mount};
@@ -27,9 +28,18 @@ pub(crate) enum View {
     Rural,
     /// From a house front.
     Wall,
+    /// Over a square.
+    Square,
+    /// Along a way through a park.
+    Park,
 }
 
 impl View {
+    /// Where people walk and nobody drives.
+    pub(crate) fn is_on_foot(self) -> bool {
+        matches!(self, Self::Square | Self::Park)
+    }
+
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Approach => "junction",
@@ -40,6 +50,8 @@ impl View {
             Self::Highway => "highway",
             Self::Rural => "rural",
             Self::Wall => "wall",
+            Self::Square => "square",
+            Self::Park => "park",
         }
     }
 }
@@ -50,6 +62,8 @@ pub(crate) struct Candidate {
     pub(crate) view: View,
     /// Foot of the pole and height of the ground there; `None` on walls.
     pub(crate) pole: Option<(DVec2, f64)>,
+    /// Height of what it is aimed at.
+    pub(crate) level: f64,
     pub(crate) site: CameraSite,
 }
 
@@ -57,6 +71,10 @@ pub(crate) struct Candidate {
 const POLE_M: f64 = 0.6;
 /// From which speed a road is a highway, m/s.
 const HIGHWAY_MPS: f64 = 16.0;
+/// Distance between places around squares and along ways, metres.
+const OPEN_STEP_M: f64 = 6.0;
+/// Squares and parks smaller than this are no place, m².
+const LEAST_OPEN_M2: f64 = 260.0;
 /// Most candidates of a kind that are judged.
 const MOST_OF_A_KIND: usize = 420;
 
@@ -83,7 +101,7 @@ fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: Turned) -> Ca
     }
 }
 
-pub(crate) fn all(network: &RoadNetwork, relief: &Relief, solids: &[Solid]) -> Vec<Candidate> {
+pub(crate) fn all(network: &RoadNetwork, relief: &Relief, solids: &[Solid], open: &[Open]) -> Vec<Candidate> {
     let mut finder = Finder { network, relief, found: Vec::new() };
     for lane in network.lanes.iter().filter(|l| l.junction.is_none() && l.centerline.length() > 18.0) {
         for side in [-1.0, 1.0] {
@@ -95,6 +113,13 @@ pub(crate) fn all(network: &RoadNetwork, relief: &Relief, solids: &[Solid]) -> V
     }
     for solid in solids {
         finder.on_walls(solid);
+    }
+    for open in open.iter().filter(|o| area(&o.outline).abs() > LEAST_OPEN_M2) {
+        if open.park {
+            finder.in_park(&open.outline);
+        } else {
+            finder.at_square(&open.outline);
+        }
     }
     thinned(&finder.found)
 }
@@ -154,7 +179,8 @@ impl Finder<'_> {
         let towards = (aim - beside.foot).normalize_or(DVec2::X);
         let lens = beside.foot + towards * 0.4;
         let site = aimed(lens, beside.ground, aim, beside.road_z, turned);
-        self.found.push(Candidate { view, pole: Some((beside.foot, beside.ground)), site });
+        let pole = Some((beside.foot, beside.ground));
+        self.found.push(Candidate { view, pole, level: beside.road_z, site });
     }
 
     /// Views from the edge of a lane, along it and back.
@@ -190,6 +216,11 @@ impl Finder<'_> {
                     let reach = if wide { 34.0 } else { 24.0 };
                     let aim = b.foot + b.forward * (ahead * reach) + to_middle(&b, lane.width_m * 0.5);
                     self.push(view, &b, aim, pole(height, fov));
+                    if !wide {
+                        // Steeper, so that a narrow road fills the picture.
+                        let near = b.foot + b.forward * (ahead * 12.0) + to_middle(&b, lane.width_m * 0.5);
+                        self.push(view, &b, near, pole(6.4, 60.0));
+                    }
                 }
             }
         }
@@ -233,13 +264,70 @@ impl Finder<'_> {
             let road_z = f64::from(self.relief.at(middle + out * road).0);
             // Clear of cornices and awnings.
             let lens = middle + out * 0.6;
-            for turn in [-1.0, 1.0] {
-                let aim = lens + along * (turn * 21.0) + out * (road + 3.0);
-                let turned = Turned { height: 6.9, fov_deg: 76.0, mount: Mount::Wall };
+            // No further along the wall than that its stones stay out of the picture.
+            for turn in [-0.85f64, -0.4, 0.4, 0.85] {
+                let aim = lens + unit(turn).rotate(out) * (road + 11.0);
+                let turned = Turned { height: 6.9, fov_deg: 72.0, mount: Mount::Wall };
                 let site = aimed(lens, solid.base, aim, road_z, turned);
-                self.found.push(Candidate { view: View::Wall, pole: None, site });
+                self.found.push(Candidate { view: View::Wall, pole: None, level: road_z, site });
             }
         }
+    }
+}
+
+impl Finder<'_> {
+    /// From the edge of a square over it.
+    fn at_square(&mut self, outline: &[DVec2]) {
+        let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
+        let turned = Turned { height: 6.8, fov_deg: 74.0, mount: Mount::Pole };
+        for k in 0..outline.len() {
+            let (a, b) = (outline[k], outline[(k + 1) % outline.len()]);
+            let steps = (a.distance(b) / OPEN_STEP_M).ceil() as usize;
+            for i in 0..steps {
+                let edge = a.lerp(b, (i as f64 + 0.5) / steps as f64);
+                let inwards = (middle - edge).normalize_or(DVec2::X);
+                let foot = edge + inwards * POLE_M;
+                for turn in [-0.6f64, -0.25, 0.25, 0.6] {
+                    let ahead = unit(turn).rotate(inwards);
+                    self.push_on_foot(View::Square, foot, foot + ahead * 20.0, turned);
+                }
+            }
+        }
+    }
+
+    /// From beside the ways in a park along them.
+    fn in_park(&mut self, outline: &[DVec2]) {
+        let walk = &self.network.walk;
+        let turned = Turned { height: 5.6, fov_deg: 70.0, mount: Mount::Pole };
+        for edge in &walk.edges {
+            let [from, to] = edge.nodes.map(|n| walk.nodes[n.index()].truncate());
+            if !inside(outline, from.midpoint(to)) {
+                continue;
+            }
+            let along = (to - from).normalize_or(DVec2::X);
+            for side in [-1.0, 1.0] {
+                let foot = from.midpoint(to) + along.perp() * (side * (edge.width_m / 2.0 + POLE_M));
+                for turn in [0.12f64, 0.5] {
+                    for ahead in [along, -along] {
+                        let turn = -turn * side * ahead.dot(along);
+                        self.push_on_foot(View::Park, foot, foot + unit(turn).rotate(ahead) * 17.0, turned);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Where people walk, if a pole may stand there.
+    fn push_on_foot(&mut self, view: View, foot: DVec2, aim: DVec2, turned: Turned) {
+        let (ground, top) = self.relief.at(foot);
+        let (level, _) = self.relief.at(aim);
+        if !matches!(top, Top::Walk | Top::Green | Top::Ground) || (level - ground).abs() > 3.0 {
+            return;
+        }
+        let (ground, level) = (f64::from(ground), f64::from(level));
+        let lens = foot + (aim - foot).normalize_or(DVec2::X) * 0.4;
+        let site = aimed(lens, ground, aim, level, turned);
+        self.found.push(Candidate { view, pole: Some((foot, ground)), level, site });
     }
 }
 

@@ -1,5 +1,7 @@
 //! How good a view is, measured on rays through its picture and on the places where traffic is expected.
 
+use super::Post;
+use super::candidate::View;
 use super::relief::{Relief, Top};
 use crate::plot::unit;
 use endless_road::RoadNetwork;
@@ -18,10 +20,17 @@ const WALL_M: f32 = 4.0;
 /// Posts are not seen nearer than this, nor nearer than this in the middle of the picture, metres.
 const NEAR_POST_M: f64 = 7.5;
 const CENTRAL_POST_M: f64 = 13.0;
+/// What lies this high above the road within this distance hides it; land may rise by this slope, metres.
+const BRIDGE_HEIGHT_M: f32 = 2.6;
+const BRIDGE_M: f32 = 45.0;
+const STEEP: f32 = 0.12;
 /// Least share of the picture on road, sidewalk or square.
 pub(crate) const LEAST_PAVED: f32 = 0.32;
 /// Least share on road or sidewalk.
 pub(crate) const LEAST_STREET: f32 = 0.27;
+
+/// Least weight of places of people in a picture of a square or a park.
+const LEAST_PEOPLE: f32 = 2.5;
 
 /// What a picture shows, as shares of its pixels, and the objects expected in it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -74,11 +83,11 @@ struct Spot {
 pub(crate) struct Judge<'a> {
     pub(crate) relief: &'a Relief,
     spots: Vec<Spot>,
-    posts: Vec<Vec3>,
+    posts: Vec<Post>,
 }
 
 impl<'a> Judge<'a> {
-    pub(crate) fn new(network: &RoadNetwork, relief: &'a Relief, posts: Vec<Vec3>, parked: &[Vec3]) -> Self {
+    pub(crate) fn new(network: &RoadNetwork, relief: &'a Relief, posts: Vec<Post>, parked: &[Vec3]) -> Self {
         let mut spots = Vec::new();
         for lane in &network.lanes {
             let busy = (lane.speed_limit_mps as f32 / 11.0).clamp(0.6, 1.4);
@@ -97,8 +106,8 @@ impl<'a> Judge<'a> {
         Self { relief, spots, posts }
     }
 
-    /// What a site shows; `None` if it stands in something, or something stands close before it.
-    pub(crate) fn look(&self, site: &CameraSite) -> Option<Seen> {
+    /// What a site that is aimed at a level shows; `None` if it stands in something, or something stands close before it.
+    pub(crate) fn look(&self, site: &CameraSite, level: f64) -> Option<Seen> {
         let camera = PinholeCamera::new(site, SIZE);
         let lens = camera.position;
         let here = lens.truncate().as_dvec2();
@@ -115,7 +124,12 @@ impl<'a> Judge<'a> {
                 let ray = Vec3::new((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1.0).normalize();
                 let direction = (camera.world_from_camera * ray).normalize();
                 let hit = self.relief.cast(lens, direction, REACH_M);
-                let (distance, top) = hit.unwrap_or((REACH_M, Top::Beyond));
+                let (distance, mut top) = hit.unwrap_or((REACH_M, Top::Beyond));
+                // What passes over the road near by is a wall before it.
+                let above = lens.z + direction.z * distance - level as f32;
+                if distance < BRIDGE_M && above > BRIDGE_HEIGHT_M + STEEP * distance && top != Top::Beyond {
+                    top = Top::Solid;
+                }
                 if top == Top::Solid && distance < WALL_M {
                     return None;
                 }
@@ -129,15 +143,15 @@ impl<'a> Judge<'a> {
     /// A lamp post or mast right before the lens, or a wall around or close ahead of it.
     fn hemmed_in(&self, camera: &PinholeCamera, here: DVec2) -> bool {
         let forward = camera.world_from_camera.z_axis.truncate().as_dvec2().normalize_or(DVec2::X);
-        let post = self.posts.iter().any(|&post| {
-            let between = post.truncate().as_dvec2() - here;
+        let post = self.posts.iter().any(|post| {
+            let between = post.foot.truncate().as_dvec2() - here;
             let distance = between.length();
             let ahead = forward.dot(between);
             // Within a share of the picture's width around its middle.
             let seen = |share: f32| {
                 let aside = (1.0 - share) / 2.0 * SIZE.width as f32;
-                [3.0, 5.0, 7.0].iter().any(|&z| {
-                    camera.project(post + Vec3::Z * z).is_some_and(|(image, _)| {
+                (1..=(2.0 * post.height) as u32).any(|k| {
+                    camera.project(post.foot + Vec3::Z * (0.5 * k as f32)).is_some_and(|(image, _)| {
                         (aside..SIZE.width as f32 - aside).contains(&image.x)
                             && (0.0..SIZE.height as f32).contains(&image.y)
                     })
@@ -216,16 +230,18 @@ impl Seen {
     }
 
     /// Quality from about 0 to 10; `None` for views that must not be used.
-    pub(crate) fn quality(&self) -> Option<f32> {
+    pub(crate) fn quality(&self, view: View) -> Option<f32> {
         let wall_to_wall = self.solid_near > 0.2;
-        if self.paved() < LEAST_PAVED || self.street() < LEAST_STREET || wall_to_wall || self.nearest_m > 28.0 {
+        let shows_traffic = self.street() > LEAST_STREET && self.nearest_m < 28.0;
+        let shows_people = view.is_on_foot() && self.people > LEAST_PEOPLE;
+        if self.paved() < LEAST_PAVED || wall_to_wall || !(shows_traffic || shows_people) {
             return None;
         }
         // Each size class counts until there is enough of it.
         let enough = |x: f32, of: f32| (x / of).min(1.0);
         let [small, middle, large] = self.sizes;
         let traffic = 1.2 * enough(small, 6.0) + 2.4 * enough(middle, 16.0) + 2.0 * enough(large, 4.5);
-        let people = 1.2 * enough(self.people, 8.0);
+        let people = if view.is_on_foot() { 3.0 } else { 1.2 } * enough(self.people, 8.0);
         let filled = 2.0 * (self.paved_low / 0.75).min(1.0);
         let near = if (7.0..20.0).contains(&self.nearest_m) { 0.6 } else { 0.0 };
         // Some sky or horizon gives depth; much of it wastes the picture.

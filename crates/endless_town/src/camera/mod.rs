@@ -7,6 +7,7 @@
 mod candidate;
 mod judge;
 mod relief;
+mod things;
 
 use candidate::{Candidate, View, between};
 use endless_road::RoadNetwork;
@@ -16,6 +17,7 @@ use glam::{DVec2, Vec3};
 use judge::{Judge, Seen};
 
 pub(crate) use relief::Relief;
+pub(crate) use things::Things;
 
 /// A building as sight sees it: a prism.
 #[derive(Debug, Clone)]
@@ -26,13 +28,29 @@ pub(crate) struct Solid {
     pub(crate) top: f64,
 }
 
+/// A square or a park.
+#[derive(Debug, Clone)]
+pub(crate) struct Open {
+    pub(crate) outline: Vec<DVec2>,
+    pub(crate) park: bool,
+}
+
+/// Something that stands in the street.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Post {
+    pub(crate) foot: Vec3,
+    /// Its height, metres.
+    pub(crate) height: f32,
+}
+
 /// What the cameras of a town are chosen for.
 pub(crate) struct Scene<'a> {
     pub(crate) network: &'a RoadNetwork,
     pub(crate) relief: &'a Relief,
     pub(crate) solids: &'a [Solid],
-    /// Feet of lamp posts, masts and signs.
-    pub(crate) posts: Vec<Vec3>,
+    pub(crate) open: &'a [Open],
+    /// Lamp posts, masts, signs.
+    pub(crate) posts: Vec<Post>,
     /// Parked vehicles.
     pub(crate) parked: Vec<Vec3>,
 }
@@ -45,7 +63,7 @@ const LEAST: usize = 5;
 const MODEST: f32 = 0.02;
 const MODEST_PAVED: f32 = 0.27;
 /// Most cameras of one kind.
-const MOST: [(View, usize); 8] = [
+const MOST: [(View, usize); 10] = [
     (View::Approach, 2),
     (View::Arm, 2),
     (View::Corner, 1),
@@ -54,7 +72,13 @@ const MOST: [(View, usize); 8] = [
     (View::Highway, 2),
     (View::Rural, 2),
     (View::Wall, 2),
+    (View::Square, 2),
+    (View::Park, 1),
 ];
+/// A town that has places of these kinds has a camera there.
+const COVERED: [View; 5] = [View::Approach, View::Highway, View::Rural, View::Square, View::Park];
+/// The worth of a view below which it is not taken once a town has enough.
+const WORTH: f32 = 1.4;
 
 /// A candidate with what it shows.
 struct Judged {
@@ -63,41 +87,43 @@ struct Judged {
     quality: f32,
 }
 
-/// Chooses the sites. `set_up` puts up a pole: foot, height of the ground, height of the pole, direction; it says
-/// whether there was room.
-pub(crate) fn choose(scene: Scene<'_>, set_up: &mut dyn FnMut(DVec2, f64, f64, f64) -> bool) -> Vec<CameraSite> {
+/// Chooses the sites. `set_up` puts up what a candidate needs; it says whether there was room, and nothing before the
+/// lens.
+pub(crate) fn choose(scene: Scene<'_>, set_up: &mut dyn FnMut(&Candidate) -> bool) -> Vec<CameraSite> {
     let judge = Judge::new(scene.network, scene.relief, scene.posts, &scene.parked);
-    let mut left: Vec<Judged> = candidate::all(scene.network, scene.relief, scene.solids)
+    let mut left: Vec<Judged> = candidate::all(scene.network, scene.relief, scene.solids, scene.open)
         .into_iter()
         .filter_map(|candidate| {
-            let seen = judge.look(&candidate.site)?;
-            let quality = seen.quality().or((seen.street() > MODEST_PAVED).then_some(MODEST))?;
+            let seen = judge.look(&candidate.site, candidate.level)?;
+            let modest = !candidate.view.is_on_foot() && seen.street() > MODEST_PAVED;
+            let quality = seen.quality(candidate.view).or(modest.then_some(MODEST))?;
             Some(Judged { candidate: classed(candidate, &seen), seen, quality })
         })
         .collect();
     let mut taken: Vec<Judged> = Vec::new();
+    let mut due: &[View] = &COVERED;
     while taken.len() < WANTED {
         // A small map may have one street and no more.
         let full = |j: &Judged| !allowed(j.candidate.view, &taken);
-        let any = taken.len() < LEAST && left.iter().all(full);
+        let any = due.is_empty() && taken.len() < LEAST && left.iter().all(full);
+        let asked = |j: &Judged| due.first().is_none_or(|view| j.candidate.view == *view);
         let worth = |j: &Judged| taken.iter().fold(j.quality, |worth, other| worth * unlike(j, other));
         let best = left
             .iter()
             .enumerate()
             .map(|(i, j)| (i, worth(j)))
-            .filter(|(i, _)| any || !full(&left[*i]))
+            .filter(|(i, _)| asked(&left[*i]) && (any || !full(&left[*i])))
             .max_by(|a, b| a.1.total_cmp(&b.1));
-        let Some((i, worth)) = best else { break };
-        if worth < if taken.len() < LEAST { 1e-4 } else { 2.0 } {
-            break;
-        }
+        let least = if due.is_empty() && taken.len() >= LEAST { WORTH } else { 1e-4 };
+        let Some((i, _)) = best.filter(|best| best.1 > least) else {
+            let Some(rest) = due.get(1..) else { break };
+            due = rest;
+            continue;
+        };
         let judged = left.swap_remove(i);
-        let site = &judged.candidate.site;
-        let stands = judged.candidate.pole.is_none_or(|(foot, ground)| {
-            set_up(foot, ground, f64::from(site.position[2]) - ground, f64::from(site.yaw_rad))
-        });
-        if stands {
+        if set_up(&judged.candidate) {
             taken.push(judged);
+            due = due.get(1..).unwrap_or_default();
         }
     }
     taken.sort_by_key(|j| j.candidate.view);

@@ -1,7 +1,8 @@
 //! What covers the land: squares, lawns, fields and water, laid upon flat land or as the colour of uneven land.
 
 use super::land::Land;
-use crate::palette::{CAR_PARK, FIELD, GRAVEL, LAWN, MEADOW, PLAZA, SOIL, WATER, WOODLAND, YARD};
+use crate::camera::Open;
+use crate::palette::{CAR_PARK, FIELD, GRAVEL, LAWN, MEADOW, PLAZA, PLAZA_BAND, SOIL, WATER, WOODLAND, YARD};
 use crate::plot::inside;
 use crate::surface::{area, triangulate, with_holes};
 use endless_asset::{Material, MeshBuilder};
@@ -10,6 +11,12 @@ use glam::{DVec2, Vec3};
 
 /// Land that is flatter than this over an area can carry it as one plane, metres.
 const FLAT_M: f64 = 0.03;
+
+/// Bands of squares: how far apart, how wide, how long their pieces, how far above the paving; metres.
+const BANDS_M: f64 = 6.9;
+const BAND_M: f64 = 0.45;
+const BAND_PIECE_M: f64 = 1.15;
+const BAND_LIFT_M: f64 = 0.004;
 
 /// An area with its bounds.
 struct Bounded<'a> {
@@ -52,6 +59,15 @@ impl<'a> Areas<'a> {
         // Small areas lie upon large ones.
         list.sort_by(|a, b| area(&a.area.outline).abs().total_cmp(&area(&b.area.outline).abs()));
         Self { list, relief }
+    }
+
+    /// Squares and parks.
+    pub(super) fn open(&self) -> Vec<Open> {
+        let open = |b: &Bounded<'_>| {
+            let park = b.area.kind == AreaKind::Park;
+            (park || b.area.kind == AreaKind::Plaza).then(|| Open { outline: b.area.outline.clone(), park })
+        };
+        self.list.iter().filter_map(open).collect()
     }
 
     fn over(&self, p: DVec2) -> impl Iterator<Item = &Bounded<'a>> {
@@ -101,8 +117,36 @@ impl<'a> Areas<'a> {
                     mesh.triangle_indices(t.map(|k| base + k as u32), material);
                 }
             }
+            if bounded.area.kind == AreaKind::Plaza {
+                add_bands(mesh, bounded.area, z + BAND_LIFT_M);
+            }
         }
     }
+}
+
+/// Bands of darker stone across a square.
+fn add_bands(mesh: &mut MeshBuilder, square: &Area, z: f64) {
+    let rect = super::footprint::around(&square.outline);
+    let within = |p: DVec2| inside(&square.outline, p) && !square.holes.iter().any(|h| inside(h, p));
+    for (axis, along, across) in [(rect.axis, rect.half.x, rect.half.y), (rect.axis.perp(), rect.half.y, rect.half.x)] {
+        for line in bands(across) {
+            for k in 0..(2.0 * along / BAND_PIECE_M).floor() as usize {
+                let from = rect.centre + axis.perp() * line + axis * (BAND_PIECE_M * k as f64 - along);
+                let (to, side) = (from + axis * BAND_PIECE_M, axis.perp() * (BAND_M / 2.0));
+                let corners = [from - side, to - side, to + side, from + side];
+                if corners.iter().all(|&p| within(p)) {
+                    let at = corners.map(|p| p.extend(z).as_vec3());
+                    mesh.quad(at, corners.map(DVec2::as_vec2), PLAZA_BAND);
+                }
+            }
+        }
+    }
+}
+
+/// Where bands lie across half a width, symmetric about the middle.
+fn bands(half: f64) -> impl Iterator<Item = f64> {
+    let n = (half / BANDS_M).floor() as i32;
+    (-n..=n).map(|k| f64::from(k) * BANDS_M)
 }
 
 /// What covers an area; `None` where it says nothing of it.

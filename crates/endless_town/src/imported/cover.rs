@@ -6,6 +6,9 @@ use glam::{DVec2, DVec3};
 /// Side of a bin, metres.
 const BIN_M: f64 = 8.0;
 
+/// Places on the border of a piece belong to it, metres.
+const BORDER_M: f64 = 1e-6;
+
 /// One piece of a strip between two neighbouring pairs of points.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Piece {
@@ -14,6 +17,9 @@ pub(crate) struct Piece {
     pub(crate) in_junction: bool,
     /// Right and left at its beginning, then left and right at its end: counter-clockwise.
     pub(crate) corners: [DVec3; 4],
+    /// The box around them.
+    low: DVec2,
+    high: DVec2,
 }
 
 impl Piece {
@@ -23,6 +29,9 @@ impl Piece {
 
     /// Height of its surface at a place inside, `None` outside.
     fn height_at(&self, p: DVec2) -> Option<f64> {
+        if !(p.cmpge(self.low).all() && p.cmple(self.high).all()) {
+            return None;
+        }
         let [a, b, c, d] = self.corners;
         in_triangle(a, b, c, p).or_else(|| in_triangle(a, c, d, p))
     }
@@ -62,7 +71,15 @@ impl Cover {
         for (i, strip) in strips.iter().enumerate() {
             for k in 0..strip.left.len().min(strip.right.len()).saturating_sub(1) {
                 let corners = [strip.right[k], strip.right[k + 1], strip.left[k + 1], strip.left[k]];
-                cover.add(Piece { strip: i as u32, kind: strip.kind, in_junction: strip.in_junction, corners });
+                let flat = corners.map(DVec3::truncate);
+                cover.add(Piece {
+                    strip: i as u32,
+                    kind: strip.kind,
+                    in_junction: strip.in_junction,
+                    corners,
+                    low: flat.iter().fold(DVec2::INFINITY, |l, &p| l.min(p)) - BORDER_M,
+                    high: flat.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p)) + BORDER_M,
+                });
             }
         }
         cover
@@ -70,11 +87,8 @@ impl Cover {
 
     fn add(&mut self, piece: Piece) {
         let number = self.pieces.len() as u32;
-        let flat = piece.corners.map(DVec3::truncate);
-        let low = flat.iter().fold(DVec2::INFINITY, |l, &p| l.min(p));
-        let high = flat.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p));
-        for y in self.row(low.y)..=self.row(high.y) {
-            for x in self.column(low.x)..=self.column(high.x) {
+        for y in self.row(piece.low.y)..=self.row(piece.high.y) {
+            for x in self.column(piece.low.x)..=self.column(piece.high.x) {
                 self.bins[y * self.columns + x].push(number);
             }
         }

@@ -2,6 +2,7 @@
 //! or grown along the roads, and everything that stands in streets.
 
 mod area;
+mod arrow;
 mod bump;
 mod cover;
 mod footprint;
@@ -9,7 +10,9 @@ mod furniture;
 mod garden;
 mod growth;
 mod infill;
+mod iron;
 mod land;
+mod lawn;
 mod look;
 mod paint;
 mod parking;
@@ -34,6 +37,7 @@ use garden::Gardener;
 use glam::{Affine3A, DVec2};
 use growth::{Density, Grower};
 use land::Land;
+use lawn::Lawns;
 use plant::Planter;
 use post::Poster;
 use square::Furnisher;
@@ -80,6 +84,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
         infill::add(&mut ground, &map.network, &cover);
     }
     paint::add(&mut ground, map, &cover);
+    arrow::add(&mut ground, map, &cover);
     bump::add(&mut ground, map, &cover);
     land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, look.yards)));
     areas.lay(&mut ground);
@@ -121,7 +126,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     for at in known_trees {
         relief.add_column(at, CROWN_M, TREE_M);
     }
-    let cameras = set_up_cameras(&mut stage, &map.network, &relief, &solids);
+    let cameras = set_up_cameras(&mut stage, &map.network, &relief, &solids, &areas.open());
     keep_the_seen(&mut stage.parked, &cameras);
     planter.rows(&mut stage, &poster, &cameras, &houses);
     Furnisher { network: &map.network, cover: &cover, land: &land, areas: &areas }.add(&mut stage, &poster, &cameras);
@@ -129,6 +134,9 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     let mut wires = MeshBuilder::new();
     furniture::add(&mut stage, &mut wires, &poster, &cameras);
     own.push((wires.finish(), Affine3A::IDENTITY));
+    iron::add(&mut stage, map, &cover);
+    Lawns { network: &map.network, cover: &cover, land: &land, areas: &areas, density: &density, yards: look.yards }
+        .add(&mut stage, &cameras);
     if look.maize {
         planter.maize(&mut stage, &cameras);
     }

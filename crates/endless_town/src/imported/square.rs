@@ -27,6 +27,9 @@ const LAMPS_M: f64 = 22.0;
 const BENCHES_M: f64 = 13.0;
 /// A square ends at the water if it begins within this distance, metres.
 const WATERSIDE_M: f64 = 9.0;
+/// Half the room that a fountain and a monument take, metres.
+const FOUNTAIN_M: f64 = 2.8;
+const MONUMENT_M: f64 = 1.3;
 /// Most things on all squares of a map.
 const MOST: usize = 1500;
 
@@ -101,6 +104,7 @@ impl Furnisher<'_> {
         let reach = rect.half.min_element() * 0.9;
         let (nx, ny) = ((rect.half.x / STEP_M).floor() as i32, (rect.half.y / STEP_M).floor() as i32);
         let mut lamps: Vec<DVec2> = Vec::new();
+        self.centrepiece(stage, sites, area, &ways, stream);
         for row in -ny..=ny {
             for column in -nx..=nx {
                 let at = rect.centre
@@ -134,8 +138,12 @@ impl Furnisher<'_> {
                     d if edge < BORDER_M && d < 0.5 => (Prop::BikeRack, [0.5, 0.4], facing),
                     d if edge < BORDER_M && d < 0.62 => (Prop::Bin, [0.3, 0.3], facing),
                     d if d < 0.3 => (Prop::Planter, [0.4, 0.8], facing),
+                    d if d < 0.36 => (Prop::BikeStand, [0.4, 1.2], facing),
+                    d if d < 0.42 => (Prop::StoneBench, [0.3, 1.1], facing),
                     d if d < 0.5 => (Prop::Bench, [0.42, 0.95], facing + FRAC_PI_2),
-                    d if d > 0.97 && !tall_is_seen => (Prop::Kiosk, [1.4, 1.4], facing),
+                    d if d > 0.9 && !tall_is_seen => (Prop::MarketStall, [1.2, 1.5], facing),
+                    d if d > 0.87 && !tall_is_seen => (Prop::AdvertColumn, [0.75, 0.75], facing),
+                    d if d > 0.84 && !tall_is_seen => (Prop::Kiosk, [1.4, 1.4], facing),
                     _ => continue,
                 };
                 if f64::max(half[0], half[1]) < room {
@@ -144,6 +152,37 @@ impl Furnisher<'_> {
                     stage.put(prop, spot, DVec2::from_array(half), None);
                 }
             }
+        }
+    }
+
+    /// A fountain or a monument where the ways of people leave most room.
+    fn centrepiece(&self, stage: &mut Stage<'_>, sites: &[CameraSite], area: &Area, ways: &[Way], stream: &mut Stream) {
+        let rect = super::footprint::around(&area.outline);
+        let place = |i: i32| {
+            let (x, y) = (f64::from(i % 13 - 6) / 9.0, f64::from(i / 13 - 6) / 9.0);
+            rect.centre + rect.axis * (rect.half.x * x) + rect.axis.perp() * (rect.half.y * y)
+        };
+        let room = |at: DVec2| {
+            let hole = area.holes.iter().map(|h| edge_distance(h, at)).fold(f64::INFINITY, f64::min);
+            let paved = if self.cover.is_near(at, FOUNTAIN_M) { 0.0 } else { f64::INFINITY };
+            let way = ways.iter().map(|w| w.distance(at)).fold(f64::INFINITY, f64::min) - BESIDE_WAY_M;
+            // The middle, if there is a choice.
+            let central = 0.05 * (rect.half.length() - at.distance(rect.centre));
+            edge_distance(&area.outline, at).min(hole).min(paved).min(way).min(FOUNTAIN_M + 0.5) + central
+        };
+        let open = |at: &DVec2| inside(&area.outline, *at) && !area.holes.iter().any(|h| inside(h, *at));
+        let best = (0..169).map(place).filter(open).max_by(|a, b| room(*a).total_cmp(&room(*b)));
+        let Some((at, room)) = best.map(|at| (at, room(at))) else { return };
+        let inwards = rect.centre - at;
+        let facing = if inwards.length() > 1.0 { atan2(inwards.y, inwards.x) } else { stream.range_f64(0.0, TAU) };
+        let fountain = stream.chance(0.6);
+        let (prop, half) = match room {
+            r if r > FOUNTAIN_M && fountain => (Prop::Fountain, FOUNTAIN_M),
+            r if r > MONUMENT_M => (Prop::Monument, MONUMENT_M),
+            _ => return,
+        };
+        if !spoils(sites, at) {
+            stage.put(prop, self.spot(at, facing), DVec2::splat(half), None);
         }
     }
 

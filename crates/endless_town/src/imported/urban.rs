@@ -15,8 +15,8 @@ const OPEN_ROAD_MPS: f64 = 20.5;
 /// How far from a lane its sidewalk may be, metres.
 const SIDEWALK_M: f64 = 16.0;
 /// Metres of lane on a hectare from which land is built up, and from which its yards are paved.
-const BUILT_UP: f64 = 60.0;
-const PAVED: f64 = 130.0;
+pub(super) const BUILT_UP: f64 = 60.0;
+pub(super) const PAVED: f64 = 130.0;
 /// Side of the cells of [`Mapped`], metres.
 const CELL_M: f64 = 10.0;
 

@@ -11,10 +11,7 @@ mod signal;
 mod walk;
 
 pub(crate) use plan::{Arm, Node, Plan, Rule, Street};
-pub(crate) use profile::{
-    AVENUE, BOULEVARD, COUNTRY, DOWNTOWN, FURNITURE_M, KERB_HEIGHT_M, KERB_M, MAIN, Profile, QUIET, RESIDENTIAL,
-    THROUGH, URBAN, VILLAGE,
-};
+pub(crate) use profile::{FURNITURE_M, KERB_HEIGHT_M, KERB_M, MAIN, Profile, RESIDENTIAL};
 pub(crate) use walk::subdivided;
 
 use crate::character::Character;

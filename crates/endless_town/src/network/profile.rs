@@ -78,26 +78,7 @@ const BASE: Profile = Profile {
     priority: 1,
 };
 
-/// A quiet residential street with a grass verge.
-pub(crate) const QUIET: Profile = Profile { lane: 3.1, sidewalk: 3.4, verge: true, speed_mps: 8.3, ..BASE };
 /// A residential street with cars parked on both sides.
 pub(crate) const RESIDENTIAL: Profile = Profile { lane: 3.0, parking: 2.2, sidewalk: 3.4, speed_mps: 8.3, ..BASE };
 /// A small town's main street: one lane each way, parking, broad sidewalks.
 pub(crate) const MAIN: Profile = Profile { lane: 3.3, parking: 2.2, sidewalk: 4.0, priority: 3, ..BASE };
-/// A plain through street, one lane each way.
-pub(crate) const THROUGH: Profile = Profile { lane: 3.4, priority: 2, ..BASE };
-/// Two lanes each way.
-pub(crate) const URBAN: Profile = Profile { lanes: 2, lane: 3.2, sidewalk: 3.8, speed_mps: 13.9, priority: 4, ..BASE };
-/// Two lanes each way with parking, downtown.
-pub(crate) const DOWNTOWN: Profile = Profile { parking: 2.2, sidewalk: 4.6, priority: 4, ..URBAN };
-/// Two lanes each way about a planted island.
-pub(crate) const AVENUE: Profile =
-    Profile { lanes: 2, lane: 3.4, parking: 2.2, median: 4.0, sidewalk: 4.4, speed_mps: 13.9, priority: 5, ..BASE };
-/// Three lanes each way about a narrow island.
-pub(crate) const BOULEVARD: Profile =
-    Profile { lanes: 3, lane: 3.4, median: 2.4, sidewalk: 4.0, speed_mps: 16.7, priority: 5, ..BASE };
-/// A narrow country road.
-pub(crate) const COUNTRY: Profile =
-    Profile { lane: 3.0, sidewalk: 2.8, verge: true, speed_mps: 11.1, priority: 1, ..BASE };
-/// The village's through road.
-pub(crate) const VILLAGE: Profile = Profile { lane: 3.1, sidewalk: 3.0, verge: true, priority: 2, ..BASE };
