@@ -2,7 +2,7 @@
 //! back through the median (Michigan lefts).
 
 use super::plan::Plan;
-use super::shape::{arc, points, rect, smooth};
+use super::shape::{points, rect, smooth};
 use crate::character::Kind;
 use crate::imported::Look;
 use endless_road::RoadMap;
@@ -18,10 +18,6 @@ const ENDS_M: f64 = 500.0;
 const MOTORWAY_ENDS_M: f64 = 600.0;
 /// From an arterial to where its ramps join and leave the motorway, metres.
 const RAMP_M: f64 = 200.0;
-/// From the motorway's middle to where its ramps end on an arterial, metres.
-const TERMINAL_M: f64 = 62.0;
-/// The street south of the boulevard.
-const SOUTH_Y: f64 = -100.0;
 const ARTERIALS: [f64; 3] = [-260.0, 30.0, 300.0];
 
 pub(super) fn make() -> (RoadMap, Look) {
@@ -59,16 +55,12 @@ fn motorway(plan: &mut Plan) {
             plan.road_with_bridges(&words, &points(&[(from, y), (to, y)]), &over);
         }
     }
-    // At the map's edge traffic comes back on the other carriageway.
-    let end = carriageway(5).replace("motorway", "trunk").replace("maxspeed=100", "maxspeed=50");
-    plan.road(&end, &arc(DVec2::new(MOTORWAY_ENDS_M, MOTORWAY_Y), MOTORWAY_M, -90.0, 90.0));
-    plan.road(&end, &arc(DVec2::new(-MOTORWAY_ENDS_M, MOTORWAY_Y), MOTORWAY_M, 90.0, 270.0));
     let ramp = "motorway_link oneway=yes lanes=1 maxspeed=60";
     for x in [ARTERIALS[0], ARTERIALS[2]] {
         // Seen in the direction of travel: off before the arterial, on behind it.
         for side in [1.0, -1.0] {
             let y = MOTORWAY_Y - side * MOTORWAY_M;
-            let terminal = DVec2::new(x, MOTORWAY_Y - side * TERMINAL_M);
+            let terminal = DVec2::new(x, MOTORWAY_Y - side * 62.0);
             let at = |along: f64, out: f64| (x + side * along, y - side * out);
             let end = (terminal.x, terminal.y);
             let far = |along: f64| (x + side * along, terminal.y + side * 4.0);
@@ -91,8 +83,6 @@ fn boulevard(plan: &mut Plan) {
     let street = "tertiary sidewalk=both maxspeed=50";
     let east = plan.road(words, &points(&[(-ENDS_M, -BOULEVARD_M), (ENDS_M, -BOULEVARD_M)]));
     let west = plan.road(words, &points(&[(ENDS_M, BOULEVARD_M), (-ENDS_M, BOULEVARD_M)]));
-    plan.road(words, &arc(DVec2::new(ENDS_M, 0.0), BOULEVARD_M, -90.0, 90.0));
-    plan.road(words, &arc(DVec2::new(-ENDS_M, 0.0), BOULEVARD_M, 90.0, 270.0));
     for x in ARTERIALS {
         let (south, north) = (DVec2::new(x, -BOULEVARD_M), DVec2::new(x, BOULEVARD_M));
         plan.road(arterial, &[DVec2::new(x, -190.0), south]);
@@ -121,16 +111,16 @@ fn boulevard(plan: &mut Plan) {
             );
         }
     }
-    plan.road(arterial, &points(&[(ARTERIALS[0], -190.0), (ARTERIALS[1], -190.0), (ARTERIALS[2], -190.0)]));
-    plan.road(arterial, &points(&[(ARTERIALS[0], 300.0), (ARTERIALS[1], 300.0), (ARTERIALS[2], 300.0)]));
+    plan.road(street, &points(&[(ARTERIALS[0], -190.0), (ARTERIALS[1], -190.0), (ARTERIALS[2], -190.0)]));
+    plan.road(street, &points(&[(ARTERIALS[0], 300.0), (ARTERIALS[1], 300.0), (ARTERIALS[2], 300.0)]));
     plan.road(
         street,
         &points(&[
-            (ARTERIALS[0], SOUTH_Y),
+            (ARTERIALS[0], -100.0),
             (-115.0, -104.0),
-            (ARTERIALS[1], SOUTH_Y),
+            (ARTERIALS[1], -100.0),
             (165.0, -96.0),
-            (ARTERIALS[2], SOUTH_Y),
+            (ARTERIALS[2], -100.0),
         ]),
     );
     plan.road(street, &points(&[(ARTERIALS[0], 92.0), (ARTERIALS[1], 92.0), (ARTERIALS[2], 92.0)]));
