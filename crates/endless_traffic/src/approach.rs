@@ -12,6 +12,8 @@ use endless_world::{SignalAspect, SignalState};
 
 /// Room kept free behind the leader beyond a junction, metres.
 const SPARE_M: f64 = 2.5;
+/// Seconds of waiting after which room on the next road alone is enough.
+const CHANCE_S: f64 = 40.0;
 /// Roads beyond a junction are looked along this far, metres; and so many of them, where they are short.
 const SEEN_M: f64 = 60.0;
 const MOST_ROADS: usize = 3;
@@ -160,7 +162,8 @@ impl Marshal {
             if free < needed.min(most) {
                 return false;
             }
-            if most >= needed {
+            // Who has waited long takes the chance, or never would where one short road follows another.
+            if most >= needed || request.waited_s > CHANCE_S {
                 return true;
             }
             behind = lanes.peek().and_then(|&l| roads.table(l).junction);
