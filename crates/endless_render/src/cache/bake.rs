@@ -176,7 +176,13 @@ impl CameraBake {
                 (radiance, ambient.to_array())
             })
             .unzip();
-        let black = black_level(&radiance);
+        let width = settings.size.width as usize;
+        let black = black_level(&radiance, |i| {
+            let (ray, still) = (sample_ray(&camera, (i % width) as u32, (i / width) as u32, 0), &samples[i * SAMPLES]);
+            let fog = &environment.fog;
+            let left = fog.transmittance(ray.origin, ray.direction, still.hit.t);
+            if still.is_sky() { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
+        });
         let exposure = exposure(&radiance, black, environment.exposure_key);
         let tone = ToneCurve::new(exposure, environment.white_balance(), black);
         let rgb = radiance.iter().map(|&r| tone.apply(r)).collect();

@@ -20,20 +20,17 @@ pub(crate) fn exposure(pixels: &[Vec3A], black: Vec3A, key: f32) -> f32 {
     key / math::exp(mean as f32)
 }
 
-/// Radiance of even light over the whole picture, such as fog in front of everything, of which cameras take most away to
-/// win contrast back: by the darkest hundredth of the pixels.
-pub(crate) fn black_level(pixels: &[Vec3A]) -> Vec3A {
+/// Radiance that the air lays over everything, of which cameras take most away to win contrast back: the mean `veil` of
+/// the darkest hundredth of the pixels, by their index.
+pub(crate) fn black_level(pixels: &[Vec3A], veil: impl Fn(usize) -> Vec3A) -> Vec3A {
     const TAKEN: f32 = 0.6;
-    let mut dark: Vec<Vec3A> = pixels.iter().step_by(7).copied().collect();
+    let mut dark: Vec<usize> = (0..pixels.len()).step_by(7).collect();
     let hundredth = dark.len() / 100;
     if hundredth == 0 {
         return Vec3A::ZERO;
     }
-    let brighter = |a: &Vec3A, b: &Vec3A| a.dot(LUMINANCE).total_cmp(&b.dot(LUMINANCE));
-    dark.select_nth_unstable_by(hundredth, brighter);
-    // In the order of the pixels' brightness, so that the sum does not depend on how they were parted.
-    dark[..hundredth].sort_by(brighter);
-    let mean = dark[..hundredth].iter().copied().sum::<Vec3A>() / hundredth as f32;
+    dark.sort_by(|&a, &b| pixels[a].dot(LUMINANCE).total_cmp(&pixels[b].dot(LUMINANCE)));
+    let mean = dark[..hundredth].iter().map(|&i| veil(i).min(pixels[i])).sum::<Vec3A>() / hundredth as f32;
     Vec3A::splat(mean.min_element().max(0.0) * TAKEN)
 }
 
@@ -42,12 +39,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_veil_is_taken_for_black() {
+    fn a_veil_is_taken_for_black_and_nothing_else() {
         let scene: Vec<Vec3A> = (0..10_000).map(|i| Vec3A::splat((i % 100) as f32 * 0.05)).collect();
         let veiled: Vec<Vec3A> = scene.iter().map(|&p| p + 2.0).collect();
-        assert!(black_level(&scene).x < 0.02);
-        assert!((black_level(&veiled).x - 1.2).abs() < 0.02);
-        assert_eq!(black_level(&[]), Vec3A::ZERO);
+        assert!((black_level(&veiled, |_| Vec3A::splat(2.0)).x - 1.2).abs() < 0.02);
+        assert_eq!(black_level(&veiled, |_| Vec3A::ZERO), Vec3A::ZERO, "a bright wall is no veil");
+        assert_eq!(black_level(&[], |_| Vec3A::ONE), Vec3A::ZERO);
     }
 
     #[test]
