@@ -18,6 +18,7 @@ mod actor;
 mod camera;
 mod class;
 mod condition;
+mod glyph;
 mod ids;
 mod look;
 pub mod math;
@@ -30,6 +31,7 @@ pub use actor::{Actor, AssetRef, FootPlace, Footing, Gait, Motion, Pose, Vehicle
 pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};
 pub use class::{ClassTag, ObjectClass};
 pub use condition::{TimeOfDay, UnknownName, Weather};
+pub use glyph::glyph;
 pub use ids::{InstanceId, SignalId};
 pub use look::{CameraLook, Clock, Distortion, LookChoice};
 pub use rng::{Stream, fnv1a};

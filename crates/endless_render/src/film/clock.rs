@@ -1,22 +1,6 @@
 //! The time that a recorder stamps into its pictures.
 
-use endless_world::{Clock, ImageSize};
-
-/// Digits, dash and colon, five columns by seven rows, a row a number, the left column its highest bit.
-const GLYPHS: [(char, [u8; 7]); 12] = [
-    ('0', [0b01110, 0b10001, 0b10011, 0b10101, 0b11001, 0b10001, 0b01110]),
-    ('1', [0b00100, 0b01100, 0b00100, 0b00100, 0b00100, 0b00100, 0b01110]),
-    ('2', [0b01110, 0b10001, 0b00001, 0b00110, 0b01000, 0b10000, 0b11111]),
-    ('3', [0b11110, 0b00001, 0b00001, 0b01110, 0b00001, 0b00001, 0b11110]),
-    ('4', [0b00010, 0b00110, 0b01010, 0b10010, 0b11111, 0b00010, 0b00010]),
-    ('5', [0b11111, 0b10000, 0b11110, 0b00001, 0b00001, 0b10001, 0b01110]),
-    ('6', [0b00110, 0b01000, 0b10000, 0b11110, 0b10001, 0b10001, 0b01110]),
-    ('7', [0b11111, 0b00001, 0b00010, 0b00100, 0b01000, 0b01000, 0b01000]),
-    ('8', [0b01110, 0b10001, 0b10001, 0b01110, 0b10001, 0b10001, 0b01110]),
-    ('9', [0b01110, 0b10001, 0b10001, 0b01111, 0b00001, 0b00010, 0b01100]),
-    ('-', [0, 0, 0, 0b11111, 0, 0, 0]),
-    (':', [0, 0b00100, 0b00100, 0, 0b00100, 0b00100, 0]),
-];
+use endless_world::{Clock, ImageSize, glyph};
 
 /// What the clock shows so many seconds after the first frame.
 fn text(clock: Clock, later_s: u32) -> String {
@@ -47,7 +31,7 @@ pub(super) fn stamp(clock: Clock, later_s: u32, size: ImageSize, rgb: &mut [[u8;
     let (left, top) = (8 * dot, 8 * dot);
     for (value, rim) in [([16; 3], 1), ([240; 3], 0)] {
         for (n, character) in text(clock, later_s).chars().enumerate() {
-            let Some((_, rows)) = GLYPHS.iter().find(|(c, _)| *c == character) else { continue };
+            let Some(rows) = glyph(character) else { continue };
             for (y, row) in (0i64..).zip(rows) {
                 for x in (0..5i64).filter(|x| row >> (4 - x) & 1 == 1) {
                     let (x, y) = (left + (n as i64 * 6 + x) * dot, top + y * dot);
