@@ -6,6 +6,7 @@
 
 mod candidate;
 mod judge;
+mod raster;
 mod relief;
 mod things;
 

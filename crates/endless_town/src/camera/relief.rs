@@ -1,5 +1,6 @@
 //! The town as a field of heights with a kind of ground in each cell: what rays of sight are tested against.
 
+use super::raster::cells_in;
 use crate::plot::unit;
 use endless_asset::Mesh;
 use endless_road::RoadNetwork;
@@ -82,29 +83,17 @@ impl Relief {
 
     fn triangle(&mut self, corners: [Vec3; 3], top: Top) {
         let [a, b, c] = corners.map(|p| (p.truncate() - self.low) / self.cell);
-        let area = (b - a).perp_dot(c - a);
-        if area <= 1e-6 {
+        // What faces down is no top.
+        if (b - a).perp_dot(c - a) <= 0.0 {
             return;
         }
-        let limit = Vec2::new(self.width as f32 - 1.0, self.height as f32 - 1.0);
-        let low = (a.min(b).min(c) - 0.5).ceil().max(Vec2::ZERO);
-        let high = (a.max(b).max(c) - 0.5).floor().min(limit);
-        if low.x > high.x || low.y > high.y {
-            return;
-        }
-        for y in low.y as usize..=high.y as usize {
-            for x in low.x as usize..=high.x as usize {
-                let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
-                let (u, v) = ((b - p).perp_dot(c - p) / area, (c - p).perp_dot(a - p) / area);
-                if u >= 0.0 && v >= 0.0 && u + v <= 1.0 {
-                    let z = corners[0].z * u + corners[1].z * v + corners[2].z * (1.0 - u - v);
-                    let cell = &mut self.cells[y * self.width + x];
-                    if z > cell.0 {
-                        *cell = (z, top);
-                    }
-                }
+        cells_in([a, b, c], [self.width, self.height], |x, y, [u, v]| {
+            let z = corners[0].z * u + corners[1].z * v + corners[2].z * (1.0 - u - v);
+            let cell = &mut self.cells[y * self.width + x];
+            if z > cell.0 {
+                *cell = (z, top);
             }
-        }
+        });
     }
 
     fn mark_junctions(&mut self, network: &RoadNetwork) {

@@ -1,10 +1,10 @@
 //! What stands in the streets before the cameras come: how tall it is, and how much of a picture it hides.
 
-use super::Post;
+use super::{Post, raster::cells_in};
 use crate::{Placement, What};
 use endless_asset::{Catalogue, Mesh, Prop};
 use endless_world::{CameraSite, ImageSize, PinholeCamera};
-use glam::{Affine3A, Vec2, Vec3};
+use glam::{Affine3A, Vec3};
 use std::collections::BTreeMap;
 
 /// Pictures are looked at in this size.
@@ -71,25 +71,8 @@ fn cover(camera: &PinholeCamera, corners: [Vec3; 3], hidden: &mut [bool]) {
     }
     let seen = corners.map(|p| camera.project(p).map(|(image, _)| image));
     let [Some(a), Some(b), Some(c)] = seen else { return };
-    let area = (b - a).perp_dot(c - a);
-    if area.abs() < 1e-6 {
-        return;
-    }
-    let limit = Vec2::new(SIZE.width as f32, SIZE.height as f32) - 1.0;
-    let low = (a.min(b).min(c) - 0.5).ceil().max(Vec2::ZERO);
-    let high = (a.max(b).max(c) - 0.5).floor().min(limit);
-    if low.x > high.x || low.y > high.y {
-        return;
-    }
-    for y in low.y as usize..=high.y as usize {
-        for x in low.x as usize..=high.x as usize {
-            let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
-            let (u, v) = ((b - p).perp_dot(c - p) / area, (c - p).perp_dot(a - p) / area);
-            if u >= 0.0 && v >= 0.0 && u + v <= 1.0 {
-                hidden[y * SIZE.width as usize + x] = true;
-            }
-        }
-    }
+    let (width, height) = (SIZE.width as usize, SIZE.height as usize);
+    cells_in([a, b, c], [width, height], |x, y, _| hidden[y * width + x] = true);
 }
 
 #[cfg(test)]

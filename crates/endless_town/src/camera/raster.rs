@@ -1,0 +1,24 @@
+//! Triangles on a grid.
+
+use glam::Vec2;
+
+/// Calls `each` with the column and row of every cell whose middle lies in a triangle, and with the weights there of its
+/// first two corners. Corners are in cells; the grid has so many columns and rows.
+pub(super) fn cells_in([a, b, c]: [Vec2; 3], size: [usize; 2], mut each: impl FnMut(usize, usize, [f32; 2])) {
+    let area = (b - a).perp_dot(c - a);
+    let limit = Vec2::new(size[0] as f32, size[1] as f32) - 1.0;
+    let low = (a.min(b).min(c) - 0.5).ceil().max(Vec2::ZERO);
+    let high = (a.max(b).max(c) - 0.5).floor().min(limit);
+    if area.abs() <= 1e-6 || low.x > high.x || low.y > high.y {
+        return;
+    }
+    for y in low.y as usize..=high.y as usize {
+        for x in low.x as usize..=high.x as usize {
+            let p = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+            let (u, v) = ((b - p).perp_dot(c - p) / area, (c - p).perp_dot(a - p) / area);
+            if u >= 0.0 && v >= 0.0 && u + v <= 1.0 {
+                each(x, y, [u, v]);
+            }
+        }
+    }
+}
