@@ -1,10 +1,9 @@
 //! A folder of models, from its manifest to a checked dataset, and everything that can be wrong with it.
 
-use std::{
-    fs,
-    path::Path,
-    process::{Command, Output},
-};
+mod program;
+
+use program::{refused, succeed};
+use std::{fs, path::Path};
 
 const SMALL: &str = "--videos 1 --maps Town02 --weathers cloudy --times morning --size 96x54 --fps 4 --duration 1 \
                      --vehicles 20 --pedestrians 4 --min-pixels 5 --mp4 none";
@@ -24,31 +23,6 @@ class = \"bench\"
 forward = \"+x\"
 size = [0.57, 1.8, 0.89]
 ";
-
-/// The program in a folder with its own maps.
-fn endless(folder: &Path, args: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_endless"));
-    command.args(args.split_whitespace()).current_dir(folder).env("ENDLESS_MAPS", folder.join("maps"));
-    command.output().expect("starts")
-}
-
-fn succeed(folder: &Path, args: &str) -> (String, String) {
-    let output = endless(folder, args);
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    let (out, err) = (text(&output.stdout), text(&output.stderr));
-    assert!(output.status.success(), "endless {args}: {err}");
-    (out, err)
-}
-
-/// What one line says about a refusal.
-fn refused(folder: &Path, args: &str) -> String {
-    let output = endless(folder, args);
-    assert!(!output.status.success(), "endless {args} was to be refused");
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(said.lines().count(), 1, "endless {args}: {said}");
-    assert!(said.starts_with("error: "), "{said}");
-    said
-}
 
 fn models(folder: &Path) {
     succeed(folder, "assets export car.sedan --out models/sedan.glb");

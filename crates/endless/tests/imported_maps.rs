@@ -1,10 +1,9 @@
 //! Maps from files, from `maps import` to a checked dataset: one of each format.
 
-use std::{
-    fs,
-    path::Path,
-    process::{Command, Output},
-};
+mod program;
+
+use program::{endless, refused, succeed};
+use std::{fs, path::Path};
 
 const SMALL: &str = "--videos 1 --weathers cloudy --times morning --size 97x55 --fps 4 --duration 1 --vehicles 30 \
                      --pedestrians 20 --min-pixels 5 --mp4 none";
@@ -40,30 +39,6 @@ fn openstreetmap() -> String {
         way(10 + k, &outline, &[("building", "apartments"), ("building:levels", "4")]);
     }
     format!("<?xml version='1.0' encoding='UTF-8'?>\n<osm version='0.6'>\n{nodes}{ways}</osm>\n")
-}
-
-/// The program in a folder with its own maps.
-fn endless(folder: &Path, args: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_endless"));
-    command.args(args.split_whitespace()).current_dir(folder).env("ENDLESS_MAPS", folder.join("maps"));
-    command.output().expect("starts")
-}
-
-fn succeed(folder: &Path, args: &str) -> (String, String) {
-    let output = endless(folder, args);
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    let (out, err) = (text(&output.stdout), text(&output.stderr));
-    assert!(output.status.success(), "endless {args}: {err}");
-    (out, err)
-}
-
-/// What one line says about a refusal.
-fn refused(folder: &Path, args: &str) -> String {
-    let output = endless(folder, args);
-    assert!(!output.status.success(), "endless {args} was to be refused");
-    let said = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(said.lines().count(), 1, "endless {args}: {said}");
-    said
 }
 
 fn from_first_to_last(folder: &Path, name: &str) {
