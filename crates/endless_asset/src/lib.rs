@@ -17,8 +17,7 @@ mod vehicle;
 
 pub use catalogue::Catalogue;
 pub use import::{
-    AssetEntry, AssetManifest, Beside, Forward, ImportError, ImportedAsset, ImportedThing, LampKind, LampPlaces,
-    RiderEntry,
+    AssetEntry, AssetManifest, Beside, Forward, ImportError, ImportedAsset, ImportedThing, LampPlaces, RiderEntry,
 };
 pub use material::{LensAspect, LightSlot, Material, Surface};
 pub use mesh::{Mesh, MeshBuilder};

@@ -1,9 +1,11 @@
 //! What surfaces are made of, as data; the renderer gives each its look.
 
 use endless_world::ClassTag;
+use serde::Deserialize;
 
-/// Which vehicle lights drive an emitter.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+/// Which vehicle lights drive an emitter. Manifests of imported models name them so.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum LightSlot {
     /// Headlight lens.
     Head,

@@ -1,7 +1,7 @@
 //! The manifest of a folder of models.
 
 use super::{ImportError, Kind};
-use crate::Prop;
+use crate::{LightSlot, Prop};
 use endless_world::ObjectClass;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -46,7 +46,7 @@ pub struct AssetEntry {
     pub paint: Vec<String>,
     /// What shines.
     #[serde(default)]
-    pub lights: BTreeMap<LampKind, LampPlaces>,
+    pub lights: BTreeMap<LightSlot, LampPlaces>,
     /// Where a two-wheeler's rider touches it; two-wheelers need it.
     pub rider: Option<RiderEntry>,
     /// How often it is met: all vehicles of the catalogue together have 103, all cars 78.
@@ -87,24 +87,6 @@ pub enum Forward {
     /// The other way.
     #[serde(rename = "-x")]
     MinusX,
-}
-
-/// Lamps of a vehicle.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize)]
-#[serde(rename_all = "snake_case")]
-pub enum LampKind {
-    /// Headlights.
-    Head,
-    /// Tail lights, brighter when braking.
-    Tail,
-    /// Brake lights alone.
-    Brake,
-    /// Left indicators.
-    IndicatorLeft,
-    /// Right indicators.
-    IndicatorRight,
-    /// Reversing lights.
-    Reverse,
 }
 
 /// Where lamps are.

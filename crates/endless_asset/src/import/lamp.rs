@@ -1,7 +1,7 @@
 //! Lamps that an entry names: surfaces of materials, or small lenses laid on the body.
 
 use super::coat::Coat;
-use super::{AssetEntry, ImportError, LampKind, LampPlaces};
+use super::{AssetEntry, ImportError, LampPlaces};
 use crate::{LightSlot, Material, Mesh, Surface};
 use endless_world::{ClassTag, math};
 use glam::{Vec2, Vec3};
@@ -14,24 +14,11 @@ const SIDES: u32 = 12;
 /// Lenses lie on the surface; further than this from it they are a mistake, metres.
 const NEAR_M: f32 = 0.6;
 
-impl LampKind {
-    fn slot(self) -> LightSlot {
-        match self {
-            Self::Head => LightSlot::Head,
-            Self::Tail => LightSlot::Tail,
-            Self::Brake => LightSlot::Brake,
-            Self::IndicatorLeft => LightSlot::IndicatorLeft,
-            Self::IndicatorRight => LightSlot::IndicatorRight,
-            Self::Reverse => LightSlot::Reverse,
-        }
-    }
-
-    fn color(self) -> [f32; 3] {
-        match self {
-            Self::Head | Self::Reverse => [0.75, 0.76, 0.78],
-            Self::Tail | Self::Brake => [0.45, 0.012, 0.012],
-            Self::IndicatorLeft | Self::IndicatorRight => [0.62, 0.24, 0.02],
-        }
+fn color(slot: LightSlot) -> [f32; 3] {
+    match slot {
+        LightSlot::Head | LightSlot::Reverse => [0.75, 0.76, 0.78],
+        LightSlot::Tail | LightSlot::Brake => [0.45, 0.012, 0.012],
+        LightSlot::IndicatorLeft | LightSlot::IndicatorRight => [0.62, 0.24, 0.02],
     }
 }
 
@@ -49,11 +36,11 @@ pub(super) fn named(coats: &[Coat], name: &str, field: &'static str) -> Result<V
 
 /// Makes lamps of the materials that an entry names.
 pub(super) fn of_materials(entry: &AssetEntry, coats: &mut [Coat]) -> Result<(), ImportError> {
-    for (kind, places) in &entry.lights {
+    for (&slot, places) in &entry.lights {
         let LampPlaces::Materials(names) = places else { continue };
         for name in names {
             for k in named(coats, name, "lights")? {
-                coats[k].surface = Surface::VehicleLight(kind.slot());
+                coats[k].surface = Surface::VehicleLight(slot);
                 coats[k].picture = None;
             }
         }
@@ -66,14 +53,14 @@ pub(super) fn of_materials(entry: &AssetEntry, coats: &mut [Coat]) -> Result<(),
 /// # Errors
 /// [`ImportError::LampOffBody`].
 pub(super) fn at_places(entry: &AssetEntry, body: &mut Mesh, tag: ClassTag) -> Result<(), ImportError> {
-    for (kind, places) in &entry.lights {
+    for (&slot, places) in &entry.lights {
         let LampPlaces::Places(places) = places else { continue };
         for &at in places {
             let place = Vec3::from_array(at);
             let outwards = if place.x >= 0.0 { 1.0 } else { -1.0 };
             let x = met(body, place, outwards).filter(|x| (x - place.x).abs() < NEAR_M);
             let x = x.ok_or(ImportError::LampOffBody { at })?;
-            let lens = Material::new(Surface::VehicleLight(kind.slot()), kind.color(), tag);
+            let lens = Material::new(Surface::VehicleLight(slot), color(slot), tag);
             disc(body, Vec3::new(x + outwards * OUT_M, place.y, place.z), outwards, lens);
         }
     }

@@ -20,7 +20,7 @@ mod sound;
 mod thing;
 mod vehicle;
 
-pub use entry::{AssetEntry, AssetManifest, Forward, LampKind, LampPlaces, RiderEntry};
+pub use entry::{AssetEntry, AssetManifest, Forward, LampPlaces, RiderEntry};
 pub use error::ImportError;
 pub use thing::ImportedThing;
 
