@@ -64,16 +64,7 @@ fn every_vehicle_comes_back_as_it_was() {
 
 /// The instance image of one vehicle on an empty square.
 fn seen(catalogue: &Catalogue, model: u16, class: ObjectClass) -> Image<InstancePixel> {
-    let town = endless_town::Town {
-        name: "nowhere".to_owned(),
-        summary: String::new(),
-        network: Default::default(),
-        meshes: Vec::new(),
-        placements: Vec::new(),
-        parked: Vec::new(),
-        lamps: Vec::new(),
-        cameras: Vec::new(),
-    };
+    let town = endless_town::Town::default();
     let motion = VehicleMotion { speed_mps: 8.0, rolled_m: 3.0, steer_rad: 0.2, ..VehicleMotion::default() };
     let actor = Actor {
         id: InstanceId(7),

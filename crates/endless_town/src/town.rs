@@ -45,8 +45,8 @@ pub struct Lamp {
     pub intensity_cd: f32,
 }
 
-/// A whole map.
-#[derive(Debug, Clone)]
+/// A whole map. By default an empty one, without a name.
+#[derive(Debug, Clone, Default)]
 pub struct Town {
     /// `Town01`, ...
     pub name: String,

@@ -3,7 +3,6 @@
 use super::Thing;
 use endless_asset::{Catalogue, Material, Mesh, MeshBuilder, Surface};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
-use endless_road::RoadNetwork;
 use endless_town::{Placement, Town, What};
 use endless_world::{CameraSite, ClassTag, Image, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
 use glam::{Affine3A, Vec2, Vec3};
@@ -78,13 +77,9 @@ fn stage(thing: Mesh) -> Town {
     let place = |number| Placement { what: What::Own(number), world_from_object: Affine3A::IDENTITY, signal: None };
     Town {
         name: "stage".to_owned(),
-        summary: String::new(),
-        network: RoadNetwork::default(),
         meshes: vec![square.finish(), thing],
         placements: vec![place(0), place(1)],
-        parked: Vec::new(),
-        lamps: Vec::new(),
-        cameras: Vec::new(),
+        ..Town::default()
     }
 }
 
