@@ -35,5 +35,5 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
         }
     }
-    sheet::save(out, &rows, size)
+    sheet::save(out, &rows, size, 80)
 }

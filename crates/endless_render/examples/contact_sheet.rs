@@ -35,5 +35,5 @@ fn main() -> Result<(), Box<dyn Error>> {
         rows.push(frames);
         eprintln!("{name}: {}", town.cameras.iter().map(|c| c.name.as_str()).collect::<Vec<_>>().join(" "));
     }
-    sheet::save(out, &rows, size)
+    sheet::save(out, &rows, size, 80)
 }

@@ -1,18 +1,19 @@
 //! Contact sheets of what stands still, each piece on a square of its own in daylight:
 //! `cargo run --release -p endless_render --example set -- furniture|plants|buildings OUT.jpg [NAME ...]`.
 
+mod staged;
+
 use endless_asset::{Catalogue, Material, Mesh, MeshBuilder, Prop, Surface};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::{Placement, Town, What};
-use endless_world::{CameraLook, CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
+use endless_world::{CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
 use glam::{Affine3A, Vec2, Vec3};
+use staged::sheet;
 use std::error::Error;
 
-/// Sizes of one picture, and how much larger it is drawn.
+/// Sizes of one picture.
 const SMALL: ImageSize = ImageSize { width: 190, height: 170 };
 const LARGE: ImageSize = ImageSize { width: 318, height: 240 };
-const FINER: u32 = 2;
-const GAP: usize = 2;
 const FIELD_OF_VIEW_RAD: f32 = 0.5;
 const QUALITY: u8 = 84;
 
@@ -37,20 +38,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     pieces.retain(|p| only.is_empty() || only.contains(&p.0));
     let tiles: Vec<Vec<[u8; 3]>> = pieces.iter().map(|(_, mesh)| picture(mesh, &catalogue, tile, azimuth)).collect();
     eprintln!("{}", pieces.iter().map(|p| p.0.as_str()).collect::<Vec<_>>().join(" "));
-    let (wide, tall) = (tile.width as usize, tile.height as usize);
-    let (rows, columns) = (tiles.len().div_ceil(columns), columns.min(tiles.len()));
-    let (width, height) = (columns * (wide + GAP) - GAP, rows * (tall + GAP) - GAP);
-    let mut sheet = vec![[20u8, 20, 22]; width * height];
-    for (i, picture) in tiles.iter().enumerate() {
-        let corner = (i / columns * (tall + GAP)) * width + i % columns * (wide + GAP);
-        for (line, pixels) in picture.chunks(wide).enumerate() {
-            let start = corner + line * width;
-            sheet[start..start + wide].copy_from_slice(pixels);
-        }
-    }
-    let encoder = jpeg_encoder::Encoder::new_file(out, QUALITY)?;
-    encoder.encode(sheet.as_flattened(), width as u16, height as u16, jpeg_encoder::ColorType::Rgb)?;
-    Ok(())
+    let rows: Vec<Vec<Vec<[u8; 3]>>> = tiles.chunks(columns).map(<[_]>::to_vec).collect();
+    sheet::save(out, &rows, tile, QUALITY)
 }
 
 /// One variant of every prop; of signs one more of each kind of face.
@@ -85,13 +74,9 @@ fn stage(thing: &Mesh) -> Town {
     let place = |number| Placement { what: What::Own(number), world_from_object: Affine3A::IDENTITY, signal: None };
     Town {
         name: "square".to_owned(),
-        summary: String::new(),
-        network: Default::default(),
         meshes: vec![square.finish(), thing.clone()],
         placements: vec![place(0), place(1)],
-        parked: Vec::new(),
-        lamps: Vec::new(),
-        cameras: Vec::new(),
+        ..Town::default()
     }
 }
 
@@ -121,17 +106,9 @@ fn site(low: Vec3, high: Vec3, tile: ImageSize, azimuth: f32) -> CameraSite {
 
 fn picture(mesh: &Mesh, catalogue: &Catalogue, tile: ImageSize, azimuth: f32) -> Vec<[u8; 3]> {
     let still = StaticScene::load(&stage(mesh), catalogue);
-    let size = ImageSize { width: tile.width * FINER, height: tile.height * FINER };
     let settings = RenderSettings {
-        weather: Weather::ClearSky,
-        time_of_day: TimeOfDay::Afternoon,
-        seed: 1,
-        size,
         gather_rays: 2,
-        pattern: 0,
-        look: CameraLook::CLEAN,
-        fps: 30.0,
-        keep_irradiance: false,
+        ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 1, sheet::large(tile))
     };
     let (mut low, high) = mesh.bounds();
     // Of slender things the upper part tells what they are.
@@ -140,18 +117,5 @@ fn picture(mesh: &Mesh, catalogue: &Catalogue, tile: ImageSize, azimuth: f32) ->
     let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals: Vec::new() };
     let cast = Cast::new(catalogue, &state.actors);
     let bake = CameraBake::bake(&still, &settings, &site(low, high, tile, azimuth));
-    shrunk(&bake.render(&still, &FrameScene::new(&cast, &state)).rgb.data, size)
-}
-
-/// Means of squares of pixels.
-fn shrunk(pixels: &[[u8; 3]], size: ImageSize) -> Vec<[u8; 3]> {
-    let (width, finer) = (size.width as usize, FINER as usize);
-    let mean = |x: usize, y: usize, channel: usize| {
-        let square = (0..finer * finer).map(|k| pixels[(y * finer + k / finer) * width + x * finer + k % finer]);
-        (square.map(|p| usize::from(p[channel])).sum::<usize>() / (finer * finer)) as u8
-    };
-    (0..size.height as usize / finer)
-        .flat_map(|y| (0..width / finer).map(move |x| (x, y)))
-        .map(|(x, y)| [0, 1, 2].map(|channel| mean(x, y, channel)))
-        .collect()
+    bake.render(&still, &FrameScene::new(&cast, &state)).rgb.data
 }

@@ -13,8 +13,8 @@ pub(crate) fn large(size: ImageSize) -> ImageSize {
     ImageSize { width: size.width * FINER, height: size.height * FINER }
 }
 
-/// Rows of frames drawn [`large`], shrunk to `size` each, as a JPEG file.
-pub(crate) fn save(out: &str, rows: &[Vec<Vec<[u8; 3]>>], size: ImageSize) -> Result<(), Box<dyn Error>> {
+/// Rows of frames drawn [`large`], shrunk to `size` each, as a JPEG file of a quality from 1 to 100.
+pub(crate) fn save(out: &str, rows: &[Vec<Vec<[u8; 3]>>], size: ImageSize, quality: u8) -> Result<(), Box<dyn Error>> {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(1);
     let (wide, tall) = (size.width as usize, size.height as usize);
     let (width, height) = (columns * (wide + GAP) - GAP, rows.len() * (tall + GAP) - GAP);
@@ -27,7 +27,7 @@ pub(crate) fn save(out: &str, rows: &[Vec<Vec<[u8; 3]>>], size: ImageSize) -> Re
             }
         }
     }
-    let encoder = jpeg_encoder::Encoder::new_file(out, 80)?;
+    let encoder = jpeg_encoder::Encoder::new_file(out, quality)?;
     encoder.encode(sheet.as_flattened(), width as u16, height as u16, jpeg_encoder::ColorType::Rgb)?;
     Ok(())
 }
