@@ -10,6 +10,7 @@ use crate::material::Look;
 use crate::scene::{Facet, FrameScene};
 use crate::shade::Tracer;
 use glam::Vec3A;
+use std::cell::LazyCell;
 
 /// A pixel's centre in a row.
 #[derive(Clone, Copy)]
@@ -52,10 +53,10 @@ pub(super) fn centre_lights(
     if row.iter().all(Option::is_none) {
         return lights;
     }
-    let transmittance: [f32; 8] = std::array::from_fn(|i| {
-        row[i].map_or(0.0, |Place { facet, .. }| {
-            tracer.environment.fog.transmittance(eye, facet.direction, facet.distance)
-        })
+    // Three exponentials a pixel: most rows need none.
+    let transmittance = LazyCell::new(|| {
+        let fog = &tracer.environment.fog;
+        row.map(|place| place.map_or(0.0, |p| fog.transmittance(eye, p.facet.direction, p.facet.distance)))
     });
     if !work.beams.is_empty() {
         let swept = beams_on_row(tracer, frame, &work.beams, row, &transmittance);

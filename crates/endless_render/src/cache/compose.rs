@@ -4,9 +4,9 @@ use super::affected::Work;
 use super::centre::CentreLight;
 use super::contact::contact_left;
 use super::still_sample::{StillSample, lamp_sum, lamps_blocked, still_look, sun_share};
-use crate::accel::{Hit, Ray};
+use crate::accel::Ray;
 use crate::scene::{Facet, FrameScene, SurfacePoint};
-use crate::shade::{Struck, Tracer, mirror_footprint, shade_struck};
+use crate::shade::Tracer;
 use endless_asset::{LensAspect, Surface};
 use endless_world::SignalAspect;
 use glam::Vec3A;
@@ -62,14 +62,6 @@ pub(super) fn sun_origin(facet: &Facet, sun: Vec3A) -> Vec3A {
 /// Whether the sun can light a point at all: from the front, or through a leaf.
 pub(super) fn sun_can_light(point: &SurfacePoint<'_>, sun: Vec3A) -> bool {
     point.geometric_normal.dot(sun) > 0.0 || point.material.surface == Surface::Foliage
-}
-
-/// The image of something that moves in a still mirror.
-pub(super) fn moving_mirror(tracer: &Tracer<'_>, still: &StillSample, hit: &Hit, ray: &Ray, pixel_angle: f32) -> Vec3A {
-    let (weight, roughness) = still.mirror_weight();
-    let struck = Struck { hit: *hit, moving: true };
-    let footprint = mirror_footprint(still.hit.t, roughness, pixel_angle);
-    weight * shade_struck(tracer, &still.mirror_ray(&still.facet(ray)), Some(&struck), footprint)
 }
 
 /// Light of a traffic light's lens in the state that its group is in.

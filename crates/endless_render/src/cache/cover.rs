@@ -43,14 +43,18 @@ impl Cover {
         for (sample, (ray, hit)) in rays.iter().zip(&found.seen).enumerate() {
             let Some(hit) = hit else { continue };
             samples += 1;
+            let piece = |hit: &Hit| (hit.instance, hit.triangle);
+            let same = |seen: &Seen<'_>| found.seen[seen.sample].as_ref().map(piece) == Some(piece(hit));
+            if let Some(seen) = list[first..].iter_mut().find(|seen| same(seen)) {
+                seen.stands_for += 1;
+                continue;
+            }
             let point = SurfacePoint::new(&frame.instances, ray, hit);
             if sample == 0 {
                 let label = InstancePixel { tag: point.tag(), id: point.instance.id };
                 centre = Some((planar_depth(&bake.camera, ray, point.distance), label));
             }
-            let piece = |hit: &Hit| (hit.instance, hit.triangle);
-            let same = |seen: &Seen<'_>| found.seen[seen.sample].as_ref().map(piece) == Some(piece(hit));
-            match list[first..].iter_mut().find(|seen| same(seen) || tells(seen, &point)) {
+            match list[first..].iter_mut().find(|seen| tells(seen, &point)) {
                 Some(seen) => seen.stands_for += 1,
                 None => list.push(Seen { point, sample, stands_for: 1 }),
             }

@@ -4,12 +4,13 @@ use super::affected::{Work, affected};
 use super::bake::{CameraBake, planar_depth, still_sample};
 use super::canvas::{Canvas, Pixel};
 use super::centre::{CentreLight, Place, centre_lights};
-use super::compose::{compose, moving_mirror, sun_can_light, sun_origin};
+use super::compose::{compose, sun_can_light, sun_origin};
 use super::cover::Cover;
+use super::mirror::{Mirrored, mirrored, mirrored_row};
 use super::row::{Found, Row};
 use super::still_pixel::StillPixel;
 use super::still_sample::{StillSample, share_lamp_light, still_light, still_look};
-use super::sweep::beams_on;
+use super::sweep::beams_on_samples;
 use super::tile::TILE;
 use crate::accel::Ray;
 use crate::film::{LEAST_PX, Streak};
@@ -70,7 +71,18 @@ impl CameraBake {
                             |seen: &Seen<'_>| shade_moving(&tracer, seen, self.pixel_angle) + self.halo(x, y, seen);
                         let lights: Vec<Vec3A> = seen.iter().map(shade).collect();
                         let cover = cover.lit(&seen, &lights);
-                        self.pixel(&tracer, frame, &everything, &rays, &samples, light.as_ref(), &found, &cover)
+                        let mirrors = mirrored(&tracer, &samples, &rays, &found, self.pixel_angle);
+                        self.pixel(
+                            &tracer,
+                            frame,
+                            &everything,
+                            &rays,
+                            &samples,
+                            light.as_ref(),
+                            &found,
+                            mirrors,
+                            &cover,
+                        )
                     }
                 };
                 canvas.set(self, x, y, &pixel);
@@ -126,6 +138,7 @@ impl CameraBake {
             }
             let lights = self.centre_lights(tracer, frame, work, &row, (x1 - x0) as usize, &found);
             let covers = self.shade_row(tracer, frame, &row, (x0, x1, y), &found);
+            let mirrors = mirrored_row(tracer, &row, &found, self.pixel_angle);
             for x in x0..x1 {
                 let i = (x - x0) as usize;
                 if same(i) {
@@ -142,7 +155,8 @@ impl CameraBake {
                     continue;
                 }
                 let samples = &self.samples[index * SAMPLES..][..SAMPLES];
-                let pixel = self.pixel(tracer, frame, work, &row.rays(i), samples, light, &found[i], &covers[i]);
+                let rays = row.rays(i);
+                let pixel = self.pixel(tracer, frame, work, &rays, samples, light, &found[i], mirrors[i], &covers[i]);
                 canvas.set(self, x, y, &pixel);
             }
         }
@@ -225,7 +239,7 @@ impl CameraBake {
     }
 
     /// One pixel, given its still samples, the light that these share if it is uniform, what rays towards what moves
-    /// found, and the light of what of that covers it.
+    /// found, what its mirrors show of that, and the light of what of that covers it.
     fn pixel(
         &self,
         tracer: &Tracer<'_>,
@@ -235,6 +249,7 @@ impl CameraBake {
         samples: &[StillSample],
         centre: Option<&CentreLight>,
         found: &Found,
+        mut mirrored: Mirrored,
         cover: &Cover,
     ) -> Pixel {
         if cover.samples == SAMPLES {
@@ -243,10 +258,6 @@ impl CameraBake {
             return Pixel { radiance, covered: cover.centre, streak };
         }
         // The samples of a uniform pixel share what their mirrors show in pairs.
-        let mut mirrored: [Option<Vec3A>; SAMPLES] = std::array::from_fn(|s| {
-            let hit = found.mirrored[s].as_ref()?;
-            Some(moving_mirror(tracer, &samples[s], hit, &rays[s], self.pixel_angle))
-        });
         if centre.is_some() {
             for s in (1..SAMPLES).step_by(2) {
                 mirrored[s] = mirrored[s - 1].filter(|_| samples[s].mirrors());
@@ -258,9 +269,10 @@ impl CameraBake {
             let (still, ray) = (&samples[s], &rays[s]);
             let moving = (still.sun_free & !found.sun_blocked[s], mirrored[s]);
             sum += compose(tracer, frame, work, centre, still, moving, ray, s, self.pixel_angle);
-            if centre.is_none() {
-                sum += beams_on(tracer, frame, &work.beams, still, ray, s, self.pixel_angle);
-            }
+        }
+        if centre.is_none() {
+            let open = std::array::from_fn(|s| found.seen[s].is_none());
+            sum += beams_on_samples(tracer, frame, &work.beams, samples, open, rays, self.pixel_angle);
         }
         let uncovered = SAMPLES - cover.samples;
         let swept = centre.map_or(Vec3A::ZERO, |light| light.swept * (uncovered as f32 / SAMPLES as f32));

@@ -15,6 +15,7 @@ mod compose;
 mod contact;
 mod cover;
 mod frame;
+mod mirror;
 mod row;
 mod spare;
 mod still_pixel;

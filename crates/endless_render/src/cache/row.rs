@@ -112,7 +112,8 @@ impl<'a> Row<'a> {
         &self.bake.pixels[self.pixel(i)]
     }
 
-    fn sample(&self, i: usize, sample: usize) -> &'a StillSample {
+    /// A still sample of a pixel.
+    pub(super) fn sample(&self, i: usize, sample: usize) -> &'a StillSample {
         &self.bake.samples[self.pixel(i) * SAMPLES + sample]
     }
 

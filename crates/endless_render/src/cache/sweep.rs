@@ -4,82 +4,108 @@ use super::affected::Sweep;
 use super::centre::Place;
 use super::still_sample::{StillSample, still_look};
 use crate::accel::Ray;
-use crate::light::Beam;
-use crate::scene::{FrameScene, SurfacePoint};
-use crate::shade::{Tracer, beam_light};
+use crate::material::Look;
+use crate::sampling::SAMPLES;
+use crate::scene::{Facet, FrameScene, SurfacePoint};
+use crate::shade::Tracer;
 use glam::Vec3A;
+use std::ops::Deref;
 use wide::f32x8;
 
 /// Illuminance, dimmed by the air before it, below which a vehicle light is not seen, klx.
 const UNSEEN_KLX: f32 = 8.0e-4;
 
-/// Whether a light shows on a still surface, seen through the air from the camera.
-fn shows(beam: &Beam, position: Vec3A, transmittance: f32) -> bool {
-    beam.illuminance_at(position).0.x * transmittance > UNSEEN_KLX
-}
-
-/// Light of vehicle lamps on a still sample, fog included.
-pub(super) fn beams_on(
+/// Light of vehicle lamps on the `open` samples of a pixel, fog included: the sum.
+pub(super) fn beams_on_samples(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     beams: &[Sweep],
-    still: &StillSample,
-    ray: &Ray,
-    sample: usize,
+    samples: &[StillSample],
+    open: [bool; SAMPLES],
+    rays: &[Ray; SAMPLES],
     pixel_angle: f32,
 ) -> Vec3A {
-    if still.is_sky() || beams.is_empty() {
+    if beams.is_empty() {
         return Vec3A::ZERO;
     }
-    let position = ray.origin + ray.direction * still.hit.t;
-    let transmittance = tracer.environment.fog.transmittance(ray.origin, ray.direction, still.hit.t);
-    let shown = |sweep: &&Sweep| shows(&frame.beams[usize::from(sweep.beam)], position, transmittance);
-    let mut lights = beams.iter().filter(shown).peekable();
-    if lights.peek().is_none() {
-        return Vec3A::ZERO;
+    let facets: [Option<Facet>; SAMPLES] =
+        std::array::from_fn(|s| (open[s] && !samples[s].is_sky()).then(|| samples[s].facet(&rays[s])));
+    let transmittance = facets.map(|f| f.map_or(0.0, |f| seen_through(tracer, rays[0].origin, &f)));
+    let mut looks: [Option<Look>; SAMPLES] = [const { None }; SAMPLES];
+    let mut sums = [Vec3A::ZERO; SAMPLES];
+    for sweep in beams {
+        let beam = &frame.beams[usize::from(sweep.beam)];
+        let mut arriving = [(Vec3A::ZERO, Vec3A::Z); SAMPLES];
+        let mut active = 0u8;
+        for (s, facet) in facets.iter().enumerate() {
+            let Some(facet) = facet else { continue };
+            arriving[s] = beam.illuminance_at(facet.position);
+            let (illuminance, direction) = arriving[s];
+            let lit = illuminance.x * transmittance[s] > UNSEEN_KLX && facet.geometric_normal.dot(direction) > 0.0;
+            active |= u8::from(lit) << s;
+        }
+        if active == 0 {
+            continue;
+        }
+        let asks = |s: usize| facets.get(s).copied().flatten().map_or(Vec3A::ZERO, |facet| facet.ray_origin());
+        let to_lamp: [Ray; 8] = std::array::from_fn(|s| beam.shadow_ray(asks(s)));
+        active &= !hidden(tracer, frame, sweep, &to_lamp, active);
+        for s in (0..SAMPLES).filter(|s| active >> s & 1 == 1) {
+            let look = looks[s].get_or_insert_with(|| {
+                let point = SurfacePoint::new(&tracer.still.instances, &rays[s], &samples[s].hit);
+                still_look(&point, tracer.environment, s, pixel_angle)
+            });
+            let (illuminance, direction) = arriving[s];
+            sums[s] += look.lit_by(illuminance, direction, -rays[s].direction);
+        }
     }
-    let point = SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
-    let look = still_look(&point, tracer.environment, sample, pixel_angle);
-    let facet = still.facet(ray);
-    let mut sum = Vec3A::ZERO;
-    for sweep in lights {
-        sum += beam_light(tracer, &frame.beams[usize::from(sweep.beam)], &facet, &look);
+    (0..SAMPLES).map(|s| sums[s] * transmittance[s]).sum()
+}
+
+/// Those of eight rays to a lamp that something hides, a bit each.
+fn hidden(tracer: &Tracer<'_>, frame: &FrameScene, sweep: &Sweep, to_lamp: &[Ray; 8], active: u8) -> u8 {
+    let by_moving = if sweep.crossed { frame.accel.occluded8(to_lamp, active) } else { 0 };
+    match active & !by_moving {
+        0 => by_moving,
+        open => by_moving | tracer.still.accel.occluded8(to_lamp, open),
     }
-    sum * transmittance
+}
+
+/// Share of light from a surface that comes through the air to `eye`.
+fn seen_through(tracer: &Tracer<'_>, eye: Vec3A, facet: &Facet) -> f32 {
+    tracer.environment.fog.transmittance(eye, facet.direction, facet.distance)
 }
 
 /// The same for the centres of up to eight neighbouring pixels at once: rays to one lamp are traced together.
+/// `transmittance` is asked only where a light may show.
 pub(super) fn beams_on_row(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     beams: &[Sweep],
     row: &[Option<Place<'_>>; 8],
-    transmittance: &[f32; 8],
+    transmittance: &impl Deref<Target = [f32; 8]>,
 ) -> [Vec3A; 8] {
     let mut sums = [Vec3A::ZERO; 8];
     let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
     let axis = |axis: usize| f32x8::new(std::array::from_fn(|i| row[i].map_or(0.0, |p| p.facet.position[axis])));
     let positions = [axis(0), axis(1), axis(2)];
+    let mut shown = false;
     for sweep in beams {
         let beam = &frame.beams[usize::from(sweep.beam)];
         let mut active = 0u8;
         let strengths = beam.strengths_at(positions);
         for (i, place) in row.iter().enumerate() {
             let Some(Place { facet, .. }) = place else { continue };
-            let lit = strengths[i] * transmittance[i] > UNSEEN_KLX
-                && facet.geometric_normal.dot(beam.position - facet.position) > 0.0;
+            let lit = strengths[i] > UNSEEN_KLX
+                && facet.geometric_normal.dot(beam.position - facet.position) > 0.0
+                && strengths[i] * transmittance[i] > UNSEEN_KLX;
             active |= u8::from(lit) << i;
         }
         if active == 0 {
             continue;
         }
-        let rays = origins.map(|origin| beam.shadow_ray(origin));
-        if sweep.crossed {
-            active &= !frame.accel.occluded8(&rays, active);
-        }
-        if active != 0 {
-            active &= !tracer.still.accel.occluded8(&rays, active);
-        }
+        active &= !hidden(tracer, frame, sweep, &origins.map(|origin| beam.shadow_ray(origin)), active);
+        shown |= active != 0;
         for (i, place) in row.iter().enumerate() {
             if let (Some(Place { look: Some(look), facet, .. }), 1) = (place, active >> i & 1) {
                 let direction = (beam.position - facet.position).normalize();
@@ -87,5 +113,5 @@ pub(super) fn beams_on_row(
             }
         }
     }
-    std::array::from_fn(|i| sums[i] * transmittance[i])
+    if shown { std::array::from_fn(|i| sums[i] * transmittance[i]) } else { sums }
 }

@@ -2,11 +2,12 @@
 //! indirect light from the probes, one mirror ray for paint and glass.
 
 use super::Tracer;
-use super::secondary::{MIRROR_THRESHOLD, lamp_light, mirror_footprint, mirror_ray, shade_secondary8, shade_struck};
+use super::headlight::{beam_light, beam_light8};
+use super::lamplight::{lamp_light, lamp_light8};
+use super::secondary::{MIRROR_THRESHOLD, mirror_footprint, mirror_ray, shade_secondary8, shade_struck};
 use crate::accel::Ray;
-use crate::light::Beam;
 use crate::material::{Look, look};
-use crate::scene::{Facet, SurfacePoint};
+use crate::scene::SurfacePoint;
 use endless_world::math;
 use glam::Vec3A;
 use std::f32::consts::FRAC_1_PI;
@@ -30,7 +31,14 @@ pub(crate) fn shade_moving(tracer: &Tracer<'_>, seen: &Seen<'_>, pixel_angle: f3
         let struck = tracer.closest(&mirror.ray);
         shade_struck(tracer, &mirror.ray, struck.as_ref(), mirror.footprint_m)
     });
-    asked.radiance(tracer, &seen.point, sunlit, image)
+    let (point, look) = (&seen.point, &asked.look);
+    let night = if tracer.environment.night {
+        let beams = tracer.moving.map_or(Vec3A::ZERO, |moving| beam_light(tracer, moving, point, look));
+        lamp_light(tracer, point, look, LAMPS) + beams
+    } else {
+        Vec3A::ZERO
+    };
+    asked.radiance(tracer, point, sunlit, image, night)
 }
 
 /// The same for up to eight points: their rays run side by side.
@@ -55,10 +63,17 @@ pub(crate) fn shade_moving8(tracer: &Tracer<'_>, seen: &[Seen<'_>], pixel_angle:
         mirror.map_or(0.0, |mirror| mirror.footprint_m)
     });
     let images = shade_secondary8(tracer, &into_mirror, active, &footprints_m);
+    let mut night = [Vec3A::ZERO; 8];
+    if tracer.environment.night {
+        let points = std::array::from_fn(|i| Some((&seen.get(i)?.point, &asked[i].as_ref()?.look)));
+        let beams = tracer.moving.map_or([Vec3A::ZERO; 8], |moving| beam_light8(tracer, moving, &points));
+        let lamps = lamp_light8(tracer, &points, LAMPS);
+        night = std::array::from_fn(|i| lamps[i] + beams[i]);
+    }
     for (i, (seen, found)) in seen.iter().zip(found).enumerate() {
         if let Some(asked) = &asked[i] {
             let image = (active >> i & 1 == 1).then_some(images[i]);
-            *found = asked.radiance(tracer, &seen.point, sunlit >> i & 1 == 1, image);
+            *found = asked.radiance(tracer, &seen.point, sunlit >> i & 1 == 1, image, night[i]);
         }
     }
 }
@@ -91,7 +106,15 @@ impl Asked {
         Self { look, sun, mirror }
     }
 
-    fn radiance(&self, tracer: &Tracer<'_>, point: &SurfacePoint<'_>, sunlit: bool, image: Option<Vec3A>) -> Vec3A {
+    /// `night` is the light of lamps.
+    fn radiance(
+        &self,
+        tracer: &Tracer<'_>,
+        point: &SurfacePoint<'_>,
+        sunlit: bool,
+        image: Option<Vec3A>,
+        night: Vec3A,
+    ) -> Vec3A {
         let environment = tracer.environment;
         let (look, view) = (&self.look, -point.direction);
         let ambient = tracer.ambient(point.position + point.geometric_normal * 0.3, look.normal) * point.openness;
@@ -102,15 +125,7 @@ impl Asked {
         if let Some(mirror) = &self.mirror {
             radiance += mirror.light(tracer, point, image);
         }
-        if environment.night {
-            radiance += lamp_light(tracer, point, look, view, LAMPS);
-            if let Some(moving) = tracer.moving {
-                let facet = point.facet();
-                for &beam in moving.beams_on(point.instance) {
-                    radiance += beam_light(tracer, &moving.beams[usize::from(beam)], &facet, look);
-                }
-            }
-        }
+        radiance += night;
         environment.fog.through(radiance, point.seen_from(), point.direction, point.distance)
     }
 }
@@ -140,18 +155,6 @@ impl Mirror {
         }
         self.weight * shown
     }
-}
-
-/// Light of one vehicle lamp on a point towards its viewer, without fog.
-pub(crate) fn beam_light(tracer: &Tracer<'_>, beam: &Beam, point: &Facet, look: &Look) -> Vec3A {
-    let (illuminance, direction) = beam.illuminance_at(point.position);
-    if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
-        return Vec3A::ZERO;
-    }
-    if tracer.occluded(&beam.shadow_ray(point.ray_origin())) {
-        return Vec3A::ZERO;
-    }
-    look.lit_by(illuminance, direction, -point.direction)
 }
 
 /// Width of a pixel on a surface.

@@ -1,0 +1,106 @@
+//! Street lamps on points that are shaded once a frame: the few strongest, with hard shadows.
+
+use super::Tracer;
+use crate::accel::Ray;
+use crate::material::Look;
+use crate::scene::SurfacePoint;
+use glam::Vec3A;
+
+/// Most lamps that a point tests.
+const MOST: usize = 3;
+
+/// A lamp that may light a point.
+#[derive(Clone, Copy)]
+struct Candidate {
+    strength: f32,
+    lit: Vec3A,
+    lamp: u16,
+    /// To the lamp.
+    direction: Vec3A,
+}
+
+impl Candidate {
+    const NONE: Self = Self { strength: 0.0, lit: Vec3A::ZERO, lamp: 0, direction: Vec3A::Z };
+
+    fn is_some(&self) -> bool {
+        self.strength > 0.0
+    }
+
+    /// The ray that must be free for its light to arrive.
+    fn ray(&self, tracer: &Tracer<'_>, origin: Vec3A) -> Ray {
+        let position = tracer.still.lamps.all()[usize::from(self.lamp)].position;
+        Ray { origin, direction: position - origin, tmax: 0.999 }
+    }
+
+    /// Share of the light that the still town lets through, where the lamp's map knows it.
+    fn mapped_share(&self, tracer: &Tracer<'_>, ray: &Ray) -> Option<f32> {
+        tracer.lamp_maps.lit(usize::from(self.lamp), self.direction, ray.direction.length())
+    }
+}
+
+/// Light of the `count` strongest lamps.
+pub(super) fn lamp_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, count: usize) -> Vec3A {
+    let origin = point.ray_origin();
+    let share = |candidate: &Candidate| {
+        let ray = candidate.ray(tracer, origin);
+        let share = candidate.mapped_share(tracer, &ray);
+        let share = share.unwrap_or_else(|| f32::from(!tracer.still.accel.occluded(&ray)));
+        if share > 0.0 && tracer.moving.is_some_and(|m| m.accel.occluded(&ray)) { 0.0 } else { share }
+    };
+    strongest(tracer, point, look, count).iter().filter(|c| c.is_some()).map(|c| c.lit * share(c)).sum()
+}
+
+/// The same for up to eight points: rays to lamps of the same rank run side by side.
+pub(super) fn lamp_light8(
+    tracer: &Tracer<'_>,
+    points: &[Option<(&SurfacePoint<'_>, &Look)>; 8],
+    count: usize,
+) -> [Vec3A; 8] {
+    let mut sums = [Vec3A::ZERO; 8];
+    let best = points.map(|p| p.map_or([Candidate::NONE; MOST], |(point, look)| strongest(tracer, point, look, count)));
+    let origins = points.map(|p| p.map_or(Vec3A::ZERO, |(point, _)| point.ray_origin()));
+    for rank in 0..count.min(MOST) {
+        let rays: [Ray; 8] = std::array::from_fn(|i| best[i][rank].ray(tracer, origins[i]));
+        let (mut shares, mut asked, mut unknown) = ([0.0; 8], 0u8, 0u8);
+        for i in (0..8).filter(|&i| best[i][rank].is_some()) {
+            let share = best[i][rank].mapped_share(tracer, &rays[i]);
+            shares[i] = share.unwrap_or(1.0);
+            unknown |= u8::from(share.is_none()) << i;
+            asked |= u8::from(shares[i] > 0.0) << i;
+        }
+        if asked == 0 {
+            continue;
+        }
+        let mut hidden = if unknown == 0 { 0 } else { tracer.still.accel.occluded8(&rays, unknown) };
+        let open = asked & !hidden;
+        hidden |= tracer.moving.filter(|_| open != 0).map_or(0, |m| m.accel.occluded8(&rays, open));
+        for i in (0..8).filter(|i| (asked & !hidden) >> i & 1 == 1) {
+            sums[i] += best[i][rank].lit * shares[i];
+        }
+    }
+    sums
+}
+
+/// The lamps whose light on a point is strongest, were nothing in its way, by insertion into a short list.
+fn strongest(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, count: usize) -> [Candidate; MOST] {
+    let mut best = [Candidate::NONE; MOST];
+    let count = count.min(MOST);
+    for &lamp in tracer.still.lamps.indices_near(point.position) {
+        let (illuminance, direction) = tracer.still.lamps.all()[usize::from(lamp)].illuminance_at(point.position);
+        if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
+            continue;
+        }
+        let lit = look.lit_by(illuminance, direction, -point.direction);
+        let strength = lit.max_element();
+        if strength <= best[count - 1].strength {
+            continue;
+        }
+        let mut at = count - 1;
+        while at > 0 && best[at - 1].strength < strength {
+            best[at] = best[at - 1];
+            at -= 1;
+        }
+        best[at] = Candidate { strength, lit, lamp, direction };
+    }
+    best
+}
