@@ -268,6 +268,9 @@ pub(crate) struct BenchArgs {
     /// Film each of the fifteen conditions, over all towns in turn, and compare them.
     #[arg(long)]
     pub(crate) conditions: bool,
+    /// Towns to film, with --conditions each condition in all of them [default: any, with --conditions one a condition].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) maps: Option<Vec<String>>,
     /// Weathers to film [default: clear_sky, with --conditions all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) weathers: Option<Vec<String>>,

@@ -26,6 +26,7 @@ fn draft(args: &BenchArgs) -> RecipeDraft {
         videos: Some(1),
         size: Some(args.size.clone()),
         duration: Some(args.duration),
+        maps: args.maps.clone(),
         ..RecipeDraft::default()
     }
 }
@@ -52,7 +53,11 @@ fn conditions<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitCode>
     let times: Vec<TimeOfDay> = parsed(&args.times, TimeOfDay::ALL)?;
     let all = Weather::ALL.iter().flat_map(|w| TimeOfDay::ALL.iter().map(move |t| (w, t)));
     // Each condition keeps its town, whichever others are filmed.
-    for (map, (weather, hour)) in maps.iter().cycle().zip(all) {
+    let films = maps.iter().cycle().zip(all).flat_map(|(own, condition)| {
+        let maps = args.maps.as_deref().unwrap_or(std::slice::from_ref(own));
+        maps.iter().map(move |map| (map, condition))
+    });
+    for (map, (weather, hour)) in films {
         if !weathers.contains(weather) || !times.contains(hour) {
             continue;
         }
