@@ -103,9 +103,11 @@ fn vehicles_are_sound_and_measure_what_they_say() {
 #[test]
 fn any_draw_is_sound_and_measures_what_it_says() {
     for (k, kind) in Catalogue::vehicle_kinds().iter().enumerate() {
-        for i in 0..4 {
+        for i in 0..6 {
             let v = Catalogue::draw_vehicle(kind.name, 100 + 37 * k as u64 + i).expect("a design of the list");
-            assert_sound(v.body(), kind.name);
+            for mesh in [v.body(), v.wheel_mesh()].into_iter().chain(v.trailer().map(|t| &t.body)) {
+                assert_sound(mesh, kind.name);
+            }
             assert_measures(&v);
         }
     }
@@ -251,7 +253,7 @@ fn props_stand_as_documented() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 40, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 300, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn people_are_sound(variant: u64, walked_m in 0.0f32..50.0, gait in 0usize..3) {

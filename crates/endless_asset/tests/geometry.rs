@@ -6,13 +6,14 @@ use endless_asset::{Catalogue, LightSlot, Surface, VehicleModel};
 use endless_world::ObjectClass;
 use glam::Vec3;
 use soup::Soup;
+use std::rc::Rc;
 
-/// Draws of every design, as many as a quick test can afford.
-fn draws(each: u64) -> impl Iterator<Item = VehicleModel> {
+/// Draws of every design: some hundred vehicles in all.
+fn draws() -> impl Iterator<Item = VehicleModel> {
+    const EACH: u64 = 6;
     let kinds = Catalogue::vehicle_kinds();
-    kinds
-        .into_iter()
-        .flat_map(move |k| (0..each).map(move |i| Catalogue::draw_vehicle(k.name, 1000 + i).expect("a design")))
+    assert!(kinds.len() as u64 * EACH >= 300);
+    kinds.into_iter().flat_map(|k| (0..EACH).map(move |i| Catalogue::draw_vehicle(k.name, 1000 + i).expect("a design")))
 }
 
 /// Who looks from where a camera may hang meets outer sides only: skins are closed, and wound alike.
@@ -28,14 +29,14 @@ fn inner_sides(vehicle: &VehicleModel) -> Option<String> {
 
 #[test]
 fn vehicles_are_closed_as_seen_from_outside() {
-    let open: Vec<String> = draws(2).filter_map(|v| inner_sides(&v)).collect();
+    let open: Vec<String> = draws().filter_map(|v| inner_sides(&v)).collect();
     assert!(open.is_empty(), "{open:#?}");
 }
 
 /// Lamps of each kind are there, on the right side, and most of them can be seen from where they shine.
 #[test]
 fn lights_are_on_the_surface() {
-    for (vehicle, rear) in draws(2).flat_map(|v| [(v.clone(), false), (v, true)]) {
+    for (vehicle, rear) in draws().map(Rc::new).flat_map(|v| [false, true].map(|rear| (Rc::clone(&v), rear))) {
         let name = vehicle.spec.name;
         // The tail is that of what is drawn, if anything is.
         let drawn = vehicle.trailer().filter(|_| rear);

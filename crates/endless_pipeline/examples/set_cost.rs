@@ -39,16 +39,15 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     let cast = Cast::new(&catalogue, &scene.state().actors);
     let cast_cost = stage.next();
     let built = [town_cost, still_cost, cast_cost].iter().fold([0.0, 0.0], |a, b| [a[0] + b[0], a[1] + b[1]]);
+    let told = |[wall, processors]: [f64; 2]| format!("{wall:.2} s ({processors:.2} s of processors)");
     println!(
-        "{map}: {:.2} s built ({:.2} s of processors): town {:.2} s, its geometry {:.2} s ({:.1} M triangles placed), cast of {} {:.2} s; \
-         {} MiB at most",
-        built[0],
-        built[1],
-        town_cost[0],
-        still_cost[0],
+        "{map}: {} built: town {}, its geometry {} ({:.1} M triangles placed), cast of {} {}; {} MiB at most",
+        told(built),
+        told(town_cost),
+        told(still_cost),
         still.placed_triangles() as f64 / 1e6,
         scene.state().actors.len(),
-        cast_cost[0],
+        told(cast_cost),
         most_memory_mib(),
     );
     drop((scene, cast));

@@ -107,6 +107,11 @@ impl PersonModel {
         self.skinned(&self.bones(motion))
     }
 
+    /// The same, in place of what the pose was: of no matter, but its memory is used again.
+    pub fn pose_into(&self, motion: &WalkerMotion, pose: &mut BodyPose) {
+        self.skin(&self.bones(motion), pose);
+    }
+
     /// The keypoints of COCO ([`KEYPOINTS`]) at an instant, in the person's object frame.
     pub fn keypoints(&self, motion: &WalkerMotion) -> [Vec3; 17] {
         self.keypoints_on(&self.bones(motion))
@@ -130,23 +135,26 @@ impl PersonModel {
         bones
     }
 
-    /// Linear-blend skinning; normals turn with the blended bones.
     fn skinned(&self, bones: &[Affine3A; BONES]) -> BodyPose {
-        let mixed: Vec<Affine3A> = self.blends.iter().map(|b| b.mix(bones)).collect();
-        let n = self.rest.positions.len();
-        let mut pose = BodyPose { positions: Vec::with_capacity(n), normals: Vec::with_capacity(n) };
-        for i in 0..n {
-            let m = &mixed[usize::from(self.vertex_blend[i])];
-            let rest = self.rest.positions[i];
-            let mut p = m.transform_point3(rest);
-            // Hems that reach the ground lie on it.
-            if p.z < HEM_M && rest.z > 10.0 * HEM_M {
-                p.z = HEM_M;
-            }
-            pose.positions.push(p);
-            pose.normals.push(m.transform_vector3(self.rest.normals[i]).normalize_or(Vec3::Z));
-        }
+        let mut pose = BodyPose::default();
+        self.skin(bones, &mut pose);
         pose
+    }
+
+    /// Linear-blend skinning; normals turn with the blended bones.
+    fn skin(&self, bones: &[Affine3A; BONES], pose: &mut BodyPose) {
+        let mixed: Vec<Affine3A> = self.blends.iter().map(|b| b.mix(bones)).collect();
+        let follows = || self.vertex_blend.iter().map(|&b| &mixed[usize::from(b)]);
+        pose.positions.clear();
+        pose.positions.extend(self.rest.positions.iter().zip(follows()).map(|(rest, m)| {
+            let p = m.transform_point3(*rest);
+            // Hems that reach the ground lie on it.
+            if p.z < HEM_M && rest.z > 10.0 * HEM_M { p.with_z(HEM_M) } else { p }
+        }));
+        pose.normals.clear();
+        pose.normals.extend(
+            self.rest.normals.iter().zip(follows()).map(|(rest, m)| m.transform_vector3(*rest).normalize_or(Vec3::Z)),
+        );
     }
 }
 

@@ -1,43 +1,79 @@
-//! Rays against a mesh, without any structure.
+//! Rays against a mesh: the nearest triangle, found in a tree of boxes.
 
 use endless_asset::Mesh;
 use endless_world::Stream;
 use glam::Vec3;
 
-/// Triangles in columns along x, so that rays need not try them all.
+/// The triangles of a mesh.
 pub(crate) struct Soup {
     pub(crate) corners: Vec<[Vec3; 3]>,
     low: Vec3,
     high: Vec3,
+    nodes: Vec<Node>,
+    /// Numbers of triangles, in the order of the leaves.
+    order: Vec<usize>,
 }
+
+/// A box around a run of `order`; unless it is a leaf its halves are the next node and `other`.
+struct Node {
+    low: Vec3,
+    high: Vec3,
+    run: std::ops::Range<usize>,
+    other: usize,
+}
+
+/// Triangles in a leaf, at most.
+const LEAF: usize = 8;
 
 impl Soup {
     pub(crate) fn new(mesh: &Mesh) -> Self {
-        let corners = mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).collect();
+        let corners: Vec<[Vec3; 3]> = mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).collect();
         let (low, high) = mesh.bounds();
-        Self { corners, low, high }
+        let order = (0..corners.len()).collect();
+        let mut soup = Self { order, low, high, nodes: Vec::new(), corners };
+        soup.split(0..soup.corners.len());
+        soup
     }
 
-    /// Distance and number of the first triangle that a ray meets, from either side (Möller and Trumbore 1997).
+    /// Adds the nodes of a run, halved where it is longest.
+    fn split(&mut self, run: std::ops::Range<usize>) {
+        let points = || self.order[run.clone()].iter().flat_map(|&i| self.corners[i]);
+        let (low, high) = (points().fold(Vec3::INFINITY, Vec3::min), points().fold(Vec3::NEG_INFINITY, Vec3::max));
+        let node = self.nodes.len();
+        self.nodes.push(Node { low, high, run: run.clone(), other: 0 });
+        if run.len() <= LEAF {
+            return;
+        }
+        let axis = (high - low).max_position();
+        let (corners, half) = (&self.corners, run.len() / 2);
+        let place = |i: usize| corners[i].iter().map(|p| p[axis]).sum::<f32>();
+        self.order[run.clone()].select_nth_unstable_by(half, |&a, &b| place(a).total_cmp(&place(b)));
+        self.split(run.start..run.start + half);
+        self.nodes[node].other = self.nodes.len();
+        self.split(run.start + half..run.end);
+    }
+
+    /// Distance and number of the first triangle that a ray meets, from either side.
     pub(crate) fn first(&self, origin: Vec3, direction: Vec3) -> Option<(f32, usize)> {
         let mut best: Option<(f32, usize)> = None;
-        for (i, &[a, b, c]) in self.corners.iter().enumerate() {
-            let (e, f) = (b - a, c - a);
-            let p = direction.cross(f);
-            let determinant = e.dot(p);
-            if determinant.abs() < 1e-12 {
+        let mut open = vec![0];
+        while let Some(at) = open.pop() {
+            let node = &self.nodes[at];
+            let (a, b) = ((node.low - origin) / direction, (node.high - origin) / direction);
+            let enters = a.min(b).max_element().max(0.0);
+            if enters > a.max(b).min_element() * 1.0001 || best.is_some_and(|(t, _)| t < enters) {
                 continue;
             }
-            let s = origin - a;
-            let u = s.dot(p) / determinant;
-            if !(0.0..=1.0).contains(&u) {
+            if node.run.len() > LEAF {
+                open.extend([at + 1, node.other]);
                 continue;
             }
-            let q = s.cross(e);
-            let v = direction.dot(q) / determinant;
-            let t = f.dot(q) / determinant;
-            if v >= 0.0 && u + v <= 1.0 && t > 1e-5 && best.is_none_or(|(known, _)| t < known) {
-                best = Some((t, i));
+            for &i in &self.order[node.run.clone()] {
+                if let Some(t) = meets(self.corners[i], origin, direction)
+                    && best.is_none_or(|known| (t, i) < known)
+                {
+                    best = Some((t, i));
+                }
             }
         }
         best
@@ -68,4 +104,20 @@ impl Soup {
         }
         (met, inner)
     }
+}
+
+/// Distance to a triangle from either side (Möller and Trumbore 1997).
+fn meets([a, b, c]: [Vec3; 3], origin: Vec3, direction: Vec3) -> Option<f32> {
+    let (e, f) = (b - a, c - a);
+    let p = direction.cross(f);
+    let determinant = e.dot(p);
+    if determinant.abs() < 1e-12 {
+        return None;
+    }
+    let s = origin - a;
+    let u = s.dot(p) / determinant;
+    let q = s.cross(e);
+    let v = direction.dot(q) / determinant;
+    let t = f.dot(q) / determinant;
+    ((0.0..=1.0).contains(&u) && v >= 0.0 && u + v <= 1.0 && t > 1e-5).then_some(t)
 }

@@ -1,5 +1,6 @@
 //! The bottom level: a tree over the triangles of one mesh, in the mesh's own frame.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use glam::{Vec3, Vec3A};
@@ -16,11 +17,39 @@ use super::triangle::TriangleGroup;
 pub struct Blas {
     pub(super) tree: Tree,
     pub(super) groups: Vec<TriangleGroup>,
-    triangles: Vec<[u32; 3]>,
+    /// Vertices of the triangles in the order in which the groups hold them; the same however the mesh deforms.
+    corners: Arc<[[u32; 3]]>,
     bounds: (Vec3A, Vec3A),
 }
 
-const COSTS: Costs = Costs { group: 1.5, group_size: TriangleGroup::SIZE as u32, max_leaf: 16 };
+/// What is done with a mesh: how much its tree is worth.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Use {
+    /// It stands in the town, and meets nearly every ray.
+    Still,
+    /// It moves as it is: a good tree, soon made.
+    Rigid,
+    /// It deforms with every frame: few boxes and full groups, which are soon refitted.
+    Deforming,
+}
+
+impl Use {
+    fn costs(self) -> Costs {
+        let group = if self == Self::Deforming { 0.8 } else { 1.5 };
+        Costs { group, group_size: TriangleGroup::SIZE as u32, max_leaf: 16 }
+    }
+
+    fn params(self, triangles: usize) -> BvhBuildParams {
+        let mut params =
+            if triangles > LARGE_MESH { BvhBuildParams::fast_build() } else { BvhBuildParams::medium_build() };
+        params.max_prims_per_leaf = 1;
+        if self != Self::Still {
+            // The second round of improvements is twice as dear as the first, and gains little.
+            params.post_collapse_reinsertion_batch_ratio_multiplier = 0.0;
+        }
+        params
+    }
+}
 
 /// Meshes above this many triangles are built with a quicker preset.
 const LARGE_MESH: usize = 2_000_000;
@@ -34,30 +63,31 @@ impl Boundable for Corners {
 }
 
 impl Blas {
-    /// Builds over `triangles`, which index `positions`. Positions must be finite; degenerate triangles are allowed
-    /// and hit nothing.
+    /// Builds over `triangles`, which index `positions`, what stands still. Positions must be finite; degenerate
+    /// triangles are allowed and hit nothing.
     pub fn build(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
+        Self::build_for(Use::Still, positions, triangles)
+    }
+
+    /// The same for another use.
+    pub(crate) fn build_for(purpose: Use, positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let corners: Vec<Corners> =
             triangles.iter().map(|t| Corners(t.map(|i| Vec3A::from(positions[i as usize])))).collect();
         let mut groups = Vec::with_capacity(triangles.len() / 3 + 1);
         let tree = if triangles.is_empty() {
             Tree::empty()
         } else {
-            let mut params = if triangles.len() > LARGE_MESH {
-                BvhBuildParams::fast_build()
-            } else {
-                BvhBuildParams::medium_build()
-            };
-            params.max_prims_per_leaf = 1;
-            let source = build_bvh2(&corners, params, &mut Duration::default());
-            collapse(&source, COSTS, |things| {
+            let source = build_bvh2(&corners, purpose.params(triangles.len()), &mut Duration::default());
+            collapse(&source, purpose.costs(), |things| {
                 let start = groups.len();
                 groups.extend(things.chunks(TriangleGroup::SIZE).map(TriangleGroup::new));
                 Link::leaf(start, groups.len() - start)
             })
         };
         groups.shrink_to_fit();
-        let mut blas = Blas { tree, groups, triangles: triangles.to_vec(), bounds: EMPTY_BOX };
+        let ids = groups.iter().flat_map(|group| &group.ids[..group.len()]);
+        let corners = ids.map(|&id| triangles[id as usize]).collect();
+        let mut blas = Blas { tree, groups, corners, bounds: EMPTY_BOX };
         blas.refit(positions);
         blas
     }
@@ -65,14 +95,18 @@ impl Blas {
     /// Takes new positions of the same vertices. Hits are then the same as after a fresh build; speed is that of
     /// the old tree, so rebuild when the shape has changed much.
     pub fn refit(&mut self, positions: &[Vec3]) {
-        for group in &mut self.groups {
-            for lane in 0..group.len() {
-                let corners = self.triangles[group.ids[lane] as usize].map(|i| positions[i as usize]);
-                group.set_triangle(lane, corners);
-            }
-        }
-        let groups = &self.groups;
-        self.bounds = self.tree.fit(|leaf| groups[leaf.range()].iter().fold(EMPTY_BOX, |b, g| union(b, group_box(g))));
+        let mut corners = self.corners.iter();
+        let refit = |group: &mut TriangleGroup| {
+            let lanes = group.len();
+            corners.by_ref().take(lanes).enumerate().fold(EMPTY_BOX, |bounds, (lane, corner)| {
+                let [a, b, c] = corner.map(|i| positions[i as usize]);
+                group.set_triangle(lane, [a, b, c]);
+                let [a, b, c] = [a, b, c].map(Vec3A::from);
+                union(bounds, (a.min(b).min(c), a.max(b).max(c)))
+            })
+        };
+        let boxes: Vec<_> = self.groups.iter_mut().map(refit).collect();
+        self.bounds = self.tree.fit(|leaf| boxes[leaf.range()].iter().copied().fold(EMPTY_BOX, union));
     }
 
     /// Box around all triangles, `(min, max)`; `min > max` if there are none.
@@ -101,22 +135,15 @@ impl Blas {
 
     /// Number of triangles.
     pub fn triangle_count(&self) -> usize {
-        self.triangles.len()
+        self.corners.len()
     }
 
     /// Memory taken, bytes.
     pub fn memory_bytes(&self) -> usize {
-        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.groups[..]) + size_of_val(&self.triangles[..])
+        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.groups[..]) + size_of_val(&self.corners[..])
     }
 
     pub(super) fn nodes(&self) -> &[Node] {
         &self.tree.nodes
     }
-}
-
-fn group_box(group: &TriangleGroup) -> (Vec3A, Vec3A) {
-    (0..group.len()).fold(EMPTY_BOX, |b, lane| {
-        let (min, max) = group.bounds(lane);
-        union(b, (min.into(), max.into()))
-    })
 }

@@ -4,7 +4,7 @@
 use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
 
-use super::node::{Link, Node};
+use super::node::{EMPTY_BOX, Link, Node, union};
 
 /// What things cost, relative to one test of a node's eight boxes.
 #[derive(Clone, Copy, Debug)]
@@ -32,22 +32,26 @@ impl Tree {
 
     /// Computes all boxes bottom-up from those of the leaves and returns the box around everything.
     pub(super) fn fit(&mut self, leaf_box: impl Fn(Link) -> (Vec3A, Vec3A)) -> (Vec3A, Vec3A) {
+        let mut boxes = vec![EMPTY_BOX; self.nodes.len()];
         for index in (0..self.nodes.len()).rev() {
-            let mut node = self.nodes[index];
+            let node = &mut self.nodes[index];
+            let mut around = EMPTY_BOX;
             for slot in 0..8 {
                 let link = node.links[slot];
-                if link.is_leaf() {
-                    node.set_box(slot, leaf_box(link));
-                } else if link != Link::EMPTY {
-                    node.set_box(slot, self.nodes[link.node()].bounds());
-                }
+                let bounds = match link {
+                    Link::EMPTY => continue,
+                    leaf if leaf.is_leaf() => leaf_box(leaf),
+                    child => boxes[child.node()],
+                };
+                node.set_box(slot, bounds);
+                around = union(around, bounds);
             }
-            self.nodes[index] = node;
+            boxes[index] = around;
         }
         match self.root {
-            Link::EMPTY => super::node::EMPTY_BOX,
+            Link::EMPTY => EMPTY_BOX,
             root if root.is_leaf() => leaf_box(root),
-            root => self.nodes[root.node()].bounds(),
+            root => boxes[root.node()],
         }
     }
 }

@@ -27,6 +27,7 @@ mod tlas;
 mod triangle;
 
 pub use blas::Blas;
+pub(crate) use blas::Use;
 pub(crate) use node::corners;
 pub use ray::{Hit, Ray};
 pub use tlas::Accel;

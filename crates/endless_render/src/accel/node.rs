@@ -89,11 +89,6 @@ impl Node {
         (0..8).filter(|&slot| self.links[slot] != Link::EMPTY).map(|slot| (self.links[slot], self.child_box(slot)))
     }
 
-    /// Box around all children.
-    pub(super) fn bounds(&self) -> (Vec3A, Vec3A) {
-        self.children().fold(EMPTY_BOX, |b, (_, child)| union(b, child))
-    }
-
     /// Which children a ray (or every ray of a beam) may enter before `tmax`, and where.
     #[inline(always)]
     pub(super) fn enter(&self, beam: &Beam, tmax: f32) -> (u32, f32x8) {

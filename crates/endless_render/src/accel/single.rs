@@ -30,6 +30,19 @@ impl Accel {
     }
 }
 
+impl Blas {
+    /// Whether each of these rays, in the mesh's own frame, meets the mesh.
+    pub(crate) fn occluded<'a>(&'a self, rays: impl Iterator<Item = Ray> + 'a) -> impl Iterator<Item = bool> + 'a {
+        let mut stack = Stack::new();
+        rays.map(move |ray| {
+            let local = LocalRay::new(ray.origin, ray.direction);
+            let beam = Beam::of_ray(&local);
+            let mut best = Hit::none(ray.tmax);
+            trace_blas::<true>(self, self.tree.root, 0, &local, &beam, 0.0, &mut best, &mut stack)
+        })
+    }
+}
+
 impl Entry {
     /// Intersects one instance; says whether a hit was taken.
     #[inline(always)]

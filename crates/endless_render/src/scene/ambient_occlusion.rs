@@ -1,36 +1,70 @@
 //! How much of its surroundings each vertex of a moving body sees past the body itself and the ground it shades.
 
-use super::{Body, Shape};
-use crate::accel::{Accel, Ray};
+use super::Body;
+use crate::accel::Ray;
 use crate::sampling::{cosine_direction, hammersley};
-use glam::{Affine3A, Vec3A};
+use glam::{IVec3, Vec3A};
 use rayon::prelude::*;
-use std::sync::Arc;
+use std::collections::HashMap;
 
 const RAYS: u32 = 24;
+const SPARSE: u32 = 3;
+const FIRST: u32 = RAYS / SPARSE;
+/// Rays start this far off the surface; of the object's largest measure.
+const LIFT: f32 = 2e-3;
 
 /// Openness of every vertex, 0 to 1: the cosine-weighted share of directions that neither meet the body itself nor
 /// the dark ground beneath it. `low` and `high` bound the whole object, wheels included.
-pub(crate) fn openness(shape: &Shape, body: &Body, low: Vec3A, high: Vec3A) -> Vec<f32> {
-    let accel = Accel::build(vec![(Arc::clone(&body.blas), Affine3A::IDENTITY)]);
+pub(crate) fn openness(body: &Body, low: Vec3A, high: Vec3A) -> Vec<f32> {
     let size = (high - low).max_element();
-    debug_assert_eq!(shape.uvs.len(), body.positions.len());
-    (0..body.positions.len())
+    // About the normal of the surface, which is up; a third of them, well spread, come first.
+    let order = |k: u32| SPARSE * (k % FIRST) + k / FIRST;
+    let directions: [Vec3A; RAYS as usize] =
+        std::array::from_fn(|k| cosine_direction(Vec3A::Z, hammersley(order(k as u32), RAYS)));
+    let (places, place_of) = places(body, size);
+    let open: Vec<f32> = places
         .into_par_iter()
-        .map(|i| {
-            let normal = Vec3A::from(body.normals[i]);
-            let origin = Vec3A::from(body.positions[i]) + normal * (size * 2e-3);
-            let mut open = 0.0;
-            for k in 0..RAYS {
-                let direction = cosine_direction(normal, hammersley(k, RAYS));
-                let ray = Ray { origin, direction, tmax: size };
-                if !accel.occluded(&ray) {
-                    open += ground_light(origin, direction, low, high);
-                }
-            }
-            open / RAYS as f32
+        .map(|vertex| {
+            let normal = Vec3A::from(body.normals[vertex]);
+            let origin = Vec3A::from(body.positions[vertex]) + normal * (size * LIFT);
+            let (a, b) = normal.any_orthonormal_pair();
+            let directions = directions.map(|d| a * d.x + b * d.y + normal * d.z);
+            let rays = directions.iter().map(|&direction| Ray { origin, direction, tmax: size });
+            let mut light = directions
+                .iter()
+                .zip(body.blas.occluded(rays))
+                .map(|(&direction, occluded)| if occluded { 0.0 } else { ground_light(origin, direction, low, high) });
+            let first: f32 = light.by_ref().take(FIRST as usize).sum();
+            // Deep inside nothing is seen.
+            if first == 0.0 { 0.0 } else { (first + light.sum::<f32>()) / RAYS as f32 }
         })
-        .collect()
+        .collect();
+    place_of.into_iter().map(|place| open[place as usize]).collect()
+}
+
+/// Vertices that stand for all: one of those that lie on one small flat piece of surface, where all see about the
+/// same. With it, which of them stands for each vertex.
+fn places(body: &Body, size: f32) -> (Vec<usize>, Vec<u32>) {
+    /// Across the surface, of the object's size and in metres at most.
+    const ACROSS: f32 = 0.012;
+    const MOST_M: f32 = 0.05;
+    /// Along the normal, metres at least.
+    const LEAST_M: f32 = 0.006;
+    let (across, along) = ((ACROSS * size).min(MOST_M), (LIFT * size).max(LEAST_M));
+    let mut known: HashMap<(IVec3, IVec3, i32), u32> = HashMap::with_capacity(body.positions.len());
+    let mut places = Vec::new();
+    let mut place_of = |vertex: usize| {
+        let (position, normal) = (Vec3A::from(body.positions[vertex]), Vec3A::from(body.normals[vertex]));
+        let facing = (normal * 4.0).round();
+        let height = (position.dot(facing.normalize_or(Vec3A::Z)) / along).floor();
+        let key = ((position / across).floor().as_ivec3(), facing.as_ivec3(), height as i32);
+        *known.entry(key).or_insert_with(|| {
+            places.push(vertex);
+            places.len() as u32 - 1
+        })
+    };
+    let place_of = (0..body.positions.len()).map(&mut place_of).collect();
+    (places, place_of)
 }
 
 /// Ground under the object lies in its shadow: a direction that ends there brings little.

@@ -1,13 +1,14 @@
 //! The models of those who move in a scene, made once a scene.
 
 use super::{Body, Shape, ambient_occlusion::openness, model::model, static_scene::VehicleParts};
+use crate::accel::Use;
 use endless_asset::{Catalogue, PersonModel};
 use endless_world::{Actor, AssetRef, Gait, Motion, WalkerMotion};
 use glam::Vec3A;
 use rayon::prelude::*;
 use std::{
     collections::{BTreeMap, BTreeSet},
-    sync::Arc,
+    sync::{Arc, Mutex, PoisonError},
 };
 
 /// Models of all actors of a scene.
@@ -35,7 +36,9 @@ pub(crate) struct VehicleCast {
 pub(crate) struct PersonCast {
     pub(crate) model: PersonModel,
     pub(crate) shape: Arc<Shape>,
-    pub(crate) rest: Arc<Body>,
+    rest: Arc<Body>,
+    /// Bodies that were posed before: the memory of those that nobody holds any more is used again.
+    posed: Mutex<Vec<Arc<Body>>>,
 }
 
 impl Cast {
@@ -50,16 +53,17 @@ impl Cast {
         let ridden = driving().filter(|a| a.rider_id.is_some());
         let ridden: BTreeSet<(u16, u64)> = ridden.map(|a| (a.asset.model, a.asset.variant)).collect();
         let known = |&(model, _): &(u16, u64)| usize::from(model) < catalogue.vehicles().len();
-        Self {
-            vehicles: models.into_par_iter().filter_map(|m| Some((m, VehicleCast::of(catalogue, m)?))).collect(),
-            people: dressed.into_par_iter().filter_map(|key| Some((key, PersonCast::of(catalogue, key)?))).collect(),
-            riders: ridden.into_par_iter().filter_map(|key| Some((key, rider(catalogue, key)?))).collect(),
-            tints: tinted
-                .into_iter()
-                .filter(known)
-                .map(|(model, variant)| ((model, variant), Vec3A::from_array(catalogue.vehicle_tint(model, variant))))
-                .collect(),
-        }
+        let (vehicles, (people, riders)) = rayon::join(
+            || models.into_par_iter().filter_map(|m| Some((m, VehicleCast::of(catalogue, m)?))).collect(),
+            || {
+                rayon::join(
+                    || dressed.into_par_iter().filter_map(|key| Some((key, PersonCast::of(catalogue, key)?))).collect(),
+                    || ridden.into_par_iter().filter_map(|key| Some((key, rider(catalogue, key)?))).collect(),
+                )
+            },
+        );
+        let tint = |(model, variant)| Vec3A::from_array(catalogue.vehicle_tint(model, variant));
+        Self { vehicles, people, riders, tints: tinted.into_iter().filter(known).map(|key| (key, tint(key))).collect() }
     }
 
     pub(crate) fn vehicle(&self, model: u16) -> Option<&VehicleCast> {
@@ -102,24 +106,32 @@ impl VehicleCast {
 impl PersonCast {
     fn of(catalogue: &Catalogue, (dress, variant): (u16, u64)) -> Option<Self> {
         let person = catalogue.person_of(AssetRef { model: dress, variant });
-        let mut parts = model(&person.rest);
+        let mut parts = model(person.rest.clone(), Use::Deforming);
         shade_in_motion(&mut parts, &person);
         let (shape, rest) = parts?;
-        Some(Self { model: person, shape, rest })
+        Some(Self { model: person, shape, rest, posed: Mutex::default() })
     }
 
     /// The body as it stands in a motion.
-    pub(crate) fn posed(&self, motion: &WalkerMotion) -> Body {
-        let pose = self.model.pose(motion);
-        let mut blas = (*self.rest.blas).clone();
-        blas.refit(&pose.positions);
-        Body { positions: pose.positions, normals: pose.normals, blas: Arc::new(blas) }
+    pub(crate) fn posed(&self, motion: &WalkerMotion) -> Arc<Body> {
+        let mut body = self.spare().unwrap_or_else(|| self.rest.as_ref().clone());
+        body.pose(&self.model, motion);
+        let body = Arc::new(body);
+        self.posed.lock().unwrap_or_else(PoisonError::into_inner).push(Arc::clone(&body));
+        body
+    }
+
+    /// A body that was posed for an instant that is gone.
+    fn spare(&self) -> Option<Body> {
+        let mut posed = self.posed.lock().unwrap_or_else(PoisonError::into_inner);
+        let free = posed.iter().position(|body| Arc::strong_count(body) == 1)?;
+        Arc::into_inner(posed.swap_remove(free))
     }
 }
 
 /// Who rides a vehicle.
 fn rider(catalogue: &Catalogue, (vehicle, variant): (u16, u64)) -> Option<(Arc<Shape>, Arc<Body>)> {
-    let mut rider = catalogue.rider(vehicle, variant).as_ref().and_then(model);
+    let mut rider = catalogue.rider(vehicle, variant).and_then(|mesh| model(mesh, Use::Rigid));
     let high = Vec3A::new(0.5, 0.4, 1.8);
     shade_by_itself(&mut rider, Vec3A::new(-0.5, -0.4, 0.0), high);
     rider
@@ -129,11 +141,9 @@ fn rider(catalogue: &Catalogue, (vehicle, variant): (u16, u64)) -> Option<(Arc<S
 fn shade_in_motion(parts: &mut Option<(Arc<Shape>, Arc<Body>)>, person: &PersonModel) {
     let Some((shape, rest)) = parts else { return };
     let stride = WalkerMotion { speed_mps: 1.3, gait: Gait::Walk, ..WalkerMotion::default() };
-    let pose = person.pose(&stride);
-    let mut blas = (*rest.blas).clone();
-    blas.refit(&pose.positions);
-    let body = Body { positions: pose.positions, normals: pose.normals, blas: Arc::new(blas) };
-    let open = openness(shape, &body, Vec3A::new(-0.25, -0.3, 0.0), Vec3A::new(0.25, 0.3, person.height_m));
+    let mut body = rest.as_ref().clone();
+    body.pose(person, &stride);
+    let open = openness(&body, Vec3A::new(-0.25, -0.3, 0.0), Vec3A::new(0.25, 0.3, person.height_m));
     if let Some(shape) = Arc::get_mut(shape) {
         shape.openness = open;
     }
@@ -142,7 +152,7 @@ fn shade_in_motion(parts: &mut Option<(Arc<Shape>, Arc<Body>)>, person: &PersonM
 /// Fills in a model's openness.
 fn shade_by_itself(part: &mut Option<(Arc<Shape>, Arc<Body>)>, low: Vec3A, high: Vec3A) {
     let Some((shape, body)) = part else { return };
-    let open = openness(shape, body, low, high);
+    let open = openness(body, low, high);
     if let Some(shape) = Arc::get_mut(shape) {
         shape.openness = open;
     }

@@ -8,9 +8,6 @@ use glam::{Affine3A, Mat3A, Vec2, Vec3A};
 use rayon::prelude::*;
 use std::sync::Arc;
 
-/// Boxes as which a large piece of something that moves is known.
-const PARTS: usize = 24;
-
 /// One actor as a volume: what its shadows, reflections and contact darkening are bounded by.
 #[derive(Debug, Clone)]
 pub(crate) struct MovingObject {
@@ -49,7 +46,7 @@ impl FrameScene {
         let mut spans = Vec::new();
         let mut beams = Vec::new();
         // People are posed by all threads.
-        let posed: Vec<Option<Body>> = state.actors.par_iter().map(|actor| posed(cast, actor)).collect();
+        let posed: Vec<Option<Arc<Body>>> = state.actors.par_iter().map(|actor| posed(cast, actor)).collect();
         for (actor, body) in state.actors.iter().zip(posed) {
             let first = instances.len();
             let pieces = match actor.motion {
@@ -68,14 +65,14 @@ impl FrameScene {
         }
         let accel = Accel::build(instances.iter().map(Instance::placed).collect());
         let objects = spans
-            .into_iter()
+            .into_par_iter()
             .map(|(span, piece)| {
                 let (mut low, mut high) = (Vec3A::INFINITY, Vec3A::NEG_INFINITY);
                 let mut parts = Vec::new();
                 for i in span {
                     let (a, b) = accel.instance_bounds(i);
                     (low, high) = (low.min(a), high.max(b));
-                    parts.extend(instances[i].parts(PARTS));
+                    parts.extend(instances[i].parts());
                 }
                 let reaches = |beam: &Beam| beam.reaches(low - 0.1, high + 0.1);
                 let beams = (0u16..).zip(&beams).filter(|(_, beam)| reaches(beam)).map(|(i, _)| i).collect();
@@ -177,15 +174,15 @@ fn add_vehicle(cast: &Cast, actor: &Actor, instances: &mut Vec<Instance>, beams:
 }
 
 /// The body of a person on foot as it stands.
-fn posed(cast: &Cast, actor: &Actor) -> Option<Body> {
+fn posed(cast: &Cast, actor: &Actor) -> Option<Arc<Body>> {
     let Motion::Walker(motion) = &actor.motion else { return None };
     Some(cast.person(actor.asset)?.posed(motion))
 }
 
 /// Adds a person in their pose.
-fn add_person(cast: &Cast, actor: &Actor, body: Option<Body>, instances: &mut Vec<Instance>) -> Vec<Piece> {
+fn add_person(cast: &Cast, actor: &Actor, body: Option<Arc<Body>>, instances: &mut Vec<Instance>) -> Vec<Piece> {
     let (Some(person), Some(body)) = (cast.person(actor.asset), body) else { return vec![] };
-    let mut instance = Instance::stuff(Arc::clone(&person.shape), Arc::new(body), actor.pose.world_from_object());
+    let mut instance = Instance::stuff(Arc::clone(&person.shape), body, actor.pose.world_from_object());
     instance.id = actor.id;
     instance.class = Some(actor.class.tag());
     instance.velocity = Velocity::of(actor, 0.0);

@@ -1,11 +1,11 @@
 //! Meshes as the renderer holds them, and their instances.
 
 use super::Velocity;
-use crate::accel::{Blas, world_bounds};
-use endless_asset::{Material, Mesh};
-use endless_world::{ClassTag, InstanceId, SignalId};
+use crate::accel::{Blas, Use, world_bounds};
+use endless_asset::{BodyPose, Material, Mesh, PersonModel};
+use endless_world::{ClassTag, InstanceId, SignalId, WalkerMotion};
 use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
-use std::sync::Arc;
+use std::{mem, sync::Arc};
 
 /// What does not change when a mesh deforms.
 #[derive(Debug)]
@@ -19,31 +19,44 @@ pub(crate) struct Shape {
 }
 
 /// What changes when a mesh deforms.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Body {
     pub(crate) positions: Vec<Vec3>,
     pub(crate) normals: Vec<Vec3>,
     pub(crate) blas: Arc<Blas>,
+    /// Boxes, `(low, high)`, that together hold it closely.
+    parts: Vec<(Vec3A, Vec3A)>,
 }
 
 /// Splits a mesh; `None` if it has no triangles.
-pub(crate) fn model(mesh: &Mesh) -> Option<(Arc<Shape>, Arc<Body>)> {
+pub(crate) fn model(mesh: Mesh, purpose: Use) -> Option<(Arc<Shape>, Arc<Body>)> {
     if mesh.triangles.is_empty() {
         return None;
     }
-    let shape = Shape {
-        triangles: mesh.triangles.clone(),
-        uvs: mesh.uvs.clone(),
-        triangle_materials: mesh.triangle_materials.clone(),
-        materials: mesh.materials.clone(),
-        openness: Vec::new(),
-    };
-    let body = Body {
-        positions: mesh.positions.clone(),
-        normals: mesh.normals.clone(),
-        blas: Arc::new(Blas::build(&mesh.positions, &mesh.triangles)),
-    };
+    let Mesh { positions, normals, uvs, triangles, triangle_materials, materials } = mesh;
+    let blas = Arc::new(Blas::build_for(purpose, &positions, &triangles));
+    let parts = parts(&blas);
+    let shape = Shape { triangles, uvs, triangle_materials, materials, openness: Vec::new() };
+    let body = Body { positions, normals, blas, parts };
     Some((Arc::new(shape), Arc::new(body)))
+}
+
+/// Boxes that together hold a mesh: some two dozen of a large one.
+fn parts(blas: &Blas) -> Vec<(Vec3A, Vec3A)> {
+    const LARGE: usize = 1000;
+    const PARTS: usize = 24;
+    blas.parts(if blas.triangle_count() < LARGE { 1 } else { PARTS })
+}
+
+impl Body {
+    /// Poses what is the body of a person, in place.
+    pub(crate) fn pose(&mut self, person: &PersonModel, motion: &WalkerMotion) {
+        let mut pose = BodyPose { positions: mem::take(&mut self.positions), normals: mem::take(&mut self.normals) };
+        person.pose_into(motion, &mut pose);
+        (self.positions, self.normals) = (pose.positions, pose.normals);
+        Arc::make_mut(&mut self.blas).refit(&self.positions);
+        self.parts = parts(&self.blas);
+    }
 }
 
 /// A mesh standing somewhere, as something.
@@ -70,11 +83,9 @@ pub(crate) struct Instance {
 }
 
 impl Instance {
-    /// World-space boxes that together hold it, about `count` if it is large.
-    pub(crate) fn parts(&self, count: usize) -> impl Iterator<Item = (Vec3A, Vec3A)> {
-        let blas = &self.body.blas;
-        let count = if blas.triangle_count() < 1000 { 1 } else { count };
-        blas.parts(count).into_iter().map(|bounds| world_bounds(bounds, &self.world_from_object))
+    /// World-space boxes that together hold it.
+    pub(crate) fn parts(&self) -> impl Iterator<Item = (Vec3A, Vec3A)> {
+        self.body.parts.iter().map(|&bounds| world_bounds(bounds, &self.world_from_object))
     }
 
     /// A piece of the town: no id, materials' own classes.

@@ -1,7 +1,7 @@
 //! The town as it stands: everything that is the same in every frame of every video on this map.
 
 use super::{Body, Instance, Shape, Velocity, model::model};
-use crate::accel::Accel;
+use crate::accel::{Accel, Use};
 use crate::light::Lamps;
 use endless_asset::{Catalogue, VehicleModel};
 use endless_town::{Town, What};
@@ -24,14 +24,24 @@ impl StaticScene {
     /// Builds the town's meshes, props and parked vehicles (number i gets instance id i + 1).
     pub fn load(town: &Town, catalogue: &Catalogue) -> Self {
         type Model = Option<(Arc<Shape>, Arc<Body>)>;
-        let own: Vec<Model> = town.meshes.par_iter().map(model).collect();
         let placed = town.placements.iter().map(|placement| placement.what);
         let used: BTreeSet<What> = placed.filter(|what| matches!(what, What::Prop(..))).collect();
         let made = |what: What| match what {
-            What::Prop(prop, variant) => (what, model(&catalogue.prop(prop, variant))),
+            What::Prop(prop, variant) => (what, model(catalogue.prop(prop, variant), Use::Still)),
             What::Own(_) => (what, None),
         };
-        let props: BTreeMap<What, Model> = used.into_par_iter().map(made).collect();
+        let parked: BTreeSet<u16> = town.parked.iter().map(|p| p.asset.model).collect();
+        let parts = |model| Some((model, VehicleParts::new(catalogue.vehicles().get(usize::from(model))?)));
+        // Large meshes and small ones side by side, so that no thread waits for another.
+        let (own, (props, vehicles)): (Vec<Model>, (BTreeMap<What, Model>, BTreeMap<u16, VehicleParts>)) = rayon::join(
+            || town.meshes.par_iter().map(|mesh| model(mesh.clone(), Use::Still)).collect(),
+            || {
+                rayon::join(
+                    || used.into_par_iter().map(made).collect(),
+                    || parked.into_par_iter().filter_map(parts).collect(),
+                )
+            },
+        );
         let mut instances = Vec::new();
         for placement in &town.placements {
             let found = match placement.what {
@@ -44,11 +54,6 @@ impl StaticScene {
                 instances.push(instance);
             }
         }
-        let used: BTreeSet<u16> = town.parked.iter().map(|p| p.asset.model).collect();
-        let vehicles: BTreeMap<u16, VehicleParts> = used
-            .into_par_iter()
-            .filter_map(|model| Some((model, VehicleParts::new(catalogue.vehicles().get(usize::from(model))?))))
-            .collect();
         for (i, parked) in town.parked.iter().enumerate() {
             let Some(entry) = catalogue.vehicles().get(usize::from(parked.asset.model)) else { continue };
             let Some(parts) = vehicles.get(&parked.asset.model) else { continue };
@@ -103,7 +108,7 @@ impl TrailerParts {
         let (trailer, spec) = (entry.trailer()?, entry.spec.trailer?);
         let (low, high) = trailer.body.bounds();
         Some(Self {
-            body: model(&trailer.body),
+            body: model(trailer.body.clone(), Use::Rigid),
             wheels: trailer.wheels.clone(),
             hitch: Vec3A::from(trailer.hitch),
             bar_m: (spec.hitch_m - spec.axle_m).max(0.5),
@@ -122,8 +127,8 @@ impl TrailerParts {
 impl VehicleParts {
     pub(crate) fn new(entry: &VehicleModel) -> Self {
         Self {
-            body: model(entry.body()),
-            wheel: model(entry.wheel_mesh()),
+            body: model(entry.body().clone(), Use::Rigid),
+            wheel: model(entry.wheel_mesh().clone(), Use::Rigid),
             trailer: TrailerParts::of(entry),
             wheels: entry.wheels().to_vec(),
             wheel_radius_m: entry.spec.wheel_radius_m,
