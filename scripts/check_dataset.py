@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks a dataset independently of the program that made it: needs Pillow and NumPy only.
+"""Checks a dataset independently of the program that made it: needs Pillow and NumPy only (pycocotools judges keypoints,
+where it is installed).
 
     python3 scripts/check_dataset.py OUT
 
@@ -27,6 +28,66 @@ def boxes_of(ids: np.ndarray, tags: np.ndarray, min_pixels: int) -> dict[int, tu
             box = [xs.min(), ys.min(), xs.max() - xs.min() + 1, ys.max() - ys.min() + 1]
             found[int(i)] = ([int(v) for v in box], len(xs), int(tags[ys[0], xs[0]]))
     return found
+
+
+def check_keypoints(line: dict, ids: np.ndarray, where: str) -> int:
+    """Number of people whose keypoints lie where they should."""
+    height, width = ids.shape
+    people = 0
+    for o in line["objects"]:
+        assert ("keypoints" in o) == (o["class"] in ("pedestrian", "rider")), f"{where}: keypoints of a {o['class']}"
+        if "keypoints" not in o:
+            continue
+        x, y, v = np.array(o["keypoints"]).reshape(17, 3).T
+        assert o["num_keypoints"] == (v > 0).sum(), f"{where}: num_keypoints of {o['id']}"
+        assert not x[v == 0].any() and not y[v == 0].any(), f"{where}: {o['id']} has places outside"
+        assert ((x >= 0) & (x <= width) & (y >= 0) & (y <= height)).all(), f"{where}: {o['id']} outside"
+        for px, py in zip(x[v == 2].astype(int), y[v == 2].astype(int)):
+            own = ids[max(py - 1, 0) : py + 2, max(px - 1, 0) : px + 2] == o["id"]
+            assert own.any(), f"{where}: {o['id']} is seen where others are"
+        people += 1
+    return people
+
+
+def check_with_coco(out: pathlib.Path, labels: dict, recipe: dict) -> None:
+    """Where pycocotools is installed: it reads our people as `person_keypoints`, and they match themselves fully."""
+    try:
+        from pycocotools.coco import COCO
+        from pycocotools.cocoeval import COCOeval
+    except ImportError:
+        print("pycocotools is not installed: not judged by COCO's own code")
+        return
+    width, height = (int(n) for n in recipe["size"].split("x"))
+    person = {"id": 1, "name": "person", "keypoints": labels["keypoints"], "skeleton": labels["skeleton"]}
+    images, annotations = [], []
+    for path in sorted(out.glob("videos/*/camera_*/objects.jsonl")):
+        for line in path.read_text().splitlines():
+            line = json.loads(line)
+            images.append({"id": len(images) + 1, "width": width, "height": height, "file_name": str(path.parent)})
+            for o in line["objects"]:
+                if o.get("num_keypoints", 0) > 0:
+                    annotations.append(
+                        {
+                            "id": len(annotations) + 1,
+                            "image_id": images[-1]["id"],
+                            "category_id": 1,
+                            "iscrowd": 0,
+                            "area": o["pixels"],
+                            **{key: o[key] for key in ("bbox", "keypoints", "num_keypoints")},
+                        }
+                    )
+    truth = COCO()
+    truth.dataset = {"images": images, "annotations": annotations, "categories": [person]}
+    truth.createIndex()
+    if annotations:
+        found = truth.loadRes([{**a, "score": 1.0} for a in annotations])
+        judge = COCOeval(truth, found, "keypoints")
+        # As many as there are: COCO keeps the twenty best of a picture.
+        judge.params.maxDets = [len(annotations)]
+        judge.evaluate()
+        matched = sum(int((e["dtMatches"][-1] > 0).sum()) for e in judge.evalImgs if e and e["aRng"] == [0, 1e10])
+        assert matched == len(annotations), f"COCO matches {matched} of {len(annotations)} people with themselves"
+    print(f"COCO's own code reads {len(annotations)} people with keypoints in {len(images)} pictures")
 
 
 def load(path: pathlib.Path, size: tuple[int, int]) -> np.ndarray:
@@ -63,6 +124,7 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
         written = {o["id"]: (o["bbox"], o["pixels"], tag_of_class[o["class"]]) for o in line["objects"]}
         assert written == boxes_of(ids, tags, recipe["min_pixels"]), f"{camera}: boxes of frame {frame}"
         compared += len(written)
+        check_keypoints(line, ids, f"{camera}: frame {frame}")
         if depth is not None:
             assert (depth[tags == SKY] == FAR_PLANE_M).all(), f"{camera}: sky nearer than the far plane, frame {frame}"
             assert (depth[ids > 0] < FAR_PLANE_M).all(), f"{camera}: object on the far plane, frame {frame}"
@@ -91,6 +153,7 @@ def main() -> None:
                 for o in json.loads(line)["objects"]:
                     same = class_of_id.setdefault(o["id"], o["class"])
                     assert same == o["class"], f"{folder}: object {o['id']} is {same} and {o['class']}"
+    check_with_coco(out, dataset["labels"], recipe)
     print(f"all is well: {len(dataset['videos'])} videos, {compared} boxes recomputed")
 
 

@@ -1,6 +1,6 @@
 //! The annotations of one frame of one camera: what is seen, joined with what it is.
 
-use crate::{ObjectRecord, SceneObjects, Visible};
+use crate::{Bodies, Keypoints, ObjectRecord, Picture, SceneObjects, Visible};
 use endless_world::{ClassTag, ImageSize, InstanceId, ObjectClass};
 use serde::{Deserialize, Serialize};
 
@@ -13,6 +13,18 @@ pub struct FrameObjects {
     pub time_s: f64,
     /// Objects with enough visible pixels, by ascending id.
     pub objects: Vec<ObjectRecord>,
+}
+
+impl FrameObjects {
+    /// With the keypoints of those whose bodies are known.
+    #[must_use]
+    pub fn with_keypoints(mut self, bodies: &Bodies, picture: &Picture<'_>) -> Self {
+        for object in &mut self.objects {
+            object.keypoints = bodies.get(&object.id).map(|body| picture.keypoints(object.id, body));
+            object.num_keypoints = object.keypoints.as_ref().map(Keypoints::labelled);
+        }
+        self
+    }
 }
 
 /// The instance image shows what the scene does not hold: a fault of the simulator.

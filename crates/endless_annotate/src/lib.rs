@@ -5,9 +5,11 @@
 //! object in both cameras and in all frames of a video.
 
 mod frame;
+mod keypoint;
 mod object;
 mod visible;
 
 pub use frame::{AnnotateError, FrameObjects, annotate};
+pub use keypoint::{Bodies, Keypoint, Keypoints, Picture, Visibility};
 pub use object::{ObjectRecord, SceneObjects};
 pub use visible::{PixelBox, Visible, visible_objects};

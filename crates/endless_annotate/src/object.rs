@@ -1,6 +1,6 @@
 //! What is known of each object that can be seen in a frame.
 
-use crate::PixelBox;
+use crate::{Keypoints, PixelBox};
 use endless_world::{Actor, InstanceId, ObjectClass, WorldState};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -29,6 +29,12 @@ pub struct ObjectRecord {
     /// Of people, riders too: skin on the Monk scale, 1 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub skin_tone: Option<u8>,
+    /// Of people, riders too: COCO's keypoints.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub keypoints: Option<Keypoints>,
+    /// How many of them are in the picture.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub num_keypoints: Option<u32>,
     /// Point on the ground under its centre, in the world (x east, y north, z up), metres.
     pub position: [f64; 3],
     /// Heading, counter-clockwise from east, radians.
@@ -112,6 +118,8 @@ impl SceneObject {
             vehicle_id: self.vehicle_id,
             rider_id: self.rider_id,
             skin_tone: self.skin_tone,
+            keypoints: None,
+            num_keypoints: None,
             position: self.position,
             yaw_rad: self.yaw_rad,
             speed_mps: self.speed_mps,

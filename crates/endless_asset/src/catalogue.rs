@@ -5,7 +5,7 @@ use crate::furniture;
 use crate::person;
 use crate::plant;
 use crate::vehicle;
-use crate::{ImportedAsset, ImportedThing, Material, Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
+use crate::{Anatomy, ImportedAsset, ImportedThing, Material, Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
 use endless_world::AssetRef;
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
@@ -92,6 +92,11 @@ impl Catalogue {
     /// The person that an actor's asset names, dressed for the weather that it says.
     pub fn person_of(&self, asset: AssetRef) -> PersonModel {
         PersonModel::new(asset.variant, asset.model)
+    }
+
+    /// The skeleton of that person, which takes no time to make.
+    pub fn anatomy_of(&self, asset: AssetRef) -> Anatomy {
+        Anatomy::of(asset)
     }
 
     /// Skin of a person on foot and of a vehicle's rider, 1 to 10 on the Monk scale; `None` for what has no skin.

@@ -22,11 +22,14 @@ fn encode_metres(metres: f32) -> [u8; 3] {
 
 /// Metres of a depth image.
 pub fn depth_from_rgb(encoded: &Image<[u8; 3]>) -> Image<f32> {
-    let metres = |&[r, g, b]: &[u8; 3]| {
-        let value = u32::from_le_bytes([r, g, b, 0]);
-        (f64::from(value) * (f64::from(FAR_PLANE_M) / f64::from(FAR_VALUE))) as f32
-    };
-    Image { size: encoded.size, data: encoded.data.iter().map(metres).collect() }
+    Image { size: encoded.size, data: encoded.data.iter().map(|&pixel| metres_from_rgb(pixel)).collect() }
+}
+
+/// Metres of one of its pixels.
+#[inline]
+pub fn metres_from_rgb([r, g, b]: [u8; 3]) -> f32 {
+    let value = u32::from_le_bytes([r, g, b, 0]);
+    (f64::from(value) * (f64::from(FAR_PLANE_M) / f64::from(FAR_VALUE))) as f32
 }
 
 /// R = tag, `id = G + 256 B`.

@@ -1,6 +1,6 @@
 //! The label schema that every dataset carries with it.
 
-use endless_world::{ClassTag, ObjectClass};
+use endless_world::{ClassTag, KEYPOINT_LIMBS, KEYPOINTS, ObjectClass};
 use serde::{Deserialize, Serialize};
 
 /// What the numbers in the instance image and the words in `objects.jsonl` mean.
@@ -18,6 +18,12 @@ pub struct LabelSchema {
     pub tags: Vec<TagLabel>,
     /// Classes of annotated objects.
     pub classes: Vec<ClassLabel>,
+    /// Names of people's keypoints, in the order of `keypoints`: COCO's.
+    #[serde(default)]
+    pub keypoints: Vec<String>,
+    /// Which of them limbs join, counted from 1.
+    #[serde(default)]
+    pub skeleton: Vec<[u8; 2]>,
 }
 
 /// One tag.
@@ -65,6 +71,8 @@ impl LabelSchema {
                 .zip(0..)
                 .map(|(c, id)| ClassLabel { id, name: c.name().into(), tag: c.tag().value() })
                 .collect(),
+            keypoints: KEYPOINTS.map(String::from).to_vec(),
+            skeleton: KEYPOINT_LIMBS.to_vec(),
         }
     }
 }

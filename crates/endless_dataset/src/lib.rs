@@ -23,7 +23,7 @@ mod video;
 pub use atomic::{AtomicFile, remove_temporaries, write_atomic};
 pub use camera_record::CameraRecord;
 pub use check::{CheckReport, Finding, check};
-pub use encoding::{depth_from_rgb, instance_from_rgb, rgb_from_depth, rgb_from_instance};
+pub use encoding::{depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance};
 pub use error::DatasetError;
 pub use labels::LabelSchema;
 pub use layer::{Layer, RgbFormat};

@@ -1,8 +1,11 @@
 //! The built-in city: towns, traffic and the ray tracer joined.
 
+mod bodies;
+
 use crate::assets::{self, AssetError, AssetFolder, AssetKind};
 use crate::maps::{self, About, DrivingSide, MapError, MapStore, StoredMap};
-use crate::{Cameras, MapCatalog, RenderStats, Scene, Simulator, SimulatorError, Traffic};
+use crate::{Cameras, MapCatalog, PeopleBodies, RenderStats, Scene, Simulator, SimulatorError, Traffic};
+use bodies::CastBodies;
 use endless_asset::Catalogue;
 use endless_dataset::Spawned;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
@@ -258,8 +261,9 @@ impl Simulator for BuiltinSimulator {
         };
         let moving = simulation.state().actors;
         let skin_tones = self.skin_tones(&moving);
+        let bodies = Some(Box::new(CastBodies::of(self.catalogue(), &moving)) as Box<dyn PeopleBodies>);
         let traffic = Box::new(City { simulation, begun: false });
-        Ok(Scene { spawned, parked, moving, skin_tones, traffic })
+        Ok(Scene { spawned, parked, moving, skin_tones, bodies, traffic })
     }
 
     fn bake<'m>(

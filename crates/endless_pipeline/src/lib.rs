@@ -22,4 +22,4 @@ pub use plan::Plan;
 pub use progress::{Event, Progress, Silent};
 pub use recipe::RecipeDraft;
 pub use record::StageTimes;
-pub use simulator::{Cameras, MapCatalog, RenderStats, Scene, Simulator, SimulatorError, Traffic};
+pub use simulator::{Cameras, MapCatalog, PeopleBodies, RenderStats, Scene, Simulator, SimulatorError, Traffic};

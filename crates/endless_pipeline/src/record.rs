@@ -20,7 +20,7 @@ pub(crate) use {
 use crate::{Cameras, Event, GenerateError, Progress, Scene, Simulator};
 use board::{Board, Job};
 use endless_dataset::{CameraRecord, Recipe, SceneRecord, VideoLayout, remove_temporaries, write_json};
-use endless_world::{Actor, SceneSettings};
+use endless_world::{Actor, PinholeCamera, SceneSettings};
 use existing::Existing;
 use frame::FrameMaker;
 use lane::{Lane, Ordered};
@@ -83,7 +83,7 @@ pub(crate) fn record_video<S: Simulator>(
         );
         write_json(&layout.camera(camera).camera(), &record)?;
     }
-    let Scene { spawned, parked, moving, skin_tones, traffic } =
+    let Scene { spawned, parked, moving, skin_tones, bodies, traffic } =
         recording.clock.time(Stage::LoadScene, || simulator.load_scene(map, settings))?;
     report_fewer(recording, &spawned);
 
@@ -95,7 +95,11 @@ pub(crate) fn record_video<S: Simulator>(
     }
     let lanes = [Lane::create(recording, 0)?, Lane::create(recording, 1)?].map(|l| Mutex::new(Some(l)));
     let board = Board::new(traffic, settings.frames, 2 * recording.threads as u32 + 2);
-    let maker = FrameMaker { recording, parked: &parked, skin_tones: &skin_tones, existing: &existing };
+    let eyes = [0, 1].map(|camera: usize| {
+        PinholeCamera::new(&settings.cameras[camera], settings.size).with_distortion(settings.looks[camera].distortion)
+    });
+    let (parked, skin_tones, bodies) = (&parked, &skin_tones, bodies.as_deref());
+    let maker = FrameMaker { recording, parked, skin_tones, bodies, eyes: &eyes, existing: &existing };
     let failure = Mutex::new(None);
     if cameras.baked.get().is_none_or(Result::is_ok) {
         std::thread::scope(|scope| {

@@ -1,5 +1,6 @@
 //! What simulates and renders: the built-in city, a CARLA server, a test double. Everything after it is the same code.
 
+use endless_annotate::Bodies;
 use endless_dataset::Spawned;
 use endless_world::{Actor, CameraSite, InstanceId, SceneSettings, SensorFrame, WorldState};
 use std::collections::BTreeMap;
@@ -84,8 +85,16 @@ pub struct Scene<'m> {
     pub moving: Vec<Actor>,
     /// Skin of people and riders, 1 to 10 on the Monk scale, where it is known.
     pub skin_tones: BTreeMap<InstanceId, u8>,
+    /// Who knows where people's keypoints are, if anybody does.
+    pub bodies: Option<Box<dyn PeopleBodies + 'm>>,
     /// What moves.
     pub traffic: Box<dyn Traffic + 'm>,
+}
+
+/// Knows the bodies of people.
+pub trait PeopleBodies: Sync {
+    /// Keypoints of people and riders at an instant. A pure function of the state.
+    fn at(&self, state: &WorldState) -> Bodies;
 }
 
 /// The moving part of a scene.

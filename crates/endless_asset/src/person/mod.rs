@@ -1,5 +1,6 @@
 //! People: a skinned body with clothes, posed by gait.
 
+mod anatomy;
 mod body;
 mod cage;
 mod collar;
@@ -25,16 +26,17 @@ mod wardrobe;
 mod wheeled;
 
 use crate::Mesh;
-use endless_world::{AssetRef, WalkerMotion};
+use endless_world::{AssetRef, KEYPOINT_COUNT, WalkerMotion};
 use glam::{Affine3A, Vec3};
 
+pub use anatomy::Anatomy;
 pub use footsteps::Footsteps;
 pub(crate) use look::Look;
 pub(crate) use look::skin_tone;
-pub use part::{BodyPart, KEYPOINTS, PersonTraits};
+pub use part::{BodyPart, PersonTraits};
 pub(crate) use rider::{rider, rider_keypoints, rider_skin_tone};
+use skeleton::BONES;
 pub use skeleton::Bone;
-use skeleton::{BONES, Skeleton};
 use skin::Blend;
 
 /// One person: mesh, skeleton and skinning of one variant. Proportions, age, sex, clothes, hair and skin follow from
@@ -51,13 +53,10 @@ pub struct PersonModel {
     pub traits: PersonTraits,
     /// Which part of the body each triangle of the mesh shows.
     pub parts: Vec<BodyPart>,
-    keypoints: [(Bone, Vec3); 17],
-    skeleton: Skeleton,
+    anatomy: Anatomy,
     /// Distinct mixtures of bones, and which one each vertex follows.
     blends: Vec<Blend>,
     vertex_blend: Vec<u16>,
-    /// Habits of moving, from the variant.
-    habit: gait::Habit,
 }
 
 /// Thickness of cloth on the ground, metres.
@@ -79,9 +78,8 @@ impl PersonModel {
     }
 
     fn with_look(variant: u64, look: &Look) -> Self {
-        let skeleton = Skeleton::new(look);
-        let skin = figure::build(look, &skeleton);
-        let habit = gait::Habit::new(variant, look);
+        let anatomy = Anatomy::with_look(variant, look);
+        let skin = figure::build(look, &anatomy.skeleton);
         let leader = |i: u32| skin.blends[usize::from(skin.vertex_blend[i as usize])].leader();
         // A triangle shows the part that two of its corners follow.
         let part = |t: &[u32; 3]| {
@@ -91,48 +89,38 @@ impl PersonModel {
         Self {
             traits: PersonTraits::new(look),
             parts: skin.mesh.triangles.iter().map(part).collect(),
-            keypoints: part::keypoints(look, &skeleton),
             rest: skin.mesh,
             height_m: look.height,
-            walk_mps: habit.walk_mps,
-            skeleton,
+            walk_mps: anatomy.habit.walk_mps,
+            anatomy,
             blends: skin.blends,
             vertex_blend: skin.vertex_blend,
-            habit,
         }
     }
 
     /// The body at an instant, in the person's object frame. Feet on the ground are at z = 0.
     pub fn pose(&self, motion: &WalkerMotion) -> BodyPose {
-        self.skinned(&self.bones(motion))
+        self.skinned(&self.anatomy.bones(motion))
     }
 
     /// The same, in place of what the pose was: of no matter, but its memory is used again.
     pub fn pose_into(&self, motion: &WalkerMotion, pose: &mut BodyPose) {
-        self.skin(&self.bones(motion), pose);
+        self.skin(&self.anatomy.bones(motion), pose);
     }
 
-    /// The keypoints of COCO ([`KEYPOINTS`]) at an instant, in the person's object frame.
-    pub fn keypoints(&self, motion: &WalkerMotion) -> [Vec3; 17] {
-        self.keypoints_on(&self.bones(motion))
+    /// The skeleton, which tells where joints are.
+    pub fn anatomy(&self) -> &Anatomy {
+        &self.anatomy
     }
 
-    fn keypoints_on(&self, bones: &[Affine3A; BONES]) -> [Vec3; 17] {
-        self.keypoints.map(|(bone, p)| bones[bone as usize].transform_point3(p))
+    /// The keypoints of COCO ([`endless_world::KEYPOINTS`]) at an instant, in the person's object frame.
+    pub fn keypoints(&self, motion: &WalkerMotion) -> [Vec3; KEYPOINT_COUNT] {
+        self.anatomy.keypoints(motion)
     }
 
-    /// Where the joint of every bone is at an instant, in the order of [`Bone::ALL`], in the person's object frame.
-    /// Those of things are of no meaning for who carries none.
+    /// Where the joint of every bone is at an instant: see [`Anatomy::joints`].
     pub fn joints(&self, motion: &WalkerMotion) -> [Vec3; Bone::ALL.len()] {
-        let bones = self.bones(motion);
-        Bone::ALL.map(|b| bones[b as usize].transform_point3(self.skeleton.joint(b)))
-    }
-
-    /// How every bone stands at an instant, from the rest pose.
-    fn bones(&self, motion: &WalkerMotion) -> [Affine3A; BONES] {
-        let mut bones = gait::posture(motion, &self.skeleton, &self.habit).solve(&self.skeleton);
-        hold::place(&mut bones, motion, &self.skeleton, self.habit.carried);
-        bones
+        self.anatomy.joints(motion)
     }
 
     fn skinned(&self, bones: &[Affine3A; BONES]) -> BodyPose {

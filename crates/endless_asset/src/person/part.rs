@@ -3,6 +3,7 @@
 use super::head::Head;
 use super::look::{Carried, Glasses, Hat, Look};
 use super::skeleton::{Bone, Skeleton};
+use endless_world::KEYPOINT_COUNT;
 use glam::Vec3;
 
 /// A part of the body, as annotations name it; clothes belong to what they cover.
@@ -64,29 +65,8 @@ impl BodyPart {
     }
 }
 
-/// Names of the keypoints of COCO, in its order.
-pub const KEYPOINTS: [&str; 17] = [
-    "nose",
-    "left_eye",
-    "right_eye",
-    "left_ear",
-    "right_ear",
-    "left_shoulder",
-    "right_shoulder",
-    "left_elbow",
-    "right_elbow",
-    "left_wrist",
-    "right_wrist",
-    "left_hip",
-    "right_hip",
-    "left_knee",
-    "right_knee",
-    "left_ankle",
-    "right_ankle",
-];
-
 /// Keypoints in the rest pose, and the bone that each follows.
-pub(crate) fn keypoints(look: &Look, skeleton: &Skeleton) -> [(Bone, Vec3); 17] {
+pub(crate) fn keypoints(look: &Look, skeleton: &Skeleton) -> [(Bone, Vec3); KEYPOINT_COUNT] {
     let head = Head::new(look, skeleton);
     let at = |x: f32, y: f32, z: f32| (Bone::Head, head.at(Vec3::new(x, y, z)));
     let joint = |b: Bone| (b, skeleton.joint(b));

@@ -1,18 +1,19 @@
 //! People on two wheels.
 
-use super::PersonModel;
 use super::look::{Hat, Look};
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{BONES, Bone, Side};
+use super::{Anatomy, PersonModel};
 use crate::Mesh;
 use crate::vehicle::RiderFit;
-use endless_world::{ClassTag, Stream};
+use endless_world::{ClassTag, KEYPOINT_COUNT, Stream};
 use glam::{Affine3A, Quat, Vec3};
 
 /// A person seated on a two-wheeler, in the vehicle's object frame.
 pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
-    let (person, bones) = seated(fit, variant);
-    let pose = person.skinned(&bones);
+    let look = look(fit, variant);
+    let person = PersonModel::with_look(variant, &look);
+    let pose = person.skinned(&seated(fit, &look, person.anatomy()));
     let mut mesh = Mesh { positions: pose.positions, normals: pose.normals, ..person.rest };
     for material in &mut mesh.materials {
         material.tag = ClassTag::Rider;
@@ -41,9 +42,10 @@ fn mend_normals(mesh: &mut Mesh) {
 }
 
 /// The keypoints of COCO of that person, in the vehicle's object frame.
-pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> [Vec3; 17] {
-    let (person, bones) = seated(fit, variant);
-    person.keypoints_on(&bones)
+pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> [Vec3; KEYPOINT_COUNT] {
+    let look = look(fit, variant);
+    let anatomy = Anatomy::with_look(variant, &look);
+    anatomy.keypoints_on(&seated(fit, &look, &anatomy))
 }
 
 /// Their skin, 1 to 10 on the Monk scale.
@@ -51,13 +53,16 @@ pub(crate) fn rider_skin_tone(variant: u64) -> u8 {
     Look::riding(variant, None).tone as u8 + 1
 }
 
-fn seated(fit: &RiderFit, variant: u64) -> (PersonModel, [Affine3A; BONES]) {
+/// What they look like.
+fn look(fit: &RiderFit, variant: u64) -> Look {
     let mut stream = Stream::named(variant, "rider", &[]);
     let helmet = if fit.helmet > 0.7 { Hat::FullHelmet } else { Hat::CycleHelmet };
     let wears = stream.chance(fit.helmet);
-    let look = Look::riding(variant, wears.then_some(helmet));
-    let person = PersonModel::with_look(variant, &look);
-    let skeleton = &person.skeleton;
+    Look::riding(variant, wears.then_some(helmet))
+}
+
+fn seated(fit: &RiderFit, look: &Look, anatomy: &Anatomy) -> [Affine3A; BONES] {
+    let skeleton = &anatomy.skeleton;
     let h = look.height;
     let ankle_rest = skeleton.joint(Bone::FootL);
     let seat = if fit.standing {
@@ -93,6 +98,5 @@ fn seated(fit: &RiderFit, variant: u64) -> (PersonModel, [Affine3A; BONES]) {
         arms: Side::BOTH.map(arm),
         legs: Side::BOTH.map(leg),
     };
-    let bones = posture.solve(skeleton);
-    (person, bones)
+    posture.solve(skeleton)
 }

@@ -1,5 +1,5 @@
 use super::*;
-use endless_world::{Gait, Stream};
+use endless_world::{Gait, KEYPOINTS, Stream};
 use glam::{DVec2, Quat};
 use skeleton::Side;
 
@@ -64,11 +64,14 @@ fn feet_are_on_the_ground_in_all_phases() {
 
 /// Where the part of a foot that bears on the ground is, in the world: its heel, then its ball.
 fn contact(person: &PersonModel, motion: &WalkerMotion, side: Side, pitch: f32, body: DVec2, yaw: f64) -> DVec2 {
-    let bones = person.bones(motion);
+    let bones = person.anatomy.bones(motion);
     let [_, _, foot, toes] = side.leg();
-    let ankle = person.skeleton.joint(foot);
-    let rest =
-        if pitch < 0.0 { Vec3::new(ankle.x - person.skeleton.heel, ankle.y, 0.0) } else { person.skeleton.joint(toes) };
+    let ankle = person.anatomy.skeleton.joint(foot);
+    let rest = if pitch < 0.0 {
+        Vec3::new(ankle.x - person.anatomy.skeleton.heel, ankle.y, 0.0)
+    } else {
+        person.anatomy.skeleton.joint(toes)
+    };
     let p = bones[foot as usize].transform_point3(rest);
     let turned = Quat::from_rotation_z(yaw as f32) * p;
     body + DVec2::new(f64::from(turned.x), f64::from(turned.y))

@@ -26,7 +26,7 @@ use crate::{Mesh, carla};
 use assemble::Plan;
 use design::{DESIGNS, Design};
 use draw::Draw;
-use endless_world::ObjectClass;
+use endless_world::{KEYPOINT_COUNT, ObjectClass};
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
 use tint::Paint;
@@ -208,8 +208,8 @@ impl VehicleModel {
         Some(crate::person::rider(self.fit()?, variant))
     }
 
-    /// The keypoints of that rider ([`crate::KEYPOINTS`]), in the vehicle's object frame.
-    pub fn rider_keypoints(&self, variant: u64) -> Option<[Vec3; 17]> {
+    /// The keypoints of that rider ([`endless_world::KEYPOINTS`]), in the vehicle's object frame.
+    pub fn rider_keypoints(&self, variant: u64) -> Option<[Vec3; KEYPOINT_COUNT]> {
         Some(crate::person::rider_keypoints(self.fit()?, variant))
     }
 

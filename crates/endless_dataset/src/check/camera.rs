@@ -5,8 +5,8 @@ use crate::{
     CameraLayout, CameraRecord, DatasetError, Layer, Recipe, RgbFormat, depth_from_rgb, instance_from_rgb, read_json,
     read_mp4, read_objects, read_rgb, video,
 };
-use endless_annotate::{FrameObjects, visible_objects};
-use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, SceneSettings};
+use endless_annotate::{FrameObjects, Keypoint, ObjectRecord, Visibility, visible_objects};
+use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINTS, SceneSettings};
 use rayon::prelude::*;
 use rusty_h264_decoder::Decoder;
 
@@ -156,6 +156,7 @@ fn line_problems(
     if line.frame != frame || (line.time_s - f64::from(frame) / recipe.fps).abs() > 1e-6 {
         problems.push(format!("line {} is of frame {} at {} s", frame + 1, line.frame, line.time_s));
     }
+    problems.extend(line.objects.iter().filter_map(|object| keypoint_problem(object, frame, instance, recipe)));
     let Some(instance) = instance else { return problems };
     let seen: Vec<_> = visible_objects(instance).into_iter().filter(|v| v.pixels >= recipe.min_pixels).collect();
     let seen: Vec<_> = seen.iter().map(|v| (v.id, v.tag, v.bbox, v.pixels)).collect();
@@ -170,6 +171,35 @@ fn line_problems(
         ));
     }
     problems
+}
+
+/// Keypoints lie in the picture, are counted, and those to be seen lie on pixels of who has them.
+fn keypoint_problem(
+    object: &ObjectRecord,
+    frame: u32,
+    instance: Option<&Image<InstancePixel>>,
+    recipe: &Recipe,
+) -> Option<String> {
+    let who = format!("frame {frame}: object {}", object.id);
+    let Some(keypoints) = &object.keypoints else {
+        return object.num_keypoints.map(|n| format!("{who} has {n} keypoints and none is listed"));
+    };
+    if object.num_keypoints != Some(keypoints.labelled()) {
+        return Some(format!("{who} lists {} keypoints and says {:?}", keypoints.labelled(), object.num_keypoints));
+    }
+    let (width, height) = (recipe.size.width, recipe.size.height);
+    let own = |image: &Image<InstancePixel>, k: &Keypoint| {
+        let around = |at: f64, end: u32| (at as u32).saturating_sub(1)..(at as u32 + 2).min(end);
+        around(k.y, height).any(|y| around(k.x, width).any(|x| image.at(x, y).id == object.id))
+    };
+    let wrong = |k: &Keypoint| match k.visibility {
+        Visibility::Outside => k.x != 0.0 || k.y != 0.0,
+        _ if !(0.0..=f64::from(width)).contains(&k.x) || !(0.0..=f64::from(height)).contains(&k.y) => true,
+        Visibility::Hidden => false,
+        Visibility::Visible => instance.is_some_and(|image| !own(image, k)),
+    };
+    let place = keypoints.0.iter().position(wrong)?;
+    Some(format!("{who} does not show its {}", KEYPOINTS[place]))
 }
 
 fn check_mp4(layout: &CameraLayout, layer: Layer, recipe: &Recipe) -> Option<Finding> {

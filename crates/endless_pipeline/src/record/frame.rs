@@ -1,28 +1,39 @@
 //! One frame of both cameras: rendered and written, or read back when it is there already.
 
 use super::{Existing, Ordered, Recording, times::Stage};
-use crate::{Cameras, GenerateError};
-use endless_annotate::{SceneObjects, annotate, visible_objects};
+use crate::{Cameras, GenerateError, PeopleBodies};
+use endless_annotate::{Bodies, Picture, SceneObjects, annotate, visible_objects};
 use endless_dataset::{
     CameraLayout, DatasetError, Layer, RgbFormat, Yuv, decode_jpg, depth_from_rgb, depth_preview, encode_jpg,
-    encode_png, instance_from_rgb, instance_preview, read_rgb, rgb_from_depth, rgb_from_instance, write_atomic,
-    yuv_from_rgb,
+    encode_png, instance_from_rgb, instance_preview, metres_from_rgb, read_rgb, rgb_from_depth, rgb_from_instance,
+    write_atomic, yuv_from_rgb,
 };
-use endless_world::{Actor, Image, InstanceId, InstancePixel, SensorFrame, WorldState};
+use endless_world::{Actor, Image, InstanceId, InstancePixel, PinholeCamera, SensorFrame, WorldState};
 use std::collections::BTreeMap;
 
 pub(super) struct FrameMaker<'a> {
     pub(super) recording: &'a Recording<'a>,
     pub(super) parked: &'a [Actor],
     pub(super) skin_tones: &'a BTreeMap<InstanceId, u8>,
+    pub(super) bodies: Option<&'a dyn PeopleBodies>,
+    /// The two cameras.
+    pub(super) eyes: &'a [PinholeCamera; 2],
     pub(super) existing: &'a Existing,
 }
 
 /// What the ordered work of one camera needs of a frame.
 struct Layers {
     rgb: Option<Image<[u8; 3]>>,
-    depth: Option<Image<f32>>,
+    /// As it is stored.
+    depth: Option<Image<[u8; 3]>>,
     instance: Image<InstancePixel>,
+}
+
+/// What is known of a frame beside its pictures.
+struct Known<'a> {
+    state: &'a WorldState,
+    scene: SceneObjects,
+    bodies: Bodies,
 }
 
 impl FrameMaker<'_> {
@@ -33,13 +44,15 @@ impl FrameMaker<'_> {
         cameras: impl Fn() -> Option<&'c (dyn Cameras + 'c)>,
     ) -> Result<Option<([Ordered; 2], bool)>, GenerateError> {
         let scene = SceneObjects::new(state, self.parked).with_skin_tones(self.skin_tones);
+        let bodies = self.bodies.map(|bodies| bodies.at(state)).unwrap_or_default();
+        let known = Known { state, scene, bodies };
         if self.existing.has(state.frame) {
             let read = self.recording.clock.time(Stage::Resume, || -> Result<_, DatasetError> {
                 Ok([self.read(0, state.frame)?, self.read(1, state.frame)?])
             });
             match read {
                 Ok([a, b]) => {
-                    let ordered = [self.ordered(&a, state, &scene)?, self.ordered(&b, state, &scene)?];
+                    let ordered = [self.ordered(0, &a, &known)?, self.ordered(1, &b, &known)?];
                     return Ok(Some((ordered, true)));
                 }
                 // Somebody spoilt the image: it is made again.
@@ -54,7 +67,7 @@ impl FrameMaker<'_> {
             .clock
             .time(Stage::Images, || -> Result<_, DatasetError> { Ok([self.write(0, a)?, self.write(1, b)?]) });
         let [a, b] = written?;
-        Ok(Some(([self.ordered(&a, state, &scene)?, self.ordered(&b, state, &scene)?], false)))
+        Ok(Some(([self.ordered(0, &a, &known)?, self.ordered(1, &b, &known)?], false)))
     }
 
     fn wants_video(&self, layer: Layer) -> bool {
@@ -76,7 +89,7 @@ impl FrameMaker<'_> {
             let image = load(layer)?;
             match layer {
                 Layer::Rgb => layers.rgb = Some(image),
-                Layer::Depth => layers.depth = self.wants_video(layer).then(|| depth_from_rgb(&image)),
+                Layer::Depth => layers.depth = Some(image),
                 Layer::Instance => {
                     let path = files.frame(layer, frame, recipe);
                     layers.instance = instance_from_rgb(&image)
@@ -109,7 +122,7 @@ impl FrameMaker<'_> {
                 (Layer::Depth, _) => {
                     let encoded = rgb_from_depth(&frame.depth);
                     write_atomic(&path, &encode_png(&encoded))?;
-                    layers.depth = self.wants_video(layer).then(|| depth_from_rgb(&encoded));
+                    layers.depth = Some(encoded);
                 }
                 (Layer::Instance, _) => {
                     write_atomic(&path, &encode_png(&rgb_from_instance(&layers.instance)))?;
@@ -122,17 +135,23 @@ impl FrameMaker<'_> {
         Ok(layers)
     }
 
-    fn ordered(&self, layers: &Layers, state: &WorldState, scene: &SceneObjects) -> Result<Ordered, GenerateError> {
+    fn ordered(&self, camera: usize, layers: &Layers, known: &Known<'_>) -> Result<Ordered, GenerateError> {
         let Recording { settings, recipe, clock, .. } = *self.recording;
+        let Known { state, scene, bodies } = known;
         let line = clock.time(Stage::Boxes, || {
             let visible = visible_objects(&layers.instance);
             let time_s = f64::from(state.frame) / settings.fps;
-            annotate(state.frame, time_s, &visible, scene, settings.size, recipe.min_pixels)
+            let line = annotate(state.frame, time_s, &visible, scene, settings.size, recipe.min_pixels)?;
+            // By the depth as it is stored, so that a resumed video is the same.
+            let depth = layers.depth.as_ref().map(|image| |pixel: usize| metres_from_rgb(image.data[pixel]));
+            let depth = depth.as_ref().map(|of| of as &dyn Fn(usize) -> f32);
+            let picture = Picture { camera: &self.eyes[camera], instance: &layers.instance, depth };
+            Ok::<_, GenerateError>(line.with_keypoints(bodies, &picture))
         })?;
         let pictures = clock.time(Stage::Video, || {
             let picture = |layer: &Layer| match layer {
                 Layer::Rgb => layers.rgb.as_ref().map(yuv_from_rgb),
-                Layer::Depth => layers.depth.as_ref().map(|d| yuv_from_rgb(&depth_preview(d))),
+                Layer::Depth => layers.depth.as_ref().map(|d| yuv_from_rgb(&depth_preview(&depth_from_rgb(d)))),
                 Layer::Instance => Some(yuv_from_rgb(&instance_preview(&layers.instance))),
             };
             recipe.mp4.iter().filter_map(picture).collect::<Vec<Yuv>>()

@@ -66,6 +66,7 @@ impl Simulator for Fake {
             parked,
             moving: drive().tick().actors,
             skin_tones: Default::default(),
+            bodies: None,
             traffic: Box::new(drive()),
         })
     }

@@ -23,7 +23,9 @@ pub struct StaticScene {
 impl StaticScene {
     /// Builds the town's meshes, props and parked vehicles (number i gets instance id i + 1).
     pub fn load(town: &Town, catalogue: &Catalogue) -> Self {
-        type Model = Option<(Arc<Shape>, Arc<Body>)>;
+        type Model = Option<Part>;
+        type Models = BTreeMap<What, Model>;
+        type Parked = BTreeMap<u16, VehicleParts>;
         let placed = town.placements.iter().map(|placement| placement.what);
         let used: BTreeSet<What> = placed.filter(|what| matches!(what, What::Prop(..))).collect();
         let made = |what: What| match what {
@@ -33,7 +35,7 @@ impl StaticScene {
         let parked: BTreeSet<u16> = town.parked.iter().map(|p| p.asset.model).collect();
         let parts = |model| Some((model, VehicleParts::new(catalogue.vehicles().get(usize::from(model))?)));
         // Large meshes and small ones side by side, so that no thread waits for another.
-        let (own, (props, vehicles)): (Vec<Model>, (BTreeMap<What, Model>, BTreeMap<u16, VehicleParts>)) = rayon::join(
+        let (own, (props, vehicles)): (Vec<Model>, (Models, Parked)) = rayon::join(
             || town.meshes.par_iter().map(|mesh| model(mesh.clone(), Use::Still)).collect(),
             || {
                 rayon::join(

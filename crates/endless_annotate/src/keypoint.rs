@@ -1,0 +1,189 @@
+//! Keypoints of people in COCO's form: where each lies in the picture, and whether it can be seen there.
+
+use endless_world::{Image, InstanceId, InstancePixel, KEYPOINT_COUNT, PinholeCamera};
+use glam::Vec3;
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error, ser::SerializeSeq};
+use std::collections::BTreeMap;
+
+/// Where the keypoints of people are, in the order of [`endless_world::KEYPOINTS`]; world frame, metres.
+pub type Bodies = BTreeMap<InstanceId, [Vec3; KEYPOINT_COUNT]>;
+
+/// COCO's flag `v`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum Visibility {
+    /// Not in the picture; x and y are 0.
+    Outside = 0,
+    /// In the picture, but hidden by something, or by the person's own body.
+    Hidden = 1,
+    /// To be seen.
+    Visible = 2,
+}
+
+/// One keypoint in a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Keypoint {
+    /// Pixels from the picture's left edge, to hundredths.
+    pub x: f64,
+    /// Pixels from its top edge.
+    pub y: f64,
+    /// Whether it can be seen.
+    pub visibility: Visibility,
+}
+
+/// The keypoints of one person, written as COCO's `[x1, y1, v1, x2, ...]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Keypoints(pub [Keypoint; KEYPOINT_COUNT]);
+
+impl Keypoints {
+    /// How many are in the picture, seen or hidden: COCO's `num_keypoints`.
+    pub fn labelled(&self) -> u32 {
+        self.0.iter().filter(|k| k.visibility != Visibility::Outside).count() as u32
+    }
+}
+
+impl Serialize for Keypoints {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(Some(3 * KEYPOINT_COUNT))?;
+        for keypoint in &self.0 {
+            list.serialize_element(&keypoint.x)?;
+            list.serialize_element(&keypoint.y)?;
+            list.serialize_element(&(keypoint.visibility as u8))?;
+        }
+        list.end()
+    }
+}
+
+impl<'de> Deserialize<'de> for Keypoints {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let numbers = Vec::<f64>::deserialize(deserializer)?;
+        if numbers.len() != 3 * KEYPOINT_COUNT {
+            return Err(D::Error::invalid_length(numbers.len(), &"x, y and v of 17 keypoints"));
+        }
+        let mut keypoints = [Keypoint { x: 0.0, y: 0.0, visibility: Visibility::Outside }; KEYPOINT_COUNT];
+        for (keypoint, given) in keypoints.iter_mut().zip(numbers.chunks_exact(3)) {
+            let visibility = match given[2] {
+                0.0 => Visibility::Outside,
+                1.0 => Visibility::Hidden,
+                2.0 => Visibility::Visible,
+                other => return Err(D::Error::custom(format!("{other} is no visibility: 0, 1 or 2"))),
+            };
+            *keypoint = Keypoint { x: given[0], y: given[1], visibility };
+        }
+        Ok(Self(keypoints))
+    }
+}
+
+/// What a camera shows: by this it is judged what can be seen.
+#[derive(Clone, Copy)]
+pub struct Picture<'a> {
+    /// Who looks.
+    pub camera: &'a PinholeCamera,
+    /// Whose each pixel is.
+    pub instance: &'a Image<InstancePixel>,
+    /// Planar depth of a pixel by its index, metres. Without it a body never hides its own keypoints.
+    pub depth: Option<&'a dyn Fn(usize) -> f32>,
+}
+
+/// How far behind the surface a keypoint that can be seen may lie, metres, in the order of the keypoints: joints are
+/// inside limbs, eyes and noses on the face.
+const BENEATH_M: [f32; KEYPOINT_COUNT] =
+    [0.06, 0.06, 0.06, 0.07, 0.07, 0.15, 0.15, 0.10, 0.10, 0.08, 0.08, 0.20, 0.20, 0.13, 0.13, 0.11, 0.11];
+
+impl Picture<'_> {
+    /// The keypoints of a person as they are seen.
+    pub fn keypoints(&self, id: InstanceId, body: &[Vec3; KEYPOINT_COUNT]) -> Keypoints {
+        Keypoints(std::array::from_fn(|k| self.keypoint(id, body[k], BENEATH_M[k])))
+    }
+
+    fn keypoint(&self, id: InstanceId, point: Vec3, beneath_m: f32) -> Keypoint {
+        let size = self.instance.size;
+        let inside = |x: f32, y: f32| x >= 0.0 && y >= 0.0 && x < size.width as f32 && y < size.height as f32;
+        match self.camera.project(point) {
+            Some((at, depth)) if inside(at.x, at.y) => {
+                let seen = self.shows(id, [at.x as u32, at.y as u32], depth - beneath_m);
+                let visibility = if seen { Visibility::Visible } else { Visibility::Hidden };
+                Keypoint { x: hundredths(at.x), y: hundredths(at.y), visibility }
+            }
+            _ => Keypoint { x: 0.0, y: 0.0, visibility: Visibility::Outside },
+        }
+    }
+
+    /// Whether a pixel or one beside it shows an object no nearer than this depth.
+    fn shows(&self, id: InstanceId, [x, y]: [u32; 2], depth: f32) -> bool {
+        let size = self.instance.size;
+        let around = |at: u32, end: u32| at.saturating_sub(1)..(at + 2).min(end);
+        around(y, size.height).any(|y| {
+            around(x, size.width).any(|x| {
+                let pixel = y as usize * size.width as usize + x as usize;
+                self.instance.data[pixel].id == id && self.depth.is_none_or(|of| of(pixel) >= depth)
+            })
+        })
+    }
+}
+
+fn hundredths(value: f32) -> f64 {
+    (f64::from(value) * 1e2).round() / 1e2
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_world::{CameraSite, ClassTag, ImageSize, Mount};
+
+    const SIZE: ImageSize = ImageSize { width: 64, height: 48 };
+    const PERSON: InstanceId = InstanceId(7);
+
+    /// Looks east from the origin.
+    fn camera() -> PinholeCamera {
+        let site = CameraSite {
+            name: "test".into(),
+            position: [0.0; 3],
+            yaw_rad: 0.0,
+            down_tilt_rad: 0.0,
+            horizontal_fov_rad: 1.0,
+            mount: Mount::Pole,
+        };
+        PinholeCamera::new(&site, SIZE)
+    }
+
+    fn image(id: InstanceId) -> Image<InstancePixel> {
+        Image::filled(SIZE, InstancePixel { tag: ClassTag::Pedestrians, id })
+    }
+
+    fn visibility(shown: InstanceId, depth: Option<f32>, point: Vec3) -> Visibility {
+        let (camera, instance) = (camera(), image(shown));
+        let of = |_: usize| depth.unwrap_or_default();
+        let depth = depth.is_some().then_some(&of as &dyn Fn(usize) -> f32);
+        let keypoints = Picture { camera: &camera, instance: &instance, depth }.keypoints(PERSON, &[point; 17]);
+        keypoints.0[0].visibility
+    }
+
+    #[test]
+    fn what_lies_behind_something_is_hidden() {
+        let ahead = Vec3::new(10.0, 0.5, 0.2);
+        assert_eq!(visibility(PERSON, Some(9.97), ahead), Visibility::Visible);
+        assert_eq!(visibility(PERSON, None, ahead), Visibility::Visible);
+        // Behind the person's own body, and behind somebody else.
+        assert_eq!(visibility(PERSON, Some(9.7), ahead), Visibility::Hidden);
+        assert_eq!(visibility(InstanceId(8), Some(9.97), ahead), Visibility::Hidden);
+        assert_eq!(visibility(PERSON, Some(9.97), Vec3::new(-10.0, 0.5, 0.2)), Visibility::Outside);
+        assert_eq!(visibility(PERSON, Some(9.97), Vec3::new(10.0, 9.0, 0.2)), Visibility::Outside);
+    }
+
+    #[test]
+    fn they_are_written_as_coco_does() {
+        let (camera, instance) = (camera(), image(PERSON));
+        let picture = Picture { camera: &camera, instance: &instance, depth: None };
+        let mut body = [Vec3::new(10.0, 0.0, 0.0); 17];
+        body[1] = -Vec3::X;
+        let keypoints = picture.keypoints(PERSON, &body);
+        assert_eq!(keypoints.labelled(), 16);
+        let text = serde_json::to_string(&keypoints).expect("plain data");
+        assert!(text.starts_with("[32.0,24.0,2,0.0,0.0,0,32.0,24.0,2,"), "{text}");
+        assert_eq!(serde_json::from_str::<Keypoints>(&text).expect("own output"), keypoints);
+        for wrong in ["[1,2,2]".to_owned(), text.replacen(",2,", ",3,", 1)] {
+            assert!(serde_json::from_str::<Keypoints>(&wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,51 @@
+//! A person's skeleton and way of moving: enough to tell where joints and keypoints are, without any mesh.
+
+use super::look::Look;
+use super::skeleton::{BONES, Bone, Skeleton};
+use super::{gait, hold, part};
+use endless_world::{AssetRef, KEYPOINT_COUNT, WalkerMotion};
+use glam::{Affine3A, Vec3};
+
+/// The skeleton of one person, in motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Anatomy {
+    pub(crate) skeleton: Skeleton,
+    keypoints: [(Bone, Vec3); KEYPOINT_COUNT],
+    /// Habits of moving, from the variant.
+    pub(crate) habit: gait::Habit,
+}
+
+impl Anatomy {
+    /// Of the person that an actor's asset names.
+    pub(crate) fn of(asset: AssetRef) -> Self {
+        Self::with_look(asset.variant, &Look::of(asset.variant, asset.model == AssetRef::RAIN))
+    }
+
+    pub(crate) fn with_look(variant: u64, look: &Look) -> Self {
+        let skeleton = Skeleton::new(look);
+        Self { keypoints: part::keypoints(look, &skeleton), skeleton, habit: gait::Habit::new(variant, look) }
+    }
+
+    /// The keypoints of COCO ([`endless_world::KEYPOINTS`]) at an instant, in the person's object frame.
+    pub fn keypoints(&self, motion: &WalkerMotion) -> [Vec3; KEYPOINT_COUNT] {
+        self.keypoints_on(&self.bones(motion))
+    }
+
+    pub(crate) fn keypoints_on(&self, bones: &[Affine3A; BONES]) -> [Vec3; KEYPOINT_COUNT] {
+        self.keypoints.map(|(bone, p)| bones[bone as usize].transform_point3(p))
+    }
+
+    /// Where the joint of every bone is at an instant, in the order of [`Bone::ALL`], in the person's object frame.
+    /// Those of things are of no meaning for who carries none.
+    pub fn joints(&self, motion: &WalkerMotion) -> [Vec3; Bone::ALL.len()] {
+        let bones = self.bones(motion);
+        Bone::ALL.map(|b| bones[b as usize].transform_point3(self.skeleton.joint(b)))
+    }
+
+    /// How every bone stands at an instant, from the rest pose.
+    pub(crate) fn bones(&self, motion: &WalkerMotion) -> [Affine3A; BONES] {
+        let mut bones = gait::posture(motion, &self.skeleton, &self.habit).solve(&self.skeleton);
+        hold::place(&mut bones, motion, &self.skeleton, self.habit.carried);
+        bones
+    }
+}

@@ -1,0 +1,43 @@
+//! Where the keypoints of our own people are.
+
+use crate::PeopleBodies;
+use endless_annotate::Bodies;
+use endless_asset::{Anatomy, Catalogue};
+use endless_world::{Actor, InstanceId, KEYPOINT_COUNT, Motion, WorldState};
+use glam::Vec3;
+use std::collections::BTreeMap;
+
+/// The skeletons of people on foot, by their ids, and the seated bodies of riders, by those of their vehicles.
+pub(super) struct CastBodies {
+    on_foot: BTreeMap<InstanceId, Anatomy>,
+    /// In the object frame of the vehicle.
+    riding: BTreeMap<InstanceId, [Vec3; KEYPOINT_COUNT]>,
+}
+
+impl CastBodies {
+    /// Of all who move.
+    pub(super) fn of(catalogue: &Catalogue, moving: &[Actor]) -> Self {
+        let on_foot = moving.iter().filter(|a| matches!(a.motion, Motion::Walker(_)));
+        let riding = moving.iter().filter(|a| a.rider_id.is_some()).filter_map(|a| {
+            let vehicle = catalogue.vehicles().get(usize::from(a.asset.model))?;
+            Some((a.id, vehicle.rider_keypoints(a.asset.variant)?))
+        });
+        Self { on_foot: on_foot.map(|a| (a.id, catalogue.anatomy_of(a.asset))).collect(), riding: riding.collect() }
+    }
+
+    /// Whose keypoints come with an actor, and where they are.
+    fn of_actor(&self, actor: &Actor) -> Option<(InstanceId, [Vec3; KEYPOINT_COUNT])> {
+        let (id, body) = match &actor.motion {
+            Motion::Walker(motion) => (actor.id, self.on_foot.get(&actor.id)?.keypoints(motion)),
+            Motion::Vehicle(_) => (actor.rider_id?, *self.riding.get(&actor.id)?),
+        };
+        let world_from_object = actor.pose.world_from_object();
+        Some((id, body.map(|p| world_from_object.transform_point3(p))))
+    }
+}
+
+impl PeopleBodies for CastBodies {
+    fn at(&self, state: &WorldState) -> Bodies {
+        state.actors.iter().filter_map(|actor| self.of_actor(actor)).collect()
+    }
+}

@@ -1,0 +1,48 @@
+//! The keypoints of a person, as COCO names and joins them.
+
+/// How many there are.
+pub const KEYPOINT_COUNT: usize = 17;
+
+/// Their names, in COCO's order.
+pub const KEYPOINTS: [&str; KEYPOINT_COUNT] = [
+    "nose",
+    "left_eye",
+    "right_eye",
+    "left_ear",
+    "right_ear",
+    "left_shoulder",
+    "right_shoulder",
+    "left_elbow",
+    "right_elbow",
+    "left_wrist",
+    "right_wrist",
+    "left_hip",
+    "right_hip",
+    "left_knee",
+    "right_knee",
+    "left_ankle",
+    "right_ankle",
+];
+
+/// Which of them limbs join, counted from 1, as in the `skeleton` of COCO's `person_keypoints`.
+pub const KEYPOINT_LIMBS: [[u8; 2]; 19] = [
+    [16, 14],
+    [14, 12],
+    [17, 15],
+    [15, 13],
+    [12, 13],
+    [6, 12],
+    [7, 13],
+    [6, 7],
+    [6, 8],
+    [7, 9],
+    [8, 10],
+    [9, 11],
+    [2, 3],
+    [1, 2],
+    [1, 3],
+    [2, 4],
+    [3, 5],
+    [4, 6],
+    [5, 7],
+];
