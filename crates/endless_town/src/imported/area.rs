@@ -12,6 +12,10 @@ use glam::{DVec2, Vec3};
 /// Land that is flatter than this over an area can carry it as one plane, metres.
 const FLAT_M: f64 = 0.03;
 
+/// Distance between points at which the rim of an area is looked at, metres, and most of them on one side.
+const RIM_STEP_M: f64 = 1.5;
+const MOST_STEPS: f64 = 2000.0;
+
 /// Bands of squares: how far apart, how wide, how long their pieces, how far above the paving; metres.
 const BANDS_M: f64 = 6.9;
 const BAND_M: f64 = 0.45;
@@ -43,9 +47,10 @@ impl<'a> Areas<'a> {
                 let low = area.outline.iter().fold(DVec2::INFINITY, |l, &p| l.min(p));
                 let high = area.outline.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p));
                 let middle = area.outline.iter().sum::<DVec2>() / area.outline.len() as f64;
-                let inner = if relief { [0.0, 0.3, 0.6] } else { [0.0; 3] };
+                let inner: &[f64] = if relief { &[0.0, 0.3, 0.6] } else { &[0.0] };
+                let rim = dense(&area.outline);
                 let places: Vec<DVec2> =
-                    inner.iter().flat_map(|&t| area.outline.iter().map(move |p| p.lerp(middle, t))).collect();
+                    inner.iter().flat_map(|&t| rim.iter().map(move |p| p.lerp(middle, t))).collect();
                 let (least, most) = land.range(&places);
                 let flat = if relief && area.kind == AreaKind::Water {
                     // Water finds its level between the banks.
@@ -122,6 +127,17 @@ impl<'a> Areas<'a> {
             }
         }
     }
+}
+
+/// Points along an outline: those between its corners, too, so that a road that cuts into an area is noticed.
+fn dense(outline: &[DVec2]) -> Vec<DVec2> {
+    let mut points = Vec::with_capacity(outline.len());
+    for (k, &a) in outline.iter().enumerate() {
+        let b = outline[(k + 1) % outline.len()];
+        let n = (a.distance(b) / RIM_STEP_M).ceil().clamp(1.0, MOST_STEPS);
+        points.extend((0..n as usize).map(|i| a.lerp(b, i as f64 / n)));
+    }
+    points
 }
 
 /// Bands of darker stone across a square.

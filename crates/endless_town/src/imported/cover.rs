@@ -1,5 +1,6 @@
-//! Which pavement lies at a place: all strips of a map in bins.
+//! Which pavement lies at a place: all strips of a map in bins, and the asphalt between them in junctions.
 
+use crate::surface::triangulate;
 use endless_road::{Strip, StripKind};
 use glam::{DVec2, DVec3};
 
@@ -61,13 +62,18 @@ pub(crate) struct Cover {
     columns: usize,
     rows: usize,
     bins: Vec<Vec<u32>>,
+    /// Triangles of the asphalt between strips, and their bins.
+    between: Vec<[DVec3; 3]>,
+    between_bins: Vec<Vec<u32>>,
 }
 
 impl Cover {
     pub(crate) fn new(strips: &[Strip], low: DVec2, high: DVec2) -> Self {
         let size = (high - low).max(DVec2::splat(1.0));
         let (columns, rows) = ((size.x / BIN_M).ceil() as usize, (size.y / BIN_M).ceil() as usize);
-        let mut cover = Self { pieces: Vec::new(), low, columns, rows, bins: vec![Vec::new(); columns * rows] };
+        let bins = vec![Vec::new(); columns * rows];
+        let between_bins = bins.clone();
+        let mut cover = Self { pieces: Vec::new(), low, columns, rows, bins, between: Vec::new(), between_bins };
         for (i, strip) in strips.iter().enumerate() {
             for k in 0..strip.left.len().min(strip.right.len()).saturating_sub(1) {
                 let corners = [strip.right[k], strip.right[k + 1], strip.left[k + 1], strip.left[k]];
@@ -87,12 +93,32 @@ impl Cover {
 
     fn add(&mut self, piece: Piece) {
         let number = self.pieces.len() as u32;
-        for y in self.row(piece.low.y)..=self.row(piece.high.y) {
-            for x in self.column(piece.low.x)..=self.column(piece.high.x) {
-                self.bins[y * self.columns + x].push(number);
-            }
+        for bin in self.bins_in(piece.low, piece.high) {
+            self.bins[bin].push(number);
         }
         self.pieces.push(piece);
+    }
+
+    /// Asphalt that no strip tells of, by its outline, counter-clockwise.
+    pub(crate) fn add_between(&mut self, outline: &[DVec3]) {
+        let flat: Vec<DVec2> = outline.iter().map(|p| p.truncate()).collect();
+        if flat.len() < 3 || crate::surface::area(&flat) <= 0.0 {
+            return;
+        }
+        for triangle in triangulate(&flat) {
+            let number = self.between.len() as u32;
+            let corners = triangle.map(|k| flat[k]);
+            let (low, high) = (corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2]));
+            for bin in self.bins_in(low, high) {
+                self.between_bins[bin].push(number);
+            }
+            self.between.push(triangle.map(|k| outline[k]));
+        }
+    }
+
+    fn bins_in(&self, low: DVec2, high: DVec2) -> impl Iterator<Item = usize> + use<> {
+        let (x0, x1, columns) = (self.column(low.x), self.column(high.x), self.columns);
+        (self.row(low.y)..=self.row(high.y)).flat_map(move |y| (x0..=x1).map(move |x| y * columns + x))
     }
 
     fn column(&self, x: f64) -> usize {
@@ -103,27 +129,39 @@ impl Cover {
         (((y - self.low.y) / BIN_M).max(0.0) as usize).min(self.rows - 1)
     }
 
+    fn bin(&self, p: DVec2) -> usize {
+        self.row(p.y) * self.columns + self.column(p.x)
+    }
+
     /// The pieces over a place, with the height of each.
     pub(crate) fn at(&self, p: DVec2) -> impl Iterator<Item = (&Piece, f64)> {
-        self.bins[self.row(p.y) * self.columns + self.column(p.x)].iter().filter_map(move |&i| {
+        self.bins[self.bin(p)].iter().filter_map(move |&i| {
             let piece = &self.pieces[i as usize];
             Some((piece, piece.height_at(p)?))
         })
     }
 
+    /// Heights of the asphalt between strips at a place.
+    pub(crate) fn between(&self, p: DVec2) -> impl Iterator<Item = f64> {
+        self.between_bins[self.bin(p)].iter().filter_map(move |&i| {
+            let [a, b, c] = self.between[i as usize];
+            in_triangle(a, b, c, p)
+        })
+    }
+
     /// Whether any pavement lies here.
     pub(crate) fn is_paved(&self, p: DVec2) -> bool {
-        self.at(p).next().is_some()
+        self.at(p).next().is_some() || self.between(p).next().is_some()
     }
 
     /// Whether vehicles drive or park here.
     pub(crate) fn is_carriageway(&self, p: DVec2) -> bool {
-        self.at(p).any(|(piece, _)| is_carriageway(piece.kind))
+        self.at(p).any(|(piece, _)| is_carriageway(piece.kind)) || self.between(p).next().is_some()
     }
 
     /// The highest pavement at a place that is not above `ceiling`.
     pub(crate) fn height(&self, p: DVec2, ceiling: f64) -> Option<f64> {
-        self.at(p).map(|(_, z)| z).filter(|z| *z <= ceiling).max_by(f64::total_cmp)
+        self.at(p).map(|(_, z)| z).chain(self.between(p)).filter(|z| *z <= ceiling).max_by(f64::total_cmp)
     }
 
     /// Whether pavement lies within `reach` of a place, in eight directions.

@@ -5,7 +5,7 @@ use crate::palette::ASPHALT;
 use crate::surface::NO_LANE;
 use endless_asset::MeshBuilder;
 use endless_road::{JunctionId, RoadNetwork};
-use glam::{DVec2, Vec2, Vec3};
+use glam::{DVec2, DVec3, Vec2};
 
 /// Side of the cells in which holes are looked for, metres.
 const CELL_M: f64 = 0.5;
@@ -25,7 +25,9 @@ struct Patch<'a> {
     open: Vec<bool>,
 }
 
-pub(super) fn add(mesh: &mut MeshBuilder, network: &RoadNetwork, cover: &Cover) {
+/// Outlines that together cover the holes, at the height of the road around.
+pub(super) fn holes(network: &RoadNetwork, cover: &Cover) -> Vec<[DVec3; 4]> {
+    let mut found = Vec::new();
     for junction in 0..network.junctions.len() {
         let id = JunctionId(junction as u16);
         let lanes = network.lanes.iter().filter(|l| l.junction == Some(id));
@@ -34,8 +36,17 @@ pub(super) fn add(mesh: &mut MeshBuilder, network: &RoadNetwork, cover: &Cover) 
         let size = high - low;
         // What is called a junction of several hundred metres is none to be paved.
         if size.x >= 0.0 && size.max_element() < 250.0 {
-            Patch::new(cover, low - AROUND_M, high + AROUND_M).fill(mesh);
+            Patch::new(cover, low - AROUND_M, high + AROUND_M).fill(&mut found);
         }
+    }
+    found
+}
+
+/// Paves what [`holes`] found.
+pub(super) fn pave(mesh: &mut MeshBuilder, holes: &[[DVec3; 4]]) {
+    for corners in holes {
+        let uvs = corners.map(|p| Vec2::new(p.x as f32, NO_LANE));
+        mesh.quad(corners.map(|p| (p - DVec3::Z * BELOW_M).as_vec3()), uvs, ASPHALT);
     }
 }
 
@@ -62,7 +73,7 @@ impl<'a> Patch<'a> {
         })
     }
 
-    fn fill(&self, mesh: &mut MeshBuilder) {
+    fn fill(&self, found: &mut Vec<[DVec3; 4]>) {
         let mut seen = vec![false; self.open.len()];
         for start in 0..self.open.len() {
             if seen[start] || !self.open[start] {
@@ -84,7 +95,7 @@ impl<'a> Patch<'a> {
             };
             let small = hole.len() as f64 * CELL_M * CELL_M < MOST_M2;
             if small && !hole.iter().any(at_rim) && self.is_in_the_road(&hole) {
-                self.pave(mesh, hole);
+                self.outlines(hole, found);
             }
         }
     }
@@ -96,8 +107,8 @@ impl<'a> Patch<'a> {
         road * 4 >= border.len()
     }
 
-    /// Asphalt over the hole and a cell beyond it, under the pavements.
-    fn pave(&self, mesh: &mut MeshBuilder, mut hole: Vec<usize>) {
+    /// The hole and a cell beyond it.
+    fn outlines(&self, mut hole: Vec<usize>, found: &mut Vec<[DVec3; 4]>) {
         let rim: Vec<usize> =
             hole.iter().flat_map(|&i| self.neighbours(i)).flat_map(|i| self.neighbours(i).chain([i])).collect();
         hole.extend(rim);
@@ -113,15 +124,13 @@ impl<'a> Patch<'a> {
             }
             let (a, b) = (self.middle(hole[from]) - CELL_M / 2.0, self.middle(hole[to - 1]) + CELL_M / 2.0);
             let corners = [a, DVec2::new(b.x, a.y), b, DVec2::new(a.x, b.y)];
-            if let Some(corners) = self.lowered(corners) {
-                mesh.quad(corners, corners.map(|p| Vec2::new(p.x, NO_LANE)), ASPHALT);
-            }
+            found.extend(self.on_road(corners));
             from = to;
         }
     }
 
     /// The corners at the height of the road next to each.
-    fn lowered(&self, corners: [DVec2; 4]) -> Option<[Vec3; 4]> {
+    fn on_road(&self, corners: [DVec2; 4]) -> Option<[DVec3; 4]> {
         let height = |p: DVec2| {
             (0..14).find_map(|ring| {
                 let around = (0..8).filter_map(|k| {
@@ -135,9 +144,9 @@ impl<'a> Patch<'a> {
                 around.min_by(f64::total_cmp)
             })
         };
-        let mut found = [Vec3::ZERO; 4];
+        let mut found = [DVec3::ZERO; 4];
         for (to, p) in found.iter_mut().zip(corners) {
-            *to = p.extend(height(p)? - BELOW_M).as_vec3();
+            *to = p.extend(height(p)?);
         }
         Some(found)
     }

@@ -18,6 +18,8 @@ const FINER: usize = 3;
 /// Beside pavements the ground lies this much below them, under them this much.
 const BESIDE_M: f64 = 0.05;
 const UNDER_M: f64 = 0.45;
+/// Asphalt between strips lies on the land if no further above or below it; else it is on a bridge or under one, metres.
+const ALIKE_M: f64 = 1.2;
 /// Width of banks: the least, and by metre of height between a road and the terrain.
 const LEAST_BANK_M: f64 = 5.0;
 const BANK: f64 = 1.7;
@@ -73,7 +75,15 @@ impl Land {
             land.know_terrain(terrain, &mut known);
         }
         land.level = spread(&known, nx, ny);
-        land.heights = (0..nx * ny).map(|i| land.level[i] - if under[i] { UNDER_M } else { BESIDE_M }).collect();
+        let between = |i: usize| {
+            let level = land.level[i];
+            cover.between(land.vertex(i % nx, i / nx)).filter(|z| (z - level).abs() < ALIKE_M).min_by(f64::total_cmp)
+        };
+        let cut = |i: usize| match between(i) {
+            Some(z) => z.min(land.level[i]) - UNDER_M,
+            None => land.level[i] - if under[i] { UNDER_M } else { BESIDE_M },
+        };
+        land.heights = (0..nx * ny).map(cut).collect();
         land
     }
 
@@ -343,6 +353,24 @@ fn pull(known: &[Option<f64>], nx: usize, ny: usize) -> Vec<f64> {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    #[test]
+    fn land_lies_below_the_asphalt_between_strips_and_knows_bridges() {
+        let (low, high) = (DVec2::ZERO, DVec2::splat(80.0));
+        let square = |from: f64, z: f64| {
+            [(0.0, 0.0), (20.0, 0.0), (20.0, 20.0), (0.0, 20.0)].map(|(x, y)| DVec3::new(from + x, from + y, z))
+        };
+        let mut cover = Cover::new(&[], low, high);
+        cover.add_between(&square(10.0, -0.1));
+        cover.add_between(&square(50.0, 6.0));
+        let land = Land::new(&cover, &|_| false, None, low, high);
+        assert!(land.height(DVec2::splat(20.0)) < -0.1 - 0.3);
+        // Grass beside it reaches up to its edge, not through it.
+        assert!((0..20).all(|k| land.height(DVec2::new(10.5 + 0.95 * f64::from(k), 11.0)) < -0.1));
+        assert!((land.height(DVec2::splat(60.0)) + BESIDE_M).abs() < 1e-9, "a bridge leaves the land as it is");
+        assert!(cover.is_paved(DVec2::splat(60.0)) && cover.is_carriageway(DVec2::new(29.0, 11.0)));
+        assert!(!cover.is_paved(DVec2::splat(40.0)) && cover.height(DVec2::splat(60.0), 3.0).is_none());
+    }
 
     proptest! {
         #[test]

@@ -41,7 +41,7 @@ use lawn::Lawns;
 use plant::Planter;
 use post::Poster;
 use square::Furnisher;
-use urban::Mapped;
+use urban::{Mapped, Parcels};
 
 pub(crate) use look::{Look, Zone};
 
@@ -69,7 +69,11 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     }
     let seed = fnv1a(name.bytes());
     let strips = road::laid(map);
-    let cover = Cover::new(&strips, low, high);
+    let mut cover = Cover::new(&strips, low, high);
+    let holes = if map.junction_areas.is_empty() { infill::holes(&map.network, &cover) } else { Vec::new() };
+    map.junction_areas.iter().map(Vec::as_slice).chain(holes.iter().map(<[_; 4]>::as_slice)).for_each(|outline| {
+        cover.add_between(outline);
+    });
     let land = Land::new(&cover, &|strip| strips[strip as usize].bridge, map.terrain.as_ref(), low, high);
     let areas = Areas::new(&map.areas, &land, map.terrain.is_some());
     let streets = urban::streets(&map.network, &cover);
@@ -80,13 +84,12 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     let mut ground = MeshBuilder::new();
     road::Paver { strips: &strips, cover: &cover, land: &land, paving: look.paving }.pave(&mut ground, &mut occupied);
     road::junction_areas(&mut ground, map, look.paving);
-    if map.junction_areas.is_empty() {
-        infill::add(&mut ground, &map.network, &cover);
-    }
+    infill::pave(&mut ground, &holes);
     paint::add(&mut ground, map, &cover);
     arrow::add(&mut ground, map, &cover);
     bump::add(&mut ground, map, &cover);
-    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, look.yards)));
+    let parcels = look.yards.then(|| Parcels::new(&map.network));
+    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, parcels.as_ref())));
     areas.lay(&mut ground);
     let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
 
