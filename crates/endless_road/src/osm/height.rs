@@ -5,7 +5,7 @@ use super::curve::segments_cross;
 use super::ways::{Level, Stretch, Vertex};
 use glam::DVec2;
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BinaryHeap};
+use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 
 /// From one level to the next, metres.
 const STOREY_M: f64 = 5.6;
@@ -18,6 +18,12 @@ const DEEPEST_M: f64 = 6.0;
 const PIECE_M: f64 = 8.0;
 /// Levels are smoothed over so many pieces to both sides.
 const SMOOTH_PIECES: usize = 2;
+/// Where roads meet and one of them is steeper than this, they lie level so far from the middle, metres: ways that cross
+/// do so at one height.
+const STEEP: f64 = 0.1;
+const TABLE_M: f64 = 11.0;
+/// A road takes this long to pass from level to its slope, metres.
+const EASE_M: f64 = 8.0;
 
 /// Height of the land at a place, metres.
 pub(super) type Ground<'a> = &'a dyn Fn(DVec2) -> f64;
@@ -38,8 +44,10 @@ pub(super) fn heights(stretches: &mut [Stretch], ground: Option<Ground<'_>>) -> 
     sink(stretches, &edges, &mut heights);
     if let Some(ground) = ground {
         let mut levels: BTreeMap<i64, f64> = BTreeMap::new();
+        let steep = steep_meetings(stretches, &edges, ground);
         for stretch in stretches.iter() {
-            levels.extend(profile(stretch, ground));
+            let tables = [0, stretch.vertices.len() - 1].map(|k| steep.contains(&stretch.vertices[k].node));
+            levels.extend(profile(stretch, ground, tables));
         }
         for (node, level) in levels {
             *heights.entry(node).or_default() += level;
@@ -48,10 +56,28 @@ pub(super) fn heights(stretches: &mut [Stretch], ground: Option<Ground<'_>>) -> 
     heights
 }
 
-/// Levels of a stretch's nodes on the land: straight over bridges and through tunnels, smooth elsewhere.
-fn profile(stretch: &Stretch, ground: Ground<'_>) -> Vec<(i64, f64)> {
+/// Nodes where roads meet and one of them is steep.
+fn steep_meetings(stretches: &[Stretch], edges: &Edges, ground: Ground<'_>) -> BTreeSet<i64> {
+    let mut steep = BTreeSet::new();
+    for stretch in stretches {
+        let n = stretch.vertices.len() - 1;
+        for (end, next) in [(0, 1), (n, n - 1)] {
+            let (a, b) = (stretch.vertices[end], stretch.vertices[next]);
+            let rise = (ground(a.at) - ground(b.at)).abs();
+            if edges.get(&a.node).is_some_and(|arms| arms.len() > 2) && rise > STEEP * a.at.distance(b.at) {
+                steep.insert(a.node);
+            }
+        }
+    }
+    steep
+}
+
+/// Levels of a stretch's nodes on the land: straight over bridges and through tunnels, smooth elsewhere, and level at the
+/// ends with `tables`.
+fn profile(stretch: &Stretch, ground: Ground<'_>, tables: [bool; 2]) -> Vec<(i64, f64)> {
     let n = stretch.vertices.len() - 1;
-    let mut levels: Vec<f64> = stretch.vertices.iter().map(|v| ground(v.at)).collect();
+    let course = Course::new(stretch, tables);
+    let mut levels = course.levels(stretch, ground);
     let mut from = 0;
     while from < n {
         let free = |k: &usize| !stretch.levels[*k].bridge && !stretch.levels[*k].tunnel;
@@ -63,11 +89,69 @@ fn profile(stretch: &Stretch, ground: Ground<'_>) -> Vec<(i64, f64)> {
     }
     let smoothed = (0..=n).map(|k| {
         // Ends stay where they are: other stretches begin there.
-        let window = SMOOTH_PIECES.min(k).min(n - k);
+        let window = if course.on_table(k) { 0 } else { SMOOTH_PIECES.min(k).min(n - k) };
         let around = &levels[k - window..=k + window];
         (stretch.vertices[k].node, around.iter().sum::<f64>() / around.len() as f64)
     });
     smoothed.collect()
+}
+
+/// How a stretch takes a slope: at a table it stays level at first, and climbs the more steeply between.
+struct Course {
+    /// Distance of each vertex from the beginning, metres.
+    along: Vec<f64>,
+    /// Length of the level piece at each end, metres.
+    table: [f64; 2],
+    /// Length over which it passes from level to its slope, metres.
+    ease: [f64; 2],
+}
+
+impl Course {
+    fn new(stretch: &Stretch, tables: [bool; 2]) -> Self {
+        let mut along = vec![0.0];
+        for pair in stretch.vertices.windows(2) {
+            along.push(along[along.len() - 1] + pair[0].at.distance(pair[1].at));
+        }
+        let length = along[along.len() - 1];
+        let table = tables.map(|level| if level { TABLE_M.min(0.3 * length) } else { 0.0 });
+        let ease = tables.map(|level| if level { EASE_M.min(0.1 * length) } else { 0.0 });
+        Self { along, table, ease }
+    }
+
+    fn length(&self) -> f64 {
+        self.along[self.along.len() - 1]
+    }
+
+    /// Whether a vertex lies on a level piece.
+    fn on_table(&self, k: usize) -> bool {
+        self.along[k] <= self.table[0] || self.length() - self.along[k] <= self.table[1]
+    }
+
+    /// Way that an end takes from the climb up to a distance from it, metres.
+    fn lost(&self, end: usize, distance: f64) -> f64 {
+        let over = (distance - self.table[end]).max(0.0);
+        let ease = self.ease[end];
+        let climbed = if over < ease { 0.5 * over * over / ease } else { over - 0.5 * ease };
+        distance - climbed
+    }
+
+    /// The place whose height the stretch has at a distance from its beginning.
+    fn place(&self, s: f64) -> f64 {
+        let length = self.length();
+        let whole = length - self.lost(0, length) - self.lost(1, length);
+        let way = s - self.lost(0, s) - self.lost(1, length) + self.lost(1, length - s);
+        (way / whole.max(1e-9) * length).clamp(0.0, length)
+    }
+
+    /// Heights at a stretch's nodes.
+    fn levels(&self, stretch: &Stretch, ground: Ground<'_>) -> Vec<f64> {
+        let at = |s: f64| {
+            let k = self.along.partition_point(|&a| a < s).clamp(1, self.along.len() - 1);
+            let share = (s - self.along[k - 1]) / (self.along[k] - self.along[k - 1]).max(1e-9);
+            stretch.vertices[k - 1].at.lerp(stretch.vertices[k].at, share)
+        };
+        self.along.iter().map(|&s| ground(at(self.place(s)))).collect()
+    }
 }
 
 /// Nodes of bridges that pass over another road, with their heights.
@@ -186,5 +270,31 @@ fn sink(stretches: &[Stretch], edges: &Edges, heights: &mut BTreeMap<i64, f64>) 
     let above = spread(edges, mouths, DIVE, |n| inside[&n]);
     for (&node, _) in inside.iter().filter(|(_, i)| **i) {
         heights.insert(node, above.get(&node).copied().unwrap_or(0.0) - DEEPEST_M);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    proptest! {
+        #[test]
+        fn a_road_climbs_from_table_to_table(length in 0.5..300.0f64, meets: [bool; 2]) {
+            let table = meets.map(|m| if m { TABLE_M.min(0.3 * length) } else { 0.0 });
+            let ease = meets.map(|m| if m { EASE_M.min(0.1 * length) } else { 0.0 });
+            let course = Course { along: vec![0.0, length], table, ease };
+            let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * length;
+            prop_assert!(near(course.place(table[0]), 0.0));
+            prop_assert!(near(course.place(length - table[1]), length));
+            let steps: Vec<f64> = (0..=200).map(|k| course.place(length * f64::from(k) / 200.0)).collect();
+            for pair in steps.windows(2) {
+                let slope = (pair[1] - pair[0]) / (length / 200.0);
+                prop_assert!((-1e-9..=3.4).contains(&slope), "{slope}");
+            }
+            if meets == [false; 2] {
+                prop_assert!(near(course.place(0.4 * length), 0.4 * length));
+            }
+        }
     }
 }
