@@ -89,11 +89,12 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     arrow::add(&mut ground, map, &cover);
     bump::add(&mut ground, map, &cover);
     let parcels = look.yards.then(|| Parcels::new(&map.network));
-    land.add(&mut ground, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, parcels.as_ref())));
-    areas.lay(&mut ground);
-    let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
-
-    let mut built = footprint::build(&map.footprints, &cover, &land, &mut occupied, &mut numbers, seed);
+    let lie = || {
+        let mut lie = MeshBuilder::new();
+        land.add(&mut lie, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, parcels.as_ref())));
+        areas.lay(&mut lie);
+        lie.finish()
+    };
     let grower = Grower {
         network: &map.network,
         cover: &cover,
@@ -105,8 +106,14 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
         mapped: (!map.footprints.is_empty() && !look.grows).then(|| Mapped::new(&map.footprints, low, high)),
         seed,
     };
-    let (grown, yards): (Vec<_>, Vec<_>) = grower.grow(&mut occupied, &mut numbers).into_iter().unzip();
-    built.extend(grown);
+    let (lie, (built, yards)) = rayon::join(lie, || {
+        let mut built = footprint::build(&map.footprints, &cover, &land, &mut occupied, &mut numbers, seed);
+        let (grown, yards): (Vec<_>, Vec<_>) = grower.grow(&mut occupied, &mut numbers).into_iter().unzip();
+        built.extend(grown);
+        (built, yards)
+    });
+    ground.mesh(&lie, Affine3A::IDENTITY);
+    let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
     let solids: Vec<Solid> = built.iter().map(|b| b.solid.clone()).collect();
     let houses: Vec<Rect> = solids.iter().map(|s| footprint::around(&s.outline)).collect();
     own.extend(built.into_iter().map(|b| (b.mesh, b.place)));
