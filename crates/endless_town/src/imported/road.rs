@@ -8,7 +8,6 @@ use crate::surface::{NO_LANE, triangulate};
 use endless_asset::{Material, MeshBuilder};
 use endless_road::{RoadMap, Strip, StripKind};
 use glam::{DVec2, DVec3, Vec2, Vec3};
-use std::collections::BTreeMap;
 
 /// Medians at least this wide are raised, by this much, metres.
 const MEDIAN_FROM_M: f64 = 0.7;
@@ -16,8 +15,6 @@ const MEDIAN_M: f64 = 0.12;
 /// Overlapping strips in junctions lie in layers, this far apart, metres.
 const LAYER_M: f64 = 0.000_6;
 const LAYERS: usize = 14;
-/// Side of the bins in which strips that overlap are looked for, metres.
-const BIN_M: f64 = 24.0;
 /// Height of paint above all layers.
 pub(super) const PAINT_M: f64 = 0.011;
 /// From which height above the land a pavement is a bridge.
@@ -57,32 +54,19 @@ fn material(strip: &Strip, paving: Material) -> Material {
 
 /// A layer for every strip in a junction, so that no two that overlap share one, where there are enough.
 fn layers(strips: &[Strip]) -> Vec<usize> {
-    let mut layers = vec![0; strips.len()];
-    // Those that have a layer already, by the bins that their boxes meet.
-    let mut laid: BTreeMap<(i64, i64), Vec<usize>> = BTreeMap::new();
     let boxes: Vec<(DVec2, DVec2)> = strips.iter().map(bounds).collect();
-    for (place, i) in (0..strips.len()).filter(|&i| strips[i].in_junction).enumerate() {
-        let (low, high) = boxes[i];
-        if !low.is_finite() || !high.is_finite() {
-            continue;
-        }
+    let mut layers = vec![0; strips.len()];
+    let inside: Vec<usize> = (0..strips.len()).filter(|&i| strips[i].in_junction).collect();
+    for (place, &i) in inside.iter().enumerate() {
         let mut used = [false; LAYERS];
-        for bin in bins(low, high) {
-            let there = laid.entry(bin).or_default();
-            for &k in there.iter().filter(|&&k| low.cmplt(boxes[k].1).all() && boxes[k].0.cmplt(high).all()) {
+        for &k in &inside[..place] {
+            if boxes[i].0.cmplt(boxes[k].1).all() && boxes[k].0.cmplt(boxes[i].1).all() {
                 used[layers[k]] = true;
             }
-            there.push(i);
         }
         layers[i] = used.iter().position(|u| !u).unwrap_or(place % LAYERS);
     }
     layers
-}
-
-/// The bins that a box meets.
-fn bins(low: DVec2, high: DVec2) -> impl Iterator<Item = (i64, i64)> {
-    let (low, high) = ((low / BIN_M).floor(), (high / BIN_M).floor());
-    (low.y as i64..=high.y as i64).flat_map(move |y| (low.x as i64..=high.x as i64).map(move |x| (x, y)))
 }
 
 fn bounds(strip: &Strip) -> (DVec2, DVec2) {
