@@ -1,6 +1,6 @@
 //! Keypoints of people in COCO's form: where each lies in the picture, and whether it can be seen there.
 
-use endless_world::{Image, InstanceId, InstancePixel, KEYPOINT_COUNT, PinholeCamera};
+use endless_world::{Image, ImageSize, InstanceId, InstancePixel, KEYPOINT_COUNT, PinholeCamera};
 use glam::Vec3;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error, ser::SerializeSeq};
 use std::collections::BTreeMap;
@@ -29,6 +29,18 @@ pub struct Keypoint {
     pub y: f64,
     /// Whether it can be seen.
     pub visibility: Visibility,
+}
+
+impl Keypoint {
+    const OUTSIDE: Self = Self { x: 0.0, y: 0.0, visibility: Visibility::Outside };
+
+    /// The pixels, `[x, y]`, that may show one who has it in a picture of this size: its own and those beside it.
+    /// They follow from the place as it is written, so that who reads it finds what who wrote it saw.
+    pub fn pixels_around(&self, size: ImageSize) -> impl Iterator<Item = [u32; 2]> + use<> {
+        let around = |at: f64, end: u32| (at as u32).saturating_sub(1)..(at as u32).saturating_add(2).min(end);
+        let (columns, rows) = (around(self.x, size.width), around(self.y, size.height));
+        rows.flat_map(move |y| columns.clone().map(move |x| [x, y]))
+    }
 }
 
 /// The keypoints of one person, written as COCO's `[x1, y1, v1, x2, ...]`.
@@ -60,7 +72,7 @@ impl<'de> Deserialize<'de> for Keypoints {
         if numbers.len() != 3 * KEYPOINT_COUNT {
             return Err(D::Error::invalid_length(numbers.len(), &"x, y and v of 17 keypoints"));
         }
-        let mut keypoints = [Keypoint { x: 0.0, y: 0.0, visibility: Visibility::Outside }; KEYPOINT_COUNT];
+        let mut keypoints = [Keypoint::OUTSIDE; KEYPOINT_COUNT];
         for (keypoint, given) in keypoints.iter_mut().zip(numbers.chunks_exact(3)) {
             let visibility = match given[2] {
                 0.0 => Visibility::Outside,
@@ -101,23 +113,20 @@ impl Picture<'_> {
         let inside = |x: f32, y: f32| x >= 0.0 && y >= 0.0 && x < size.width as f32 && y < size.height as f32;
         match self.camera.project(point) {
             Some((at, depth)) if inside(at.x, at.y) => {
-                let seen = self.shows(id, [at.x as u32, at.y as u32], depth - beneath_m);
-                let visibility = if seen { Visibility::Visible } else { Visibility::Hidden };
-                Keypoint { x: hundredths(at.x), y: hundredths(at.y), visibility }
+                let hidden = Keypoint { x: hundredths(at.x), y: hundredths(at.y), visibility: Visibility::Hidden };
+                let seen = self.shows(id, &hidden, depth - beneath_m);
+                Keypoint { visibility: if seen { Visibility::Visible } else { Visibility::Hidden }, ..hidden }
             }
-            _ => Keypoint { x: 0.0, y: 0.0, visibility: Visibility::Outside },
+            _ => Keypoint::OUTSIDE,
         }
     }
 
-    /// Whether a pixel or one beside it shows an object no nearer than this depth.
-    fn shows(&self, id: InstanceId, [x, y]: [u32; 2], depth: f32) -> bool {
+    /// Whether a pixel around a keypoint shows an object no nearer than this depth.
+    fn shows(&self, id: InstanceId, keypoint: &Keypoint, depth: f32) -> bool {
         let size = self.instance.size;
-        let around = |at: u32, end: u32| at.saturating_sub(1)..(at + 2).min(end);
-        around(y, size.height).any(|y| {
-            around(x, size.width).any(|x| {
-                let pixel = y as usize * size.width as usize + x as usize;
-                self.instance.data[pixel].id == id && self.depth.is_none_or(|of| of(pixel) >= depth)
-            })
+        keypoint.pixels_around(size).any(|[x, y]| {
+            let pixel = y as usize * size.width as usize + x as usize;
+            self.instance.data[pixel].id == id && self.depth.is_none_or(|of| of(pixel) >= depth)
         })
     }
 }
@@ -169,6 +178,33 @@ mod tests {
         assert_eq!(visibility(InstanceId(8), Some(9.97), ahead), Visibility::Hidden);
         assert_eq!(visibility(PERSON, Some(9.97), Vec3::new(-10.0, 0.5, 0.2)), Visibility::Outside);
         assert_eq!(visibility(PERSON, Some(9.97), Vec3::new(10.0, 9.0, 0.2)), Visibility::Outside);
+    }
+
+    #[test]
+    fn a_keypoint_is_judged_where_it_is_written() {
+        let camera = camera();
+        // Just left of a pixel's border, and written to be on it.
+        let focal = camera.project(Vec3::new(1.0, -1.0, 0.0)).expect("ahead").0.x - 32.0;
+        let at = |x: f32| Vec3::new(10.0, (32.0 - x) / focal * 10.0, 0.0);
+        for (x, written, shown, expected) in [
+            (39.996, 40.0, 41, Visibility::Visible),
+            (39.996, 40.0, 38, Visibility::Hidden),
+            (39.99, 39.99, 38, Visibility::Visible),
+            (39.99, 39.99, 41, Visibility::Hidden),
+            // What is written to be on the right edge is in the last column.
+            (63.998, 64.0, 63, Visibility::Visible),
+        ] {
+            let mut instance = image(InstanceId::STUFF);
+            for row in 0..SIZE.height {
+                instance.data[(row * SIZE.width + shown) as usize].id = PERSON;
+            }
+            let picture = Picture { camera: &camera, instance: &instance, depth: None };
+            let keypoint = picture.keypoints(PERSON, &[at(x); 17]).0[0];
+            assert_eq!((keypoint.x, keypoint.visibility), (written, expected), "{x} beside column {shown}");
+            // Who reads it looks at the same pixels.
+            let found = keypoint.pixels_around(SIZE).any(|[x, y]| instance.at(x, y).id == PERSON);
+            assert_eq!(found, expected == Visibility::Visible);
+        }
     }
 
     #[test]

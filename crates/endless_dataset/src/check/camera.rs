@@ -189,8 +189,7 @@ fn keypoint_problem(
     }
     let (width, height) = (recipe.size.width, recipe.size.height);
     let own = |image: &Image<InstancePixel>, k: &Keypoint| {
-        let around = |at: f64, end: u32| (at as u32).saturating_sub(1)..(at as u32 + 2).min(end);
-        around(k.y, height).any(|y| around(k.x, width).any(|x| image.at(x, y).id == object.id))
+        k.pixels_around(image.size).any(|[x, y]| image.at(x, y).id == object.id)
     };
     let wrong = |k: &Keypoint| match k.visibility {
         Visibility::Outside => k.x != 0.0 || k.y != 0.0,
