@@ -3,6 +3,7 @@
 use endless_asset::Catalogue;
 use endless_road::{Control, LaneId, RoadNetwork};
 use endless_town::{NAMES, load};
+use std::collections::BTreeMap;
 
 fn networks() -> Vec<(&'static str, RoadNetwork)> {
     let catalogue = Catalogue::builtin();
@@ -128,5 +129,26 @@ fn networks_keep_their_promises() {
         let faults: Vec<String> =
             network.faults().into_iter().map(|f| format!("{:?} {}: {}", f.kind, f.place, f.text)).collect();
         assert_eq!(faults, [""; 0], "{name}");
+    }
+}
+
+/// Where two lanes of a road led into one lane, simulators that join lanes one to one would drop a turn.
+#[test]
+fn no_two_lanes_of_a_road_lead_into_one_lane() {
+    for (name, network) in networks() {
+        let mut arrivals: BTreeMap<(LaneId, LaneId), LaneId> = BTreeMap::new();
+        for way in network.lanes.iter().filter(|l| l.junction.is_some()) {
+            for &from in way.predecessors.iter().filter(|&&from| network.lane(from).junction.is_none()) {
+                let mut leftmost = from;
+                while let Some(left) = network.lane(leftmost).left {
+                    leftmost = left;
+                }
+                for &to in &way.successors {
+                    let other = *arrivals.entry((leftmost, to)).or_insert(from);
+                    let at = way.centerline.at(0.0).position;
+                    assert!(other == from, "{name}: {other:?} and {from:?} both lead to {to:?} from {at}");
+                }
+            }
+        }
     }
 }

@@ -1,8 +1,8 @@
 //! Town06: long roads of many lanes: a motorway with ramps, and a boulevard where left turns go past the junction and
-//! back through the median (Michigan lefts).
+//! back through the median (Michigan lefts). At both ends of the town the one becomes the other.
 
 use super::plan::Plan;
-use super::shape::{points, rect, smooth};
+use super::shape::{arc, points, rect};
 use crate::character::Kind;
 use crate::imported::Look;
 use endless_road::RoadMap;
@@ -14,16 +14,23 @@ const MOTORWAY_M: f64 = 10.5;
 const MOTORWAY_Y: f64 = 190.0;
 /// From a junction to the way back through the median, metres.
 const BACK_M: f64 = 95.0;
-const ENDS_M: f64 = 500.0;
-const MOTORWAY_ENDS_M: f64 = 600.0;
+/// Here both roads bend towards one another.
+const ENDS_M: f64 = 515.0;
 /// From an arterial to where its ramps join and leave the motorway, metres.
 const RAMP_M: f64 = 200.0;
+/// From the motorway's middle to where its ramps end on an arterial, metres.
+const TERMINAL_M: f64 = 62.0;
 const ARTERIALS: [f64; 3] = [-260.0, 30.0, 300.0];
+/// The street south of the boulevard; beyond it, and beyond the northern ramps, the outer arterials have two lanes.
+const SOUTH_Y: f64 = -100.0;
+/// The street between the boulevard and the southern ramps: a truck has room before the lights on both its sides.
+const NORTH_Y: f64 = 68.0;
 
 pub(super) fn make() -> (RoadMap, Look) {
     let mut plan = Plan::of([42.5, -83.1]);
     motorway(&mut plan);
     boulevard(&mut plan);
+    streets(&mut plan);
     land(&mut plan);
     let look = Look {
         summary: "Long roads of many lanes: a motorway with ramps, a boulevard with turns through its median."
@@ -36,23 +43,30 @@ pub(super) fn make() -> (RoadMap, Look) {
     plan.build(None, look)
 }
 
-/// Two carriageways of four lanes, with a fifth from every ramp that joins to the next that leaves.
+/// Two carriageways of four lanes, with a fifth from every ramp that joins to where it leaves again: at the next ramp, or
+/// as the boulevard's lane for right turns.
 fn motorway(plan: &mut Plan) {
-    let carriageway = |lanes: u32| format!("motorway oneway=yes lanes={lanes} placement=right_of:2 maxspeed=100");
-    let changes: [f64; 6] = {
-        let [first, _, last] = ARTERIALS;
-        [-MOTORWAY_ENDS_M, first - RAMP_M, first + RAMP_M, last - RAMP_M, last + RAMP_M, MOTORWAY_ENDS_M]
-    };
-    for (side, y) in [(1.0, MOTORWAY_Y - MOTORWAY_M), (-1.0, MOTORWAY_Y + MOTORWAY_M)] {
-        for (k, part) in changes.windows(2).enumerate() {
-            let over: Vec<(DVec2, f64)> = ARTERIALS
-                .iter()
-                .filter(|&&x| (part[0]..part[1]).contains(&x))
-                .map(|&x| (DVec2::new(x, y), 20.0))
-                .collect();
-            let (from, to) = if side > 0.0 { (part[0], part[1]) } else { (part[1], part[0]) };
-            let words = carriageway(if k % 2 == 0 { 5 } else { 4 });
-            plan.road_with_bridges(&words, &points(&[(from, y), (to, y)]), &over);
+    let [first, _, last] = ARTERIALS;
+    for side in [1.0, -1.0] {
+        let y = MOTORWAY_Y - side * MOTORWAY_M;
+        // In the direction of travel: from where the boulevard ends, by the ramps, to where it begins.
+        let mut ramps = [first - RAMP_M, first + RAMP_M, last - RAMP_M, last + RAMP_M];
+        if side < 0.0 {
+            ramps.reverse();
+        }
+        let [off, on, off_again, on_again] = ramps.map(|x| DVec2::new(x, y));
+        let mut begin = bend(-side, y);
+        begin.push(off);
+        let mut end = vec![on_again];
+        end.extend(bend(side, y));
+        for (lanes, line) in
+            [(4, begin), (4, vec![off, on]), (5, vec![on, off_again]), (4, vec![off_again, on_again]), (5, end)]
+        {
+            let words = format!("motorway oneway=yes lanes={lanes} placement=right_of:2 maxspeed=100");
+            let inside = |x: f64| line.iter().any(|p| p.x < x) && line.iter().any(|p| p.x > x);
+            let over: Vec<(DVec2, f64)> =
+                ARTERIALS.iter().filter(|&&x| inside(x)).map(|&x| (DVec2::new(x, y), 20.0)).collect();
+            plan.road_with_bridges(&words, &line, &over);
         }
     }
     let ramp = "motorway_link oneway=yes lanes=1 maxspeed=60";
@@ -60,7 +74,7 @@ fn motorway(plan: &mut Plan) {
         // Seen in the direction of travel: off before the arterial, on behind it.
         for side in [1.0, -1.0] {
             let y = MOTORWAY_Y - side * MOTORWAY_M;
-            let terminal = DVec2::new(x, MOTORWAY_Y - side * 62.0);
+            let terminal = DVec2::new(x, MOTORWAY_Y - side * TERMINAL_M);
             let at = |along: f64, out: f64| (x + side * along, y - side * out);
             let end = (terminal.x, terminal.y);
             let far = |along: f64| (x + side * along, terminal.y + side * 4.0);
@@ -77,53 +91,76 @@ fn motorway(plan: &mut Plan) {
     }
 }
 
+/// Half a circle at the eastern (1) or western (-1) end, in the direction of travel: from the boulevard's carriageway to
+/// the motorway's at `y`, or from that to the boulevard's.
+fn bend(out: f64, y: f64) -> Vec<DVec2> {
+    // Each carriageway leads to the one of the other road on which one drives the other way.
+    let eastbound = y < MOTORWAY_Y;
+    let boulevard_y = if eastbound { BOULEVARD_M } else { -BOULEVARD_M };
+    let (middle, radius) = (DVec2::new(out * ENDS_M, 0.5 * (y + boulevard_y)), 0.5 * (y - boulevard_y));
+    let mut half = arc(middle, radius, 90.0, 90.0 - 180.0 * out);
+    if eastbound != (out > 0.0) {
+        half.reverse();
+    }
+    half
+}
+
 fn boulevard(plan: &mut Plan) {
-    let words = "primary oneway=yes lanes=4 sidewalk=right maxspeed=75";
-    let arterial = "secondary lanes=4 sidewalk=both maxspeed=60";
-    let street = "tertiary sidewalk=both maxspeed=50";
-    let east = plan.road(words, &points(&[(-ENDS_M, -BOULEVARD_M), (ENDS_M, -BOULEVARD_M)]));
-    let west = plan.road(words, &points(&[(ENDS_M, BOULEVARD_M), (-ENDS_M, BOULEVARD_M)]));
+    let words =
+        |lanes: u32| format!("primary oneway=yes lanes={lanes} placement=right_of:2 sidewalk=right maxspeed=75");
+    let (arterial, outer) = ("secondary lanes=4 sidewalk=both maxspeed=60", "tertiary sidewalk=both maxspeed=50");
+    // From both ends to the first arterial a fifth lane turns right.
+    let [first, _, last] = ARTERIALS;
+    let carriageway = |plan: &mut Plan, side: f64, right_turn: f64, far: f64| {
+        let at = |x: f64| DVec2::new(x, -side * BOULEVARD_M);
+        let arrival = plan.road(&words(5), &[at(-side * ENDS_M), at(right_turn)]);
+        let rest = plan.road(&words(4), &[at(right_turn), at(far)]);
+        [arrival, rest]
+    };
+    let east = carriageway(plan, 1.0, first, ENDS_M);
+    let west = carriageway(plan, -1.0, last, -ENDS_M);
     for x in ARTERIALS {
         let (south, north) = (DVec2::new(x, -BOULEVARD_M), DVec2::new(x, BOULEVARD_M));
-        plan.road(arterial, &[DVec2::new(x, -190.0), south]);
+        let north_end = MOTORWAY_Y + TERMINAL_M;
+        let beyond = if x == ARTERIALS[1] { arterial } else { outer };
+        plan.road(beyond, &points(&[(x, -190.0), (x, SOUTH_Y)]));
+        plan.road(arterial, &[DVec2::new(x, SOUTH_Y), south]);
         let across = plan.road(arterial, &[south, north]);
-        plan.road(arterial, &[north, DVec2::new(x, 300.0)]);
+        plan.road(arterial, &[north, DVec2::new(x, north_end)]);
+        plan.road(beyond, &points(&[(x, north_end), (x, 300.0)]));
         plan.lights(south);
         plan.lights(north);
         // Lefts begin or end on the piece through the median; rights do not touch it.
-        plan.no_left(east, south, across);
-        plan.no_left(west, north, across);
-        plan.no_left(across, south, east);
-        plan.no_left(across, north, west);
+        for (carriageway, at) in [(east, south), (west, north)] {
+            for road in carriageway {
+                plan.no_left(road, at, across);
+                plan.no_left(across, at, road);
+            }
+        }
         // Past the junction, and back through the median.
         for (side, at) in [(1.0, x + BACK_M), (-1.0, x - BACK_M)] {
             let y = side * BOULEVARD_M;
-            plan.road(
-                "primary_link oneway=yes lanes=1 maxspeed=20",
-                &smooth(&[
-                    (at - side * 22.0, -y),
-                    (at - side * 8.0, -y + side * 3.5),
-                    (at, -side * 5.0),
-                    (at, side * 5.0),
-                    (at - side * 8.0, y - side * 3.5),
-                    (at - side * 22.0, y),
-                ]),
-            );
+            plan.road("tertiary_link oneway=yes lanes=1 maxspeed=20", &points(&[(at, -y), (at, y)]));
         }
     }
-    plan.road(street, &points(&[(ARTERIALS[0], -190.0), (ARTERIALS[1], -190.0), (ARTERIALS[2], -190.0)]));
-    plan.road(street, &points(&[(ARTERIALS[0], 300.0), (ARTERIALS[1], 300.0), (ARTERIALS[2], 300.0)]));
+}
+
+fn streets(plan: &mut Plan) {
+    let street = "tertiary sidewalk=both maxspeed=50";
+    let [first, second, third] = ARTERIALS;
+    for y in [-190.0, NORTH_Y, 300.0] {
+        plan.road(street, &points(&[(first, y), (second, y), (third, y)]));
+    }
     plan.road(
         street,
         &points(&[
-            (ARTERIALS[0], -100.0),
-            (-115.0, -104.0),
-            (ARTERIALS[1], -100.0),
-            (165.0, -96.0),
-            (ARTERIALS[2], -100.0),
+            (first, SOUTH_Y),
+            (-115.0, SOUTH_Y - 4.0),
+            (second, SOUTH_Y),
+            (165.0, SOUTH_Y + 4.0),
+            (third, SOUTH_Y),
         ]),
     );
-    plan.road(street, &points(&[(ARTERIALS[0], 92.0), (ARTERIALS[1], 92.0), (ARTERIALS[2], 92.0)]));
 }
 
 fn land(plan: &mut Plan) {

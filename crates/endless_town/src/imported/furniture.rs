@@ -1,6 +1,6 @@
 //! Benches, bins and the rest along sidewalks, and wires' poles beside quiet roads.
 
-use super::post::Poster;
+use super::post::{Poster, Verge};
 use crate::camera::spoils;
 use crate::dressing::{Spot, Stage, hang};
 use crate::plot::Rect;
@@ -57,7 +57,9 @@ pub(super) fn add(stage: &mut Stage<'_>, mesh: &mut MeshBuilder, poster: &Poster
             let verge = poster.verge(lane, s, poster.side(), 0.7);
             let heading = lane.centerline.at(s).heading_rad;
             s += stream.range_f64(7.0, 24.0);
-            let Some(verge) = verge.filter(|v| v.walk) else { continue };
+            // Asphalt between roads is paved, too, where ramps part.
+            let walked = |v: &Verge| v.walk && poster.cover.at(v.at).next().is_some();
+            let Some(verge) = verge.filter(walked) else { continue };
             if crossings.iter().any(|c| c.distance(verge.at) < 4.0) {
                 continue;
             }
