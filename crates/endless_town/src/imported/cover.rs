@@ -54,6 +54,30 @@ pub(crate) fn is_carriageway(kind: StripKind) -> bool {
     matches!(kind, StripKind::Driving | StripKind::Parking | StripKind::Shoulder | StripKind::Biking)
 }
 
+/// A piece in a bin, with a box around its own that takes little memory: most are far from the place that is asked for.
+#[derive(Debug, Clone, Copy)]
+struct Binned {
+    low: [f32; 2],
+    high: [f32; 2],
+    piece: u32,
+}
+
+impl Binned {
+    fn new(piece: &Piece, number: u32) -> Self {
+        let below = |x: f64| (x as f32).next_down();
+        let above = |x: f64| (x as f32).next_up();
+        let (low, high) = (piece.low, piece.high);
+        Self { low: [below(low.x), below(low.y)], high: [above(high.x), above(high.y)], piece: number }
+    }
+
+    fn may_hold(&self, p: DVec2) -> bool {
+        f64::from(self.low[0]) <= p.x
+            && p.x <= f64::from(self.high[0])
+            && f64::from(self.low[1]) <= p.y
+            && p.y <= f64::from(self.high[1])
+    }
+}
+
 /// Pieces by place.
 #[derive(Debug, Clone)]
 pub(crate) struct Cover {
@@ -61,7 +85,9 @@ pub(crate) struct Cover {
     low: DVec2,
     columns: usize,
     rows: usize,
-    bins: Vec<Vec<u32>>,
+    /// The pieces that reach into each bin: bin `i` has those from `starts[i]` to `starts[i + 1]`.
+    starts: Vec<u32>,
+    binned: Vec<Binned>,
     /// Triangles of the asphalt between strips, and their bins.
     between: Vec<[DVec3; 3]>,
     between_bins: Vec<Vec<u32>>,
@@ -71,14 +97,21 @@ impl Cover {
     pub(crate) fn new(strips: &[Strip], low: DVec2, high: DVec2) -> Self {
         let size = (high - low).max(DVec2::splat(1.0));
         let (columns, rows) = ((size.x / BIN_M).ceil() as usize, (size.y / BIN_M).ceil() as usize);
-        let bins = vec![Vec::new(); columns * rows];
-        let between_bins = bins.clone();
-        let mut cover = Self { pieces: Vec::new(), low, columns, rows, bins, between: Vec::new(), between_bins };
+        let mut cover = Self {
+            pieces: Vec::new(),
+            low,
+            columns,
+            rows,
+            starts: vec![0; columns * rows + 1],
+            binned: Vec::new(),
+            between: Vec::new(),
+            between_bins: vec![Vec::new(); columns * rows],
+        };
         for (i, strip) in strips.iter().enumerate() {
             for k in 0..strip.left.len().min(strip.right.len()).saturating_sub(1) {
                 let corners = [strip.right[k], strip.right[k + 1], strip.left[k + 1], strip.left[k]];
                 let flat = corners.map(DVec3::truncate);
-                cover.add(Piece {
+                cover.pieces.push(Piece {
                     strip: i as u32,
                     kind: strip.kind,
                     in_junction: strip.in_junction,
@@ -88,15 +121,27 @@ impl Cover {
                 });
             }
         }
+        cover.bin_pieces();
         cover
     }
 
-    fn add(&mut self, piece: Piece) {
-        let number = self.pieces.len() as u32;
-        for bin in self.bins_in(piece.low, piece.high) {
-            self.bins[bin].push(number);
+    fn bin_pieces(&mut self) {
+        let mut bins: Vec<(usize, u32)> = Vec::new();
+        for (number, piece) in self.pieces.iter().enumerate() {
+            bins.extend(self.bins_in(piece.low, piece.high).map(|bin| (bin, number as u32)));
         }
-        self.pieces.push(piece);
+        for (bin, _) in &bins {
+            self.starts[bin + 1] += 1;
+        }
+        for bin in 1..self.starts.len() {
+            self.starts[bin] += self.starts[bin - 1];
+        }
+        let mut next = self.starts.clone();
+        self.binned = vec![Binned { low: [0.0; 2], high: [0.0; 2], piece: 0 }; bins.len()];
+        for (bin, number) in bins {
+            self.binned[next[bin] as usize] = Binned::new(&self.pieces[number as usize], number);
+            next[bin] += 1;
+        }
     }
 
     /// Asphalt that no strip tells of, by its outline, counter-clockwise.
@@ -135,8 +180,10 @@ impl Cover {
 
     /// The pieces over a place, with the height of each.
     pub(crate) fn at(&self, p: DVec2) -> impl Iterator<Item = (&Piece, f64)> {
-        self.bins[self.bin(p)].iter().filter_map(move |&i| {
-            let piece = &self.pieces[i as usize];
+        let bin = self.bin(p);
+        let near = &self.binned[self.starts[bin] as usize..self.starts[bin + 1] as usize];
+        near.iter().filter(move |near| near.may_hold(p)).filter_map(move |near| {
+            let piece = &self.pieces[near.piece as usize];
             Some((piece, piece.height_at(p)?))
         })
     }

@@ -81,19 +81,22 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     let mut occupied = Occupied::default();
     let mut numbers = WindowNumbers::default();
 
-    let mut ground = MeshBuilder::new();
-    road::Paver { strips: &strips, cover: &cover, land: &land, paving: look.paving }.pave(&mut ground, &mut occupied);
-    road::junction_areas(&mut ground, map, look.paving);
-    infill::pave(&mut ground, &holes);
-    paint::add(&mut ground, map, &cover);
-    arrow::add(&mut ground, map, &cover);
-    bump::add(&mut ground, map, &cover);
-    let parcels = look.yards.then(|| Parcels::new(&map.network));
-    let lie = || {
+    let paver = road::Paver::new(&strips, &cover, &land, look.paving);
+    let piers = paver.piers(&mut occupied);
+    let ground = || {
+        let mut ground = MeshBuilder::new();
+        paver.pave(&mut ground, &piers);
+        road::junction_areas(&mut ground, map, look.paving);
+        infill::pave(&mut ground, &holes);
+        paint::add(&mut ground, map, &cover);
+        arrow::add(&mut ground, map, &cover);
+        bump::add(&mut ground, map, &cover);
+        let parcels = look.yards.then(|| Parcels::new(&map.network));
         let mut lie = MeshBuilder::new();
         land.add(&mut lie, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, parcels.as_ref())));
         areas.lay(&mut lie);
-        lie.finish()
+        ground.mesh(&lie.finish(), Affine3A::IDENTITY);
+        ground.finish()
     };
     let grower = Grower {
         network: &map.network,
@@ -106,14 +109,13 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
         mapped: (!map.footprints.is_empty() && !look.grows).then(|| Mapped::new(&map.footprints, low, high)),
         seed,
     };
-    let (lie, (built, yards)) = rayon::join(lie, || {
+    let (ground, (built, yards)) = rayon::join(ground, || {
         let mut built = footprint::build(&map.footprints, &cover, &land, &mut occupied, &mut numbers, seed);
         let (grown, yards): (Vec<_>, Vec<_>) = grower.grow(&mut occupied, &mut numbers).into_iter().unzip();
         built.extend(grown);
         (built, yards)
     });
-    ground.mesh(&lie, Affine3A::IDENTITY);
-    let mut own = vec![(ground.finish(), Affine3A::IDENTITY)];
+    let mut own = vec![(ground, Affine3A::IDENTITY)];
     let solids: Vec<Solid> = built.iter().map(|b| b.solid.clone()).collect();
     let houses: Vec<Rect> = solids.iter().map(|s| footprint::around(&s.outline)).collect();
     own.extend(built.into_iter().map(|b| (b.mesh, b.place)));

@@ -76,40 +76,68 @@ fn bounds(strip: &Strip) -> (DVec2, DVec2) {
 
 /// Lays all pavements.
 pub(super) struct Paver<'a> {
-    pub(super) strips: &'a [Strip],
-    pub(super) cover: &'a Cover,
-    pub(super) land: &'a Land,
-    pub(super) paving: Material,
+    cover: &'a Cover,
+    land: &'a Land,
+    /// By strip.
+    materials: Vec<Material>,
+    layers: Vec<usize>,
 }
 
-impl Paver<'_> {
-    pub(super) fn pave(&self, mesh: &mut MeshBuilder, occupied: &mut Occupied) {
-        let layers = layers(self.strips);
-        let mut along = 0.0;
-        let mut last = u32::MAX;
-        for (i, piece) in self.cover.pieces.iter().enumerate() {
-            let first = piece.strip != last;
-            if first {
-                (along, last) = (0.0, piece.strip);
-            }
-            let ends = self.cover.pieces.get(i + 1).is_none_or(|next| next.strip != piece.strip);
+impl<'a> Paver<'a> {
+    pub(super) fn new(strips: &'a [Strip], cover: &'a Cover, land: &'a Land, paving: Material) -> Self {
+        let materials = strips.iter().map(|strip| material(strip, paving)).collect();
+        Self { cover, land, materials, layers: layers(strips) }
+    }
+
+    /// The pieces under whose middle a pier finds room, which it takes; by number, in order.
+    pub(super) fn piers(&self, occupied: &mut Occupied) -> Vec<usize> {
+        let has_pier = |&(i, from, to): &(usize, f64, f64)| {
+            let piece = &self.cover.pieces[i];
+            (from / PIERS_M).floor() < (to / PIERS_M).floor()
+                && self.is_high(piece)
+                && !self.is_buried(piece, piece.middle())
+                && self.pier(piece).is_some_and(|(_, top)| occupied.try_take(Rect::around(top.truncate(), 4.5)))
+        };
+        self.along().filter(has_pier).map(|(i, ..)| i).collect()
+    }
+
+    /// Numbers of the pieces, and from where to where along its strip each goes, metres.
+    fn along(&self) -> impl Iterator<Item = (usize, f64, f64)> {
+        let (mut to, mut last) = (0.0, u32::MAX);
+        self.cover.pieces.iter().enumerate().map(move |(i, piece)| {
+            let from = if piece.strip == last { to } else { 0.0 };
             let [r0, r1, ..] = piece.corners;
-            let length = r0.distance(r1);
-            let lift = LAYER_M * layers[piece.strip as usize] as f64;
-            let high = self.is_high(piece);
+            (to, last) = (from + r0.distance(r1), piece.strip);
+            (i, from, to)
+        })
+    }
+
+    /// All pavements, with piers under these pieces.
+    pub(super) fn pave(&self, mesh: &mut MeshBuilder, piers: &[usize]) {
+        let pieces = &self.cover.pieces;
+        let mut piers = piers.iter().peekable();
+        for (i, along, _) in self.along() {
+            let piece = &pieces[i];
+            let ends = |other: Option<&Piece>| other.is_none_or(|other| other.strip != piece.strip);
+            let (first, last) = (ends(i.checked_sub(1).map(|k| &pieces[k])), ends(pieces.get(i + 1)));
+            let lift = LAYER_M * self.layers[piece.strip as usize] as f64;
             for part in self.shown(piece) {
                 self.surface(mesh, piece, part, lift, along);
             }
-            if !self.is_buried(piece, piece.middle()) {
-                self.edges(mesh, piece, [first, ends], high);
-                if high {
-                    self.underside(mesh, piece);
-                    if (along / PIERS_M).floor() < ((along + length) / PIERS_M).floor() {
-                        self.pier(mesh, piece, occupied);
-                    }
-                }
+            if self.is_buried(piece, piece.middle()) {
+                continue;
             }
-            along += length;
+            let high = self.is_high(piece);
+            self.edges(mesh, piece, [first, last], high);
+            if high {
+                self.underside(mesh, piece);
+            }
+            if piers.next_if(|&&pier| pier == i).is_some()
+                && let Some((low, top)) = self.pier(piece)
+            {
+                let half = DVec3::new(0.6, 0.6, 0.0);
+                mesh.cuboid((low - half).as_vec3(), (top + half).as_vec3(), DECK);
+            }
         }
     }
 
@@ -145,7 +173,7 @@ impl Paver<'_> {
     }
 
     fn surface(&self, mesh: &mut MeshBuilder, piece: &Piece, [from, to]: [f64; 2], lift: f64, along: f64) {
-        let strip = &self.strips[piece.strip as usize];
+        let material = self.materials[piece.strip as usize];
         let [r0, r1, l1, l0] = piece.corners;
         let up = DVec3::Z * lift;
         let corners = [r0.lerp(l0, from), r1.lerp(l1, from), r1.lerp(l1, to), r0.lerp(l0, to)].map(|p| p + up);
@@ -163,7 +191,7 @@ impl Paver<'_> {
         let c = corners.map(DVec3::as_vec3);
         for [i, j, k] in [[0, 1, 2], [0, 2, 3]] {
             if (flat[j] - flat[i]).perp_dot(flat[k] - flat[i]) > 2e-4 {
-                mesh.triangle([c[i], c[j], c[k]], [uvs[i], uvs[j], uvs[k]], material(strip, self.paving));
+                mesh.triangle([c[i], c[j], c[k]], [uvs[i], uvs[j], uvs[k]], material);
             }
         }
     }
@@ -193,12 +221,10 @@ impl Paver<'_> {
                 Some(_) => {}
                 None if high && !end => self.parapet(mesh, a, b, out),
                 None if high => face(mesh, (a, b), [-DECK_M, 0.0], DECK),
-                None => face(
-                    mesh,
-                    (a, b),
-                    [-0.6, 0.0],
-                    if raised { KERB } else { material(&self.strips[piece.strip as usize], self.paving) },
-                ),
+                None => {
+                    let material = if raised { KERB } else { self.materials[piece.strip as usize] };
+                    face(mesh, (a, b), [-0.6, 0.0], material);
+                }
             }
         }
     }
@@ -218,8 +244,8 @@ impl Paver<'_> {
         quad(mesh, [l0, l1, r1, r0], flat_uv([l0, l1, r1, r0]), DECK);
     }
 
-    /// A column below a deck, where nothing passes.
-    fn pier(&self, mesh: &mut MeshBuilder, piece: &Piece, occupied: &mut Occupied) {
+    /// Foot and head of a column below a deck, where nothing passes.
+    fn pier(&self, piece: &Piece) -> Option<(DVec3, DVec3)> {
         let top = piece.middle() - DVec3::Z * DECK_M;
         let at = top.truncate();
         let ground = self.land.level(at) - 0.6;
@@ -227,12 +253,7 @@ impl Paver<'_> {
             let p = at + if k == 0 { DVec2::ZERO } else { crate::plot::unit(f64::from(k) * 0.785) * 1.6 };
             self.cover.at(p).any(|(_, z)| z < top.z - 0.6)
         });
-        if passes || top.z - ground < 3.0 || !occupied.try_take(Rect::around(at, 4.5)) {
-            return;
-        }
-        let half = DVec3::new(0.6, 0.6, 0.0);
-        let low = DVec3::new(at.x, at.y, ground);
-        mesh.cuboid((low - half).as_vec3(), (top + half).as_vec3(), DECK);
+        (!passes && top.z - ground >= 3.0).then_some((at.extend(ground), top))
     }
 }
 
