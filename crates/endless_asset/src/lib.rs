@@ -21,6 +21,6 @@ pub use import::{
 };
 pub use material::{LensAspect, LightSlot, Material, Surface};
 pub use mesh::{Mesh, MeshBuilder};
-pub use person::{Anatomy, BodyPart, BodyPose, Bone, Footsteps, PersonModel, PersonTraits};
+pub use person::{Anatomy, BodyPart, BodyPose, Bone, Footsteps, PersonModel, PersonTraits, Stance};
 pub use prop::Prop;
 pub use vehicle::{Trailer, TrailerSpec, VehicleKind, VehicleModel, VehicleSpec, Wheel};

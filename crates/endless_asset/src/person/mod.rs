@@ -71,6 +71,10 @@ pub struct BodyPose {
     pub normals: Vec<Vec3>,
 }
 
+/// How a person's bones stand at an instant, mixed as vertices follow them.
+#[derive(Debug, Clone, Default)]
+pub struct Stance(Vec<Affine3A>);
+
 impl PersonModel {
     /// The person of a variant, dressed for the weather ([`AssetRef::FAIR`] or [`AssetRef::RAIN`]).
     pub(crate) fn new(variant: u64, weather: u16) -> Self {
@@ -103,9 +107,25 @@ impl PersonModel {
         self.skinned(&self.anatomy.bones(motion))
     }
 
-    /// The same, in place of what the pose was: of no matter, but its memory is used again.
-    pub fn pose_into(&self, motion: &WalkerMotion, pose: &mut BodyPose) {
-        self.skin(&self.anatomy.bones(motion), pose);
+    /// How the bones stand at an instant: what [`Self::place`] and [`Self::normal`] need.
+    pub fn stance(&self, motion: &WalkerMotion) -> Stance {
+        self.mixed(&self.anatomy.bones(motion))
+    }
+
+    /// Puts the vertices where they are in a stance.
+    pub fn place(&self, stance: &Stance, positions: &mut [Vec3]) {
+        let rest = self.rest.positions.iter().zip(&self.vertex_blend);
+        for (position, (rest, &blend)) in positions.iter_mut().zip(rest) {
+            let p = stance.0[usize::from(blend)].transform_point3(*rest);
+            // Hems that reach the ground lie on it.
+            *position = if p.z < HEM_M && rest.z > 10.0 * HEM_M { p.with_z(HEM_M) } else { p };
+        }
+    }
+
+    /// The unit normal of a vertex in a stance: it turns with the blended bones.
+    pub fn normal(&self, stance: &Stance, vertex: usize) -> Vec3 {
+        let follows = &stance.0[usize::from(self.vertex_blend[vertex])];
+        follows.transform_vector3(self.rest.normals[vertex]).normalize_or(Vec3::Z)
     }
 
     /// The skeleton, which tells where joints are.
@@ -123,26 +143,17 @@ impl PersonModel {
         self.anatomy.joints(motion)
     }
 
-    fn skinned(&self, bones: &[Affine3A; BONES]) -> BodyPose {
-        let mut pose = BodyPose::default();
-        self.skin(bones, &mut pose);
-        pose
+    fn mixed(&self, bones: &[Affine3A; BONES]) -> Stance {
+        Stance(self.blends.iter().map(|b| b.mix(bones)).collect())
     }
 
-    /// Linear-blend skinning; normals turn with the blended bones.
-    fn skin(&self, bones: &[Affine3A; BONES], pose: &mut BodyPose) {
-        let mixed: Vec<Affine3A> = self.blends.iter().map(|b| b.mix(bones)).collect();
-        let follows = || self.vertex_blend.iter().map(|&b| &mixed[usize::from(b)]);
-        pose.positions.clear();
-        pose.positions.extend(self.rest.positions.iter().zip(follows()).map(|(rest, m)| {
-            let p = m.transform_point3(*rest);
-            // Hems that reach the ground lie on it.
-            if p.z < HEM_M && rest.z > 10.0 * HEM_M { p.with_z(HEM_M) } else { p }
-        }));
-        pose.normals.clear();
-        pose.normals.extend(
-            self.rest.normals.iter().zip(follows()).map(|(rest, m)| m.transform_vector3(*rest).normalize_or(Vec3::Z)),
-        );
+    /// Linear-blend skinning.
+    fn skinned(&self, bones: &[Affine3A; BONES]) -> BodyPose {
+        let stance = self.mixed(bones);
+        let mut positions = vec![Vec3::ZERO; self.rest.positions.len()];
+        self.place(&stance, &mut positions);
+        let normals = (0..positions.len()).map(|vertex| self.normal(&stance, vertex)).collect();
+        BodyPose { positions, normals }
     }
 }
 

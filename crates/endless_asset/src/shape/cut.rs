@@ -143,10 +143,17 @@ impl Sculpt {
     fn split_of(&mut self, region: &Region, material: Option<Material>) -> Vec<Face> {
         let (mut inside, mut rest) = (Vec::new(), Vec::new());
         let (mut pieces, mut next, mut outside) = (Vec::new(), Vec::new(), Vec::new());
+        // Neighbours lie beyond the same plane: it is asked first.
+        let mut likely = 0;
         let mut i = 0;
         while i < self.faces.len() {
-            let face = self.faces[i];
-            let misses = region.planes.iter().any(|&(n, d)| face.corners.iter().all(|p| n.dot(*p) >= d));
+            let face = &self.faces[i];
+            let [a, b, c] = face.corners;
+            let beyond = |&(n, d): &(Vec3, f32)| (n.dot(a) >= d) & (n.dot(b) >= d) & (n.dot(c) >= d);
+            let mut misses = region.planes.get(likely).is_some_and(beyond);
+            if !misses && let Some(found) = region.planes.iter().position(beyond) {
+                (likely, misses) = (found, true);
+            }
             if misses
                 || material.is_some_and(|m| m != face.material)
                 || !region.facing.is_none_or(|(d, cosine)| face.area_normal().normalize_or_zero().dot(d) >= cosine)
@@ -156,7 +163,7 @@ impl Sculpt {
             }
             pieces.clear();
             outside.clear();
-            pieces.push(face);
+            pieces.push(*face);
             for &(n, d) in &region.planes {
                 next.clear();
                 for piece in &pieces {

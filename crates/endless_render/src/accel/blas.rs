@@ -9,6 +9,7 @@ use obvhs::bvh2::builder::build_bvh2;
 use obvhs::{Boundable, BvhBuildParams};
 
 use super::collapse::{Costs, Tree, collapse};
+use super::groups::Groups;
 use super::node::{EMPTY_BOX, Link, Node, half_area, union};
 use super::triangle::TriangleGroup;
 
@@ -16,9 +17,8 @@ use super::triangle::TriangleGroup;
 #[derive(Clone, Debug)]
 pub struct Blas {
     pub(super) tree: Tree,
-    pub(super) groups: Vec<TriangleGroup>,
-    /// Vertices of the triangles in the order in which the groups hold them; the same however the mesh deforms.
-    corners: Arc<[[u32; 3]]>,
+    groups: Groups,
+    triangles: usize,
     bounds: (Vec3A, Vec3A),
 }
 
@@ -74,39 +74,45 @@ impl Blas {
         let corners: Vec<Corners> =
             triangles.iter().map(|t| Corners(t.map(|i| Vec3A::from(positions[i as usize])))).collect();
         let mut groups = Vec::with_capacity(triangles.len() / 3 + 1);
-        let tree = if triangles.is_empty() {
+        let mut first_groups = Vec::new();
+        let mut tree = if triangles.is_empty() {
             Tree::empty()
         } else {
             let source = build_bvh2(&corners, purpose.params(triangles.len()), &mut Duration::default());
             collapse(&source, purpose.costs(), |things| {
                 let start = groups.len();
+                first_groups.push(start);
                 groups.extend(things.chunks(TriangleGroup::SIZE).map(TriangleGroup::new));
                 Link::leaf(start, groups.len() - start)
             })
         };
         groups.shrink_to_fit();
-        let ids = groups.iter().flat_map(|group| &group.ids[..group.len()]);
-        let corners = ids.map(|&id| triangles[id as usize]).collect();
-        let mut blas = Blas { tree, groups, corners, bounds: EMPTY_BOX };
-        blas.refit(positions);
-        blas
+        let place = |group: &mut TriangleGroup| {
+            let ids = group.ids;
+            group.place(&mut ids.iter().map(|&id| &triangles[id as usize]), positions)
+        };
+        let boxes: Vec<_> = groups.iter_mut().map(place).collect();
+        let bounds = tree.fit(|leaf| boxes[leaf.range()].iter().copied().fold(EMPTY_BOX, union));
+        let groups = match purpose {
+            Use::Deforming => Groups::soft(groups, &first_groups, triangles, positions),
+            Use::Still | Use::Rigid => Groups::rigid(groups),
+        };
+        Blas { tree, groups, triangles: triangles.len(), bounds }
+    }
+
+    /// Lets go of the positions of what deforms, so that they can be changed where they are.
+    pub(crate) fn release(&mut self) {
+        self.groups.release();
     }
 
     /// Takes new positions of the same vertices. Hits are then the same as after a fresh build; speed is that of
     /// the old tree, so rebuild when the shape has changed much.
-    pub fn refit(&mut self, positions: &[Vec3]) {
-        let mut corners = self.corners.iter();
-        let refit = |group: &mut TriangleGroup| {
-            let lanes = group.len();
-            corners.by_ref().take(lanes).enumerate().fold(EMPTY_BOX, |bounds, (lane, corner)| {
-                let [a, b, c] = corner.map(|i| positions[i as usize]);
-                group.set_triangle(lane, [a, b, c]);
-                let [a, b, c] = [a, b, c].map(Vec3A::from);
-                union(bounds, (a.min(b).min(c), a.max(b).max(c)))
-            })
-        };
-        let boxes: Vec<_> = self.groups.iter_mut().map(refit).collect();
-        self.bounds = self.tree.fit(|leaf| boxes[leaf.range()].iter().copied().fold(EMPTY_BOX, union));
+    ///
+    /// # Panics
+    /// If it was not built to deform.
+    pub(crate) fn refit(&mut self, positions: Arc<[Vec3]>) {
+        let boxes = self.groups.move_to(positions);
+        self.bounds = self.tree.fit(|leaf| boxes[leaf.start()]);
     }
 
     /// Box around all triangles, `(min, max)`; `min > max` if there are none.
@@ -116,31 +122,37 @@ impl Blas {
 
     /// Boxes that together hold all triangles, about `count` of them: the tree's own, cut where they are largest.
     pub(crate) fn parts(&self, count: usize) -> Vec<(Vec3A, Vec3A)> {
-        let mut open = vec![(self.tree.root, self.bounds)];
-        open.retain(|(root, _)| *root != Link::EMPTY);
+        let with_area = |(link, bounds): (Link, (Vec3A, Vec3A))| (link, bounds, half_area(bounds));
+        let mut open = vec![with_area((self.tree.root, self.bounds))];
+        open.retain(|(root, ..)| *root != Link::EMPTY);
         let mut whole = Vec::new();
         while !open.is_empty() && open.len() + whole.len() < count {
-            let area = |i: usize| half_area(open[i].1);
-            let largest = (0..open.len()).max_by(|&a, &b| area(a).total_cmp(&area(b))).unwrap_or(0);
-            let (link, bounds) = open.swap_remove(largest);
+            let largest = (0..open.len()).max_by(|&a, &b| open[a].2.total_cmp(&open[b].2)).unwrap_or(0);
+            let (link, bounds, _) = open.swap_remove(largest);
             if link.is_leaf() {
                 whole.push(bounds);
                 continue;
             }
-            open.extend(self.tree.nodes[link.node()].children());
+            open.extend(self.tree.nodes[link.node()].children().map(with_area));
         }
-        whole.extend(open.into_iter().map(|(_, bounds)| bounds));
+        whole.extend(open.into_iter().map(|(_, bounds, _)| bounds));
         whole
     }
 
     /// Number of triangles.
     pub fn triangle_count(&self) -> usize {
-        self.corners.len()
+        self.triangles
     }
 
     /// Memory taken, bytes.
     pub fn memory_bytes(&self) -> usize {
-        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.groups[..]) + size_of_val(&self.corners[..])
+        size_of_val(&self.tree.nodes[..]) + self.groups.memory_bytes()
+    }
+
+    /// The triangles that leaves point to.
+    #[inline]
+    pub(super) fn groups(&self) -> &[TriangleGroup] {
+        self.groups.placed()
     }
 
     pub(super) fn nodes(&self) -> &[Node] {

@@ -3,6 +3,7 @@
 
 use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
+use wide::f32x8;
 
 use super::node::{EMPTY_BOX, Link, Node, union};
 
@@ -31,22 +32,19 @@ impl Tree {
     }
 
     /// Computes all boxes bottom-up from those of the leaves and returns the box around everything.
-    pub(super) fn fit(&mut self, leaf_box: impl Fn(Link) -> (Vec3A, Vec3A)) -> (Vec3A, Vec3A) {
+    pub(super) fn fit(&mut self, mut leaf_box: impl FnMut(Link) -> (Vec3A, Vec3A)) -> (Vec3A, Vec3A) {
         let mut boxes = vec![EMPTY_BOX; self.nodes.len()];
-        for index in (0..self.nodes.len()).rev() {
-            let node = &mut self.nodes[index];
-            let mut around = EMPTY_BOX;
-            for slot in 0..8 {
-                let link = node.links[slot];
-                let bounds = match link {
+        for (index, node) in self.nodes.iter_mut().enumerate().rev() {
+            let mut children = [EMPTY_BOX; 8];
+            for (child, &link) in children.iter_mut().zip(&node.links) {
+                *child = match link {
                     Link::EMPTY => continue,
                     leaf if leaf.is_leaf() => leaf_box(leaf),
-                    child => boxes[child.node()],
+                    inner => boxes[inner.node()],
                 };
-                node.set_box(slot, bounds);
-                around = union(around, bounds);
             }
-            boxes[index] = around;
+            node.set_boxes(&children);
+            boxes[index] = children.into_iter().fold(EMPTY_BOX, union);
         }
         match self.root {
             Link::EMPTY => EMPTY_BOX,
@@ -114,34 +112,44 @@ fn plan(source: &Bvh2, costs: Costs) -> Vec<Plan> {
 }
 
 fn plan_inner(left: &Plan, right: &Plan, area: f32, costs: Costs) -> Plan {
-    let share = |slots: usize| {
-        (1..slots)
-            .map(|k| (left.cost[k - 1] + right.cost[slots - k - 1], k as u8))
-            .fold((f32::INFINITY, 0), |best, next| if next.0 < best.0 { next } else { best })
-    };
     let things = left.things + right.things;
     let as_leaf = if things <= costs.max_leaf {
         area * costs.group * things.div_ceil(costs.group_size) as f32
     } else {
         f32::INFINITY
     };
-    let (children, own_left) = share(8);
-    let as_node = children + area;
+    let (children, ks) = shares(&left.cost, &right.cost);
+    let as_node = children[7] + area;
     let mut plan = Plan { cost: [as_leaf; 8], left: [0; 8], own_left: 0, things };
     // Not `<`: costs that overflow must not make a leaf of everything.
     if !(as_leaf <= as_node && things <= costs.max_leaf) {
         plan.cost[0] = as_node;
-        plan.own_left = own_left.max(1);
+        plan.own_left = ks[7].max(1);
     }
-    for slots in 2..=8 {
-        let (cost, k) = share(slots);
-        plan.cost[slots - 1] = plan.cost[slots - 2];
-        if cost < plan.cost[slots - 1] {
-            plan.cost[slots - 1] = cost;
-            plan.left[slots - 1] = k;
+    for i in 1..8 {
+        plan.cost[i] = plan.cost[i - 1];
+        if children[i] < plan.cost[i - 1] {
+            (plan.cost[i], plan.left[i]) = (children[i], ks[i]);
         }
     }
     plan
+}
+
+/// Least cost of two subtrees that share `i + 1` slots, and how many of these the left one then takes: the first of
+/// equals; 0 where they cannot share.
+fn shares(left: &[f32; 8], right: &[f32; 8]) -> ([f32; 8], [u8; 8]) {
+    // What the right one costs with the slots left over, for every number of slots at once.
+    let mut over = [f32::INFINITY; 16];
+    over[8..].copy_from_slice(right);
+    let (mut best, mut taken) = (f32x8::splat(f32::INFINITY), f32x8::ZERO);
+    for k in 1..8 {
+        let rest: [f32; 8] = std::array::from_fn(|i| over[8 - k + i]);
+        let cost = f32x8::splat(left[k - 1]) + f32x8::new(rest);
+        let better = cost.simd_lt(best);
+        best = better.select(cost, best);
+        taken = better.select(f32x8::splat(k as f32), taken);
+    }
+    (best.to_array(), taken.to_array().map(|k| k as u8))
 }
 
 struct Writer<'a, F> {

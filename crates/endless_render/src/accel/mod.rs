@@ -15,6 +15,7 @@ mod blas;
 #[cfg(test)]
 mod brute;
 mod collapse;
+mod groups;
 mod node;
 mod packet;
 mod packet_ray;

@@ -65,11 +65,14 @@ impl Node {
         links: [Link::EMPTY; 8],
     };
 
-    pub(super) fn set_box(&mut self, slot: usize, (min, max): (Vec3A, Vec3A)) {
-        for k in 0..3 {
-            self.planes[0][k].as_mut_array()[slot] = min[k];
-            self.planes[1][k].as_mut_array()[slot] = max[k];
+    /// Takes the boxes of all children; empty slots have empty ones.
+    pub(super) fn set_boxes(&mut self, boxes: &[(Vec3A, Vec3A); 8]) {
+        let mut rows = [f32x8::ZERO; 8];
+        for (row, (low, high)) in rows.iter_mut().zip(boxes) {
+            *row = f32x8::new([low.x, low.y, low.z, 0.0, high.x, high.y, high.z, 0.0]);
         }
+        let [lx, ly, lz, _, hx, hy, hz, _] = f32x8::transpose(rows);
+        self.planes = [[lx, ly, lz], [hx, hy, hz]];
     }
 
     /// Box of one child.

@@ -118,8 +118,9 @@ impl Entry {
                 let outside = trip.live & !entered;
                 trip.live = entered;
                 trip.update_reach();
+                let groups = self.blas.groups();
                 walk::<ANY>(self.blas.nodes(), self.root, packet, trip, stack, |link, trip, _| {
-                    for group in &self.blas.groups[link.range()] {
+                    for group in &groups[link.range()] {
                         packet.intersect::<ANY>(group, tmin.as_ref(), trip, self.instance);
                     }
                 });

@@ -78,9 +78,10 @@ pub(super) fn trace_blas<const ANY: bool>(
     best: &mut Hit,
     stack: &mut Stack,
 ) -> bool {
+    let groups = blas.groups();
     walk::<ANY>(blas.nodes(), root, 0.0, beam, best, stack, |link, _, best, _| {
         let mut found = false;
-        for group in &blas.groups[link.range()] {
+        for group in &groups[link.range()] {
             found |= group.intersect(ray, tmin, best, instance);
             if ANY && found {
                 return true;

@@ -8,9 +8,10 @@
 //! A hit also needs the ray to enter the triangle's own box, and counts as no nearer than that box: this makes the
 //! result independent of the boxes around it (see `LocalRay::enter`).
 
-use glam::Vec3;
+use glam::{Vec3, Vec3A};
 use wide::f32x4;
 
+use super::node::{EMPTY_BOX, union};
 use super::ray::{Hit, LocalRay, Shear};
 
 /// Four triangles: `vertices[corner][axis]`, lanes are triangles. Unused lanes are NaN, which hits nothing.
@@ -39,7 +40,22 @@ impl TriangleGroup {
         self.ids.iter().filter(|&&id| id != u32::MAX).count()
     }
 
-    pub(super) fn set_triangle(&mut self, lane: usize, corners: [Vec3; 3]) {
+    /// Puts its triangles where their corners are in `positions`; takes a triangle for each, and returns the box around
+    /// all.
+    pub(super) fn place<'a>(
+        &mut self,
+        triangles: &mut impl Iterator<Item = &'a [u32; 3]>,
+        positions: &[Vec3],
+    ) -> (Vec3A, Vec3A) {
+        triangles.take(self.len()).enumerate().fold(EMPTY_BOX, |bounds, (lane, corners)| {
+            let [a, b, c] = corners.map(|i| positions[i as usize]);
+            self.set_triangle(lane, [a, b, c]);
+            let [a, b, c] = [a, b, c].map(Vec3A::from);
+            union(bounds, (a.min(b).min(c), a.max(b).max(c)))
+        })
+    }
+
+    fn set_triangle(&mut self, lane: usize, corners: [Vec3; 3]) {
         for (planes, corner) in self.vertices.iter_mut().zip(corners) {
             for k in 0..3 {
                 planes[k].as_mut_array()[lane] = corner[k];

@@ -25,7 +25,7 @@ pub(crate) fn openness(body: &Body, low: Vec3A, high: Vec3A) -> Vec<f32> {
     let open: Vec<f32> = places
         .into_par_iter()
         .map(|vertex| {
-            let normal = Vec3A::from(body.normals[vertex]);
+            let normal = body.normal(vertex);
             let origin = Vec3A::from(body.positions[vertex]) + normal * (size * LIFT);
             let (a, b) = normal.any_orthonormal_pair();
             let directions = directions.map(|d| a * d.x + b * d.y + normal * d.z);
@@ -54,7 +54,7 @@ fn places(body: &Body, size: f32) -> (Vec<usize>, Vec<u32>) {
     let mut known: HashMap<(IVec3, IVec3, i32), u32> = HashMap::with_capacity(body.positions.len());
     let mut places = Vec::new();
     let mut place_of = |vertex: usize| {
-        let (position, normal) = (Vec3A::from(body.positions[vertex]), Vec3A::from(body.normals[vertex]));
+        let (position, normal) = (Vec3A::from(body.positions[vertex]), body.normal(vertex));
         let facing = (normal * 4.0).round();
         let height = (position.dot(facing.normalize_or(Vec3A::Z)) / along).floor();
         let key = ((position / across).floor().as_ivec3(), facing.as_ivec3(), height as i32);

@@ -34,7 +34,7 @@ pub(crate) struct VehicleCast {
 
 /// A person of the cast.
 pub(crate) struct PersonCast {
-    pub(crate) model: PersonModel,
+    pub(crate) model: Arc<PersonModel>,
     pub(crate) shape: Arc<Shape>,
     rest: Arc<Body>,
     /// Bodies that were posed before: the memory of those that nobody holds any more is used again.
@@ -105,7 +105,7 @@ impl VehicleCast {
 
 impl PersonCast {
     fn of(catalogue: &Catalogue, (dress, variant): (u16, u64)) -> Option<Self> {
-        let person = catalogue.person_of(AssetRef { model: dress, variant });
+        let person = Arc::new(catalogue.person_of(AssetRef { model: dress, variant }));
         let mut parts = model(person.rest.clone(), Use::Deforming);
         shade_in_motion(&mut parts, &person);
         let (shape, rest) = parts?;
@@ -138,7 +138,7 @@ fn rider(catalogue: &Catalogue, (vehicle, variant): (u16, u64)) -> Option<(Arc<S
 }
 
 /// Fills in the openness of a person in mid-stride: legs and arms that touch at rest would be dark for ever.
-fn shade_in_motion(parts: &mut Option<(Arc<Shape>, Arc<Body>)>, person: &PersonModel) {
+fn shade_in_motion(parts: &mut Option<(Arc<Shape>, Arc<Body>)>, person: &Arc<PersonModel>) {
     let Some((shape, rest)) = parts else { return };
     let stride = WalkerMotion { speed_mps: 1.3, gait: Gait::Walk, ..WalkerMotion::default() };
     let mut body = rest.as_ref().clone();

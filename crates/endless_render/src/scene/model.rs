@@ -2,10 +2,10 @@
 
 use super::Velocity;
 use crate::accel::{Blas, Use, world_bounds};
-use endless_asset::{BodyPose, Material, Mesh, PersonModel};
+use endless_asset::{Material, Mesh, PersonModel, Stance};
 use endless_world::{ClassTag, InstanceId, SignalId, WalkerMotion};
 use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
-use std::{mem, sync::Arc};
+use std::sync::Arc;
 
 /// What does not change when a mesh deforms.
 #[derive(Debug)]
@@ -21,11 +21,19 @@ pub(crate) struct Shape {
 /// What changes when a mesh deforms.
 #[derive(Debug, Clone)]
 pub(crate) struct Body {
-    pub(crate) positions: Vec<Vec3>,
-    pub(crate) normals: Vec<Vec3>,
+    pub(crate) positions: Arc<[Vec3]>,
+    normals: Normals,
     pub(crate) blas: Arc<Blas>,
     /// Boxes, `(low, high)`, that together hold it closely.
     parts: Vec<(Vec3A, Vec3A)>,
+}
+
+/// The unit normals of vertices.
+#[derive(Debug, Clone)]
+enum Normals {
+    Made(Arc<[Vec3]>),
+    /// Those of a person follow from how they stand: few of them are ever asked for.
+    Posed(Arc<PersonModel>, Stance),
 }
 
 /// Splits a mesh; `None` if it has no triangles.
@@ -37,7 +45,7 @@ pub(crate) fn model(mesh: Mesh, purpose: Use) -> Option<(Arc<Shape>, Arc<Body>)>
     let blas = Arc::new(Blas::build_for(purpose, &positions, &triangles));
     let parts = parts(&blas);
     let shape = Shape { triangles, uvs, triangle_materials, materials, openness: Vec::new() };
-    let body = Body { positions, normals, blas, parts };
+    let body = Body { positions: positions.into(), normals: Normals::Made(normals.into()), blas, parts };
     Some((Arc::new(shape), Arc::new(body)))
 }
 
@@ -50,12 +58,23 @@ fn parts(blas: &Blas) -> Vec<(Vec3A, Vec3A)> {
 
 impl Body {
     /// Poses what is the body of a person, in place.
-    pub(crate) fn pose(&mut self, person: &PersonModel, motion: &WalkerMotion) {
-        let mut pose = BodyPose { positions: mem::take(&mut self.positions), normals: mem::take(&mut self.normals) };
-        person.pose_into(motion, &mut pose);
-        (self.positions, self.normals) = (pose.positions, pose.normals);
-        Arc::make_mut(&mut self.blas).refit(&self.positions);
+    pub(crate) fn pose(&mut self, person: &Arc<PersonModel>, motion: &WalkerMotion) {
+        let blas = Arc::make_mut(&mut self.blas);
+        blas.release();
+        let stance = person.stance(motion);
+        person.place(&stance, Arc::make_mut(&mut self.positions));
+        blas.refit(Arc::clone(&self.positions));
+        self.normals = Normals::Posed(Arc::clone(person), stance);
         self.parts = parts(&self.blas);
+    }
+
+    /// The unit normal of a vertex.
+    #[inline]
+    pub(crate) fn normal(&self, vertex: usize) -> Vec3A {
+        match &self.normals {
+            Normals::Made(normals) => normals[vertex].into(),
+            Normals::Posed(person, stance) => person.normal(stance, vertex).into(),
+        }
     }
 }
 

@@ -67,8 +67,7 @@ impl<'a> SurfacePoint<'a> {
         let (pa, pb, pc) = (corner(a), corner(b), corner(c));
         let w = 1.0 - hit.u - hit.v;
         let object_position = pa * w + pb * hit.u + pc * hit.v;
-        let normal_of = |i: usize| Vec3A::from(body.normals[i]);
-        let smooth = normal_of(a) * w + normal_of(b) * hit.u + normal_of(c) * hit.v;
+        let smooth = body.normal(a) * w + body.normal(b) * hit.u + body.normal(c) * hit.v;
         let flat = (pb - pa).cross(pc - pa);
         let mut geometric_normal = (instance.normal_matrix * flat).normalize_or(Vec3A::Z);
         let mut normal = (instance.normal_matrix * smooth).normalize_or(geometric_normal);
