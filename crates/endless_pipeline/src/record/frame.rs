@@ -43,9 +43,11 @@ impl FrameMaker<'_> {
         state: &WorldState,
         cameras: impl Fn() -> Option<&'c (dyn Cameras + 'c)>,
     ) -> Result<Option<([Ordered; 2], bool)>, GenerateError> {
-        let scene = SceneObjects::new(state, self.parked).with_skin_tones(self.skin_tones);
-        let bodies = self.bodies.map(|bodies| bodies.at(state)).unwrap_or_default();
-        let known = Known { state, scene, bodies };
+        let known = self.recording.clock.time(Stage::Boxes, || Known {
+            state,
+            scene: SceneObjects::new(state, self.parked).with_skin_tones(self.skin_tones),
+            bodies: self.bodies.map(|bodies| bodies.at(state)).unwrap_or_default(),
+        });
         if self.existing.has(state.frame) {
             let read = self.recording.clock.time(Stage::Resume, || -> Result<_, DatasetError> {
                 Ok([self.read(0, state.frame)?, self.read(1, state.frame)?])

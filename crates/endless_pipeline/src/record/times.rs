@@ -44,7 +44,7 @@ pub struct StageTimes {
     pub traffic: Duration,
     /// Rendering frames.
     pub render: Duration,
-    /// Boxes and visible pixels.
+    /// Boxes, visible pixels and keypoints.
     pub boxes: Duration,
     /// Encoding and writing images.
     pub images: Duration,
