@@ -43,10 +43,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         let frame = FrameScene::new(&cast, &state);
         scene_time += processor_time().saturating_sub(begin);
         for (camera, time) in baked.iter().zip(&mut times) {
-            let begin = processor_time();
             let image = camera.render(&still, &frame);
-            *time += processor_time().saturating_sub(begin);
             print.write(image.rgb.data.as_flattened());
+            // The least of three: other programs only add to it.
+            let again = (0..3).map(|_| {
+                let begin = processor_time();
+                camera.render(&still, &frame);
+                processor_time().saturating_sub(begin)
+            });
+            *time += again.min().unwrap_or_default();
         }
     }
     let each = |t: Duration| t.as_secs_f64() * 1e3 / f64::from(frames);

@@ -1,90 +1,153 @@
-//! Traversal by eight rays that run side by side: nodes are entered by the interval of all rays, triangles tested
-//! by all rays at once (after Boulos et al.: Packet-based Whitted and distribution ray tracing, GI 2007).
+//! Traversal by rays that run side by side, eight or four times eight: nodes are entered by the interval of all rays,
+//! boxes and triangles tested by eight rays at once (after Boulos et al.: Packet-based Whitted and distribution ray
+//! tracing, GI 2007), while the next eight are on their way.
 //!
 //! Each lane does the very arithmetic of a single ray, and the interval enters every box that one of its rays
 //! enters, so results are those of single rays to the bit.
 
-use super::node::{Beam, Link, Node};
+use wide::f32x8;
+
+use super::node::{Link, Node};
 use super::packet_ray::PacketRay;
 use super::ray::{Hit, LocalRay, Ray};
 use super::single::trace_blas;
 use super::stack::Stack;
 use super::tlas::{Accel, Entry};
-use wide::f32x8;
+use super::{node::Beam, ray::Transform};
 
-/// With this few lanes left single rays are faster.
+/// With no more lanes than this, single rays are faster.
 const FEW: u32 = 2;
 
 impl Accel {
     /// [`Accel::closest`] for those of eight rays whose bit is set in `active`; faster when they run side by side.
     pub fn closest8(&self, rays: &[Ray; 8], active: u8) -> [Option<Hit>; 8] {
-        let trip = self.trace8::<false>(rays, active);
-        std::array::from_fn(|lane| if active >> lane & 1 != 0 { trip.best[lane].found() } else { None })
+        let [found] = self.trace_side_by_side::<false, 1>(std::array::from_ref(rays), u32::from(active)).found(active);
+        found
     }
 
     /// [`Accel::occluded`] for those of eight rays whose bit is set in `active`, one bit each.
     pub fn occluded8(&self, rays: &[Ray; 8], active: u8) -> u8 {
-        active & !(self.trace8::<true>(rays, active).live as u8)
+        active & !(self.trace_side_by_side::<true, 1>(std::array::from_ref(rays), u32::from(active)).live as u8)
+    }
+
+    /// [`Accel::closest8`] for four times eight rays; bit `8 × row + lane` of `active` is that of `rays[row][lane]`.
+    pub fn closest32(&self, rays: &[[Ray; 8]; 4], active: u32) -> [[Option<Hit>; 8]; 4] {
+        self.trace_side_by_side::<false, 4>(rays, active).found(active)
+    }
+
+    /// [`Accel::occluded8`] for four times eight rays.
+    pub fn occluded32(&self, rays: &[[Ray; 8]; 4], active: u32) -> u32 {
+        active & !self.trace_side_by_side::<true, 4>(rays, active).live
     }
 
     #[inline(always)]
-    fn trace8<const ANY: bool>(&self, rays: &[Ray; 8], active: u8) -> Trip {
+    fn trace_side_by_side<const ANY: bool, const N: usize>(&self, rays: &[[Ray; 8]; N], active: u32) -> Trip<N> {
         let mut trip = Trip::new(rays, active);
-        let packet = if active.count_ones() > FEW { PacketRay::in_world(rays, active) } else { None };
-        let Some(packet) = packet else {
-            for lane in lanes(trip.live) {
-                if ANY && self.occluded(&rays[lane]) {
-                    trip.live &= !(1 << lane);
-                } else if !ANY && let Some(hit) = self.closest(&rays[lane]) {
-                    trip.improve(lane, hit);
+        let mut stack = Stack::new();
+        let one_row = N > 1 && rows::<N>(active).count() == 1;
+        match PacketRay::in_world(rays, active).filter(|_| active.count_ones() > FEW && !one_row) {
+            Some(packet) => {
+                walk::<ANY, N>(self.nodes(), self.root(), &packet, &mut trip, &mut stack, |link, trip, stack| {
+                    self.entry(link).trace_packet::<ANY, N>(rays, &packet, trip, stack);
+                });
+            }
+            None if N > 1 => {
+                for row in rows::<N>(active) {
+                    let mut part = trip.row(row);
+                    self.trace_row::<ANY>(&rays[row], &mut part, &mut stack);
+                    trip.set_row(row, part);
                 }
             }
-            return trip;
-        };
-        let mut stack = Stack::new();
-        walk::<ANY>(self.nodes(), self.root(), &packet, &mut trip, &mut stack, |link, trip, stack| {
-            self.entry(link).trace8::<ANY>(rays, &packet, trip, stack);
-        });
+            None => self.trace_singly::<ANY, N>(rays, &mut trip),
+        }
         trip
+    }
+
+    #[inline(never)]
+    fn trace_row<const ANY: bool>(&self, rays: &[Ray; 8], trip: &mut Trip<1>, stack: &mut Stack) {
+        let rays = std::array::from_ref(rays);
+        match PacketRay::in_world(rays, trip.live).filter(|_| trip.live.count_ones() > FEW) {
+            Some(packet) => walk::<ANY, 1>(self.nodes(), self.root(), &packet, trip, stack, |link, trip, stack| {
+                self.entry(link).trace_packet::<ANY, 1>(rays, &packet, trip, stack);
+            }),
+            None => self.trace_singly::<ANY, 1>(rays, trip),
+        }
+    }
+
+    fn trace_singly<const ANY: bool, const N: usize>(&self, rays: &[[Ray; 8]; N], trip: &mut Trip<N>) {
+        for lane in lanes(trip.live) {
+            let ray = &rays[lane / 8][lane % 8];
+            if ANY && self.occluded(ray) {
+                trip.live &= !(1 << lane);
+            } else if !ANY && let Some(hit) = self.closest(ray) {
+                trip.improve(lane, hit);
+            }
+        }
     }
 }
 
-/// How far eight rays have come.
-pub(super) struct Trip {
+/// How far N times eight rays have come.
+pub(super) struct Trip<const N: usize> {
     /// Lanes still to trace, one bit each.
     pub(super) live: u32,
-    best: [Hit; 8],
+    best: [[Hit; 8]; N],
     /// `t` of each `best`, side by side: boxes are tested against it.
-    pub(super) ends: f32x8,
+    pub(super) ends: [f32x8; N],
     /// Largest of those of the live lanes.
     pub(super) reach: f32,
 }
 
-impl Trip {
-    fn new(rays: &[Ray; 8], active: u8) -> Self {
-        let best = rays.map(|ray| Hit::none(ray.tmax));
-        let ends = f32x8::new(best.map(|hit| hit.t));
-        let mut trip = Trip { live: u32::from(active), best, ends, reach: 0.0 };
+impl<const N: usize> Trip<N> {
+    fn new(rays: &[[Ray; 8]; N], active: u32) -> Self {
+        let best = rays.map(|row| row.map(|ray| Hit::none(ray.tmax)));
+        let ends = best.map(|row| f32x8::new(row.map(|hit| hit.t)));
+        let mut trip = Trip { live: active, best, ends, reach: 0.0 };
         trip.update_reach();
         trip
     }
 
     pub(super) fn update_reach(&mut self) {
-        let ends = self.ends.as_array();
-        self.reach = lanes(self.live).map(|lane| ends[lane]).fold(0.0, f32::max);
+        let mut most = f32x8::ZERO;
+        for (row, ends) in self.ends.iter().enumerate() {
+            let (bits, ends) = (self.live >> (8 * row), ends.as_array());
+            let live = std::array::from_fn(|lane| if bits >> lane & 1 != 0 { ends[lane] } else { 0.0 });
+            most = most.fast_max(f32x8::new(live));
+        }
+        self.reach = most.to_array().into_iter().fold(0.0, f32::max);
     }
 
     /// The best hit of a lane so far.
     #[inline]
     pub(super) fn best(&self, lane: usize) -> &Hit {
-        &self.best[lane]
+        &self.best[lane / 8 % N][lane % 8]
     }
 
     /// A better one.
     #[inline]
     pub(super) fn improve(&mut self, lane: usize, hit: Hit) {
-        self.best[lane] = hit;
-        self.ends.as_mut_array()[lane] = hit.t;
+        self.best[lane / 8 % N][lane % 8] = hit;
+        self.ends[lane / 8 % N].as_mut_array()[lane % 8] = hit.t;
+    }
+
+    /// One row alone.
+    fn row(&self, row: usize) -> Trip<1> {
+        let live = self.live >> (8 * row) & 255;
+        let mut part = Trip { live, best: [self.best[row]], ends: [self.ends[row]], reach: 0.0 };
+        part.update_reach();
+        part
+    }
+
+    fn set_row(&mut self, row: usize, part: Trip<1>) {
+        let Trip { live, best: [best], ends: [ends], .. } = part;
+        self.live = self.live & !(255 << (8 * row)) | live << (8 * row);
+        (self.best[row], self.ends[row]) = (best, ends);
+    }
+
+    /// The hits of active lanes.
+    fn found(&self, active: impl Into<u32>) -> [[Option<Hit>; 8]; N] {
+        let active = active.into();
+        let found = |lane: usize| self.best(lane).found().filter(|_| active >> lane & 1 != 0);
+        std::array::from_fn(|row| std::array::from_fn(|lane| found(8 * row + lane)))
     }
 }
 
@@ -93,44 +156,54 @@ pub(super) fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let lane = mask.trailing_zeros() as usize;
         mask &= mask.wrapping_sub(1);
-        (lane < 8).then_some(lane)
+        (lane < 32).then_some(lane)
     })
+}
+
+/// The rows of eight lanes in which a mask has any.
+fn rows<const N: usize>(mask: u32) -> impl Iterator<Item = usize> {
+    (0..N).filter(move |row| mask >> (8 * row) & 255 != 0)
 }
 
 impl Entry {
     #[inline(always)]
-    fn trace8<const ANY: bool>(&self, rays: &[Ray; 8], world: &PacketRay, trip: &mut Trip, stack: &mut Stack) {
+    fn trace_packet<const ANY: bool, const N: usize>(
+        &self,
+        rays: &[[Ray; 8]; N],
+        world: &PacketRay<N>,
+        trip: &mut Trip<N>,
+        stack: &mut Stack,
+    ) {
         let (min, max) = self.bounds;
         let (entered, tnear) = world.enter(min.to_array(), max.to_array(), trip);
         if entered == 0 {
             return;
         }
-        let (tmin, local) = match &self.object_from_world {
-            None => (None, None),
-            Some(transform) => (Some(tnear), world.transformed(transform)),
+        let alone = N > 1 && rows::<N>(entered).count() == 1;
+        let local = match &self.object_from_world {
+            Some(transform) if !alone && entered.count_ones() > FEW => world.transformed(transform),
+            _ => None,
         };
-        let packet = match (&self.object_from_world, &local) {
-            (None, _) => Some(world),
-            (Some(_), local) => local.as_ref(),
-        };
-        match packet {
-            Some(packet) if entered.count_ones() > FEW => {
-                let outside = trip.live & !entered;
-                trip.live = entered;
-                trip.update_reach();
-                let groups = self.blas.groups();
-                walk::<ANY>(self.blas.nodes(), self.root, packet, trip, stack, |link, trip, _| {
-                    for group in &groups[link.range()] {
-                        packet.intersect::<ANY>(group, tmin.as_ref(), trip, self.instance);
-                    }
-                });
-                trip.live |= outside;
+        let packet = if self.object_from_world.is_none() { Some(world) } else { local.as_ref() };
+        match packet.filter(|_| !alone && entered.count_ones() > FEW) {
+            Some(packet) => {
+                let tmin = self.object_from_world.as_ref().map(|_| &tnear);
+                self.trace_blas_by_packet::<ANY, N>(packet, tmin, entered, trip, stack);
             }
-            _ => {
+            None if N > 1 && entered.count_ones() > FEW => {
+                for row in rows::<N>(entered) {
+                    let mut part = trip.row(row);
+                    let entered = entered >> (8 * row) & 255;
+                    self.trace_row::<ANY>(&rays[row], tnear[row], entered, &mut part, stack);
+                    trip.set_row(row, part);
+                }
+            }
+            None => {
                 for lane in lanes(entered) {
-                    let tmin = tmin.map_or(0.0, |t| t[lane]);
+                    let (row, column) = (lane / 8 % N, lane % 8);
+                    let tmin = self.object_from_world.as_ref().map_or(0.0, |_| tnear[row].as_array()[column]);
                     let mut best = *trip.best(lane);
-                    let found = self.trace_lane::<ANY>(&rays[lane], tmin, &mut best, stack);
+                    let found = self.trace_lane::<ANY>(&rays[row][column], tmin, &mut best, stack);
                     trip.improve(lane, best);
                     if found && ANY {
                         trip.live &= !(1 << lane);
@@ -139,6 +212,60 @@ impl Entry {
             }
         }
         trip.update_reach();
+    }
+
+    /// Those of eight rays that `entered`, when more are too many or too unlike to go together.
+    #[inline(never)]
+    fn trace_row<const ANY: bool>(
+        &self,
+        rays: &[Ray; 8],
+        tnear: f32x8,
+        entered: u32,
+        trip: &mut Trip<1>,
+        stack: &mut Stack,
+    ) {
+        let world = PacketRay::in_world(std::array::from_ref(rays), entered).filter(|_| entered.count_ones() > FEW);
+        let local = world.and_then(|world| match &self.object_from_world {
+            Some(transform) => world.transformed(transform),
+            None => Some(world),
+        });
+        let near = [tnear];
+        let tmin = self.object_from_world.as_ref().map(|_: &Transform| &near);
+        match local {
+            Some(packet) => self.trace_blas_by_packet::<ANY, 1>(&packet, tmin, entered, trip, stack),
+            None => {
+                for lane in lanes(entered) {
+                    let mut best = *trip.best(lane);
+                    let tmin = tmin.map_or(0.0, |t| t[0].as_array()[lane % 8]);
+                    let found = self.trace_lane::<ANY>(&rays[lane % 8], tmin, &mut best, stack);
+                    trip.improve(lane, best);
+                    if found && ANY {
+                        trip.live &= !(1 << lane);
+                    }
+                }
+            }
+        }
+    }
+
+    #[inline(always)]
+    fn trace_blas_by_packet<const ANY: bool, const N: usize>(
+        &self,
+        packet: &PacketRay<N>,
+        tmin: Option<&[f32x8; N]>,
+        entered: u32,
+        trip: &mut Trip<N>,
+        stack: &mut Stack,
+    ) {
+        let outside = trip.live & !entered;
+        trip.live &= entered;
+        trip.update_reach();
+        let groups = self.blas.groups();
+        walk::<ANY, N>(self.blas.nodes(), self.root, packet, trip, stack, |link, trip, _| {
+            for group in &groups[link.range()] {
+                packet.intersect::<ANY>(group, tmin, trip, self.instance);
+            }
+        });
+        trip.live |= outside;
     }
 
     #[inline(never)]
@@ -154,13 +281,13 @@ impl Entry {
 
 /// Visits the leaves that the beam may enter before `trip.reach`, until no lane is live.
 #[inline(always)]
-fn walk<const ANY: bool>(
+fn walk<const ANY: bool, const N: usize>(
     nodes: &[Node],
     root: Link,
-    packet: &PacketRay,
-    trip: &mut Trip,
+    packet: &PacketRay<N>,
+    trip: &mut Trip<N>,
     stack: &mut Stack,
-    mut leaf: impl FnMut(Link, &mut Trip, &mut Stack),
+    mut leaf: impl FnMut(Link, &mut Trip<N>, &mut Stack),
 ) {
     if root == Link::EMPTY {
         return;

@@ -1,90 +1,114 @@
-//! Eight rays prepared for box and triangle tests in one frame of reference.
+//! N times eight rays prepared for box and triangle tests in one frame of reference.
 
 use glam::Vec3A;
-use wide::f32x8;
+use wide::{f32x4, f32x8};
 
 use super::node::Beam;
 use super::packet::{Trip, lanes};
 use super::ray::{FAR_PAD, Hit, MAX_INVERSE, Ray, Transform, permutation};
 use super::triangle::TriangleGroup;
 
-/// Eight rays whose directions agree in signs and main axis.
-pub(super) struct PacketRay {
-    origin: [f32x8; 3],
-    direction: [f32x8; 3],
-    inverse: [f32x8; 3],
+/// N times eight rays whose directions agree in signs and main axis.
+pub(super) struct PacketRay<const N: usize> {
+    origin: [[f32x8; N]; 3],
+    direction: [[f32x8; N]; 3],
+    inverse: [[f32x8; N]; 3],
     negative: [usize; 3],
     axes: [usize; 3],
     /// As `Shear`, by lane.
-    shear: [f32x8; 3],
+    shear: [[f32x8; N]; 3],
     /// The interval of all rays.
     pub(super) beam: Beam,
 }
 
-impl PacketRay {
+impl<const N: usize> PacketRay<N> {
     /// `None` if directions do not agree. Lanes that are not active follow one that is.
-    pub(super) fn in_world(rays: &[Ray; 8], active: u8) -> Option<Self> {
-        let first = active.trailing_zeros() as usize & 7;
-        let ray = |lane: usize| if active >> lane & 1 != 0 { &rays[lane] } else { &rays[first] };
+    #[inline(always)]
+    pub(super) fn in_world(rays: &[[Ray; 8]; N], active: u32) -> Option<Self> {
+        let first = active.trailing_zeros() as usize % (8 * N);
+        let ray = |lane: usize| match active >> lane & 1 {
+            0 => &rays[first / 8][first % 8],
+            _ => &rays[lane / 8][lane % 8],
+        };
         let lanes = |of: fn(&Ray) -> Vec3A| {
-            let v: [Vec3A; 8] = std::array::from_fn(|lane| of(ray(lane)));
-            [f32x8::new(v.map(|v| v.x)), f32x8::new(v.map(|v| v.y)), f32x8::new(v.map(|v| v.z))]
+            let mut planes = [[f32x8::ZERO; N]; 3];
+            for row in 0..N {
+                let v: [Vec3A; 8] = std::array::from_fn(|lane| of(ray(8 * row + lane)));
+                planes[0][row] = f32x8::new(v.map(|v| v.x));
+                planes[1][row] = f32x8::new(v.map(|v| v.y));
+                planes[2][row] = f32x8::new(v.map(|v| v.z));
+            }
+            planes
         };
         Self::new(lanes(|ray| ray.origin), lanes(|ray| ray.direction))
     }
 
     /// The same rays in the frame of an instance; `None` if directions do not agree there.
+    #[inline(always)]
     pub(super) fn transformed(&self, transform: &Transform) -> Option<Self> {
         let m = &transform.linear;
         let splat = |v: Vec3A| v.to_array().map(f32x8::splat);
         let (cx, cy, cz, shift) = (splat(m.x_axis), splat(m.y_axis), splat(m.z_axis), splat(transform.translation));
-        let vector = |v: &[f32x8; 3], k: usize| (cx[k] * v[0] + cy[k] * v[1]) + cz[k] * v[2];
-        let direction = std::array::from_fn(|k| vector(&self.direction, k));
-        let origin = std::array::from_fn(|k| vector(&self.origin, k) + shift[k]);
+        let vector =
+            |v: &[[f32x8; N]; 3], k: usize, row: usize| (cx[k] * v[0][row] + cy[k] * v[1][row]) + cz[k] * v[2][row];
+        let direction = std::array::from_fn(|k| std::array::from_fn(|row| vector(&self.direction, k, row)));
+        let origin = std::array::from_fn(|k| std::array::from_fn(|row| vector(&self.origin, k, row) + shift[k]));
         Self::new(origin, direction)
     }
 
     #[inline(always)]
-    fn new(origin: [f32x8; 3], direction: [f32x8; 3]) -> Option<Self> {
-        let [ax, ay, az] = direction.map(f32x8::abs);
-        let x_main = (ax.simd_ge(ay) & ax.simd_ge(az)).to_bitmask();
-        let y_main = ay.simd_ge(az).to_bitmask();
+    fn new(origin: [[f32x8; N]; 3], direction: [[f32x8; N]; 3]) -> Option<Self> {
+        let (mut x_main, mut y_main) = (0, 0);
+        for row in 0..N {
+            let [ax, ay, az] = direction.map(|d| d[row].abs());
+            x_main += (ax.simd_ge(ay) & ax.simd_ge(az)).to_bitmask().count_ones();
+            y_main += ay.simd_ge(az).to_bitmask().count_ones();
+        }
+        let all = 8 * N as u32;
         let axes = permutation(match (x_main, y_main) {
-            (255, _) => 0,
-            (0, 255) => 1,
+            (x, _) if x == all => 0,
+            (0, y) if y == all => 1,
             (0, 0) => 2,
             _ => return None,
         });
-        let inverse = direction.map(inverse);
+        let inverse = direction.map(|d| d.map(inverse));
         let mut negative = [0; 3];
         for k in 0..3 {
-            negative[k] = match inverse[k].simd_lt(f32x8::ZERO).to_bitmask() {
+            let below = |i: &f32x8| i.simd_lt(f32x8::ZERO).to_bitmask().count_ones();
+            negative[k] = match inverse[k].iter().map(below).sum::<u32>() {
                 0 => 0,
-                255 => 1,
+                n if n == all => 1,
                 _ => return None,
             };
         }
         let z = inverse[axes[2]];
-        let shear = [direction[axes[0]] * z, direction[axes[1]] * z, z];
+        let times_z = |d: &[f32x8; N]| std::array::from_fn(|row| d[row] * z[row]);
+        let shear = [times_z(&direction[axes[0]]), times_z(&direction[axes[1]]), z];
         let beam = beam(&origin, &inverse, negative);
         Some(PacketRay { origin, direction, inverse, negative, axes, shear, beam })
     }
 
     /// `LocalRay::enter` by lane: which live lanes enter a box before their best hit, and where.
     #[inline(always)]
-    pub(super) fn enter(&self, min: [f32; 3], max: [f32; 3], trip: &Trip) -> (u32, [f32; 8]) {
-        let (tnear, tfar) = self.slabs(min, max);
-        (tnear.simd_le(tfar.fast_min(trip.ends)).to_bitmask() & trip.live, tnear.to_array())
+    pub(super) fn enter(&self, min: [f32; 3], max: [f32; 3], trip: &Trip<N>) -> (u32, [f32x8; N]) {
+        let mut entered = 0;
+        let mut tnears = [f32x8::ZERO; N];
+        for row in 0..N {
+            let (tnear, tfar) = self.slabs(min, max, row);
+            entered |= tnear.simd_le(tfar.fast_min(trip.ends[row])).to_bitmask() << (8 * row);
+            tnears[row] = tnear;
+        }
+        (entered & trip.live, tnears)
     }
 
     #[inline(always)]
-    fn slabs(&self, min: [f32; 3], max: [f32; 3]) -> (f32x8, f32x8) {
+    fn slabs(&self, min: [f32; 3], max: [f32; 3], row: usize) -> (f32x8, f32x8) {
         let (mut near, mut far) = (f32x8::ZERO, f32x8::splat(f32::INFINITY));
         let pad = f32x8::splat(FAR_PAD);
         for k in 0..3 {
             let (first, last) = if self.negative[k] == 0 { (min[k], max[k]) } else { (max[k], min[k]) };
-            near = near.fast_max((f32x8::splat(first) - self.origin[k]) * self.inverse[k]);
-            far = far.fast_min((f32x8::splat(last) - self.origin[k]) * (self.inverse[k] * pad));
+            near = near.fast_max((f32x8::splat(first) - self.origin[k][row]) * self.inverse[k][row]);
+            far = far.fast_min((f32x8::splat(last) - self.origin[k][row]) * (self.inverse[k][row] * pad));
         }
         (near, far)
     }
@@ -94,53 +118,18 @@ impl PacketRay {
     pub(super) fn intersect<const ANY: bool>(
         &self,
         group: &TriangleGroup,
-        tmin: Option<&[f32; 8]>,
-        trip: &mut Trip,
+        tmin: Option<&[f32x8; N]>,
+        trip: &mut Trip<N>,
         instance: u32,
     ) {
-        let [x, y, z] = self.axes;
-        let [sx, sy, sz] = self.shear;
-        let (ox, oy, oz) = (self.origin[x], self.origin[y], self.origin[z]);
         for lane in 0..TriangleGroup::SIZE {
             let triangle = group.ids[lane];
             if triangle == u32::MAX {
                 break;
             }
-            let corner = |c: usize| {
-                let v = |k: usize| f32x8::splat(group.vertices[c][k].as_array()[lane]);
-                let cz = v(z) - oz;
-                [(v(x) - ox) - sx * cz, (v(y) - oy) - sy * cz, cz]
-            };
-            let (a, b, c) = (corner(0), corner(1), corner(2));
-            let u = c[0] * b[1] - c[1] * b[0];
-            let v = a[0] * c[1] - a[1] * c[0];
-            let w = b[0] * a[1] - b[1] * a[0];
-            let low = u.fast_min(v).fast_min(w);
-            let high = u.fast_max(v).fast_max(w);
-            let inside = (low.simd_ge(f32x8::ZERO) | high.simd_le(f32x8::ZERO)).to_bitmask() & trip.live;
-            if inside == 0 {
-                continue;
-            }
-            let det = (u + v) + w;
-            let t = ((u * a[2] + v * b[2]) + w * c[2]) * sz / det;
-            let reach = f32x8::splat(trip.reach);
-            let valid =
-                (t.simd_gt(f32x8::ZERO) & t.simd_lt(f32x8::splat(f32::INFINITY)) & t.simd_le(reach)).to_bitmask();
-            if inside & valid == 0 {
-                continue;
-            }
-            let (min, max) = group.bounds(lane);
-            let (tnear, tfar) = self.slabs(min, max);
-            let candidates = inside & valid & tnear.simd_le(tfar).to_bitmask();
-            let (ts, us, vs) = (t.fast_max(tnear).to_array(), (v / det).to_array(), (w / det).to_array());
             let mut found = 0;
-            for ray in lanes(candidates) {
-                let t = tmin.map_or(ts[ray], |tmin| ts[ray].max(tmin[ray]));
-                let hit = Hit { t, instance, triangle, u: us[ray], v: vs[ray] };
-                if hit.precedes(trip.best(ray)) {
-                    trip.improve(ray, hit);
-                    found |= 1 << ray;
-                }
+            for row in 0..N {
+                found |= self.intersect_row(group, lane, row, tmin, trip, instance) << (8 * row);
             }
             if found != 0 {
                 if ANY {
@@ -149,6 +138,59 @@ impl PacketRay {
                 trip.update_reach();
             }
         }
+    }
+
+    /// One triangle, one row of rays: which of them hit it, a bit each.
+    #[inline(always)]
+    fn intersect_row(
+        &self,
+        group: &TriangleGroup,
+        lane: usize,
+        row: usize,
+        tmin: Option<&[f32x8; N]>,
+        trip: &mut Trip<N>,
+        instance: u32,
+    ) -> u32 {
+        let [x, y, z] = self.axes;
+        let [sx, sy, sz] = self.shear.map(|s| s[row]);
+        let (ox, oy, oz) = (self.origin[x][row], self.origin[y][row], self.origin[z][row]);
+        let corner = |c: usize| {
+            let v = |k: usize| f32x8::splat(group.vertices[c][k].as_array()[lane]);
+            let cz = v(z) - oz;
+            [(v(x) - ox) - sx * cz, (v(y) - oy) - sy * cz, cz]
+        };
+        let (a, b, c) = (corner(0), corner(1), corner(2));
+        let u = c[0] * b[1] - c[1] * b[0];
+        let v = a[0] * c[1] - a[1] * c[0];
+        let w = b[0] * a[1] - b[1] * a[0];
+        let low = u.fast_min(v).fast_min(w);
+        let high = u.fast_max(v).fast_max(w);
+        let live = trip.live >> (8 * row);
+        let inside = (low.simd_ge(f32x8::ZERO) | high.simd_le(f32x8::ZERO)).to_bitmask() & live;
+        if inside == 0 {
+            return 0;
+        }
+        let det = (u + v) + w;
+        let t = ((u * a[2] + v * b[2]) + w * c[2]) * sz / det;
+        let ends = trip.ends[row];
+        let valid = (t.simd_gt(f32x8::ZERO) & t.simd_lt(f32x8::splat(f32::INFINITY)) & t.simd_le(ends)).to_bitmask();
+        if inside & valid == 0 {
+            return 0;
+        }
+        let (min, max) = group.bounds(lane);
+        let (tnear, tfar) = self.slabs(min, max, row);
+        let candidates = inside & valid & tnear.simd_le(tfar).to_bitmask();
+        let (ts, us, vs) = (t.fast_max(tnear).to_array(), (v / det).to_array(), (w / det).to_array());
+        let mut found = 0;
+        for ray in lanes(candidates) {
+            let t = tmin.map_or(ts[ray % 8], |tmin| ts[ray % 8].max(tmin[row].as_array()[ray % 8]));
+            let hit = Hit { t, instance, triangle: group.ids[lane], u: us[ray % 8], v: vs[ray % 8] };
+            if hit.precedes(trip.best(8 * row + ray)) {
+                trip.improve(8 * row + ray, hit);
+                found |= 1 << ray;
+            }
+        }
+        found
     }
 }
 
@@ -161,12 +203,12 @@ fn inverse(d: f32x8) -> f32x8 {
 
 /// The interval of all rays: it enters a box no later than any of them, and leaves it no sooner.
 #[inline(always)]
-fn beam(origin: &[f32x8; 3], inverse: &[f32x8; 3], negative: [usize; 3]) -> Beam {
+fn beam<const N: usize>(origin: &[[f32x8; N]; 3], inverse: &[[f32x8; N]; 3], negative: [usize; 3]) -> Beam {
     let zero = [f32x8::ZERO; 3];
     let mut beam = Beam { negative, origin_near: zero, origin_far: zero, inverse_near: zero, inverse_far: zero };
     for k in 0..3 {
-        let (low, high) = range(origin[k]);
-        let (least, most) = range(inverse[k]);
+        let (low, high) = range(&origin[k]);
+        let (least, most) = range(&inverse[k]);
         let flip = |(a, b): (f32, f32)| if negative[k] == 0 { (a, b) } else { (b, a) };
         let (far, near) = flip((low, high));
         let (slow, fast) = flip((least, most));
@@ -180,9 +222,16 @@ fn beam(origin: &[f32x8; 3], inverse: &[f32x8; 3], negative: [usize; 3]) -> Beam
 
 /// Least and greatest lane.
 #[inline(always)]
-fn range(v: f32x8) -> (f32, f32) {
-    let [a, b, c, d, e, f, g, h] = v.to_array();
-    let low = wide::f32x4::new([a, b, c, d]).fast_min(wide::f32x4::new([e, f, g, h])).to_array();
-    let high = wide::f32x4::new([a, b, c, d]).fast_max(wide::f32x4::new([e, f, g, h])).to_array();
+fn range<const N: usize>(rows: &[f32x8; N]) -> (f32, f32) {
+    let (mut least, mut most) = (rows[0], rows[0]);
+    for row in &rows[1..] {
+        (least, most) = (least.fast_min(*row), most.fast_max(*row));
+    }
+    let halves = |v: f32x8| {
+        let [a, b, c, d, e, f, g, h] = v.to_array();
+        (f32x4::new([a, b, c, d]), f32x4::new([e, f, g, h]))
+    };
+    let ((a, b), (c, d)) = (halves(least), halves(most));
+    let (low, high) = (a.fast_min(b).to_array(), c.fast_max(d).to_array());
     (low[0].min(low[1]).min(low[2].min(low[3])), high[0].max(high[1]).max(high[2].max(high[3])))
 }

@@ -88,6 +88,29 @@ proptest! {
     }
 
     #[test]
+    fn four_times_eight_rays_equal_brute_force(
+        scene in scene(),
+        packets in prop::collection::vec((prop::collection::vec(rays(), 4), any::<bool>(), any::<u32>()), 4),
+    ) {
+        for (rays, alike, active) in packets {
+            let mut rays: [[Ray; 8]; 4] = std::array::from_fn(|row| rays[row]);
+            if alike {
+                // Neighbours of the first row.
+                for row in 1..4 {
+                    rays[row] = rays[0].map(|ray| Ray { origin: ray.origin + Vec3A::splat(row as f32 * 1e-3), ..ray });
+                }
+            }
+            let closest = scene.accel.closest32(&rays, active);
+            let occluded = scene.accel.occluded32(&rays, active);
+            for (lane, ray) in rays.as_flattened().iter().enumerate() {
+                let expected = if active >> lane & 1 != 0 { scene.closest(ray) } else { None };
+                prop_assert_eq!(closest[lane / 8][lane % 8], expected, "lane {}", lane);
+                prop_assert_eq!(occluded >> lane & 1 != 0, expected.is_some(), "lane {}", lane);
+            }
+        }
+    }
+
+    #[test]
     fn every_triangle_lies_in_a_part((points, triangles) in mesh(), count in 1usize..40) {
         let parts = Blas::build(&points, &triangles).parts(count);
         prop_assert!(parts.len() <= count + 7);
@@ -279,6 +302,8 @@ fn odd_rays_end() {
             scene.accel.occluded(&ray);
             scene.accel.closest8(&[ray; 8], 255);
             scene.accel.occluded8(&[ray; 8], 255);
+            scene.accel.closest32(&[[ray; 8]; 4], u32::MAX);
+            scene.accel.occluded32(&[[ray; 8]; 4], u32::MAX);
         }
     }
 }

@@ -125,76 +125,137 @@ impl<'a> Row<'a> {
     /// Asks what moves, as far as `work` says that it can matter; returns the number of rays.
     pub(super) fn find(&self, frame: &FrameScene, work: &Work) -> ([Found; TILE as usize], u64) {
         let mut found = [Found::NOTHING; TILE as usize];
-        if !work.asks_rays() {
-            return (found, 0);
-        }
-        let all = ((1u16 << self.count) - 1) as u8;
         let mut rays = 0;
-        for s in 0..SAMPLES {
-            let distances: [f32; TILE as usize] = std::array::from_fn(|i| self.still(i).distances[s]);
-            let mut open = all & mask(|i| distances[i] < f32::MAX);
-            if work.seen {
-                let towards = std::array::from_fn(|i| Ray { tmax: distances[i], ..self.ray(i, s) });
-                for (i, hit) in frame.accel.closest8(&towards, all).into_iter().enumerate() {
-                    found[i].seen[s] = hit.filter(|hit| hit.t < distances[i]);
-                    open &= !(u8::from(found[i].seen[s].is_some()) << i);
-                }
-                rays += u64::from(all.count_ones());
-            }
-            if work.sun {
-                rays += self.find_sun(frame, s, open, &mut found);
-            }
-            if work.mirror {
-                let asks = |i: usize| match self.bake.uniform[self.pixel(i)] {
-                    true => s % 2 == 0,
-                    false => open >> i & 1 == 1,
-                };
-                let mirrors = |i: usize| self.still(i).mirrors >> s & 1 == 1;
-                let active = all & mask(|i| mirrors(i) && asks(i));
-                if active != 0 {
-                    let towards: [Ray; 8] = std::array::from_fn(|i| match active >> i & 1 {
-                        1 => self.sample(i, s).mirror_ray(&self.facet(i, s)),
-                        _ => Ray { tmax: 0.0, ..self.ray(i, s) },
-                    });
-                    for (i, hit) in frame.accel.closest8(&towards, active).into_iter().enumerate() {
-                        found[i].mirrored[s] = hit.filter(|hit| active >> i & 1 == 1 && hit.t < towards[i].tmax);
-                    }
-                }
-                rays += u64::from(active.count_ones());
-            }
+        if work.seen {
+            rays += self.find_seen(frame, &mut found);
+        }
+        if work.sun {
+            rays += self.find_sun(frame, &mut found);
+        }
+        if work.mirror {
+            rays += self.find_mirrored(frame, &mut found);
         }
         (found, rays)
     }
 
-    fn find_sun(&self, frame: &FrameScene, sample: usize, open: u8, found: &mut [Found; TILE as usize]) -> u64 {
-        let Some(sun) = &self.bake.environment.sun else { return 0 };
-        let open = open & mask(|i| self.still(i).sun_free[sample] != 0);
-        if open == 0 {
-            return 0;
+    fn find_seen(&self, frame: &FrameScene, found: &mut [Found; TILE as usize]) -> u64 {
+        let mut asked = Asked::new();
+        for (i, s) in self.each_sample() {
+            asked.push((i, s, 0), Ray { tmax: self.still(i).distances[s], ..self.ray(i, s) });
         }
-        let origins: [Vec3A; TILE as usize] = std::array::from_fn(|i| match open >> i & 1 {
-            1 => sun_origin(&self.facet(i, sample), sun.direction),
-            _ => self.origin,
-        });
-        let mut rays = 0;
-        for part in 0..2 {
-            let asked: [u8; TILE as usize] = std::array::from_fn(|i| {
-                let uniform = self.bake.uniform[self.pixel(i)];
-                self.still(i).sun_free[sample] & sun.parts(sample, uniform)[part].0
-            });
-            let active = open & mask(|i| asked[i] != 0);
-            if active == 0 {
+        asked.closest(frame, |(i, s, _), hit| found[i].seen[s] = Some(hit));
+        asked.traced
+    }
+
+    fn find_sun(&self, frame: &FrameScene, found: &mut [Found; TILE as usize]) -> u64 {
+        let Some(sun) = &self.bake.environment.sun else { return 0 };
+        let mut asked = Asked::new();
+        for (i, s) in self.each_sample() {
+            let free = self.still(i).sun_free[s];
+            if free == 0 || found[i].seen[s].is_some() || self.still(i).distances[s] == f32::MAX {
                 continue;
             }
-            let direction = sun.parts(sample, false)[part].1;
-            let blocked =
-                frame.accel.occluded8(&origins.map(|origin| Ray { origin, direction, tmax: f32::MAX }), active);
-            for (i, found) in found.iter_mut().enumerate().filter(|(i, _)| blocked >> i & 1 == 1) {
-                found.sun_blocked[sample] |= asked[i];
+            let origin = sun_origin(&self.facet(i, s), sun.direction);
+            for (part, direction) in sun.parts(s, self.bake.uniform[self.pixel(i)]) {
+                if free & part == 0 {
+                    continue;
+                }
+                asked.push((i, s, free & part), Ray { origin, direction, tmax: f32::MAX });
+                if asked.is_full() {
+                    asked.occluded(frame, |(i, s, part)| found[i].sun_blocked[s] |= part);
+                }
             }
-            rays += u64::from(active.count_ones());
         }
-        rays
+        asked.occluded(frame, |(i, s, part)| found[i].sun_blocked[s] |= part);
+        asked.traced
+    }
+
+    fn find_mirrored(&self, frame: &FrameScene, found: &mut [Found; TILE as usize]) -> u64 {
+        let mut asked = Asked::new();
+        for (i, s) in self.each_sample() {
+            let still = self.still(i);
+            let asks = match self.bake.uniform[self.pixel(i)] {
+                true => s % 2 == 0,
+                false => still.distances[s] < f32::MAX && found[i].seen[s].is_none(),
+            };
+            if asks && still.mirrors >> s & 1 == 1 {
+                asked.push((i, s, 0), self.sample(i, s).mirror_ray(&self.facet(i, s)));
+            }
+        }
+        asked.closest(frame, |(i, s, _), hit| found[i].mirrored[s] = Some(hit));
+        asked.traced
+    }
+
+    /// Pixel by pixel: rays that go side by side then go nearly the same way.
+    fn each_sample(&self) -> impl Iterator<Item = (usize, usize)> {
+        (0..self.count).flat_map(|i| (0..SAMPLES).map(move |s| (i, s)))
+    }
+}
+
+/// Who asks for a ray: a pixel, a sample, and the parts of the sun's disc that it stands for.
+type Asker = (usize, usize, u8);
+
+/// Rays of a row that are traced together: one for each sample of eight pixels.
+struct Asked {
+    askers: [Asker; 32],
+    rays: [[Ray; 8]; 4],
+    count: usize,
+    /// Rays traced so far.
+    traced: u64,
+}
+
+impl Asked {
+    fn new() -> Self {
+        let none = Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 };
+        Self { askers: [(0, 0, 0); 32], rays: [[none; 8]; 4], count: 0, traced: 0 }
+    }
+
+    /// Adds a ray; there must be room.
+    fn push(&mut self, asker: Asker, ray: Ray) {
+        self.askers[self.count] = asker;
+        self.rays[self.count / 8][self.count % 8] = ray;
+        self.count += 1;
+    }
+
+    fn is_full(&self) -> bool {
+        self.count == self.askers.len()
+    }
+
+    /// Takes all rays off the list: those there were, a bit each.
+    fn take(&mut self) -> u32 {
+        let active = ((1u64 << self.count) - 1) as u32;
+        self.traced += self.count as u64;
+        self.count = 0;
+        active
+    }
+
+    /// Tells who met something nearer than its ray's end.
+    fn closest(&mut self, frame: &FrameScene, mut tell: impl FnMut(Asker, Hit)) {
+        let active = self.take();
+        if active == 0 {
+            return;
+        }
+        let hits = frame.accel.closest32(&self.rays, active);
+        let ends = self.rays.iter().flatten().map(|ray| ray.tmax);
+        for ((hit, end), asker) in hits.iter().flatten().zip(ends).zip(&self.askers) {
+            if let Some(hit) = hit.filter(|hit| hit.t < end) {
+                tell(*asker, hit);
+            }
+        }
+    }
+
+    /// Tells whose ray is not free.
+    fn occluded(&mut self, frame: &FrameScene, mut tell: impl FnMut(Asker)) {
+        let active = self.take();
+        if active == 0 {
+            return;
+        }
+        let blocked = frame.accel.occluded32(&self.rays, active);
+        for (lane, asker) in self.askers.iter().enumerate() {
+            if blocked >> lane & 1 == 1 {
+                tell(*asker);
+            }
+        }
     }
 }
 
@@ -218,11 +279,6 @@ fn directions8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) 
     let over = f32x8::ONE / (x * x + y * y + z * z).sqrt();
     let (x, y, z) = ((x * over).to_array(), (y * over).to_array(), (z * over).to_array());
     std::array::from_fn(|i| Vec3A::new(x[i], y[i], z[i]))
-}
-
-/// A bit for each of eight.
-fn mask(test: impl Fn(usize) -> bool) -> u8 {
-    (0..8).fold(0, |bits, i| bits | u8::from(test(i)) << i)
 }
 
 #[cfg(test)]

@@ -4,11 +4,12 @@ use super::affected::Sweep;
 use super::centre::Place;
 use super::still_sample::{StillSample, still_look};
 use crate::accel::Ray;
-use crate::material::Look;
+use crate::material::{Look, Look8};
 use crate::sampling::SAMPLES;
 use crate::scene::{Facet, FrameScene, SurfacePoint};
 use crate::shade::Tracer;
 use glam::Vec3A;
+use std::cell::LazyCell;
 use std::ops::Deref;
 use wide::f32x8;
 
@@ -78,17 +79,19 @@ fn seen_through(tracer: &Tracer<'_>, eye: Vec3A, facet: &Facet) -> f32 {
 
 /// The same for the centres of up to eight neighbouring pixels at once: rays to one lamp are traced together.
 /// `transmittance` is asked only where a light may show.
-pub(super) fn beams_on_row(
+pub(super) fn beams_on_row<'a>(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     beams: &[Sweep],
-    row: &[Option<Place<'_>>; 8],
+    row: &[Option<Place<'a>>; 8],
     transmittance: &impl Deref<Target = [f32; 8]>,
 ) -> [Vec3A; 8] {
-    let mut sums = [Vec3A::ZERO; 8];
     let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
     let axis = |axis: usize| f32x8::new(std::array::from_fn(|i| row[i].map_or(0.0, |p| p.facet.position[axis])));
     let positions = [axis(0), axis(1), axis(2)];
+    let seen = |place: &Option<Place<'a>>| place.and_then(|p| Some((p.look?, -p.facet.direction)));
+    let looks = LazyCell::new(|| Look8::new(&std::array::from_fn(|i| seen(&row[i]))));
+    let mut sums = [f32x8::ZERO; 3];
     let mut shown = false;
     for sweep in beams {
         let beam = &frame.beams[usize::from(sweep.beam)];
@@ -105,13 +108,22 @@ pub(super) fn beams_on_row(
             continue;
         }
         active &= !hidden(tracer, frame, sweep, &origins.map(|origin| beam.shadow_ray(origin)), active);
-        shown |= active != 0;
-        for (i, place) in row.iter().enumerate() {
-            if let (Some(Place { look: Some(look), facet, .. }), 1) = (place, active >> i & 1) {
-                let direction = (beam.position - facet.position).normalize();
-                sums[i] += look.lit_by(beam.color() * strengths[i], direction, -facet.direction);
-            }
+        if active == 0 {
+            continue;
+        }
+        shown = true;
+        let arriving = f32x8::new(std::array::from_fn(|i| if active >> i & 1 == 1 { strengths[i] } else { 0.0 }));
+        let to_lamp: [f32x8; 3] = std::array::from_fn(|k| f32x8::splat(beam.position[k]) - positions[k]);
+        let [x, y, z] = to_lamp.map(|axis| axis * axis);
+        let over = f32x8::ONE / (x + y + z).sqrt();
+        let lit = looks.lit_by(&to_lamp.map(|axis| axis * over));
+        for k in 0..3 {
+            sums[k] += lit[k] * arriving * f32x8::splat(beam.color()[k]);
         }
     }
-    if shown { std::array::from_fn(|i| sums[i] * transmittance[i]) } else { sums }
+    if !shown {
+        return [Vec3A::ZERO; 8];
+    }
+    let [x, y, z] = sums.map(f32x8::to_array);
+    std::array::from_fn(|i| Vec3A::new(x[i], y[i], z[i]) * transmittance[i])
 }

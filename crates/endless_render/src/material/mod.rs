@@ -6,9 +6,11 @@ mod building;
 mod cabin;
 mod ground;
 mod look;
+mod look8;
 pub(crate) mod noise;
 mod thing;
 mod wet;
 mod window;
 
 pub(crate) use look::{Look, look};
+pub(crate) use look8::Look8;

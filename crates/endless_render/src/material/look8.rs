@@ -1,0 +1,177 @@
+//! Eight looks side by side, each towards its own viewer: their light from one small light after another.
+
+use super::Look;
+use glam::Vec3A;
+use std::f32::consts::{FRAC_1_PI, PI};
+use wide::f32x8;
+
+/// Eight vectors: x, y, z.
+pub(crate) type Vectors = [f32x8; 3];
+
+/// What [`Look::lit_by`] needs of eight looks; what depends on the viewers alone is known beforehand.
+pub(crate) struct Look8 {
+    albedo: Vectors,
+    base: Lobe,
+    specular: f32x8,
+    /// (1 − roughness)² of the base.
+    smooth: f32x8,
+    /// Share of the diffuse light that the specular lobe leaves on its way to the viewer.
+    left: f32x8,
+    /// Share of light that the coat lets through, a channel each.
+    below: Vectors,
+    translucency: f32x8,
+    coat: f32x8,
+    coat_f0: Vectors,
+    coat_lobe: Lobe,
+    /// To the viewer.
+    view: Vectors,
+}
+
+impl Look8 {
+    /// Of these looks, each with the direction to its viewer; the rest stay dark.
+    pub(crate) fn new(looks: &[Option<(&Look, Vec3A)>; 8]) -> Self {
+        let number = |of: fn(&Look) -> f32| f32x8::new(looks.map(|l| l.map_or(0.0, |(look, _)| of(look))));
+        let vectors = |of: fn(&Look, Vec3A) -> Vec3A| {
+            let v = looks.map(|l| l.map_or(Vec3A::ZERO, |(look, view)| of(look, view)));
+            [f32x8::new(v.map(|v| v.x)), f32x8::new(v.map(|v| v.y)), f32x8::new(v.map(|v| v.z))]
+        };
+        let view = vectors(|_, view| view);
+        let (coat, roughness, specular) = (number(|l| l.coat), number(|l| l.roughness), number(|l| l.specular));
+        let coat_f0 = vectors(|l, _| l.coat_f0);
+        let base = Lobe::new(vectors(|l, _| l.normal), roughness, &view);
+        let coat_lobe = Lobe::new(vectors(|l, _| l.coat_normal), number(|l| l.coat_roughness), &view);
+        let smooth = (f32x8::ONE - roughness).fast_max(f32x8::ZERO);
+        let smooth = smooth * smooth;
+        let left = f32x8::ONE - grazing(specular, smooth, dot(&base.normal, &view));
+        let towards = dot(&coat_lobe.normal, &view).abs();
+        let below = fresnel(&coat_f0, towards).map(|f| f32x8::ONE - f * coat);
+        let (albedo, translucency) = (vectors(|l, _| l.albedo), number(|l| l.translucency));
+        Self { albedo, base, specular, smooth, left, below, translucency, coat, coat_f0, coat_lobe, view }
+    }
+
+    /// Radiance towards the viewers, over the illuminance of a surface facing the light; `light` points to the light.
+    pub(crate) fn lit_by(&self, light: &Vectors) -> Vectors {
+        let cosine = dot(&self.base.normal, light);
+        let facing = cosine.fast_max(f32x8::ZERO);
+        let half = normalize([0, 1, 2].map(|k| self.view[k] + light[k]));
+        let half_view = dot(&half, &self.view);
+        let left = (f32x8::ONE - grazing(self.specular, self.smooth, cosine)) * self.left;
+        let matte = facing * left * f32x8::splat(FRAC_1_PI);
+        let shine = self.base.value(light, &half) * grazing(self.specular, self.smooth, half_view) * facing;
+        let mut out: Vectors = std::array::from_fn(|k| self.albedo[k] * matte);
+        if self.translucency.simd_gt(f32x8::ZERO).any() {
+            // Leaves: part of the light comes through, greener and brighter against the sun.
+            let behind = (-cosine).fast_max(f32x8::ZERO) * f32x8::splat(FRAC_1_PI);
+            for (k, tint) in [1.0, 1.15, 0.5].into_iter().enumerate() {
+                let through = self.albedo[k] * behind * f32x8::splat(tint * 1.3);
+                out[k] = out[k] * (f32x8::ONE - self.translucency) + through * self.translucency;
+            }
+        }
+        out = std::array::from_fn(|k| self.below[k] * (out[k] + shine));
+        if self.coat.simd_gt(f32x8::ZERO).any() {
+            let facing = dot(&self.coat_lobe.normal, light).fast_max(f32x8::ZERO);
+            let lobe = self.coat * self.coat_lobe.value(light, &half) * facing;
+            let mirrored = fresnel(&self.coat_f0, half_view.abs());
+            out = std::array::from_fn(|k| out[k] + mirrored[k] * lobe);
+        }
+        out
+    }
+}
+
+/// A GGX lobe towards a viewer.
+struct Lobe {
+    normal: Vectors,
+    /// α².
+    a2: f32x8,
+    /// Cosine to the viewer.
+    n_v: f32x8,
+    /// √(n_v² (1 − α²) + α²).
+    masked: f32x8,
+}
+
+impl Lobe {
+    fn new(normal: Vectors, roughness: f32x8, view: &Vectors) -> Self {
+        let alpha = (roughness * roughness).fast_max(f32x8::splat(0.0016));
+        let a2 = alpha * alpha;
+        let n_v = dot(&normal, view).fast_max(f32x8::splat(0.02));
+        let masked = (n_v * n_v * (f32x8::ONE - a2) + a2).sqrt();
+        Self { normal, a2, n_v, masked }
+    }
+
+    /// Distribution and height-correlated shadowing-masking (Heitz 2014) over 4 cos cos.
+    fn value(&self, light: &Vectors, half: &Vectors) -> f32x8 {
+        let n_h = dot(&self.normal, half).fast_max(f32x8::ZERO);
+        let n_l = dot(&self.normal, light).fast_max(f32x8::ZERO);
+        let d = n_h * n_h * (self.a2 - f32x8::ONE) + f32x8::ONE;
+        let shadowed = (n_l * n_l * (f32x8::ONE - self.a2) + self.a2).sqrt();
+        let visibility = (n_l * self.masked + self.n_v * shadowed).fast_max(f32x8::splat(1e-4));
+        self.a2 * f32x8::splat(0.5) / (f32x8::splat(PI) * d * d * visibility)
+    }
+}
+
+fn dot(a: &Vectors, b: &Vectors) -> f32x8 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn normalize(v: Vectors) -> Vectors {
+    let over = f32x8::ONE / dot(&v, &v).fast_max(f32x8::splat(1e-30)).sqrt();
+    v.map(|axis| axis * over)
+}
+
+/// Schlick's fifth power.
+fn schlick(cosine: f32x8) -> f32x8 {
+    let m = (f32x8::ONE - cosine).fast_max(f32x8::ZERO).fast_min(f32x8::ONE);
+    let m2 = m * m;
+    m2 * m2 * m
+}
+
+fn fresnel(f0: &Vectors, cosine: f32x8) -> Vectors {
+    let m5 = schlick(cosine);
+    f0.map(|f| f + (f32x8::ONE - f) * m5)
+}
+
+fn grazing(f0: f32x8, smooth: f32x8, cosine: f32x8) -> f32x8 {
+    f0 + ((f0 * f32x8::splat(50.0)).fast_min(f32x8::ONE) - f0) * smooth * schlick(cosine)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn direction() -> impl Strategy<Value = Vec3A> {
+        (-1.0f32..1.0, -1.0f32..1.0, 0.05f32..1.0).prop_map(|(x, y, z)| Vec3A::new(x, y, z).normalize())
+    }
+
+    fn look() -> impl Strategy<Value = Look> {
+        (direction(), direction(), 0.1f32..1.0, 0.0f32..0.08, 0.0f32..1.0, 0.05f32..0.5, 0.0f32..0.5).prop_map(
+            |(normal, coat_normal, roughness, specular, coat, coat_roughness, translucency)| {
+                let mut look = Look::matte(Vec3A::new(0.2, 0.4, 0.6), normal).coated(
+                    if coat < 0.4 { 0.0 } else { coat },
+                    0.04,
+                    coat_roughness,
+                );
+                (look.roughness, look.specular, look.coat_normal) = (roughness, specular, coat_normal);
+                look.translucency = if translucency < 0.25 { 0.0 } else { translucency };
+                look
+            },
+        )
+    }
+
+    proptest! {
+        #[test]
+        fn eight_are_lit_as_one_after_another(
+            looks in prop::collection::vec((look(), direction(), direction()), 8), there in any::<u8>(),
+        ) {
+            let eight = std::array::from_fn(|i| (there >> i & 1 == 1).then_some((&looks[i].0, looks[i].1)));
+            let light = [0, 1, 2].map(|k| f32x8::new(std::array::from_fn(|i| looks[i].2[k])));
+            let lit = Look8::new(&eight).lit_by(&light).map(|axis| axis.to_array());
+            for i in (0..8).filter(|i| there >> i & 1 == 1) {
+                let (look, view, light) = &looks[i];
+                let one = look.lit_by(Vec3A::ONE, *light, *view);
+                let found = Vec3A::new(lit[0][i], lit[1][i], lit[2][i]);
+                prop_assert!(found.abs_diff_eq(one, 2e-4 * one.max_element().max(0.01)), "{found} {one}");
+            }
+        }
+    }
+}
