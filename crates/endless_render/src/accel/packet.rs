@@ -55,7 +55,7 @@ impl Accel {
                 for row in rows::<N>(active) {
                     let mut part = trip.row(row);
                     self.trace_row::<ANY>(&rays[row], &mut part, &mut stack);
-                    trip.set_row(row, part);
+                    trip.set_row(row, &part);
                 }
             }
             None => self.trace_singly::<ANY, N>(rays, &mut trip),
@@ -137,8 +137,8 @@ impl<const N: usize> Trip<N> {
         part
     }
 
-    fn set_row(&mut self, row: usize, part: Trip<1>) {
-        let Trip { live, best: [best], ends: [ends], .. } = part;
+    fn set_row(&mut self, row: usize, part: &Trip<1>) {
+        let Trip { live, best: [best], ends: [ends], .. } = *part;
         self.live = self.live & !(255 << (8 * row)) | live << (8 * row);
         (self.best[row], self.ends[row]) = (best, ends);
     }
@@ -195,7 +195,7 @@ impl Entry {
                     let mut part = trip.row(row);
                     let entered = entered >> (8 * row) & 255;
                     self.trace_row::<ANY>(&rays[row], tnear[row], entered, &mut part, stack);
-                    trip.set_row(row, part);
+                    trip.set_row(row, &part);
                 }
             }
             None => {

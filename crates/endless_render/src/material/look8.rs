@@ -165,7 +165,7 @@ mod tests {
         ) {
             let eight = std::array::from_fn(|i| (there >> i & 1 == 1).then_some((&looks[i].0, looks[i].1)));
             let light = [0, 1, 2].map(|k| f32x8::new(std::array::from_fn(|i| looks[i].2[k])));
-            let lit = Look8::new(&eight).lit_by(&light).map(|axis| axis.to_array());
+            let lit = Look8::new(&eight).lit_by(&light).map(f32x8::to_array);
             for i in (0..8).filter(|i| there >> i & 1 == 1) {
                 let (look, view, light) = &looks[i];
                 let one = look.lit_by(Vec3A::ONE, *light, *view);
