@@ -12,7 +12,7 @@ mod report;
 use args::{Cli, Command};
 use clap::Parser;
 use endless_pipeline::{BuiltinSimulator, RecipeError};
-use std::process::ExitCode;
+use std::{io, process::ExitCode};
 
 /// What went wrong was what was asked for.
 const USAGE: u8 = 2;
@@ -34,6 +34,10 @@ fn main() -> ExitCode {
     };
     match result {
         Ok(code) => code,
+        // Whoever read a list has read enough of it.
+        Err(error) if error.downcast_ref::<io::Error>().is_some_and(|e| e.kind() == io::ErrorKind::BrokenPipe) => {
+            ExitCode::SUCCESS
+        }
         Err(error) => {
             eprintln!("error: {}", one_line(&format!("{error:#}")));
             ExitCode::from(if error.is::<RecipeError>() { USAGE } else { FAILURE })

@@ -3,7 +3,7 @@
 use std::{
     fs,
     path::Path,
-    process::{Command, Output},
+    process::{Command, Output, Stdio},
 };
 
 fn endless(folder: &Path, args: &str) -> Output {
@@ -108,4 +108,18 @@ fn the_output_cannot_be_used() {
     assert_eq!(huge.status.code(), Some(1));
     assert!(message.contains("free, the dataset needs about") && message.lines().count() == 1, "{message}");
     assert!(!folder.path().join("huge").exists(), "said before it starts");
+}
+
+#[test]
+fn a_reader_who_has_seen_enough_is_no_error() {
+    let mut listing = Command::new(env!("CARGO_BIN_EXE_endless"))
+        .args(["assets", "list"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("starts");
+    drop(listing.stdout.take());
+    let output = listing.wait_with_output().expect("ends");
+    assert!(output.status.success());
+    assert!(!String::from_utf8_lossy(&output.stderr).contains("error"), "{output:?}");
 }
