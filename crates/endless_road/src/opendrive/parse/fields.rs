@@ -5,8 +5,9 @@ use super::super::document::{Cubic, End, Orientation};
 use super::super::xml::Element;
 use crate::Note;
 
-/// Beyond this no coordinate or length means anything, metres.
-const FARTHEST: f64 = 1e7;
+/// Beyond this no coordinate or length means anything, metres. UTM's northings go to half of it; a map may reach less
+/// far, so that a map near its own limit can be written and read again.
+const FARTHEST: f64 = 2e7;
 
 /// Reads attributes; collects what had to be guessed.
 #[derive(Debug, Default)]

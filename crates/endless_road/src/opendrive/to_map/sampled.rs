@@ -17,7 +17,7 @@ const HIGHEST_M: f64 = 10_000.0;
 /// No lane lies further beside its reference line than this, metres.
 const ASIDE_M: f64 = 1000.0;
 /// No point of a map is further from its origin, metres.
-const FARTHEST: f64 = 1e7;
+const FARTHEST: f64 = 1.7e7;
 
 /// One lane of one section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -75,7 +75,7 @@ impl<'a> Sampled<'a> {
                     .flat_map(|lane| lane.left.iter().chain(&lane.right))
                     .any(|p| !p.is_finite() || p.abs().max_element() > FARTHEST)
                 {
-                    let what = format!("of road {} reaches further than 10 000 km", shape.road.id);
+                    let what = format!("of road {} reaches further than 17 000 km", shape.road.id);
                     return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
                 }
                 if let Some(wrong) = sampled.as_ref().and_then(|section| implausible(shape, section)) {
