@@ -45,8 +45,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         for (camera, time) in baked.iter().zip(&mut times) {
             let image = camera.render(&still, &frame);
             print.write(image.rgb.data.as_flattened());
-            // The least of three: other programs only add to it.
-            let again = (0..3).map(|_| {
+            // The least of five: other programs only add to it.
+            let again = (0..5).map(|_| {
                 let begin = processor_time();
                 camera.render(&still, &frame);
                 processor_time().saturating_sub(begin)

@@ -23,6 +23,6 @@ mod sampling;
 mod scene;
 mod shade;
 
-pub use accel::{Accel, Blas, Hit, Ray};
+pub use accel::{Accel, Blas, Hit, Hits, Ray, RayBundle};
 pub use cache::{BakeStats, CameraBake, RenderSettings};
 pub use scene::{Cast, FrameScene, StaticScene};

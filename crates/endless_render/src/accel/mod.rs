@@ -14,6 +14,7 @@
 mod blas;
 #[cfg(test)]
 mod brute;
+mod bundle;
 mod collapse;
 mod groups;
 mod node;
@@ -28,6 +29,8 @@ mod tlas;
 mod triangle;
 
 pub use blas::Blas;
+pub(crate) use bundle::lanes;
+pub use bundle::{Hits, RayBundle};
 pub(crate) use blas::Use;
 pub(crate) use node::corners;
 pub use ray::{Hit, Ray};

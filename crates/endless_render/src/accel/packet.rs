@@ -7,13 +7,13 @@
 
 use wide::f32x8;
 
-use super::node::{Link, Node};
+use super::bundle::{Hits, RayBundle, lanes};
+use super::node::{Beam, Link, Node};
 use super::packet_ray::PacketRay;
 use super::ray::{Hit, LocalRay, Ray};
 use super::single::trace_blas;
 use super::stack::Stack;
 use super::tlas::{Accel, Entry};
-use super::{node::Beam, ray::Transform};
 
 /// With no more lanes than this, single rays are faster.
 const FEW: u32 = 2;
@@ -21,31 +21,32 @@ const FEW: u32 = 2;
 impl Accel {
     /// [`Accel::closest`] for those of eight rays whose bit is set in `active`; faster when they run side by side.
     pub fn closest8(&self, rays: &[Ray; 8], active: u8) -> [Option<Hit>; 8] {
-        let [found] = self.trace_side_by_side::<false, 1>(std::array::from_ref(rays), u32::from(active)).found(active);
-        found
+        let rays = RayBundle::of(std::array::from_ref(rays));
+        let hits = self.trace_together::<false, 1>(&rays, u32::from(active)).hits(u32::from(active));
+        std::array::from_fn(|lane| hits.get(lane))
     }
 
     /// [`Accel::occluded`] for those of eight rays whose bit is set in `active`, one bit each.
     pub fn occluded8(&self, rays: &[Ray; 8], active: u8) -> u8 {
-        active & !(self.trace_side_by_side::<true, 1>(std::array::from_ref(rays), u32::from(active)).live as u8)
+        let rays = RayBundle::of(std::array::from_ref(rays));
+        active & !(self.trace_together::<true, 1>(&rays, u32::from(active)).live as u8)
     }
 
-    /// [`Accel::closest8`] for four times eight rays; bit `8 × row + lane` of `active` is that of `rays[row][lane]`.
-    pub fn closest32(&self, rays: &[[Ray; 8]; 4], active: u32) -> [[Option<Hit>; 8]; 4] {
-        self.trace_side_by_side::<false, 4>(rays, active).found(active)
+    /// [`Accel::closest`] for those of a bundle's rays whose bit is set in `active`.
+    pub fn closest32(&self, rays: &RayBundle<4>, active: u32) -> Hits<4> {
+        self.trace_together::<false, 4>(rays, active).hits(active)
     }
 
-    /// [`Accel::occluded8`] for four times eight rays.
-    pub fn occluded32(&self, rays: &[[Ray; 8]; 4], active: u32) -> u32 {
-        active & !self.trace_side_by_side::<true, 4>(rays, active).live
+    /// [`Accel::occluded`] for those of a bundle's rays whose bit is set in `active`, one bit each.
+    pub fn occluded32(&self, rays: &RayBundle<4>, active: u32) -> u32 {
+        active & !self.trace_together::<true, 4>(rays, active).live
     }
 
     #[inline(always)]
-    fn trace_side_by_side<const ANY: bool, const N: usize>(&self, rays: &[[Ray; 8]; N], active: u32) -> Trip<N> {
+    fn trace_together<const ANY: bool, const N: usize>(&self, rays: &RayBundle<N>, active: u32) -> Trip<N> {
         let mut trip = Trip::new(rays, active);
         let mut stack = Stack::new();
-        let one_row = N > 1 && rows::<N>(active).count() == 1;
-        match PacketRay::in_world(rays, active).filter(|_| active.count_ones() > FEW && !one_row) {
+        match Some(active).filter(|a| worth_a_packet::<N>(*a)).and_then(|active| PacketRay::in_world(rays, active)) {
             Some(packet) => {
                 walk::<ANY, N>(self.nodes(), self.root(), &packet, &mut trip, &mut stack, |link, trip, stack| {
                     self.entry(link).trace_packet::<ANY, N>(rays, &packet, trip, stack);
@@ -54,7 +55,7 @@ impl Accel {
             None if N > 1 => {
                 for row in rows::<N>(active) {
                     let mut part = trip.row(row);
-                    self.trace_row::<ANY>(&rays[row], &mut part, &mut stack);
+                    self.trace_row::<ANY>(&rays.row(row), &mut part, &mut stack);
                     trip.set_row(row, &part);
                 }
             }
@@ -64,9 +65,8 @@ impl Accel {
     }
 
     #[inline(never)]
-    fn trace_row<const ANY: bool>(&self, rays: &[Ray; 8], trip: &mut Trip<1>, stack: &mut Stack) {
-        let rays = std::array::from_ref(rays);
-        match PacketRay::in_world(rays, trip.live).filter(|_| trip.live.count_ones() > FEW) {
+    fn trace_row<const ANY: bool>(&self, rays: &RayBundle<1>, trip: &mut Trip<1>, stack: &mut Stack) {
+        match Some(trip.live).filter(|l| worth_a_packet::<1>(*l)).and_then(|live| PacketRay::in_world(rays, live)) {
             Some(packet) => walk::<ANY, 1>(self.nodes(), self.root(), &packet, trip, stack, |link, trip, stack| {
                 self.entry(link).trace_packet::<ANY, 1>(rays, &packet, trip, stack);
             }),
@@ -74,16 +74,21 @@ impl Accel {
         }
     }
 
-    fn trace_singly<const ANY: bool, const N: usize>(&self, rays: &[[Ray; 8]; N], trip: &mut Trip<N>) {
+    fn trace_singly<const ANY: bool, const N: usize>(&self, rays: &RayBundle<N>, trip: &mut Trip<N>) {
         for lane in lanes(trip.live) {
-            let ray = &rays[lane / 8][lane % 8];
-            if ANY && self.occluded(ray) {
+            let ray = rays.ray(lane);
+            if ANY && self.occluded(&ray) {
                 trip.live &= !(1 << lane);
-            } else if !ANY && let Some(hit) = self.closest(ray) {
+            } else if !ANY && let Some(hit) = self.closest(&ray) {
                 trip.improve(lane, hit);
             }
         }
     }
+}
+
+/// Whether these lanes are enough to go together, and lie in more than one row if there are rows.
+fn worth_a_packet<const N: usize>(lanes: u32) -> bool {
+    lanes.count_ones() > FEW && (N == 1 || rows::<N>(lanes).count() > 1)
 }
 
 /// How far N times eight rays have come.
@@ -98,10 +103,9 @@ pub(super) struct Trip<const N: usize> {
 }
 
 impl<const N: usize> Trip<N> {
-    fn new(rays: &[[Ray; 8]; N], active: u32) -> Self {
-        let best = rays.map(|row| row.map(|ray| Hit::none(ray.tmax)));
-        let ends = best.map(|row| f32x8::new(row.map(|hit| hit.t)));
-        let mut trip = Trip { live: active, best, ends, reach: 0.0 };
+    fn new(rays: &RayBundle<N>, active: u32) -> Self {
+        let best = rays.tmax.map(|row| row.to_array().map(Hit::none));
+        let mut trip = Trip { live: active, best, ends: rays.tmax, reach: 0.0 };
         trip.update_reach();
         trip
     }
@@ -143,21 +147,9 @@ impl<const N: usize> Trip<N> {
         (self.best[row], self.ends[row]) = (best, ends);
     }
 
-    /// The hits of active lanes.
-    fn found(&self, active: impl Into<u32>) -> [[Option<Hit>; 8]; N] {
-        let active = active.into();
-        let found = |lane: usize| self.best(lane).found().filter(|_| active >> lane & 1 != 0);
-        std::array::from_fn(|row| std::array::from_fn(|lane| found(8 * row + lane)))
+    fn hits(self, asked: u32) -> Hits<N> {
+        Hits { best: self.best, asked }
     }
-}
-
-/// The lanes of a mask.
-pub(super) fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
-        let lane = mask.trailing_zeros() as usize;
-        mask &= mask.wrapping_sub(1);
-        (lane < 32).then_some(lane)
-    })
 }
 
 /// The rows of eight lanes in which a mask has any.
@@ -169,7 +161,7 @@ impl Entry {
     #[inline(always)]
     fn trace_packet<const ANY: bool, const N: usize>(
         &self,
-        rays: &[[Ray; 8]; N],
+        rays: &RayBundle<N>,
         world: &PacketRay<N>,
         trip: &mut Trip<N>,
         stack: &mut Stack,
@@ -179,37 +171,26 @@ impl Entry {
         if entered == 0 {
             return;
         }
-        let alone = N > 1 && rows::<N>(entered).count() == 1;
-        let local = match &self.object_from_world {
-            Some(transform) if !alone && entered.count_ones() > FEW => world.transformed(transform),
-            _ => None,
-        };
-        let packet = if self.object_from_world.is_none() { Some(world) } else { local.as_ref() };
-        match packet.filter(|_| !alone && entered.count_ones() > FEW) {
-            Some(packet) => {
-                let tmin = self.object_from_world.as_ref().map(|_| &tnear);
-                self.trace_blas_by_packet::<ANY, N>(packet, tmin, entered, trip, stack);
+        let local;
+        let packet = match &self.object_from_world {
+            _ if !worth_a_packet::<N>(entered) => None,
+            None => Some(world),
+            Some(transform) => {
+                local = world.transformed(transform);
+                local.as_ref()
             }
+        };
+        match packet {
+            Some(packet) => self.trace_blas_by_packet::<ANY, N>(packet, &tnear, entered, trip, stack),
             None if N > 1 && entered.count_ones() > FEW => {
                 for row in rows::<N>(entered) {
                     let mut part = trip.row(row);
                     let entered = entered >> (8 * row) & 255;
-                    self.trace_row::<ANY>(&rays[row], tnear[row], entered, &mut part, stack);
+                    self.trace_row::<ANY>(&rays.row(row), &[tnear[row]], entered, &mut part, stack);
                     trip.set_row(row, &part);
                 }
             }
-            None => {
-                for lane in lanes(entered) {
-                    let (row, column) = (lane / 8 % N, lane % 8);
-                    let tmin = self.object_from_world.as_ref().map_or(0.0, |_| tnear[row].as_array()[column]);
-                    let mut best = *trip.best(lane);
-                    let found = self.trace_lane::<ANY>(&rays[row][column], tmin, &mut best, stack);
-                    trip.improve(lane, best);
-                    if found && ANY {
-                        trip.live &= !(1 << lane);
-                    }
-                }
-            }
+            None => self.trace_lanes::<ANY, N>(rays, &tnear, entered, trip, stack),
         }
         trip.update_reach();
     }
@@ -218,31 +199,38 @@ impl Entry {
     #[inline(never)]
     fn trace_row<const ANY: bool>(
         &self,
-        rays: &[Ray; 8],
-        tnear: f32x8,
+        rays: &RayBundle<1>,
+        tnear: &[f32x8; 1],
         entered: u32,
         trip: &mut Trip<1>,
         stack: &mut Stack,
     ) {
-        let world = PacketRay::in_world(std::array::from_ref(rays), entered).filter(|_| entered.count_ones() > FEW);
+        let world = Some(entered).filter(|e| worth_a_packet::<1>(*e)).and_then(|e| PacketRay::in_world(rays, e));
         let local = world.and_then(|world| match &self.object_from_world {
             Some(transform) => world.transformed(transform),
             None => Some(world),
         });
-        let near = [tnear];
-        let tmin = self.object_from_world.as_ref().map(|_: &Transform| &near);
         match local {
-            Some(packet) => self.trace_blas_by_packet::<ANY, 1>(&packet, tmin, entered, trip, stack),
-            None => {
-                for lane in lanes(entered) {
-                    let mut best = *trip.best(lane);
-                    let tmin = tmin.map_or(0.0, |t| t[0].as_array()[lane % 8]);
-                    let found = self.trace_lane::<ANY>(&rays[lane % 8], tmin, &mut best, stack);
-                    trip.improve(lane, best);
-                    if found && ANY {
-                        trip.live &= !(1 << lane);
-                    }
-                }
+            Some(packet) => self.trace_blas_by_packet::<ANY, 1>(&packet, tnear, entered, trip, stack),
+            None => self.trace_lanes::<ANY, 1>(rays, tnear, entered, trip, stack),
+        }
+    }
+
+    fn trace_lanes<const ANY: bool, const N: usize>(
+        &self,
+        rays: &RayBundle<N>,
+        tnear: &[f32x8; N],
+        entered: u32,
+        trip: &mut Trip<N>,
+        stack: &mut Stack,
+    ) {
+        for lane in lanes(entered) {
+            let tmin = self.object_from_world.as_ref().map_or(0.0, |_| tnear[lane / 8 % N].as_array()[lane % 8]);
+            let mut best = *trip.best(lane);
+            let found = self.trace_lane::<ANY>(&rays.ray(lane), tmin, &mut best, stack);
+            trip.improve(lane, best);
+            if found && ANY {
+                trip.live &= !(1 << lane);
             }
         }
     }
@@ -251,11 +239,13 @@ impl Entry {
     fn trace_blas_by_packet<const ANY: bool, const N: usize>(
         &self,
         packet: &PacketRay<N>,
-        tmin: Option<&[f32x8; N]>,
+        tnear: &[f32x8; N],
         entered: u32,
         trip: &mut Trip<N>,
         stack: &mut Stack,
     ) {
+        // In the frame of an instance a hit may seem to lie before the box in the world that was entered.
+        let tmin = self.object_from_world.as_ref().map(|_| tnear);
         let outside = trip.live & !entered;
         trip.live &= entered;
         trip.update_reach();

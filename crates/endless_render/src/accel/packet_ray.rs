@@ -3,9 +3,10 @@
 use glam::Vec3A;
 use wide::{f32x4, f32x8};
 
+use super::bundle::{RayBundle, lanes};
 use super::node::Beam;
-use super::packet::{Trip, lanes};
-use super::ray::{FAR_PAD, Hit, MAX_INVERSE, Ray, Transform, permutation};
+use super::packet::Trip;
+use super::ray::{FAR_PAD, Hit, MAX_INVERSE, Transform, permutation};
 use super::triangle::TriangleGroup;
 
 /// N times eight rays whose directions agree in signs and main axis.
@@ -24,23 +25,22 @@ pub(super) struct PacketRay<const N: usize> {
 impl<const N: usize> PacketRay<N> {
     /// `None` if directions do not agree. Lanes that are not active follow one that is.
     #[inline(always)]
-    pub(super) fn in_world(rays: &[[Ray; 8]; N], active: u32) -> Option<Self> {
+    pub(super) fn in_world(rays: &RayBundle<N>, active: u32) -> Option<Self> {
+        if active == u32::MAX >> (32 - 8 * N) {
+            return Self::new(rays.origin, rays.direction);
+        }
         let first = active.trailing_zeros() as usize % (8 * N);
-        let ray = |lane: usize| match active >> lane & 1 {
-            0 => &rays[first / 8][first % 8],
-            _ => &rays[lane / 8][lane % 8],
+        let mask: [f32x8; N] = std::array::from_fn(|row| {
+            let all_or_none = |lane: usize| f32::from_bits(0u32.wrapping_sub(active >> (8 * row + lane) & 1));
+            f32x8::new(std::array::from_fn(all_or_none))
+        });
+        let follow = |v: &[[f32x8; N]; 3]| {
+            v.map(|axis| {
+                let followed = f32x8::splat(axis[first / 8].as_array()[first % 8]);
+                std::array::from_fn(|row| mask[row].select(axis[row], followed))
+            })
         };
-        let lanes = |of: fn(&Ray) -> Vec3A| {
-            let mut planes = [[f32x8::ZERO; N]; 3];
-            for row in 0..N {
-                let v: [Vec3A; 8] = std::array::from_fn(|lane| of(ray(8 * row + lane)));
-                planes[0][row] = f32x8::new(v.map(|v| v.x));
-                planes[1][row] = f32x8::new(v.map(|v| v.y));
-                planes[2][row] = f32x8::new(v.map(|v| v.z));
-            }
-            planes
-        };
-        Self::new(lanes(|ray| ray.origin), lanes(|ray| ray.direction))
+        Self::new(follow(&rays.origin), follow(&rays.direction))
     }
 
     /// The same rays in the frame of an instance; `None` if directions do not agree there.

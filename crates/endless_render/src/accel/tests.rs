@@ -4,7 +4,7 @@ use glam::{Affine3A, EulerRot, Quat, Vec3, Vec3A};
 use proptest::prelude::*;
 
 use super::brute::Scene;
-use super::{Accel, Blas, Ray, Use};
+use super::{Accel, Blas, Ray, RayBundle, Use};
 
 type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
 
@@ -100,11 +100,13 @@ proptest! {
                     rays[row] = rays[0].map(|ray| Ray { origin: ray.origin + Vec3A::splat(row as f32 * 1e-3), ..ray });
                 }
             }
-            let closest = scene.accel.closest32(&rays, active);
-            let occluded = scene.accel.occluded32(&rays, active);
+            let bundle = RayBundle::of(&rays);
+            let closest = scene.accel.closest32(&bundle, active);
+            let occluded = scene.accel.occluded32(&bundle, active);
             for (lane, ray) in rays.as_flattened().iter().enumerate() {
                 let expected = if active >> lane & 1 != 0 { scene.closest(ray) } else { None };
-                prop_assert_eq!(closest[lane / 8][lane % 8], expected, "lane {}", lane);
+                prop_assert_eq!(bundle.ray(lane).tmax.to_bits(), ray.tmax.to_bits());
+                prop_assert_eq!(closest.get(lane), expected, "lane {}", lane);
                 prop_assert_eq!(occluded >> lane & 1 != 0, expected.is_some(), "lane {}", lane);
             }
         }
@@ -302,8 +304,9 @@ fn odd_rays_end() {
             scene.accel.occluded(&ray);
             scene.accel.closest8(&[ray; 8], 255);
             scene.accel.occluded8(&[ray; 8], 255);
-            scene.accel.closest32(&[[ray; 8]; 4], u32::MAX);
-            scene.accel.occluded32(&[[ray; 8]; 4], u32::MAX);
+            let bundle = RayBundle::of(&[[ray; 8]; 4]);
+            scene.accel.closest32(&bundle, u32::MAX);
+            scene.accel.occluded32(&bundle, u32::MAX);
         }
     }
 }

@@ -64,11 +64,10 @@ impl Cover {
         Self { centre, samples, way, shaded: first..list.len(), light: Vec3A::ZERO }
     }
 
-    /// With the lights of the listed samples.
-    pub(super) fn lit(self, seen: &[Seen<'_>], lights: &[Vec3A]) -> Self {
-        let each = self.shaded.clone();
-        let weighted = |(seen, light): (&Seen<'_>, &Vec3A)| *light * f32::from(seen.stands_for);
-        Self { light: seen[each.clone()].iter().zip(&lights[each]).map(weighted).sum(), ..self }
+    /// The sample that tells the whole pixel, if one does.
+    pub(super) fn told_by(&self, seen: &[Seen<'_>]) -> Option<usize> {
+        let alone = self.shaded.len() == 1 && usize::from(seen[self.shaded.start].stands_for) == SAMPLES;
+        alone.then_some(self.shaded.start)
     }
 }
 

@@ -6,6 +6,7 @@ use super::canvas::{Canvas, Pixel};
 use super::centre::{CentreLight, Place, centre_lights};
 use super::compose::{compose, sun_can_light, sun_origin};
 use super::cover::Cover;
+use super::covers::{Asked, covers};
 use super::mirror::{Mirrored, mirrored, mirrored_row};
 use super::row::{Found, Row};
 use super::still_pixel::StillPixel;
@@ -14,9 +15,10 @@ use super::sweep::beams_on_samples;
 use super::tile::TILE;
 use crate::accel::Ray;
 use crate::film::{LEAST_PX, Streak};
+use crate::light::HaloGrid;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfacePoint};
-use crate::shade::{Seen, Tracer, shade_moving, shade_moving8};
+use crate::shade::{Seen, Tracer, shade_moving, shade_moving_together};
 use endless_world::SensorFrame;
 use glam::{Vec2, Vec3A};
 
@@ -25,10 +27,11 @@ impl CameraBake {
     pub fn render(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
         let tracer = self.tracer(still, frame);
         let mut canvas = Canvas::new(self);
+        let mut rows: Vec<Row<'_>> = (0..TILE).map(|_| Row::new(self)).collect();
         let mut traced = 0;
         for (tile, work) in affected(self, still, frame).iter().enumerate() {
             if !work.is_none() {
-                traced += self.render_tile(&tracer, frame, work, tile as u32, &mut canvas);
+                traced += self.render_tile(&tracer, frame, work, tile as u32, &mut rows, &mut canvas);
             }
         }
         self.stats.add(traced);
@@ -43,49 +46,11 @@ impl CameraBake {
     pub fn render_uncached(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
         assert_eq!(self.irradiance.len(), self.samples.len(), "the bake kept no irradiance");
         let tracer = self.tracer(still, frame);
-        let empty = Tracer { moving: None, ..tracer };
         let everything = Work::everything(self.environment.night, still, frame);
         let mut canvas = Canvas::new(self);
-        for y in 0..self.camera.size.height {
-            for x in 0..self.camera.size.width {
-                let mut samples: [StillSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
-                if self.environment.night && self.uniform[(y * self.camera.size.width + x) as usize] {
-                    share_lamp_light(&mut samples);
-                }
-                let rays = std::array::from_fn(|s| self.ray(x, y, s));
-                let found = Found::one_by_one(
-                    self,
-                    frame,
-                    &rays,
-                    &samples,
-                    self.uniform[(y * self.camera.size.width + x) as usize],
-                );
-                let light = self.retraced_centre(&tracer, frame, &everything, x, y, &samples);
-                let still = still_light(&samples, &self.environment);
-                let pixel = match undisturbed(still, light.as_ref(), &found) {
-                    Some(radiance) => Pixel { radiance, covered: None, streak: None },
-                    None => {
-                        let mut seen = Vec::new();
-                        let cover = Cover::new(self, frame, &rays, &found, &mut seen);
-                        let shade =
-                            |seen: &Seen<'_>| shade_moving(&tracer, seen, self.pixel_angle) + self.halo(x, y, seen);
-                        let lights: Vec<Vec3A> = seen.iter().map(shade).collect();
-                        let cover = cover.lit(&seen, &lights);
-                        let mirrors = mirrored(&tracer, &samples, &rays, &found, self.pixel_angle);
-                        self.pixel(
-                            &tracer,
-                            frame,
-                            &everything,
-                            &rays,
-                            &samples,
-                            light.as_ref(),
-                            &found,
-                            mirrors,
-                            &cover,
-                        )
-                    }
-                };
-                canvas.set(self, x, y, &pixel);
+        for y0 in (0..self.camera.size.height).step_by(TILE as usize) {
+            for x0 in (0..self.camera.size.width).step_by(TILE as usize) {
+                self.retrace_tile(&tracer, frame, &everything, (x0, y0), &mut canvas);
             }
         }
         canvas.develop(self, frame.frame)
@@ -122,23 +87,45 @@ impl CameraBake {
     }
 
     /// Renders a tile; returns about how many rays that took.
-    fn render_tile(&self, tracer: &Tracer<'_>, frame: &FrameScene, work: &Work, tile: u32, canvas: &mut Canvas) -> u64 {
+    fn render_tile<'a>(
+        &'a self,
+        tracer: &Tracer<'_>,
+        frame: &FrameScene,
+        work: &Work,
+        tile: u32,
+        rows: &mut [Row<'a>],
+        canvas: &mut Canvas,
+    ) -> u64 {
         let (x0, y0) = (tile % self.tile_columns * TILE, tile / self.tile_columns * TILE);
-        let (x1, y1) = ((x0 + TILE).min(self.camera.size.width), (y0 + TILE).min(self.camera.size.height));
+        let (x1, y1) = self.tile_end(x0, y0);
+        let count = (x1 - x0) as usize;
         let mut rays = 0;
-        for y in y0..y1 {
+        for (y, row) in (y0..y1).zip(rows.iter_mut()) {
             let first = (y * self.camera.size.width + x0) as usize;
-            let uniform = &self.uniform[first..first + (x1 - x0) as usize];
-            let row = Row::new(self, x0, x1, y, !work.asks_rays() && uniform.iter().all(|u| *u));
-            let (found, traced) = row.find(frame, work);
-            rays += traced;
+            let uniform = &self.uniform[first..first + count];
+            row.aim(x0, x1, y, !work.asks_rays() && uniform.iter().all(|u| *u));
+            rays += row.find(frame, work);
+        }
+        let rows = &rows[..(y1 - y0) as usize];
+        let covered = rows.iter().enumerate().flat_map(|(y, row)| {
+            let seen = (0..count).filter(|&x| row.found[x].seen.iter().any(Option::is_some));
+            seen.map(move |x| Asked { place: y * TILE as usize + x, rays: row.rays(x), found: &row.found[x] })
+        });
+        let covers = covers(
+            self,
+            frame,
+            covered,
+            |seen| shade_moving_together(tracer, seen, self.pixel_angle),
+            |place, seen| self.halo((x0, y0), place, seen),
+        );
+        for ((y, row), covers) in (y0..).zip(rows).zip(covers.chunks(TILE as usize)) {
+            let found = &row.found;
             let same = |i: usize| work.only_found() && found[i].is_nothing();
-            if (0..(x1 - x0) as usize).all(same) {
+            if (0..count).all(same) {
                 continue;
             }
-            let lights = self.centre_lights(tracer, frame, work, &row, (x1 - x0) as usize, &found);
-            let covers = self.shade_row(tracer, frame, &row, (x0, x1, y), &found);
-            let mirrors = mirrored_row(tracer, &row, &found, self.pixel_angle);
+            let lights = self.centre_lights(tracer, frame, work, row, count, found);
+            let mirrors = mirrored_row(tracer, row, self.pixel_angle);
             for x in x0..x1 {
                 let i = (x - x0) as usize;
                 if same(i) {
@@ -163,37 +150,68 @@ impl CameraBake {
         rays
     }
 
-    /// What covers each pixel of a row, and its light, shaded eight samples side by side.
-    fn shade_row(
+    /// The same from nothing but the scene and the baked irradiance, a ray at a time.
+    fn retrace_tile(
         &self,
         tracer: &Tracer<'_>,
         frame: &FrameScene,
-        row: &Row<'_>,
-        (x0, x1, y): (u32, u32, u32),
-        found: &[Found; TILE as usize],
-    ) -> [Cover; TILE as usize] {
-        let mut seen = Vec::new();
-        let covers: [Cover; TILE as usize] = std::array::from_fn(|i| {
-            if i as u32 >= x1 - x0 || found[i].seen.iter().all(Option::is_none) {
-                return Cover::NONE;
-            }
-            Cover::new(self, frame, &row.rays(i), &found[i], &mut seen)
+        everything: &Work,
+        (x0, y0): (u32, u32),
+        canvas: &mut Canvas,
+    ) {
+        let empty = Tracer { moving: None, ..*tracer };
+        let (x1, y1) = self.tile_end(x0, y0);
+        let places = (y0..y1).flat_map(|y| (x0..x1).map(move |x| (x, y)));
+        let pixels: Vec<_> = places
+            .map(|(x, y)| {
+                let uniform = self.uniform[(y * self.camera.size.width + x) as usize];
+                let mut samples: [StillSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
+                if self.environment.night && uniform {
+                    share_lamp_light(&mut samples);
+                }
+                let rays = std::array::from_fn(|s| self.ray(x, y, s));
+                let found = Found::one_by_one(self, frame, &rays, &samples, uniform);
+                (x, y, samples, rays, found)
+            })
+            .collect();
+        let asked = pixels.iter().map(|(x, y, _, rays, found)| Asked {
+            place: ((y - y0) * TILE + x - x0) as usize,
+            rays: *rays,
+            found,
         });
-        let mut lights = vec![Vec3A::ZERO; seen.len()];
-        for (seen, lights) in seen.chunks(8).zip(lights.chunks_mut(8)) {
-            shade_moving8(tracer, seen, self.pixel_angle, lights);
+        let covers = covers(
+            self,
+            frame,
+            asked,
+            |seen| seen.iter().map(|seen| shade_moving(tracer, seen, self.pixel_angle)).collect(),
+            |place, seen| self.halo((x0, y0), place, seen),
+        );
+        for (x, y, samples, rays, found) in &pixels {
+            let (x, y) = (*x, *y);
+            let light = self.retraced_centre(tracer, frame, everything, x, y, samples);
+            let still = still_light(samples, &self.environment);
+            let pixel = match undisturbed(still, light.as_ref(), found) {
+                Some(radiance) => Pixel { radiance, covered: None, streak: None },
+                None => {
+                    let cover = &covers[((y - y0) * TILE + x - x0) as usize];
+                    let mirrors = mirrored(tracer, samples, rays, found, self.pixel_angle);
+                    self.pixel(tracer, frame, everything, rays, samples, light.as_ref(), found, mirrors, cover)
+                }
+            };
+            canvas.set(self, x, y, &pixel);
         }
-        for (x, cover) in (x0..).zip(&covers) {
-            for i in cover.shaded.clone() {
-                lights[i] += self.halo(x, y, &seen[i]);
-            }
-        }
-        covers.map(|cover| cover.lit(&seen, &lights))
     }
 
-    /// Glow of lamps in the air before something that moves.
-    fn halo(&self, x: u32, y: u32, seen: &Seen<'_>) -> Vec3A {
-        self.halos.as_ref().map_or(Vec3A::ZERO, |halos| halos.at(x, y, seen.point.distance))
+    /// Where a tile ends in the picture.
+    fn tile_end(&self, x0: u32, y0: u32) -> (u32, u32) {
+        ((x0 + TILE).min(self.camera.size.width), (y0 + TILE).min(self.camera.size.height))
+    }
+
+    /// Glow of lamps in the air before something that moves, at a place of a tile.
+    fn halo(&self, (x0, y0): (u32, u32), place: usize, seen: &Seen<'_>) -> Vec3A {
+        let place = place as u32;
+        let at = |halos: &HaloGrid| halos.at(x0 + place % TILE, y0 + place / TILE, seen.point.distance);
+        self.halos.as_ref().map_or(Vec3A::ZERO, at)
     }
 
     /// The light that the samples of each uniform pixel of a row share; pixels that something that moves covers wholly

@@ -31,13 +31,12 @@ pub(super) fn mirrored(
 pub(super) fn mirrored_row(
     tracer: &Tracer<'_>,
     row: &Row<'_>,
-    found: &[Found; TILE as usize],
     pixel_angle: f32,
 ) -> [Mirrored; TILE as usize] {
     let mut light = [[None; SAMPLES]; TILE as usize];
     let mut asked = [(0, 0); SAMPLES * TILE as usize];
     let mut count = 0;
-    for (i, found) in found.iter().enumerate() {
+    for (i, found) in row.found.iter().enumerate() {
         if found.mirrored.iter().all(Option::is_none) || found.seen.iter().all(Option::is_some) {
             continue;
         }
@@ -52,7 +51,7 @@ pub(super) fn mirrored_row(
         for (lane, &(i, s)) in asked.iter().enumerate() {
             let sample = row.sample(i, s);
             rays[lane] = sample.mirror_ray(&sample.facet(&row.ray(i, s)));
-            struck[lane] = found[i].mirrored[s].map(|hit| Struck { hit, moving: true });
+            struck[lane] = row.found[i].mirrored[s].map(|hit| Struck { hit, moving: true });
             (weights[lane], footprints[lane]) = seen_in(sample, pixel_angle);
         }
         let active = ((1u16 << asked.len()) - 1) as u8;

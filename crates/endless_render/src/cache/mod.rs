@@ -14,6 +14,7 @@ mod centre;
 mod compose;
 mod contact;
 mod cover;
+mod covers;
 mod frame;
 mod mirror;
 mod row;

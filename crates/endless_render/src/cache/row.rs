@@ -6,7 +6,8 @@ use super::compose::sun_origin;
 use super::still_pixel::StillPixel;
 use super::still_sample::StillSample;
 use super::tile::TILE;
-use crate::accel::{Hit, Ray};
+use crate::accel::{Hit, Ray, RayBundle, lanes};
+use crate::material::Vectors;
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::scene::{Facet, FrameScene};
 use endless_world::{Distortion, PinholeCamera};
@@ -67,54 +68,93 @@ impl Found {
     }
 }
 
-/// A row of pixels.
+/// A row of pixels and what their rays towards what moves found: memory that is used for one row after another.
 pub(super) struct Row<'a> {
+    view: View<'a>,
+    pub(super) found: [Found; TILE as usize],
+    asked: Asked,
+}
+
+/// Where a row's rays go.
+struct View<'a> {
     bake: &'a CameraBake,
     /// The first pixel, as an index into the picture.
     first: usize,
     count: usize,
-    origin: Vec3A,
     /// Of the rays, by sample.
-    directions: [[Vec3A; TILE as usize]; SAMPLES],
+    directions: [Vectors; SAMPLES],
 }
 
 impl<'a> Row<'a> {
-    /// The pixels `x0..x1` of line `y`, at most eight. With `centres_only`, the other samples' rays are not made: they
-    /// must not be asked for.
-    pub(super) fn new(bake: &'a CameraBake, x0: u32, x1: u32, y: u32, centres_only: bool) -> Self {
-        let first = y as usize * bake.camera.size.width as usize + x0 as usize;
-        let origin = Vec3A::from(bake.camera.position);
-        let mut row = Self { bake, first, count: (x1 - x0) as usize, origin, directions: [[Vec3A::ZERO; 8]; SAMPLES] };
-        for (s, directions) in row.directions.iter_mut().enumerate() {
+    /// A row that looks nowhere yet.
+    pub(super) fn new(bake: &'a CameraBake) -> Self {
+        let view = View { bake, first: 0, count: 0, directions: [[f32x8::ZERO; 3]; SAMPLES] };
+        Self { view, found: [Found::NOTHING; TILE as usize], asked: Asked::new() }
+    }
+
+    /// Turns to the pixels `x0..x1` of line `y`, at most eight. With `centres_only`, the other samples' rays are not
+    /// made: they must not be asked for.
+    pub(super) fn aim(&mut self, x0: u32, x1: u32, y: u32, centres_only: bool) {
+        let view = &mut self.view;
+        view.first = y as usize * view.bake.camera.size.width as usize + x0 as usize;
+        view.count = (x1 - x0) as usize;
+        for (s, directions) in view.directions.iter_mut().enumerate() {
             if s == 0 || !centres_only {
-                *directions = directions8(&bake.camera, x0, x1, y, s);
+                *directions = directions8(&view.bake.camera, x0, x1, y, s);
             }
         }
-        row
+        self.found = [Found::NOTHING; TILE as usize];
     }
 
     /// Index of a pixel in the picture.
     pub(super) fn pixel(&self, i: usize) -> usize {
-        self.first + i.min(self.count - 1)
+        self.view.pixel(i)
     }
 
     /// Rays of a pixel's samples.
     pub(super) fn rays(&self, i: usize) -> [Ray; SAMPLES] {
-        std::array::from_fn(|s| self.ray(i, s))
+        std::array::from_fn(|s| self.view.ray(i, s))
     }
 
     /// The ray of a pixel's sample.
     pub(super) fn ray(&self, i: usize, sample: usize) -> Ray {
-        Ray { origin: self.origin, direction: self.directions[sample][i], tmax: f32::MAX }
-    }
-
-    fn still(&self, i: usize) -> &'a StillPixel {
-        &self.bake.pixels[self.pixel(i)]
+        self.view.ray(i, sample)
     }
 
     /// A still sample of a pixel.
     pub(super) fn sample(&self, i: usize, sample: usize) -> &'a StillSample {
-        &self.bake.samples[self.pixel(i) * SAMPLES + sample]
+        &self.view.bake.samples[self.pixel(i) * SAMPLES + sample]
+    }
+
+    /// Asks what moves, as far as `work` says that it can matter; returns the number of rays.
+    pub(super) fn find(&mut self, frame: &FrameScene, work: &Work) -> u64 {
+        let Self { view, found, asked } = self;
+        asked.traced = 0;
+        if work.seen {
+            view.find_seen(frame, found, asked);
+        }
+        if work.sun {
+            view.find_sun(frame, found, asked);
+        }
+        if work.mirror {
+            view.find_mirrored(frame, found, asked);
+        }
+        asked.traced
+    }
+}
+
+impl<'a> View<'a> {
+    fn pixel(&self, i: usize) -> usize {
+        self.first + i.min(self.count - 1)
+    }
+
+    fn ray(&self, i: usize, sample: usize) -> Ray {
+        let [x, y, z] = self.directions[sample].each_ref().map(|axis| axis.as_array()[i]);
+        Ray { origin: self.bake.camera.position.into(), direction: Vec3A::new(x, y, z), tmax: f32::MAX }
+    }
+
+    fn still(&self, i: usize) -> &'a StillPixel {
+        &self.bake.pixels[self.pixel(i)]
     }
 
     /// Where a pixel's sample lies.
@@ -122,34 +162,28 @@ impl<'a> Row<'a> {
         self.still(i).facet(&self.ray(i, sample), sample)
     }
 
-    /// Asks what moves, as far as `work` says that it can matter; returns the number of rays.
-    pub(super) fn find(&self, frame: &FrameScene, work: &Work) -> ([Found; TILE as usize], u64) {
-        let mut found = [Found::NOTHING; TILE as usize];
-        let mut rays = 0;
-        if work.seen {
-            rays += self.find_seen(frame, &mut found);
+    fn find_seen(&self, frame: &FrameScene, found: &mut [Found; TILE as usize], asked: &mut Asked) {
+        let rays = &mut asked.rays;
+        let still: [&StillPixel; TILE as usize] = std::array::from_fn(|i| self.still(i));
+        rays.origin = self.bake.camera.position.to_array().map(|axis| [f32x8::splat(axis); SAMPLES]);
+        for s in 0..SAMPLES {
+            for k in 0..3 {
+                rays.direction[k][s] = self.directions[s][k];
+            }
+            rays.tmax[s] = f32x8::new(still.map(|still| still.distances[s]));
         }
-        if work.sun {
-            rays += self.find_sun(frame, &mut found);
+        let active = u32::from_ne_bytes([((1u16 << self.count) - 1) as u8; SAMPLES]);
+        asked.traced += u64::from(active.count_ones());
+        let hits = frame.accel.closest32(rays, active);
+        for (i, found) in found.iter_mut().enumerate() {
+            for s in 0..SAMPLES {
+                found.seen[s] = hits.get(8 * s + i).filter(|hit| hit.t < still[i].distances[s]);
+            }
         }
-        if work.mirror {
-            rays += self.find_mirrored(frame, &mut found);
-        }
-        (found, rays)
     }
 
-    fn find_seen(&self, frame: &FrameScene, found: &mut [Found; TILE as usize]) -> u64 {
-        let mut asked = Asked::new();
-        for (i, s) in self.each_sample() {
-            asked.push((i, s, 0), Ray { tmax: self.still(i).distances[s], ..self.ray(i, s) });
-        }
-        asked.closest(frame, |(i, s, _), hit| found[i].seen[s] = Some(hit));
-        asked.traced
-    }
-
-    fn find_sun(&self, frame: &FrameScene, found: &mut [Found; TILE as usize]) -> u64 {
-        let Some(sun) = &self.bake.environment.sun else { return 0 };
-        let mut asked = Asked::new();
+    fn find_sun(&self, frame: &FrameScene, found: &mut [Found; TILE as usize], asked: &mut Asked) {
+        let Some(sun) = &self.bake.environment.sun else { return };
         for (i, s) in self.each_sample() {
             let free = self.still(i).sun_free[s];
             if free == 0 || found[i].seen[s].is_some() || self.still(i).distances[s] == f32::MAX {
@@ -167,11 +201,9 @@ impl<'a> Row<'a> {
             }
         }
         asked.occluded(frame, |(i, s, part)| found[i].sun_blocked[s] |= part);
-        asked.traced
     }
 
-    fn find_mirrored(&self, frame: &FrameScene, found: &mut [Found; TILE as usize]) -> u64 {
-        let mut asked = Asked::new();
+    fn find_mirrored(&self, frame: &FrameScene, found: &mut [Found; TILE as usize], asked: &mut Asked) {
         for (i, s) in self.each_sample() {
             let still = self.still(i);
             let asks = match self.bake.uniform[self.pixel(i)] {
@@ -179,11 +211,11 @@ impl<'a> Row<'a> {
                 false => still.distances[s] < f32::MAX && found[i].seen[s].is_none(),
             };
             if asks && still.mirrors >> s & 1 == 1 {
-                asked.push((i, s, 0), self.sample(i, s).mirror_ray(&self.facet(i, s)));
+                let sample = &self.bake.samples[self.pixel(i) * SAMPLES + s];
+                asked.push((i, s, 0), sample.mirror_ray(&self.facet(i, s)));
             }
         }
         asked.closest(frame, |(i, s, _), hit| found[i].mirrored[s] = Some(hit));
-        asked.traced
     }
 
     /// Pixel by pixel: rays that go side by side then go nearly the same way.
@@ -198,7 +230,7 @@ type Asker = (usize, usize, u8);
 /// Rays of a row that are traced together: one for each sample of eight pixels.
 struct Asked {
     askers: [Asker; 32],
-    rays: [[Ray; 8]; 4],
+    rays: RayBundle<4>,
     count: usize,
     /// Rays traced so far.
     traced: u64,
@@ -206,14 +238,13 @@ struct Asked {
 
 impl Asked {
     fn new() -> Self {
-        let none = Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 };
-        Self { askers: [(0, 0, 0); 32], rays: [[none; 8]; 4], count: 0, traced: 0 }
+        Self { askers: [(0, 0, 0); 32], rays: RayBundle::NONE, count: 0, traced: 0 }
     }
 
     /// Adds a ray; there must be room.
     fn push(&mut self, asker: Asker, ray: Ray) {
         self.askers[self.count] = asker;
-        self.rays[self.count / 8][self.count % 8] = ray;
+        self.rays.set(self.count, &ray);
         self.count += 1;
     }
 
@@ -236,10 +267,9 @@ impl Asked {
             return;
         }
         let hits = frame.accel.closest32(&self.rays, active);
-        let ends = self.rays.iter().flatten().map(|ray| ray.tmax);
-        for ((hit, end), asker) in hits.iter().flatten().zip(ends).zip(&self.askers) {
-            if let Some(hit) = hit.filter(|hit| hit.t < end) {
-                tell(*asker, hit);
+        for lane in lanes(active) {
+            if let Some(hit) = hits.get(lane).filter(|hit| hit.t < self.rays.ray(lane).tmax) {
+                tell(self.askers[lane], hit);
             }
         }
     }
@@ -250,35 +280,31 @@ impl Asked {
         if active == 0 {
             return;
         }
-        let blocked = frame.accel.occluded32(&self.rays, active);
-        for (lane, asker) in self.askers.iter().enumerate() {
-            if blocked >> lane & 1 == 1 {
-                tell(*asker);
-            }
+        for lane in lanes(frame.accel.occluded32(&self.rays, active)) {
+            tell(self.askers[lane]);
         }
     }
 }
 
 /// Directions of the rays through a sample of the pixels `x0..x1` of a line, the last one's repeated: those of
 /// [`sample_ray`], eight side by side.
-fn directions8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) -> [Vec3A; TILE as usize] {
+fn directions8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) -> Vectors {
     let column = |i: usize| (x0 + i as u32).min(x1 - 1);
     if camera.distortion != Distortion::NONE {
-        return std::array::from_fn(|i| sample_ray(camera, column(i), y, sample).direction);
+        let directions: [Vec3A; 8] = std::array::from_fn(|i| sample_ray(camera, column(i), y, sample).direction);
+        return [0, 1, 2].map(|axis| f32x8::new(directions.map(|d| d[axis])));
     }
     let (k, offset) = (&camera.intrinsics, SAMPLE_OFFSETS[sample]);
     let across = f32x8::new(std::array::from_fn(|i| column(i) as f32 + 0.5 + offset.x));
     let across = (across - f32x8::splat(k.cx)) / f32x8::splat(k.fx);
     let down = f32x8::splat((y as f32 + 0.5 + offset.y - k.cy) / k.fy);
     let m = &camera.world_from_camera;
-    let axis = |axis: usize| {
+    let [x, y, z] = [0, 1, 2].map(|axis| {
         let [x, y, z] = [m.x_axis[axis], m.y_axis[axis], m.z_axis[axis]].map(f32x8::splat);
         x * across + y * down + z
-    };
-    let (x, y, z) = (axis(0), axis(1), axis(2));
+    });
     let over = f32x8::ONE / (x * x + y * y + z * z).sqrt();
-    let (x, y, z) = ((x * over).to_array(), (y * over).to_array(), (z * over).to_array());
-    std::array::from_fn(|i| Vec3A::new(x[i], y[i], z[i]))
+    [x * over, y * over, z * over]
 }
 
 #[cfg(test)]
@@ -302,8 +328,9 @@ mod tests {
             for (y, x0) in (0..180).flat_map(|y| (0..325).step_by(8).map(move |x0| (y, x0))) {
                 let x1 = (x0 + 8).min(325);
                 for sample in 0..SAMPLES {
-                    let rays = directions8(&camera, x0, x1, y, sample);
-                    for (x, direction) in (x0..x1).zip(rays) {
+                    let [dx, dy, dz] = directions8(&camera, x0, x1, y, sample).map(f32x8::to_array);
+                    for (i, x) in (x0..x1).enumerate() {
+                        let direction = Vec3A::new(dx[i], dy[i], dz[i]);
                         assert_eq!(direction, sample_ray(&camera, x, y, sample).direction);
                     }
                 }

@@ -4,8 +4,8 @@
 use super::Tracer;
 use super::headlight::{beam_light, beam_light8};
 use super::lamplight::{lamp_light, lamp_light8};
-use super::secondary::{MIRROR_THRESHOLD, mirror_footprint, mirror_ray, shade_secondary8, shade_struck};
-use crate::accel::Ray;
+use super::secondary::{MIRROR_THRESHOLD, mirror_footprint, mirror_ray, shade_struck, shade_struck8};
+use crate::accel::{Ray, RayBundle};
 use crate::material::{Look, look};
 use crate::scene::SurfacePoint;
 use endless_world::math;
@@ -41,41 +41,58 @@ pub(crate) fn shade_moving(tracer: &Tracer<'_>, seen: &Seen<'_>, pixel_angle: f3
     asked.radiance(tracer, point, sunlit, image, night)
 }
 
-/// The same for up to eight points: their rays run side by side.
-pub(crate) fn shade_moving8(tracer: &Tracer<'_>, seen: &[Seen<'_>], pixel_angle: f32, found: &mut [Vec3A]) {
-    debug_assert!(seen.len() <= 8 && found.len() == seen.len());
-    let asked: [Option<Asked>; 8] = std::array::from_fn(|i| Some(Asked::new(tracer, seen.get(i)?, pixel_angle)));
-    let rays = |of: fn(&Asked) -> Option<Ray>| {
-        let mut active = 0u8;
-        let rays: [Ray; 8] = std::array::from_fn(|i| {
-            let ray = asked[i].as_ref().and_then(of);
-            active |= u8::from(ray.is_some()) << i;
-            ray.unwrap_or(Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 })
-        });
-        (rays, active)
-    };
-    let (to_sun, active) = rays(|asked| asked.sun);
-    let sunlit = active & !tracer.occluded8(&to_sun, active);
-    let mirror = |asked: &Asked| asked.mirror.as_ref().filter(|mirror| mirror.is_asked()).map(|mirror| mirror.ray);
-    let (into_mirror, active) = rays(mirror);
-    let footprints_m = std::array::from_fn(|i| {
-        let mirror = asked[i].as_ref().and_then(|asked| asked.mirror.as_ref());
-        mirror.map_or(0.0, |mirror| mirror.footprint_m)
-    });
-    let images = shade_secondary8(tracer, &into_mirror, active, &footprints_m);
-    let mut night = [Vec3A::ZERO; 8];
-    if tracer.environment.night {
-        let points = std::array::from_fn(|i| Some((&seen.get(i)?.point, &asked[i].as_ref()?.look)));
-        let beams = tracer.moving.map_or([Vec3A::ZERO; 8], |moving| beam_light8(tracer, moving, &points));
-        let lamps = lamp_light8(tracer, &points, LAMPS);
-        night = std::array::from_fn(|i| lamps[i] + beams[i]);
-    }
-    for (i, (seen, found)) in seen.iter().zip(found).enumerate() {
-        if let Some(asked) = &asked[i] {
-            let image = (active >> i & 1 == 1).then_some(images[i]);
-            *found = asked.radiance(tracer, &seen.point, sunlit >> i & 1 == 1, image, night[i]);
+/// The same for many points: their rays run side by side.
+pub(crate) fn shade_moving_together(tracer: &Tracer<'_>, seen: &[&Seen<'_>], pixel_angle: f32) -> Vec<Vec3A> {
+    let asked: Vec<Asked> = seen.iter().map(|seen| Asked::new(tracer, seen, pixel_angle)).collect();
+    let mut sunlit = vec![false; seen.len()];
+    let to_sun: Vec<(usize, Ray)> = asked.iter().enumerate().filter_map(|(i, a)| Some((i, a.sun?))).collect();
+    for bundle in to_sun.chunks(32) {
+        let (rays, active) = side_by_side(bundle.iter().map(|(_, ray)| ray));
+        let hidden = tracer.occluded32(&rays, active);
+        for (lane, (i, _)) in bundle.iter().enumerate() {
+            sunlit[*i] = hidden >> lane & 1 == 0;
         }
     }
+    let mut images = vec![None; seen.len()];
+    let mirror = |asked: &'_ Asked| asked.mirror.as_ref().filter(|m| m.is_asked()).map(|m| (m.ray, m.footprint_m));
+    let mirrors: Vec<(usize, (Ray, f32))> =
+        asked.iter().enumerate().filter_map(|(i, asked)| Some((i, mirror(asked)?))).collect();
+    for bundle in mirrors.chunks(32) {
+        let (rays, active) = side_by_side(bundle.iter().map(|(_, (ray, _))| ray));
+        let struck = tracer.closest32(&rays, active);
+        for (row, eight) in bundle.chunks(8).enumerate() {
+            let footprints_m = std::array::from_fn(|lane| eight.get(lane).map_or(0.0, |(_, (_, footprint_m))| *footprint_m));
+            let active = (active >> (8 * row)) as u8;
+            let rays = std::array::from_fn(|lane| rays.ray(8 * row + lane));
+            let shown = shade_struck8(tracer, &rays, &struck[row], active, &footprints_m);
+            for ((i, _), light) in eight.iter().zip(shown) {
+                images[*i] = Some(light);
+            }
+        }
+    }
+    let mut night = vec![Vec3A::ZERO; seen.len()];
+    if tracer.environment.night {
+        for ((seen, asked), night) in seen.chunks(8).zip(asked.chunks(8)).zip(night.chunks_mut(8)) {
+            let points = std::array::from_fn(|i| Some((&seen.get(i)?.point, &asked[i].look)));
+            let beams = tracer.moving.map_or([Vec3A::ZERO; 8], |moving| beam_light8(tracer, moving, &points));
+            let lamps = lamp_light8(tracer, &points, LAMPS);
+            for (i, night) in night.iter_mut().enumerate() {
+                *night = lamps[i] + beams[i];
+            }
+        }
+    }
+    let radiance = |i: usize| asked[i].radiance(tracer, &seen[i].point, sunlit[i], images[i], night[i]);
+    (0..seen.len()).map(radiance).collect()
+}
+
+/// At most 32 rays as packets take them.
+fn side_by_side<'r>(given: impl ExactSizeIterator<Item = &'r Ray>) -> (RayBundle<4>, u32) {
+    let active = ((1u64 << given.len()) - 1) as u32;
+    let mut rays = RayBundle::NONE;
+    for (lane, ray) in given.enumerate() {
+        rays.set(lane, ray);
+    }
+    (rays, active)
 }
 
 /// What must be known of a moving point's surroundings.

@@ -1,6 +1,6 @@
 //! Rays against the still and the moving part of a scene together.
 
-use crate::accel::{Hit, Ray};
+use crate::accel::{Hit, Ray, RayBundle};
 use crate::indirect::ProbeGrid;
 use crate::light::{Environment, LampMaps};
 use crate::scene::{FrameScene, StaticScene, SurfacePoint};
@@ -50,6 +50,21 @@ impl<'a> Tracer<'a> {
         let by_moving = self.moving.filter(|_| active != 0).map_or(0, |m| m.accel.occluded8(rays, active));
         let open = active & !by_moving;
         if open == 0 { by_moving } else { by_moving | self.still.accel.occluded8(rays, open) }
+    }
+
+    /// [`Self::closest`] for those of a bundle's rays whose bit is set in `active`.
+    pub(crate) fn closest32(&self, rays: &RayBundle<4>, active: u32) -> [[Option<Struck>; 8]; 4] {
+        let still = self.still.accel.closest32(rays, active);
+        let moving = self.moving.map(|moving| moving.accel.closest32(&still.shortened(rays), active));
+        let of = |lane: usize| nearer(still.get(lane), moving.as_ref().and_then(|moving| moving.get(lane)));
+        std::array::from_fn(|row| std::array::from_fn(|i| of(8 * row + i)))
+    }
+
+    /// [`Self::occluded`] for those of a bundle's rays whose bit is set in `active`, a bit each.
+    pub(crate) fn occluded32(&self, rays: &RayBundle<4>, active: u32) -> u32 {
+        let by_moving = self.moving.map_or(0, |m| m.accel.occluded32(rays, active));
+        let open = active & !by_moving;
+        if open == 0 { by_moving } else { by_moving | self.still.accel.occluded32(rays, open) }
     }
 
     /// Whether anything is in the way.

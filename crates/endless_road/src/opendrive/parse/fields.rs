@@ -5,9 +5,8 @@ use super::super::document::{Cubic, End, Orientation};
 use super::super::xml::Element;
 use crate::Note;
 
-/// Beyond this no coordinate or length means anything, metres. UTM's northings go to half of it; a map may reach less
-/// far, so that a map near its own limit can be written and read again.
-const FARTHEST: f64 = 2e7;
+/// Beyond this no coordinate or length means anything, metres. UTM's northings go to half of it.
+pub(in crate::opendrive) const FARTHEST_M: f64 = 2e7;
 
 /// Reads attributes; collects what had to be guessed.
 #[derive(Debug, Default)]
@@ -132,7 +131,7 @@ pub(super) fn text(element: &Element, name: &str) -> String {
 }
 
 fn finite(text: &str) -> Option<f64> {
-    text.trim().parse::<f64>().ok().filter(|value| value.abs() <= FARTHEST)
+    text.trim().parse::<f64>().ok().filter(|value| value.abs() <= FARTHEST_M)
 }
 
 fn short(text: &str) -> String {

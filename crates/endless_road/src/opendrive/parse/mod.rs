@@ -9,6 +9,7 @@ mod road;
 use super::document::Document;
 use super::xml::{self, Element};
 use super::{OpenDriveError, schema};
+pub(super) use fields::FARTHEST_M;
 use fields::Fields;
 
 impl Document {

@@ -16,8 +16,9 @@ const MOST_METRES: usize = 5_000_000;
 const HIGHEST_M: f64 = 10_000.0;
 /// No lane lies further beside its reference line than this, metres.
 const ASIDE_M: f64 = 1000.0;
-/// No point of a map is further from its origin, metres.
-const FARTHEST: f64 = 1.7e7;
+/// No point of a map is further from its origin, metres: less than numbers may go to, so that a map near this limit can
+/// be written and read again.
+const FARTHEST_M: f64 = 0.85 * super::super::parse::FARTHEST_M;
 
 /// One lane of one section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -73,9 +74,10 @@ impl<'a> Sampled<'a> {
                 let lanes = sampled.iter().flat_map(|s| &s.lanes);
                 if lanes
                     .flat_map(|lane| lane.left.iter().chain(&lane.right))
-                    .any(|p| !p.is_finite() || p.abs().max_element() > FARTHEST)
+                    .any(|p| !p.is_finite() || p.abs().max_element() > FARTHEST_M)
                 {
-                    let what = format!("of road {} reaches further than 17 000 km", shape.road.id);
+                    let (id, km) = (&shape.road.id, FARTHEST_M / 1000.0);
+                    let what = format!("of road {id} reaches further than {km} km");
                     return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
                 }
                 if let Some(wrong) = sampled.as_ref().and_then(|section| implausible(shape, section)) {

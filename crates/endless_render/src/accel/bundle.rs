@@ -1,0 +1,96 @@
+//! Rays that are traced together, component by component, and what they met.
+
+use glam::Vec3A;
+use wide::f32x8;
+
+use super::ray::{Hit, Ray};
+
+/// N times eight rays: lane `8 × row + column`.
+#[derive(Clone, Debug)]
+pub struct RayBundle<const N: usize> {
+    pub(crate) origin: [[f32x8; N]; 3],
+    pub(crate) direction: [[f32x8; N]; 3],
+    pub(crate) tmax: [f32x8; N],
+}
+
+impl<const N: usize> RayBundle<N> {
+    /// Rays that must be set before they are asked for.
+    pub const NONE: Self =
+        Self { origin: [[f32x8::ZERO; N]; 3], direction: [[f32x8::ZERO; N]; 3], tmax: [f32x8::ZERO; N] };
+
+    /// These rays.
+    pub fn of(rays: &[[Ray; 8]; N]) -> Self {
+        let mut bundle = Self::NONE;
+        for (row, rays) in rays.iter().enumerate() {
+            for k in 0..3 {
+                bundle.origin[k][row] = f32x8::new(rays.map(|ray| ray.origin[k]));
+                bundle.direction[k][row] = f32x8::new(rays.map(|ray| ray.direction[k]));
+            }
+            bundle.tmax[row] = f32x8::new(rays.map(|ray| ray.tmax));
+        }
+        bundle
+    }
+
+    /// Sets one ray.
+    #[inline]
+    pub fn set(&mut self, lane: usize, ray: &Ray) {
+        let (row, column) = (lane / 8 % N, lane % 8);
+        let (origin, direction) = (ray.origin.to_array(), ray.direction.to_array());
+        for k in 0..3 {
+            self.origin[k][row].as_mut_array()[column] = origin[k];
+            self.direction[k][row].as_mut_array()[column] = direction[k];
+        }
+        self.tmax[row].as_mut_array()[column] = ray.tmax;
+    }
+
+    /// One ray.
+    #[inline]
+    pub fn ray(&self, lane: usize) -> Ray {
+        let (row, column) = (lane / 8 % N, lane % 8);
+        let vector = |v: &[[f32x8; N]; 3]| {
+            Vec3A::new(v[0][row].as_array()[column], v[1][row].as_array()[column], v[2][row].as_array()[column])
+        };
+        let tmax = self.tmax[row].as_array()[column];
+        Ray { origin: vector(&self.origin), direction: vector(&self.direction), tmax }
+    }
+
+    /// Eight of them.
+    pub(super) fn row(&self, row: usize) -> RayBundle<1> {
+        RayBundle {
+            origin: self.origin.map(|axis| [axis[row]]),
+            direction: self.direction.map(|axis| [axis[row]]),
+            tmax: [self.tmax[row]],
+        }
+    }
+}
+
+/// What the rays of a bundle met.
+#[derive(Clone, Debug)]
+pub struct Hits<const N: usize> {
+    pub(super) best: [[Hit; 8]; N],
+    /// The lanes that were asked, a bit each.
+    pub(super) asked: u32,
+}
+
+impl<const N: usize> Hits<N> {
+    /// What a lane's ray met.
+    #[inline]
+    pub fn get(&self, lane: usize) -> Option<Hit> {
+        self.best[lane / 8 % N][lane % 8].found().filter(|_| self.asked >> lane & 1 == 1)
+    }
+
+    /// The rays, up to what they met.
+    pub(crate) fn shortened(&self, rays: &RayBundle<N>) -> RayBundle<N> {
+        // What met nothing has its ray's own end.
+        RayBundle { tmax: self.best.map(|row| f32x8::new(row.map(|hit| hit.t))), ..rays.clone() }
+    }
+}
+
+/// The lanes of a mask.
+pub(crate) fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lane = mask.trailing_zeros() as usize;
+        mask &= mask.wrapping_sub(1);
+        (lane < 32).then_some(lane)
+    })
+}
