@@ -4,10 +4,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use glam::{Vec3, Vec3A};
+use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ploc::PlocSearchDistance;
-use obvhs::{Boundable, BvhBuildParams};
 
 use super::collapse::{Costs, Tree, collapse};
 use super::groups::Groups;
@@ -58,14 +58,6 @@ impl Use {
 /// Meshes above this many triangles are built with a quicker preset.
 const LARGE_MESH: usize = 2_000_000;
 
-struct Corners([Vec3A; 3]);
-
-impl Boundable for Corners {
-    fn aabb(&self) -> Aabb {
-        Aabb::from_points(&self.0)
-    }
-}
-
 impl Blas {
     /// Builds over `triangles`, which index `positions`, what stands still. Positions must be finite; degenerate
     /// triangles are allowed and hit nothing.
@@ -75,14 +67,14 @@ impl Blas {
 
     /// The same for another use.
     pub(crate) fn build_for(purpose: Use, positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
-        let corners: Vec<Corners> =
-            triangles.iter().map(|t| Corners(t.map(|i| Vec3A::from(positions[i as usize])))).collect();
+        let box_of = |t: &[u32; 3]| Aabb::from_points(&t.map(|i| Vec3A::from(positions[i as usize])));
+        let boxes: Vec<Aabb> = triangles.iter().map(box_of).collect();
         let mut groups = Vec::with_capacity(triangles.len() / 3 + 1);
         let mut first_groups = Vec::new();
         let mut tree = if triangles.is_empty() {
             Tree::empty()
         } else {
-            let source = build_bvh2(&corners, purpose.params(triangles.len()), &mut Duration::default());
+            let source = build_bvh2(&boxes, purpose.params(triangles.len()), &mut Duration::default());
             collapse(&source, purpose.costs(), |things| {
                 let start = groups.len();
                 first_groups.push(start);
