@@ -31,7 +31,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let focus = settings.cameras.each_ref().map(|site| Vec3::from_array(site.position));
     let conditions = Conditions::new(weather, time_of_day);
     let mut traffic = Simulation::focused(&town, &catalogue, vehicles, pedestrians, seed, conditions, fps, &focus);
-    let cast = Cast::new(&catalogue, &traffic.state().actors);
+    let cast = Cast::in_town(&still, &catalogue, &traffic.state().actors);
     let (mut scene_time, mut times) = (Duration::ZERO, [Duration::ZERO; 2]);
     let mut print = std::hash::DefaultHasher::new();
     for _ in 0..frames {

@@ -36,7 +36,7 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     let crowd = |n: [u32; 2]| Simulation::focused(&town, &catalogue, n[0], n[1], 1, conditions, FPS, &[]);
     let scene = crowd(SCENE);
     stage.next();
-    let cast = Cast::new(&catalogue, &scene.state().actors);
+    let cast = Cast::in_town(&still, &catalogue, &scene.state().actors);
     let cast_cost = stage.next();
     let built = [town_cost, still_cost, cast_cost].iter().fold([0.0, 0.0], |a, b| [a[0] + b[0], a[1] + b[1]]);
     let told = |[wall, processors]: [f64; 2]| format!("{wall:.2} s ({processors:.2} s of processors)");
@@ -53,7 +53,7 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     drop((scene, cast));
 
     let mut traffic = crowd(CROWD);
-    let cast = Cast::new(&catalogue, &traffic.state().actors);
+    let cast = Cast::in_town(&still, &catalogue, &traffic.state().actors);
     let (mut moving, mut posing) = ([0.0; 2], [0.0; 2]);
     stage.next();
     for _ in 0..TICKS {

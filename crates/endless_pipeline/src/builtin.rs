@@ -282,7 +282,12 @@ impl Simulator for BuiltinSimulator {
         };
         let baked = [0, 1].map(bake);
         let bake_rays = rays(&baked);
-        Ok(Box::new(Pair { still: &map.still, cast: Cast::new(self.catalogue(), moving), baked, bake_rays }))
+        Ok(Box::new(Pair {
+            still: &map.still,
+            cast: Cast::in_town(&map.still, self.catalogue(), moving),
+            baked,
+            bake_rays,
+        }))
     }
 }
 

@@ -232,7 +232,7 @@ fn hat(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>) {
             }
         }
     }
-    if !s.faces.is_empty() {
+    if !s.faces().is_empty() {
         skin.add_rigid(s, Bone::Head);
     }
 }

@@ -100,7 +100,7 @@ pub(crate) fn pram(skin: &mut Skin, body: &Body<'_>) {
     hood.remove(&Region::all().within(Vec3::Z, 0.66));
     hood.remove(&Region::all().beyond(Vec3::new(1.0, 0.0, -0.35), handle.x + 0.47 - 0.35 * 0.68));
     let mut inside = hood.clone();
-    for face in &mut inside.faces {
+    for face in inside.faces_mut() {
         face.corners.swap(1, 2);
         face.normals.swap(1, 2);
         face.normals = face.normals.map(|n| -n);

@@ -1,5 +1,6 @@
 //! Painting and cutting surfaces along exact lines.
 
+use super::runs::RUN;
 use super::sculpt::{Face, Sculpt};
 use crate::Material;
 use glam::{Vec2, Vec3};
@@ -143,10 +144,15 @@ impl Sculpt {
     fn split_of(&mut self, region: &Region, material: Option<Material>) -> Vec<Face> {
         let (mut inside, mut rest) = (Vec::new(), Vec::new());
         let (mut pieces, mut next, mut outside) = (Vec::new(), Vec::new(), Vec::new());
+        self.runs.learn(&self.faces);
         // Neighbours lie beyond the same plane: it is asked first.
         let mut likely = 0;
         let mut i = 0;
         while i < self.faces.len() {
+            if i % RUN == 0 && region.planes.iter().any(|&plane| self.runs.is_beyond(i, plane)) {
+                i += RUN;
+                continue;
+            }
             let face = &self.faces[i];
             let [a, b, c] = face.corners;
             let beyond = |&(n, d): &(Vec3, f32)| (n.dot(a) >= d) & (n.dot(b) >= d) & (n.dot(c) >= d);
@@ -177,6 +183,7 @@ impl Sculpt {
                 continue;
             }
             self.faces.swap_remove(i);
+            self.runs.removed(i, &self.faces);
             rest.append(&mut outside);
             inside.append(&mut pieces);
         }

@@ -2,6 +2,7 @@
 
 mod curve;
 mod cut;
+mod runs;
 mod sculpt;
 mod solids;
 mod weld;

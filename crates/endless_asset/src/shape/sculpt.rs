@@ -1,6 +1,7 @@
 //! A soup of triangles under construction.
 
-use super::weld::{Cell, CellMap};
+use super::runs::Runs;
+use super::weld::{Cell, Census};
 use crate::{Material, Mesh};
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -23,7 +24,8 @@ impl Face {
 /// together.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Sculpt {
-    pub(crate) faces: Vec<Face>,
+    pub(super) faces: Vec<Face>,
+    pub(super) runs: Runs,
 }
 
 /// Below twice this area (m²) a triangle is dropped: nobody could see it, and its normal would be noise.
@@ -44,6 +46,17 @@ fn cell(p: Vec3) -> Cell {
 impl Sculpt {
     pub(crate) fn new() -> Self {
         Self::default()
+    }
+
+    /// All of them.
+    pub(crate) fn faces(&self) -> &[Face] {
+        &self.faces
+    }
+
+    /// The same, to be moved or turned.
+    pub(crate) fn faces_mut(&mut self) -> &mut [Face] {
+        self.runs.forget();
+        &mut self.faces
     }
 
     /// A flat triangle.
@@ -85,8 +98,10 @@ impl Sculpt {
     pub(crate) fn smooth(mut self, crease_deg: f32) -> Self {
         let limit = endless_world::math::cos(crease_deg.to_radians());
         let flat: Vec<Vec3> = self.faces.iter().map(|f| f.area_normal().normalize_or(Vec3::Z)).collect();
-        // Corners by place: the first of each place, and the next one of the same place.
-        let mut first: CellMap<Cell, u32> = CellMap::with_capacity_and_hasher(self.faces.len(), Default::default());
+        // Places, those of corners, and corners by place: the first of each, and the next one of the same place.
+        let mut places = Census::with_room(self.faces.len());
+        let mut place_of = vec![0; self.faces.len() * 3];
+        let mut first = Vec::with_capacity(self.faces.len());
         let mut next = vec![u32::MAX; self.faces.len() * 3];
         let mut angles = vec![0.0f32; self.faces.len() * 3];
         for (i, face) in self.faces.iter().enumerate().rev() {
@@ -95,15 +110,18 @@ impl Sculpt {
                 let cosine = (q - p).normalize_or_zero().dot((r - p).normalize_or_zero());
                 let at = 3 * i + k;
                 angles[at] = endless_world::math::acos(cosine.clamp(-1.0, 1.0));
-                if let Some(other) = first.insert(key(p), at as u32) {
-                    next[at] = other;
+                let place = places.number(key(p));
+                place_of[at] = place;
+                match first.get_mut(place as usize) {
+                    Some(first) => next[at] = std::mem::replace(first, at as u32),
+                    None => first.push(at as u32),
                 }
             }
         }
         for (i, face) in self.faces.iter_mut().enumerate() {
             for k in 0..3 {
                 let mut sum = Vec3::ZERO;
-                let mut at = first[&key(face.corners[k])] as usize;
+                let mut at = first[place_of[3 * i + k] as usize] as usize;
                 loop {
                     if flat[at / 3].dot(flat[i]) > limit {
                         sum += flat[at / 3] * angles[at];
@@ -128,7 +146,7 @@ impl Sculpt {
     pub(crate) fn placed(mut self, transform: Affine3A) -> Self {
         let normal_matrix = transform.matrix3.inverse().transpose();
         let flips = transform.matrix3.determinant() < 0.0;
-        for face in &mut self.faces {
+        for face in self.faces_mut() {
             face.corners = face.corners.map(|p| transform.transform_point3(p));
             face.normals = face.normals.map(|n| (normal_matrix * n).normalize_or(Vec3::Z));
             if flips {
@@ -174,8 +192,7 @@ impl Sculpt {
 
     fn welded(self, seams: bool) -> Mesh {
         let mut mesh = Mesh::default();
-        let mut seen: CellMap<(Cell, Cell, u8), u32> =
-            CellMap::with_capacity_and_hasher(self.faces.len() * 2, Default::default());
+        let mut vertices = Census::with_room(self.faces.len());
         for face in &self.faces {
             let flat = face.area_normal();
             let size = flat.abs();
@@ -184,7 +201,8 @@ impl Sculpt {
             for k in 0..3 {
                 let (p, n) = (face.corners[k], face.normals[k]);
                 let normal_key = cell(n * 4096.0);
-                indices[k] = *seen.entry((key(p), normal_key, if seams { axis } else { 0 })).or_insert_with(|| {
+                indices[k] = vertices.number((key(p), normal_key, if seams { axis } else { 0 }));
+                if vertices.len() > mesh.positions.len() {
                     mesh.positions.push(p);
                     mesh.normals.push(n);
                     mesh.uvs.push(match axis {
@@ -192,8 +210,7 @@ impl Sculpt {
                         1 => Vec2::new(p.x, p.z),
                         _ => Vec2::new(p.x, p.y),
                     });
-                    (mesh.positions.len() - 1) as u32
-                });
+                }
             }
             if indices[0] == indices[1] || indices[1] == indices[2] || indices[2] == indices[0] {
                 continue;

@@ -1,6 +1,6 @@
 //! The models of those who move in a scene, made once a scene.
 
-use super::{Body, Shape, ambient_occlusion::openness, model::model, static_scene::VehicleParts};
+use super::{Body, Shape, StaticScene, ambient_occlusion::openness, model::model, static_scene::VehicleParts};
 use crate::accel::Use;
 use endless_asset::{Catalogue, PersonModel};
 use endless_world::{Actor, AssetRef, Gait, Motion, WalkerMotion};
@@ -44,6 +44,15 @@ pub(crate) struct PersonCast {
 impl Cast {
     /// Models of these actors.
     pub fn new(catalogue: &Catalogue, actors: &[Actor]) -> Self {
+        Self::made(catalogue, actors, &|_| None)
+    }
+
+    /// The same in a town of the same catalogue: vehicles that stand parked there are not made again.
+    pub fn in_town(still: &StaticScene, catalogue: &Catalogue, actors: &[Actor]) -> Self {
+        Self::made(catalogue, actors, &|model| still.parked.get(&model).cloned())
+    }
+
+    fn made(catalogue: &Catalogue, actors: &[Actor], parked: &(dyn Fn(u16) -> Option<VehicleParts> + Sync)) -> Self {
         // Everything is made by all threads, once.
         let driving = || actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_)));
         let models: BTreeSet<u16> = driving().map(|a| a.asset.model).collect();
@@ -54,7 +63,7 @@ impl Cast {
         let ridden: BTreeSet<(u16, u64)> = ridden.map(|a| (a.asset.model, a.asset.variant)).collect();
         let known = |&(model, _): &(u16, u64)| usize::from(model) < catalogue.vehicles().len();
         let (vehicles, (people, riders)) = rayon::join(
-            || models.into_par_iter().filter_map(|m| Some((m, VehicleCast::of(catalogue, m)?))).collect(),
+            || models.into_par_iter().filter_map(|m| Some((m, VehicleCast::of(catalogue, m, parked(m))?))).collect(),
             || {
                 rayon::join(
                     || dressed.into_par_iter().filter_map(|key| Some((key, PersonCast::of(catalogue, key)?))).collect(),
@@ -84,9 +93,9 @@ impl Cast {
 }
 
 impl VehicleCast {
-    fn of(catalogue: &Catalogue, model: u16) -> Option<Self> {
+    fn of(catalogue: &Catalogue, model: u16, made: Option<VehicleParts>) -> Option<Self> {
         let entry = catalogue.vehicles().get(usize::from(model))?;
-        let mut parts = VehicleParts::new(entry);
+        let mut parts = made.unwrap_or_else(|| VehicleParts::new(entry));
         let extent = Vec3A::new(entry.spec.length_m / 2.0, entry.spec.width_m / 2.0, entry.spec.height_m);
         let low = Vec3A::new(-extent.x, -extent.y, 0.0);
         for part in [&mut parts.body, &mut parts.wheel] {
@@ -144,16 +153,12 @@ fn shade_in_motion(parts: &mut Option<(Arc<Shape>, Arc<Body>)>, person: &Arc<Per
     let mut body = rest.as_ref().clone();
     body.pose(person, &stride);
     let open = openness(&body, Vec3A::new(-0.25, -0.3, 0.0), Vec3A::new(0.25, 0.3, person.height_m));
-    if let Some(shape) = Arc::get_mut(shape) {
-        shape.openness = open;
-    }
+    Arc::make_mut(shape).openness = open;
 }
 
 /// Fills in a model's openness.
 fn shade_by_itself(part: &mut Option<(Arc<Shape>, Arc<Body>)>, low: Vec3A, high: Vec3A) {
     let Some((shape, body)) = part else { return };
     let open = openness(body, low, high);
-    if let Some(shape) = Arc::get_mut(shape) {
-        shape.openness = open;
-    }
+    Arc::make_mut(shape).openness = open;
 }

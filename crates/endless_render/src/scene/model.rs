@@ -8,7 +8,7 @@ use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
 use std::sync::Arc;
 
 /// What does not change when a mesh deforms.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Shape {
     pub(crate) triangles: Vec<[u32; 3]>,
     pub(crate) uvs: Vec<Vec2>,

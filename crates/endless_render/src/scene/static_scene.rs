@@ -18,6 +18,8 @@ pub struct StaticScene {
     pub(crate) instances: Vec<Instance>,
     pub(crate) accel: Accel,
     pub(crate) lamps: Lamps,
+    /// Models of the parked vehicles: the same may drive by.
+    pub(super) parked: BTreeMap<u16, VehicleParts>,
 }
 
 impl StaticScene {
@@ -70,7 +72,7 @@ impl StaticScene {
             }
         }
         let accel = Accel::build(instances.iter().map(Instance::placed).collect());
-        Self { instances, accel, lamps: Lamps::new(&town.lamps) }
+        Self { instances, accel, lamps: Lamps::new(&town.lamps), parked: vehicles }
     }
 
     /// Number of triangles as placed, for reports.

@@ -16,6 +16,7 @@ use endless_world::CameraSite;
 use endless_world::math::f64::{atan2, wrap_angle};
 use glam::{DVec2, Vec3};
 use judge::{Judge, Seen};
+use rayon::prelude::*;
 
 pub(crate) use relief::Relief;
 pub(crate) use things::Things;
@@ -92,15 +93,15 @@ struct Judged {
 /// lens.
 pub(crate) fn choose(scene: Scene<'_>, set_up: &mut dyn FnMut(&Candidate) -> bool) -> Vec<CameraSite> {
     let judge = Judge::new(scene.network, scene.relief, scene.posts, &scene.parked);
-    let mut left: Vec<Judged> = candidate::all(scene.network, scene.relief, scene.solids, scene.open)
-        .into_iter()
-        .filter_map(|candidate| {
-            let seen = judge.look(&candidate.site, candidate.level)?;
-            let modest = !candidate.view.is_on_foot() && seen.street() > MODEST_PAVED;
-            let quality = seen.quality(candidate.view).or(modest.then_some(MODEST))?;
-            Some(Judged { candidate: classed(candidate, &seen), seen, quality })
-        })
-        .collect();
+    let judged = |candidate: Candidate| {
+        let seen = judge.look(&candidate.site, candidate.level)?;
+        let modest = !candidate.view.is_on_foot() && seen.street() > MODEST_PAVED;
+        let quality = seen.quality(candidate.view).or(modest.then_some(MODEST))?;
+        Some(Judged { candidate: classed(candidate, &seen), seen, quality })
+    };
+    // Thousands, each by itself: all threads judge, and the order stays.
+    let all = candidate::all(scene.network, scene.relief, scene.solids, scene.open);
+    let mut left: Vec<Judged> = all.into_par_iter().filter_map(judged).collect();
     let mut taken: Vec<Judged> = Vec::new();
     let mut due: &[View] = &COVERED;
     while taken.len() < WANTED {

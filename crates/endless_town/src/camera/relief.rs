@@ -6,6 +6,7 @@ use endless_asset::Mesh;
 use endless_road::RoadNetwork;
 use endless_world::ClassTag;
 use glam::{Affine3A, DVec2, Vec2, Vec3};
+use rayon::prelude::*;
 
 /// What lies on top at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -47,7 +48,7 @@ pub(crate) struct Relief {
 
 impl Relief {
     /// Of a town's own meshes, with the junctions of its network.
-    pub(crate) fn new<'a>(network: &RoadNetwork, meshes: impl IntoIterator<Item = &'a (Mesh, Affine3A)>) -> Self {
+    pub(crate) fn new(network: &RoadNetwork, meshes: &[(Mesh, Affine3A)]) -> Self {
         let points = network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.truncate());
         let (low, high) =
             points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
@@ -56,44 +57,17 @@ impl Relief {
         let size = high - low;
         let cell = (size.x * size.y / MOST_CELLS).sqrt().max(FINEST_M);
         let (width, height) = ((size.x / cell).ceil() as usize, (size.y / cell).ceil() as usize);
-        let cells = vec![(f32::MIN, Top::Beyond); width * height];
-        let mut relief = Self { low: low.as_vec2(), cell: cell as f32, width, height, cells };
-        for (mesh, place) in meshes {
-            relief.lay(mesh, *place);
-        }
+        let mut cells = vec![(f32::MIN, Top::Beyond); width * height];
+        let mut relief = Self { low: low.as_vec2(), cell: cell as f32, width, height, cells: Vec::new() };
+        // Each thread has some rows to itself, and looks at all meshes.
+        let rows = height.div_ceil(rayon::current_num_threads());
+        cells.par_chunks_mut((rows * width).max(1)).enumerate().for_each(|(i, cells)| {
+            let mut band = Band { relief: &relief, first: i * rows, cells };
+            meshes.iter().for_each(|(mesh, place)| band.lay(mesh, *place));
+        });
+        relief.cells = cells;
         relief.mark_junctions(network);
         relief
-    }
-
-    /// Rasterises a mesh from above; the highest face of each cell stays.
-    fn lay(&mut self, mesh: &Mesh, place: Affine3A) {
-        for (t, &m) in mesh.triangles.iter().zip(&mesh.triangle_materials) {
-            let top = match mesh.materials[usize::from(m)].tag {
-                ClassTag::Roads | ClassTag::RoadLines => Top::Road,
-                ClassTag::Sidewalks => Top::Walk,
-                ClassTag::Ground | ClassTag::Bridge => Top::Ground,
-                ClassTag::Water => Top::Water,
-                ClassTag::Buildings | ClassTag::Walls => Top::Solid,
-                ClassTag::Terrain => Top::Green,
-                _ => continue,
-            };
-            self.triangle(t.map(|i| place.transform_point3(mesh.positions[i as usize])), top);
-        }
-    }
-
-    fn triangle(&mut self, corners: [Vec3; 3], top: Top) {
-        let [a, b, c] = corners.map(|p| (p.truncate() - self.low) / self.cell);
-        // What faces down is no top.
-        if (b - a).perp_dot(c - a) <= 0.0 {
-            return;
-        }
-        cells_in([a, b, c], [self.width, self.height], |x, y, [u, v]| {
-            let z = corners[0].z * u + corners[1].z * v + corners[2].z * (1.0 - u - v);
-            let cell = &mut self.cells[y * self.width + x];
-            if z > cell.0 {
-                *cell = (z, top);
-            }
-        });
     }
 
     fn mark_junctions(&mut self, network: &RoadNetwork) {
@@ -161,6 +135,49 @@ impl Relief {
         let length = between.length();
         let direction = between / length.max(1e-6);
         self.cast(from, direction, length - 1.0).is_none()
+    }
+}
+
+/// Some rows of a field that is being made.
+struct Band<'a> {
+    relief: &'a Relief,
+    /// The first row.
+    first: usize,
+    cells: &'a mut [(f32, Top)],
+}
+
+impl Band<'_> {
+    /// Rasterises a mesh from above; the highest face of each cell stays.
+    fn lay(&mut self, mesh: &Mesh, place: Affine3A) {
+        for (t, &m) in mesh.triangles.iter().zip(&mesh.triangle_materials) {
+            let top = match mesh.materials[usize::from(m)].tag {
+                ClassTag::Roads | ClassTag::RoadLines => Top::Road,
+                ClassTag::Sidewalks => Top::Walk,
+                ClassTag::Ground | ClassTag::Bridge => Top::Ground,
+                ClassTag::Water => Top::Water,
+                ClassTag::Buildings | ClassTag::Walls => Top::Solid,
+                ClassTag::Terrain => Top::Green,
+                _ => continue,
+            };
+            self.triangle(t.map(|i| place.transform_point3(mesh.positions[i as usize])), top);
+        }
+    }
+
+    fn triangle(&mut self, corners: [Vec3; 3], top: Top) {
+        let Relief { low, cell, width, .. } = *self.relief;
+        let [a, b, c] = corners.map(|p| (p.truncate() - low) / cell);
+        // What faces down is no top.
+        if (b - a).perp_dot(c - a) <= 0.0 {
+            return;
+        }
+        let rows = self.first..self.first + self.cells.len() / width;
+        cells_in([a, b, c], width, rows, |x, y, [u, v]| {
+            let z = corners[0].z * u + corners[1].z * v + corners[2].z * (1.0 - u - v);
+            let cell = &mut self.cells[(y - self.first) * width + x];
+            if z > cell.0 {
+                *cell = (z, top);
+            }
+        });
     }
 }
 

@@ -72,7 +72,7 @@ fn cover(camera: &PinholeCamera, corners: [Vec3; 3], hidden: &mut [bool]) {
     let seen = corners.map(|p| camera.project(p).map(|(image, _)| image));
     let [Some(a), Some(b), Some(c)] = seen else { return };
     let (width, height) = (SIZE.width as usize, SIZE.height as usize);
-    cells_in([a, b, c], [width, height], |x, y, _| hidden[y * width + x] = true);
+    cells_in([a, b, c], width, 0..height, |x, y, _| hidden[y * width + x] = true);
 }
 
 #[cfg(test)]

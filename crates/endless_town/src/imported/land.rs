@@ -7,6 +7,7 @@ use endless_road::Terrain;
 use endless_world::math;
 use endless_world::math::f64::{atan2, sin};
 use glam::{DVec2, DVec3, Vec3};
+use rayon::prelude::*;
 
 /// Ground around the roads that belongs to the grid, metres.
 pub(crate) const MARGIN_M: f64 = 90.0;
@@ -44,7 +45,7 @@ impl Land {
     /// Through the pavements of a map, and as its terrain lies away from them; bridges do not carry land.
     pub(crate) fn new(
         cover: &Cover,
-        on_bridge: &dyn Fn(u32) -> bool,
+        on_bridge: &(dyn Fn(u32) -> bool + Sync),
         terrain: Option<&Terrain>,
         low: DVec2,
         high: DVec2,
@@ -55,22 +56,20 @@ impl Land {
         let (nx, ny) = ((size.x / cell).ceil() as usize + 1, (size.y / cell).ceil() as usize + 1);
         let flat = vec![0.0; nx * ny];
         let mut land = Self { low, cell, nx, ny, heights: flat.clone(), level: flat, terrain: terrain.cloned() };
-        let mut known: Vec<Option<f64>> = vec![None; nx * ny];
-        let mut under = vec![false; nx * ny];
-        for (i, known) in known.iter_mut().enumerate() {
+        let ground = |p: DVec2| {
+            let here = cover.at(p).filter(|(piece, _)| !on_bridge(piece.strip));
+            here.map(|(_, z)| z).min_by(f64::total_cmp)
+        };
+        // The lowest road near by decides, so that none is buried by a higher one beside it.
+        let way = |k: usize| crate::plot::unit(std::f64::consts::FRAC_PI_4 * k as f64) * (cell * 0.75);
+        let ways: [DVec2; 8] = std::array::from_fn(way);
+        let place = |i: usize| {
             let p = land.vertex(i % nx, i / nx);
-            let ground = |p: DVec2| {
-                let here = cover.at(p).filter(|(piece, _)| !on_bridge(piece.strip));
-                here.map(|(_, z)| z).min_by(f64::total_cmp)
-            };
             let here = ground(p);
-            under[i] = here.is_some();
-            // The lowest road near by decides, so that none is buried by a higher one beside it.
-            let reach = cell * 0.75;
-            let around = (0..8)
-                .filter_map(|k| ground(p + crate::plot::unit(std::f64::consts::FRAC_PI_4 * f64::from(k)) * reach));
-            *known = around.chain(here).min_by(f64::total_cmp);
-        }
+            let around = ways.iter().filter_map(|way| ground(p + way));
+            (around.chain(here).min_by(f64::total_cmp), here.is_some())
+        };
+        let (mut known, under): (Vec<Option<f64>>, Vec<bool>) = (0..nx * ny).into_par_iter().map(place).unzip();
         if let Some(terrain) = terrain {
             land.know_terrain(terrain, &mut known);
         }
@@ -83,7 +82,7 @@ impl Land {
             Some(z) => z.min(land.level[i]) - UNDER_M,
             None => land.level[i] - if under[i] { UNDER_M } else { BESIDE_M },
         };
-        land.heights = (0..nx * ny).map(cut).collect();
+        land.heights = (0..nx * ny).into_par_iter().map(cut).collect();
         land
     }
 

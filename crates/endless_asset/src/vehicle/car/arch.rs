@@ -27,7 +27,7 @@ pub(crate) fn open_arch(body: &mut Sculpt, arch: &Arch, half_width: f32, clad: b
     };
     // The wall of the well hangs on the very edge of the cut: first a narrow lip, then darkness.
     let mut well = Sculpt::new();
-    for face in &body.faces {
+    for face in body.faces() {
         for k in 0..3 {
             let (a, b) = (face.corners[k], face.corners[(k + 1) % 3]);
             if on_rim(a) && on_rim(b) && (a - b).length() > 1e-4 && a.y * b.y > 0.0 {

@@ -127,7 +127,7 @@ fn open_bed(body: &mut Sculpt, shape: &CarShape) {
     body.remove(&bed);
     let liner = Sculpt::cuboid(Vec3::new(x0, -y, top - 0.42), Vec3::new(x1, y, top + 0.005), 0.0, paint::TRIM);
     let mut inside = Sculpt::new();
-    for face in liner.faces.iter().filter(|f| f.normals[0].z < 0.5) {
+    for face in liner.faces().iter().filter(|f| f.normals[0].z < 0.5) {
         let [a, b, c] = face.corners;
         inside.triangle([a, c, b], paint::TRIM);
     }
