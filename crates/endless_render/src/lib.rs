@@ -14,6 +14,7 @@
 
 mod accel;
 mod cache;
+mod eight;
 mod film;
 mod indirect;
 mod light;

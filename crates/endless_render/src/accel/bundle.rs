@@ -94,3 +94,34 @@ pub(crate) fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
         (lane < 32).then_some(lane)
     })
 }
+
+/// All bits of those of eight lanes whose bit is set, none of the others.
+#[inline(always)]
+pub(super) fn lane_mask(bits: u32) -> f32x8 {
+    // As exponents the bits are positive numbers, each a normal one.
+    const OWN: f32x8 = f32x8::new([
+        f32::from_bits(1 << 23),
+        f32::from_bits(1 << 24),
+        f32::from_bits(1 << 25),
+        f32::from_bits(1 << 26),
+        f32::from_bits(1 << 27),
+        f32::from_bits(1 << 28),
+        f32::from_bits(1 << 29),
+        f32::from_bits(1 << 30),
+    ]);
+    (f32x8::splat(f32::from_bits((bits & 255) << 23)) & OWN).simd_gt(f32x8::ZERO)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn masks_have_the_lanes_of_their_bits() {
+        for bits in 0..512 {
+            let lanes = lane_mask(bits).to_array().map(f32::to_bits);
+            let expected = [0, 1, 2, 3, 4, 5, 6, 7].map(|lane| if bits >> lane & 1 == 1 { u32::MAX } else { 0 });
+            assert_eq!(lanes, expected, "{bits}");
+        }
+    }
+}

@@ -29,9 +29,9 @@ mod tlas;
 mod triangle;
 
 pub use blas::Blas;
+pub(crate) use blas::Use;
 pub(crate) use bundle::lanes;
 pub use bundle::{Hits, RayBundle};
-pub(crate) use blas::Use;
 pub(crate) use node::corners;
 pub use ray::{Hit, Ray};
 pub use tlas::Accel;

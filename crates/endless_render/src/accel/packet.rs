@@ -7,7 +7,7 @@
 
 use wide::f32x8;
 
-use super::bundle::{Hits, RayBundle, lanes};
+use super::bundle::{Hits, RayBundle, lane_mask, lanes};
 use super::node::{Beam, Link, Node};
 use super::packet_ray::PacketRay;
 use super::ray::{Hit, LocalRay, Ray};
@@ -113,9 +113,7 @@ impl<const N: usize> Trip<N> {
     pub(super) fn update_reach(&mut self) {
         let mut most = f32x8::ZERO;
         for (row, ends) in self.ends.iter().enumerate() {
-            let (bits, ends) = (self.live >> (8 * row), ends.as_array());
-            let live = std::array::from_fn(|lane| if bits >> lane & 1 != 0 { ends[lane] } else { 0.0 });
-            most = most.fast_max(f32x8::new(live));
+            most = most.fast_max(lane_mask(self.live >> (8 * row)) & *ends);
         }
         self.reach = most.to_array().into_iter().fold(0.0, f32::max);
     }

@@ -3,7 +3,7 @@
 use glam::Vec3A;
 use wide::{f32x4, f32x8};
 
-use super::bundle::{RayBundle, lanes};
+use super::bundle::{RayBundle, lane_mask, lanes};
 use super::node::Beam;
 use super::packet::Trip;
 use super::ray::{FAR_PAD, Hit, MAX_INVERSE, Transform, permutation};
@@ -30,10 +30,7 @@ impl<const N: usize> PacketRay<N> {
             return Self::new(rays.origin, rays.direction);
         }
         let first = active.trailing_zeros() as usize % (8 * N);
-        let mask: [f32x8; N] = std::array::from_fn(|row| {
-            let all_or_none = |lane: usize| f32::from_bits(0u32.wrapping_sub(active >> (8 * row + lane) & 1));
-            f32x8::new(std::array::from_fn(all_or_none))
-        });
+        let mask: [f32x8; N] = std::array::from_fn(|row| lane_mask(active >> (8 * row)));
         let follow = |v: &[[f32x8; N]; 3]| {
             v.map(|axis| {
                 let followed = f32x8::splat(axis[first / 8].as_array()[first % 8]);
@@ -60,7 +57,7 @@ impl<const N: usize> PacketRay<N> {
     fn new(origin: [[f32x8; N]; 3], direction: [[f32x8; N]; 3]) -> Option<Self> {
         let (mut x_main, mut y_main) = (0, 0);
         for row in 0..N {
-            let [ax, ay, az] = direction.map(|d| d[row].abs());
+            let [ax, ay, az] = [0, 1, 2].map(|k: usize| direction[k][row].abs());
             x_main += (ax.simd_ge(ay) & ax.simd_ge(az)).to_bitmask().count_ones();
             y_main += ay.simd_ge(az).to_bitmask().count_ones();
         }
@@ -122,44 +119,47 @@ impl<const N: usize> PacketRay<N> {
         trip: &mut Trip<N>,
         instance: u32,
     ) {
+        let mut found = 0;
         for lane in 0..TriangleGroup::SIZE {
             let triangle = group.ids[lane];
             if triangle == u32::MAX {
                 break;
             }
-            let mut found = 0;
+            let vertices = [0, 1, 2].map(|c| self.axes.map(|k| f32x8::splat(group.vertices[c][k].as_array()[lane])));
+            let mut hit = 0;
             for row in 0..N {
-                found |= self.intersect_row(group, lane, row, tmin, trip, instance) << (8 * row);
+                hit |= self.intersect_row(group, lane, &vertices, row, tmin, trip, instance) << (8 * row);
             }
-            if found != 0 {
-                if ANY {
-                    trip.live &= !found;
-                }
-                trip.update_reach();
+            found |= hit;
+            if ANY {
+                trip.live &= !hit;
             }
+        }
+        if found != 0 {
+            trip.update_reach();
         }
     }
 
-    /// One triangle, one row of rays: which of them hit it, a bit each.
+    /// One triangle, its `vertices` along the rays' own axes, and one row of rays: which of them hit it, a bit each.
     #[inline(always)]
     fn intersect_row(
         &self,
         group: &TriangleGroup,
         lane: usize,
+        vertices: &[[f32x8; 3]; 3],
         row: usize,
         tmin: Option<&[f32x8; N]>,
         trip: &mut Trip<N>,
         instance: u32,
     ) -> u32 {
         let [x, y, z] = self.axes;
-        let [sx, sy, sz] = self.shear.map(|s| s[row]);
+        let (sx, sy, sz) = (self.shear[0][row], self.shear[1][row], self.shear[2][row]);
         let (ox, oy, oz) = (self.origin[x][row], self.origin[y][row], self.origin[z][row]);
-        let corner = |c: usize| {
-            let v = |k: usize| f32x8::splat(group.vertices[c][k].as_array()[lane]);
-            let cz = v(z) - oz;
-            [(v(x) - ox) - sx * cz, (v(y) - oy) - sy * cz, cz]
+        let corner = |[vx, vy, vz]: &[f32x8; 3]| {
+            let cz = *vz - oz;
+            [(*vx - ox) - sx * cz, (*vy - oy) - sy * cz, cz]
         };
-        let (a, b, c) = (corner(0), corner(1), corner(2));
+        let [a, b, c] = vertices.each_ref().map(corner);
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
         let w = b[0] * a[1] - b[1] * a[0];

@@ -28,11 +28,7 @@ pub(super) fn mirrored(
 }
 
 /// Those of a row of pixels; of pixels that something covers wholly, none.
-pub(super) fn mirrored_row(
-    tracer: &Tracer<'_>,
-    row: &Row<'_>,
-    pixel_angle: f32,
-) -> [Mirrored; TILE as usize] {
+pub(super) fn mirrored_row(tracer: &Tracer<'_>, row: &Row<'_>, pixel_angle: f32) -> [Mirrored; TILE as usize] {
     let mut light = [[None; SAMPLES]; TILE as usize];
     let mut asked = [(0, 0); SAMPLES * TILE as usize];
     let mut count = 0;

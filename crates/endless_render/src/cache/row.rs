@@ -7,7 +7,7 @@ use super::still_pixel::StillPixel;
 use super::still_sample::StillSample;
 use super::tile::TILE;
 use crate::accel::{Hit, Ray, RayBundle, lanes};
-use crate::material::Vectors;
+use crate::eight::{Vectors, normalize};
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::scene::{Facet, FrameScene};
 use endless_world::{Distortion, PinholeCamera};
@@ -299,12 +299,10 @@ fn directions8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) 
     let across = (across - f32x8::splat(k.cx)) / f32x8::splat(k.fx);
     let down = f32x8::splat((y as f32 + 0.5 + offset.y - k.cy) / k.fy);
     let m = &camera.world_from_camera;
-    let [x, y, z] = [0, 1, 2].map(|axis| {
+    normalize([0, 1, 2].map(|axis| {
         let [x, y, z] = [m.x_axis[axis], m.y_axis[axis], m.z_axis[axis]].map(f32x8::splat);
         x * across + y * down + z
-    });
-    let over = f32x8::ONE / (x * x + y * y + z * z).sqrt();
-    [x * over, y * over, z * over]
+    }))
 }
 
 #[cfg(test)]

@@ -4,6 +4,7 @@ use super::affected::Sweep;
 use super::centre::Place;
 use super::still_sample::{StillSample, still_look};
 use crate::accel::Ray;
+use crate::eight::normalize;
 use crate::material::{Look, Look8};
 use crate::sampling::SAMPLES;
 use crate::scene::{Facet, FrameScene, SurfacePoint};
@@ -113,10 +114,7 @@ pub(super) fn beams_on_row<'a>(
         }
         shown = true;
         let arriving = f32x8::new(std::array::from_fn(|i| if active >> i & 1 == 1 { strengths[i] } else { 0.0 }));
-        let to_lamp: [f32x8; 3] = std::array::from_fn(|k| f32x8::splat(beam.position[k]) - positions[k]);
-        let [x, y, z] = to_lamp.map(|axis| axis * axis);
-        let over = f32x8::ONE / (x + y + z).sqrt();
-        let lit = looks.lit_by(&to_lamp.map(|axis| axis * over));
+        let lit = looks.lit_by(&normalize([0, 1, 2].map(|k| f32x8::splat(beam.position[k]) - positions[k])));
         for k in 0..3 {
             sums[k] += lit[k] * arriving * f32x8::splat(beam.color()[k]);
         }

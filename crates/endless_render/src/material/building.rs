@@ -22,7 +22,7 @@ fn weathering(point: &SurfacePoint<'_>, footprint: f32) -> f32 {
 fn bond(uv: Vec2, size: Vec2) -> (f32, glam::IVec2) {
     let row = (uv.y / size.y).floor();
     let shifted = Vec2::new(uv.x / size.x + 0.5 * (row - 2.0 * (row * 0.5).floor()), uv.y / size.y);
-    let cell = shifted.floor();
+    let cell = noise::corner_of(shifted);
     let local = (shifted - cell) * size;
     (local.min(size - local).min_element(), cell.as_ivec2())
 }
@@ -51,7 +51,7 @@ pub(super) fn stone(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Lo
 pub(super) fn cladding(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
     let (edge, cell) = {
         let size = Vec2::new(1.2, 0.9);
-        let cell = (point.uv / size).floor();
+        let cell = noise::corner_of(point.uv / size);
         let local = point.uv - cell * size;
         (local.min(size - local).min_element(), cell.as_ivec2())
     };
@@ -65,7 +65,7 @@ pub(super) fn cladding(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) ->
 
 pub(super) fn roof_tile(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
     let size = Vec2::new(0.24, 0.32);
-    let cell = (point.uv / size).floor();
+    let cell = noise::corner_of(point.uv / size);
     let local = point.uv / size - cell;
     let seen = (0.12 / footprint.max(1e-3)).min(1.0);
     let shade = 1.0 - 0.35 * seen * (1.0 - smoothstep(0.0, 0.22, local.y)) - 0.25 * seen * (local.x * 2.0 - 1.0).abs();

@@ -27,7 +27,7 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
     // Repairs: rectangles of newer asphalt with a tar seam around.
     let block = Vec2::new(5.3, 3.1);
     let shifted = p + Vec2::new(noise::value2(p * 0.05, 5), noise::value2(p * 0.05, 6)) * 0.4;
-    let cell = (shifted / block).floor();
+    let cell = noise::corner_of(shifted / block);
     let id = cell.as_ivec2();
     if noise::cell2(id, 71) < 0.16 {
         let local = (shifted / block - cell) * block;
@@ -114,7 +114,7 @@ pub(super) fn paving(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> L
     // Half-bond: every other row shifted by half a slab.
     let row = (p.y / SLAB.y).floor();
     let shifted = Vec2::new(p.x / SLAB.x + 0.5 * (row - 2.0 * (row * 0.5).floor()), p.y / SLAB.y);
-    let cell = shifted.floor();
+    let cell = noise::corner_of(shifted);
     let local = (shifted - cell) * SLAB;
     let edge = local.min(SLAB - local).min_element();
     let visible = (0.5 / footprint.max(0.01) * 0.25).min(1.0);

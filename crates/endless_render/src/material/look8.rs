@@ -1,12 +1,10 @@
 //! Eight looks side by side, each towards its own viewer: their light from one small light after another.
 
 use super::Look;
+use crate::eight::{Vectors, dot, normalize};
 use glam::Vec3A;
 use std::f32::consts::{FRAC_1_PI, PI};
 use wide::f32x8;
-
-/// Eight vectors: x, y, z.
-pub(crate) type Vectors = [f32x8; 3];
 
 /// What [`Look::lit_by`] needs of eight looks; what depends on the viewers alone is known beforehand.
 pub(crate) struct Look8 {
@@ -107,15 +105,6 @@ impl Lobe {
         let visibility = (n_l * self.masked + self.n_v * shadowed).fast_max(f32x8::splat(1e-4));
         self.a2 * f32x8::splat(0.5) / (f32x8::splat(PI) * d * d * visibility)
     }
-}
-
-fn dot(a: &Vectors, b: &Vectors) -> f32x8 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn normalize(v: Vectors) -> Vectors {
-    let over = f32x8::ONE / dot(&v, &v).fast_max(f32x8::splat(1e-30)).sqrt();
-    v.map(|axis| axis * over)
 }
 
 /// Schlick's fifth power.

@@ -13,4 +13,4 @@ mod wet;
 mod window;
 
 pub(crate) use look::{Look, look};
-pub(crate) use look8::{Look8, Vectors};
+pub(crate) use look8::Look8;

@@ -2,9 +2,9 @@
 
 use glam::{IVec2, IVec3, Vec2, Vec3, Vec3A};
 
-/// The cell of a lattice that a place lies in. `Vec2::floor` is a call of libm; this is one instruction.
+/// The corner of a lattice's cell that a place lies in. `Vec2::floor` is a call of libm; this is one instruction.
 #[inline]
-fn cell_of(p: Vec2) -> Vec2 {
+pub(crate) fn corner_of(p: Vec2) -> Vec2 {
     Vec2::new(p.x.floor(), p.y.floor())
 }
 
@@ -50,7 +50,7 @@ fn fade(t: f32) -> f32 {
 /// Value noise in [−1, 1].
 #[inline]
 pub(crate) fn value2(p: Vec2, salt: u32) -> f32 {
-    let base = cell_of(p);
+    let base = corner_of(p);
     let f = p - base;
     let i = base.as_ivec2();
     let (u, v) = (fade(f.x), fade(f.y));
@@ -104,7 +104,7 @@ pub(crate) fn filtered_fbm2(p: Vec2, wavelength_m: f32, octaves: u32, footprint_
 
 /// The two nearest feature points of a jittered grid (Worley 1996): distances, and the id of the nearest in [0, 1).
 pub(crate) fn cells2(p: Vec2, salt: u32) -> (f32, f32, f32) {
-    let i = cell_of(p).as_ivec2();
+    let i = corner_of(p).as_ivec2();
     let (mut first, mut second, mut id) = (f32::MAX, f32::MAX, 0.0);
     for y in -1..=1 {
         for x in -1..=1 {

@@ -15,8 +15,8 @@ const LAMP_COLORS: [Vec3A; 4] = [
 ];
 
 pub(super) fn window(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment, shop: bool) -> Look {
-    let name = point.uv.floor().as_ivec2();
-    let place = point.uv - point.uv.floor();
+    let name = noise::corner_of(point.uv).as_ivec2();
+    let place = point.uv - noise::corner_of(point.uv);
     // Windows of different walls may share a name: tell them apart by where the wall stands.
     let wall = ((point.position + point.geometric_normal * 0.5) / 7.0).floor();
     let id = name + IVec2::new(wall.x as i32 * 131, wall.y as i32 * 197);
@@ -40,14 +40,14 @@ pub(super) fn window(point: &SurfacePoint<'_>, base: Vec3A, environment: &Enviro
         0.55
     } else {
         // The back wall, with something standing in front of it.
-        let furniture = noise::cell2((reached * 4.0).floor().as_ivec2() + id, 95);
+        let furniture = noise::cell2(noise::corner_of(reached * 4.0).as_ivec2() + id, 95);
         0.62 - 0.35 * smoothstep(0.55, 0.7, furniture)
     };
     let wall_color = Vec3A::new(0.62, 0.58, 0.52).lerp(Vec3A::new(0.45, 0.50, 0.55), random(1));
     let mut room = wall_color * (tone * falloff);
     if shop {
         // Shelves and goods.
-        let goods = noise::tint((reached * Vec2::new(14.0, 6.0)).floor().as_ivec2() + id, 97, 0.5);
+        let goods = noise::tint(noise::corner_of(reached * Vec2::new(14.0, 6.0)).as_ivec2() + id, 97, 0.5);
         room = room * 0.5 + goods.max(Vec3A::ZERO) * (0.28 * falloff);
     }
 

@@ -7,6 +7,7 @@ use super::lamplight::{lamp_light, lamp_light8};
 use super::secondary::{MIRROR_THRESHOLD, mirror_footprint, mirror_ray, shade_struck, shade_struck8};
 use crate::accel::{Ray, RayBundle};
 use crate::material::{Look, look};
+use crate::sampling::SAMPLES;
 use crate::scene::SurfacePoint;
 use endless_world::math;
 use glam::Vec3A;
@@ -61,7 +62,8 @@ pub(crate) fn shade_moving_together(tracer: &Tracer<'_>, seen: &[&Seen<'_>], pix
         let (rays, active) = side_by_side(bundle.iter().map(|(_, (ray, _))| ray));
         let struck = tracer.closest32(&rays, active);
         for (row, eight) in bundle.chunks(8).enumerate() {
-            let footprints_m = std::array::from_fn(|lane| eight.get(lane).map_or(0.0, |(_, (_, footprint_m))| *footprint_m));
+            let footprints_m =
+                std::array::from_fn(|lane| eight.get(lane).map_or(0.0, |(_, (_, footprint_m))| *footprint_m));
             let active = (active >> (8 * row)) as u8;
             let rays = std::array::from_fn(|lane| rays.ray(8 * row + lane));
             let shown = shade_struck8(tracer, &rays, &struck[row], active, &footprints_m);
@@ -119,7 +121,7 @@ impl Asked {
         let environment = tracer.environment;
         let look = look(point, environment, footprint_m(point, pixel_angle), *sample as f32 / 4.0);
         let sun = environment.sun.as_ref().and_then(|sun| sun.ray_from(point));
-        let mirror = Mirror::new(point, &look, pixel_angle);
+        let mirror = Mirror::new(point, &look, f32::from(seen.stands_for) / SAMPLES as f32, pixel_angle);
         Self { look, sun, mirror }
     }
 
@@ -148,10 +150,10 @@ impl Asked {
 }
 
 impl Mirror {
-    /// On bright paint a weak mirror is hardly seen: there it shows soft light alone.
-    fn new(point: &SurfacePoint<'_>, look: &Look, pixel_angle: f32) -> Option<Self> {
+    /// On bright paint, and in a small `share` of a pixel, a weak mirror is hardly seen: there it shows soft light alone.
+    fn new(point: &SurfacePoint<'_>, look: &Look, share: f32, pixel_angle: f32) -> Option<Self> {
         let weight = look.coat_reflectance(-point.direction);
-        let contrast = weight.max_element() / (look.albedo.max_element() + 0.05);
+        let contrast = share * weight.max_element() / (look.albedo.max_element() + 0.05);
         let sharp = math::smoothstep(0.12, 0.20, contrast);
         let ray = mirror_ray(point, look);
         let footprint_m = mirror_footprint(point.distance, look.coat_roughness, pixel_angle);
