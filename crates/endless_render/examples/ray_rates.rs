@@ -12,7 +12,7 @@ mod town;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use endless_render::{Accel, Ray};
+use endless_render::{Accel, Ray, RayBundle};
 use obvhs::bvh2::Bvh2;
 use obvhs::cwbvh::CwBvh;
 use town::{Packet, Town};
@@ -42,9 +42,9 @@ impl Clock {
 }
 
 /// Millions of active rays per second, best of some rounds, and how many hit.
-fn rate(packets: &[Packet], trace: impl Fn(&[Ray; 8], u8) -> u32 + Sync) -> (f64, usize) {
+fn rate<R: Sync, M: Copy + Into<u32> + Sync>(packets: &[(R, M)], trace: impl Fn(&R, M) -> u32 + Sync) -> (f64, usize) {
     const CHUNK: usize = 512;
-    let rays: u32 = packets.iter().map(|(_, active)| active.count_ones()).sum();
+    let rays: u32 = packets.iter().map(|(_, active)| (*active).into().count_ones()).sum();
     let mut best = f64::INFINITY;
     let mut hits = 0;
     for _ in 0..ROUNDS {
@@ -66,6 +66,16 @@ fn rate(packets: &[Packet], trace: impl Fn(&[Ray; 8], u8) -> u32 + Sync) -> (f64
         hits = found.into_inner();
     }
     (f64::from(rays) / best / 1e6, hits)
+}
+
+/// The same rays, four packets together.
+fn bundles(packets: &[Packet]) -> Vec<(RayBundle<4>, u32)> {
+    let bundle = |four: &[Packet]| {
+        let of = |i: usize| four.get(i).unwrap_or(&four[0]);
+        let active = four.iter().enumerate().map(|(i, (_, active))| u32::from(*active) << (8 * i)).sum();
+        (RayBundle::of(&std::array::from_fn(|i| of(i).0)), active)
+    };
+    packets.chunks(4).map(bundle).collect()
 }
 
 fn each(active: u8, rays: &[Ray; 8], hit: impl Fn(&Ray) -> bool) -> u32 {
@@ -97,15 +107,17 @@ fn main() {
     }
     let [primary, sun, diffuse, scattered] = town.rays();
     let accel = &town.accel;
-    let report = |name: &str,
-                  closest: &(dyn Fn(&[Ray; 8], u8) -> u32 + Sync),
-                  occluded: &(dyn Fn(&[Ray; 8], u8) -> u32 + Sync)| {
-        let [a, b, c, d] =
-            [rate(&primary, closest), rate(&sun, occluded), rate(&diffuse, closest), rate(&scattered, closest)];
+    let print = |name: &str, [a, b, c, d]: [(f64, usize); 4]| {
         println!(
             "{name:16} primary {:6.2}  sun {:6.2}  diffuse {:6.2}  scattered {:6.2} Mrays/s   hits {} {} {} {}",
             a.0, b.0, c.0, d.0, a.1, b.1, c.1, d.1
         );
+    };
+    let report = |name: &str,
+                  closest: &(dyn Fn(&[Ray; 8], u8) -> u32 + Sync),
+                  occluded: &(dyn Fn(&[Ray; 8], u8) -> u32 + Sync)| {
+        let rates = [rate(&primary, closest), rate(&sun, occluded), rate(&diffuse, closest), rate(&scattered, closest)];
+        print(name, rates);
     };
     report("own, single", &|r, m| each(m, r, |ray| accel.closest(ray).is_some()), &|r, m| {
         each(m, r, |ray| accel.occluded(ray))
@@ -113,6 +125,15 @@ fn main() {
     report("own, packets", &|r, m| accel.closest8(r, m).iter().flatten().count() as u32, &|r, m| {
         accel.occluded8(r, m).count_ones()
     });
+    let closest = |r: &RayBundle<4>, m: u32| {
+        let hits = accel.closest32(r, m);
+        (0..32).filter(|&lane| hits.get(lane).is_some()).count() as u32
+    };
+    let occluded = |r: &RayBundle<4>, m: u32| accel.occluded32(r, m).count_ones();
+    let [by_primary, by_sun, by_diffuse, by_scattered] = [&primary, &sun, &diffuse, &scattered].map(|p| bundles(p));
+    let rates =
+        [rate(&by_primary, closest), rate(&by_sun, occluded), rate(&by_diffuse, closest), rate(&by_scattered, closest)];
+    print("own, bundles", rates);
     let cw = baseline::Baseline::<CwBvh>::new(&town);
     report("obvhs CWBVH", &|r, m| each(m, r, |ray| cw.closest(ray).is_some()), &|r, m| {
         each(m, r, |ray| cw.occluded(ray))
