@@ -1,7 +1,7 @@
 //! A soup of triangles under construction.
 
 use super::runs::Runs;
-use super::weld::{Cell, Census};
+use super::weld::{Cell, census};
 use crate::{Material, Mesh};
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -99,7 +99,7 @@ impl Sculpt {
         let limit = endless_world::math::cos(crease_deg.to_radians());
         let flat: Vec<Vec3> = self.faces.iter().map(|f| f.area_normal().normalize_or(Vec3::Z)).collect();
         // Places, those of corners, and corners by place: the first of each, and the next one of the same place.
-        let mut places = Census::with_room(self.faces.len());
+        let mut places = census(self.faces.len());
         let mut place_of = vec![0; self.faces.len() * 3];
         let mut first = Vec::with_capacity(self.faces.len());
         let mut next = vec![u32::MAX; self.faces.len() * 3];
@@ -110,9 +110,9 @@ impl Sculpt {
                 let cosine = (q - p).normalize_or_zero().dot((r - p).normalize_or_zero());
                 let at = 3 * i + k;
                 angles[at] = endless_world::math::acos(cosine.clamp(-1.0, 1.0));
-                let place = places.number(key(p));
-                place_of[at] = place;
-                match first.get_mut(place as usize) {
+                let (place, _) = places.insert_full(key(p));
+                place_of[at] = place as u32;
+                match first.get_mut(place) {
                     Some(first) => next[at] = std::mem::replace(first, at as u32),
                     None => first.push(at as u32),
                 }
@@ -192,7 +192,7 @@ impl Sculpt {
 
     fn welded(self, seams: bool) -> Mesh {
         let mut mesh = Mesh::default();
-        let mut vertices = Census::with_room(self.faces.len());
+        let mut vertices = census(self.faces.len());
         for face in &self.faces {
             let flat = face.area_normal();
             let size = flat.abs();
@@ -201,8 +201,9 @@ impl Sculpt {
             for k in 0..3 {
                 let (p, n) = (face.corners[k], face.normals[k]);
                 let normal_key = cell(n * 4096.0);
-                indices[k] = vertices.number((key(p), normal_key, if seams { axis } else { 0 }));
-                if vertices.len() > mesh.positions.len() {
+                let (vertex, is_new) = vertices.insert_full((key(p), normal_key, if seams { axis } else { 0 }));
+                indices[k] = vertex as u32;
+                if is_new {
                     mesh.positions.push(p);
                     mesh.normals.push(n);
                     mesh.uvs.push(match axis {

@@ -46,7 +46,7 @@ impl Accel {
     fn trace_together<const ANY: bool, const N: usize>(&self, rays: &RayBundle<N>, active: u32) -> Trip<N> {
         let mut trip = Trip::new(rays, active);
         let mut stack = Stack::new();
-        match Some(active).filter(|a| worth_a_packet::<N>(*a)).and_then(|active| PacketRay::in_world(rays, active)) {
+        match packet_of(rays, active) {
             Some(packet) => {
                 walk::<ANY, N>(self.nodes(), self.root(), &packet, &mut trip, &mut stack, |link, trip, stack| {
                     self.entry(link).trace_packet::<ANY, N>(rays, &packet, trip, stack);
@@ -66,7 +66,7 @@ impl Accel {
 
     #[inline(never)]
     fn trace_row<const ANY: bool>(&self, rays: &RayBundle<1>, trip: &mut Trip<1>, stack: &mut Stack) {
-        match Some(trip.live).filter(|l| worth_a_packet::<1>(*l)).and_then(|live| PacketRay::in_world(rays, live)) {
+        match packet_of(rays, trip.live) {
             Some(packet) => walk::<ANY, 1>(self.nodes(), self.root(), &packet, trip, stack, |link, trip, stack| {
                 self.entry(link).trace_packet::<ANY, 1>(rays, &packet, trip, stack);
             }),
@@ -89,6 +89,12 @@ impl Accel {
 /// Whether these lanes are enough to go together, and lie in more than one row if there are rows.
 fn worth_a_packet<const N: usize>(lanes: u32) -> bool {
     lanes.count_ones() > FEW && (N == 1 || rows::<N>(lanes).count() > 1)
+}
+
+/// These lanes as a packet, if that is worth it and their directions agree.
+#[inline(always)]
+fn packet_of<const N: usize>(rays: &RayBundle<N>, lanes: u32) -> Option<PacketRay<N>> {
+    if worth_a_packet::<N>(lanes) { PacketRay::in_world(rays, lanes) } else { None }
 }
 
 /// How far N times eight rays have come.
@@ -203,8 +209,7 @@ impl Entry {
         trip: &mut Trip<1>,
         stack: &mut Stack,
     ) {
-        let world = Some(entered).filter(|e| worth_a_packet::<1>(*e)).and_then(|e| PacketRay::in_world(rays, e));
-        let local = world.and_then(|world| match &self.object_from_world {
+        let local = packet_of(rays, entered).and_then(|world| match &self.object_from_world {
             Some(transform) => world.transformed(transform),
             None => Some(world),
         });

@@ -12,13 +12,13 @@ use endless_asset::Surface;
 use glam::Vec3A;
 
 /// Pixels of a tile.
-pub(super) const PIXELS: usize = (TILE * TILE) as usize;
+const PIXELS: usize = (TILE * TILE) as usize;
 
 /// Lights that lie no further apart than this share are told by their mean.
 const ALIKE: f32 = 0.06;
 
 /// A pixel of a tile towards which rays found something.
-pub(super) struct Asked<'f> {
+pub(super) struct Touched<'f> {
     /// Its place in the tile, row by row.
     pub(super) place: usize,
     pub(super) rays: [Ray; SAMPLES],
@@ -28,19 +28,22 @@ pub(super) struct Asked<'f> {
 /// What covers each pixel of a tile. `shade` gives the light of samples; `halo` that of lamps in the air before one, at
 /// a place of the tile.
 ///
-/// Every second pixel of a smooth piece, across and down, is not shaded where those around it, on the same piece, look
-/// alike: it has their mean.
+/// Of a smooth piece every fourth pixel is shaded, across and down, then every second, then all: but one that lies between
+/// pixels of the same piece that look alike has their mean.
 pub(super) fn covers<'a, 'f>(
     bake: &CameraBake,
     frame: &'a FrameScene,
-    pixels: impl Iterator<Item = Asked<'f>>,
+    pixels: impl Iterator<Item = Touched<'f>>,
     mut shade: impl FnMut(&[&Seen<'a>]) -> Vec<Vec3A>,
     halo: impl Fn(usize, &Seen<'a>) -> Vec3A,
 ) -> [Cover; PIXELS] {
     let mut seen = Vec::new();
     let mut covers = [const { Cover::NONE }; PIXELS];
-    for Asked { place, rays, found } in pixels {
+    for Touched { place, rays, found } in pixels {
         covers[place] = Cover::new(bake, frame, &rays, found, &mut seen);
+    }
+    if seen.is_empty() {
+        return covers;
     }
     let between = Step::ALL.map(|step| between(&covers, &seen, step));
     let mut lights = vec![Vec3A::ZERO; seen.len()];

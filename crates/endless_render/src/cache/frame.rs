@@ -6,7 +6,7 @@ use super::canvas::{Canvas, Pixel};
 use super::centre::{CentreLight, Place, centre_lights};
 use super::compose::{compose, sun_can_light, sun_origin};
 use super::cover::Cover;
-use super::covers::{Asked, covers};
+use super::covers::{Touched, covers};
 use super::mirror::{Mirrored, mirrored, mirrored_row};
 use super::row::{Found, Row};
 use super::still_pixel::StillPixel;
@@ -109,7 +109,7 @@ impl CameraBake {
         let rows = &rows[..(y1 - y0) as usize];
         let covered = rows.iter().enumerate().flat_map(|(y, row)| {
             let seen = (0..count).filter(|&x| row.found[x].seen.iter().any(Option::is_some));
-            seen.map(move |x| Asked { place: y * TILE as usize + x, rays: row.rays(x), found: &row.found[x] })
+            seen.map(move |x| Touched { place: y * TILE as usize + x, rays: row.rays(x), found: &row.found[x] })
         });
         let covers = covers(
             self,
@@ -174,7 +174,7 @@ impl CameraBake {
                 (x, y, samples, rays, found)
             })
             .collect();
-        let asked = pixels.iter().map(|(x, y, _, rays, found)| Asked {
+        let asked = pixels.iter().map(|(x, y, _, rays, found)| Touched {
             place: ((y - y0) * TILE + x - x0) as usize,
             rays: *rays,
             found,

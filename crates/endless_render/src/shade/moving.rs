@@ -55,15 +55,13 @@ pub(crate) fn shade_moving_together(tracer: &Tracer<'_>, seen: &[&Seen<'_>], pix
         }
     }
     let mut images = vec![None; seen.len()];
-    let mirror = |asked: &'_ Asked| asked.mirror.as_ref().filter(|m| m.is_asked()).map(|m| (m.ray, m.footprint_m));
-    let mirrors: Vec<(usize, (Ray, f32))> =
-        asked.iter().enumerate().filter_map(|(i, asked)| Some((i, mirror(asked)?))).collect();
+    let mirror = |(i, asked): (usize, &'_ Asked)| asked.mirror.filter(Mirror::is_asked).map(|mirror| (i, mirror));
+    let mirrors: Vec<(usize, Mirror)> = asked.iter().enumerate().filter_map(mirror).collect();
     for bundle in mirrors.chunks(32) {
-        let (rays, active) = side_by_side(bundle.iter().map(|(_, (ray, _))| ray));
+        let (rays, active) = side_by_side(bundle.iter().map(|(_, mirror)| &mirror.ray));
         let struck = tracer.closest32(&rays, active);
         for (row, eight) in bundle.chunks(8).enumerate() {
-            let footprints_m =
-                std::array::from_fn(|lane| eight.get(lane).map_or(0.0, |(_, (_, footprint_m))| *footprint_m));
+            let footprints_m = std::array::from_fn(|lane| eight.get(lane).map_or(0.0, |(_, m)| m.footprint_m));
             let active = (active >> (8 * row)) as u8;
             let rays = std::array::from_fn(|lane| rays.ray(8 * row + lane));
             let shown = shade_struck8(tracer, &rays, &struck[row], active, &footprints_m);
@@ -106,6 +104,7 @@ struct Asked {
 }
 
 /// A coat's mirror image.
+#[derive(Clone, Copy)]
 struct Mirror {
     ray: Ray,
     /// Share of the mirrored light that the coat gives.
