@@ -2,6 +2,7 @@
 
 use super::{Look, noise};
 use crate::scene::SurfacePoint;
+use endless_world::ClassTag;
 use endless_world::math::smoothstep;
 use glam::{IVec2, Vec2, Vec3A};
 
@@ -20,10 +21,10 @@ fn line(distance: f32, width: f32, footprint: f32) -> f32 {
 fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
     let broad = noise::filtered_fbm2(p, 11.0, 4, footprint);
     let mottle = noise::filtered_fbm2(p + 70.0, 0.6, 3, footprint);
-    let grain = noise::filtered_fbm2(p, 0.05, 3, footprint);
-    let mut tone = 1.0 + 0.30 * broad + 0.22 * mottle + 0.50 * grain;
+    let grain = noise::filtered_fbm2(p, 0.02, 2, footprint);
+    let mut tone = 1.0 + 0.20 * broad + 0.07 * mottle + 0.55 * grain;
     // Sun and traffic bleach bitumen over the years: whole stretches are of one age.
-    tone *= 1.0 + 0.45 * noise::filtered_fbm2(p + 900.0, 85.0, 2, footprint);
+    tone *= 1.0 + 0.40 * noise::filtered_fbm2(p + 900.0, 85.0, 2, footprint);
     // Repairs: rectangles of newer asphalt with a tar seam around.
     let block = Vec2::new(5.3, 3.1);
     let shifted = p + Vec2::new(noise::value2(p * 0.05, 5), noise::value2(p * 0.05, 6)) * 0.4;
@@ -62,6 +63,8 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
         let drip = 1.0 - smoothstep(0.05, 0.45, lateral.abs());
         let spots = smoothstep(0.1, 0.7, noise::filtered_fbm2(p, 0.9, 3, footprint) + 0.3);
         tone *= 1.0 - 0.20 * path * (0.75 + 0.5 * mottle) - 0.20 * drip * spots;
+        // Whatever drops from vehicles is drawn out along the lane.
+        tone *= 1.0 + 0.22 * noise::filtered_fbm2(Vec2::new(uv.x / 40.0, lateral), 0.55, 3, footprint);
         // The joint where two lanes were laid beside each other.
         tone *= 1.0 - 0.18 * line((lateral.abs() - 1.72).abs(), 0.04, footprint);
     } else {
@@ -152,7 +155,44 @@ pub(super) fn kerb(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Loo
     Look::matte(base * (grime * splash * (1.0 - 0.45 * joint)), point.normal)
 }
 
+/// Brightness of a yard at a place, around 1, and the share of moss: concrete cast in bays, some of them broken up and
+/// cast anew, with cracks, and dirt and moss in the joints.
+fn yard_tone(p: Vec2, footprint: f32) -> (f32, f32) {
+    const BAY_M: Vec2 = Vec2::new(4.2, 3.4);
+    let cell = noise::corner_of(p / BAY_M);
+    let id = cell.as_ivec2();
+    let local = p - cell * BAY_M;
+    let edge = local.min(BAY_M - local).min_element();
+    let renewed = noise::cell2(id, 61);
+    let cast = 1.0
+        + (noise::cell2(id, 62) - 0.5) * 0.14
+        + if renewed < 0.07 {
+            0.22
+        } else if renewed < 0.16 {
+            -0.20
+        } else {
+            0.0
+        };
+    let wobble = Vec2::new(noise::value2(p * 0.9, 63), noise::value2(p * 0.9, 64)) * 0.35;
+    let (first, second, crack) = noise::cells2((p + wobble) / 3.7, 65);
+    let cracked = if crack < 0.3 { line((second - first) * 3.7, 0.014, footprint) } else { 0.0 };
+    let joint = line(edge, 0.016, footprint);
+    let grime = (1.0 - smoothstep(0.0, 0.45, edge)) * (0.5 + 0.5 * noise::filtered_fbm2(p + 19.0, 0.8, 3, footprint));
+    let worn = smoothstep(0.1, 0.55, noise::filtered_fbm2(p * Vec2::new(1.0, 0.4) + 23.0, 3.2, 3, footprint));
+    let overgrown = smoothstep(-0.1, 0.3, noise::filtered_fbm2(p + 140.0, 4.5, 3, footprint));
+    let tone = cast * (1.0 - 0.5 * joint) * (1.0 - 0.45 * cracked) * (1.0 - 0.16 * grime) * (1.0 - 0.16 * worn);
+    (tone, line(edge, 0.05, footprint) * overgrown)
+}
+
 pub(super) fn concrete(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+    if point.material.tag == ClassTag::Ground && point.geometric_normal.z > 0.9 {
+        let p = plan(point);
+        let (bays, moss) = yard_tone(p, footprint);
+        let stain = smoothstep(0.25, 0.6, noise::filtered_fbm2(p + 57.0, 1.9, 4, footprint));
+        let tone = 0.92 + 0.20 * noise::filtered_fbm2(p, 2.7, 6, footprint) - 0.12 * stain;
+        let color = (base * (tone * bays)).lerp(Vec3A::new(0.055, 0.075, 0.03), 0.7 * moss);
+        return Look::matte(color, point.normal);
+    }
     let p = plan(point) + point.position.z * Vec2::new(0.37, 0.91);
     let broad = noise::filtered_fbm2(p + 11.0, 9.0, 3, footprint);
     let stain = smoothstep(0.25, 0.6, noise::filtered_fbm2(p + 57.0, 1.9, 4, footprint));
@@ -163,15 +203,16 @@ pub(super) fn concrete(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) ->
 pub(super) fn grass(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
     let p = plan(point);
     let broad = noise::filtered_fbm2(p, 7.0, 4, footprint);
-    let tuft = noise::filtered_fbm2(p, 0.35, 4, footprint);
+    let tuft = noise::filtered_fbm2(p, 0.35, 2, footprint);
+    let clump = noise::filtered_fbm2(p + 7.0, 0.13, 2, footprint);
     let blades = noise::filtered_fbm2(p * Vec2::new(1.0, 0.6), 0.05, 3, footprint);
     let dry = smoothstep(0.1, 0.6, noise::filtered_fbm2(p + 90.0, 5.0, 3, footprint) + 0.15 * tuft);
     let worn = smoothstep(0.28, 0.62, noise::filtered_fbm2(p + 210.0, 3.3, 4, footprint) + 0.1 * tuft);
-    let green = muted(base, 0.22) * (0.92 + 0.40 * broad + 0.5 * tuft + 0.7 * blades);
+    let green = muted(base, 0.22) * (0.94 + 0.34 * broad + 0.35 * tuft + 0.75 * clump + 0.7 * blades);
     let straw = Vec3A::new(0.20, 0.17, 0.085) * (1.0 + 0.4 * blades + 0.3 * tuft);
     let earth = Vec3A::new(0.115, 0.09, 0.065) * (1.0 + 0.5 * tuft);
     let color = green.lerp(straw, dry * 0.6).lerp(earth, worn * 0.6);
-    let mut look = Look::matte(color, bumped(point.normal, p, 0.12, 0.5, footprint));
+    let mut look = Look::matte(color, bumped(point.normal, p, 0.10, 0.8, footprint));
     look.roughness = 0.8;
     look
 }

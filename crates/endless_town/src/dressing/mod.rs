@@ -26,7 +26,7 @@ pub(crate) fn dress(dresser: &mut Dresser<'_>, sites: &[CameraSite], lots: &[Lot
     garden::add(dresser, &mut mesh, lots);
     tree::add_street_trees(dresser, &mut mesh, sites, &houses);
     furniture::add(dresser, sites);
-    tree::add_garden_trees(dresser, sites);
+    tree::add_garden_trees(dresser, &mut mesh, sites);
     tree::add_woods(dresser);
     mesh.finish()
 }

@@ -95,25 +95,24 @@ fn street_tree(
     }
     let spot = grown(at, KERB_HEIGHT_M, (0.85, 1.05), stream);
     if dresser.put(prop, spot, DVec2::splat(0.4), None) && !street.profile.verge {
-        let half = 0.42;
-        let p = |ds: f64, dt: f64| {
-            let q = street.point(s + ds * side, side * (street.profile.kerb() + TRUNK_M + dt));
-            q.as_vec2().extend(KERB_HEIGHT_M as f32 + 0.004)
-        };
-        pits.quad(
-            [p(-half, -half), p(half, -half), p(half, half), p(-half, half)],
-            [[0.0, 0.0], [0.84, 0.0], [0.84, 0.84], [0.0, 0.84]].map(Vec2::from_array),
-            SOIL,
-        );
+        pit(pits, |x, y| street.point(s + x * side, side * (street.profile.kerb() + TRUNK_M + y)), 0.42);
     }
 }
 
+/// A square of soil in paving, `half` as wide from its middle; `place` tells where the points of its own plane lie.
+fn pit(pits: &mut MeshBuilder, place: impl Fn(f64, f64) -> DVec2, half: f64) {
+    let corners = [(-half, -half), (half, -half), (half, half), (-half, half)];
+    let points = corners.map(|(x, y)| place(x, y).as_vec2().extend(KERB_HEIGHT_M as f32 + 0.004));
+    pits.quad(points, corners.map(|(x, y)| Vec2::new((x + half) as f32, (y + half) as f32)), SOIL);
+}
+
 /// Trees and bushes on what the buildings leave of each block.
-pub(crate) fn add_garden_trees(dresser: &mut Dresser<'_>, sites: &[CameraSite]) {
+pub(crate) fn add_garden_trees(dresser: &mut Dresser<'_>, pits: &mut MeshBuilder, sites: &[CameraSite]) {
     for (i, block) in surface::blocks(dresser.plan).iter().enumerate() {
         let mut stream = dresser.stream(2000 + i as u64);
         let (low, high) = block.iter().fold((block[0], block[0]), |(l, h), &p| (l.min(p), h.max(p)));
         let size = high - low;
+        let paved = surface::is_paved(dresser.character, i);
         let wanted = (size.x * size.y / 1000.0 * dresser.character.garden_trees) as usize;
         for k in 0..wanted * 2 {
             let at = low + size * DVec2::new(stream.f64(), stream.f64());
@@ -125,7 +124,9 @@ pub(crate) fn add_garden_trees(dresser: &mut Dresser<'_>, sites: &[CameraSite]) 
             }
             let prop = if bush { Prop::Bush } else { species(dresser, &mut stream) };
             let spot = grown(at, KERB_HEIGHT_M, (0.85, 1.15), &mut stream);
-            dresser.put(prop, spot, DVec2::splat(if bush { 0.6 } else { 1.2 }), None);
+            if dresser.put(prop, spot, DVec2::splat(if bush { 0.6 } else { 1.2 }), None) && paved {
+                pit(pits, |x, y| at + DVec2::new(x, y), if bush { 0.55 } else { 0.7 });
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use crate::ParkedVehicle;
 use crate::character::Kind;
 use crate::dressing::{Spot, Stage};
 use crate::palette::{GRAVEL, YARD};
-use crate::plot::Rect;
+use crate::plot::{Occupied, Rect};
 use endless_asset::{Material, MeshBuilder, Prop};
 use endless_world::math::f64::atan2;
 use endless_world::{AssetRef, Pose, Stream};
@@ -60,8 +60,9 @@ pub(super) struct Gardener<'a> {
 }
 
 impl Gardener<'_> {
-    /// Ways, drives and forecourts, with the cars on them; before any camera.
-    pub(super) fn pave(&self, yards: &[Yard], mesh: &mut MeshBuilder, stage: &mut Stage<'_>) {
+    /// Ways, drives and forecourts, with the cars on them; before any camera. Returns where forecourts are.
+    pub(super) fn pave(&self, yards: &[Yard], mesh: &mut MeshBuilder, stage: &mut Stage<'_>) -> Occupied {
+        let mut forecourts = Occupied::default();
         for (i, yard) in yards.iter().enumerate() {
             let front = Front::of(yard);
             let mut stream = stage.stream(100_000 + i as u64);
@@ -79,9 +80,14 @@ impl Gardener<'_> {
                     }
                 }
                 Kind::Barn => {}
-                _ => self.forecourt(mesh, &front, yard.kind, stage, &mut stream),
+                _ => {
+                    if self.forecourt(mesh, &front, yard.kind, stage, &mut stream) {
+                        forecourts.take(front.rect([-front.half, front.half], [0.0, front.depth]));
+                    }
+                }
             }
         }
+        forecourts
     }
 
     /// A drive beside a house, where there is room.
@@ -111,18 +117,25 @@ impl Gardener<'_> {
         }
     }
 
-    /// The whole ground before shops, offices and halls.
-    fn forecourt(&self, mesh: &mut MeshBuilder, front: &Front, kind: Kind, stage: &mut Stage<'_>, stream: &mut Stream) {
+    /// The whole ground before shops, offices and halls, where it is open: whether it is.
+    fn forecourt(
+        &self,
+        mesh: &mut MeshBuilder,
+        front: &Front,
+        kind: Kind,
+        stage: &mut Stage<'_>,
+        stream: &mut Stream,
+    ) -> bool {
         let x = [-front.half, front.half];
         let rect = front.rect(x, [0.1, front.depth - 0.1]);
         if !self.is_open(&rect)
             || (front.depth > 0.8 && !stage.occupied.is_free(&front.rect(x, [0.7, front.depth - 0.1])))
         {
-            return;
+            return false;
         }
         self.slab(mesh, front, x, [0.02, front.depth], YARD);
         if front.depth < BAY_M || !matches!(kind, Kind::Shop | Kind::Hall) {
-            return;
+            return true;
         }
         let mut x = -front.half + 1.6;
         while x < front.half - 1.6 {
@@ -136,6 +149,7 @@ impl Gardener<'_> {
             }
             x += 2.7;
         }
+        true
     }
 
     /// Hedges, fences and railings along front gardens, and hedges between them; where no camera stands.

@@ -3,12 +3,11 @@
 
 use super::area::Areas;
 use super::cover::Cover;
-use super::growth::Density;
 use super::land::Land;
-use super::urban::{BUILT_UP, PAVED};
 use crate::dressing::{Spot, Stage};
-use crate::plot::{Rect, unit};
-use endless_asset::Prop;
+use crate::palette::{LAWN, MEADOW};
+use crate::plot::{Occupied, Rect, unit};
+use endless_asset::{Material, Prop};
 use endless_road::{AreaKind, RoadNetwork, StripKind};
 use endless_world::math::f64::atan2;
 use endless_world::{CameraSite, Stream};
@@ -33,14 +32,14 @@ pub(super) struct Lawns<'a> {
     pub(super) cover: &'a Cover,
     pub(super) land: &'a Land,
     pub(super) areas: &'a Areas<'a>,
-    pub(super) density: &'a Density,
-    /// Whether ground between houses is paved in the midst of towns.
-    pub(super) yards: bool,
+    /// What covers ground of which the map says nothing.
+    pub(super) bare: &'a dyn Fn(DVec2) -> Material,
+    pub(super) forecourts: &'a Occupied,
 }
 
 /// A kind of ground that nobody drives on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Lawn {
+pub(super) enum Lawn {
     Kept,
     Wild,
     /// A paved yard.
@@ -65,21 +64,23 @@ impl Lawns<'_> {
     }
 
     /// What kind of lawn a place is on, if it is on one.
-    fn lawn(&self, p: DVec2) -> Option<Lawn> {
+    pub(super) fn lawn(&self, p: DVec2) -> Option<Lawn> {
         let lawn = match self.areas.at(p) {
-            Some(AreaKind::Park | AreaKind::Residential) => Lawn::Kept,
+            _ if !self.forecourts.is_free(&Rect::around(p, 0.01)) => Lawn::Yard,
+            Some(AreaKind::Park) => Lawn::Kept,
             Some(AreaKind::Grass) => Lawn::Wild,
+            None | Some(AreaKind::Residential) => match (self.bare)(p) {
+                ground if ground == LAWN => Lawn::Kept,
+                ground if ground == MEADOW => Lawn::Wild,
+                _ => Lawn::Yard,
+            },
             Some(_) => return None,
-            // Yards between houses are paved where roads are many.
-            None if self.yards && self.density.at(p) > PAVED => Lawn::Yard,
-            None if self.density.at(p) > BUILT_UP => Lawn::Kept,
-            None => Lawn::Wild,
         };
         (!self.cover.is_near(p, ASIDE_M) && !self.is_crossed(p)).then_some(lawn)
     }
 
     /// Whether people cross a road near by, and the verge before it.
-    fn is_crossed(&self, p: DVec2) -> bool {
+    pub(super) fn is_crossed(&self, p: DVec2) -> bool {
         self.network.crossings.iter().any(|crossing| {
             let [a, b] = crossing.ends.map(DVec3::truncate);
             let t = ((p - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
@@ -126,15 +127,15 @@ impl Lawns<'_> {
             }
             (Lawn::Kept, d) if d < 0.84 && near => self.put(stage, Prop::Bench, at, facing, [0.42, 0.95], stream),
             (Lawn::Kept, d) if d < 0.87 && near => self.put(stage, Prop::BikeStand, at, facing, [0.4, 1.2], stream),
-            (Lawn::Kept, d) if d < 0.88 && park => self.put(stage, Prop::PicnicTable, at, turn, [1.0, 0.9], stream),
-            (Lawn::Kept, d) if d < 0.90 => self.put(stage, Prop::Rock, at, turn, [0.8, 0.8], stream),
+            (Lawn::Kept, 0.87..0.90) if park => self.put(stage, Prop::PicnicTable, at, turn, [1.0, 0.9], stream),
+            (Lawn::Kept, 0.90..0.92) => self.put(stage, Prop::Rock, at, turn, [0.8, 0.8], stream),
             _ => self.tufts(stage, at, 4, stream),
         }
     }
 
     /// What people leave in yards, with room between.
     fn yard(&self, stage: &mut Stage<'_>, at: DVec2, facing: f64, stream: &mut Stream) {
-        if stream.chance(0.7) || !stage.occupied.is_free(&Rect::around(at, YARD_M)) {
+        if stream.chance(0.5) || !stage.occupied.is_free(&Rect::around(at, YARD_M)) {
             return;
         }
         let (prop, half) = match stream.f64() {

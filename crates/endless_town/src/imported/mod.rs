@@ -6,6 +6,7 @@ mod arrow;
 mod bump;
 mod cover;
 mod footprint;
+mod fray;
 mod furniture;
 mod garden;
 mod growth;
@@ -83,6 +84,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
 
     let paver = road::Paver::new(&strips, &cover, &land, look.paving);
     let piers = paver.piers(&mut occupied);
+    let parcels = look.yards.then(|| Parcels::new(&map.network));
     let ground = || {
         let mut ground = MeshBuilder::new();
         paver.pave(&mut ground, &piers);
@@ -91,7 +93,6 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
         paint::add(&mut ground, map, &cover);
         arrow::add(&mut ground, map, &cover);
         bump::add(&mut ground, map, &cover);
-        let parcels = look.yards.then(|| Parcels::new(&map.network));
         let mut lie = MeshBuilder::new();
         land.add(&mut lie, seed, &|p| areas.material(p, &|| urban::bare(p, &density, &areas, parcels.as_ref())));
         areas.lay(&mut lie);
@@ -131,7 +132,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     parking::add(&mut stage, &map.network, &strips, &areas, &cover, &land);
     let gardener = Gardener { cover: &cover, land: &land };
     let mut gardens = MeshBuilder::new();
-    gardener.pave(&yards, &mut gardens, &mut stage);
+    let forecourts = gardener.pave(&yards, &mut gardens, &mut stage);
     own.push((gardens.finish(), Affine3A::IDENTITY));
 
     let mut relief = Relief::new(&map.network, &own);
@@ -147,8 +148,17 @@ pub(crate) fn dress(name: &str, map: &RoadMap, look: &Look, catalogue: &Catalogu
     furniture::add(&mut stage, &mut wires, &poster, &cameras);
     own.push((wires.finish(), Affine3A::IDENTITY));
     iron::add(&mut stage, map, &cover);
-    Lawns { network: &map.network, cover: &cover, land: &land, areas: &areas, density: &density, yards: look.yards }
-        .add(&mut stage, &cameras);
+    let bare = |p| urban::bare(p, &density, &areas, parcels.as_ref());
+    let lawns = Lawns {
+        network: &map.network,
+        cover: &cover,
+        land: &land,
+        areas: &areas,
+        bare: &bare,
+        forecourts: &forecourts,
+    };
+    lawns.add(&mut stage, &cameras);
+    lawns.fray(&mut stage, &cameras);
     if look.maize {
         planter.maize(&mut stage, &cameras);
     }

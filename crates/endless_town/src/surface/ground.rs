@@ -74,6 +74,12 @@ fn block_material(character: &Character, index: usize) -> Material {
     }
 }
 
+/// Whether a block is paved between its buildings.
+pub(crate) fn is_paved(character: &Character, index: usize) -> bool {
+    let material = block_material(character, index);
+    material == PLAZA || material == YARD
+}
+
 pub(crate) fn add(mesh: &mut MeshBuilder, character: &Character, plan: &Plan) {
     for (i, block) in blocks(plan).iter().enumerate() {
         let material = block_material(character, i);

@@ -8,7 +8,7 @@ mod polygon;
 mod street;
 mod strip;
 
-pub(crate) use ground::{Slopes, blocks, outline};
+pub(crate) use ground::{Slopes, blocks, is_paved, outline};
 pub(crate) use polygon::{area, triangulate, with_holes};
 pub(crate) use street::{BAY_M, bays, island_ranges};
 
