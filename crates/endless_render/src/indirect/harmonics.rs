@@ -2,10 +2,11 @@
 
 use glam::Vec3A;
 use std::f32::consts::{FRAC_PI_4, PI};
+use wide::f32x8;
 
-/// Nine coefficients of radiance a colour channel.
+/// Nine coefficients of radiance, each of three colour channels, one after the other: they are added up eight at a time.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Harmonics(pub(super) [Vec3A; 9]);
+pub(super) struct Harmonics([f32x8; 4]);
 
 fn basis(d: Vec3A) -> [f32; 9] {
     [
@@ -22,34 +23,44 @@ fn basis(d: Vec3A) -> [f32; 9] {
 }
 
 impl Harmonics {
-    pub(super) const ZERO: Self = Self([Vec3A::ZERO; 9]);
+    pub(super) const ZERO: Self = Self([f32x8::ZERO; 4]);
 
     /// Adds radiance from a direction, weighted by its solid angle.
     pub(super) fn add(&mut self, direction: Vec3A, radiance: Vec3A, solid_angle: f32) {
-        for (c, b) in self.0.iter_mut().zip(basis(direction)) {
-            *c += radiance * (b * solid_angle);
+        let mut coefficients = [0.0; 32];
+        for (c, b) in coefficients.chunks_exact_mut(3).zip(basis(direction)) {
+            c.copy_from_slice(&(radiance * (b * solid_angle)).to_array());
+        }
+        for (own, eight) in self.0.iter_mut().zip(coefficients.as_chunks().0) {
+            *own += f32x8::new(*eight);
         }
     }
 
     /// Weighted sum with another.
+    #[inline]
     pub(super) fn accumulate(&mut self, other: &Self, weight: f32) {
-        for (c, o) in self.0.iter_mut().zip(&other.0) {
-            *c += *o * weight;
+        let weight = f32x8::splat(weight);
+        for (own, other) in self.0.iter_mut().zip(&other.0) {
+            *own += *other * weight;
         }
     }
 
     /// Illuminance of a surface with this normal: convolution with the clamped cosine.
+    #[inline]
     pub(super) fn irradiance(&self, normal: Vec3A) -> Vec3A {
         const BAND: [f32; 9] = {
             let (l1, l2) = (2.0 * PI / 3.0, FRAC_PI_4);
             [PI, l1, l1, l1, l2, l2, l2, l2, l2]
         };
+        let coefficients = self.0.map(f32x8::to_array);
+        let coefficients = coefficients.as_flattened();
+        let color = |k: usize| Vec3A::new(coefficients[3 * k], coefficients[3 * k + 1], coefficients[3 * k + 2]);
         let mut sum = Vec3A::ZERO;
-        for ((c, b), a) in self.0.iter().zip(basis(normal)).zip(BAND) {
-            sum += *c * (b * a);
+        for (k, (b, a)) in basis(normal).into_iter().zip(BAND).enumerate() {
+            sum += color(k) * (b * a);
         }
         // Ringing must not turn light negative.
-        sum.max(self.0[0] * 0.05)
+        sum.max(color(0) * 0.05)
     }
 }
 
