@@ -58,6 +58,34 @@ impl Use {
 /// Meshes above this many triangles are built with a quicker preset.
 const LARGE_MESH: usize = 2_000_000;
 
+/// What the tree is built over: single triangles, and pairs of neighbours in the list that lie in about one box, as the
+/// halves of most quadrilaterals do. Piece `i` holds the triangles from `starts[i]` to before `starts[i + 1]`. A tree over
+/// half as many boxes takes half the time, and its groups are fuller.
+fn pieces(positions: &[Vec3], triangles: &[[u32; 3]]) -> (Vec<u32>, Vec<Aabb>) {
+    /// Surface of a pair's box, of that of the boxes of both.
+    const MOST: f32 = 0.75;
+    let box_of = |t: &[u32; 3]| Aabb::from_points(&t.map(|i| Vec3A::from(positions[i as usize])));
+    let (mut starts, mut boxes) = (Vec::with_capacity(triangles.len() + 1), Vec::with_capacity(triangles.len()));
+    let mut alone: Option<Aabb> = None;
+    for (i, triangle) in (0..).zip(triangles) {
+        let own = box_of(triangle);
+        if let Some(before) = alone {
+            let both = before.union(&own);
+            if both.half_area() <= MOST * (before.half_area() + own.half_area()) {
+                boxes.push(both);
+                alone = None;
+                continue;
+            }
+            boxes.push(before);
+        }
+        starts.push(i);
+        alone = Some(own);
+    }
+    boxes.extend(alone);
+    starts.push(triangles.len() as u32);
+    (starts, boxes)
+}
+
 impl Blas {
     /// Builds over `triangles`, which index `positions`, what stands still. Positions must be finite; degenerate
     /// triangles are allowed and hit nothing.
@@ -67,20 +95,28 @@ impl Blas {
 
     /// The same for another use.
     pub(crate) fn build_for(purpose: Use, positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
-        let box_of = |t: &[u32; 3]| Aabb::from_points(&t.map(|i| Vec3A::from(positions[i as usize])));
-        let boxes: Vec<Aabb> = triangles.iter().map(box_of).collect();
+        let (pieces, boxes) = pieces(positions, triangles);
+        let ids = |piece: u32| pieces[piece as usize]..pieces[piece as usize + 1];
         let mut groups = Vec::with_capacity(triangles.len() / 3 + 1);
         let mut first_groups = Vec::new();
         let mut tree = if triangles.is_empty() {
             Tree::empty()
         } else {
             let source = build_bvh2(&boxes, purpose.params(triangles.len()), &mut Duration::default());
-            collapse(&source, purpose.costs(), |things| {
-                let start = groups.len();
-                first_groups.push(start);
-                groups.extend(things.chunks(TriangleGroup::SIZE).map(TriangleGroup::new));
-                Link::leaf(start, groups.len() - start)
-            })
+            let mut own = Vec::new();
+            collapse(
+                &source,
+                purpose.costs(),
+                |piece| ids(piece).len() as u32,
+                |pieces| {
+                    let start = groups.len();
+                    first_groups.push(start);
+                    own.clear();
+                    own.extend(pieces.iter().flat_map(|&piece| ids(piece)));
+                    groups.extend(own.chunks(TriangleGroup::SIZE).map(TriangleGroup::new));
+                    Link::leaf(start, groups.len() - start)
+                },
+            )
         };
         groups.shrink_to_fit();
         let place = |group: &mut TriangleGroup| {

@@ -54,14 +54,21 @@ impl Tree {
     }
 }
 
-/// Collapses a binary tree with one thing per leaf; `leaf` stores a run of things and says where. Boxes are left
-/// to `Tree::fit`.
-pub(super) fn collapse(source: &Bvh2, costs: Costs, leaf: impl FnMut(&[u32]) -> Link) -> Tree {
+/// Collapses a binary tree with one piece per leaf, of `size` things each; `leaf` stores a run of pieces and says where.
+/// Boxes are left to `Tree::fit`.
+pub(super) fn collapse(
+    source: &Bvh2,
+    costs: Costs,
+    size: impl Fn(u32) -> u32,
+    leaf: impl FnMut(&[u32]) -> Link,
+) -> Tree {
     if source.nodes.is_empty() {
         return Tree::empty();
     }
-    let plan = plan(source, costs);
-    let mut writer = Writer { source, plan: &plan, nodes: Vec::new(), leaf, things: Vec::new() };
+    let plan = plan(source, costs, size);
+    // More than are ever needed: what is not touched costs nothing, and growing does.
+    let nodes = Vec::with_capacity(source.primitive_indices.len() / 2 + 1);
+    let mut writer = Writer { source, plan: &plan, nodes, leaf, open: Vec::new(), pieces: Vec::new() };
     let root = writer.link(0);
     let mut open = Vec::new();
     if root == Link::inner(0) {
@@ -71,7 +78,9 @@ pub(super) fn collapse(source: &Bvh2, costs: Costs, leaf: impl FnMut(&[u32]) -> 
     while let Some((from, to)) = open.pop() {
         writer.write(from, to, &mut open);
     }
-    Tree { nodes: writer.nodes, root }
+    let mut nodes = writer.nodes;
+    nodes.shrink_to_fit();
+    Tree { nodes, root }
 }
 
 /// The best way to represent one binary subtree.
@@ -86,7 +95,7 @@ struct Plan {
     things: u32,
 }
 
-fn plan(source: &Bvh2, costs: Costs) -> Vec<Plan> {
+fn plan(source: &Bvh2, costs: Costs, size: impl Fn(u32) -> u32) -> Vec<Plan> {
     let blank = Plan { cost: [0.0; 8], left: [0; 8], own_left: 0, things: 1 };
     let mut plans = vec![blank; source.nodes.len()];
     let mut parents_first = Vec::with_capacity(source.nodes.len());
@@ -102,7 +111,8 @@ fn plan(source: &Bvh2, costs: Costs) -> Vec<Plan> {
         let node = &source.nodes[index];
         let area = node.aabb().half_area();
         if node.is_leaf() {
-            plans[index] = Plan { cost: [area * costs.group; 8], things: node.prim_count, ..blank };
+            let things = size(source.primitive_indices[node.first_index as usize]);
+            plans[index] = Plan { cost: [area * costs.group; 8], things, ..blank };
         } else {
             let (left, right) = (&plans[node.first_index as usize], &plans[node.first_index as usize + 1]);
             plans[index] = plan_inner(left, right, area, costs);
@@ -157,7 +167,9 @@ struct Writer<'a, F> {
     plan: &'a [Plan],
     nodes: Vec<Node>,
     leaf: F,
-    things: Vec<u32>,
+    /// Subtrees of a leaf still to visit.
+    open: Vec<usize>,
+    pieces: Vec<u32>,
 }
 
 impl<F: FnMut(&[u32]) -> Link> Writer<'_, F> {
@@ -166,32 +178,29 @@ impl<F: FnMut(&[u32]) -> Link> Writer<'_, F> {
         if self.plan[index].own_left > 0 {
             return Link::inner(self.nodes.len());
         }
-        self.things.clear();
-        let mut open = vec![index];
-        while let Some(index) = open.pop() {
+        self.pieces.clear();
+        self.open.push(index);
+        while let Some(index) = self.open.pop() {
             let node = &self.source.nodes[index];
             let first = node.first_index as usize;
             if node.is_leaf() {
-                self.things.extend(&self.source.primitive_indices[first..first + node.prim_count as usize]);
+                self.pieces.extend(&self.source.primitive_indices[first..first + node.prim_count as usize]);
             } else {
-                open.extend([first + 1, first]);
+                self.open.extend([first + 1, first]);
             }
         }
-        (self.leaf)(&self.things)
+        (self.leaf)(&self.pieces)
     }
 
     /// Fills node `to` from binary subtree `from`; its inner children get the next nodes, side by side.
     fn write(&mut self, from: usize, to: usize, open: &mut Vec<(usize, usize)>) {
-        let mut children = Vec::with_capacity(8);
+        let mut children = Children { areas: [0.0; 8], nodes: [0; 8], count: 0 };
         let first = self.source.nodes[from].first_index as usize;
         let left = self.plan[from].own_left as usize;
         self.children(first, left, &mut children);
         self.children(first + 1, 8 - left, &mut children);
-        // Large boxes first: any-hit traversal takes children in this order.
-        let area = |index: usize| self.source.nodes[index].aabb().half_area();
-        children.sort_by(|&a, &b| area(b).total_cmp(&area(a)));
         let before = open.len();
-        for (slot, &child) in children.iter().enumerate() {
+        for (slot, &child) in children.nodes[..children.count].iter().enumerate() {
             let link = self.link(child);
             self.nodes[to].links[slot] = link;
             if !link.is_leaf() {
@@ -203,18 +212,38 @@ impl<F: FnMut(&[u32]) -> Link> Writer<'_, F> {
     }
 
     /// The subtrees that fill at most `slots` slots for `index`.
-    fn children(&self, index: usize, mut slots: usize, out: &mut Vec<usize>) {
+    fn children(&self, index: usize, mut slots: usize, out: &mut Children) {
         let plan = &self.plan[index];
         while slots > 1 && plan.left[slots - 1] == 0 {
             slots -= 1;
         }
         if slots == 1 {
-            out.push(index);
+            out.insert(index, self.source.nodes[index].aabb().half_area());
             return;
         }
         let first = self.source.nodes[index].first_index as usize;
         let left = plan.left[slots - 1] as usize;
         self.children(first, left, out);
         self.children(first + 1, slots - left, out);
+    }
+}
+
+/// Up to eight subtrees, large boxes first: any-hit traversal takes children in this order.
+struct Children {
+    areas: [f32; 8],
+    nodes: [usize; 8],
+    count: usize,
+}
+
+impl Children {
+    /// After those that are as large.
+    fn insert(&mut self, node: usize, area: f32) {
+        let mut at = self.count;
+        while at > 0 && self.areas[at - 1].total_cmp(&area).is_lt() {
+            (self.areas[at], self.nodes[at]) = (self.areas[at - 1], self.nodes[at - 1]);
+            at -= 1;
+        }
+        (self.areas[at], self.nodes[at]) = (area, node);
+        self.count += 1;
     }
 }

@@ -118,7 +118,8 @@ fn top_tree(boxes: &[(Vec3A, Vec3A)]) -> (Tree, Vec<u32>) {
         if boxes.len() > 1000 { BvhBuildParams::medium_build() } else { BvhBuildParams::very_fast_build() };
     params.max_prims_per_leaf = 1;
     let source = build_bvh2(&boxes, params, &mut Duration::default());
-    let mut tree = collapse(&source, COSTS, |things| {
+    let one = |_| 1;
+    let mut tree = collapse(&source, COSTS, one, |things| {
         order.extend_from_slice(things);
         Link::leaf(order.len() - 1, 1)
     });
