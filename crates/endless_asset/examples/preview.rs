@@ -133,7 +133,7 @@ fn posed(person: &endless_asset::PersonModel, gait: Gait, walked_m: f32) -> Mesh
         _ => 0.0,
     };
     let pose = person.pose(&WalkerMotion { speed_mps, gait, walked_m, time_s: walked_m, footing: None });
-    Mesh { positions: pose.positions, normals: pose.normals, ..person.rest.clone() }
+    Mesh { positions: pose.positions, normals: pose.normals, ..(*person.rest).clone() }
 }
 
 fn gait(catalogue: &Catalogue) -> Vec<Tile> {

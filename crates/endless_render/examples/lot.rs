@@ -148,5 +148,5 @@ fn square() -> Town {
     let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec3::new(x, y, 0.0) * 300.0);
     mesh.quad(corners, corners.map(|c| Vec2::new(c.x, c.y)), ground);
     let place = Placement { what: What::Own(0), world_from_object: Affine3A::IDENTITY, signal: None };
-    Town { name: "square".to_owned(), meshes: vec![mesh.finish()], placements: vec![place], ..Town::default() }
+    Town { name: "square".to_owned(), meshes: vec![mesh.finish().into()], placements: vec![place], ..Town::default() }
 }

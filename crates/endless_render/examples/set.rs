@@ -74,7 +74,7 @@ fn stage(thing: &Mesh) -> Town {
     let place = |number| Placement { what: What::Own(number), world_from_object: Affine3A::IDENTITY, signal: None };
     Town {
         name: "square".to_owned(),
-        meshes: vec![square.finish(), thing.clone()],
+        meshes: vec![square.finish().into(), thing.clone().into()],
         placements: vec![place(0), place(1)],
         ..Town::default()
     }

@@ -79,7 +79,7 @@ pub(crate) fn assemble(
         name: name.to_owned(),
         summary: summary.to_owned(),
         network,
-        meshes: own.into_iter().map(|(mesh, _)| mesh).collect(),
+        meshes: own.into_iter().map(|(mesh, _)| mesh.into()).collect(),
         placements,
         parked: stage.parked,
         lamps: stage.lamps,

@@ -4,6 +4,7 @@ use endless_asset::{Mesh, Prop};
 use endless_road::RoadNetwork;
 use endless_world::{AssetRef, CameraSite, Pose, SignalId};
 use glam::{Affine3A, Vec3};
+use std::sync::Arc;
 
 /// What is placed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -55,7 +56,7 @@ pub struct Town {
     /// Roads, junctions, signals, sidewalks.
     pub network: RoadNetwork,
     /// Ground, roads, kerbs, markings and buildings.
-    pub meshes: Vec<Mesh>,
+    pub meshes: Vec<Arc<Mesh>>,
     /// Everything placed, own meshes included.
     pub placements: Vec<Placement>,
     /// Parked vehicles. Number i carries instance id i + 1 in every video.

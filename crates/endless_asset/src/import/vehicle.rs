@@ -74,9 +74,9 @@ pub(super) fn make(entry: &AssetEntry, class: ObjectClass, mut model: Model) -> 
     // Lenses may stand out by millimetres: what is written down is what is there.
     let parts = Parts {
         headlights: headlights(&body),
-        body,
+        body: body.into(),
         wheels: rolling.wheels,
-        wheel_mesh,
+        wheel_mesh: wheel_mesh.into(),
         trailer: None,
         fit: entry.rider.map(|r| RiderFit {
             seat: Vec3::from_array(r.seat),

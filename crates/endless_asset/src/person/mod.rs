@@ -28,6 +28,7 @@ mod wheeled;
 use crate::Mesh;
 use endless_world::{AssetRef, KEYPOINT_COUNT, WalkerMotion};
 use glam::{Affine3A, Vec3};
+use std::sync::Arc;
 
 pub use anatomy::Anatomy;
 pub use footsteps::Footsteps;
@@ -44,7 +45,7 @@ use skin::Blend;
 #[derive(Debug, Clone, PartialEq)]
 pub struct PersonModel {
     /// In rest pose, feet on the ground at z = 0, facing +x, arms a little away from the body.
-    pub rest: Mesh,
+    pub rest: Arc<Mesh>,
     /// Standing height without hair and headgear, metres.
     pub height_m: f32,
     /// Comfortable walking speed, m/s.
@@ -93,7 +94,7 @@ impl PersonModel {
         Self {
             traits: PersonTraits::new(look),
             parts: skin.mesh.triangles.iter().map(part).collect(),
-            rest: skin.mesh,
+            rest: skin.mesh.into(),
             height_m: look.height,
             walk_mps: anatomy.habit.walk_mps,
             anatomy,

@@ -8,13 +8,14 @@ use crate::Mesh;
 use crate::vehicle::RiderFit;
 use endless_world::{ClassTag, KEYPOINT_COUNT, Stream};
 use glam::{Affine3A, Quat, Vec3};
+use std::sync::Arc;
 
 /// A person seated on a two-wheeler, in the vehicle's object frame.
 pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
     let look = look(fit, variant);
     let person = PersonModel::with_look(variant, &look);
     let pose = person.skinned(&seated(fit, &look, person.anatomy()));
-    let mut mesh = Mesh { positions: pose.positions, normals: pose.normals, ..person.rest };
+    let mut mesh = Mesh { positions: pose.positions, normals: pose.normals, ..Arc::unwrap_or_clone(person.rest) };
     for material in &mut mesh.materials {
         material.tag = ClassTag::Rider;
     }

@@ -4,6 +4,7 @@ use super::Wheel;
 use crate::Mesh;
 use crate::shape::Sculpt;
 use glam::{Affine3A, Mat3, Vec3};
+use std::sync::Arc;
 
 /// Where a rider touches a two-wheeler: left side, object frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -147,9 +148,9 @@ impl Plan {
 /// A finished vehicle: what is drawn, and how it is ridden. Object frame.
 #[derive(Debug, Clone)]
 pub(crate) struct Parts {
-    pub(crate) body: Mesh,
+    pub(crate) body: Arc<Mesh>,
     pub(crate) wheels: Vec<Wheel>,
-    pub(crate) wheel_mesh: Mesh,
+    pub(crate) wheel_mesh: Arc<Mesh>,
     pub(crate) headlights: Vec<Vec3>,
     pub(crate) fit: Option<RiderFit>,
     pub(crate) trailer: Option<Trailer>,
@@ -161,7 +162,7 @@ pub struct Trailer {
     /// On the ground under the joint about which it turns.
     pub hitch: Vec3,
     /// Everything but wheels.
-    pub body: Mesh,
+    pub body: Arc<Mesh>,
     /// With the vehicle's wheel mesh.
     pub wheels: Vec<Wheel>,
 }
@@ -169,7 +170,7 @@ pub struct Trailer {
 impl Parts {
     /// Body, wheels and trailer as one mesh, standing still and straight.
     pub(crate) fn whole(&self) -> Mesh {
-        let mut mesh = self.body.clone();
+        let mut mesh = (*self.body).clone();
         if let Some(trailer) = &self.trailer {
             mesh.append(&trailer.body, Affine3A::IDENTITY);
         }
@@ -278,12 +279,12 @@ impl Assembly {
         Parts {
             fit: self.fit.map(|f| RiderFit { seat: place(f.seat), grip: place(f.grip), foot: place(f.foot), ..f }),
             headlights: self.headlights.iter().map(|&p| place(p)).collect(),
-            body: self.body.placed(object_from_built).into_mesh(),
+            body: self.body.placed(object_from_built).into_mesh().into(),
             wheels: self.wheels,
-            wheel_mesh: self.wheel_mesh,
+            wheel_mesh: self.wheel_mesh.into(),
             trailer: self.trailer.map(|t| Trailer {
                 hitch: Vec3::new(place(Vec3::X * t.hitch).x, 0.0, 0.0),
-                body: t.body.placed(object_from_built).into_mesh(),
+                body: t.body.placed(object_from_built).into_mesh().into(),
                 wheels: t.wheels,
             }),
         }

@@ -179,7 +179,7 @@ impl VehicleModel {
     }
 
     /// Everything but wheels, rider and trailer. [`crate::Surface::CarPaint`] is tinted per variant.
-    pub fn body(&self) -> &Mesh {
+    pub fn body(&self) -> &Arc<Mesh> {
         &self.parts().body
     }
 
@@ -189,7 +189,7 @@ impl VehicleModel {
     }
 
     /// Axis along y, centre at the origin, outer side towards +y.
-    pub fn wheel_mesh(&self) -> &Mesh {
+    pub fn wheel_mesh(&self) -> &Arc<Mesh> {
         &self.parts().wheel_mesh
     }
 

@@ -133,7 +133,7 @@ pub(crate) fn list(catalogue: &Catalogue) -> Vec<AssetKind> {
         triangles: Catalogue::draw_vehicle(kind.name, 0).map_or(0, |v| triangles(&v)),
         draws: None,
     });
-    let people: Vec<Mesh> = (0..PEOPLE).map(|v| catalogue.person(v).rest).collect();
+    let people: Vec<_> = (0..PEOPLE).map(|v| catalogue.person(v).rest).collect();
     let buildings = building_manners().into_iter().map(|manner| {
         let all: Vec<Mesh> = (0..BUILDINGS).filter_map(|seed| sample_building(manner, seed)).collect();
         measured(format!("{BUILDING}{manner}"), "building", &all, None)

@@ -7,6 +7,7 @@ use endless_world::{ClassTag, Stream, fnv1a};
 use glam::{Affine3A, Quat, Vec3};
 use std::collections::BTreeMap;
 use std::f32::consts::FRAC_PI_2;
+use std::sync::Arc;
 
 /// A building takes a lot that is at most this many times as wide and deep as it is.
 const LOOSE: f32 = 1.8;
@@ -27,7 +28,7 @@ pub(crate) fn stand_in(town: &mut Town, catalogue: &Catalogue) {
     for (number, placement) in placements.iter_mut().enumerate() {
         let (prop, lot) = match placement.what {
             What::Prop(prop, _) => (Some(prop), None),
-            What::Own(mesh) => match Lot::of(town.meshes.get(mesh as usize)) {
+            What::Own(mesh) => match Lot::of(town.meshes.get(mesh as usize).map(|mesh| &**mesh)) {
                 Some(lot) => (None, Some(lot)),
                 None => continue,
             },
@@ -42,7 +43,7 @@ pub(crate) fn stand_in(town: &mut Town, catalogue: &Catalogue) {
         let shares: Vec<f64> = candidates.iter().map(|&k| things[k].share).collect();
         let chosen = candidates[stream.weighted(&shares)];
         let mesh = *own.entry(chosen).or_insert_with(|| {
-            town.meshes.push((*things[chosen].mesh).clone());
+            town.meshes.push(Arc::clone(&things[chosen].mesh));
             (town.meshes.len() - 1) as u32
         });
         let turned = lot.map_or(Affine3A::IDENTITY, |lot| lot.object_from(&things[chosen].mesh));

@@ -59,7 +59,7 @@ fn whole(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Mesh {
                 ..endless_world::WalkerMotion::default()
             };
             let pose = person.pose(&motion);
-            Mesh { positions: pose.positions, normals: pose.normals, ..person.rest.clone() }
+            Mesh { positions: pose.positions, normals: pose.normals, ..(*person.rest).clone() }
         }
         Thing::Building(mesh) => mesh.clone(),
         Thing::Imported(thing) => (*thing.mesh).clone(),
@@ -77,7 +77,7 @@ fn stage(thing: Mesh) -> Town {
     let place = |number| Placement { what: What::Own(number), world_from_object: Affine3A::IDENTITY, signal: None };
     Town {
         name: "stage".to_owned(),
-        meshes: vec![square.finish(), thing],
+        meshes: vec![square.finish().into(), thing.into()],
         placements: vec![place(0), place(1)],
         ..Town::default()
     }

@@ -20,7 +20,7 @@ impl Town {
         let town = endless_town::load(name, &catalogue).expect("a town's name");
         let plain =
             |mesh: &endless_asset::Mesh| Mesh { positions: mesh.positions.clone(), triangles: mesh.triangles.clone() };
-        let mut meshes: Vec<Mesh> = town.meshes.iter().map(plain).collect();
+        let mut meshes: Vec<Mesh> = town.meshes.iter().map(|mesh| plain(mesh)).collect();
         let mut props = BTreeMap::new();
         let mut instances = Vec::new();
         for placement in &town.placements {

@@ -31,14 +31,35 @@ impl Accel {
 }
 
 impl Blas {
-    /// Whether each of these rays, in the mesh's own frame, meets the mesh.
-    pub(crate) fn occluded<'a>(&'a self, rays: impl Iterator<Item = Ray> + 'a) -> impl Iterator<Item = bool> + 'a {
-        let mut stack = Stack::new();
-        rays.map(move |ray| {
-            let local = LocalRay::new(ray.origin, ray.direction);
-            let beam = Beam::of_ray(&local);
-            let mut best = Hit::none(ray.tmax);
-            trace_blas::<true>(self, self.tree.root, 0, &local, &beam, 0.0, &mut best, &mut stack)
+    /// For rays, in the mesh's own frame, of which each `N`th is like the one before.
+    pub(crate) fn shadows<const N: usize>(&self) -> Shadows<'_, N> {
+        Shadows { blas: self, last: [usize::MAX; N], stack: Stack::new() }
+    }
+}
+
+/// Asks whether rays meet a mesh, first of all what the last ray of the same kind met.
+pub(crate) struct Shadows<'a, const N: usize> {
+    blas: &'a Blas,
+    /// Group of triangles that the last one met, by kind.
+    last: [usize; N],
+    stack: Stack,
+}
+
+impl<const N: usize> Shadows<'_, N> {
+    /// Whether a ray of some kind meets the mesh.
+    pub(crate) fn occluded(&mut self, kind: usize, ray: &Ray) -> bool {
+        let Self { blas, last, stack } = self;
+        let local = LocalRay::new(ray.origin, ray.direction);
+        let mut best = Hit::none(ray.tmax);
+        let groups = blas.groups();
+        if groups.get(last[kind]).is_some_and(|group| group.intersect(&local, 0.0, &mut best, 0)) {
+            return true;
+        }
+        let beam = Beam::of_ray(&local);
+        walk::<true>(blas.nodes(), blas.tree.root, 0.0, &beam, &mut best, stack, |link, _, best, _| {
+            let met = link.range().find(|&i| groups[i].intersect(&local, 0.0, best, 0));
+            last[kind] = met.unwrap_or(last[kind]);
+            met.is_some()
         })
     }
 }

@@ -10,6 +10,8 @@ use std::collections::HashMap;
 const RAYS: u32 = 24;
 const SPARSE: u32 = 3;
 const FIRST: u32 = RAYS / SPARSE;
+/// Places that follow each other, which the same things shade.
+const NEIGHBOURS: usize = 64;
 /// Rays start this far off the surface; of the object's largest measure.
 const LIFT: f32 = 2e-3;
 
@@ -23,20 +25,22 @@ pub(crate) fn openness(body: &Body, low: Vec3A, high: Vec3A) -> Vec<f32> {
         std::array::from_fn(|k| cosine_direction(Vec3A::Z, hammersley(order(k as u32), RAYS)));
     let (places, place_of) = places(body, size);
     let open: Vec<f32> = places
-        .into_par_iter()
-        .map(|vertex| {
-            let normal = body.normal(vertex);
-            let origin = Vec3A::from(body.positions[vertex]) + normal * (size * LIFT);
-            let (a, b) = normal.any_orthonormal_pair();
-            let directions = directions.map(|d| a * d.x + b * d.y + normal * d.z);
-            let rays = directions.iter().map(|&direction| Ray { origin, direction, tmax: size });
-            let mut light = directions
-                .iter()
-                .zip(body.blas.occluded(rays))
-                .map(|(&direction, occluded)| if occluded { 0.0 } else { ground_light(origin, direction, low, high) });
-            let first: f32 = light.by_ref().take(FIRST as usize).sum();
-            // Deep inside nothing is seen.
-            if first == 0.0 { 0.0 } else { (first + light.sum::<f32>()) / RAYS as f32 }
+        .par_chunks(NEIGHBOURS)
+        .flat_map_iter(|places| {
+            let mut shadows = body.blas.shadows::<{ RAYS as usize }>();
+            places.iter().map(move |&vertex| {
+                let normal = body.normal(vertex);
+                let origin = Vec3A::from(body.positions()[vertex]) + normal * (size * LIFT);
+                let (a, b) = normal.any_orthonormal_pair();
+                let mut light = directions.iter().enumerate().map(|(k, d)| {
+                    let direction = a * d.x + b * d.y + normal * d.z;
+                    let occluded = shadows.occluded(k, &Ray { origin, direction, tmax: size });
+                    if occluded { 0.0 } else { ground_light(origin, direction, low, high) }
+                });
+                let first: f32 = light.by_ref().take(FIRST as usize).sum();
+                // Deep inside nothing is seen.
+                if first == 0.0 { 0.0 } else { (first + light.sum::<f32>()) / RAYS as f32 }
+            })
         })
         .collect();
     place_of.into_iter().map(|place| open[place as usize]).collect()
@@ -51,10 +55,10 @@ fn places(body: &Body, size: f32) -> (Vec<usize>, Vec<u32>) {
     /// Along the normal, metres at least.
     const LEAST_M: f32 = 0.006;
     let (across, along) = ((ACROSS * size).min(MOST_M), (LIFT * size).max(LEAST_M));
-    let mut known: HashMap<(IVec3, IVec3, i32), u32> = HashMap::with_capacity(body.positions.len());
+    let mut known: HashMap<(IVec3, IVec3, i32), u32> = HashMap::with_capacity(body.positions().len());
     let mut places = Vec::new();
     let mut place_of = |vertex: usize| {
-        let (position, normal) = (Vec3A::from(body.positions[vertex]), body.normal(vertex));
+        let (position, normal) = (Vec3A::from(body.positions()[vertex]), body.normal(vertex));
         let facing = (normal * 4.0).round();
         let height = (position.dot(facing.normalize_or(Vec3A::Z)) / along).floor();
         let key = ((position / across).floor().as_ivec3(), facing.as_ivec3(), height as i32);
@@ -63,7 +67,7 @@ fn places(body: &Body, size: f32) -> (Vec<usize>, Vec<u32>) {
             places.len() as u32 - 1
         })
     };
-    let place_of = (0..body.positions.len()).map(&mut place_of).collect();
+    let place_of = (0..body.positions().len()).map(&mut place_of).collect();
     (places, place_of)
 }
 

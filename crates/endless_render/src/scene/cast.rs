@@ -115,7 +115,7 @@ impl VehicleCast {
 impl PersonCast {
     fn of(catalogue: &Catalogue, (dress, variant): (u16, u64)) -> Option<Self> {
         let person = Arc::new(catalogue.person_of(AssetRef { model: dress, variant }));
-        let mut parts = model(person.rest.clone(), Use::Deforming);
+        let mut parts = model(Arc::clone(&person.rest), Use::Deforming);
         shade_in_motion(&mut parts, &person);
         let (shape, rest) = parts?;
         Some(Self { model: person, shape, rest, posed: Mutex::default() })
@@ -140,7 +140,7 @@ impl PersonCast {
 
 /// Who rides a vehicle.
 fn rider(catalogue: &Catalogue, (vehicle, variant): (u16, u64)) -> Option<(Arc<Shape>, Arc<Body>)> {
-    let mut rider = catalogue.rider(vehicle, variant).and_then(|mesh| model(mesh, Use::Rigid));
+    let mut rider = catalogue.rider(vehicle, variant).and_then(|mesh| model(mesh.into(), Use::Rigid));
     let high = Vec3A::new(0.5, 0.4, 1.8);
     shade_by_itself(&mut rider, Vec3A::new(-0.5, -0.4, 0.0), high);
     rider

@@ -2,18 +2,16 @@
 
 use super::Velocity;
 use crate::accel::{Blas, Use, world_bounds};
-use endless_asset::{Material, Mesh, PersonModel, Stance};
+use endless_asset::{Mesh, PersonModel, Stance};
 use endless_world::{ClassTag, InstanceId, SignalId, WalkerMotion};
-use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
+use glam::{Affine3A, Mat3A, Vec3, Vec3A};
 use std::sync::Arc;
 
 /// What does not change when a mesh deforms.
 #[derive(Debug, Clone)]
 pub(crate) struct Shape {
-    pub(crate) triangles: Vec<[u32; 3]>,
-    pub(crate) uvs: Vec<Vec2>,
-    pub(crate) triangle_materials: Vec<u16>,
-    pub(crate) materials: Vec<Material>,
+    /// As it was made: of what deforms, its vertices are those of the rest pose.
+    pub(crate) mesh: Arc<Mesh>,
     /// Share of the surroundings that each vertex sees past its own body, 0 to 1; empty means 1 everywhere.
     pub(crate) openness: Vec<f32>,
 }
@@ -21,31 +19,30 @@ pub(crate) struct Shape {
 /// What changes when a mesh deforms.
 #[derive(Debug, Clone)]
 pub(crate) struct Body {
-    pub(crate) positions: Arc<[Vec3]>,
-    normals: Normals,
+    form: Form,
     pub(crate) blas: Arc<Blas>,
     /// Boxes, `(low, high)`, that together hold it closely.
     parts: Vec<(Vec3A, Vec3A)>,
 }
 
-/// The unit normals of vertices.
+/// Where vertices are.
 #[derive(Debug, Clone)]
-enum Normals {
-    Made(Arc<[Vec3]>),
-    /// Those of a person follow from how they stand: few of them are ever asked for.
-    Posed(Arc<PersonModel>, Stance),
+enum Form {
+    /// Where they were made.
+    Made(Arc<Mesh>),
+    /// Those of a person, where they were put. Normals follow from how one stands: few are ever asked for.
+    Posed { positions: Arc<[Vec3]>, person: Arc<PersonModel>, stance: Stance },
 }
 
-/// Splits a mesh; `None` if it has no triangles.
-pub(crate) fn model(mesh: Mesh, purpose: Use) -> Option<(Arc<Shape>, Arc<Body>)> {
+/// Of a mesh, which is shared; `None` if it has no triangles.
+pub(crate) fn model(mesh: Arc<Mesh>, purpose: Use) -> Option<(Arc<Shape>, Arc<Body>)> {
     if mesh.triangles.is_empty() {
         return None;
     }
-    let Mesh { positions, normals, uvs, triangles, triangle_materials, materials } = mesh;
-    let blas = Arc::new(Blas::build_for(purpose, &positions, &triangles));
+    let blas = Arc::new(Blas::build_for(purpose, &mesh.positions, &mesh.triangles));
     let parts = parts(&blas);
-    let shape = Shape { triangles, uvs, triangle_materials, materials, openness: Vec::new() };
-    let body = Body { positions: positions.into(), normals: Normals::Made(normals.into()), blas, parts };
+    let body = Body { form: Form::Made(Arc::clone(&mesh)), blas, parts };
+    let shape = Shape { mesh, openness: Vec::new() };
     Some((Arc::new(shape), Arc::new(body)))
 }
 
@@ -62,18 +59,32 @@ impl Body {
         let blas = Arc::make_mut(&mut self.blas);
         blas.release();
         let stance = person.stance(motion);
-        person.place(&stance, Arc::make_mut(&mut self.positions));
-        blas.refit(Arc::clone(&self.positions));
-        self.normals = Normals::Posed(Arc::clone(person), stance);
+        let mut positions = match &self.form {
+            Form::Made(mesh) => mesh.positions.as_slice().into(),
+            Form::Posed { positions, .. } => Arc::clone(positions),
+        };
+        self.form = Form::Made(Arc::clone(&person.rest));
+        person.place(&stance, Arc::make_mut(&mut positions));
+        blas.refit(Arc::clone(&positions));
+        self.form = Form::Posed { positions, person: Arc::clone(person), stance };
         self.parts = parts(&self.blas);
+    }
+
+    /// Where its vertices are.
+    #[inline]
+    pub(crate) fn positions(&self) -> &[Vec3] {
+        match &self.form {
+            Form::Made(mesh) => &mesh.positions,
+            Form::Posed { positions, .. } => positions,
+        }
     }
 
     /// The unit normal of a vertex.
     #[inline]
     pub(crate) fn normal(&self, vertex: usize) -> Vec3A {
-        match &self.normals {
-            Normals::Made(normals) => normals[vertex].into(),
-            Normals::Posed(person, stance) => person.normal(stance, vertex).into(),
+        match &self.form {
+            Form::Made(mesh) => mesh.normals[vertex].into(),
+            Form::Posed { person, stance, .. } => person.normal(stance, vertex).into(),
         }
     }
 }

@@ -31,14 +31,14 @@ impl StaticScene {
         let placed = town.placements.iter().map(|placement| placement.what);
         let used: BTreeSet<What> = placed.filter(|what| matches!(what, What::Prop(..))).collect();
         let made = |what: What| match what {
-            What::Prop(prop, variant) => (what, model(catalogue.prop(prop, variant), Use::Still)),
+            What::Prop(prop, variant) => (what, model(catalogue.prop(prop, variant).into(), Use::Still)),
             What::Own(_) => (what, None),
         };
         let parked: BTreeSet<u16> = town.parked.iter().map(|p| p.asset.model).collect();
         let parts = |model| Some((model, VehicleParts::new(catalogue.vehicles().get(usize::from(model))?)));
         // Large meshes and small ones side by side, so that no thread waits for another.
         let (own, (props, vehicles)): (Vec<Model>, (Models, Parked)) = rayon::join(
-            || town.meshes.par_iter().map(|mesh| model(mesh.clone(), Use::Still)).collect(),
+            || town.meshes.par_iter().map(|mesh| model(Arc::clone(mesh), Use::Still)).collect(),
             || {
                 rayon::join(
                     || used.into_par_iter().map(made).collect(),
@@ -77,7 +77,7 @@ impl StaticScene {
 
     /// Number of triangles as placed, for reports.
     pub fn placed_triangles(&self) -> usize {
-        self.instances.iter().map(|i| i.shape.triangles.len()).sum()
+        self.instances.iter().map(|i| i.shape.mesh.triangles.len()).sum()
     }
 }
 
@@ -112,7 +112,7 @@ impl TrailerParts {
         let (trailer, spec) = (entry.trailer()?, entry.spec.trailer?);
         let (low, high) = trailer.body.bounds();
         Some(Self {
-            body: model(trailer.body.clone(), Use::Rigid),
+            body: model(Arc::clone(&trailer.body), Use::Rigid),
             wheels: trailer.wheels.clone(),
             hitch: Vec3A::from(trailer.hitch),
             bar_m: (spec.hitch_m - spec.axle_m).max(0.5),
@@ -131,8 +131,8 @@ impl TrailerParts {
 impl VehicleParts {
     pub(crate) fn new(entry: &VehicleModel) -> Self {
         Self {
-            body: model(entry.body().clone(), Use::Rigid),
-            wheel: model(entry.wheel_mesh().clone(), Use::Rigid),
+            body: model(Arc::clone(entry.body()), Use::Rigid),
+            wheel: model(Arc::clone(entry.wheel_mesh()), Use::Rigid),
             trailer: TrailerParts::of(entry),
             wheels: entry.wheels().to_vec(),
             wheel_radius_m: entry.spec.wheel_radius_m,

@@ -61,9 +61,11 @@ impl<'a> SurfacePoint<'a> {
     pub(crate) fn new(instances: &'a [Instance], ray: &Ray, hit: &Hit) -> Self {
         let instance = &instances[hit.instance as usize];
         let triangle = hit.triangle as usize;
-        let [a, b, c] = instance.shape.triangles[triangle].map(|i| i as usize);
+        let mesh = &*instance.shape.mesh;
+        let [a, b, c] = mesh.triangles[triangle].map(|i| i as usize);
         let body = &instance.body;
-        let corner = |i: usize| Vec3A::from(body.positions[i]);
+        let positions = body.positions();
+        let corner = |i: usize| Vec3A::from(positions[i]);
         let (pa, pb, pc) = (corner(a), corner(b), corner(c));
         let w = 1.0 - hit.u - hit.v;
         let object_position = pa * w + pb * hit.u + pc * hit.v;
@@ -85,14 +87,14 @@ impl<'a> SurfacePoint<'a> {
         if facing > -0.02 {
             normal = (normal - ray.direction * (facing + 0.02)).normalize_or(geometric_normal);
         }
-        let uv = instance.shape.uvs[a] * w + instance.shape.uvs[b] * hit.u + instance.shape.uvs[c] * hit.v;
+        let uv = mesh.uvs[a] * w + mesh.uvs[b] * hit.u + mesh.uvs[c] * hit.v;
         let openness = match instance.shape.openness.as_slice() {
             [] => 1.0,
             open => open[a] * w + open[b] * hit.u + open[c] * hit.v,
         };
         Self {
             instance,
-            material: &instance.shape.materials[usize::from(instance.shape.triangle_materials[triangle])],
+            material: &mesh.materials[usize::from(mesh.triangle_materials[triangle])],
             position: ray.origin + ray.direction * hit.t,
             geometric_normal,
             normal,
