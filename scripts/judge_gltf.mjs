@@ -1,6 +1,6 @@
 // Judges the glTF files that `endless` writes by Khronos's own validator.
 //
-//   npm install --prefix target/judge gltf-validator@2
+//   npm install --prefix target/judge gltf-validator@2.0.0-dev.3.10
 //   node scripts/judge_gltf.mjs [ENDLESS [NAME-FILTER]]
 //
 // Exports every asset of `endless assets list`, and one map, and prints what the validator finds. Exit code 1 if there is
