@@ -42,7 +42,8 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
         }
         let model = random.below(catalogue.vehicles().len()) as u16;
         let spec = &catalogue.vehicles()[usize::from(model)].spec;
-        let mut bits = if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION } else { 0 };
+        let mut bits =
+            if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION | VehicleLights::INTERIOR } else { 0 };
         bits |= if random.chance(0.5) { VehicleLights::BRAKE } else { VehicleLights::LEFT_BLINKER };
         all.push(Actor {
             id: next(),

@@ -1,4 +1,4 @@
-//! Lights: brake, indicators, headlights.
+//! Lights: brake, indicators, headlights, cabins.
 
 use crate::population::Conditions;
 use crate::roads::Roads;
@@ -13,6 +13,10 @@ pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, conditions: Condition
     let mut bits = 0;
     if conditions.headlights_on {
         bits |= VehicleLights::POSITION | VehicleLights::LOW_BEAM;
+        // Passengers sit in the light; drivers of cars see better in the dark.
+        if vehicle.class == ObjectClass::Bus {
+            bits |= VehicleLights::INTERIOR;
+        }
     }
     if vehicle.class != ObjectClass::Bicycle {
         let braking = vehicle.acceleration < -0.7 || vehicle.speed < 0.05;

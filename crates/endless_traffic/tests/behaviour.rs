@@ -111,8 +111,10 @@ fn headlights_are_lit_by_night_in_rain_and_in_fog() {
         (Weather::Foggy, TimeOfDay::Morning, true),
     ] {
         let state = simulation(&network, [12, 0], 1, Conditions::new(weather, time), FPS).state();
-        for vehicle in state.actors.iter().filter_map(motion) {
+        for (actor, vehicle) in state.actors.iter().filter_map(|a| Some((a, motion(a)?))) {
             assert_eq!(vehicle.lights.has(VehicleLights::LOW_BEAM | VehicleLights::POSITION), lit, "{weather} {time}");
+            let passengers = actor.class == ObjectClass::Bus;
+            assert_eq!(vehicle.lights.has(VehicleLights::INTERIOR), lit && passengers, "{weather} {time}");
         }
     }
 }

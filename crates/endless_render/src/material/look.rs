@@ -82,7 +82,7 @@ pub(crate) fn look(point: &SurfacePoint<'_>, environment: &Environment, footprin
         Surface::ShopGlass => window::window(point, base, environment, true),
         Surface::LitSign => thing::lit_sign(point, base, environment),
         Surface::CarPaint => thing::car_paint(point, base, environment),
-        Surface::CarGlass => thing::car_glass(point, base),
+        Surface::CarGlass => thing::car_glass(point, base, environment),
         Surface::Rubber => Look { roughness: 0.75, specular: 0.035, ..Look::matte(base, point.normal) },
         Surface::Plastic => Look { roughness: 0.45, specular: 0.04, ..Look::matte(base, point.normal) },
         Surface::Metal => thing::metal(point, base, 0.35),

@@ -24,12 +24,18 @@ pub(super) fn car_paint(point: &SurfacePoint<'_>, base: Vec3A, environment: &Env
     look
 }
 
-pub(super) fn car_glass(point: &SurfacePoint<'_>, base: Vec3A) -> Look {
+pub(super) fn car_glass(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
     /// What a pane lets through both ways: windscreens must pass 70 %, rear panes are often tinted.
     const THROUGH: f32 = 0.7;
-    let behind = cabin::behind(point, THROUGH).unwrap_or((base * 0.35).min(Vec3A::splat(0.05)));
+    /// Of a cabin's lamps, the outdoors at night being as dark as it is.
+    const LAMP: Vec3A = Vec3A::new(0.105, 0.10, 0.088);
+    let inside = cabin::behind(point, THROUGH);
+    let behind = inside.as_ref().map_or((base * 0.35).min(Vec3A::splat(0.05)), |inside| inside.albedo);
     let mut look = Look::matte(behind, point.normal).coated(1.0, 0.05, 0.07);
     look.specular = 0.0;
+    if environment.night && point.instance.lights & VehicleLights::INTERIOR != 0 {
+        look.emission = inside.map_or(Vec3A::ZERO, |inside| inside.lit * LAMP);
+    }
     look
 }
 
