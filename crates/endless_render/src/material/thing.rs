@@ -61,11 +61,37 @@ pub(super) fn bark(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Loo
 pub(super) fn foliage(point: &SurfacePoint<'_>, base: Vec3A) -> Look {
     let p = Vec3::from(point.position);
     let vary = 0.92 + 0.25 * noise::value3(p * 1.7, 8) + 0.15 * noise::value3(p * 0.23, 9);
-    let mut look = Look::matte(super::ground::muted(base, 0.25) * vary, point.normal);
+    let green = individual(point, super::ground::muted(base, 0.25));
+    let mut look = Look::matte(green * vary, point.normal);
     look.translucency = 0.35;
     look.roughness = 0.55;
     look.specular = 0.03;
     look
+}
+
+/// The green of one tree among others of its kind: darker or paler, yellower or bluer, and of leafy trees a few whose
+/// leaves turn, bough by bough. Hedges and fields are made of pieces that must not be told apart: they keep theirs.
+fn individual(point: &SurfacePoint<'_>, green: Vec3A) -> Vec3A {
+    const TREE_M: f32 = 4.0;
+    /// Share of leafy trees that turn.
+    const TURNING: f32 = 0.06;
+    /// Conifers and evergreens have more blue than this, of their green.
+    const LEAFY: f32 = 0.262;
+    const AUTUMN: [Vec3A; 3] = [Vec3A::new(2.5, 1.75, 0.22), Vec3A::new(2.5, 1.05, 0.16), Vec3A::new(1.9, 1.45, 0.30)];
+    let base = Vec3A::from_array(point.material.base_color);
+    if base.x > base.y || base.z > base.y || point.instance.body.blas.bounds().1.z < TREE_M {
+        return green;
+    }
+    let stand = point.instance.world_from_object.translation;
+    let dice = |salt| noise::cell2((stand * 4.0).round().as_ivec3().truncate(), salt);
+    let warmth = 0.45 * (dice(31) - 0.35);
+    let tint = Vec3A::new(1.0 + warmth, 1.0 + 0.2 * warmth, 1.0 - warmth) * (0.84 + 0.32 * dice(32));
+    if base.z > LEAFY * base.y || dice(33) > TURNING {
+        return green * tint;
+    }
+    let own = noise::value3(Vec3::from(point.position) * 0.8, 34);
+    let turned = smoothstep(-0.5, 0.6, own + 1.2 * dice(35) - 0.3);
+    (green * tint).lerp(AUTUMN[(3.0 * dice(36)) as usize % 3] * green.y, turned)
 }
 
 pub(super) fn lit_sign(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
