@@ -19,7 +19,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [what, out] = arguments.as_slice() else { return Err("usage: lot vehicles|people OUT.jpg".into()) };
     let catalogue = Catalogue::builtin();
-    let (actors, height) = if what == "people" { (people(&catalogue), 8.7) } else { (vehicles(&catalogue), 34.0) };
+    let (actors, height) = if what == "people" { (people(&catalogue), 8.7) } else { (vehicles(&catalogue), 36.0) };
     let town = square();
     let still = StaticScene::load(&town, &catalogue);
     let site = CameraSite {

@@ -1,6 +1,6 @@
-//! What car glass shows of the inside: seats and who sits on them, the roof's lining, and daylight through the windows
-//! across. Not modelled but traced through a cabin made up from the body's size (after van Dongen's interior mapping,
-//! 2008).
+//! What car glass shows of the inside: seats and who sits on them, the roof's lining, daylight through the windows across,
+//! in buses the floor, poles and lamps under the roof. Not modelled but traced through a cabin made up from the body's
+//! size (after van Dongen's interior mapping, 2008).
 
 use super::noise;
 use crate::scene::SurfacePoint;
