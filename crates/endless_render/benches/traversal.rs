@@ -1,4 +1,4 @@
-//! Rates of tracing a frame's primary, sun and diffuse rays in a made-up town, on one thread:
+//! Rates of tracing a frame's primary, sun and diffuse rays in a built-in town, on one thread:
 //! `cargo bench -p endless_render --bench traversal`.
 
 mod town;
@@ -16,7 +16,7 @@ use obvhs::bvh2::Bvh2;
 use obvhs::cwbvh::CwBvh;
 use town::{Packet, Town};
 
-static TOWN: LazyLock<Town> = LazyLock::new(Town::new);
+static TOWN: LazyLock<Town> = LazyLock::new(|| Town::new("Town02"));
 static CWBVH: LazyLock<Baseline<CwBvh>> = LazyLock::new(|| Baseline::new(&TOWN));
 static BVH2: LazyLock<Baseline<Bvh2>> = LazyLock::new(|| Baseline::new(&TOWN));
 

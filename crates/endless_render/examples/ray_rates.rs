@@ -1,24 +1,25 @@
-//! Prints rates of tracing in a made-up town, or in a built-in one, own traversal beside those of `obvhs`:
-//! `cargo run --release -p endless_render --example ray_rates -- [Town03]`.
+//! Prints rates of tracing in the built-in towns, or those that are named, own traversal beside that of `obvhs`:
+//! `cargo run --release -p endless_render --example ray_rates -- [Town03 …]`.
 #![expect(clippy::print_stdout, reason = "a table is what it is for")]
 
 #[path = "../benches/town/baseline.rs"]
 mod baseline;
-#[path = "../benches/town/builtin.rs"]
-mod builtin;
 #[path = "../benches/town/mod.rs"]
 mod town;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
-use endless_render::{Accel, Ray, RayBundle};
-use obvhs::bvh2::Bvh2;
+use baseline::Baseline;
+use endless_render::{Ray, RayBundle};
 use obvhs::cwbvh::CwBvh;
 use town::{Packet, Town};
 
 const THREADS: usize = 2;
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 7;
+
+/// The sets of rays.
+const SETS: [&str; 4] = ["primary", "sun", "diffuse", "scattered"];
 
 /// Time this thread has run, so that other work on the machine does not count; wall time where the system does not
 /// tell.
@@ -41,31 +42,24 @@ impl Clock {
     }
 }
 
-/// Millions of active rays per second, best of some rounds, and how many hit.
-fn rate<R: Sync, M: Copy + Into<u32> + Sync>(packets: &[(R, M)], trace: impl Fn(&R, M) -> u32 + Sync) -> (f64, usize) {
+/// Traces all packets with all threads: seconds, and how many rays hit.
+fn pass<R: Sync, M: Copy + Sync>(packets: &[(R, M)], trace: impl Fn(&R, M) -> u32 + Sync) -> (f64, usize) {
     const CHUNK: usize = 512;
-    let rays: u32 = packets.iter().map(|(_, active)| (*active).into().count_ones()).sum();
-    let mut best = f64::INFINITY;
-    let mut hits = 0;
-    for _ in 0..ROUNDS {
-        let (next, found, busy) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(0));
-        std::thread::scope(|scope| {
-            for _ in 0..THREADS {
-                scope.spawn(|| {
-                    let clock = Clock::start();
-                    let mut sum = 0;
-                    while let Some(chunk) = packets.chunks(CHUNK).nth(next.fetch_add(1, Ordering::Relaxed)) {
-                        sum += chunk.iter().map(|(rays, active)| trace(rays, *active) as usize).sum::<usize>();
-                    }
-                    found.fetch_add(sum, Ordering::Relaxed);
-                    busy.fetch_add(clock.nanoseconds(), Ordering::Relaxed);
-                });
-            }
-        });
-        best = best.min(busy.into_inner() as f64 * 1e-9 / THREADS as f64);
-        hits = found.into_inner();
-    }
-    (f64::from(rays) / best / 1e6, hits)
+    let (next, found, busy) = (AtomicUsize::new(0), AtomicUsize::new(0), AtomicUsize::new(0));
+    std::thread::scope(|scope| {
+        for _ in 0..THREADS {
+            scope.spawn(|| {
+                let clock = Clock::start();
+                let mut sum = 0;
+                while let Some(chunk) = packets.chunks(CHUNK).nth(next.fetch_add(1, Ordering::Relaxed)) {
+                    sum += chunk.iter().map(|(rays, active)| trace(rays, *active) as usize).sum::<usize>();
+                }
+                found.fetch_add(sum, Ordering::Relaxed);
+                busy.fetch_add(clock.nanoseconds(), Ordering::Relaxed);
+            });
+        }
+    });
+    (busy.into_inner() as f64 * 1e-9 / THREADS as f64, found.into_inner())
 }
 
 /// The same rays, four packets together.
@@ -82,64 +76,88 @@ fn each(active: u8, rays: &[Ray; 8], hit: impl Fn(&Ray) -> bool) -> u32 {
     (0..8).filter(|&lane| active >> lane & 1 != 0 && hit(&rays[lane])).count() as u32
 }
 
-fn main() {
-    let start = Instant::now();
-    let town = std::env::args().nth(1).map_or_else(Town::new, |name| Town::builtin(&name));
-    println!("built in {:.1} s", start.elapsed().as_secs_f64());
-    let unique: usize = town.meshes.iter().map(|m| m.triangles.len()).sum();
-    let bytes: usize = town.blas.iter().map(|b| b.memory_bytes()).sum();
-    println!(
-        "{} instances, {unique} own triangles at {:.0} B, {} instanced; top level {:.1} MB",
-        town.instances.len(),
-        bytes as f64 / unique as f64,
-        town.instances.iter().map(|(m, _)| town.meshes[*m].triangles.len()).sum::<usize>(),
-        town.accel.memory_bytes() as f64 / 1e6
-    );
-    for count in [100, 600, town.instances.len()] {
-        let place = |_| town::placed(&town.blas, &town.instances[town.instances.len() - count..]);
-        let lists: Vec<_> = (0..9).map(place).collect();
-        let times = lists.into_iter().map(|list| {
-            let start = Instant::now();
-            std::hint::black_box(Accel::build(list));
-            start.elapsed().as_secs_f64() * 1e3
-        });
-        println!("top level over {count} instances: {:.3} ms", times.fold(f64::INFINITY, f64::min));
+/// A way to trace one of the sets.
+type Trace<'a> = &'a dyn Fn(usize) -> (f64, usize);
+
+/// Prints the rates of one town; returns how many times as fast as CWBVH the better of packets and bundles is.
+fn measure(town: &Town) -> [f64; 4] {
+    let sets = town.rays();
+    let (accel, bundled) = (&town.accel, sets.each_ref().map(|set| bundles(set)));
+    let cw = Baseline::<CwBvh>::new(town);
+    const SUN: usize = 1;
+    let single = |set: usize| match set {
+        SUN => pass(&sets[set], |r, m| each(m, r, |ray| accel.occluded(ray))),
+        _ => pass(&sets[set], |r, m| each(m, r, |ray| accel.closest(ray).is_some())),
+    };
+    let by_packets = |set: usize| match set {
+        SUN => pass(&sets[set], |r, m| accel.occluded8(r, m).count_ones()),
+        _ => pass(&sets[set], |r, m| accel.closest8(r, m).iter().flatten().count() as u32),
+    };
+    let by_bundles = |set: usize| match set {
+        SUN => pass(&bundled[set], |r, m| accel.occluded32(r, m).count_ones()),
+        _ => pass(&bundled[set], |r, m| {
+            let hits = accel.closest32(r, m);
+            (0..32).filter(|&lane| hits.get(lane).is_some()).count() as u32
+        }),
+    };
+    let cwbvh = |set: usize| match set {
+        SUN => pass(&sets[set], |r, m| each(m, r, |ray| cw.occluded(ray))),
+        _ => pass(&sets[set], |r, m| each(m, r, |ray| cw.closest(ray).is_some())),
+    };
+    let ways: [(&str, Trace<'_>); 4] = [
+        ("obvhs CWBVH", &cwbvh),
+        ("own, single", &single),
+        ("own, packets", &by_packets),
+        ("own, bundles", &by_bundles),
+    ];
+    // All ways in turn, again and again: a machine's slow minutes then fall on all of them.
+    let mut best = [[(f64::INFINITY, 0); 4]; 4];
+    for _ in 0..ROUNDS {
+        for (best, (_, pass)) in best.iter_mut().zip(&ways) {
+            for (set, best) in best.iter_mut().enumerate() {
+                let (seconds, hits) = pass(set);
+                *best = (best.0.min(seconds), hits);
+            }
+        }
     }
-    let [primary, sun, diffuse, scattered] = town.rays();
-    let accel = &town.accel;
-    let print = |name: &str, [a, b, c, d]: [(f64, usize); 4]| {
+    let rays = sets.each_ref().map(|set| set.iter().map(|(_, active)| active.count_ones()).sum::<u32>());
+    let rates = best.map(|best| std::array::from_fn::<f64, 4, _>(|set| f64::from(rays[set]) / best[set].0 / 1e6));
+    for ((name, _), (rates, best)) in ways.iter().zip(rates.iter().zip(&best)) {
+        let columns = (0..4).map(|set| format!("{:20}", format!("{:6.2} ({} hit)", rates[set], best[set].1)));
+        println!("{name:14} {}", columns.collect::<String>());
+    }
+    let ratios = std::array::from_fn(|set| rates[2][set].max(rates[3][set]) / rates[0][set]);
+    print_ratios("times CWBVH", &ratios);
+    ratios
+}
+
+fn print_ratios(name: &str, ratios: &[f64; 4]) {
+    let columns = SETS.iter().zip(ratios).map(|(set, ratio)| format!("{:20}", format!("{ratio:6.2} {set}")));
+    println!("{name:14} {}", columns.collect::<String>());
+}
+
+fn main() {
+    let mut names: Vec<String> = std::env::args().skip(1).collect();
+    if names.is_empty() {
+        names = endless_town::NAMES.iter().map(ToString::to_string).collect();
+    }
+    let mut all = Vec::new();
+    for name in &names {
+        let start = Instant::now();
+        let town = Town::new(name);
+        let unique: usize = town.meshes.iter().map(|m| m.triangles.len()).sum();
+        let bytes: usize = town.blas.iter().map(|b| b.memory_bytes()).sum();
         println!(
-            "{name:16} primary {:6.2}  sun {:6.2}  diffuse {:6.2}  scattered {:6.2} Mrays/s   hits {} {} {} {}",
-            a.0, b.0, c.0, d.0, a.1, b.1, c.1, d.1
+            "{name}, built in {:.1} s: {} instances, {unique} own triangles at {:.0} B, {} instanced; top level {:.1} MB",
+            start.elapsed().as_secs_f64(),
+            town.instances.len(),
+            bytes as f64 / unique as f64,
+            town.instances.iter().map(|(m, _)| town.meshes[*m].triangles.len()).sum::<usize>(),
+            town.accel.memory_bytes() as f64 / 1e6
         );
-    };
-    let report = |name: &str,
-                  closest: &(dyn Fn(&[Ray; 8], u8) -> u32 + Sync),
-                  occluded: &(dyn Fn(&[Ray; 8], u8) -> u32 + Sync)| {
-        let rates = [rate(&primary, closest), rate(&sun, occluded), rate(&diffuse, closest), rate(&scattered, closest)];
-        print(name, rates);
-    };
-    report("own, single", &|r, m| each(m, r, |ray| accel.closest(ray).is_some()), &|r, m| {
-        each(m, r, |ray| accel.occluded(ray))
-    });
-    report("own, packets", &|r, m| accel.closest8(r, m).iter().flatten().count() as u32, &|r, m| {
-        accel.occluded8(r, m).count_ones()
-    });
-    let closest = |r: &RayBundle<4>, m: u32| {
-        let hits = accel.closest32(r, m);
-        (0..32).filter(|&lane| hits.get(lane).is_some()).count() as u32
-    };
-    let occluded = |r: &RayBundle<4>, m: u32| accel.occluded32(r, m).count_ones();
-    let [by_primary, by_sun, by_diffuse, by_scattered] = [&primary, &sun, &diffuse, &scattered].map(|p| bundles(p));
-    let rates =
-        [rate(&by_primary, closest), rate(&by_sun, occluded), rate(&by_diffuse, closest), rate(&by_scattered, closest)];
-    print("own, bundles", rates);
-    let cw = baseline::Baseline::<CwBvh>::new(&town);
-    report("obvhs CWBVH", &|r, m| each(m, r, |ray| cw.closest(ray).is_some()), &|r, m| {
-        each(m, r, |ray| cw.occluded(ray))
-    });
-    let b2 = baseline::Baseline::<Bvh2>::new(&town);
-    report("obvhs BVH2", &|r, m| each(m, r, |ray| b2.closest(ray).is_some()), &|r, m| {
-        each(m, r, |ray| b2.occluded(ray))
-    });
+        println!("{:14} {}   Mrays/s", "", SETS.map(|set| format!("{set:20}")).join(""));
+        all.push(measure(&town));
+    }
+    let mean = |set: usize| all.iter().map(|ratios: &[f64; 4]| ratios[set]).sum::<f64>() / all.len() as f64;
+    print_ratios("mean of all", &std::array::from_fn(mean));
 }

@@ -86,6 +86,57 @@ impl<const N: usize> Hits<N> {
     }
 }
 
+/// Some of at most four rows of eight lanes, a bit each.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Rows(u32);
+
+impl Rows {
+    pub(super) const NONE: Self = Self(0);
+    const ALL: u32 = 15;
+
+    /// Those in which a mask has any lane.
+    #[inline(always)]
+    pub(super) fn of(mask: u32) -> Self {
+        let bit = |row: u32| u32::from(mask >> (8 * row) & 255 != 0) << row;
+        Self(bit(0) | bit(1) | bit(2) | bit(3))
+    }
+
+    /// Adds a row if it has any of these eight lanes.
+    #[inline(always)]
+    pub(super) fn add(&mut self, row: usize, lanes: u32) {
+        self.0 |= u32::from(lanes & 255 != 0) << row;
+    }
+
+    /// Whether there is more than one.
+    pub(super) fn several(self) -> bool {
+        self.0 & self.0.wrapping_sub(1) != 0
+    }
+
+    /// One by one, of N.
+    #[inline(always)]
+    pub(super) fn each<const N: usize>(self) -> impl Iterator<Item = usize> {
+        lanes(if N == 1 { 1 } else { self.0 }).map(|row| row % N)
+    }
+
+    /// Written into the last bits of a distance, which is not negative, and becomes less if anything.
+    #[inline(always)]
+    pub(super) fn with_distance<const N: usize>(self, t: f32) -> f32 {
+        if N == 1 {
+            return t;
+        }
+        f32::from_bits(t.to_bits() & !Self::ALL | self.0)
+    }
+
+    /// What `with_distance` has written.
+    #[inline(always)]
+    pub(super) fn and_distance<const N: usize>(t: f32) -> (Self, f32) {
+        if N == 1 {
+            return (Self(1), t);
+        }
+        (Self(t.to_bits() & Self::ALL), f32::from_bits(t.to_bits() & !Self::ALL))
+    }
+}
+
 /// The lanes of a mask.
 pub(crate) fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {

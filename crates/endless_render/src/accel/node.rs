@@ -87,6 +87,17 @@ impl Node {
         (corner(0), corner(1))
     }
 
+    /// Box of one child, as rays of these signs meet it.
+    #[inline(always)]
+    pub(super) fn child_slab(&self, slot: usize, negative: [usize; 3]) -> Slab {
+        let mut slab = Slab { first: [0.0; 3], last: [0.0; 3] };
+        for k in 0..3 {
+            slab.first[k] = self.planes[negative[k] & 1][k].as_array()[slot & 7];
+            slab.last[k] = self.planes[1 - (negative[k] & 1)][k].as_array()[slot & 7];
+        }
+        slab
+    }
+
     /// The children there are, and their boxes.
     pub(super) fn children(&self) -> impl Iterator<Item = (Link, (Vec3A, Vec3A))> {
         (0..8).filter(|&slot| self.links[slot] != Link::EMPTY).map(|slot| (self.links[slot], self.child_box(slot)))
@@ -100,6 +111,27 @@ impl Node {
         let tnear = near(0).fast_max(near(1)).fast_max(near(2).fast_max(f32x8::ZERO));
         let tfar = far(0).fast_min(far(1)).fast_min(far(2).fast_min(f32x8::splat(tmax)));
         (tnear.simd_le(tfar).to_bitmask(), tnear)
+    }
+}
+
+/// A box by the planes that a ray meets first and last along each axis.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Slab {
+    pub(super) first: [f32; 3],
+    pub(super) last: [f32; 3],
+}
+
+impl Slab {
+    /// Of a box; `negative` as in `LocalRay`.
+    #[inline(always)]
+    pub(super) fn of(min: [f32; 3], max: [f32; 3], negative: [usize; 3]) -> Self {
+        let sides = [min, max];
+        let mut slab = Slab { first: [0.0; 3], last: [0.0; 3] };
+        for k in 0..3 {
+            slab.first[k] = sides[negative[k] & 1][k];
+            slab.last[k] = sides[1 - (negative[k] & 1)][k];
+        }
+        slab
     }
 }
 

@@ -7,12 +7,12 @@
 
 use wide::f32x8;
 
-use super::bundle::{Hits, RayBundle, lane_mask, lanes};
-use super::node::{Beam, Link, Node};
+use super::bundle::{Hits, RayBundle, Rows, lane_mask, lanes};
+use super::node::{Beam, Link, Node, Slab};
 use super::packet_ray::PacketRay;
 use super::ray::{Hit, LocalRay, Ray};
 use super::single::trace_blas;
-use super::stack::Stack;
+use super::stack::{Nearest, Stack, Waiting};
 use super::tlas::{Accel, Entry};
 
 /// With no more lanes than this, single rays are faster.
@@ -48,12 +48,21 @@ impl Accel {
         let mut stack = Stack::new();
         match packet_of(rays, active) {
             Some(packet) => {
-                walk::<ANY, N>(self.nodes(), self.root(), &packet, &mut trip, &mut stack, |link, trip, stack| {
-                    self.entry(link).trace_packet::<ANY, N>(rays, &packet, trip, stack);
-                });
+                let rows = Rows::of(active);
+                walk::<ANY, N>(
+                    self.nodes(),
+                    self.root(),
+                    rows,
+                    &packet,
+                    &mut trip,
+                    &mut stack,
+                    |link, rows, trip, stack| {
+                        self.entry(link).trace_packet::<ANY, N>(rays, &packet, rows, trip, stack);
+                    },
+                );
             }
             None if N > 1 => {
-                for row in rows::<N>(active) {
+                for row in Rows::of(active).each::<N>() {
                     let mut part = trip.row(row);
                     self.trace_row::<ANY>(&rays.row(row), &mut part, &mut stack);
                     trip.set_row(row, &part);
@@ -67,9 +76,12 @@ impl Accel {
     #[inline(never)]
     fn trace_row<const ANY: bool>(&self, rays: &RayBundle<1>, trip: &mut Trip<1>, stack: &mut Stack) {
         match packet_of(rays, trip.live) {
-            Some(packet) => walk::<ANY, 1>(self.nodes(), self.root(), &packet, trip, stack, |link, trip, stack| {
-                self.entry(link).trace_packet::<ANY, 1>(rays, &packet, trip, stack);
-            }),
+            Some(packet) => {
+                let rows = Rows::of(trip.live);
+                walk::<ANY, 1>(self.nodes(), self.root(), rows, &packet, trip, stack, |link, rows, trip, stack| {
+                    self.entry(link).trace_packet::<ANY, 1>(rays, &packet, rows, trip, stack);
+                });
+            }
             None => self.trace_singly::<ANY, 1>(rays, trip),
         }
     }
@@ -88,7 +100,7 @@ impl Accel {
 
 /// Whether these lanes are enough to go together, and lie in more than one row if there are rows.
 fn worth_a_packet<const N: usize>(lanes: u32) -> bool {
-    lanes.count_ones() > FEW && (N == 1 || rows::<N>(lanes).count() > 1)
+    lanes.count_ones() > FEW && (N == 1 || Rows::of(lanes).several())
 }
 
 /// These lanes as a packet, if that is worth it and their directions agree.
@@ -156,22 +168,19 @@ impl<const N: usize> Trip<N> {
     }
 }
 
-/// The rows of eight lanes in which a mask has any.
-fn rows<const N: usize>(mask: u32) -> impl Iterator<Item = usize> {
-    (0..N).filter(move |row| mask >> (8 * row) & 255 != 0)
-}
-
 impl Entry {
     #[inline(always)]
     fn trace_packet<const ANY: bool, const N: usize>(
         &self,
         rays: &RayBundle<N>,
         world: &PacketRay<N>,
+        rows: Rows,
         trip: &mut Trip<N>,
         stack: &mut Stack,
     ) {
         let (min, max) = self.bounds;
-        let (entered, tnear) = world.enter(min.to_array(), max.to_array(), trip);
+        let slab = Slab::of(min.to_array(), max.to_array(), world.negative);
+        let (entered, tnear) = world.enter(&slab, rows, trip);
         if entered == 0 {
             return;
         }
@@ -187,7 +196,7 @@ impl Entry {
         match packet {
             Some(packet) => self.trace_blas_by_packet::<ANY, N>(packet, &tnear, entered, trip, stack),
             None if N > 1 && entered.count_ones() > FEW => {
-                for row in rows::<N>(entered) {
+                for row in Rows::of(entered).each::<N>() {
                     let mut part = trip.row(row);
                     let entered = entered >> (8 * row) & 255;
                     self.trace_row::<ANY>(&rays.row(row), &[tnear[row]], entered, &mut part, stack);
@@ -253,9 +262,10 @@ impl Entry {
         trip.live &= entered;
         trip.update_reach();
         let groups = self.blas.groups();
-        walk::<ANY, N>(self.blas.nodes(), self.root, packet, trip, stack, |link, trip, _| {
+        let rows = Rows::of(entered);
+        walk::<ANY, N>(self.blas.nodes(), self.root, rows, packet, trip, stack, |link, rows, trip, _| {
             for group in &groups[link.range()] {
-                packet.intersect::<ANY>(group, tmin, trip, self.instance);
+                packet.intersect::<ANY>(group, rows, tmin, trip, self.instance);
             }
         });
         trip.live |= outside;
@@ -272,26 +282,29 @@ impl Entry {
     }
 }
 
-/// Visits the leaves that the beam may enter before `trip.reach`, until no lane is live.
+/// Visits the leaves that the beam may enter before `trip.reach`, until no lane is live, with the rows that enter them:
+/// what passes by a box passes by all that is in it.
 #[inline(always)]
 fn walk<const ANY: bool, const N: usize>(
     nodes: &[Node],
     root: Link,
+    rows: Rows,
     packet: &PacketRay<N>,
     trip: &mut Trip<N>,
     stack: &mut Stack,
-    mut leaf: impl FnMut(Link, &mut Trip<N>, &mut Stack),
+    mut leaf: impl FnMut(Link, Rows, &mut Trip<N>, &mut Stack),
 ) {
     if root == Link::EMPTY {
         return;
     }
     let base = stack.len();
-    let mut next = Some((root, 0.0));
-    while let Some((mut link, tnear)) = next {
+    let mut next = Some((root, rows.with_distance::<N>(0.0)));
+    while let Some((mut link, marked)) = next {
+        let (mut rows, tnear) = Rows::and_distance::<N>(marked);
         if tnear <= trip.reach {
             loop {
                 if link.is_leaf() {
-                    leaf(link, trip, stack);
+                    leaf(link, rows, trip, stack);
                     if ANY && trip.live == 0 {
                         stack.truncate(base);
                         return;
@@ -306,23 +319,26 @@ fn walk<const ANY: bool, const N: usize>(
                 }
                 let tnears = tnears.as_array();
                 let from = stack.len();
+                let mut nearest = Nearest::new();
                 while hits != 0 {
                     let slot = hits.trailing_zeros() as usize & 7;
                     hits &= hits - 1;
-                    let (min, max) = node.child_box(slot);
-                    if packet.enter(min.to_array(), max.to_array(), trip).0 != 0 {
-                        stack.push(node.links[slot], tnears[slot]);
+                    let entered = packet.enters(&node.child_slab(slot, packet.negative), rows, trip);
+                    if entered == Rows::NONE {
+                        continue;
+                    }
+                    let child = Waiting::new(node.links[slot], entered.with_distance::<N>(tnears[slot]));
+                    if ANY {
+                        stack.push(child);
+                    } else {
+                        nearest.add(child, stack);
                     }
                 }
-                if !ANY {
-                    stack.sort_from(from);
-                }
-                match stack.pop(from) {
-                    Some((nearest, _)) => link = nearest,
-                    None => break,
-                }
+                let Some(first) = (if ANY { stack.pop(from) } else { nearest.first(stack) }) else { break };
+                let (first, marked) = first.parts();
+                (link, rows) = (first, Rows::and_distance::<N>(marked).0);
             }
         }
-        next = stack.pop(base);
+        next = stack.pop(base).map(Waiting::parts);
     }
 }

@@ -3,8 +3,8 @@
 use glam::Vec3A;
 use wide::{f32x4, f32x8};
 
-use super::bundle::{RayBundle, lane_mask, lanes};
-use super::node::Beam;
+use super::bundle::{RayBundle, Rows, lane_mask, lanes};
+use super::node::{Beam, Slab};
 use super::packet::Trip;
 use super::ray::{FAR_PAD, Hit, MAX_INVERSE, Transform, permutation};
 use super::triangle::TriangleGroup;
@@ -14,7 +14,9 @@ pub(super) struct PacketRay<const N: usize> {
     origin: [[f32x8; N]; 3],
     direction: [[f32x8; N]; 3],
     inverse: [[f32x8; N]; 3],
-    negative: [usize; 3],
+    /// The same for where boxes are left.
+    inverse_far: [[f32x8; N]; 3],
+    pub(super) negative: [usize; 3],
     axes: [usize; 3],
     /// As `Shear`, by lane.
     shear: [[f32x8; N]; 3],
@@ -82,52 +84,71 @@ impl<const N: usize> PacketRay<N> {
         let times_z = |d: &[f32x8; N]| std::array::from_fn(|row| d[row] * z[row]);
         let shear = [times_z(&direction[axes[0]]), times_z(&direction[axes[1]]), z];
         let beam = beam(&origin, &inverse, negative);
-        Some(PacketRay { origin, direction, inverse, negative, axes, shear, beam })
+        let inverse_far = inverse.map(|axis| axis.map(|i| i * f32x8::splat(FAR_PAD)));
+        Some(PacketRay { origin, direction, inverse, inverse_far, negative, axes, shear, beam })
     }
 
-    /// `LocalRay::enter` by lane: which live lanes enter a box before their best hit, and where.
+    /// `LocalRay::enter` by lane: which live lanes of some rows enter a box before their best hit, and where.
     #[inline(always)]
-    pub(super) fn enter(&self, min: [f32; 3], max: [f32; 3], trip: &Trip<N>) -> (u32, [f32x8; N]) {
+    pub(super) fn enter(&self, slab: &Slab, rows: Rows, trip: &Trip<N>) -> (u32, [f32x8; N]) {
         let mut entered = 0;
         let mut tnears = [f32x8::ZERO; N];
-        for row in 0..N {
-            let (tnear, tfar) = self.slabs(min, max, row);
+        for row in rows.each::<N>() {
+            let (tnear, tfar) = self.slabs(slab, row);
             entered |= tnear.simd_le(tfar.fast_min(trip.ends[row])).to_bitmask() << (8 * row);
             tnears[row] = tnear;
         }
         (entered & trip.live, tnears)
     }
 
+    /// Those of some rows that have a live lane which enters a box before its best hit.
     #[inline(always)]
-    fn slabs(&self, min: [f32; 3], max: [f32; 3], row: usize) -> (f32x8, f32x8) {
+    pub(super) fn enters(&self, slab: &Slab, rows: Rows, trip: &Trip<N>) -> Rows {
+        let mut entered = Rows::NONE;
+        for row in rows.each::<N>() {
+            let (tnear, tfar) = self.slabs(slab, row);
+            let lanes = tnear.simd_le(tfar.fast_min(trip.ends[row])).to_bitmask();
+            entered.add(row, lanes & trip.live >> (8 * row));
+        }
+        entered
+    }
+
+    #[inline(always)]
+    fn slabs(&self, slab: &Slab, row: usize) -> (f32x8, f32x8) {
         let (mut near, mut far) = (f32x8::ZERO, f32x8::splat(f32::INFINITY));
-        let pad = f32x8::splat(FAR_PAD);
         for k in 0..3 {
-            let (first, last) = if self.negative[k] == 0 { (min[k], max[k]) } else { (max[k], min[k]) };
-            near = near.fast_max((f32x8::splat(first) - self.origin[k][row]) * self.inverse[k][row]);
-            far = far.fast_min((f32x8::splat(last) - self.origin[k][row]) * (self.inverse[k][row] * pad));
+            near = near.fast_max((f32x8::splat(slab.first[k]) - self.origin[k][row]) * self.inverse[k][row]);
+            far = far.fast_min((f32x8::splat(slab.last[k]) - self.origin[k][row]) * self.inverse_far[k][row]);
         }
         (near, far)
     }
 
-    /// `TriangleGroup::intersect` for the live lanes; with `ANY` lanes that hit are no longer live.
+    /// `TriangleGroup::intersect` for the live lanes of some rows; with `ANY` lanes that hit are no longer live.
     #[inline(always)]
     pub(super) fn intersect<const ANY: bool>(
         &self,
         group: &TriangleGroup,
+        rows: Rows,
         tmin: Option<&[f32x8; N]>,
         trip: &mut Trip<N>,
         instance: u32,
     ) {
         let mut found = 0;
+        let [x, y, z] = self.axes;
+        let axes = [x.min(2), y.min(2), z.min(2)];
         for lane in 0..TriangleGroup::SIZE {
             let triangle = group.ids[lane];
             if triangle == u32::MAX {
                 break;
             }
-            let vertices = [0, 1, 2].map(|c| self.axes.map(|k| f32x8::splat(group.vertices[c][k].as_array()[lane])));
+            let mut vertices = [[f32x8::ZERO; 3]; 3];
+            for (vertex, planes) in vertices.iter_mut().zip(&group.vertices) {
+                for (along, axis) in vertex.iter_mut().zip(axes) {
+                    *along = f32x8::splat(planes[axis].as_array()[lane]);
+                }
+            }
             let mut hit = 0;
-            for row in 0..N {
+            for row in rows.each::<N>() {
                 hit |= self.intersect_row(group, lane, &vertices, row, tmin, trip, instance) << (8 * row);
             }
             found |= hit;
@@ -178,7 +199,7 @@ impl<const N: usize> PacketRay<N> {
             return 0;
         }
         let (min, max) = group.bounds(lane);
-        let (tnear, tfar) = self.slabs(min, max, row);
+        let (tnear, tfar) = self.slabs(&Slab::of(min, max, self.negative), row);
         let candidates = inside & valid & tnear.simd_le(tfar).to_bitmask();
         let (ts, us, vs) = (t.fast_max(tnear).to_array(), (v / det).to_array(), (w / det).to_array());
         let mut found = 0;

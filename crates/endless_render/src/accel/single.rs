@@ -3,7 +3,7 @@
 use super::blas::Blas;
 use super::node::{Beam, Link, Node};
 use super::ray::{Hit, LocalRay, Ray};
-use super::stack::Stack;
+use super::stack::{Stack, Waiting};
 use super::tlas::{Accel, Entry};
 
 impl Accel {
@@ -153,49 +153,33 @@ fn walk<const ANY: bool>(
                 let mut take = || {
                     let slot = hits.trailing_zeros() as usize & 7;
                     hits &= hits - 1;
-                    (node.links[slot], tnears[slot], hits)
+                    (Waiting::new(node.links[slot], tnears[slot]), hits)
                 };
-                let (first, tfirst, rest) = take();
-                (link, tnear) = (first, tfirst);
-                if rest == 0 {
-                    continue;
-                }
-                let (second, tsecond, rest) = take();
-                if ANY {
-                    stack.push(second, tsecond);
-                    let mut rest = rest;
+                let (mut nearest, mut rest) = take();
+                if rest != 0 {
+                    let (second, left) = take();
+                    let (mut second, first) =
+                        if ANY { (second, nearest) } else { (nearest.max(second), nearest.min(second)) };
+                    nearest = first;
+                    rest = left;
                     while rest != 0 {
-                        let (other, tother, left) = take();
-                        stack.push(other, tother);
+                        let (other, left) = take();
+                        if ANY {
+                            stack.push(other);
+                        } else {
+                            stack.push(second.max(other));
+                            let other = second.min(other);
+                            second = nearest.max(other);
+                            nearest = nearest.min(other);
+                        }
                         rest = left;
                     }
-                    continue;
+                    stack.push(second);
                 }
-                if rest == 0 {
-                    if tsecond < tfirst {
-                        stack.push(first, tfirst);
-                        (link, tnear) = (second, tsecond);
-                    } else {
-                        stack.push(second, tsecond);
-                    }
-                    continue;
-                }
-                let from = stack.len();
-                stack.push(first, tfirst);
-                stack.push(second, tsecond);
-                let mut rest = rest;
-                while rest != 0 {
-                    let (other, tother, left) = take();
-                    stack.push(other, tother);
-                    rest = left;
-                }
-                stack.sort_from(from);
-                if let Some((nearest, t)) = stack.pop(from) {
-                    (link, tnear) = (nearest, t);
-                }
+                (link, tnear) = nearest.parts();
             }
         }
-        next = stack.pop(base);
+        next = stack.pop(base).map(Waiting::parts);
     }
     found
 }

@@ -4,17 +4,36 @@ use super::node::Link;
 
 const INLINE: usize = 96;
 
+/// A link that waits to be visited: nearer ones are less.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) struct Waiting(u64);
+
+impl Waiting {
+    pub(super) const NOTHING: Self = Self(u64::MAX);
+
+    /// `tnear` must not be negative: then its bits compare as distances do.
+    #[inline(always)]
+    pub(super) fn new(link: Link, tnear: f32) -> Self {
+        Self(u64::from(tnear.to_bits()) << 32 | u64::from(link.0))
+    }
+
+    #[inline(always)]
+    pub(super) fn parts(self) -> (Link, f32) {
+        (Link(self.0 as u32), f32::from_bits((self.0 >> 32) as u32))
+    }
+}
+
 /// A stack that lives on the machine stack, and spills to the heap for very deep trees.
 pub(super) struct Stack {
-    entries: [u64; INLINE],
+    entries: [Waiting; INLINE],
     len: usize,
-    spill: Vec<u64>,
+    spill: Vec<Waiting>,
 }
 
 impl Stack {
     #[inline]
     pub(super) fn new() -> Self {
-        Stack { entries: [0; INLINE], len: 0, spill: Vec::new() }
+        Stack { entries: [Waiting(0); INLINE], len: 0, spill: Vec::new() }
     }
 
     #[inline]
@@ -22,10 +41,8 @@ impl Stack {
         self.len
     }
 
-    /// `tnear` must not be negative: then entries compare as their distances do.
     #[inline]
-    pub(super) fn push(&mut self, link: Link, tnear: f32) {
-        let entry = u64::from(tnear.to_bits()) << 32 | u64::from(link.0);
+    pub(super) fn push(&mut self, entry: Waiting) {
         if self.len < INLINE {
             self.entries[self.len] = entry;
         } else {
@@ -34,15 +51,26 @@ impl Stack {
         self.len += 1;
     }
 
+    /// `push`, unless there is nothing to wait.
+    #[inline(always)]
+    pub(super) fn push_any(&mut self, entry: Waiting) {
+        if self.len < INLINE {
+            self.entries[self.len] = entry;
+            self.len += usize::from(entry != Waiting::NOTHING);
+        } else if entry != Waiting::NOTHING {
+            self.push_spilled(entry);
+            self.len += 1;
+        }
+    }
+
     /// The last entry, if more than `base` are left.
     #[inline]
-    pub(super) fn pop(&mut self, base: usize) -> Option<(Link, f32)> {
+    pub(super) fn pop(&mut self, base: usize) -> Option<Waiting> {
         if self.len <= base {
             return None;
         }
         self.len -= 1;
-        let entry = if self.len < INLINE { self.entries[self.len] } else { self.pop_spilled() };
-        Some((Link(entry as u32), f32::from_bits((entry >> 32) as u32)))
+        Some(if self.len < INLINE { self.entries[self.len] } else { self.pop_spilled() })
     }
 
     /// Drops the entries from `base` on.
@@ -52,30 +80,41 @@ impl Stack {
         self.spill.truncate(self.len.saturating_sub(INLINE));
     }
 
-    /// Sorts the entries from `base` on, so that the nearest is popped first.
-    #[inline]
-    pub(super) fn sort_from(&mut self, base: usize) {
-        if self.len > INLINE {
-            return; // Order is only a matter of speed.
-        }
-        for i in base + 1..self.len {
-            let entry = self.entries[i];
-            let mut j = i;
-            while j > base && self.entries[j - 1] < entry {
-                self.entries[j] = self.entries[j - 1];
-                j -= 1;
-            }
-            self.entries[j] = entry;
-        }
-    }
-
     #[cold]
-    fn push_spilled(&mut self, entry: u64) {
+    fn push_spilled(&mut self, entry: Waiting) {
         self.spill.push(entry);
     }
 
     #[cold]
-    fn pop_spilled(&mut self) -> u64 {
-        self.spill.pop().unwrap_or_default()
+    fn pop_spilled(&mut self) -> Waiting {
+        self.spill.pop().unwrap_or(Waiting(0))
+    }
+}
+
+/// The two nearest of some children, while the others wait on the stack in any order: sorting them all takes longer than
+/// it saves.
+pub(super) struct Nearest {
+    first: Waiting,
+    second: Waiting,
+}
+
+impl Nearest {
+    #[inline(always)]
+    pub(super) fn new() -> Self {
+        Self { first: Waiting::NOTHING, second: Waiting::NOTHING }
+    }
+
+    #[inline(always)]
+    pub(super) fn add(&mut self, child: Waiting, stack: &mut Stack) {
+        stack.push_any(self.second.max(child));
+        self.second = self.first.max(self.second.min(child));
+        self.first = self.first.min(child);
+    }
+
+    /// The nearest of all, if there is any; the next one is then the last on the stack.
+    #[inline(always)]
+    pub(super) fn first(self, stack: &mut Stack) -> Option<Waiting> {
+        stack.push_any(self.second);
+        (self.first != Waiting::NOTHING).then_some(self.first)
     }
 }

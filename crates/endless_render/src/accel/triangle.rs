@@ -66,9 +66,12 @@ impl TriangleGroup {
     /// Box of one triangle, `(min, max)`.
     #[inline]
     pub(super) fn bounds(&self, lane: usize) -> ([f32; 3], [f32; 3]) {
-        let v = |corner: usize, k: usize| self.vertices[corner][k].as_array()[lane & 3];
-        let fold = |f: fn(f32, f32) -> f32| std::array::from_fn(|k| f(f(v(0, k), v(1, k)), v(2, k)));
-        (fold(f32::min), fold(f32::max))
+        let [a, b, c] = &self.vertices;
+        let of = |axis: f32x4| axis.as_array()[lane & 3];
+        (
+            [0, 1, 2].map(|k| of(a[k].fast_min(b[k]).fast_min(c[k]))),
+            [0, 1, 2].map(|k| of(a[k].fast_max(b[k]).fast_max(c[k]))),
+        )
     }
 
     /// Calls `found` for each triangle hit at `tmin <= t <= tmax()`; `tmin` is where the ray enters the instance.
