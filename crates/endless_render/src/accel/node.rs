@@ -87,15 +87,14 @@ impl Node {
         (corner(0), corner(1))
     }
 
-    /// Box of one child, as rays of these signs meet it.
+    /// The planes of all children that rays of these signs meet first along each axis, and those that they meet last.
     #[inline(always)]
-    pub(super) fn child_slab(&self, slot: usize, negative: [usize; 3]) -> Slab {
-        let mut slab = Slab { first: [0.0; 3], last: [0.0; 3] };
-        for k in 0..3 {
-            slab.first[k] = self.planes[negative[k] & 1][k].as_array()[slot & 7];
-            slab.last[k] = self.planes[1 - (negative[k] & 1)][k].as_array()[slot & 7];
-        }
-        slab
+    pub(super) fn facing(&self, negative: [usize; 3]) -> [[&[f32; 8]; 3]; 2] {
+        let [x, y, z] = negative.map(|n| n & 1);
+        let side = |x: usize, y: usize, z: usize| {
+            [self.planes[x][0].as_array(), self.planes[y][1].as_array(), self.planes[z][2].as_array()]
+        };
+        [side(x, y, z), side(1 - x, 1 - y, 1 - z)]
     }
 
     /// The children there are, and their boxes.
@@ -122,6 +121,16 @@ pub(super) struct Slab {
 }
 
 impl Slab {
+    /// Of one child, by the planes of all.
+    #[inline(always)]
+    pub(super) fn of_child([first, last]: [[&[f32; 8]; 3]; 2], slot: usize) -> Self {
+        let slot = slot & 7;
+        Slab {
+            first: [first[0][slot], first[1][slot], first[2][slot]],
+            last: [last[0][slot], last[1][slot], last[2][slot]],
+        }
+    }
+
     /// Of a box; `negative` as in `LocalRay`.
     #[inline(always)]
     pub(super) fn of(min: [f32; 3], max: [f32; 3], negative: [usize; 3]) -> Self {

@@ -319,11 +319,12 @@ fn walk<const ANY: bool, const N: usize>(
                 }
                 let tnears = tnears.as_array();
                 let from = stack.len();
+                let planes = node.facing(packet.negative);
                 let mut nearest = Nearest::new();
                 while hits != 0 {
                     let slot = hits.trailing_zeros() as usize & 7;
                     hits &= hits - 1;
-                    let entered = packet.enters(&node.child_slab(slot, packet.negative), rows, trip);
+                    let entered = packet.enters(&Slab::of_child(planes, slot), rows, trip);
                     if entered == Rows::NONE {
                         continue;
                     }
