@@ -13,6 +13,8 @@ const CAMERA_POLE_M: f32 = 6.0;
 
 /// Poles stand further than this from the middle of every lane, metres.
 const CLEAR_M: f64 = 1.3;
+/// Nor this near to the edge of one beside it.
+const EDGE_M: f64 = 0.25;
 /// Share of a picture that things near the lens may take.
 const MOST_HIDDEN: f32 = 0.03;
 /// Lanes this much higher or lower pass over or under.
@@ -54,9 +56,12 @@ pub(crate) fn set_up_cameras(
 /// alone does not tell.
 fn in_the_way(network: &RoadNetwork, foot: DVec3) -> bool {
     network.lanes.iter().any(|lane| {
-        let (s, _) = lane.centerline.project(foot.truncate());
+        let (s, t) = lane.centerline.project(foot.truncate());
         let nearest = lane.centerline.position(s);
-        nearest.truncate().distance(foot.truncate()) < CLEAR_M && (nearest.z - foot.z).abs() < OTHER_LEVEL_M
+        let distance = nearest.truncate().distance(foot.truncate());
+        let beside = distance < t.abs() + 0.1;
+        let clear = if beside { CLEAR_M.max(lane.width_m / 2.0 + EDGE_M) } else { CLEAR_M };
+        distance < clear && (nearest.z - foot.z).abs() < OTHER_LEVEL_M
     })
 }
 

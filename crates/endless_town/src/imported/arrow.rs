@@ -1,6 +1,8 @@
 //! Arrows on lanes before junctions, and dotted lines that lead left turns across large ones.
 
 use super::cover::Cover;
+use super::crossed::Crossed;
+use super::paint::PAINT_APART_M;
 use super::road::{PAINT_M, quad};
 use crate::palette::WHITE_PAINT;
 use crate::plot::unit;
@@ -20,6 +22,7 @@ const DASH_M: [f64; 2] = [0.6, 1.2];
 /// Paints both.
 pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
     let network = &map.network;
+    let crossed = Crossed::new(&network.crossings);
     for lane in &network.lanes {
         let several = lane.left.is_some() || lane.right.is_some();
         let governed = !matches!(lane.end_control, Control::Free);
@@ -34,7 +37,7 @@ pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
         let inner = if map.left_hand { Turn::Right } else { Turn::Left };
         let long = lane.junction.is_some() && lane.turn == inner && lane.centerline.length() > LONG_M;
         if long && signalled && is_outermost_turn(network, lane, map.left_hand) {
-            guide_line(mesh, lane, if map.left_hand { 1.0 } else { -1.0 }, cover);
+            guide_line(mesh, lane, if map.left_hand { 1.0 } else { -1.0 }, cover, &crossed);
         }
     }
 }
@@ -47,13 +50,15 @@ fn is_outermost_turn(network: &RoadNetwork, way: &Lane, left_hand: bool) -> bool
 }
 
 /// Dots along the outer edge of a way.
-fn guide_line(mesh: &mut MeshBuilder, lane: &Lane, side: f64, cover: &Cover) {
+fn guide_line(mesh: &mut MeshBuilder, lane: &Lane, side: f64, cover: &Cover, crossed: &Crossed<'_>) {
     let length = lane.centerline.length();
     let t = side * (lane.width_m / 2.0 - 0.1);
     let mut s = 3.0;
     while s + DASH_M[0] < length - 3.0 {
         let painter = Painter { mesh, cover, lane, s };
-        painter.quad([(0.0, t - 0.05), (DASH_M[0], t - 0.05), (DASH_M[0], t + 0.05), (0.0, t + 0.05)]);
+        if [0.0, DASH_M[0]].iter().all(|&x| !crossed.holds(painter.place((x, t)), PAINT_APART_M)) {
+            painter.quad([(0.0, t - 0.05), (DASH_M[0], t - 0.05), (DASH_M[0], t + 0.05), (0.0, t + 0.05)]);
+        }
         s += DASH_M[0] + DASH_M[1];
     }
 }

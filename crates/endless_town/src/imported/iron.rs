@@ -1,13 +1,14 @@
 //! Iron in the road: covers of manholes on the lanes, gully grates at the kerbs.
 
 use super::cover::{Cover, is_carriageway};
+use super::crossed::Crossed;
 use crate::dressing::Stage;
 use crate::plot::unit;
 use crate::{Placement, What};
 use endless_asset::Prop;
 use endless_road::{Lane, RoadMap, StripKind};
 use endless_world::Stream;
-use glam::{Affine3A, DVec2, DVec3, Mat3, Vec3};
+use glam::{Affine3A, DVec3, Mat3, Vec3};
 
 /// Distance between manholes along a lane, and between grates along a kerb, metres.
 const MANHOLES_M: [f64; 2] = [24.0, 60.0];
@@ -18,26 +19,21 @@ const KERB_M: f64 = 7.0;
 const GRATE_M: f64 = 0.3;
 /// Iron lies above the layers of pavements.
 const LIFT_M: f64 = 0.006;
-/// Nothing lies this near to a crossing's middle line, metres.
-const CROSSING_M: f64 = 3.4;
+/// Nothing lies this near to a crossing's bars, metres.
+const CROSSING_M: f64 = 1.4;
+/// Nor this near to each other, where lanes lie over one another.
+const APART_M: f64 = 3.0;
 /// Most pieces of a map.
 const MOST: usize = 1500;
 
 /// Lays covers and grates.
 pub(super) fn add(stage: &mut Stage<'_>, map: &RoadMap, cover: &Cover) {
-    let crossings: Vec<[DVec2; 2]> = map.network.crossings.iter().map(|c| c.ends.map(DVec3::truncate)).collect();
-    let clear = |p: DVec2| {
-        crossings.iter().all(|[a, b]| {
-            let along = *b - *a;
-            let t = ((p - *a).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
-            (*a + along * t).distance(p) > CROSSING_M
-        })
-    };
-    let mut laid = 0;
+    let crossed = Crossed::new(&map.network.crossings);
+    let mut laid: Vec<DVec3> = Vec::new();
     for (i, lane) in map.network.lanes.iter().enumerate() {
         let mut stream = stage.stream(130_000 + i as u64);
         let streets = lane.speed_limit_mps < 20.0;
-        if !streets || laid >= MOST {
+        if !streets || laid.len() >= MOST {
             continue;
         }
         let out = if map.left_hand { 1.0 } else { -1.0 };
@@ -59,14 +55,18 @@ pub(super) fn add(stage: &mut Stage<'_>, map: &RoadMap, cover: &Cover) {
             let place = lane.centerline.at(s);
             let at = place.position.truncate() + unit(place.heading_rad).perp() * t;
             let on_road = cover.at(at).any(|(p, z)| is_carriageway(p.kind) && (z - place.position.z).abs() < 0.5);
-            let Some(z) = cover.height(at, place.position.z + 0.5).filter(|_| on_road && clear(at)) else { continue };
+            let Some(z) = cover.height(at, place.position.z + 0.5).filter(|_| on_road) else { continue };
+            let at = at.extend(z + LIFT_M);
+            if crossed.holds(at, CROSSING_M) || laid.iter().any(|other| other.distance(at) < APART_M) {
+                continue;
+            }
             let ahead = unit(place.heading_rad).extend(place.grade).normalize().as_vec3();
             let left = Vec3::Z.cross(ahead).normalize();
             let turn = Mat3::from_cols(ahead, left, ahead.cross(left));
             let variant = stream.below(stage.catalogue.prop_variants(prop).max(1) as usize) as u32;
-            let world_from_object = Affine3A::from_mat3_translation(turn, (at.extend(z + LIFT_M)).as_vec3());
+            let world_from_object = Affine3A::from_mat3_translation(turn, at.as_vec3());
             stage.placements.push(Placement { what: What::Prop(prop, variant), world_from_object, signal: None });
-            laid += 1;
+            laid.push(at);
         }
     }
 }

@@ -5,6 +5,7 @@ mod area;
 mod arrow;
 mod bump;
 mod cover;
+mod crossed;
 mod footprint;
 mod fray;
 mod furniture;

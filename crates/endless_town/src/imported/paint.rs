@@ -1,6 +1,7 @@
 //! Paint on the road: marks of the map, crossings and stop lines.
 
 use super::cover::Cover;
+use super::crossed::Crossed;
 use super::road::{PAINT_M, quad};
 use crate::palette::{WHITE_PAINT, YELLOW_PAINT};
 use endless_asset::{Material, MeshBuilder};
@@ -11,12 +12,15 @@ use glam::{DVec2, DVec3, Vec2};
 const STEP_M: f64 = 3.0;
 /// Bars of crossings.
 const BAR_M: f64 = 0.5;
+/// Between a line along the road and a crossing's bars.
+pub(super) const PAINT_APART_M: f64 = 0.3;
 /// Depth of stop lines.
 const STOP_M: f64 = 0.35;
 
 pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
+    let crossed = Crossed::new(&map.network.crossings);
     for mark in &map.marks {
-        add_mark(mesh, mark);
+        add_mark(mesh, mark, &crossed);
     }
     if map.marks.is_empty() {
         for lane in map.network.lanes.iter().filter(|l| l.junction.is_none()) {
@@ -33,20 +37,52 @@ pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
     }
 }
 
-fn add_mark(mesh: &mut MeshBuilder, mark: &Mark) {
+fn add_mark(mesh: &mut MeshBuilder, mark: &Mark, crossed: &Crossed<'_>) {
     let paint = match mark.paint {
         Paint::White => WHITE_PAINT,
         Paint::Yellow => YELLOW_PAINT,
     };
-    let length = mark.line.length();
-    let Some([dash, gap]) = mark.dash.filter(|[dash, gap]| *dash > 0.05 && dash + gap > 0.1) else {
-        return line(mesh, &mark.line, (0.0, length), 0.0, mark.width_m, paint);
-    };
-    let mut s = 0.0;
-    while s < length {
-        line(mesh, &mark.line, (s, (s + dash).min(length)), 0.0, mark.width_m, paint);
-        s += dash + gap;
+    let mut draw = |from: f64, to: f64| line(mesh, &mark.line, (from, to), 0.0, mark.width_m, paint);
+    for (from, to) in beside_crossings(mark, crossed) {
+        let Some([dash, gap]) = mark.dash.filter(|[dash, gap]| *dash > 0.05 && dash + gap > 0.1) else {
+            draw(from, to);
+            continue;
+        };
+        let mut s = (from / (dash + gap)).floor() * (dash + gap);
+        while s < to {
+            draw(s.max(from), (s + dash).min(to));
+            s += dash + gap;
+        }
     }
+}
+
+/// The parts of a mark that lie on no crossing: where people walk, lines along the road leave off. Broad marks are
+/// crossings and stop lines themselves, and stay whole.
+fn beside_crossings(mark: &Mark, crossed: &Crossed<'_>) -> Vec<(f64, f64)> {
+    const BROAD_M: f64 = 0.25;
+    const STEP_M: f64 = 0.2;
+    let length = mark.line.length();
+    let whole = vec![(0.0, length)];
+    if mark.width_m >= BROAD_M {
+        return whole;
+    }
+    let points = || mark.line.points().iter().map(|p| p.truncate());
+    let low = points().fold(DVec2::INFINITY, DVec2::min);
+    let high = points().fold(DVec2::NEG_INFINITY, DVec2::max);
+    let near = crossed.near(low, high);
+    if near.is_empty() {
+        return whole;
+    }
+    let steps = (length / STEP_M).ceil().clamp(1.0, 50_000.0) as usize;
+    let at = |i: usize| length * i as f64 / steps as f64;
+    let mut parts: Vec<(f64, f64)> = Vec::new();
+    for i in (0..steps).filter(|&i| !near.holds(mark.line.at((at(i) + at(i + 1)) / 2.0).position, PAINT_APART_M)) {
+        match parts.last_mut() {
+            Some((_, to)) if *to >= at(i) => *to = at(i + 1),
+            _ => parts.push((at(i), at(i + 1))),
+        }
+    }
+    parts
 }
 
 /// Paint along a line, `t` to its left.

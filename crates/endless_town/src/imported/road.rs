@@ -8,6 +8,7 @@ use crate::surface::{NO_LANE, triangulate};
 use endless_asset::{Material, MeshBuilder};
 use endless_road::{RoadMap, Strip, StripKind};
 use glam::{DVec2, DVec3, Vec2, Vec3};
+use std::collections::BTreeSet;
 
 /// Medians at least this wide are raised, by this much, metres.
 const MEDIAN_FROM_M: f64 = 0.7;
@@ -25,11 +26,15 @@ const PARAPET_M: [f64; 2] = [0.25, 0.95];
 /// Distance between piers along a bridge.
 const PIERS_M: f64 = 24.0;
 
-/// The strips as they will lie: medians raised.
+/// The strips as they will lie: medians raised, but those that lie behind a kerb, which are as high as it already.
 pub(super) fn laid(map: &RoadMap) -> Vec<Strip> {
     let mut strips: Vec<Strip> =
         map.strips.iter().filter(|s| s.left.len() == s.right.len() && s.left.len() > 1).cloned().collect();
-    for strip in strips.iter_mut().filter(|s| s.kind == StripKind::Median && !s.in_junction) {
+    let key = |p: &DVec3| p.to_array().map(f64::to_bits);
+    let borders = |s: &Strip| s.left.iter().chain(&s.right).map(key).collect::<Vec<_>>();
+    let kerbs: BTreeSet<_> = strips.iter().filter(|s| s.kind == StripKind::Curb).flat_map(borders).collect();
+    let behind_kerb = |s: &Strip| borders(s).iter().any(|p| kerbs.contains(p));
+    for strip in strips.iter_mut().filter(|s| s.kind == StripKind::Median && !s.in_junction && !behind_kerb(s)) {
         let widest = strip.left.iter().zip(&strip.right).map(|(l, r)| l.distance(*r)).fold(0.0, f64::max);
         if widest > MEDIAN_FROM_M {
             strip.left.iter_mut().chain(&mut strip.right).for_each(|p| p.z += MEDIAN_M);
@@ -200,7 +205,10 @@ impl<'a> Paver<'a> {
     fn edges(&self, mesh: &mut MeshBuilder, piece: &Piece, [first, last]: [bool; 2], high: bool) {
         let [r0, r1, l1, l0] = piece.corners;
         let raised = matches!(piece.kind, StripKind::Sidewalk | StripKind::Median | StripKind::Curb);
+        let own = self.materials[piece.strip as usize];
+        // Each with the ends of the side across.
         let sides = [(r0, r1, true), (r1, l1, last), (l1, l0, true), (l0, r0, first)];
+        let across = [[l0, l1], [r0, l0], [r1, r0], [l1, r1]];
         for (k, (a, b, wanted)) in sides.into_iter().enumerate() {
             let along = (b - a).truncate();
             if !wanted || along.length() < 1e-3 {
@@ -216,14 +224,19 @@ impl<'a> Paver<'a> {
                 .map(|(_, z)| z)
                 .max_by(f64::total_cmp);
             let end = k % 2 == 1;
+            let lower = neighbour.is_none_or(|z| middle.z - z > 0.02);
+            if lower && !high && raised && own == LAWN {
+                kerb_stone(mesh, (a, b), across[k]);
+            }
             match neighbour {
-                Some(z) if middle.z - z > 0.02 => face(mesh, (a, b), [z - middle.z - 0.02, 0.0], KERB),
+                Some(z) if lower => {
+                    face(mesh, (a, b), [z - middle.z - 0.02, 0.0], if raised { KERB } else { own });
+                }
                 Some(_) => {}
                 None if high && !end => self.parapet(mesh, a, b, out),
                 None if high => face(mesh, (a, b), [-DECK_M, 0.0], DECK),
                 None => {
-                    let material = if raised { KERB } else { self.materials[piece.strip as usize] };
-                    face(mesh, (a, b), [-0.6, 0.0], material);
+                    face(mesh, (a, b), [-0.6, 0.0], if raised { KERB } else { own });
                 }
             }
         }
@@ -279,6 +292,16 @@ pub(super) fn junction_areas(mesh: &mut MeshBuilder, map: &RoadMap, paving: Mate
 
 fn flat_uv(corners: [DVec3; 4]) -> [Vec2; 4] {
     corners.map(|p| p.truncate().as_vec2())
+}
+
+/// The upper side of the stone along an edge; `across` are the corners on the other side.
+fn kerb_stone(mesh: &mut MeshBuilder, (a, b): (DVec3, DVec3), across: [DVec3; 2]) {
+    const WIDE_M: f64 = 0.16;
+    const LIFT: DVec3 = DVec3::new(0.0, 0.0, 0.006);
+    let inwards = |p: DVec3, q: DVec3| p.lerp(q, (WIDE_M / p.distance(q).max(1e-6)).min(1.0));
+    let corners = [a, b, inwards(b, across[1]), inwards(a, across[0])];
+    quad(mesh, corners.map(|p| p + LIFT), flat_uv(corners), KERB);
+    face(mesh, (a, b), [0.0, LIFT.z], KERB);
 }
 
 /// A quadrilateral that may be degenerate at one end.
