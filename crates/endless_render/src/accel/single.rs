@@ -155,6 +155,7 @@ fn walk<const ANY: bool>(
                     hits &= hits - 1;
                     (Waiting::new(node.links[slot], tnears[slot]), hits)
                 };
+                // The two nearest in order; to sort the others takes longer than it saves.
                 let (mut nearest, mut rest) = take();
                 if rest != 0 {
                     let (second, left) = take();
