@@ -1,13 +1,13 @@
 //! Arrows on lanes before junctions, and dotted lines that lead left turns across large ones.
 
 use super::cover::Cover;
-use super::crossed::Crossed;
+use super::crossed;
 use super::paint::PAINT_APART_M;
 use super::road::{PAINT_M, quad};
 use crate::palette::WHITE_PAINT;
 use crate::plot::unit;
 use endless_asset::MeshBuilder;
-use endless_road::{Control, Lane, LaneId, RoadMap, RoadNetwork, Turn};
+use endless_road::{Control, Crossing, Lane, LaneId, RoadMap, RoadNetwork, Turn};
 use glam::{DVec2, DVec3, Vec3};
 
 /// Places of arrows before the end of a lane, metres.
@@ -22,7 +22,6 @@ const DASH_M: [f64; 2] = [0.6, 1.2];
 /// Paints both.
 pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
     let network = &map.network;
-    let crossed = Crossed::new(&network.crossings);
     for lane in &network.lanes {
         let several = lane.left.is_some() || lane.right.is_some();
         let governed = !matches!(lane.end_control, Control::Free);
@@ -37,7 +36,7 @@ pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
         let inner = if map.left_hand { Turn::Right } else { Turn::Left };
         let long = lane.junction.is_some() && lane.turn == inner && lane.centerline.length() > LONG_M;
         if long && signalled && is_outermost_turn(network, lane, map.left_hand) {
-            guide_line(mesh, lane, if map.left_hand { 1.0 } else { -1.0 }, cover, &crossed);
+            guide_line(mesh, lane, if map.left_hand { 1.0 } else { -1.0 }, cover, &network.crossings);
         }
     }
 }
@@ -50,13 +49,15 @@ fn is_outermost_turn(network: &RoadNetwork, way: &Lane, left_hand: bool) -> bool
 }
 
 /// Dots along the outer edge of a way.
-fn guide_line(mesh: &mut MeshBuilder, lane: &Lane, side: f64, cover: &Cover, crossed: &Crossed<'_>) {
+fn guide_line(mesh: &mut MeshBuilder, lane: &Lane, side: f64, cover: &Cover, crossings: &[Crossing]) {
     let length = lane.centerline.length();
     let t = side * (lane.width_m / 2.0 - 0.1);
     let mut s = 3.0;
     while s + DASH_M[0] < length - 3.0 {
         let painter = Painter { mesh, cover, lane, s };
-        if [0.0, DASH_M[0]].iter().all(|&x| !crossed.holds(painter.place((x, t)), PAINT_APART_M)) {
+        let ends = [0.0, DASH_M[0]].map(|x| painter.place((x, t)));
+        let crossed = |crossing| ends.iter().any(|&end| crossed::holds(crossing, end, PAINT_APART_M));
+        if !crossings.iter().any(crossed) {
             painter.quad([(0.0, t - 0.05), (DASH_M[0], t - 0.05), (DASH_M[0], t + 0.05), (0.0, t + 0.05)]);
         }
         s += DASH_M[0] + DASH_M[1];

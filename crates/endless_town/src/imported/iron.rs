@@ -1,7 +1,7 @@
 //! Iron in the road: covers of manholes on the lanes, gully grates at the kerbs.
 
 use super::cover::{Cover, is_carriageway};
-use super::crossed::Crossed;
+use super::crossed;
 use crate::dressing::Stage;
 use crate::plot::unit;
 use crate::{Placement, What};
@@ -28,7 +28,7 @@ const MOST: usize = 1500;
 
 /// Lays covers and grates.
 pub(super) fn add(stage: &mut Stage<'_>, map: &RoadMap, cover: &Cover) {
-    let crossed = Crossed::new(&map.network.crossings);
+    let crossed = |p| map.network.crossings.iter().any(|crossing| crossed::holds(crossing, p, CROSSING_M));
     let mut laid: Vec<DVec3> = Vec::new();
     for (i, lane) in map.network.lanes.iter().enumerate() {
         let mut stream = stage.stream(130_000 + i as u64);
@@ -57,7 +57,7 @@ pub(super) fn add(stage: &mut Stage<'_>, map: &RoadMap, cover: &Cover) {
             let on_road = cover.at(at).any(|(p, z)| is_carriageway(p.kind) && (z - place.position.z).abs() < 0.5);
             let Some(z) = cover.height(at, place.position.z + 0.5).filter(|_| on_road) else { continue };
             let at = at.extend(z + LIFT_M);
-            if crossed.holds(at, CROSSING_M) || laid.iter().any(|other| other.distance(at) < APART_M) {
+            if crossed(at) || laid.iter().any(|other| other.distance(at) < APART_M) {
                 continue;
             }
             let ahead = unit(place.heading_rad).extend(place.grade).normalize().as_vec3();

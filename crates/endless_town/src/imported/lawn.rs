@@ -3,6 +3,7 @@
 
 use super::area::Areas;
 use super::cover::Cover;
+use super::crossed;
 use super::land::Land;
 use crate::dressing::{Spot, Stage};
 use crate::palette::{LAWN, MEADOW};
@@ -11,7 +12,7 @@ use endless_asset::{Material, Prop};
 use endless_road::{AreaKind, RoadNetwork, StripKind};
 use endless_world::math::f64::atan2;
 use endless_world::{CameraSite, Stream};
-use glam::{DVec2, DVec3, Vec3};
+use glam::{DVec2, Vec3};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 
 /// Lawns are looked at from here to here, metres from the lens.
@@ -81,11 +82,7 @@ impl Lawns<'_> {
 
     /// Whether people cross a road near by, and the verge before it.
     pub(super) fn is_crossed(&self, p: DVec2) -> bool {
-        self.network.crossings.iter().any(|crossing| {
-            let [a, b] = crossing.ends.map(DVec3::truncate);
-            let t = ((p - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
-            a.lerp(b, t).distance(p) < crossing.width_m / 2.0 + ASIDE_M
-        })
+        self.network.crossings.iter().any(|crossing| crossed::is_near(crossing, p, ASIDE_M))
     }
 
     /// The direction of the nearest pavement, and how far it is.

@@ -1,7 +1,7 @@
 //! Paint on the road: marks of the map, crossings and stop lines.
 
 use super::cover::Cover;
-use super::crossed::Crossed;
+use super::crossed;
 use super::road::{PAINT_M, quad};
 use crate::palette::{WHITE_PAINT, YELLOW_PAINT};
 use endless_asset::{Material, MeshBuilder};
@@ -18,9 +18,8 @@ pub(super) const PAINT_APART_M: f64 = 0.3;
 const STOP_M: f64 = 0.35;
 
 pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
-    let crossed = Crossed::new(&map.network.crossings);
     for mark in &map.marks {
-        add_mark(mesh, mark, &crossed);
+        add_mark(mesh, mark, &map.network.crossings);
     }
     if map.marks.is_empty() {
         for lane in map.network.lanes.iter().filter(|l| l.junction.is_none()) {
@@ -37,13 +36,13 @@ pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
     }
 }
 
-fn add_mark(mesh: &mut MeshBuilder, mark: &Mark, crossed: &Crossed<'_>) {
+fn add_mark(mesh: &mut MeshBuilder, mark: &Mark, crossings: &[Crossing]) {
     let paint = match mark.paint {
         Paint::White => WHITE_PAINT,
         Paint::Yellow => YELLOW_PAINT,
     };
     let mut draw = |from: f64, to: f64| line(mesh, &mark.line, (from, to), 0.0, mark.width_m, paint);
-    for (from, to) in beside_crossings(mark, crossed) {
+    for (from, to) in beside_crossings(mark, crossings) {
         let Some([dash, gap]) = mark.dash.filter(|[dash, gap]| *dash > 0.05 && dash + gap > 0.1) else {
             draw(from, to);
             continue;
@@ -58,25 +57,25 @@ fn add_mark(mesh: &mut MeshBuilder, mark: &Mark, crossed: &Crossed<'_>) {
 
 /// The parts of a mark that lie on no crossing: where people walk, lines along the road leave off. Broad marks are
 /// crossings and stop lines themselves, and stay whole.
-fn beside_crossings(mark: &Mark, crossed: &Crossed<'_>) -> Vec<(f64, f64)> {
+fn beside_crossings(mark: &Mark, crossings: &[Crossing]) -> Vec<(f64, f64)> {
     const BROAD_M: f64 = 0.25;
     const STEP_M: f64 = 0.2;
     let length = mark.line.length();
-    let whole = vec![(0.0, length)];
-    if mark.width_m >= BROAD_M {
-        return whole;
-    }
     let points = || mark.line.points().iter().map(|p| p.truncate());
     let low = points().fold(DVec2::INFINITY, DVec2::min);
     let high = points().fold(DVec2::NEG_INFINITY, DVec2::max);
-    let near = crossed.near(low, high);
-    if near.is_empty() {
-        return whole;
+    let near: Vec<_> = crossings.iter().filter(|crossing| crossed::reaches(crossing, low, high)).collect();
+    if near.is_empty() || mark.width_m >= BROAD_M {
+        return vec![(0.0, length)];
     }
+    let crossed = |s: f64| {
+        let p = mark.line.at(s).position;
+        near.iter().any(|crossing| crossed::holds(crossing, p, PAINT_APART_M))
+    };
     let steps = (length / STEP_M).ceil().clamp(1.0, 50_000.0) as usize;
     let at = |i: usize| length * i as f64 / steps as f64;
     let mut parts: Vec<(f64, f64)> = Vec::new();
-    for i in (0..steps).filter(|&i| !near.holds(mark.line.at((at(i) + at(i + 1)) / 2.0).position, PAINT_APART_M)) {
+    for i in (0..steps).filter(|&i| !crossed((at(i) + at(i + 1)) / 2.0)) {
         match parts.last_mut() {
             Some((_, to)) if *to >= at(i) => *to = at(i + 1),
             _ => parts.push((at(i), at(i + 1))),

@@ -2,6 +2,7 @@
 
 use super::area::Areas;
 use super::cover::Cover;
+use super::crossed;
 use super::land::Land;
 use crate::ParkedVehicle;
 use crate::dressing::Stage;
@@ -67,11 +68,7 @@ pub(super) fn add(
 
 /// Whether a car would stand on or right before a crossing.
 fn near_crossing(network: &RoadNetwork, at: DVec2) -> bool {
-    network.crossings.iter().any(|crossing| {
-        let [a, b] = crossing.ends.map(DVec3::truncate);
-        let t = ((at - a).dot(b - a) / (b - a).length_squared().max(1e-9)).clamp(0.0, 1.0);
-        a.lerp(b, t).distance(at) < 3.4 + crossing.width_m / 2.0
-    })
+    network.crossings.iter().any(|crossing| crossed::is_near(crossing, at, 3.4))
 }
 
 /// Bays of a parking lane.

@@ -31,9 +31,10 @@ pub(super) fn laid(map: &RoadMap) -> Vec<Strip> {
     let mut strips: Vec<Strip> =
         map.strips.iter().filter(|s| s.left.len() == s.right.len() && s.left.len() > 1).cloned().collect();
     let key = |p: &DVec3| p.to_array().map(f64::to_bits);
-    let borders = |s: &Strip| s.left.iter().chain(&s.right).map(key).collect::<Vec<_>>();
-    let kerbs: BTreeSet<_> = strips.iter().filter(|s| s.kind == StripKind::Curb).flat_map(borders).collect();
-    let behind_kerb = |s: &Strip| borders(s).iter().any(|p| kerbs.contains(p));
+    let is_kerb = |s: &&Strip| s.kind == StripKind::Curb;
+    let kerbs: BTreeSet<_> =
+        strips.iter().filter(is_kerb).flat_map(|s| s.left.iter().chain(&s.right)).map(key).collect();
+    let behind_kerb = |s: &Strip| s.left.iter().chain(&s.right).any(|p| kerbs.contains(&key(p)));
     for strip in strips.iter_mut().filter(|s| s.kind == StripKind::Median && !s.in_junction && !behind_kerb(s)) {
         let widest = strip.left.iter().zip(&strip.right).map(|(l, r)| l.distance(*r)).fold(0.0, f64::max);
         if widest > MEDIAN_FROM_M {
