@@ -4,24 +4,18 @@ use std::collections::BTreeMap;
 use std::f32::consts::TAU;
 use std::sync::Arc;
 
-use endless_asset::Catalogue;
+use endless_asset::{Catalogue, Mesh};
 use endless_render::{Accel, Blas, Ray};
 use endless_town::What;
 use endless_world::{Stream, math};
-use glam::{Affine3A, Vec3, Vec3A};
+use glam::{Affine3A, Vec3A};
 
 /// Eight rays and the mask of those to trace.
 pub(crate) type Packet = ([Ray; 8], u8);
 
-/// Plain triangles of one mesh.
-pub(crate) struct Mesh {
-    pub(crate) positions: Vec<Vec3>,
-    pub(crate) triangles: Vec<[u32; 3]>,
-}
-
 /// Meshes, placed; and the structure over them.
 pub(crate) struct Town {
-    pub(crate) meshes: Vec<Mesh>,
+    pub(crate) meshes: Vec<Arc<Mesh>>,
     pub(crate) instances: Vec<(usize, Affine3A)>,
     pub(crate) accel: Accel,
     pub(crate) blas: Vec<Arc<Blas>>,
@@ -41,16 +35,14 @@ impl Town {
     pub(crate) fn new(name: &str) -> Self {
         let catalogue = Catalogue::builtin();
         let town = endless_town::load(name, &catalogue).expect("a town's name");
-        let plain =
-            |mesh: &endless_asset::Mesh| Mesh { positions: mesh.positions.clone(), triangles: mesh.triangles.clone() };
-        let mut meshes: Vec<Mesh> = town.meshes.iter().map(|mesh| plain(mesh)).collect();
+        let mut meshes = town.meshes;
         let mut props = BTreeMap::new();
         let mut instances = Vec::new();
         for placement in &town.placements {
             let mesh = match placement.what {
                 What::Own(i) => i as usize,
                 What::Prop(prop, variant) => *props.entry(placement.what).or_insert_with(|| {
-                    meshes.push(plain(&catalogue.prop(prop, variant)));
+                    meshes.push(catalogue.prop(prop, variant).into());
                     meshes.len() - 1
                 }),
             };
@@ -61,7 +53,10 @@ impl Town {
         let blas: Vec<_> = meshes.iter().map(|m| Arc::new(Blas::build(&m.positions, &m.triangles))).collect();
         let accel = Accel::build(placed(&blas, &instances));
         let site = &town.cameras[0];
-        let camera = endless_world::PinholeCamera::new(site, endless_world::ImageSize { width: 1280, height: 720 });
+        let camera = endless_world::PinholeCamera::new(
+            site,
+            endless_world::ImageSize { width: WIDTH as u32, height: HEIGHT as u32 },
+        );
         let eye = Vec3A::from_array(site.position);
         Town { meshes, instances, accel, blas, eye, forward: Vec3A::from(camera.world_from_camera.z_axis) }
     }

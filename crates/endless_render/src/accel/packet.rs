@@ -320,7 +320,7 @@ fn walk<const ANY: bool, const N: usize>(
                 let tnears = tnears.as_array();
                 let from = stack.len();
                 let planes = node.facing(packet.negative);
-                let mut nearest = Nearest::new();
+                let mut nearest = Nearest::NONE;
                 while hits != 0 {
                     let slot = hits.trailing_zeros() as usize & 7;
                     hits &= hits - 1;
@@ -332,10 +332,16 @@ fn walk<const ANY: bool, const N: usize>(
                     if ANY {
                         stack.push(child);
                     } else {
-                        nearest.add(child, stack);
+                        stack.push_any(nearest.keep(child));
                     }
                 }
-                let Some(first) = (if ANY { stack.pop(from) } else { nearest.first(stack) }) else { break };
+                let first = if ANY {
+                    stack.pop(from)
+                } else {
+                    stack.push_any(nearest.second);
+                    (nearest.first != Waiting::NOTHING).then_some(nearest.first)
+                };
+                let Some(first) = first else { break };
                 let (first, marked) = first.parts();
                 (link, rows) = (first, Rows::and_distance::<N>(marked).0);
             }

@@ -3,7 +3,7 @@
 use super::blas::Blas;
 use super::node::{Beam, Link, Node};
 use super::ray::{Hit, LocalRay, Ray};
-use super::stack::{Stack, Waiting};
+use super::stack::{Nearest, Stack, Waiting};
 use super::tlas::{Accel, Entry};
 
 impl Accel {
@@ -155,27 +155,18 @@ fn walk<const ANY: bool>(
                     hits &= hits - 1;
                     (Waiting::new(node.links[slot], tnears[slot]), hits)
                 };
-                // The two nearest in order; to sort the others takes longer than it saves.
                 let (mut nearest, mut rest) = take();
                 if rest != 0 {
                     let (second, left) = take();
-                    let (mut second, first) =
-                        if ANY { (second, nearest) } else { (nearest.max(second), nearest.min(second)) };
-                    nearest = first;
+                    let mut two = if ANY { Nearest { first: nearest, second } } else { Nearest::of(nearest, second) };
                     rest = left;
                     while rest != 0 {
                         let (other, left) = take();
-                        if ANY {
-                            stack.push(other);
-                        } else {
-                            stack.push(second.max(other));
-                            let other = second.min(other);
-                            second = nearest.max(other);
-                            nearest = nearest.min(other);
-                        }
+                        stack.push(if ANY { other } else { two.keep(other) });
                         rest = left;
                     }
-                    stack.push(second);
+                    stack.push(two.second);
+                    nearest = two.first;
                 }
                 (link, tnear) = nearest.parts();
             }

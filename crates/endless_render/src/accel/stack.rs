@@ -94,27 +94,23 @@ impl Stack {
 /// The two nearest of some children, while the others wait on the stack in any order: sorting them all takes longer than
 /// it saves.
 pub(super) struct Nearest {
-    first: Waiting,
-    second: Waiting,
+    pub(super) first: Waiting,
+    pub(super) second: Waiting,
 }
 
 impl Nearest {
-    #[inline(always)]
-    pub(super) fn new() -> Self {
-        Self { first: Waiting::NOTHING, second: Waiting::NOTHING }
-    }
+    pub(super) const NONE: Self = Self { first: Waiting::NOTHING, second: Waiting::NOTHING };
 
     #[inline(always)]
-    pub(super) fn add(&mut self, child: Waiting, stack: &mut Stack) {
-        stack.push_any(self.second.max(child));
-        self.second = self.first.max(self.second.min(child));
-        self.first = self.first.min(child);
+    pub(super) fn of(a: Waiting, b: Waiting) -> Self {
+        Self { first: a.min(b), second: a.max(b) }
     }
 
-    /// The nearest of all, if there is any; the next one is then the last on the stack.
+    /// Takes one more, and gives back the one that is not among the two nearest.
     #[inline(always)]
-    pub(super) fn first(self, stack: &mut Stack) -> Option<Waiting> {
-        stack.push_any(self.second);
-        (self.first != Waiting::NOTHING).then_some(self.first)
+    pub(super) fn keep(&mut self, child: Waiting) -> Waiting {
+        let farthest = self.second.max(child);
+        *self = Self::of(self.first, self.second.min(child));
+        farthest
     }
 }
