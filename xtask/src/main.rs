@@ -50,7 +50,7 @@ fn fuzz(args: &[String]) -> Result<()> {
         }
     }
     let status = Command::new(env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned()))
-        .args(["test", "--package", package, "--test", "fuzz", "--", "--ignored", "--exact", "--nocapture", "hunt"])
+        .args(["test", "--package", package, "--test", "it", "--", "--ignored", "--exact", "--nocapture", "fuzz::hunt"])
         .env("FUZZ_PARSER", parser)
         .env("FUZZ_SECONDS", seconds.to_string())
         .env("FUZZ_SEED", seed.to_string())

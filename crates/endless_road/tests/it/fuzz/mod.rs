@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use target::Target;
 
 fn corpus(target: Target) -> Vec<(PathBuf, Vec<u8>)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/fuzz/corpus").join(target.name());
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/it/fuzz/corpus").join(target.name());
     let mut files = hunt::files(&folder);
     if target == Target::Pbf {
         // The same villages as XML, packed.

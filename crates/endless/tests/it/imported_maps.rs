@@ -1,8 +1,6 @@
 //! Maps from files, from `maps import` to a checked dataset: one of each format.
 
-mod program;
-
-use program::{endless, refused, succeed};
+use crate::program::{endless, refused, succeed};
 use std::{fs, path::Path};
 
 const SMALL: &str = "--videos 1 --weathers cloudy --times morning --size 97x55 --fps 4 --duration 1 --vehicles 30 \

@@ -1,7 +1,5 @@
 //! Lanes that part and run together without a junction to order who goes first.
 
-mod watch;
-
 use endless_asset::VehicleSpec;
 use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
 use endless_traffic::{Conditions, Simulation};

@@ -1,7 +1,5 @@
 //! Vehicles stand on the road where it climbs.
 
-mod watch;
-
 use endless_asset::VehicleSpec;
 use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
 use endless_traffic::{Conditions, Simulation};

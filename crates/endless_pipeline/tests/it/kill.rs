@@ -1,10 +1,8 @@
 //! Killed at random instants and resumed each time: ends byte-identical to a run that was not killed.
 
-mod fake;
-
+use crate::fake::{Fake, assert_same, draft, make, recipe};
 use endless_pipeline::RecipeDraft;
 use endless_world::Stream;
-use fake::{Fake, assert_same, draft, make, recipe};
 use std::{
     env,
     path::Path,
@@ -29,7 +27,7 @@ fn child_that_is_killed() {
 
 fn start(out: &Path) -> std::process::Child {
     Command::new(env::current_exe().expect("this test"))
-        .args(["--exact", "child_that_is_killed"])
+        .args(["--exact", "kill::child_that_is_killed"])
         .env(OUT, out)
         .stdout(Stdio::null())
         .stderr(Stdio::null())

@@ -1,8 +1,6 @@
 //! A folder of models, from its manifest to a checked dataset, and everything that can be wrong with it.
 
-mod program;
-
-use program::{refused, succeed};
+use crate::program::{refused, succeed};
 use std::{fs, path::Path};
 
 const SMALL: &str = "--videos 1 --maps Town02 --weathers cloudy --times morning --size 96x54 --fps 4 --duration 1 \

@@ -1,9 +1,6 @@
 //! What vehicles show and how people walk: lights, steering, signals, gait, and the same states again.
 
-#[path = "../../endless_road/tests/grid/mod.rs"]
-mod grid;
-mod watch;
-
+use crate::grid::Grid;
 use endless_asset::VehicleSpec;
 use endless_road::{Control, RoadNetwork};
 use endless_traffic::{Conditions, Simulation};
@@ -12,7 +9,6 @@ use endless_world::{
     Actor, Gait, Motion, ObjectClass, SignalAspect, TimeOfDay, VehicleLights, VehicleMotion, Weather, WorldState,
 };
 use glam::DVec2;
-use grid::Grid;
 
 const FPS: f64 = 30.0;
 

@@ -1,11 +1,9 @@
 //! What vehicles and people look like from outside: no holes, lamps where they can be seen, sizes that agree.
 
-mod soup;
-
+use crate::soup::Soup;
 use endless_asset::{Catalogue, LightSlot, Mesh, Surface, VehicleModel};
 use endless_world::{Gait, ObjectClass, WalkerMotion};
 use glam::Vec3;
-use soup::Soup;
 use std::rc::Rc;
 
 /// Draws of every design: some hundred vehicles in all.

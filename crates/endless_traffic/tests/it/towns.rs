@@ -1,7 +1,5 @@
 //! The same traffic in the towns: every town, crowded, for minutes.
 
-mod watch;
-
 use endless_asset::{Catalogue, VehicleSpec};
 use endless_road::RoadNetwork;
 use endless_traffic::{Conditions, Simulation};

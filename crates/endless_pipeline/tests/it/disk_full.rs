@@ -2,11 +2,9 @@
 //!
 //! Needs the right to mount a small file system; skipped with a message where there is none.
 
-mod fake;
-
+use crate::fake::{Fake, assert_same, contents, draft, make, recipe};
 use endless_dataset::Recipe;
 use endless_pipeline::{Event, GenerateError, GenerateOptions, Progress, RecipeDraft, generate};
-use fake::{Fake, assert_same, contents, draft, make, recipe};
 use std::{
     fs::{self, File},
     io::{ErrorKind, Write},

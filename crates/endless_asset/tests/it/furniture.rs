@@ -1,9 +1,7 @@
 //! Street furniture stands on the ground, is closed as seen from outside, and has the sizes of the real things.
 
-mod soup;
-
+use crate::soup::Soup;
 use endless_asset::{Catalogue, Prop, Surface};
-use soup::Soup;
 use std::sync::LazyLock;
 
 static CATALOGUE: LazyLock<Catalogue> = LazyLock::new(Catalogue::builtin);

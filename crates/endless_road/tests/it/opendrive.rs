@@ -5,7 +5,7 @@ use endless_road::{Control, RoadMap, StripKind, ThingKind, Turn, WalkKind};
 use glam::DVec3;
 use proptest::prelude::*;
 
-const CROSSROADS: &str = include_str!("data/crossroads.xodr");
+const CROSSROADS: &str = include_str!("../data/crossroads.xodr");
 
 /// A road along x with given parts.
 fn road(plan_view: &str, lanes: &str) -> String {

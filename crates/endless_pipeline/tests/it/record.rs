@@ -1,10 +1,8 @@
 //! From recipe to files, with the fake simulator.
 
-mod fake;
-
+use crate::fake::{Fake, assert_same, contents, draft, first_video, make, recipe};
 use endless_dataset::{Layer, check};
 use endless_pipeline::{GenerateError, GenerateOptions, RecipeDraft, Silent, generate};
-use fake::{Fake, assert_same, contents, draft, first_video, make, recipe};
 use std::{fs, sync::atomic::Ordering};
 
 fn all_layers() -> RecipeDraft {

@@ -1,11 +1,9 @@
 //! What `finish` derives, and what it refuses.
 
-mod grid;
-
+use crate::grid::Grid;
 use endless_road::*;
 use endless_world::Stream;
 use glam::{DVec2, DVec3};
-use grid::Grid;
 use proptest::prelude::*;
 
 const GRID: Grid = Grid { columns: 3, rows: 3, lanes: 2 };

@@ -1,13 +1,9 @@
 //! Traffic on a grid of test streets.
 
-#[path = "../../endless_road/tests/grid/mod.rs"]
-mod grid;
-mod watch;
-
+use crate::grid::Grid;
+use crate::watch::{Findings, specs};
 use endless_asset::VehicleSpec;
 use endless_traffic::{Conditions, Simulation};
-use grid::Grid;
-use watch::{Findings, specs};
 
 const FPS: f64 = 30.0;
 

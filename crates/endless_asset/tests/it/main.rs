@@ -1,0 +1,7 @@
+//! Integration tests of `endless_asset`, in one binary: a module a subject.
+
+mod catalogue;
+mod furniture;
+mod geometry;
+mod plants;
+mod soup;

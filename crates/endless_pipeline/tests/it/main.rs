@@ -1,0 +1,8 @@
+//! Integration tests of `endless_pipeline`, in one binary: a module a subject.
+
+mod disk_full;
+mod fake;
+mod golden;
+mod imported_models;
+mod kill;
+mod record;

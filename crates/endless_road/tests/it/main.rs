@@ -1,0 +1,10 @@
+//! Integration tests of `endless_road`, in one binary: a module a subject.
+
+mod faults;
+mod fuzz;
+mod grid;
+mod network;
+mod opendrive;
+mod opendrive_files;
+mod opendrive_spec;
+mod osm;

@@ -1,0 +1,6 @@
+//! Integration tests of `endless_town`, in one binary: a module a subject.
+
+mod imported;
+mod network;
+mod opendrive;
+mod scene;

@@ -1,0 +1,10 @@
+//! Integration tests of `endless_traffic`, in one binary: a module a subject.
+
+mod behaviour;
+#[path = "../../../endless_road/tests/it/grid/mod.rs"]
+mod grid;
+mod grid_traffic;
+mod merge;
+mod slope;
+mod towns;
+mod watch;
