@@ -17,7 +17,7 @@ fn town() -> RoadNetwork {
 }
 
 fn simulation(network: &RoadNetwork, asked: [u32; 2], seed: u64, conditions: Conditions, fps: f64) -> Simulation {
-    let specs = watch::specs();
+    let specs = crate::watch::specs();
     let specs: Vec<&VehicleSpec> = specs.iter().collect();
     Simulation::on_network(network, &specs, &[], &|_| 1.35, asked, seed, conditions, fps, &[])
 }
@@ -137,7 +137,7 @@ fn wheels_are_steered_to_the_side_of_the_bend_and_roll_with_the_road() {
 #[test]
 fn signals_keep_their_program_and_nobody_runs_a_red_light() {
     let network = town();
-    let specs = watch::specs();
+    let specs = crate::watch::specs();
     let frames = frames(&network, [40, 0], 120.0);
     let mut red_for = vec![0.0; usize::from(network.signal_groups)];
     let mut passed = 0;

@@ -15,7 +15,7 @@ fn simulate(grid: &Grid, asked: [u32; 2], seed: u64, seconds: f64) -> Findings {
     let population = s.population();
     assert_eq!(population.vehicles_spawned, asked[0]);
     assert_eq!(population.pedestrians_spawned, asked[1]);
-    watch::watch(&mut s, &specs, seconds, FPS)
+    crate::watch::watch(&mut s, &specs, seconds, FPS)
 }
 
 fn check(f: &Findings, asked: [u32; 2], seconds: f64) {

@@ -35,13 +35,13 @@ fn those_who_come_together_let_one_another_in() {
     let straight = vec![DVec3::ZERO, DVec3::new(STRAIGHT_M, 0.0, 0.0)];
     let lanes = vec![lane(0, straight, &[1, 2]), lane(1, around(1.0), &[0]), lane(2, around(-1.0), &[0])];
     let network = RoadNetwork { lanes, ..RoadNetwork::default() }.finish().expect("a sound network");
-    let specs = watch::specs();
+    let specs = crate::watch::specs();
     let specs: Vec<&VehicleSpec> = specs.iter().collect();
     for seed in 0..10 {
         let mut simulation =
             Simulation::on_network(&network, &specs, &[], &|_| 1.35, [60, 0], seed, Conditions::default(), FPS, &[]);
         let spawned = simulation.population().vehicles_spawned;
-        let found = watch::watch(&mut simulation, &specs, 120.0, FPS);
+        let found = crate::watch::watch(&mut simulation, &specs, 120.0, FPS);
         let driven = found.driven_m / f64::from(spawned) / 120.0;
         assert!(spawned > 40, "{spawned} vehicles");
         assert!(found.overlaps.is_empty(), "seed {seed}, bodies touch: {:#?}", found.overlaps);

@@ -33,7 +33,7 @@ fn loop_road() -> RoadNetwork {
 
 #[test]
 fn vehicles_stand_on_a_sloped_road_and_pitch_with_it() {
-    let specs = watch::specs();
+    let specs = crate::watch::specs();
     let specs: Vec<&VehicleSpec> = specs.iter().collect();
     let network = loop_road();
     let mut s = Simulation::on_network(&network, &specs, &[], &|_| 1.4, [12, 0], 4, Conditions::default(), 30.0, &[]);

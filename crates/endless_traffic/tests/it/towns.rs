@@ -24,7 +24,7 @@ fn flows_without_a_touch(name: &str, seed: u64) {
     assert!(!parked.is_empty() || name == "Town06", "{name}: nobody parks here");
     let mut s =
         Simulation::on_network(&town.network, &specs, &parked, &|_| 1.35, ASKED, seed, Conditions::default(), FPS, &[]);
-    let f = watch::watch(&mut s, &specs, SIMULATED_S, FPS);
+    let f = crate::watch::watch(&mut s, &specs, SIMULATED_S, FPS);
     let p = s.population();
     let driven = f.driven_m / f64::from(p.vehicles_spawned) / SIMULATED_S;
     let walked = f.walked_m / f64::from(p.pedestrians_spawned) / SIMULATED_S;
