@@ -6,6 +6,7 @@ use std::{collections::BTreeMap, env, fs, path::Path, process::Command, process:
 /// The rooms, lowest first: a crate may use only crates that stand before it, and never one of its own shelf.
 const SHELVES: &[&[&str]] = &[
     &["endless_world"],
+    &["endless_scene"],
     &["endless_road", "endless_asset"],
     &["endless_town", "endless_annotate"],
     &["endless_traffic", "endless_render", "endless_dataset"],

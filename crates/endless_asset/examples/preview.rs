@@ -3,7 +3,8 @@
 
 #![expect(clippy::print_stdout, reason = "it says what it drew")]
 
-use endless_asset::{Catalogue, Material, Mesh, Prop, Surface};
+use endless_asset::{Catalogue, Prop};
+use endless_scene::{Material, Mesh, Surface};
 use endless_world::{Gait, WalkerMotion};
 use glam::{Affine3A, Quat, Vec3};
 use std::io::BufWriter;
@@ -231,7 +232,7 @@ fn draw(tile: &Tile) -> Vec<u8> {
     let mut depth = vec![f32::INFINITY; n * n];
     let mut ground = Mesh::default();
     let grey = Material::new(Surface::Asphalt, [0.16, 0.16, 0.165], endless_world::ClassTag::Roads);
-    let mut builder = endless_asset::MeshBuilder::new();
+    let mut builder = endless_scene::MeshBuilder::new();
     let g = radius * 3.0;
     builder.quad(
         [Vec3::new(-g, -g, 0.0), Vec3::new(g, -g, 0.0), Vec3::new(g, g, 0.0), Vec3::new(-g, g, 0.0)],

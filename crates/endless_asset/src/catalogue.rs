@@ -5,7 +5,8 @@ use crate::furniture;
 use crate::person;
 use crate::plant;
 use crate::vehicle;
-use crate::{Anatomy, ImportedAsset, ImportedThing, Material, Mesh, PersonModel, Prop, VehicleKind, VehicleModel};
+use crate::{Anatomy, ImportedAsset, ImportedThing, PersonModel, Prop, VehicleKind, VehicleModel};
+use endless_scene::{Material, Mesh};
 use endless_world::AssetRef;
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made

@@ -7,8 +7,6 @@ mod carla;
 mod catalogue;
 mod furniture;
 mod import;
-mod material;
-mod mesh;
 mod person;
 mod plant;
 mod prop;
@@ -19,8 +17,6 @@ pub use catalogue::Catalogue;
 pub use import::{
     AssetEntry, AssetManifest, Beside, Forward, ImportError, ImportedAsset, ImportedThing, LampPlaces, RiderEntry,
 };
-pub use material::{LensAspect, LightSlot, Material, Surface};
-pub use mesh::{Mesh, MeshBuilder};
 pub use person::{Anatomy, BodyPart, BodyPose, Bone, Footsteps, PersonModel, PersonTraits, Stance};
 pub use prop::Prop;
 pub use vehicle::{Trailer, TrailerSpec, VehicleKind, VehicleModel, VehicleSpec, Wheel};

@@ -1,8 +1,9 @@
 //! The cast on an empty square in daylight, as a camera on a mast sees it: one vehicle of every design, or sixty people.
 //! `cargo run --release -p endless_render --example lot -- vehicles|people OUT.jpg`.
 
-use endless_asset::{Catalogue, Material, MeshBuilder, Surface};
+use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_town::{Placement, Town, What};
 use endless_world::{
     Actor, AssetRef, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay,

@@ -3,8 +3,9 @@
 
 mod staged;
 
-use endless_asset::{Catalogue, Material, Mesh, MeshBuilder, Prop, Surface};
+use endless_asset::{Catalogue, Prop};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_scene::{Material, Mesh, MeshBuilder, Surface};
 use endless_town::{Placement, Town, What};
 use endless_world::{CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
 use glam::{Affine3A, Vec2, Vec3};

@@ -3,7 +3,8 @@
 
 mod open;
 
-use endless_asset::{Catalogue, Mesh, Prop, Surface};
+use endless_asset::{Catalogue, Prop};
+use endless_scene::{Mesh, Surface};
 use endless_town::{Placement, Town, What};
 use endless_world::{CameraSite, ImageSize, PinholeCamera, math};
 use glam::{Affine3A, Vec2, Vec3};

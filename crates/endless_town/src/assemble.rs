@@ -3,8 +3,9 @@
 use crate::camera::{self, Open, Relief, Scene, Solid, Things};
 use crate::dressing::{Spot, Stage};
 use crate::{Placement, Town, What};
-use endless_asset::{Mesh, Prop};
+use endless_asset::Prop;
 use endless_road::RoadNetwork;
+use endless_scene::Mesh;
 use endless_world::CameraSite;
 use glam::{Affine3A, DVec2, DVec3, Vec3};
 

@@ -1,6 +1,6 @@
 //! Materials of grounds and streets; linear albedo.
 
-use endless_asset::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 
 pub(crate) const ASPHALT: Material = Material::new(Surface::Asphalt, [0.125, 0.125, 0.127], ClassTag::Roads);

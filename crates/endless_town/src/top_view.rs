@@ -2,7 +2,8 @@
 //! signals, lamps and the cameras' footprints as lines and dots.
 
 use crate::{Town, What};
-use endless_asset::{Catalogue, Mesh, Prop};
+use endless_asset::{Catalogue, Prop};
+use endless_scene::Mesh;
 use endless_world::math;
 use glam::{Affine3A, Vec2, Vec3};
 

@@ -1,7 +1,8 @@
 //! What a town is.
 
-use endless_asset::{Mesh, Prop};
+use endless_asset::Prop;
 use endless_road::RoadNetwork;
+use endless_scene::Mesh;
 use endless_world::{AssetRef, CameraSite, Pose, SignalId};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;

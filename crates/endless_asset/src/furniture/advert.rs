@@ -5,7 +5,7 @@ use super::lamp::pole;
 use super::paint;
 use super::shelter::poster;
 use crate::shape::{Region, Sculpt};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Affine3A, Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI};

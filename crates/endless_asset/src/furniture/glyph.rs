@@ -1,7 +1,7 @@
 //! Letters and figures as strokes, for sign faces.
 
-use crate::Material;
 use crate::shape::Sculpt;
+use endless_scene::Material;
 use glam::{Vec2, Vec3};
 
 /// Strokes of a character, `/` between them: pairs of digits are points on a grid of 8 by 8 over a box of width 1 and

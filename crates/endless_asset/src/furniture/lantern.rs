@@ -3,7 +3,7 @@
 use super::lamp::pole;
 use super::paint;
 use crate::shape::Sculpt;
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3};
 

@@ -19,8 +19,9 @@ mod waste;
 
 pub(crate) use sign_face::{CODES, lettering};
 
+use crate::Prop;
 use crate::shape::Sculpt;
-use crate::{Mesh, Prop};
+use endless_scene::Mesh;
 
 /// The mesh of a piece of furniture; plants are not furniture and come out empty.
 pub(crate) fn furniture(prop: Prop, variant: u32) -> Mesh {

@@ -1,6 +1,6 @@
 //! Materials of street furniture.
 
-use crate::{LensAspect, Material, Surface};
+use endless_scene::{LensAspect, Material, Surface};
 use endless_world::ClassTag;
 
 pub(crate) const POLE: Material = Material::new(Surface::Metal, [0.34, 0.35, 0.36], ClassTag::Poles);

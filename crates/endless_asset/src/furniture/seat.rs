@@ -2,7 +2,7 @@
 
 use super::paint;
 use crate::shape::Sculpt;
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::math;
 use glam::{Affine3A, Quat, Vec3};
 use std::f32::consts::TAU;

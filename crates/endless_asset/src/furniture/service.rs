@@ -4,7 +4,7 @@ use super::glyph::text;
 use super::lamp::pole;
 use super::paint;
 use crate::shape::{Region, Sculpt};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3};
 

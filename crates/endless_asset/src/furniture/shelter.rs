@@ -3,7 +3,7 @@
 use super::glyph::text;
 use super::paint;
 use crate::shape::{Region, Sculpt};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3};
 

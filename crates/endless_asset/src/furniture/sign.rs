@@ -3,8 +3,8 @@
 use super::glyph::{line, text};
 use super::lamp::pole;
 use super::paint;
-use crate::Material;
 use crate::shape::Sculpt;
+use endless_scene::Material;
 use glam::{Vec2, Vec3};
 
 /// Front of the plates.

@@ -4,7 +4,7 @@ use super::glyph::line;
 use super::paint;
 use super::sign::{FRONT, LAYER, post, regular};
 use crate::shape::Sculpt;
-use crate::{Material, Mesh};
+use endless_scene::{Material, Mesh};
 use endless_world::math;
 use glam::{Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_4, PI, TAU};

@@ -2,8 +2,8 @@
 
 use super::lamp::pole;
 use super::paint;
-use crate::Material;
 use crate::shape::Sculpt;
+use endless_scene::Material;
 use glam::{Affine3A, Quat, Vec3};
 use std::f32::consts::FRAC_PI_2;
 

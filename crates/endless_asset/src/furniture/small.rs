@@ -2,7 +2,7 @@
 
 use super::paint;
 use crate::shape::{Region, Sculpt, rounded};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3};
 

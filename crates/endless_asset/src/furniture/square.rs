@@ -2,7 +2,7 @@
 
 use super::paint;
 use crate::shape::Sculpt;
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::{Stream, math};
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use std::f32::consts::TAU;

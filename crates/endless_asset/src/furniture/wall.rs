@@ -1,7 +1,7 @@
 //! Railings and fences.
 
 use crate::shape::Sculpt;
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
 

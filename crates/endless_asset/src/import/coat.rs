@@ -3,7 +3,7 @@
 use super::ImportError;
 use super::container::Opened;
 use super::picture::{self, Picture};
-use crate::Surface;
+use endless_scene::Surface;
 use endless_world::{ClassTag, math};
 use glam::{Vec2, Vec4};
 use std::collections::BTreeMap;

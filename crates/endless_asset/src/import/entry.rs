@@ -1,7 +1,8 @@
 //! The manifest of a folder of models.
 
 use super::{ImportError, Kind};
-use crate::{LightSlot, Prop};
+use crate::Prop;
+use endless_scene::LightSlot;
 use endless_world::ObjectClass;
 use serde::Deserialize;
 use std::collections::BTreeMap;

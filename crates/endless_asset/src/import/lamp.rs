@@ -2,7 +2,7 @@
 
 use super::coat::Coat;
 use super::{AssetEntry, ImportError, LampPlaces};
-use crate::{LightSlot, Material, Mesh, Surface};
+use endless_scene::{LightSlot, Material, Mesh, Surface};
 use endless_world::{ClassTag, math};
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;

@@ -2,7 +2,7 @@
 
 use super::coat::{Coat, Pattern};
 use super::model::Part;
-use crate::{Material, Mesh, Surface};
+use endless_scene::{Material, Mesh, Surface};
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3, Vec4};
 use std::collections::BTreeMap;

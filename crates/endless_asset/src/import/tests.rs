@@ -1,7 +1,8 @@
 //! Files made here: what is read of them, and that nothing that can be in a file makes trouble.
 
 use super::{AssetEntry, AssetManifest, ImportError, ImportedAsset};
-use crate::{LightSlot, Mesh, Prop, Surface, VehicleModel};
+use crate::{Prop, VehicleModel};
+use endless_scene::{LightSlot, Mesh, Surface};
 use endless_world::{ClassTag, ObjectClass};
 use glam::Vec3;
 use proptest::prelude::*;
@@ -97,7 +98,7 @@ fn refused(text: &str, document: &Value, buffer: &[u8]) -> String {
     error
 }
 
-fn area(mesh: &Mesh, is: impl Fn(&crate::Material) -> bool) -> f32 {
+fn area(mesh: &Mesh, is: impl Fn(&endless_scene::Material) -> bool) -> f32 {
     let of = |(t, &m): (&[u32; 3], &u16)| {
         let [a, b, c] = t.map(|i| mesh.positions[i as usize]);
         if is(&mesh.materials[usize::from(m)]) { 0.5 * (b - a).cross(c - a).length() } else { 0.0 }

@@ -3,7 +3,8 @@
 use super::model::Model;
 use super::paint::Painter;
 use super::{AssetEntry, ImportError, Kind};
-use crate::{Mesh, Prop, catalogue};
+use crate::{Prop, catalogue};
+use endless_scene::Mesh;
 use endless_world::ClassTag;
 use glam::Vec3;
 use std::collections::BTreeMap;

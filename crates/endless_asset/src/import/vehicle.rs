@@ -6,7 +6,7 @@ use super::paint::Painter;
 use super::thing::{OFF, stand};
 use super::{AssetEntry, ImportError, lamp};
 use crate::vehicle::{Parts, RiderFit, VehicleModel, VehicleSpec, Wheel};
-use crate::{LightSlot, Mesh, Surface};
+use endless_scene::{LightSlot, Mesh, Surface};
 use endless_world::ObjectClass;
 use glam::Vec3;
 use std::collections::BTreeMap;

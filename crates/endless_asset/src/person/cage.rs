@@ -2,7 +2,7 @@
 
 use super::skeleton::BONES;
 use super::skin::{Skin, Weights};
-use crate::{Material, Mesh};
+use endless_scene::{Material, Mesh};
 use glam::{Vec2, Vec3};
 use std::collections::BTreeMap;
 

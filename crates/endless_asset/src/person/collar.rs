@@ -7,7 +7,7 @@ use super::sewing::Upper;
 use super::skin::Skin;
 use super::wardrobe::{Collar, Garment};
 use crate::shape::Sculpt;
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::math::lerp;
 use glam::Vec3;
 

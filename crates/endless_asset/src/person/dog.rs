@@ -5,7 +5,7 @@ use super::palette;
 use super::skeleton::{Bone, Side};
 use super::skin::{Skin, Weights, one, two};
 use crate::shape::Sculpt;
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::{WalkerMotion, math};
 use glam::{Affine3A, Vec2, Vec3};
 

@@ -11,7 +11,7 @@ use super::skeleton::{Side, Skeleton};
 use super::skin::Skin;
 use super::thing;
 use super::wardrobe::{Garment, Pattern, ShoeKind};
-use crate::Material;
+use endless_scene::Material;
 use endless_world::math::smoothstep;
 
 /// Everything in the rest pose.

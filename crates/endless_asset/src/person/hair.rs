@@ -8,7 +8,7 @@ use super::palette;
 use super::skeleton::Bone;
 use super::skin::{Skin, two};
 use crate::shape::{Curve, Region, Sculpt};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::math::{self, lerp, smoothstep};
 use glam::{Vec2, Vec3};
 use std::f32::consts::{PI, TAU};

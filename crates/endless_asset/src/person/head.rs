@@ -5,7 +5,7 @@ use super::palette;
 use super::skeleton::{Bone, Skeleton};
 use super::skin::Skin;
 use crate::shape::{Curve, Sculpt};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::math::{self, smoothstep};
 use glam::Vec3;
 use std::f32::consts::TAU;

@@ -5,8 +5,8 @@ use super::palette;
 use super::skeleton::{ARM, Side};
 use super::skin::{Skin, one, two};
 use super::wardrobe::ShoeKind;
-use crate::Surface;
 use crate::shape::{Region, Sculpt};
+use endless_scene::Surface;
 use endless_world::math::{self, smoothstep};
 use glam::{Vec2, Vec3};
 

@@ -2,7 +2,7 @@
 
 use super::palette;
 use super::wardrobe::{self, Garment, Legs, Shoes};
-use crate::Material;
+use endless_scene::Material;
 use endless_world::{Stream, math};
 
 /// What grows on the head.
@@ -164,7 +164,7 @@ impl Look {
             0.16 + if age > 45.0 { 0.2 } else { 0.0 },
             if rain || age < 12.0 { 0.0 } else { 0.14 },
         ])];
-        let plain = palette::linear(crate::Surface::Cloth, [0.5; 3]);
+        let plain = palette::linear(endless_scene::Surface::Cloth, [0.5; 3]);
         let mut look = Self {
             age,
             female,

@@ -25,7 +25,7 @@ mod thing;
 mod wardrobe;
 mod wheeled;
 
-use crate::Mesh;
+use endless_scene::Mesh;
 use endless_world::{AssetRef, KEYPOINT_COUNT, WalkerMotion};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;

@@ -1,6 +1,6 @@
 //! Colours of skin, hair and cloth.
 
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::{ClassTag, Stream, math};
 
 type Srgb = [u8; 3];

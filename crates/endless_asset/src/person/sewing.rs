@@ -4,7 +4,7 @@ use super::body::{ARMPIT, Body, CROTCH, LIMB, TRUNK};
 use super::cage::Cage;
 use super::skeleton::Side;
 use super::skin::{Skin, Weights};
-use crate::Material;
+use endless_scene::Material;
 use endless_world::math::{self, lerp, smoothstep};
 use glam::{Vec2, Vec3};
 

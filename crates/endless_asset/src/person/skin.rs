@@ -1,8 +1,8 @@
 //! Which bones a vertex follows.
 
 use super::skeleton::{BONES, Bone};
-use crate::Mesh;
 use crate::shape::Sculpt;
+use endless_scene::Mesh;
 use glam::{Affine3A, Mat3A, Vec3, Vec3A};
 use std::collections::BTreeMap;
 

@@ -8,7 +8,7 @@ use super::skeleton::{ARM, Bone, Side};
 use super::skin::{Skin, two};
 use super::{dog, wheeled};
 use crate::shape::{Region, Sculpt};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::math;
 use glam::{Affine3A, Mat3, Vec2, Vec3};
 use std::f32::consts::{PI, TAU};

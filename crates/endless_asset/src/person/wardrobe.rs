@@ -3,7 +3,7 @@
 use super::look::{Carried, Hat, Look};
 use super::palette::{self, BRIGHT, CHINO, DENIM, JEWEL, LEATHERS, PALE, SOBER, TRAINERS, WEATHER, dyed};
 use super::sewing::Upper;
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::Stream;
 
 /// What is at the neck.

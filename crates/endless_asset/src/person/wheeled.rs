@@ -7,7 +7,7 @@ use super::skeleton::{Bone, Skeleton};
 use super::skin::Skin;
 use super::thing::SEAT;
 use crate::shape::{Region, Sculpt};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::math;
 use glam::{Quat, Vec2, Vec3};
 use std::f32::consts::TAU;

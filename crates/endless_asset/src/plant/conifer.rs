@@ -2,7 +2,7 @@
 
 use super::leaf::{Leaves, bark, direction, shades};
 use crate::shape::Sculpt;
-use crate::{Material, Mesh};
+use endless_scene::{Material, Mesh};
 use endless_world::{Stream, math};
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use std::f32::consts::TAU;

@@ -1,8 +1,8 @@
 //! Growth of wood by space colonisation (Runions, Lane, Prusinkiewicz 2007): branches grow towards points of light
 //! that they use up; their thickness follows from what they bear (pipe model).
 
-use crate::Material;
 use crate::shape::Sculpt;
+use endless_scene::Material;
 use endless_world::{Stream, math};
 use glam::Vec3;
 

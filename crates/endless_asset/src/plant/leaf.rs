@@ -1,6 +1,6 @@
 //! Leaves and bark.
 
-use crate::{Material, Mesh, Surface};
+use endless_scene::{Material, Mesh, Surface};
 use endless_world::{ClassTag, Stream, math};
 use glam::{Vec2, Vec3};
 use std::f32::consts::TAU;

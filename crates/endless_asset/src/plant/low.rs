@@ -2,7 +2,7 @@
 
 use super::leaf::{Leaves, bark, direction, shades};
 use crate::shape::Sculpt;
-use crate::{Material, Mesh, Surface};
+use endless_scene::{Material, Mesh, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Affine3A, Vec2, Vec3};
 

@@ -1,8 +1,8 @@
 //! Palms.
 
 use super::leaf::{Leaves, bark, shades};
-use crate::Mesh;
 use crate::shape::Sculpt;
+use endless_scene::Mesh;
 use endless_world::{Stream, math};
 use glam::{Affine3A, Vec2, Vec3};
 

@@ -3,7 +3,7 @@
 use super::grow::{Node, grow, wood};
 use super::leaf::{Leaves, bark, direction, shades};
 use crate::shape::Sculpt;
-use crate::{Material, Mesh};
+use endless_scene::{Material, Mesh};
 use endless_world::{Stream, math};
 use glam::{Affine3A, Vec3};
 

@@ -2,7 +2,7 @@
 
 use super::runs::RUN;
 use super::sculpt::{Face, Sculpt};
-use crate::Material;
+use endless_scene::Material;
 use glam::{Vec2, Vec3};
 
 /// A convex region of space, and which way a face must look to be touched.
@@ -238,7 +238,7 @@ fn clip(face: &Face, normal: Vec3, offset: f32, below: &mut Vec<Face>, above: &m
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Surface;
+    use endless_scene::Surface;
     use endless_world::ClassTag;
 
     #[test]

@@ -2,7 +2,7 @@
 
 use super::runs::Runs;
 use super::weld::{Cell, census};
-use crate::{Material, Mesh};
+use endless_scene::{Material, Mesh};
 use glam::{Affine3A, Vec2, Vec3};
 
 /// One triangle, counter-clockwise seen from outside.

@@ -1,7 +1,7 @@
 //! Boxes, lathes, tubes, ellipsoids and lofts.
 
 use super::Sculpt;
-use crate::Material;
+use endless_scene::Material;
 use endless_world::math;
 use glam::{Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
@@ -161,7 +161,7 @@ impl Sculpt {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Surface;
+    use endless_scene::Surface;
     use endless_world::ClassTag;
 
     fn volume(s: &Sculpt) -> f32 {

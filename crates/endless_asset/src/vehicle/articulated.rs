@@ -7,8 +7,8 @@ use super::heavy::tractor_unit;
 use super::lorry::FRAME_Z;
 use super::truck::closed_box;
 use super::{cars, paint};
-use crate::Material;
 use crate::shape::Sculpt;
+use endless_scene::Material;
 use glam::Vec3;
 
 /// From the kingpin to the front and the rear of a semi-trailer, and to its axles, before scaling, metres.

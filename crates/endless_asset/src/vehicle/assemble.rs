@@ -1,8 +1,8 @@
 //! From what a design plans to a finished vehicle: put together, centred, and exactly as large as planned.
 
 use super::Wheel;
-use crate::Mesh;
 use crate::shape::Sculpt;
+use endless_scene::Mesh;
 use glam::{Affine3A, Mat3, Vec3};
 use std::sync::Arc;
 

@@ -7,7 +7,7 @@ use super::paint;
 use super::shell::{Arch, Cabin, Ring, Shell};
 use super::wheel::{Rim, wheel};
 use crate::shape::{Curve, Region, Sculpt, rounded};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 use glam::Vec3;
 

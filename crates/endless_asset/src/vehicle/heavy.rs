@@ -4,8 +4,8 @@ use super::assemble::Plan;
 use super::draw::Draw;
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
-use crate::Material;
 use crate::shape::{Region, Sculpt};
+use endless_scene::Material;
 use endless_world::Stream;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 

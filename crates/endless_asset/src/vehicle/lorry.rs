@@ -6,8 +6,8 @@ use super::car::{open_arch, plate};
 use super::paint;
 use super::shell::{Arch, Cabin, Ring, Shell};
 use super::wheel::{Rim, wheel};
-use crate::Material;
 use crate::shape::{Curve, Region, Sculpt, rounded};
+use endless_scene::Material;
 use glam::Vec3;
 
 const HALF_WIDTH: f32 = 1.15;

@@ -22,10 +22,11 @@ mod wheel;
 pub use assemble::Trailer;
 pub(crate) use assemble::{Parts, RiderFit};
 
-use crate::{Mesh, carla};
+use crate::carla;
 use assemble::Plan;
 use design::{DESIGNS, Design};
 use draw::Draw;
+use endless_scene::Mesh;
 use endless_world::{KEYPOINT_COUNT, ObjectClass};
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
@@ -117,7 +118,7 @@ enum Origin {
     File {
         /// In the catalogue.
         name: Arc<str>,
-        /// Colours for [`crate::Surface::CarPaint`]; none: as in the file.
+        /// Colours for [`endless_scene::Surface::CarPaint`]; none: as in the file.
         paints: Option<&'static [Paint]>,
     },
 }
@@ -178,7 +179,7 @@ impl VehicleModel {
         self.parts().trailer.as_ref()
     }
 
-    /// Everything but wheels, rider and trailer. [`crate::Surface::CarPaint`] is tinted per variant.
+    /// Everything but wheels, rider and trailer. [`endless_scene::Surface::CarPaint`] is tinted per variant.
     pub fn body(&self) -> &Arc<Mesh> {
         &self.parts().body
     }

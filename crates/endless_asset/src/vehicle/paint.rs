@@ -1,6 +1,6 @@
 //! The materials of vehicles. They belong to objects with a class of their own; the tag is only a fallback.
 
-use crate::{LightSlot, Material, Surface};
+use endless_scene::{LightSlot, Material, Surface};
 use endless_world::ClassTag;
 
 const fn of(surface: Surface, base_color: [f32; 3]) -> Material {

@@ -1,8 +1,8 @@
 //! The smooth skin of a car body: rings around the body from the sill up to the belt line, over bonnet and boot to the
 //! foot of the cabin, up its pillars and over the roof.
 
-use crate::Material;
 use crate::shape::{Curve, Sculpt};
+use endless_scene::Material;
 use endless_world::math;
 use glam::{Vec2, Vec3};
 

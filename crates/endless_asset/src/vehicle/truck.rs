@@ -5,7 +5,7 @@ use super::draw::Draw;
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
 use crate::shape::{Region, Sculpt};
-use crate::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
 

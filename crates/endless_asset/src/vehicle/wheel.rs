@@ -2,7 +2,7 @@
 
 use super::paint;
 use crate::shape::Sculpt;
-use crate::{Material, Mesh};
+use endless_scene::{Material, Mesh};
 use endless_world::math;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, TAU};

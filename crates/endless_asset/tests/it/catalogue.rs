@@ -1,6 +1,7 @@
 //! Every mesh of the catalogue is sound, and has the size of what it stands for.
 
-use endless_asset::{Catalogue, Mesh, Prop, Surface, VehicleModel};
+use endless_asset::{Catalogue, Prop, VehicleModel};
+use endless_scene::{Mesh, Surface};
 use endless_world::{ClassTag, Gait, ObjectClass, WalkerMotion};
 use glam::Vec3;
 use proptest::prelude::*;

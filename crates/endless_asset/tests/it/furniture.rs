@@ -1,7 +1,8 @@
 //! Street furniture stands on the ground, is closed as seen from outside, and has the sizes of the real things.
 
 use crate::soup::Soup;
-use endless_asset::{Catalogue, Prop, Surface};
+use endless_asset::{Catalogue, Prop};
+use endless_scene::Surface;
 use std::sync::LazyLock;
 
 static CATALOGUE: LazyLock<Catalogue> = LazyLock::new(Catalogue::builtin);

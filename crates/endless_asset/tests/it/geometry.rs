@@ -1,7 +1,8 @@
 //! What vehicles and people look like from outside: no holes, lamps where they can be seen, sizes that agree.
 
 use crate::soup::Soup;
-use endless_asset::{Catalogue, LightSlot, Mesh, Surface, VehicleModel};
+use endless_asset::{Catalogue, VehicleModel};
+use endless_scene::{LightSlot, Mesh, Surface};
 use endless_world::{Gait, ObjectClass, WalkerMotion};
 use glam::Vec3;
 use std::rc::Rc;

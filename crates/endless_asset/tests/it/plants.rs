@@ -1,6 +1,7 @@
 //! Plants stand in the ground, have the sizes of their kinds, and crowns through which the sky is seen.
 
-use endless_asset::{Catalogue, Mesh, Prop, Surface};
+use endless_asset::{Catalogue, Prop};
+use endless_scene::{Mesh, Surface};
 use endless_world::Stream;
 use glam::Vec3;
 

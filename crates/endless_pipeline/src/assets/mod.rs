@@ -8,7 +8,8 @@ pub use folder::{AssetFolder, AssetFolderError};
 pub(crate) use place::stand_in;
 
 use crate::maps::gltf;
-use endless_asset::{Catalogue, ImportedThing, Mesh, PersonModel, Prop, VehicleModel};
+use endless_asset::{Catalogue, ImportedThing, PersonModel, Prop, VehicleModel};
+use endless_scene::Mesh;
 use endless_town::{building_manners, sample_building};
 use endless_world::Image;
 use glam::Vec3;

@@ -1,7 +1,8 @@
 //! Imported props and buildings stand in towns where others of their class would: each takes the places of a share of
 //! them, as far as it has room there.
 
-use endless_asset::{Catalogue, ImportedThing, Mesh, Prop};
+use endless_asset::{Catalogue, ImportedThing, Prop};
+use endless_scene::Mesh;
 use endless_town::{Placement, Town, What};
 use endless_world::{ClassTag, Stream, fnv1a};
 use glam::{Affine3A, Quat, Vec3};

@@ -1,8 +1,9 @@
 //! Pictures of single assets, made by the renderer on an empty square in daylight.
 
 use super::Thing;
-use endless_asset::{Catalogue, Material, Mesh, MeshBuilder, Surface};
+use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_scene::{Material, Mesh, MeshBuilder, Surface};
 use endless_town::{Placement, Town, What};
 use endless_world::{CameraSite, ClassTag, Image, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
 use glam::{Affine3A, Vec2, Vec3};

@@ -1,8 +1,9 @@
 //! Models written by `assets export` and read again are the same things, and drive.
 
-use endless_asset::{AssetManifest, Catalogue, ImportedAsset, Mesh, VehicleModel, VehicleSpec};
+use endless_asset::{AssetManifest, Catalogue, ImportedAsset, VehicleModel, VehicleSpec};
 use endless_pipeline::{AssetFolder, BuiltinSimulator, MapCatalog, Simulator};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_scene::Mesh;
 use endless_world::{
     Actor, AssetRef, CameraLook, CameraSite, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount, ObjectClass,
     Pose, SceneSettings, TimeOfDay, VehicleMotion, Weather, WorldState,

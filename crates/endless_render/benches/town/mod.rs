@@ -4,8 +4,9 @@ use std::collections::BTreeMap;
 use std::f32::consts::TAU;
 use std::sync::Arc;
 
-use endless_asset::{Catalogue, Mesh};
+use endless_asset::Catalogue;
 use endless_render::{Accel, Blas, Ray};
+use endless_scene::Mesh;
 use endless_town::What;
 use endless_world::{Stream, math};
 use glam::{Affine3A, Vec3A};

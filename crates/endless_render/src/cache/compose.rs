@@ -7,7 +7,7 @@ use super::still_sample::{StillSample, lamp_sum, lamps_blocked, still_look, sun_
 use crate::accel::Ray;
 use crate::scene::{Facet, FrameScene, SurfacePoint};
 use crate::shade::Tracer;
-use endless_asset::{LensAspect, Surface};
+use endless_scene::{LensAspect, Surface};
 use endless_world::SignalAspect;
 use glam::Vec3A;
 

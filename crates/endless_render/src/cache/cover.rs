@@ -6,7 +6,7 @@ use crate::accel::{Hit, Ray};
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, SurfacePoint};
 use crate::shade::Seen;
-use endless_asset::Surface;
+use endless_scene::Surface;
 use endless_world::InstancePixel;
 use glam::{Vec2, Vec3A};
 use std::ops::Range;

@@ -8,7 +8,7 @@ use crate::accel::Ray;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, SurfacePoint};
 use crate::shade::Seen;
-use endless_asset::Surface;
+use endless_scene::Surface;
 use glam::Vec3A;
 
 /// Pixels of a tile.

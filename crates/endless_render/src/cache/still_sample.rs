@@ -6,7 +6,7 @@ use crate::material::{Look, look};
 use crate::octahedron;
 use crate::scene::{Facet, FrameScene, SurfacePoint};
 use crate::shade::{MIRROR_THRESHOLD, Tracer, footprint_m, mirror_light, mirror_ray};
-use endless_asset::Surface;
+use endless_scene::Surface;
 use glam::Vec3A;
 
 /// No instance: the sky.

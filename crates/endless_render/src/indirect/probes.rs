@@ -116,7 +116,7 @@ fn probe(tracer: &Tracer<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe
         let ray = Ray { origin: position, direction, tmax: f32::MAX };
         if let Some(struck) = tracer.closest(&ray) {
             let point = tracer.point(&ray, &struck);
-            behind += u32::from(point.from_behind && point.material.surface != endless_asset::Surface::Foliage);
+            behind += u32::from(point.from_behind && point.material.surface != endless_scene::Surface::Foliage);
         }
         light.add(direction, shade_secondary(tracer, &ray, 0.6), 4.0 * PI / rays as f32);
     }

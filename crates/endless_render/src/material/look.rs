@@ -3,7 +3,7 @@
 use super::{building, ground, thing, wet, window};
 use crate::light::Environment;
 use crate::scene::SurfacePoint;
-use endless_asset::Surface;
+use endless_scene::Surface;
 use glam::Vec3A;
 
 /// A diffuse and rough specular base under an optional smooth coat (lacquer, glass, water).

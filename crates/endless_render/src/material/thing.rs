@@ -3,7 +3,7 @@
 use super::{Look, cabin, noise};
 use crate::light::Environment;
 use crate::scene::SurfacePoint;
-use endless_asset::LightSlot;
+use endless_scene::LightSlot;
 use endless_world::VehicleLights;
 use endless_world::math::smoothstep;
 use glam::{Vec2, Vec3, Vec3A};

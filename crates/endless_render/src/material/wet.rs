@@ -3,7 +3,7 @@
 use super::{Look, noise};
 use crate::light::Environment;
 use crate::scene::SurfacePoint;
-use endless_asset::Surface;
+use endless_scene::Surface;
 use endless_world::math::smoothstep;
 use glam::{Vec2, Vec3A};
 

@@ -2,7 +2,8 @@
 
 use super::Velocity;
 use crate::accel::{Blas, Use, world_bounds};
-use endless_asset::{Mesh, PersonModel, Stance};
+use endless_asset::{PersonModel, Stance};
+use endless_scene::Mesh;
 use endless_world::{ClassTag, InstanceId, SignalId, WalkerMotion};
 use glam::{Affine3A, Mat3A, Vec3, Vec3A};
 use std::sync::Arc;

@@ -2,7 +2,7 @@
 
 use super::Instance;
 use crate::accel::{Hit, Ray};
-use endless_asset::Material;
+use endless_scene::Material;
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3A};
 

@@ -7,7 +7,7 @@ use super::storeyed::Measures;
 use super::style::Style;
 use super::wall::{Hole, Wall};
 use crate::character::Kind;
-use endless_asset::{Material, MeshBuilder, Surface};
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 
 const IRON: Material = Material::new(Surface::Painted, [0.04, 0.042, 0.045], ClassTag::Buildings);

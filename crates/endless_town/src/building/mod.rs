@@ -26,7 +26,7 @@ pub(crate) use storeyed::Measures;
 use crate::character::Character;
 use crate::network::{KERB_HEIGHT_M, Plan};
 use crate::plot::Occupied;
-use endless_asset::Mesh;
+use endless_scene::Mesh;
 use endless_world::Stream;
 use glam::{Affine3A, Quat};
 

@@ -1,7 +1,7 @@
 //! What fills the holes in walls: windows, doors, shop fronts, gates.
 
 use super::wall::{Hole, Wall};
-use endless_asset::{Material, MeshBuilder, Surface};
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::ClassTag;
 use glam::Vec2;
 

@@ -2,7 +2,8 @@
 
 use super::style::Style;
 use super::wall::{Hole, Wall};
-use endless_asset::{Catalogue, Material, MeshBuilder, Surface};
+use endless_asset::Catalogue;
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::Vec2;
 

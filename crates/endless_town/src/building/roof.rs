@@ -1,7 +1,7 @@
 //! Roofs: flat with parapet and plant, gabled, hipped; chimneys.
 
 use super::wall::{Wall, walls};
-use endless_asset::{Material, MeshBuilder, Surface};
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
 

@@ -3,7 +3,7 @@
 use super::opening::WindowNumbers;
 use super::roof::boxed;
 use super::wall::{Hole, Wall};
-use endless_asset::{Material, MeshBuilder, Surface};
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
 

@@ -8,7 +8,7 @@ use super::rooftop::drum;
 use super::storeyed::{Measures, Rhythm};
 use super::style::Style;
 use super::wall::{Hole, Wall, walls};
-use endless_asset::{Material, MeshBuilder, Surface};
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
 

@@ -10,7 +10,7 @@ use super::upper::{add_balcony, dress_window};
 use super::wall::{Hole, Wall, walls};
 use super::{opening, special, top};
 use crate::character::Kind;
-use endless_asset::{Mesh, MeshBuilder};
+use endless_scene::{Mesh, MeshBuilder};
 use endless_world::Stream;
 use glam::Vec2;
 
@@ -306,7 +306,7 @@ fn joints(
     top: f32,
     style: &Style,
 ) {
-    let seal = endless_asset::Material { base_color: [0.16, 0.155, 0.15], ..style.wall };
+    let seal = endless_scene::Material { base_color: [0.16, 0.155, 0.15], ..style.wall };
     for k in 0..=bays {
         let u = 0.4 + pitch * k as f32;
         wall.block(mesh, [u - 0.012, u + 0.012], [0.35, top], [0.0, 0.008], seal);

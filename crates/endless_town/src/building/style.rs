@@ -2,7 +2,7 @@
 
 use super::manner::Manner;
 use super::opening::Joinery;
-use endless_asset::{Material, Surface};
+use endless_scene::{Material, Surface};
 use endless_world::{ClassTag, Stream};
 
 /// What a building is made of.

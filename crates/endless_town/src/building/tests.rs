@@ -2,7 +2,7 @@
 
 use super::manner::Manner;
 use super::{building_manners, sample_building};
-use endless_asset::Mesh;
+use endless_scene::Mesh;
 use endless_world::{Stream, math};
 use glam::Vec3;
 use std::sync::Mutex;

@@ -8,7 +8,7 @@ use super::storeyed::Measures;
 use super::style::Style;
 use super::wall::Wall;
 use crate::character::Kind;
-use endless_asset::{Material, MeshBuilder, Surface};
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
 

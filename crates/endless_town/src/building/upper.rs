@@ -4,7 +4,7 @@ use super::manner::Manner;
 use super::ornament::{air_conditioner, dish, flower_box, grille, lintel, roller_blind, shutters, surround};
 use super::style::Style;
 use super::wall::{Hole, Wall};
-use endless_asset::{Material, MeshBuilder, Surface};
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::Stream;
 
 /// Surrounds, shutters, blinds, machines and flowers; `place` is the wall between two windows, the side of the building

@@ -1,6 +1,6 @@
 //! Walls with openings, and boxes that stand out from them.
 
-use endless_asset::{Material, Mesh, MeshBuilder};
+use endless_scene::{Material, Mesh, MeshBuilder};
 use glam::{Affine3A, Mat3A, Vec2, Vec3};
 
 /// A rectangle seen from outside: `u` to the right, `v` up, `out` towards the viewer. Walls stand upright, slopes of

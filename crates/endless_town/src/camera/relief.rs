@@ -2,8 +2,8 @@
 
 use super::raster::cells_in;
 use crate::plot::unit;
-use endless_asset::Mesh;
 use endless_road::RoadNetwork;
+use endless_scene::Mesh;
 use endless_world::ClassTag;
 use glam::{Affine3A, DVec2, Vec2, Vec3};
 use rayon::prelude::*;
@@ -184,8 +184,8 @@ impl Band<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_asset::{Material, MeshBuilder, Surface};
     use endless_road::{Lane, LaneId, Polyline};
+    use endless_scene::{Material, MeshBuilder, Surface};
     use glam::DVec3;
 
     #[test]

@@ -2,7 +2,8 @@
 
 use super::{Post, raster::cells_in};
 use crate::{Placement, What};
-use endless_asset::{Catalogue, Mesh, Prop};
+use endless_asset::{Catalogue, Prop};
+use endless_scene::Mesh;
 use endless_world::{CameraSite, ImageSize, PinholeCamera};
 use glam::{Affine3A, Vec3};
 use std::collections::BTreeMap;

@@ -15,7 +15,7 @@ pub(crate) use wire::hang;
 
 use crate::building::Lot;
 use crate::plot::Rect;
-use endless_asset::{Mesh, MeshBuilder};
+use endless_scene::{Mesh, MeshBuilder};
 use endless_world::CameraSite;
 
 /// Everything that must not spoil the cameras' views, and so comes after them. Returns slabs, tree pits and wires.

@@ -4,7 +4,8 @@ use super::dresser::{Dresser, Spot};
 use super::post::POST_M;
 use crate::camera::spoils;
 use crate::network::KERB_HEIGHT_M;
-use endless_asset::{Material, MeshBuilder, Prop, Surface};
+use endless_asset::Prop;
+use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{CameraSite, ClassTag};
 use glam::{DVec2, DVec3, Vec2};
 

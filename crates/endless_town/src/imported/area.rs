@@ -5,8 +5,8 @@ use crate::camera::Open;
 use crate::palette::{CAR_PARK, FIELD, GRAVEL, LAWN, MEADOW, PLAZA, PLAZA_BAND, SOIL, WATER, WOODLAND, YARD};
 use crate::plot::inside;
 use crate::surface::{area, triangulate, with_holes};
-use endless_asset::{Material, MeshBuilder};
 use endless_road::{Area, AreaKind};
+use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, Vec3};
 
 /// Land that is flatter than this over an area can carry it as one plane, metres.

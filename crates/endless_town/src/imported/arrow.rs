@@ -6,8 +6,8 @@ use super::paint::PAINT_APART_M;
 use super::road::{PAINT_M, quad};
 use crate::palette::WHITE_PAINT;
 use crate::plot::unit;
-use endless_asset::MeshBuilder;
 use endless_road::{Control, Crossing, Lane, LaneId, RoadMap, RoadNetwork, Turn};
+use endless_scene::MeshBuilder;
 use glam::{DVec2, DVec3, Vec3};
 
 /// Places of arrows before the end of a lane, metres.

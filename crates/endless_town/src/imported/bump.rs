@@ -3,8 +3,8 @@
 use super::cover::{Cover, is_carriageway};
 use super::road::quad;
 use crate::palette::{ASPHALT, YELLOW_PAINT};
-use endless_asset::MeshBuilder;
 use endless_road::{RoadMap, ThingKind};
+use endless_scene::MeshBuilder;
 use glam::{DVec2, DVec3};
 
 /// Half its length along the road, its height, and the width of a stripe, metres.

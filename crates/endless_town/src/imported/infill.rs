@@ -3,8 +3,8 @@
 use super::cover::Cover;
 use crate::palette::ASPHALT;
 use crate::surface::NO_LANE;
-use endless_asset::MeshBuilder;
 use endless_road::{JunctionId, RoadNetwork};
+use endless_scene::MeshBuilder;
 use glam::{DVec2, DVec3, Vec2};
 
 /// Side of the cells in which holes are looked for, metres.

@@ -2,8 +2,8 @@
 
 use super::cover::Cover;
 use crate::palette::{HILL, LAWN, MEADOW};
-use endless_asset::{Material, MeshBuilder};
 use endless_road::Terrain;
+use endless_scene::{Material, MeshBuilder};
 use endless_world::math;
 use endless_world::math::f64::{atan2, sin};
 use glam::{DVec2, DVec3, Vec3};

@@ -2,7 +2,7 @@
 
 use crate::character::Kind;
 use crate::palette::ASPHALT;
-use endless_asset::Material;
+use endless_scene::Material;
 use glam::DVec2;
 
 /// What is built on a piece of land.

@@ -4,8 +4,8 @@ use super::cover::Cover;
 use super::crossed;
 use super::road::{PAINT_M, quad};
 use crate::palette::{WHITE_PAINT, YELLOW_PAINT};
-use endless_asset::{Material, MeshBuilder};
 use endless_road::{Control, Crossing, Lane, Mark, Paint, Polyline, RoadMap};
+use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, DVec3, Vec2};
 
 /// Longest piece of a painted line, metres.

@@ -5,8 +5,8 @@ use super::land::Land;
 use crate::palette::{BALLAST, CYCLEWAY, DECK, KERB, LAWN, PAVING, TRACK};
 use crate::plot::{Occupied, Rect};
 use crate::surface::{NO_LANE, triangulate};
-use endless_asset::{Material, MeshBuilder};
 use endless_road::{RoadMap, Strip, StripKind};
+use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::collections::BTreeSet;
 

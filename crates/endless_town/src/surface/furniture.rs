@@ -4,7 +4,7 @@ use super::IRON_M;
 use super::strip::patch;
 use crate::network::Street;
 use crate::palette::IRON;
-use endless_asset::MeshBuilder;
+use endless_scene::MeshBuilder;
 use endless_world::Stream;
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, Vec2};

@@ -6,7 +6,7 @@ use super::strip::at_height;
 use crate::character::{Character, Kind};
 use crate::network::{Arm, KERB_HEIGHT_M, Plan};
 use crate::palette::{HILL, LAWN, MEADOW, PLAZA, YARD};
-use endless_asset::{Material, MeshBuilder};
+use endless_scene::{Material, MeshBuilder};
 use endless_world::math::f64::{atan2, sin};
 use endless_world::{Stream, math};
 use glam::{DVec2, DVec3, Vec2, Vec3};

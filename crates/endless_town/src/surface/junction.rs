@@ -5,7 +5,7 @@ use super::street::band_edges;
 use super::strip::at_height;
 use crate::network::{Arm, FURNITURE_M, KERB_HEIGHT_M, KERB_M, Node, Plan};
 use crate::palette::{ASPHALT, KERB, PAVING};
-use endless_asset::{Material, MeshBuilder};
+use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, Vec2};
 
 pub(crate) fn add(mesh: &mut MeshBuilder, plan: &Plan, node: &Node) {

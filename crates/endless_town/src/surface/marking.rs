@@ -6,8 +6,8 @@ use super::strip::patch;
 use crate::character::Character;
 use crate::network::{Arm, Node, Plan, Rule, Street};
 use crate::palette::{WHITE_PAINT, YELLOW_PAINT};
-use endless_asset::{Material, MeshBuilder};
 use endless_road::{RoadNetwork, Turn};
+use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, Vec2};
 
 /// Width of lines along the street.

@@ -14,8 +14,8 @@ pub(crate) use street::{BAY_M, bays, island_ranges};
 
 use crate::character::Character;
 use crate::network::Plan;
-use endless_asset::{Mesh, MeshBuilder};
 use endless_road::RoadNetwork;
+use endless_scene::{Mesh, MeshBuilder};
 
 /// Height of paint above the asphalt, metres.
 const PAINT_M: f32 = 0.003;

@@ -4,7 +4,7 @@ use super::NO_LANE;
 use super::strip::{Rail, strip};
 use crate::network::{KERB_HEIGHT_M, KERB_M, Profile, Street};
 use crate::palette::{ASPHALT, KERB, LAWN, PAVING, VERGE};
-use endless_asset::MeshBuilder;
+use endless_scene::MeshBuilder;
 
 /// Longest piece of a strip, metres.
 const STEP_M: f64 = 4.0;

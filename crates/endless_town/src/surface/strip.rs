@@ -1,7 +1,7 @@
 //! Quads along streets.
 
 use crate::network::Street;
-use endless_asset::{Material, MeshBuilder};
+use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, Vec2, Vec3};
 
 /// One edge of a strip: how far left of the reference line, and how high, at any `s`.

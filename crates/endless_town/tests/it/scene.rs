@@ -1,6 +1,7 @@
 //! What stands in the towns: sound meshes, cameras that see, nothing on the carriageways.
 
-use endless_asset::{Catalogue, Mesh, Prop};
+use endless_asset::{Catalogue, Prop};
+use endless_scene::Mesh;
 use endless_town::{NAMES, Town, What, load};
 use endless_world::{ClassTag, ImageSize, PinholeCamera};
 use glam::{Affine3A, DVec2, DVec3, Vec3};

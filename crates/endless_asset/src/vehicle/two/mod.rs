@@ -18,8 +18,8 @@ use super::assemble::{Assembly, Plan, RiderFit, Size};
 use super::draw::Draw;
 use super::paint;
 use super::wheel::{Rim, wheel};
-use crate::Material;
 use crate::shape::{Region, Sculpt};
+use endless_scene::Material;
 use glam::{Vec2, Vec3};
 
 pub(super) const fn v(x: f32, y: f32, z: f32) -> Vec3 {

@@ -1,6 +1,6 @@
 //! Rays against a mesh: the nearest triangle, found in a tree of boxes.
 
-use endless_asset::Mesh;
+use endless_scene::Mesh;
 use endless_world::Stream;
 use glam::Vec3;
 

@@ -1,6 +1,6 @@
 //! Materials in glTF's terms: metallic-roughness with emission.
 
-use endless_asset::{Material, Surface};
+use endless_scene::{Material, Surface};
 use serde_json::{Value, json};
 
 /// The materials met so far, each once.

@@ -2,7 +2,8 @@
 
 use super::binary::{Binary, TooLarge};
 use super::material::Materials;
-use endless_asset::{Catalogue, Mesh, Prop, Trailer, VehicleModel, Wheel};
+use endless_asset::{Catalogue, Prop, Trailer, VehicleModel, Wheel};
+use endless_scene::Mesh;
 use endless_town::{Town, What};
 use endless_world::{ImageSize, PinholeCamera, math};
 use glam::{Affine3A, Mat3, Quat, Vec3};
@@ -21,7 +22,7 @@ pub(super) struct Scene<'a> {
 /// A mesh's accessors: vertices, and the triangles of each material.
 struct Geometry {
     attributes: Value,
-    parts: Vec<(endless_asset::Material, usize)>,
+    parts: Vec<(endless_scene::Material, usize)>,
 }
 
 /// From z up to y up.

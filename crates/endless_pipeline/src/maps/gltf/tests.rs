@@ -2,7 +2,8 @@
 
 use super::{write, write_thing};
 use crate::assets::Thing;
-use endless_asset::{Catalogue, Prop, Surface};
+use endless_asset::{Catalogue, Prop};
+use endless_scene::Surface;
 use endless_town::{Town, What, load};
 use endless_world::math;
 use glam::{Mat4, Vec3};

@@ -1,0 +1,24 @@
+//! What a scene is made of, as plain data: triangle meshes and the materials of their surfaces.
+//!
+//! A [`Mesh`] has a table of [`Material`]s and names one for each triangle. A material says what a surface is made of
+//! ([`Surface`]), its colour, and the class that its pixels carry; how that looks is the renderer's to decide. A
+//! [`MeshBuilder`] makes meshes face by face.
+//!
+//! ```
+//! use endless_scene::{Material, MeshBuilder, Surface};
+//! use endless_world::ClassTag;
+//! use glam::Vec3;
+//!
+//! let concrete = Material::new(Surface::Concrete, [0.5, 0.5, 0.48], ClassTag::Static);
+//! let mut builder = MeshBuilder::new();
+//! builder.cuboid(Vec3::new(-0.5, -0.5, 0.0), Vec3::new(0.5, 0.5, 1.0), concrete);
+//! let block = builder.finish();
+//! assert_eq!(block.triangles.len(), 12);
+//! assert_eq!(block.materials, [concrete]);
+//! ```
+
+mod material;
+mod mesh;
+
+pub use material::{LensAspect, LightSlot, Material, Surface};
+pub use mesh::{Mesh, MeshBuilder};
