@@ -10,7 +10,7 @@ const SHELVES: &[&[&str]] = &[
     &["endless_road", "endless_asset"],
     &["endless_town", "endless_annotate"],
     &["endless_traffic", "endless_render", "endless_dataset"],
-    &["endless_carla"],
+    &["endless_carla", "endless_interchange"],
     &["endless_pipeline"],
     &["endless"],
 ];

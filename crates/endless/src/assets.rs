@@ -3,37 +3,35 @@
 use crate::args::{AssetsArgs, AssetsCommand};
 use crate::file::write;
 use anyhow::Result;
-use endless_pipeline::{AssetFolder, BuiltinSimulator};
+use endless_asset::Catalogue;
+use endless_interchange::{AssetFolder, MapLibrary, asset_gltf, asset_preview, list_assets};
 use std::{io::Write, path::Path, process::ExitCode};
 
-/// The simulator with the models of a folder, if one is named; what is skipped is told.
-pub(crate) fn with_folder(
-    simulator: BuiltinSimulator,
-    folder: Option<&Path>,
-    skip_broken: bool,
-) -> Result<BuiltinSimulator> {
-    let Some(folder) = folder else { return Ok(simulator) };
+/// The library with the models of a folder, if one is named; what is skipped is told.
+pub(crate) fn with_folder(library: MapLibrary, folder: Option<&Path>, skip_broken: bool) -> Result<MapLibrary> {
+    let Some(folder) = folder else { return Ok(library) };
     let folder = AssetFolder::read(folder, skip_broken)?;
     for reason in &folder.skipped {
         eprintln!("warning: skipped {reason}");
     }
-    Ok(simulator.with_assets(folder))
+    Ok(library.with_assets(folder))
 }
 
-pub(crate) fn run(simulator: BuiltinSimulator, args: AssetsArgs) -> Result<ExitCode> {
-    let simulator = &with_folder(simulator, args.assets.as_deref(), args.skip_broken)?;
+pub(crate) fn run(library: MapLibrary, args: AssetsArgs) -> Result<ExitCode> {
+    let library = with_folder(library, args.assets.as_deref(), args.skip_broken)?;
+    let catalogue = library.catalogue();
     match args.command.unwrap_or(AssetsCommand::List { filter: None }) {
-        AssetsCommand::List { filter } => list(simulator, filter.as_deref().unwrap_or_default())?,
+        AssetsCommand::List { filter } => list(catalogue, filter.as_deref().unwrap_or_default())?,
         AssetsCommand::Preview { name, variant, out } => {
-            let picture = simulator.asset_preview(&name, variant)?;
+            let picture = asset_preview(catalogue, &name, variant)?;
             write(&out, &endless_dataset::encode_png(&picture))?;
         }
-        AssetsCommand::Export { name, variant, out } => write(&out, &simulator.asset_gltf(&name, variant)?)?,
+        AssetsCommand::Export { name, variant, out } => write(&out, &asset_gltf(catalogue, &name, variant)?)?,
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn list(simulator: &BuiltinSimulator, filter: &str) -> Result<()> {
+fn list(catalogue: &Catalogue, filter: &str) -> Result<()> {
     let mut out = std::io::stdout().lock();
     let header = ["length m", "width m", "height m"];
     writeln!(
@@ -42,7 +40,7 @@ fn list(simulator: &BuiltinSimulator, filter: &str) -> Result<()> {
         "name", "class", header[0], header[1], header[2]
     )?;
     let mut counts: Vec<(String, u32)> = Vec::new();
-    for kind in simulator.assets().iter().filter(|k| k.name.contains(filter) || k.class == filter) {
+    for kind in list_assets(catalogue).iter().filter(|k| k.name.contains(filter) || k.class == filter) {
         let [length, width, height] = [kind.length_m, kind.width_m, kind.height_m].map(range);
         let draws = kind.draws.map_or("any".to_owned(), |n| n.to_string());
         writeln!(

@@ -6,14 +6,16 @@ use crate::{
     report::Reporter,
 };
 use anyhow::Result;
+use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, GenerateOptions, Generated, Plan, RecipeDraft, generate, read_cameras};
 use std::{io::Write, process::ExitCode};
 
-pub(crate) fn run(simulator: BuiltinSimulator, args: GenerateArgs) -> Result<ExitCode> {
+pub(crate) fn run(library: MapLibrary, args: GenerateArgs) -> Result<ExitCode> {
     let file = args.config.as_deref().map(RecipeDraft::read).transpose()?.unwrap_or_default();
     let cameras = args.recipe.cameras.as_deref().map(read_cameras).transpose()?;
     let draft = RecipeDraft { cameras, ..RecipeDraft::from(args.recipe) }.or(file);
-    let simulator = &assets::with_folder(simulator, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
+    let library = assets::with_folder(library, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
+    let simulator = &BuiltinSimulator::new(library);
     let recipe = draft.resolve(simulator)?;
     let options = GenerateOptions { threads: threads(args.threads), plan_only: args.plan_only };
     let reporter = Reporter::new();

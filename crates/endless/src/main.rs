@@ -11,6 +11,7 @@ mod report;
 
 use args::{Cli, Command};
 use clap::Parser;
+use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, RecipeError};
 use std::{io, process::ExitCode};
 
@@ -24,13 +25,13 @@ fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return refuse(&error),
     };
-    let simulator = BuiltinSimulator::new();
+    let library = MapLibrary::user();
     let result = match cli.command {
-        Command::Generate(args) => generate::run(simulator, *args),
+        Command::Generate(args) => generate::run(library, *args),
         Command::Check(args) => check::run(&args),
-        Command::Bench(args) => bench::run(&simulator, &args),
-        Command::Assets(args) => assets::run(simulator, args),
-        Command::Maps(args) => maps::run(&simulator, args),
+        Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args),
+        Command::Assets(args) => assets::run(library, args),
+        Command::Maps(args) => maps::run(&library, args),
     };
     match result {
         Ok(code) => code,

@@ -3,30 +3,30 @@
 use crate::args::{ExportFiles, MapsArgs, MapsCommand, Side};
 use crate::file::write;
 use anyhow::Result;
-use endless_pipeline::{About, BuiltinSimulator, DrivingSide, MapCatalog};
+use endless_interchange::{About, DrivingSide, ImportedMap, MapLibrary};
 use std::{io::Write, path::Path, process::ExitCode};
 
 /// Notes on an imported file that are told; the rest are counted.
 const NOTES: usize = 8;
 
-pub(crate) fn run(simulator: &BuiltinSimulator, args: MapsArgs) -> Result<ExitCode> {
+pub(crate) fn run(library: &MapLibrary, args: MapsArgs) -> Result<ExitCode> {
     match args.command.unwrap_or(MapsCommand::List { maps: Vec::new(), cameras: false }) {
-        MapsCommand::List { maps, cameras } => list(simulator, &maps, cameras)?,
-        MapsCommand::Preview { map, out } => preview(simulator, &map, &out)?,
+        MapsCommand::List { maps, cameras } => list(library, &maps, cameras)?,
+        MapsCommand::Preview { map, out } => preview(library, &map, &out)?,
         MapsCommand::Import { file, name, driving_side, replace } => {
-            import(simulator, &file, name.as_deref(), driving_side, replace)?;
+            import(library, &file, name.as_deref(), driving_side, replace)?;
         }
-        MapsCommand::Export { map, files } => export(simulator, &map, &files)?,
+        MapsCommand::Export { map, files } => export(library, &map, &files)?,
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn list(simulator: &BuiltinSimulator, maps: &[String], cameras: bool) -> Result<()> {
+fn list(library: &MapLibrary, maps: &[String], cameras: bool) -> Result<()> {
     let mut out = std::io::stdout().lock();
-    let all = || simulator.maps().into_iter().chain(simulator.imported()).collect();
+    let all = || library.builtin_names().into_iter().chain(library.imported_names()).collect();
     for map in if maps.is_empty() { all() } else { maps.to_vec() } {
         // One damaged map must not hide the others.
-        let town = match simulator.town(&map) {
+        let town = match library.town(&map) {
             Ok(town) => town,
             Err(error) => {
                 writeln!(out, "{map:<16} {error}")?;
@@ -61,23 +61,17 @@ fn row(about: &About) -> String {
     )
 }
 
-fn preview(simulator: &BuiltinSimulator, map: &str, out: &Path) -> Result<()> {
-    let picture = simulator.preview(map)?;
+fn preview(library: &MapLibrary, map: &str, out: &Path) -> Result<()> {
+    let picture = library.preview(map)?;
     write(out, &endless_dataset::encode_png(&picture))
 }
 
-fn import(
-    simulator: &BuiltinSimulator,
-    file: &Path,
-    name: Option<&str>,
-    side: Option<Side>,
-    replace: bool,
-) -> Result<()> {
+fn import(library: &MapLibrary, file: &Path, name: Option<&str>, side: Option<Side>, replace: bool) -> Result<()> {
     let side = side.map(|side| match side {
         Side::Left => DrivingSide::Left,
         Side::Right => DrivingSide::Right,
     });
-    let (stored, about, notes) = simulator.import(file, name, side, replace)?;
+    let ImportedMap { stored, about, notes } = library.import(file, name, side, replace)?;
     let own = file.file_name().is_some_and(|f| f.to_string_lossy().starts_with(&format!("{}.", stored.name)));
     if name.is_none() && !own {
         eprintln!("note: the map is called {} (give another with --name)", stored.name);
@@ -94,15 +88,15 @@ fn import(
     Ok(())
 }
 
-fn export(simulator: &BuiltinSimulator, map: &str, files: &ExportFiles) -> Result<()> {
+fn export(library: &MapLibrary, map: &str, files: &ExportFiles) -> Result<()> {
     if let Some(path) = &files.opendrive {
-        write(path, simulator.opendrive(map)?.as_bytes())?;
+        write(path, library.opendrive(map)?.as_bytes())?;
     }
     if let Some(path) = &files.gltf {
-        write(path, &simulator.gltf(map)?)?;
+        write(path, &library.gltf(map)?)?;
     }
     if let Some(path) = &files.geojson {
-        write(path, simulator.geojson(map)?.as_bytes())?;
+        write(path, library.geojson(map)?.as_bytes())?;
     }
     Ok(())
 }

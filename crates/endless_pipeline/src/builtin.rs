@@ -2,35 +2,26 @@
 
 mod bodies;
 
-use crate::assets::{self, AssetError, AssetFolder, AssetKind};
-use crate::maps::{self, About, DrivingSide, MapError, MapStore, StoredMap};
 use crate::{Cameras, MapCatalog, PeopleBodies, RenderStats, Scene, Simulator, SimulatorError, Traffic};
 use bodies::CastBodies;
-use endless_asset::Catalogue;
 use endless_dataset::Spawned;
+use endless_interchange::{MapError, MapLibrary};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
-use endless_road::{RoadMap, opendrive};
-use endless_town::{Town, dress_map};
+use endless_town::Town;
 use endless_traffic::{Conditions, Simulation};
-use endless_world::{Actor, CameraSite, Image, InstanceId, Motion, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, CameraSite, InstanceId, Motion, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
-    path::Path,
-    sync::{Mutex, OnceLock, PoisonError},
+    sync::{Mutex, PoisonError},
 };
 
 /// Simulates and renders without anything outside this program.
 #[derive(Debug)]
 pub struct BuiltinSimulator {
-    /// Built when first needed: a mistake in the recipe is told at once.
-    catalogue: OnceLock<Catalogue>,
+    library: MapLibrary,
     /// What is asked of a town without loading it for good.
     known: Mutex<BTreeMap<String, (String, Vec<CameraSite>)>>,
-    /// Where imported maps are kept; `None` where there is no such place.
-    store: Option<MapStore>,
-    /// Models from files.
-    folder: Option<AssetFolder>,
 }
 
 /// A town and its geometry.
@@ -40,140 +31,9 @@ pub struct BuiltinMap {
 }
 
 impl BuiltinSimulator {
-    /// The built-in catalogue and towns, and the maps that the user imported.
-    pub fn new() -> Self {
-        Self { catalogue: OnceLock::new(), known: Mutex::default(), store: MapStore::user().ok(), folder: None }
-    }
-
-    /// With the imported maps of another place.
-    pub fn with_maps(store: MapStore) -> Self {
-        Self { store: Some(store), ..Self::new() }
-    }
-
-    /// With vehicles, props and buildings from a folder of models.
-    #[must_use]
-    pub fn with_assets(self, folder: AssetFolder) -> Self {
-        Self { folder: Some(folder), catalogue: OnceLock::new(), known: Mutex::default(), ..self }
-    }
-
-    fn catalogue(&self) -> &Catalogue {
-        let imported = || self.folder.iter().flat_map(|f| f.assets.iter().cloned());
-        self.catalogue.get_or_init(|| Catalogue::builtin().with(imported()))
-    }
-
-    /// A whole town, built in or imported.
-    ///
-    /// # Errors
-    /// When there is no such map or it cannot be read.
-    pub fn town(&self, name: &str) -> Result<Town, MapError> {
-        let mut town = match self.stored(name)? {
-            Some((store, stored)) => dress_map(name, &store.read(&stored)?, self.catalogue())?,
-            None => endless_town::load(name, self.catalogue())?,
-        };
-        assets::stand_in(&mut town, self.catalogue());
-        Ok(town)
-    }
-
-    /// The road map of an imported map; `None` for built-in towns.
-    ///
-    /// # Errors
-    /// When it cannot be read.
-    pub fn road_map(&self, name: &str) -> Result<Option<RoadMap>, MapError> {
-        self.stored(name)?.map(|(store, stored)| store.read(&stored)).transpose()
-    }
-
-    /// The manifest of an imported map.
-    fn stored(&self, name: &str) -> Result<Option<(&MapStore, StoredMap)>, MapError> {
-        let Some(store) = &self.store else { return Ok(None) };
-        Ok(store.find(name)?.map(|stored| (store, stored)))
-    }
-
-    /// Imports a map file: `None` for `name` takes the file's own. Returns its manifest, what it has become, and notes
-    /// on what in the file was not understood or had to be mended.
-    ///
-    /// # Errors
-    /// When it is no map, cannot be filmed, or its name is taken.
-    pub fn import(
-        &self,
-        file: &Path,
-        name: Option<&str>,
-        side: Option<DrivingSide>,
-        replace: bool,
-    ) -> Result<(StoredMap, About, Vec<String>), MapError> {
-        let store = self.store.as_ref().ok_or(MapError::NoFolder)?;
-        let mut found = None;
-        let stored = store.import(file, name, side, replace, |name, map| {
-            let town = dress_map(name, map, self.catalogue())?;
-            if town.cameras.len() < 2 {
-                return Err(MapError::FewCameras { name: name.to_owned(), cameras: town.cameras.len() });
-            }
-            let notes = map.notes.iter().map(|n| format!("{}: {}", n.place, n.text)).collect();
-            found = Some((About::of(&town), notes));
-            Ok(())
-        })?;
-        let (about, notes) = found.expect("an imported map was judged");
-        Ok((stored, about, notes))
-    }
-
-    /// A map's roads as an OpenDRIVE file.
-    ///
-    /// # Errors
-    /// When there is no such map or it cannot be read.
-    pub fn opendrive(&self, name: &str) -> Result<String, MapError> {
-        let map = match self.road_map(name)? {
-            Some(map) => map,
-            None => RoadMap { network: self.town(name)?.network, ..RoadMap::default() },
-        };
-        Ok(opendrive::write(&map, name))
-    }
-
-    /// A whole dressed map as a binary glTF file.
-    ///
-    /// # Errors
-    /// When there is no such map, it cannot be read, or it is too large.
-    pub fn gltf(&self, name: &str) -> Result<Vec<u8>, MapError> {
-        let too_large = |_: maps::gltf::TooLarge| MapError::TooLarge { name: name.to_owned() };
-        maps::gltf::write(&self.town(name)?, self.catalogue()).map_err(too_large)
-    }
-
-    /// What is known of a map as GeoJSON.
-    ///
-    /// # Errors
-    /// When there is no such map or it cannot be read.
-    pub fn geojson(&self, name: &str) -> Result<String, MapError> {
-        let map = self.road_map(name)?.unwrap_or_default();
-        let town = self.town(name)?;
-        let georeference = map.georeference.as_deref();
-        Ok(maps::geojson::write(&maps::geojson::Source { town: &town, footprints: &map.footprints, georeference }))
-    }
-
-    /// A picture of a map: from above, and what each camera sees.
-    ///
-    /// # Errors
-    /// When there is no such map or it cannot be read.
-    pub fn preview(&self, name: &str) -> Result<Image<[u8; 3]>, MapError> {
-        Ok(maps::preview(&self.town(name)?, self.catalogue()))
-    }
-
-    /// Everything that the catalogue holds: vehicles, people, plants, furniture.
-    pub fn assets(&self) -> Vec<AssetKind> {
-        assets::list(self.catalogue())
-    }
-
-    /// Views of one asset from all sides; `variant` counts its draws and colours.
-    ///
-    /// # Errors
-    /// When there is no such asset.
-    pub fn asset_preview(&self, name: &str, variant: u64) -> Result<Image<[u8; 3]>, AssetError> {
-        assets::preview(self.catalogue(), name, variant)
-    }
-
-    /// One asset as a binary glTF file.
-    ///
-    /// # Errors
-    /// When there is no such asset.
-    pub fn asset_gltf(&self, name: &str, variant: u64) -> Result<Vec<u8>, AssetError> {
-        assets::export(self.catalogue(), name, variant)
+    /// Over the maps and the catalogue of a library.
+    pub fn new(library: MapLibrary) -> Self {
+        Self { library, known: Mutex::default() }
     }
 
     /// Of people on foot and of riders.
@@ -181,7 +41,7 @@ impl BuiltinSimulator {
         let who = |actor: &Actor| {
             let on_foot = matches!(actor.motion, Motion::Walker(_));
             let id = if on_foot { Some(actor.id) } else { actor.rider_id };
-            Some((id?, self.catalogue().skin_tone(actor.asset, on_foot)?))
+            Some((id?, self.library.catalogue().skin_tone(actor.asset, on_foot)?))
         };
         moving.iter().filter_map(who).collect()
     }
@@ -191,7 +51,7 @@ impl BuiltinSimulator {
         if let Some(found) = known.get(map) {
             return Ok(found.clone());
         }
-        let town = self.town(map)?;
+        let town = self.library.town(map)?;
         let described = (town.summary.to_owned(), town.cameras);
         known.insert(map.to_owned(), described.clone());
         Ok(described)
@@ -204,27 +64,21 @@ impl From<MapError> for SimulatorError {
     }
 }
 
-impl Default for BuiltinSimulator {
-    fn default() -> Self {
-        Self::new()
-    }
-}
-
 impl MapCatalog for BuiltinSimulator {
     fn maps(&self) -> Vec<String> {
-        endless_town::NAMES.iter().map(ToString::to_string).collect()
+        self.library.builtin_names()
     }
 
     fn imported(&self) -> Vec<String> {
-        self.store.as_ref().map_or_else(Vec::new, MapStore::names)
+        self.library.imported_names()
     }
 
     fn content_hash(&self, map: &str) -> Result<Option<String>, SimulatorError> {
-        Ok(self.stored(map)?.map(|(_, stored)| stored.hash))
+        Ok(self.library.content_hash(map)?)
     }
 
     fn asset_files(&self) -> BTreeMap<String, String> {
-        self.folder.as_ref().map_or_else(BTreeMap::new, |folder| folder.files.clone())
+        self.library.asset_files()
     }
 
     fn summary(&self, map: &str) -> Result<String, SimulatorError> {
@@ -240,8 +94,8 @@ impl Simulator for BuiltinSimulator {
     type Map = BuiltinMap;
 
     fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
-        let town = self.town(name)?;
-        let still = StaticScene::load(&town, self.catalogue());
+        let town = self.library.town(name)?;
+        let still = StaticScene::load(&town, self.library.catalogue());
         Ok(BuiltinMap { town, still })
     }
 
@@ -250,8 +104,16 @@ impl Simulator for BuiltinSimulator {
         let conditions = Conditions::new(weather, time_of_day);
         // Traffic over the whole map, denser where the cameras look.
         let focus = settings.cameras.each_ref().map(|site| Vec3::from_array(site.position));
-        let simulation =
-            Simulation::focused(&map.town, self.catalogue(), vehicles, pedestrians, seed, conditions, fps, &focus);
+        let simulation = Simulation::focused(
+            &map.town,
+            self.library.catalogue(),
+            vehicles,
+            pedestrians,
+            seed,
+            conditions,
+            fps,
+            &focus,
+        );
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
         let spawned = Spawned {
@@ -261,7 +123,7 @@ impl Simulator for BuiltinSimulator {
         };
         let moving = simulation.state().actors;
         let skin_tones = self.skin_tones(&moving);
-        let bodies = Some(Box::new(CastBodies::of(self.catalogue(), &moving)) as Box<dyn PeopleBodies>);
+        let bodies = Some(Box::new(CastBodies::of(self.library.catalogue(), &moving)) as Box<dyn PeopleBodies>);
         let traffic = Box::new(City { simulation, begun: false });
         Ok(Scene { spawned, parked, moving, skin_tones, bodies, traffic })
     }
@@ -284,7 +146,7 @@ impl Simulator for BuiltinSimulator {
         let bake_rays = rays(&baked);
         Ok(Box::new(Pair {
             still: &map.still,
-            cast: Cast::in_town(&map.still, self.catalogue(), moving),
+            cast: Cast::in_town(&map.still, self.library.catalogue(), moving),
             baked,
             bake_rays,
         }))

@@ -1,23 +1,19 @@
 //! Recipe → plan → scenes → record → resume: the one place where all rooms meet.
 
-mod assets;
 mod builtin;
 mod camera_list;
 mod error;
 mod generate;
-mod maps;
 mod plan;
 mod progress;
 mod recipe;
 mod record;
 mod simulator;
 
-pub use assets::{AssetError, AssetFolder, AssetFolderError, AssetKind};
 pub use builtin::{BuiltinMap, BuiltinSimulator};
 pub use camera_list::{OwnCamera, read_cameras};
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{Estimate, GenerateOptions, Generated, generate};
-pub use maps::{About, DrivingSide, MapError, MapFormat, MapStore, StoredMap};
 pub use plan::Plan;
 pub use progress::{Event, Progress, Silent};
 pub use recipe::RecipeDraft;

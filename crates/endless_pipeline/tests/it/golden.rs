@@ -3,7 +3,8 @@
 //! a line in the changelog.
 
 use endless_dataset::{CameraLayout, DatasetLayout, Layer};
-use endless_pipeline::{BuiltinSimulator, GenerateOptions, MapStore, RecipeDraft, Silent, generate};
+use endless_interchange::MapLibrary;
+use endless_pipeline::{BuiltinSimulator, GenerateOptions, RecipeDraft, Silent, generate};
 use std::{fmt::Write, fs, path::Path};
 
 /// Map, weather, time of day: each weather once, each time of day, five towns.
@@ -60,8 +61,7 @@ fn camera_digests(table: &mut String, title: &str, camera: &CameraLayout) {
 #[test]
 fn golden_digests_of_every_layer_and_label_file() {
     let mut table = String::new();
-    let maps = tempfile::tempdir().expect("temp");
-    let simulator = BuiltinSimulator::with_maps(MapStore::at(maps.path().to_owned()));
+    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
     for scene in SCENES {
         let out = tempfile::tempdir().expect("temp");
         let recipe = draft(scene).resolve(&simulator).expect("a recipe");

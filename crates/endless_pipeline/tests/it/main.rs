@@ -3,6 +3,5 @@
 mod disk_full;
 mod fake;
 mod golden;
-mod imported_models;
 mod kill;
 mod record;

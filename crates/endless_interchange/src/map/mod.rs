@@ -1,9 +1,7 @@
-//! Maps that the user imported: where they are kept, what is known of a map, and pictures of it.
+//! Maps from files: where they are kept, what is known of a map, and pictures of it.
 
 mod about;
 mod error;
-pub(crate) mod geojson;
-pub(crate) mod gltf;
 mod label;
 mod preview;
 mod store;

@@ -1,12 +1,13 @@
 //! Models written by `assets export` and read again are the same things, and drive.
 
 use endless_asset::{AssetManifest, Catalogue, ImportedAsset, VehicleModel, VehicleSpec};
-use endless_pipeline::{AssetFolder, BuiltinSimulator, MapCatalog, Simulator};
+use endless_interchange::{AssetFolder, MapLibrary, asset_gltf};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_scene::Mesh;
+use endless_traffic::{Conditions, Simulation};
 use endless_world::{
     Actor, AssetRef, CameraLook, CameraSite, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount, ObjectClass,
-    Pose, SceneSettings, TimeOfDay, VehicleMotion, Weather, WorldState,
+    Pose, TimeOfDay, VehicleMotion, Weather, WorldState,
 };
 use glam::Vec3;
 use std::{fs, path::Path};
@@ -29,8 +30,8 @@ fn apart(a: &Mesh, b: &Mesh) -> f32 {
     (a - c).abs().max((b - d).abs()).max_element()
 }
 
-fn again(simulator: &BuiltinSimulator, own: &VehicleModel) -> VehicleModel {
-    let bytes = simulator.asset_gltf(own.name(), 0).expect("it can be written");
+fn again(catalogue: &Catalogue, own: &VehicleModel) -> VehicleModel {
+    let bytes = asset_gltf(catalogue, own.name(), 0).expect("it can be written");
     let text = described(&own.spec, "it.glb", "");
     let entry = AssetManifest::parse(&text).expect("a manifest").assets.remove(0);
     match entry.import(&bytes, &|_| None) {
@@ -41,14 +42,14 @@ fn again(simulator: &BuiltinSimulator, own: &VehicleModel) -> VehicleModel {
 
 #[test]
 fn every_vehicle_comes_back_as_it_was() {
-    let simulator = BuiltinSimulator::new();
+    let catalogue = Catalogue::builtin();
     for kind in Catalogue::vehicle_kinds() {
         let own = Catalogue::draw_vehicle(kind.name, 0).expect("a design");
         if own.spec.ridden {
             // Riders are written, too, and are not the vehicle's.
             continue;
         }
-        let read = again(&simulator, &own);
+        let read = again(&catalogue, &own);
         let name = kind.name;
         let sizes = |s: &VehicleSpec| Vec3::new(s.length_m, s.width_m, s.height_m);
         let off = (sizes(&own.spec) - sizes(&read.spec)).abs().max_element();
@@ -97,8 +98,8 @@ fn seen(catalogue: &Catalogue, model: u16, class: ObjectClass) -> Image<Instance
 #[test]
 fn the_box_of_a_sedan_read_again_is_that_of_the_sedan() {
     let own = Catalogue::draw_vehicle("car.sedan", 0).expect("a design");
-    let read = again(&BuiltinSimulator::new(), &own);
     let catalogue = Catalogue::builtin();
+    let read = again(&catalogue, &own);
     let place = catalogue.vehicles().iter().position(|v| v.name() == "car.sedan").expect("a sedan") as u16;
     let added = catalogue.vehicles().len() as u16;
     let catalogue = catalogue.with([ImportedAsset::Vehicle(read)]);
@@ -112,9 +113,9 @@ fn the_box_of_a_sedan_read_again_is_that_of_the_sedan() {
 }
 
 fn write_folder(folder: &Path) {
-    let simulator = BuiltinSimulator::new();
+    let catalogue = Catalogue::builtin();
     let write = |name: &str, file: &str| {
-        let bytes = simulator.asset_gltf(name, 0).expect("it can be written");
+        let bytes = asset_gltf(&catalogue, name, 0).expect("it can be written");
         fs::write(folder.join(file), bytes).expect("writable");
     };
     write("car.sedan", "sedan.glb");
@@ -122,7 +123,6 @@ fn write_folder(folder: &Path) {
     write("building.cottage", "cottage.glb");
     let sedan = Catalogue::draw_vehicle("car.sedan", 0).expect("a design");
     let mut manifest = described(&sedan.spec, "sedan.glb", "frequency = 100000.0");
-    let catalogue = Catalogue::builtin();
     let size = |mesh: &Mesh, forward: &str| {
         let (low, high) = mesh.bounds();
         let d = high - low;
@@ -145,11 +145,11 @@ fn imported_vehicles_drive_and_things_stand_where_their_class_does() {
         read.files.keys().map(String::as_str).collect::<Vec<_>>(),
         ["assets.toml", "bench.glb", "cottage.glb", "sedan.glb"]
     );
-    let plain = BuiltinSimulator::new();
-    let simulator = BuiltinSimulator::new().with_assets(read);
-    assert_eq!(simulator.asset_files().len(), 4);
+    let plain = MapLibrary::builtin();
+    let library = MapLibrary::builtin().with_assets(read);
+    assert_eq!(library.asset_files().len(), 4);
 
-    let (before, after) = (plain.town("Town07").expect("a town"), simulator.town("Town07").expect("a town"));
+    let (before, after) = (plain.town("Town07").expect("a town"), library.town("Town07").expect("a town"));
     assert_eq!(before.placements.len(), after.placements.len());
     let benches = |town: &endless_town::Town| {
         let is =
@@ -162,28 +162,15 @@ fn imported_vehicles_drive_and_things_stand_where_their_class_does() {
     let cottages = changed.filter(|(a, _)| matches!(a.what, endless_town::What::Own(_))).count();
     assert!(cottages > 0, "no cottage found a lot");
 
-    let size = ImageSize { width: 64, height: 36 };
-    let cameras = simulator.cameras("Town07").expect("cameras");
-    let map = simulator.load_map("Town07").expect("a town");
-    let settings = SceneSettings {
-        video: 0,
-        map: "Town07".to_owned(),
-        weather: Weather::Cloudy,
-        time_of_day: TimeOfDay::Morning,
-        vehicles: 12,
-        pedestrians: 0,
-        seed: 3,
-        frames: 30,
-        fps: 10.0,
-        size,
-        cameras: [cameras[0].clone(), cameras[1].clone()],
-        looks: [CameraLook::CLEAN; 2],
-    };
-    let mut scene = simulator.load_scene(&map, &settings).expect("a scene");
+    let conditions = Conditions::new(Weather::Cloudy, TimeOfDay::Morning);
+    let mut traffic = Simulation::focused(&after, library.catalogue(), 12, 0, 3, conditions, 10.0, &[]);
     let built_in = Catalogue::builtin().vehicles().len() as u16;
-    let begin = scene.traffic.tick();
-    assert!(begin.actors.iter().all(|a| a.asset.model == built_in), "nearly all of the traffic is imported");
-    let later = (0..30).map(|_| scene.traffic.tick()).last().expect("thirty frames");
+    let begin = traffic.state();
+    assert!(!begin.actors.is_empty() && begin.actors.iter().all(|a| a.asset.model == built_in), "all are imported");
+    for _ in 0..30 {
+        traffic.tick();
+    }
+    let later = traffic.state();
     let moved = begin.actors.iter().zip(&later.actors).filter(|(a, b)| a.pose.position.distance(b.pose.position) > 5.0);
     assert!(moved.count() >= 6, "they drive");
 }

@@ -11,7 +11,7 @@ mod scene;
 
 pub(crate) use binary::TooLarge;
 
-use crate::assets::Thing;
+use crate::asset::CatalogueItem;
 use endless_asset::Catalogue;
 use endless_town::Town;
 use scene::Scene;
@@ -28,18 +28,23 @@ pub(crate) fn write(town: &Town, catalogue: &Catalogue) -> Result<Vec<u8>, TooLa
     scene.document(&town.name, &roots, &cameras)
 }
 
-/// One thing of the catalogue, standing at the origin.
+/// One item of the catalogue, standing at the origin.
 ///
 /// # Errors
 /// [`TooLarge`] if it would have more than 4 GiB.
-pub(crate) fn write_thing(thing: &Thing, name: &str, variant: u64, catalogue: &Catalogue) -> Result<Vec<u8>, TooLarge> {
+pub(crate) fn write_item(
+    item: &CatalogueItem,
+    name: &str,
+    variant: u64,
+    catalogue: &Catalogue,
+) -> Result<Vec<u8>, TooLarge> {
     let mut scene = Scene::new(catalogue);
-    let root = match thing {
-        Thing::Vehicle(vehicle) => scene.single_vehicle(vehicle, variant),
-        Thing::Person(person) => scene.single(name, &person.rest),
-        Thing::Building(mesh) => scene.single(name, mesh),
-        Thing::Imported(thing) => scene.single(name, &thing.mesh),
-        Thing::Prop(prop, variant) => scene.single(name, &catalogue.prop(*prop, *variant)),
+    let root = match item {
+        CatalogueItem::Vehicle(vehicle) => scene.single_vehicle(vehicle, variant),
+        CatalogueItem::Person(person) => scene.single(name, &person.rest),
+        CatalogueItem::Building(mesh) => scene.single(name, mesh),
+        CatalogueItem::Imported(thing) => scene.single(name, &thing.mesh),
+        CatalogueItem::Prop(prop, variant) => scene.single(name, &catalogue.prop(*prop, *variant)),
     };
     scene.document(name, root.as_slice(), &[])
 }

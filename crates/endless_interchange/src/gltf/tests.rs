@@ -1,7 +1,7 @@
 //! What was written is opened by another reader and compared with the town.
 
-use super::{write, write_thing};
-use crate::assets::Thing;
+use super::{write, write_item};
+use crate::asset::CatalogueItem;
 use endless_asset::{Catalogue, Prop};
 use endless_scene::Surface;
 use endless_town::{Town, What, load};
@@ -146,12 +146,12 @@ fn another_reader_finds_a_single_thing() {
     let bench = catalogue.prop(Prop::Bench, 0);
     let (persons, benchs) = (person.rest.triangles.len(), bench.triangles.len());
     let things = [
-        (Thing::Vehicle(bike), triangles),
-        (Thing::Person(Box::new(person)), persons),
-        (Thing::Prop(Prop::Bench, 0), benchs),
+        (CatalogueItem::Vehicle(bike), triangles),
+        (CatalogueItem::Person(Box::new(person)), persons),
+        (CatalogueItem::Prop(Prop::Bench, 0), benchs),
     ];
     for (thing, wanted) in things {
-        let bytes = write_thing(&thing, "thing", 5, &catalogue).expect("not too large");
+        let bytes = write_item(&thing, "thing", 5, &catalogue).expect("not too large");
         let file = gltf::Gltf::from_slice(&bytes).expect("valid glTF");
         let shown: usize = nodes(&file)
             .iter()

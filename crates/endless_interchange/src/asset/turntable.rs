@@ -1,6 +1,6 @@
 //! Pictures of single assets, made by the renderer on an empty square in daylight.
 
-use super::Thing;
+use super::item::{AssetError, CatalogueItem, find};
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
@@ -17,9 +17,12 @@ const FIELD_OF_VIEW_RAD: f32 = 0.5;
 /// From which height it is seen: as from a camera on a pole 15 m away.
 const DOWN_TILT_RAD: f32 = 0.38;
 
-/// Eight views from all sides, the first from ahead and left.
-pub(super) fn turntable(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Image<[u8; 3]> {
-    let mesh = whole(catalogue, thing, variant);
+/// Eight views of one asset from all sides, the first from ahead and left; `variant` counts its draws and colours.
+///
+/// # Errors
+/// When there is no such asset.
+pub fn asset_preview(catalogue: &Catalogue, name: &str, variant: u64) -> Result<Image<[u8; 3]>, AssetError> {
+    let mesh = whole(catalogue, &find(catalogue, name, variant)?, variant);
     let (low, high) = mesh.bounds();
     let town = stage(mesh);
     let still = StaticScene::load(&town, catalogue);
@@ -35,13 +38,13 @@ pub(super) fn turntable(catalogue: &Catalogue, thing: &Thing, variant: u64) -> I
             pixels[at..at + row.len()].copy_from_slice(row);
         }
     }
-    Image { size, data: pixels }
+    Ok(Image { size, data: pixels })
 }
 
 /// With wheels, in its paint, and with who rides it.
-fn whole(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Mesh {
-    match thing {
-        Thing::Vehicle(vehicle) => {
+fn whole(catalogue: &Catalogue, item: &CatalogueItem, variant: u64) -> Mesh {
+    match item {
+        CatalogueItem::Vehicle(vehicle) => {
             let mut mesh = vehicle.whole();
             let tint = vehicle.tint(variant);
             for material in mesh.materials.iter_mut().filter(|m| m.surface == Surface::CarPaint) {
@@ -52,7 +55,7 @@ fn whole(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Mesh {
             }
             mesh
         }
-        Thing::Person(person) => {
+        CatalogueItem::Person(person) => {
             let motion = endless_world::WalkerMotion {
                 speed_mps: person.walk_mps,
                 gait: endless_world::Gait::Walk,
@@ -62,9 +65,9 @@ fn whole(catalogue: &Catalogue, thing: &Thing, variant: u64) -> Mesh {
             let pose = person.pose(&motion);
             Mesh { positions: pose.positions, normals: pose.normals, ..(*person.rest).clone() }
         }
-        Thing::Building(mesh) => mesh.clone(),
-        Thing::Imported(thing) => (*thing.mesh).clone(),
-        Thing::Prop(prop, variant) => catalogue.prop(*prop, *variant),
+        CatalogueItem::Building(mesh) => mesh.clone(),
+        CatalogueItem::Imported(thing) => (*thing.mesh).clone(),
+        CatalogueItem::Prop(prop, variant) => catalogue.prop(*prop, *variant),
     }
 }
 
@@ -113,4 +116,23 @@ fn seen(still: &StaticScene, catalogue: &Catalogue, site: &CameraSite) -> Image<
     let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals: Vec::new() };
     let cast = Cast::new(catalogue, &state.actors);
     CameraBake::bake(still, &settings, site).render(still, &FrameScene::new(&cast, &state)).rgb
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_preview_shows_the_thing_from_all_sides() {
+        let picture = asset_preview(&Catalogue::builtin(), "motorcycle.scooter", 1).expect("an asset");
+        let width = picture.size.width as usize;
+        // In the middle of each of the eight views there is something else than the ground of its corner.
+        for (row, column) in (0..2).flat_map(|r| (0..4).map(move |c| (r, c))) {
+            let at = |x: usize, y: usize| picture.data[(row * 360 + y) * width + column * 480 + x];
+            let ground = at(20, 340);
+            let differs = |p: [u8; 3]| p.iter().zip(ground).any(|(a, b)| a.abs_diff(b) > 40);
+            let differing = (160..320).flat_map(|x| (90..270).map(move |y| (x, y))).filter(|&(x, y)| differs(at(x, y)));
+            assert!(differing.count() > 2000, "view {row} {column}");
+        }
+    }
 }

@@ -1,0 +1,16 @@
+//! What the catalogue holds: listed, drawn, read from folders of models, and written to files.
+
+mod export;
+mod folder;
+mod item;
+mod list;
+mod stand_in;
+mod turntable;
+
+pub use export::asset_gltf;
+pub use folder::{AssetFolder, AssetFolderError};
+pub use item::AssetError;
+pub(crate) use item::CatalogueItem;
+pub use list::{AssetKind, list_assets};
+pub(crate) use stand_in::stand_in;
+pub use turntable::asset_preview;

@@ -1,0 +1,12 @@
+//! Maps and models in and out: towns and road maps by name, files of maps and of models read, and GeoJSON, OpenDRIVE,
+//! binary glTF and pictures written. Nothing here simulates.
+
+mod asset;
+mod geojson;
+mod gltf;
+mod library;
+mod map;
+
+pub use asset::{AssetError, AssetFolder, AssetFolderError, AssetKind, asset_gltf, asset_preview, list_assets};
+pub use library::{ImportedMap, MapLibrary};
+pub use map::{About, DrivingSide, MapError, MapFormat, MapStore, StoredMap};

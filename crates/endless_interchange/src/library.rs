@@ -1,0 +1,179 @@
+//! Built-in and imported towns by name, and what can be written of them.
+
+use crate::asset::{AssetFolder, stand_in};
+use crate::map::{self, About, DrivingSide, MapError, MapStore, StoredMap};
+use crate::{geojson, gltf};
+use endless_asset::Catalogue;
+use endless_road::{RoadMap, opendrive};
+use endless_town::{Town, dress_map};
+use endless_world::Image;
+use std::{collections::BTreeMap, path::Path, sync::OnceLock};
+
+/// All maps there are: those that come with the program and those that the user imported, and the catalogue of which
+/// their towns are furnished.
+#[derive(Debug, Default)]
+pub struct MapLibrary {
+    /// Built when first needed: a mistake in the recipe is told at once.
+    catalogue: OnceLock<Catalogue>,
+    /// Where imported maps are kept; `None` where there is no such place.
+    store: Option<MapStore>,
+    /// Models from files.
+    folder: Option<AssetFolder>,
+}
+
+/// A map that was imported.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImportedMap {
+    /// Its manifest.
+    pub stored: StoredMap,
+    /// What it has become.
+    pub about: About,
+    /// What in the file was not understood or had to be mended.
+    pub notes: Vec<String>,
+}
+
+impl MapLibrary {
+    /// The built-in towns alone, furnished from the built-in catalogue.
+    pub fn builtin() -> Self {
+        Self::default()
+    }
+
+    /// The built-in towns, and the maps that the user of this machine imported.
+    pub fn user() -> Self {
+        Self { store: MapStore::user().ok(), ..Self::builtin() }
+    }
+
+    /// With the imported maps of another place.
+    #[must_use]
+    pub fn with_maps(self, store: MapStore) -> Self {
+        Self { store: Some(store), ..self }
+    }
+
+    /// With vehicles, props and buildings from a folder of models.
+    #[must_use]
+    pub fn with_assets(self, folder: AssetFolder) -> Self {
+        Self { folder: Some(folder), catalogue: OnceLock::new(), ..self }
+    }
+
+    /// The built-in catalogue, and the models of the folder.
+    pub fn catalogue(&self) -> &Catalogue {
+        let imported = || self.folder.iter().flat_map(|f| f.assets.iter().cloned());
+        self.catalogue.get_or_init(|| Catalogue::builtin().with(imported()))
+    }
+
+    /// Hashes of the files of imported models, by their names.
+    pub fn asset_files(&self) -> BTreeMap<String, String> {
+        self.folder.as_ref().map_or_else(BTreeMap::new, |folder| folder.files.clone())
+    }
+
+    /// Names of the built-in towns, in canonical order.
+    pub fn builtin_names(&self) -> Vec<String> {
+        endless_town::NAMES.iter().map(ToString::to_string).collect()
+    }
+
+    /// Names of the imported maps, in order.
+    pub fn imported_names(&self) -> Vec<String> {
+        self.store.as_ref().map_or_else(Vec::new, MapStore::names)
+    }
+
+    /// Hash of an imported map's file; `None` for built-in towns.
+    ///
+    /// # Errors
+    /// When its manifest cannot be read.
+    pub fn content_hash(&self, name: &str) -> Result<Option<String>, MapError> {
+        Ok(self.stored(name)?.map(|(_, stored)| stored.hash))
+    }
+
+    /// A whole town, built in or imported.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn town(&self, name: &str) -> Result<Town, MapError> {
+        let mut town = match self.stored(name)? {
+            Some((store, stored)) => dress_map(name, &store.read(&stored)?, self.catalogue())?,
+            None => endless_town::load(name, self.catalogue())?,
+        };
+        stand_in(&mut town, self.catalogue());
+        Ok(town)
+    }
+
+    /// The road map of an imported map; `None` for built-in towns.
+    ///
+    /// # Errors
+    /// When it cannot be read.
+    pub fn road_map(&self, name: &str) -> Result<Option<RoadMap>, MapError> {
+        self.stored(name)?.map(|(store, stored)| store.read(&stored)).transpose()
+    }
+
+    /// The manifest of an imported map.
+    fn stored(&self, name: &str) -> Result<Option<(&MapStore, StoredMap)>, MapError> {
+        let Some(store) = &self.store else { return Ok(None) };
+        Ok(store.find(name)?.map(|stored| (store, stored)))
+    }
+
+    /// Imports a map file: `None` for `name` takes the file's own.
+    ///
+    /// # Errors
+    /// When it is no map, cannot be filmed, or its name is taken.
+    pub fn import(
+        &self,
+        file: &Path,
+        name: Option<&str>,
+        side: Option<DrivingSide>,
+        replace: bool,
+    ) -> Result<ImportedMap, MapError> {
+        let store = self.store.as_ref().ok_or(MapError::NoFolder)?;
+        let mut found = None;
+        let stored = store.import(file, name, side, replace, |name, map| {
+            let town = dress_map(name, map, self.catalogue())?;
+            if town.cameras.len() < 2 {
+                return Err(MapError::FewCameras { name: name.to_owned(), cameras: town.cameras.len() });
+            }
+            let notes = map.notes.iter().map(|n| format!("{}: {}", n.place, n.text)).collect();
+            found = Some((About::of(&town), notes));
+            Ok(())
+        })?;
+        let (about, notes) = found.expect("an imported map was judged");
+        Ok(ImportedMap { stored, about, notes })
+    }
+
+    /// A map's roads as an OpenDRIVE file.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn opendrive(&self, name: &str) -> Result<String, MapError> {
+        let map = match self.road_map(name)? {
+            Some(map) => map,
+            None => RoadMap { network: self.town(name)?.network, ..RoadMap::default() },
+        };
+        Ok(opendrive::write(&map, name))
+    }
+
+    /// A whole dressed map as a binary glTF file.
+    ///
+    /// # Errors
+    /// When there is no such map, it cannot be read, or it is too large.
+    pub fn gltf(&self, name: &str) -> Result<Vec<u8>, MapError> {
+        let too_large = |_: gltf::TooLarge| MapError::TooLarge { name: name.to_owned() };
+        gltf::write(&self.town(name)?, self.catalogue()).map_err(too_large)
+    }
+
+    /// What is known of a map as GeoJSON.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn geojson(&self, name: &str) -> Result<String, MapError> {
+        let map = self.road_map(name)?.unwrap_or_default();
+        let town = self.town(name)?;
+        let georeference = map.georeference.as_deref();
+        Ok(geojson::write(&geojson::Source { town: &town, footprints: &map.footprints, georeference }))
+    }
+
+    /// A picture of a map: from above, and what each camera sees.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn preview(&self, name: &str) -> Result<Image<[u8; 3]>, MapError> {
+        Ok(map::preview(&self.town(name)?, self.catalogue()))
+    }
+}
