@@ -86,10 +86,15 @@ pub fn annotate(
 mod tests {
     use super::*;
     use crate::{PixelBox, visible_objects};
-    use endless_world::{Actor, AssetRef, Image, InstancePixel, Motion, Pose, VehicleMotion, WalkerMotion, WorldState};
+    use endless_world::{
+        Actor, AssetRef, Image, InstancePixel, Motion, Outfit, PersonRef, Pose, VehicleModelId, VehicleMotion,
+        VehicleRef, WalkerMotion, WorldState,
+    };
     use glam::Vec3;
 
     const SIZE: ImageSize = ImageSize { width: 8, height: 6 };
+    const CAR: AssetRef = AssetRef::Vehicle(VehicleRef { model: VehicleModelId(0), variant: 0 });
+    const PERSON: AssetRef = AssetRef::Person(PersonRef { outfit: Outfit::Fair, seed: 0 });
 
     fn actor(id: u16, rider: Option<u16>, class: ObjectClass) -> Actor {
         let vehicle = class != ObjectClass::Pedestrian;
@@ -97,7 +102,7 @@ mod tests {
             id: InstanceId(id),
             rider_id: rider.map(InstanceId),
             class,
-            asset: AssetRef { model: 0, variant: 0 },
+            asset: if vehicle { CAR } else { PERSON },
             pose: Pose::level(Vec3::new(1.0, 2.0, 0.0), 0.5),
             velocity_mps: Vec3::new(3.0, 4.0, 0.0),
             motion: if vehicle {

@@ -5,7 +5,7 @@
 
 use endless_asset::{Catalogue, Prop};
 use endless_scene::{Material, Mesh, Surface};
-use endless_world::{Gait, WalkerMotion};
+use endless_world::{Gait, VehicleModelId, VehicleRef, WalkerMotion};
 use glam::{Affine3A, Quat, Vec3};
 use std::io::BufWriter;
 
@@ -82,13 +82,13 @@ const FURNITURE: &[Prop] = &[
     Prop::Dumpster,
 ];
 
-fn with_wheels(catalogue: &Catalogue, model: u16, variant: u64, rider: bool) -> Tinted {
-    let vehicle = &catalogue.vehicles()[usize::from(model)];
-    let mut mesh = vehicle.whole();
-    if let (true, Some(rider)) = (rider, catalogue.rider(model, variant)) {
+fn with_wheels(catalogue: &Catalogue, vehicle: VehicleRef, rider: bool) -> Tinted {
+    let model = &catalogue.vehicles()[vehicle.model.index()];
+    let mut mesh = model.whole();
+    if let (true, Some(rider)) = (rider, model.rider(vehicle.variant)) {
         mesh.append(&rider, Affine3A::IDENTITY);
     }
-    (mesh, catalogue.vehicle_tint(model, variant))
+    (mesh, model.tint(vehicle.variant))
 }
 
 /// Seen from the front left and the rear right, from a camera's height.
@@ -101,7 +101,8 @@ fn vehicles(catalogue: &Catalogue, filter: &str) -> Vec<Tile> {
         }
         last = v.spec.name;
         for (angle, elevation) in [(50.0, 22.0), (-140.0, 22.0), (90.0, 3.0)] {
-            let (mesh, tint) = with_wheels(catalogue, i as u16, 3 + i as u64, angle > 0.0);
+            let vehicle = VehicleRef { model: VehicleModelId::from_index(i), variant: 3 + i as u64 };
+            let (mesh, tint) = with_wheels(catalogue, vehicle, angle > 0.0);
             tiles.push(Tile { mesh, tint, angle, elevation });
         }
         println!(
@@ -152,7 +153,8 @@ fn riders(catalogue: &Catalogue) -> Vec<Tile> {
     let mut tiles = Vec::new();
     for (i, _) in catalogue.vehicles().iter().enumerate().filter(|(_, v)| v.spec.ridden) {
         for (k, angle) in [90.0, 40.0, -130.0, 180.0].into_iter().enumerate() {
-            let (mesh, tint) = with_wheels(catalogue, i as u16, k as u64, true);
+            let vehicle = VehicleRef { model: VehicleModelId::from_index(i), variant: k as u64 };
+            let (mesh, tint) = with_wheels(catalogue, vehicle, true);
             tiles.push(Tile { mesh, tint, angle, elevation: 12.0 });
         }
     }

@@ -97,7 +97,7 @@ mod tests {
         assert_eq!(VEHICLES.len(), 41);
         for (id, class, [length, width, height], ..) in VEHICLES {
             let model = catalogue.carla_vehicle(id).expect("a vehicle of the list");
-            let spec = &catalogue.vehicles()[usize::from(model)].spec;
+            let spec = &catalogue.vehicles()[model.index()].spec;
             assert_eq!(spec.frequency, 0.0, "{id}");
             // CARLA counts one pickup among the lorries.
             assert!(spec.class == *class || *id == "vehicle.tesla.cybertruck", "{id} is a {}", spec.name);

@@ -7,7 +7,7 @@ use crate::plant;
 use crate::vehicle;
 use crate::{Anatomy, ImportedAsset, ImportedThing, PersonModel, Prop, VehicleKind, VehicleModel};
 use endless_scene::{Material, Mesh};
-use endless_world::AssetRef;
+use endless_world::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
 /// when they are first asked for.
@@ -48,9 +48,14 @@ impl Catalogue {
         &self.things
     }
 
-    /// Vehicle models, some draws of each design; [`endless_world::AssetRef::model`] indexes them.
+    /// Vehicle models, some draws of each design; [`VehicleModelId`] indexes them.
     pub fn vehicles(&self) -> &[VehicleModel] {
         &self.vehicles
+    }
+
+    /// One vehicle model; `None` if this catalogue has no such model.
+    pub fn vehicle(&self, model: VehicleModelId) -> Option<&VehicleModel> {
+        self.vehicles.get(model.index())
     }
 
     /// The designs of vehicles with the ranges of their sizes.
@@ -65,9 +70,9 @@ impl Catalogue {
     }
 
     /// The vehicle that stands for one of CARLA's blueprints (`vehicle.audi.a2`): of its class and about its size.
-    pub fn carla_vehicle(&self, id: &str) -> Option<u16> {
+    pub fn carla_vehicle(&self, id: &str) -> Option<VehicleModelId> {
         let place = carla::VEHICLES.iter().position(|b| b.0 == id)?;
-        u16::try_from(self.built_in - carla::VEHICLES.len() + place).ok()
+        Some(VehicleModelId::from_index(self.built_in - carla::VEHICLES.len() + place))
     }
 
     /// The person (a variant) that stands for one of CARLA's blueprints (`walker.pedestrian.0001`).
@@ -80,37 +85,37 @@ impl Catalogue {
         (carla::VEHICLES.iter().map(|b| b.0).collect(), carla::walkers().collect())
     }
 
-    /// Linear paint colour of a variant of a vehicle, distributed as on real roads.
-    pub fn vehicle_tint(&self, model: u16, variant: u64) -> [f32; 3] {
-        self.vehicles[usize::from(model)].tint(variant)
+    /// Linear paint colour of a vehicle, distributed as on real roads; `None` if this catalogue has no such model.
+    pub fn vehicle_tint(&self, vehicle: VehicleRef) -> Option<[f32; 3]> {
+        Some(self.vehicle(vehicle.model)?.tint(vehicle.variant))
     }
 
-    /// The person of a variant, dressed for fair weather.
-    pub fn person(&self, variant: u64) -> PersonModel {
-        PersonModel::new(variant, AssetRef::FAIR)
+    /// The person of a seed, dressed for fair weather.
+    pub fn person(&self, seed: u64) -> PersonModel {
+        self.dressed_person(PersonRef { outfit: Outfit::Fair, seed })
     }
 
-    /// The person that an actor's asset names, dressed for the weather that it says.
-    pub fn person_of(&self, asset: AssetRef) -> PersonModel {
-        PersonModel::new(asset.variant, asset.model)
+    /// A person, dressed for the weather that the reference says.
+    pub fn dressed_person(&self, person: PersonRef) -> PersonModel {
+        PersonModel::new(person)
     }
 
     /// The skeleton of that person, which takes no time to make.
-    pub fn anatomy_of(&self, asset: AssetRef) -> Anatomy {
-        Anatomy::of(asset)
+    pub fn anatomy(&self, person: PersonRef) -> Anatomy {
+        Anatomy::of(person)
     }
 
-    /// Skin of a person on foot and of a vehicle's rider, 1 to 10 on the Monk scale; `None` for what has no skin.
-    pub fn skin_tone(&self, asset: AssetRef, on_foot: bool) -> Option<u8> {
-        if on_foot {
-            return Some(person::skin_tone(asset.variant));
+    /// Skin of a person on foot or of a vehicle's rider, 1 to 10 on the Monk scale; `None` for what has no skin.
+    pub fn skin_tone(&self, asset: AssetRef) -> Option<u8> {
+        match asset {
+            AssetRef::Person(person) => Some(person::skin_tone(person.seed)),
+            AssetRef::Vehicle(vehicle) => self.vehicle(vehicle.model)?.rider_skin_tone(vehicle.variant),
         }
-        self.vehicles.get(usize::from(asset.model))?.rider_skin_tone(asset.variant)
     }
 
     /// The rider of a two-wheeler, seated, in the vehicle's object frame; `None` for other models.
-    pub fn rider(&self, model: u16, variant: u64) -> Option<Mesh> {
-        self.vehicles.get(usize::from(model))?.rider(variant)
+    pub fn rider(&self, vehicle: VehicleRef) -> Option<Mesh> {
+        self.vehicle(vehicle.model)?.rider(vehicle.variant)
     }
 
     /// A plant or a piece of furniture. Few distinct variants exist of each ([`Self::prop_variants`]), so that towns

@@ -9,7 +9,7 @@ use endless_interchange::{MapError, MapLibrary};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::Town;
 use endless_traffic::{Conditions, Simulation};
-use endless_world::{Actor, CameraSite, InstanceId, Motion, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, CameraSite, InstanceId, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
@@ -39,9 +39,8 @@ impl BuiltinSimulator {
     /// Of people on foot and of riders.
     fn skin_tones(&self, moving: &[Actor]) -> BTreeMap<InstanceId, u8> {
         let who = |actor: &Actor| {
-            let on_foot = matches!(actor.motion, Motion::Walker(_));
-            let id = if on_foot { Some(actor.id) } else { actor.rider_id };
-            Some((id?, self.library.catalogue().skin_tone(actor.asset, on_foot)?))
+            let id = if actor.asset.person().is_some() { Some(actor.id) } else { actor.rider_id };
+            Some((id?, self.library.catalogue().skin_tone(actor.asset)?))
         };
         moving.iter().filter_map(who).collect()
     }

@@ -6,8 +6,8 @@ use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_town::{Placement, Town, What};
 use endless_world::{
-    Actor, AssetRef, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay,
-    VehicleMotion, WalkerMotion, Weather, WorldState,
+    Actor, AssetRef, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Outfit, PersonRef,
+    Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
 use glam::{Affine3A, Vec2, Vec3};
 use std::error::Error;
@@ -56,13 +56,13 @@ fn actor(number: usize, class: ObjectClass, asset: AssetRef, pose: Pose, motion:
 
 /// The first draw of each design, side by side in rows; long ones behind.
 fn vehicles(catalogue: &Catalogue) -> Vec<Actor> {
-    let mut names: Vec<(&str, u16)> = Vec::new();
+    let mut names: Vec<(&str, VehicleModelId)> = Vec::new();
     for (i, model) in catalogue.vehicles().iter().enumerate() {
         if names.iter().all(|n| n.0 != model.spec.name) {
-            names.push((model.spec.name, i as u16));
+            names.push((model.spec.name, VehicleModelId::from_index(i)));
         }
     }
-    let length = |&(_, i): &(&str, u16)| catalogue.vehicles()[usize::from(i)].spec.length_m;
+    let length = |&(_, i): &(&str, VehicleModelId)| catalogue.vehicles()[i.index()].spec.length_m;
     names.sort_by(|a, b| length(a).total_cmp(&length(b)));
     let mut actors = Vec::new();
     let mut y = -22.0;
@@ -73,9 +73,9 @@ fn vehicles(catalogue: &Catalogue) -> Vec<Actor> {
         for (k, &(_, model)) in row.iter().enumerate() {
             let x = step * (k as f32 - 0.5 * (row.len() - 1) as f32);
             let turn = -std::f32::consts::FRAC_PI_2 + 0.5 + 0.25 * ((k * 7 % 5) as f32 - 2.0) * 0.2;
-            let spec = &catalogue.vehicles()[usize::from(model)].spec;
+            let spec = &catalogue.vehicles()[model.index()].spec;
             let pose = Pose::level(Vec3::new(x, y, 0.0), turn);
-            let asset = AssetRef { model, variant: u64::from(model) * 31 + 5 };
+            let asset = VehicleRef { model, variant: u64::from(model.0) * 31 + 5 }.into();
             // What draws something is shown in a bend.
             let hitch_rad = if spec.trailer.is_some() { 0.3 } else { 0.0 };
             let motion = VehicleMotion { hitch_rad, ..VehicleMotion::default() };
@@ -116,13 +116,13 @@ fn people(catalogue: &Catalogue) -> Vec<Actor> {
     (0..60u64)
         .map(|i| {
             // One in eight is dressed for rain.
-            let model = if i % 8 == 3 { AssetRef::RAIN } else { AssetRef::FAIR };
+            let outfit = if i % 8 == 3 { Outfit::Rain } else { Outfit::Fair };
             let rare = (i % 4 == 1).then(|| shown.get(i as usize / 4)).flatten();
-            let asset = AssetRef { model, variant: rare.copied().unwrap_or(i) };
+            let named = PersonRef { outfit, seed: rare.copied().unwrap_or(i) };
             let row = i / 12;
             let spread = 0.93 + 0.115 * row as f32;
             let at = Vec3::new(((i % 12) as f32 - 5.5) * spread, row as f32 * 1.95 - 3.1, 0.0);
-            let person = catalogue.person_of(asset);
+            let person = catalogue.dressed_person(named);
             let gait = GAITS[(i as usize * 5 + row as usize) % 12];
             let speed_mps = match gait {
                 Gait::Walk | Gait::Push => person.walk_mps,
@@ -138,7 +138,7 @@ fn people(catalogue: &Catalogue) -> Vec<Actor> {
                 ..WalkerMotion::default()
             };
             let pose = Pose::level(at, -1.57 + 0.55 * ((i * 13 % 7) as f32 - 3.0));
-            actor(i as usize, ObjectClass::Pedestrian, asset, pose, Motion::Walker(motion))
+            actor(i as usize, ObjectClass::Pedestrian, named.into(), pose, Motion::Walker(motion))
         })
         .collect()
 }

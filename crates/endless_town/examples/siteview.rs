@@ -106,8 +106,8 @@ fn draw(town: &Town, catalogue: &Catalogue, made: &mut Made, film: &mut Film) {
         }
     }
     for parked in &town.parked {
-        let model = &catalogue.vehicles()[usize::from(parked.asset.model)];
-        let tint = catalogue.vehicle_tint(parked.asset.model, parked.asset.variant);
+        let model = &catalogue.vehicles()[parked.vehicle.model.index()];
+        let tint = model.tint(parked.vehicle.variant);
         film.mesh(model.body(), parked.pose.world_from_object(), Vec3::from_array(tint));
     }
 }

@@ -125,7 +125,7 @@ impl Canvas {
             }
         }
         for parked in &town.parked {
-            if let Some(model) = catalogue.vehicles().get(usize::from(parked.asset.model)) {
+            if let Some(model) = catalogue.vehicle(parked.vehicle.model) {
                 self.mesh(model.body(), parked.pose.world_from_object());
             }
         }

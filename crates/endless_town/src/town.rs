@@ -3,7 +3,7 @@
 use endless_asset::Prop;
 use endless_road::RoadNetwork;
 use endless_scene::Mesh;
-use endless_world::{AssetRef, CameraSite, Pose, SignalId};
+use endless_world::{CameraSite, Pose, SignalId, VehicleRef};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
@@ -31,7 +31,7 @@ pub struct Placement {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParkedVehicle {
     /// Vehicle model and variant.
-    pub asset: AssetRef,
+    pub vehicle: VehicleRef,
     /// Where it stands.
     pub pose: Pose,
 }

@@ -90,7 +90,8 @@ fn draw_actor(picture: &mut Picture, catalogue: &Catalogue, actor: &Actor) {
     let yaw = actor.pose.yaw_rad;
     match actor.motion {
         Motion::Vehicle(motion) => {
-            let spec = &catalogue.vehicles()[usize::from(actor.asset.model)].spec;
+            let spec =
+                &catalogue.vehicles()[actor.asset.vehicle().expect("what drives is a vehicle").model.index()].spec;
             let half = Vec2::new(spec.length_m, spec.width_m) / 2.0;
             let body = if actor.parked { [95, 100, 110] } else { [60, 120, 220] };
             picture.rectangle(at, yaw, half, body);

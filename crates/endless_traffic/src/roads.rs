@@ -4,6 +4,7 @@ use crate::attraction::Attraction;
 use crate::overlap::{Alongside, Bodies, Conflicts, Sibling, alongside, make_room, siblings};
 use endless_asset::VehicleSpec;
 use endless_road::{Conflict, CrossingId, JunctionId, LaneId, RoadNetwork, Turn};
+use endless_world::VehicleModelId;
 use endless_world::math::f64::wrap_angle;
 use glam::Vec3;
 
@@ -133,8 +134,8 @@ impl Roads {
     }
 
     /// Lanes among which vehicles of a model can circulate.
-    pub(crate) fn allowed(&self, model: u16) -> &[bool] {
-        &self.allowed[usize::from(model)]
+    pub(crate) fn allowed(&self, model: VehicleModelId) -> &[bool] {
+        &self.allowed[model.index()]
     }
 
     pub(crate) fn table(&self, lane: LaneId) -> &LaneTable {

@@ -14,7 +14,8 @@ use endless_road::{RoadNetwork, WalkGraph};
 use endless_town::Town;
 use endless_world::math::f64::wrap_angle;
 use endless_world::{
-    Actor, AssetRef, InstanceId, Motion, ObjectClass, Pose, SignalState, VehicleMotion, WalkerMotion, WorldState,
+    Actor, InstanceId, Motion, ObjectClass, Outfit, PersonRef, Pose, SignalState, VehicleMotion, VehicleRef,
+    WalkerMotion, WorldState,
 };
 use glam::Vec3;
 
@@ -77,7 +78,7 @@ impl Simulation {
         focus: &[Vec3],
     ) -> Self {
         let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
-        let parked: Vec<(AssetRef, Pose)> = town.parked.iter().map(|p| (p.asset, p.pose)).collect();
+        let parked: Vec<(VehicleRef, Pose)> = town.parked.iter().map(|p| (p.vehicle, p.pose)).collect();
         let pace = |variant| Footsteps::new(variant, glam::DVec2::ZERO, 0.0).walk_mps();
         Self::on_network(&town.network, &specs, &parked, &pace, [vehicles, pedestrians], seed, conditions, fps, focus)
     }
@@ -90,7 +91,7 @@ impl Simulation {
     pub fn on_network(
         network: &RoadNetwork,
         specs: &[&VehicleSpec],
-        parked: &[(AssetRef, Pose)],
+        parked: &[(VehicleRef, Pose)],
         pace_of: &dyn Fn(u64) -> f64,
         asked: [u32; 2],
         seed: u64,
@@ -215,14 +216,14 @@ impl Simulation {
                 id: id(first + i),
                 rider_id,
                 class: vehicle.class,
-                asset: vehicle.asset,
+                asset: vehicle.asset.into(),
                 pose: vehicle.pose,
                 velocity_mps: vehicle.velocity,
                 motion: Motion::Vehicle(motion),
                 parked: false,
             });
         }
-        let dressed = if self.conditions.raining { AssetRef::RAIN } else { AssetRef::FAIR };
+        let outfit = if self.conditions.raining { Outfit::Rain } else { Outfit::Fair };
         for (i, walker) in self.walkers.iter().enumerate() {
             let motion = WalkerMotion {
                 speed_mps: walker.velocity.length() as f32,
@@ -235,7 +236,7 @@ impl Simulation {
                 id: id(next_rider + i),
                 rider_id: None,
                 class: ObjectClass::Pedestrian,
-                asset: AssetRef { model: dressed, variant: walker.variant },
+                asset: PersonRef { outfit, seed: walker.variant }.into(),
                 pose: Pose::level(walker.position.extend(walker.height).as_vec3(), walker.yaw as f32),
                 velocity_mps: walker.velocity.extend(0.0).as_vec3(),
                 motion: Motion::Walker(motion),
@@ -246,12 +247,12 @@ impl Simulation {
     }
 }
 
-fn parked_actors(parked: &[(AssetRef, Pose)], specs: &[&VehicleSpec]) -> Vec<Actor> {
-    let actor = |(i, &(asset, pose)): (usize, &(AssetRef, Pose))| Actor {
+fn parked_actors(parked: &[(VehicleRef, Pose)], specs: &[&VehicleSpec]) -> Vec<Actor> {
+    let actor = |(i, &(vehicle, pose)): (usize, &(VehicleRef, Pose))| Actor {
         id: InstanceId(u16::try_from(i + 1).unwrap_or(u16::MAX)),
         rider_id: None,
-        class: specs[usize::from(asset.model)].class,
-        asset,
+        class: specs[vehicle.model.index()].class,
+        asset: vehicle.into(),
         pose,
         velocity_mps: Vec3::ZERO,
         motion: Motion::Vehicle(VehicleMotion::default()),

@@ -10,7 +10,7 @@ use crate::walker::{Walker, height};
 use endless_asset::{Footsteps, VehicleSpec};
 use endless_road::{SpawnPoint, WalkEdgeId, WalkGraph, WalkKind};
 use endless_world::math::f64::atan2;
-use endless_world::{AssetRef, Gait, Pose, Stream};
+use endless_world::{Gait, Pose, Stream, VehicleModelId, VehicleRef};
 use glam::DVec2;
 
 /// Gap between vehicles that spawn on the same lane, metres.
@@ -30,7 +30,7 @@ const MISSES: u64 = 40;
 
 /// The spawn points on lanes where vehicles of some model circulate.
 pub(crate) fn points(roads: &Roads, models: usize) -> Vec<SpawnPoint> {
-    let usable = |p: &SpawnPoint| (0..models).any(|m| roads.allowed(m as u16)[p.lane.index()]);
+    let usable = |p: &SpawnPoint| (0..models).any(|m| roads.allowed(VehicleModelId::from_index(m))[p.lane.index()]);
     roads.network.spawn_points.iter().copied().filter(usable).collect()
 }
 
@@ -51,7 +51,7 @@ pub(crate) fn capacity(roads: &Roads, models: usize) -> usize {
 pub(crate) fn vehicles(
     roads: &Roads,
     specs: &[&VehicleSpec],
-    parked: &[(AssetRef, Pose)],
+    parked: &[(VehicleRef, Pose)],
     asked: u32,
     seed: u64,
     conditions: Conditions,
@@ -60,13 +60,13 @@ pub(crate) fn vehicles(
     let mut free = points(roads, specs.len());
     let standing: Vec<Footprint> = parked
         .iter()
-        .map(|(asset, pose)| {
-            let spec = specs[usize::from(asset.model)];
+        .map(|(vehicle, pose)| {
+            let spec = specs[vehicle.model.index()];
             Footprint::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), PARKED_M)
         })
         .collect();
     // Models that find no way round this town stay away.
-    let has_way = |m: usize| roads.allowed(m as u16).contains(&true);
+    let has_way = |m: usize| roads.allowed(VehicleModelId::from_index(m)).contains(&true);
     let weights: Vec<f64> = specs.iter().enumerate().map(|(m, s)| if has_way(m) { s.frequency } else { 0.0 }).collect();
     let mut placed: Vec<Vehicle> = Vec::new();
     let mut misses = 0;
@@ -76,14 +76,14 @@ pub(crate) fn vehicles(
     let most = capacity(roads, specs.len()).min(asked as usize);
     while placed.len() < most && !free.is_empty() {
         let mut own = Stream::named(seed, "traffic.vehicle", &[placed.len() as u64, misses]);
-        let model = own.weighted(&weights);
-        let spec = specs[model];
+        let model = VehicleModelId::from_index(own.weighted(&weights));
+        let spec = specs[model.index()];
         let half = 0.5 * f64::from(spec.length_m);
         let fits = |p: &SpawnPoint| {
             let length = roads.table(p.lane).length;
             let on = roads.network.lane(p.lane).centerline.at(p.s);
             let body = Footprint::new(spec, on.position.truncate(), on.heading_rad, 0.0);
-            let inside = roads.allowed(model as u16)[p.lane.index()] && p.s > half + 1.0 && p.s < length - half - 1.0;
+            let inside = roads.allowed(model)[p.lane.index()] && p.s > half + 1.0 && p.s < length - half - 1.0;
             inside
                 && placed.iter().all(|v| v.lane() != p.lane || (v.s - p.s).abs() > v.half_length + half + GAP_M)
                 && placed.iter().all(|v| {
@@ -110,7 +110,7 @@ pub(crate) fn vehicles(
             continue;
         };
         let point = free.remove(place);
-        let asset = AssetRef { model: model as u16, variant: own.next_u64() };
+        let asset = VehicleRef { model, variant: own.next_u64() };
         let driver = Driver::new(spec, conditions, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.plan(roads);

@@ -6,7 +6,7 @@ use crate::roads::{Roads, SWINGS_OUT_M};
 use crate::trailer::Trailer;
 use endless_asset::VehicleSpec;
 use endless_road::{JunctionId, LaneId};
-use endless_world::{AssetRef, ObjectClass, Pose, Stream, VehicleLights};
+use endless_world::{ObjectClass, Pose, Stream, VehicleLights, VehicleRef};
 use glam::{DVec3, Vec3};
 use std::collections::VecDeque;
 
@@ -49,7 +49,7 @@ pub(crate) struct Cover {
 
 #[derive(Debug, Clone)]
 pub(crate) struct Vehicle {
-    pub(crate) asset: AssetRef,
+    pub(crate) asset: VehicleRef,
     pub(crate) class: ObjectClass,
     pub(crate) ridden: bool,
     pub(crate) half_length: f64,
@@ -89,7 +89,7 @@ pub(crate) struct Vehicle {
 impl Vehicle {
     pub(crate) fn new(
         spec: &VehicleSpec,
-        asset: AssetRef,
+        asset: VehicleRef,
         driver: Driver,
         lane: LaneId,
         s: f64,
@@ -202,7 +202,7 @@ impl Vehicle {
 
     /// Its body seen from above, with a margin all round, metres.
     pub(crate) fn footprint(&self, specs: &[&VehicleSpec], margin_m: f64) -> Footprint {
-        let spec = specs[usize::from(self.asset.model)];
+        let spec = specs[self.asset.model.index()];
         Footprint::new(spec, self.pose.position.as_dvec3().truncate(), self.yaw, margin_m)
     }
 

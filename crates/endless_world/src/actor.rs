@@ -1,6 +1,6 @@
 //! What moves: pose, motion and lights of one actor at one instant.
 
-use crate::{InstanceId, ObjectClass};
+use crate::{AssetRef, InstanceId, ObjectClass};
 use glam::{Affine3A, EulerRot, Quat, Vec3};
 
 /// Position and heading in the world frame. The origin of a vehicle or person is on the ground, under its centre.
@@ -27,23 +27,6 @@ impl Pose {
         let rotation = Quat::from_euler(EulerRot::ZYX, self.yaw_rad, -self.pitch_rad, self.roll_rad);
         Affine3A::from_rotation_translation(rotation, self.position)
     }
-}
-
-/// Which entry of the catalogue an actor is, and which of its endless variants.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct AssetRef {
-    /// Index into the catalogue's list of vehicles; for people, how they are dressed: [`Self::FAIR`] or
-    /// [`Self::RAIN`].
-    pub model: u16,
-    /// Seed of paint, clothes, proportions.
-    pub variant: u64,
-}
-
-impl AssetRef {
-    /// People dressed for fair weather.
-    pub const FAIR: u16 = 0;
-    /// People dressed for rain: coats closed, hoods up, umbrellas open.
-    pub const RAIN: u16 = 1;
 }
 
 /// The lights of a vehicle, CARLA's bit layout.
@@ -172,7 +155,7 @@ pub struct Actor {
     pub rider_id: Option<InstanceId>,
     /// What it is.
     pub class: ObjectClass,
-    /// Which model and variant.
+    /// Which entry of the catalogue.
     pub asset: AssetRef,
     /// Where it is.
     pub pose: Pose,

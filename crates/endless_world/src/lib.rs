@@ -15,6 +15,7 @@
 //! CARLA's left-handed degrees appear only at file and wire edges.
 
 mod actor;
+mod asset;
 mod camera;
 mod class;
 mod condition;
@@ -28,7 +29,8 @@ mod scene;
 mod sensor;
 mod state;
 
-pub use actor::{Actor, AssetRef, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
+pub use actor::{Actor, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
+pub use asset::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
 pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};
 pub use class::{ClassTag, ObjectClass};
 pub use condition::{TimeOfDay, UnknownName, Weather};

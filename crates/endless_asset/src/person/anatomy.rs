@@ -3,7 +3,7 @@
 use super::look::Look;
 use super::skeleton::{BONES, Bone, Skeleton};
 use super::{gait, hold, part};
-use endless_world::{AssetRef, KEYPOINT_COUNT, WalkerMotion};
+use endless_world::{KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
 use glam::{Affine3A, Vec3};
 
 /// The skeleton of one person, in motion.
@@ -16,9 +16,9 @@ pub struct Anatomy {
 }
 
 impl Anatomy {
-    /// Of the person that an actor's asset names.
-    pub(crate) fn of(asset: AssetRef) -> Self {
-        Self::with_look(asset.variant, &Look::of(asset.variant, asset.model == AssetRef::RAIN))
+    /// Of a person.
+    pub(crate) fn of(person: PersonRef) -> Self {
+        Self::with_look(person.seed, &Look::of(person.seed, person.outfit == Outfit::Rain))
     }
 
     pub(crate) fn with_look(variant: u64, look: &Look) -> Self {

@@ -26,7 +26,7 @@ mod wardrobe;
 mod wheeled;
 
 use endless_scene::Mesh;
-use endless_world::{AssetRef, KEYPOINT_COUNT, WalkerMotion};
+use endless_world::{KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
@@ -77,9 +77,9 @@ pub struct BodyPose {
 pub struct Stance(Vec<Affine3A>);
 
 impl PersonModel {
-    /// The person of a variant, dressed for the weather ([`AssetRef::FAIR`] or [`AssetRef::RAIN`]).
-    pub(crate) fn new(variant: u64, weather: u16) -> Self {
-        Self::with_look(variant, &Look::of(variant, weather == AssetRef::RAIN))
+    /// A person, dressed for the weather.
+    pub(crate) fn new(person: PersonRef) -> Self {
+        Self::with_look(person.seed, &Look::of(person.seed, person.outfit == Outfit::Rain))
     }
 
     fn with_look(variant: u64, look: &Look) -> Self {

@@ -1,5 +1,5 @@
 use super::*;
-use endless_world::{Gait, KEYPOINTS, Stream};
+use endless_world::{Gait, KEYPOINTS, Outfit, PersonRef, Stream};
 use glam::{DVec2, Quat};
 use skeleton::Side;
 
@@ -17,7 +17,7 @@ fn motion(person: &PersonModel, gait: Gait, walked_m: f32) -> WalkerMotion {
 }
 
 fn person(variant: u64) -> PersonModel {
-    PersonModel::new(variant, AssetRef::FAIR)
+    PersonModel::new(PersonRef { outfit: Outfit::Fair, seed: variant })
 }
 
 /// Lowest point of the shoes, left and right.
@@ -200,7 +200,8 @@ fn meshes_are_as_tall_as_people() {
 fn rain_changes_clothes_and_not_people() {
     let (mut umbrellas, mut hoods) = (0, 0);
     for variant in 0..100 {
-        let [fair, rain] = [AssetRef::FAIR, AssetRef::RAIN].map(|weather| PersonModel::new(variant, weather).traits);
+        let [fair, rain] =
+            [Outfit::Fair, Outfit::Rain].map(|outfit| PersonModel::new(PersonRef { outfit, seed: variant }).traits);
         assert_eq!((fair.height_m, fair.skin_tone, fair.female), (rain.height_m, rain.skin_tone, rain.female));
         umbrellas += usize::from(rain.carries == "umbrella");
         hoods += usize::from(rain.wears.contains(&"hood"));

@@ -2,7 +2,7 @@
 
 use endless_asset::{Catalogue, Prop, VehicleModel};
 use endless_scene::{Mesh, Surface};
-use endless_world::{ClassTag, Gait, ObjectClass, WalkerMotion};
+use endless_world::{ClassTag, Gait, ObjectClass, VehicleModelId, VehicleRef, WalkerMotion};
 use glam::Vec3;
 use proptest::prelude::*;
 use std::sync::LazyLock;
@@ -177,7 +177,7 @@ fn there_are_fifty_designs_and_the_traffic_mix_is_that_of_a_city() {
 #[test]
 fn a_third_of_cars_is_white_and_a_fifth_black() {
     let n = 4000;
-    let tints: Vec<[f32; 3]> = (0..n).map(|i| CATALOGUE.vehicle_tint(2, i)).collect();
+    let tints: Vec<[f32; 3]> = (0..n).map(|i| CATALOGUE.vehicles()[2].tint(i)).collect();
     let share = |f: &dyn Fn(&[f32; 3]) -> bool| tints.iter().filter(|c| f(c)).count() as f64 / n as f64;
     assert!((share(&|c| c.iter().all(|&v| v > 0.6)) - 0.33).abs() < 0.03);
     assert!((share(&|c| c.iter().all(|&v| v < 0.014)) - 0.20).abs() < 0.03);
@@ -186,10 +186,10 @@ fn a_third_of_cars_is_white_and_a_fifth_black() {
 #[test]
 fn only_two_wheelers_have_riders() {
     for (i, v) in CATALOGUE.vehicles().iter().enumerate() {
-        let model = u16::try_from(i).expect("few models");
-        assert_eq!(CATALOGUE.rider(model, 1).is_some(), v.spec.ridden, "{}", v.spec.name);
+        let model = VehicleModelId::from_index(i);
+        assert_eq!(CATALOGUE.rider(VehicleRef { model, variant: 1 }).is_some(), v.spec.ridden, "{}", v.spec.name);
         for variant in 0..12 {
-            let Some(rider) = CATALOGUE.rider(model, variant) else { continue };
+            let Some(rider) = CATALOGUE.rider(VehicleRef { model, variant }) else { continue };
             assert_sound(&rider, v.spec.name);
             let (low, high) = rider.bounds();
             assert!(low.z > 0.02 && high.z > 1.2 && high.z < 2.15, "{}: {low} {high}", v.spec.name);

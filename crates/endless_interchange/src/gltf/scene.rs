@@ -5,7 +5,7 @@ use super::material::Materials;
 use endless_asset::{Catalogue, Prop, Trailer, VehicleModel, Wheel};
 use endless_scene::Mesh;
 use endless_town::{Town, What};
-use endless_world::{ImageSize, PinholeCamera, math};
+use endless_world::{ImageSize, PinholeCamera, VehicleModelId, math};
 use glam::{Affine3A, Mat3, Quat, Vec3};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -200,13 +200,13 @@ impl<'a> Scene<'a> {
 
     /// Parked vehicles: a body in the vehicle's colour, and its wheels.
     pub(super) fn parked(&mut self, town: &Town) -> Option<usize> {
-        let mut models: BTreeMap<u16, [Option<Geometry>; 2]> = BTreeMap::new();
-        let mut bodies: BTreeMap<(u16, [u32; 3]), [Option<usize>; 2]> = BTreeMap::new();
+        let mut models: BTreeMap<VehicleModelId, [Option<Geometry>; 2]> = BTreeMap::new();
+        let mut bodies: BTreeMap<(VehicleModelId, [u32; 3]), [Option<usize>; 2]> = BTreeMap::new();
         let mut children = Vec::new();
         for parked in &town.parked {
-            let number = parked.asset.model;
-            let Some(model) = self.catalogue.vehicles().get(usize::from(number)) else { continue };
-            let tint = self.catalogue.vehicle_tint(number, parked.asset.variant);
+            let number = parked.vehicle.model;
+            let Some(model) = self.catalogue.vehicle(number) else { continue };
+            let tint = model.tint(parked.vehicle.variant);
             let parts = models
                 .entry(number)
                 .or_insert_with(|| [self.geometry(model.body()), self.geometry(model.wheel_mesh())]);

@@ -41,8 +41,7 @@ fn another_reader_finds_the_same_town() {
     let all = nodes(&file);
 
     // Every thing is there once; those that look alike share a mesh.
-    let wheels: usize =
-        town.parked.iter().map(|p| catalogue.vehicles()[usize::from(p.asset.model)].wheels().len()).sum();
+    let wheels: usize = town.parked.iter().map(|p| catalogue.vehicles()[p.vehicle.model.index()].wheels().len()).sum();
     let shown = all.iter().filter(|(n, _)| n.mesh().is_some()).count();
     assert_eq!(shown, town.placements.len() + town.parked.len() + wheels);
     assert!(file.meshes().len() < shown / 2, "{} meshes for {shown} nodes", file.meshes().len());

@@ -6,8 +6,8 @@ use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_scene::Mesh;
 use endless_traffic::{Conditions, Simulation};
 use endless_world::{
-    Actor, AssetRef, CameraLook, CameraSite, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount, ObjectClass,
-    Pose, TimeOfDay, VehicleMotion, Weather, WorldState,
+    Actor, CameraLook, CameraSite, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount, ObjectClass, Pose,
+    TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, Weather, WorldState,
 };
 use glam::Vec3;
 use std::{fs, path::Path};
@@ -65,14 +65,14 @@ fn every_vehicle_comes_back_as_it_was() {
 }
 
 /// The instance image of one vehicle on an empty square.
-fn seen(catalogue: &Catalogue, model: u16, class: ObjectClass) -> Image<InstancePixel> {
+fn seen(catalogue: &Catalogue, model: VehicleModelId, class: ObjectClass) -> Image<InstancePixel> {
     let town = endless_town::Town::default();
     let motion = VehicleMotion { speed_mps: 8.0, rolled_m: 3.0, steer_rad: 0.2, ..VehicleMotion::default() };
     let actor = Actor {
         id: InstanceId(7),
         rider_id: None,
         class,
-        asset: AssetRef { model, variant: 0 },
+        asset: VehicleRef { model, variant: 0 }.into(),
         pose: Pose::level(Vec3::new(14.0, 1.0, 0.0), 0.7),
         velocity_mps: Vec3::ZERO,
         motion: Motion::Vehicle(motion),
@@ -100,11 +100,11 @@ fn the_box_of_a_sedan_read_again_is_that_of_the_sedan() {
     let own = Catalogue::draw_vehicle("car.sedan", 0).expect("a design");
     let catalogue = Catalogue::builtin();
     let read = again(&catalogue, &own);
-    let place = catalogue.vehicles().iter().position(|v| v.name() == "car.sedan").expect("a sedan") as u16;
-    let added = catalogue.vehicles().len() as u16;
+    let place = catalogue.vehicles().iter().position(|v| v.name() == "car.sedan").expect("a sedan");
+    let added = catalogue.vehicles().len();
     let catalogue = catalogue.with([ImportedAsset::Vehicle(read)]);
     assert_eq!(catalogue.imported_vehicles().len(), 1);
-    let images = [place, added].map(|model| seen(&catalogue, model, ObjectClass::Car));
+    let images = [place, added].map(|i| seen(&catalogue, VehicleModelId::from_index(i), ObjectClass::Car));
     let [a, b] = images.each_ref().map(endless_annotate::visible_objects);
     assert_eq!(a.len(), 1);
     assert!(a[0].pixels > 4000);
@@ -164,9 +164,10 @@ fn imported_vehicles_drive_and_things_stand_where_their_class_does() {
 
     let conditions = Conditions::new(Weather::Cloudy, TimeOfDay::Morning);
     let mut traffic = Simulation::focused(&after, library.catalogue(), 12, 0, 3, conditions, 10.0, &[]);
-    let built_in = Catalogue::builtin().vehicles().len() as u16;
+    let built_in = VehicleModelId::from_index(Catalogue::builtin().vehicles().len());
     let begin = traffic.state();
-    assert!(!begin.actors.is_empty() && begin.actors.iter().all(|a| a.asset.model == built_in), "all are imported");
+    let imported = |a: &Actor| a.asset.vehicle().is_some_and(|v| v.model == built_in);
+    assert!(!begin.actors.is_empty() && begin.actors.iter().all(imported), "all are imported");
     for _ in 0..30 {
         traffic.tick();
     }

@@ -17,12 +17,12 @@ pub(super) struct CastBodies {
 impl CastBodies {
     /// Of all who move.
     pub(super) fn of(catalogue: &Catalogue, moving: &[Actor]) -> Self {
-        let on_foot = moving.iter().filter(|a| matches!(a.motion, Motion::Walker(_)));
+        let on_foot = moving.iter().filter_map(|a| Some((a.id, catalogue.anatomy(a.asset.person()?))));
         let riding = moving.iter().filter(|a| a.rider_id.is_some()).filter_map(|a| {
-            let vehicle = catalogue.vehicles().get(usize::from(a.asset.model))?;
-            Some((a.id, vehicle.rider_keypoints(a.asset.variant)?))
+            let vehicle = a.asset.vehicle()?;
+            Some((a.id, catalogue.vehicle(vehicle.model)?.rider_keypoints(vehicle.variant)?))
         });
-        Self { on_foot: on_foot.map(|a| (a.id, catalogue.anatomy_of(a.asset))).collect(), riding: riding.collect() }
+        Self { on_foot: on_foot.collect(), riding: riding.collect() }
     }
 
     /// Whose keypoints come with an actor, and where they are.

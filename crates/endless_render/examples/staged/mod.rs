@@ -8,8 +8,8 @@ pub(crate) mod sheet;
 use endless_asset::Catalogue;
 use endless_town::Town;
 use endless_world::{
-    Actor, AssetRef, Gait, InstanceId, Motion, ObjectClass, Pose, SignalAspect, SignalState, VehicleLights,
-    VehicleMotion, WalkerMotion, WorldState,
+    Actor, Gait, InstanceId, Motion, ObjectClass, Outfit, PersonRef, Pose, SignalAspect, SignalState, VehicleLights,
+    VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 
@@ -19,8 +19,9 @@ pub(crate) fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: b
     let mut actors = Vec::new();
     let mut next = first;
     for (i, spawn) in town.network.spawn_points.iter().enumerate().step_by(5) {
-        let model = (i * 7 / 3 % catalogue.vehicles().len().max(1)) as u16;
-        let Some(entry) = catalogue.vehicles().get(usize::from(model)) else { break };
+        let model = (i * 7 / 3 % catalogue.vehicles().len().max(1)) as u32;
+        let model = VehicleModelId(model);
+        let Some(entry) = catalogue.vehicle(model) else { break };
         let place = town.network.lane(spawn.lane).centerline.at(spawn.s);
         let rider_id = entry.spec.ridden.then(|| InstanceId(next + 1));
         let bits = if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION } else { 0 };
@@ -28,7 +29,7 @@ pub(crate) fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: b
             id: InstanceId(next),
             rider_id,
             class: entry.spec.class,
-            asset: AssetRef { model, variant: i as u64 * 977 },
+            asset: VehicleRef { model, variant: i as u64 * 977 }.into(),
             pose: Pose::level(place.position.as_vec3(), place.heading_rad as f32),
             velocity_mps: Vec3::ZERO,
             motion: Motion::Vehicle(VehicleMotion { lights: VehicleLights(bits), ..VehicleMotion::default() }),
@@ -49,7 +50,7 @@ pub(crate) fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: b
             id: InstanceId(next),
             rider_id: None,
             class: ObjectClass::Pedestrian,
-            asset: AssetRef { model: 0, variant: i as u64 * 31 },
+            asset: PersonRef { outfit: Outfit::Fair, seed: i as u64 * 31 }.into(),
             pose: Pose::level(position, yaw),
             velocity_mps: Vec3::ZERO,
             motion: Motion::Walker(WalkerMotion {

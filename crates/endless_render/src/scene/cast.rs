@@ -3,7 +3,7 @@
 use super::{Body, Shape, StaticScene, ambient_occlusion::openness, model::model, static_scene::VehicleParts};
 use crate::accel::Use;
 use endless_asset::{Catalogue, PersonModel};
-use endless_world::{Actor, AssetRef, Gait, Motion, WalkerMotion};
+use endless_world::{Actor, Gait, PersonRef, VehicleModelId, VehicleRef, WalkerMotion};
 use glam::Vec3A;
 use rayon::prelude::*;
 use std::{
@@ -13,10 +13,10 @@ use std::{
 
 /// Models of all actors of a scene.
 pub struct Cast {
-    vehicles: BTreeMap<u16, VehicleCast>,
-    people: BTreeMap<(u16, u64), PersonCast>,
-    riders: BTreeMap<(u16, u64), (Arc<Shape>, Arc<Body>)>,
-    tints: BTreeMap<(u16, u64), Vec3A>,
+    vehicles: BTreeMap<VehicleModelId, VehicleCast>,
+    people: BTreeMap<PersonRef, PersonCast>,
+    riders: BTreeMap<VehicleRef, (Arc<Shape>, Arc<Body>)>,
+    tints: BTreeMap<VehicleRef, Vec3A>,
 }
 
 /// A vehicle model of the cast.
@@ -52,16 +52,17 @@ impl Cast {
         Self::made(catalogue, actors, &|model| still.parked.get(&model).cloned())
     }
 
-    fn made(catalogue: &Catalogue, actors: &[Actor], parked: &(dyn Fn(u16) -> Option<VehicleParts> + Sync)) -> Self {
+    fn made(
+        catalogue: &Catalogue,
+        actors: &[Actor],
+        parked: &(dyn Fn(VehicleModelId) -> Option<VehicleParts> + Sync),
+    ) -> Self {
         // Everything is made by all threads, once.
-        let driving = || actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_)));
-        let models: BTreeSet<u16> = driving().map(|a| a.asset.model).collect();
-        let dressed = actors.iter().filter(|a| matches!(a.motion, Motion::Walker(_)));
-        let dressed: BTreeSet<(u16, u64)> = dressed.map(|a| (a.asset.model, a.asset.variant)).collect();
-        let tinted: BTreeSet<(u16, u64)> = driving().map(|a| (a.asset.model, a.asset.variant)).collect();
-        let ridden = driving().filter(|a| a.rider_id.is_some());
-        let ridden: BTreeSet<(u16, u64)> = ridden.map(|a| (a.asset.model, a.asset.variant)).collect();
-        let known = |&(model, _): &(u16, u64)| usize::from(model) < catalogue.vehicles().len();
+        let driving: BTreeSet<VehicleRef> = actors.iter().filter_map(|a| a.asset.vehicle()).collect();
+        let models: BTreeSet<VehicleModelId> = driving.iter().map(|v| v.model).collect();
+        let dressed: BTreeSet<PersonRef> = actors.iter().filter_map(|a| a.asset.person()).collect();
+        let ridden = actors.iter().filter(|a| a.rider_id.is_some());
+        let ridden: BTreeSet<VehicleRef> = ridden.filter_map(|a| a.asset.vehicle()).collect();
         let (vehicles, (people, riders)) = rayon::join(
             || models.into_par_iter().filter_map(|m| Some((m, VehicleCast::of(catalogue, m, parked(m))?))).collect(),
             || {
@@ -71,30 +72,30 @@ impl Cast {
                 )
             },
         );
-        let tint = |(model, variant)| Vec3A::from_array(catalogue.vehicle_tint(model, variant));
-        Self { vehicles, people, riders, tints: tinted.into_iter().filter(known).map(|key| (key, tint(key))).collect() }
+        let tint = |vehicle| Some((vehicle, Vec3A::from_array(catalogue.vehicle_tint(vehicle)?)));
+        Self { vehicles, people, riders, tints: driving.into_iter().filter_map(tint).collect() }
     }
 
-    pub(crate) fn vehicle(&self, model: u16) -> Option<&VehicleCast> {
+    pub(crate) fn vehicle(&self, model: VehicleModelId) -> Option<&VehicleCast> {
         self.vehicles.get(&model)
     }
 
-    pub(crate) fn person(&self, asset: AssetRef) -> Option<&PersonCast> {
-        self.people.get(&(asset.model, asset.variant))
+    pub(crate) fn person(&self, person: PersonRef) -> Option<&PersonCast> {
+        self.people.get(&person)
     }
 
-    pub(crate) fn rider(&self, asset: AssetRef) -> Option<&(Arc<Shape>, Arc<Body>)> {
-        self.riders.get(&(asset.model, asset.variant))
+    pub(crate) fn rider(&self, vehicle: VehicleRef) -> Option<&(Arc<Shape>, Arc<Body>)> {
+        self.riders.get(&vehicle)
     }
 
-    pub(crate) fn tint(&self, asset: AssetRef) -> Vec3A {
-        self.tints.get(&(asset.model, asset.variant)).copied().unwrap_or(Vec3A::ONE)
+    pub(crate) fn tint(&self, vehicle: VehicleRef) -> Vec3A {
+        self.tints.get(&vehicle).copied().unwrap_or(Vec3A::ONE)
     }
 }
 
 impl VehicleCast {
-    fn of(catalogue: &Catalogue, model: u16, made: Option<VehicleParts>) -> Option<Self> {
-        let entry = catalogue.vehicles().get(usize::from(model))?;
+    fn of(catalogue: &Catalogue, model: VehicleModelId, made: Option<VehicleParts>) -> Option<Self> {
+        let entry = catalogue.vehicle(model)?;
         let mut parts = made.unwrap_or_else(|| VehicleParts::new(entry));
         let extent = Vec3A::new(entry.spec.length_m / 2.0, entry.spec.width_m / 2.0, entry.spec.height_m);
         let low = Vec3A::new(-extent.x, -extent.y, 0.0);
@@ -113,8 +114,8 @@ impl VehicleCast {
 }
 
 impl PersonCast {
-    fn of(catalogue: &Catalogue, (dress, variant): (u16, u64)) -> Option<Self> {
-        let person = Arc::new(catalogue.person_of(AssetRef { model: dress, variant }));
+    fn of(catalogue: &Catalogue, person: PersonRef) -> Option<Self> {
+        let person = Arc::new(catalogue.dressed_person(person));
         let mut parts = model(Arc::clone(&person.rest), Use::Deforming);
         shade_in_motion(&mut parts, &person);
         let (shape, rest) = parts?;
@@ -139,8 +140,8 @@ impl PersonCast {
 }
 
 /// Who rides a vehicle.
-fn rider(catalogue: &Catalogue, (vehicle, variant): (u16, u64)) -> Option<(Arc<Shape>, Arc<Body>)> {
-    let mut rider = catalogue.rider(vehicle, variant).and_then(|mesh| model(mesh.into(), Use::Rigid));
+fn rider(catalogue: &Catalogue, vehicle: VehicleRef) -> Option<(Arc<Shape>, Arc<Body>)> {
+    let mut rider = catalogue.rider(vehicle).and_then(|mesh| model(mesh.into(), Use::Rigid));
     let high = Vec3A::new(0.5, 0.4, 1.8);
     shade_by_itself(&mut rider, Vec3A::new(-0.5, -0.4, 0.0), high);
     rider

@@ -121,12 +121,13 @@ struct Piece {
 /// Adds a vehicle, its rider and its lights, and what it draws; returns its pieces.
 fn add_vehicle(cast: &Cast, actor: &Actor, instances: &mut Vec<Instance>, beams: &mut Vec<Beam>) -> Vec<Piece> {
     let Motion::Vehicle(motion) = actor.motion else { return vec![] };
-    let Some(vehicle) = cast.vehicle(actor.asset.model) else { return vec![] };
+    let Some(named) = actor.asset.vehicle() else { return vec![] };
+    let Some(vehicle) = cast.vehicle(named.model) else { return vec![] };
     let world_from_object = actor.pose.world_from_object();
     let first = instances.len();
     let velocity = Velocity::of(actor, vehicle.parts.wheelbase_m());
     let own = first + vehicle.parts.place(instances, world_from_object, &motion, velocity);
-    let tint = cast.tint(actor.asset);
+    let tint = cast.tint(named);
     for instance in &mut instances[first..] {
         instance.id = actor.id;
         instance.class = Some(actor.class.tag());
@@ -135,7 +136,7 @@ fn add_vehicle(cast: &Cast, actor: &Actor, instances: &mut Vec<Instance>, beams:
     }
     let trailer = vehicle.parts.trailer.as_ref();
     let last = trailer.map_or(world_from_object, |t| world_from_object * t.object_from_straight(motion.hitch_rad));
-    if let (Some(rider_id), Some((shape, body))) = (actor.rider_id, cast.rider(actor.asset)) {
+    if let (Some(rider_id), Some((shape, body))) = (actor.rider_id, cast.rider(named)) {
         let mut rider = Instance::stuff(Arc::clone(shape), Arc::clone(body), world_from_object);
         rider.id = rider_id;
         rider.class = Some(ClassTag::Rider);
@@ -176,12 +177,12 @@ fn add_vehicle(cast: &Cast, actor: &Actor, instances: &mut Vec<Instance>, beams:
 /// The body of a person on foot as it stands.
 fn posed(cast: &Cast, actor: &Actor) -> Option<Arc<Body>> {
     let Motion::Walker(motion) = &actor.motion else { return None };
-    Some(cast.person(actor.asset)?.posed(motion))
+    Some(cast.person(actor.asset.person()?)?.posed(motion))
 }
 
 /// Adds a person in their pose.
 fn add_person(cast: &Cast, actor: &Actor, body: Option<Arc<Body>>, instances: &mut Vec<Instance>) -> Vec<Piece> {
-    let (Some(person), Some(body)) = (cast.person(actor.asset), body) else { return vec![] };
+    let (Some(person), Some(body)) = (actor.asset.person().and_then(|p| cast.person(p)), body) else { return vec![] };
     let mut instance = Instance::stuff(Arc::clone(&person.shape), body, actor.pose.world_from_object());
     instance.id = actor.id;
     instance.class = Some(actor.class.tag());

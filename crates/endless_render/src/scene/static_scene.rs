@@ -5,7 +5,7 @@ use crate::accel::{Accel, Use};
 use crate::light::Lamps;
 use endless_asset::{Catalogue, VehicleModel};
 use endless_town::{Town, What};
-use endless_world::{InstanceId, VehicleMotion, math};
+use endless_world::{InstanceId, VehicleModelId, VehicleMotion, math};
 use glam::{Affine3A, Mat3A, Vec3A};
 use rayon::prelude::*;
 use std::{
@@ -19,7 +19,7 @@ pub struct StaticScene {
     pub(crate) accel: Accel,
     pub(crate) lamps: Lamps,
     /// Models of the parked vehicles: the same may drive by.
-    pub(super) parked: BTreeMap<u16, VehicleParts>,
+    pub(super) parked: BTreeMap<VehicleModelId, VehicleParts>,
 }
 
 impl StaticScene {
@@ -27,15 +27,15 @@ impl StaticScene {
     pub fn load(town: &Town, catalogue: &Catalogue) -> Self {
         type Model = Option<Part>;
         type Models = BTreeMap<What, Model>;
-        type Parked = BTreeMap<u16, VehicleParts>;
+        type Parked = BTreeMap<VehicleModelId, VehicleParts>;
         let placed = town.placements.iter().map(|placement| placement.what);
         let used: BTreeSet<What> = placed.filter(|what| matches!(what, What::Prop(..))).collect();
         let made = |what: What| match what {
             What::Prop(prop, variant) => (what, model(catalogue.prop(prop, variant).into(), Use::Still)),
             What::Own(_) => (what, None),
         };
-        let parked: BTreeSet<u16> = town.parked.iter().map(|p| p.asset.model).collect();
-        let parts = |model| Some((model, VehicleParts::new(catalogue.vehicles().get(usize::from(model))?)));
+        let parked: BTreeSet<VehicleModelId> = town.parked.iter().map(|p| p.vehicle.model).collect();
+        let parts = |model| Some((model, VehicleParts::new(catalogue.vehicle(model)?)));
         // Large meshes and small ones side by side, so that no thread waits for another.
         let (own, (props, vehicles)): (Vec<Model>, (Models, Parked)) = rayon::join(
             || town.meshes.par_iter().map(|mesh| model(Arc::clone(mesh), Use::Still)).collect(),
@@ -59,11 +59,11 @@ impl StaticScene {
             }
         }
         for (i, parked) in town.parked.iter().enumerate() {
-            let Some(entry) = catalogue.vehicles().get(usize::from(parked.asset.model)) else { continue };
-            let Some(parts) = vehicles.get(&parked.asset.model) else { continue };
+            let Some(entry) = catalogue.vehicle(parked.vehicle.model) else { continue };
+            let Some(parts) = vehicles.get(&parked.vehicle.model) else { continue };
             let first = instances.len();
             parts.place(&mut instances, parked.pose.world_from_object(), &VehicleMotion::default(), Velocity::ZERO);
-            let tint = Vec3A::from_array(catalogue.vehicle_tint(parked.asset.model, parked.asset.variant));
+            let tint = Vec3A::from_array(entry.tint(parked.vehicle.variant));
             let id = InstanceId(u16::try_from(i + 1).unwrap_or(u16::MAX));
             for instance in &mut instances[first..] {
                 instance.id = id;

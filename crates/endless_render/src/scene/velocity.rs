@@ -49,7 +49,7 @@ impl Velocity {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{AssetRef, InstanceId, ObjectClass, Pose, VehicleMotion};
+    use endless_world::{InstanceId, ObjectClass, Pose, VehicleModelId, VehicleMotion, VehicleRef};
     use glam::Vec3;
 
     #[test]
@@ -58,7 +58,7 @@ mod tests {
             id: InstanceId(1),
             rider_id: None,
             class: ObjectClass::Car,
-            asset: AssetRef { model: 0, variant: 0 },
+            asset: VehicleRef { model: VehicleModelId(0), variant: 0 }.into(),
             pose: Pose::level(Vec3::new(5.0, 5.0, 0.0), 0.0),
             velocity_mps: Vec3::new(10.0, 0.0, 0.0),
             motion: Motion::Vehicle(VehicleMotion { speed_mps: 10.0, ..VehicleMotion::default() }),

@@ -4,9 +4,9 @@ use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::Town;
 use endless_world::{
-    Actor, AssetRef, CameraLook, CameraSite, ClassTag, Clock, Distortion, Gait, ImageSize, InstanceId, LookChoice,
-    Motion, ObjectClass, PinholeCamera, Pose, SensorFrame, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights,
-    VehicleMotion, WalkerMotion, Weather, WorldState,
+    Actor, CameraLook, CameraSite, ClassTag, Clock, Distortion, Gait, ImageSize, InstanceId, LookChoice, Motion,
+    ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SensorFrame, SignalAspect, SignalState, Stream, TimeOfDay,
+    VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 
@@ -40,8 +40,8 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
         if !near(position) || all.len() >= 12 || random.chance(0.4) {
             continue;
         }
-        let model = random.below(catalogue.vehicles().len()) as u16;
-        let spec = &catalogue.vehicles()[usize::from(model)].spec;
+        let model = VehicleModelId::from_index(random.below(catalogue.vehicles().len()));
+        let spec = &catalogue.vehicles()[model.index()].spec;
         let mut bits =
             if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION | VehicleLights::INTERIOR } else { 0 };
         bits |= if random.chance(0.5) { VehicleLights::BRAKE } else { VehicleLights::LEFT_BLINKER };
@@ -49,7 +49,7 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
             id: next(),
             rider_id: spec.ridden.then(&mut next),
             class: spec.class,
-            asset: AssetRef { model, variant: random.next_u64() },
+            asset: VehicleRef { model, variant: random.next_u64() }.into(),
             pose: Pose::level(position, place.heading_rad as f32 + random.range_f32(-0.2, 0.2)),
             velocity_mps: along(place.heading_rad as f32) * 9.0,
             motion: Motion::Vehicle(VehicleMotion {
@@ -73,7 +73,7 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
             id: next(),
             rider_id: None,
             class: ObjectClass::Pedestrian,
-            asset: AssetRef { model: 0, variant },
+            asset: PersonRef { outfit: Outfit::Fair, seed: variant }.into(),
             pose: Pose::level(position, yaw),
             velocity_mps: along(yaw) * 1.3,
             motion: Motion::Walker(WalkerMotion {

@@ -3,8 +3,8 @@
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_world::{
-    Actor, AssetRef, CameraSite, ClassTag, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay,
-    VehicleLights, VehicleMotion, Weather, WorldState,
+    Actor, CameraSite, ClassTag, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay, VehicleLights,
+    VehicleModelId, VehicleMotion, VehicleRef, Weather, WorldState,
 };
 use glam::Vec3;
 
@@ -30,12 +30,13 @@ fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
         horizontal_fov_rad: 0.9,
         mount: Mount::Pole,
     };
-    let model = catalogue.vehicles().iter().position(|v| v.spec.class == ObjectClass::Car).expect("a car") as u16;
+    let model = catalogue.vehicles().iter().position(|v| v.spec.class == ObjectClass::Car).expect("a car");
+    let model = VehicleModelId::from_index(model);
     let actor = Actor {
         id: InstanceId(60_000),
         rider_id: None,
         class: ObjectClass::Car,
-        asset: AssetRef { model, variant: 5 },
+        asset: VehicleRef { model, variant: 5 }.into(),
         pose: Pose::level(car, yaw),
         velocity_mps: Vec3::ZERO,
         motion: Motion::Vehicle(VehicleMotion {

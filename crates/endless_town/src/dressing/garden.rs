@@ -11,7 +11,7 @@ use crate::plot::{Rect, inside};
 use crate::surface;
 use endless_asset::Prop;
 use endless_scene::{Material, MeshBuilder};
-use endless_world::{AssetRef, Pose, Stream};
+use endless_world::{Pose, Stream, VehicleModelId, VehicleRef};
 use glam::{DVec2, Vec2, Vec3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -135,9 +135,10 @@ fn park(dresser: &mut Dresser<'_>, at: DVec2, yaw: f64, stream: &mut Stream) {
     if weights.iter().sum::<f64>() <= 0.0 {
         return;
     }
-    let asset = AssetRef { model: stream.weighted(&weights) as u16, variant: stream.next_u64() };
+    let model = VehicleModelId::from_index(stream.weighted(&weights));
+    let vehicle = VehicleRef { model, variant: stream.next_u64() };
     let position = at.as_vec2().extend(KERB_HEIGHT_M as f32 + SLAB_M);
-    dresser.parked.push(ParkedVehicle { asset, pose: Pose::level(position, yaw as f32) });
+    dresser.parked.push(ParkedVehicle { vehicle, pose: Pose::level(position, yaw as f32) });
 }
 
 /// Whether a rectangle lies wholly on one block.

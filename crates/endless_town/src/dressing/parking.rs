@@ -4,7 +4,7 @@ use super::dresser::Dresser;
 use crate::ParkedVehicle;
 use crate::plot::Rect;
 use crate::surface;
-use endless_world::{AssetRef, CameraSite, Pose};
+use endless_world::{CameraSite, Pose, VehicleModelId, VehicleRef};
 use glam::{DVec2, Vec3};
 use std::f64::consts::PI;
 
@@ -38,9 +38,9 @@ pub(crate) fn add_parked(dresser: &mut Dresser<'_>) {
                 let yaw = street.heading(s) + if side > 0.0 { PI } else { 0.0 } + turn.clamp(-0.035, 0.035);
                 let half = DVec2::new(f64::from(spec.length_m), f64::from(spec.width_m)) / 2.0;
                 if dresser.occupied.try_take(Rect::new(at, half.map(|h| h + 0.05), yaw)) {
-                    let asset = AssetRef { model: model as u16, variant };
+                    let vehicle = VehicleRef { model: VehicleModelId::from_index(model), variant };
                     let pose = Pose::level(at.extend(0.0).as_vec3(), yaw as f32);
-                    dresser.parked.push(ParkedVehicle { asset, pose });
+                    dresser.parked.push(ParkedVehicle { vehicle, pose });
                 }
             }
         }

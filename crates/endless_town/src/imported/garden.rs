@@ -12,7 +12,7 @@ use crate::plot::{Occupied, Rect};
 use endless_asset::Prop;
 use endless_scene::{Material, MeshBuilder};
 use endless_world::math::f64::atan2;
-use endless_world::{AssetRef, Pose, Stream};
+use endless_world::{Pose, Stream, VehicleModelId, VehicleRef};
 use glam::DVec2;
 
 /// Thickness of what is laid, and distance between its corners on uneven land, metres.
@@ -232,13 +232,14 @@ impl Gardener<'_> {
         if weights.iter().sum::<f64>() <= 0.0 || stage.parked.len() >= MOST {
             return;
         }
-        let asset = AssetRef { model: stream.weighted(&weights) as u16, variant: stream.next_u64() };
+        let model = VehicleModelId::from_index(stream.weighted(&weights));
+        let vehicle = VehicleRef { model, variant: stream.next_u64() };
         let inwards = front.axis.perp();
         let ahead = if nose_in { inwards } else { -inwards };
         let height = |p: DVec2| self.land.level(p).max(self.land.height(p)) + SLAB_M;
         let grade = (height(at + ahead * 1.3) - height(at - ahead * 1.3)) / 2.6;
         let pose = Pose::level(at.extend(height(at)).as_vec3(), atan2(ahead.y, ahead.x) as f32);
         let pitch_rad = endless_world::math::atan(grade as f32);
-        stage.parked.push(ParkedVehicle { asset, pose: Pose { pitch_rad, ..pose } });
+        stage.parked.push(ParkedVehicle { vehicle, pose: Pose { pitch_rad, ..pose } });
     }
 }

@@ -9,7 +9,7 @@ use crate::dressing::Stage;
 use crate::plot::{Rect, inside, unit};
 use endless_road::{AreaKind, RoadNetwork, Strip, StripKind};
 use endless_world::math::f64::{atan2, wrap_angle};
-use endless_world::{AssetRef, Pose, Stream};
+use endless_world::{Pose, Stream, VehicleModelId, VehicleRef};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -155,6 +155,7 @@ fn park(stage: &mut Stage<'_>, bay: &Bay, stream: &mut Stream) {
     if stage.occupied.try_take(Rect::new(at.truncate(), half.map(|h| h + 0.05), yaw)) {
         let pitch_rad = endless_world::math::atan(bay.grade as f32);
         let pose = Pose { pitch_rad, ..Pose::level(at.as_vec3(), yaw as f32) };
-        stage.parked.push(ParkedVehicle { asset: AssetRef { model: model as u16, variant }, pose });
+        let vehicle = VehicleRef { model: VehicleModelId::from_index(model), variant };
+        stage.parked.push(ParkedVehicle { vehicle, pose });
     }
 }

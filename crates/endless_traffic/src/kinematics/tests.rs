@@ -4,7 +4,7 @@ use crate::population::Conditions;
 use crate::trailer::Trailer;
 use endless_asset::{Catalogue, VehicleSpec};
 use endless_road::Turn;
-use endless_world::{AssetRef, Stream};
+use endless_world::{Stream, VehicleModelId, VehicleRef};
 use glam::DVec2;
 
 /// Between the outermost lane and the kerb, metres.
@@ -39,14 +39,14 @@ fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
         let roads = Roads::new(town.network, &specs, &[]);
         let network = &roads.network;
         for (model, spec) in specs.iter().enumerate().filter(|(_, s)| s.length_m > 6.5) {
-            let allowed = roads.allowed(model as u16);
+            let allowed = roads.allowed(VehicleModelId::from_index(model));
             for lane in network.lanes.iter().filter(|l| allowed[l.id.index()] && l.turn != Turn::Straight) {
                 let (before, after) = (lane.predecessors[0], lane.successors[0]);
                 let mut stream = Stream::new(1, &[]);
                 let mut driver = Driver::new(spec, Conditions::default(), &mut stream);
                 driver.lateral_m = 0.0;
                 let start = (network.lane(before).centerline.length() - 25.0).max(0.0);
-                let asset = AssetRef { model: model as u16, variant: 0 };
+                let asset = VehicleRef { model: VehicleModelId::from_index(model), variant: 0 };
                 let mut bus = Vehicle::new(spec, asset, driver, before, start, stream);
                 bus.route.extend([lane.id, after]);
                 settle(&mut bus, &roads);

@@ -1,7 +1,7 @@
 use super::*;
 use endless_asset::Catalogue;
 use endless_town::Town;
-use endless_world::ObjectClass;
+use endless_world::{ObjectClass, VehicleModelId, VehicleRef};
 use glam::Vec3;
 
 struct Place {
@@ -33,9 +33,9 @@ fn at(vehicle: &Vehicle) -> DVec2 {
 fn vehicles_begin_clear_of_parked_ones() {
     let place = Place::new("Town02");
     let (specs, roads) = (place.specs(), place.roads(&[]));
-    let car = specs.iter().position(|s| s.parks).expect("something parks") as u16;
+    let car = specs.iter().position(|s| s.parks).expect("something parks");
     // Parked so badly that every other spawn point is taken.
-    let parked: Vec<(AssetRef, Pose)> = roads
+    let parked: Vec<(VehicleRef, Pose)> = roads
         .network
         .spawn_points
         .iter()
@@ -43,11 +43,11 @@ fn vehicles_begin_clear_of_parked_ones() {
         .map(|p| {
             let on = roads.network.lane(p.lane).centerline.at(p.s);
             let pose = Pose::level(on.position.as_vec3(), on.heading_rad as f32 + 0.4);
-            (AssetRef { model: car, variant: 0 }, pose)
+            (VehicleRef { model: VehicleModelId::from_index(car), variant: 0 }, pose)
         })
         .collect();
-    let print = |asset: AssetRef, pose: &Pose| {
-        let spec = specs[usize::from(asset.model)];
+    let print = |vehicle: VehicleRef, pose: &Pose| {
+        let spec = specs[vehicle.model.index()];
         Footprint::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), 0.0)
     };
     let placed = vehicles(&roads, &specs, &parked, 60, 3, Conditions::default());

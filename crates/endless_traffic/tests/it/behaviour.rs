@@ -171,7 +171,7 @@ fn signals_keep_their_program_and_nobody_runs_a_red_light() {
             let along = DVec2::new(cos, sin);
             let place = |a: &Actor| {
                 let (sin, cos) = sin_cos(f64::from(a.pose.yaw_rad));
-                let half = 0.5 * f64::from(specs[usize::from(a.asset.model)].length_m);
+                let half = 0.5 * f64::from(specs[a.asset.vehicle().expect("a vehicle").model.index()].length_m);
                 let front = a.pose.position.as_dvec3().truncate() + DVec2::new(cos, sin) * half;
                 let d = front - line.position.truncate();
                 (d.dot(along), along.perp_dot(d))

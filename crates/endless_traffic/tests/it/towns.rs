@@ -20,7 +20,7 @@ fn flows_without_a_touch(name: &str, seed: u64) {
     let catalogue = Catalogue::builtin();
     let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
     let town = endless_town::load(name, &catalogue).expect("a town");
-    let parked: Vec<_> = town.parked.iter().map(|p| (p.asset, p.pose)).collect();
+    let parked: Vec<_> = town.parked.iter().map(|p| (p.vehicle, p.pose)).collect();
     assert!(!parked.is_empty() || name == "Town06", "{name}: nobody parks here");
     let mut s =
         Simulation::on_network(&town.network, &specs, &parked, &|_| 1.35, ASKED, seed, Conditions::default(), FPS, &[]);

@@ -7,8 +7,9 @@ use endless_pipeline::{
     generate,
 };
 use endless_world::{
-    Actor, AssetRef, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, Motion, Mount, ObjectClass,
-    Pose, SceneSettings, SensorFrame, Stream, VehicleMotion, WalkerMotion, WorldState,
+    Actor, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, Motion, Mount, ObjectClass, Outfit,
+    PersonRef, Pose, SceneSettings, SensorFrame, Stream, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion,
+    WorldState,
 };
 use glam::Vec3;
 use std::{
@@ -83,15 +84,17 @@ impl Simulator for Fake {
 }
 
 fn actor(id: u16, class: ObjectClass) -> Actor {
-    let motion = match class {
-        ObjectClass::Pedestrian => Motion::Walker(WalkerMotion::default()),
-        _ => Motion::Vehicle(VehicleMotion::default()),
+    let (motion, asset) = match class {
+        ObjectClass::Pedestrian => {
+            (Motion::Walker(WalkerMotion::default()), PersonRef { outfit: Outfit::Fair, seed: 0 }.into())
+        }
+        _ => (Motion::Vehicle(VehicleMotion::default()), VehicleRef { model: VehicleModelId(0), variant: 0 }.into()),
     };
     Actor {
         id: InstanceId(id),
         rider_id: None,
         class,
-        asset: AssetRef { model: 0, variant: 0 },
+        asset,
         pose: Pose::level(Vec3::ZERO, 0.0),
         velocity_mps: Vec3::new(1.0, 0.0, 0.0),
         motion,

@@ -136,12 +136,8 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
         simulation.tick();
         let now = simulation.state();
         let vehicles: Vec<&Actor> = now.actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_))).collect();
-        let prints: Vec<Vec<Footprint>> = vehicles
-            .iter()
-            .copied()
-            .chain(&parked)
-            .map(|a| Footprint::pieces(a, specs[usize::from(a.asset.model)]))
-            .collect();
+        let prints: Vec<Vec<Footprint>> =
+            vehicles.iter().copied().chain(&parked).map(|a| Footprint::pieces(a, specs[model_index(a)])).collect();
         let mut touching = Vec::new();
         for i in 0..vehicles.len() {
             for j in i + 1..prints.len() {
@@ -190,7 +186,7 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
                     if stood[k] > f.longest_stand.0 {
                         f.longest_stand = (stood[k], k, at);
                     }
-                    let spec = specs[usize::from(a.asset.model)];
+                    let spec = specs[model_index(a)];
                     let rear = |x: &Actor| {
                         let (sin, cos) = sin_cos(f64::from(x.pose.yaw_rad));
                         x.pose.position.as_dvec3().truncate() + DVec2::new(cos, sin) * f64::from(spec.rear_axle_m)
@@ -224,6 +220,11 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
         before = now;
     }
     f
+}
+
+/// Index of a vehicle's model in the catalogue.
+fn model_index(vehicle: &Actor) -> usize {
+    vehicle.asset.vehicle().expect("a vehicle").model.index()
 }
 
 fn wrap(angle: f32) -> f32 {
