@@ -7,7 +7,8 @@ use crate::plant;
 use crate::vehicle;
 use crate::{Anatomy, ImportedAsset, ImportedThing, PersonModel, Prop, VehicleKind, VehicleModel};
 use endless_scene::{Material, Mesh};
-use endless_world::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
+use endless_world::walking::PedestrianSpec;
+use endless_world::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef, VehicleSpec};
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
 /// when they are first asked for.
@@ -58,6 +59,11 @@ impl Catalogue {
         self.vehicles.get(model.index())
     }
 
+    /// What traffic needs to know of the vehicle models, in the same order.
+    pub fn vehicle_specs(&self) -> Vec<VehicleSpec> {
+        self.vehicles.iter().map(|model| model.spec.clone()).collect()
+    }
+
     /// The designs of vehicles with the ranges of their sizes.
     pub fn vehicle_kinds() -> Vec<VehicleKind> {
         vehicle::kinds()
@@ -93,6 +99,11 @@ impl Catalogue {
     /// The person of a seed, dressed for fair weather.
     pub fn person(&self, seed: u64) -> PersonModel {
         self.dressed_person(PersonRef { outfit: Outfit::Fair, seed })
+    }
+
+    /// What traffic needs to know of the person of a seed.
+    pub fn pedestrian_spec(seed: u64) -> PedestrianSpec {
+        person::pedestrian_spec(seed)
     }
 
     /// A person, dressed for the weather that the reference says.

@@ -17,6 +17,6 @@ pub use catalogue::Catalogue;
 pub use import::{
     AssetEntry, AssetManifest, Beside, Forward, ImportError, ImportedAsset, ImportedThing, LampPlaces, RiderEntry,
 };
-pub use person::{Anatomy, BodyPart, BodyPose, Bone, Footsteps, PersonModel, PersonTraits, Stance};
+pub use person::{Anatomy, BodyPart, BodyPose, Bone, PersonModel, PersonTraits, Stance};
 pub use prop::Prop;
-pub use vehicle::{Trailer, TrailerSpec, VehicleKind, VehicleModel, VehicleSpec, Wheel};
+pub use vehicle::{Trailer, VehicleKind, VehicleModel, Wheel};

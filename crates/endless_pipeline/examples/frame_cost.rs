@@ -3,7 +3,7 @@
 
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::SceneSettings;
 use glam::Vec3;
 use std::{error::Error, hash::Hasher, time::Duration};
@@ -28,9 +28,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         ..RenderSettings::new(weather, time_of_day, seed, size)
     };
     let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(&still, &render, site));
-    let focus = settings.cameras.each_ref().map(|site| Vec3::from_array(site.position));
+    let focus = settings.cameras.iter().map(|site| Vec3::from_array(site.position)).collect();
     let conditions = Conditions::new(weather, time_of_day);
-    let mut traffic = Simulation::focused(&town, &catalogue, vehicles, pedestrians, seed, conditions, fps, &focus);
+    let specs = catalogue.vehicle_specs();
+    let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
+    let asked = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
+    let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &asked);
     let cast = Cast::in_town(&still, &catalogue, &traffic.state().actors);
     let (mut scene_time, mut times) = (Duration::ZERO, [Duration::ZERO; 2]);
     let mut print = std::hash::DefaultHasher::new();

@@ -4,7 +4,7 @@
 
 use endless_asset::Catalogue;
 use endless_render::{Cast, FrameScene, StaticScene};
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::{TimeOfDay, Weather};
 use std::{error::Error, fs, time::Instant};
 
@@ -33,7 +33,12 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     let town_cost = stage.next();
     let still = StaticScene::load(&town, &catalogue);
     let still_cost = stage.next();
-    let crowd = |n: [u32; 2]| Simulation::focused(&town, &catalogue, n[0], n[1], 1, conditions, FPS, &[]);
+    let specs = catalogue.vehicle_specs();
+    let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
+    let crowd = |[vehicles, pedestrians]: [u32; 2]| {
+        let settings = TrafficSettings { vehicles, pedestrians, seed: 1, fps: FPS, conditions, focus: Vec::new() };
+        Simulation::new(&town.network, &fleet, &town.parked, &settings)
+    };
     let scene = crowd(SCENE);
     stage.next();
     let cast = Cast::in_town(&still, &catalogue, &scene.state().actors);

@@ -4,11 +4,12 @@ mod bodies;
 
 use crate::{Cameras, MapCatalog, PeopleBodies, RenderStats, Scene, Simulator, SimulatorError, Traffic};
 use bodies::CastBodies;
+use endless_asset::Catalogue;
 use endless_dataset::Spawned;
 use endless_interchange::{MapError, MapLibrary};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_town::Town;
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, CameraSite, InstanceId, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
@@ -102,17 +103,11 @@ impl Simulator for BuiltinSimulator {
         let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
         let conditions = Conditions::new(weather, time_of_day);
         // Traffic over the whole map, denser where the cameras look.
-        let focus = settings.cameras.each_ref().map(|site| Vec3::from_array(site.position));
-        let simulation = Simulation::focused(
-            &map.town,
-            self.library.catalogue(),
-            vehicles,
-            pedestrians,
-            seed,
-            conditions,
-            fps,
-            &focus,
-        );
+        let focus = settings.cameras.iter().map(|site| Vec3::from_array(site.position)).collect();
+        let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
+        let specs = self.library.catalogue().vehicle_specs();
+        let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
+        let simulation = Simulation::new(&map.town.network, &fleet, &map.town.parked, &traffic);
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
         let spawned = Spawned {

@@ -3,7 +3,7 @@
 use endless_asset::Prop;
 use endless_road::RoadNetwork;
 use endless_scene::Mesh;
-use endless_world::{CameraSite, Pose, SignalId, VehicleRef};
+use endless_world::{CameraSite, ParkedVehicle, SignalId};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
@@ -25,15 +25,6 @@ pub struct Placement {
     pub world_from_object: Affine3A,
     /// The signal group that lights its lenses.
     pub signal: Option<SignalId>,
-}
-
-/// A vehicle standing parked for ever.
-#[derive(Debug, Clone, PartialEq)]
-pub struct ParkedVehicle {
-    /// Vehicle model and variant.
-    pub vehicle: VehicleRef,
-    /// Where it stands.
-    pub pose: Pose,
 }
 
 /// A street lamp's light.

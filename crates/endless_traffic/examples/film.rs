@@ -6,7 +6,7 @@
 use endless_asset::Catalogue;
 use endless_road::{Control, WalkKind};
 use endless_town::Town;
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::math::{atan2, sin_cos};
 use endless_world::{Actor, Motion, SignalAspect, VehicleLights, WorldState};
 use glam::Vec2;
@@ -124,8 +124,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let scale = SIDE as f32 / number(5, 130.0);
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(name, &catalogue)?;
-    let mut simulation =
-        Simulation::focused(&town, &catalogue, 60, 40, 1, Conditions::default(), 10.0, &[centre.extend(0.0)]);
+    let specs = catalogue.vehicle_specs();
+    let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
+    let settings = TrafficSettings {
+        vehicles: 60,
+        pedestrians: 40,
+        seed: 1,
+        focus: vec![centre.extend(0.0)],
+        ..TrafficSettings::default()
+    };
+    let mut simulation = Simulation::new(&town.network, &fleet, &town.parked, &settings);
     for i in 0..number(2, 20.0) as usize {
         let state = simulation.state();
         let mut picture = Picture { pixels: vec![[44, 58, 40]; SIDE * SIDE], centre, scale };

@@ -4,7 +4,7 @@
 
 use endless_asset::Catalogue;
 use endless_town::Town;
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{Motion, ObjectClass};
 use glam::Vec3;
 use std::error::Error;
@@ -13,11 +13,20 @@ const NEAR_M: f32 = 60.0;
 const SECONDS: u32 = 30;
 const SEEDS: u64 = 3;
 
+fn simulation(town: &Town, catalogue: &Catalogue, settings: &TrafficSettings) -> Simulation {
+    let specs = catalogue.vehicle_specs();
+    let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
+    Simulation::new(&town.network, &fleet, &town.parked, settings)
+}
+
 /// Mean numbers of vehicles and of people near each place.
 fn presence(town: &Town, catalogue: &Catalogue, asked: [u32; 2], focus: &[Vec3], places: &[Vec3]) -> Vec<[f32; 2]> {
     let mut sums = vec![[0.0; 2]; places.len()];
     for seed in 0..SEEDS {
-        let mut s = Simulation::focused(town, catalogue, asked[0], asked[1], seed, Conditions::default(), 10.0, focus);
+        let [vehicles, pedestrians] = asked;
+        let settings =
+            TrafficSettings { vehicles, pedestrians, seed, focus: focus.to_vec(), ..TrafficSettings::default() };
+        let mut s = simulation(town, catalogue, &settings);
         for _ in 0..SECONDS {
             (0..10).for_each(|_| s.tick());
             for actor in &s.state().actors {
@@ -37,7 +46,8 @@ fn presence(town: &Town, catalogue: &Catalogue, asked: [u32; 2], focus: &[Vec3],
 fn kinds(town: &Town, catalogue: &Catalogue, vehicles: u32) -> Vec<usize> {
     let mut counts = vec![0; ObjectClass::ALL.len()];
     for seed in 0..10 {
-        let s = Simulation::new(town, catalogue, vehicles, 0, seed, Conditions::default(), 10.0);
+        let settings = TrafficSettings { vehicles, pedestrians: 0, seed, ..TrafficSettings::default() };
+        let s = simulation(town, catalogue, &settings);
         for actor in s.state().actors {
             counts[ObjectClass::ALL.iter().position(|&c| c == actor.class).unwrap_or(0)] += 1;
         }

@@ -7,7 +7,7 @@ use endless_asset::Catalogue;
 use endless_road::osm::{self, OsmOptions};
 use endless_road::{Control, Phase, RoadNetwork, opendrive};
 use endless_town::Town;
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::Motion;
 use glam::DVec2;
 use std::error::Error;
@@ -59,7 +59,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (vehicles, people, seconds, seed) = (number(1, 30)?, number(2, 20)?, number(3, 240)?, number(4, 0)?);
     let catalogue = Catalogue::builtin();
     let town = open(name, &catalogue)?;
-    let mut s = Simulation::new(&town, &catalogue, vehicles, people, u64::from(seed), Conditions::default(), FPS);
+    let specs = catalogue.vehicle_specs();
+    let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
+    let settings = TrafficSettings {
+        vehicles,
+        pedestrians: people,
+        seed: u64::from(seed),
+        fps: FPS,
+        ..TrafficSettings::default()
+    };
+    let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings);
     let mut stood = vec![0.0f64; s.state().actors.len()];
     let mut reported = vec![false; stood.len()];
     for _ in 0..(f64::from(seconds) * FPS) as usize {

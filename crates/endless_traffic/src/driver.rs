@@ -2,8 +2,7 @@
 //! in empirical observations and microscopic simulations").
 
 use crate::population::Conditions;
-use endless_asset::VehicleSpec;
-use endless_world::{ObjectClass, Stream};
+use endless_world::{ObjectClass, Stream, VehicleSpec};
 
 /// Hardest braking, m/s².
 pub(crate) const HARDEST_BRAKING: f64 = 7.5;

@@ -1,6 +1,6 @@
 //! Bodies seen from above.
 
-use endless_asset::VehicleSpec;
+use endless_world::VehicleSpec;
 use endless_world::math::f64::sin_cos;
 use glam::DVec2;
 

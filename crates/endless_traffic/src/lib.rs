@@ -16,6 +16,7 @@ mod occupancy;
 mod overlap;
 mod population;
 mod roads;
+mod settings;
 mod signals;
 mod simulation;
 mod spawn;
@@ -26,4 +27,5 @@ mod vehicle;
 mod walker;
 
 pub use population::{Conditions, Population};
+pub use settings::{Fleet, TrafficSettings};
 pub use simulation::Simulation;

@@ -3,8 +3,8 @@
 
 use crate::roads::{LONG_M, SWINGS_OUT_M};
 use crate::sweep::{Body, Sweep};
-use endless_asset::VehicleSpec;
 use endless_road::{Conflict, Lane, LaneId, OnLine, RoadNetwork, Turn, gives_way, near_ranges};
+use endless_world::VehicleSpec;
 use endless_world::math::f64::{cos, wrap_angle};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -58,9 +58,9 @@ pub(crate) struct Bodies {
 }
 
 impl Bodies {
-    pub(crate) fn of(specs: &[&VehicleSpec]) -> Self {
+    pub(crate) fn of(specs: &[VehicleSpec]) -> Self {
         let shorter = |than: f64| {
-            let specs = specs.iter().copied().filter(move |s| f64::from(s.length_m) < than);
+            let specs = specs.iter().filter(move |s| f64::from(s.length_m) < than);
             Body::around(specs, ASIDE_M)
         };
         Self { small: shorter(SWINGS_OUT_M), broad: shorter(LONG_M) }

@@ -2,10 +2,9 @@
 
 use crate::attraction::Attraction;
 use crate::overlap::{Alongside, Bodies, Conflicts, Sibling, alongside, make_room, siblings};
-use endless_asset::VehicleSpec;
 use endless_road::{Conflict, CrossingId, JunctionId, LaneId, RoadNetwork, Turn};
-use endless_world::VehicleModelId;
 use endless_world::math::f64::wrap_angle;
+use endless_world::{VehicleModelId, VehicleSpec};
 use glam::Vec3;
 
 /// Distance between stations of a speed profile, metres.
@@ -88,7 +87,7 @@ pub(crate) struct Roads {
 
 impl Roads {
     /// With all models, and the places that are looked at.
-    pub(crate) fn new(network: RoadNetwork, specs: &[&VehicleSpec], focus: &[Vec3]) -> Self {
+    pub(crate) fn new(network: RoadNetwork, specs: &[VehicleSpec], focus: &[Vec3]) -> Self {
         let bodies = Bodies::of(specs);
         let mut lanes: Vec<LaneTable> = network.lanes.iter().map(|lane| table(&network, lane.id)).collect();
         for (place, crossing) in network.crossings.iter().enumerate() {

@@ -5,17 +5,16 @@ use crate::crossing::{CrossingState, note_vehicles};
 use crate::occupancy::Occupancy;
 use crate::population::{Conditions, Population};
 use crate::roads::Roads;
+use crate::settings::{Fleet, TrafficSettings};
 use crate::steering::View;
 use crate::vehicle::Vehicle;
 use crate::walker::{Scene, Walker};
 use crate::{kinematics, lane_change, lights, signals, spawn, walker};
-use endless_asset::{Catalogue, Footsteps, VehicleSpec};
 use endless_road::{RoadNetwork, WalkGraph};
-use endless_town::Town;
 use endless_world::math::f64::wrap_angle;
 use endless_world::{
-    Actor, InstanceId, Motion, ObjectClass, Outfit, PersonRef, Pose, SignalState, VehicleMotion, VehicleRef,
-    WalkerMotion, WorldState,
+    Actor, InstanceId, Motion, ObjectClass, Outfit, ParkedVehicle, PersonRef, Pose, SignalState, VehicleMotion,
+    VehicleSpec, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 
@@ -45,70 +44,23 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// Spawns in rest pose and simulates the warm-up; frame 0 is the first to record. Vehicle models are drawn by
-    /// their frequency in the catalogue. Vehicles and people are spread evenly over the whole map.
+    /// Spawns in rest pose on a network and simulates the warm-up; frame 0 is the first to record. Vehicles keep clear of
+    /// those that stand parked.
     ///
     /// # Panics
-    /// If `fps` is not positive.
-    pub fn new(
-        town: &Town,
-        catalogue: &Catalogue,
-        vehicles: u32,
-        pedestrians: u32,
-        seed: u64,
-        conditions: Conditions,
-        fps: f64,
-    ) -> Self {
-        Self::focused(town, catalogue, vehicles, pedestrians, seed, conditions, fps, &[])
-    }
-
-    /// The same, but denser around the places of `focus` (world frame, metres; say, the recorded cameras), and with
-    /// ways that rather lead there.
-    ///
-    /// # Panics
-    /// If `fps` is not positive.
-    pub fn focused(
-        town: &Town,
-        catalogue: &Catalogue,
-        vehicles: u32,
-        pedestrians: u32,
-        seed: u64,
-        conditions: Conditions,
-        fps: f64,
-        focus: &[Vec3],
-    ) -> Self {
-        let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
-        let parked: Vec<(VehicleRef, Pose)> = town.parked.iter().map(|p| (p.vehicle, p.pose)).collect();
-        let pace = |variant| Footsteps::new(variant, glam::DVec2::ZERO, 0.0).walk_mps();
-        Self::on_network(&town.network, &specs, &parked, &pace, [vehicles, pedestrians], seed, conditions, fps, focus)
-    }
-
-    /// On a bare network: `specs` are the models, `parked` the vehicles at rest, `pace_of` the walking speed (m/s) of
-    /// a person's variant, `asked` the numbers of vehicles and pedestrians, `focus` the places looked at.
-    ///
-    /// # Panics
-    /// If `fps` is not positive, or a parked vehicle's model is not in `specs`.
-    pub fn on_network(
-        network: &RoadNetwork,
-        specs: &[&VehicleSpec],
-        parked: &[(VehicleRef, Pose)],
-        pace_of: &dyn Fn(u64) -> f64,
-        asked: [u32; 2],
-        seed: u64,
-        conditions: Conditions,
-        fps: f64,
-        focus: &[Vec3],
-    ) -> Self {
+    /// If the frame rate is not positive, or a parked vehicle's model is not in the fleet.
+    pub fn new(network: &RoadNetwork, fleet: &Fleet<'_>, parked: &[ParkedVehicle], settings: &TrafficSettings) -> Self {
+        let fps = settings.fps;
         assert!(fps > 0.0, "frames per second must be positive");
-        let roads = Roads::new(network.clone(), specs, focus);
+        let roads = Roads::new(network.clone(), fleet.vehicles, &settings.focus);
         let graph = WalkGraph::new(&network.walk);
-        let vehicles = spawn::vehicles(&roads, specs, parked, asked[0], seed, conditions);
-        let walkers = spawn::walkers(&roads, &graph, pace_of, asked[1], seed);
+        let vehicles = spawn::vehicles(&roads, fleet.vehicles, parked, settings);
+        let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);
         let population = Population {
-            vehicles_asked: asked[0],
+            vehicles_asked: settings.vehicles,
             vehicles_spawned: vehicles.len() as u32,
-            vehicle_capacity: spawn::capacity(&roads, specs.len()) as u32,
-            pedestrians_asked: asked[1],
+            vehicle_capacity: spawn::capacity(&roads, fleet.vehicles.len()) as u32,
+            pedestrians_asked: settings.pedestrians,
             pedestrians_spawned: walkers.len() as u32,
         };
         let crossings = vec![CrossingState::default(); network.crossings.len()];
@@ -116,9 +68,9 @@ impl Simulation {
         let mut simulation = Self {
             roads,
             graph,
-            conditions,
+            conditions: settings.conditions,
             population,
-            parked: parked_actors(parked, specs),
+            parked: parked_actors(parked, fleet.vehicles),
             vehicles,
             walkers,
             occupancy: Occupancy::default(),
@@ -143,7 +95,7 @@ impl Simulation {
         self.population
     }
 
-    /// The town's parked vehicles; number i carries instance id i + 1.
+    /// The parked vehicles; number i carries instance id i + 1.
     pub fn parked(&self) -> &[Actor] {
         &self.parked
     }
@@ -247,13 +199,13 @@ impl Simulation {
     }
 }
 
-fn parked_actors(parked: &[(VehicleRef, Pose)], specs: &[&VehicleSpec]) -> Vec<Actor> {
-    let actor = |(i, &(vehicle, pose)): (usize, &(VehicleRef, Pose))| Actor {
+fn parked_actors(parked: &[ParkedVehicle], specs: &[VehicleSpec]) -> Vec<Actor> {
+    let actor = |(i, parked): (usize, &ParkedVehicle)| Actor {
         id: InstanceId(u16::try_from(i + 1).unwrap_or(u16::MAX)),
         rider_id: None,
-        class: specs[vehicle.model.index()].class,
-        asset: vehicle.into(),
-        pose,
+        class: specs[parked.vehicle.model.index()].class,
+        asset: parked.vehicle.into(),
+        pose: parked.pose,
         velocity_mps: Vec3::ZERO,
         motion: Motion::Vehicle(VehicleMotion::default()),
         parked: true,

@@ -3,14 +3,14 @@
 use crate::driver::Driver;
 use crate::footprint::Footprint;
 use crate::kinematics;
-use crate::population::Conditions;
 use crate::roads::Roads;
+use crate::settings::TrafficSettings;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, height};
-use endless_asset::{Footsteps, VehicleSpec};
 use endless_road::{SpawnPoint, WalkEdgeId, WalkGraph, WalkKind};
 use endless_world::math::f64::atan2;
-use endless_world::{Gait, Pose, Stream, VehicleModelId, VehicleRef};
+use endless_world::walking::{Footsteps, PedestrianSpec};
+use endless_world::{Gait, ParkedVehicle, Stream, VehicleModelId, VehicleRef, VehicleSpec};
 use glam::DVec2;
 
 /// Gap between vehicles that spawn on the same lane, metres.
@@ -50,18 +50,17 @@ pub(crate) fn capacity(roads: &Roads, models: usize) -> usize {
 /// As many vehicles as asked for, or as fit, in rest pose on their lanes.
 pub(crate) fn vehicles(
     roads: &Roads,
-    specs: &[&VehicleSpec],
-    parked: &[(VehicleRef, Pose)],
-    asked: u32,
-    seed: u64,
-    conditions: Conditions,
+    specs: &[VehicleSpec],
+    parked: &[ParkedVehicle],
+    settings: &TrafficSettings,
 ) -> Vec<Vehicle> {
+    let seed = settings.seed;
     let mut stream = Stream::named(seed, "traffic.spawn", &[]);
     let mut free = points(roads, specs.len());
     let standing: Vec<Footprint> = parked
         .iter()
-        .map(|(vehicle, pose)| {
-            let spec = specs[vehicle.model.index()];
+        .map(|ParkedVehicle { vehicle, pose }| {
+            let spec = &specs[vehicle.model.index()];
             Footprint::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), PARKED_M)
         })
         .collect();
@@ -73,11 +72,11 @@ pub(crate) fn vehicles(
     if specs.is_empty() || weights.iter().sum::<f64>() <= 0.0 {
         return placed;
     }
-    let most = capacity(roads, specs.len()).min(asked as usize);
+    let most = capacity(roads, specs.len()).min(settings.vehicles as usize);
     while placed.len() < most && !free.is_empty() {
         let mut own = Stream::named(seed, "traffic.vehicle", &[placed.len() as u64, misses]);
         let model = VehicleModelId::from_index(own.weighted(&weights));
-        let spec = specs[model.index()];
+        let spec = &specs[model.index()];
         let half = 0.5 * f64::from(spec.length_m);
         let fits = |p: &SpawnPoint| {
             let length = roads.table(p.lane).length;
@@ -111,7 +110,7 @@ pub(crate) fn vehicles(
         };
         let point = free.remove(place);
         let asset = VehicleRef { model, variant: own.next_u64() };
-        let driver = Driver::new(spec, conditions, &mut own);
+        let driver = Driver::new(spec, settings.conditions, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.plan(roads);
         kinematics::settle(&mut vehicle, roads);
@@ -131,9 +130,8 @@ fn room_at(at: DVec2, placed: impl Iterator<Item = DVec2>) -> f64 {
 pub(crate) fn walkers(
     roads: &Roads,
     graph: &WalkGraph,
-    pace_of: &dyn Fn(u64) -> f64,
-    asked: u32,
-    seed: u64,
+    pedestrian: &dyn Fn(u64) -> PedestrianSpec,
+    settings: &TrafficSettings,
 ) -> Vec<Walker> {
     let walk = &roads.network.walk;
     let lengths: Vec<f64> = walk
@@ -148,13 +146,13 @@ pub(crate) fn walkers(
     if lengths.iter().sum::<f64>() <= 0.0 {
         return placed;
     }
-    for k in 0..asked {
-        let mut own = Stream::named(seed, "traffic.walker", &[u64::from(k)]);
+    for k in 0..settings.pedestrians {
+        let mut own = Stream::named(settings.seed, "traffic.walker", &[u64::from(k)]);
         let variant = own.next_u64();
         let hurries = own.chance(0.05);
-        let can_run = Footsteps::new(variant, DVec2::ZERO, 0.0).can_run();
+        let spec = pedestrian(variant);
         let brisk = own.range_f64(0.92, 1.08);
-        let pace = pace_of(variant).clamp(0.6, 2.0) * if hurries && can_run { 1.9 } else { brisk };
+        let pace = f64::from(spec.walk_mps).clamp(0.6, 2.0) * if hurries && spec.can_run() { 1.9 } else { brisk };
         let side = own.range_f64(0.15, 0.85);
         let mut best: Option<(f64, Walker)> = None;
         let mut found = 0;
@@ -189,7 +187,7 @@ pub(crate) fn walkers(
                 yaw: atan2(along.y, along.x),
                 walked: own.range_f64(0.0, 2.0),
                 gait: Gait::Stand,
-                steps: Footsteps::new(variant, position, atan2(along.y, along.x)),
+                steps: Footsteps::new(&spec, position, atan2(along.y, along.x)),
                 stuck: (0.0, 0.0),
             };
             best = Some((room, walker));

@@ -2,8 +2,8 @@
 
 use crate::footprint::Footprint;
 use crate::kinematics::{DRAWBAR, drawn};
-use endless_asset::VehicleSpec;
 use endless_road::{Lane, Polyline, RoadNetwork};
+use endless_world::VehicleSpec;
 use endless_world::math::f64::{atan2, sin_cos};
 use glam::{DVec2, DVec3};
 

@@ -1,7 +1,7 @@
 //! What a vehicle draws: its axle follows the hitch without slipping sideways.
 
 use crate::kinematics::drawn;
-use endless_asset::VehicleSpec;
+use endless_world::VehicleSpec;
 use endless_world::math::f64::{atan2, sin_cos};
 use glam::DVec2;
 

@@ -4,9 +4,8 @@ use crate::driver::Driver;
 use crate::footprint::Footprint;
 use crate::roads::{Roads, SWINGS_OUT_M};
 use crate::trailer::Trailer;
-use endless_asset::VehicleSpec;
 use endless_road::{JunctionId, LaneId};
-use endless_world::{ObjectClass, Pose, Stream, VehicleLights, VehicleRef};
+use endless_world::{ObjectClass, Pose, Stream, VehicleLights, VehicleRef, VehicleSpec};
 use glam::{DVec3, Vec3};
 use std::collections::VecDeque;
 
@@ -201,8 +200,8 @@ impl Vehicle {
     }
 
     /// Its body seen from above, with a margin all round, metres.
-    pub(crate) fn footprint(&self, specs: &[&VehicleSpec], margin_m: f64) -> Footprint {
-        let spec = specs[self.asset.model.index()];
+    pub(crate) fn footprint(&self, specs: &[VehicleSpec], margin_m: f64) -> Footprint {
+        let spec = &specs[self.asset.model.index()];
         Footprint::new(spec, self.pose.position.as_dvec3().truncate(), self.yaw, margin_m)
     }
 

@@ -3,9 +3,9 @@
 
 use crate::crossing::{CrossingState, OnFoot, signal_of};
 use crate::roads::Roads;
-use endless_asset::Footsteps;
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
+use endless_world::walking::Footsteps;
 use endless_world::{Gait, SignalAspect, SignalState, Stream};
 use glam::{DVec2, DVec3};
 use std::collections::VecDeque;

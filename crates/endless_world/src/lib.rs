@@ -28,6 +28,8 @@ mod rng;
 mod scene;
 mod sensor;
 mod state;
+mod vehicle_spec;
+pub mod walking;
 
 pub use actor::{Actor, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
 pub use asset::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
@@ -42,3 +44,4 @@ pub use rng::{Stream, fnv1a};
 pub use scene::SceneSettings;
 pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame};
 pub use state::{SignalAspect, SignalState, WorldState};
+pub use vehicle_spec::{ParkedVehicle, TrailerSpec, VehicleSpec};

@@ -5,9 +5,9 @@ use super::model::{Model, Part};
 use super::paint::Painter;
 use super::thing::{OFF, stand};
 use super::{AssetEntry, ImportError, lamp};
-use crate::vehicle::{Parts, RiderFit, VehicleModel, VehicleSpec, Wheel};
+use crate::vehicle::{Parts, RiderFit, VehicleModel, Wheel};
 use endless_scene::{LightSlot, Mesh, Surface};
-use endless_world::ObjectClass;
+use endless_world::{ObjectClass, VehicleSpec};
 use glam::Vec3;
 use std::collections::BTreeMap;
 

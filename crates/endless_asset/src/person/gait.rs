@@ -5,6 +5,7 @@ use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{Bone, Side, Skeleton};
 use super::step;
 use super::{hold, thing};
+use endless_world::walking::{Mobility, PedestrianSpec, average_speed_mps, foot_home, running_share, stride_m};
 use endless_world::{FootPlace, Gait, Stream, WalkerMotion, math};
 use glam::{Quat, Vec3};
 use std::f32::consts::TAU;
@@ -45,6 +46,17 @@ impl Habit {
         }
     }
 
+    /// What traffic needs to know of somebody of these looks.
+    pub(crate) fn spec(&self, look: &Look) -> PedestrianSpec {
+        let mobility = match look.carried {
+            Carried::Wheelchair => Mobility::Wheelchair,
+            Carried::Pram => Mobility::Pram,
+            Carried::Cane | Carried::Suitcase => Mobility::Encumbered,
+            _ => Mobility::Agile,
+        };
+        PedestrianSpec { height_m: look.height, walk_mps: self.walk_mps, step_phase: self.offset, mobility }
+    }
+
     /// The speed that a gait's stride is for, when no steps are given.
     fn pace(&self, gait: Gait, height: f32) -> f32 {
         match gait {
@@ -57,7 +69,7 @@ impl Habit {
 
     /// Length of two steps at a gait, metres.
     pub(crate) fn stride(&self, gait: Gait, height: f32) -> f32 {
-        step::stride(height, self.pace(gait, height))
+        stride_m(height, self.pace(gait, height))
     }
 }
 
@@ -69,7 +81,7 @@ fn feet(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> (f32, [Foo
     let still = matches!(motion.gait, Gait::Stand | Gait::Idle | Gait::Wait | Gait::Talk | Gait::Sit);
     if still {
         let feet = Side::BOTH.map(|side| {
-            let (at, yaw_rad) = step::home(skeleton.height, side, 0.0);
+            let (at, yaw_rad) = foot_home(skeleton.height, side.sign(), 0.0);
             // One foot a little ahead.
             let ahead = 0.022 * skeleton.height * side.sign() * math::sin(habit.offset * TAU);
             FootPlace { at: [at.x + ahead, at.y], yaw_rad, ..FootPlace::default() }
@@ -81,7 +93,7 @@ fn feet(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> (f32, [Foo
     let pace = habit.pace(motion.gait, skeleton.height);
     let feet = Side::BOTH.map(|side| {
         let phase = cycle + 0.5 * side.index() as f32;
-        step::steady(phase - phase.floor(), side, skeleton, step::alike(skeleton.height, pace), stride, 1.0)
+        step::steady(phase - phase.floor(), side, skeleton, average_speed_mps(skeleton.height, pace), stride, 1.0)
     });
     (cycle - cycle.floor(), feet)
 }
@@ -97,7 +109,7 @@ pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit)
     // 0 standing, 1 under way.
     let go = math::smoothstep(0.12, 0.75, speed);
     let vigour = (0.45 + 0.55 * speed / habit.walk_mps).clamp(0.45, 1.25) * go;
-    let run = step::running(step::alike(h, speed));
+    let run = running_share(average_speed_mps(h, speed));
     let wave = math::cos(TAU * phase);
     let sway = math::sin(TAU * (phase - 0.06));
     let own = habit.offset * TAU;

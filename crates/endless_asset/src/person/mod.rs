@@ -6,7 +6,6 @@ mod cage;
 mod collar;
 mod dog;
 mod figure;
-mod footsteps;
 mod gait;
 mod hair;
 mod head;
@@ -26,12 +25,12 @@ mod wardrobe;
 mod wheeled;
 
 use endless_scene::Mesh;
+use endless_world::walking::PedestrianSpec;
 use endless_world::{KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
 pub use anatomy::Anatomy;
-pub use footsteps::Footsteps;
 pub(crate) use look::Look;
 pub(crate) use look::skin_tone;
 pub use part::{BodyPart, PersonTraits};
@@ -58,6 +57,12 @@ pub struct PersonModel {
     /// Distinct mixtures of bones, and which one each vertex follows.
     blends: Vec<Blend>,
     vertex_blend: Vec<u16>,
+}
+
+/// What traffic needs to know of the person of a seed.
+pub(crate) fn pedestrian_spec(seed: u64) -> PedestrianSpec {
+    let look = Look::of(seed, false);
+    gait::Habit::new(seed, &look).spec(&look)
 }
 
 /// Thickness of cloth on the ground, metres.

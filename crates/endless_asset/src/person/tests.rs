@@ -1,4 +1,5 @@
 use super::*;
+use endless_world::walking::Footsteps;
 use endless_world::{Gait, KEYPOINTS, Outfit, PersonRef, Stream};
 use glam::{DVec2, Quat};
 use skeleton::Side;
@@ -88,7 +89,7 @@ fn feet_do_not_slide() {
         }
         let mut random = Stream::named(variant, "a walk", &[]);
         let (mut body, mut yaw, mut speed) = (DVec2::ZERO, 0.4f64, 0.0f64);
-        let mut steps = Footsteps::new(variant, body, yaw);
+        let mut steps = Footsteps::new(&pedestrian_spec(variant), body, yaw);
         let mut held: [Option<(DVec2, bool)>; 2] = [None; 2];
         let (mut wanted, mut turning) = (0.0, 0.0);
         let mut walked = 0.0;
@@ -139,7 +140,7 @@ fn feet_do_not_slide() {
 #[test]
 fn who_stops_stands() {
     for variant in 0..30 {
-        let mut steps = Footsteps::new(variant, DVec2::ZERO, 0.0);
+        let mut steps = Footsteps::new(&pedestrian_spec(variant), DVec2::ZERO, 0.0);
         let mut body = DVec2::ZERO;
         for tick in 0..240 {
             let speed = if tick < 97 + variant as usize { 1.4 } else { 0.0 };

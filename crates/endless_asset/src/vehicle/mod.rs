@@ -27,65 +27,10 @@ use assemble::Plan;
 use design::{DESIGNS, Design};
 use draw::Draw;
 use endless_scene::Mesh;
-use endless_world::{KEYPOINT_COUNT, ObjectClass};
+use endless_world::{KEYPOINT_COUNT, ObjectClass, TrailerSpec, VehicleSpec};
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
 use tint::Paint;
-
-/// What traffic needs to know of a vehicle.
-#[derive(Debug, Clone, PartialEq)]
-pub struct VehicleSpec {
-    /// Name of the design, e.g. `car.hatchback`; vehicles of one design differ in size and equipment. `imported` of all
-    /// vehicles from files.
-    pub name: &'static str,
-    /// Class of the vehicle itself (the rider of a two-wheeler is an object of its own).
-    pub class: ObjectClass,
-    /// Foremost to rearmost point, metres; equals the mesh's bounds.
-    pub length_m: f32,
-    /// Without mirrors, metres.
-    pub width_m: f32,
-    /// Metres; equals the mesh's bounds.
-    pub height_m: f32,
-    /// x of the front axle in the object frame, metres.
-    pub front_axle_m: f32,
-    /// x of the rear axle, metres.
-    pub rear_axle_m: f32,
-    /// Metres.
-    pub wheel_radius_m: f32,
-    /// Comfortable cruising speed on an empty road, m/s (lower than the limit for bicycles and lorries).
-    pub cruise_mps: f32,
-    /// Comfortable acceleration, m/s².
-    pub acceleration_mps2: f32,
-    /// Relative frequency on the road.
-    pub frequency: f64,
-    /// Whether it may stand parked at a kerb.
-    pub parks: bool,
-    /// Whether somebody rides on it.
-    pub ridden: bool,
-    /// What it draws; axles are then those of what draws it.
-    pub trailer: Option<TrailerSpec>,
-}
-
-/// Measures of a vehicle that draws another: x in the object frame while it goes straight on, metres.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TrailerSpec {
-    /// About this the trailer turns.
-    pub hitch_m: f32,
-    /// Middle of the trailer's axles.
-    pub axle_m: f32,
-    /// Foremost point of the trailer.
-    pub front_m: f32,
-    /// Rearmost point of what draws it.
-    pub towing_rear_m: f32,
-}
-
-impl VehicleSpec {
-    /// Length of its longest rigid piece, metres: how tight it can turn.
-    pub fn rigid_length_m(&self) -> f32 {
-        let half = 0.5 * self.length_m;
-        self.trailer.map_or(self.length_m, |t| (half - t.towing_rear_m).max(t.front_m + half))
-    }
-}
 
 /// A wheel of a vehicle.
 #[derive(Debug, Clone, PartialEq)]

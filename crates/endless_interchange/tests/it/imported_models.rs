@@ -1,13 +1,13 @@
 //! Models written by `assets export` and read again are the same things, and drive.
 
-use endless_asset::{AssetManifest, Catalogue, ImportedAsset, VehicleModel, VehicleSpec};
+use endless_asset::{AssetManifest, Catalogue, ImportedAsset, VehicleModel};
 use endless_interchange::{AssetFolder, MapLibrary, asset_gltf};
 use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
 use endless_scene::Mesh;
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::{
     Actor, CameraLook, CameraSite, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount, ObjectClass, Pose,
-    TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, Weather, WorldState,
+    TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, VehicleSpec, Weather, WorldState,
 };
 use glam::Vec3;
 use std::{fs, path::Path};
@@ -163,7 +163,10 @@ fn imported_vehicles_drive_and_things_stand_where_their_class_does() {
     assert!(cottages > 0, "no cottage found a lot");
 
     let conditions = Conditions::new(Weather::Cloudy, TimeOfDay::Morning);
-    let mut traffic = Simulation::focused(&after, library.catalogue(), 12, 0, 3, conditions, 10.0, &[]);
+    let specs = library.catalogue().vehicle_specs();
+    let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
+    let settings = TrafficSettings { vehicles: 12, pedestrians: 0, seed: 3, conditions, ..TrafficSettings::default() };
+    let mut traffic = Simulation::new(&after.network, &fleet, &after.parked, &settings);
     let built_in = VehicleModelId::from_index(Catalogue::builtin().vehicles().len());
     let begin = traffic.state();
     let imported = |a: &Actor| a.asset.vehicle().is_some_and(|v| v.model == built_in);

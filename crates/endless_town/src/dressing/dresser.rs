@@ -3,9 +3,9 @@
 use crate::character::Character;
 use crate::network::{Arm, KERB_HEIGHT_M, Plan, Street};
 use crate::plot::{Occupied, Rect};
-use crate::{Lamp, ParkedVehicle, Placement, What};
+use crate::{Lamp, Placement, What};
 use endless_asset::{Catalogue, Prop};
-use endless_world::{SignalId, Stream};
+use endless_world::{ParkedVehicle, SignalId, Stream};
 use glam::{Affine3A, DVec2, Quat, Vec3};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::{Deref, DerefMut};

@@ -2,7 +2,6 @@
 
 use super::dresser::Dresser;
 use super::furniture::row;
-use crate::ParkedVehicle;
 use crate::building::Lot;
 use crate::character::Kind;
 use crate::network::KERB_HEIGHT_M;
@@ -11,7 +10,7 @@ use crate::plot::{Rect, inside};
 use crate::surface;
 use endless_asset::Prop;
 use endless_scene::{Material, MeshBuilder};
-use endless_world::{Pose, Stream, VehicleModelId, VehicleRef};
+use endless_world::{ParkedVehicle, Pose, Stream, VehicleModelId, VehicleRef};
 use glam::{DVec2, Vec2, Vec3};
 use std::f64::consts::FRAC_PI_2;
 

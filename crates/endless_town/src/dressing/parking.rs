@@ -1,10 +1,9 @@
 //! Vehicles parked in the strips along streets.
 
 use super::dresser::Dresser;
-use crate::ParkedVehicle;
 use crate::plot::Rect;
 use crate::surface;
-use endless_world::{CameraSite, Pose, VehicleModelId, VehicleRef};
+use endless_world::{CameraSite, ParkedVehicle, Pose, VehicleModelId, VehicleRef};
 use glam::{DVec2, Vec3};
 use std::f64::consts::PI;
 

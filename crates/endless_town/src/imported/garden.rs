@@ -4,7 +4,6 @@ use super::cover::Cover;
 use super::growth::Yard;
 use super::land::Land;
 use super::road::quad;
-use crate::ParkedVehicle;
 use crate::character::Kind;
 use crate::dressing::{Spot, Stage};
 use crate::palette::{GRAVEL, YARD};
@@ -12,7 +11,7 @@ use crate::plot::{Occupied, Rect};
 use endless_asset::Prop;
 use endless_scene::{Material, MeshBuilder};
 use endless_world::math::f64::atan2;
-use endless_world::{Pose, Stream, VehicleModelId, VehicleRef};
+use endless_world::{ParkedVehicle, Pose, Stream, VehicleModelId, VehicleRef};
 use glam::DVec2;
 
 /// Thickness of what is laid, and distance between its corners on uneven land, metres.

@@ -4,12 +4,11 @@ use super::area::Areas;
 use super::cover::Cover;
 use super::crossed;
 use super::land::Land;
-use crate::ParkedVehicle;
 use crate::dressing::Stage;
 use crate::plot::{Rect, inside, unit};
 use endless_road::{AreaKind, RoadNetwork, Strip, StripKind};
 use endless_world::math::f64::{atan2, wrap_angle};
-use endless_world::{Pose, Stream, VehicleModelId, VehicleRef};
+use endless_world::{ParkedVehicle, Pose, Stream, VehicleModelId, VehicleRef};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI};
 

@@ -145,7 +145,7 @@ fn overlap(a: &Corners, b: &Corners) -> f64 {
 }
 
 fn parked(town: &Town, catalogue: &Catalogue) -> Vec<Corners> {
-    let place = |p: &endless_town::ParkedVehicle| {
+    let place = |p: &endless_world::ParkedVehicle| {
         let spec = &catalogue.vehicles()[p.vehicle.model.index()].spec;
         let half = Vec3::new(spec.length_m, spec.width_m, 0.0) / 2.0;
         corners(p.pose.world_from_object(), -half, half)

@@ -2,9 +2,9 @@ use super::*;
 use crate::driver::Driver;
 use crate::population::Conditions;
 use crate::trailer::Trailer;
-use endless_asset::{Catalogue, VehicleSpec};
+use endless_asset::Catalogue;
 use endless_road::Turn;
-use endless_world::{Stream, VehicleModelId, VehicleRef};
+use endless_world::{Stream, VehicleModelId, VehicleRef, VehicleSpec};
 use glam::DVec2;
 
 /// Between the outermost lane and the kerb, metres.
@@ -32,7 +32,7 @@ fn drawn_tyres(trailer: &Trailer, spec: &VehicleSpec) -> [DVec2; 2] {
 #[test]
 fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
     let catalogue = Catalogue::builtin();
-    let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
+    let specs: Vec<VehicleSpec> = catalogue.vehicle_specs();
     let mut turns = [0, 0];
     for name in endless_town::NAMES {
         let town = endless_town::load(name, &catalogue).expect("a town");

@@ -1,7 +1,7 @@
 use super::*;
 use endless_asset::Catalogue;
 use endless_town::Town;
-use endless_world::{ObjectClass, VehicleModelId, VehicleRef};
+use endless_world::{ObjectClass, Pose, VehicleModelId, VehicleRef};
 use glam::Vec3;
 
 struct Place {
@@ -16,13 +16,22 @@ impl Place {
         Self { catalogue, town }
     }
 
-    fn specs(&self) -> Vec<&VehicleSpec> {
-        self.catalogue.vehicles().iter().map(|m| &m.spec).collect()
+    fn specs(&self) -> Vec<VehicleSpec> {
+        self.catalogue.vehicle_specs()
     }
 
     fn roads(&self, focus: &[Vec3]) -> Roads {
         Roads::new(self.town.network.clone(), &self.specs(), focus)
     }
+}
+
+/// So many vehicles or people, evenly spread.
+fn asked(number: u32, seed: u64) -> TrafficSettings {
+    TrafficSettings { vehicles: number, pedestrians: number, seed, ..TrafficSettings::default() }
+}
+
+fn pedestrian(_: u64) -> PedestrianSpec {
+    PedestrianSpec { walk_mps: 1.3, ..PedestrianSpec::default() }
 }
 
 fn at(vehicle: &Vehicle) -> DVec2 {
@@ -35,7 +44,7 @@ fn vehicles_begin_clear_of_parked_ones() {
     let (specs, roads) = (place.specs(), place.roads(&[]));
     let car = specs.iter().position(|s| s.parks).expect("something parks");
     // Parked so badly that every other spawn point is taken.
-    let parked: Vec<(VehicleRef, Pose)> = roads
+    let parked: Vec<ParkedVehicle> = roads
         .network
         .spawn_points
         .iter()
@@ -43,18 +52,18 @@ fn vehicles_begin_clear_of_parked_ones() {
         .map(|p| {
             let on = roads.network.lane(p.lane).centerline.at(p.s);
             let pose = Pose::level(on.position.as_vec3(), on.heading_rad as f32 + 0.4);
-            (VehicleRef { model: VehicleModelId::from_index(car), variant: 0 }, pose)
+            ParkedVehicle { vehicle: VehicleRef { model: VehicleModelId::from_index(car), variant: 0 }, pose }
         })
         .collect();
     let print = |vehicle: VehicleRef, pose: &Pose| {
-        let spec = specs[vehicle.model.index()];
+        let spec = &specs[vehicle.model.index()];
         Footprint::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), 0.0)
     };
-    let placed = vehicles(&roads, &specs, &parked, 60, 3, Conditions::default());
+    let placed = vehicles(&roads, &specs, &parked, &asked(60, 3));
     assert!(placed.len() > 10, "{} vehicles", placed.len());
     for vehicle in &placed {
         let body = print(vehicle.asset, &vehicle.pose);
-        assert!(parked.iter().all(|(asset, pose)| !body.overlaps(&print(*asset, pose))), "at {:.1}", at(vehicle));
+        assert!(parked.iter().all(|p| !body.overlaps(&print(p.vehicle, &p.pose))), "at {:.1}", at(vehicle));
     }
 }
 
@@ -67,7 +76,7 @@ fn buses_and_lorries_are_as_frequent_as_in_the_catalogue_where_streets_have_seve
         let total: f64 = specs.iter().map(|s| s.frequency).sum();
         let mut counts = [0.0; 2];
         for seed in 0..SEEDS {
-            for vehicle in vehicles(&roads, &specs, &[], 30, seed, Conditions::default()) {
+            for vehicle in vehicles(&roads, &specs, &[], &asked(30, seed)) {
                 counts[0] += f64::from(u8::from(vehicle.class == ObjectClass::Bus));
                 counts[1] += f64::from(u8::from(vehicle.class == ObjectClass::Truck));
             }
@@ -88,8 +97,9 @@ fn vehicles_and_people_are_spread_over_the_map() {
     let places = || roads.network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.truncate());
     let (low, high) = (places().fold(DVec2::INFINITY, DVec2::min), places().fold(DVec2::NEG_INFINITY, DVec2::max));
     for seed in 0..6 {
-        let cars: Vec<DVec2> = vehicles(&roads, &specs, &[], 30, seed, Conditions::default()).iter().map(at).collect();
-        let people: Vec<DVec2> = walkers(&roads, &graph, &|_| 1.3, 30, seed).iter().map(|w| w.position).collect();
+        let cars: Vec<DVec2> = vehicles(&roads, &specs, &[], &asked(30, seed)).iter().map(at).collect();
+        let people: Vec<DVec2> =
+            walkers(&roads, &graph, &pedestrian, &asked(30, seed)).iter().map(|w| w.position).collect();
         for points in [&cars, &people] {
             assert_eq!(points.len(), 30);
             // Each ninth of the map has its share, and nobody has a neighbour close by.
@@ -115,10 +125,11 @@ fn more_begin_near_the_places_looked_at() {
         let mut count = [0, 0];
         for seed in 0..5 {
             let close = |p: DVec2| focus.iter().any(|f| f.as_dvec3().truncate().distance(p) < 150.0);
-            let cars = vehicles(&roads, &specs, &[], 30, seed, Conditions::default());
+            let cars = vehicles(&roads, &specs, &[], &asked(30, seed));
             count[0] += cars.iter().filter(|v| close(at(v))).count();
             let close = |p: DVec2| focus.iter().any(|f| f.as_dvec3().truncate().distance(p) < 60.0);
-            count[1] += walkers(&roads, &graph, &|_| 1.3, 20, seed).iter().filter(|w| close(w.position)).count();
+            count[1] +=
+                walkers(&roads, &graph, &pedestrian, &asked(20, seed)).iter().filter(|w| close(w.position)).count();
         }
         count
     };

@@ -1,9 +1,8 @@
 //! What vehicles show and how people walk: lights, steering, signals, gait, and the same states again.
 
 use crate::grid::Grid;
-use endless_asset::VehicleSpec;
 use endless_road::{Control, RoadNetwork};
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Conditions, Simulation, TrafficSettings};
 use endless_world::math::f64::{sin_cos, wrap_angle};
 use endless_world::{
     Actor, Gait, Motion, ObjectClass, SignalAspect, TimeOfDay, VehicleLights, VehicleMotion, Weather, WorldState,
@@ -18,8 +17,9 @@ fn town() -> RoadNetwork {
 
 fn simulation(network: &RoadNetwork, asked: [u32; 2], seed: u64, conditions: Conditions, fps: f64) -> Simulation {
     let specs = crate::watch::specs();
-    let specs: Vec<&VehicleSpec> = specs.iter().collect();
-    Simulation::on_network(network, &specs, &[], &|_| 1.35, asked, seed, conditions, fps, &[])
+    let [vehicles, pedestrians] = asked;
+    let settings = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus: Vec::new() };
+    crate::watch::simulation(network, &specs, &settings)
 }
 
 fn frames(network: &RoadNetwork, asked: [u32; 2], seconds: f64) -> Vec<WorldState> {

@@ -2,16 +2,18 @@
 
 use crate::grid::Grid;
 use crate::watch::{Findings, specs};
-use endless_asset::VehicleSpec;
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::TrafficSettings;
 
 const FPS: f64 = 30.0;
 
+fn settings([vehicles, pedestrians]: [u32; 2], seed: u64, fps: f64) -> TrafficSettings {
+    TrafficSettings { vehicles, pedestrians, seed, fps, ..TrafficSettings::default() }
+}
+
 fn simulate(grid: &Grid, asked: [u32; 2], seed: u64, seconds: f64) -> Findings {
     let specs = specs();
-    let specs: Vec<&VehicleSpec> = specs.iter().collect();
     let network = grid.network();
-    let mut s = Simulation::on_network(&network, &specs, &[], &|_| 1.35, asked, seed, Conditions::default(), FPS, &[]);
+    let mut s = crate::watch::simulation(&network, &specs, &settings(asked, seed, FPS));
     let population = s.population();
     assert_eq!(population.vehicles_spawned, asked[0]);
     assert_eq!(population.pedestrians_spawned, asked[1]);
@@ -56,11 +58,9 @@ fn a_hundred_vehicles_flow_for_ten_minutes() {
 #[test]
 fn the_same_seed_gives_the_same_states() {
     let specs = specs();
-    let specs: Vec<&VehicleSpec> = specs.iter().collect();
     let network = Grid { columns: 3, rows: 3, lanes: 2 }.network();
     let run = |seed| {
-        let mut s =
-            Simulation::on_network(&network, &specs, &[], &|_| 1.4, [30, 20], seed, Conditions::default(), 25.0, &[]);
+        let mut s = crate::watch::simulation(&network, &specs, &settings([30, 20], seed, 25.0));
         for _ in 0..200 {
             s.tick();
         }
@@ -73,9 +73,8 @@ fn the_same_seed_gives_the_same_states() {
 #[test]
 fn as_many_as_fit_are_spawned_and_the_rest_is_reported() {
     let specs = specs();
-    let specs: Vec<&VehicleSpec> = specs.iter().collect();
     let network = Grid { columns: 2, rows: 2, lanes: 1 }.network();
-    let s = Simulation::on_network(&network, &specs, &[], &|_| 1.4, [1000, 3], 1, Conditions::default(), 10.0, &[]);
+    let s = crate::watch::simulation(&network, &specs, &settings([1000, 3], 1, 10.0));
     let p = s.population();
     assert_eq!(p.vehicles_asked, 1000);
     assert!(p.vehicles_spawned <= p.vehicle_capacity && 10 * p.vehicles_spawned > 7 * p.vehicle_capacity, "{p:?}");

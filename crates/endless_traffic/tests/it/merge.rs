@@ -1,8 +1,7 @@
 //! Lanes that part and run together without a junction to order who goes first.
 
-use endless_asset::VehicleSpec;
 use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::TrafficSettings;
 use endless_world::math::f64::sin_cos;
 use glam::DVec3;
 use std::f64::consts::PI;
@@ -36,10 +35,12 @@ fn those_who_come_together_let_one_another_in() {
     let lanes = vec![lane(0, straight, &[1, 2]), lane(1, around(1.0), &[0]), lane(2, around(-1.0), &[0])];
     let network = RoadNetwork { lanes, ..RoadNetwork::default() }.finish().expect("a sound network");
     let specs = crate::watch::specs();
-    let specs: Vec<&VehicleSpec> = specs.iter().collect();
     for seed in 0..10 {
-        let mut simulation =
-            Simulation::on_network(&network, &specs, &[], &|_| 1.35, [60, 0], seed, Conditions::default(), FPS, &[]);
+        let mut simulation = crate::watch::simulation(
+            &network,
+            &specs,
+            &TrafficSettings { vehicles: 60, pedestrians: 0, seed, fps: FPS, ..TrafficSettings::default() },
+        );
         let spawned = simulation.population().vehicles_spawned;
         let found = crate::watch::watch(&mut simulation, &specs, 120.0, FPS);
         let driven = found.driven_m / f64::from(spawned) / 120.0;

@@ -1,8 +1,7 @@
 //! Vehicles stand on the road where it climbs.
 
-use endless_asset::VehicleSpec;
 use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::TrafficSettings;
 use endless_world::Pose;
 use endless_world::math::f64::{atan, sin_cos};
 use glam::{DVec2, DVec3};
@@ -34,9 +33,9 @@ fn loop_road() -> RoadNetwork {
 #[test]
 fn vehicles_stand_on_a_sloped_road_and_pitch_with_it() {
     let specs = crate::watch::specs();
-    let specs: Vec<&VehicleSpec> = specs.iter().collect();
     let network = loop_road();
-    let mut s = Simulation::on_network(&network, &specs, &[], &|_| 1.4, [12, 0], 4, Conditions::default(), 30.0, &[]);
+    let settings = TrafficSettings { vehicles: 12, pedestrians: 0, seed: 4, fps: 30.0, ..TrafficSettings::default() };
+    let mut s = crate::watch::simulation(&network, &specs, &settings);
     assert_eq!(s.population().vehicles_spawned, 12);
     let (mut climbed, mut fell) = (0, 0);
     for _ in 0..900 {

@@ -1,8 +1,9 @@
 //! The same traffic in the towns: every town, crowded, for minutes.
 
-use endless_asset::{Catalogue, VehicleSpec};
+use endless_asset::Catalogue;
 use endless_road::RoadNetwork;
-use endless_traffic::{Conditions, Simulation};
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
+use endless_world::walking::PedestrianSpec;
 
 const FPS: f64 = 30.0;
 const ASKED: [u32; 2] = [100, 60];
@@ -18,12 +19,14 @@ fn longest_cycle_s(network: &RoadNetwork) -> f64 {
 
 fn flows_without_a_touch(name: &str, seed: u64) {
     let catalogue = Catalogue::builtin();
-    let specs: Vec<&VehicleSpec> = catalogue.vehicles().iter().map(|m| &m.spec).collect();
+    let specs = catalogue.vehicle_specs();
     let town = endless_town::load(name, &catalogue).expect("a town");
-    let parked: Vec<_> = town.parked.iter().map(|p| (p.vehicle, p.pose)).collect();
-    assert!(!parked.is_empty() || name == "Town06", "{name}: nobody parks here");
-    let mut s =
-        Simulation::on_network(&town.network, &specs, &parked, &|_| 1.35, ASKED, seed, Conditions::default(), FPS, &[]);
+    assert!(!town.parked.is_empty() || name == "Town06", "{name}: nobody parks here");
+    let pedestrian = |variant| PedestrianSpec { walk_mps: 1.35, ..Catalogue::pedestrian_spec(variant) };
+    let fleet = Fleet { vehicles: &specs, pedestrian: &pedestrian };
+    let settings =
+        TrafficSettings { vehicles: ASKED[0], pedestrians: ASKED[1], seed, fps: FPS, ..TrafficSettings::default() };
+    let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings);
     let f = crate::watch::watch(&mut s, &specs, SIMULATED_S, FPS);
     let p = s.population();
     let driven = f.driven_m / f64::from(p.vehicles_spawned) / SIMULATED_S;

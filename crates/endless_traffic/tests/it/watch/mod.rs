@@ -1,10 +1,11 @@
 //! Watches a simulation and reports what no street ever shows.
 #![allow(dead_code, reason = "each test file uses its part")]
 
-use endless_asset::VehicleSpec;
-use endless_traffic::Simulation;
+use endless_road::RoadNetwork;
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::math::f64::{sin_cos, wrap_angle};
-use endless_world::{Actor, Motion, ObjectClass, Pose};
+use endless_world::walking::PedestrianSpec;
+use endless_world::{Actor, Motion, ObjectClass, Pose, VehicleSpec};
 use glam::DVec2;
 
 /// Height of a person, metres.
@@ -46,6 +47,16 @@ pub(crate) fn specs() -> Vec<VehicleSpec> {
         spec("motorcycle.street", ObjectClass::Motorcycle, [2.1, 0.8, 1.2], 16.0, 1.0),
         spec("bicycle.city", ObjectClass::Bicycle, [1.8, 0.6, 1.1], 5.0, 0.7),
     ]
+}
+
+/// Traffic of these vehicles, none of them parked, and of people who walk alike.
+pub(crate) fn simulation(network: &RoadNetwork, specs: &[VehicleSpec], settings: &TrafficSettings) -> Simulation {
+    Simulation::new(network, &Fleet { vehicles: specs, pedestrian: &pedestrian }, &[], settings)
+}
+
+/// Somebody who walks as most do.
+pub(crate) fn pedestrian(_: u64) -> PedestrianSpec {
+    PedestrianSpec { walk_mps: 1.35, ..PedestrianSpec::default() }
 }
 
 /// The body seen from above: centre, axes, half sizes; and the heights between which it is.
@@ -126,7 +137,7 @@ pub(crate) struct Findings {
 }
 
 /// Runs for some seconds and looks at every frame.
-pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds: f64, fps: f64) -> Findings {
+pub(crate) fn watch(simulation: &mut Simulation, specs: &[VehicleSpec], seconds: f64, fps: f64) -> Findings {
     let mut f = Findings::default();
     let parked: Vec<Actor> = simulation.parked().to_vec();
     let mut before = simulation.state();
@@ -137,7 +148,7 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
         let now = simulation.state();
         let vehicles: Vec<&Actor> = now.actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_))).collect();
         let prints: Vec<Vec<Footprint>> =
-            vehicles.iter().copied().chain(&parked).map(|a| Footprint::pieces(a, specs[model_index(a)])).collect();
+            vehicles.iter().copied().chain(&parked).map(|a| Footprint::pieces(a, &specs[model_index(a)])).collect();
         let mut touching = Vec::new();
         for i in 0..vehicles.len() {
             for j in i + 1..prints.len() {
@@ -186,7 +197,7 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[&VehicleSpec], seconds
                     if stood[k] > f.longest_stand.0 {
                         f.longest_stand = (stood[k], k, at);
                     }
-                    let spec = specs[model_index(a)];
+                    let spec = &specs[model_index(a)];
                     let rear = |x: &Actor| {
                         let (sin, cos) = sin_cos(f64::from(x.pose.yaw_rad));
                         x.pose.position.as_dvec3().truncate() + DVec2::new(cos, sin) * f64::from(spec.rear_axle_m)

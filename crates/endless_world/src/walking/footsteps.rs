@@ -1,10 +1,8 @@
 //! Steps over the ground: feet stay where they stand until they are lifted, however the body starts, stops and turns.
 
-use super::look::{Carried, Look};
-use super::skeleton::Side;
-use super::step::{self, Step};
-use endless_world::math::f64::{sin_cos, wrap_angle};
-use endless_world::{FootPlace, Footing, Gait};
+use super::{Mobility, PedestrianSpec, SIDES, StepPhase, average_speed_mps, duty_factor, foot_home, stride_m};
+use crate::math::f64::{sin_cos, wrap_angle};
+use crate::{FootPlace, Footing, Gait};
 use glam::DVec2;
 
 /// Both feet of one person, in the world; advanced along with the body.
@@ -12,7 +10,7 @@ use glam::DVec2;
 pub struct Footsteps {
     height: f64,
     walk_mps: f64,
-    carried: Carried,
+    mobility: Mobility,
     phase: f64,
     speed: f64,
     feet: [Foot; 2],
@@ -39,41 +37,34 @@ fn turned(v: DVec2, angle: f64) -> DVec2 {
 }
 
 impl Footsteps {
-    /// Of the person of a variant, standing at a place (world frame, metres) and heading there (radians).
-    pub fn new(variant: u64, position: DVec2, yaw: f64) -> Self {
-        let look = Look::of(variant, false);
-        let habit = super::gait::Habit::new(variant, &look);
+    /// Of a person who stands at a place (world frame, metres) and faces some way (radians).
+    pub fn new(person: &PedestrianSpec, position: DVec2, yaw: f64) -> Self {
         let mut steps = Self {
-            height: f64::from(look.height),
-            walk_mps: f64::from(habit.walk_mps),
-            carried: look.carried,
-            phase: f64::from(habit.offset),
+            height: f64::from(person.height_m),
+            walk_mps: f64::from(person.walk_mps),
+            mobility: person.mobility,
+            phase: f64::from(person.step_phase),
             speed: 0.0,
             feet: [Foot { at: position, yaw, from: None }; 2],
             position,
             yaw,
         };
-        for side in Side::BOTH {
+        for side in 0..2 {
             let (at, heading) = steps.home(side, 0.0);
-            steps.feet[side.index()] = Foot { at, yaw: heading, from: None };
+            steps.feet[side] = Foot { at, yaw: heading, from: None };
         }
         steps
     }
 
-    /// Comfortable walking speed, m/s.
-    pub fn walk_mps(&self) -> f64 {
-        self.walk_mps
-    }
-
-    /// Whether they can run: not with a pram, and not in a wheelchair.
+    /// Whether they can run.
     pub fn can_run(&self) -> bool {
-        !matches!(self.carried, Carried::Pram | Carried::Wheelchair | Carried::Cane | Carried::Suitcase)
+        self.mobility == Mobility::Agile
     }
 
-    /// What they do at a speed (m/s); `waits`: for leave to go on.
+    /// What they do at a speed (m/s); `waits`: to cross a road.
     pub fn gait(&self, speed_mps: f64, waits: bool) -> Gait {
-        match self.carried {
-            Carried::Wheelchair => Gait::Sit,
+        match self.mobility {
+            Mobility::Wheelchair => Gait::Sit,
             _ if speed_mps < 0.08 => {
                 if waits {
                     Gait::Wait
@@ -82,15 +73,16 @@ impl Footsteps {
                 }
             }
             _ if speed_mps >= 2.1 => Gait::Run,
-            Carried::Pram => Gait::Push,
+            Mobility::Pram => Gait::Push,
             _ if speed_mps > 1.28 * self.walk_mps => Gait::Hurry,
             _ => Gait::Walk,
         }
     }
 
-    /// Where a foot belongs under the body, and its heading.
-    fn home(&self, side: Side, speed: f64) -> (DVec2, f64) {
-        let (at, yaw) = step::home(self.height as f32, side, step::alike(self.height as f32, speed as f32));
+    /// Where a foot (0 left, 1 right) belongs under the body, and its heading.
+    fn home(&self, side: usize, speed: f64) -> (DVec2, f64) {
+        let alike = average_speed_mps(self.height as f32, speed as f32);
+        let (at, yaw) = foot_home(self.height as f32, SIDES[side], alike);
         (self.position + turned(at.as_dvec2(), self.yaw), self.yaw + f64::from(yaw))
     }
 
@@ -102,9 +94,9 @@ impl Footsteps {
         // Bodies do not change their gait in an instant.
         self.speed += (wanted - self.speed).clamp(-3.0 * step_s, 3.0 * step_s);
         let speed = self.speed;
-        let alike = step::alike(self.height as f32, speed as f32);
-        let duty = f64::from(step::duty(alike));
-        let stride = f64::from(step::stride(self.height as f32, speed as f32));
+        let alike = average_speed_mps(self.height as f32, speed as f32);
+        let duty = f64::from(duty_factor(alike));
+        let stride = f64::from(stride_m(self.height as f32, speed as f32));
         let in_air = self.feet.iter().any(|f| f.from.is_some());
         let rate = if speed > STANDING {
             (speed / stride).max(0.45)
@@ -114,21 +106,21 @@ impl Footsteps {
             0.0
         };
         // Who slows down from a run has a foot far behind: it is lifted soon.
-        let stretched = Side::BOTH.into_iter().any(|side| {
-            let foot = &self.feet[side.index()];
+        let stretched = (0..2).any(|side| {
+            let foot = &self.feet[side];
             foot.from.is_none() && foot.at.distance(self.home(side, speed).0) > 0.36 * self.height
         });
         let rate = if stretched { 1.6 * rate } else { rate };
         self.phase += rate * step_s;
         self.phase -= self.phase.floor();
-        for side in Side::BOTH {
-            let phase = self.phase + 0.5 * f64::from(side.index() as u32);
-            let step = Step::of((phase - phase.floor()) as f32, duty as f32);
+        for side in 0..2 {
+            let phase = self.phase + 0.5 * side as f64;
+            let step = StepPhase::of((phase - phase.floor()) as f32, duty as f32);
             let (home, heading) = self.home(side, speed);
-            let foot = &mut self.feet[side.index()];
+            let foot = &mut self.feet[side];
             match step {
-                Step::Stance(_) => foot.from = None,
-                Step::Swing(u) => {
+                StepPhase::Stance(_) => foot.from = None,
+                StepPhase::Swing(u) => {
                     let (from, from_yaw) = *foot.from.get_or_insert((foot.at, foot.yaw));
                     let left = (1.0 - f64::from(u)) * (1.0 - duty) / rate.max(0.3);
                     let ahead = if speed > STANDING {
@@ -136,7 +128,7 @@ impl Footsteps {
                     } else {
                         DVec2::ZERO
                     };
-                    let done = f64::from(Step::forward(u));
+                    let done = f64::from(StepPhase::forward(u));
                     let target_yaw = heading + (turning * left).clamp(-0.8, 0.8);
                     foot.at = from.lerp(home + ahead, done);
                     foot.yaw = from_yaw + wrap_angle(target_yaw - from_yaw) * done;
@@ -147,22 +139,22 @@ impl Footsteps {
 
     /// Whether somebody who stands had better put a foot elsewhere.
     fn misplaced(&self) -> bool {
-        Side::BOTH.into_iter().any(|side| {
+        (0..2).any(|side| {
             let (home, heading) = self.home(side, 0.0);
-            let foot = &self.feet[side.index()];
+            let foot = &self.feet[side];
             foot.at.distance(home) > 0.055 * self.height || wrap_angle(foot.yaw - heading).abs() > 0.5
         })
     }
 
     /// The feet in the person's object frame.
     pub fn footing(&self) -> Footing {
-        let speed = step::alike(self.height as f32, self.speed as f32);
+        let speed = average_speed_mps(self.height as f32, self.speed as f32);
         let vigour = (self.speed / self.walk_mps).clamp(0.0, 1.1) as f32;
-        let duty = step::duty(speed);
-        let feet = Side::BOTH.map(|side| {
-            let phase = self.phase as f32 + 0.5 * side.index() as f32;
-            let (lift, pitch, toes) = Step::of(phase - phase.floor(), duty).roll(speed, vigour);
-            let foot = &self.feet[side.index()];
+        let duty = duty_factor(speed);
+        let feet = [0, 1].map(|side: usize| {
+            let phase = self.phase as f32 + 0.5 * side as f32;
+            let (lift, pitch, toes) = StepPhase::of(phase - phase.floor(), duty).roll(speed, vigour);
+            let foot = &self.feet[side];
             let at = turned(foot.at - self.position, -self.yaw).as_vec2();
             FootPlace {
                 at: at.to_array(),

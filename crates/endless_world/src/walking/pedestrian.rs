@@ -1,0 +1,42 @@
+//! What traffic needs to know of a person on foot.
+
+/// How somebody gets about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Mobility {
+    /// Walks, and runs if need be.
+    #[default]
+    Agile,
+    /// Walks with a stick or draws a suitcase: does not run.
+    Encumbered,
+    /// Walks with both hands on a pram: does not run.
+    Pram,
+    /// Rolls in a wheelchair.
+    Wheelchair,
+}
+
+/// A person's stature and way of walking.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PedestrianSpec {
+    /// Standing height, metres.
+    pub height_m: f32,
+    /// Comfortable walking speed, m/s.
+    pub walk_mps: f32,
+    /// Place in the cycle of two steps at the beginning, 0 to 1, so that a crowd is out of step.
+    pub step_phase: f32,
+    /// How they get about.
+    pub mobility: Mobility,
+}
+
+impl PedestrianSpec {
+    /// Whether they can run.
+    pub fn can_run(&self) -> bool {
+        self.mobility == Mobility::Agile
+    }
+}
+
+impl Default for PedestrianSpec {
+    /// A grown-up of average height.
+    fn default() -> Self {
+        Self { height_m: 1.72, walk_mps: 1.36, step_phase: 0.0, mobility: Mobility::Agile }
+    }
+}
