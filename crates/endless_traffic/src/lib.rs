@@ -1,8 +1,43 @@
 //! Traffic: vehicles, two-wheelers, pedestrians and signals on a road network.
 //!
-//! [`Simulation`] owns a copy of the network and advances frame by frame; [`Simulation::state`] is what the renderer
-//! sees. Everything random comes from streams keyed by the scene's seed, and a frame is a fixed number of equal steps,
-//! so the same scene gives the same states, bit for bit.
+//! A [`Simulation`] is made of a [`RoadNetwork`](endless_road::RoadNetwork), a [`Fleet`] of vehicle models and people,
+//! the vehicles that stand parked, and [`TrafficSettings`]. It owns a copy of the network and advances frame by frame;
+//! [`Simulation::state`] is what the renderer sees. Everything random comes from streams keyed by the seed, and a frame
+//! is a fixed number of equal steps, so the same settings give the same states, bit for bit.
+//!
+//! ```
+//! use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
+//! use endless_traffic::{Fleet, Simulation, TrafficSettings};
+//! use endless_world::{VehicleSpec, math::f64::sin_cos, walking::PedestrianSpec};
+//! use glam::DVec3;
+//!
+//! // One lane all around a circle of 60 m, in two halves that follow one another.
+//! let half = |begin: u32| {
+//!     let on_circle = |i: u32| {
+//!         let (sin, cos) = sin_cos(f64::from(i).to_radians());
+//!         DVec3::new(60.0 * cos, 60.0 * sin, 0.0)
+//!     };
+//!     Polyline::new((begin..=begin + 180).map(on_circle))
+//! };
+//! let lane = |id: u32, begin: u32, next: u32| Lane {
+//!     successors: vec![LaneId(next)],
+//!     ..Lane::new(LaneId(id), half(begin), 3.5, 13.9)
+//! };
+//! let network = RoadNetwork { lanes: vec![lane(0, 0, 1), lane(1, 180, 0)], ..RoadNetwork::default() }.finish()?;
+//!
+//! let cars = [VehicleSpec::default()];
+//! let fleet = Fleet { vehicles: &cars, pedestrian: &|_| PedestrianSpec::default() };
+//! let settings = TrafficSettings { vehicles: 5, pedestrians: 0, ..TrafficSettings::default() };
+//! let mut traffic = Simulation::new(&network, &fleet, &[], &settings);
+//! assert_eq!(traffic.population().vehicles_spawned, 5);
+//! let before = traffic.state();
+//! traffic.tick();
+//! for (car, earlier) in traffic.state().actors.iter().zip(&before.actors) {
+//!     let driven_m = car.pose.position.distance(earlier.pose.position);
+//!     assert!(driven_m > 0.1 && driven_m < 1.5, "{driven_m} m in a tenth of a second");
+//! }
+//! # Ok::<(), endless_road::NetworkError>(())
+//! ```
 
 mod approach;
 mod attraction;
