@@ -7,9 +7,9 @@ use std::{collections::BTreeMap, env, fs, path::Path, process::Command, process:
 const SHELVES: &[&[&str]] = &[
     &["endless_world"],
     &["endless_scene"],
-    &["endless_road", "endless_asset"],
+    &["endless_road", "endless_asset", "endless_render"],
     &["endless_town", "endless_annotate"],
-    &["endless_traffic", "endless_render", "endless_dataset"],
+    &["endless_traffic", "endless_city", "endless_dataset"],
     &["endless_carla", "endless_interchange"],
     &["endless_pipeline"],
     &["endless"],

@@ -2,7 +2,8 @@
 //! `cargo run --release -p endless_pipeline --example frame_cost -- OUT/scenes/0001.json [FRAMES] [STRIDE]`.
 
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_city::{ActorModels, TownScene};
+use endless_render::{CameraBake, RenderSettings};
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::SceneSettings;
 use glam::Vec3;
@@ -19,7 +20,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, size, .. } = settings;
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(&settings.map, &catalogue)?;
-    let still = StaticScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue);
+    let still = town_scene.static_scene();
     // One gathered ray: the light is noisy, the cost of a frame is the same.
     let render = RenderSettings {
         gather_rays: 1,
@@ -27,14 +29,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         fps,
         ..RenderSettings::new(weather, time_of_day, seed, size)
     };
-    let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(&still, &render, site));
+    let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(still, &render, site));
     let focus = settings.cameras.iter().map(|site| Vec3::from_array(site.position)).collect();
     let conditions = Conditions::new(weather, time_of_day);
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let asked = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &asked);
-    let cast = Cast::in_town(&still, &catalogue, &traffic.state().actors);
+    let models = ActorModels::in_town(&town_scene, &catalogue, &traffic.state().actors);
     let (mut scene_time, mut times) = (Duration::ZERO, [Duration::ZERO; 2]);
     let mut print = std::hash::DefaultHasher::new();
     for _ in 0..frames {
@@ -43,15 +45,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         let state = traffic.state();
         let begin = processor_time();
-        let frame = FrameScene::new(&cast, &state);
+        let frame = models.frame_scene(&state);
         scene_time += processor_time().saturating_sub(begin);
         for (camera, time) in baked.iter().zip(&mut times) {
-            let image = camera.render(&still, &frame);
+            let image = camera.render(still, &frame);
             print.write(image.rgb.data.as_flattened());
             // The least of five: other programs only add to it.
             let again = (0..5).map(|_| {
                 let begin = processor_time();
-                camera.render(&still, &frame);
+                camera.render(still, &frame);
                 processor_time().saturating_sub(begin)
             });
             *time += again.min().unwrap_or_default();

@@ -1,9 +1,9 @@
-//! What the cast and the set cost: building all of one scene, moving it, and its memory. A map or two, say:
+//! What the models and the set cost: building all of one scene, moving it, and its memory. A map or two, say:
 //! `cargo run --release -p endless_pipeline --example set_cost -- Town02 Town03`.
 #![expect(clippy::print_stdout, reason = "it says what it measured")]
 
 use endless_asset::Catalogue;
-use endless_render::{Cast, FrameScene, StaticScene};
+use endless_city::{ActorModels, TownScene};
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::{TimeOfDay, Weather};
 use std::{error::Error, fs, time::Instant};
@@ -31,7 +31,8 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue)?;
     let town_cost = stage.next();
-    let still = StaticScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue);
+    let still = town_scene.static_scene();
     let still_cost = stage.next();
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
@@ -41,12 +42,12 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     };
     let scene = crowd(SCENE);
     stage.next();
-    let cast = Cast::in_town(&still, &catalogue, &scene.state().actors);
+    let models = ActorModels::in_town(&town_scene, &catalogue, &scene.state().actors);
     let cast_cost = stage.next();
     let built = [town_cost, still_cost, cast_cost].iter().fold([0.0, 0.0], |a, b| [a[0] + b[0], a[1] + b[1]]);
     let told = |[wall, processors]: [f64; 2]| format!("{wall:.2} s ({processors:.2} s of processors)");
     println!(
-        "{map}: {} built: town {}, its geometry {} ({:.1} M triangles placed), cast of {} {}; {} MiB at most",
+        "{map}: {} built: town {}, its geometry {} ({:.1} M triangles placed), models of {} {}; {} MiB at most",
         told(built),
         told(town_cost),
         told(still_cost),
@@ -55,17 +56,17 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
         told(cast_cost),
         most_memory_mib(),
     );
-    drop((scene, cast));
+    drop((scene, models));
 
     let mut traffic = crowd(CROWD);
-    let cast = Cast::in_town(&still, &catalogue, &traffic.state().actors);
+    let models = ActorModels::in_town(&town_scene, &catalogue, &traffic.state().actors);
     let (mut moving, mut posing) = ([0.0; 2], [0.0; 2]);
     stage.next();
     for _ in 0..TICKS {
         traffic.tick();
         let state = traffic.state();
         let cost = stage.next();
-        std::hint::black_box(FrameScene::new(&cast, &state));
+        std::hint::black_box(models.frame_scene(&state));
         let posed = stage.next();
         for k in 0..2 {
             moving[k] += cost[k];

@@ -5,9 +5,10 @@ mod bodies;
 use crate::{Cameras, MapCatalog, PeopleBodies, RenderStats, Scene, Simulator, SimulatorError, Traffic};
 use bodies::CastBodies;
 use endless_asset::Catalogue;
+use endless_city::{ActorModels, TownScene};
 use endless_dataset::Spawned;
 use endless_interchange::{MapError, MapLibrary};
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_render::{CameraBake, RenderSettings, StaticScene};
 use endless_town::Town;
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, CameraSite, InstanceId, SceneSettings, SensorFrame, WorldState};
@@ -28,7 +29,7 @@ pub struct BuiltinSimulator {
 /// A town and its geometry.
 pub struct BuiltinMap {
     town: Town,
-    still: StaticScene,
+    town_scene: TownScene,
 }
 
 impl BuiltinSimulator {
@@ -95,8 +96,8 @@ impl Simulator for BuiltinSimulator {
 
     fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
         let town = self.library.town(name)?;
-        let still = StaticScene::load(&town, self.library.catalogue());
-        Ok(BuiltinMap { town, still })
+        let town_scene = TownScene::load(&town, self.library.catalogue());
+        Ok(BuiltinMap { town, town_scene })
     }
 
     fn load_scene<'m>(&'m self, map: &'m BuiltinMap, settings: &SceneSettings) -> Result<Scene<'m>, SimulatorError> {
@@ -134,13 +135,13 @@ impl Simulator for BuiltinSimulator {
                 fps: settings.fps,
                 ..RenderSettings::new(settings.weather, settings.time_of_day, settings.seed, settings.size)
             };
-            CameraBake::bake(&map.still, &render, &settings.cameras[camera])
+            CameraBake::bake(map.town_scene.static_scene(), &render, &settings.cameras[camera])
         };
         let baked = [0, 1].map(bake);
         let bake_rays = rays(&baked);
         Ok(Box::new(Pair {
-            still: &map.still,
-            cast: Cast::in_town(&map.still, self.library.catalogue(), moving),
+            still: map.town_scene.static_scene(),
+            models: ActorModels::in_town(&map.town_scene, self.library.catalogue(), moving),
             baked,
             bake_rays,
         }))
@@ -164,7 +165,7 @@ impl Traffic for City {
 
 struct Pair<'m> {
     still: &'m StaticScene,
-    cast: Cast,
+    models: ActorModels,
     baked: [CameraBake; 2],
     bake_rays: u64,
 }
@@ -175,7 +176,7 @@ fn rays(baked: &[CameraBake; 2]) -> u64 {
 
 impl Cameras for Pair<'_> {
     fn render(&self, state: &WorldState) -> [SensorFrame; 2] {
-        let frame = FrameScene::new(&self.cast, state);
+        let frame = self.models.frame_scene(state);
         self.baked.each_ref().map(|camera| camera.render(self.still, &frame))
     }
 

@@ -1,15 +1,60 @@
-//! The ray tracer: what a fixed surveillance camera sees of a town, fast and exact on a CPU.
+//! The ray tracer: what fixed cameras see of a scene, fast and exact on a CPU.
+//!
+//! A scene is described in neutral terms: meshes with materials, instances of them with ids and classes, lamps, and a
+//! condition of weather and time.
 //!
 //! ```text
-//! Town ─ StaticScene ──────────┐
-//! CameraSite, RenderSettings ──┴─ CameraBake ──┐
-//! WorldState, Cast ──────────────── FrameScene ┴─ render → SensorFrame
+//! Mesh ─ Geometry ─ Instance ─┬─ StaticScene ────────────────────┐
+//! StreetLamp ─────────────────┘                                  │
+//! CameraSite, RenderSettings ──────────── CameraBake ────────────┼─ render → SensorFrame
+//! MovingObject, VehicleBeam ─ FrameDescription ─ FrameScene ─────┘
 //! ```
-//! A [`StaticScene`] is loaded once a map, a [`CameraBake`] made once a camera and scene (it holds the fixed-camera
-//! cache), a [`FrameScene`] once a frame. Rendering is a pure function of the three: call it from as many threads as
-//! there are frames to make.
+//! A [`StaticScene`] is made once a map, a [`CameraBake`] once a camera and video (it holds the fixed-camera cache), a
+//! [`FrameScene`] once a frame. Rendering is a pure function of the three: call it from as many threads as there are frames
+//! to make.
 //!
-//! Rooms: `accel` finds what rays meet; `scene` holds what there is; `light` and `material` give it its look; `shade`
+//! ```
+//! use endless_render::{CameraBake, FrameDescription, FrameScene, Geometry, Instance, RenderSettings, StaticScene};
+//! use endless_scene::{Material, MeshBuilder, Surface};
+//! use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, Mount, TimeOfDay, Weather};
+//! use glam::{Affine3A, Vec3};
+//!
+//! // A street, and a box on it that is an object of its own.
+//! let cuboid = |low: [f32; 3], high: [f32; 3], material: Material| {
+//!     let mut builder = MeshBuilder::new();
+//!     builder.cuboid(low.into(), high.into(), material);
+//!     Geometry::new(builder.finish())
+//! };
+//! let asphalt = Material::new(Surface::Asphalt, [0.14; 3], ClassTag::Roads);
+//! let street = cuboid([-40.0, -40.0, -0.1], [40.0, 40.0, 0.0], asphalt);
+//! let paint = Material::new(Surface::Painted, [0.5, 0.1, 0.1], ClassTag::Static);
+//! let block = cuboid([-1.0, -1.0, 0.0], [1.0, 1.0, 2.0], paint);
+//! let place = Affine3A::from_translation(Vec3::new(10.0, 0.0, 0.0));
+//! let instances = vec![
+//!     Instance::new(&street, Affine3A::IDENTITY),
+//!     Instance::new(&block, place).with_id(InstanceId(1), ClassTag::Dynamic),
+//! ];
+//! let still = StaticScene::new(instances, &[]);
+//!
+//! // Six metres up, looking east and down.
+//! let site = CameraSite {
+//!     name: "pole".to_owned(),
+//!     position: [0.0, 0.0, 6.0],
+//!     yaw_rad: 0.0,
+//!     down_tilt_rad: 0.5,
+//!     horizontal_fov_rad: 1.0,
+//!     mount: Mount::Pole,
+//! };
+//! let size = ImageSize { width: 64, height: 36 };
+//! let settings = RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, size);
+//! let bake = CameraBake::bake(&still, &settings, &site);
+//! let frame = bake.render(&still, &FrameScene::new(FrameDescription::default()));
+//! let middle = 18 * 64 + 32;
+//! assert_eq!(frame.instance.data[middle].id, InstanceId(1));
+//! assert!((frame.depth.data[middle] - 10.0).abs() < 1.0);
+//! ```
+//!
+//! Inside, `accel` finds what rays meet; `scene` holds what there is; `light` and `material` give it its look; `shade`
 //! puts them together; `indirect` and `cache` remember what does not change; `film` makes pixels of light.
 
 mod accel;
@@ -26,4 +71,8 @@ mod shade;
 
 pub use accel::{Accel, Blas, Hit, Hits, Ray, RayBundle};
 pub use cache::{BakeStats, CameraBake, RenderSettings};
-pub use scene::{Cast, FrameScene, StaticScene};
+pub use light::{BeamKind, VehicleBeam};
+pub use scene::{
+    DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,
+    RigidVelocity, StaticScene,
+};

@@ -1,4 +1,4 @@
-//! What a scene is made of, as plain data: triangle meshes and the materials of their surfaces.
+//! What a scene is made of, as plain data: triangle meshes, the materials of their surfaces, and lamps.
 //!
 //! A [`Mesh`] has a table of [`Material`]s and names one for each triangle. A material says what a surface is made of
 //! ([`Surface`]), its colour, and the class that its pixels carry; how that looks is the renderer's to decide. A
@@ -19,6 +19,8 @@
 
 mod material;
 mod mesh;
+mod street_lamp;
 
 pub use material::{LensAspect, LightSlot, Material, Surface};
 pub use mesh::{Mesh, MeshBuilder};
+pub use street_lamp::StreetLamp;

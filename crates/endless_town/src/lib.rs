@@ -23,4 +23,4 @@ pub use building::{building_manners, sample_building};
 pub use imported::dress_map;
 pub use load::{NAMES, canonical_name, load};
 pub use top_view::{top_view, top_view_of};
-pub use town::{Lamp, Placement, Town, TownError, What};
+pub use town::{Placement, Town, TownError, What};

@@ -2,9 +2,9 @@
 
 use endless_asset::Prop;
 use endless_road::RoadNetwork;
-use endless_scene::Mesh;
+use endless_scene::{Mesh, StreetLamp};
 use endless_world::{CameraSite, ParkedVehicle, SignalId};
-use glam::{Affine3A, Vec3};
+use glam::Affine3A;
 use std::sync::Arc;
 
 /// What is placed.
@@ -27,17 +27,6 @@ pub struct Placement {
     pub signal: Option<SignalId>,
 }
 
-/// A street lamp's light.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Lamp {
-    /// Centre of the lens; the light shines downwards from here.
-    pub position: Vec3,
-    /// Linear colour, brightest channel 1.
-    pub color: [f32; 3],
-    /// Luminous intensity straight down, candela.
-    pub intensity_cd: f32,
-}
-
 /// A whole map. By default an empty one, without a name.
 #[derive(Debug, Clone, Default)]
 pub struct Town {
@@ -54,7 +43,7 @@ pub struct Town {
     /// Parked vehicles. Number i carries instance id i + 1 in every video.
     pub parked: Vec<ParkedVehicle>,
     /// Street lamps.
-    pub lamps: Vec<Lamp>,
+    pub lamps: Vec<StreetLamp>,
     /// At least five camera sites.
     pub cameras: Vec<CameraSite>,
 }

@@ -2,10 +2,9 @@
 
 use super::item::{AssetError, CatalogueItem, find};
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_render::{CameraBake, FrameDescription, FrameScene, Geometry, Instance, RenderSettings, StaticScene};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
-use endless_town::{Placement, Town, What};
-use endless_world::{CameraSite, ClassTag, Image, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
+use endless_world::{CameraSite, ClassTag, Image, ImageSize, Mount, TimeOfDay, Weather, math};
 use glam::{Affine3A, Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
 
@@ -24,14 +23,13 @@ const DOWN_TILT_RAD: f32 = 0.38;
 pub fn asset_preview(catalogue: &Catalogue, name: &str, variant: u64) -> Result<Image<[u8; 3]>, AssetError> {
     let mesh = whole(catalogue, &find(catalogue, name, variant)?, variant);
     let (low, high) = mesh.bounds();
-    let town = stage(mesh);
-    let still = StaticScene::load(&town, catalogue);
+    let still = stage(mesh);
     let [columns, rows] = SHEET;
     let size = ImageSize { width: columns * VIEW.width, height: rows * VIEW.height };
     let mut pixels = vec![[0u8; 3]; size.pixels()];
     for i in 0..columns * rows {
         let azimuth = PI / 5.0 + TAU * i as f32 / (columns * rows) as f32;
-        let view = seen(&still, catalogue, &site(low, high, azimuth));
+        let view = seen(&still, &site(low, high, azimuth));
         let corner = (i / columns * VIEW.height * size.width + i % columns * VIEW.width) as usize;
         for (y, row) in view.data.chunks(VIEW.width as usize).enumerate() {
             let at = corner + y * size.width as usize;
@@ -71,20 +69,15 @@ fn whole(catalogue: &Catalogue, item: &CatalogueItem, variant: u64) -> Mesh {
     }
 }
 
-/// A town that is a paved square with a thing in its middle.
-fn stage(thing: Mesh) -> Town {
+/// A paved square with a thing in its middle.
+fn stage(thing: Mesh) -> StaticScene {
     let ground = Material::new(Surface::Asphalt, [0.14, 0.14, 0.14], ClassTag::Roads);
     let mut square = MeshBuilder::new();
     let corner = |x: f32, y: f32| Vec3::new(x, y, 0.0) * 300.0;
     let corners = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
     square.quad(corners, corners.map(|c| Vec2::new(c.x, c.y + 50.0)), ground);
-    let place = |number| Placement { what: What::Own(number), world_from_object: Affine3A::IDENTITY, signal: None };
-    Town {
-        name: "stage".to_owned(),
-        meshes: vec![square.finish().into(), thing.into()],
-        placements: vec![place(0), place(1)],
-        ..Town::default()
-    }
+    let instances = [square.finish(), thing].map(|mesh| Instance::new(&Geometry::new(mesh), Affine3A::IDENTITY));
+    StaticScene::new(instances.into(), &[])
 }
 
 /// A camera from which a box of these corners fills the picture.
@@ -111,11 +104,10 @@ fn site(low: Vec3, high: Vec3, azimuth: f32) -> CameraSite {
     }
 }
 
-fn seen(still: &StaticScene, catalogue: &Catalogue, site: &CameraSite) -> Image<[u8; 3]> {
+fn seen(still: &StaticScene, site: &CameraSite) -> Image<[u8; 3]> {
     let settings = RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, VIEW);
-    let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals: Vec::new() };
-    let cast = Cast::new(catalogue, &state.actors);
-    CameraBake::bake(still, &settings, site).render(still, &FrameScene::new(&cast, &state)).rgb
+    let frame = FrameScene::new(FrameDescription::default());
+    CameraBake::bake(still, &settings, site).render(still, &frame).rgb
 }
 
 #[cfg(test)]

@@ -2,7 +2,8 @@
 
 use super::label;
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_city::{ActorModels, TownScene};
+use endless_render::{CameraBake, RenderSettings};
 use endless_town::{Town, top_view};
 use endless_world::{Image, ImageSize, SignalAspect, SignalState, TimeOfDay, Weather, WorldState};
 
@@ -19,15 +20,16 @@ pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Image<[u8; 3]> {
     let height = width + rows * SMALL.height as usize;
     let mut pixels = vec![[0u8; 3]; width * height];
     pixels[..width * width].copy_from_slice(&above);
-    let still = StaticScene::load(town, catalogue);
+    let town_scene = TownScene::load(town, catalogue);
+    let still = town_scene.static_scene();
     let settings =
         RenderSettings { gather_rays: 2, ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, SMALL) };
     let signals = vec![SignalState { aspect: SignalAspect::Red }; usize::from(town.network.signal_groups)];
     let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals };
-    let cast = Cast::new(catalogue, &state.actors);
-    let frame = FrameScene::new(&cast, &state);
+    let models = ActorModels::new(catalogue, &state.actors);
+    let frame = models.frame_scene(&state);
     for (i, site) in town.cameras.iter().enumerate() {
-        let seen = CameraBake::bake(&still, &settings, site).render(&still, &frame).rgb;
+        let seen = CameraBake::bake(still, &settings, site).render(still, &frame).rgb;
         let corner = (width + (i / COLUMNS) * SMALL.height as usize) * width + (i % COLUMNS) * SMALL.width as usize;
         for (y, row) in seen.data.chunks(SMALL.width as usize).enumerate() {
             pixels[corner + y * width..corner + y * width + row.len()].copy_from_slice(row);

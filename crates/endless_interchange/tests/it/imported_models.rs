@@ -1,8 +1,9 @@
 //! Models written by `assets export` and read again are the same things, and drive.
 
 use endless_asset::{AssetManifest, Catalogue, ImportedAsset, VehicleModel};
+use endless_city::{ActorModels, TownScene};
 use endless_interchange::{AssetFolder, MapLibrary, asset_gltf};
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_render::{CameraBake, RenderSettings};
 use endless_scene::Mesh;
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::{
@@ -89,10 +90,11 @@ fn seen(catalogue: &Catalogue, model: VehicleModelId, class: ObjectClass) -> Ima
     let size = ImageSize { width: 480, height: 270 };
     let settings =
         RenderSettings { look: CameraLook::CLEAN, ..RenderSettings::new(Weather::Cloudy, TimeOfDay::Morning, 0, size) };
-    let still = StaticScene::load(&town, catalogue);
+    let town_scene = TownScene::load(&town, catalogue);
+    let still = town_scene.static_scene();
     let state = WorldState { frame: 0, time_s: 0.0, actors: vec![actor], signals: Vec::new() };
-    let cast = Cast::new(catalogue, &state.actors);
-    CameraBake::bake(&still, &settings, &site).render(&still, &FrameScene::new(&cast, &state)).instance
+    let models = ActorModels::new(catalogue, &state.actors);
+    CameraBake::bake(still, &settings, &site).render(still, &models.frame_scene(&state)).instance
 }
 
 #[test]

@@ -5,8 +5,8 @@ use super::beam_box::Bundle;
 use super::contact::contact_may_reach;
 use super::tile::{BLOCK, Span, TILE, TileBounds, TileBundles};
 use crate::accel::corners;
-use crate::light::{Beam, Lamps};
-use crate::scene::{FrameScene, Instance, MovingObject, StaticScene};
+use crate::light::{Lamps, VehicleBeam};
+use crate::scene::{FrameScene, Instance, MovingVolume, StaticScene};
 use endless_world::{Distortion, PinholeCamera};
 use glam::{Affine3A, UVec2, Vec2, Vec3, Vec3A};
 
@@ -86,11 +86,11 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
         mark(bake, &mut work, |area, tile| mark_object(object, &shadows, i, area, tile));
     }
     // By day vehicle lights are seen, but light nothing.
-    let beams: &[Beam] = if bake.environment.night { &frame.beams } else { &[] };
+    let beams: &[VehicleBeam] = if bake.environment.night { &frame.beams } else { &[] };
     for (i, beam) in beams.iter().enumerate() {
         let range = beam.range_m();
-        let near = |o: &&MovingObject| beam.position.clamp(o.low, o.high).distance(beam.position) <= range * 1.01;
-        let objects: Vec<&MovingObject> = frame.objects.iter().filter(near).collect();
+        let near = |o: &&MovingVolume| beam.position.clamp(o.low, o.high).distance(beam.position) <= range * 1.01;
+        let objects: Vec<&MovingVolume> = frame.objects.iter().filter(near).collect();
         mark(bake, &mut work, |Area { bounds, .. }, tile| {
             let reaches = !bounds.points.is_empty() && beam.reaches(bounds.points.low - 0.1, bounds.points.high + 0.1);
             if let (Some(tile), true) = (tile, reaches) {
@@ -129,7 +129,7 @@ fn mark(bake: &CameraBake, work: &mut [Work], mut test: impl FnMut(Area<'_>, Opt
 
 /// Marks a tile (if given) with what an object does to it; says whether it does anything.
 fn mark_object(
-    object: &MovingObject,
+    object: &MovingVolume,
     shadows: &[LampShadow],
     index: u16,
     Area { bounds, bundles }: Area<'_>,
@@ -174,7 +174,7 @@ struct LampShadow {
 }
 
 /// Bounds of the shadows that an object throws by the light of lamps, down to the lowest surface in view.
-fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingObject) -> Vec<LampShadow> {
+fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingVolume) -> Vec<LampShadow> {
     let range = Lamps::range_m();
     let reach = |p: Vec3A, low: Vec3A, high: Vec3A| p.clamp(low, high).distance_squared(p) <= range * range * 1.01;
     let floor = bake.lowest - 0.1;
@@ -202,7 +202,7 @@ fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingObject) -> Vec<
 
 /// Marks the tiles over which the parts of something that moves project.
 fn mark_seen(bake: &CameraBake, instance: &Instance, work: &mut [Work]) {
-    let blas = &instance.body.blas;
+    let blas = &instance.geometry.posed.blas;
     let tiles = |bounds| tiles_of(bake, &instance.world_from_object, bounds);
     let Some([low, high]) = tiles(blas.bounds()) else { return };
     // About as many parts as tiles: smaller ones tell no more.

@@ -12,7 +12,7 @@ use crate::indirect::{Air, Guide, PATTERN_SIDE, ProbeGrid, denoise, gather8, tur
 use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
 use crate::material::{Look, noise};
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
-use crate::scene::{StaticScene, SurfacePoint, Velocity};
+use crate::scene::{RigidVelocity, StaticScene, SurfacePoint};
 use crate::shade::{Tracer, footprint_m};
 use endless_world::{
     CameraLook, CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, InstancePixel, PinholeCamera, TimeOfDay,
@@ -241,8 +241,8 @@ impl CameraBake {
     }
 
     /// Way in the image of a point that moves, while the shutter is open, pixels.
-    pub(super) fn way_in_image(&self, point: Vec3A, velocity: Velocity) -> Vec2 {
-        if self.shutter_s == 0.0 || velocity == Velocity::ZERO {
+    pub(super) fn way_in_image(&self, point: Vec3A, velocity: RigidVelocity) -> Vec2 {
+        if self.shutter_s == 0.0 || velocity == RigidVelocity::ZERO {
             return Vec2::ZERO;
         }
         let half = velocity.at(point) * (0.5 * self.shutter_s);

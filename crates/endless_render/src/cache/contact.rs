@@ -2,7 +2,7 @@
 
 use super::affected::Work;
 use super::tile::Span;
-use crate::scene::{Facet, FrameScene, MovingObject};
+use crate::scene::{Facet, FrameScene, MovingVolume};
 use glam::Vec2;
 
 /// How far above its ground, metres.
@@ -14,17 +14,17 @@ pub(super) fn contact_left(frame: &FrameScene, work: &Work, facet: &Facet) -> f3
 }
 
 /// Height of the long box that darkens as an object does, metres.
-fn contact_height(object: &MovingObject) -> f32 {
+fn contact_height(object: &MovingVolume) -> f32 {
     object.height.min(1.2) * (object.half.min_element() / 0.9).min(1.0)
 }
 
 /// How far from its footprint an object darkens the ground, metres.
-fn contact_reach(object: &MovingObject) -> f32 {
+fn contact_reach(object: &MovingVolume) -> f32 {
     0.4 + 1.3 * contact_height(object)
 }
 
 /// Whether an object may darken anything in a box: no wrong no.
-pub(super) fn contact_may_reach(object: &MovingObject, span: &Span) -> bool {
+pub(super) fn contact_may_reach(object: &MovingVolume, span: &Span) -> bool {
     if span.is_empty() || span.low.z > object.ground + CONTACT_RISE_M || span.high.z < object.ground - CONTACT_RISE_M {
         return false;
     }
@@ -40,7 +40,7 @@ pub(super) fn contact_may_reach(object: &MovingObject, span: &Span) -> bool {
 
 /// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box
 /// hides, and nearly all of it beneath.
-fn contact_light(object: &MovingObject, point: &Facet) -> f32 {
+fn contact_light(object: &MovingVolume, point: &Facet) -> f32 {
     let rise = point.position.z - object.ground;
     if rise.abs() > CONTACT_RISE_M || point.geometric_normal.z < 0.5 {
         return 1.0;
@@ -69,10 +69,10 @@ mod tests {
     use glam::Vec3A;
     use proptest::prelude::*;
 
-    fn object(centre: Vec2, turn: f32, half: Vec2, height: f32) -> MovingObject {
+    fn object(centre: Vec2, turn: f32, half: Vec2, height: f32) -> MovingVolume {
         let (sin, cos) = endless_world::math::sin_cos(turn);
         let (low, high) = (Vec3A::ZERO, Vec3A::ZERO);
-        MovingObject {
+        MovingVolume {
             low,
             high,
             parts: Vec::new(),

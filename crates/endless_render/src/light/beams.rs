@@ -11,7 +11,7 @@ const NEAREST_M: f32 = 0.05;
 
 /// What kind of light.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum BeamKind {
+pub enum BeamKind {
     /// Both headlights of a vehicle as one, low beam.
     Head,
     /// Tail lights.
@@ -22,16 +22,18 @@ pub(crate) enum BeamKind {
 
 /// A vehicle's light in the world.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Beam {
-    pub(crate) kind: BeamKind,
-    /// Slightly in front of the lenses, so that they do not shadow themselves.
-    pub(crate) position: Vec3A,
-    /// Horizontal direction that it shines.
-    pub(crate) forward: Vec3A,
-    pub(crate) left: Vec3A,
+pub struct VehicleBeam {
+    /// Its distribution.
+    pub kind: BeamKind,
+    /// World frame, metres. Slightly in front of the lenses, so that they do not shadow themselves.
+    pub position: Vec3A,
+    /// Unit direction that it shines.
+    pub forward: Vec3A,
+    /// Unit direction to its left.
+    pub left: Vec3A,
 }
 
-impl Beam {
+impl VehicleBeam {
     /// Beyond this the light is nothing, metres.
     pub(crate) fn range_m(&self) -> f32 {
         match self.kind {
@@ -153,7 +155,7 @@ mod tests {
             let forward = Vec3A::new(endless_world::math::cos(turn), endless_world::math::sin(turn), 0.0);
             let left = Vec3A::new(-forward.y, forward.x, 0.0);
             let kind = if brake { BeamKind::Brake } else { BeamKind::Head };
-            let beam = Beam { kind, position: Vec3A::new(0.0, 0.0, 0.7), forward, left };
+            let beam = VehicleBeam { kind, position: Vec3A::new(0.0, 0.0, 0.7), forward, left };
             let point = Vec3A::new(x, y, z);
             prop_assert!(beam.illuminance_at(point).0 == Vec3A::ZERO || beam.reaches(point - size, point + size * 0.3));
             let one = beam.illuminance_at(point).0.x;
@@ -164,8 +166,12 @@ mod tests {
 
     #[test]
     fn low_beam_lights_the_road_not_the_sky() {
-        let beam =
-            Beam { kind: BeamKind::Head, position: Vec3A::new(0.0, 0.0, 0.7), forward: Vec3A::X, left: Vec3A::Y };
+        let beam = VehicleBeam {
+            kind: BeamKind::Head,
+            position: Vec3A::new(0.0, 0.0, 0.7),
+            forward: Vec3A::X,
+            left: Vec3A::Y,
+        };
         let at = |x: f32, y: f32, z: f32| beam.illuminance_at(Vec3A::new(x, y, z)).0.x;
         assert!(at(20.0, 0.0, 0.0) > 5.0 * at(20.0, 0.0, 3.0));
         assert!(at(10.0, 0.0, 0.0) > at(10.0, 8.0, 0.0));

@@ -1,6 +1,6 @@
 //! Street lamps: many small lights in a grid, so that a point asks only those that reach it.
 
-use endless_town::Lamp;
+use endless_scene::StreetLamp;
 use endless_world::math;
 use glam::{Vec2, Vec3A};
 
@@ -40,7 +40,7 @@ impl LampLight {
     }
 }
 
-/// All lamps of a town.
+/// All lamps of a scene.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lamps {
     lights: Vec<LampLight>,
@@ -52,8 +52,8 @@ pub(crate) struct Lamps {
 }
 
 impl Lamps {
-    /// Indexes a town's lamps.
-    pub(crate) fn new(lamps: &[Lamp]) -> Self {
+    /// Indexes lamps.
+    pub(crate) fn new(lamps: &[StreetLamp]) -> Self {
         let lights: Vec<LampLight> = lamps
             .iter()
             .map(|l| LampLight {
@@ -122,7 +122,8 @@ mod tests {
 
     #[test]
     fn a_lamp_follows_the_inverse_square() {
-        let lamps = Lamps::new(&[Lamp { position: Vec3::new(0.0, 0.0, 8.12), color: [1.0; 3], intensity_cd: 5000.0 }]);
+        let lamps =
+            Lamps::new(&[StreetLamp { position: Vec3::new(0.0, 0.0, 8.12), color: [1.0; 3], intensity_cd: 5000.0 }]);
         let at = |z: f32| {
             lamps.near(Vec3A::new(0.0, 0.0, z)).map(|l| l.illuminance_at(Vec3A::new(0.0, 0.0, z)).0.x).sum::<f32>()
         };

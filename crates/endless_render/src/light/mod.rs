@@ -9,7 +9,7 @@ mod lamp_maps;
 mod lamps;
 mod sky;
 
-pub(crate) use beams::{Beam, BeamKind};
+pub use beams::{BeamKind, VehicleBeam};
 pub(crate) use environment::{Environment, SUN_SAMPLES};
 pub(crate) use fog::Fog;
 pub(crate) use halo_grid::HaloGrid;

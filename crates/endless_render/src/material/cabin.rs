@@ -107,7 +107,7 @@ impl Cabin {
 /// What is behind a glass that lets a share of the light `through`; `None` where there is no cabin.
 pub(super) fn behind(point: &SurfacePoint<'_>, through: f32) -> Option<Inside> {
     let instance = point.instance;
-    let (low, high) = instance.body.blas.bounds();
+    let (low, high) = instance.geometry.posed.blas.bounds();
     let turn = instance.world_from_object.matrix3.transpose();
     let outwards = turn * point.geometric_normal;
     let cabin = Cabin::of(point.tag(), low, high, point.object_position, outwards)?;

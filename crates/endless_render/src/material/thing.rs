@@ -33,7 +33,7 @@ pub(super) fn car_glass(point: &SurfacePoint<'_>, base: Vec3A, environment: &Env
     let behind = inside.as_ref().map_or((base * 0.35).min(Vec3A::splat(0.05)), |inside| inside.albedo);
     let mut look = Look::matte(behind, point.normal).coated(1.0, 0.05, 0.07);
     look.specular = 0.0;
-    if environment.night && point.instance.lights & VehicleLights::INTERIOR != 0 {
+    if environment.night && point.instance.lights.0 & VehicleLights::INTERIOR != 0 {
         look.emission = inside.map_or(Vec3A::ZERO, |inside| inside.lit * LAMP);
     }
     look
@@ -79,7 +79,7 @@ fn individual(point: &SurfacePoint<'_>, green: Vec3A) -> Vec3A {
     const LEAFY: f32 = 0.262;
     const AUTUMN: [Vec3A; 3] = [Vec3A::new(2.5, 1.75, 0.22), Vec3A::new(2.5, 1.05, 0.16), Vec3A::new(1.9, 1.45, 0.30)];
     let base = Vec3A::from_array(point.material.base_color);
-    if base.x > base.y || base.z > base.y || point.instance.body.blas.bounds().1.z < TREE_M {
+    if base.x > base.y || base.z > base.y || point.instance.geometry.posed.blas.bounds().1.z < TREE_M {
         return green;
     }
     let stand = point.instance.world_from_object.translation;
@@ -112,7 +112,7 @@ pub(super) fn lamp_lens(point: &SurfacePoint<'_>, base: Vec3A, environment: &Env
 
 pub(super) fn vehicle_light(point: &SurfacePoint<'_>, base: Vec3A, slot: LightSlot, environment: &Environment) -> Look {
     let mut look = Look::matte(base, point.normal).coated(1.0, 0.05, 0.08);
-    let on = |bits| point.instance.lights & bits != 0;
+    let on = |bits| point.instance.lights.0 & bits != 0;
     let glare = if environment.night { NIGHT_GLARE } else { 1.0 };
     let red = Vec3A::new(1.0, 0.035, 0.02);
     let amber = Vec3A::new(1.0, 0.42, 0.03);

@@ -1,17 +1,24 @@
-//! What there is to see: the still town, the cast that moves in it, and both at one instant.
+//! What there is to see: what stands still, what moves at one instant, and where rays meet either.
 
 mod ambient_occlusion;
-mod cast;
+mod deformable_mesh;
+mod deformation;
 mod frame_scene;
-mod model;
+mod geometry;
+mod instance;
+mod moving_object;
+mod posed_mesh;
 mod static_scene;
 mod surface_point;
 mod velocity;
 
-pub use cast::Cast;
-pub use frame_scene::FrameScene;
-pub(crate) use frame_scene::MovingObject;
-pub(crate) use model::{Body, Instance, Shape};
+pub use deformable_mesh::DeformableMesh;
+pub use deformation::Deformation;
+pub use frame_scene::{FrameDescription, FrameScene};
+pub use geometry::Geometry;
+pub use instance::Instance;
+pub(crate) use moving_object::MovingVolume;
+pub use moving_object::{Footprint, MovingObject};
 pub use static_scene::StaticScene;
 pub(crate) use surface_point::{Facet, SurfacePoint};
-pub(crate) use velocity::Velocity;
+pub use velocity::RigidVelocity;

@@ -50,8 +50,8 @@ pub(crate) struct SurfacePoint<'a> {
     pub(crate) distance: f32,
     /// Unit direction of the ray that met it.
     pub(crate) direction: Vec3A,
-    /// Share of the surroundings seen past its own body.
-    pub(crate) openness: f32,
+    /// Share of the surroundings seen past its own body, 0 to 1.
+    pub(crate) ambient_occlusion: f32,
     /// Whether the ray met the inner side.
     pub(crate) from_behind: bool,
 }
@@ -61,15 +61,15 @@ impl<'a> SurfacePoint<'a> {
     pub(crate) fn new(instances: &'a [Instance], ray: &Ray, hit: &Hit) -> Self {
         let instance = &instances[hit.instance as usize];
         let triangle = hit.triangle as usize;
-        let mesh = &*instance.shape.mesh;
+        let mesh = &*instance.geometry.mesh;
         let [a, b, c] = mesh.triangles[triangle].map(|i| i as usize);
-        let body = &instance.body;
-        let positions = body.positions();
+        let posed = &instance.geometry.posed;
+        let positions = posed.positions();
         let corner = |i: usize| Vec3A::from(positions[i]);
         let (pa, pb, pc) = (corner(a), corner(b), corner(c));
         let w = 1.0 - hit.u - hit.v;
         let object_position = pa * w + pb * hit.u + pc * hit.v;
-        let smooth = body.normal(a) * w + body.normal(b) * hit.u + body.normal(c) * hit.v;
+        let smooth = posed.normal(a) * w + posed.normal(b) * hit.u + posed.normal(c) * hit.v;
         let flat = (pb - pa).cross(pc - pa);
         let mut geometric_normal = (instance.normal_matrix * flat).normalize_or(Vec3A::Z);
         let mut normal = (instance.normal_matrix * smooth).normalize_or(geometric_normal);
@@ -88,7 +88,7 @@ impl<'a> SurfacePoint<'a> {
             normal = (normal - ray.direction * (facing + 0.02)).normalize_or(geometric_normal);
         }
         let uv = mesh.uvs[a] * w + mesh.uvs[b] * hit.u + mesh.uvs[c] * hit.v;
-        let openness = match instance.shape.openness.as_slice() {
+        let ambient_occlusion = match &*instance.geometry.ambient_occlusion {
             [] => 1.0,
             open => open[a] * w + open[b] * hit.u + open[c] * hit.v,
         };
@@ -102,7 +102,7 @@ impl<'a> SurfacePoint<'a> {
             uv,
             distance: hit.t,
             direction: ray.direction,
-            openness,
+            ambient_occlusion,
             from_behind,
         }
     }

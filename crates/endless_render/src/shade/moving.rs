@@ -135,7 +135,8 @@ impl Asked {
     ) -> Vec3A {
         let environment = tracer.environment;
         let (look, view) = (&self.look, -point.direction);
-        let ambient = tracer.ambient(point.position + point.geometric_normal * 0.3, look.normal) * point.openness;
+        let ambient =
+            tracer.ambient(point.position + point.geometric_normal * 0.3, look.normal) * point.ambient_occlusion;
         let mut radiance = look.emission + look.lit_by_ambient(ambient, view);
         if let Some(sun) = environment.sun.as_ref().filter(|_| sunlit) {
             radiance += look.lit_by(sun.illuminance, sun.direction, view);
@@ -168,7 +169,7 @@ impl Mirror {
     fn light(&self, tracer: &Tracer<'_>, point: &SurfacePoint<'_>, image: Option<Vec3A>) -> Vec3A {
         let mut shown = image.unwrap_or(Vec3A::ZERO) * self.sharp;
         if self.sharp < 1.0 {
-            let soft = tracer.ambient(point.position, self.ray.direction) * (FRAC_1_PI * point.openness);
+            let soft = tracer.ambient(point.position, self.ray.direction) * (FRAC_1_PI * point.ambient_occlusion);
             shown += soft * (1.0 - self.sharp);
         }
         self.weight * shown

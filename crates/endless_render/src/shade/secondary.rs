@@ -94,14 +94,14 @@ fn sun_ray(tracer: &Tracer<'_>, point: &SurfacePoint<'_>) -> Option<Ray> {
 /// Radiance of a surface point towards where it was seen from, but for direct light and fog.
 fn soft_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look) -> Vec3A {
     let view = -point.direction;
-    let ambient = tracer.ambient(point.position + point.geometric_normal * 0.25, look.normal) * point.openness;
+    let ambient = tracer.ambient(point.position + point.geometric_normal * 0.25, look.normal) * point.ambient_occlusion;
     let mut radiance = look.emission + look.lit_by_ambient(ambient, view);
     // A second mirror shows the sky, as far as the sky is there.
     let coat = look.coat_reflectance(view);
     if coat.max_element() > 0.0 {
         let direction = look.mirror_direction(point.direction, point.geometric_normal);
         let sky = tracer.environment.sky.radiance(direction) * direction.z.clamp(0.0, 0.35) * 2.0;
-        radiance += coat * sky * point.openness;
+        radiance += coat * sky * point.ambient_occlusion;
     }
     radiance
 }

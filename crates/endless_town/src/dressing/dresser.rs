@@ -3,8 +3,9 @@
 use crate::character::Character;
 use crate::network::{Arm, KERB_HEIGHT_M, Plan, Street};
 use crate::plot::{Occupied, Rect};
-use crate::{Lamp, Placement, What};
+use crate::{Placement, What};
 use endless_asset::{Catalogue, Prop};
+use endless_scene::StreetLamp;
 use endless_world::{ParkedVehicle, SignalId, Stream};
 use glam::{Affine3A, DVec2, Quat, Vec3};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -15,7 +16,7 @@ pub(crate) struct Stage<'a> {
     pub(crate) catalogue: &'a Catalogue,
     pub(crate) occupied: Occupied,
     pub(crate) placements: Vec<Placement>,
-    pub(crate) lamps: Vec<Lamp>,
+    pub(crate) lamps: Vec<StreetLamp>,
     pub(crate) parked: Vec<ParkedVehicle>,
     stream: Stream,
 }

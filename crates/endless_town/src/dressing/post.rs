@@ -1,10 +1,10 @@
 //! Lamp posts, traffic lights and signs.
 
 use super::dresser::{Dresser, Spot, arm_yaw, towards_road};
-use crate::Lamp;
 use crate::character::Character;
 use crate::network::{Node, Rule};
 use endless_asset::Prop;
+use endless_scene::StreetLamp;
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, Vec3};
 use std::f64::consts::PI;
@@ -221,7 +221,7 @@ pub(crate) fn add_lamps(dresser: &mut Dresser<'_>) {
                     let at = street.point(s, side * (street.profile.kerb() + POST_M));
                     let (sin, cos) = sin_cos(towards_road(street, s, side));
                     let lens = (at + DVec2::new(cos, sin) * 2.0).as_vec2().extend(0.0);
-                    dresser.lamps.push(Lamp {
+                    dresser.lamps.push(StreetLamp {
                         position: lens + Vec3::Z * (7.9 + 0.15),
                         color: character.lamp_color,
                         intensity_cd: character.lamp_cd,

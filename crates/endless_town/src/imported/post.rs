@@ -3,11 +3,11 @@
 use super::cover::Cover;
 use super::land::Land;
 use super::look::Look;
-use crate::Lamp;
 use crate::dressing::{Spot, Stage};
 use crate::plot::unit;
 use endless_asset::Prop;
 use endless_road::{Control, Lane, RoadMap, ThingKind};
+use endless_scene::StreetLamp;
 use endless_world::SignalId;
 use glam::{DVec2, DVec3, Vec3};
 use std::collections::BTreeSet;
@@ -283,7 +283,11 @@ impl Poster<'_> {
         let stands = stage.lamps.len() < MOST_LAMPS && self.put(stage, Prop::StreetLamp, at, z, yaw, None);
         if stands {
             let lens = (at + unit(yaw) * 2.0).extend(z + 7.9).as_vec3();
-            stage.lamps.push(Lamp { position: lens, color: self.look.lamp_color, intensity_cd: self.look.lamp_cd });
+            stage.lamps.push(StreetLamp {
+                position: lens,
+                color: self.look.lamp_color,
+                intensity_cd: self.look.lamp_cd,
+            });
         }
         stands
     }

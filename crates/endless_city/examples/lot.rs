@@ -1,10 +1,10 @@
-//! The cast on an empty square in daylight, as a camera on a mast sees it: one vehicle of every design, or sixty people.
-//! `cargo run --release -p endless_render --example lot -- vehicles|people OUT.jpg`.
+//! The models on an empty square in daylight, as a camera on a mast sees it: one vehicle of every design, or sixty people.
+//! `cargo run --release -p endless_city --example lot -- vehicles|people OUT.jpg`.
 
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_city::ActorModels;
+use endless_render::{CameraBake, Geometry, Instance, RenderSettings, StaticScene};
 use endless_scene::{Material, MeshBuilder, Surface};
-use endless_town::{Placement, Town, What};
 use endless_world::{
     Actor, AssetRef, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Outfit, PersonRef,
     Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
@@ -21,8 +21,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [what, out] = arguments.as_slice() else { return Err("usage: lot vehicles|people OUT.jpg".into()) };
     let catalogue = Catalogue::builtin();
     let (actors, height) = if what == "people" { (people(&catalogue), 8.7) } else { (vehicles(&catalogue), 36.0) };
-    let town = square();
-    let still = StaticScene::load(&town, &catalogue);
+    let still = square();
     let site = CameraSite {
         name: "mast".to_owned(),
         position: [0.0, -1.25 * height, height],
@@ -33,8 +32,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let settings = RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 1, SIZE);
     let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };
-    let cast = Cast::new(&catalogue, &state.actors);
-    let image = CameraBake::bake(&still, &settings, &site).render(&still, &FrameScene::new(&cast, &state)).rgb;
+    let models = ActorModels::new(&catalogue, &state.actors);
+    let image = CameraBake::bake(&still, &settings, &site).render(&still, &models.frame_scene(&state)).rgb;
     let encoder = jpeg_encoder::Encoder::new_file(out, QUALITY)?;
     encoder.encode(image.data.as_flattened(), SIZE.width as u16, SIZE.height as u16, jpeg_encoder::ColorType::Rgb)?;
     Ok(())
@@ -143,11 +142,10 @@ fn people(catalogue: &Catalogue) -> Vec<Actor> {
         .collect()
 }
 
-fn square() -> Town {
+fn square() -> StaticScene {
     let ground = Material::new(Surface::Concrete, [0.33, 0.33, 0.32], ClassTag::Ground);
     let mut mesh = MeshBuilder::new();
     let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec3::new(x, y, 0.0) * 300.0);
     mesh.quad(corners, corners.map(|c| Vec2::new(c.x, c.y)), ground);
-    let place = Placement { what: What::Own(0), world_from_object: Affine3A::IDENTITY, signal: None };
-    Town { name: "square".to_owned(), meshes: vec![mesh.finish().into()], placements: vec![place], ..Town::default() }
+    StaticScene::new(vec![Instance::new(&Geometry::new(mesh.finish()), Affine3A::IDENTITY)], &[])
 }

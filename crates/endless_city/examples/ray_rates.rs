@@ -1,5 +1,5 @@
 //! Prints rates of tracing in the built-in towns, or those that are named, own traversal beside that of `obvhs`:
-//! `cargo run --release -p endless_render --example ray_rates -- [Town03 …]`.
+//! `cargo run --release -p endless_city --example ray_rates -- [Town03 …]`.
 #![expect(clippy::print_stdout, reason = "a table is what it is for")]
 
 #[path = "../benches/town/baseline.rs"]

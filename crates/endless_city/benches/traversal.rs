@@ -1,5 +1,5 @@
 //! Rates of tracing a frame's primary, sun and diffuse rays in a built-in town, on one thread:
-//! `cargo bench -p endless_render --bench traversal`.
+//! `cargo bench -p endless_city --bench traversal`.
 
 mod town;
 

@@ -1,10 +1,10 @@
 //! All cameras of towns on one picture, a town a row, in daylight:
-//! `cargo run --release -p endless_render --example contact_sheet -- docs/cameras.jpg 256x144 [Town03 ...]`.
+//! `cargo run --release -p endless_city --example contact_sheet -- docs/cameras.jpg 256x144 [Town03 ...]`.
 
 mod staged;
 
 use endless_asset::Catalogue;
-use endless_render::StaticScene;
+use endless_city::TownScene;
 use endless_world::{ImageSize, TimeOfDay, Weather};
 use staged::{draw::draw, sheet};
 use std::error::Error;
@@ -24,9 +24,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut rows = Vec::new();
     for name in names {
         let town = endless_town::load(name, &catalogue)?;
-        let still = StaticScene::load(&town, &catalogue);
+        let town_scene = TownScene::load(&town, &catalogue);
         let condition = (Weather::ClearSky, TimeOfDay::Afternoon);
-        let of = |site| draw(&town, &still, &catalogue, site, condition, sheet::large(size));
+        let of = |site| draw(&town, &town_scene, &catalogue, site, condition, sheet::large(size));
         let mut frames: Vec<Vec<[u8; 3]>> = town.cameras.iter().map(of).collect();
         while frames.len() > COLUMNS {
             let rest = frames.split_off(COLUMNS);

@@ -1,10 +1,10 @@
 //! Three cameras in all fifteen conditions on one picture, a weather a row, morning, afternoon and night side by side:
-//! `cargo run --release -p endless_render --example conditions -- docs/conditions.jpg 256x144 [Town02:park ...]`.
+//! `cargo run --release -p endless_city --example conditions -- docs/conditions.jpg 256x144 [Town02:park ...]`.
 
 mod staged;
 
 use endless_asset::Catalogue;
-use endless_render::StaticScene;
+use endless_city::TownScene;
 use endless_world::{ImageSize, TimeOfDay, Weather};
 use staged::{draw::draw, sheet};
 use std::error::Error;
@@ -25,12 +25,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (c, camera) in cameras.iter().enumerate() {
         let (map, name) = camera.split_once(':').ok_or("a camera is TOWN:NAME or TOWN:NUMBER")?;
         let town = endless_town::load(map, &catalogue)?;
-        let still = StaticScene::load(&town, &catalogue);
+        let town_scene = TownScene::load(&town, &catalogue);
         let number = name.parse().ok().or_else(|| town.cameras.iter().position(|site| site.name == name));
         let site = number.and_then(|n: usize| town.cameras.get(n)).ok_or("no such camera")?;
         for (row, weather) in rows.iter_mut().zip(Weather::ALL) {
             for (t, time) in TimeOfDay::ALL.iter().enumerate() {
-                let frame = draw(&town, &still, &catalogue, site, (*weather, *time), sheet::large(size));
+                let frame = draw(&town, &town_scene, &catalogue, site, (*weather, *time), sheet::large(size));
                 row[t * cameras.len() + c] = frame;
             }
         }

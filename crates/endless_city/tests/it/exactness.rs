@@ -1,7 +1,8 @@
 //! The fixed-camera cache leaves nothing out: frames made with it equal frames traced anew, byte for byte.
 
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_city::{ActorModels, TownScene};
+use endless_render::{CameraBake, RenderSettings};
 use endless_town::Town;
 use endless_world::{
     Actor, CameraLook, CameraSite, ClassTag, Clock, Distortion, Gait, ImageSize, InstanceId, LookChoice, Motion,
@@ -105,7 +106,8 @@ fn check(map: &str, camera: usize, weather: Weather, time_of_day: TimeOfDay) -> 
 fn check_through(look: CameraLook, map: &str, camera: usize, weather: Weather, time_of_day: TimeOfDay) -> usize {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue).expect("a built-in town");
-    let still = StaticScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue);
+    let still = town_scene.static_scene();
     let site = &town.cameras[camera];
     let settings = RenderSettings {
         gather_rays: 1,
@@ -113,22 +115,22 @@ fn check_through(look: CameraLook, map: &str, camera: usize, weather: Weather, t
         keep_irradiance: true,
         ..RenderSettings::new(weather, time_of_day, 3, SIZE)
     };
-    let bake = CameraBake::bake(&still, &settings, site);
+    let bake = CameraBake::bake(still, &settings, site);
     let mut random = Stream::named(5, "exactness", &[camera as u64]);
     let lights = time_of_day == TimeOfDay::Night || weather == Weather::Rainy;
     let actors = actors(&town, &catalogue, site, lights, &mut random);
-    let cast = Cast::new(&catalogue, &actors);
+    let models = ActorModels::new(&catalogue, &actors);
     let aspects = [SignalAspect::Red, SignalAspect::Green, SignalAspect::Yellow, SignalAspect::RedYellow];
     let signals =
         (0..town.network.signal_groups).map(|i| SignalState { aspect: aspects[usize::from(i) % 4] }).collect();
     let state = WorldState { frame: 4, time_s: 0.1, actors, signals };
-    let frame = FrameScene::new(&cast, &state);
-    let (cached, traced) = (bake.render(&still, &frame), bake.render_uncached(&still, &frame));
+    let frame = models.frame_scene(&state);
+    let (cached, traced) = (bake.render(still, &frame), bake.render_uncached(still, &frame));
     assert_eq!(differing(&cached, &traced), 0, "{map} {weather} {time_of_day}: pixels that differ");
-    let empty = |frame| FrameScene::new(&cast, &WorldState { frame, actors: Vec::new(), ..state.clone() });
-    let alone = bake.render(&still, &empty(state.frame));
+    let empty = |frame| models.frame_scene(&WorldState { frame, actors: Vec::new(), ..state.clone() });
+    let alone = bake.render(still, &empty(state.frame));
     if weather != Weather::Rainy && look.noise == 0.0 && look.clock.is_none() {
-        let later = bake.render(&still, &empty(state.frame + 1));
+        let later = bake.render(still, &empty(state.frame + 1));
         assert_eq!(differing(&alone, &later), 0, "{map} {weather} {time_of_day}: what stands still flickers");
     }
     differing(&cached, &alone)
@@ -205,16 +207,17 @@ fn through_lenses_that_distort() {
 fn the_shutter_blurs_light_and_nothing_else() {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load("Town05", &catalogue).expect("a built-in town");
-    let still = StaticScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue);
+    let still = town_scene.static_scene();
     let settings =
         RenderSettings { gather_rays: 1, ..RenderSettings::new(Weather::Cloudy, TimeOfDay::Morning, 3, SIZE) };
     let actors = actors(&town, &catalogue, &town.cameras[0], false, &mut Stream::named(5, "blur", &[]));
-    let cast = Cast::new(&catalogue, &actors);
+    let models = ActorModels::new(&catalogue, &actors);
     let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };
-    let frame = FrameScene::new(&cast, &state);
+    let frame = models.frame_scene(&state);
     let image = |look| {
         let settings = RenderSettings { look, ..settings.clone() };
-        CameraBake::bake(&still, &settings, &town.cameras[0]).render(&still, &frame)
+        CameraBake::bake(still, &settings, &town.cameras[0]).render(still, &frame)
     };
     let (sharp, blurred) = (image(CameraLook::CLEAN), image(CameraLook { shutter_s: 1.0 / 30.0, ..CameraLook::CLEAN }));
     let differ = |n: usize| sharp.rgb.data[n] != blurred.rgb.data[n];
@@ -230,15 +233,16 @@ fn the_shutter_blurs_light_and_nothing_else() {
 fn labels_of_moving_things_are_theirs() {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load("Town03", &catalogue).expect("a built-in town");
-    let still = StaticScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue);
+    let still = town_scene.static_scene();
     let settings =
         RenderSettings { gather_rays: 1, ..RenderSettings::new(Weather::Cloudy, TimeOfDay::Afternoon, 3, SIZE) };
-    let bake = CameraBake::bake(&still, &settings, &town.cameras[0]);
+    let bake = CameraBake::bake(still, &settings, &town.cameras[0]);
     let mut random = Stream::named(5, "labels", &[]);
     let actors = actors(&town, &catalogue, &town.cameras[0], false, &mut random);
-    let cast = Cast::new(&catalogue, &actors);
+    let models = ActorModels::new(&catalogue, &actors);
     let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };
-    let image = bake.render(&still, &FrameScene::new(&cast, &state));
+    let image = bake.render(still, &models.frame_scene(&state));
     let mut seen = 0;
     for (label, depth) in image.instance.data.iter().zip(&image.depth.data) {
         let actor = state.actors.iter().find(|a| a.id == label.id);

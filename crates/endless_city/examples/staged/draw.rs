@@ -2,23 +2,25 @@
 
 use super::crowd;
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_city::{ActorModels, TownScene};
+use endless_render::{CameraBake, RenderSettings};
 use endless_town::Town;
 use endless_world::{CameraSite, ImageSize, TimeOfDay, Weather};
 
 /// What one of a town's cameras sees of it in some condition.
 pub(crate) fn draw(
     town: &Town,
-    still: &StaticScene,
+    town_scene: &TownScene,
     catalogue: &Catalogue,
     site: &CameraSite,
     (weather, time_of_day): (Weather, TimeOfDay),
     size: ImageSize,
 ) -> Vec<[u8; 3]> {
+    let still = town_scene.static_scene();
     let settings = RenderSettings { gather_rays: 1, ..RenderSettings::new(weather, time_of_day, 7, size) };
     let bake = CameraBake::bake(still, &settings, site);
     let lights = time_of_day == TimeOfDay::Night || matches!(weather, Weather::Rainy | Weather::Foggy);
     let state = crowd(town, site.position, catalogue, lights);
-    let cast = Cast::new(catalogue, &state.actors);
-    bake.render(still, &FrameScene::new(&cast, &state)).rgb.data
+    let models = ActorModels::new(catalogue, &state.actors);
+    bake.render(still, &models.frame_scene(&state)).rgb.data
 }

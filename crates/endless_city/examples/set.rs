@@ -1,13 +1,12 @@
 //! Contact sheets of what stands still, each piece on a square of its own in daylight:
-//! `cargo run --release -p endless_render --example set -- furniture|plants|buildings OUT.jpg [NAME ...]`.
+//! `cargo run --release -p endless_city --example set -- furniture|plants|buildings OUT.jpg [NAME ...]`.
 
 mod staged;
 
 use endless_asset::{Catalogue, Prop};
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_render::{CameraBake, FrameDescription, FrameScene, Geometry, Instance, RenderSettings, StaticScene};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
-use endless_town::{Placement, Town, What};
-use endless_world::{CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather, WorldState, math};
+use endless_world::{CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather, math};
 use glam::{Affine3A, Vec2, Vec3};
 use staged::sheet;
 use std::error::Error;
@@ -37,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         _ => (SMALL, 10, -0.62),
     };
     pieces.retain(|p| only.is_empty() || only.contains(&p.0));
-    let tiles: Vec<Vec<[u8; 3]>> = pieces.iter().map(|(_, mesh)| picture(mesh, &catalogue, tile, azimuth)).collect();
+    let tiles: Vec<Vec<[u8; 3]>> = pieces.iter().map(|(_, mesh)| picture(mesh, tile, azimuth)).collect();
     eprintln!("{}", pieces.iter().map(|p| p.0.as_str()).collect::<Vec<_>>().join(" "));
     let rows: Vec<Vec<Vec<[u8; 3]>>> = tiles.chunks(columns).map(<[_]>::to_vec).collect();
     sheet::save(out, &rows, tile, QUALITY)
@@ -67,18 +66,13 @@ fn buildings() -> Vec<(String, Mesh)> {
 }
 
 /// A square with a thing in its middle.
-fn stage(thing: &Mesh) -> Town {
+fn stage(thing: &Mesh) -> StaticScene {
     let ground = Material::new(Surface::Concrete, [0.23, 0.23, 0.225], ClassTag::Ground);
     let mut square = MeshBuilder::new();
     let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| Vec3::new(x, y, 0.0) * 400.0);
     square.quad(corners, corners.map(|c| Vec2::new(c.x, c.y)), ground);
-    let place = |number| Placement { what: What::Own(number), world_from_object: Affine3A::IDENTITY, signal: None };
-    Town {
-        name: "square".to_owned(),
-        meshes: vec![square.finish().into(), thing.clone().into()],
-        placements: vec![place(0), place(1)],
-        ..Town::default()
-    }
+    let place = |mesh: Mesh| Instance::new(&Geometry::new(mesh), Affine3A::IDENTITY);
+    StaticScene::new(vec![place(square.finish()), place(thing.clone())], &[])
 }
 
 /// A camera that a box of these corners fills, as far up as one on a pole 12 m away, ahead and to the right of it.
@@ -105,8 +99,8 @@ fn site(low: Vec3, high: Vec3, tile: ImageSize, azimuth: f32) -> CameraSite {
     }
 }
 
-fn picture(mesh: &Mesh, catalogue: &Catalogue, tile: ImageSize, azimuth: f32) -> Vec<[u8; 3]> {
-    let still = StaticScene::load(&stage(mesh), catalogue);
+fn picture(mesh: &Mesh, tile: ImageSize, azimuth: f32) -> Vec<[u8; 3]> {
+    let still = stage(mesh);
     let settings = RenderSettings {
         gather_rays: 2,
         ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 1, sheet::large(tile))
@@ -115,8 +109,6 @@ fn picture(mesh: &Mesh, catalogue: &Catalogue, tile: ImageSize, azimuth: f32) ->
     // Of slender things the upper part tells what they are.
     let wide = (high.x - low.x).max(high.y - low.y);
     low.z = low.z.max(high.z - 3.0 * wide.max(0.5));
-    let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals: Vec::new() };
-    let cast = Cast::new(catalogue, &state.actors);
     let bake = CameraBake::bake(&still, &settings, &site(low, high, tile, azimuth));
-    bake.render(&still, &FrameScene::new(&cast, &state)).rgb.data
+    bake.render(&still, &FrameScene::new(FrameDescription::default())).rgb.data
 }

@@ -1,7 +1,8 @@
 //! What moves has no visible grain: pictures made with other patterns of rays hardly differ there.
 
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_city::{ActorModels, TownScene};
+use endless_render::{CameraBake, RenderSettings};
 use endless_world::{
     Actor, CameraSite, ClassTag, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay, VehicleLights,
     VehicleModelId, VehicleMotion, VehicleRef, Weather, WorldState,
@@ -15,7 +16,8 @@ const PATTERNS: u32 = 16;
 fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load("Town02", &catalogue).expect("a built-in town");
-    let still = StaticScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue);
+    let still = town_scene.static_scene();
     let spawn = town.network.spawn_points[7];
     let place = town.network.lane(spawn.lane).centerline.at(spawn.s);
     let yaw = place.heading_rad as f32;
@@ -46,12 +48,12 @@ fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
         parked: false,
     };
     let state = WorldState { frame: 0, time_s: 0.0, actors: vec![actor], signals: Vec::new() };
-    let cast = Cast::new(&catalogue, &state.actors);
-    let frame = FrameScene::new(&cast, &state);
+    let models = ActorModels::new(&catalogue, &state.actors);
+    let frame = models.frame_scene(&state);
     let images: Vec<_> = (0..PATTERNS)
         .map(|pattern| {
             let settings = RenderSettings { pattern, ..RenderSettings::new(weather, time_of_day, 4, SIZE) };
-            CameraBake::bake(&still, &settings, &site).render(&still, &frame)
+            CameraBake::bake(still, &settings, &site).render(still, &frame)
         })
         .collect();
     let pixels: Vec<usize> = (0..SIZE.pixels()).filter(|&i| images[0].instance.data[i].tag == ClassTag::Car).collect();

@@ -1,10 +1,11 @@
 //! Renders one frame of a town with actors standing at its spawn points, without traffic:
-//! `cargo run --release -p endless_render --example look -- Town03 0 rainy night look.png [WIDTHxHEIGHT] [instance.png]`.
+//! `cargo run --release -p endless_city --example look -- Town03 0 rainy night look.png [WIDTHxHEIGHT] [instance.png]`.
 
 mod staged;
 
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, Cast, FrameScene, RenderSettings, StaticScene};
+use endless_city::{ActorModels, TownScene};
+use endless_render::{CameraBake, RenderSettings};
 use endless_world::{ImageSize, TimeOfDay, Weather};
 use staged::crowd;
 use std::{error::Error, fs::File, path::Path, time::Instant};
@@ -21,24 +22,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     let town = endless_town::load(map, &catalogue)?;
     eprintln!("town {:.2} s", clock.elapsed().as_secs_f32());
     let clock = Instant::now();
-    let still = StaticScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue);
+    let still = town_scene.static_scene();
     eprintln!("scene {:.2} s, {} triangles", clock.elapsed().as_secs_f32(), still.placed_triangles());
     let site = &town.cameras[camera.parse::<usize>()? % town.cameras.len()];
     let clock = Instant::now();
     let settings = RenderSettings::new(weather, time, 7, size);
-    let bake = CameraBake::bake(&still, &settings, site);
+    let bake = CameraBake::bake(still, &settings, site);
     eprintln!("bake {:.2} s, {} rays", clock.elapsed().as_secs_f32(), bake.stats().rays());
     let state = crowd(&town, site.position, &catalogue, time == TimeOfDay::Night || weather == Weather::Rainy);
-    let cast = Cast::new(&catalogue, &state.actors);
+    let models = ActorModels::new(&catalogue, &state.actors);
     let clock = Instant::now();
-    let frame = FrameScene::new(&cast, &state);
+    let frame = models.frame_scene(&state);
     eprintln!("frame scene {:.4} s", clock.elapsed().as_secs_f32());
     const REPEAT: u32 = 20;
     let before = thread_cpu_seconds();
     for _ in 1..REPEAT {
-        std::hint::black_box(bake.render(&still, &frame));
+        std::hint::black_box(bake.render(still, &frame));
     }
-    let image = bake.render(&still, &frame);
+    let image = bake.render(still, &frame);
     let each = (thread_cpu_seconds() - before) / f64::from(REPEAT);
     eprintln!("frame {each:.3} s on one core, camera {}", site.name);
     write_png(out, size, image.rgb.data.as_flattened())?;

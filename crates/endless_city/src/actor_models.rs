@@ -1,0 +1,185 @@
+//! The models of those who move in a video, and all of them at one instant.
+
+use crate::{TownScene, person::PersonGeometry, vehicle::VehicleGeometry, velocity};
+use endless_asset::Catalogue;
+use endless_render::{
+    BeamKind, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject, VehicleBeam,
+};
+use endless_world::{
+    Actor, ClassTag, Motion, PersonRef, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, WorldState,
+};
+use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Models of all actors of a video, made once.
+#[derive(Debug)]
+pub struct ActorModels {
+    vehicles: BTreeMap<VehicleModelId, MovingVehicle>,
+    people: BTreeMap<PersonRef, PersonGeometry>,
+    riders: BTreeMap<VehicleRef, Geometry>,
+    tints: BTreeMap<VehicleRef, Vec3>,
+}
+
+/// A vehicle model that moves.
+#[derive(Debug)]
+struct MovingVehicle {
+    geometry: VehicleGeometry,
+    /// Half length, half width, height.
+    extent: Vec3A,
+    /// Mid-point between the headlights, in the object frame; `None` without headlights.
+    headlight: Option<Vec3A>,
+    /// x of the rearmost point of the piece that steers.
+    towing_rear: f32,
+}
+
+impl ActorModels {
+    /// Models of these actors.
+    pub fn new(catalogue: &Catalogue, actors: &[Actor]) -> Self {
+        Self::made(catalogue, actors, &BTreeMap::new())
+    }
+
+    /// The same in a town of the same catalogue: vehicles that stand parked there are not made again.
+    pub fn in_town(town: &TownScene, catalogue: &Catalogue, actors: &[Actor]) -> Self {
+        Self::made(catalogue, actors, &town.parked)
+    }
+
+    fn made(catalogue: &Catalogue, actors: &[Actor], parked: &BTreeMap<VehicleModelId, VehicleGeometry>) -> Self {
+        // Everything is made by all threads, once.
+        let driving: BTreeSet<VehicleRef> = actors.iter().filter_map(|a| a.asset.vehicle()).collect();
+        let models: BTreeSet<VehicleModelId> = driving.iter().map(|v| v.model).collect();
+        let dressed: BTreeSet<PersonRef> = actors.iter().filter_map(|a| a.asset.person()).collect();
+        let ridden = actors.iter().filter(|a| a.rider_id.is_some());
+        let ridden: BTreeSet<VehicleRef> = ridden.filter_map(|a| a.asset.vehicle()).collect();
+        let vehicle = |m: VehicleModelId| Some((m, MovingVehicle::new(catalogue, m, parked.get(&m).cloned())?));
+        let person = |person| (person, PersonGeometry::new(catalogue.dressed_person(person)));
+        let (vehicles, (people, riders)) = rayon::join(
+            || models.into_par_iter().filter_map(vehicle).collect(),
+            || {
+                rayon::join(
+                    || dressed.into_par_iter().map(person).collect(),
+                    || ridden.into_par_iter().filter_map(|key| Some((key, rider(catalogue, key)?))).collect(),
+                )
+            },
+        );
+        let tint = |vehicle| Some((vehicle, Vec3::from_array(catalogue.vehicle_tint(vehicle)?)));
+        Self { vehicles, people, riders, tints: driving.into_iter().filter_map(tint).collect() }
+    }
+
+    /// The actors as they stand at an instant, ready to be traced.
+    pub fn frame_scene(&self, state: &WorldState) -> FrameScene {
+        // People are posed by all threads.
+        let posed: Vec<Option<Geometry>> = state.actors.par_iter().map(|actor| self.posed(actor)).collect();
+        let mut frame = FrameDescription {
+            frame: state.frame,
+            signals: state.signals.iter().map(|s| s.aspect).collect(),
+            ..FrameDescription::default()
+        };
+        for (actor, body) in state.actors.iter().zip(posed) {
+            match actor.motion {
+                Motion::Vehicle(motion) => self.add_vehicle(actor, &motion, &mut frame),
+                Motion::Walker(_) => frame.objects.extend(body.and_then(|body| self.person(actor, &body))),
+            }
+        }
+        FrameScene::new(frame)
+    }
+
+    /// Adds a vehicle, its rider and its lights, and what it draws.
+    fn add_vehicle(&self, actor: &Actor, motion: &VehicleMotion, frame: &mut FrameDescription) {
+        let Some(named) = actor.asset.vehicle() else { return };
+        let Some(vehicle) = self.vehicles.get(&named.model) else { return };
+        let world_from_object = actor.pose.world_from_object();
+        let velocity = velocity::of_body(actor, vehicle.geometry.wheelbase_m());
+        let placed = vehicle.geometry.place(world_from_object, motion, velocity);
+        let tint = self.tints.get(&named).copied().unwrap_or(Vec3::ONE);
+        let dressed = |i: Instance| i.with_id(actor.id, actor.class.tag()).with_tint(tint).with_lights(motion.lights);
+        let mut towing: Vec<Instance> = placed.towing.into_iter().map(dressed).collect();
+        let mut trailing: Vec<Instance> = placed.trailer.into_iter().map(dressed).collect();
+        if let (Some(rider_id), Some(rider)) = (actor.rider_id, self.riders.get(&named)) {
+            let last = if trailing.is_empty() { &mut towing } else { &mut trailing };
+            let rider = Instance::new(rider, world_from_object);
+            last.push(rider.with_id(rider_id, ClassTag::Rider).with_velocity(velocity));
+        }
+        let trailer = vehicle.geometry.trailer.as_ref();
+        let world_from_last =
+            trailer.map_or(world_from_object, |t| world_from_object * t.object_from_straight(motion.hitch_rad));
+        frame.beams.extend(vehicle.beams(motion.lights, world_from_object, world_from_last));
+        let extent = vehicle.extent;
+        let rear = trailer.map_or(-extent.x, |_| vehicle.towing_rear.max(-extent.x));
+        let footprint = vehicle.footprint(world_from_object, rear, extent.x);
+        frame.objects.push(MovingObject { instances: towing, footprint });
+        if let Some(trailer) = trailer {
+            let footprint = vehicle.footprint(world_from_last, -extent.x, trailer.high.x);
+            frame.objects.push(MovingObject { instances: trailing, footprint });
+        }
+    }
+
+    /// The body of a person on foot as it stands.
+    fn posed(&self, actor: &Actor) -> Option<Geometry> {
+        let Motion::Walker(motion) = &actor.motion else { return None };
+        Some(self.people.get(&actor.asset.person()?)?.posed(motion))
+    }
+
+    fn person(&self, actor: &Actor, body: &Geometry) -> Option<MovingObject> {
+        let world_from_object = actor.pose.world_from_object();
+        let instance = Instance::new(body, world_from_object)
+            .with_id(actor.id, actor.class.tag())
+            .with_velocity(velocity::of_body(actor, 0.0));
+        let height_m = self.people.get(&actor.asset.person()?)?.height_m();
+        let footprint = Footprint { world_from_object, ahead_m: 0.0, half_m: Vec2::new(0.2, 0.22), height_m };
+        Some(MovingObject { instances: vec![instance], footprint })
+    }
+}
+
+impl MovingVehicle {
+    fn new(catalogue: &Catalogue, model: VehicleModelId, made: Option<VehicleGeometry>) -> Option<Self> {
+        let entry = catalogue.vehicle(model)?;
+        let extent = Vec3A::new(entry.spec.length_m / 2.0, entry.spec.width_m / 2.0, entry.spec.height_m);
+        let low = Vec3::new(-extent.x, -extent.y, 0.0);
+        let geometry = made.unwrap_or_else(|| VehicleGeometry::new(entry)).with_ambient_occlusion(low, extent.into());
+        let lenses = entry.headlights();
+        let headlight =
+            (!lenses.is_empty()).then(|| lenses.iter().map(|&p| Vec3A::from(p)).sum::<Vec3A>() / lenses.len() as f32);
+        let towing_rear = entry.spec.trailer.map_or(-extent.x, |t| t.towing_rear_m);
+        Some(Self { geometry, extent, headlight, towing_rear })
+    }
+
+    /// Headlights in front, and the red glow behind the last piece.
+    fn beams(
+        &self,
+        lights: VehicleLights,
+        world_from_object: Affine3A,
+        world_from_last: Affine3A,
+    ) -> impl Iterator<Item = VehicleBeam> {
+        let lens = self.headlight.filter(|_| lights.has(VehicleLights::LOW_BEAM));
+        let half_length = self.extent.x;
+        let pair = lens.map(|lens| {
+            let Mat3A { x_axis, y_axis, .. } = world_from_object.matrix3;
+            let front = Vec3A::new(lens.x.max(half_length) + 0.1, 0.0, lens.z);
+            let position = world_from_object.transform_point3a(front);
+            let head = VehicleBeam { kind: BeamKind::Head, position, forward: x_axis, left: y_axis };
+            let braking = lights.has(VehicleLights::BRAKE);
+            let kind = if braking { BeamKind::Brake } else { BeamKind::Tail };
+            let Mat3A { x_axis, y_axis, .. } = world_from_last.matrix3;
+            let position = world_from_last.transform_point3a(Vec3A::new(-half_length - 0.1, 0.0, 0.8));
+            [head, VehicleBeam { kind, position, forward: -x_axis, left: -y_axis }]
+        });
+        pair.into_iter().flatten()
+    }
+
+    /// Of the piece between two places along its object frame.
+    fn footprint(&self, world_from_object: Affine3A, rear: f32, front: f32) -> Footprint {
+        Footprint {
+            world_from_object,
+            ahead_m: 0.5 * (rear + front),
+            half_m: Vec2::new(0.5 * (front - rear), self.extent.y),
+            height_m: self.extent.z,
+        }
+    }
+}
+
+/// Who rides a vehicle.
+fn rider(catalogue: &Catalogue, vehicle: VehicleRef) -> Option<Geometry> {
+    let rider = Geometry::rigid(catalogue.rider(vehicle)?);
+    Some(rider.with_ambient_occlusion(Vec3::new(-0.5, -0.4, 0.0), Vec3::new(0.5, 0.4, 1.8)))
+}

@@ -1,0 +1,87 @@
+//! A town as the renderer draws it.
+
+use crate::vehicle::VehicleGeometry;
+use endless_asset::Catalogue;
+use endless_render::{Geometry, Instance, RigidVelocity, StaticScene};
+use endless_scene::Mesh;
+use endless_town::{Placement, Town, What};
+use endless_world::{InstanceId, ParkedVehicle, VehicleModelId, VehicleMotion};
+use glam::Vec3;
+use rayon::prelude::*;
+use std::{
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+/// A town ready to be traced. Load it once a map.
+#[derive(Debug)]
+pub struct TownScene {
+    still: StaticScene,
+    /// Models of the parked vehicles: the same may drive by.
+    pub(crate) parked: BTreeMap<VehicleModelId, VehicleGeometry>,
+}
+
+impl TownScene {
+    /// Builds the town's meshes, props and parked vehicles (number i gets instance id i + 1).
+    pub fn load(town: &Town, catalogue: &Catalogue) -> Self {
+        let models: BTreeSet<VehicleModelId> = town.parked.iter().map(|p| p.vehicle.model).collect();
+        let geometry = |model| Some((model, VehicleGeometry::new(catalogue.vehicle(model)?)));
+        // Large meshes and small ones side by side, so that no thread waits for another.
+        let (mut instances, parked): (Vec<Instance>, BTreeMap<VehicleModelId, VehicleGeometry>) = rayon::join(
+            || placed(&town.meshes, &town.placements, catalogue),
+            || models.into_par_iter().filter_map(geometry).collect(),
+        );
+        for (number, vehicle) in (1u16..).zip(&town.parked) {
+            instances.extend(parked_instances(vehicle, InstanceId(number), &parked, catalogue));
+        }
+        Self { still: StaticScene::new(instances, &town.lamps), parked }
+    }
+
+    /// What stands still, for the renderer.
+    pub fn static_scene(&self) -> &StaticScene {
+        &self.still
+    }
+
+    /// The same with more that stands still: details near the cameras of one video. [`What::Own`] numbers `meshes`.
+    pub fn with_details(&self, meshes: &[Arc<Mesh>], placements: &[Placement], catalogue: &Catalogue) -> StaticScene {
+        self.still.with_instances(placed(meshes, placements, catalogue))
+    }
+}
+
+/// Instances of a town's own meshes and of props.
+fn placed(meshes: &[Arc<Mesh>], placements: &[Placement], catalogue: &Catalogue) -> Vec<Instance> {
+    let kinds = placements.iter().map(|placement| placement.what);
+    let used: BTreeSet<What> = kinds.filter(|what| matches!(what, What::Prop(..))).collect();
+    let prop = |what: What| match what {
+        What::Prop(prop, variant) => Some((what, Geometry::new(catalogue.prop(prop, variant)))),
+        What::Own(_) => None,
+    };
+    let (own, props): (Vec<Geometry>, BTreeMap<What, Geometry>) = rayon::join(
+        || meshes.par_iter().map(|mesh| Geometry::new(Arc::clone(mesh))).collect(),
+        || used.into_par_iter().filter_map(prop).collect(),
+    );
+    let place = |placement: &Placement| {
+        let geometry = match placement.what {
+            What::Own(i) => own.get(i as usize),
+            What::Prop(..) => props.get(&placement.what),
+        };
+        Some(Instance::new(geometry?, placement.world_from_object).with_signal(placement.signal))
+    };
+    placements.iter().filter_map(place).collect()
+}
+
+fn parked_instances(
+    parked: &ParkedVehicle,
+    id: InstanceId,
+    models: &BTreeMap<VehicleModelId, VehicleGeometry>,
+    catalogue: &Catalogue,
+) -> Vec<Instance> {
+    let model = parked.vehicle.model;
+    let (Some(entry), Some(geometry)) = (catalogue.vehicle(model), models.get(&model)) else {
+        return vec![];
+    };
+    let tint = Vec3::from_array(entry.tint(parked.vehicle.variant));
+    let placed = geometry.place(parked.pose.world_from_object(), &VehicleMotion::default(), RigidVelocity::ZERO);
+    let dressed = |instance: Instance| instance.with_id(id, entry.spec.class.tag()).with_tint(tint);
+    placed.towing.into_iter().chain(placed.trailer).map(dressed).collect()
+}

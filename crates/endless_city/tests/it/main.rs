@@ -1,0 +1,4 @@
+//! Integration tests of `endless_city` and of the renderer in towns, in one binary: a module a subject.
+
+mod exactness;
+mod grain;

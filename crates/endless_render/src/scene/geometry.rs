@@ -1,0 +1,55 @@
+//! Meshes as the renderer holds them: with a hierarchy over their triangles, shared by all their instances.
+
+use super::ambient_occlusion::ambient_occlusion;
+use super::posed_mesh::PosedMesh;
+use crate::accel::Use;
+use endless_scene::Mesh;
+use glam::Vec3;
+use std::sync::Arc;
+
+/// A mesh ready to be traced. Clones are cheap and share everything.
+#[derive(Debug, Clone)]
+pub struct Geometry {
+    /// As it was made: of what deforms, its vertices are those of the rest pose.
+    pub(crate) mesh: Arc<Mesh>,
+    /// Share of the surroundings that each vertex sees past its own body, 0 to 1, as in glTF's occlusion textures;
+    /// empty means 1 everywhere.
+    pub(crate) ambient_occlusion: Arc<[f32]>,
+    /// What changes when it deforms.
+    pub(crate) posed: Arc<PosedMesh>,
+}
+
+impl Geometry {
+    /// Of what stands still and meets many rays: its hierarchy is worth some work.
+    pub fn new(mesh: impl Into<Arc<Mesh>>) -> Self {
+        Self::for_use(mesh.into(), Use::Still)
+    }
+
+    /// Of what moves as it is, such as vehicles: its hierarchy is soon made.
+    pub fn rigid(mesh: impl Into<Arc<Mesh>>) -> Self {
+        Self::for_use(mesh.into(), Use::Rigid)
+    }
+
+    pub(super) fn for_use(mesh: Arc<Mesh>, purpose: Use) -> Self {
+        let posed = Arc::new(PosedMesh::new(Arc::clone(&mesh), purpose));
+        Self { mesh, ambient_occlusion: Arc::default(), posed }
+    }
+
+    /// With ambient occlusion by itself and by the ground beneath it, traced at its vertices. `low` and `high` bound the
+    /// whole object in its own frame, metres: of a wheel, the whole vehicle.
+    #[must_use]
+    pub fn with_ambient_occlusion(self, low: Vec3, high: Vec3) -> Self {
+        let ambient_occlusion = ambient_occlusion(&self.posed, low.into(), high.into()).into();
+        Self { ambient_occlusion, ..self }
+    }
+
+    /// The mesh that it was made of.
+    pub fn mesh(&self) -> &Arc<Mesh> {
+        &self.mesh
+    }
+
+    /// Whether it has no triangles: instances of it are left out.
+    pub fn is_empty(&self) -> bool {
+        self.mesh.triangles.is_empty()
+    }
+}

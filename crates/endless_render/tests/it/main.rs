@@ -1,4 +1,0 @@
-//! Integration tests of `endless_render`, in one binary: a module a subject.
-
-mod exactness;
-mod grain;
