@@ -1,12 +1,13 @@
 //! The command line.
 
+use crate::build_info::VERSION;
 use clap::{Args, Parser, Subcommand};
 use endless_pipeline::RecipeDraft;
 use std::path::PathBuf;
 
 /// Endless annotated urban datasets seen by surveillance cameras.
 #[derive(Debug, Parser)]
-#[command(version, about, max_term_width = 100, arg_required_else_help = false)]
+#[command(version = VERSION.as_str(), about, max_term_width = 100, arg_required_else_help = false)]
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) command: Command,
@@ -38,6 +39,10 @@ pub(crate) struct GenerateArgs {
     /// Write the settings of all scenes, print the work order, and stop.
     #[arg(long)]
     pub(crate) plan_only: bool,
+    /// Go on with a dataset that another build of endless began, which may have made other bytes; `dataset.json`
+    /// names the builds of every video.
+    #[arg(long)]
+    pub(crate) allow_other_build: bool,
     /// Threads that record [default: all cores]. Does not change the result.
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<std::num::NonZeroUsize>,

@@ -1,6 +1,7 @@
 //! `endless bench`: the whole pipeline on a fixed recipe, or under all conditions.
 
 use crate::args::{BenchArgs, threads};
+use crate::build_info::this_build;
 use anyhow::{Context, Result};
 use endless_pipeline::{GenerateOptions, Generated, RecipeDraft, Silent, Simulator, generate};
 use endless_world::{TimeOfDay, Weather};
@@ -35,7 +36,12 @@ fn draft(args: &BenchArgs) -> RecipeDraft {
 fn film<S: Simulator>(simulator: &S, args: &BenchArgs, draft: RecipeDraft) -> Result<Generated> {
     let recipe = draft.resolve(simulator)?;
     let out = std::env::current_dir()?.join(format!(".endless-bench-{}", std::process::id()));
-    let options = GenerateOptions { threads: threads(args.threads), plan_only: false };
+    let options = GenerateOptions {
+        build: this_build(),
+        allow_other_build: false,
+        threads: threads(args.threads),
+        plan_only: false,
+    };
     let made = generate(simulator, &recipe, &out, &options, &Silent);
     if out.exists() {
         fs::remove_dir_all(&out).context("cannot remove the bench's files")?;

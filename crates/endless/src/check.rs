@@ -2,10 +2,14 @@
 
 use crate::{FAILURE, args::CheckArgs};
 use anyhow::{Context, Result};
+use endless_dataset::DatasetError;
 use std::{io::Write, process::ExitCode};
 
 pub(crate) fn run(args: &CheckArgs) -> Result<ExitCode> {
-    let report = endless_dataset::check(&args.out).context("there is no dataset to check")?;
+    let report = match endless_dataset::check(&args.out) {
+        Err(error @ DatasetError::OtherFormat { .. }) => return Err(error.into()),
+        other => other.context("there is no dataset to check")?,
+    };
     let mut out = std::io::stdout().lock();
     for finding in &report.findings {
         writeln!(out, "{finding}")?;

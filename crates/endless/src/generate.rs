@@ -3,6 +3,7 @@
 use crate::{
     args::{GenerateArgs, threads},
     assets,
+    build_info::this_build,
     report::Reporter,
 };
 use anyhow::Result;
@@ -17,7 +18,12 @@ pub(crate) fn run(library: MapLibrary, args: GenerateArgs) -> Result<ExitCode> {
     let library = assets::with_folder(library, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
     let simulator = &BuiltinSimulator::new(library);
     let recipe = draft.resolve(simulator)?;
-    let options = GenerateOptions { threads: threads(args.threads), plan_only: args.plan_only };
+    let options = GenerateOptions {
+        build: this_build(),
+        allow_other_build: args.allow_other_build,
+        threads: threads(args.threads),
+        plan_only: args.plan_only,
+    };
     let reporter = Reporter::new();
     let made = generate(simulator, &recipe, &args.out, &options, &reporter);
     reporter.finish();

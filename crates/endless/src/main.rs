@@ -3,6 +3,7 @@
 mod args;
 mod assets;
 mod bench;
+mod build_info;
 mod check;
 mod file;
 mod generate;

@@ -38,6 +38,9 @@ impl From<DatasetError> for Finding {
             DatasetError::Io { action, path, cause } => Self::new(path, format!("{action} ({cause})")),
             DatasetError::Malformed { reason, path } => Self::new(path, reason),
             DatasetError::DiskFull { path } => Self::new(path, "the disk is full"),
+            DatasetError::OtherFormat { found, expected, path } => {
+                Self::new(path, format!("has format {found} instead of {expected}"))
+            }
             DatasetError::Video { reason } => Self::new("", reason),
         }
     }
@@ -62,7 +65,7 @@ pub struct CheckReport {
 /// When there is no dataset to check.
 pub fn check(root: &Path) -> Result<CheckReport, DatasetError> {
     let layout = DatasetLayout::new(root);
-    let manifest: Manifest = read_json(&layout.manifest())?;
+    let manifest = Manifest::read(&layout.manifest())?;
     let mut report = CheckReport { videos: manifest.videos.len(), ..Default::default() };
     report.findings.extend(check_manifest(&layout, &manifest));
     for video in &manifest.videos {
@@ -83,10 +86,6 @@ impl CheckReport {
 fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {
     let mut findings = Vec::new();
     let path = layout.manifest();
-    if manifest.format != Manifest::FORMAT {
-        let problem = format!("has format {}, this version reads {}", manifest.format, Manifest::FORMAT);
-        findings.push(Finding::new(&path, problem));
-    }
     if manifest.videos.len() != manifest.recipe.videos as usize {
         let problem = format!("lists {} videos, its recipe says {}", manifest.videos.len(), manifest.recipe.videos);
         findings.push(Finding::new(&path, problem));
@@ -94,6 +93,10 @@ fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {
     for (video, number) in manifest.videos.iter().zip(0..) {
         if video.video != number {
             findings.push(Finding::new(&path, format!("video {} stands in place {number}", video.video)));
+        }
+        let begun = video.state != VideoState::Planned;
+        if (begun && video.builds.is_empty()) || video.builds.iter().any(|build| *build >= manifest.builds.len()) {
+            findings.push(Finding::new(&path, format!("does not say which build made video {number}")));
         }
     }
     let expected_videos: Vec<String> = manifest.videos.iter().map(|v| v.name.clone()).collect();

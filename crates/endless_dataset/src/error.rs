@@ -29,6 +29,19 @@ pub enum DatasetError {
         /// Which file.
         path: PathBuf,
     },
+    /// A dataset of another format.
+    #[error(
+        "the dataset has format {found}, this program reads and writes {expected}: use the program that made it: {}",
+        path.display()
+    )]
+    OtherFormat {
+        /// Its format.
+        found: u32,
+        /// That of this program.
+        expected: u32,
+        /// Its `dataset.json`.
+        path: PathBuf,
+    },
     /// The video encoder refused a picture.
     #[error("cannot encode the video: {reason}")]
     Video {

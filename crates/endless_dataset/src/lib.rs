@@ -4,6 +4,7 @@
 //! and [`check`] reopens a whole dataset with them.
 
 mod atomic;
+mod build_identity;
 mod camera_record;
 mod check;
 mod encoding;
@@ -21,6 +22,7 @@ mod scene_record;
 mod video;
 
 pub use atomic::{AtomicFile, remove_temporaries, write_atomic};
+pub use build_identity::BuildIdentity;
 pub use camera_record::CameraRecord;
 pub use check::{CheckReport, Finding, check};
 pub use encoding::{depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance};
@@ -28,7 +30,7 @@ pub use error::DatasetError;
 pub use labels::LabelSchema;
 pub use layer::{Layer, RgbFormat};
 pub use layout::{CameraLayout, DatasetLayout, VideoLayout};
-pub use manifest::{Manifest, Tool, VideoEntry, VideoState};
+pub use manifest::{Manifest, VideoEntry, VideoState};
 pub use mp4::{Mp4Info, Mp4Writer, read_mp4};
 pub use objects::{ObjectsWriter, read_objects};
 pub use preview::{depth_preview, instance_preview};

@@ -1,24 +1,9 @@
 //! `dataset.json`.
 
-use crate::{LabelSchema, Recipe};
+use crate::{BuildIdentity, DatasetError, LabelSchema, Recipe, read_json};
 use endless_world::{TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
-
-/// What made the dataset.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Tool {
-    /// `endless`.
-    pub name: String,
-    /// Its version: another version may make other bytes of the same recipe.
-    pub version: String,
-}
-
-impl Tool {
-    /// This build.
-    pub fn current() -> Self {
-        Self { name: "endless".into(), version: env!("CARGO_PKG_VERSION").into() }
-    }
-}
+use std::path::Path;
 
 /// How far a video is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -52,6 +37,9 @@ pub struct VideoEntry {
     /// Annotated boxes of each camera, summed over frames; once complete.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub boxes: Option<[u64; 2]>,
+    /// Which of the manifest's `builds` have worked on it, in the order in which they came; none before it is begun.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub builds: Vec<usize>,
 }
 
 /// The whole of `dataset.json`.
@@ -59,8 +47,10 @@ pub struct VideoEntry {
 pub struct Manifest {
     /// Version of the layout on disk.
     pub format: u32,
-    /// What made it.
-    pub tool: Tool,
+    /// The program's name.
+    pub tool: String,
+    /// The builds of the program that were at work, in the order in which they came.
+    pub builds: Vec<BuildIdentity>,
     /// The recipe's seed, repeated where one looks for it.
     pub seed: u64,
     /// The resolved recipe.
@@ -73,17 +63,48 @@ pub struct Manifest {
 
 impl Manifest {
     /// Version of the layout that this build writes and reads.
-    pub const FORMAT: u32 = 1;
+    pub const FORMAT: u32 = 2;
 
     /// The manifest of a planned dataset.
-    pub fn new(recipe: Recipe, videos: Vec<VideoEntry>) -> Self {
+    pub fn new(recipe: Recipe, builds: Vec<BuildIdentity>, videos: Vec<VideoEntry>) -> Self {
         Self {
             format: Self::FORMAT,
-            tool: Tool::current(),
+            tool: "endless".into(),
+            builds,
             seed: recipe.seed,
             recipe,
             labels: LabelSchema::current(),
             videos,
+        }
+    }
+
+    /// Reads `dataset.json`.
+    ///
+    /// # Errors
+    /// [`DatasetError::OtherFormat`] if another format is written there; when it is missing or not a manifest.
+    pub fn read(path: &Path) -> Result<Self, DatasetError> {
+        // A manifest of another format need not have the fields of this one.
+        #[derive(Deserialize)]
+        struct FormatOnly {
+            format: u32,
+        }
+        let FormatOnly { format } = read_json(path)?;
+        if format != Self::FORMAT {
+            return Err(DatasetError::OtherFormat { found: format, expected: Self::FORMAT, path: path.to_owned() });
+        }
+        read_json(path)
+    }
+
+    /// Notes that a build works on a video.
+    pub fn note_build(&mut self, video: usize, build: &BuildIdentity) {
+        let listed = self.builds.iter().position(|other| other.makes_same_bytes(build));
+        let index = listed.unwrap_or_else(|| {
+            self.builds.push(build.clone());
+            self.builds.len() - 1
+        });
+        let entry = &mut self.videos[video];
+        if !entry.builds.contains(&index) {
+            entry.builds.push(index);
         }
     }
 }

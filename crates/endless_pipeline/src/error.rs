@@ -2,7 +2,7 @@
 
 use crate::{Estimate, SimulatorError};
 use endless_annotate::AnnotateError;
-use endless_dataset::DatasetError;
+use endless_dataset::{BuildIdentity, DatasetError};
 use endless_world::UnknownName;
 use std::path::PathBuf;
 
@@ -142,6 +142,30 @@ pub enum GenerateError {
         /// Its value now.
         mine: String,
         /// The output.
+        path: PathBuf,
+    },
+    /// The output holds what another build made.
+    #[error(
+        "the output was made by another build of endless, {theirs}, and this one, {mine}, may make other bytes: use that \
+         build, give another folder, or mix them with --allow-other-build: {}",
+        path.display()
+    )]
+    OtherBuild {
+        /// The build that was at work there.
+        theirs: Box<BuildIdentity>,
+        /// The one that runs.
+        mine: Box<BuildIdentity>,
+        /// The output.
+        path: PathBuf,
+    },
+    /// Images that nothing tells the build of.
+    #[error(
+        "dataset.json is missing, and nothing says which build of endless made this video: delete it, give another \
+         folder, or go on with it all the same with --allow-other-build: {}",
+        path.display()
+    )]
+    UnknownBuild {
+        /// The video's folder.
         path: PathBuf,
     },
     /// A scene in the output is not what the recipe plans.

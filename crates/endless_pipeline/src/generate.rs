@@ -9,14 +9,18 @@ use crate::{
     Event, GenerateError, Plan, Progress, Simulator, StageTimes,
     record::{Clock, Recording, Stage, record_video},
 };
-use endless_dataset::{DatasetLayout, Manifest, Recipe, VideoEntry, VideoLayout, VideoState, write_json};
+use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json};
 use endless_world::SceneSettings;
-use output::{Lock, Output};
+use output::{Claim, Lock, Output};
 use std::{path::Path, time::Instant};
 
-/// What does not change the bytes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// What is no part of the recipe.
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GenerateOptions {
+    /// The program that runs. A dataset that another one began is refused.
+    pub build: BuildIdentity,
+    /// Go on with what another build began, and note which builds made which video.
+    pub allow_other_build: bool,
     /// Threads that record.
     pub threads: usize,
     /// Write the scenes and stop.
@@ -55,16 +59,17 @@ pub fn generate<S: Simulator>(
     let start = Instant::now();
     let layout = DatasetLayout::new(root);
     let plan = Plan::new(recipe, simulator)?;
-    let output = Output::inspect(&layout, recipe, &plan)?;
+    let claim = Claim { recipe, plan: &plan, build: &options.build, allow_other_build: options.allow_other_build };
+    let output = Output::inspect(&layout, &claim)?;
     let estimate = estimate::estimate(&layout, recipe, &output.to_do(&plan))?;
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
     let _lock = Lock::take(&layout)?;
     // Once more, now that nobody else can change it.
-    let output = Output::inspect(&layout, recipe, &plan)?;
+    let output = Output::inspect(&layout, &claim)?;
     let to_do = output.to_do(&plan);
-    let mut manifest = Manifest::new(recipe.clone(), output.entries(&plan));
+    let mut manifest = output.manifest(&claim);
     output::write_plan(&layout, &manifest, &plan)?;
     let mut generated = Generated {
         plan: plan.clone(),
@@ -85,9 +90,7 @@ pub fn generate<S: Simulator>(
         progress.event(&Event::LoadMap { map: &same_map[0].map });
         let map = clock.time(Stage::LoadMap, || simulator.load_map(&same_map[0].map))?;
         for settings in same_map {
-            let entry = run.video(&map, settings, to_do.len() as u32)?;
-            manifest.videos[settings.video as usize] = entry;
-            write_json(&layout.manifest(), &manifest)?;
+            run.video(&map, settings, to_do.len() as u32, &mut manifest)?;
             generated.videos += 1;
             generated.camera_frames += 2 * u64::from(settings.frames);
             generated.bytes += layout.video(settings).bytes()?;
@@ -110,11 +113,20 @@ struct Run<'a, S> {
 }
 
 impl<S: Simulator> Run<'_, S> {
-    fn video(&mut self, map: &S::Map, settings: &SceneSettings, of: u32) -> Result<VideoEntry, GenerateError> {
+    /// Records a video, and notes in the manifest who does it, before it begins, and that it is complete.
+    fn video(
+        &mut self,
+        map: &S::Map,
+        settings: &SceneSettings,
+        of: u32,
+        manifest: &mut Manifest,
+    ) -> Result<(), GenerateError> {
         self.place += 1;
         let name = VideoLayout::name(settings);
         let camera_frames = 2 * u64::from(settings.frames);
         self.progress.event(&Event::Video { name: &name, place: self.place, of, camera_frames });
+        manifest.note_build(settings.video as usize, &self.options.build);
+        write_json(&self.layout.manifest(), manifest)?;
         let recording = Recording {
             settings,
             recipe: self.recipe,
@@ -125,6 +137,9 @@ impl<S: Simulator> Run<'_, S> {
         };
         let record = self.clock.time(Stage::Record, || record_video(self.simulator, map, &recording))?;
         self.progress.event(&Event::VideoDone { name: &name });
-        Ok(output::entry(settings, VideoState::Complete, Some(record.boxes)))
+        let entry = &mut manifest.videos[settings.video as usize];
+        (entry.state, entry.boxes) = (VideoState::Complete, Some(record.boxes));
+        write_json(&self.layout.manifest(), manifest)?;
+        Ok(())
     }
 }

@@ -1,6 +1,7 @@
 //! Integration tests of `endless`, in one binary: a module a subject.
 
 mod bad_input;
+mod build_identity;
 mod imported_assets;
 mod imported_maps;
 mod program;

@@ -1,6 +1,6 @@
 //! How much disk a dataset takes.
 
-use crate::{GenerateError, record::count_images};
+use crate::record::count_images;
 use endless_dataset::{DatasetError, DatasetLayout, Layer, Recipe, RgbFormat};
 use endless_world::{LookChoice, SceneSettings};
 use std::path::Path;
@@ -41,7 +41,7 @@ pub(super) fn estimate(
     layout: &DatasetLayout,
     recipe: &Recipe,
     to_do: &[&SceneSettings],
-) -> Result<Estimate, GenerateError> {
+) -> Result<Estimate, DatasetError> {
     let mut present = 0;
     for settings in to_do {
         for camera in 0..2 {
@@ -63,8 +63,8 @@ pub(super) fn estimate(
 }
 
 /// Free bytes where the folder is or will be.
-fn free(root: &Path) -> Result<u64, GenerateError> {
+fn free(root: &Path) -> Result<u64, DatasetError> {
     let absolute = std::path::absolute(root).unwrap_or_else(|_no_current_folder| root.to_owned());
     let there = absolute.ancestors().find(|p| p.exists()).unwrap_or(Path::new("."));
-    fs4::available_space(there).map_err(|e| DatasetError::io("cannot ask for the free space", root, e).into())
+    fs4::available_space(there).map_err(|e| DatasetError::io("cannot ask for the free space", root, e))
 }

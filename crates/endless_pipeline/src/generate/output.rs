@@ -2,8 +2,8 @@
 
 use crate::{GenerateError, Plan, record::camera_is_complete};
 use endless_dataset::{
-    DatasetError, DatasetLayout, Manifest, Recipe, SceneRecord, Tool, VideoEntry, VideoLayout, VideoState, read_json,
-    write_json,
+    BuildIdentity, DatasetError, DatasetLayout, Manifest, Recipe, SceneRecord, VideoEntry, VideoLayout, VideoState,
+    read_json, write_json,
 };
 use endless_world::SceneSettings;
 use std::{
@@ -12,39 +12,91 @@ use std::{
     path::Path,
 };
 
+/// Who wants to go on with the output.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Claim<'a> {
+    pub(super) recipe: &'a Recipe,
+    pub(super) plan: &'a Plan,
+    /// The build that runs.
+    pub(super) build: &'a BuildIdentity,
+    /// Go on with what another build began.
+    pub(super) allow_other_build: bool,
+}
+
 /// What the output folder holds of a plan.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct Output {
     /// Boxes of the videos that are complete, by number.
     complete: BTreeMap<u32, [u64; 2]>,
+    /// The builds that were at work.
+    builds: Vec<BuildIdentity>,
+    /// Which of them worked on a video, by its number.
+    builds_of_video: BTreeMap<u32, Vec<usize>>,
 }
 
 impl Output {
     /// Looks, without changing anything.
-    pub(super) fn inspect(layout: &DatasetLayout, recipe: &Recipe, plan: &Plan) -> Result<Self, GenerateError> {
-        let nothing = Self { complete: BTreeMap::new() };
+    pub(super) fn inspect(layout: &DatasetLayout, claim: &Claim<'_>) -> Result<Self, GenerateError> {
         let root = layout.root();
         if let Some(file) = root.ancestors().find(|p| p.is_file()) {
             return Err(GenerateError::OutputIsFile { path: file.to_owned() });
         }
         if !root.exists() {
-            return Ok(nothing);
+            return Ok(Self::default());
         }
-        if layout.manifest().exists() {
-            refuse_other_recipe(layout, recipe)?;
-            refuse_other_scenes(layout, plan)?;
+        let mut output = if layout.manifest().exists() {
+            let found = Manifest::read(&layout.manifest())?;
+            refuse_other_build(layout, &found, claim)?;
+            refuse_other_recipe(layout, &found, claim.recipe)?;
+            refuse_other_scenes(layout, claim.plan)?;
+            let there = found.videos.into_iter().filter(|entry| layout.video_named(&entry.name).folder().exists());
+            let builds_of_video = there.map(|entry| (entry.video, entry.builds)).collect();
+            Self { complete: BTreeMap::new(), builds: found.builds, builds_of_video }
         } else {
             refuse_strangers(root)?;
-            refuse_other_scenes(layout, plan)?;
-            refuse_unproven_videos(layout, plan)?;
-        }
-        let mut complete = BTreeMap::new();
-        for settings in &plan.scenes {
-            if let Some(record) = complete_video(layout, recipe, settings)? {
-                complete.insert(settings.video, record.boxes);
+            refuse_other_scenes(layout, claim.plan)?;
+            Self::without_manifest(layout, claim)?
+        };
+        for settings in &claim.plan.scenes {
+            if let Some(record) = complete_video(layout, claim.recipe, settings)? {
+                output.complete.insert(settings.video, record.boxes);
             }
         }
-        Ok(Self { complete })
+        Ok(output)
+    }
+
+    /// Without a manifest nobody knows which build made the images, and only a scene's settings beside them say of which
+    /// recipe they are.
+    fn without_manifest(layout: &DatasetLayout, claim: &Claim<'_>) -> Result<Self, GenerateError> {
+        let mut output = Self::default();
+        let Ok(entries) = fs::read_dir(layout.videos()) else { return Ok(output) };
+        for entry in entries {
+            let path = entry.map_err(|e| DatasetError::io("cannot read the folder", layout.videos(), e))?.path();
+            let planned = claim.plan.scenes.iter().find(|s| layout.video(s).folder() == path);
+            let proven = planned.filter(|settings| {
+                let record = read_json::<SceneRecord>(&layout.video(settings).scene());
+                layout.scene(settings.video).exists() || record.is_ok_and(|r| r.settings == **settings)
+            });
+            let Some(settings) = proven else { return Err(GenerateError::UnprovenVideo { path }) };
+            if !claim.allow_other_build {
+                return Err(GenerateError::UnknownBuild { path });
+            }
+            output.builds = vec![BuildIdentity::unknown()];
+            output.builds_of_video.insert(settings.video, vec![0]);
+        }
+        Ok(output)
+    }
+
+    /// The manifest of what is there and what is still to be made.
+    pub(super) fn manifest(&self, claim: &Claim<'_>) -> Manifest {
+        let entries = claim.plan.scenes.iter().map(|settings| {
+            let boxes = self.complete.get(&settings.video).copied();
+            let state = if boxes.is_some() { VideoState::Complete } else { VideoState::Planned };
+            let builds = self.builds_of_video.get(&settings.video).cloned().unwrap_or_default();
+            VideoEntry { state, boxes, builds, ..planned(settings) }
+        });
+        let builds = if self.builds.is_empty() { vec![claim.build.clone()] } else { self.builds.clone() };
+        Manifest::new(claim.recipe.clone(), builds, entries.collect())
     }
 
     /// Scenes of the videos that are not complete, in the order of work.
@@ -52,31 +104,21 @@ impl Output {
         let missing = plan.work_order().into_iter().filter(|video| !self.complete.contains_key(video));
         missing.map(|video| &plan.scenes[video as usize]).collect()
     }
-
-    /// The manifest's list.
-    pub(super) fn entries(&self, plan: &Plan) -> Vec<VideoEntry> {
-        plan.scenes
-            .iter()
-            .map(|settings| match self.complete.get(&settings.video) {
-                Some(boxes) => entry(settings, VideoState::Complete, Some(*boxes)),
-                None => entry(settings, VideoState::Planned, None),
-            })
-            .collect()
-    }
 }
 
-/// A video's entry in the manifest.
-pub(super) fn entry(settings: &SceneSettings, state: VideoState, boxes: Option<[u64; 2]>) -> VideoEntry {
+/// The entry of a video that is not begun.
+fn planned(settings: &SceneSettings) -> VideoEntry {
     VideoEntry {
         video: settings.video,
         name: VideoLayout::name(settings),
-        state,
+        state: VideoState::Planned,
         map: settings.map.clone(),
         weather: settings.weather,
         time_of_day: settings.time_of_day,
         cameras: settings.cameras.each_ref().map(|c| c.name.clone()),
         frames: settings.frames,
-        boxes,
+        boxes: None,
+        builds: Vec::new(),
     }
 }
 
@@ -110,18 +152,24 @@ fn refuse_strangers(root: &Path) -> Result<(), GenerateError> {
     Ok(())
 }
 
-fn refuse_other_recipe(layout: &DatasetLayout, recipe: &Recipe) -> Result<(), GenerateError> {
-    let found: Manifest = read_json(&layout.manifest())?;
+fn refuse_other_build(layout: &DatasetLayout, found: &Manifest, claim: &Claim<'_>) -> Result<(), GenerateError> {
+    match found.builds.iter().find(|build| !build.makes_same_bytes(claim.build)) {
+        Some(other) if !claim.allow_other_build => Err(GenerateError::OtherBuild {
+            theirs: Box::new(other.clone()),
+            mine: Box::new(claim.build.clone()),
+            path: layout.root().to_owned(),
+        }),
+        _ => Ok(()),
+    }
+}
+
+fn refuse_other_recipe(layout: &DatasetLayout, found: &Manifest, recipe: &Recipe) -> Result<(), GenerateError> {
     let other = |field: &str, theirs: String, mine: String| GenerateError::OtherRecipe {
         field: field.to_owned(),
         theirs,
         mine,
         path: layout.root().to_owned(),
     };
-    let tool = Tool::current();
-    if found.format != Manifest::FORMAT || found.tool != tool {
-        return Err(other("the version of endless", found.tool.version, tool.version));
-    }
     if let Some((field, mine, theirs)) = recipe.first_difference(&found.recipe) {
         return Err(other(&field, theirs, mine));
     }
@@ -136,23 +184,6 @@ fn refuse_other_scenes(layout: &DatasetLayout, plan: &Plan) -> Result<(), Genera
         let path = layout.scene(settings.video);
         if path.exists() && read_json::<SceneSettings>(&path).ok().as_ref() != Some(settings) {
             return Err(GenerateError::OtherScene { path });
-        }
-    }
-    Ok(())
-}
-
-/// Without a manifest, images are gone on with only where the scene's settings lie beside them.
-fn refuse_unproven_videos(layout: &DatasetLayout, plan: &Plan) -> Result<(), GenerateError> {
-    let Ok(entries) = fs::read_dir(layout.videos()) else { return Ok(()) };
-    for entry in entries {
-        let path = entry.map_err(|e| DatasetError::io("cannot read the folder", layout.videos(), e))?.path();
-        let planned = plan.scenes.iter().find(|s| layout.video(s).folder() == path);
-        let proven = planned.is_some_and(|settings| {
-            let record = read_json::<SceneRecord>(&layout.video(settings).scene());
-            layout.scene(settings.video).exists() || record.is_ok_and(|r| r.settings == *settings)
-        });
-        if !proven {
-            return Err(GenerateError::UnprovenVideo { path });
         }
     }
     Ok(())

@@ -2,9 +2,9 @@
 //!
 //! Needs the right to mount a small file system; skipped with a message where there is none.
 
-use crate::fake::{Fake, assert_same, contents, draft, make, recipe};
+use crate::fake::{Fake, assert_same, contents, draft, make, options, recipe};
 use endless_dataset::Recipe;
-use endless_pipeline::{Event, GenerateError, GenerateOptions, Progress, RecipeDraft, generate};
+use endless_pipeline::{Event, GenerateError, Progress, RecipeDraft, generate};
 use std::{
     fs::{self, File},
     io::{ErrorKind, Write},
@@ -82,8 +82,7 @@ fn a_full_disk_stops_the_run_and_room_lets_it_go_on() {
             return;
         };
         let fill = FillAfter { disk: &disk, events, seen: AtomicU32::new(0) };
-        let options = GenerateOptions { threads: 2, plan_only: false };
-        let error = generate(&Fake::default(), &recipe, &disk.out(), &options, &fill).expect_err("the disk is full");
+        let error = generate(&Fake::default(), &recipe, &disk.out(), &options(2), &fill).expect_err("the disk is full");
         let message = error.to_string();
         assert!(matches!(error, GenerateError::Dataset(_)), "{error:?}");
         assert!(message.starts_with("the disk is full: make room and run the same command again"), "{message}");

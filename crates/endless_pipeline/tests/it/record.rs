@@ -1,6 +1,6 @@
 //! From recipe to files, with the fake simulator.
 
-use crate::fake::{Fake, assert_same, contents, draft, first_video, make, recipe};
+use crate::fake::{Fake, assert_same, contents, draft, first_video, make, options, recipe};
 use endless_dataset::{Layer, check};
 use endless_pipeline::{GenerateError, GenerateOptions, RecipeDraft, Silent, generate};
 use std::{fs, sync::atomic::Ordering};
@@ -74,9 +74,8 @@ fn what_was_deleted_or_spoilt_comes_back() {
     make(&fake, &recipe, out.path(), 2);
     assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner()), (0, 0));
     assert_same(out.path(), whole.path());
-    // Some images, the manifest, a scene.
+    // Some images and a scene.
     fs::remove_file(camera.frame(Layer::Depth, 3, &recipe)).expect("there");
-    fs::remove_file(out.path().join("dataset.json")).expect("there");
     fs::remove_file(out.path().join("scenes/0001.json")).expect("there");
     let fake = Fake::default();
     make(&fake, &recipe, out.path(), 2);
@@ -95,7 +94,7 @@ fn other_recipes_and_other_files_are_refused_and_nothing_is_harmed() {
     let fake = Fake::default();
     make(&fake, &recipe(draft()), out.path(), 2);
     let before = contents(out.path());
-    let options = GenerateOptions { threads: 2, plan_only: false };
+    let options = options(2);
     let refuse = |draft: RecipeDraft| {
         generate(&fake, &recipe(draft), out.path(), &options, &Silent).expect_err("refused").to_string()
     };
@@ -125,8 +124,7 @@ fn a_second_process_is_kept_out() {
     let out = tempfile::tempdir().expect("temp");
     let lock = fs::File::create(out.path().join(".lock")).expect("writable");
     lock.try_lock().expect("free");
-    let options = GenerateOptions { threads: 1, plan_only: false };
-    let error = generate(&Fake::default(), &recipe(draft()), out.path(), &options, &Silent);
+    let error = generate(&Fake::default(), &recipe(draft()), out.path(), &options(1), &Silent);
     assert!(matches!(error, Err(GenerateError::Locked { .. })));
     drop(lock);
     make(&Fake::default(), &recipe(draft()), out.path(), 1);
@@ -136,7 +134,7 @@ fn a_second_process_is_kept_out() {
 fn the_plan_alone_can_be_written_and_then_recorded() {
     let (out, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
     let recipe = recipe(draft());
-    let options = GenerateOptions { threads: 1, plan_only: true };
+    let options = GenerateOptions { plan_only: true, ..options(1) };
     let planned = generate(&Fake::default(), &recipe, out.path(), &options, &Silent).expect("plans");
     assert_eq!(planned.plan.scenes.len(), 3);
     assert_eq!(contents(out.path()).len(), 4, "three scenes and the manifest");

@@ -1,7 +1,7 @@
 //! A simulator that is fast and exact: coloured rectangles drive over a striped plain under a plain sky.
 #![allow(dead_code, reason = "every test uses a part of it")]
 
-use endless_dataset::{DatasetLayout, Recipe, Spawned};
+use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, Spawned};
 use endless_pipeline::{
     Cameras, GenerateOptions, Generated, MapCatalog, RecipeDraft, Scene, Silent, Simulator, SimulatorError, Traffic,
     generate,
@@ -197,7 +197,17 @@ pub(crate) fn recipe(draft: RecipeDraft) -> Recipe {
 }
 
 pub(crate) fn make(fake: &Fake, recipe: &Recipe, out: &Path, threads: usize) -> Generated {
-    generate(fake, recipe, out, &GenerateOptions { threads, plan_only: false }, &Silent).expect("makes the dataset")
+    generate(fake, recipe, out, &options(threads), &Silent).expect("makes the dataset")
+}
+
+/// How the tests' one build runs.
+pub(crate) fn options(threads: usize) -> GenerateOptions {
+    GenerateOptions { build: build("fake"), allow_other_build: false, threads, plan_only: false }
+}
+
+/// A build of these sources.
+pub(crate) fn build(sources: &str) -> BuildIdentity {
+    BuildIdentity { version: "0.0.0".into(), commit: None, sources: sources.into() }
 }
 
 /// Every file and its bytes.
