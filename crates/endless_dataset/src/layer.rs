@@ -1,38 +1,14 @@
-//! The layers of a recording and the formats they are stored in.
+//! The layers of a recording: one entry each, with all that writers, readers, videos, estimates and documents need to
+//! know of it. A new layer is a new entry here, and an image in the renderer's [`SensorFrame`].
 
-use endless_world::UnknownName;
-use serde::{Deserialize, Serialize};
-use std::{fmt, str::FromStr};
-
-macro_rules! words {
-    ($(#[$doc:meta])* $type:ident, $what:literal, $($(#[$vdoc:meta])* $variant:ident = $name:literal),* $(,)?) => {
-        $(#[$doc])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-        pub enum $type { $($(#[$vdoc])* #[serde(rename = $name)] $variant),* }
-
-        impl $type {
-            /// All of them.
-            pub const ALL: &[Self] = &[$(Self::$variant),*];
-
-            /// The word used on the command line and in files.
-            pub const fn name(self) -> &'static str { match self { $(Self::$variant => $name),* } }
-        }
-
-        impl fmt::Display for $type {
-            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result { f.write_str(self.name()) }
-        }
-
-        impl FromStr for $type {
-            type Err = UnknownName;
-            fn from_str(given: &str) -> Result<Self, UnknownName> {
-                match given {
-                    $($name => Ok(Self::$variant),)*
-                    _ => Err(UnknownName { what: $what, given: given.to_owned(), known: vec![$($name),*] }),
-                }
-            }
-        }
-    };
-}
+use crate::{
+    RgbFormat,
+    encoding::{depth_from_rgb, instance_from_rgb, rgb_from_depth, rgb_from_instance},
+    preview::{depth_preview, instance_preview},
+    words::words,
+};
+use endless_world::{Image, LookChoice, SensorFrame};
+use std::borrow::Cow;
 
 words! {
     /// One aligned image of a frame.
@@ -45,21 +21,112 @@ words! {
     Instance = "instance",
 }
 
-words! {
-    /// How the RGB layer is stored. The others are always PNG: they must be exact.
-    RgbFormat, "RGB format",
-    /// Lossless.
-    Png = "png",
-    /// A quarter of the size, lossy.
-    Jpg = "jpg",
+/// An image as it is stored: 8-bit RGB, whatever it means.
+pub type StoredImage = Image<[u8; 3]>;
+
+/// All that is to be known of a layer.
+#[derive(Debug, Clone, Copy)]
+pub struct LayerEntry {
+    /// What its pixels are, in one line for the documents.
+    pub summary: &'static str,
+    /// Whether it may be stored with loss, in the recipe's RGB format. What is not is always PNG.
+    pub lossy: bool,
+    /// The image of a frame that is stored.
+    pub encode: fn(&SensorFrame) -> Cow<'_, StoredImage>,
+    /// What people see of a stored image in the layer's video, or what is wrong with the image.
+    pub preview: fn(&StoredImage) -> Result<Cow<'_, StoredImage>, String>,
+    /// What is wrong with a stored image by itself.
+    pub check: fn(&StoredImage) -> Result<(), String>,
+    /// Bytes a pixel of its files, a tenth above the dearest scene measured.
+    pub bytes_a_pixel: fn(RgbFormat, LookChoice) -> f64,
 }
 
 impl Layer {
-    /// The extension of its files.
-    pub const fn extension(self, rgb_format: RgbFormat) -> &'static str {
-        match (self, rgb_format) {
-            (Self::Rgb, RgbFormat::Jpg) => "jpg",
-            _ => "png",
+    /// The layer's entry.
+    pub const fn entry(self) -> &'static LayerEntry {
+        match self {
+            Self::Rgb => &RGB,
+            Self::Depth => &DEPTH,
+            Self::Instance => &INSTANCE,
         }
+    }
+
+    /// The format of its files.
+    pub const fn format(self, rgb_format: RgbFormat) -> RgbFormat {
+        if self.entry().lossy { rgb_format } else { RgbFormat::Png }
+    }
+}
+
+// Bytes were measured on four scenes at 1280x720 (rain, fog, clear sky and after rain, by day and by night), each file's
+// bytes by its pixels: 0.45 to 1.11 for RGB, 0.63 to 1.0 for depth, 0.035 to 0.06 for instances; all three of a camera
+// frame 1.1 to 2.0, about 1.7 in the mean.
+
+const RGB: LayerEntry = LayerEntry {
+    summary: "what the camera sees, sRGB; PNG, or JPEG with `rgb_format = \"jpg\"`",
+    lossy: true,
+    encode: |frame| Cow::Borrowed(&frame.rgb),
+    preview: |stored| Ok(Cow::Borrowed(stored)),
+    check: |_any| Ok(()),
+    // Noise does not compress: a little of it adds a bit or three a value, much of it all there is.
+    bytes_a_pixel: |format, look| match (format, look) {
+        (RgbFormat::Png, LookChoice::Natural) => 2.1,
+        (RgbFormat::Png, LookChoice::Clean) => 1.2,
+        (RgbFormat::Png, _) => 3.01,
+        (RgbFormat::Jpg, LookChoice::Clean) => 0.35,
+        (RgbFormat::Jpg, _) => 0.9,
+    },
+};
+
+const DEPTH: LayerEntry = LayerEntry {
+    summary: "`metres = 1000 × (R + 256 G + 65536 B) / (256³ − 1)` along the optical axis; the sky has the largest value",
+    lossy: false,
+    encode: |frame| Cow::Owned(rgb_from_depth(&frame.depth)),
+    preview: |stored| Ok(Cow::Owned(depth_preview(&depth_from_rgb(stored)))),
+    check: |_any| Ok(()),
+    bytes_a_pixel: |_format, _look| 1.1,
+};
+
+const INSTANCE: LayerEntry = LayerEntry {
+    summary: "R = class tag (CARLA's 29), object id = G + 256 B; ids are unique within a video, the same in all its cameras \
+              and frames, 0 for stuff",
+    lossy: false,
+    encode: |frame| Cow::Owned(rgb_from_instance(&frame.instance)),
+    preview: |stored| Ok(Cow::Owned(instance_preview(&instance_from_rgb(stored).map_err(no_tag)?))),
+    check: |stored| instance_from_rgb(stored).map(drop).map_err(no_tag),
+    bytes_a_pixel: |_format, _look| 0.06,
+};
+
+/// What is wrong with an instance image in which this value stands for a tag.
+fn no_tag(value: u8) -> String {
+    format!("has the tag {value}: they end at 28")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_world::{ClassTag, ImageSize, InstanceId, InstancePixel};
+
+    /// Whatever is stored passes its own check and can be shown.
+    #[test]
+    fn every_layer_stores_what_it_accepts() {
+        let size = ImageSize { width: 3, height: 2 };
+        let frame = SensorFrame {
+            frame: 0,
+            rgb: Image::filled(size, [1, 2, 3]),
+            depth: Image::filled(size, 12.5),
+            instance: Image::filled(size, InstancePixel { tag: ClassTag::Car, id: InstanceId(700) }),
+        };
+        for layer in Layer::ALL {
+            let entry = layer.entry();
+            let stored = (entry.encode)(&frame);
+            assert_eq!((entry.check)(&stored), Ok(()), "{layer}");
+            assert_eq!((entry.preview)(&stored).expect("shown").size, size, "{layer}");
+            let bytes = (entry.bytes_a_pixel)(RgbFormat::Png, LookChoice::Natural);
+            assert!((0.01..=3.1).contains(&bytes), "{layer}: {bytes}");
+            assert_eq!(entry.lossy, layer.format(RgbFormat::Jpg) == RgbFormat::Jpg, "{layer}");
+        }
+        let no_tag = Image::filled(size, [29, 0, 0]);
+        assert!((Layer::Instance.entry().check)(&no_tag).is_err_and(|reason| reason.contains("29")));
+        assert!((Layer::Instance.entry().preview)(&no_tag).is_err());
     }
 }

@@ -131,7 +131,7 @@ impl CameraLayout {
 
     /// One image, e.g. `rgb/000123.png`.
     pub fn frame(&self, layer: Layer, frame: u32, recipe: &Recipe) -> PathBuf {
-        self.layer(layer).join(format!("{frame:06}.{}", layer.extension(recipe.rgb_format)))
+        self.layer(layer).join(format!("{frame:06}.{}", layer.format(recipe.rgb_format)))
     }
 
     /// Makes the folders that a recording needs.

@@ -2,13 +2,14 @@
 
 use super::{CheckReport, Finding, strangers, tracks::Tracks};
 use crate::{
-    CameraLayout, CameraRecord, DatasetError, Layer, Recipe, RgbFormat, depth_from_rgb, instance_from_rgb, read_json,
+    CameraLayout, CameraRecord, DatasetError, Layer, Recipe, StoredImage, depth_from_rgb, instance_from_rgb, read_json,
     read_mp4, read_objects, read_rgb, video,
 };
 use endless_annotate::{FrameObjects, Keypoint, ObjectRecord, Visibility, visible_objects};
 use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINTS, SceneSettings};
 use rayon::prelude::*;
 use rusty_h264_decoder::Decoder;
+use std::collections::BTreeMap;
 
 /// What a camera's files show.
 pub(super) struct CameraCheck {
@@ -66,7 +67,7 @@ fn check_names(layout: &CameraLayout, recipe: &Recipe) -> Vec<Finding> {
     expected.extend(recipe.mp4.iter().map(|l| format!("{l}.mp4")));
     let mut findings = strangers(layout.folder(), &expected);
     for &layer in &recipe.layers {
-        let extension = layer.extension(recipe.rgb_format);
+        let extension = layer.format(recipe.rgb_format);
         let frames: Vec<String> = (0..recipe.frames()).map(|f| format!("{f:06}.{extension}")).collect();
         findings.extend(strangers_sorted(layout, layer, &frames));
     }
@@ -84,57 +85,42 @@ fn strangers_sorted(layout: &CameraLayout, layer: Layer, expected: &[String]) ->
     findings
 }
 
-/// The layers of a frame, as far as they decode.
-#[derive(Default)]
-struct Layers {
-    depth: Option<Image<f32>>,
-    instance: Option<Image<InstancePixel>>,
-}
-
 fn check_frame(layout: &CameraLayout, frame: u32, line: Option<&FrameObjects>, recipe: &Recipe) -> CheckReport {
     let mut report = CheckReport::default();
-    let mut layers = Layers::default();
+    // The layers that decode.
+    let mut stored: BTreeMap<Layer, StoredImage> = BTreeMap::new();
     for &layer in &recipe.layers {
-        match read_layer(layout, layer, frame, recipe, &mut layers) {
-            Ok(()) => report.images += 1,
+        match read_layer(layout, layer, frame, recipe) {
+            Ok(image) => {
+                report.images += 1;
+                stored.insert(layer, image);
+            }
             Err(error) => report.findings.push(error.into()),
         }
     }
-    if let (Some(depth), Some(instance)) = (&layers.depth, &layers.instance) {
+    let depth = stored.get(&Layer::Depth).map(depth_from_rgb);
+    let instance = stored.get(&Layer::Instance).and_then(|image| instance_from_rgb(image).ok());
+    if let (Some(depth), Some(instance)) = (&depth, &instance) {
         let path = layout.frame(Layer::Depth, frame, recipe);
         report.findings.extend(misaligned(depth, instance).map(|problem| Finding::new(path, problem)));
     }
     if let Some(line) = line {
-        let problems = line_problems(line, frame, layers.instance.as_ref(), recipe);
+        let problems = line_problems(line, frame, instance.as_ref(), recipe);
         report.findings.extend(problems.into_iter().map(|problem| Finding::new(layout.objects(), problem)));
     }
     report
 }
 
-fn read_layer(
-    layout: &CameraLayout,
-    layer: Layer,
-    frame: u32,
-    recipe: &Recipe,
-    layers: &mut Layers,
-) -> Result<(), DatasetError> {
+fn read_layer(layout: &CameraLayout, layer: Layer, frame: u32, recipe: &Recipe) -> Result<StoredImage, DatasetError> {
     let path = layout.frame(layer, frame, recipe);
-    let format = if layer == Layer::Rgb { recipe.rgb_format } else { RgbFormat::Png };
-    let image = read_rgb(&path, format)?;
+    let image = read_rgb(&path, layer.format(recipe.rgb_format))?;
     if image.size != recipe.size {
         return Err(DatasetError::malformed(path, format!("is {} instead of {}", image.size, recipe.size)));
     }
-    match layer {
-        Layer::Rgb => {}
-        Layer::Depth => layers.depth = Some(depth_from_rgb(&image)),
-        Layer::Instance => {
-            let decoded = instance_from_rgb(&image);
-            let decoded =
-                decoded.map_err(|tag| DatasetError::malformed(path, format!("has the tag {tag}: they end at 28")))?;
-            layers.instance = Some(decoded);
-        }
+    match (layer.entry().check)(&image) {
+        Ok(()) => Ok(image),
+        Err(reason) => Err(DatasetError::malformed(path, reason)),
     }
-    Ok(())
 }
 
 /// The sky, and nothing else that the instance image shows as an object, lies on the far plane.

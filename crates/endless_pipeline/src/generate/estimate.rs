@@ -1,8 +1,8 @@
 //! How much disk a dataset takes.
 
 use crate::record::count_images;
-use endless_dataset::{DatasetError, DatasetLayout, Layer, Recipe, RgbFormat};
-use endless_world::{LookChoice, SceneSettings};
+use endless_dataset::{DatasetError, DatasetLayout, Recipe};
+use endless_world::SceneSettings;
 use std::path::Path;
 
 /// What is still to be made, and the room for it.
@@ -14,22 +14,6 @@ pub struct Estimate {
     pub bytes: u64,
     /// Bytes free on the disk.
     pub free: u64,
-}
-
-/// Bytes a pixel, a tenth above the dearest scene measured. Four scenes at 1280x720 (rain, fog, clear sky and after rain,
-/// by day and by night), each file's bytes by its pixels: 0.45 to 1.11 for RGB, 0.63 to 1.0 for depth, 0.035 to 0.06 for
-/// instances; all three of a camera frame 1.1 to 2.0, about 1.7 in the mean.
-fn bytes_a_pixel(layer: Layer, rgb_format: RgbFormat, look: LookChoice) -> f64 {
-    match (layer, rgb_format) {
-        // Noise does not compress: a little of it adds a bit or three a value, much of it all there is.
-        (Layer::Rgb, RgbFormat::Png) if look == LookChoice::Natural => 2.1,
-        (Layer::Rgb, RgbFormat::Png) if look != LookChoice::Clean => 3.01,
-        (Layer::Rgb, RgbFormat::Png) => 1.2,
-        (Layer::Rgb, RgbFormat::Jpg) if look != LookChoice::Clean => 0.9,
-        (Layer::Rgb, RgbFormat::Jpg) => 0.35,
-        (Layer::Depth, _) => 1.1,
-        (Layer::Instance, _) => 0.06,
-    }
 }
 
 /// Bytes a pixel of a video's frame, noise included.
@@ -54,7 +38,7 @@ pub(super) fn estimate(
     let images: f64 = recipe
         .layers
         .iter()
-        .map(|l| bytes_a_pixel(*l, recipe.rgb_format, recipe.camera_look) * pixels + BYTES_A_FILE)
+        .map(|l| (l.entry().bytes_a_pixel)(recipe.rgb_format, recipe.camera_look) * pixels + BYTES_A_FILE)
         .sum();
     // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.
     let videos = recipe.mp4.len() as f64 * VIDEO_BYTES_A_PIXEL * pixels * camera_frames as f64;
