@@ -5,6 +5,7 @@ mod assets;
 mod bench;
 mod build_info;
 mod check;
+mod cpu;
 mod file;
 mod generate;
 mod maps;
@@ -22,6 +23,15 @@ const USAGE: u8 = 2;
 const FAILURE: u8 = 1;
 
 fn main() -> ExitCode {
+    match cpu::missing_instructions() {
+        Some(missing) => cpu::refuse(missing),
+        None => run(),
+    }
+}
+
+/// Apart from `main`, which must not need what the processor may lack.
+#[inline(never)]
+fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
         Err(error) => return refuse(&error),
