@@ -35,8 +35,7 @@ class EndlessFrames:
         for video in dataset["videos"]:
             if video["state"] != "complete":
                 continue
-            for camera in ("camera_a", "camera_b"):
-                folder = self.root / "videos" / video["name"] / camera
+            for folder in sorted((self.root / "videos" / video["name"]).glob("camera_*")):
                 for line in (folder / "objects.jsonl").read_text().splitlines():
                     line = json.loads(line)
                     self.items.append((folder, line["frame"], line["objects"]))

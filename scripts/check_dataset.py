@@ -144,7 +144,10 @@ def main() -> None:
         assert video["state"] == "complete", f"{video['name']} is not complete"
         folder = out / "videos" / video["name"]
         class_of_id: dict[int, str] = {}
-        for number, camera in enumerate(("camera_a", "camera_b")):
+        cameras = sorted(p.name for p in folder.glob("camera_*"))
+        assert cameras == [f"camera_{c}" for c in "abcdefgh"[: recipe["cameras_per_scene"]]], f"{folder}: cameras"
+        assert len(video["cameras"]) == len(video["boxes"]) == len(cameras), f"{folder}: cameras in dataset.json"
+        for number, camera in enumerate(cameras):
             boxes = check_camera(folder / camera, recipe, frames, tag_of_class)
             if "instance" in recipe["layers"]:
                 assert boxes == video["boxes"][number], f"{folder / camera}: number of boxes"

@@ -52,7 +52,7 @@ pub(crate) struct GenerateArgs {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Recipe", allow_negative_numbers = true)]
 pub(crate) struct RecipeArgs {
-    /// Videos to make [default: 2]. A video is one scene filmed by two cameras.
+    /// Videos to make [default: 2]. A video is one scene filmed by all its cameras.
     #[arg(long, value_name = "N")]
     videos: Option<i64>,
     /// Moving vehicles in each scene [default: 30].
@@ -67,6 +67,9 @@ pub(crate) struct RecipeArgs {
     /// Film from cameras of your own: a list in TOML or JSON, see docs/maps.md.
     #[arg(long, value_name = "FILE")]
     pub(crate) cameras: Option<PathBuf>,
+    /// Cameras that film each scene at the same instants, 1 to 8 [default: 2].
+    #[arg(long, value_name = "N")]
+    cameras_per_scene: Option<i64>,
     /// Weathers to choose from: clear_sky, rainy, cloudy, foggy, after_rain [default: all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     weathers: Option<Vec<String>>,
@@ -121,6 +124,7 @@ impl From<RecipeArgs> for RecipeDraft {
             pedestrians: args.pedestrians,
             maps: args.maps,
             cameras: None,
+            cameras_per_scene: args.cameras_per_scene,
             weathers: args.weathers,
             times: args.times,
             size: args.size,
@@ -270,6 +274,9 @@ pub(crate) struct BenchArgs {
     /// Image size.
     #[arg(long, default_value = "1280x720", value_name = "WxH")]
     pub(crate) size: String,
+    /// Cameras that film each scene [default: 2].
+    #[arg(long, value_name = "N")]
+    pub(crate) cameras_per_scene: Option<i64>,
     /// Film each of the fifteen conditions, over all towns in turn, and compare them.
     #[arg(long)]
     pub(crate) conditions: bool,

@@ -28,6 +28,7 @@ fn draft(args: &BenchArgs) -> RecipeDraft {
         size: Some(args.size.clone()),
         duration: Some(args.duration),
         maps: args.maps.clone(),
+        cameras_per_scene: args.cameras_per_scene,
         ..RecipeDraft::default()
     }
 }
@@ -78,12 +79,13 @@ fn conditions<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitCode>
             },
         )?;
         let count = made.camera_frames as f64;
+        let cameras = made.plan.scenes.iter().map(|s| s.cameras.len()).sum::<usize>() as f64;
         writeln!(
             out,
             "{:<11} {:<10} {map:<10} {:>13.1} {:>11.1} {:>17.1}",
             weather.to_string(),
             hour.to_string(),
-            made.times.bake.as_secs_f64() / 2.0,
+            made.times.bake.as_secs_f64() / cameras,
             made.times.render.as_secs_f64() * 1e3 / count,
             count / made.times.record.as_secs_f64()
         )?;

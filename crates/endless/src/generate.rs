@@ -40,8 +40,8 @@ fn print_order(plan: &Plan) -> Result<()> {
     let mut out = std::io::stdout().lock();
     for video in plan.work_order() {
         let s = &plan.scenes[video as usize];
-        let [a, b] = &s.cameras;
-        writeln!(out, "{video:04} {} {} {} {}+{}", s.map, s.weather, s.time_of_day, a.name, b.name)?;
+        let cameras: Vec<&str> = s.cameras.iter().map(|c| c.site.name.as_str()).collect();
+        writeln!(out, "{video:04} {} {} {} {}", s.map, s.weather, s.time_of_day, cameras.join("+"))?;
     }
     Ok(())
 }

@@ -14,7 +14,7 @@ mod report;
 use args::{Cli, Command};
 use clap::Parser;
 use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, RecipeError};
+use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError};
 use std::{io, process::ExitCode};
 
 /// What went wrong was what was asked for.
@@ -52,9 +52,16 @@ fn run() -> ExitCode {
         }
         Err(error) => {
             eprintln!("error: {}", one_line(&format!("{error:#}")));
-            ExitCode::from(if error.is::<RecipeError>() { USAGE } else { FAILURE })
+            ExitCode::from(if cannot_be_asked(&error) { USAGE } else { FAILURE })
         }
     }
+}
+
+/// Whether the mistake is in what was asked for.
+fn cannot_be_asked(error: &anyhow::Error) -> bool {
+    let plan = error.downcast_ref::<GenerateError>();
+    error.is::<RecipeError>()
+        || matches!(plan, Some(GenerateError::Plan(PlanError::FewCameras { .. } | PlanError::ManyCameras { .. })))
 }
 
 /// Help and version as they are, a mistake in one line.

@@ -46,12 +46,12 @@ impl Reporter {
         }
     }
 
-    fn frame(&self) {
-        self.bar.inc(2);
-        let done = self.frames.fetch_add(2, Ordering::Relaxed) + 2;
+    fn frame(&self, cameras: u64) {
+        self.bar.inc(cameras);
+        let done = self.frames.fetch_add(cameras, Ordering::Relaxed) + cameras;
         let total = self.total.load(Ordering::Relaxed).max(1);
         // Ten lines a video.
-        if !self.terminal && done * 10 / total != (done - 2) * 10 / total {
+        if !self.terminal && done * 10 / total != (done - cameras) * 10 / total {
             self.line(&format!("{done}/{total} camera frames"));
         }
     }
@@ -88,7 +88,7 @@ impl Progress for Reporter {
                 self.bar.reset_eta();
                 self.line(&format!("cameras baked in {seconds:.1} s"));
             }
-            Event::Frame { .. } => self.frame(),
+            Event::Frame { cameras, .. } => self.frame(cameras.into()),
             Event::VideoDone { name } => self.line(&format!("complete: {name}")),
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Boxes are in image coordinates: pixels from the top-left corner, `[x, y, w, h]` with `w = xmax − xmin + 1`, tight
 //! around the pixels that the object shows (COCO's convention). A track is an [`endless_world::InstanceId`]: the same
-//! object in both cameras and in all frames of a video.
+//! object in all cameras and in all frames of a video.
 
 mod frame;
 mod keypoint;

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 /// One annotated object of one frame, as written in `objects.jsonl`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ObjectRecord {
-    /// The track: the same object has the same id in both cameras and all frames.
+    /// The track: the same object has the same id in all cameras and all frames.
     pub id: InstanceId,
     /// What it is.
     pub class: ObjectClass,

@@ -3,7 +3,10 @@
 mod camera;
 mod tracks;
 
-use crate::{DatasetError, DatasetLayout, Manifest, SceneRecord, VideoEntry, VideoState, atomic, read_json};
+use crate::{
+    DatasetError, DatasetLayout, MAX_CAMERAS, Manifest, SceneRecord, VideoEntry, VideoLayout, VideoState, atomic,
+    read_json,
+};
 use endless_world::SceneSettings;
 use rayon::prelude::*;
 use std::{
@@ -148,15 +151,22 @@ fn check_video(layout: &DatasetLayout, manifest: &Manifest, entry: &VideoEntry) 
         let problem = format!("{} frames recorded, {} asked for", record.recorded_frames, manifest.recipe.frames());
         report.findings.push(Finding::new(video.scene(), problem));
     }
-    let folders = ["camera_a", "camera_b", "scene.json"].map(String::from);
+    let count = manifest.recipe.cameras_per_scene as usize;
+    if count > MAX_CAMERAS as usize || record.settings.cameras.len() != count || record.boxes.len() != count {
+        let problem = format!("does not speak of {count} cameras, as the recipe does");
+        report.findings.push(Finding::new(video.scene(), problem));
+        return report;
+    }
+    let folders: Vec<String> = (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
     report.findings.extend(strangers(video.folder(), &folders));
-    let cameras: Vec<camera::CameraCheck> = (0..2)
+    let cameras: Vec<camera::CameraCheck> = (0..count)
         .into_par_iter()
         .map(|i| camera::check_camera(&video.camera(i), &record.settings, i, &manifest.recipe))
         .collect();
     for (i, camera) in cameras.iter().enumerate() {
         if camera.report.boxes != record.boxes[i] {
-            let problem = format!("says {} boxes, {} has {}", record.boxes[i], ["a", "b"][i], camera.report.boxes);
+            let name = VideoLayout::camera_name(i);
+            let problem = format!("says {} boxes, {name} has {}", record.boxes[i], camera.report.boxes);
             report.findings.push(Finding::new(video.scene(), problem));
         }
     }

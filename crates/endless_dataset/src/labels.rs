@@ -54,7 +54,7 @@ impl LabelSchema {
         Self {
             version: "carla-0.9.14/1".into(),
             instance_encoding: "R = class tag, instance id = G + 256 B; id 0 is stuff; ids are unique within a video \
-                                and the same in both cameras and all frames"
+                                and the same in all cameras and all frames"
                 .into(),
             depth_encoding: "metres = 1000 * (R + 256 G + 65536 B) / (256^3 - 1), planar distance along the optical \
                              axis; the sky has the largest value"

@@ -7,6 +7,9 @@ use std::{
     path::{Path, PathBuf},
 };
 
+/// Most cameras of a scene.
+pub const MAX_CAMERAS: u32 = 8;
+
 /// Paths of one dataset.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct DatasetLayout {
@@ -91,9 +94,29 @@ impl VideoLayout {
         bytes_below(&self.folder)
     }
 
-    /// Camera 0 (`camera_a`) or 1 (`camera_b`).
+    /// Name of a camera's folder: `camera_a` for camera 0, `camera_h` for the last that there can be.
+    ///
+    /// # Panics
+    /// If the number is not below [`MAX_CAMERAS`].
+    pub fn camera_name(camera: usize) -> String {
+        assert!(camera < MAX_CAMERAS as usize, "camera {camera} of at most {MAX_CAMERAS}");
+        format!("camera_{}", char::from(b'a' + camera as u8))
+    }
+
+    /// One camera, by its number from 0.
+    ///
+    /// # Panics
+    /// If the number is not below [`MAX_CAMERAS`].
     pub fn camera(&self, camera: usize) -> CameraLayout {
-        CameraLayout { folder: self.folder.join(["camera_a", "camera_b"][camera]) }
+        CameraLayout { folder: self.folder.join(Self::camera_name(camera)) }
+    }
+
+    /// The first `count` cameras.
+    ///
+    /// # Panics
+    /// If there are more than [`MAX_CAMERAS`].
+    pub fn cameras(&self, count: usize) -> impl Iterator<Item = CameraLayout> + use<'_> {
+        (0..count).map(|camera| self.camera(camera))
     }
 }
 

@@ -31,7 +31,7 @@ pub use encoding::{depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_
 pub use error::DatasetError;
 pub use labels::LabelSchema;
 pub use layer::{Layer, LayerEntry, StoredImage};
-pub use layout::{CameraLayout, DatasetLayout, VideoLayout};
+pub use layout::{CameraLayout, DatasetLayout, MAX_CAMERAS, VideoLayout};
 pub use manifest::{Manifest, VideoEntry, VideoState};
 pub use mp4::{Mp4Info, Mp4Writer, read_mp4};
 pub use objects::{ObjectsWriter, read_objects};

@@ -30,13 +30,13 @@ pub struct VideoEntry {
     pub weather: Weather,
     /// Time of day.
     pub time_of_day: TimeOfDay,
-    /// Names of the two camera sites.
-    pub cameras: [String; 2],
+    /// Names of the camera sites.
+    pub cameras: Vec<String>,
     /// Frames of each camera.
     pub frames: u32,
     /// Annotated boxes of each camera, summed over frames; once complete.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub boxes: Option<[u64; 2]>,
+    pub boxes: Option<Vec<u64>>,
     /// Which of the manifest's `builds` have worked on it, in the order in which they came; none before it is begun.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub builds: Vec<usize>,

@@ -26,6 +26,9 @@ pub struct Recipe {
     /// Cameras that film in place of a map's own, by its name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub cameras: BTreeMap<String, Vec<CameraSite>>,
+    /// Cameras that film each scene, 1 to [`crate::MAX_CAMERAS`].
+    #[serde(default = "pair")]
+    pub cameras_per_scene: u32,
     /// Weathers to choose from.
     pub weathers: Vec<Weather>,
     /// Times of day to choose from.
@@ -52,6 +55,11 @@ pub struct Recipe {
     pub mp4: Vec<Layer>,
     /// What simulates: `builtin`.
     pub simulator: String,
+}
+
+/// As in the paper.
+fn pair() -> u32 {
+    2
 }
 
 fn clean() -> LookChoice {

@@ -27,7 +27,7 @@ pub struct SceneRecord {
     /// Frames recorded by each camera.
     pub recorded_frames: u32,
     /// Annotated boxes of each camera, summed over frames.
-    pub boxes: [u64; 2],
+    pub boxes: Vec<u64>,
 }
 
 /// Writes a value as readable JSON.

@@ -5,7 +5,7 @@ use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, RenderSettings};
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
-use endless_world::SceneSettings;
+use endless_world::{SceneCamera, SceneSettings};
 use glam::Vec3;
 use std::{error::Error, hash::Hasher, time::Duration};
 
@@ -23,21 +23,24 @@ fn main() -> Result<(), Box<dyn Error>> {
     let town_scene = TownScene::load(&town, &catalogue);
     let still = town_scene.static_scene();
     // One gathered ray: the light is noisy, the cost of a frame is the same.
-    let render = RenderSettings {
-        gather_rays: 1,
-        look: settings.looks[0],
-        fps,
-        ..RenderSettings::new(weather, time_of_day, seed, size)
+    let bake = |SceneCamera { site, look }: &SceneCamera| {
+        let render = RenderSettings {
+            gather_rays: 1,
+            look: *look,
+            fps,
+            ..RenderSettings::new(weather, time_of_day, seed, size)
+        };
+        CameraBake::bake(still, &render, site)
     };
-    let baked = settings.cameras.each_ref().map(|site| CameraBake::bake(still, &render, site));
-    let focus = settings.cameras.iter().map(|site| Vec3::from_array(site.position)).collect();
+    let baked: Vec<CameraBake> = settings.cameras.iter().map(bake).collect();
+    let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
     let conditions = Conditions::new(weather, time_of_day);
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let asked = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &asked);
     let models = ActorModels::in_town(&town_scene, &catalogue, &traffic.state().actors);
-    let (mut scene_time, mut times) = (Duration::ZERO, [Duration::ZERO; 2]);
+    let (mut scene_time, mut times) = (Duration::ZERO, vec![Duration::ZERO; baked.len()]);
     let mut print = std::hash::DefaultHasher::new();
     for _ in 0..frames {
         for _ in 0..stride {
@@ -60,12 +63,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
     let each = |t: Duration| t.as_secs_f64() * 1e3 / f64::from(frames);
+    let cameras: Vec<String> = times.into_iter().map(|time| format!("{:.1}", each(time))).collect();
     eprintln!(
-        "{} {weather} {time_of_day}: scene {:.1} ms, cameras {:.1} and {:.1} ms a frame, pixels {:016x}",
+        "{} {weather} {time_of_day}: scene {:.1} ms, cameras {} ms a frame, pixels {:016x}",
         settings.map,
         each(scene_time),
-        each(times[0]),
-        each(times[1]),
+        cameras.join(" and "),
         print.finish()
     );
     Ok(())

@@ -11,7 +11,7 @@ use endless_interchange::{MapError, MapLibrary};
 use endless_render::{CameraBake, RenderSettings, StaticScene};
 use endless_town::Town;
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
-use endless_world::{Actor, CameraSite, InstanceId, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, CameraSite, InstanceId, SceneCamera, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
@@ -104,7 +104,7 @@ impl Simulator for BuiltinSimulator {
         let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
         let conditions = Conditions::new(weather, time_of_day);
         // Traffic over the whole map, denser where the cameras look.
-        let focus = settings.cameras.iter().map(|site| Vec3::from_array(site.position)).collect();
+        let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
         let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
         let specs = self.library.catalogue().vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
@@ -129,17 +129,17 @@ impl Simulator for BuiltinSimulator {
         settings: &SceneSettings,
         moving: &[Actor],
     ) -> Result<Box<dyn Cameras + 'm>, SimulatorError> {
-        let bake = |camera: usize| {
+        let bake = |camera: &SceneCamera| {
             let render = RenderSettings {
-                look: settings.looks[camera],
+                look: camera.look,
                 fps: settings.fps,
                 ..RenderSettings::new(settings.weather, settings.time_of_day, settings.seed, settings.size)
             };
-            CameraBake::bake(map.town_scene.static_scene(), &render, &settings.cameras[camera])
+            CameraBake::bake(map.town_scene.static_scene(), &render, &camera.site)
         };
-        let baked = [0, 1].map(bake);
+        let baked = settings.cameras.iter().map(bake).collect::<Vec<_>>();
         let bake_rays = rays(&baked);
-        Ok(Box::new(Pair {
+        Ok(Box::new(FixedCameras {
             still: map.town_scene.static_scene(),
             models: ActorModels::in_town(&map.town_scene, self.library.catalogue(), moving),
             baked,
@@ -163,21 +163,21 @@ impl Traffic for City {
     }
 }
 
-struct Pair<'m> {
+struct FixedCameras<'m> {
     still: &'m StaticScene,
     models: ActorModels,
-    baked: [CameraBake; 2],
+    baked: Vec<CameraBake>,
     bake_rays: u64,
 }
 
-fn rays(baked: &[CameraBake; 2]) -> u64 {
+fn rays(baked: &[CameraBake]) -> u64 {
     baked.iter().map(|b| b.stats().rays()).sum()
 }
 
-impl Cameras for Pair<'_> {
-    fn render(&self, state: &WorldState) -> [SensorFrame; 2] {
+impl Cameras for FixedCameras<'_> {
+    fn render(&self, state: &WorldState) -> Vec<SensorFrame> {
         let frame = self.models.frame_scene(state);
-        self.baked.each_ref().map(|camera| camera.render(self.still, &frame))
+        self.baked.iter().map(|camera| camera.render(self.still, &frame)).collect()
     }
 
     fn stats(&self) -> RenderStats {

@@ -81,7 +81,7 @@ fn from_toml(text: &str) -> Result<Vec<OwnCamera>, Wrong> {
 /// The cameras by map, checked.
 ///
 /// # Errors
-/// The first camera that cannot be, or a map with one camera alone.
+/// The first camera that cannot be.
 pub(crate) fn resolve(
     cameras: &[OwnCamera],
     maps: &[String],
@@ -102,13 +102,6 @@ pub(crate) fn resolve(
         of_map.push(site);
     }
     by_map.retain(|map, _| maps.contains(map));
-    if let Some((map, alone)) = by_map.iter().find(|(_, sites)| sites.len() < 2) {
-        return Err(RecipeError::OutOfRange {
-            field: "cameras",
-            given: format!("{} alone in {map}", alone[0].name),
-            rule: "a scene is filmed by two cameras: list at least two".to_owned(),
-        });
-    }
     Ok(by_map)
 }
 
@@ -165,8 +158,8 @@ mod tests {
         let recipe = draft.resolve(&ThreeTowns).expect("valid");
         let plan = Plan::new(&recipe, &ThreeTowns).expect("plannable");
         for scene in &plan.scenes {
-            assert_eq!(scene.cameras.each_ref().map(|c| c.name.as_str()), ["gate", "corner"]);
-            assert!((scene.cameras[0].yaw_rad - std::f32::consts::FRAC_PI_2).abs() < 1e-6);
+            assert_eq!(scene.cameras.iter().map(|c| c.site.name.as_str()).collect::<Vec<_>>(), ["gate", "corner"]);
+            assert!((scene.cameras[0].site.yaw_rad - std::f32::consts::FRAC_PI_2).abs() < 1e-6);
         }
         let text = serde_json::to_string(&recipe).expect("plain");
         assert_eq!(serde_json::from_str::<endless_dataset::Recipe>(&text).expect("the same"), recipe);
@@ -183,7 +176,6 @@ mod tests {
         assert!(told(&|c| c[1].name = "gate".into()).contains("already"));
         assert!(told(&|c| c[0].fov = f64::NAN).contains("fov = NaN (gate in Town01)"));
         assert!(told(&|c| c[0].position[2] = 1e9).contains("position"));
-        assert!(told(&|c| drop(c.pop())).contains("gate alone in Town01"));
         let (line, column, message) = from_toml(&TOML.replace("yaw = 90", "yow = 90")).expect_err("a misspelt key");
         assert_eq!((line, column), (5, 1), "{message}");
         let (line, _, message) = from_json(&JSON.replace("\"down\": 25,", "")).expect_err("a missing key");

@@ -83,9 +83,22 @@ pub enum PlanError {
     /// The simulator cannot give the cameras.
     #[error(transparent)]
     Simulator(#[from] SimulatorError),
-    /// Too few cameras for a pair.
-    #[error("map {map} has {cameras} camera sites: a pair needs two")]
-    NoPair {
+    /// Too few cameras for a scene.
+    #[error(
+        "map {map} has {cameras} camera sites, a scene is filmed by {wanted}: ask for fewer with --cameras-per-scene, \
+         or name maps that have more"
+    )]
+    FewCameras {
+        /// The map.
+        map: String,
+        /// How many it has.
+        cameras: usize,
+        /// How many a scene needs.
+        wanted: usize,
+    },
+    /// More sets of cameras than can be counted.
+    #[error("map {map} has {cameras} cameras, and too many sets of them to choose from: list fewer")]
+    ManyCameras {
         /// The map.
         map: String,
         /// How many it has.

@@ -92,13 +92,18 @@ pub fn generate<S: Simulator>(
         for settings in same_map {
             run.video(&map, settings, to_do.len() as u32, &mut manifest)?;
             generated.videos += 1;
-            generated.camera_frames += 2 * u64::from(settings.frames);
+            generated.camera_frames += camera_frames(settings);
             generated.bytes += layout.video(settings).bytes()?;
         }
     }
     generated.seconds = start.elapsed().as_secs_f64();
     generated.times = clock.times();
     Ok(generated)
+}
+
+/// Frames of all cameras of a video.
+fn camera_frames(settings: &SceneSettings) -> u64 {
+    settings.cameras.len() as u64 * u64::from(settings.frames)
 }
 
 /// What all videos of a run share.
@@ -123,7 +128,7 @@ impl<S: Simulator> Run<'_, S> {
     ) -> Result<(), GenerateError> {
         self.place += 1;
         let name = VideoLayout::name(settings);
-        let camera_frames = 2 * u64::from(settings.frames);
+        let camera_frames = camera_frames(settings);
         self.progress.event(&Event::Video { name: &name, place: self.place, of, camera_frames });
         manifest.note_build(settings.video as usize, &self.options.build);
         write_json(&self.layout.manifest(), manifest)?;

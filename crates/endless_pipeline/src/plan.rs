@@ -1,8 +1,11 @@
 //! Which scenes a recipe means: the paper's section 4.3.2.
 
+mod combination;
+
 use crate::{MapCatalog, PlanError};
+use combination::{Combination, Combinations, MapSites};
 use endless_dataset::Recipe;
-use endless_world::{CameraLook, CameraSite, Clock, SceneSettings, Stream, TimeOfDay, Weather};
+use endless_world::{CameraLook, CameraSite, Clock, SceneCamera, SceneSettings, Stream};
 
 /// The settings of every video, by number.
 #[derive(Debug, Clone, PartialEq)]
@@ -13,49 +16,26 @@ pub struct Plan {
     maps: Vec<String>,
 }
 
-/// One element of the product.
-struct Combination<'a> {
-    map: &'a str,
-    weather: Weather,
-    time_of_day: TimeOfDay,
-    cameras: [&'a CameraSite; 2],
-}
-
 impl Plan {
-    /// The plan of a recipe: a seeded shuffle of the product of map, weather, time of day and distinct camera pairs.
+    /// The plan of a recipe: a seeded shuffle of the product of map, weather, time of day and sets of distinct cameras.
     ///
     /// When more videos are asked for than there are combinations, another shuffle of all of them follows, and so on:
     /// every combination appears ⌊n/k⌋ or ⌈n/k⌉ times. A video's number is its place in this list, so that a longer
     /// list begins with the shorter one.
     ///
     /// # Errors
-    /// When a map has no two cameras.
+    /// When a map has fewer cameras than a scene needs.
     pub fn new(recipe: &Recipe, catalog: &dyn MapCatalog) -> Result<Self, PlanError> {
-        let sites: Vec<(String, Vec<CameraSite>)> = recipe
-            .maps
-            .iter()
-            .map(|map| {
-                let own = recipe.cameras.get(map).cloned();
-                let cameras = own.map_or_else(|| catalog.cameras(map), Ok)?;
-                if cameras.len() < 2 {
-                    return Err(PlanError::NoPair { map: map.clone(), cameras: cameras.len() });
-                }
-                Ok((map.clone(), cameras))
-            })
-            .collect::<Result<_, _>>()?;
-        let combinations = product(recipe, &sites);
-        let mut scenes: Vec<SceneSettings> = Vec::with_capacity(recipe.videos as usize);
-        for round in 0.. {
-            let mut order: Vec<usize> = (0..combinations.len()).collect();
-            Stream::named(recipe.seed, "plan", &[round]).shuffle(&mut order);
-            for index in order {
-                if scenes.len() == recipe.videos as usize {
-                    return Ok(Self { scenes, maps: recipe.maps.clone() });
-                }
-                scenes.push(combinations[index].settings(scenes.len() as u32, recipe));
-            }
-        }
-        unreachable!("every round adds scenes")
+        let sites_of = |map: &String| {
+            let own = recipe.cameras.get(map).cloned();
+            Ok(MapSites { map: map.clone(), sites: own.map_or_else(|| catalog.cameras(map), Ok)? })
+        };
+        let maps: Vec<MapSites> = recipe.maps.iter().map(sites_of).collect::<Result<_, PlanError>>()?;
+        let combinations = Combinations::new(recipe, &maps)?;
+        let random = |round| Stream::named(recipe.seed, "plan", &[round]);
+        let numbers = (0..).flat_map(|round| combination::shuffled(combinations.count(), random(round)));
+        let scenes = (0..recipe.videos).zip(numbers).map(|(video, n)| settings(combinations.get(n), video, recipe));
+        Ok(Self { scenes: scenes.collect(), maps: recipe.maps.clone() })
     }
 
     /// Numbers of the videos in the order of work: by map, so that each is loaded once.
@@ -66,42 +46,27 @@ impl Plan {
     }
 }
 
-fn product<'a>(recipe: &Recipe, sites: &'a [(String, Vec<CameraSite>)]) -> Vec<Combination<'a>> {
-    let mut all = Vec::new();
-    for (map, cameras) in sites {
-        for &weather in &recipe.weathers {
-            for &time_of_day in &recipe.times {
-                for (i, first) in cameras.iter().enumerate() {
-                    for second in &cameras[i + 1..] {
-                        all.push(Combination { map, weather, time_of_day, cameras: [first, second] });
-                    }
-                }
-            }
-        }
-    }
-    all
-}
-
-impl Combination<'_> {
-    fn settings(&self, video: u32, recipe: &Recipe) -> SceneSettings {
-        let clock = Clock::new(self.time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]));
-        SceneSettings {
-            video,
-            map: self.map.to_owned(),
-            weather: self.weather,
-            time_of_day: self.time_of_day,
-            cameras: self.cameras.map(CameraSite::clone),
-            looks: [0, 1].map(|camera| {
-                let mut random = Stream::named(recipe.seed, "camera look", &[u64::from(video), camera]);
-                CameraLook::new(recipe.camera_look, self.time_of_day, clock, &mut random)
-            }),
-            vehicles: recipe.vehicles,
-            pedestrians: recipe.pedestrians,
-            size: recipe.size,
-            fps: recipe.fps,
-            frames: recipe.frames(),
-            seed: Stream::named(recipe.seed, "scene", &[u64::from(video)]).next_u64(),
-        }
+/// The settings of a video that films a combination.
+fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
+    let Combination { map, weather, time_of_day, sites } = combination;
+    let clock = Clock::new(time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]));
+    let camera = |(site, number): (&CameraSite, u64)| {
+        let mut random = Stream::named(recipe.seed, "camera look", &[u64::from(video), number]);
+        let look = CameraLook::new(recipe.camera_look, time_of_day, clock, &mut random);
+        SceneCamera { site: site.clone(), look }
+    };
+    SceneSettings {
+        video,
+        map: map.to_owned(),
+        weather,
+        time_of_day,
+        cameras: sites.into_iter().zip(0..).map(camera).collect(),
+        vehicles: recipe.vehicles,
+        pedestrians: recipe.pedestrians,
+        size: recipe.size,
+        fps: recipe.fps,
+        frames: recipe.frames(),
+        seed: Stream::named(recipe.seed, "scene", &[u64::from(video)]).next_u64(),
     }
 }
 
@@ -109,7 +74,7 @@ impl Combination<'_> {
 pub(crate) mod tests {
     use super::*;
     use crate::{RecipeDraft, SimulatorError};
-    use endless_world::Mount;
+    use endless_world::{Mount, TimeOfDay, Weather};
     use proptest::prelude::*;
     use std::collections::BTreeMap;
 
@@ -139,10 +104,11 @@ pub(crate) mod tests {
         }
     }
 
-    fn recipe(videos: u32, seed: u64, maps: usize, weathers: usize, times: usize) -> Recipe {
+    fn recipe(videos: u32, cameras: u32, seed: u64, [maps, weathers, times]: [usize; 3]) -> Recipe {
         let take = |names: Vec<&str>, n: usize| Some(names.into_iter().take(n).map(str::to_owned).collect());
         let draft = RecipeDraft {
             videos: Some(i64::from(videos)),
+            cameras_per_scene: Some(i64::from(cameras)),
             seed: Some(seed),
             maps: take(vec!["Town01", "Town02", "Town03"], maps),
             weathers: take(Weather::ALL.iter().map(|w| w.name()).collect(), weathers),
@@ -153,7 +119,8 @@ pub(crate) mod tests {
     }
 
     fn key(s: &SceneSettings) -> String {
-        format!("{} {} {} {} {}", s.map, s.weather, s.time_of_day, s.cameras[0].name, s.cameras[1].name)
+        let cameras: Vec<&str> = s.cameras.iter().map(|c| c.site.name.as_str()).collect();
+        format!("{} {} {} {}", s.map, s.weather, s.time_of_day, cameras.join("+"))
     }
 
     proptest! {
@@ -161,14 +128,16 @@ pub(crate) mod tests {
 
         #[test]
         fn every_combination_appears_in_proportion(
-            n in 1u32..400, seed: u64, maps in 1usize..4, weathers in 1usize..4, times in 1usize..3,
+            n in 1u32..400, cameras in 1u32..4, seed: u64, maps in 1usize..4, weathers in 1usize..4, times in 1usize..3,
         ) {
-            let plan = Plan::new(&recipe(n, seed, maps, weathers, times), &ThreeTowns).expect("plannable");
-            // Pairs of three, four and five cameras.
-            let k = ([3, 6, 10][..maps].iter().sum::<usize>() * weathers * times) as u32;
+            let plan = Plan::new(&recipe(n, cameras, seed, [maps, weathers, times]), &ThreeTowns).expect("plannable");
+            // Sets of one, two or three of three, four and five cameras.
+            let sets = [[3, 4, 5], [3, 6, 10], [1, 4, 10]][cameras as usize - 1];
+            let k = (sets[..maps].iter().sum::<usize>() * weathers * times) as u32;
             let mut counts = BTreeMap::new();
             for scene in &plan.scenes {
-                prop_assert_ne!(&scene.cameras[0], &scene.cameras[1]);
+                prop_assert_eq!(scene.cameras.len() as u32, cameras);
+                prop_assert!(scene.cameras.is_sorted_by(|a, b| a.site.name < b.site.name), "distinct, in the map's order");
                 *counts.entry(key(scene)).or_insert(0u32) += 1;
             }
             prop_assert_eq!(plan.scenes.len() as u32, n);
@@ -177,14 +146,16 @@ pub(crate) mod tests {
         }
 
         #[test]
-        fn a_longer_list_begins_with_the_shorter(short in 1u32..200, more in 0u32..200, seed: u64) {
-            let plan = |n| Plan::new(&recipe(n, seed, 2, 2, 2), &ThreeTowns).expect("plannable").scenes;
+        fn a_longer_list_begins_with_the_shorter(
+            short in 1u32..200, more in 0u32..200, cameras in 1u32..4, seed: u64,
+        ) {
+            let plan = |n| Plan::new(&recipe(n, cameras, seed, [2, 2, 2]), &ThreeTowns).expect("plannable").scenes;
             prop_assert_eq!(&plan(short)[..], &plan(short + more)[..short as usize]);
         }
 
         #[test]
         fn the_work_order_names_every_video_once_and_every_map_once(n in 1u32..300, seed: u64) {
-            let plan = Plan::new(&recipe(n, seed, 3, 3, 2), &ThreeTowns).expect("plannable");
+            let plan = Plan::new(&recipe(n, 2, seed, [3, 3, 2]), &ThreeTowns).expect("plannable");
             let mut order = plan.work_order();
             let mut maps: Vec<&str> = order.iter().map(|v| plan.scenes[*v as usize].map.as_str()).collect();
             maps.dedup();
@@ -196,10 +167,57 @@ pub(crate) mod tests {
 
     #[test]
     fn the_seed_decides() {
-        let scenes = |seed| Plan::new(&recipe(50, seed, 3, 3, 3), &ThreeTowns).expect("plannable").scenes;
+        let scenes = |seed| Plan::new(&recipe(50, 2, seed, [3, 3, 3]), &ThreeTowns).expect("plannable").scenes;
         assert_eq!(scenes(1), scenes(1));
         assert_ne!(scenes(1), scenes(2));
         let seeds: std::collections::BTreeSet<u64> = scenes(1).iter().map(|s| s.seed).collect();
         assert_eq!(seeds.len(), 50, "every scene has its own seed");
+    }
+
+    /// All pairs laid out by loops and shuffled, round after round.
+    fn pairs(recipe: &Recipe) -> Vec<String> {
+        let mut all = Vec::new();
+        for map in &recipe.maps {
+            let sites = ThreeTowns.cameras(map).expect("a map");
+            for weather in &recipe.weathers {
+                for time in &recipe.times {
+                    for (i, a) in sites.iter().enumerate() {
+                        for b in &sites[i + 1..] {
+                            all.push(format!("{map} {weather} {time} {}+{}", a.name, b.name));
+                        }
+                    }
+                }
+            }
+        }
+        let mut planned = Vec::new();
+        for round in 0.. {
+            if planned.len() >= recipe.videos as usize {
+                break;
+            }
+            let mut order = all.clone();
+            Stream::named(recipe.seed, "plan", &[round]).shuffle(&mut order);
+            planned.extend(order);
+        }
+        planned.truncate(recipe.videos as usize);
+        planned
+    }
+
+    #[test]
+    fn pairs_are_planned_as_the_plain_product_says() {
+        for (videos, seed) in [(1, 0), (40, 7), (700, u64::MAX)] {
+            let recipe = recipe(videos, 2, seed, [3, 5, 3]);
+            let plan = Plan::new(&recipe, &ThreeTowns).expect("plannable");
+            assert_eq!(plan.scenes.iter().map(key).collect::<Vec<_>>(), pairs(&recipe));
+        }
+    }
+
+    #[test]
+    fn a_map_with_too_few_cameras_is_named() {
+        let error = Plan::new(&recipe(1, 4, 0, [3, 1, 1]), &ThreeTowns).expect_err("Town01 has three").to_string();
+        assert_eq!(
+            error,
+            "map Town01 has 3 camera sites, a scene is filmed by 4: ask for fewer with --cameras-per-scene, or name \
+             maps that have more"
+        );
     }
 }

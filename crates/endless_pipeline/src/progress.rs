@@ -46,8 +46,10 @@ pub enum Event<'a> {
         /// Seconds.
         seconds: f64,
     },
-    /// One frame of both cameras is on disk.
+    /// One frame of all cameras is on disk.
     Frame {
+        /// How many cameras.
+        cameras: u32,
         /// Whether it was there already.
         resumed: bool,
     },

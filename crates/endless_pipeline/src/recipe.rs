@@ -1,7 +1,7 @@
 //! From what the user wrote to the resolved recipe.
 
 use crate::{MapCatalog, OwnCamera, RecipeError, camera_list};
-use endless_dataset::{Layer, Recipe, RgbFormat};
+use endless_dataset::{Layer, MAX_CAMERAS, Recipe, RgbFormat};
 use endless_world::{ImageSize, LookChoice, TimeOfDay, UnknownName, Weather};
 use serde::Deserialize;
 use std::{
@@ -25,6 +25,8 @@ pub struct RecipeDraft {
     pub maps: Option<Vec<String>>,
     /// Cameras that film in place of a map's own.
     pub cameras: Option<Vec<OwnCamera>>,
+    /// Cameras that film each scene.
+    pub cameras_per_scene: Option<i64>,
     /// Weathers to choose from.
     pub weathers: Option<Vec<String>>,
     /// Times of day to choose from.
@@ -94,6 +96,7 @@ impl RecipeDraft {
             pedestrians: self.pedestrians.or(other.pedestrians),
             maps: self.maps.or(other.maps),
             cameras: self.cameras.or(other.cameras),
+            cameras_per_scene: self.cameras_per_scene.or(other.cameras_per_scene),
             weathers: self.weathers.or(other.weathers),
             times: self.times.or(other.times),
             size: self.size.or(other.size),
@@ -131,6 +134,7 @@ impl RecipeDraft {
             }
         }
         let cameras = camera_list::resolve(&self.cameras.unwrap_or_default(), &maps, catalog)?;
+        let cameras_per_scene = count("cameras-per-scene", self.cameras_per_scene, 2, 1..=MAX_CAMERAS)?;
         let recipe = Recipe {
             videos: count("videos", self.videos, 2, 1..=MAX_VIDEOS)?,
             vehicles: count("vehicles", self.vehicles, 30, 0..=MAX_ACTORS)?,
@@ -139,6 +143,7 @@ impl RecipeDraft {
             map_files,
             asset_files: catalog.asset_files(),
             cameras,
+            cameras_per_scene,
             weathers: choose("weathers", self.weathers, Weather::ALL, Weather::name)?,
             times: choose("times", self.times, TimeOfDay::ALL, TimeOfDay::name)?,
             size: size(self.size)?,
@@ -262,7 +267,7 @@ mod tests {
     #[test]
     fn defaults_are_the_contract_s() {
         let recipe = RecipeDraft::default().resolve(&ThreeTowns).expect("defaults are valid");
-        assert_eq!((recipe.videos, recipe.vehicles, recipe.pedestrians), (2, 30, 20));
+        assert_eq!((recipe.videos, recipe.cameras_per_scene, recipe.vehicles, recipe.pedestrians), (2, 2, 30, 20));
         assert_eq!((recipe.size.to_string().as_str(), recipe.fps, recipe.duration), ("1280x720", 30.0, 5.0));
         assert_eq!((recipe.frames(), recipe.seed, recipe.min_pixels), (150, 0, 50));
         assert_eq!(recipe.layers, Layer::ALL);

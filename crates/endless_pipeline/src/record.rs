@@ -1,33 +1,33 @@
 //! Records one video: ticks once, renders frames on all threads, writes everything in order.
 //!
 //! There is one kind of thread. A worker first does ordered work if some waits (feeding a camera's video encoder and
-//! its list of objects), and else takes the next state of the world, renders both cameras, encodes and writes the
-//! images. The board keeps the workers within a window of frames, so memory is the same after ten seconds and after
+//! its list of objects), and else takes the next state of the world, renders all cameras, encodes and writes the
+//! images. The scheduler keeps the workers within a window of frames, so memory is the same after ten seconds and after
 //! an hour.
 
-mod board;
-mod existing;
 mod frame;
-mod lane;
+mod scheduler;
+mod sink;
+mod stored;
 mod times;
 
 pub use times::StageTimes;
 pub(crate) use {
-    existing::{camera_is_complete, count_images},
+    stored::{camera_is_complete, count_images},
     times::{Clock, Stage},
 };
 
 use crate::{Cameras, Event, GenerateError, Progress, Scene, Simulator};
-use board::{Board, Job};
 use endless_dataset::{CameraRecord, Recipe, SceneRecord, VideoLayout, remove_temporaries, write_json};
-use endless_world::{Actor, PinholeCamera, SceneSettings};
-use existing::Existing;
+use endless_world::{Actor, PinholeCamera, SceneCamera, SceneSettings};
 use frame::FrameMaker;
-use lane::{Lane, Ordered};
+use scheduler::{FrameScheduler, Job};
+use sink::{CameraSink, SinkItem};
 use std::{
     sync::{Mutex, OnceLock, PoisonError},
     time::Instant,
 };
+use stored::StoredFrames;
 
 /// What a recording needs besides the simulator.
 pub(crate) struct Recording<'a> {
@@ -39,7 +39,7 @@ pub(crate) struct Recording<'a> {
     pub(crate) clock: &'a Clock,
 }
 
-/// The two cameras, baked when the first frame needs them.
+/// The cameras, baked when the first frame needs them.
 struct LazyCameras<'a, S: Simulator> {
     simulator: &'a S,
     map: &'a S::Map,
@@ -70,45 +70,43 @@ pub(crate) fn record_video<S: Simulator>(
     recording: &Recording<'_>,
 ) -> Result<SceneRecord, GenerateError> {
     let Recording { settings, recipe, layout, .. } = *recording;
-    for camera in 0..2 {
-        layout.camera(camera).create(&recipe.layers)?;
+    for camera in layout.cameras(settings.cameras.len()) {
+        camera.create(&recipe.layers)?;
     }
     remove_temporaries(layout.folder())?;
-    for camera in 0..2 {
-        let record = CameraRecord::new(
-            &settings.cameras[camera],
-            settings.looks[camera].distortion,
-            settings.size,
-            settings.fps,
-        );
-        write_json(&layout.camera(camera).camera(), &record)?;
+    for (number, SceneCamera { site, look }) in settings.cameras.iter().enumerate() {
+        let record = CameraRecord::new(site, look.distortion, settings.size, settings.fps);
+        write_json(&layout.camera(number).camera(), &record)?;
     }
     let Scene { spawned, parked, moving, skin_tones, bodies, traffic } =
         recording.clock.time(Stage::LoadScene, || simulator.load_scene(map, settings))?;
     report_fewer(recording, &spawned);
 
-    let existing = Existing::find(recording)?;
+    let stored = StoredFrames::find(recording)?;
     let cameras = LazyCameras { simulator, map, recording, moving: &moving, baked: OnceLock::new() };
-    if !existing.is_complete() {
+    if !stored.is_complete() {
         // On this thread, before the workers start, so that the baking has all cores.
         cameras.get();
     }
-    let lanes = [Lane::create(recording, 0)?, Lane::create(recording, 1)?].map(|l| Mutex::new(Some(l)));
-    let board = Board::new(traffic, settings.frames, 2 * recording.threads as u32 + 2);
-    let eyes = [0, 1].map(|camera: usize| {
-        PinholeCamera::new(&settings.cameras[camera], settings.size).with_distortion(settings.looks[camera].distortion)
-    });
+    let sinks = (0..settings.cameras.len())
+        .map(|camera| CameraSink::create(recording, camera).map(Mutex::new))
+        .collect::<Result<Vec<_>, _>>()?;
+    let scheduler = FrameScheduler::new(traffic, sinks.len(), settings.frames, 2 * recording.threads as u32 + 2);
+    let lens = |SceneCamera { site, look }: &SceneCamera| {
+        PinholeCamera::new(site, settings.size).with_distortion(look.distortion)
+    };
+    let lenses: Vec<PinholeCamera> = settings.cameras.iter().map(lens).collect();
     let (parked, skin_tones, bodies) = (&parked, &skin_tones, bodies.as_deref());
-    let maker = FrameMaker { recording, parked, skin_tones, bodies, eyes: &eyes, existing: &existing };
+    let maker = FrameMaker { recording, parked, skin_tones, bodies, lenses: &lenses, stored: &stored };
     let failure = Mutex::new(None);
     if cameras.baked.get().is_none_or(Result::is_ok) {
         std::thread::scope(|scope| {
             for _ in 0..recording.threads {
                 scope.spawn(|| {
-                    let _stop_others_on_panic = board.stop_on_panic();
-                    if let Err(error) = work(&board, &lanes, &maker, &cameras) {
+                    let _stop_others_on_panic = scheduler.stop_on_panic();
+                    if let Err(error) = work(&scheduler, &sinks, &maker, &cameras) {
                         failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
-                        board.stop();
+                        scheduler.stop();
                     }
                 });
             }
@@ -123,10 +121,9 @@ pub(crate) fn record_video<S: Simulator>(
     if let Some(error) = failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
         return Err(error);
     }
-    let mut boxes = [0; 2];
-    for (boxes, lane) in boxes.iter_mut().zip(lanes) {
-        let lane = lane.into_inner().unwrap_or_else(PoisonError::into_inner);
-        *boxes = lane.expect("put back after every use").finish()?;
+    let mut boxes = Vec::with_capacity(sinks.len());
+    for sink in sinks {
+        boxes.push(sink.into_inner().unwrap_or_else(PoisonError::into_inner).finish()?);
     }
     let record = SceneRecord { settings: settings.clone(), spawned, recorded_frames: settings.frames, boxes };
     write_json(&layout.scene(), &record)?;
@@ -135,27 +132,27 @@ pub(crate) fn record_video<S: Simulator>(
 
 /// What a worker does until there is nothing left. When baking failed, there is nothing to do.
 fn work<S: Simulator>(
-    board: &Board<'_, [Ordered; 2]>,
-    lanes: &[Mutex<Option<Lane>>; 2],
+    scheduler: &FrameScheduler<'_, SinkItem>,
+    sinks: &[Mutex<CameraSink>],
     maker: &FrameMaker<'_>,
     cameras: &LazyCameras<'_, S>,
 ) -> Result<(), GenerateError> {
-    while let Some(job) = board.next(&maker.recording.clock.timer(Stage::Traffic)) {
+    while let Some(job) = scheduler.next(&maker.recording.clock.timer(Stage::Traffic)) {
         match job {
             Job::Frame(state) => {
                 let made = maker.make(&state, || cameras.get())?;
-                let Some((ordered, resumed)) = made else {
-                    board.stop();
+                let Some((items, resumed)) = made else {
+                    scheduler.stop();
                     return Ok(());
                 };
-                board.deliver(state.frame, ordered);
-                maker.recording.progress.event(&Event::Frame { resumed });
+                scheduler.deliver(state.frame, items);
+                maker.recording.progress.event(&Event::Frame { cameras: sinks.len() as u32, resumed });
             }
-            Job::Lane { lane, item } => {
-                let mut slot = lanes[lane].lock().unwrap_or_else(PoisonError::into_inner);
-                slot.as_mut().expect("taken only at the end").push(&item, maker.recording.clock)?;
-                drop(slot);
-                board.lane_done(lane);
+            Job::Sink { camera, item } => {
+                let mut sink = sinks[camera].lock().unwrap_or_else(PoisonError::into_inner);
+                sink.push(&item, maker.recording.clock)?;
+                drop(sink);
+                scheduler.sink_done(camera);
             }
         }
     }

@@ -46,7 +46,7 @@ pub trait MapCatalog {
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError>;
 }
 
-/// Loads maps and scenes of them, and renders what two fixed cameras see.
+/// Loads maps and scenes of them, and renders what fixed cameras see.
 pub trait Simulator: MapCatalog + Sync {
     /// A loaded map, shared by all of its scenes.
     type Map: Sync;
@@ -63,7 +63,7 @@ pub trait Simulator: MapCatalog + Sync {
     /// When the scene cannot be made.
     fn load_scene<'m>(&'m self, map: &'m Self::Map, settings: &SceneSettings) -> Result<Scene<'m>, SimulatorError>;
 
-    /// Prepares both cameras of a scene in which these actors move. May take long and use all cores; left out where no frame must be rendered.
+    /// Prepares the cameras of a scene in which these actors move. May take long and use all cores; left out where no frame must be rendered.
     ///
     /// # Errors
     /// When the scene cannot be made.
@@ -103,10 +103,10 @@ pub trait Traffic: Send {
     fn tick(&mut self) -> WorldState;
 }
 
-/// Two cameras ready to film.
+/// Cameras ready to film.
 pub trait Cameras: Sync + Send {
-    /// What both see. A pure function of the state: frames can be rendered in any order, on any number of threads.
-    fn render(&self, state: &WorldState) -> [SensorFrame; 2];
+    /// What each sees, in the order of the settings. A pure function of the state: frames can be rendered in any order, on any number of threads.
+    fn render(&self, state: &WorldState) -> Vec<SensorFrame>;
 
     /// What rendering has cost until now.
     fn stats(&self) -> RenderStats {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
-/// One annotated object within one video: the same in both cameras and in all frames. `0` is "stuff" (no object).
+/// One annotated object within one video: the same in all cameras and all frames. `0` is "stuff" (no object).
 ///
 /// 16 bits, because CARLA's instance image has two channels for it: `id = G + 256 B`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]

@@ -41,7 +41,7 @@ pub use ids::{InstanceId, SignalId};
 pub use keypoint::{KEYPOINT_COUNT, KEYPOINT_LIMBS, KEYPOINTS};
 pub use look::{CameraLook, Clock, Distortion, LookChoice};
 pub use rng::{Stream, fnv1a};
-pub use scene::SceneSettings;
+pub use scene::{SceneCamera, SceneSettings};
 pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame};
 pub use state::{SignalAspect, SignalState, WorldState};
 pub use vehicle_spec::{ParkedVehicle, TrailerSpec, VehicleSpec};

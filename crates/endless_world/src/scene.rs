@@ -3,6 +3,15 @@
 use crate::{CameraLook, CameraSite, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 
+/// A camera of a scene: where it hangs, and what it does to the picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneCamera {
+    /// Where it hangs and looks.
+    pub site: CameraSite,
+    /// What its lens, sensor and recorder do to the picture.
+    pub look: CameraLook,
+}
+
 /// Everything that decides one video.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct SceneSettings {
@@ -14,11 +23,10 @@ pub struct SceneSettings {
     pub weather: Weather,
     /// Time of day.
     pub time_of_day: TimeOfDay,
-    /// The pair of cameras, filming the same instants.
-    pub cameras: [CameraSite; 2],
-    /// What lens, sensor and recorder of each do to the picture.
-    #[serde(default, skip_serializing_if = "all_clean")]
-    pub looks: [CameraLook; 2],
+    /// The cameras, filming the same instants. Written as a list of sites, `cameras`, and one of looks, `looks`, which is
+    /// left out where all are clean.
+    #[serde(flatten, with = "cameras_and_looks")]
+    pub cameras: Vec<SceneCamera>,
     /// Vehicles asked for (parked ones come on top).
     pub vehicles: u32,
     /// Pedestrians asked for.
@@ -33,6 +41,36 @@ pub struct SceneSettings {
     pub seed: u64,
 }
 
-fn all_clean(looks: &[CameraLook; 2]) -> bool {
-    looks.iter().all(CameraLook::is_clean)
+mod cameras_and_looks {
+    use super::SceneCamera;
+    use crate::{CameraLook, CameraSite};
+    use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+
+    #[derive(Serialize)]
+    struct Written<'a> {
+        cameras: Vec<&'a CameraSite>,
+        #[serde(skip_serializing_if = "Vec::is_empty")]
+        looks: Vec<&'a CameraLook>,
+    }
+
+    #[derive(Deserialize)]
+    struct Read {
+        cameras: Vec<CameraSite>,
+        looks: Option<Vec<CameraLook>>,
+    }
+
+    pub(super) fn serialize<S: Serializer>(cameras: &[SceneCamera], serializer: S) -> Result<S::Ok, S::Error> {
+        let clean = cameras.iter().all(|c| c.look.is_clean());
+        let looks = if clean { Vec::new() } else { cameras.iter().map(|c| &c.look).collect() };
+        Written { cameras: cameras.iter().map(|c| &c.site).collect(), looks }.serialize(serializer)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<SceneCamera>, D::Error> {
+        let Read { cameras, looks } = Read::deserialize(deserializer)?;
+        let looks = looks.unwrap_or_else(|| vec![CameraLook::CLEAN; cameras.len()]);
+        if looks.len() != cameras.len() {
+            return Err(D::Error::custom(format!("{} looks of {} cameras", looks.len(), cameras.len())));
+        }
+        Ok(cameras.into_iter().zip(looks).map(|(site, look)| SceneCamera { site, look }).collect())
+    }
 }

@@ -6,7 +6,7 @@ use crate::{
     read_mp4, read_objects, read_rgb, video,
 };
 use endless_annotate::{FrameObjects, Keypoint, ObjectRecord, Visibility, visible_objects};
-use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINTS, SceneSettings};
+use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINTS, SceneCamera, SceneSettings};
 use rayon::prelude::*;
 use rusty_h264_decoder::Decoder;
 use std::collections::BTreeMap;
@@ -52,8 +52,8 @@ pub(super) fn check_camera(
 }
 
 fn check_record(layout: &CameraLayout, settings: &SceneSettings, camera: usize) -> Option<Finding> {
-    let expected =
-        CameraRecord::new(&settings.cameras[camera], settings.looks[camera].distortion, settings.size, settings.fps);
+    let SceneCamera { site, look } = &settings.cameras[camera];
+    let expected = CameraRecord::new(site, look.distortion, settings.size, settings.fps);
     match read_json::<CameraRecord>(&layout.camera()) {
         Ok(record) if record == expected => None,
         Ok(_) => Some(Finding::new(layout.camera(), "does not describe the camera of the scene")),

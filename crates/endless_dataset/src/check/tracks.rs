@@ -1,4 +1,4 @@
-//! One id is one object: the same class in all frames of both cameras.
+//! One id is one object: the same class in all frames of all cameras.
 
 use super::Finding;
 use endless_world::{InstanceId, ObjectClass};

@@ -28,11 +28,11 @@ pub(super) fn estimate(
 ) -> Result<Estimate, DatasetError> {
     let mut present = 0;
     for settings in to_do {
-        for camera in 0..2 {
-            present += count_images(&layout.video(settings).camera(camera), recipe)?;
+        for camera in layout.video(settings).cameras(settings.cameras.len()) {
+            present += count_images(&camera, recipe)?;
         }
     }
-    let camera_frames = 2 * to_do.len() as u64 * u64::from(recipe.frames());
+    let camera_frames = u64::from(recipe.cameras_per_scene) * to_do.len() as u64 * u64::from(recipe.frames());
     let missing = (camera_frames - present / recipe.layers.len() as u64) as f64;
     let pixels = recipe.size.pixels() as f64;
     let images: f64 = recipe

@@ -27,7 +27,7 @@ pub(super) struct Claim<'a> {
 #[derive(Debug, Default)]
 pub(super) struct Output {
     /// Boxes of the videos that are complete, by number.
-    complete: BTreeMap<u32, [u64; 2]>,
+    complete: BTreeMap<u32, Vec<u64>>,
     /// The builds that were at work.
     builds: Vec<BuildIdentity>,
     /// Which of them worked on a video, by its number.
@@ -90,7 +90,7 @@ impl Output {
     /// The manifest of what is there and what is still to be made.
     pub(super) fn manifest(&self, claim: &Claim<'_>) -> Manifest {
         let entries = claim.plan.scenes.iter().map(|settings| {
-            let boxes = self.complete.get(&settings.video).copied();
+            let boxes = self.complete.get(&settings.video).cloned();
             let state = if boxes.is_some() { VideoState::Complete } else { VideoState::Planned };
             let builds = self.builds_of_video.get(&settings.video).cloned().unwrap_or_default();
             VideoEntry { state, boxes, builds, ..planned(settings) }
@@ -115,7 +115,7 @@ fn planned(settings: &SceneSettings) -> VideoEntry {
         map: settings.map.clone(),
         weather: settings.weather,
         time_of_day: settings.time_of_day,
-        cameras: settings.cameras.each_ref().map(|c| c.name.clone()),
+        cameras: settings.cameras.iter().map(|c| c.site.name.clone()).collect(),
         frames: settings.frames,
         boxes: None,
         builds: Vec::new(),
@@ -196,10 +196,15 @@ fn complete_video(
 ) -> Result<Option<SceneRecord>, GenerateError> {
     let video = layout.video(settings);
     let Ok(record) = read_json::<SceneRecord>(&video.scene()) else { return Ok(None) };
-    let whole = record.settings == *settings
-        && camera_is_complete(&video.camera(0), recipe)?
-        && camera_is_complete(&video.camera(1), recipe)?;
-    Ok(whole.then_some(record))
+    if record.settings != *settings {
+        return Ok(None);
+    }
+    for camera in video.cameras(settings.cameras.len()) {
+        if !camera_is_complete(&camera, recipe)? {
+            return Ok(None);
+        }
+    }
+    Ok(Some(record))
 }
 
 /// Keeps a second process out. Released when the process ends, however it ends; leaves no trace when it is dropped.

@@ -1,6 +1,6 @@
-//! One frame of both cameras: rendered and written, or read back when it is there already.
+//! One frame of all cameras: rendered and written, or read back when it is there already.
 
-use super::{Existing, Ordered, Recording, times::Stage};
+use super::{Recording, sink::SinkItem, stored::StoredFrames, times::Stage};
 use crate::{Cameras, GenerateError, PeopleBodies};
 use endless_annotate::{Bodies, Picture, SceneObjects, annotate, visible_objects};
 use endless_dataset::{
@@ -16,9 +16,9 @@ pub(super) struct FrameMaker<'a> {
     pub(super) parked: &'a [Actor],
     pub(super) skin_tones: &'a BTreeMap<InstanceId, u8>,
     pub(super) bodies: Option<&'a dyn PeopleBodies>,
-    /// The two cameras.
-    pub(super) eyes: &'a [PinholeCamera; 2],
-    pub(super) existing: &'a Existing,
+    /// One a camera.
+    pub(super) lenses: &'a [PinholeCamera],
+    pub(super) stored: &'a StoredFrames,
 }
 
 /// What the ordered work of one camera needs of a frame.
@@ -42,34 +42,33 @@ impl FrameMaker<'_> {
         &self,
         state: &WorldState,
         cameras: impl Fn() -> Option<&'c (dyn Cameras + 'c)>,
-    ) -> Result<Option<([Ordered; 2], bool)>, GenerateError> {
+    ) -> Result<Option<(Vec<SinkItem>, bool)>, GenerateError> {
         let known = self.recording.clock.time(Stage::Boxes, || Known {
             state,
             scene: SceneObjects::new(state, self.parked).with_skin_tones(self.skin_tones),
             bodies: self.bodies.map(|bodies| bodies.at(state)).unwrap_or_default(),
         });
-        if self.existing.has(state.frame) {
-            let read = self.recording.clock.time(Stage::Resume, || -> Result<_, DatasetError> {
-                Ok([self.read(0, state.frame)?, self.read(1, state.frame)?])
+        if self.stored.has(state.frame) {
+            let read = self.recording.clock.time(Stage::Resume, || -> Result<Vec<Layers>, DatasetError> {
+                (0..self.lenses.len()).map(|camera| self.read(camera, state.frame)).collect()
             });
             match read {
-                Ok([a, b]) => {
-                    let ordered = [self.ordered(0, &a, &known)?, self.ordered(1, &b, &known)?];
-                    return Ok(Some((ordered, true)));
-                }
+                Ok(layers) => return Ok(Some((self.items(&layers, &known)?, true))),
                 // Somebody spoilt the image: it is made again.
                 Err(DatasetError::Malformed { .. }) => {}
                 Err(other) => return Err(other.into()),
             }
         }
         let Some(cameras) = cameras() else { return Ok(None) };
-        let [a, b] = self.recording.clock.time(Stage::Render, || cameras.render(state));
-        let written = self
-            .recording
-            .clock
-            .time(Stage::Images, || -> Result<_, DatasetError> { Ok([self.write(0, a)?, self.write(1, b)?]) });
-        let [a, b] = written?;
-        Ok(Some(([self.ordered(0, &a, &known)?, self.ordered(1, &b, &known)?], false)))
+        let frames = self.recording.clock.time(Stage::Render, || cameras.render(state));
+        let layers = self.recording.clock.time(Stage::Images, || -> Result<Vec<Layers>, DatasetError> {
+            frames.into_iter().enumerate().map(|(camera, frame)| self.write(camera, frame)).collect()
+        })?;
+        Ok(Some((self.items(&layers, &known)?, false)))
+    }
+
+    fn items(&self, layers: &[Layers], known: &Known<'_>) -> Result<Vec<SinkItem>, GenerateError> {
+        layers.iter().enumerate().map(|(camera, layers)| self.item(camera, layers, known)).collect()
     }
 
     fn wants_video(&self, layer: Layer) -> bool {
@@ -137,7 +136,7 @@ impl FrameMaker<'_> {
         Ok(layers)
     }
 
-    fn ordered(&self, camera: usize, layers: &Layers, known: &Known<'_>) -> Result<Ordered, GenerateError> {
+    fn item(&self, camera: usize, layers: &Layers, known: &Known<'_>) -> Result<SinkItem, GenerateError> {
         let Recording { settings, recipe, clock, .. } = *self.recording;
         let Known { state, scene, bodies } = known;
         let line = clock.time(Stage::Boxes, || {
@@ -147,7 +146,7 @@ impl FrameMaker<'_> {
             // By the depth as it is stored, so that a resumed video is the same.
             let depth = layers.depth.as_ref().map(|image| |pixel: usize| metres_from_rgb(image.data[pixel]));
             let depth = depth.as_ref().map(|of| of as &dyn Fn(usize) -> f32);
-            let picture = Picture { camera: &self.eyes[camera], instance: &layers.instance, depth };
+            let picture = Picture { camera: &self.lenses[camera], instance: &layers.instance, depth };
             Ok::<_, GenerateError>(line.with_keypoints(bodies, &picture))
         })?;
         let pictures = clock.time(Stage::Video, || {
@@ -158,6 +157,6 @@ impl FrameMaker<'_> {
             };
             recipe.mp4.iter().filter_map(picture).collect::<Vec<Yuv>>()
         });
-        Ok(Ordered { line, pictures })
+        Ok(SinkItem { line, pictures })
     }
 }

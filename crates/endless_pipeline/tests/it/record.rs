@@ -160,6 +160,29 @@ fn layers_are_optional() {
 }
 
 #[test]
+fn any_number_of_cameras_films_a_scene() {
+    for cameras in [1, 3, 8] {
+        let (out, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
+        let draft = RecipeDraft { cameras_per_scene: Some(cameras), videos: Some(1), ..all_layers() };
+        let recipe = recipe(draft);
+        for (folder, threads) in [(&out, 1), (&whole, 3)] {
+            let generated = make(&Fake::default(), &recipe, folder.path(), threads);
+            assert_eq!(generated.camera_frames, cameras as u64 * 20);
+        }
+        assert_same(out.path(), whole.path());
+        let report = check(out.path()).expect("a dataset");
+        assert_eq!((report.findings, report.images), (vec![], cameras as u64 * 3 * 20));
+        let video = first_video(out.path());
+        let last = video.camera(cameras as usize - 1);
+        assert!(last.folder().ends_with(["camera_a", "camera_c", "camera_h"][cameras as usize / 3]));
+        // What is lost of the last camera comes back.
+        fs::remove_file(last.frame(Layer::Instance, 11, &recipe)).expect("there");
+        make(&Fake::default(), &recipe, out.path(), 2);
+        assert_same(out.path(), whole.path());
+    }
+}
+
+#[test]
 fn fewer_vehicles_than_asked_for_are_recorded() {
     let out = tempfile::tempdir().expect("temp");
     let recipe = recipe(RecipeDraft { vehicles: Some(90), videos: Some(1), ..draft() });

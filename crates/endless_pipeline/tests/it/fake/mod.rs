@@ -44,7 +44,7 @@ impl MapCatalog for Fake {
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
         };
-        Ok((0..5).map(site).collect())
+        Ok((0..9).map(site).collect())
     }
 }
 
@@ -135,9 +135,9 @@ struct Eyes<'a> {
 }
 
 impl Cameras for Eyes<'_> {
-    fn render(&self, state: &WorldState) -> [SensorFrame; 2] {
+    fn render(&self, state: &WorldState) -> Vec<SensorFrame> {
         self.fake.renders.fetch_add(1, Ordering::SeqCst);
-        [0, 1].map(|camera| self.one(state, camera))
+        (0..self.settings.cameras.len() as u32).map(|camera| self.one(state, camera)).collect()
     }
 }
 

@@ -8,7 +8,7 @@ use endless_annotate::FrameObjects;
 use endless_dataset::{DatasetError, ObjectsWriter, VideoEncoder, Yuv};
 
 /// What one frame of one camera brings.
-pub(crate) struct Ordered {
+pub(super) struct SinkItem {
     /// Its line of `objects.jsonl`.
     pub(super) line: FrameObjects,
     /// One picture a video, in the recipe's order.
@@ -16,13 +16,13 @@ pub(crate) struct Ordered {
 }
 
 /// The open files of one camera.
-pub(crate) struct Lane {
+pub(super) struct CameraSink {
     objects: ObjectsWriter,
     videos: Vec<VideoEncoder>,
     boxes: u64,
 }
 
-impl Lane {
+impl CameraSink {
     pub(super) fn create(recording: &Recording<'_>, camera: usize) -> Result<Self, DatasetError> {
         let Recording { settings, recipe, layout, .. } = *recording;
         let files = layout.camera(camera);
@@ -34,7 +34,7 @@ impl Lane {
         Ok(Self { objects: ObjectsWriter::create(&files.objects())?, videos, boxes: 0 })
     }
 
-    pub(super) fn push(&mut self, frame: &Ordered, clock: &Clock) -> Result<(), DatasetError> {
+    pub(super) fn push(&mut self, frame: &SinkItem, clock: &Clock) -> Result<(), DatasetError> {
         self.boxes += frame.line.objects.len() as u64;
         self.objects.write(&frame.line)?;
         clock.time(Stage::Video, || {

@@ -4,19 +4,19 @@ use super::Recording;
 use endless_dataset::{CameraLayout, DatasetError, Layer, Recipe};
 use std::{collections::BTreeSet, ffi::OsString, fs, io};
 
-/// Frames of which every layer of both cameras is there.
-pub(crate) struct Existing {
+/// Frames of which every layer of all cameras is there.
+pub(crate) struct StoredFrames {
     present: Vec<bool>,
 }
 
-impl Existing {
+impl StoredFrames {
     /// Looks at the names. Without instance images nothing counts as present: the boxes come from them.
     pub(super) fn find(recording: &Recording<'_>) -> Result<Self, DatasetError> {
-        let Recording { recipe, layout, .. } = *recording;
+        let Recording { settings, recipe, layout, .. } = *recording;
         let mut present = vec![recipe.layers.contains(&Layer::Instance); frames(recipe)];
-        for camera in 0..2 {
+        for camera in layout.cameras(settings.cameras.len()) {
             for &layer in &recipe.layers {
-                mark_absent(&mut present, &layout.camera(camera), layer, recipe)?;
+                mark_absent(&mut present, &camera, layer, recipe)?;
             }
         }
         Ok(Self { present })

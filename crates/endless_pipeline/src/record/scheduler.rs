@@ -8,63 +8,46 @@ use std::{
 };
 
 /// Something to do.
-pub(super) enum Job<T: Split> {
+pub(super) enum Job<T> {
     /// Make this frame.
     Frame(WorldState),
-    /// Feed a lane with the item whose turn it is.
-    Lane {
-        /// Which.
-        lane: usize,
+    /// Feed a camera's sink with the item whose turn it is.
+    Sink {
+        /// Which camera.
+        camera: usize,
         /// With what.
-        item: T::Part,
+        item: T,
     },
 }
 
-/// What a frame delivers: one part a lane.
-pub(super) trait Split {
-    /// What one lane takes.
-    type Part;
-
-    /// One part a lane.
-    fn split(self) -> [Self::Part; 2];
-}
-
-impl<P> Split for [P; 2] {
-    type Part = P;
-
-    fn split(self) -> [P; 2] {
-        self
-    }
-}
-
-/// The board that all workers look at.
-pub(super) struct Board<'a, T: Split> {
+/// Hands out frames and ordered work to all workers; a frame brings an item of type `T` for each camera's sink.
+pub(super) struct FrameScheduler<'a, T> {
     state: Mutex<State<'a, T>>,
     changed: Condvar,
     frames: u32,
     window: u32,
 }
 
-struct State<'a, T: Split> {
+struct State<'a, T> {
     traffic: Box<dyn Traffic + 'a>,
     /// Frames handed out.
     ticked: u32,
-    lanes: [LaneState<T>; 2],
+    sinks: Vec<SinkQueue<T>>,
     stopped: bool,
 }
 
-struct LaneState<T: Split> {
+struct SinkQueue<T> {
     /// The frame whose turn it is.
     next: u32,
     busy: bool,
-    waiting: BTreeMap<u32, T::Part>,
+    waiting: BTreeMap<u32, T>,
 }
 
-impl<'a, T: Split> Board<'a, T> {
-    /// A board of so many frames, of which at most `window` are under way.
-    pub(super) fn new(traffic: Box<dyn Traffic + 'a>, frames: u32, window: u32) -> Self {
-        let lane = || LaneState { next: 0, busy: false, waiting: BTreeMap::new() };
-        let state = State { traffic, ticked: 0, lanes: [lane(), lane()], stopped: false };
+impl<'a, T> FrameScheduler<'a, T> {
+    /// A schedule of so many frames for so many cameras; at most `window` frames are under way.
+    pub(super) fn new(traffic: Box<dyn Traffic + 'a>, cameras: usize, frames: u32, window: u32) -> Self {
+        let sinks = (0..cameras).map(|_| SinkQueue { next: 0, busy: false, waiting: BTreeMap::new() }).collect();
+        let state = State { traffic, ticked: 0, sinks, stopped: false };
         Self { state: Mutex::new(state), changed: Condvar::new(), frames, window }
     }
 
@@ -76,15 +59,15 @@ impl<'a, T: Split> Board<'a, T> {
                 return None;
             }
             // Ordered work first: it frees memory.
-            for (lane, l) in state.lanes.iter_mut().enumerate() {
-                if !l.busy
-                    && let Some(item) = l.waiting.remove(&l.next)
+            for (camera, sink) in state.sinks.iter_mut().enumerate() {
+                if !sink.busy
+                    && let Some(item) = sink.waiting.remove(&sink.next)
                 {
-                    l.busy = true;
-                    return Some(Job::Lane { lane, item });
+                    sink.busy = true;
+                    return Some(Job::Sink { camera, item });
                 }
             }
-            let slowest = state.lanes.iter().map(|l| l.next).min().unwrap_or(0);
+            let slowest = state.sinks.iter().map(|s| s.next).min().unwrap_or(0);
             if state.ticked < self.frames && state.ticked < slowest + self.window {
                 state.ticked += 1;
                 let mut world = None;
@@ -98,21 +81,21 @@ impl<'a, T: Split> Board<'a, T> {
         }
     }
 
-    /// A frame is made.
-    pub(super) fn deliver(&self, frame: u32, item: T) {
+    /// A frame is made: one item a camera.
+    pub(super) fn deliver(&self, frame: u32, items: Vec<T>) {
         let mut state = self.lock();
-        for (lane, part) in state.lanes.iter_mut().zip(item.split()) {
-            lane.waiting.insert(frame, part);
+        for (sink, item) in state.sinks.iter_mut().zip(items) {
+            sink.waiting.insert(frame, item);
         }
         drop(state);
         self.changed.notify_all();
     }
 
-    /// A lane took its item.
-    pub(super) fn lane_done(&self, lane: usize) {
+    /// A camera's sink took its item.
+    pub(super) fn sink_done(&self, camera: usize) {
         let mut state = self.lock();
-        state.lanes[lane].busy = false;
-        state.lanes[lane].next += 1;
+        state.sinks[camera].busy = false;
+        state.sinks[camera].next += 1;
         drop(state);
         self.changed.notify_all();
     }
@@ -133,10 +116,10 @@ impl<'a, T: Split> Board<'a, T> {
     }
 }
 
-/// See [`Board::stop_on_panic`].
-pub(super) struct StopOnPanic<'b, 'a, T: Split>(&'b Board<'a, T>);
+/// See [`FrameScheduler::stop_on_panic`].
+pub(super) struct StopOnPanic<'b, 'a, T>(&'b FrameScheduler<'a, T>);
 
-impl<T: Split> Drop for StopOnPanic<'_, '_, T> {
+impl<T> Drop for StopOnPanic<'_, '_, T> {
     fn drop(&mut self) {
         if std::thread::panicking() {
             self.0.stop();
@@ -159,35 +142,35 @@ mod tests {
     }
 
     #[test]
-    fn lanes_see_all_frames_in_order_and_few_wait() {
-        for threads in [1, 2, 7] {
-            let board: Board<'_, [u32; 2]> = Board::new(Box::new(Count(0)), 200, 4);
-            let seen = [Mutex::new(Vec::new()), Mutex::new(Vec::new())];
+    fn sinks_take_all_frames_in_order_and_few_wait() {
+        for (threads, cameras) in [(1, 2), (2, 1), (7, 2), (7, 5)] {
+            let scheduler = FrameScheduler::new(Box::new(Count(0)), cameras, 200, 4);
+            let taken: Vec<Mutex<Vec<u32>>> = (0..cameras).map(|_| Mutex::default()).collect();
             let (under_way, most) = (AtomicU32::new(0), AtomicU32::new(0));
             std::thread::scope(|scope| {
                 for _ in 0..threads {
                     scope.spawn(|| {
-                        while let Some(job) = board.next(&|tick| tick()) {
+                        while let Some(job) = scheduler.next(&|tick| tick()) {
                             match job {
                                 Job::Frame(world) => {
                                     let now = under_way.fetch_add(1, Ordering::SeqCst) + 1;
                                     most.fetch_max(now, Ordering::SeqCst);
-                                    board.deliver(world.frame, [world.frame; 2]);
+                                    scheduler.deliver(world.frame, vec![world.frame; cameras]);
                                 }
-                                Job::Lane { lane, item } => {
-                                    seen[lane].lock().expect("unpoisoned").push(item);
-                                    if lane == 1 {
+                                Job::Sink { camera, item } => {
+                                    taken[camera].lock().expect("unpoisoned").push(item);
+                                    if camera == cameras - 1 {
                                         under_way.fetch_sub(1, Ordering::SeqCst);
                                     }
-                                    board.lane_done(lane);
+                                    scheduler.sink_done(camera);
                                 }
                             }
                         }
                     });
                 }
             });
-            for lane in seen {
-                assert_eq!(lane.into_inner().expect("unpoisoned"), (0..200).collect::<Vec<_>>());
+            for frames in taken {
+                assert_eq!(frames.into_inner().expect("unpoisoned"), (0..200).collect::<Vec<_>>());
             }
             assert!(most.into_inner() <= 5, "at most the window is under way");
         }
