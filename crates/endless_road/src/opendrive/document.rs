@@ -21,8 +21,10 @@ pub struct Document {
     pub junctions: Vec<Junction>,
     /// All controllers.
     pub controllers: Vec<Controller>,
-    /// What was not understood.
+    /// What was not understood, mended or left out.
     pub notes: Vec<Note>,
+    /// Whole roads that were left out because nobody could drive on them, and why.
+    pub roads_left_out: Vec<Note>,
 }
 
 /// A cubic polynomial `a + b ds + c ds² + d ds³`, `ds` counted from `s`.
@@ -126,7 +128,7 @@ pub struct RoadType {
 }
 
 /// A piece of the reference line.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Geometry {
     /// Where it begins on the road.
     pub s: f64,

@@ -1,6 +1,6 @@
 //! What can be wrong with an OpenDRIVE file.
 
-use crate::NetworkError;
+use crate::{NetworkError, Note};
 
 /// Why a file was refused. One line, with the place in the file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -13,7 +13,7 @@ pub enum OpenDriveError {
         /// What is wrong.
         what: String,
     },
-    /// Well-formed, but not OpenDRIVE as the standard has it.
+    /// Well-formed, but another kind of file.
     #[error("line {line}: <{element}> {what}")]
     Format {
         /// Line in the file, from 1.
@@ -32,12 +32,18 @@ pub enum OpenDriveError {
         most: usize,
     },
     /// Nothing to drive on.
-    #[error("the file has no lane for driving (of {roads} roads)")]
+    #[error("the file has no lane for driving (of {roads} roads){}", because(.why.as_ref()))]
     NoLanes {
         /// How many roads it has.
         roads: usize,
+        /// Why the first of those that had to be left out was.
+        why: Option<Note>,
     },
     /// The network made of it contradicts itself.
     #[error("the network of the file's lanes is not usable: {0}")]
     Network(#[from] NetworkError),
+}
+
+fn because(why: Option<&Note>) -> String {
+    why.map_or_else(String::new, |note| format!(": {}: {}", note.place, note.text))
 }

@@ -143,25 +143,88 @@ fn lanes_go_on_through_sections_and_short_ones_vanish() {
 fn mistakes_are_told_in_one_line_with_their_place() {
     let lanes = section(0.0, &[(-1, "driving", 3.5)]);
     let bad_number = STRAIGHT.replace("hdg='0'", "hdg='north'");
-    let no_shape = STRAIGHT.replace("<line/>", "<wave/>");
-    let spinning = STRAIGHT.replace("<line/>", "<arc curvature='50'/>");
     for (text, words) in [
         (String::new(), "line 1"),
         ("<html><body/></html>".to_owned(), "another kind of file"),
         ("<OpenDRIVE/>".to_owned(), "no lane for driving"),
-        (road("", &lanes), "line 2: <road> 1 has no reference line"),
-        (road(STRAIGHT, ""), "has no <laneSection>"),
-        (road(&bad_number, &lanes), "line 3: <geometry> has hdg=\"north\""),
-        (road(&no_shape, &lanes), "has no line, arc, spiral, poly3 or paramPoly3"),
-        (road(&spinning, &lanes), "curvature 50"),
-        (road(&STRAIGHT.replace("'100'", "'NaN'"), &lanes), "length=\"NaN\""),
-        (road(&STRAIGHT.replace("'100'", "'-5'"), &lanes), "negative length"),
+        (road("", &lanes), "(of 1 roads): line 2: road: 1 has no reference line; the road was left out"),
+        (road(STRAIGHT, ""), "(of 1 roads): line 4: lanes: has no <laneSection>"),
+        (road(&bad_number, &lanes), "1 has no reference line"),
         (road(STRAIGHT, &section(0.0, &[(-1, "sidewalk", 3.5)])), "no lane for driving (of 1 roads)"),
-        (road(STRAIGHT, &lanes.replace("id='0'", "id='-1'")), "two lanes of id -1"),
+        (road(STRAIGHT, &lanes.replace("a='3.5'", "a='9e6'")), "laneSection: of road 1 has a lane"),
         (CROSSROADS[..CROSSROADS.len() / 2].to_owned(), "the file ends inside <"),
     ] {
         let error = opendrive::read(&text).unwrap_err().to_string();
         assert!(error.contains(words) && !error.contains('\n'), "{words:?} is not in {error:?}");
+    }
+}
+
+/// Every joint of the crossroads, and how long its lanes are.
+fn extent(map: &RoadMap) -> (usize, f64) {
+    let lanes = &map.network.lanes;
+    (lanes.iter().map(|l| l.successors.len()).sum(), lanes.iter().map(|l| l.centerline.length()).sum())
+}
+
+#[test]
+fn an_impossible_curve_is_replaced_by_one_that_leads_where_it_led() {
+    let whole = opendrive::read(CROSSROADS).unwrap();
+    let straight_on = "<paramPoly3 pRange=\"normalized\" aU=\"0\" bU=\"24.0000000000\" cU=\"0.0000000000\" \
+                       dU=\"0.0000000000\" aV=\"0\" bV=\"0\" cV=\"0.0000000000\" dV=\"-0.0000000000\"/>";
+    for (good, bad, words) in [
+        // In the middle of a road: to where its next geometry begins.
+        ("<spiral curvStart=\"0.01\" curvEnd=\"0\"/>", "<spiral curvStart=\"900\" curvEnd=\"0\"/>", "curvature 900"),
+        ("<arc curvature=\"0.02\"/>", "<wave/>", "has no line, arc, spiral, poly3 or paramPoly3"),
+        ("<arc curvature=\"0.02\"/>", "<arc curvature=\"round\"/>", "curvature=\"round\""),
+        // A whole connecting road: to where the next road begins.
+        (
+            straight_on,
+            "<paramPoly3 aU=\"0\" bU=\"9e6\" cU=\"0\" dU=\"0\" aV=\"0\" bV=\"0\" cV=\"0\" dV=\"0\"/>",
+            "m long",
+        ),
+    ] {
+        assert!(CROSSROADS.contains(good), "{good}");
+        let map = opendrive::read(&CROSSROADS.replacen(good, bad, 1)).unwrap();
+        check_invariants(&map);
+        let told: Vec<_> = map.notes.iter().filter(|n| n.text.contains(words)).collect();
+        assert!(told.len() == 1 && told[0].place.starts_with("line "), "{words}: {:?}", map.notes);
+        assert!(told[0].text.ends_with("a curve that can be driven takes its place"), "{}", told[0].text);
+        let ((joints, metres), (joints_whole, metres_whole)) = (extent(&map), extent(&whole));
+        assert!(joints == joints_whole && (metres - metres_whole).abs() < 2.0, "{bad}: {joints} joints, {metres} m");
+    }
+}
+
+#[test]
+fn what_makes_no_sense_is_left_out_and_the_rest_of_the_map_is_read() {
+    let whole = opendrive::read(CROSSROADS).unwrap();
+    let lanes = whole.network.lanes.len();
+    // What is changed, into what, what is told of it, and how many lanes that may cost.
+    for (good, bad, words, cost) in [
+        ("length=\"24.0000000000\"><param", "length=\"-24\"><param", "negative length", 1),
+        ("length=\"24.0000000000\"><param", "length=\"9999999\"><param", "no road of a map is", 1),
+        ("x=\"7.0000000000\" y=\"87.0000000000\"", "x=\"7.0000000000\" y=\"99987\"", "jumps by", 9),
+        ("<elevation ", "<elevation s=\"none\" ", "is no usable number", 0),
+        ("<signal ", "<signal s=\"?\" ", "is no usable number", 0),
+        ("<laneLink from=\"-1\"", "<laneLink from=\"first\"", "which is no lane id", 1),
+    ] {
+        assert!(CROSSROADS.contains(good), "{good}");
+        // Attributes are not given twice: the first one of the element is changed.
+        let at = CROSSROADS.find(good).unwrap();
+        let (before, rest) = CROSSROADS.split_at(at);
+        let (element, after) = rest.split_at(rest.find('>').unwrap());
+        let mut element = element.replacen(good.trim_end_matches("><param"), bad.trim_end_matches("><param"), 1);
+        if let Some(second) = element.rfind(" s=\"").filter(|_| element.matches(" s=\"").count() == 2) {
+            let end = second + 4 + element[second + 4..].find('"').unwrap() + 1;
+            element.replace_range(second..end, "");
+        }
+        let map = opendrive::read(&format!("{before}{element}{after}")).unwrap();
+        check_invariants(&map);
+        assert!(
+            map.notes.iter().any(|n| n.text.contains(words) && n.text.contains("left out")),
+            "{words}: {:?}",
+            map.notes
+        );
+        let left = map.network.lanes.len();
+        assert!(left + cost >= lanes, "{bad}: {left} of {lanes} lanes");
     }
 }
 
@@ -192,7 +255,7 @@ fn monsters_are_refused_or_read_in_good_time() {
     );
     assert!(opendrive::read(&circle).is_ok());
     let error = opendrive::read(&road(STRAIGHT, &widening)).unwrap_err();
-    assert!(matches!(error, OpenDriveError::Format { .. }), "{error}");
+    assert!(matches!(error, OpenDriveError::NoLanes { roads: 1, why: Some(_) }), "{error}");
 }
 
 #[test]

@@ -10,7 +10,7 @@ use glam::DVec2;
 
 /// A place on the plan view.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Pose {
+pub(crate) struct PlanViewPose {
     pub(crate) position: DVec2,
     pub(crate) heading: f64,
 }
@@ -21,7 +21,7 @@ pub(crate) struct Piece {
     /// Where it begins on the road.
     pub(crate) s: f64,
     length: f64,
-    start: Pose,
+    start: PlanViewPose,
     kind: Kind,
 }
 
@@ -55,7 +55,7 @@ impl Piece {
                 Kind::Cubic(Cubic::new(u, v, if normalized { 1.0 } else { length }, true, length))
             }
         };
-        let start = Pose { position: DVec2::new(geometry.x, geometry.y), heading: geometry.heading };
+        let start = PlanViewPose { position: DVec2::new(geometry.x, geometry.y), heading: geometry.heading };
         Self { s: geometry.s, length, start, kind }
     }
 
@@ -65,7 +65,7 @@ impl Piece {
     }
 
     /// The place `ds` metres after the piece's beginning, clamped to it.
-    pub(crate) fn pose(&self, ds: f64) -> Pose {
+    pub(crate) fn pose(&self, ds: f64) -> PlanViewPose {
         let ds = ds.clamp(0.0, self.length);
         let (local, turn) = match &self.kind {
             Kind::Line => (DVec2::new(ds, 0.0), 0.0),
@@ -84,7 +84,7 @@ impl Piece {
         };
         let (sin, cos) = sin_cos(self.start.heading);
         let rotated = DVec2::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y);
-        Pose { position: self.start.position + rotated, heading: self.start.heading + turn }
+        PlanViewPose { position: self.start.position + rotated, heading: self.start.heading + turn }
     }
 }
 

@@ -1,7 +1,7 @@
 //! A road's surface: from (s, t) to the world.
 
 use super::super::document::Road;
-use super::curve::{Piece, Pose};
+use super::curve::{Piece, PlanViewPose};
 use super::profile::{shape_at, value_at};
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
@@ -19,7 +19,7 @@ impl<'a> RoadShape<'a> {
     }
 
     /// The reference line at `s`, clamped to the road.
-    pub(crate) fn pose(&self, s: f64) -> Pose {
+    pub(crate) fn pose(&self, s: f64) -> PlanViewPose {
         let at = self.pieces.partition_point(|piece| piece.s <= s).max(1) - 1;
         self.pieces[at].pose(s - self.pieces[at].s)
     }

@@ -1,6 +1,5 @@
 //! Values of attributes, and complaints about them.
 
-use super::super::OpenDriveError;
 use super::super::document::{Cubic, End, Orientation};
 use super::super::xml::Element;
 use crate::Note;
@@ -12,10 +11,27 @@ pub(in crate::opendrive) const FARTHEST_M: f64 = 2e7;
 #[derive(Debug, Default)]
 pub(super) struct Fields {
     pub(super) notes: Vec<Note>,
+    /// The last geometry of the road at hand was impossible: where it leads follows from the next road.
+    pub(super) loose_end: bool,
 }
 
-pub(super) fn format_error(element: &Element, what: impl Into<String>) -> OpenDriveError {
-    OpenDriveError::Format { line: element.line, element: element.name.clone(), what: what.into() }
+/// Why an element cannot be used.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct ElementError {
+    line: usize,
+    element: String,
+    what: String,
+}
+
+impl ElementError {
+    pub(super) fn new(element: &Element, what: impl Into<String>) -> Self {
+        Self { line: element.line, element: element.name.clone(), what: what.into() }
+    }
+
+    /// For the user, with what was done about it.
+    pub(super) fn note(self, done: &str) -> Note {
+        Note { place: format!("line {}: {}", self.line, self.element), text: format!("{}; {done}", self.what) }
+    }
 }
 
 impl Fields {
@@ -24,14 +40,21 @@ impl Fields {
         self.notes.push(Note { place: format!("line {}: {}{id}", element.line, element.name), text });
     }
 
+    /// What was read; what cannot be used is left out, with a note.
+    pub(super) fn keep<T>(&mut self, read: Result<T, ElementError>) -> Option<T> {
+        read.map_err(|error| self.notes.push(error.note("it was left out"))).ok()
+    }
+
     /// A number that must be there.
-    pub(super) fn number(&self, element: &Element, name: &str) -> Result<f64, OpenDriveError> {
+    pub(super) fn number(&self, element: &Element, name: &str) -> Result<f64, ElementError> {
         let Some(text) = element.attribute(name) else {
-            return Err(format_error(element, format!("lacks the attribute {name}")));
+            return Err(ElementError::new(element, format!("lacks the attribute {name}")));
         };
         match finite(text) {
             Some(value) => Ok(value),
-            None => Err(format_error(element, format!("has {name}=\"{}\", which is no usable number", short(text)))),
+            None => {
+                Err(ElementError::new(element, format!("has {name}=\"{}\", which is no usable number", short(text))))
+            }
         }
     }
 
@@ -49,20 +72,20 @@ impl Fields {
         self.optional(element, name).unwrap_or(default)
     }
 
-    pub(super) fn lane_id(&self, element: &Element, name: &str) -> Result<i32, OpenDriveError> {
+    pub(super) fn lane_id(&self, element: &Element, name: &str) -> Result<i32, ElementError> {
         let text = element.attribute(name).unwrap_or_default();
         match text.trim().parse() {
             Ok(id) => Ok(id),
-            Err(_) => Err(format_error(element, format!("has {name}=\"{}\", which is no lane id", short(text)))),
+            Err(_) => Err(ElementError::new(element, format!("has {name}=\"{}\", which is no lane id", short(text)))),
         }
     }
 
-    pub(super) fn cubic(&self, element: &Element, start: &str) -> Result<Cubic, OpenDriveError> {
+    pub(super) fn cubic(&self, element: &Element, start: &str) -> Result<Cubic, ElementError> {
         let s = self.number(element, start)?;
         Ok(Cubic { s, abcd: self.four(element, ["a", "b", "c", "d"])? })
     }
 
-    pub(super) fn four(&self, element: &Element, names: [&str; 4]) -> Result<[f64; 4], OpenDriveError> {
+    pub(super) fn four(&self, element: &Element, names: [&str; 4]) -> Result<[f64; 4], ElementError> {
         let mut values = [0.0; 4];
         for (value, name) in values.iter_mut().zip(names) {
             *value = self.number(element, name)?;
@@ -71,18 +94,14 @@ impl Fields {
     }
 
     /// All cubics of a name, in order of `s`.
-    pub(super) fn cubics(
-        &self,
-        parent: Option<&Element>,
-        name: &str,
-        start: &str,
-    ) -> Result<Vec<Cubic>, OpenDriveError> {
+    pub(super) fn cubics(&mut self, parent: Option<&Element>, name: &str, start: &str) -> Vec<Cubic> {
         let mut cubics = Vec::new();
         for element in parent.into_iter().flat_map(|parent| parent.all(name)) {
-            cubics.push(self.cubic(element, start)?);
+            let read = self.cubic(element, start);
+            cubics.extend(self.keep(read));
         }
         cubics.sort_by(|a, b| a.s.total_cmp(&b.s));
-        Ok(cubics)
+        cubics
     }
 
     /// A speed in metres a second.

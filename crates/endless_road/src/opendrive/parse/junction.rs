@@ -1,12 +1,11 @@
 //! Junctions and controllers.
 
-use super::super::OpenDriveError;
 use super::super::document::{Connection, Controller, End, Junction, JunctionKind};
 use super::super::xml::Element;
 use super::fields::{Fields, text};
 
 impl Fields {
-    pub(super) fn junction(&mut self, element: &Element) -> Result<Junction, OpenDriveError> {
+    pub(super) fn junction(&mut self, element: &Element) -> Junction {
         let kind = match element.attribute("type") {
             Some("direct") => JunctionKind::Direct,
             Some("virtual") => JunctionKind::Virtual,
@@ -23,7 +22,8 @@ impl Fields {
         for connection in element.all("connection") {
             let mut lane_links = Vec::new();
             for link in connection.all("laneLink") {
-                lane_links.push((self.lane_id(link, "from")?, self.lane_id(link, "to")?));
+                let ends = self.lane_id(link, "from").and_then(|from| Ok((from, self.lane_id(link, "to")?)));
+                lane_links.extend(self.keep(ends));
             }
             let connecting = if kind == JunctionKind::Direct { "linkedRoad" } else { "connectingRoad" };
             junction.connections.push(Connection {
@@ -41,15 +41,15 @@ impl Fields {
             let sequence = self.number_or(controller, "sequence", 0.0).max(0.0) as u32;
             junction.controllers.push((text(controller, "id"), sequence));
         }
-        Ok(junction)
+        junction
     }
 
-    pub(super) fn controller(&mut self, element: &Element) -> Result<Controller, OpenDriveError> {
-        Ok(Controller {
+    pub(super) fn controller(&mut self, element: &Element) -> Controller {
+        Controller {
             id: text(element, "id"),
             name: text(element, "name"),
             sequence: self.optional(element, "sequence").map(|value| value.max(0.0) as u32),
             signals: element.all("control").map(|control| text(control, "signalId")).collect(),
-        })
+        }
     }
 }

@@ -1,27 +1,30 @@
 //! Lane sections.
 
-use super::super::OpenDriveError;
 use super::super::document::{LaneRecord, LaneSection, MarkLine, RoadMark};
 use super::super::xml::Element;
-use super::fields::{Fields, format_error, text};
+use super::fields::{ElementError, Fields, text};
 
 impl Fields {
-    pub(super) fn lane_sections(&mut self, lanes: &Element) -> Result<Vec<LaneSection>, OpenDriveError> {
+    pub(super) fn lane_sections(&mut self, lanes: &Element) -> Result<Vec<LaneSection>, ElementError> {
         let mut sections = Vec::new();
         for element in lanes.all("laneSection") {
-            let mut section = LaneSection { s: self.number(element, "s")?, line: element.line, lanes: Vec::new() };
+            let s = self.number(element, "s");
+            let Some(s) = self.keep(s) else { continue };
+            let mut section = LaneSection { s, line: element.line, lanes: Vec::new() };
             for side in ["left", "center", "right"].iter().filter_map(|side| element.first(side)) {
                 for lane in side.all("lane") {
-                    section.lanes.push(self.lane(lane)?);
+                    let read = self.lane(lane);
+                    section.lanes.extend(self.keep(read));
                 }
             }
             section.lanes.sort_by_key(|lane| -lane.id);
-            for pair in section.lanes.windows(2) {
-                if pair[0].id == pair[1].id {
-                    let what = format!("has two lanes of id {}", pair[0].id);
-                    return Err(format_error(element, what));
+            section.lanes.dedup_by(|later, first| {
+                let twice = later.id == first.id;
+                if twice {
+                    self.note(element, format!("has two lanes of id {}; the second was left out", first.id));
                 }
-            }
+                twice
+            });
             if !section.lanes.iter().any(|lane| lane.id == 0) {
                 self.note(element, "has no centre lane".to_owned());
                 let at = section.lanes.partition_point(|lane| lane.id > 0);
@@ -30,21 +33,21 @@ impl Fields {
             sections.push(section);
         }
         if sections.is_empty() {
-            return Err(format_error(lanes, "has no <laneSection>"));
+            return Err(ElementError::new(lanes, "has no <laneSection>"));
         }
         sections.sort_by(|a, b| a.s.total_cmp(&b.s));
         Ok(sections)
     }
 
-    fn lane(&mut self, element: &Element) -> Result<LaneRecord, OpenDriveError> {
+    fn lane(&mut self, element: &Element) -> Result<LaneRecord, ElementError> {
         let mut lane = LaneRecord {
             id: self.lane_id(element, "id")?,
             line: element.line,
             kind: text(element, "type"),
             level: matches!(element.attribute("level"), Some("true" | "1")),
             reversed: element.attribute("direction") == Some("reversed"),
-            widths: self.cubics(Some(element), "width", "sOffset")?,
-            borders: self.cubics(Some(element), "border", "sOffset")?,
+            widths: self.cubics(Some(element), "width", "sOffset"),
+            borders: self.cubics(Some(element), "border", "sOffset"),
             ..LaneRecord::default()
         };
         if lane.kind == "bidirectional" {
@@ -55,7 +58,8 @@ impl Fields {
         if let Some(link) = element.first("link") {
             for (name, ids) in [("predecessor", &mut lane.predecessors), ("successor", &mut lane.successors)] {
                 for linked in link.all(name) {
-                    ids.push(self.lane_id(linked, "id")?);
+                    let id = self.lane_id(linked, "id");
+                    ids.extend(self.keep(id));
                 }
             }
         }

@@ -4,6 +4,7 @@ mod fields;
 mod junction;
 mod lane;
 mod object;
+mod plan_view;
 mod road;
 
 use super::document::Document;
@@ -13,10 +14,11 @@ pub(super) use fields::FARTHEST_M;
 use fields::Fields;
 
 impl Document {
-    /// Reads a file's text.
+    /// Reads a file's text. An element that makes no sense is mended or left out, with a note: the rest of the map is
+    /// good.
     ///
     /// # Errors
-    /// If it is not well-formed XML, not OpenDRIVE, or lacks what cannot be guessed, with the line.
+    /// If it is not well-formed XML, with the line, or another kind of file.
     pub fn parse(text: &str) -> Result<Self, OpenDriveError> {
         let root = xml::tree(text)?;
         if root.name != "OpenDRIVE" {
@@ -28,17 +30,22 @@ impl Document {
         if let Some(header) = root.first("header") {
             read_header(header, &mut fields, &mut document);
         }
+        let mut loose_ends = Vec::new();
         for element in root.all("road") {
-            let road = fields.road(element)?;
-            document.roads.push(road);
+            fields.loose_end = false;
+            match fields.road(element) {
+                Ok(road) => {
+                    loose_ends.extend(fields.loose_end.then_some(document.roads.len()));
+                    document.roads.push(road);
+                }
+                Err(error) => document.roads_left_out.push(error.note("the road was left out")),
+            }
         }
-        for element in root.all("junction") {
-            let junction = fields.junction(element)?;
-            document.junctions.push(junction);
+        for place in loose_ends {
+            plan_view::tie_loose_end(&mut document.roads, place);
         }
-        for element in root.all("controller") {
-            document.controllers.push(fields.controller(element)?);
-        }
+        document.junctions = root.all("junction").map(|element| fields.junction(element)).collect();
+        document.controllers = root.all("controller").map(|element| fields.controller(element)).collect();
         document.notes = schema::unknown_parts(&root);
         document.notes.extend(fields.notes);
         Ok(document)

@@ -1,46 +1,54 @@
 //! Signals and objects.
 
-use super::super::OpenDriveError;
 use super::super::document::{Corner, Object, Repeat, Road, Signal, SignalReference, Stands};
 use super::super::xml::Element;
-use super::fields::{Fields, orientation, text};
+use super::fields::{ElementError, Fields, orientation, text};
 
 /// An object repeated more often than this along one road is a mistake.
 const MOST_REPEATS: f64 = 2000.0;
 
 impl Fields {
-    pub(super) fn read_signals(&mut self, element: &Element, road: &mut Road) -> Result<(), OpenDriveError> {
-        let Some(signals) = element.first("signals") else { return Ok(()) };
+    pub(super) fn read_signals(&mut self, element: &Element, road: &mut Road) {
+        let Some(signals) = element.first("signals") else { return };
         for signal in signals.all("signal") {
-            road.signals.push(Signal {
-                id: text(signal, "id"),
-                line: signal.line,
-                name: text(signal, "name"),
-                s: self.number(signal, "s")?,
-                t: self.number(signal, "t")?,
-                z_offset: self.number_or(signal, "zOffset", 0.0),
-                h_offset: self.number_or(signal, "hOffset", 0.0),
-                orientation: orientation(signal),
-                dynamic: signal.attribute("dynamic") == Some("yes"),
-                country: text(signal, "country"),
-                kind: text(signal, "type"),
-                subtype: text(signal, "subtype"),
-                value: self.optional(signal, "value"),
-                unit: text(signal, "unit"),
-                text: text(signal, "text"),
-                validity: self.validity(signal)?,
-                stands: self.stands(signal),
-            });
+            let read = self.signal(signal);
+            road.signals.extend(self.keep(read));
         }
         for reference in signals.all("signalReference") {
-            road.signal_references.push(SignalReference {
-                id: text(reference, "id"),
-                s: self.number(reference, "s")?,
-                orientation: orientation(reference),
-                validity: self.validity(reference)?,
-            });
+            let read = self.signal_reference(reference);
+            road.signal_references.extend(self.keep(read));
         }
-        Ok(())
+    }
+
+    fn signal(&mut self, element: &Element) -> Result<Signal, ElementError> {
+        Ok(Signal {
+            id: text(element, "id"),
+            line: element.line,
+            name: text(element, "name"),
+            s: self.number(element, "s")?,
+            t: self.number(element, "t")?,
+            z_offset: self.number_or(element, "zOffset", 0.0),
+            h_offset: self.number_or(element, "hOffset", 0.0),
+            orientation: orientation(element),
+            dynamic: element.attribute("dynamic") == Some("yes"),
+            country: text(element, "country"),
+            kind: text(element, "type"),
+            subtype: text(element, "subtype"),
+            value: self.optional(element, "value"),
+            unit: text(element, "unit"),
+            text: text(element, "text"),
+            validity: self.validity(element)?,
+            stands: self.stands(element),
+        })
+    }
+
+    fn signal_reference(&mut self, element: &Element) -> Result<SignalReference, ElementError> {
+        Ok(SignalReference {
+            id: text(element, "id"),
+            s: self.number(element, "s")?,
+            orientation: orientation(element),
+            validity: self.validity(element)?,
+        })
     }
 
     fn stands(&mut self, signal: &Element) -> Option<Stands> {
@@ -52,7 +60,7 @@ impl Fields {
         Some(Stands::Road(text(place, "roadId"), [self.optional(place, "s")?, self.optional(place, "t")?]))
     }
 
-    fn validity(&mut self, element: &Element) -> Result<Vec<(i32, i32)>, OpenDriveError> {
+    fn validity(&mut self, element: &Element) -> Result<Vec<(i32, i32)>, ElementError> {
         let mut ranges = Vec::new();
         for range in element.all("validity") {
             let (a, b) = (self.lane_id(range, "fromLane")?, self.lane_id(range, "toLane")?);
@@ -61,20 +69,19 @@ impl Fields {
         Ok(ranges)
     }
 
-    pub(super) fn read_objects(&mut self, element: &Element, road: &mut Road) -> Result<(), OpenDriveError> {
-        let Some(objects) = element.first("objects") else { return Ok(()) };
+    pub(super) fn read_objects(&mut self, element: &Element, road: &mut Road) {
+        let Some(objects) = element.first("objects") else { return };
         for object in objects.all("object") {
-            let read = self.object(object)?;
-            road.objects.push(read);
+            let read = self.object(object);
+            road.objects.extend(self.keep(read));
         }
         for bridge in objects.all("bridge") {
-            let s = self.number(bridge, "s")?;
-            road.bridges.push((s, s + self.number(bridge, "length")?.max(0.0)));
+            let range = self.number(bridge, "s").and_then(|s| Ok((s, s + self.number(bridge, "length")?.max(0.0))));
+            road.bridges.extend(self.keep(range));
         }
-        Ok(())
     }
 
-    fn object(&mut self, element: &Element) -> Result<Object, OpenDriveError> {
+    fn object(&mut self, element: &Element) -> Result<Object, ElementError> {
         let mut object = Object {
             id: text(element, "id"),
             line: element.line,
@@ -92,26 +99,12 @@ impl Fields {
         // 1.4 has one outline in the object, later versions several in <outlines>.
         let outlines = element.first("outlines").into_iter().flat_map(|all| all.all("outline"));
         for outline in element.all("outline").chain(outlines) {
-            let mut corners = Vec::new();
-            for corner in &outline.children {
-                match corner.name.as_str() {
-                    "cornerRoad" => corners.push(Corner::Road([
-                        self.number(corner, "s")?,
-                        self.number(corner, "t")?,
-                        self.number_or(corner, "dz", 0.0),
-                    ])),
-                    "cornerLocal" => corners.push(Corner::Local([
-                        self.number(corner, "u")?,
-                        self.number(corner, "v")?,
-                        self.number_or(corner, "z", 0.0),
-                    ])),
-                    _ => {}
-                }
-            }
-            object.outlines.push(corners);
+            let corners = self.corners(outline);
+            object.outlines.extend(self.keep(corners));
         }
         for repeat in element.all("repeat") {
-            let read = self.repeat(repeat, &object)?;
+            let read = self.repeat(repeat, &object);
+            let Some(read) = self.keep(read) else { continue };
             if read.distance > 0.0 && read.length / read.distance > MOST_REPEATS {
                 self.note(repeat, format!("repeats an object more than {MOST_REPEATS} times and was left out"));
             } else {
@@ -121,7 +114,27 @@ impl Fields {
         Ok(object)
     }
 
-    fn repeat(&mut self, element: &Element, object: &Object) -> Result<Repeat, OpenDriveError> {
+    fn corners(&mut self, outline: &Element) -> Result<Vec<Corner>, ElementError> {
+        let mut corners = Vec::new();
+        for corner in &outline.children {
+            match corner.name.as_str() {
+                "cornerRoad" => corners.push(Corner::Road([
+                    self.number(corner, "s")?,
+                    self.number(corner, "t")?,
+                    self.number_or(corner, "dz", 0.0),
+                ])),
+                "cornerLocal" => corners.push(Corner::Local([
+                    self.number(corner, "u")?,
+                    self.number(corner, "v")?,
+                    self.number_or(corner, "z", 0.0),
+                ])),
+                _ => {}
+            }
+        }
+        Ok(corners)
+    }
+
+    fn repeat(&mut self, element: &Element, object: &Object) -> Result<Repeat, ElementError> {
         Ok(Repeat {
             s: self.number(element, "s")?,
             length: self.number(element, "length")?.max(0.0),

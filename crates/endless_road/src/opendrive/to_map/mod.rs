@@ -23,12 +23,14 @@ use sampled::Sampled;
 /// Reads an OpenDRIVE file's text.
 ///
 /// # Errors
-/// If it is not well-formed XML or not OpenDRIVE, lacks what cannot be guessed, is larger than a map can be, or has
-/// no lane for driving. What can be mended is mended, with a note.
+/// If it is not well-formed XML or not OpenDRIVE, is larger than a map can be, or has no lane for driving. What can be
+/// mended is mended, and an impossible road is left out, with a note: the rest of the map is good.
 pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
-    let document = Document::parse(text)?;
-    let sampled = Sampled::new(&document)?;
-    let mut notes = document.notes.clone();
+    let mut document = Document::parse(text)?;
+    let in_file = document.roads.len() + document.roads_left_out.len();
+    let sections = sampled::sample(&mut document)?;
+    let sampled = Sampled::new(&document, sections);
+    let mut notes = [&document.notes[..], &document.roads_left_out].concat();
     let joins = joins::joins(&sampled, &mut notes);
     let mut graph = lanes::Graph::new(&sampled, &joins, &mut notes);
     graph.simplify();
@@ -36,7 +38,7 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     let loops = turnaround::add(&mut graph, document.junctions.len(), &mut notes);
     let (mut lanes, junctions) = graph.finish(&sampled)?;
     if lanes.is_empty() {
-        return Err(OpenDriveError::NoLanes { roads: document.roads.len() });
+        return Err(OpenDriveError::NoLanes { roads: in_file, why: document.roads_left_out.first().cloned() });
     }
     mend::drop_unmet(&mut lanes, &mut notes);
     neighbours::find(&sampled, &graph, &mut lanes);

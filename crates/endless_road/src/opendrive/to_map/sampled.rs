@@ -1,8 +1,10 @@
 //! All roads of a document, sampled once.
 
 use super::super::OpenDriveError;
-use super::super::document::{Document, End, LaneRecord};
+use super::super::document::{Document, End, LaneRecord, Road};
 use super::super::geometry::{LaneShape, RoadShape, SectionShape};
+use crate::Note;
+use glam::DVec3;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
 
@@ -43,56 +45,71 @@ impl LaneKey {
 pub(super) struct Sampled<'a> {
     pub(super) document: &'a Document,
     pub(super) roads: Vec<RoadShape<'a>>,
-    /// By road; `None` for a section without length.
-    pub(super) sections: Vec<Vec<Option<SectionShape>>>,
+    /// By road.
+    pub(super) sections: Vec<Sections>,
     road_places: BTreeMap<&'a str, usize>,
 }
 
+/// The sections of a road; `None` for one without length.
+type Sections = Vec<Option<SectionShape>>;
+
+/// Samples all roads. Those whose lanes no map can hold leave the document, with a note.
+///
+/// # Errors
+/// If there is more than a map can hold.
+pub(super) fn sample(document: &mut Document) -> Result<Vec<Sections>, OpenDriveError> {
+    let metres: f64 = document.roads.iter().map(|road| road.length).sum();
+    if metres > MOST_METRES as f64 {
+        return Err(OpenDriveError::TooMuch { what: "metres of road", most: MOST_METRES });
+    }
+    if document.roads.iter().map(|road| road.sections.len()).sum::<usize>() > MOST_SECTIONS {
+        return Err(OpenDriveError::TooMuch { what: "lane sections", most: MOST_SECTIONS });
+    }
+    let (mut points, mut sections) = (0, Vec::new());
+    let mut stays = Vec::with_capacity(document.roads.len());
+    for road in &document.roads {
+        let sampled = sample_road(road, &mut points)?;
+        stays.push(sampled.is_ok());
+        match sampled {
+            Ok(of_road) => sections.push(of_road),
+            Err(note) => document.roads_left_out.push(note),
+        }
+    }
+    let mut stays = stays.into_iter();
+    document.roads.retain(|_| stays.next().unwrap_or(true));
+    Ok(sections)
+}
+
+/// Samples one road, or says why no map can hold it; counts the points on borders of all roads.
+fn sample_road(road: &Road, points: &mut usize) -> Result<Result<Sections, Note>, OpenDriveError> {
+    let shape = RoadShape::new(road);
+    let mut sections = Vec::new();
+    for (place, section) in road.sections.iter().enumerate() {
+        let from = if place == 0 { 0.0 } else { section.s.max(0.0) };
+        let to = road.sections.get(place + 1).map_or(road.length, |next| next.s).min(road.length);
+        let sampled = (to - from > 1e-3).then(|| SectionShape::new(&shape, section, from, to));
+        *points += sampled.as_ref().map_or(0, |s| s.stations.len() * (s.lanes.len() + 1));
+        if *points > MOST_POINTS {
+            return Err(OpenDriveError::TooMuch { what: "points on lane borders", most: MOST_POINTS });
+        }
+        if let Some(wrong) = sampled.as_ref().and_then(|section| implausible(&shape, section)) {
+            let text = format!("of road {} {wrong}; the road was left out", road.id);
+            return Ok(Err(Note { place: format!("line {}: laneSection", section.line), text }));
+        }
+        sections.push(sampled);
+    }
+    Ok(Ok(sections))
+}
+
 impl<'a> Sampled<'a> {
-    pub(super) fn new(document: &'a Document) -> Result<Self, OpenDriveError> {
-        let metres: f64 = document.roads.iter().map(|road| road.length).sum();
-        if metres > MOST_METRES as f64 {
-            return Err(OpenDriveError::TooMuch { what: "metres of road", most: MOST_METRES });
-        }
-        if document.roads.iter().map(|road| road.sections.len()).sum::<usize>() > MOST_SECTIONS {
-            return Err(OpenDriveError::TooMuch { what: "lane sections", most: MOST_SECTIONS });
-        }
-        let roads: Vec<RoadShape<'a>> = document.roads.iter().map(RoadShape::new).collect();
-        let mut points = 0;
-        let mut sections = Vec::new();
-        for shape in &roads {
-            let mut of_road = Vec::new();
-            for (place, section) in shape.road.sections.iter().enumerate() {
-                let from = if place == 0 { 0.0 } else { section.s.max(0.0) };
-                let to =
-                    shape.road.sections.get(place + 1).map_or(shape.road.length, |next| next.s).min(shape.road.length);
-                let sampled = (to - from > 1e-3).then(|| SectionShape::new(shape, section, from, to));
-                points += sampled.as_ref().map_or(0, |s| s.stations.len() * (s.lanes.len() + 1));
-                if points > MOST_POINTS {
-                    return Err(OpenDriveError::TooMuch { what: "points on lane borders", most: MOST_POINTS });
-                }
-                let lanes = sampled.iter().flat_map(|s| &s.lanes);
-                if lanes
-                    .flat_map(|lane| lane.left.iter().chain(&lane.right))
-                    .any(|p| !p.is_finite() || p.abs().max_element() > FARTHEST_M)
-                {
-                    let (id, km) = (&shape.road.id, FARTHEST_M / 1000.0);
-                    let what = format!("of road {id} reaches further than {km} km");
-                    return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
-                }
-                if let Some(wrong) = sampled.as_ref().and_then(|section| implausible(shape, section)) {
-                    let what = format!("of road {} {wrong}", shape.road.id);
-                    return Err(OpenDriveError::Format { line: section.line, element: "laneSection".to_owned(), what });
-                }
-                of_road.push(sampled);
-            }
-            sections.push(of_road);
-        }
+    /// A document with its roads as they were sampled.
+    pub(super) fn new(document: &'a Document, sections: Vec<Sections>) -> Self {
+        let roads = document.roads.iter().map(RoadShape::new).collect();
         let mut road_places = BTreeMap::new();
         for (place, road) in document.roads.iter().enumerate() {
             road_places.entry(road.id.as_str()).or_insert(place);
         }
-        Ok(Self { document, roads, sections, road_places })
+        Self { document, roads, sections, road_places }
     }
 
     /// The place of the road of this id.
@@ -140,6 +157,10 @@ impl<'a> Sampled<'a> {
 
 /// What no lane of a map does, if one does.
 fn implausible(shape: &RoadShape<'_>, section: &SectionShape) -> Option<String> {
+    let far = |p: &DVec3| !p.is_finite() || p.abs().max_element() > FARTHEST_M;
+    if section.lanes.iter().flat_map(|lane| lane.left.iter().chain(&lane.right)).any(far) {
+        return Some(format!("reaches further than {} km", FARTHEST_M / 1000.0));
+    }
     if let Some(&s) = section.stations.iter().find(|&&s| shape.roll(s).abs() > FRAC_PI_2) {
         return Some(format!("leans by {:.1} radians at s={s:.1}", shape.roll(s)));
     }
