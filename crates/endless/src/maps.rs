@@ -3,7 +3,7 @@
 use crate::args::{ExportFiles, MapsArgs, MapsCommand, Side};
 use crate::file::write;
 use anyhow::Result;
-use endless_interchange::{About, DrivingSide, ImportedMap, MapLibrary};
+use endless_interchange::{About, DrivingSide, ImportOptions, ImportedMap, MapLibrary};
 use std::{io::Write, path::Path, process::ExitCode};
 
 /// Notes on an imported file that are told; the rest are counted.
@@ -67,11 +67,11 @@ fn preview(library: &MapLibrary, map: &str, out: &Path) -> Result<()> {
 }
 
 fn import(library: &MapLibrary, file: &Path, name: Option<&str>, side: Option<Side>, replace: bool) -> Result<()> {
-    let side = side.map(|side| match side {
+    let driving_side = side.map(|side| match side {
         Side::Left => DrivingSide::Left,
         Side::Right => DrivingSide::Right,
     });
-    let ImportedMap { stored, about, notes } = library.import(file, name, side, replace)?;
+    let ImportedMap { stored, about, notes } = library.import(file, &ImportOptions { name, driving_side, replace })?;
     let own = file.file_name().is_some_and(|f| f.to_string_lossy().starts_with(&format!("{}.", stored.name)));
     if name.is_none() && !own {
         eprintln!("note: the map is called {} (give another with --name)", stored.name);

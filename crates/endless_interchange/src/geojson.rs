@@ -5,24 +5,25 @@
 
 use endless_road::{Control, Footprint, Georeference, RoadNetwork, Turn, WalkKind};
 use endless_town::Town;
+use geojson::{Feature, FeatureCollection, Geometry};
 use glam::{DVec2, DVec3, Vec3};
 use serde_json::{Value, json};
 
 /// A town and what its file says beyond it.
-pub(crate) struct Source<'a> {
+pub(crate) struct GeoJsonSource<'a> {
     pub(crate) town: &'a Town,
     pub(crate) footprints: &'a [Footprint],
     pub(crate) georeference: Option<&'a str>,
 }
 
-/// Writes coordinates.
-struct Frame(Option<Georeference>);
+/// From the map's metres to the coordinates that are written.
+struct CoordinateWriter(Option<Georeference>);
 
 fn rounded(x: f64, per_unit: f64) -> f64 {
     (x * per_unit).round() / per_unit
 }
 
-impl Frame {
+impl CoordinateWriter {
     fn flat(&self, p: DVec2) -> [f64; 2] {
         match self.0 {
             Some(frame) => frame.lon_lat(p).map(|degrees| rounded(degrees, 1e8)),
@@ -35,34 +36,33 @@ impl Frame {
         [x, y, rounded(p.z, 1e3)]
     }
 
-    fn line(&self, points: impl IntoIterator<Item = DVec3>) -> Value {
-        let points: Vec<[f64; 3]> = points.into_iter().map(|p| self.point(p)).collect();
-        json!({ "type": "LineString", "coordinates": points })
+    fn line(&self, points: impl IntoIterator<Item = DVec3>) -> Geometry {
+        Geometry::new_line_string(points.into_iter().map(|p| self.point(p)))
     }
 
-    fn polygon(&self, rings: impl IntoIterator<Item = Vec<DVec2>>) -> Value {
+    fn polygon(&self, rings: impl IntoIterator<Item = Vec<DVec2>>) -> Geometry {
         let closed = |ring: Vec<DVec2>| -> Vec<[f64; 2]> {
             let first = ring.first().copied();
             ring.into_iter().chain(first).map(|p| self.flat(p)).collect()
         };
-        let rings: Vec<Vec<[f64; 2]>> = rings.into_iter().map(closed).collect();
-        json!({ "type": "Polygon", "coordinates": rings })
+        Geometry::new_polygon(rings.into_iter().map(closed))
     }
 
-    fn at(&self, p: DVec3) -> Value {
-        json!({ "type": "Point", "coordinates": self.point(p) })
+    fn at(&self, p: DVec3) -> Geometry {
+        Geometry::new_point(self.point(p))
     }
 }
 
-fn feature(geometry: Value, properties: Value) -> Value {
-    let members = [("type", Value::from("Feature")), ("geometry", geometry), ("properties", properties)];
-    members.into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+/// A feature of these properties, an object.
+fn feature(geometry: Geometry, properties: Value) -> Feature {
+    let Value::Object(properties) = properties else { unreachable!("properties are written as objects") };
+    Feature { geometry: Some(geometry), properties: Some(properties), ..Feature::default() }
 }
 
 /// The whole file.
-pub(crate) fn write(source: &Source<'_>) -> String {
+pub(crate) fn write(source: &GeoJsonSource<'_>) -> String {
     let town = source.town;
-    let frame = Frame(source.georeference.and_then(Georeference::parse));
+    let frame = CoordinateWriter(source.georeference.and_then(Georeference::parse));
     let mut features = lanes(&town.network, &frame);
     features.extend(crossings_and_sidewalks(&town.network, &frame));
     features.extend(signals(town, &frame));
@@ -72,13 +72,12 @@ pub(crate) fn write(source: &Source<'_>) -> String {
         Some(_) => "longitude and latitude (WGS 84), degrees; height, metres",
         None => "metres east, north and up in the map's own frame: it does not say where on Earth it lies",
     };
-    let collection = json!({
-        "type": "FeatureCollection", "name": town.name, "coordinates": coordinates, "features": features,
-    });
-    format!("{collection}\n")
+    let members = [("name", town.name.as_str()), ("coordinates", coordinates)];
+    let foreign_members = Some(members.map(|(key, text)| (key.to_owned(), Value::from(text))).into_iter().collect());
+    format!("{}\n", FeatureCollection { bbox: None, features, foreign_members })
 }
 
-fn lanes(network: &RoadNetwork, frame: &Frame) -> Vec<Value> {
+fn lanes(network: &RoadNetwork, frame: &CoordinateWriter) -> Vec<Feature> {
     let lanes = network.lanes.iter().map(|lane| {
         let turn = match lane.turn {
             Turn::Straight => "straight",
@@ -106,7 +105,7 @@ fn lanes(network: &RoadNetwork, frame: &Frame) -> Vec<Value> {
     lanes.collect()
 }
 
-fn crossings_and_sidewalks(network: &RoadNetwork, frame: &Frame) -> Vec<Value> {
+fn crossings_and_sidewalks(network: &RoadNetwork, frame: &CoordinateWriter) -> Vec<Feature> {
     let crossings = network.crossings.iter().enumerate().map(|(id, crossing)| {
         let signal = crossing.signal.map(|s| s.0);
         let properties =
@@ -127,7 +126,7 @@ fn bearing(direction: Vec3) -> f64 {
     rounded(angle.to_degrees().rem_euclid(360.0), 100.0)
 }
 
-fn signals(town: &Town, frame: &Frame) -> Vec<Value> {
+fn signals(town: &Town, frame: &CoordinateWriter) -> Vec<Feature> {
     let heads = town.placements.iter().filter_map(|p| Some((p.signal?, p.world_from_object)));
     let heads = heads.map(|(signal, place)| {
         let faces = bearing(place.transform_vector3(Vec3::X));
@@ -137,7 +136,7 @@ fn signals(town: &Town, frame: &Frame) -> Vec<Value> {
     heads.collect()
 }
 
-fn building(footprint: &Footprint, frame: &Frame) -> Value {
+fn building(footprint: &Footprint, frame: &CoordinateWriter) -> Feature {
     let rings = std::iter::once(footprint.outline.clone()).chain(footprint.holes.iter().cloned());
     let properties = json!({
         "kind": "building", "building": footprint.kind, "height_m": footprint.height_m, "levels": footprint.levels,
@@ -145,7 +144,7 @@ fn building(footprint: &Footprint, frame: &Frame) -> Value {
     feature(frame.polygon(rings), properties)
 }
 
-fn cameras(town: &Town, frame: &Frame) -> Vec<Value> {
+fn cameras(town: &Town, frame: &CoordinateWriter) -> Vec<Feature> {
     let cameras = town.cameras.iter().map(|site| {
         let [x, y, z] = site.position.map(f64::from);
         let (sin, cos) = endless_world::math::sin_cos(site.yaw_rad);
@@ -170,7 +169,7 @@ mod tests {
         let outline = vec![DVec2::new(10.0, 10.0), DVec2::new(20.0, 10.0), DVec2::new(20.0, 25.0)];
         let (height_m, kind) = (Some(7.5), "house".to_owned());
         let footprints = [Footprint { outline, holes: vec![], height_m, levels: None, kind, color: None }];
-        let text = write(&Source { town: &town, footprints: &footprints, georeference });
+        let text = write(&GeoJsonSource { town: &town, footprints: &footprints, georeference });
         let value = serde_json::from_str(&text).expect("JSON");
         (town, value)
     }

@@ -2,6 +2,7 @@
 //! binary glTF and pictures written. Nothing here simulates.
 
 mod asset;
+mod content_hash;
 mod geojson;
 mod gltf;
 mod library;
@@ -9,4 +10,4 @@ mod map;
 
 pub use asset::{AssetError, AssetFolder, AssetFolderError, AssetKind, asset_gltf, asset_preview, list_assets};
 pub use library::{ImportedMap, MapLibrary};
-pub use map::{About, DrivingSide, MapError, MapFormat, MapStore, StoredMap};
+pub use map::{About, DrivingSide, ImportOptions, MapError, MapFormat, MapStore, StoredMap};

@@ -1,7 +1,7 @@
 //! Built-in and imported towns by name, and what can be written of them.
 
 use crate::asset::{AssetFolder, stand_in};
-use crate::map::{self, About, DrivingSide, MapError, MapStore, StoredMap};
+use crate::map::{self, About, ImportOptions, MapError, MapStore, StoredMap};
 use crate::{geojson, gltf};
 use endless_asset::Catalogue;
 use endless_road::{RoadMap, opendrive};
@@ -61,7 +61,7 @@ impl MapLibrary {
         self.catalogue.get_or_init(|| Catalogue::builtin().with(imported()))
     }
 
-    /// Hashes of the files of imported models, by their names.
+    /// BLAKE3 of each file of imported models, by its name.
     pub fn asset_files(&self) -> BTreeMap<String, String> {
         self.folder.as_ref().map_or_else(BTreeMap::new, |folder| folder.files.clone())
     }
@@ -76,12 +76,12 @@ impl MapLibrary {
         self.store.as_ref().map_or_else(Vec::new, MapStore::names)
     }
 
-    /// Hash of an imported map's file; `None` for built-in towns.
+    /// [`StoredMap::content_hash`] of an imported map; `None` for built-in towns.
     ///
     /// # Errors
     /// When its manifest cannot be read.
     pub fn content_hash(&self, name: &str) -> Result<Option<String>, MapError> {
-        Ok(self.stored(name)?.map(|(_, stored)| stored.hash))
+        Ok(self.stored(name)?.map(|(_, stored)| stored.content_hash()))
     }
 
     /// A whole town, built in or imported.
@@ -111,20 +111,14 @@ impl MapLibrary {
         Ok(store.find(name)?.map(|stored| (store, stored)))
     }
 
-    /// Imports a map file: `None` for `name` takes the file's own.
+    /// Imports a map file.
     ///
     /// # Errors
     /// When it is no map, cannot be filmed, or its name is taken.
-    pub fn import(
-        &self,
-        file: &Path,
-        name: Option<&str>,
-        side: Option<DrivingSide>,
-        replace: bool,
-    ) -> Result<ImportedMap, MapError> {
+    pub fn import(&self, file: &Path, options: &ImportOptions<'_>) -> Result<ImportedMap, MapError> {
         let store = self.store.as_ref().ok_or(MapError::NoFolder)?;
         let mut found = None;
-        let stored = store.import(file, name, side, replace, |name, map| {
+        let stored = store.import(file, options, |name, map| {
             let town = dress_map(name, map, self.catalogue())?;
             if town.cameras.len() < 2 {
                 return Err(MapError::FewCameras { name: name.to_owned(), cameras: town.cameras.len() });
@@ -155,7 +149,7 @@ impl MapLibrary {
     /// When there is no such map, it cannot be read, or it is too large.
     pub fn gltf(&self, name: &str) -> Result<Vec<u8>, MapError> {
         let too_large = |_: gltf::TooLarge| MapError::TooLarge { name: name.to_owned() };
-        gltf::write(&self.town(name)?, self.catalogue()).map_err(too_large)
+        gltf::write_town(&self.town(name)?, self.catalogue()).map_err(too_large)
     }
 
     /// What is known of a map as GeoJSON.
@@ -166,7 +160,7 @@ impl MapLibrary {
         let map = self.road_map(name)?.unwrap_or_default();
         let town = self.town(name)?;
         let georeference = map.georeference.as_deref();
-        Ok(geojson::write(&geojson::Source { town: &town, footprints: &map.footprints, georeference }))
+        Ok(geojson::write(&geojson::GeoJsonSource { town: &town, footprints: &map.footprints, georeference }))
     }
 
     /// A picture of a map: from above, and what each camera sees.

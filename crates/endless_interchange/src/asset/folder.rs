@@ -1,7 +1,7 @@
 //! A folder of models: `assets.toml` and the `.glb` files that it names.
 
+use crate::content_hash::content_hash;
 use endless_asset::{AssetEntry, AssetManifest, ImportError, ImportedAsset};
-use endless_world::fnv1a;
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,7 +18,7 @@ const MOST_MANIFEST_BYTES: u64 = 4 << 20;
 #[derive(Debug, Clone)]
 pub struct AssetFolder {
     pub(crate) assets: Vec<ImportedAsset>,
-    /// Hash of the manifest and of each file that was read, by its name.
+    /// BLAKE3 of the manifest and of each file that was read, by its name.
     pub files: BTreeMap<String, String>,
     /// What was skipped, and why.
     pub skipped: Vec<String>,
@@ -73,10 +73,6 @@ fn read(path: &Path, most: u64) -> Result<Vec<u8>, AssetFolderError> {
     Ok(bytes)
 }
 
-fn hash(bytes: &[u8]) -> String {
-    format!("{:016x}", fnv1a(bytes.iter().copied()))
-}
-
 impl AssetFolder {
     /// Reads a folder; with `skip_broken`, what cannot be used is left out and told in [`Self::skipped`].
     ///
@@ -94,7 +90,7 @@ impl AssetFolder {
             return Err(AssetFolderError::Nothing { path });
         }
         let mut found = Self { assets: vec![], files: BTreeMap::new(), skipped: vec![] };
-        found.files.insert(MANIFEST.to_owned(), hash(&bytes));
+        found.files.insert(MANIFEST.to_owned(), content_hash(&bytes));
         let mut names = Vec::new();
         for entry in &manifest.assets {
             let name = entry.asset_name();
@@ -120,12 +116,12 @@ impl AssetFolder {
         let beside = |name: &str| {
             let inside = Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
             let bytes = inside.then(|| read(&folder.join(name), MOST_BYTES).ok()).flatten()?;
-            pictures.borrow_mut().insert(name.to_owned(), hash(&bytes));
+            pictures.borrow_mut().insert(name.to_owned(), content_hash(&bytes));
             Some(bytes)
         };
         self.assets.push(entry.import(&bytes, &beside).map_err(broken)?);
         self.files.append(&mut pictures.into_inner());
-        self.files.insert(entry.file.clone(), hash(&bytes));
+        self.files.insert(entry.file.clone(), content_hash(&bytes));
         Ok(())
     }
 }

@@ -5,27 +5,28 @@
 //! it the texture coordinates: there are no images.
 //! Cameras are cameras.
 
-mod binary;
+mod buffer;
+mod document;
 mod material;
-mod scene;
+mod town;
+mod vehicle;
 
-pub(crate) use binary::TooLarge;
+pub(crate) use document::TooLarge;
 
 use crate::asset::CatalogueItem;
+use document::GltfDocument;
 use endless_asset::Catalogue;
 use endless_town::Town;
-use scene::Scene;
 
 /// A whole town.
 ///
 /// # Errors
 /// [`TooLarge`] if it would have more than 4 GiB.
-pub(crate) fn write(town: &Town, catalogue: &Catalogue) -> Result<Vec<u8>, TooLarge> {
-    let mut scene = Scene::new(catalogue);
-    let groups = [scene.ground_and_buildings(town), scene.furniture(town), scene.parked(town)];
-    let (seen_from, cameras) = scene.cameras(town);
-    let roots: Vec<usize> = groups.into_iter().flatten().chain(seen_from).collect();
-    scene.document(&town.name, &roots, &cameras)
+pub(crate) fn write_town(town: &Town, catalogue: &Catalogue) -> Result<Vec<u8>, TooLarge> {
+    let mut document = GltfDocument::new(catalogue);
+    let groups = [document.ground_and_buildings(town), document.furniture(town), document.parked(town)];
+    let cameras = document.cameras(town);
+    document.finish(&town.name, groups.into_iter().flatten().chain(cameras).collect())
 }
 
 /// One item of the catalogue, standing at the origin.
@@ -38,15 +39,15 @@ pub(crate) fn write_item(
     variant: u64,
     catalogue: &Catalogue,
 ) -> Result<Vec<u8>, TooLarge> {
-    let mut scene = Scene::new(catalogue);
+    let mut document = GltfDocument::new(catalogue);
     let root = match item {
-        CatalogueItem::Vehicle(vehicle) => scene.single_vehicle(vehicle, variant),
-        CatalogueItem::Person(person) => scene.single(name, &person.rest),
-        CatalogueItem::Building(mesh) => scene.single(name, mesh),
-        CatalogueItem::Imported(thing) => scene.single(name, &thing.mesh),
-        CatalogueItem::Prop(prop, variant) => scene.single(name, &catalogue.prop(*prop, *variant)),
+        CatalogueItem::Vehicle(vehicle) => document.single_vehicle(vehicle, variant),
+        CatalogueItem::Person(person) => document.single(name, &person.rest),
+        CatalogueItem::Building(mesh) => document.single(name, mesh),
+        CatalogueItem::Imported(thing) => document.single(name, &thing.mesh),
+        CatalogueItem::Prop(prop, variant) => document.single(name, &catalogue.prop(*prop, *variant)),
     };
-    scene.document(name, root.as_slice(), &[])
+    document.finish(name, root.into_iter().collect())
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! What was written is opened by another reader and compared with the town.
 
-use super::{write, write_item};
+use super::{write_item, write_town};
 use crate::asset::CatalogueItem;
 use endless_asset::{Catalogue, Prop};
 use endless_scene::Surface;
@@ -15,7 +15,7 @@ fn z_up(v: Vec3) -> Vec3 {
 fn opened() -> (Town, Catalogue, gltf::Gltf) {
     let catalogue = Catalogue::builtin();
     let town = load("Town02", &catalogue).expect("a town");
-    let bytes = write(&town, &catalogue).expect("not too large");
+    let bytes = write_town(&town, &catalogue).expect("not too large");
     // Reading validates the document too.
     let file = gltf::Gltf::from_slice(&bytes).expect("valid glTF");
     (town, catalogue, file)

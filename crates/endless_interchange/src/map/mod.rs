@@ -9,4 +9,4 @@ mod store;
 pub use about::About;
 pub use error::MapError;
 pub(crate) use preview::preview;
-pub use store::{DrivingSide, MapFormat, MapStore, StoredMap};
+pub use store::{DrivingSide, ImportOptions, MapFormat, MapStore, StoredMap};

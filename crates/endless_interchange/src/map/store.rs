@@ -1,9 +1,10 @@
 //! The folder of imported maps: for each a copy of its file, and a manifest beside it.
 
 use super::MapError;
-use endless_dataset::AtomicFile;
+use crate::content_hash::content_hash;
+use endless_dataset::write_atomic;
 use endless_road::{RoadMap, opendrive, osm};
-use endless_world::fnv1a;
+use etcetera::BaseStrategy;
 use serde::{Deserialize, Serialize};
 use std::{
     env, fs,
@@ -46,8 +47,31 @@ pub struct StoredMap {
     pub driving_side: Option<DrivingSide>,
     /// Name of the file that was imported.
     pub source: String,
-    /// Hash of the file's content and of how it is read: FNV-1a, 64 bits, hexadecimal.
-    pub hash: String,
+    /// BLAKE3 of the file, hexadecimal.
+    pub blake3: String,
+}
+
+impl StoredMap {
+    /// What a dataset's recipe says of the map: its file's hash, and the side of traffic where the user said it. The
+    /// same text means the same town.
+    pub fn content_hash(&self) -> String {
+        match self.driving_side {
+            None => self.blake3.clone(),
+            Some(DrivingSide::Left) => format!("{}+left", self.blake3),
+            Some(DrivingSide::Right) => format!("{}+right", self.blake3),
+        }
+    }
+}
+
+/// How a file is imported.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct ImportOptions<'a> {
+    /// Name of the map; by default the file's, without its endings.
+    pub name: Option<&'a str>,
+    /// On which side traffic keeps; by default as the file or its place says.
+    pub driving_side: Option<DrivingSide>,
+    /// Replace an imported map of the same name.
+    pub replace: bool,
 }
 
 /// A folder of imported maps.
@@ -97,23 +121,15 @@ fn read(path: &Path) -> Result<Vec<u8>, MapError> {
     fs::read(path).map_err(|cause| MapError::Unreadable { path: path.to_owned(), cause })
 }
 
-/// FNV-1a over how a file is read and what it holds.
-fn hash(bytes: &[u8], format: MapFormat, side: Option<DrivingSide>) -> String {
-    let how = [format as u8, side.map_or(0, |s| 1 + s as u8)];
-    format!("{:016x}", fnv1a(how.iter().chain(bytes).copied()))
-}
-
 impl MapStore {
     /// The user's own: `$ENDLESS_MAPS`, or `endless/maps` where the platform keeps data.
     ///
     /// # Errors
-    /// When neither is set.
+    /// When the platform names no such place, either.
     pub fn user() -> Result<Self, MapError> {
-        let set = |name: &str| env::var_os(name).filter(|v| !v.is_empty()).map(PathBuf::from);
-        let data =
-            || set("XDG_DATA_HOME").or_else(|| Some(set("HOME")?.join(".local/share"))).or_else(|| set("APPDATA"));
-        let folder = set("ENDLESS_MAPS").or_else(|| Some(data()?.join("endless/maps")));
-        folder.map(Self::at).ok_or(MapError::NoFolder)
+        let told = env::var_os("ENDLESS_MAPS").filter(|folder| !folder.is_empty()).map(PathBuf::from);
+        let platform = || Some(etcetera::choose_base_strategy().ok()?.data_dir().join("endless/maps"));
+        told.or_else(platform).map(Self::at).ok_or(MapError::NoFolder)
     }
 
     /// In a folder, which need not exist.
@@ -169,7 +185,7 @@ impl MapStore {
             path: self.manifest(&map.name),
             reason: format!("its file {} cannot be read: {cause}", path.display()),
         })?;
-        if hash(&bytes, map.format, map.driving_side) != map.hash {
+        if content_hash(&bytes) != map.blake3 {
             let reason = "its file was changed after it was imported".to_owned();
             return Err(MapError::Damaged { path: self.manifest(&map.name), reason });
         }
@@ -184,11 +200,10 @@ impl MapStore {
     pub fn import(
         &self,
         file: &Path,
-        name: Option<&str>,
-        side: Option<DrivingSide>,
-        replace: bool,
+        options: &ImportOptions<'_>,
         judge: impl FnOnce(&str, &RoadMap) -> Result<(), MapError>,
     ) -> Result<StoredMap, MapError> {
+        let ImportOptions { name, driving_side, replace } = *options;
         let bytes = read(file)?;
         let format = format_of(&bytes, file)?;
         let source = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -199,24 +214,17 @@ impl MapStore {
         if is_built_in(&name) {
             return Err(MapError::Taken { name, imported: false });
         }
-        let hash = hash(&bytes, format, side);
-        if !replace && self.find(&name)?.is_some_and(|there| there.hash != hash) {
-            return Err(MapError::Taken { name, imported: true });
+        let map = StoredMap { blake3: content_hash(&bytes), name, format, driving_side, source };
+        if !replace && self.find(&map.name)?.is_some_and(|there| there.content_hash() != map.content_hash()) {
+            return Err(MapError::Taken { name: map.name, imported: true });
         }
-        judge(&name, &parse(&bytes, format, side, file)?)?;
-        let map = StoredMap { name, format, driving_side: side, source, hash };
+        judge(&map.name, &parse(&bytes, format, driving_side, file)?)?;
         fs::create_dir_all(&self.folder).map_err(|cause| MapError::Folder { path: self.folder.clone(), cause })?;
-        write(&self.source(&map), &bytes)?;
+        write_atomic(&self.source(&map), &bytes)?;
         let text = toml::to_string(&map).expect("a manifest is plain data");
-        write(&self.manifest(&map.name), text.as_bytes())?;
+        write_atomic(&self.manifest(&map.name), text.as_bytes())?;
         Ok(map)
     }
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<(), MapError> {
-    let mut file = AtomicFile::create(path)?;
-    file.write(bytes)?;
-    Ok(file.finish()?)
 }
 
 /// The name of a map of which none is given: the file's without its endings, other characters replaced. A built-in
@@ -255,18 +263,20 @@ mod tests {
         let file = folder.path().join("my road.v2.xodr");
         fs::write(&file, FILE).expect("written");
         assert_eq!(store.names(), Vec::<String>::new());
-        let map = store.import(&file, None, None, false, |_, _| Ok(())).expect("a map");
+        let map = store.import(&file, &ImportOptions::default(), |_, _| Ok(())).expect("a map");
         assert_eq!((map.name.as_str(), map.source.as_str()), ("my_road", "my road.v2.xodr"));
         assert_eq!(store.names(), ["my_road"]);
         assert_eq!(store.find("my_road").expect("readable"), Some(map.clone()));
         assert_eq!(store.read(&map).expect("a map").network.lanes.len(), 1);
         // The same again is no change; another content under the same name is one.
-        assert_eq!(store.import(&file, None, None, false, |_, _| Ok(())).expect("the same"), map);
+        assert_eq!(store.import(&file, &ImportOptions::default(), |_, _| Ok(())).expect("the same"), map);
         fs::write(&file, FILE.replace("200", "300")).expect("written");
-        let taken = store.import(&file, None, None, false, |_, _| Ok(())).expect_err("taken");
+        let taken = store.import(&file, &ImportOptions::default(), |_, _| Ok(())).expect_err("taken");
         assert!(taken.to_string().contains("--replace"), "{taken}");
-        let other = store.import(&file, None, None, true, |_, _| Ok(())).expect("replaced");
-        assert_ne!(other.hash, map.hash);
+        let other = store
+            .import(&file, &ImportOptions { replace: true, ..ImportOptions::default() }, |_, _| Ok(()))
+            .expect("replaced");
+        assert_ne!(other.content_hash(), map.content_hash());
         // The manifest of the old content does not fit the new.
         assert!(matches!(store.read(&map), Err(MapError::Damaged { .. })));
     }
@@ -277,10 +287,12 @@ mod tests {
         let store = MapStore::at(folder.path().join("maps"));
         let file = folder.path().join("Town04.xodr");
         fs::write(&file, FILE).expect("written");
-        let map = store.import(&file, None, None, false, |_, _| Ok(())).expect("another name");
+        let map = store.import(&file, &ImportOptions::default(), |_, _| Ok(())).expect("another name");
         assert_eq!(map.name, "Town04_imported");
         for name in ["Town04", "town04", "Town04_Opt"] {
-            let error = store.import(&file, Some(name), None, false, |_, _| Ok(())).expect_err("taken");
+            let error = store
+                .import(&file, &ImportOptions { name: Some(name), ..ImportOptions::default() }, |_, _| Ok(()))
+                .expect_err("taken");
             assert!(matches!(error, MapError::Taken { imported: false, .. }), "{error}");
         }
         // A manifest that got there otherwise does not hide the town.
@@ -294,7 +306,7 @@ mod tests {
         let store = MapStore::at(folder.path().join("maps"));
         let file = folder.path().join("a.xodr");
         fs::write(&file, FILE).expect("written");
-        let map = store.import(&file, None, None, false, |_, _| Ok(())).expect("a map");
+        let map = store.import(&file, &ImportOptions::default(), |_, _| Ok(())).expect("a map");
         fs::remove_file(store.source(&map)).expect("removed");
         assert_eq!(store.find("a").expect("its manifest is there"), Some(map.clone()));
         let error = store.read(&map).expect_err("its file is gone").to_string();
@@ -318,10 +330,14 @@ mod tests {
             (folder.path().join("absent.osm"), None, "cannot read"),
         ];
         for (path, name, said) in cases {
-            let error = store.import(&path, name, None, false, |_, _| Ok(())).expect_err("refused").to_string();
+            let error = store
+                .import(&path, &ImportOptions { name, ..ImportOptions::default() }, |_, _| Ok(()))
+                .expect_err("refused")
+                .to_string();
             assert!(error.contains(said) && !error.contains('\n'), "{error}");
         }
-        let left = store.import(&write("c.xodr", FILE), None, Some(DrivingSide::Left), false, |_, _| Ok(()));
+        let left = ImportOptions { driving_side: Some(DrivingSide::Left), ..ImportOptions::default() };
+        let left = store.import(&write("c.xodr", FILE), &left, |_, _| Ok(()));
         assert!(left.expect_err("right-hand").to_string().contains("right"));
         assert_eq!(store.names(), Vec::<String>::new());
     }
