@@ -3,9 +3,19 @@
 use crate::args::{BenchArgs, threads};
 use crate::build_info::this_build;
 use anyhow::{Context, Result};
+use endless_dataset::DatasetLayout;
 use endless_pipeline::{GenerateOptions, Generated, RecipeDraft, Silent, Simulator, generate};
 use endless_world::{TimeOfDay, Weather};
-use std::{fs, io::Write, process::ExitCode, time::Duration};
+use std::{
+    fs::{self, File},
+    io::Write,
+    path::Path,
+    process::ExitCode,
+    time::Duration,
+};
+
+/// What the names of the bench's datasets begin with; the number of its process follows.
+const FOLDER: &str = ".endless-bench-";
 
 pub(crate) fn run<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
     if args.conditions {
@@ -36,7 +46,9 @@ fn draft(args: &BenchArgs) -> RecipeDraft {
 /// Makes a dataset, and leaves nothing of it.
 fn film<S: Simulator>(simulator: &S, args: &BenchArgs, draft: RecipeDraft) -> Result<Generated> {
     let recipe = draft.resolve(simulator)?;
-    let out = std::env::current_dir()?.join(format!(".endless-bench-{}", std::process::id()));
+    let folder = std::env::current_dir()?;
+    remove_leftovers(&folder)?;
+    let out = folder.join(format!("{FOLDER}{}", std::process::id()));
     let options = GenerateOptions {
         build: this_build(),
         allow_other_build: false,
@@ -48,6 +60,22 @@ fn film<S: Simulator>(simulator: &S, args: &BenchArgs, draft: RecipeDraft) -> Re
         fs::remove_dir_all(&out).context("cannot remove the bench's files")?;
     }
     Ok(made?)
+}
+
+/// Removes what benches that were killed left behind: datasets that nobody writes any more.
+fn remove_leftovers(folder: &Path) -> Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        if !entry.file_name().to_string_lossy().starts_with(FOLDER) {
+            continue;
+        }
+        // One without a lock is just being removed, or never was begun.
+        let lock = File::open(DatasetLayout::new(entry.path()).lock());
+        if lock.is_ok_and(|lock| lock.try_lock().is_ok()) {
+            fs::remove_dir_all(entry.path()).context("cannot remove the files of a bench that was killed")?;
+        }
+    }
+    Ok(())
 }
 
 /// A line for each condition, and the rate of all together.
@@ -133,4 +161,26 @@ fn peak_memory_mb() -> Option<f64> {
     let status = fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|l| l.strip_prefix("VmHWM:"))?;
     line.split_whitespace().next()?.parse::<f64>().ok().map(|kb| kb / 1024.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_killed_benches_left_goes_and_what_is_being_written_stays() {
+        let folder = tempfile::tempdir().expect("temp");
+        let bench = |name: &str| {
+            let out = folder.path().join(name);
+            fs::create_dir(&out).expect("writable");
+            fs::write(out.join("dataset.json"), "{}").expect("writable");
+            (File::create(out.join(".lock")).expect("writable"), out)
+        };
+        let ((killed_lock, killed), (lock, running), (_, dear)) =
+            (bench(".endless-bench-1"), bench(".endless-bench-2"), bench("thesis"));
+        drop(killed_lock);
+        lock.try_lock().expect("free");
+        remove_leftovers(folder.path()).expect("removable");
+        assert!(!killed.exists() && running.exists() && dear.exists());
+    }
 }

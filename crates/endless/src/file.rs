@@ -8,6 +8,6 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     if let Some(folder) = path.parent().filter(|p| !p.as_os_str().is_empty()) {
         fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
     }
-    endless_dataset::write_atomic(path, bytes)?;
+    endless_dataset::write_durable(path, bytes)?;
     Ok(())
 }

@@ -1,6 +1,7 @@
-//! Write to a temporary name, then rename: what bears its final name is whole.
+//! Write to a temporary name, then rename: what bears its final name is whole, whenever the process is killed. What must
+//! outlive a power failure, too, is made durable: see [`crate::sync_tree`].
 
-use crate::DatasetError;
+use crate::{DatasetError, durable::sync_folder};
 use std::{
     fs::{self, File},
     io::{BufWriter, Write},
@@ -44,9 +45,29 @@ impl AtomicFile {
     /// # Errors
     /// When the disk refuses.
     pub fn finish(mut self) -> Result<(), DatasetError> {
+        drop(self.flushed()?);
+        self.rename()
+    }
+
+    /// Gives the file its name once its bytes are on the disk, and waits until its name is, too.
+    ///
+    /// # Errors
+    /// When the disk refuses.
+    pub fn finish_durable(mut self) -> Result<(), DatasetError> {
+        let file = self.flushed()?;
+        file.sync_all().map_err(|e| DatasetError::io("cannot write", &self.final_path, e))?;
+        drop(file);
+        self.rename()?;
+        sync_folder(self.final_path.parent().unwrap_or(Path::new(".")))
+    }
+
+    fn flushed(&mut self) -> Result<File, DatasetError> {
         let writer = self.writer.take().expect("open until finished");
+        writer.into_inner().map_err(|e| DatasetError::io("cannot write", &self.final_path, e.into_error()))
+    }
+
+    fn rename(&self) -> Result<(), DatasetError> {
         let failed = |e| DatasetError::io("cannot write", &self.final_path, e);
-        drop(writer.into_inner().map_err(|e| failed(e.into_error()))?);
         fs::rename(&self.temporary, &self.final_path).map_err(failed)
     }
 }
@@ -70,6 +91,16 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), DatasetError> {
     let mut file = AtomicFile::create(path)?;
     file.write(bytes)?;
     file.finish()
+}
+
+/// Writes a whole file, which is there after a power failure, too.
+///
+/// # Errors
+/// When the disk refuses; nothing is left behind then.
+pub fn write_durable(path: &Path, bytes: &[u8]) -> Result<(), DatasetError> {
+    let mut file = AtomicFile::create(path)?;
+    file.write(bytes)?;
+    file.finish_durable()
 }
 
 /// Removes what a killed run left half-written, in this folder and all below it.
@@ -122,6 +153,8 @@ mod tests {
         assert_eq!(list(folder.path()).expect("readable"), Vec::<PathBuf>::new());
         write_atomic(&path, b"whole").expect("writable");
         assert_eq!(fs::read(&path).expect("there"), b"whole");
+        write_durable(&path, b"anew").expect("writable");
+        assert_eq!(fs::read(&path).expect("there"), b"anew");
         assert_eq!(list(folder.path()).expect("readable"), [path]);
     }
 

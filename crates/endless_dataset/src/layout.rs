@@ -1,6 +1,10 @@
 //! Where everything lies: the tree of the contract.
 
-use crate::{DatasetError, Layer, Recipe, atomic::list};
+use crate::{
+    DatasetError, Layer, Recipe,
+    atomic::list,
+    durable::{sync_folder, sync_tree},
+};
 use endless_world::SceneSettings;
 use std::{
     fs,
@@ -92,6 +96,15 @@ impl VideoLayout {
     /// When a folder or a file cannot be read.
     pub fn bytes(&self) -> Result<u64, DatasetError> {
         bytes_below(&self.folder)
+    }
+
+    /// Waits until everything that was written of it is on the disk.
+    ///
+    /// # Errors
+    /// When the disk refuses.
+    pub fn sync(&self) -> Result<(), DatasetError> {
+        sync_tree(&self.folder)?;
+        self.folder.parent().map_or(Ok(()), sync_folder)
     }
 
     /// Name of a camera's folder: `camera_a` for camera 0, `camera_h` for the last that there can be.

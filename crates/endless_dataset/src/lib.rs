@@ -1,12 +1,14 @@
 //! What lies on disk: layout, encodings, writers, readers, video and validation.
 //!
-//! Every writer goes to a temporary name and renames: what bears its final name is whole. Every writer has a reader,
+//! Every writer goes to a temporary name and renames: what bears its final name is whole. What says that a video is
+//! complete is written when all of its files are on the disk. Every writer has a reader,
 //! and [`check`] reopens a whole dataset with them.
 
 mod atomic;
 mod build_identity;
 mod camera_record;
 mod check;
+mod durable;
 mod encoding;
 mod error;
 mod labels;
@@ -23,10 +25,11 @@ mod scene_record;
 mod video;
 mod words;
 
-pub use atomic::{AtomicFile, remove_temporaries, write_atomic};
+pub use atomic::{AtomicFile, remove_temporaries, write_atomic, write_durable};
 pub use build_identity::BuildIdentity;
 pub use camera_record::CameraRecord;
 pub use check::{CheckReport, Finding, check};
+pub use durable::sync_tree;
 pub use encoding::{depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance};
 pub use error::DatasetError;
 pub use labels::LabelSchema;
@@ -39,5 +42,5 @@ pub use preview::{depth_preview, instance_preview};
 pub use raster::{decode_jpg, decode_png, encode_jpg, encode_png, read_rgb};
 pub use recipe::Recipe;
 pub use rgb_format::RgbFormat;
-pub use scene_record::{SceneRecord, Spawned, read_json, write_json};
+pub use scene_record::{SceneRecord, Spawned, read_json, write_json, write_json_durable};
 pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

@@ -1,6 +1,6 @@
 //! JSON files: the settings of a scene, and what happened in it.
 
-use crate::{DatasetError, write_atomic};
+use crate::{DatasetError, write_atomic, write_durable};
 use endless_world::SceneSettings;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::{fs, path::Path};
@@ -35,9 +35,21 @@ pub struct SceneRecord {
 /// # Errors
 /// When the disk refuses.
 pub fn write_json<T: Serialize>(path: &Path, value: &T) -> Result<(), DatasetError> {
+    write_atomic(path, &readable(path, value)?)
+}
+
+/// Writes a value as readable JSON, which is there after a power failure, too.
+///
+/// # Errors
+/// When the disk refuses.
+pub fn write_json_durable<T: Serialize>(path: &Path, value: &T) -> Result<(), DatasetError> {
+    write_durable(path, &readable(path, value)?)
+}
+
+fn readable<T: Serialize>(path: &Path, value: &T) -> Result<Vec<u8>, DatasetError> {
     let mut text = serde_json::to_vec_pretty(value).map_err(|e| DatasetError::malformed(path, e))?;
     text.push(b'\n');
-    write_atomic(path, &text)
+    Ok(text)
 }
 
 /// Reads a JSON file.

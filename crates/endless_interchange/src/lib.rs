@@ -9,5 +9,5 @@ mod library;
 mod map;
 
 pub use asset::{AssetError, AssetFolder, AssetFolderError, AssetKind, asset_gltf, asset_preview, list_assets};
-pub use library::{ImportedMap, MapLibrary};
+pub use library::{ImportedMap, MapLibrary, TownSummary};
 pub use map::{About, DrivingSide, ImportOptions, MapError, MapFormat, MapStore, StoredMap};

@@ -6,8 +6,12 @@ use crate::{geojson, gltf};
 use endless_asset::Catalogue;
 use endless_road::{RoadMap, opendrive};
 use endless_town::{Town, dress_map};
-use endless_world::Image;
-use std::{collections::BTreeMap, path::Path, sync::OnceLock};
+use endless_world::{CameraSite, Image};
+use std::{
+    collections::BTreeMap,
+    path::Path,
+    sync::{Mutex, MutexGuard, OnceLock, PoisonError},
+};
 
 /// All maps there are: those that come with the program and those that the user imported, and the catalogue of which
 /// their towns are furnished.
@@ -19,6 +23,26 @@ pub struct MapLibrary {
     store: Option<MapStore>,
     /// Models from files.
     folder: Option<AssetFolder>,
+    /// Towns that were planned.
+    planned: Mutex<PlannedTowns>,
+}
+
+/// What is remembered of towns that were planned.
+#[derive(Debug, Default)]
+struct PlannedTowns {
+    /// Of all that were asked for their cameras.
+    summaries: BTreeMap<String, TownSummary>,
+    /// The first of these, until it is asked for: what is planned for its cameras is usually filmed next.
+    kept: Option<Town>,
+}
+
+/// What is asked of a town before it is filmed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TownSummary {
+    /// One sentence on its character.
+    pub summary: String,
+    /// Its camera sites, in canonical order.
+    pub cameras: Vec<CameraSite>,
 }
 
 /// A map that was imported.
@@ -46,13 +70,13 @@ impl MapLibrary {
     /// With the imported maps of another place.
     #[must_use]
     pub fn with_maps(self, store: MapStore) -> Self {
-        Self { store: Some(store), ..self }
+        Self { store: Some(store), planned: Mutex::default(), ..self }
     }
 
     /// With vehicles, props and buildings from a folder of models.
     #[must_use]
     pub fn with_assets(self, folder: AssetFolder) -> Self {
-        Self { folder: Some(folder), catalogue: OnceLock::new(), ..self }
+        Self { folder: Some(folder), catalogue: OnceLock::new(), planned: Mutex::default(), ..self }
     }
 
     /// The built-in catalogue, and the models of the folder.
@@ -89,6 +113,32 @@ impl MapLibrary {
     /// # Errors
     /// When there is no such map or it cannot be read.
     pub fn town(&self, name: &str) -> Result<Town, MapError> {
+        let kept = self.planned().kept.take_if(|town| town.name == name);
+        kept.map_or_else(|| self.plan(name), Ok)
+    }
+
+    /// A town's character and its cameras; planned once.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn summary(&self, name: &str) -> Result<TownSummary, MapError> {
+        // Not locked while the town is planned: others may ask for what is known.
+        if let Some(known) = self.planned().summaries.get(name) {
+            return Ok(known.clone());
+        }
+        let town = self.plan(name)?;
+        let summary = TownSummary { summary: town.summary.clone(), cameras: town.cameras.clone() };
+        let mut planned = self.planned();
+        planned.summaries.insert(name.to_owned(), summary.clone());
+        planned.kept.get_or_insert(town);
+        Ok(summary)
+    }
+
+    fn planned(&self) -> MutexGuard<'_, PlannedTowns> {
+        self.planned.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn plan(&self, name: &str) -> Result<Town, MapError> {
         let mut town = match self.stored(name)? {
             Some((store, stored)) => dress_map(name, &store.read(&stored)?, self.catalogue())?,
             None => endless_town::load(name, self.catalogue())?,

@@ -13,17 +13,12 @@ use endless_town::Town;
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, CameraSite, InstanceId, SceneCamera, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
-use std::{
-    collections::BTreeMap,
-    sync::{Mutex, PoisonError},
-};
+use std::collections::BTreeMap;
 
 /// Simulates and renders without anything outside this program.
 #[derive(Debug)]
 pub struct BuiltinSimulator {
     library: MapLibrary,
-    /// What is asked of a town without loading it for good.
-    known: Mutex<BTreeMap<String, (String, Vec<CameraSite>)>>,
 }
 
 /// A town and its geometry.
@@ -35,7 +30,7 @@ pub struct BuiltinMap {
 impl BuiltinSimulator {
     /// Over the maps and the catalogue of a library.
     pub fn new(library: MapLibrary) -> Self {
-        Self { library, known: Mutex::default() }
+        Self { library }
     }
 
     /// Of people on foot and of riders.
@@ -45,17 +40,6 @@ impl BuiltinSimulator {
             Some((id?, self.library.catalogue().skin_tone(actor.asset)?))
         };
         moving.iter().filter_map(who).collect()
-    }
-
-    fn describe(&self, map: &str) -> Result<(String, Vec<CameraSite>), SimulatorError> {
-        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(found) = known.get(map) {
-            return Ok(found.clone());
-        }
-        let town = self.library.town(map)?;
-        let described = (town.summary.to_owned(), town.cameras);
-        known.insert(map.to_owned(), described.clone());
-        Ok(described)
     }
 }
 
@@ -83,11 +67,11 @@ impl MapCatalog for BuiltinSimulator {
     }
 
     fn summary(&self, map: &str) -> Result<String, SimulatorError> {
-        Ok(self.describe(map)?.0)
+        Ok(self.library.summary(map)?.summary)
     }
 
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
-        Ok(self.describe(map)?.1)
+        Ok(self.library.summary(map)?.cameras)
     }
 }
 

@@ -1,6 +1,7 @@
 //! The whole run: plan, scenes, videos, resume.
 
 mod estimate;
+mod lock;
 mod output;
 
 pub use estimate::Estimate;
@@ -9,9 +10,10 @@ use crate::{
     Event, GenerateError, Plan, Progress, Simulator, StageTimes,
     record::{Clock, Recording, Stage, record_video},
 };
-use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json};
+use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
 use endless_world::SceneSettings;
-use output::{Claim, Lock, Output};
+use lock::DatasetLock;
+use output::{Claim, Output};
 use std::{path::Path, time::Instant};
 
 /// What is no part of the recipe.
@@ -65,7 +67,7 @@ pub fn generate<S: Simulator>(
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
-    let _lock = Lock::take(&layout)?;
+    let _lock = DatasetLock::take(&layout)?;
     // Once more, now that nobody else can change it.
     let output = Output::inspect(&layout, &claim)?;
     let to_do = output.to_do(&plan);
@@ -131,7 +133,7 @@ impl<S: Simulator> Run<'_, S> {
         let camera_frames = camera_frames(settings);
         self.progress.event(&Event::Video { name: &name, place: self.place, of, camera_frames });
         manifest.note_build(settings.video as usize, &self.options.build);
-        write_json(&self.layout.manifest(), manifest)?;
+        write_json_durable(&self.layout.manifest(), manifest)?;
         let recording = Recording {
             settings,
             recipe: self.recipe,
@@ -144,7 +146,7 @@ impl<S: Simulator> Run<'_, S> {
         self.progress.event(&Event::VideoDone { name: &name });
         let entry = &mut manifest.videos[settings.video as usize];
         (entry.state, entry.boxes) = (VideoState::Complete, Some(record.boxes));
-        write_json(&self.layout.manifest(), manifest)?;
+        write_json_durable(&self.layout.manifest(), manifest)?;
         Ok(())
     }
 }

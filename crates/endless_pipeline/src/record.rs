@@ -18,7 +18,9 @@ pub(crate) use {
 };
 
 use crate::{Cameras, Event, GenerateError, Progress, Scene, Simulator};
-use endless_dataset::{CameraRecord, Recipe, SceneRecord, VideoLayout, remove_temporaries, write_json};
+use endless_dataset::{
+    CameraRecord, Recipe, SceneRecord, VideoLayout, remove_temporaries, write_json, write_json_durable,
+};
 use endless_world::{Actor, PinholeCamera, SceneCamera, SceneSettings};
 use frame::FrameMaker;
 use scheduler::{FrameScheduler, Job};
@@ -126,7 +128,9 @@ pub(crate) fn record_video<S: Simulator>(
         boxes.push(sink.into_inner().unwrap_or_else(PoisonError::into_inner).finish()?);
     }
     let record = SceneRecord { settings: settings.clone(), spawned, recorded_frames: settings.frames, boxes };
-    write_json(&layout.scene(), &record)?;
+    // It says that the video is complete, after a power failure, too.
+    layout.sync()?;
+    write_json_durable(&layout.scene(), &record)?;
     Ok(record)
 }
 

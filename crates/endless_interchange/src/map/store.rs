@@ -2,7 +2,7 @@
 
 use super::MapError;
 use crate::content_hash::content_hash;
-use endless_dataset::write_atomic;
+use endless_dataset::write_durable;
 use endless_road::{RoadMap, opendrive, osm};
 use etcetera::BaseStrategy;
 use serde::{Deserialize, Serialize};
@@ -220,9 +220,9 @@ impl MapStore {
         }
         judge(&map.name, &parse(&bytes, format, driving_side, file)?)?;
         fs::create_dir_all(&self.folder).map_err(|cause| MapError::Folder { path: self.folder.clone(), cause })?;
-        write_atomic(&self.source(&map), &bytes)?;
+        write_durable(&self.source(&map), &bytes)?;
         let text = toml::to_string(&map).expect("a manifest is plain data");
-        write_atomic(&self.manifest(&map.name), text.as_bytes())?;
+        write_durable(&self.manifest(&map.name), text.as_bytes())?;
         Ok(map)
     }
 }

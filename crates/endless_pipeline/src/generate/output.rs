@@ -1,16 +1,12 @@
-//! The output folder: what it holds, whether it may be gone on with, and the lock on it.
+//! The output folder: what it holds, and whether it may be gone on with.
 
 use crate::{GenerateError, Plan, record::camera_is_complete};
 use endless_dataset::{
     BuildIdentity, DatasetError, DatasetLayout, Manifest, Recipe, SceneRecord, VideoEntry, VideoLayout, VideoState,
-    read_json, write_json,
+    read_json, sync_tree, write_json, write_json_durable,
 };
 use endless_world::SceneSettings;
-use std::{
-    collections::BTreeMap,
-    fs::{self, File, TryLockError},
-    path::Path,
-};
+use std::{collections::BTreeMap, fs, path::Path};
 
 /// Who wants to go on with the output.
 #[derive(Debug, Clone, Copy)]
@@ -128,13 +124,19 @@ pub(super) fn write_plan(layout: &DatasetLayout, manifest: &Manifest, plan: &Pla
         fs::create_dir_all(&folder).map_err(|e| DatasetError::io("cannot make the folder", &folder, e))?;
     }
     endless_dataset::remove_temporaries(&layout.scenes())?;
-    for settings in &plan.scenes {
-        let path = layout.scene(settings.video);
-        if !path.exists() {
-            write_json(&path, settings)?;
-        }
+    let missing: Vec<&SceneSettings> = plan.scenes.iter().filter(|s| is_missing(&layout.scene(s.video))).collect();
+    for settings in &missing {
+        write_json(&layout.scene(settings.video), *settings)?;
     }
-    write_json(&layout.manifest(), manifest)
+    if !missing.is_empty() {
+        sync_tree(&layout.scenes())?;
+    }
+    write_json_durable(&layout.manifest(), manifest)
+}
+
+/// Whether a file is to be written: after a power failure some may be there with nothing in them.
+fn is_missing(path: &Path) -> bool {
+    fs::metadata(path).map_or(true, |file| file.len() == 0)
 }
 
 fn refuse_strangers(root: &Path) -> Result<(), GenerateError> {
@@ -182,7 +184,7 @@ fn refuse_other_recipe(layout: &DatasetLayout, found: &Manifest, recipe: &Recipe
 fn refuse_other_scenes(layout: &DatasetLayout, plan: &Plan) -> Result<(), GenerateError> {
     for settings in &plan.scenes {
         let path = layout.scene(settings.video);
-        if path.exists() && read_json::<SceneSettings>(&path).ok().as_ref() != Some(settings) {
+        if !is_missing(&path) && read_json::<SceneSettings>(&path).ok().as_ref() != Some(settings) {
             return Err(GenerateError::OtherScene { path });
         }
     }
@@ -205,31 +207,4 @@ fn complete_video(
         }
     }
     Ok(Some(record))
-}
-
-/// Keeps a second process out. Released when the process ends, however it ends; leaves no trace when it is dropped.
-#[derive(Debug)]
-pub(super) struct Lock {
-    _file: File,
-    path: std::path::PathBuf,
-}
-
-impl Lock {
-    pub(super) fn take(layout: &DatasetLayout) -> Result<Self, GenerateError> {
-        let root = layout.root();
-        fs::create_dir_all(root).map_err(|e| DatasetError::io("cannot make the folder", root, e))?;
-        let path = layout.lock();
-        let file = File::create(&path).map_err(|e| DatasetError::io("cannot write", root, e))?;
-        match file.try_lock() {
-            Ok(()) => Ok(Self { _file: file, path }),
-            Err(TryLockError::WouldBlock) => Err(GenerateError::Locked { path: root.to_owned() }),
-            Err(TryLockError::Error(e)) => Err(DatasetError::io("cannot lock", root, e).into()),
-        }
-    }
-}
-
-impl Drop for Lock {
-    fn drop(&mut self) {
-        let _ = fs::remove_file(&self.path);
-    }
 }
