@@ -2,7 +2,7 @@
 //! scene settings, the per-frame world state and the sensor frame.
 //!
 //! Data flows one way: `Recipe → Plan → SceneSettings → (load) Scene → (tick) WorldState → SensorFrame → Annotations
-//! → files`. The types at the arrows live here, so that rooms meet without knowing one another.
+//! → files`. The types at the arrows live here, so that crates meet without knowing one another.
 //!
 //! # Frames of reference
 //! | frame | axes | units | used by |
