@@ -1,6 +1,6 @@
 //! `endless check`.
 
-use crate::{FAILURE, args::CheckArgs};
+use crate::{args::CheckArgs, exit::FAILURE};
 use anyhow::{Context, Result};
 use endless_dataset::DatasetError;
 use std::{io::Write, process::ExitCode};

@@ -6,6 +6,7 @@ mod bench;
 mod build_info;
 mod check;
 mod cpu;
+mod exit;
 mod file;
 mod generate;
 mod maps;
@@ -15,12 +16,8 @@ use args::{Cli, Command};
 use clap::Parser;
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError};
+use exit::{FAILURE, USAGE};
 use std::{io, process::ExitCode};
-
-/// What went wrong was what was asked for.
-const USAGE: u8 = 2;
-/// It could not be done.
-const FAILURE: u8 = 1;
 
 fn main() -> ExitCode {
     match cpu::missing_instructions() {

@@ -1,7 +1,7 @@
 //! Write to a temporary name, then rename: what bears its final name is whole, whenever the process is killed. What must
 //! outlive a power failure, too, is made durable: see [`crate::sync_tree`].
 
-use crate::{DatasetError, durable::sync_folder};
+use crate::{DatasetError, durable::sync_folder, listing::list};
 use std::{
     fs::{self, File},
     io::{BufWriter, Write},
@@ -122,21 +122,6 @@ pub fn remove_temporaries(folder: &Path) -> Result<(), DatasetError> {
 pub(crate) fn is_temporary(path: &Path) -> bool {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     name.starts_with('.') && name.ends_with(SUFFIX)
-}
-
-/// What lies in a folder, sorted; nothing if it does not exist.
-pub(crate) fn list(folder: &Path) -> Result<Vec<PathBuf>, DatasetError> {
-    let entries = match fs::read_dir(folder) {
-        Ok(entries) => entries,
-        Err(e) if e.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
-        Err(e) => return Err(DatasetError::io("cannot read the folder", folder, e)),
-    };
-    let mut paths = Vec::new();
-    for entry in entries {
-        paths.push(entry.map_err(|e| DatasetError::io("cannot read the folder", folder, e))?.path());
-    }
-    paths.sort();
-    Ok(paths)
 }
 
 #[cfg(test)]

@@ -1,66 +1,18 @@
 //! Reopens a whole dataset and names everything that is wrong with it.
 
 mod camera;
+mod report;
 mod tracks;
 
+pub use report::{CheckReport, Finding};
+
 use crate::{
-    DatasetError, DatasetLayout, MAX_CAMERAS, Manifest, SceneRecord, VideoEntry, VideoLayout, VideoState, atomic,
-    read_json,
+    DatasetError, DatasetLayout, MAX_CAMERAS, Manifest, SceneRecord, VideoEntry, VideoLayout, VideoState, read_json,
 };
 use endless_world::SceneSettings;
 use rayon::prelude::*;
-use std::{
-    fmt,
-    path::{Path, PathBuf},
-};
-
-/// Something that is wrong.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Finding {
-    /// Where.
-    pub path: PathBuf,
-    /// What.
-    pub problem: String,
-}
-
-impl Finding {
-    fn new(path: impl Into<PathBuf>, problem: impl Into<String>) -> Self {
-        Self { path: path.into(), problem: problem.into() }
-    }
-}
-
-impl fmt::Display for Finding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.path.display(), self.problem)
-    }
-}
-
-impl From<DatasetError> for Finding {
-    fn from(error: DatasetError) -> Self {
-        match error {
-            DatasetError::Io { action, path, cause } => Self::new(path, format!("{action} ({cause})")),
-            DatasetError::Malformed { reason, path } => Self::new(path, reason),
-            DatasetError::DiskFull { path } => Self::new(path, "the disk is full"),
-            DatasetError::OtherFormat { found, expected, path } => {
-                Self::new(path, format!("has format {found} instead of {expected}"))
-            }
-            DatasetError::Video { reason } => Self::new("", reason),
-        }
-    }
-}
-
-/// What was looked at, and what is wrong.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub struct CheckReport {
-    /// Videos looked at.
-    pub videos: usize,
-    /// Images decoded.
-    pub images: u64,
-    /// Boxes compared with the instance images.
-    pub boxes: u64,
-    /// Everything that is wrong, by path.
-    pub findings: Vec<Finding>,
-}
+use report::strangers;
+use std::path::Path;
 
 /// Checks everything in a dataset's folder.
 ///
@@ -76,14 +28,6 @@ pub fn check(root: &Path) -> Result<CheckReport, DatasetError> {
     }
     report.findings.sort_by(|a, b| (&a.path, &a.problem).cmp(&(&b.path, &b.problem)));
     Ok(report)
-}
-
-impl CheckReport {
-    fn merge(&mut self, other: Self) {
-        self.images += other.images;
-        self.boxes += other.boxes;
-        self.findings.extend(other.findings);
-    }
 }
 
 fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {
@@ -107,24 +51,6 @@ fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {
     findings.extend(strangers(&layout.videos(), &expected_videos));
     findings.extend(strangers(&layout.scenes(), &expected_scenes));
     findings
-}
-
-/// What lies in a folder and should not.
-fn strangers(folder: &Path, expected: &[String]) -> Vec<Finding> {
-    let Ok(found) = atomic::list(folder) else {
-        return vec![Finding::new(folder, "cannot be read")];
-    };
-    let stranger = |path: &PathBuf| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        !expected.iter().any(|e| *e == name)
-    };
-    let describe = |path: PathBuf| {
-        let half = atomic::is_temporary(&path);
-        let problem =
-            if half { "is left from a killed run: run the same command again" } else { "does not belong here" };
-        Finding::new(path, problem)
-    };
-    found.into_iter().filter(stranger).map(describe).collect()
 }
 
 fn check_video(layout: &DatasetLayout, manifest: &Manifest, entry: &VideoEntry) -> CheckReport {

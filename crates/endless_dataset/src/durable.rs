@@ -4,7 +4,7 @@
 //! would make every frame as slow as the disk; so a video's files are written as the system likes it, and all of them
 //! are waited for at its end, before anything says that it is complete.
 
-use crate::{DatasetError, atomic::list};
+use crate::{DatasetError, listing::list};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::{fs::File, io, path::Path};
 

@@ -2,8 +2,8 @@
 
 use crate::{
     DatasetError, Layer, Recipe,
-    atomic::list,
     durable::{sync_folder, sync_tree},
+    listing::list,
 };
 use endless_world::SceneSettings;
 use std::{

@@ -14,6 +14,7 @@ mod error;
 mod labels;
 mod layer;
 mod layout;
+mod listing;
 mod manifest;
 mod mp4;
 mod objects;

@@ -1,6 +1,6 @@
 //! Cameras of the user's own: a list in a recipe, or in a file of its own, TOML or JSON.
 
-use crate::{MapCatalog, RecipeError};
+use crate::{MapCatalog, RecipeError, text_position::line_and_column};
 use endless_world::{CameraSite, Mount};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -73,7 +73,7 @@ fn from_json(text: &str) -> Result<Vec<OwnCamera>, Wrong> {
 
 fn from_toml(text: &str) -> Result<Vec<OwnCamera>, Wrong> {
     toml::from_str(text).map(|f: File| f.cameras).map_err(|e| {
-        let (line, column) = crate::recipe::place(text, e.span().map_or(0, |s| s.start));
+        let (line, column) = line_and_column(text, e.span().map_or(0, |s| s.start));
         (line, column, e.message().lines().collect::<Vec<_>>().join(", "))
     })
 }

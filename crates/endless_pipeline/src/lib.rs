@@ -1,4 +1,4 @@
-//! Recipe → plan → scenes → record → resume: the one place where all rooms meet.
+//! Recipe → plan → scenes → record → resume: the one place where all crates meet.
 
 mod builtin;
 mod camera_list;
@@ -9,6 +9,7 @@ mod progress;
 mod recipe;
 mod record;
 mod simulator;
+mod text_position;
 
 pub use builtin::{BuiltinMap, BuiltinSimulator};
 pub use camera_list::{OwnCamera, read_cameras};

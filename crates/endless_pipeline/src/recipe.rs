@@ -1,6 +1,6 @@
 //! From what the user wrote to the resolved recipe.
 
-use crate::{MapCatalog, OwnCamera, RecipeError, camera_list};
+use crate::{MapCatalog, OwnCamera, RecipeError, camera_list, text_position::line_and_column};
 use endless_dataset::{Layer, MAX_CAMERAS, Recipe, RgbFormat};
 use endless_world::{ImageSize, LookChoice, TimeOfDay, UnknownName, Weather};
 use serde::Deserialize;
@@ -74,7 +74,7 @@ impl RecipeDraft {
         let text =
             fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
         let mut draft: Self = toml::from_str(&text).map_err(|e: toml::de::Error| {
-            let (line, column) = place(&text, e.span().map_or(0, |s| s.start));
+            let (line, column) = line_and_column(&text, e.span().map_or(0, |s| s.start));
             RecipeError::Malformed {
                 path: path.to_owned(),
                 line,
@@ -167,12 +167,6 @@ impl RecipeDraft {
         }
         Ok(recipe)
     }
-}
-
-/// Line and column of a byte of a text, from 1.
-pub(crate) fn place(text: &str, byte: usize) -> (usize, usize) {
-    let before = text.get(..byte).unwrap_or(text);
-    (before.matches('\n').count() + 1, before.chars().rev().take_while(|c| *c != '\n').count() + 1)
 }
 
 fn count(

@@ -1,6 +1,9 @@
 //! One camera of a video: every file decodes, sizes, counts, alignment, boxes.
 
-use super::{CheckReport, Finding, strangers, tracks::Tracks};
+use super::{
+    report::{CheckReport, Finding, strangers},
+    tracks::Tracks,
+};
 use crate::{
     CameraLayout, CameraRecord, DatasetError, Layer, Recipe, StoredImage, depth_from_rgb, instance_from_rgb, read_json,
     read_mp4, read_objects, read_rgb, video,

@@ -1,6 +1,6 @@
 //! One id is one object: the same class in all frames of all cameras.
 
-use super::Finding;
+use super::report::Finding;
 use endless_world::{InstanceId, ObjectClass};
 use std::{
     collections::{BTreeMap, BTreeSet},

@@ -1,0 +1,6 @@
+//! Exit codes.
+
+/// What went wrong was what was asked for.
+pub(crate) const USAGE: u8 = 2;
+/// It could not be done.
+pub(crate) const FAILURE: u8 = 1;
