@@ -3,7 +3,7 @@
 use crate::args::{ExportFiles, MapsArgs, MapsCommand, Side};
 use crate::file::write;
 use anyhow::Result;
-use endless_interchange::{About, DrivingSide, ImportOptions, ImportedMap, MapLibrary};
+use endless_interchange::{DrivingSide, ImportOptions, ImportedMap, MapLibrary, MapStatistics};
 use std::{io::Write, path::Path, process::ExitCode};
 
 /// Notes on an imported file that are told; the rest are counted.
@@ -33,7 +33,7 @@ fn list(library: &MapLibrary, maps: &[String], cameras: bool) -> Result<()> {
                 continue;
             }
         };
-        writeln!(out, "{}", row(&About::of(&town)))?;
+        writeln!(out, "{}", row(&MapStatistics::of(&town)))?;
         writeln!(out, "{:<16} {}", "", town.summary)?;
         for camera in town.cameras.iter().filter(|_| cameras) {
             let [x, y, z] = camera.position;
@@ -49,15 +49,15 @@ fn list(library: &MapLibrary, maps: &[String], cameras: bool) -> Result<()> {
     Ok(())
 }
 
-fn row(about: &About) -> String {
+fn row(statistics: &MapStatistics) -> String {
     format!(
         "{:<16} {:.2} km², {} lanes ({:.1} km), {} cameras, {}",
-        about.name,
-        about.area_km2,
-        about.lanes,
-        about.lane_km,
-        about.cameras,
-        about.features.join(", ")
+        statistics.name,
+        statistics.area_km2,
+        statistics.lanes,
+        statistics.lane_km,
+        statistics.cameras,
+        statistics.features.join(", ")
     )
 }
 
@@ -71,7 +71,8 @@ fn import(library: &MapLibrary, file: &Path, name: Option<&str>, side: Option<Si
         Side::Left => DrivingSide::Left,
         Side::Right => DrivingSide::Right,
     });
-    let ImportedMap { stored, about, notes } = library.import(file, &ImportOptions { name, driving_side, replace })?;
+    let ImportedMap { stored, statistics, notes } =
+        library.import(file, &ImportOptions { name, driving_side, replace })?;
     let own = file.file_name().is_some_and(|f| f.to_string_lossy().starts_with(&format!("{}.", stored.name)));
     if name.is_none() && !own {
         eprintln!("note: the map is called {} (give another with --name)", stored.name);
@@ -83,7 +84,7 @@ fn import(library: &MapLibrary, file: &Path, name: Option<&str>, side: Option<Si
         eprintln!("note: and {} more of the file's parts were not understood or were mended", notes.len() - NOTES);
     }
     let mut out = std::io::stdout().lock();
-    writeln!(out, "{}", row(&about))?;
+    writeln!(out, "{}", row(&statistics))?;
     writeln!(out, "film it with: endless generate OUT --maps {}", stored.name)?;
     Ok(())
 }

@@ -1,7 +1,7 @@
 //! Built-in and imported towns by name, and what can be written of them.
 
 use crate::asset::{AssetFolder, stand_in};
-use crate::map::{self, About, ImportOptions, MapError, MapStore, StoredMap};
+use crate::map::{self, ImportOptions, MapError, MapStatistics, MapStore, StoredMap};
 use crate::{geojson, gltf};
 use endless_asset::Catalogue;
 use endless_road::{RoadMap, opendrive};
@@ -51,7 +51,7 @@ pub struct ImportedMap {
     /// Its manifest.
     pub stored: StoredMap,
     /// What it has become.
-    pub about: About,
+    pub statistics: MapStatistics,
     /// What in the file was not understood or had to be mended.
     pub notes: Vec<String>,
 }
@@ -174,11 +174,11 @@ impl MapLibrary {
                 return Err(MapError::FewCameras { name: name.to_owned(), cameras: town.cameras.len() });
             }
             let notes = map.notes.iter().map(|n| format!("{}: {}", n.place, n.text)).collect();
-            found = Some((About::of(&town), notes));
+            found = Some((MapStatistics::of(&town), notes));
             Ok(())
         })?;
-        let (about, notes) = found.expect("an imported map was judged");
-        Ok(ImportedMap { stored, about, notes })
+        let (statistics, notes) = found.expect("an imported map was judged");
+        Ok(ImportedMap { stored, statistics, notes })
     }
 
     /// A map's roads as an OpenDRIVE file.

@@ -5,7 +5,7 @@ use crate::Estimate;
 /// Something worth telling.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Event<'a> {
-    /// About to start.
+    /// MapStatistics to start.
     Start {
         /// Videos to make or complete.
         videos: u32,

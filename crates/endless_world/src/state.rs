@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 pub enum SignalAspect {
     /// Stop.
     Red,
-    /// About to turn red: stop if you can.
+    /// MapStatistics to turn red: stop if you can.
     Yellow,
     /// Go.
     Green,
-    /// About to turn green (where the country has it).
+    /// MapStatistics to turn green (where the country has it).
     RedYellow,
 }
 

@@ -61,7 +61,7 @@ impl Size {
 /// Where a vehicle bends that draws another: x in the frame in which it is built, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Joint {
-    /// About this the trailer turns.
+    /// MapStatistics this the trailer turns.
     pub(crate) hitch: f32,
     /// Middle of the trailer's axles.
     pub(crate) axle: f32,

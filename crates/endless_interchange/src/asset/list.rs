@@ -14,7 +14,7 @@ const BUILDINGS: u64 = 12;
 
 /// An asset as it is listed. Sizes are smallest and largest, metres.
 #[derive(Debug, Clone, PartialEq)]
-pub struct AssetKind {
+pub struct AssetListing {
     /// Name to preview and export it by.
     pub name: String,
     /// Class of its annotations, or `furniture` or `plant`.
@@ -41,8 +41,8 @@ fn triangles(vehicle: &VehicleModel) -> usize {
 }
 
 /// Everything that a catalogue holds, vehicles first, what comes from files last.
-pub fn list_assets(catalogue: &Catalogue) -> Vec<AssetKind> {
-    let vehicles = Catalogue::vehicle_kinds().into_iter().map(|kind| AssetKind {
+pub fn list_assets(catalogue: &Catalogue) -> Vec<AssetListing> {
+    let vehicles = Catalogue::vehicle_kinds().into_iter().map(|kind| AssetListing {
         name: kind.name.to_owned(),
         class: kind.class.to_string(),
         length_m: kind.length_m,
@@ -60,7 +60,7 @@ pub fn list_assets(catalogue: &Catalogue) -> Vec<AssetKind> {
         let all: Vec<Mesh> = (0..catalogue.prop_variants(prop)).map(|v| catalogue.prop(prop, v)).collect();
         measured(prop.name(), set_class(Some(prop)), &all, Some(all.len() as u32))
     });
-    let imported = catalogue.imported_vehicles().iter().map(|vehicle| AssetKind {
+    let imported = catalogue.imported_vehicles().iter().map(|vehicle| AssetListing {
         name: vehicle.name().to_owned(),
         class: vehicle.spec.class.to_string(),
         length_m: [vehicle.spec.length_m; 2],
@@ -82,12 +82,12 @@ fn set_class(prop: Option<Prop>) -> &'static str {
     prop.map_or("building", |p| if p.is_plant() { "plant" } else { "furniture" })
 }
 
-fn measured<M: Borrow<Mesh>>(name: String, class: &str, meshes: &[M], draws: Option<u32>) -> AssetKind {
+fn measured<M: Borrow<Mesh>>(name: String, class: &str, meshes: &[M], draws: Option<u32>) -> AssetListing {
     let meshes = || meshes.iter().map(Borrow::borrow);
     let sizes = || meshes().map(Mesh::bounds).map(|(low, high)| Vec3::new(high.x - low.x, high.y - low.y, high.z));
     let low = sizes().fold(Vec3::INFINITY, Vec3::min);
     let high = sizes().fold(Vec3::ZERO, Vec3::max);
-    AssetKind {
+    AssetListing {
         name,
         class: class.to_owned(),
         length_m: [low.x, high.x],

@@ -11,6 +11,6 @@ pub use export::asset_gltf;
 pub use folder::{AssetFolder, AssetFolderError};
 pub use item::AssetError;
 pub(crate) use item::CatalogueItem;
-pub use list::{AssetKind, list_assets};
+pub use list::{AssetListing, list_assets};
 pub(crate) use stand_in::stand_in;
 pub use turntable::asset_preview;

@@ -1,12 +1,16 @@
 //! Maps from files: where they are kept, what is known of a map, and pictures of it.
 
-mod about;
 mod error;
 mod label;
+mod name;
 mod preview;
+mod read;
+mod statistics;
 mod store;
+mod stored_map;
 
-pub use about::About;
 pub use error::MapError;
 pub(crate) use preview::preview;
-pub use store::{DrivingSide, ImportOptions, MapFormat, MapStore, StoredMap};
+pub use statistics::MapStatistics;
+pub use store::MapStore;
+pub use stored_map::{DrivingSide, ImportOptions, MapFormat, StoredMap};

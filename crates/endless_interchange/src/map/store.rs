@@ -1,120 +1,24 @@
 //! The folder of imported maps: for each a copy of its file, and a manifest beside it.
 
-use super::MapError;
+use super::{
+    MapError,
+    name::{default_name, is_built_in, is_name},
+    read::{format_of, parse},
+    stored_map::{ImportOptions, MapFormat, StoredMap},
+};
 use crate::content_hash::content_hash;
 use endless_dataset::write_durable;
-use endless_road::{RoadMap, opendrive, osm};
+use endless_road::RoadMap;
 use etcetera::BaseStrategy;
-use serde::{Deserialize, Serialize};
 use std::{
     env, fs,
     path::{Path, PathBuf},
 };
 
-/// Longest name of a map.
-const LONGEST_NAME: usize = 60;
-
-/// Format of a map file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum MapFormat {
-    /// ASAM OpenDRIVE.
-    OpenDrive,
-    /// OpenStreetMap, XML or PBF.
-    Osm,
-}
-
-/// On which side of the road traffic keeps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum DrivingSide {
-    /// As in Britain, India, Japan.
-    Left,
-    /// As in most countries.
-    Right,
-}
-
-/// The manifest of an imported map.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct StoredMap {
-    /// Its name.
-    pub name: String,
-    /// Its format.
-    pub format: MapFormat,
-    /// The side of traffic, where the user said it.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub driving_side: Option<DrivingSide>,
-    /// Name of the file that was imported.
-    pub source: String,
-    /// BLAKE3 of the file, hexadecimal.
-    pub blake3: String,
-}
-
-impl StoredMap {
-    /// What a dataset's recipe says of the map: its file's hash, and the side of traffic where the user said it. The
-    /// same text means the same town.
-    pub fn content_hash(&self) -> String {
-        match self.driving_side {
-            None => self.blake3.clone(),
-            Some(DrivingSide::Left) => format!("{}+left", self.blake3),
-            Some(DrivingSide::Right) => format!("{}+right", self.blake3),
-        }
-    }
-}
-
-/// How a file is imported.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct ImportOptions<'a> {
-    /// Name of the map; by default the file's, without its endings.
-    pub name: Option<&'a str>,
-    /// On which side traffic keeps; by default as the file or its place says.
-    pub driving_side: Option<DrivingSide>,
-    /// Replace an imported map of the same name.
-    pub replace: bool,
-}
-
 /// A folder of imported maps.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MapStore {
     folder: PathBuf,
-}
-
-/// The format of a file, by its content.
-fn format_of(bytes: &[u8], path: &Path) -> Result<MapFormat, MapError> {
-    let head = String::from_utf8_lossy(&bytes[..bytes.len().min(4096)]);
-    let name = path.file_name().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    if head.contains("<OpenDRIVE") || name.ends_with(".xodr") {
-        Ok(MapFormat::OpenDrive)
-    } else if head.contains("<osm") || name.ends_with(".pbf") || name.ends_with(".osm") {
-        Ok(MapFormat::Osm)
-    } else {
-        Err(MapError::Format { path: path.to_owned() })
-    }
-}
-
-/// Reads a map of a file's content.
-fn parse(bytes: &[u8], format: MapFormat, side: Option<DrivingSide>, path: &Path) -> Result<RoadMap, MapError> {
-    match format {
-        MapFormat::OpenDrive => {
-            let map = opendrive::read(&String::from_utf8_lossy(bytes))
-                .map_err(|cause| MapError::OpenDrive { path: path.to_owned(), cause })?;
-            let says = if map.left_hand { DrivingSide::Left } else { DrivingSide::Right };
-            if side.is_some_and(|side| side != says) {
-                let side = if map.left_hand { "left" } else { "right" };
-                return Err(MapError::DrivingSide { path: path.to_owned(), side });
-            }
-            Ok(map)
-        }
-        MapFormat::Osm => {
-            let driving_side = side.map(|side| match side {
-                DrivingSide::Left => osm::DrivingSide::Left,
-                DrivingSide::Right => osm::DrivingSide::Right,
-            });
-            osm::read(bytes, &osm::OsmOptions { driving_side, ..osm::OsmOptions::default() })
-                .map_err(|cause| MapError::Osm { path: path.to_owned(), cause })
-        }
-    }
 }
 
 fn read(path: &Path) -> Result<Vec<u8>, MapError> {
@@ -227,29 +131,10 @@ impl MapStore {
     }
 }
 
-/// The name of a map of which none is given: the file's without its endings, other characters replaced. A built-in
-/// town's name is taken: `Town04.xodr` becomes `Town04_imported`.
-fn default_name(file: &str) -> String {
-    let stem = file.split('.').find(|part| !part.is_empty()).unwrap_or_default();
-    let stem: String =
-        stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' || c == '-' { c } else { '_' }).collect();
-    if is_built_in(&stem) { format!("{stem}_imported") } else { stem }
-}
-
-/// Whether a name, in whatever case, means a built-in town.
-fn is_built_in(name: &str) -> bool {
-    let plain = name.strip_suffix("_Opt").unwrap_or(name);
-    endless_town::NAMES.iter().any(|n| n.eq_ignore_ascii_case(plain))
-}
-
-fn is_name(name: &str) -> bool {
-    let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
-    (1..=LONGEST_NAME).contains(&name.len()) && name.chars().all(plain) && !name.starts_with('-')
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::DrivingSide;
 
     const FILE: &str = r#"<?xml version="1.0"?><OpenDRIVE><header revMajor="1" revMinor="6"/>
         <road name="r" length="200" id="1" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="200"><line/></geometry></planView>

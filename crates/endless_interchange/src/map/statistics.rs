@@ -5,7 +5,7 @@ use glam::DVec2;
 
 /// Facts on a map.
 #[derive(Debug, Clone, PartialEq)]
-pub struct About {
+pub struct MapStatistics {
     /// Its name.
     pub name: String,
     /// One sentence on its character.
@@ -22,7 +22,7 @@ pub struct About {
     pub features: Vec<String>,
 }
 
-impl About {
+impl MapStatistics {
     /// Of a town.
     pub fn of(town: &Town) -> Self {
         let network = &town.network;
