@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (c, camera) in cameras.iter().enumerate() {
         let (map, name) = camera.split_once(':').ok_or("a camera is TOWN:NAME or TOWN:NUMBER")?;
         let town = endless_town::load(map, &catalogue)?;
-        let town_scene = TownScene::load(&town, &catalogue);
+        let town_scene = TownScene::load(&town, &catalogue)?;
         let number = name.parse().ok().or_else(|| town.cameras.iter().position(|site| site.name == name));
         let site = number.and_then(|n: usize| town.cameras.get(n)).ok_or("no such camera")?;
         for (row, weather) in rows.iter_mut().zip(Weather::ALL) {

@@ -24,7 +24,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut rows = Vec::new();
     for name in names {
         let town = endless_town::load(name, &catalogue)?;
-        let town_scene = TownScene::load(&town, &catalogue);
+        let town_scene = TownScene::load(&town, &catalogue)?;
         let condition = (Weather::ClearSky, TimeOfDay::Afternoon);
         let of = |site| draw(&town, &town_scene, &catalogue, site, condition, sheet::large(size));
         let mut frames: Vec<Vec<[u8; 3]>> = town.cameras.iter().map(of).collect();

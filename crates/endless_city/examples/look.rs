@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let town = endless_town::load(map, &catalogue)?;
     eprintln!("town {:.2} s", clock.elapsed().as_secs_f32());
     let clock = Instant::now();
-    let town_scene = TownScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue)?;
     let still = town_scene.static_scene();
     eprintln!("scene {:.2} s, {} triangles", clock.elapsed().as_secs_f32(), still.placed_triangles());
     let site = &town.cameras[camera.parse::<usize>()? % town.cameras.len()];

@@ -15,7 +15,7 @@
 //! use endless_world::{CameraSite, ImageSize, Mount, TimeOfDay, Weather, WorldState};
 //!
 //! let catalogue = Catalogue::builtin();
-//! let town = TownScene::load(&Town::default(), &catalogue);
+//! let town = TownScene::load(&Town::default(), &catalogue)?;
 //! let state = WorldState { frame: 0, time_s: 0.0, actors: vec![], signals: vec![] };
 //! let models = ActorModels::in_town(&town, &catalogue, &state.actors);
 //! let site = CameraSite {
@@ -31,6 +31,7 @@
 //! let still = town.static_scene();
 //! let image = CameraBake::bake(still, &settings, &site).render(still, &models.frame_scene(&state));
 //! assert_eq!(image.rgb.data.len(), 32 * 18);
+//! # Ok::<(), endless_world::TooManyInstances>(())
 //! ```
 
 mod actor_models;

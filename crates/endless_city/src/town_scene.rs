@@ -5,7 +5,7 @@ use endless_asset::Catalogue;
 use endless_render::{Geometry, Instance, RigidVelocity, StaticScene};
 use endless_scene::Mesh;
 use endless_town::{Placement, Town, What};
-use endless_world::{InstanceId, ParkedVehicle, VehicleModelId, VehicleMotion};
+use endless_world::{InstanceId, InstanceIdAllocator, ParkedVehicle, TooManyInstances, VehicleModelId, VehicleMotion};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::{
@@ -23,7 +23,10 @@ pub struct TownScene {
 
 impl TownScene {
     /// Builds the town's meshes, props and parked vehicles (number i gets instance id i + 1).
-    pub fn load(town: &Town, catalogue: &Catalogue) -> Self {
+    ///
+    /// # Errors
+    /// When more vehicles stand parked than [`endless_world::InstanceId`] can number.
+    pub fn load(town: &Town, catalogue: &Catalogue) -> Result<Self, TooManyInstances> {
         let models: BTreeSet<VehicleModelId> = town.parked.iter().map(|p| p.vehicle.model).collect();
         let geometry = |model| Some((model, VehicleGeometry::new(catalogue.vehicle(model)?)));
         // Large meshes and small ones side by side, so that no thread waits for another.
@@ -31,10 +34,11 @@ impl TownScene {
             || placed(&town.meshes, &town.placements, catalogue),
             || models.into_par_iter().filter_map(geometry).collect(),
         );
-        for (number, vehicle) in (1u16..).zip(&town.parked) {
-            instances.extend(parked_instances(vehicle, InstanceId(number), &parked, catalogue));
+        let ids = InstanceIdAllocator::default().allocate_many(town.parked.len())?;
+        for (&id, vehicle) in ids.iter().zip(&town.parked) {
+            instances.extend(parked_instances(vehicle, id, &parked, catalogue));
         }
-        Self { still: StaticScene::new(instances, &town.lamps), parked }
+        Ok(Self { still: StaticScene::new(instances, &town.lamps), parked })
     }
 
     /// What stands still, for the renderer.

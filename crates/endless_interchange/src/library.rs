@@ -218,6 +218,6 @@ impl MapLibrary {
     /// # Errors
     /// When there is no such map or it cannot be read.
     pub fn preview(&self, name: &str) -> Result<Image<[u8; 3]>, MapError> {
-        Ok(map::preview(&self.town(name)?, self.catalogue()))
+        Ok(map::preview(&self.town(name)?, self.catalogue())?)
     }
 }

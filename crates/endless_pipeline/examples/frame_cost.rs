@@ -20,7 +20,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, size, .. } = settings;
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(&settings.map, &catalogue)?;
-    let town_scene = TownScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue)?;
     let still = town_scene.static_scene();
     // One gathered ray: the light is noisy, the cost of a frame is the same.
     let bake = |SceneCamera { site, look }: &SceneCamera| {
@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let asked = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
-    let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &asked);
+    let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &asked)?;
     let models = ActorModels::in_town(&town_scene, &catalogue, &traffic.state().actors);
     let (mut scene_time, mut times) = (Duration::ZERO, vec![Duration::ZERO; baked.len()]);
     let mut print = std::hash::DefaultHasher::new();

@@ -31,14 +31,14 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue)?;
     let town_cost = stage.next();
-    let town_scene = TownScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue)?;
     let still = town_scene.static_scene();
     let still_cost = stage.next();
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let crowd = |[vehicles, pedestrians]: [u32; 2]| {
         let settings = TrafficSettings { vehicles, pedestrians, seed: 1, fps: FPS, conditions, focus: Vec::new() };
-        Simulation::new(&town.network, &fleet, &town.parked, &settings)
+        Simulation::new(&town.network, &fleet, &town.parked, &settings).expect("few enough")
     };
     let scene = crowd(SCENE);
     stage.next();

@@ -80,7 +80,8 @@ impl Simulator for BuiltinSimulator {
 
     fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
         let town = self.library.town(name)?;
-        let town_scene = TownScene::load(&town, self.library.catalogue());
+        let town_scene =
+            TownScene::load(&town, self.library.catalogue()).map_err(|error| SimulatorError(error.to_string()))?;
         Ok(BuiltinMap { town, town_scene })
     }
 
@@ -92,7 +93,8 @@ impl Simulator for BuiltinSimulator {
         let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
         let specs = self.library.catalogue().vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
-        let simulation = Simulation::new(&map.town.network, &fleet, &map.town.parked, &traffic);
+        let simulation = Simulation::new(&map.town.network, &fleet, &map.town.parked, &traffic)
+            .map_err(|error| SimulatorError(error.to_string()))?;
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
         let spawned = Spawned {

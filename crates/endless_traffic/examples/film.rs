@@ -133,7 +133,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         focus: vec![centre.extend(0.0)],
         ..TrafficSettings::default()
     };
-    let mut simulation = Simulation::new(&town.network, &fleet, &town.parked, &settings);
+    let mut simulation = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;
     for i in 0..number(2, 20.0) as usize {
         let state = simulation.state();
         let mut picture = Picture { pixels: vec![[44, 58, 40]; SIDE * SIDE], centre, scale };

@@ -16,7 +16,7 @@ const SEEDS: u64 = 3;
 fn simulation(town: &Town, catalogue: &Catalogue, settings: &TrafficSettings) -> Simulation {
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
-    Simulation::new(&town.network, &fleet, &town.parked, settings)
+    Simulation::new(&town.network, &fleet, &town.parked, settings).expect("few enough")
 }
 
 /// Mean numbers of vehicles and of people near each place.

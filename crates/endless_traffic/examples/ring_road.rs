@@ -8,7 +8,10 @@ use endless_world::math::f64::sin_cos;
 use endless_world::walking::PedestrianSpec;
 use endless_world::{Motion, ObjectClass, VehicleSpec};
 use glam::DVec3;
-use std::f64::consts::{PI, TAU};
+use std::{
+    error::Error,
+    f64::consts::{PI, TAU},
+};
 
 const RADIUS_M: f64 = 120.0;
 const WIDTH_M: f64 = 3.5;
@@ -51,7 +54,7 @@ fn models() -> [VehicleSpec; 2] {
     [VehicleSpec::default(), lorry]
 }
 
-fn main() -> Result<(), NetworkError> {
+fn main() -> Result<(), Box<dyn Error>> {
     let network = ring()?;
     let models = models();
     let fleet = Fleet { vehicles: &models, pedestrian: &|_| PedestrianSpec::default() };
@@ -60,7 +63,7 @@ fn main() -> Result<(), NetworkError> {
     println!("vehicles  density 1/km  speed km/h  flow 1/h  standing");
     for vehicles in [2, 5, 10, 15, 20, 25, 30, 40] {
         let settings = TrafficSettings { vehicles, pedestrians: 0, seed: 1, fps: FPS, ..TrafficSettings::default() };
-        let mut simulation = Simulation::new(&network, &fleet, &[], &settings);
+        let mut simulation = Simulation::new(&network, &fleet, &[], &settings)?;
         let spawned = simulation.population().vehicles_spawned;
         let (mut sum_mps, mut standing, mut seen) = (0.0, 0, 0);
         for _ in 0..MEASURED_S * FPS as u32 {

@@ -68,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         fps: FPS,
         ..TrafficSettings::default()
     };
-    let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings);
+    let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;
     let mut stood = vec![0.0f64; s.state().actors.len()];
     let mut reported = vec![false; stood.len()];
     for _ in 0..(f64::from(seconds) * FPS) as usize {

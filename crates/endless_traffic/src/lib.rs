@@ -28,7 +28,7 @@
 //! let cars = [VehicleSpec::default()];
 //! let fleet = Fleet { vehicles: &cars, pedestrian: &|_| PedestrianSpec::default() };
 //! let settings = TrafficSettings { vehicles: 5, pedestrians: 0, ..TrafficSettings::default() };
-//! let mut traffic = Simulation::new(&network, &fleet, &[], &settings);
+//! let mut traffic = Simulation::new(&network, &fleet, &[], &settings)?;
 //! assert_eq!(traffic.population().vehicles_spawned, 5);
 //! let before = traffic.state();
 //! traffic.tick();
@@ -36,7 +36,7 @@
 //!     let driven_m = car.pose.position.distance(earlier.pose.position);
 //!     assert!(driven_m > 0.1 && driven_m < 1.5, "{driven_m} m in a tenth of a second");
 //! }
-//! # Ok::<(), endless_road::NetworkError>(())
+//! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 mod approach;

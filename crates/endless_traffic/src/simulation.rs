@@ -13,8 +13,8 @@ use crate::{kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{
-    Actor, InstanceId, Motion, ObjectClass, Outfit, ParkedVehicle, PersonRef, Pose, SignalState, VehicleMotion,
-    VehicleSpec, WalkerMotion, WorldState,
+    Actor, InstanceId, InstanceIdAllocator, Motion, ObjectClass, Outfit, ParkedVehicle, PersonRef, Pose, SignalState,
+    TooManyInstances, VehicleMotion, VehicleSpec, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 
@@ -33,6 +33,7 @@ pub struct Simulation {
     parked: Vec<Actor>,
     vehicles: Vec<Vehicle>,
     walkers: Vec<Walker>,
+    ids: ActorIds,
     occupancy: Occupancy,
     marshal: Marshal,
     crossings: Vec<CrossingState>,
@@ -47,9 +48,17 @@ impl Simulation {
     /// Spawns in rest pose on a network and simulates the warm-up; frame 0 is the first to record. Vehicles keep clear of
     /// those that stand parked.
     ///
+    /// # Errors
+    /// When there are more vehicles, riders and people than [`InstanceId`] can number.
+    ///
     /// # Panics
     /// If the frame rate is not positive, or a parked vehicle's model is not in the fleet.
-    pub fn new(network: &RoadNetwork, fleet: &Fleet<'_>, parked: &[ParkedVehicle], settings: &TrafficSettings) -> Self {
+    pub fn new(
+        network: &RoadNetwork,
+        fleet: &Fleet<'_>,
+        parked: &[ParkedVehicle],
+        settings: &TrafficSettings,
+    ) -> Result<Self, TooManyInstances> {
         let fps = settings.fps;
         assert!(fps > 0.0, "frames per second must be positive");
         let roads = Roads::new(network.clone(), fleet.vehicles, &settings.focus);
@@ -63,6 +72,9 @@ impl Simulation {
             pedestrians_asked: settings.pedestrians,
             pedestrians_spawned: walkers.len() as u32,
         };
+        let mut ids = InstanceIdAllocator::default();
+        let parked = parked_actors(parked, fleet.vehicles, &mut ids)?;
+        let ids = ActorIds::new(&vehicles, &walkers, &mut ids)?;
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let warm_up_frames = (WARM_UP_S * fps).ceil() as u32;
         let mut simulation = Self {
@@ -70,9 +82,10 @@ impl Simulation {
             graph,
             conditions: settings.conditions,
             population,
-            parked: parked_actors(parked, fleet.vehicles),
+            parked,
             vehicles,
             walkers,
+            ids,
             occupancy: Occupancy::default(),
             marshal: Marshal::default(),
             crossings,
@@ -87,7 +100,7 @@ impl Simulation {
         }
         simulation.frame = 0;
         simulation.time_s = 0.0;
-        simulation
+        Ok(simulation)
     }
 
     /// How many there are of those asked for.
@@ -148,15 +161,8 @@ impl Simulation {
     /// vehicles': vehicles, then riders, then pedestrians.
     pub fn state(&self) -> WorldState {
         let time_s = f64::from(self.frame) / self.fps;
-        let first = self.parked.len();
-        let mut next_rider = first + self.vehicles.len();
-        let id = |number: usize| InstanceId(u16::try_from(number + 1).unwrap_or(u16::MAX));
         let mut actors = Vec::with_capacity(self.vehicles.len() + self.walkers.len());
-        for (i, vehicle) in self.vehicles.iter().enumerate() {
-            let rider_id = vehicle.ridden.then(|| {
-                next_rider += 1;
-                id(next_rider - 1)
-            });
+        for (vehicle, &(id, rider_id)) in self.vehicles.iter().zip(&self.ids.vehicles) {
             let motion = VehicleMotion {
                 speed_mps: vehicle.speed as f32,
                 rolled_m: vehicle.rolled as f32,
@@ -165,7 +171,7 @@ impl Simulation {
                 lights: vehicle.lights,
             };
             actors.push(Actor {
-                id: id(first + i),
+                id,
                 rider_id,
                 class: vehicle.class,
                 asset: vehicle.asset.into(),
@@ -176,7 +182,7 @@ impl Simulation {
             });
         }
         let outfit = if self.conditions.raining { Outfit::Rain } else { Outfit::Fair };
-        for (i, walker) in self.walkers.iter().enumerate() {
+        for (walker, &id) in self.walkers.iter().zip(&self.ids.walkers) {
             let motion = WalkerMotion {
                 speed_mps: walker.velocity.length() as f32,
                 gait: walker.gait,
@@ -185,7 +191,7 @@ impl Simulation {
                 footing: Some(walker.steps.footing()),
             };
             actors.push(Actor {
-                id: id(next_rider + i),
+                id,
                 rider_id: None,
                 class: ObjectClass::Pedestrian,
                 asset: PersonRef { outfit, seed: walker.variant }.into(),
@@ -199,16 +205,40 @@ impl Simulation {
     }
 }
 
-fn parked_actors(parked: &[ParkedVehicle], specs: &[VehicleSpec]) -> Vec<Actor> {
-    let actor = |(i, parked): (usize, &ParkedVehicle)| Actor {
-        id: InstanceId(u16::try_from(i + 1).unwrap_or(u16::MAX)),
-        rider_id: None,
-        class: specs[parked.vehicle.model.index()].class,
-        asset: parked.vehicle.into(),
-        pose: parked.pose,
-        velocity_mps: Vec3::ZERO,
-        motion: Motion::Vehicle(VehicleMotion::default()),
-        parked: true,
+/// Ids of those who move.
+#[derive(Debug, Clone)]
+struct ActorIds {
+    /// Of each vehicle and of who rides it.
+    vehicles: Vec<(InstanceId, Option<InstanceId>)>,
+    walkers: Vec<InstanceId>,
+}
+
+impl ActorIds {
+    /// Vehicles first, then riders, then people on foot.
+    fn new(vehicles: &[Vehicle], walkers: &[Walker], ids: &mut InstanceIdAllocator) -> Result<Self, TooManyInstances> {
+        let own = ids.allocate_many(vehicles.len())?;
+        let of_rider = |vehicle: &Vehicle| vehicle.ridden.then(|| ids.allocate()).transpose();
+        let riders: Vec<Option<InstanceId>> = vehicles.iter().map(of_rider).collect::<Result<_, _>>()?;
+        Ok(Self { vehicles: own.into_iter().zip(riders).collect(), walkers: ids.allocate_many(walkers.len())? })
+    }
+}
+
+fn parked_actors(
+    parked: &[ParkedVehicle],
+    specs: &[VehicleSpec],
+    ids: &mut InstanceIdAllocator,
+) -> Result<Vec<Actor>, TooManyInstances> {
+    let actor = |parked: &ParkedVehicle| {
+        Ok(Actor {
+            id: ids.allocate()?,
+            rider_id: None,
+            class: specs[parked.vehicle.model.index()].class,
+            asset: parked.vehicle.into(),
+            pose: parked.pose,
+            velocity_mps: Vec3::ZERO,
+            motion: Motion::Vehicle(VehicleMotion::default()),
+            parked: true,
+        })
     };
-    parked.iter().enumerate().map(actor).collect()
+    parked.iter().map(actor).collect()
 }

@@ -21,6 +21,53 @@ impl fmt::Display for InstanceId {
     }
 }
 
+/// Gives out the ids of a video's objects: 1, 2, 3 and so on.
+///
+/// ```
+/// use endless_world::{InstanceId, InstanceIdAllocator};
+///
+/// let mut ids = InstanceIdAllocator::default();
+/// assert_eq!(ids.allocate(), Ok(InstanceId(1)));
+/// assert_eq!(ids.allocate_many(2), Ok(vec![InstanceId(2), InstanceId(3)]));
+/// assert!(ids.allocate_many(70_000).is_err());
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct InstanceIdAllocator {
+    last: u16,
+}
+
+impl InstanceIdAllocator {
+    /// The next id.
+    ///
+    /// # Errors
+    /// When all 65535 are given out.
+    pub fn allocate(&mut self) -> Result<InstanceId, TooManyInstances> {
+        self.last = self.last.checked_add(1).ok_or(TooManyInstances)?;
+        Ok(InstanceId(self.last))
+    }
+
+    /// So many ids, ascending.
+    ///
+    /// # Errors
+    /// When so many are not left.
+    pub fn allocate_many(&mut self, count: usize) -> Result<Vec<InstanceId>, TooManyInstances> {
+        (0..count).map(|_| self.allocate()).collect()
+    }
+}
+
+/// A scene would hold more objects than instance images can tell apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TooManyInstances;
+
+impl fmt::Display for TooManyInstances {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let most = u16::MAX;
+        write!(f, "a scene holds at most {most} vehicles, riders and people, parked vehicles included: ask for fewer")
+    }
+}
+
+impl std::error::Error for TooManyInstances {}
+
 /// One signal group of a map: all heads that always show the same aspect. Index into [`crate::WorldState::signals`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(transparent)]

@@ -37,7 +37,7 @@ pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};
 pub use class::{ClassTag, ObjectClass};
 pub use condition::{TimeOfDay, UnknownName, Weather};
 pub use glyph::glyph;
-pub use ids::{InstanceId, SignalId};
+pub use ids::{InstanceId, InstanceIdAllocator, SignalId, TooManyInstances};
 pub use keypoint::{KEYPOINT_COUNT, KEYPOINT_LIMBS, KEYPOINTS};
 pub use look::{CameraLook, Clock, Distortion, LookChoice};
 pub use rng::{Stream, fnv1a};

@@ -106,7 +106,7 @@ fn check(map: &str, camera: usize, weather: Weather, time_of_day: TimeOfDay) -> 
 fn check_through(look: CameraLook, map: &str, camera: usize, weather: Weather, time_of_day: TimeOfDay) -> usize {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue).expect("a built-in town");
-    let town_scene = TownScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
     let still = town_scene.static_scene();
     let site = &town.cameras[camera];
     let settings = RenderSettings {
@@ -207,7 +207,7 @@ fn through_lenses_that_distort() {
 fn the_shutter_blurs_light_and_nothing_else() {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load("Town05", &catalogue).expect("a built-in town");
-    let town_scene = TownScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
     let still = town_scene.static_scene();
     let settings =
         RenderSettings { gather_rays: 1, ..RenderSettings::new(Weather::Cloudy, TimeOfDay::Morning, 3, SIZE) };
@@ -233,7 +233,7 @@ fn the_shutter_blurs_light_and_nothing_else() {
 fn labels_of_moving_things_are_theirs() {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load("Town03", &catalogue).expect("a built-in town");
-    let town_scene = TownScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
     let still = town_scene.static_scene();
     let settings =
         RenderSettings { gather_rays: 1, ..RenderSettings::new(Weather::Cloudy, TimeOfDay::Afternoon, 3, SIZE) };

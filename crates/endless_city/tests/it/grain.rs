@@ -16,7 +16,7 @@ const PATTERNS: u32 = 16;
 fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load("Town02", &catalogue).expect("a built-in town");
-    let town_scene = TownScene::load(&town, &catalogue);
+    let town_scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
     let still = town_scene.static_scene();
     let spawn = town.network.spawn_points[7];
     let place = town.network.lane(spawn.lane).centerline.at(spawn.s);

@@ -3,6 +3,7 @@
 use endless_dataset::DatasetError;
 use endless_road::{opendrive::OpenDriveError, osm::OsmError};
 use endless_town::TownError;
+use endless_world::TooManyInstances;
 use std::path::PathBuf;
 
 /// A map that cannot be imported or read.
@@ -46,6 +47,9 @@ pub enum MapError {
         /// What it says.
         side: &'static str,
     },
+    /// More vehicles stand parked than can be told apart.
+    #[error(transparent)]
+    TooManyInstances(#[from] TooManyInstances),
     /// A map that cannot be a town.
     #[error(transparent)]
     Town(#[from] TownError),

@@ -5,7 +5,7 @@ use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, RenderSettings};
 use endless_town::{Town, top_view};
-use endless_world::{Image, ImageSize, SignalAspect, SignalState, TimeOfDay, Weather, WorldState};
+use endless_world::{Image, ImageSize, SignalAspect, SignalState, TimeOfDay, TooManyInstances, Weather, WorldState};
 
 /// Size of a camera's picture.
 const SMALL: ImageSize = ImageSize { width: 320, height: 180 };
@@ -13,14 +13,14 @@ const SMALL: ImageSize = ImageSize { width: 320, height: 180 };
 const COLUMNS: usize = 3;
 
 /// Draws the view from above with lanes, signals and cameras, and below it each camera's picture with its name.
-pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Image<[u8; 3]> {
+pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Result<Image<[u8; 3]>, TooManyInstances> {
     let width = SMALL.width as usize * COLUMNS;
     let above = top_view(town, catalogue, width as u32);
     let rows = town.cameras.len().div_ceil(COLUMNS);
     let height = width + rows * SMALL.height as usize;
     let mut pixels = vec![[0u8; 3]; width * height];
     pixels[..width * width].copy_from_slice(&above);
-    let town_scene = TownScene::load(town, catalogue);
+    let town_scene = TownScene::load(town, catalogue)?;
     let still = town_scene.static_scene();
     let settings =
         RenderSettings { gather_rays: 2, ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, SMALL) };
@@ -37,5 +37,5 @@ pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Image<[u8; 3]> {
         label::write(&mut pixels, width, [corner % width + 3, corner / width + 3], &site.name);
     }
     let size = ImageSize { width: width as u32, height: height as u32 };
-    Image { size, data: pixels }
+    Ok(Image { size, data: pixels })
 }

@@ -90,7 +90,7 @@ fn seen(catalogue: &Catalogue, model: VehicleModelId, class: ObjectClass) -> Ima
     let size = ImageSize { width: 480, height: 270 };
     let settings =
         RenderSettings { look: CameraLook::CLEAN, ..RenderSettings::new(Weather::Cloudy, TimeOfDay::Morning, 0, size) };
-    let town_scene = TownScene::load(&town, catalogue);
+    let town_scene = TownScene::load(&town, catalogue).expect("nothing is parked");
     let still = town_scene.static_scene();
     let state = WorldState { frame: 0, time_s: 0.0, actors: vec![actor], signals: Vec::new() };
     let models = ActorModels::new(catalogue, &state.actors);
@@ -168,7 +168,7 @@ fn imported_vehicles_drive_and_things_stand_where_their_class_does() {
     let specs = library.catalogue().vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let settings = TrafficSettings { vehicles: 12, pedestrians: 0, seed: 3, conditions, ..TrafficSettings::default() };
-    let mut traffic = Simulation::new(&after.network, &fleet, &after.parked, &settings);
+    let mut traffic = Simulation::new(&after.network, &fleet, &after.parked, &settings).expect("few enough");
     let built_in = VehicleModelId::from_index(Catalogue::builtin().vehicles().len());
     let begin = traffic.state();
     let imported = |a: &Actor| a.asset.vehicle().is_some_and(|v| v.model == built_in);

@@ -26,7 +26,7 @@ fn flows_without_a_touch(name: &str, seed: u64) {
     let fleet = Fleet { vehicles: &specs, pedestrian: &pedestrian };
     let settings =
         TrafficSettings { vehicles: ASKED[0], pedestrians: ASKED[1], seed, fps: FPS, ..TrafficSettings::default() };
-    let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings);
+    let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings).expect("few enough");
     let f = crate::watch::watch(&mut s, &specs, SIMULATED_S, FPS);
     let p = s.population();
     let driven = f.driven_m / f64::from(p.vehicles_spawned) / SIMULATED_S;

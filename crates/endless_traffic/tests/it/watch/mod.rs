@@ -51,7 +51,7 @@ pub(crate) fn specs() -> Vec<VehicleSpec> {
 
 /// Traffic of these vehicles, none of them parked, and of people who walk alike.
 pub(crate) fn simulation(network: &RoadNetwork, specs: &[VehicleSpec], settings: &TrafficSettings) -> Simulation {
-    Simulation::new(network, &Fleet { vehicles: specs, pedestrian: &pedestrian }, &[], settings)
+    Simulation::new(network, &Fleet { vehicles: specs, pedestrian: &pedestrian }, &[], settings).expect("few enough")
 }
 
 /// Somebody who walks as most do.
