@@ -1,12 +1,12 @@
 //! Where drivers and people on foot look at one another.
 
-use crate::roads::{Cut, Roads};
+use crate::roads::{CrossingCut, Roads};
 use crate::vehicle::Vehicle;
 use endless_road::CrossingId;
 
 /// Somebody on a crossing.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct OnFoot {
+pub(crate) struct CrossingPedestrian {
     /// Metres from the crossing's first end.
     pub(crate) along_m: f64,
     /// +1 towards the second end, −1 back.
@@ -19,7 +19,7 @@ pub(crate) struct OnFoot {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct CrossingState {
     /// Who is on it.
-    pub(crate) people: Vec<OnFoot>,
+    pub(crate) people: Vec<CrossingPedestrian>,
     /// Somebody stands at the kerb and may go as soon as drivers let them.
     pub(crate) wanted: bool,
     /// A vehicle is on it, or at its very edge.
@@ -44,7 +44,7 @@ const NOTICED_M: f64 = 7.0;
 
 impl CrossingState {
     /// Whether somebody on it is in the way of a vehicle on a lane, or soon will be.
-    pub(crate) fn blocks(&self, cut: &Cut, vehicle: &Vehicle) -> bool {
+    pub(crate) fn blocks(&self, cut: &CrossingCut, vehicle: &Vehicle) -> bool {
         self.people.iter().any(|p| {
             let to_lane = (cut.along_m - p.along_m) * p.direction;
             to_lane > -in_the_way_m(vehicle) && to_lane < NOTICED_M
@@ -52,12 +52,12 @@ impl CrossingState {
     }
 
     /// Whether somebody on it has still to pass a lane, however far away.
-    pub(crate) fn awaits(&self, cut: &Cut, vehicle: &Vehicle) -> bool {
+    pub(crate) fn awaits(&self, cut: &CrossingCut, vehicle: &Vehicle) -> bool {
         self.people.iter().any(|p| (cut.along_m - p.along_m) * p.direction > -in_the_way_m(vehicle))
     }
 
     /// Whether somebody at this place who walks in this direction would step in front of a vehicle.
-    pub(crate) fn step_is_unsafe(&self, person: OnFoot) -> bool {
+    pub(crate) fn step_is_unsafe(&self, person: CrossingPedestrian) -> bool {
         let halt_m = person.speed * person.speed / (2.0 * HALT_MPS2);
         self.taken.iter().any(|(along, beside)| {
             let to_lane = (along - person.along_m) * person.direction;
@@ -85,7 +85,7 @@ pub(crate) fn note_vehicles(roads: &Roads, vehicles: &[Vehicle], crossings: &mut
     }
     for vehicle in vehicles {
         let reach = vehicle.half_length + comfortable_stop_m(vehicle.speed);
-        let mut note = |cut: &Cut, base: f64| {
+        let mut note = |cut: &CrossingCut, base: f64| {
             let (low, high) = (base + cut.range.0, base + cut.range.1);
             if low < reach && high > -vehicle.half_length - CLEAR_M {
                 let state = &mut crossings[cut.crossing.index()];

@@ -1,4 +1,4 @@
-//! Bodies seen from above.
+//! DesignVehicles seen from above.
 
 use endless_world::VehicleSpec;
 use endless_world::math::f64::sin_cos;
@@ -6,13 +6,13 @@ use glam::DVec2;
 
 /// An oriented rectangle.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Footprint {
+pub(crate) struct OrientedRectangle {
     pub(crate) center: DVec2,
     axis: DVec2,
     half: DVec2,
 }
 
-impl Footprint {
+impl OrientedRectangle {
     /// Of a vehicle at a place, with a margin all round, metres.
     pub(crate) fn new(spec: &VehicleSpec, center: DVec2, yaw_rad: f64, margin_m: f64) -> Self {
         let (sin, cos) = sin_cos(yaw_rad);

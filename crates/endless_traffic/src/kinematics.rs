@@ -2,15 +2,14 @@
 //! that point without slipping sideways, as with a trailer's drawbar (the tractrix). Heading and steering angle are
 //! smooth by construction, and a long body swings out in bends about as far as it cuts in.
 
+use crate::drawbar::{DRAWBAR, towed_heading};
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
-use endless_world::math::f64::{atan, atan2, exp, sin_cos, tan, wrap_angle};
+use endless_world::math::f64::{atan, atan2, sin_cos, tan, wrap_angle};
 use endless_world::{ObjectClass, Pose};
 use glam::DVec3;
 
-/// Length of the drawbar over the wheelbase.
-pub(crate) const DRAWBAR: f64 = 0.85;
 const GRAVITY: f64 = 9.81;
 
 /// Offset from the lane's middle and its slope, and whether a lane change has ended.
@@ -74,13 +73,6 @@ fn ahead_by(vehicle: &Vehicle, roads: &Roads, distance: f64) -> (LaneId, f64) {
     place
 }
 
-/// Heading of what is drawn by a bar when the bar's front has come some metres in direction `pull`: the exact solution of
-/// the drawbar's equation for a straight piece of way.
-pub(crate) fn drawn(yaw: f64, pull: f64, way_m: f64, drawbar_m: f64) -> f64 {
-    let before = wrap_angle(pull - yaw).clamp(-1.2, 1.2);
-    wrap_angle(pull - 2.0 * atan(tan(0.5 * before) * exp(-way_m / drawbar_m)))
-}
-
 fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
     let drawbar = DRAWBAR * vehicle.wheelbase;
     let pivot_x = pivot_ahead_m(vehicle);
@@ -93,7 +85,7 @@ fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
     let way = (pivot - vehicle.pivot).truncate();
     let moved = step_s > 0.0 && way.length_squared() > 1e-12;
     let pull = if moved { atan2(way.y, way.x) } else { course };
-    let yaw = drawn(vehicle.yaw, pull, way.length() * f64::from(u8::from(moved)), drawbar);
+    let yaw = towed_heading(vehicle.yaw, pull, way.length() * f64::from(u8::from(moved)), drawbar);
     let angle = wrap_angle(course - yaw).clamp(-1.2, 1.2);
     vehicle.pivot = pivot;
     let (sin, cos) = sin_cos(yaw);

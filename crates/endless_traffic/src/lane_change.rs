@@ -4,7 +4,7 @@
 use crate::kinematics;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
-use crate::vehicle::{Cover, Shift, Vehicle};
+use crate::vehicle::{LaneChange, LaneCover, Vehicle};
 use endless_road::LaneId;
 use endless_world::ObjectClass;
 
@@ -125,7 +125,7 @@ fn begin(roads: &Roads, occupancy: &mut Occupancy, vehicles: &mut [Vehicle], i: 
     // The point that follows the lane must not jump: in a bend the lanes are not equally long.
     let (at_pivot, t) = roads.network.lane(target).centerline.project(me.pivot.truncate());
     let s = at_pivot - kinematics::pivot_ahead_m(me);
-    me.shift = Some(Shift {
+    me.shift = Some(LaneChange {
         from,
         from_minus_here: me.s - s,
         offset_m: t - me.driver.lateral_m,
@@ -137,9 +137,9 @@ fn begin(roads: &Roads, occupancy: &mut Occupancy, vehicles: &mut [Vehicle], i: 
     me.here = 0;
     me.route.clear();
     me.route.push_back(target);
-    me.grants.retain(|g| g.entered);
+    me.rights_of_way.retain(|g| g.entered);
     me.plan(roads);
-    let cover = Cover { lane: target, rear: s - me.half_length, front: s + me.half_length };
+    let cover = LaneCover { lane: target, rear: s - me.half_length, front: s + me.half_length };
     let speed = me.speed;
     occupancy.put(i, cover, speed);
 }

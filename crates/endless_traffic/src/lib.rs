@@ -39,11 +39,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod approach;
 mod attraction;
 mod crossing;
+mod drawbar;
 mod driver;
 mod footprint;
+mod junction_controller;
 mod kinematics;
 mod lane_change;
 mod lights;
@@ -56,9 +57,10 @@ mod signals;
 mod simulation;
 mod spawn;
 mod steering;
-mod sweep;
+mod swept_path;
 mod trailer;
 mod vehicle;
+mod vehicle_length;
 mod walker;
 
 pub use population::{Conditions, Population};

@@ -2,7 +2,7 @@
 
 use crate::overlap::Alongside;
 use crate::roads::Roads;
-use crate::vehicle::{Cover, Vehicle};
+use crate::vehicle::{LaneCover, Vehicle};
 use endless_road::LaneId;
 
 /// Who comes to where lanes run into one another is seen from this far before it, metres.
@@ -36,7 +36,7 @@ pub(crate) struct Leader {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Occupancy {
     lanes: Vec<Vec<Occupant>>,
-    scratch: Vec<Cover>,
+    scratch: Vec<LaneCover>,
 }
 
 impl Occupancy {
@@ -55,7 +55,7 @@ impl Occupancy {
         self.scratch = scratch;
     }
 
-    pub(crate) fn put(&mut self, vehicle: usize, cover: Cover, speed: f64) {
+    pub(crate) fn put(&mut self, vehicle: usize, cover: LaneCover, speed: f64) {
         self.lanes[cover.lane.index()].push(Occupant { vehicle, rear: cover.rear, front: cover.front, speed });
     }
 

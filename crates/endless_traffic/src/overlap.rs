@@ -1,8 +1,8 @@
 //! Where the areas swept on different lanes overlap: inside junctions, before their lines, and where lanes run into one
 //! another without a junction.
 
-use crate::roads::{LONG_M, SWINGS_OUT_M};
-use crate::sweep::{Body, Sweep};
+use crate::swept_path::{DesignVehicle, SweptPath};
+use crate::vehicle_length::{LONG_M, SWINGS_OUT_M};
 use endless_road::{Conflict, Lane, LaneId, OnLine, RoadNetwork, Turn, gives_way, near_ranges};
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{cos, wrap_angle};
@@ -51,17 +51,17 @@ impl Alongside {
 
 /// The bodies for which room is kept.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Bodies {
-    small: Body,
+pub(crate) struct DesignVehicles {
+    small: DesignVehicle,
     /// Vans too.
-    broad: Body,
+    broad: DesignVehicle,
 }
 
-impl Bodies {
+impl DesignVehicles {
     pub(crate) fn of(specs: &[VehicleSpec]) -> Self {
         let shorter = |than: f64| {
             let specs = specs.iter().filter(move |s| f64::from(s.length_m) < than);
-            Body::around(specs, ASIDE_M)
+            DesignVehicle::around(specs, ASIDE_M)
         };
         Self { small: shorter(SWINGS_OUT_M), broad: shorter(LONG_M) }
     }
@@ -82,12 +82,12 @@ pub(crate) struct Conflicts {
 }
 
 impl Conflicts {
-    pub(crate) fn of(network: &RoadNetwork, bodies: Bodies) -> Self {
+    pub(crate) fn of(network: &RoadNetwork, bodies: DesignVehicles) -> Self {
         let n = network.lanes.len();
         let mut all = Self { small: vec![Vec::new(); n], wide: vec![Vec::new(); n], setbacks: vec![0.0; n] };
         for junction in &network.junctions {
-            let sweep = |body: Body| -> Vec<Sweep> {
-                junction.lanes.iter().map(|&l| Sweep::along(network, network.lane(l), body)).collect()
+            let sweep = |body: DesignVehicle| -> Vec<SweptPath> {
+                junction.lanes.iter().map(|&l| SweptPath::along(network, network.lane(l), body)).collect()
             };
             let (small, broad) = (sweep(bodies.small), sweep(bodies.broad));
             let known: BTreeMap<(LaneId, LaneId), Conflict> =
@@ -151,10 +151,10 @@ fn approaches(network: &RoadNetwork, inside: &[LaneId]) -> BTreeSet<LaneId> {
 
 /// How far before the end of a lane those who wait there must keep, for one who turns beside them to get past; more than
 /// [`MOST_SETBACK_M`] if that is not enough.
-fn setback(network: &RoadNetwork, before: LaneId, body: Body, turning: &Sweep) -> f64 {
+fn setback(network: &RoadNetwork, before: LaneId, body: DesignVehicle, turning: &SweptPath) -> f64 {
     let lane = network.lane(before);
     let at_line = lane.centerline.length() - body.half.x;
-    let waits = Sweep::between(network, lane, body, (at_line - MOST_SETBACK_M - 2.0).max(0.0), at_line);
+    let waits = SweptPath::between(network, lane, body, (at_line - MOST_SETBACK_M - 2.0).max(0.0), at_line);
     waits.touch(turning).map_or(0.0, |(mine, _)| at_line - mine.0)
 }
 
@@ -162,19 +162,19 @@ fn setback(network: &RoadNetwork, before: LaneId, body: Body, turning: &Sweep) -
 /// keeps its room free before the lines elsewhere.
 pub(crate) fn make_room(
     network: &RoadNetwork,
-    bodies: Bodies,
+    bodies: DesignVehicles,
     spec: &VehicleSpec,
     allowed: &mut [bool],
     setbacks: &mut [f64],
 ) {
-    let body = Body::around(std::iter::once(spec), ASIDE_M);
+    let body = DesignVehicle::around(std::iter::once(spec), ASIDE_M);
     for junction in &network.junctions {
         let before = approaches(network, &junction.lanes);
         for &lane in junction.lanes.iter().filter(|l| network.lane(**l).turn != Turn::Straight) {
             if !allowed[lane.index()] {
                 continue;
             }
-            let sweep = Sweep::along(network, network.lane(lane), body);
+            let sweep = SweptPath::along(network, network.lane(lane), body);
             // To the left the ground inside the bend is the junction's own.
             if network.lane(lane).turn != Turn::Left {
                 let after = &network.lane(lane).successors;
@@ -200,14 +200,14 @@ pub(crate) fn make_room(
 }
 
 /// Lanes that part from the same lane as this one, while they overlap.
-pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &Bodies) -> Vec<Sibling> {
+pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &DesignVehicles) -> Vec<Sibling> {
     let mut siblings = Vec::new();
     for before in &lane.predecessors {
         for &other in network.lane(*before).successors.iter().filter(|&&o| o != lane.id) {
             let them = network.lane(other);
             let known = endless_road::swept_overlap(lane, them).map(|((_, until), _)| until.min(PART_M));
             let reach = lane.centerline.length().min(them.centerline.length()).min(PART_M);
-            let sweep = |l: &Lane| Sweep::between(network, l, body.broad, 0.0, reach);
+            let sweep = |l: &Lane| SweptPath::between(network, l, body.broad, 0.0, reach);
             let swept = sweep(lane).conflict(&sweep(them)).map(|((_, until), _)| until);
             if let Some(until) = known.into_iter().chain(swept).reduce(f64::max) {
                 siblings.push(Sibling { lane: other, until: until + 1.0 });
@@ -219,7 +219,7 @@ pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &Bodies) -> Vec
 
 /// For every lane the lanes with the same direction of travel that run into it, or too near beside it, without a
 /// junction that would order who goes first.
-pub(crate) fn alongside(network: &RoadNetwork, bodies: Bodies) -> Vec<Vec<Alongside>> {
+pub(crate) fn alongside(network: &RoadNetwork, bodies: DesignVehicles) -> Vec<Vec<Alongside>> {
     let mut found: Vec<Vec<Alongside>> = vec![Vec::new(); network.lanes.len()];
     for (a, b) in near_pairs(network) {
         let (one, other) = (network.lane(a), network.lane(b));
@@ -228,7 +228,7 @@ pub(crate) fn alongside(network: &RoadNetwork, bodies: Bodies) -> Vec<Vec<Alongs
         if one.centerline.length().min(other.centerline.length()) <= from {
             continue;
         }
-        let sweep = |l: &Lane| Sweep::between(network, l, bodies.broad, from, l.centerline.length());
+        let sweep = |l: &Lane| SweptPath::between(network, l, bodies.broad, from, l.centerline.length());
         let Some((range, other_range)) = sweep(one).touch(&sweep(other)) else { continue };
         // Long vehicles swing out further.
         let early = |r: (f64, f64)| ((r.0 - LONGER_M).max(from), r.1);
@@ -240,14 +240,14 @@ pub(crate) fn alongside(network: &RoadNetwork, bodies: Bodies) -> Vec<Vec<Alongs
 }
 
 /// A place on a lane.
-struct Place {
+struct LanePlace {
     lane: LaneId,
     on: OnLine,
 }
 
 /// Lanes with the same direction of travel that come near one another, and that nothing else relates.
 fn near_pairs(network: &RoadNetwork) -> BTreeSet<(LaneId, LaneId)> {
-    let mut cells: BTreeMap<(i64, i64), Vec<Place>> = BTreeMap::new();
+    let mut cells: BTreeMap<(i64, i64), Vec<LanePlace>> = BTreeMap::new();
     let mut pairs = BTreeSet::new();
     let cell = |x: f64| (x / NEAR_M).floor() as i64;
     for lane in &network.lanes {
@@ -267,7 +267,7 @@ fn near_pairs(network: &RoadNetwork) -> BTreeSet<(LaneId, LaneId)> {
                     }
                 }
             }
-            cells.entry((x, y)).or_default().push(Place { lane: lane.id, on });
+            cells.entry((x, y)).or_default().push(LanePlace { lane: lane.id, on });
         }
     }
     pairs

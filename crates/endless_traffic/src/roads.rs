@@ -1,7 +1,8 @@
 //! What drivers need of the network, looked up by lane.
 
 use crate::attraction::Attraction;
-use crate::overlap::{Alongside, Bodies, Conflicts, Sibling, alongside, make_room, siblings};
+use crate::overlap::{Alongside, Conflicts, DesignVehicles, Sibling, alongside, make_room, siblings};
+use crate::vehicle_length::LONG_M;
 use endless_road::{Conflict, CrossingId, JunctionId, LaneId, RoadNetwork, Turn};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{VehicleModelId, VehicleSpec};
@@ -11,10 +12,6 @@ use glam::Vec3;
 const STATION_M: f64 = 1.0;
 /// Sideways acceleration that people accept in bends, m/s².
 const BEND_MPS2: f64 = 2.0;
-/// Vehicles longer than this are long, metres.
-pub(crate) const LONG_M: f64 = 6.5;
-/// Vehicles longer than this are given more room where ways meet in bends, metres.
-pub(crate) const SWINGS_OUT_M: f64 = 5.4;
 /// Long vehicles need right turns of this many lengths, or their rear wheels would climb the kerb.
 const LONG_RADIUS: f64 = 1.3;
 /// And left turns of this many: the ground inside them is the junction's own, kept free for them.
@@ -34,7 +31,7 @@ pub(crate) const PLANNED_BRAKING: f64 = 1.3;
 
 /// A crossing over a lane.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Cut {
+pub(crate) struct CrossingCut {
     pub(crate) crossing: CrossingId,
     /// Range of `s`.
     pub(crate) range: (f64, f64),
@@ -48,7 +45,7 @@ pub(crate) struct LaneTable {
     pub(crate) length: f64,
     pub(crate) junction: Option<JunctionId>,
     profile: Vec<f64>,
-    pub(crate) cuts: Vec<Cut>,
+    pub(crate) cuts: Vec<CrossingCut>,
     /// Smallest radius of the centre line, metres.
     pub(crate) radius: f64,
     conflicts: Vec<Conflict>,
@@ -88,7 +85,7 @@ pub(crate) struct Roads {
 impl Roads {
     /// With all models, and the places that are looked at.
     pub(crate) fn new(network: RoadNetwork, specs: &[VehicleSpec], focus: &[Vec3]) -> Self {
-        let bodies = Bodies::of(specs);
+        let bodies = DesignVehicles::of(specs);
         let mut lanes: Vec<LaneTable> = network.lanes.iter().map(|lane| table(&network, lane.id)).collect();
         for (place, crossing) in network.crossings.iter().enumerate() {
             let [from, to] = crossing.ends.map(glam::DVec3::truncate);
@@ -96,7 +93,7 @@ impl Roads {
             for cut in &crossing.cuts {
                 let middle = network.lane(cut.lane).centerline.at(0.5 * (cut.range.0 + cut.range.1)).position;
                 let along_m = (middle.truncate() - from).dot(direction);
-                lanes[cut.lane.index()].cuts.push(Cut {
+                lanes[cut.lane.index()].cuts.push(CrossingCut {
                     crossing: CrossingId(place as u16),
                     range: cut.range,
                     along_m,

@@ -1,14 +1,14 @@
 //! The simulation as a whole.
 
-use crate::approach::Marshal;
 use crate::crossing::{CrossingState, note_vehicles};
+use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
 use crate::population::{Conditions, Population};
 use crate::roads::Roads;
 use crate::settings::{Fleet, TrafficSettings};
-use crate::steering::View;
+use crate::steering::DriverView;
 use crate::vehicle::Vehicle;
-use crate::walker::{Scene, Walker};
+use crate::walker::{Walker, WalkerView};
 use crate::{kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::math::f64::wrap_angle;
@@ -35,7 +35,7 @@ pub struct Simulation {
     walkers: Vec<Walker>,
     ids: ActorIds,
     occupancy: Occupancy,
-    marshal: Marshal,
+    controller: JunctionController,
     crossings: Vec<CrossingState>,
     signals: Vec<SignalState>,
     fps: f64,
@@ -87,7 +87,7 @@ impl Simulation {
             walkers,
             ids,
             occupancy: Occupancy::default(),
-            marshal: Marshal::default(),
+            controller: JunctionController::default(),
             crossings,
             signals: Vec::new(),
             fps,
@@ -131,7 +131,7 @@ impl Simulation {
         self.steps += 1;
         signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
         note_vehicles(&self.roads, &self.vehicles, &mut self.crossings);
-        let scene = Scene { roads: &self.roads, graph: &self.graph, signals: &self.signals };
+        let scene = WalkerView { roads: &self.roads, graph: &self.graph, signals: &self.signals };
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
         self.occupancy.rebuild(&self.roads, &self.vehicles);
         let a_second = (1.0 / step_s).round().max(1.0) as u64;
@@ -139,11 +139,11 @@ impl Simulation {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }
-        self.marshal.step(&self.roads, &self.occupancy, &self.signals, &mut self.vehicles, step_s);
-        let view = View {
+        self.controller.step(&self.roads, &self.occupancy, &self.signals, &mut self.vehicles, step_s);
+        let view = DriverView {
             roads: &self.roads,
             occupancy: &self.occupancy,
-            marshal: &self.marshal,
+            controller: &self.controller,
             crossings: &self.crossings,
             signals: &self.signals,
             vehicles: &self.vehicles,

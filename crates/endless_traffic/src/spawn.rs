@@ -1,7 +1,7 @@
 //! Who is there when the scene begins.
 
 use crate::driver::Driver;
-use crate::footprint::Footprint;
+use crate::footprint::OrientedRectangle;
 use crate::kinematics;
 use crate::roads::Roads;
 use crate::settings::TrafficSettings;
@@ -57,11 +57,11 @@ pub(crate) fn vehicles(
     let seed = settings.seed;
     let mut stream = Stream::named(seed, "traffic.spawn", &[]);
     let mut free = points(roads, specs.len());
-    let standing: Vec<Footprint> = parked
+    let standing: Vec<OrientedRectangle> = parked
         .iter()
         .map(|ParkedVehicle { vehicle, pose }| {
             let spec = &specs[vehicle.model.index()];
-            Footprint::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), PARKED_M)
+            OrientedRectangle::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), PARKED_M)
         })
         .collect();
     // Models that find no way round this town stay away.
@@ -81,7 +81,7 @@ pub(crate) fn vehicles(
         let fits = |p: &SpawnPoint| {
             let length = roads.table(p.lane).length;
             let on = roads.network.lane(p.lane).centerline.at(p.s);
-            let body = Footprint::new(spec, on.position.truncate(), on.heading_rad, 0.0);
+            let body = OrientedRectangle::new(spec, on.position.truncate(), on.heading_rad, 0.0);
             let inside = roads.allowed(model)[p.lane.index()] && p.s > half + 1.0 && p.s < length - half - 1.0;
             inside
                 && placed.iter().all(|v| v.lane() != p.lane || (v.s - p.s).abs() > v.half_length + half + GAP_M)

@@ -1,8 +1,8 @@
 //! One vehicle's acceleration: the smallest of what each thing ahead asks for.
 
-use crate::approach::Marshal;
 use crate::crossing::{CrossingState, comfortable_stop_m, signal_of};
 use crate::driver::HARDEST_BRAKING;
+use crate::junction_controller::JunctionController;
 use crate::occupancy::{Leader, Occupancy};
 use crate::roads::{PLANNED_BRAKING, Roads};
 use crate::vehicle::Vehicle;
@@ -18,16 +18,16 @@ const JERK_UP: f64 = 5.0;
 const JERK_DOWN: f64 = 25.0;
 
 /// What all drivers see.
-pub(crate) struct View<'a> {
+pub(crate) struct DriverView<'a> {
     pub(crate) roads: &'a Roads,
     pub(crate) occupancy: &'a Occupancy,
-    pub(crate) marshal: &'a Marshal,
+    pub(crate) controller: &'a JunctionController,
     pub(crate) crossings: &'a [CrossingState],
     pub(crate) signals: &'a [SignalState],
     pub(crate) vehicles: &'a [Vehicle],
 }
 
-impl View<'_> {
+impl DriverView<'_> {
     /// Acceleration of a vehicle for the coming step, m/s².
     pub(crate) fn acceleration(&self, i: usize, step_s: f64) -> f64 {
         let me = &self.vehicles[i];
@@ -75,8 +75,10 @@ impl View<'_> {
             let table = self.roads.table(lane);
             let kept = std::mem::replace(&mut setback, table.setback);
             if let Some(junction) = table.junction {
-                match me.grant_for(junction) {
-                    Some(grant) => nearest = nearest.min(self.earlier_ahead(i, lane, base, grant.order, true)),
+                match me.right_of_way_at(junction) {
+                    Some(right_of_way) => {
+                        nearest = nearest.min(self.earlier_ahead(i, lane, base, right_of_way.order, true));
+                    }
                     None if k > 0 && base > 0.0 => {
                         let at_line = base - me.half_length - 0.3;
                         // Room for those who turn is left by who can still stop for it; who stands in it stays there.
@@ -114,9 +116,9 @@ impl View<'_> {
         let me = &self.vehicles[i];
         let mut free = leader.map_or(f64::INFINITY, |l| l.gap + l.speed * l.speed / 6.0);
         for (lane, base) in me.ahead(self.roads).take_while(|a| a.1 < CLOSE_M) {
-            let grant = self.roads.table(lane).junction.and_then(|junction| me.grant_for(junction));
-            if let Some(grant) = grant {
-                free = free.min(self.earlier_ahead(i, lane, base, grant.order, false));
+            let right_of_way = self.roads.table(lane).junction.and_then(|junction| me.right_of_way_at(junction));
+            if let Some(right_of_way) = right_of_way {
+                free = free.min(self.earlier_ahead(i, lane, base, right_of_way.order, false));
             }
         }
         free
@@ -146,12 +148,14 @@ impl View<'_> {
         let me = &self.vehicles[i];
         let mut nearest = f64::INFINITY;
         let Some(junction) = self.roads.table(lane).junction else { return nearest };
-        for &other in self.marshal.granted(junction) {
+        for &other in self.controller.holders(junction) {
             let them = &self.vehicles[other];
-            let Some(grant) = them.grant_for(junction).filter(|g| other != i && g.order < order) else { continue };
+            let Some(right_of_way) = them.right_of_way_at(junction).filter(|g| other != i && g.order < order) else {
+                continue;
+            };
             for conflict in self.roads.table(lane).conflicts(me.long() || them.long()) {
                 let gap = base + conflict.range.0 - me.half_length - 0.4;
-                if gap < -1.0 || !grant.lanes.contains(&conflict.other) {
+                if gap < -1.0 || !right_of_way.lanes.contains(&conflict.other) {
                     continue;
                 }
                 let Some(distance) = them.distance_to(self.roads, conflict.other) else { continue };

@@ -1,13 +1,13 @@
 //! What a vehicle draws: its axle follows the hitch without slipping sideways.
 
-use crate::kinematics::drawn;
+use crate::drawbar::towed_heading;
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{atan2, sin_cos};
 use glam::DVec2;
 
 /// A trailer on its way.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Trailer {
+pub(crate) struct TrailerState {
     /// Of the hitch ahead of the vehicle's origin, metres.
     hitch_m: f64,
     /// From the hitch to the axle, metres.
@@ -16,7 +16,7 @@ pub(crate) struct Trailer {
     pub(crate) yaw: f64,
 }
 
-impl Trailer {
+impl TrailerState {
     /// Of a vehicle that draws one.
     pub(crate) fn of(spec: &VehicleSpec) -> Option<Self> {
         let trailer = spec.trailer?;
@@ -34,7 +34,7 @@ impl Trailer {
         let hitch = self.hitch_of(origin, yaw);
         let way = hitch - self.hitch;
         if way.length_squared() > 1e-12 {
-            self.yaw = drawn(self.yaw, atan2(way.y, way.x), way.length(), self.bar_m);
+            self.yaw = towed_heading(self.yaw, atan2(way.y, way.x), way.length(), self.bar_m);
         }
         self.hitch = hitch;
     }
@@ -59,9 +59,9 @@ mod tests {
     use endless_world::math::f64::{atan, wrap_angle};
     use std::f64::consts::FRAC_PI_2;
 
-    fn trailer(name: &str) -> Trailer {
+    fn trailer(name: &str) -> TrailerState {
         let vehicle = Catalogue::draw_vehicle(name, 0).expect("a design");
-        Trailer::of(&vehicle.spec).expect("it draws something")
+        TrailerState::of(&vehicle.spec).expect("it draws something")
     }
 
     #[test]

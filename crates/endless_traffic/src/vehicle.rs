@@ -1,9 +1,10 @@
 //! One moving vehicle.
 
 use crate::driver::Driver;
-use crate::footprint::Footprint;
-use crate::roads::{Roads, SWINGS_OUT_M};
-use crate::trailer::Trailer;
+use crate::footprint::OrientedRectangle;
+use crate::roads::Roads;
+use crate::trailer::TrailerState;
+use crate::vehicle_length::SWINGS_OUT_M;
 use endless_road::{JunctionId, LaneId};
 use endless_world::{ObjectClass, Pose, Stream, VehicleLights, VehicleRef, VehicleSpec};
 use glam::{DVec3, Vec3};
@@ -14,7 +15,7 @@ pub(crate) const HORIZON_M: f64 = 130.0;
 
 /// Leave to cross a junction. Vehicles pass a place where their ways overlap in the order of `order`.
 #[derive(Debug, Clone)]
-pub(crate) struct Grant {
+pub(crate) struct RightOfWay {
     pub(crate) junction: JunctionId,
     pub(crate) order: u64,
     pub(crate) lanes: Vec<LaneId>,
@@ -26,7 +27,7 @@ pub(crate) struct Grant {
 
 /// A lane change under way.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Shift {
+pub(crate) struct LaneChange {
     /// The lane being left, and its `s` minus the new lane's.
     pub(crate) from: LaneId,
     pub(crate) from_minus_here: f64,
@@ -40,7 +41,7 @@ pub(crate) struct Shift {
 
 /// A part of a lane that a body covers, not clipped to the lane.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Cover {
+pub(crate) struct LaneCover {
     pub(crate) lane: LaneId,
     pub(crate) rear: f64,
     pub(crate) front: f64,
@@ -65,10 +66,10 @@ pub(crate) struct Vehicle {
     pub(crate) s: f64,
     pub(crate) speed: f64,
     pub(crate) acceleration: f64,
-    pub(crate) shift: Option<Shift>,
+    pub(crate) shift: Option<LaneChange>,
     /// Lane change to come: target, and seconds until it begins.
     pub(crate) intent: Option<(LaneId, f64)>,
-    pub(crate) grants: Vec<Grant>,
+    pub(crate) rights_of_way: Vec<RightOfWay>,
     /// Seconds standing before a junction.
     pub(crate) waited_s: f64,
 
@@ -80,7 +81,7 @@ pub(crate) struct Vehicle {
     pub(crate) steer: f64,
     pub(crate) velocity: Vec3,
     pub(crate) rolled: f64,
-    pub(crate) trailer: Option<Trailer>,
+    pub(crate) trailer: Option<TrailerState>,
     pub(crate) lights: VehicleLights,
     pub(crate) brake_hold_s: f64,
 }
@@ -110,7 +111,7 @@ impl Vehicle {
             acceleration: 0.0,
             shift: None,
             intent: None,
-            grants: Vec::new(),
+            rights_of_way: Vec::new(),
             waited_s: 0.0,
             pose: Pose::default(),
             yaw: 0.0,
@@ -119,7 +120,7 @@ impl Vehicle {
             steer: 0.0,
             velocity: Vec3::ZERO,
             rolled: 0.0,
-            trailer: Trailer::of(spec),
+            trailer: TrailerState::of(spec),
             lights: VehicleLights::default(),
             brake_hold_s: 0.0,
         }
@@ -176,7 +177,7 @@ impl Vehicle {
     }
 
     /// The parts of lanes the body covers.
-    pub(crate) fn covers(&self, roads: &Roads, into: &mut Vec<Cover>) {
+    pub(crate) fn covers(&self, roads: &Roads, into: &mut Vec<LaneCover>) {
         into.clear();
         let mut base = 0.0;
         // Lanes behind.
@@ -184,25 +185,25 @@ impl Vehicle {
             base += roads.table(self.route[i]).length;
             let at = self.s + base;
             if at - self.half_length < roads.table(self.route[i]).length {
-                into.push(Cover { lane: self.route[i], rear: at - self.half_length, front: at + self.half_length });
+                into.push(LaneCover { lane: self.route[i], rear: at - self.half_length, front: at + self.half_length });
             }
         }
         for (lane, base) in self.ahead(roads) {
             if base > self.half_length {
                 break;
             }
-            into.push(Cover { lane, rear: -base - self.half_length, front: -base + self.half_length });
+            into.push(LaneCover { lane, rear: -base - self.half_length, front: -base + self.half_length });
         }
         if let Some(shift) = self.shift {
             let at = self.s + shift.from_minus_here;
-            into.push(Cover { lane: shift.from, rear: at - self.half_length, front: at + self.half_length });
+            into.push(LaneCover { lane: shift.from, rear: at - self.half_length, front: at + self.half_length });
         }
     }
 
     /// Its body seen from above, with a margin all round, metres.
-    pub(crate) fn footprint(&self, specs: &[VehicleSpec], margin_m: f64) -> Footprint {
+    pub(crate) fn footprint(&self, specs: &[VehicleSpec], margin_m: f64) -> OrientedRectangle {
         let spec = &specs[self.asset.model.index()];
-        Footprint::new(spec, self.pose.position.as_dvec3().truncate(), self.yaw, margin_m)
+        OrientedRectangle::new(spec, self.pose.position.as_dvec3().truncate(), self.yaw, margin_m)
     }
 
     /// Where it could stand at the earliest if it braked firmly, metres from now.
@@ -210,7 +211,7 @@ impl Vehicle {
         self.speed * self.speed / (2.0 * 3.0)
     }
 
-    pub(crate) fn grant_for(&self, junction: JunctionId) -> Option<&Grant> {
-        self.grants.iter().find(|g| g.junction == junction)
+    pub(crate) fn right_of_way_at(&self, junction: JunctionId) -> Option<&RightOfWay> {
+        self.rights_of_way.iter().find(|g| g.junction == junction)
     }
 }

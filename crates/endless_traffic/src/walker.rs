@@ -1,7 +1,7 @@
 //! People on foot: they walk to random places for ever, keep to their right, step around one another, and cross roads
 //! at crossings when they may.
 
-use crate::crossing::{CrossingState, OnFoot, signal_of};
+use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
 use crate::roads::Roads;
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
@@ -10,7 +10,7 @@ use endless_world::{Gait, SignalAspect, SignalState, Stream};
 use glam::{DVec2, DVec3};
 use std::collections::VecDeque;
 
-/// Bodies are discs of this radius, metres.
+/// DesignVehicles are discs of this radius, metres.
 pub(crate) const BODY_M: f64 = 0.25;
 /// Room that people like to keep between bodies, metres.
 const SHY_M: f64 = 0.15;
@@ -49,7 +49,7 @@ pub(crate) struct Walker {
 
 /// A directed strip: from, unit direction, length, usable half width.
 #[derive(Debug, Clone, Copy)]
-struct Strip {
+struct DirectedEdge {
     from: DVec2,
     along: DVec2,
     length: f64,
@@ -57,7 +57,7 @@ struct Strip {
     kind: WalkKind,
 }
 
-impl Strip {
+impl DirectedEdge {
     fn new(roads: &Roads, from: WalkNodeId, edge: WalkEdgeId, to: WalkNodeId) -> Self {
         let walk = &roads.network.walk;
         let (a, b) = (walk.nodes[from.index()].truncate(), walk.nodes[to.index()].truncate());
@@ -90,14 +90,14 @@ impl Strip {
 }
 
 /// What people see.
-pub(crate) struct Scene<'a> {
+pub(crate) struct WalkerView<'a> {
     pub(crate) roads: &'a Roads,
     pub(crate) graph: &'a WalkGraph,
     pub(crate) signals: &'a [SignalState],
 }
 
 /// Moves everybody on by one step, one after the other.
-pub(crate) fn step(scene: &Scene<'_>, walkers: &mut [Walker], crossings: &mut [CrossingState], step_s: f64) {
+pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &mut [CrossingState], step_s: f64) {
     for i in 0..walkers.len() {
         let near: Vec<(DVec2, DVec2)> = walkers
             .iter()
@@ -121,24 +121,27 @@ pub(crate) fn step(scene: &Scene<'_>, walkers: &mut [Walker], crossings: &mut [C
 }
 
 impl Walker {
-    fn strip(&self, roads: &Roads) -> Strip {
+    fn strip(&self, roads: &Roads) -> DirectedEdge {
         let (edge, to) = self.way[0];
-        Strip::new(roads, self.from, edge, to)
+        DirectedEdge::new(roads, self.from, edge, to)
     }
 
-    fn next_strip(&self, roads: &Roads) -> Option<Strip> {
+    fn next_strip(&self, roads: &Roads) -> Option<DirectedEdge> {
         let &(edge, to) = self.way.get(1)?;
-        Some(Strip::new(roads, self.way[0].1, edge, to))
+        Some(DirectedEdge::new(roads, self.way[0].1, edge, to))
     }
 
     /// The crossing underfoot.
-    fn crossing(&self, roads: &Roads) -> Option<(CrossingId, OnFoot)> {
+    fn crossing(&self, roads: &Roads) -> Option<(CrossingId, CrossingPedestrian)> {
         let strip = self.strip(roads);
         let WalkKind::Crossing(id) = strip.kind else { return None };
         let [a, b] = roads.network.crossings[id.index()].ends.map(DVec3::truncate);
         let along = (b - a).normalize_or_zero();
         let direction = along.dot(strip.along).signum();
-        Some((id, OnFoot { along_m: (self.position - a).dot(along), direction, speed: self.velocity.length() }))
+        Some((
+            id,
+            CrossingPedestrian { along_m: (self.position - a).dot(along), direction, speed: self.velocity.length() },
+        ))
     }
 
     /// The crossing at whose beginning they stand or will be in a moment.
@@ -148,12 +151,12 @@ impl Walker {
         (strip.length - strip.local(self.position).0 < KERB_M).then_some(id)
     }
 
-    fn may_cross(&self, scene: &Scene<'_>, id: CrossingId, crossings: &[CrossingState]) -> bool {
+    fn may_cross(&self, scene: &WalkerView<'_>, id: CrossingId, crossings: &[CrossingState]) -> bool {
         let light = signal_of(scene.roads, id).map(|s| scene.signals[s].aspect);
         light.is_none_or(|a| a == SignalAspect::Green) && !crossings[id.index()].danger
     }
 
-    fn step(&mut self, scene: &Scene<'_>, near: &[(DVec2, DVec2)], crossings: &mut [CrossingState], step_s: f64) {
+    fn step(&mut self, scene: &WalkerView<'_>, near: &[(DVec2, DVec2)], crossings: &mut [CrossingState], step_s: f64) {
         let roads = scene.roads;
         self.go_on(scene, crossings);
         let strip = self.strip(roads);
@@ -172,7 +175,7 @@ impl Walker {
             }
         }
         // Aim at a point further on, on the right-hand side of the strip, around the corner if that is near.
-        let keep = |s: &Strip| -self.side * s.half_width;
+        let keep = |s: &DirectedEdge| -self.side * s.half_width;
         let ahead = along + AIM_M;
         let target = match next {
             _ if ahead <= strip.length => strip.point(ahead.max(0.3), keep(&strip)),
@@ -209,7 +212,7 @@ impl Walker {
     }
 
     /// Takes the next edge when the end of this one is near, and plans a new way when it ends.
-    fn go_on(&mut self, scene: &Scene<'_>, crossings: &[CrossingState]) {
+    fn go_on(&mut self, scene: &WalkerView<'_>, crossings: &[CrossingState]) {
         if self.way.len() < 2 {
             self.plan(scene.roads, scene.graph);
         }
@@ -247,7 +250,13 @@ impl Walker {
 
     /// The velocity nearest to the wanted one that meets nobody in the next seconds (sampled velocity obstacles,
     /// Fiorini and Shiller 1998) and stays on the strip.
-    fn avoid(&self, wanted: DVec2, near: &[(DVec2, DVec2)], strip: &Strip, next: Option<&Strip>) -> DVec2 {
+    fn avoid(
+        &self,
+        wanted: DVec2,
+        near: &[(DVec2, DVec2)],
+        strip: &DirectedEdge,
+        next: Option<&DirectedEdge>,
+    ) -> DVec2 {
         let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
         let here = outside(self.position);
         // Who has been stuck squeezes past, shoulder to shoulder.
@@ -284,7 +293,14 @@ impl Walker {
     }
 
     /// Moves, but never into somebody, and not off the sidewalk to get past them.
-    fn advance(&mut self, near: &[(DVec2, DVec2)], strip: &Strip, next: Option<&Strip>, waits: bool, step_s: f64) {
+    fn advance(
+        &mut self,
+        near: &[(DVec2, DVec2)],
+        strip: &DirectedEdge,
+        next: Option<&DirectedEdge>,
+        waits: bool,
+        step_s: f64,
+    ) {
         let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
         let here = outside(self.position);
         let leaves = |velocity: DVec2| outside(self.position + velocity * step_s) > here + 1e-9;
@@ -309,7 +325,7 @@ impl Walker {
         self.gait = self.steps.gait(speed, waits);
     }
 
-    fn turn(&mut self, strip: &Strip, waits_for: Option<&Strip>, step_s: f64) {
+    fn turn(&mut self, strip: &DirectedEdge, waits_for: Option<&DirectedEdge>, step_s: f64) {
         let speed = self.velocity.length();
         let facing = if speed > 0.25 {
             self.velocity
@@ -350,7 +366,7 @@ fn threat(relative: DVec2, velocity: DVec2, shy: f64) -> f64 {
 pub(crate) fn height(roads: &Roads, from: WalkNodeId, (edge, to): (WalkEdgeId, WalkNodeId), at: DVec2) -> f64 {
     let walk = &roads.network.walk;
     let (a, b) = (walk.nodes[from.index()], walk.nodes[to.index()]);
-    let strip = Strip::new(roads, from, edge, to);
+    let strip = DirectedEdge::new(roads, from, edge, to);
     let u = (strip.local(at).0 / strip.length.max(1e-6)).clamp(0.0, 1.0);
     let high = a.z + (b.z - a.z) * u;
     let WalkKind::Crossing(id) = strip.kind else { return high };

@@ -1,7 +1,7 @@
 use super::*;
 use crate::driver::Driver;
 use crate::population::Conditions;
-use crate::trailer::Trailer;
+use crate::trailer::TrailerState;
 use endless_asset::Catalogue;
 use endless_road::Turn;
 use endless_world::{Stream, VehicleModelId, VehicleRef, VehicleSpec};
@@ -23,7 +23,7 @@ fn tyres(vehicle: &Vehicle, spec: &VehicleSpec) -> [DVec2; 4] {
 }
 
 /// The outer faces of the tyres in the middle of what is drawn.
-fn drawn_tyres(trailer: &Trailer, spec: &VehicleSpec) -> [DVec2; 2] {
+fn drawn_tyres(trailer: &TrailerState, spec: &VehicleSpec) -> [DVec2; 2] {
     let (sin, cos) = sin_cos(trailer.yaw);
     let across = DVec2::new(-sin, cos) * (0.5 * f64::from(spec.width_m) - 0.05);
     [trailer.axle() + across, trailer.axle() - across]
@@ -56,8 +56,8 @@ fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
                 for _ in 0..(way / 4.0 * 30.0) as usize {
                     advance(&mut bus, &roads, 1.0 / 30.0);
                     // To the left the ground inside is the junction's own: room is kept for what is drawn there.
-                    let drawn = bus.trailer.filter(|_| lane.turn != Turn::Left).map(|t| drawn_tyres(&t, spec));
-                    for tyre in tyres(&bus, spec).into_iter().chain(drawn.into_iter().flatten()) {
+                    let towed = bus.trailer.filter(|_| lane.turn != Turn::Left).map(|t| drawn_tyres(&t, spec));
+                    for tyre in tyres(&bus, spec).into_iter().chain(towed.into_iter().flatten()) {
                         check(&roads, [before, lane.id, after], tyre, &format!("{name} {} {:?}", spec.name, lane.turn));
                     }
                 }

@@ -4,12 +4,12 @@ use endless_town::Town;
 use endless_world::{ObjectClass, Pose, VehicleModelId, VehicleRef};
 use glam::Vec3;
 
-struct Place {
+struct TestTown {
     catalogue: Catalogue,
     town: Town,
 }
 
-impl Place {
+impl TestTown {
     fn new(name: &str) -> Self {
         let catalogue = Catalogue::builtin();
         let town = endless_town::load(name, &catalogue).expect("a town");
@@ -40,7 +40,7 @@ fn at(vehicle: &Vehicle) -> DVec2 {
 
 #[test]
 fn vehicles_begin_clear_of_parked_ones() {
-    let place = Place::new("Town02");
+    let place = TestTown::new("Town02");
     let (specs, roads) = (place.specs(), place.roads(&[]));
     let car = specs.iter().position(|s| s.parks).expect("something parks");
     // Parked so badly that every other spawn point is taken.
@@ -57,7 +57,7 @@ fn vehicles_begin_clear_of_parked_ones() {
         .collect();
     let print = |vehicle: VehicleRef, pose: &Pose| {
         let spec = &specs[vehicle.model.index()];
-        Footprint::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), 0.0)
+        OrientedRectangle::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), 0.0)
     };
     let placed = vehicles(&roads, &specs, &parked, &asked(60, 3));
     assert!(placed.len() > 10, "{} vehicles", placed.len());
@@ -71,7 +71,7 @@ fn vehicles_begin_clear_of_parked_ones() {
 fn buses_and_lorries_are_as_frequent_as_in_the_catalogue_where_streets_have_several_lanes() {
     const SEEDS: u64 = 60;
     for name in ["Town05", "Town06", "Town10HD"] {
-        let place = Place::new(name);
+        let place = TestTown::new(name);
         let (specs, roads) = (place.specs(), place.roads(&[]));
         let total: f64 = specs.iter().map(|s| s.frequency).sum();
         let mut counts = [0.0; 2];
@@ -91,7 +91,7 @@ fn buses_and_lorries_are_as_frequent_as_in_the_catalogue_where_streets_have_seve
 
 #[test]
 fn vehicles_and_people_are_spread_over_the_map() {
-    let place = Place::new("Town03");
+    let place = TestTown::new("Town03");
     let (specs, roads) = (place.specs(), place.roads(&[]));
     let graph = WalkGraph::new(&roads.network.walk);
     let places = || roads.network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.truncate());
@@ -116,7 +116,7 @@ fn vehicles_and_people_are_spread_over_the_map() {
 
 #[test]
 fn more_begin_near_the_places_looked_at() {
-    let place = Place::new("Town04");
+    let place = TestTown::new("Town04");
     let specs = place.specs();
     let focus: Vec<Vec3> = place.town.cameras.iter().take(2).map(|c| Vec3::from_array(c.position)).collect();
     let near = |focus_on: &[Vec3]| {

@@ -1,12 +1,12 @@
 //! Who may enter a junction.
 //!
-//! A vehicle needs leave (a [`Grant`]) to cross the line before a junction: its signal or sign allows it, those with
+//! A vehicle needs the right of way (a [`RightOfWay`]) to cross the line before a junction: its signal or sign allows it, those with
 //! priority are far enough away, and there is room for it beyond. Where the ways of two vehicles overlap they pass in
-//! the order of their grants, so nobody waits in a circle and no two bodies meet.
+//! the order in which they got it, so nobody waits in a circle and no two bodies meet.
 
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
-use crate::vehicle::{Grant, Vehicle};
+use crate::vehicle::{RightOfWay, Vehicle};
 use endless_road::{Control, JunctionId, LaneId, Turn};
 use endless_world::{SignalAspect, SignalState};
 
@@ -23,14 +23,14 @@ const PATIENCE_S: f64 = 2.5;
 const COURTESY_S: f64 = 25.0;
 /// They stand for it this share of the time that the other has waited.
 const COURTEOUS_SHARE: f64 = 0.25;
-/// Who has leave and has stood this long before the junction is held up by something else, seconds.
+/// Who has the right of way and has stood this long before the junction is held up by something else, seconds.
 const HELD_UP_S: f64 = 4.0;
 /// Traffic is slow below this speed, m/s.
 const SLOW_MPS: f64 = 4.0;
 
-/// A vehicle before a junction that has no leave yet.
+/// A vehicle before a junction that has no right of way yet.
 #[derive(Debug, Clone)]
-pub(crate) struct Request {
+pub(crate) struct EntryRequest {
     vehicle: usize,
     junction: JunctionId,
     /// From the front bumper to the line, metres.
@@ -46,25 +46,25 @@ pub(crate) struct Request {
     held: bool,
 }
 
-impl Request {
+impl EntryRequest {
     /// Nobody else stands between it and the line.
     fn at_the_line(&self) -> bool {
         self.distance < 6.0 + self.setback
     }
 }
 
-/// Gives and takes back leave to enter junctions.
+/// Gives and takes back the right of way through junctions.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Marshal {
+pub(crate) struct JunctionController {
     order: u64,
-    requests: Vec<Request>,
-    /// Vehicles with a grant, by junction.
-    granted: Vec<Vec<usize>>,
+    requests: Vec<EntryRequest>,
+    /// Vehicles with the right of way, by junction.
+    holders: Vec<Vec<usize>>,
 }
 
-impl Marshal {
-    pub(crate) fn granted(&self, junction: JunctionId) -> &[usize] {
-        &self.granted[junction.index()]
+impl JunctionController {
+    pub(crate) fn holders(&self, junction: JunctionId) -> &[usize] {
+        &self.holders[junction.index()]
     }
 
     pub(crate) fn step(
@@ -76,13 +76,13 @@ impl Marshal {
         step_s: f64,
     ) {
         release(roads, occupancy, signals, vehicles, step_s);
-        self.granted.resize(roads.network.junctions.len(), Vec::new());
-        for list in &mut self.granted {
+        self.holders.resize(roads.network.junctions.len(), Vec::new());
+        for list in &mut self.holders {
             list.clear();
         }
         for (i, vehicle) in vehicles.iter().enumerate() {
-            for grant in &vehicle.grants {
-                self.granted[grant.junction.index()].push(i);
+            for right_of_way in &vehicle.rights_of_way {
+                self.holders[right_of_way.junction.index()].push(i);
             }
         }
         let mut requests = std::mem::take(&mut self.requests);
@@ -92,7 +92,7 @@ impl Marshal {
                 Some(request) => {
                     let waits = vehicle.speed < 0.3 && request.at_the_line();
                     vehicle.waited_s = if waits { vehicle.waited_s + step_s } else { 0.0 };
-                    requests.push(Request { waited_s: vehicle.waited_s, ..request });
+                    requests.push(EntryRequest { waited_s: vehicle.waited_s, ..request });
                 }
                 None => vehicle.waited_s = 0.0,
             }
@@ -103,12 +103,12 @@ impl Marshal {
             let fits = sign_allows(roads, request)
                 && self.next_in_line(roads, occupancy, vehicles, request)
                 && self.room_beyond(roads, occupancy, vehicles, request)
-                && self.clear_of_granted(roads, vehicles, request)
+                && self.clear_of_holders(roads, vehicles, request)
                 && others.all(|other| !lets_in(roads, request, other) && goes_before(roads, vehicles, request, other));
             if fits {
                 self.order += 1;
                 let vehicle = &mut vehicles[request.vehicle];
-                vehicle.grants.push(Grant {
+                vehicle.rights_of_way.push(RightOfWay {
                     junction: request.junction,
                     order: self.order,
                     lanes: request.lanes.clone(),
@@ -116,25 +116,25 @@ impl Marshal {
                     entered: false,
                     stood_s: 0.0,
                 });
-                self.granted[request.junction.index()].push(request.vehicle);
+                self.holders[request.junction.index()].push(request.vehicle);
             }
         }
         self.requests = requests;
     }
 
-    /// The vehicle directly ahead on the approach has leave already.
-    fn next_in_line(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &Request) -> bool {
+    /// The vehicle directly ahead on the approach has the right of way already.
+    fn next_in_line(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &EntryRequest) -> bool {
         let reach = request.distance + vehicles[request.vehicle].half_length;
         let Some(leader) = occupancy.leader(roads, vehicles, request.vehicle, reach) else { return true };
         if leader.gap > request.distance {
             return true;
         }
-        vehicles[leader.vehicle].grant_for(request.junction).is_some()
+        vehicles[leader.vehicle].right_of_way_at(request.junction).is_some()
     }
 
     /// Room to stand beyond the junction, clear of it and of its crossings. Where the road to the next junction is too
     /// short for that, there must be room beyond the next one too, or a body would be left standing in this one.
-    fn room_beyond(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &Request) -> bool {
+    fn room_beyond(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &EntryRequest) -> bool {
         let me = &vehicles[request.vehicle];
         let route = me.route.iter().copied().skip(me.here);
         let crossings = &roads.table(request.exit).cuts;
@@ -152,8 +152,9 @@ impl Marshal {
                 length += roads.table(lane).length;
             }
             free = free.min(length).min(SEEN_M);
-            for &other in behind.map_or(&[][..], |junction| self.granted(junction)) {
-                let heads_there = vehicles[other].grants.iter().any(|g| Some(g.junction) == behind && g.exit == first);
+            for &other in behind.map_or(&[][..], |junction| self.holders(junction)) {
+                let heads_there =
+                    vehicles[other].rights_of_way.iter().any(|g| Some(g.junction) == behind && g.exit == first);
                 if heads_there && other != request.vehicle && !occupancy.covers_any(other, &[first]) {
                     free -= 2.0 * vehicles[other].half_length + SPARE_M;
                 }
@@ -173,16 +174,17 @@ impl Marshal {
         true
     }
 
-    /// Those who have leave already and priority will be out of the way in time.
-    fn clear_of_granted(&self, roads: &Roads, vehicles: &[Vehicle], request: &Request) -> bool {
+    /// Those who have the right of way already and priority will be out of the way in time.
+    fn clear_of_holders(&self, roads: &Roads, vehicles: &[Vehicle], request: &EntryRequest) -> bool {
         let me = &vehicles[request.vehicle];
         let mut base = request.distance;
         for &lane in &request.lanes {
-            for &other in self.granted(request.junction) {
+            for &other in self.holders(request.junction) {
                 let them = &vehicles[other];
                 let conflicts = roads.table(lane).conflicts(me.long() || them.long());
                 for conflict in conflicts.iter().filter(|c| c.gives_way) {
-                    let uses = them.grant_for(request.junction).is_some_and(|g| g.lanes.contains(&conflict.other));
+                    let uses =
+                        them.right_of_way_at(request.junction).is_some_and(|g| g.lanes.contains(&conflict.other));
                     if other == request.vehicle || !uses {
                         continue;
                     }
@@ -200,32 +202,32 @@ impl Marshal {
     }
 }
 
-/// Takes leave back from those who have passed, from those who can and must still stop, and from those who are held up
+/// Takes the right of way back from those who have passed, from those who can and must still stop, and from those who are held up
 /// before they come to the junction: others might wait for them, and they for those.
 fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicles: &mut [Vehicle], step_s: f64) {
     for i in 0..vehicles.len() {
-        let mut grants = std::mem::take(&mut vehicles[i].grants);
+        let mut rights_of_way = std::mem::take(&mut vehicles[i].rights_of_way);
         let vehicle = &vehicles[i];
-        grants.retain_mut(|grant| {
-            if occupancy.covers_any(i, &grant.lanes) {
-                grant.entered = true;
+        rights_of_way.retain_mut(|right_of_way| {
+            if occupancy.covers_any(i, &right_of_way.lanes) {
+                right_of_way.entered = true;
                 return true;
             }
-            if grant.entered {
+            if right_of_way.entered {
                 return false;
             }
-            let Some(to_line) = vehicle.distance_to(roads, grant.lanes[0]) else { return false };
+            let Some(to_line) = vehicle.distance_to(roads, right_of_way.lanes[0]) else { return false };
             let distance = to_line - vehicle.half_length;
-            grant.stood_s = if vehicle.speed < 0.05 { grant.stood_s + step_s } else { 0.0 };
-            if grant.stood_s > HELD_UP_S {
+            right_of_way.stood_s = if vehicle.speed < 0.05 { right_of_way.stood_s + step_s } else { 0.0 };
+            if right_of_way.stood_s > HELD_UP_S {
                 return false;
             }
-            let control = approach_control(roads, vehicle, grant.lanes[0]);
+            let control = approach_control(roads, vehicle, right_of_way.lanes[0]);
             let stops = matches!(aspect(control, signals), Some(a) if a != SignalAspect::Green);
-            let waits_to_clear = roads.network.lane(grant.lanes[0]).turn == Turn::Left && distance < 3.0;
+            let waits_to_clear = roads.network.lane(right_of_way.lanes[0]).turn == Turn::Left && distance < 3.0;
             !(stops && distance > stopping_m(vehicle.speed) && !waits_to_clear)
         });
-        vehicles[i].grants = grants;
+        vehicles[i].rights_of_way = rights_of_way;
     }
 }
 
@@ -246,8 +248,8 @@ fn aspect(control: Control, signals: &[SignalState]) -> Option<SignalAspect> {
     }
 }
 
-/// The next junction without leave, if it is near enough to matter.
-fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) -> Option<Request> {
+/// The next junction without right of way, if it is near enough to matter.
+fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) -> Option<EntryRequest> {
     let trigger = vehicle.speed * vehicle.speed / (2.0 * 1.8) + 1.2 * vehicle.speed + 8.0 + vehicle.half_length;
     let mut before = None;
     let mut lanes: Vec<LaneId> = Vec::new();
@@ -261,7 +263,7 @@ fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) 
                 }
                 if let (Some(junction), Some(before)) = (junction, before)
                     && base > 0.0
-                    && vehicle.grant_for(junction).is_none()
+                    && vehicle.right_of_way_at(junction).is_none()
                 {
                     found = Some((junction, base, before));
                     lanes.push(lane);
@@ -279,7 +281,7 @@ fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) 
                 let clears = light == Some(SignalAspect::Yellow)
                     && vehicle.waited_s > 1.5
                     && roads.network.lane(lanes[0]).turn == Turn::Left;
-                return Some(Request {
+                return Some(EntryRequest {
                     vehicle: i,
                     junction: inside,
                     distance,
@@ -298,7 +300,7 @@ fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) 
     None
 }
 
-fn sign_allows(roads: &Roads, request: &Request) -> bool {
+fn sign_allows(roads: &Roads, request: &EntryRequest) -> bool {
     let must_look = roads.network.lane(request.lanes[0]).turn == Turn::UTurn;
     match request.control {
         Control::Signal(_) => !request.held,
@@ -309,7 +311,7 @@ fn sign_allows(roads: &Roads, request: &Request) -> bool {
 }
 
 /// Whether `me`, in slow traffic, gives up its turn for `other`, who has waited long to join it or to get across.
-fn lets_in(roads: &Roads, me: &Request, other: &Request) -> bool {
+fn lets_in(roads: &Roads, me: &EntryRequest, other: &EntryRequest) -> bool {
     let meet =
         || me.lanes.iter().any(|&l| roads.table(l).conflicts(true).iter().any(|c| other.lanes.contains(&c.other)));
     other.waited_s > COURTESY_S
@@ -320,8 +322,8 @@ fn lets_in(roads: &Roads, me: &Request, other: &Request) -> bool {
         && (me.exit == other.exit || meet())
 }
 
-/// Whether `me` may go although `other`, which has no leave yet, approaches too.
-fn goes_before(roads: &Roads, vehicles: &[Vehicle], me: &Request, other: &Request) -> bool {
+/// Whether `me` may go although `other`, which has no right of way yet, approaches too.
+fn goes_before(roads: &Roads, vehicles: &[Vehicle], me: &EntryRequest, other: &EntryRequest) -> bool {
     if other.held {
         return true;
     }

@@ -1,7 +1,7 @@
 //! The area that a body sweeps while it follows a lane, its overhangs and the cutting-in of its rear included.
 
-use crate::footprint::Footprint;
-use crate::kinematics::{DRAWBAR, drawn};
+use crate::drawbar::{DRAWBAR, towed_heading};
+use crate::footprint::OrientedRectangle;
 use endless_road::{Lane, Polyline, RoadNetwork};
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{atan2, sin_cos};
@@ -14,22 +14,22 @@ const RUN_UP_M: f64 = 12.0;
 /// From the side of a body to its tyres, and what tyres may leave their lane by: the gutter, less what drivers stray.
 const TYRE_M: f64 = 0.05;
 const GUTTER_M: f64 = 0.25;
-/// Bodies are apart where one is this much above the other, metres.
+/// DesignVehicles are apart where one is this much above the other, metres.
 const STOREY_M: f64 = 3.0;
 
 /// A typical body: the largest of those that go everywhere.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Body {
+pub(crate) struct DesignVehicle {
     pub(crate) half: DVec2,
     wheelbase: f64,
     rear_axle: f64,
     /// What it draws.
-    drawn: Option<Drawn>,
+    towed: Option<TowedBody>,
 }
 
 /// A piece behind a hitch: x in the frame of the whole body while it goes straight on, metres.
 #[derive(Debug, Clone, Copy)]
-struct Drawn {
+struct TowedBody {
     hitch: f64,
     axle: f64,
     front: f64,
@@ -37,7 +37,7 @@ struct Drawn {
     towing_rear: f64,
 }
 
-impl Drawn {
+impl TowedBody {
     fn of(spec: &VehicleSpec) -> Option<Self> {
         let t = spec.trailer?;
         let [hitch, axle, front, towing_rear] = [t.hitch_m, t.axle_m, t.front_m, t.towing_rear_m].map(f64::from);
@@ -47,23 +47,23 @@ impl Drawn {
 
 /// A rigid piece at a place: its axles are metres ahead of its own middle.
 #[derive(Debug, Clone, Copy)]
-struct Piece {
+struct PlacedBody {
     s: f64,
-    print: Footprint,
+    print: OrientedRectangle,
     z: f64,
     axles: [f64; 2],
 }
 
-impl Body {
+impl DesignVehicle {
     /// That holds every one of these, `aside` metres beside the middle of the lane.
     pub(crate) fn around<'a>(specs: impl Iterator<Item = &'a VehicleSpec>, aside: f64) -> Self {
-        let mut body = Self { half: DVec2::new(2.2, 0.9), wheelbase: 2.6, rear_axle: 1.3, drawn: None };
+        let mut body = Self { half: DVec2::new(2.2, 0.9), wheelbase: 2.6, rear_axle: 1.3, towed: None };
         for spec in specs {
             let half = DVec2::new(f64::from(spec.length_m), f64::from(spec.width_m)) / 2.0;
             if half.x > body.half.x {
                 body.wheelbase = f64::from(spec.front_axle_m - spec.rear_axle_m);
                 body.rear_axle = f64::from(-spec.rear_axle_m);
-                body.drawn = Drawn::of(spec);
+                body.towed = TowedBody::of(spec);
             }
             body.half = body.half.max(half);
         }
@@ -78,21 +78,21 @@ impl Body {
 
 /// Where a body is, by the `s` of its origin on the lane; before its beginning and behind its end too.
 #[derive(Debug, Clone)]
-pub(crate) struct Sweep {
-    places: Vec<Piece>,
+pub(crate) struct SweptPath {
+    places: Vec<PlacedBody>,
     low: DVec2,
     high: DVec2,
-    body: Body,
+    body: DesignVehicle,
 }
 
 /// A lane with what comes before it and after it.
-struct Course<'a> {
+struct ExtendedLane<'a> {
     before: Option<&'a Polyline>,
     lane: &'a Polyline,
     after: Option<&'a Polyline>,
 }
 
-impl Course<'_> {
+impl ExtendedLane<'_> {
     fn at(&self, s: f64) -> DVec3 {
         let length = self.lane.length();
         let straight_on = |line: &Polyline, s: f64| {
@@ -109,16 +109,16 @@ impl Course<'_> {
 }
 
 /// The piece that steers.
-struct Rigid {
+struct TowingBody {
     half: DVec2,
     /// Ahead of the body's origin, metres.
     middle: f64,
     axles: [f64; 2],
 }
 
-impl Rigid {
-    fn of(body: &Body) -> Self {
-        let rear = body.drawn.map_or(-body.half.x, |d| d.towing_rear);
+impl TowingBody {
+    fn of(body: &DesignVehicle) -> Self {
+        let rear = body.towed.map_or(-body.half.x, |d| d.towing_rear);
         let middle = 0.5 * (body.half.x + rear);
         let rear_axle = -body.rear_axle - middle;
         Self {
@@ -134,16 +134,16 @@ impl Rigid {
     }
 }
 
-impl Sweep {
+impl SweptPath {
     /// Along a lane from where the body begins to cover it to where it has left it.
-    pub(crate) fn along(network: &RoadNetwork, lane: &Lane, body: Body) -> Self {
+    pub(crate) fn along(network: &RoadNetwork, lane: &Lane, body: DesignVehicle) -> Self {
         Self::between(network, lane, body, -body.half.x, lane.centerline.length() + body.half.x)
     }
 
     /// From one `s` of its origin to another.
-    pub(crate) fn between(network: &RoadNetwork, lane: &Lane, body: Body, from: f64, to: f64) -> Self {
+    pub(crate) fn between(network: &RoadNetwork, lane: &Lane, body: DesignVehicle, from: f64, to: f64) -> Self {
         let line = |id: Option<&endless_road::LaneId>| id.map(|&id| &network.lane(id).centerline);
-        let course = Course {
+        let course = ExtendedLane {
             before: line(lane.predecessors.first()),
             lane: &lane.centerline,
             after: line(lane.successors.first()),
@@ -155,8 +155,8 @@ impl Sweep {
         let mut pivot = course.at(s_at(0) + pivot_x);
         let first = course.at(s_at(0) + pivot_x + STEP_M) - pivot;
         let mut yaw = atan2(first.y, first.x);
-        let rigid = Rigid::of(&body);
-        let mut trailer = body.drawn.map(|d| (d, rigid.hitch(pivot, yaw, pivot_x, d.hitch), yaw));
+        let rigid = TowingBody::of(&body);
+        let mut trailer = body.towed.map(|d| (d, rigid.hitch(pivot, yaw, pivot_x, d.hitch), yaw));
         let mut places = Vec::with_capacity(steps + 1);
         let (mut low, mut high) = (DVec2::INFINITY, DVec2::NEG_INFINITY);
         for k in 0..=steps {
@@ -164,28 +164,28 @@ impl Sweep {
             let next = course.at(s + pivot_x);
             let way = (next - pivot).truncate();
             if way.length_squared() > 1e-12 {
-                yaw = drawn(yaw, atan2(way.y, way.x), way.length(), DRAWBAR * body.wheelbase);
+                yaw = towed_heading(yaw, atan2(way.y, way.x), way.length(), DRAWBAR * body.wheelbase);
             }
             pivot = next;
             if let Some((d, hitch, heading)) = &mut trailer {
                 let next = rigid.hitch(pivot, yaw, pivot_x, d.hitch);
                 let way = next - *hitch;
                 if way.length_squared() > 1e-12 {
-                    *heading = drawn(*heading, atan2(way.y, way.x), way.length(), d.hitch - d.axle);
+                    *heading = towed_heading(*heading, atan2(way.y, way.x), way.length(), d.hitch - d.axle);
                 }
                 *hitch = next;
             }
             if s < from - 1e-9 {
                 continue;
             }
-            let print = Footprint::of(rigid.half, pivot.truncate(), yaw).moved(rigid.middle - pivot_x);
-            places.push(Piece { s, print, z: pivot.z, axles: rigid.axles });
+            let print = OrientedRectangle::of(rigid.half, pivot.truncate(), yaw).moved(rigid.middle - pivot_x);
+            places.push(PlacedBody { s, print, z: pivot.z, axles: rigid.axles });
             if let Some((d, hitch, heading)) = trailer {
                 // From the hitch to its middle.
                 let middle = 0.5 * (d.front - body.half.x);
                 let half = DVec2::new(0.5 * (d.front + body.half.x), body.half.y);
-                let print = Footprint::of(half, hitch, heading).moved(middle - d.hitch);
-                places.push(Piece { s, print, z: pivot.z, axles: [d.axle - middle; 2] });
+                let print = OrientedRectangle::of(half, hitch, heading).moved(middle - d.hitch);
+                places.push(PlacedBody { s, print, z: pivot.z, axles: [d.axle - middle; 2] });
             }
         }
         for piece in &places {
@@ -204,7 +204,7 @@ impl Sweep {
             let nearest = beside.min_by(|a, b| a.0.1.abs().total_cmp(&b.0.1.abs()));
             nearest.is_none_or(|((_, t), lane)| t.abs() < 0.5 * lane.width_m + GUTTER_M)
         };
-        let tyres = |piece: &Piece| {
+        let tyres = |piece: &PlacedBody| {
             piece.axles.iter().all(|&x| [across, -across].iter().all(|&y| on_lane(piece.print.place(x, y))))
         };
         self.places.iter().all(tyres)
@@ -217,8 +217,8 @@ impl Sweep {
         }
         let near = (self.body.reach() + other.body.reach()) * (self.body.reach() + other.body.reach());
         let mut found: Option<((f64, f64), (f64, f64))> = None;
-        for Piece { s, print, z, .. } in &self.places {
-            for Piece { s: t, print: theirs, z: their_z, .. } in &other.places {
+        for PlacedBody { s, print, z, .. } in &self.places {
+            for PlacedBody { s: t, print: theirs, z: their_z, .. } in &other.places {
                 let close = print.center.distance_squared(theirs.center) < near && (z - their_z).abs() < STOREY_M;
                 if !close || !print.overlaps(theirs) {
                     continue;
@@ -234,7 +234,7 @@ impl Sweep {
     /// has left at the second, which may be less.
     pub(crate) fn conflict(&self, other: &Self) -> Option<((f64, f64), (f64, f64))> {
         let (a, b) = self.touch(other)?;
-        let bumpers = |r: (f64, f64), body: &Body| ((r.0 + body.half.x).max(0.0), r.1 - body.half.x);
+        let bumpers = |r: (f64, f64), body: &DesignVehicle| ((r.0 + body.half.x).max(0.0), r.1 - body.half.x);
         Some((bumpers(a, &self.body), bumpers(b, &other.body)))
     }
 }
@@ -249,9 +249,9 @@ mod tests {
     }
 
     fn touch(a: &[(f64, f64)], b: &[(f64, f64)]) -> Option<((f64, f64), (f64, f64))> {
-        let body = Body { half: DVec2::new(2.5, 1.0), wheelbase: 2.8, rear_axle: 1.4, drawn: None };
+        let body = DesignVehicle { half: DVec2::new(2.5, 1.0), wheelbase: 2.8, rear_axle: 1.4, towed: None };
         let network = RoadNetwork { lanes: vec![lane(0, a), lane(1, b)], ..RoadNetwork::default() };
-        let sweep = |k: usize| Sweep::along(&network, &network.lanes[k], body);
+        let sweep = |k: usize| SweptPath::along(&network, &network.lanes[k], body);
         sweep(0).conflict(&sweep(1))
     }
 
