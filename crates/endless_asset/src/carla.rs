@@ -2,7 +2,7 @@
 //!
 //! The ids, classes and sizes are those of CARLA 0.9.15's blueprint library.
 
-use crate::person::Look;
+use crate::person::Appearance;
 use endless_world::ObjectClass::{self, Bicycle, Bus, Car, Motorcycle, Truck, Van};
 use endless_world::Stream;
 
@@ -77,10 +77,10 @@ pub(crate) fn walker(id: &str) -> Option<u64> {
     let mut stream = Stream::named(u64::from(n), "carla walker", &[]);
     loop {
         let variant = stream.next_u64();
-        let look = Look::of(variant, false);
+        let appearance = Appearance::of(variant, false);
         match child {
-            Some(height) if look.child() && (look.height - height).abs() < 0.06 => return Some(variant),
-            None if !look.child() => return Some(variant),
+            Some(height) if appearance.child() && (appearance.height - height).abs() < 0.06 => return Some(variant),
+            None if !appearance.child() => return Some(variant),
             _ => {}
         }
     }
@@ -121,9 +121,9 @@ mod tests {
         for (id, &variant) in walkers().zip(&people) {
             let n: u32 = id[id.len() - 4..].parse().expect("a number");
             let child = CHILDREN.iter().find(|c| c.0 == n);
-            let look = Look::of(variant, false);
-            assert_eq!(look.child(), child.is_some(), "{id}");
-            assert!(child.is_none_or(|c| (look.height - c.1).abs() < 0.07), "{id}: {} m", look.height);
+            let appearance = Appearance::of(variant, false);
+            assert_eq!(appearance.child(), child.is_some(), "{id}");
+            assert!(child.is_none_or(|c| (appearance.height - c.1).abs() < 0.07), "{id}: {} m", appearance.height);
         }
         let mut distinct = people.clone();
         distinct.sort_unstable();

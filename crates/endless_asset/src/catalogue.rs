@@ -3,7 +3,7 @@
 use crate::carla;
 use crate::furniture;
 use crate::person;
-use crate::plant;
+use crate::prop_mesh;
 use crate::vehicle;
 use crate::{Anatomy, ImportedAsset, ImportedThing, PersonModel, Prop, VehicleKind, VehicleModel};
 use endless_scene::{Material, Mesh};
@@ -132,7 +132,7 @@ impl Catalogue {
     /// A plant or a piece of furniture. Few distinct variants exist of each ([`Self::prop_variants`]), so that towns
     /// can instance them.
     pub fn prop(&self, prop: Prop, variant: u32) -> Mesh {
-        self::prop(prop, variant)
+        prop_mesh::prop(prop, variant)
     }
 
     /// Codes of traffic signs, of the Vienna Convention (`C,1`) and of the MUTCD (`R5-1`): the variants of
@@ -149,42 +149,6 @@ impl Catalogue {
 
     /// How many variants of a prop there are, at least 1.
     pub fn prop_variants(&self, prop: Prop) -> u32 {
-        variants(prop)
-    }
-}
-
-/// A plant or a piece of furniture.
-pub(crate) fn prop(prop: Prop, variant: u32) -> Mesh {
-    let variant = variant % variants(prop);
-    match prop {
-        Prop::BroadleafTree => plant::broadleaf(variant),
-        Prop::Conifer => plant::conifer(variant),
-        Prop::Palm => plant::palm(variant),
-        Prop::Bush => plant::bush(variant),
-        Prop::Hedge => plant::hedge(variant),
-        Prop::Planter => plant::planter(variant),
-        Prop::Corn => plant::corn(variant),
-        Prop::Cypress => plant::cypress(variant),
-        Prop::BareTree => plant::bare(variant),
-        Prop::FlowerBed => plant::flower_bed(variant),
-        Prop::GrassTuft => plant::grass(variant),
-        Prop::Wheat => plant::wheat(variant),
-        Prop::Rock => plant::rock(variant),
-        _ => furniture::furniture(prop, variant),
-    }
-}
-
-/// How many variants there are.
-fn variants(prop: Prop) -> u32 {
-    match prop {
-        Prop::BroadleafTree => plant::BROADLEAF_VARIANTS,
-        Prop::Conifer => plant::CONIFER_VARIANTS,
-        Prop::BareTree => plant::BARE_VARIANTS,
-        Prop::Palm | Prop::Corn | Prop::Cypress | Prop::GrassTuft => 3,
-        Prop::FlowerBed | Prop::Rock => 4,
-        Prop::Wheat => 2,
-        Prop::Bush | Prop::Planter => 4,
-        Prop::Hedge => 2,
-        _ => furniture::variants(prop),
+        prop_mesh::variants(prop)
     }
 }

@@ -2,6 +2,27 @@
 //!
 //! Meshes are in the object frame (x forward, y left, z up, metres). The origin of things that stand on the ground is
 //! on the ground, under the centre of their footprint.
+//!
+//! [`Catalogue`] holds all there is: [`VehicleModel`]s, drawn from designs or read from files; persons by their seed
+//! ([`PersonModel`], [`Anatomy`]); [`Prop`]s by kind and variant. [`AssetManifest`] and [`AssetEntry`] read models.
+//!
+//! ```
+//! use endless_asset::{Catalogue, Prop};
+//! use endless_world::{Gait, WalkerMotion};
+//!
+//! let catalogue = Catalogue::builtin();
+//! // Measures are known at once, meshes are made when they are first asked for.
+//! let model = catalogue.vehicles().iter().find(|v| v.name() == "car.hatchback").expect("a design");
+//! assert!((3.0..5.0).contains(&model.spec.length_m));
+//! assert_eq!(model.wheels().len(), 4);
+//!
+//! // Who a person is follows from a seed; a pose from what they do.
+//! let person = catalogue.person(7);
+//! let walking = WalkerMotion { speed_mps: person.walk_mps, gait: Gait::Walk, ..WalkerMotion::default() };
+//! assert_eq!(person.pose(&walking).positions.len(), person.rest.positions.len());
+//!
+//! assert!(!catalogue.prop(Prop::Bench, 0).triangles.is_empty());
+//! ```
 
 mod carla;
 mod catalogue;
@@ -10,6 +31,7 @@ mod import;
 mod person;
 mod plant;
 mod prop;
+mod prop_mesh;
 mod shape;
 mod vehicle;
 

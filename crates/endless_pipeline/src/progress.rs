@@ -5,7 +5,7 @@ use crate::Estimate;
 /// Something worth telling.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Event<'a> {
-    /// MapStatistics to start.
+    /// About to start.
     Start {
         /// Videos to make or complete.
         videos: u32,

@@ -9,11 +9,11 @@ use serde::{Deserialize, Serialize};
 pub enum SignalAspect {
     /// Stop.
     Red,
-    /// MapStatistics to turn red: stop if you can.
+    /// About to turn red: stop if you can.
     Yellow,
     /// Go.
     Green,
-    /// MapStatistics to turn green (where the country has it).
+    /// About to turn green (where the country has it).
     RedYellow,
 }
 

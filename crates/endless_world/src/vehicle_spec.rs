@@ -39,7 +39,7 @@ pub struct VehicleSpec {
 /// Measures of a vehicle that draws another: x in the object frame while it goes straight on, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrailerSpec {
-    /// MapStatistics this the trailer turns.
+    /// About this the trailer turns.
     pub hitch_m: f32,
     /// Middle of the trailer's axles.
     pub axle_m: f32,

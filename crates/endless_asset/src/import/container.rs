@@ -1,7 +1,10 @@
 //! The container of a `.glb` file (glTF 2.0, section 4.4), its document checked against the specification.
 
-use super::{Beside, ImportError};
+use super::error::ImportError;
 use gltf::json::validation::{Checked, Error as Fault};
+
+/// Gives the bytes of a picture by its path as seen from the file; `None` if there is none.
+pub type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
 
 const HEADER: usize = 12;
 const CHUNK_HEADER: usize = 8;

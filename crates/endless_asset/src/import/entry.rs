@@ -1,11 +1,19 @@
 //! The manifest of a folder of models.
 
-use super::{ImportError, Kind};
+use super::error::ImportError;
 use crate::Prop;
 use endless_scene::LightSlot;
 use endless_world::ObjectClass;
 use serde::Deserialize;
 use std::collections::BTreeMap;
+
+/// What the class of an entry means.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum AssetClass {
+    Vehicle(ObjectClass),
+    Prop(Prop),
+    Building,
+}
 
 /// Longest name of an asset.
 const LONGEST_NAME: usize = 60;
@@ -147,7 +155,7 @@ impl AssetEntry {
         format!("imported.{}", self.name.as_deref().unwrap_or(stem))
     }
 
-    pub(super) fn kind(&self) -> Result<Kind, ImportError> {
+    pub(super) fn kind(&self) -> Result<AssetClass, ImportError> {
         const VEHICLES: [ObjectClass; 6] = [
             ObjectClass::Car,
             ObjectClass::Van,
@@ -157,21 +165,21 @@ impl AssetEntry {
             ObjectClass::Bicycle,
         ];
         if let Some(class) = VEHICLES.into_iter().find(|c| c.to_string() == self.class) {
-            return Ok(Kind::Vehicle(class));
+            return Ok(AssetClass::Vehicle(class));
         }
         if self.class == "building" {
-            return Ok(Kind::Building);
+            return Ok(AssetClass::Building);
         }
         // Lamps of signals follow programs, faces of signs mean something: those of the catalogue stay.
         let placed = |p: &&Prop| p.name() == self.class && !p.is_signal() && **p != Prop::TrafficSign;
-        Prop::ALL.iter().find(placed).map(|&p| Kind::Prop(p)).ok_or_else(|| {
+        Prop::ALL.iter().find(placed).map(|&p| AssetClass::Prop(p)).ok_or_else(|| {
             let rule = "write car, van, truck, bus, motorcycle, bicycle, building, or the name of a plant or a piece of \
                         furniture of `endless assets list` (no signals, no signs)";
             refuse("class", &self.class, rule)
         })
     }
 
-    pub(super) fn validate(&self, kind: Kind) -> Result<(), ImportError> {
+    pub(super) fn validate(&self, kind: AssetClass) -> Result<(), ImportError> {
         if self.file.contains(['/', '\\']) || !self.file.ends_with(".glb") || self.file.len() > 200 {
             return Err(refuse("file", &self.file, "write the name of a .glb file in the manifest's folder"));
         }
@@ -181,9 +189,9 @@ impl AssetEntry {
             return Err(refuse("name", &name, "write at most 50 letters, digits, points, hyphens or underscores"));
         }
         let most = match kind {
-            Kind::Vehicle(_) => [30.0, 4.0, 5.5],
-            Kind::Prop(_) => [30.0, 30.0, 40.0],
-            Kind::Building => [200.0, 200.0, 400.0],
+            AssetClass::Vehicle(_) => [30.0, 4.0, 5.5],
+            AssetClass::Prop(_) => [30.0, 30.0, 40.0],
+            AssetClass::Building => [200.0, 200.0, 400.0],
         };
         if !self.size.iter().zip(most).all(|(s, m)| (0.02..=m).contains(s)) {
             let [l, w, h] = most;
@@ -211,8 +219,8 @@ impl AssetEntry {
         self.validate_rider(kind)
     }
 
-    fn validate_rider(&self, kind: Kind) -> Result<(), ImportError> {
-        let two_wheeled = matches!(kind, Kind::Vehicle(ObjectClass::Motorcycle | ObjectClass::Bicycle));
+    fn validate_rider(&self, kind: AssetClass) -> Result<(), ImportError> {
+        let two_wheeled = matches!(kind, AssetClass::Vehicle(ObjectClass::Motorcycle | ObjectClass::Bicycle));
         let rule = "a two-wheeler needs { seat, grip, foot }, each metres ahead of the middle, to the left, up; lean from -1 \
                     to 1.5, helmet from 0 to 1; other things have no rider";
         match &self.rider {

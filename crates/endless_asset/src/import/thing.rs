@@ -1,9 +1,10 @@
 //! Props and buildings.
 
+use super::entry::{AssetClass, AssetEntry};
+use super::error::ImportError;
 use super::model::Model;
 use super::paint::Painter;
-use super::{AssetEntry, ImportError, Kind};
-use crate::{Prop, catalogue};
+use crate::{Prop, prop_mesh};
 use endless_scene::Mesh;
 use endless_world::ClassTag;
 use glam::Vec3;
@@ -43,14 +44,14 @@ pub(super) fn stand(model: &mut Model, length_m: f32) -> Result<Vec3, ImportErro
     if size.is_finite() { Ok(size) } else { Err(ImportError::Empty) }
 }
 
-pub(super) fn make(entry: &AssetEntry, kind: Kind, mut model: Model) -> Result<ImportedThing, ImportError> {
+pub(super) fn make(entry: &AssetEntry, kind: AssetClass, mut model: Model) -> Result<ImportedThing, ImportError> {
     let size = stand(&mut model, entry.size[0])?;
     let off = |k: usize| (size[k] - entry.size[k]).abs() > OFF * entry.size[k] + 0.02;
     if off(1) || off(2) {
         return Err(ImportError::Size { found: size.to_array(), stated: entry.size });
     }
-    let prop = if let Kind::Prop(prop) = kind { Some(prop) } else { None };
-    let tag = prop.map_or(ClassTag::Buildings, |prop| usual_tag(&catalogue::prop(prop, 0)));
+    let prop = if let AssetClass::Prop(prop) = kind { Some(prop) } else { None };
+    let tag = prop.map_or(ClassTag::Buildings, |prop| usual_tag(&prop_mesh::prop(prop, 0)));
     let mut painter = Painter::new(&model.coats, tag, true);
     model.parts.iter().for_each(|part| painter.add(part, Vec3::ZERO));
     let mesh = painter.finish();

@@ -1,6 +1,6 @@
 //! A person's skeleton and way of moving: enough to tell where joints and keypoints are, without any mesh.
 
-use super::look::Look;
+use super::appearance::Appearance;
 use super::skeleton::{BONES, Bone, Skeleton};
 use super::{gait, hold, part};
 use endless_world::{KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
@@ -18,12 +18,16 @@ pub struct Anatomy {
 impl Anatomy {
     /// Of a person.
     pub(crate) fn of(person: PersonRef) -> Self {
-        Self::with_look(person.seed, &Look::of(person.seed, person.outfit == Outfit::Rain))
+        Self::with_appearance(person.seed, &Appearance::of(person.seed, person.outfit == Outfit::Rain))
     }
 
-    pub(crate) fn with_look(variant: u64, look: &Look) -> Self {
-        let skeleton = Skeleton::new(look);
-        Self { keypoints: part::keypoints(look, &skeleton), skeleton, habit: gait::Habit::new(variant, look) }
+    pub(crate) fn with_appearance(variant: u64, appearance: &Appearance) -> Self {
+        let skeleton = Skeleton::new(appearance);
+        Self {
+            keypoints: part::keypoints(appearance, &skeleton),
+            skeleton,
+            habit: gait::Habit::new(variant, appearance),
+        }
     }
 
     /// The keypoints of COCO ([`endless_world::KEYPOINTS`]) at an instant, in the person's object frame.

@@ -1,6 +1,6 @@
 //! The naked measures: sections of trunk, arms and legs, and which bones they follow.
 
-use super::look::Look;
+use super::appearance::Appearance;
 use super::skeleton::{ARM, BONES, Bone, Side, Skeleton};
 use super::skin::{Weights, one, two};
 use crate::shape::Curve;
@@ -23,7 +23,7 @@ const SHOULDER: f32 = 0.776;
 
 /// Measures shared by the parts.
 pub(crate) struct Body<'a> {
-    pub(crate) look: &'a Look,
+    pub(crate) appearance: &'a Appearance,
     pub(crate) skeleton: &'a Skeleton,
     /// Stature.
     pub(crate) h: f32,
@@ -76,22 +76,22 @@ const CHILD: &[Section] = &[
 ];
 
 impl<'a> Body<'a> {
-    pub(crate) fn new(look: &'a Look, skeleton: &'a Skeleton) -> Self {
-        let sections = if look.age < 12.0 {
+    pub(crate) fn new(appearance: &'a Appearance, skeleton: &'a Skeleton) -> Self {
+        let sections = if appearance.age < 12.0 {
             CHILD
-        } else if look.female {
+        } else if appearance.female {
             FEMALE
         } else {
             MALE
         };
-        let g = look.girth;
+        let g = appearance.girth;
         let curve =
             |value: &dyn Fn(&Section) -> f32| Curve::new(&sections.iter().map(|s| (s.0, value(s))).collect::<Vec<_>>());
         // Weight shows at the belly and the hips, less at the chest.
         let belly = |t: f32| (g - 1.0).max(0.0) * smoothstep(0.48, 0.60, t) * (1.0 - smoothstep(0.64, 0.76, t));
-        let broad = |t: f32| lerp(g, 0.45 * g + 0.55 * look.shoulder, smoothstep(0.66, 0.78, t));
+        let broad = |t: f32| lerp(g, 0.45 * g + 0.55 * appearance.shoulder, smoothstep(0.66, 0.78, t));
         let limbs = 0.45 + 0.55 * g;
-        let slim = if look.female { 0.88 } else { 1.0 } * limbs;
+        let slim = if appearance.female { 0.88 } else { 1.0 } * limbs;
         let arm = [
             (0.0, 0.0360),
             (0.10, 0.0365),
@@ -118,15 +118,15 @@ impl<'a> Body<'a> {
         let scaled =
             |points: &[(f32, f32)], k: f32| Curve::new(&points.iter().map(|p| (p.0, p.1 * k)).collect::<Vec<_>>());
         Self {
-            look,
+            appearance,
             skeleton,
-            h: look.height,
+            h: appearance.height,
             b: skeleton.body,
             breadth: curve(&|s| s.1 * broad(s.0) + 0.012 * belly(s.0)),
             front: curve(&|s| s.2 * lerp(g, 1.0, 0.6 * smoothstep(0.66, 0.78, s.0)) + 0.085 * belly(s.0)),
             back: curve(&|s| s.3 * lerp(g, 1.0, 0.6 * smoothstep(0.66, 0.78, s.0))),
             arm: scaled(&arm, slim),
-            leg: scaled(&leg, limbs * if look.female { 1.03 } else { 1.0 }),
+            leg: scaled(&leg, limbs * if appearance.female { 1.03 } else { 1.0 }),
             calf: Curve::new(&[(0.0, 0.0), (0.35, -0.005), (0.65, -0.010), (0.9, -0.002), (1.0, 0.0), (2.0, 0.0)]),
         }
     }
@@ -161,7 +161,7 @@ impl<'a> Body<'a> {
 
     /// The base of the neck, or a section further up it (1 = below the jaw).
     pub(crate) fn neck_ring(&self, up: f32, ease: f32) -> [Vec3; TRUNK] {
-        let stout = (0.5 + 0.5 * self.look.girth) * if self.look.female { 0.86 } else { 1.0 };
+        let stout = (0.5 + 0.5 * self.appearance.girth) * if self.appearance.female { 0.86 } else { 1.0 };
         let (ry, rx) =
             (lerp(0.047, 0.0335, up.min(1.0)) * stout + ease, lerp(0.043, 0.034, up.min(1.0)) * stout + ease);
         let scale = 0.5 + 0.5 * self.skeleton.head_height / (0.131 * self.h);
@@ -302,7 +302,7 @@ impl<'a> Body<'a> {
 
     /// Breasts and buttocks, as heights over the plain sections.
     pub(crate) fn curves(&self, p: Vec3) -> f32 {
-        if self.look.age < 13.0 {
+        if self.appearance.age < 13.0 {
             return 0.0;
         }
         let h = self.h;
@@ -312,9 +312,9 @@ impl<'a> Body<'a> {
             let d = (p - c) / (r * h);
             math::exp(-d.length_squared())
         };
-        let mut out = 0.012 * h * self.look.girth * bell(at(-0.075, 0.045, 0.505), 0.035);
-        if self.look.female {
-            out += 0.023 * h * self.look.girth * bell(at(0.062, 0.040, 0.713), 0.030);
+        let mut out = 0.012 * h * self.appearance.girth * bell(at(-0.075, 0.045, 0.505), 0.035);
+        if self.appearance.female {
+            out += 0.023 * h * self.appearance.girth * bell(at(0.062, 0.040, 0.713), 0.030);
         } else {
             out += 0.005 * h * bell(at(0.062, 0.042, 0.735), 0.035);
         }

@@ -2,10 +2,9 @@
 
 use super::body::Body;
 use super::cage::Cage;
+use super::clothes::{Collar, Garment, Upper};
 use super::palette;
-use super::sewing::Upper;
 use super::skin::Skin;
-use super::wardrobe::{Collar, Garment};
 use crate::shape::Sculpt;
 use endless_scene::{Material, Surface};
 use endless_world::math::lerp;

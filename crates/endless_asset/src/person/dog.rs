@@ -18,7 +18,7 @@ const COATS: [[u8; 3]; 5] = [[30, 26, 24], [120, 82, 48], [176, 140, 92], [220, 
 
 /// The dog and its lead.
 pub(crate) fn add(skin: &mut Skin, body: &Body<'_>) {
-    let pick = body.look.folds;
+    let pick = body.appearance.folds;
     let s = 0.72 + 0.5 * (pick - pick.floor());
     let coat = palette::material(Surface::Hair, COATS[(pick * 3.7) as usize % COATS.len()], 1.0);
     let dark = palette::linear(Surface::Leather, [0.012, 0.011, 0.011]);
@@ -32,7 +32,7 @@ pub(crate) fn add(skin: &mut Skin, body: &Body<'_>) {
         row(0.24, 0.47, 0.08, 0.11),
         row(0.32, 0.54, 0.06, 0.075),
     ];
-    skin.add_rigid(Sculpt::sweep(&trunk, Vec3::Y, 10, 2.0, true, coat), Bone::Thing);
+    skin.add_rigid(Sculpt::sweep(&trunk, Vec3::Y, 10, 2.0, true, coat), Bone::Carried);
     let mut head = Sculpt::tube(
         &[
             (at(0.26, 0.0, 0.52), 0.075 * s),
@@ -51,12 +51,12 @@ pub(crate) fn add(skin: &mut Skin, body: &Body<'_>) {
     let tail =
         [(at(-0.33, 0.0, 0.50), 0.026 * s), (at(-0.44, 0.0, 0.58), 0.022 * s), (at(-0.50, 0.0, 0.70), 0.010 * s)];
     head.add(Sculpt::tube(&tail, 5, coat));
-    skin.add_rigid(head, Bone::Thing);
+    skin.add_rigid(head, Bone::Carried);
     for (x, y, pair) in [
-        (0.20, 0.06, Bone::ThingFront),
-        (0.20, -0.06, Bone::ThingRear),
-        (-0.27, 0.06, Bone::ThingRear),
-        (-0.27, -0.06, Bone::ThingFront),
+        (0.20, 0.06, Bone::CarriedFront),
+        (0.20, -0.06, Bone::CarriedRear),
+        (-0.27, 0.06, Bone::CarriedRear),
+        (-0.27, -0.06, Bone::CarriedFront),
     ] {
         leg(skin, [x, y], s, pair, coat);
     }
@@ -75,7 +75,7 @@ fn leg(skin: &mut Skin, [x, y]: [f32; 2], s: f32, bone: Bone, coat: Material) {
     let mut part = Sculpt::tube(&path, 6, coat);
     part.add(Sculpt::ellipsoid(at(0.025, 0.0) + Vec3::Z * 0.021 * s, Vec3::new(0.045, 0.026, 0.021) * s, 6, coat));
     let top = 0.40 * s;
-    skin.add(part, |p| two(bone, Bone::Thing, (p.z / top).clamp(0.0, 1.0)));
+    skin.add(part, |p| two(bone, Bone::Carried, (p.z / top).clamp(0.0, 1.0)));
 }
 
 /// A line from the hand to the collar.
@@ -86,11 +86,11 @@ fn lead(skin: &mut Skin, body: &Body<'_>, collar: Vec3, material: Material) {
     let along = collar - hand;
     let weights = |p: Vec3| -> Weights {
         let t = ((p - hand).dot(along) / along.length_squared()).clamp(0.0, 1.0);
-        two(Bone::HandL, Bone::Thing, t)
+        two(Bone::HandL, Bone::Carried, t)
     };
     skin.add(Sculpt::tube(&path, 4, material), weights);
     let ring = Sculpt::ellipsoid(collar - Vec3::X * 0.01, Vec3::new(0.03, 0.068, 0.075), 8, material);
-    skin.add(ring, |_| one(Bone::Thing));
+    skin.add(ring, |_| one(Bone::Carried));
 }
 
 /// The body, one pair of legs across, the other pair.

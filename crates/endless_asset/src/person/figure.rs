@@ -1,24 +1,24 @@
 //! The whole figure in its rest pose: body, clothes, head, things.
 
+use super::appearance::{Appearance, Carried};
 use super::body::Body;
+use super::carried;
+use super::clothes::{Garment, Pattern, ShoeKind, Upper};
 use super::collar;
 use super::hair;
 use super::head::Head;
 use super::limbs;
-use super::look::{Carried, Look};
-use super::sewing::{Cut, Upper, Zone};
+use super::sewing::{Cut, Zone};
 use super::skeleton::{Side, Skeleton};
 use super::skin::Skin;
-use super::thing;
-use super::wardrobe::{Garment, Pattern, ShoeKind};
 use endless_scene::Material;
 use endless_world::math::smoothstep;
 
 /// Everything in the rest pose.
-pub(crate) fn build(look: &Look, skeleton: &Skeleton) -> Skin {
+pub(crate) fn build(appearance: &Appearance, skeleton: &Skeleton) -> Skin {
     let mut skin = Skin::default();
-    let body = Body::new(look, skeleton);
-    let garments = &look.garments;
+    let body = Body::new(appearance, skeleton);
+    let garments = &appearance.garments;
     for (i, garment) in garments.iter().enumerate() {
         if let Some(seen) = seen_under(garment, &garments[i + 1..]) {
             let front = seen.sleeve == 0.0 && garments[i + 1..].iter().any(|g| g.gap.is_some() && g.sleeve > 0.0);
@@ -27,21 +27,21 @@ pub(crate) fn build(look: &Look, skeleton: &Skeleton) -> Skin {
         }
     }
     below(&mut skin, &body);
-    body.neck(&mut skin, look.skin);
+    body.neck(&mut skin, appearance.skin);
     let reach = garments.iter().map(|g| g.sleeve).fold(0.0, f32::max);
     if reach == 0.0 {
-        body.bare_shoulders(&mut skin, look.skin);
+        body.bare_shoulders(&mut skin, appearance.skin);
     } else if reach < 0.9 {
-        body.bare_arms(&mut skin, reach - 0.10, look.skin);
+        body.bare_arms(&mut skin, reach - 0.10, appearance.skin);
     }
     for side in Side::BOTH {
         limbs::shoe(&mut skin, &body, side);
-        limbs::hand(&mut skin, &body, side, holds(look.carried, side));
+        limbs::hand(&mut skin, &body, side, holds(appearance.carried, side));
     }
-    let head = Head::new(look, skeleton);
+    let head = Head::new(appearance, skeleton);
     head.add(&mut skin);
     hair::add(&mut skin, &body, &head);
-    thing::add(&mut skin, &body);
+    carried::add(&mut skin, &body);
     skin
 }
 
@@ -136,12 +136,12 @@ fn pattern(g: &Garment, zone: Zone, t: f32, column: usize) -> Material {
 
 /// Legs, in trousers or bare, and boots.
 fn below(skin: &mut Skin, body: &Body<'_>) {
-    let look = body.look;
-    let legs = &look.legs;
-    let hem = look.garments.iter().map(|g| g.hem).fold(1.0, f32::min);
+    let appearance = body.appearance;
+    let legs = &appearance.legs;
+    let hem = appearance.garments.iter().map(|g| g.hem).fold(1.0, f32::min);
     let bare = |skin: &mut Skin, up_to: f32| {
-        let boots = if look.shoes.kind == ShoeKind::Boots { 0.42 } else { -1.0 };
-        let color = |_: Zone, t: f32, _: usize| if t < boots { look.shoes.material } else { legs.below };
+        let boots = if appearance.shoes.kind == ShoeKind::Boots { 0.42 } else { -1.0 };
+        let color = |_: Zone, t: f32, _: usize| if t < boots { appearance.shoes.material } else { legs.below };
         body.bare_legs(skin, up_to, &color);
     };
     if legs.end > 1.9 {
@@ -150,11 +150,11 @@ fn below(skin: &mut Skin, body: &Body<'_>) {
         return bare(skin, (at + 0.45).clamp(0.2, 1.66));
     }
     // Tops hide the waist of trousers unless they are tucked in.
-    let top = look.garments.iter().filter(|g| g.gap.is_none()).map(|g| g.hem).fold(1.0, f32::min);
+    let top = appearance.garments.iter().filter(|g| g.gap.is_none()).map(|g| g.hem).fold(1.0, f32::min);
     let tucked = top > 0.545;
     let waist = if tucked { 0.602 } else { (top + 0.05).clamp(0.53, 0.60) };
     let within = if tucked {
-        look.garments.iter().filter(|g| g.hem > 0.545).map(|g| g.ease).fold(0.0, f32::max).min(0.010) + 0.004
+        appearance.garments.iter().filter(|g| g.hem > 0.545).map(|g| g.ease).fold(0.0, f32::max).min(0.010) + 0.004
     } else {
         0.003
     };

@@ -1,10 +1,10 @@
 //! From what a person does to how their body stands: trunk, arms and head over the feet.
 
-use super::look::{Carried, Look};
+use super::appearance::{Appearance, Carried};
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{Bone, Side, Skeleton};
 use super::step;
-use super::{hold, thing};
+use super::{hold, wheeled};
 use endless_world::walking::{Mobility, PedestrianSpec, average_speed_mps, foot_home, running_share, stride_m};
 use endless_world::{FootPlace, Gait, Stream, WalkerMotion, math};
 use glam::{Quat, Vec3};
@@ -26,35 +26,35 @@ pub(crate) struct Habit {
 }
 
 impl Habit {
-    pub(crate) fn new(variant: u64, look: &Look) -> Self {
+    pub(crate) fn new(variant: u64, appearance: &Appearance) -> Self {
         let mut s = Stream::named(variant, "gait", &[]);
         let brisk = (1.0 + 0.1 * s.normal() as f32).clamp(0.8, 1.22);
-        let old = math::smoothstep(60.0, 85.0, look.age);
-        let burden = match look.carried {
+        let old = math::smoothstep(60.0, 85.0, appearance.age);
+        let burden = match appearance.carried {
             Carried::Cane => 0.72,
             Carried::Suitcase | Carried::Pram | Carried::Wheelchair => 0.92,
             _ => 1.0,
         };
         Self {
-            walk_mps: 1.36 * brisk * (look.height / 1.7).sqrt() * (1.0 - 0.2 * old) * burden,
+            walk_mps: 1.36 * brisk * (appearance.height / 1.7).sqrt() * (1.0 - 0.2 * old) * burden,
             offset: s.f32(),
             swing: s.range_f32(0.75, 1.15),
             elbow: s.range_f32(0.16, 0.42),
             slouch: s.range_f32(-0.02, 0.10) + 0.26 * old,
             manner: s.below(6),
-            carried: look.carried,
+            carried: appearance.carried,
         }
     }
 
     /// What traffic needs to know of somebody of these looks.
-    pub(crate) fn spec(&self, look: &Look) -> PedestrianSpec {
-        let mobility = match look.carried {
+    pub(crate) fn spec(&self, appearance: &Appearance) -> PedestrianSpec {
+        let mobility = match appearance.carried {
             Carried::Wheelchair => Mobility::Wheelchair,
             Carried::Pram => Mobility::Pram,
             Carried::Cane | Carried::Suitcase => Mobility::Encumbered,
             _ => Mobility::Agile,
         };
-        PedestrianSpec { height_m: look.height, walk_mps: self.walk_mps, step_phase: self.offset, mobility }
+        PedestrianSpec { height_m: appearance.height, walk_mps: self.walk_mps, step_phase: self.offset, mobility }
     }
 
     /// The speed that a gait's stride is for, when no steps are given.
@@ -264,7 +264,7 @@ fn sitting(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> Posture
         })
     };
     Posture {
-        pelvis: Vec3::new(-0.02 * h, 0.0, thing::SEAT * b + 0.055 * h),
+        pelvis: Vec3::new(-0.02 * h, 0.0, wheeled::SEAT * b + 0.055 * h),
         pelvis_turn: Quat::from_rotation_y(-0.12),
         spine: Quat::from_rotation_y(0.08 + 0.3 * habit.slouch + 0.06 * stroke),
         chest: Quat::from_rotation_y(0.06 + 0.3 * habit.slouch + 0.06 * stroke),

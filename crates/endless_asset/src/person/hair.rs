@@ -1,9 +1,9 @@
 //! Hair, hats and helmets as shells over the head.
 
+use super::appearance::{Hair, Hat};
 use super::body::Body;
 use super::cage::Cage;
 use super::head::Head;
-use super::look::{Hair, Hat};
 use super::palette;
 use super::skeleton::Bone;
 use super::skin::{Skin, two};
@@ -15,7 +15,7 @@ use std::f32::consts::{PI, TAU};
 
 /// Hair, then what covers it.
 pub(crate) fn add(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>) {
-    let covered = match body.look.hat {
+    let covered = match body.appearance.hat {
         Hat::Headscarf | Hat::FullHelmet | Hat::Turban => return hat(skin, body, head),
         Hat::None => 1.0,
         _ => 0.0,
@@ -47,20 +47,20 @@ fn style(hair: Hair) -> (f32, &'static [(f32, f32)]) {
 }
 
 fn hair(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>, free: f32) {
-    let look = body.look;
-    if look.hair == Hair::Bald {
+    let appearance = body.appearance;
+    if appearance.hair == Hair::Bald {
         return;
     }
-    let (volume, line) = style(look.hair);
+    let (volume, line) = style(appearance.hair);
     let line = Curve::new(line);
-    let phase = look.folds;
+    let phase = appearance.folds;
     let grow = |z: f32, angle: f32| {
         let a = angle.abs();
         let inside = smoothstep(-0.005, 0.055, z - line.at(a));
         // Hats press hair down.
         let room = lerp(smoothstep(0.72, 0.55, z).max(0.35 * f32::from(volume > 0.03)), 1.0, free);
         let mut v = volume * room;
-        match look.hair {
+        match appearance.hair {
             Hair::Balding => v *= 1.0 - 1.5 * smoothstep(0.80, 0.86, z),
             Hair::Parted => {
                 v *= 0.75 + 0.45 * smoothstep(-0.9, 0.6, angle) * smoothstep(0.7, 0.9, z);
@@ -71,9 +71,9 @@ fn hair(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>, free: f32) {
         }
         lerp(-0.02, v.max(if v < 0.0 { -0.02 } else { 0.010 }), inside)
     };
-    skin.add_rigid(head.shell(grow, look.hair_color), Bone::Head);
+    skin.add_rigid(head.shell(grow, appearance.hair_color), Bone::Head);
     let row = |x: f32, z: f32, ry: f32, rx: f32| (head.at(Vec3::new(x, 0.0, z)), Vec2::new(ry, rx) * head.size);
-    match look.hair {
+    match appearance.hair {
         Hair::Long => {
             let length = 0.15 + 0.35 * (0.5 + 0.5 * math::sin(phase));
             let fall = [
@@ -85,7 +85,7 @@ fn hair(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>, free: f32) {
                 row(-0.345, -0.27 - length, 0.22, 0.06),
             ];
             let (high, low) = (head.at(Vec3::Z * 0.05).z, head.at(-Vec3::Z * 0.35).z);
-            skin.add(Sculpt::sweep(&fall, Vec3::Y, 14, 2.3, true, look.hair_color), |p| {
+            skin.add(Sculpt::sweep(&fall, Vec3::Y, 14, 2.3, true, appearance.hair_color), |p| {
                 two(Bone::Head, Bone::Chest, 0.9 * smoothstep(high, low, p.z))
             });
         }
@@ -97,11 +97,14 @@ fn hair(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>, free: f32) {
                 row(-0.58, 0.20, 0.09, 0.08),
                 row(-0.54, -0.05, 0.03, 0.03),
             ];
-            skin.add_rigid(Sculpt::sweep(&tail, Vec3::Y, 8, 2.0, true, look.hair_color), Bone::Head);
+            skin.add_rigid(Sculpt::sweep(&tail, Vec3::Y, 8, 2.0, true, appearance.hair_color), Bone::Head);
         }
         Hair::Bun => {
             let centre = head.at(Vec3::new(-0.44, 0.0, 0.78));
-            skin.add_rigid(Sculpt::ellipsoid(centre, Vec3::splat(0.15 * head.size), 10, look.hair_color), Bone::Head);
+            skin.add_rigid(
+                Sculpt::ellipsoid(centre, Vec3::splat(0.15 * head.size), 10, appearance.hair_color),
+                Bone::Head,
+            );
         }
         _ => {}
     }
@@ -157,11 +160,11 @@ fn drape(skin: &mut Skin, body: &Body<'_>, ease: f32, material: Material) {
 }
 
 fn hat(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>) {
-    let color = body.look.hat_color;
+    let color = body.appearance.hat_color;
     let above =
         |line: f32, volume: f32| move |z: f32, _: f32| lerp(-0.03, volume, smoothstep(line - 0.05, line + 0.01, z));
     let mut s = Sculpt::new();
-    match body.look.hat {
+    match body.appearance.hat {
         Hat::None => {}
         Hat::Cap => {
             s.add(head.shell(above(0.70, 0.075), color));
@@ -204,7 +207,7 @@ fn hat(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>) {
             s.add(visor(head, 0.69, 0.24, dark));
         }
         Hat::Headscarf | Hat::Hood => {
-            let hood = body.look.hat == Hat::Hood;
+            let hood = body.appearance.hat == Hat::Hood;
             let (volume, width) = if hood { (0.15, 1.12) } else { (0.070, 0.93) };
             let cover = move |z: f32, angle: f32| {
                 let e = (angle / width).powi(2) + ((z - 0.40) / 0.46).powi(2);

@@ -1,6 +1,6 @@
 //! The head: skull and face as one surface, and shells over it (hair, hats) that rise where they show.
 
-use super::look::{Beard, Glasses, Look};
+use super::appearance::{Appearance, Beard, Glasses};
 use super::palette;
 use super::skeleton::{Bone, Skeleton};
 use super::skin::Skin;
@@ -19,7 +19,7 @@ const ROWS: [f32; 17] =
 
 /// The surface of a head, in units of its height above the chin.
 pub(crate) struct Head<'a> {
-    pub(crate) look: &'a Look,
+    pub(crate) appearance: &'a Appearance,
     chin: Vec3,
     /// Chin to crown, metres.
     pub(crate) size: f32,
@@ -29,10 +29,11 @@ pub(crate) struct Head<'a> {
 }
 
 impl<'a> Head<'a> {
-    pub(crate) fn new(look: &'a Look, skeleton: &Skeleton) -> Self {
-        let chin = Vec3::new(0.004 * look.height, 0.0, skeleton.height - skeleton.head_height);
+    pub(crate) fn new(appearance: &'a Appearance, skeleton: &Skeleton) -> Self {
+        let chin = Vec3::new(0.004 * appearance.height, 0.0, skeleton.height - skeleton.head_height);
         // Jaws of women and children are narrower; flesh rounds them.
-        let jaw = if look.female || look.age < 14.0 { 0.92 } else { 1.0 } * (0.75 + 0.25 * look.girth);
+        let jaw =
+            if appearance.female || appearance.age < 14.0 { 0.92 } else { 1.0 } * (0.75 + 0.25 * appearance.girth);
         let breadth = [
             (0.0, 0.090 * jaw),
             (0.04, 0.165 * jaw),
@@ -75,7 +76,7 @@ impl<'a> Head<'a> {
             (1.0, 0.012),
         ];
         Self {
-            look,
+            appearance,
             chin,
             size: skeleton.head_height,
             breadth: Curve::new(&breadth),
@@ -111,7 +112,7 @@ impl<'a> Head<'a> {
         let bell = |d: f32| math::exp(-d * d);
         let side = (y.abs() - 0.135) / 0.075;
         let nose = if z < 0.37 { smoothstep(0.295, 0.355, z) } else { (1.0 - (z - 0.36) / 0.19).clamp(0.0, 1.0) };
-        let young = 1.0 - 0.35 * smoothstep(14.0, 4.0, self.look.age);
+        let young = 1.0 - 0.35 * smoothstep(14.0, 4.0, self.appearance.age);
         0.105 * nose * bell(y / 0.058) * young + 0.012 * bell((z - 0.575) / 0.03) * bell(y / 0.22)
             - 0.034 * bell(side) * bell((z - 0.505) / 0.042)
             + 0.014 * bell((z - 0.215) / 0.035) * bell(y / 0.10)
@@ -141,28 +142,33 @@ impl<'a> Head<'a> {
 
     /// Everything that is seen of the head itself.
     pub(crate) fn add(&self, skin: &mut Skin) {
-        let look = self.look;
-        let mut face = self.shell(|_, _| 0.0, look.skin);
+        let appearance = self.appearance;
+        let mut face = self.shell(|_, _| 0.0, appearance.skin);
         let under: Vec<Vec3> =
             (0..COLUMNS).rev().map(|j| self.at(self.surface(0.0, Self::angle(j as f32), 0.0))).collect();
-        face.polygon(&under, look.skin);
+        face.polygon(&under, appearance.skin);
         skin.add_rigid(face, Bone::Head);
-        let [r, g, b] = look.skin.base_color;
-        let darker = |k: [f32; 3]| Material { base_color: [r * k[0], g * k[1], b * k[2]], ..look.skin };
-        let red = if look.female { 0.40 } else { 0.55 };
+        let [r, g, b] = appearance.skin.base_color;
+        let darker = |k: [f32; 3]| Material { base_color: [r * k[0], g * k[1], b * k[2]], ..appearance.skin };
+        let red = if appearance.female { 0.40 } else { 0.55 };
         let mut features = Sculpt::new();
         features.add(self.patch([0.0, 0.212], [0.085, 0.020], 0.006, darker([0.80, red, red])));
         let white = palette::linear(Surface::Skin, [0.42, 0.40, 0.38]);
         let iris = palette::linear(Surface::Leather, [0.018, 0.014, 0.012]);
-        let brow = Material { surface: Surface::Hair, ..look.hair_color };
-        let thick = if look.female { 0.011 } else { 0.016 };
+        let brow = Material { surface: Surface::Hair, ..appearance.hair_color };
+        let thick = if appearance.female { 0.011 } else { 0.016 };
         for y in [-0.138, 0.138] {
             features.add(self.patch([y, 0.502], [0.052, 0.021], 0.006, white));
             features.add(self.patch([y, 0.502], [0.024, 0.022], 0.009, iris));
             features.add(self.patch([1.02 * y, 0.527], [0.062, 0.008], 0.010, darker([0.35, 0.30, 0.30])));
             features.add(self.patch([1.02 * y, 0.575], [0.072, thick], 0.008, brow));
             let ear = Vec3::new(-0.03, y.signum() * 0.335, 0.45);
-            features.add(Sculpt::ellipsoid(self.at(ear), Vec3::new(0.062, 0.028, 0.098) * self.size, 8, look.skin));
+            features.add(Sculpt::ellipsoid(
+                self.at(ear),
+                Vec3::new(0.062, 0.028, 0.098) * self.size,
+                8,
+                appearance.skin,
+            ));
         }
         skin.add_rigid(features, Bone::Head);
         self.beard(skin);
@@ -190,14 +196,15 @@ impl<'a> Head<'a> {
     }
 
     fn beard(&self, skin: &mut Skin) {
-        let (volume, moustache_only) = match self.look.beard {
+        let (volume, moustache_only) = match self.appearance.beard {
             Beard::None => return,
             Beard::Stubble => (0.008, false),
             Beard::Moustache => (0.02, true),
             Beard::Full => (0.040, false),
         };
         if moustache_only {
-            return skin.add_rigid(self.patch([0.0, 0.262], [0.105, 0.020], 0.018, self.look.hair_color), Bone::Head);
+            return skin
+                .add_rigid(self.patch([0.0, 0.262], [0.105, 0.020], 0.018, self.appearance.hair_color), Bone::Head);
         }
         // Over jaw and chin up to the ears, around the mouth.
         let grow = move |z: f32, angle: f32| {
@@ -209,9 +216,9 @@ impl<'a> Head<'a> {
             let inside = smoothstep(top + 0.02, top - 0.03, z) * back * (1.0 - lips);
             volume * inside - 0.012 * (1.0 - inside)
         };
-        let mut material = self.look.hair_color;
-        if self.look.beard == Beard::Stubble {
-            for (c, s) in material.base_color.iter_mut().zip(self.look.skin.base_color) {
+        let mut material = self.appearance.hair_color;
+        if self.appearance.beard == Beard::Stubble {
+            for (c, s) in material.base_color.iter_mut().zip(self.appearance.skin.base_color) {
                 *c = 0.35 * *c + 0.65 * 0.6 * s;
             }
         }
@@ -219,13 +226,13 @@ impl<'a> Head<'a> {
     }
 
     fn glasses(&self, skin: &mut Skin) {
-        if self.look.glasses == Glasses::None {
+        if self.appearance.glasses == Glasses::None {
             return;
         }
         let frame = palette::linear(Surface::Plastic, [0.015, 0.014, 0.013]);
         let mut s = Sculpt::new();
         for y in [-0.145, 0.145] {
-            if self.look.glasses == Glasses::Sun {
+            if self.appearance.glasses == Glasses::Sun {
                 let lens = palette::linear(Surface::CarGlass, [0.012, 0.012, 0.014]);
                 s.add(self.patch([y, 0.495], [0.095, 0.065], 0.050, lens));
             } else {

@@ -1,6 +1,6 @@
 //! How things are held: what arms do for them, and where they then are.
 
-use super::look::Carried;
+use super::appearance::Carried;
 use super::posture::{Arm, Posture, about};
 use super::skeleton::{BONES, Bone, Side, Skeleton};
 use super::{dog, wheeled};
@@ -75,12 +75,12 @@ pub(crate) fn place(bones: &mut [Affine3A; BONES], motion: &WalkerMotion, skelet
             let (_, held) = grip(Side::Left);
             let swing = 0.07 * math::sin(4.0 * motion.walked_m) * math::smoothstep(0.1, 1.0, motion.speed_mps);
             let m = about(held, Quat::from_rotation_y(swing)) * moved(Side::Left);
-            set(Bone::Thing, m);
+            set(Bone::Carried, m);
         }
         Carried::Umbrella => {
             let (_, held) = grip(Side::Right);
             let m = about(held, Quat::from_rotation_y(0.10) * Quat::from_rotation_x(-0.08)) * moved(Side::Right);
-            set(Bone::Thing, m);
+            set(Bone::Carried, m);
         }
         Carried::Suitcase | Carried::Cane => {
             let (rest, held) = grip(Side::Right);
@@ -96,7 +96,7 @@ pub(crate) fn place(bones: &mut [Affine3A; BONES], motion: &WalkerMotion, skelet
             let slack = wanted.length() - length;
             let m =
                 Affine3A::from_rotation_translation(turn, held + wanted.normalize_or(-Vec3::Z) * slack - turn * rest);
-            set(Bone::Thing, m);
+            set(Bone::Carried, m);
         }
         Carried::Pram | Carried::Wheelchair => {
             for (bone, axle, radius) in wheeled::axles(skeleton, carried) {
@@ -104,7 +104,7 @@ pub(crate) fn place(bones: &mut [Affine3A; BONES], motion: &WalkerMotion, skelet
             }
         }
         Carried::Dog => {
-            for (bone, m) in [Bone::Thing, Bone::ThingFront, Bone::ThingRear].into_iter().zip(dog::trot(motion)) {
+            for (bone, m) in [Bone::Carried, Bone::CarriedFront, Bone::CarriedRear].into_iter().zip(dog::trot(motion)) {
                 set(bone, m);
             }
         }

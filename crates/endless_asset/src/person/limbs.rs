@@ -1,10 +1,10 @@
 //! Hands and shoes.
 
 use super::body::Body;
+use super::clothes::ShoeKind;
 use super::palette;
 use super::skeleton::{ARM, Side};
 use super::skin::{Skin, one, two};
-use super::wardrobe::ShoeKind;
 use crate::shape::{Region, Sculpt};
 use endless_scene::Surface;
 use endless_world::math::{self, smoothstep};
@@ -25,7 +25,7 @@ pub(crate) fn hand(skin: &mut Skin, body: &Body<'_>, side: Side, holds: bool) {
         row(0.032, 0.0225, 0.0115),
         row(0.052, 0.0225, 0.0095),
     ];
-    let mut s = Sculpt::sweep(&palm, Vec3::X, 8, 2.5, true, body.look.skin);
+    let mut s = Sculpt::sweep(&palm, Vec3::X, 8, 2.5, true, body.appearance.skin);
     let bend = if holds { [1.15f32, 2.7] } else { [0.28, 0.85] };
     let turned = |angle: f32| {
         let (sin, cos) = math::sin_cos(angle);
@@ -36,7 +36,7 @@ pub(crate) fn hand(skin: &mut Skin, body: &Body<'_>, side: Side, holds: bool) {
         let middle = knuckle + turned(bend[0]) * 0.5 * length * h;
         let tip = middle + turned(bend[1]) * 0.5 * length * h;
         let r = 0.0062 * h;
-        s.add(Sculpt::tube(&[(knuckle, r), (middle, 0.95 * r), (tip, 0.6 * r)], 5, body.look.skin));
+        s.add(Sculpt::tube(&[(knuckle, r), (middle, 0.95 * r), (tip, 0.6 * r)], 5, body.appearance.skin));
     }
     let root = place(0.014, 0.015, 0.002);
     let thumb = [
@@ -44,18 +44,18 @@ pub(crate) fn hand(skin: &mut Skin, body: &Body<'_>, side: Side, holds: bool) {
         (root + (along * 0.018 + Vec3::X * 0.012 + inward * 0.008) * h, 0.0078 * h),
         (root + (along * 0.040 + Vec3::X * 0.012 + inward * if holds { 0.024 } else { 0.012 }) * h, 0.0048 * h),
     ];
-    s.add(Sculpt::tube(&thumb, 6, body.look.skin));
+    s.add(Sculpt::tube(&thumb, 6, body.appearance.skin));
     skin.add_rigid(s, bone);
 }
 
 /// A shoe; the toes bend at the ball.
 pub(crate) fn shoe(skin: &mut Skin, body: &Body<'_>, side: Side) {
     let h = body.h;
-    let shoes = &body.look.shoes;
+    let shoes = &body.appearance.shoes;
     let [_, shin, foot, toes] = side.leg();
     let a = body.skeleton.joint(foot);
     let (toe, heel) = (body.skeleton.toe, body.skeleton.heel);
-    let narrow = if body.look.female { 0.92 } else { 1.0 };
+    let narrow = if body.appearance.female { 0.92 } else { 1.0 };
     let slim = if shoes.kind == ShoeKind::Heels { 0.88 } else { 1.0 } * narrow;
     let out = 0.004 * h * side.sign();
     let row = |x: f32, half: f32, top: f32| {
@@ -91,7 +91,7 @@ pub(crate) fn shoe(skin: &mut Skin, body: &Body<'_>, side: Side) {
     let mut s = s.smooth(48.0);
     if shoes.kind == ShoeKind::Sandals {
         // Bare skin between straps.
-        s.paint(&Region::all().beyond(Vec3::Z, 0.012 * h), body.look.skin);
+        s.paint(&Region::all().beyond(Vec3::Z, 0.012 * h), body.appearance.skin);
         for x in [0.30, 0.66] {
             let strap = Region::all().beyond(Vec3::X, a.x + x * toe).within(Vec3::X, a.x + (x + 0.13) * toe);
             s.paint(&strap, shoes.material);

@@ -1,8 +1,11 @@
 //! People: a skinned body with clothes, posed by gait.
 
 mod anatomy;
+mod appearance;
 mod body;
 mod cage;
+mod carried;
+mod clothes;
 mod collar;
 mod dog;
 mod figure;
@@ -11,16 +14,15 @@ mod hair;
 mod head;
 mod hold;
 mod limbs;
-mod look;
 mod palette;
 mod part;
 mod posture;
 mod rider;
+mod seeded;
 mod sewing;
 mod skeleton;
 mod skin;
 mod step;
-mod thing;
 mod wardrobe;
 mod wheeled;
 
@@ -31,10 +33,10 @@ use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
 pub use anatomy::Anatomy;
-pub(crate) use look::Look;
-pub(crate) use look::skin_tone;
+pub(crate) use appearance::Appearance;
 pub use part::{BodyPart, PersonTraits};
 pub(crate) use rider::{rider, rider_keypoints, rider_skin_tone};
+pub(crate) use seeded::skin_tone;
 use skeleton::BONES;
 pub use skeleton::Bone;
 use skin::Blend;
@@ -61,8 +63,8 @@ pub struct PersonModel {
 
 /// What traffic needs to know of the person of a seed.
 pub(crate) fn pedestrian_spec(seed: u64) -> PedestrianSpec {
-    let look = Look::of(seed, false);
-    gait::Habit::new(seed, &look).spec(&look)
+    let appearance = Appearance::of(seed, false);
+    gait::Habit::new(seed, &appearance).spec(&appearance)
 }
 
 /// Thickness of cloth on the ground, metres.
@@ -84,12 +86,12 @@ pub struct Stance(Vec<Affine3A>);
 impl PersonModel {
     /// A person, dressed for the weather.
     pub(crate) fn new(person: PersonRef) -> Self {
-        Self::with_look(person.seed, &Look::of(person.seed, person.outfit == Outfit::Rain))
+        Self::with_appearance(person.seed, &Appearance::of(person.seed, person.outfit == Outfit::Rain))
     }
 
-    fn with_look(variant: u64, look: &Look) -> Self {
-        let anatomy = Anatomy::with_look(variant, look);
-        let skin = figure::build(look, &anatomy.skeleton);
+    fn with_appearance(variant: u64, appearance: &Appearance) -> Self {
+        let anatomy = Anatomy::with_appearance(variant, appearance);
+        let skin = figure::build(appearance, &anatomy.skeleton);
         let leader = |i: u32| skin.blends[usize::from(skin.vertex_blend[i as usize])].leader();
         // A triangle shows the part that two of its corners follow.
         let part = |t: &[u32; 3]| {
@@ -97,10 +99,10 @@ impl PersonModel {
             if b == c { b } else { a }
         };
         Self {
-            traits: PersonTraits::new(look),
+            traits: PersonTraits::new(appearance),
             parts: skin.mesh.triangles.iter().map(part).collect(),
             rest: skin.mesh.into(),
-            height_m: look.height,
+            height_m: appearance.height,
             walk_mps: anatomy.habit.walk_mps,
             anatomy,
             blends: skin.blends,

@@ -1,7 +1,7 @@
 //! What can be told of a person: parts of the body, keypoints, and who they are.
 
+use super::appearance::{Appearance, Carried, Glasses, Hat};
 use super::head::Head;
-use super::look::{Carried, Glasses, Hat, Look};
 use super::skeleton::{Bone, Skeleton};
 use endless_world::KEYPOINT_COUNT;
 use glam::Vec3;
@@ -39,7 +39,7 @@ pub enum BodyPart {
     /// Right foot.
     RightFoot = 14,
     /// Something carried, pushed, led or sat in.
-    Thing = 15,
+    Carried = 15,
 }
 
 impl BodyPart {
@@ -60,14 +60,14 @@ impl BodyPart {
             Bone::ThighR => Self::RightThigh,
             Bone::ShinR => Self::RightShin,
             Bone::FootR | Bone::ToesR => Self::RightFoot,
-            Bone::Thing | Bone::ThingFront | Bone::ThingRear => Self::Thing,
+            Bone::Carried | Bone::CarriedFront | Bone::CarriedRear => Self::Carried,
         }
     }
 }
 
 /// Keypoints in the rest pose, and the bone that each follows.
-pub(crate) fn keypoints(look: &Look, skeleton: &Skeleton) -> [(Bone, Vec3); KEYPOINT_COUNT] {
-    let head = Head::new(look, skeleton);
+pub(crate) fn keypoints(appearance: &Appearance, skeleton: &Skeleton) -> [(Bone, Vec3); KEYPOINT_COUNT] {
+    let head = Head::new(appearance, skeleton);
     let at = |x: f32, y: f32, z: f32| (Bone::Head, head.at(Vec3::new(x, y, z)));
     let joint = |b: Bone| (b, skeleton.joint(b));
     [
@@ -113,10 +113,10 @@ pub struct PersonTraits {
 }
 
 impl PersonTraits {
-    pub(crate) fn new(look: &Look) -> Self {
-        let mut wears = vec![look.legs.name];
-        wears.extend(look.garments.iter().map(|g| g.name));
-        wears.push(match look.hat {
+    pub(crate) fn new(appearance: &Appearance) -> Self {
+        let mut wears = vec![appearance.legs.name];
+        wears.extend(appearance.garments.iter().map(|g| g.name));
+        wears.push(match appearance.hat {
             Hat::None => "",
             Hat::Cap => "cap",
             Hat::Beanie => "beanie",
@@ -130,21 +130,21 @@ impl PersonTraits {
             Hat::FullHelmet => "motorcycle_helmet",
             Hat::CycleHelmet => "bicycle_helmet",
         });
-        wears.push(match look.glasses {
+        wears.push(match appearance.glasses {
             Glasses::None => "",
             Glasses::Clear => "glasses",
             Glasses::Sun => "sunglasses",
         });
         wears.retain(|name| !name.is_empty());
         Self {
-            age_years: look.age,
-            female: look.female,
-            height_m: look.height,
-            girth: look.girth,
-            skin_tone: look.tone as u8 + 1,
-            outfit: look.outfit,
+            age_years: appearance.age,
+            female: appearance.female,
+            height_m: appearance.height,
+            girth: appearance.girth,
+            skin_tone: appearance.tone as u8 + 1,
+            outfit: appearance.outfit,
             wears,
-            carries: match look.carried {
+            carries: match appearance.carried {
                 Carried::Nothing => "",
                 Carried::Backpack => "backpack",
                 Carried::Handbag => "handbag",

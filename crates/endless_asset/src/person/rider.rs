@@ -1,6 +1,6 @@
 //! People on two wheels.
 
-use super::look::{Hat, Look};
+use super::appearance::{Appearance, Hat};
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{BONES, Bone, Side};
 use super::{Anatomy, PersonModel};
@@ -12,9 +12,9 @@ use std::sync::Arc;
 
 /// A person seated on a two-wheeler, in the vehicle's object frame.
 pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
-    let look = look(fit, variant);
-    let person = PersonModel::with_look(variant, &look);
-    let pose = person.skinned(&seated(fit, &look, person.anatomy()));
+    let appearance = appearance(fit, variant);
+    let person = PersonModel::with_appearance(variant, &appearance);
+    let pose = person.skinned(&seated(fit, &appearance, person.anatomy()));
     let mut mesh = Mesh { positions: pose.positions, normals: pose.normals, ..Arc::unwrap_or_clone(person.rest) };
     for material in &mut mesh.materials {
         material.tag = ClassTag::Rider;
@@ -44,27 +44,27 @@ fn mend_normals(mesh: &mut Mesh) {
 
 /// The keypoints of COCO of that person, in the vehicle's object frame.
 pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> [Vec3; KEYPOINT_COUNT] {
-    let look = look(fit, variant);
-    let anatomy = Anatomy::with_look(variant, &look);
-    anatomy.keypoints_on(&seated(fit, &look, &anatomy))
+    let appearance = appearance(fit, variant);
+    let anatomy = Anatomy::with_appearance(variant, &appearance);
+    anatomy.keypoints_on(&seated(fit, &appearance, &anatomy))
 }
 
 /// Their skin, 1 to 10 on the Monk scale.
 pub(crate) fn rider_skin_tone(variant: u64) -> u8 {
-    Look::riding(variant, None).tone as u8 + 1
+    Appearance::riding(variant, None).tone as u8 + 1
 }
 
 /// What they look like.
-fn look(fit: &RiderFit, variant: u64) -> Look {
+fn appearance(fit: &RiderFit, variant: u64) -> Appearance {
     let mut stream = Stream::named(variant, "rider", &[]);
     let helmet = if fit.helmet > 0.7 { Hat::FullHelmet } else { Hat::CycleHelmet };
     let wears = stream.chance(fit.helmet);
-    Look::riding(variant, wears.then_some(helmet))
+    Appearance::riding(variant, wears.then_some(helmet))
 }
 
-fn seated(fit: &RiderFit, look: &Look, anatomy: &Anatomy) -> [Affine3A; BONES] {
+fn seated(fit: &RiderFit, appearance: &Appearance, anatomy: &Anatomy) -> [Affine3A; BONES] {
     let skeleton = &anatomy.skeleton;
-    let h = look.height;
+    let h = appearance.height;
     let ankle_rest = skeleton.joint(Bone::FootL);
     let seat = if fit.standing {
         // Legs nearly straight above the deck.

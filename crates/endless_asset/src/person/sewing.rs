@@ -2,6 +2,7 @@
 
 use super::body::{ARMPIT, Body, CROTCH, LIMB, TRUNK};
 use super::cage::Cage;
+use super::clothes::Upper;
 use super::skeleton::Side;
 use super::skin::{Skin, Weights};
 use endless_scene::Material;
@@ -17,15 +18,6 @@ pub(crate) enum Zone {
     Arm,
     /// From ankle (0) over knee (1) to hip (2).
     Leg,
-}
-
-/// How far up a piece goes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Upper {
-    /// To this height over the body's.
-    Waist(f32),
-    /// Over the shoulders; how far the neckline dips in front (0 to 0.9), how much wider than the neck it is.
-    Neck { dip: f32, wide: f32 },
 }
 
 /// The pattern of a garment.
@@ -278,7 +270,7 @@ impl Body<'_> {
     /// Subdivides, shapes and adds a sheet.
     fn finish(&self, skin: &mut Skin, cage: &Cage, folds: f32) {
         let refined = cage.refined();
-        let phase = self.look.folds;
+        let phase = self.appearance.folds;
         refined.add_to(
             skin,
             |p, n| self.curves(p) * n.x.abs() + folds * 0.0022 * wave(p, phase),

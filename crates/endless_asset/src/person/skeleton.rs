@@ -1,6 +1,6 @@
 //! Bones and where their joints lie in the rest pose.
 
-use super::look::Look;
+use super::appearance::Appearance;
 use glam::Vec3;
 
 /// The bones of a person; each turns about its joint, the end nearer to the pelvis.
@@ -46,11 +46,11 @@ pub enum Bone {
     /// Right toes; joint at the ball of the foot.
     ToesR,
     /// What is carried, pushed or led.
-    Thing,
+    Carried,
     /// A part of it that moves: front wheels, one pair of a dog's legs.
-    ThingFront,
+    CarriedFront,
     /// Another: rear wheels, the other pair of legs.
-    ThingRear,
+    CarriedRear,
 }
 
 /// How many bones there are.
@@ -60,19 +60,39 @@ impl Bone {
     /// All of them, in order.
     pub const ALL: [Self; BONES] = {
         use Bone::{
-            Chest, FootL, FootR, ForearmL, ForearmR, HandL, HandR, Head, Neck, Pelvis, ShinL, ShinR, Spine, ThighL,
-            ThighR, Thing, ThingFront, ThingRear, ToesL, ToesR, UpperArmL, UpperArmR,
+            Carried, CarriedFront, CarriedRear, Chest, FootL, FootR, ForearmL, ForearmR, HandL, HandR, Head, Neck,
+            Pelvis, ShinL, ShinR, Spine, ThighL, ThighR, ToesL, ToesR, UpperArmL, UpperArmR,
         };
         [
-            Pelvis, Spine, Chest, Neck, Head, UpperArmL, ForearmL, HandL, UpperArmR, ForearmR, HandR, ThighL, ShinL,
-            FootL, ToesL, ThighR, ShinR, FootR, ToesR, Thing, ThingFront, ThingRear,
+            Pelvis,
+            Spine,
+            Chest,
+            Neck,
+            Head,
+            UpperArmL,
+            ForearmL,
+            HandL,
+            UpperArmR,
+            ForearmR,
+            HandR,
+            ThighL,
+            ShinL,
+            FootL,
+            ToesL,
+            ThighR,
+            ShinR,
+            FootR,
+            ToesR,
+            Carried,
+            CarriedFront,
+            CarriedRear,
         ]
     };
 
     /// The bone that it hangs from; `None` for the pelvis and for things.
     pub const fn parent(self) -> Option<Self> {
         Some(match self {
-            Self::Pelvis | Self::Thing | Self::ThingFront | Self::ThingRear => return None,
+            Self::Pelvis | Self::Carried | Self::CarriedFront | Self::CarriedRear => return None,
             Self::Spine | Self::ThighL | Self::ThighR => Self::Pelvis,
             Self::Chest => Self::Spine,
             Self::Neck | Self::UpperArmL | Self::UpperArmR => Self::Chest,
@@ -156,11 +176,11 @@ const ARM_LENGTHS: [f32; 2] = [0.172, 0.146];
 
 impl Skeleton {
     /// Shares of stature after Drillis and Contini (1966); children's heads are larger.
-    pub(crate) fn new(look: &Look) -> Self {
-        let h = look.height;
+    pub(crate) fn new(appearance: &Appearance) -> Self {
+        let h = appearance.height;
         let head_height = 0.145 + 0.048 * h;
         let body = (h - head_height) / 0.87;
-        let shoulder = h * if look.female { 0.086 } else { 0.096 } * look.shoulder;
+        let shoulder = h * if appearance.female { 0.086 } else { 0.096 } * appearance.shoulder;
         let hip = 0.0485 * h;
         let mut joints = [Vec3::ZERO; BONES];
         let mut set = |b: Bone, p: Vec3| joints[b as usize] = p;

@@ -9,7 +9,7 @@ use glam::{Quat, Vec3};
 pub(crate) fn ankle(foot: &FootPlace, skeleton: &Skeleton) -> Vec3 {
     let a = skeleton.joint(Bone::FootL);
     let pivot = if foot.pitch_rad < 0.0 { -skeleton.heel } else { skeleton.joint(Bone::ToesL).x - a.x };
-    // MapStatistics the heel's edge, or about the ball, whose joint stays.
+    // About the heel's edge, or about the ball, whose joint stays.
     let below = if foot.pitch_rad < 0.0 { 0.0 } else { skeleton.joint(Bone::ToesL).z };
     let turned = Quat::from_rotation_y(foot.pitch_rad) * Vec3::new(-pivot, 0.0, a.z - below);
     let local = Vec3::new(pivot + turned.x, 0.0, turned.z + below + foot.lift_m);

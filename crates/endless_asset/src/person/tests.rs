@@ -158,19 +158,19 @@ fn who_stops_stands() {
 fn people_have_the_heights_of_their_age() {
     let mut ages = [0; 4];
     for variant in 0..400 {
-        let look = Look::of(variant, false);
-        let range = match look.age {
+        let appearance = Appearance::of(variant, false);
+        let range = match appearance.age {
             a if a < 6.0 => 0.93..1.30,
             a if a < 13.0 => 1.02..1.72,
             a if a < 18.0 => 1.40..1.93,
             _ => 1.47..1.98,
         };
-        assert!(range.contains(&look.height), "{} m at {} years", look.height, look.age);
-        ages[if look.age < 13.0 {
+        assert!(range.contains(&appearance.height), "{} m at {} years", appearance.height, appearance.age);
+        ages[if appearance.age < 13.0 {
             0
-        } else if look.age < 18.0 {
+        } else if appearance.age < 18.0 {
             1
-        } else if look.age < 63.0 {
+        } else if appearance.age < 63.0 {
             2
         } else {
             3
@@ -189,7 +189,7 @@ fn meshes_are_as_tall_as_people() {
             .triangles
             .iter()
             .zip(&person.parts)
-            .filter(|(_, part)| **part != BodyPart::Thing)
+            .filter(|(_, part)| **part != BodyPart::Carried)
             .flat_map(|(t, _)| t.map(|i| person.rest.positions[i as usize].z))
             .fold(0.0, f32::max);
         let above = high - person.height_m;
@@ -216,7 +216,7 @@ fn everything_is_worn_and_carried_by_somebody() {
     let (mut worn, mut carried, mut tones) =
         (std::collections::BTreeSet::new(), std::collections::BTreeSet::new(), [0; 10]);
     for variant in 0..6000 {
-        let traits = PersonTraits::new(&Look::of(variant, variant % 5 == 0));
+        let traits = PersonTraits::new(&Appearance::of(variant, variant % 5 == 0));
         worn.extend(traits.wears);
         carried.insert(traits.carries);
         tones[usize::from(traits.skin_tone) - 1] += 1;
@@ -283,7 +283,7 @@ fn the_skeleton_is_inside_the_body() {
             let m = motion(&person, gait, 0.31 * variant as f32);
             let pose = person.pose(&m);
             let joints = person.joints(&m);
-            for bone in &Bone::ALL[..Bone::Thing as usize] {
+            for bone in &Bone::ALL[..Bone::Carried as usize] {
                 let from = joints[*bone as usize];
                 let met = directions.iter().filter(|&&d| meets(&person, &pose, from, d, 0.45)).count();
                 assert!(met >= least, "variant {variant} {gait:?}: {met} of 26 rays from {bone:?} meet the body");
@@ -338,7 +338,7 @@ fn joints_do_not_tear() {
         let led = person.traits.carries;
         for (t, part) in person.rest.triangles.iter().zip(&person.parts) {
             // Leads stretch from hand to dog.
-            if led == "dog" && matches!(part, BodyPart::Thing | BodyPart::LeftHand) {
+            if led == "dog" && matches!(part, BodyPart::Carried | BodyPart::LeftHand) {
                 continue;
             }
             let edge = |p: &[Vec3], a: usize, b: usize| (p[t[a] as usize] - p[t[b] as usize]).length();
@@ -357,7 +357,7 @@ fn people_are_not_too_heavy() {
     for variant in 0..200 {
         let person = person(variant);
         assert!(person.blends.len() < 420, "{} mixtures", person.blends.len());
-        let things = person.parts.iter().filter(|&&p| p == BodyPart::Thing).count();
+        let things = person.parts.iter().filter(|&&p| p == BodyPart::Carried).count();
         let n = person.rest.triangles.len();
         assert!((3000..9300).contains(&(n - things)), "variant {variant}: {n} triangles");
         assert!(things < 2000, "variant {variant}: a {} of {things} triangles", person.traits.carries);

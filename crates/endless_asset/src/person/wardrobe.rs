@@ -1,170 +1,10 @@
-//! What people wear: garments as patterns over the body, combined as people combine them.
+//! What people wear together.
 
-use super::look::{Carried, Hat, Look};
+use super::appearance::{Appearance, Carried, Hat};
+use super::clothes::{Collar, Garment, Legs, Pattern, ShoeKind, Shoes, Upper};
 use super::palette::{self, BRIGHT, CHINO, DENIM, JEWEL, LEATHERS, PALE, SOBER, TRAINERS, WEATHER, dyed};
-use super::sewing::Upper;
 use endless_scene::{Material, Surface};
 use endless_world::Stream;
-
-/// What is at the neck.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Collar {
-    None,
-    /// Turned down, as on shirts.
-    Shirt,
-    /// Standing, as on jackets.
-    Stand,
-    /// A hood lying on the back.
-    Hood,
-    /// Lapels over a shirt, with a tie or without.
-    Lapels {
-        tie: bool,
-    },
-    /// A scarf.
-    Scarf,
-}
-
-/// How colours are laid out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Pattern {
-    Plain,
-    /// Horizontal stripes.
-    Stripes,
-    /// Chest and sleeves of another colour.
-    Block,
-    /// Checks.
-    Checks,
-    /// Reflecting bands around the body and over the shoulders.
-    HighVisibility,
-    /// A border along the hem.
-    Border,
-}
-
-/// A garment of the trunk.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Garment {
-    pub(crate) name: &'static str,
-    /// Height of the hem over the body's.
-    pub(crate) hem: f32,
-    pub(crate) upper: Upper,
-    /// Over the arm's length; 0: none.
-    pub(crate) sleeve: f32,
-    /// Half opening in front over the stature, at the hem and at the neck.
-    pub(crate) gap: Option<(f32, f32)>,
-    /// Room over the stature, how much it grows towards the hem.
-    pub(crate) ease: f32,
-    pub(crate) flare: f32,
-    pub(crate) material: Material,
-    pub(crate) accent: Material,
-    pub(crate) pattern: Pattern,
-    pub(crate) collar: Collar,
-    pub(crate) folds: f32,
-}
-
-impl Garment {
-    fn new(name: &'static str, hem: f32, sleeve: f32, ease: f32, material: Material) -> Self {
-        Self {
-            name,
-            hem,
-            upper: Upper::Neck { dip: 0.15, wide: 0.006 },
-            sleeve,
-            gap: None,
-            ease,
-            flare: 0.0,
-            material,
-            accent: material,
-            pattern: Pattern::Plain,
-            collar: Collar::None,
-            folds: 1.0,
-        }
-    }
-
-    fn skirt(name: &'static str, hem: f32, flare: f32, material: Material) -> Self {
-        Self { upper: Upper::Waist(0.612), flare, ..Self::new(name, hem, 0.0, 0.006, material) }
-    }
-
-    fn neck(self, dip: f32, wide: f32) -> Self {
-        Self { upper: Upper::Neck { dip, wide }, ..self }
-    }
-
-    fn open(self, hem: f32, neck: f32) -> Self {
-        Self { gap: Some((hem, neck)), ..self }
-    }
-
-    fn collar(self, collar: Collar) -> Self {
-        Self { collar, ..self }
-    }
-
-    fn pattern(self, pattern: Pattern, accent: Material) -> Self {
-        Self { pattern, accent, ..self }
-    }
-
-    fn flare(self, flare: f32) -> Self {
-        Self { flare, ..self }
-    }
-}
-
-/// What covers the legs one by one.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Legs {
-    pub(crate) name: &'static str,
-    /// Where they end, from ankle (0) to hip (2); 2: bare.
-    pub(crate) end: f32,
-    pub(crate) ease: f32,
-    /// Extra room at the end.
-    pub(crate) cuff: f32,
-    pub(crate) material: Material,
-    pub(crate) accent: Material,
-    /// A stripe of the accent's colour down the side.
-    pub(crate) stripe: bool,
-    /// Legs below, bare or in stockings.
-    pub(crate) below: Material,
-}
-
-impl Legs {
-    pub(crate) fn bare(skin: Material) -> Self {
-        Self { name: "", end: 2.0, ease: 0.0, cuff: 0.0, material: skin, accent: skin, stripe: false, below: skin }
-    }
-
-    fn new(name: &'static str, end: f32, ease: f32, cuff: f32, material: Material, skin: Material) -> Self {
-        Self { name, end, ease, cuff, material, accent: material, stripe: false, below: skin }
-    }
-
-    /// Whether one can sit astride in it.
-    pub(crate) fn can_ride(&self) -> bool {
-        self.end < 1.9
-    }
-}
-
-/// The kind of shoe.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum ShoeKind {
-    Trainers,
-    Leather,
-    Boots,
-    Heels,
-    Sandals,
-}
-
-/// A pair of shoes.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Shoes {
-    pub(crate) kind: ShoeKind,
-    pub(crate) material: Material,
-    pub(crate) sole: Material,
-}
-
-impl Shoes {
-    pub(crate) fn plain() -> Self {
-        Self::new(ShoeKind::Leather, palette::material(Surface::Leather, [30, 28, 27], 1.0))
-    }
-
-    fn new(kind: ShoeKind, material: Material) -> Self {
-        let white = palette::linear(Surface::Plastic, [0.75, 0.75, 0.73]);
-        let black = palette::linear(Surface::Plastic, [0.02, 0.02, 0.02]);
-        Self { kind, material, sole: if kind == ShoeKind::Trainers { white } else { black } }
-    }
-}
 
 fn trainers(s: &mut Stream) -> Shoes {
     Shoes::new(ShoeKind::Trainers, dyed(s, Surface::Leather, TRAINERS))
@@ -175,24 +15,24 @@ fn leather(s: &mut Stream, kind: ShoeKind) -> Shoes {
 }
 
 /// Dresses somebody.
-pub(crate) fn dress(look: &mut Look, s: &mut Stream, rain: bool) {
-    look.bag_color = dyed(s, Surface::Leather, BRIGHT);
-    look.hat_color = dyed(s, Surface::Cloth, BRIGHT);
-    let grown = look.age >= 17.0;
-    let work = if grown && look.age < 66.0 { 1.0 } else { 0.0 };
+pub(crate) fn dress(appearance: &mut Appearance, s: &mut Stream, rain: bool) {
+    appearance.bag_color = dyed(s, Surface::Leather, BRIGHT);
+    appearance.hat_color = dyed(s, Surface::Cloth, BRIGHT);
+    let grown = appearance.age >= 17.0;
+    let work = if grown && appearance.age < 66.0 { 1.0 } else { 0.0 };
     // How warm people dress differs as much as people do.
     let warm = s.f32() < if rain { 0.85 } else { 0.34 };
     match s.weighted(&[62.0, 14.0 * work, 5.0, 3.5 * work, 1.2 * work, 9.0]) {
-        0 => casual(look, s, warm),
-        1 => office(look, s, warm),
-        2 => sporty(look, s),
-        3 => worker(look, s),
-        4 => police(look, s),
-        _ => regional(look, s, warm),
+        0 => casual(appearance, s, warm),
+        1 => office(appearance, s, warm),
+        2 => sporty(appearance, s),
+        3 => worker(appearance, s),
+        4 => police(appearance, s),
+        _ => regional(appearance, s, warm),
     }
-    carry(look, s, rain);
-    if rain && !matches!(look.carried, Carried::Umbrella) {
-        against_rain(look, s);
+    carry(appearance, s, rain);
+    if rain && !matches!(appearance.carried, Carried::Umbrella) {
+        against_rain(appearance, s);
     }
 }
 
@@ -200,22 +40,25 @@ fn cloth(s: &mut Stream, palette: &[[u8; 3]]) -> Material {
     dyed(s, Surface::Cloth, palette)
 }
 
-fn light_top(look: &Look, s: &mut Stream) -> Garment {
+fn light_top(appearance: &Appearance, s: &mut Stream) -> Garment {
     let material = cloth(s, BRIGHT);
     let accent = cloth(s, BRIGHT);
     let long = s.chance(0.3);
-    let garment =
-        match s.weighted(if look.female { &[34.0, 8.0, 14.0, 22.0, 14.0] } else { &[46.0, 16.0, 24.0, 0.0, 4.0] }) {
-            0 => Garment::new("t_shirt", 0.505, 0.34, 0.010, material).neck(0.16, 0.008),
-            1 => Garment::new("polo_shirt", 0.505, 0.34, 0.010, material).neck(0.30, 0.006).collar(Collar::Shirt),
-            2 => Garment::new("shirt", 0.495, if long { 0.97 } else { 0.42 }, 0.012, material)
-                .neck(0.32, 0.006)
-                .collar(Collar::Shirt),
-            3 => Garment::new("blouse", 0.510, if long { 0.92 } else { 0.36 }, 0.010, material)
-                .neck(0.50, 0.012)
-                .flare(0.016),
-            _ => Garment::new("tank_top", 0.530, 0.0, 0.005, material).neck(0.55, 0.022),
-        };
+    let garment = match s.weighted(if appearance.female {
+        &[34.0, 8.0, 14.0, 22.0, 14.0]
+    } else {
+        &[46.0, 16.0, 24.0, 0.0, 4.0]
+    }) {
+        0 => Garment::new("t_shirt", 0.505, 0.34, 0.010, material).neck(0.16, 0.008),
+        1 => Garment::new("polo_shirt", 0.505, 0.34, 0.010, material).neck(0.30, 0.006).collar(Collar::Shirt),
+        2 => Garment::new("shirt", 0.495, if long { 0.97 } else { 0.42 }, 0.012, material)
+            .neck(0.32, 0.006)
+            .collar(Collar::Shirt),
+        3 => Garment::new("blouse", 0.510, if long { 0.92 } else { 0.36 }, 0.010, material)
+            .neck(0.50, 0.012)
+            .flare(0.016),
+        _ => Garment::new("tank_top", 0.530, 0.0, 0.005, material).neck(0.55, 0.022),
+    };
     match s.weighted(&[64.0, 12.0, 10.0, 9.0]) {
         0 => garment,
         1 => garment.pattern(Pattern::Stripes, accent),
@@ -233,14 +76,14 @@ fn warm_top(s: &mut Stream) -> Garment {
     }
 }
 
-fn outer(look: &Look, s: &mut Stream) -> Garment {
+fn outer(appearance: &Appearance, s: &mut Stream) -> Garment {
     let material = cloth(s, WEATHER);
     let open = s.chance(0.45);
     let scarf = s.chance(0.2);
     let garment = match s.weighted(&[34.0, 18.0, 20.0, 14.0, 14.0]) {
         0 => Garment::new("jacket", 0.485, 1.0, 0.019, material).collar(Collar::Stand),
         1 => Garment { folds: 2.2, ..Garment::new("puffer_jacket", 0.480, 1.0, 0.030, material).collar(Collar::Hood) },
-        2 => Garment::new("coat", if look.female { 0.30 } else { 0.33 }, 1.0, 0.021, material)
+        2 => Garment::new("coat", if appearance.female { 0.30 } else { 0.33 }, 1.0, 0.021, material)
             .flare(0.018)
             .collar(Collar::Lapels { tie: false }),
         3 => Garment::new("parka", 0.40, 1.0, 0.024, material).flare(0.008).collar(Collar::Hood),
@@ -250,11 +93,11 @@ fn outer(look: &Look, s: &mut Stream) -> Garment {
     if scarf && !open { garment.collar(Collar::Scarf).pattern(Pattern::Plain, cloth(s, JEWEL)) } else { garment }
 }
 
-fn trousers(look: &Look, s: &mut Stream) -> Legs {
-    let skin = look.skin;
-    match s.weighted(if look.female { &[40.0, 26.0, 18.0, 16.0] } else { &[52.0, 40.0, 0.0, 8.0] }) {
+fn trousers(appearance: &Appearance, s: &mut Stream) -> Legs {
+    let skin = appearance.skin;
+    match s.weighted(if appearance.female { &[40.0, 26.0, 18.0, 16.0] } else { &[52.0, 40.0, 0.0, 8.0] }) {
         0 => {
-            let tight = look.female || s.chance(0.35);
+            let tight = appearance.female || s.chance(0.35);
             let (ease, cuff) = if tight { (0.0035, 0.003) } else { (0.006, 0.011) };
             Legs::new("jeans", 0.02, ease, cuff, cloth(s, DENIM), skin)
         }
@@ -264,17 +107,17 @@ fn trousers(look: &Look, s: &mut Stream) -> Legs {
     }
 }
 
-fn shorts(look: &Look, s: &mut Stream) -> Legs {
-    let end = if look.female { s.range_f32(1.1, 1.6) } else { s.range_f32(0.98, 1.2) };
-    Legs::new("shorts", end, 0.007, 0.012, cloth(s, CHINO), look.skin)
+fn shorts(appearance: &Appearance, s: &mut Stream) -> Legs {
+    let end = if appearance.female { s.range_f32(1.1, 1.6) } else { s.range_f32(0.98, 1.2) };
+    Legs::new("shorts", end, 0.007, 0.012, cloth(s, CHINO), appearance.skin)
 }
 
-fn stockings(look: &Look, s: &mut Stream, warm: bool) -> Material {
-    if warm || s.chance(0.2) { palette::linear(Surface::Cloth, [0.018, 0.018, 0.02]) } else { look.skin }
+fn stockings(appearance: &Appearance, s: &mut Stream, warm: bool) -> Material {
+    if warm || s.chance(0.2) { palette::linear(Surface::Cloth, [0.018, 0.018, 0.02]) } else { appearance.skin }
 }
 
-fn casual(look: &mut Look, s: &mut Stream, warm: bool) {
-    let dressed = look.female && s.chance(0.24);
+fn casual(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
+    let dressed = appearance.female && s.chance(0.24);
     if dressed {
         let material = cloth(s, BRIGHT);
         let long = s.chance(0.3);
@@ -286,34 +129,34 @@ fn casual(look: &mut Look, s: &mut Stream, warm: bool) {
         if s.chance(0.4) {
             dress = dress.pattern(*s.pick(&[Pattern::Checks, Pattern::Border, Pattern::Stripes]), cloth(s, BRIGHT));
         }
-        look.garments.push(dress);
-        look.legs.below = stockings(look, s, warm);
-        look.shoes = match s.below(4) {
+        appearance.garments.push(dress);
+        appearance.legs.below = stockings(appearance, s, warm);
+        appearance.shoes = match s.below(4) {
             0 => trainers(s),
             1 => leather(s, ShoeKind::Boots),
             2 => leather(s, ShoeKind::Heels),
             _ => leather(s, ShoeKind::Sandals),
         };
     } else {
-        let top = if warm && s.chance(0.6) { warm_top(s) } else { light_top(look, s) };
-        look.garments.push(top);
-        if look.female && s.chance(0.2) {
+        let top = if warm && s.chance(0.6) { warm_top(s) } else { light_top(appearance, s) };
+        appearance.garments.push(top);
+        if appearance.female && s.chance(0.2) {
             let (hem, flare, name) = if s.chance(0.4) {
                 (s.range_f32(0.08, 0.2), 0.05, "long_skirt")
             } else {
                 (s.range_f32(0.29, 0.38), s.range_f32(0.008, 0.05), "skirt")
             };
-            look.garments.insert(0, Garment::skirt(name, hem, flare, cloth(s, BRIGHT)));
-            if let Some(top) = look.garments.last_mut() {
+            appearance.garments.insert(0, Garment::skirt(name, hem, flare, cloth(s, BRIGHT)));
+            if let Some(top) = appearance.garments.last_mut() {
                 top.hem = top.hem.max(0.535);
             }
-            look.legs.below = stockings(look, s, warm);
+            appearance.legs.below = stockings(appearance, s, warm);
         } else if !warm && s.chance(0.28) {
-            look.legs = shorts(look, s);
+            appearance.legs = shorts(appearance, s);
         } else {
-            look.legs = trousers(look, s);
+            appearance.legs = trousers(appearance, s);
         }
-        look.shoes = match s.weighted(&[60.0, 22.0, 10.0, if warm { 0.0 } else { 8.0 }]) {
+        appearance.shoes = match s.weighted(&[60.0, 22.0, 10.0, if warm { 0.0 } else { 8.0 }]) {
             0 => trainers(s),
             1 => leather(s, ShoeKind::Leather),
             2 => leather(s, ShoeKind::Boots),
@@ -321,46 +164,51 @@ fn casual(look: &mut Look, s: &mut Stream, warm: bool) {
         };
     }
     if warm && s.chance(0.75) {
-        look.garments.push(outer(look, s));
+        appearance.garments.push(outer(appearance, s));
     }
-    look.hat = match s.weighted(&[74.0, if look.female { 4.0 } else { 12.0 }, if warm { 14.0 } else { 0.0 }, 5.0, 2.0])
-    {
+    appearance.hat = match s.weighted(&[
+        74.0,
+        if appearance.female { 4.0 } else { 12.0 },
+        if warm { 14.0 } else { 0.0 },
+        5.0,
+        2.0,
+    ]) {
         0 => Hat::None,
         1 => Hat::Cap,
         2 => Hat::Beanie,
         3 if !warm => Hat::Brimmed,
-        4 if look.age > 25.0 => Hat::Fedora,
+        4 if appearance.age > 25.0 => Hat::Fedora,
         _ => Hat::None,
     };
 }
 
-fn office(look: &mut Look, s: &mut Stream, warm: bool) {
-    look.outfit = "office";
+fn office(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
+    appearance.outfit = "office";
     let suit = cloth(s, SOBER);
     let shirt = cloth(s, PALE);
     let shirt = Garment::new("shirt", 0.560, 0.97, 0.007, shirt).neck(0.28, 0.006).collar(Collar::Shirt);
-    if look.female && s.chance(0.4) {
-        look.garments.push(Garment::skirt("skirt", s.range_f32(0.28, 0.33), 0.004, suit));
-        look.legs.below = stockings(look, s, true);
-        look.shoes = leather(s, ShoeKind::Heels);
+    if appearance.female && s.chance(0.4) {
+        appearance.garments.push(Garment::skirt("skirt", s.range_f32(0.28, 0.33), 0.004, suit));
+        appearance.legs.below = stockings(appearance, s, true);
+        appearance.shoes = leather(s, ShoeKind::Heels);
     } else {
-        look.legs = Legs::new("suit_trousers", 0.0, 0.006, 0.010, suit, look.skin);
-        look.shoes = leather(s, ShoeKind::Leather);
+        appearance.legs = Legs::new("suit_trousers", 0.0, 0.006, 0.010, suit, appearance.skin);
+        appearance.shoes = leather(s, ShoeKind::Leather);
     }
-    look.garments.push(shirt);
+    appearance.garments.push(shirt);
     if s.chance(0.66) {
-        let tie = !look.female && s.chance(0.6);
+        let tie = !appearance.female && s.chance(0.6);
         let tie_color = cloth(s, JEWEL);
-        look.garments.push(
+        appearance.garments.push(
             Garment { accent: tie_color, ..Garment::new("suit_jacket", 0.445, 0.98, 0.016, suit) }
                 .neck(0.55, 0.010)
                 .open(0.012, 0.024)
                 .collar(Collar::Lapels { tie }),
         );
-        look.outfit = "suit";
+        appearance.outfit = "suit";
     }
     if warm && s.chance(0.6) {
-        look.garments.push(
+        appearance.garments.push(
             Garment::new("coat", 0.31, 1.0, 0.026, cloth(s, SOBER))
                 .flare(0.014)
                 .neck(0.40, 0.012)
@@ -370,135 +218,143 @@ fn office(look: &mut Look, s: &mut Stream, warm: bool) {
     }
 }
 
-fn sporty(look: &mut Look, s: &mut Stream) {
-    look.outfit = "sports";
+fn sporty(appearance: &mut Appearance, s: &mut Stream) {
+    appearance.outfit = "sports";
     let (a, b) = (cloth(s, BRIGHT), cloth(s, BRIGHT));
     if s.chance(0.5) {
-        look.garments.push(
+        appearance.garments.push(
             Garment::new("track_jacket", 0.495, 0.99, 0.013, a)
                 .pattern(Pattern::Block, b)
                 .neck(0.1, 0.006)
                 .collar(Collar::Stand),
         );
-        look.legs = Legs { stripe: true, accent: b, ..Legs::new("track_trousers", 0.0, 0.007, 0.008, a, look.skin) };
+        appearance.legs =
+            Legs { stripe: true, accent: b, ..Legs::new("track_trousers", 0.0, 0.007, 0.008, a, appearance.skin) };
     } else {
         let sleeve = *s.pick(&[0.0, 0.3]);
-        look.garments
+        appearance
+            .garments
             .push(Garment::new("sports_shirt", 0.505, sleeve, 0.007, a).neck(0.25, 0.010).pattern(Pattern::Block, b));
-        look.legs = Legs { stripe: true, accent: a, ..Legs::new("running_shorts", 1.35, 0.008, 0.012, b, look.skin) };
+        appearance.legs =
+            Legs { stripe: true, accent: a, ..Legs::new("running_shorts", 1.35, 0.008, 0.012, b, appearance.skin) };
     }
-    look.shoes = trainers(s);
-    look.hat = if s.chance(0.3) { Hat::Cap } else { Hat::None };
+    appearance.shoes = trainers(s);
+    appearance.hat = if s.chance(0.3) { Hat::Cap } else { Hat::None };
 }
 
 const VISIBLE: [[f32; 3]; 2] = [[0.62, 0.70, 0.03], [0.80, 0.16, 0.015]];
 
-fn worker(look: &mut Look, s: &mut Stream) {
-    look.outfit = "high_visibility";
+fn worker(appearance: &mut Appearance, s: &mut Stream) {
+    appearance.outfit = "high_visibility";
     let bright = palette::linear(Surface::Cloth, *s.pick(&VISIBLE));
     let silver = palette::linear(Surface::Plate, [0.62, 0.63, 0.64]);
     let dark = cloth(s, SOBER);
     if s.chance(0.45) {
         let jacket =
             Garment::new("high_visibility_jacket", 0.48, 1.0, 0.020, bright).neck(0.1, 0.008).collar(Collar::Stand);
-        look.garments.push(jacket.pattern(Pattern::HighVisibility, silver));
-        look.legs =
-            Legs { accent: silver, stripe: false, ..Legs::new("work_trousers", 0.0, 0.009, 0.014, bright, look.skin) };
+        appearance.garments.push(jacket.pattern(Pattern::HighVisibility, silver));
+        appearance.legs = Legs {
+            accent: silver,
+            stripe: false,
+            ..Legs::new("work_trousers", 0.0, 0.009, 0.014, bright, appearance.skin)
+        };
     } else {
-        let under = if s.chance(0.5) { light_top(look, s) } else { warm_top(s) };
-        look.garments.push(Garment { hem: 0.52, collar: Collar::None, ..under });
+        let under = if s.chance(0.5) { light_top(appearance, s) } else { warm_top(s) };
+        appearance.garments.push(Garment { hem: 0.52, collar: Collar::None, ..under });
         let vest = Garment::new("high_visibility_vest", 0.50, 0.0, 0.021, bright).neck(0.55, 0.016).open(0.004, 0.010);
-        look.garments.push(vest.pattern(Pattern::HighVisibility, silver));
-        look.legs = Legs::new("work_trousers", 0.0, 0.008, 0.013, dark, look.skin);
+        appearance.garments.push(vest.pattern(Pattern::HighVisibility, silver));
+        appearance.legs = Legs::new("work_trousers", 0.0, 0.008, 0.013, dark, appearance.skin);
     }
-    look.shoes = leather(s, ShoeKind::Boots);
-    look.hat = if s.chance(0.6) { Hat::SiteHelmet } else { Hat::Cap };
+    appearance.shoes = leather(s, ShoeKind::Boots);
+    appearance.hat = if s.chance(0.6) { Hat::SiteHelmet } else { Hat::Cap };
     let shell = *s.pick(&[[0.75, 0.75, 0.73], [0.80, 0.50, 0.02], [0.75, 0.12, 0.02], [0.05, 0.16, 0.45]]);
-    look.hat_color = palette::linear(Surface::Plastic, shell);
+    appearance.hat_color = palette::linear(Surface::Plastic, shell);
 }
 
-fn police(look: &mut Look, s: &mut Stream) {
-    look.outfit = "uniform";
+fn police(appearance: &mut Appearance, s: &mut Stream) {
+    appearance.outfit = "uniform";
     let navy =
         palette::material(Surface::Cloth, *s.pick(&[[28, 34, 54], [34, 38, 44], [96, 120, 150], [84, 80, 56]]), 1.0);
     let dark = palette::material(Surface::Cloth, [26, 29, 42], 1.0);
     let sleeve = *s.pick(&[0.42, 0.97]);
-    look.garments
+    appearance
+        .garments
         .push(Garment::new("uniform_shirt", 0.575, sleeve, 0.008, navy).neck(0.2, 0.006).collar(Collar::Shirt));
     let vest = Garment { folds: 0.3, ..Garment::new("protective_vest", 0.585, 0.0, 0.022, dark) };
-    look.garments.push(vest.neck(0.35, 0.014));
-    look.legs = Legs::new("uniform_trousers", 0.0, 0.007, 0.010, dark, look.skin);
-    look.shoes = leather(s, ShoeKind::Boots);
-    look.shoes.material = palette::material(Surface::Leather, [22, 22, 22], 1.0);
-    look.hat = Hat::PeakedCap;
-    look.hat_color = dark;
+    appearance.garments.push(vest.neck(0.35, 0.014));
+    appearance.legs = Legs::new("uniform_trousers", 0.0, 0.007, 0.010, dark, appearance.skin);
+    appearance.shoes = leather(s, ShoeKind::Boots);
+    appearance.shoes.material = palette::material(Surface::Leather, [22, 22, 22], 1.0);
+    appearance.hat = Hat::PeakedCap;
+    appearance.hat_color = dark;
 }
 
-fn regional(look: &mut Look, s: &mut Stream, warm: bool) {
-    look.outfit = "regional";
+fn regional(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
+    appearance.outfit = "regional";
     let jewel = cloth(s, JEWEL);
     let gold = palette::material(Surface::Cloth, [214, 172, 84], 1.0);
     let black = palette::material(Surface::Cloth, [22, 22, 25], 1.0);
     let white = palette::material(Surface::Cloth, [236, 234, 228], 1.0);
     let kind = s.below(4);
-    match (look.female && !look.child(), kind) {
+    match (appearance.female && !appearance.child(), kind) {
         (true, 0) => {
-            look.garments.push(Garment::new("choli", 0.592, 0.26, 0.003, cloth(s, JEWEL)).neck(0.4, 0.014));
-            look.garments.push(Garment::skirt("sari", 0.062, 0.035, jewel).pattern(Pattern::Border, gold));
+            appearance.garments.push(Garment::new("choli", 0.592, 0.26, 0.003, cloth(s, JEWEL)).neck(0.4, 0.014));
+            appearance.garments.push(Garment::skirt("sari", 0.062, 0.035, jewel).pattern(Pattern::Border, gold));
         }
         (true, 1) => {
             let robe = if s.chance(0.6) { black } else { jewel };
-            look.garments.push(Garment::new("abaya", 0.060, 1.0, 0.018, robe).neck(0.05, 0.002).flare(0.055));
-            look.hat = Hat::Headscarf;
-            look.hat_color = if s.chance(0.6) { robe } else { cloth(s, BRIGHT) };
+            appearance.garments.push(Garment::new("abaya", 0.060, 1.0, 0.018, robe).neck(0.05, 0.002).flare(0.055));
+            appearance.hat = Hat::Headscarf;
+            appearance.hat_color = if s.chance(0.6) { robe } else { cloth(s, BRIGHT) };
         }
         (true, 2) => {
-            look.garments.push(
+            appearance.garments.push(
                 Garment::new("kameez", 0.30, 0.7, 0.009, jewel)
                     .neck(0.3, 0.010)
                     .flare(0.03)
                     .pattern(Pattern::Border, gold),
             );
-            look.legs = Legs::new("salwar", 0.03, 0.014, 0.0, cloth(s, JEWEL), look.skin);
-            look.hat = if s.chance(0.4) { Hat::Headscarf } else { Hat::None };
-            look.hat_color = jewel;
+            appearance.legs = Legs::new("salwar", 0.03, 0.014, 0.0, cloth(s, JEWEL), appearance.skin);
+            appearance.hat = if s.chance(0.4) { Hat::Headscarf } else { Hat::None };
+            appearance.hat_color = jewel;
         }
         (true, _) => {
             // A headscarf over everyday clothes.
-            look.garments
+            appearance
+                .garments
                 .push(Garment::new("tunic", 0.36, 0.98, 0.012, cloth(s, BRIGHT)).neck(0.08, 0.004).flare(0.02));
-            look.legs = trousers(look, s);
-            look.hat = Hat::Headscarf;
-            look.hat_color = cloth(s, BRIGHT);
+            appearance.legs = trousers(appearance, s);
+            appearance.hat = Hat::Headscarf;
+            appearance.hat_color = cloth(s, BRIGHT);
         }
-        (false, 0 | 1) if look.age > 12.0 => {
+        (false, 0 | 1) if appearance.age > 12.0 => {
             let robe = if s.chance(0.7) { white } else { cloth(s, PALE) };
-            look.garments.push(
+            appearance.garments.push(
                 Garment::new("thobe", 0.075, 0.99, 0.014, robe).neck(0.08, 0.004).flare(0.03).collar(Collar::Stand),
             );
-            look.hat = *s.pick(&[Hat::None, Hat::Headscarf, Hat::Turban]);
-            look.hat_color = white;
+            appearance.hat = *s.pick(&[Hat::None, Hat::Headscarf, Hat::Turban]);
+            appearance.hat_color = white;
         }
         _ => {
             let kurta = cloth(s, PALE);
-            look.garments.push(
+            appearance.garments.push(
                 Garment::new("kurta", 0.34, 0.97, 0.011, kurta).neck(0.3, 0.006).flare(0.016).collar(Collar::Stand),
             );
-            look.legs = Legs::new("pyjama_trousers", 0.03, 0.009, 0.004, white, look.skin);
-            look.hat = if s.chance(0.35) { Hat::Turban } else { Hat::None };
-            look.hat_color = jewel;
+            appearance.legs = Legs::new("pyjama_trousers", 0.03, 0.009, 0.004, white, appearance.skin);
+            appearance.hat = if s.chance(0.35) { Hat::Turban } else { Hat::None };
+            appearance.hat_color = jewel;
         }
     }
-    look.shoes = if warm { leather(s, ShoeKind::Leather) } else { leather(s, ShoeKind::Sandals) };
+    appearance.shoes = if warm { leather(s, ShoeKind::Leather) } else { leather(s, ShoeKind::Sandals) };
 }
 
-fn carry(look: &mut Look, s: &mut Stream, rain: bool) {
-    let (age, female) = (look.age, look.female);
+fn carry(appearance: &mut Appearance, s: &mut Stream, rain: bool) {
+    let (age, female) = (appearance.age, appearance.female);
     let grown = age >= 16.0;
     let parent = if (22.0..45.0).contains(&age) { if female { 5.0 } else { 2.0 } } else { 0.0 };
     let old = if age > 66.0 { 1.0 } else { 0.0 };
     let g = if grown { 1.0 } else { 0.0 };
-    let office = if matches!(look.outfit, "office" | "suit") { 14.0 } else { 0.5 };
+    let office = if matches!(appearance.outfit, "office" | "suit") { 14.0 } else { 0.5 };
     let weights = [
         40.0,
         if age < 18.0 { 30.0 } else { 13.0 },
@@ -531,33 +387,33 @@ fn carry(look: &mut Look, s: &mut Stream, rain: bool) {
         Carried::Dog,
         Carried::Wheelchair,
     ];
-    look.carried = KINDS[s.weighted(&weights)];
-    if matches!(look.carried, Carried::Umbrella) {
+    appearance.carried = KINDS[s.weighted(&weights)];
+    if matches!(appearance.carried, Carried::Umbrella) {
         let palette = if s.chance(0.5) { SOBER } else { JEWEL };
-        look.bag_color = cloth(s, palette);
+        appearance.bag_color = cloth(s, palette);
     }
-    if matches!(look.outfit, "high_visibility" | "uniform") {
-        look.carried = Carried::Nothing;
+    if matches!(appearance.outfit, "high_visibility" | "uniform") {
+        appearance.carried = Carried::Nothing;
     }
 }
 
 /// Coats are closed and hoods go up.
-fn against_rain(look: &mut Look, s: &mut Stream) {
-    for garment in &mut look.garments {
+fn against_rain(appearance: &mut Appearance, s: &mut Stream) {
+    for garment in &mut appearance.garments {
         if garment.gap.is_some() && garment.name != "suit_jacket" {
             garment.gap = None;
             garment.upper = Upper::Neck { dip: 0.1, wide: 0.008 };
         }
     }
-    let covered = look.garments.last().is_some_and(|g| g.sleeve > 0.99 && g.ease > 0.018);
-    if !covered && look.hat != Hat::Headscarf && look.carried != Carried::Backpack {
+    let covered = appearance.garments.last().is_some_and(|g| g.sleeve > 0.99 && g.ease > 0.018);
+    if !covered && appearance.hat != Hat::Headscarf && appearance.carried != Carried::Backpack {
         let material = dyed(s, Surface::Plastic, WEATHER);
-        look.garments.push(
+        appearance.garments.push(
             Garment::new("rain_jacket", 0.44, 1.0, 0.026, material).neck(0.1, 0.008).flare(0.01).collar(Collar::Hood),
         );
     }
-    if let Some(garment) = look.garments.last().filter(|g| g.collar == Collar::Hood) {
-        look.hat = Hat::Hood;
-        look.hat_color = garment.material;
+    if let Some(garment) = appearance.garments.last().filter(|g| g.collar == Collar::Hood) {
+        appearance.hat = Hat::Hood;
+        appearance.hat_color = garment.material;
     }
 }

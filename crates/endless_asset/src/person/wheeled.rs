@@ -1,16 +1,18 @@
 //! Prams and wheelchairs.
 
+use super::appearance::Carried;
 use super::body::Body;
-use super::look::Carried;
 use super::palette;
 use super::skeleton::{Bone, Skeleton};
 use super::skin::Skin;
-use super::thing::SEAT;
 use crate::shape::{Region, Sculpt};
 use endless_scene::{Material, Surface};
 use endless_world::math;
 use glam::{Quat, Vec2, Vec3};
 use std::f32::consts::TAU;
+
+/// Height of seats over the body's.
+pub(crate) const SEAT: f32 = 0.255;
 
 /// Middle of a pram's handle.
 pub(crate) fn pram_handle(skeleton: &Skeleton) -> Vec3 {
@@ -26,12 +28,12 @@ pub(crate) fn axles(skeleton: &Skeleton, carried: Carried) -> [(Bone, Vec3, f32)
     if carried == Carried::Pram {
         let x = pram_handle(skeleton).x;
         let at = |dx: f32| Vec3::new(x + dx, 0.0, PRAM_WHEEL);
-        [(Bone::ThingFront, at(0.92), PRAM_WHEEL), (Bone::ThingRear, at(0.30), PRAM_WHEEL)]
+        [(Bone::CarriedFront, at(0.92), PRAM_WHEEL), (Bone::CarriedRear, at(0.30), PRAM_WHEEL)]
     } else {
         let h = skeleton.height;
         [
-            (Bone::ThingFront, Vec3::new(0.16 * h, 0.0, CASTER), CASTER),
-            (Bone::ThingRear, Vec3::new(-0.035 * h, 0.0, REAR_WHEEL), REAR_WHEEL),
+            (Bone::CarriedFront, Vec3::new(0.16 * h, 0.0, CASTER), CASTER),
+            (Bone::CarriedRear, Vec3::new(-0.035 * h, 0.0, REAR_WHEEL), REAR_WHEEL),
         ]
     }
 }
@@ -76,7 +78,7 @@ fn rod(points: &[Vec3], radius: f32, material: Material) -> Sculpt {
 /// A pram ahead of who pushes it.
 pub(crate) fn pram(skin: &mut Skin, body: &Body<'_>) {
     let handle = pram_handle(body.skeleton);
-    let cloth = Material { surface: Surface::Cloth, ..body.look.bag_color };
+    let cloth = Material { surface: Surface::Cloth, ..body.appearance.bag_color };
     let lining = palette::linear(Surface::Cloth, [0.30, 0.29, 0.27]);
     let metal = palette::linear(Surface::Metal, [0.35, 0.35, 0.36]);
     let black = palette::linear(Surface::Plastic, [0.02; 3]);
@@ -116,7 +118,7 @@ pub(crate) fn pram(skin: &mut Skin, body: &Body<'_>) {
     frame.add(rod(&[at(0.0, -0.21, handle.z), at(0.0, 0.21, handle.z)], 0.017, black));
     s.add(frame);
     s.add(Sculpt::cuboid(at(0.34, -0.17, 0.22), at(0.80, 0.17, 0.30), 0.02, black));
-    skin.add_rigid(s, Bone::Thing);
+    skin.add_rigid(s, Bone::Carried);
     for (bone, axle, radius) in axles(body.skeleton, Carried::Pram) {
         let mut pair = Sculpt::new();
         for y in [-0.235, 0.235] {
@@ -158,9 +160,9 @@ pub(crate) fn wheelchair(skin: &mut Skin, body: &Body<'_>) {
         0.004,
         black,
     ));
-    skin.add_rigid(s, Bone::Thing);
+    skin.add_rigid(s, Bone::Carried);
     for (bone, axle, radius) in axles(body.skeleton, Carried::Wheelchair) {
-        let large = bone == Bone::ThingRear;
+        let large = bone == Bone::CarriedRear;
         let y = half + if large { 0.055 } else { 0.0 };
         let mut pair = Sculpt::new();
         for y in [-y, y] {

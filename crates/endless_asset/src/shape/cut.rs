@@ -1,7 +1,8 @@
 //! Painting and cutting surfaces along exact lines.
 
+use super::face::Face;
 use super::runs::RUN;
-use super::sculpt::{Face, Sculpt};
+use super::sculpt::Sculpt;
 use endless_scene::Material;
 use glam::{Vec2, Vec3};
 

@@ -2,6 +2,7 @@
 
 mod curve;
 mod cut;
+mod face;
 mod runs;
 mod sculpt;
 mod solids;

@@ -1,6 +1,6 @@
 //! Boxes around runs of neighbouring faces: most regions that are drawn on a body are far from most of it.
 
-use super::sculpt::Face;
+use super::face::Face;
 use glam::Vec3;
 
 /// Faces in a run.

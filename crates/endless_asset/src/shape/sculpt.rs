@@ -1,24 +1,10 @@
 //! A soup of triangles under construction.
 
+use super::face::Face;
 use super::runs::Runs;
 use super::weld::{Cell, census};
 use endless_scene::{Material, Mesh};
 use glam::{Affine3A, Vec2, Vec3};
-
-/// One triangle, counter-clockwise seen from outside.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Face {
-    pub(crate) corners: [Vec3; 3],
-    pub(crate) normals: [Vec3; 3],
-    pub(crate) material: Material,
-}
-
-impl Face {
-    /// Normal of the plane, its length twice the area.
-    pub(crate) fn area_normal(&self) -> Vec3 {
-        (self.corners[1] - self.corners[0]).cross(self.corners[2] - self.corners[0])
-    }
-}
 
 /// Triangles with a normal a corner. Parts are made one by one, smoothed, painted by [`crate::shape::Region`]s, and put
 /// together.

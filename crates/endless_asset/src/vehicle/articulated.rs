@@ -1,6 +1,6 @@
 //! Vehicles that draw trailers: lorries with semi-trailers, cars with a trailer.
 
-use super::assemble::{Joint, Plan};
+use super::assemble::{Joint, VehicleBlueprint};
 use super::car::plate;
 use super::draw::Draw;
 use super::heavy::tractor_unit;
@@ -25,20 +25,20 @@ fn block(low: Vec3, high: Vec3, material: Material) -> Sculpt {
 }
 
 /// A tractor with a semi-trailer of three axles: a box, or curtains in the lorry's colour.
-pub(crate) fn semi(draw: &Draw) -> Plan {
+pub(crate) fn semi(draw: &Draw) -> VehicleBlueprint {
     let (tractor, kingpin) = tractor_unit(draw);
     let curtain = draw.chance("curtain sides", 0.55);
     let top = draw.range("height of the trailer", 3.70, 3.82);
     let joint =
         Joint { hitch: kingpin, axle: kingpin - AXLES_M[1], front: kingpin + AHEAD_M, towing_rear: tractor.size.rear };
     let rear = kingpin - BEHIND_M;
-    let plan = tractor.towing(joint, rear - 0.03, top, move || {
+    let blueprint = tractor.towing(joint, rear - 0.03, top, move || {
         let mut body = closed_box(-rear, kingpin + AHEAD_M, FRAME_Z + 0.22, top, curtain);
         body.add(undercarriage(kingpin, rear));
         let wheels = AXLES_M.map(|d| (kingpin - d, 0.98));
         (body, wheels.to_vec())
     });
-    plan.scaled(draw.range("scale", 1.02, 1.05))
+    blueprint.scaled(draw.range("scale", 1.02, 1.05))
 }
 
 /// Rails, legs, axles, guards, bumper and lamps of a semi-trailer.
@@ -74,7 +74,7 @@ fn undercarriage(kingpin: f32, rear: f32) -> Sculpt {
 }
 
 /// A car with a trailer of one axle: open, or under a cover.
-pub(crate) fn car_with_trailer(draw: &Draw) -> Plan {
+pub(crate) fn car_with_trailer(draw: &Draw) -> VehicleBlueprint {
     let car = cars::estate(draw);
     let rear = car.size.rear;
     let (hitch, z0) = (rear - 0.10, 0.52);

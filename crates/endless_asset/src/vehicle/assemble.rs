@@ -1,29 +1,11 @@
 //! From what a design plans to a finished vehicle: put together, centred, and exactly as large as planned.
 
-use super::Wheel;
+use super::rider_fit::RiderFit;
+use super::wheel::Wheel;
 use crate::shape::Sculpt;
 use endless_scene::Mesh;
 use glam::{Affine3A, Mat3, Vec3};
 use std::sync::Arc;
-
-/// Where a rider touches a two-wheeler: left side, object frame.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct RiderFit {
-    /// Top of the seat; of the deck for who stands.
-    pub(crate) seat: Vec3,
-    /// Middle of the left grip.
-    pub(crate) grip: Vec3,
-    /// Sole of the left foot, under the ball.
-    pub(crate) foot: Vec3,
-    /// How much higher the right foot is (pedals) and further ahead.
-    pub(crate) right_foot: Vec3,
-    /// Forward lean of the trunk, radians.
-    pub(crate) lean_rad: f32,
-    /// How likely a helmet is worn.
-    pub(crate) helmet: f64,
-    /// Whether one stands on it.
-    pub(crate) standing: bool,
-}
 
 /// Measures that are known before anything is built; in the frame in which the vehicle is built, metres.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,7 +43,7 @@ impl Size {
 /// Where a vehicle bends that draws another: x in the frame in which it is built, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Joint {
-    /// MapStatistics this the trailer turns.
+    /// About this the trailer turns.
     pub(crate) hitch: f32,
     /// Middle of the trailer's axles.
     pub(crate) axle: f32,
@@ -80,13 +62,13 @@ impl Joint {
 }
 
 /// What a design makes of a draw: measures at once, the vehicle when it is needed.
-pub(crate) struct Plan {
+pub(crate) struct VehicleBlueprint {
     pub(crate) size: Size,
     pub(crate) joint: Option<Joint>,
     pub(crate) build: Box<dyn FnOnce() -> Assembly>,
 }
 
-impl Plan {
+impl VehicleBlueprint {
     pub(crate) fn new(size: Size, build: impl FnOnce() -> Assembly + 'static) -> Self {
         Self { size, joint: None, build: Box::new(build) }
     }

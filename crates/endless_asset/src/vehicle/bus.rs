@@ -1,6 +1,6 @@
 //! Buses: city, midi, double-decker, coach, school.
 
-use super::assemble::{Assembly, Joint, Plan, Size};
+use super::assemble::{Assembly, Joint, Size, VehicleBlueprint};
 use super::car::{CarShape, Grille, open_arch, plate};
 use super::draw::Draw;
 use super::paint;
@@ -35,7 +35,7 @@ struct BusShape {
 }
 
 /// A low-floor city bus of twelve metres.
-pub(crate) fn city(draw: &Draw) -> Plan {
+pub(crate) fn city(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 11.7, 12.2);
     let shape = BusShape {
         length,
@@ -57,11 +57,11 @@ pub(crate) fn city(draw: &Draw) -> Plan {
         white_roof: draw.chance("white roof", 0.6),
         ends: [true; 2],
     };
-    shape.plan()
+    shape.blueprint()
 }
 
 /// Eight to ten metres, for narrow streets.
-pub(crate) fn midi(draw: &Draw) -> Plan {
+pub(crate) fn midi(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 8.3, 9.9);
     let shape = BusShape {
         length,
@@ -79,11 +79,11 @@ pub(crate) fn midi(draw: &Draw) -> Plan {
         white_roof: draw.chance("white roof", 0.5),
         ends: [true; 2],
     };
-    shape.plan()
+    shape.blueprint()
 }
 
 /// Two decks.
-pub(crate) fn double_decker(draw: &Draw) -> Plan {
+pub(crate) fn double_decker(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 10.6, 11.1);
     let height = draw.range("height", 4.18, 4.35);
     let shape = BusShape {
@@ -102,11 +102,11 @@ pub(crate) fn double_decker(draw: &Draw) -> Plan {
         white_roof: draw.chance("white roof", 0.4),
         ends: [true; 2],
     };
-    shape.plan()
+    shape.blueprint()
 }
 
 /// For long journeys: luggage below, passengers high up.
-pub(crate) fn coach(draw: &Draw) -> Plan {
+pub(crate) fn coach(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 11.9, 12.4);
     let height = draw.range("height", 3.38, 3.58);
     let shape = BusShape {
@@ -125,11 +125,11 @@ pub(crate) fn coach(draw: &Draw) -> Plan {
         white_roof: false,
         ends: [true; 2],
     };
-    shape.plan()
+    shape.blueprint()
 }
 
 /// Eighteen metres in two pieces, the rear one with an axle of its own.
-pub(crate) fn articulated(draw: &Draw) -> Plan {
+pub(crate) fn articulated(draw: &Draw) -> VehicleBlueprint {
     /// From the joint to the walls on both sides.
     const GAP_M: f32 = 0.58;
     let (length, behind) = (draw.range("length", 10.2, 10.5), draw.range("rear length", 6.5, 6.9));
@@ -159,7 +159,7 @@ pub(crate) fn articulated(draw: &Draw) -> Plan {
     let middle = hitch - GAP_M - 0.5 * behind;
     let joint = Joint { hitch, axle: middle + rear.x(4.35), front: hitch - GAP_M, towing_rear: hitch };
     let end = middle + rear.x(behind) - 0.006;
-    let with_bellows = front.plan().with(move |a| a.body.add(bellows(Vec3::X * hitch, height)));
+    let with_bellows = front.blueprint().with(move |a| a.body.add(bellows(Vec3::X * hitch, height)));
     with_bellows.towing(joint, end, height + 0.19, move || {
         let wheel = (middle + rear.x(4.35), rear.half_width - 0.16);
         (rear.build().body.at(Vec3::X * middle), vec![wheel])
@@ -189,7 +189,7 @@ fn bellows(joint: Vec3, height: f32) -> Sculpt {
 }
 
 /// A yellow school bus with a bonnet.
-pub(crate) fn school(draw: &Draw) -> Plan {
+pub(crate) fn school(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 8.6, 9.2);
     let end = length - 0.12;
     let windows = ((end - 2.9) / 0.78) as usize;
@@ -221,9 +221,9 @@ pub(crate) fn school(draw: &Draw) -> Plan {
         head_lamp_z: [1.0, 1.2],
         grille: Grille::Bars,
     };
-    let mut plan = shape.clone().plan();
-    plan.size.height += 0.01;
-    plan.with(move |a| {
+    let mut blueprint = shape.clone().blueprint();
+    blueprint.size.height += 0.01;
+    blueprint.with(move |a| {
         // Rub rails, and the lamps that warn when children get on and off.
         for z in [0.78, 1.06, 1.42] {
             a.body.repaint_both(&shape.panel(2.7, length - 0.15, z, z + 0.07), paint::BODY, paint::TRIM);
@@ -288,7 +288,7 @@ impl BusShape {
         }
     }
 
-    fn plan(self) -> Plan {
+    fn blueprint(self) -> VehicleBlueprint {
         let size = Size {
             // Mirrors reach ahead of the front.
             front: self.x(0.02 + 0.5 * self.rake) + 0.26,
@@ -298,7 +298,7 @@ impl BusShape {
             axles: [self.x(self.axles_d[0]), self.x(self.axles_d[self.axles_d.len() - 1])],
             wheel_radius: self.wheel_radius,
         };
-        Plan::new(size, move || self.build())
+        VehicleBlueprint::new(size, move || self.build())
     }
 
     fn build(&self) -> Assembly {

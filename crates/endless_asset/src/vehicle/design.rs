@@ -1,6 +1,6 @@
 //! The one list of vehicle designs.
 
-use super::assemble::Plan;
+use super::assemble::VehicleBlueprint;
 use super::draw::Draw;
 use super::tint::{self, Paint};
 use super::{articulated, bus, cars, emergency, fire, heavy, truck, two, van};
@@ -23,12 +23,12 @@ pub(crate) struct Design {
     /// How many draws the catalogue holds.
     pub(crate) draws: u8,
     pub(crate) paints: &'static [Paint],
-    pub(crate) plan: fn(&Draw) -> Plan,
+    pub(crate) blueprint: fn(&Draw) -> VehicleBlueprint,
 }
 
-type PlanOf = fn(&Draw) -> Plan;
+type DrawBlueprint = fn(&Draw) -> VehicleBlueprint;
 
-const fn car(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+const fn car(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
     Design {
         name,
         class: ObjectClass::Car,
@@ -38,60 +38,60 @@ const fn car(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Des
         parks: true,
         draws,
         paints: tint::CARS,
-        plan,
+        blueprint,
     }
 }
 
-const fn van(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+const fn van(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
     Design {
         class: ObjectClass::Van,
         cruise_mps: 12.5,
         acceleration_mps2: 1.5,
         paints: tint::VANS,
-        ..car(name, frequency, draws, plan)
+        ..car(name, frequency, draws, blueprint)
     }
 }
 
-const fn truck(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+const fn truck(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
     Design {
         class: ObjectClass::Truck,
         cruise_mps: 11.0,
         acceleration_mps2: 1.0,
         parks: false,
         paints: tint::TRUCKS,
-        ..car(name, frequency, draws, plan)
+        ..car(name, frequency, draws, blueprint)
     }
 }
 
-const fn bus(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+const fn bus(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
     Design {
         class: ObjectClass::Bus,
         cruise_mps: 11.5,
         acceleration_mps2: 1.1,
         parks: false,
         paints: tint::BUSES,
-        ..car(name, frequency, draws, plan)
+        ..car(name, frequency, draws, blueprint)
     }
 }
 
-const fn motorcycle(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+const fn motorcycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
     Design {
         class: ObjectClass::Motorcycle,
         cruise_mps: 13.0,
         acceleration_mps2: 2.4,
         paints: tint::MOTORCYCLES,
-        ..car(name, frequency, draws, plan)
+        ..car(name, frequency, draws, blueprint)
     }
 }
 
-const fn bicycle(name: &'static str, frequency: f64, draws: u8, plan: PlanOf) -> Design {
+const fn bicycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
     Design {
         class: ObjectClass::Bicycle,
         cruise_mps: 4.8,
         acceleration_mps2: 0.9,
         parks: false,
         paints: tint::BICYCLES,
-        ..car(name, frequency, draws, plan)
+        ..car(name, frequency, draws, blueprint)
     }
 }
 

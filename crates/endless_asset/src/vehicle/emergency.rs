@@ -1,6 +1,6 @@
 //! Police, ambulances: ordinary bodies with light bars and liveries.
 
-use super::assemble::Plan;
+use super::assemble::VehicleBlueprint;
 use super::car::CarShape;
 use super::draw::Draw;
 use super::{cars, paint, van};
@@ -29,12 +29,12 @@ pub(crate) fn light_bar(centre: Vec3, half_width: f32, two_coloured: bool) -> Sc
     bar
 }
 
-fn marked(shape: CarShape, draw: &Draw) -> Plan {
+fn marked(shape: CarShape, draw: &Draw) -> VehicleBlueprint {
     let (american, band) = (draw.chance("red and blue", 0.4), draw.range("band", 0.14, 0.26));
     let top = shape.height();
-    let mut plan = shape.clone().plan();
-    plan.size.height = top + BAR_M;
-    plan.with(move |a| {
+    let mut blueprint = shape.clone().blueprint();
+    blueprint.size.height = top + BAR_M;
+    blueprint.with(move |a| {
         let half = shape.half_width - shape.tumblehome - 0.12;
         a.body.add(light_bar(Vec3::new(shape.x(shape.cabin_d[1] + 0.35), 0.0, top - 0.01), half, american));
         let z = shape.head_lamp_z[1];
@@ -52,26 +52,26 @@ fn marked(shape: CarShape, draw: &Draw) -> Plan {
     })
 }
 
-pub(crate) fn police_car(draw: &Draw) -> Plan {
+pub(crate) fn police_car(draw: &Draw) -> VehicleBlueprint {
     marked(cars::service_car(draw), draw)
 }
 
-pub(crate) fn police_suv(draw: &Draw) -> Plan {
+pub(crate) fn police_suv(draw: &Draw) -> VehicleBlueprint {
     marked(cars::service_suv(draw), draw)
 }
 
-pub(crate) fn police_van(draw: &Draw) -> Plan {
+pub(crate) fn police_van(draw: &Draw) -> VehicleBlueprint {
     marked(van::service_bus(draw), draw)
 }
 
 /// A high van with a chequered band, a window in its side and lights all round.
-pub(crate) fn ambulance(draw: &Draw) -> Plan {
+pub(crate) fn ambulance(draw: &Draw) -> VehicleBlueprint {
     let shape = van::service_van(draw);
     let (red, chequered) = (draw.chance("red", 0.6), draw.chance("chequered", 0.55));
     let top = shape.height();
-    let mut plan = shape.clone().plan();
-    plan.size.height = top + BAR_M;
-    plan.with(move |a| {
+    let mut blueprint = shape.clone().blueprint();
+    blueprint.size.height = top + BAR_M;
+    blueprint.with(move |a| {
         let body = &mut a.body;
         let (color, z) = (if red { paint::RED } else { paint::LIME }, shape.head_lamp_z[1] + 0.05);
         let (front, rear) = (shape.doors_d[0] - 0.4, shape.length - 0.2);

@@ -1,6 +1,6 @@
 //! Fire engines.
 
-use super::assemble::Plan;
+use super::assemble::VehicleBlueprint;
 use super::draw::Draw;
 use super::emergency::light_bar;
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
@@ -15,12 +15,12 @@ const fn v(x: f32, y: f32, z: f32) -> Vec3 {
 }
 
 /// A pumper: crew cab, lockers behind shutters, a ladder on the roof.
-pub(crate) fn engine(draw: &Draw) -> Plan {
+pub(crate) fn engine(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 7.2, 7.7);
     let top = CAB_TOP + draw.range("body", 0.05, 0.25);
     let (band, yellow) = (draw.range("band", 0.18, 0.3), draw.chance("yellow band", 0.5));
     let lorry = Lorry { length, cab: Cab::Crew, rear_axles_d: vec![0.71 * length], height: top + 0.36 };
-    let plan = lorry.plan(move |lorry| {
+    let blueprint = lorry.blueprint(move |lorry| {
         let (x0, x1) = (-lorry.length, lorry.body_front() + 0.10);
         let z0 = FRAME_Z - 0.42;
         let axle = -lorry.rear_axles_d[0];
@@ -73,10 +73,10 @@ pub(crate) fn engine(draw: &Draw) -> Plan {
         s
     });
     // The band goes on along the cab.
-    let plan = plan.with(move |a| {
+    let blueprint = blueprint.with(move |a| {
         let side = Region::side(&rect(-2.9, -0.25, FRAME_Z + 0.02, FRAME_Z + 0.02 + band).map(Vec2::from));
         let color = if yellow { paint::LIME } else { paint::WHITE };
         a.body.repaint_both(&side.facing(Vec3::Y, 0.6).beyond(Vec3::Y, 0.9), paint::BODY, color);
     });
-    plan.scaled(draw.range("scale", 1.02, 1.06))
+    blueprint.scaled(draw.range("scale", 1.02, 1.06))
 }

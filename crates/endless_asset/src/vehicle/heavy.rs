@@ -1,6 +1,6 @@
 //! Lorries with open beds, tanks, drums and hoppers.
 
-use super::assemble::Plan;
+use super::assemble::VehicleBlueprint;
 use super::draw::Draw;
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
@@ -20,14 +20,14 @@ fn block(low: Vec3, high: Vec3, material: Material) -> Sculpt {
 }
 
 /// A bed with drop sides, from a builder's small one to a carrier of machines.
-pub(crate) fn flatbed(draw: &Draw) -> Plan {
+pub(crate) fn flatbed(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 6.6, 7.8);
     let (sides, load) = (draw.chance("drop sides", 0.6), draw.pick("load", &[0, 1, 2, 3]));
     let seed = draw.range("pieces", 0.0, 1e6) as u64;
     let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![0.725 * length], height: CAB_TOP + 0.02 };
     let scale =
         if draw.chance("small", 0.4) { draw.range("scale", 0.80, 0.86) } else { draw.range("scale", 0.97, 1.04) };
-    let plan = lorry.plan(move |lorry| {
+    let blueprint = lorry.blueprint(move |lorry| {
         let (x0, x1, z) = (-lorry.length, lorry.body_front(), FRAME_Z + 0.14);
         let mut s = block(v(x0, -W, z - 0.12), v(x1, W, z), paint::WOOD);
         s.paint(&Region::all().within(Vec3::Z, z - 0.01), paint::STEEL);
@@ -51,7 +51,7 @@ pub(crate) fn flatbed(draw: &Draw) -> Plan {
         s.add(load_of(load, x0 + 0.25, x1 - 0.35, z, seed));
         s
     });
-    plan.scaled(scale)
+    blueprint.scaled(scale)
 }
 
 /// Nothing, pallets, pipes or planks on a bed.
@@ -94,11 +94,11 @@ fn load_of(kind: i32, x0: f32, x1: f32, z: f32, seed: u64) -> Sculpt {
 }
 
 /// Fuel or milk.
-pub(crate) fn tanker(draw: &Draw) -> Plan {
+pub(crate) fn tanker(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 7.3, 7.9);
     let (steel, top) = (draw.chance("bright tank", 0.5), draw.range("tank", 2.62, 2.85));
     let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![0.72 * length], height: top + 0.10 };
-    let plan = lorry.plan(move |lorry| {
+    let blueprint = lorry.blueprint(move |lorry| {
         let (x0, x1, z0) = (-lorry.length + 0.05, lorry.body_front() - 0.02, FRAME_Z + 0.06);
         let (z, h) = (0.5 * (z0 + top), 0.5 * (top - z0));
         let skin = if steel { paint::BRIGHT_STEEL } else { paint::CARGO_WHITE };
@@ -142,15 +142,15 @@ pub(crate) fn tanker(draw: &Draw) -> Plan {
         }
         s
     });
-    plan.scaled(draw.range("scale", 1.0, 1.06))
+    blueprint.scaled(draw.range("scale", 1.0, 1.06))
 }
 
 /// A concrete mixer on three axles.
-pub(crate) fn mixer(draw: &Draw) -> Plan {
+pub(crate) fn mixer(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 7.5, 7.9);
     let striped = draw.chance("striped drum", 0.6);
     let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![4.05, 5.2], height: 3.42 };
-    let plan = lorry.plan(move |lorry| {
+    let blueprint = lorry.blueprint(move |lorry| {
         let (x0, x1) = (-lorry.length, lorry.body_front());
         // The drum lies on a pedestal behind the cab and rises to its mouth.
         let profile = [
@@ -208,16 +208,16 @@ pub(crate) fn mixer(draw: &Draw) -> Plan {
         s.add(block(v(x0 + 0.9, 1.02, 0.92), v(x1 - 0.9, 1.18, 1.02), paint::CHASSIS).both_sides());
         s
     });
-    plan.scaled(draw.range("scale", 1.02, 1.06))
+    blueprint.scaled(draw.range("scale", 1.02, 1.06))
 }
 
 /// What pulls semi-trailers, without one.
-pub(crate) fn tractor(draw: &Draw) -> Plan {
+pub(crate) fn tractor(draw: &Draw) -> VehicleBlueprint {
     tractor_unit(draw).0.scaled(draw.range("scale", 1.02, 1.06))
 }
 
 /// A tractor before it is scaled, and x of its fifth wheel.
-pub(super) fn tractor_unit(draw: &Draw) -> (Plan, f32) {
+pub(super) fn tractor_unit(draw: &Draw) -> (VehicleBlueprint, f32) {
     let length = draw.range("length", 5.45, 5.75);
     let three = draw.chance("three axles", 0.3);
     let rear_axles_d = if three { vec![4.0, 4.98] } else { vec![4.55] };
@@ -225,7 +225,7 @@ pub(super) fn tractor_unit(draw: &Draw) -> (Plan, f32) {
     let fairing = draw.chance("fairing", 0.7);
     let height = CAB_TOP + 0.62;
     let lorry = Lorry { length, cab: Cab::Sleeper, rear_axles_d, height };
-    let plan = lorry.plan(move |lorry| {
+    let blueprint = lorry.blueprint(move |lorry| {
         let x1 = lorry.body_front() + 0.06;
         let last = lorry.rear_axles_d[0];
         let mut s = Sculpt::post(v(-last, 0.0, FRAME_Z + 0.02), 0.14, 0.46, 0.44, 24, paint::CHASSIS);
@@ -244,15 +244,15 @@ pub(super) fn tractor_unit(draw: &Draw) -> (Plan, f32) {
         }
         s
     });
-    (plan, fifth_wheel)
+    (blueprint, fifth_wheel)
 }
 
 /// Collects household waste from behind.
-pub(crate) fn refuse(draw: &Draw) -> Plan {
+pub(crate) fn refuse(draw: &Draw) -> VehicleBlueprint {
     let length = draw.range("length", 7.5, 8.1);
     let top = draw.range("height", 3.05, 3.25);
     let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![4.35, 5.5], height: top };
-    let plan = lorry.plan(move |lorry| {
+    let blueprint = lorry.blueprint(move |lorry| {
         let (x0, x1, z0) = (-lorry.length, lorry.body_front() + 0.02, FRAME_Z + 0.06);
         let tail = x0 + 1.75;
         let mut s = Sculpt::cuboid(v(tail - 0.05, -W + 0.03, z0), v(x1, W - 0.03, top), 0.16, paint::CARGO_WHITE);
@@ -291,5 +291,5 @@ pub(crate) fn refuse(draw: &Draw) -> Plan {
         s.add(Sculpt::cuboid(v(-0.95, -0.5, CAB_TOP - 0.02), v(-0.75, 0.5, CAB_TOP + 0.10), 0.03, paint::AMBER_LIGHT));
         s
     });
-    plan.scaled(draw.range("scale", 1.02, 1.06))
+    blueprint.scaled(draw.range("scale", 1.02, 1.06))
 }

@@ -1,7 +1,7 @@
 //! Lorries: a cab over the front axle and a chassis, drawn as those of twelve tons; heavier and lighter ones are larger
 //! and smaller.
 
-use super::assemble::{Assembly, Plan, Size};
+use super::assemble::{Assembly, Size, VehicleBlueprint};
 use super::car::{open_arch, plate};
 use super::paint;
 use super::shell::{Arch, Cabin, Ring, Shell};
@@ -65,7 +65,7 @@ impl Lorry {
     }
 
     /// With what it carries: built in the cab's frame, front at x = 0.
-    pub(super) fn plan(self, cargo: impl FnOnce(&Self) -> Sculpt + 'static) -> Plan {
+    pub(super) fn blueprint(self, cargo: impl FnOnce(&Self) -> Sculpt + 'static) -> VehicleBlueprint {
         let last = self.rear_axles_d[self.rear_axles_d.len() - 1];
         let size = Size {
             front: 0.012,
@@ -75,7 +75,7 @@ impl Lorry {
             axles: [-AXLE_D, -last],
             wheel_radius: WHEEL,
         };
-        Plan::new(size, move || self.build(cargo))
+        VehicleBlueprint::new(size, move || self.build(cargo))
     }
 
     fn build(&self, cargo: impl FnOnce(&Self) -> Sculpt) -> Assembly {

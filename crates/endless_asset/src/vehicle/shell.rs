@@ -260,11 +260,11 @@ impl Shell {
         let high: Vec<Vec3> = top.outline(None).iter().map(|&p| p.extend(roof.at(p.x) - edge_drop)).collect();
         let mut rows: Vec<Vec<Vec3>> = Vec::new();
         for t in [0.2f32, 0.45, 0.7, 0.92] {
-            let plan = foot.mix(top, t).outline(None);
+            let blueprint = foot.mix(top, t).outline(None);
             rows.push(
                 low.iter()
                     .zip(&high)
-                    .zip(&plan)
+                    .zip(&blueprint)
                     .map(|((a, b), p)| {
                         let out = bulge * 4.0 * t * (1.0 - t);
                         let straight = a.lerp(*b, t);

@@ -1,6 +1,6 @@
 //! What lorries carry.
 
-use super::assemble::Plan;
+use super::assemble::VehicleBlueprint;
 use super::draw::Draw;
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
@@ -33,20 +33,20 @@ fn two_axles(length: f32, cab: Cab, height: f32) -> Lorry {
 }
 
 /// A box of 12 tons.
-pub(crate) fn box_truck(draw: &Draw) -> Plan {
+pub(crate) fn box_truck(draw: &Draw) -> VehicleBlueprint {
     boxed(draw, draw.range("length", 6.9, 7.9), draw.range("height", 3.15, 3.55))
         .scaled(draw.range("scale", 0.98, 1.03))
 }
 
 /// A box of 3.5 to 7.5 tons, for parcels and removals.
-pub(crate) fn small_box(draw: &Draw) -> Plan {
+pub(crate) fn small_box(draw: &Draw) -> VehicleBlueprint {
     boxed(draw, draw.range("length", 6.7, 7.4), draw.range("height", 3.3, 3.6)).scaled(draw.range("scale", 0.82, 0.87))
 }
 
-fn boxed(draw: &Draw, length: f32, top: f32) -> Plan {
+fn boxed(draw: &Draw, length: f32, top: f32) -> VehicleBlueprint {
     let curtain = draw.chance("curtain sides", 0.35);
     let refrigerated = draw.chance("refrigerated", 0.3);
-    two_axles(length, Cab::Day, top).plan(move |lorry| {
+    two_axles(length, Cab::Day, top).blueprint(move |lorry| {
         let (length, x1) = (lorry.length, lorry.body_front() + 0.01);
         let (z0, z1, w) = (FRAME_Z + 0.10, top, W);
         let mut cargo = closed_box(length, x1, z0, z1, curtain);
@@ -98,12 +98,12 @@ pub(super) fn closed_box(length: f32, x1: f32, z0: f32, z1: f32, curtain: bool) 
     cargo
 }
 
-pub(crate) fn tipper(draw: &Draw) -> Plan {
+pub(crate) fn tipper(draw: &Draw) -> VehicleBlueprint {
     let (length, z1) = (draw.range("length", 6.7, 7.3), draw.range("wall", 1.95, 2.25));
     let seed = (draw.range("load", 0.0, 1e6)) as u64;
     let loaded = draw.chance("loaded", 0.7);
     two_axles(length, Cab::Day, CAB_TOP + 0.11)
-        .plan(move |lorry| tipping_body(lorry, z1, loaded, seed))
+        .blueprint(move |lorry| tipping_body(lorry, z1, loaded, seed))
         .scaled(draw.range("scale", 0.98, 1.05))
 }
 

@@ -1,6 +1,6 @@
 //! Vans and minibuses: cars with a short bonnet and a tall, straight body.
 
-use super::assemble::Plan;
+use super::assemble::VehicleBlueprint;
 use super::car::{CarShape, Grille};
 use super::draw::Draw;
 use super::paint;
@@ -36,33 +36,33 @@ impl CarShape {
 }
 
 /// A delivery van of a car's size.
-pub(crate) fn small(draw: &Draw) -> Plan {
+pub(crate) fn small(draw: &Draw) -> VehicleBlueprint {
     let shape = small_shape().drawn(draw);
     let blind = draw.chance("blind rear doors", 0.5);
     let shape = CarShape { rear_window: !blind, ..shape };
-    shape.clone().plan().with(move |a| shape.load_doors(&mut a.body))
+    shape.clone().blueprint().with(move |a| shape.load_doors(&mut a.body))
 }
 
-pub(crate) fn panel(draw: &Draw) -> Plan {
+pub(crate) fn panel(draw: &Draw) -> VehicleBlueprint {
     let shape = CarShape { rear_window: draw.chance("rear windows", 0.6), ..panel_shape().drawn(draw) };
-    shape.clone().plan().with(move |a| shape.load_doors(&mut a.body))
+    shape.clone().blueprint().with(move |a| shape.load_doors(&mut a.body))
 }
 
 /// Longer, and high enough to stand in.
-pub(crate) fn high(draw: &Draw) -> Plan {
+pub(crate) fn high(draw: &Draw) -> VehicleBlueprint {
     let shape = CarShape { rear_window: false, ..high_shape().drawn(draw) };
-    shape.clone().plan().with(move |a| shape.load_doors(&mut a.body))
+    shape.clone().blueprint().with(move |a| shape.load_doors(&mut a.body))
 }
 
-pub(crate) fn minibus(draw: &Draw) -> Plan {
-    minibus_shape().drawn(draw).plan()
+pub(crate) fn minibus(draw: &Draw) -> VehicleBlueprint {
+    minibus_shape().drawn(draw).blueprint()
 }
 
 /// A leisure van of the sixties, or one that looks so: the driver over the front axle, in two colours.
-pub(crate) fn camper(draw: &Draw) -> Plan {
+pub(crate) fn camper(draw: &Draw) -> VehicleBlueprint {
     let shape = camper_shape().drawn(draw);
     let shape = CarShape { grille: Grille::Closed, rim: Rim::Steel, ..shape };
-    shape.clone().plan().with(move |a| {
+    shape.clone().blueprint().with(move |a| {
         let upper = Region::all().beyond(Vec3::Z, shape.belt[2].1 - 0.02);
         a.body.repaint(&upper, paint::BODY, paint::WHITE);
     })

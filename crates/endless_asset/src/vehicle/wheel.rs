@@ -7,6 +7,17 @@ use endless_world::math;
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use std::f32::consts::{FRAC_PI_2, TAU};
 
+/// A wheel of a vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wheel {
+    /// Centre in the object frame.
+    pub position: Vec3,
+    /// Whether it turns with the steering.
+    pub steered: bool,
+    /// Whether the mesh is mirrored (y → −y) for this side.
+    pub mirrored: bool,
+}
+
 /// What a rim looks like.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Rim {

@@ -10,7 +10,7 @@ use std::path::Path;
 pub struct Estimate {
     /// Images of each layer still to be made.
     pub camera_frames: u64,
-    /// MapStatistics so many bytes.
+    /// About so many bytes.
     pub bytes: u64,
     /// Bytes free on the disk.
     pub free: u64,

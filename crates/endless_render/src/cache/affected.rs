@@ -205,7 +205,7 @@ fn mark_seen(bake: &CameraBake, instance: &Instance, work: &mut [Work]) {
     let blas = &instance.geometry.posed.blas;
     let tiles = |bounds| tiles_of(bake, &instance.world_from_object, bounds);
     let Some([low, high]) = tiles(blas.bounds()) else { return };
-    // MapStatistics as many parts as tiles: smaller ones tell no more.
+    // About as many parts as tiles: smaller ones tell no more.
     let area = (high - low + 1).element_product();
     for [low, high] in blas.parts((area as usize).min(MOST_PARTS)).into_iter().filter_map(tiles) {
         for y in low.y..=high.y {

@@ -19,7 +19,7 @@ const LIFT: f32 = 2e-3;
 /// the dark ground beneath it. `low` and `high` bound the whole object, wheels included.
 pub(super) fn ambient_occlusion(mesh: &PosedMesh, low: Vec3A, high: Vec3A) -> Vec<f32> {
     let size = (high - low).max_element();
-    // MapStatistics the normal of the surface, which is up; a third of them, well spread, come first.
+    // About the normal of the surface, which is up; a third of them, well spread, come first.
     let order = |k: u32| SPARSE * (k % FIRST) + k / FIRST;
     let directions: [Vec3A; RAYS as usize] =
         std::array::from_fn(|k| cosine_direction(Vec3A::Z, hammersley(order(k as u32), RAYS)));

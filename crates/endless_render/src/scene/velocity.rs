@@ -7,7 +7,7 @@ use glam::Vec3A;
 pub struct RigidVelocity {
     /// Of the point `about`, m/s.
     pub linear_mps: Vec3A,
-    /// MapStatistics each axis, radians a second.
+    /// About each axis, radians a second.
     pub angular_radps: Vec3A,
     /// A point of the piece, or one that moves with it, metres.
     pub about: Vec3A,

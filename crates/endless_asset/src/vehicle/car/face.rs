@@ -1,26 +1,9 @@
 //! Front and rear of a car: grille, lamps, number plates.
 
-use super::CarShape;
+use super::shape::{CarShape, Grille};
 use crate::shape::{Region, Sculpt, rounded};
 use crate::vehicle::paint;
 use glam::{Vec2, Vec3};
-
-/// The air intake between the headlamps.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Grille {
-    /// Framed in chrome, with one bar.
-    Framed,
-    /// Horizontal bars.
-    Bars,
-    /// A black slit from lamp to lamp.
-    Slit,
-    /// Closed: an electric car.
-    Closed,
-    /// Tall, down to the bumper.
-    Tall,
-    /// Upright slots, as on off-roaders.
-    Slots,
-}
 
 impl CarShape {
     /// Grille, bumper intake, headlamps, fog lamps, number plate.

@@ -1,7 +1,7 @@
 //! Seams, cladding, mirrors and rails of a car.
 
-use super::CarShape;
 use super::arch::disc;
+use super::shape::CarShape;
 use crate::shape::{Region, Sculpt};
 use crate::vehicle::paint;
 use crate::vehicle::shell::Shell;

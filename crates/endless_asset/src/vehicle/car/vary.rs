@@ -1,6 +1,6 @@
 //! Cars of one shape that differ as models of different makers do.
 
-use super::{CarShape, Grille};
+use super::shape::{CarShape, Grille};
 use crate::vehicle::draw::Draw;
 use crate::vehicle::wheel::Rim;
 

@@ -2,7 +2,7 @@
 
 mod shape;
 
-use super::assemble::{Assembly, Plan};
+use super::assemble::{Assembly, VehicleBlueprint};
 use super::car::CarShape;
 use super::draw::Draw;
 use super::paint;
@@ -14,7 +14,7 @@ use glam::{Vec2, Vec3};
 /// Designs that are nothing but a shape.
 macro_rules! plain {
     ($($name:ident),*) => {
-        $(pub(crate) fn $name(draw: &Draw) -> Plan { shape::$name().drawn(draw).plan() })*
+        $(pub(crate) fn $name(draw: &Draw) -> VehicleBlueprint { shape::$name().drawn(draw).blueprint() })*
     };
 }
 
@@ -31,7 +31,7 @@ pub(crate) fn service_suv(draw: &Draw) -> CarShape {
     CarShape { rails: false, ..draw.pick("base", &[shape::suv, shape::large_suv])().drawn(draw) }
 }
 
-pub(crate) fn taxi(draw: &Draw) -> Plan {
+pub(crate) fn taxi(draw: &Draw) -> VehicleBlueprint {
     taxi_of(
         CarShape {
             rails: false,
@@ -41,16 +41,16 @@ pub(crate) fn taxi(draw: &Draw) -> Plan {
     )
 }
 
-pub(crate) fn large_taxi(draw: &Draw) -> Plan {
+pub(crate) fn large_taxi(draw: &Draw) -> VehicleBlueprint {
     taxi_of(CarShape { rails: false, ..shape::mpv().drawn(draw) }, draw)
 }
 
-fn taxi_of(shape: CarShape, draw: &Draw) -> Plan {
+fn taxi_of(shape: CarShape, draw: &Draw) -> VehicleBlueprint {
     let chequered = draw.chance("chequered band", 0.5);
     let top = shape.height();
-    let mut plan = shape.clone().plan();
-    plan.size.height = top + 0.15;
-    plan.with(move |assembly| {
+    let mut blueprint = shape.clone().blueprint();
+    blueprint.size.height = top + 0.15;
+    blueprint.with(move |assembly| {
         assembly.body.add(taxi_sign(shape.x(shape.cabin_d[1] + 0.4), top));
         if chequered {
             chequer(assembly, &shape);
@@ -90,13 +90,13 @@ fn chequer(assembly: &mut Assembly, shape: &CarShape) {
 }
 
 /// With its spare wheel on the tailgate.
-pub(crate) fn offroad(draw: &Draw) -> Plan {
+pub(crate) fn offroad(draw: &Draw) -> VehicleBlueprint {
     let shape = shape::offroad().drawn(draw);
     let (r, z) = (0.97 * shape.wheel_radius, shape.belt[0].1 - 0.08);
     let rear = shape.x(shape.length);
-    let mut plan = shape.plan();
-    plan.size.rear = rear - 0.19;
-    plan.with(move |assembly| {
+    let mut blueprint = shape.blueprint();
+    blueprint.size.rear = rear - 0.19;
+    blueprint.with(move |assembly| {
         let turn = glam::Quat::from_rotation_y(-std::f32::consts::FRAC_PI_2);
         let place = glam::Affine3A::from_rotation_translation(turn, Vec3::new(rear + 0.04, 0.12, z));
         assembly.body.add(Sculpt::post(Vec3::ZERO, 0.22, r, 0.96 * r, 24, paint::RUBBER).placed(place));
@@ -105,16 +105,16 @@ pub(crate) fn offroad(draw: &Draw) -> Plan {
     })
 }
 
-pub(crate) fn pickup(draw: &Draw) -> Plan {
+pub(crate) fn pickup(draw: &Draw) -> VehicleBlueprint {
     pickup_of(shape::pickup().drawn(draw))
 }
 
-pub(crate) fn large_pickup(draw: &Draw) -> Plan {
+pub(crate) fn large_pickup(draw: &Draw) -> VehicleBlueprint {
     pickup_of(shape::large_pickup().drawn(draw))
 }
 
-fn pickup_of(shape: CarShape) -> Plan {
-    shape.clone().plan().with(move |assembly| open_bed(&mut assembly.body, &shape))
+fn pickup_of(shape: CarShape) -> VehicleBlueprint {
+    shape.clone().blueprint().with(move |assembly| open_bed(&mut assembly.body, &shape))
 }
 
 /// Opens the deck behind the cabin and sets a box into it.

@@ -35,9 +35,9 @@ struct Frame {
     helmet: f64,
 }
 
-fn plan(draw: &Draw, frame: Frame, rear: f32, height: f32, width: f32) -> Plan {
+fn blueprint(draw: &Draw, frame: Frame, rear: f32, height: f32, width: f32) -> VehicleBlueprint {
     let size = size([frame.front + frame.r, rear], width, height, [frame.front, frame.rear], frame.r);
-    framed(draw, Plan::new(size, move || frame.assemble(Sculpt::new())))
+    framed(draw, VehicleBlueprint::new(size, move || frame.assemble(Sculpt::new())))
 }
 
 fn city_frame() -> Frame {
@@ -60,14 +60,14 @@ fn city_frame() -> Frame {
 }
 
 /// With mudguards and a rack; some frames to step through.
-pub(crate) fn city(draw: &Draw) -> Plan {
+pub(crate) fn city(draw: &Draw) -> VehicleBlueprint {
     let frame = city_frame();
     let knot = if draw.chance("step through", 0.45) { v(-0.135, 0.0, 0.46) } else { frame.knot };
-    plan(draw, Frame { knot, ..frame }, -0.893, 1.062, 0.576)
+    blueprint(draw, Frame { knot, ..frame }, -0.893, 1.062, 0.576)
 }
 
 /// Drop bars, thin tyres, nothing else.
-pub(crate) fn road(draw: &Draw) -> Plan {
+pub(crate) fn road(draw: &Draw) -> VehicleBlueprint {
     let frame = Frame {
         r: 0.335,
         tyre: 0.026,
@@ -84,11 +84,11 @@ pub(crate) fn road(draw: &Draw) -> Plan {
         lean_rad: 0.72,
         helmet: 0.9,
     };
-    plan(draw, frame, -0.825, 0.985, 0.456)
+    blueprint(draw, frame, -0.825, 0.985, 0.456)
 }
 
 /// Flat bar, fat tyres.
-pub(crate) fn mountain(draw: &Draw) -> Plan {
+pub(crate) fn mountain(draw: &Draw) -> VehicleBlueprint {
     let frame = Frame {
         r: 0.355,
         tyre: 0.058,
@@ -105,16 +105,16 @@ pub(crate) fn mountain(draw: &Draw) -> Plan {
         lean_rad: 0.45,
         helmet: 0.7,
     };
-    plan(draw, frame, -0.885, 1.0, 0.76)
+    blueprint(draw, frame, -0.885, 1.0, 0.76)
 }
 
 /// A long wheelbase with a box before the rider.
-pub(crate) fn cargo(draw: &Draw) -> Plan {
+pub(crate) fn cargo(draw: &Draw) -> VehicleBlueprint {
     let frame = Frame { r: 0.275, front: 1.22, rear: -0.62, head: v(0.37, 0.0, 0.84), rack: false, ..city_frame() };
     let (wooden, high) = (draw.chance("wooden", 0.5), draw.range("box", 0.70, 0.82));
     let rear = frame.rear - frame.r - 0.028;
     let size = size([frame.front + frame.r, rear], 0.58, 1.062, [frame.front, frame.rear], frame.r);
-    let plan = Plan::new(size, move || {
+    let blueprint = VehicleBlueprint::new(size, move || {
         let mut s = Sculpt::new();
         let skin = if wooden { paint::WOOD } else { paint::TRIM };
         let (x0, x1, y, z) = (0.34, 0.93, 0.29, 0.26);
@@ -127,7 +127,7 @@ pub(crate) fn cargo(draw: &Draw) -> Plan {
         s.add(rod(v(1.0, 0.0, 0.22), v(1.12, 0.0, 0.66), 0.022, paint::BODY));
         frame.assemble(s)
     });
-    framed(draw, plan)
+    framed(draw, blueprint)
 }
 
 impl Frame {

@@ -2,18 +2,18 @@
 
 use super::*;
 
-fn plan() -> Plan {
-    Plan::new(size([0.975, -0.99], 0.78, 1.32, [0.66, -0.65], 0.295), commuter_parts)
+fn blueprint() -> VehicleBlueprint {
+    VehicleBlueprint::new(size([0.975, -0.99], 0.78, 1.32, [0.66, -0.65], 0.295), commuter_parts)
 }
 
 /// With a round headlamp and an air-cooled engine.
-pub(crate) fn commuter(draw: &Draw) -> Plan {
-    framed(draw, plan())
+pub(crate) fn commuter(draw: &Draw) -> VehicleBlueprint {
+    framed(draw, blueprint())
 }
 
 /// The same with a box behind.
-pub(crate) fn delivery(draw: &Draw) -> Plan {
-    framed(draw, plan().with(delivery_box(draw, v(-0.72, 0.0, 0.915))))
+pub(crate) fn delivery(draw: &Draw) -> VehicleBlueprint {
+    framed(draw, blueprint().with(delivery_box(draw, v(-0.72, 0.0, 0.915))))
 }
 
 fn commuter_parts() -> Assembly {

@@ -2,16 +2,16 @@
 
 use super::*;
 
-pub(crate) fn cruiser(draw: &Draw) -> Plan {
+pub(crate) fn cruiser(draw: &Draw) -> VehicleBlueprint {
     let bags = draw.chance("saddle bags", 0.5);
-    let plan = Plan::new(size([1.135, -1.10], 0.86, 1.28, [0.81, -0.78], 0.315), parts);
-    let plan = plan.with(move |a| {
+    let blueprint = VehicleBlueprint::new(size([1.135, -1.10], 0.86, 1.28, [0.81, -0.78], 0.315), parts);
+    let blueprint = blueprint.with(move |a| {
         if bags {
             let bag = Sculpt::cuboid(v(-0.98, 0.16, 0.34), v(-0.54, 0.33, 0.66), 0.06, paint::SEAT);
             a.body.add(bag.both_sides());
         }
     });
-    framed(draw, plan)
+    framed(draw, blueprint)
 }
 
 fn parts() -> Assembly {

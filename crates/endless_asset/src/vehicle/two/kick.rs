@@ -2,8 +2,8 @@
 
 use super::*;
 
-pub(crate) fn kick(draw: &Draw) -> Plan {
-    framed(draw, Plan::new(size([0.565, -0.58], 0.54, 1.18, [0.44, -0.44], 0.125), parts))
+pub(crate) fn kick(draw: &Draw) -> VehicleBlueprint {
+    framed(draw, VehicleBlueprint::new(size([0.565, -0.58], 0.54, 1.18, [0.44, -0.44], 0.125), parts))
 }
 
 fn parts() -> Assembly {

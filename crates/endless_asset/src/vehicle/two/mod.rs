@@ -14,9 +14,10 @@ pub(crate) use kick::kick;
 pub(crate) use moped::{moped_delivery, scooter};
 pub(crate) use sport::sport;
 
-use super::assemble::{Assembly, Plan, RiderFit, Size};
+use super::assemble::{Assembly, Size, VehicleBlueprint};
 use super::draw::Draw;
 use super::paint;
+use super::rider_fit::RiderFit;
 use super::wheel::{Rim, wheel};
 use crate::shape::{Region, Sculpt};
 use endless_scene::Material;
@@ -32,8 +33,8 @@ fn size([front, rear]: [f32; 2], width: f32, height: f32, axles: [f32; 2], wheel
 }
 
 /// Frames come in sizes.
-fn framed(draw: &Draw, plan: Plan) -> Plan {
-    plan.scaled(draw.range("frame", 0.965, 1.04))
+fn framed(draw: &Draw, blueprint: VehicleBlueprint) -> VehicleBlueprint {
+    blueprint.scaled(draw.range("frame", 0.965, 1.04))
 }
 
 /// The box of who delivers meals, behind the rider.

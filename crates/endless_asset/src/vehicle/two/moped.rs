@@ -2,17 +2,17 @@
 
 use super::*;
 
-fn plan() -> Plan {
-    Plan::new(size([0.9, -0.95], 0.74, 1.30, [0.62, -0.64], 0.225), scooter_parts)
+fn blueprint() -> VehicleBlueprint {
+    VehicleBlueprint::new(size([0.9, -0.95], 0.74, 1.30, [0.62, -0.64], 0.225), scooter_parts)
 }
 
-pub(crate) fn scooter(draw: &Draw) -> Plan {
-    framed(draw, plan())
+pub(crate) fn scooter(draw: &Draw) -> VehicleBlueprint {
+    framed(draw, blueprint())
 }
 
 /// The same with a box behind.
-pub(crate) fn moped_delivery(draw: &Draw) -> Plan {
-    framed(draw, plan().with(delivery_box(draw, v(-0.74, 0.0, 0.86))))
+pub(crate) fn moped_delivery(draw: &Draw) -> VehicleBlueprint {
+    framed(draw, blueprint().with(delivery_box(draw, v(-0.74, 0.0, 0.86))))
 }
 
 fn scooter_parts() -> Assembly {

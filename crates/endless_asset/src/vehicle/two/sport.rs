@@ -2,8 +2,8 @@
 
 use super::*;
 
-pub(crate) fn sport(draw: &Draw) -> Plan {
-    framed(draw, Plan::new(size([0.99, -0.99], 0.74, 1.16, [0.69, -0.69], 0.30), parts))
+pub(crate) fn sport(draw: &Draw) -> VehicleBlueprint {
+    framed(draw, VehicleBlueprint::new(size([0.99, -0.99], 0.74, 1.16, [0.69, -0.69], 0.30), parts))
 }
 
 fn parts() -> Assembly {

@@ -1,115 +1,10 @@
-//! Who a person is: age, sex, height, build, skin, hair; what they wear and carry is chosen in `wardrobe`.
+//! Who a person is, drawn from a seed: age, sex, height, build, skin, hair; what they wear and carry is chosen in
+//! `wardrobe`.
 
-use super::palette;
-use super::wardrobe::{self, Garment, Legs, Shoes};
-use endless_scene::Material;
+use super::appearance::{Appearance, Beard, Carried, Glasses, Hair, Hat};
+use super::clothes::{Legs, Shoes};
+use super::{palette, wardrobe};
 use endless_world::{Stream, math};
-
-/// What grows on the head.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Hair {
-    Bald,
-    Balding,
-    Buzz,
-    Short,
-    Parted,
-    Curly,
-    Afro,
-    Bob,
-    Long,
-    Ponytail,
-    Bun,
-}
-
-/// What grows on the chin.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Beard {
-    None,
-    Stubble,
-    Moustache,
-    Full,
-}
-
-/// What is worn on the head.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Hat {
-    None,
-    Cap,
-    Beanie,
-    Brimmed,
-    Fedora,
-    Headscarf,
-    Turban,
-    SiteHelmet,
-    PeakedCap,
-    Hood,
-    /// Motorcycle helmet.
-    FullHelmet,
-    /// Bicycle helmet.
-    CycleHelmet,
-}
-
-/// What is worn before the eyes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Glasses {
-    None,
-    Clear,
-    Sun,
-}
-
-/// What is carried, pushed, led, or sat in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Carried {
-    Nothing,
-    Backpack,
-    Handbag,
-    ShoulderBag,
-    ShoppingBag,
-    Briefcase,
-    /// Looked at.
-    Phone,
-    /// Held to the ear.
-    Call,
-    Umbrella,
-    Pram,
-    Suitcase,
-    Cane,
-    Dog,
-    Wheelchair,
-}
-
-/// A person's looks.
-#[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Look {
-    /// Years.
-    pub(crate) age: f32,
-    pub(crate) female: bool,
-    /// Standing height, metres.
-    pub(crate) height: f32,
-    /// Girth over the average's.
-    pub(crate) girth: f32,
-    /// Shoulder breadth over the average's.
-    pub(crate) shoulder: f32,
-    /// Where folds lie.
-    pub(crate) folds: f32,
-    /// Monk Skin Tone, 0 to 9.
-    pub(crate) tone: usize,
-    pub(crate) skin: Material,
-    pub(crate) hair: Hair,
-    pub(crate) hair_color: Material,
-    pub(crate) beard: Beard,
-    pub(crate) glasses: Glasses,
-    pub(crate) hat: Hat,
-    pub(crate) hat_color: Material,
-    /// From the inside out.
-    pub(crate) garments: Vec<Garment>,
-    pub(crate) legs: Legs,
-    pub(crate) shoes: Shoes,
-    pub(crate) carried: Carried,
-    pub(crate) bag_color: Material,
-    /// What kind of outfit it is.
-    pub(crate) outfit: &'static str,
-}
 
 /// Median standing heights of boys and girls by age (WHO and CDC growth references), metres.
 const GROWTH: [(f32, f32, f32); 11] = [
@@ -134,7 +29,7 @@ fn median_height(age: f32, female: bool) -> f32 {
     height - 0.04 * math::smoothstep(55.0, 85.0, age)
 }
 
-impl Look {
+impl Appearance {
     /// The looks of a variant, dressed for fair weather or for rain.
     pub(crate) fn of(variant: u64, rain: bool) -> Self {
         let mut s = Stream::named(variant, "person", &[]);
@@ -165,7 +60,7 @@ impl Look {
             if rain || age < 12.0 { 0.0 } else { 0.14 },
         ])];
         let plain = palette::linear(endless_scene::Surface::Cloth, [0.5; 3]);
-        let mut look = Self {
+        let mut appearance = Self {
             age,
             female,
             height,
@@ -187,39 +82,34 @@ impl Look {
             bag_color: plain,
             outfit: "casual",
         };
-        wardrobe::dress(&mut look, &mut Stream::named(variant, "wardrobe", &[]), rain);
-        look
-    }
-
-    /// Below this age people count as children.
-    pub(crate) fn child(&self) -> bool {
-        self.age < 13.0
+        wardrobe::dress(&mut appearance, &mut Stream::named(variant, "wardrobe", &[]), rain);
+        appearance
     }
 
     /// A grown-up dressed to ride, as people on two wheels are.
     pub(crate) fn riding(variant: u64, helmet: Option<Hat>) -> Self {
-        let mut look = (0..)
+        let mut appearance = (0..)
             .map(|i| Self::of(variant.wrapping_add(i * 0x9e37), false))
             .find(|l| l.age > 17.0 && l.age < 66.0 && l.legs.can_ride())
             .unwrap_or_else(|| Self::of(variant, false));
-        look.height = look.height.clamp(1.56, 1.86);
-        if look.carried != Carried::Backpack {
-            look.carried = Carried::Nothing;
+        appearance.height = appearance.height.clamp(1.56, 1.86);
+        if appearance.carried != Carried::Backpack {
+            appearance.carried = Carried::Nothing;
         }
-        look.garments.retain(|g| g.hem > 0.44);
+        appearance.garments.retain(|g| g.hem > 0.44);
         if let Some(hat) = helmet {
-            look.hat = hat;
-            look.hat_color = look.bag_color;
-        } else if matches!(look.hat, Hat::Brimmed | Hat::Fedora | Hat::Hood) {
-            look.hat = Hat::None;
+            appearance.hat = hat;
+            appearance.hat_color = appearance.bag_color;
+        } else if matches!(appearance.hat, Hat::Brimmed | Hat::Fedora | Hat::Hood) {
+            appearance.hat = Hat::None;
         }
-        look
+        appearance
     }
 }
 
 /// Skin of the person of a variant, 1 to 10 on the Monk scale.
 pub(crate) fn skin_tone(variant: u64) -> u8 {
-    Look::of(variant, false).tone as u8 + 1
+    Appearance::of(variant, false).tone as u8 + 1
 }
 
 fn hair(s: &mut Stream, female: bool, age: f32, tone: usize) -> Hair {

@@ -1,8 +1,8 @@
 //! What is carried, pushed or led, in the rest pose.
 
+use super::appearance::Carried;
 use super::body::Body;
 use super::hold::{CANE, TROLLEY};
-use super::look::Carried;
 use super::palette;
 use super::skeleton::{ARM, Bone, Side};
 use super::skin::{Skin, two};
@@ -13,15 +13,12 @@ use endless_world::math;
 use glam::{Affine3A, Mat3, Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
 
-/// Height of seats over the body's.
-pub(crate) const SEAT: f32 = 0.255;
-
 const BLACK: Material = palette::linear(Surface::Plastic, [0.02, 0.02, 0.02]);
 
 /// Builds it.
 pub(crate) fn add(skin: &mut Skin, body: &Body<'_>) {
-    let color = body.look.bag_color;
-    match body.look.carried {
+    let color = body.appearance.bag_color;
+    match body.appearance.carried {
         Carried::Nothing => {}
         Carried::Backpack => backpack(skin, body),
         Carried::Handbag => bag(skin, body, Vec3::new(0.15, 0.055, 0.11), 0.13, color),
@@ -46,8 +43,8 @@ pub(crate) fn add(skin: &mut Skin, body: &Body<'_>) {
 
 fn backpack(skin: &mut Skin, body: &Body<'_>) {
     let (h, b) = (body.h, body.b);
-    let color = Material { surface: Surface::Cloth, ..body.look.bag_color };
-    let ease = body.look.garments.iter().map(|g| g.ease).fold(0.0, f32::max);
+    let color = Material { surface: Surface::Cloth, ..body.appearance.bag_color };
+    let ease = body.appearance.garments.iter().map(|g| g.ease).fold(0.0, f32::max);
     let back = body.trunk_ring(0.72, ease)[8].x + 0.012 * h;
     // Children carry smaller ones.
     let k = h.min(1.75);
@@ -102,13 +99,13 @@ fn bag(skin: &mut Skin, body: &Body<'_>, half: Vec3, handle: f32, material: Mate
             [(foot(-0.55), 0.006), (top - Vec3::X * 0.035, 0.006), (top + Vec3::X * 0.035, 0.006), (foot(0.55), 0.006)];
         bag.add(Sculpt::tube(&path, 5, material));
     }
-    skin.add_rigid(bag, Bone::Thing);
+    skin.add_rigid(bag, Bone::Carried);
 }
 
 fn shoulder_bag(skin: &mut Skin, body: &Body<'_>) {
     let (h, b) = (body.h, body.b);
-    let color = body.look.bag_color;
-    let ease = body.look.garments.iter().map(|g| g.ease).fold(0.0, f32::max) + 0.006;
+    let color = body.appearance.bag_color;
+    let ease = body.appearance.garments.iter().map(|g| g.ease).fold(0.0, f32::max) + 0.006;
     let hip = body.trunk_ring(0.54, ease);
     let side = hip[12];
     let half = Vec3::new(0.075, 0.028, 0.058) * h;
@@ -141,7 +138,7 @@ fn phone(skin: &mut Skin, body: &Body<'_>) {
 
 fn umbrella(skin: &mut Skin, body: &Body<'_>) {
     let grip = body.skeleton.grip(Side::Right);
-    let color = body.look.bag_color;
+    let color = body.appearance.bag_color;
     let (radius, top) = (0.52, (0.50 * body.h + 0.06).max(0.6));
     let steel = palette::linear(Surface::Metal, [0.3; 3]);
     let mut s = Sculpt::tube(
@@ -172,13 +169,13 @@ fn umbrella(skin: &mut Skin, body: &Body<'_>) {
     canopy.grid(&outer, true, color);
     canopy.grid(&inner, true, color);
     s.add(canopy.smooth(35.0));
-    skin.add_rigid(s, Bone::Thing);
+    skin.add_rigid(s, Bone::Carried);
 }
 
 fn suitcase(skin: &mut Skin, body: &Body<'_>) {
     let grip = body.skeleton.grip(Side::Right);
     let length = TROLLEY * body.h;
-    let color = Material { surface: Surface::Plastic, ..body.look.bag_color };
+    let color = Material { surface: Surface::Plastic, ..body.appearance.bag_color };
     let metal = palette::linear(Surface::Metal, [0.4; 3]);
     let at = |x: f32, y: f32, z: f32| grip + Vec3::new(x, y, z);
     let (wide, deep, tall) = (0.20, 0.115, 0.55_f32.min(length - 0.30));
@@ -198,7 +195,7 @@ fn suitcase(skin: &mut Skin, body: &Body<'_>) {
         let axle = at(0.0, y, -length + 0.030);
         s.add(Sculpt::tube(&[(axle - Vec3::Y * 0.018, 0.028), (axle + Vec3::Y * 0.018, 0.028)], 10, BLACK));
     }
-    skin.add_rigid(s, Bone::Thing);
+    skin.add_rigid(s, Bone::Carried);
 }
 
 fn cane(skin: &mut Skin, body: &Body<'_>) {
@@ -213,5 +210,5 @@ fn cane(skin: &mut Skin, body: &Body<'_>) {
         hook(-0.03, 0.022),
         hook(-0.075, 0.020),
     ];
-    skin.add_rigid(Sculpt::tube(&path, 6, wood), Bone::Thing);
+    skin.add_rigid(Sculpt::tube(&path, 6, wood), Bone::Carried);
 }

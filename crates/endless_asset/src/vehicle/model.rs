@@ -1,0 +1,152 @@
+//! One vehicle of the catalogue.
+
+use super::assemble::{Parts, Trailer, VehicleBlueprint};
+use super::design::Design;
+use super::draw::Draw;
+use super::rider_fit::RiderFit;
+use super::tint::{self, Paint};
+use super::wheel::Wheel;
+use endless_scene::Mesh;
+use endless_world::{KEYPOINT_COUNT, ObjectClass, TrailerSpec, VehicleSpec};
+use glam::Vec3;
+use std::sync::{Arc, OnceLock};
+
+/// One vehicle of the catalogue: a draw from the ranges of its design, or one from a file. Its measures are known at
+/// once; its meshes are made when they are first asked for.
+#[derive(Clone)]
+pub struct VehicleModel {
+    /// Sizes and habits.
+    pub spec: VehicleSpec,
+    origin: VehicleOrigin,
+    parts: OnceLock<Arc<Parts>>,
+}
+
+/// Where a vehicle comes from.
+#[derive(Clone)]
+enum VehicleOrigin {
+    Drawn {
+        design: &'static Design,
+        draw: Draw,
+    },
+    File {
+        /// In the catalogue.
+        name: Arc<str>,
+        /// Colours for [`endless_scene::Surface::CarPaint`]; none: as in the file.
+        paints: Option<&'static [Paint]>,
+    },
+}
+
+impl VehicleModel {
+    pub(crate) fn new(design: &'static Design, index: u64, frequency: f64) -> Self {
+        let draw = Draw::new(design.name, index);
+        let VehicleBlueprint { size, joint, .. } = (design.blueprint)(&draw);
+        let from_middle = |x: f32| x - size.middle();
+        let [front, rear] = size.axles.map(|x| x - size.middle());
+        let spec = VehicleSpec {
+            name: design.name,
+            class: design.class,
+            length_m: size.front - size.rear,
+            width_m: size.width,
+            height_m: size.height,
+            front_axle_m: front,
+            rear_axle_m: rear,
+            wheel_radius_m: size.wheel_radius,
+            cruise_mps: design.cruise_mps,
+            acceleration_mps2: design.acceleration_mps2,
+            frequency,
+            parks: design.parks,
+            ridden: matches!(design.class, ObjectClass::Motorcycle | ObjectClass::Bicycle),
+            trailer: joint.map(|j| TrailerSpec {
+                hitch_m: from_middle(j.hitch),
+                axle_m: from_middle(j.axle),
+                front_m: from_middle(j.front),
+                towing_rear_m: from_middle(j.towing_rear),
+            }),
+        };
+        Self { spec, origin: VehicleOrigin::Drawn { design, draw }, parts: OnceLock::new() }
+    }
+
+    /// From a file.
+    pub(crate) fn imported(name: String, spec: VehicleSpec, parts: Parts, painted: bool) -> Self {
+        let paints = painted.then(|| tint::of_class(spec.class));
+        Self { spec, origin: VehicleOrigin::File { name: name.into(), paints }, parts: OnceLock::from(Arc::new(parts)) }
+    }
+
+    /// Name in the catalogue: of the design, or of the file.
+    pub fn name(&self) -> &str {
+        match &self.origin {
+            VehicleOrigin::Drawn { design, .. } => design.name,
+            VehicleOrigin::File { name, .. } => name,
+        }
+    }
+
+    fn parts(&self) -> &Parts {
+        self.parts.get_or_init(|| match &self.origin {
+            VehicleOrigin::Drawn { design, draw } => Arc::new((design.blueprint)(draw).finish()),
+            VehicleOrigin::File { .. } => unreachable!("what comes from a file has its parts"),
+        })
+    }
+
+    /// What it draws, if it draws anything.
+    pub fn trailer(&self) -> Option<&Trailer> {
+        self.parts().trailer.as_ref()
+    }
+
+    /// Everything but wheels, rider and trailer. [`endless_scene::Surface::CarPaint`] is tinted per variant.
+    pub fn body(&self) -> &Arc<Mesh> {
+        &self.parts().body
+    }
+
+    /// Wheels, all with [`Self::wheel_mesh`].
+    pub fn wheels(&self) -> &[Wheel] {
+        &self.parts().wheels
+    }
+
+    /// Axis along y, centre at the origin, outer side towards +y.
+    pub fn wheel_mesh(&self) -> &Arc<Mesh> {
+        &self.parts().wheel_mesh
+    }
+
+    /// Centres of the headlights' lenses in the object frame (one for two-wheelers, none for bicycles).
+    pub fn headlights(&self) -> &[Vec3] {
+        &self.parts().headlights
+    }
+
+    /// Body, wheels and trailer as one mesh, standing still and straight.
+    pub fn whole(&self) -> Mesh {
+        self.parts().whole()
+    }
+
+    /// The rider of a two-wheeler, in place, in the vehicle's object frame; `None` for other vehicles.
+    pub fn rider(&self, variant: u64) -> Option<Mesh> {
+        Some(crate::person::rider(self.fit()?, variant))
+    }
+
+    /// The keypoints of that rider ([`endless_world::KEYPOINTS`]), in the vehicle's object frame.
+    pub fn rider_keypoints(&self, variant: u64) -> Option<[Vec3; KEYPOINT_COUNT]> {
+        Some(crate::person::rider_keypoints(self.fit()?, variant))
+    }
+
+    /// That rider's skin, 1 to 10 on the Monk scale.
+    pub fn rider_skin_tone(&self, variant: u64) -> Option<u8> {
+        self.spec.ridden.then(|| crate::person::rider_skin_tone(variant))
+    }
+
+    fn fit(&self) -> Option<&RiderFit> {
+        if self.spec.ridden { self.parts().fit.as_ref() } else { None }
+    }
+
+    /// Linear paint colour of a variant, distributed as on real roads.
+    pub fn tint(&self, variant: u64) -> [f32; 3] {
+        match &self.origin {
+            VehicleOrigin::Drawn { design, .. } => tint::tint(design.paints, variant),
+            VehicleOrigin::File { paints, .. } => paints.map_or([1.0; 3], |paints| tint::tint(paints, variant)),
+        }
+    }
+}
+
+impl std::fmt::Debug for VehicleModel {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("VehicleModel").field("spec", &self.spec).finish_non_exhaustive()
+    }
+}
