@@ -4,8 +4,6 @@ mod estimate;
 mod lock;
 mod output;
 
-pub use estimate::Estimate;
-
 use crate::{
     Event, GenerateError, Plan, Progress, Simulator, StageTimes,
     record::{Clock, Recording, Stage, record_video},

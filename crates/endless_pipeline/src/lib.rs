@@ -2,6 +2,7 @@
 
 mod builtin;
 mod camera_list;
+mod disk_estimate;
 mod error;
 mod generate;
 mod plan;
@@ -13,8 +14,9 @@ mod text_position;
 
 pub use builtin::{BuiltinMap, BuiltinSimulator};
 pub use camera_list::{OwnCamera, read_cameras};
+pub use disk_estimate::Estimate;
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
-pub use generate::{Estimate, GenerateOptions, Generated, generate};
+pub use generate::{GenerateOptions, Generated, generate};
 pub use plan::Plan;
 pub use progress::{Event, Progress, Silent};
 pub use recipe::RecipeDraft;

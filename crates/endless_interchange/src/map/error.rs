@@ -17,6 +17,12 @@ pub enum MapError {
         /// Why not.
         cause: std::io::Error,
     },
+    /// A file of which nobody needs the whole.
+    #[error("the map's file is longer than 2 GiB: cut the part out of it that is to be filmed: {}", path.display())]
+    TooLong {
+        /// The file.
+        path: PathBuf,
+    },
     /// Neither of the formats.
     #[error("this is neither OpenDRIVE (.xodr) nor OpenStreetMap (.osm, .osm.pbf): {}", path.display())]
     Format {

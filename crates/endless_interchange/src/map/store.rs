@@ -11,7 +11,9 @@ use endless_dataset::write_durable;
 use endless_road::RoadMap;
 use etcetera::BaseStrategy;
 use std::{
-    env, fs,
+    env,
+    fs::{self, File},
+    io::Read,
     path::{Path, PathBuf},
 };
 
@@ -21,8 +23,19 @@ pub struct MapStore {
     folder: PathBuf,
 }
 
+/// Longest file that is read, bytes: the extract of a large country. Maps end at city size long before.
+const MOST_BYTES: u64 = 2 << 30;
+
 fn read(path: &Path) -> Result<Vec<u8>, MapError> {
-    fs::read(path).map_err(|cause| MapError::Unreadable { path: path.to_owned(), cause })
+    let unreadable = |cause| MapError::Unreadable { path: path.to_owned(), cause };
+    let file = File::open(path).map_err(unreadable)?;
+    if file.metadata().map_err(unreadable)?.len() > MOST_BYTES {
+        return Err(MapError::TooLong { path: path.to_owned() });
+    }
+    let mut bytes = Vec::new();
+    // It may grow meanwhile.
+    file.take(MOST_BYTES).read_to_end(&mut bytes).map_err(unreadable)?;
+    Ok(bytes)
 }
 
 impl MapStore {
@@ -96,7 +109,7 @@ impl MapStore {
         parse(&bytes, map.format, map.driving_side, &path)
     }
 
-    /// Reads a file, has it judged, and keeps it under a name (by default [`default_name`]). What is there is whole:
+    /// Reads a file, has it judged, and keeps it under a name (by default the file's). What is there is whole:
     /// the manifest is written last.
     ///
     /// # Errors
@@ -221,6 +234,10 @@ mod tests {
                 .to_string();
             assert!(error.contains(said) && !error.contains('\n'), "{error}");
         }
+        let long = folder.path().join("long.osm");
+        File::create(&long).and_then(|file| file.set_len(MOST_BYTES + 1)).expect("a file of holes");
+        let long = store.import(&long, &ImportOptions::default(), |_, _| Ok(())).expect_err("refused").to_string();
+        assert!(long.contains("cut the part"), "{long}");
         let left = ImportOptions { driving_side: Some(DrivingSide::Left), ..ImportOptions::default() };
         let left = store.import(&write("c.xodr", FILE), &left, |_, _| Ok(()));
         assert!(left.expect_err("right-hand").to_string().contains("right"));

@@ -1,20 +1,9 @@
-//! How much disk a dataset takes.
+//! An estimate of the disk that a dataset takes, from its recipe and what is there.
 
-use crate::record::count_images;
+use crate::{Estimate, record::count_images};
 use endless_dataset::{DatasetError, DatasetLayout, Recipe};
 use endless_world::SceneSettings;
 use std::path::Path;
-
-/// What is still to be made, and the room for it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Estimate {
-    /// Images of each layer still to be made.
-    pub camera_frames: u64,
-    /// About so many bytes.
-    pub bytes: u64,
-    /// Bytes free on the disk.
-    pub free: u64,
-}
 
 /// Bytes a pixel of a video's frame, noise included.
 const VIDEO_BYTES_A_PIXEL: f64 = 0.035;
