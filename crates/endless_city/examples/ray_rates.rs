@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use baseline::Baseline;
-use endless_render::{Ray, RayBundle};
+use endless_render::{Ray, RayStream};
 use obvhs::cwbvh::CwBvh;
 use town::{Packet, Town};
 
@@ -63,11 +63,11 @@ fn pass<R: Sync, M: Copy + Sync>(packets: &[(R, M)], trace: impl Fn(&R, M) -> u3
 }
 
 /// The same rays, four packets together.
-fn bundles(packets: &[Packet]) -> Vec<(RayBundle<4>, u32)> {
+fn bundles(packets: &[Packet]) -> Vec<(RayStream<4>, u32)> {
     let bundle = |four: &[Packet]| {
         let of = |i: usize| four.get(i).unwrap_or(&four[0]);
         let active = four.iter().enumerate().map(|(i, (_, active))| u32::from(*active) << (8 * i)).sum();
-        (RayBundle::of(&std::array::from_fn(|i| of(i).0)), active)
+        (RayStream::of(&std::array::from_fn(|i| of(i).0)), active)
     };
     packets.chunks(4).map(bundle).collect()
 }

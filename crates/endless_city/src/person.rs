@@ -37,13 +37,13 @@ impl PersonGeometry {
         let stride = WalkerMotion { speed_mps: 1.3, gait: Gait::Walk, ..WalkerMotion::default() };
         let (low, high) = (Vec3::new(-0.25, -0.3, 0.0), Vec3::new(0.25, 0.3, model.height_m));
         let mesh =
-            DeformableMesh::new(Arc::clone(&model.rest)).with_ambient_occlusion(posed(&model, &stride), low, high);
+            DeformableMesh::new(Arc::clone(&model.rest)).with_ambient_occlusion(&posed(&model, &stride), low, high);
         Self { model, mesh }
     }
 
     /// The body as it stands in a motion.
     pub(crate) fn posed(&self, motion: &WalkerMotion) -> Geometry {
-        self.mesh.deformed(posed(&self.model, motion))
+        self.mesh.deformed(&posed(&self.model, motion))
     }
 
     pub(crate) fn height_m(&self) -> f32 {

@@ -59,20 +59,24 @@
 
 mod accel;
 mod cache;
+mod camera_rays;
 mod eight;
 mod film;
 mod indirect;
 mod light;
+mod lighting;
 mod material;
 mod octahedron;
 mod sampling;
 mod scene;
+mod settings;
 mod shade;
 
-pub use accel::{Accel, Blas, Hit, Hits, Ray, RayBundle};
-pub use cache::{BakeStats, CameraBake, RenderSettings};
+pub use accel::{Accel, Blas, Hit, Ray, RayStream, StreamHits};
+pub use cache::{BakeStats, CameraBake};
 pub use light::{BeamKind, VehicleBeam};
 pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,
     RigidVelocity, StaticScene,
 };
+pub use settings::RenderSettings;

@@ -9,15 +9,15 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ploc::PlocSearchDistance;
 
-use super::collapse::{Costs, Tree, collapse};
+use super::collapse::{Bvh, Costs, collapse};
 use super::groups::Groups;
-use super::node::{EMPTY_BOX, Link, Node, half_area, union};
+use super::node::{BvhNode, EMPTY_BOX, NodeLink, half_area, union};
 use super::triangle::TriangleGroup;
 
 /// Acceleration structure over one mesh, to be shared by all its instances.
 #[derive(Clone, Debug)]
 pub struct Blas {
-    pub(super) tree: Tree,
+    pub(super) tree: Bvh,
     groups: Groups,
     triangles: usize,
     bounds: (Vec3A, Vec3A),
@@ -25,7 +25,7 @@ pub struct Blas {
 
 /// What is done with a mesh: how much its tree is worth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Use {
+pub(crate) enum GeometryUse {
     /// It stands in the town, and meets nearly every ray.
     Still,
     /// It moves as it is: a good tree, soon made.
@@ -34,7 +34,7 @@ pub(crate) enum Use {
     Deforming,
 }
 
-impl Use {
+impl GeometryUse {
     fn costs(self) -> Costs {
         let group = if self == Self::Deforming { 0.8 } else { 1.5 };
         Costs { group, group_size: TriangleGroup::SIZE as u32, max_leaf: 16 }
@@ -90,17 +90,17 @@ impl Blas {
     /// Builds over `triangles`, which index `positions`, what stands still. Positions must be finite; degenerate
     /// triangles are allowed and hit nothing.
     pub fn build(positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
-        Self::build_for(Use::Still, positions, triangles)
+        Self::build_for(GeometryUse::Still, positions, triangles)
     }
 
     /// The same for another use.
-    pub(crate) fn build_for(purpose: Use, positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
+    pub(crate) fn build_for(purpose: GeometryUse, positions: &[Vec3], triangles: &[[u32; 3]]) -> Self {
         let (pieces, boxes) = pieces(positions, triangles);
         let ids = |piece: u32| pieces[piece as usize]..pieces[piece as usize + 1];
         let mut groups = Vec::with_capacity(triangles.len() / 3 + 1);
         let mut first_groups = Vec::new();
         let mut tree = if triangles.is_empty() {
-            Tree::empty()
+            Bvh::empty()
         } else {
             let source = build_bvh2(&boxes, purpose.params(triangles.len()), &mut Duration::default());
             let mut own = Vec::new();
@@ -114,7 +114,7 @@ impl Blas {
                     own.clear();
                     own.extend(pieces.iter().flat_map(|&piece| ids(piece)));
                     groups.extend(own.chunks(TriangleGroup::SIZE).map(TriangleGroup::new));
-                    Link::leaf(start, groups.len() - start)
+                    NodeLink::leaf(start, groups.len() - start)
                 },
             )
         };
@@ -126,8 +126,8 @@ impl Blas {
         let boxes: Vec<_> = groups.iter_mut().map(place).collect();
         let bounds = tree.fit(|leaf| boxes[leaf.range()].iter().copied().fold(EMPTY_BOX, union));
         let groups = match purpose {
-            Use::Deforming => Groups::soft(groups, &first_groups, triangles, positions),
-            Use::Still | Use::Rigid => Groups::rigid(groups),
+            GeometryUse::Deforming => Groups::soft(groups, &first_groups, triangles, positions),
+            GeometryUse::Still | GeometryUse::Rigid => Groups::rigid(groups),
         };
         Blas { tree, groups, triangles: triangles.len(), bounds }
     }
@@ -137,7 +137,7 @@ impl Blas {
         self.groups.release();
     }
 
-    /// Takes new positions of the same vertices. Hits are then the same as after a fresh build; speed is that of
+    /// Takes new positions of the same vertices. StreamHits are then the same as after a fresh build; speed is that of
     /// the old tree, so rebuild when the shape has changed much.
     ///
     /// # Panics
@@ -154,9 +154,9 @@ impl Blas {
 
     /// Boxes that together hold all triangles, about `count` of them: the tree's own, cut where they are largest.
     pub(crate) fn parts(&self, count: usize) -> Vec<(Vec3A, Vec3A)> {
-        let with_area = |(link, bounds): (Link, (Vec3A, Vec3A))| (link, bounds, half_area(bounds));
+        let with_area = |(link, bounds): (NodeLink, (Vec3A, Vec3A))| (link, bounds, half_area(bounds));
         let mut open = vec![with_area((self.tree.root, self.bounds))];
-        open.retain(|(root, ..)| *root != Link::EMPTY);
+        open.retain(|(root, ..)| *root != NodeLink::EMPTY);
         let mut whole = Vec::new();
         while !open.is_empty() && open.len() + whole.len() < count {
             let largest = (0..open.len()).max_by(|&a, &b| open[a].2.total_cmp(&open[b].2)).unwrap_or(0);
@@ -187,7 +187,7 @@ impl Blas {
         self.groups.placed()
     }
 
-    pub(super) fn nodes(&self) -> &[Node] {
+    pub(super) fn nodes(&self) -> &[BvhNode] {
         &self.tree.nodes
     }
 }

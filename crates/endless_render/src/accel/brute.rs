@@ -10,17 +10,17 @@ use super::{Accel, Blas};
 
 /// A scene both as plain triangles and as an `Accel`.
 #[derive(Debug)]
-pub(super) struct Scene {
+pub(super) struct BruteForceScene {
     pub(super) meshes: Vec<(Vec<Vec3>, Vec<[u32; 3]>)>,
     pub(super) instances: Vec<(usize, Affine3A)>,
     pub(super) accel: Accel,
 }
 
-impl Scene {
+impl BruteForceScene {
     pub(super) fn new(meshes: Vec<(Vec<Vec3>, Vec<[u32; 3]>)>, instances: Vec<(usize, Affine3A)>) -> Self {
         let blas: Vec<_> = meshes.iter().map(|(p, t)| Arc::new(Blas::build(p, t))).collect();
         let accel = Accel::build(instances.iter().map(|&(m, place)| (Arc::clone(&blas[m]), place)).collect());
-        Scene { meshes, instances, accel }
+        BruteForceScene { meshes, instances, accel }
     }
 
     /// All hits of a ray. With `boxes` a hit must also enter the boxes of its instance and triangle, as the

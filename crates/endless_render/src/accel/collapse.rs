@@ -5,7 +5,7 @@ use glam::Vec3A;
 use obvhs::bvh2::Bvh2;
 use wide::f32x8;
 
-use super::node::{EMPTY_BOX, Link, Node, union};
+use super::node::{BvhNode, EMPTY_BOX, NodeLink, union};
 
 /// What things cost, relative to one test of a node's eight boxes.
 #[derive(Clone, Copy, Debug)]
@@ -18,27 +18,27 @@ pub(super) struct Costs {
     pub(super) max_leaf: u32,
 }
 
-/// An eight-wide tree. Children come after their parents.
+/// An eight-wide tree. NodeChildren come after their parents.
 #[derive(Clone, Debug)]
-pub(super) struct Tree {
-    pub(super) nodes: Vec<Node>,
-    pub(super) root: Link,
+pub(super) struct Bvh {
+    pub(super) nodes: Vec<BvhNode>,
+    pub(super) root: NodeLink,
 }
 
-impl Tree {
+impl Bvh {
     /// A tree of nothing.
     pub(super) fn empty() -> Self {
-        Tree { nodes: Vec::new(), root: Link::EMPTY }
+        Bvh { nodes: Vec::new(), root: NodeLink::EMPTY }
     }
 
     /// Computes all boxes bottom-up from those of the leaves and returns the box around everything.
-    pub(super) fn fit(&mut self, mut leaf_box: impl FnMut(Link) -> (Vec3A, Vec3A)) -> (Vec3A, Vec3A) {
+    pub(super) fn fit(&mut self, mut leaf_box: impl FnMut(NodeLink) -> (Vec3A, Vec3A)) -> (Vec3A, Vec3A) {
         let mut boxes = vec![EMPTY_BOX; self.nodes.len()];
         for (index, node) in self.nodes.iter_mut().enumerate().rev() {
             let mut children = [EMPTY_BOX; 8];
             for (child, &link) in children.iter_mut().zip(&node.links) {
                 *child = match link {
-                    Link::EMPTY => continue,
+                    NodeLink::EMPTY => continue,
                     leaf if leaf.is_leaf() => leaf_box(leaf),
                     inner => boxes[inner.node()],
                 };
@@ -47,7 +47,7 @@ impl Tree {
             boxes[index] = children.into_iter().fold(EMPTY_BOX, union);
         }
         match self.root {
-            Link::EMPTY => EMPTY_BOX,
+            NodeLink::EMPTY => EMPTY_BOX,
             root if root.is_leaf() => leaf_box(root),
             root => boxes[root.node()],
         }
@@ -55,24 +55,24 @@ impl Tree {
 }
 
 /// Collapses a binary tree with one piece per leaf, of `size` things each; `leaf` stores a run of pieces and says where.
-/// Boxes are left to `Tree::fit`.
+/// Boxes are left to `Bvh::fit`.
 pub(super) fn collapse(
     source: &Bvh2,
     costs: Costs,
     size: impl Fn(u32) -> u32,
-    leaf: impl FnMut(&[u32]) -> Link,
-) -> Tree {
+    leaf: impl FnMut(&[u32]) -> NodeLink,
+) -> Bvh {
     if source.nodes.is_empty() {
-        return Tree::empty();
+        return Bvh::empty();
     }
     let plan = plan(source, costs, size);
     // More than are ever needed: what is not touched costs nothing, and growing does.
     let nodes = Vec::with_capacity(source.primitive_indices.len() / 2 + 1);
-    let mut writer = Writer { source, plan: &plan, nodes, leaf, open: Vec::new(), pieces: Vec::new() };
+    let mut writer = NodeWriter { source, plan: &plan, nodes, leaf, open: Vec::new(), pieces: Vec::new() };
     let root = writer.link(0);
     let mut open = Vec::new();
-    if root == Link::inner(0) {
-        writer.nodes.push(Node::EMPTY);
+    if root == NodeLink::inner(0) {
+        writer.nodes.push(BvhNode::EMPTY);
         open.push((0, 0));
     }
     while let Some((from, to)) = open.pop() {
@@ -80,12 +80,12 @@ pub(super) fn collapse(
     }
     let mut nodes = writer.nodes;
     nodes.shrink_to_fit();
-    Tree { nodes, root }
+    Bvh { nodes, root }
 }
 
 /// The best way to represent one binary subtree.
 #[derive(Clone, Copy)]
-struct Plan {
+struct CollapsePlan {
     /// Least cost of the subtree as at most `i + 1` child slots.
     cost: [f32; 8],
     /// With at most `i + 1` slots: how many go to the left child; 0 for "as with one slot fewer".
@@ -95,8 +95,8 @@ struct Plan {
     things: u32,
 }
 
-fn plan(source: &Bvh2, costs: Costs, size: impl Fn(u32) -> u32) -> Vec<Plan> {
-    let blank = Plan { cost: [0.0; 8], left: [0; 8], own_left: 0, things: 1 };
+fn plan(source: &Bvh2, costs: Costs, size: impl Fn(u32) -> u32) -> Vec<CollapsePlan> {
+    let blank = CollapsePlan { cost: [0.0; 8], left: [0; 8], own_left: 0, things: 1 };
     let mut plans = vec![blank; source.nodes.len()];
     let mut parents_first = Vec::with_capacity(source.nodes.len());
     let mut open = vec![0];
@@ -112,7 +112,7 @@ fn plan(source: &Bvh2, costs: Costs, size: impl Fn(u32) -> u32) -> Vec<Plan> {
         let area = node.aabb().half_area();
         if node.is_leaf() {
             let things = size(source.primitive_indices[node.first_index as usize]);
-            plans[index] = Plan { cost: [area * costs.group; 8], things, ..blank };
+            plans[index] = CollapsePlan { cost: [area * costs.group; 8], things, ..blank };
         } else {
             let (left, right) = (&plans[node.first_index as usize], &plans[node.first_index as usize + 1]);
             plans[index] = plan_inner(left, right, area, costs);
@@ -121,7 +121,7 @@ fn plan(source: &Bvh2, costs: Costs, size: impl Fn(u32) -> u32) -> Vec<Plan> {
     plans
 }
 
-fn plan_inner(left: &Plan, right: &Plan, area: f32, costs: Costs) -> Plan {
+fn plan_inner(left: &CollapsePlan, right: &CollapsePlan, area: f32, costs: Costs) -> CollapsePlan {
     let things = left.things + right.things;
     let as_leaf = if things <= costs.max_leaf {
         area * costs.group * things.div_ceil(costs.group_size) as f32
@@ -130,7 +130,7 @@ fn plan_inner(left: &Plan, right: &Plan, area: f32, costs: Costs) -> Plan {
     };
     let (children, ks) = shares(&left.cost, &right.cost);
     let as_node = children[7] + area;
-    let mut plan = Plan { cost: [as_leaf; 8], left: [0; 8], own_left: 0, things };
+    let mut plan = CollapsePlan { cost: [as_leaf; 8], left: [0; 8], own_left: 0, things };
     // Not `<`: costs that overflow must not make a leaf of everything.
     if !(as_leaf <= as_node && things <= costs.max_leaf) {
         plan.cost[0] = as_node;
@@ -162,21 +162,21 @@ fn shares(left: &[f32; 8], right: &[f32; 8]) -> ([f32; 8], [u8; 8]) {
     (best.to_array(), taken.to_array().map(|k| k as u8))
 }
 
-struct Writer<'a, F> {
+struct NodeWriter<'a, F> {
     source: &'a Bvh2,
-    plan: &'a [Plan],
-    nodes: Vec<Node>,
+    plan: &'a [CollapsePlan],
+    nodes: Vec<BvhNode>,
     leaf: F,
     /// Subtrees of a leaf still to visit.
     open: Vec<usize>,
     pieces: Vec<u32>,
 }
 
-impl<F: FnMut(&[u32]) -> Link> Writer<'_, F> {
+impl<F: FnMut(&[u32]) -> NodeLink> NodeWriter<'_, F> {
     /// The link to a binary subtree that takes one slot: a stored leaf, or the next free node.
-    fn link(&mut self, index: usize) -> Link {
+    fn link(&mut self, index: usize) -> NodeLink {
         if self.plan[index].own_left > 0 {
-            return Link::inner(self.nodes.len());
+            return NodeLink::inner(self.nodes.len());
         }
         self.pieces.clear();
         self.open.push(index);
@@ -194,7 +194,7 @@ impl<F: FnMut(&[u32]) -> Link> Writer<'_, F> {
 
     /// Fills node `to` from binary subtree `from`; its inner children get the next nodes, side by side.
     fn write(&mut self, from: usize, to: usize, open: &mut Vec<(usize, usize)>) {
-        let mut children = Children { areas: [0.0; 8], nodes: [0; 8], count: 0 };
+        let mut children = NodeChildren { areas: [0.0; 8], nodes: [0; 8], count: 0 };
         let first = self.source.nodes[from].first_index as usize;
         let left = self.plan[from].own_left as usize;
         self.children(first, left, &mut children);
@@ -205,14 +205,14 @@ impl<F: FnMut(&[u32]) -> Link> Writer<'_, F> {
             self.nodes[to].links[slot] = link;
             if !link.is_leaf() {
                 open.push((child, self.nodes.len()));
-                self.nodes.push(Node::EMPTY);
+                self.nodes.push(BvhNode::EMPTY);
             }
         }
         open[before..].reverse();
     }
 
     /// The subtrees that fill at most `slots` slots for `index`.
-    fn children(&self, index: usize, mut slots: usize, out: &mut Children) {
+    fn children(&self, index: usize, mut slots: usize, out: &mut NodeChildren) {
         let plan = &self.plan[index];
         while slots > 1 && plan.left[slots - 1] == 0 {
             slots -= 1;
@@ -229,13 +229,13 @@ impl<F: FnMut(&[u32]) -> Link> Writer<'_, F> {
 }
 
 /// Up to eight subtrees, large boxes first: any-hit traversal takes children in this order.
-struct Children {
+struct NodeChildren {
     areas: [f32; 8],
     nodes: [usize; 8],
     count: usize,
 }
 
-impl Children {
+impl NodeChildren {
     /// After those that are as large.
     fn insert(&mut self, node: usize, area: f32) {
         let mut at = self.count;

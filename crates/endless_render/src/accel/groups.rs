@@ -15,16 +15,16 @@ use super::triangle::TriangleGroup;
 pub(super) struct Groups {
     /// Where they are; empty until somebody asks, once the mesh has moved.
     placed: OnceLock<Vec<TriangleGroup>>,
-    soft: Option<Soft>,
+    soft: Option<DeformingGroups>,
     count: usize,
 }
 
 /// What deforms.
 #[derive(Debug)]
-struct Soft {
+struct DeformingGroups {
     /// Vertices of the triangles in the order in which the groups hold them.
     triangles: Arc<[[u32; 3]]>,
-    leaves: Arc<[Leaf]>,
+    leaves: Arc<[GroupLeaf]>,
     /// Vertices of all leaves, each once a leaf, in fours; the last repeats until a four is full.
     vertices: Arc<[[u32; 4]]>,
     /// `None` while they change.
@@ -34,7 +34,7 @@ struct Soft {
 }
 
 #[derive(Debug, Clone)]
-struct Leaf {
+struct GroupLeaf {
     first_group: usize,
     vertices: Range<usize>,
 }
@@ -61,9 +61,9 @@ impl Groups {
             own.dedup();
             let first = vertices.len();
             vertices.extend(own.chunks(4).map(|c| std::array::from_fn(|k| c[k.min(c.len() - 1)])));
-            leaves.push(Leaf { first_group, vertices: first..vertices.len() });
+            leaves.push(GroupLeaf { first_group, vertices: first..vertices.len() });
         }
-        let soft = Soft {
+        let soft = DeformingGroups {
             triangles: groups.iter().flat_map(of).flatten().collect(),
             leaves: leaves.into(),
             vertices: vertices.into(),
@@ -85,7 +85,9 @@ impl Groups {
     #[cold]
     fn place(&self) -> &[TriangleGroup] {
         self.placed.get_or_init(|| {
-            let Some(Soft { triangles, positions: Some(positions), spare, .. }) = &self.soft else { return vec![] };
+            let Some(DeformingGroups { triangles, positions: Some(positions), spare, .. }) = &self.soft else {
+                return vec![];
+            };
             let mut groups = mem::take(&mut *spare.lock().unwrap_or_else(PoisonError::into_inner));
             let mut triangles = triangles.iter();
             for group in &mut groups {
@@ -127,7 +129,8 @@ impl Groups {
 
     /// Memory taken, bytes.
     pub(super) fn memory_bytes(&self) -> usize {
-        let soft = |s: &Soft| size_of_val(&*s.triangles) + size_of_val(&*s.leaves) + size_of_val(&*s.vertices);
+        let soft =
+            |s: &DeformingGroups| size_of_val(&*s.triangles) + size_of_val(&*s.leaves) + size_of_val(&*s.vertices);
         self.count * size_of::<TriangleGroup>() + self.soft.as_ref().map_or(0, soft)
     }
 }
@@ -138,7 +141,7 @@ impl Clone for Groups {
     }
 }
 
-impl Clone for Soft {
+impl Clone for DeformingGroups {
     fn clone(&self) -> Self {
         let spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner).clone();
         Self {

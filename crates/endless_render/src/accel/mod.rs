@@ -4,8 +4,8 @@
 //! eight-wide nodes (`node`), built as binary trees by `obvhs` and collapsed by `collapse`.
 //!
 //! ```text
-//! Accel ── Node ─┬─ Entry ── object_from_world ── Blas ── Node ─┬─ TriangleGroup ×n
-//!                └─ Node …                                      └─ Node …
+//! Accel ── BvhNode ─┬─ TlasEntry ── object_from_world ── Blas ── BvhNode ─┬─ TriangleGroup ×n
+//!                └─ BvhNode …                                      └─ BvhNode …
 //! ```
 //!
 //! The hit of a ray is a function of the geometry alone: neither the shape of the trees, nor refitting, nor tracing
@@ -14,25 +14,26 @@
 mod blas;
 #[cfg(test)]
 mod brute;
-mod bundle;
 mod collapse;
 mod groups;
 mod node;
 mod packet;
 mod packet_ray;
+mod packet_traversal;
 mod ray;
 mod single;
 mod stack;
+mod stream;
 #[cfg(test)]
 mod tests;
 mod tlas;
 mod triangle;
 
 pub use blas::Blas;
-pub(crate) use blas::Use;
-pub(crate) use bundle::lanes;
-pub use bundle::{Hits, RayBundle};
+pub(crate) use blas::GeometryUse;
 pub(crate) use node::corners;
 pub use ray::{Hit, Ray};
+pub(crate) use stream::lanes;
+pub use stream::{RayStream, StreamHits};
 pub use tlas::Accel;
 pub(crate) use tlas::world_bounds;

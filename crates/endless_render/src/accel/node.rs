@@ -7,10 +7,10 @@ use super::ray::{FAR_PAD, LocalRay};
 
 /// What a child slot points to, in 32 bits: nothing, an inner node, or a run of things in a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Link(pub(super) u32);
+pub(super) struct NodeLink(pub(super) u32);
 
-impl Link {
-    pub(super) const EMPTY: Link = Link(0x7fff_ffff);
+impl NodeLink {
+    pub(super) const EMPTY: NodeLink = NodeLink(0x7fff_ffff);
     const LEAF: u32 = 0x8000_0000;
     const COUNT_SHIFT: u32 = 27;
     const START_MASK: u32 = (1 << Self::COUNT_SHIFT) - 1;
@@ -19,12 +19,12 @@ impl Link {
 
     pub(super) fn inner(node: usize) -> Self {
         assert!(node < Self::EMPTY.0 as usize, "too many nodes for one tree");
-        Link(node as u32)
+        NodeLink(node as u32)
     }
 
     pub(super) fn leaf(start: usize, count: usize) -> Self {
         assert!(start <= Self::START_MASK as usize && count <= Self::MAX_COUNT, "leaf out of range");
-        Link(Self::LEAF | (count as u32) << Self::COUNT_SHIFT | start as u32)
+        NodeLink(Self::LEAF | (count as u32) << Self::COUNT_SHIFT | start as u32)
     }
 
     #[inline]
@@ -32,7 +32,7 @@ impl Link {
         self.0 & Self::LEAF != 0
     }
 
-    /// Node index of an inner link.
+    /// BvhNode index of an inner link.
     #[inline]
     pub(super) fn node(self) -> usize {
         self.0 as usize
@@ -54,15 +54,15 @@ impl Link {
 /// Eight child boxes as planes `[low, high][axis]`; an empty slot has its low above its high.
 #[derive(Clone, Copy, Debug)]
 #[repr(C, align(32))]
-pub(super) struct Node {
+pub(super) struct BvhNode {
     pub(super) planes: [[f32x8; 3]; 2],
-    pub(super) links: [Link; 8],
+    pub(super) links: [NodeLink; 8],
 }
 
-impl Node {
-    pub(super) const EMPTY: Node = Node {
+impl BvhNode {
+    pub(super) const EMPTY: BvhNode = BvhNode {
         planes: [[f32x8::new([f32::INFINITY; 8]); 3], [f32x8::new([f32::NEG_INFINITY; 8]); 3]],
-        links: [Link::EMPTY; 8],
+        links: [NodeLink::EMPTY; 8],
     };
 
     /// Takes the boxes of all children; empty slots have empty ones.
@@ -98,15 +98,18 @@ impl Node {
     }
 
     /// The children there are, and their boxes.
-    pub(super) fn children(&self) -> impl Iterator<Item = (Link, (Vec3A, Vec3A))> {
-        (0..8).filter(|&slot| self.links[slot] != Link::EMPTY).map(|slot| (self.links[slot], self.child_box(slot)))
+    pub(super) fn children(&self) -> impl Iterator<Item = (NodeLink, (Vec3A, Vec3A))> {
+        (0..8).filter(|&slot| self.links[slot] != NodeLink::EMPTY).map(|slot| (self.links[slot], self.child_box(slot)))
     }
 
-    /// Which children a ray (or every ray of a beam) may enter before `tmax`, and where.
+    /// Which children a ray (or every ray of a slab_ray) may enter before `tmax`, and where.
     #[inline(always)]
-    pub(super) fn enter(&self, beam: &Beam, tmax: f32) -> (u32, f32x8) {
-        let near = |k: usize| (self.planes[beam.negative[k] & 1][k] - beam.origin_near[k]) * beam.inverse_near[k];
-        let far = |k: usize| (self.planes[1 - (beam.negative[k] & 1)][k] - beam.origin_far[k]) * beam.inverse_far[k];
+    pub(super) fn enter(&self, slab_ray: &SlabRay, tmax: f32) -> (u32, f32x8) {
+        let near =
+            |k: usize| (self.planes[slab_ray.negative[k] & 1][k] - slab_ray.origin_near[k]) * slab_ray.inverse_near[k];
+        let far = |k: usize| {
+            (self.planes[1 - (slab_ray.negative[k] & 1)][k] - slab_ray.origin_far[k]) * slab_ray.inverse_far[k]
+        };
         let tnear = near(0).fast_max(near(1)).fast_max(near(2).fast_max(f32x8::ZERO));
         let tfar = far(0).fast_min(far(1)).fast_min(far(2).fast_min(f32x8::splat(tmax)));
         (tnear.simd_le(tfar).to_bitmask(), tnear)
@@ -146,7 +149,7 @@ impl Slab {
 
 /// The slab test's operands: of one ray, or of the interval of several rays whose signs agree.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Beam {
+pub(super) struct SlabRay {
     pub(super) negative: [usize; 3],
     pub(super) origin_near: [f32x8; 3],
     pub(super) origin_far: [f32x8; 3],
@@ -154,11 +157,11 @@ pub(super) struct Beam {
     pub(super) inverse_far: [f32x8; 3],
 }
 
-impl Beam {
+impl SlabRay {
     #[inline(always)]
     pub(super) fn of_ray(ray: &LocalRay) -> Self {
         let origin = ray.origin.map(f32x8::splat);
-        Beam {
+        SlabRay {
             negative: ray.negative,
             origin_near: origin,
             origin_far: origin,

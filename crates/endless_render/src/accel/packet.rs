@@ -7,13 +7,13 @@
 
 use wide::f32x8;
 
-use super::bundle::{Hits, RayBundle, Rows, lane_mask, lanes};
-use super::node::{Beam, Link, Node, Slab};
+use super::node::{BvhNode, NodeLink, Slab, SlabRay};
 use super::packet_ray::PacketRay;
+use super::packet_traversal::PacketTraversal;
 use super::ray::{Hit, LocalRay, Ray};
-use super::single::trace_blas;
-use super::stack::{Nearest, Stack, Waiting};
-use super::tlas::{Accel, Entry};
+use super::stack::{NearestChildren, PendingNode, Stack};
+use super::stream::{RayStream, Rows, StreamHits, lanes};
+use super::tlas::{Accel, TlasEntry};
 
 /// With no more lanes than this, single rays are faster.
 const FEW: u32 = 2;
@@ -21,30 +21,30 @@ const FEW: u32 = 2;
 impl Accel {
     /// [`Accel::closest`] for those of eight rays whose bit is set in `active`; faster when they run side by side.
     pub fn closest8(&self, rays: &[Ray; 8], active: u8) -> [Option<Hit>; 8] {
-        let rays = RayBundle::of(std::array::from_ref(rays));
+        let rays = RayStream::of(std::array::from_ref(rays));
         let hits = self.trace_together::<false, 1>(&rays, u32::from(active)).hits(u32::from(active));
         std::array::from_fn(|lane| hits.get(lane))
     }
 
     /// [`Accel::occluded`] for those of eight rays whose bit is set in `active`, one bit each.
     pub fn occluded8(&self, rays: &[Ray; 8], active: u8) -> u8 {
-        let rays = RayBundle::of(std::array::from_ref(rays));
+        let rays = RayStream::of(std::array::from_ref(rays));
         active & !(self.trace_together::<true, 1>(&rays, u32::from(active)).live as u8)
     }
 
     /// [`Accel::closest`] for those of a bundle's rays whose bit is set in `active`.
-    pub fn closest32(&self, rays: &RayBundle<4>, active: u32) -> Hits<4> {
+    pub fn closest32(&self, rays: &RayStream<4>, active: u32) -> StreamHits<4> {
         self.trace_together::<false, 4>(rays, active).hits(active)
     }
 
     /// [`Accel::occluded`] for those of a bundle's rays whose bit is set in `active`, one bit each.
-    pub fn occluded32(&self, rays: &RayBundle<4>, active: u32) -> u32 {
+    pub fn occluded32(&self, rays: &RayStream<4>, active: u32) -> u32 {
         active & !self.trace_together::<true, 4>(rays, active).live
     }
 
     #[inline(always)]
-    fn trace_together<const ANY: bool, const N: usize>(&self, rays: &RayBundle<N>, active: u32) -> Trip<N> {
-        let mut trip = Trip::new(rays, active);
+    fn trace_together<const ANY: bool, const N: usize>(&self, rays: &RayStream<N>, active: u32) -> PacketTraversal<N> {
+        let mut trip = PacketTraversal::new(rays, active);
         let mut stack = Stack::new();
         match packet_of(rays, active) {
             Some(packet) => {
@@ -74,7 +74,7 @@ impl Accel {
     }
 
     #[inline(never)]
-    fn trace_row<const ANY: bool>(&self, rays: &RayBundle<1>, trip: &mut Trip<1>, stack: &mut Stack) {
+    fn trace_row<const ANY: bool>(&self, rays: &RayStream<1>, trip: &mut PacketTraversal<1>, stack: &mut Stack) {
         match packet_of(rays, trip.live) {
             Some(packet) => {
                 let rows = Rows::of(trip.live);
@@ -86,7 +86,7 @@ impl Accel {
         }
     }
 
-    fn trace_singly<const ANY: bool, const N: usize>(&self, rays: &RayBundle<N>, trip: &mut Trip<N>) {
+    fn trace_singly<const ANY: bool, const N: usize>(&self, rays: &RayStream<N>, trip: &mut PacketTraversal<N>) {
         for lane in lanes(trip.live) {
             let ray = rays.ray(lane);
             if ANY && self.occluded(&ray) {
@@ -105,77 +105,18 @@ fn worth_a_packet<const N: usize>(lanes: u32) -> bool {
 
 /// These lanes as a packet, if that is worth it and their directions agree.
 #[inline(always)]
-fn packet_of<const N: usize>(rays: &RayBundle<N>, lanes: u32) -> Option<PacketRay<N>> {
+fn packet_of<const N: usize>(rays: &RayStream<N>, lanes: u32) -> Option<PacketRay<N>> {
     if worth_a_packet::<N>(lanes) { PacketRay::in_world(rays, lanes) } else { None }
 }
 
-/// How far N times eight rays have come.
-pub(super) struct Trip<const N: usize> {
-    /// Lanes still to trace, one bit each.
-    pub(super) live: u32,
-    best: [[Hit; 8]; N],
-    /// `t` of each `best`, side by side: boxes are tested against it.
-    pub(super) ends: [f32x8; N],
-    /// Largest of those of the live lanes.
-    pub(super) reach: f32,
-}
-
-impl<const N: usize> Trip<N> {
-    fn new(rays: &RayBundle<N>, active: u32) -> Self {
-        let best = rays.tmax.map(|row| row.to_array().map(Hit::none));
-        let mut trip = Trip { live: active, best, ends: rays.tmax, reach: 0.0 };
-        trip.update_reach();
-        trip
-    }
-
-    pub(super) fn update_reach(&mut self) {
-        let mut most = f32x8::ZERO;
-        for (row, ends) in self.ends.iter().enumerate() {
-            most = most.fast_max(lane_mask(self.live >> (8 * row)) & *ends);
-        }
-        self.reach = most.to_array().into_iter().fold(0.0, f32::max);
-    }
-
-    /// The best hit of a lane so far.
-    #[inline]
-    pub(super) fn best(&self, lane: usize) -> &Hit {
-        &self.best[lane / 8 % N][lane % 8]
-    }
-
-    /// A better one.
-    #[inline]
-    pub(super) fn improve(&mut self, lane: usize, hit: Hit) {
-        self.best[lane / 8 % N][lane % 8] = hit;
-        self.ends[lane / 8 % N].as_mut_array()[lane % 8] = hit.t;
-    }
-
-    /// One row alone.
-    fn row(&self, row: usize) -> Trip<1> {
-        let live = self.live >> (8 * row) & 255;
-        let mut part = Trip { live, best: [self.best[row]], ends: [self.ends[row]], reach: 0.0 };
-        part.update_reach();
-        part
-    }
-
-    fn set_row(&mut self, row: usize, part: &Trip<1>) {
-        let Trip { live, best: [best], ends: [ends], .. } = *part;
-        self.live = self.live & !(255 << (8 * row)) | live << (8 * row);
-        (self.best[row], self.ends[row]) = (best, ends);
-    }
-
-    fn hits(self, asked: u32) -> Hits<N> {
-        Hits { best: self.best, asked }
-    }
-}
-
-impl Entry {
+impl TlasEntry {
     #[inline(always)]
     fn trace_packet<const ANY: bool, const N: usize>(
         &self,
-        rays: &RayBundle<N>,
+        rays: &RayStream<N>,
         world: &PacketRay<N>,
         rows: Rows,
-        trip: &mut Trip<N>,
+        trip: &mut PacketTraversal<N>,
         stack: &mut Stack,
     ) {
         let (min, max) = self.bounds;
@@ -212,10 +153,10 @@ impl Entry {
     #[inline(never)]
     fn trace_row<const ANY: bool>(
         &self,
-        rays: &RayBundle<1>,
+        rays: &RayStream<1>,
         tnear: &[f32x8; 1],
         entered: u32,
-        trip: &mut Trip<1>,
+        trip: &mut PacketTraversal<1>,
         stack: &mut Stack,
     ) {
         let local = packet_of(rays, entered).and_then(|world| match &self.object_from_world {
@@ -230,10 +171,10 @@ impl Entry {
 
     fn trace_lanes<const ANY: bool, const N: usize>(
         &self,
-        rays: &RayBundle<N>,
+        rays: &RayStream<N>,
         tnear: &[f32x8; N],
         entered: u32,
-        trip: &mut Trip<N>,
+        trip: &mut PacketTraversal<N>,
         stack: &mut Stack,
     ) {
         for lane in lanes(entered) {
@@ -253,7 +194,7 @@ impl Entry {
         packet: &PacketRay<N>,
         tnear: &[f32x8; N],
         entered: u32,
-        trip: &mut Trip<N>,
+        trip: &mut PacketTraversal<N>,
         stack: &mut Stack,
     ) {
         // In the frame of an instance a hit may seem to lie before the box in the world that was entered.
@@ -277,24 +218,24 @@ impl Entry {
             None => LocalRay::new(ray.origin, ray.direction),
             Some(transform) => LocalRay::new(transform.point(ray.origin), transform.vector(ray.direction)),
         };
-        let beam = Beam::of_ray(&local);
-        trace_blas::<ANY>(&self.blas, self.root, self.instance, &local, &beam, tmin, best, stack)
+        let slab_ray = SlabRay::of_ray(&local);
+        self.trace_mesh::<ANY>(&local, &slab_ray, tmin, best, stack)
     }
 }
 
-/// Visits the leaves that the beam may enter before `trip.reach`, until no lane is live, with the rows that enter them:
+/// Visits the leaves that the rays may enter before `trip.reach`, until no lane is live, with the rows that enter them:
 /// what passes by a box passes by all that is in it.
 #[inline(always)]
 fn walk<const ANY: bool, const N: usize>(
-    nodes: &[Node],
-    root: Link,
+    nodes: &[BvhNode],
+    root: NodeLink,
     rows: Rows,
     packet: &PacketRay<N>,
-    trip: &mut Trip<N>,
+    trip: &mut PacketTraversal<N>,
     stack: &mut Stack,
-    mut leaf: impl FnMut(Link, Rows, &mut Trip<N>, &mut Stack),
+    mut leaf: impl FnMut(NodeLink, Rows, &mut PacketTraversal<N>, &mut Stack),
 ) {
-    if root == Link::EMPTY {
+    if root == NodeLink::EMPTY {
         return;
     }
     let base = stack.len();
@@ -313,14 +254,14 @@ fn walk<const ANY: bool, const N: usize>(
                 }
                 // Only rays that are not finite enter empty slots.
                 let Some(node) = nodes.get(link.node()) else { break };
-                let (mut hits, tnears) = node.enter(&packet.beam, trip.reach);
+                let (mut hits, tnears) = node.enter(&packet.slab_ray, trip.reach);
                 if hits == 0 {
                     break;
                 }
                 let tnears = tnears.as_array();
                 let from = stack.len();
                 let planes = node.facing(packet.negative);
-                let mut nearest = Nearest::NONE;
+                let mut nearest = NearestChildren::NONE;
                 while hits != 0 {
                     let slot = hits.trailing_zeros() as usize & 7;
                     hits &= hits - 1;
@@ -328,7 +269,7 @@ fn walk<const ANY: bool, const N: usize>(
                     if entered == Rows::NONE {
                         continue;
                     }
-                    let child = Waiting::new(node.links[slot], entered.with_distance::<N>(tnears[slot]));
+                    let child = PendingNode::new(node.links[slot], entered.with_distance::<N>(tnears[slot]));
                     if ANY {
                         stack.push(child);
                     } else {
@@ -339,13 +280,13 @@ fn walk<const ANY: bool, const N: usize>(
                     stack.pop(from)
                 } else {
                     stack.push_any(nearest.second);
-                    (nearest.first != Waiting::NOTHING).then_some(nearest.first)
+                    (nearest.first != PendingNode::NOTHING).then_some(nearest.first)
                 };
                 let Some(first) = first else { break };
                 let (first, marked) = first.parts();
                 (link, rows) = (first, Rows::and_distance::<N>(marked).0);
             }
         }
-        next = stack.pop(base).map(Waiting::parts);
+        next = stack.pop(base).map(PendingNode::parts);
     }
 }

@@ -3,10 +3,10 @@
 use glam::Vec3A;
 use wide::{f32x4, f32x8};
 
-use super::bundle::{RayBundle, Rows, lane_mask, lanes};
-use super::node::{Beam, Slab};
-use super::packet::Trip;
+use super::node::{Slab, SlabRay};
+use super::packet_traversal::PacketTraversal;
 use super::ray::{FAR_PAD, Hit, MAX_INVERSE, Transform, permutation};
+use super::stream::{RayStream, Rows, lane_mask, lanes};
 use super::triangle::TriangleGroup;
 
 /// N times eight rays whose directions agree in signs and main axis.
@@ -21,13 +21,13 @@ pub(super) struct PacketRay<const N: usize> {
     /// As `Shear`, by lane.
     shear: [[f32x8; N]; 3],
     /// The interval of all rays.
-    pub(super) beam: Beam,
+    pub(super) slab_ray: SlabRay,
 }
 
 impl<const N: usize> PacketRay<N> {
     /// `None` if directions do not agree. Lanes that are not active follow one that is.
     #[inline(always)]
-    pub(super) fn in_world(rays: &RayBundle<N>, active: u32) -> Option<Self> {
+    pub(super) fn in_world(rays: &RayStream<N>, active: u32) -> Option<Self> {
         if active == u32::MAX >> (32 - 8 * N) {
             return Self::new(rays.origin, rays.direction);
         }
@@ -83,14 +83,14 @@ impl<const N: usize> PacketRay<N> {
         let z = inverse[axes[2]];
         let times_z = |d: &[f32x8; N]| std::array::from_fn(|row| d[row] * z[row]);
         let shear = [times_z(&direction[axes[0]]), times_z(&direction[axes[1]]), z];
-        let beam = beam(&origin, &inverse, negative);
+        let slab_ray = slab_ray(&origin, &inverse, negative);
         let inverse_far = inverse.map(|axis| axis.map(|i| i * f32x8::splat(FAR_PAD)));
-        Some(PacketRay { origin, direction, inverse, inverse_far, negative, axes, shear, beam })
+        Some(PacketRay { origin, direction, inverse, inverse_far, negative, axes, shear, slab_ray })
     }
 
     /// `LocalRay::enter` by lane: which live lanes of some rows enter a box before their best hit, and where.
     #[inline(always)]
-    pub(super) fn enter(&self, slab: &Slab, rows: Rows, trip: &Trip<N>) -> (u32, [f32x8; N]) {
+    pub(super) fn enter(&self, slab: &Slab, rows: Rows, trip: &PacketTraversal<N>) -> (u32, [f32x8; N]) {
         let mut entered = 0;
         let mut tnears = [f32x8::ZERO; N];
         for row in rows.each::<N>() {
@@ -103,7 +103,7 @@ impl<const N: usize> PacketRay<N> {
 
     /// Those of some rows that have a live lane which enters a box before its best hit.
     #[inline(always)]
-    pub(super) fn enters(&self, slab: &Slab, rows: Rows, trip: &Trip<N>) -> Rows {
+    pub(super) fn enters(&self, slab: &Slab, rows: Rows, trip: &PacketTraversal<N>) -> Rows {
         let mut entered = Rows::NONE;
         for row in rows.each::<N>() {
             let (tnear, tfar) = self.slabs(slab, row);
@@ -130,7 +130,7 @@ impl<const N: usize> PacketRay<N> {
         group: &TriangleGroup,
         rows: Rows,
         tmin: Option<&[f32x8; N]>,
-        trip: &mut Trip<N>,
+        trip: &mut PacketTraversal<N>,
         instance: u32,
     ) {
         let mut found = 0;
@@ -149,7 +149,8 @@ impl<const N: usize> PacketRay<N> {
             }
             let mut hit = 0;
             for row in rows.each::<N>() {
-                hit |= self.intersect_row(group, lane, &vertices, row, tmin, trip, instance) << (8 * row);
+                hit |= self.intersect_row(&PacketTriangle { group, lane, vertices, instance }, row, tmin, trip)
+                    << (8 * row);
             }
             found |= hit;
             if ANY {
@@ -161,18 +162,16 @@ impl<const N: usize> PacketRay<N> {
         }
     }
 
-    /// One triangle, its `vertices` along the rays' own axes, and one row of rays: which of them hit it, a bit each.
+    /// One triangle and one row of rays: which of them hit it, a bit each.
     #[inline(always)]
     fn intersect_row(
         &self,
-        group: &TriangleGroup,
-        lane: usize,
-        vertices: &[[f32x8; 3]; 3],
+        triangle: &PacketTriangle<'_>,
         row: usize,
         tmin: Option<&[f32x8; N]>,
-        trip: &mut Trip<N>,
-        instance: u32,
+        trip: &mut PacketTraversal<N>,
     ) -> u32 {
+        let PacketTriangle { group, lane, ref vertices, instance } = *triangle;
         let [x, y, z] = self.axes;
         let (sx, sy, sz) = (self.shear[0][row], self.shear[1][row], self.shear[2][row]);
         let (ox, oy, oz) = (self.origin[x][row], self.origin[y][row], self.origin[z][row]);
@@ -215,6 +214,16 @@ impl<const N: usize> PacketRay<N> {
     }
 }
 
+/// A triangle as a packet meets it.
+struct PacketTriangle<'a> {
+    group: &'a TriangleGroup,
+    /// Its place in the group.
+    lane: usize,
+    /// Along the rays' own axes.
+    vertices: [[f32x8; 3]; 3],
+    instance: u32,
+}
+
 /// `ray::inverse` by lane.
 #[inline(always)]
 fn inverse(d: f32x8) -> f32x8 {
@@ -224,21 +233,21 @@ fn inverse(d: f32x8) -> f32x8 {
 
 /// The interval of all rays: it enters a box no later than any of them, and leaves it no sooner.
 #[inline(always)]
-fn beam<const N: usize>(origin: &[[f32x8; N]; 3], inverse: &[[f32x8; N]; 3], negative: [usize; 3]) -> Beam {
+fn slab_ray<const N: usize>(origin: &[[f32x8; N]; 3], inverse: &[[f32x8; N]; 3], negative: [usize; 3]) -> SlabRay {
     let zero = [f32x8::ZERO; 3];
-    let mut beam = Beam { negative, origin_near: zero, origin_far: zero, inverse_near: zero, inverse_far: zero };
+    let mut slab_ray = SlabRay { negative, origin_near: zero, origin_far: zero, inverse_near: zero, inverse_far: zero };
     for k in 0..3 {
         let (low, high) = range(&origin[k]);
         let (least, most) = range(&inverse[k]);
         let flip = |(a, b): (f32, f32)| if negative[k] == 0 { (a, b) } else { (b, a) };
         let (far, near) = flip((low, high));
         let (slow, fast) = flip((least, most));
-        beam.origin_near[k] = f32x8::splat(near);
-        beam.origin_far[k] = f32x8::splat(far);
-        beam.inverse_near[k] = f32x8::splat(slow);
-        beam.inverse_far[k] = f32x8::splat(fast * FAR_PAD);
+        slab_ray.origin_near[k] = f32x8::splat(near);
+        slab_ray.origin_far[k] = f32x8::splat(far);
+        slab_ray.inverse_near[k] = f32x8::splat(slow);
+        slab_ray.inverse_far[k] = f32x8::splat(fast * FAR_PAD);
     }
-    beam
+    slab_ray
 }
 
 /// Least and greatest lane.

@@ -1,10 +1,10 @@
 //! Traversal by one ray: nearest child first for the closest hit, any order for occlusion.
 
 use super::blas::Blas;
-use super::node::{Beam, Link, Node};
+use super::node::{BvhNode, NodeLink, SlabRay};
 use super::ray::{Hit, LocalRay, Ray};
-use super::stack::{Nearest, Stack, Waiting};
-use super::tlas::{Accel, Entry};
+use super::stack::{NearestChildren, PendingNode, Stack};
+use super::tlas::{Accel, TlasEntry};
 
 impl Accel {
     /// The nearest hit; of several at the same `t` the one with the lowest instance, then triangle.
@@ -22,9 +22,9 @@ impl Accel {
         let mut best = Hit::none(ray.tmax);
         let mut stack = Stack::new();
         let world = LocalRay::new(ray.origin, ray.direction);
-        let beam = Beam::of_ray(&world);
-        walk::<ANY>(self.nodes(), self.root(), 0.0, &beam, &mut best, &mut stack, |link, tnear, best, stack| {
-            self.entry(link).trace::<ANY>(ray, &world, &beam, tnear, best, stack)
+        let slab_ray = SlabRay::of_ray(&world);
+        walk::<ANY>(self.nodes(), self.root(), 0.0, &slab_ray, &mut best, &mut stack, |link, tnear, best, stack| {
+            self.entry(link).trace::<ANY>(ray, &world, &slab_ray, tnear, best, stack)
         });
         best
     }
@@ -55,8 +55,8 @@ impl<const N: usize> Shadows<'_, N> {
         if groups.get(last[kind]).is_some_and(|group| group.intersect(&local, 0.0, &mut best, 0)) {
             return true;
         }
-        let beam = Beam::of_ray(&local);
-        walk::<true>(blas.nodes(), blas.tree.root, 0.0, &beam, &mut best, stack, |link, _, best, _| {
+        let slab_ray = SlabRay::of_ray(&local);
+        walk::<true>(blas.nodes(), blas.tree.root, 0.0, &slab_ray, &mut best, stack, |link, _, best, _| {
             let met = link.range().find(|&i| groups[i].intersect(&local, 0.0, best, 0));
             last[kind] = met.unwrap_or(last[kind]);
             met.is_some()
@@ -64,67 +64,65 @@ impl<const N: usize> Shadows<'_, N> {
     }
 }
 
-impl Entry {
+impl TlasEntry {
     /// Intersects one instance; says whether a hit was taken.
     #[inline(always)]
     pub(super) fn trace<const ANY: bool>(
         &self,
         ray: &Ray,
         world: &LocalRay,
-        beam: &Beam,
+        slab_ray: &SlabRay,
         tnear: f32,
         best: &mut Hit,
         stack: &mut Stack,
     ) -> bool {
         match &self.object_from_world {
-            None => trace_blas::<ANY>(&self.blas, self.root, self.instance, world, beam, 0.0, best, stack),
+            None => self.trace_mesh::<ANY>(world, slab_ray, 0.0, best, stack),
             Some(transform) => {
                 let local = LocalRay::new(transform.point(ray.origin), transform.vector(ray.direction));
-                let beam = Beam::of_ray(&local);
-                trace_blas::<ANY>(&self.blas, self.root, self.instance, &local, &beam, tnear, best, stack)
+                let slab_ray = SlabRay::of_ray(&local);
+                self.trace_mesh::<ANY>(&local, &slab_ray, tnear, best, stack)
             }
         }
     }
-}
 
-/// Intersects the part of a mesh under `root`. Hits count as no nearer than `tmin`.
-#[inline(never)]
-pub(super) fn trace_blas<const ANY: bool>(
-    blas: &Blas,
-    root: Link,
-    instance: u32,
-    ray: &LocalRay,
-    beam: &Beam,
-    tmin: f32,
-    best: &mut Hit,
-    stack: &mut Stack,
-) -> bool {
-    let groups = blas.groups();
-    walk::<ANY>(blas.nodes(), root, 0.0, beam, best, stack, |link, _, best, _| {
-        let mut found = false;
-        for group in &groups[link.range()] {
-            found |= group.intersect(ray, tmin, best, instance);
-            if ANY && found {
-                return true;
+    /// Intersects the instance's part of its mesh, in the frame of the mesh. Hits count as no nearer than `tmin`.
+    #[inline(never)]
+    pub(super) fn trace_mesh<const ANY: bool>(
+        &self,
+        ray: &LocalRay,
+        slab_ray: &SlabRay,
+        tmin: f32,
+        best: &mut Hit,
+        stack: &mut Stack,
+    ) -> bool {
+        let groups = self.blas.groups();
+        walk::<ANY>(self.blas.nodes(), self.root, 0.0, slab_ray, best, stack, |link, _, best, _| {
+            let mut found = false;
+            for group in &groups[link.range()] {
+                found |= group.intersect(ray, tmin, best, self.instance);
+                if ANY && found {
+                    return true;
+                }
             }
-        }
-        found
-    })
+            found
+        })
+    }
 }
 
-/// Visits the leaves that the beam may enter before `best.t`. Says whether a leaf reported a hit; with `ANY` it
+/// Visits the leaves that the ray may enter before `best.t`. Says whether a leaf reported a hit; with `ANY` it
 /// stops there.
 #[inline(always)]
 fn walk<const ANY: bool>(
-    nodes: &[Node],
-    root: Link,
+    nodes: &[BvhNode],
+    root: NodeLink,
     tnear: f32,
-    beam: &Beam,
+    slab_ray: &SlabRay,
     best: &mut Hit,
     stack: &mut Stack,
-    mut leaf: impl FnMut(Link, f32, &mut Hit, &mut Stack) -> bool,
+    mut leaf: impl FnMut(NodeLink, f32, &mut Hit, &mut Stack) -> bool,
 ) -> bool {
-    if root == Link::EMPTY {
+    if root == NodeLink::EMPTY {
         return false;
     }
     let base = stack.len();
@@ -145,7 +143,7 @@ fn walk<const ANY: bool>(
                 }
                 // Only rays that are not finite enter empty slots.
                 let Some(node) = nodes.get(link.node()) else { break };
-                let (mut hits, tnears) = node.enter(beam, best.t);
+                let (mut hits, tnears) = node.enter(slab_ray, best.t);
                 if hits == 0 {
                     break;
                 }
@@ -153,12 +151,16 @@ fn walk<const ANY: bool>(
                 let mut take = || {
                     let slot = hits.trailing_zeros() as usize & 7;
                     hits &= hits - 1;
-                    (Waiting::new(node.links[slot], tnears[slot]), hits)
+                    (PendingNode::new(node.links[slot], tnears[slot]), hits)
                 };
                 let (mut nearest, mut rest) = take();
                 if rest != 0 {
                     let (second, left) = take();
-                    let mut two = if ANY { Nearest { first: nearest, second } } else { Nearest::of(nearest, second) };
+                    let mut two = if ANY {
+                        NearestChildren { first: nearest, second }
+                    } else {
+                        NearestChildren::of(nearest, second)
+                    };
                     rest = left;
                     while rest != 0 {
                         let (other, left) = take();
@@ -171,7 +173,7 @@ fn walk<const ANY: bool>(
                 (link, tnear) = nearest.parts();
             }
         }
-        next = stack.pop(base).map(Waiting::parts);
+        next = stack.pop(base).map(PendingNode::parts);
     }
     found
 }

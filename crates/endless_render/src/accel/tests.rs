@@ -3,8 +3,8 @@
 use glam::{Affine3A, EulerRot, Quat, Vec3, Vec3A};
 use proptest::prelude::*;
 
-use super::brute::Scene;
-use super::{Accel, Blas, Ray, RayBundle, Use};
+use super::brute::BruteForceScene;
+use super::{Accel, Blas, GeometryUse, Ray, RayStream};
 
 type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
 
@@ -35,11 +35,11 @@ fn place() -> impl Strategy<Value = Affine3A> {
     prop_oneof![1 => Just(Affine3A::IDENTITY), 1 => point().prop_map(Affine3A::from_translation), 3 => free]
 }
 
-fn scene() -> impl Strategy<Value = Scene> {
+fn scene() -> impl Strategy<Value = BruteForceScene> {
     prop::collection::vec(mesh(), 1..4).prop_flat_map(|meshes| {
         let n = meshes.len();
         let instances = prop::collection::vec((0..n, place()), 0..14);
-        (Just(meshes), instances).prop_map(|(meshes, instances)| Scene::new(meshes, instances))
+        (Just(meshes), instances).prop_map(|(meshes, instances)| BruteForceScene::new(meshes, instances))
     })
 }
 
@@ -100,7 +100,7 @@ proptest! {
                     rays[row] = rays[0].map(|ray| Ray { origin: ray.origin + Vec3A::splat(row as f32 * 1e-3), ..ray });
                 }
             }
-            let bundle = RayBundle::of(&rays);
+            let bundle = RayStream::of(&rays);
             let closest = scene.accel.closest32(&bundle, active);
             let occluded = scene.accel.occluded32(&bundle, active);
             for (lane, ray) in rays.as_flattened().iter().enumerate() {
@@ -127,7 +127,7 @@ proptest! {
     #[test]
     fn refit_equals_rebuild((points, triangles) in mesh(), moves in prop::collection::vec(point(), 24), rays in prop::collection::vec(ray(), 23..25)) {
         let moved: Vec<Vec3> = points.iter().zip(&moves).map(|(p, m)| *p + *m).collect();
-        let mut refitted = Blas::build_for(Use::Deforming, &points, &triangles);
+        let mut refitted = Blas::build_for(GeometryUse::Deforming, &points, &triangles);
         // Whether or not anybody looked at it where it was before, and as a copy of one that nobody looked at.
         if rays.len() % 2 == 0 {
             prop_assert_eq!(refitted.groups().len(), refitted.clone().groups().len());
@@ -180,7 +180,7 @@ fn closed_meshes_do_not_leak() {
         Affine3A::from_scale_rotation_translation(Vec3::new(3.0, 0.7, 11.0), turn, Vec3::new(412.0, -655.0, 3.0)),
     ];
     for place in places {
-        let scene = Scene::new(vec![mesh.clone()], vec![(0, place)]);
+        let scene = BruteForceScene::new(vec![mesh.clone()], vec![(0, place)]);
         let mut rays = 0;
         for from in [Vec3A::ZERO, Vec3A::new(0.5, 0.31, -0.4), Vec3A::new(-0.9, 0.0, 0.1)] {
             let origin = place.transform_point3a(from);
@@ -245,7 +245,7 @@ fn boxes_reject_nothing_that_triangles_accept() {
         })
         .collect::<Vec<_>>();
     let targets: Vec<_> = instances.iter().map(|(_, place)| *place).collect();
-    let scene = Scene::new(vec![mesh], instances);
+    let scene = BruteForceScene::new(vec![mesh], instances);
     let mut hits = 0;
     for k in 0..4000 {
         let origin = Vec3A::from(vector() * 400.0);
@@ -295,7 +295,10 @@ fn a_single_triangle_is_hit_where_expected() {
 /// Rays with parts that are no numbers must not hang or panic.
 #[test]
 fn odd_rays_end() {
-    let scene = Scene::new(vec![sphere(8)], vec![(0, Affine3A::IDENTITY), (0, Affine3A::from_scale(Vec3::splat(2.0)))]);
+    let scene = BruteForceScene::new(
+        vec![sphere(8)],
+        vec![(0, Affine3A::IDENTITY), (0, Affine3A::from_scale(Vec3::splat(2.0)))],
+    );
     let odd = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, 0.0, -0.0, f32::MIN_POSITIVE, f32::MAX];
     for a in odd {
         for b in odd {
@@ -304,7 +307,7 @@ fn odd_rays_end() {
             scene.accel.occluded(&ray);
             scene.accel.closest8(&[ray; 8], 255);
             scene.accel.occluded8(&[ray; 8], 255);
-            let bundle = RayBundle::of(&[[ray; 8]; 4]);
+            let bundle = RayStream::of(&[[ray; 8]; 4]);
             scene.accel.closest32(&bundle, u32::MAX);
             scene.accel.occluded32(&bundle, u32::MAX);
         }

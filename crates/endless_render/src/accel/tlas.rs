@@ -9,27 +9,27 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
 
 use super::blas::Blas;
-use super::collapse::{Costs, Tree, collapse};
-use super::node::{EMPTY_BOX, Link, Node, corners, half_area, union};
+use super::collapse::{Bvh, Costs, collapse};
+use super::node::{BvhNode, EMPTY_BOX, NodeLink, corners, half_area, union};
 use super::ray::Transform;
 
 /// Acceleration structure over placed meshes: what rays are traced against.
 #[derive(Clone, Debug)]
 pub struct Accel {
-    tree: Tree,
-    entries: Vec<Entry>,
+    tree: Bvh,
+    entries: Vec<TlasEntry>,
     instance_bounds: Vec<(Vec3A, Vec3A)>,
     bounds: (Vec3A, Vec3A),
 }
 
 /// What a leaf of the top level holds: an instance, or a part of one.
 #[derive(Clone, Debug)]
-pub(super) struct Entry {
+pub(super) struct TlasEntry {
     /// `None` if the mesh lies in world space as it is.
     pub(super) object_from_world: Option<Transform>,
     pub(super) blas: Arc<Blas>,
     /// Where in the mesh's tree to start.
-    pub(super) root: Link,
+    pub(super) root: NodeLink,
     pub(super) instance: u32,
     /// Box in world space, as in the leaf's slot.
     pub(super) bounds: (Vec3A, Vec3A),
@@ -54,13 +54,13 @@ impl Accel {
             let root = blas.tree.root;
             if world_from_object == Affine3A::IDENTITY {
                 open_parts(&blas, &mut |root, bounds| {
-                    parts.push(Entry { object_from_world: None, blas: Arc::clone(&blas), root, instance, bounds });
+                    parts.push(TlasEntry { object_from_world: None, blas: Arc::clone(&blas), root, instance, bounds });
                     boxes.push(bounds);
                 });
             } else {
                 let inverse = world_from_object.inverse();
                 let transform = Transform { linear: inverse.matrix3, translation: inverse.translation };
-                parts.push(Entry { object_from_world: Some(transform), blas, root, instance, bounds: (min, max) });
+                parts.push(TlasEntry { object_from_world: Some(transform), blas, root, instance, bounds: (min, max) });
                 boxes.push((min, max));
             }
         }
@@ -93,25 +93,25 @@ impl Accel {
         size_of_val(&self.tree.nodes[..]) + size_of_val(&self.entries[..]) + size_of_val(&self.instance_bounds[..])
     }
 
-    pub(super) fn nodes(&self) -> &[Node] {
+    pub(super) fn nodes(&self) -> &[BvhNode] {
         &self.tree.nodes
     }
 
-    pub(super) fn root(&self) -> Link {
+    pub(super) fn root(&self) -> NodeLink {
         self.tree.root
     }
 
     #[inline]
-    pub(super) fn entry(&self, leaf: Link) -> &Entry {
+    pub(super) fn entry(&self, leaf: NodeLink) -> &TlasEntry {
         &self.entries[leaf.start()]
     }
 }
 
 /// The tree over boxes and the order of its leaves. Few things move every frame, many never do: quality by number.
-fn top_tree(boxes: &[(Vec3A, Vec3A)]) -> (Tree, Vec<u32>) {
+fn top_tree(boxes: &[(Vec3A, Vec3A)]) -> (Bvh, Vec<u32>) {
     let mut order = Vec::with_capacity(boxes.len());
     if boxes.is_empty() {
-        return (Tree::empty(), order);
+        return (Bvh::empty(), order);
     }
     let boxes: Vec<Aabb> = boxes.iter().map(|&(min, max)| Aabb::new(min, max)).collect();
     let mut params =
@@ -121,13 +121,13 @@ fn top_tree(boxes: &[(Vec3A, Vec3A)]) -> (Tree, Vec<u32>) {
     let one = |_| 1;
     let mut tree = collapse(&source, COSTS, one, |things| {
         order.extend_from_slice(things);
-        Link::leaf(order.len() - 1, 1)
+        NodeLink::leaf(order.len() - 1, 1)
     });
     if tree.root.is_leaf() {
         // Even a lone instance is entered through its box.
-        let mut node = Node::EMPTY;
+        let mut node = BvhNode::EMPTY;
         node.links[0] = tree.root;
-        tree = Tree { nodes: vec![node], root: Link::inner(0) };
+        tree = Bvh { nodes: vec![node], root: NodeLink::inner(0) };
     }
     (tree, order)
 }
@@ -135,7 +135,7 @@ fn top_tree(boxes: &[(Vec3A, Vec3A)]) -> (Tree, Vec<u32>) {
 /// Meshes that lie in world space span the town and overlap: the top level gets their parts, so that one tree
 /// sorts them all (Benthin et al.: Improved two-level BVHs using partial re-braiding, HPG 2017). Their boxes stay
 /// as they are in the mesh's tree, which keeps the box tests monotone.
-fn open_parts(blas: &Blas, found: &mut impl FnMut(Link, (Vec3A, Vec3A))) {
+fn open_parts(blas: &Blas, found: &mut impl FnMut(NodeLink, (Vec3A, Vec3A))) {
     /// Parts of at least this share of the mesh's area are opened further.
     const SHARE: f32 = 1.0 / 256.0;
     let root = blas.tree.root;

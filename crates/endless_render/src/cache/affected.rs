@@ -1,9 +1,11 @@
 //! Which tiles what moves can change, and how. Errs towards more.
 
 use super::bake::CameraBake;
-use super::beam_box::Bundle;
-use super::contact::contact_may_reach;
-use super::tile::{BLOCK, Span, TILE, TileBounds, TileBundles};
+use super::contact_shadow::contact_may_reach;
+use super::ray_bounds::RayBounds;
+use super::tile::{BLOCK, Bounds3, TILE, TileBounds, TileRayBounds};
+use super::tile_hierarchy::TileHierarchy;
+use super::tile_work::{BeamSweep, TileWork};
 use crate::accel::corners;
 use crate::light::{Lamps, VehicleBeam};
 use crate::scene::{FrameScene, Instance, MovingVolume, StaticScene};
@@ -13,68 +15,10 @@ use glam::{Affine3A, UVec2, Vec2, Vec3, Vec3A};
 /// Most boxes as which something that moves is told apart in the picture.
 const MOST_PARTS: usize = 128;
 
-/// What must be done again in a tile.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Work {
-    /// Moving surfaces may be seen.
-    pub(super) seen: bool,
-    /// Sunlight may be blocked.
-    pub(super) sun: bool,
-    /// Mirrors may show something that moves.
-    pub(super) mirror: bool,
-    /// A traffic light's lens is in view.
-    pub(super) lens: bool,
-    /// Objects that may darken the ground at their feet, ascending.
-    pub(super) contacts: Vec<u16>,
-    /// Lamps whose light may be blocked, by index.
-    pub(super) lamps: Vec<u16>,
-    /// Vehicle lights that may reach it, ascending.
-    pub(super) beams: Vec<Sweep>,
-}
-
-/// A vehicle light that may reach a tile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Sweep {
-    pub(super) beam: u16,
-    /// Something that moves may stand in its way.
-    pub(super) crossed: bool,
-}
-
-impl Work {
-    /// Everything, for the frame made without the cache.
-    pub(super) fn everything(night: bool, still: &StaticScene, frame: &FrameScene) -> Self {
-        let all = |n: usize| (0..n).map(|i| i as u16).collect();
-        Self {
-            seen: true,
-            sun: true,
-            lamps: all(still.lamps.all().len()),
-            mirror: true,
-            lens: true,
-            contacts: all(frame.objects.len()),
-            beams: (0..frame.beams.len() as u16).filter(|_| night).map(|beam| Sweep { beam, crossed: true }).collect(),
-        }
-    }
-
-    /// Whether rays must look for what moves.
-    pub(super) fn asks_rays(&self) -> bool {
-        self.seen || self.sun || self.mirror
-    }
-
-    /// Nothing but what rays find: pixels whose rays find nothing are as they were.
-    pub(super) fn only_found(&self) -> bool {
-        !self.lens && self.contacts.is_empty() && self.lamps.is_empty() && self.beams.is_empty()
-    }
-
-    /// Nothing to do.
-    pub(super) fn is_none(&self) -> bool {
-        self.only_found() && !self.asks_rays()
-    }
-}
-
 /// The work of every tile of a frame.
-pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScene) -> Vec<Work> {
-    let mut work = vec![Work::default(); bake.tiles.len()];
-    for (tile, bounds) in work.iter_mut().zip(&bake.tiles) {
+pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScene) -> Vec<TileWork> {
+    let mut work = vec![TileWork::default(); bake.tiles.tiles.bounds.len()];
+    for (tile, bounds) in work.iter_mut().zip(&bake.tiles.tiles.bounds) {
         tile.lens = bounds.lens;
     }
     for instance in &frame.instances {
@@ -83,20 +27,20 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     for (i, object) in frame.objects.iter().enumerate() {
         let i = i as u16;
         let shadows = lamp_shadows(bake, &still.lamps, object);
-        mark(bake, &mut work, |area, tile| mark_object(object, &shadows, i, area, tile));
+        mark(&bake.tiles, &mut work, |area, tile| mark_object(object, &shadows, i, area, tile));
     }
     // By day vehicle lights are seen, but light nothing.
-    let beams: &[VehicleBeam] = if bake.environment.night { &frame.beams } else { &[] };
+    let beams: &[VehicleBeam] = if bake.lighting.environment.night { &frame.beams } else { &[] };
     for (i, beam) in beams.iter().enumerate() {
         let range = beam.range_m();
         let near = |o: &&MovingVolume| beam.position.clamp(o.low, o.high).distance(beam.position) <= range * 1.01;
         let objects: Vec<&MovingVolume> = frame.objects.iter().filter(near).collect();
-        mark(bake, &mut work, |Area { bounds, .. }, tile| {
+        mark(&bake.tiles, &mut work, |TileArea { bounds, .. }, tile| {
             let reaches = !bounds.points.is_empty() && beam.reaches(bounds.points.low - 0.1, bounds.points.high + 0.1);
             if let (Some(tile), true) = (tile, reaches) {
-                let way = bounds.lamp_bundle(beam.position);
+                let way = bounds.lamp_rays(beam.position);
                 let crossed = objects.iter().any(|o| way.may_meet(o.low, o.high, 1.0));
-                tile.beams.push(Sweep { beam: i as u16, crossed });
+                tile.beams.push(BeamSweep { beam: i as u16, crossed });
             }
             reaches
         });
@@ -106,22 +50,26 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
 
 /// A tile or a block of tiles.
 #[derive(Clone, Copy)]
-struct Area<'a> {
+struct TileArea<'a> {
     bounds: &'a TileBounds,
-    bundles: &'a TileBundles,
+    rays: &'a TileRayBounds,
 }
 
 /// Runs a test over blocks, and over the tiles of those blocks that pass it.
-fn mark(bake: &CameraBake, work: &mut [Work], mut test: impl FnMut(Area<'_>, Option<&mut Work>) -> bool) {
-    for (b, (bounds, bundles)) in bake.blocks.iter().zip(&bake.block_bundles).enumerate() {
-        if !test(Area { bounds, bundles }, None) {
+fn mark(
+    TileHierarchy { tiles, blocks, .. }: &TileHierarchy,
+    work: &mut [TileWork],
+    mut test: impl FnMut(TileArea<'_>, Option<&mut TileWork>) -> bool,
+) {
+    for (b, (bounds, rays)) in blocks.bounds.iter().zip(&blocks.rays).enumerate() {
+        if !test(TileArea { bounds, rays }, None) {
             continue;
         }
-        let (bx, by) = (b as u32 % bake.block_columns * BLOCK, b as u32 / bake.block_columns * BLOCK);
-        for y in by..(by + BLOCK).min(bake.tile_rows) {
-            for x in bx..(bx + BLOCK).min(bake.tile_columns) {
-                let i = (y * bake.tile_columns + x) as usize;
-                test(Area { bounds: &bake.tiles[i], bundles: &bake.tile_bundles[i] }, Some(&mut work[i]));
+        let (bx, by) = (b as u32 % blocks.columns * BLOCK, b as u32 / blocks.columns * BLOCK);
+        for y in by..(by + BLOCK).min(tiles.rows) {
+            for x in bx..(bx + BLOCK).min(tiles.columns) {
+                let i = (y * tiles.columns + x) as usize;
+                test(TileArea { bounds: &tiles.bounds[i], rays: &tiles.rays[i] }, Some(&mut work[i]));
             }
         }
     }
@@ -132,8 +80,8 @@ fn mark_object(
     object: &MovingVolume,
     shadows: &[LampShadow],
     index: u16,
-    Area { bounds, bundles }: Area<'_>,
-    tile: Option<&mut Work>,
+    TileArea { bounds, rays }: TileArea<'_>,
+    tile: Option<&mut TileWork>,
 ) -> bool {
     if bounds.points.is_empty() {
         return false;
@@ -141,16 +89,16 @@ fn mark_object(
     let (low, high) = (object.low, object.high);
     // A block of tiles asks for the whole, a tile for the parts.
     let closely = tile.is_some();
-    let meets = |bundle: &Bundle, reach: f32| {
-        bundle.may_meet(low, high, reach)
-            && (!closely || object.parts.iter().any(|&(low, high)| bundle.may_meet(low, high, reach)))
+    let meets = |rays: &RayBounds, reach: f32| {
+        rays.may_meet(low, high, reach)
+            && (!closely || object.parts.iter().any(|&(low, high)| rays.may_meet(low, high, reach)))
     };
-    let sun = bundles.sun.as_ref().is_some_and(|b| meets(b, f32::MAX));
-    let mirror = bundles.mirror.as_ref().is_some_and(|b| meets(b, bounds.mirror_reach * 1.001 + 0.1));
+    let sun = rays.sun.as_ref().is_some_and(|b| meets(b, f32::MAX));
+    let mirror = rays.mirror.as_ref().is_some_and(|b| meets(b, bounds.mirror_reach * 1.001 + 0.1));
     let contact = contact_may_reach(object, &bounds.points);
     let shades = |shadow: &LampShadow| {
         bounds.points.meets(shadow.span.low - 0.1, shadow.span.high + 0.1)
-            && bounds.lamp_bundle(shadow.position).may_meet(low, high, 1.0)
+            && bounds.lamp_rays(shadow.position).may_meet(low, high, 1.0)
     };
     let Some(tile) = tile else { return sun || mirror || contact || shadows.iter().any(shades) };
     tile.sun |= sun;
@@ -170,22 +118,22 @@ fn mark_object(
 struct LampShadow {
     lamp: u16,
     position: Vec3A,
-    span: Span,
+    span: Bounds3,
 }
 
 /// Bounds of the shadows that an object throws by the light of lamps, down to the lowest surface in view.
 fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingVolume) -> Vec<LampShadow> {
     let range = Lamps::range_m();
     let reach = |p: Vec3A, low: Vec3A, high: Vec3A| p.clamp(low, high).distance_squared(p) <= range * range * 1.01;
-    let floor = bake.lowest - 0.1;
+    let floor = bake.tiles.lowest - 0.1;
     lamps
         .all()
         .iter()
         .enumerate()
-        .filter(|(_, lamp)| bake.environment.night && reach(lamp.position, object.low, object.high))
+        .filter(|(_, lamp)| bake.lighting.environment.night && reach(lamp.position, object.low, object.high))
         .map(|(i, lamp)| {
             let position = lamp.position;
-            let mut span = Span { low: object.low.with_z(floor), high: object.high };
+            let mut span = Bounds3 { low: object.low.with_z(floor), high: object.high };
             if position.z > object.high.z + 0.3 {
                 // The top's corners, thrown from the lamp onto the floor.
                 let stretch = (position.z - floor) / (position.z - object.high.z);
@@ -201,7 +149,7 @@ fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingVolume) -> Vec<
 }
 
 /// Marks the tiles over which the parts of something that moves project.
-fn mark_seen(bake: &CameraBake, instance: &Instance, work: &mut [Work]) {
+fn mark_seen(bake: &CameraBake, instance: &Instance, work: &mut [TileWork]) {
     let blas = &instance.geometry.posed.blas;
     let tiles = |bounds| tiles_of(bake, &instance.world_from_object, bounds);
     let Some([low, high]) = tiles(blas.bounds()) else { return };
@@ -210,7 +158,7 @@ fn mark_seen(bake: &CameraBake, instance: &Instance, work: &mut [Work]) {
     for [low, high] in blas.parts((area as usize).min(MOST_PARTS)).into_iter().filter_map(tiles) {
         for y in low.y..=high.y {
             for x in low.x..=high.x {
-                work[(y * bake.tile_columns + x) as usize].seen = true;
+                work[(y * bake.tiles.tiles.columns + x) as usize].primary = true;
             }
         }
     }

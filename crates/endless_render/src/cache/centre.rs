@@ -1,25 +1,16 @@
 //! What the samples of a uniform pixel share of what moving things do to their light, found once at the pixel's centre,
 //! for up to eight neighbours at a time.
 
-use super::affected::Work;
-use super::contact::contact_left;
-use super::still_sample::lamp_sum;
+use super::contact_shadow::contact_shadow;
+use super::lamp_mask::lamp_sum;
+use super::pixel_centre::PixelCentre;
 use super::sweep::beams_on_row;
+use super::tile_context::TileContext;
 use crate::accel::Ray;
-use crate::material::Look;
-use crate::scene::{Facet, FrameScene};
+use crate::scene::FrameScene;
 use crate::shade::Tracer;
 use glam::Vec3A;
 use std::cell::LazyCell;
-
-/// A pixel's centre in a row.
-#[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
-    pub(super) facet: Facet,
-    /// At night.
-    pub(super) look: Option<&'a Look>,
-    pub(super) lamps_free: u32,
-}
 
 /// Light of a uniform pixel that its samples share.
 #[derive(Debug, Clone, Copy)]
@@ -41,14 +32,13 @@ impl CentreLight {
     }
 }
 
-/// The light of these pixels, seen from `eye`; `work` says what can matter.
+/// The light of these pixels, seen from `eye`.
 pub(super) fn centre_lights(
-    tracer: &Tracer<'_>,
+    context: &TileContext<'_>,
     eye: Vec3A,
-    frame: &FrameScene,
-    work: &Work,
-    row: &[Option<Place<'_>>; 8],
+    row: &[Option<PixelCentre<'_>>; 8],
 ) -> [CentreLight; 8] {
+    let TileContext { tracer, frame, work, .. } = *context;
     let mut lights = [CentreLight::NONE; 8];
     if row.iter().all(Option::is_none) {
         return lights;
@@ -66,17 +56,22 @@ pub(super) fn centre_lights(
     }
     let blocked = lamps_blocked_row(tracer, frame, &work.lamps, row);
     for (i, light) in lights.iter_mut().enumerate() {
-        let Some(Place { facet, look, lamps_free }) = &row[i] else { continue };
-        light.contact = contact_left(frame, work, facet);
-        light.direct = look
+        let Some(PixelCentre { facet, bsdf, lamps_free }) = &row[i] else { continue };
+        light.contact = contact_shadow(frame, work, facet);
+        light.direct = bsdf
             .filter(|_| blocked[i] != 0)
-            .map(|look| lamp_sum(tracer, facet, look, lamps_free & !blocked[i]) * transmittance[i]);
+            .map(|bsdf| lamp_sum(tracer, facet, bsdf, lamps_free & !blocked[i]) * transmittance[i]);
     }
     lights
 }
 
 /// Lamps that something that moves hides from each pixel, a bit each of those near it.
-fn lamps_blocked_row(tracer: &Tracer<'_>, frame: &FrameScene, lamps: &[u16], row: &[Option<Place<'_>>; 8]) -> [u32; 8] {
+fn lamps_blocked_row(
+    tracer: &Tracer<'_>,
+    frame: &FrameScene,
+    lamps: &[u16],
+    row: &[Option<PixelCentre<'_>>; 8],
+) -> [u32; 8] {
     let mut blocked = [0u32; 8];
     if lamps.is_empty() {
         return blocked;

@@ -1,50 +1,48 @@
 //! The radiance of a still sample in a world where things move.
 
-use super::affected::Work;
 use super::centre::CentreLight;
-use super::contact::contact_left;
-use super::still_sample::{StillSample, lamp_sum, lamps_blocked, still_look, sun_share};
+use super::contact_shadow::contact_shadow;
+use super::gbuffer_sample::{GBufferSample, sun_share};
+use super::gbuffer_shading::gbuffer_bsdf;
+use super::lamp_mask::{lamp_sum, lamps_blocked};
+use super::tile_context::TileContext;
 use crate::accel::Ray;
-use crate::scene::{Facet, FrameScene, SurfacePoint};
-use crate::shade::Tracer;
+use crate::scene::{FrameScene, SurfaceInteraction};
 use endless_scene::{LensAspect, Surface};
 use endless_world::SignalAspect;
 use glam::Vec3A;
 
-/// Radiance of a still sample, without vehicle lights. `tracer.moving` must be set; `work` says what can matter,
-/// `centre` what is known from the pixel's centre, `sun_free` and `mirrored` what rays towards what
-/// moves found.
+/// Radiance of a still sample, without vehicle lights. `centre` is what is known from the pixel's centre, `sun_free` and
+/// `mirrored` what rays towards what moves found.
 pub(super) fn compose(
-    tracer: &Tracer<'_>,
-    frame: &FrameScene,
-    work: &Work,
+    context: &TileContext<'_>,
     centre: Option<&CentreLight>,
-    still: &StillSample,
+    still: &GBufferSample,
     (sun_free, mirrored): (u8, Option<Vec3A>),
     ray: &Ray,
     sample: usize,
-    pixel_angle: f32,
 ) -> Vec3A {
+    let TileContext { tracer, frame, work, pixel_angle } = *context;
     if still.is_sky() {
         return Vec3A::from(still.rest);
     }
     let environment = tracer.environment;
     let mut contact = centre.map_or(1.0, |c| c.contact);
     let mut direct = centre.and_then(|c| c.direct);
-    let point = || SurfacePoint::new(&tracer.still.instances, ray, &still.hit);
+    let point = || SurfaceInteraction::new(&tracer.still.instances, ray, &still.hit);
     let transmittance = || environment.fog.transmittance(ray.origin, ray.direction, still.hit.t);
     if centre.is_none() && !(work.contacts.is_empty() && work.lamps.is_empty()) {
         let facet = still.facet(ray);
-        contact = contact_left(frame, work, &facet);
+        contact = contact_shadow(frame, work, &facet);
         let blocked = lamps_blocked(tracer, frame, &work.lamps, &facet, still.lamps_free);
         if blocked != 0 {
-            let look = still_look(&point(), environment, sample, pixel_angle);
-            let light = lamp_sum(tracer, &facet, &look, still.lamps_free & !blocked);
+            let bsdf = gbuffer_bsdf(&point(), environment, sample, pixel_angle);
+            let light = lamp_sum(tracer, &facet, &bsdf, still.lamps_free & !blocked);
             direct = Some(light * transmittance());
         }
     }
     let mirror = mirrored.unwrap_or(Vec3A::from(still.mirror));
-    let signal = if work.lens && still.flags & StillSample::LENS != 0 {
+    let signal = if work.lens && still.flags & GBufferSample::LENS != 0 {
         lens_light(frame, &point(), environment.night) * transmittance()
     } else {
         Vec3A::ZERO
@@ -53,19 +51,8 @@ pub(super) fn compose(
     Vec3A::from(still.rest) + Vec3A::from(still.ambient) * contact + direct + mirror + signal
 }
 
-/// Where rays to the sun start: leaves lit from behind let light through, so theirs start on the far side.
-pub(super) fn sun_origin(facet: &Facet, sun: Vec3A) -> Vec3A {
-    let origin = facet.ray_origin();
-    if facet.geometric_normal.dot(sun) < 0.0 { facet.position * 2.0 - origin } else { origin }
-}
-
-/// Whether the sun can light a point at all: from the front, or through a leaf.
-pub(super) fn sun_can_light(point: &SurfacePoint<'_>, sun: Vec3A) -> bool {
-    point.geometric_normal.dot(sun) > 0.0 || point.material.surface == Surface::Foliage
-}
-
 /// Light of a traffic light's lens in the state that its group is in.
-fn lens_light(frame: &FrameScene, point: &SurfacePoint<'_>, night: bool) -> Vec3A {
+fn lens_light(frame: &FrameScene, point: &SurfaceInteraction<'_>, night: bool) -> Vec3A {
     let (Surface::SignalLens(lens), Some(signal)) = (point.material.surface, point.instance.signal) else {
         return Vec3A::ZERO;
     };

@@ -1,39 +1,44 @@
 //! What still mirrors show of what moves.
 
-use super::row::{Found, Row};
-use super::still_sample::StillSample;
+use super::gbuffer_sample::GBufferSample;
+use super::moving_hits::MovingHits;
+use super::row::PixelRow;
 use super::tile::TILE;
 use crate::accel::Ray;
 use crate::sampling::SAMPLES;
-use crate::shade::{Struck, Tracer, mirror_footprint, shade_struck, shade_struck8};
+use crate::shade::{SceneHit, Tracer, mirror_footprint, shade_hit, shade_hit8};
 use glam::Vec3A;
 
 /// The light of each sample's mirror that shows something that moves, fog included.
-pub(super) type Mirrored = [Option<Vec3A>; SAMPLES];
+pub(super) type MirroredLight = [Option<Vec3A>; SAMPLES];
 
 /// The mirrors of a pixel, a sample at a time: the oracle of [`mirrored_row`].
 pub(super) fn mirrored(
     tracer: &Tracer<'_>,
-    samples: &[StillSample],
+    samples: &[GBufferSample],
     rays: &[Ray; SAMPLES],
-    found: &Found,
+    found: &MovingHits,
     pixel_angle: f32,
-) -> Mirrored {
+) -> MirroredLight {
     std::array::from_fn(|s| {
         let hit = found.mirrored[s]?;
         let mirror = samples[s].mirror_ray(&samples[s].facet(&rays[s]));
         let (weight, footprint) = seen_in(&samples[s], pixel_angle);
-        Some(weight * shade_struck(tracer, &mirror, Some(&Struck { hit, moving: true }), footprint))
+        Some(weight * shade_hit(tracer, &mirror, Some(&SceneHit { hit, moving: true }), footprint))
     })
 }
 
 /// Those of a row of pixels; of pixels that something covers wholly, none.
-pub(super) fn mirrored_row(tracer: &Tracer<'_>, row: &Row<'_>, pixel_angle: f32) -> [Mirrored; TILE as usize] {
+pub(super) fn mirrored_row(
+    tracer: &Tracer<'_>,
+    row: &PixelRow<'_>,
+    pixel_angle: f32,
+) -> [MirroredLight; TILE as usize] {
     let mut light = [[None; SAMPLES]; TILE as usize];
     let mut asked = [(0, 0); SAMPLES * TILE as usize];
     let mut count = 0;
     for (i, found) in row.found.iter().enumerate() {
-        if found.mirrored.iter().all(Option::is_none) || found.seen.iter().all(Option::is_some) {
+        if found.mirrored.iter().all(Option::is_none) || found.primary.iter().all(Option::is_some) {
             continue;
         }
         for s in (0..SAMPLES).filter(|&s| found.mirrored[s].is_some()) {
@@ -47,11 +52,11 @@ pub(super) fn mirrored_row(tracer: &Tracer<'_>, row: &Row<'_>, pixel_angle: f32)
         for (lane, &(i, s)) in asked.iter().enumerate() {
             let sample = row.sample(i, s);
             rays[lane] = sample.mirror_ray(&sample.facet(&row.ray(i, s)));
-            struck[lane] = row.found[i].mirrored[s].map(|hit| Struck { hit, moving: true });
+            struck[lane] = row.found[i].mirrored[s].map(|hit| SceneHit { hit, moving: true });
             (weights[lane], footprints[lane]) = seen_in(sample, pixel_angle);
         }
         let active = ((1u16 << asked.len()) - 1) as u8;
-        let shown = shade_struck8(tracer, &rays, &struck, active, &footprints);
+        let shown = shade_hit8(tracer, &rays, &struck, active, &footprints);
         for (lane, &(i, s)) in asked.iter().enumerate() {
             light[i][s] = Some(weights[lane] * shown[lane]);
         }
@@ -60,7 +65,7 @@ pub(super) fn mirrored_row(tracer: &Tracer<'_>, row: &Row<'_>, pixel_angle: f32)
 }
 
 /// The weight of what a sample's mirror shows, and the width of detail that matters there.
-fn seen_in(sample: &StillSample, pixel_angle: f32) -> (Vec3A, f32) {
+fn seen_in(sample: &GBufferSample, pixel_angle: f32) -> (Vec3A, f32) {
     let (weight, roughness) = sample.mirror_weight();
     (weight, mirror_footprint(sample.hit.t, roughness, pixel_angle))
 }

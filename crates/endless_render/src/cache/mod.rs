@@ -8,22 +8,36 @@
 
 mod affected;
 mod bake;
-mod beam_box;
-mod canvas;
+mod bake_pass;
+mod bake_stats;
+mod camera_film;
 mod centre;
 mod compose;
-mod contact;
-mod cover;
-mod covers;
+mod contact_shadow;
+mod coverage;
 mod frame;
+mod frame_buffer;
+mod gbuffer;
+mod gbuffer_pixel;
+mod gbuffer_sample;
+mod gbuffer_shading;
+mod lamp_mask;
 mod mirror;
+mod moving_hits;
+mod pixel;
+mod pixel_centre;
+mod pool;
+mod ray_bounds;
+mod ray_queue;
+mod retrace;
 mod row;
-mod spare;
-mod still_pixel;
-mod still_sample;
+mod sun_rays;
 mod sweep;
-#[cfg(test)]
-mod tests;
 mod tile;
+mod tile_context;
+mod tile_coverage;
+mod tile_hierarchy;
+mod tile_work;
 
-pub use bake::{BakeStats, CameraBake, RenderSettings};
+pub use bake::CameraBake;
+pub use bake_stats::BakeStats;

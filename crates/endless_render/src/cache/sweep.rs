@@ -1,13 +1,14 @@
 //! Light of vehicle lamps that sweeps the still town.
 
-use super::affected::Sweep;
-use super::centre::Place;
-use super::still_sample::{StillSample, still_look};
+use super::gbuffer_shading::gbuffer_bsdf;
+use super::pixel_centre::PixelCentre;
+use super::tile_context::{PixelSamples, TileContext};
+use super::tile_work::BeamSweep;
 use crate::accel::Ray;
 use crate::eight::normalize;
-use crate::material::{Look, Look8};
+use crate::material::{Bsdf, Bsdf8};
 use crate::sampling::SAMPLES;
-use crate::scene::{Facet, FrameScene, SurfacePoint};
+use crate::scene::{Facet, FrameScene, SurfaceInteraction};
 use crate::shade::Tracer;
 use glam::Vec3A;
 use std::cell::LazyCell;
@@ -17,25 +18,19 @@ use wide::f32x8;
 /// Illuminance, dimmed by the air before it, below which a vehicle light is not seen, klx.
 const UNSEEN_KLX: f32 = 8.0e-4;
 
-/// Light of vehicle lamps on the `open` samples of a pixel, fog included: the sum.
-pub(super) fn beams_on_samples(
-    tracer: &Tracer<'_>,
-    frame: &FrameScene,
-    beams: &[Sweep],
-    samples: &[StillSample],
-    open: [bool; SAMPLES],
-    rays: &[Ray; SAMPLES],
-    pixel_angle: f32,
-) -> Vec3A {
-    if beams.is_empty() {
+/// Light of vehicle lamps on those samples of a pixel that nothing that moves covers, fog included: the sum.
+pub(super) fn beams_on_samples(context: &TileContext<'_>, samples: &PixelSamples<'_>) -> Vec3A {
+    let TileContext { tracer, frame, work, pixel_angle } = *context;
+    let PixelSamples { rays, still, found } = *samples;
+    if work.beams.is_empty() {
         return Vec3A::ZERO;
     }
-    let facets: [Option<Facet>; SAMPLES] =
-        std::array::from_fn(|s| (open[s] && !samples[s].is_sky()).then(|| samples[s].facet(&rays[s])));
+    let open = |s: usize| found.primary[s].is_none() && !still[s].is_sky();
+    let facets: [Option<Facet>; SAMPLES] = std::array::from_fn(|s| open(s).then(|| still[s].facet(&rays[s])));
     let transmittance = facets.map(|f| f.map_or(0.0, |f| seen_through(tracer, rays[0].origin, &f)));
-    let mut looks: [Option<Look>; SAMPLES] = [const { None }; SAMPLES];
+    let mut bsdfs: [Option<Bsdf>; SAMPLES] = [const { None }; SAMPLES];
     let mut sums = [Vec3A::ZERO; SAMPLES];
-    for sweep in beams {
+    for sweep in &work.beams {
         let beam = &frame.beams[usize::from(sweep.beam)];
         let mut arriving = [(Vec3A::ZERO, Vec3A::Z); SAMPLES];
         let mut active = 0u8;
@@ -53,19 +48,19 @@ pub(super) fn beams_on_samples(
         let to_lamp: [Ray; 8] = std::array::from_fn(|s| beam.shadow_ray(asks(s)));
         active &= !hidden(tracer, frame, sweep, &to_lamp, active);
         for s in (0..SAMPLES).filter(|s| active >> s & 1 == 1) {
-            let look = looks[s].get_or_insert_with(|| {
-                let point = SurfacePoint::new(&tracer.still.instances, &rays[s], &samples[s].hit);
-                still_look(&point, tracer.environment, s, pixel_angle)
+            let bsdf = bsdfs[s].get_or_insert_with(|| {
+                let point = SurfaceInteraction::new(&tracer.still.instances, &rays[s], &still[s].hit);
+                gbuffer_bsdf(&point, tracer.environment, s, pixel_angle)
             });
             let (illuminance, direction) = arriving[s];
-            sums[s] += look.lit_by(illuminance, direction, -rays[s].direction);
+            sums[s] += bsdf.lit_by(illuminance, direction, -rays[s].direction);
         }
     }
     (0..SAMPLES).map(|s| sums[s] * transmittance[s]).sum()
 }
 
 /// Those of eight rays to a lamp that something hides, a bit each.
-fn hidden(tracer: &Tracer<'_>, frame: &FrameScene, sweep: &Sweep, to_lamp: &[Ray; 8], active: u8) -> u8 {
+fn hidden(tracer: &Tracer<'_>, frame: &FrameScene, sweep: &BeamSweep, to_lamp: &[Ray; 8], active: u8) -> u8 {
     let by_moving = if sweep.crossed { frame.accel.occluded8(to_lamp, active) } else { 0 };
     match active & !by_moving {
         0 => by_moving,
@@ -83,15 +78,15 @@ fn seen_through(tracer: &Tracer<'_>, eye: Vec3A, facet: &Facet) -> f32 {
 pub(super) fn beams_on_row<'a>(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
-    beams: &[Sweep],
-    row: &[Option<Place<'a>>; 8],
+    beams: &[BeamSweep],
+    row: &[Option<PixelCentre<'a>>; 8],
     transmittance: &impl Deref<Target = [f32; 8]>,
 ) -> [Vec3A; 8] {
     let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
     let axis = |axis: usize| f32x8::new(std::array::from_fn(|i| row[i].map_or(0.0, |p| p.facet.position[axis])));
     let positions = [axis(0), axis(1), axis(2)];
-    let seen = |place: &Option<Place<'a>>| place.and_then(|p| Some((p.look?, -p.facet.direction)));
-    let looks = LazyCell::new(|| Look8::new(&std::array::from_fn(|i| seen(&row[i]))));
+    let seen = |place: &Option<PixelCentre<'a>>| place.and_then(|p| Some((p.bsdf?, -p.facet.direction)));
+    let bsdfs = LazyCell::new(|| Bsdf8::new(&std::array::from_fn(|i| seen(&row[i]))));
     let mut sums = [f32x8::ZERO; 3];
     let mut shown = false;
     for sweep in beams {
@@ -99,7 +94,7 @@ pub(super) fn beams_on_row<'a>(
         let mut active = 0u8;
         let strengths = beam.strengths_at(positions);
         for (i, place) in row.iter().enumerate() {
-            let Some(Place { facet, .. }) = place else { continue };
+            let Some(PixelCentre { facet, .. }) = place else { continue };
             let lit = strengths[i] > UNSEEN_KLX
                 && facet.geometric_normal.dot(beam.position - facet.position) > 0.0
                 && strengths[i] * transmittance[i] > UNSEEN_KLX;
@@ -114,7 +109,7 @@ pub(super) fn beams_on_row<'a>(
         }
         shown = true;
         let arriving = f32x8::new(std::array::from_fn(|i| if active >> i & 1 == 1 { strengths[i] } else { 0.0 }));
-        let lit = looks.lit_by(&normalize([0, 1, 2].map(|k| f32x8::splat(beam.position[k]) - positions[k])));
+        let lit = bsdfs.lit_by(&normalize([0, 1, 2].map(|k| f32x8::splat(beam.position[k]) - positions[k])));
         for k in 0..3 {
             sums[k] += lit[k] * arriving * f32x8::splat(beam.color()[k]);
         }

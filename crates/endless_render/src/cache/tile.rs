@@ -1,6 +1,6 @@
 //! Bounds of what the samples of a tile of pixels lie on and look at.
 
-use super::beam_box::Bundle;
+use super::ray_bounds::RayBounds;
 use glam::Vec3A;
 
 /// Pixels along a tile's edge.
@@ -10,12 +10,12 @@ pub(super) const BLOCK: u32 = 8;
 
 /// An axis-aligned box that may be empty.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Span {
+pub(super) struct Bounds3 {
     pub(super) low: Vec3A,
     pub(super) high: Vec3A,
 }
 
-impl Span {
+impl Bounds3 {
     pub(super) const EMPTY: Self = Self { low: Vec3A::INFINITY, high: Vec3A::NEG_INFINITY };
 
     pub(super) fn add(&mut self, p: Vec3A) {
@@ -42,13 +42,13 @@ impl Span {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TileBounds {
     /// All surface points.
-    pub(super) points: Span,
+    pub(super) points: Bounds3,
     /// Points that the sun reaches.
-    pub(super) sunlit: Span,
+    pub(super) sunlit: Bounds3,
     /// Points that mirror.
-    pub(super) mirrors: Span,
+    pub(super) mirrors: Bounds3,
     /// Directions of their mirror rays.
-    pub(super) mirror_directions: Span,
+    pub(super) mirror_directions: Bounds3,
     /// How far the longest of them gets in the still town.
     pub(super) mirror_reach: f32,
     /// Some sample is a traffic light's lens.
@@ -57,10 +57,10 @@ pub(super) struct TileBounds {
 
 impl TileBounds {
     pub(super) const EMPTY: Self = Self {
-        points: Span::EMPTY,
-        sunlit: Span::EMPTY,
-        mirrors: Span::EMPTY,
-        mirror_directions: Span::EMPTY,
+        points: Bounds3::EMPTY,
+        sunlit: Bounds3::EMPTY,
+        mirrors: Bounds3::EMPTY,
+        mirror_directions: Bounds3::EMPTY,
         mirror_reach: 0.0,
         lens: false,
     };
@@ -75,31 +75,31 @@ impl TileBounds {
     }
 
     /// The rays from a tile whose bounds are known.
-    pub(super) fn bundles(&self, sun: Option<Vec3A>) -> TileBundles {
+    pub(super) fn ray_bounds(&self, sun: Option<Vec3A>) -> TileRayBounds {
         let mirror = (!self.mirrors.is_empty())
-            .then(|| bundle(&self.mirrors, self.mirror_directions.low, self.mirror_directions.high));
-        let sun = sun.filter(|_| !self.sunlit.is_empty()).map(|sun| bundle(&self.sunlit, sun - 0.011, sun + 0.011));
-        TileBundles { mirror, sun }
+            .then(|| bounds_of(&self.mirrors, self.mirror_directions.low, self.mirror_directions.high));
+        let sun = sun.filter(|_| !self.sunlit.is_empty()).map(|sun| bounds_of(&self.sunlit, sun - 0.011, sun + 0.011));
+        TileRayBounds { mirror, sun }
     }
 
     /// The rays to a lamp: t from 0 to 1.
-    pub(super) fn lamp_bundle(&self, lamp: Vec3A) -> Bundle {
-        bundle(&self.points, lamp - self.points.high - SLACK, lamp - self.points.low + SLACK)
+    pub(super) fn lamp_rays(&self, lamp: Vec3A) -> RayBounds {
+        bounds_of(&self.points, lamp - self.points.high - SLACK, lamp - self.points.low + SLACK)
     }
 }
 
 /// The rays that leave a tile in every frame.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct TileBundles {
+pub(super) struct TileRayBounds {
     /// Into its mirrors, if it has any.
-    pub(super) mirror: Option<Bundle>,
+    pub(super) mirror: Option<RayBounds>,
     /// To the sun's disc, if the sun reaches it.
-    pub(super) sun: Option<Bundle>,
+    pub(super) sun: Option<RayBounds>,
 }
 
 /// Rays start a little off their surface.
 const SLACK: f32 = 0.06;
 
-fn bundle(origins: &Span, direction_low: Vec3A, direction_high: Vec3A) -> Bundle {
-    Bundle::new((origins.low - SLACK, origins.high + SLACK), (direction_low, direction_high))
+fn bounds_of(origins: &Bounds3, direction_low: Vec3A, direction_high: Vec3A) -> RayBounds {
+    RayBounds::new((origins.low - SLACK, origins.high + SLACK), (direction_low, direction_high))
 }

@@ -7,11 +7,11 @@ use glam::{Vec2, Vec3A};
 /// Drops on one camera's lens.
 #[derive(Debug, Clone)]
 pub(crate) struct Droplets {
-    drops: Vec<Drop>,
+    drops: Vec<Droplet>,
 }
 
 #[derive(Debug, Clone)]
-struct Drop {
+struct Droplet {
     /// Pixels.
     centre: Vec2,
     radius: f32,
@@ -27,7 +27,7 @@ impl Droplets {
         let drops = (0..count)
             .map(|_| {
                 let share = random.f32();
-                Drop {
+                Droplet {
                     centre: Vec2::new(random.f32() * width, random.f32() * height),
                     radius: height * (0.006 + 0.030 * share * share * share),
                     tall: 1.0 + 0.5 * share * random.f32(),

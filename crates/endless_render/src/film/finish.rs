@@ -9,7 +9,7 @@ use glam::{Vec2, Vec3A};
 
 /// The look of one camera, ready to be laid over its pictures.
 #[derive(Debug, Clone)]
-pub(crate) struct Finish {
+pub(crate) struct PostProcess {
     look: CameraLook,
     size: ImageSize,
     fps: f64,
@@ -18,7 +18,7 @@ pub(crate) struct Finish {
     droplets: Option<Droplets>,
 }
 
-impl Finish {
+impl PostProcess {
     /// `None` where nothing is done to pictures.
     pub(crate) fn new(look: &CameraLook, size: ImageSize, fps: f64, seed: u64, rains: bool) -> Option<Self> {
         let grain = (look.noise > 0.0).then(|| Grain::new(look.noise, seed));
@@ -121,13 +121,13 @@ mod tests {
 
     const SIZE: ImageSize = ImageSize { width: 320, height: 200 };
 
-    fn finish(look: CameraLook) -> Finish {
-        Finish::new(&look, SIZE, 30.0, 7, true).expect("not clean")
+    fn finish(look: CameraLook) -> PostProcess {
+        PostProcess::new(&look, SIZE, 30.0, 7, true).expect("not clean")
     }
 
     #[test]
     fn nothing_is_done_by_a_clean_camera() {
-        assert!(Finish::new(&CameraLook::CLEAN, SIZE, 30.0, 1, true).is_none());
+        assert!(PostProcess::new(&CameraLook::CLEAN, SIZE, 30.0, 1, true).is_none());
     }
 
     #[test]

@@ -12,8 +12,8 @@ mod rain;
 mod tone;
 
 pub(crate) use exposure::{black_level, exposure};
-pub(crate) use finish::Finish;
+pub(crate) use finish::PostProcess;
 pub(crate) use glare::with_glare;
-pub(crate) use motion_blur::{LEAST_PX, LONGEST_PX, Pad, Streak, blur};
+pub(crate) use motion_blur::{BlurScratch, LEAST_PX, LONGEST_PX, Streak, blur};
 pub(crate) use rain::Rain;
 pub(crate) use tone::ToneCurve;

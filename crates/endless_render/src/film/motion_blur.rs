@@ -27,7 +27,7 @@ pub(crate) struct Streak {
 
 /// Room to work in, which frames hand on to one another: empty, but large.
 #[derive(Debug, Default)]
-pub(crate) struct Pad {
+pub(crate) struct BlurScratch {
     /// Light and cover that pixels get.
     spread: Vec<Vec4>,
     /// One more than the number of each pixel's streak; 0 without.
@@ -46,11 +46,11 @@ pub(crate) fn blur(
     hidden: impl Fn(usize, &Streak) -> bool,
     picture: &mut [Vec3A],
     changed: &mut Vec<u32>,
-    pad: &mut Pad,
+    pad: &mut BlurScratch,
 ) {
     // In one order, whatever the order in which the picture was made: sums depend on it.
     streaks.sort_unstable_by_key(|(pixel, _)| *pixel);
-    let Pad { spread, at, reached } = pad;
+    let BlurScratch { spread, at, reached } = pad;
     spread.resize(picture.len(), Vec4::ZERO);
     at.resize(picture.len(), 0);
     for (i, (pixel, _)) in streaks.iter().enumerate() {
@@ -148,7 +148,7 @@ mod tests {
         let (mut streaks, mut picture) = square(Vec2::new(7.0, 0.0));
         let before: f32 = picture.iter().map(|p| p.x).sum();
         let mut changed = Vec::new();
-        blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut picture, &mut changed, &mut Pad::default());
+        blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut picture, &mut changed, &mut BlurScratch::default());
         let after: f32 = picture.iter().map(|p| p.x).sum();
         assert!((after / before - 1.0).abs() < 3e-3, "{before} {after}");
         let row = |x: usize| picture[8 * SIZE.width as usize + x].x;
@@ -163,7 +163,7 @@ mod tests {
     #[test]
     fn what_stands_in_front_stays_clean() {
         let (mut streaks, mut picture) = square(Vec2::new(12.0, 0.0));
-        let mut pad = Pad::default();
+        let mut pad = BlurScratch::default();
         blur(SIZE, &mut streaks, &WALL, |pixel, _| pixel % 64 == 38, &mut picture, &mut Vec::new(), &mut pad);
         assert!((0..16).all(|y| picture[y * 64 + 38].x == 0.5));
         assert!(picture[8 * 64 + 37].x > 0.6);
@@ -174,7 +174,7 @@ mod tests {
         let (mut streaks, picture) = square(Vec2::new(5.3, -2.2));
         let (mut a, mut b) = (picture.clone(), picture);
         // The second finds the pad as the first left it.
-        let mut pad = Pad::default();
+        let mut pad = BlurScratch::default();
         blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut a, &mut Vec::new(), &mut pad);
         streaks.reverse();
         blur(SIZE, &mut streaks, &WALL, |_, _| false, &mut b, &mut Vec::new(), &mut pad);

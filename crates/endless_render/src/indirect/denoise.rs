@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 /// What a sample lies on.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Guide {
+pub(crate) struct DenoiseGuide {
     pub(crate) position: Vec3A,
     /// Zero for the sky, which is left alone.
     pub(crate) normal: Vec3A,
@@ -14,7 +14,7 @@ pub(crate) struct Guide {
 }
 
 /// Filters an image of irradiance; rows in parallel, the result independent of the number of threads.
-pub(crate) fn denoise(width: usize, guides: &[Guide], mut light: Vec<Vec3A>, levels: u32) -> Vec<Vec3A> {
+pub(crate) fn denoise(width: usize, guides: &[DenoiseGuide], mut light: Vec<Vec3A>, levels: u32) -> Vec<Vec3A> {
     let height = guides.len() / width.max(1);
     for level in 0..levels {
         let step = 1isize << level;
@@ -32,7 +32,7 @@ pub(crate) fn denoise(width: usize, guides: &[Guide], mut light: Vec<Vec3A>, lev
 fn filter_one(
     width: usize,
     height: usize,
-    guides: &[Guide],
+    guides: &[DenoiseGuide],
     light: &[Vec3A],
     x: usize,
     y: usize,
@@ -77,9 +77,9 @@ mod tests {
     use super::*;
     use crate::material::noise::cell1;
 
-    fn plane(width: usize, height: usize, bend: bool) -> Vec<Guide> {
+    fn plane(width: usize, height: usize, bend: bool) -> Vec<DenoiseGuide> {
         (0..width * height)
-            .map(|i| Guide {
+            .map(|i| DenoiseGuide {
                 position: Vec3A::new((i % width) as f32, (i / width) as f32, 0.0) * 0.1,
                 normal: if bend && i % width >= width / 2 { Vec3A::X } else { Vec3A::Z },
                 reach_m: 0.1,

@@ -6,7 +6,7 @@
 use crate::accel::Ray;
 use crate::material::noise;
 use crate::sampling::{SAMPLES, cosine_direction, hammersley, rotated};
-use crate::scene::SurfacePoint;
+use crate::scene::SurfaceInteraction;
 use crate::shade::{Tracer, shade_secondary8};
 use glam::{Vec2, Vec3A};
 use std::f32::consts::PI;
@@ -30,7 +30,7 @@ pub(crate) fn turn(x: usize, y: usize, sample: usize, pattern: u32) -> Vec2 {
 /// alike; noisy, to be denoised.
 pub(crate) fn gather8(
     tracer: &Tracer<'_>,
-    points: &[Option<SurfacePoint<'_>>; 8],
+    points: &[Option<SurfaceInteraction<'_>>; 8],
     turn: Vec2,
     rays: u32,
 ) -> [Vec3A; 8] {
@@ -51,7 +51,7 @@ pub(crate) fn gather8(
 }
 
 /// A direction of the cosine lobe around a point's normal, bent up where it would enter the surface.
-fn above(point: &SurfacePoint<'_>, u: Vec2) -> Vec3A {
+fn above(point: &SurfaceInteraction<'_>, u: Vec2) -> Vec3A {
     let direction = cosine_direction(point.normal, u);
     let below = direction.dot(point.geometric_normal);
     if below < 0.01 { (direction + point.geometric_normal * (0.01 - below)).normalize() } else { direction }

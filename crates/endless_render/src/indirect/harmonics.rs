@@ -6,7 +6,7 @@ use wide::f32x8;
 
 /// Nine coefficients of radiance, each of three colour channels, one after the other: they are added up eight at a time.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Harmonics([f32x8; 4]);
+pub(super) struct SphericalHarmonics([f32x8; 4]);
 
 fn basis(d: Vec3A) -> [f32; 9] {
     [
@@ -22,7 +22,7 @@ fn basis(d: Vec3A) -> [f32; 9] {
     ]
 }
 
-impl Harmonics {
+impl SphericalHarmonics {
     pub(super) const ZERO: Self = Self([f32x8::ZERO; 4]);
 
     /// Adds radiance from a direction, weighted by its solid angle.
@@ -71,7 +71,7 @@ mod tests {
 
     #[test]
     fn uniform_light_gives_pi_and_half_a_sky_its_share() {
-        let (mut uniform, mut sky) = (Harmonics::ZERO, Harmonics::ZERO);
+        let (mut uniform, mut sky) = (SphericalHarmonics::ZERO, SphericalHarmonics::ZERO);
         let n = 8192;
         for i in 0..n {
             let d = sphere_direction(hammersley(i, n));

@@ -4,8 +4,9 @@
 mod denoise;
 mod gather;
 mod harmonics;
-mod probes;
+mod probe_bake;
+mod probe_grid;
 
-pub(crate) use denoise::{Guide, denoise};
+pub(crate) use denoise::{DenoiseGuide, denoise};
 pub(crate) use gather::{PATTERN_SIDE, gather8, turn};
-pub(crate) use probes::{Air, ProbeGrid};
+pub(crate) use probe_grid::{ProbeGrid, ProbeRegion};

@@ -6,7 +6,7 @@ use super::{
     sky::{LUMINANCE, SOLAR_ILLUMINANCE_KLX, SkyParameters, sun_transmittance},
 };
 use crate::accel::Ray;
-use crate::scene::SurfacePoint;
+use crate::scene::SurfaceInteraction;
 use endless_world::{Stream, TimeOfDay, Weather, math};
 use glam::{Vec2, Vec3A};
 use std::f32::consts::{PI, TAU};
@@ -193,7 +193,7 @@ fn sun_direction(time: TimeOfDay, random: &mut Stream) -> Vec3A {
 
 impl Sun {
     /// Towards the disc's centre, from where it can light a point.
-    pub(crate) fn ray_from(&self, point: &SurfacePoint<'_>) -> Option<Ray> {
+    pub(crate) fn ray_from(&self, point: &SurfaceInteraction<'_>) -> Option<Ray> {
         let faces = point.geometric_normal.dot(self.direction) > 0.0;
         faces.then(|| Ray { origin: point.ray_origin(), direction: self.direction, tmax: f32::MAX })
     }

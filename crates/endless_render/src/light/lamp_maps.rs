@@ -1,7 +1,7 @@
 //! What the still town hides from each lamp, as a map of distances (Williams 1978): for surfaces whose shadows by lamps
 //! need not be sharp, those that move and those in mirrors.
 
-use super::lamps::LampLight;
+use super::lamps::PointLamp;
 use crate::accel::{Accel, Ray};
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
@@ -22,12 +22,12 @@ pub(crate) struct LampMaps {
 
 impl LampMaps {
     /// Maps the surroundings of the lamps over and around a rectangle of ground.
-    pub(crate) fn bake(accel: &Accel, lamps: &[LampLight], low: Vec2, high: Vec2, range_m: f32) -> Self {
-        let near = |lamp: &LampLight| {
+    pub(crate) fn bake(accel: &Accel, lamps: &[PointLamp], low: Vec2, high: Vec2, range_m: f32) -> Self {
+        let near = |lamp: &PointLamp| {
             let at = Vec2::new(lamp.position.x, lamp.position.y);
             at.clamp(low, high).distance_squared(at) < MARGIN_M * MARGIN_M
         };
-        let map = |lamp: &LampLight| if near(lamp) { map(accel, lamp.position, range_m) } else { Vec::new() };
+        let map = |lamp: &PointLamp| if near(lamp) { map(accel, lamp.position, range_m) } else { Vec::new() };
         Self { maps: lamps.par_iter().map(map).collect() }
     }
 
@@ -100,7 +100,7 @@ mod tests {
         ];
         let blas = Arc::new(Blas::build(&plate, &[[0, 1, 2], [0, 2, 3]]));
         let accel = Accel::build(vec![(blas, Affine3A::IDENTITY)]);
-        let lamp = LampLight { position: Vec3A::new(0.0, 0.0, 8.0), intensity: Vec3A::ONE };
+        let lamp = PointLamp { position: Vec3A::new(0.0, 0.0, 8.0), intensity: Vec3A::ONE };
         let maps = LampMaps::bake(&accel, &[lamp], Vec2::splat(-5.0), Vec2::splat(5.0), 32.0);
         let lit = |p: Vec3A| {
             let to = lamp.position - p;

@@ -12,14 +12,14 @@ const MOST: usize = 32;
 
 /// One street lamp.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct LampLight {
+pub(crate) struct PointLamp {
     /// Just below the lens.
     pub(crate) position: Vec3A,
     /// Luminous intensity straight down, kcd a channel.
     pub(crate) intensity: Vec3A,
 }
 
-impl LampLight {
+impl PointLamp {
     /// Illuminance of a surface facing the lamp, klx a channel: inverse square, batwing distribution with a cut-off
     /// towards the horizon, faded out at the end of its range.
     #[inline]
@@ -43,7 +43,7 @@ impl LampLight {
 /// All lamps of a scene.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lamps {
-    lights: Vec<LampLight>,
+    lights: Vec<PointLamp>,
     low: Vec2,
     columns: usize,
     rows: usize,
@@ -54,15 +54,15 @@ pub(crate) struct Lamps {
 impl Lamps {
     /// Indexes lamps.
     pub(crate) fn new(lamps: &[StreetLamp]) -> Self {
-        let lights: Vec<LampLight> = lamps
+        let lights: Vec<PointLamp> = lamps
             .iter()
-            .map(|l| LampLight {
+            .map(|l| PointLamp {
                 position: Vec3A::from(l.position) - Vec3A::Z * 0.12,
                 intensity: Vec3A::from_array(l.color) * (l.intensity_cd * 1e-3),
             })
             .collect();
         let Some(first) = lights.first() else { return Self::default() };
-        let flat = |l: &LampLight| Vec2::new(l.position.x, l.position.y);
+        let flat = |l: &PointLamp| Vec2::new(l.position.x, l.position.y);
         let (low, high) = lights.iter().fold((flat(first), flat(first)), |(a, b), l| (a.min(flat(l)), b.max(flat(l))));
         let (low, high) = (low - RANGE_M, high + RANGE_M);
         let size = ((high - low) / CELL_M).ceil();
@@ -92,7 +92,7 @@ impl Lamps {
     }
 
     /// Lamps that may reach a point; the position in this list is the lamp's bit in masks of that point.
-    pub(crate) fn near(&self, point: Vec3A) -> impl Iterator<Item = &LampLight> {
+    pub(crate) fn near(&self, point: Vec3A) -> impl Iterator<Item = &PointLamp> {
         self.indices_near(point).iter().map(|&i| &self.lights[usize::from(i)])
     }
 
@@ -105,7 +105,7 @@ impl Lamps {
     }
 
     /// All of them.
-    pub(crate) fn all(&self) -> &[LampLight] {
+    pub(crate) fn all(&self) -> &[PointLamp] {
         &self.lights
     }
 

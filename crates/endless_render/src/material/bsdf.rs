@@ -1,10 +1,60 @@
 //! Reflection: Lambert and GGX (Walter et al. 2007) under a Fresnel coat (Schlick 1994).
 
-use super::Look;
 use glam::Vec3A;
 use std::f32::consts::{FRAC_1_PI, PI};
 
-impl Look {
+/// A diffuse and rough specular base under an optional smooth coat (lacquer, glass, water).
+#[derive(Debug, Clone)]
+pub(crate) struct Bsdf {
+    /// Diffuse albedo of the base, linear.
+    pub(crate) albedo: Vec3A,
+    /// Shading normal of the base.
+    pub(crate) normal: Vec3A,
+    /// GGX roughness (perceptual; α = roughness²) of the base.
+    pub(crate) roughness: f32,
+    /// Reflectance at normal incidence of the base's specular lobe.
+    pub(crate) specular: f32,
+    /// Share of the surface that the coat covers.
+    pub(crate) coat: f32,
+    /// The coat's reflectance at normal incidence; coloured for metals.
+    pub(crate) coat_f0: Vec3A,
+    /// The coat's normal.
+    pub(crate) coat_normal: Vec3A,
+    /// GGX roughness of the coat for highlights of small lights; its reflections are mirror-like.
+    pub(crate) coat_roughness: f32,
+    /// Share of light that passes through (leaves).
+    pub(crate) translucency: f32,
+    /// Emitted radiance, kcd/m².
+    pub(crate) emission: Vec3A,
+}
+
+impl Bsdf {
+    /// A plain rough surface.
+    pub(crate) fn matte(albedo: Vec3A, normal: Vec3A) -> Self {
+        Self {
+            albedo,
+            normal,
+            roughness: 0.85,
+            specular: 0.03,
+            coat: 0.0,
+            coat_f0: Vec3A::splat(0.04),
+            coat_normal: normal,
+            coat_roughness: 0.1,
+            translucency: 0.0,
+            emission: Vec3A::ZERO,
+        }
+    }
+
+    /// The same with a smooth coat.
+    pub(crate) fn coated(mut self, share: f32, f0: f32, roughness: f32) -> Self {
+        self.coat = share;
+        self.coat_f0 = Vec3A::splat(f0);
+        self.coat_roughness = roughness;
+        self
+    }
+}
+
+impl Bsdf {
     /// Share of light that the coat reflects towards the viewer; `view` points to the viewer.
     pub(crate) fn coat_reflectance(&self, view: Vec3A) -> Vec3A {
         if self.coat <= 0.0 {
@@ -103,13 +153,13 @@ mod tests {
     use proptest::prelude::*;
 
     /// Reflected share of a unit light from all directions, by quadrature.
-    fn albedo(look: &Look, view: Vec3A) -> f32 {
+    fn albedo(bsdf: &Bsdf, view: Vec3A) -> f32 {
         let n = 20_000;
         let mut sum = 0.0;
         for i in 0..n {
             let light = sphere_direction(hammersley(i, n));
             if light.z > 0.0 {
-                sum += look.lit_by(Vec3A::ONE, light, view).y;
+                sum += bsdf.lit_by(Vec3A::ONE, light, view).y;
             }
         }
         sum * 4.0 * PI / n as f32
@@ -117,22 +167,22 @@ mod tests {
 
     #[test]
     fn a_white_matte_surface_returns_what_it_gets() {
-        let mut look = Look::matte(Vec3A::ONE, Vec3A::Z);
-        look.specular = 0.0;
+        let mut bsdf = Bsdf::matte(Vec3A::ONE, Vec3A::Z);
+        bsdf.specular = 0.0;
         let view = Vec3A::new(0.3, 0.0, 0.95).normalize();
-        assert!((albedo(&look, view) - 1.0).abs() < 0.01);
+        assert!((albedo(&bsdf, view) - 1.0).abs() < 0.01);
     }
 
     #[test]
     fn rough_ground_does_not_shine_under_a_low_sun() {
-        let mut asphalt = Look::matte(Vec3A::splat(0.08), Vec3A::Z);
+        let mut asphalt = Bsdf::matte(Vec3A::splat(0.08), Vec3A::Z);
         asphalt.roughness = 0.84;
         asphalt.specular = 0.022;
         // Towards a sun 8 degrees high, seen at 8 degrees: where a smooth road would blind.
         let (sin, cos) = endless_world::math::sin_cos(8f32.to_radians());
         let (light, view) = (Vec3A::new(cos, 0.0, sin), Vec3A::new(-cos, 0.0, sin));
         let matte = 0.08 * FRAC_1_PI * sin;
-        let shine = |look: &Look| look.lit_by(Vec3A::ONE, light, view).y / matte;
+        let shine = |bsdf: &Bsdf| bsdf.lit_by(Vec3A::ONE, light, view).y / matte;
         let rough = shine(&asphalt);
         assert!((1.0..4.0).contains(&rough), "{rough}");
         asphalt.roughness = 0.4;
@@ -144,14 +194,14 @@ mod tests {
         fn light_and_viewer_may_change_places(
             roughness in 0.1f32..1.0, specular in 0.0f32..0.08, a in 0.1f32..1.5, b in 0.1f32..1.5, turn in 0.0f32..6.0,
         ) {
-            let mut look = Look::matte(Vec3A::splat(0.3), Vec3A::Z);
-            look.roughness = roughness;
-            look.specular = specular;
+            let mut bsdf = Bsdf::matte(Vec3A::splat(0.3), Vec3A::Z);
+            bsdf.roughness = roughness;
+            bsdf.specular = specular;
             let (sin_turn, cos_turn) = endless_world::math::sin_cos(turn);
             let ((sin_a, cos_a), (sin_b, cos_b)) = (endless_world::math::sin_cos(a), endless_world::math::sin_cos(b));
             let (light, view) = (Vec3A::new(cos_a, 0.0, sin_a), Vec3A::new(cos_b * cos_turn, cos_b * sin_turn, sin_b));
-            let forth = look.lit_by(Vec3A::ONE, light, view).y / sin_a;
-            let back = look.lit_by(Vec3A::ONE, view, light).y / sin_b;
+            let forth = bsdf.lit_by(Vec3A::ONE, light, view).y / sin_a;
+            let back = bsdf.lit_by(Vec3A::ONE, view, light).y / sin_b;
             prop_assert!((forth - back).abs() < 1e-3 * forth.max(back).max(1.0));
         }
 
@@ -159,11 +209,11 @@ mod tests {
         fn no_surface_gives_more_than_it_gets(
             roughness in 0.3f32..1.0, specular in 0.0f32..0.08, coat in 0.0f32..1.0, elevation in 0.15f32..1.5, grey in 0.0f32..0.85,
         ) {
-            let mut look = Look::matte(Vec3A::splat(grey), Vec3A::Z).coated(coat, 0.04, 0.4);
-            look.roughness = roughness;
-            look.specular = specular;
+            let mut bsdf = Bsdf::matte(Vec3A::splat(grey), Vec3A::Z).coated(coat, 0.04, 0.4);
+            bsdf.roughness = roughness;
+            bsdf.specular = specular;
             let view = Vec3A::new(endless_world::math::cos(elevation), 0.0, endless_world::math::sin(elevation));
-            prop_assert!(albedo(&look, view) <= 1.02);
+            prop_assert!(albedo(&bsdf, view) <= 1.02);
         }
     }
 }

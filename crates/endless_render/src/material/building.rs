@@ -1,12 +1,12 @@
 //! Walls and roofs; uv is in metres along and up.
 
-use super::{Look, noise};
-use crate::scene::SurfacePoint;
+use super::{Bsdf, noise};
+use crate::scene::SurfaceInteraction;
 use endless_world::math::smoothstep;
 use glam::{Vec2, Vec3A};
 
 /// Dirt that rain leaves on a wall: streaks downwards, a splash zone at the foot.
-fn weathering(point: &SurfacePoint<'_>, footprint: f32) -> f32 {
+fn weathering(point: &SurfaceInteraction<'_>, footprint: f32) -> f32 {
     let p = point.position;
     let along = p.x * point.geometric_normal.y.abs() + p.y * point.geometric_normal.x.abs();
     let streaks = noise::filtered_fbm2(Vec2::new(along, p.z * 0.12), 0.6, 4, footprint);
@@ -27,28 +27,28 @@ fn bond(uv: Vec2, size: Vec2) -> (f32, glam::IVec2) {
     (local.min(size - local).min_element(), cell.as_ivec2())
 }
 
-pub(super) fn brick(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn brick(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let (edge, cell) = bond(point.uv, Vec2::new(0.25, 0.075));
     let seen = (0.05 / footprint.max(1e-3)).min(1.0);
     let each = Vec3A::ONE.lerp(noise::tint(cell, 61, 0.28), seen);
     let mortar = (1.0 - smoothstep(0.005, 0.005 + footprint.max(0.004), edge)) * seen + 0.16 * (1.0 - seen);
     let body = base * each * weathering(point, footprint);
-    Look::matte(body.lerp(Vec3A::new(0.42, 0.40, 0.37), mortar * 0.8), point.normal)
+    Bsdf::matte(body.lerp(Vec3A::new(0.42, 0.40, 0.37), mortar * 0.8), point.normal)
 }
 
-pub(super) fn plaster(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn plaster(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let fine = 0.94 + 0.08 * noise::filtered_fbm2(point.uv, 0.12, 3, footprint);
-    Look::matte(base * (fine * weathering(point, footprint)), point.normal)
+    Bsdf::matte(base * (fine * weathering(point, footprint)), point.normal)
 }
 
-pub(super) fn stone(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn stone(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let (edge, cell) = bond(point.uv, Vec2::new(0.8, 0.4));
     let joint = 1.0 - smoothstep(0.008, 0.008 + footprint.max(0.006), edge);
     let each = noise::tint(cell, 62, 0.12);
-    Look::matte(base * each * (weathering(point, footprint) * (1.0 - 0.4 * joint)), point.normal)
+    Bsdf::matte(base * each * (weathering(point, footprint) * (1.0 - 0.4 * joint)), point.normal)
 }
 
-pub(super) fn cladding(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn cladding(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let (edge, cell) = {
         let size = Vec2::new(1.2, 0.9);
         let cell = noise::corner_of(point.uv / size);
@@ -57,13 +57,13 @@ pub(super) fn cladding(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) ->
     };
     let seam = 1.0 - smoothstep(0.006, 0.006 + footprint.max(0.006), edge);
     let each = 1.0 + (noise::cell2(cell, 63) - 0.5) * 0.08;
-    let mut look = Look::matte(base * (each * weathering(point, footprint) * (1.0 - 0.5 * seam)), point.normal);
-    look.roughness = 0.4;
-    look.specular = 0.045;
-    look
+    let mut bsdf = Bsdf::matte(base * (each * weathering(point, footprint) * (1.0 - 0.5 * seam)), point.normal);
+    bsdf.roughness = 0.4;
+    bsdf.specular = 0.045;
+    bsdf
 }
 
-pub(super) fn roof_tile(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn roof_tile(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let size = Vec2::new(0.24, 0.32);
     let cell = noise::corner_of(point.uv / size);
     let local = point.uv / size - cell;
@@ -72,21 +72,21 @@ pub(super) fn roof_tile(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -
     let each = noise::tint(cell.as_ivec2(), 64, 0.18 * seen);
     let moss = smoothstep(0.25, 0.6, noise::filtered_fbm2(point.uv, 2.2, 4, footprint));
     let color = (base * each).lerp(Vec3A::new(0.12, 0.13, 0.08), moss * 0.5);
-    Look::matte(color * (shade + 0.1), point.normal)
+    Bsdf::matte(color * (shade + 0.1), point.normal)
 }
 
-pub(super) fn flat_roof(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn flat_roof(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = Vec2::new(point.position.x, point.position.y);
     let tone = 0.95 + 0.42 * noise::filtered_fbm2(p, 4.0, 5, footprint);
-    Look::matte(base * tone, point.normal)
+    Bsdf::matte(base * tone, point.normal)
 }
 
-pub(super) fn wood(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn wood(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let board = (point.uv.x / 0.14).floor();
     let local = point.uv.x / 0.14 - board;
     let seen = (0.05 / footprint.max(1e-3)).min(1.0);
     let gap = seen * (1.0 - smoothstep(0.0, 0.08, local.min(1.0 - local)));
     let each = noise::tint(glam::IVec2::new(board as i32, 0), 65, 0.2 * seen);
     let grain = 1.0 + 0.25 * noise::filtered_fbm2(point.uv * Vec2::new(1.0, 0.07), 0.06, 3, footprint);
-    Look::matte(base * each * (grain * (1.0 - 0.6 * gap)), point.normal)
+    Bsdf::matte(base * each * (grain * (1.0 - 0.6 * gap)), point.normal)
 }

@@ -3,7 +3,7 @@
 //! size (after van Dongen's interior mapping, 2008).
 
 use super::noise;
-use crate::scene::SurfacePoint;
+use crate::scene::SurfaceInteraction;
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3A};
 
@@ -39,7 +39,7 @@ struct Cabin {
 }
 
 /// What a pane shows.
-pub(super) struct Inside {
+pub(super) struct CabinView {
     /// Albedo that the pane seems to have.
     pub(super) albedo: Vec3A,
     /// How bright the lamps under the roof make it when they are on, of a lamp's own brightness.
@@ -105,7 +105,7 @@ impl Cabin {
 }
 
 /// What is behind a glass that lets a share of the light `through`; `None` where there is no cabin.
-pub(super) fn behind(point: &SurfacePoint<'_>, through: f32) -> Option<Inside> {
+pub(super) fn behind(point: &SurfaceInteraction<'_>, through: f32) -> Option<CabinView> {
     let instance = point.instance;
     let (low, high) = instance.geometry.posed.blas.bounds();
     let turn = instance.world_from_object.matrix3.transpose();
@@ -116,11 +116,11 @@ pub(super) fn behind(point: &SurfacePoint<'_>, through: f32) -> Option<Inside> {
     let met = cabin.trace(point.object_position, direction, key, instance.object != u16::MAX);
     // What is outside across is not lit by the cabin's lamps; the lamps themselves are.
     let lit = if met.lamp { Vec3A::ONE } else { met.color * LAMPS };
-    Some(Inside { albedo: met.color * through, lit: if met.outside { Vec3A::ZERO } else { lit * through } })
+    Some(CabinView { albedo: met.color * through, lit: if met.outside { Vec3A::ZERO } else { lit * through } })
 }
 
 /// The nearest thing met so far.
-struct Nearest {
+struct CabinHit {
     t: f32,
     color: Vec3A,
     /// Whether it is a lamp under the roof.
@@ -129,7 +129,7 @@ struct Nearest {
     outside: bool,
 }
 
-impl Nearest {
+impl CabinHit {
     fn offer(&mut self, t: f32, color: Vec3A) {
         if t > 0.02 && t < self.t {
             *self = Self { t, color, lamp: false, outside: false };
@@ -138,7 +138,7 @@ impl Nearest {
 }
 
 impl Cabin {
-    fn trace(&self, origin: Vec3A, direction: Vec3A, key: u32, driven: bool) -> Nearest {
+    fn trace(&self, origin: Vec3A, direction: Vec3A, key: u32, driven: bool) -> CabinHit {
         let mut nearest = self.shell(origin, direction);
         let fabric = self.fabric(key);
         let seats: &[f32] = if self.half_width > 1.0 { &[0.82, 0.36, -0.36, -0.82] } else { &[0.42, -0.42] };
@@ -181,13 +181,13 @@ impl Cabin {
     }
 
     /// The room itself: lining, doors, dashboard, floor, and the windows across.
-    fn shell(&self, origin: Vec3A, direction: Vec3A) -> Nearest {
+    fn shell(&self, origin: Vec3A, direction: Vec3A) -> CabinHit {
         let outside = Vec3A::new(0.23, 0.25, 0.27);
         let dark = Vec3A::splat(0.025);
-        let mut nearest = Nearest { t: 40.0, color: dark, lamp: false, outside: false };
+        let mut nearest = CabinHit { t: 40.0, color: dark, lamp: false, outside: false };
         let to = |plane: f32, o: f32, d: f32| if d.abs() < 1e-4 { -1.0 } else { (plane - o) / d };
         let height = |t: f32| origin.z + direction.z * t;
-        let walls = |nearest: &mut Nearest, t: f32| {
+        let walls = |nearest: &mut CabinHit, t: f32| {
             let open = height(t) > self.sill;
             nearest.offer(t, if open { outside } else { dark * 1.4 });
             nearest.outside |= nearest.t == t && open;
@@ -222,7 +222,7 @@ impl Cabin {
 
 /// An empty seat: a cushion, a back with rounded corners and darker bolsters, a headrest. `at` is the foot of the back,
 /// as high as the cushion.
-fn seat(nearest: &mut Nearest, origin: Vec3A, direction: Vec3A, at: Vec3A, fabric: Vec3A) {
+fn seat(nearest: &mut CabinHit, origin: Vec3A, direction: Vec3A, at: Vec3A, fabric: Vec3A) {
     let fabric = fabric * INDOORS;
     let half = Vec3A::new(0.05, SEAT_HALF_M, 0.41);
     let back = at + Vec3A::new(-0.02, 0.0, 0.21);
@@ -249,7 +249,7 @@ fn seat(nearest: &mut Nearest, origin: Vec3A, direction: Vec3A, at: Vec3A, fabri
 }
 
 /// A yellow pole from floor to roof.
-fn pole(nearest: &mut Nearest, origin: Vec3A, direction: Vec3A, at: Vec2) {
+fn pole(nearest: &mut CabinHit, origin: Vec3A, direction: Vec3A, at: Vec2) {
     const RADIUS_M: f32 = 0.018;
     let (from, way) = (at - Vec2::new(origin.x, origin.y), Vec2::new(direction.x, direction.y));
     let t = from.dot(way) / way.length_squared().max(1e-6);
@@ -267,7 +267,7 @@ fn slab(origin: Vec3A, direction: Vec3A, centre: Vec3A, half: Vec3A) -> Option<(
 }
 
 /// Somebody on a seat: a head with hair, shoulders, a chest.
-fn sitting(nearest: &mut Nearest, origin: Vec3A, direction: Vec3A, cushion: Vec3A, key: u32) {
+fn sitting(nearest: &mut CabinHit, origin: Vec3A, direction: Vec3A, cushion: Vec3A, key: u32) {
     let clothes = noise::cell1(key, 61);
     let hue = noise::cell1(key, 62);
     let cloth = Vec3A::new(0.5 - 0.35 * hue, 0.42 - 0.2 * (hue - 0.5).abs(), 0.2 + 0.35 * hue)

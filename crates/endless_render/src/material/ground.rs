@@ -1,12 +1,12 @@
 //! Ground: asphalt, paint on it, slabs, kerbs, concrete, lawn, earth.
 
-use super::{Look, noise};
-use crate::scene::SurfacePoint;
+use super::{Bsdf, noise};
+use crate::scene::SurfaceInteraction;
 use endless_world::ClassTag;
 use endless_world::math::smoothstep;
 use glam::{IVec2, Vec2, Vec3A};
 
-fn plan(point: &SurfacePoint<'_>) -> Vec2 {
+fn plan(point: &SurfaceInteraction<'_>) -> Vec2 {
     Vec2::new(point.position.x, point.position.y)
 }
 
@@ -91,27 +91,27 @@ fn bumped(normal: Vec3A, p: Vec2, wavelength: f32, strength: f32, footprint: f32
     (normal + Vec3A::new(noise::value2(q, 21), noise::value2(q, 22), 0.0) * keep).normalize()
 }
 
-pub(super) fn asphalt(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn asphalt(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = plan(point);
     let tone = asphalt_tone(p, point.uv, footprint);
-    let mut look = Look::matte(base * tone, bumped(point.normal, p, 0.03, 0.10, footprint));
-    look.roughness = 0.84;
-    look.specular = 0.022;
-    look
+    let mut bsdf = Bsdf::matte(base * tone, bumped(point.normal, p, 0.03, 0.10, footprint));
+    bsdf.roughness = 0.84;
+    bsdf.specular = 0.022;
+    bsdf
 }
 
-pub(super) fn road_paint(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn road_paint(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = plan(point);
     let tone = asphalt_tone(p, Vec2::new(0.0, 9.0), footprint);
     let wear = noise::filtered_fbm2(p, 0.7, 5, footprint) + 0.25 * noise::value2(p * 0.2, 33);
     let gone = smoothstep(0.18, 0.42, wear) * 0.75;
     let dirty = base * (0.86 + 0.14 * tone) * (1.0 - 0.12 * noise::value2(p * 0.9, 35).max(0.0));
-    let mut look = Look::matte(dirty.lerp(Vec3A::splat(0.125) * tone, gone), point.normal);
-    look.roughness = 0.7;
-    look
+    let mut bsdf = Bsdf::matte(dirty.lerp(Vec3A::splat(0.125) * tone, gone), point.normal);
+    bsdf.roughness = 0.7;
+    bsdf
 }
 
-pub(super) fn paving(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn paving(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = plan(point);
     const SLAB: Vec2 = Vec2::new(0.6, 0.4);
     // Half-bond: every other row shifted by half a slab.
@@ -129,11 +129,11 @@ pub(super) fn paving(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> L
         let (first, _, id) = noise::cells2(p / 0.8, 43);
         if id < 0.25 && footprint < 0.05 { 0.35 * (1.0 - smoothstep(0.02, 0.035, first * 0.8)) } else { 0.0 }
     };
-    Look::matte(base * (slab * stain * (1.0 - 0.5 * joint) * (1.0 - gum)), point.normal)
+    Bsdf::matte(base * (slab * stain * (1.0 - 0.5 * joint) * (1.0 - gum)), point.normal)
 }
 
 /// Setts of a hand's width, worn round, with dark joints.
-pub(super) fn cobbles(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn cobbles(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     const SETT_M: f32 = 0.13;
     let p = plan(point);
     let (first, second, id) = noise::cells2(p / SETT_M, 53);
@@ -143,16 +143,16 @@ pub(super) fn cobbles(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> 
     let stone = 0.92 + (id - 0.5) * 0.5 * visible;
     let broad =
         1.0 + 0.22 * noise::filtered_fbm2(p, 6.0, 4, footprint) + 0.16 * noise::filtered_fbm2(p, 1.1, 3, footprint);
-    Look::matte(base * (stone * broad * (1.0 - 0.55 * joint)), point.normal)
+    Bsdf::matte(base * (stone * broad * (1.0 - 0.55 * joint)), point.normal)
 }
 
-pub(super) fn kerb(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn kerb(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = plan(point);
     let along = p.x * point.normal.y.abs().max(0.3) + p.y * point.normal.x.abs().max(0.3);
     let joint = line((along - (along + 0.5).floor()).abs(), 0.015, footprint);
     let grime = 0.82 + 0.36 * noise::filtered_fbm2(p, 1.3, 5, footprint);
     let splash = 0.62 + 0.38 * smoothstep(0.0, 0.14, point.position.z);
-    Look::matte(base * (grime * splash * (1.0 - 0.45 * joint)), point.normal)
+    Bsdf::matte(base * (grime * splash * (1.0 - 0.45 * joint)), point.normal)
 }
 
 /// Brightness of a yard at a place, around 1, and the share of moss: concrete cast in bays, some of them broken up and
@@ -184,23 +184,23 @@ fn yard_tone(p: Vec2, footprint: f32) -> (f32, f32) {
     (tone, line(edge, 0.05, footprint) * overgrown)
 }
 
-pub(super) fn concrete(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn concrete(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     if point.material.tag == ClassTag::Ground && point.geometric_normal.z > 0.9 {
         let p = plan(point);
         let (bays, moss) = yard_tone(p, footprint);
         let stain = smoothstep(0.25, 0.6, noise::filtered_fbm2(p + 57.0, 1.9, 4, footprint));
         let tone = 0.92 + 0.20 * noise::filtered_fbm2(p, 2.7, 6, footprint) - 0.12 * stain;
         let color = (base * (tone * bays)).lerp(Vec3A::new(0.055, 0.075, 0.03), 0.7 * moss);
-        return Look::matte(color, point.normal);
+        return Bsdf::matte(color, point.normal);
     }
     let p = plan(point) + point.position.z * Vec2::new(0.37, 0.91);
     let broad = noise::filtered_fbm2(p + 11.0, 9.0, 3, footprint);
     let stain = smoothstep(0.25, 0.6, noise::filtered_fbm2(p + 57.0, 1.9, 4, footprint));
     let tone = 0.86 + 0.26 * noise::filtered_fbm2(p, 2.7, 6, footprint) + 0.18 * broad - 0.16 * stain;
-    Look::matte(base * tone, point.normal)
+    Bsdf::matte(base * tone, point.normal)
 }
 
-pub(super) fn grass(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn grass(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = plan(point);
     let broad = noise::filtered_fbm2(p, 7.0, 4, footprint);
     let tuft = noise::filtered_fbm2(p, 0.35, 2, footprint);
@@ -212,16 +212,16 @@ pub(super) fn grass(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Lo
     let straw = Vec3A::new(0.20, 0.17, 0.085) * (1.0 + 0.4 * blades + 0.3 * tuft);
     let earth = Vec3A::new(0.115, 0.09, 0.065) * (1.0 + 0.5 * tuft);
     let color = green.lerp(straw, dry * 0.6).lerp(earth, worn * 0.6);
-    let mut look = Look::matte(color, bumped(point.normal, p, 0.10, 0.8, footprint));
-    look.roughness = 0.8;
-    look
+    let mut bsdf = Bsdf::matte(color, bumped(point.normal, p, 0.10, 0.8, footprint));
+    bsdf.roughness = 0.8;
+    bsdf
 }
 
-pub(super) fn loose(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn loose(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = plan(point);
     let tone = 1.0 + 0.35 * noise::filtered_fbm2(p, 2.0, 7, footprint);
     let (_, _, id) = noise::cells2(p / 0.035, 51);
     let pebble = 1.0 + (id - 0.5) * 0.5 * (0.03 / footprint.max(1e-3)).min(1.0);
     let tint = noise::tint(IVec2::new((p.x / 3.0) as i32, 0), 52, 0.02);
-    Look::matte(base * tint * (tone * pebble), bumped(point.normal, p, 0.06, 0.4, footprint))
+    Bsdf::matte(base * tint * (tone * pebble), bumped(point.normal, p, 0.06, 0.4, footprint))
 }

@@ -2,15 +2,16 @@
 //! aliases, and the reflection model that lights it.
 
 mod bsdf;
+mod bsdf8;
 mod building;
 mod cabin;
+mod evaluate;
 mod ground;
-mod look;
-mod look8;
 pub(crate) mod noise;
-mod thing;
+mod object;
 mod wet;
 mod window;
 
-pub(crate) use look::{Look, look};
-pub(crate) use look8::Look8;
+pub(crate) use bsdf::Bsdf;
+pub(crate) use bsdf8::Bsdf8;
+pub(crate) use evaluate::evaluate_bsdf;

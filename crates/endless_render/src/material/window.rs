@@ -1,8 +1,8 @@
 //! Windows with a room behind them. uv: the integer part names the window, the fraction is the place in it.
 
-use super::{Look, noise};
+use super::{Bsdf, noise};
 use crate::light::Environment;
-use crate::scene::SurfacePoint;
+use crate::scene::SurfaceInteraction;
 use endless_world::math::{lerp, smoothstep};
 use glam::{IVec2, Vec2, Vec3A};
 
@@ -14,7 +14,7 @@ const LAMP_COLORS: [Vec3A; 4] = [
     Vec3A::new(0.70, 0.80, 1.0),
 ];
 
-pub(super) fn window(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment, shop: bool) -> Look {
+pub(super) fn window(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment, shop: bool) -> Bsdf {
     let name = noise::corner_of(point.uv).as_ivec2();
     let place = point.uv - noise::corner_of(point.uv);
     // Windows of different walls may share a name: tell them apart by where the wall stands.
@@ -77,11 +77,11 @@ pub(super) fn window(point: &SurfacePoint<'_>, base: Vec3A, environment: &Enviro
     }
     // By day a room gets only what its window lets in.
     let by_day = (room * 0.10).lerp(cloth * 0.55, curtain);
-    let mut look = Look::matte(by_day * base.max(Vec3A::splat(0.5)), point.normal).coated(1.0, 0.07, 0.06);
-    look.specular = 0.0;
-    look.emission = emission;
+    let mut bsdf = Bsdf::matte(by_day * base.max(Vec3A::splat(0.5)), point.normal).coated(1.0, 0.07, 0.06);
+    bsdf.specular = 0.0;
+    bsdf.emission = emission;
     // Panes are never quite flat: reflections break from one to the next.
     let tilt = Vec2::new(random(9), random(10)) - 0.5;
-    look.coat_normal = (point.normal + side * (tilt.x * 0.012) + Vec3A::Z * (tilt.y * 0.012)).normalize();
-    look
+    bsdf.coat_normal = (point.normal + side * (tilt.x * 0.012) + Vec3A::Z * (tilt.y * 0.012)).normalize();
+    bsdf
 }

@@ -1,7 +1,7 @@
 //! Meshes that take another form in every frame, such as people.
 
 use super::{Geometry, deformation::Deformation, posed_mesh::PosedMesh};
-use crate::accel::Use;
+use crate::accel::GeometryUse;
 use endless_scene::Mesh;
 use glam::Vec3;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -16,12 +16,12 @@ pub struct DeformableMesh {
 impl DeformableMesh {
     /// Of a mesh in its rest pose.
     pub fn new(rest: impl Into<Arc<Mesh>>) -> Self {
-        Self { rest: Geometry::for_use(rest.into(), Use::Deforming), posed: Mutex::default() }
+        Self { rest: Geometry::for_use(rest.into(), GeometryUse::Deforming), posed: Mutex::default() }
     }
 
     /// With ambient occlusion as it is in some typical form, for all forms; see [`Geometry::with_ambient_occlusion`].
     #[must_use]
-    pub fn with_ambient_occlusion(self, typical: Arc<dyn Deformation>, low: Vec3, high: Vec3) -> Self {
+    pub fn with_ambient_occlusion(self, typical: &Arc<dyn Deformation>, low: Vec3, high: Vec3) -> Self {
         if self.rest.is_empty() {
             return self;
         }
@@ -30,12 +30,12 @@ impl DeformableMesh {
     }
 
     /// The mesh as it stands.
-    pub fn deformed(&self, deformation: Arc<dyn Deformation>) -> Geometry {
+    pub fn deformed(&self, deformation: &Arc<dyn Deformation>) -> Geometry {
         if self.rest.is_empty() {
             return self.rest.clone();
         }
         let mut posed = self.spare().unwrap_or_else(|| self.rest.posed.as_ref().clone());
-        posed.deform(&self.rest.mesh, &deformation);
+        posed.deform(&self.rest.mesh, deformation);
         let posed = Arc::new(posed);
         self.posed.lock().unwrap_or_else(PoisonError::into_inner).push(Arc::clone(&posed));
         Geometry { posed, ..self.rest.clone() }

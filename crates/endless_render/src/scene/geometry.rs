@@ -2,7 +2,7 @@
 
 use super::ambient_occlusion::ambient_occlusion;
 use super::posed_mesh::PosedMesh;
-use crate::accel::Use;
+use crate::accel::GeometryUse;
 use endless_scene::Mesh;
 use glam::Vec3;
 use std::sync::Arc;
@@ -22,15 +22,15 @@ pub struct Geometry {
 impl Geometry {
     /// Of what stands still and meets many rays: its hierarchy is worth some work.
     pub fn new(mesh: impl Into<Arc<Mesh>>) -> Self {
-        Self::for_use(mesh.into(), Use::Still)
+        Self::for_use(mesh.into(), GeometryUse::Still)
     }
 
     /// Of what moves as it is, such as vehicles: its hierarchy is soon made.
     pub fn rigid(mesh: impl Into<Arc<Mesh>>) -> Self {
-        Self::for_use(mesh.into(), Use::Rigid)
+        Self::for_use(mesh.into(), GeometryUse::Rigid)
     }
 
-    pub(super) fn for_use(mesh: Arc<Mesh>, purpose: Use) -> Self {
+    pub(super) fn for_use(mesh: Arc<Mesh>, purpose: GeometryUse) -> Self {
         let posed = Arc::new(PosedMesh::new(Arc::clone(&mesh), purpose));
         Self { mesh, ambient_occlusion: Arc::default(), posed }
     }

@@ -9,7 +9,7 @@ mod instance;
 mod moving_object;
 mod posed_mesh;
 mod static_scene;
-mod surface_point;
+mod surface_interaction;
 mod velocity;
 
 pub use deformable_mesh::DeformableMesh;
@@ -20,5 +20,5 @@ pub use instance::Instance;
 pub(crate) use moving_object::MovingVolume;
 pub use moving_object::{Footprint, MovingObject};
 pub use static_scene::StaticScene;
-pub(crate) use surface_point::{Facet, SurfacePoint};
+pub(crate) use surface_interaction::{Facet, SurfaceInteraction};
 pub use velocity::RigidVelocity;

@@ -1,7 +1,7 @@
 //! The vertices of a mesh where they are at an instant, and the hierarchy over its triangles.
 
 use super::deformation::Deformation;
-use crate::accel::{Blas, Use};
+use crate::accel::{Blas, GeometryUse};
 use endless_scene::Mesh;
 use glam::{Vec3, Vec3A};
 use std::sync::Arc;
@@ -25,7 +25,7 @@ enum VertexSource {
 }
 
 impl PosedMesh {
-    pub(super) fn new(mesh: Arc<Mesh>, purpose: Use) -> Self {
+    pub(super) fn new(mesh: Arc<Mesh>, purpose: GeometryUse) -> Self {
         let blas = Arc::new(Blas::build_for(purpose, &mesh.positions, &mesh.triangles));
         let bounds = close_bounds(&blas);
         Self { vertices: VertexSource::AsMade(mesh), blas, bounds }

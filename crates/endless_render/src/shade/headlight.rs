@@ -2,19 +2,24 @@
 
 use super::Tracer;
 use crate::accel::Ray;
-use crate::material::Look;
-use crate::scene::{FrameScene, SurfacePoint};
+use crate::material::Bsdf;
+use crate::scene::{FrameScene, SurfaceInteraction};
 use glam::Vec3A;
 
 /// Light of all vehicle lamps that reach a point, without fog.
-pub(super) fn beam_light(tracer: &Tracer<'_>, moving: &FrameScene, point: &SurfacePoint<'_>, look: &Look) -> Vec3A {
+pub(super) fn beam_light(
+    tracer: &Tracer<'_>,
+    moving: &FrameScene,
+    point: &SurfaceInteraction<'_>,
+    bsdf: &Bsdf,
+) -> Vec3A {
     let origin = point.ray_origin();
     let lit = |&beam: &u16| {
         let beam = &moving.beams[usize::from(beam)];
         let (illuminance, direction) = beam.illuminance_at(point.position);
         let faces = point.geometric_normal.dot(direction) > 0.0 && illuminance.max_element() > 0.0;
         let free = faces && !tracer.occluded(&beam.shadow_ray(origin));
-        free.then(|| look.lit_by(illuminance, direction, -point.direction))
+        free.then(|| bsdf.lit_by(illuminance, direction, -point.direction))
     };
     moving.beams_on(point.instance).iter().filter_map(lit).sum()
 }
@@ -23,7 +28,7 @@ pub(super) fn beam_light(tracer: &Tracer<'_>, moving: &FrameScene, point: &Surfa
 pub(super) fn beam_light8(
     tracer: &Tracer<'_>,
     moving: &FrameScene,
-    points: &[Option<(&SurfacePoint<'_>, &Look)>; 8],
+    points: &[Option<(&SurfaceInteraction<'_>, &Bsdf)>; 8],
 ) -> [Vec3A; 8] {
     let mut sums = [Vec3A::ZERO; 8];
     let mut lists: [&[u16]; 8] = points.map(|p| p.map_or(&[][..], |(point, _)| moving.beams_on(point.instance)));
@@ -50,9 +55,9 @@ pub(super) fn beam_light8(
         let rays: [Ray; 8] = origins.map(|origin| beam.shadow_ray(origin));
         let free = asked & !tracer.occluded8(&rays, asked);
         for i in (0..8).filter(|i| free >> i & 1 == 1) {
-            if let Some((point, look)) = points[i] {
+            if let Some((point, bsdf)) = points[i] {
                 let (illuminance, direction) = arriving[i];
-                sums[i] += look.lit_by(illuminance, direction, -point.direction);
+                sums[i] += bsdf.lit_by(illuminance, direction, -point.direction);
             }
         }
     }

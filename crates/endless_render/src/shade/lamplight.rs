@@ -2,8 +2,8 @@
 
 use super::Tracer;
 use crate::accel::Ray;
-use crate::material::Look;
-use crate::scene::SurfacePoint;
+use crate::material::Bsdf;
+use crate::scene::SurfaceInteraction;
 use glam::Vec3A;
 
 /// Most lamps that a point tests.
@@ -11,7 +11,7 @@ const MOST: usize = 3;
 
 /// A lamp that may light a point.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct LampCandidate {
     strength: f32,
     lit: Vec3A,
     lamp: u16,
@@ -19,7 +19,7 @@ struct Candidate {
     direction: Vec3A,
 }
 
-impl Candidate {
+impl LampCandidate {
     const NONE: Self = Self { strength: 0.0, lit: Vec3A::ZERO, lamp: 0, direction: Vec3A::Z };
 
     fn is_some(&self) -> bool {
@@ -39,25 +39,26 @@ impl Candidate {
 }
 
 /// Light of the `count` strongest lamps.
-pub(super) fn lamp_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, count: usize) -> Vec3A {
+pub(super) fn lamp_light(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, bsdf: &Bsdf, count: usize) -> Vec3A {
     let origin = point.ray_origin();
-    let share = |candidate: &Candidate| {
+    let share = |candidate: &LampCandidate| {
         let ray = candidate.ray(tracer, origin);
         let share = candidate.mapped_share(tracer, &ray);
         let share = share.unwrap_or_else(|| f32::from(!tracer.still.accel.occluded(&ray)));
         if share > 0.0 && tracer.moving.is_some_and(|m| m.accel.occluded(&ray)) { 0.0 } else { share }
     };
-    strongest(tracer, point, look, count).iter().filter(|c| c.is_some()).map(|c| c.lit * share(c)).sum()
+    strongest(tracer, point, bsdf, count).iter().filter(|c| c.is_some()).map(|c| c.lit * share(c)).sum()
 }
 
 /// The same for up to eight points: rays to lamps of the same rank run side by side.
 pub(super) fn lamp_light8(
     tracer: &Tracer<'_>,
-    points: &[Option<(&SurfacePoint<'_>, &Look)>; 8],
+    points: &[Option<(&SurfaceInteraction<'_>, &Bsdf)>; 8],
     count: usize,
 ) -> [Vec3A; 8] {
     let mut sums = [Vec3A::ZERO; 8];
-    let best = points.map(|p| p.map_or([Candidate::NONE; MOST], |(point, look)| strongest(tracer, point, look, count)));
+    let best =
+        points.map(|p| p.map_or([LampCandidate::NONE; MOST], |(point, bsdf)| strongest(tracer, point, bsdf, count)));
     let origins = points.map(|p| p.map_or(Vec3A::ZERO, |(point, _)| point.ray_origin()));
     for rank in 0..count.min(MOST) {
         let rays: [Ray; 8] = std::array::from_fn(|i| best[i][rank].ray(tracer, origins[i]));
@@ -82,15 +83,15 @@ pub(super) fn lamp_light8(
 }
 
 /// The lamps whose light on a point is strongest, were nothing in its way, by insertion into a short list.
-fn strongest(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, count: usize) -> [Candidate; MOST] {
-    let mut best = [Candidate::NONE; MOST];
+fn strongest(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, bsdf: &Bsdf, count: usize) -> [LampCandidate; MOST] {
+    let mut best = [LampCandidate::NONE; MOST];
     let count = count.min(MOST);
     for &lamp in tracer.still.lamps.indices_near(point.position) {
         let (illuminance, direction) = tracer.still.lamps.all()[usize::from(lamp)].illuminance_at(point.position);
         if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
             continue;
         }
-        let lit = look.lit_by(illuminance, direction, -point.direction);
+        let lit = bsdf.lit_by(illuminance, direction, -point.direction);
         let strength = lit.max_element();
         if strength <= best[count - 1].strength {
             continue;
@@ -100,7 +101,7 @@ fn strongest(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, count: 
             best[at] = best[at - 1];
             at -= 1;
         }
-        best[at] = Candidate { strength, lit, lamp, direction };
+        best[at] = LampCandidate { strength, lit, lamp, direction };
     }
     best
 }

@@ -1,14 +1,16 @@
 //! Light from a point towards a viewer: for what moves, and for what is seen in mirrors and by indirect rays.
 
+mod halo;
 mod headlight;
 mod lamplight;
 mod moving;
 mod secondary;
 mod tracer;
 
-pub(crate) use moving::{Seen, footprint_m, shade_moving, shade_moving_together};
+pub(crate) use halo::halos;
+pub(crate) use moving::{MovingSample, footprint_m, shade_moving, shade_moving_together};
 pub(crate) use secondary::{
-    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_secondary, shade_secondary8, shade_struck,
-    shade_struck8,
+    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_hit, shade_hit8, shade_secondary,
+    shade_secondary8,
 };
-pub(crate) use tracer::{Struck, Tracer};
+pub(crate) use tracer::{SceneHit, Tracer};

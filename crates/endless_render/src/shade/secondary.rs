@@ -1,10 +1,10 @@
 //! Surfaces seen in mirrors and by indirect rays: shaded once, from the caches, without further rays but to the lights.
 
 use super::lamplight::{lamp_light, lamp_light8};
-use super::{Tracer, tracer::Struck};
+use super::{Tracer, tracer::SceneHit};
 use crate::accel::Ray;
-use crate::material::{Look, look};
-use crate::scene::SurfacePoint;
+use crate::material::{Bsdf, evaluate_bsdf};
+use crate::scene::SurfaceInteraction;
 use glam::Vec3A;
 
 /// Lamps whose shadows a secondary point tests.
@@ -12,21 +12,21 @@ const LAMPS: usize = 2;
 
 /// Radiance that arrives along a ray, kcd/m². `footprint_m` is the width of detail that matters where it lands.
 pub(crate) fn shade_secondary(tracer: &Tracer<'_>, ray: &Ray, footprint_m: f32) -> Vec3A {
-    shade_struck(tracer, ray, tracer.closest(ray).as_ref(), footprint_m)
+    shade_hit(tracer, ray, tracer.closest(ray).as_ref(), footprint_m)
 }
 
 /// The same for a ray of which it is known what it met.
-pub(crate) fn shade_struck(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&Struck>, footprint_m: f32) -> Vec3A {
+pub(crate) fn shade_hit(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&SceneHit>, footprint_m: f32) -> Vec3A {
     let Some(struck) = struck else { return tracer.environment.sky.radiance(ray.direction) };
     let point = tracer.point(ray, struck);
-    let look = look(&point, tracer.environment, footprint_m, 0.5);
+    let bsdf = evaluate_bsdf(&point, tracer.environment, footprint_m, 0.5);
     let direct = if tracer.environment.night {
-        lamp_light(tracer, &point, &look, LAMPS)
+        lamp_light(tracer, &point, &bsdf, LAMPS)
     } else {
         let sunlit = sun_ray(tracer, &point).is_some_and(|ray| !tracer.occluded(&ray));
-        sun_light(tracer, &point, &look, sunlit)
+        sun_light(tracer, &point, &bsdf, sunlit)
     };
-    let radiance = soft_light(tracer, &point, &look) + direct;
+    let radiance = soft_light(tracer, &point, &bsdf) + direct;
     tracer.environment.fog.through(radiance, ray.origin, ray.direction, struck.hit.t)
 }
 
@@ -40,27 +40,27 @@ pub(crate) fn shade_secondary8(
     if active == 0 {
         return [Vec3A::ZERO; 8];
     }
-    shade_struck8(tracer, rays, &tracer.closest8(rays, active), active, footprints_m)
+    shade_hit8(tracer, rays, &tracer.closest8(rays, active), active, footprints_m)
 }
 
-/// [`shade_struck`] for those of eight rays whose bit is set in `active`.
-pub(crate) fn shade_struck8(
+/// [`shade_hit`] for those of eight rays whose bit is set in `active`.
+pub(crate) fn shade_hit8(
     tracer: &Tracer<'_>,
     rays: &[Ray; 8],
-    struck: &[Option<Struck>; 8],
+    struck: &[Option<SceneHit>; 8],
     active: u8,
     footprints_m: &[f32; 8],
 ) -> [Vec3A; 8] {
     let environment = tracer.environment;
-    let points: [Option<(SurfacePoint<'_>, Look)>; 8] = std::array::from_fn(|i| {
+    let points: [Option<(SurfaceInteraction<'_>, Bsdf)>; 8] = std::array::from_fn(|i| {
         let point = tracer.point(&rays[i], struck[i].as_ref()?);
-        let look = look(&point, environment, footprints_m[i], 0.5);
-        Some((point, look))
+        let bsdf = evaluate_bsdf(&point, environment, footprints_m[i], 0.5);
+        Some((point, bsdf))
     });
     let direct = direct8(tracer, rays, &points);
     std::array::from_fn(|i| match &points[i] {
-        Some((point, look)) => {
-            let radiance = soft_light(tracer, point, look) + direct[i];
+        Some((point, bsdf)) => {
+            let radiance = soft_light(tracer, point, bsdf) + direct[i];
             environment.fog.through(radiance, rays[i].origin, rays[i].direction, point.distance)
         }
         None if active >> i & 1 == 1 => environment.sky.radiance(rays[i].direction),
@@ -69,9 +69,9 @@ pub(crate) fn shade_struck8(
 }
 
 /// Light from the sun's centre, or of the strongest lamps, with hard shadows.
-fn direct8(tracer: &Tracer<'_>, rays: &[Ray; 8], points: &[Option<(SurfacePoint<'_>, Look)>; 8]) -> [Vec3A; 8] {
+fn direct8(tracer: &Tracer<'_>, rays: &[Ray; 8], points: &[Option<(SurfaceInteraction<'_>, Bsdf)>; 8]) -> [Vec3A; 8] {
     if tracer.environment.night {
-        return lamp_light8(tracer, &points.each_ref().map(|p| p.as_ref().map(|(p, look)| (p, look))), LAMPS);
+        return lamp_light8(tracer, &points.each_ref().map(|p| p.as_ref().map(|(p, bsdf)| (p, bsdf))), LAMPS);
     }
     let mut asked = 0u8;
     let to_sun = std::array::from_fn(|i| {
@@ -81,25 +81,25 @@ fn direct8(tracer: &Tracer<'_>, rays: &[Ray; 8], points: &[Option<(SurfacePoint<
     });
     let sunlit = asked & !tracer.occluded8(&to_sun, asked);
     std::array::from_fn(|i| {
-        let lit = |(point, look): &(SurfacePoint<'_>, Look)| sun_light(tracer, point, look, sunlit >> i & 1 == 1);
+        let lit = |(point, bsdf): &(SurfaceInteraction<'_>, Bsdf)| sun_light(tracer, point, bsdf, sunlit >> i & 1 == 1);
         points[i].as_ref().map_or(Vec3A::ZERO, lit)
     })
 }
 
 /// Towards the centre of the sun's disc, if that can light a point.
-fn sun_ray(tracer: &Tracer<'_>, point: &SurfacePoint<'_>) -> Option<Ray> {
+fn sun_ray(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>) -> Option<Ray> {
     tracer.environment.sun.as_ref()?.ray_from(point)
 }
 
 /// Radiance of a surface point towards where it was seen from, but for direct light and fog.
-fn soft_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look) -> Vec3A {
+fn soft_light(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, bsdf: &Bsdf) -> Vec3A {
     let view = -point.direction;
-    let ambient = tracer.ambient(point.position + point.geometric_normal * 0.25, look.normal) * point.ambient_occlusion;
-    let mut radiance = look.emission + look.lit_by_ambient(ambient, view);
+    let ambient = tracer.ambient(point.position + point.geometric_normal * 0.25, bsdf.normal) * point.ambient_occlusion;
+    let mut radiance = bsdf.emission + bsdf.lit_by_ambient(ambient, view);
     // A second mirror shows the sky, as far as the sky is there.
-    let coat = look.coat_reflectance(view);
+    let coat = bsdf.coat_reflectance(view);
     if coat.max_element() > 0.0 {
-        let direction = look.mirror_direction(point.direction, point.geometric_normal);
+        let direction = bsdf.mirror_direction(point.direction, point.geometric_normal);
         let sky = tracer.environment.sky.radiance(direction) * direction.z.clamp(0.0, 0.35) * 2.0;
         radiance += coat * sky * point.ambient_occlusion;
     }
@@ -107,9 +107,9 @@ fn soft_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look) -> Vec
 }
 
 /// Light of the sun's centre, if the point is `sunlit`.
-fn sun_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, sunlit: bool) -> Vec3A {
+fn sun_light(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, bsdf: &Bsdf, sunlit: bool) -> Vec3A {
     match &tracer.environment.sun {
-        Some(sun) if sunlit => look.lit_by(sun.illuminance, sun.direction, -point.direction),
+        Some(sun) if sunlit => bsdf.lit_by(sun.illuminance, sun.direction, -point.direction),
         _ => Vec3A::ZERO,
     }
 }
@@ -118,28 +118,28 @@ fn sun_light(tracer: &Tracer<'_>, point: &SurfacePoint<'_>, look: &Look, sunlit:
 /// to see.
 pub(crate) fn mirror_light(
     tracer: &Tracer<'_>,
-    point: &SurfacePoint<'_>,
-    look: &Look,
+    point: &SurfaceInteraction<'_>,
+    bsdf: &Bsdf,
     pixel_angle: f32,
 ) -> (Vec3A, f32) {
-    let weight = look.coat_reflectance(-point.direction);
+    let weight = bsdf.coat_reflectance(-point.direction);
     if weight.max_element() < MIRROR_THRESHOLD {
         return (Vec3A::ZERO, 0.0);
     }
-    let ray = mirror_ray(point, look);
+    let ray = mirror_ray(point, bsdf);
     let struck = tracer.closest(&ray);
     let light =
-        shade_struck(tracer, &ray, struck.as_ref(), mirror_footprint(point.distance, look.coat_roughness, pixel_angle));
+        shade_hit(tracer, &ray, struck.as_ref(), mirror_footprint(point.distance, bsdf.coat_roughness, pixel_angle));
     (weight * light, struck.map_or(f32::MAX, |s| s.hit.t))
 }
 
 /// Mirrors weaker than this show nothing.
 pub(crate) const MIRROR_THRESHOLD: f32 = 0.02;
 
-pub(crate) fn mirror_ray(point: &SurfacePoint<'_>, look: &Look) -> Ray {
+pub(crate) fn mirror_ray(point: &SurfaceInteraction<'_>, bsdf: &Bsdf) -> Ray {
     Ray {
         origin: point.ray_origin(),
-        direction: look.mirror_direction(point.direction, point.geometric_normal),
+        direction: bsdf.mirror_direction(point.direction, point.geometric_normal),
         tmax: f32::MAX,
     }
 }

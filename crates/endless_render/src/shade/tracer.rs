@@ -1,9 +1,9 @@
 //! Rays against the still and the moving part of a scene together.
 
-use crate::accel::{Hit, Ray, RayBundle};
+use crate::accel::{Hit, Ray, RayStream};
 use crate::indirect::ProbeGrid;
 use crate::light::{Environment, LampMaps};
-use crate::scene::{FrameScene, StaticScene, SurfacePoint};
+use crate::scene::{FrameScene, StaticScene, SurfaceInteraction};
 use glam::Vec3A;
 
 /// All that light depends on at one instant.
@@ -20,14 +20,14 @@ pub(crate) struct Tracer<'a> {
 
 /// What a ray met.
 #[derive(Clone, Copy)]
-pub(crate) struct Struck {
+pub(crate) struct SceneHit {
     pub(crate) hit: Hit,
     pub(crate) moving: bool,
 }
 
 impl<'a> Tracer<'a> {
     /// The nearest surface; what stands still wins a tie.
-    pub(crate) fn closest(&self, ray: &Ray) -> Option<Struck> {
+    pub(crate) fn closest(&self, ray: &Ray) -> Option<SceneHit> {
         let still = self.still.accel.closest(ray);
         let shortened = Ray { tmax: still.map_or(ray.tmax, |h| h.t), ..*ray };
         let moving = self.moving.and_then(|m| m.accel.closest(&shortened));
@@ -35,7 +35,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// [`Self::closest`] for those of eight rays whose bit is set in `active`.
-    pub(crate) fn closest8(&self, rays: &[Ray; 8], active: u8) -> [Option<Struck>; 8] {
+    pub(crate) fn closest8(&self, rays: &[Ray; 8], active: u8) -> [Option<SceneHit>; 8] {
         if active == 0 {
             return [None; 8];
         }
@@ -53,7 +53,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// [`Self::closest`] for those of a bundle's rays whose bit is set in `active`.
-    pub(crate) fn closest32(&self, rays: &RayBundle<4>, active: u32) -> [[Option<Struck>; 8]; 4] {
+    pub(crate) fn closest32(&self, rays: &RayStream<4>, active: u32) -> [[Option<SceneHit>; 8]; 4] {
         let still = self.still.accel.closest32(rays, active);
         let moving = self.moving.map(|moving| moving.accel.closest32(&still.shortened(rays), active));
         let of = |lane: usize| nearer(still.get(lane), moving.as_ref().and_then(|moving| moving.get(lane)));
@@ -61,7 +61,7 @@ impl<'a> Tracer<'a> {
     }
 
     /// [`Self::occluded`] for those of a bundle's rays whose bit is set in `active`, a bit each.
-    pub(crate) fn occluded32(&self, rays: &RayBundle<4>, active: u32) -> u32 {
+    pub(crate) fn occluded32(&self, rays: &RayStream<4>, active: u32) -> u32 {
         let by_moving = self.moving.map_or(0, |m| m.accel.occluded32(rays, active));
         let open = active & !by_moving;
         if open == 0 { by_moving } else { by_moving | self.still.accel.occluded32(rays, open) }
@@ -73,10 +73,10 @@ impl<'a> Tracer<'a> {
     }
 
     /// The surface that a ray met.
-    pub(crate) fn point(&self, ray: &Ray, struck: &Struck) -> SurfacePoint<'a> {
+    pub(crate) fn point(&self, ray: &Ray, struck: &SceneHit) -> SurfaceInteraction<'a> {
         match self.moving {
-            Some(moving) if struck.moving => SurfacePoint::new(&moving.instances, ray, &struck.hit),
-            _ => SurfacePoint::new(&self.still.instances, ray, &struck.hit),
+            Some(moving) if struck.moving => SurfaceInteraction::new(&moving.instances, ray, &struck.hit),
+            _ => SurfaceInteraction::new(&self.still.instances, ray, &struck.hit),
         }
     }
 
@@ -90,11 +90,11 @@ impl<'a> Tracer<'a> {
 }
 
 /// What stands still wins a tie.
-fn nearer(still: Option<Hit>, moving: Option<Hit>) -> Option<Struck> {
+fn nearer(still: Option<Hit>, moving: Option<Hit>) -> Option<SceneHit> {
     match (still, moving) {
-        (Some(s), Some(m)) if m.t >= s.t => Some(Struck { hit: s, moving: false }),
-        (_, Some(hit)) => Some(Struck { hit, moving: true }),
-        (Some(hit), None) => Some(Struck { hit, moving: false }),
+        (Some(s), Some(m)) if m.t >= s.t => Some(SceneHit { hit: s, moving: false }),
+        (_, Some(hit)) => Some(SceneHit { hit, moving: true }),
+        (Some(hit), None) => Some(SceneHit { hit, moving: false }),
         (None, None) => None,
     }
 }

@@ -7,13 +7,13 @@ use super::ray::{Hit, Ray};
 
 /// N times eight rays: lane `8 × row + column`.
 #[derive(Clone, Debug)]
-pub struct RayBundle<const N: usize> {
+pub struct RayStream<const N: usize> {
     pub(crate) origin: [[f32x8; N]; 3],
     pub(crate) direction: [[f32x8; N]; 3],
     pub(crate) tmax: [f32x8; N],
 }
 
-impl<const N: usize> RayBundle<N> {
+impl<const N: usize> RayStream<N> {
     /// Rays that must be set before they are asked for.
     pub const NONE: Self =
         Self { origin: [[f32x8::ZERO; N]; 3], direction: [[f32x8::ZERO; N]; 3], tmax: [f32x8::ZERO; N] };
@@ -55,8 +55,8 @@ impl<const N: usize> RayBundle<N> {
     }
 
     /// Eight of them.
-    pub(super) fn row(&self, row: usize) -> RayBundle<1> {
-        RayBundle {
+    pub(super) fn row(&self, row: usize) -> RayStream<1> {
+        RayStream {
             origin: self.origin.map(|axis| [axis[row]]),
             direction: self.direction.map(|axis| [axis[row]]),
             tmax: [self.tmax[row]],
@@ -66,13 +66,13 @@ impl<const N: usize> RayBundle<N> {
 
 /// What the rays of a bundle met.
 #[derive(Clone, Debug)]
-pub struct Hits<const N: usize> {
+pub struct StreamHits<const N: usize> {
     pub(super) best: [[Hit; 8]; N],
     /// The lanes that were asked, a bit each.
     pub(super) asked: u32,
 }
 
-impl<const N: usize> Hits<N> {
+impl<const N: usize> StreamHits<N> {
     /// What a lane's ray met.
     #[inline]
     pub fn get(&self, lane: usize) -> Option<Hit> {
@@ -80,9 +80,9 @@ impl<const N: usize> Hits<N> {
     }
 
     /// The rays, up to what they met.
-    pub(crate) fn shortened(&self, rays: &RayBundle<N>) -> RayBundle<N> {
+    pub(crate) fn shortened(&self, rays: &RayStream<N>) -> RayStream<N> {
         // What met nothing has its ray's own end.
-        RayBundle { tmax: self.best.map(|row| f32x8::new(row.map(|hit| hit.t))), ..rays.clone() }
+        RayStream { tmax: self.best.map(|row| f32x8::new(row.map(|hit| hit.t))), ..rays.clone() }
     }
 }
 

@@ -1,13 +1,13 @@
 //! What moves in front of the pixels of a tile, and its light.
 
 use super::bake::CameraBake;
-use super::cover::Cover;
-use super::row::Found;
+use super::coverage::Coverage;
+use super::moving_hits::MovingHits;
 use super::tile::TILE;
 use crate::accel::Ray;
 use crate::sampling::SAMPLES;
-use crate::scene::{FrameScene, SurfacePoint};
-use crate::shade::Seen;
+use crate::scene::{FrameScene, SurfaceInteraction};
+use crate::shade::MovingSample;
 use endless_scene::Surface;
 use glam::Vec3A;
 
@@ -18,11 +18,11 @@ const PIXELS: usize = (TILE * TILE) as usize;
 const ALIKE: f32 = 0.06;
 
 /// A pixel of a tile towards which rays found something.
-pub(super) struct Touched<'f> {
+pub(super) struct CoveredPixel<'f> {
     /// Its place in the tile, row by row.
     pub(super) place: usize,
     pub(super) rays: [Ray; SAMPLES],
-    pub(super) found: &'f Found,
+    pub(super) found: &'f MovingHits,
 }
 
 /// What covers each pixel of a tile. `shade` gives the light of samples; `halo` that of lamps in the air before one, at
@@ -30,38 +30,38 @@ pub(super) struct Touched<'f> {
 ///
 /// Of a smooth piece every fourth pixel is shaded, across and down, then every second, then all: but one that lies between
 /// pixels of the same piece that look alike has their mean.
-pub(super) fn covers<'a, 'f>(
+pub(super) fn coverages<'a, 'f>(
     bake: &CameraBake,
     frame: &'a FrameScene,
-    pixels: impl Iterator<Item = Touched<'f>>,
-    mut shade: impl FnMut(&[&Seen<'a>]) -> Vec<Vec3A>,
-    halo: impl Fn(usize, &Seen<'a>) -> Vec3A,
-) -> [Cover; PIXELS] {
+    pixels: impl Iterator<Item = CoveredPixel<'f>>,
+    mut shade: impl FnMut(&[&MovingSample<'a>]) -> Vec<Vec3A>,
+    halo: impl Fn(usize, &MovingSample<'a>) -> Vec3A,
+) -> [Coverage; PIXELS] {
     let mut seen = Vec::new();
-    let mut covers = [const { Cover::NONE }; PIXELS];
-    for Touched { place, rays, found } in pixels {
-        covers[place] = Cover::new(bake, frame, &rays, found, &mut seen);
+    let mut coverages = [const { Coverage::NONE }; PIXELS];
+    for CoveredPixel { place, rays, found } in pixels {
+        coverages[place] = Coverage::new(bake, frame, &rays, found, &mut seen);
     }
     if seen.is_empty() {
-        return covers;
+        return coverages;
     }
-    let between = Step::ALL.map(|step| between(&covers, &seen, step));
+    let between = InterpolationStep::ALL.map(|step| between(&coverages, &seen, step));
     let mut lights = vec![Vec3A::ZERO; seen.len()];
     let mut shade_all = |wanted: &[usize], lights: &mut [Vec3A]| {
-        let samples: Vec<&Seen<'_>> = wanted.iter().map(|&i| &seen[i]).collect();
+        let samples: Vec<&MovingSample<'_>> = wanted.iter().map(|&i| &seen[i]).collect();
         for (&i, light) in wanted.iter().zip(shade(&samples)) {
             lights[i] = light;
         }
     };
     let mut first = vec![true; seen.len()];
-    for Between { own, .. } in between.iter().flatten() {
+    for InterpolatedPixel { own, .. } in between.iter().flatten() {
         first[*own] = false;
     }
     let first: Vec<usize> = (0..seen.len()).filter(|&i| first[i]).collect();
     shade_all(&first, &mut lights);
     for between in between {
         let mut unlike = Vec::new();
-        for Between { own, around } in between {
+        for InterpolatedPixel { own, around } in between {
             match mean_of_alike(around.map(|i| lights[i])) {
                 Some(mean) => lights[own] = mean,
                 None => unlike.push(own),
@@ -69,30 +69,30 @@ pub(super) fn covers<'a, 'f>(
         }
         shade_all(&unlike, &mut lights);
     }
-    for (place, cover) in covers.iter_mut().enumerate() {
+    for (place, cover) in coverages.iter_mut().enumerate() {
         for i in cover.shaded.clone() {
             cover.light += (lights[i] + halo(place, &seen[i])) * f32::from(seen[i].stands_for);
         }
     }
-    covers
+    coverages
 }
 
 /// A sample that tells its whole pixel, and those of pixels around it that may stand for it.
-struct Between {
+struct InterpolatedPixel {
     own: usize,
     around: [usize; 4],
 }
 
 /// How far apart the pixels lie between which a pixel has its place.
 #[derive(Clone, Copy)]
-enum Step {
+enum InterpolationStep {
     /// Four.
     Wide,
     /// Two.
     Narrow,
 }
 
-impl Step {
+impl InterpolationStep {
     /// Wide ones first: the narrow ones build on them.
     const ALL: [Self; 2] = [Self::Wide, Self::Narrow];
 
@@ -114,7 +114,11 @@ impl Step {
 }
 
 /// The pixels that may be told by those around them, in the order of their samples.
-fn between(covers: &[Cover; PIXELS], seen: &[Seen<'_>], step: Step) -> Vec<Between> {
+fn between(
+    coverages: &[Coverage; PIXELS],
+    seen: &[MovingSample<'_>],
+    step: InterpolationStep,
+) -> Vec<InterpolatedPixel> {
     let side = TILE as usize;
     let of_place = |place: usize| {
         let (x, y) = (place % side, place / side);
@@ -122,18 +126,18 @@ fn between(covers: &[Cover; PIXELS], seen: &[Seen<'_>], step: Step) -> Vec<Betwe
         if step.passes(x) || step.passes(y) || (left == right && above == below) {
             return None;
         }
-        let own = covers[place].told_by(seen)?;
+        let own = coverages[place].told_by(seen)?;
         let corner = |x: usize, y: usize| {
-            covers[y * side + x].told_by(seen).filter(|&i| same_piece(&seen[i].point, &seen[own].point))
+            coverages[y * side + x].told_by(seen).filter(|&i| same_piece(&seen[i].point, &seen[own].point))
         };
         let around = [corner(left, above)?, corner(right, above)?, corner(left, below)?, corner(right, below)?];
-        Some(Between { own, around })
+        Some(InterpolatedPixel { own, around })
     };
     (0..PIXELS).filter_map(of_place).collect()
 }
 
 /// Whether two points lie on the same smooth piece of something that moves, and look the same but for the light.
-fn same_piece(a: &SurfacePoint<'_>, b: &SurfacePoint<'_>) -> bool {
+fn same_piece(a: &SurfaceInteraction<'_>, b: &SurfaceInteraction<'_>) -> bool {
     std::ptr::eq(a.material, b.material)
         && a.instance.id == b.instance.id
         && a.normal.dot(b.normal) > 0.98

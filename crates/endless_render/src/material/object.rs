@@ -1,8 +1,8 @@
 //! Vehicles, plants, poles, lights.
 
-use super::{Look, cabin, noise};
+use super::{Bsdf, cabin, noise};
 use crate::light::Environment;
-use crate::scene::SurfacePoint;
+use crate::scene::SurfaceInteraction;
 use endless_scene::LightSlot;
 use endless_world::VehicleLights;
 use endless_world::math::smoothstep;
@@ -11,67 +11,67 @@ use glam::{Vec2, Vec3, Vec3A};
 /// Lights that look as bright at night as by day would blind the exposure: cameras clip both.
 const NIGHT_GLARE: f32 = 0.03;
 
-pub(super) fn car_paint(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
+pub(super) fn car_paint(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment) -> Bsdf {
     let p = Vec3::from(point.object_position);
     // Dust and road dirt, most at the sills.
     let low = 1.0 - smoothstep(0.25, 0.85, p.z);
     let dirt = (0.06 + 0.35 * low) * (0.6 + 0.4 * noise::value3(p * 3.1, 3)).max(0.0);
     let dirt = dirt * (1.0 - 0.5 * environment.rain);
     let color = (base * point.instance.tint).lerp(Vec3A::new(0.20, 0.17, 0.14), dirt);
-    let mut look = Look::matte(color, point.normal).coated(1.0 - 0.6 * dirt, 0.045, 0.14);
-    look.roughness = 0.35;
-    look.specular = 0.05;
-    look
+    let mut bsdf = Bsdf::matte(color, point.normal).coated(1.0 - 0.6 * dirt, 0.045, 0.14);
+    bsdf.roughness = 0.35;
+    bsdf.specular = 0.05;
+    bsdf
 }
 
-pub(super) fn car_glass(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
+pub(super) fn car_glass(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment) -> Bsdf {
     /// What a pane lets through both ways: windscreens must pass 70 %, rear panes are often tinted.
     const THROUGH: f32 = 0.7;
     /// Of a cabin's lamps, the outdoors at night being as dark as it is.
     const LAMP: Vec3A = Vec3A::new(0.105, 0.10, 0.088);
     let inside = cabin::behind(point, THROUGH);
     let behind = inside.as_ref().map_or((base * 0.35).min(Vec3A::splat(0.05)), |inside| inside.albedo);
-    let mut look = Look::matte(behind, point.normal).coated(1.0, 0.05, 0.07);
-    look.specular = 0.0;
+    let mut bsdf = Bsdf::matte(behind, point.normal).coated(1.0, 0.05, 0.07);
+    bsdf.specular = 0.0;
     if environment.night && point.instance.lights.0 & VehicleLights::INTERIOR != 0 {
-        look.emission = inside.map_or(Vec3A::ZERO, |inside| inside.lit * LAMP);
+        bsdf.emission = inside.map_or(Vec3A::ZERO, |inside| inside.lit * LAMP);
     }
-    look
+    bsdf
 }
 
-pub(super) fn metal(point: &SurfacePoint<'_>, base: Vec3A, mirror: f32) -> Look {
-    let mut look = Look::matte(base * (1.0 - 0.75 * mirror), point.normal).coated(mirror, 0.6, 0.25);
-    look.coat_f0 = base.max(Vec3A::splat(0.3)) * 0.85;
-    look.roughness = 0.45;
-    look
+pub(super) fn metal(point: &SurfaceInteraction<'_>, base: Vec3A, mirror: f32) -> Bsdf {
+    let mut bsdf = Bsdf::matte(base * (1.0 - 0.75 * mirror), point.normal).coated(mirror, 0.6, 0.25);
+    bsdf.coat_f0 = base.max(Vec3A::splat(0.3)) * 0.85;
+    bsdf.roughness = 0.45;
+    bsdf
 }
 
 /// Unevenness of painted street furniture.
-pub(super) fn grime(point: &SurfacePoint<'_>) -> f32 {
+pub(super) fn grime(point: &SurfaceInteraction<'_>) -> f32 {
     1.0 + 0.12 * noise::value3(Vec3::from(point.position) * 2.3, 5)
         - 0.15 * (1.0 - smoothstep(0.0, 0.5, point.object_position.z))
 }
 
-pub(super) fn bark(point: &SurfacePoint<'_>, base: Vec3A, footprint: f32) -> Look {
+pub(super) fn bark(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = point.object_position;
     let ridges = noise::filtered_fbm2(Vec2::new(p.x * 3.0 + p.y * 3.0, p.z * 0.5), 0.25, 4, footprint);
-    Look::matte(base * (1.0 + 0.6 * ridges), point.normal)
+    Bsdf::matte(base * (1.0 + 0.6 * ridges), point.normal)
 }
 
-pub(super) fn foliage(point: &SurfacePoint<'_>, base: Vec3A) -> Look {
+pub(super) fn foliage(point: &SurfaceInteraction<'_>, base: Vec3A) -> Bsdf {
     let p = Vec3::from(point.position);
     let vary = 0.92 + 0.25 * noise::value3(p * 1.7, 8) + 0.15 * noise::value3(p * 0.23, 9);
     let green = individual(point, super::ground::muted(base, 0.25));
-    let mut look = Look::matte(green * vary, point.normal);
-    look.translucency = 0.35;
-    look.roughness = 0.55;
-    look.specular = 0.03;
-    look
+    let mut bsdf = Bsdf::matte(green * vary, point.normal);
+    bsdf.translucency = 0.35;
+    bsdf.roughness = 0.55;
+    bsdf.specular = 0.03;
+    bsdf
 }
 
 /// The green of one tree among others of its kind: darker or paler, yellower or bluer, and of leafy trees a few whose
 /// leaves turn, bough by bough. Hedges and fields are made of pieces that must not be told apart: they keep theirs.
-fn individual(point: &SurfacePoint<'_>, green: Vec3A) -> Vec3A {
+fn individual(point: &SurfaceInteraction<'_>, green: Vec3A) -> Vec3A {
     const TREE_M: f32 = 4.0;
     /// Share of leafy trees that turn.
     const TURNING: f32 = 0.06;
@@ -94,29 +94,34 @@ fn individual(point: &SurfacePoint<'_>, green: Vec3A) -> Vec3A {
     (green * tint).lerp(AUTUMN[(3.0 * dice(36)) as usize % 3] * green.y, turned)
 }
 
-pub(super) fn lit_sign(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
-    let mut look = Look::matte(base, point.normal).coated(0.5, 0.04, 0.2);
+pub(super) fn lit_sign(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment) -> Bsdf {
+    let mut bsdf = Bsdf::matte(base, point.normal).coated(0.5, 0.04, 0.2);
     if environment.night {
-        look.emission = base * 0.05;
+        bsdf.emission = base * 0.05;
     }
-    look
+    bsdf
 }
 
-pub(super) fn lamp_lens(point: &SurfacePoint<'_>, base: Vec3A, environment: &Environment) -> Look {
-    let mut look = Look::matte(base, point.normal).coated(0.6, 0.04, 0.2);
+pub(super) fn lamp_lens(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment) -> Bsdf {
+    let mut bsdf = Bsdf::matte(base, point.normal).coated(0.6, 0.04, 0.2);
     if environment.night {
-        look.emission = Vec3A::new(1.0, 0.86, 0.66) * 0.9;
+        bsdf.emission = Vec3A::new(1.0, 0.86, 0.66) * 0.9;
     }
-    look
+    bsdf
 }
 
-pub(super) fn vehicle_light(point: &SurfacePoint<'_>, base: Vec3A, slot: LightSlot, environment: &Environment) -> Look {
-    let mut look = Look::matte(base, point.normal).coated(1.0, 0.05, 0.08);
+pub(super) fn vehicle_light(
+    point: &SurfaceInteraction<'_>,
+    base: Vec3A,
+    slot: LightSlot,
+    environment: &Environment,
+) -> Bsdf {
+    let mut bsdf = Bsdf::matte(base, point.normal).coated(1.0, 0.05, 0.08);
     let on = |bits| point.instance.lights.0 & bits != 0;
     let glare = if environment.night { NIGHT_GLARE } else { 1.0 };
     let red = Vec3A::new(1.0, 0.035, 0.02);
     let amber = Vec3A::new(1.0, 0.42, 0.03);
-    look.emission = glare
+    bsdf.emission = glare
         * match slot {
             LightSlot::Head if on(VehicleLights::LOW_BEAM | VehicleLights::HIGH_BEAM) => {
                 Vec3A::new(1.0, 0.95, 0.86) * 45.0
@@ -129,5 +134,5 @@ pub(super) fn vehicle_light(point: &SurfacePoint<'_>, base: Vec3A, slot: LightSl
             LightSlot::Reverse if on(VehicleLights::REVERSE) => Vec3A::splat(12.0),
             _ => Vec3A::ZERO,
         };
-    look
+    bsdf
 }

@@ -1,26 +1,14 @@
 //! A grid of irradiance probes in the air of what a camera sees: the ambient light of everything that moves.
 
-use super::harmonics::Harmonics;
-use crate::accel::Ray;
-use crate::sampling::{hammersley, rotated, sphere_direction};
-use crate::shade::{Tracer, shade_secondary};
-use crate::{
-    light::{Environment, LampMaps},
-    material::noise,
-    scene::StaticScene,
-};
+use super::harmonics::SphericalHarmonics;
 use glam::{UVec3, Vec2, Vec3, Vec3A};
-use rayon::prelude::*;
-use std::f32::consts::PI;
 
 const SPACING_M: f32 = 6.0;
 /// Heights of the layers above the lowest ground: dense where cars and people are.
 const HEIGHTS_M: [f32; 5] = [0.8, 2.2, 4.5, 9.0, 18.0];
-/// Rays a probe, by bounce.
-const RAYS: [u32; 2] = [64, 144];
 
 /// Where probes are wanted.
-pub(crate) struct Air {
+pub(crate) struct ProbeRegion {
     /// Corners of a rectangle, seen from above.
     pub(crate) low: Vec2,
     pub(crate) high: Vec2,
@@ -34,44 +22,26 @@ pub(crate) struct Air {
 pub(crate) struct ProbeGrid {
     low: Vec2,
     ground: f32,
-    size: UVec3,
-    probes: Vec<Probe>,
+    pub(super) size: UVec3,
+    pub(super) probes: Vec<Probe>,
 }
 
-struct Probe {
-    light: Harmonics,
+pub(super) struct Probe {
+    pub(super) light: SphericalHarmonics,
     /// 0 inside walls, 1 in the open.
-    trust: f32,
+    pub(super) trust: f32,
 }
 
 impl ProbeGrid {
-    /// Bakes probes over a rectangle of ground: first light that bounced once, then twice.
-    pub(crate) fn bake(
-        still: &StaticScene,
-        environment: &Environment,
-        lamp_maps: &LampMaps,
-        &Air { low, high, ground, pattern }: &Air,
-    ) -> Self {
+    /// A grid over a rectangle of ground, without its probes.
+    pub(super) fn over(&ProbeRegion { low, high, ground, .. }: &ProbeRegion) -> Self {
         let columns = ((high.x - low.x) / SPACING_M).ceil().max(1.0) as u32 + 1;
         let rows = ((high.y - low.y) / SPACING_M).ceil().max(1.0) as u32 + 1;
-        let mut grid =
-            Self { low, ground, size: UVec3::new(columns, rows, HEIGHTS_M.len() as u32), probes: Vec::new() };
-        for rays in RAYS {
-            let known = (!grid.probes.is_empty()).then_some(&grid);
-            let tracer = Tracer { still, moving: None, environment, lamp_maps, probes: known };
-            let probes = (0..columns * rows * grid.size.z)
-                .into_par_iter()
-                .map(|i| {
-                    let (x, y, z) = (i % columns, i / columns % rows, i / (columns * rows));
-                    probe(&tracer, grid.position(x, y, z), i ^ noise::hash(pattern), rays)
-                })
-                .collect();
-            grid.probes = probes;
-        }
-        grid
+        Self { low, ground, size: UVec3::new(columns, rows, HEIGHTS_M.len() as u32), probes: Vec::new() }
     }
 
-    fn position(&self, x: u32, y: u32, z: u32) -> Vec3A {
+    /// Where a probe is.
+    pub(super) fn position(&self, x: u32, y: u32, z: u32) -> Vec3A {
         Vec3A::new(
             self.low.x + x as f32 * SPACING_M,
             self.low.y + y as f32 * SPACING_M,
@@ -90,7 +60,7 @@ impl ProbeGrid {
         let w = ((height - HEIGHTS_M[layer]) / (HEIGHTS_M[layer + 1] - HEIGHTS_M[layer])).clamp(0.0, 1.0);
         let (x0, y0) = ((u as u32).min(last.x), (v as u32).min(last.y));
         let (fx, fy) = (u - x0 as f32, v - y0 as f32);
-        let mut sum = Harmonics::ZERO;
+        let mut sum = SphericalHarmonics::ZERO;
         let mut total = 0.0;
         for corner in 0..8u32 {
             let (dx, dy, dz) = (corner & 1, corner >> 1 & 1, corner >> 2);
@@ -105,21 +75,4 @@ impl ProbeGrid {
         }
         sum.irradiance(normal) / total.max(1e-9)
     }
-}
-
-fn probe(tracer: &Tracer<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe {
-    let mut light = Harmonics::ZERO;
-    let mut behind = 0u32;
-    let turn = Vec2::new(noise::cell1(pattern, 1), noise::cell1(pattern, 2));
-    for k in 0..rays {
-        let direction = sphere_direction(rotated(hammersley(k, rays), turn));
-        let ray = Ray { origin: position, direction, tmax: f32::MAX };
-        if let Some(struck) = tracer.closest(&ray) {
-            let point = tracer.point(&ray, &struck);
-            behind += u32::from(point.from_behind && point.material.surface != endless_scene::Surface::Foliage);
-        }
-        light.add(direction, shade_secondary(tracer, &ray, 0.6), 4.0 * PI / rays as f32);
-    }
-    let inside = behind as f32 / rays as f32;
-    Probe { light, trust: (1.0 - inside * 4.0).clamp(0.0, 1.0) }
 }

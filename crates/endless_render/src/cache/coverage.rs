@@ -1,18 +1,19 @@
 //! What moves in front of a pixel, and which of its samples must be shaded to tell the pixel's colour.
 
-use super::bake::{CameraBake, planar_depth};
-use super::row::Found;
+use super::bake::CameraBake;
+use super::moving_hits::MovingHits;
 use crate::accel::{Hit, Ray};
+use crate::camera_rays::planar_depth;
 use crate::sampling::SAMPLES;
-use crate::scene::{FrameScene, SurfacePoint};
-use crate::shade::Seen;
+use crate::scene::{FrameScene, SurfaceInteraction};
+use crate::shade::MovingSample;
 use endless_scene::Surface;
 use endless_world::InstancePixel;
 use glam::{Vec2, Vec3A};
 use std::ops::Range;
 
 /// What moves in front of a pixel.
-pub(super) struct Cover {
+pub(super) struct Coverage {
     /// Depth and label, if it covers the pixel's centre.
     pub(super) centre: Option<(f32, InstancePixel)>,
     /// Samples that it covers.
@@ -25,7 +26,7 @@ pub(super) struct Cover {
     pub(super) light: Vec3A,
 }
 
-impl Cover {
+impl Coverage {
     /// Nothing.
     pub(super) const NONE: Self = Self { centre: None, samples: 0, way: Vec2::ZERO, shaded: 0..0, light: Vec3A::ZERO };
 
@@ -34,38 +35,38 @@ impl Cover {
         bake: &CameraBake,
         frame: &'a FrameScene,
         rays: &[Ray; SAMPLES],
-        found: &Found,
-        list: &mut Vec<Seen<'a>>,
+        found: &MovingHits,
+        list: &mut Vec<MovingSample<'a>>,
     ) -> Self {
         let first = list.len();
         let mut samples = 0;
         let mut centre = None;
-        for (sample, (ray, hit)) in rays.iter().zip(&found.seen).enumerate() {
+        for (sample, (ray, hit)) in rays.iter().zip(&found.primary).enumerate() {
             let Some(hit) = hit else { continue };
             samples += 1;
             let piece = |hit: &Hit| (hit.instance, hit.triangle);
-            let same = |seen: &Seen<'_>| found.seen[seen.sample].as_ref().map(piece) == Some(piece(hit));
+            let same = |seen: &MovingSample<'_>| found.primary[seen.sample].as_ref().map(piece) == Some(piece(hit));
             if let Some(seen) = list[first..].iter_mut().find(|seen| same(seen)) {
                 seen.stands_for += 1;
                 continue;
             }
-            let point = SurfacePoint::new(&frame.instances, ray, hit);
+            let point = SurfaceInteraction::new(&frame.instances, ray, hit);
             if sample == 0 {
                 let label = InstancePixel { tag: point.tag(), id: point.instance.id };
                 centre = Some((planar_depth(&bake.camera, ray, point.distance), label));
             }
             match list[first..].iter_mut().find(|seen| tells(seen, &point)) {
                 Some(seen) => seen.stands_for += 1,
-                None => list.push(Seen { point, sample, stands_for: 1 }),
+                None => list.push(MovingSample { point, sample, stands_for: 1 }),
             }
         }
-        let way = |seen: &Seen<'_>| bake.way_in_image(seen.point.position, seen.point.instance.velocity);
+        let way = |seen: &MovingSample<'_>| bake.way_in_image(seen.point.position, seen.point.instance.velocity);
         let way = list.get(first).map_or(Vec2::ZERO, way);
         Self { centre, samples, way, shaded: first..list.len(), light: Vec3A::ZERO }
     }
 
     /// The sample that tells the whole pixel, if one does.
-    pub(super) fn told_by(&self, seen: &[Seen<'_>]) -> Option<usize> {
+    pub(super) fn told_by(&self, seen: &[MovingSample<'_>]) -> Option<usize> {
         let alone = self.shaded.len() == 1 && usize::from(seen[self.shaded.start].stands_for) == SAMPLES;
         alone.then_some(self.shaded.start)
     }
@@ -73,7 +74,7 @@ impl Cover {
 
 /// Whether a sample's light is as good as that of another on the same smooth piece of something that moves. On shiny
 /// curves, and on glass, which shows what has edges of its own, two samples are not told by one.
-fn tells(seen: &Seen<'_>, other: &SurfacePoint<'_>) -> bool {
+fn tells(seen: &MovingSample<'_>, other: &SurfaceInteraction<'_>) -> bool {
     let point = &seen.point;
     let cosine = point.normal.dot(other.normal);
     if !std::ptr::eq(point.material, other.material) || point.instance.id != other.instance.id || cosine <= 0.96 {

@@ -1,7 +1,7 @@
 //! A frame in the making.
 
 use super::bake::CameraBake;
-use crate::film::{Pad, Streak, blur, with_glare};
+use crate::film::{BlurScratch, Streak, blur, with_glare};
 use endless_world::{Image, InstancePixel, SensorFrame};
 use glam::Vec3A;
 
@@ -15,7 +15,7 @@ pub(super) struct Pixel {
 }
 
 /// The picture, its depth and its labels: those of the still town, until pixels are set.
-pub(super) struct Canvas {
+pub(super) struct FrameBuffer {
     /// Full radiance, where the film needs it (rain, lens, glare, blur).
     radiance: Option<Vec<Vec3A>>,
     /// The pixels whose radiance is no longer that of the still picture.
@@ -27,17 +27,21 @@ pub(super) struct Canvas {
     instance: Vec<InstancePixel>,
 }
 
-impl Canvas {
+impl FrameBuffer {
     /// The still picture.
     pub(super) fn new(bake: &CameraBake) -> Self {
-        let keeps = bake.rain.is_some() || bake.spreads_light() || bake.shutter_s > 0.0;
+        let keeps = bake.film.rain.is_some() || bake.film.spreads_light() || bake.film.shutter_s > 0.0;
         Self {
-            radiance: keeps.then(|| bake.spare.take(|| bake.radiance.clone())),
+            radiance: keeps.then(|| bake.film.radiance_pool.take(|| bake.film.radiance.clone())),
             touched: Vec::new(),
             streaks: Vec::new(),
-            rgb: if bake.spreads_light() { Vec::with_capacity(bake.rgb.len()) } else { bake.rgb.clone() },
-            depth: bake.depth.clone(),
-            instance: bake.instance.clone(),
+            rgb: if bake.film.spreads_light() {
+                Vec::with_capacity(bake.film.rgb.len())
+            } else {
+                bake.film.rgb.clone()
+            },
+            depth: bake.gbuffer.depth.clone(),
+            instance: bake.gbuffer.instance.clone(),
         }
     }
 
@@ -49,7 +53,7 @@ impl Canvas {
                 radiance[i] = pixel.radiance;
                 self.touched.push(i as u32);
             }
-            None => self.rgb[i] = bake.tone.apply(pixel.radiance),
+            None => self.rgb[i] = bake.film.tone.apply(pixel.radiance),
         }
         if let Some((depth, label)) = pixel.covered {
             self.depth[i] = depth;
@@ -63,33 +67,33 @@ impl Canvas {
         let size = bake.camera.size;
         if let Some(mut radiance) = self.radiance.take() {
             self.blur(bake, &mut radiance);
-            if let Some(rain) = &bake.rain {
+            if let Some(rain) = &bake.film.rain {
                 let mut wet = |i: usize, share: f32| {
                     radiance[i] = radiance[i].lerp(rain.radiance, share);
                     self.touched.push(i as u32);
                 };
                 let ground = |i: usize| {
-                    let bare = self.instance[i] == bake.instance[i] && self.depth[i] == bake.depth[i];
-                    (bare && bake.pixels[i].is_level()).then_some(self.depth[i])
+                    let bare = self.instance[i] == bake.gbuffer.instance[i] && self.depth[i] == bake.gbuffer.depth[i];
+                    (bare && bake.gbuffer.pixels[i].is_level()).then_some(self.depth[i])
                 };
                 rain.splash(frame, &bake.camera, ground, &mut wet);
                 rain.draw(frame, &bake.camera, &self.depth, wet);
             }
-            match bake.finish.as_ref().filter(|finish| finish.has_lens()) {
-                Some(finish) => {
+            match bake.film.post_process.as_ref().filter(|post| post.has_lens()) {
+                Some(post) => {
                     let mut through = radiance.clone();
-                    finish.lens(&mut through);
+                    post.lens(&mut through);
                     self.expose(bake, &through);
                 }
                 None => self.expose(bake, &radiance),
             }
             for i in self.touched {
-                radiance[i as usize] = bake.radiance[i as usize];
+                radiance[i as usize] = bake.film.radiance[i as usize];
             }
-            bake.spare.give(radiance);
+            bake.film.radiance_pool.give(radiance);
         }
-        if let Some(finish) = &bake.finish {
-            finish.record(frame, &mut self.rgb);
+        if let Some(post) = &bake.film.post_process {
+            post.record(frame, &mut self.rgb);
         }
         SensorFrame {
             frame,
@@ -107,21 +111,29 @@ impl Canvas {
         let hidden = |pixel: usize, streak: &Streak| {
             self.instance[pixel].id != streak.id && self.depth[pixel] < 0.98 * streak.depth - 0.3
         };
-        let mut pad = bake.blur_pads.take(Pad::default);
-        blur(bake.camera.size, &mut self.streaks, &bake.radiance, hidden, radiance, &mut self.touched, &mut pad);
-        bake.blur_pads.give(pad);
+        let mut scratch = bake.film.blur_scratch.take(BlurScratch::default);
+        blur(
+            bake.camera.size,
+            &mut self.streaks,
+            &bake.film.radiance,
+            hidden,
+            radiance,
+            &mut self.touched,
+            &mut scratch,
+        );
+        bake.film.blur_scratch.give(scratch);
     }
 
     /// Glare and tone curve.
     fn expose(&mut self, bake: &CameraBake, radiance: &[Vec3A]) {
-        if !bake.spreads_light() {
+        if !bake.film.spreads_light() {
             for &i in &self.touched {
-                self.rgb[i as usize] = bake.tone.apply(radiance[i as usize]);
+                self.rgb[i as usize] = bake.film.tone.apply(radiance[i as usize]);
             }
-        } else if bake.glare > 0.0 {
-            with_glare(bake.camera.size, radiance, bake.glare, |r| self.rgb.push(bake.tone.apply(r)));
+        } else if bake.film.glare > 0.0 {
+            with_glare(bake.camera.size, radiance, bake.film.glare, |r| self.rgb.push(bake.film.tone.apply(r)));
         } else {
-            self.rgb.extend(radiance.iter().map(|&r| bake.tone.apply(r)));
+            self.rgb.extend(radiance.iter().map(|&r| bake.film.tone.apply(r)));
         }
     }
 }

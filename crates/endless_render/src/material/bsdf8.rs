@@ -1,15 +1,15 @@
-//! Eight looks side by side, each towards its own viewer: their light from one small light after another.
+//! Eight BSDFs side by side, each towards its own viewer: their light from one small light after another.
 
-use super::Look;
+use super::Bsdf;
 use crate::eight::{Vectors, dot, normalize};
 use glam::Vec3A;
 use std::f32::consts::{FRAC_1_PI, PI};
 use wide::f32x8;
 
-/// What [`Look::lit_by`] needs of eight looks; what depends on the viewers alone is known beforehand.
-pub(crate) struct Look8 {
+/// What [`Bsdf::lit_by`] needs of eight BSDFs; what depends on the viewers alone is known beforehand.
+pub(crate) struct Bsdf8 {
     albedo: Vectors,
-    base: Lobe,
+    base: GgxLobe8,
     specular: f32x8,
     /// (1 − roughness)² of the base.
     smooth: f32x8,
@@ -20,24 +20,24 @@ pub(crate) struct Look8 {
     translucency: f32x8,
     coat: f32x8,
     coat_f0: Vectors,
-    coat_lobe: Lobe,
+    coat_lobe: GgxLobe8,
     /// To the viewer.
     view: Vectors,
 }
 
-impl Look8 {
-    /// Of these looks, each with the direction to its viewer; the rest stay dark.
-    pub(crate) fn new(looks: &[Option<(&Look, Vec3A)>; 8]) -> Self {
-        let number = |of: fn(&Look) -> f32| f32x8::new(looks.map(|l| l.map_or(0.0, |(look, _)| of(look))));
-        let vectors = |of: fn(&Look, Vec3A) -> Vec3A| {
-            let v = looks.map(|l| l.map_or(Vec3A::ZERO, |(look, view)| of(look, view)));
+impl Bsdf8 {
+    /// Of these BSDFs, each with the direction to its viewer; the rest stay dark.
+    pub(crate) fn new(bsdfs: &[Option<(&Bsdf, Vec3A)>; 8]) -> Self {
+        let number = |of: fn(&Bsdf) -> f32| f32x8::new(bsdfs.map(|l| l.map_or(0.0, |(bsdf, _)| of(bsdf))));
+        let vectors = |of: fn(&Bsdf, Vec3A) -> Vec3A| {
+            let v = bsdfs.map(|l| l.map_or(Vec3A::ZERO, |(bsdf, view)| of(bsdf, view)));
             [f32x8::new(v.map(|v| v.x)), f32x8::new(v.map(|v| v.y)), f32x8::new(v.map(|v| v.z))]
         };
         let view = vectors(|_, view| view);
         let (coat, roughness, specular) = (number(|l| l.coat), number(|l| l.roughness), number(|l| l.specular));
         let coat_f0 = vectors(|l, _| l.coat_f0);
-        let base = Lobe::new(vectors(|l, _| l.normal), roughness, &view);
-        let coat_lobe = Lobe::new(vectors(|l, _| l.coat_normal), number(|l| l.coat_roughness), &view);
+        let base = GgxLobe8::new(vectors(|l, _| l.normal), roughness, &view);
+        let coat_lobe = GgxLobe8::new(vectors(|l, _| l.coat_normal), number(|l| l.coat_roughness), &view);
         let smooth = (f32x8::ONE - roughness).fast_max(f32x8::ZERO);
         let smooth = smooth * smooth;
         let left = f32x8::ONE - grazing(specular, smooth, dot(&base.normal, &view));
@@ -77,7 +77,7 @@ impl Look8 {
 }
 
 /// A GGX lobe towards a viewer.
-struct Lobe {
+struct GgxLobe8 {
     normal: Vectors,
     /// α².
     a2: f32x8,
@@ -87,7 +87,7 @@ struct Lobe {
     masked: f32x8,
 }
 
-impl Lobe {
+impl GgxLobe8 {
     fn new(normal: Vectors, roughness: f32x8, view: &Vectors) -> Self {
         let alpha = (roughness * roughness).fast_max(f32x8::splat(0.0016));
         let a2 = alpha * alpha;
@@ -132,17 +132,17 @@ mod tests {
         (-1.0f32..1.0, -1.0f32..1.0, 0.05f32..1.0).prop_map(|(x, y, z)| Vec3A::new(x, y, z).normalize())
     }
 
-    fn look() -> impl Strategy<Value = Look> {
+    fn evaluate_bsdf() -> impl Strategy<Value = Bsdf> {
         (direction(), direction(), 0.1f32..1.0, 0.0f32..0.08, 0.0f32..1.0, 0.05f32..0.5, 0.0f32..0.5).prop_map(
             |(normal, coat_normal, roughness, specular, coat, coat_roughness, translucency)| {
-                let mut look = Look::matte(Vec3A::new(0.2, 0.4, 0.6), normal).coated(
+                let mut bsdf = Bsdf::matte(Vec3A::new(0.2, 0.4, 0.6), normal).coated(
                     if coat < 0.4 { 0.0 } else { coat },
                     0.04,
                     coat_roughness,
                 );
-                (look.roughness, look.specular, look.coat_normal) = (roughness, specular, coat_normal);
-                look.translucency = if translucency < 0.25 { 0.0 } else { translucency };
-                look
+                (bsdf.roughness, bsdf.specular, bsdf.coat_normal) = (roughness, specular, coat_normal);
+                bsdf.translucency = if translucency < 0.25 { 0.0 } else { translucency };
+                bsdf
             },
         )
     }
@@ -150,14 +150,14 @@ mod tests {
     proptest! {
         #[test]
         fn eight_are_lit_as_one_after_another(
-            looks in prop::collection::vec((look(), direction(), direction()), 8), there in any::<u8>(),
+            bsdfs in prop::collection::vec((evaluate_bsdf(), direction(), direction()), 8), there in any::<u8>(),
         ) {
-            let eight = std::array::from_fn(|i| (there >> i & 1 == 1).then_some((&looks[i].0, looks[i].1)));
-            let light = [0, 1, 2].map(|k| f32x8::new(std::array::from_fn(|i| looks[i].2[k])));
-            let lit = Look8::new(&eight).lit_by(&light).map(f32x8::to_array);
+            let eight = std::array::from_fn(|i| (there >> i & 1 == 1).then_some((&bsdfs[i].0, bsdfs[i].1)));
+            let light = [0, 1, 2].map(|k| f32x8::new(std::array::from_fn(|i| bsdfs[i].2[k])));
+            let lit = Bsdf8::new(&eight).lit_by(&light).map(f32x8::to_array);
             for i in (0..8).filter(|i| there >> i & 1 == 1) {
-                let (look, view, light) = &looks[i];
-                let one = look.lit_by(Vec3A::ONE, *light, *view);
+                let (bsdf, view, light) = &bsdfs[i];
+                let one = bsdf.lit_by(Vec3A::ONE, *light, *view);
                 let found = Vec3A::new(lit[0][i], lit[1][i], lit[2][i]);
                 prop_assert!(found.abs_diff_eq(one, 2e-4 * one.max_element().max(0.01)), "{found} {one}");
             }

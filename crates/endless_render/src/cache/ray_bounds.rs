@@ -4,7 +4,7 @@ use glam::Vec3A;
 
 /// Rays from anywhere in a box of origins, along any direction in a box of directions.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Bundle {
+pub(super) struct RayBounds {
     origin_low: Vec3A,
     origin_high: Vec3A,
     /// One over the least and the greatest direction, axis by axis.
@@ -15,7 +15,7 @@ pub(super) struct Bundle {
 /// No direction is nearer to zero along an axis: one over it stays finite.
 const LEAST: f32 = 1e-9;
 
-impl Bundle {
+impl RayBounds {
     /// All rays from a box of origins with directions in another box.
     pub(super) fn new(origins: (Vec3A, Vec3A), directions: (Vec3A, Vec3A)) -> Self {
         // Bounds that are zero move outwards: that only widens the bundle.
@@ -62,7 +62,7 @@ mod tests {
             o in vec(-20.0..20.0), os in vec(0.0..3.0), d in vec(-1.0..1.0), ds in vec(0.0..0.3),
             w in vec(0.0..1.0), v in vec(0.0..1.0), t in 0.0f32..30.0, size in vec(0.01..2.0),
         ) {
-            let bundle = Bundle::new((o, o + os), (d, d + ds));
+            let bundle = RayBounds::new((o, o + os), (d, d + ds));
             let point = (o + os * w) + (d + ds * v) * t;
             prop_assert!(bundle.may_meet(point - size, point + size, 30.0));
         }
@@ -70,7 +70,7 @@ mod tests {
 
     #[test]
     fn denies_what_lies_behind_or_aside() {
-        let b = Bundle::new((Vec3A::ZERO, Vec3A::ONE), (Vec3A::new(0.9, -0.1, -0.1), Vec3A::new(1.0, 0.1, 0.1)));
+        let b = RayBounds::new((Vec3A::ZERO, Vec3A::ONE), (Vec3A::new(0.9, -0.1, -0.1), Vec3A::new(1.0, 0.1, 0.1)));
         assert!(b.may_meet(Vec3A::new(10.0, 0.0, 0.0), Vec3A::new(11.0, 1.0, 1.0), f32::MAX));
         assert!(!b.may_meet(Vec3A::new(-11.0, 0.0, 0.0), Vec3A::new(-10.0, 1.0, 1.0), f32::MAX));
         assert!(!b.may_meet(Vec3A::new(10.0, 8.0, 0.0), Vec3A::new(11.0, 9.0, 1.0), f32::MAX));

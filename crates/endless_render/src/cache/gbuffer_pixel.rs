@@ -1,16 +1,16 @@
 //! One pixel of the still picture, as rows of pixels ask for it most.
 
-use super::centre::Place;
-use super::still_sample::StillSample;
+use super::gbuffer_sample::GBufferSample;
+use super::pixel_centre::PixelCentre;
 use crate::accel::Ray;
-use crate::material::Look;
+use crate::material::Bsdf;
 use crate::octahedron;
 use crate::sampling::SAMPLES;
 use crate::scene::Facet;
 
 /// What rows of pixels ask of their samples most, side by side: the samples themselves lie far apart in memory.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct StillPixel {
+pub(super) struct GBufferPixel {
     /// How far each sample lies from the lens, metres; [`f32::MAX`] for the sky.
     pub(super) distances: [f32; SAMPLES],
     /// Geometric normal of each sample, packed.
@@ -23,9 +23,9 @@ pub(super) struct StillPixel {
     pub(super) mirrors: u8,
 }
 
-impl StillPixel {
+impl GBufferPixel {
     /// Of a pixel's samples.
-    pub(super) fn new(samples: &[StillSample; SAMPLES]) -> Self {
+    pub(super) fn new(samples: &[GBufferSample; SAMPLES]) -> Self {
         let mirrors = samples.iter().rev().fold(0, |bits, s| bits << 1 | u8::from(s.mirrors()));
         Self {
             distances: samples.map(|s| s.hit.t),
@@ -47,7 +47,7 @@ impl StillPixel {
     }
 
     /// The centre, seen along its ray.
-    pub(super) fn place<'a>(&self, ray: &Ray, look: Option<&'a Look>) -> Place<'a> {
-        Place { facet: self.facet(ray, 0), look, lamps_free: self.lamps_free }
+    pub(super) fn centre<'a>(&self, ray: &Ray, bsdf: Option<&'a Bsdf>) -> PixelCentre<'a> {
+        PixelCentre { facet: self.facet(ray, 0), bsdf, lamps_free: self.lamps_free }
     }
 }

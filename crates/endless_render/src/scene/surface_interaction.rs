@@ -34,7 +34,7 @@ impl Facet {
 
 /// Everything that shading needs to know of a hit.
 #[derive(Debug, Clone)]
-pub(crate) struct SurfacePoint<'a> {
+pub(crate) struct SurfaceInteraction<'a> {
     pub(crate) instance: &'a Instance,
     pub(crate) material: &'a Material,
     /// World frame.
@@ -56,7 +56,7 @@ pub(crate) struct SurfacePoint<'a> {
     pub(crate) from_behind: bool,
 }
 
-impl<'a> SurfacePoint<'a> {
+impl<'a> SurfaceInteraction<'a> {
     /// The point of a hit; the ray's direction must be of unit length.
     pub(crate) fn new(instances: &'a [Instance], ray: &Ray, hit: &Hit) -> Self {
         let instance = &instances[hit.instance as usize];

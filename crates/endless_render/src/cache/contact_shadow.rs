@@ -1,7 +1,7 @@
 //! Objects darken the ground at their feet: they hide a part of the sky from it.
 
-use super::affected::Work;
-use super::tile::Span;
+use super::tile::Bounds3;
+use super::tile_work::TileWork;
 use crate::scene::{Facet, FrameScene, MovingVolume};
 use glam::Vec2;
 
@@ -9,7 +9,7 @@ use glam::Vec2;
 const CONTACT_RISE_M: f32 = 0.4;
 
 /// Share of the ambient light that the objects standing near leave.
-pub(super) fn contact_left(frame: &FrameScene, work: &Work, facet: &Facet) -> f32 {
+pub(super) fn contact_shadow(frame: &FrameScene, work: &TileWork, facet: &Facet) -> f32 {
     work.contacts.iter().map(|&i| contact_light(&frame.objects[usize::from(i)], facet)).product()
 }
 
@@ -24,7 +24,7 @@ fn contact_reach(object: &MovingVolume) -> f32 {
 }
 
 /// Whether an object may darken anything in a box: no wrong no.
-pub(super) fn contact_may_reach(object: &MovingVolume, span: &Span) -> bool {
+pub(super) fn contact_may_reach(object: &MovingVolume, span: &Bounds3) -> bool {
     if span.is_empty() || span.low.z > object.ground + CONTACT_RISE_M || span.high.z < object.ground - CONTACT_RISE_M {
         return false;
     }
@@ -108,7 +108,7 @@ mod tests {
         ) {
             let it = object(Vec2::new(0.3, -0.2), turn, Vec2::new(length, 0.2 + length * 0.2), height);
             let point = ground(x, y, z);
-            let span = Span { low: point.position - Vec3A::from(a), high: point.position + Vec3A::from(b) };
+            let span = Bounds3 { low: point.position - Vec3A::from(a), high: point.position + Vec3A::from(b) };
             if contact_light(&it, &point) < 1.0 {
                 prop_assert!(contact_may_reach(&it, &span));
             }

@@ -1,0 +1,90 @@
+//! The film of a fixed camera: the still picture's radiance, and what makes pixels of it.
+
+use super::gbuffer_sample::{GBufferSample, still_light};
+use super::pool::Pool;
+use crate::camera_rays::sample_ray;
+use crate::film::{BlurScratch, PostProcess, Rain, ToneCurve, black_level, exposure};
+use crate::light::Environment;
+use crate::material::noise;
+use crate::sampling::SAMPLES;
+use crate::settings::RenderSettings;
+use endless_world::PinholeCamera;
+use glam::Vec3A;
+use rayon::prelude::*;
+
+/// What stays the same on a camera's film in all frames of a video.
+pub(super) struct CameraFilm {
+    /// Of the still picture, kcd/m².
+    pub(super) radiance: Vec<Vec3A>,
+    /// The part of `radiance` that objects standing near darken.
+    pub(super) ambient: Vec<[f32; 3]>,
+    /// The still picture.
+    pub(super) rgb: Vec<[u8; 3]>,
+    pub(super) tone: ToneCurve,
+    pub(super) rain: Option<Rain>,
+    /// How long the shutter is open.
+    pub(super) shutter_s: f32,
+    /// Share of light that spreads around bright things.
+    pub(super) glare: f32,
+    /// What lens, sensor and recorder do to a picture, if they do anything.
+    pub(super) post_process: Option<PostProcess>,
+    /// Copies of `radiance`.
+    pub(super) radiance_pool: Pool<Vec<Vec3A>>,
+    pub(super) blur_scratch: Pool<BlurScratch>,
+}
+
+impl CameraFilm {
+    /// Exposed for the still picture.
+    pub(super) fn new(
+        settings: &RenderSettings,
+        camera: &PinholeCamera,
+        environment: &Environment,
+        samples: &[GBufferSample],
+    ) -> Self {
+        let (radiance, ambient): (Vec<Vec3A>, Vec<[f32; 3]>) = samples
+            .par_chunks(SAMPLES)
+            .map(|pixel| {
+                let (radiance, ambient) = still_light(pixel, environment);
+                (radiance, ambient.to_array())
+            })
+            .unzip();
+        let width = settings.size.width as usize;
+        let black = black_level(&radiance, |i| {
+            let (ray, still) = (sample_ray(camera, (i % width) as u32, (i / width) as u32, 0), &samples[i * SAMPLES]);
+            let fog = &environment.fog;
+            let left = fog.transmittance(ray.origin, ray.direction, still.hit.t);
+            if still.is_sky() { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
+        });
+        let exposure = exposure(&radiance, black, environment.exposure_key);
+        let tone = ToneCurve::new(exposure, environment.white_balance(), black);
+        let rgb = radiance.iter().map(|&r| tone.apply(r)).collect();
+        let rains = environment.rain > 0.0;
+        Self {
+            radiance,
+            ambient,
+            rgb,
+            tone,
+            rain: rain(environment, exposure, settings.seed),
+            shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
+            glare: environment.glare,
+            post_process: PostProcess::new(&settings.look, settings.size, settings.fps, settings.seed, rains),
+            radiance_pool: Pool::default(),
+            blur_scratch: Pool::default(),
+        }
+    }
+
+    /// Whether all of a frame must be developed again: glare and lens change every pixel.
+    pub(super) fn spreads_light(&self) -> bool {
+        self.glare > 0.0 || self.post_process.as_ref().is_some_and(PostProcess::has_lens)
+    }
+}
+
+/// Rain in front of the lens: as bright as the picture's own surroundings make drops.
+fn rain(environment: &Environment, exposure: f32, seed: u64) -> Option<Rain> {
+    (environment.rain > 0.0).then(|| {
+        let radiance =
+            if environment.night { Vec3A::new(1.0, 0.9, 0.78) * (0.16 / exposure) } else { environment.sky.mean * 1.1 };
+        let slant = (noise::cell1(seed as u32, 5) - 0.5) * 0.3;
+        Rain { drops: (2200.0 * environment.rain) as u32, radiance, slant, seed }
+    })
+}

@@ -1,0 +1,51 @@
+//! What the primary rays of a fixed camera meet, sample by sample and pixel by pixel.
+
+use super::bake_pass::BakePass;
+use super::gbuffer_pixel::GBufferPixel;
+use super::gbuffer_sample::{GBufferSample, share_lamp_light};
+use crate::material::Bsdf;
+use crate::sampling::SAMPLES;
+use endless_world::InstancePixel;
+use glam::Vec3A;
+use rayon::prelude::*;
+
+/// The G-buffer of what stands still: all by pixel, row-major.
+pub(super) struct GBuffer {
+    /// Four a pixel.
+    pub(super) samples: Vec<GBufferSample>,
+    /// What is asked most of each pixel's samples.
+    pub(super) pixels: Vec<GBufferPixel>,
+    /// All four samples of the pixel lie on one smooth piece that gives no light of its own: what moves does the same to
+    /// the light of all four, so that is found once.
+    pub(super) uniform: Vec<bool>,
+    /// At night, the BSDF of each uniform pixel's centre: vehicle lights sweep much of the picture.
+    pub(super) bsdfs: Vec<Bsdf>,
+    /// Along the optical axis, metres.
+    pub(super) depth: Vec<f32>,
+    pub(super) instance: Vec<InstancePixel>,
+    /// Gathered at each sample, klx, if it is kept.
+    pub(super) irradiance: Vec<[f32; 3]>,
+}
+
+impl GBuffer {
+    /// Traces and shades what stands still.
+    pub(super) fn bake(pass: &BakePass<'_>) -> Self {
+        let night = pass.tracer.environment.night;
+        let primary = pass.trace();
+        let irradiance = pass.irradiance(&primary);
+        let mut samples = pass.shade(&primary, &irradiance);
+        let (uniform, depth, instance) = pass.labels(&samples);
+        if night {
+            samples.par_chunks_mut(SAMPLES).zip(&uniform).filter(|(_, u)| **u).for_each(|(s, _)| share_lamp_light(s));
+        }
+        let bsdfs = if night { pass.bsdfs(&samples, &uniform) } else { Vec::new() };
+        let pixels = samples.as_chunks().0.iter().map(GBufferPixel::new).collect();
+        let kept = irradiance.iter().filter(|_| pass.settings.keep_irradiance).map(Vec3A::to_array).collect();
+        Self { samples, pixels, uniform, bsdfs, depth, instance, irradiance: kept }
+    }
+
+    /// The samples of a pixel.
+    pub(super) fn samples_of(&self, pixel: usize) -> &[GBufferSample] {
+        &self.samples[pixel * SAMPLES..][..SAMPLES]
+    }
+}

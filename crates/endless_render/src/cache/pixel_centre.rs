@@ -1,0 +1,13 @@
+//! The centre of a pixel, at which light is found that its samples share.
+
+use crate::material::Bsdf;
+use crate::scene::Facet;
+
+/// A pixel's centre in a row.
+#[derive(Clone, Copy)]
+pub(super) struct PixelCentre<'a> {
+    pub(super) facet: Facet,
+    /// At night.
+    pub(super) bsdf: Option<&'a Bsdf>,
+    pub(super) lamps_free: u32,
+}

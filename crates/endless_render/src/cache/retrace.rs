@@ -1,0 +1,130 @@
+//! A frame without the cache: the oracle of frames with it.
+
+use super::bake::CameraBake;
+use super::centre::{CentreLight, centre_lights};
+use super::frame_buffer::{FrameBuffer, Pixel};
+use super::gbuffer_pixel::GBufferPixel;
+use super::gbuffer_sample::{GBufferSample, share_lamp_light, still_light};
+use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_sample};
+use super::mirror::mirrored;
+use super::moving_hits::MovingHits;
+use super::pixel::undisturbed;
+use super::sun_rays::{sun_can_light, sun_origin};
+use super::tile::TILE;
+use super::tile_context::{PixelSamples, TileContext};
+use super::tile_coverage::{CoveredPixel, coverages};
+use super::tile_work::TileWork;
+use crate::accel::Ray;
+use crate::sampling::SAMPLES;
+use crate::scene::{FrameScene, StaticScene, SurfaceInteraction};
+use crate::shade::{Tracer, shade_moving};
+use endless_world::SensorFrame;
+use glam::Vec3A;
+
+impl CameraBake {
+    /// The same as [`Self::render`] without the cache: every sample traced and shaded again, every moving thing asked
+    /// everywhere. Slow; its oracle. Needs [`crate::RenderSettings::keep_irradiance`].
+    ///
+    /// # Panics
+    /// If the bake did not keep its irradiance.
+    pub fn render_uncached(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
+        assert_eq!(self.gbuffer.irradiance.len(), self.gbuffer.samples.len(), "the bake kept no irradiance");
+        let tracer = self.lighting.tracer(still, Some(frame));
+        let everything = TileWork::everything(self.lighting.environment.night, still, frame);
+        let context = TileContext { tracer: &tracer, frame, work: &everything, pixel_angle: self.pixel_angle };
+        let mut buffer = FrameBuffer::new(self);
+        for y0 in (0..self.camera.size.height).step_by(TILE as usize) {
+            for x0 in (0..self.camera.size.width).step_by(TILE as usize) {
+                self.retrace_tile(&context, (x0, y0), &mut buffer);
+            }
+        }
+        buffer.develop(self, frame.frame)
+    }
+
+    /// A still sample from nothing but the scene and the baked irradiance.
+    fn retrace(&self, tracer: &Tracer<'_>, x: u32, y: u32, sample: usize) -> GBufferSample {
+        let ray = self.ray(x, y, sample);
+        let hit = tracer.still.accel.closest(&ray);
+        let mut sun_free = 0;
+        if let (Some(hit), Some(sun)) = (&hit, &tracer.environment.sun) {
+            let point = SurfaceInteraction::new(&tracer.still.instances, &ray, hit);
+            if sun_can_light(&point, sun.direction) {
+                let origin = sun_origin(&point.facet(), sun.direction);
+                for (bit, &direction) in sun.disc[sample].iter().enumerate() {
+                    let free = !tracer.still.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
+                    sun_free |= u8::from(free) << bit;
+                }
+            }
+        }
+        let index = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES + sample;
+        let irradiance = Vec3A::from(self.gbuffer.irradiance[index]);
+        shade_sample(tracer, &PrimarySample { ray, hit, sun_free, irradiance, sample }, self.pixel_angle)
+    }
+
+    /// A tile from nothing but the scene and the baked irradiance, a ray at a time.
+    fn retrace_tile(&self, context: &TileContext<'_>, (x0, y0): (u32, u32), buffer: &mut FrameBuffer) {
+        let TileContext { tracer, frame, .. } = *context;
+        let environment = tracer.environment;
+        let empty = Tracer { moving: None, ..*tracer };
+        let (x1, y1) = self.tile_end(x0, y0);
+        let places = (y0..y1).flat_map(|y| (x0..x1).map(move |x| (x, y)));
+        let pixels: Vec<_> = places
+            .map(|(x, y)| {
+                let uniform = self.gbuffer.uniform[(y * self.camera.size.width + x) as usize];
+                let mut samples: [GBufferSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
+                if environment.night && uniform {
+                    share_lamp_light(&mut samples);
+                }
+                let rays = std::array::from_fn(|s| self.ray(x, y, s));
+                let found = MovingHits::one_by_one(environment, frame, &rays, &samples, uniform);
+                (x, y, samples, rays, found)
+            })
+            .collect();
+        let covered = pixels.iter().map(|(x, y, _, rays, found)| CoveredPixel {
+            place: ((y - y0) * TILE + x - x0) as usize,
+            rays: *rays,
+            found,
+        });
+        let coverages = coverages(
+            self,
+            frame,
+            covered,
+            |seen| seen.iter().map(|seen| shade_moving(tracer, seen, self.pixel_angle)).collect(),
+            |place, seen| self.halo((x0, y0), place, seen),
+        );
+        for (x, y, samples, rays, found) in &pixels {
+            let (x, y) = (*x, *y);
+            let light = self.retraced_centre(context, (x, y), samples);
+            let still = still_light(samples, environment);
+            let pixel = match undisturbed(still, light.as_ref(), found) {
+                Some(radiance) => Pixel { radiance, covered: None, streak: None },
+                None => {
+                    let coverage = &coverages[((y - y0) * TILE + x - x0) as usize];
+                    let mirrors = mirrored(tracer, samples, rays, found, self.pixel_angle);
+                    let samples = PixelSamples { rays, still: samples, found };
+                    self.pixel(context, &samples, light.as_ref(), mirrors, coverage)
+                }
+            };
+            buffer.set(self, x, y, &pixel);
+        }
+    }
+
+    /// The light that the samples of a pixel share, if it is uniform, from nothing but its retraced centre.
+    fn retraced_centre(
+        &self,
+        context: &TileContext<'_>,
+        (x, y): (u32, u32),
+        samples: &[GBufferSample; SAMPLES],
+    ) -> Option<CentreLight> {
+        if !self.gbuffer.uniform[(y * self.camera.size.width + x) as usize] {
+            return None;
+        }
+        let environment = context.tracer.environment;
+        let ray = self.ray(x, y, 0);
+        let point = SurfaceInteraction::new(&context.tracer.still.instances, &ray, &samples[0].hit);
+        let bsdf = gbuffer_bsdf(&point, environment, 0, self.pixel_angle);
+        let mut row = [None; 8];
+        row[0] = Some(GBufferPixel::new(samples).centre(&ray, Some(&bsdf).filter(|_| environment.night)));
+        Some(centre_lights(context, Vec3A::from(self.camera.position), &row)[0])
+    }
+}

@@ -1,0 +1,88 @@
+//! Tiles of pixels, and blocks of tiles above them: tests of what can have changed run on blocks first.
+
+use super::gbuffer_sample::GBufferSample;
+use super::tile::{BLOCK, TILE, TileBounds, TileRayBounds};
+use crate::camera_rays::sample_ray;
+use crate::sampling::SAMPLES;
+use endless_world::PinholeCamera;
+use glam::Vec3A;
+use rayon::prelude::*;
+
+/// Bounds of the tiles of a fixed camera's picture, on two levels.
+pub(super) struct TileHierarchy {
+    pub(super) tiles: TileLevel,
+    pub(super) blocks: TileLevel,
+    /// Height of the lowest surface in view.
+    pub(super) lowest: f32,
+}
+
+/// Tiles, or blocks of tiles, row by row.
+pub(super) struct TileLevel {
+    pub(super) bounds: Vec<TileBounds>,
+    /// The rays that leave each in every frame.
+    pub(super) rays: Vec<TileRayBounds>,
+    pub(super) columns: u32,
+    pub(super) rows: u32,
+}
+
+impl TileLevel {
+    fn new(bounds: Vec<TileBounds>, columns: u32, rows: u32, sun: Option<Vec3A>) -> Self {
+        let rays = bounds.iter().map(|b| b.ray_bounds(sun)).collect();
+        Self { bounds, rays, columns, rows }
+    }
+}
+
+impl TileHierarchy {
+    /// Over these samples; `sun` is the direction to it, where it shines.
+    pub(super) fn new(camera: &PinholeCamera, samples: &[GBufferSample], sun: Option<Vec3A>) -> Self {
+        let (columns, rows) = (camera.size.width.div_ceil(TILE), camera.size.height.div_ceil(TILE));
+        let tiles: Vec<TileBounds> =
+            (0..columns * rows).into_par_iter().map(|tile| bounds_of(camera, samples, tile, columns)).collect();
+        let (block_columns, block_rows) = (columns.div_ceil(BLOCK), rows.div_ceil(BLOCK));
+        let mut blocks = vec![TileBounds::EMPTY; (block_columns * block_rows) as usize];
+        for (i, tile) in tiles.iter().enumerate() {
+            let (x, y) = (i as u32 % columns / BLOCK, i as u32 / columns / BLOCK);
+            blocks[(y * block_columns + x) as usize].join(tile);
+        }
+        let lowest = blocks.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
+        Self {
+            tiles: TileLevel::new(tiles, columns, rows, sun),
+            blocks: TileLevel::new(blocks, block_columns, block_rows, sun),
+            lowest,
+        }
+    }
+}
+
+fn bounds_of(camera: &PinholeCamera, samples: &[GBufferSample], tile: u32, columns: u32) -> TileBounds {
+    let mut bounds = TileBounds::EMPTY;
+    let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
+    for y in y0..(y0 + TILE).min(camera.size.height) {
+        for x in x0..(x0 + TILE).min(camera.size.width) {
+            let pixel = (y * camera.size.width + x) as usize;
+            for (sample, still) in samples[pixel * SAMPLES..][..SAMPLES].iter().enumerate() {
+                if still.is_sky() {
+                    continue;
+                }
+                let ray = sample_ray(camera, x, y, sample);
+                bounds.add(still, ray.origin + ray.direction * still.hit.t);
+            }
+        }
+    }
+    bounds
+}
+
+impl TileBounds {
+    /// Adds a sample that lies at a position.
+    fn add(&mut self, still: &GBufferSample, position: Vec3A) {
+        self.points.add(position);
+        if still.sun_free != 0 {
+            self.sunlit.add(position);
+        }
+        self.lens |= still.flags & GBufferSample::LENS != 0;
+        if still.mirrors() {
+            self.mirrors.add(position);
+            self.mirror_directions.add(Vec3A::from(still.mirror_direction));
+            self.mirror_reach = self.mirror_reach.max(still.mirror_t);
+        }
+    }
+}

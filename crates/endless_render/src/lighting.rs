@@ -1,0 +1,82 @@
+//! The light around one camera's view: what is baked once for it, and stays the same while things move.
+
+use crate::accel::Ray;
+use crate::indirect::{ProbeGrid, ProbeRegion};
+use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
+use crate::scene::{FrameScene, StaticScene};
+use crate::settings::RenderSettings;
+use crate::shade::{Tracer, halos};
+use endless_world::PinholeCamera;
+use glam::{Vec2, Vec3A};
+
+/// Rectangle of ground that cameras see within the reach of probes, and the height of that ground.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct ViewedArea {
+    low: Vec2,
+    high: Vec2,
+    ground: f32,
+}
+
+impl ViewedArea {
+    /// Of one camera.
+    pub(crate) fn of(still: &StaticScene, camera: &PinholeCamera) -> Self {
+        let eye = Vec2::new(camera.position.x, camera.position.y);
+        let (mut low, mut high, mut ground) = (eye - 6.0, eye + 6.0, camera.position.z - 3.0);
+        let size = camera.size;
+        for row in 0..12 {
+            for column in 0..16 {
+                let (x, y) =
+                    (size.width as f32 * (column as f32 + 0.5) / 16.0, size.height as f32 * (row as f32 + 0.5) / 12.0);
+                let direction = Vec3A::from(camera.ray_through(x, y));
+                let ray = Ray { origin: Vec3A::from(camera.position), direction, tmax: 110.0 };
+                if let Some(hit) = still.accel.closest(&ray) {
+                    let p = ray.origin + ray.direction * hit.t;
+                    low = low.min(Vec2::new(p.x, p.y) - 4.0);
+                    high = high.max(Vec2::new(p.x, p.y) + 4.0);
+                    ground = ground.min(p.z);
+                }
+            }
+        }
+        Self { low, high, ground }
+    }
+}
+
+/// Sun, sky and air, what hides lamps, light that bounced, and the glow of lamps in the air.
+pub(crate) struct Lighting {
+    pub(crate) environment: Environment,
+    pub(crate) lamp_maps: LampMaps,
+    pub(crate) probes: ProbeGrid,
+    /// Where lamps glow in the air before a fixed camera.
+    pub(crate) halos: Option<HaloGrid>,
+}
+
+impl Lighting {
+    /// Around what cameras see, without the glow of lamps.
+    pub(crate) fn bake(still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
+        let ViewedArea { low, high, ground } = *area;
+        let environment = Environment::new(settings.weather, settings.time_of_day, settings.seed, ground);
+        let lamps = if environment.night { still.lamps.all() } else { &[] };
+        let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
+        let region = ProbeRegion { low, high, ground, pattern: settings.pattern };
+        let probes = ProbeGrid::bake(still, &environment, &lamp_maps, &region);
+        Self { environment, lamp_maps, probes, halos: None }
+    }
+
+    /// With the glow of lamps before a fixed camera.
+    pub(crate) fn with_halos(self, still: &StaticScene, camera: &PinholeCamera) -> Self {
+        let tracer = self.tracer(still, None);
+        let grid = self.environment.halos().then(|| {
+            HaloGrid::bake(camera.size.width, camera.size.height, |x, y, distance| {
+                let direction = Vec3A::from(camera.ray_through(x, y));
+                halos(&tracer, &Ray { origin: Vec3A::from(camera.position), direction, tmax: f32::MAX }, distance)
+            })
+        });
+        Self { halos: grid, ..self }
+    }
+
+    /// All that light depends on at an instant, or when nothing moves.
+    pub(crate) fn tracer<'a>(&'a self, still: &'a StaticScene, moving: Option<&'a FrameScene>) -> Tracer<'a> {
+        let Self { environment, lamp_maps, probes, .. } = self;
+        Tracer { still, moving, environment, lamp_maps, probes: Some(probes) }
+    }
+}

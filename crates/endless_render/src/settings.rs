@@ -1,0 +1,49 @@
+//! What decides a camera's picture of a scene.
+
+use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, TimeOfDay, Weather};
+
+/// What decides a camera's picture of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RenderSettings {
+    /// Weather.
+    pub weather: Weather,
+    /// Time of day.
+    pub time_of_day: TimeOfDay,
+    /// The scene's seed.
+    pub seed: u64,
+    /// Image size.
+    pub size: ImageSize,
+    /// Rays that gather indirect light for each of a pixel's samples; 4 is clean after denoising.
+    pub gather_rays: u32,
+    /// Which of many equal patterns the gathering rays follow: pictures that differ in nothing else differ by the grain
+    /// that is left.
+    pub pattern: u32,
+    /// What lens, sensor and recorder do to the picture.
+    pub look: CameraLook,
+    /// Frames a second, for the recorder's clock.
+    pub fps: f64,
+    /// Keep what [`crate::CameraBake::render_uncached`] needs (12 bytes a sample).
+    pub keep_irradiance: bool,
+}
+
+impl RenderSettings {
+    /// As clean as datasets are by default, at 30 frames a second.
+    pub fn new(weather: Weather, time_of_day: TimeOfDay, seed: u64, size: ImageSize) -> Self {
+        Self {
+            weather,
+            time_of_day,
+            seed,
+            size,
+            gather_rays: 4,
+            pattern: 0,
+            look: CameraLook::CLEAN,
+            fps: 30.0,
+            keep_irradiance: false,
+        }
+    }
+
+    /// The camera of a site with this picture's size and lens.
+    pub(crate) fn camera(&self, site: &CameraSite) -> PinholeCamera {
+        PinholeCamera::new(site, self.size).with_distortion(self.look.distortion)
+    }
+}
