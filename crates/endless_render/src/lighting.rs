@@ -54,7 +54,7 @@ impl Lighting {
     /// Around what cameras see, without the glow of lamps.
     pub(crate) fn bake(still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
         let ViewedArea { low, high, ground } = *area;
-        let environment = Environment::new(settings.weather, settings.time_of_day, settings.seed, ground);
+        let environment = Environment::new(settings, ground);
         let lamps = if environment.night { still.lamps.all() } else { &[] };
         let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
         let region = ProbeRegion { low, high, ground, pattern: settings.pattern };

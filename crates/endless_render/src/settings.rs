@@ -9,6 +9,8 @@ pub struct RenderSettings {
     pub weather: Weather,
     /// Time of day.
     pub time_of_day: TimeOfDay,
+    /// Towards the sun, world frame, in place of where it stands in this condition; any length but zero.
+    pub sun_direction: Option<[f32; 3]>,
     /// The scene's seed.
     pub seed: u64,
     /// Image size.
@@ -32,6 +34,7 @@ impl RenderSettings {
         Self {
             weather,
             time_of_day,
+            sun_direction: None,
             seed,
             size,
             gather_rays: 4,

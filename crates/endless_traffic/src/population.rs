@@ -1,6 +1,6 @@
 //! What a simulation is asked for, and what it could give.
 
-use endless_world::{TimeOfDay, Weather};
+use endless_world::{Condition, TimeOfDay, Weather};
 
 /// What drivers see of weather and time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -16,11 +16,8 @@ pub struct Conditions {
 impl Conditions {
     /// Of a weather at a time of day.
     pub fn new(weather: Weather, time: TimeOfDay) -> Self {
-        Self {
-            headlights_on: time == TimeOfDay::Night || matches!(weather, Weather::Rainy | Weather::Foggy),
-            wet: matches!(weather, Weather::Rainy | Weather::AfterRain),
-            raining: weather == Weather::Rainy,
-        }
+        let Condition { headlights_on, wet_road, rain, .. } = *Condition::of(weather, time);
+        Self { headlights_on, wet: wet_road, raining: rain > 0.0 }
     }
 }
 

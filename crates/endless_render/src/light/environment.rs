@@ -1,4 +1,4 @@
-//! Weather and time of day as light: fifteen conditions, varied by the scene's seed within each.
+//! The light, the air and the wetness of a condition, as a scene draws them by its seed.
 
 use super::{
     Fog, Sky,
@@ -7,9 +7,15 @@ use super::{
 };
 use crate::accel::Ray;
 use crate::scene::SurfaceInteraction;
-use endless_world::{Stream, TimeOfDay, Weather, math};
+use crate::settings::RenderSettings;
+use endless_world::{Condition, Stream, math};
 use glam::{Vec2, Vec3A};
 use std::f32::consts::{PI, TAU};
+
+/// Light that a town throws into a clear night sky: radiance at the horizon, kcd/m².
+const TOWN_SKYGLOW: Vec3A = Vec3A::new(0.0011, 0.0010, 0.0011);
+/// Town light scattered back at night by the air itself, kcd/m².
+const TOWN_AIRLIGHT: Vec3A = Vec3A::new(0.0042, 0.0039, 0.0038);
 
 /// Directions towards the sun's disc that one sample tests.
 pub(crate) const SUN_SAMPLES: usize = 4;
@@ -48,115 +54,53 @@ pub(crate) struct Environment {
 
 impl Environment {
     /// The light of a scene whose ground lies at this height, metres.
-    pub(crate) fn new(weather: Weather, time: TimeOfDay, seed: u64, ground: f32) -> Self {
-        let mut random = Stream::named(seed, "environment", &[]);
-        let sun_direction = sun_direction(time, &mut random);
-        let night = time == TimeOfDay::Night;
-        let morning = time == TimeOfDay::Morning;
-        let day_light = if morning { 0.45 } else { 1.0 };
-        let glow = if night { Vec3A::new(0.0011, 0.0010, 0.0011) } else { Vec3A::ZERO };
+    pub(crate) fn new(settings: &RenderSettings, ground: f32) -> Self {
+        let condition = Condition::of(settings.weather, settings.time_of_day);
+        let mut random = Stream::named(settings.seed, "environment", &[]);
+        let drawn = sun_direction(condition, &mut random);
+        let sun_direction = settings.sun_direction.map_or(drawn, |towards| Vec3A::from(towards).normalize_or(drawn));
         let cloud_seed = Vec2::new(random.range_f32(-500.0, 500.0), random.range_f32(-500.0, 500.0));
-        let warm = if morning { Vec3A::new(1.0, 0.86, 0.72) } else { Vec3A::ONE };
-        let (turbidity, overcast, overcast_klx, cover) = match weather {
-            Weather::ClearSky => (if morning { 3.0 } else { 2.2 }, 0.0, 0.0, 0.28),
-            Weather::Cloudy => (3.0, 0.93, 17.0, 0.0),
-            Weather::Rainy => (4.0, 1.0, 8.0, 0.0),
-            Weather::Foggy => (5.0, 0.96, 12.0, 0.0),
-            Weather::AfterRain => (2.0, 0.12, 10.0, 0.55),
-        };
-        let clouds = (cover > 0.0 && !night).then(|| Clouds {
-            cover,
-            lit: warm * (14.0 * day_light),
-            dark: Vec3A::new(0.80, 0.9, 1.05) * (6.0 * day_light),
+        let low_light = Vec3A::from(condition.low_light);
+        let clouds = (condition.cloud_cover > 0.0).then(|| Clouds {
+            cover: condition.cloud_cover,
+            lit: low_light * (14.0 * condition.cloud_brightness),
+            dark: Vec3A::new(0.80, 0.9, 1.05) * (6.0 * condition.cloud_brightness),
             seed: cloud_seed,
         });
         let sky = Sky::new(&SkyParameters {
             sun_direction,
-            turbidity,
-            overcast: if night { 0.0 } else { overcast },
-            overcast_klx: overcast_klx * day_light,
-            glow: glow * if matches!(weather, Weather::ClearSky) { 1.0 } else { 1.9 },
+            turbidity: condition.turbidity,
+            overcast: condition.overcast,
+            overcast_klx: condition.overcast_klx,
+            glow: TOWN_SKYGLOW * condition.skyglow,
             clouds,
         });
-        // What haze and clouds leave of the sun.
-        let sun_share = match weather {
-            Weather::ClearSky => 1.0,
-            Weather::AfterRain => 0.8,
-            Weather::Cloudy | Weather::Rainy | Weather::Foggy => 0.0,
-        };
-        let sun = (!night && sun_share > 0.0).then(|| Sun {
+        let sun = (condition.sun_share > 0.0).then(|| Sun {
             direction: sun_direction,
-            illuminance: sun_transmittance(sun_direction, turbidity) * (SOLAR_ILLUMINANCE_KLX * sun_share),
+            illuminance: sun_transmittance(sun_direction, condition.turbidity)
+                * (SOLAR_ILLUMINANCE_KLX * condition.sun_share),
             disc: sun_disc(sun_direction),
         });
-        let visibility_m = match weather {
-            Weather::ClearSky => 14_000.0,
-            Weather::Cloudy => 7_000.0,
-            Weather::AfterRain => 9_000.0,
-            Weather::Rainy => random.range_f32(900.0, 1600.0),
-            Weather::Foggy => random.range_f32(110.0, 200.0),
-        };
-        let horizon = sky.mean;
-        let sunward = match (weather, night) {
-            (_, true) => Vec3A::ZERO,
-            (Weather::Foggy, _) => warm * horizon * if morning { 0.9 } else { 0.35 },
-            (Weather::ClearSky | Weather::AfterRain, _) => warm * horizon * 0.8,
-            _ => Vec3A::ZERO,
-        };
-        let airlight = if night {
-            // Town light scattered back by the air itself.
-            Vec3A::new(0.0042, 0.0039, 0.0038)
-                * match weather {
-                    Weather::Foggy => 0.42,
-                    Weather::Rainy => 0.12,
-                    _ => 0.30,
-                }
-        } else {
-            horizon * if weather == Weather::Foggy { 0.9 } else { 0.85 }
-        };
-        let (wetness, puddles, rain) = match weather {
-            Weather::Rainy => (1.0, 0.42, 1.0),
-            Weather::AfterRain => (0.75, 0.36, 0.0),
-            Weather::Foggy => (0.12, 0.0, 0.0),
-            Weather::ClearSky | Weather::Cloudy => (0.0, 0.0, 0.0),
-        };
-        // Droplets in the air and on the lens spread bright light.
-        let glare = match weather {
-            _ if !night => 0.0,
-            Weather::Foggy => 0.13,
-            Weather::Rainy => 0.10,
-            _ => 0.06,
-        };
-        let exposure_key = match (time, weather) {
-            (TimeOfDay::Night, Weather::Foggy | Weather::Rainy) => 0.075,
-            (TimeOfDay::Night, _) => 0.065,
-            (TimeOfDay::Morning, Weather::ClearSky | Weather::AfterRain) => 0.19,
-            (TimeOfDay::Morning, Weather::Foggy) => 0.27,
-            (TimeOfDay::Morning, _) => 0.165,
-            (TimeOfDay::Afternoon, Weather::Foggy) => 0.34,
-            (TimeOfDay::Afternoon, Weather::Rainy) => 0.20,
-            (TimeOfDay::Afternoon, Weather::Cloudy) => 0.235,
-            (TimeOfDay::Afternoon, _) => 0.235,
+        let night = condition.lamps_lit;
+        let fog = Fog {
+            extinction: Fog::extinction_for_visibility(condition.visibility_m.draw(&mut random)),
+            ground,
+            scale_height_m: condition.scale_height_m.draw(&mut random),
+            glow: condition.halo,
+            airlight: if night { TOWN_AIRLIGHT } else { sky.mean } * condition.airlight,
+            sunward: low_light * sky.mean * condition.sunward,
+            sun_direction,
         };
         Self {
             sun,
             sky,
-            fog: Fog {
-                extinction: Fog::extinction_for_visibility(visibility_m),
-                ground,
-                // Haze and rain reach high up; fog lies on the ground as it cools.
-                scale_height_m: if weather == Weather::Foggy { random.range_f32(35.0, 70.0) } else { 1200.0 },
-                glow: if weather == Weather::Rainy { 0.5 } else { 0.65 },
-                airlight,
-                sunward,
-                sun_direction,
-            },
+            fog,
             night,
-            wetness,
-            puddles,
-            rain,
-            exposure_key,
-            glare,
+            wetness: condition.wetness,
+            puddles: condition.puddles,
+            rain: condition.rain,
+            exposure_key: condition.exposure_key,
+            glare: condition.glare,
         }
     }
 
@@ -179,13 +123,10 @@ impl Environment {
     }
 }
 
-/// Morning: low in the east; afternoon: high in the south to south-west; night: below the horizon.
-fn sun_direction(time: TimeOfDay, random: &mut Stream) -> Vec3A {
-    let (azimuth_deg, elevation_deg) = match time {
-        TimeOfDay::Morning => (random.range_f32(-25.0, 35.0), random.range_f32(11.0, 19.0)),
-        TimeOfDay::Afternoon => (random.range_f32(215.0, 285.0), random.range_f32(42.0, 60.0)),
-        TimeOfDay::Night => (random.range_f32(0.0, 360.0), -40.0),
-    };
+/// Towards the sun of a scene.
+fn sun_direction(condition: &Condition, random: &mut Stream) -> Vec3A {
+    let azimuth_deg = condition.sun_azimuth_deg.draw(random);
+    let elevation_deg = condition.sun_elevation_deg.draw(random);
     let (sin_azimuth, cos_azimuth) = math::sin_cos(azimuth_deg.to_radians());
     let (sin_elevation, cos_elevation) = math::sin_cos(elevation_deg.to_radians());
     Vec3A::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, sin_elevation)
@@ -228,10 +169,12 @@ fn sun_disc(direction: Vec3A) -> [[Vec3A; SUN_SAMPLES]; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use endless_world::{ImageSize, TimeOfDay, Weather};
 
     #[test]
     fn conditions_differ_as_they_should() {
-        let light = |w, t| Environment::new(w, t, 5, 0.0);
+        let size = ImageSize { width: 16, height: 9 };
+        let light = |w, t| Environment::new(&RenderSettings::new(w, t, 5, size), 0.0);
         let noon = light(Weather::ClearSky, TimeOfDay::Afternoon);
         let dawn = light(Weather::ClearSky, TimeOfDay::Morning);
         let (high, low) = (noon.sun.expect("sun"), dawn.sun.expect("sun"));

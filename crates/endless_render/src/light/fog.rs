@@ -4,7 +4,7 @@ use endless_world::math;
 use glam::Vec3A;
 use std::f32::consts::PI;
 
-/// ProbeRegion that thins out exponentially with height (Beer–Lambert), with light scattered towards the viewer mostly from the
+/// Air that thins out exponentially with height (Beer–Lambert), with light scattered towards the viewer mostly from the
 /// sun's side.
 #[derive(Debug, Clone)]
 pub(crate) struct Fog {
