@@ -66,6 +66,7 @@ mod indirect;
 mod light;
 mod lighting;
 mod material;
+mod moving_camera;
 mod octahedron;
 mod sampling;
 mod scene;
@@ -75,6 +76,7 @@ mod shade;
 pub use accel::{Accel, Blas, Hit, Ray, RayStream, StreamHits};
 pub use cache::{BakeStats, CameraBake};
 pub use light::{BeamKind, VehicleBeam};
+pub use moving_camera::{IndirectLight, MovingCamera};
 pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,
     RigidVelocity, StaticScene,

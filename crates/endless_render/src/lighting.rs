@@ -18,6 +18,9 @@ pub(crate) struct ViewedArea {
 }
 
 impl ViewedArea {
+    /// Around nothing.
+    pub(crate) const EMPTY: Self = Self { low: Vec2::ZERO, high: Vec2::ZERO, ground: 0.0 };
+
     /// Of one camera.
     pub(crate) fn of(still: &StaticScene, camera: &PinholeCamera) -> Self {
         let eye = Vec2::new(camera.position.x, camera.position.y);
@@ -39,27 +42,40 @@ impl ViewedArea {
         }
         Self { low, high, ground }
     }
+
+    /// What is seen of either.
+    pub(crate) fn joined(self, other: &Self) -> Self {
+        let (low, high) = (self.low.min(other.low), self.high.max(other.high));
+        Self { low, high, ground: self.ground.min(other.ground) }
+    }
 }
 
 /// Sun, sky and air, what hides lamps, light that bounced, and the glow of lamps in the air.
 pub(crate) struct Lighting {
     pub(crate) environment: Environment,
     pub(crate) lamp_maps: LampMaps,
-    pub(crate) probes: ProbeGrid,
+    /// Light that bounced; without them it is that of the open sky.
+    pub(crate) probes: Option<ProbeGrid>,
     /// Where lamps glow in the air before a fixed camera.
     pub(crate) halos: Option<HaloGrid>,
 }
 
 impl Lighting {
-    /// Around what cameras see, without the glow of lamps.
-    pub(crate) fn bake(still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
+    /// Around what cameras see, without light that bounced and without the glow of lamps.
+    pub(crate) fn direct(still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
         let ViewedArea { low, high, ground } = *area;
         let environment = Environment::new(settings, ground);
         let lamps = if environment.night { still.lamps.all() } else { &[] };
         let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
+        Self { environment, lamp_maps, probes: None, halos: None }
+    }
+
+    /// With light that bounced.
+    pub(crate) fn with_probes(self, still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
+        let ViewedArea { low, high, ground } = *area;
         let region = ProbeRegion { low, high, ground, pattern: settings.pattern };
-        let probes = ProbeGrid::bake(still, &environment, &lamp_maps, &region);
-        Self { environment, lamp_maps, probes, halos: None }
+        let probes = ProbeGrid::bake(still, &self.environment, &self.lamp_maps, &region);
+        Self { probes: Some(probes), ..self }
     }
 
     /// With the glow of lamps before a fixed camera.
@@ -77,6 +93,6 @@ impl Lighting {
     /// All that light depends on at an instant, or when nothing moves.
     pub(crate) fn tracer<'a>(&'a self, still: &'a StaticScene, moving: Option<&'a FrameScene>) -> Tracer<'a> {
         let Self { environment, lamp_maps, probes, .. } = self;
-        Tracer { still, moving, environment, lamp_maps, probes: Some(probes) }
+        Tracer { still, moving, environment, lamp_maps, probes: probes.as_ref() }
     }
 }

@@ -137,7 +137,7 @@ impl Blas {
         self.groups.release();
     }
 
-    /// Takes new positions of the same vertices. StreamHits are then the same as after a fresh build; speed is that of
+    /// Takes new positions of the same vertices. Hits are then the same as after a fresh build; speed is that of
     /// the old tree, so rebuild when the shape has changed much.
     ///
     /// # Panics

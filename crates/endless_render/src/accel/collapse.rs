@@ -18,7 +18,7 @@ pub(super) struct Costs {
     pub(super) max_leaf: u32,
 }
 
-/// An eight-wide tree. NodeChildren come after their parents.
+/// An eight-wide tree. Children come after their parents.
 #[derive(Clone, Debug)]
 pub(super) struct Bvh {
     pub(super) nodes: Vec<BvhNode>,

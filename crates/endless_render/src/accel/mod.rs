@@ -5,7 +5,7 @@
 //!
 //! ```text
 //! Accel ── BvhNode ─┬─ TlasEntry ── object_from_world ── Blas ── BvhNode ─┬─ TriangleGroup ×n
-//!                └─ BvhNode …                                      └─ BvhNode …
+//!                   └─ BvhNode …                                          └─ BvhNode …
 //! ```
 //!
 //! The hit of a ray is a function of the geometry alone: neither the shape of the trees, nor refitting, nor tracing

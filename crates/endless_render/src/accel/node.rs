@@ -32,7 +32,7 @@ impl NodeLink {
         self.0 & Self::LEAF != 0
     }
 
-    /// BvhNode index of an inner link.
+    /// Node index of an inner link.
     #[inline]
     pub(super) fn node(self) -> usize {
         self.0 as usize
@@ -102,7 +102,7 @@ impl BvhNode {
         (0..8).filter(|&slot| self.links[slot] != NodeLink::EMPTY).map(|slot| (self.links[slot], self.child_box(slot)))
     }
 
-    /// Which children a ray (or every ray of a slab_ray) may enter before `tmax`, and where.
+    /// Which children a ray (or every ray that a `SlabRay` stands for) may enter before `tmax`, and where.
     #[inline(always)]
     pub(super) fn enter(&self, slab_ray: &SlabRay, tmax: f32) -> (u32, f32x8) {
         let near =

@@ -31,7 +31,8 @@ impl CameraBake {
     pub fn bake(still: &StaticScene, settings: &RenderSettings, site: &CameraSite) -> Self {
         let camera = settings.camera(site);
         let pixel_angle = 1.0 / camera.intrinsics.fx;
-        let lighting = Lighting::bake(still, settings, &ViewedArea::of(still, &camera));
+        let area = ViewedArea::of(still, &camera);
+        let lighting = Lighting::direct(still, settings, &area).with_probes(still, settings, &area);
         let stats = BakeStats::default();
         let tracer = lighting.tracer(still, None);
         let gbuffer = GBuffer::bake(&BakePass { tracer, camera: &camera, pixel_angle, settings, stats: &stats });

@@ -7,9 +7,8 @@ use super::gbuffer_shading::gbuffer_bsdf;
 use super::lamp_mask::{lamp_sum, lamps_blocked};
 use super::tile_context::TileContext;
 use crate::accel::Ray;
-use crate::scene::{FrameScene, SurfaceInteraction};
-use endless_scene::{LensAspect, Surface};
-use endless_world::SignalAspect;
+use crate::scene::SurfaceInteraction;
+use crate::shade::lens_light;
 use glam::Vec3A;
 
 /// Radiance of a still sample, without vehicle lights. `centre` is what is known from the pixel's centre, `sun_free` and
@@ -49,26 +48,4 @@ pub(super) fn compose(
     };
     let direct = direct.unwrap_or(Vec3A::from(still.direct)) * sun_share(environment, sun_free);
     Vec3A::from(still.rest) + Vec3A::from(still.ambient) * contact + direct + mirror + signal
-}
-
-/// Light of a traffic light's lens in the state that its group is in.
-fn lens_light(frame: &FrameScene, point: &SurfaceInteraction<'_>, night: bool) -> Vec3A {
-    let (Surface::SignalLens(lens), Some(signal)) = (point.material.surface, point.instance.signal) else {
-        return Vec3A::ZERO;
-    };
-    let Some(aspect) = frame.signals.get(usize::from(signal.0)) else { return Vec3A::ZERO };
-    let lit = match lens {
-        LensAspect::Red => matches!(aspect, SignalAspect::Red | SignalAspect::RedYellow),
-        LensAspect::Yellow => matches!(aspect, SignalAspect::Yellow | SignalAspect::RedYellow),
-        LensAspect::Green => matches!(aspect, SignalAspect::Green),
-    };
-    if !lit {
-        return Vec3A::ZERO;
-    }
-    let color = match lens {
-        LensAspect::Red => Vec3A::new(1.0, 0.04, 0.02),
-        LensAspect::Yellow => Vec3A::new(1.0, 0.46, 0.02),
-        LensAspect::Green => Vec3A::new(0.02, 1.0, 0.42),
-    };
-    color * if night { 0.3 } else { 11.0 }
 }

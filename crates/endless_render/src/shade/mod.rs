@@ -5,12 +5,14 @@ mod headlight;
 mod lamplight;
 mod moving;
 mod secondary;
+mod signal;
 mod tracer;
 
 pub(crate) use halo::halos;
 pub(crate) use moving::{MovingSample, footprint_m, shade_moving, shade_moving_together};
 pub(crate) use secondary::{
-    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_hit, shade_hit8, shade_secondary,
-    shade_secondary8,
+    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_hit, shade_hit8, shade_interactions8,
+    shade_secondary, shade_secondary8,
 };
+pub(crate) use signal::lens_light;
 pub(crate) use tracer::{SceneHit, Tracer};

@@ -1,0 +1,153 @@
+//! Frames of a camera that moves: nothing is kept from one to the next but what belongs to the scene.
+
+use crate::accel::{Ray, RayStream};
+use crate::camera_rays::{planar_depth, sample_ray};
+use crate::film::{ToneCurve, exposure};
+use crate::lighting::{Lighting, ViewedArea};
+use crate::material::{Bsdf, evaluate_bsdf};
+use crate::scene::{FrameDescription, FrameScene, StaticScene, SurfaceInteraction};
+use crate::settings::RenderSettings;
+use crate::shade::{SceneHit, Tracer, footprint_m, lens_light, shade_interactions8};
+use endless_world::{CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, PinholeCamera, SensorFrame};
+use glam::Vec3A;
+use rayon::prelude::*;
+
+/// Lines of pixels that are traced together.
+const LINES: usize = 4;
+/// Pixels of a line that are traced together.
+const COLUMNS: usize = 8;
+
+/// Where light comes from that did not come straight from the sun or a lamp.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum IndirectLight {
+    /// From an open sky, whatever stands around.
+    OpenSky,
+    /// From irradiance probes, baked once for all that the cameras see: two bounces.
+    Probes,
+}
+
+/// Renders a scene for a camera that moves, one ray a pixel: direct light with hard shadows, indirect light, fog, and the
+/// open sky in mirrors. Faster than a [`CameraBake`](crate::CameraBake) for one frame and slower for many; lights of
+/// vehicles are seen, but light nothing, and what lens and recorder do is left out.
+pub struct MovingCamera {
+    settings: RenderSettings,
+    lighting: Lighting,
+    tone: ToneCurve,
+}
+
+impl MovingCamera {
+    /// Exposed for the first of these sites along the camera's way; probes are baked for what is seen from all of them.
+    pub fn new(still: &StaticScene, settings: &RenderSettings, indirect: IndirectLight, way: &[CameraSite]) -> Self {
+        let cameras: Vec<PinholeCamera> = way.iter().map(|site| settings.camera(site)).collect();
+        let areas = cameras.iter().map(|camera| ViewedArea::of(still, camera));
+        let area = areas.reduce(|a, b| a.joined(&b)).unwrap_or(ViewedArea::EMPTY);
+        let lighting = Lighting::direct(still, settings, &area);
+        let lighting = match indirect {
+            IndirectLight::OpenSky => lighting,
+            IndirectLight::Probes => lighting.with_probes(still, settings, &area),
+        };
+        let nothing = FrameScene::new(FrameDescription::default());
+        let tracer = lighting.tracer(still, Some(&nothing));
+        let radiance = cameras.first().map_or_else(Vec::new, |camera| View::trace(&tracer, camera).radiance);
+        let environment = &lighting.environment;
+        let exposure = exposure(&radiance, Vec3A::ZERO, environment.exposure_key);
+        let tone = ToneCurve::new(exposure, environment.white_balance(), Vec3A::ZERO);
+        Self { settings: settings.clone(), lighting, tone }
+    }
+
+    /// What the camera sees from a site at an instant.
+    pub fn render(&self, still: &StaticScene, frame: &FrameScene, site: &CameraSite) -> SensorFrame {
+        let camera = self.settings.camera(site);
+        let size = camera.size;
+        let View { radiance, depth, instance } = View::trace(&self.lighting.tracer(still, Some(frame)), &camera);
+        let rgb = radiance.par_iter().map(|&r| self.tone.apply(r)).collect();
+        SensorFrame {
+            frame: frame.frame,
+            rgb: Image { size, data: rgb },
+            depth: Image { size, data: depth },
+            instance: Image { size, data: instance },
+        }
+    }
+}
+
+/// What a camera sees, before film.
+struct View {
+    radiance: Vec<Vec3A>,
+    depth: Vec<f32>,
+    instance: Vec<InstancePixel>,
+}
+
+impl View {
+    fn trace(tracer: &Tracer<'_>, camera: &PinholeCamera) -> Self {
+        let sky = InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF };
+        let count = camera.size.pixels();
+        let mut view =
+            Self { radiance: vec![Vec3A::ZERO; count], depth: vec![FAR_PLANE_M; count], instance: vec![sky; count] };
+        let band = LINES * camera.size.width as usize;
+        view.radiance
+            .par_chunks_mut(band)
+            .zip(view.depth.par_chunks_mut(band))
+            .zip(view.instance.par_chunks_mut(band))
+            .enumerate()
+            .for_each(|(i, ((radiance, depth), instance))| {
+                Band { tracer, camera, first_line: i * LINES, radiance, depth, instance }.trace();
+            });
+        view
+    }
+}
+
+/// Some lines of a view.
+struct Band<'a> {
+    tracer: &'a Tracer<'a>,
+    camera: &'a PinholeCamera,
+    first_line: usize,
+    radiance: &'a mut [Vec3A],
+    depth: &'a mut [f32],
+    instance: &'a mut [InstancePixel],
+}
+
+impl Band<'_> {
+    fn trace(&mut self) {
+        let width = self.camera.size.width as usize;
+        let lines = self.radiance.len() / width;
+        for first in (0..width).step_by(COLUMNS) {
+            let columns = (width - first).min(COLUMNS);
+            let rays: [[Ray; COLUMNS]; LINES] = std::array::from_fn(|line| {
+                std::array::from_fn(|i| {
+                    // Beyond the edge the last ray is repeated, and not traced.
+                    let (x, y) = (first + i.min(columns - 1), self.first_line + line.min(lines - 1));
+                    sample_ray(self.camera, x as u32, y as u32, 0)
+                })
+            });
+            let active = ((1u16 << columns) - 1) as u8;
+            let all = (0..lines).fold(0, |bits, line| bits | u32::from(active) << (COLUMNS * line));
+            let hits = self.tracer.closest32(&RayStream::of(&rays), all);
+            for (line, (rays, hits)) in rays.iter().zip(&hits).enumerate().take(lines) {
+                self.shade(line * width + first, rays, hits, active);
+            }
+        }
+    }
+
+    /// Up to eight pixels of a line.
+    fn shade(&mut self, first: usize, rays: &[Ray; COLUMNS], hits: &[Option<SceneHit>; COLUMNS], active: u8) {
+        let environment = self.tracer.environment;
+        let pixel_angle = 1.0 / self.camera.intrinsics.fx;
+        let points: [Option<(SurfaceInteraction<'_>, Bsdf)>; COLUMNS] = std::array::from_fn(|i| {
+            let point = self.tracer.point(&rays[i], hits[i].as_ref()?);
+            let bsdf = evaluate_bsdf(&point, environment, footprint_m(&point, pixel_angle), 0.5);
+            Some((point, bsdf))
+        });
+        let shaded = shade_interactions8(self.tracer, rays, &points, active);
+        for i in (0..COLUMNS).filter(|i| active >> i & 1 == 1) {
+            self.radiance[first + i] = shaded[i];
+            let Some((point, _)) = &points[i] else { continue };
+            if let Some(frame) = self.tracer.moving {
+                let lens = lens_light(frame, point, environment.night);
+                self.radiance[first + i] +=
+                    lens * environment.fog.transmittance(rays[i].origin, rays[i].direction, point.distance);
+            }
+            self.depth[first + i] = planar_depth(self.camera, &rays[i], point.distance);
+            self.instance[first + i] = InstancePixel { tag: point.tag(), id: point.instance.id };
+        }
+    }
+}
