@@ -14,7 +14,7 @@ pub(super) struct Pixel {
     pub(super) streak: Option<Streak>,
 }
 
-/// The picture, its depth and its labels: those of the still town, until pixels are set.
+/// The picture, its depth and its labels: those of the static scene, until pixels are set.
 pub(super) struct FrameBuffer {
     /// Full radiance, where the film needs it (rain, lens, glare, blur).
     radiance: Option<Vec<Vec3A>>,

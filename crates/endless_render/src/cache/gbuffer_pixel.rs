@@ -15,9 +15,9 @@ pub(super) struct GBufferPixel {
     pub(super) distances: [f32; SAMPLES],
     /// Geometric normal of each sample, packed.
     normals: [u32; SAMPLES],
-    /// Which lamps near the centre light it past the still town, a bit each.
+    /// Which lamps near the centre light it past the static scene, a bit each.
     lamps_free: u32,
-    /// Which directions to the sun's disc the still town leaves each sample, a bit each.
+    /// Which directions to the sun's disc the static scene leaves each sample, a bit each.
     pub(super) sun_free: [u8; SAMPLES],
     /// Which of the pixel's samples mirror, a bit each.
     pub(super) mirrors: u8,

@@ -17,21 +17,21 @@ pub(super) struct GBufferSample {
     pub(super) rest: [f32; 3],
     /// Reflected sky and bounced light; moving objects nearby darken it.
     pub(super) ambient: [f32; 3],
-    /// By day the sun's light if nothing were in its way; at night that of all lamps, shadowed by the still town.
+    /// By day the sun's light if nothing were in its way; at night that of all lamps, shadowed by the static scene.
     pub(super) direct: [f32; 3],
     /// What the coat mirrors.
     pub(super) mirror: [f32; 3],
     /// Where the coat's mirror ray goes.
     pub(super) mirror_direction: [f32; 3],
-    /// How far that ray gets in the still town.
+    /// How far that ray gets in the static scene.
     pub(super) mirror_t: f32,
     /// Share of the mirrored light that arrives, fog applied, a channel each, and the coat's roughness; 65,535 is 1.
     pub(super) mirror_weight: [u16; 4],
     /// Geometric normal, packed.
     pub(super) normal: u32,
-    /// Which directions to the sun's disc the still town leaves free, a bit each.
+    /// Which directions to the sun's disc the static scene leaves free, a bit each.
     pub(super) sun_free: u8,
-    /// Which lamps near it light it past the still town, a bit each.
+    /// Which lamps near it light it past the static scene, a bit each.
     pub(super) lamps_free: u32,
     /// [`Self::MIRRORS`], [`Self::LENS`].
     pub(super) flags: u8,
@@ -76,7 +76,7 @@ impl GBufferSample {
         Facet::along(ray, self.hit.t, octahedron::unpack(self.normal))
     }
 
-    /// The ray into its mirror, as far as the still town.
+    /// The ray into its mirror, as far as the static scene.
     pub(super) fn mirror_ray(&self, facet: &Facet) -> Ray {
         Ray { origin: facet.ray_origin(), direction: Vec3A::from(self.mirror_direction), tmax: self.mirror_t }
     }

@@ -6,7 +6,7 @@ use crate::scene::{Facet, FrameScene};
 use crate::shade::Tracer;
 use glam::Vec3A;
 
-/// The lamps near a point that light it past the still town, a bit each.
+/// The lamps near a point that light it past the static scene, a bit each.
 pub(super) fn lamps_free(tracer: &Tracer<'_>, facet: &Facet) -> u32 {
     let origin = facet.ray_origin();
     let mut free = 0;

@@ -1,4 +1,4 @@
-//! The fixed-camera cache: the still town is shaded once a video, and a frame retraces only what can have changed.
+//! The fixed-camera cache: the static scene is shaded once a video, and a frame retraces only what can have changed.
 //!
 //! A frame is defined without the cache: every sample of every pixel is the light of a still surface, as the moving
 //! world shades, mirrors and lights it now, or the light of a moving surface in front of it

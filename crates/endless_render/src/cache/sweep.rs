@@ -1,4 +1,4 @@
-//! Light of vehicle lamps that sweeps the still town.
+//! Light of vehicle lamps that sweeps the static scene.
 
 use super::gbuffer_shading::gbuffer_bsdf;
 use super::pixel_centre::PixelCentre;

@@ -49,7 +49,7 @@ pub(super) struct TileBounds {
     pub(super) mirrors: Bounds3,
     /// Directions of their mirror rays.
     pub(super) mirror_directions: Bounds3,
-    /// How far the longest of them gets in the still town.
+    /// How far the longest of them gets in the static scene.
     pub(super) mirror_reach: f32,
     /// Some sample is a traffic light's lens.
     pub(super) lens: bool,

@@ -1,4 +1,4 @@
-//! What the still town hides from each lamp, as a map of distances (Williams 1978): for surfaces whose shadows by lamps
+//! What the static scene hides from each lamp, as a map of distances (Williams 1978): for surfaces whose shadows by lamps
 //! need not be sharp, those that move and those in mirrors.
 
 use super::lamps::PointLamp;

@@ -32,7 +32,7 @@ impl LampCandidate {
         Ray { origin, direction: position - origin, tmax: 0.999 }
     }
 
-    /// Share of the light that the still town lets through, where the lamp's map knows it.
+    /// Share of the light that the static scene lets through, where the lamp's map knows it.
     fn mapped_share(&self, tracer: &Tracer<'_>, ray: &Ray) -> Option<f32> {
         tracer.lamp_maps.lit(usize::from(self.lamp), self.direction, ray.direction.length())
     }

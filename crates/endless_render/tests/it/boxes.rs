@@ -1,0 +1,134 @@
+//! A scene of boxes: rendered with the cache, without it, and by a camera that moves.
+
+use endless_render::{
+    CameraBake, Footprint, FrameDescription, FrameScene, Geometry, IndirectLight, Instance, MovingCamera, MovingObject,
+    RenderSettings, StaticScene,
+};
+use endless_scene::{Material, MeshBuilder, Surface};
+use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, Mount, SensorFrame, TimeOfDay, Weather};
+use glam::{Affine3A, Vec2, Vec3};
+
+const SIZE: ImageSize = ImageSize { width: 120, height: 68 };
+/// A block that stands.
+const STANDING: InstanceId = InstanceId(1);
+/// One that stands only in one video.
+const DETAIL: InstanceId = InstanceId(2);
+/// One that moves.
+const MOVING: InstanceId = InstanceId(3);
+
+fn cuboid(half: Vec3, surface: Surface, color: [f32; 3], tag: ClassTag) -> Geometry {
+    let mut builder = MeshBuilder::new();
+    builder.cuboid(
+        half * Vec3::new(-1.0, -1.0, 0.0),
+        half * Vec3::new(1.0, 1.0, 2.0),
+        Material::new(surface, color, tag),
+    );
+    Geometry::new(builder.finish())
+}
+
+fn block() -> Geometry {
+    cuboid(Vec3::ONE, Surface::Painted, [0.5, 0.2, 0.1], ClassTag::Static)
+}
+
+fn at(x: f32, y: f32) -> Affine3A {
+    Affine3A::from_translation(Vec3::new(x, y, 0.0))
+}
+
+/// A floor and a block.
+fn still() -> StaticScene {
+    let floor = cuboid(Vec3::new(60.0, 60.0, 0.05), Surface::Asphalt, [0.14; 3], ClassTag::Roads);
+    let floor = Instance::new(&floor, Affine3A::from_translation(Vec3::NEG_Z * 0.1));
+    StaticScene::new(vec![floor, Instance::new(&block(), at(14.0, -3.0)).with_id(STANDING, ClassTag::Static)], &[])
+}
+
+fn frame(x: f32) -> FrameScene {
+    let world_from_object = at(x, 2.0);
+    let instances = vec![Instance::new(&block(), world_from_object).with_id(MOVING, ClassTag::Dynamic)];
+    let footprint = Footprint { world_from_object, ahead_m: 0.0, half_m: Vec2::ONE, height_m: 2.0 };
+    FrameScene::new(FrameDescription {
+        objects: vec![MovingObject { instances, footprint }],
+        ..FrameDescription::default()
+    })
+}
+
+fn site() -> CameraSite {
+    CameraSite {
+        name: "pole".to_owned(),
+        position: [0.0, 0.0, 6.0],
+        yaw_rad: 0.0,
+        down_tilt_rad: 0.35,
+        horizontal_fov_rad: 1.1,
+        mount: Mount::Pole,
+    }
+}
+
+fn settings(weather: Weather) -> RenderSettings {
+    RenderSettings {
+        gather_rays: 1,
+        keep_irradiance: true,
+        ..RenderSettings::new(weather, TimeOfDay::Afternoon, 3, SIZE)
+    }
+}
+
+fn pixels_of(id: InstanceId, frame: &SensorFrame) -> Vec<usize> {
+    (0..SIZE.pixels()).filter(|&i| frame.instance.data[i].id == id).collect()
+}
+
+#[test]
+fn the_cache_leaves_nothing_out() {
+    for weather in [Weather::ClearSky, Weather::AfterRain] {
+        let still = still();
+        let bake = CameraBake::bake(&still, &settings(weather), &site());
+        for x in [10.0, 16.0] {
+            let frame = frame(x);
+            let (cached, traced) = (bake.render(&still, &frame), bake.render_uncached(&still, &frame));
+            assert!(cached == traced, "{weather}, {x} m");
+            assert!(pixels_of(MOVING, &cached).len() > 30);
+        }
+    }
+}
+
+#[test]
+fn a_video_has_details_that_its_map_has_not() {
+    let map = still();
+    let video = map.with_instances([Instance::new(&block(), at(12.0, 5.0)).with_id(DETAIL, ClassTag::Static)]);
+    assert_eq!(video.placed_triangles(), map.placed_triangles() + 12);
+    let seen = |still: &StaticScene| {
+        let nothing = FrameScene::new(FrameDescription::default());
+        CameraBake::bake(still, &settings(Weather::Cloudy), &site()).render(still, &nothing)
+    };
+    let (plain, detailed) = (seen(&map), seen(&video));
+    assert!(pixels_of(DETAIL, &plain).is_empty() && pixels_of(DETAIL, &detailed).len() > 30);
+    assert_eq!(pixels_of(STANDING, &plain), pixels_of(STANDING, &detailed));
+}
+
+#[test]
+fn a_moving_camera_sees_what_a_fixed_one_sees() {
+    let (still, frame, settings) = (still(), frame(12.0), settings(Weather::ClearSky));
+    let fixed = CameraBake::bake(&still, &settings, &site()).render(&still, &frame);
+    let mean = |f: &SensorFrame| f.rgb.data.iter().flatten().map(|&v| f64::from(v)).sum::<f64>() / SIZE.pixels() as f64;
+    for indirect in [IndirectLight::OpenSky, IndirectLight::Probes] {
+        let moving = MovingCamera::new(&still, &settings, indirect, &[site()]).render(&still, &frame, &site());
+        assert_eq!(moving.instance, fixed.instance);
+        assert_eq!(moving.depth, fixed.depth);
+        assert!((mean(&moving) - mean(&fixed)).abs() < 40.0, "{} {}", mean(&moving), mean(&fixed));
+    }
+}
+
+#[test]
+fn the_sun_stands_where_it_is_told_to() {
+    let (still, nothing) = (still(), FrameScene::new(FrameDescription::default()));
+    let seen = |sun_direction| {
+        let settings = RenderSettings { sun_direction: Some(sun_direction), ..settings(Weather::ClearSky) };
+        MovingCamera::new(&still, &settings, IndirectLight::OpenSky, &[site()]).render(&still, &nothing, &site())
+    };
+    // The block's shadow falls to the other side: to the right of it in the picture, or to the left.
+    let [left, right] = [[0.0, 1.0, 0.7], [0.0, -1.0, 0.7]].map(seen);
+    let block = pixels_of(STANDING, &left);
+    let (row, width) = (block[block.len() - 1] / SIZE.width as usize, SIZE.width as usize);
+    let columns: Vec<usize> = block.iter().filter(|&&i| i / width == row).map(|i| i % width).collect();
+    let (before, after) = (row * width + columns[0] - 3, row * width + columns[columns.len() - 1] + 3);
+    let light = |frame: &SensorFrame, i: usize| frame.rgb.data[i].map(i32::from).iter().sum::<i32>();
+    assert!(light(&left, after) + 40 < light(&left, before));
+    assert!(light(&right, before) + 40 < light(&right, after));
+}
