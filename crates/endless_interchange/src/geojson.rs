@@ -3,7 +3,7 @@
 //! Coordinates are longitude and latitude (WGS 84) and height where the map says where on Earth it lies; else metres
 //! east, north and up, which the member `coordinates` of the collection says.
 
-use endless_road::{Control, Footprint, Georeference, RoadNetwork, Turn, WalkKind};
+use endless_road::{BuildingFootprint, Control, Georeference, RoadNetwork, Turn, WalkKind};
 use endless_town::Town;
 use geojson::{Feature, FeatureCollection, Geometry};
 use glam::{DVec2, DVec3, Vec3};
@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 /// A town and what its file says beyond it.
 pub(crate) struct GeoJsonSource<'a> {
     pub(crate) town: &'a Town,
-    pub(crate) footprints: &'a [Footprint],
+    pub(crate) footprints: &'a [BuildingFootprint],
     pub(crate) georeference: Option<&'a str>,
 }
 
@@ -136,7 +136,7 @@ fn signals(town: &Town, frame: &CoordinateWriter) -> Vec<Feature> {
     heads.collect()
 }
 
-fn building(footprint: &Footprint, frame: &CoordinateWriter) -> Feature {
+fn building(footprint: &BuildingFootprint, frame: &CoordinateWriter) -> Feature {
     let rings = std::iter::once(footprint.outline.clone()).chain(footprint.holes.iter().cloned());
     let properties = json!({
         "kind": "building", "building": footprint.kind, "height_m": footprint.height_m, "levels": footprint.levels,
@@ -168,7 +168,7 @@ mod tests {
         let town = endless_town::load("Town02", &Catalogue::builtin()).expect("a town");
         let outline = vec![DVec2::new(10.0, 10.0), DVec2::new(20.0, 10.0), DVec2::new(20.0, 25.0)];
         let (height_m, kind) = (Some(7.5), "house".to_owned());
-        let footprints = [Footprint { outline, holes: vec![], height_m, levels: None, kind, color: None }];
+        let footprints = [BuildingFootprint { outline, holes: vec![], height_m, levels: None, kind, color: None }];
         let text = write(&GeoJsonSource { town: &town, footprints: &footprints, georeference });
         let value = serde_json::from_str(&text).expect("JSON");
         (town, value)

@@ -3,7 +3,7 @@
 #![expect(clippy::print_stdout, reason = "a program")]
 
 use endless_road::osm::{self, OsmOptions};
-use endless_road::{Control, RoadMap, StripKind, ThingKind, WalkKind, opendrive};
+use endless_road::{Control, MapObjectKind, RoadMap, StripKind, WalkKind, opendrive};
 use glam::{DVec2, DVec3};
 use std::error::Error;
 
@@ -118,13 +118,13 @@ fn draw(map: &RoadMap, canvas: &mut Canvas) {
         };
         canvas.line(end.position - across, end.position + across, 0.8, color);
     }
-    for thing in &map.things {
+    for thing in &map.objects {
         let (color, size) = match &thing.kind {
-            ThingKind::TrafficLight(id) => {
+            MapObjectKind::TrafficLight(id) => {
                 ([[255, 40, 40], [40, 255, 40], [255, 255, 0], [60, 160, 255]][usize::from(id.0) % 4], 1.6)
             }
-            ThingKind::Stop | ThingKind::Yield => ([200, 0, 0], 1.4),
-            ThingKind::Tree(_) => ([40, 130, 40], 2.0),
+            MapObjectKind::Stop | MapObjectKind::Yield => ([200, 0, 0], 1.4),
+            MapObjectKind::Tree(_) => ([40, 130, 40], 2.0),
             _ => ([30, 30, 160], 1.2),
         };
         let ahead = (DVec2::from_angle(thing.heading_rad) * 2.0 * size).extend(0.0);

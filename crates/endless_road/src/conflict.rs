@@ -18,7 +18,7 @@ pub(crate) fn derive(network: &mut RoadNetwork) {
 }
 
 fn conflicts_of(network: &RoadNetwork, junction: &Junction) -> Vec<Conflict> {
-    let sampled: Vec<Sampled> = junction.lanes.iter().map(|&lane| Sampled::new(network.lane(lane))).collect();
+    let sampled: Vec<SampledLane> = junction.lanes.iter().map(|&lane| SampledLane::new(network.lane(lane))).collect();
     let mut conflicts = Vec::new();
     for (i, &first) in junction.lanes.iter().enumerate() {
         for (j, &second) in junction.lanes.iter().enumerate().skip(i + 1) {
@@ -55,7 +55,7 @@ pub fn swept_overlap(a: &Lane, b: &Lane) -> Option<((f64, f64), (f64, f64))> {
 
 /// The ranges of `s` on two lanes within which their centre lines are nearer than `clearance` metres.
 pub fn near_ranges(a: &Lane, b: &Lane, clearance: f64) -> Option<((f64, f64), (f64, f64))> {
-    Sampled::new(a).near(&Sampled::new(b), clearance)
+    SampledLane::new(a).near(&SampledLane::new(b), clearance)
 }
 
 /// Centre lines nearer than this have swept areas that overlap, metres.
@@ -70,7 +70,7 @@ fn around(places: &[(f64, DVec3)]) -> [DVec2; 2] {
 }
 
 /// A lane's centre line at close places, and the box around it.
-struct Sampled {
+struct SampledLane {
     places: Vec<(f64, DVec3)>,
     /// Around every [`CHUNK`] places.
     boxes: Vec<[DVec2; 2]>,
@@ -78,7 +78,7 @@ struct Sampled {
     high: DVec2,
 }
 
-impl Sampled {
+impl SampledLane {
     fn new(lane: &Lane) -> Self {
         let length = lane.centerline.length();
         let n = (length / STEP_M).ceil().max(1.0) as usize;

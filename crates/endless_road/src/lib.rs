@@ -3,8 +3,29 @@
 //! Frame: world (right-handed, metres, z up), double precision. A lane's `s` runs along its centre line in the
 //! direction of travel, from 0 to its length; `t` is positive to the left, as in OpenDRIVE.
 //!
-//! A town generator fills a [`RoadNetwork`] and calls [`RoadNetwork::finish`], which derives what follows from the
-//! geometry: predecessors, conflict areas inside junctions, where crossings cut lanes, spawn points.
+//! A map is read from a file ([`opendrive::read`], [`osm::read`]) into a [`RoadMap`], or a generator fills a
+//! [`RoadNetwork`] and calls [`RoadNetwork::finish`], which derives what follows from the geometry: predecessors, conflict
+//! areas inside junctions, where crossings cut lanes, spawn points.
+//!
+//! ```
+//! use endless_road::opendrive;
+//!
+//! let text = r#"<OpenDRIVE><header revMajor="1" revMinor="6"/>
+//!   <road id="1" length="100" junction="-1">
+//!     <planView><geometry s="0" x="0" y="0" hdg="0" length="100"><line/></geometry></planView>
+//!     <lanes><laneSection s="0">
+//!       <center><lane id="0" type="none"/></center>
+//!       <right><lane id="-1" type="driving"><width sOffset="0" a="3.5" b="0" c="0" d="0"/></lane></right>
+//!     </laneSection></lanes>
+//!   </road></OpenDRIVE>"#;
+//! let map = opendrive::read(text)?;
+//! let lane = &map.network.lanes[0];
+//! assert_eq!(lane.width_m, 3.5);
+//! // Lane -1 lies to the right of the reference line, and traffic on it runs along.
+//! let middle = lane.centerline.at(50.0);
+//! assert!((middle.position.y + 1.75).abs() < 1e-9 && middle.heading_rad.abs() < 1e-9);
+//! # Ok::<(), opendrive::OpenDriveError>(())
+//! ```
 
 mod conflict;
 mod cut;
@@ -31,6 +52,8 @@ pub use network::{
     SignalProgram, SpawnPoint, Turn, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId,
 };
 pub use polyline::{OnLine, Polyline};
-pub use road_map::{Area, AreaKind, Footprint, Mark, Note, Paint, RoadMap, Strip, StripKind, Thing, ThingKind};
+pub use road_map::{
+    Area, AreaKind, BuildingFootprint, ImportNote, MapObject, MapObjectKind, Mark, Paint, RoadMap, Strip, StripKind,
+};
 pub use terrain::Terrain;
 pub use walk::WalkGraph;

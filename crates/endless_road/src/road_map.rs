@@ -20,9 +20,9 @@ pub struct RoadMap {
     /// What the land beside the roads is.
     pub areas: Vec<Area>,
     /// Buildings.
-    pub footprints: Vec<Footprint>,
+    pub footprints: Vec<BuildingFootprint>,
     /// Things that stand at a place.
-    pub things: Vec<Thing>,
+    pub objects: Vec<MapObject>,
     /// The lie of the land beside the roads, where known.
     pub terrain: Option<Terrain>,
     /// Whether traffic keeps to the left.
@@ -30,7 +30,7 @@ pub struct RoadMap {
     /// PROJ string or WGS 84 origin of the local frame, as the file gives it.
     pub georeference: Option<String>,
     /// What in the file was not understood or had to be mended.
-    pub notes: Vec<Note>,
+    pub notes: Vec<ImportNote>,
 }
 
 /// What the surface of a strip is for.
@@ -133,7 +133,7 @@ pub struct Area {
 
 /// A building seen from above.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Footprint {
+pub struct BuildingFootprint {
     /// Outline, counter-clockwise, not closed.
     pub outline: Vec<DVec2>,
     /// Courtyards, clockwise.
@@ -150,7 +150,7 @@ pub struct Footprint {
 
 /// What stands at a place.
 #[derive(Debug, Clone, PartialEq)]
-pub enum ThingKind {
+pub enum MapObjectKind {
     /// A traffic light for vehicles; faces against `heading_rad`'s direction of travel.
     TrafficLight(SignalId),
     /// A traffic light for people.
@@ -185,9 +185,9 @@ pub enum ThingKind {
 
 /// Something that stands at a place.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Thing {
+pub struct MapObject {
     /// What.
-    pub kind: ThingKind,
+    pub kind: MapObjectKind,
     /// Its foot.
     pub position: DVec3,
     /// Direction of the traffic that it is for, or that it looks at; counter-clockwise from east, radians.
@@ -196,7 +196,7 @@ pub struct Thing {
 
 /// Something to tell the user about a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Note {
+pub struct ImportNote {
     /// Where in the file: line, element, id.
     pub place: String,
     /// What.

@@ -2,7 +2,7 @@
 //!
 //! ASAM OpenDRIVE 1.4 to 1.8; names follow the standard. Ids of roads, junctions, signals and controllers are text.
 
-use crate::Note;
+use crate::ImportNote;
 
 /// A whole file.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -18,13 +18,13 @@ pub struct Document {
     /// All roads, in the order of the file.
     pub roads: Vec<Road>,
     /// All junctions.
-    pub junctions: Vec<Junction>,
+    pub junctions: Vec<JunctionRecord>,
     /// All controllers.
     pub controllers: Vec<Controller>,
     /// What was not understood, mended or left out.
-    pub notes: Vec<Note>,
+    pub notes: Vec<ImportNote>,
     /// Whole roads that were left out because nobody could drive on them, and why.
-    pub roads_left_out: Vec<Note>,
+    pub roads_left_out: Vec<ImportNote>,
 }
 
 /// A cubic polynomial `a + b ds + c ds² + d ds³`, `ds` counted from `s`.
@@ -102,7 +102,7 @@ pub struct Road {
     /// Signals that stand elsewhere and are valid here.
     pub signal_references: Vec<SignalReference>,
     /// Objects.
-    pub objects: Vec<Object>,
+    pub objects: Vec<RoadObject>,
     /// Ranges of `s` on bridges.
     pub bridges: Vec<(f64, f64)>,
 }
@@ -302,12 +302,12 @@ pub struct Signal {
     /// Ranges of lanes it is valid for; none given is all.
     pub validity: Vec<(i32, i32)>,
     /// Where it really stands, if not where it counts.
-    pub stands: Option<Stands>,
+    pub position: Option<SignalPosition>,
 }
 
 /// Where a signal really stands.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Stands {
+pub enum SignalPosition {
     /// In the world: x, y, z.
     Inertial([f64; 3]),
     /// On another road: its id, `s`, `t`.
@@ -329,7 +329,7 @@ pub struct SignalReference {
 
 /// Corners of an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Corner {
+pub enum OutlineCorner {
     /// On the road: `s`, `t`, height above the reference plane.
     Road([f64; 3]),
     /// From the object's place: along it, to its left, up.
@@ -338,7 +338,7 @@ pub enum Corner {
 
 /// An object on or beside the road.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Object {
+pub struct RoadObject {
     /// Id.
     pub id: String,
     /// Line in the file.
@@ -362,14 +362,14 @@ pub struct Object {
     /// Radius, 0 where not given.
     pub radius: f64,
     /// Outlines.
-    pub outlines: Vec<Vec<Corner>>,
+    pub outlines: Vec<Vec<OutlineCorner>>,
     /// Repetitions of it along the road.
-    pub repeats: Vec<Repeat>,
+    pub repeats: Vec<ObjectRepeat>,
 }
 
 /// An object repeated along the road.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Repeat {
+pub struct ObjectRepeat {
     /// The first one.
     pub s: f64,
     /// How far they go.
@@ -384,7 +384,7 @@ pub struct Repeat {
 
 /// How a junction joins roads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum JunctionKind {
+pub enum JunctionType {
     /// By connecting roads.
     #[default]
     Default,
@@ -398,7 +398,7 @@ pub enum JunctionKind {
 
 /// A junction.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Junction {
+pub struct JunctionRecord {
     /// Id.
     pub id: String,
     /// Line in the file.
@@ -406,7 +406,7 @@ pub struct Junction {
     /// Name, may be empty.
     pub name: String,
     /// How it joins.
-    pub kind: JunctionKind,
+    pub kind: JunctionType,
     /// Ways through it.
     pub connections: Vec<Connection>,
     /// Road of higher and road of lower priority.

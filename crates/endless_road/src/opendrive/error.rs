@@ -1,6 +1,6 @@
 //! What can be wrong with an OpenDRIVE file.
 
-use crate::{NetworkError, Note};
+use crate::{ImportNote, NetworkError};
 
 /// Why a file was refused. One line, with the place in the file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -37,13 +37,13 @@ pub enum OpenDriveError {
         /// How many roads it has.
         roads: usize,
         /// Why the first of those that had to be left out was.
-        why: Option<Note>,
+        why: Option<ImportNote>,
     },
     /// The network made of it contradicts itself.
     #[error("the network of the file's lanes is not usable: {0}")]
     Network(#[from] NetworkError),
 }
 
-fn because(why: Option<&Note>) -> String {
+fn because(why: Option<&ImportNote>) -> String {
     why.map_or_else(String::new, |note| format!(": {}: {}", note.place, note.text))
 }

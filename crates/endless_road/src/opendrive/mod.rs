@@ -14,9 +14,9 @@ mod write;
 mod xml;
 
 pub use document::{
-    Connection, Controller, Corner, Crossfall, Cubic, Curve, Document, End, Geometry, Junction, JunctionKind,
-    LaneRecord, LaneSection, MarkLine, Object, Orientation, Repeat, Road, RoadLink, RoadMark, RoadType, Shape, Signal,
-    SignalReference, Stands,
+    Connection, Controller, Crossfall, Cubic, Curve, Document, End, Geometry, JunctionRecord, JunctionType, LaneRecord,
+    LaneSection, MarkLine, ObjectRepeat, Orientation, OutlineCorner, Road, RoadLink, RoadMark, RoadObject, RoadType,
+    Shape, Signal, SignalPosition, SignalReference,
 };
 pub use error::OpenDriveError;
 pub use to_map::read;

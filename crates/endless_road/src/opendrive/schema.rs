@@ -1,12 +1,12 @@
 //! The elements of the standard, and which of them are used: what a file has beyond them is reported.
 
-use super::xml::Element;
-use crate::Note;
+use super::xml::XmlElement;
+use crate::ImportNote;
 use std::collections::BTreeMap;
 
 /// What becomes of an element.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Use {
+pub(crate) enum ElementUse {
     /// It shapes the map.
     Used,
     /// It is known and means nothing for a map of this kind; not reported.
@@ -15,11 +15,11 @@ pub(crate) enum Use {
     Unused,
 }
 
-use Use::{Needless, Unused, Used};
+use ElementUse::{Needless, Unused, Used};
 
 /// One element: parent and name, use, attributes that are used or needless. An element without a parent may stand
 /// anywhere. All children of an element that is not `Used` are like it.
-pub(crate) const ELEMENTS: &[(&str, &str, Use, &str)] = &[
+pub(crate) const ELEMENTS: &[(&str, &str, ElementUse, &str)] = &[
     ("", "userData", Needless, ""),
     ("", "include", Unused, ""),
     ("", "dataQuality", Needless, ""),
@@ -143,8 +143,8 @@ pub(crate) const ELEMENTS: &[(&str, &str, Use, &str)] = &[
 ];
 
 /// Elements and attributes of a file that are not used, each kind once with its first place and how often it occurs.
-pub(crate) fn unknown_parts(root: &Element) -> Vec<Note> {
-    let mut table: BTreeMap<(&str, &str), (Use, &str)> = BTreeMap::new();
+pub(crate) fn unknown_parts(root: &XmlElement) -> Vec<ImportNote> {
+    let mut table: BTreeMap<(&str, &str), (ElementUse, &str)> = BTreeMap::new();
     for &(parent, name, using, attributes) in ELEMENTS {
         table.insert((parent, name), (using, attributes));
     }
@@ -158,7 +158,7 @@ pub(crate) fn unknown_parts(root: &Element) -> Vec<Note> {
             found.push((what, line, 1));
         }
     };
-    let mut open: Vec<(&Element, &str)> = vec![(root, "")];
+    let mut open: Vec<(&XmlElement, &str)> = vec![(root, "")];
     while let Some((element, parent)) = open.pop() {
         let entry = table.get(&(parent, element.name.as_str())).or_else(|| table.get(&("", element.name.as_str())));
         let inside = if parent.is_empty() { String::new() } else { format!(" in <{parent}>") };
@@ -178,7 +178,7 @@ pub(crate) fn unknown_parts(root: &Element) -> Vec<Note> {
     }
     let note = |(what, line, times): (String, usize, usize)| {
         let more = if times > 1 { format!(", {times} times") } else { String::new() };
-        Note { place: format!("line {line}"), text: format!("{what}{more}") }
+        ImportNote { place: format!("line {line}"), text: format!("{what}{more}") }
     };
     found.into_iter().map(note).collect()
 }

@@ -10,7 +10,7 @@ const DEEPEST: usize = 64;
 
 /// One element.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct Element {
+pub(crate) struct XmlElement {
     /// Name, without a namespace's prefix.
     pub(crate) name: String,
     /// Line in the file, from 1.
@@ -18,34 +18,34 @@ pub(crate) struct Element {
     /// In the order of the file.
     pub(crate) attributes: Vec<(String, String)>,
     /// In the order of the file.
-    pub(crate) children: Vec<Element>,
+    pub(crate) children: Vec<XmlElement>,
     /// Text directly inside, trimmed.
     pub(crate) text: String,
 }
 
-impl Element {
+impl XmlElement {
     /// The value of an attribute.
     pub(crate) fn attribute(&self, name: &str) -> Option<&str> {
         self.attributes.iter().find(|(key, _)| key == name).map(|(_, value)| value.as_str())
     }
 
     /// The children of this name.
-    pub(crate) fn all<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a Element> {
+    pub(crate) fn all<'a>(&'a self, name: &'a str) -> impl Iterator<Item = &'a XmlElement> {
         self.children.iter().filter(move |child| child.name == name)
     }
 
     /// The first child of this name.
-    pub(crate) fn first(&self, name: &str) -> Option<&Element> {
+    pub(crate) fn first(&self, name: &str) -> Option<&XmlElement> {
         self.children.iter().find(|child| child.name == name)
     }
 }
 
 /// The root element of a file.
-pub(crate) fn tree(text: &str) -> Result<Element, OpenDriveError> {
+pub(crate) fn tree(text: &str) -> Result<XmlElement, OpenDriveError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::from_str(text);
     let mut lines = Lines { text: text.as_bytes(), at: 0, line: 1 };
-    let mut open: Vec<Element> = Vec::new();
+    let mut open: Vec<XmlElement> = Vec::new();
     loop {
         let line = lines.of(reader.buffer_position() as usize);
         let event = reader.read_event().map_err(|error| {
@@ -91,13 +91,13 @@ pub(crate) fn tree(text: &str) -> Result<Element, OpenDriveError> {
     }
 }
 
-fn append(open: &mut [Element], words: &str) {
+fn append(open: &mut [XmlElement], words: &str) {
     if let Some(element) = open.last_mut() {
         element.text.push_str(words.trim());
     }
 }
 
-fn element(start: &BytesStart<'_>, line: usize) -> Result<Element, OpenDriveError> {
+fn element(start: &BytesStart<'_>, line: usize) -> Result<XmlElement, OpenDriveError> {
     let mut attributes = Vec::new();
     for attribute in start.attributes() {
         let attribute = attribute.map_err(|error| OpenDriveError::Xml { line, what: one_line(&error.to_string()) })?;
@@ -106,7 +106,7 @@ fn element(start: &BytesStart<'_>, line: usize) -> Result<Element, OpenDriveErro
         attributes.push((attribute.key.local_name().into_inner().to_owned(), value));
     }
     let name = start.local_name().into_inner().to_owned();
-    Ok(Element { name, line, attributes, children: Vec::new(), text: String::new() })
+    Ok(XmlElement { name, line, attributes, children: Vec::new(), text: String::new() })
 }
 
 /// Counts lines while the reader goes forward.

@@ -1,7 +1,7 @@
 //! Classes of roads and what is usual for each.
 
 use super::country::Country;
-use super::extract::Tags;
+use super::extract::OsmTags;
 
 /// What a way is for vehicles, from the least to the most important.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -28,7 +28,7 @@ pub(super) enum RoadClass {
 
 impl RoadClass {
     /// Of a way that vehicles may use; with whether it is a ramp.
-    pub(super) fn of(tags: &Tags) -> Option<(Self, bool)> {
+    pub(super) fn of(tags: &OsmTags) -> Option<(Self, bool)> {
         let highway = tags.get("highway")?;
         let (name, link) = highway.strip_suffix("_link").map_or((highway, false), |name| (name, true));
         let class = match name {
@@ -107,7 +107,7 @@ impl RoadClass {
 }
 
 /// The limit in the `maxspeed` tag or the usual one, m/s.
-pub(super) fn speed_mps(tags: &Tags, class: RoadClass, link: bool, country: &Country) -> f64 {
+pub(super) fn speed_mps(tags: &OsmTags, class: RoadClass, link: bool, country: &Country) -> f64 {
     let said = ["maxspeed", "maxspeed:forward", "maxspeed:backward", "zone:maxspeed", "maxspeed:advisory"]
         .iter()
         .find_map(|key| tags.get(key).and_then(|v| parse_kmh(v, country)));
@@ -118,7 +118,7 @@ fn parse_kmh(value: &str, country: &Country) -> Option<f64> {
     let value = value.split(';').next()?.trim();
     let (number, factor) = if let Some(n) = value.strip_suffix("mph") {
         (n, 1.609_344)
-    } else if let Some(n) = value.strip_suffix("knots") {
+    } else if let Some(n) = value.strip_suffix("intersections") {
         (n, 1.852)
     } else {
         (value.strip_suffix("km/h").or(value.strip_suffix("kmh")).unwrap_or(value), 1.0)

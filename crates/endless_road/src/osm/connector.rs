@@ -1,9 +1,9 @@
 //! Lanes through junctions.
 
 use super::curve::{kerb_radius, line_through, way_through};
-use super::graph::End;
+use super::graph::StretchEnd;
 use super::movement::Movement;
-use super::plan::Plan;
+use super::plan::StreetPlan;
 use crate::{Control, JunctionId, Lane, LaneId, Polyline, RoadNetwork, Turn};
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
@@ -12,11 +12,16 @@ use std::f64::consts::PI;
 /// Sideways acceleration in turns, m/s²: the limit on connectors.
 const TURN_MPS2: f64 = 2.6;
 
-/// Adds the connector of every movement of a knot; returns them with their movements.
-pub(super) fn add(plan: &Plan, network: &mut RoadNetwork, junction: JunctionId, movements: &[Movement]) -> Vec<LaneId> {
+/// Adds the connector of every movement of an intersection; returns them with their movements.
+pub(super) fn add(
+    plan: &StreetPlan,
+    network: &mut RoadNetwork,
+    junction: JunctionId,
+    movements: &[Movement],
+) -> Vec<LaneId> {
     let mut added = Vec::new();
     for movement in movements {
-        let lane_of = |arm: End, band: usize| plan.street(arm).lanes[band];
+        let lane_of = |arm: StretchEnd, band: usize| plan.street(arm).lanes[band];
         let Some((before, after)) =
             lane_of(movement.from, movement.lane_in).zip(lane_of(movement.to, movement.lane_out))
         else {
@@ -52,7 +57,7 @@ const WINDING_RAD: f64 = 1.3;
 
 /// The movements that can be driven: where the ends of arms lie side by side or behind one another, ways between them
 /// would loop. They stay only where a lane has no other.
-pub(super) fn sensible(plan: &Plan, movements: &[Movement]) -> Vec<Movement> {
+pub(super) fn sensible(plan: &StreetPlan, movements: &[Movement]) -> Vec<Movement> {
     let winds: Vec<bool> = movements.iter().map(|m| m.from != m.to && winding(plan, m) > WINDING_RAD).collect();
     let other =
         |m: &Movement| movements.iter().zip(&winds).any(|(o, w)| !w && o.from == m.from && o.lane_in == m.lane_in);
@@ -60,7 +65,7 @@ pub(super) fn sensible(plan: &Plan, movements: &[Movement]) -> Vec<Movement> {
 }
 
 /// By how much the direction changes along a way beyond what its ends ask for, radians.
-fn winding(plan: &Plan, m: &Movement) -> f64 {
+fn winding(plan: &StreetPlan, m: &Movement) -> f64 {
     use endless_world::math::f64::wrap_angle;
     let line = line(plan, m);
     let headings: Vec<f64> = line.points().windows(2).map(|w| super::curve::angle((w[1] - w[0]).truncate())).collect();
@@ -83,14 +88,14 @@ fn comfortable(line: &Polyline) -> f64 {
 }
 
 /// Straight over the crossing, a smooth curve through the junction's area, and straight over the next crossing.
-fn line(plan: &Plan, m: &Movement) -> Polyline {
+fn line(plan: &StreetPlan, m: &Movement) -> Polyline {
     let section_in = plan.arm_section(m.from);
     let section_out = plan.arm_section(m.to);
-    let t_of = |arm: End, band: usize, section: &super::section::Section| {
+    let t_of = |arm: StretchEnd, band: usize, section: &super::section::CrossSection| {
         let band = if arm.end == 0 { band } else { section.bands.len() - 1 - band };
         section.middle(band)
     };
-    let leg = |arm: End, t: f64| -> Vec<DVec3> {
+    let leg = |arm: StretchEnd, t: f64| -> Vec<DVec3> {
         let street = plan.street(arm);
         let (cut, stop) = (plan.cut(arm), plan.stop(arm));
         let stations = if arm.end == 0 {
@@ -135,12 +140,12 @@ pub(super) fn loop_radius(cut: f64) -> f64 {
 
 /// Radius of the widest bend of a way: to the right concentric with the kerb of the corner, or those who turn would cut
 /// across it.
-fn widest(plan: &Plan, m: &Movement, right: bool) -> f64 {
+fn widest(plan: &StreetPlan, m: &Movement, right: bool) -> f64 {
     if !right {
         return f64::INFINITY;
     }
     let kerb = kerb_radius(plan.street(m.from).class.corner_m().min(plan.street(m.to).class.corner_m()));
-    let beside = |arm: End, band: usize, side: usize| {
+    let beside = |arm: StretchEnd, band: usize, side: usize| {
         let section = plan.arm_section(arm);
         let band = if arm.end == 0 { band } else { section.bands.len() - 1 - band };
         (section.middle(band) - section.kerbs[side]).abs()

@@ -1,9 +1,9 @@
 //! Where people cross: at mapped crossings, at lights, over minor arms, and wherever else a block would be an island.
 
 use super::class::RoadClass;
-use super::extract::Tags;
-use super::graph::End;
-use super::plan::{OnFoot, Plan};
+use super::extract::OsmTags;
+use super::graph::StretchEnd;
+use super::plan::{FootwayCrossing, StreetPlan};
 use super::rules::{nodes_on, walkable};
 use super::site::Site;
 use crate::Control;
@@ -21,16 +21,16 @@ const LANE_M: f64 = 3.0;
 /// Crossings between junctions keep this from stop lines, metres.
 const CLEAR_M: f64 = 7.0;
 
-fn is_crossing(tags: &Tags) -> bool {
+fn is_crossing(tags: &OsmTags) -> bool {
     tags.is("highway", &["crossing"]) && !tags.is("crossing", &["no"])
 }
 
-fn is_painted(tags: &Tags) -> bool {
+fn is_painted(tags: &OsmTags) -> bool {
     !tags.is("crossing", &["unmarked", "informal"]) && !tags.is("crossing:markings", &["no"])
 }
 
 /// Decides on all crossings, and thereby on all stop lines.
-pub(super) fn decide(plan: &mut Plan, site: &Site<'_>) {
+pub(super) fn decide(plan: &mut StreetPlan, site: &Site<'_>) {
     let mut wanted = wishes(plan, site);
     make_room(plan, &mut wanted);
     prune(plan, &mut wanted);
@@ -40,28 +40,28 @@ pub(super) fn decide(plan: &mut Plan, site: &Site<'_>) {
 }
 
 /// What is wished for at the end of a street: nothing, or a crossing and whether it is painted.
-type Wish = Option<bool>;
+type WantedCrossing = Option<bool>;
 
 /// By street and end.
-fn wishes(plan: &Plan, site: &Site<'_>) -> Vec<[Wish; 2]> {
+fn wishes(plan: &StreetPlan, site: &Site<'_>) -> Vec<[WantedCrossing; 2]> {
     let mut wanted = vec![[None; 2]; plan.streets.len()];
-    for knot in &plan.knots {
-        let sidewalks = knot.arms.iter().any(|&arm| has_walk(plan, arm, true) || has_walk(plan, arm, false));
-        if knot.arms.len() < 2 || knot.turnaround || !sidewalks {
+    for intersection in &plan.intersections {
+        let sidewalks = intersection.arms.iter().any(|&arm| has_walk(plan, arm, true) || has_walk(plan, arm, false));
+        if intersection.arms.len() < 2 || intersection.turnaround || !sidewalks {
             continue;
         }
-        let rules: Vec<Control> = knot.arms.iter().map(|&a| plan.street(a).control[a.end]).collect();
+        let rules: Vec<Control> = intersection.arms.iter().map(|&a| plan.street(a).control[a.end]).collect();
         let free = rules.iter().all(|r| *r == Control::Free || *r == Control::Stop);
-        for (i, &arm) in knot.arms.iter().enumerate() {
+        for (i, &arm) in intersection.arms.iter().enumerate() {
             let street = plan.street(arm);
             if street.roundabout || street.class >= RoadClass::Trunk {
                 continue;
             }
-            let wish = mapped(plan, site, knot.nodes.len() > 1, arm).or_else(|| {
-                if knot.signals {
+            let wish = mapped(plan, site, intersection.nodes.len() > 1, arm).or_else(|| {
+                if intersection.signals {
                     // A lone light between junctions has one crossing.
-                    (knot.arms.len() > 2 || i == 0).then_some(true)
-                } else if knot.arms.len() > 2 && walkable(street.class, street.speed_mps) {
+                    (intersection.arms.len() > 2 || i == 0).then_some(true)
+                } else if intersection.arms.len() > 2 && walkable(street.class, street.speed_mps) {
                     (free || rules[i] != Control::Free || street.class <= RoadClass::Living).then_some(false)
                 } else {
                     None
@@ -74,7 +74,7 @@ fn wishes(plan: &Plan, site: &Site<'_>) -> Vec<[Wish; 2]> {
 }
 
 /// A mapped crossing near enough to belong to the junction.
-fn mapped(plan: &Plan, site: &Site<'_>, cluster: bool, arm: End) -> Wish {
+fn mapped(plan: &StreetPlan, site: &Site<'_>, cluster: bool, arm: StretchEnd) -> WantedCrossing {
     let cut = plan.cut(arm);
     let reach = (cut + BEFORE_M + CROSSING_M + CLEAR_M + AFTER_M).min(0.6 * plan.street(arm).length());
     nodes_on(plan, arm).into_iter().filter(|&(_, d)| d < reach && (d > 0.5 || cluster)).find_map(|(node, _)| {
@@ -84,10 +84,10 @@ fn mapped(plan: &Plan, site: &Site<'_>, cluster: bool, arm: End) -> Wish {
 }
 
 /// Drops what finds no room between the ends of a street.
-fn make_room(plan: &Plan, wanted: &mut [[Wish; 2]]) {
+fn make_room(plan: &StreetPlan, wanted: &mut [[WantedCrossing; 2]]) {
     for (street, wishes) in plan.streets.iter().zip(wanted) {
         let room = street.length() - street.cuts[0] - street.cuts[1] - LANE_M;
-        let need = |w: &Wish| if w.is_some() { BEFORE_M + CROSSING_M + AFTER_M } else { WITHOUT_M };
+        let need = |w: &WantedCrossing| if w.is_some() { BEFORE_M + CROSSING_M + AFTER_M } else { WITHOUT_M };
         while wishes.iter().map(need).sum::<f64>() > room && wishes.iter().any(Option::is_some) {
             // The unpainted one first.
             let first = if wishes[0].is_some() && (wishes[1].is_none() || wishes[0] == Some(false)) { 0 } else { 1 };
@@ -97,27 +97,28 @@ fn make_room(plan: &Plan, wanted: &mut [[Wish; 2]]) {
 }
 
 /// Whether there is a sidewalk on the left (true) or right of an arm, looking outwards.
-pub(super) fn has_walk(plan: &Plan, arm: End, left: bool) -> bool {
+pub(super) fn has_walk(plan: &StreetPlan, arm: StretchEnd, left: bool) -> bool {
     let side = usize::from(left == (arm.end == 1));
     plan.street(arm).section.sidewalks[side] > 0.0
 }
 
 /// Whether people stand at the corner after arm `i`.
-fn alive(plan: &Plan, arms: &[End], wanted: &[[Wish; 2]], i: usize) -> bool {
+fn alive(plan: &StreetPlan, arms: &[StretchEnd], wanted: &[[WantedCrossing; 2]], i: usize) -> bool {
     let (a, b) = (arms[i], arms[(i + 1) % arms.len()]);
-    let crossed = |arm: End| wanted[arm.stretch][arm.end].is_some();
+    let crossed = |arm: StretchEnd| wanted[arm.stretch][arm.end].is_some();
     has_walk(plan, a, true) || has_walk(plan, b, false) || (crossed(a) && crossed(b) && a != b)
 }
 
 /// Drops crossings that lead to nowhere.
-fn prune(plan: &Plan, wanted: &mut [[Wish; 2]]) {
+fn prune(plan: &StreetPlan, wanted: &mut [[WantedCrossing; 2]]) {
     loop {
         let mut changed = false;
-        for knot in &plan.knots {
-            let n = knot.arms.len();
-            for (i, &arm) in knot.arms.iter().enumerate() {
+        for intersection in &plan.intersections {
+            let n = intersection.arms.len();
+            for (i, &arm) in intersection.arms.iter().enumerate() {
                 if wanted[arm.stretch][arm.end].is_some()
-                    && !(alive(plan, &knot.arms, wanted, i) && alive(plan, &knot.arms, wanted, (i + n - 1) % n))
+                    && !(alive(plan, &intersection.arms, wanted, i)
+                        && alive(plan, &intersection.arms, wanted, (i + n - 1) % n))
                 {
                     wanted[arm.stretch][arm.end] = None;
                     changed = true;
@@ -131,9 +132,9 @@ fn prune(plan: &Plan, wanted: &mut [[Wish; 2]]) {
 }
 
 /// Union-find.
-struct Parts(Vec<usize>);
+struct UnionFind(Vec<usize>);
 
-impl Parts {
+impl UnionFind {
     fn root(&mut self, mut i: usize) -> usize {
         while self.0[i] != i {
             self.0[i] = self.0[self.0[i]];
@@ -150,23 +151,23 @@ impl Parts {
 }
 
 /// Adds crossings without paint over main arms where the sidewalks of two blocks would not be joined at all.
-fn link_islands(plan: &Plan, wanted: &mut [[Wish; 2]]) {
+fn link_islands(plan: &StreetPlan, wanted: &mut [[WantedCrossing; 2]]) {
     let sides = 2 * plan.streets.len();
     let mut first = Vec::new();
     let mut count = sides;
-    for knot in &plan.knots {
+    for intersection in &plan.intersections {
         first.push(count);
-        count += knot.arms.len();
+        count += intersection.arms.len();
     }
-    let mut parts = Parts((0..count).collect());
-    let side_of = |arm: End, left: bool| 2 * arm.stretch + usize::from(left == (arm.end == 1));
-    for (knot, &base) in plan.knots.iter().zip(&first) {
-        let n = knot.arms.len();
-        if n < 2 || knot.turnaround {
+    let mut parts = UnionFind((0..count).collect());
+    let side_of = |arm: StretchEnd, left: bool| 2 * arm.stretch + usize::from(left == (arm.end == 1));
+    for (intersection, &base) in plan.intersections.iter().zip(&first) {
+        let n = intersection.arms.len();
+        if n < 2 || intersection.turnaround {
             continue;
         }
         for i in 0..n {
-            let (a, b) = (knot.arms[i], knot.arms[(i + 1) % n]);
+            let (a, b) = (intersection.arms[i], intersection.arms[(i + 1) % n]);
             for (arm, left) in [(a, true), (b, false)] {
                 if has_walk(plan, arm, left) {
                     parts.join(base + i, side_of(arm, left));
@@ -177,20 +178,20 @@ fn link_islands(plan: &Plan, wanted: &mut [[Wish; 2]]) {
             }
         }
     }
-    for (knot, &base) in plan.knots.iter().zip(&first) {
-        let n = knot.arms.len();
-        for (i, &arm) in knot.arms.iter().enumerate() {
+    for (intersection, &base) in plan.intersections.iter().zip(&first) {
+        let n = intersection.arms.len();
+        for (i, &arm) in intersection.arms.iter().enumerate() {
             let street = plan.street(arm);
             let room =
                 street.length() - street.cuts[0] - street.cuts[1] - LANE_M - 2.0 * (BEFORE_M + CROSSING_M + AFTER_M);
             let possible = n > 2
-                && !knot.turnaround
+                && !intersection.turnaround
                 && wanted[arm.stretch][arm.end].is_none()
                 && !street.roundabout
                 && walkable(street.class, street.speed_mps)
                 && room > 0.0
-                && alive(plan, &knot.arms, wanted, i)
-                && alive(plan, &knot.arms, wanted, (i + n - 1) % n);
+                && alive(plan, &intersection.arms, wanted, i)
+                && alive(plan, &intersection.arms, wanted, (i + n - 1) % n);
             if possible && parts.join(base + i, base + (i + n - 1) % n) {
                 wanted[arm.stretch][arm.end] = Some(false);
             }
@@ -198,7 +199,7 @@ fn link_islands(plan: &Plan, wanted: &mut [[Wish; 2]]) {
     }
 }
 
-fn place(plan: &mut Plan, wanted: &[[Wish; 2]]) {
+fn place(plan: &mut StreetPlan, wanted: &[[WantedCrossing; 2]]) {
     for (street, wishes) in plan.streets.iter_mut().zip(wanted) {
         let length = street.length();
         for end in 0..2 {
@@ -208,13 +209,13 @@ fn place(plan: &mut Plan, wanted: &[[Wish; 2]]) {
             street.stops[end] = cut + BEFORE_M + CROSSING_M + AFTER_M;
             let d = cut + BEFORE_M + 0.5 * CROSSING_M;
             let s = if end == 0 { d } else { length - d };
-            street.crossings.push(OnFoot { s, painted, signal: None, end: Some(end), id: None });
+            street.crossings.push(FootwayCrossing { s, painted, signal: None, end: Some(end), id: None });
         }
     }
 }
 
 /// Mapped crossings between junctions, where there are sidewalks on both sides.
-fn between_junctions(plan: &mut Plan, site: &Site<'_>) {
+fn between_junctions(plan: &mut StreetPlan, site: &Site<'_>) {
     for street in &mut plan.streets {
         if street.section.sidewalks.contains(&0.0) {
             continue;
@@ -225,7 +226,13 @@ fn between_junctions(plan: &mut Plan, site: &Site<'_>) {
             let Some(tags) = site.node_tags(node).filter(|tags| is_crossing(tags)) else { continue };
             let alone = street.crossings.iter().all(|c| (c.s - s).abs() > 3.0 * CROSSING_M);
             if s > from && s < to && alone {
-                street.crossings.push(OnFoot { s, painted: is_painted(tags), signal: None, end: None, id: None });
+                street.crossings.push(FootwayCrossing {
+                    s,
+                    painted: is_painted(tags),
+                    signal: None,
+                    end: None,
+                    id: None,
+                });
             }
         }
         street.crossings.sort_by(|a, b| a.s.total_cmp(&b.s));

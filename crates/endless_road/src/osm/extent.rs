@@ -2,7 +2,7 @@
 
 use super::OsmError;
 use super::site::Site;
-use super::ways::Stretch;
+use super::stretch::Stretch;
 
 /// Roads lie within this distance of their middle, north or south, east or west, metres.
 const REACH_M: f64 = 25_000.0;

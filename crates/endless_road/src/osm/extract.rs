@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 
 /// Keys and values.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub struct Tags(BTreeMap<String, String>);
+pub struct OsmTags(BTreeMap<String, String>);
 
-impl Tags {
+impl OsmTags {
     /// The value of a key.
     pub fn get(&self, key: &str) -> Option<&str> {
         self.0.get(key).map(String::as_str)
@@ -31,29 +31,29 @@ impl Tags {
 
 /// A point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Node {
+pub struct OsmNode {
     /// Degrees north.
     pub lat: f64,
     /// Degrees east.
     pub lon: f64,
     /// Its tags.
-    pub tags: Tags,
+    pub tags: OsmTags,
 }
 
 /// A chain of nodes.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Way {
+pub struct OsmWay {
     /// Its id.
     pub id: i64,
     /// Ids of its nodes; some may lie outside the extract.
     pub nodes: Vec<i64>,
     /// Its tags.
-    pub tags: Tags,
+    pub tags: OsmTags,
 }
 
 /// What a relation's member is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum MemberKind {
+pub enum OsmMemberKind {
     /// A node.
     Node,
     /// A way.
@@ -64,9 +64,9 @@ pub enum MemberKind {
 
 /// A member of a relation.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Member {
+pub struct OsmMember {
     /// What it is.
-    pub kind: MemberKind,
+    pub kind: OsmMemberKind,
     /// Its id.
     pub id: i64,
     /// Its part.
@@ -75,18 +75,18 @@ pub struct Member {
 
 /// Things that belong together.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Relation {
+pub struct OsmRelation {
     /// Its id.
     pub id: i64,
     /// What it is made of.
-    pub members: Vec<Member>,
+    pub members: Vec<OsmMember>,
     /// Its tags.
-    pub tags: Tags,
+    pub tags: OsmTags,
 }
 
 /// Degrees: the box an extract was cut to.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Bounds {
+pub struct OsmBounds {
     /// South, west.
     pub low: [f64; 2],
     /// North, east.
@@ -95,18 +95,18 @@ pub struct Bounds {
 
 /// A whole file.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Extract {
+pub struct OsmExtract {
     /// Nodes by id.
-    pub nodes: BTreeMap<i64, Node>,
+    pub nodes: BTreeMap<i64, OsmNode>,
     /// Ways, by id, each once.
-    pub ways: Vec<Way>,
+    pub ways: Vec<OsmWay>,
     /// Relations, by id, each once.
-    pub relations: Vec<Relation>,
+    pub relations: Vec<OsmRelation>,
     /// The box it was cut to, if the file says.
-    pub bounds: Option<Bounds>,
+    pub bounds: Option<OsmBounds>,
 }
 
-impl Extract {
+impl OsmExtract {
     /// Degrees north and east of a place that is given in metres east and north of a centre.
     pub fn degrees(centre: [f64; 2], metres: DVec2) -> [f64; 2] {
         super::projection::Projection::around(centre[0], centre[1]).unproject(metres)

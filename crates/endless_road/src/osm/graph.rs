@@ -2,13 +2,13 @@
 
 use super::class::RoadClass;
 use super::site::Site;
-use super::ways::Stretch;
+use super::stretch::Stretch;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The end of a stretch at a knot.
+/// The end of a stretch at an intersection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct End {
+pub(super) struct StretchEnd {
     pub(super) stretch: usize,
     /// 0 for its beginning, 1 for its end.
     pub(super) end: usize,
@@ -66,11 +66,11 @@ pub(super) fn split(stretches: &[Stretch]) -> Vec<Stretch> {
 }
 
 /// The ends at each node.
-pub(super) fn ends(stretches: &[Stretch]) -> BTreeMap<i64, Vec<End>> {
-    let mut ends: BTreeMap<i64, Vec<End>> = BTreeMap::new();
+pub(super) fn ends(stretches: &[Stretch]) -> BTreeMap<i64, Vec<StretchEnd>> {
+    let mut ends: BTreeMap<i64, Vec<StretchEnd>> = BTreeMap::new();
     for (stretch, data) in stretches.iter().enumerate() {
         for end in 0..2 {
-            ends.entry(data.end_node(end)).or_default().push(End { stretch, end });
+            ends.entry(data.end_node(end)).or_default().push(StretchEnd { stretch, end });
         }
     }
     ends
@@ -128,14 +128,14 @@ pub(super) fn merge(stretches: Vec<Stretch>) -> Vec<Stretch> {
         let far = second.end_node(1);
         let joined = join(first, second);
         if let Some(list) = at.get_mut(&far) {
-            for end in list.iter_mut().filter(|e| **e == (End { stretch: b.stretch, end: 1 - b.end })) {
-                *end = End { stretch: a.stretch, end: 1 };
+            for end in list.iter_mut().filter(|e| **e == (StretchEnd { stretch: b.stretch, end: 1 - b.end })) {
+                *end = StretchEnd { stretch: a.stretch, end: 1 };
             }
         }
         let near = joined.end_node(0);
         if let Some(list) = at.get_mut(&near) {
-            for end in list.iter_mut().filter(|e| **e == (End { stretch: a.stretch, end: 1 - a.end })) {
-                *end = End { stretch: a.stretch, end: 0 };
+            for end in list.iter_mut().filter(|e| **e == (StretchEnd { stretch: a.stretch, end: 1 - a.end })) {
+                *end = StretchEnd { stretch: a.stretch, end: 0 };
             }
         }
         slots[a.stretch] = Some(joined);

@@ -2,7 +2,7 @@
 //! unless its relief is known.
 
 use super::curve::segments_cross;
-use super::ways::{Level, Stretch, Vertex};
+use super::stretch::{Level, Stretch, Vertex};
 use glam::DVec2;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
@@ -76,7 +76,7 @@ fn steep_meetings(stretches: &[Stretch], edges: &Edges, ground: Ground<'_>) -> B
 /// ends with `tables`.
 fn profile(stretch: &Stretch, ground: Ground<'_>, tables: [bool; 2]) -> Vec<(i64, f64)> {
     let n = stretch.vertices.len() - 1;
-    let course = Course::new(stretch, tables);
+    let course = SlopeProfile::new(stretch, tables);
     let mut levels = course.levels(stretch, ground);
     let mut from = 0;
     while from < n {
@@ -97,7 +97,7 @@ fn profile(stretch: &Stretch, ground: Ground<'_>, tables: [bool; 2]) -> Vec<(i64
 }
 
 /// How a stretch takes a slope: at a table it stays level at first, and climbs the more steeply between.
-struct Course {
+struct SlopeProfile {
     /// Distance of each vertex from the beginning, metres.
     along: Vec<f64>,
     /// Length of the level piece at each end, metres.
@@ -106,7 +106,7 @@ struct Course {
     ease: [f64; 2],
 }
 
-impl Course {
+impl SlopeProfile {
     fn new(stretch: &Stretch, tables: [bool; 2]) -> Self {
         let mut along = vec![0.0];
         for pair in stretch.vertices.windows(2) {
@@ -283,7 +283,7 @@ mod tests {
         fn a_road_climbs_from_table_to_table(length in 0.5..300.0f64, meets: [bool; 2]) {
             let table = meets.map(|m| if m { TABLE_M.min(0.3 * length) } else { 0.0 });
             let ease = meets.map(|m| if m { EASE_M.min(0.1 * length) } else { 0.0 });
-            let course = Course { along: vec![0.0, length], table, ease };
+            let course = SlopeProfile { along: vec![0.0, length], table, ease };
             let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * length;
             prop_assert!(near(course.place(table[0]), 0.0));
             prop_assert!(near(course.place(length - table[1]), length));

@@ -1,14 +1,14 @@
 //! Lanes along streets.
 
 use super::curve::line_through;
-use super::plan::Plan;
+use super::plan::StreetPlan;
 use crate::{Lane, LaneId, RoadNetwork, Turn};
 
 /// Distance between points of centre lines, metres.
 const STEP_M: f64 = 2.5;
 
 /// Lays the lanes of every street between its stop lines.
-pub(super) fn add(plan: &mut Plan, network: &mut RoadNetwork) {
+pub(super) fn add(plan: &mut StreetPlan, network: &mut RoadNetwork) {
     for street in &mut plan.streets {
         street.lanes = vec![None; street.section.bands.len()];
     }
@@ -48,9 +48,9 @@ pub(super) fn add(plan: &mut Plan, network: &mut RoadNetwork) {
 }
 
 /// Streets that lie inside a junction whole: they are its asphalt, and have no lanes of their own.
-pub(super) fn inside(plan: &Plan) -> Vec<bool> {
+pub(super) fn inside(plan: &StreetPlan) -> Vec<bool> {
     let mut hidden = vec![false; plan.streets.len()];
-    for &street in plan.knots.iter().flat_map(|k| &k.inside) {
+    for &street in plan.intersections.iter().flat_map(|k| &k.inside) {
         hidden[street] = true;
     }
     hidden

@@ -15,14 +15,15 @@ const SLIP_M: f64 = 30.0;
 /// The line `flat` at the heights of the vertices it was drawn through, smooth between them; `flat` begins and ends
 /// where they do.
 pub(super) fn lifted(flat: &Polyline, vertices: &[DVec3]) -> Polyline {
-    let knots = stations(flat, vertices);
-    let (low, high) = knots.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), k| (l.min(k.1), h.max(k.1)));
+    let intersections = stations(flat, vertices);
+    let (low, high) =
+        intersections.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), k| (l.min(k.1), h.max(k.1)));
     if high - low < 1e-9 {
         return Polyline::new(flat.points().iter().map(|p| p.with_z(low)));
     }
     let n = (flat.length() / STEP_M).ceil().max(1.0) as usize;
     let places = (0..=n).map(|k| flat.length() * k as f64 / n as f64);
-    let drawn: Vec<DVec3> = places.map(|s| DVec3::new(s, 0.0, height(&knots, s))).collect();
+    let drawn: Vec<DVec3> = places.map(|s| DVec3::new(s, 0.0, height(&intersections, s))).collect();
     let profile: Vec<(f64, f64)> = simplified(&drawn, TOLERANCE_M).iter().map(|p| (p.x, p.z)).collect();
     let mut along: Vec<f64> = (0..flat.points().len()).map(|i| flat.station(i)).collect();
     along.extend(profile.iter().map(|p| p.0));
@@ -39,23 +40,23 @@ pub(super) fn lifted(flat: &Polyline, vertices: &[DVec3]) -> Polyline {
 fn stations(flat: &Polyline, vertices: &[DVec3]) -> Vec<(f64, f64)> {
     let steps: Vec<f64> = vertices.windows(2).map(|w| w[0].truncate().distance(w[1].truncate())).collect();
     let scale = flat.length() / steps.iter().sum::<f64>().max(1e-9);
-    let mut knots = vec![(0.0, vertices[0].z)];
+    let mut intersections = vec![(0.0, vertices[0].z)];
     let mut walked = 0.0;
     for (step, vertex) in steps.iter().zip(&vertices[1..]) {
         walked += step * scale;
         let s = nearest(flat, vertex.truncate(), walked);
-        if s > knots[knots.len() - 1].0 + 1e-3 {
-            knots.push((s, vertex.z));
+        if s > intersections[intersections.len() - 1].0 + 1e-3 {
+            intersections.push((s, vertex.z));
         }
     }
-    let last = knots.len() - 1;
+    let last = intersections.len() - 1;
     let end = (flat.length(), vertices[vertices.len() - 1].z);
-    if last > 0 && end.0 - knots[last].0 < 0.5 {
-        knots[last] = end;
+    if last > 0 && end.0 - intersections[last].0 < 0.5 {
+        intersections[last] = end;
     } else {
-        knots.push(end);
+        intersections.push(end);
     }
-    knots
+    intersections
 }
 
 /// Arc length of the place nearest to a point, among those not far from where it is expected.
@@ -76,12 +77,12 @@ fn nearest(flat: &Polyline, p: DVec2, expected: f64) -> f64 {
     best.1
 }
 
-/// Between knots: a cubic whose slopes are those to the neighbours of both (Catmull and Rom 1974).
-fn height(knots: &[(f64, f64)], s: f64) -> f64 {
-    let i = knots.partition_point(|k| k.0 <= s).clamp(1, knots.len() - 1);
-    let (a, b) = (knots[i - 1], knots[i]);
+/// Between intersections: a cubic whose slopes are those to the neighbours of both (Catmull and Rom 1974).
+fn height(intersections: &[(f64, f64)], s: f64) -> f64 {
+    let i = intersections.partition_point(|k| k.0 <= s).clamp(1, intersections.len() - 1);
+    let (a, b) = (intersections[i - 1], intersections[i]);
     let slope = |j: usize| {
-        let (before, after) = (knots[j.saturating_sub(1)], knots[(j + 1).min(knots.len() - 1)]);
+        let (before, after) = (intersections[j.saturating_sub(1)], intersections[(j + 1).min(intersections.len() - 1)]);
         (after.1 - before.1) / (after.0 - before.0)
     };
     let (span, t) = (b.0 - a.0, ((s - a.0) / (b.0 - a.0)).clamp(0.0, 1.0));

@@ -1,14 +1,14 @@
 //! Left-hand traffic is right-hand traffic in a mirror: the map is mirrored when it is read, built, and mirrored back.
 
-use super::extract::Tags;
-use crate::{Area, Footprint, Lane, Mark, Polyline, RoadMap, Strip, Thing, Turn};
+use super::extract::OsmTags;
+use crate::{Area, BuildingFootprint, Lane, MapObject, Mark, Polyline, RoadMap, Strip, Turn};
 use endless_world::math::f64::wrap_angle;
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 
 /// A road's tags as seen in a mirror: left is right, and lanes are counted from the other side.
-pub(super) fn tags(tags: &Tags) -> Tags {
-    let mut mirrored = Tags::default();
+pub(super) fn tags(tags: &OsmTags) -> OsmTags {
+    let mut mirrored = OsmTags::default();
     for (key, value) in tags.iter() {
         let words: Vec<&str> = key.split(':').map(side).collect();
         let by_lane = words.contains(&"lanes") && value.contains('|');
@@ -80,11 +80,11 @@ pub(super) fn map(map: &mut RoadMap) {
         outline(o);
         holes.iter_mut().for_each(|h| outline(h));
     }
-    for Footprint { outline: o, holes, .. } in &mut map.footprints {
+    for BuildingFootprint { outline: o, holes, .. } in &mut map.footprints {
         outline(o);
         holes.iter_mut().for_each(|h| outline(h));
     }
-    for Thing { position, heading_rad, .. } in &mut map.things {
+    for MapObject { position, heading_rad, .. } in &mut map.objects {
         *position = flip(*position);
         *heading_rad = wrap_angle(PI - *heading_rad);
     }
@@ -97,7 +97,7 @@ mod tests {
 
     #[test]
     fn tags_swap_their_sides() {
-        let mut given = Tags::default();
+        let mut given = OsmTags::default();
         for (k, v) in
             [("turn:lanes", "left|through;right"), ("sidewalk", "left"), ("cycleway:left", "lane"), ("name", "x")]
         {

@@ -16,6 +16,7 @@ mod curve;
 mod error;
 mod extent;
 mod extract;
+mod formation;
 mod graph;
 mod height;
 mod lane;
@@ -39,6 +40,7 @@ mod section;
 mod sign;
 mod signal;
 mod site;
+mod stretch;
 mod surface;
 mod surroundings;
 mod trim;
@@ -49,14 +51,13 @@ mod ways;
 mod xml;
 
 pub use error::OsmError;
-pub use extract::{Bounds, Extract, Member, MemberKind, Node, Relation, Tags, Way};
+pub use extract::{OsmBounds, OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmRelation, OsmTags, OsmWay};
 pub(crate) use projection::raw as mercator;
 
 use crate::{Junction, JunctionId, RoadMap, Terrain};
 use glam::DVec2;
 use height::Ground;
-use plan::Plan;
-use relief::Formation;
+use plan::StreetPlan;
 use site::Site;
 
 /// On which side of the road traffic keeps.
@@ -81,7 +82,7 @@ pub struct OsmOptions {
 ///
 /// # Errors
 /// [`OsmError`] with the place in the file where it is malformed, cut off or of another format.
-pub fn read_extract(bytes: &[u8]) -> Result<Extract, OsmError> {
+pub fn read_extract(bytes: &[u8]) -> Result<OsmExtract, OsmError> {
     if pbf::looks_like(bytes) {
         return pbf::read(bytes);
     }
@@ -105,7 +106,7 @@ pub fn read(bytes: &[u8], options: &OsmOptions) -> Result<RoadMap, OsmError> {
 ///
 /// # Errors
 /// [`OsmError::NoRoads`], [`OsmError::TooLarge`], [`OsmError::TooWide`], [`OsmError::TooLong`], [`OsmError::Crowded`].
-pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmError> {
+pub fn map_from(extract: &OsmExtract, options: &OsmOptions) -> Result<RoadMap, OsmError> {
     let mut site = Site::new(extract, options.driving_side.map(|side| side == DrivingSide::Left));
     let ways = ways::collect(extract, &mut site);
     extent::check(&ways, &site)?;
@@ -118,14 +119,14 @@ pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmE
     let side = if site.mirrored { -1.0 } else { 1.0 };
     let natural = options.terrain.as_ref().map(|terrain| move |p: DVec2| terrain.height(DVec2::new(side * p.x, p.y)));
     let ground = natural.as_ref().map(|natural| natural as Ground<'_>);
-    let mut plan = Plan::new(roads, ground);
+    let mut plan = StreetPlan::new(roads, ground);
     check_arms(&plan, &site)?;
     twin::find(&mut plan);
     turnaround::join_dead_ends(&mut plan);
     trim::trim(&mut plan);
-    check_count("junctions", plan.knots.len())?;
+    check_count("junctions", plan.intersections.len())?;
     if let Some(ground) = ground {
-        site.formation = Some(Formation::new(&plan, ground));
+        site.formation = Some(relief::formation(&plan, ground));
     }
     let mut map = build(&mut plan, &mut site)?;
     surface::yards(&plan, &site, &yards, &mut map);
@@ -140,11 +141,14 @@ pub fn map_from(extract: &Extract, options: &OsmOptions) -> Result<RoadMap, OsmE
 }
 
 /// No junction has more arms than any on Earth.
-fn check_arms(plan: &Plan, site: &Site<'_>) -> Result<(), OsmError> {
-    let Some(knot) = plan.knots.iter().find(|knot| knot.arms.len() > trim::MOST_ARMS) else { return Ok(()) };
-    let node = knot.nodes[0];
+fn check_arms(plan: &StreetPlan, site: &Site<'_>) -> Result<(), OsmError> {
+    let Some(intersection) = plan.intersections.iter().find(|intersection| intersection.arms.len() > trim::MOST_ARMS)
+    else {
+        return Ok(());
+    };
+    let node = intersection.nodes[0];
     let [lat, lon] = site.extract.nodes.get(&node).map_or([f64::NAN; 2], |n| [n.lat, n.lon]);
-    Err(OsmError::Crowded { node, lat, lon, arms: knot.arms.len(), most: trim::MOST_ARMS })
+    Err(OsmError::Crowded { node, lat, lon, arms: intersection.arms.len(), most: trim::MOST_ARMS })
 }
 
 fn check_count(what: &'static str, count: usize) -> Result<(), OsmError> {
@@ -153,7 +157,7 @@ fn check_count(what: &'static str, count: usize) -> Result<(), OsmError> {
 }
 
 /// Lanes, signals, crossings, walks, surfaces and paint of a plan.
-fn build(plan: &mut Plan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
+fn build(plan: &mut StreetPlan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
     let mut map = RoadMap::default();
     let network = &mut map.network;
     let mut groups = 0;
@@ -168,26 +172,26 @@ fn build(plan: &mut Plan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
     let paths = path::add(plan, site, network);
     let restrictions = restriction::Restrictions::new(site.extract);
     let mut surfaces = RoadMap::default();
-    for knot in 0..plan.knots.len() {
-        if plan.knots[knot].arms.is_empty() {
+    for intersection in 0..plan.intersections.len() {
+        if plan.intersections[intersection].arms.is_empty() {
             continue;
         }
         let junction = JunctionId(network.junctions.len() as u16);
         network.junctions.push(Junction::default());
-        let movements = connector::sensible(plan, &movement::movements(plan, knot, &restrictions));
+        let movements = connector::sensible(plan, &movement::movements(plan, intersection, &restrictions));
         let lanes = connector::add(plan, network, junction, &movements);
         if let Some(formation) = &site.formation {
             for lane in &lanes {
                 formation.lay(&mut network.lanes[lane.index()].centerline);
             }
         }
-        network.junctions[junction.index()].program = signal::program(plan, knot, &movements);
+        network.junctions[junction.index()].program = signal::program(plan, intersection, &movements);
         let lanes: Vec<_> = lanes.iter().map(|&l| network.lane(l)).collect();
         if movements.len() == lanes.len() {
             let ways: Vec<_> = movements.iter().copied().zip(lanes.iter().copied()).collect();
-            paint::through(plan, knot, &ways, &mut surfaces);
+            paint::through(plan, intersection, &ways, &mut surfaces);
         }
-        surface::knot(plan, knot, &movements, &lanes, &mut surfaces);
+        surface::intersection(plan, intersection, &movements, &lanes, &mut surfaces);
         surface::connectors(plan, &lanes, &movements, &mut surfaces);
     }
     if let Some(formation) = &site.formation {

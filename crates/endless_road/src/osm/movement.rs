@@ -1,10 +1,10 @@
-//! Ways through a knot: which arm leads to which, and which lane to which.
+//! Ways through an intersection: which arm leads to which, and which lane to which.
 
 use super::curve::angle;
-use super::graph::End;
-use super::plan::Plan;
+use super::graph::StretchEnd;
+use super::plan::StreetPlan;
 use super::restriction::Restrictions;
-use super::section::{Arrows, Use};
+use super::section::{Arrows, LaneUse};
 use crate::Turn;
 use endless_world::math::f64::wrap_angle;
 
@@ -19,9 +19,9 @@ const MOST_EXITS: usize = 24;
 /// From a lane of one arm to a lane of another; bands of their streets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Movement {
-    pub(super) from: End,
+    pub(super) from: StretchEnd,
     pub(super) lane_in: usize,
-    pub(super) to: End,
+    pub(super) to: StretchEnd,
     pub(super) lane_out: usize,
     pub(super) turn: Turn,
 }
@@ -29,44 +29,44 @@ pub(super) struct Movement {
 /// An arm to leave by.
 #[derive(Debug, Clone, Copy)]
 struct Exit {
-    to: End,
+    to: StretchEnd,
     turn: Turn,
     /// To the left of straight on, radians.
     bend: f64,
 }
 
-/// All movements of a knot.
-pub(super) fn movements(plan: &Plan, knot: usize, restrictions: &Restrictions) -> Vec<Movement> {
-    if let Some([left, right]) = lanes_add_up(plan, knot) {
-        return side_by_side(plan, knot, left, right);
+/// All movements of an intersection.
+pub(super) fn movements(plan: &StreetPlan, intersection: usize, restrictions: &Restrictions) -> Vec<Movement> {
+    if let Some([left, right]) = lanes_add_up(plan, intersection) {
+        return side_by_side(plan, intersection, left, right);
     }
-    let arms = &plan.knots[knot].arms;
+    let arms = &plan.intersections[intersection].arms;
     let mut all: Vec<Movement> = Vec::new();
     for &from in arms.iter().filter(|&&arm| !plan.lanes_in(arm).is_empty()) {
-        let exits = exits(plan, knot, from, restrictions);
+        let exits = exits(plan, intersection, from, restrictions);
         all.extend(assign(plan, from, &exits));
     }
-    feed_empty_lanes(plan, knot, &mut all);
+    feed_empty_lanes(plan, intersection, &mut all);
     all
 }
 
 /// Two one-way roads that become one with all their lanes, from left to right: nobody has to give way.
-pub(super) fn lanes_add_up(plan: &Plan, knot: usize) -> Option<[End; 2]> {
-    let arms = &plan.knots[knot].arms;
+pub(super) fn lanes_add_up(plan: &StreetPlan, intersection: usize) -> Option<[StretchEnd; 2]> {
+    let arms = &plan.intersections[intersection].arms;
     let oneway = arms.iter().all(|&arm| plan.street(arm).oneway() && !plan.street(arm).roundabout);
-    let (ins, outs): (Vec<End>, Vec<End>) = arms.iter().partition(|&&arm| !plan.lanes_in(arm).is_empty());
+    let (ins, outs): (Vec<StretchEnd>, Vec<StretchEnd>) = arms.iter().partition(|&&arm| !plan.lanes_in(arm).is_empty());
     let ([a, b], [to]) = (&ins[..], &outs[..]) else { return None };
     let ahead = bend(plan, *a, *to).abs() < STRAIGHT_RAD && bend(plan, *b, *to).abs() < STRAIGHT_RAD;
     if !oneway || !ahead || plan.lanes_in(*a).len() + plan.lanes_in(*b).len() != plan.lanes_out(*to).len() {
         return None;
     }
-    let place = |arm: &End| plan.arm_point(*arm, plan.cut(*arm), 0.0).truncate();
+    let place = |arm: &StretchEnd| plan.arm_point(*arm, plan.cut(*arm), 0.0).truncate();
     let to_the_left = plan.arm_direction(*to, plan.cut(*to)).perp_dot(place(a) - place(b)) > 0.0;
     Some(if to_the_left { [*a, *b] } else { [*b, *a] })
 }
 
-fn side_by_side(plan: &Plan, knot: usize, left: End, right: End) -> Vec<Movement> {
-    let to = plan.knots[knot].arms.iter().copied().find(|&arm| !plan.lanes_out(arm).is_empty());
+fn side_by_side(plan: &StreetPlan, intersection: usize, left: StretchEnd, right: StretchEnd) -> Vec<Movement> {
+    let to = plan.intersections[intersection].arms.iter().copied().find(|&arm| !plan.lanes_out(arm).is_empty());
     let lanes_in =
         [left, right].into_iter().flat_map(|arm| plan.lanes_in(arm).into_iter().map(move |lane| (arm, lane)));
     let lanes_out = to.into_iter().flat_map(|to| plan.lanes_out(to).into_iter().map(move |lane| (to, lane)));
@@ -76,20 +76,20 @@ fn side_by_side(plan: &Plan, knot: usize, left: End, right: End) -> Vec<Movement
         .collect()
 }
 
-fn bend(plan: &Plan, from: End, to: End) -> f64 {
+fn bend(plan: &StreetPlan, from: StretchEnd, to: StretchEnd) -> f64 {
     let heading_in = angle(-plan.arm_direction(from, plan.cut(from)));
     let heading_out = angle(plan.arm_direction(to, plan.cut(to)));
     wrap_angle(heading_out - heading_in)
 }
 
-fn exits(plan: &Plan, knot: usize, from: End, restrictions: &Restrictions) -> Vec<Exit> {
-    let k = &plan.knots[knot];
+fn exits(plan: &StreetPlan, intersection: usize, from: StretchEnd, restrictions: &Restrictions) -> Vec<Exit> {
+    let k = &plan.intersections[intersection];
     let dead_end = k.arms.len() == 1 || k.turnaround;
     let mut exits: Vec<Exit> = k
         .arms
         .iter()
         .filter(|&&to| !plan.lanes_out(to).is_empty() && (to != from || dead_end))
-        .filter(|&&to| dead_end || restrictions.allow(plan, knot, from, to))
+        .filter(|&&to| dead_end || restrictions.allow(plan, intersection, from, to))
         .map(|&to| {
             let bend = if to == from { std::f64::consts::PI } else { bend(plan, from, to) };
             let turn = match bend {
@@ -120,9 +120,9 @@ fn exits(plan: &Plan, knot: usize, from: End, restrictions: &Restrictions) -> Ve
     exits
 }
 
-fn arrows(plan: &Plan, arm: End, band: usize) -> Option<Arrows> {
+fn arrows(plan: &StreetPlan, arm: StretchEnd, band: usize) -> Option<Arrows> {
     match plan.street(arm).section.bands[band].what {
-        Use::Lane { arrows, .. } => arrows,
+        LaneUse::Lane { arrows, .. } => arrows,
         _ => None,
     }
 }
@@ -137,7 +137,7 @@ fn allows(arrows: Arrows, turn: Turn) -> bool {
 }
 
 /// Lanes, from left to right, from which an exit may be taken.
-fn lanes_for(plan: &Plan, from: End, exit: &Exit, exits: &[Exit]) -> Vec<usize> {
+fn lanes_for(plan: &StreetPlan, from: StretchEnd, exit: &Exit, exits: &[Exit]) -> Vec<usize> {
     let bands = plan.lanes_in(from);
     let n = bands.len();
     let painted: Vec<usize> =
@@ -173,17 +173,17 @@ fn lanes_for(plan: &Plan, from: End, exit: &Exit, exits: &[Exit]) -> Vec<usize> 
 }
 
 /// The most lanes that lead out of the ring of an arm, at any of its exits.
-fn widest_exit(plan: &Plan, from: End) -> usize {
+fn widest_exit(plan: &StreetPlan, from: StretchEnd) -> usize {
     let (mut at, mut most) = (from, 0);
     for _ in 0..MOST_EXITS {
         let street = plan.street(at);
-        let arms = &plan.knots[street.knots[at.end]].arms;
+        let arms = &plan.intersections[street.intersections[at.end]].arms;
         let outwards = |ring: bool| {
             arms.iter().filter(move |&&arm| plan.street(arm).roundabout == ring && !plan.lanes_out(arm).is_empty())
         };
         most = outwards(false).map(|&arm| plan.lanes_out(arm).len()).fold(most, usize::max);
         let Some(next) = outwards(true).next() else { break };
-        at = End { end: 1 - next.end, ..*next };
+        at = StretchEnd { end: 1 - next.end, ..*next };
         if at == from {
             break;
         }
@@ -191,7 +191,7 @@ fn widest_exit(plan: &Plan, from: End) -> usize {
     most
 }
 
-fn assign(plan: &Plan, from: End, exits: &[Exit]) -> Vec<Movement> {
+fn assign(plan: &StreetPlan, from: StretchEnd, exits: &[Exit]) -> Vec<Movement> {
     let bands = plan.lanes_in(from);
     let n = bands.len();
     let mut out: Vec<Movement> = Vec::new();
@@ -234,8 +234,8 @@ fn assign(plan: &Plan, from: End, exits: &[Exit]) -> Vec<Movement> {
 }
 
 /// Lanes that nobody leads to are fed from the lane beside the one that is, or from the straightest arm.
-fn feed_empty_lanes(plan: &Plan, knot: usize, all: &mut Vec<Movement>) {
-    let arms = plan.knots[knot].arms.clone();
+fn feed_empty_lanes(plan: &StreetPlan, intersection: usize, all: &mut Vec<Movement>) {
+    let arms = plan.intersections[intersection].arms.clone();
     for &to in &arms {
         let ways_out = plan.lanes_out(to);
         let fed: Vec<bool> =

@@ -8,7 +8,7 @@ const CELL_M: f64 = 32.0;
 
 /// Lines by the squares that they pass, with a square around.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Near {
+pub(super) struct SegmentIndex {
     cells: BTreeMap<(i64, i64), Vec<usize>>,
 }
 
@@ -17,7 +17,7 @@ fn cell(p: DVec2) -> (i64, i64) {
     (c.x as i64, c.y as i64)
 }
 
-impl Near {
+impl SegmentIndex {
     /// Of numbered lines.
     pub(super) fn new<'a>(lines: impl Iterator<Item = (usize, &'a Polyline)>) -> Self {
         let mut near = Self::default();

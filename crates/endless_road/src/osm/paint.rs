@@ -4,11 +4,11 @@ use super::class::RoadClass;
 use super::country::Country;
 use super::crossing::CROSSING_M;
 use super::curve::line_through;
-use super::graph::End;
+use super::graph::StretchEnd;
 use super::lane::inside;
 use super::movement::Movement;
-use super::plan::{OnFoot, Plan, Street};
-use super::section::Use;
+use super::plan::{FootwayCrossing, Street, StreetPlan};
+use super::section::LaneUse;
 use crate::{Control, Lane, Mark, Paint, RoadMap, Turn};
 
 const LINE_M: f64 = 0.12;
@@ -20,7 +20,7 @@ const DASH: [f64; 2] = [3.0, 5.0];
 const SOLID_M: f64 = 18.0;
 
 /// Paints all streets.
-pub(super) fn streets(plan: &Plan, country: &Country, map: &mut RoadMap) {
+pub(super) fn streets(plan: &StreetPlan, country: &Country, map: &mut RoadMap) {
     let hidden = inside(plan);
     for (street, _) in plan.streets.iter().zip(hidden).filter(|(_, hidden)| !hidden) {
         if !street.section.unpaved {
@@ -58,12 +58,12 @@ fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
     let quiet = street.class <= RoadClass::Residential || street.class == RoadClass::Service;
     let bands = &street.section.bands;
     let yellow = if country.yellow_centre { Paint::Yellow } else { Paint::White };
-    let many = bands.iter().filter(|b| matches!(b.what, Use::Lane { .. })).count() > 2;
+    let many = bands.iter().filter(|b| matches!(b.what, LaneUse::Lane { .. })).count() > 2;
     for (from, to) in pieces(street) {
         for (i, pair) in bands.windows(2).enumerate() {
             let t = street.section.edges(i)[1];
             match (pair[0].what, pair[1].what) {
-                (Use::Lane { forward: a, .. }, Use::Lane { forward: b, .. }) if a != b => {
+                (LaneUse::Lane { forward: a, .. }, LaneUse::Lane { forward: b, .. }) if a != b => {
                     if quiet && !many {
                         continue;
                     }
@@ -75,7 +75,7 @@ fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
                         along(street, t, from, to, Some(DASH), yellow, map);
                     }
                 }
-                (Use::Lane { forward, .. }, Use::Lane { .. }) => {
+                (LaneUse::Lane { forward, .. }, LaneUse::Lane { .. }) => {
                     // Unbroken before the stop line.
                     let end = usize::from(forward);
                     let solid =
@@ -87,15 +87,17 @@ fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
                         along(street, t, a, b, None, Paint::White, map);
                     }
                 }
-                (Use::Bike, _) | (_, Use::Bike) => along(street, t, from, to, Some([1.0, 1.0]), Paint::White, map),
-                (Use::Shoulder, Use::Lane { .. }) | (Use::Lane { .. }, Use::Shoulder) => {
+                (LaneUse::Bike, _) | (_, LaneUse::Bike) => {
+                    along(street, t, from, to, Some([1.0, 1.0]), Paint::White, map);
+                }
+                (LaneUse::Shoulder, LaneUse::Lane { .. }) | (LaneUse::Lane { .. }, LaneUse::Shoulder) => {
                     along(street, t, from, to, None, Paint::White, map);
                 }
                 _ => {}
             }
         }
         let rural = street.section.sidewalks == [0.0; 2] && street.class >= RoadClass::Tertiary && !street.link;
-        if rural && !matches!(bands.first().map(|b| b.what), Some(Use::Shoulder)) {
+        if rural && !matches!(bands.first().map(|b| b.what), Some(LaneUse::Shoulder)) {
             for (t, inwards) in [(street.section.kerbs[0], -0.2), (street.section.kerbs[1], 0.2)] {
                 along(street, t + inwards, from, to, None, Paint::White, map);
             }
@@ -104,15 +106,15 @@ fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
 }
 
 /// Dashes between lanes that lead side by side through a place where nothing crosses: merges, rings, changes of width.
-pub(super) fn through(plan: &Plan, knot: usize, ways: &[(Movement, &Lane)], map: &mut RoadMap) {
-    let k = &plan.knots[knot];
+pub(super) fn through(plan: &StreetPlan, intersection: usize, ways: &[(Movement, &Lane)], map: &mut RoadMap) {
+    let k = &plan.intersections[intersection];
     let crossed = k.arms.len() > 2 && !k.arms.iter().all(|&arm| plan.street(arm).oneway());
     for &(m, lane) in ways {
         let ring = plan.street(m.from).roundabout && plan.street(m.to).roundabout;
         if k.signals || m.turn != Turn::Straight || (crossed && !ring) {
             continue;
         }
-        let next = |arm: End, band: usize, lanes: &[usize]| {
+        let next = |arm: StretchEnd, band: usize, lanes: &[usize]| {
             let place = lanes.iter().position(|&l| l == band)?;
             Some((arm, *lanes.get(place + 1)?))
         };
@@ -158,7 +160,7 @@ fn stop_lines(street: &Street, map: &mut RoadMap) {
     }
 }
 
-fn bars(street: &Street, crossing: &OnFoot, country: &Country, map: &mut RoadMap) {
+fn bars(street: &Street, crossing: &FootwayCrossing, country: &Country, map: &mut RoadMap) {
     let [left, right] = street.section.kerbs;
     let (from, to) = (crossing.s - 0.5 * CROSSING_M, crossing.s + 0.5 * CROSSING_M);
     let mut paint = |a, b, width_m| {

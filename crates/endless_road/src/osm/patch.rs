@@ -1,6 +1,6 @@
 //! Patches of land: closed ways and multipolygons, as outlines with holes.
 
-use super::extract::{MemberKind, Tags};
+use super::extract::{OsmMemberKind, OsmTags};
 use super::ring::{clipped, contains, joined, tidy};
 use super::site::Site;
 use glam::DVec2;
@@ -8,14 +8,14 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// An outline with holes and what is said of it.
 #[derive(Debug, Clone)]
-pub(super) struct Patch<'a> {
+pub(super) struct TaggedArea<'a> {
     pub(super) outline: Vec<DVec2>,
     pub(super) holes: Vec<Vec<DVec2>>,
-    pub(super) tags: &'a Tags,
+    pub(super) tags: &'a OsmTags,
 }
 
 /// All closed ways and multipolygons whose tags are wanted; clipped to the extract if `clip`.
-pub(super) fn patches<'a>(site: &mut Site<'a>, clip: bool, wanted: impl Fn(&Tags) -> bool) -> Vec<Patch<'a>> {
+pub(super) fn patches<'a>(site: &mut Site<'a>, clip: bool, wanted: impl Fn(&OsmTags) -> bool) -> Vec<TaggedArea<'a>> {
     let mut patches = Vec::new();
     let extract = site.extract;
     let ways: BTreeMap<i64, &[i64]> = extract.ways.iter().map(|w| (w.id, w.nodes.as_slice())).collect();
@@ -23,14 +23,15 @@ pub(super) fn patches<'a>(site: &mut Site<'a>, clip: bool, wanted: impl Fn(&Tags
     let mut taken: BTreeSet<i64> = BTreeSet::new();
     for relation in extract.relations.iter().filter(|r| r.tags.is("type", &["multipolygon"]) && wanted(&r.tags)) {
         let chains = |inner: bool| -> Vec<Vec<i64>> {
-            let members = relation.members.iter().filter(|m| m.kind == MemberKind::Way && (m.role == "inner") == inner);
+            let members =
+                relation.members.iter().filter(|m| m.kind == OsmMemberKind::Way && (m.role == "inner") == inner);
             members.filter_map(|m| ways.get(&m.id).map(|nodes| nodes.to_vec())).collect()
         };
         let mut holes = rings(site, &chains(true), clip, false);
         for outline in rings(site, &chains(false), clip, true) {
             let (own, others) = holes.into_iter().partition(|h: &Vec<DVec2>| contains(&outline, h[0]));
             holes = others;
-            patches.push(Patch { outline, holes: own, tags: &relation.tags });
+            patches.push(TaggedArea { outline, holes: own, tags: &relation.tags });
         }
         taken.extend(relation.members.iter().filter(|m| m.role != "inner").map(|m| m.id));
     }
@@ -42,7 +43,7 @@ pub(super) fn patches<'a>(site: &mut Site<'a>, clip: bool, wanted: impl Fn(&Tags
         if found.is_empty() && way.nodes.iter().all(|&n| site.place(n).is_some_and(|p| site.inside(p))) {
             site.note(format!("way {}", way.id), "its outline crosses itself or has no area: it is left out");
         }
-        patches.extend(found.into_iter().map(|outline| Patch { outline, holes: Vec::new(), tags: &way.tags }));
+        patches.extend(found.into_iter().map(|outline| TaggedArea { outline, holes: Vec::new(), tags: &way.tags }));
     }
     patches
 }

@@ -2,14 +2,15 @@
 //! sidewalk they are that sidewalk, and nothing is added.
 
 use super::class::metres;
-use super::extract::{Tags, Way};
+use super::extract::{OsmTags, OsmWay};
 use super::lane::inside;
-use super::near::Near;
-use super::plan::Plan;
+use super::near::SegmentIndex;
+use super::plan::StreetPlan;
 use super::site::Site;
+use super::stretch::Vertex;
 use super::surface::ribbon;
 use super::walk::Walks;
-use super::ways::{Vertex, runs};
+use super::ways::runs;
 use crate::{Polyline, RoadNetwork, Strip, StripKind, WalkGraph, WalkKind, WalkNodeId};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -34,7 +35,7 @@ pub(super) struct Paths {
 }
 
 /// A piece of a path with what it is.
-struct Piece {
+struct PathPiece {
     points: Vec<DVec2>,
     /// The nodes at its ends, where it ends at nodes.
     ends: [Option<i64>; 2],
@@ -44,7 +45,7 @@ struct Piece {
     walkable: bool,
 }
 
-fn is_path(tags: &Tags) -> bool {
+fn is_path(tags: &OsmTags) -> bool {
     let open = !tags.is("access", &["private", "no"]) && !tags.is("foot", &["no", "private"]);
     let outside = tags.get("indoor").is_none_or(|v| v == "no")
         && !tags.get("tunnel").is_some_and(|v| v != "no" && v != "building_passage")
@@ -59,9 +60,10 @@ fn is_path(tags: &Tags) -> bool {
 }
 
 /// Adds paths to the walk network.
-pub(super) fn add(plan: &Plan, site: &mut Site<'_>, network: &mut RoadNetwork) -> Paths {
+pub(super) fn add(plan: &StreetPlan, site: &mut Site<'_>, network: &mut RoadNetwork) -> Paths {
     let hidden = inside(plan);
-    let near = Near::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
+    let near =
+        SegmentIndex::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
     let extract = site.extract;
     let mut shared: BTreeMap<i64, usize> = BTreeMap::new();
     for way in extract.ways.iter().filter(|w| is_path(&w.tags)) {
@@ -97,12 +99,12 @@ pub(super) fn add(plan: &Plan, site: &mut Site<'_>, network: &mut RoadNetwork) -
 
 /// The parts of a path that lie outside of streets and their sidewalks, divided at the nodes it shares.
 fn outside_streets(
-    plan: &Plan,
-    near: &Near,
-    way: &Way,
+    plan: &StreetPlan,
+    near: &SegmentIndex,
+    way: &OsmWay,
     vertices: &[Vertex],
     shared: &BTreeMap<i64, usize>,
-) -> Vec<Piece> {
+) -> Vec<PathPiece> {
     let tags = &way.tags;
     let sidepath =
         tags.is("footway", &["sidewalk"]) || tags.is("is_sidepath", &["yes"]) || tags.get("is_sidepath:of").is_some();
@@ -138,7 +140,7 @@ fn outside_streets(
         let length: f64 = points.windows(2).map(|w| w[0].distance(w[1])).sum();
         let between = ends.iter().all(Option::is_some);
         if length > if between { 0.3 } else { 2.0 } {
-            pieces.push(Piece { points, ends, width_m, kind, unpaved, walkable });
+            pieces.push(PathPiece { points, ends, width_m, kind, unpaved, walkable });
         }
     };
     for (k, vertex) in vertices.iter().enumerate() {
@@ -174,7 +176,7 @@ fn outside_streets(
     pieces
 }
 
-fn strip(piece: &Piece, site: &Site<'_>) -> Strip {
+fn strip(piece: &PathPiece, site: &Site<'_>) -> Strip {
     let points: Vec<DVec3> = piece.points.iter().map(|p| p.extend(PATH_Z_M)).collect();
     let (mut left, mut right) = ribbon(&points, 0.5 * piece.width_m, -0.5 * piece.width_m, 1.5);
     left.iter_mut().chain(&mut right).for_each(|p| p.z += site.ground(p.truncate()));
@@ -182,7 +184,7 @@ fn strip(piece: &Piece, site: &Site<'_>) -> Strip {
 }
 
 fn lay(
-    piece: &Piece,
+    piece: &PathPiece,
     site: &Site<'_>,
     walks: &mut Walks<'_>,
     at_node: &mut BTreeMap<i64, WalkNodeId>,

@@ -1,12 +1,12 @@
-//! The plan: streets with their lines and sections, and the knots where they meet.
+//! The plan: streets with their lines and sections, and the intersections where they meet.
 
 use super::class::RoadClass;
 use super::curve::{angle, line_through, relaxed, rounded, simplified};
-use super::graph::{self, End};
+use super::graph::{self, StretchEnd};
 use super::height::Ground;
 use super::lift::lifted;
-use super::section::Section;
-use super::ways::{Level, Stretch};
+use super::section::CrossSection;
+use super::stretch::{Level, Stretch};
 use crate::{Control, CrossingId, LaneId, Polyline};
 use endless_world::SignalId;
 use glam::{DVec2, DVec3};
@@ -17,7 +17,7 @@ const TOLERANCE_M: f64 = 0.12;
 
 /// What crosses a street on foot.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct OnFoot {
+pub(super) struct FootwayCrossing {
     /// Place along the street, metres.
     pub(super) s: f64,
     /// Painted: bars, or two lines.
@@ -30,18 +30,18 @@ pub(super) struct OnFoot {
     pub(super) id: Option<CrossingId>,
 }
 
-/// A street between two knots.
+/// A street between two intersections.
 #[derive(Debug, Clone)]
 pub(super) struct Street {
     pub(super) line: Polyline,
-    pub(super) section: Section,
+    pub(super) section: CrossSection,
     pub(super) class: RoadClass,
     pub(super) link: bool,
     pub(super) roundabout: bool,
     pub(super) speed_mps: f64,
     pub(super) ways: [i64; 2],
     pub(super) nodes: [i64; 2],
-    pub(super) knots: [usize; 2],
+    pub(super) intersections: [usize; 2],
     /// Distance from each end to the junction's area, metres.
     pub(super) cuts: [f64; 2],
     /// Distance from each end to the stop line: where lanes begin and end.
@@ -50,7 +50,7 @@ pub(super) struct Street {
     pub(super) on: Vec<(i64, f64)>,
     /// Where levels begin, with the level.
     pub(super) levels: Vec<(f64, Level)>,
-    pub(super) crossings: Vec<OnFoot>,
+    pub(super) crossings: Vec<FootwayCrossing>,
     /// Half the width of the median on its left, by place; empty without one.
     pub(super) median: Vec<(f64, f64)>,
     /// What governs its ends for who arrives there.
@@ -61,10 +61,10 @@ pub(super) struct Street {
 
 /// Where streets meet.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Knot {
+pub(super) struct Intersection {
     pub(super) nodes: Vec<i64>,
     /// Ends of streets, counter-clockwise.
-    pub(super) arms: Vec<End>,
+    pub(super) arms: Vec<StretchEnd>,
     /// Streets that lie inside it whole.
     pub(super) inside: Vec<usize>,
     pub(super) at: DVec2,
@@ -76,12 +76,12 @@ pub(super) struct Knot {
 
 /// All of it.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Plan {
+pub(super) struct StreetPlan {
     pub(super) streets: Vec<Street>,
-    pub(super) knots: Vec<Knot>,
+    pub(super) intersections: Vec<Intersection>,
 }
 
-impl Plan {
+impl StreetPlan {
     /// From stretches that meet at their ends only.
     pub(super) fn new(mut stretches: Vec<Stretch>, ground: Option<Ground<'_>>) -> Self {
         let heights = super::height::heights(&mut stretches, ground);
@@ -90,67 +90,68 @@ impl Plan {
         for (node, arms) in graph::ends(&stretches) {
             let first = &stretches[arms[0].stretch];
             let at = first.vertices[if arms[0].end == 0 { 0 } else { first.vertices.len() - 1 }].at;
-            knot_at.insert(node, plan.knots.len());
-            plan.knots.push(Knot { nodes: vec![node], arms, at, ..Knot::default() });
+            knot_at.insert(node, plan.intersections.len());
+            plan.intersections.push(Intersection { nodes: vec![node], arms, at, ..Intersection::default() });
         }
         plan.streets = stretches.iter().map(|s| street(s, &heights, &knot_at)).collect();
         plan
     }
 
-    pub(super) fn street(&self, arm: End) -> &Street {
+    pub(super) fn street(&self, arm: StretchEnd) -> &Street {
         &self.streets[arm.stretch]
     }
 
     /// The place at `d` metres outwards along an arm and `t` to the left, looking outwards.
-    pub(super) fn arm_point(&self, arm: End, d: f64, t: f64) -> DVec3 {
+    pub(super) fn arm_point(&self, arm: StretchEnd, d: f64, t: f64) -> DVec3 {
         let street = self.street(arm);
         if arm.end == 0 { street.point(d, t) } else { street.point(street.length() - d, -t) }
     }
 
     /// Outwards at `d` metres.
-    pub(super) fn arm_direction(&self, arm: End, d: f64) -> DVec2 {
+    pub(super) fn arm_direction(&self, arm: StretchEnd, d: f64) -> DVec2 {
         let street = self.street(arm);
         if arm.end == 0 { street.direction(d) } else { -street.direction(street.length() - d) }
     }
 
     /// The section as seen by who looks outwards.
-    pub(super) fn arm_section(&self, arm: End) -> Section {
+    pub(super) fn arm_section(&self, arm: StretchEnd) -> CrossSection {
         let section = &self.street(arm).section;
         if arm.end == 0 { section.clone() } else { section.reversed() }
     }
 
-    pub(super) fn cut(&self, arm: End) -> f64 {
+    pub(super) fn cut(&self, arm: StretchEnd) -> f64 {
         self.street(arm).cuts[arm.end]
     }
 
-    pub(super) fn stop(&self, arm: End) -> f64 {
+    pub(super) fn stop(&self, arm: StretchEnd) -> f64 {
         self.street(arm).stops[arm.end]
     }
 
-    /// Bands that lead into the knot, from left to right for the driver.
-    pub(super) fn lanes_in(&self, arm: End) -> Vec<usize> {
+    /// Bands that lead into the intersection, from left to right for the driver.
+    pub(super) fn lanes_in(&self, arm: StretchEnd) -> Vec<usize> {
         self.street(arm).section.lanes(arm.end == 1)
     }
 
-    /// Bands that lead out of the knot, from left to right for the driver.
-    pub(super) fn lanes_out(&self, arm: End) -> Vec<usize> {
+    /// Bands that lead out of the intersection, from left to right for the driver.
+    pub(super) fn lanes_out(&self, arm: StretchEnd) -> Vec<usize> {
         self.street(arm).section.lanes(arm.end == 0)
     }
 
-    /// Sorts the arms of a knot counter-clockwise around the middle of what they leave free.
-    pub(super) fn sort_arms(&mut self, knot: usize) {
-        let mut arms = self.knots[knot].arms.clone();
-        let place = |arm: &End| self.arm_point(*arm, self.cut(*arm), 0.0).truncate();
-        let middle = if self.knots[knot].nodes.len() == 1 {
+    /// Sorts the arms of an intersection counter-clockwise around the middle of what they leave free.
+    pub(super) fn sort_arms(&mut self, intersection: usize) {
+        let mut arms = self.intersections[intersection].arms.clone();
+        let place = |arm: &StretchEnd| self.arm_point(*arm, self.cut(*arm), 0.0).truncate();
+        let middle = if self.intersections[intersection].nodes.len() == 1 {
             // Looking a little past the cuts tells arms apart that part slowly.
-            self.knots[knot].at
+            self.intersections[intersection].at
         } else {
             arms.iter().map(place).sum::<DVec2>() / arms.len() as f64
         };
-        let far =
-            |arm: &End| self.arm_point(*arm, (self.cut(*arm) + 1.0).min(self.street(*arm).length()), 0.0).truncate();
+        let far = |arm: &StretchEnd| {
+            self.arm_point(*arm, (self.cut(*arm) + 1.0).min(self.street(*arm).length()), 0.0).truncate()
+        };
         arms.sort_by(|a, b| angle(far(a) - middle).total_cmp(&angle(far(b) - middle)).then(a.cmp(b)));
-        self.knots[knot].arms = arms;
+        self.intersections[intersection].arms = arms;
     }
 }
 
@@ -238,7 +239,7 @@ fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i6
         speed_mps: stretch.speed_mps,
         ways: stretch.ways,
         nodes,
-        knots: nodes.map(|n| knot_at[&n]),
+        intersections: nodes.map(|n| knot_at[&n]),
         cuts: [0.0; 2],
         stops: [0.0; 2],
         on,

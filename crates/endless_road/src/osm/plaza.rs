@@ -23,7 +23,7 @@ const DOOR_M: f64 = 5.0;
 pub(super) fn add(areas: &[Area], buildings: &[Vec<DVec2>], site: &Site<'_>, network: &mut RoadNetwork) {
     let squares = areas.iter().filter(|a| a.kind == AreaKind::Plaza && a.outline.len() >= 3);
     for area in squares {
-        let square = Square::new(area, buildings, network);
+        let square = Plaza::new(area, buildings, network);
         let doors = square.doors(&network.walk);
         square.lay(&doors, site, &mut network.walk);
     }
@@ -43,7 +43,7 @@ fn to_segment(a: DVec2, b: DVec2, p: DVec2) -> f64 {
 /// A place of the mesh by its column and row.
 type Cell = (i64, i64);
 
-struct Square<'a> {
+struct Plaza<'a> {
     area: &'a Area,
     /// Buildings and holes in it.
     solids: Vec<&'a [DVec2]>,
@@ -55,7 +55,7 @@ struct Square<'a> {
     cells: BTreeMap<Cell, DVec2>,
 }
 
-impl<'a> Square<'a> {
+impl<'a> Plaza<'a> {
     fn new(area: &'a Area, buildings: &'a [Vec<DVec2>], network: &RoadNetwork) -> Self {
         let ring = &area.outline;
         let (low, high) = bounds(ring);

@@ -1,112 +1,55 @@
 //! The land as roads shape it: level across them, and their banks into the land beside. What stands beside roads stands
 //! on this.
 
-use super::plan::{Plan, Street};
-use super::ring::clipped;
-use crate::{Polyline, Terrain};
-use glam::{DVec2, DVec3};
+use super::formation::Formation;
+use super::plan::{Street, StreetPlan};
+use crate::Terrain;
+use glam::DVec2;
 
 /// Between samples along roads, and of the formation, metres.
 const SAMPLE_M: f64 = 2.0;
 /// Beyond a road's edge the formation passes into the land over this width, metres.
 const FADE_M: f64 = 9.0;
-/// What is nearer to the ground than this lies on it, metres.
-const ON_GROUND_M: f64 = 0.8;
-/// Junctions are divided into pieces of this size, metres.
-const PIECE_M: f64 = 3.0;
 /// Side of bins, metres.
 const BIN_M: f64 = 16.0;
 
 /// A place on the middle of a road.
 #[derive(Debug, Clone, Copy)]
-struct Sample {
+struct ReliefSample {
     at: DVec2,
     z: f64,
     /// Half the road with its sidewalks, metres.
     half: f64,
 }
 
-/// The land as roads shape it.
-#[derive(Debug, Clone)]
-pub(super) struct Formation(Terrain);
-
-impl Formation {
-    /// Of all roads of a plan on a natural height.
-    pub(super) fn new(plan: &Plan, natural: &dyn Fn(DVec2) -> f64) -> Self {
-        let samples: Vec<Sample> = plan.streets.iter().flat_map(samples_of).collect();
-        let widest = samples.iter().map(|s| s.half).fold(0.0, f64::max) + FADE_M;
-        let (low, high) =
-            samples.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), s| (l.min(s.at), h.max(s.at)));
-        let (low, high) = if samples.is_empty() { (DVec2::ZERO, DVec2::ONE) } else { (low, high) };
-        let (low, high) = (low - 2.0 * widest, high + 2.0 * widest);
-        let columns = ((high.x - low.x) / BIN_M).ceil() as usize + 1;
-        let rows = ((high.y - low.y) / BIN_M).ceil() as usize + 1;
-        let mut bins: Vec<Vec<Sample>> = vec![Vec::new(); columns * rows];
-        for sample in &samples {
-            let (from, to) = ((sample.at - widest - low) / BIN_M, (sample.at + widest - low) / BIN_M);
-            for y in from.y.max(0.0) as usize..=(to.y as usize).min(rows - 1) {
-                for x in from.x.max(0.0) as usize..=(to.x as usize).min(columns - 1) {
-                    bins[y * columns + x].push(*sample);
-                }
+/// The land as all roads of a plan shape it, on a natural height.
+pub(super) fn formation(plan: &StreetPlan, natural: &dyn Fn(DVec2) -> f64) -> Formation {
+    let samples: Vec<ReliefSample> = plan.streets.iter().flat_map(samples_of).collect();
+    let widest = samples.iter().map(|s| s.half).fold(0.0, f64::max) + FADE_M;
+    let (low, high) =
+        samples.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), s| (l.min(s.at), h.max(s.at)));
+    let (low, high) = if samples.is_empty() { (DVec2::ZERO, DVec2::ONE) } else { (low, high) };
+    let (low, high) = (low - 2.0 * widest, high + 2.0 * widest);
+    let columns = ((high.x - low.x) / BIN_M).ceil() as usize + 1;
+    let rows = ((high.y - low.y) / BIN_M).ceil() as usize + 1;
+    let mut bins: Vec<Vec<ReliefSample>> = vec![Vec::new(); columns * rows];
+    for sample in &samples {
+        let (from, to) = ((sample.at - widest - low) / BIN_M, (sample.at + widest - low) / BIN_M);
+        for y in from.y.max(0.0) as usize..=(to.y as usize).min(rows - 1) {
+            for x in from.x.max(0.0) as usize..=(to.x as usize).min(columns - 1) {
+                bins[y * columns + x].push(*sample);
             }
         }
-        let near = |p: DVec2| {
-            let cell = ((p - low) / BIN_M).max(DVec2::ZERO);
-            &bins[(cell.y as usize).min(rows - 1) * columns + (cell.x as usize).min(columns - 1)]
-        };
-        Self(Terrain::new(low, high, SAMPLE_M, |p| shaped(near(p), p, natural(p))))
     }
-
-    /// Lays a line through a junction on the ground between its ends, which stay, so that ways that cross there do so at
-    /// one height. Lines on bridges stay as they are.
-    pub(super) fn lay(&self, line: &mut Polyline) {
-        let length = line.length();
-        let over = |p: DVec3| p.z - self.height(p.truncate());
-        let (first, last) = (over(line.at(0.0).position), over(line.at(length).position));
-        if first.abs().max(last.abs()) > ON_GROUND_M || length < 0.5 {
-            return;
-        }
-        let mut s = 0.0;
-        let points = line.points();
-        let laid: Vec<DVec3> = (0..points.len())
-            .map(|i| {
-                s += if i > 0 { points[i].distance(points[i - 1]) } else { 0.0 };
-                let p = points[i].truncate();
-                p.extend(self.height(p) + first + (last - first) * (s / length).min(1.0))
-            })
-            .collect();
-        *line = Polyline::new(laid);
-    }
-
-    /// A junction's asphalt in pieces that are small enough to follow the ground.
-    pub(super) fn pieces(&self, outline: &[DVec3]) -> Vec<Vec<DVec3>> {
-        if outline.iter().any(|p| (p.z - self.height(p.truncate())).abs() > ON_GROUND_M) {
-            return vec![outline.to_vec()];
-        }
-        let flat: Vec<DVec2> = outline.iter().map(|p| p.truncate()).collect();
-        let (low, high) = flat.iter().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), &p| (l.min(p), h.max(p)));
-        let (low, high) = ((low / PIECE_M).floor(), (high / PIECE_M).ceil());
-        let mut pieces = Vec::new();
-        for y in low.y as i64..high.y as i64 {
-            for x in low.x as i64..high.x as i64 {
-                let corner = DVec2::new(x as f64, y as f64) * PIECE_M;
-                let piece = clipped(&flat, [corner, corner + PIECE_M]);
-                if piece.len() >= 3 && super::curve::area(&piece) > 0.01 {
-                    pieces.push(piece.into_iter().map(|p| p.extend(self.height(p))).collect());
-                }
-            }
-        }
-        pieces
-    }
-
-    /// Height at a place, metres.
-    pub(super) fn height(&self, p: DVec2) -> f64 {
-        self.0.height(p)
-    }
+    let near = |p: DVec2| {
+        let cell = ((p - low) / BIN_M).max(DVec2::ZERO);
+        &bins[(cell.y as usize).min(rows - 1) * columns + (cell.x as usize).min(columns - 1)]
+    };
+    Formation::new(Terrain::new(low, high, SAMPLE_M, |p| shaped(near(p), p, natural(p))))
 }
 
 /// Places along the middle of a street where it lies on the ground.
-fn samples_of(street: &Street) -> Vec<Sample> {
+fn samples_of(street: &Street) -> Vec<ReliefSample> {
     let length = street.length();
     let n = (length / SAMPLE_M).ceil().max(1.0) as usize;
     let half = 0.5 * street.section.width_m() + street.section.sidewalks[0].max(street.section.sidewalks[1]);
@@ -118,13 +61,13 @@ fn samples_of(street: &Street) -> Vec<Sample> {
     stations
         .map(|s| {
             let at = street.point(s, 0.0);
-            Sample { at: at.truncate(), z: at.z, half }
+            ReliefSample { at: at.truncate(), z: at.z, half }
         })
         .collect()
 }
 
 /// The natural height at a place, or that of the roads near it.
-fn shaped(near: &[Sample], p: DVec2, natural: f64) -> f64 {
+fn shaped(near: &[ReliefSample], p: DVec2, natural: f64) -> f64 {
     let (mut sum, mut weights, mut hold) = (0.0, 0.0, 0.0f64);
     for sample in near {
         let d = sample.at.distance(p);

@@ -1,8 +1,8 @@
 //! Turn restrictions, and which ways lead through a junction of several nodes.
 
-use super::extract::{Extract, MemberKind};
-use super::graph::End;
-use super::plan::Plan;
+use super::extract::{OsmExtract, OsmMemberKind};
+use super::graph::StretchEnd;
+use super::plan::StreetPlan;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Who may not turn where.
@@ -16,18 +16,18 @@ pub(super) struct Restrictions {
 
 impl Restrictions {
     /// From the relations of an extract. Those for a kind of vehicle only, or for hours of the day, do not count.
-    pub(super) fn new(extract: &Extract) -> Self {
+    pub(super) fn new(extract: &OsmExtract) -> Self {
         let mut restrictions = Self::default();
         for relation in extract.relations.iter().filter(|r| r.tags.is("type", &["restriction"])) {
             let Some(rule) = relation.tags.get("restriction").or_else(|| relation.tags.get("restriction:motorcar"))
             else {
                 continue;
             };
-            let role = |role: &str, kind: MemberKind| -> Vec<i64> {
+            let role = |role: &str, kind: OsmMemberKind| -> Vec<i64> {
                 relation.members.iter().filter(|m| m.role == role && m.kind == kind).map(|m| m.id).collect()
             };
-            let (from, to) = (role("from", MemberKind::Way), role("to", MemberKind::Way));
-            for &via in &role("via", MemberKind::Node) {
+            let (from, to) = (role("from", OsmMemberKind::Way), role("to", OsmMemberKind::Way));
+            for &via in &role("via", OsmMemberKind::Node) {
                 for &from in &from {
                     for &to in &to {
                         if rule.starts_with("no_") {
@@ -46,13 +46,13 @@ impl Restrictions {
         !self.forbidden.contains(&(from, via, to)) && self.only.get(&(from, via)).is_none_or(|only| only.contains(&to))
     }
 
-    /// Whether a knot may be entered by one arm and left by another: along the streets inside it, in their direction,
+    /// Whether an intersection may be entered by one arm and left by another: along the streets inside it, in their direction,
     /// without turning back there, and against no restriction.
-    pub(super) fn allow(&self, plan: &Plan, knot: usize, from: End, to: End) -> bool {
-        let node_of = |arm: End| plan.street(arm).nodes[arm.end];
-        let way_of = |arm: End| plan.street(arm).ways[arm.end];
+    pub(super) fn allow(&self, plan: &StreetPlan, intersection: usize, from: StretchEnd, to: StretchEnd) -> bool {
+        let node_of = |arm: StretchEnd| plan.street(arm).nodes[arm.end];
+        let way_of = |arm: StretchEnd| plan.street(arm).ways[arm.end];
         let goal = (node_of(to), way_of(to));
-        let inside = &plan.knots[knot].inside;
+        let inside = &plan.intersections[intersection].inside;
         let mut seen: BTreeSet<(i64, i64, usize)> = BTreeSet::new();
         let mut open = vec![(node_of(from), way_of(from), usize::MAX)];
         while let Some((node, way, by)) = open.pop() {

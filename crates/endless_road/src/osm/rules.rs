@@ -1,12 +1,12 @@
-//! Who waits for whom at a knot: lights and signs where they are mapped, the road's class where not.
+//! Who waits for whom at an intersection: lights and signs where they are mapped, the road's class where not.
 
 use super::class::RoadClass;
-use super::extract::Tags;
-use super::graph::End;
+use super::extract::OsmTags;
+use super::graph::StretchEnd;
 use super::movement::lanes_add_up;
-use super::plan::Plan;
+use super::plan::StreetPlan;
 use super::site::Site;
-use super::ways::Stretch;
+use super::stretch::Stretch;
 use crate::Control;
 use endless_world::SignalId;
 
@@ -14,7 +14,7 @@ use endless_world::SignalId;
 pub(super) const APPROACH_M: f64 = 30.0;
 
 /// Whether a node has traffic lights for vehicles.
-pub(super) fn has_lights(tags: &Tags) -> bool {
+pub(super) fn has_lights(tags: &OsmTags) -> bool {
     tags.is("highway", &["traffic_signals"])
         || (tags.is("highway", &["crossing"])
             && (tags.is("crossing", &["traffic_signals"]) || tags.is("crossing:signals", &["yes"])))
@@ -42,8 +42,8 @@ pub(super) fn split_at_lights(stretches: Vec<Stretch>, site: &Site<'_>) -> Vec<S
     out
 }
 
-/// Nodes on an arm with their distance from the knot, nearest first.
-pub(super) fn nodes_on(plan: &Plan, arm: End) -> Vec<(i64, f64)> {
+/// Nodes on an arm with their distance from the intersection, nearest first.
+pub(super) fn nodes_on(plan: &StreetPlan, arm: StretchEnd) -> Vec<(i64, f64)> {
     let street = plan.street(arm);
     let length = street.length();
     let mut nodes: Vec<(i64, f64)> =
@@ -52,8 +52,8 @@ pub(super) fn nodes_on(plan: &Plan, arm: End) -> Vec<(i64, f64)> {
     nodes
 }
 
-/// Whether a sign on an arm stands for who drives towards the knot.
-fn faces_knot(tags: &Tags, arm: End) -> bool {
+/// Whether a sign on an arm stands for who drives towards the intersection.
+fn faces_knot(tags: &OsmTags, arm: StretchEnd) -> bool {
     let direction = tags.get("direction").or_else(|| tags.get("traffic_signals:direction"));
     match direction {
         Some("forward") => arm.end == 1,
@@ -62,21 +62,21 @@ fn faces_knot(tags: &Tags, arm: End) -> bool {
     }
 }
 
-/// Decides for all knots; numbers the signal groups of vehicles.
-pub(super) fn decide(plan: &mut Plan, site: &Site<'_>, groups: &mut usize) {
-    for knot in 0..plan.knots.len() {
-        let arms = plan.knots[knot].arms.clone();
+/// Decides for all intersections; numbers the signal groups of vehicles.
+pub(super) fn decide(plan: &mut StreetPlan, site: &Site<'_>, groups: &mut usize) {
+    for intersection in 0..plan.intersections.len() {
+        let arms = plan.intersections[intersection].arms.clone();
         if arms.len() < 2 {
             continue;
         }
-        let lit = lights(plan, site, knot);
-        plan.knots[knot].signals = lit;
+        let lit = lights(plan, site, intersection);
+        plan.intersections[intersection].signals = lit;
         let rules = if lit {
             Vec::new()
-        } else if arms.len() == 2 || lanes_add_up(plan, knot).is_some() {
+        } else if arms.len() == 2 || lanes_add_up(plan, intersection).is_some() {
             vec![Control::Free; arms.len()]
         } else {
-            signs(plan, site, knot)
+            signs(plan, site, intersection)
         };
         for (i, arm) in arms.into_iter().enumerate() {
             if plan.lanes_in(arm).is_empty() {
@@ -92,8 +92,8 @@ pub(super) fn decide(plan: &mut Plan, site: &Site<'_>, groups: &mut usize) {
     }
 }
 
-fn lights(plan: &Plan, site: &Site<'_>, knot: usize) -> bool {
-    let k = &plan.knots[knot];
+fn lights(plan: &StreetPlan, site: &Site<'_>, intersection: usize) -> bool {
+    let k = &plan.intersections[intersection];
     let lit = |node: i64| site.node_tags(node).is_some_and(has_lights);
     if k.nodes.iter().any(|&n| lit(n)) {
         return true;
@@ -117,7 +117,7 @@ fn lights(plan: &Plan, site: &Site<'_>, knot: usize) -> bool {
 }
 
 /// Ranks by class; a roundabout's ring before all.
-fn rank(plan: &Plan, arm: End) -> u32 {
+fn rank(plan: &StreetPlan, arm: StretchEnd) -> u32 {
     let street = plan.street(arm);
     if street.roundabout {
         return 100;
@@ -125,11 +125,14 @@ fn rank(plan: &Plan, arm: End) -> u32 {
     2 * street.class as u32 + u32::from(!street.link)
 }
 
-fn signs(plan: &Plan, site: &Site<'_>, knot: usize) -> Vec<Control> {
-    let arms = &plan.knots[knot].arms;
+fn signs(plan: &StreetPlan, site: &Site<'_>, intersection: usize) -> Vec<Control> {
+    let arms = &plan.intersections[intersection].arms;
     let ranks: Vec<u32> = arms.iter().map(|&arm| rank(plan, arm)).collect();
     let highest = ranks.iter().copied().max().unwrap_or(0);
-    let all_stop = plan.knots[knot].nodes.iter().any(|&n| site.node_tags(n).is_some_and(|t| t.is("stop", &["all"])));
+    let all_stop = plan.intersections[intersection]
+        .nodes
+        .iter()
+        .any(|&n| site.node_tags(n).is_some_and(|t| t.is("stop", &["all"])));
     // Nobody stops before a road that they merge into.
     let merges = arms.iter().all(|&arm| plan.street(arm).oneway())
         && arms.iter().filter(|&&arm| !plan.lanes_out(arm).is_empty()).count() == 1;
@@ -154,7 +157,7 @@ fn signs(plan: &Plan, site: &Site<'_>, knot: usize) -> Vec<Control> {
 
 /// The arms with priority: those of the highest rank if there are two or more and others besides; else the
 /// straightest pair with one of them.
-fn through(plan: &Plan, arms: &[End], ranks: &[u32], highest: u32) -> Vec<usize> {
+fn through(plan: &StreetPlan, arms: &[StretchEnd], ranks: &[u32], highest: u32) -> Vec<usize> {
     let top: Vec<usize> = (0..arms.len()).filter(|&i| ranks[i] == highest).collect();
     if top.len() >= 2 && (top.len() < arms.len() || highest == 100) {
         return top;
@@ -176,7 +179,7 @@ fn through(plan: &Plan, arms: &[End], ranks: &[u32], highest: u32) -> Vec<usize>
 }
 
 /// A sign that is mapped on an arm.
-fn mapped(plan: &Plan, site: &Site<'_>, arm: End) -> Option<Control> {
+fn mapped(plan: &StreetPlan, site: &Site<'_>, arm: StretchEnd) -> Option<Control> {
     let street = plan.street(arm);
     nodes_on(plan, arm)
         .into_iter()

@@ -1,7 +1,7 @@
 //! What a road is made of from kerb to kerb, and beside it.
 
 use super::class::{RoadClass, metres};
-use super::extract::Tags;
+use super::extract::OsmTags;
 
 /// Ways that the arrows on a lane allow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -33,7 +33,7 @@ impl Arrows {
 
 /// What a band of the carriageway is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Use {
+pub(super) enum LaneUse {
     /// A lane; along the road or against it.
     Lane { forward: bool, arrows: Option<Arrows> },
     /// Cycle lane.
@@ -46,16 +46,16 @@ pub(super) enum Use {
 
 /// A band of the carriageway.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Band {
-    pub(super) what: Use,
+pub(super) struct LaneBand {
+    pub(super) what: LaneUse,
     pub(super) width_m: f64,
 }
 
 /// A cross-section. `t` is positive to the left of the way's line, metres.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Section {
+pub(super) struct CrossSection {
     /// From left to right.
-    pub(super) bands: Vec<Band>,
+    pub(super) bands: Vec<LaneBand>,
     /// `t` of the left and right kerbs.
     pub(super) kerbs: [f64; 2],
     /// Width of the sidewalk on the left and right, kerb stone included; 0 for none.
@@ -63,11 +63,13 @@ pub(super) struct Section {
     pub(super) unpaved: bool,
 }
 
-impl Section {
+impl CrossSection {
     /// The same road seen from its other end.
     pub(super) fn reversed(&self) -> Self {
         let bands = self.bands.iter().rev().map(|band| match band.what {
-            Use::Lane { forward, arrows } => Band { what: Use::Lane { forward: !forward, arrows }, ..*band },
+            LaneUse::Lane { forward, arrows } => {
+                LaneBand { what: LaneUse::Lane { forward: !forward, arrows }, ..*band }
+            }
             _ => *band,
         });
         Self {
@@ -80,7 +82,7 @@ impl Section {
 
     /// Numbers of the lanes of a direction, from left to right for who drives there.
     pub(super) fn lanes(&self, forward: bool) -> Vec<usize> {
-        let own = |i: &usize| matches!(self.bands[*i].what, Use::Lane { forward: f, .. } if f == forward);
+        let own = |i: &usize| matches!(self.bands[*i].what, LaneUse::Lane { forward: f, .. } if f == forward);
         let mut lanes: Vec<usize> = (0..self.bands.len()).filter(own).collect();
         if !forward {
             lanes.reverse();
@@ -131,8 +133,8 @@ impl Section {
 pub(super) const KERB_M: f64 = 0.15;
 
 /// What is known of a road from its tags.
-pub(super) struct Said<'a> {
-    pub(super) tags: &'a Tags,
+pub(super) struct RoadTags<'a> {
+    pub(super) tags: &'a OsmTags,
     pub(super) class: RoadClass,
     pub(super) link: bool,
     pub(super) oneway: bool,
@@ -141,13 +143,13 @@ pub(super) struct Said<'a> {
     pub(super) built_up: bool,
 }
 
-fn count(tags: &Tags, key: &str) -> Option<usize> {
+fn count(tags: &OsmTags, key: &str) -> Option<usize> {
     let n = tags.get(key)?.split(';').next()?.trim().parse::<f64>().ok()?;
     (n >= 0.5).then_some((n.round() as usize).clamp(1, 10))
 }
 
 /// Lanes forward, in the middle for both, and back.
-fn lane_counts(said: &Said<'_>) -> (usize, usize, usize) {
+fn lane_counts(said: &RoadTags<'_>) -> (usize, usize, usize) {
     let arrows = |key: &str| said.tags.get(key).filter(|v| v.contains('|')).map(|v| v.split('|').count().min(10));
     let total = count(said.tags, "lanes");
     if said.oneway {
@@ -173,12 +175,12 @@ fn lane_counts(said: &Said<'_>) -> (usize, usize, usize) {
 }
 
 /// Tags such as `cycleway:left`, `cycleway:both`, `cycleway`, by side.
-fn by_side<'a>(tags: &'a Tags, key: &str, side: usize) -> Option<&'a str> {
+fn by_side<'a>(tags: &'a OsmTags, key: &str, side: usize) -> Option<&'a str> {
     let own = ["left", "right"][side];
     tags.get(&format!("{key}:{own}")).or_else(|| tags.get(&format!("{key}:both"))).or_else(|| tags.get(key))
 }
 
-fn parking_m(said: &Said<'_>, side: usize) -> f64 {
+fn parking_m(said: &RoadTags<'_>, side: usize) -> f64 {
     let tags = said.tags;
     let place = by_side(tags, "parking", side);
     let old = by_side(tags, "parking:lane", side);
@@ -200,11 +202,11 @@ fn parking_m(said: &Said<'_>, side: usize) -> f64 {
 }
 
 /// Whether anything is said about parking beside the road.
-fn parking_said(tags: &Tags) -> bool {
+fn parking_said(tags: &OsmTags) -> bool {
     tags.iter().any(|(k, _)| k.starts_with("parking:"))
 }
 
-fn bike_m(said: &Said<'_>, side: usize) -> f64 {
+fn bike_m(said: &RoadTags<'_>, side: usize) -> f64 {
     let own = ["left", "right"][side];
     let explicit = said.tags.get(&format!("cycleway:{own}")).or_else(|| said.tags.get("cycleway:both"));
     // A plain `cycleway` on a one-way road lies on its right.
@@ -216,7 +218,7 @@ fn bike_m(said: &Said<'_>, side: usize) -> f64 {
     width.and_then(metres).unwrap_or(1.5).clamp(1.0, 2.5)
 }
 
-fn sidewalk_m(said: &Said<'_>, side: usize) -> f64 {
+fn sidewalk_m(said: &RoadTags<'_>, side: usize) -> f64 {
     let own = ["left", "right"][side];
     let width = said.tags.get(&format!("sidewalk:{own}:width")).or_else(|| said.tags.get("sidewalk:both:width"));
     let usual = width.and_then(metres).unwrap_or_else(|| said.class.sidewalk_m().max(1.8)).clamp(1.2, 6.0);
@@ -237,7 +239,7 @@ fn sidewalk_m(said: &Said<'_>, side: usize) -> f64 {
 }
 
 /// The cross-section of a road, from its tags and from what is usual.
-pub(super) fn of(said: &Said<'_>) -> Section {
+pub(super) fn of(said: &RoadTags<'_>) -> CrossSection {
     let (forward, both, backward) = lane_counts(said);
     let lanes = (forward + both + backward) as f64;
     let mut parking = [0, 1].map(|side| parking_m(said, side));
@@ -295,16 +297,16 @@ fn lanes_left_of_line(placement: &str) -> Option<f64> {
 }
 
 fn assemble(
-    said: &Said<'_>,
+    said: &RoadTags<'_>,
     lane_m: f64,
     (forward, both, backward): (usize, usize, usize),
     parking: [f64; 2],
     bikes: [f64; 2],
-) -> Section {
+) -> CrossSection {
     let mut bands = Vec::new();
-    let mut push = |what: Use, width_m: f64| {
+    let mut push = |what: LaneUse, width_m: f64| {
         if width_m > 0.0 {
-            bands.push(Band { what, width_m });
+            bands.push(LaneBand { what, width_m });
         }
     };
     let arrows = |forward: bool| -> Vec<Option<Arrows>> {
@@ -318,22 +320,22 @@ fn assemble(
         _ => [0.0, 0.0],
     };
     let shoulder = if said.oneway || shoulder[1] == 0.0 { shoulder } else { [shoulder[1]; 2] };
-    push(Use::Parking, parking[0]);
-    push(Use::Bike, bikes[0]);
-    push(Use::Shoulder, shoulder[0]);
+    push(LaneUse::Parking, parking[0]);
+    push(LaneUse::Bike, bikes[0]);
+    push(LaneUse::Shoulder, shoulder[0]);
     let (ahead, back) = (arrows(true), arrows(false));
     for k in (0..backward).rev() {
         let arrows = if back.len() == backward { back[k] } else { None };
-        push(Use::Lane { forward: false, arrows }, lane_m);
+        push(LaneUse::Lane { forward: false, arrows }, lane_m);
     }
-    push(Use::Shoulder, both as f64 * lane_m);
+    push(LaneUse::Shoulder, both as f64 * lane_m);
     for k in 0..forward {
         let arrows = if ahead.len() == forward { ahead[k] } else { None };
-        push(Use::Lane { forward: true, arrows }, lane_m);
+        push(LaneUse::Lane { forward: true, arrows }, lane_m);
     }
-    push(Use::Shoulder, shoulder[1]);
-    push(Use::Bike, bikes[1]);
-    push(Use::Parking, parking[1]);
+    push(LaneUse::Shoulder, shoulder[1]);
+    push(LaneUse::Bike, bikes[1]);
+    push(LaneUse::Parking, parking[1]);
     // The way's line runs in the middle of the lanes' asphalt.
     let half = 0.5 * lane_m * (forward + both + backward) as f64;
     let left = half + parking[0] + bikes[0] + shoulder[0];
@@ -363,5 +365,5 @@ fn assemble(
         ],
     );
     let sidewalks = [0, 1].map(|side| sidewalk_m(said, side));
-    Section { bands, kerbs: [left, left - width], sidewalks, unpaved }
+    CrossSection { bands, kerbs: [left, left - width], sidewalks, unpaved }
 }

@@ -2,11 +2,11 @@
 
 use super::class::RoadClass;
 use super::curve::angle;
-use super::graph::End;
+use super::graph::StretchEnd;
 use super::lane::inside;
-use super::plan::Plan;
+use super::plan::StreetPlan;
 use super::surface::KERB_HEIGHT_M;
-use crate::{Control, RoadMap, Thing, ThingKind};
+use crate::{Control, MapObject, MapObjectKind, RoadMap};
 use glam::DVec3;
 
 /// From the kerb to a post, metres.
@@ -15,9 +15,9 @@ const POST_M: f64 = 0.7;
 const LIMIT_M: f64 = 140.0;
 
 /// Adds them all.
-pub(super) fn add(plan: &Plan, map: &mut RoadMap) {
-    for knot in &plan.knots {
-        for &arm in &knot.arms {
+pub(super) fn add(plan: &StreetPlan, map: &mut RoadMap) {
+    for intersection in &plan.intersections {
+        for &arm in &intersection.arms {
             approach(plan, arm, map);
             walk_lights(plan, arm, map);
         }
@@ -26,25 +26,25 @@ pub(super) fn add(plan: &Plan, map: &mut RoadMap) {
 }
 
 /// Beside the stop line, on the driver's right; over several lanes of a one-way road on the left too.
-fn approach(plan: &Plan, arm: End, map: &mut RoadMap) {
+fn approach(plan: &StreetPlan, arm: StretchEnd, map: &mut RoadMap) {
     let street = plan.street(arm);
     let lanes = plan.lanes_in(arm).len();
     if lanes == 0 {
         return;
     }
     let kind = match street.control[arm.end] {
-        Control::Signal(id) => ThingKind::TrafficLight(id),
-        Control::Stop => ThingKind::Stop,
-        Control::Yield => ThingKind::Yield,
+        Control::Signal(id) => MapObjectKind::TrafficLight(id),
+        Control::Stop => MapObjectKind::Stop,
+        Control::Yield => MapObjectKind::Yield,
         Control::Free => return,
     };
     let section = plan.arm_section(arm);
     let d = plan.stop(arm);
     let heading_rad = angle(-plan.arm_direction(arm, d));
-    let lit = matches!(kind, ThingKind::TrafficLight(_));
+    let lit = matches!(kind, MapObjectKind::TrafficLight(_));
     let mut post = |t: f64| {
         let position = plan.arm_point(arm, d, t) + DVec3::Z * KERB_HEIGHT_M;
-        map.things.push(Thing { kind: kind.clone(), position, heading_rad });
+        map.objects.push(MapObject { kind: kind.clone(), position, heading_rad });
     };
     // Looking outwards, the driver's right is on the left.
     post(section.kerbs[0] + POST_M);
@@ -53,7 +53,7 @@ fn approach(plan: &Plan, arm: End, map: &mut RoadMap) {
     }
 }
 
-fn walk_lights(plan: &Plan, arm: End, map: &mut RoadMap) {
+fn walk_lights(plan: &StreetPlan, arm: StretchEnd, map: &mut RoadMap) {
     let street = plan.street(arm);
     for crossing in street.crossings.iter().filter(|c| c.end == Some(arm.end)) {
         let Some(signal) = crossing.signal else { continue };
@@ -63,12 +63,16 @@ fn walk_lights(plan: &Plan, arm: End, map: &mut RoadMap) {
             let s = crossing.s + if arm.end == 0 { 1.9 } else { -1.9 };
             let position = street.point(s, street.section.kerbs[side] + out) + DVec3::Z * KERB_HEIGHT_M;
             let across = street.direction(crossing.s).perp() * out.signum();
-            map.things.push(Thing { kind: ThingKind::WalkLight(signal), position, heading_rad: angle(across) });
+            map.objects.push(MapObject {
+                kind: MapObjectKind::WalkLight(signal),
+                position,
+                heading_rad: angle(across),
+            });
         }
     }
 }
 
-fn limits(plan: &Plan, map: &mut RoadMap) {
+fn limits(plan: &StreetPlan, map: &mut RoadMap) {
     for (street, hidden) in plan.streets.iter().zip(inside(plan)) {
         if hidden || street.class < RoadClass::Tertiary || street.length() < LIMIT_M {
             continue;
@@ -85,7 +89,7 @@ fn limits(plan: &Plan, map: &mut RoadMap) {
                 (s, street.section.kerbs[0] + POST_M, -street.direction(s))
             };
             let position = street.point(s, t) + DVec3::Z * KERB_HEIGHT_M;
-            map.things.push(Thing { kind: ThingKind::SpeedLimit(kmh), position, heading_rad: angle(along) });
+            map.objects.push(MapObject { kind: MapObjectKind::SpeedLimit(kmh), position, heading_rad: angle(along) });
         }
     }
 }

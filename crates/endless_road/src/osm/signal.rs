@@ -1,9 +1,9 @@
 //! Programs of traffic lights: opposite arms together, people while nobody drives straight over them.
 
 use super::curve::angle;
-use super::graph::End;
+use super::graph::StretchEnd;
 use super::movement::Movement;
-use super::plan::Plan;
+use super::plan::StreetPlan;
 use crate::{Control, Phase, SignalProgram, Turn};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{SignalAspect, SignalId, Stream};
@@ -17,13 +17,13 @@ const MINOR_GREEN_S: f64 = 12.0;
 /// Speed for which clearance is reckoned.
 const CLEARANCE_MPS: f64 = 1.25;
 
-/// Numbers the lights for people at all crossings of signalised knots.
-pub(super) fn number_walks(plan: &mut Plan, groups: &mut usize) {
-    for knot in 0..plan.knots.len() {
-        if !plan.knots[knot].signals {
+/// Numbers the lights for people at all crossings of signalised intersections.
+pub(super) fn number_walks(plan: &mut StreetPlan, groups: &mut usize) {
+    for intersection in 0..plan.intersections.len() {
+        if !plan.intersections[intersection].signals {
             continue;
         }
-        for arm in plan.knots[knot].arms.clone() {
+        for arm in plan.intersections[intersection].arms.clone() {
             for crossing in plan.streets[arm.stretch].crossings.iter_mut().filter(|c| c.end == Some(arm.end)) {
                 crossing.signal = Some(SignalId((*groups).min(usize::from(u16::MAX)) as u16));
                 *groups += 1;
@@ -34,7 +34,7 @@ pub(super) fn number_walks(plan: &mut Plan, groups: &mut usize) {
 
 /// An arm with its groups.
 struct Approach {
-    arm: End,
+    arm: StretchEnd,
     vehicles: Option<SignalId>,
     people: Option<SignalId>,
     width_m: f64,
@@ -42,13 +42,13 @@ struct Approach {
     main: bool,
 }
 
-/// The program of a knot; `None` if nothing there has a light.
-pub(super) fn program(plan: &Plan, knot: usize, movements: &[Movement]) -> Option<SignalProgram> {
-    if !plan.knots[knot].signals {
+/// The program of an intersection; `None` if nothing there has a light.
+pub(super) fn program(plan: &StreetPlan, intersection: usize, movements: &[Movement]) -> Option<SignalProgram> {
+    if !plan.intersections[intersection].signals {
         return None;
     }
-    let highest = plan.knots[knot].arms.iter().map(|&a| plan.street(a).class).max();
-    let approaches: Vec<Approach> = plan.knots[knot]
+    let highest = plan.intersections[intersection].arms.iter().map(|&a| plan.street(a).class).max();
+    let approaches: Vec<Approach> = plan.intersections[intersection]
         .arms
         .iter()
         .map(|&arm| {
@@ -86,7 +86,7 @@ pub(super) fn program(plan: &Plan, knot: usize, movements: &[Movement]) -> Optio
         return None;
     }
     let cycle: f64 = phases.iter().map(|p| p.duration_s).sum();
-    let key = plan.knots[knot].nodes.iter().min().copied().unwrap_or(0) as u64;
+    let key = plan.intersections[intersection].nodes.iter().min().copied().unwrap_or(0) as u64;
     let offset_s = Stream::named(0, "osm/signal", &[key]).range_f64(0.0, cycle).floor();
     Some(SignalProgram { phases, offset_s })
 }

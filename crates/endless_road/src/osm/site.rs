@@ -1,12 +1,12 @@
 //! The place an extract shows: where its nodes lie in metres, where it ends, what is built there, whose customs hold.
 
 use super::country::Country;
-use super::extract::{Extract, Tags};
+use super::extract::{OsmExtract, OsmTags};
+use super::formation::Formation;
 use super::mirror;
 use super::projection::Projection;
-use super::relief::Formation;
-use super::ways::Vertex;
-use crate::Note;
+use super::stretch::Vertex;
+use crate::ImportNote;
 use glam::DVec2;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -19,12 +19,12 @@ const MOST_NOTES: usize = 200;
 
 /// The place.
 pub(super) struct Site<'a> {
-    pub(super) extract: &'a Extract,
+    pub(super) extract: &'a OsmExtract,
     pub(super) projection: Projection,
     pub(super) country: Country,
     /// Seen in a mirror: traffic keeps to the left.
     pub(super) mirrored: bool,
-    pub(super) notes: Vec<Note>,
+    pub(super) notes: Vec<ImportNote>,
     /// The land as roads shape it, where its relief is known.
     pub(super) formation: Option<Formation>,
     bounds: Option<[DVec2; 2]>,
@@ -34,7 +34,7 @@ pub(super) struct Site<'a> {
 }
 
 impl<'a> Site<'a> {
-    pub(super) fn new(extract: &'a Extract, left_hand: Option<bool>) -> Self {
+    pub(super) fn new(extract: &'a OsmExtract, left_hand: Option<bool>) -> Self {
         let (lat, lon) = centre(extract);
         let projection = Projection::around(lat, lon);
         let country = Country::at(lat, lon);
@@ -99,12 +99,12 @@ impl<'a> Site<'a> {
     }
 
     /// A road's tags, as seen in the mirror for left-hand traffic.
-    pub(super) fn tags(&self, tags: &Tags) -> Tags {
+    pub(super) fn tags(&self, tags: &OsmTags) -> OsmTags {
         if self.mirrored { mirror::tags(tags) } else { tags.clone() }
     }
 
     /// The tags of a node.
-    pub(super) fn node_tags(&self, node: i64) -> Option<&'a Tags> {
+    pub(super) fn node_tags(&self, node: i64) -> Option<&'a OsmTags> {
         self.extract.nodes.get(&node).map(|n| &n.tags)
     }
 
@@ -146,11 +146,11 @@ impl<'a> Site<'a> {
 
     /// Something to tell the user.
     pub(super) fn note(&mut self, place: impl Into<String>, text: impl Into<String>) {
-        self.notes.push(Note { place: place.into(), text: text.into() });
+        self.notes.push(ImportNote { place: place.into(), text: text.into() });
     }
 
     /// All that there is to tell.
-    pub(super) fn into_notes(mut self) -> Vec<Note> {
+    pub(super) fn into_notes(mut self) -> Vec<ImportNote> {
         let missing = std::mem::take(&mut self.missing);
         let ways = missing.len();
         for (way, count) in missing.into_iter().take(MOST_NOTES) {
@@ -169,7 +169,7 @@ fn square(at: DVec2) -> (i64, i64) {
 }
 
 /// The middle of the box, or of the nodes of roads, degrees.
-fn centre(extract: &Extract) -> (f64, f64) {
+fn centre(extract: &OsmExtract) -> (f64, f64) {
     if let Some(b) = extract.bounds {
         return (0.5 * (b.low[0] + b.high[0]), 0.5 * (b.low[1] + b.high[1]));
     }

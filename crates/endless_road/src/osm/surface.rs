@@ -3,14 +3,14 @@
 use super::connector::{is_back, loop_radius};
 use super::crossing::has_walk;
 use super::curve::{area, corner, crosses_itself, hull, line_through, segments_cross, unfolded};
-use super::graph::End;
+use super::graph::StretchEnd;
 use super::lane::inside;
 use super::movement::Movement;
-use super::near::Near;
-use super::plan::{Plan, Street};
-use super::section::{KERB_M, Use};
+use super::near::SegmentIndex;
+use super::plan::{Street, StreetPlan};
+use super::section::{KERB_M, LaneUse};
 use super::site::Site;
-use super::ways::Stretch;
+use super::stretch::Stretch;
 use crate::{Lane, RoadMap, Strip, StripKind};
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
@@ -25,7 +25,7 @@ const CORNER_POINTS: usize = 10;
 pub(super) const STUB_M: f64 = 1.6;
 
 /// Adds the strips of all streets.
-pub(super) fn streets(plan: &Plan, map: &mut RoadMap) {
+pub(super) fn streets(plan: &StreetPlan, map: &mut RoadMap) {
     let hidden = inside(plan);
     for (street, hidden) in plan.streets.iter().zip(hidden) {
         if !hidden {
@@ -42,10 +42,10 @@ fn street_strips(street: &Street, map: &mut RoadMap) {
     let mut add = strips(street, &stations, map);
     for (i, band) in section.bands.iter().enumerate() {
         let (kind, reversed) = match band.what {
-            Use::Lane { forward, .. } => (StripKind::Driving, !forward),
-            Use::Bike => (StripKind::Biking, false),
-            Use::Parking => (StripKind::Parking, false),
-            Use::Shoulder => (StripKind::Shoulder, false),
+            LaneUse::Lane { forward, .. } => (StripKind::Driving, !forward),
+            LaneUse::Bike => (StripKind::Biking, false),
+            LaneUse::Parking => (StripKind::Parking, false),
+            LaneUse::Shoulder => (StripKind::Shoulder, false),
         };
         add(kind, section.edges(i), 0.0, reversed);
     }
@@ -124,7 +124,7 @@ fn median(street: &Street, stations: &[f64], map: &mut RoadMap) {
 }
 
 /// Strips of the lanes through a junction.
-pub(super) fn connectors(plan: &Plan, lanes: &[&Lane], movements: &[Movement], map: &mut RoadMap) {
+pub(super) fn connectors(plan: &StreetPlan, lanes: &[&Lane], movements: &[Movement], map: &mut RoadMap) {
     for (lane, movement) in lanes.iter().zip(movements) {
         let half = 0.5 * lane.width_m;
         let line = &lane.centerline;
@@ -158,7 +158,7 @@ pub(super) fn connectors(plan: &Plan, lanes: &[&Lane], movements: &[Movement], m
 }
 
 /// The kerb between an arm and the next one, counter-clockwise, and a line at some distance behind it.
-pub(super) fn corner_line(plan: &Plan, a: End, b: End, behind_a: f64, behind_b: f64) -> Vec<DVec3> {
+pub(super) fn corner_line(plan: &StreetPlan, a: StretchEnd, b: StretchEnd, behind_a: f64, behind_b: f64) -> Vec<DVec3> {
     let (sa, sb) = (plan.arm_section(a), plan.arm_section(b));
     let (cut_a, cut_b) = (plan.cut(a), plan.cut(b));
     let p = plan.arm_point(a, cut_a, sa.kerbs[0] + behind_a);
@@ -171,14 +171,20 @@ pub(super) fn corner_line(plan: &Plan, a: End, b: End, behind_a: f64, behind_b: 
     flat.into_iter().enumerate().map(|(k, c)| c.extend(p.z + (q.z - p.z) * k as f64 / n as f64)).collect()
 }
 
-/// The asphalt of a knot and the sidewalks around its corners.
-pub(super) fn knot(plan: &Plan, knot: usize, movements: &[Movement], lanes: &[&Lane], map: &mut RoadMap) {
-    let arms = &plan.knots[knot].arms;
+/// The asphalt of an intersection and the sidewalks around its corners.
+pub(super) fn intersection(
+    plan: &StreetPlan,
+    intersection: usize,
+    movements: &[Movement],
+    lanes: &[&Lane],
+    map: &mut RoadMap,
+) {
+    let arms = &plan.intersections[intersection].arms;
     if arms.len() == 1 {
         dead_end(plan, arms[0], movements, map);
         return;
     }
-    if plan.knots[knot].turnaround {
+    if plan.intersections[intersection].turnaround {
         loop_area(plan, arms, lanes, map);
         return;
     }
@@ -205,7 +211,7 @@ pub(super) fn knot(plan: &Plan, knot: usize, movements: &[Movement], lanes: &[&L
 }
 
 /// Width of what people walk on along one side of an arm at the corner; `None` if nobody does.
-pub(super) fn walk_width(plan: &Plan, arm: End, left: bool) -> Option<f64> {
+pub(super) fn walk_width(plan: &StreetPlan, arm: StretchEnd, left: bool) -> Option<f64> {
     let section = plan.arm_section(arm);
     if has_walk(plan, arm, left) {
         return Some(section.sidewalks[usize::from(!left)]);
@@ -213,7 +219,7 @@ pub(super) fn walk_width(plan: &Plan, arm: End, left: bool) -> Option<f64> {
     plan.street(arm).crossings.iter().any(|c| c.end == Some(arm.end)).then_some(STUB_M)
 }
 
-fn corner_strip(plan: &Plan, a: End, b: End, lanes: &[&Lane], map: &mut RoadMap) {
+fn corner_strip(plan: &StreetPlan, a: StretchEnd, b: StretchEnd, lanes: &[&Lane], map: &mut RoadMap) {
     let (Some(wa), Some(wb)) = (walk_width(plan, a, true), walk_width(plan, b, false)) else { return };
     let raised = |line: Vec<DVec3>| -> Vec<DVec3> { line.into_iter().map(|p| p + DVec3::Z * KERB_HEIGHT_M).collect() };
     let face = raised(corner_line(plan, a, b, 0.0, 0.0));
@@ -241,7 +247,7 @@ fn lines_cross(a: &[DVec3], b: &[DVec3]) -> bool {
 }
 
 /// The asphalt of a loop between two carriageways.
-fn loop_area(plan: &Plan, arms: &[End], lanes: &[&Lane], map: &mut RoadMap) {
+fn loop_area(plan: &StreetPlan, arms: &[StretchEnd], lanes: &[&Lane], map: &mut RoadMap) {
     let mut points: Vec<DVec2> = Vec::new();
     for &arm in arms {
         let section = plan.arm_section(arm);
@@ -260,7 +266,7 @@ fn loop_area(plan: &Plan, arms: &[End], lanes: &[&Lane], map: &mut RoadMap) {
     map.junction_areas.push(hull(&points).into_iter().map(|p| p.extend(z)).collect());
 }
 
-fn dead_end(plan: &Plan, arm: End, movements: &[Movement], map: &mut RoadMap) {
+fn dead_end(plan: &StreetPlan, arm: StretchEnd, movements: &[Movement], map: &mut RoadMap) {
     if !movements.iter().any(is_back) {
         return;
     }
@@ -279,9 +285,10 @@ fn dead_end(plan: &Plan, arm: End, movements: &[Movement], map: &mut RoadMap) {
 }
 
 /// Strips of driveways and aisles, from behind the sidewalk on.
-pub(super) fn yards(plan: &Plan, site: &Site<'_>, yards: &[Stretch], map: &mut RoadMap) {
+pub(super) fn yards(plan: &StreetPlan, site: &Site<'_>, yards: &[Stretch], map: &mut RoadMap) {
     let hidden = inside(plan);
-    let near = Near::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
+    let near =
+        SegmentIndex::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
     let on_street = |p: DVec2| {
         near.at(p).iter().any(|&i| {
             let street = &plan.streets[i];

@@ -1,10 +1,10 @@
 //! What lies and stands beside the roads: land, buildings, trees, furniture.
 
 use super::class::metres;
-use super::extract::Tags;
+use super::extract::OsmTags;
 use super::patch::patches;
 use super::site::Site;
-use crate::{Area, AreaKind, Footprint, RoadMap, Strip, StripKind, Thing, ThingKind};
+use crate::{Area, AreaKind, BuildingFootprint, MapObject, MapObjectKind, RoadMap, Strip, StripKind};
 use endless_world::math::f64::atan2;
 use glam::DVec2;
 
@@ -36,7 +36,7 @@ pub(super) fn add(site: &mut Site<'_>, map: &mut RoadMap) {
     tree_rows(site, map);
 }
 
-fn area_kind(tags: &Tags) -> Option<AreaKind> {
+fn area_kind(tags: &OsmTags) -> Option<AreaKind> {
     if tags.get("building").is_some() || below_ground(tags) {
         return None;
     }
@@ -72,7 +72,7 @@ fn area_kind(tags: &Tags) -> Option<AreaKind> {
     Some(kind)
 }
 
-fn below_ground(tags: &Tags) -> bool {
+fn below_ground(tags: &OsmTags) -> bool {
     tags.is("location", &["underground", "indoor"])
         || tags.is("parking", &["underground", "multi-storey", "rooftop"])
         || tags.get("indoor").is_some_and(|v| v != "no")
@@ -117,7 +117,7 @@ fn rails(site: &mut Site<'_>, map: &mut RoadMap) {
     }
 }
 
-fn is_building(tags: &Tags) -> bool {
+fn is_building(tags: &OsmTags) -> bool {
     tags.get("building").is_some_and(|v| v != "no") && !below_ground(tags)
 }
 
@@ -139,7 +139,7 @@ fn buildings(site: &mut Site<'_>, map: &mut RoadMap) {
         let roof = tags.get("roof:height").and_then(metres).unwrap_or(0.0);
         let height = tags.get("height").or_else(|| tags.get("building:height")).and_then(metres);
         let height_m = height.map(|h| if h - roof > 2.0 { h - roof } else { h }).filter(|h| *h < 900.0);
-        map.footprints.push(Footprint {
+        map.footprints.push(BuildingFootprint {
             outline: patch.outline,
             holes: patch.holes,
             height_m,
@@ -151,7 +151,7 @@ fn buildings(site: &mut Site<'_>, map: &mut RoadMap) {
 }
 
 /// Linear colour of walls, from their colour or else their material.
-fn color(tags: &Tags) -> Option<[f32; 3]> {
+fn color(tags: &OsmTags) -> Option<[f32; 3]> {
     let srgb = tags.get("building:colour").or_else(|| tags.get("building:facade:colour")).and_then(srgb);
     let material = || match tags.get("building:material")? {
         "brick" => Some([150, 84, 66]),
@@ -206,38 +206,38 @@ fn things(site: &Site<'_>, map: &mut RoadMap) {
         let Some(kind) = thing_kind(&node.tags) else { continue };
         let Some(at) = site.place(id).filter(|&p| site.inside(p)) else { continue };
         let heading_rad = facing(map, at, &kind);
-        map.things.push(Thing { kind, position: at.extend(site.ground(at)), heading_rad });
+        map.objects.push(MapObject { kind, position: at.extend(site.ground(at)), heading_rad });
     }
 }
 
-fn thing_kind(tags: &Tags) -> Option<ThingKind> {
+fn thing_kind(tags: &OsmTags) -> Option<MapObjectKind> {
     let height = || tags.get("height").and_then(metres).filter(|h| *h < 80.0);
     Some(if tags.is("natural", &["tree"]) {
-        ThingKind::Tree(height())
+        MapObjectKind::Tree(height())
     } else if tags.is("highway", &["street_lamp"]) {
-        ThingKind::StreetLamp
+        MapObjectKind::StreetLamp
     } else if tags.is("highway", &["bus_stop"]) {
-        ThingKind::BusStop
+        MapObjectKind::BusStop
     } else if tags.is("amenity", &["bench"]) {
-        ThingKind::Bench
+        MapObjectKind::Bench
     } else if tags.is("amenity", &["waste_basket"]) {
-        ThingKind::Bin
+        MapObjectKind::Bin
     } else if tags.is("barrier", &["bollard"]) {
-        ThingKind::Bollard
+        MapObjectKind::Bollard
     } else if tags.is("emergency", &["fire_hydrant"]) && !tags.is("fire_hydrant:type", &["underground", "wall"]) {
-        ThingKind::Hydrant
+        MapObjectKind::Hydrant
     } else if tags.is("power", &["pole"]) || tags.is("man_made", &["utility_pole"]) {
-        ThingKind::UtilityPole
+        MapObjectKind::UtilityPole
     } else if tags.is("traffic_calming", &["bump", "hump"]) {
-        ThingKind::SpeedBump
+        MapObjectKind::SpeedBump
     } else {
         return None;
     })
 }
 
 /// Towards the nearest road; for stops the direction of the traffic beside them.
-fn facing(map: &RoadMap, at: DVec2, kind: &ThingKind) -> f64 {
-    if matches!(kind, ThingKind::Tree(_)) {
+fn facing(map: &RoadMap, at: DVec2, kind: &MapObjectKind) -> f64 {
+    if matches!(kind, MapObjectKind::Tree(_)) {
         return 0.0;
     }
     let mut best = (f64::INFINITY, 0.0);
@@ -256,7 +256,7 @@ fn facing(map: &RoadMap, at: DVec2, kind: &ThingKind) -> f64 {
             let to = on.position.truncate() - at;
             best = (
                 t.abs(),
-                if matches!(kind, ThingKind::BusStop | ThingKind::SpeedBump) {
+                if matches!(kind, MapObjectKind::BusStop | MapObjectKind::SpeedBump) {
                     on.heading_rad
                 } else {
                     atan2(to.y, to.x)
@@ -277,11 +277,11 @@ fn tree_rows(site: &mut Site<'_>, map: &mut RoadMap) {
                 let at = line.at(line.length() * k as f64 / n as f64).position.truncate();
                 let at = at.extend(site.ground(at));
                 let taken = map
-                    .things
+                    .objects
                     .iter()
-                    .any(|t| matches!(t.kind, ThingKind::Tree(_)) && t.position.distance_squared(at) < 9.0);
+                    .any(|t| matches!(t.kind, MapObjectKind::Tree(_)) && t.position.distance_squared(at) < 9.0);
                 if !taken {
-                    map.things.push(Thing { kind: ThingKind::Tree(None), position: at, heading_rad: 0.0 });
+                    map.objects.push(MapObject { kind: MapObjectKind::Tree(None), position: at, heading_rad: 0.0 });
                 }
             }
         }

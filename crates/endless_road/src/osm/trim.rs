@@ -4,8 +4,8 @@
 use super::class::RoadClass;
 use super::connector::DEAD_END_RADIUS_M;
 use super::curve::angle;
-use super::graph::End;
-use super::plan::Plan;
+use super::graph::StretchEnd;
+use super::plan::StreetPlan;
 use endless_world::math::f64::{cos, wrap_angle};
 use glam::DVec2;
 
@@ -26,25 +26,25 @@ pub(super) const MOST_ARMS: usize = 20;
 const SHORTEST_M: f64 = 4.0;
 
 /// Cuts all streets, and makes one of junctions that would overlap.
-pub(super) fn trim(plan: &mut Plan) {
-    for knot in 0..plan.knots.len() {
-        cut_knot(plan, knot);
+pub(super) fn trim(plan: &mut StreetPlan) {
+    for intersection in 0..plan.intersections.len() {
+        cut_knot(plan, intersection);
     }
     for _ in 0..12 {
         let touched = contract(plan);
         if touched.is_empty() {
             break;
         }
-        for knot in touched {
-            cut_knot(plan, knot);
+        for intersection in touched {
+            cut_knot(plan, intersection);
         }
     }
     for street in 0..plan.streets.len() {
         fit(plan, street);
     }
-    for knot in 0..plan.knots.len() {
-        align(plan, knot);
-        plan.sort_arms(knot);
+    for intersection in 0..plan.intersections.len() {
+        align(plan, intersection);
+        plan.sort_arms(intersection);
     }
 }
 
@@ -60,7 +60,7 @@ struct Reach {
     most_beside: f64,
 }
 
-fn reach(plan: &Plan, arm: End) -> Reach {
+fn reach(plan: &StreetPlan, arm: StretchEnd) -> Reach {
     let street = plan.street(arm);
     let section = plan.arm_section(arm);
     let length = street.length();
@@ -100,14 +100,14 @@ fn outside(road: &Reach, p: DVec2) -> f64 {
     best.1
 }
 
-fn cut_knot(plan: &mut Plan, knot: usize) {
-    let arms = plan.knots[knot].arms.clone();
+fn cut_knot(plan: &mut StreetPlan, intersection: usize) {
+    let arms = plan.intersections[intersection].arms.clone();
     let reaches: Vec<Reach> = arms.iter().map(|&arm| reach(plan, arm)).collect();
     for (i, &arm) in arms.iter().enumerate() {
         let cut = match arms.len() {
             1 => dead_end_cut(plan, arm),
             // Room for the loop.
-            2 if plan.knots[knot].turnaround => {
+            2 if plan.intersections[intersection].turnaround => {
                 let gap = reaches[0].line[0].distance(reaches[1].line[0]);
                 (0.6 * gap + 3.0).min(0.4 * plan.street(arm).length())
             }
@@ -124,13 +124,13 @@ fn cut_knot(plan: &mut Plan, knot: usize) {
 }
 
 /// Room for a loop at the end of a two-way road.
-fn dead_end_cut(plan: &Plan, arm: End) -> f64 {
+fn dead_end_cut(plan: &StreetPlan, arm: StretchEnd) -> f64 {
     let street = plan.street(arm);
     if street.oneway() { 0.0 } else { (2.5 * DEAD_END_RADIUS_M).min(0.5 * street.length()) }
 }
 
 /// Where arm `a` is clear of arm `b`.
-fn cut_between(plan: &Plan, arm: End, a: &Reach, b: &Reach, arms: usize) -> f64 {
+fn cut_between(plan: &StreetPlan, arm: StretchEnd, a: &Reach, b: &Reach, arms: usize) -> f64 {
     let theta = wrap_angle(angle(b.outwards) - angle(a.outwards)).abs();
     let apart = a.line[0].distance(b.line[0]);
     if theta > 2.75 && apart < 1.0 {
@@ -157,12 +157,12 @@ fn cut_between(plan: &Plan, arm: End, a: &Reach, b: &Reach, arms: usize) -> f64 
     if parallel { 12.0f64.min(a.most) } else { a.most }
 }
 
-/// Joins knots whose streets between them are swallowed by their cuts; returns the knots that changed.
-fn contract(plan: &mut Plan) -> Vec<usize> {
+/// Joins intersections whose streets between them are swallowed by their cuts; returns the intersections that changed.
+fn contract(plan: &mut StreetPlan) -> Vec<usize> {
     let mut short: Vec<(f64, usize)> = Vec::new();
     for (i, street) in plan.streets.iter().enumerate() {
-        let [a, b] = street.knots;
-        let real = |k: usize| plan.knots[k].arms.len() > 2;
+        let [a, b] = street.intersections;
+        let real = |k: usize| plan.intersections[k].arms.len() > 2;
         if a == b || inside(plan, i) || !(real(a) && real(b)) {
             continue;
         }
@@ -176,7 +176,7 @@ fn contract(plan: &mut Plan) -> Vec<usize> {
     short.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
     let mut touched: Vec<usize> = Vec::new();
     for (_, street) in short {
-        let [a, b] = plan.streets[street].knots;
+        let [a, b] = plan.streets[street].intersections;
         if touched.contains(&a) || touched.contains(&b) || a == b || !may_join(plan, a, b) {
             continue;
         }
@@ -186,13 +186,13 @@ fn contract(plan: &mut Plan) -> Vec<usize> {
     touched
 }
 
-fn inside(plan: &Plan, street: usize) -> bool {
+fn inside(plan: &StreetPlan, street: usize) -> bool {
     let s = &plan.streets[street];
-    s.knots[0] == s.knots[1] && plan.knots[s.knots[0]].inside.contains(&street)
+    s.intersections[0] == s.intersections[1] && plan.intersections[s.intersections[0]].inside.contains(&street)
 }
 
-fn node_places(plan: &Plan, knot: usize) -> Vec<DVec2> {
-    let k = &plan.knots[knot];
+fn node_places(plan: &StreetPlan, intersection: usize) -> Vec<DVec2> {
+    let k = &plan.intersections[intersection];
     let ends = k.arms.iter().map(|&arm| plan.arm_point(arm, 0.0, 0.0).truncate());
     ends.chain(k.inside.iter().flat_map(|&s| {
         let line = plan.streets[s].line.points();
@@ -201,34 +201,34 @@ fn node_places(plan: &Plan, knot: usize) -> Vec<DVec2> {
     .collect()
 }
 
-fn may_join(plan: &Plan, a: usize, b: usize) -> bool {
+fn may_join(plan: &StreetPlan, a: usize, b: usize) -> bool {
     let (pa, pb) = (node_places(plan, a), node_places(plan, b));
     let widest = pa.iter().flat_map(|p| pb.iter().map(|q| p.distance(*q))).fold(0.0, f64::max);
-    let ring = |k: usize| plan.knots[k].arms.iter().any(|&arm| plan.street(arm).roundabout);
-    if plan.knots[a].arms.len() + plan.knots[b].arms.len() > MOST_ARMS {
+    let ring = |k: usize| plan.intersections[k].arms.iter().any(|&arm| plan.street(arm).roundabout);
+    if plan.intersections[a].arms.len() + plan.intersections[b].arms.len() > MOST_ARMS {
         return false;
     }
     widest < if ring(a) && ring(b) { 16.0 } else { WIDEST_M }
 }
 
-/// Makes knot `b` part of knot `a`; short streets between them come to lie inside.
-pub(super) fn join(plan: &mut Plan, a: usize, b: usize) {
-    let moved = std::mem::take(&mut plan.knots[b]);
+/// Makes intersection `b` part of intersection `a`; short streets between them come to lie inside.
+pub(super) fn join(plan: &mut StreetPlan, a: usize, b: usize) {
+    let moved = std::mem::take(&mut plan.intersections[b]);
     for arm in &moved.arms {
-        plan.streets[arm.stretch].knots[arm.end] = a;
+        plan.streets[arm.stretch].intersections[arm.end] = a;
     }
     for &street in &moved.inside {
-        plan.streets[street].knots = [a, a];
+        plan.streets[street].intersections = [a, a];
     }
-    let knot = &mut plan.knots[a];
-    let weight = knot.nodes.len() as f64;
+    let intersection = &mut plan.intersections[a];
+    let weight = intersection.nodes.len() as f64;
     let other = moved.nodes.len() as f64;
-    knot.at = (knot.at * weight + moved.at * other) / (weight + other);
-    knot.nodes.extend(moved.nodes);
-    knot.inside.extend(moved.inside);
-    knot.arms.extend(moved.arms);
+    intersection.at = (intersection.at * weight + moved.at * other) / (weight + other);
+    intersection.nodes.extend(moved.nodes);
+    intersection.inside.extend(moved.inside);
+    intersection.arms.extend(moved.arms);
     let swallowed: Vec<usize> = {
-        let arms = &plan.knots[a].arms;
+        let arms = &plan.intersections[a].arms;
         let both = |s: usize| arms.iter().filter(|e| e.stretch == s).count() == 2;
         let mut list: Vec<usize> = arms.iter().map(|e| e.stretch).filter(|&s| both(s)).collect();
         list.sort_unstable();
@@ -236,13 +236,13 @@ pub(super) fn join(plan: &mut Plan, a: usize, b: usize) {
         list.retain(|&s| plan.streets[s].length() < 45.0);
         list
     };
-    let knot = &mut plan.knots[a];
-    knot.arms.retain(|e| !swallowed.contains(&e.stretch));
-    knot.inside.extend(swallowed);
+    let intersection = &mut plan.intersections[a];
+    intersection.arms.retain(|e| !swallowed.contains(&e.stretch));
+    intersection.inside.extend(swallowed);
 }
 
 /// Leaves something of every street.
-fn fit(plan: &mut Plan, street: usize) {
+fn fit(plan: &mut StreetPlan, street: usize) {
     let s = &mut plan.streets[street];
     let length = s.length();
     let room = length - SHORTEST_M.min(0.4 * length);
@@ -254,9 +254,9 @@ fn fit(plan: &mut Plan, street: usize) {
 }
 
 /// Arms that leave side by side, as the two carriageways of one road do, begin side by side.
-fn align(plan: &mut Plan, knot: usize) {
-    let arms = plan.knots[knot].arms.clone();
-    if plan.knots[knot].nodes.len() < 2 || arms.len() < 3 {
+fn align(plan: &mut StreetPlan, intersection: usize) {
+    let arms = plan.intersections[intersection].arms.clone();
+    if plan.intersections[intersection].nodes.len() < 2 || arms.len() < 3 {
         return;
     }
     let ends: Vec<(DVec2, DVec2)> = arms

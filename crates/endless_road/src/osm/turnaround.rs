@@ -1,17 +1,17 @@
 //! Where the extract's edge cuts both carriageways of a road, a loop joins them: traffic that leaves comes back.
 
-use super::plan::Plan;
+use super::plan::StreetPlan;
 use super::twin::widest_m;
 
 /// Carriageways further apart than this are not joined, metres.
 const MOST_M: f64 = 60.0;
 
 /// Joins dead ends of one-way roads, those that leave with those that arrive, nearest first.
-pub(super) fn join_dead_ends(plan: &mut Plan) {
+pub(super) fn join_dead_ends(plan: &mut StreetPlan) {
     let mut leaving = Vec::new();
     let mut arriving = Vec::new();
-    for (k, knot) in plan.knots.iter().enumerate() {
-        if let [arm] = knot.arms[..] {
+    for (k, intersection) in plan.intersections.iter().enumerate() {
+        if let [arm] = intersection.arms[..] {
             let street = plan.street(arm);
             if street.oneway() && !street.roundabout && street.length() > 15.0 {
                 let list = if arm.end == 1 { &mut leaving } else { &mut arriving };
@@ -32,9 +32,9 @@ pub(super) fn join_dead_ends(plan: &mut Plan) {
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
     for (_, k, l) in pairs {
-        if plan.knots[k].arms.len() == 1 && plan.knots[l].arms.len() == 1 {
+        if plan.intersections[k].arms.len() == 1 && plan.intersections[l].arms.len() == 1 {
             super::trim::join(plan, k, l);
-            plan.knots[k].turnaround = true;
+            plan.intersections[k].turnaround = true;
         }
     }
 }

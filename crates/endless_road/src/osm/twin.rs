@@ -1,7 +1,7 @@
 //! The two carriageways of one road: what lies between them is a median, and nobody walks along its kerbs.
 
 use super::class::RoadClass;
-use super::plan::{Plan, Street};
+use super::plan::{Street, StreetPlan};
 use glam::DVec2;
 
 /// Distance between samples, metres.
@@ -19,7 +19,7 @@ pub(super) fn widest_m(class: RoadClass) -> f64 {
 }
 
 /// Finds the twins of all one-way roads, takes the sidewalks between them away and notes the median's half width.
-pub(super) fn find(plan: &mut Plan) {
+pub(super) fn find(plan: &mut StreetPlan) {
     let boxes: Vec<[DVec2; 2]> = plan.streets.iter().map(bounds).collect();
     for i in 0..plan.streets.len() {
         let street = &plan.streets[i];

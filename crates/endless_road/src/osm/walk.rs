@@ -2,9 +2,9 @@
 
 use super::crossing::CROSSING_M;
 use super::curve::simplified;
-use super::graph::End;
+use super::graph::StretchEnd;
 use super::lane::inside;
-use super::plan::Plan;
+use super::plan::StreetPlan;
 use super::section::KERB_M;
 use super::surface::{KERB_HEIGHT_M, STUB_M, corner_line, walk_width};
 use crate::{Crossing, CrossingId, RoadNetwork, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
@@ -42,23 +42,23 @@ impl Walks<'_> {
 type Anchors = Vec<[[Option<WalkNodeId>; 2]; 2]>;
 
 /// Adds the crossings and everything that people walk on along streets.
-pub(super) fn add(plan: &mut Plan, network: &mut RoadNetwork) {
+pub(super) fn add(plan: &mut StreetPlan, network: &mut RoadNetwork) {
     add_crossings(plan, network);
     let mut walks = Walks { walk: &mut network.walk };
     let anchors = sides(plan, &mut walks);
-    for knot in &plan.knots {
-        let n = knot.arms.len();
+    for intersection in &plan.intersections {
+        let n = intersection.arms.len();
         // Nobody walks through the loop at a dead end.
-        if n < 2 || knot.turnaround {
+        if n < 2 || intersection.turnaround {
             continue;
         }
         for i in 0..n {
-            corner(plan, knot.arms[i], knot.arms[(i + 1) % n], &anchors, &mut walks);
+            corner(plan, intersection.arms[i], intersection.arms[(i + 1) % n], &anchors, &mut walks);
         }
     }
 }
 
-fn add_crossings(plan: &mut Plan, network: &mut RoadNetwork) {
+fn add_crossings(plan: &mut StreetPlan, network: &mut RoadNetwork) {
     let hidden = inside(plan);
     for (street, hidden) in plan.streets.iter_mut().zip(hidden) {
         if hidden {
@@ -74,7 +74,7 @@ fn add_crossings(plan: &mut Plan, network: &mut RoadNetwork) {
     }
 }
 
-fn sides(plan: &Plan, walks: &mut Walks<'_>) -> Anchors {
+fn sides(plan: &StreetPlan, walks: &mut Walks<'_>) -> Anchors {
     let hidden = inside(plan);
     let mut anchors: Anchors = vec![[[None; 2]; 2]; plan.streets.len()];
     for (i, street) in plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]) {
@@ -157,8 +157,8 @@ fn around_bends(places: Vec<(f64, Option<usize>)>, point: &dyn Fn(f64) -> DVec3)
     out
 }
 
-fn corner(plan: &Plan, a: End, b: End, anchors: &Anchors, walks: &mut Walks<'_>) {
-    let anchor = |arm: End, left: bool| anchors[arm.stretch][arm.end][usize::from(left == (arm.end == 1))];
+fn corner(plan: &StreetPlan, a: StretchEnd, b: StretchEnd, anchors: &Anchors, walks: &mut Walks<'_>) {
+    let anchor = |arm: StretchEnd, left: bool| anchors[arm.stretch][arm.end][usize::from(left == (arm.end == 1))];
     let (from, to) = (anchor(a, true), anchor(b, false));
     let (Some(from), Some(to)) = (from, to) else { return };
     let (wa, wb) = (walk_width(plan, a, true).unwrap_or(STUB_M), walk_width(plan, b, false).unwrap_or(STUB_M));

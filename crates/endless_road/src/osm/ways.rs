@@ -2,76 +2,15 @@
 
 use super::class::{RoadClass, speed_mps};
 use super::country::Country;
-use super::extract::{Extract, Tags, Way};
-use super::section::{self, Said, Section};
+use super::extract::{OsmExtract, OsmTags, OsmWay};
+use super::section::{self, RoadTags};
 use super::site::Site;
-use glam::DVec2;
+use super::stretch::{Level, Stretch, Vertex};
 
 /// No two nodes of a way that follow one another are this far apart, metres: one of them is elsewhere by mistake.
 const FARTHEST_M: f64 = 20_000.0;
 
-/// A point of a way.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Vertex {
-    /// The node's id; below `i64::MIN / 2` where a way was cut at the extract's edge.
-    pub(super) node: i64,
-    pub(super) at: DVec2,
-}
-
-/// Above or below the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Level {
-    pub(super) bridge: bool,
-    pub(super) tunnel: bool,
-    pub(super) layer: i8,
-}
-
-/// A stretch of road between two places.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Stretch {
-    pub(super) vertices: Vec<Vertex>,
-    /// One a segment.
-    pub(super) levels: Vec<Level>,
-    pub(super) section: Section,
-    pub(super) class: RoadClass,
-    pub(super) link: bool,
-    pub(super) roundabout: bool,
-    pub(super) speed_mps: f64,
-    /// The way at its beginning and at its end.
-    pub(super) ways: [i64; 2],
-    /// A driveway or an aisle: paved, but no way to anywhere.
-    pub(super) yard: bool,
-}
-
-impl Stretch {
-    pub(super) fn length(&self) -> f64 {
-        self.vertices.windows(2).map(|v| v[0].at.distance(v[1].at)).sum()
-    }
-
-    pub(super) fn reversed(mut self) -> Self {
-        self.vertices.reverse();
-        self.levels.reverse();
-        self.section = self.section.reversed();
-        self.ways.reverse();
-        self
-    }
-
-    pub(super) fn end_node(&self, end: usize) -> i64 {
-        if end == 0 { self.vertices[0].node } else { self.vertices[self.vertices.len() - 1].node }
-    }
-
-    /// The part between two vertices, both included.
-    pub(super) fn part(&self, from: usize, to: usize) -> Self {
-        Self {
-            vertices: self.vertices[from..=to].to_vec(),
-            levels: self.levels[from..to].to_vec(),
-            section: self.section.clone(),
-            ..*self
-        }
-    }
-}
-
-fn level(tags: &Tags) -> Level {
+fn level(tags: &OsmTags) -> Level {
     let layer = tags.get("layer").and_then(|v| v.trim().parse::<f64>().ok()).unwrap_or(0.0).clamp(-5.0, 5.0) as i8;
     let bridge = tags.get("bridge").is_some_and(|v| v != "no");
     let tunnel = tags.get("tunnel").is_some_and(|v| !matches!(v, "no" | "building_passage"));
@@ -80,7 +19,7 @@ fn level(tags: &Tags) -> Level {
 }
 
 /// 1 along the way, −1 against it, 0 for both directions.
-fn direction(tags: &Tags, class: RoadClass, link: bool) -> i8 {
+fn direction(tags: &OsmTags, class: RoadClass, link: bool) -> i8 {
     match tags.get("oneway") {
         Some("yes" | "true" | "1") => 1,
         Some("-1" | "reverse") => -1,
@@ -91,37 +30,32 @@ fn direction(tags: &Tags, class: RoadClass, link: bool) -> i8 {
     }
 }
 
-fn is_roundabout(tags: &Tags) -> bool {
+fn is_roundabout(tags: &OsmTags) -> bool {
     tags.is("junction", &["roundabout", "circular"])
 }
 
 /// All stretches of all ways for vehicles, cut at the edge of the site, and not yet at junctions.
-pub(super) fn collect(extract: &Extract, site: &mut Site<'_>) -> Vec<Stretch> {
+pub(super) fn collect(extract: &OsmExtract, site: &mut Site<'_>) -> Vec<Stretch> {
     let mut stretches = Vec::new();
     for way in &extract.ways {
         let tags = site.tags(&way.tags);
         let Some((class, link)) = RoadClass::of(&tags) else { continue };
-        let direction = direction(&tags, class, link);
-        for (vertices, levels) in runs(way, &tags, site) {
-            let stretch = stretch(way, &tags, class, link, direction, vertices, levels, site);
-            stretches.push(stretch);
+        for run in runs(way, &tags, site) {
+            stretches.push(stretch((way.id, &tags), (class, link), run, site));
         }
     }
     stretches
 }
 
 fn stretch(
-    way: &Way,
-    tags: &Tags,
-    class: RoadClass,
-    link: bool,
-    direction: i8,
-    vertices: Vec<Vertex>,
-    levels: Vec<Level>,
+    (way, tags): (i64, &OsmTags),
+    (class, link): (RoadClass, bool),
+    (vertices, levels): (Vec<Vertex>, Vec<Level>),
     site: &Site<'_>,
 ) -> Stretch {
+    let direction = direction(tags, class, link);
     let middle = vertices[vertices.len() / 2].at;
-    let said = Said {
+    let said = RoadTags {
         tags,
         class,
         link,
@@ -142,7 +76,7 @@ fn stretch(
         link,
         roundabout: said.roundabout,
         speed_mps: speed_mps(tags, class, link, country),
-        ways: [way.id; 2],
+        ways: [way; 2],
         yard,
     };
     if direction >= 0 {
@@ -156,7 +90,7 @@ fn stretch(
 }
 
 /// The runs of a way's nodes that exist and lie inside the site.
-pub(super) fn runs(way: &Way, tags: &Tags, site: &mut Site<'_>) -> Vec<(Vec<Vertex>, Vec<Level>)> {
+pub(super) fn runs(way: &OsmWay, tags: &OsmTags, site: &mut Site<'_>) -> Vec<(Vec<Vertex>, Vec<Level>)> {
     let level = level(tags);
     let mut runs: Vec<Vec<Vertex>> = vec![Vec::new()];
     let mut before: Option<Vertex> = None;

@@ -1,26 +1,26 @@
 //! Reading `.osm` XML (API 0.6, Overpass, JOSM).
 
 use super::OsmError;
-use super::extract::{Bounds, Extract, Member, MemberKind, Node, Relation, Tags, Way};
+use super::extract::{OsmBounds, OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmRelation, OsmTags, OsmWay};
 use crate::error::one_line;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
 
 /// An element being read.
-enum Open {
-    Node(i64, Option<Node>),
-    Way(Way),
-    Relation(Relation),
+enum OpenElement {
+    Node(i64, Option<OsmNode>),
+    Way(OsmWay),
+    Relation(OsmRelation),
     /// Deleted in an editor: read, and forgotten.
     Deleted,
 }
 
-struct Source<'a> {
+struct TextSource<'a> {
     bytes: &'a [u8],
     reader: Reader<&'a [u8]>,
 }
 
-impl Source<'_> {
+impl TextSource<'_> {
     fn error(&self, reason: impl Into<String>) -> OsmError {
         let at = (self.reader.error_position().max(self.reader.buffer_position()) as usize).min(self.bytes.len());
         let before = &self.bytes[..at];
@@ -49,10 +49,10 @@ struct Attributes {
 ///
 /// # Errors
 /// [`OsmError::Xml`] with line and column.
-pub(super) fn read(bytes: &[u8]) -> Result<Extract, OsmError> {
-    let mut source = Source { bytes, reader: Reader::from_reader(bytes) };
-    let mut extract = Extract::default();
-    let mut open: Option<Open> = None;
+pub(super) fn read(bytes: &[u8]) -> Result<OsmExtract, OsmError> {
+    let mut source = TextSource { bytes, reader: Reader::from_reader(bytes) };
+    let mut extract = OsmExtract::default();
+    let mut open: Option<OpenElement> = None;
     let mut depth = 0usize;
     let mut seen_root = false;
     loop {
@@ -87,10 +87,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Extract, OsmError> {
 }
 
 fn begin(
-    source: &Source<'_>,
+    source: &TextSource<'_>,
     element: &BytesStart<'_>,
-    extract: &mut Extract,
-    open: &mut Option<Open>,
+    extract: &mut OsmExtract,
+    open: &mut Option<OpenElement>,
 ) -> Result<(), OsmError> {
     let name = element.name();
     let name = name.as_ref();
@@ -100,21 +100,22 @@ fn begin(
     let a = attributes(source, element)?;
     let id = |a: &Attributes| a.id.ok_or_else(|| source.error("an element without id"));
     match name {
-        "node" | "way" | "relation" if a.deleted => *open = Some(Open::Deleted),
+        "node" | "way" | "relation" if a.deleted => *open = Some(OpenElement::Deleted),
         "node" => {
             let place = a.lat.zip(a.lon).filter(|(lat, lon)| lat.abs() <= 90.0 && lon.abs() <= 180.0);
-            let node = place.map(|(lat, lon)| Node { lat, lon, tags: Tags::default() });
-            *open = Some(Open::Node(id(&a)?, node));
+            let node = place.map(|(lat, lon)| OsmNode { lat, lon, tags: OsmTags::default() });
+            *open = Some(OpenElement::Node(id(&a)?, node));
         }
-        "way" => *open = Some(Open::Way(Way { id: id(&a)?, nodes: Vec::new(), tags: Tags::default() })),
+        "way" => *open = Some(OpenElement::Way(OsmWay { id: id(&a)?, nodes: Vec::new(), tags: OsmTags::default() })),
         "relation" => {
-            *open = Some(Open::Relation(Relation { id: id(&a)?, members: Vec::new(), tags: Tags::default() }));
+            *open =
+                Some(OpenElement::Relation(OsmRelation { id: id(&a)?, members: Vec::new(), tags: OsmTags::default() }));
         }
         "tag" => {
             let tags = match open {
-                Some(Open::Node(_, Some(node))) => &mut node.tags,
-                Some(Open::Way(way)) => &mut way.tags,
-                Some(Open::Relation(relation)) => &mut relation.tags,
+                Some(OpenElement::Node(_, Some(node))) => &mut node.tags,
+                Some(OpenElement::Way(way)) => &mut way.tags,
+                Some(OpenElement::Relation(relation)) => &mut relation.tags,
                 _ => return Ok(()),
             };
             if let (Some(key), Some(value)) = (a.key, a.value) {
@@ -122,44 +123,44 @@ fn begin(
             }
         }
         "nd" => {
-            if let (Some(Open::Way(way)), Some(node)) = (open, a.reference) {
+            if let (Some(OpenElement::Way(way)), Some(node)) = (open, a.reference) {
                 way.nodes.push(node);
             }
         }
         "member" => {
             let kind = match a.kind.as_deref() {
-                Some("node") => MemberKind::Node,
-                Some("way") => MemberKind::Way,
-                _ => MemberKind::Relation,
+                Some("node") => OsmMemberKind::Node,
+                Some("way") => OsmMemberKind::Way,
+                _ => OsmMemberKind::Relation,
             };
-            if let (Some(Open::Relation(relation)), Some(id)) = (open, a.reference) {
-                relation.members.push(Member { kind, id, role: a.role.unwrap_or_default() });
+            if let (Some(OpenElement::Relation(relation)), Some(id)) = (open, a.reference) {
+                relation.members.push(OsmMember { kind, id, role: a.role.unwrap_or_default() });
             }
         }
         _ => {
             if let [Some(south), Some(west), Some(north), Some(east)] = a.bounds {
-                extract.bounds = Some(Bounds { low: [south, west], high: [north, east] });
+                extract.bounds = Some(OsmBounds { low: [south, west], high: [north, east] });
             }
         }
     }
     Ok(())
 }
 
-fn end(name: &str, extract: &mut Extract, open: &mut Option<Open>) {
+fn end(name: &str, extract: &mut OsmExtract, open: &mut Option<OpenElement>) {
     if !matches!(name, "node" | "way" | "relation") {
         return;
     }
     match open.take() {
-        Some(Open::Node(id, Some(node))) => {
+        Some(OpenElement::Node(id, Some(node))) => {
             extract.nodes.insert(id, node);
         }
-        Some(Open::Way(way)) => extract.ways.push(way),
-        Some(Open::Relation(relation)) => extract.relations.push(relation),
+        Some(OpenElement::Way(way)) => extract.ways.push(way),
+        Some(OpenElement::Relation(relation)) => extract.relations.push(relation),
         _ => {}
     }
 }
 
-fn attributes(source: &Source<'_>, element: &BytesStart<'_>) -> Result<Attributes, OsmError> {
+fn attributes(source: &TextSource<'_>, element: &BytesStart<'_>) -> Result<Attributes, OsmError> {
     let mut a = Attributes::default();
     for attribute in element.attributes() {
         let attribute = attribute.map_err(|error| source.error(error.to_string()))?;

@@ -1,7 +1,7 @@
 //! OpenDRIVE on files that are at hand everywhere: what is read, what is refused, and that nothing breaks the reader.
 
 use endless_road::opendrive::{self, Document, OpenDriveError};
-use endless_road::{Control, RoadMap, StripKind, ThingKind, Turn, WalkKind};
+use endless_road::{Control, MapObjectKind, RoadMap, StripKind, Turn, WalkKind};
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -86,10 +86,10 @@ fn a_crossroads_with_every_element() {
     for lane in outside().filter(|lane| matches!(lane.end_control, Control::Signal(_) | Control::Stop)) {
         assert!(network.crossings.iter().all(|c| c.cuts.iter().all(|cut| cut.lane != lane.id)), "{:?}", lane.id);
     }
-    let count = |pick: fn(&ThingKind) -> bool| map.things.iter().filter(|thing| pick(&thing.kind)).count();
-    assert_eq!(count(|kind| matches!(kind, ThingKind::Tree(Some(_)))), 5);
-    assert_eq!(count(|kind| matches!(kind, ThingKind::TrafficLight(_))), 1);
-    assert_eq!(count(|kind| *kind == ThingKind::SpeedLimit(50)), 1);
+    let count = |pick: fn(&MapObjectKind) -> bool| map.objects.iter().filter(|thing| pick(&thing.kind)).count();
+    assert_eq!(count(|kind| matches!(kind, MapObjectKind::Tree(Some(_)))), 5);
+    assert_eq!(count(|kind| matches!(kind, MapObjectKind::TrafficLight(_))), 1);
+    assert_eq!(count(|kind| *kind == MapObjectKind::SpeedLimit(50)), 1);
     assert!(map.strips.iter().any(|strip| strip.kind == StripKind::Parking));
     assert!(map.strips.iter().any(|strip| strip.bridge) && map.strips.iter().any(|strip| strip.unpaved));
     // Miles an hour on the lane, kilometres an hour on the road.

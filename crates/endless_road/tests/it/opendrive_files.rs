@@ -35,7 +35,7 @@ fn every_file_is_read() {
             network.walk.edges.len(),
             map.strips.len(),
             map.marks.len(),
-            map.things.len(),
+            map.objects.len(),
             map.notes.len(),
             start.elapsed()
         );

@@ -2,7 +2,7 @@
 //! reported with its line.
 
 use endless_road::opendrive::{self, Document};
-use endless_road::{AreaKind, Control, Paint, RoadMap, StripKind, ThingKind};
+use endless_road::{AreaKind, Control, MapObjectKind, Paint, RoadMap, StripKind};
 use glam::DVec3;
 
 /// A road along x, 100 m, with two driving lanes of 3.5 m, and what is given besides.
@@ -187,7 +187,7 @@ fn objects_stand_where_they_are_put() {
     }
     .map();
     let trees: Vec<DVec3> =
-        map.things.iter().filter(|t| t.kind == ThingKind::Tree(Some(7.0))).map(|t| t.position).collect();
+        map.objects.iter().filter(|t| t.kind == MapObjectKind::Tree(Some(7.0))).map(|t| t.position).collect();
     assert_eq!(trees.len(), 5);
     close(trees[4], 50.0, 12.0, 0.0);
     assert_eq!(map.footprints.len(), 1);
@@ -196,7 +196,7 @@ fn objects_stand_where_they_are_put() {
     assert!(map.strips.iter().any(|s| s.kind == StripKind::Median && s.left.iter().all(|p| p.z > 0.1)));
     assert!(map.areas.iter().any(|area| area.kind == AreaKind::Wood && area.outline.len() == 3));
     assert!(map.strips.iter().any(|s| s.kind == StripKind::Parking) && map.strips.iter().any(|s| s.bridge));
-    assert!(map.things.iter().any(|thing| thing.kind == ThingKind::StreetLamp));
+    assert!(map.objects.iter().any(|thing| thing.kind == MapObjectKind::StreetLamp));
     // One sidewalk only: the crossing leads to nothing and is told.
     assert!(map.notes.iter().any(|note| note.text.contains("no sidewalk at one end")));
 }
@@ -206,7 +206,7 @@ fn signals_stand_where_they_really_stand() {
     let signal = "<signals><signal id='1' s='90' t='-4' dynamic='no' orientation='+' type='206' subtype='-1' country='DE' zOffset='2'>\
                   <positionInertial x='93' y='-6' z='0.5' hdg='0'/></signal></signals>";
     let map = File { beside: signal, ..File::default() }.map();
-    let stop = map.things.iter().find(|thing| thing.kind == ThingKind::Stop).expect("a stop sign");
+    let stop = map.objects.iter().find(|thing| thing.kind == MapObjectKind::Stop).expect("a stop sign");
     close(stop.position, 93.0, -6.0, 0.5);
     // It counts where it is valid: traffic along the road stops.
     assert_eq!(map.network.lanes.iter().filter(|lane| lane.end_control == Control::Stop).count(), 1);
@@ -216,7 +216,7 @@ fn signals_stand_where_they_really_stand() {
     );
     let text = File::default().text().replace("</lanes>\n", &format!("</lanes>\n{elsewhere}"));
     let map = opendrive::read(&text).expect("a road");
-    close(map.things[0].position, 40.0, 7.0, 0.0);
+    close(map.objects[0].position, 40.0, 7.0, 0.0);
 }
 
 #[test]

@@ -4,7 +4,9 @@
 use super::shape::{along, split_at};
 use crate::character::Kind;
 use crate::imported::{Look, Zone};
-use endless_road::osm::{DrivingSide, Extract, Member, MemberKind, Node, OsmOptions, Relation, Tags, Way, map_from};
+use endless_road::osm::{
+    DrivingSide, OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmOptions, OsmRelation, OsmTags, OsmWay, map_from,
+};
 use endless_road::{RoadMap, Terrain};
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -24,7 +26,7 @@ const TERRAIN_STEP_M: f64 = 4.0;
 /// A way that is no road, or one.
 #[derive(Debug, Clone)]
 struct Line {
-    tags: Tags,
+    tags: OsmTags,
     points: Vec<DVec2>,
     road: bool,
 }
@@ -36,15 +38,15 @@ pub(super) struct Plan {
     place: [f64; 2],
     lines: Vec<Line>,
     /// Tags of places; on the nearest point of a road where one is near.
-    marks: Vec<(DVec2, Tags)>,
+    marks: Vec<(DVec2, OsmTags)>,
     zones: Vec<Zone>,
     /// Forbidden turns: from a way, at a place, to a way.
     forbidden: Vec<(usize, DVec2, usize)>,
 }
 
 /// `secondary lanes=4 sidewalk=both`: the first word is the value of `key`, if it is not a pair itself.
-fn tags(key: &str, words: &str) -> Tags {
-    let mut tags = Tags::default();
+fn tags(key: &str, words: &str) -> OsmTags {
+    let mut tags = OsmTags::default();
     for word in words.split_whitespace() {
         match word.split_once('=') {
             Some((k, v)) => tags.set(k.to_owned(), v.to_owned()),
@@ -204,16 +206,16 @@ impl Plan {
         }
     }
 
-    fn extract(&self) -> Extract {
-        let degrees = |p: DVec2| Extract::degrees(self.place, p);
-        let mut extract = Extract::default();
+    fn extract(&self) -> OsmExtract {
+        let degrees = |p: DVec2| OsmExtract::degrees(self.place, p);
+        let mut extract = OsmExtract::default();
         let mut ids: BTreeMap<(i64, i64, i64), i64> = BTreeMap::new();
         let mut on_roads: Vec<(DVec2, i64)> = Vec::new();
         let half = self.lines.iter().flat_map(|l| &l.points).map(|p| p.abs().max_element()).fold(0.0, f64::max) + 100.0;
         let (low, high) = (degrees(DVec2::splat(-half)), degrees(DVec2::splat(half)));
         let centred = |k: usize| (high[k] - self.place[k]).max(self.place[k] - low[k]);
         let reach = [centred(0), centred(1)];
-        extract.bounds = Some(endless_road::osm::Bounds {
+        extract.bounds = Some(endless_road::osm::OsmBounds {
             low: [self.place[0] - reach[0], self.place[1] - reach[1]],
             high: [self.place[0] + reach[0], self.place[1] + reach[1]],
         });
@@ -229,7 +231,7 @@ impl Plan {
                 let id = *ids.entry(key).or_insert(next);
                 extract.nodes.entry(id).or_insert_with(|| {
                     let [lat, lon] = degrees(p);
-                    Node { lat, lon, tags: Tags::default() }
+                    OsmNode { lat, lon, tags: OsmTags::default() }
                 });
                 if line.road {
                     on_roads.push((p, id));
@@ -237,7 +239,7 @@ impl Plan {
                 nodes.push(id);
             }
             nodes.dedup();
-            extract.ways.push(Way { id: way as i64 + 1, nodes, tags: line.tags.clone() });
+            extract.ways.push(OsmWay { id: way as i64 + 1, nodes, tags: line.tags.clone() });
         }
         for (at, tags) in &self.marks {
             let on_road = tags.get("highway").is_some_and(|v| matches!(v, "traffic_signals" | "crossing"));
@@ -250,20 +252,20 @@ impl Plan {
             }
             let [lat, lon] = degrees(*at);
             let id = 1_000_000 + extract.nodes.len() as i64;
-            extract.nodes.insert(id, Node { lat, lon, tags: tags.clone() });
+            extract.nodes.insert(id, OsmNode { lat, lon, tags: tags.clone() });
         }
         for (k, (from, at, to)) in self.forbidden.iter().enumerate() {
             let Some(&(_, via)) = on_roads.iter().min_by(|a, b| a.0.distance(*at).total_cmp(&b.0.distance(*at))) else {
                 continue;
             };
-            let member = |kind, id, role: &str| Member { kind, id, role: role.to_owned() };
+            let member = |kind, id, role: &str| OsmMember { kind, id, role: role.to_owned() };
             let members = vec![
-                member(MemberKind::Way, *from as i64 + 1, "from"),
-                member(MemberKind::Node, via, "via"),
-                member(MemberKind::Way, *to as i64 + 1, "to"),
+                member(OsmMemberKind::Way, *from as i64 + 1, "from"),
+                member(OsmMemberKind::Node, via, "via"),
+                member(OsmMemberKind::Way, *to as i64 + 1, "to"),
             ];
             let tags = tags("restriction", "no_left_turn type=restriction");
-            extract.relations.push(Relation { id: k as i64 + 1, members, tags });
+            extract.relations.push(OsmRelation { id: k as i64 + 1, members, tags });
         }
         extract
     }

@@ -3,7 +3,7 @@
 use super::cover::{Cover, is_carriageway};
 use super::road::quad;
 use crate::palette::{ASPHALT, YELLOW_PAINT};
-use endless_road::{RoadMap, ThingKind};
+use endless_road::{MapObjectKind, RoadMap};
 use endless_scene::MeshBuilder;
 use glam::{DVec2, DVec3};
 
@@ -15,7 +15,7 @@ const STRIPE_M: f64 = 0.5;
 const MOST_M: f64 = 12.0;
 
 pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
-    for thing in map.things.iter().filter(|t| t.kind == ThingKind::SpeedBump) {
+    for thing in map.objects.iter().filter(|t| t.kind == MapObjectKind::SpeedBump) {
         let along = crate::plot::unit(thing.heading_rad);
         let across = along.perp();
         let at = thing.position.truncate();

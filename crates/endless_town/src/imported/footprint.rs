@@ -7,7 +7,7 @@ use crate::camera::Solid;
 use crate::character::Kind;
 use crate::plot::{Occupied, Rect, inside};
 use crate::surface::area;
-use endless_road::{Footprint, StripKind};
+use endless_road::{BuildingFootprint, StripKind};
 use endless_scene::Mesh;
 use endless_world::Stream;
 use endless_world::math::f64::atan2;
@@ -29,7 +29,7 @@ pub(super) struct Built {
 
 /// Builds on all footprints that do not stand on a road.
 pub(super) fn build(
-    footprints: &[Footprint],
+    footprints: &[BuildingFootprint],
     cover: &Cover,
     land: &Land,
     occupied: &mut Occupied,
@@ -67,7 +67,7 @@ pub(super) fn build(
 }
 
 fn raise(
-    footprint: &Footprint,
+    footprint: &BuildingFootprint,
     outline: &[DVec2],
     (front, blind): (usize, &[bool]),
     measures: Measures,
@@ -192,7 +192,7 @@ fn is_shop(kind: &str) -> bool {
 }
 
 /// What a building is, and its storeys, from what the map says and its size.
-fn guess(footprint: &Footprint, m2: f64, terraced: bool, stream: &mut Stream) -> (Kind, u32) {
+fn guess(footprint: &BuildingFootprint, m2: f64, terraced: bool, stream: &mut Stream) -> (Kind, u32) {
     let known = footprint.levels.or(footprint.height_m.map(|h| h / STOREY_M)).map(|l| l.clamp(1.0, MOST_STOREYS));
     let between = |stream: &mut Stream, low: u32, high: u32| low + stream.below((high - low + 1) as usize) as u32;
     let (kind, usual) = match footprint.kind.as_str() {

@@ -10,7 +10,7 @@ use crate::camera::in_the_way;
 use crate::dressing::{Spot, Stage};
 use crate::plot::{Rect, inside};
 use endless_asset::Prop;
-use endless_road::{AreaKind, RoadMap, ThingKind};
+use endless_road::{AreaKind, MapObjectKind, RoadMap};
 use endless_world::math::f64::atan2;
 use endless_world::{CameraSite, Stream};
 use glam::{DVec2, Vec3};
@@ -46,8 +46,8 @@ impl Planter<'_> {
     pub(super) fn known(&self, stage: &mut Stage<'_>) -> Vec<DVec2> {
         let mut stream = stage.stream(20_000);
         let mut placed = Vec::new();
-        for thing in &self.map.things {
-            let ThingKind::Tree(height) = thing.kind else { continue };
+        for thing in &self.map.objects {
+            let MapObjectKind::Tree(height) = thing.kind else { continue };
             let at = thing.position.truncate();
             if self.cover.is_carriageway(at) {
                 continue;

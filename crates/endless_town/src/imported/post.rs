@@ -6,7 +6,7 @@ use super::look::Look;
 use crate::dressing::{Spot, Stage};
 use crate::plot::unit;
 use endless_asset::Prop;
-use endless_road::{Control, Lane, RoadMap, ThingKind};
+use endless_road::{Control, Lane, MapObjectKind, RoadMap};
 use endless_scene::StreetLamp;
 use endless_world::SignalId;
 use glam::{DVec2, DVec3, Vec3};
@@ -121,11 +121,11 @@ impl Poster<'_> {
     /// Traffic lights where the map has them, beside the road if it has them on it, and at every approach that lacks one.
     pub(super) fn signals(&self, stage: &mut Stage<'_>) {
         let mut shown: BTreeSet<SignalId> = BTreeSet::new();
-        for thing in &self.map.things {
+        for thing in &self.map.objects {
             let at = thing.position.truncate();
             let (prop, signal) = match thing.kind {
-                ThingKind::TrafficLight(signal) => (Prop::SignalPole, signal),
-                ThingKind::WalkLight(signal) => (Prop::WalkSignal, signal),
+                MapObjectKind::TrafficLight(signal) => (Prop::SignalPole, signal),
+                MapObjectKind::WalkLight(signal) => (Prop::WalkSignal, signal),
                 _ => continue,
             };
             let yaw = thing.heading_rad + PI;
@@ -136,7 +136,7 @@ impl Poster<'_> {
         }
         for lane in self.map.network.lanes.iter().filter(|l| self.is_outermost(l)) {
             let Control::Signal(signal) = lane.end_control else { continue };
-            if shown.contains(&signal) && !self.map.things.is_empty() && self.is_shown_near(stage, lane, signal) {
+            if shown.contains(&signal) && !self.map.objects.is_empty() && self.is_shown_near(stage, lane, signal) {
                 continue;
             }
             self.head_at_stop_line(stage, lane, signal);
@@ -172,13 +172,13 @@ impl Poster<'_> {
     /// Signs of the map, and those that stop lines without one need.
     pub(super) fn signs(&self, stage: &mut Stage<'_>) {
         let mut known: Vec<DVec2> = Vec::new();
-        for thing in &self.map.things {
+        for thing in &self.map.objects {
             let prop = match &thing.kind {
-                ThingKind::Stop => Prop::StopSign,
-                ThingKind::Yield => Prop::YieldSign,
-                ThingKind::SpeedLimit(_) => Prop::SpeedSign,
-                ThingKind::Sign(code) if code.contains("350") => Prop::CrossingSign,
-                ThingKind::Sign(code) => {
+                MapObjectKind::Stop => Prop::StopSign,
+                MapObjectKind::Yield => Prop::YieldSign,
+                MapObjectKind::SpeedLimit(_) => Prop::SpeedSign,
+                MapObjectKind::Sign(code) if code.contains("350") => Prop::CrossingSign,
+                MapObjectKind::Sign(code) => {
                     let at = thing.position.truncate();
                     if let Some(variant) = face_of(code).filter(|_| !self.cover.is_carriageway(at)) {
                         let spot = Spot { z: self.ground(thing.position), ..Spot::new(at, thing.heading_rad + PI) };
@@ -192,7 +192,7 @@ impl Poster<'_> {
             let yaw = thing.heading_rad + PI;
             if !self.cover.is_carriageway(at)
                 && self.put(stage, prop, at, self.ground(thing.position), yaw, None)
-                && matches!(thing.kind, ThingKind::Stop | ThingKind::Yield)
+                && matches!(thing.kind, MapObjectKind::Stop | MapObjectKind::Yield)
             {
                 known.push(at);
             }
@@ -219,14 +219,14 @@ impl Poster<'_> {
 
     /// The rest of what the map names.
     pub(super) fn things(&self, stage: &mut Stage<'_>) {
-        for thing in &self.map.things {
+        for thing in &self.map.objects {
             let (prop, half) = match thing.kind {
-                ThingKind::Bench => (Prop::Bench, DVec2::new(0.42, 0.95)),
-                ThingKind::BusStop => (Prop::BusShelter, DVec2::new(1.0, 2.2)),
-                ThingKind::Bollard => (Prop::Bollard, DVec2::splat(0.15)),
-                ThingKind::Bin => (Prop::Bin, DVec2::splat(0.3)),
-                ThingKind::Hydrant => (Prop::Hydrant, DVec2::splat(0.25)),
-                ThingKind::UtilityPole => (Prop::UtilityPole, DVec2::splat(0.22)),
+                MapObjectKind::Bench => (Prop::Bench, DVec2::new(0.42, 0.95)),
+                MapObjectKind::BusStop => (Prop::BusShelter, DVec2::new(1.0, 2.2)),
+                MapObjectKind::Bollard => (Prop::Bollard, DVec2::splat(0.15)),
+                MapObjectKind::Bin => (Prop::Bin, DVec2::splat(0.3)),
+                MapObjectKind::Hydrant => (Prop::Hydrant, DVec2::splat(0.25)),
+                MapObjectKind::UtilityPole => (Prop::UtilityPole, DVec2::splat(0.22)),
                 _ => continue,
             };
             let at = thing.position.truncate();
@@ -239,7 +239,7 @@ impl Poster<'_> {
 
     /// Lamps where the map has them; else along streets with sidewalks and along fast roads.
     pub(super) fn lamps(&self, stage: &mut Stage<'_>) {
-        for thing in self.map.things.iter().filter(|t| t.kind == ThingKind::StreetLamp) {
+        for thing in self.map.objects.iter().filter(|t| t.kind == MapObjectKind::StreetLamp) {
             let at = thing.position.truncate();
             if !self.cover.is_carriageway(at) {
                 self.lamp(stage, at, self.ground(thing.position), self.towards_road(at, thing.heading_rad));

@@ -5,7 +5,7 @@ use super::cover::Cover;
 use super::growth::Density;
 use crate::palette::{GRAVEL, LAWN, MEADOW, YARD, YARD_DARK, YARD_SLABS};
 use crate::plot::unit;
-use endless_road::{AreaKind, Footprint, Lane, RoadNetwork, StripKind};
+use endless_road::{AreaKind, BuildingFootprint, Lane, RoadNetwork, StripKind};
 use endless_scene::Material;
 use endless_world::fnv1a;
 use endless_world::math::f64::{atan2, sin, sin_cos};
@@ -49,7 +49,7 @@ pub(super) struct Mapped {
 }
 
 impl Mapped {
-    pub(super) fn new(footprints: &[Footprint], low: DVec2, high: DVec2) -> Self {
+    pub(super) fn new(footprints: &[BuildingFootprint], low: DVec2, high: DVec2) -> Self {
         let size = (high - low).max(DVec2::ONE) / CELL_M;
         let (columns, rows) = (size.x.ceil() as usize, size.y.ceil() as usize);
         let mut mapped = Self { low, columns, cells: vec![false; columns * rows] };
@@ -149,7 +149,7 @@ mod tests {
     fn mapped_buildings_are_near_where_they_are() {
         let outline = [(50.0, 50.0), (62.0, 50.0), (62.0, 61.0), (50.0, 61.0)].map(|(x, y)| DVec2::new(x, y)).to_vec();
         let (height_m, levels, color) = (None, None, None);
-        let footprint = Footprint { outline, holes: vec![], height_m, levels, kind: "yes".to_owned(), color };
+        let footprint = BuildingFootprint { outline, holes: vec![], height_m, levels, kind: "yes".to_owned(), color };
         let mapped = Mapped::new(&[footprint], DVec2::ZERO, DVec2::new(200.0, 100.0));
         assert!(mapped.is_near(DVec2::new(55.0, 30.0), 30.0) && mapped.is_near(DVec2::new(90.0, 55.0), 40.0));
         assert!(!mapped.is_near(DVec2::new(120.0, 55.0), 40.0) && !mapped.is_near(DVec2::new(-500.0, 900.0), 40.0));

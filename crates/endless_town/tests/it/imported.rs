@@ -2,7 +2,7 @@
 #![expect(clippy::print_stdout, clippy::unwrap_used, reason = "tests")]
 
 use endless_asset::{Catalogue, Prop};
-use endless_road::{Area, AreaKind, Footprint, Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind};
+use endless_road::{Area, AreaKind, BuildingFootprint, Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind};
 use endless_town::{Town, TownError, What, dress_map};
 use endless_world::ClassTag;
 use glam::{DVec2, DVec3, Vec3};
@@ -27,7 +27,7 @@ fn street() -> RoadMap {
     let ring = |low: DVec2, high: DVec2| vec![low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
     let mut hole = ring(DVec2::new(68.0, 18.0), DVec2::new(78.0, 26.0));
     hole.reverse();
-    let block = |outline, holes, kind: &str| Footprint {
+    let block = |outline, holes, kind: &str| BuildingFootprint {
         outline,
         holes,
         height_m: None,

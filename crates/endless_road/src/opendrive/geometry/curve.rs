@@ -17,20 +17,20 @@ pub(crate) struct PlanViewPose {
 
 /// One piece of the reference line, ready to evaluate.
 #[derive(Debug, Clone)]
-pub(crate) struct Piece {
+pub(crate) struct PlanViewCurve {
     /// Where it begins on the road.
     pub(crate) s: f64,
     length: f64,
     start: PlanViewPose,
-    kind: Kind,
+    kind: CurveKind,
 }
 
 #[derive(Debug, Clone)]
-enum Kind {
+enum CurveKind {
     Line,
     Arc(f64),
     Spiral { from: f64, rate: f64, knots: Vec<DVec2>, step: f64 },
-    Cubic(Cubic),
+    Cubic(ParametricCubic),
 }
 
 /// Nodes and weights on [0, 1].
@@ -42,17 +42,17 @@ const GAUSS: [(f64, f64); 5] = [
     (0.953_089_922_969_332, 0.118_463_442_528_094_5),
 ];
 
-impl Piece {
+impl PlanViewCurve {
     pub(crate) fn new(geometry: &Geometry) -> Self {
         let length = geometry.length;
         let kind = match geometry.shape {
-            Curve::Line => Kind::Line,
-            Curve::Arc(curvature) if curvature.abs() < 1e-12 => Kind::Line,
-            Curve::Arc(curvature) => Kind::Arc(curvature),
+            Curve::Line => CurveKind::Line,
+            Curve::Arc(curvature) if curvature.abs() < 1e-12 => CurveKind::Line,
+            Curve::Arc(curvature) => CurveKind::Arc(curvature),
             Curve::Spiral(from, to) => spiral(from, to, length),
-            Curve::Poly3(v) => Kind::Cubic(Cubic::new([0.0, 1.0, 0.0, 0.0], v, length, false, length)),
+            Curve::Poly3(v) => CurveKind::Cubic(ParametricCubic::new([0.0, 1.0, 0.0, 0.0], v, length, false, length)),
             Curve::ParamPoly3 { u, v, normalized } => {
-                Kind::Cubic(Cubic::new(u, v, if normalized { 1.0 } else { length }, true, length))
+                CurveKind::Cubic(ParametricCubic::new(u, v, if normalized { 1.0 } else { length }, true, length))
             }
         };
         let start = PlanViewPose { position: DVec2::new(geometry.x, geometry.y), heading: geometry.heading };
@@ -61,26 +61,26 @@ impl Piece {
 
     /// Metres of curve for each metre that the file gives it: 1 but for a parametric cubic of another length.
     pub(crate) fn stretch(&self) -> f64 {
-        if let Kind::Cubic(cubic) = &self.kind { cubic.scale } else { 1.0 }
+        if let CurveKind::Cubic(cubic) = &self.kind { cubic.scale } else { 1.0 }
     }
 
     /// The place `ds` metres after the piece's beginning, clamped to it.
     pub(crate) fn pose(&self, ds: f64) -> PlanViewPose {
         let ds = ds.clamp(0.0, self.length);
         let (local, turn) = match &self.kind {
-            Kind::Line => (DVec2::new(ds, 0.0), 0.0),
-            Kind::Arc(curvature) => {
+            CurveKind::Line => (DVec2::new(ds, 0.0), 0.0),
+            CurveKind::Arc(curvature) => {
                 let turn = curvature * ds;
                 let (sin, cos) = sin_cos(turn);
                 (DVec2::new(sin, 1.0 - cos) / *curvature, turn)
             }
-            Kind::Spiral { from, rate, knots, step } => {
+            CurveKind::Spiral { from, rate, knots, step } => {
                 let knot = ((ds / step) as usize).min(knots.len() - 1);
                 let at = knot as f64 * step;
                 let turn = |s: f64| (from + 0.5 * rate * s) * s;
                 (knots[knot] + heading_integral(turn, at, ds), turn(ds))
             }
-            Kind::Cubic(cubic) => cubic.local(ds),
+            CurveKind::Cubic(cubic) => cubic.local(ds),
         };
         let (sin, cos) = sin_cos(self.start.heading);
         let rotated = DVec2::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y);
@@ -88,7 +88,7 @@ impl Piece {
     }
 }
 
-fn spiral(from: f64, to: f64, length: f64) -> Kind {
+fn spiral(from: f64, to: f64, length: f64) -> CurveKind {
     let rate = (to - from) / length;
     let turn = |s: f64| (from + 0.5 * rate * s) * s;
     let pieces = (from.abs().max(to.abs()) * length / 0.25).ceil().max(1.0) as usize;
@@ -98,7 +98,7 @@ fn spiral(from: f64, to: f64, length: f64) -> Kind {
         let (a, b) = (i as f64 * step, (i + 1) as f64 * step);
         knots.push(knots[i] + heading_integral(turn, a, b));
     }
-    Kind::Spiral { from, rate, knots, step }
+    CurveKind::Spiral { from, rate, knots, step }
 }
 
 /// ∫ (cos turn, sin turn) ds.
@@ -113,7 +113,7 @@ fn heading_integral(turn: impl Fn(f64) -> f64, from: f64, to: f64) -> DVec2 {
 
 /// A plane cubic with a table from arc length to its parameter.
 #[derive(Debug, Clone)]
-struct Cubic {
+struct ParametricCubic {
     u: [f64; 4],
     v: [f64; 4],
     /// Parameter between knots.
@@ -124,7 +124,7 @@ struct Cubic {
     scale: f64,
 }
 
-impl Cubic {
+impl ParametricCubic {
     /// `stretched`: the whole range of the parameter is the road's length, whatever the curve's own length.
     fn new(u: [f64; 4], v: [f64; 4], last: f64, stretched: bool, length: f64) -> Self {
         let pieces = length.ceil().clamp(16.0, 4096.0) as usize;
@@ -182,8 +182,8 @@ mod tests {
     use super::*;
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    fn piece(length: f64, shape: Curve) -> Piece {
-        Piece::new(&Geometry { s: 0.0, x: 3.0, y: -2.0, heading: FRAC_PI_2, length, shape })
+    fn piece(length: f64, shape: Curve) -> PlanViewCurve {
+        PlanViewCurve::new(&Geometry { s: 0.0, x: 3.0, y: -2.0, heading: FRAC_PI_2, length, shape })
     }
 
     /// Heading north from (3, −2): local (u, v) is world (3 − v, −2 + u).
@@ -237,7 +237,7 @@ mod tests {
         assert!((spiral.pose(50.0).position - arc.pose(50.0).position).length() < 1e-9);
         // Backwards it meets its beginning.
         let there = piece(40.0, Curve::Spiral(0.02, 0.1)).pose(40.0);
-        let back = Piece::new(&Geometry {
+        let back = PlanViewCurve::new(&Geometry {
             s: 0.0,
             x: there.position.x,
             y: there.position.y,

@@ -5,6 +5,6 @@ mod profile;
 mod road;
 mod section;
 
-pub(crate) use curve::{Piece, PlanViewPose};
+pub(crate) use curve::{PlanViewCurve, PlanViewPose};
 pub(crate) use road::RoadShape;
 pub(crate) use section::{LaneShape, SectionShape};

@@ -1,7 +1,7 @@
 //! A road's surface: from (s, t) to the world.
 
 use super::super::document::Road;
-use super::curve::{Piece, PlanViewPose};
+use super::curve::{PlanViewCurve, PlanViewPose};
 use super::profile::{shape_at, value_at};
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
@@ -10,12 +10,12 @@ use glam::{DVec2, DVec3};
 #[derive(Debug, Clone)]
 pub(crate) struct RoadShape<'a> {
     pub(crate) road: &'a Road,
-    pieces: Vec<Piece>,
+    pieces: Vec<PlanViewCurve>,
 }
 
 impl<'a> RoadShape<'a> {
     pub(crate) fn new(road: &'a Road) -> Self {
-        Self { road, pieces: road.plan_view.iter().map(Piece::new).collect() }
+        Self { road, pieces: road.plan_view.iter().map(PlanViewCurve::new).collect() }
     }
 
     /// The reference line at `s`, clamped to the road.
@@ -49,11 +49,11 @@ impl<'a> RoadShape<'a> {
     }
 
     /// The frame across the road at `s`.
-    pub(crate) fn frame(&self, s: f64) -> Frame {
+    pub(crate) fn frame(&self, s: f64) -> RoadFrame {
         let pose = self.pose(s);
         let (sin, cos) = sin_cos(pose.heading);
         let (roll_sin, roll_cos) = sin_cos(self.roll(s));
-        Frame {
+        RoadFrame {
             origin: pose.position.extend(value_at(&self.road.elevation, s)),
             left: DVec2::new(-sin, cos),
             roll_sin,
@@ -69,14 +69,14 @@ impl<'a> RoadShape<'a> {
 
 /// The plane across a road.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Frame {
+pub(crate) struct RoadFrame {
     origin: DVec3,
     left: DVec2,
     roll_sin: f64,
     roll_cos: f64,
 }
 
-impl Frame {
+impl RoadFrame {
     /// `t` to the left, `height` above the plane.
     pub(crate) fn point(&self, t: f64, height: f64) -> DVec3 {
         let across = t * self.roll_cos - height * self.roll_sin;

@@ -1,8 +1,8 @@
 //! Values of attributes, and complaints about them.
 
 use super::super::document::{Cubic, End, Orientation};
-use super::super::xml::Element;
-use crate::Note;
+use super::super::xml::XmlElement;
+use crate::ImportNote;
 
 /// Beyond this no coordinate or length means anything, metres. UTM's northings go to half of it.
 pub(in crate::opendrive) const FARTHEST_M: f64 = 2e7;
@@ -10,7 +10,7 @@ pub(in crate::opendrive) const FARTHEST_M: f64 = 2e7;
 /// Reads attributes; collects what had to be guessed.
 #[derive(Debug, Default)]
 pub(super) struct Fields {
-    pub(super) notes: Vec<Note>,
+    pub(super) notes: Vec<ImportNote>,
     /// The last geometry of the road at hand was impossible: where it leads follows from the next road.
     pub(super) loose_end: bool,
 }
@@ -24,20 +24,20 @@ pub(super) struct ElementError {
 }
 
 impl ElementError {
-    pub(super) fn new(element: &Element, what: impl Into<String>) -> Self {
+    pub(super) fn new(element: &XmlElement, what: impl Into<String>) -> Self {
         Self { line: element.line, element: element.name.clone(), what: what.into() }
     }
 
     /// For the user, with what was done about it.
-    pub(super) fn note(self, done: &str) -> Note {
-        Note { place: format!("line {}: {}", self.line, self.element), text: format!("{}; {done}", self.what) }
+    pub(super) fn note(self, done: &str) -> ImportNote {
+        ImportNote { place: format!("line {}: {}", self.line, self.element), text: format!("{}; {done}", self.what) }
     }
 }
 
 impl Fields {
-    pub(super) fn note(&mut self, element: &Element, text: String) {
+    pub(super) fn note(&mut self, element: &XmlElement, text: String) {
         let id = element.attribute("id").map(|id| format!(" {id}")).unwrap_or_default();
-        self.notes.push(Note { place: format!("line {}: {}{id}", element.line, element.name), text });
+        self.notes.push(ImportNote { place: format!("line {}: {}{id}", element.line, element.name), text });
     }
 
     /// What was read; what cannot be used is left out, with a note.
@@ -46,7 +46,7 @@ impl Fields {
     }
 
     /// A number that must be there.
-    pub(super) fn number(&self, element: &Element, name: &str) -> Result<f64, ElementError> {
+    pub(super) fn number(&self, element: &XmlElement, name: &str) -> Result<f64, ElementError> {
         let Some(text) = element.attribute(name) else {
             return Err(ElementError::new(element, format!("lacks the attribute {name}")));
         };
@@ -59,7 +59,7 @@ impl Fields {
     }
 
     /// A number that may be missing; one that makes no sense counts as missing, with a note.
-    pub(super) fn optional(&mut self, element: &Element, name: &str) -> Option<f64> {
+    pub(super) fn optional(&mut self, element: &XmlElement, name: &str) -> Option<f64> {
         let text = element.attribute(name)?;
         let value = finite(text);
         if value.is_none() && !text.trim().is_empty() {
@@ -68,11 +68,11 @@ impl Fields {
         value
     }
 
-    pub(super) fn number_or(&mut self, element: &Element, name: &str, default: f64) -> f64 {
+    pub(super) fn number_or(&mut self, element: &XmlElement, name: &str, default: f64) -> f64 {
         self.optional(element, name).unwrap_or(default)
     }
 
-    pub(super) fn lane_id(&self, element: &Element, name: &str) -> Result<i32, ElementError> {
+    pub(super) fn lane_id(&self, element: &XmlElement, name: &str) -> Result<i32, ElementError> {
         let text = element.attribute(name).unwrap_or_default();
         match text.trim().parse() {
             Ok(id) => Ok(id),
@@ -80,12 +80,12 @@ impl Fields {
         }
     }
 
-    pub(super) fn cubic(&self, element: &Element, start: &str) -> Result<Cubic, ElementError> {
+    pub(super) fn cubic(&self, element: &XmlElement, start: &str) -> Result<Cubic, ElementError> {
         let s = self.number(element, start)?;
         Ok(Cubic { s, abcd: self.four(element, ["a", "b", "c", "d"])? })
     }
 
-    pub(super) fn four(&self, element: &Element, names: [&str; 4]) -> Result<[f64; 4], ElementError> {
+    pub(super) fn four(&self, element: &XmlElement, names: [&str; 4]) -> Result<[f64; 4], ElementError> {
         let mut values = [0.0; 4];
         for (value, name) in values.iter_mut().zip(names) {
             *value = self.number(element, name)?;
@@ -94,7 +94,7 @@ impl Fields {
     }
 
     /// All cubics of a name, in order of `s`.
-    pub(super) fn cubics(&mut self, parent: Option<&Element>, name: &str, start: &str) -> Vec<Cubic> {
+    pub(super) fn cubics(&mut self, parent: Option<&XmlElement>, name: &str, start: &str) -> Vec<Cubic> {
         let mut cubics = Vec::new();
         for element in parent.into_iter().flat_map(|parent| parent.all(name)) {
             let read = self.cubic(element, start);
@@ -105,7 +105,7 @@ impl Fields {
     }
 
     /// A speed in metres a second.
-    pub(super) fn speed(&mut self, element: &Element) -> Option<f64> {
+    pub(super) fn speed(&mut self, element: &XmlElement) -> Option<f64> {
         let text = element.attribute("max").unwrap_or_default().trim();
         if matches!(text, "" | "no limit" | "undefined") {
             return None;
@@ -124,7 +124,7 @@ impl Fields {
         (value > 0.0).then_some(value * factor)
     }
 
-    pub(super) fn contact(&mut self, element: &Element, default: End) -> End {
+    pub(super) fn contact(&mut self, element: &XmlElement, default: End) -> End {
         match element.attribute("contactPoint") {
             Some("start") => End::Start,
             Some("end") => End::End,
@@ -137,7 +137,7 @@ impl Fields {
     }
 }
 
-pub(super) fn orientation(element: &Element) -> Orientation {
+pub(super) fn orientation(element: &XmlElement) -> Orientation {
     match element.attribute("orientation") {
         Some("+") => Orientation::Along,
         Some("-") => Orientation::Against,
@@ -145,7 +145,7 @@ pub(super) fn orientation(element: &Element) -> Orientation {
     }
 }
 
-pub(super) fn text(element: &Element, name: &str) -> String {
+pub(super) fn text(element: &XmlElement, name: &str) -> String {
     element.attribute(name).unwrap_or_default().trim().to_owned()
 }
 

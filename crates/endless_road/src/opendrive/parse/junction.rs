@@ -1,23 +1,23 @@
 //! Junctions and controllers.
 
-use super::super::document::{Connection, Controller, End, Junction, JunctionKind};
-use super::super::xml::Element;
+use super::super::document::{Connection, Controller, End, JunctionRecord, JunctionType};
+use super::super::xml::XmlElement;
 use super::fields::{Fields, text};
 
 impl Fields {
-    pub(super) fn junction(&mut self, element: &Element) -> Junction {
+    pub(super) fn junction(&mut self, element: &XmlElement) -> JunctionRecord {
         let kind = match element.attribute("type") {
-            Some("direct") => JunctionKind::Direct,
-            Some("virtual") => JunctionKind::Virtual,
-            Some("crossing") => JunctionKind::Crossing,
-            _ => JunctionKind::Default,
+            Some("direct") => JunctionType::Direct,
+            Some("virtual") => JunctionType::Virtual,
+            Some("crossing") => JunctionType::Crossing,
+            _ => JunctionType::Default,
         };
-        let mut junction = Junction {
+        let mut junction = JunctionRecord {
             id: text(element, "id"),
             line: element.line,
             name: text(element, "name"),
             kind,
-            ..Junction::default()
+            ..JunctionRecord::default()
         };
         for connection in element.all("connection") {
             let mut lane_links = Vec::new();
@@ -25,7 +25,7 @@ impl Fields {
                 let ends = self.lane_id(link, "from").and_then(|from| Ok((from, self.lane_id(link, "to")?)));
                 lane_links.extend(self.keep(ends));
             }
-            let connecting = if kind == JunctionKind::Direct { "linkedRoad" } else { "connectingRoad" };
+            let connecting = if kind == JunctionType::Direct { "linkedRoad" } else { "connectingRoad" };
             junction.connections.push(Connection {
                 line: connection.line,
                 incoming: text(connection, "incomingRoad"),
@@ -44,7 +44,7 @@ impl Fields {
         junction
     }
 
-    pub(super) fn controller(&mut self, element: &Element) -> Controller {
+    pub(super) fn controller(&mut self, element: &XmlElement) -> Controller {
         Controller {
             id: text(element, "id"),
             name: text(element, "name"),

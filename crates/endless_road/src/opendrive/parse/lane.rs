@@ -1,11 +1,11 @@
 //! Lane sections.
 
 use super::super::document::{LaneRecord, LaneSection, MarkLine, RoadMark};
-use super::super::xml::Element;
+use super::super::xml::XmlElement;
 use super::fields::{ElementError, Fields, text};
 
 impl Fields {
-    pub(super) fn lane_sections(&mut self, lanes: &Element) -> Result<Vec<LaneSection>, ElementError> {
+    pub(super) fn lane_sections(&mut self, lanes: &XmlElement) -> Result<Vec<LaneSection>, ElementError> {
         let mut sections = Vec::new();
         for element in lanes.all("laneSection") {
             let s = self.number(element, "s");
@@ -39,7 +39,7 @@ impl Fields {
         Ok(sections)
     }
 
-    fn lane(&mut self, element: &Element) -> Result<LaneRecord, ElementError> {
+    fn lane(&mut self, element: &XmlElement) -> Result<LaneRecord, ElementError> {
         let mut lane = LaneRecord {
             id: self.lane_id(element, "id")?,
             line: element.line,
@@ -85,7 +85,7 @@ impl Fields {
         Ok(lane)
     }
 
-    fn road_mark(&mut self, element: &Element) -> RoadMark {
+    fn road_mark(&mut self, element: &XmlElement) -> RoadMark {
         let mut mark = RoadMark {
             s: self.number_or(element, "sOffset", 0.0),
             kind: text(element, "type"),

@@ -8,7 +8,7 @@ mod plan_view;
 mod road;
 
 use super::document::Document;
-use super::xml::{self, Element};
+use super::xml::{self, XmlElement};
 use super::{OpenDriveError, schema};
 pub(super) use fields::FARTHEST_M;
 use fields::Fields;
@@ -52,7 +52,7 @@ impl Document {
     }
 }
 
-fn read_header(header: &Element, fields: &mut Fields, document: &mut Document) {
+fn read_header(header: &XmlElement, fields: &mut Fields, document: &mut Document) {
     let revision = |name: &str| header.attribute(name).and_then(|v| v.trim().parse().ok()).unwrap_or(0);
     document.revision = (revision("revMajor"), revision("revMinor"));
     if document.revision.0 != 1 {

@@ -1,14 +1,14 @@
 //! Signals and objects.
 
-use super::super::document::{Corner, Object, Repeat, Road, Signal, SignalReference, Stands};
-use super::super::xml::Element;
+use super::super::document::{ObjectRepeat, OutlineCorner, Road, RoadObject, Signal, SignalPosition, SignalReference};
+use super::super::xml::XmlElement;
 use super::fields::{ElementError, Fields, orientation, text};
 
 /// An object repeated more often than this along one road is a mistake.
 const MOST_REPEATS: f64 = 2000.0;
 
 impl Fields {
-    pub(super) fn read_signals(&mut self, element: &Element, road: &mut Road) {
+    pub(super) fn read_signals(&mut self, element: &XmlElement, road: &mut Road) {
         let Some(signals) = element.first("signals") else { return };
         for signal in signals.all("signal") {
             let read = self.signal(signal);
@@ -20,7 +20,7 @@ impl Fields {
         }
     }
 
-    fn signal(&mut self, element: &Element) -> Result<Signal, ElementError> {
+    fn signal(&mut self, element: &XmlElement) -> Result<Signal, ElementError> {
         Ok(Signal {
             id: text(element, "id"),
             line: element.line,
@@ -38,11 +38,11 @@ impl Fields {
             unit: text(element, "unit"),
             text: text(element, "text"),
             validity: self.validity(element)?,
-            stands: self.stands(element),
+            position: self.signal_position(element),
         })
     }
 
-    fn signal_reference(&mut self, element: &Element) -> Result<SignalReference, ElementError> {
+    fn signal_reference(&mut self, element: &XmlElement) -> Result<SignalReference, ElementError> {
         Ok(SignalReference {
             id: text(element, "id"),
             s: self.number(element, "s")?,
@@ -51,16 +51,16 @@ impl Fields {
         })
     }
 
-    fn stands(&mut self, signal: &Element) -> Option<Stands> {
+    fn signal_position(&mut self, signal: &XmlElement) -> Option<SignalPosition> {
         if let Some(place) = signal.first("positionInertial") {
             let [x, y, z] = ["x", "y", "z"].map(|name| self.optional(place, name));
-            return Some(Stands::Inertial([x?, y?, z.unwrap_or(0.0)]));
+            return Some(SignalPosition::Inertial([x?, y?, z.unwrap_or(0.0)]));
         }
         let place = signal.first("positionRoad")?;
-        Some(Stands::Road(text(place, "roadId"), [self.optional(place, "s")?, self.optional(place, "t")?]))
+        Some(SignalPosition::Road(text(place, "roadId"), [self.optional(place, "s")?, self.optional(place, "t")?]))
     }
 
-    fn validity(&mut self, element: &Element) -> Result<Vec<(i32, i32)>, ElementError> {
+    fn validity(&mut self, element: &XmlElement) -> Result<Vec<(i32, i32)>, ElementError> {
         let mut ranges = Vec::new();
         for range in element.all("validity") {
             let (a, b) = (self.lane_id(range, "fromLane")?, self.lane_id(range, "toLane")?);
@@ -69,7 +69,7 @@ impl Fields {
         Ok(ranges)
     }
 
-    pub(super) fn read_objects(&mut self, element: &Element, road: &mut Road) {
+    pub(super) fn read_objects(&mut self, element: &XmlElement, road: &mut Road) {
         let Some(objects) = element.first("objects") else { return };
         for object in objects.all("object") {
             let read = self.object(object);
@@ -81,8 +81,8 @@ impl Fields {
         }
     }
 
-    fn object(&mut self, element: &Element) -> Result<Object, ElementError> {
-        let mut object = Object {
+    fn object(&mut self, element: &XmlElement) -> Result<RoadObject, ElementError> {
+        let mut object = RoadObject {
             id: text(element, "id"),
             line: element.line,
             name: text(element, "name"),
@@ -94,7 +94,7 @@ impl Fields {
             heading: self.number_or(element, "hdg", 0.0),
             size: ["length", "width", "height"].map(|name| self.number_or(element, name, 0.0).max(0.0)),
             radius: self.number_or(element, "radius", 0.0).max(0.0),
-            ..Object::default()
+            ..RoadObject::default()
         };
         // 1.4 has one outline in the object, later versions several in <outlines>.
         let outlines = element.first("outlines").into_iter().flat_map(|all| all.all("outline"));
@@ -114,16 +114,16 @@ impl Fields {
         Ok(object)
     }
 
-    fn corners(&mut self, outline: &Element) -> Result<Vec<Corner>, ElementError> {
+    fn corners(&mut self, outline: &XmlElement) -> Result<Vec<OutlineCorner>, ElementError> {
         let mut corners = Vec::new();
         for corner in &outline.children {
             match corner.name.as_str() {
-                "cornerRoad" => corners.push(Corner::Road([
+                "cornerRoad" => corners.push(OutlineCorner::Road([
                     self.number(corner, "s")?,
                     self.number(corner, "t")?,
                     self.number_or(corner, "dz", 0.0),
                 ])),
-                "cornerLocal" => corners.push(Corner::Local([
+                "cornerLocal" => corners.push(OutlineCorner::Local([
                     self.number(corner, "u")?,
                     self.number(corner, "v")?,
                     self.number_or(corner, "z", 0.0),
@@ -134,8 +134,8 @@ impl Fields {
         Ok(corners)
     }
 
-    fn repeat(&mut self, element: &Element, object: &Object) -> Result<Repeat, ElementError> {
-        Ok(Repeat {
+    fn repeat(&mut self, element: &XmlElement, object: &RoadObject) -> Result<ObjectRepeat, ElementError> {
+        Ok(ObjectRepeat {
             s: self.number(element, "s")?,
             length: self.number(element, "length")?.max(0.0),
             distance: self.number(element, "distance")?.max(0.0),

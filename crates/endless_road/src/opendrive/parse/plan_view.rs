@@ -1,8 +1,8 @@
 //! The reference line: curves as they are written, and what takes the place of those that no road can follow.
 
 use super::super::document::{Curve, End, Geometry, Road, RoadLink};
-use super::super::geometry::{Piece, PlanViewPose};
-use super::super::xml::Element;
+use super::super::geometry::{PlanViewCurve, PlanViewPose};
+use super::super::xml::XmlElement;
 use super::fields::{ElementError, Fields};
 use endless_world::math::f64::sin_cos;
 use glam::DVec2;
@@ -22,7 +22,7 @@ const SHARPEST: f64 = 10.0;
 const BRIDGED: std::ops::Range<f64> = 0.2..1.05;
 
 impl Fields {
-    pub(super) fn read_plan_view(&mut self, element: &Element, road: &mut Road) -> Result<(), ElementError> {
+    pub(super) fn read_plan_view(&mut self, element: &XmlElement, road: &mut Road) -> Result<(), ElementError> {
         let mut impossible = Vec::new();
         for geometry in element.first("planView").into_iter().flat_map(|view| view.all("geometry")) {
             let start = self.straight(geometry);
@@ -62,7 +62,7 @@ impl Fields {
     }
 
     /// Where a geometry begins and how long it is, as if it were straight.
-    fn straight(&self, geometry: &Element) -> Result<Geometry, ElementError> {
+    fn straight(&self, geometry: &XmlElement) -> Result<Geometry, ElementError> {
         let length = self.number(geometry, "length")?;
         if length < 0.0 {
             return Err(ElementError::new(geometry, format!("has the negative length {length}")));
@@ -82,10 +82,10 @@ impl Fields {
     }
 
     /// With the curve that it is.
-    fn curved(&mut self, geometry: &Element, straight: Geometry) -> Result<Geometry, ElementError> {
+    fn curved(&mut self, geometry: &XmlElement, straight: Geometry) -> Result<Geometry, ElementError> {
         let length = straight.length;
         let read = Geometry { shape: self.curve(geometry)?, ..straight };
-        let stretch = Piece::new(&read).stretch();
+        let stretch = PlanViewCurve::new(&read).stretch();
         let text = || format!("is {:.2} m long, but its length is given as {length}", stretch * length);
         if stretch > MOST_STRETCH {
             return Err(ElementError::new(geometry, text()));
@@ -97,10 +97,10 @@ impl Fields {
     }
 
     /// Pieces of the reference line begin where those before them end, or nearly so.
-    fn check_joints(&mut self, element: &Element, road: &Road) -> Result<(), ElementError> {
+    fn check_joints(&mut self, element: &XmlElement, road: &Road) -> Result<(), ElementError> {
         let mut farthest = (0.0, 0.0);
         for pair in road.plan_view.windows(2) {
-            let end = Piece::new(&pair[0]).pose(pair[0].length).position;
+            let end = PlanViewCurve::new(&pair[0]).pose(pair[0].length).position;
             let gap = end.distance(DVec2::new(pair[1].x, pair[1].y));
             if gap > farthest.0 {
                 farthest = (gap, pair[1].s);
@@ -117,8 +117,8 @@ impl Fields {
         Ok(())
     }
 
-    fn curve(&self, geometry: &Element) -> Result<Curve, ElementError> {
-        let gentle = |element: &Element, value: f64| {
+    fn curve(&self, geometry: &XmlElement) -> Result<Curve, ElementError> {
+        let gentle = |element: &XmlElement, value: f64| {
             if value.abs() <= SHARPEST {
                 Ok(value)
             } else {
@@ -155,7 +155,7 @@ pub(super) fn tie_loose_end(roads: &mut [Road], place: usize) {
     let there = match (contact, next.plan_view.first(), next.plan_view.last()) {
         (End::Start, Some(first), _) => beginning(first),
         (End::End, _, Some(last)) => {
-            let end = Piece::new(last).pose(last.length);
+            let end = PlanViewCurve::new(last).pose(last.length);
             PlanViewPose { heading: end.heading + PI, ..end }
         }
         _ => return,

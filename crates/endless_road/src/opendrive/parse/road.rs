@@ -1,11 +1,11 @@
 //! Roads: links, profiles.
 
 use super::super::document::{Crossfall, End, Road, RoadLink, RoadType, Shape};
-use super::super::xml::Element;
+use super::super::xml::XmlElement;
 use super::fields::{ElementError, Fields, text};
 
 impl Fields {
-    pub(super) fn road(&mut self, element: &Element) -> Result<Road, ElementError> {
+    pub(super) fn road(&mut self, element: &XmlElement) -> Result<Road, ElementError> {
         let link = element.first("link");
         let lateral = element.first("lateralProfile");
         let mut road = Road {
@@ -55,12 +55,12 @@ impl Fields {
         Ok(road)
     }
 
-    fn shape(&self, element: &Element) -> Result<Shape, ElementError> {
+    fn shape(&self, element: &XmlElement) -> Result<Shape, ElementError> {
         let (s, t) = (self.number(element, "s")?, self.number(element, "t")?);
         Ok(Shape { s, t, abcd: self.four(element, ["a", "b", "c", "d"])? })
     }
 
-    fn road_link(&mut self, element: &Element, default: End) -> Option<RoadLink> {
+    fn road_link(&mut self, element: &XmlElement, default: End) -> Option<RoadLink> {
         let id = text(element, "elementId");
         match element.attribute("elementType") {
             Some("junction") => Some(RoadLink::Junction { id }),

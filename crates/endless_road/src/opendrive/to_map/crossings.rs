@@ -1,8 +1,8 @@
 //! Crosswalks.
 
 use super::outline::{corners, rectangle};
-use super::sampled::Sampled;
-use crate::{Crossing, Lane, Note};
+use super::sampled::SampledDocument;
+use crate::{Crossing, ImportNote, Lane};
 use glam::{DVec2, DVec3};
 
 /// More crossings than this are no map of a town.
@@ -11,7 +11,7 @@ const MOST: usize = 5000;
 const LEAST_M: f64 = 0.8;
 
 /// The crossings that cut lanes.
-pub(super) fn crossings(sampled: &Sampled<'_>, lanes: &[Lane], notes: &mut Vec<Note>) -> Vec<Crossing> {
+pub(super) fn crossings(sampled: &SampledDocument<'_>, lanes: &[Lane], notes: &mut Vec<ImportNote>) -> Vec<Crossing> {
     let mut crossings = Vec::new();
     for shape in &sampled.roads {
         for object in shape.road.objects.iter().filter(|object| object.kind == "crosswalk") {
@@ -37,7 +37,7 @@ pub(super) fn crossings(sampled: &Sampled<'_>, lanes: &[Lane], notes: &mut Vec<N
                         crossings.push(crossing);
                     }
                 }
-                _ => notes.push(Note { place: place(), text: "crosses no lane and was left out".to_owned() }),
+                _ => notes.push(ImportNote { place: place(), text: "crosses no lane and was left out".to_owned() }),
             }
         }
     }

@@ -1,15 +1,15 @@
 //! Which ends of which lanes are one place: lane links inside roads, from road to road, and through junctions.
 
-use super::super::document::{Connection, End, Junction, JunctionKind, RoadLink};
-use super::sampled::{LaneKey, Sampled};
-use crate::Note;
+use super::super::document::{Connection, End, JunctionRecord, JunctionType, RoadLink};
+use super::sampled::{LaneKey, SampledDocument};
+use crate::ImportNote;
 use std::collections::BTreeSet;
 
 /// An end of a lane of a section, by `s`.
 pub(super) type LaneEnd = (LaneKey, End);
 
 /// All pairs of joined ends, each once.
-pub(super) fn joins(sampled: &Sampled<'_>, notes: &mut Vec<Note>) -> BTreeSet<(LaneEnd, LaneEnd)> {
+pub(super) fn joins(sampled: &SampledDocument<'_>, notes: &mut Vec<ImportNote>) -> BTreeSet<(LaneEnd, LaneEnd)> {
     let mut joins = Joins { sampled, notes, pairs: BTreeSet::new() };
     for road in 0..sampled.document.roads.len() {
         joins.inside_road(road);
@@ -23,8 +23,8 @@ pub(super) fn joins(sampled: &Sampled<'_>, notes: &mut Vec<Note>) -> BTreeSet<(L
 }
 
 struct Joins<'a, 'b> {
-    sampled: &'a Sampled<'a>,
-    notes: &'b mut Vec<Note>,
+    sampled: &'a SampledDocument<'a>,
+    notes: &'b mut Vec<ImportNote>,
     pairs: BTreeSet<(LaneEnd, LaneEnd)>,
 }
 
@@ -45,7 +45,7 @@ impl Joins<'_, '_> {
     }
 
     fn note(&mut self, line: usize, text: String) {
-        self.notes.push(Note { place: format!("line {line}"), text });
+        self.notes.push(ImportNote { place: format!("line {line}"), text });
     }
 
     fn links(&self, key: LaneKey, end: End) -> &[i32] {
@@ -119,11 +119,11 @@ impl Joins<'_, '_> {
         }
     }
 
-    fn through_junction(&mut self, junction: &Junction) {
+    fn through_junction(&mut self, junction: &JunctionRecord) {
         let why = match junction.kind {
-            JunctionKind::Crossing => "roads that cross at a level: vehicles do not mind one another there",
-            JunctionKind::Virtual => "is virtual: nobody turns off the road that goes on",
-            JunctionKind::Default | JunctionKind::Direct => "",
+            JunctionType::Crossing => "roads that cross at a level: vehicles do not mind one another there",
+            JunctionType::Virtual => "is virtual: nobody turns off the road that goes on",
+            JunctionType::Default | JunctionType::Direct => "",
         };
         if !why.is_empty() {
             self.note(junction.line, format!("junction {} {why}", junction.id));
@@ -148,7 +148,13 @@ impl Joins<'_, '_> {
     }
 
     /// The end of the incoming road that lies at the junction: the one linked to it, or the nearer one.
-    fn incoming_end(&self, junction: &Junction, connection: &Connection, incoming: usize, connecting: usize) -> End {
+    fn incoming_end(
+        &self,
+        junction: &JunctionRecord,
+        connection: &Connection,
+        incoming: usize,
+        connecting: usize,
+    ) -> End {
         let record = &self.sampled.document.roads[incoming];
         let linked = |link: &Option<RoadLink>| matches!(link, Some(RoadLink::Junction { id }) if *id == junction.id);
         match (linked(&record.predecessor), linked(&record.successor)) {

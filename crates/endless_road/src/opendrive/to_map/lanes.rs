@@ -4,8 +4,8 @@ use super::super::OpenDriveError;
 use super::super::document::End;
 use super::joins::LaneEnd;
 use super::kind::{is_driven, usual_speed};
-use super::sampled::{LaneKey, Sampled};
-use crate::{Control, Junction, JunctionId, Lane, LaneId, Note, Polyline, Turn};
+use super::sampled::{LaneKey, SampledDocument};
+use crate::{Control, ImportNote, Junction, JunctionId, Lane, LaneId, Polyline, Turn};
 use endless_world::math::f64::{atan2, wrap_angle};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,7 +27,7 @@ const MOST_KINK: f64 = 1.2;
 
 /// A lane to be.
 #[derive(Debug, Clone)]
-pub(super) struct Node {
+pub(super) struct LaneNode {
     /// In the direction of travel.
     pub(super) points: Vec<DVec3>,
     /// Width at each point.
@@ -44,7 +44,7 @@ pub(super) struct Node {
     pub(super) gone: bool,
 }
 
-impl Node {
+impl LaneNode {
     pub(super) fn length(&self) -> f64 {
         self.points.windows(2).map(|pair| pair[0].distance(pair[1])).sum()
     }
@@ -65,16 +65,20 @@ fn heading(a: DVec3, b: DVec3) -> f64 {
 
 /// Lanes to be, and which follow which.
 #[derive(Debug, Clone)]
-pub(super) struct Graph {
-    pub(super) nodes: Vec<Node>,
+pub(super) struct LaneGraph {
+    pub(super) nodes: Vec<LaneNode>,
     /// The node a lane of a section has become part of.
     pub(super) owner: BTreeMap<LaneKey, usize>,
     /// The lanes' ids, once finished.
     pub(super) ids: Vec<Option<LaneId>>,
 }
 
-impl Graph {
-    pub(super) fn new(sampled: &Sampled<'_>, joins: &BTreeSet<(LaneEnd, LaneEnd)>, notes: &mut Vec<Note>) -> Self {
+impl LaneGraph {
+    pub(super) fn new(
+        sampled: &SampledDocument<'_>,
+        joins: &BTreeSet<(LaneEnd, LaneEnd)>,
+        notes: &mut Vec<ImportNote>,
+    ) -> Self {
         let mut graph = Self { nodes: Vec::new(), owner: BTreeMap::new(), ids: Vec::new() };
         let junction_places: BTreeMap<&str, usize> =
             sampled.document.junctions.iter().enumerate().map(|(i, j)| (j.id.as_str(), i)).collect();
@@ -82,7 +86,7 @@ impl Graph {
             let Some(node) = node(sampled, key, &junction_places) else { continue };
             if middle_width(&node) < NARROWEST_M {
                 let place = format!("line {}", record.line);
-                notes.push(Note { place, text: "a lane too narrow to drive on is only drawn".to_owned() });
+                notes.push(ImportNote { place, text: "a lane too narrow to drive on is only drawn".to_owned() });
                 continue;
             }
             graph.owner.insert(key, graph.nodes.len());
@@ -94,7 +98,7 @@ impl Graph {
         graph
     }
 
-    fn join(&mut self, sampled: &Sampled<'_>, a: LaneEnd, b: LaneEnd, notes: &mut Vec<Note>) {
+    fn join(&mut self, sampled: &SampledDocument<'_>, a: LaneEnd, b: LaneEnd, notes: &mut Vec<ImportNote>) {
         let (Some(&x), Some(&y)) = (self.owner.get(&a.0), self.owner.get(&b.0)) else { return };
         let leaves = |(key, end): LaneEnd| sampled.runs_along(key) == (end == End::End);
         let (from, to) = match (leaves(a), leaves(b)) {
@@ -116,7 +120,7 @@ impl Graph {
                 road(b.0),
                 kink.to_degrees()
             );
-            notes.push(Note { place: format!("line {line}"), text });
+            notes.push(ImportNote { place: format!("line {line}"), text });
             return;
         }
         if !self.nodes[from].next.contains(&to) {
@@ -232,7 +236,7 @@ impl Graph {
 
     /// Makes a short lane part of those before or after it; where it merges with others it becomes part of each.
     fn join_one(&mut self, short: usize) {
-        let Node { before, next, .. } = self.nodes[short].clone();
+        let LaneNode { before, next, .. } = self.nodes[short].clone();
         let only = |list: &[usize]| (list.len() == 1 && list[0] != short).then(|| list[0]);
         if let Some(after) = only(&next).filter(|&after| self.nodes[after].before.len() == 1) {
             let kept = self.nodes[after].junction;
@@ -248,14 +252,14 @@ impl Graph {
             !list.is_empty() && !list.contains(&short) && list.iter().all(|&other| of(other) == 1)
         };
         if leads_only_here(&before, &|other| self.nodes[other].next.len()) {
-            let Node { points, widths, .. } = self.nodes[short].clone();
+            let LaneNode { points, widths, .. } = self.nodes[short].clone();
             for &earlier in &before {
                 let node = &mut self.nodes[earlier];
                 extend(&mut node.points, &mut node.widths, &points, &widths);
             }
             self.bypass(short, before[0]);
         } else if leads_only_here(&next, &|other| self.nodes[other].before.len()) {
-            let Node { points, widths, .. } = self.nodes[short].clone();
+            let LaneNode { points, widths, .. } = self.nodes[short].clone();
             for &later in &next {
                 let node = &mut self.nodes[later];
                 let (mut all, mut all_widths) = (points.clone(), widths.clone());
@@ -271,7 +275,7 @@ impl Graph {
 
     /// Drops a lane; those before it lead to those after it.
     fn bypass(&mut self, short: usize, heir: usize) {
-        let Node { before, next, keys, .. } = self.nodes[short].clone();
+        let LaneNode { before, next, keys, .. } = self.nodes[short].clone();
         for &earlier in &before {
             let list = &mut self.nodes[earlier].next;
             list.retain(|&n| n != short);
@@ -302,7 +306,10 @@ impl Graph {
     }
 
     /// Lanes and junctions with their final ids.
-    pub(super) fn finish(&mut self, sampled: &Sampled<'_>) -> Result<(Vec<Lane>, Vec<Junction>), OpenDriveError> {
+    pub(super) fn finish(
+        &mut self,
+        sampled: &SampledDocument<'_>,
+    ) -> Result<(Vec<Lane>, Vec<Junction>), OpenDriveError> {
         self.ids = vec![None; self.nodes.len()];
         let mut count = 0;
         for (node, id) in self.nodes.iter().zip(&mut self.ids) {
@@ -382,13 +389,13 @@ impl Graph {
     }
 
     /// The lanes that are left, with their ids.
-    pub(super) fn present(&self) -> impl Iterator<Item = (&Node, LaneId)> {
+    pub(super) fn present(&self) -> impl Iterator<Item = (&LaneNode, LaneId)> {
         self.nodes.iter().zip(&self.ids).filter_map(|(node, id)| id.map(|id| (node, id)))
     }
 
     /// What is stated for the lane or its road, or what is usual; ways through junctions are as fast as the slower
     /// of the lanes they join.
-    fn speed(&self, sampled: &Sampled<'_>, node: &Node) -> f64 {
+    fn speed(&self, sampled: &SampledDocument<'_>, node: &LaneNode) -> f64 {
         if let Some(stated) = node.keys.iter().find_map(|&key| stated_speed(sampled, key)) {
             return stated;
         }
@@ -402,7 +409,7 @@ impl Graph {
     }
 }
 
-fn stated_speed(sampled: &Sampled<'_>, key: LaneKey) -> Option<f64> {
+fn stated_speed(sampled: &SampledDocument<'_>, key: LaneKey) -> Option<f64> {
     let record = sampled.record(key)?;
     let road = &sampled.document.roads[key.road];
     let section = sampled.sections[key.road][key.section].as_ref()?;
@@ -413,7 +420,7 @@ fn stated_speed(sampled: &Sampled<'_>, key: LaneKey) -> Option<f64> {
     of_lane.or(of_road).map(|speed| speed.clamp(1.5, 100.0))
 }
 
-fn node(sampled: &Sampled<'_>, key: LaneKey, junctions: &BTreeMap<&str, usize>) -> Option<Node> {
+fn node(sampled: &SampledDocument<'_>, key: LaneKey, junctions: &BTreeMap<&str, usize>) -> Option<LaneNode> {
     let lane = sampled.lane(key)?;
     let (mut points, mut widths) = (lane.middle(), lane.width.clone());
     let along = sampled.runs_along(key);
@@ -424,7 +431,7 @@ fn node(sampled: &Sampled<'_>, key: LaneKey, junctions: &BTreeMap<&str, usize>) 
     let road = &sampled.document.roads[key.road];
     let junction = road.junction.as_deref();
     let short_enough = road.length < LONGEST_WAY_M;
-    Some(Node {
+    Some(LaneNode {
         points,
         widths,
         keys: vec![key],
@@ -437,7 +444,7 @@ fn node(sampled: &Sampled<'_>, key: LaneKey, junctions: &BTreeMap<&str, usize>) 
 }
 
 /// The least width between a quarter and three quarters of the lane.
-fn middle_width(node: &Node) -> f64 {
+fn middle_width(node: &LaneNode) -> f64 {
     let length = node.length();
     let (mut s, mut least) = (0.0, f64::INFINITY);
     for i in 0..node.points.len() {
@@ -451,7 +458,7 @@ fn middle_width(node: &Node) -> f64 {
     if least.is_finite() { least } else { 0.5 * (node.widths[0] + node.widths[node.widths.len() - 1]) }
 }
 
-fn turn(node: &Node) -> Turn {
+fn turn(node: &LaneNode) -> Turn {
     // Summed along the way, so that a loop counts as what it is.
     let mut total = 0.0;
     let mut last = node.first_heading();

@@ -2,7 +2,7 @@
 
 use super::super::document::{LaneSection, RoadMark};
 use super::super::geometry::SectionShape;
-use super::sampled::Sampled;
+use super::sampled::SampledDocument;
 use crate::{Mark, Paint, Polyline};
 use glam::DVec3;
 
@@ -22,7 +22,7 @@ const SHORTEST_M: f64 = 0.3;
 const FAST_MPS: f64 = 23.0;
 
 /// The marks of all lanes.
-pub(super) fn marks(sampled: &Sampled<'_>) -> Vec<Mark> {
+pub(super) fn marks(sampled: &SampledDocument<'_>) -> Vec<Mark> {
     let mut marks = Vec::new();
     for (road, sections) in sampled.document.roads.iter().zip(&sampled.sections) {
         let fast = road.types.iter().any(|t| t.kind == "motorway" || t.speed.is_some_and(|speed| speed > FAST_MPS));

@@ -4,8 +4,8 @@
 //! lines by a degree or two. All ends that are joined are moved to one place and given one direction; the way through
 //! a junction bends more readily than the road before it.
 
-use super::lanes::Graph;
-use crate::{Lane, LaneId, Note};
+use super::lanes::LaneGraph;
+use crate::{ImportNote, Lane, LaneId};
 use endless_world::math::f64::{sin_cos, wrap_angle};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -24,7 +24,7 @@ const MOST_KINK: f64 = 0.13;
 /// Joined ends: (node, whether its end rather than its start).
 type Joint = Vec<(usize, bool)>;
 
-pub(super) fn mend(graph: &mut Graph, notes: &mut Vec<Note>) {
+pub(super) fn mend(graph: &mut LaneGraph, notes: &mut Vec<ImportNote>) {
     let mut moved = 0;
     let mut farthest = 0.0f64;
     for joint in joints(graph) {
@@ -39,12 +39,12 @@ pub(super) fn mend(graph: &mut Graph, notes: &mut Vec<Note>) {
     }
     if moved > 0 {
         let text = format!("{moved} ends of lanes were moved to meet others, by up to {farthest:.2} m");
-        notes.push(Note { place: "file".to_owned(), text });
+        notes.push(ImportNote { place: "file".to_owned(), text });
     }
 }
 
 /// Lanes that still do not meet what follows them do not lead there.
-pub(super) fn drop_unmet(lanes: &mut [Lane], notes: &mut Vec<Note>) {
+pub(super) fn drop_unmet(lanes: &mut [Lane], notes: &mut Vec<ImportNote>) {
     for i in 0..lanes.len() {
         let end = lanes[i].centerline.at(lanes[i].centerline.length());
         let meets = |next: &LaneId| {
@@ -56,14 +56,14 @@ pub(super) fn drop_unmet(lanes: &mut [Lane], notes: &mut Vec<Note>) {
         if met.len() < lanes[i].successors.len() {
             let p = end.position;
             let place = format!("lane that ends at ({:.1}, {:.1})", p.x, p.y);
-            notes.push(Note { place, text: "is linked to a lane that it does not meet: not joined".to_owned() });
+            notes.push(ImportNote { place, text: "is linked to a lane that it does not meet: not joined".to_owned() });
             lanes[i].successors = met;
         }
     }
 }
 
 /// Groups of ends and starts that meet.
-fn joints(graph: &Graph) -> Vec<Joint> {
+fn joints(graph: &LaneGraph) -> Vec<Joint> {
     // Union-find over 2 × nodes: ends are odd.
     let mut parent: Vec<usize> = (0..2 * graph.nodes.len()).collect();
     fn root(parent: &mut [usize], mut i: usize) -> usize {
@@ -91,7 +91,7 @@ fn joints(graph: &Graph) -> Vec<Joint> {
 
 /// Where the ends should meet and in which direction of travel: as the lanes outside junctions have it, if there are
 /// any.
-fn agreed(graph: &Graph, joint: &Joint) -> (DVec3, f64) {
+fn agreed(graph: &LaneGraph, joint: &Joint) -> (DVec3, f64) {
     let outside: Joint = joint.iter().copied().filter(|&(node, _)| graph.nodes[node].junction.is_none()).collect();
     let of = if outside.is_empty() { joint } else { &outside };
     let mut place = DVec3::ZERO;
@@ -106,7 +106,7 @@ fn agreed(graph: &Graph, joint: &Joint) -> (DVec3, f64) {
     (place / n, first + turn / n)
 }
 
-fn end_of(graph: &Graph, (node, at_end): (usize, bool)) -> (DVec3, f64) {
+fn end_of(graph: &LaneGraph, (node, at_end): (usize, bool)) -> (DVec3, f64) {
     let lane = &graph.nodes[node];
     if at_end {
         (lane.points[lane.points.len() - 1], lane.last_heading())
@@ -117,7 +117,7 @@ fn end_of(graph: &Graph, (node, at_end): (usize, bool)) -> (DVec3, f64) {
 
 /// Moves an end to a place and turns it to a direction, with less and less effect along the lane. Tells how far the
 /// end was moved.
-fn pull(graph: &mut Graph, node: usize, at_end: bool, place: DVec3, direction: f64) -> f64 {
+fn pull(graph: &mut LaneGraph, node: usize, at_end: bool, place: DVec3, direction: f64) -> f64 {
     let (here, heading) = end_of(graph, (node, at_end));
     let shift = place - here;
     let kink = wrap_angle(direction - heading);
@@ -163,7 +163,7 @@ fn pull(graph: &mut Graph, node: usize, at_end: bool, place: DVec3, direction: f
 }
 
 /// Adds points near an end, so that it can bend.
-fn refine(lane: &mut super::lanes::Node, at_end: bool, reach: f64) {
+fn refine(lane: &mut super::lanes::LaneNode, at_end: bool, reach: f64) {
     if at_end {
         lane.points.reverse();
         lane.widths.reverse();

@@ -8,17 +8,17 @@ mod lanes;
 mod marks;
 mod mend;
 mod neighbours;
+mod objects;
 mod outline;
 mod sampled;
 mod signals;
 mod strips;
-mod things;
 mod turnaround;
 mod walk;
 
 use super::{Document, OpenDriveError};
 use crate::{RoadMap, RoadNetwork};
-use sampled::Sampled;
+use sampled::SampledDocument;
 
 /// Reads an OpenDRIVE file's text.
 ///
@@ -29,10 +29,10 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     let mut document = Document::parse(text)?;
     let in_file = document.roads.len() + document.roads_left_out.len();
     let sections = sampled::sample(&mut document)?;
-    let sampled = Sampled::new(&document, sections);
+    let sampled = SampledDocument::new(&document, sections);
     let mut notes = [&document.notes[..], &document.roads_left_out].concat();
     let joins = joins::joins(&sampled, &mut notes);
-    let mut graph = lanes::Graph::new(&sampled, &joins, &mut notes);
+    let mut graph = lanes::LaneGraph::new(&sampled, &joins, &mut notes);
     graph.simplify();
     mend::mend(&mut graph, &mut notes);
     let loops = turnaround::add(&mut graph, document.junctions.len(), &mut notes);
@@ -62,7 +62,7 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
         ..RoadMap::default()
     };
     map.strips.extend(loops);
-    things::add(&sampled, &governed, &groups, &mut map);
+    objects::add(&sampled, &governed, &groups, &mut map);
     let lines = approach::stop_lines(&map.network.lanes, &map.marks);
     map.marks.extend(lines);
     Ok(map)

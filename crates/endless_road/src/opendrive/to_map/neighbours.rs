@@ -1,8 +1,8 @@
 //! Lanes side by side, where their mark lets traffic change.
 
 use super::super::document::RoadMark;
-use super::lanes::Graph;
-use super::sampled::{LaneKey, Sampled};
+use super::lanes::LaneGraph;
+use super::sampled::{LaneKey, SampledDocument};
 use crate::{Lane, LaneId};
 use std::collections::BTreeMap;
 
@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 const SHARE: f64 = 0.4;
 
 /// Fills `left` and `right` of lanes outside junctions.
-pub(super) fn find(sampled: &Sampled<'_>, graph: &Graph, lanes: &mut [Lane]) {
+pub(super) fn find(sampled: &SampledDocument<'_>, graph: &LaneGraph, lanes: &mut [Lane]) {
     // Length along which a change is allowed, and whether it goes to the right.
     let mut allowed: BTreeMap<(LaneId, LaneId), (f64, bool)> = BTreeMap::new();
     let along_roads = lengths_along_roads(sampled, graph);
@@ -54,7 +54,7 @@ pub(super) fn find(sampled: &Sampled<'_>, graph: &Graph, lanes: &mut [Lane]) {
 }
 
 /// How far each lane runs, along the lines of its roads.
-fn lengths_along_roads(sampled: &Sampled<'_>, graph: &Graph) -> BTreeMap<LaneId, f64> {
+fn lengths_along_roads(sampled: &SampledDocument<'_>, graph: &LaneGraph) -> BTreeMap<LaneId, f64> {
     let mut lengths = BTreeMap::new();
     for (key, _) in sampled.keys() {
         let (Some(lane), Some(section)) = (graph.id(key), sampled.sections[key.road][key.section].as_ref()) else {

@@ -1,6 +1,6 @@
 //! Objects' outlines in the world, and the rectangle around them.
 
-use super::super::document::{Corner, Object};
+use super::super::document::{OutlineCorner, RoadObject};
 use super::super::geometry::RoadShape;
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
@@ -16,12 +16,12 @@ pub(super) struct Rectangle {
 }
 
 /// Where an object stands.
-pub(super) fn place(shape: &RoadShape<'_>, object: &Object) -> DVec3 {
+pub(super) fn place(shape: &RoadShape<'_>, object: &RoadObject) -> DVec3 {
     shape.point(object.s, object.t)
 }
 
 /// The corners of an object: those of its first outline, or of its box.
-pub(super) fn corners(shape: &RoadShape<'_>, object: &Object) -> Vec<DVec3> {
+pub(super) fn corners(shape: &RoadShape<'_>, object: &RoadObject) -> Vec<DVec3> {
     let origin = place(shape, object);
     let (sin, cos) = sin_cos(shape.pose(object.s).heading + object.heading);
     let local = |u: f64, v: f64| origin + DVec3::new(cos * u - sin * v, sin * u + cos * v, 0.0);
@@ -30,8 +30,8 @@ pub(super) fn corners(shape: &RoadShape<'_>, object: &Object) -> Vec<DVec3> {
         Some(outline) => outline
             .iter()
             .map(|corner| match *corner {
-                Corner::Road([s, t, _]) => shape.point(s, t),
-                Corner::Local([u, v, _]) => local(u, v),
+                OutlineCorner::Road([s, t, _]) => shape.point(s, t),
+                OutlineCorner::Local([u, v, _]) => local(u, v),
             })
             .collect(),
         None => {

@@ -3,7 +3,7 @@
 use super::super::OpenDriveError;
 use super::super::document::{Document, End, LaneRecord, Road};
 use super::super::geometry::{LaneShape, RoadShape, SectionShape};
-use crate::Note;
+use crate::ImportNote;
 use glam::DVec3;
 use std::collections::BTreeMap;
 use std::f64::consts::FRAC_PI_2;
@@ -42,7 +42,7 @@ impl LaneKey {
 }
 
 /// A document with the shape of all its lanes.
-pub(super) struct Sampled<'a> {
+pub(super) struct SampledDocument<'a> {
     pub(super) document: &'a Document,
     pub(super) roads: Vec<RoadShape<'a>>,
     /// By road.
@@ -81,7 +81,7 @@ pub(super) fn sample(document: &mut Document) -> Result<Vec<Sections>, OpenDrive
 }
 
 /// Samples one road, or says why no map can hold it; counts the points on borders of all roads.
-fn sample_road(road: &Road, points: &mut usize) -> Result<Result<Sections, Note>, OpenDriveError> {
+fn sample_road(road: &Road, points: &mut usize) -> Result<Result<Sections, ImportNote>, OpenDriveError> {
     let shape = RoadShape::new(road);
     let mut sections = Vec::new();
     for (place, section) in road.sections.iter().enumerate() {
@@ -94,14 +94,14 @@ fn sample_road(road: &Road, points: &mut usize) -> Result<Result<Sections, Note>
         }
         if let Some(wrong) = sampled.as_ref().and_then(|section| implausible(&shape, section)) {
             let text = format!("of road {} {wrong}; the road was left out", road.id);
-            return Ok(Err(Note { place: format!("line {}: laneSection", section.line), text }));
+            return Ok(Err(ImportNote { place: format!("line {}: laneSection", section.line), text }));
         }
         sections.push(sampled);
     }
     Ok(Ok(sections))
 }
 
-impl<'a> Sampled<'a> {
+impl<'a> SampledDocument<'a> {
     /// A document with its roads as they were sampled.
     pub(super) fn new(document: &'a Document, sections: Vec<Sections>) -> Self {
         let roads = document.roads.iter().map(RoadShape::new).collect();

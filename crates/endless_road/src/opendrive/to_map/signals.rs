@@ -6,9 +6,9 @@
 //! that face one another are green together, and people cross while nobody drives straight over their crossing.
 
 use super::super::document::{End, Orientation, Signal};
-use super::lanes::Graph;
-use super::sampled::{LaneKey, Sampled};
-use crate::{Control, Crossing, JunctionId, LaneId, Note, Phase, RoadNetwork, SignalProgram, Turn};
+use super::lanes::LaneGraph;
+use super::sampled::{LaneKey, SampledDocument};
+use crate::{Control, Crossing, ImportNote, JunctionId, LaneId, Phase, RoadNetwork, SignalProgram, Turn};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{SignalAspect, SignalId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,7 +26,7 @@ const CLEARANCE_MPS: f64 = 1.25;
 
 /// What a signal tells drivers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Meaning {
+pub(super) enum SignalMeaning {
     Light,
     WalkLight,
     Stop,
@@ -37,24 +37,25 @@ pub(super) enum Meaning {
 }
 
 /// By the codes of OpenDRIVE itself, Germany and the United States, which others follow, and by name.
-pub(super) fn meaning(signal: &Signal) -> Meaning {
+pub(super) fn meaning(signal: &Signal) -> SignalMeaning {
     let name = signal.name.to_ascii_lowercase();
     match signal.kind.as_str() {
-        "1000002" | "1000003" => Meaning::WalkLight,
-        "206" | "R1-1" | "R1" => Meaning::Stop,
-        "205" | "R1-2" | "R2" => Meaning::Yield,
+        "1000002" | "1000003" => SignalMeaning::WalkLight,
+        "206" | "R1-1" | "R1" => SignalMeaning::Stop,
+        "205" | "R1-2" | "R2" => SignalMeaning::Yield,
         "274" | "R2-1" | "maximum" => {
             let stated = signal.value.or_else(|| signal.subtype.parse().ok()).or_else(|| digits(&signal.text));
             let factor = if signal.unit == "mph" || signal.kind == "R2-1" { 1.609 } else { 1.0 };
-            stated
-                .map_or(Meaning::Other, |value| Meaning::SpeedLimit((value * factor).clamp(1.0, 250.0).round() as u16))
+            stated.map_or(SignalMeaning::Other, |value| {
+                SignalMeaning::SpeedLimit((value * factor).clamp(1.0, 250.0).round() as u16)
+            })
         }
-        kind if kind.starts_with("10000") && signal.dynamic => Meaning::Light,
-        "1000001" => Meaning::Light,
-        _ if name.contains("stop") && !signal.dynamic => Meaning::Stop,
-        _ if name.contains("yield") && !signal.dynamic => Meaning::Yield,
-        _ if signal.dynamic => Meaning::Light,
-        _ => Meaning::Other,
+        kind if kind.starts_with("10000") && signal.dynamic => SignalMeaning::Light,
+        "1000001" => SignalMeaning::Light,
+        _ if name.contains("stop") && !signal.dynamic => SignalMeaning::Stop,
+        _ if name.contains("yield") && !signal.dynamic => SignalMeaning::Yield,
+        _ if signal.dynamic => SignalMeaning::Light,
+        _ => SignalMeaning::Other,
     }
 }
 
@@ -67,7 +68,11 @@ fn digits(text: &str) -> Option<f64> {
 pub(super) type Governed<'a> = BTreeMap<&'a str, BTreeSet<LaneId>>;
 
 /// What the lanes obey: every signal of the document with its lanes.
-pub(super) fn governed<'a>(sampled: &Sampled<'a>, graph: &Graph, notes: &mut Vec<Note>) -> Governed<'a> {
+pub(super) fn governed<'a>(
+    sampled: &SampledDocument<'a>,
+    graph: &LaneGraph,
+    notes: &mut Vec<ImportNote>,
+) -> Governed<'a> {
     let mut governed = Governed::new();
     for (place, road) in sampled.document.roads.iter().enumerate() {
         let here = road.signals.iter().map(|s| (s.id.as_str(), s.s, s.orientation, &s.validity));
@@ -81,14 +86,14 @@ pub(super) fn governed<'a>(sampled: &Sampled<'a>, graph: &Graph, notes: &mut Vec
         sampled.document.roads.iter().flat_map(|road| &road.signals).map(|signal| signal.id.as_str()).collect();
     for id in governed.keys().filter(|id| !known.contains(*id)) {
         let text = format!("signal {id} is referred to but does not exist");
-        notes.push(Note { place: "signalReference".to_owned(), text });
+        notes.push(ImportNote { place: "signalReference".to_owned(), text });
     }
     governed
 }
 
 fn lanes_of(
-    sampled: &Sampled<'_>,
-    graph: &Graph,
+    sampled: &SampledDocument<'_>,
+    graph: &LaneGraph,
     (road, s): (usize, f64),
     orientation: Orientation,
     validity: &[(i32, i32)],
@@ -129,10 +134,10 @@ fn lanes_of(
 
 /// Sets what governs lane ends, numbers the groups and writes the programs. Returns each signal's group.
 pub(super) fn apply<'a>(
-    sampled: &Sampled<'a>,
+    sampled: &SampledDocument<'a>,
     governed: &Governed<'a>,
     network: &mut RoadNetwork,
-    notes: &mut Vec<Note>,
+    notes: &mut Vec<ImportNote>,
 ) -> BTreeMap<&'a str, SignalId> {
     let mut lights: BTreeMap<LaneId, BTreeSet<&str>> = BTreeMap::new();
     for signal in sampled.document.roads.iter().flat_map(|road| &road.signals) {
@@ -140,11 +145,11 @@ pub(super) fn apply<'a>(
         for &lane in lanes {
             let control = &mut network.lanes[lane.index()].end_control;
             match meaning(signal) {
-                Meaning::Light => {
+                SignalMeaning::Light => {
                     lights.entry(lane).or_default().insert(signal.id.as_str());
                 }
-                Meaning::Stop => *control = Control::Stop,
-                Meaning::Yield if *control == Control::Free => *control = Control::Yield,
+                SignalMeaning::Stop => *control = Control::Stop,
+                SignalMeaning::Yield if *control == Control::Free => *control = Control::Yield,
                 _ => {}
             }
         }
@@ -172,7 +177,7 @@ pub(super) fn apply<'a>(
     }
     if aimless > 0 {
         let text = format!("traffic lights at the ends of {aimless} lanes that lead to no junction are not switched");
-        notes.push(Note { place: "signals".to_owned(), text });
+        notes.push(ImportNote { place: "signals".to_owned(), text });
     }
     let mut ids = BTreeMap::new();
     let mut by_junction: BTreeMap<JunctionId, Vec<(SignalId, Vec<LaneId>)>> = BTreeMap::new();
@@ -306,7 +311,7 @@ fn cuts(crossing: &Crossing, network: &RoadNetwork, lane: LaneId) -> Option<(f64
 }
 
 /// Roads of lower priority inside junctions: who comes in on them gives way, where no sign or light says otherwise.
-pub(super) fn apply_priorities(sampled: &Sampled<'_>, graph: &Graph, network: &mut RoadNetwork) {
+pub(super) fn apply_priorities(sampled: &SampledDocument<'_>, graph: &LaneGraph, network: &mut RoadNetwork) {
     for junction in &sampled.document.junctions {
         let roads = |pick: fn(&(String, String)) -> &String| -> BTreeSet<usize> {
             junction.priorities.iter().filter_map(|pair| sampled.road(pick(pair))).collect()

@@ -1,7 +1,7 @@
 //! The surface of every lane.
 
 use super::kind::{is_unpaved, is_walked, strip_kind};
-use super::sampled::{LaneKey, Sampled};
+use super::sampled::{LaneKey, SampledDocument};
 use crate::{Strip, StripKind};
 use glam::DVec3;
 
@@ -11,13 +11,13 @@ const SLIVER_M: f64 = 0.01;
 pub(super) const KERB_M: f64 = 0.15;
 
 /// How much sidewalks are raised beyond what the file says.
-pub(super) fn sidewalk_lift(sampled: &Sampled<'_>) -> f64 {
+pub(super) fn sidewalk_lift(sampled: &SampledDocument<'_>) -> f64 {
     let stated = sampled.keys().any(|(_, lane)| is_walked(&lane.kind) && !lane.heights.is_empty());
     if stated { 0.0 } else { KERB_M }
 }
 
 /// One strip or more for every lane that is paved.
-pub(super) fn strips(sampled: &Sampled<'_>) -> Vec<Strip> {
+pub(super) fn strips(sampled: &SampledDocument<'_>) -> Vec<Strip> {
     let lift = sidewalk_lift(sampled);
     let mut strips = Vec::new();
     for (key, record) in sampled.keys() {
@@ -59,6 +59,6 @@ pub(super) fn strips(sampled: &Sampled<'_>) -> Vec<Strip> {
     strips
 }
 
-fn stations<'a>(sampled: &'a Sampled<'_>, key: LaneKey) -> &'a [f64] {
+fn stations<'a>(sampled: &'a SampledDocument<'_>, key: LaneKey) -> &'a [f64] {
     sampled.sections[key.road][key.section].as_ref().map_or(&[], |section| &section.stations)
 }

@@ -2,8 +2,8 @@
 //!
 //! The file has no such loops; without them, nothing could drive on a map whose roads all lead out of it.
 
-use super::lanes::{Graph, Node};
-use crate::{Note, Strip, StripKind};
+use super::lanes::{LaneGraph, LaneNode};
+use crate::{ImportNote, Strip, StripKind};
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -22,8 +22,8 @@ const ASKEW: f64 = 0.12;
 const SPARE_M: f64 = 1.0;
 
 /// Adds loops to the graph; returns their surfaces.
-pub(super) fn add(graph: &mut Graph, first_junction: usize, notes: &mut Vec<Note>) -> Vec<Strip> {
-    let here = |node: &Node| !node.gone && node.junction.is_none() && node.points.len() > 1;
+pub(super) fn add(graph: &mut LaneGraph, first_junction: usize, notes: &mut Vec<ImportNote>) -> Vec<Strip> {
+    let here = |node: &LaneNode| !node.gone && node.junction.is_none() && node.points.len() > 1;
     let ends: Vec<usize> = (0..graph.nodes.len())
         .filter(|&i| here(&graph.nodes[i]) && graph.nodes[i].next.is_empty() && !graph.nodes[i].before.contains(&i))
         .collect();
@@ -60,7 +60,7 @@ pub(super) fn add(graph: &mut Graph, first_junction: usize, notes: &mut Vec<Note
         let width = wide(end, graph.nodes[end].widths.len() - 1).min(wide(start, 0)).max(2.5);
         strips.push(strip(&points, width + SPARE_M));
         let added = graph.nodes.len();
-        graph.nodes.push(Node {
+        graph.nodes.push(LaneNode {
             widths: vec![width; points.len()],
             points,
             keys: Vec::new(),
@@ -75,13 +75,13 @@ pub(super) fn add(graph: &mut Graph, first_junction: usize, notes: &mut Vec<Note
     }
     if !strips.is_empty() {
         let text = format!("{} loops were added where roads end, for traffic to turn back", strips.len());
-        notes.push(Note { place: "file".to_owned(), text });
+        notes.push(ImportNote { place: "file".to_owned(), text });
     }
     strips
 }
 
 /// Outwards, round, and back in: three arcs of one radius, tangent to one another and to both lanes.
-fn loop_line(end: &Node, start: &Node, already: usize) -> Option<Vec<DVec3>> {
+fn loop_line(end: &LaneNode, start: &LaneNode, already: usize) -> Option<Vec<DVec3>> {
     let heading = end.last_heading();
     let (sin, cos) = sin_cos(heading);
     let ahead = DVec2::new(cos, sin);

@@ -3,9 +3,9 @@
 use super::super::document::End;
 use super::joins::LaneEnd;
 use super::kind::is_walked;
-use super::sampled::Sampled;
+use super::sampled::SampledDocument;
 use super::strips::sidewalk_lift;
-use crate::{Crossing, CrossingId, Note, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
+use crate::{Crossing, CrossingId, ImportNote, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,10 +24,10 @@ const NARROWEST_M: f64 = 0.4;
 
 /// The walk network. Crossings that do not lead from one sidewalk to another are taken out, with a note.
 pub(super) fn walk(
-    sampled: &Sampled<'_>,
+    sampled: &SampledDocument<'_>,
     joins: &BTreeSet<(LaneEnd, LaneEnd)>,
     crossings: &mut Vec<Crossing>,
-    notes: &mut Vec<Note>,
+    notes: &mut Vec<ImportNote>,
 ) -> WalkNetwork {
     let mut walk = Walk::default();
     let ends = walk.add_lanes(sampled);
@@ -40,7 +40,7 @@ pub(super) fn walk(
             let [a, b] = crossing.ends;
             let middle = a.midpoint(b);
             let place = format!("crosswalk at ({:.1}, {:.1})", middle.x, middle.y);
-            notes.push(Note { place, text: "leads to no sidewalk at one end: people do not use it".to_owned() });
+            notes.push(ImportNote { place, text: "leads to no sidewalk at one end: people do not use it".to_owned() });
         }
     }
     *crossings = kept;
@@ -64,7 +64,7 @@ impl Walk {
         self.edges.push(WalkEdge { nodes: [a, b], width_m, kind });
     }
 
-    fn add_lanes(&mut self, sampled: &Sampled<'_>) -> BTreeMap<LaneEnd, WalkNodeId> {
+    fn add_lanes(&mut self, sampled: &SampledDocument<'_>) -> BTreeMap<LaneEnd, WalkNodeId> {
         let lift = DVec3::Z * sidewalk_lift(sampled);
         let mut ends = BTreeMap::new();
         for (key, _) in sampled.keys().filter(|(_, record)| is_walked(&record.kind)) {

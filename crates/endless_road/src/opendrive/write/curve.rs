@@ -17,7 +17,7 @@ const MOST_OFF_M: f64 = 0.004;
 
 /// One piece.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Piece {
+pub(super) struct FittedPiece {
     pub(super) s: f64,
     pub(super) start: DVec2,
     pub(super) heading: f64,
@@ -28,14 +28,14 @@ pub(super) struct Piece {
 
 /// A reference line with its height.
 #[derive(Debug, Clone)]
-pub(super) struct Line {
-    pub(super) pieces: Vec<Piece>,
+pub(super) struct FittedLine {
+    pub(super) pieces: Vec<FittedPiece>,
     /// `s` and height at each point.
     pub(super) heights: Vec<(f64, f64)>,
     pub(super) length: f64,
 }
 
-impl Line {
+impl FittedLine {
     /// Through points, with the direction at each.
     pub(super) fn new(points: &[DVec3], directions: &[DVec2]) -> Self {
         let mut line = Self { pieces: Vec::new(), heights: vec![(0.0, points[0].z)], length: 0.0 };
@@ -54,7 +54,7 @@ impl Line {
             let local = |v: DVec2| DVec2::new(cos * v.x + sin * v.y, cos * v.y - sin * v.x);
             let cubic = (!straight).then(|| hermite(chord, local(b - a), local(directions[i])));
             let length = cubic.as_ref().map_or(chord, arc_length);
-            line.pieces.push(Piece { s: line.length, start: a, heading, length, cubic });
+            line.pieces.push(FittedPiece { s: line.length, start: a, heading, length, cubic });
             line.length += length;
             line.heights.push((line.length, points[i].z));
         }
@@ -182,7 +182,7 @@ mod tests {
         for turn in [0.01, 0.1, 0.5, 1.2] {
             let chain = bend(turn);
             let (points, along) = tightened(&chain, &directions(&chain));
-            let line = Line::new(&points, &along);
+            let line = FittedLine::new(&points, &along);
             for piece in &line.pieces {
                 let (sin, cos) = sin_cos(piece.heading);
                 for k in 0..=20 {

@@ -4,14 +4,14 @@ use std::fmt::Display;
 
 /// An element with its attributes, children and text.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Element {
+pub(super) struct ElementWriter {
     name: &'static str,
     attributes: Vec<(&'static str, String)>,
-    children: Vec<Element>,
+    children: Vec<ElementWriter>,
     text: String,
 }
 
-impl Element {
+impl ElementWriter {
     pub(super) fn new(name: &'static str) -> Self {
         Self { name, ..Self::default() }
     }
@@ -32,11 +32,11 @@ impl Element {
         self
     }
 
-    pub(super) fn push(&mut self, child: Element) {
+    pub(super) fn push(&mut self, child: ElementWriter) {
         self.children.push(child);
     }
 
-    pub(super) fn holding(mut self, children: impl IntoIterator<Item = Element>) -> Self {
+    pub(super) fn holding(mut self, children: impl IntoIterator<Item = ElementWriter>) -> Self {
         self.children.extend(children);
         self
     }
@@ -100,7 +100,10 @@ mod tests {
     #[test]
     fn what_needs_escaping_is_escaped() {
         let mut text = String::new();
-        Element::new("a").with("x", "1 < \"2\" & 3").holding([Element::new("b").text("t")]).write(0, &mut text);
+        ElementWriter::new("a")
+            .with("x", "1 < \"2\" & 3")
+            .holding([ElementWriter::new("b").text("t")])
+            .write(0, &mut text);
         assert_eq!(text, "<a x=\"1 &lt; &quot;2&quot; &amp; 3\">\n  <b><![CDATA[t]]></b>\n</a>\n");
         assert_eq!([0.0, -0.0, 1.5, -2.25e-3, 1e5].map(number), ["0", "0", "1.5", "-0.00225", "100000"]);
     }

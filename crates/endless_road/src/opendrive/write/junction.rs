@@ -1,14 +1,14 @@
 //! Junctions and controllers.
 
-use super::element::Element;
-use super::plan::Plan;
+use super::element::ElementWriter;
+use super::plan::WritePlan;
 use super::road::{junction_id, light_id};
 use crate::{Control, LaneId};
 use endless_world::SignalId;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The signals of each group, by the roads at whose ends they stand.
-fn lights(plan: &Plan<'_>) -> BTreeMap<SignalId, BTreeSet<usize>> {
+fn lights(plan: &WritePlan<'_>) -> BTreeMap<SignalId, BTreeSet<usize>> {
     let mut lights: BTreeMap<SignalId, BTreeSet<usize>> = BTreeMap::new();
     for lane in &plan.network.lanes {
         if let Control::Signal(group) = lane.end_control {
@@ -18,12 +18,12 @@ fn lights(plan: &Plan<'_>) -> BTreeMap<SignalId, BTreeSet<usize>> {
     lights
 }
 
-pub(super) fn controllers(plan: &Plan<'_>) -> Vec<Element> {
+pub(super) fn controllers(plan: &WritePlan<'_>) -> Vec<ElementWriter> {
     let controller = |(group, roads): (SignalId, BTreeSet<usize>)| {
         let controls = roads
             .into_iter()
-            .map(|road| Element::new("control").with("signalId", light_id(group, road)).with("type", "0"));
-        Element::new("controller")
+            .map(|road| ElementWriter::new("control").with("signalId", light_id(group, road)).with("type", "0"));
+        ElementWriter::new("controller")
             .with("id", group.0)
             .with("name", format!("group {}", group.0))
             .with("sequence", "0")
@@ -32,7 +32,7 @@ pub(super) fn controllers(plan: &Plan<'_>) -> Vec<Element> {
     lights(plan).into_iter().map(controller).collect()
 }
 
-pub(super) fn junctions(plan: &Plan<'_>) -> Vec<Element> {
+pub(super) fn junctions(plan: &WritePlan<'_>) -> Vec<ElementWriter> {
     let mut all = Vec::new();
     for (place, junction) in plan.network.junctions.iter().enumerate() {
         let entries = plan.entries(junction);
@@ -48,7 +48,7 @@ pub(super) fn junctions(plan: &Plan<'_>) -> Vec<Element> {
             })
             .collect();
         for group in groups {
-            element.push(Element::new("controller").with("id", group.0).with("type", "0"));
+            element.push(ElementWriter::new("controller").with("id", group.0).with("type", "0"));
         }
         all.push(element);
     }
@@ -67,12 +67,12 @@ pub(super) fn junctions(plan: &Plan<'_>) -> Vec<Element> {
     all
 }
 
-fn junction_element(place: usize, kind: &str) -> Element {
-    Element::new("junction").with("id", junction_id(place)).with("name", "").with("type", kind)
+fn junction_element(place: usize, kind: &str) -> ElementWriter {
+    ElementWriter::new("junction").with("id", junction_id(place)).with("name", "").with("type", kind)
 }
 
 /// One connection for each pair of roads.
-fn connections(plan: &Plan<'_>, entries: &[(LaneId, LaneId)], connecting: &'static str) -> Vec<Element> {
+fn connections(plan: &WritePlan<'_>, entries: &[(LaneId, LaneId)], connecting: &'static str) -> Vec<ElementWriter> {
     type Pairs = BTreeMap<(usize, usize), Vec<(LaneId, LaneId)>>;
     let mut pairs = Pairs::new();
     for &(from, to) in entries {
@@ -81,8 +81,8 @@ fn connections(plan: &Plan<'_>, entries: &[(LaneId, LaneId)], connecting: &'stat
     let connection = |i: usize, (from, to): (usize, usize), lanes: Vec<(LaneId, LaneId)>| {
         let links = lanes
             .into_iter()
-            .map(|(a, b)| Element::new("laneLink").with("from", plan.lane_id(a)).with("to", plan.lane_id(b)));
-        Element::new("connection")
+            .map(|(a, b)| ElementWriter::new("laneLink").with("from", plan.lane_id(a)).with("to", plan.lane_id(b)));
+        ElementWriter::new("connection")
             .with("id", i)
             .with("incomingRoad", from + 1)
             .with(connecting, to + 1)

@@ -12,13 +12,13 @@ mod road;
 mod sidewalk;
 
 use crate::RoadMap;
-use element::{Element, number};
-use plan::Plan;
+use element::{ElementWriter, number};
+use plan::WritePlan;
 
 /// The text of an OpenDRIVE file with the map's lanes, junctions, signals and crossings.
 pub fn write(map: &RoadMap, name: &str) -> String {
-    let plan = Plan::new(&map.network, map.left_hand);
-    let mut root = Element::new("OpenDRIVE");
+    let plan = WritePlan::new(&map.network, map.left_hand);
+    let mut root = ElementWriter::new("OpenDRIVE");
     root.push(header(map, name));
     for road in 0..plan.roads.len() {
         root.push(road::road(&plan, road));
@@ -37,13 +37,13 @@ pub fn write(map: &RoadMap, name: &str) -> String {
     text
 }
 
-fn header(map: &RoadMap, name: &str) -> Element {
+fn header(map: &RoadMap, name: &str) -> ElementWriter {
     let points = || map.network.lanes.iter().flat_map(|lane| lane.centerline.points());
     let range = |of: fn(&glam::DVec3) -> f64| {
         points().map(of).fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
     };
     let ((west, east), (south, north)) = (range(|p| p.x), range(|p| p.y));
-    let mut header = Element::new("header")
+    let mut header = ElementWriter::new("header")
         .with("revMajor", "1")
         .with("revMinor", "6")
         .with("name", name)
@@ -55,8 +55,8 @@ fn header(map: &RoadMap, name: &str) -> Element {
         }
     }
     if let Some(reference) = &map.georeference {
-        header.push(Element::new("geoReference").text(reference));
+        header.push(ElementWriter::new("geoReference").text(reference));
     }
-    header.push(Element::new("userData").with("code", "laneEnds").with("value", "stop"));
+    header.push(ElementWriter::new("userData").with("code", "laneEnds").with("value", "stop"));
     header
 }

@@ -1,6 +1,6 @@
 //! Which lanes make up which road, and how roads are joined.
 
-use super::curve::{Line, directions, tightened};
+use super::curve::{FittedLine, directions, tightened};
 use crate::{Junction, Lane, LaneId, RoadNetwork};
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ pub(super) struct PlannedRoad {
     pub(super) lanes: Vec<LaneId>,
     /// Of these, the lane whose centre is the reference line.
     pub(super) reference: usize,
-    pub(super) line: Line,
+    pub(super) line: FittedLine,
     /// The junction it lies in.
     pub(super) junction: Option<usize>,
 }
@@ -27,7 +27,7 @@ pub(super) enum Joined {
 }
 
 /// All roads of a network.
-pub(super) struct Plan<'a> {
+pub(super) struct WritePlan<'a> {
     pub(super) network: &'a RoadNetwork,
     pub(super) left_hand: bool,
     pub(super) roads: Vec<PlannedRoad>,
@@ -37,7 +37,7 @@ pub(super) struct Plan<'a> {
     pub(super) direct: Vec<BTreeSet<usize>>,
 }
 
-impl<'a> Plan<'a> {
+impl<'a> WritePlan<'a> {
     pub(super) fn new(network: &'a RoadNetwork, left_hand: bool) -> Self {
         let mut plan = Self {
             network,
@@ -94,10 +94,10 @@ impl<'a> Plan<'a> {
             self.road_of[lane.index()] = self.roads.len();
         }
         let line = if lanes.len() > 1 {
-            Line::new(points, &along)
+            FittedLine::new(points, &along)
         } else {
             let (points, along) = tightened(points, &along);
-            Line::new(&points, &along)
+            FittedLine::new(&points, &along)
         };
         let junction = network.lane(lanes[0]).junction.map(crate::JunctionId::index);
         self.roads.push(PlannedRoad { lanes: lanes.to_vec(), reference, line, junction });

@@ -1,8 +1,8 @@
 //! Roads with their lanes, signals and crossings.
 
-use super::curve::Line;
-use super::element::{Element, number};
-use super::plan::{Joined, Plan};
+use super::curve::FittedLine;
+use super::element::{ElementWriter, number};
+use super::plan::{Joined, WritePlan};
 use crate::{Control, Crossing, Lane, LaneId};
 use endless_world::SignalId;
 use endless_world::math::f64::{atan2, wrap_angle};
@@ -12,10 +12,10 @@ use std::collections::BTreeMap;
 /// Signals stand this far from the edge of the road, metres.
 const ASIDE_M: f64 = 0.8;
 
-pub(super) fn road(plan: &Plan<'_>, place: usize) -> Element {
+pub(super) fn road(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     let planned = &plan.roads[place];
     let junction = planned.junction.map_or("-1".to_owned(), junction_id);
-    Element::new("road")
+    ElementWriter::new("road")
         .with("name", "")
         .with("length", number(planned.line.length))
         .with("id", place + 1)
@@ -26,7 +26,7 @@ pub(super) fn road(plan: &Plan<'_>, place: usize) -> Element {
             road_type(plan, place),
             plan_view(&planned.line),
             elevation(&planned.line),
-            Element::new("lateralProfile"),
+            ElementWriter::new("lateralProfile"),
             lanes(plan, place),
             objects(plan, place),
             signals(plan, place),
@@ -38,43 +38,45 @@ pub(super) fn junction_id(place: usize) -> String {
     format!("{}", 100_000 + place)
 }
 
-fn link(plan: &Plan<'_>, place: usize) -> Element {
-    let mut link = Element::new("link");
+fn link(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
+    let mut link = ElementWriter::new("link");
     for (name, at_end, contact) in [("predecessor", false, "end"), ("successor", true, "start")] {
         match plan.joined(place, at_end) {
             Joined::Nothing => {}
             Joined::Road(other) => link.push(
-                Element::new(name)
+                ElementWriter::new(name)
                     .with("elementType", "road")
                     .with("elementId", other + 1)
                     .with("contactPoint", contact),
             ),
             Joined::Junction(junction) => {
-                link.push(Element::new(name).with("elementType", "junction").with("elementId", junction_id(junction)));
+                link.push(
+                    ElementWriter::new(name).with("elementType", "junction").with("elementId", junction_id(junction)),
+                );
             }
         }
     }
     link
 }
 
-fn road_type(plan: &Plan<'_>, place: usize) -> Element {
+fn road_type(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     let fastest =
         plan.roads[place].lanes.iter().map(|&lane| plan.network.lane(lane).speed_limit_mps).fold(0.0, f64::max);
     let kind = if fastest > 23.0 { "motorway" } else { "town" };
-    Element::new("type")
+    ElementWriter::new("type")
         .with("s", "0")
         .with("type", kind)
-        .holding([Element::new("speed").with("max", number(fastest)).with("unit", "m/s")])
+        .holding([ElementWriter::new("speed").with("max", number(fastest)).with("unit", "m/s")])
 }
 
-pub(super) fn plan_view(line: &Line) -> Element {
+pub(super) fn plan_view(line: &FittedLine) -> ElementWriter {
     let pieces = line.pieces.iter().map(|piece| {
         let shape = match piece.cubic {
-            None => Element::new("line"),
+            None => ElementWriter::new("line"),
             Some([u, v]) => {
                 let [a_u, b_u, c_u, d_u] = u.map(number);
                 let [a_v, b_v, c_v, d_v] = v.map(number);
-                Element::new("paramPoly3")
+                ElementWriter::new("paramPoly3")
                     .with("aU", a_u)
                     .with("bU", b_u)
                     .with("cU", c_u)
@@ -86,7 +88,7 @@ pub(super) fn plan_view(line: &Line) -> Element {
                     .with("pRange", "normalized")
             }
         };
-        Element::new("geometry")
+        ElementWriter::new("geometry")
             .with("s", number(piece.s))
             .with("x", number(piece.start.x))
             .with("y", number(piece.start.y))
@@ -94,10 +96,10 @@ pub(super) fn plan_view(line: &Line) -> Element {
             .with("length", number(piece.length))
             .holding([shape])
     });
-    Element::new("planView").holding(pieces)
+    ElementWriter::new("planView").holding(pieces)
 }
 
-pub(super) fn elevation(line: &Line) -> Element {
+pub(super) fn elevation(line: &FittedLine) -> ElementWriter {
     let heights = &line.heights;
     let mut records = Vec::new();
     let mut last_slope = f64::NAN;
@@ -108,37 +110,40 @@ pub(super) fn elevation(line: &Line) -> Element {
             continue;
         }
         last_slope = slope;
-        records.push(Element::new("elevation").with("s", number(pair[0].0)).with_cubic([pair[0].1, slope, 0.0, 0.0]));
+        records.push(
+            ElementWriter::new("elevation").with("s", number(pair[0].0)).with_cubic([pair[0].1, slope, 0.0, 0.0]),
+        );
     }
-    Element::new("elevationProfile").holding(records)
+    ElementWriter::new("elevationProfile").holding(records)
 }
 
-fn lanes(plan: &Plan<'_>, place: usize) -> Element {
+fn lanes(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     let planned = &plan.roads[place];
     let half = 0.5 * plan.network.lane(planned.lanes[planned.reference]).width_m;
-    let offset = Element::new("laneOffset").with("s", "0").with_cubic([
+    let offset = ElementWriter::new("laneOffset").with("s", "0").with_cubic([
         if plan.left_hand { -half } else { half },
         0.0,
         0.0,
         0.0,
     ]);
-    let centre = Element::new("lane")
+    let centre = ElementWriter::new("lane")
         .with("id", "0")
         .with("type", "none")
         .with("level", "false")
         .holding([mark(if planned.junction.is_some() { "none" } else { "solid" }, "none")]);
-    let all: Vec<Element> = planned.lanes.iter().map(|&lane| lane_element(plan, plan.network.lane(lane))).collect();
-    let center = Element::new("center").holding([centre]);
+    let all: Vec<ElementWriter> =
+        planned.lanes.iter().map(|&lane| lane_element(plan, plan.network.lane(lane))).collect();
+    let center = ElementWriter::new("center").holding([centre]);
     let sides = if plan.left_hand {
-        [Element::new("left").holding(all), center]
+        [ElementWriter::new("left").holding(all), center]
     } else {
-        [center, Element::new("right").holding(all)]
+        [center, ElementWriter::new("right").holding(all)]
     };
-    Element::new("lanes").holding([offset, Element::new("laneSection").with("s", "0").holding(sides)])
+    ElementWriter::new("lanes").holding([offset, ElementWriter::new("laneSection").with("s", "0").holding(sides)])
 }
 
-fn mark(kind: &str, change: &str) -> Element {
-    Element::new("roadMark")
+fn mark(kind: &str, change: &str) -> ElementWriter {
+    ElementWriter::new("roadMark")
         .with("sOffset", "0")
         .with("type", kind)
         .with("weight", "standard")
@@ -147,30 +152,29 @@ fn mark(kind: &str, change: &str) -> Element {
         .with("laneChange", change)
 }
 
-fn lane_element(plan: &Plan<'_>, lane: &Lane) -> Element {
+fn lane_element(plan: &WritePlan<'_>, lane: &Lane) -> ElementWriter {
     let place = plan.road_of[lane.id.index()];
-    let mut link = Element::new("link");
+    let mut link = ElementWriter::new("link");
     for (name, at_end) in [("predecessor", false), ("successor", true)] {
         if let Joined::Road(other) = plan.joined(place, at_end) {
             let linked = if at_end { &lane.successors } else { &lane.predecessors };
             for &next in linked.iter().filter(|next| plan.road_of[next.index()] == other) {
-                link.push(Element::new(name).with("id", plan.lane_id(next)));
+                link.push(ElementWriter::new(name).with("id", plan.lane_id(next)));
             }
         }
     }
-    let width = Element::new("width").with("sOffset", "0").with_cubic([lane.width_m, 0.0, 0.0, 0.0]);
+    let width = ElementWriter::new("width").with("sOffset", "0").with_cubic([lane.width_m, 0.0, 0.0, 0.0]);
     let speed =
-        Element::new("speed").with("sOffset", "0").with("max", number(lane.speed_limit_mps)).with("unit", "m/s");
-    Element::new("lane").with("id", plan.lane_id(lane.id)).with("type", "driving").with("level", "false").holding([
-        link,
-        width,
-        outer_mark(plan, lane),
-        speed,
-    ])
+        ElementWriter::new("speed").with("sOffset", "0").with("max", number(lane.speed_limit_mps)).with("unit", "m/s");
+    ElementWriter::new("lane")
+        .with("id", plan.lane_id(lane.id))
+        .with("type", "driving")
+        .with("level", "false")
+        .holding([link, width, outer_mark(plan, lane), speed])
 }
 
 /// The mark at the edge away from the centre: to the right, or in left-hand traffic to the left.
-fn outer_mark(plan: &Plan<'_>, lane: &Lane) -> Element {
+fn outer_mark(plan: &WritePlan<'_>, lane: &Lane) -> ElementWriter {
     if lane.junction.is_some() {
         return mark("none", "none");
     }
@@ -188,8 +192,8 @@ fn outer_mark(plan: &Plan<'_>, lane: &Lane) -> Element {
     mark("broken", change)
 }
 
-fn objects(plan: &Plan<'_>, place: usize) -> Element {
-    let mut objects = Element::new("objects");
+fn objects(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
+    let mut objects = ElementWriter::new("objects");
     for (number, crossing) in plan.network.crossings.iter().enumerate() {
         let home = crossing.cuts.first().map(|cut| plan.road_of[cut.lane.index()]);
         if home == Some(place) {
@@ -199,18 +203,18 @@ fn objects(plan: &Plan<'_>, place: usize) -> Element {
     objects
 }
 
-fn crosswalk(plan: &Plan<'_>, place: usize, crossing: &Crossing, id: usize) -> Element {
+fn crosswalk(plan: &WritePlan<'_>, place: usize, crossing: &Crossing, id: usize) -> ElementWriter {
     let [a, b] = crossing.ends.map(DVec3::truncate);
     let (s, t, direction) = plan.roads[place].line.nearest(a.midpoint(b));
     let (half_length, half_width) = (0.5 * a.distance(b), 0.5 * crossing.width_m);
     let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(u, v): (f64, f64)| {
-        Element::new("cornerLocal")
+        ElementWriter::new("cornerLocal")
             .with("u", number(u * half_length))
             .with("v", number(v * half_width))
             .with("z", "0")
             .with("height", "0")
     });
-    Element::new("object")
+    ElementWriter::new("object")
         .with("id", id + 1)
         .with("name", "crosswalk")
         .with("type", "crosswalk")
@@ -224,7 +228,9 @@ fn crosswalk(plan: &Plan<'_>, place: usize, crossing: &Crossing, id: usize) -> E
         .with("length", number(2.0 * half_length))
         .with("width", number(2.0 * half_width))
         .with("height", "0")
-        .holding([Element::new("outlines").holding([Element::new("outline").with("id", "0").holding(corners)])])
+        .holding([
+            ElementWriter::new("outlines").holding([ElementWriter::new("outline").with("id", "0").holding(corners)])
+        ])
 }
 
 /// The id of the signal of a group that stands at a road.
@@ -232,7 +238,7 @@ pub(super) fn light_id(group: SignalId, place: usize) -> String {
     format!("{}_{}", group.0, place + 1)
 }
 
-fn signals(plan: &Plan<'_>, place: usize) -> Element {
+fn signals(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     let planned = &plan.roads[place];
     let mut by_control: BTreeMap<String, (Control, Vec<LaneId>)> = BTreeMap::new();
     for &lane in &planned.lanes {
@@ -253,9 +259,9 @@ fn signals(plan: &Plan<'_>, place: usize) -> Element {
         };
         let validity = lanes.iter().map(|&lane| {
             let id = plan.lane_id(lane);
-            Element::new("validity").with("fromLane", id).with("toLane", id)
+            ElementWriter::new("validity").with("fromLane", id).with("toLane", id)
         });
-        Element::new("signal")
+        ElementWriter::new("signal")
             .with("s", number((planned.line.length - 0.05).max(0.0)))
             .with("t", number(plan.right_edge(place) - ASIDE_M))
             .with("id", id)
@@ -274,5 +280,5 @@ fn signals(plan: &Plan<'_>, place: usize) -> Element {
             .with("width", "0.3")
             .holding(validity)
     });
-    Element::new("signals").holding(signals)
+    ElementWriter::new("signals").holding(signals)
 }

@@ -1,7 +1,7 @@
 //! Sidewalks as roads of their own with one lane for walking: the network does not say beside which road they run.
 
-use super::curve::{Line, directions};
-use super::element::{Element, number};
+use super::curve::{FittedLine, directions};
+use super::element::{ElementWriter, number};
 use super::road::{elevation, plan_view};
 use crate::{WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
 use glam::DVec3;
@@ -15,7 +15,7 @@ const KERB_M: f64 = 0.15;
 const STRAIGHT: f64 = 0.9;
 
 /// A road for every chain of sidewalk edges; ids count on from `first_id`.
-pub(super) fn roads(walk: &WalkNetwork, first_id: usize) -> Vec<Element> {
+pub(super) fn roads(walk: &WalkNetwork, first_id: usize) -> Vec<ElementWriter> {
     chains(walk).into_iter().enumerate().map(|(i, chain)| road(walk, &chain, first_id + i)).collect()
 }
 
@@ -67,31 +67,33 @@ fn chains(walk: &WalkNetwork) -> Vec<Chain> {
     chains
 }
 
-fn road(walk: &WalkNetwork, chain: &Chain, id: usize) -> Element {
+fn road(walk: &WalkNetwork, chain: &Chain, id: usize) -> ElementWriter {
     let points: Vec<DVec3> = chain.nodes.iter().map(|node| walk.nodes[node.index()] - DVec3::Z * KERB_M).collect();
-    let line = Line::new(&points, &directions(&points));
+    let line = FittedLine::new(&points, &directions(&points));
     let width = chain.width_m + MARGIN_M;
-    let lane = Element::new("lane").with("id", "-1").with("type", "sidewalk").with("level", "false").holding([
-        Element::new("link"),
-        Element::new("width").with("sOffset", "0").with_cubic([width, 0.0, 0.0, 0.0]),
-        Element::new("height").with("sOffset", "0").with("inner", number(KERB_M)).with("outer", number(KERB_M)),
+    let lane = ElementWriter::new("lane").with("id", "-1").with("type", "sidewalk").with("level", "false").holding([
+        ElementWriter::new("link"),
+        ElementWriter::new("width").with("sOffset", "0").with_cubic([width, 0.0, 0.0, 0.0]),
+        ElementWriter::new("height").with("sOffset", "0").with("inner", number(KERB_M)).with("outer", number(KERB_M)),
     ]);
-    let centre = Element::new("lane").with("id", "0").with("type", "none").with("level", "false");
-    let section = Element::new("laneSection")
+    let centre = ElementWriter::new("lane").with("id", "0").with("type", "none").with("level", "false");
+    let section = ElementWriter::new("laneSection")
         .with("s", "0")
-        .holding([Element::new("center").holding([centre]), Element::new("right").holding([lane])]);
-    Element::new("road")
+        .holding([ElementWriter::new("center").holding([centre]), ElementWriter::new("right").holding([lane])]);
+    ElementWriter::new("road")
         .with("name", "")
         .with("length", number(line.length))
         .with("id", id)
         .with("junction", "-1")
         .holding([
-            Element::new("link"),
-            Element::new("type").with("s", "0").with("type", "pedestrian"),
+            ElementWriter::new("link"),
+            ElementWriter::new("type").with("s", "0").with("type", "pedestrian"),
             plan_view(&line),
             elevation(&line),
-            Element::new("lateralProfile"),
-            Element::new("lanes")
-                .holding([Element::new("laneOffset").with("s", "0").with_cubic([0.5 * width, 0.0, 0.0, 0.0]), section]),
+            ElementWriter::new("lateralProfile"),
+            ElementWriter::new("lanes").holding([
+                ElementWriter::new("laneOffset").with("s", "0").with_cubic([0.5 * width, 0.0, 0.0, 0.0]),
+                section,
+            ]),
         ])
 }

@@ -2,36 +2,36 @@
 
 use super::wire::{Message, Value, packed, signed, summed};
 use crate::osm::OsmError;
-use crate::osm::extract::{Extract, Member, MemberKind, Node, Relation, Tags, Way};
+use crate::osm::extract::{OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmRelation, OsmTags, OsmWay};
 
 /// What the block's numbers mean.
-struct Frame<'a> {
+struct BlockScale<'a> {
     strings: Vec<&'a [u8]>,
     granularity: i64,
     lat_offset: i64,
     lon_offset: i64,
 }
 
-impl Frame<'_> {
+impl BlockScale<'_> {
     fn text(&self, index: u64) -> Result<String, OsmError> {
         let bytes = usize::try_from(index).ok().and_then(|i| self.strings.get(i));
         let bytes = bytes.ok_or_else(|| error(format!("string {index} does not exist")))?;
         Ok(String::from_utf8_lossy(bytes).into_owned())
     }
 
-    fn tags(&self, keys: &[u64], values: &[u64]) -> Result<Tags, OsmError> {
-        let mut tags = Tags::default();
+    fn tags(&self, keys: &[u64], values: &[u64]) -> Result<OsmTags, OsmError> {
+        let mut tags = OsmTags::default();
         for (&key, &value) in keys.iter().zip(values) {
             tags.set(self.text(key)?, self.text(value)?);
         }
         Ok(tags)
     }
 
-    fn add_node(&self, extract: &mut Extract, id: i64, lat: i64, lon: i64, tags: Tags) {
+    fn add_node(&self, extract: &mut OsmExtract, id: i64, lat: i64, lon: i64, tags: OsmTags) {
         let degrees = |offset: i64, v: i64| 1e-9 * (offset as f64 + self.granularity as f64 * v as f64);
         let (lat, lon) = (degrees(self.lat_offset, lat), degrees(self.lon_offset, lon));
         if lat.abs() <= 90.0 && lon.abs() <= 180.0 {
-            extract.nodes.insert(id, Node { lat, lon, tags });
+            extract.nodes.insert(id, OsmNode { lat, lon, tags });
         }
     }
 }
@@ -40,8 +40,8 @@ fn error(reason: String) -> OsmError {
     OsmError::Pbf { offset: 0, reason }
 }
 
-pub(super) fn read(bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
-    let mut frame = Frame { strings: Vec::new(), granularity: 100, lat_offset: 0, lon_offset: 0 };
+pub(super) fn read(bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
+    let mut frame = BlockScale { strings: Vec::new(), granularity: 100, lat_offset: 0, lon_offset: 0 };
     let mut groups = Vec::new();
     let mut message = Message::new(bytes);
     while let Some((field, value)) = message.field()? {
@@ -76,7 +76,7 @@ pub(super) fn read(bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> 
     Ok(())
 }
 
-fn plain_node(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+fn plain_node(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let (mut id, mut lat, mut lon, mut keys, mut values) = (0, 0, 0, Vec::new(), Vec::new());
     let mut message = Message::new(bytes);
     while let Some((field, value)) = message.field()? {
@@ -94,7 +94,7 @@ fn plain_node(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<
     Ok(())
 }
 
-fn dense_nodes(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+fn dense_nodes(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let (mut ids, mut lats, mut lons, mut tags) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
     let mut message = Message::new(bytes);
     while let Some((field, value)) = message.field()? {
@@ -113,7 +113,7 @@ fn dense_nodes(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result
     // Keys and values in turn, a 0 after each node's.
     let mut rest = tags.iter().copied();
     for ((id, lat), lon) in ids.into_iter().zip(lats).zip(lons) {
-        let mut own = Tags::default();
+        let mut own = OsmTags::default();
         while let Some(key) = rest.next().filter(|&k| k != 0) {
             let value = rest.next().ok_or_else(|| error("a key without value".into()))?;
             own.set(frame.text(key)?, frame.text(value)?);
@@ -123,7 +123,7 @@ fn dense_nodes(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result
     Ok(())
 }
 
-fn way(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+fn way(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let (mut id, mut nodes, mut keys, mut values) = (0, Vec::new(), Vec::new(), Vec::new());
     let mut message = Message::new(bytes);
     while let Some((field, value)) = message.field()? {
@@ -135,11 +135,11 @@ fn way(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), Osm
             _ => {}
         }
     }
-    extract.ways.push(Way { id, nodes, tags: frame.tags(&keys, &values)? });
+    extract.ways.push(OsmWay { id, nodes, tags: frame.tags(&keys, &values)? });
     Ok(())
 }
 
-fn relation(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<(), OsmError> {
+fn relation(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let (mut id, mut keys, mut values) = (0, Vec::new(), Vec::new());
     let (mut roles, mut ids, mut kinds) = (Vec::new(), Vec::new(), Vec::new());
     let mut message = Message::new(bytes);
@@ -157,12 +157,12 @@ fn relation(frame: &Frame<'_>, bytes: &[u8], extract: &mut Extract) -> Result<()
     let mut members = Vec::new();
     for ((&role, id), kind) in roles.iter().zip(ids).zip(kinds) {
         let kind = match kind {
-            0 => MemberKind::Node,
-            1 => MemberKind::Way,
-            _ => MemberKind::Relation,
+            0 => OsmMemberKind::Node,
+            1 => OsmMemberKind::Way,
+            _ => OsmMemberKind::Relation,
         };
-        members.push(Member { kind, id, role: frame.text(role)? });
+        members.push(OsmMember { kind, id, role: frame.text(role)? });
     }
-    extract.relations.push(Relation { id, members, tags: frame.tags(&keys, &values)? });
+    extract.relations.push(OsmRelation { id, members, tags: frame.tags(&keys, &values)? });
     Ok(())
 }

@@ -4,7 +4,7 @@ mod block;
 mod wire;
 
 use super::OsmError;
-use super::extract::{Bounds, Extract};
+use super::extract::{OsmBounds, OsmExtract};
 use wire::{Message, Value, signed};
 
 /// The format's own limits, bytes.
@@ -20,8 +20,8 @@ pub(super) fn looks_like(bytes: &[u8]) -> bool {
 ///
 /// # Errors
 /// [`OsmError::Pbf`] with the byte.
-pub(super) fn read(bytes: &[u8]) -> Result<Extract, OsmError> {
-    let mut extract = Extract::default();
+pub(super) fn read(bytes: &[u8]) -> Result<OsmExtract, OsmError> {
+    let mut extract = OsmExtract::default();
     let mut at = 0;
     while at < bytes.len() {
         let error = |reason: &str| OsmError::Pbf { offset: at, reason: reason.into() };
@@ -100,7 +100,7 @@ fn unpacked(blob: &[u8], offset: usize) -> Result<Vec<u8>, OsmError> {
     Err(error("a blob without data".into()))
 }
 
-fn header_block(bytes: &[u8]) -> Result<Option<Bounds>, OsmError> {
+fn header_block(bytes: &[u8]) -> Result<Option<OsmBounds>, OsmError> {
     let mut message = Message::new(bytes);
     let mut bounds = None;
     while let Some((field, value)) = message.field()? {
@@ -115,7 +115,7 @@ fn header_block(bytes: &[u8]) -> Result<Option<Bounds>, OsmError> {
                     }
                 }
                 let [left, right, top, bottom] = edges;
-                bounds = Some(Bounds { low: [bottom, left], high: [top, right] });
+                bounds = Some(OsmBounds { low: [bottom, left], high: [top, right] });
             }
             (4, Value::Bytes(feature)) if !matches!(feature, b"OsmSchema-V0.6" | b"DenseNodes") => {
                 let name = String::from_utf8_lossy(feature).into_owned();

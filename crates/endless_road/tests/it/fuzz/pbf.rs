@@ -1,6 +1,6 @@
 //! A small writer of `.osm.pbf`, raw blobs, so that the reader has something to read and the hunt something to change.
 
-use endless_road::osm::{Extract, MemberKind, Tags};
+use endless_road::osm::{OsmExtract, OsmMemberKind, OsmTags};
 use endless_world::Stream;
 
 fn varint(mut value: u64, out: &mut Vec<u8>) {
@@ -56,7 +56,7 @@ fn header() -> Vec<u8> {
 }
 
 /// A file that holds an extract.
-pub(crate) fn file(extract: &Extract) -> Vec<u8> {
+pub(crate) fn file(extract: &OsmExtract) -> Vec<u8> {
     [header(), blob("OSMData", &block(extract))].concat()
 }
 
@@ -72,13 +72,13 @@ impl Strings {
         at as u64
     }
 
-    fn tags(&mut self, tags: &Tags) -> [Vec<u64>; 2] {
+    fn tags(&mut self, tags: &OsmTags) -> [Vec<u64>; 2] {
         let keys = tags.iter().map(|(key, _)| self.place(key)).collect();
         [keys, tags.iter().map(|(_, value)| self.place(value)).collect()]
     }
 }
 
-fn block(extract: &Extract) -> Vec<u8> {
+fn block(extract: &OsmExtract) -> Vec<u8> {
     let mut strings = Strings(vec![String::new()]);
     let mut group = Vec::new();
     let mut dense = Vec::new();
@@ -113,9 +113,9 @@ fn block(extract: &Extract) -> Vec<u8> {
         list(8, relation.members.iter().map(|m| strings.place(&m.role)).collect::<Vec<_>>(), &mut out);
         list(9, differences(relation.members.iter().map(|m| m.id)), &mut out);
         let kind = |kind| match kind {
-            MemberKind::Node => 0,
-            MemberKind::Way => 1,
-            MemberKind::Relation => 2,
+            OsmMemberKind::Node => 0,
+            OsmMemberKind::Way => 1,
+            OsmMemberKind::Relation => 2,
         };
         list(10, relation.members.iter().map(|m| kind(m.kind)), &mut out);
         bytes(4, &out, &mut group);

@@ -77,7 +77,7 @@ fn sound(map: &RoadMap) -> Result<(), String> {
         && map.junction_areas.iter().flatten().all(finite)
         && map.areas.iter().flat_map(|area| &area.outline).all(|p| p.is_finite())
         && map.footprints.iter().flat_map(|f| &f.outline).all(|p| p.is_finite())
-        && map.things.iter().all(|thing| thing.position.is_finite() && thing.heading_rad.is_finite());
+        && map.objects.iter().all(|thing| thing.position.is_finite() && thing.heading_rad.is_finite());
     if all { Ok(()) } else { Err("a place that is no place".to_owned()) }
 }
 
@@ -95,7 +95,7 @@ fn features(map: &RoadMap) -> Vec<String> {
         ("spawns", network.spawn_points.len()),
         ("strips", map.strips.len()),
         ("marks", map.marks.len()),
-        ("things", map.things.len()),
+        ("things", map.objects.len()),
         ("areas", map.areas.len()),
         ("footprints", map.footprints.len()),
     ];

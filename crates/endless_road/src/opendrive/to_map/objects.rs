@@ -1,13 +1,14 @@
 //! What stands beside the road, and paint that files give as objects.
 
-use super::super::document::{Object, Signal, Stands};
+use super::super::document::{RoadObject, Signal, SignalPosition};
 use super::super::geometry::RoadShape;
 use super::outline::{corners, place, rectangle};
-use super::sampled::Sampled;
-use super::signals::{Governed, Meaning, meaning};
+use super::sampled::SampledDocument;
+use super::signals::{Governed, SignalMeaning, meaning};
 use super::strips::KERB_M;
 use crate::{
-    Area, AreaKind, Footprint, Mark, Note, Paint, Polyline, RoadMap, RoadNetwork, Strip, StripKind, Thing, ThingKind,
+    Area, AreaKind, BuildingFootprint, ImportNote, MapObject, MapObjectKind, Mark, Paint, Polyline, RoadMap,
+    RoadNetwork, Strip, StripKind,
 };
 use endless_world::SignalId;
 use endless_world::math::f64::wrap_angle;
@@ -22,7 +23,7 @@ const SLENDER: f64 = 3.0;
 
 /// Adds signals, signs, objects, painted lines and parking bays to the map.
 pub(super) fn add(
-    sampled: &Sampled<'_>,
+    sampled: &SampledDocument<'_>,
     governed: &Governed<'_>,
     groups: &BTreeMap<&str, SignalId>,
     map: &mut RoadMap,
@@ -31,7 +32,7 @@ pub(super) fn add(
     for shape in &sampled.roads {
         for signal in &shape.road.signals {
             if let Some(thing) = signal_thing((sampled, shape), signal, governed, groups, &map.network) {
-                map.things.push(thing);
+                map.objects.push(thing);
             }
         }
         for object in &shape.road.objects {
@@ -49,7 +50,7 @@ pub(super) fn add(
             } else if let Some((kind, outline)) = land(shape, object) {
                 map.areas.push(Area { kind, outline, holes: Vec::new() });
             } else if let Some(kind) = thing_kind(object) {
-                stand(shape, object, &kind, &mut map.things);
+                stand(shape, object, &kind, &mut map.objects);
             } else {
                 let name = if object.kind.is_empty() || object.kind == "-1" { &object.name } else { &object.kind };
                 strange.entry(name.clone()).or_insert((object.line, 0)).1 += 1;
@@ -58,21 +59,21 @@ pub(super) fn add(
     }
     for (kind, (line, times)) in strange {
         let text = format!("objects of type \"{kind}\" are not placed ({times})");
-        map.notes.push(Note { place: format!("line {line}"), text });
+        map.notes.push(ImportNote { place: format!("line {line}"), text });
     }
 }
 
 fn signal_thing(
-    (sampled, shape): (&Sampled<'_>, &RoadShape<'_>),
+    (sampled, shape): (&SampledDocument<'_>, &RoadShape<'_>),
     signal: &Signal,
     governed: &Governed<'_>,
     groups: &BTreeMap<&str, SignalId>,
     network: &RoadNetwork,
-) -> Option<Thing> {
+) -> Option<MapObject> {
     use super::super::document::Orientation;
-    let position = match &signal.stands {
-        Some(Stands::Inertial([x, y, z])) => DVec3::new(*x, *y, *z),
-        Some(Stands::Road(road, [s, t])) => {
+    let position = match &signal.position {
+        Some(SignalPosition::Inertial([x, y, z])) => DVec3::new(*x, *y, *z),
+        Some(SignalPosition::Road(road, [s, t])) => {
             sampled.road(road).map_or(shape, |place| &sampled.roads[place]).point(*s, *t)
         }
         None => shape.point(signal.s, signal.t),
@@ -88,63 +89,63 @@ fn signal_thing(
     let heading_rad = nearest.map_or(wrap_angle(heading), |end| end.heading_rad);
     let kind = match meaning(signal) {
         // A light that governs nothing that is driven is not lit, and not placed.
-        Meaning::Light => ThingKind::TrafficLight(*groups.get(signal.id.as_str())?),
-        Meaning::WalkLight => {
+        SignalMeaning::Light => MapObjectKind::TrafficLight(*groups.get(signal.id.as_str())?),
+        SignalMeaning::WalkLight => {
             let crossing = network.crossings.iter().filter(|c| c.signal.is_some()).min_by(|a, b| {
                 let distance = |c: &crate::Crossing| c.ends[0].distance(position).min(c.ends[1].distance(position));
                 distance(a).total_cmp(&distance(b))
             });
-            ThingKind::WalkLight(crossing?.signal?)
+            MapObjectKind::WalkLight(crossing?.signal?)
         }
-        Meaning::Stop => ThingKind::Stop,
-        Meaning::Yield => ThingKind::Yield,
-        Meaning::SpeedLimit(kmh) => ThingKind::SpeedLimit(kmh),
-        Meaning::Other => {
+        SignalMeaning::Stop => MapObjectKind::Stop,
+        SignalMeaning::Yield => MapObjectKind::Yield,
+        SignalMeaning::SpeedLimit(kmh) => MapObjectKind::SpeedLimit(kmh),
+        SignalMeaning::Other => {
             let code = [&signal.country, &signal.kind, &signal.subtype].map(String::as_str);
-            ThingKind::Sign(
+            MapObjectKind::Sign(
                 code.iter().filter(|part| !matches!(**part, "" | "-1")).copied().collect::<Vec<_>>().join(" "),
             )
         }
     };
-    Some(Thing { kind, position, heading_rad })
+    Some(MapObject { kind, position, heading_rad })
 }
 
 /// Standard types first; for those that programs give no type, the name.
-fn thing_kind(object: &Object) -> Option<ThingKind> {
+fn thing_kind(object: &RoadObject) -> Option<MapObjectKind> {
     let name = object.name.to_ascii_lowercase();
     let height = (object.size[2] > 0.5).then_some(object.size[2].min(60.0));
     let named = |words: &[&str]| words.iter().any(|word| name.contains(word));
     match object.kind.as_str() {
-        "tree" => return Some(ThingKind::Tree(height)),
+        "tree" => return Some(MapObjectKind::Tree(height)),
         "vegetation" if !matches!(object.subtype.as_str(), "bush" | "hedge" | "forest") => {
-            return Some(ThingKind::Tree(height));
+            return Some(MapObjectKind::Tree(height));
         }
-        "streetLamp" | "streetlamp" => return Some(ThingKind::StreetLamp),
+        "streetLamp" | "streetlamp" => return Some(MapObjectKind::StreetLamp),
         "pole" if named(&["lamp", "light", "streetlight"]) && !named(&["traffic", "signal"]) => {
-            return Some(ThingKind::StreetLamp);
+            return Some(MapObjectKind::StreetLamp);
         }
-        "pole" if object.subtype == "bollard" => return Some(ThingKind::Bollard),
+        "pole" if object.subtype == "bollard" => return Some(MapObjectKind::Bollard),
         // Posts of signals and signs come with these.
-        "pole" if !named(&["signal", "sign", "mastarm"]) => return Some(ThingKind::UtilityPole),
+        "pole" if !named(&["signal", "sign", "mastarm"]) => return Some(MapObjectKind::UtilityPole),
         _ => {}
     }
-    let by_name: [(&[&str], ThingKind); 7] = [
-        (&["streetlight", "street_light", "streetlamp", "lamp_post"], ThingKind::StreetLamp),
-        (&["bench"], ThingKind::Bench),
-        (&["busstop", "bus_stop"], ThingKind::BusStop),
-        (&["bollard"], ThingKind::Bollard),
-        (&["trash", "litter", "rubbish", "garbage"], ThingKind::Bin),
-        (&["hydrant"], ThingKind::Hydrant),
-        (&["utilitypole", "utility_pole", "powerpole", "telephone"], ThingKind::UtilityPole),
+    let by_name: [(&[&str], MapObjectKind); 7] = [
+        (&["streetlight", "street_light", "streetlamp", "lamp_post"], MapObjectKind::StreetLamp),
+        (&["bench"], MapObjectKind::Bench),
+        (&["busstop", "bus_stop"], MapObjectKind::BusStop),
+        (&["bollard"], MapObjectKind::Bollard),
+        (&["trash", "litter", "rubbish", "garbage"], MapObjectKind::Bin),
+        (&["hydrant"], MapObjectKind::Hydrant),
+        (&["utilitypole", "utility_pole", "powerpole", "telephone"], MapObjectKind::UtilityPole),
     ];
     by_name.into_iter().find(|(words, _)| named(words)).map(|(_, kind)| kind)
 }
 
-fn stand(shape: &RoadShape<'_>, object: &Object, kind: &ThingKind, things: &mut Vec<Thing>) {
+fn stand(shape: &RoadShape<'_>, object: &RoadObject, kind: &MapObjectKind, things: &mut Vec<MapObject>) {
     let mut put = |s: f64, t: f64| {
         let position = shape.point(s, t);
         let heading_rad = wrap_angle(shape.pose(s).heading + object.heading);
-        things.push(Thing { kind: kind.clone(), position, heading_rad });
+        things.push(MapObject { kind: kind.clone(), position, heading_rad });
     };
     if object.repeats.is_empty() {
         put(object.s, object.t);
@@ -159,7 +160,7 @@ fn stand(shape: &RoadShape<'_>, object: &Object, kind: &ThingKind, things: &mut 
 }
 
 /// The outline of an object, counter-clockwise, if it has some extent.
-fn outline(shape: &RoadShape<'_>, object: &Object) -> Option<Vec<DVec2>> {
+fn outline(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Vec<DVec2>> {
     let mut outline: Vec<DVec2> = corners(shape, object).iter().map(|p| p.truncate()).collect();
     let twice: f64 = (0..outline.len()).map(|i| outline[i].perp_dot(outline[(i + 1) % outline.len()])).sum();
     if twice < 0.0 {
@@ -168,14 +169,14 @@ fn outline(shape: &RoadShape<'_>, object: &Object) -> Option<Vec<DVec2>> {
     (twice.abs() > 2.0 * LEAST_M2).then_some(outline)
 }
 
-fn building(shape: &RoadShape<'_>, object: &Object) -> Option<Footprint> {
+fn building(shape: &RoadShape<'_>, object: &RoadObject) -> Option<BuildingFootprint> {
     let height_m = (object.size[2] > 1.0).then_some(object.size[2].min(500.0));
     let (outline, kind) = (outline(shape, object)?, "yes".to_owned());
-    Some(Footprint { outline, holes: Vec::new(), height_m, levels: None, kind, color: None })
+    Some(BuildingFootprint { outline, holes: Vec::new(), height_m, levels: None, kind, color: None })
 }
 
 /// Land that is given as an object with an outline: woods and bushes.
-fn land(shape: &RoadShape<'_>, object: &Object) -> Option<(AreaKind, Vec<DVec2>)> {
+fn land(shape: &RoadShape<'_>, object: &RoadObject) -> Option<(AreaKind, Vec<DVec2>)> {
     let kind = match (object.kind.as_str(), object.subtype.as_str()) {
         ("vegetation", "forest") => AreaKind::Wood,
         ("vegetation", "bush" | "hedge") => AreaKind::Grass,
@@ -186,7 +187,7 @@ fn land(shape: &RoadShape<'_>, object: &Object) -> Option<(AreaKind, Vec<DVec2>)
 }
 
 /// An island as a raised strip along its longer side.
-fn island(shape: &RoadShape<'_>, object: &Object) -> Option<Strip> {
+fn island(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Strip> {
     let mut strip = bay(shape, object)?;
     strip.kind = StripKind::Median;
     let up = if object.size[2] > 0.01 { object.size[2].min(0.5) } else { KERB_M };
@@ -194,13 +195,13 @@ fn island(shape: &RoadShape<'_>, object: &Object) -> Option<Strip> {
     Some(strip)
 }
 
-fn is_line(object: &Object) -> bool {
+fn is_line(object: &RoadObject) -> bool {
     let name = object.name.to_ascii_lowercase();
     object.kind == "roadMark" || ["stopline", "solidsingle", "soliddouble", "dashed"].iter().any(|w| name.contains(w))
 }
 
 /// A slender painted shape as a line along its middle.
-fn line(shape: &RoadShape<'_>, object: &Object) -> Option<Mark> {
+fn line(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Mark> {
     let corners = corners(shape, object);
     let rectangle = rectangle(&corners)?;
     let (long, short) = (rectangle.long.length(), rectangle.short.length());
@@ -219,7 +220,7 @@ fn line(shape: &RoadShape<'_>, object: &Object) -> Option<Mark> {
 }
 
 /// A parking space as a strip along its longer side.
-fn bay(shape: &RoadShape<'_>, object: &Object) -> Option<Strip> {
+fn bay(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Strip> {
     let corners = corners(shape, object);
     let r = rectangle(&corners).filter(|r| r.short.length() > 0.5)?;
     let height = place(shape, object).z;
