@@ -4,7 +4,7 @@ use crate::args::{BenchArgs, threads};
 use crate::build_info::this_build;
 use anyhow::{Context, Result};
 use endless_dataset::DatasetLayout;
-use endless_pipeline::{GenerateOptions, Generated, RecipeDraft, Silent, Simulator, generate};
+use endless_pipeline::{GenerateOptions, Generated, MapSource, RecipeDraft, Silent, Simulator, generate};
 use endless_world::{TimeOfDay, Weather};
 use std::{
     fs::{self, File},
@@ -17,7 +17,7 @@ use std::{
 /// What the names of the bench's datasets begin with; the number of its process follows.
 const FOLDER: &str = ".endless-bench-";
 
-pub(crate) fn run<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
+pub(crate) fn run<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
     if args.conditions {
         return conditions(simulator, args);
     }
@@ -44,7 +44,7 @@ fn draft(args: &BenchArgs) -> RecipeDraft {
 }
 
 /// Makes a dataset, and leaves nothing of it.
-fn film<S: Simulator>(simulator: &S, args: &BenchArgs, draft: RecipeDraft) -> Result<Generated> {
+fn film<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs, draft: RecipeDraft) -> Result<Generated> {
     let recipe = draft.resolve(simulator)?;
     let folder = std::env::current_dir()?;
     remove_leftovers(&folder)?;
@@ -79,7 +79,7 @@ fn remove_leftovers(folder: &Path) -> Result<()> {
 }
 
 /// A line for each condition, and the rate of all together.
-fn conditions<S: Simulator>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
+fn conditions<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
     let maps = simulator.maps();
     let mut out = std::io::stdout().lock();
     writeln!(out, "weather     time       map        bake s/camera   render ms   camera frames/s")?;

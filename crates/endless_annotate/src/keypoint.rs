@@ -93,8 +93,8 @@ pub struct Picture<'a> {
     pub camera: &'a PinholeCamera,
     /// Whose each pixel is.
     pub instance: &'a Image<InstancePixel>,
-    /// Planar depth of a pixel by its index, metres. Without it a body never hides its own keypoints.
-    pub depth: Option<&'a dyn Fn(usize) -> f32>,
+    /// Planar depth of a pixel by its index, metres.
+    pub depth: &'a dyn Fn(usize) -> f32,
 }
 
 /// How far behind the surface a keypoint that can be seen may lie, metres, in the order of the keypoints: joints are
@@ -126,7 +126,7 @@ impl Picture<'_> {
         let size = self.instance.size;
         keypoint.pixels_around(size).any(|[x, y]| {
             let pixel = y as usize * size.width as usize + x as usize;
-            self.instance.data[pixel].id == id && self.depth.is_none_or(|of| of(pixel) >= depth)
+            self.instance.data[pixel].id == id && (self.depth)(pixel) >= depth
         })
     }
 }
@@ -160,24 +160,22 @@ mod tests {
         Image::filled(SIZE, InstancePixel { tag: ClassTag::Pedestrians, id })
     }
 
-    fn visibility(shown: InstanceId, depth: Option<f32>, point: Vec3) -> Visibility {
+    fn visibility(shown: InstanceId, depth: f32, point: Vec3) -> Visibility {
         let (camera, instance) = (camera(), image(shown));
-        let of = |_: usize| depth.unwrap_or_default();
-        let depth = depth.is_some().then_some(&of as &dyn Fn(usize) -> f32);
-        let keypoints = Picture { camera: &camera, instance: &instance, depth }.keypoints(PERSON, &[point; 17]);
+        let keypoints =
+            Picture { camera: &camera, instance: &instance, depth: &|_| depth }.keypoints(PERSON, &[point; 17]);
         keypoints.0[0].visibility
     }
 
     #[test]
     fn what_lies_behind_something_is_hidden() {
         let ahead = Vec3::new(10.0, 0.5, 0.2);
-        assert_eq!(visibility(PERSON, Some(9.97), ahead), Visibility::Visible);
-        assert_eq!(visibility(PERSON, None, ahead), Visibility::Visible);
+        assert_eq!(visibility(PERSON, 9.97, ahead), Visibility::Visible);
         // Behind the person's own body, and behind somebody else.
-        assert_eq!(visibility(PERSON, Some(9.7), ahead), Visibility::Hidden);
-        assert_eq!(visibility(InstanceId(8), Some(9.97), ahead), Visibility::Hidden);
-        assert_eq!(visibility(PERSON, Some(9.97), Vec3::new(-10.0, 0.5, 0.2)), Visibility::Outside);
-        assert_eq!(visibility(PERSON, Some(9.97), Vec3::new(10.0, 9.0, 0.2)), Visibility::Outside);
+        assert_eq!(visibility(PERSON, 9.7, ahead), Visibility::Hidden);
+        assert_eq!(visibility(InstanceId(8), 9.97, ahead), Visibility::Hidden);
+        assert_eq!(visibility(PERSON, 9.97, Vec3::new(-10.0, 0.5, 0.2)), Visibility::Outside);
+        assert_eq!(visibility(PERSON, 9.97, Vec3::new(10.0, 9.0, 0.2)), Visibility::Outside);
     }
 
     #[test]
@@ -198,7 +196,7 @@ mod tests {
             for row in 0..SIZE.height {
                 instance.data[(row * SIZE.width + shown) as usize].id = PERSON;
             }
-            let picture = Picture { camera: &camera, instance: &instance, depth: None };
+            let picture = Picture { camera: &camera, instance: &instance, depth: &|_| 10.0 };
             let keypoint = picture.keypoints(PERSON, &[at(x); 17]).0[0];
             assert_eq!((keypoint.x, keypoint.visibility), (written, expected), "{x} beside column {shown}");
             // Who reads it looks at the same pixels.
@@ -210,7 +208,7 @@ mod tests {
     #[test]
     fn they_are_written_as_coco_does() {
         let (camera, instance) = (camera(), image(PERSON));
-        let picture = Picture { camera: &camera, instance: &instance, depth: None };
+        let picture = Picture { camera: &camera, instance: &instance, depth: &|_| 10.0 };
         let mut body = [Vec3::new(10.0, 0.0, 0.0); 17];
         body[1] = -Vec3::X;
         let keypoints = picture.keypoints(PERSON, &body);

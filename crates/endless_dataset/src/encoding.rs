@@ -7,12 +7,13 @@ const FAR_VALUE: u32 = (1 << 24) - 1;
 
 /// `metres = 1000 × (R + 256 G + 65536 B) / (256³ − 1)`; beyond the far plane is the far plane.
 pub fn rgb_from_depth(depth: &Image<f32>) -> Image<[u8; 3]> {
-    let data = depth.data.iter().map(|&metres| encode_metres(metres)).collect();
+    let data = depth.data.iter().map(|&metres| rgb_from_metres(metres)).collect();
     Image { size: depth.size, data }
 }
 
+/// One pixel of a depth image; beyond the far plane is the far plane.
 #[inline]
-fn encode_metres(metres: f32) -> [u8; 3] {
+pub fn rgb_from_metres(metres: f32) -> [u8; 3] {
     let value = f64::from(metres) * (f64::from(FAR_VALUE) / f64::from(FAR_PLANE_M));
     // A cast saturates and takes NaN for 0, so every float has an encoding.
     let value = ((value + 0.5) as u32).min(FAR_VALUE);
@@ -80,7 +81,7 @@ mod tests {
         for (metres, expected) in
             [(0.0, [0, 0, 0]), (1000.0, [255; 3]), (5000.0, [255; 3]), (-1.0, [0, 0, 0]), (f32::NAN, [0, 0, 0])]
         {
-            assert_eq!(encode_metres(metres), expected, "{metres}");
+            assert_eq!(rgb_from_metres(metres), expected, "{metres}");
         }
     }
 

@@ -31,7 +31,9 @@ pub use build_identity::BuildIdentity;
 pub use camera_record::CameraRecord;
 pub use check::{CheckReport, Finding, check};
 pub use durable::sync_tree;
-pub use encoding::{depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance};
+pub use encoding::{
+    depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance, rgb_from_metres,
+};
 pub use error::DatasetError;
 pub use labels::LabelSchema;
 pub use layer::{Layer, LayerEntry, StoredImage};

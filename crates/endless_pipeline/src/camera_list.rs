@@ -1,6 +1,6 @@
 //! Cameras of the user's own: a list in a recipe, or in a file of its own, TOML or JSON.
 
-use crate::{MapCatalog, RecipeError, text_position::line_and_column};
+use crate::{MapSource, RecipeError, text_position::line_and_column};
 use endless_world::{CameraSite, Mount};
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -85,11 +85,11 @@ fn from_toml(text: &str) -> Result<Vec<OwnCamera>, Wrong> {
 pub(crate) fn resolve(
     cameras: &[OwnCamera],
     maps: &[String],
-    catalog: &dyn MapCatalog,
+    source: &dyn MapSource,
 ) -> Result<BTreeMap<String, Vec<CameraSite>>, RecipeError> {
     let mut by_map: BTreeMap<String, Vec<CameraSite>> = BTreeMap::new();
     for camera in cameras {
-        let known: Vec<String> = catalog.maps().into_iter().chain(catalog.imported()).collect();
+        let known: Vec<String> = source.maps().into_iter().chain(source.imported()).collect();
         let plain = camera.map.strip_suffix("_Opt").unwrap_or(&camera.map);
         let Some(map) = known.iter().find(|k| **k == camera.map || *k == plain) else {
             return Err(RecipeError::UnknownMap { given: camera.map.clone(), known });

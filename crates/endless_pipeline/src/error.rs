@@ -118,6 +118,9 @@ pub enum GenerateError {
     /// The simulator failed.
     #[error(transparent)]
     Simulator(#[from] SimulatorError),
+    /// The system gives no threads.
+    #[error("cannot start the threads: {0}: ask for fewer with --threads")]
+    Threads(#[from] rayon::ThreadPoolBuildError),
     /// Image and scene disagree.
     #[error("the simulator contradicts itself: {0}")]
     Annotate(#[from] AnnotateError),

@@ -21,7 +21,7 @@ pub struct GenerateOptions {
     pub build: BuildIdentity,
     /// Go on with what another build began, and note which builds made which video.
     pub allow_other_build: bool,
-    /// Threads that record.
+    /// Threads that work.
     pub threads: usize,
     /// Write the scenes and stop.
     pub plan_only: bool,
@@ -50,6 +50,20 @@ pub struct Generated {
 /// When the folder holds something else, the disk is too small or the simulator fails. What is complete stays, and the
 /// same call goes on from there.
 pub fn generate<S: Simulator>(
+    simulator: &S,
+    recipe: &Recipe,
+    root: &Path,
+    options: &GenerateOptions,
+    progress: &dyn Progress,
+) -> Result<Generated, GenerateError> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.max(1)).build()?;
+    // Whatever works side by side, loading and baking too, finds this pool around it.
+    pool.install(|| generate_in(&pool, simulator, recipe, root, options, progress))
+}
+
+/// [`generate`] on the threads of a pool.
+fn generate_in<S: Simulator>(
+    pool: &rayon::ThreadPool,
     simulator: &S,
     recipe: &Recipe,
     root: &Path,
@@ -85,7 +99,7 @@ pub fn generate<S: Simulator>(
     let complete = recipe.videos - to_do.len() as u32;
     progress.event(&Event::Start { videos: to_do.len() as u32, complete, estimate });
     let clock = Clock::default();
-    let mut run = Run { simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
+    let mut run = Run { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in to_do.chunk_by(|a, b| a.map == b.map) {
         progress.event(&Event::LoadMap { map: &same_map[0].map });
         let map = clock.time(Stage::LoadMap, || simulator.load_map(&same_map[0].map))?;
@@ -108,6 +122,7 @@ fn camera_frames(settings: &SceneSettings) -> u64 {
 
 /// What all videos of a run share.
 struct Run<'a, S> {
+    pool: &'a rayon::ThreadPool,
     simulator: &'a S,
     recipe: &'a Recipe,
     layout: &'a DatasetLayout,
@@ -136,7 +151,7 @@ impl<S: Simulator> Run<'_, S> {
             settings,
             recipe: self.recipe,
             layout: &self.layout.video(settings),
-            threads: self.options.threads.max(1),
+            pool: self.pool,
             progress: self.progress,
             clock: self.clock,
         };

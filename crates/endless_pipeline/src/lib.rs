@@ -10,6 +10,7 @@ mod progress;
 mod recipe;
 mod record;
 mod simulator;
+mod simulator_error;
 mod text_position;
 
 pub use builtin::{BuiltinMap, BuiltinSimulator};
@@ -21,4 +22,8 @@ pub use plan::Plan;
 pub use progress::{Event, Progress, Silent};
 pub use recipe::RecipeDraft;
 pub use record::StageTimes;
-pub use simulator::{Cameras, MapCatalog, PeopleBodies, RenderStats, Scene, Simulator, SimulatorError, Traffic};
+pub use simulator::{
+    Capabilities, MapCatalog, MapSource, RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep,
+    Simulator,
+};
+pub use simulator_error::SimulatorError;

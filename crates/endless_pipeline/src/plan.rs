@@ -73,7 +73,7 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
 #[cfg(test)]
 pub(crate) mod tests {
     use super::*;
-    use crate::{RecipeDraft, SimulatorError};
+    use crate::{MapSource, RecipeDraft, SimulatorError};
     use endless_world::{Mount, TimeOfDay, Weather};
     use proptest::prelude::*;
     use std::collections::BTreeMap;
@@ -81,15 +81,13 @@ pub(crate) mod tests {
     /// Three towns of three, four and five cameras.
     pub(crate) struct ThreeTowns;
 
-    impl MapCatalog for ThreeTowns {
+    impl MapSource for ThreeTowns {
         fn maps(&self) -> Vec<String> {
             (1..=3).map(|n| format!("Town0{n}")).collect()
         }
+    }
 
-        fn summary(&self, _map: &str) -> Result<String, SimulatorError> {
-            Ok(String::new())
-        }
-
+    impl MapCatalog for ThreeTowns {
         fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
             let count = 2 + map.bytes().last().map_or(0, |b| b - b'0');
             let site = |i| CameraSite {

@@ -1,6 +1,6 @@
 //! From what the user wrote to the resolved recipe.
 
-use crate::{MapCatalog, OwnCamera, RecipeError, camera_list, text_position::line_and_column};
+use crate::{MapSource, OwnCamera, RecipeError, camera_list, text_position::line_and_column};
 use endless_dataset::{Layer, MAX_CAMERAS, Recipe, RgbFormat};
 use endless_world::{ImageSize, LookChoice, TimeOfDay, UnknownName, Weather};
 use serde::Deserialize;
@@ -118,7 +118,7 @@ impl RecipeDraft {
     ///
     /// # Errors
     /// The first thing that cannot be.
-    pub fn resolve(self, catalog: &dyn MapCatalog) -> Result<Recipe, RecipeError> {
+    pub fn resolve(self, source: &dyn MapSource) -> Result<Recipe, RecipeError> {
         let simulator = self.simulator.unwrap_or_else(|| "builtin".into());
         if simulator != "builtin" {
             return Err(RecipeError::Simulator { given: simulator });
@@ -126,14 +126,14 @@ impl RecipeDraft {
         let layers: Vec<Layer> = choose("layers", self.layers, Layer::ALL, Layer::name)?;
         let rgb_format = self.rgb_format.map_or(Ok(RgbFormat::Png), |given| given.parse())?;
         let camera_look = self.camera_look.map_or(Ok(LookChoice::Natural), |given| given.parse())?;
-        let maps = maps(self.maps, catalog)?;
+        let maps = maps(self.maps, source)?;
         let mut map_files = BTreeMap::new();
         for map in &maps {
-            if let Some(hash) = catalog.content_hash(map)? {
+            if let Some(hash) = source.content_hash(map)? {
                 map_files.insert(map.clone(), hash);
             }
         }
-        let cameras = camera_list::resolve(&self.cameras.unwrap_or_default(), &maps, catalog)?;
+        let cameras = camera_list::resolve(&self.cameras.unwrap_or_default(), &maps, source)?;
         let cameras_per_scene = count("cameras-per-scene", self.cameras_per_scene, 2, 1..=MAX_CAMERAS)?;
         let recipe = Recipe {
             videos: count("videos", self.videos, 2, 1..=MAX_VIDEOS)?,
@@ -141,7 +141,7 @@ impl RecipeDraft {
             pedestrians: count("pedestrians", self.pedestrians, 20, 0..=MAX_ACTORS)?,
             maps,
             map_files,
-            asset_files: catalog.asset_files(),
+            asset_files: source.asset_files(),
             cameras,
             cameras_per_scene,
             weathers: choose("weathers", self.weathers, Weather::ALL, Weather::name)?,
@@ -220,9 +220,9 @@ fn choose<T: Copy + PartialEq + FromStr<Err = UnknownName>>(
 }
 
 /// CARLA's layered maps (`Town01_Opt`) are the same towns.
-fn maps(given: Option<Vec<String>>, catalog: &dyn MapCatalog) -> Result<Vec<String>, RecipeError> {
-    let Some(given) = given else { return Ok(catalog.maps()) };
-    let known: Vec<String> = catalog.maps().into_iter().chain(catalog.imported()).collect();
+fn maps(given: Option<Vec<String>>, source: &dyn MapSource) -> Result<Vec<String>, RecipeError> {
+    let Some(given) = given else { return Ok(source.maps()) };
+    let known: Vec<String> = source.maps().into_iter().chain(source.imported()).collect();
     if given.is_empty() {
         return Err(RecipeError::EmptyList { field: "maps", known });
     }

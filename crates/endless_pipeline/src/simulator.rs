@@ -1,17 +1,13 @@
-//! What simulates and renders: the built-in city, a CARLA server, a test double. Everything after it is the same code.
+//! What simulates and renders: the built-in city, a server elsewhere, a test double. Everything after it is the same code.
 
-use endless_annotate::Bodies;
+use crate::SimulatorError;
+use endless_annotate::{Bodies, SceneObjects};
 use endless_dataset::Spawned;
-use endless_world::{Actor, CameraSite, InstanceId, SceneSettings, SensorFrame, WorldState};
+use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
 use std::collections::BTreeMap;
 
-/// What a simulator says when it cannot do what it is asked.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{0}")]
-pub struct SimulatorError(pub String);
-
-/// Which maps there are and where their cameras hang.
-pub trait MapCatalog {
+/// Which maps a recipe can name, and of which files they and their models are made.
+pub trait MapSource {
     /// Names of the maps that are used if none is named, in canonical order.
     fn maps(&self) -> Vec<String>;
 
@@ -20,7 +16,7 @@ pub trait MapCatalog {
         Vec::new()
     }
 
-    /// Hash of an imported map's file; `None` for maps that come with the program.
+    /// Hash of an imported map's file; `None` for maps that come with the simulator.
     ///
     /// # Errors
     /// When the map cannot be read.
@@ -32,13 +28,10 @@ pub trait MapCatalog {
     fn asset_files(&self) -> BTreeMap<String, String> {
         BTreeMap::new()
     }
+}
 
-    /// One sentence on a map's character.
-    ///
-    /// # Errors
-    /// When there is no such map or it cannot be made.
-    fn summary(&self, map: &str) -> Result<String, SimulatorError>;
-
+/// Where the cameras of each map hang.
+pub trait MapCatalog {
     /// The camera sites of a map, in canonical order.
     ///
     /// # Errors
@@ -46,72 +39,96 @@ pub trait MapCatalog {
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError>;
 }
 
-/// Loads maps and scenes of them, and renders what fixed cameras see.
+/// What a simulator can do: by this, recording chooses how it works.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Capabilities {
+    /// A frame can be rendered while the session goes on, several at the same time and in any order. Else each is
+    /// rendered before the next tick.
+    pub random_access: bool,
+    /// The same settings give the same video every time. Else a video that was interrupted is begun again.
+    pub repeatable: bool,
+}
+
+/// Loads maps and opens sessions on them.
 pub trait Simulator: MapCatalog + Sync {
-    /// A loaded map, shared by all of its scenes.
+    /// A loaded map, shared by all of its sessions.
     type Map: Sync;
+
+    /// What it can do.
+    fn capabilities(&self) -> Capabilities;
 
     /// Loads a map.
     ///
     /// # Errors
-    /// When there is no such map or it cannot be made.
+    /// When there is no such map, it cannot be made, or the simulator cannot be reached.
     fn load_map(&self, name: &str) -> Result<Self::Map, SimulatorError>;
 
-    /// Populates a map: cheap against [`Self::bake`].
+    /// Populates a map: cheap against [`SimulationSession::prepare`].
     ///
     /// # Errors
-    /// When the scene cannot be made.
-    fn load_scene<'m>(&'m self, map: &'m Self::Map, settings: &SceneSettings) -> Result<Scene<'m>, SimulatorError>;
-
-    /// Prepares the cameras of a scene in which these actors move. May take long and use all cores; left out where no frame must be rendered.
-    ///
-    /// # Errors
-    /// When the scene cannot be made.
-    fn bake<'m>(
+    /// When the scene cannot be made, or the simulator cannot be reached.
+    fn open_session<'m>(
         &'m self,
         map: &'m Self::Map,
-        settings: &SceneSettings,
-        moving: &[Actor],
-    ) -> Result<Box<dyn Cameras + 'm>, SimulatorError>;
+        settings: &'m SceneSettings,
+    ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError>;
 }
 
-/// A populated scene, before its first frame.
-pub struct Scene<'m> {
+/// One populated scene. It is passed from thread to thread, and used by one at a time.
+pub trait SimulationSession<'m>: Send {
     /// What was really placed.
-    pub spawned: Spawned,
-    /// Parked vehicles, which no [`WorldState`] lists.
-    pub parked: Vec<Actor>,
-    /// Everything that moves, as it stands in frame 0. Nothing appears later.
-    pub moving: Vec<Actor>,
-    /// Skin of people and riders, 1 to 10 on the Monk scale, where it is known.
-    pub skin_tones: BTreeMap<InstanceId, u8>,
-    /// Who knows where people's keypoints are, if anybody does.
-    pub bodies: Option<Box<dyn PeopleBodies + 'm>>,
-    /// What moves.
-    pub traffic: Box<dyn Traffic + 'm>,
-}
+    fn spawned(&self) -> Spawned;
 
-/// Knows the bodies of people.
-pub trait PeopleBodies: Sync {
-    /// Keypoints of people and riders at an instant. A pure function of the state.
-    fn at(&self, state: &WorldState) -> Bodies;
-}
+    /// Makes ready to render, before the first tick. May take long and use all threads; left out where no frame must be
+    /// rendered, and frames can be rendered without.
+    ///
+    /// # Errors
+    /// When the simulator fails.
+    fn prepare(&mut self) -> Result<(), SimulatorError> {
+        Ok(())
+    }
 
-/// The moving part of a scene.
-pub trait Traffic: Send {
-    /// The state of the next frame; the first call gives frame 0.
-    fn tick(&mut self) -> WorldState;
-}
-
-/// Cameras ready to film.
-pub trait Cameras: Sync + Send {
-    /// What each sees, in the order of the settings. A pure function of the state: frames can be rendered in any order, on any number of threads.
-    fn render(&self, state: &WorldState) -> Vec<SensorFrame>;
+    /// Goes on by a frame; the first call gives frame 0.
+    ///
+    /// # Errors
+    /// When the simulator fails: the session is not used any more.
+    fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError>;
 
     /// What rendering has cost until now.
     fn stats(&self) -> RenderStats {
         RenderStats::default()
     }
+}
+
+/// One instant of a session.
+pub struct SimulationStep<'m> {
+    /// The world. Actors may come and go from frame to frame.
+    pub state: WorldState,
+    /// Shows it.
+    pub task: Box<dyn RenderTask + 'm>,
+}
+
+/// Shows the world at one instant.
+pub trait RenderTask: Send {
+    /// Everything that labels can speak of at this instant.
+    fn truth(&self, state: &WorldState) -> SceneTruth {
+        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: Bodies::new() }
+    }
+
+    /// What each camera sees, in the order of the settings. Without [`Capabilities::random_access`] it is called before the
+    /// next tick. Not called for frames that are stored already.
+    ///
+    /// # Errors
+    /// When the simulator fails, or gives another frame than this one.
+    fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError>;
+}
+
+/// What is known of a scene at one instant, seen or not.
+pub struct SceneTruth {
+    /// All objects, parked ones included.
+    pub objects: SceneObjects,
+    /// Where the keypoints of people and riders are, of those of whom it is known.
+    pub bodies: Bodies,
 }
 
 /// Counters of a renderer.

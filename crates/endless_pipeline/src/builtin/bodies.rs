@@ -1,6 +1,5 @@
 //! Where the keypoints of our own people are.
 
-use crate::PeopleBodies;
 use endless_annotate::Bodies;
 use endless_asset::{Anatomy, Catalogue};
 use endless_world::{Actor, InstanceId, KEYPOINT_COUNT, Motion, WorldState};
@@ -8,13 +7,13 @@ use glam::Vec3;
 use std::collections::BTreeMap;
 
 /// The skeletons of people on foot, by their ids, and the seated bodies of riders, by those of their vehicles.
-pub(super) struct CastBodies {
+pub(super) struct Skeletons {
     on_foot: BTreeMap<InstanceId, Anatomy>,
     /// In the object frame of the vehicle.
     riding: BTreeMap<InstanceId, [Vec3; KEYPOINT_COUNT]>,
 }
 
-impl CastBodies {
+impl Skeletons {
     /// Of all who move.
     pub(super) fn of(catalogue: &Catalogue, moving: &[Actor]) -> Self {
         let on_foot = moving.iter().filter_map(|a| Some((a.id, catalogue.anatomy(a.asset.person()?))));
@@ -25,6 +24,11 @@ impl CastBodies {
         Self { on_foot: on_foot.collect(), riding: riding.collect() }
     }
 
+    /// Keypoints of people and riders at an instant.
+    pub(super) fn bodies(&self, state: &WorldState) -> Bodies {
+        state.actors.iter().filter_map(|actor| self.of_actor(actor)).collect()
+    }
+
     /// Whose keypoints come with an actor, and where they are.
     fn of_actor(&self, actor: &Actor) -> Option<(InstanceId, [Vec3; KEYPOINT_COUNT])> {
         let (id, body) = match &actor.motion {
@@ -33,11 +37,5 @@ impl CastBodies {
         };
         let world_from_object = actor.pose.world_from_object();
         Some((id, body.map(|p| world_from_object.transform_point3(p))))
-    }
-}
-
-impl PeopleBodies for CastBodies {
-    fn at(&self, state: &WorldState) -> Bodies {
-        state.actors.iter().filter_map(|actor| self.of_actor(actor)).collect()
     }
 }

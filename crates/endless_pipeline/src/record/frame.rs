@@ -1,162 +1,147 @@
-//! One frame of all cameras: rendered and written, or read back when it is there already.
+//! One frame of all cameras: rendered and written, or read back where it is stored already, and then labelled.
 
-use super::{Recording, sink::SinkItem, stored::StoredFrames, times::Stage};
-use crate::{Cameras, GenerateError, PeopleBodies};
-use endless_annotate::{Bodies, Picture, SceneObjects, annotate, visible_objects};
-use endless_dataset::{
-    CameraLayout, DatasetError, Layer, RgbFormat, Yuv, decode_jpg, depth_from_rgb, depth_preview, encode_jpg,
-    encode_png, instance_from_rgb, instance_preview, metres_from_rgb, read_rgb, rgb_from_depth, rgb_from_instance,
-    write_atomic, yuv_from_rgb,
+use super::{
+    layers::{self, LayerImages, StoredLayers},
+    recording::Recording,
+    sink::SinkItem,
+    stored::StoredFrames,
+    times::Stage,
 };
-use endless_world::{Actor, Image, InstanceId, InstancePixel, PinholeCamera, SensorFrame, WorldState};
-use std::collections::BTreeMap;
+use crate::{GenerateError, SceneTruth, SimulationStep, SimulatorError};
+use endless_annotate::{Picture, annotate, visible_objects};
+use endless_dataset::{DatasetError, Layer, StoredImage, Yuv, metres_from_rgb, rgb_from_metres, yuv_from_rgb};
+use endless_world::{PinholeCamera, SceneCamera, SensorFrame};
+use std::borrow::Cow;
 
 pub(super) struct FrameMaker<'a> {
     pub(super) recording: &'a Recording<'a>,
-    pub(super) parked: &'a [Actor],
-    pub(super) skin_tones: &'a BTreeMap<InstanceId, u8>,
-    pub(super) bodies: Option<&'a dyn PeopleBodies>,
+    stored: &'a StoredFrames,
     /// One a camera.
-    pub(super) lenses: &'a [PinholeCamera],
-    pub(super) stored: &'a StoredFrames,
+    lenses: Vec<PinholeCamera>,
 }
 
-/// What the ordered work of one camera needs of a frame.
-struct Layers {
-    rgb: Option<Image<[u8; 3]>>,
-    /// As it is stored.
-    depth: Option<Image<[u8; 3]>>,
-    instance: Image<InstancePixel>,
+/// An instant as the cameras saw it.
+pub(super) struct TakenFrame {
+    frame: u32,
+    truth: SceneTruth,
+    pictures: Pictures,
 }
 
-/// What is known of a frame beside its pictures.
-struct Known<'a> {
-    state: &'a WorldState,
-    scene: SceneObjects,
-    bodies: Bodies,
+/// One a camera.
+enum Pictures {
+    Rendered(Vec<SensorFrame>),
+    Stored(Vec<StoredLayers>),
 }
 
-impl FrameMaker<'_> {
-    /// The frame, and whether it was there already. `None` when there are no cameras to render with.
-    pub(super) fn make<'c>(
-        &self,
-        state: &WorldState,
-        cameras: impl Fn() -> Option<&'c (dyn Cameras + 'c)>,
-    ) -> Result<Option<(Vec<SinkItem>, bool)>, GenerateError> {
-        let known = self.recording.clock.time(Stage::Boxes, || Known {
-            state,
-            scene: SceneObjects::new(state, self.parked).with_skin_tones(self.skin_tones),
-            bodies: self.bodies.map(|bodies| bodies.at(state)).unwrap_or_default(),
-        });
-        if self.stored.has(state.frame) {
-            let read = self.recording.clock.time(Stage::Resume, || -> Result<Vec<Layers>, DatasetError> {
-                (0..self.lenses.len()).map(|camera| self.read(camera, state.frame)).collect()
-            });
-            match read {
-                Ok(layers) => return Ok(Some((self.items(&layers, &known)?, true))),
-                // Somebody spoilt the image: it is made again.
-                Err(DatasetError::Malformed { .. }) => {}
-                Err(other) => return Err(other.into()),
+impl TakenFrame {
+    /// Whether it was there already.
+    pub(super) fn is_stored(&self) -> bool {
+        matches!(self.pictures, Pictures::Stored(_))
+    }
+}
+
+impl<'a> FrameMaker<'a> {
+    pub(super) fn new(recording: &'a Recording<'a>, stored: &'a StoredFrames) -> Self {
+        let size = recording.settings.size;
+        let lens =
+            |SceneCamera { site, look }: &SceneCamera| PinholeCamera::new(site, size).with_distortion(look.distortion);
+        Self { recording, stored, lenses: recording.settings.cameras.iter().map(lens).collect() }
+    }
+
+    /// What needs the simulator.
+    pub(super) fn take(&self, step: SimulationStep<'_>) -> Result<TakenFrame, GenerateError> {
+        let SimulationStep { state, task } = step;
+        let clock = self.recording.clock;
+        let truth = clock.time(Stage::Boxes, || task.truth(&state));
+        let frame = state.frame;
+        let pictures = match self.read(frame)? {
+            Some(layers) => Pictures::Stored(layers),
+            None => {
+                let frames = clock.time(Stage::Render, || task.render(&state))?;
+                self.refuse_other_frames(frame, &frames)?;
+                Pictures::Rendered(frames)
             }
-        }
-        let Some(cameras) = cameras() else { return Ok(None) };
-        let frames = self.recording.clock.time(Stage::Render, || cameras.render(state));
-        let layers = self.recording.clock.time(Stage::Images, || -> Result<Vec<Layers>, DatasetError> {
-            frames.into_iter().enumerate().map(|(camera, frame)| self.write(camera, frame)).collect()
-        })?;
-        Ok(Some((self.items(&layers, &known)?, false)))
-    }
-
-    fn items(&self, layers: &[Layers], known: &Known<'_>) -> Result<Vec<SinkItem>, GenerateError> {
-        layers.iter().enumerate().map(|(camera, layers)| self.item(camera, layers, known)).collect()
-    }
-
-    fn wants_video(&self, layer: Layer) -> bool {
-        self.recording.recipe.mp4.contains(&layer)
-    }
-
-    fn read(&self, camera: usize, frame: u32) -> Result<Layers, DatasetError> {
-        let recipe = self.recording.recipe;
-        let files = self.recording.layout.camera(camera);
-        let load = |layer: Layer| {
-            let format = if layer == Layer::Rgb { recipe.rgb_format } else { RgbFormat::Png };
-            let path = files.frame(layer, frame, recipe);
-            let image = read_rgb(&path, format)?;
-            if image.size == recipe.size { Ok(image) } else { Err(DatasetError::malformed(path, "has another size")) }
         };
-        // All are decoded, also those that are not used, so that a spoilt one is noticed.
-        let mut layers = Layers { rgb: None, depth: None, instance: Image { size: recipe.size, data: Vec::new() } };
-        for &layer in &recipe.layers {
-            let image = load(layer)?;
-            match layer {
-                Layer::Rgb => layers.rgb = Some(image),
-                Layer::Depth => layers.depth = Some(image),
-                Layer::Instance => {
-                    let path = files.frame(layer, frame, recipe);
-                    layers.instance = instance_from_rgb(&image)
-                        .map_err(|tag| DatasetError::malformed(path, format!("has the tag {tag}")))?;
-                }
-            }
-        }
-        Ok(layers)
+        Ok(TakenFrame { frame, truth, pictures })
     }
 
-    fn write(&self, camera: usize, frame: SensorFrame) -> Result<Layers, DatasetError> {
-        let recipe = self.recording.recipe;
-        let files: CameraLayout = self.recording.layout.camera(camera);
-        let mut layers = Layers { rgb: None, depth: None, instance: frame.instance };
-        for &layer in &recipe.layers {
-            let path = files.frame(layer, frame.frame, recipe);
-            match (layer, recipe.rgb_format) {
-                (Layer::Rgb, RgbFormat::Png) => {
-                    write_atomic(&path, &encode_png(&frame.rgb))?;
-                }
-                (Layer::Rgb, RgbFormat::Jpg) => {
-                    let bytes = encode_jpg(&frame.rgb).map_err(|reason| DatasetError::malformed(&path, reason))?;
-                    write_atomic(&path, &bytes)?;
-                    // The video is made of the frames as they lie on disk, so that a resumed one is the same.
-                    if self.wants_video(layer) {
-                        let stored = decode_jpg(&bytes).map_err(|reason| DatasetError::malformed(&path, reason))?;
-                        layers.rgb = Some(stored);
-                    }
-                }
-                (Layer::Depth, _) => {
-                    let encoded = rgb_from_depth(&frame.depth);
-                    write_atomic(&path, &encode_png(&encoded))?;
-                    layers.depth = Some(encoded);
-                }
-                (Layer::Instance, _) => {
-                    write_atomic(&path, &encode_png(&rgb_from_instance(&layers.instance)))?;
-                }
-            }
+    fn refuse_other_frames(&self, frame: u32, frames: &[SensorFrame]) -> Result<(), SimulatorError> {
+        let (expected, got) = (self.lenses.len(), frames.len());
+        if got != expected {
+            return Err(SimulatorError::CamerasMissing { frame, expected, got });
         }
-        if recipe.rgb_format == RgbFormat::Png {
-            layers.rgb = Some(frame.rgb);
+        match frames.iter().find(|f| f.frame != frame) {
+            Some(other) => Err(SimulatorError::FramesDropped { expected: frame, got: other.frame }),
+            None => Ok(()),
         }
-        Ok(layers)
     }
 
-    fn item(&self, camera: usize, layers: &Layers, known: &Known<'_>) -> Result<SinkItem, GenerateError> {
+    /// The frame where it is stored; one that somebody spoilt is made again.
+    fn read(&self, frame: u32) -> Result<Option<Vec<StoredLayers>>, DatasetError> {
+        if !self.stored.has(frame) {
+            return Ok(None);
+        }
+        let Recording { recipe, layout, clock, .. } = *self.recording;
+        let read = clock.time(Stage::Resume, || {
+            layout.cameras(self.lenses.len()).map(|files| StoredLayers::read(&files, recipe, frame)).collect()
+        });
+        match read {
+            Ok(layers) => Ok(Some(layers)),
+            Err(DatasetError::Malformed { .. }) => Ok(None),
+            Err(other) => Err(other),
+        }
+    }
+
+    /// Images on disk, and what each camera's sink gets.
+    pub(super) fn finish(&self, taken: &TakenFrame) -> Result<Vec<SinkItem>, GenerateError> {
+        let Recording { recipe, layout, clock, .. } = *self.recording;
+        let cameras = self.lenses.iter().enumerate();
+        match &taken.pictures {
+            Pictures::Stored(cameras_layers) => {
+                let item = |((_, lens), stored): ((_, &PinholeCamera), &StoredLayers)| {
+                    let depth = |pixel: usize| metres_from_rgb(stored.depth.data[pixel]);
+                    let picture = Picture { camera: lens, instance: &stored.instance, depth: &depth };
+                    self.item(taken, &picture, &stored.images)
+                };
+                cameras.zip(cameras_layers).map(item).collect()
+            }
+            Pictures::Rendered(frames) => {
+                let item = |((camera, lens), frame): ((usize, &PinholeCamera), &SensorFrame)| {
+                    let write = || layers::write(&layout.camera(camera), recipe, frame);
+                    let images = clock.time(Stage::Images, write)?;
+                    // As it is or would be stored: labels do not depend on which layers are.
+                    let depth = |pixel: usize| metres_from_rgb(rgb_from_metres(frame.depth.data[pixel]));
+                    let picture = Picture { camera: lens, instance: &frame.instance, depth: &depth };
+                    self.item(taken, &picture, &images)
+                };
+                cameras.zip(frames).map(item).collect()
+            }
+        }
+    }
+
+    /// Labels, and pictures of videos.
+    fn item(
+        &self,
+        taken: &TakenFrame,
+        picture: &Picture<'_>,
+        images: &LayerImages<'_>,
+    ) -> Result<SinkItem, GenerateError> {
         let Recording { settings, recipe, clock, .. } = *self.recording;
-        let Known { state, scene, bodies } = known;
+        let TakenFrame { frame, truth, .. } = taken;
         let line = clock.time(Stage::Boxes, || {
-            let visible = visible_objects(&layers.instance);
-            let time_s = f64::from(state.frame) / settings.fps;
-            let line = annotate(state.frame, time_s, &visible, scene, settings.size, recipe.min_pixels)?;
-            // By the depth as it is stored, so that a resumed video is the same.
-            let depth = layers.depth.as_ref().map(|image| |pixel: usize| metres_from_rgb(image.data[pixel]));
-            let depth = depth.as_ref().map(|of| of as &dyn Fn(usize) -> f32);
-            let picture = Picture { camera: &self.lenses[camera], instance: &layers.instance, depth };
-            Ok::<_, GenerateError>(line.with_keypoints(bodies, &picture))
+            let visible = visible_objects(picture.instance);
+            let time_s = f64::from(*frame) / settings.fps;
+            let line = annotate(*frame, time_s, &visible, &truth.objects, settings.size, recipe.min_pixels)?;
+            Ok::<_, GenerateError>(line.with_keypoints(&truth.bodies, picture))
         })?;
         let pictures = clock.time(Stage::Video, || {
-            let picture = |layer: &Layer| match layer {
-                Layer::Rgb => layers.rgb.as_ref().map(yuv_from_rgb),
-                Layer::Depth => layers.depth.as_ref().map(|d| yuv_from_rgb(&depth_preview(&depth_from_rgb(d)))),
-                Layer::Instance => Some(yuv_from_rgb(&instance_preview(&layers.instance))),
+            let shown = images.iter().filter(|(layer, _)| recipe.mp4.contains(layer));
+            let picture = |(layer, image): &(Layer, Cow<'_, StoredImage>)| {
+                let preview = (layer.entry().preview)(image);
+                preview.map(|p| yuv_from_rgb(&p)).map_err(|reason| DatasetError::Video { reason })
             };
-            recipe.mp4.iter().filter_map(picture).collect::<Vec<Yuv>>()
-        });
+            shown.map(picture).collect::<Result<Vec<Yuv>, _>>()
+        })?;
         Ok(SinkItem { line, pictures })
     }
 }

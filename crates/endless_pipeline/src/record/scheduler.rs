@@ -1,16 +1,19 @@
-//! Who does what next: hands out frames in order, and ordered work when its turn has come.
+//! Who does what next: hands out the session that makes the next frame, and ordered work when its turn has come.
 
-use crate::Traffic;
-use endless_world::WorldState;
 use std::{
     collections::BTreeMap,
     sync::{Condvar, Mutex, MutexGuard, PoisonError},
 };
 
 /// Something to do.
-pub(super) enum Job<T> {
+pub(super) enum Job<S, T> {
     /// Make this frame.
-    Frame(WorldState),
+    Frame {
+        /// Its number.
+        frame: u32,
+        /// Who makes it: given back by [`FrameScheduler::return_session`] as soon as the next frame may be begun.
+        session: S,
+    },
     /// Feed a camera's sink with the item whose turn it is.
     Sink {
         /// Which camera.
@@ -20,18 +23,20 @@ pub(super) enum Job<T> {
     },
 }
 
-/// Hands out frames and ordered work to all workers; a frame brings an item of type `T` for each camera's sink.
-pub(super) struct FrameScheduler<'a, T> {
-    state: Mutex<State<'a, T>>,
+/// Hands out frames and ordered work to all workers. One worker at a time has the session; a frame brings an item for
+/// each camera's sink.
+pub(super) struct FrameScheduler<S, T> {
+    state: Mutex<State<S, T>>,
     changed: Condvar,
     frames: u32,
     window: u32,
 }
 
-struct State<'a, T> {
-    traffic: Box<dyn Traffic + 'a>,
+struct State<S, T> {
+    /// `None` while a worker has it.
+    session: Option<S>,
     /// Frames handed out.
-    ticked: u32,
+    begun: u32,
     sinks: Vec<SinkQueue<T>>,
     stopped: bool,
 }
@@ -43,16 +48,16 @@ struct SinkQueue<T> {
     waiting: BTreeMap<u32, T>,
 }
 
-impl<'a, T> FrameScheduler<'a, T> {
+impl<S, T> FrameScheduler<S, T> {
     /// A schedule of so many frames for so many cameras; at most `window` frames are under way.
-    pub(super) fn new(traffic: Box<dyn Traffic + 'a>, cameras: usize, frames: u32, window: u32) -> Self {
+    pub(super) fn new(session: S, cameras: usize, frames: u32, window: u32) -> Self {
         let sinks = (0..cameras).map(|_| SinkQueue { next: 0, busy: false, waiting: BTreeMap::new() }).collect();
-        let state = State { traffic, ticked: 0, sinks, stopped: false };
+        let state = State { session: Some(session), begun: 0, sinks, stopped: false };
         Self { state: Mutex::new(state), changed: Condvar::new(), frames, window }
     }
 
     /// The next thing to do; waits for it. `None` when everything is done or somebody failed.
-    pub(super) fn next(&self, time_tick: &dyn Fn(&mut dyn FnMut())) -> Option<Job<T>> {
+    pub(super) fn next(&self) -> Option<Job<S, T>> {
         let mut state = self.lock();
         loop {
             if state.stopped {
@@ -68,17 +73,25 @@ impl<'a, T> FrameScheduler<'a, T> {
                 }
             }
             let slowest = state.sinks.iter().map(|s| s.next).min().unwrap_or(0);
-            if state.ticked < self.frames && state.ticked < slowest + self.window {
-                state.ticked += 1;
-                let mut world = None;
-                time_tick(&mut || world = Some(state.traffic.tick()));
-                return world.map(Job::Frame);
+            let frame = state.begun;
+            if frame < self.frames
+                && frame < slowest.saturating_add(self.window)
+                && let Some(session) = state.session.take()
+            {
+                state.begun += 1;
+                return Some(Job::Frame { frame, session });
             }
             if slowest == self.frames {
                 return None;
             }
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
+    }
+
+    /// The next frame may be begun.
+    pub(super) fn return_session(&self, session: S) {
+        self.lock().session = Some(session);
+        self.changed.notify_all();
     }
 
     /// A frame is made: one item a camera.
@@ -107,19 +120,24 @@ impl<'a, T> FrameScheduler<'a, T> {
     }
 
     /// Stops the others when this thread panics, so that they do not wait for ever.
-    pub(super) fn stop_on_panic(&self) -> StopOnPanic<'_, 'a, T> {
+    pub(super) fn stop_on_panic(&self) -> StopOnPanic<'_, S, T> {
         StopOnPanic(self)
     }
 
-    fn lock(&self) -> MutexGuard<'_, State<'a, T>> {
+    /// The session, when all workers are done; `None` where one of them failed with it.
+    pub(super) fn into_session(self) -> Option<S> {
+        self.state.into_inner().unwrap_or_else(PoisonError::into_inner).session
+    }
+
+    fn lock(&self) -> MutexGuard<'_, State<S, T>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
 /// See [`FrameScheduler::stop_on_panic`].
-pub(super) struct StopOnPanic<'b, 'a, T>(&'b FrameScheduler<'a, T>);
+pub(super) struct StopOnPanic<'s, S, T>(&'s FrameScheduler<S, T>);
 
-impl<T> Drop for StopOnPanic<'_, '_, T> {
+impl<S, T> Drop for StopOnPanic<'_, S, T> {
     fn drop(&mut self) {
         if std::thread::panicking() {
             self.0.stop();
@@ -132,30 +150,24 @@ mod tests {
     use super::*;
     use std::sync::atomic::{AtomicU32, Ordering};
 
-    struct Count(u32);
-
-    impl Traffic for Count {
-        fn tick(&mut self) -> WorldState {
-            self.0 += 1;
-            WorldState { frame: self.0 - 1, time_s: 0.0, actors: Vec::new(), signals: Vec::new() }
-        }
-    }
-
     #[test]
     fn sinks_take_all_frames_in_order_and_few_wait() {
         for (threads, cameras) in [(1, 2), (2, 1), (7, 2), (7, 5)] {
-            let scheduler = FrameScheduler::new(Box::new(Count(0)), cameras, 200, 4);
+            // The session counts the frames itself.
+            let scheduler = FrameScheduler::new(0u32, cameras, 200, 4);
             let taken: Vec<Mutex<Vec<u32>>> = (0..cameras).map(|_| Mutex::default()).collect();
             let (under_way, most) = (AtomicU32::new(0), AtomicU32::new(0));
             std::thread::scope(|scope| {
                 for _ in 0..threads {
                     scope.spawn(|| {
-                        while let Some(job) = scheduler.next(&|tick| tick()) {
+                        while let Some(job) = scheduler.next() {
                             match job {
-                                Job::Frame(world) => {
+                                Job::Frame { frame, session } => {
+                                    assert_eq!(session, frame, "one worker at a time has the session");
                                     let now = under_way.fetch_add(1, Ordering::SeqCst) + 1;
                                     most.fetch_max(now, Ordering::SeqCst);
-                                    scheduler.deliver(world.frame, vec![world.frame; cameras]);
+                                    scheduler.return_session(session + 1);
+                                    scheduler.deliver(frame, vec![frame; cameras]);
                                 }
                                 Job::Sink { camera, item } => {
                                     taken[camera].lock().expect("unpoisoned").push(item);
@@ -173,6 +185,7 @@ mod tests {
                 assert_eq!(frames.into_inner().expect("unpoisoned"), (0..200).collect::<Vec<_>>());
             }
             assert!(most.into_inner() <= 5, "at most the window is under way");
+            assert_eq!(scheduler.into_session(), Some(200));
         }
     }
 }

@@ -1,7 +1,7 @@
 //! What one camera's frames must go through in order: its videos and its list of objects.
 
 use super::{
-    Recording,
+    recording::Recording,
     times::{Clock, Stage},
 };
 use endless_annotate::FrameObjects;

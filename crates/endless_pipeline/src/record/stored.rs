@@ -1,19 +1,19 @@
 //! Which images of a video are there already.
 
-use super::Recording;
+use super::{layers::can_be_taken_over, recording::Recording};
 use endless_dataset::{CameraLayout, DatasetError, Layer, Recipe};
-use std::{collections::BTreeSet, ffi::OsString, fs, io};
+use std::{collections::BTreeSet, ffi::OsString, fs, io, path::Path};
 
-/// Frames of which every layer of all cameras is there.
-pub(crate) struct StoredFrames {
+/// Frames that are taken over as they are stored: every layer of all cameras is there.
+pub(super) struct StoredFrames {
     present: Vec<bool>,
 }
 
 impl StoredFrames {
-    /// Looks at the names. Without instance images nothing counts as present: the boxes come from them.
+    /// Looks at the names. Where labels cannot be made again of what is stored, nothing counts as present.
     pub(super) fn find(recording: &Recording<'_>) -> Result<Self, DatasetError> {
         let Recording { settings, recipe, layout, .. } = *recording;
-        let mut present = vec![recipe.layers.contains(&Layer::Instance); frames(recipe)];
+        let mut present = vec![can_be_taken_over(recipe); recipe.frames() as usize];
         for camera in layout.cameras(settings.cameras.len()) {
             for &layer in &recipe.layers {
                 mark_absent(&mut present, &camera, layer, recipe)?;
@@ -29,10 +29,6 @@ impl StoredFrames {
     pub(super) fn is_complete(&self) -> bool {
         self.present.iter().all(|p| *p)
     }
-}
-
-fn frames(recipe: &Recipe) -> usize {
-    recipe.frames() as usize
 }
 
 fn mark_absent(present: &mut [bool], camera: &CameraLayout, layer: Layer, recipe: &Recipe) -> Result<(), DatasetError> {
@@ -53,6 +49,20 @@ fn names(camera: &CameraLayout, layer: Layer) -> Result<BTreeSet<OsString>, Data
     entries
         .map(|entry| Ok(entry.map_err(|e| DatasetError::io("cannot read the folder", &folder, e))?.file_name()))
         .collect()
+}
+
+/// Removes what is there of a video that cannot be gone on with. First what says that it is complete.
+pub(super) fn forget(recording: &Recording<'_>) -> Result<(), DatasetError> {
+    let Recording { settings, layout, .. } = *recording;
+    let gone = |path: &Path, removed: io::Result<()>| match removed {
+        Err(e) if e.kind() != io::ErrorKind::NotFound => Err(DatasetError::io("cannot remove", path, e)),
+        _ => Ok(()),
+    };
+    gone(&layout.scene(), fs::remove_file(layout.scene()))?;
+    for camera in layout.cameras(settings.cameras.len()) {
+        gone(camera.folder(), fs::remove_dir_all(camera.folder()))?;
+    }
+    Ok(())
 }
 
 /// How many images of a camera are there.

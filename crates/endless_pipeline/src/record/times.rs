@@ -66,11 +66,6 @@ impl Clock {
         result
     }
 
-    /// Something that times what it is given.
-    pub(crate) fn timer(&self, stage: Stage) -> impl Fn(&mut dyn FnMut()) + '_ {
-        move |work| self.time(stage, work)
-    }
-
     pub(crate) fn add_rays(&self, rays: RenderStats) {
         self.bake_rays.fetch_add(rays.bake_rays, Ordering::Relaxed);
         self.frame_rays.fetch_add(rays.frame_rays, Ordering::Relaxed);

@@ -5,4 +5,6 @@ mod disk_full;
 mod fake;
 mod golden;
 mod kill;
+mod labels;
+mod live;
 mod record;

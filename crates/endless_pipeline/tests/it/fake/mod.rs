@@ -1,15 +1,19 @@
 //! A simulator that is fast and exact: coloured rectangles drive over a striped plain under a plain sky.
-#![allow(dead_code, reason = "every test uses a part of it")]
 
+mod live;
+
+pub(crate) use live::{Fault, LiveFake};
+
+use endless_annotate::SceneObjects;
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, Spawned};
 use endless_pipeline::{
-    Cameras, GenerateOptions, Generated, MapCatalog, RecipeDraft, Scene, Silent, Simulator, SimulatorError, Traffic,
-    generate,
+    Capabilities, GenerateOptions, Generated, MapCatalog, MapSource, RecipeDraft, RenderTask, SceneTruth, Silent,
+    SimulationSession, SimulationStep, Simulator, SimulatorError, generate,
 };
 use endless_world::{
-    Actor, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, Motion, Mount, ObjectClass, Outfit,
-    PersonRef, Pose, SceneSettings, SensorFrame, Stream, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion,
-    WorldState,
+    Actor, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINT_COUNT, Motion, Mount,
+    ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, Stream, VehicleModelId,
+    VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 use std::{
@@ -26,61 +30,58 @@ pub(crate) struct Fake {
     pub(crate) renders: AtomicU32,
 }
 
-impl MapCatalog for Fake {
+pub(crate) fn maps() -> Vec<String> {
+    ["Town01", "Town02"].map(String::from).to_vec()
+}
+
+pub(crate) fn sites() -> Vec<CameraSite> {
+    let site = |i: u8| CameraSite {
+        name: format!("mast_{i}"),
+        position: [f32::from(i), 0.0, 8.0],
+        yaw_rad: f32::from(i) * 0.3,
+        down_tilt_rad: 0.4,
+        horizontal_fov_rad: 1.2,
+        mount: Mount::Pole,
+    };
+    (0..9).map(site).collect()
+}
+
+impl MapSource for Fake {
     fn maps(&self) -> Vec<String> {
-        ["Town01", "Town02"].map(String::from).to_vec()
+        maps()
     }
+}
 
-    fn summary(&self, _map: &str) -> Result<String, SimulatorError> {
-        Ok("a plain".into())
-    }
-
+impl MapCatalog for Fake {
     fn cameras(&self, _map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
-        let site = |i: u8| CameraSite {
-            name: format!("mast_{i}"),
-            position: [f32::from(i), 0.0, 8.0],
-            yaw_rad: f32::from(i) * 0.3,
-            down_tilt_rad: 0.4,
-            horizontal_fov_rad: 1.2,
-            mount: Mount::Pole,
-        };
-        Ok((0..9).map(site).collect())
+        Ok(sites())
     }
 }
 
 impl Simulator for Fake {
     type Map = ();
 
+    fn capabilities(&self) -> Capabilities {
+        Capabilities { random_access: true, repeatable: true }
+    }
+
     fn load_map(&self, _name: &str) -> Result<(), SimulatorError> {
         self.maps_loaded.fetch_add(1, Ordering::SeqCst);
         Ok(())
     }
 
-    fn load_scene<'m>(&'m self, _map: &'m (), settings: &SceneSettings) -> Result<Scene<'m>, SimulatorError> {
-        // The plain has room for twelve vehicles.
-        let vehicles = settings.vehicles.min(12);
-        let spawned = Spawned { vehicles, pedestrians: settings.pedestrians, parked: 1 };
-        let parked = vec![Actor { parked: true, ..actor(1, ObjectClass::Van) }];
-        let drive = || Drive { next: 0, fps: settings.fps, seed: settings.seed, spawned };
-        Ok(Scene {
-            spawned,
-            parked,
-            moving: drive().tick().actors,
-            skin_tones: Default::default(),
-            bodies: None,
-            traffic: Box::new(drive()),
-        })
-    }
-
-    fn bake<'m>(
+    fn open_session<'m>(
         &'m self,
         _map: &'m (),
-        settings: &SceneSettings,
-        _moving: &[Actor],
-    ) -> Result<Box<dyn Cameras + 'm>, SimulatorError> {
-        self.bakes.fetch_add(1, Ordering::SeqCst);
-        Ok(Box::new(Eyes { fake: self, settings: settings.clone() }))
+        settings: &'m SceneSettings,
+    ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError> {
+        Ok(Box::new(Drive { fake: self, settings, next: 0 }))
     }
+}
+
+/// The plain has room for twelve vehicles.
+pub(crate) fn placed(settings: &SceneSettings) -> Spawned {
+    Spawned { vehicles: settings.vehicles.min(12), pedestrians: settings.pedestrians, parked: 1 }
 }
 
 fn actor(id: u16, class: ObjectClass) -> Actor {
@@ -102,81 +103,124 @@ fn actor(id: u16, class: ObjectClass) -> Actor {
     }
 }
 
-struct Drive {
+/// The one vehicle that stands there all the time.
+pub(crate) fn parked() -> Actor {
+    Actor { parked: true, ..actor(1, ObjectClass::Van) }
+}
+
+/// The world at a frame, as a seed moves it.
+pub(crate) fn world(settings: &SceneSettings, seed: u64, frame: u32) -> WorldState {
+    let spawned = placed(settings);
+    let count = (spawned.vehicles + spawned.pedestrians) as u16;
+    let classes = [ObjectClass::Car, ObjectClass::Truck, ObjectClass::Bus, ObjectClass::Motorcycle];
+    let actors = (0..count).map(|i| {
+        let vehicle = u32::from(i) < spawned.vehicles;
+        let class = if vehicle { classes[usize::from(i) % 4] } else { ObjectClass::Pedestrian };
+        let mut actor = actor(2 + i, class);
+        let mut stream = Stream::named(seed, "fake", &[u64::from(i)]);
+        let speed = stream.range_f32(0.002, 0.02);
+        let x = (stream.f32() + speed * frame as f32).fract();
+        actor.pose.position = Vec3::new(x, stream.f32(), 10.0 + f32::from(i));
+        actor
+    });
+    WorldState { frame, time_s: f64::from(frame) / settings.fps, actors: actors.collect(), signals: Vec::new() }
+}
+
+struct Drive<'m> {
+    fake: &'m Fake,
+    settings: &'m SceneSettings,
     next: u32,
-    fps: f64,
-    seed: u64,
-    spawned: Spawned,
 }
 
-impl Traffic for Drive {
-    fn tick(&mut self) -> WorldState {
-        let frame = self.next;
+impl<'m> SimulationSession<'m> for Drive<'m> {
+    fn spawned(&self) -> Spawned {
+        placed(self.settings)
+    }
+
+    fn prepare(&mut self) -> Result<(), SimulatorError> {
+        self.fake.bakes.fetch_add(1, Ordering::SeqCst);
+        Ok(())
+    }
+
+    fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError> {
+        let state = world(self.settings, self.settings.seed, self.next);
         self.next += 1;
-        let count = (self.spawned.vehicles + self.spawned.pedestrians) as u16;
-        let classes = [ObjectClass::Car, ObjectClass::Truck, ObjectClass::Bus, ObjectClass::Motorcycle];
-        let actors = (0..count).map(|i| {
-            let vehicle = u32::from(i) < self.spawned.vehicles;
-            let class = if vehicle { classes[usize::from(i) % 4] } else { ObjectClass::Pedestrian };
-            let mut actor = actor(2 + i, class);
-            let mut stream = Stream::named(self.seed, "fake", &[u64::from(i)]);
-            let speed = stream.range_f32(0.002, 0.02);
-            let x = (stream.f32() + speed * frame as f32).fract();
-            actor.pose.position = Vec3::new(x, stream.f32(), 10.0 + f32::from(i));
-            actor
-        });
-        WorldState { frame, time_s: f64::from(frame) / self.fps, actors: actors.collect(), signals: Vec::new() }
+        Ok(SimulationStep { state, task: Box::new(Eyes { fake: self.fake, settings: self.settings }) })
     }
 }
 
-struct Eyes<'a> {
-    fake: &'a Fake,
-    settings: SceneSettings,
+struct Eyes<'m> {
+    fake: &'m Fake,
+    settings: &'m SceneSettings,
 }
 
-impl Cameras for Eyes<'_> {
-    fn render(&self, state: &WorldState) -> Vec<SensorFrame> {
+impl RenderTask for Eyes<'_> {
+    fn truth(&self, state: &WorldState) -> SceneTruth {
+        let people = state.actors.iter().filter(|a| a.class == ObjectClass::Pedestrian);
+        SceneTruth {
+            objects: SceneObjects::new(state, &[parked()]),
+            bodies: people.map(|a| (a.id, body(self.settings, a))).collect(),
+        }
+    }
+
+    fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
         self.fake.renders.fetch_add(1, Ordering::SeqCst);
-        (0..self.settings.cameras.len() as u32).map(|camera| self.one(state, camera)).collect()
+        Ok((0..self.settings.cameras.len() as u32).map(|camera| paint(self.settings, state, camera)).collect())
     }
 }
 
-impl Eyes<'_> {
-    fn one(&self, state: &WorldState, camera: u32) -> SensorFrame {
-        let size = self.settings.size;
-        let (w, h) = (size.width, size.height);
-        let sky = InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF };
-        let mut frame = SensorFrame {
-            frame: state.frame,
-            rgb: Image::filled(size, [120, 160, 220]),
-            depth: Image::filled(size, FAR_PLANE_M),
-            instance: Image::filled(size, sky),
-        };
-        for y in h / 3..h {
-            for x in 0..w {
-                let i = (y * w + x) as usize;
-                frame.rgb.data[i] = [(x * 7 + camera * 50) as u8, (y * 3) as u8, (x ^ y) as u8];
-                frame.depth.data[i] = 30.0 + 300.0 / (1 + y) as f32;
-                frame.instance.data[i].tag = ClassTag::Roads;
-            }
+/// Top-left corner of an actor's rectangle, and its depth.
+fn rectangle(settings: &SceneSettings, actor: &Actor, camera: u32) -> ([u32; 2], f32) {
+    let (w, h) = (settings.size.width as f32, settings.size.height);
+    let x = (actor.pose.position.x + 0.1 * camera as f32) * w;
+    let y = h / 3 + (actor.pose.position.y * h as f32 * 0.5) as u32;
+    ([x as u32, y], 10.0 + f32::from(actor.id.0) * 0.1)
+}
+
+/// Keypoints within the rectangle of the first camera, every other one far behind it.
+fn body(settings: &SceneSettings, actor: &Actor) -> [Vec3; KEYPOINT_COUNT] {
+    let camera = PinholeCamera::new(&settings.cameras[0].site, settings.size);
+    let ([x, y], depth) = rectangle(settings, actor, 0);
+    let k = camera.intrinsics;
+    std::array::from_fn(|i| {
+        let z = depth + if i % 2 == 0 { 0.0 } else { 3.0 };
+        let at = Vec3::new((x as f32 + 2.5 - k.cx) / k.fx, (y as f32 + 2.5 - k.cy) / k.fy, 1.0);
+        camera.position + camera.world_from_camera * (at * z)
+    })
+}
+
+/// What a camera sees.
+pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -> SensorFrame {
+    let size = settings.size;
+    let (w, h) = (size.width, size.height);
+    let sky = InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF };
+    let mut frame = SensorFrame {
+        frame: state.frame,
+        rgb: Image::filled(size, [120, 160, 220]),
+        depth: Image::filled(size, FAR_PLANE_M),
+        instance: Image::filled(size, sky),
+    };
+    for y in h / 3..h {
+        for x in 0..w {
+            let i = (y * w + x) as usize;
+            frame.rgb.data[i] = [(x * 7 + camera * 50) as u8, (y * 3) as u8, (x ^ y) as u8];
+            frame.depth.data[i] = 30.0 + 300.0 / (1 + y) as f32;
+            frame.instance.data[i].tag = ClassTag::Roads;
         }
-        let parked = actor(1, ObjectClass::Van);
-        for actor in state.actors.iter().chain([&parked]) {
-            let shift = 0.1 * camera as f32;
-            let x0 = ((actor.pose.position.x + shift) * w as f32) as u32;
-            let y0 = h / 3 + (actor.pose.position.y * h as f32 * 0.5) as u32;
-            for y in y0..(y0 + h / 8 + 1).min(h) {
-                for x in x0..(x0 + w / 8 + 1).min(w) {
-                    let i = (y * w + x) as usize;
-                    let bits = actor.id.0.wrapping_mul(40_503).to_le_bytes();
-                    frame.rgb.data[i] = [bits[0], bits[1], 200];
-                    frame.depth.data[i] = 10.0 + f32::from(actor.id.0) * 0.1;
-                    frame.instance.data[i] = InstancePixel { tag: actor.class.tag(), id: actor.id };
-                }
-            }
-        }
-        frame
     }
+    for actor in state.actors.iter().chain([&parked()]) {
+        let ([x0, y0], depth) = rectangle(settings, actor, camera);
+        for y in y0..(y0 + h / 8 + 1).min(h) {
+            for x in x0..(x0 + w / 8 + 1).min(w) {
+                let i = (y * w + x) as usize;
+                let bits = actor.id.0.wrapping_mul(40_503).to_le_bytes();
+                frame.rgb.data[i] = [bits[0], bits[1], 200];
+                frame.depth.data[i] = depth;
+                frame.instance.data[i] = InstancePixel { tag: actor.class.tag(), id: actor.id };
+            }
+        }
+    }
+    frame
 }
 
 pub(crate) fn draft() -> RecipeDraft {
@@ -196,7 +240,7 @@ pub(crate) fn recipe(draft: RecipeDraft) -> Recipe {
     draft.resolve(&Fake::default()).expect("valid")
 }
 
-pub(crate) fn make(fake: &Fake, recipe: &Recipe, out: &Path, threads: usize) -> Generated {
+pub(crate) fn make<S: Simulator>(fake: &S, recipe: &Recipe, out: &Path, threads: usize) -> Generated {
     generate(fake, recipe, out, &options(threads), &Silent).expect("makes the dataset")
 }
 

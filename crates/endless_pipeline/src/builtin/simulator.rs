@@ -1,0 +1,64 @@
+//! The built-in city as a simulator.
+
+use super::{map::BuiltinMap, session::BuiltinSession};
+use crate::{Capabilities, MapCatalog, MapSource, SimulationSession, Simulator, SimulatorError};
+use endless_interchange::MapLibrary;
+use endless_world::{CameraSite, SceneSettings};
+use std::collections::BTreeMap;
+
+/// Simulates and renders without anything outside this program.
+#[derive(Debug)]
+pub struct BuiltinSimulator {
+    library: MapLibrary,
+}
+
+impl BuiltinSimulator {
+    /// Over the maps and the catalogue of a library.
+    pub fn new(library: MapLibrary) -> Self {
+        Self { library }
+    }
+}
+
+impl MapSource for BuiltinSimulator {
+    fn maps(&self) -> Vec<String> {
+        self.library.builtin_names()
+    }
+
+    fn imported(&self) -> Vec<String> {
+        self.library.imported_names()
+    }
+
+    fn content_hash(&self, map: &str) -> Result<Option<String>, SimulatorError> {
+        Ok(self.library.content_hash(map)?)
+    }
+
+    fn asset_files(&self) -> BTreeMap<String, String> {
+        self.library.asset_files()
+    }
+}
+
+impl MapCatalog for BuiltinSimulator {
+    fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
+        Ok(self.library.summary(map)?.cameras)
+    }
+}
+
+impl Simulator for BuiltinSimulator {
+    type Map = BuiltinMap;
+
+    fn capabilities(&self) -> Capabilities {
+        Capabilities { random_access: true, repeatable: true }
+    }
+
+    fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
+        BuiltinMap::load(self.library.town(name)?, self.library.catalogue())
+    }
+
+    fn open_session<'m>(
+        &'m self,
+        map: &'m BuiltinMap,
+        settings: &'m SceneSettings,
+    ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError> {
+        Ok(Box::new(BuiltinSession::open(map, self.library.catalogue(), settings)?))
+    }
+}

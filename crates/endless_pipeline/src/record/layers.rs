@@ -1,0 +1,77 @@
+//! The layers of one camera's frame: written, or read back where they are stored already.
+
+use endless_dataset::{
+    CameraLayout, DatasetError, Layer, Recipe, RgbFormat, StoredImage, decode_jpg, encode_jpg, encode_png,
+    instance_from_rgb, read_rgb, write_atomic,
+};
+use endless_world::{Image, InstancePixel, SensorFrame};
+use std::borrow::Cow;
+
+/// A recipe's layers in its order, as whoever reads the files finds them.
+pub(super) type LayerImages<'f> = Vec<(Layer, Cow<'f, StoredImage>)>;
+
+/// One camera's frame as it was read.
+pub(super) struct StoredLayers {
+    pub(super) images: LayerImages<'static>,
+    pub(super) depth: StoredImage,
+    pub(super) instance: Image<InstancePixel>,
+}
+
+/// Whether a stored frame is enough to make everything else of: everything that labels are judged by, without loss.
+pub(super) fn can_be_taken_over(recipe: &Recipe) -> bool {
+    [Layer::Depth, Layer::Instance]
+        .iter()
+        .all(|layer| recipe.layers.contains(layer) && layer.format(recipe.rgb_format) == RgbFormat::Png)
+}
+
+impl StoredLayers {
+    /// Reads a frame of which every layer is stored, where [`can_be_taken_over`]. All are decoded, also those that are
+    /// not used, so that a spoilt one is noticed.
+    pub(super) fn read(files: &CameraLayout, recipe: &Recipe, frame: u32) -> Result<Self, DatasetError> {
+        let mut images = LayerImages::new();
+        let (mut depth, mut instance) = (None, None);
+        for &layer in &recipe.layers {
+            let path = files.frame(layer, frame, recipe);
+            let image = read_rgb(&path, layer.format(recipe.rgb_format))?;
+            if image.size != recipe.size {
+                return Err(DatasetError::malformed(path, "has another size"));
+            }
+            (layer.entry().check)(&image).map_err(|reason| DatasetError::malformed(&path, reason))?;
+            match layer {
+                Layer::Depth => depth = Some(image.clone()),
+                Layer::Instance => instance = instance_from_rgb(&image).ok(),
+                Layer::Rgb => {}
+            }
+            images.push((layer, Cow::Owned(image)));
+        }
+        let missing = || DatasetError::malformed(files.folder(), "lacks layers that labels are judged by");
+        Ok(Self { images, depth: depth.ok_or_else(missing)?, instance: instance.ok_or_else(missing)? })
+    }
+}
+
+/// Writes the recipe's layers of a frame.
+pub(super) fn write<'f>(
+    files: &CameraLayout,
+    recipe: &Recipe,
+    frame: &'f SensorFrame,
+) -> Result<LayerImages<'f>, DatasetError> {
+    let mut images = LayerImages::new();
+    for &layer in &recipe.layers {
+        let path = files.frame(layer, frame.frame, recipe);
+        let mut image = (layer.entry().encode)(frame);
+        match layer.format(recipe.rgb_format) {
+            RgbFormat::Png => write_atomic(&path, &encode_png(&image))?,
+            RgbFormat::Jpg => {
+                let malformed = |reason: String| DatasetError::malformed(&path, reason);
+                let bytes = encode_jpg(&image).map_err(malformed)?;
+                write_atomic(&path, &bytes)?;
+                // The video is made of the frames as they lie on disk, so that a resumed one is the same.
+                if recipe.mp4.contains(&layer) {
+                    image = Cow::Owned(decode_jpg(&bytes).map_err(malformed)?);
+                }
+            }
+        }
+        images.push((layer, image));
+    }
+    Ok(images)
+}

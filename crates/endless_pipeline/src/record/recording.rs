@@ -1,0 +1,17 @@
+//! What a recording needs besides the simulator.
+
+use super::times::Clock;
+use crate::Progress;
+use endless_dataset::{Recipe, VideoLayout};
+use endless_world::SceneSettings;
+
+/// What a recording needs besides the simulator.
+pub(crate) struct Recording<'a> {
+    pub(crate) settings: &'a SceneSettings,
+    pub(crate) recipe: &'a Recipe,
+    pub(crate) layout: &'a VideoLayout,
+    /// Of as many threads as may work.
+    pub(crate) pool: &'a rayon::ThreadPool,
+    pub(crate) progress: &'a dyn Progress,
+    pub(crate) clock: &'a Clock,
+}

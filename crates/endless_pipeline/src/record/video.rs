@@ -1,0 +1,152 @@
+//! One video from its first frame to its last.
+
+use super::{
+    frame::FrameMaker,
+    recording::Recording,
+    scheduler::{FrameScheduler, Job},
+    sink::{CameraSink, SinkItem},
+    stored::{StoredFrames, forget},
+    times::Stage,
+};
+use crate::{Event, GenerateError, SimulationSession, Simulator, SimulatorError};
+use endless_dataset::{
+    CameraRecord, DatasetError, SceneRecord, Spawned, remove_temporaries, write_json, write_json_durable,
+};
+use endless_world::SceneCamera;
+use std::{
+    sync::{Mutex, PoisonError},
+    time::Instant,
+};
+
+type Session<'m> = Box<dyn SimulationSession<'m> + 'm>;
+
+/// Records a video, or completes it.
+pub(crate) fn record_video<S: Simulator>(
+    simulator: &S,
+    map: &S::Map,
+    recording: &Recording<'_>,
+) -> Result<SceneRecord, GenerateError> {
+    let Recording { settings, layout, clock, .. } = *recording;
+    let capabilities = simulator.capabilities();
+    if !capabilities.repeatable {
+        forget(recording)?;
+    }
+    prepare_folders(recording)?;
+    let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings))?;
+    let spawned = session.spawned();
+    report_fewer(recording, &spawned);
+
+    let stored = StoredFrames::find(recording)?;
+    if !stored.is_complete() {
+        // Before the workers start, so that it has all threads.
+        let start = Instant::now();
+        clock.time(Stage::Bake, || session.prepare())?;
+        recording.progress.event(&Event::Baked { seconds: start.elapsed().as_secs_f64() });
+    }
+    let sinks = (0..settings.cameras.len())
+        .map(|camera| CameraSink::create(recording, camera).map(Mutex::new))
+        .collect::<Result<Vec<_>, _>>()?;
+    let window = 2 * recording.pool.current_num_threads() as u32 + 2;
+    let scheduler = FrameScheduler::new(session, sinks.len(), settings.frames, window);
+    let work = Work {
+        scheduler: &scheduler,
+        sinks: &sinks,
+        maker: FrameMaker::new(recording, &stored),
+        random_access: capabilities.random_access,
+    };
+    let failure = Mutex::new(None);
+    recording.pool.broadcast(|_| {
+        let _stop_others_on_panic = scheduler.stop_on_panic();
+        if let Err(error) = work.all() {
+            failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+            scheduler.stop();
+        }
+    });
+    if let Some(error) = failure.into_inner().unwrap_or_else(PoisonError::into_inner) {
+        return Err(error);
+    }
+    if let Some(session) = scheduler.into_session() {
+        clock.add_rays(session.stats());
+    }
+    let mut boxes = Vec::with_capacity(sinks.len());
+    for sink in sinks {
+        boxes.push(sink.into_inner().unwrap_or_else(PoisonError::into_inner).finish()?);
+    }
+    let record = SceneRecord { settings: settings.clone(), spawned, recorded_frames: settings.frames, boxes };
+    // It says that the video is complete, after a power failure, too.
+    layout.sync()?;
+    write_json_durable(&layout.scene(), &record)?;
+    Ok(record)
+}
+
+/// Folders, no temporaries, and the records of the cameras.
+fn prepare_folders(recording: &Recording<'_>) -> Result<(), DatasetError> {
+    let Recording { settings, recipe, layout, .. } = *recording;
+    for camera in layout.cameras(settings.cameras.len()) {
+        camera.create(&recipe.layers)?;
+    }
+    remove_temporaries(layout.folder())?;
+    for (number, SceneCamera { site, look }) in settings.cameras.iter().enumerate() {
+        let record = CameraRecord::new(site, look.distortion, settings.size, settings.fps);
+        write_json(&layout.camera(number).camera(), &record)?;
+    }
+    Ok(())
+}
+
+fn report_fewer(recording: &Recording<'_>, spawned: &Spawned) {
+    let settings = recording.settings;
+    let asked = [("vehicles", settings.vehicles, spawned.vehicles)];
+    let walkers = [("pedestrians", settings.pedestrians, spawned.pedestrians)];
+    for (what, asked, placed) in asked.into_iter().chain(walkers) {
+        if placed < asked {
+            recording.progress.event(&Event::Fewer { what, asked, placed, map: &settings.map });
+        }
+    }
+}
+
+/// What all workers share.
+struct Work<'a, 'm> {
+    scheduler: &'a FrameScheduler<Session<'m>, SinkItem>,
+    sinks: &'a [Mutex<CameraSink>],
+    maker: FrameMaker<'a>,
+    random_access: bool,
+}
+
+impl<'m> Work<'_, 'm> {
+    /// What a worker does until there is nothing left.
+    fn all(&self) -> Result<(), GenerateError> {
+        while let Some(job) = self.scheduler.next() {
+            match job {
+                Job::Frame { frame, session } => self.frame(frame, session)?,
+                Job::Sink { camera, item } => {
+                    let mut sink = self.sinks[camera].lock().unwrap_or_else(PoisonError::into_inner);
+                    sink.push(&item, self.maker.recording.clock)?;
+                    drop(sink);
+                    self.scheduler.sink_done(camera);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn frame(&self, frame: u32, mut session: Session<'m>) -> Result<(), GenerateError> {
+        let Recording { clock, progress, .. } = *self.maker.recording;
+        let step = clock.time(Stage::Traffic, || session.tick())?;
+        if step.state.frame != frame {
+            return Err(SimulatorError::FramesDropped { expected: frame, got: step.state.frame }.into());
+        }
+        let taken = if self.random_access {
+            self.scheduler.return_session(session);
+            self.maker.take(step)?
+        } else {
+            let taken = self.maker.take(step)?;
+            self.scheduler.return_session(session);
+            taken
+        };
+        let resumed = taken.is_stored();
+        let items = self.maker.finish(&taken)?;
+        self.scheduler.deliver(frame, items);
+        progress.event(&Event::Frame { cameras: self.sinks.len() as u32, resumed });
+        Ok(())
+    }
+}

@@ -1,0 +1,90 @@
+//! What a simulator says when it cannot do what it is asked.
+
+use endless_interchange::MapError;
+use endless_town::TownError;
+use std::{error::Error, time::Duration};
+
+/// What a simulator says when it cannot do what it is asked. Every message is one line that says what to do.
+#[derive(Debug, thiserror::Error)]
+pub enum SimulatorError {
+    /// A map that there is not.
+    #[error("unknown map '{map}': use one of {}", known.join(", "))]
+    UnknownMap {
+        /// What was asked for.
+        map: String,
+        /// The names there are.
+        known: Vec<String>,
+    },
+    /// A map that cannot be made.
+    #[error(transparent)]
+    Map(MapError),
+    /// A map that cannot be shown.
+    #[error("the simulator cannot load the map {map}")]
+    LoadMap {
+        /// The map.
+        map: String,
+        /// Why not.
+        #[source]
+        source: Box<dyn Error + Send + Sync>,
+    },
+    /// A scene that cannot be made.
+    #[error("the simulator cannot make scene {video} in {map}")]
+    Scene {
+        /// Number of the video.
+        video: u32,
+        /// The map.
+        map: String,
+        /// Why not.
+        #[source]
+        source: Box<dyn Error + Send + Sync>,
+    },
+    /// The simulator went away.
+    #[error("the connection to the simulator at {address} is lost: start it again and run the same command")]
+    ConnectionLost {
+        /// Where it was.
+        address: String,
+        /// What was noticed.
+        #[source]
+        source: std::io::Error,
+    },
+    /// The simulator does not answer.
+    #[error("the simulator did not {action} within {} s: start it again and run the same command", limit.as_secs_f64())]
+    Timeout {
+        /// What it was asked to do, as in "load the map".
+        action: &'static str,
+        /// How long it was waited for.
+        limit: Duration,
+    },
+    /// Another frame than the next one.
+    #[error(
+        "the simulator gave frame {got} in place of frame {expected}, so that frames are missing: run the same command \
+         again, which begins the video again"
+    )]
+    FramesDropped {
+        /// The frame that was asked for.
+        expected: u32,
+        /// The frame that came.
+        got: u32,
+    },
+    /// Fewer or more pictures than there are cameras.
+    #[error("the simulator gave pictures of {got} cameras in place of {expected} for frame {frame}")]
+    CamerasMissing {
+        /// The frame.
+        frame: u32,
+        /// Cameras of the scene.
+        expected: usize,
+        /// Cameras of which pictures came.
+        got: usize,
+    },
+}
+
+impl From<MapError> for SimulatorError {
+    fn from(error: MapError) -> Self {
+        match error {
+            MapError::Town(TownError::UnknownMap { given, known }) => {
+                Self::UnknownMap { map: given, known: known.into_iter().map(str::to_owned).collect() }
+            }
+            other => Self::Map(other),
+        }
+    }
+}
