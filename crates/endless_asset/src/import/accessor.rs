@@ -1,7 +1,7 @@
 //! Numbers from the buffer (glTF 2.0, section 3.6): every offset is checked, whatever the document says.
 
 use super::ImportError;
-use super::container::Opened;
+use super::container::GlbFile;
 use gltf::Accessor;
 use gltf::accessor::{DataType, Dimensions};
 
@@ -11,7 +11,7 @@ fn damaged(what: impl Into<String>) -> ImportError {
 
 /// The bytes of each element, `size` long.
 fn elements<'a>(
-    opened: &Opened<'a>,
+    opened: &GlbFile<'a>,
     accessor: &Accessor<'_>,
     size: usize,
 ) -> Result<impl Iterator<Item = &'a [u8]> + use<'a>, ImportError> {
@@ -55,7 +55,7 @@ fn number(bytes: &[u8], kind: DataType) -> f32 {
 
 /// Vectors of at most `N` components; those that are missing are 1.
 pub(super) fn vectors<const N: usize>(
-    opened: &Opened<'_>,
+    opened: &GlbFile<'_>,
     accessor: &Accessor<'_>,
 ) -> Result<Vec<[f32; N]>, ImportError> {
     let components = match accessor.dimensions() {
@@ -78,7 +78,7 @@ pub(super) fn vectors<const N: usize>(
 }
 
 /// Indices of vertices.
-pub(super) fn indices(opened: &Opened<'_>, accessor: &Accessor<'_>) -> Result<Vec<u32>, ImportError> {
+pub(super) fn indices(opened: &GlbFile<'_>, accessor: &Accessor<'_>) -> Result<Vec<u32>, ImportError> {
     let kind = accessor.data_type();
     let of = |bytes: &[u8]| match *bytes {
         [a] => u32::from(a),

@@ -1,7 +1,7 @@
 //! Materials of glTF in the terms of the catalogue.
 
 use super::ImportError;
-use super::container::Opened;
+use super::container::GlbFile;
 use super::picture::{self, Picture};
 use endless_scene::Surface;
 use endless_world::{ClassTag, math};
@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// A material of a file.
 #[derive(Debug, Clone)]
-pub(super) struct Coat {
+pub(super) struct SourceMaterial {
     pub(super) name: String,
     pub(super) surface: Surface,
     /// Linear colour and alpha.
@@ -48,13 +48,13 @@ impl Pattern {
 ///
 /// # Errors
 /// When one of their pictures cannot be had.
-pub(super) fn all(opened: &Opened<'_>) -> Result<Vec<Coat>, ImportError> {
+pub(super) fn all(opened: &GlbFile<'_>) -> Result<Vec<SourceMaterial>, ImportError> {
     let mut pictures = BTreeMap::new();
     let mut coats = Vec::new();
     for material in opened.document.materials() {
         coats.push(coat(opened, &material, &mut pictures)?);
     }
-    coats.push(Coat {
+    coats.push(SourceMaterial {
         name: "default".to_owned(),
         surface: Surface::Painted,
         color: Vec4::new(0.6, 0.6, 0.6, 1.0),
@@ -66,10 +66,10 @@ pub(super) fn all(opened: &Opened<'_>) -> Result<Vec<Coat>, ImportError> {
 }
 
 fn coat(
-    opened: &Opened<'_>,
+    opened: &GlbFile<'_>,
     material: &gltf::Material<'_>,
     pictures: &mut BTreeMap<usize, Arc<Picture>>,
-) -> Result<Coat, ImportError> {
+) -> Result<SourceMaterial, ImportError> {
     let pbr = material.pbr_metallic_roughness();
     let name = material.name().unwrap_or_default().to_owned();
     let mut pattern = None;
@@ -104,7 +104,7 @@ fn coat(
     let surface = said("surface").and_then(Surface::from_name).unwrap_or_else(|| guess(&name, &finish));
     let masked = material.alpha_mode() == gltf::material::AlphaMode::Mask;
     let cutoff = masked.then(|| finite(material.alpha_cutoff().unwrap_or(0.5), 0.5));
-    Ok(Coat { name, surface, color, tag, picture: pattern, cutoff })
+    Ok(SourceMaterial { name, surface, color, tag, picture: pattern, cutoff })
 }
 
 fn extras(material: &gltf::Material<'_>) -> serde_json::Map<String, serde_json::Value> {

@@ -10,7 +10,7 @@ const HEADER: usize = 12;
 const CHUNK_HEADER: usize = 8;
 
 /// A checked document and the buffer that it speaks of.
-pub(super) struct Opened<'a> {
+pub(super) struct GlbFile<'a> {
     pub(super) document: gltf::Document,
     pub(super) buffer: &'a [u8],
     pub(super) beside: Beside<'a>,
@@ -38,7 +38,7 @@ fn chunk<'a>(bytes: &'a [u8], at: usize, part: &'static str) -> Result<(u32, &'a
 ///
 /// # Errors
 /// When it is no whole `.glb` file or its document contradicts itself.
-pub(super) fn open<'a>(bytes: &'a [u8], beside: Beside<'a>) -> Result<Opened<'a>, ImportError> {
+pub(super) fn open<'a>(bytes: &'a [u8], beside: Beside<'a>) -> Result<GlbFile<'a>, ImportError> {
     if !bytes.starts_with(b"glTF") {
         return Err(ImportError::NotGlb);
     }
@@ -70,7 +70,7 @@ pub(super) fn open<'a>(bytes: &'a [u8], beside: Beside<'a>) -> Result<Opened<'a>
     }
     consistent(&root)?;
     let document = gltf::Document::from_json(root).map_err(|e| damaged(described(&e)))?;
-    Ok(Opened { document, buffer, beside })
+    Ok(GlbFile { document, buffer, beside })
 }
 
 /// What the library that checks documents takes for granted.

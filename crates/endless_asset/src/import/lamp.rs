@@ -1,6 +1,6 @@
 //! Lamps that an entry names: surfaces of materials, or small lenses laid on the body.
 
-use super::coat::Coat;
+use super::coat::SourceMaterial;
 use super::{AssetEntry, ImportError, LampPlaces};
 use endless_scene::{LightSlot, Material, Mesh, Surface};
 use endless_world::{ClassTag, math};
@@ -23,7 +23,7 @@ fn color(slot: LightSlot) -> [f32; 3] {
 }
 
 /// Finds a material by its name.
-pub(super) fn named(coats: &[Coat], name: &str, field: &'static str) -> Result<Vec<usize>, ImportError> {
+pub(super) fn named(coats: &[SourceMaterial], name: &str, field: &'static str) -> Result<Vec<usize>, ImportError> {
     let found: Vec<usize> = (0..coats.len()).filter(|&k| coats[k].name == name).collect();
     if found.is_empty() {
         let mut known: Vec<&str> = coats.iter().map(|c| c.name.as_str()).take(8).collect();
@@ -35,7 +35,7 @@ pub(super) fn named(coats: &[Coat], name: &str, field: &'static str) -> Result<V
 }
 
 /// Makes lamps of the materials that an entry names.
-pub(super) fn of_materials(entry: &AssetEntry, coats: &mut [Coat]) -> Result<(), ImportError> {
+pub(super) fn of_materials(entry: &AssetEntry, coats: &mut [SourceMaterial]) -> Result<(), ImportError> {
     for (&slot, places) in &entry.lights {
         let LampPlaces::Materials(names) = places else { continue };
         for name in names {

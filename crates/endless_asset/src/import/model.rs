@@ -1,7 +1,7 @@
 //! A file's scene as triangles in our frame: x ahead, y left, z up.
 
-use super::coat::{self, Coat};
-use super::container::Opened;
+use super::coat::{self, SourceMaterial};
+use super::container::GlbFile;
 use super::{Forward, ImportError, accessor};
 use glam::{Affine3A, Mat3, Mat4, Vec2, Vec3};
 use gltf::Semantic;
@@ -18,14 +18,14 @@ const FARTHEST: f32 = 1e5;
 
 /// A scene.
 #[derive(Debug)]
-pub(super) struct Model {
-    pub(super) coats: Vec<Coat>,
-    pub(super) parts: Vec<Part>,
+pub(super) struct SourceModel {
+    pub(super) coats: Vec<SourceMaterial>,
+    pub(super) parts: Vec<SourcePart>,
 }
 
 /// The triangles of one primitive of one node.
 #[derive(Debug, Default)]
-pub(super) struct Part {
+pub(super) struct SourcePart {
     /// Names of the node and those above it, outermost first, each with its number.
     pub(super) path: Vec<(usize, String)>,
     pub(super) positions: Vec<Vec3>,
@@ -39,7 +39,7 @@ pub(super) struct Part {
     pub(super) coat: usize,
 }
 
-impl Model {
+impl SourceModel {
     /// Smallest and largest corner of what triangles use.
     pub(super) fn bounds(&self) -> (Vec3, Vec3) {
         let used = self.parts.iter().flat_map(|p| p.triangles.iter().flatten().map(|&i| p.positions[i as usize]));
@@ -70,9 +70,9 @@ fn object_from_file(forward: Forward) -> Mat3 {
 ///
 /// # Errors
 /// When it is damaged, too large or empty.
-pub(super) fn read(opened: &Opened<'_>, forward: Forward) -> Result<Model, ImportError> {
+pub(super) fn read(opened: &GlbFile<'_>, forward: Forward) -> Result<SourceModel, ImportError> {
     let mut reader =
-        Reader { opened, model: Model { coats: coat::all(opened)?, parts: vec![] }, triangles: 0, nodes: 0 };
+        Reader { opened, model: SourceModel { coats: coat::all(opened)?, parts: vec![] }, triangles: 0, nodes: 0 };
     let document = &opened.document;
     let root = Affine3A::from_mat3(object_from_file(forward));
     let mut path = Vec::new();
@@ -84,8 +84,8 @@ pub(super) fn read(opened: &Opened<'_>, forward: Forward) -> Result<Model, Impor
 }
 
 struct Reader<'a> {
-    opened: &'a Opened<'a>,
-    model: Model,
+    opened: &'a GlbFile<'a>,
+    model: SourceModel,
     triangles: usize,
     nodes: usize,
 }
@@ -168,7 +168,7 @@ impl Reader<'_> {
             Some(accessor) => accessor::vectors::<3>(self.opened, &accessor)?.into_iter().map(tint).collect(),
             None => vec![],
         };
-        let mut part = Part { path: path.to_vec(), positions, normals, uvs, colors, triangles, coat };
+        let mut part = SourcePart { path: path.to_vec(), positions, normals, uvs, colors, triangles, coat };
         part.uvs.resize(count, Vec2::ZERO);
         part.colors.resize(count, Vec3::ONE);
         self.model.parts.push(part);

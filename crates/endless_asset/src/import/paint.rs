@@ -1,7 +1,7 @@
 //! Parts of a model as one mesh: pictures become colours of triangles, cut smaller where a picture changes.
 
-use super::coat::{Coat, Pattern};
-use super::model::Part;
+use super::coat::{Pattern, SourceMaterial};
+use super::model::SourcePart;
 use endless_scene::{Material, Mesh, Surface};
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3, Vec4};
@@ -38,7 +38,7 @@ impl Corner {
 
 /// Makes a mesh of parts that stand in their final place.
 pub(super) struct Painter<'a> {
-    coats: &'a [Coat],
+    coats: &'a [SourceMaterial],
     /// Class of what names none.
     tag: ClassTag,
     /// Whether the file's own classes count: not for vehicles, which are of one class.
@@ -49,7 +49,7 @@ pub(super) struct Painter<'a> {
 }
 
 impl<'a> Painter<'a> {
-    pub(super) fn new(coats: &'a [Coat], tag: ClassTag, own_tags: bool) -> Self {
+    pub(super) fn new(coats: &'a [SourceMaterial], tag: ClassTag, own_tags: bool) -> Self {
         Self { coats, tag, own_tags, mesh: Mesh::default(), materials: BTreeMap::new(), cut: 0 }
     }
 
@@ -58,7 +58,7 @@ impl<'a> Painter<'a> {
     }
 
     /// Adds a part, moved.
-    pub(super) fn add(&mut self, part: &Part, by: Vec3) {
+    pub(super) fn add(&mut self, part: &SourcePart, by: Vec3) {
         let coats = self.coats;
         let coat = &coats[part.coat];
         let plain = part.colors.iter().all(|&c| c == Vec3::ONE);
@@ -90,7 +90,7 @@ impl<'a> Painter<'a> {
 
     fn cut(&mut self, coat: usize, pattern: &Pattern, corners: [Corner; 3]) {
         let [a, b, c] = corners;
-        let seen = Seen::of(pattern, corners);
+        let seen = PatternSample::of(pattern, corners);
         let long = [(a, b), (b, c), (c, a)].iter().map(|(p, q)| p.position.distance(q.position)).fold(0.0, f32::max);
         if seen.spread > SAME && long > FINEST_M && self.cut < MOST_CUT {
             self.cut += 3;
@@ -138,13 +138,13 @@ impl<'a> Painter<'a> {
 }
 
 /// What a picture shows on a triangle.
-struct Seen {
+struct PatternSample {
     mean: Vec4,
     /// Largest difference of a sample from the mean, as the eye has it.
     spread: f32,
 }
 
-impl Seen {
+impl PatternSample {
     /// Looks at fifteen places.
     fn of(pattern: &Pattern, corners: [Corner; 3]) -> Self {
         let [a, b, c] = corners.map(|c| c.uv);

@@ -1,7 +1,7 @@
 //! Embedded pictures, reduced to what colour a place has.
 
 use super::ImportError;
-use super::container::Opened;
+use super::container::GlbFile;
 use glam::{Vec2, Vec4};
 use std::io::Cursor;
 use zune_core::{bytestream::ZCursor, colorspace::ColorSpace, options::DecoderOptions};
@@ -40,7 +40,7 @@ fn linear(value: u8) -> f32 {
 ///
 /// # Errors
 /// When it cannot be had, is neither PNG nor JPEG, or is broken.
-pub(super) fn decode(opened: &Opened<'_>, image: &gltf::Image<'_>) -> Result<Picture, ImportError> {
+pub(super) fn decode(opened: &GlbFile<'_>, image: &gltf::Image<'_>) -> Result<Picture, ImportError> {
     let number = image.index();
     let wrong = |why: String| ImportError::Picture { number, why, most_px: MOST_PX };
     let decoded = match image.source() {

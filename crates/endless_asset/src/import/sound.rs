@@ -1,7 +1,7 @@
 //! Whether triangles are a surface.
 
 use super::ImportError;
-use super::model::Model;
+use super::model::SourceModel;
 use glam::Vec3;
 
 /// Edges that may join more than two faces, percent. Bodies that pass through each other have none of them; doubled
@@ -12,7 +12,7 @@ const MOST_PERCENT: u32 = 25;
 ///
 /// # Errors
 /// [`ImportError::NotASurface`].
-pub(super) fn judge(model: &Model) -> Result<(), ImportError> {
+pub(super) fn judge(model: &SourceModel) -> Result<(), ImportError> {
     let place = |p: Vec3| (p + 0.0).to_array().map(f32::to_bits);
     let mut edges = Vec::new();
     for part in &model.parts {

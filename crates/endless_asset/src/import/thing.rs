@@ -2,7 +2,7 @@
 
 use super::entry::{AssetClass, AssetEntry};
 use super::error::ImportError;
-use super::model::Model;
+use super::model::SourceModel;
 use super::paint::Painter;
 use crate::{Prop, prop_mesh};
 use endless_scene::Mesh;
@@ -31,7 +31,7 @@ pub struct ImportedThing {
 ///
 /// # Errors
 /// When it has none.
-pub(super) fn stand(model: &mut Model, length_m: f32) -> Result<Vec3, ImportError> {
+pub(super) fn stand(model: &mut SourceModel, length_m: f32) -> Result<Vec3, ImportError> {
     let (low, high) = model.bounds();
     let extent = high - low;
     if !(extent.x > 0.0 && extent.is_finite()) {
@@ -44,7 +44,7 @@ pub(super) fn stand(model: &mut Model, length_m: f32) -> Result<Vec3, ImportErro
     if size.is_finite() { Ok(size) } else { Err(ImportError::Empty) }
 }
 
-pub(super) fn make(entry: &AssetEntry, kind: AssetClass, mut model: Model) -> Result<ImportedThing, ImportError> {
+pub(super) fn make(entry: &AssetEntry, kind: AssetClass, mut model: SourceModel) -> Result<ImportedThing, ImportError> {
     let size = stand(&mut model, entry.size[0])?;
     let off = |k: usize| (size[k] - entry.size[k]).abs() > OFF * entry.size[k] + 0.02;
     if off(1) || off(2) {

@@ -1,11 +1,11 @@
 //! Vehicles: a body, wheels that roll and steer, lamps.
 
-use super::coat::Coat;
-use super::model::{Model, Part};
+use super::coat::SourceMaterial;
+use super::model::{SourceModel, SourcePart};
 use super::paint::Painter;
 use super::thing::{OFF, stand};
 use super::{AssetEntry, ImportError, lamp};
-use crate::vehicle::{Parts, RiderFit, VehicleModel, Wheel};
+use crate::vehicle::{RiderFit, VehicleModel, VehicleParts, Wheel};
 use endless_scene::{LightSlot, Mesh, Surface};
 use endless_world::{ObjectClass, VehicleSpec};
 use glam::Vec3;
@@ -20,7 +20,7 @@ const SAME_AXLE_M: f32 = 0.25;
 
 /// Parts of one wheel.
 struct Round<'a> {
-    parts: Vec<&'a Part>,
+    parts: Vec<&'a SourcePart>,
     low: Vec3,
     high: Vec3,
 }
@@ -41,7 +41,11 @@ impl Round<'_> {
     }
 }
 
-pub(super) fn make(entry: &AssetEntry, class: ObjectClass, mut model: Model) -> Result<VehicleModel, ImportError> {
+pub(super) fn make(
+    entry: &AssetEntry,
+    class: ObjectClass,
+    mut model: SourceModel,
+) -> Result<VehicleModel, ImportError> {
     let found = stand(&mut model, entry.size[0])?;
     let [_, width, height] = entry.size;
     let narrow = found.y < (1.0 - OFF) * width || found.y > MIRRORS * width;
@@ -53,7 +57,7 @@ pub(super) fn make(entry: &AssetEntry, class: ObjectClass, mut model: Model) -> 
     let wheels = wheels(entry, &model.parts);
     let rolling = Rolling::of(&wheels);
     let mut painter = Painter::new(&model.coats, tag, false);
-    let rolls = |part: &Part| rolling.parts.iter().any(|&p| std::ptr::eq(p, part));
+    let rolls = |part: &SourcePart| rolling.parts.iter().any(|&p| std::ptr::eq(p, part));
     model.parts.iter().filter(|part| !rolls(part)).for_each(|part| painter.add(part, Vec3::ZERO));
     let mut body = painter.finish();
     if body.triangles.is_empty() {
@@ -72,7 +76,7 @@ pub(super) fn make(entry: &AssetEntry, class: ObjectClass, mut model: Model) -> 
     };
     let radius = entry.wheel_radius.or(rolling.pattern.map(|p| p.half().z)).unwrap_or(0.33);
     // Lenses may stand out by millimetres: what is written down is what is there.
-    let parts = Parts {
+    let parts = VehicleParts {
         headlights: headlights(&body),
         body: body.into(),
         wheels: rolling.wheels,
@@ -111,7 +115,7 @@ pub(super) fn make(entry: &AssetEntry, class: ObjectClass, mut model: Model) -> 
 }
 
 /// Materials that are painted anew, and materials that shine.
-fn dress(entry: &AssetEntry, coats: &mut [Coat]) -> Result<(), ImportError> {
+fn dress(entry: &AssetEntry, coats: &mut [SourceMaterial]) -> Result<(), ImportError> {
     for name in &entry.paint {
         for k in lamp::named(coats, name, "paint")? {
             coats[k].surface = Surface::CarPaint;
@@ -123,7 +127,7 @@ fn dress(entry: &AssetEntry, coats: &mut [Coat]) -> Result<(), ImportError> {
 }
 
 /// The wheels: what lies under nodes whose names begin as the entry says.
-fn wheels<'a>(entry: &AssetEntry, parts: &'a [Part]) -> Vec<Round<'a>> {
+fn wheels<'a>(entry: &AssetEntry, parts: &'a [SourcePart]) -> Vec<Round<'a>> {
     let begins = entry.wheels.to_lowercase();
     let mut of_node: BTreeMap<usize, Round<'a>> = BTreeMap::new();
     for part in parts {
@@ -143,7 +147,7 @@ fn wheels<'a>(entry: &AssetEntry, parts: &'a [Part]) -> Vec<Round<'a>> {
 /// The wheels that roll: the first on the left side is the pattern of all.
 struct Rolling<'a> {
     pattern: Option<&'a Round<'a>>,
-    parts: Vec<&'a Part>,
+    parts: Vec<&'a SourcePart>,
     wheels: Vec<Wheel>,
 }
 

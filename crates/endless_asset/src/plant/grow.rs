@@ -16,7 +16,7 @@ const MOST_STEPS: usize = 120;
 
 /// A point of the wood.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Node {
+pub(super) struct BranchNode {
     pub(super) at: Vec3,
     pub(super) parent: usize,
     pub(super) radius: f32,
@@ -25,18 +25,18 @@ pub(super) struct Node {
 }
 
 /// Grows a trunk up to its fork and on towards the light; `droop` bends young wood down (or up, below zero).
-pub(super) fn grow(fork_m: f32, trunk_m: f32, droop: f32, mut light: Vec<Vec3>, s: &mut Stream) -> Vec<Node> {
-    let mut nodes: Vec<Node> = Vec::new();
+pub(super) fn grow(fork_m: f32, trunk_m: f32, droop: f32, mut light: Vec<Vec3>, s: &mut Stream) -> Vec<BranchNode> {
+    let mut nodes: Vec<BranchNode> = Vec::new();
     let steps = (fork_m / STEP_M).ceil().max(2.0) as usize;
     let lean = Vec3::new(s.range_f32(-0.10, 0.10), s.range_f32(-0.10, 0.10), 0.0);
     for k in 0..=steps {
         let t = k as f32 / steps as f32;
         let sway = Vec3::new(math::sin(5.0 * t), math::cos(4.0 * t) - 1.0, 0.0) * 0.03;
         let at = Vec3::Z * (fork_m * t - 0.05) + lean * t * t + sway;
-        nodes.push(Node { at, parent: k.saturating_sub(1), radius: 0.0, children: 0 });
+        nodes.push(BranchNode { at, parent: k.saturating_sub(1), radius: 0.0, children: 0 });
     }
     // The nearest node of each point, kept up to date with new nodes alone.
-    let nearest = |p: Vec3, nodes: &[Node], from: usize, best: (f32, usize)| {
+    let nearest = |p: Vec3, nodes: &[BranchNode], from: usize, best: (f32, usize)| {
         nodes.iter().enumerate().skip(from).fold(best, |best, (i, n)| {
             let d = n.at.distance_squared(p);
             if d < best.0 { (d, i) } else { best }
@@ -59,7 +59,7 @@ pub(super) fn grow(fork_m: f32, trunk_m: f32, droop: f32, mut light: Vec<Vec3>, 
             // Two points that pull one node about equally would grow the same twig for ever.
             let grown = nodes.iter().skip(i + 1).any(|n| n.parent == i && n.at.distance(at) < 0.45 * STEP_M);
             if !grown {
-                nodes.push(Node { at, parent: i, radius: 0.0, children: 0 });
+                nodes.push(BranchNode { at, parent: i, radius: 0.0, children: 0 });
             }
         }
         if nodes.len() == before {
@@ -79,7 +79,7 @@ pub(super) fn grow(fork_m: f32, trunk_m: f32, droop: f32, mut light: Vec<Vec3>, 
 }
 
 /// Radii from the twigs down, so that the foot has that of the trunk.
-fn thicken(nodes: &mut [Node], trunk_m: f32) {
+fn thicken(nodes: &mut [BranchNode], trunk_m: f32) {
     let mut load = vec![0.0f32; nodes.len()];
     for i in (1..nodes.len()).rev() {
         load[i] = load[i].max(1.0);
@@ -95,7 +95,7 @@ fn thicken(nodes: &mut [Node], trunk_m: f32) {
 }
 
 /// The wood as tubes: each branch follows its thickest child.
-pub(super) fn wood(nodes: &[Node], material: Material) -> Sculpt {
+pub(super) fn wood(nodes: &[BranchNode], material: Material) -> Sculpt {
     let mut heir = vec![usize::MAX; nodes.len()];
     for (i, node) in nodes.iter().enumerate().skip(1) {
         let best = &mut heir[node.parent];

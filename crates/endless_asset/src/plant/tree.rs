@@ -1,6 +1,6 @@
 //! Broadleaf trees, in leaf and in winter.
 
-use super::grow::{Node, grow, wood};
+use super::grow::{BranchNode, grow, wood};
 use super::leaf::{Leaves, bark, direction, shades};
 use crate::shape::Sculpt;
 use endless_scene::{Material, Mesh};
@@ -186,7 +186,7 @@ impl Species {
             .collect()
     }
 
-    fn grown(&self, s: &mut Stream) -> (Vec<Vec3>, Vec<Node>) {
+    fn grown(&self, s: &mut Stream) -> (Vec<Vec3>, Vec<BranchNode>) {
         let clusters = self.clusters(s);
         let reach = self.cluster * self.spread * self.height;
         let mut light = Vec::with_capacity(clusters.len() * LIGHT);
@@ -207,7 +207,7 @@ pub(crate) fn broadleaf(variant: u32) -> Mesh {
     let (clusters, nodes) = species.grown(&mut s);
     let trunk = wood(&nodes, bark(species.bark));
     let greens = shades(species.green);
-    let thin: Vec<&Node> = nodes.iter().filter(|n| n.radius < 0.022).collect();
+    let thin: Vec<&BranchNode> = nodes.iter().filter(|n| n.radius < 0.022).collect();
     let mut leaves = Leaves::default();
     let each = (species.leaves / thin.len().max(1)).max(1);
     let middle = Vec3::Z * (0.5 * (1.0 + species.fork) * species.height);

@@ -1,8 +1,8 @@
 //! Vehicles that draw trailers: lorries with semi-trailers, cars with a trailer.
 
-use super::assemble::{Joint, VehicleBlueprint};
+use super::assemble::{HitchMeasures, VehicleBlueprint};
 use super::car::plate;
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::heavy::tractor_unit;
 use super::lorry::FRAME_Z;
 use super::truck::closed_box;
@@ -25,12 +25,16 @@ fn block(low: Vec3, high: Vec3, material: Material) -> Sculpt {
 }
 
 /// A tractor with a semi-trailer of three axles: a box, or curtains in the lorry's colour.
-pub(crate) fn semi(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn semi(draw: &DesignDraw) -> VehicleBlueprint {
     let (tractor, kingpin) = tractor_unit(draw);
     let curtain = draw.chance("curtain sides", 0.55);
     let top = draw.range("height of the trailer", 3.70, 3.82);
-    let joint =
-        Joint { hitch: kingpin, axle: kingpin - AXLES_M[1], front: kingpin + AHEAD_M, towing_rear: tractor.size.rear };
+    let joint = HitchMeasures {
+        hitch: kingpin,
+        axle: kingpin - AXLES_M[1],
+        front: kingpin + AHEAD_M,
+        towing_rear: tractor.size.rear,
+    };
     let rear = kingpin - BEHIND_M;
     let blueprint = tractor.towing(joint, rear - 0.03, top, move || {
         let mut body = closed_box(-rear, kingpin + AHEAD_M, FRAME_Z + 0.22, top, curtain);
@@ -74,7 +78,7 @@ fn undercarriage(kingpin: f32, rear: f32) -> Sculpt {
 }
 
 /// A car with a trailer of one axle: open, or under a cover.
-pub(crate) fn car_with_trailer(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn car_with_trailer(draw: &DesignDraw) -> VehicleBlueprint {
     let car = cars::estate(draw);
     let rear = car.size.rear;
     let (hitch, z0) = (rear - 0.10, 0.52);
@@ -83,7 +87,7 @@ pub(crate) fn car_with_trailer(draw: &Draw) -> VehicleBlueprint {
     let top = if covered { draw.range("cover", 1.35, 1.6) } else { z0 + 0.42 };
     let (front, end) = (hitch - 1.05, hitch - 1.05 - long);
     let axle = front - 0.56 * long;
-    let joint = Joint { hitch, axle, front: hitch + 0.06, towing_rear: rear };
+    let joint = HitchMeasures { hitch, axle, front: hitch + 0.06, towing_rear: rear };
     let half = draw.range("trailer half width", 0.60, 0.66);
     let wheel_y = half + 0.17;
     car.towing(joint, end - 0.03, top, move || {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 /// Measures that are known before anything is built; in the frame in which the vehicle is built, metres.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Size {
+pub(crate) struct VehicleMeasures {
     /// x of the foremost and the rearmost point.
     pub(crate) front: f32,
     pub(crate) rear: f32,
@@ -21,7 +21,7 @@ pub(crate) struct Size {
     pub(crate) wheel_radius: f32,
 }
 
-impl Size {
+impl VehicleMeasures {
     /// x of the middle.
     pub(crate) fn middle(&self) -> f32 {
         0.5 * (self.front + self.rear)
@@ -42,7 +42,7 @@ impl Size {
 
 /// Where a vehicle bends that draws another: x in the frame in which it is built, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Joint {
+pub(crate) struct HitchMeasures {
     /// About this the trailer turns.
     pub(crate) hitch: f32,
     /// Middle of the trailer's axles.
@@ -53,7 +53,7 @@ pub(crate) struct Joint {
     pub(crate) towing_rear: f32,
 }
 
-impl Joint {
+impl HitchMeasures {
     /// Each measure, changed.
     fn map(self, f: impl Fn(f32) -> f32) -> Self {
         let Self { hitch, axle, front, towing_rear } = self;
@@ -63,13 +63,13 @@ impl Joint {
 
 /// What a design makes of a draw: measures at once, the vehicle when it is needed.
 pub(crate) struct VehicleBlueprint {
-    pub(crate) size: Size,
-    pub(crate) joint: Option<Joint>,
+    pub(crate) size: VehicleMeasures,
+    pub(crate) joint: Option<HitchMeasures>,
     pub(crate) build: Box<dyn FnOnce() -> Assembly>,
 }
 
 impl VehicleBlueprint {
-    pub(crate) fn new(size: Size, build: impl FnOnce() -> Assembly + 'static) -> Self {
+    pub(crate) fn new(size: VehicleMeasures, build: impl FnOnce() -> Assembly + 'static) -> Self {
         Self { size, joint: None, build: Box::new(build) }
     }
 
@@ -77,7 +77,7 @@ impl VehicleBlueprint {
     /// x and y of its wheels.
     pub(crate) fn towing(
         mut self,
-        joint: Joint,
+        joint: HitchMeasures,
         rear: f32,
         height: f32,
         build: impl FnOnce() -> (Sculpt, Vec<(f32, f32)>) + 'static,
@@ -95,7 +95,7 @@ impl VehicleBlueprint {
                     mirrored,
                 })
             });
-            assembly.trailer = Some(Drawn { hitch: joint.hitch, body, wheels: wheels.collect() });
+            assembly.trailer = Some(TowedAssembly { hitch: joint.hitch, body, wheels: wheels.collect() });
         })
     }
 
@@ -122,14 +122,14 @@ impl VehicleBlueprint {
     }
 
     /// The finished vehicle.
-    pub(crate) fn finish(self) -> Parts {
+    pub(crate) fn finish(self) -> VehicleParts {
         (self.build)().finish(&self.size)
     }
 }
 
 /// A finished vehicle: what is drawn, and how it is ridden. Object frame.
 #[derive(Debug, Clone)]
-pub(crate) struct Parts {
+pub(crate) struct VehicleParts {
     pub(crate) body: Arc<Mesh>,
     pub(crate) wheels: Vec<Wheel>,
     pub(crate) wheel_mesh: Arc<Mesh>,
@@ -149,7 +149,7 @@ pub struct Trailer {
     pub wheels: Vec<Wheel>,
 }
 
-impl Parts {
+impl VehicleParts {
     /// Body, wheels and trailer as one mesh, standing still and straight.
     pub(crate) fn whole(&self) -> Mesh {
         let mut mesh = (*self.body).clone();
@@ -174,12 +174,12 @@ pub(crate) struct Assembly {
     pub(crate) headlights: Vec<Vec3>,
     pub(crate) fit: Option<RiderFit>,
     pub(crate) wheel_radius: f32,
-    pub(crate) trailer: Option<Drawn>,
+    pub(crate) trailer: Option<TowedAssembly>,
 }
 
 /// A trailer before the vehicle is centred.
 #[derive(Debug, Clone)]
-pub(crate) struct Drawn {
+pub(crate) struct TowedAssembly {
     hitch: f32,
     body: Sculpt,
     wheels: Vec<Wheel>,
@@ -217,7 +217,7 @@ impl Assembly {
         self.wheel_radius *= k;
         self.trailer = self.trailer.map(|mut t| {
             t.wheels.iter_mut().for_each(|w| w.position *= k);
-            Drawn { hitch: t.hitch * k, body: t.body.placed(grow), wheels: t.wheels }
+            TowedAssembly { hitch: t.hitch * k, body: t.body.placed(grow), wheels: t.wheels }
         });
         self.fit = self.fit.map(|f| RiderFit {
             seat: f.seat * k,
@@ -231,7 +231,7 @@ impl Assembly {
 
     /// Centres the vehicle on its footprint. Bumpers, plates and rails that stand out a little more or less than planned
     /// are brought to the planned size by stretching the body by a few thousandths.
-    fn finish(mut self, size: &Size) -> Parts {
+    fn finish(mut self, size: &VehicleMeasures) -> VehicleParts {
         let middle = size.middle();
         let drawn = self.trailer.iter_mut().flat_map(|t| &mut t.wheels);
         for wheel in self.wheels.iter_mut().chain(drawn) {
@@ -258,7 +258,7 @@ impl Assembly {
             Vec3::new(rear - kx * low.x, 0.0, 0.0),
         );
         let place = |p: Vec3| object_from_built.transform_point3(p);
-        Parts {
+        VehicleParts {
             fit: self.fit.map(|f| RiderFit { seat: place(f.seat), grip: place(f.grip), foot: place(f.foot), ..f }),
             headlights: self.headlights.iter().map(|&p| place(p)).collect(),
             body: self.body.placed(object_from_built).into_mesh().into(),

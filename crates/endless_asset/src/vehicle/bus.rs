@@ -1,8 +1,8 @@
 //! Buses: city, midi, double-decker, coach, school.
 
-use super::assemble::{Assembly, Joint, Size, VehicleBlueprint};
+use super::assemble::{Assembly, HitchMeasures, VehicleBlueprint, VehicleMeasures};
 use super::car::{CarShape, Grille, open_arch, plate};
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::paint;
 use super::shell::{Arch, Cabin, Ring, Shell};
 use super::wheel::{Rim, wheel};
@@ -35,7 +35,7 @@ struct BusShape {
 }
 
 /// A low-floor city bus of twelve metres.
-pub(crate) fn city(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn city(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 11.7, 12.2);
     let shape = BusShape {
         length,
@@ -61,7 +61,7 @@ pub(crate) fn city(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// Eight to ten metres, for narrow streets.
-pub(crate) fn midi(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn midi(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 8.3, 9.9);
     let shape = BusShape {
         length,
@@ -83,7 +83,7 @@ pub(crate) fn midi(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// Two decks.
-pub(crate) fn double_decker(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn double_decker(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 10.6, 11.1);
     let height = draw.range("height", 4.18, 4.35);
     let shape = BusShape {
@@ -106,7 +106,7 @@ pub(crate) fn double_decker(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// For long journeys: luggage below, passengers high up.
-pub(crate) fn coach(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn coach(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 11.9, 12.4);
     let height = draw.range("height", 3.38, 3.58);
     let shape = BusShape {
@@ -129,7 +129,7 @@ pub(crate) fn coach(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// Eighteen metres in two pieces, the rear one with an axle of its own.
-pub(crate) fn articulated(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn articulated(draw: &DesignDraw) -> VehicleBlueprint {
     /// From the joint to the walls on both sides.
     const GAP_M: f32 = 0.58;
     let (length, behind) = (draw.range("length", 10.2, 10.5), draw.range("rear length", 6.5, 6.9));
@@ -157,7 +157,7 @@ pub(crate) fn articulated(draw: &Draw) -> VehicleBlueprint {
     let rear = shape(behind, vec![4.35], vec![(1.3, 1.35)], 0.02, [false, true]);
     let hitch = front.x(length) - GAP_M;
     let middle = hitch - GAP_M - 0.5 * behind;
-    let joint = Joint { hitch, axle: middle + rear.x(4.35), front: hitch - GAP_M, towing_rear: hitch };
+    let joint = HitchMeasures { hitch, axle: middle + rear.x(4.35), front: hitch - GAP_M, towing_rear: hitch };
     let end = middle + rear.x(behind) - 0.006;
     let with_bellows = front.blueprint().with(move |a| a.body.add(bellows(Vec3::X * hitch, height)));
     with_bellows.towing(joint, end, height + 0.19, move || {
@@ -189,7 +189,7 @@ fn bellows(joint: Vec3, height: f32) -> Sculpt {
 }
 
 /// A yellow school bus with a bonnet.
-pub(crate) fn school(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn school(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 8.6, 9.2);
     let end = length - 0.12;
     let windows = ((end - 2.9) / 0.78) as usize;
@@ -289,7 +289,7 @@ impl BusShape {
     }
 
     fn blueprint(self) -> VehicleBlueprint {
-        let size = Size {
+        let size = VehicleMeasures {
             // Mirrors reach ahead of the front.
             front: self.x(0.02 + 0.5 * self.rake) + 0.26,
             rear: self.x(self.length) - 0.006,

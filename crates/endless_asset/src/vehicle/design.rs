@@ -1,8 +1,8 @@
 //! The one list of vehicle designs.
 
 use super::assemble::VehicleBlueprint;
-use super::draw::Draw;
-use super::tint::{self, Paint};
+use super::draw::DesignDraw;
+use super::tint::{self, PaintShare};
 use super::{articulated, bus, cars, emergency, fire, heavy, truck, two, van};
 use endless_world::ObjectClass;
 
@@ -22,11 +22,11 @@ pub(crate) struct Design {
     pub(crate) parks: bool,
     /// How many draws the catalogue holds.
     pub(crate) draws: u8,
-    pub(crate) paints: &'static [Paint],
-    pub(crate) blueprint: fn(&Draw) -> VehicleBlueprint,
+    pub(crate) paints: &'static [PaintShare],
+    pub(crate) blueprint: fn(&DesignDraw) -> VehicleBlueprint,
 }
 
-type DrawBlueprint = fn(&Draw) -> VehicleBlueprint;
+type DrawBlueprint = fn(&DesignDraw) -> VehicleBlueprint;
 
 const fn car(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
     Design {
@@ -96,7 +96,7 @@ const fn bicycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawB
 }
 
 impl Design {
-    const fn painted(self, paints: &'static [Paint]) -> Self {
+    const fn painted(self, paints: &'static [PaintShare]) -> Self {
         Self { paints, ..self }
     }
 

@@ -5,9 +5,9 @@ use endless_world::Stream;
 /// Chooses lengths, shapes and equipment of one vehicle. Each choice has a name and a random stream of its own, so that
 /// a choice more or less leaves the others as they are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Draw(u64);
+pub(crate) struct DesignDraw(u64);
 
-impl Draw {
+impl DesignDraw {
     /// Number `index` of a design's draws.
     pub(crate) fn new(design: &str, index: u64) -> Self {
         Self(Stream::named(index, design, &[]).next_u64())

@@ -2,7 +2,7 @@
 
 use super::assemble::VehicleBlueprint;
 use super::car::CarShape;
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::{cars, paint, van};
 use crate::shape::{Region, Sculpt};
 use glam::{Vec2, Vec3};
@@ -29,7 +29,7 @@ pub(crate) fn light_bar(centre: Vec3, half_width: f32, two_coloured: bool) -> Sc
     bar
 }
 
-fn marked(shape: CarShape, draw: &Draw) -> VehicleBlueprint {
+fn marked(shape: CarShape, draw: &DesignDraw) -> VehicleBlueprint {
     let (american, band) = (draw.chance("red and blue", 0.4), draw.range("band", 0.14, 0.26));
     let top = shape.height();
     let mut blueprint = shape.clone().blueprint();
@@ -52,20 +52,20 @@ fn marked(shape: CarShape, draw: &Draw) -> VehicleBlueprint {
     })
 }
 
-pub(crate) fn police_car(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn police_car(draw: &DesignDraw) -> VehicleBlueprint {
     marked(cars::service_car(draw), draw)
 }
 
-pub(crate) fn police_suv(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn police_suv(draw: &DesignDraw) -> VehicleBlueprint {
     marked(cars::service_suv(draw), draw)
 }
 
-pub(crate) fn police_van(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn police_van(draw: &DesignDraw) -> VehicleBlueprint {
     marked(van::service_bus(draw), draw)
 }
 
 /// A high van with a chequered band, a window in its side and lights all round.
-pub(crate) fn ambulance(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn ambulance(draw: &DesignDraw) -> VehicleBlueprint {
     let shape = van::service_van(draw);
     let (red, chequered) = (draw.chance("red", 0.6), draw.chance("chequered", 0.55));
     let top = shape.height();

@@ -1,7 +1,7 @@
 //! Fire engines.
 
 use super::assemble::VehicleBlueprint;
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::emergency::light_bar;
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
@@ -15,7 +15,7 @@ const fn v(x: f32, y: f32, z: f32) -> Vec3 {
 }
 
 /// A pumper: crew cab, lockers behind shutters, a ladder on the roof.
-pub(crate) fn engine(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn engine(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 7.2, 7.7);
     let top = CAB_TOP + draw.range("body", 0.05, 0.25);
     let (band, yellow) = (draw.range("band", 0.18, 0.3), draw.chance("yellow band", 0.5));

@@ -1,7 +1,7 @@
 //! Lorries with open beds, tanks, drums and hoppers.
 
 use super::assemble::VehicleBlueprint;
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
 use crate::shape::{Region, Sculpt};
@@ -20,7 +20,7 @@ fn block(low: Vec3, high: Vec3, material: Material) -> Sculpt {
 }
 
 /// A bed with drop sides, from a builder's small one to a carrier of machines.
-pub(crate) fn flatbed(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn flatbed(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 6.6, 7.8);
     let (sides, load) = (draw.chance("drop sides", 0.6), draw.pick("load", &[0, 1, 2, 3]));
     let seed = draw.range("pieces", 0.0, 1e6) as u64;
@@ -94,7 +94,7 @@ fn load_of(kind: i32, x0: f32, x1: f32, z: f32, seed: u64) -> Sculpt {
 }
 
 /// Fuel or milk.
-pub(crate) fn tanker(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn tanker(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 7.3, 7.9);
     let (steel, top) = (draw.chance("bright tank", 0.5), draw.range("tank", 2.62, 2.85));
     let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![0.72 * length], height: top + 0.10 };
@@ -146,7 +146,7 @@ pub(crate) fn tanker(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// A concrete mixer on three axles.
-pub(crate) fn mixer(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn mixer(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 7.5, 7.9);
     let striped = draw.chance("striped drum", 0.6);
     let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![4.05, 5.2], height: 3.42 };
@@ -212,12 +212,12 @@ pub(crate) fn mixer(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// What pulls semi-trailers, without one.
-pub(crate) fn tractor(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn tractor(draw: &DesignDraw) -> VehicleBlueprint {
     tractor_unit(draw).0.scaled(draw.range("scale", 1.02, 1.06))
 }
 
 /// A tractor before it is scaled, and x of its fifth wheel.
-pub(super) fn tractor_unit(draw: &Draw) -> (VehicleBlueprint, f32) {
+pub(super) fn tractor_unit(draw: &DesignDraw) -> (VehicleBlueprint, f32) {
     let length = draw.range("length", 5.45, 5.75);
     let three = draw.chance("three axles", 0.3);
     let rear_axles_d = if three { vec![4.0, 4.98] } else { vec![4.55] };
@@ -248,7 +248,7 @@ pub(super) fn tractor_unit(draw: &Draw) -> (VehicleBlueprint, f32) {
 }
 
 /// Collects household waste from behind.
-pub(crate) fn refuse(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn refuse(draw: &DesignDraw) -> VehicleBlueprint {
     let length = draw.range("length", 7.5, 8.1);
     let top = draw.range("height", 3.05, 3.25);
     let lorry = Lorry { length, cab: Cab::Day, rear_axles_d: vec![4.35, 5.5], height: top };

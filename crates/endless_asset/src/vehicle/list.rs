@@ -1,7 +1,7 @@
 //! The vehicles of the catalogue, and the designs that they are drawn from.
 
 use super::design::{DESIGNS, Design};
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::model::VehicleModel;
 use crate::carla;
 use endless_world::ObjectClass;
@@ -32,7 +32,7 @@ pub(crate) fn kinds() -> Vec<VehicleKind> {
     DESIGNS
         .iter()
         .map(|design| {
-            let sizes = || (0..DRAWS).map(|i| (design.blueprint)(&Draw::new(design.name, i)).size);
+            let sizes = || (0..DRAWS).map(|i| (design.blueprint)(&DesignDraw::new(design.name, i)).size);
             VehicleKind {
                 name: design.name,
                 class: design.class,

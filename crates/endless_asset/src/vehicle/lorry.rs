@@ -1,7 +1,7 @@
 //! Lorries: a cab over the front axle and a chassis, drawn as those of twelve tons; heavier and lighter ones are larger
 //! and smaller.
 
-use super::assemble::{Assembly, Size, VehicleBlueprint};
+use super::assemble::{Assembly, VehicleBlueprint, VehicleMeasures};
 use super::car::{open_arch, plate};
 use super::paint;
 use super::shell::{Arch, Cabin, Ring, Shell};
@@ -67,7 +67,7 @@ impl Lorry {
     /// With what it carries: built in the cab's frame, front at x = 0.
     pub(super) fn blueprint(self, cargo: impl FnOnce(&Self) -> Sculpt + 'static) -> VehicleBlueprint {
         let last = self.rear_axles_d[self.rear_axles_d.len() - 1];
-        let size = Size {
+        let size = VehicleMeasures {
             front: 0.012,
             rear: -self.length - 0.03,
             width: 2.0 * BODY_HALF_WIDTH,

@@ -22,8 +22,8 @@ mod two;
 mod van;
 mod wheel;
 
-pub(crate) use assemble::Parts;
 pub use assemble::Trailer;
+pub(crate) use assemble::VehicleParts;
 pub use list::VehicleKind;
 pub(crate) use list::{all, drawn, kinds};
 pub use model::VehicleModel;

@@ -1,10 +1,10 @@
 //! One vehicle of the catalogue.
 
-use super::assemble::{Parts, Trailer, VehicleBlueprint};
+use super::assemble::{Trailer, VehicleBlueprint, VehicleParts};
 use super::design::Design;
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::rider_fit::RiderFit;
-use super::tint::{self, Paint};
+use super::tint::{self, PaintShare};
 use super::wheel::Wheel;
 use endless_scene::Mesh;
 use endless_world::{KEYPOINT_COUNT, ObjectClass, TrailerSpec, VehicleSpec};
@@ -18,7 +18,7 @@ pub struct VehicleModel {
     /// Sizes and habits.
     pub spec: VehicleSpec,
     origin: VehicleOrigin,
-    parts: OnceLock<Arc<Parts>>,
+    parts: OnceLock<Arc<VehicleParts>>,
 }
 
 /// Where a vehicle comes from.
@@ -26,19 +26,19 @@ pub struct VehicleModel {
 enum VehicleOrigin {
     Drawn {
         design: &'static Design,
-        draw: Draw,
+        draw: DesignDraw,
     },
     File {
         /// In the catalogue.
         name: Arc<str>,
         /// Colours for [`endless_scene::Surface::CarPaint`]; none: as in the file.
-        paints: Option<&'static [Paint]>,
+        paints: Option<&'static [PaintShare]>,
     },
 }
 
 impl VehicleModel {
     pub(crate) fn new(design: &'static Design, index: u64, frequency: f64) -> Self {
-        let draw = Draw::new(design.name, index);
+        let draw = DesignDraw::new(design.name, index);
         let VehicleBlueprint { size, joint, .. } = (design.blueprint)(&draw);
         let from_middle = |x: f32| x - size.middle();
         let [front, rear] = size.axles.map(|x| x - size.middle());
@@ -67,7 +67,7 @@ impl VehicleModel {
     }
 
     /// From a file.
-    pub(crate) fn imported(name: String, spec: VehicleSpec, parts: Parts, painted: bool) -> Self {
+    pub(crate) fn imported(name: String, spec: VehicleSpec, parts: VehicleParts, painted: bool) -> Self {
         let paints = painted.then(|| tint::of_class(spec.class));
         Self { spec, origin: VehicleOrigin::File { name: name.into(), paints }, parts: OnceLock::from(Arc::new(parts)) }
     }
@@ -80,7 +80,7 @@ impl VehicleModel {
         }
     }
 
-    fn parts(&self) -> &Parts {
+    fn parts(&self) -> &VehicleParts {
         self.parts.get_or_init(|| match &self.origin {
             VehicleOrigin::Drawn { design, draw } => Arc::new((design.blueprint)(draw).finish()),
             VehicleOrigin::File { .. } => unreachable!("what comes from a file has its parts"),

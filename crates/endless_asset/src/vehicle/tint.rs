@@ -3,10 +3,10 @@
 use endless_world::{ObjectClass, Stream};
 
 /// Share and linear colour.
-pub(crate) type Paint = (f64, [f32; 3]);
+pub(crate) type PaintShare = (f64, [f32; 3]);
 
 /// The paints of a class.
-pub(crate) fn of_class(class: ObjectClass) -> &'static [Paint] {
+pub(crate) fn of_class(class: ObjectClass) -> &'static [PaintShare] {
     match class {
         ObjectClass::Van => VANS,
         ObjectClass::Truck => TRUCKS,
@@ -18,7 +18,7 @@ pub(crate) fn of_class(class: ObjectClass) -> &'static [Paint] {
 }
 
 /// Passenger cars: white, black, grey and silver are four in five.
-pub(crate) const CARS: &[Paint] = &[
+pub(crate) const CARS: &[PaintShare] = &[
     (33.0, [0.74, 0.74, 0.73]),
     (20.0, [0.010, 0.010, 0.011]),
     (10.0, [0.085, 0.088, 0.092]),
@@ -34,8 +34,8 @@ pub(crate) const CARS: &[Paint] = &[
     (0.8, [0.65, 0.22, 0.02]),
     (0.7, [0.70, 0.52, 0.04]),
 ];
-pub(crate) const TAXIS: &[Paint] = &[(60.0, [0.78, 0.48, 0.02]), (40.0, [0.74, 0.74, 0.73])];
-pub(crate) const VANS: &[Paint] = &[
+pub(crate) const TAXIS: &[PaintShare] = &[(60.0, [0.78, 0.48, 0.02]), (40.0, [0.74, 0.74, 0.73])];
+pub(crate) const VANS: &[PaintShare] = &[
     (68.0, [0.74, 0.74, 0.73]),
     (12.0, [0.40, 0.41, 0.42]),
     (8.0, [0.09, 0.09, 0.095]),
@@ -43,7 +43,7 @@ pub(crate) const VANS: &[Paint] = &[
     (4.0, [0.38, 0.02, 0.015]),
     (4.0, [0.66, 0.45, 0.03]),
 ];
-pub(crate) const TRUCKS: &[Paint] = &[
+pub(crate) const TRUCKS: &[PaintShare] = &[
     (50.0, [0.72, 0.72, 0.71]),
     (14.0, [0.03, 0.10, 0.32]),
     (14.0, [0.40, 0.025, 0.02]),
@@ -51,21 +51,21 @@ pub(crate) const TRUCKS: &[Paint] = &[
     (6.0, [0.03, 0.18, 0.08]),
     (6.0, [0.12, 0.12, 0.125]),
 ];
-pub(crate) const BUSES: &[Paint] = &[
+pub(crate) const BUSES: &[PaintShare] = &[
     (30.0, [0.46, 0.07, 0.02]),
     (20.0, [0.03, 0.13, 0.38]),
     (18.0, [0.05, 0.26, 0.12]),
     (17.0, [0.70, 0.70, 0.69]),
     (15.0, [0.66, 0.44, 0.03]),
 ];
-pub(crate) const MOTORCYCLES: &[Paint] = &[
+pub(crate) const MOTORCYCLES: &[PaintShare] = &[
     (34.0, [0.012, 0.012, 0.013]),
     (30.0, [0.42, 0.012, 0.012]),
     (14.0, [0.02, 0.06, 0.30]),
     (12.0, [0.70, 0.70, 0.69]),
     (10.0, [0.16, 0.165, 0.17]),
 ];
-pub(crate) const BICYCLES: &[Paint] = &[
+pub(crate) const BICYCLES: &[PaintShare] = &[
     (30.0, [0.015, 0.015, 0.016]),
     (20.0, [0.36, 0.37, 0.38]),
     (16.0, [0.36, 0.015, 0.015]),
@@ -74,16 +74,16 @@ pub(crate) const BICYCLES: &[Paint] = &[
     (10.0, [0.70, 0.66, 0.55]),
 ];
 
-pub(crate) const WHITES: &[Paint] = &[(80.0, [0.74, 0.74, 0.73]), (20.0, [0.62, 0.62, 0.60])];
-pub(crate) const POLICE: &[Paint] =
+pub(crate) const WHITES: &[PaintShare] = &[(80.0, [0.74, 0.74, 0.73]), (20.0, [0.62, 0.62, 0.60])];
+pub(crate) const POLICE: &[PaintShare] =
     &[(55.0, [0.74, 0.74, 0.73]), (25.0, [0.010, 0.010, 0.011]), (20.0, [0.40, 0.41, 0.42])];
-pub(crate) const FIRE: &[Paint] = &[(85.0, [0.42, 0.010, 0.008]), (15.0, [0.50, 0.05, 0.01])];
-pub(crate) const AMBULANCES: &[Paint] = &[(65.0, [0.74, 0.74, 0.73]), (35.0, [0.72, 0.55, 0.02])];
-pub(crate) const SCHOOL: &[Paint] = &[(100.0, [0.70, 0.36, 0.01])];
-pub(crate) const REFUSE: &[Paint] =
+pub(crate) const FIRE: &[PaintShare] = &[(85.0, [0.42, 0.010, 0.008]), (15.0, [0.50, 0.05, 0.01])];
+pub(crate) const AMBULANCES: &[PaintShare] = &[(65.0, [0.74, 0.74, 0.73]), (35.0, [0.72, 0.55, 0.02])];
+pub(crate) const SCHOOL: &[PaintShare] = &[(100.0, [0.70, 0.36, 0.01])];
+pub(crate) const REFUSE: &[PaintShare] =
     &[(35.0, [0.70, 0.28, 0.01]), (30.0, [0.72, 0.72, 0.71]), (25.0, [0.03, 0.24, 0.08]), (10.0, [0.03, 0.13, 0.35])];
 /// Leisure vehicles of two colours, the upper half white.
-pub(crate) const CAMPERS: &[Paint] = &[
+pub(crate) const CAMPERS: &[PaintShare] = &[
     (30.0, [0.05, 0.24, 0.28]),
     (25.0, [0.42, 0.07, 0.03]),
     (20.0, [0.55, 0.42, 0.20]),
@@ -92,7 +92,7 @@ pub(crate) const CAMPERS: &[Paint] = &[
 ];
 
 /// Linear paint colour of a variant.
-pub(crate) fn tint(paints: &[Paint], variant: u64) -> [f32; 3] {
+pub(crate) fn tint(paints: &[PaintShare], variant: u64) -> [f32; 3] {
     let mut stream = Stream::named(variant, "vehicle paint", &[]);
     let weights: Vec<f64> = paints.iter().map(|p| p.0).collect();
     let (_, color) = paints[stream.weighted(&weights)];

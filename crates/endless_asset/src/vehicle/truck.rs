@@ -1,7 +1,7 @@
 //! What lorries carry.
 
 use super::assemble::VehicleBlueprint;
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
 use crate::shape::{Region, Sculpt};
@@ -33,17 +33,17 @@ fn two_axles(length: f32, cab: Cab, height: f32) -> Lorry {
 }
 
 /// A box of 12 tons.
-pub(crate) fn box_truck(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn box_truck(draw: &DesignDraw) -> VehicleBlueprint {
     boxed(draw, draw.range("length", 6.9, 7.9), draw.range("height", 3.15, 3.55))
         .scaled(draw.range("scale", 0.98, 1.03))
 }
 
 /// A box of 3.5 to 7.5 tons, for parcels and removals.
-pub(crate) fn small_box(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn small_box(draw: &DesignDraw) -> VehicleBlueprint {
     boxed(draw, draw.range("length", 6.7, 7.4), draw.range("height", 3.3, 3.6)).scaled(draw.range("scale", 0.82, 0.87))
 }
 
-fn boxed(draw: &Draw, length: f32, top: f32) -> VehicleBlueprint {
+fn boxed(draw: &DesignDraw, length: f32, top: f32) -> VehicleBlueprint {
     let curtain = draw.chance("curtain sides", 0.35);
     let refrigerated = draw.chance("refrigerated", 0.3);
     two_axles(length, Cab::Day, top).blueprint(move |lorry| {
@@ -98,7 +98,7 @@ pub(super) fn closed_box(length: f32, x1: f32, z0: f32, z1: f32, curtain: bool) 
     cargo
 }
 
-pub(crate) fn tipper(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn tipper(draw: &DesignDraw) -> VehicleBlueprint {
     let (length, z1) = (draw.range("length", 6.7, 7.3), draw.range("wall", 1.95, 2.25));
     let seed = (draw.range("load", 0.0, 1e6)) as u64;
     let loaded = draw.chance("loaded", 0.7);

@@ -2,7 +2,7 @@
 
 use super::assemble::VehicleBlueprint;
 use super::car::{CarShape, Grille};
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::paint;
 use super::wheel::Rim;
 use crate::shape::{Region, Sculpt};
@@ -36,30 +36,30 @@ impl CarShape {
 }
 
 /// A delivery van of a car's size.
-pub(crate) fn small(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn small(draw: &DesignDraw) -> VehicleBlueprint {
     let shape = small_shape().drawn(draw);
     let blind = draw.chance("blind rear doors", 0.5);
     let shape = CarShape { rear_window: !blind, ..shape };
     shape.clone().blueprint().with(move |a| shape.load_doors(&mut a.body))
 }
 
-pub(crate) fn panel(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn panel(draw: &DesignDraw) -> VehicleBlueprint {
     let shape = CarShape { rear_window: draw.chance("rear windows", 0.6), ..panel_shape().drawn(draw) };
     shape.clone().blueprint().with(move |a| shape.load_doors(&mut a.body))
 }
 
 /// Longer, and high enough to stand in.
-pub(crate) fn high(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn high(draw: &DesignDraw) -> VehicleBlueprint {
     let shape = CarShape { rear_window: false, ..high_shape().drawn(draw) };
     shape.clone().blueprint().with(move |a| shape.load_doors(&mut a.body))
 }
 
-pub(crate) fn minibus(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn minibus(draw: &DesignDraw) -> VehicleBlueprint {
     minibus_shape().drawn(draw).blueprint()
 }
 
 /// A leisure van of the sixties, or one that looks so: the driver over the front axle, in two colours.
-pub(crate) fn camper(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn camper(draw: &DesignDraw) -> VehicleBlueprint {
     let shape = camper_shape().drawn(draw);
     let shape = CarShape { grille: Grille::Closed, rim: Rim::Steel, ..shape };
     shape.clone().blueprint().with(move |a| {
@@ -69,12 +69,12 @@ pub(crate) fn camper(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// A van for special service: long, high and without windows behind the doors.
-pub(crate) fn service_van(draw: &Draw) -> CarShape {
+pub(crate) fn service_van(draw: &DesignDraw) -> CarShape {
     CarShape { rear_window: true, ..high_shape().drawn(draw) }
 }
 
 /// A minibus for special service.
-pub(crate) fn service_bus(draw: &Draw) -> CarShape {
+pub(crate) fn service_bus(draw: &DesignDraw) -> CarShape {
     minibus_shape().drawn(draw)
 }
 

@@ -3,7 +3,7 @@
 use super::arch::open_arch;
 use super::shape::CarShape;
 use crate::shape::{Curve, Region, Sculpt, rounded};
-use crate::vehicle::assemble::{Assembly, Size, VehicleBlueprint};
+use crate::vehicle::assemble::{Assembly, VehicleBlueprint, VehicleMeasures};
 use crate::vehicle::paint;
 use crate::vehicle::shell::{Arch, Cabin, Ring, SectionRow, Shell};
 use crate::vehicle::wheel::{Rim, wheel};
@@ -78,7 +78,7 @@ impl CarShape {
 
     /// A car of this shape without extras.
     pub(crate) fn blueprint(self) -> VehicleBlueprint {
-        let size = Size {
+        let size = VehicleMeasures {
             front: 0.5 * self.length,
             rear: -0.5 * self.length,
             width: 2.0 * self.half_width,

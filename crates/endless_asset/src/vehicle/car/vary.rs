@@ -1,7 +1,7 @@
 //! Cars of one shape that differ as models of different makers do.
 
 use super::shape::{CarShape, Grille};
-use crate::vehicle::draw::Draw;
+use crate::vehicle::draw::DesignDraw;
 use crate::vehicle::wheel::Rim;
 
 /// Stretches distances from the front so that the axles come to lie elsewhere.
@@ -19,7 +19,7 @@ fn stretch(d: f32, from: [f32; 3], to: [f32; 3]) -> f32 {
 impl CarShape {
     /// A car of this shape whose overhangs, wheelbase, width, height, corners, wheels and face are drawn from the ranges
     /// that cars of its segment have.
-    pub(crate) fn drawn(mut self, draw: &Draw) -> Self {
+    pub(crate) fn drawn(mut self, draw: &DesignDraw) -> Self {
         let rear_axle = self.front_axle_d + self.wheelbase;
         let from = [self.front_axle_d, rear_axle, self.length];
         self.front_axle_d *= draw.range("front overhang", 0.96, 1.05);

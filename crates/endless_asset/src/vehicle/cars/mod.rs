@@ -4,7 +4,7 @@ mod shape;
 
 use super::assemble::{Assembly, VehicleBlueprint};
 use super::car::CarShape;
-use super::draw::Draw;
+use super::draw::DesignDraw;
 use super::paint;
 use crate::shape::{Region, Sculpt};
 use endless_scene::{Material, Surface};
@@ -14,24 +14,24 @@ use glam::{Vec2, Vec3};
 /// Designs that are nothing but a shape.
 macro_rules! plain {
     ($($name:ident),*) => {
-        $(pub(crate) fn $name(draw: &Draw) -> VehicleBlueprint { shape::$name().drawn(draw).blueprint() })*
+        $(pub(crate) fn $name(draw: &DesignDraw) -> VehicleBlueprint { shape::$name().drawn(draw).blueprint() })*
     };
 }
 
 plain!(micro, city, hatchback, liftback, sedan, executive, estate, coupe, crossover, suv, large_suv, mpv);
 
 /// A sedan or estate for special service.
-pub(crate) fn service_car(draw: &Draw) -> CarShape {
+pub(crate) fn service_car(draw: &DesignDraw) -> CarShape {
     let shapes = [shape::sedan, shape::executive, shape::estate];
     CarShape { rails: false, ..draw.pick("base", &shapes)().drawn(draw) }
 }
 
 /// An SUV for special service.
-pub(crate) fn service_suv(draw: &Draw) -> CarShape {
+pub(crate) fn service_suv(draw: &DesignDraw) -> CarShape {
     CarShape { rails: false, ..draw.pick("base", &[shape::suv, shape::large_suv])().drawn(draw) }
 }
 
-pub(crate) fn taxi(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn taxi(draw: &DesignDraw) -> VehicleBlueprint {
     taxi_of(
         CarShape {
             rails: false,
@@ -41,11 +41,11 @@ pub(crate) fn taxi(draw: &Draw) -> VehicleBlueprint {
     )
 }
 
-pub(crate) fn large_taxi(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn large_taxi(draw: &DesignDraw) -> VehicleBlueprint {
     taxi_of(CarShape { rails: false, ..shape::mpv().drawn(draw) }, draw)
 }
 
-fn taxi_of(shape: CarShape, draw: &Draw) -> VehicleBlueprint {
+fn taxi_of(shape: CarShape, draw: &DesignDraw) -> VehicleBlueprint {
     let chequered = draw.chance("chequered band", 0.5);
     let top = shape.height();
     let mut blueprint = shape.clone().blueprint();
@@ -90,7 +90,7 @@ fn chequer(assembly: &mut Assembly, shape: &CarShape) {
 }
 
 /// With its spare wheel on the tailgate.
-pub(crate) fn offroad(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn offroad(draw: &DesignDraw) -> VehicleBlueprint {
     let shape = shape::offroad().drawn(draw);
     let (r, z) = (0.97 * shape.wheel_radius, shape.belt[0].1 - 0.08);
     let rear = shape.x(shape.length);
@@ -105,11 +105,11 @@ pub(crate) fn offroad(draw: &Draw) -> VehicleBlueprint {
     })
 }
 
-pub(crate) fn pickup(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn pickup(draw: &DesignDraw) -> VehicleBlueprint {
     pickup_of(shape::pickup().drawn(draw))
 }
 
-pub(crate) fn large_pickup(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn large_pickup(draw: &DesignDraw) -> VehicleBlueprint {
     pickup_of(shape::large_pickup().drawn(draw))
 }
 

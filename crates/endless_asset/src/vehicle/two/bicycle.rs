@@ -14,7 +14,7 @@ enum Bar {
 
 /// Measures of a bicycle, metres.
 #[derive(Debug, Clone)]
-struct Frame {
+struct BicycleFrame {
     r: f32,
     tyre: f32,
     front: f32,
@@ -35,13 +35,13 @@ struct Frame {
     helmet: f64,
 }
 
-fn blueprint(draw: &Draw, frame: Frame, rear: f32, height: f32, width: f32) -> VehicleBlueprint {
+fn blueprint(draw: &DesignDraw, frame: BicycleFrame, rear: f32, height: f32, width: f32) -> VehicleBlueprint {
     let size = size([frame.front + frame.r, rear], width, height, [frame.front, frame.rear], frame.r);
     framed(draw, VehicleBlueprint::new(size, move || frame.assemble(Sculpt::new())))
 }
 
-fn city_frame() -> Frame {
-    Frame {
+fn city_frame() -> BicycleFrame {
+    BicycleFrame {
         r: 0.345,
         tyre: 0.04,
         front: 0.54,
@@ -60,15 +60,15 @@ fn city_frame() -> Frame {
 }
 
 /// With mudguards and a rack; some frames to step through.
-pub(crate) fn city(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn city(draw: &DesignDraw) -> VehicleBlueprint {
     let frame = city_frame();
     let knot = if draw.chance("step through", 0.45) { v(-0.135, 0.0, 0.46) } else { frame.knot };
-    blueprint(draw, Frame { knot, ..frame }, -0.893, 1.062, 0.576)
+    blueprint(draw, BicycleFrame { knot, ..frame }, -0.893, 1.062, 0.576)
 }
 
 /// Drop bars, thin tyres, nothing else.
-pub(crate) fn road(draw: &Draw) -> VehicleBlueprint {
-    let frame = Frame {
+pub(crate) fn road(draw: &DesignDraw) -> VehicleBlueprint {
+    let frame = BicycleFrame {
         r: 0.335,
         tyre: 0.026,
         front: 0.50,
@@ -88,8 +88,8 @@ pub(crate) fn road(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// Flat bar, fat tyres.
-pub(crate) fn mountain(draw: &Draw) -> VehicleBlueprint {
-    let frame = Frame {
+pub(crate) fn mountain(draw: &DesignDraw) -> VehicleBlueprint {
+    let frame = BicycleFrame {
         r: 0.355,
         tyre: 0.058,
         front: 0.57,
@@ -109,8 +109,9 @@ pub(crate) fn mountain(draw: &Draw) -> VehicleBlueprint {
 }
 
 /// A long wheelbase with a box before the rider.
-pub(crate) fn cargo(draw: &Draw) -> VehicleBlueprint {
-    let frame = Frame { r: 0.275, front: 1.22, rear: -0.62, head: v(0.37, 0.0, 0.84), rack: false, ..city_frame() };
+pub(crate) fn cargo(draw: &DesignDraw) -> VehicleBlueprint {
+    let frame =
+        BicycleFrame { r: 0.275, front: 1.22, rear: -0.62, head: v(0.37, 0.0, 0.84), rack: false, ..city_frame() };
     let (wooden, high) = (draw.chance("wooden", 0.5), draw.range("box", 0.70, 0.82));
     let rear = frame.rear - frame.r - 0.028;
     let size = size([frame.front + frame.r, rear], 0.58, 1.062, [frame.front, frame.rear], frame.r);
@@ -130,7 +131,7 @@ pub(crate) fn cargo(draw: &Draw) -> VehicleBlueprint {
     framed(draw, blueprint)
 }
 
-impl Frame {
+impl BicycleFrame {
     fn assemble(&self, mut s: Sculpt) -> Assembly {
         let Self { r, front, rear, crank, seat, head, knot, grip, .. } = *self;
         let tubes = [

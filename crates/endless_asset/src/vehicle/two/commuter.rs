@@ -7,12 +7,12 @@ fn blueprint() -> VehicleBlueprint {
 }
 
 /// With a round headlamp and an air-cooled engine.
-pub(crate) fn commuter(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn commuter(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, blueprint())
 }
 
 /// The same with a box behind.
-pub(crate) fn delivery(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn delivery(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, blueprint().with(delivery_box(draw, v(-0.72, 0.0, 0.915))))
 }
 

@@ -2,7 +2,7 @@
 
 use super::*;
 
-pub(crate) fn cruiser(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn cruiser(draw: &DesignDraw) -> VehicleBlueprint {
     let bags = draw.chance("saddle bags", 0.5);
     let blueprint = VehicleBlueprint::new(size([1.135, -1.10], 0.86, 1.28, [0.81, -0.78], 0.315), parts);
     let blueprint = blueprint.with(move |a| {

@@ -14,8 +14,8 @@ pub(crate) use kick::kick;
 pub(crate) use moped::{moped_delivery, scooter};
 pub(crate) use sport::sport;
 
-use super::assemble::{Assembly, Size, VehicleBlueprint};
-use super::draw::Draw;
+use super::assemble::{Assembly, VehicleBlueprint, VehicleMeasures};
+use super::draw::DesignDraw;
 use super::paint;
 use super::rider_fit::RiderFit;
 use super::wheel::{Rim, wheel};
@@ -28,17 +28,17 @@ pub(super) const fn v(x: f32, y: f32, z: f32) -> Vec3 {
 }
 
 /// Measures of a two-wheeler: foremost and rearmost point, width, height, axles, wheel radius.
-fn size([front, rear]: [f32; 2], width: f32, height: f32, axles: [f32; 2], wheel_radius: f32) -> Size {
-    Size { front, rear, width, height, axles, wheel_radius }
+fn size([front, rear]: [f32; 2], width: f32, height: f32, axles: [f32; 2], wheel_radius: f32) -> VehicleMeasures {
+    VehicleMeasures { front, rear, width, height, axles, wheel_radius }
 }
 
 /// Frames come in sizes.
-fn framed(draw: &Draw, blueprint: VehicleBlueprint) -> VehicleBlueprint {
+fn framed(draw: &DesignDraw, blueprint: VehicleBlueprint) -> VehicleBlueprint {
     blueprint.scaled(draw.range("frame", 0.965, 1.04))
 }
 
 /// The box of who delivers meals, behind the rider.
-fn delivery_box(draw: &Draw, at: Vec3) -> impl FnOnce(&mut Assembly) + 'static {
+fn delivery_box(draw: &DesignDraw, at: Vec3) -> impl FnOnce(&mut Assembly) + 'static {
     let color = draw.pick("box", &[paint::ORANGE, paint::RED, paint::YELLOW, paint::LIME, paint::TEAL, paint::TRIM]);
     let half = Vec3::new(0.20, draw.range("box width", 0.20, 0.235), draw.range("box height", 0.19, 0.23));
     move |a| {

@@ -6,12 +6,12 @@ fn blueprint() -> VehicleBlueprint {
     VehicleBlueprint::new(size([0.9, -0.95], 0.74, 1.30, [0.62, -0.64], 0.225), scooter_parts)
 }
 
-pub(crate) fn scooter(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn scooter(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, blueprint())
 }
 
 /// The same with a box behind.
-pub(crate) fn moped_delivery(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn moped_delivery(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, blueprint().with(delivery_box(draw, v(-0.74, 0.0, 0.86))))
 }
 

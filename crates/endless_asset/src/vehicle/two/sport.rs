@@ -2,7 +2,7 @@
 
 use super::*;
 
-pub(crate) fn sport(draw: &Draw) -> VehicleBlueprint {
+pub(crate) fn sport(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, VehicleBlueprint::new(size([0.99, -0.99], 0.74, 1.16, [0.69, -0.69], 0.30), parts))
 }
 
