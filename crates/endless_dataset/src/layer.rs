@@ -62,7 +62,7 @@ impl Layer {
 // frame 1.1 to 2.0, about 1.7 in the mean.
 
 const RGB: LayerEntry = LayerEntry {
-    summary: "what the camera sees, sRGB; PNG, or JPEG with `rgb_format = \"jpg\"`",
+    summary: "what the camera sees, sRGB",
     lossy: true,
     encode: |frame| Cow::Borrowed(&frame.rgb),
     preview: |stored| Ok(Cow::Borrowed(stored)),

@@ -1,0 +1,39 @@
+//! What the documents say of layers and options is what the program does: these parts are made from its declarations.
+//! `UPDATE_DOCS=1 cargo test -p endless --test it docs` writes them.
+
+use endless_dataset::{Layer, RgbFormat};
+use std::{env, fs, path::PathBuf};
+
+fn document(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../..").join(name)
+}
+
+/// Compares a file with what it should be, or writes it.
+fn assert_document(name: &str, expected: &str) {
+    let path = document(name);
+    if env::var_os("UPDATE_DOCS").is_some() {
+        fs::write(&path, expected).expect("writable");
+    }
+    let found = fs::read_to_string(&path).unwrap_or_default();
+    let line = found.lines().zip(expected.lines()).position(|(a, b)| a != b).map_or(0, |line| line + 1);
+    assert!(found == expected, "{name} is out of date (line {line}): UPDATE_DOCS=1 cargo test -p endless --test it docs");
+}
+
+/// Compares what stands between `<!-- mark -->` and `<!-- /mark -->` in the README, or writes it.
+fn assert_readme(mark: &str, expected: &str) {
+    let text = fs::read_to_string(document("README.md")).expect("a README");
+    let (begin, end) = (format!("<!-- {mark} -->\n"), format!("<!-- /{mark} -->"));
+    let (before, rest) = text.split_once(&begin).expect("a beginning");
+    let (_, after) = rest.split_once(&end).expect("an end");
+    assert_document("README.md", &format!("{before}{begin}{expected}{end}{after}"));
+}
+
+#[test]
+fn the_readme_lists_all_layers() {
+    let rows = Layer::ALL.iter().map(|layer| {
+        let formats: Vec<&str> = RgbFormat::ALL.iter().map(|format| layer.format(*format).name()).collect();
+        let extensions = if formats[0] == formats[1] { formats[0].to_owned() } else { formats.join("\\|") };
+        format!("| `{layer}` | `{layer}/000123.{extensions}` | {} |\n", layer.entry().summary)
+    });
+    assert_readme("layers", &format!("| layer | file | |\n|---|---|---|\n{}", rows.collect::<String>()));
+}
