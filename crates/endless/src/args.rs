@@ -1,8 +1,7 @@
 //! The command line.
 
-use crate::build_info::VERSION;
+use crate::{build_info::VERSION, recipe_args::RecipeArgs};
 use clap::{Args, Parser, Subcommand};
-use endless_pipeline::RecipeDraft;
 use std::path::PathBuf;
 
 /// Endless annotated urban datasets seen by surveillance cameras.
@@ -21,6 +20,8 @@ pub(crate) enum Command {
     Check(CheckArgs),
     /// Time the whole pipeline on a fixed recipe.
     Bench(BenchArgs),
+    /// Print the JSON schema of recipes.
+    Schema,
     /// List, preview, import and export maps.
     Maps(MapsArgs),
     /// List, preview and export vehicles, people, buildings, plants and street furniture.
@@ -46,101 +47,6 @@ pub(crate) struct GenerateArgs {
     /// Threads that record [default: all cores]. Does not change the result.
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<std::num::NonZeroUsize>,
-}
-
-/// What decides the dataset.
-#[derive(Debug, Args)]
-#[command(next_help_heading = "Recipe", allow_negative_numbers = true)]
-pub(crate) struct RecipeArgs {
-    /// Videos to make [default: 2]. A video is one scene filmed by all its cameras.
-    #[arg(long, value_name = "N")]
-    videos: Option<i64>,
-    /// Moving vehicles in each scene [default: 30].
-    #[arg(long, value_name = "N")]
-    vehicles: Option<i64>,
-    /// Pedestrians in each scene [default: 20].
-    #[arg(long, value_name = "N")]
-    pedestrians: Option<i64>,
-    /// Maps to choose from [default: all]; see `endless maps`.
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    maps: Option<Vec<String>>,
-    /// Film from cameras of your own: a list in TOML or JSON, see docs/maps.md.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) cameras: Option<PathBuf>,
-    /// Cameras that film each scene at the same instants, 1 to 8 [default: 2].
-    #[arg(long, value_name = "N")]
-    cameras_per_scene: Option<i64>,
-    /// Weathers to choose from: clear_sky, rainy, cloudy, foggy, after_rain [default: all].
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    weathers: Option<Vec<String>>,
-    /// Times of day to choose from: morning, afternoon, night [default: all].
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    times: Option<Vec<String>>,
-    /// Image size [default: 1280x720].
-    #[arg(long, value_name = "WxH")]
-    size: Option<String>,
-    /// Frames a second [default: 30].
-    #[arg(long, value_name = "F")]
-    fps: Option<f64>,
-    /// Seconds of each video [default: 5].
-    #[arg(long, value_name = "S")]
-    duration: Option<f64>,
-    /// Seed of everything random [default: 0].
-    #[arg(long, value_name = "N")]
-    seed: Option<u64>,
-    /// Layers to store: rgb, depth, instance [default: all].
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    layers: Option<Vec<String>>,
-    /// What lens, sensor and recorder do to the RGB layer: natural, clean, cctv or random
-    /// [default: natural].
-    #[arg(long, value_name = "LOOK")]
-    camera_look: Option<String>,
-    /// How to store the RGB layer: png or jpg [default: png].
-    #[arg(long, value_name = "FORMAT")]
-    rgb_format: Option<String>,
-    /// Leave out objects with fewer visible pixels [default: 50].
-    #[arg(long, value_name = "N")]
-    min_pixels: Option<i64>,
-    /// Layers to make a video file of: rgb, depth, instance, or none [default: rgb].
-    #[arg(long, value_name = "LIST", value_delimiter = ',')]
-    mp4: Option<Vec<String>>,
-    /// What simulates [default: builtin].
-    #[arg(long, value_name = "NAME")]
-    simulator: Option<String>,
-    /// Folder of glTF models with an assets.toml: vehicles that drive, props and buildings that
-    /// stand in the towns.
-    #[arg(long, value_name = "DIR")]
-    assets: Option<PathBuf>,
-    /// Leave out models that cannot be read, with a warning.
-    #[arg(long)]
-    skip_broken: bool,
-}
-
-impl From<RecipeArgs> for RecipeDraft {
-    fn from(args: RecipeArgs) -> Self {
-        Self {
-            videos: args.videos,
-            vehicles: args.vehicles,
-            pedestrians: args.pedestrians,
-            maps: args.maps,
-            cameras: None,
-            cameras_per_scene: args.cameras_per_scene,
-            weathers: args.weathers,
-            times: args.times,
-            size: args.size,
-            fps: args.fps,
-            duration: args.duration,
-            seed: args.seed,
-            layers: args.layers,
-            camera_look: args.camera_look,
-            rgb_format: args.rgb_format,
-            min_pixels: args.min_pixels,
-            mp4: args.mp4,
-            simulator: args.simulator,
-            assets: args.assets,
-            skip_broken: args.skip_broken.then_some(true),
-        }
-    }
 }
 
 #[derive(Debug, Args)]

@@ -14,7 +14,7 @@ use std::{io::Write, process::ExitCode};
 pub(crate) fn run(library: MapLibrary, args: GenerateArgs) -> Result<ExitCode> {
     let file = args.config.as_deref().map(RecipeDraft::read).transpose()?.unwrap_or_default();
     let cameras = args.recipe.cameras.as_deref().map(read_cameras).transpose()?;
-    let draft = RecipeDraft { cameras, ..RecipeDraft::from(args.recipe) }.or(file);
+    let draft = RecipeDraft { cameras, ..args.recipe.draft }.or(file);
     let library = assets::with_folder(library, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
     let simulator = &BuiltinSimulator::new(library);
     let recipe = draft.resolve(simulator)?;

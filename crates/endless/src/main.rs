@@ -10,7 +10,9 @@ mod exit;
 mod file;
 mod generate;
 mod maps;
+mod recipe_args;
 mod report;
+mod schema;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -37,6 +39,7 @@ fn run() -> ExitCode {
     let result = match cli.command {
         Command::Generate(args) => generate::run(library, *args),
         Command::Check(args) => check::run(&args),
+        Command::Schema => schema::run(),
         Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args),
         Command::Assets(args) => assets::run(library, args),
         Command::Maps(args) => maps::run(&library, args),

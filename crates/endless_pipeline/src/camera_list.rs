@@ -2,13 +2,13 @@
 
 use crate::{MapSource, RecipeError, text_position::line_and_column};
 use endless_world::{CameraSite, Mount};
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
 /// A camera as users write it: metres, degrees.
-#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OwnCamera {
     /// The map in which it hangs.

@@ -24,9 +24,9 @@ pub enum RecipeError {
     #[error(transparent)]
     Map(#[from] SimulatorError),
     /// A number outside its range.
-    #[error("{field} cannot be {given}: {rule}")]
+    #[error("{} cannot be {given}: {rule}", field.replace('_', "-"))]
     OutOfRange {
-        /// The option's name.
+        /// The option's key.
         field: &'static str,
         /// What was given.
         given: String,

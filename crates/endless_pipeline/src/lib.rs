@@ -20,7 +20,7 @@ pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{GenerateOptions, Generated, generate};
 pub use plan::Plan;
 pub use progress::{Event, Progress, Silent};
-pub use recipe::RecipeDraft;
+pub use recipe::{OptionDefault, OptionKind, RecipeDraft, RecipeOption, Vocabulary, recipe_schema};
 pub use record::StageTimes;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep,

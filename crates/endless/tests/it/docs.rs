@@ -1,7 +1,9 @@
 //! What the documents say of layers and options is what the program does: these parts are made from its declarations.
 //! `UPDATE_DOCS=1 cargo test -p endless --test it docs` writes them.
 
+use crate::program::succeed;
 use endless_dataset::{Layer, RgbFormat};
+use endless_pipeline::{OptionKind, RecipeDraft};
 use std::{env, fs, path::PathBuf};
 
 fn document(name: &str) -> PathBuf {
@@ -16,7 +18,10 @@ fn assert_document(name: &str, expected: &str) {
     }
     let found = fs::read_to_string(&path).unwrap_or_default();
     let line = found.lines().zip(expected.lines()).position(|(a, b)| a != b).map_or(0, |line| line + 1);
-    assert!(found == expected, "{name} is out of date (line {line}): UPDATE_DOCS=1 cargo test -p endless --test it docs");
+    assert!(
+        found == expected,
+        "{name} is out of date (line {line}): UPDATE_DOCS=1 cargo test -p endless --test it docs"
+    );
 }
 
 /// Compares what stands between `<!-- mark -->` and `<!-- /mark -->` in the README, or writes it.
@@ -36,4 +41,25 @@ fn the_readme_lists_all_layers() {
         format!("| `{layer}` | `{layer}/000123.{extensions}` | {} |\n", layer.entry().summary)
     });
     assert_readme("layers", &format!("| layer | file | |\n|---|---|---|\n{}", rows.collect::<String>()));
+}
+
+#[test]
+fn the_readme_lists_all_options() {
+    let rows = RecipeDraft::OPTIONS.iter().map(|option| {
+        let words = match option.kind {
+            OptionKind::Word(v) | OptionKind::Words(v) | OptionKind::WordsOrNone(v) => (v.words)().join(", "),
+            _ => String::new(),
+        };
+        let help = option.help.trim_end_matches('.');
+        let told = if words.is_empty() { help.to_owned() } else { format!("{help}: {words}") };
+        format!("| `{}` | {} | {told} |\n", option.key, option.default.text())
+    });
+    assert_readme("options", &format!("| option | default | |\n|---|---|---|\n{}", rows.collect::<String>()));
+}
+
+#[test]
+fn the_schema_in_the_documents_is_the_program_s() {
+    let folder = tempfile::tempdir().expect("temp");
+    let (schema, _) = succeed(folder.path(), "schema");
+    assert_document("docs/recipe.schema.json", &schema);
 }

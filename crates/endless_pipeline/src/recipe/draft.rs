@@ -1,0 +1,147 @@
+//! The options of a recipe, each declared once: flag, key, default, bounds, help and schema come from here.
+
+use super::option::{
+    OptionDefault::{Described, Value},
+    OptionKind, OptionValue, RecipeOption, vocabulary,
+};
+use crate::{OwnCamera, RecipeError};
+use endless_dataset::{Layer, MAX_CAMERAS, RgbFormat};
+use endless_world::{LookChoice, TimeOfDay, Weather};
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// The longest side of an image.
+const LONGEST_SIDE: u32 = 8192;
+const MAX_VIDEOS: u64 = 100_000;
+/// Ids have 16 bits.
+const MAX_ACTORS: u64 = 10_000;
+
+macro_rules! recipe_options {
+    ($($(#[doc = $help:literal])+ $key:ident: $type:ty, $kind:expr, $default:expr;)+) => {
+        /// What the user wrote: any part of a recipe. The same on the command line and in a TOML file.
+        #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+        #[serde(deny_unknown_fields)]
+        pub struct RecipeDraft {
+            $($(#[doc = $help])+ #[serde(skip_serializing_if = "Option::is_none")] pub $key: Option<$type>,)+
+        }
+
+        impl RecipeDraft {
+            /// All options, in the order in which they are told.
+            pub const OPTIONS: &[RecipeOption] = &[$(RecipeOption {
+                key: stringify!($key),
+                help: concat!($($help),+).trim_ascii_start(),
+                kind: $kind,
+                default: $default,
+            }),+];
+
+            /// Fills what is not given here from another draft: what is written here wins.
+            pub fn or(self, other: Self) -> Self {
+                Self { $($key: self.$key.or(other.$key)),+ }
+            }
+
+            /// Takes what follows a flag for the value of an option.
+            ///
+            /// # Errors
+            /// What is wrong with it; that there is no such option.
+            pub fn set(&mut self, key: &str, text: &str) -> Result<(), String> {
+                match key {
+                    $(stringify!($key) => self.$key = Some(OptionValue::from_flag(text)?),)+
+                    _ => return Err(format!("there is no option {key}")),
+                }
+                Ok(())
+            }
+
+            /// Whether each option can be what it is given; puts lists in their canonical order.
+            pub(super) fn check(&mut self) -> Result<(), RecipeError> {
+                let mut options = Self::OPTIONS.iter();
+                $(if let (Some(option), Some(value)) = (options.next(), &mut self.$key) { value.check(option)?; })+
+                Ok(())
+            }
+        }
+    };
+}
+
+recipe_options! {
+    /// Videos to make. A video is one scene filmed by all its cameras.
+    videos: i64, OptionKind::Whole { least: 1, most: MAX_VIDEOS }, Value("2");
+    /// Moving vehicles in each scene; parked ones come on top.
+    vehicles: i64, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("30");
+    /// Pedestrians in each scene.
+    pedestrians: i64, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("20");
+    /// Maps to choose from; see `endless maps`. Your own come from OpenDRIVE and OpenStreetMap files (docs/maps.md).
+    maps: Vec<String>, OptionKind::Maps, Described("all that come with the program");
+    /// Cameras of your own in place of a map's: a list in TOML or JSON (docs/maps.md).
+    cameras: Vec<OwnCamera>, OptionKind::Cameras, Described("the map's");
+    /// Cameras that film each scene at the same instants: a pair, as in the paper, or a network of them.
+    cameras_per_scene: i64, OptionKind::Whole { least: 1, most: MAX_CAMERAS as u64 }, Value("2");
+    /// Weathers to choose from.
+    weathers: Vec<String>, OptionKind::Words(vocabulary!(Weather)), Described("all");
+    /// Times of day to choose from.
+    times: Vec<String>, OptionKind::Words(vocabulary!(TimeOfDay)), Described("all");
+    /// Image size, width x height.
+    size: String, OptionKind::Size { longest: LONGEST_SIDE }, Value("1280x720");
+    /// Frames a second.
+    fps: f64, OptionKind::Number { least: 0.01, most: 1000.0 }, Value("30");
+    /// Seconds of each video, which has exactly `round(fps × duration)` frames.
+    duration: f64, OptionKind::Number { least: 0.001, most: 1e7 }, Value("5");
+    /// Seed of everything random.
+    seed: u64, OptionKind::Whole { least: 0, most: u64::MAX }, Value("0");
+    /// Layers to store; boxes are always made.
+    layers: Vec<String>, OptionKind::Words(vocabulary!(Layer)), Described("all");
+    /// What lens, sensor and recorder do to the RGB layer: natural (a little noise, and motion blur by shutter time),
+    /// clean (nothing at all), cctv, or random (another camera each time).
+    camera_look: String, OptionKind::Word(vocabulary!(LookChoice)), Value("natural");
+    /// How to store the RGB layer.
+    rgb_format: String, OptionKind::Word(vocabulary!(RgbFormat)), Value("png");
+    /// Leave out objects with fewer visible pixels.
+    min_pixels: i64, OptionKind::Whole { least: 0, most: 4_294_967_295 }, Value("50");
+    /// Layers to make a video file of, or none.
+    mp4: Vec<String>, OptionKind::WordsOrNone(vocabulary!(Layer)), Described("rgb");
+    /// What simulates.
+    simulator: String, OptionKind::Word(vocabulary!(SimulatorName)), Value("builtin");
+    /// Folder of glTF models with an assets.toml: vehicles that drive, props and buildings that stand in the towns
+    /// (docs/assets.md). In a recipe, as seen from its own folder.
+    assets: PathBuf, OptionKind::Folder, Described("none");
+    /// Leave out models that cannot be read, with a warning.
+    skip_broken: bool, OptionKind::Switch, Described("stop at them");
+}
+
+/// The simulators there are.
+#[derive(Debug, Clone, Copy)]
+struct SimulatorName;
+
+impl SimulatorName {
+    const ALL: &[Self] = &[Self];
+
+    fn name(self) -> &'static str {
+        "builtin"
+    }
+}
+
+impl std::str::FromStr for SimulatorName {
+    type Err = endless_world::UnknownName;
+
+    fn from_str(given: &str) -> Result<Self, Self::Err> {
+        let known = vec![Self.name()];
+        if known.contains(&given) {
+            return Ok(Self);
+        }
+        Err(endless_world::UnknownName { what: "simulator", given: given.to_owned(), known })
+    }
+}
+
+impl RecipeDraft {
+    /// The draft of what holds where nothing is given, as far as it does not depend on anything.
+    pub fn defaults() -> Self {
+        let mut draft = Self::default();
+        for option in Self::OPTIONS {
+            let text = match (option.default, option.kind) {
+                (Value(text), _) => text.to_owned(),
+                (Described(_), OptionKind::Words(vocabulary)) => (vocabulary.words)().join(","),
+                (Described(_), _) => continue,
+            };
+            draft.set(option.key, &text).expect("a default is a value of its option");
+        }
+        draft
+    }
+}

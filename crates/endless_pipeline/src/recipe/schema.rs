@@ -1,0 +1,65 @@
+//! The JSON schema of recipes, from the declaration of their options.
+
+use super::{
+    draft::RecipeDraft,
+    option::{OptionDefault, OptionKind, RecipeOption},
+};
+use serde_json::{Value, json};
+
+/// The schema of a recipe (JSON Schema, draft 2020-12): editors complete and check TOML files by it.
+pub fn recipe_schema() -> Value {
+    let defaults = serde_json::to_value(RecipeDraft::defaults()).expect("numbers and words");
+    let properties: serde_json::Map<String, Value> = RecipeDraft::OPTIONS
+        .iter()
+        .map(|option| {
+            let mut schema = kind_schema(option);
+            schema["description"] = match option.default {
+                OptionDefault::Value(_) => json!(option.help),
+                OptionDefault::Described(text) => json!(format!("{} Default: {text}.", option.help)),
+            };
+            if let Some(default) = defaults.get(option.key) {
+                schema["default"] = default.clone();
+            }
+            (option.key.to_owned(), schema)
+        })
+        .collect();
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Recipe of an ENDLESS dataset",
+        "type": "object",
+        "additionalProperties": false,
+        "properties": properties,
+    })
+}
+
+fn kind_schema(option: &RecipeOption) -> Value {
+    match option.kind {
+        OptionKind::Whole { least, most } => json!({"type": "integer", "minimum": least, "maximum": most}),
+        OptionKind::Number { least, most } => json!({"type": "number", "minimum": least, "maximum": most}),
+        OptionKind::Size { .. } => json!({"type": "string", "pattern": "^[1-9][0-9]{0,3}x[1-9][0-9]{0,3}$"}),
+        OptionKind::Word(vocabulary) => json!({"enum": (vocabulary.words)()}),
+        OptionKind::Words(vocabulary) => {
+            json!({"type": "array", "items": {"enum": (vocabulary.words)()}, "minItems": 1})
+        }
+        OptionKind::WordsOrNone(vocabulary) => {
+            let words: Vec<&str> = (vocabulary.words)().into_iter().chain(["none"]).collect();
+            json!({"type": "array", "items": {"enum": words}})
+        }
+        OptionKind::Maps => json!({"type": "array", "items": {"type": "string"}, "minItems": 1}),
+        OptionKind::Cameras => json!({"type": "array", "items": {
+            "type": "object",
+            "additionalProperties": false,
+            "required": ["map", "name", "position", "yaw", "down"],
+            "properties": {
+                "map": {"type": "string"},
+                "name": {"type": "string", "pattern": "^[A-Za-z0-9_-]{1,64}$"},
+                "position": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
+                "yaw": {"type": "number", "minimum": -360, "maximum": 360},
+                "down": {"type": "number", "minimum": -10, "maximum": 89},
+                "fov": {"type": "number", "minimum": 5, "maximum": 150, "default": 70},
+            },
+        }}),
+        OptionKind::Folder => json!({"type": "string"}),
+        OptionKind::Switch => json!({"type": "boolean"}),
+    }
+}
