@@ -4,12 +4,14 @@
 //! for the same level as everything else, so it must be plain enough to need none of its instructions;
 //! `scripts/compare_cpu_levels.sh` tries it on an emulated old processor.
 
+#[cfg(target_arch = "x86_64")]
+use raw_cpuid::{CpuId, ExtendedFeatures};
 use std::process::ExitCode;
 
 /// An instruction set that this build was compiled for and this processor lacks.
 #[cfg(target_arch = "x86_64")]
 pub(crate) fn missing_instructions() -> Option<&'static str> {
-    let cpu = raw_cpuid::CpuId::new();
+    let cpu = CpuId::new();
     if let Some(has) = cpu.get_feature_info() {
         let sets = [
             (cfg!(target_feature = "sse3"), has.has_sse3(), "SSE3"),
@@ -28,15 +30,16 @@ pub(crate) fn missing_instructions() -> Option<&'static str> {
             }
         }
     }
-    let has = cpu.get_extended_feature_info();
+    let extended = cpu.get_extended_feature_info();
+    let more = |has: fn(&ExtendedFeatures) -> bool| extended.as_ref().is_some_and(has);
     let sets = [
-        (cfg!(target_feature = "avx2"), has.as_ref().is_some_and(|has| has.has_avx2()), "AVX2"),
-        (cfg!(target_feature = "bmi1"), has.as_ref().is_some_and(|has| has.has_bmi1()), "BMI1"),
-        (cfg!(target_feature = "bmi2"), has.as_ref().is_some_and(|has| has.has_bmi2()), "BMI2"),
-        (cfg!(target_feature = "avx512f"), has.as_ref().is_some_and(|has| has.has_avx512f()), "AVX-512F"),
-        (cfg!(target_feature = "avx512bw"), has.as_ref().is_some_and(|has| has.has_avx512bw()), "AVX-512BW"),
-        (cfg!(target_feature = "avx512dq"), has.as_ref().is_some_and(|has| has.has_avx512dq()), "AVX-512DQ"),
-        (cfg!(target_feature = "avx512vl"), has.as_ref().is_some_and(|has| has.has_avx512vl()), "AVX-512VL"),
+        (cfg!(target_feature = "avx2"), more(ExtendedFeatures::has_avx2), "AVX2"),
+        (cfg!(target_feature = "bmi1"), more(ExtendedFeatures::has_bmi1), "BMI1"),
+        (cfg!(target_feature = "bmi2"), more(ExtendedFeatures::has_bmi2), "BMI2"),
+        (cfg!(target_feature = "avx512f"), more(ExtendedFeatures::has_avx512f), "AVX-512F"),
+        (cfg!(target_feature = "avx512bw"), more(ExtendedFeatures::has_avx512bw), "AVX-512BW"),
+        (cfg!(target_feature = "avx512dq"), more(ExtendedFeatures::has_avx512dq), "AVX-512DQ"),
+        (cfg!(target_feature = "avx512vl"), more(ExtendedFeatures::has_avx512vl), "AVX-512VL"),
     ];
     for (needed, there, name) in sets {
         if needed && !there {

@@ -35,6 +35,9 @@ fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return refuse(&error),
     };
+    if let (Command::Generate(_) | Command::Bench(_), Some(advice)) = (&cli.command, cpu::advice()) {
+        eprintln!("{advice}");
+    }
     let library = MapLibrary::user();
     let result = match cli.command {
         Command::Generate(args) => generate::run(library, *args),
