@@ -8,6 +8,9 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(version = VERSION.as_str(), about, max_term_width = 100, arg_required_else_help = false)]
 pub(crate) struct Cli {
+    /// Tell how long each stage of the work takes, once a video; twice (`-vv`): once a frame.
+    #[arg(short, long, global = true, action = clap::ArgAction::Count)]
+    pub(crate) verbose: u8,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -167,6 +170,9 @@ pub(crate) enum Side {
 pub(crate) struct CheckArgs {
     /// Folder of the dataset.
     pub(crate) out: PathBuf,
+    /// Threads that check [default: all cores].
+    #[arg(long, value_name = "N")]
+    pub(crate) threads: Option<std::num::NonZeroUsize>,
 }
 
 #[derive(Debug, Args)]

@@ -1,12 +1,27 @@
 //! `endless check`.
 
-use crate::{args::CheckArgs, exit::FAILURE};
+use crate::{
+    args::{CheckArgs, threads},
+    exit::FAILURE,
+};
 use anyhow::{Context, Result};
-use endless_dataset::DatasetError;
-use std::{io::Write, process::ExitCode};
+use endless_dataset::{CheckOptions, DatasetError, check_with};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::{
+    io::{IsTerminal, Write},
+    process::ExitCode,
+};
 
 pub(crate) fn run(args: &CheckArgs) -> Result<ExitCode> {
-    let report = match endless_dataset::check(&args.out) {
+    let bar = bar();
+    let progress = |done, total| {
+        bar.set_length(total);
+        bar.set_position(done);
+    };
+    let options = CheckOptions { threads: threads(args.threads), progress: Some(&progress) };
+    let checked = check_with(&args.out, &options);
+    bar.finish_and_clear();
+    let report = match checked {
         Err(error @ DatasetError::OtherFormat { .. }) => return Err(error.into()),
         other => other.context("there is no dataset to check")?,
     };
@@ -24,5 +39,17 @@ pub(crate) fn run(args: &CheckArgs) -> Result<ExitCode> {
             eprintln!("error: {wrong} findings in {counts}");
             Ok(ExitCode::from(FAILURE))
         }
+    }
+}
+
+/// Hidden where stderr is no terminal.
+fn bar() -> ProgressBar {
+    if !std::io::stderr().is_terminal() {
+        return ProgressBar::hidden();
+    }
+    let bar = ProgressBar::new(0);
+    match ProgressStyle::with_template("[{bar:30}] {pos}/{len} frames of images and videos, {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_its_own_style) => bar,
     }
 }

@@ -9,6 +9,7 @@ mod cpu;
 mod exit;
 mod file;
 mod generate;
+mod log;
 mod maps;
 mod recipe_args;
 mod report;
@@ -35,6 +36,7 @@ fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => return refuse(&error),
     };
+    log::start(cli.verbose);
     if let (Command::Generate(_) | Command::Bench(_), Some(advice)) = (&cli.command, cpu::advice()) {
         eprintln!("{advice}");
     }

@@ -44,6 +44,9 @@ fn arg(option: &'static RecipeOption) -> Arg {
         OptionKind::Cameras | OptionKind::Folder => {
             arg.value_name(value_name(option.kind)).value_parser(clap::value_parser!(PathBuf))
         }
+        OptionKind::Words(_) | OptionKind::WordsOrNone(_) | OptionKind::Maps => {
+            arg.value_name(value_name(option.kind)).action(ArgAction::Append)
+        }
         kind => arg.value_name(value_name(kind)).allow_negative_numbers(true),
     }
 }
@@ -74,8 +77,9 @@ impl FromArgMatches for RecipeArgs {
                 // A path need not be text.
                 OptionKind::Folder => self.draft.assets = matches.get_one(option.key).cloned(),
                 _ => {
-                    if let Some(text) = matches.get_one::<String>(option.key) {
-                        self.set(option, text)?;
+                    // A list may be given in parts.
+                    if let Some(parts) = matches.get_many::<String>(option.key) {
+                        self.set(option, &parts.map(String::as_str).collect::<Vec<_>>().join(","))?;
                     }
                 }
             }

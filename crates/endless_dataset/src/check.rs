@@ -1,33 +1,71 @@
 //! Reopens a whole dataset and names everything that is wrong with it.
 
 mod camera;
+mod progress;
 mod report;
+mod strangers;
 mod tracks;
+mod video;
 
 pub use report::{CheckReport, Finding};
 
-use crate::{
-    DatasetError, DatasetLayout, MAX_CAMERAS, Manifest, SceneRecord, VideoEntry, VideoLayout, VideoState, read_json,
-};
-use endless_world::SceneSettings;
-use rayon::prelude::*;
-use report::strangers;
-use std::path::Path;
+use crate::{DatasetError, DatasetLayout, Manifest, VideoState};
+use progress::CheckProgress;
+use rayon::{ThreadPoolBuilder, prelude::*};
+use std::{collections::BTreeSet, fmt, io, path::Path};
+use strangers::strangers;
+use video::check_video;
 
-/// Checks everything in a dataset's folder.
+/// How a dataset is checked.
+#[derive(Clone, Copy, Default)]
+pub struct CheckOptions<'a> {
+    /// Threads; all cores where 0.
+    pub threads: usize,
+    /// Told how many frames of images and videos are done, and of how many, by any thread.
+    pub progress: Option<&'a (dyn Fn(u64, u64) + Sync)>,
+}
+
+impl fmt::Debug for CheckOptions<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("CheckOptions").field("threads", &self.threads).finish_non_exhaustive()
+    }
+}
+
+/// Checks everything in a dataset's folder, on all cores.
 ///
 /// # Errors
 /// When there is no dataset to check.
 pub fn check(root: &Path) -> Result<CheckReport, DatasetError> {
+    check_with(root, &CheckOptions::default())
+}
+
+/// Checks everything in a dataset's folder.
+///
+/// # Errors
+/// When there is no dataset to check, or no threads to do it.
+pub fn check_with(root: &Path, options: &CheckOptions<'_>) -> Result<CheckReport, DatasetError> {
+    let pool = ThreadPoolBuilder::new().num_threads(options.threads).build();
+    let pool = pool.map_err(|e| DatasetError::io("cannot start threads", root, io::Error::other(e)))?;
     let layout = DatasetLayout::new(root);
     let manifest = Manifest::read(&layout.manifest())?;
     let mut report = CheckReport { videos: manifest.videos.len(), ..Default::default() };
     report.findings.extend(check_manifest(&layout, &manifest));
-    for video in &manifest.videos {
-        report.merge(check_video(&layout, &manifest, video));
+    let progress = CheckProgress::new(frames_to_check(&manifest), options.progress);
+    let videos: Vec<CheckReport> = pool.install(|| {
+        manifest.videos.par_iter().map(|video| check_video(&layout, &manifest, video, &progress)).collect()
+    });
+    for video in videos {
+        report.merge(video);
     }
     report.findings.sort_by(|a, b| (&a.path, &a.problem).cmp(&(&b.path, &b.problem)));
     Ok(report)
+}
+
+/// Frames of all images, and those of each video file.
+fn frames_to_check(manifest: &Manifest) -> u64 {
+    let recipe = &manifest.recipe;
+    let complete = manifest.videos.iter().filter(|video| video.state == VideoState::Complete).count() as u64;
+    complete * u64::from(recipe.cameras_per_scene) * u64::from(recipe.frames()) * (1 + recipe.mp4.len() as u64)
 }
 
 fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {
@@ -46,60 +84,9 @@ fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {
             findings.push(Finding::new(&path, format!("does not say which build made video {number}")));
         }
     }
-    let expected_videos: Vec<String> = manifest.videos.iter().map(|v| v.name.clone()).collect();
-    let expected_scenes: Vec<String> = manifest.videos.iter().map(|v| format!("{:04}.json", v.video)).collect();
+    let expected_videos: BTreeSet<String> = manifest.videos.iter().map(|v| v.name.clone()).collect();
+    let expected_scenes: BTreeSet<String> = manifest.videos.iter().map(|v| format!("{:04}.json", v.video)).collect();
     findings.extend(strangers(&layout.videos(), &expected_videos));
     findings.extend(strangers(&layout.scenes(), &expected_scenes));
     findings
-}
-
-fn check_video(layout: &DatasetLayout, manifest: &Manifest, entry: &VideoEntry) -> CheckReport {
-    let video = layout.video_named(&entry.name);
-    let mut report = CheckReport::default();
-    if entry.state != VideoState::Complete {
-        report.findings.push(Finding::new(video.folder(), "is not complete: run the same command again"));
-        return report;
-    }
-    let planned: Result<SceneSettings, _> = read_json(&layout.scene(entry.video));
-    let record: Result<SceneRecord, _> = read_json(&video.scene());
-    let (planned, record) = match (planned, record) {
-        (Ok(planned), Ok(record)) => (planned, record),
-        (planned, record) => {
-            report.findings.extend(planned.err().map(Finding::from));
-            report.findings.extend(record.err().map(Finding::from));
-            return report;
-        }
-    };
-    if record.settings != planned {
-        report.findings.push(Finding::new(video.scene(), "differs from the planned settings in scenes/"));
-    }
-    if record.recorded_frames != manifest.recipe.frames() || entry.frames != record.recorded_frames {
-        let problem = format!("{} frames recorded, {} asked for", record.recorded_frames, manifest.recipe.frames());
-        report.findings.push(Finding::new(video.scene(), problem));
-    }
-    let count = manifest.recipe.cameras_per_scene as usize;
-    if count > MAX_CAMERAS as usize || record.settings.cameras.len() != count || record.boxes.len() != count {
-        let problem = format!("does not speak of {count} cameras, as the recipe does");
-        report.findings.push(Finding::new(video.scene(), problem));
-        return report;
-    }
-    let folders: Vec<String> = (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
-    report.findings.extend(strangers(video.folder(), &folders));
-    let cameras: Vec<camera::CameraCheck> = (0..count)
-        .into_par_iter()
-        .map(|i| camera::check_camera(&video.camera(i), &record.settings, i, &manifest.recipe))
-        .collect();
-    for (i, camera) in cameras.iter().enumerate() {
-        if camera.report.boxes != record.boxes[i] {
-            let name = VideoLayout::camera_name(i);
-            let problem = format!("says {} boxes, {name} has {}", record.boxes[i], camera.report.boxes);
-            report.findings.push(Finding::new(video.scene(), problem));
-        }
-    }
-    let tracks: Vec<_> = cameras.iter().map(|c| &c.tracks).collect();
-    report.findings.extend(tracks::disagreements(video.folder(), &tracks));
-    for camera in cameras {
-        report.merge(camera.report);
-    }
-    report
 }

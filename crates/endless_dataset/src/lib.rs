@@ -29,7 +29,7 @@ mod words;
 pub use atomic::{AtomicFile, remove_temporaries, write_atomic, write_durable};
 pub use build_identity::BuildIdentity;
 pub use camera_record::CameraRecord;
-pub use check::{CheckReport, Finding, check};
+pub use check::{CheckOptions, CheckReport, Finding, check, check_with};
 pub use durable::sync_tree;
 pub use encoding::{
     depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance, rgb_from_metres,

@@ -1,7 +1,9 @@
 //! One camera of a video: every file decodes, sizes, counts, alignment, boxes.
 
 use super::{
-    report::{CheckReport, Finding, strangers},
+    progress::CheckProgress,
+    report::{CheckReport, Finding},
+    strangers::strangers,
     tracks::Tracks,
 };
 use crate::{
@@ -12,7 +14,7 @@ use endless_annotate::{FrameObjects, Keypoint, ObjectRecord, Visibility, visible
 use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINTS, SceneCamera, SceneSettings};
 use rayon::prelude::*;
 use rusty_h264_decoder::Decoder;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a camera's files show.
 pub(super) struct CameraCheck {
@@ -25,6 +27,7 @@ pub(super) fn check_camera(
     settings: &SceneSettings,
     camera: usize,
     recipe: &Recipe,
+    progress: &CheckProgress<'_>,
 ) -> CameraCheck {
     let mut report = CheckReport::default();
     report.findings.extend(check_record(layout, settings, camera));
@@ -44,12 +47,21 @@ pub(super) fn check_camera(
     }
     let frames: Vec<CheckReport> = (0..recipe.frames())
         .into_par_iter()
-        .map(|frame| check_frame(layout, frame, lines.get(frame as usize), recipe))
+        .map(|frame| {
+            let report = check_frame(layout, frame, lines.get(frame as usize), recipe);
+            progress.add(1);
+            report
+        })
         .collect();
     for frame in frames {
         report.merge(frame);
     }
-    let videos: Vec<Finding> = recipe.mp4.par_iter().filter_map(|l| check_mp4(layout, *l, recipe)).collect();
+    let mp4 = |layer: &Layer| {
+        let finding = check_mp4(layout, *layer, recipe);
+        progress.add(recipe.frames().into());
+        finding
+    };
+    let videos: Vec<Finding> = recipe.mp4.par_iter().filter_map(mp4).collect();
     report.findings.extend(videos);
     CameraCheck { report, tracks }
 }
@@ -65,26 +77,15 @@ fn check_record(layout: &CameraLayout, settings: &SceneSettings, camera: usize) 
 }
 
 fn check_names(layout: &CameraLayout, recipe: &Recipe) -> Vec<Finding> {
-    let mut expected = vec!["camera.json".to_owned(), "objects.jsonl".to_owned()];
+    let mut expected = BTreeSet::from(["camera.json".to_owned(), "objects.jsonl".to_owned()]);
     expected.extend(recipe.layers.iter().map(Layer::to_string));
     expected.extend(recipe.mp4.iter().map(|l| format!("{l}.mp4")));
     let mut findings = strangers(layout.folder(), &expected);
     for &layer in &recipe.layers {
         let extension = layer.format(recipe.rgb_format);
-        let frames: Vec<String> = (0..recipe.frames()).map(|f| format!("{f:06}.{extension}")).collect();
-        findings.extend(strangers_sorted(layout, layer, &frames));
+        let frames: BTreeSet<String> = (0..recipe.frames()).map(|f| format!("{f:06}.{extension}")).collect();
+        findings.extend(strangers(&layout.layer(layer), &frames));
     }
-    findings
-}
-
-/// As [`strangers`], for many names in order.
-fn strangers_sorted(layout: &CameraLayout, layer: Layer, expected: &[String]) -> Vec<Finding> {
-    let folder = layout.layer(layer);
-    let mut findings = strangers(&folder, &[]);
-    findings.retain(|f| {
-        let name = f.path.file_name().unwrap_or_default().to_string_lossy();
-        expected.binary_search_by(|e| e.as_str().cmp(&name)).is_err()
-    });
     findings
 }
 

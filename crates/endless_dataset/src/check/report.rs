@@ -1,10 +1,7 @@
 //! What a check finds.
 
-use crate::{DatasetError, atomic::is_temporary, listing::list};
-use std::{
-    fmt,
-    path::{Path, PathBuf},
-};
+use crate::DatasetError;
+use std::{fmt, path::PathBuf};
 
 /// Something that is wrong.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -55,28 +52,9 @@ pub struct CheckReport {
 }
 
 impl CheckReport {
-    /// Adds what was looked at elsewhere.
     pub(super) fn merge(&mut self, other: Self) {
         self.images += other.images;
         self.boxes += other.boxes;
         self.findings.extend(other.findings);
     }
-}
-
-/// What lies in a folder and should not.
-pub(super) fn strangers(folder: &Path, expected: &[String]) -> Vec<Finding> {
-    let Ok(found) = list(folder) else {
-        return vec![Finding::new(folder, "cannot be read")];
-    };
-    let stranger = |path: &PathBuf| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        !expected.iter().any(|e| *e == name)
-    };
-    let describe = |path: PathBuf| {
-        let half = is_temporary(&path);
-        let problem =
-            if half { "is left from a killed run: run the same command again" } else { "does not belong here" };
-        Finding::new(path, problem)
-    };
-    found.into_iter().filter(stranger).map(describe).collect()
 }

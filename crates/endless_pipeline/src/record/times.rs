@@ -21,6 +21,13 @@ pub(crate) enum Stage {
     Record,
 }
 
+impl Stage {
+    /// Done once a map or a video; the others once a frame.
+    const fn is_of_a_whole_video(self) -> bool {
+        matches!(self, Self::LoadMap | Self::LoadScene | Self::Bake | Self::Record)
+    }
+}
+
 const STAGES: usize = 10;
 
 /// Adds up the time of each stage over all threads.
@@ -62,7 +69,14 @@ impl Clock {
     pub(crate) fn time<R>(&self, stage: Stage, work: impl FnOnce() -> R) -> R {
         let start = Instant::now();
         let result = work();
-        self.nanos[stage as usize].fetch_add(start.elapsed().as_nanos() as u64, Ordering::Relaxed);
+        let elapsed = start.elapsed();
+        self.nanos[stage as usize].fetch_add(elapsed.as_nanos() as u64, Ordering::Relaxed);
+        let seconds = elapsed.as_secs_f64();
+        if stage.is_of_a_whole_video() {
+            tracing::debug!(?stage, seconds);
+        } else {
+            tracing::trace!(?stage, seconds);
+        }
         result
     }
 

@@ -1,0 +1,14 @@
+//! What `-v` tells: the stages of the work and their times, on stderr.
+
+use tracing::Level;
+
+/// Listens from here on; to nothing where nothing is asked for.
+pub(crate) fn start(verbose: u8) {
+    let level = match verbose {
+        0 => return,
+        1 => Level::DEBUG,
+        _ => Level::TRACE,
+    };
+    let subscriber = tracing_subscriber::fmt().with_max_level(level).with_target(false).with_ansi(false).without_time();
+    subscriber.with_writer(std::io::stderr).init();
+}

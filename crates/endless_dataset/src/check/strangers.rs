@@ -1,0 +1,26 @@
+//! Files that do not belong to a dataset.
+
+use super::report::Finding;
+use crate::{atomic::is_temporary, listing::list};
+use std::{
+    collections::BTreeSet,
+    path::{Path, PathBuf},
+};
+
+/// What lies in a folder and should not.
+pub(super) fn strangers(folder: &Path, expected: &BTreeSet<String>) -> Vec<Finding> {
+    let Ok(found) = list(folder) else {
+        return vec![Finding::new(folder, "cannot be read")];
+    };
+    let stranger = |path: &PathBuf| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        !expected.contains(name.as_ref())
+    };
+    let describe = |path: PathBuf| {
+        let half = is_temporary(&path);
+        let problem =
+            if half { "is left from a killed run: run the same command again" } else { "does not belong here" };
+        Finding::new(path, problem)
+    };
+    found.into_iter().filter(stranger).map(describe).collect()
+}

@@ -1,0 +1,70 @@
+//! One video: its settings, its cameras, and that they agree.
+
+use super::{
+    camera::{self, check_camera},
+    progress::CheckProgress,
+    report::{CheckReport, Finding},
+    strangers::strangers,
+    tracks,
+};
+use crate::{DatasetLayout, MAX_CAMERAS, Manifest, SceneRecord, VideoEntry, VideoLayout, VideoState, read_json};
+use endless_world::SceneSettings;
+use rayon::prelude::*;
+use std::collections::BTreeSet;
+
+/// Checks a video.
+pub(super) fn check_video(
+    layout: &DatasetLayout,
+    manifest: &Manifest,
+    entry: &VideoEntry,
+    progress: &CheckProgress<'_>,
+) -> CheckReport {
+    let video = layout.video_named(&entry.name);
+    let mut report = CheckReport::default();
+    if entry.state != VideoState::Complete {
+        report.findings.push(Finding::new(video.folder(), "is not complete: run the same command again"));
+        return report;
+    }
+    let planned: Result<SceneSettings, _> = read_json(&layout.scene(entry.video));
+    let record: Result<SceneRecord, _> = read_json(&video.scene());
+    let (planned, record) = match (planned, record) {
+        (Ok(planned), Ok(record)) => (planned, record),
+        (planned, record) => {
+            report.findings.extend(planned.err().map(Finding::from));
+            report.findings.extend(record.err().map(Finding::from));
+            return report;
+        }
+    };
+    if record.settings != planned {
+        report.findings.push(Finding::new(video.scene(), "differs from the planned settings in scenes/"));
+    }
+    if record.recorded_frames != manifest.recipe.frames() || entry.frames != record.recorded_frames {
+        let problem = format!("{} frames recorded, {} asked for", record.recorded_frames, manifest.recipe.frames());
+        report.findings.push(Finding::new(video.scene(), problem));
+    }
+    let count = manifest.recipe.cameras_per_scene as usize;
+    if count > MAX_CAMERAS as usize || record.settings.cameras.len() != count || record.boxes.len() != count {
+        let problem = format!("does not speak of {count} cameras, as the recipe does");
+        report.findings.push(Finding::new(video.scene(), problem));
+        return report;
+    }
+    let folders: BTreeSet<String> = (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
+    report.findings.extend(strangers(video.folder(), &folders));
+    let cameras: Vec<camera::CameraCheck> = (0..count)
+        .into_par_iter()
+        .map(|i| check_camera(&video.camera(i), &record.settings, i, &manifest.recipe, progress))
+        .collect();
+    for (i, camera) in cameras.iter().enumerate() {
+        if camera.report.boxes != record.boxes[i] {
+            let name = VideoLayout::camera_name(i);
+            let problem = format!("says {} boxes, {name} has {}", record.boxes[i], camera.report.boxes);
+            report.findings.push(Finding::new(video.scene(), problem));
+        }
+    }
+    let tracks: Vec<_> = cameras.iter().map(|c| &c.tracks).collect();
+    report.findings.extend(tracks::disagreements(video.folder(), &tracks));
+    for camera in cameras {
+        report.merge(camera.report);
+    }
+    report
+}
