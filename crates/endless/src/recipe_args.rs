@@ -30,11 +30,7 @@ fn value_name(kind: OptionKind) -> &'static str {
 }
 
 fn help(option: &RecipeOption) -> String {
-    let words = match option.kind {
-        OptionKind::Word(v) | OptionKind::Words(v) | OptionKind::WordsOrNone(v) => (v.words)().join(", "),
-        _ => return format!("{} [default: {}]", option.help, option.default.text()),
-    };
-    format!("{} [{words}; default: {}]", option.help, option.default.text())
+    format!("{} [default: {}]", option.help_with_words(), option.default.text())
 }
 
 fn arg(option: &'static RecipeOption) -> Arg {

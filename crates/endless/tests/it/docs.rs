@@ -3,7 +3,7 @@
 
 use crate::program::succeed;
 use endless_dataset::{Layer, RgbFormat};
-use endless_pipeline::{OptionKind, RecipeDraft};
+use endless_pipeline::RecipeDraft;
 use std::{env, fs, path::PathBuf};
 
 fn document(name: &str) -> PathBuf {
@@ -46,13 +46,8 @@ fn the_readme_lists_all_layers() {
 #[test]
 fn the_readme_lists_all_options() {
     let rows = RecipeDraft::OPTIONS.iter().map(|option| {
-        let words = match option.kind {
-            OptionKind::Word(v) | OptionKind::Words(v) | OptionKind::WordsOrNone(v) => (v.words)().join(", "),
-            _ => String::new(),
-        };
-        let help = option.help.trim_end_matches('.');
-        let told = if words.is_empty() { help.to_owned() } else { format!("{help}: {words}") };
-        format!("| `{}` | {} | {told} |\n", option.key, option.default.text())
+        let help = option.help_with_words();
+        format!("| `{}` | {} | {} |\n", option.key, option.default.text(), help.trim_end_matches('.'))
     });
     assert_readme("options", &format!("| option | default | |\n|---|---|---|\n{}", rows.collect::<String>()));
 }

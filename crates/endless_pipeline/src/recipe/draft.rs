@@ -86,7 +86,7 @@ recipe_options! {
     duration: f64, OptionKind::Number { least: 0.001, most: 1e7 }, Value("5");
     /// Seed of everything random.
     seed: u64, OptionKind::Whole { least: 0, most: u64::MAX }, Value("0");
-    /// Layers to store; boxes are always made.
+    /// Layers to store (boxes are always made).
     layers: Vec<String>, OptionKind::Words(vocabulary!(Layer)), Described("all");
     /// What lens, sensor and recorder do to the RGB layer: natural (a little noise, and motion blur by shutter time),
     /// clean (nothing at all), cctv, or random (another camera each time).
@@ -95,7 +95,7 @@ recipe_options! {
     rgb_format: String, OptionKind::Word(vocabulary!(RgbFormat)), Value("png");
     /// Leave out objects with fewer visible pixels.
     min_pixels: i64, OptionKind::Whole { least: 0, most: 4_294_967_295 }, Value("50");
-    /// Layers to make a video file of, or none.
+    /// Layers to make a video file of; may be none.
     mp4: Vec<String>, OptionKind::WordsOrNone(vocabulary!(Layer)), Described("rgb");
     /// What simulates.
     simulator: String, OptionKind::Word(vocabulary!(SimulatorName)), Value("builtin");

@@ -100,6 +100,18 @@ impl RecipeOption {
         self.key.replace('_', "-")
     }
 
+    /// What it means, with the words that it knows.
+    pub fn help_with_words(&self) -> String {
+        let words = match self.kind {
+            OptionKind::Word(v) | OptionKind::Words(v) | OptionKind::WordsOrNone(v) => (v.words)(),
+            _ => Vec::new(),
+        };
+        if words.iter().all(|word| self.help.contains(word)) {
+            return self.help.to_owned();
+        }
+        format!("{}: {}.", self.help.trim_end_matches('.'), words.join(", "))
+    }
+
     fn out_of_range(&self, given: &impl ToString, rule: String) -> RecipeError {
         RecipeError::OutOfRange { field: self.key, given: given.to_string(), rule }
     }
