@@ -3,6 +3,23 @@
 //! Every writer goes to a temporary name and renames: what bears its final name is whole. What says that a video is
 //! complete is written when all of its files are on the disk. Every writer has a reader,
 //! and [`check`] reopens a whole dataset with them.
+//!
+//! [`DatasetLayout`] says where everything lies, [`Manifest`] is `dataset.json`, [`Layer`] knows all of a layer,
+//! [`VideoEncoder`] writes the videos, and [`Recipe`] is what decides the bytes. An image goes out and comes back so:
+//!
+//! ```
+//! use endless_dataset::{Layer, RgbFormat, depth_from_rgb, encode_png, read_rgb, rgb_from_depth, write_atomic};
+//! use endless_world::{Image, ImageSize};
+//!
+//! let folder = tempfile::tempdir()?;
+//! let path = folder.path().join("000000.png");
+//! let depth_m = Image::filled(ImageSize { width: 4, height: 3 }, 12.5);
+//! write_atomic(&path, &encode_png(&rgb_from_depth(&depth_m)))?;
+//! // Depth is exact, so it is PNG also where the recipe wants JPEG.
+//! let stored = read_rgb(&path, Layer::Depth.format(RgbFormat::Jpg))?;
+//! assert!((depth_from_rgb(&stored).data[0] - 12.5).abs() < 1e-4);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod atomic;
 mod build_identity;
