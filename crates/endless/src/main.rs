@@ -20,11 +20,18 @@ use clap::Parser;
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError};
 use exit::{FAILURE, USAGE};
-use std::{io, process::ExitCode};
+use std::{
+    io::{self, Write},
+    process::ExitCode,
+};
 
 fn main() -> ExitCode {
-    match cpu::missing_instructions() {
-        Some(missing) => cpu::refuse(missing),
+    match cpu::what_is_missing() {
+        Some(message) => {
+            // Nothing can be done when not even that can be said.
+            let _ = io::stderr().write_all(message.as_bytes());
+            ExitCode::from(FAILURE)
+        }
         None => run(),
     }
 }
