@@ -1,6 +1,6 @@
 //! The annotations of one frame of one camera: what is seen, joined with what it is.
 
-use crate::{Bodies, Keypoints, ObjectRecord, Picture, SceneObjects, Visible};
+use crate::{Bodies, CameraView, Keypoints, ObjectRecord, SceneObjects, VisibleObject};
 use endless_world::{ClassTag, ImageSize, InstanceId, ObjectClass};
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub struct FrameObjects {
 impl FrameObjects {
     /// With the keypoints of those whose bodies are known.
     #[must_use]
-    pub fn with_keypoints(mut self, bodies: &Bodies, picture: &Picture<'_>) -> Self {
+    pub fn with_keypoints(mut self, bodies: &Bodies, picture: &CameraView<'_>) -> Self {
         for object in &mut self.objects {
             object.keypoints = bodies.get(&object.id).map(|body| picture.keypoints(object.id, body));
             object.num_keypoints = object.keypoints.as_ref().map(Keypoints::labelled);
@@ -62,21 +62,21 @@ pub enum AnnotateError {
 pub fn annotate(
     frame: u32,
     time_s: f64,
-    visible: &[Visible],
+    visible: &[VisibleObject],
     scene: &SceneObjects,
     size: ImageSize,
     min_pixels: u32,
 ) -> Result<FrameObjects, AnnotateError> {
     let mut objects = Vec::new();
-    for seen in visible {
-        let object = scene.find(seen.id).ok_or(AnnotateError::UnknownId { frame, id: seen.id })?;
-        if !seen.one_tag || seen.tag != object.class.tag() {
-            return Err(AnnotateError::WrongTag { frame, id: seen.id, class: object.class, actual: seen.tag });
+    for shown in visible {
+        let object = scene.find(shown.id).ok_or(AnnotateError::UnknownId { frame, id: shown.id })?;
+        if !shown.one_tag || shown.tag != object.class.tag() {
+            return Err(AnnotateError::WrongTag { frame, id: shown.id, class: object.class, actual: shown.tag });
         }
-        if seen.pixels >= min_pixels {
-            let b = seen.bbox;
+        if shown.pixels >= min_pixels {
+            let b = shown.bbox;
             let truncated = b.x == 0 || b.y == 0 || b.x + b.w == size.width || b.y + b.h == size.height;
-            objects.push(object.record(b, seen.pixels, truncated));
+            objects.push(object.record(b, shown.pixels, truncated));
         }
     }
     Ok(FrameObjects { frame, time_s, objects })

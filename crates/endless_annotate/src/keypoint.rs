@@ -88,7 +88,7 @@ impl<'de> Deserialize<'de> for Keypoints {
 
 /// What a camera shows: by this it is judged what can be seen.
 #[derive(Clone, Copy)]
-pub struct Picture<'a> {
+pub struct CameraView<'a> {
     /// Who looks.
     pub camera: &'a PinholeCamera,
     /// Whose each pixel is.
@@ -102,7 +102,7 @@ pub struct Picture<'a> {
 const BENEATH_M: [f32; KEYPOINT_COUNT] =
     [0.06, 0.06, 0.06, 0.07, 0.07, 0.15, 0.15, 0.10, 0.10, 0.08, 0.08, 0.20, 0.20, 0.13, 0.13, 0.11, 0.11];
 
-impl Picture<'_> {
+impl CameraView<'_> {
     /// The keypoints of a person as they are seen.
     pub fn keypoints(&self, id: InstanceId, body: &[Vec3; KEYPOINT_COUNT]) -> Keypoints {
         Keypoints(std::array::from_fn(|k| self.keypoint(id, body[k], BENEATH_M[k])))
@@ -163,7 +163,7 @@ mod tests {
     fn visibility(shown: InstanceId, depth: f32, point: Vec3) -> Visibility {
         let (camera, instance) = (camera(), image(shown));
         let keypoints =
-            Picture { camera: &camera, instance: &instance, depth: &|_| depth }.keypoints(PERSON, &[point; 17]);
+            CameraView { camera: &camera, instance: &instance, depth: &|_| depth }.keypoints(PERSON, &[point; 17]);
         keypoints.0[0].visibility
     }
 
@@ -196,7 +196,7 @@ mod tests {
             for row in 0..SIZE.height {
                 instance.data[(row * SIZE.width + shown) as usize].id = PERSON;
             }
-            let picture = Picture { camera: &camera, instance: &instance, depth: &|_| 10.0 };
+            let picture = CameraView { camera: &camera, instance: &instance, depth: &|_| 10.0 };
             let keypoint = picture.keypoints(PERSON, &[at(x); 17]).0[0];
             assert_eq!((keypoint.x, keypoint.visibility), (written, expected), "{x} beside column {shown}");
             // Who reads it looks at the same pixels.
@@ -208,7 +208,7 @@ mod tests {
     #[test]
     fn they_are_written_as_coco_does() {
         let (camera, instance) = (camera(), image(PERSON));
-        let picture = Picture { camera: &camera, instance: &instance, depth: &|_| 10.0 };
+        let picture = CameraView { camera: &camera, instance: &instance, depth: &|_| 10.0 };
         let mut body = [Vec3::new(10.0, 0.0, 0.0); 17];
         body[1] = -Vec3::X;
         let keypoints = picture.keypoints(PERSON, &body);

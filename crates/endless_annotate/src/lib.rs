@@ -3,6 +3,23 @@
 //! Boxes are in image coordinates: pixels from the top-left corner, `[x, y, w, h]` with `w = xmax − xmin + 1`, tight
 //! around the pixels that the object shows (COCO's convention). A track is an [`endless_world::InstanceId`]: the same
 //! object in all cameras and in all frames of a video.
+//!
+//! [`visible_objects`] finds what an instance image shows, [`annotate`] joins it with the [`SceneObjects`] of the instant, and
+//! [`FrameObjects::with_keypoints`] adds people's joints as a [`CameraView`] shows them.
+//!
+//! ```
+//! use endless_annotate::{PixelBox, visible_objects};
+//! use endless_world::{ClassTag, Image, ImageSize, InstanceId, InstancePixel};
+//!
+//! let size = ImageSize { width: 6, height: 4 };
+//! let mut instance = Image::filled(size, InstancePixel { tag: ClassTag::Roads, id: InstanceId::STUFF });
+//! for pixel in [8, 9, 10, 14, 15] {
+//!     instance.data[pixel] = InstancePixel { tag: ClassTag::Car, id: InstanceId(7) };
+//! }
+//! let found = visible_objects(&instance);
+//! assert_eq!((found[0].id, found[0].pixels), (InstanceId(7), 5));
+//! assert_eq!(found[0].bbox, PixelBox { x: 2, y: 1, w: 3, h: 2 });
+//! ```
 
 mod frame;
 mod keypoint;
@@ -10,6 +27,6 @@ mod object;
 mod visible;
 
 pub use frame::{AnnotateError, FrameObjects, annotate};
-pub use keypoint::{Bodies, Keypoint, Keypoints, Picture, Visibility};
+pub use keypoint::{Bodies, CameraView, Keypoint, Keypoints, Visibility};
 pub use object::{ObjectRecord, SceneObjects};
-pub use visible::{PixelBox, Visible, visible_objects};
+pub use visible::{PixelBox, VisibleObject, visible_objects};

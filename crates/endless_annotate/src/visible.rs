@@ -31,7 +31,7 @@ impl From<PixelBox> for [u32; 4] {
 
 /// What an instance image shows of one object.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Visible {
+pub struct VisibleObject {
     /// Which object.
     pub id: InstanceId,
     /// Tag of its pixels.
@@ -45,7 +45,7 @@ pub struct Visible {
 }
 
 /// Everything that is not stuff, by ascending id.
-pub fn visible_objects(instance: &Image<InstancePixel>) -> Vec<Visible> {
+pub fn visible_objects(instance: &Image<InstancePixel>) -> Vec<VisibleObject> {
     let mut gather = Gather { slot_of_id: vec![0; 1 << 16], extents: Vec::new() };
     let width = instance.size.width.max(1) as usize;
     for (y, row) in instance.data.chunks_exact(width).enumerate() {
@@ -61,7 +61,7 @@ pub fn visible_objects(instance: &Image<InstancePixel>) -> Vec<Visible> {
             }
         }
     }
-    let mut found: Vec<Visible> = gather.extents.iter().map(Extent::visible).collect();
+    let mut found: Vec<VisibleObject> = gather.extents.iter().map(Extent::visible).collect();
     found.sort_unstable_by_key(|v| v.id);
     found
 }
@@ -114,8 +114,8 @@ impl Gather {
 }
 
 impl Extent {
-    fn visible(&self) -> Visible {
-        Visible {
+    fn visible(&self) -> VisibleObject {
+        VisibleObject {
             id: self.first.id,
             tag: self.first.tag,
             one_tag: self.one_tag,
@@ -131,7 +131,7 @@ mod tests {
     use endless_world::ImageSize;
     use proptest::prelude::*;
 
-    fn brute_force(instance: &Image<InstancePixel>) -> Vec<Visible> {
+    fn brute_force(instance: &Image<InstancePixel>) -> Vec<VisibleObject> {
         let mut ids: Vec<InstanceId> = instance.data.iter().map(|p| p.id).filter(|id| id.0 != 0).collect();
         ids.sort_unstable();
         ids.dedup();
@@ -147,7 +147,7 @@ mod tests {
                 }
                 let x = found.iter().map(|f| f.0).min().expect("seen");
                 let y = found.iter().map(|f| f.1).min().expect("seen");
-                Visible {
+                VisibleObject {
                     id,
                     tag: found[0].2,
                     one_tag: found.iter().all(|f| f.2 == found[0].2),

@@ -6,7 +6,7 @@ mod output;
 
 use crate::{
     Event, GenerateError, Plan, Progress, Simulator, StageTimes,
-    record::{Clock, Recording, Stage, record_video},
+    record::{Recording, Stage, StageClock, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
 use endless_world::SceneSettings;
@@ -98,7 +98,7 @@ fn generate_in<S: Simulator>(
     }
     let complete = recipe.videos - to_do.len() as u32;
     progress.event(&Event::Start { videos: to_do.len() as u32, complete, estimate });
-    let clock = Clock::default();
+    let clock = StageClock::default();
     let mut run = Run { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in to_do.chunk_by(|a, b| a.map == b.map) {
         progress.event(&Event::LoadMap { map: &same_map[0].map });
@@ -128,7 +128,7 @@ struct Run<'a, S> {
     layout: &'a DatasetLayout,
     options: &'a GenerateOptions,
     progress: &'a dyn Progress,
-    clock: &'a Clock,
+    clock: &'a StageClock,
     place: u32,
 }
 

@@ -1,7 +1,47 @@
-//! Recipe → plan → scenes → record → resume: the one place where all crates meet.
+//! From recipe to dataset: the plan of its scenes, their simulation, recording and resume. The one crate that knows all
+//! others.
+//!
+//! A [`RecipeDraft`] is what a user wrote; with the maps of a [`MapSource`] it resolves to a recipe, of which [`Plan`] makes
+//! the settings of every scene. [`generate`] records them from a [`Simulator`]: it opens a [`SimulationSession`] a scene,
+//! which yields world states with their render tasks, and writes images, labels and videos. [`BuiltinSimulator`] is the
+//! city that comes with the program.
+//!
+//! ```
+//! use endless_pipeline::{MapCatalog, MapSource, Plan, RecipeDraft, SimulatorError};
+//! use endless_world::{CameraSite, Mount};
+//!
+//! /// One map with four cameras.
+//! struct Square;
+//!
+//! impl MapSource for Square {
+//!     fn maps(&self) -> Vec<String> {
+//!         vec!["Square".to_owned()]
+//!     }
+//! }
+//!
+//! impl MapCatalog for Square {
+//!     fn cameras(&self, _map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
+//!         let site = |corner: u8| CameraSite {
+//!             name: format!("corner_{corner}"),
+//!             position: [20.0 * f32::from(corner), 0.0, 8.0],
+//!             yaw_rad: 1.6,
+//!             down_tilt_rad: 0.4,
+//!             horizontal_fov_rad: 1.2,
+//!             mount: Mount::Pole,
+//!         };
+//!         Ok((0..4).map(site).collect())
+//!     }
+//! }
+//!
+//! let draft = RecipeDraft { videos: Some(5), cameras_per_scene: Some(3), ..RecipeDraft::default() };
+//! let recipe = draft.resolve(&Square)?;
+//! let plan = Plan::new(&recipe, &Square)?;
+//! assert_eq!(plan.scenes.len(), 5);
+//! assert!(plan.scenes.iter().all(|scene| scene.map == "Square" && scene.cameras.len() == 3));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod builtin;
-mod camera_list;
 mod disk_estimate;
 mod error;
 mod generate;
@@ -11,10 +51,12 @@ mod recipe;
 mod record;
 mod simulator;
 mod simulator_error;
+#[cfg(test)]
+mod test_catalog;
 mod text_position;
+mod user_camera;
 
 pub use builtin::{BuiltinMap, BuiltinSimulator};
-pub use camera_list::{OwnCamera, read_cameras};
 pub use disk_estimate::Estimate;
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{GenerateOptions, Generated, generate};
@@ -27,3 +69,4 @@ pub use simulator::{
     Simulator,
 };
 pub use simulator_error::SimulatorError;
+pub use user_camera::{UserCamera, read_cameras};

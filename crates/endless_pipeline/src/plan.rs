@@ -71,36 +71,12 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
 }
 
 #[cfg(test)]
-pub(crate) mod tests {
+mod tests {
     use super::*;
-    use crate::{MapSource, RecipeDraft, SimulatorError};
-    use endless_world::{Mount, TimeOfDay, Weather};
+    use crate::{RecipeDraft, test_catalog::ThreeTowns};
+    use endless_world::{TimeOfDay, Weather};
     use proptest::prelude::*;
     use std::collections::BTreeMap;
-
-    /// Three towns of three, four and five cameras.
-    pub(crate) struct ThreeTowns;
-
-    impl MapSource for ThreeTowns {
-        fn maps(&self) -> Vec<String> {
-            (1..=3).map(|n| format!("Town0{n}")).collect()
-        }
-    }
-
-    impl MapCatalog for ThreeTowns {
-        fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
-            let count = 2 + map.bytes().last().map_or(0, |b| b - b'0');
-            let site = |i| CameraSite {
-                name: format!("site_{i}"),
-                position: [f32::from(i), 0.0, 6.0],
-                yaw_rad: 0.0,
-                down_tilt_rad: 0.4,
-                horizontal_fov_rad: 1.2,
-                mount: Mount::Pole,
-            };
-            Ok((0..count).map(site).collect())
-        }
-    }
 
     fn recipe(videos: u32, cameras: u32, seed: u64, [maps, weathers, times]: [usize; 3]) -> Recipe {
         let take = |names: Vec<&str>, n: usize| Some(names.into_iter().take(n).map(str::to_owned).collect());

@@ -8,7 +8,7 @@ pub use draft::RecipeDraft;
 pub use option::{OptionDefault, OptionKind, RecipeOption, Vocabulary};
 pub use schema::recipe_schema;
 
-use crate::{MapSource, RecipeError, camera_list, text_position::line_and_column};
+use crate::{MapSource, RecipeError, text_position::line_and_column, user_camera};
 use endless_dataset::{Layer, Recipe};
 use serde_json::json;
 use std::{collections::BTreeMap, fs, path::Path};
@@ -56,7 +56,7 @@ impl RecipeDraft {
                 map_files.insert(map.clone(), hash);
             }
         }
-        let cameras = camera_list::resolve(&draft.cameras.take().unwrap_or_default(), &maps, source)?;
+        let cameras = user_camera::resolve(&draft.cameras.take().unwrap_or_default(), &maps, source)?;
         draft.mp4 = Some(mp4(draft.mp4, draft.layers.as_deref().unwrap_or_default())?);
         // The content of the models counts, not where they lie.
         draft.assets = None;
@@ -113,7 +113,7 @@ fn mp4(given: Option<Vec<String>>, layers: &[String]) -> Result<Vec<String>, Rec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::tests::ThreeTowns;
+    use crate::test_catalog::ThreeTowns;
     use endless_dataset::RgbFormat;
     use endless_world::Weather;
 

@@ -18,6 +18,6 @@ pub use times::StageTimes;
 pub(crate) use {
     recording::Recording,
     stored::{camera_is_complete, count_images},
-    times::{Clock, Stage},
+    times::{Stage, StageClock},
     video::record_video,
 };

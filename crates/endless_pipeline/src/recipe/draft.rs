@@ -4,7 +4,7 @@ use super::option::{
     OptionDefault::{Described, Value},
     OptionKind, OptionValue, RecipeOption, vocabulary,
 };
-use crate::{OwnCamera, RecipeError};
+use crate::{RecipeError, UserCamera};
 use endless_dataset::{Layer, MAX_CAMERAS, RgbFormat};
 use endless_world::{LookChoice, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
@@ -71,7 +71,7 @@ recipe_options! {
     /// Maps to choose from; see `endless maps`. Your own come from OpenDRIVE and OpenStreetMap files (docs/maps.md).
     maps: Vec<String>, OptionKind::Maps, Described("all that come with the program");
     /// Cameras of your own in place of a map's: a list in TOML or JSON (docs/maps.md).
-    cameras: Vec<OwnCamera>, OptionKind::Cameras, Described("the map's");
+    cameras: Vec<UserCamera>, OptionKind::Cameras, Described("the map's");
     /// Cameras that film each scene at the same instants: a pair, as in the paper, or a network of them.
     cameras_per_scene: i64, OptionKind::Whole { least: 1, most: MAX_CAMERAS as u64 }, Value("2");
     /// Weathers to choose from.

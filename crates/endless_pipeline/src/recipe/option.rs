@@ -239,7 +239,7 @@ impl OptionValue for bool {
     }
 }
 
-impl OptionValue for Vec<crate::OwnCamera> {
+impl OptionValue for Vec<crate::UserCamera> {
     fn from_flag(_text: &str) -> Result<Self, String> {
         Err("a list of cameras is a file".into())
     }

@@ -8,7 +8,7 @@ use super::{
     times::Stage,
 };
 use crate::{GenerateError, SceneTruth, SimulationStep, SimulatorError};
-use endless_annotate::{Picture, annotate, visible_objects};
+use endless_annotate::{CameraView, annotate, visible_objects};
 use endless_dataset::{DatasetError, Layer, StoredImage, Yuv, metres_from_rgb, rgb_from_metres, yuv_from_rgb};
 use endless_world::{PinholeCamera, SceneCamera, SensorFrame};
 use std::borrow::Cow;
@@ -100,8 +100,8 @@ impl<'a> FrameMaker<'a> {
             Pictures::Stored(cameras_layers) => {
                 let item = |((_, lens), stored): ((_, &PinholeCamera), &StoredLayers)| {
                     let depth = |pixel: usize| metres_from_rgb(stored.depth.data[pixel]);
-                    let picture = Picture { camera: lens, instance: &stored.instance, depth: &depth };
-                    self.item(taken, &picture, &stored.images)
+                    let view = CameraView { camera: lens, instance: &stored.instance, depth: &depth };
+                    self.item(taken, &view, &stored.images)
                 };
                 cameras.zip(cameras_layers).map(item).collect()
             }
@@ -111,8 +111,8 @@ impl<'a> FrameMaker<'a> {
                     let images = clock.time(Stage::Images, write)?;
                     // As it is or would be stored: labels do not depend on which layers are.
                     let depth = |pixel: usize| metres_from_rgb(rgb_from_metres(frame.depth.data[pixel]));
-                    let picture = Picture { camera: lens, instance: &frame.instance, depth: &depth };
-                    self.item(taken, &picture, &images)
+                    let view = CameraView { camera: lens, instance: &frame.instance, depth: &depth };
+                    self.item(taken, &view, &images)
                 };
                 cameras.zip(frames).map(item).collect()
             }
@@ -123,16 +123,16 @@ impl<'a> FrameMaker<'a> {
     fn item(
         &self,
         taken: &TakenFrame,
-        picture: &Picture<'_>,
+        view: &CameraView<'_>,
         images: &LayerImages<'_>,
     ) -> Result<SinkItem, GenerateError> {
         let Recording { settings, recipe, clock, .. } = *self.recording;
         let TakenFrame { frame, truth, .. } = taken;
         let line = clock.time(Stage::Boxes, || {
-            let visible = visible_objects(picture.instance);
+            let visible = visible_objects(view.instance);
             let time_s = f64::from(*frame) / settings.fps;
             let line = annotate(*frame, time_s, &visible, &truth.objects, settings.size, recipe.min_pixels)?;
-            Ok::<_, GenerateError>(line.with_keypoints(&truth.bodies, picture))
+            Ok::<_, GenerateError>(line.with_keypoints(&truth.bodies, view))
         })?;
         let pictures = clock.time(Stage::Video, || {
             let shown = images.iter().filter(|(layer, _)| recipe.mp4.contains(layer));

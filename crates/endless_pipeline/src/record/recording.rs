@@ -1,6 +1,6 @@
 //! What a recording needs besides the simulator.
 
-use super::times::Clock;
+use super::times::StageClock;
 use crate::Progress;
 use endless_dataset::{Recipe, VideoLayout};
 use endless_world::SceneSettings;
@@ -13,5 +13,5 @@ pub(crate) struct Recording<'a> {
     /// Of as many threads as may work.
     pub(crate) pool: &'a rayon::ThreadPool,
     pub(crate) progress: &'a dyn Progress,
-    pub(crate) clock: &'a Clock,
+    pub(crate) clock: &'a StageClock,
 }

@@ -26,13 +26,13 @@ pub(super) enum Job<S, T> {
 /// Hands out frames and ordered work to all workers. One worker at a time has the session; a frame brings an item for
 /// each camera's sink.
 pub(super) struct FrameScheduler<S, T> {
-    state: Mutex<State<S, T>>,
+    state: Mutex<SchedulerState<S, T>>,
     changed: Condvar,
     frames: u32,
     window: u32,
 }
 
-struct State<S, T> {
+struct SchedulerState<S, T> {
     /// `None` while a worker has it.
     session: Option<S>,
     /// Frames handed out.
@@ -52,7 +52,7 @@ impl<S, T> FrameScheduler<S, T> {
     /// A schedule of so many frames for so many cameras; at most `window` frames are under way.
     pub(super) fn new(session: S, cameras: usize, frames: u32, window: u32) -> Self {
         let sinks = (0..cameras).map(|_| SinkQueue { next: 0, busy: false, waiting: BTreeMap::new() }).collect();
-        let state = State { session: Some(session), begun: 0, sinks, stopped: false };
+        let state = SchedulerState { session: Some(session), begun: 0, sinks, stopped: false };
         Self { state: Mutex::new(state), changed: Condvar::new(), frames, window }
     }
 
@@ -129,7 +129,7 @@ impl<S, T> FrameScheduler<S, T> {
         self.state.into_inner().unwrap_or_else(PoisonError::into_inner).session
     }
 
-    fn lock(&self) -> MutexGuard<'_, State<S, T>> {
+    fn lock(&self) -> MutexGuard<'_, SchedulerState<S, T>> {
         self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{
     recording::Recording,
-    times::{Clock, Stage},
+    times::{Stage, StageClock},
 };
 use endless_annotate::FrameObjects;
 use endless_dataset::{DatasetError, ObjectsWriter, VideoEncoder, Yuv};
@@ -34,7 +34,7 @@ impl CameraSink {
         Ok(Self { objects: ObjectsWriter::create(&files.objects())?, videos, boxes: 0 })
     }
 
-    pub(super) fn push(&mut self, frame: &SinkItem, clock: &Clock) -> Result<(), DatasetError> {
+    pub(super) fn push(&mut self, frame: &SinkItem, clock: &StageClock) -> Result<(), DatasetError> {
         self.boxes += frame.line.objects.len() as u64;
         self.objects.write(&frame.line)?;
         clock.time(Stage::Video, || {

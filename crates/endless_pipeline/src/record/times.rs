@@ -32,7 +32,7 @@ const STAGES: usize = 10;
 
 /// Adds up the time of each stage over all threads.
 #[derive(Debug, Default)]
-pub(crate) struct Clock {
+pub(crate) struct StageClock {
     nanos: [AtomicU64; STAGES],
     bake_rays: AtomicU64,
     frame_rays: AtomicU64,
@@ -65,7 +65,7 @@ pub struct StageTimes {
     pub rays: RenderStats,
 }
 
-impl Clock {
+impl StageClock {
     pub(crate) fn time<R>(&self, stage: Stage, work: impl FnOnce() -> R) -> R {
         let start = Instant::now();
         let result = work();

@@ -1,4 +1,4 @@
-//! Cameras of the user's own: a list in a recipe, or in a file of its own, TOML or JSON.
+//! User cameras, which film in place of a map's own: a list in a recipe, or in a file of its own, TOML or JSON.
 
 use crate::{MapSource, RecipeError, text_position::line_and_column};
 use endless_world::{CameraSite, Mount};
@@ -10,7 +10,7 @@ use std::path::Path;
 /// A camera as users write it: metres, degrees.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct OwnCamera {
+pub struct UserCamera {
     /// The map in which it hangs.
     pub map: String,
     /// Unique in the map.
@@ -33,8 +33,8 @@ fn usual_fov() -> f64 {
 /// A file: `[[cameras]]` of TOML, `{"cameras": [...]}` of JSON.
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
-    cameras: Vec<OwnCamera>,
+struct CameraFile {
+    cameras: Vec<UserCamera>,
 }
 
 /// Furthest from the map's origin, metres.
@@ -46,7 +46,7 @@ const NAME: usize = 64;
 ///
 /// # Errors
 /// [`RecipeError::Unreadable`], or [`RecipeError::Malformed`] with the place.
-pub fn read_cameras(path: &Path) -> Result<Vec<OwnCamera>, RecipeError> {
+pub fn read_cameras(path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
     let text = fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
     let wrong = |(line, column, message): (usize, usize, String)| RecipeError::Malformed {
         path: path.to_owned(),
@@ -58,11 +58,11 @@ pub fn read_cameras(path: &Path) -> Result<Vec<OwnCamera>, RecipeError> {
     if json { from_json(&text) } else { from_toml(&text) }.map_err(wrong)
 }
 
-/// A place in a text, from 1, and what is wrong there.
-type Wrong = (usize, usize, String);
+/// Line and column, from 1, and what is wrong there.
+type Misreading = (usize, usize, String);
 
-fn from_json(text: &str) -> Result<Vec<OwnCamera>, Wrong> {
-    let file: Result<File, serde_json::Error> = serde_json::from_str(text);
+fn from_json(text: &str) -> Result<Vec<UserCamera>, Misreading> {
+    let file: Result<CameraFile, serde_json::Error> = serde_json::from_str(text);
     file.map(|f| f.cameras).map_err(|e| {
         // The message ends with the place.
         let message = e.to_string();
@@ -71,8 +71,8 @@ fn from_json(text: &str) -> Result<Vec<OwnCamera>, Wrong> {
     })
 }
 
-fn from_toml(text: &str) -> Result<Vec<OwnCamera>, Wrong> {
-    toml::from_str(text).map(|f: File| f.cameras).map_err(|e| {
+fn from_toml(text: &str) -> Result<Vec<UserCamera>, Misreading> {
+    toml::from_str(text).map(|f: CameraFile| f.cameras).map_err(|e| {
         let (line, column) = line_and_column(text, e.span().map_or(0, |s| s.start));
         (line, column, e.message().lines().collect::<Vec<_>>().join(", "))
     })
@@ -83,7 +83,7 @@ fn from_toml(text: &str) -> Result<Vec<OwnCamera>, Wrong> {
 /// # Errors
 /// The first camera that cannot be.
 pub(crate) fn resolve(
-    cameras: &[OwnCamera],
+    cameras: &[UserCamera],
     maps: &[String],
     source: &dyn MapSource,
 ) -> Result<BTreeMap<String, Vec<CameraSite>>, RecipeError> {
@@ -105,7 +105,7 @@ pub(crate) fn resolve(
     Ok(by_map)
 }
 
-fn wrong(camera: &OwnCamera, what: &str, given: &str, rule: &str) -> RecipeError {
+fn wrong(camera: &UserCamera, what: &str, given: &str, rule: &str) -> RecipeError {
     RecipeError::OutOfRange {
         field: "cameras",
         given: format!("{what} = {given} ({} in {})", camera.name, camera.map),
@@ -113,7 +113,7 @@ fn wrong(camera: &OwnCamera, what: &str, given: &str, rule: &str) -> RecipeError
     }
 }
 
-fn site(camera: &OwnCamera) -> Result<CameraSite, RecipeError> {
+fn site(camera: &UserCamera) -> Result<CameraSite, RecipeError> {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '_' || c == '-';
     if camera.name.is_empty() || camera.name.len() > NAME || !camera.name.chars().all(plain) {
         let rule = "a name has 1 to 64 letters, digits, _ and -";
@@ -140,7 +140,7 @@ fn site(camera: &OwnCamera) -> Result<CameraSite, RecipeError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plan::tests::ThreeTowns;
+    use crate::test_catalog::ThreeTowns;
     use crate::{Plan, RecipeDraft};
     use proptest::prelude::*;
 
@@ -167,7 +167,7 @@ mod tests {
 
     #[test]
     fn what_cannot_be_is_told() {
-        let told = |change: &dyn Fn(&mut Vec<OwnCamera>)| {
+        let told = |change: &dyn Fn(&mut Vec<UserCamera>)| {
             let mut cameras = from_toml(TOML).expect("a list");
             change(&mut cameras);
             resolve(&cameras, &["Town01".to_owned()], &ThreeTowns).expect_err("wrong").to_string()
