@@ -1,26 +1,22 @@
 //! Towns: a road network dressed with ground, buildings, trees, furniture, parked cars, lamps and camera sites.
 //!
-//! A town is made in named passes over one street plan, each a folder: the network (`network`), its surfaces
-//! (`surface`), buildings on lots (`building`), street furniture and plants (`dressing`), camera sites (`camera`).
-//! What sets the eight towns apart is one table, `character`. Maps read from files are dressed by `imported`.
+//! There is one way of making a town: a road map, read from a file or written here as the layout of a built-in town
+//! (`builtin`), is dressed in named passes (`imported`) with ground, buildings (`building`), street furniture and plants,
+//! and given camera sites (`camera`).
 
 mod assemble;
 mod building;
 mod builtin;
 mod camera;
-mod character;
 mod dressing;
+mod geometry;
 mod imported;
-mod load;
-mod network;
 mod palette;
-mod plot;
-mod surface;
 mod top_view;
 mod town;
 
 pub use building::{building_manners, sample_building};
+pub use builtin::{NAMES, canonical_name, load};
 pub use imported::dress_map;
-pub use load::{NAMES, canonical_name, load};
 pub use top_view::{top_view, top_view_of};
 pub use town::{Placement, Town, TownError, What};

@@ -5,7 +5,7 @@ use super::opening::WindowNumbers;
 use super::storeyed::{Measures, Rhythm, add_wall, make_styled};
 use super::style::Style;
 use super::wall::Wall;
-use crate::surface::{triangulate, with_holes};
+use crate::geometry::{triangulate, with_holes};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{DVec2, Vec2, Vec3};

@@ -1,12 +1,12 @@
 //! The street side of the ground floor: shops under signs and awnings, windows about a door, gates.
 
+use super::kind::Kind;
 use super::manner::Manner;
 use super::opening::{Detail, WindowNumbers, door, gate, shop_front, window};
 use super::ornament::{grille, lintel, projecting_sign, shop_name, surround};
 use super::storeyed::Measures;
 use super::style::Style;
 use super::wall::{Hole, Wall};
-use crate::character::Kind;
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 

@@ -1,6 +1,6 @@
 //! Manners of building: what sets one facade apart from another on lots of the same kind.
 
-use crate::character::Kind;
+use super::kind::Kind;
 use endless_world::Stream;
 
 /// A manner of building.

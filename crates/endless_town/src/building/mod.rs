@@ -1,8 +1,9 @@
-//! Buildings: real geometry on lots along the streets.
+//! Buildings: walls with openings, roofs, and what stands out from them, as meshes.
 
 mod freeform;
 mod ground;
-mod lots;
+mod kind;
+mod lot;
 mod manner;
 mod opening;
 mod ornament;
@@ -18,17 +19,14 @@ mod upper;
 mod wall;
 
 pub(crate) use freeform::{Block, house, on_rectangle};
-pub(crate) use lots::{Lot, eaves, size, storeys};
+pub(crate) use kind::Kind;
+pub(crate) use lot::{eaves, size, storeys};
 pub(crate) use manner::Manner;
 pub(crate) use opening::WindowNumbers;
 pub(crate) use storeyed::Measures;
 
-use crate::character::Character;
-use crate::network::{KERB_HEIGHT_M, Plan};
-use crate::plot::Occupied;
 use endless_scene::Mesh;
 use endless_world::Stream;
-use glam::{Affine3A, Quat};
 
 /// Names of the manners of building.
 pub fn building_manners() -> Vec<&'static str> {
@@ -40,28 +38,10 @@ pub fn building_manners() -> Vec<&'static str> {
 pub fn sample_building(manner: &str, seed: u64) -> Option<Mesh> {
     let (manner, kind, usual) = Manner::ALL.into_iter().find(|m| m.0.name() == manner)?;
     let mut stream = Stream::named(seed, "town/sample building", &[]);
-    let (width, depth) = lots::size(kind, &mut stream);
+    let (width, depth) = lot::size(kind, &mut stream);
     let storeys = if usual > 3 { usual - 1 + stream.below(3) as u32 } else { usual };
     let shops = matches!(manner, Manner::OldTown | Manner::Tenement) && stream.chance(0.5);
     let (width, depth) = (width as f32, depth as f32);
     let measures = Measures { kind, manner: Some(manner), width, depth, storeys, shops, party_walls: [false; 2] };
     Some(storeyed::make(&measures, &mut stream, &mut WindowNumbers::default()))
-}
-
-/// Builds on the lots of a town; each mesh with its place in the world.
-pub(crate) fn build(character: &Character, plan: &Plan, occupied: &mut Occupied) -> (Vec<Lot>, Vec<(Mesh, Affine3A)>) {
-    let lots = lots::lay(character, plan, occupied);
-    let mut numbers = WindowNumbers::default();
-    let meshes = lots
-        .iter()
-        .map(|lot| {
-            let mesh = storeyed::make(&lot.measures, &mut Stream::named(lot.seed, "town/building", &[]), &mut numbers);
-            let place = Affine3A::from_rotation_translation(
-                Quat::from_rotation_z(lot.angle_rad as f32),
-                lot.front.extend(KERB_HEIGHT_M).as_vec3(),
-            );
-            (mesh, place)
-        })
-        .collect();
-    (lots, meshes)
 }

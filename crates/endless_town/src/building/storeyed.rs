@@ -2,6 +2,7 @@
 //! and differ by their measures and their manner.
 
 use super::ground::add_ground_front;
+use super::kind::Kind;
 use super::manner::Manner;
 use super::opening::{Detail, WindowNumbers};
 use super::ornament::{cables, downpipe, fire_escape, graffito, posters};
@@ -9,7 +10,6 @@ use super::style::Style;
 use super::upper::{add_balcony, dress_window};
 use super::wall::{Hole, Wall, walls};
 use super::{opening, special, top};
-use crate::character::Kind;
 use endless_scene::{Mesh, MeshBuilder};
 use endless_world::Stream;
 use glam::Vec2;

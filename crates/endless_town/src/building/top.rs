@@ -1,5 +1,6 @@
 //! Which roof a building bears, and what stands on it.
 
+use super::kind::Kind;
 use super::manner::Manner;
 use super::opening::WindowNumbers;
 use super::roof::{boxed, chimney, flat, gabled, hipped, plant};
@@ -7,7 +8,6 @@ use super::rooftop::{aerial, barrel, dormer, gutter, machines, rebar, skylight, 
 use super::storeyed::Measures;
 use super::style::Style;
 use super::wall::Wall;
-use crate::character::Kind;
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};

@@ -3,7 +3,7 @@
 
 use super::plan::Plan;
 use super::shape::{points, rect, rise, smooth, smooth_ring};
-use crate::character::Kind;
+use crate::building::Kind;
 use crate::imported::Look;
 use crate::palette::COBBLES;
 use endless_road::RoadMap;

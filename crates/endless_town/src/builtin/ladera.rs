@@ -3,7 +3,7 @@
 
 use super::plan::Plan;
 use super::shape::{hill, points, rect, rise, smooth};
-use crate::character::Kind;
+use crate::building::Kind;
 use crate::imported::Look;
 use endless_road::RoadMap;
 use endless_world::math::f64::sin;

@@ -1,11 +1,12 @@
-//! Towns whose plans are written in the terms of an extract: each file is the description of one, read by the same road
-//! builder and dressed like any map.
+//! The built-in towns: each file is the layout of one, in the terms of an OpenStreetMap extract. The road builder reads
+//! it and it is dressed like any map.
 
 mod altstadt;
 mod ladera;
 mod plan;
 mod shape;
 mod town01;
+mod town02;
 mod town03;
 mod town04;
 mod town05;
@@ -20,8 +21,10 @@ use endless_road::RoadMap;
 
 type Make = fn() -> (RoadMap, Look);
 
-const PLANS: &[(&str, Make)] = &[
+/// CARLA's towns in the paper's order, then two of our own.
+const TOWNS: [(&str, Make); 10] = [
     ("Town01", town01::make),
+    ("Town02", town02::make),
     ("Town03", town03::make),
     ("Town04", town04::make),
     ("Town05", town05::make),
@@ -32,15 +35,52 @@ const PLANS: &[(&str, Make)] = &[
     ("Altstadt", altstadt::make),
 ];
 
-/// A town with a plan of its own, if the name is one's.
-pub(crate) fn load(name: &str, catalogue: &Catalogue) -> Option<Result<Town, TownError>> {
-    let (name, make) = PLANS.iter().find(|(known, _)| *known == name)?;
-    let (map, look) = make();
-    Some(dress(name, &map, &look, catalogue))
+const fn names() -> [&'static str; TOWNS.len()] {
+    let mut names = [""; TOWNS.len()];
+    let mut i = 0;
+    while i < names.len() {
+        names[i] = TOWNS[i].0;
+        i += 1;
+    }
+    names
 }
 
-/// Whether a town has a plan of its own.
+/// Names of the built-in towns.
+pub const NAMES: &[&str] = &names();
+
+/// The built-in town that is meant: `Town01_Opt` is `Town01`.
+///
+/// # Errors
+/// [`TownError::UnknownMap`] if there is no such town.
+pub fn canonical_name(given: &str) -> Result<&'static str, TownError> {
+    find(given).map(|(name, _)| name)
+}
+
+/// Makes a built-in town. The same name gives the same town everywhere.
+///
+/// # Errors
+/// [`TownError::UnknownMap`] if there is no such town.
+pub fn load(name: &str, catalogue: &Catalogue) -> Result<Town, TownError> {
+    let (name, make) = find(name)?;
+    let (map, look) = make();
+    dress(name, &map, &look, catalogue)
+}
+
+fn find(given: &str) -> Result<(&'static str, Make), TownError> {
+    let plain = given.strip_suffix("_Opt").unwrap_or(given);
+    let unknown = || TownError::UnknownMap { given: given.to_owned(), known: NAMES.to_vec() };
+    TOWNS.into_iter().find(|(name, _)| *name == plain).ok_or_else(unknown)
+}
+
 #[cfg(test)]
-pub(crate) fn has(name: &str) -> bool {
-    PLANS.iter().any(|(known, _)| *known == name)
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_found_with_and_without_suffix() {
+        assert_eq!(canonical_name("Town01_Opt"), Ok("Town01"));
+        assert_eq!(canonical_name("Town10HD"), Ok("Town10HD"));
+        let error = canonical_name("Town99").expect_err("no such map");
+        assert!(error.to_string().contains("Town99") && error.to_string().contains("Town07"));
+    }
 }

@@ -2,7 +2,7 @@
 //! cross at one level meet there; roads that end on another join it.
 
 use super::shape::{along, split_at};
-use crate::character::Kind;
+use crate::building::Kind;
 use crate::imported::{Look, Zone};
 use endless_road::osm::{
     DrivingSide, OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmOptions, OsmRelation, OsmTags, OsmWay, map_from,

@@ -1,6 +1,6 @@
 //! Shapes of which plans are made: points, smooth lines, outlines; and rises of the land.
 
-use crate::plot::unit;
+use crate::geometry::unit;
 use glam::DVec2;
 
 /// Distance between points of a smooth line, metres.

@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use super::shape::{band, beside, distance, hill, points, rect, rise, smooth};
-use crate::character::Kind;
+use crate::building::Kind;
 use crate::imported::Look;
 use endless_road::RoadMap;
 use glam::DVec2;

@@ -2,9 +2,9 @@
 
 use super::plan::Plan;
 use super::shape::{arc, hill, points, rect, rise, smooth};
-use crate::character::Kind;
+use crate::building::Kind;
+use crate::geometry::unit;
 use crate::imported::Look;
-use crate::plot::unit;
 use endless_road::RoadMap;
 use glam::DVec2;
 

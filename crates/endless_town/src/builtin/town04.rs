@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use super::shape::{beside, hill, part, points, rect, rise, smooth, smooth_ring, turned};
-use crate::character::Kind;
+use crate::building::Kind;
 use crate::imported::Look;
 use endless_road::RoadMap;
 use endless_world::math::f64::sin;

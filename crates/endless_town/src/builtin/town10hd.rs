@@ -2,7 +2,7 @@
 
 use super::plan::Plan;
 use super::shape::{points, rect, rise};
-use crate::character::Kind;
+use crate::building::Kind;
 use crate::imported::Look;
 use endless_road::RoadMap;
 use glam::DVec2;

@@ -2,8 +2,8 @@
 
 use super::relief::{Relief, Top};
 use super::{Open, Solid};
-use crate::plot::{inside, unit};
-use crate::surface::area;
+use crate::geometry::area;
+use crate::geometry::{inside, unit};
 use endless_road::{Lane, Polyline, RoadNetwork};
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::{CameraSite, Mount};

@@ -3,7 +3,7 @@
 use super::Post;
 use super::candidate::View;
 use super::relief::{Relief, Top};
-use crate::plot::unit;
+use crate::geometry::unit;
 use endless_road::RoadNetwork;
 use endless_world::{CameraSite, ImageSize, PinholeCamera};
 use glam::{DVec2, Vec3};

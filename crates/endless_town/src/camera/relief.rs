@@ -1,7 +1,7 @@
 //! The town as a field of heights with a kind of ground in each cell: what rays of sight are tested against.
 
 use super::raster::cells_in;
-use crate::plot::unit;
+use crate::geometry::unit;
 use endless_road::RoadNetwork;
 use endless_scene::Mesh;
 use endless_world::ClassTag;

@@ -1,12 +1,7 @@
-//! Utility poles along quiet streets, with wires that sag between them.
+//! Wires that sag between utility poles.
 
-use super::dresser::{Dresser, Spot};
-use super::post::POST_M;
-use crate::camera::spoils;
-use crate::network::KERB_HEIGHT_M;
-use endless_asset::Prop;
 use endless_scene::{Material, MeshBuilder, Surface};
-use endless_world::{CameraSite, ClassTag};
+use endless_world::ClassTag;
 use glam::{DVec2, DVec3, Vec2};
 
 const WIRE: Material = Material::new(Surface::Rubber, [0.02, 0.02, 0.02], ClassTag::Static);
@@ -14,36 +9,6 @@ const RADIUS_M: f64 = 0.014;
 const SPACING_M: f64 = 30.0;
 /// Sag of a full span.
 const SAG_M: f64 = 0.7;
-
-pub(crate) fn add(dresser: &mut Dresser<'_>, mesh: &mut MeshBuilder, sites: &[CameraSite]) {
-    if !dresser.character.wires {
-        return;
-    }
-    let plan = dresser.plan;
-    for street in plan.streets.iter().filter(|s| s.profile.priority < 3) {
-        let (from, to) = street.body();
-        let count = ((to - from - 8.0) / SPACING_M).floor().max(1.0);
-        let spacing = (to - from - 8.0) / count;
-        let mut last: Option<(f64, DVec2)> = None;
-        for k in 0..=count as usize {
-            let wanted = from + 4.0 + k as f64 * spacing;
-            let found = [0.0, 1.2, -1.2, 2.4, -2.4].into_iter().map(|step| wanted + step).find(|&s| {
-                let at = street.point(s, -(street.profile.kerb() + POST_M + 0.1));
-                let before_lens = spoils(sites, at);
-                let spot = Spot::new(at, street.heading(s));
-                !before_lens
-                    && !street.near_crossing(s, 1.4)
-                    && dresser.put(Prop::UtilityPole, spot, DVec2::splat(0.22), None)
-            });
-            let Some(s) = found else { continue };
-            let here = (s, street.point(s, -(street.profile.kerb() + POST_M + 0.1)));
-            if let Some(before) = last.filter(|before| s - before.0 < 1.7 * SPACING_M) {
-                hang(mesh, before.1.extend(KERB_HEIGHT_M), here.1.extend(KERB_HEIGHT_M));
-            }
-            last = Some(here);
-        }
-    }
-}
 
 /// Three wires between the cross-arms of two poles with their feet at two places.
 pub(crate) fn hang(mesh: &mut MeshBuilder, from: DVec3, to: DVec3) {

@@ -2,9 +2,9 @@
 
 use super::land::Land;
 use crate::camera::Open;
+use crate::geometry::inside;
+use crate::geometry::{area, triangulate, with_holes};
 use crate::palette::{CAR_PARK, FIELD, GRAVEL, LAWN, MEADOW, PLAZA, PLAZA_BAND, SOIL, WATER, WOODLAND, YARD};
-use crate::plot::inside;
-use crate::surface::{area, triangulate, with_holes};
 use endless_road::{Area, AreaKind};
 use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, Vec3};

@@ -16,7 +16,7 @@ const MOST_M: f64 = 12.0;
 
 pub(super) fn add(mesh: &mut MeshBuilder, map: &RoadMap, cover: &Cover) {
     for thing in map.objects.iter().filter(|t| t.kind == MapObjectKind::SpeedBump) {
-        let along = crate::plot::unit(thing.heading_rad);
+        let along = crate::geometry::unit(thing.heading_rad);
         let across = along.perp();
         let at = thing.position.truncate();
         let surface = |p: DVec2| {

@@ -1,6 +1,6 @@
 //! Which pavement lies at a place: all strips of a map in bins, and the asphalt between them in junctions.
 
-use crate::surface::triangulate;
+use crate::geometry::triangulate;
 use endless_road::{Strip, StripKind};
 use glam::{DVec2, DVec3};
 
@@ -147,7 +147,7 @@ impl Cover {
     /// Asphalt that no strip tells of, by its outline, counter-clockwise.
     pub(crate) fn add_between(&mut self, outline: &[DVec3]) {
         let flat: Vec<DVec2> = outline.iter().map(|p| p.truncate()).collect();
-        if flat.len() < 3 || crate::surface::area(&flat) <= 0.0 {
+        if flat.len() < 3 || crate::geometry::area(&flat) <= 0.0 {
             return;
         }
         for triangle in triangulate(&flat) {
@@ -215,7 +215,7 @@ impl Cover {
     pub(crate) fn is_near(&self, p: DVec2, reach: f64) -> bool {
         self.is_paved(p)
             || (0..8).any(|k| {
-                let way = crate::plot::unit(std::f64::consts::FRAC_PI_4 * f64::from(k));
+                let way = crate::geometry::unit(std::f64::consts::FRAC_PI_4 * f64::from(k));
                 self.is_paved(p + way * reach) || self.is_paved(p + way * (reach * 0.5))
             })
     }

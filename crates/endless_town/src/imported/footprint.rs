@@ -2,11 +2,11 @@
 
 use super::cover::Cover;
 use super::land::Land;
+use crate::building::Kind;
 use crate::building::{Block, Measures, WindowNumbers, house, on_rectangle};
 use crate::camera::Solid;
-use crate::character::Kind;
-use crate::plot::{Occupied, Rect, inside};
-use crate::surface::area;
+use crate::geometry::area;
+use crate::geometry::{Occupied, Rect, inside};
 use endless_road::{BuildingFootprint, StripKind};
 use endless_scene::Mesh;
 use endless_world::Stream;

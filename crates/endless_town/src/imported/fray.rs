@@ -3,7 +3,7 @@
 use super::cover::Piece;
 use super::lawn::{Lawn, Lawns};
 use crate::dressing::{Spot, Stage};
-use crate::plot::unit;
+use crate::geometry::unit;
 use endless_asset::Prop;
 use endless_road::StripKind;
 use endless_world::{CameraSite, Stream};

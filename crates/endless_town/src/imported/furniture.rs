@@ -3,7 +3,7 @@
 use super::post::{Poster, Verge};
 use crate::camera::spoils;
 use crate::dressing::{Spot, Stage, hang};
-use crate::plot::Rect;
+use crate::geometry::Rect;
 use endless_asset::Prop;
 use endless_road::Lane;
 use endless_scene::MeshBuilder;
@@ -98,7 +98,7 @@ fn add_poles(stage: &mut Stage<'_>, mesh: &mut MeshBuilder, poster: &Poster<'_>,
     for lane in poster.map.network.lanes.iter().filter(|l| l.junction.is_none() && poster.is_outermost(l)) {
         let length = lane.centerline.length();
         // One side of the road is enough: that of the lanes that lead north or east.
-        let way = crate::plot::unit(lane.centerline.at(length / 2.0).heading_rad);
+        let way = crate::geometry::unit(lane.centerline.at(length / 2.0).heading_rad);
         let least = if poster.look.wires { 16.0 } else { POLES_M };
         if way.x + way.y < 0.0 || length < least || lane.speed_limit_mps > 25.0 {
             continue;

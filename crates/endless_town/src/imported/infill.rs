@@ -2,7 +2,7 @@
 
 use super::cover::Cover;
 use crate::palette::ASPHALT;
-use crate::surface::NO_LANE;
+use crate::palette::NO_LANE;
 use endless_road::{JunctionId, RoadNetwork};
 use endless_scene::MeshBuilder;
 use glam::{DVec2, DVec3, Vec2};
@@ -134,7 +134,8 @@ impl<'a> Patch<'a> {
         let height = |p: DVec2| {
             (0..14).find_map(|ring| {
                 let around = (0..8).filter_map(|k| {
-                    let q = p + crate::plot::unit(std::f64::consts::FRAC_PI_4 * f64::from(k)) * (0.5 * f64::from(ring));
+                    let q =
+                        p + crate::geometry::unit(std::f64::consts::FRAC_PI_4 * f64::from(k)) * (0.5 * f64::from(ring));
                     self.cover
                         .at(q)
                         .filter(|(piece, _)| super::cover::is_carriageway(piece.kind))

@@ -3,7 +3,7 @@
 use super::cover::{Cover, is_carriageway};
 use super::crossed;
 use crate::dressing::Stage;
-use crate::plot::unit;
+use crate::geometry::unit;
 use crate::{Placement, What};
 use endless_asset::Prop;
 use endless_road::{Lane, RoadMap, StripKind};

@@ -61,7 +61,7 @@ impl Land {
             here.map(|(_, z)| z).min_by(f64::total_cmp)
         };
         // The lowest road near by decides, so that none is buried by a higher one beside it.
-        let way = |k: usize| crate::plot::unit(std::f64::consts::FRAC_PI_4 * k as f64) * (cell * 0.75);
+        let way = |k: usize| crate::geometry::unit(std::f64::consts::FRAC_PI_4 * k as f64) * (cell * 0.75);
         let ways: [DVec2; 8] = std::array::from_fn(way);
         let place = |i: usize| {
             let p = land.vertex(i % nx, i / nx);

@@ -1,6 +1,6 @@
 //! What sets one dressed map apart from another: lamps, trees, what is built where.
 
-use crate::character::Kind;
+use crate::building::Kind;
 use crate::palette::ASPHALT;
 use endless_scene::Material;
 use glam::DVec2;

@@ -28,7 +28,7 @@ use crate::assemble::{assemble, set_up_cameras};
 use crate::building::WindowNumbers;
 use crate::camera::{Relief, Solid};
 use crate::dressing::{Stage, keep_the_seen};
-use crate::plot::{Occupied, Rect};
+use crate::geometry::{Occupied, Rect};
 use crate::{Town, TownError};
 use area::Areas;
 use cover::Cover;

@@ -93,7 +93,7 @@ fn line(mesh: &mut MeshBuilder, line: &Polyline, (from, to): (f64, f64), t: f64,
     let rails: Vec<[DVec3; 2]> = (0..=steps)
         .map(|i| {
             let place = line.at(from + (to - from) * i as f64 / steps as f64);
-            let left = crate::plot::unit(place.heading_rad).perp().extend(0.0);
+            let left = crate::geometry::unit(place.heading_rad).perp().extend(0.0);
             let up = DVec3::Z * PAINT_M;
             [place.position + left * (t - width / 2.0) + up, place.position + left * (t + width / 2.0) + up]
         })
@@ -152,7 +152,8 @@ fn is_stop_line_of(mark: &Mark, lane: &Lane) -> bool {
         return false;
     }
     let (s, t) = mark.line.project(end.position.truncate());
-    let across = crate::plot::unit(mark.line.at(s).heading_rad).dot(crate::plot::unit(end.heading_rad)).abs() < 0.5;
+    let across =
+        crate::geometry::unit(mark.line.at(s).heading_rad).dot(crate::geometry::unit(end.heading_rad)).abs() < 0.5;
     across && t.abs() < 6.0 && mark.width_m > 0.18
 }
 
@@ -162,7 +163,7 @@ fn add_stop_line(mesh: &mut MeshBuilder, lane: &Lane) {
         return;
     }
     let end = lane.centerline.at(length - 0.3);
-    let forward = crate::plot::unit(end.heading_rad);
+    let forward = crate::geometry::unit(end.heading_rad);
     let half = forward.perp() * (lane.width_m / 2.0 - 0.1);
     let lift = DVec3::Z * (PAINT_M + 0.002);
     let at = |back: f64, side: f64| -> DVec3 {

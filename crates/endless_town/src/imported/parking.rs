@@ -5,7 +5,7 @@ use super::cover::Cover;
 use super::crossed;
 use super::land::Land;
 use crate::dressing::Stage;
-use crate::plot::{Rect, inside, unit};
+use crate::geometry::{Rect, inside, unit};
 use endless_road::{AreaKind, RoadNetwork, Strip, StripKind};
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::{ParkedVehicle, Pose, Stream, VehicleModelId, VehicleRef};

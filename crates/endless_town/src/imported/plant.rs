@@ -8,7 +8,7 @@ use super::look::Look;
 use super::post::Poster;
 use crate::camera::in_the_way;
 use crate::dressing::{Spot, Stage};
-use crate::plot::{Rect, inside};
+use crate::geometry::{Rect, inside};
 use endless_asset::Prop;
 use endless_road::{AreaKind, MapObjectKind, RoadMap};
 use endless_world::math::f64::atan2;

@@ -4,7 +4,7 @@ use super::cover::Cover;
 use super::land::Land;
 use super::look::Look;
 use crate::dressing::{Spot, Stage};
-use crate::plot::unit;
+use crate::geometry::unit;
 use endless_asset::Prop;
 use endless_road::{Control, Lane, MapObjectKind, RoadMap};
 use endless_scene::StreetLamp;

@@ -2,9 +2,10 @@
 
 use super::cover::{Cover, Piece, is_carriageway};
 use super::land::Land;
+use crate::geometry::triangulate;
+use crate::geometry::{Occupied, Rect};
+use crate::palette::NO_LANE;
 use crate::palette::{BALLAST, CYCLEWAY, DECK, KERB, LAWN, PAVING, TRACK};
-use crate::plot::{Occupied, Rect};
-use crate::surface::{NO_LANE, triangulate};
 use endless_road::{RoadMap, Strip, StripKind};
 use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, DVec3, Vec2, Vec3};
@@ -264,7 +265,7 @@ impl<'a> Paver<'a> {
         let at = top.truncate();
         let ground = self.land.level(at) - 0.6;
         let passes = (0..9).any(|k| {
-            let p = at + if k == 0 { DVec2::ZERO } else { crate::plot::unit(f64::from(k) * 0.785) * 1.6 };
+            let p = at + if k == 0 { DVec2::ZERO } else { crate::geometry::unit(f64::from(k) * 0.785) * 1.6 };
             self.cover.at(p).any(|(_, z)| z < top.z - 0.6)
         });
         (!passes && top.z - ground >= 3.0).then_some((at.extend(ground), top))
@@ -275,14 +276,14 @@ impl<'a> Paver<'a> {
 pub(super) fn junction_areas(mesh: &mut MeshBuilder, map: &RoadMap, paving: Material) {
     for outline in &map.junction_areas {
         let flat: Vec<DVec2> = outline.iter().map(|p| p.truncate()).collect();
-        if flat.len() < 3 || crate::surface::area(&flat) <= 0.0 {
+        if flat.len() < 3 || crate::geometry::area(&flat) <= 0.0 {
             continue;
         }
         let base = mesh.vertices(outline.iter().map(|p| {
             let p = (*p - DVec3::Z * 0.004).as_vec3();
             (p, Vec3::Z, Vec2::new(p.x, NO_LANE))
         }));
-        for t in triangulate(&flat).into_iter().filter(|t| crate::surface::area(&t.map(|k| flat[k])) > 1e-3) {
+        for t in triangulate(&flat).into_iter().filter(|t| crate::geometry::area(&t.map(|k| flat[k])) > 1e-3) {
             mesh.triangle_indices(t.map(|k| base + k as u32), paving);
         }
         for k in 0..outline.len() {

@@ -7,7 +7,7 @@ use super::land::Land;
 use super::post::Poster;
 use crate::camera::{in_the_way, spoils};
 use crate::dressing::{Spot, Stage};
-use crate::plot::{inside, unit};
+use crate::geometry::{inside, unit};
 use endless_asset::Prop;
 use endless_road::{Area, AreaKind, RoadNetwork};
 use endless_world::math::f64::atan2;
@@ -190,7 +190,7 @@ impl Furnisher<'_> {
     fn waterside(&self, stage: &mut Stage<'_>, area: &Area) {
         const PANEL_M: f64 = 2.0;
         let n = area.outline.len();
-        let turn = if crate::surface::area(&area.outline) > 0.0 { 1.0 } else { -1.0 };
+        let turn = if crate::geometry::area(&area.outline) > 0.0 { 1.0 } else { -1.0 };
         for k in 0..n {
             let (a, b) = (area.outline[k], area.outline[(k + 1) % n]);
             let along = (b - a).normalize_or(DVec2::X);

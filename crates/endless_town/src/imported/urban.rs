@@ -3,8 +3,8 @@
 use super::area::Areas;
 use super::cover::Cover;
 use super::growth::Density;
+use crate::geometry::unit;
 use crate::palette::{GRAVEL, LAWN, MEADOW, YARD, YARD_DARK, YARD_SLABS};
-use crate::plot::unit;
 use endless_road::{AreaKind, BuildingFootprint, Lane, RoadNetwork, StripKind};
 use endless_scene::Material;
 use endless_world::fnv1a;

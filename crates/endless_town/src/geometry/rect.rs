@@ -39,11 +39,6 @@ impl Rect {
         [self.centre - x - y, self.centre + x - y, self.centre + x + y, self.centre - x + y]
     }
 
-    pub(crate) fn contains(&self, p: DVec2) -> bool {
-        let q = p - self.centre;
-        q.dot(self.axis).abs() <= self.half.x && q.dot(self.axis.perp()).abs() <= self.half.y
-    }
-
     /// Whether two rectangles share more than their borders (separating axes).
     pub(crate) fn meets(&self, other: &Self) -> bool {
         let between = other.centre - self.centre;
@@ -55,16 +50,6 @@ impl Rect {
             let radius = |r: &Self| r.half.x * r.axis.dot(axis).abs() + r.half.y * r.axis.perp().dot(axis).abs();
             between.dot(axis).abs() < radius(self) + radius(other) - 1e-9
         })
-    }
-
-    /// Whether a segment passes through.
-    pub(crate) fn cut_by(&self, a: DVec2, b: DVec2) -> bool {
-        let along = b - a;
-        let length = along.length();
-        if length < 1e-9 {
-            return self.contains(a);
-        }
-        self.meets(&Self { centre: (a + b) / 2.0, half: DVec2::new(length / 2.0, 1e-6), axis: along / length })
     }
 }
 
@@ -79,12 +64,6 @@ pub(crate) fn inside(outline: &[DVec2], p: DVec2) -> bool {
         .count()
         % 2
         == 1
-}
-
-/// Whether a rectangle crosses an outline.
-pub(crate) fn crosses(outline: &[DVec2], rect: &Rect) -> bool {
-    let n = outline.len();
-    (0..n).any(|i| rect.cut_by(outline[i], outline[(i + 1) % n]))
 }
 
 /// Side of the bins of [`Occupied`], metres.
@@ -135,6 +114,11 @@ mod tests {
     use super::*;
     use proptest::prelude::*;
 
+    fn contains(rect: &Rect, p: DVec2) -> bool {
+        let q = p - rect.centre;
+        q.dot(rect.axis).abs() <= rect.half.x && q.dot(rect.axis.perp()).abs() <= rect.half.y
+    }
+
     proptest! {
         #[test]
         fn rectangles_meet_when_a_point_is_in_both(
@@ -144,7 +128,7 @@ mod tests {
             let b = Rect::new(DVec2::new(x, y), DVec2::new(w, h), turn);
             let shared = (0..400).any(|i| {
                 let p = DVec2::new(f64::from(i % 20), f64::from(i / 20)) / 19.0 * 2.0 - 1.0;
-                a.contains(b.centre + b.axis * p.x * w * 0.999 + b.axis.perp() * p.y * h * 0.999)
+                contains(&a, b.centre + b.axis * p.x * w * 0.999 + b.axis.perp() * p.y * h * 0.999)
             });
             prop_assert_eq!(a.meets(&b), b.meets(&a));
             prop_assert!(!shared || a.meets(&b));

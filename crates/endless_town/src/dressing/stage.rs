@@ -1,15 +1,11 @@
 //! Puts props down, each only where nothing else stands.
 
-use crate::character::Character;
-use crate::network::{Arm, KERB_HEIGHT_M, Plan, Street};
-use crate::plot::{Occupied, Rect};
+use crate::geometry::{Occupied, Rect};
 use crate::{Placement, What};
 use endless_asset::{Catalogue, Prop};
 use endless_scene::StreetLamp;
 use endless_world::{ParkedVehicle, SignalId, Stream};
 use glam::{Affine3A, DVec2, Quat, Vec3};
-use std::f64::consts::{FRAC_PI_2, PI};
-use std::ops::{Deref, DerefMut};
 
 /// Everything that stands in a town, while it is being put down.
 pub(crate) struct Stage<'a> {
@@ -21,25 +17,8 @@ pub(crate) struct Stage<'a> {
     stream: Stream,
 }
 
-/// A generated town while it is being dressed.
-pub(crate) struct Dresser<'a> {
-    pub(crate) character: &'a Character,
-    pub(crate) plan: &'a Plan,
-    stage: Stage<'a>,
-}
-
-impl<'a> Deref for Dresser<'a> {
-    type Target = Stage<'a>;
-    fn deref(&self) -> &Stage<'a> {
-        &self.stage
-    }
-}
-
-impl<'a> DerefMut for Dresser<'a> {
-    fn deref_mut(&mut self) -> &mut Stage<'a> {
-        &mut self.stage
-    }
-}
+/// Height of the sidewalk above the road, metres.
+const KERB_HEIGHT_M: f64 = 0.15;
 
 /// Where a prop goes.
 #[derive(Debug, Clone, Copy)]
@@ -56,16 +35,6 @@ impl Spot {
     /// On the sidewalk, at the prop's own size.
     pub(crate) fn new(at: DVec2, yaw: f64) -> Self {
         Self { at, z: KERB_HEIGHT_M, yaw, scale: Vec3::ONE }
-    }
-}
-
-impl<'a> Dresser<'a> {
-    pub(crate) fn new(character: &'a Character, plan: &'a Plan, catalogue: &'a Catalogue, occupied: Occupied) -> Self {
-        Self { character, plan, stage: Stage::new(catalogue, occupied, character.seed) }
-    }
-
-    pub(crate) fn into_stage(self) -> Stage<'a> {
-        self.stage
     }
 }
 
@@ -113,15 +82,4 @@ impl<'a> Stage<'a> {
         );
         self.placements.push(Placement { what: What::Prop(prop, variant), world_from_object, signal });
     }
-}
-
-/// Direction from a side of a street (+1 left, −1 right) to its middle.
-pub(crate) fn towards_road(street: &Street, s: f64, side: f64) -> f64 {
-    street.heading(s) - side * FRAC_PI_2
-}
-
-/// Outward direction of an arm as an angle.
-pub(crate) fn arm_yaw(plan: &Plan, arm: Arm, distance: f64) -> f64 {
-    let heading = plan.streets[arm.street].heading(plan.arm_s(arm, distance));
-    if arm.end == 0 { heading } else { heading + PI }
 }

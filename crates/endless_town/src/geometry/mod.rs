@@ -1,0 +1,7 @@
+//! Plane geometry: rectangles that must not meet, and polygons.
+
+mod polygon;
+mod rect;
+
+pub(crate) use polygon::{area, triangulate, with_holes};
+pub(crate) use rect::{Occupied, Rect, inside, unit};
