@@ -4,7 +4,7 @@ use crate::vehicle::VehicleGeometry;
 use endless_asset::Catalogue;
 use endless_render::{Geometry, Instance, RigidVelocity, StaticScene};
 use endless_scene::Mesh;
-use endless_town::{Placement, Town, What};
+use endless_town::{PlacedObject, Placement, Town};
 use endless_world::{InstanceId, InstanceIdAllocator, ParkedVehicle, TooManyInstances, VehicleModelId, VehicleMotion};
 use glam::Vec3;
 use rayon::prelude::*;
@@ -46,7 +46,7 @@ impl TownScene {
         &self.still
     }
 
-    /// The same with more that stands still: details near the cameras of one video. [`What::Own`] numbers `meshes`.
+    /// The same with more that stands still: details near the cameras of one video. [`PlacedObject::TownMesh`] numbers `meshes`.
     pub fn with_details(&self, meshes: &[Arc<Mesh>], placements: &[Placement], catalogue: &Catalogue) -> StaticScene {
         self.still.with_instances(placed(meshes, placements, catalogue))
     }
@@ -54,20 +54,20 @@ impl TownScene {
 
 /// Instances of a town's own meshes and of props.
 fn placed(meshes: &[Arc<Mesh>], placements: &[Placement], catalogue: &Catalogue) -> Vec<Instance> {
-    let kinds = placements.iter().map(|placement| placement.what);
-    let used: BTreeSet<What> = kinds.filter(|what| matches!(what, What::Prop(..))).collect();
-    let prop = |what: What| match what {
-        What::Prop(prop, variant) => Some((what, Geometry::new(catalogue.prop(prop, variant)))),
-        What::Own(_) => None,
+    let kinds = placements.iter().map(|placement| placement.object);
+    let used: BTreeSet<PlacedObject> = kinds.filter(|what| matches!(what, PlacedObject::Prop(..))).collect();
+    let prop = |what: PlacedObject| match what {
+        PlacedObject::Prop(prop, variant) => Some((what, Geometry::new(catalogue.prop(prop, variant)))),
+        PlacedObject::TownMesh(_) => None,
     };
-    let (own, props): (Vec<Geometry>, BTreeMap<What, Geometry>) = rayon::join(
+    let (own, props): (Vec<Geometry>, BTreeMap<PlacedObject, Geometry>) = rayon::join(
         || meshes.par_iter().map(|mesh| Geometry::new(Arc::clone(mesh))).collect(),
         || used.into_par_iter().filter_map(prop).collect(),
     );
     let place = |placement: &Placement| {
-        let geometry = match placement.what {
-            What::Own(i) => own.get(i as usize),
-            What::Prop(..) => props.get(&placement.what),
+        let geometry = match placement.object {
+            PlacedObject::TownMesh(i) => own.get(i as usize),
+            PlacedObject::Prop(..) => props.get(&placement.object),
         };
         Some(Instance::new(geometry?, placement.world_from_object).with_signal(placement.signal))
     };

@@ -5,12 +5,13 @@ use crate::map::{self, ImportOptions, MapError, MapStatistics, MapStore, StoredM
 use crate::{geojson, gltf};
 use endless_asset::Catalogue;
 use endless_road::{RoadMap, opendrive};
-use endless_town::{Town, dress_map};
+use endless_scene::Mesh;
+use endless_town::{Placement, Town, dress_map};
 use endless_world::{CameraSite, Image};
 use std::{
     collections::BTreeMap,
     path::Path,
-    sync::{Mutex, MutexGuard, OnceLock, PoisonError},
+    sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError},
 };
 
 /// All maps there are: those that come with the program and those that the user imported, and the catalogue of which
@@ -108,7 +109,7 @@ impl MapLibrary {
         Ok(self.stored(name)?.map(|(_, stored)| stored.content_hash()))
     }
 
-    /// A whole town, built in or imported.
+    /// A whole town, built in or imported, without the details near its cameras.
     ///
     /// # Errors
     /// When there is no such map or it cannot be read.
@@ -139,12 +140,24 @@ impl MapLibrary {
     }
 
     fn plan(&self, name: &str) -> Result<Town, MapError> {
-        let mut town = match self.stored(name)? {
-            Some((store, stored)) => dress_map(name, &store.read(&stored)?, self.catalogue())?,
-            None => endless_town::load(name, self.catalogue())?,
-        };
+        let mut town = self.dressed(name)?;
         stand_in(&mut town, self.catalogue());
         Ok(town)
+    }
+
+    /// A whole town with the details near its own cameras: as it is shown and exported.
+    fn town_with_details(&self, name: &str) -> Result<Town, MapError> {
+        let mut town = self.dressed(name)?;
+        town.placements.extend(town.details_near(&town.cameras, self.catalogue()));
+        stand_in(&mut town, self.catalogue());
+        Ok(town)
+    }
+
+    fn dressed(&self, name: &str) -> Result<Town, MapError> {
+        Ok(match self.stored(name)? {
+            Some((store, stored)) => dress_map(name, &store.read(&stored)?, self.catalogue())?,
+            None => endless_town::load(name, self.catalogue())?,
+        })
     }
 
     /// The road map of an imported map; `None` for built-in towns.
@@ -199,7 +212,7 @@ impl MapLibrary {
     /// When there is no such map, it cannot be read, or it is too large.
     pub fn gltf(&self, name: &str) -> Result<Vec<u8>, MapError> {
         let too_large = |_: gltf::TooLarge| MapError::TooLarge { name: name.to_owned() };
-        gltf::write_town(&self.town(name)?, self.catalogue()).map_err(too_large)
+        gltf::write_town(&self.town_with_details(name)?, self.catalogue()).map_err(too_large)
     }
 
     /// What is known of a map as GeoJSON.
@@ -218,6 +231,15 @@ impl MapLibrary {
     /// # Errors
     /// When there is no such map or it cannot be read.
     pub fn preview(&self, name: &str) -> Result<Image<[u8; 3]>, MapError> {
-        Ok(map::preview(&self.town(name)?, self.catalogue())?)
+        Ok(map::preview(&self.town_with_details(name)?, self.catalogue())?)
     }
+}
+
+/// What [`Town::details_near`] puts before some cameras, with imported props in the places of some. The meshes are those
+/// that [`PlacedObject::TownMesh`](endless_town::PlacedObject::TownMesh) numbers in these placements.
+pub fn details_near(town: &Town, cameras: &[CameraSite], catalogue: &Catalogue) -> (Vec<Arc<Mesh>>, Vec<Placement>) {
+    let placements = town.details_near(cameras, catalogue);
+    let mut details = Town { name: town.name.clone(), placements, ..Town::default() };
+    stand_in(&mut details, catalogue);
+    (details.meshes, details.placements)
 }

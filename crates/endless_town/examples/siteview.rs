@@ -5,7 +5,7 @@ mod open;
 
 use endless_asset::{Catalogue, Prop};
 use endless_scene::{Mesh, Surface};
-use endless_town::{Placement, Town, What};
+use endless_town::{PlacedObject, Placement, Town};
 use endless_world::{CameraSite, ImageSize, PinholeCamera, math};
 use glam::{Affine3A, Vec2, Vec3};
 use std::{collections::BTreeMap, error::Error, fs::File, io::BufWriter, io::Write};
@@ -94,12 +94,13 @@ fn draw(town: &Town, catalogue: &Catalogue, made: &mut Made, film: &mut Film) {
     // Far woods are as good as hills here.
     let eye = film.camera.position;
     let near = |p: &&Placement| {
-        matches!(p.what, What::Own(_)) || Vec3::from(p.world_from_object.translation).distance(eye) < 110.0
+        matches!(p.object, PlacedObject::TownMesh(_))
+            || Vec3::from(p.world_from_object.translation).distance(eye) < 110.0
     };
     for placement in town.placements.iter().filter(near) {
-        match placement.what {
-            What::Own(i) => film.mesh(&town.meshes[i as usize], placement.world_from_object, Vec3::ONE),
-            What::Prop(prop, variant) => {
+        match placement.object {
+            PlacedObject::TownMesh(i) => film.mesh(&town.meshes[i as usize], placement.world_from_object, Vec3::ONE),
+            PlacedObject::Prop(prop, variant) => {
                 let mesh = made.entry((prop, variant)).or_insert_with(|| catalogue.prop(prop, variant));
                 film.mesh(mesh, placement.world_from_object, Vec3::ONE);
             }

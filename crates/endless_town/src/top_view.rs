@@ -1,7 +1,7 @@
 //! A town from above, as a plan: surfaces shaded by a light from the north-west, trees as discs, lanes, sidewalks,
 //! signals, lamps and the cameras' footprints as lines and dots.
 
-use crate::{Town, What};
+use crate::{PlacedObject, Town};
 use endless_asset::{Catalogue, Prop};
 use endless_scene::Mesh;
 use endless_world::math;
@@ -120,7 +120,7 @@ impl Canvas {
 
     fn surfaces(&mut self, town: &Town, catalogue: &Catalogue) {
         for placement in &town.placements {
-            if let What::Own(i) = placement.what {
+            if let PlacedObject::TownMesh(i) = placement.object {
                 self.mesh(&town.meshes[i as usize], placement.world_from_object);
             }
         }
@@ -130,11 +130,11 @@ impl Canvas {
             }
         }
         for placement in &town.placements {
-            let (radius, color) = match placement.what {
-                What::Prop(Prop::BroadleafTree, _) => (2.2, [44, 74, 34]),
-                What::Prop(Prop::Conifer, _) => (1.7, [28, 56, 38]),
-                What::Prop(Prop::Palm, _) => (1.8, [70, 100, 44]),
-                What::Prop(Prop::Bush | Prop::Hedge, _) => (0.6, [52, 90, 40]),
+            let (radius, color) = match placement.object {
+                PlacedObject::Prop(Prop::BroadleafTree, _) => (2.2, [44, 74, 34]),
+                PlacedObject::Prop(Prop::Conifer, _) => (1.7, [28, 56, 38]),
+                PlacedObject::Prop(Prop::Palm, _) => (1.8, [70, 100, 44]),
+                PlacedObject::Prop(Prop::Bush | Prop::Hedge, _) => (0.6, [52, 90, 40]),
                 _ => continue,
             };
             self.disc(placement.world_from_object.translation.truncate(), radius, color);

@@ -1,31 +1,12 @@
 //! What a town is.
 
-use endless_asset::Prop;
+use crate::dressing::near_detail::DetailSource;
+use crate::placement::Placement;
+use endless_asset::Catalogue;
 use endless_road::RoadNetwork;
 use endless_scene::{Mesh, StreetLamp};
-use endless_world::{CameraSite, ParkedVehicle, SignalId};
-use glam::Affine3A;
+use endless_world::{CameraSite, ParkedVehicle};
 use std::sync::Arc;
-
-/// What is placed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum What {
-    /// One of the town's own meshes.
-    Own(u32),
-    /// A prop of the catalogue and its variant.
-    Prop(Prop, u32),
-}
-
-/// A mesh standing in the town.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Placement {
-    /// What.
-    pub what: What,
-    /// Where.
-    pub world_from_object: Affine3A,
-    /// The signal group that lights its lenses.
-    pub signal: Option<SignalId>,
-}
 
 /// A whole map. By default an empty one, without a name.
 #[derive(Debug, Clone, Default)]
@@ -46,6 +27,17 @@ pub struct Town {
     pub lamps: Vec<StreetLamp>,
     /// At least five camera sites.
     pub cameras: Vec<CameraSite>,
+    /// What [`details_near`](Self::details_near) makes details from; empty by default.
+    pub detail_source: DetailSource,
+}
+
+impl Town {
+    /// What cameras see near by and nobody sees from afar: tufts of grass, beds and benches on lawns, frayed edges of
+    /// lawns, maize on fields. The same cameras get the same details. Add them to the town's placements, or to what is
+    /// shown of it for these cameras.
+    pub fn details_near(&self, cameras: &[CameraSite], catalogue: &Catalogue) -> Vec<Placement> {
+        self.detail_source.place(&self.network, cameras, catalogue)
+    }
 }
 
 /// Why a town could not be made.

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use endless_asset::Catalogue;
 use endless_render::{Accel, Blas, Ray};
 use endless_scene::Mesh;
-use endless_town::What;
+use endless_town::PlacedObject;
 use endless_world::{Stream, math};
 use glam::{Affine3A, Vec3A};
 
@@ -40,9 +40,9 @@ impl Town {
         let mut props = BTreeMap::new();
         let mut instances = Vec::new();
         for placement in &town.placements {
-            let mesh = match placement.what {
-                What::Own(i) => i as usize,
-                What::Prop(prop, variant) => *props.entry(placement.what).or_insert_with(|| {
+            let mesh = match placement.object {
+                PlacedObject::TownMesh(i) => i as usize,
+                PlacedObject::Prop(prop, variant) => *props.entry(placement.object).or_insert_with(|| {
                     meshes.push(catalogue.prop(prop, variant).into());
                     meshes.len() - 1
                 }),

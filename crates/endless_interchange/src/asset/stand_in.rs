@@ -3,7 +3,7 @@
 
 use endless_asset::{Catalogue, ImportedThing, Prop};
 use endless_scene::Mesh;
-use endless_town::{Placement, Town, What};
+use endless_town::{PlacedObject, Placement, Town};
 use endless_world::{ClassTag, Stream, fnv1a};
 use glam::{Affine3A, Quat, Vec3};
 use std::collections::BTreeMap;
@@ -27,9 +27,9 @@ pub(crate) fn stand_in(town: &mut Town, catalogue: &Catalogue) {
     let mut own: BTreeMap<usize, u32> = BTreeMap::new();
     let mut placements = std::mem::take(&mut town.placements);
     for (number, placement) in placements.iter_mut().enumerate() {
-        let (prop, lot) = match placement.what {
-            What::Prop(prop, _) => (Some(prop), None),
-            What::Own(mesh) => match Lot::of(town.meshes.get(mesh as usize).map(|mesh| &**mesh)) {
+        let (prop, lot) = match placement.object {
+            PlacedObject::Prop(prop, _) => (Some(prop), None),
+            PlacedObject::TownMesh(mesh) => match Lot::of(town.meshes.get(mesh as usize).map(|mesh| &**mesh)) {
                 Some(lot) => (None, Some(lot)),
                 None => continue,
             },
@@ -49,7 +49,8 @@ pub(crate) fn stand_in(town: &mut Town, catalogue: &Catalogue) {
         });
         let turned = lot.map_or(Affine3A::IDENTITY, |lot| lot.object_from(&things[chosen].mesh));
         let level = upright(placement, prop);
-        *placement = Placement { what: What::Own(mesh), world_from_object: level * turned, ..placement.clone() };
+        *placement =
+            Placement { object: PlacedObject::TownMesh(mesh), world_from_object: level * turned, ..placement.clone() };
     }
     town.placements = placements;
 }

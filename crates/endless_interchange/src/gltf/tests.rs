@@ -4,7 +4,7 @@ use super::{write_item, write_town};
 use crate::asset::CatalogueItem;
 use endless_asset::{Catalogue, Prop};
 use endless_scene::Surface;
-use endless_town::{Town, What, load};
+use endless_town::{PlacedObject, Town, load};
 use endless_world::math;
 use glam::{Mat4, Vec3};
 
@@ -52,7 +52,7 @@ fn another_reader_finds_the_same_town() {
     let mut high = Vec3::NEG_INFINITY;
     let (mut ours, mut ours_low, mut ours_high) = (0, Vec3::INFINITY, Vec3::NEG_INFINITY);
     for placement in &town.placements {
-        let What::Own(i) = placement.what else { continue };
+        let PlacedObject::TownMesh(i) = placement.object else { continue };
         let mesh = &town.meshes[i as usize];
         ours += mesh.triangles.len();
         for &p in &mesh.positions {
@@ -85,8 +85,10 @@ fn a_triangle_of_a_lamp_lies_where_the_town_has_it() {
     let (prop, variant, place) = town
         .placements
         .iter()
-        .find_map(|p| match p.what {
-            What::Prop(prop @ endless_asset::Prop::StreetLamp, variant) => Some((prop, variant, p.world_from_object)),
+        .find_map(|p| match p.object {
+            PlacedObject::Prop(prop @ endless_asset::Prop::StreetLamp, variant) => {
+                Some((prop, variant, p.world_from_object))
+            }
             _ => None,
         })
         .expect("a street lamp");

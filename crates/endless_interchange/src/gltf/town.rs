@@ -4,7 +4,7 @@ use super::document::{GltfDocument, MeshAccessors, y_up};
 use super::vehicle::VehicleMeshes;
 use endless_asset::Prop;
 use endless_scene::Mesh;
-use endless_town::{Town, What};
+use endless_town::{PlacedObject, Town};
 use endless_world::{ImageSize, PinholeCamera, VehicleModelId, math};
 use glam::{Mat3, Quat};
 use gltf::json::{
@@ -20,7 +20,7 @@ impl GltfDocument<'_> {
     pub(super) fn ground_and_buildings(&mut self, town: &Town) -> Option<Index<Node>> {
         let mut children = Vec::new();
         for placement in &town.placements {
-            let What::Own(number) = placement.what else { continue };
+            let PlacedObject::TownMesh(number) = placement.object else { continue };
             let mesh = &town.meshes[number as usize];
             let Some(accessors) = self.accessors(mesh) else { continue };
             let name = format!("{} {number}", usual_class(mesh));
@@ -35,7 +35,7 @@ impl GltfDocument<'_> {
         let mut meshes: BTreeMap<(Prop, u32), Option<Index<json::Mesh>>> = BTreeMap::new();
         let mut children = Vec::new();
         for placement in &town.placements {
-            let What::Prop(prop, variant) = placement.what else { continue };
+            let PlacedObject::Prop(prop, variant) = placement.object else { continue };
             let variant = variant % self.catalogue.prop_variants(prop);
             let name = format!("{prop:?} {variant}");
             let mesh = match meshes.get(&(prop, variant)) {

@@ -154,14 +154,15 @@ fn imported_vehicles_drive_and_things_stand_where_their_class_does() {
     let (before, after) = (plain.town("Town07").expect("a town"), library.town("Town07").expect("a town"));
     assert_eq!(before.placements.len(), after.placements.len());
     let benches = |town: &endless_town::Town| {
-        let is =
-            |p: &&endless_town::Placement| matches!(p.what, endless_town::What::Prop(endless_asset::Prop::Bench, _));
+        let is = |p: &&endless_town::Placement| {
+            matches!(p.object, endless_town::PlacedObject::Prop(endless_asset::Prop::Bench, _))
+        };
         town.placements.iter().filter(is).count()
     };
     assert!(benches(&before) > 0 && benches(&after) == 0, "{} {}", benches(&before), benches(&after));
     assert_eq!(after.meshes.len(), before.meshes.len() + 2, "a bench and a cottage, each once");
     let changed = before.placements.iter().zip(&after.placements).filter(|(a, b)| a != b);
-    let cottages = changed.filter(|(a, _)| matches!(a.what, endless_town::What::Own(_))).count();
+    let cottages = changed.filter(|(a, _)| matches!(a.object, endless_town::PlacedObject::TownMesh(_))).count();
     assert!(cottages > 0, "no cottage found a lot");
 
     let conditions = Conditions::new(Weather::Cloudy, TimeOfDay::Morning);

@@ -6,9 +6,10 @@ use endless_annotate::SceneObjects;
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::Spawned;
-use endless_render::{CameraBake, RenderSettings};
+use endless_interchange::details_near;
+use endless_render::{CameraBake, RenderSettings, StaticScene};
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
-use endless_world::{Actor, InstanceId, SceneCamera, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, CameraSite, InstanceId, SceneCamera, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
@@ -37,6 +38,8 @@ struct BuiltinScene<'m> {
 }
 
 struct BakedCameras {
+    /// The town with details near these cameras.
+    still: StaticScene,
     models: ActorModels,
     baked: Vec<CameraBake>,
     bake_rays: u64,
@@ -98,18 +101,21 @@ impl BuiltinScene<'_> {
     /// The cameras, baked when they are first needed.
     fn cameras(&self) -> &BakedCameras {
         self.cameras.get_or_init(|| {
-            let Self { map, settings, .. } = *self;
+            let Self { map, catalogue, settings, .. } = *self;
+            let sites: Vec<CameraSite> = settings.cameras.iter().map(|camera| camera.site.clone()).collect();
+            let (meshes, details) = details_near(&map.town, &sites, catalogue);
+            let still = map.town_scene.with_details(&meshes, &details, catalogue);
             let bake = |SceneCamera { site, look }: &SceneCamera| {
                 let render = RenderSettings {
                     look: *look,
                     fps: settings.fps,
                     ..RenderSettings::new(settings.weather, settings.time_of_day, settings.seed, settings.size)
                 };
-                CameraBake::bake(map.town_scene.static_scene(), &render, site)
+                CameraBake::bake(&still, &render, site)
             };
             let baked: Vec<CameraBake> = settings.cameras.iter().map(bake).collect();
-            let models = ActorModels::in_town(&map.town_scene, self.catalogue, &self.moving);
-            BakedCameras { models, bake_rays: rays(&baked), baked }
+            let models = ActorModels::in_town(&map.town_scene, catalogue, &self.moving);
+            BakedCameras { still, models, bake_rays: rays(&baked), baked }
         })
     }
 }
@@ -159,7 +165,6 @@ impl RenderTask for BuiltinRenderTask<'_> {
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
         let cameras = self.0.cameras();
         let frame = cameras.models.frame_scene(state);
-        let still = self.0.map.town_scene.static_scene();
-        Ok(cameras.baked.iter().map(|camera| camera.render(still, &frame)).collect())
+        Ok(cameras.baked.iter().map(|camera| camera.render(&cameras.still, &frame)).collect())
     }
 }

@@ -1,6 +1,6 @@
 //! The street side of the ground floor: shops under signs and awnings, windows about a door, gates.
 
-use super::kind::Kind;
+use super::kind::BuildingKind;
 use super::manner::Manner;
 use super::opening::{Detail, WindowNumbers, door, gate, shop_front, window};
 use super::ornament::{grille, lintel, projecting_sign, shop_name, surround};
@@ -23,9 +23,9 @@ pub(super) fn add_ground_front(
     numbers: &mut WindowNumbers,
 ) {
     match measures.kind {
-        Kind::Hall | Kind::Barn => add_gates(mesh, wall, range, measures, style),
+        BuildingKind::Hall | BuildingKind::Barn => add_gates(mesh, wall, range, measures, style),
         _ if style.manner == Manner::Supermarket => add_market(mesh, wall, range, style, numbers),
-        _ if measures.shops || measures.kind == Kind::Shop => {
+        _ if measures.shops || measures.kind == BuildingKind::Shop => {
             add_shops(mesh, wall, range, style, stream, numbers);
         }
         _ => add_entrance(mesh, wall, range, measures, style, holes, numbers),
@@ -35,7 +35,7 @@ pub(super) fn add_ground_front(
 /// Roller gates, of warehouses over a dock with rubber bumpers.
 fn add_gates(mesh: &mut MeshBuilder, wall: &Wall, range: [f32; 2], measures: &Measures, style: &Style) {
     let height = range[1] - range[0];
-    let barn = measures.kind == Kind::Barn;
+    let barn = measures.kind == BuildingKind::Barn;
     let gates = if barn { 1 } else { (wall.width / 7.5).floor().max(1.0) as usize };
     let top = (height - 0.3).min(3.1);
     let pitch = wall.width / gates as f32;
@@ -97,7 +97,7 @@ fn add_entrance(
     let mut door_hole = None;
     if let Some(hole) = openings.get_mut(entrance) {
         let middle = (hole.u[0] + hole.u[1]) / 2.0;
-        let narrow = matches!(measures.kind, Kind::House | Kind::Terrace);
+        let narrow = matches!(measures.kind, BuildingKind::House | BuildingKind::Terrace);
         let wide = if narrow { 0.52 } else { 0.95 };
         *hole = Hole { u: [middle - wide, middle + wide], v: [0.05, (range[1] - 0.3).min(2.5)] };
         door_hole = Some(*hole);
@@ -125,7 +125,7 @@ fn add_entrance(
             // A gate of iron before the door.
             grille(mesh, wall, &hole, IRON);
         }
-        _ if measures.kind != Kind::House => {
+        _ if measures.kind != BuildingKind::House => {
             let u = [hole.u[0] - 0.35, hole.u[1] + 0.35];
             wall.block(mesh, u, [2.62, 2.74], [0.0, 0.7], style.trim);
         }

@@ -2,7 +2,7 @@
 
 /// How lots are built on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Kind {
+pub(crate) enum BuildingKind {
     /// Detached house with a pitched roof and a garden.
     House,
     /// Party-wall town house, shops below where the street is busy.

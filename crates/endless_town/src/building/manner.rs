@@ -1,6 +1,6 @@
 //! Manners of building: what sets one facade apart from another on lots of the same kind.
 
-use super::kind::Kind;
+use super::kind::BuildingKind;
 use endless_world::Stream;
 
 /// A manner of building.
@@ -64,31 +64,31 @@ use Manner::{
 
 impl Manner {
     /// All, with the kind of lot that each belongs on and its usual storeys.
-    pub(crate) const ALL: [(Self, Kind, u32); 24] = [
-        (Cottage, Kind::House, 2),
-        (Villa, Kind::House, 2),
-        (Weatherboard, Kind::House, 2),
-        (TimberFrame, Kind::Terrace, 3),
-        (TerracedBrick, Kind::Terrace, 3),
-        (OldTown, Kind::Terrace, 4),
-        (Tenement, Kind::Terrace, 5),
-        (Latin, Kind::Terrace, 2),
-        (Balconies, Kind::Flats, 5),
-        (Panels, Kind::Flats, 6),
-        (BrickFlats, Kind::Flats, 4),
-        (ShopRow, Kind::Shop, 1),
-        (Supermarket, Kind::Shop, 1),
-        (Petrol, Kind::Shop, 1),
-        (StoneOffice, Kind::Office, 5),
-        (RibbonOffice, Kind::Office, 6),
-        (School, Kind::Flats, 3),
-        (ParkingDeck, Kind::Office, 4),
-        (GlassTower, Kind::Tower, 16),
-        (ConcreteTower, Kind::Tower, 14),
-        (Warehouse, Kind::Hall, 2),
-        (Works, Kind::Hall, 2),
-        (Barn, Kind::Barn, 1),
-        (Church, Kind::Flats, 3),
+    pub(crate) const ALL: [(Self, BuildingKind, u32); 24] = [
+        (Cottage, BuildingKind::House, 2),
+        (Villa, BuildingKind::House, 2),
+        (Weatherboard, BuildingKind::House, 2),
+        (TimberFrame, BuildingKind::Terrace, 3),
+        (TerracedBrick, BuildingKind::Terrace, 3),
+        (OldTown, BuildingKind::Terrace, 4),
+        (Tenement, BuildingKind::Terrace, 5),
+        (Latin, BuildingKind::Terrace, 2),
+        (Balconies, BuildingKind::Flats, 5),
+        (Panels, BuildingKind::Flats, 6),
+        (BrickFlats, BuildingKind::Flats, 4),
+        (ShopRow, BuildingKind::Shop, 1),
+        (Supermarket, BuildingKind::Shop, 1),
+        (Petrol, BuildingKind::Shop, 1),
+        (StoneOffice, BuildingKind::Office, 5),
+        (RibbonOffice, BuildingKind::Office, 6),
+        (School, BuildingKind::Flats, 3),
+        (ParkingDeck, BuildingKind::Office, 4),
+        (GlassTower, BuildingKind::Tower, 16),
+        (ConcreteTower, BuildingKind::Tower, 14),
+        (Warehouse, BuildingKind::Hall, 2),
+        (Works, BuildingKind::Hall, 2),
+        (Barn, BuildingKind::Barn, 1),
+        (Church, BuildingKind::Flats, 3),
     ];
 
     /// Name in lists: `glass_tower`.
@@ -122,7 +122,7 @@ impl Manner {
     }
 
     /// A manner that suits a lot.
-    pub(crate) fn draw(kind: Kind, storeys: u32, shops: bool, stream: &mut Stream) -> Self {
+    pub(crate) fn draw(kind: BuildingKind, storeys: u32, shops: bool, stream: &mut Stream) -> Self {
         let x = stream.f64();
         let of = |shares: &[(Self, f64)]| {
             let mut left = x * shares.iter().map(|s| s.1).sum::<f64>();
@@ -133,22 +133,22 @@ impl Manner {
             found.unwrap_or(&shares[0]).0
         };
         match kind {
-            Kind::House => of(&[(Cottage, 5.0), (Villa, 2.5), (Weatherboard, 2.5)]),
-            Kind::Terrace if storeys <= 3 => {
+            BuildingKind::House => of(&[(Cottage, 5.0), (Villa, 2.5), (Weatherboard, 2.5)]),
+            BuildingKind::Terrace if storeys <= 3 => {
                 of(&[(TerracedBrick, if shops { 2.0 } else { 3.5 }), (OldTown, 4.0), (TimberFrame, 1.0)])
             }
-            Kind::Terrace => of(&[(OldTown, 5.0), (Tenement, 3.5), (TerracedBrick, 1.0)]),
-            Kind::Flats if storeys <= 3 => of(&[(Balconies, 4.0), (BrickFlats, 2.0), (School, 0.7)]),
-            Kind::Flats => of(&[(Balconies, 4.0), (Panels, 3.0), (BrickFlats, 2.0)]),
-            Kind::Shop if storeys > 1 => ShopRow,
-            Kind::Shop => of(&[(ShopRow, 4.0), (Supermarket, 2.5), (Petrol, 1.2)]),
-            Kind::Office if !shops && storeys <= 6 => {
+            BuildingKind::Terrace => of(&[(OldTown, 5.0), (Tenement, 3.5), (TerracedBrick, 1.0)]),
+            BuildingKind::Flats if storeys <= 3 => of(&[(Balconies, 4.0), (BrickFlats, 2.0), (School, 0.7)]),
+            BuildingKind::Flats => of(&[(Balconies, 4.0), (Panels, 3.0), (BrickFlats, 2.0)]),
+            BuildingKind::Shop if storeys > 1 => ShopRow,
+            BuildingKind::Shop => of(&[(ShopRow, 4.0), (Supermarket, 2.5), (Petrol, 1.2)]),
+            BuildingKind::Office if !shops && storeys <= 6 => {
                 of(&[(StoneOffice, 4.0), (RibbonOffice, 3.0), (ParkingDeck, 1.2)])
             }
-            Kind::Office => of(&[(StoneOffice, 4.0), (RibbonOffice, 3.0)]),
-            Kind::Tower => of(&[(GlassTower, 3.0), (ConcreteTower, 2.0)]),
-            Kind::Hall => of(&[(Warehouse, 3.0), (Works, 1.5)]),
-            Kind::Barn => Barn,
+            BuildingKind::Office => of(&[(StoneOffice, 4.0), (RibbonOffice, 3.0)]),
+            BuildingKind::Tower => of(&[(GlassTower, 3.0), (ConcreteTower, 2.0)]),
+            BuildingKind::Hall => of(&[(Warehouse, 3.0), (Works, 1.5)]),
+            BuildingKind::Barn => Barn,
         }
     }
 }

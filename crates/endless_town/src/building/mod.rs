@@ -19,7 +19,7 @@ mod upper;
 mod wall;
 
 pub(crate) use freeform::{Block, house, on_rectangle};
-pub(crate) use kind::Kind;
+pub(crate) use kind::BuildingKind;
 pub(crate) use lot::{eaves, size, storeys};
 pub(crate) use manner::Manner;
 pub(crate) use opening::WindowNumbers;

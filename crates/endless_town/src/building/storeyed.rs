@@ -2,7 +2,7 @@
 //! and differ by their measures and their manner.
 
 use super::ground::add_ground_front;
-use super::kind::Kind;
+use super::kind::BuildingKind;
 use super::manner::Manner;
 use super::opening::{Detail, WindowNumbers};
 use super::ornament::{cables, downpipe, fire_escape, graffito, posters};
@@ -17,7 +17,7 @@ use glam::Vec2;
 /// The measures of a building. Its frame: x along the front, y into the lot, the front wall at y = 0.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Measures {
-    pub(crate) kind: Kind,
+    pub(crate) kind: BuildingKind,
     /// How it is built, where that is known; drawn otherwise.
     pub(crate) manner: Option<Manner>,
     pub(crate) width: f32,
@@ -122,7 +122,7 @@ pub(super) fn make_styled(
                 add_wall(&mut mesh, wall, side, measures, style, rhythm, stream, numbers);
             }
             top::add_roof(&mut mesh, measures, (x, y), height, style, stream, numbers);
-            if measures.kind == Kind::House {
+            if measures.kind == BuildingKind::House {
                 top::add_porch(&mut mesh, measures, style);
             }
         }
@@ -147,7 +147,7 @@ pub(super) fn add_wall(
     let pitch = (wall.width - 0.8) / bays as f32;
     let centre = |k: usize| 0.4 + pitch * (k as f32 + 0.5);
     let width = rhythm.window[0].min(pitch - if rhythm.window[0] > 0.9 * rhythm.bay { 0.06 } else { 0.18 });
-    let all_round = matches!(measures.kind, Kind::Tower | Kind::Office);
+    let all_round = matches!(measures.kind, BuildingKind::Tower | BuildingKind::Office);
     let balconied = |k: usize, storey: u32| {
         let manner = matches!(style.manner, Manner::Balconies | Manner::Panels);
         manner && storey > 0 && (front && k % 3 == 1 || side == 2 && k % 6 == 2)
@@ -217,7 +217,7 @@ fn relief(
     top: f32,
 ) {
     let front = side == 0;
-    if !(front || measures.kind == Kind::Barn) {
+    if !(front || measures.kind == BuildingKind::Barn) {
         wall.block(mesh, [0.01, wall.width - 0.01], [0.0, 0.35], [0.0, 0.04], style.trim);
     }
     let string = |mesh: &mut MeshBuilder, v: [f32; 2], out: f32| {
@@ -367,7 +367,7 @@ fn dirt(
     top: f32,
     stream: &mut Stream,
 ) {
-    let street = !matches!(measures.kind, Kind::House | Kind::Barn);
+    let street = !matches!(measures.kind, BuildingKind::House | BuildingKind::Barn);
     let piped = !matches!(style.manner, Manner::GlassTower | Manner::RibbonOffice | Manner::ConcreteTower);
     if piped && (side == 0 || side == 2) && wall.width > 3.0 {
         downpipe(mesh, wall, 0.03, top - 0.05);

@@ -1,6 +1,6 @@
 //! Which roof a building bears, and what stands on it.
 
-use super::kind::Kind;
+use super::kind::BuildingKind;
 use super::manner::Manner;
 use super::opening::WindowNumbers;
 use super::roof::{boxed, chimney, flat, gabled, hipped, plant};
@@ -23,7 +23,7 @@ pub(super) fn add_roof(
     stream: &mut Stream,
     numbers: &mut WindowNumbers,
 ) {
-    let low_terrace = measures.kind == Kind::Terrace && measures.storeys <= 4;
+    let low_terrace = measures.kind == BuildingKind::Terrace && measures.storeys <= 4;
     match style.manner {
         Manner::Villa => {
             let rise = measures.depth.min(measures.width) * stream.range_f32(0.3, 0.4);
@@ -115,13 +115,13 @@ pub(super) fn on_flat_roof(
 ) {
     let middle = Vec3::new((x[0] + x[1]) / 2.0, (y[0] + y[1]) / 2.0, height);
     match measures.kind {
-        Kind::Office | Kind::Tower | Kind::Shop => machines(mesh, (x, y), height, stream),
+        BuildingKind::Office | BuildingKind::Tower | BuildingKind::Shop => machines(mesh, (x, y), height, stream),
         _ => {}
     }
     if style.manner == Manner::Tenement && measures.storeys >= 4 && stream.chance(0.6) {
         barrel(mesh, middle + Vec3::new(0.0, 1.0, 0.0));
     }
-    if matches!(measures.kind, Kind::Flats | Kind::Terrace) {
+    if matches!(measures.kind, BuildingKind::Flats | BuildingKind::Terrace) {
         for _ in 0..1 + stream.below(3) {
             let off = Vec3::new(
                 stream.range_f32(-0.35, 0.35) * (x[1] - x[0]),

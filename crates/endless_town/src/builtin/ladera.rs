@@ -1,10 +1,10 @@
 //! Ladera: a Latin American town on a hillside: steep narrow streets, low houses wall to wall in bright colours, wires
 //! overhead, speed bumps.
 
-use super::plan::Plan;
+use super::layout::TownLayout;
 use super::shape::{hill, points, rect, rise, smooth};
-use crate::building::Kind;
-use crate::imported::Look;
+use crate::building::BuildingKind;
+use crate::dressing::TownPreset;
 use endless_road::RoadMap;
 use endless_world::math::f64::sin;
 use glam::DVec2;
@@ -19,11 +19,11 @@ fn height(p: DVec2) -> f64 {
         + 30.0 * rise(300.0, 700.0, p.x.abs())
 }
 
-pub(super) fn make() -> (RoadMap, Look) {
-    let mut plan = Plan::of([-7.2, -78.5]);
-    streets(&mut plan);
-    land(&mut plan);
-    let look = Look {
+pub(super) fn make() -> (RoadMap, TownPreset) {
+    let mut layout = TownLayout::of([-7.2, -78.5]);
+    streets(&mut layout);
+    land(&mut layout);
+    let preset = TownPreset {
         summary: "A Latin American hillside town: steep narrow streets, low bright houses, wires, speed bumps."
             .to_owned(),
         lamp_color: [1.0, 0.66, 0.30],
@@ -32,18 +32,18 @@ pub(super) fn make() -> (RoadMap, Look) {
         palms: 0.35,
         wires: true,
         bright: true,
-        ..Look::default()
+        ..TownPreset::default()
     };
-    plan.build(Some(&height), look)
+    layout.build(Some(&height), preset)
 }
 
-fn streets(plan: &mut Plan) {
+fn streets(layout: &mut TownLayout) {
     let main = "tertiary lanes=2 width=8.4 sidewalk=both maxspeed=40";
     let calle = "residential width=6.4 sidewalk=both sidewalk:both:width=1.4 maxspeed=30";
     let narrow = "residential oneway=yes width=5.2 sidewalk=both sidewalk:both:width=1.3 maxspeed=30";
     // The road in the valley, and one that winds up.
-    plan.road(main, &smooth(&[(-270.0, -160.0), (-140.0, -152.0), (0.0, -158.0), (140.0, -150.0), (262.0, -160.0)]));
-    plan.road(
+    layout.road(main, &smooth(&[(-270.0, -160.0), (-140.0, -152.0), (0.0, -158.0), (140.0, -150.0), (262.0, -160.0)]));
+    layout.road(
         main,
         &smooth(&[
             (0.0, -158.0),
@@ -57,22 +57,22 @@ fn streets(plan: &mut Plan) {
         ]),
     );
     // Along the slope.
-    plan.road(calle, &points(&[(-262.0, -84.0), (-120.0, -92.0), (5.0, -90.0), (130.0, -86.0), (256.0, -92.0)]));
-    plan.road(calle, &points(&[(-258.0, -18.0), (-124.0, -24.0), (0.0, -20.0), (126.0, -18.0), (250.0, -26.0)]));
-    plan.road(calle, &points(&[(-250.0, 50.0), (-118.0, 44.0), (8.0, 48.0), (128.0, 52.0), (244.0, 44.0)]));
-    plan.road(calle, &points(&[(-238.0, 118.0), (-112.0, 116.0), (58.0, 118.0), (150.0, 122.0), (232.0, 112.0)]));
+    layout.road(calle, &points(&[(-262.0, -84.0), (-120.0, -92.0), (5.0, -90.0), (130.0, -86.0), (256.0, -92.0)]));
+    layout.road(calle, &points(&[(-258.0, -18.0), (-124.0, -24.0), (0.0, -20.0), (126.0, -18.0), (250.0, -26.0)]));
+    layout.road(calle, &points(&[(-250.0, 50.0), (-118.0, 44.0), (8.0, 48.0), (128.0, 52.0), (244.0, 44.0)]));
+    layout.road(calle, &points(&[(-238.0, 118.0), (-112.0, 116.0), (58.0, 118.0), (150.0, 122.0), (232.0, 112.0)]));
     // Straight up.
     let up = |x: f64, lean: f64| [-156.0, -90.0, -21.0, 48.0, 118.0].map(|y| (x + lean * (y + 160.0), y));
-    plan.road(calle, &points(&up(-262.0, 0.09)));
-    plan.road(narrow, &points(&up(-190.0, 0.02)));
-    plan.road(narrow, &points(&up(-122.0, 0.03).into_iter().rev().collect::<Vec<_>>()));
-    plan.road(narrow, &points(&up(-62.0, 0.02)));
-    plan.road(narrow, &points(&up(70.0, -0.01).into_iter().rev().collect::<Vec<_>>()));
-    plan.road(narrow, &points(&up(132.0, 0.0)));
-    plan.road(narrow, &points(&up(196.0, 0.0).into_iter().rev().collect::<Vec<_>>()));
-    plan.road(calle, &points(&up(258.0, -0.09)));
-    plan.road(calle, &smooth(&[(-140.0, 206.0), (-190.0, 176.0), (-236.0, 118.0)]));
-    plan.lights(DVec2::new(0.0, -158.0));
+    layout.road(calle, &points(&up(-262.0, 0.09)));
+    layout.road(narrow, &points(&up(-190.0, 0.02)));
+    layout.road(narrow, &points(&up(-122.0, 0.03).into_iter().rev().collect::<Vec<_>>()));
+    layout.road(narrow, &points(&up(-62.0, 0.02)));
+    layout.road(narrow, &points(&up(70.0, -0.01).into_iter().rev().collect::<Vec<_>>()));
+    layout.road(narrow, &points(&up(132.0, 0.0)));
+    layout.road(narrow, &points(&up(196.0, 0.0).into_iter().rev().collect::<Vec<_>>()));
+    layout.road(calle, &points(&up(258.0, -0.09)));
+    layout.road(calle, &smooth(&[(-140.0, 206.0), (-190.0, 176.0), (-236.0, 118.0)]));
+    layout.lights(DVec2::new(0.0, -158.0));
     for (x, y) in [
         (3.0, -60.0),
         (3.0, 20.0),
@@ -85,22 +85,32 @@ fn streets(plan: &mut Plan) {
         (-90.0, -155.0),
         (90.0, -153.0),
     ] {
-        plan.bump(DVec2::new(x, y));
+        layout.bump(DVec2::new(x, y));
     }
     for (x, y) in [(0.0, -20.0), (5.0, -90.0), (-122.0, -24.0)] {
-        plan.zebra(DVec2::new(x, y));
+        layout.zebra(DVec2::new(x, y));
     }
 }
 
-fn land(plan: &mut Plan) {
-    plan.land("place=square", &rect((36.0, -54.0), (46.0, 48.0), 0.0));
-    plan.building("church building:levels=3", &rect((36.0, 20.0), (16.0, 30.0), 0.0));
+fn land(layout: &mut TownLayout) {
+    layout.land("place=square", &rect((36.0, -54.0), (46.0, 48.0), 0.0));
+    layout.building("church building:levels=3", &rect((36.0, 20.0), (16.0, 30.0), 0.0));
     for (x, y) in [(22.0, -40.0), (50.0, -40.0), (22.0, -68.0), (50.0, -68.0)] {
-        plan.thing("natural=tree", DVec2::new(x, y));
+        layout.feature("natural=tree", DVec2::new(x, y));
     }
     for (x, y) in [(30.0, -50.0), (42.0, -50.0), (36.0, -62.0)] {
-        plan.thing("bench", DVec2::new(x, y));
+        layout.feature("bench", DVec2::new(x, y));
     }
-    plan.zone(rect((0.0, -150.0), (560.0, 90.0), 0.0), &[(Kind::Terrace, 5.0), (Kind::Shop, 1.5)], (2, 3), 0.03);
-    plan.zone(rect((0.0, 0.0), (3000.0, 3000.0), 0.0), &[(Kind::Terrace, 8.0), (Kind::Shop, 0.4)], (1, 3), 0.05);
+    layout.zone(
+        rect((0.0, -150.0), (560.0, 90.0), 0.0),
+        &[(BuildingKind::Terrace, 5.0), (BuildingKind::Shop, 1.5)],
+        (2, 3),
+        0.03,
+    );
+    layout.zone(
+        rect((0.0, 0.0), (3000.0, 3000.0), 0.0),
+        &[(BuildingKind::Terrace, 8.0), (BuildingKind::Shop, 0.4)],
+        (1, 3),
+        0.05,
+    );
 }

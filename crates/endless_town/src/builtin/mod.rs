@@ -3,7 +3,7 @@
 
 mod altstadt;
 mod ladera;
-mod plan;
+mod layout;
 mod shape;
 mod town01;
 mod town02;
@@ -14,12 +14,12 @@ mod town06;
 mod town07;
 mod town10hd;
 
-use crate::imported::{Look, dress};
+use crate::dressing::{TownPreset, dress};
 use crate::{Town, TownError};
 use endless_asset::Catalogue;
 use endless_road::RoadMap;
 
-type Make = fn() -> (RoadMap, Look);
+type Make = fn() -> (RoadMap, TownPreset);
 
 /// CARLA's towns in the paper's order, then two of our own.
 const TOWNS: [(&str, Make); 10] = [
@@ -62,8 +62,8 @@ pub fn canonical_name(given: &str) -> Result<&'static str, TownError> {
 /// [`TownError::UnknownMap`] if there is no such town.
 pub fn load(name: &str, catalogue: &Catalogue) -> Result<Town, TownError> {
     let (name, make) = find(name)?;
-    let (map, look) = make();
-    dress(name, &map, &look, catalogue)
+    let (map, preset) = make();
+    dress(name, &map, &preset, catalogue)
 }
 
 fn find(given: &str) -> Result<(&'static str, Make), TownError> {

@@ -1,9 +1,9 @@
 //! Town01: a small town on both banks of a river; its streets meet in T-junctions.
 
-use super::plan::Plan;
+use super::layout::TownLayout;
 use super::shape::{band, beside, distance, hill, points, rect, rise, smooth};
-use crate::building::Kind;
-use crate::imported::Look;
+use crate::building::BuildingKind;
+use crate::dressing::TownPreset;
 use endless_road::RoadMap;
 use glam::DVec2;
 
@@ -37,22 +37,22 @@ fn height(p: DVec2, river: &[DVec2]) -> f64 {
     banks + valley + hill(p, (-90.0, 300.0), 220.0, 9.0)
 }
 
-pub(super) fn make() -> (RoadMap, Look) {
-    let mut plan = Plan::of([41.2, -84.0]);
+pub(super) fn make() -> (RoadMap, TownPreset) {
+    let mut layout = TownLayout::of([41.2, -84.0]);
     let river = river();
-    streets(&mut plan);
-    land(&mut plan, &river);
-    let look = Look {
+    streets(&mut layout);
+    land(&mut layout, &river);
+    let preset = TownPreset {
         summary: "A small town on both banks of a river: bridges, quiet streets, T-junctions.".to_owned(),
         lamp_color: [1.0, 0.62, 0.25],
         lamp_cd: 3400.0,
         conifers: 0.2,
-        ..Look::default()
+        ..TownPreset::default()
     };
-    plan.build(Some(&|p| height(p, &river)), look)
+    layout.build(Some(&|p| height(p, &river)), preset)
 }
 
-fn streets(plan: &mut Plan) {
+fn streets(layout: &mut TownLayout) {
     let ring = "tertiary sidewalk=both maxspeed=50";
     let main = "tertiary sidewalk=both parking:both=lane maxspeed=40";
     let quiet = "residential sidewalk=both maxspeed=40";
@@ -61,13 +61,13 @@ fn streets(plan: &mut Plan) {
     // Around the town, over the river in the west and in the east.
     let west = points(&[(-205.0, -66.0), (-205.0, 60.0)]);
     let east = points(&[(205.0, -62.0), (205.0, 64.0)]);
-    plan.road_with_bridges(ring, &west, &[over(-205.0)]);
-    plan.road_with_bridges(ring, &east, &[over(205.0)]);
-    plan.road(
+    layout.road_with_bridges(ring, &west, &[over(-205.0)]);
+    layout.road_with_bridges(ring, &east, &[over(205.0)]);
+    layout.road(
         ring,
         &points(&[(-205.0, 60.0), (-203.0, 172.0), (-60.0, 180.0), (80.0, 172.0), (205.0, 166.0), (205.0, 64.0)]),
     );
-    plan.road(
+    layout.road(
         ring,
         &points(&[
             (-205.0, -66.0),
@@ -79,37 +79,42 @@ fn streets(plan: &mut Plan) {
         ]),
     );
     // Along the banks, and the bridge between them.
-    plan.road(main, &points(&[(-205.0, 60.0), (-110.0, 66.0), (-15.0, 56.0), (95.0, 44.0), (205.0, 64.0)]));
-    plan.road(main, &points(&[(-205.0, -66.0), (-110.0, -50.0), (-15.0, -62.0), (95.0, -72.0), (205.0, -62.0)]));
-    plan.road_with_bridges(main, &points(&[(-15.0, -62.0), (-15.0, 56.0)]), &[(DVec2::new(-15.0, 0.0), 19.0)]);
+    layout.road(main, &points(&[(-205.0, 60.0), (-110.0, 66.0), (-15.0, 56.0), (95.0, 44.0), (205.0, 64.0)]));
+    layout.road(main, &points(&[(-205.0, -66.0), (-110.0, -50.0), (-15.0, -62.0), (95.0, -72.0), (205.0, -62.0)]));
+    layout.road_with_bridges(main, &points(&[(-15.0, -62.0), (-15.0, 56.0)]), &[(DVec2::new(-15.0, 0.0), 19.0)]);
     // Side streets, none opposite another.
-    plan.road(home, &points(&[(-112.0, 66.0), (-118.0, 120.0), (-112.0, 177.0)]));
-    plan.road(quiet, &points(&[(62.0, 48.0), (66.0, 110.0), (58.0, 174.0)]));
-    plan.road(home, &points(&[(-118.0, 120.0), (-40.0, 124.0), (62.5, 136.0)]));
-    plan.road(quiet, &points(&[(64.5, 88.0), (130.0, 100.0), (205.0, 108.0)]));
-    plan.road(home, &points(&[(-82.0, -54.0), (-84.0, -112.0), (-78.0, -170.0)]));
-    plan.road(quiet, &points(&[(102.0, -72.0), (106.0, -120.0), (100.0, -166.0)]));
-    plan.road(quiet, &points(&[(-84.0, -118.0), (-140.0, -112.0), (-205.0, -118.0)]));
-    plan.road(home, &points(&[(-83.0, -106.0), (10.0, -118.0), (105.0, -114.0)]));
-    plan.lights(DVec2::new(-15.0, 56.0));
-    plan.zebra(DVec2::new(-15.0, -62.0));
-    plan.zebra(DVec2::new(62.0, 48.0));
-    plan.zebra(DVec2::new(-82.0, -54.0));
+    layout.road(home, &points(&[(-112.0, 66.0), (-118.0, 120.0), (-112.0, 177.0)]));
+    layout.road(quiet, &points(&[(62.0, 48.0), (66.0, 110.0), (58.0, 174.0)]));
+    layout.road(home, &points(&[(-118.0, 120.0), (-40.0, 124.0), (62.5, 136.0)]));
+    layout.road(quiet, &points(&[(64.5, 88.0), (130.0, 100.0), (205.0, 108.0)]));
+    layout.road(home, &points(&[(-82.0, -54.0), (-84.0, -112.0), (-78.0, -170.0)]));
+    layout.road(quiet, &points(&[(102.0, -72.0), (106.0, -120.0), (100.0, -166.0)]));
+    layout.road(quiet, &points(&[(-84.0, -118.0), (-140.0, -112.0), (-205.0, -118.0)]));
+    layout.road(home, &points(&[(-83.0, -106.0), (10.0, -118.0), (105.0, -114.0)]));
+    layout.lights(DVec2::new(-15.0, 56.0));
+    layout.zebra(DVec2::new(-15.0, -62.0));
+    layout.zebra(DVec2::new(62.0, 48.0));
+    layout.zebra(DVec2::new(-82.0, -54.0));
 }
 
-fn land(plan: &mut Plan, river: &[DVec2]) {
-    plan.land("natural=water", &band(river, WATER_M));
-    plan.tree_row(&part_of(&beside(river, 21.0), -180.0, 180.0));
-    plan.land("leisure=park", &points(&[(-14.0 + 12.0, -54.0), (80.0, -60.0), (86.0, -34.0), (0.0, -22.0)]));
-    plan.land("place=square", &rect((-46.0, 86.0), (40.0, 30.0), -3.0));
-    plan.building("church building:levels=3", &rect((-52.0, 104.0), (16.0, 9.0), 0.0));
-    plan.land("landuse=farmland", &rect((0.0, 300.0), (420.0, 160.0), 0.0));
-    plan.land("landuse=farmland", &rect((40.0, -290.0), (460.0, 150.0), 0.0));
+fn land(layout: &mut TownLayout, river: &[DVec2]) {
+    layout.land("natural=water", &band(river, WATER_M));
+    layout.tree_row(&part_of(&beside(river, 21.0), -180.0, 180.0));
+    layout.land("leisure=park", &points(&[(-14.0 + 12.0, -54.0), (80.0, -60.0), (86.0, -34.0), (0.0, -22.0)]));
+    layout.land("place=square", &rect((-46.0, 86.0), (40.0, 30.0), -3.0));
+    layout.building("church building:levels=3", &rect((-52.0, 104.0), (16.0, 9.0), 0.0));
+    layout.land("landuse=farmland", &rect((0.0, 300.0), (420.0, 160.0), 0.0));
+    layout.land("landuse=farmland", &rect((40.0, -290.0), (460.0, 150.0), 0.0));
     let centre = rect((-20.0, 0.0), (190.0, 150.0), 0.0);
-    plan.zone(centre, &[(Kind::Terrace, 5.0), (Kind::Shop, 1.0), (Kind::Flats, 0.5)], (2, 3), 0.03);
-    plan.zone(
+    layout.zone(
+        centre,
+        &[(BuildingKind::Terrace, 5.0), (BuildingKind::Shop, 1.0), (BuildingKind::Flats, 0.5)],
+        (2, 3),
+        0.03,
+    );
+    layout.zone(
         rect((0.0, 0.0), (3000.0, 3000.0), 0.0),
-        &[(Kind::House, 6.0), (Kind::Terrace, 1.0), (Kind::Shop, 0.4)],
+        &[(BuildingKind::House, 6.0), (BuildingKind::Terrace, 1.0), (BuildingKind::Shop, 0.4)],
         (1, 2),
         0.08,
     );

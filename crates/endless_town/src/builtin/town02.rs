@@ -1,9 +1,9 @@
 //! Town02: a small, compact grid of two-lane streets that meet in T-junctions, with shops, flats and a park.
 
-use super::plan::Plan;
+use super::layout::TownLayout;
 use super::shape::{arc, points, rect};
-use crate::building::Kind;
-use crate::imported::Look;
+use crate::building::BuildingKind;
+use crate::dressing::TownPreset;
 use endless_road::RoadMap;
 use glam::DVec2;
 
@@ -19,20 +19,20 @@ const SOUTH: f64 = -56.0;
 const NORTH: f64 = 52.0;
 const PARK: f64 = 24.0;
 
-pub(super) fn make() -> (RoadMap, Look) {
-    let mut plan = Plan::of([39.5, -0.4]);
-    streets(&mut plan);
-    land(&mut plan);
-    let look = Look {
+pub(super) fn make() -> (RoadMap, TownPreset) {
+    let mut layout = TownLayout::of([39.5, -0.4]);
+    streets(&mut layout);
+    land(&mut layout);
+    let preset = TownPreset {
         summary: "Small blocks of shops and flats with cars parked along every street.".to_owned(),
         lamp_color: [1.0, 0.78, 0.52],
         lamp_cd: 3600.0,
         conifers: 0.1,
         palms: 0.15,
         wires: true,
-        ..Look::default()
+        ..TownPreset::default()
     };
-    plan.build(None, look)
+    layout.build(None, preset)
 }
 
 /// The ring from the south end of the western column all the way round to it again, counter-clockwise.
@@ -46,34 +46,34 @@ fn ring() -> Vec<DVec2> {
     std::iter::once(start).chain(corners.into_iter().flatten()).chain([start]).collect()
 }
 
-fn streets(plan: &mut Plan) {
+fn streets(layout: &mut TownLayout) {
     let main = "tertiary sidewalk=both parking:both=lane maxspeed=50";
     let street = "residential sidewalk=both parking:both=lane maxspeed=30";
-    plan.road(street, &ring());
-    plan.road(main, &points(&[(-RING_X, MAIN), (RING_X, MAIN)]));
-    plan.road(street, &points(&[(WEST, -RING_Y), (WEST, MAIN)]));
-    plan.road(street, &points(&[(MIDDLE, MAIN), (MIDDLE, RING_Y)]));
-    plan.road(street, &points(&[(WEST, SOUTH), (RING_X, SOUTH)]));
-    plan.road(street, &points(&[(-RING_X, NORTH), (MIDDLE, NORTH)]));
-    plan.road(street, &points(&[(MIDDLE, PARK), (RING_X, PARK)]));
+    layout.road(street, &ring());
+    layout.road(main, &points(&[(-RING_X, MAIN), (RING_X, MAIN)]));
+    layout.road(street, &points(&[(WEST, -RING_Y), (WEST, MAIN)]));
+    layout.road(street, &points(&[(MIDDLE, MAIN), (MIDDLE, RING_Y)]));
+    layout.road(street, &points(&[(WEST, SOUTH), (RING_X, SOUTH)]));
+    layout.road(street, &points(&[(-RING_X, NORTH), (MIDDLE, NORTH)]));
+    layout.road(street, &points(&[(MIDDLE, PARK), (RING_X, PARK)]));
     for x in [-RING_X, WEST, MIDDLE, RING_X] {
-        plan.lights(DVec2::new(x, MAIN));
+        layout.lights(DVec2::new(x, MAIN));
     }
     for (x, y) in [(WEST, SOUTH), (MIDDLE, NORTH), (MIDDLE, PARK), (RING_X, SOUTH), (-RING_X, NORTH)] {
-        plan.zebra(DVec2::new(x, y));
+        layout.zebra(DVec2::new(x, y));
     }
 }
 
-fn land(plan: &mut Plan) {
-    plan.park(&points(&[
+fn land(layout: &mut TownLayout) {
+    layout.park(&points(&[
         (MIDDLE + 9.5, PARK + 9.5),
         (RING_X - 9.5, PARK + 9.5),
         (RING_X - 9.5, RING_Y - 9.5),
         (MIDDLE + 9.5, RING_Y - 9.5),
     ]));
     // A supermarket and its car park in the south-west.
-    plan.building("supermarket building:levels=1", &rect((-66.0, -66.0), (26.0, 20.0), 0.0));
-    plan.land("amenity=parking", &rect((-70.0, -38.0), (32.0, 30.0), 0.0));
+    layout.building("supermarket building:levels=1", &rect((-66.0, -66.0), (26.0, 20.0), 0.0));
+    layout.land("amenity=parking", &rect((-70.0, -38.0), (32.0, 30.0), 0.0));
     // Courts behind the shops of the main street, lawns elsewhere.
     for (low, high) in [
         ((-RING_X, MAIN), (MIDDLE, NORTH)),
@@ -82,13 +82,28 @@ fn land(plan: &mut Plan) {
         ((-RING_X, -RING_Y), (WEST, MAIN)),
     ] {
         let middle = (f64::midpoint(low.0, high.0), f64::midpoint(low.1, high.1));
-        plan.land("landuse=commercial", &rect(middle, (high.0 - low.0 - 4.0, high.1 - low.1 - 4.0), 0.0));
+        layout.land("landuse=commercial", &rect(middle, (high.0 - low.0 - 4.0, high.1 - low.1 - 4.0), 0.0));
     }
     let inside = rect((0.0, 0.0), (2.0 * RING_X, 2.0 * RING_Y), 0.0);
-    plan.zone(inside, &[(Kind::Terrace, 6.0), (Kind::Shop, 1.5), (Kind::Flats, 2.0), (Kind::House, 0.8)], (2, 4), 0.05);
-    plan.zone(
+    layout.zone(
+        inside,
+        &[
+            (BuildingKind::Terrace, 6.0),
+            (BuildingKind::Shop, 1.5),
+            (BuildingKind::Flats, 2.0),
+            (BuildingKind::House, 0.8),
+        ],
+        (2, 4),
+        0.05,
+    );
+    layout.zone(
         rect((0.0, 0.0), (3000.0, 3000.0), 0.0),
-        &[(Kind::Terrace, 3.0), (Kind::Flats, 1.5), (Kind::House, 3.0), (Kind::Shop, 0.4)],
+        &[
+            (BuildingKind::Terrace, 3.0),
+            (BuildingKind::Flats, 1.5),
+            (BuildingKind::House, 3.0),
+            (BuildingKind::Shop, 0.4),
+        ],
         (2, 3),
         0.06,
     );

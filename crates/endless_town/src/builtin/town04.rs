@@ -1,9 +1,9 @@
 //! Town04: a small town inside a highway loop, at the foot of hills.
 
-use super::plan::Plan;
+use super::layout::TownLayout;
 use super::shape::{beside, hill, part, points, rect, rise, smooth, smooth_ring, turned};
-use crate::building::Kind;
-use crate::imported::Look;
+use crate::building::BuildingKind;
+use crate::dressing::TownPreset;
 use endless_road::RoadMap;
 use endless_world::math::f64::sin;
 use glam::DVec2;
@@ -18,22 +18,22 @@ fn height(p: DVec2) -> f64 {
     slope + waves + hills + hill(p, (-760.0, 180.0), 300.0, 45.0)
 }
 
-pub(super) fn make() -> (RoadMap, Look) {
-    let mut plan = Plan::of([42.0, -83.5]);
-    highway(&mut plan);
-    streets(&mut plan);
-    land(&mut plan);
-    let look = Look {
+pub(super) fn make() -> (RoadMap, TownPreset) {
+    let mut layout = TownLayout::of([42.0, -83.5]);
+    highway(&mut layout);
+    streets(&mut layout);
+    land(&mut layout);
+    let preset = TownPreset {
         summary: "A small town inside a highway loop with ramps and bridges, at the foot of wooded hills.".to_owned(),
         lamp_color: [0.96, 1.0, 0.94],
         conifers: 0.5,
-        ..Look::default()
+        ..TownPreset::default()
     };
-    plan.build(Some(&height), look)
+    layout.build(Some(&height), preset)
 }
 
 /// The loop: two carriageways, over the main street in the south, under the avenue in the west and a road in the north.
-fn highway(plan: &mut Plan) {
+fn highway(layout: &mut TownLayout) {
     let middle = smooth_ring(&[
         (0.0, -262.0),
         (190.0, -252.0),
@@ -58,7 +58,7 @@ fn highway(plan: &mut Plan) {
         let half = [part(ring, length / 2.0, length), part(ring, 0.0, length / 2.0)];
         let line: Vec<DVec2> = half[0].iter().chain(&half[1][1..]).copied().collect();
         let south = DVec2::new(0.0, -262.0);
-        plan.road_with_bridges(words, &line, &[(south, 19.0)]);
+        layout.road_with_bridges(words, &line, &[(south, 19.0)]);
     }
     let ramp = "motorway_link oneway=yes lanes=1 maxspeed=50";
     let on = |line: &[DVec2], near: (f64, f64)| {
@@ -69,7 +69,7 @@ fn highway(plan: &mut Plan) {
         // Straight at its ends: what leaves slowly lies long upon the carriageway.
         let between = through.iter().map(|&(x, y)| DVec2::new(x, y));
         let all: Vec<DVec2> = std::iter::once(from).chain(between).chain([to]).collect();
-        plan.road(ramp, &all);
+        layout.road(ramp, &all);
     };
     // South: a diamond on both sides of the main street.
     let at = DVec2::new;
@@ -84,30 +84,30 @@ fn highway(plan: &mut Plan) {
     link(at(-340.0, 0.0), &[(-334.0, 36.0), (-332.0, 78.0)], on(&inner, (-350.0, 120.0)));
 }
 
-fn streets(plan: &mut Plan) {
+fn streets(layout: &mut TownLayout) {
     let avenue = "secondary lanes=4 sidewalk=both maxspeed=50";
     let main = "tertiary sidewalk=both parking:both=lane maxspeed=50";
     let quiet = "residential sidewalk=both maxspeed=40";
     let home = "residential sidewalk=both parking:right=lane maxspeed=40";
     let road = "unclassified sidewalk=no maxspeed=60";
     // Nobody walks across ramps.
-    plan.road_with_bridges(
+    layout.road_with_bridges(
         "secondary lanes=4 sidewalk=no maxspeed=60",
         &points(&[(-520.0, 0.0), (-446.0, 0.0), (-340.0, 0.0), (-210.0, 0.0)]),
         &[(DVec2::new(-395.0, 0.0), 20.0)],
     );
-    plan.road(avenue, &points(&[(-210.0, 0.0), (0.0, 0.0), (235.0, 8.0)]));
-    plan.road(
+    layout.road(avenue, &points(&[(-210.0, 0.0), (0.0, 0.0), (235.0, 8.0)]));
+    layout.road(
         "tertiary sidewalk=no maxspeed=60",
         &points(&[(0.0, -392.0), (0.0, -312.0), (0.0, -212.0), (0.0, -190.0)]),
     );
-    plan.road(main, &points(&[(0.0, -190.0), (0.0, 0.0), (6.0, 120.0)]));
-    plan.road_with_bridges(
+    layout.road(main, &points(&[(0.0, -190.0), (0.0, 0.0), (6.0, 120.0)]));
+    layout.road_with_bridges(
         road,
         &smooth(&[(6.0, 120.0), (8.0, 190.0), (2.0, 268.0), (-6.0, 340.0), (-40.0, 400.0)]),
         &[(DVec2::new(2.0, 268.0), 20.0)],
     );
-    plan.road(
+    layout.road(
         road,
         &smooth(&[
             (0.0, -392.0),
@@ -119,7 +119,7 @@ fn streets(plan: &mut Plan) {
         ]),
     );
     // Round the outside of the loop, through the hills, back to the avenue.
-    plan.road(
+    layout.road(
         road,
         &smooth(&[
             (-40.0, 400.0),
@@ -132,42 +132,57 @@ fn streets(plan: &mut Plan) {
             (-520.0, 0.0),
         ]),
     );
-    plan.road(quiet, &points(&[(-205.0, -128.0), (0.0, -120.0), (150.0, -124.0), (240.0, -104.0), (235.0, 8.0)]));
-    plan.road(home, &points(&[(-205.0, -128.0), (-210.0, 0.0), (-196.0, 108.0), (-96.0, 118.0), (6.0, 120.0)]));
-    plan.road(home, &points(&[(6.0, 120.0), (128.0, 112.0), (226.0, 96.0), (235.0, 8.0)]));
-    plan.road(quiet, &points(&[(118.0, -123.0), (114.0, 0.0), (128.0, 112.0)]));
-    plan.road(home, &points(&[(-104.0, -124.0), (-100.0, 0.0), (-96.0, 118.0)]));
-    plan.road(quiet, &points(&[(-210.0, -60.0), (-104.0, -64.0)]));
-    plan.lights(DVec2::new(0.0, 0.0));
-    plan.lights(DVec2::new(-210.0, 0.0));
-    plan.zebra(DVec2::new(0.0, -120.0));
-    plan.zebra(DVec2::new(114.0, 0.0));
+    layout.road(quiet, &points(&[(-205.0, -128.0), (0.0, -120.0), (150.0, -124.0), (240.0, -104.0), (235.0, 8.0)]));
+    layout.road(home, &points(&[(-205.0, -128.0), (-210.0, 0.0), (-196.0, 108.0), (-96.0, 118.0), (6.0, 120.0)]));
+    layout.road(home, &points(&[(6.0, 120.0), (128.0, 112.0), (226.0, 96.0), (235.0, 8.0)]));
+    layout.road(quiet, &points(&[(118.0, -123.0), (114.0, 0.0), (128.0, 112.0)]));
+    layout.road(home, &points(&[(-104.0, -124.0), (-100.0, 0.0), (-96.0, 118.0)]));
+    layout.road(quiet, &points(&[(-210.0, -60.0), (-104.0, -64.0)]));
+    layout.lights(DVec2::new(0.0, 0.0));
+    layout.lights(DVec2::new(-210.0, 0.0));
+    layout.zebra(DVec2::new(0.0, -120.0));
+    layout.zebra(DVec2::new(114.0, 0.0));
 }
 
-fn land(plan: &mut Plan) {
-    plan.land("leisure=park", &rect((58.0, -62.0), (86.0, 92.0), 0.0));
-    plan.land("place=square", &rect((-27.0, -26.0), (30.0, 26.0), 0.0));
-    plan.land("amenity=parking", &rect((-50.0, -176.0), (56.0, 42.0), 0.0));
-    plan.building("supermarket building:levels=1", &rect((-52.0, -212.0), (46.0, 20.0), 0.0));
-    plan.land(
+fn land(layout: &mut TownLayout) {
+    layout.land("leisure=park", &rect((58.0, -62.0), (86.0, 92.0), 0.0));
+    layout.land("place=square", &rect((-27.0, -26.0), (30.0, 26.0), 0.0));
+    layout.land("amenity=parking", &rect((-50.0, -176.0), (56.0, 42.0), 0.0));
+    layout.building("supermarket building:levels=1", &rect((-52.0, -212.0), (46.0, 20.0), 0.0));
+    layout.land(
         "landuse=forest",
         &smooth(&[(60.0, 300.0), (330.0, 250.0), (430.0, 330.0), (180.0, 430.0), (60.0, 380.0)]),
     );
-    plan.land("landuse=forest", &smooth(&[(-330.0, 380.0), (-120.0, 430.0), (-150.0, 500.0), (-420.0, 460.0)]));
-    plan.land("landuse=meadow", &rect((290.0, 0.0), (90.0, 240.0), 0.0));
+    layout.land("landuse=forest", &smooth(&[(-330.0, 380.0), (-120.0, 430.0), (-150.0, 500.0), (-420.0, 460.0)]));
+    layout.land("landuse=meadow", &rect((290.0, 0.0), (90.0, 240.0), 0.0));
     let centre = rect((0.0, -8.0), (190.0, 120.0), 0.0);
-    plan.zone(
+    layout.zone(
         centre,
-        &[(Kind::Terrace, 4.0), (Kind::Shop, 1.6), (Kind::Flats, 1.0), (Kind::Office, 0.6)],
+        &[
+            (BuildingKind::Terrace, 4.0),
+            (BuildingKind::Shop, 1.6),
+            (BuildingKind::Flats, 1.0),
+            (BuildingKind::Office, 0.6),
+        ],
         (2, 3),
         0.03,
     );
-    plan.zone(rect((0.0, -320.0), (420.0, 130.0), 0.0), &[(Kind::Hall, 2.0), (Kind::Shop, 2.0)], (1, 2), 0.2);
-    plan.zone(
+    layout.zone(
+        rect((0.0, -320.0), (420.0, 130.0), 0.0),
+        &[(BuildingKind::Hall, 2.0), (BuildingKind::Shop, 2.0)],
+        (1, 2),
+        0.2,
+    );
+    layout.zone(
         rect((10.0, 0.0), (520.0, 300.0), 0.0),
-        &[(Kind::House, 6.0), (Kind::Flats, 0.7), (Kind::Shop, 0.5)],
+        &[(BuildingKind::House, 6.0), (BuildingKind::Flats, 0.7), (BuildingKind::Shop, 0.5)],
         (1, 3),
         0.07,
     );
-    plan.zone(rect((0.0, 0.0), (3000.0, 3000.0), 0.0), &[(Kind::House, 1.0), (Kind::Barn, 1.0)], (1, 2), 0.75);
+    layout.zone(
+        rect((0.0, 0.0), (3000.0, 3000.0), 0.0),
+        &[(BuildingKind::House, 1.0), (BuildingKind::Barn, 1.0)],
+        (1, 2),
+        0.75,
+    );
 }

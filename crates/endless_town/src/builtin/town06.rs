@@ -1,10 +1,10 @@
 //! Town06: long roads of many lanes: a motorway with ramps, and a boulevard where left turns go past the junction and
 //! back through the median (Michigan lefts). At both ends of the town the one becomes the other.
 
-use super::plan::Plan;
+use super::layout::TownLayout;
 use super::shape::{arc, points, rect};
-use crate::building::Kind;
-use crate::imported::Look;
+use crate::building::BuildingKind;
+use crate::dressing::TownPreset;
 use endless_road::RoadMap;
 use glam::DVec2;
 
@@ -26,26 +26,26 @@ const SOUTH_Y: f64 = -100.0;
 /// The street between the boulevard and the southern ramps: a truck has room before the lights on both its sides.
 const NORTH_Y: f64 = 68.0;
 
-pub(super) fn make() -> (RoadMap, Look) {
-    let mut plan = Plan::of([42.5, -83.1]);
-    motorway(&mut plan);
-    boulevard(&mut plan);
-    streets(&mut plan);
-    land(&mut plan);
-    let look = Look {
+pub(super) fn make() -> (RoadMap, TownPreset) {
+    let mut layout = TownLayout::of([42.5, -83.1]);
+    motorway(&mut layout);
+    boulevard(&mut layout);
+    streets(&mut layout);
+    land(&mut layout);
+    let preset = TownPreset {
         summary: "Long roads of many lanes: a motorway with ramps, a boulevard with turns through its median."
             .to_owned(),
         lamp_color: [0.96, 1.0, 0.94],
         lamp_cd: 7500.0,
         conifers: 0.12,
-        ..Look::default()
+        ..TownPreset::default()
     };
-    plan.build(None, look)
+    layout.build(None, preset)
 }
 
 /// Two carriageways of four lanes, with a fifth from every ramp that joins to where it leaves again: at the next ramp, or
 /// as the boulevard's lane for right turns.
-fn motorway(plan: &mut Plan) {
+fn motorway(layout: &mut TownLayout) {
     let [first, _, last] = ARTERIALS;
     for side in [1.0, -1.0] {
         let y = MOTORWAY_Y - side * MOTORWAY_M;
@@ -66,7 +66,7 @@ fn motorway(plan: &mut Plan) {
             let inside = |x: f64| line.iter().any(|p| p.x < x) && line.iter().any(|p| p.x > x);
             let over: Vec<(DVec2, f64)> =
                 ARTERIALS.iter().filter(|&&x| inside(x)).map(|&x| (DVec2::new(x, y), 20.0)).collect();
-            plan.road_with_bridges(&words, &line, &over);
+            layout.road_with_bridges(&words, &line, &over);
         }
     }
     let ramp = "motorway_link oneway=yes lanes=1 maxspeed=60";
@@ -78,15 +78,15 @@ fn motorway(plan: &mut Plan) {
             let at = |along: f64, out: f64| (x + side * along, y - side * out);
             let end = (terminal.x, terminal.y);
             let far = |along: f64| (x + side * along, terminal.y + side * 4.0);
-            plan.road(
+            layout.road(
                 ramp,
                 &points(&[at(-RAMP_M, 0.0), at(40.0 - RAMP_M, 13.9), at(90.0 - RAMP_M, 23.5), far(-50.0), end]),
             );
-            plan.road(
+            layout.road(
                 ramp,
                 &points(&[end, far(50.0), at(RAMP_M - 90.0, 23.5), at(RAMP_M - 40.0, 13.9), at(RAMP_M, 0.0)]),
             );
-            plan.lights(terminal);
+            layout.lights(terminal);
         }
     }
 }
@@ -105,53 +105,53 @@ fn bend(out: f64, y: f64) -> Vec<DVec2> {
     half
 }
 
-fn boulevard(plan: &mut Plan) {
+fn boulevard(layout: &mut TownLayout) {
     let words =
         |lanes: u32| format!("primary oneway=yes lanes={lanes} placement=right_of:2 sidewalk=right maxspeed=75");
     let (arterial, outer) = ("secondary lanes=4 sidewalk=both maxspeed=60", "tertiary sidewalk=both maxspeed=50");
     // From both ends to the first arterial a fifth lane turns right.
     let [first, _, last] = ARTERIALS;
-    let carriageway = |plan: &mut Plan, side: f64, right_turn: f64, far: f64| {
+    let carriageway = |layout: &mut TownLayout, side: f64, right_turn: f64, far: f64| {
         let at = |x: f64| DVec2::new(x, -side * BOULEVARD_M);
-        let arrival = plan.road(&words(5), &[at(-side * ENDS_M), at(right_turn)]);
-        let rest = plan.road(&words(4), &[at(right_turn), at(far)]);
+        let arrival = layout.road(&words(5), &[at(-side * ENDS_M), at(right_turn)]);
+        let rest = layout.road(&words(4), &[at(right_turn), at(far)]);
         [arrival, rest]
     };
-    let east = carriageway(plan, 1.0, first, ENDS_M);
-    let west = carriageway(plan, -1.0, last, -ENDS_M);
+    let east = carriageway(layout, 1.0, first, ENDS_M);
+    let west = carriageway(layout, -1.0, last, -ENDS_M);
     for x in ARTERIALS {
         let (south, north) = (DVec2::new(x, -BOULEVARD_M), DVec2::new(x, BOULEVARD_M));
         let north_end = MOTORWAY_Y + TERMINAL_M;
         let beyond = if x == ARTERIALS[1] { arterial } else { outer };
-        plan.road(beyond, &points(&[(x, -190.0), (x, SOUTH_Y)]));
-        plan.road(arterial, &[DVec2::new(x, SOUTH_Y), south]);
-        let across = plan.road(arterial, &[south, north]);
-        plan.road(arterial, &[north, DVec2::new(x, north_end)]);
-        plan.road(beyond, &points(&[(x, north_end), (x, 300.0)]));
-        plan.lights(south);
-        plan.lights(north);
+        layout.road(beyond, &points(&[(x, -190.0), (x, SOUTH_Y)]));
+        layout.road(arterial, &[DVec2::new(x, SOUTH_Y), south]);
+        let across = layout.road(arterial, &[south, north]);
+        layout.road(arterial, &[north, DVec2::new(x, north_end)]);
+        layout.road(beyond, &points(&[(x, north_end), (x, 300.0)]));
+        layout.lights(south);
+        layout.lights(north);
         // Lefts begin or end on the piece through the median; rights do not touch it.
         for (carriageway, at) in [(east, south), (west, north)] {
             for road in carriageway {
-                plan.no_left(road, at, across);
-                plan.no_left(across, at, road);
+                layout.no_left(road, at, across);
+                layout.no_left(across, at, road);
             }
         }
         // Past the junction, and back through the median.
         for (side, at) in [(1.0, x + BACK_M), (-1.0, x - BACK_M)] {
             let y = side * BOULEVARD_M;
-            plan.road("tertiary_link oneway=yes lanes=1 maxspeed=20", &points(&[(at, -y), (at, y)]));
+            layout.road("tertiary_link oneway=yes lanes=1 maxspeed=20", &points(&[(at, -y), (at, y)]));
         }
     }
 }
 
-fn streets(plan: &mut Plan) {
+fn streets(layout: &mut TownLayout) {
     let street = "tertiary sidewalk=both maxspeed=50";
     let [first, second, third] = ARTERIALS;
     for y in [-190.0, NORTH_Y, 300.0] {
-        plan.road(street, &points(&[(first, y), (second, y), (third, y)]));
+        layout.road(street, &points(&[(first, y), (second, y), (third, y)]));
     }
-    plan.road(
+    layout.road(
         street,
         &points(&[
             (first, SOUTH_Y),
@@ -163,25 +163,30 @@ fn streets(plan: &mut Plan) {
     );
 }
 
-fn land(plan: &mut Plan) {
+fn land(layout: &mut TownLayout) {
     for (x, y) in [(-180.0, -56.0), (-60.0, -58.0), (110.0, -56.0), (230.0, -56.0), (-330.0, -60.0), (380.0, -60.0)] {
-        plan.land("amenity=parking", &rect((x, y), (64.0, 40.0), 0.0));
+        layout.land("amenity=parking", &rect((x, y), (64.0, 40.0), 0.0));
     }
-    plan.tree_row(&points(&[(-480.0, 0.0), (-380.0, 0.0)]));
+    layout.tree_row(&points(&[(-480.0, 0.0), (-380.0, 0.0)]));
     for x in [-220.0, -110.0, 70.0, 180.0, 260.0, 340.0] {
-        plan.tree_row(&points(&[(x - 15.0, 0.0), (x + 17.0, 0.0)]));
+        layout.tree_row(&points(&[(x - 15.0, 0.0), (x + 17.0, 0.0)]));
     }
-    plan.zone(
+    layout.zone(
         rect((0.0, 60.0), (1100.0, 90.0), 0.0),
-        &[(Kind::Shop, 3.0), (Kind::Office, 1.5), (Kind::Flats, 1.0)],
+        &[(BuildingKind::Shop, 3.0), (BuildingKind::Office, 1.5), (BuildingKind::Flats, 1.0)],
         (2, 4),
         0.06,
     );
-    plan.zone(
+    layout.zone(
         rect((0.0, -140.0), (1100.0, 200.0), 0.0),
-        &[(Kind::Hall, 2.0), (Kind::Shop, 2.0), (Kind::Flats, 1.2)],
+        &[(BuildingKind::Hall, 2.0), (BuildingKind::Shop, 2.0), (BuildingKind::Flats, 1.2)],
         (2, 4),
         0.08,
     );
-    plan.zone(rect((0.0, 0.0), (3000.0, 3000.0), 0.0), &[(Kind::Hall, 2.0), (Kind::Shop, 1.0)], (1, 2), 0.2);
+    layout.zone(
+        rect((0.0, 0.0), (3000.0, 3000.0), 0.0),
+        &[(BuildingKind::Hall, 2.0), (BuildingKind::Shop, 1.0)],
+        (1, 2),
+        0.2,
+    );
 }

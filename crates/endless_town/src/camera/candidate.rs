@@ -1,7 +1,7 @@
 //! Places from which a camera could look: beside lanes, at crossings and stop lines, on walls, at squares and in parks.
 
-use super::relief::{Relief, Top};
-use super::{Open, Solid};
+use super::height_field::{HeightField, TopSurface};
+use super::surroundings::{BuildingPrism, OpenSpace};
 use crate::geometry::area;
 use crate::geometry::{inside, unit};
 use endless_road::{Lane, Polyline, RoadNetwork};
@@ -11,7 +11,7 @@ use glam::DVec2;
 
 /// What a view shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum View {
+pub(crate) enum ViewKind {
     /// Over waiting vehicles towards a junction.
     Approach,
     /// From a junction out along one of its arms.
@@ -34,7 +34,7 @@ pub(crate) enum View {
     Park,
 }
 
-impl View {
+impl ViewKind {
     /// Where people walk and nobody drives.
     pub(crate) fn is_on_foot(self) -> bool {
         matches!(self, Self::Square | Self::Park)
@@ -58,8 +58,8 @@ impl View {
 
 /// A place with what it would show.
 #[derive(Debug, Clone)]
-pub(crate) struct Candidate {
-    pub(crate) view: View,
+pub(crate) struct CameraCandidate {
+    pub(crate) view: ViewKind,
     /// Foot of the pole and height of the ground there; `None` on walls.
     pub(crate) pole: Option<(DVec2, f64)>,
     /// Height of what it is aimed at.
@@ -80,14 +80,14 @@ const MOST_OF_A_KIND: usize = 420;
 
 /// How a camera is turned at its place.
 #[derive(Debug, Clone, Copy)]
-struct Turned {
+struct CameraAim {
     height: f64,
     fov_deg: f64,
     mount: Mount,
 }
 
 /// A lens at `lens` (seen from above), `height` above `ground`, looking at a place on the ground.
-fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: Turned) -> CameraSite {
+fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: CameraAim) -> CameraSite {
     let towards = (aim - lens).normalize_or(DVec2::X);
     let z = ground + turned.height;
     let tilt = atan2(z - aim_z, lens.distance(aim)).clamp(15.5f64.to_radians(), 38.0f64.to_radians());
@@ -101,8 +101,13 @@ fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: Turned) -> Ca
     }
 }
 
-pub(crate) fn all(network: &RoadNetwork, relief: &Relief, solids: &[Solid], open: &[Open]) -> Vec<Candidate> {
-    let mut finder = Finder { network, relief, found: Vec::new() };
+pub(crate) fn all(
+    network: &RoadNetwork,
+    relief: &HeightField,
+    solids: &[BuildingPrism],
+    open: &[OpenSpace],
+) -> Vec<CameraCandidate> {
+    let mut finder = CandidateFinder { network, relief, found: Vec::new() };
     for lane in network.lanes.iter().filter(|l| l.junction.is_none() && l.centerline.length() > 18.0) {
         for side in [-1.0, 1.0] {
             let outermost = if side < 0.0 { lane.right.is_none() } else { lane.left.is_none() };
@@ -125,27 +130,27 @@ pub(crate) fn all(network: &RoadNetwork, relief: &Relief, solids: &[Solid], open
 }
 
 /// The same number of each kind at most, spread evenly.
-fn thinned(found: &[Candidate]) -> Vec<Candidate> {
+fn thinned(found: &[CameraCandidate]) -> Vec<CameraCandidate> {
     let mut kept = Vec::new();
-    let mut kinds: Vec<View> = found.iter().map(|c| c.view).collect();
+    let mut kinds: Vec<ViewKind> = found.iter().map(|c| c.view).collect();
     kinds.sort_unstable();
     kinds.dedup();
     for kind in kinds {
-        let of_kind: Vec<&Candidate> = found.iter().filter(|c| c.view == kind).collect();
+        let of_kind: Vec<&CameraCandidate> = found.iter().filter(|c| c.view == kind).collect();
         let stride = of_kind.len() as f64 / of_kind.len().clamp(1, MOST_OF_A_KIND) as f64;
         kept.extend((0..of_kind.len().min(MOST_OF_A_KIND)).map(|i| of_kind[(i as f64 * stride) as usize].clone()));
     }
     kept
 }
 
-struct Finder<'a> {
+struct CandidateFinder<'a> {
     network: &'a RoadNetwork,
-    relief: &'a Relief,
-    found: Vec<Candidate>,
+    relief: &'a HeightField,
+    found: Vec<CameraCandidate>,
 }
 
 /// A place beside a lane, and the direction of the lane there.
-struct Beside {
+struct Roadside {
     foot: DVec2,
     ground: f64,
     road_z: f64,
@@ -154,9 +159,9 @@ struct Beside {
     across: f64,
 }
 
-impl Finder<'_> {
+impl CandidateFinder<'_> {
     /// The nearest place beside a lane where a pole could stand: to the right (−1) or in the median to the left (+1).
-    fn beside(&self, line: &Polyline, s: f64, width: f64, side: f64) -> Option<Beside> {
+    fn beside(&self, line: &Polyline, s: f64, width: f64, side: f64) -> Option<Roadside> {
         let place = line.at(s);
         let forward = unit(place.heading_rad);
         let outwards = forward.perp() * side;
@@ -164,23 +169,24 @@ impl Finder<'_> {
         let reach = if side < 0.0 { 9.0 } else { 2.2 };
         let free = |t: f64| {
             let (z, top) = self.relief.at(here + outwards * t);
-            matches!(top, Top::Walk | Top::Green | Top::Ground) && (f64::from(z) - place.position.z).abs() < 1.5
+            matches!(top, TopSurface::Walk | TopSurface::Green | TopSurface::Ground)
+                && (f64::from(z) - place.position.z).abs() < 1.5
         };
         let steps = (reach / 0.25) as usize;
         let edge = (0..steps).map(|k| width / 2.0 + 0.1 + 0.25 * k as f64).find(|&t| free(t))?;
         let t = edge + POLE_M - 0.1;
         free(t).then(|| {
             let foot = here + outwards * t;
-            Beside { foot, ground: f64::from(self.relief.at(foot).0), road_z: place.position.z, forward, across: t }
+            Roadside { foot, ground: f64::from(self.relief.at(foot).0), road_z: place.position.z, forward, across: t }
         })
     }
 
-    fn push(&mut self, view: View, beside: &Beside, aim: DVec2, turned: Turned) {
+    fn push(&mut self, view: ViewKind, beside: &Roadside, aim: DVec2, turned: CameraAim) {
         let towards = (aim - beside.foot).normalize_or(DVec2::X);
         let lens = beside.foot + towards * 0.4;
         let site = aimed(lens, beside.ground, aim, beside.road_z, turned);
         let pole = Some((beside.foot, beside.ground));
-        self.found.push(Candidate { view, pole, level: beside.road_z, site });
+        self.found.push(CameraCandidate { view, pole, level: beside.road_z, site });
     }
 
     /// Views from the edge of a lane, along it and back.
@@ -188,26 +194,26 @@ impl Finder<'_> {
         let line = &lane.centerline;
         let length = line.length();
         let wide = self.same_way(lane) >= 3 || lane.speed_limit_mps > HIGHWAY_MPS;
-        let pole = |height: f64, fov_deg: f64| Turned { height, fov_deg, mount: Mount::Pole };
+        let pole = |height: f64, fov_deg: f64| CameraAim { height, fov_deg, mount: Mount::Pole };
         let ends_at_junction = lane.successors.iter().any(|&next| self.network.lane(next).junction.is_some());
-        let to_middle = |b: &Beside, more: f64| b.forward.perp() * -side * (b.across + more);
+        let to_middle = |b: &Roadside, more: f64| b.forward.perp() * -side * (b.across + more);
         if ends_at_junction && length > 30.0 {
             for back in [13.0, 19.0] {
                 let Some(b) = self.beside(line, length - back, lane.width_m, side) else { continue };
                 let aim = b.foot + b.forward * (back + 5.0) + to_middle(&b, lane.width_m);
-                self.push(View::Approach, &b, aim, pole(7.6, 72.0));
+                self.push(ViewKind::Approach, &b, aim, pole(7.6, 72.0));
             }
             if let Some(b) = self.beside(line, length - 2.0, lane.width_m, side) {
                 let aim = b.foot - b.forward * 22.0 + to_middle(&b, lane.width_m * 0.7);
-                self.push(View::Arm, &b, aim, pole(if wide { 9.0 } else { 6.8 }, 68.0));
+                self.push(ViewKind::Arm, &b, aim, pole(if wide { 9.0 } else { 6.8 }, 68.0));
                 for turn in [0.6f64, 1.05] {
                     let aim = b.foot + unit(-side * turn).rotate(b.forward) * 22.0;
-                    self.push(View::Corner, &b, aim, pole(8.6, 76.0));
+                    self.push(ViewKind::Corner, &b, aim, pole(8.6, 76.0));
                 }
             }
         }
         if length > 50.0 {
-            let (height, fov, view) = if wide { (9.5, 66.0, View::Highway) } else { (7.2, 74.0, View::Street) };
+            let (height, fov, view) = if wide { (9.5, 66.0, ViewKind::Highway) } else { (7.2, 74.0, ViewKind::Street) };
             let count = (length / 28.0).floor().min(12.0) as usize;
             for k in 1..count {
                 let s = length * k as f64 / count as f64;
@@ -234,7 +240,7 @@ impl Finder<'_> {
                 }
                 let Some(b) = self.beside(line, s, lane.width_m, side) else { continue };
                 let aim = b.foot - b.forward * (away * 1.05) + to_middle(&b, lane.width_m * 0.4);
-                self.push(View::Crossing, &b, aim, pole(6.2, 70.0));
+                self.push(ViewKind::Crossing, &b, aim, pole(6.2, 70.0));
             }
         }
     }
@@ -248,7 +254,7 @@ impl Finder<'_> {
     }
 
     /// From fronts near a road, along it.
-    fn on_walls(&mut self, solid: &Solid) {
+    fn on_walls(&mut self, solid: &BuildingPrism) {
         let n = solid.outline.len();
         for k in 0..n {
             let (a, b) = (solid.outline[k], solid.outline[(k + 1) % n]);
@@ -259,7 +265,8 @@ impl Finder<'_> {
             // Outlines run counter-clockwise: outside is on the right.
             let out = -along.perp();
             let middle = (a + b) / 2.0;
-            let road = (2..28).map(|i| 0.5 * f64::from(i)).find(|&d| self.relief.at(middle + out * d).1 == Top::Road);
+            let road =
+                (2..28).map(|i| 0.5 * f64::from(i)).find(|&d| self.relief.at(middle + out * d).1 == TopSurface::Road);
             let Some(road) = road.filter(|d| *d < 8.5) else { continue };
             let road_z = f64::from(self.relief.at(middle + out * road).0);
             // Clear of cornices and awnings.
@@ -267,19 +274,19 @@ impl Finder<'_> {
             // No further along the wall than that its stones stay out of the picture.
             for turn in [-0.85f64, -0.4, 0.4, 0.85] {
                 let aim = lens + unit(turn).rotate(out) * (road + 11.0);
-                let turned = Turned { height: 6.9, fov_deg: 72.0, mount: Mount::Wall };
+                let turned = CameraAim { height: 6.9, fov_deg: 72.0, mount: Mount::Wall };
                 let site = aimed(lens, solid.base, aim, road_z, turned);
-                self.found.push(Candidate { view: View::Wall, pole: None, level: road_z, site });
+                self.found.push(CameraCandidate { view: ViewKind::Wall, pole: None, level: road_z, site });
             }
         }
     }
 }
 
-impl Finder<'_> {
+impl CandidateFinder<'_> {
     /// From the edge of a square over it.
     fn at_square(&mut self, outline: &[DVec2]) {
         let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
-        let turned = Turned { height: 6.8, fov_deg: 74.0, mount: Mount::Pole };
+        let turned = CameraAim { height: 6.8, fov_deg: 74.0, mount: Mount::Pole };
         for k in 0..outline.len() {
             let (a, b) = (outline[k], outline[(k + 1) % outline.len()]);
             let steps = (a.distance(b) / OPEN_STEP_M).ceil() as usize;
@@ -289,7 +296,7 @@ impl Finder<'_> {
                 let foot = edge + inwards * POLE_M;
                 for turn in [-0.6f64, -0.25, 0.25, 0.6] {
                     let ahead = unit(turn).rotate(inwards);
-                    self.push_on_foot(View::Square, foot, foot + ahead * 20.0, turned);
+                    self.push_on_foot(ViewKind::Square, foot, foot + ahead * 20.0, turned);
                 }
             }
         }
@@ -298,7 +305,7 @@ impl Finder<'_> {
     /// From beside the ways in a park along them.
     fn in_park(&mut self, outline: &[DVec2]) {
         let walk = &self.network.walk;
-        let turned = Turned { height: 5.6, fov_deg: 70.0, mount: Mount::Pole };
+        let turned = CameraAim { height: 5.6, fov_deg: 70.0, mount: Mount::Pole };
         for edge in &walk.edges {
             let [from, to] = edge.nodes.map(|n| walk.nodes[n.index()].truncate());
             if !inside(outline, from.midpoint(to)) {
@@ -310,7 +317,7 @@ impl Finder<'_> {
                 for turn in [0.12f64, 0.5] {
                     for ahead in [along, -along] {
                         let turn = -turn * side * ahead.dot(along);
-                        self.push_on_foot(View::Park, foot, foot + unit(turn).rotate(ahead) * 17.0, turned);
+                        self.push_on_foot(ViewKind::Park, foot, foot + unit(turn).rotate(ahead) * 17.0, turned);
                     }
                 }
             }
@@ -318,16 +325,16 @@ impl Finder<'_> {
     }
 
     /// Where people walk, if a pole may stand there.
-    fn push_on_foot(&mut self, view: View, foot: DVec2, aim: DVec2, turned: Turned) {
+    fn push_on_foot(&mut self, view: ViewKind, foot: DVec2, aim: DVec2, turned: CameraAim) {
         let (ground, top) = self.relief.at(foot);
         let (level, _) = self.relief.at(aim);
-        if !matches!(top, Top::Walk | Top::Green | Top::Ground) || (level - ground).abs() > 3.0 {
+        if !matches!(top, TopSurface::Walk | TopSurface::Green | TopSurface::Ground) || (level - ground).abs() > 3.0 {
             return;
         }
         let (ground, level) = (f64::from(ground), f64::from(level));
         let lens = foot + (aim - foot).normalize_or(DVec2::X) * 0.4;
         let site = aimed(lens, ground, aim, level, turned);
-        self.found.push(Candidate { view, pole: Some((foot, ground)), level, site });
+        self.found.push(CameraCandidate { view, pole: Some((foot, ground)), level, site });
     }
 }
 

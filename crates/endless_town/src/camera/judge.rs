@@ -1,8 +1,8 @@
 //! How good a view is, measured on rays through its picture and on the places where traffic is expected.
 
-use super::Post;
-use super::candidate::View;
-use super::relief::{Relief, Top};
+use super::candidate::ViewKind;
+use super::height_field::{HeightField, TopSurface};
+use super::surroundings::TallProp;
 use crate::geometry::unit;
 use endless_road::RoadNetwork;
 use endless_world::{CameraSite, ImageSize, PinholeCamera};
@@ -34,7 +34,7 @@ const LEAST_PEOPLE: f32 = 2.5;
 
 /// What a picture shows, as shares of its pixels, and the objects expected in it.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(crate) struct Seen {
+pub(crate) struct ViewContents {
     pub(crate) road: f32,
     pub(crate) junction: f32,
     pub(crate) walk: f32,
@@ -57,7 +57,7 @@ pub(crate) struct Seen {
     pub(crate) people: f32,
 }
 
-impl Seen {
+impl ViewContents {
     /// Road, sidewalk and square.
     pub(crate) fn paved(&self) -> f32 {
         self.street() + self.ground
@@ -71,7 +71,7 @@ impl Seen {
 
 /// A place where something is expected.
 #[derive(Debug, Clone, Copy)]
-struct Spot {
+struct ExpectedTraffic {
     at: Vec3,
     weight: f32,
     /// Typical width of what is there, metres.
@@ -80,41 +80,46 @@ struct Spot {
 }
 
 /// Judges sites of one town.
-pub(crate) struct Judge<'a> {
-    pub(crate) relief: &'a Relief,
-    spots: Vec<Spot>,
-    posts: Vec<Post>,
+pub(crate) struct ViewJudge<'a> {
+    pub(crate) relief: &'a HeightField,
+    expected: Vec<ExpectedTraffic>,
+    posts: Vec<TallProp>,
 }
 
-impl<'a> Judge<'a> {
-    pub(crate) fn new(network: &RoadNetwork, relief: &'a Relief, posts: Vec<Post>, parked: &[Vec3]) -> Self {
-        let mut spots = Vec::new();
+impl<'a> ViewJudge<'a> {
+    pub(crate) fn new(network: &RoadNetwork, relief: &'a HeightField, posts: Vec<TallProp>, parked: &[Vec3]) -> Self {
+        let mut expected = Vec::new();
         for lane in &network.lanes {
             let busy = (lane.speed_limit_mps as f32 / 11.0).clamp(0.6, 1.4);
             let weight = if lane.junction.is_some() { 0.3 } else { busy };
             let steps = (lane.centerline.length() / 5.0).ceil() as usize;
             let along = (0..steps).map(|i| lane.centerline.at(5.0 * i as f64).position.as_vec3());
-            spots.extend(along.map(|at| Spot { at, weight, size: 2.4, person: false }));
+            expected.extend(along.map(|at| ExpectedTraffic { at, weight, size: 2.4, person: false }));
         }
         for crossing in &network.crossings {
             let [a, b] = crossing.ends.map(glam::DVec3::as_vec3);
-            spots.extend((0..4).map(|i| Spot { at: a.lerp(b, i as f32 / 3.0), weight: 0.8, size: 1.0, person: true }));
+            expected.extend((0..4).map(|i| ExpectedTraffic {
+                at: a.lerp(b, i as f32 / 3.0),
+                weight: 0.8,
+                size: 1.0,
+                person: true,
+            }));
         }
         let walkers = network.walk.nodes.iter().map(|n| n.as_vec3());
-        spots.extend(walkers.map(|at| Spot { at, weight: 0.5, size: 1.0, person: true }));
-        spots.extend(parked.iter().map(|&at| Spot { at, weight: 1.2, size: 2.4, person: false }));
-        Self { relief, spots, posts }
+        expected.extend(walkers.map(|at| ExpectedTraffic { at, weight: 0.5, size: 1.0, person: true }));
+        expected.extend(parked.iter().map(|&at| ExpectedTraffic { at, weight: 1.2, size: 2.4, person: false }));
+        Self { relief, expected, posts }
     }
 
     /// What a site that is aimed at a level shows; `None` if it stands in something, or something stands close before it.
-    pub(crate) fn look(&self, site: &CameraSite, level: f64) -> Option<Seen> {
+    pub(crate) fn look(&self, site: &CameraSite, level: f64) -> Option<ViewContents> {
         let camera = PinholeCamera::new(site, SIZE);
         let lens = camera.position;
         let here = lens.truncate().as_dvec2();
         if self.hemmed_in(&camera, here) {
             return None;
         }
-        let mut seen = Seen::default();
+        let mut seen = ViewContents::default();
         let share = 1.0 / (COLUMNS * ROWS) as f32;
         for row in 0..ROWS {
             for column in 0..COLUMNS {
@@ -124,13 +129,13 @@ impl<'a> Judge<'a> {
                 let ray = Vec3::new((u - k.cx) / k.fx, (v - k.cy) / k.fy, 1.0).normalize();
                 let direction = (camera.world_from_camera * ray).normalize();
                 let hit = self.relief.cast(lens, direction, REACH_M);
-                let (distance, mut top) = hit.unwrap_or((REACH_M, Top::Beyond));
+                let (distance, mut top) = hit.unwrap_or((REACH_M, TopSurface::Beyond));
                 // What passes over the road near by is a wall before it.
                 let above = lens.z + direction.z * distance - level as f32;
-                if distance < BRIDGE_M && above > BRIDGE_HEIGHT_M + STEEP * distance && top != Top::Beyond {
-                    top = Top::Solid;
+                if distance < BRIDGE_M && above > BRIDGE_HEIGHT_M + STEEP * distance && top != TopSurface::Beyond {
+                    top = TopSurface::Solid;
                 }
-                if top == Top::Solid && distance < WALL_M {
+                if top == TopSurface::Solid && distance < WALL_M {
                     return None;
                 }
                 seen.count(top, distance, direction.z, row, share);
@@ -164,7 +169,7 @@ impl<'a> Judge<'a> {
         let lens = camera.position;
         let inside = |p: DVec2| {
             let (z, top) = self.relief.at(p);
-            top == Top::Beyond || (top == Top::Solid && z > lens.z - 4.5)
+            top == TopSurface::Beyond || (top == TopSurface::Solid && z > lens.z - 4.5)
         };
         // All over the field of view, and a little beyond its sides.
         let half = 0.5 * SIZE.width as f32 / camera.intrinsics.fx;
@@ -176,10 +181,10 @@ impl<'a> Judge<'a> {
         post || inside(here) || fan
     }
 
-    fn count_spots(&self, camera: &PinholeCamera, seen: &mut Seen) {
+    fn count_spots(&self, camera: &PinholeCamera, seen: &mut ViewContents) {
         seen.nearest_m = f32::INFINITY;
         let margin = 20.0;
-        for spot in &self.spots {
+        for spot in &self.expected {
             let between = spot.at - camera.position;
             if between.length_squared() > 85.0 * 85.0 {
                 continue;
@@ -202,35 +207,35 @@ impl<'a> Judge<'a> {
     }
 }
 
-impl Seen {
-    fn count(&mut self, top: Top, distance: f32, up: f32, row: u32, share: f32) {
+impl ViewContents {
+    fn count(&mut self, top: TopSurface, distance: f32, up: f32, row: u32, share: f32) {
         let low = row >= ROWS / 3;
         match top {
-            Top::Road => self.road += share,
-            Top::Junction => {
+            TopSurface::Road => self.road += share,
+            TopSurface::Junction => {
                 self.junction += share;
                 if row >= ROWS * 2 / 3 {
                     self.junction_low += share * 3.0;
                 }
             }
-            Top::Walk => self.walk += share,
-            Top::Ground => self.ground += share,
-            Top::Green => self.green += share,
-            Top::Water => self.water += share,
-            Top::Solid => {
+            TopSurface::Walk => self.walk += share,
+            TopSurface::Ground => self.ground += share,
+            TopSurface::Green => self.green += share,
+            TopSurface::Water => self.water += share,
+            TopSurface::Solid => {
                 self.solid += share;
                 self.solid_near += if distance < 10.0 { share } else { 0.0 };
             }
-            Top::Beyond if up > 0.0 => self.sky += share,
-            Top::Beyond => self.green += share,
+            TopSurface::Beyond if up > 0.0 => self.sky += share,
+            TopSurface::Beyond => self.green += share,
         }
-        if low && matches!(top, Top::Road | Top::Junction | Top::Walk | Top::Ground) {
+        if low && matches!(top, TopSurface::Road | TopSurface::Junction | TopSurface::Walk | TopSurface::Ground) {
             self.paved_low += share * 1.5;
         }
     }
 
     /// Quality from about 0 to 10; `None` for views that must not be used.
-    pub(crate) fn quality(&self, view: View) -> Option<f32> {
+    pub(crate) fn quality(&self, view: ViewKind) -> Option<f32> {
         let wall_to_wall = self.solid_near > 0.2;
         let shows_traffic = self.street() > LEAST_STREET && self.nearest_m < 28.0;
         let shows_people = view.is_on_foot() && self.people > LEAST_PEOPLE;

@@ -66,6 +66,22 @@ pub(crate) fn inside(outline: &[DVec2], p: DVec2) -> bool {
         == 1
 }
 
+/// The smallest rectangle around an outline that is parallel to one of its walls.
+pub(crate) fn around(outline: &[DVec2]) -> Rect {
+    let boxes = (0..outline.len()).filter_map(|k| {
+        let axis = (outline[(k + 1) % outline.len()] - outline[k]).try_normalize()?;
+        let local = outline.iter().map(|p| DVec2::new(p.dot(axis), p.dot(axis.perp())));
+        let (low, high) = local.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
+        let middle = (low + high) / 2.0;
+        Some(Rect { centre: axis * middle.x + axis.perp() * middle.y, half: (high - low) / 2.0, axis })
+    });
+    boxes.min_by(|a, b| (a.half.x * a.half.y).total_cmp(&(b.half.x * b.half.y))).unwrap_or(Rect {
+        centre: DVec2::ZERO,
+        half: DVec2::ZERO,
+        axis: DVec2::X,
+    })
+}
+
 /// Side of the bins of [`Occupied`], metres.
 const BIN_M: f64 = 12.0;
 

@@ -3,7 +3,7 @@
 
 use endless_asset::{Catalogue, Prop};
 use endless_road::{Area, AreaKind, BuildingFootprint, Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind};
-use endless_town::{Town, TownError, What, dress_map};
+use endless_town::{PlacedObject, Town, TownError, dress_map};
 use endless_world::ClassTag;
 use glam::{DVec2, DVec3, Vec3};
 use std::path::PathBuf;
@@ -78,9 +78,9 @@ fn files() -> Vec<(String, RoadMap)> {
 fn still(town: &Town) -> impl Iterator<Item = ([Vec3; 3], ClassTag)> {
     town.placements
         .iter()
-        .filter_map(|p| match p.what {
-            What::Own(i) => Some((&town.meshes[i as usize], p.world_from_object)),
-            What::Prop(..) => None,
+        .filter_map(|p| match p.object {
+            PlacedObject::TownMesh(i) => Some((&town.meshes[i as usize], p.world_from_object)),
+            PlacedObject::Prop(..) => None,
         })
         .flat_map(|(mesh, place)| {
             mesh.triangles.iter().zip(&mesh.triangle_materials).map(move |(t, &m)| {
@@ -138,8 +138,8 @@ fn check(town: &Town) {
     let bare = over.iter().filter(|(_, _, covered)| !covered).count();
     assert!(buried == 0, "{name}: {buried} of {} lanes under the ground", over.len());
     assert!(bare * 50 <= over.len(), "{name}: {bare} of {} lanes without pavement", over.len());
-    let level = |what: What| matches!(what, What::Prop(Prop::Manhole | Prop::Drain, _));
-    for placement in town.placements.iter().filter(|p| matches!(p.what, What::Prop(..)) && !level(p.what)) {
+    let level = |what: PlacedObject| matches!(what, PlacedObject::Prop(Prop::Manhole | Prop::Drain, _));
+    for placement in town.placements.iter().filter(|p| matches!(p.object, PlacedObject::Prop(..)) && !level(p.object)) {
         let at = placement.world_from_object.translation;
         let on = town.network.lanes.iter().find(|l| {
             let (s, t) = l.centerline.project(at.truncate().as_dvec2());
@@ -147,7 +147,7 @@ fn check(town: &Town) {
             let beside = place.truncate().distance(at.truncate().as_dvec2());
             (t.abs() < 0.9 && beside < 0.9) && (place.z - f64::from(at.z)).abs() < 2.0
         });
-        assert!(on.is_none(), "{name}: {:?} at {at} stands on a lane", placement.what);
+        assert!(on.is_none(), "{name}: {:?} at {at} stands on a lane", placement.object);
     }
 }
 

@@ -2,17 +2,23 @@
 
 use endless_asset::{Catalogue, Prop};
 use endless_scene::Mesh;
-use endless_town::{NAMES, Town, What, load};
-use endless_world::{ClassTag, ImageSize, PinholeCamera};
+use endless_town::{NAMES, PlacedObject, Town, load};
+use endless_world::{CameraSite, ClassTag, ImageSize, Mount, PinholeCamera};
 use glam::{Affine3A, DVec2, DVec3, Vec3};
 use std::sync::OnceLock;
 
-/// All towns, made once for all tests.
+/// All towns with the details near their cameras, made once for all tests.
 fn towns() -> &'static [Town] {
     static TOWNS: OnceLock<Vec<Town>> = OnceLock::new();
     TOWNS.get_or_init(|| {
         let catalogue = Catalogue::builtin();
-        NAMES.iter().map(|n| load(n, &catalogue).expect("known")).collect()
+        let with_details = |name: &&str| {
+            let mut town = load(name, &catalogue).expect("known");
+            let details = town.details_near(&town.cameras, &catalogue);
+            town.placements.extend(details);
+            town
+        };
+        NAMES.iter().map(with_details).collect()
     })
 }
 
@@ -100,7 +106,7 @@ fn cameras_are_many_and_hang_as_asked() {
 fn props_keep_off_the_carriageway() {
     for town in towns() {
         for placement in &town.placements {
-            let What::Prop(prop, _) = placement.what else { continue };
+            let PlacedObject::Prop(prop, _) = placement.object else { continue };
             if is_level(prop) {
                 continue;
             }
@@ -117,7 +123,7 @@ fn props_keep_off_the_carriageway() {
                 assert!(t.abs() > lane.width_m / 2.0 + 0.2, "{}: {prop:?} at {at} on {:?}", town.name, lane.id);
             }
         }
-        let poles = town.placements.iter().filter(|p| p.what == What::Prop(Prop::CameraPole, 0)).count();
+        let poles = town.placements.iter().filter(|p| p.object == PlacedObject::Prop(Prop::CameraPole, 0)).count();
         assert!(poles <= town.cameras.len());
     }
 }
@@ -155,9 +161,9 @@ fn parked(town: &Town, catalogue: &Catalogue) -> Vec<Corners> {
 
 /// Walls of each building up to head height: awnings and eaves may reach over sidewalks.
 fn buildings(town: &Town) -> Vec<Corners> {
-    let own = town.placements.iter().filter_map(|p| match p.what {
-        What::Own(i) => Some((&town.meshes[i as usize], p.world_from_object)),
-        What::Prop(..) => None,
+    let own = town.placements.iter().filter_map(|p| match p.object {
+        PlacedObject::TownMesh(i) => Some((&town.meshes[i as usize], p.world_from_object)),
+        PlacedObject::Prop(..) => None,
     });
     own.filter(|(mesh, _)| mesh.materials.iter().any(|m| m.tag == ClassTag::Buildings))
         .map(|(mesh, place)| {
@@ -179,12 +185,13 @@ fn nothing_stands_inside_anything_else() {
                 assert!(overlap(a, b) < 0.06, "{}: {a:?} overlaps {b:?} by {}", town.name, overlap(a, b));
             }
         }
-        let posts = town.placements.iter().filter(|p| matches!(p.what, What::Prop(prop, _) if !is_level(prop)));
+        let posts =
+            town.placements.iter().filter(|p| matches!(p.object, PlacedObject::Prop(prop, _) if !is_level(prop)));
         for post in posts {
             let at = post.world_from_object.translation.truncate().as_dvec2();
             let square = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(|(x, y)| at + DVec2::new(x, y) * 0.1);
             let hit = things.iter().find(|t| overlap(t, &square) > 0.0);
-            assert!(hit.is_none(), "{}: {:?} at {at} stands in {hit:?}", town.name, post.what);
+            assert!(hit.is_none(), "{}: {:?} at {at} stands in {hit:?}", town.name, post.object);
         }
     }
 }
@@ -218,7 +225,7 @@ fn lanes_crossings_and_sidewalks_are_clear() {
                 let p = a.lerp(b, f64::from(k) / 10.0);
                 let core = square(p, crossing.width_m / 2.0 - 0.1);
                 assert!(things.iter().all(|t| overlap(t, &core) <= 0.0), "{}: crossing at {p} is blocked", town.name);
-                let posts = town.placements.iter().filter(|q| matches!(q.what, What::Prop(..)));
+                let posts = town.placements.iter().filter(|q| matches!(q.object, PlacedObject::Prop(..)));
                 let clear = posts
                     .map(|q| q.world_from_object.translation.truncate().as_dvec2())
                     .all(|q| q.distance(p) > crossing.width_m / 2.0);
@@ -232,7 +239,7 @@ fn lanes_crossings_and_sidewalks_are_clear() {
 fn still(town: &Town) -> Vec<([Vec3; 3], ClassTag)> {
     let mut all = Vec::new();
     for placement in &town.placements {
-        let What::Own(i) = placement.what else { continue };
+        let PlacedObject::TownMesh(i) = placement.object else { continue };
         let mesh = &town.meshes[i as usize];
         for (t, &m) in mesh.triangles.iter().zip(&mesh.triangle_materials) {
             let corners = t.map(|k| placement.world_from_object.transform_point3(mesh.positions[k as usize]));
@@ -384,19 +391,21 @@ fn cameras_look_at_streets() {
                 site.name
             );
             let forward = camera.world_from_camera.z_axis;
-            let near =
-                town.placements.iter().filter(|p| matches!(p.what, What::Prop(prop, _) if prop != Prop::CameraPole));
+            let near = town
+                .placements
+                .iter()
+                .filter(|p| matches!(p.object, PlacedObject::Prop(prop, _) if prop != Prop::CameraPole));
             for placement in near {
                 let between =
                     Vec3::from(placement.world_from_object.translation).truncate() - camera.position.truncate();
                 let ahead = between.dot(forward.truncate().normalize());
                 let aside = (between.length_squared() - ahead * ahead).max(0.0).sqrt();
-                let low = matches!(placement.what, What::Prop(prop, _) if is_low(prop));
+                let low = matches!(placement.object, PlacedObject::Prop(prop, _) if is_low(prop));
                 assert!(
                     low || !(0.0..1.5).contains(&ahead) || aside > 1.0,
                     "{}: {:?} before {}",
                     town.name,
-                    placement.what,
+                    placement.object,
                     site.name
                 );
             }
@@ -422,4 +431,35 @@ fn is_low(prop: Prop) -> bool {
             | Prop::SignalMast
             | Prop::Flagpole
     )
+}
+
+/// Cameras of the user's own get details before them, too, and the same ones every time.
+#[test]
+fn details_come_near_any_camera() {
+    let catalogue = Catalogue::builtin();
+    let mut with_details = 0;
+    for town in towns() {
+        let line = &town.network.lanes[town.network.lanes.len() / 2].centerline;
+        let here = line.at(line.length() / 2.0);
+        let site = CameraSite {
+            name: "own".to_owned(),
+            position: (here.position.as_vec3() + Vec3::Z * 7.0).to_array(),
+            yaw_rad: here.heading_rad as f32,
+            down_tilt_rad: 0.3,
+            horizontal_fov_rad: 1.4,
+            mount: Mount::Pole,
+        };
+        let details = town.details_near(std::slice::from_ref(&site), &catalogue);
+        assert_eq!(details, town.details_near(std::slice::from_ref(&site), &catalogue), "{}", town.name);
+        assert!(details.len() < 6000, "{}: {} details", town.name, details.len());
+        with_details += usize::from(!details.is_empty());
+        let lens = Vec3::from_array(site.position).truncate();
+        for detail in &details {
+            let distance = Vec3::from(detail.world_from_object.translation).truncate().distance(lens);
+            assert!((2.5..175.0).contains(&distance), "{}: {:?} at {distance} m", town.name, detail.object);
+        }
+        assert!(town.details_near(&[], &catalogue).is_empty());
+    }
+    // There is no lawn before every place.
+    assert!(with_details >= 7, "{with_details} towns have details");
 }

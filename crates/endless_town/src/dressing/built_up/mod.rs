@@ -1,0 +1,6 @@
+//! What is built: buildings on known footprints and along the streets.
+
+pub(crate) mod density;
+pub(crate) mod footprint;
+pub(crate) mod growth;
+pub(crate) mod streets;

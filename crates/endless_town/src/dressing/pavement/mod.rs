@@ -1,0 +1,8 @@
+//! Pavements with their kerbs, bridges and paint.
+
+pub(crate) mod arrow;
+pub(crate) mod bump;
+pub(crate) mod crossing;
+pub(crate) mod infill;
+pub(crate) mod paint;
+pub(crate) mod surface;

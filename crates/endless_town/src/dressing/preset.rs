@@ -1,0 +1,64 @@
+//! What sets one dressed map apart from another: lamps, trees, what is built where.
+
+use crate::building::BuildingKind;
+use crate::palette::ASPHALT;
+use endless_scene::Material;
+use glam::DVec2;
+
+/// What is built on a piece of land.
+#[derive(Debug, Clone)]
+pub(crate) struct BuildingZone {
+    pub(crate) outline: Vec<DVec2>,
+    pub(crate) kinds: &'static [(BuildingKind, f64)],
+    /// Fewest and most.
+    pub(crate) storeys: (u32, u32),
+    /// Share of lots left open.
+    pub(crate) open: f64,
+}
+
+/// How a map is dressed.
+#[derive(Debug, Clone)]
+pub(crate) struct TownPreset {
+    /// One sentence on the town.
+    pub(crate) summary: String,
+    /// Street lamps: linear colour and candela.
+    pub(crate) lamp_color: [f32; 3],
+    pub(crate) lamp_cd: f32,
+    /// Shares of conifers and palms among trees.
+    pub(crate) conifers: f64,
+    pub(crate) palms: f64,
+    /// What roads are paved with.
+    pub(crate) paving: Material,
+    /// What is built where, first come first served; by the roads' density elsewhere.
+    pub(crate) zones: Vec<BuildingZone>,
+    /// Wires hang on poles along all streets, not just along roads without sidewalks.
+    pub(crate) wires: bool,
+    /// Low houses have flat roofs and bright colours.
+    pub(crate) bright: bool,
+    /// Maize grows on the fields.
+    pub(crate) maize: bool,
+    /// Ground between houses is paved where roads are many.
+    pub(crate) yards: bool,
+    /// Buildings grow along the roads even where the map knows some.
+    pub(crate) grows: bool,
+}
+
+impl Default for TownPreset {
+    /// Of towns with zones of their own.
+    fn default() -> Self {
+        Self {
+            summary: String::new(),
+            lamp_color: [1.0, 0.86, 0.66],
+            lamp_cd: 4800.0,
+            conifers: 0.22,
+            palms: 0.0,
+            paving: ASPHALT,
+            zones: Vec::new(),
+            wires: false,
+            bright: false,
+            maize: false,
+            yards: false,
+            grows: true,
+        }
+    }
+}
