@@ -59,9 +59,9 @@ fn props(catalogue: &Catalogue, plants: bool) -> Vec<(String, Mesh)> {
     all
 }
 
-/// One building of every manner.
+/// One building of every style.
 fn buildings() -> Vec<(String, Mesh)> {
-    let names = endless_town::building_manners();
+    let names = endless_town::building_styles();
     names.into_iter().filter_map(|n| Some((n.to_owned(), endless_town::sample_building(n, 3)?))).collect()
 }
 

@@ -30,14 +30,14 @@ pub fn top_view_of(town: &Town, catalogue: &Catalogue, pixels: u32, middle: Vec2
     let width = pixels as usize;
     let n = width * width;
     let scale = pixels as f32 / metres;
-    let mut canvas = Canvas { width, scale, middle, pixels: vec![[24, 26, 30]; n], heights: vec![f32::MIN; n] };
+    let mut canvas = TopViewCanvas { width, scale, middle, pixels: vec![[24, 26, 30]; n], heights: vec![f32::MIN; n] };
     canvas.surfaces(town, catalogue);
     canvas.lines(town);
     canvas.dots(town);
     canvas.pixels
 }
 
-struct Canvas {
+struct TopViewCanvas {
     width: usize,
     scale: f32,
     middle: Vec2,
@@ -45,7 +45,7 @@ struct Canvas {
     heights: Vec<f32>,
 }
 
-impl Canvas {
+impl TopViewCanvas {
     fn pixel(&self, p: Vec2) -> Vec2 {
         let half = self.width as f32 / 2.0;
         let q = p - self.middle;

@@ -2,7 +2,7 @@
 
 use endless_asset::{Catalogue, ImportedThing, PersonModel, Prop, VehicleModel};
 use endless_scene::Mesh;
-use endless_town::{building_manners, sample_building};
+use endless_town::{building_styles, sample_building};
 
 /// Name of the one body that all people are draws of.
 pub(super) const PERSON: &str = "person";
@@ -52,7 +52,7 @@ pub(super) fn names(catalogue: &Catalogue) -> Vec<String> {
     let vehicles = Catalogue::vehicle_kinds().into_iter().map(|k| k.name.to_owned());
     let imported = catalogue.imported_vehicles().iter().map(|v| v.name().to_owned());
     let imported = imported.chain(catalogue.imported_things().iter().map(|t| t.name.clone()));
-    let buildings = building_manners().into_iter().map(|manner| format!("{BUILDING}{manner}"));
+    let buildings = building_styles().into_iter().map(|style| format!("{BUILDING}{style}"));
     let props = Prop::ALL.iter().map(|p| p.name());
     vehicles.chain([PERSON.to_owned()]).chain(buildings).chain(props).chain(imported).collect()
 }
@@ -71,7 +71,7 @@ pub(crate) fn find(catalogue: &Catalogue, name: &str, variant: u64) -> Result<Ca
     if let Some(thing) = catalogue.imported_things().iter().find(|t| t.name == name) {
         return Ok(CatalogueItem::Imported(thing.clone()));
     }
-    if let Some(building) = name.strip_prefix(BUILDING).and_then(|manner| sample_building(manner, variant)) {
+    if let Some(building) = name.strip_prefix(BUILDING).and_then(|style| sample_building(style, variant)) {
         return Ok(CatalogueItem::Building(building));
     }
     let prop = Prop::ALL.iter().copied().find(|p| p.name() == name);

@@ -3,13 +3,13 @@
 use super::item::{BUILDING, PERSON};
 use endless_asset::{Catalogue, Prop, VehicleModel};
 use endless_scene::Mesh;
-use endless_town::{building_manners, sample_building};
+use endless_town::{building_styles, sample_building};
 use glam::Vec3;
 use std::borrow::Borrow;
 
 /// People whose sizes are looked at for the list.
 const PEOPLE: u64 = 64;
-/// Buildings of each manner whose sizes are looked at for the list.
+/// Buildings of each style whose sizes are looked at for the list.
 const BUILDINGS: u64 = 12;
 
 /// An asset as it is listed. Sizes are smallest and largest, metres.
@@ -52,9 +52,9 @@ pub fn list_assets(catalogue: &Catalogue) -> Vec<AssetListing> {
         draws: None,
     });
     let people: Vec<_> = (0..PEOPLE).map(|v| catalogue.person(v).rest).collect();
-    let buildings = building_manners().into_iter().map(|manner| {
-        let all: Vec<Mesh> = (0..BUILDINGS).filter_map(|seed| sample_building(manner, seed)).collect();
-        measured(format!("{BUILDING}{manner}"), "building", &all, None)
+    let buildings = building_styles().into_iter().map(|style| {
+        let all: Vec<Mesh> = (0..BUILDINGS).filter_map(|seed| sample_building(style, seed)).collect();
+        measured(format!("{BUILDING}{style}"), "building", &all, None)
     });
     let props = Prop::ALL.iter().map(|&prop| {
         let all: Vec<Mesh> = (0..catalogue.prop_variants(prop)).map(|v| catalogue.prop(prop, v)).collect();

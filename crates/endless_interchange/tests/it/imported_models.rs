@@ -132,7 +132,7 @@ fn write_folder(folder: &Path) {
         format!("forward = \"{forward}\"\nsize = [{l}, {w}, {}]\nshare = 1.0\n", d.z)
     };
     let bench = size(&catalogue.prop(endless_asset::Prop::Bench, 0), "+x");
-    let cottage = size(&endless_town::sample_building("cottage", 0).expect("a manner"), "+z");
+    let cottage = size(&endless_town::sample_building("cottage", 0).expect("a style"), "+z");
     manifest += &format!("[[asset]]\nfile = \"bench.glb\"\nclass = \"bench\"\n{bench}");
     manifest += &format!("[[asset]]\nfile = \"cottage.glb\"\nclass = \"building\"\n{cottage}");
     fs::write(folder.join("assets.toml"), manifest).expect("writable");

@@ -1,9 +1,10 @@
 //! Buildings on any outline: the same facades, under a flat roof behind a parapet.
 
-use super::manner::Manner;
+use super::dimensions::{BuildingDesign, BuildingDimensions, FacadeRhythm};
+use super::finish::BuildingFinish;
 use super::opening::WindowNumbers;
-use super::storeyed::{Measures, Rhythm, add_wall, make_styled};
-use super::style::Style;
+use super::storeyed::{add_wall, make_designed};
+use super::style::RoofForm;
 use super::wall::Wall;
 use crate::geometry::{triangulate, with_holes};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
@@ -19,7 +20,7 @@ const BLANK_M: f64 = 2.2;
 
 /// A building's outline in its own frame, metres.
 #[derive(Debug, Clone)]
-pub(crate) struct Block<'a> {
+pub(crate) struct BuildingOutline<'a> {
     /// Counter-clockwise.
     pub(crate) outline: &'a [DVec2],
     /// Clockwise.
@@ -34,60 +35,65 @@ pub(crate) struct Block<'a> {
     pub(crate) height: Option<f32>,
 }
 
-fn styled(measures: &Measures, block: &Block<'_>, stream: &mut Stream) -> (Style, Rhythm) {
-    let mut style = measures.style(stream);
+fn styled(
+    dimensions: &BuildingDimensions,
+    block: &BuildingOutline<'_>,
+    stream: &mut Stream,
+) -> (BuildingFinish, FacadeRhythm) {
+    let mut finish = dimensions.finish(stream);
     if let Some(color) = block.color {
-        style.wall.base_color = color;
-        style.base.base_color = color;
-        style.joinery.wall.base_color = color;
+        finish.wall.base_color = color;
+        finish.base.base_color = color;
+        finish.joinery.wall.base_color = color;
     }
-    let rhythm = Rhythm::of(style.manner, measures.shops, stream);
-    let rhythm = block.height.map_or(rhythm, |height| rhythm.stretched(height, measures.storeys));
-    (style, rhythm)
+    let rhythm = FacadeRhythm::of(finish.style, dimensions.shops, stream);
+    let rhythm = block.height.map_or(rhythm, |height| rhythm.stretched(height, dimensions.storeys));
+    (finish, rhythm)
 }
 
 /// A building on an outline.
 pub(crate) fn house(
-    measures: &Measures,
-    block: &Block<'_>,
+    dimensions: &BuildingDimensions,
+    block: &BuildingOutline<'_>,
     stream: &mut Stream,
     numbers: &mut WindowNumbers,
 ) -> (Mesh, f32) {
-    let (style, rhythm) = styled(measures, block, stream);
-    let height = rhythm.height(measures.storeys);
+    let (finish, rhythm) = styled(dimensions, block, stream);
+    let height = rhythm.height(dimensions.storeys);
+    let design = BuildingDesign { dimensions, finish: &finish, rhythm: &rhythm };
     let mut mesh = MeshBuilder::new();
     for (k, wall) in edges(block.outline).enumerate() {
         let blank = f64::from(wall.width) < BLANK_M || block.blind.get(k).copied().unwrap_or(false);
-        raise(&mut mesh, &wall, (k == block.front, blank), measures, &style, &rhythm, stream, numbers);
+        raise(&mut mesh, &wall, (k == block.front, blank), design, stream, numbers);
     }
     for wall in block.holes.iter().flat_map(|hole| edges(hole)) {
-        raise(&mut mesh, &wall, (false, f64::from(wall.width) < BLANK_M), measures, &style, &rhythm, stream, numbers);
+        raise(&mut mesh, &wall, (false, f64::from(wall.width) < BLANK_M), design, stream, numbers);
     }
     let parapet = stream.range_f32(0.35, 0.8);
-    flat_roof(&mut mesh, block, height, parapet, &style);
+    flat_roof(&mut mesh, block, height, parapet, &finish);
     let middle = around(block.outline);
-    if style.manner == Manner::Latin {
-        super::top::on_latin_roof(&mut mesh, middle, height, stream);
+    if matches!(finish.style.roof, RoofForm::Unfinished) {
+        super::top::on_unfinished_roof(&mut mesh, middle, height, stream);
     } else {
-        super::top::on_flat_roof(&mut mesh, measures, middle, height, &style, stream);
+        super::top::on_flat_roof(&mut mesh, dimensions, middle, height, &finish, stream);
     }
     (mesh.finish(), height + parapet)
 }
 
 /// A building on a rectangle: front along x at y = 0, with the roofs that rectangles can have.
 pub(crate) fn on_rectangle(
-    measures: &Measures,
-    block: &Block<'_>,
+    dimensions: &BuildingDimensions,
+    block: &BuildingOutline<'_>,
     stream: &mut Stream,
     numbers: &mut WindowNumbers,
 ) -> (Mesh, f32) {
-    let (style, rhythm) = styled(measures, block, stream);
-    let height = rhythm.height(measures.storeys);
-    let mesh = make_styled(measures, &style, &rhythm, stream, numbers);
+    let (finish, rhythm) = styled(dimensions, block, stream);
+    let height = rhythm.height(dimensions.storeys);
+    let mesh = make_designed(BuildingDesign { dimensions, finish: &finish, rhythm: &rhythm }, stream, numbers);
     let mut whole = MeshBuilder::new();
     whole.mesh(&mesh, glam::Affine3A::IDENTITY);
     for wall in edges(block.outline) {
-        wall.panel(&mut whole, [0.0, wall.width], [-FOUNDATION_M, 0.0], 0.0, style.trim);
+        wall.panel(&mut whole, [0.0, wall.width], [-FOUNDATION_M, 0.0], 0.0, finish.trim);
     }
     (whole.finish(), height + 1.0)
 }
@@ -114,22 +120,21 @@ fn raise(
     mesh: &mut MeshBuilder,
     wall: &Wall,
     (front, blank): (bool, bool),
-    measures: &Measures,
-    style: &Style,
-    rhythm: &Rhythm,
+    design: BuildingDesign<'_>,
     stream: &mut Stream,
     numbers: &mut WindowNumbers,
 ) {
-    wall.panel(mesh, [0.0, wall.width], [-FOUNDATION_M, 0.0], 0.0, style.trim);
+    let BuildingDesign { dimensions, finish, rhythm } = design;
+    wall.panel(mesh, [0.0, wall.width], [-FOUNDATION_M, 0.0], 0.0, finish.trim);
     if blank {
-        wall.panel(mesh, [0.0, wall.width], [0.0, rhythm.height(measures.storeys)], 0.0, style.wall);
+        wall.panel(mesh, [0.0, wall.width], [0.0, rhythm.height(dimensions.storeys)], 0.0, finish.wall);
     } else {
-        add_wall(mesh, wall, if front { 0 } else { 2 }, measures, style, rhythm, stream, numbers);
+        add_wall(mesh, wall, if front { 0 } else { 2 }, design, stream, numbers);
     }
 }
 
 /// A roof at `height`, and a parapet around it and around courtyards.
-fn flat_roof(mesh: &mut MeshBuilder, block: &Block<'_>, height: f32, parapet: f32, style: &Style) {
+fn flat_roof(mesh: &mut MeshBuilder, block: &BuildingOutline<'_>, height: f32, parapet: f32, finish: &BuildingFinish) {
     let inner = inset(block.outline);
     let holes: Vec<Vec<DVec2>> = block.holes.iter().map(|hole| inset(hole)).collect();
     let joined = with_holes(&inner, &holes);
@@ -149,9 +154,9 @@ fn flat_roof(mesh: &mut MeshBuilder, block: &Block<'_>, height: f32, parapet: f3
             if a.distance(b) < 0.01 || c.distance(d) < 0.01 {
                 continue;
             }
-            mesh.quad([at(a, height), at(b, height), at(b, top), at(a, top)], uv(parapet), style.wall);
-            mesh.quad([at(c, height), at(d, height), at(d, top), at(c, top)], uv(parapet), style.wall);
-            mesh.quad([at(a, top), at(b, top), at(c, top), at(d, top)], uv(PARAPET_M as f32), style.trim);
+            mesh.quad([at(a, height), at(b, height), at(b, top), at(a, top)], uv(parapet), finish.wall);
+            mesh.quad([at(c, height), at(d, height), at(d, top), at(c, top)], uv(parapet), finish.wall);
+            mesh.quad([at(a, top), at(b, top), at(c, top), at(d, top)], uv(PARAPET_M as f32), finish.trim);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What fills the holes in walls: windows, doors, shop fronts, gates.
 
-use super::wall::{Hole, Wall};
+use super::wall::{Wall, WallOpening};
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::ClassTag;
 use glam::Vec2;
@@ -22,7 +22,7 @@ impl WindowNumbers {
 
 /// How much of a window is modelled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Detail {
+pub(crate) enum WindowDetail {
     /// Reveal, frame, cross-bar and sill.
     Full,
     /// The same with a sill that does not reach over to a neighbour.
@@ -46,8 +46,15 @@ const SHOP_GLASS: Material = Material::new(Surface::ShopGlass, [0.06, 0.07, 0.08
 const FRAME_M: f32 = 0.07;
 
 /// A border of `width` within a hole, at a depth; returns what is left inside.
-fn border(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, width: f32, out: f32, material: Material) -> Hole {
-    let inner = Hole { u: [hole.u[0] + width, hole.u[1] - width], v: [hole.v[0] + width, hole.v[1] - width] };
+fn border(
+    mesh: &mut MeshBuilder,
+    wall: &Wall,
+    hole: &WallOpening,
+    width: f32,
+    out: f32,
+    material: Material,
+) -> WallOpening {
+    let inner = WallOpening { u: [hole.u[0] + width, hole.u[1] - width], v: [hole.v[0] + width, hole.v[1] - width] };
     wall.panel(mesh, hole.u, [hole.v[0], inner.v[0]], out, material);
     wall.panel(mesh, hole.u, [inner.v[1], hole.v[1]], out, material);
     wall.panel(mesh, [hole.u[0], inner.u[0]], inner.v, out, material);
@@ -58,15 +65,15 @@ fn border(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, width: f32, out: f32
 pub(crate) fn window(
     mesh: &mut MeshBuilder,
     wall: &Wall,
-    hole: &Hole,
+    hole: &WallOpening,
     joinery: &Joinery,
-    detail: Detail,
+    detail: WindowDetail,
     numbers: &mut WindowNumbers,
 ) {
     wall.reveal(mesh, hole, joinery.recess, joinery.wall);
     let inner = border(mesh, wall, hole, FRAME_M, -joinery.recess, joinery.frame);
     let square = numbers.next_square();
-    if detail == Detail::Plain {
+    if detail == WindowDetail::Plain {
         wall.panel_uv(mesh, inner.u, inner.v, -joinery.recess, square, GLASS);
         return;
     }
@@ -84,12 +91,18 @@ pub(crate) fn window(
         mesh,
         [hole.u[0] - 0.06, hole.u[1] + 0.06],
         [hole.v[0] - 0.07, hole.v[0] - 0.005],
-        [0.0, if detail == Detail::Full { 0.09 } else { 0.035 }],
+        [0.0, if detail == WindowDetail::Full { 0.09 } else { 0.035 }],
         joinery.sill,
     );
 }
 
-pub(crate) fn door(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, joinery: &Joinery, numbers: &mut WindowNumbers) {
+pub(crate) fn door(
+    mesh: &mut MeshBuilder,
+    wall: &Wall,
+    hole: &WallOpening,
+    joinery: &Joinery,
+    numbers: &mut WindowNumbers,
+) {
     let depth = joinery.recess + 0.08;
     wall.reveal(mesh, hole, depth, joinery.wall);
     let light = hole.v[1] - hole.v[0] > 2.3;
@@ -114,7 +127,7 @@ pub(crate) fn door(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, joinery: &J
 pub(crate) fn shop_front(
     mesh: &mut MeshBuilder,
     wall: &Wall,
-    hole: &Hole,
+    hole: &WallOpening,
     joinery: &Joinery,
     numbers: &mut WindowNumbers,
 ) {
@@ -128,7 +141,7 @@ pub(crate) fn shop_front(
         let u = [hole.u[0] + pane * k as f32, hole.u[0] + pane * (k + 1) as f32];
         let riser = if k == door { 0.03 } else { 0.4 };
         wall.panel(mesh, u, [hole.v[0], hole.v[0] + riser], -depth, joinery.frame);
-        let bay = Hole { u, v: [hole.v[0] + riser, hole.v[1]] };
+        let bay = WallOpening { u, v: [hole.v[0] + riser, hole.v[1]] };
         let inner = border(mesh, wall, &bay, 0.05, -depth, joinery.frame);
         wall.panel_uv(mesh, inner.u, inner.v, -depth, numbers.next_square(), SHOP_GLASS);
         if k == door {
@@ -139,7 +152,7 @@ pub(crate) fn shop_front(
 }
 
 /// A gate of horizontal slats.
-pub(crate) fn gate(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, joinery: &Joinery) {
+pub(crate) fn gate(mesh: &mut MeshBuilder, wall: &Wall, hole: &WallOpening, joinery: &Joinery) {
     let depth = 0.2;
     wall.reveal(mesh, hole, depth, joinery.wall);
     wall.panel(mesh, hole.u, hole.v, -depth, joinery.door);

@@ -1,7 +1,7 @@
 //! What is fixed to facades: surrounds, shutters, grilles, blinds, pipes, machines, fire escapes, letters, posters.
 
-use super::style::Style;
-use super::wall::{Hole, Wall};
+use super::finish::BuildingFinish;
+use super::wall::{Wall, WallOpening};
 use endless_asset::Catalogue;
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
@@ -52,7 +52,7 @@ const NAMES: &[&str] = &[
 ];
 
 /// The frame of plaster or stone about a window, with a hood over it if it is a fine one.
-pub(super) fn surround(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, fine: bool, material: Material) {
+pub(super) fn surround(mesh: &mut MeshBuilder, wall: &Wall, hole: &WallOpening, fine: bool, material: Material) {
     let ([u0, u1], [v0, v1]) = (hole.u, hole.v);
     let (w, out) = (0.13, [0.0, 0.036]);
     wall.block(mesh, [u0 - w, u0], [v0, v1 + w], out, material);
@@ -67,7 +67,7 @@ pub(super) fn surround(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, fine: b
 }
 
 /// A stone over a window.
-pub(super) fn lintel(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, material: Material) {
+pub(super) fn lintel(mesh: &mut MeshBuilder, wall: &Wall, hole: &WallOpening, material: Material) {
     let ([u0, u1], v) = (hole.u, hole.v[1]);
     wall.block(mesh, [u0 - 0.14, u1 + 0.14], [v, v + 0.2], [0.0, 0.035], material);
     let middle = (u0 + u1) / 2.0;
@@ -78,7 +78,7 @@ pub(super) fn lintel(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, material:
 pub(super) fn shutters(
     mesh: &mut MeshBuilder,
     wall: &Wall,
-    hole: &Hole,
+    hole: &WallOpening,
     (room, slatted): (f32, bool),
     material: Material,
 ) {
@@ -99,7 +99,7 @@ pub(super) fn shutters(
 }
 
 /// Bars before a window.
-pub(super) fn grille(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, material: Material) {
+pub(super) fn grille(mesh: &mut MeshBuilder, wall: &Wall, hole: &WallOpening, material: Material) {
     let ([u0, u1], [v0, v1]) = (hole.u, hole.v);
     let count = ((u1 - u0) / 0.15) as usize;
     for k in 0..=count {
@@ -115,7 +115,7 @@ pub(super) fn grille(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, material:
 pub(super) fn roller_blind(
     mesh: &mut MeshBuilder,
     wall: &Wall,
-    hole: &Hole,
+    hole: &WallOpening,
     recess: f32,
     drop: f32,
     material: Material,
@@ -167,7 +167,7 @@ pub(super) fn dish(mesh: &mut MeshBuilder, wall: &Wall, u: f32, v: f32) {
 }
 
 /// A box with flowers under a window.
-pub(super) fn flower_box(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, stream: &mut Stream) {
+pub(super) fn flower_box(mesh: &mut MeshBuilder, wall: &Wall, hole: &WallOpening, stream: &mut Stream) {
     let green = Material::new(Surface::Foliage, [0.05, 0.11, 0.03], ClassTag::Vegetation);
     let petals = [[0.60, 0.03, 0.05], [0.62, 0.12, 0.40], [0.70, 0.45, 0.05], [0.70, 0.68, 0.66]];
     let petal = Material::new(Surface::Foliage, *stream.pick(&petals), ClassTag::Vegetation);
@@ -263,18 +263,24 @@ pub(super) fn letters(
 }
 
 /// The name over a shop: dark on light or light on dark.
-pub(super) fn shop_name(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, style: &Style, stream: &mut Stream) {
-    let bright: f32 = style.sign.base_color.iter().sum();
+pub(super) fn shop_name(
+    mesh: &mut MeshBuilder,
+    wall: &Wall,
+    hole: &WallOpening,
+    finish: &BuildingFinish,
+    stream: &mut Stream,
+) {
+    let bright: f32 = finish.sign.base_color.iter().sum();
     let ink = if bright > 1.0 { [0.04, 0.04, 0.05] } else { [0.80, 0.79, 0.74] };
-    let material = Material { base_color: ink, ..style.sign };
+    let material = Material { base_color: ink, ..finish.sign };
     let name: &&str = stream.pick(NAMES);
     letters(mesh, wall, (hole.u, 3.25), 0.168, 0.40, name, material);
 }
 
 /// A sign that stands out from the wall, to be read from along the street.
-pub(super) fn projecting_sign(mesh: &mut MeshBuilder, wall: &Wall, u: f32, v: f32, style: &Style) {
+pub(super) fn projecting_sign(mesh: &mut MeshBuilder, wall: &Wall, u: f32, v: f32, finish: &BuildingFinish) {
     wall.block(mesh, [u - 0.02, u + 0.02], [v + 0.5, v + 0.54], [0.0, 0.75], IRON);
-    wall.block(mesh, [u - 0.05, u + 0.05], [v - 0.1, v + 0.5], [0.12, 0.72], style.sign);
+    wall.block(mesh, [u - 0.05, u + 0.05], [v - 0.1, v + 0.5], [0.12, 0.72], finish.sign);
 }
 
 /// Posters pasted side by side.

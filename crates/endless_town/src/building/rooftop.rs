@@ -2,7 +2,7 @@
 
 use super::opening::WindowNumbers;
 use super::roof::boxed;
-use super::wall::{Hole, Wall};
+use super::wall::{Wall, WallOpening};
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
@@ -138,7 +138,7 @@ pub(super) fn dormer(
 ) {
     let (half, high, ridge) = (0.75, 1.35, 0.5);
     let front = Wall::upright(Vec3::new(x - half, y, z), Vec3::X, 2.0 * half);
-    let hole = Hole { u: [0.25, 2.0 * half - 0.25], v: [0.2, high - 0.1] };
+    let hole = WallOpening { u: [0.25, 2.0 * half - 0.25], v: [0.2, high - 0.1] };
     front.pierced(mesh, [0.0, high], &[hole], wall);
     front.reveal(mesh, &hole, 0.12, wall);
     front.block(mesh, hole.u, hole.v, [-0.12, -0.10], frame);

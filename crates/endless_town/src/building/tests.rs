@@ -1,27 +1,26 @@
-//! Buildings of every manner are sound: closed as seen from the street, wound alike, on the ground, of real sizes.
+//! Buildings of every style are sound: closed as seen from the street, wound alike, on the ground, of real sizes.
 
-use super::manner::Manner;
-use super::{building_manners, sample_building};
+use super::{building_styles, sample_building};
 use endless_scene::Mesh;
 use endless_world::{Stream, math};
 use glam::Vec3;
 use std::sync::Mutex;
 
-/// Buildings of each manner.
+/// Buildings of each style.
 const SEEDS: u64 = 200;
 /// And those that are looked at from all sides.
 const SEEN: u64 = 12;
 
-/// Some of every manner, on two threads.
+/// Some of every style, on two threads.
 fn each(seeds: u64, look: impl Fn(&str, u64, &Mesh) + Sync) {
-    let manners = building_manners();
+    let styles = building_styles();
     std::thread::scope(|scope| {
         for half in 0..2 {
-            let (manners, look) = (&manners, &look);
+            let (styles, look) = (&styles, &look);
             scope.spawn(move || {
-                for name in manners.iter().skip(half).step_by(2) {
+                for name in styles.iter().skip(half).step_by(2) {
                     for seed in 0..seeds {
-                        look(name, seed, &sample_building(name, seed).expect("a manner of the list"));
+                        look(name, seed, &sample_building(name, seed).expect("a style of the list"));
                     }
                 }
             });
@@ -34,8 +33,8 @@ fn corners(mesh: &Mesh) -> Vec<[Vec3; 3]> {
 }
 
 #[test]
-fn there_are_two_dozen_manners_with_names_of_their_own() {
-    let names = building_manners();
+fn there_are_two_dozen_styles_with_names_of_their_own() {
+    let names = building_styles();
     assert!(names.len() >= 24);
     for (i, name) in names.iter().enumerate() {
         assert!(!names[..i].contains(name), "{name}");
@@ -113,20 +112,4 @@ fn buildings_are_closed_as_seen_from_the_street() {
     });
     let open = open.into_inner().expect("nobody panicked");
     assert!(open.is_empty(), "{open:#?}");
-}
-
-#[test]
-fn every_manner_is_drawn_or_asked_for() {
-    let mut seen: Vec<Manner> = vec![Manner::Church, Manner::Latin];
-    for (_, kind, _) in Manner::ALL {
-        for storeys in [1, 2, 3, 5, 8, 14] {
-            for seed in 0..40 {
-                let mut stream = Stream::named(seed, "manner", &[]);
-                seen.push(Manner::draw(kind, storeys, seed % 2 == 0, &mut stream));
-            }
-        }
-    }
-    for (manner, ..) in Manner::ALL {
-        assert!(seen.contains(&manner), "{manner:?}");
-    }
 }

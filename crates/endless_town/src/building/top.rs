@@ -1,96 +1,105 @@
 //! Which roof a building bears, and what stands on it.
 
+use super::dimensions::{BuildingDesign, BuildingDimensions};
+use super::finish::BuildingFinish;
 use super::kind::BuildingKind;
-use super::manner::Manner;
 use super::opening::WindowNumbers;
 use super::roof::{boxed, chimney, flat, gabled, hipped, plant};
 use super::rooftop::{aerial, barrel, dormer, gutter, machines, rebar, skylight, solar, water_tank};
-use super::storeyed::Measures;
-use super::style::Style;
+use super::style::{OnRoof, RoofForm};
 use super::wall::Wall;
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{Vec2, Vec3};
 
-type Plan = ([f32; 2], [f32; 2]);
+/// From where to where a roof reaches along x and y, metres.
+type RoofExtent = ([f32; 2], [f32; 2]);
 
+/// The roof of a rectangular building, with what stands on it.
 pub(super) fn add_roof(
     mesh: &mut MeshBuilder,
-    measures: &Measures,
-    (x, y): Plan,
-    height: f32,
-    style: &Style,
+    design: BuildingDesign<'_>,
+    (x, y): RoofExtent,
     stream: &mut Stream,
     numbers: &mut WindowNumbers,
 ) {
-    let low_terrace = measures.kind == BuildingKind::Terrace && measures.storeys <= 4;
-    match style.manner {
-        Manner::Villa => {
-            let rise = measures.depth.min(measures.width) * stream.range_f32(0.3, 0.4);
-            hipped(mesh, (x, y), height, rise, (style.roof, style.trim));
-            chimney(mesh, measures.width * 0.2, measures.depth * 0.58, height + 0.2, height + rise + 0.7);
-            dormers(mesh, measures, height, rise / (measures.depth.min(measures.width) / 2.0 + 0.4), style, numbers);
+    let BuildingDesign { dimensions, finish, rhythm } = design;
+    let height = rhythm.height(dimensions.storeys);
+    let low_terrace = dimensions.kind == BuildingKind::Terrace && dimensions.storeys <= 4;
+    match finish.style.roof {
+        RoofForm::Hipped => {
+            let rise = dimensions.depth.min(dimensions.width) * stream.range_f32(0.3, 0.4);
+            hipped(mesh, (x, y), height, rise, (finish.roof, finish.trim));
+            chimney(mesh, dimensions.width * 0.2, dimensions.depth * 0.58, height + 0.2, height + rise + 0.7);
+            dormers(
+                mesh,
+                dimensions,
+                height,
+                rise / (dimensions.depth.min(dimensions.width) / 2.0 + 0.4),
+                finish,
+                numbers,
+            );
         }
-        Manner::Cottage | Manner::Weatherboard => {
-            let along = measures.width >= measures.depth || stream.chance(0.4);
-            let across = if along { measures.depth } else { measures.width };
+        RoofForm::Gabled => {
+            let along = dimensions.width >= dimensions.depth || stream.chance(0.4);
+            let across = if along { dimensions.depth } else { dimensions.width };
             let rise = across * stream.range_f32(0.3, 0.42);
-            let slopes = gabled(mesh, (x, y), height, rise, (along, 0.45, 0.3), (style.roof, style.wall));
-            dress_slopes(mesh, &slopes, measures, stream, numbers);
-            let cx = measures.width * stream.range_f32(-0.3, 0.3);
-            chimney(mesh, cx, measures.depth * 0.58, height + 0.2, height + rise + 0.7);
+            let slopes = gabled(mesh, (x, y), height, rise, (along, 0.45, 0.3), (finish.roof, finish.wall));
+            dress_slopes(mesh, &slopes, dimensions, stream, numbers);
+            let cx = dimensions.width * stream.range_f32(-0.3, 0.3);
+            chimney(mesh, cx, dimensions.depth * 0.58, height + 0.2, height + rise + 0.7);
         }
-        Manner::TimberFrame | Manner::TerracedBrick | Manner::OldTown if low_terrace => {
-            let rise = measures.depth * stream.range_f32(0.28, 0.38);
-            let slopes = gabled(mesh, (x, y), height, rise, (true, 0.3, 0.0), (style.roof, style.wall));
+        RoofForm::Row { dormers: always } if low_terrace => {
+            let rise = dimensions.depth * stream.range_f32(0.28, 0.38);
+            let slopes = gabled(mesh, (x, y), height, rise, (true, 0.3, 0.0), (finish.roof, finish.wall));
             gutter(mesh, &slopes[0]);
             gutter(mesh, &slopes[1]);
-            if style.manner == Manner::OldTown || stream.chance(0.4) {
-                dormers(mesh, measures, height, rise / (measures.depth / 2.0), style, numbers);
+            if always || stream.chance(0.4) {
+                dormers(mesh, dimensions, height, rise / (dimensions.depth / 2.0), finish, numbers);
             } else {
                 skylight(mesh, &slopes[0], slopes[0].width * 0.5, 1.6, numbers);
             }
-            chimney(mesh, x[0] + 0.6, measures.depth * 0.62, height + 0.3, height + rise + 0.6);
+            chimney(mesh, x[0] + 0.6, dimensions.depth * 0.62, height + 0.3, height + rise + 0.6);
             if stream.chance(0.5) {
-                aerial(mesh, Vec3::new(x[1] - 1.0, measures.depth * 0.5, height + rise + 0.1), stream);
+                aerial(mesh, Vec3::new(x[1] - 1.0, dimensions.depth * 0.5, height + rise + 0.1), stream);
             }
         }
-        Manner::Barn => {
-            let rise = measures.width * 0.42;
-            gabled(mesh, (x, y), height, rise, (false, 0.5, 0.4), (style.roof, style.wall));
+        RoofForm::Barn => {
+            let rise = dimensions.width * 0.42;
+            gabled(mesh, (x, y), height, rise, (false, 0.5, 0.4), (finish.roof, finish.wall));
             // A vent on the ridge.
-            let middle = measures.depth / 2.0;
+            let middle = dimensions.depth / 2.0;
             boxed(
                 mesh,
                 [-0.5, 0.5],
                 [middle - 0.5, middle + 0.5],
                 [height + rise - 0.2, height + rise + 0.8],
-                style.wall,
+                finish.wall,
             );
         }
-        Manner::Works => saw_tooth(mesh, (x, y), height, style, numbers),
-        Manner::Warehouse => {
-            flat(mesh, (x, y), height, 0.35, (style.wall, style.trim));
+        RoofForm::SawTooth => saw_tooth(mesh, (x, y), height, finish, numbers),
+        RoofForm::Rooflights => {
+            flat(mesh, (x, y), height, 0.35, (finish.wall, finish.trim));
             for k in 1..4 {
-                let cx = x[0] + measures.width * k as f32 / 4.0;
-                boxed(mesh, [cx - 0.9, cx + 0.9], [3.0, measures.depth - 3.0], [height, height + 0.45], style.trim);
+                let cx = x[0] + dimensions.width * k as f32 / 4.0;
+                boxed(mesh, [cx - 0.9, cx + 0.9], [3.0, dimensions.depth - 3.0], [height, height + 0.45], finish.trim);
             }
             machines(mesh, (x, y), height, stream);
         }
-        Manner::Latin => {
-            flat(mesh, (x, y), height, stream.range_f32(0.15, 0.7), (style.wall, style.trim));
-            on_latin_roof(mesh, (x, y), height, stream);
+        RoofForm::Unfinished => {
+            flat(mesh, (x, y), height, stream.range_f32(0.15, 0.7), (finish.wall, finish.trim));
+            on_unfinished_roof(mesh, (x, y), height, stream);
         }
-        _ => {
-            flat(mesh, (x, y), height, stream.range_f32(0.45, 1.0), (style.wall, style.trim));
+        RoofForm::Row { .. } | RoofForm::Flat => {
+            flat(mesh, (x, y), height, stream.range_f32(0.45, 1.0), (finish.wall, finish.trim));
             plant(mesh, (x, y), height, stream);
-            on_flat_roof(mesh, measures, (x, y), height, style, stream);
+            on_flat_roof(mesh, dimensions, (x, y), height, finish, stream);
         }
     }
 }
 
 /// Tanks, bars and aerials over low houses.
-pub(super) fn on_latin_roof(mesh: &mut MeshBuilder, (x, y): Plan, height: f32, stream: &mut Stream) {
+pub(super) fn on_unfinished_roof(mesh: &mut MeshBuilder, (x, y): RoofExtent, height: f32, stream: &mut Stream) {
     let (w, d) = (x[1] - x[0], y[1] - y[0]);
     if stream.chance(0.6) {
         rebar(mesh, (x, y), height, stream);
@@ -107,21 +116,21 @@ pub(super) fn on_latin_roof(mesh: &mut MeshBuilder, (x, y): Plan, height: f32, s
 /// What flats, offices and tenements have up there.
 pub(super) fn on_flat_roof(
     mesh: &mut MeshBuilder,
-    measures: &Measures,
-    (x, y): Plan,
+    dimensions: &BuildingDimensions,
+    (x, y): RoofExtent,
     height: f32,
-    style: &Style,
+    finish: &BuildingFinish,
     stream: &mut Stream,
 ) {
     let middle = Vec3::new((x[0] + x[1]) / 2.0, (y[0] + y[1]) / 2.0, height);
-    match measures.kind {
+    match dimensions.kind {
         BuildingKind::Office | BuildingKind::Tower | BuildingKind::Shop => machines(mesh, (x, y), height, stream),
         _ => {}
     }
-    if style.manner == Manner::Tenement && measures.storeys >= 4 && stream.chance(0.6) {
+    if finish.style.on_roof == OnRoof::WaterBarrel && dimensions.storeys >= 4 && stream.chance(0.6) {
         barrel(mesh, middle + Vec3::new(0.0, 1.0, 0.0));
     }
-    if matches!(measures.kind, BuildingKind::Flats | BuildingKind::Terrace) {
+    if matches!(dimensions.kind, BuildingKind::Flats | BuildingKind::Terrace) {
         for _ in 0..1 + stream.below(3) {
             let off = Vec3::new(
                 stream.range_f32(-0.35, 0.35) * (x[1] - x[0]),
@@ -131,7 +140,7 @@ pub(super) fn on_flat_roof(
             aerial(mesh, middle + off, stream);
         }
     }
-    if style.manner == Manner::GlassTower && stream.chance(0.5) {
+    if finish.style.on_roof == OnRoof::Mast && stream.chance(0.5) {
         let steel = Material::new(Surface::Metal, [0.40, 0.40, 0.41], ClassTag::Buildings);
         boxed(mesh, [middle.x - 0.2, middle.x + 0.2], [middle.y - 0.2, middle.y + 0.2], [height, height + 9.0], steel);
     }
@@ -141,7 +150,7 @@ pub(super) fn on_flat_roof(
 fn dress_slopes(
     mesh: &mut MeshBuilder,
     slopes: &[Wall; 2],
-    measures: &Measures,
+    dimensions: &BuildingDimensions,
     stream: &mut Stream,
     numbers: &mut WindowNumbers,
 ) {
@@ -149,7 +158,7 @@ fn dress_slopes(
         gutter(mesh, slope);
     }
     let slope = &slopes[stream.below(2)];
-    let long = measures.depth.min(measures.width) / 2.0;
+    let long = dimensions.depth.min(dimensions.width) / 2.0;
     if stream.chance(0.3) && long > 3.2 {
         let count = ((slope.width - 2.0) / 1.08) as usize;
         solar(mesh, slope, 1.0, 1.2, count.min(6));
@@ -162,28 +171,34 @@ fn dress_slopes(
 /// Dormers on the slope towards the street; `rise` is metres up a metre in.
 fn dormers(
     mesh: &mut MeshBuilder,
-    measures: &Measures,
+    dimensions: &BuildingDimensions,
     height: f32,
     rise: f32,
-    style: &Style,
+    finish: &BuildingFinish,
     numbers: &mut WindowNumbers,
 ) {
     // Flat roofs have no room for them, and short slopes end below their ridges.
-    if rise < 0.45 || rise * measures.depth / 2.0 < 2.6 {
+    if rise < 0.45 || rise * dimensions.depth / 2.0 < 2.6 {
         return;
     }
-    let count = ((measures.width - 2.5) / 3.2).floor().max(1.0) as usize;
-    let pitch = (measures.width - 2.0) / count as f32;
+    let count = ((dimensions.width - 2.5) / 3.2).floor().max(1.0) as usize;
+    let pitch = (dimensions.width - 2.0) / count as f32;
     for k in 0..count {
-        let x = -measures.width / 2.0 + 1.0 + pitch * (k as f32 + 0.5);
+        let x = -dimensions.width / 2.0 + 1.0 + pitch * (k as f32 + 0.5);
         let y = 0.55;
         let z = height + rise * y + 0.1;
-        dormer(mesh, (x, y, z), rise, (style.wall, style.roof, style.joinery.frame), numbers);
+        dormer(mesh, (x, y, z), rise, (finish.wall, finish.roof, finish.joinery.frame), numbers);
     }
 }
 
 /// Teeth of glass towards the back, of tiles towards the front.
-fn saw_tooth(mesh: &mut MeshBuilder, (x, y): Plan, height: f32, style: &Style, numbers: &mut WindowNumbers) {
+fn saw_tooth(
+    mesh: &mut MeshBuilder,
+    (x, y): RoofExtent,
+    height: f32,
+    finish: &BuildingFinish,
+    numbers: &mut WindowNumbers,
+) {
     let teeth = ((y[1] - y[0]) / 5.0).round().max(1.0) as usize;
     let pitch = (y[1] - y[0]) / teeth as f32;
     let rise = 2.1;
@@ -194,39 +209,39 @@ fn saw_tooth(mesh: &mut MeshBuilder, (x, y): Plan, height: f32, style: &Style, n
         let slant = (pitch * pitch + rise * rise).sqrt();
         let uv = [[0.0, 0.0], [width, 0.0], [width, slant], [0.0, slant]].map(Vec2::from_array);
         let top = height + rise;
-        mesh.quad([p(x[0], a, height), p(x[1], a, height), p(x[1], b, top), p(x[0], b, top)], uv, style.accent);
+        mesh.quad([p(x[0], a, height), p(x[1], a, height), p(x[1], b, top), p(x[0], b, top)], uv, finish.accent);
         let glazed = Wall::upright(p(x[1], b, height), Vec3::NEG_X, width);
-        glazed.panel(mesh, [0.0, width], [0.0, 0.35], 0.0, style.wall);
-        glazed.panel(mesh, [0.0, width], [rise - 0.2, rise], 0.0, style.wall);
+        glazed.panel(mesh, [0.0, width], [0.0, 0.35], 0.0, finish.wall);
+        glazed.panel(mesh, [0.0, width], [rise - 0.2, rise], 0.0, finish.wall);
         let panes = (width / 1.6).round().max(1.0) as usize;
         let glass = Material::new(Surface::WindowGlass, [0.05, 0.06, 0.07], ClassTag::Buildings);
         for i in 0..panes {
             let u = [width * i as f32 / panes as f32, width * (i + 1) as f32 / panes as f32];
-            glazed.panel(mesh, [u[0], u[0] + 0.06], [0.35, rise - 0.2], 0.0, style.joinery.frame);
+            glazed.panel(mesh, [u[0], u[0] + 0.06], [0.35, rise - 0.2], 0.0, finish.joinery.frame);
             glazed.panel_uv(mesh, [u[0] + 0.06, u[1]], [0.35, rise - 0.2], 0.0, numbers.next_square(), glass);
         }
         let uv3 = [[0.0, 0.0], [pitch, 0.0], [pitch, rise]].map(Vec2::from_array);
-        mesh.triangle([p(x[1], a, height), p(x[1], b, height), p(x[1], b, top)], uv3, style.wall);
-        mesh.triangle([p(x[0], b, height), p(x[0], a, height), p(x[0], b, top)], uv3, style.wall);
+        mesh.triangle([p(x[1], a, height), p(x[1], b, height), p(x[1], b, top)], uv3, finish.wall);
+        mesh.triangle([p(x[0], b, height), p(x[0], a, height), p(x[0], b, top)], uv3, finish.wall);
     }
 }
 
 /// A step and a little roof on two posts before a house's door; of boarded houses a veranda over the whole front.
-pub(super) fn add_porch(mesh: &mut MeshBuilder, measures: &Measures, style: &Style) {
-    let half = if style.manner == Manner::Weatherboard { (measures.width / 2.0 - 0.3).min(3.2) } else { 0.9 };
-    boxed(mesh, [-half, half], [-1.2, -0.01], [0.0, 0.05], style.trim);
-    boxed(mesh, [-half - 0.1, half + 0.1], [-1.3, -0.01], [2.6, 2.72], style.accent);
+pub(super) fn add_porch(mesh: &mut MeshBuilder, dimensions: &BuildingDimensions, finish: &BuildingFinish) {
+    let half = if finish.style.veranda { (dimensions.width / 2.0 - 0.3).min(3.2) } else { 0.9 };
+    boxed(mesh, [-half, half], [-1.2, -0.01], [0.0, 0.05], finish.trim);
+    boxed(mesh, [-half - 0.1, half + 0.1], [-1.3, -0.01], [2.6, 2.72], finish.accent);
     let posts = (half / 0.9).round().max(1.0) as usize;
     for k in 0..=posts {
         let x = -half + (2.0 * half - 0.1) * k as f32 / posts as f32;
-        boxed(mesh, [x, x + 0.1], [-1.2, -1.1], [0.05, 2.6], style.joinery.frame);
+        boxed(mesh, [x, x + 0.1], [-1.2, -1.1], [0.05, 2.6], finish.joinery.frame);
     }
     if half > 1.0 {
         for (a, b) in [(-half, -0.7), (0.7, half)] {
-            boxed(mesh, [a, b], [-1.17, -1.13], [0.85, 0.92], style.joinery.frame);
+            boxed(mesh, [a, b], [-1.17, -1.13], [0.85, 0.92], finish.joinery.frame);
             for k in 0..((b - a) / 0.2) as usize {
                 let x = a + 0.1 + 0.2 * k as f32;
-                boxed(mesh, [x, x + 0.03], [-1.17, -1.14], [0.05, 0.85], style.joinery.frame);
+                boxed(mesh, [x, x + 0.03], [-1.17, -1.14], [0.05, 0.85], finish.joinery.frame);
             }
         }
     }

@@ -1,9 +1,9 @@
 //! What windows of upper storeys have about them, and balconies.
 
-use super::manner::Manner;
+use super::finish::BuildingFinish;
 use super::ornament::{air_conditioner, dish, flower_box, grille, lintel, roller_blind, shutters, surround};
-use super::style::Style;
-use super::wall::{Hole, Wall};
+use super::style::{Balconies, WindowDressing};
+use super::wall::{Wall, WallOpening};
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::Stream;
 
@@ -12,64 +12,64 @@ use endless_world::Stream;
 pub(super) fn dress_window(
     mesh: &mut MeshBuilder,
     wall: &Wall,
-    hole: &Hole,
+    hole: &WallOpening,
     (between, side, storey): (f32, usize, u32),
-    style: &Style,
+    finish: &BuildingFinish,
     stream: &mut Stream,
 ) {
     let front = side == 0;
     // Nothing may stand out where people pass.
     let up = storey > 0;
     let middle = (hole.u[0] + hole.u[1]) / 2.0;
-    match style.manner {
-        Manner::OldTown if front || storey < 2 => {
-            surround(mesh, wall, hole, front && storey == 1, style.accent);
-            if style.shuttered {
+    match finish.style.windows {
+        WindowDressing::SurroundsAndShutters if front || storey < 2 => {
+            surround(mesh, wall, hole, front && storey == 1, finish.accent);
+            if finish.shuttered {
                 shutters(
                     mesh,
                     wall,
                     hole,
                     (between / 2.0, front && storey < 4),
-                    Material { surface: Surface::Painted, ..style.joinery.door },
+                    Material { surface: Surface::Painted, ..finish.joinery.door },
                 );
             } else if front && up && stream.chance(0.12) {
                 flower_box(mesh, wall, hole, stream);
             }
         }
-        Manner::TerracedBrick | Manner::Tenement | Manner::Works => {
-            lintel(mesh, wall, hole, style.accent);
-            if style.manner == Manner::Tenement && up && stream.chance(0.14) {
+        WindowDressing::Lintels { units } => {
+            lintel(mesh, wall, hole, finish.accent);
+            if units && up && stream.chance(0.14) {
                 wall.block(
                     mesh,
                     [middle - 0.3, middle + 0.3],
                     [hole.v[0] + 0.02, hole.v[0] + 0.42],
                     [-0.1, 0.32],
-                    style.trim,
+                    finish.trim,
                 );
             }
         }
-        Manner::Cottage | Manner::TimberFrame => {
-            if style.shuttered {
-                shutters(mesh, wall, hole, (between / 2.0, front && storey < 4), style.accent);
+        WindowDressing::Shutters => {
+            if finish.shuttered {
+                shutters(mesh, wall, hole, (between / 2.0, front && storey < 4), finish.accent);
             }
             if front && up && stream.chance(0.3) {
                 flower_box(mesh, wall, hole, stream);
             }
         }
-        Manner::Villa | Manner::Weatherboard => surround(mesh, wall, hole, false, style.accent),
-        Manner::Latin => {
+        WindowDressing::Surrounds => surround(mesh, wall, hole, false, finish.accent),
+        WindowDressing::GrillesAndUnits => {
             if storey < 2 {
-                grille(mesh, wall, hole, style.joinery.frame);
+                grille(mesh, wall, hole, finish.joinery.frame);
             }
             if up && stream.chance(0.18) {
                 air_conditioner(mesh, wall, middle, hole.v[0]);
             }
         }
-        Manner::Balconies | Manner::Panels | Manner::BrickFlats => {
+        WindowDressing::Flats { blinds } => {
             let x = stream.f32();
-            if style.manner != Manner::BrickFlats && front && storey < 5 {
+            if blinds && front && storey < 5 {
                 let drop = (stream.range_f32(-0.6, 0.9)).max(0.0);
-                roller_blind(mesh, wall, hole, style.joinery.recess, drop, style.trim);
+                roller_blind(mesh, wall, hole, finish.joinery.recess, drop, finish.trim);
             }
             let window = up && hole.v[1] - hole.v[0] < 1.8;
             if window && x < 0.13 {
@@ -80,20 +80,27 @@ pub(super) fn dress_window(
                 flower_box(mesh, wall, hole, stream);
             }
         }
-        Manner::ConcreteTower if up && stream.chance(0.12) => air_conditioner(mesh, wall, middle, hole.v[0]),
+        WindowDressing::Units if up && stream.chance(0.12) => air_conditioner(mesh, wall, middle, hole.v[0]),
         _ => {}
     }
 }
 
-/// A slab before a window with a railing of bars, a solid one, or one of glass, as the manner and the house have it.
-pub(super) fn add_balcony(mesh: &mut MeshBuilder, wall: &Wall, hole: &Hole, floor: f32, style: &Style) {
+/// A slab before a window with a railing of bars, a solid one, or one of glass, as the style and the house have it.
+pub(super) fn add_balcony(
+    mesh: &mut MeshBuilder,
+    wall: &Wall,
+    hole: &WallOpening,
+    floor: f32,
+    finish: &BuildingFinish,
+) {
     let u = [(hole.u[0] - 0.5).max(0.1), (hole.u[1] + 0.5).min(wall.width - 0.1)];
     let reach = 1.25;
-    wall.block(mesh, u, [floor - 0.16, floor], [0.0, reach], style.trim);
-    let rail = style.joinery.frame;
-    let solid = style.manner == Manner::Panels || !style.shuttered && style.joinery.recess > 0.19;
+    wall.block(mesh, u, [floor - 0.16, floor], [0.0, reach], finish.trim);
+    let rail = finish.joinery.frame;
+    let accented = finish.style.balconies == Balconies::Accented;
+    let solid = accented || !finish.shuttered && finish.joinery.recess > 0.19;
     if solid {
-        let field = if style.manner == Manner::Panels { style.accent } else { style.wall };
+        let field = if accented { finish.accent } else { finish.wall };
         wall.block(mesh, u, [floor, floor + 0.95], [reach - 0.08, reach], field);
         for end in [u[0], u[1] - 0.08] {
             wall.block(mesh, [end, end + 0.08], [floor, floor + 0.95], [0.0, reach - 0.08], field);

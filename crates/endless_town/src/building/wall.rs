@@ -18,7 +18,7 @@ pub(crate) struct Wall {
 
 /// A hole in a wall.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Hole {
+pub(crate) struct WallOpening {
     pub(crate) u: [f32; 2],
     pub(crate) v: [f32; 2],
 }
@@ -91,7 +91,7 @@ impl Wall {
     }
 
     /// The wall between two heights, with holes that do not overlap, from left to right.
-    pub(crate) fn pierced(&self, mesh: &mut MeshBuilder, v: [f32; 2], holes: &[Hole], material: Material) {
+    pub(crate) fn pierced(&self, mesh: &mut MeshBuilder, v: [f32; 2], holes: &[WallOpening], material: Material) {
         let mut from = 0.0;
         for hole in holes {
             self.panel(mesh, [from, hole.u[0]], v, 0.0, material);
@@ -103,7 +103,7 @@ impl Wall {
     }
 
     /// The four inner sides of a hole, from the wall's face to `depth` behind it.
-    pub(crate) fn reveal(&self, mesh: &mut MeshBuilder, hole: &Hole, depth: f32, material: Material) {
+    pub(crate) fn reveal(&self, mesh: &mut MeshBuilder, hole: &WallOpening, depth: f32, material: Material) {
         let ([u0, u1], [v0, v1]) = (hole.u, hole.v);
         let p = |u: f32, v: f32, out: f32| self.at(u, v, out);
         let faces = [

@@ -27,17 +27,17 @@ pub(crate) fn set_up_cameras(
     solids: &[BuildingPrism],
     open: &[OpenSpace],
 ) -> Vec<CameraSite> {
-    let things = PropOcclusion::new(assembly.catalogue, &assembly.placements);
+    let props = PropOcclusion::new(assembly.catalogue, &assembly.placements);
     let surroundings = CameraSurroundings {
         network,
         relief,
         solids,
         open,
-        posts: things.posts(),
+        posts: props.posts(),
         parked: assembly.parked.iter().map(|p| p.pose.position).collect(),
     };
     camera::choose(surroundings, &mut |candidate| {
-        if things.hide(&candidate.site) > MOST_HIDDEN {
+        if props.hide(&candidate.site) > MOST_HIDDEN {
             return false;
         }
         let Some((foot, ground)) = candidate.pole else { return true };

@@ -1,7 +1,7 @@
 //! Buildings on the footprints of a map.
 
 use crate::building::BuildingKind;
-use crate::building::{Block, Measures, WindowNumbers, house, on_rectangle};
+use crate::building::{BuildingDimensions, BuildingOutline, WindowNumbers, house, on_rectangle};
 use crate::camera::BuildingPrism;
 use crate::dressing::ground::land::Land;
 use crate::dressing::ground::pavement_index::PavementIndex;
@@ -51,62 +51,74 @@ pub(crate) fn build(
         let shops = matches!(kind, BuildingKind::Terrace | BuildingKind::Flats | BuildingKind::Office)
             && (is_shop(&footprint.kind) || (footprint.kind == "yes" && stream.chance(0.2)));
         let edge = outline[(front + 1) % outline.len()] - outline[front];
-        let measures = Measures {
+        let dimensions = BuildingDimensions {
             kind,
-            manner: None,
+            style: None,
             width: edge.length() as f32,
             depth: (area(outline) / edge.length().max(1.0)) as f32,
             storeys,
             shops,
             party_walls: [false; 2],
         };
-        built.push(raise(footprint, outline, (front, &blind), measures, &rect, land, &mut stream, numbers));
+        let site = FootprintSite { footprint, outline, front, blind: &blind, rect };
+        built.push(raise(&site, dimensions, land, &mut stream, numbers));
     }
     built
 }
 
+/// A footprint that is built on.
+struct FootprintSite<'a> {
+    footprint: &'a BuildingFootprint,
+    /// Its outline without doubled points, counter-clockwise.
+    outline: &'a [DVec2],
+    /// The edge at the street.
+    front: usize,
+    /// Edges that stand against a neighbour.
+    blind: &'a [bool],
+    /// The smallest rectangle around it.
+    rect: Rect,
+}
+
 fn raise(
-    footprint: &BuildingFootprint,
-    outline: &[DVec2],
-    (front, blind): (usize, &[bool]),
-    measures: Measures,
-    rect: &Rect,
+    site: &FootprintSite<'_>,
+    dimensions: BuildingDimensions,
     land: &Land,
     stream: &mut Stream,
     numbers: &mut WindowNumbers,
 ) -> PlacedBuilding {
+    let FootprintSite { footprint, outline, front, blind, rect } = *site;
     let base = land.level(front_middle(outline, front)).max(land.range(outline).0 + 0.05);
     let n = outline.len();
     let height = footprint.height_m.filter(|h| (2.2..400.0).contains(h)).map(|h| h as f32);
     let color = footprint.color;
     let square = area(outline) > 0.94 * 4.0 * rect.half.x * rect.half.y && footprint.holes.is_empty() && n == 4;
-    let pitched = matches!(measures.kind, BuildingKind::House | BuildingKind::Terrace | BuildingKind::Barn)
-        && measures.storeys <= 4;
+    let pitched = matches!(dimensions.kind, BuildingKind::House | BuildingKind::Terrace | BuildingKind::Barn)
+        && dimensions.storeys <= 4;
     let (mesh, place, top) = if square && pitched {
         // In the frame of its front.
         let (a, b) = (outline[front], outline[(front + 1) % n]);
         let angle = atan2((b - a).y, (b - a).x);
         let middle = (a + b) / 2.0;
         let (width, depth) = (a.distance(b), outline[(front + 2) % n].distance(b));
-        let measures = Measures {
+        let dimensions = BuildingDimensions {
             width: width as f32,
             depth: depth as f32,
             // Right and left walls follow the front in the outline.
             party_walls: [blind[(front + 1) % n], blind[(front + 3) % n]],
-            ..measures
+            ..dimensions
         };
         let half = width / 2.0;
         let local = [(-half, 0.0), (half, 0.0), (half, depth), (-half, depth)].map(|(x, y)| DVec2::new(x, y));
-        let block = Block { outline: &local, holes: &[], front: 0, blind: &[], color, height };
-        let (mesh, top) = on_rectangle(&measures, &block, stream, numbers);
+        let block = BuildingOutline { outline: &local, holes: &[], front: 0, blind: &[], color, height };
+        let (mesh, top) = on_rectangle(&dimensions, &block, stream, numbers);
         let turn = Quat::from_rotation_z(angle as f32);
         (mesh, Affine3A::from_rotation_translation(turn, middle.extend(base).as_vec3()), top)
     } else {
         let origin = rect.centre;
         let local: Vec<DVec2> = outline.iter().map(|p| *p - origin).collect();
         let holes: Vec<Vec<DVec2>> = footprint.holes.iter().map(|h| h.iter().map(|p| *p - origin).collect()).collect();
-        let block = Block { outline: &local, holes: &holes, front, blind, color, height };
-        let (mesh, top) = house(&measures, &block, stream, numbers);
+        let block = BuildingOutline { outline: &local, holes: &holes, front, blind, color, height };
+        let (mesh, top) = house(&dimensions, &block, stream, numbers);
         (mesh, Affine3A::from_translation(origin.extend(base).as_vec3()), top)
     };
     PlacedBuilding { mesh, place, solid: BuildingPrism { outline: outline.to_vec(), base, top: base + f64::from(top) } }

@@ -2,7 +2,9 @@
 //! that fits what the map says of the land.
 
 use crate::building::BuildingKind;
-use crate::building::{Block, Manner, Measures, WindowNumbers, eaves, house, on_rectangle, size, storeys};
+use crate::building::{
+    BuildingDimensions, BuildingOutline, LATIN, WindowNumbers, eaves, house, on_rectangle, size, storeys,
+};
 use crate::camera::BuildingPrism;
 use crate::dressing::built_up::density::StreetDensity;
 use crate::dressing::built_up::footprint::PlacedBuilding;
@@ -133,6 +135,19 @@ pub(crate) struct FrontYard {
     pub(crate) kind: BuildingKind,
 }
 
+/// A lot for which room is looked for.
+#[derive(Debug, Clone, Copy)]
+struct WantedLot {
+    /// Its middle along the lane, metres.
+    s: f64,
+    /// Width and depth, metres.
+    size: (f64, f64),
+    /// From the pavement to the front, metres.
+    set_back: f64,
+    kind: BuildingKind,
+}
+
+/// Builds along streets.
 pub(crate) struct BuildingGrowth<'a> {
     pub(crate) network: &'a RoadNetwork,
     pub(crate) pavement: &'a PavementIndex,
@@ -227,37 +242,42 @@ impl BuildingGrowth<'_> {
                 s += width + gap;
                 continue;
             }
-            let measures = Measures {
+            let dimensions = BuildingDimensions {
                 kind,
-                manner: (self.preset.bright && storeys <= 4 && kind == BuildingKind::Terrace).then_some(Manner::Latin),
+                style: (self.preset.bright && storeys <= 4 && kind == BuildingKind::Terrace).then_some(&LATIN),
                 width: width as f32,
                 depth: depth as f32,
                 storeys,
                 shops,
                 party_walls: [kind == BuildingKind::Terrace; 2],
             };
-            let wide = self.lot(lane, side, s + width / 2.0, (width, depth), set_back, kind, occupied);
+            let wide =
+                self.lot(lane, side, WantedLot { s: s + width / 2.0, size: (width, depth), set_back, kind }, occupied);
             // Corners and narrow blocks have room for a small house at least.
             let narrow = || {
-                let measures = Measures {
+                let dimensions = BuildingDimensions {
                     kind: BuildingKind::Terrace,
                     width: SLIM_M[0] as f32,
                     depth: SLIM_M[1] as f32,
-                    ..measures
+                    ..dimensions
                 };
                 let dense = quarter.storeys.1 >= 5;
-                let at = s + SLIM_M[0] / 2.0;
-                let rect =
-                    dense.then(|| self.lot(lane, side, at, SLIM_M.into(), 0.15, BuildingKind::Terrace, occupied))?;
-                Some((measures, rect?))
+                let slim = WantedLot {
+                    s: s + SLIM_M[0] / 2.0,
+                    size: SLIM_M.into(),
+                    set_back: 0.15,
+                    kind: BuildingKind::Terrace,
+                };
+                let rect = dense.then(|| self.lot(lane, side, slim, occupied))?;
+                Some((dimensions, rect?))
             };
             let porch = if kind == BuildingKind::House { PORCH_M } else { 0.0 };
-            let wide = wide.map(|rect| (measures, rect, set_back + porch));
-            match wide.or_else(|| narrow().map(|(measures, rect)| (measures, rect, 0.15))) {
-                Some((measures, rect, front_m)) => {
-                    let kind = measures.kind;
+            let wide = wide.map(|rect| (dimensions, rect, set_back + porch));
+            match wide.or_else(|| narrow().map(|(dimensions, rect)| (dimensions, rect, 0.15))) {
+                Some((dimensions, rect, front_m)) => {
+                    let kind = dimensions.kind;
                     occupied.take(rect.grown(eaves(kind) + if kind == BuildingKind::House { 1.3 } else { 0.0 }));
-                    built.push((self.raise(measures, &rect, seed, numbers), FrontYard { rect, front_m, kind }));
+                    built.push((self.raise(dimensions, &rect, seed, numbers), FrontYard { rect, front_m, kind }));
                     s += 2.0 * rect.half.x + gap;
                 }
                 None => s += 5.0,
@@ -287,16 +307,8 @@ impl BuildingGrowth<'_> {
     }
 
     /// A free rectangle beside a lane, its front towards the road.
-    fn lot(
-        &self,
-        lane: &Lane,
-        side: f64,
-        s: f64,
-        (width, depth): (f64, f64),
-        set_back: f64,
-        kind: BuildingKind,
-        occupied: &Occupied,
-    ) -> Option<Rect> {
+    fn lot(&self, lane: &Lane, side: f64, wanted: WantedLot, occupied: &Occupied) -> Option<Rect> {
+        let WantedLot { s, size: (width, depth), set_back, kind } = wanted;
         let place = lane.centerline.at(s);
         let out = unit(place.heading_rad).perp() * side;
         let here = place.position.truncate();
@@ -328,7 +340,13 @@ impl BuildingGrowth<'_> {
         })
     }
 
-    fn raise(&self, measures: Measures, rect: &Rect, seed: u64, numbers: &mut WindowNumbers) -> PlacedBuilding {
+    fn raise(
+        &self,
+        dimensions: BuildingDimensions,
+        rect: &Rect,
+        seed: u64,
+        numbers: &mut WindowNumbers,
+    ) -> PlacedBuilding {
         let front = rect.centre - rect.axis.perp() * rect.half.y;
         let base = self.land.level(front).max(self.land.range(&rect.corners()).0);
         let half = rect.half.x;
@@ -337,14 +355,14 @@ impl BuildingGrowth<'_> {
         let mut stream = Stream::named(seed, "town/building", &[]);
         let color = self.preset.bright.then(|| *stream.pick(BRIGHT));
         // Terraces stand wall to wall.
-        let wall_to_wall = measures.kind == BuildingKind::Terrace;
+        let wall_to_wall = dimensions.kind == BuildingKind::Terrace;
         let blind = [false, wall_to_wall, false, wall_to_wall];
-        let block = Block { outline: &local, holes: &[], front: 0, blind: &blind, color, height: None };
-        let flat = self.preset.bright && measures.storeys <= 4;
+        let block = BuildingOutline { outline: &local, holes: &[], front: 0, blind: &blind, color, height: None };
+        let flat = self.preset.bright && dimensions.storeys <= 4;
         let (mesh, top) = if flat {
-            house(&measures, &block, &mut stream, numbers)
+            house(&dimensions, &block, &mut stream, numbers)
         } else {
-            on_rectangle(&measures, &block, &mut stream, numbers)
+            on_rectangle(&dimensions, &block, &mut stream, numbers)
         };
         let angle = endless_world::math::f64::atan2(rect.axis.y, rect.axis.x);
         let turn = Quat::from_rotation_z(angle as f32);
