@@ -14,13 +14,17 @@ use endless_world::{
 };
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec3A};
 use serde::Deserialize;
-use std::{error::Error, fs::File, path::Path, time::Instant};
+use std::{error::Error, f32::consts::FRAC_PI_2, fs::File, path::Path, time::Instant};
 
 /// The scene, and what it is for.
 const STREET: &str = include_str!("street.json");
 
 /// Frames of which the median is told.
 const FRAMES: u32 = 15;
+/// Frames a second.
+const FPS: f32 = 30.0;
+/// Height of the road, metres.
+const ROAD_M: f32 = 0.03;
 /// How far the moving camera and the cars come from frame to frame, metres.
 const STEP_M: f32 = 0.5;
 
@@ -51,9 +55,18 @@ struct StreetBox {
 }
 
 impl StreetBox {
-    /// Boxes of this size are cars.
-    fn is_car(&self) -> bool {
+    /// Boxes of this size are the bodies of cars.
+    fn is_car_body(&self) -> bool {
         self.size == [1.8, 4.4, 0.8]
+    }
+
+    /// Boxes of this size are their cabins: each comes after its body.
+    fn is_cabin(&self) -> bool {
+        self.size == [1.6, 2.2, 0.6]
+    }
+
+    fn is_car(&self) -> bool {
+        self.is_car_body() || self.is_cabin()
     }
 
     fn geometry(&self, class: ClassTag) -> Geometry {
@@ -85,17 +98,28 @@ impl StreetBox {
     fn instance(&self, geometry: &Geometry, driven_m: f32) -> Instance {
         Instance::new(geometry, self.world_from_object(driven_m)).with_id(InstanceId(self.id), self.class())
     }
+}
 
-    /// As something that moves.
-    fn moving(&self, geometry: &Geometry, driven_m: f32) -> MovingObject {
-        let instance = self.instance(geometry, driven_m);
-        let world_from_object = self.world_from_object(driven_m) * Affine3A::from_translation(Vec3::NEG_Z * 0.62);
-        let half_m = Vec2::new(self.size[0], self.size[1]) * 0.5;
-        let footprint = Footprint { world_from_object, ahead_m: 0.0, half_m, height_m: 1.05 };
-        let linear_mps = Vec3A::Y * if self.centre[0] > 0.0 { 30.0 * STEP_M } else { -30.0 * STEP_M };
-        let velocity = RigidVelocity { linear_mps, ..RigidVelocity::ZERO };
-        MovingObject { instances: vec![instance.with_velocity(velocity)], footprint }
-    }
+/// A car, body and cabin, that has driven so far.
+fn car([body, cabin]: [(&StreetBox, &Geometry); 2], driven_m: f32) -> MovingObject {
+    let linear_mps = Vec3A::Y * (FPS * STEP_M * body.0.centre[0].signum());
+    let velocity = RigidVelocity { linear_mps, ..RigidVelocity::ZERO };
+    let instance =
+        |(part, geometry): (&StreetBox, &Geometry)| part.instance(geometry, driven_m).with_velocity(velocity);
+    let [width, length, height] = body.0.size;
+    let top = body.0.centre[2] + 0.5 * height;
+    let footprint = Footprint {
+        // Forward is along the street, where the box has its y.
+        world_from_object: body.0.world_from_object(driven_m)
+            * Affine3A::from_rotation_translation(
+                Quat::from_rotation_z(FRAC_PI_2),
+                Vec3::Z * (ROAD_M - body.0.centre[2]),
+            ),
+        ahead_m: 0.0,
+        half_m: Vec2::new(length, width) * 0.5,
+        height_m: top - ROAD_M,
+    };
+    MovingObject { instances: vec![instance(body), instance(cabin)], footprint }
 }
 
 impl Street {
@@ -148,17 +172,18 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("fixed camera: {:.1} s once", begin.elapsed().as_secs_f64());
     let cars = |frame: u32| {
         let driven = frame as f32 * STEP_M;
-        let objects = boxes().filter(|(b, _)| b.is_car()).map(|(b, geometry)| b.moving(geometry, driven));
-        FrameScene::new(FrameDescription { frame, objects: objects.collect(), ..FrameDescription::default() })
+        let pairs = boxes().zip(boxes().skip(1)).filter(|((body, _), _)| body.is_car_body());
+        let objects = pairs.map(|(body, cabin)| car([body, cabin], driven)).collect();
+        FrameScene::new(FrameDescription { frame, objects, ..FrameDescription::default() })
     };
     let cost = median_ms(|_| bake.render(&still, &empty));
     println!("fixed camera, nothing moves: {cost:.1} ms a frame");
     let cost = median_ms(|frame| bake.render(&still, &cars(frame)));
     println!(
         "fixed camera, {} cars drive: {cost:.1} ms a frame, on one thread",
-        boxes().filter(|b| b.0.is_car()).count()
+        boxes().filter(|b| b.0.is_car_body()).count()
     );
-    save("fixed", &bake.render(&still, &cars(0)))
+    save("fixed", &bake.render(&still, &cars(4)))
 }
 
 /// The median of what frames take, milliseconds.
