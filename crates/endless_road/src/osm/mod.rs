@@ -1,12 +1,12 @@
 //! OpenStreetMap: from an extract (`.osm` XML or `.osm.pbf`) to a [`RoadMap`].
 //!
-//! The steps, each a small file: read ([`xml`], [`pbf`]) into an [`extract`]; lay it out in metres ([`projection`],
-//! [`site`]); ways become stretches with cross-sections ([`ways`], [`section`]), cut and joined to a graph ([`graph`]),
-//! raised on bridges and over the lie of the land ([`height`], [`relief`]), rounded into streets ([`plan`]) and cut back where they meet ([`trim`]); rules,
-//! crossings and lanes follow ([`rules`], [`crossing`], [`lane`], [`movement`], [`connector`], [`signal`], [`walk`]),
-//! then what lies there ([`surface`], [`paint`]) and stands beside it.
+//! The steps, each a small file: read (`xml`, `pbf`) into an `extract`; lay it out in metres (`projection`,
+//! `site`); ways become stretches with cross-sections (`ways`, `section`), cut and joined to a graph (`graph`),
+//! raised on bridges and over the lie of the land (`height`, `relief`), rounded into streets (`plan`) and cut back where
+//! they meet (`trim`); rules, crossings and lanes follow (`rules`, `crossing`, `lane`, `movement`, `connector`, `signal`,
+//! `walk`), then what lies there (`surface`, `paint`) and stands beside it.
 //!
-//! Left-hand traffic is built in a [`mirror`].
+//! Left-hand traffic is built in a `mirror`.
 
 mod class;
 mod connector;
