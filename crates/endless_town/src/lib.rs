@@ -10,21 +10,27 @@
 //! imported files ──┴─ RoadMap ── dressing ── Town ── details near cameras
 //! ```
 //!
-//! A straight street of 160 m becomes a town:
+//! A straight street of 240 m with sidewalks becomes a town:
 //! ```
 //! use endless_asset::Catalogue;
-//! use endless_road::{Lane, LaneId, Polyline, RoadMap, RoadNetwork};
+//! use endless_road::{Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind};
 //! use glam::DVec3;
 //!
-//! let lane = |id, from: DVec3, to: DVec3| {
-//!     let points = (0..=16).map(|k| from.lerp(to, f64::from(k) / 16.0));
-//!     Lane::new(LaneId(id), Polyline::new(points), 3.5, 11.0)
+//! let line = |y: f64, z: f64| (0..=24).map(move |k| DVec3::new(10.0 * f64::from(k), y, z));
+//! let east = Lane::new(LaneId(0), Polyline::new(line(-1.75, 0.0)), 3.5, 11.0);
+//! let west = Lane::new(LaneId(1), Polyline::new(line(1.75, 0.0).rev()), 3.5, 11.0);
+//! let network = RoadNetwork { lanes: vec![east, west], ..RoadNetwork::default() }.finish().expect("consistent");
+//! let strip = |kind, right: f64, left: f64, z: f64| {
+//!     let (left, right) = (line(left, z).collect(), line(right, z).collect());
+//!     Strip { kind, left, right, in_junction: false, unpaved: false, bridge: false }
 //! };
-//! let (west, east) = (DVec3::new(0.0, 0.0, 0.0), DVec3::new(160.0, 0.0, 0.0));
-//! let aside = DVec3::new(0.0, 1.75, 0.0);
-//! let lanes = vec![lane(0, west - aside, east - aside), lane(1, east + aside, west + aside)];
-//! let network = RoadNetwork { lanes, ..RoadNetwork::default() }.finish().expect("a consistent network");
-//! let map = RoadMap { network, ..RoadMap::default() };
+//! let strips = vec![
+//!     strip(StripKind::Sidewalk, -6.0, -3.5, 0.15),
+//!     strip(StripKind::Driving, -3.5, 0.0, 0.0),
+//!     strip(StripKind::Driving, 0.0, 3.5, 0.0),
+//!     strip(StripKind::Sidewalk, 3.5, 6.0, 0.15),
+//! ];
+//! let map = RoadMap { network, strips, ..RoadMap::default() };
 //!
 //! let catalogue = Catalogue::builtin();
 //! let town = endless_town::dress_map("street", &map, &catalogue)?;
