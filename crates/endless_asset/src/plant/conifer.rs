@@ -10,18 +10,10 @@ use std::f32::consts::TAU;
 /// How many conifers there are.
 pub(crate) const CONIFER_VARIANTS: u32 = 3;
 
-/// A bent, tapered branch.
-fn branch(
-    from: Vec3,
-    to: Vec3,
-    r0: f32,
-    r1: f32,
-    sag: f32,
-    sides: usize,
-    material: Material,
-    s: &mut Stream,
-) -> Sculpt {
-    let n = 4;
+/// A bent branch of four sides from one place to another that tapers from the first radius to the second; `sag` lifts
+/// its middle. Metres.
+fn branch([from, to]: [Vec3; 2], [r0, r1]: [f32; 2], sag: f32, material: Material, s: &mut Stream) -> Sculpt {
+    let (n, sides) = (4, 4);
     let wobble = direction(s) * (to - from).length() * 0.05;
     let path: Vec<(Vec3, f32)> = (0..=n)
         .map(|i| {
@@ -65,7 +57,7 @@ pub(crate) fn conifer(variant: u32) -> Mesh {
             let reach = reach * s.range_f32(0.78, 1.08);
             let droop = math::lerp(-0.28, 0.25, t) * reach;
             let tip = Vec3::new(0.0, 0.0, z + droop) + out * reach;
-            trunk.add(branch(Vec3::Z * z, tip, 0.012 + 0.018 * (1.0 - t), 0.006, 0.06 * reach, 4, wood, &mut s));
+            trunk.add(branch([Vec3::Z * z, tip], [0.012 + 0.018 * (1.0 - t), 0.006], 0.06 * reach, wood, &mut s));
             let sprays = 5 + (reach * 22.0) as usize;
             for j in 0..sprays {
                 let f = math::lerp(0.18, 1.0, (j as f32 + s.f32()) / sprays as f32);

@@ -33,6 +33,17 @@ pub(crate) struct Leaves {
     mesh: Mesh,
 }
 
+/// Leaves around a point, metres.
+pub(crate) struct Clump {
+    pub(crate) centre: Vec3,
+    pub(crate) radius: f32,
+    pub(crate) count: usize,
+    /// Length of a leaf.
+    pub(crate) size: f32,
+    /// Away from the crown's middle.
+    pub(crate) out: Vec3,
+}
+
 impl Leaves {
     /// A kite-shaped leaf of two triangles from its stalk along `along`, its face near `face`. `shading` is the normal
     /// it is lit with: that of the crown rather than its own.
@@ -64,17 +75,9 @@ impl Leaves {
         }
     }
 
-    /// A loose clump of leaves around a point. `out` is away from the crown's middle.
-    pub(crate) fn clump(
-        &mut self,
-        centre: Vec3,
-        radius: f32,
-        count: usize,
-        size: f32,
-        out: Vec3,
-        shades: &[Material; 5],
-        s: &mut Stream,
-    ) {
+    /// A loose clump of leaves.
+    pub(crate) fn clump(&mut self, clump: &Clump, shades: &[Material; 5], s: &mut Stream) {
+        let Clump { centre, radius, count, size, out } = *clump;
         let tone = s.below(3);
         for _ in 0..count {
             let d = direction(s);

@@ -1,6 +1,6 @@
 //! Bushes, hedges and planters.
 
-use super::leaf::{Leaves, bark, direction, shades};
+use super::leaf::{Clump, Leaves, bark, direction, shades};
 use crate::shape::Sculpt;
 use endless_scene::{Material, Mesh, Surface};
 use endless_world::{ClassTag, Stream};
@@ -20,15 +20,8 @@ pub(crate) fn bush(variant: u32) -> Mesh {
         let d = direction(&mut s);
         let p = middle + Vec3::new(d.x * r, d.y * r, d.z.max(-0.75) * 0.5 * h) * s.range_f32(0.55, 0.95);
         twigs.add(Sculpt::tube(&[(Vec3::new(d.x * 0.06, d.y * 0.06, -0.03), 0.010), (p, 0.004)], 4, wood));
-        leaves.clump(
-            p,
-            0.22,
-            55,
-            0.075,
-            ((p - middle) / Vec3::new(r, r, 0.5 * h)).normalize_or(Vec3::Z),
-            &shades,
-            &mut s,
-        );
+        let out = ((p - middle) / Vec3::new(r, r, 0.5 * h)).normalize_or(Vec3::Z);
+        leaves.clump(&Clump { centre: p, radius: 0.22, count: 55, size: 0.075, out }, &shades, &mut s);
     }
     let mut mesh = twigs.into_mesh();
     mesh.append(&leaves.finish(), Affine3A::IDENTITY);
@@ -76,7 +69,7 @@ pub(crate) fn planter(variant: u32) -> Mesh {
     let mut leaves = Leaves::default();
     for i in 0..26 {
         let p = Vec3::new(s.range_f32(-0.5, 0.5), s.range_f32(-0.2, 0.2), s.range_f32(0.53, 0.66));
-        leaves.clump(p, 0.13, 34, 0.075, Vec3::Z, &green, &mut s);
+        leaves.clump(&Clump { centre: p, radius: 0.13, count: 34, size: 0.075, out: Vec3::Z }, &green, &mut s);
         for _ in 0..3 {
             let head = p + Vec3::new(s.range_f32(-0.08, 0.08), s.range_f32(-0.08, 0.08), s.range_f32(0.06, 0.14));
             for k in 0..5 {
@@ -189,7 +182,7 @@ pub(crate) fn flower_bed(variant: u32) -> Mesh {
         for k in 0..11 {
             let x = -0.86 + 0.172 * k as f32 + s.range_f32(-0.04, 0.04);
             let p = Vec3::new(x, -0.36 + 0.18 * row as f32 + s.range_f32(-0.03, 0.03), 0.17);
-            leaves.clump(p, 0.10, 22, 0.075, Vec3::Z, &green, &mut s);
+            leaves.clump(&Clump { centre: p, radius: 0.10, count: 22, size: 0.075, out: Vec3::Z }, &green, &mut s);
             for _ in 0..2 {
                 let head = p + Vec3::new(s.range_f32(-0.06, 0.06), s.range_f32(-0.06, 0.06), s.range_f32(0.08, 0.16));
                 for i in 0..6 {

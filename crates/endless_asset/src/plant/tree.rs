@@ -1,7 +1,7 @@
 //! Broadleaf trees, in leaf and in winter.
 
 use super::grow::{BranchNode, grow, wood};
-use super::leaf::{Leaves, bark, direction, shades};
+use super::leaf::{Clump, Leaves, bark, direction, shades};
 use crate::shape::Sculpt;
 use endless_scene::{Material, Mesh};
 use endless_world::{Stream, math};
@@ -219,7 +219,8 @@ pub(crate) fn broadleaf(variant: u32) -> Mesh {
         let out =
             (0.7 * of_cluster + 0.6 * (node.at - middle).normalize_or(Vec3::Z) + Vec3::Z * 0.2).normalize_or(Vec3::Z);
         let hang = Vec3::NEG_Z * species.droop * 0.9;
-        leaves.clump(node.at + hang + out * 0.06, 0.30, each, species.leaf, out, &greens, &mut s);
+        let centre = node.at + hang + out * 0.06;
+        leaves.clump(&Clump { centre, radius: 0.30, count: each, size: species.leaf, out }, &greens, &mut s);
     }
     let mut mesh = trunk.into_mesh();
     mesh.append(&leaves.finish(), Affine3A::IDENTITY);

@@ -40,7 +40,7 @@ impl StoredLayers {
             match layer {
                 Layer::Depth => depth = Some(image.clone()),
                 Layer::Instance => instance = instance_from_rgb(&image).ok(),
-                Layer::Rgb => {}
+                _ => {}
             }
             images.push((layer, Cow::Owned(image)));
         }
