@@ -9,37 +9,37 @@ use std::collections::BTreeMap;
 /// Simulates and renders without anything outside this program.
 #[derive(Debug)]
 pub struct BuiltinSimulator {
-    library: MapLibrary,
+    map_library: MapLibrary,
 }
 
 impl BuiltinSimulator {
     /// Over the maps and the catalogue of a library.
-    pub fn new(library: MapLibrary) -> Self {
-        Self { library }
+    pub fn new(map_library: MapLibrary) -> Self {
+        Self { map_library }
     }
 }
 
 impl MapSource for BuiltinSimulator {
     fn maps(&self) -> Vec<String> {
-        self.library.builtin_names()
+        self.map_library.builtin_names()
     }
 
     fn imported(&self) -> Vec<String> {
-        self.library.imported_names()
+        self.map_library.imported_names()
     }
 
     fn content_hash(&self, map: &str) -> Result<Option<String>, SimulatorError> {
-        Ok(self.library.content_hash(map)?)
+        Ok(self.map_library.content_hash(map)?)
     }
 
     fn asset_files(&self) -> BTreeMap<String, String> {
-        self.library.asset_files()
+        self.map_library.asset_files()
     }
 }
 
 impl MapCatalog for BuiltinSimulator {
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
-        Ok(self.library.summary(map)?.cameras)
+        Ok(self.map_library.summary(map)?.cameras)
     }
 }
 
@@ -51,7 +51,7 @@ impl Simulator for BuiltinSimulator {
     }
 
     fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
-        BuiltinMap::load(self.library.town(name)?, self.library.catalogue())
+        BuiltinMap::load(self.map_library.town(name)?, self.map_library.catalogue())
     }
 
     fn open_session<'m>(
@@ -59,6 +59,6 @@ impl Simulator for BuiltinSimulator {
         map: &'m BuiltinMap,
         settings: &'m SceneSettings,
     ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError> {
-        Ok(Box::new(BuiltinSession::open(map, self.library.catalogue(), settings)?))
+        Ok(Box::new(BuiltinSession::open(map, self.map_library.catalogue(), settings)?))
     }
 }
