@@ -6,7 +6,7 @@ use crate::ImportNote;
 
 /// A whole file.
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Document {
+pub struct OpenDriveDocument {
     /// Major and minor revision.
     pub revision: (u32, u32),
     /// The header's name.
@@ -20,25 +20,25 @@ pub struct Document {
     /// All junctions.
     pub junctions: Vec<JunctionRecord>,
     /// All controllers.
-    pub controllers: Vec<Controller>,
+    pub controllers: Vec<SignalController>,
     /// What was not understood, mended or left out.
     pub notes: Vec<ImportNote>,
     /// Whole roads that were left out because nobody could drive on them, and why.
     pub roads_left_out: Vec<ImportNote>,
 }
 
-/// A cubic polynomial `a + b ds + c ds² + d ds³`, `ds` counted from `s`.
+/// A cubic polynomial `a + b ds + c ds² + d ds³` of the distance `ds` from `s`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Cubic {
+pub struct CubicPolynomial {
     /// Where it begins.
     pub s: f64,
     /// Coefficients.
     pub abcd: [f64; 4],
 }
 
-/// One end of a road or lane.
+/// One end of a road or lane (OpenDRIVE's `contactPoint`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum End {
+pub enum ContactPoint {
     /// Where `s` is 0.
     Start,
     /// Where `s` is the length.
@@ -53,7 +53,7 @@ pub enum RoadLink {
         /// Its id.
         id: String,
         /// Which end; where the file does not say, the start of a successor and the end of a predecessor.
-        contact: End,
+        contact: ContactPoint,
     },
     /// A junction.
     Junction {
@@ -84,17 +84,17 @@ pub struct Road {
     /// Type of road (`town`, `motorway`...) and speed limit from each `s` on.
     pub types: Vec<RoadType>,
     /// The reference line, in order of `s`.
-    pub plan_view: Vec<Geometry>,
+    pub plan_view: Vec<PlanViewGeometry>,
     /// Height of the reference line.
-    pub elevation: Vec<Cubic>,
+    pub elevation: Vec<CubicPolynomial>,
     /// Roll about the reference line, radians.
-    pub superelevation: Vec<Cubic>,
+    pub superelevation: Vec<CubicPolynomial>,
     /// Height of the surface above that plane, by `s` and `t`.
-    pub shapes: Vec<Shape>,
+    pub shapes: Vec<LateralShape>,
     /// Fall of the surface away from the reference line, radians, in order of `s`.
     pub crossfalls: Vec<Crossfall>,
     /// Shift of the lanes' centre.
-    pub lane_offset: Vec<Cubic>,
+    pub lane_offset: Vec<CubicPolynomial>,
     /// In order of `s`; at least one.
     pub sections: Vec<LaneSection>,
     /// Signals that stand here.
@@ -113,7 +113,7 @@ pub struct Crossfall {
     /// For the left side, and for the right side.
     pub sides: [bool; 2],
     /// Angle, positive downwards to the outside.
-    pub angle: Cubic,
+    pub angle: CubicPolynomial,
 }
 
 /// The type of a road from a place on.
@@ -127,9 +127,9 @@ pub struct RoadType {
     pub speed: Option<f64>,
 }
 
-/// A piece of the reference line.
+/// A segment of the reference line (OpenDRIVE's `geometry`).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Geometry {
+pub struct PlanViewGeometry {
     /// Where it begins on the road.
     pub s: f64,
     /// Where it begins in the world.
@@ -140,13 +140,13 @@ pub struct Geometry {
     pub heading: f64,
     /// Length.
     pub length: f64,
-    /// Its kind.
-    pub shape: Curve,
+    /// Its curve.
+    pub shape: GeometryType,
 }
 
-/// The kinds of curves a reference line is made of.
+/// The curve of one segment of the reference line.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Curve {
+pub enum GeometryType {
     /// Straight.
     Line,
     /// Constant curvature, 1/m, positive to the left.
@@ -166,9 +166,9 @@ pub enum Curve {
     },
 }
 
-/// A cubic in `t` at a place `s`.
+/// Height across the road at one `s`, cubic in `t` (OpenDRIVE's `lateralProfile/shape`).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shape {
+pub struct LateralShape {
     /// Where on the road.
     pub s: f64,
     /// Where it begins across the road.
@@ -206,9 +206,9 @@ pub struct LaneRecord {
     /// Lanes of the section or road after.
     pub successors: Vec<i32>,
     /// Widths; `s` counts from the section's start.
-    pub widths: Vec<Cubic>,
+    pub widths: Vec<CubicPolynomial>,
     /// Borders' `t`, instead of widths.
-    pub borders: Vec<Cubic>,
+    pub borders: Vec<CubicPolynomial>,
     /// Height above the road's surface: `s` from the section's start, inner and outer edge.
     pub heights: Vec<[f64; 3]>,
     /// Marks at its outer edge (of the centre lane: at the centre).
@@ -255,9 +255,9 @@ pub struct MarkLine {
     pub width: Option<f64>,
 }
 
-/// Where traffic lies that a signal is for.
+/// The direction of traffic that a signal is for (OpenDRIVE's `orientation`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Orientation {
+pub enum SignalOrientation {
     /// Traffic in the direction of `s`.
     Along,
     /// Traffic against it.
@@ -284,7 +284,7 @@ pub struct Signal {
     /// Turn from the direction of the road.
     pub h_offset: f64,
     /// For whom.
-    pub orientation: Orientation,
+    pub orientation: SignalOrientation,
     /// Whether it changes.
     pub dynamic: bool,
     /// Country, may be empty.
@@ -322,7 +322,7 @@ pub struct SignalReference {
     /// Place along the road.
     pub s: f64,
     /// For whom.
-    pub orientation: Orientation,
+    pub orientation: SignalOrientation,
     /// Ranges of lanes it is valid for; none given is all.
     pub validity: Vec<(i32, i32)>,
 }
@@ -407,17 +407,17 @@ pub struct JunctionRecord {
     pub name: String,
     /// How it joins.
     pub kind: JunctionType,
-    /// Ways through it.
-    pub connections: Vec<Connection>,
+    /// Paths through it.
+    pub connections: Vec<JunctionConnection>,
     /// Road of higher and road of lower priority.
     pub priorities: Vec<(String, String)>,
     /// Controllers used here, with their place in the sequence.
     pub controllers: Vec<(String, u32)>,
 }
 
-/// A way through a junction.
+/// A path through a junction (OpenDRIVE's `connection`).
 #[derive(Debug, Clone, PartialEq)]
-pub struct Connection {
+pub struct JunctionConnection {
     /// Line in the file.
     pub line: usize,
     /// The road that leads in.
@@ -425,14 +425,14 @@ pub struct Connection {
     /// The road that leads on: the connecting road, or in a direct junction the linked road.
     pub connecting: String,
     /// The end of that road where it is entered.
-    pub contact: End,
+    pub contact: ContactPoint,
     /// Lanes of the incoming and the connecting road.
     pub lane_links: Vec<(i32, i32)>,
 }
 
-/// Signals that are switched together.
+/// Signals that are switched together (OpenDRIVE's `controller`).
 #[derive(Debug, Clone, PartialEq, Default)]
-pub struct Controller {
+pub struct SignalController {
     /// Id.
     pub id: String,
     /// Name, may be empty.

@@ -1,6 +1,6 @@
 //! OpenDRIVE on files that are at hand everywhere: what is read, what is refused, and that nothing breaks the reader.
 
-use endless_road::opendrive::{self, Document, OpenDriveError};
+use endless_road::opendrive::{self, OpenDriveDocument, OpenDriveError};
 use endless_road::{Control, MapObjectKind, RoadMap, StripKind, Turn, WalkKind};
 use glam::DVec3;
 use proptest::prelude::*;
@@ -260,7 +260,7 @@ fn monsters_are_refused_or_read_in_good_time() {
 
 #[test]
 fn the_document_is_as_it_is_written() {
-    let document = Document::parse(CROSSROADS).unwrap();
+    let document = OpenDriveDocument::parse(CROSSROADS).unwrap();
     assert_eq!(document.revision, (1, 7));
     assert_eq!(document.roads.len(), 16);
     assert_eq!(document.junctions[0].connections.len(), 12);

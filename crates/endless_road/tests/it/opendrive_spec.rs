@@ -1,7 +1,7 @@
 //! The standard, element by element: what `docs/opendrive.md` says is read has an effect, what it says is reported is
 //! reported with its line.
 
-use endless_road::opendrive::{self, Document};
+use endless_road::opendrive::{self, OpenDriveDocument};
 use endless_road::{AreaKind, Control, MapObjectKind, Paint, RoadMap, StripKind};
 use glam::DVec3;
 
@@ -262,7 +262,7 @@ fn what_is_not_used_is_told_with_its_line() {
         (File { beside: "\n<fountain/>", ..File::default() }.text(), "<fountain> in <road> is not known"),
         (File { lane: "", more: "\n<lane id='-2' type='bidirectional'><width sOffset='0' a='3' b='0' c='0' d='0'/></lane>", ..File::default() }.text(), "for both directions"),
     ] {
-        let document = Document::parse(&text).expect("well formed");
+        let document = OpenDriveDocument::parse(&text).expect("well formed");
         let note = document.notes.iter().find(|note| note.text.contains(words));
         let note = note.unwrap_or_else(|| panic!("{words}: {:?}", document.notes));
         assert!(note.place.starts_with("line ") && !note.place.starts_with("line 1:"), "{note:?}");

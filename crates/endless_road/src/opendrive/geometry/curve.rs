@@ -4,7 +4,7 @@
 //! vector, taken by Gauss and Legendre's rule between knots a quarter of a radian apart at most. A cubic's arc length
 //! is tabulated the same way and inverted by Newton's method.
 
-use super::super::document::{Curve, Geometry};
+use super::super::document::{GeometryType, PlanViewGeometry};
 use endless_world::math::f64::{atan2, sin_cos};
 use glam::DVec2;
 
@@ -43,15 +43,17 @@ const GAUSS: [(f64, f64); 5] = [
 ];
 
 impl PlanViewCurve {
-    pub(crate) fn new(geometry: &Geometry) -> Self {
+    pub(crate) fn new(geometry: &PlanViewGeometry) -> Self {
         let length = geometry.length;
         let kind = match geometry.shape {
-            Curve::Line => CurveKind::Line,
-            Curve::Arc(curvature) if curvature.abs() < 1e-12 => CurveKind::Line,
-            Curve::Arc(curvature) => CurveKind::Arc(curvature),
-            Curve::Spiral(from, to) => spiral(from, to, length),
-            Curve::Poly3(v) => CurveKind::Cubic(ParametricCubic::new([0.0, 1.0, 0.0, 0.0], v, length, false, length)),
-            Curve::ParamPoly3 { u, v, normalized } => {
+            GeometryType::Line => CurveKind::Line,
+            GeometryType::Arc(curvature) if curvature.abs() < 1e-12 => CurveKind::Line,
+            GeometryType::Arc(curvature) => CurveKind::Arc(curvature),
+            GeometryType::Spiral(from, to) => spiral(from, to, length),
+            GeometryType::Poly3(v) => {
+                CurveKind::Cubic(ParametricCubic::new([0.0, 1.0, 0.0, 0.0], v, length, false, length))
+            }
+            GeometryType::ParamPoly3 { u, v, normalized } => {
                 CurveKind::Cubic(ParametricCubic::new(u, v, if normalized { 1.0 } else { length }, true, length))
             }
         };
@@ -182,8 +184,8 @@ mod tests {
     use super::*;
     use std::f64::consts::{FRAC_PI_2, PI};
 
-    fn piece(length: f64, shape: Curve) -> PlanViewCurve {
-        PlanViewCurve::new(&Geometry { s: 0.0, x: 3.0, y: -2.0, heading: FRAC_PI_2, length, shape })
+    fn piece(length: f64, shape: GeometryType) -> PlanViewCurve {
+        PlanViewCurve::new(&PlanViewGeometry { s: 0.0, x: 3.0, y: -2.0, heading: FRAC_PI_2, length, shape })
     }
 
     /// Heading north from (3, −2): local (u, v) is world (3 − v, −2 + u).
@@ -193,11 +195,11 @@ mod tests {
 
     #[test]
     fn lines_and_arcs_are_where_trigonometry_puts_them() {
-        let end = piece(12.0, Curve::Line).pose(12.0);
+        let end = piece(12.0, GeometryType::Line).pose(12.0);
         assert!((end.position - world(12.0, 0.0)).length() < 1e-12);
         for radius in [5.0, -40.0, 1e5] {
             let length = 7.0;
-            let end = piece(length, Curve::Arc(1.0 / radius)).pose(length);
+            let end = piece(length, GeometryType::Arc(1.0 / radius)).pose(length);
             let turn: f64 = length / radius;
             let (sin, cos) = sin_cos(turn);
             assert!((end.position - world(radius * sin, radius * (1.0 - cos))).length() < 1e-8);
@@ -223,7 +225,7 @@ mod tests {
     #[test]
     fn spirals_agree_with_the_fresnel_series() {
         for (to, length) in [(0.01, 100.0), (0.1, 60.0), (-0.05, 80.0), (0.2, 30.0)] {
-            let spiral = piece(length, Curve::Spiral(0.0, to));
+            let spiral = piece(length, GeometryType::Spiral(0.0, to));
             for i in 1..=10 {
                 let s = length * f64::from(i) / 10.0;
                 let (x, y) = clothoid(to.abs() / (2.0 * length), s);
@@ -233,17 +235,17 @@ mod tests {
             }
         }
         // Without a change of curvature it is an arc.
-        let (spiral, arc) = (piece(50.0, Curve::Spiral(0.04, 0.04)), piece(50.0, Curve::Arc(0.04)));
+        let (spiral, arc) = (piece(50.0, GeometryType::Spiral(0.04, 0.04)), piece(50.0, GeometryType::Arc(0.04)));
         assert!((spiral.pose(50.0).position - arc.pose(50.0).position).length() < 1e-9);
         // Backwards it meets its beginning.
-        let there = piece(40.0, Curve::Spiral(0.02, 0.1)).pose(40.0);
-        let back = PlanViewCurve::new(&Geometry {
+        let there = piece(40.0, GeometryType::Spiral(0.02, 0.1)).pose(40.0);
+        let back = PlanViewCurve::new(&PlanViewGeometry {
             s: 0.0,
             x: there.position.x,
             y: there.position.y,
             heading: there.heading + PI,
             length: 40.0,
-            shape: Curve::Spiral(-0.1, -0.02),
+            shape: GeometryType::Spiral(-0.1, -0.02),
         });
         assert!((back.pose(40.0).position - DVec2::new(3.0, -2.0)).length() < 1e-8);
     }
@@ -255,14 +257,15 @@ mod tests {
             let k: f64 = 0.02 * u;
             (k * (1.0 + k * k).sqrt() + endless_world::math::f64::ln(k + (1.0 + k * k).sqrt())) / 0.04
         };
-        let poly = piece(arc(40.0), Curve::Poly3([0.0, 0.0, 0.01, 0.0]));
+        let poly = piece(arc(40.0), GeometryType::Poly3([0.0, 0.0, 0.01, 0.0]));
         for u in [0.0, 10.0, 25.0, 40.0] {
             let there = poly.pose(arc(u));
             assert!((there.position - world(u, 0.01 * u * u)).length() < 1e-6, "{u}");
         }
         // The same curve as a parametric one, in both ranges of the parameter.
         for (normalized, n) in [(true, 40.0), (false, 40.0 / arc(40.0))] {
-            let curve = Curve::ParamPoly3 { u: [0.0, n, 0.0, 0.0], v: [0.0, 0.0, 0.01 * n * n, 0.0], normalized };
+            let curve =
+                GeometryType::ParamPoly3 { u: [0.0, n, 0.0, 0.0], v: [0.0, 0.0, 0.01 * n * n, 0.0], normalized };
             let there = piece(arc(40.0), curve);
             for u in [0.0, 10.0, 25.0, 40.0] {
                 assert!((there.pose(arc(u)).position - world(u, 0.01 * u * u)).length() < 1e-6, "{normalized} {u}");
@@ -272,8 +275,8 @@ mod tests {
 
     #[test]
     fn degenerate_curves_stay_finite() {
-        let zero = Curve::ParamPoly3 { u: [0.0; 4], v: [0.0; 4], normalized: true };
-        for shape in [zero, Curve::Poly3([0.0; 4]), Curve::Spiral(0.0, 0.0), Curve::Arc(0.0)] {
+        let zero = GeometryType::ParamPoly3 { u: [0.0; 4], v: [0.0; 4], normalized: true };
+        for shape in [zero, GeometryType::Poly3([0.0; 4]), GeometryType::Spiral(0.0, 0.0), GeometryType::Arc(0.0)] {
             let p = piece(10.0, shape).pose(5.0);
             assert!(p.position.is_finite() && p.heading.is_finite());
         }

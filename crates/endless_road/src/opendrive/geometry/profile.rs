@@ -1,9 +1,9 @@
 //! Piecewise cubics: heights, widths, offsets.
 
-use super::super::document::{Cubic, Shape};
+use super::super::document::{CubicPolynomial, LateralShape};
 
 /// The value of the last cubic that begins at or before `s`; 0 without any. Before the first, its first value.
-pub(crate) fn value_at(cubics: &[Cubic], s: f64) -> f64 {
+pub(crate) fn value_at(cubics: &[CubicPolynomial], s: f64) -> f64 {
     let Some(first) = cubics.first() else { return 0.0 };
     let at = cubics.partition_point(|cubic| cubic.s <= s);
     let cubic = if at == 0 { first } else { &cubics[at - 1] };
@@ -13,7 +13,7 @@ pub(crate) fn value_at(cubics: &[Cubic], s: f64) -> f64 {
 }
 
 /// Height of the surface above the reference plane: cubics across the road, linear along it.
-pub(crate) fn shape_at(shapes: &[Shape], s: f64, t: f64) -> f64 {
+pub(crate) fn shape_at(shapes: &[LateralShape], s: f64, t: f64) -> f64 {
     let next = shapes.partition_point(|shape| shape.s <= s);
     if shapes.is_empty() {
         return 0.0;
@@ -29,7 +29,7 @@ pub(crate) fn shape_at(shapes: &[Shape], s: f64, t: f64) -> f64 {
     }
 }
 
-fn across(shapes: &[Shape], s: f64, t: f64) -> f64 {
+fn across(shapes: &[LateralShape], s: f64, t: f64) -> f64 {
     let first = shapes.partition_point(|shape| shape.s < s);
     let end = shapes.partition_point(|shape| shape.s <= s);
     let row = &shapes[first..end];
@@ -46,14 +46,17 @@ mod tests {
 
     #[test]
     fn the_last_record_before_counts() {
-        let cubics = [Cubic { s: 1.0, abcd: [1.0, 2.0, 0.0, 0.0] }, Cubic { s: 3.0, abcd: [0.0, 0.0, 1.0, 1.0] }];
+        let cubics = [
+            CubicPolynomial { s: 1.0, abcd: [1.0, 2.0, 0.0, 0.0] },
+            CubicPolynomial { s: 3.0, abcd: [0.0, 0.0, 1.0, 1.0] },
+        ];
         assert_eq!([0.0, 1.0, 2.0, 3.0, 5.0].map(|s| value_at(&cubics, s)), [1.0, 1.0, 3.0, 0.0, 12.0]);
         assert_eq!(value_at(&[], 3.0), 0.0);
     }
 
     #[test]
     fn shapes_are_linear_along_the_road() {
-        let shape = |s: f64, t: f64, a: f64, b: f64| Shape { s, t, abcd: [a, b, 0.0, 0.0] };
+        let shape = |s: f64, t: f64, a: f64, b: f64| LateralShape { s, t, abcd: [a, b, 0.0, 0.0] };
         let shapes = [shape(0.0, -5.0, 0.0, 0.0), shape(0.0, 0.0, 0.0, 0.1), shape(10.0, -5.0, 1.0, 0.0)];
         assert!((shape_at(&shapes, 0.0, 2.0) - 0.2).abs() < 1e-12);
         assert!((shape_at(&shapes, 5.0, 2.0) - 0.6).abs() < 1e-12);

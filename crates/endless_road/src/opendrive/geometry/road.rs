@@ -87,16 +87,23 @@ impl RoadFrame {
 
 #[cfg(test)]
 mod tests {
-    use super::super::super::document::{Cubic, Curve, Geometry, Shape};
+    use super::super::super::document::{CubicPolynomial, GeometryType, LateralShape, PlanViewGeometry};
     use super::*;
 
     #[test]
     fn the_left_side_rises_with_positive_superelevation() {
         let road = Road {
-            plan_view: vec![Geometry { s: 0.0, x: 1.0, y: 2.0, heading: 0.0, length: 50.0, shape: Curve::Line }],
-            elevation: vec![Cubic { s: 0.0, abcd: [3.0, 0.1, 0.0, 0.0] }],
-            superelevation: vec![Cubic { s: 0.0, abcd: [0.1, 0.0, 0.0, 0.0] }],
-            shapes: vec![Shape { s: 0.0, t: 0.0, abcd: [0.0; 4] }],
+            plan_view: vec![PlanViewGeometry {
+                s: 0.0,
+                x: 1.0,
+                y: 2.0,
+                heading: 0.0,
+                length: 50.0,
+                shape: GeometryType::Line,
+            }],
+            elevation: vec![CubicPolynomial { s: 0.0, abcd: [3.0, 0.1, 0.0, 0.0] }],
+            superelevation: vec![CubicPolynomial { s: 0.0, abcd: [0.1, 0.0, 0.0, 0.0] }],
+            shapes: vec![LateralShape { s: 0.0, t: 0.0, abcd: [0.0; 4] }],
             ..Road::default()
         };
         let p = RoadShape::new(&road).point(10.0, 4.0);

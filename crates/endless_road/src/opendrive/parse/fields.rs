@@ -1,6 +1,6 @@
 //! Values of attributes, and complaints about them.
 
-use super::super::document::{Cubic, End, Orientation};
+use super::super::document::{ContactPoint, CubicPolynomial, SignalOrientation};
 use super::super::xml::XmlElement;
 use crate::ImportNote;
 
@@ -80,9 +80,9 @@ impl Fields {
         }
     }
 
-    pub(super) fn cubic(&self, element: &XmlElement, start: &str) -> Result<Cubic, ElementError> {
+    pub(super) fn cubic(&self, element: &XmlElement, start: &str) -> Result<CubicPolynomial, ElementError> {
         let s = self.number(element, start)?;
-        Ok(Cubic { s, abcd: self.four(element, ["a", "b", "c", "d"])? })
+        Ok(CubicPolynomial { s, abcd: self.four(element, ["a", "b", "c", "d"])? })
     }
 
     pub(super) fn four(&self, element: &XmlElement, names: [&str; 4]) -> Result<[f64; 4], ElementError> {
@@ -94,7 +94,7 @@ impl Fields {
     }
 
     /// All cubics of a name, in order of `s`.
-    pub(super) fn cubics(&mut self, parent: Option<&XmlElement>, name: &str, start: &str) -> Vec<Cubic> {
+    pub(super) fn cubics(&mut self, parent: Option<&XmlElement>, name: &str, start: &str) -> Vec<CubicPolynomial> {
         let mut cubics = Vec::new();
         for element in parent.into_iter().flat_map(|parent| parent.all(name)) {
             let read = self.cubic(element, start);
@@ -124,10 +124,10 @@ impl Fields {
         (value > 0.0).then_some(value * factor)
     }
 
-    pub(super) fn contact(&mut self, element: &XmlElement, default: End) -> End {
+    pub(super) fn contact(&mut self, element: &XmlElement, default: ContactPoint) -> ContactPoint {
         match element.attribute("contactPoint") {
-            Some("start") => End::Start,
-            Some("end") => End::End,
+            Some("start") => ContactPoint::Start,
+            Some("end") => ContactPoint::End,
             None => default,
             Some(other) => {
                 self.note(element, format!("contactPoint=\"{}\" is neither start nor end", short(other)));
@@ -137,11 +137,11 @@ impl Fields {
     }
 }
 
-pub(super) fn orientation(element: &XmlElement) -> Orientation {
+pub(super) fn orientation(element: &XmlElement) -> SignalOrientation {
     match element.attribute("orientation") {
-        Some("+") => Orientation::Along,
-        Some("-") => Orientation::Against,
-        _ => Orientation::Both,
+        Some("+") => SignalOrientation::Along,
+        Some("-") => SignalOrientation::Against,
+        _ => SignalOrientation::Both,
     }
 }
 

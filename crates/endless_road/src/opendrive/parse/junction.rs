@@ -1,6 +1,6 @@
 //! Junctions and controllers.
 
-use super::super::document::{Connection, Controller, End, JunctionRecord, JunctionType};
+use super::super::document::{ContactPoint, JunctionConnection, JunctionRecord, JunctionType, SignalController};
 use super::super::xml::XmlElement;
 use super::fields::{Fields, text};
 
@@ -26,11 +26,11 @@ impl Fields {
                 lane_links.extend(self.keep(ends));
             }
             let connecting = if kind == JunctionType::Direct { "linkedRoad" } else { "connectingRoad" };
-            junction.connections.push(Connection {
+            junction.connections.push(JunctionConnection {
                 line: connection.line,
                 incoming: text(connection, "incomingRoad"),
                 connecting: text(connection, connecting),
-                contact: self.contact(connection, End::Start),
+                contact: self.contact(connection, ContactPoint::Start),
                 lane_links,
             });
         }
@@ -44,8 +44,8 @@ impl Fields {
         junction
     }
 
-    pub(super) fn controller(&mut self, element: &XmlElement) -> Controller {
-        Controller {
+    pub(super) fn controller(&mut self, element: &XmlElement) -> SignalController {
+        SignalController {
             id: text(element, "id"),
             name: text(element, "name"),
             sequence: self.optional(element, "sequence").map(|value| value.max(0.0) as u32),

@@ -1,4 +1,4 @@
-//! From the tree of elements to a [`Document`].
+//! From the tree of elements to an [`OpenDriveDocument`].
 
 mod fields;
 mod junction;
@@ -7,13 +7,13 @@ mod object;
 mod plan_view;
 mod road;
 
-use super::document::Document;
+use super::document::OpenDriveDocument;
 use super::xml::{self, XmlElement};
 use super::{OpenDriveError, schema};
 pub(super) use fields::FARTHEST_M;
 use fields::Fields;
 
-impl Document {
+impl OpenDriveDocument {
     /// Reads a file's text. An element that makes no sense is mended or left out, with a note: the rest of the map is
     /// good.
     ///
@@ -26,7 +26,7 @@ impl Document {
             return Err(OpenDriveError::Format { line: root.line, element: root.name, what });
         }
         let mut fields = Fields::default();
-        let mut document = Document::default();
+        let mut document = OpenDriveDocument::default();
         if let Some(header) = root.first("header") {
             read_header(header, &mut fields, &mut document);
         }
@@ -52,7 +52,7 @@ impl Document {
     }
 }
 
-fn read_header(header: &XmlElement, fields: &mut Fields, document: &mut Document) {
+fn read_header(header: &XmlElement, fields: &mut Fields, document: &mut OpenDriveDocument) {
     let revision = |name: &str| header.attribute(name).and_then(|v| v.trim().parse().ok()).unwrap_or(0);
     document.revision = (revision("revMajor"), revision("revMinor"));
     if document.revision.0 != 1 {

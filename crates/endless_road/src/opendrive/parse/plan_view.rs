@@ -1,6 +1,6 @@
 //! The reference line: curves as they are written, and what takes the place of those that no road can follow.
 
-use super::super::document::{Curve, End, Geometry, Road, RoadLink};
+use super::super::document::{ContactPoint, GeometryType, PlanViewGeometry, Road, RoadLink};
 use super::super::geometry::{PlanViewCurve, PlanViewPose};
 use super::super::xml::XmlElement;
 use super::fields::{ElementError, Fields};
@@ -62,7 +62,7 @@ impl Fields {
     }
 
     /// Where a geometry begins and how long it is, as if it were straight.
-    fn straight(&self, geometry: &XmlElement) -> Result<Geometry, ElementError> {
+    fn straight(&self, geometry: &XmlElement) -> Result<PlanViewGeometry, ElementError> {
         let length = self.number(geometry, "length")?;
         if length < 0.0 {
             return Err(ElementError::new(geometry, format!("has the negative length {length}")));
@@ -71,20 +71,20 @@ impl Fields {
             let what = format!("is {:.0} km long, which no road of a map is", length / 1000.0);
             return Err(ElementError::new(geometry, what));
         }
-        Ok(Geometry {
+        Ok(PlanViewGeometry {
             s: self.number(geometry, "s")?,
             x: self.number(geometry, "x")?,
             y: self.number(geometry, "y")?,
             heading: self.number(geometry, "hdg")?,
             length,
-            shape: Curve::Line,
+            shape: GeometryType::Line,
         })
     }
 
     /// With the curve that it is.
-    fn curved(&mut self, geometry: &XmlElement, straight: Geometry) -> Result<Geometry, ElementError> {
+    fn curved(&mut self, geometry: &XmlElement, straight: PlanViewGeometry) -> Result<PlanViewGeometry, ElementError> {
         let length = straight.length;
-        let read = Geometry { shape: self.curve(geometry)?, ..straight };
+        let read = PlanViewGeometry { shape: self.curve(geometry)?, ..straight };
         let stretch = PlanViewCurve::new(&read).stretch();
         let text = || format!("is {:.2} m long, but its length is given as {length}", stretch * length);
         if stretch > MOST_STRETCH {
@@ -117,7 +117,7 @@ impl Fields {
         Ok(())
     }
 
-    fn curve(&self, geometry: &XmlElement) -> Result<Curve, ElementError> {
+    fn curve(&self, geometry: &XmlElement) -> Result<GeometryType, ElementError> {
         let gentle = |element: &XmlElement, value: f64| {
             if value.abs() <= SHARPEST {
                 Ok(value)
@@ -128,14 +128,14 @@ impl Fields {
         };
         for child in &geometry.children {
             return Ok(match child.name.as_str() {
-                "line" => Curve::Line,
-                "arc" => Curve::Arc(gentle(child, self.number(child, "curvature")?)?),
-                "spiral" => Curve::Spiral(
+                "line" => GeometryType::Line,
+                "arc" => GeometryType::Arc(gentle(child, self.number(child, "curvature")?)?),
+                "spiral" => GeometryType::Spiral(
                     gentle(child, self.number(child, "curvStart")?)?,
                     gentle(child, self.number(child, "curvEnd")?)?,
                 ),
-                "poly3" => Curve::Poly3(self.four(child, ["a", "b", "c", "d"])?),
-                "paramPoly3" => Curve::ParamPoly3 {
+                "poly3" => GeometryType::Poly3(self.four(child, ["a", "b", "c", "d"])?),
+                "paramPoly3" => GeometryType::ParamPoly3 {
                     u: self.four(child, ["aU", "bU", "cU", "dU"])?,
                     v: self.four(child, ["aV", "bV", "cV", "dV"])?,
                     // The default of 1.4; later versions require it.
@@ -153,8 +153,8 @@ pub(super) fn tie_loose_end(roads: &mut [Road], place: usize) {
     let Some(RoadLink::Road { id, contact }) = &roads[place].successor else { return };
     let Some(next) = roads.iter().find(|road| road.id == *id && road.id != roads[place].id) else { return };
     let there = match (contact, next.plan_view.first(), next.plan_view.last()) {
-        (End::Start, Some(first), _) => beginning(first),
-        (End::End, _, Some(last)) => {
+        (ContactPoint::Start, Some(first), _) => beginning(first),
+        (ContactPoint::End, _, Some(last)) => {
             let end = PlanViewCurve::new(last).pose(last.length);
             PlanViewPose { heading: end.heading + PI, ..end }
         }
@@ -165,22 +165,22 @@ pub(super) fn tie_loose_end(roads: &mut [Road], place: usize) {
     }
 }
 
-fn beginning(geometry: &Geometry) -> PlanViewPose {
+fn beginning(geometry: &PlanViewGeometry) -> PlanViewPose {
     PlanViewPose { position: DVec2::new(geometry.x, geometry.y), heading: geometry.heading }
 }
 
 /// Hermite's cubic from where a geometry begins to where the road goes on, if that can be reached within its length; a
 /// straight line otherwise.
-fn bridge(geometry: &Geometry, next: PlanViewPose) -> Curve {
+fn bridge(geometry: &PlanViewGeometry, next: PlanViewPose) -> GeometryType {
     let way = next.position - DVec2::new(geometry.x, geometry.y);
     let chord = way.length();
     if !BRIDGED.contains(&(chord / geometry.length)) {
-        return Curve::Line;
+        return GeometryType::Line;
     }
     let (sin, cos) = sin_cos(geometry.heading);
     let end = DVec2::new(cos * way.x + sin * way.y, cos * way.y - sin * way.x);
     let (sin, cos) = sin_cos(next.heading - geometry.heading);
     let (from, to) = (DVec2::new(chord, 0.0), DVec2::new(cos, sin) * chord);
     let [b, c, d] = [from, 3.0 * end - 2.0 * from - to, from + to - 2.0 * end];
-    Curve::ParamPoly3 { u: [0.0, b.x, c.x, d.x], v: [0.0, b.y, c.y, d.y], normalized: true }
+    GeometryType::ParamPoly3 { u: [0.0, b.x, c.x, d.x], v: [0.0, b.y, c.y, d.y], normalized: true }
 }

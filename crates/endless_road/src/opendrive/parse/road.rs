@@ -1,6 +1,6 @@
 //! Roads: links, profiles.
 
-use super::super::document::{Crossfall, End, Road, RoadLink, RoadType, Shape};
+use super::super::document::{ContactPoint, Crossfall, LateralShape, Road, RoadLink, RoadType};
 use super::super::xml::XmlElement;
 use super::fields::{ElementError, Fields, text};
 
@@ -18,8 +18,8 @@ impl Fields {
                 .filter(|id| !matches!(*id, "-1" | ""))
                 .map(str::to_owned),
             left_hand: element.attribute("rule").is_some_and(|rule| rule.trim() == "LHT"),
-            predecessor: link.and_then(|l| l.first("predecessor")).and_then(|l| self.road_link(l, End::End)),
-            successor: link.and_then(|l| l.first("successor")).and_then(|l| self.road_link(l, End::Start)),
+            predecessor: link.and_then(|l| l.first("predecessor")).and_then(|l| self.road_link(l, ContactPoint::End)),
+            successor: link.and_then(|l| l.first("successor")).and_then(|l| self.road_link(l, ContactPoint::Start)),
             elevation: self.cubics(element.first("elevationProfile"), "elevation", "s"),
             superelevation: self.cubics(lateral, "superelevation", "s"),
             ..Road::default()
@@ -55,12 +55,12 @@ impl Fields {
         Ok(road)
     }
 
-    fn shape(&self, element: &XmlElement) -> Result<Shape, ElementError> {
+    fn shape(&self, element: &XmlElement) -> Result<LateralShape, ElementError> {
         let (s, t) = (self.number(element, "s")?, self.number(element, "t")?);
-        Ok(Shape { s, t, abcd: self.four(element, ["a", "b", "c", "d"])? })
+        Ok(LateralShape { s, t, abcd: self.four(element, ["a", "b", "c", "d"])? })
     }
 
-    fn road_link(&mut self, element: &XmlElement, default: End) -> Option<RoadLink> {
+    fn road_link(&mut self, element: &XmlElement, default: ContactPoint) -> Option<RoadLink> {
         let id = text(element, "elementId");
         match element.attribute("elementType") {
             Some("junction") => Some(RoadLink::Junction { id }),

@@ -1,20 +1,20 @@
 //! Which ends of which lanes are one place: lane links inside roads, from road to road, and through junctions.
 
-use super::super::document::{Connection, End, JunctionRecord, JunctionType, RoadLink};
+use super::super::document::{ContactPoint, JunctionConnection, JunctionRecord, JunctionType, RoadLink};
 use super::sampled::{LaneKey, SampledDocument};
 use crate::ImportNote;
 use std::collections::BTreeSet;
 
 /// An end of a lane of a section, by `s`.
-pub(super) type LaneEnd = (LaneKey, End);
+pub(super) type LaneEnd = (LaneKey, ContactPoint);
 
 /// All pairs of joined ends, each once.
 pub(super) fn joins(sampled: &SampledDocument<'_>, notes: &mut Vec<ImportNote>) -> BTreeSet<(LaneEnd, LaneEnd)> {
     let mut joins = Joins { sampled, notes, pairs: BTreeSet::new() };
     for road in 0..sampled.document.roads.len() {
         joins.inside_road(road);
-        joins.join_next_road(road, End::Start);
-        joins.join_next_road(road, End::End);
+        joins.join_next_road(road, ContactPoint::Start);
+        joins.join_next_road(road, ContactPoint::End);
     }
     for junction in &sampled.document.junctions {
         joins.through_junction(junction);
@@ -48,10 +48,10 @@ impl Joins<'_, '_> {
         self.notes.push(ImportNote { place: format!("line {line}"), text });
     }
 
-    fn links(&self, key: LaneKey, end: End) -> &[i32] {
+    fn links(&self, key: LaneKey, end: ContactPoint) -> &[i32] {
         self.sampled.record(key).map_or(&[], |lane| match end {
-            End::Start => &lane.predecessors,
-            End::End => &lane.successors,
+            ContactPoint::Start => &lane.predecessors,
+            ContactPoint::End => &lane.successors,
         })
     }
 
@@ -64,8 +64,8 @@ impl Joins<'_, '_> {
     /// programs do that leave obvious links out.
     fn sections(
         &mut self,
-        (road, section, end): (usize, usize, End),
-        (next_road, next_section, next_end): (usize, usize, End),
+        (road, section, end): (usize, usize, ContactPoint),
+        (next_road, next_section, next_end): (usize, usize, ContactPoint),
     ) {
         let key = |lane| LaneKey { road, section, lane };
         let next_key = |lane| LaneKey { road: next_road, section: next_section, lane };
@@ -93,14 +93,14 @@ impl Joins<'_, '_> {
 
     fn inside_road(&mut self, road: usize) {
         for section in 1..self.sampled.document.roads[road].sections.len() {
-            self.sections((road, section - 1, End::End), (road, section, End::Start));
-            self.sections((road, section, End::Start), (road, section - 1, End::End));
+            self.sections((road, section - 1, ContactPoint::End), (road, section, ContactPoint::Start));
+            self.sections((road, section, ContactPoint::Start), (road, section - 1, ContactPoint::End));
         }
     }
 
-    fn join_next_road(&mut self, road: usize, end: End) {
+    fn join_next_road(&mut self, road: usize, end: ContactPoint) {
         let record = &self.sampled.document.roads[road];
-        let link = if end == End::Start { &record.predecessor } else { &record.successor };
+        let link = if end == ContactPoint::Start { &record.predecessor } else { &record.successor };
         match link {
             Some(RoadLink::Road { id, contact }) => match self.sampled.road(id) {
                 Some(next) => {
@@ -151,23 +151,27 @@ impl Joins<'_, '_> {
     fn incoming_end(
         &self,
         junction: &JunctionRecord,
-        connection: &Connection,
+        connection: &JunctionConnection,
         incoming: usize,
         connecting: usize,
-    ) -> End {
+    ) -> ContactPoint {
         let record = &self.sampled.document.roads[incoming];
         let linked = |link: &Option<RoadLink>| matches!(link, Some(RoadLink::Junction { id }) if *id == junction.id);
         match (linked(&record.predecessor), linked(&record.successor)) {
-            (true, false) => End::Start,
-            (false, true) => End::End,
+            (true, false) => ContactPoint::Start,
+            (false, true) => ContactPoint::End,
             _ => {
-                let place = |road: usize, end: End| {
-                    let s = if end == End::Start { 0.0 } else { self.sampled.document.roads[road].length };
+                let place = |road: usize, end: ContactPoint| {
+                    let s = if end == ContactPoint::Start { 0.0 } else { self.sampled.document.roads[road].length };
                     self.sampled.roads[road].pose(s).position
                 };
                 let there = place(connecting, connection.contact);
-                let distance = |end: End| place(incoming, end).distance(there);
-                if distance(End::Start) < distance(End::End) { End::Start } else { End::End }
+                let distance = |end: ContactPoint| place(incoming, end).distance(there);
+                if distance(ContactPoint::Start) < distance(ContactPoint::End) {
+                    ContactPoint::Start
+                } else {
+                    ContactPoint::End
+                }
             }
         }
     }

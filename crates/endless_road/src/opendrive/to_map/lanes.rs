@@ -1,7 +1,7 @@
 //! The lanes traffic drives on: pieces of lanes by section, joined to one another and then to longer lanes.
 
 use super::super::OpenDriveError;
-use super::super::document::End;
+use super::super::document::ContactPoint;
 use super::joins::LaneEnd;
 use super::kind::{is_driven, usual_speed};
 use super::sampled::{LaneKey, SampledDocument};
@@ -100,7 +100,7 @@ impl LaneGraph {
 
     fn join(&mut self, sampled: &SampledDocument<'_>, a: LaneEnd, b: LaneEnd, notes: &mut Vec<ImportNote>) {
         let (Some(&x), Some(&y)) = (self.owner.get(&a.0), self.owner.get(&b.0)) else { return };
-        let leaves = |(key, end): LaneEnd| sampled.runs_along(key) == (end == End::End);
+        let leaves = |(key, end): LaneEnd| sampled.runs_along(key) == (end == ContactPoint::End);
         let (from, to) = match (leaves(a), leaves(b)) {
             (true, false) => (x, y),
             (false, true) => (y, x),

@@ -16,7 +16,7 @@ mod strips;
 mod turnaround;
 mod walk;
 
-use super::{Document, OpenDriveError};
+use super::{OpenDriveDocument, OpenDriveError};
 use crate::{RoadMap, RoadNetwork};
 use sampled::SampledDocument;
 
@@ -26,7 +26,7 @@ use sampled::SampledDocument;
 /// If it is not well-formed XML or not OpenDRIVE, is larger than a map can be, or has no lane for driving. What can be
 /// mended is mended, and an impossible road is left out, with a note: the rest of the map is good.
 pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
-    let mut document = Document::parse(text)?;
+    let mut document = OpenDriveDocument::parse(text)?;
     let in_file = document.roads.len() + document.roads_left_out.len();
     let sections = sampled::sample(&mut document)?;
     let sampled = SampledDocument::new(&document, sections);

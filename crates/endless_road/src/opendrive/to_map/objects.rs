@@ -70,7 +70,7 @@ fn signal_thing(
     groups: &BTreeMap<&str, SignalId>,
     network: &RoadNetwork,
 ) -> Option<MapObject> {
-    use super::super::document::Orientation;
+    use super::super::document::SignalOrientation;
     let position = match &signal.position {
         Some(SignalPosition::Inertial([x, y, z])) => DVec3::new(*x, *y, *z),
         Some(SignalPosition::Road(road, [s, t])) => {
@@ -84,7 +84,7 @@ fn signal_thing(
         .map(|&id| network.lane(id))
         .map(|lane| lane.centerline.at(lane.centerline.length()))
         .min_by(|a, b| a.position.distance(position).total_cmp(&b.position.distance(position)));
-    let turned = if signal.orientation == Orientation::Against { PI } else { 0.0 };
+    let turned = if signal.orientation == SignalOrientation::Against { PI } else { 0.0 };
     let heading = shape.pose(signal.s).heading + turned + signal.h_offset;
     let heading_rad = nearest.map_or(wrap_angle(heading), |end| end.heading_rad);
     let kind = match meaning(signal) {

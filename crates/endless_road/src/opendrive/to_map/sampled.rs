@@ -1,7 +1,7 @@
 //! All roads of a document, sampled once.
 
 use super::super::OpenDriveError;
-use super::super::document::{Document, End, LaneRecord, Road};
+use super::super::document::{ContactPoint, LaneRecord, OpenDriveDocument, Road};
 use super::super::geometry::{LaneShape, RoadShape, SectionShape};
 use crate::ImportNote;
 use glam::DVec3;
@@ -43,7 +43,7 @@ impl LaneKey {
 
 /// A document with the shape of all its lanes.
 pub(super) struct SampledDocument<'a> {
-    pub(super) document: &'a Document,
+    pub(super) document: &'a OpenDriveDocument,
     pub(super) roads: Vec<RoadShape<'a>>,
     /// By road.
     pub(super) sections: Vec<Sections>,
@@ -57,7 +57,7 @@ type Sections = Vec<Option<SectionShape>>;
 ///
 /// # Errors
 /// If there is more than a map can hold.
-pub(super) fn sample(document: &mut Document) -> Result<Vec<Sections>, OpenDriveError> {
+pub(super) fn sample(document: &mut OpenDriveDocument) -> Result<Vec<Sections>, OpenDriveError> {
     let metres: f64 = document.roads.iter().map(|road| road.length).sum();
     if metres > MOST_METRES as f64 {
         return Err(OpenDriveError::TooMuch { what: "metres of road", most: MOST_METRES });
@@ -103,7 +103,7 @@ fn sample_road(road: &Road, points: &mut usize) -> Result<Result<Sections, Impor
 
 impl<'a> SampledDocument<'a> {
     /// A document with its roads as they were sampled.
-    pub(super) fn new(document: &'a Document, sections: Vec<Sections>) -> Self {
+    pub(super) fn new(document: &'a OpenDriveDocument, sections: Vec<Sections>) -> Self {
         let roads = document.roads.iter().map(RoadShape::new).collect();
         let mut road_places = BTreeMap::new();
         for (place, road) in document.roads.iter().enumerate() {
@@ -130,10 +130,10 @@ impl<'a> SampledDocument<'a> {
     }
 
     /// The section at an end of a road.
-    pub(super) fn section_at(&self, road: usize, end: End) -> usize {
+    pub(super) fn section_at(&self, road: usize, end: ContactPoint) -> usize {
         match end {
-            End::Start => 0,
-            End::End => self.document.roads[road].sections.len() - 1,
+            ContactPoint::Start => 0,
+            ContactPoint::End => self.document.roads[road].sections.len() - 1,
         }
     }
 

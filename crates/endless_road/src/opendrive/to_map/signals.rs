@@ -5,7 +5,7 @@
 //! form a group. Files say which signals change together but not when, so that programs are made here: approaches
 //! that face one another are green together, and people cross while nobody drives straight over their crossing.
 
-use super::super::document::{End, Orientation, Signal};
+use super::super::document::{ContactPoint, Signal, SignalOrientation};
 use super::lanes::LaneGraph;
 use super::sampled::{LaneKey, SampledDocument};
 use crate::{Control, Crossing, ImportNote, JunctionId, LaneId, Phase, RoadNetwork, SignalProgram, Turn};
@@ -95,7 +95,7 @@ fn lanes_of(
     sampled: &SampledDocument<'_>,
     graph: &LaneGraph,
     (road, s): (usize, f64),
-    orientation: Orientation,
+    orientation: SignalOrientation,
     validity: &[(i32, i32)],
 ) -> BTreeSet<LaneId> {
     let record = &sampled.document.roads[road];
@@ -108,9 +108,9 @@ fn lanes_of(
         // Where lanes are listed they decide: exporters do not agree on the orientation.
         let valid = if validity.is_empty() {
             match orientation {
-                Orientation::Along => along,
-                Orientation::Against => !along,
-                Orientation::Both => true,
+                SignalOrientation::Along => along,
+                SignalOrientation::Against => !along,
+                SignalOrientation::Both => true,
             }
         } else {
             validity.iter().any(|&(from, to)| from <= lane.id && lane.id <= to)
@@ -121,8 +121,8 @@ fn lanes_of(
         if record.junction.is_some() {
             lanes.extend(graph.approaches(node));
         } else {
-            let end = if along { End::End } else { End::Start };
-            let rest = if end == End::End { record.length - s } else { s };
+            let end = if along { ContactPoint::End } else { ContactPoint::Start };
+            let rest = if end == ContactPoint::End { record.length - s } else { s };
             // The last lane of this road in the direction of travel is the one that ends at the junction.
             if rest < REACH_M {
                 lanes.extend(graph.last_on_road(node, road));

@@ -1,6 +1,6 @@
 //! Where people walk: sidewalk lanes, joined where the file joins them or where they touch, and crossings.
 
-use super::super::document::End;
+use super::super::document::ContactPoint;
 use super::joins::LaneEnd;
 use super::kind::is_walked;
 use super::sampled::SampledDocument;
@@ -78,11 +78,11 @@ impl Walk {
             for (i, &place) in line.iter().enumerate() {
                 let here = self.node(place + lift);
                 match last {
-                    None => drop(ends.insert((key, End::Start), here)),
+                    None => drop(ends.insert((key, ContactPoint::Start), here)),
                     Some(last) => self.edge(last, here, (width - MARGIN_M).max(NARROWEST_M), WalkKind::Sidewalk),
                 }
                 if i + 1 == line.len() {
-                    ends.insert((key, End::End), here);
+                    ends.insert((key, ContactPoint::End), here);
                 }
                 last = Some(here);
             }
