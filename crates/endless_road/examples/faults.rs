@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         };
         let network = &map.network;
         let (lanes, spawns) = (network.lanes.len(), network.spawn_points.len());
-        let bays = map.strips.iter().filter(|s| s.kind == endless_road::StripKind::Parking).count();
+        let bays = map.lane_surfaces.iter().filter(|s| s.kind == endless_road::LaneType::Parking).count();
         println!("{file}: {lanes} lanes, {spawns} spawn points, {bays} parking strips");
         let mut by_kind: BTreeMap<FaultKind, Vec<Fault>> = BTreeMap::new();
         for fault in network.faults() {

@@ -3,7 +3,7 @@
 #![expect(clippy::print_stdout, reason = "a program")]
 
 use endless_road::osm::{self, OsmOptions};
-use endless_road::{Control, MapObjectKind, RoadMap, StripKind, WalkKind, opendrive};
+use endless_road::{Control, LaneType, MapObjectKind, RoadMap, WalkKind, opendrive};
 use glam::{DVec2, DVec3};
 use std::error::Error;
 
@@ -42,26 +42,26 @@ fn extent(map: &RoadMap) -> (DVec2, f64) {
 }
 
 fn draw(map: &RoadMap, canvas: &mut Canvas) {
-    let mut strips: Vec<_> = map.strips.iter().collect();
-    strips.sort_by_key(|strip| (strip.kind == StripKind::Driving, strip.in_junction));
-    for strip in strips {
+    let mut lane_surfaces: Vec<_> = map.lane_surfaces.iter().collect();
+    lane_surfaces.sort_by_key(|strip| (strip.kind == LaneType::Driving, strip.in_junction));
+    for strip in lane_surfaces {
         let color = match strip.kind {
-            StripKind::Driving if strip.in_junction => [96, 96, 102],
-            StripKind::Driving => [80, 80, 86],
-            StripKind::Shoulder => [120, 116, 108],
-            StripKind::Parking => [90, 90, 130],
-            StripKind::Biking => [150, 80, 70],
-            StripKind::Sidewalk => [190, 186, 176],
-            StripKind::Curb => [220, 220, 220],
-            StripKind::Median => [120, 150, 90],
-            StripKind::Rail => [130, 90, 60],
+            LaneType::Driving if strip.in_junction => [96, 96, 102],
+            LaneType::Driving => [80, 80, 86],
+            LaneType::Shoulder => [120, 116, 108],
+            LaneType::Parking => [90, 90, 130],
+            LaneType::Biking => [150, 80, 70],
+            LaneType::Sidewalk => [190, 186, 176],
+            LaneType::Curb => [220, 220, 220],
+            LaneType::Median => [120, 150, 90],
+            LaneType::Rail => [130, 90, 60],
         };
         for i in 1..strip.left.len() {
             canvas.quad([strip.left[i - 1], strip.left[i], strip.right[i], strip.right[i - 1]], color);
         }
     }
-    for mark in &map.marks {
-        let color = if mark.paint == endless_road::Paint::Yellow { [240, 200, 40] } else { [250, 250, 250] };
+    for mark in &map.markings {
+        let color = if mark.color == endless_road::MarkingColor::Yellow { [240, 200, 40] } else { [250, 250, 250] };
         let length = mark.line.length();
         let [paint, gap] = mark.dash.unwrap_or([length, 0.0]);
         let mut s = 0.0;

@@ -53,7 +53,8 @@ pub use network::{
 };
 pub use polyline::{OnLine, Polyline};
 pub use road_map::{
-    Area, AreaKind, BuildingFootprint, ImportNote, MapObject, MapObjectKind, Mark, Paint, RoadMap, Strip, StripKind,
+    BuildingFootprint, ImportNote, LandUse, LandUseArea, LaneSurface, LaneType, MapObject, MapObjectKind, MarkingColor,
+    RoadMap, RoadMarking,
 };
 pub use terrain::Terrain;
 pub use walk::WalkGraph;

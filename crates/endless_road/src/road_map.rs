@@ -1,5 +1,5 @@
-//! A map as a file describes it: what traffic drives on, the surfaces that lie there, and what is known of the
-//! surroundings. Importers make it; a town is dressed from it.
+//! A map as a file describes it: the lane network, the paved surfaces and road markings, and what the file says of land
+//! use, buildings and objects beside the roads. Importers make it; a town is dressed from it.
 
 use crate::{Polyline, RoadNetwork, Terrain};
 use endless_world::SignalId;
@@ -10,20 +10,20 @@ use glam::{DVec2, DVec3};
 pub struct RoadMap {
     /// Lanes, junctions, signals, crossings and sidewalks, finished.
     pub network: RoadNetwork,
-    /// Everything that is paved or lies between pavements, one strip a lane (connectors included).
-    pub strips: Vec<Strip>,
-    /// Asphalt where roads meet and no strips say what lies there: outlines on the surface, counter-clockwise, not
-    /// closed. Importers whose connectors cover their junctions leave it empty; strips in a junction may overlap it.
+    /// Paved surfaces and medians, one for each lane (connectors included).
+    pub lane_surfaces: Vec<LaneSurface>,
+    /// Asphalt of junctions that no lane surfaces cover: outlines on the surface, counter-clockwise, not closed.
+    /// Importers whose connectors cover their junctions leave it empty; lane surfaces in a junction may overlap it.
     pub junction_areas: Vec<Vec<DVec3>>,
-    /// Paint on the road.
-    pub marks: Vec<Mark>,
-    /// What the land beside the roads is.
-    pub areas: Vec<Area>,
+    /// Painted lines.
+    pub markings: Vec<RoadMarking>,
+    /// Land use beside the roads.
+    pub areas: Vec<LandUseArea>,
     /// Buildings.
     pub footprints: Vec<BuildingFootprint>,
-    /// Things that stand at a place.
+    /// Signs, lights, trees and street furniture.
     pub objects: Vec<MapObject>,
-    /// The lie of the land beside the roads, where known.
+    /// Relief, where known.
     pub terrain: Option<Terrain>,
     /// Whether traffic keeps to the left.
     pub left_hand: bool,
@@ -33,10 +33,10 @@ pub struct RoadMap {
     pub notes: Vec<ImportNote>,
 }
 
-/// What the surface of a strip is for.
+/// What a lane is for, in the words of OpenDRIVE's lane types.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum StripKind {
-    /// Driven on, inside and outside junctions.
+pub enum LaneType {
+    /// For vehicles, inside and outside junctions.
     Driving,
     /// Hard shoulder, border, stop: asphalt that nobody drives on.
     Shoulder,
@@ -54,35 +54,36 @@ pub enum StripKind {
     Rail,
 }
 
-/// The area between two lines that run in the same direction, on the surface.
+/// The paved surface of a lane: the area between its left and right border.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Strip {
-    /// What it is for.
-    pub kind: StripKind,
-    /// The border to the left, seen along the lines.
+pub struct LaneSurface {
+    /// Type of the lane.
+    pub kind: LaneType,
+    /// The left border, seen in the direction of its points.
     pub left: Vec<DVec3>,
-    /// The border to the right; as many points as `left`.
+    /// The right border; as many points as `left`.
     pub right: Vec<DVec3>,
-    /// Whether it lies in a junction, where strips may overlap one another.
+    /// Whether it lies in a junction, where surfaces may overlap one another.
     pub in_junction: bool,
     /// Unpaved (gravel, earth, grass).
     pub unpaved: bool,
-    /// On a bridge: the ground is somewhere below.
+    /// On a bridge, above the ground.
     pub bridge: bool,
 }
 
-/// Colour of paint.
+/// Colour of a road marking.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Paint {
+pub enum MarkingColor {
     /// White.
     White,
     /// Yellow.
     Yellow,
 }
 
-/// A painted line along a curve.
+/// A painted line, solid or broken. (OpenDRIVE's own record of lines at a lane's edge is
+/// [`opendrive::RoadMark`](crate::opendrive::RoadMark).)
 #[derive(Debug, Clone, PartialEq)]
-pub struct Mark {
+pub struct RoadMarking {
     /// The middle of the line, on the surface.
     pub line: Polyline,
     /// Metres.
@@ -90,12 +91,12 @@ pub struct Mark {
     /// Length of paint and of the gap after it, metres; `None` for an unbroken line.
     pub dash: Option<[f64; 2]>,
     /// Colour.
-    pub paint: Paint,
+    pub color: MarkingColor,
 }
 
-/// What land is used as.
+/// Land use, as OpenStreetMap's `landuse`, `natural` and `leisure` tags tell it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum AreaKind {
+pub enum LandUse {
     /// Lawns, trees and paths.
     Park,
     /// Dense trees.
@@ -120,18 +121,18 @@ pub enum AreaKind {
     Bare,
 }
 
-/// A piece of land.
+/// A piece of land of one use.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Area {
+pub struct LandUseArea {
     /// Its use.
-    pub kind: AreaKind,
+    pub kind: LandUse,
     /// Outline, counter-clockwise, not closed.
     pub outline: Vec<DVec2>,
     /// Holes, clockwise.
     pub holes: Vec<Vec<DVec2>>,
 }
 
-/// A building seen from above.
+/// The footprint of a building and what is known of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BuildingFootprint {
     /// Outline, counter-clockwise, not closed.
@@ -148,7 +149,7 @@ pub struct BuildingFootprint {
     pub color: Option<[f32; 3]>,
 }
 
-/// What stands at a place.
+/// Kind of a map object.
 #[derive(Debug, Clone, PartialEq)]
 pub enum MapObjectKind {
     /// A traffic light for vehicles; faces against `heading_rad`'s direction of travel.
@@ -183,22 +184,22 @@ pub enum MapObjectKind {
     SpeedBump,
 }
 
-/// Something that stands at a place.
+/// An object at a point of the map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MapObject {
-    /// What.
+    /// Its kind.
     pub kind: MapObjectKind,
-    /// Its foot.
+    /// Its base, on the ground.
     pub position: DVec3,
     /// Direction of the traffic that it is for, or that it looks at; counter-clockwise from east, radians.
     pub heading_rad: f64,
 }
 
-/// Something to tell the user about a file.
+/// A note to the user about a file: what was not understood, mended or left out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ImportNote {
     /// Where in the file: line, element, id.
     pub place: String,
-    /// What.
+    /// The note.
     pub text: String,
 }

@@ -1,7 +1,7 @@
 //! Left-hand traffic is right-hand traffic in a mirror: the map is mirrored when it is read, built, and mirrored back.
 
 use super::extract::OsmTags;
-use crate::{Area, BuildingFootprint, Lane, MapObject, Mark, Polyline, RoadMap, Strip, Turn};
+use crate::{BuildingFootprint, LandUseArea, Lane, LaneSurface, MapObject, Polyline, RoadMap, RoadMarking, Turn};
 use endless_world::math::f64::wrap_angle;
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
@@ -65,18 +65,18 @@ pub(super) fn map(map: &mut RoadMap) {
     }
     network.crossings.iter_mut().for_each(|c| c.ends = c.ends.map(flip));
     network.walk.nodes.iter_mut().for_each(|n| *n = flip(*n));
-    for Strip { left, right, .. } in &mut map.strips {
+    for LaneSurface { left, right, .. } in &mut map.lane_surfaces {
         std::mem::swap(left, right);
         left.iter_mut().chain(right).for_each(|p| *p = flip(*p));
     }
-    for Mark { line: paint, .. } in &mut map.marks {
+    for RoadMarking { line: paint, .. } in &mut map.markings {
         *paint = line(paint);
     }
     for area in &mut map.junction_areas {
         area.reverse();
         area.iter_mut().for_each(|p| *p = flip(*p));
     }
-    for Area { outline: o, holes, .. } in &mut map.areas {
+    for LandUseArea { outline: o, holes, .. } in &mut map.areas {
         outline(o);
         holes.iter_mut().for_each(|h| outline(h));
     }

@@ -202,9 +202,9 @@ fn build(plan: &mut StreetPlan, site: &mut Site<'_>) -> Result<RoadMap, OsmError
     mend::mend(network, site);
     map.network = std::mem::take(&mut map.network).finish()?;
     surface::streets(plan, &mut map);
-    map.strips.extend(surfaces.strips);
-    map.marks.extend(surfaces.marks);
-    map.strips.extend(paths.strips);
+    map.lane_surfaces.extend(surfaces.lane_surfaces);
+    map.markings.extend(surfaces.markings);
+    map.lane_surfaces.extend(paths.lane_surfaces);
     map.areas = surfaces.areas;
     map.junction_areas = surfaces.junction_areas;
     paint::streets(plan, &site.country, &mut map);

@@ -9,7 +9,7 @@ use super::lane::inside;
 use super::movement::Movement;
 use super::plan::{FootwayCrossing, Street, StreetPlan};
 use super::section::LaneUse;
-use crate::{Control, Lane, Mark, Paint, RoadMap, Turn};
+use crate::{Control, Lane, MarkingColor, RoadMap, RoadMarking, Turn};
 
 const LINE_M: f64 = 0.12;
 const STOP_LINE_M: f64 = 0.4;
@@ -34,12 +34,12 @@ pub(super) fn streets(plan: &StreetPlan, country: &Country, map: &mut RoadMap) {
 }
 
 /// A line along a street.
-fn along(street: &Street, t: f64, from: f64, to: f64, dash: Option<[f64; 2]>, paint: Paint, map: &mut RoadMap) {
+fn along(street: &Street, t: f64, from: f64, to: f64, dash: Option<[f64; 2]>, color: MarkingColor, map: &mut RoadMap) {
     if to - from < 1.0 {
         return;
     }
     let points: Vec<_> = street.stations(from, to, 4.0).into_iter().map(|s| street.point(s, t)).collect();
-    map.marks.push(Mark { line: line_through(points), width_m: LINE_M, dash, paint });
+    map.markings.push(RoadMarking { line: line_through(points), width_m: LINE_M, dash, color });
 }
 
 /// The free pieces of a street between crossings.
@@ -57,7 +57,7 @@ fn pieces(street: &Street) -> Vec<(f64, f64)> {
 fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
     let quiet = street.class <= RoadClass::Residential || street.class == RoadClass::Service;
     let bands = &street.section.bands;
-    let yellow = if country.yellow_centre { Paint::Yellow } else { Paint::White };
+    let yellow = if country.yellow_centre { MarkingColor::Yellow } else { MarkingColor::White };
     let many = bands.iter().filter(|b| matches!(b.what, LaneUse::Lane { .. })).count() > 2;
     for (from, to) in pieces(street) {
         for (i, pair) in bands.windows(2).enumerate() {
@@ -81,17 +81,17 @@ fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
                     let solid =
                         if matches!(street.control[end], Control::Free) { 0.0 } else { SOLID_M.min(0.4 * (to - from)) };
                     let (a, b) = if forward { (from, to - solid) } else { (from + solid, to) };
-                    along(street, t, a, b, Some(DASH), Paint::White, map);
+                    along(street, t, a, b, Some(DASH), MarkingColor::White, map);
                     if solid > 1.0 {
                         let (a, b) = if forward { (to - solid, to) } else { (from, from + solid) };
-                        along(street, t, a, b, None, Paint::White, map);
+                        along(street, t, a, b, None, MarkingColor::White, map);
                     }
                 }
                 (LaneUse::Bike, _) | (_, LaneUse::Bike) => {
-                    along(street, t, from, to, Some([1.0, 1.0]), Paint::White, map);
+                    along(street, t, from, to, Some([1.0, 1.0]), MarkingColor::White, map);
                 }
                 (LaneUse::Shoulder, LaneUse::Lane { .. }) | (LaneUse::Lane { .. }, LaneUse::Shoulder) => {
-                    along(street, t, from, to, None, Paint::White, map);
+                    along(street, t, from, to, None, MarkingColor::White, map);
                 }
                 _ => {}
             }
@@ -99,7 +99,7 @@ fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
         let rural = street.section.sidewalks == [0.0; 2] && street.class >= RoadClass::Tertiary && !street.link;
         if rural && !matches!(bands.first().map(|b| b.what), Some(LaneUse::Shoulder)) {
             for (t, inwards) in [(street.section.kerbs[0], -0.2), (street.section.kerbs[1], 0.2)] {
-                along(street, t + inwards, from, to, None, Paint::White, map);
+                along(street, t + inwards, from, to, None, MarkingColor::White, map);
             }
         }
     }
@@ -130,11 +130,11 @@ pub(super) fn through(plan: &StreetPlan, intersection: usize, ways: &[(Movement,
             let share = i as f64 / n as f64;
             a.position(a.length() * share).midpoint(b.position(b.length() * share))
         });
-        map.marks.push(Mark {
+        map.markings.push(RoadMarking {
             line: line_through(points.collect()),
             width_m: LINE_M,
             dash: Some(DASH),
-            paint: Paint::White,
+            color: MarkingColor::White,
         });
     }
 }
@@ -156,7 +156,7 @@ fn stop_lines(street: &Street, map: &mut RoadMap) {
             continue;
         }
         let line = line_through(vec![street.point(s, left), street.point(s, right)]);
-        map.marks.push(Mark { line, width_m: STOP_LINE_M, dash, paint: Paint::White });
+        map.markings.push(RoadMarking { line, width_m: STOP_LINE_M, dash, color: MarkingColor::White });
     }
 }
 
@@ -164,7 +164,12 @@ fn bars(street: &Street, crossing: &FootwayCrossing, country: &Country, map: &mu
     let [left, right] = street.section.kerbs;
     let (from, to) = (crossing.s - 0.5 * CROSSING_M, crossing.s + 0.5 * CROSSING_M);
     let mut paint = |a, b, width_m| {
-        map.marks.push(Mark { line: line_through(vec![a, b]), width_m, dash: None, paint: Paint::White });
+        map.markings.push(RoadMarking {
+            line: line_through(vec![a, b]),
+            width_m,
+            dash: None,
+            color: MarkingColor::White,
+        });
     };
     if crossing.signal.is_some() && !country.bars_at_signals {
         for s in [from, to] {

@@ -11,7 +11,7 @@ use super::stretch::Vertex;
 use super::surface::ribbon;
 use super::walk::Walks;
 use super::ways::runs;
-use crate::{Polyline, RoadNetwork, Strip, StripKind, WalkGraph, WalkKind, WalkNodeId};
+use crate::{LaneSurface, LaneType, Polyline, RoadNetwork, WalkGraph, WalkKind, WalkNodeId};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
@@ -31,7 +31,7 @@ const ALONE_M: f64 = 80.0;
 /// What is added for paths.
 #[derive(Debug, Default)]
 pub(super) struct Paths {
-    pub(super) strips: Vec<Strip>,
+    pub(super) lane_surfaces: Vec<LaneSurface>,
 }
 
 /// A piece of a path with what it is.
@@ -40,7 +40,7 @@ struct PathPiece {
     /// The nodes at its ends, where it ends at nodes.
     ends: [Option<i64>; 2],
     width_m: f64,
-    kind: StripKind,
+    kind: LaneType,
     unpaved: bool,
     walkable: bool,
 }
@@ -85,7 +85,7 @@ pub(super) fn add(plan: &StreetPlan, site: &mut Site<'_>, network: &mut RoadNetw
     }
     let mut walks = Walks { walk: &mut network.walk };
     for piece in &pieces {
-        paths.strips.push(strip(piece, site));
+        paths.lane_surfaces.push(strip(piece, site));
         if piece.walkable {
             lay(piece, site, &mut walks, &mut at_node, &uses, &mut loose);
         }
@@ -108,7 +108,7 @@ fn outside_streets(
     let tags = &way.tags;
     let sidepath =
         tags.is("footway", &["sidewalk"]) || tags.is("is_sidepath", &["yes"]) || tags.get("is_sidepath:of").is_some();
-    let kind = if tags.is("highway", &["cycleway"]) { StripKind::Biking } else { StripKind::Sidewalk };
+    let kind = if tags.is("highway", &["cycleway"]) { LaneType::Biking } else { LaneType::Sidewalk };
     let usual = match tags.get("highway") {
         Some("pedestrian") => 4.5,
         Some("cycleway" | "steps") => 2.2,
@@ -121,7 +121,7 @@ fn outside_streets(
         ["unpaved", "gravel", "fine_gravel", "ground", "dirt", "earth", "grass", "sand", "compacted", "woodchips"];
     let unpaved =
         tags.is("surface", &rough) || (tags.is("highway", &["track", "path"]) && tags.get("surface").is_none());
-    let walkable = kind == StripKind::Sidewalk || tags.is("foot", &["yes", "designated"]);
+    let walkable = kind == LaneType::Sidewalk || tags.is("foot", &["yes", "designated"]);
     let on_street = |p: DVec2| {
         near.at(p).iter().any(|&i| {
             let street = &plan.streets[i];
@@ -176,11 +176,11 @@ fn outside_streets(
     pieces
 }
 
-fn strip(piece: &PathPiece, site: &Site<'_>) -> Strip {
+fn strip(piece: &PathPiece, site: &Site<'_>) -> LaneSurface {
     let points: Vec<DVec3> = piece.points.iter().map(|p| p.extend(PATH_Z_M)).collect();
     let (mut left, mut right) = ribbon(&points, 0.5 * piece.width_m, -0.5 * piece.width_m, 1.5);
     left.iter_mut().chain(&mut right).for_each(|p| p.z += site.ground(p.truncate()));
-    Strip { kind: piece.kind, left, right, in_junction: true, unpaved: piece.unpaved, bridge: false }
+    LaneSurface { kind: piece.kind, left, right, in_junction: true, unpaved: piece.unpaved, bridge: false }
 }
 
 fn lay(

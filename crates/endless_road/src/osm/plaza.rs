@@ -3,7 +3,7 @@
 use super::ring::contains;
 use super::site::Site;
 use super::walk::Walks;
-use crate::{Area, AreaKind, Lane, RoadNetwork, WalkKind, WalkNetwork, WalkNodeId};
+use crate::{LandUse, LandUseArea, Lane, RoadNetwork, WalkKind, WalkNetwork, WalkNodeId};
 use glam::DVec2;
 use std::collections::BTreeMap;
 
@@ -20,8 +20,8 @@ const CLEAR_M: f64 = 2.0;
 const DOOR_M: f64 = 5.0;
 
 /// Makes a mesh of every square.
-pub(super) fn add(areas: &[Area], buildings: &[Vec<DVec2>], site: &Site<'_>, network: &mut RoadNetwork) {
-    let squares = areas.iter().filter(|a| a.kind == AreaKind::Plaza && a.outline.len() >= 3);
+pub(super) fn add(areas: &[LandUseArea], buildings: &[Vec<DVec2>], site: &Site<'_>, network: &mut RoadNetwork) {
+    let squares = areas.iter().filter(|a| a.kind == LandUse::Plaza && a.outline.len() >= 3);
     for area in squares {
         let square = Plaza::new(area, buildings, network);
         let doors = square.doors(&network.walk);
@@ -44,7 +44,7 @@ fn to_segment(a: DVec2, b: DVec2, p: DVec2) -> f64 {
 type Cell = (i64, i64);
 
 struct Plaza<'a> {
-    area: &'a Area,
+    area: &'a LandUseArea,
     /// Buildings and holes in it.
     solids: Vec<&'a [DVec2]>,
     /// The direction of its longest side, and the middle.
@@ -56,7 +56,7 @@ struct Plaza<'a> {
 }
 
 impl<'a> Plaza<'a> {
-    fn new(area: &'a Area, buildings: &'a [Vec<DVec2>], network: &RoadNetwork) -> Self {
+    fn new(area: &'a LandUseArea, buildings: &'a [Vec<DVec2>], network: &RoadNetwork) -> Self {
         let ring = &area.outline;
         let (low, high) = bounds(ring);
         let meets = |other: &[DVec2]| {

@@ -11,7 +11,7 @@ use super::plan::{Street, StreetPlan};
 use super::section::{KERB_M, LaneUse};
 use super::site::Site;
 use super::stretch::Stretch;
-use crate::{Lane, RoadMap, Strip, StripKind};
+use crate::{Lane, LaneSurface, LaneType, RoadMap};
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
@@ -39,13 +39,13 @@ fn street_strips(street: &Street, map: &mut RoadMap) {
     let stations = street.stations(from, to, STEP_M);
     let section = &street.section;
     median(street, &stations, map);
-    let mut add = strips(street, &stations, map);
+    let mut add = lane_surfaces(street, &stations, map);
     for (i, band) in section.bands.iter().enumerate() {
         let (kind, reversed) = match band.what {
-            LaneUse::Lane { forward, .. } => (StripKind::Driving, !forward),
-            LaneUse::Bike => (StripKind::Biking, false),
-            LaneUse::Parking => (StripKind::Parking, false),
-            LaneUse::Shoulder => (StripKind::Shoulder, false),
+            LaneUse::Lane { forward, .. } => (LaneType::Driving, !forward),
+            LaneUse::Bike => (LaneType::Biking, false),
+            LaneUse::Parking => (LaneType::Parking, false),
+            LaneUse::Shoulder => (LaneType::Shoulder, false),
         };
         add(kind, section.edges(i), 0.0, reversed);
     }
@@ -57,17 +57,17 @@ fn street_strips(street: &Street, map: &mut RoadMap) {
         let sign = if side == 0 { 1.0 } else { -1.0 };
         let (stone, back) = (kerb + sign * KERB_M, section.back(side));
         let pair = |a: f64, b: f64| if side == 0 { [b, a] } else { [a, b] };
-        add(StripKind::Curb, pair(kerb, stone), KERB_HEIGHT_M, side == 0);
-        add(StripKind::Sidewalk, pair(stone, back), KERB_HEIGHT_M, side == 0);
+        add(LaneType::Curb, pair(kerb, stone), KERB_HEIGHT_M, side == 0);
+        add(LaneType::Sidewalk, pair(stone, back), KERB_HEIGHT_M, side == 0);
     }
 }
 
 /// What adds strips along a street: kind, left and right edge, height above the road, and whether they run against it.
-fn strips<'a>(
+fn lane_surfaces<'a>(
     street: &'a Street,
     stations: &'a [f64],
     map: &'a mut RoadMap,
-) -> impl FnMut(StripKind, [f64; 2], f64, bool) + 'a {
+) -> impl FnMut(LaneType, [f64; 2], f64, bool) + 'a {
     move |kind, edges, height, reversed| {
         // One strip a level, so that bridges are told from the ground.
         let mut start = 0;
@@ -89,7 +89,14 @@ fn strips<'a>(
                 right.reverse();
                 std::mem::swap(&mut left, &mut right);
             }
-            map.strips.push(Strip { kind, left, right, in_junction: false, unpaved: street.section.unpaved, bridge });
+            map.lane_surfaces.push(LaneSurface {
+                kind,
+                left,
+                right,
+                in_junction: false,
+                unpaved: street.section.unpaved,
+                bridge,
+            });
             start = end;
         }
     }
@@ -114,10 +121,10 @@ fn median(street: &Street, stations: &[f64], map: &mut RoadMap) {
             let bridge = street.level(part[0]).bridge;
             let mut add = |kind, left: &[DVec3], right: &[DVec3]| {
                 let (left, right) = (left.to_vec(), right.to_vec());
-                map.strips.push(Strip { kind, left, right, in_junction: false, unpaved: false, bridge });
+                map.lane_surfaces.push(LaneSurface { kind, left, right, in_junction: false, unpaved: false, bridge });
             };
-            add(StripKind::Curb, &stone, &face);
-            add(StripKind::Median, &middle, &stone);
+            add(LaneType::Curb, &stone, &face);
+            add(LaneType::Median, &middle, &stone);
         }
         start = end + 1;
     }
@@ -153,7 +160,14 @@ pub(super) fn connectors(plan: &StreetPlan, lanes: &[&Lane], movements: &[Moveme
                 .bridge;
         let (left, right) = (unfolded(&left, &along), unfolded(&right, &along));
         let unpaved = plan.street(movement.from).section.unpaved && plan.street(movement.to).section.unpaved;
-        map.strips.push(Strip { kind: StripKind::Driving, left, right, in_junction: true, unpaved, bridge });
+        map.lane_surfaces.push(LaneSurface {
+            kind: LaneType::Driving,
+            left,
+            right,
+            in_junction: true,
+            unpaved,
+            bridge,
+        });
     }
 }
 
@@ -231,12 +245,12 @@ fn corner_strip(plan: &StreetPlan, a: StretchEnd, b: StretchEnd, lanes: &[&Lane]
     }
     let unpaved = false;
     // Counter-clockwise around the junction the sidewalk lies to the right of its kerb.
-    let mut add = |kind: StripKind, left: &[DVec3], right: &[DVec3]| {
+    let mut add = |kind: LaneType, left: &[DVec3], right: &[DVec3]| {
         let (left, right) = (unfolded(left, left), unfolded(right, left));
-        map.strips.push(Strip { kind, left, right, in_junction: true, unpaved, bridge: false });
+        map.lane_surfaces.push(LaneSurface { kind, left, right, in_junction: true, unpaved, bridge: false });
     };
-    add(StripKind::Curb, &face, &stone);
-    add(StripKind::Sidewalk, &stone, &back);
+    add(LaneType::Curb, &face, &stone);
+    add(LaneType::Sidewalk, &stone, &back);
 }
 
 fn lines_cross(a: &[DVec3], b: &[DVec3]) -> bool {
@@ -315,7 +329,14 @@ pub(super) fn yards(plan: &StreetPlan, site: &Site<'_>, yards: &[Stretch], map: 
         for points in runs.into_iter().filter(|r| r.len() > 1 && r[0].distance(r[r.len() - 1]) > 0.5) {
             let (left, right) = ribbon(&points, yard.section.kerbs[0], yard.section.kerbs[1], 4.0);
             let unpaved = yard.section.unpaved;
-            map.strips.push(Strip { kind: StripKind::Driving, left, right, in_junction: true, unpaved, bridge });
+            map.lane_surfaces.push(LaneSurface {
+                kind: LaneType::Driving,
+                left,
+                right,
+                in_junction: true,
+                unpaved,
+                bridge,
+            });
         }
     }
 }

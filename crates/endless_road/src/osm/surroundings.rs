@@ -4,7 +4,7 @@ use super::class::metres;
 use super::extract::OsmTags;
 use super::patch::patches;
 use super::site::Site;
-use crate::{Area, AreaKind, BuildingFootprint, MapObject, MapObjectKind, RoadMap, Strip, StripKind};
+use crate::{BuildingFootprint, LandUse, LandUseArea, LaneSurface, LaneType, MapObject, MapObjectKind, RoadMap};
 use endless_world::math::f64::atan2;
 use glam::DVec2;
 
@@ -18,9 +18,9 @@ const RAIL_M: f64 = 2.8;
 
 /// Adds what the land is used as.
 pub(super) fn land(site: &mut Site<'_>, map: &mut RoadMap) {
-    for patch in patches(site, true, |tags| area_kind(tags).is_some()) {
-        if let Some(kind) = area_kind(patch.tags) {
-            map.areas.push(Area { kind, outline: patch.outline, holes: patch.holes });
+    for patch in patches(site, true, |tags| land_use(tags).is_some()) {
+        if let Some(kind) = land_use(patch.tags) {
+            map.areas.push(LandUseArea { kind, outline: patch.outline, holes: patch.holes });
         }
     }
     // The large ones first: what is drawn later lies on top.
@@ -36,37 +36,37 @@ pub(super) fn add(site: &mut Site<'_>, map: &mut RoadMap) {
     tree_rows(site, map);
 }
 
-fn area_kind(tags: &OsmTags) -> Option<AreaKind> {
+fn land_use(tags: &OsmTags) -> Option<LandUse> {
     if tags.get("building").is_some() || below_ground(tags) {
         return None;
     }
     let kind = |key: &str| tags.get(key).unwrap_or("");
     let kind = match (kind("leisure"), kind("landuse"), kind("natural"), kind("amenity")) {
         ("park" | "garden" | "playground" | "dog_park", ..)
-        | (_, "cemetery" | "allotments" | "recreation_ground", ..) => AreaKind::Park,
-        ("pitch" | "golf_course" | "common", ..) => AreaKind::Grass,
+        | (_, "cemetery" | "allotments" | "recreation_ground", ..) => LandUse::Park,
+        ("pitch" | "golf_course" | "common", ..) => LandUse::Grass,
         ("swimming_pool" | "marina", ..) | (_, "reservoir" | "basin", ..) | (_, _, "water" | "bay", _) => {
-            AreaKind::Water
+            LandUse::Water
         }
-        (_, "forest", ..) | (_, _, "wood", _) => AreaKind::Wood,
-        (_, "farmland" | "orchard" | "vineyard", ..) => AreaKind::Farmland,
+        (_, "forest", ..) | (_, _, "wood", _) => LandUse::Wood,
+        (_, "farmland" | "orchard" | "vineyard", ..) => LandUse::Farmland,
         (_, "grass" | "meadow" | "village_green" | "flowerbed" | "greenfield", ..)
-        | (_, _, "grassland" | "scrub" | "heath" | "shrubbery", _) => AreaKind::Grass,
-        (.., "parking" | "bicycle_parking") => AreaKind::Parking,
-        (_, "residential", ..) => AreaKind::Residential,
-        (_, "commercial" | "retail" | "education" | "religious", ..) => AreaKind::Commercial,
-        (_, "industrial" | "garages" | "railway" | "port", ..) => AreaKind::Industrial,
+        | (_, _, "grassland" | "scrub" | "heath" | "shrubbery", _) => LandUse::Grass,
+        (.., "parking" | "bicycle_parking") => LandUse::Parking,
+        (_, "residential", ..) => LandUse::Residential,
+        (_, "commercial" | "retail" | "education" | "religious", ..) => LandUse::Commercial,
+        (_, "industrial" | "garages" | "railway" | "port", ..) => LandUse::Industrial,
         (_, "construction" | "brownfield" | "landfill" | "quarry", ..)
-        | (_, _, "sand" | "beach" | "bare_rock" | "shingle", _) => AreaKind::Bare,
-        (.., "marketplace") => AreaKind::Plaza,
-        _ if tags.is("place", &["square"]) => AreaKind::Plaza,
-        _ if tags.is("waterway", &["riverbank", "dock"]) => AreaKind::Water,
+        | (_, _, "sand" | "beach" | "bare_rock" | "shingle", _) => LandUse::Bare,
+        (.., "marketplace") => LandUse::Plaza,
+        _ if tags.is("place", &["square"]) => LandUse::Plaza,
+        _ if tags.is("waterway", &["riverbank", "dock"]) => LandUse::Water,
         _ if tags.is("highway", &["pedestrian", "footway"])
             && (tags.is("area", &["yes"]) || tags.is("type", &["multipolygon"])) =>
         {
-            AreaKind::Plaza
+            LandUse::Plaza
         }
-        _ if tags.is("area:highway", &["pedestrian"]) => AreaKind::Plaza,
+        _ if tags.is("area:highway", &["pedestrian"]) => LandUse::Plaza,
         _ => return None,
     };
     Some(kind)
@@ -96,7 +96,7 @@ fn watercourses(site: &mut Site<'_>, map: &mut RoadMap) {
             let (left, right) = super::surface::ribbon(&points, half, -half, 2.0 * half + 5.0);
             let ring: Vec<DVec2> = right.iter().chain(left.iter().rev()).map(|p| p.truncate()).collect();
             if let Some(outline) = super::ring::tidy(&ring, true) {
-                map.areas.push(Area { kind: AreaKind::Water, outline, holes: Vec::new() });
+                map.areas.push(LandUseArea { kind: LandUse::Water, outline, holes: Vec::new() });
             }
         }
     }
@@ -112,7 +112,14 @@ fn rails(site: &mut Site<'_>, map: &mut RoadMap) {
         for (vertices, _) in super::ways::runs(way, &way.tags, site) {
             let points: Vec<_> = vertices.iter().map(|v| v.at.extend(site.ground(v.at) + 0.02)).collect();
             let (left, right) = super::surface::ribbon(&points, 0.5 * RAIL_M, -0.5 * RAIL_M, 40.0);
-            map.strips.push(Strip { kind: StripKind::Rail, left, right, in_junction: true, unpaved: false, bridge });
+            map.lane_surfaces.push(LaneSurface {
+                kind: LaneType::Rail,
+                left,
+                right,
+                in_junction: true,
+                unpaved: false,
+                bridge,
+            });
         }
     }
 }

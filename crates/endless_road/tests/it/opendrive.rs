@@ -1,7 +1,7 @@
 //! OpenDRIVE on files that are at hand everywhere: what is read, what is refused, and that nothing breaks the reader.
 
 use endless_road::opendrive::{self, OpenDriveDocument, OpenDriveError};
-use endless_road::{Control, MapObjectKind, RoadMap, StripKind, Turn, WalkKind};
+use endless_road::{Control, LaneType, MapObjectKind, RoadMap, Turn, WalkKind};
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -58,7 +58,7 @@ fn check_invariants(map: &RoadMap) {
     let mut seen = vec![false; network.walk.nodes.len()];
     network.walk.edges.iter().flat_map(|edge| edge.nodes).for_each(|node| seen[node.index()] = true);
     assert!(seen.iter().all(|&seen| seen), "no place on the sidewalk is isolated");
-    for strip in &map.strips {
+    for strip in &map.lane_surfaces {
         assert!(strip.left.len() == strip.right.len() && strip.left.len() >= 2);
         assert!(strip.left.iter().chain(&strip.right).all(|p| p.is_finite()));
     }
@@ -90,8 +90,8 @@ fn a_crossroads_with_every_element() {
     assert_eq!(count(|kind| matches!(kind, MapObjectKind::Tree(Some(_)))), 5);
     assert_eq!(count(|kind| matches!(kind, MapObjectKind::TrafficLight(_))), 1);
     assert_eq!(count(|kind| *kind == MapObjectKind::SpeedLimit(50)), 1);
-    assert!(map.strips.iter().any(|strip| strip.kind == StripKind::Parking));
-    assert!(map.strips.iter().any(|strip| strip.bridge) && map.strips.iter().any(|strip| strip.unpaved));
+    assert!(map.lane_surfaces.iter().any(|strip| strip.kind == LaneType::Parking));
+    assert!(map.lane_surfaces.iter().any(|strip| strip.bridge) && map.lane_surfaces.iter().any(|strip| strip.unpaved));
     // Miles an hour on the lane, kilometres an hour on the road.
     assert!(outside().any(|lane| (lane.speed_limit_mps - 30.0 * 0.44704).abs() < 1e-9));
     assert!(outside().any(|lane| (lane.speed_limit_mps - 50.0 / 3.6).abs() < 1e-9));

@@ -33,8 +33,8 @@ fn every_file_is_read() {
             network.signal_groups,
             network.crossings.len(),
             network.walk.edges.len(),
-            map.strips.len(),
-            map.marks.len(),
+            map.lane_surfaces.len(),
+            map.markings.len(),
             map.objects.len(),
             map.notes.len(),
             start.elapsed()

@@ -2,7 +2,7 @@
 //! reported with its line.
 
 use endless_road::opendrive::{self, OpenDriveDocument};
-use endless_road::{AreaKind, Control, MapObjectKind, Paint, RoadMap, StripKind};
+use endless_road::{Control, LandUse, LaneType, MapObjectKind, MarkingColor, RoadMap};
 use glam::DVec3;
 
 /// A road along x, 100 m, with two driving lanes of 3.5 m, and what is given besides.
@@ -103,7 +103,7 @@ fn a_level_lane_does_not_lean_with_its_road() {
         ..File::default()
     };
     let map = file.map();
-    let walk = map.strips.iter().find(|strip| strip.kind == StripKind::Sidewalk).expect("a sidewalk");
+    let walk = map.lane_surfaces.iter().find(|strip| strip.kind == LaneType::Sidewalk).expect("a sidewalk");
     // Its inner edge where the lane beside it ends, its outer edge 8 cm higher.
     let edge = -3.5 * 0.0998;
     assert!((walk.left[0].z - edge - 0.12).abs() < 0.01 && (walk.right[0].z - edge - 0.2).abs() < 0.01, "{walk:?}");
@@ -123,7 +123,7 @@ fn every_curve_of_the_plan_view_ends_where_it_should() {
             .text()
             .replace("<geometry s='0' x='0' y='0' hdg='0' length='100'><line/></geometry>", &plan);
         let map = opendrive::read(&text).expect(shape);
-        let marks: Vec<DVec3> = map.strips.iter().flat_map(|s| s.left.iter().chain(&s.right)).copied().collect();
+        let marks: Vec<DVec3> = map.lane_surfaces.iter().flat_map(|s| s.left.iter().chain(&s.right)).copied().collect();
         let nearest = marks.iter().map(|p| p.distance(DVec3::new(x, y, 0.0))).fold(f64::INFINITY, f64::min);
         assert!(nearest < 0.05, "{shape}: {nearest:.3} m off");
     }
@@ -131,12 +131,12 @@ fn every_curve_of_the_plan_view_ends_where_it_should() {
 
 #[test]
 fn paint_has_its_kind_weight_colour_and_length() {
-    let with = |mark: &'static str| File { lane: mark, ..File::default() }.map().marks;
+    let with = |mark: &'static str| File { lane: mark, ..File::default() }.map().markings;
     assert_eq!(with("<roadMark sOffset='0' type='solid solid' color='yellow'/>").len(), 2);
     let broken = with("<roadMark sOffset='0' type='broken' color='white' width='0.15'/>");
     assert!(broken.len() == 1 && broken[0].dash.is_some() && (broken[0].width_m - 0.15).abs() < 1e-9);
     let bold = with("<roadMark sOffset='0' type='solid' weight='bold' color='yellow'/>");
-    assert!(bold[0].width_m > 0.2 && bold[0].paint == Paint::Yellow && bold[0].dash.is_none());
+    assert!(bold[0].width_m > 0.2 && bold[0].color == MarkingColor::Yellow && bold[0].dash.is_none());
     let typed = with(
         "<roadMark sOffset='0' type='broken' color='white'><type name='x' width='0.1'>\
          <line length='1' space='2' tOffset='0.2' sOffset='5' width='0.1'/></type></roadMark>",
@@ -193,9 +193,11 @@ fn objects_stand_where_they_are_put() {
     assert_eq!(map.footprints.len(), 1);
     assert_eq!(map.footprints[0].height_m, Some(9.0));
     assert!(map.footprints[0].outline.iter().any(|p| p.distance(glam::DVec2::new(56.0, 24.0)) < 0.01));
-    assert!(map.strips.iter().any(|s| s.kind == StripKind::Median && s.left.iter().all(|p| p.z > 0.1)));
-    assert!(map.areas.iter().any(|area| area.kind == AreaKind::Wood && area.outline.len() == 3));
-    assert!(map.strips.iter().any(|s| s.kind == StripKind::Parking) && map.strips.iter().any(|s| s.bridge));
+    assert!(map.lane_surfaces.iter().any(|s| s.kind == LaneType::Median && s.left.iter().all(|p| p.z > 0.1)));
+    assert!(map.areas.iter().any(|area| area.kind == LandUse::Wood && area.outline.len() == 3));
+    assert!(
+        map.lane_surfaces.iter().any(|s| s.kind == LaneType::Parking) && map.lane_surfaces.iter().any(|s| s.bridge)
+    );
     assert!(map.objects.iter().any(|thing| thing.kind == MapObjectKind::StreetLamp));
     // One sidewalk only: the crossing leads to nothing and is told.
     assert!(map.notes.iter().any(|note| note.text.contains("no sidewalk at one end")));

@@ -277,7 +277,7 @@ mod damage {
                     for lane in &map.network.lanes {
                         prop_assert!(lane.centerline.points().iter().all(|p| p.is_finite()));
                     }
-                    for strip in &map.strips {
+                    for strip in &map.lane_surfaces {
                         prop_assert_eq!(strip.left.len(), strip.right.len());
                         prop_assert!(strip.left.iter().chain(&strip.right).all(|p| p.is_finite()));
                     }
@@ -359,7 +359,7 @@ fn bridges_pass_over() {
     assert!((5.0..7.0).contains(&high), "{high}");
     let steepest = map.network.lanes.iter().map(|l| l.centerline.at(0.3 * l.centerline.length()).grade.abs());
     assert!(steepest.fold(0.0, f64::max) < 0.08);
-    assert!(map.strips.iter().any(|s| s.bridge && s.left.iter().all(|p| p.z > 4.0)));
+    assert!(map.lane_surfaces.iter().any(|s| s.bridge && s.left.iter().all(|p| p.z > 4.0)));
     // Nobody turns from one road to the other.
     assert!(map.network.junctions.iter().all(|j| j.conflicts.is_empty()));
 }

@@ -58,20 +58,20 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
         return Err(TownError::TooLarge { name: name.to_owned(), width_km, height_km, most_km: MOST_M / 1000.0 });
     }
     let seed = fnv1a(name.bytes());
-    let strips = surface::laid(map);
-    let mut pavement = PavementIndex::new(&strips, low, high);
+    let lane_surfaces = surface::laid(map);
+    let mut pavement = PavementIndex::new(&lane_surfaces, low, high);
     let holes = if map.junction_areas.is_empty() { infill::holes(&map.network, &pavement) } else { Vec::new() };
     map.junction_areas.iter().map(Vec::as_slice).chain(holes.iter().map(<[_; 4]>::as_slice)).for_each(|outline| {
         pavement.add_between(outline);
     });
-    let land = Land::new(&pavement, &|strip| strips[strip as usize].bridge, map.terrain.as_ref(), low, high);
+    let land = Land::new(&pavement, &|strip| lane_surfaces[strip as usize].bridge, map.terrain.as_ref(), low, high);
     let areas = Areas::new(&map.areas, &land, map.terrain.is_some());
     let streets = streets::streets(&map.network, &pavement);
     let density = StreetDensity::new(&map.network, &streets, low, high);
     let mut occupied = Occupied::default();
     let mut numbers = WindowNumbers::default();
 
-    let paver = surface::PavementMesher::new(&strips, &pavement, &land, preset.paving);
+    let paver = surface::PavementMesher::new(&lane_surfaces, &pavement, &land, preset.paving);
     let piers = paver.piers(&mut occupied);
     let parcels = preset.yards.then(|| YardParcels::new(&map.network));
     let ground = || {
@@ -118,7 +118,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
     posts.lamps(&mut assembly);
     posts.things(&mut assembly);
     let known_trees = planter.known(&mut assembly);
-    parking::add(&mut assembly, &map.network, &strips, &areas, &pavement, &land);
+    parking::add(&mut assembly, &map.network, &lane_surfaces, &areas, &pavement, &land);
     let gardener = GardenBuilder { pavement: &pavement, land: &land };
     let mut gardens = MeshBuilder::new();
     let forecourts = gardener.pave(&yards, &mut gardens, &mut assembly);
@@ -171,9 +171,9 @@ fn own_placements(own: &[(Mesh, Affine3A)]) -> impl Iterator<Item = Placement> {
 
 /// Smallest and largest place of lanes and strips.
 fn bounds(map: &RoadMap) -> Option<(DVec2, DVec2)> {
-    let strips = map.strips.iter().flat_map(|s| s.left.iter().chain(&s.right));
+    let lane_surfaces = map.lane_surfaces.iter().flat_map(|s| s.left.iter().chain(&s.right));
     let lanes = map.network.lanes.iter().flat_map(|l| l.centerline.points());
-    let points = lanes.chain(strips).map(|p| p.truncate()).filter(|p| p.is_finite());
+    let points = lanes.chain(lane_surfaces).map(|p| p.truncate()).filter(|p| p.is_finite());
     let (low, high) = points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
     (!map.network.lanes.is_empty() && low.x <= high.x).then_some((low, high))
 }

@@ -2,7 +2,9 @@
 #![expect(clippy::print_stdout, clippy::unwrap_used, reason = "tests")]
 
 use endless_asset::{Catalogue, Prop};
-use endless_road::{Area, AreaKind, BuildingFootprint, Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind};
+use endless_road::{
+    BuildingFootprint, LandUse, LandUseArea, Lane, LaneId, LaneSurface, LaneType, Polyline, RoadMap, RoadNetwork,
+};
 use endless_town::{PlacedObject, Town, TownError, dress_map};
 use endless_world::ClassTag;
 use glam::{DVec2, DVec3, Vec3};
@@ -22,7 +24,7 @@ fn street() -> RoadMap {
     };
     let strip = |kind, y0: f64, y1: f64, up: f64| {
         let line = |y: f64| (0..=24).map(|i| at(10.0 * f64::from(i), y) + DVec3::Z * up).collect();
-        Strip { kind, left: line(y1), right: line(y0), in_junction: false, unpaved: false, bridge: false }
+        LaneSurface { kind, left: line(y1), right: line(y0), in_junction: false, unpaved: false, bridge: false }
     };
     let ring = |low: DVec2, high: DVec2| vec![low, DVec2::new(high.x, low.y), high, DVec2::new(low.x, high.y)];
     let mut hole = ring(DVec2::new(68.0, 18.0), DVec2::new(78.0, 26.0));
@@ -37,11 +39,11 @@ fn street() -> RoadMap {
     };
     RoadMap {
         network: network.finish().unwrap(),
-        strips: vec![
-            strip(StripKind::Driving, -3.5, 0.0, 0.0),
-            strip(StripKind::Driving, 0.0, 3.5, 0.0),
-            strip(StripKind::Sidewalk, 3.5, 6.0, 0.15),
-            strip(StripKind::Sidewalk, -6.0, -3.5, 0.15),
+        lane_surfaces: vec![
+            strip(LaneType::Driving, -3.5, 0.0, 0.0),
+            strip(LaneType::Driving, 0.0, 3.5, 0.0),
+            strip(LaneType::Sidewalk, 3.5, 6.0, 0.15),
+            strip(LaneType::Sidewalk, -6.0, -3.5, 0.15),
         ],
         footprints: vec![
             block(ring(DVec2::new(20.0, 9.0), DVec2::new(31.0, 18.0)), vec![], "house"),
@@ -49,8 +51,8 @@ fn street() -> RoadMap {
             // Across the road: left out.
             block(ring(DVec2::new(120.0, -8.0), DVec2::new(130.0, 8.0)), vec![], "yes"),
         ],
-        areas: vec![Area {
-            kind: AreaKind::Water,
+        areas: vec![LandUseArea {
+            kind: LandUse::Water,
             outline: ring(DVec2::new(20.0, -40.0), DVec2::new(23.0, -20.0)),
             holes: vec![],
         }],

@@ -1,6 +1,6 @@
 //! Where traffic waits: before the crossing, not on it; and the line painted there.
 
-use crate::{Control, Crossing, Lane, LaneId, Mark, Paint, Polyline};
+use crate::{Control, Crossing, Lane, LaneId, MarkingColor, Polyline, RoadMarking};
 use endless_world::math::f64::sin_cos;
 use glam::DVec3;
 
@@ -75,7 +75,7 @@ fn split(line: &Polyline, at: f64) -> (Polyline, Polyline) {
 }
 
 /// Stop and give-way lines at lane ends where the file paints none.
-pub(super) fn stop_lines(lanes: &[Lane], marks: &[Mark]) -> Vec<Mark> {
+pub(super) fn stop_lines(lanes: &[Lane], marks: &[RoadMarking]) -> Vec<RoadMarking> {
     let painted: Vec<DVec3> = marks
         .iter()
         .filter(|mark| mark.width_m > 0.2 && mark.line.length() < 30.0)
@@ -98,11 +98,11 @@ pub(super) fn stop_lines(lanes: &[Lane], marks: &[Mark]) -> Vec<Mark> {
             to.dot(along).abs() < PAINTED_M && to.length() < 12.0
         });
         if !has_one {
-            lines.push(Mark {
+            lines.push(RoadMarking {
                 line: Polyline::new([end.position + half, end.position - half]),
                 width_m: STOP_LINE_M,
                 dash,
-                paint: Paint::White,
+                color: MarkingColor::White,
             });
         }
     }

@@ -1,6 +1,6 @@
 //! What the standard's lane types mean here.
 
-use crate::StripKind;
+use crate::LaneType;
 
 /// Whether traffic drives on a lane of this type.
 pub(super) fn is_driven(kind: &str) -> bool {
@@ -28,19 +28,19 @@ pub(super) fn is_walked(kind: &str) -> bool {
 }
 
 /// The surface of a lane of this type; `None` for what is not paved.
-pub(super) fn strip_kind(kind: &str) -> Option<StripKind> {
+pub(super) fn lane_type(kind: &str) -> Option<LaneType> {
     Some(match kind {
-        kind if is_driven(kind) => StripKind::Driving,
-        "bidirectional" => StripKind::Driving,
-        kind if is_walked(kind) => StripKind::Sidewalk,
+        kind if is_driven(kind) => LaneType::Driving,
+        "bidirectional" => LaneType::Driving,
+        kind if is_walked(kind) => LaneType::Sidewalk,
         "shoulder" | "border" | "stop" | "restricted" | "roadWorks" | "special1" | "special2" | "special3" => {
-            StripKind::Shoulder
+            LaneType::Shoulder
         }
-        "parking" => StripKind::Parking,
-        "biking" => StripKind::Biking,
-        "median" => StripKind::Median,
-        "curb" => StripKind::Curb,
-        "tram" | "rail" => StripKind::Rail,
+        "parking" => LaneType::Parking,
+        "biking" => LaneType::Biking,
+        "median" => LaneType::Median,
+        "curb" => LaneType::Curb,
+        "tram" | "rail" => LaneType::Rail,
         _ => return None,
     })
 }

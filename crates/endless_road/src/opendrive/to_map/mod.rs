@@ -4,15 +4,15 @@ mod approach;
 mod crossings;
 mod joins;
 mod kind;
+mod lane_surfaces;
 mod lanes;
-mod marks;
+mod markings;
 mod mend;
 mod neighbours;
 mod objects;
 mod outline;
 mod sampled;
 mod signals;
-mod strips;
 mod turnaround;
 mod walk;
 
@@ -54,16 +54,16 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     let left = document.roads.iter().filter(|road| road.left_hand).count();
     let mut map = RoadMap {
         network: network.finish()?,
-        strips: strips::strips(&sampled),
-        marks: marks::marks(&sampled),
+        lane_surfaces: lane_surfaces::lane_surfaces(&sampled),
+        markings: markings::markings(&sampled),
         left_hand: 2 * left > document.roads.len(),
         georeference: document.georeference.clone(),
         notes,
         ..RoadMap::default()
     };
-    map.strips.extend(loops);
+    map.lane_surfaces.extend(loops);
     objects::add(&sampled, &governed, &groups, &mut map);
-    let lines = approach::stop_lines(&map.network.lanes, &map.marks);
-    map.marks.extend(lines);
+    let lines = approach::stop_lines(&map.network.lanes, &map.markings);
+    map.markings.extend(lines);
     Ok(map)
 }

@@ -2,13 +2,13 @@
 
 use super::super::document::{RoadObject, Signal, SignalPosition};
 use super::super::geometry::RoadShape;
+use super::lane_surfaces::KERB_M;
 use super::outline::{corners, place, rectangle};
 use super::sampled::SampledDocument;
 use super::signals::{Governed, SignalMeaning, meaning};
-use super::strips::KERB_M;
 use crate::{
-    Area, AreaKind, BuildingFootprint, ImportNote, MapObject, MapObjectKind, Mark, Paint, Polyline, RoadMap,
-    RoadNetwork, Strip, StripKind,
+    BuildingFootprint, ImportNote, LandUse, LandUseArea, LaneSurface, LaneType, MapObject, MapObjectKind, MarkingColor,
+    Polyline, RoadMap, RoadMarking, RoadNetwork,
 };
 use endless_world::SignalId;
 use endless_world::math::f64::wrap_angle;
@@ -40,15 +40,15 @@ pub(super) fn add(
                 continue;
             }
             if is_line(object) {
-                map.marks.extend(line(shape, object));
+                map.markings.extend(line(shape, object));
             } else if object.kind == "parkingSpace" {
-                map.strips.extend(bay(shape, object));
+                map.lane_surfaces.extend(bay(shape, object));
             } else if object.kind == "building" {
                 map.footprints.extend(building(shape, object));
             } else if object.kind == "trafficIsland" {
-                map.strips.extend(island(shape, object));
+                map.lane_surfaces.extend(island(shape, object));
             } else if let Some((kind, outline)) = land(shape, object) {
-                map.areas.push(Area { kind, outline, holes: Vec::new() });
+                map.areas.push(LandUseArea { kind, outline, holes: Vec::new() });
             } else if let Some(kind) = thing_kind(object) {
                 stand(shape, object, &kind, &mut map.objects);
             } else {
@@ -176,10 +176,10 @@ fn building(shape: &RoadShape<'_>, object: &RoadObject) -> Option<BuildingFootpr
 }
 
 /// Land that is given as an object with an outline: woods and bushes.
-fn land(shape: &RoadShape<'_>, object: &RoadObject) -> Option<(AreaKind, Vec<DVec2>)> {
+fn land(shape: &RoadShape<'_>, object: &RoadObject) -> Option<(LandUse, Vec<DVec2>)> {
     let kind = match (object.kind.as_str(), object.subtype.as_str()) {
-        ("vegetation", "forest") => AreaKind::Wood,
-        ("vegetation", "bush" | "hedge") => AreaKind::Grass,
+        ("vegetation", "forest") => LandUse::Wood,
+        ("vegetation", "bush" | "hedge") => LandUse::Grass,
         _ => return None,
     };
     object.outlines.iter().any(|outline| outline.len() >= 3).then_some(())?;
@@ -187,9 +187,9 @@ fn land(shape: &RoadShape<'_>, object: &RoadObject) -> Option<(AreaKind, Vec<DVe
 }
 
 /// An island as a raised strip along its longer side.
-fn island(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Strip> {
+fn island(shape: &RoadShape<'_>, object: &RoadObject) -> Option<LaneSurface> {
     let mut strip = bay(shape, object)?;
-    strip.kind = StripKind::Median;
+    strip.kind = LaneType::Median;
     let up = if object.size[2] > 0.01 { object.size[2].min(0.5) } else { KERB_M };
     strip.left.iter_mut().chain(&mut strip.right).for_each(|p| p.z += up);
     Some(strip)
@@ -201,7 +201,7 @@ fn is_line(object: &RoadObject) -> bool {
 }
 
 /// A slender painted shape as a line along its middle.
-fn line(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Mark> {
+fn line(shape: &RoadShape<'_>, object: &RoadObject) -> Option<RoadMarking> {
     let corners = corners(shape, object);
     let rectangle = rectangle(&corners)?;
     let (long, short) = (rectangle.long.length(), rectangle.short.length());
@@ -211,16 +211,16 @@ fn line(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Mark> {
     let height = corners.iter().map(|p| p.z).sum::<f64>() / corners.len() as f64;
     let ends = [-rectangle.long, rectangle.long].map(|half| (rectangle.middle + half).extend(height));
     let name = object.name.to_ascii_lowercase();
-    Some(Mark {
+    Some(RoadMarking {
         line: Polyline::new(ends),
         width_m: (2.0 * short).clamp(0.1, 1.0),
         dash: name.contains("dashed").then_some([1.0, 1.0]),
-        paint: if name.contains("yellow") { Paint::Yellow } else { Paint::White },
+        color: if name.contains("yellow") { MarkingColor::Yellow } else { MarkingColor::White },
     })
 }
 
 /// A parking space as a strip along its longer side.
-fn bay(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Strip> {
+fn bay(shape: &RoadShape<'_>, object: &RoadObject) -> Option<LaneSurface> {
     let corners = corners(shape, object);
     let r = rectangle(&corners).filter(|r| r.short.length() > 0.5)?;
     let height = place(shape, object).z;
@@ -229,8 +229,8 @@ fn bay(shape: &RoadShape<'_>, object: &RoadObject) -> Option<Strip> {
             .map(|end| (r.middle + r.long * end + r.long.normalize().perp() * r.short.length() * side).extend(height))
             .to_vec()
     };
-    Some(Strip {
-        kind: StripKind::Parking,
+    Some(LaneSurface {
+        kind: LaneType::Parking,
         left: at(1.0),
         right: at(-1.0),
         in_junction: shape.road.junction.is_some(),

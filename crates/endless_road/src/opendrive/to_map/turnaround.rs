@@ -3,7 +3,7 @@
 //! The file has no such loops; without them, nothing could drive on a map whose roads all lead out of it.
 
 use super::lanes::{LaneGraph, LaneNode};
-use crate::{ImportNote, Strip, StripKind};
+use crate::{ImportNote, LaneSurface, LaneType};
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -22,7 +22,7 @@ const ASKEW: f64 = 0.12;
 const SPARE_M: f64 = 1.0;
 
 /// Adds loops to the graph; returns their surfaces.
-pub(super) fn add(graph: &mut LaneGraph, first_junction: usize, notes: &mut Vec<ImportNote>) -> Vec<Strip> {
+pub(super) fn add(graph: &mut LaneGraph, first_junction: usize, notes: &mut Vec<ImportNote>) -> Vec<LaneSurface> {
     let here = |node: &LaneNode| !node.gone && node.junction.is_none() && node.points.len() > 1;
     let ends: Vec<usize> = (0..graph.nodes.len())
         .filter(|&i| here(&graph.nodes[i]) && graph.nodes[i].next.is_empty() && !graph.nodes[i].before.contains(&i))
@@ -43,7 +43,7 @@ pub(super) fn add(graph: &mut LaneGraph, first_junction: usize, notes: &mut Vec<
         }
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)).then(a.2.cmp(&b.2)));
-    let mut strips = Vec::new();
+    let mut lane_surfaces = Vec::new();
     let mut used = std::collections::BTreeSet::new();
     let mut loops_at: BTreeMap<(usize, bool), usize> = BTreeMap::new();
     for (_, end, start) in pairs {
@@ -58,7 +58,7 @@ pub(super) fn add(graph: &mut LaneGraph, first_junction: usize, notes: &mut Vec<
         let junction = first_junction + 2 * place.0 + usize::from(place.1);
         let wide = |node: usize, at: usize| graph.nodes[node].widths[at];
         let width = wide(end, graph.nodes[end].widths.len() - 1).min(wide(start, 0)).max(2.5);
-        strips.push(strip(&points, width + SPARE_M));
+        lane_surfaces.push(strip(&points, width + SPARE_M));
         let added = graph.nodes.len();
         graph.nodes.push(LaneNode {
             widths: vec![width; points.len()],
@@ -73,11 +73,11 @@ pub(super) fn add(graph: &mut LaneGraph, first_junction: usize, notes: &mut Vec<
         graph.nodes[end].next.push(added);
         graph.nodes[start].before.push(added);
     }
-    if !strips.is_empty() {
-        let text = format!("{} loops were added where roads end, for traffic to turn back", strips.len());
+    if !lane_surfaces.is_empty() {
+        let text = format!("{} loops were added where roads end, for traffic to turn back", lane_surfaces.len());
         notes.push(ImportNote { place: "file".to_owned(), text });
     }
-    strips
+    lane_surfaces
 }
 
 /// Outwards, round, and back in: three arcs of one radius, tangent to one another and to both lanes.
@@ -135,7 +135,7 @@ fn loop_line(end: &LaneNode, start: &LaneNode, already: usize) -> Option<Vec<DVe
     )
 }
 
-fn strip(points: &[DVec3], width: f64) -> Strip {
+fn strip(points: &[DVec3], width: f64) -> LaneSurface {
     let n = points.len();
     let side = |sign: f64| -> Vec<DVec3> {
         (0..n)
@@ -145,8 +145,8 @@ fn strip(points: &[DVec3], width: f64) -> Strip {
             })
             .collect()
     };
-    Strip {
-        kind: StripKind::Driving,
+    LaneSurface {
+        kind: LaneType::Driving,
         left: side(1.0),
         right: side(-1.0),
         in_junction: true,

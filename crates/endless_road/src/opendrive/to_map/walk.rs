@@ -3,8 +3,8 @@
 use super::super::document::ContactPoint;
 use super::joins::LaneEnd;
 use super::kind::is_walked;
+use super::lane_surfaces::sidewalk_lift;
 use super::sampled::SampledDocument;
-use super::strips::sidewalk_lift;
 use crate::{Crossing, CrossingId, ImportNote, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};

@@ -72,8 +72,8 @@ fn sound(map: &RoadMap) -> Result<(), String> {
     let finite = |p: &glam::DVec3| p.is_finite();
     let all = lanes.iter().all(|lane| lane.centerline.points().iter().all(finite))
         && walk.nodes.iter().all(finite)
-        && map.strips.iter().all(|s| s.left.len() == s.right.len() && s.left.iter().chain(&s.right).all(finite))
-        && map.marks.iter().all(|mark| mark.line.points().iter().all(finite))
+        && map.lane_surfaces.iter().all(|s| s.left.len() == s.right.len() && s.left.iter().chain(&s.right).all(finite))
+        && map.markings.iter().all(|mark| mark.line.points().iter().all(finite))
         && map.junction_areas.iter().flatten().all(finite)
         && map.areas.iter().flat_map(|area| &area.outline).all(|p| p.is_finite())
         && map.footprints.iter().flat_map(|f| &f.outline).all(|p| p.is_finite())
@@ -93,8 +93,8 @@ fn features(map: &RoadMap) -> Vec<String> {
         ("conflicts", network.junctions.iter().map(|j| j.conflicts.len()).sum()),
         ("changes", network.lanes.iter().filter(|lane| lane.left.is_some()).count()),
         ("spawns", network.spawn_points.len()),
-        ("strips", map.strips.len()),
-        ("marks", map.marks.len()),
+        ("strips", map.lane_surfaces.len()),
+        ("marks", map.markings.len()),
         ("things", map.objects.len()),
         ("areas", map.areas.len()),
         ("footprints", map.footprints.len()),

@@ -6,7 +6,7 @@ use crate::camera::BuildingPrism;
 use crate::dressing::ground::land::Land;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::geometry::{Occupied, Rect, area, around, inside};
-use endless_road::{BuildingFootprint, StripKind};
+use endless_road::{BuildingFootprint, LaneType};
 use endless_scene::Mesh;
 use endless_world::Stream;
 use endless_world::math::f64::atan2;
@@ -154,7 +154,7 @@ fn cleaned(outline: &[DVec2]) -> Vec<DVec2> {
 /// Buildings over the carriageway are passages or errors of drawing.
 fn on_a_road(outline: &[DVec2], pavement: &PavementIndex) -> bool {
     let n = outline.len();
-    let drives = |p: DVec2| pavement.at(p).any(|(piece, _)| piece.kind == StripKind::Driving);
+    let drives = |p: DVec2| pavement.at(p).any(|(piece, _)| piece.kind == LaneType::Driving);
     let centre = outline.iter().sum::<DVec2>() / n as f64;
     let mut samples = vec![centre];
     for k in 0..n {

@@ -14,7 +14,7 @@ use crate::dressing::ground::land::Land;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::preset::TownPreset;
 use crate::geometry::{Occupied, Rect, inside, unit};
-use endless_road::{AreaKind, Lane, RoadNetwork};
+use endless_road::{LandUse, Lane, RoadNetwork};
 use endless_world::Stream;
 use glam::{Affine3A, DVec2, Quat};
 
@@ -299,8 +299,8 @@ impl BuildingGrowth<'_> {
             return None;
         }
         Some(match area {
-            Some(AreaKind::Industrial) => WORKS,
-            Some(AreaKind::Commercial) => TRADE,
+            Some(LandUse::Industrial) => WORKS,
+            Some(LandUse::Commercial) => TRADE,
             Some(_) if self.density.at(p) < QUARTERS[1].0 => QUARTERS[1].1,
             _ => usual,
         })

@@ -2,7 +2,7 @@
 
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::geometry::unit;
-use endless_road::{AreaKind, BuildingFootprint, Lane, RoadNetwork, StripKind};
+use endless_road::{BuildingFootprint, LandUse, Lane, LaneType, RoadNetwork};
 use glam::DVec2;
 
 /// Faster roads without sidewalks have no houses along them, m/s.
@@ -17,7 +17,7 @@ pub(crate) fn streets(network: &RoadNetwork, pavement: &PavementIndex) -> Vec<bo
     let has_sidewalk = |lane: &Lane| {
         let place = lane.centerline.at(lane.centerline.length() / 2.0);
         let (here, z) = (place.position.truncate(), place.position.z);
-        let walk = |p: DVec2| pavement.at(p).any(|(piece, h)| piece.kind == StripKind::Sidewalk && (h - z).abs() < 1.0);
+        let walk = |p: DVec2| pavement.at(p).any(|(piece, h)| piece.kind == LaneType::Sidewalk && (h - z).abs() < 1.0);
         [-1.0, 1.0].iter().any(|side| {
             let out = unit(place.heading_rad).perp() * *side;
             (2..=SIDEWALK_M as i32).any(|d| walk(here + out * f64::from(d)))
@@ -76,8 +76,8 @@ impl FootprintGrid {
 }
 
 /// Whether people may have built where the map says this of the land.
-pub(crate) fn may_be_built_on(area: Option<AreaKind>) -> bool {
-    matches!(area, None | Some(AreaKind::Residential | AreaKind::Commercial | AreaKind::Industrial))
+pub(crate) fn may_be_built_on(area: Option<LandUse>) -> bool {
+    matches!(area, None | Some(LandUse::Residential | LandUse::Commercial | LandUse::Industrial))
 }
 
 #[cfg(test)]

@@ -5,7 +5,7 @@ use crate::dressing::ground::land::Land;
 use crate::geometry::inside;
 use crate::geometry::{area, triangulate, with_holes};
 use crate::palette::{CAR_PARK, FIELD, GRAVEL, LAWN, MEADOW, PLAZA, PLAZA_BAND, SOIL, WATER, WOODLAND, YARD};
-use endless_road::{Area, AreaKind};
+use endless_road::{LandUse, LandUseArea};
 use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, Vec3};
 
@@ -25,7 +25,7 @@ const BAND_LIFT_M: f64 = 0.004;
 /// An area with its bounds.
 #[derive(Debug, Clone)]
 struct BoundedArea {
-    area: Area,
+    area: LandUseArea,
     low: DVec2,
     high: DVec2,
     /// The height of flat land, on which it lies with sharp borders; uneven land takes its colour instead.
@@ -41,7 +41,7 @@ pub(crate) struct Areas {
 }
 
 impl Areas {
-    pub(crate) fn new(areas: &[Area], land: &Land, relief: bool) -> Self {
+    pub(crate) fn new(areas: &[LandUseArea], land: &Land, relief: bool) -> Self {
         let mut list: Vec<BoundedArea> = areas
             .iter()
             .filter(|a| a.outline.len() >= 3)
@@ -54,7 +54,7 @@ impl Areas {
                 let places: Vec<DVec2> =
                     inner.iter().flat_map(|&t| rim.iter().map(move |p| p.lerp(middle, t))).collect();
                 let (least, most) = land.range(&places);
-                let flat = if relief && area.kind == AreaKind::Water {
+                let flat = if relief && area.kind == LandUse::Water {
                     // Water finds its level between the banks.
                     Some(land.middle(&area.outline))
                 } else {
@@ -71,8 +71,8 @@ impl Areas {
     /// Squares and parks.
     pub(crate) fn open(&self) -> Vec<OpenSpace> {
         let open = |b: &BoundedArea| {
-            let park = b.area.kind == AreaKind::Park;
-            (park || b.area.kind == AreaKind::Plaza).then(|| OpenSpace { outline: b.area.outline.clone(), park })
+            let park = b.area.kind == LandUse::Park;
+            (park || b.area.kind == LandUse::Plaza).then(|| OpenSpace { outline: b.area.outline.clone(), park })
         };
         self.list.iter().filter_map(open).collect()
     }
@@ -87,18 +87,18 @@ impl Areas {
     }
 
     /// The smallest area at a place.
-    pub(crate) fn at(&self, p: DVec2) -> Option<AreaKind> {
+    pub(crate) fn at(&self, p: DVec2) -> Option<LandUse> {
         self.over(p).next().map(|a| a.area.kind)
     }
 
     /// All of a kind.
-    pub(crate) fn of(&self, kind: AreaKind) -> impl Iterator<Item = &Area> {
+    pub(crate) fn of(&self, kind: LandUse) -> impl Iterator<Item = &LandUseArea> {
         self.list.iter().filter(move |a| a.area.kind == kind).map(|a| &a.area)
     }
 
     /// What the ground is made of at a place; `usual` where no area says, or one is laid upon the ground.
     pub(crate) fn material(&self, p: DVec2, usual: &dyn Fn() -> Material) -> Material {
-        let bed = |a: &BoundedArea| self.relief && a.area.kind == AreaKind::Water;
+        let bed = |a: &BoundedArea| self.relief && a.area.kind == LandUse::Water;
         let own = |a: &BoundedArea| if bed(a) { Some(SOIL) } else { ground(a.area.kind) };
         self.over(p).filter(|a| a.flat.is_none() || bed(a)).find_map(own).unwrap_or_else(usual)
     }
@@ -124,7 +124,7 @@ impl Areas {
                     mesh.triangle_indices(t.map(|k| base + k as u32), material);
                 }
             }
-            if bounded.area.kind == AreaKind::Plaza {
+            if bounded.area.kind == LandUse::Plaza {
                 add_bands(mesh, &bounded.area, z + BAND_LIFT_M);
             }
         }
@@ -143,7 +143,7 @@ fn dense(outline: &[DVec2]) -> Vec<DVec2> {
 }
 
 /// Bands of darker stone across a square.
-fn add_bands(mesh: &mut MeshBuilder, square: &Area, z: f64) {
+fn add_bands(mesh: &mut MeshBuilder, square: &LandUseArea, z: f64) {
     let rect = crate::geometry::around(&square.outline);
     let within = |p: DVec2| inside(&square.outline, p) && !square.holes.iter().any(|h| inside(h, p));
     for (axis, along, across) in [(rect.axis, rect.half.x, rect.half.y), (rect.axis.perp(), rect.half.y, rect.half.x)] {
@@ -168,18 +168,18 @@ fn bands(half: f64) -> impl Iterator<Item = f64> {
 }
 
 /// What covers an area; `None` where it says nothing of it.
-fn ground(kind: AreaKind) -> Option<Material> {
+fn ground(kind: LandUse) -> Option<Material> {
     Some(match kind {
-        AreaKind::Residential => return None,
-        AreaKind::Park => LAWN,
-        AreaKind::Wood => WOODLAND,
-        AreaKind::Farmland => FIELD,
-        AreaKind::Grass => MEADOW,
-        AreaKind::Water => WATER,
-        AreaKind::Plaza => PLAZA,
-        AreaKind::Parking => CAR_PARK,
-        AreaKind::Commercial => YARD,
-        AreaKind::Industrial => GRAVEL,
-        AreaKind::Bare => SOIL,
+        LandUse::Residential => return None,
+        LandUse::Park => LAWN,
+        LandUse::Wood => WOODLAND,
+        LandUse::Farmland => FIELD,
+        LandUse::Grass => MEADOW,
+        LandUse::Water => WATER,
+        LandUse::Plaza => PLAZA,
+        LandUse::Parking => CAR_PARK,
+        LandUse::Commercial => YARD,
+        LandUse::Industrial => GRAVEL,
+        LandUse::Bare => SOIL,
     })
 }

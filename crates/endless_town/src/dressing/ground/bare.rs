@@ -4,7 +4,7 @@ use super::area::Areas;
 use crate::dressing::built_up::density::StreetDensity;
 use crate::geometry::unit;
 use crate::palette::{GRAVEL, LAWN, MEADOW, YARD, YARD_DARK, YARD_SLABS};
-use endless_road::{AreaKind, Lane, RoadNetwork};
+use endless_road::{LandUse, Lane, RoadNetwork};
 use endless_scene::Material;
 use endless_world::fnv1a;
 use endless_world::math::f64::{atan2, sin, sin_cos};
@@ -62,7 +62,7 @@ pub(crate) fn bare(p: DVec2, density: &StreetDensity, areas: &Areas, parcels: Op
         {
             parcels.paving(p)
         }
-        d if d > BUILT_UP || areas.at(p) == Some(AreaKind::Residential) => LAWN,
+        d if d > BUILT_UP || areas.at(p) == Some(LandUse::Residential) => LAWN,
         _ => MEADOW,
     }
 }

@@ -1,7 +1,7 @@
 //! Which pavement lies at a place: all strips of a map in bins, and the asphalt between them in junctions.
 
 use crate::geometry::triangulate;
-use endless_road::{Strip, StripKind};
+use endless_road::{LaneSurface, LaneType};
 use glam::{DVec2, DVec3};
 
 /// Side of a bin, metres.
@@ -14,7 +14,7 @@ const BORDER_M: f64 = 1e-6;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PavementPiece {
     pub(crate) strip: u32,
-    pub(crate) kind: StripKind,
+    pub(crate) kind: LaneType,
     pub(crate) in_junction: bool,
     /// Right and left at its beginning, then left and right at its end: counter-clockwise.
     pub(crate) corners: [DVec3; 4],
@@ -50,8 +50,8 @@ fn in_triangle(a: DVec3, b: DVec3, c: DVec3, p: DVec2) -> Option<f64> {
 }
 
 /// Whether vehicles drive or park on this.
-pub(crate) fn is_carriageway(kind: StripKind) -> bool {
-    matches!(kind, StripKind::Driving | StripKind::Parking | StripKind::Shoulder | StripKind::Biking)
+pub(crate) fn is_carriageway(kind: LaneType) -> bool {
+    matches!(kind, LaneType::Driving | LaneType::Parking | LaneType::Shoulder | LaneType::Biking)
 }
 
 /// A piece in a bin, with a box around its own that takes little memory: most are far from the place that is asked for.
@@ -94,7 +94,7 @@ pub(crate) struct PavementIndex {
 }
 
 impl PavementIndex {
-    pub(crate) fn new(strips: &[Strip], low: DVec2, high: DVec2) -> Self {
+    pub(crate) fn new(lane_surfaces: &[LaneSurface], low: DVec2, high: DVec2) -> Self {
         let size = (high - low).max(DVec2::splat(1.0));
         let (columns, rows) = ((size.x / BIN_M).ceil() as usize, (size.y / BIN_M).ceil() as usize);
         let mut pavement = Self {
@@ -107,7 +107,7 @@ impl PavementIndex {
             between: Vec::new(),
             between_bins: vec![Vec::new(); columns * rows],
         };
-        for (i, strip) in strips.iter().enumerate() {
+        for (i, strip) in lane_surfaces.iter().enumerate() {
             for k in 0..strip.left.len().min(strip.right.len()).saturating_sub(1) {
                 let corners = [strip.right[k], strip.right[k + 1], strip.left[k + 1], strip.left[k]];
                 let flat = corners.map(DVec3::truncate);

@@ -7,7 +7,7 @@ use crate::dressing::pavement::crossing;
 use crate::geometry::{Rect, unit};
 use crate::palette::{LAWN, MEADOW};
 use endless_asset::Prop;
-use endless_road::{AreaKind, RoadNetwork, StripKind};
+use endless_road::{LandUse, LaneType, RoadNetwork};
 use endless_world::math::f64::atan2;
 use endless_world::{CameraSite, Stream};
 use glam::{DVec2, Vec3};
@@ -61,9 +61,9 @@ impl LawnDetail<'_> {
     pub(crate) fn lawn(&self, p: DVec2) -> Option<LawnKind> {
         let lawn = match self.ground.areas.at(p) {
             _ if !self.ground.forecourts.is_free(&Rect::around(p, 0.01)) => LawnKind::Yard,
-            Some(AreaKind::Park) => LawnKind::Kept,
-            Some(AreaKind::Grass) => LawnKind::Wild,
-            None | Some(AreaKind::Residential) => match self.ground.bare(p) {
+            Some(LandUse::Park) => LawnKind::Kept,
+            Some(LandUse::Grass) => LawnKind::Wild,
+            None | Some(LandUse::Residential) => match self.ground.bare(p) {
                 ground if ground == LAWN => LawnKind::Kept,
                 ground if ground == MEADOW => LawnKind::Wild,
                 _ => LawnKind::Yard,
@@ -88,7 +88,7 @@ impl LawnDetail<'_> {
     }
 
     fn is_walked_on(&self, p: DVec2) -> bool {
-        self.ground.pavement.at(p).any(|(piece, _)| piece.kind == StripKind::Sidewalk)
+        self.ground.pavement.at(p).any(|(piece, _)| piece.kind == LaneType::Sidewalk)
     }
 
     fn piece(&self, assembly: &mut TownAssembly<'_>, lawn: LawnKind, at: DVec2, stream: &mut Stream) {
@@ -101,7 +101,7 @@ impl LawnDetail<'_> {
         let lawn =
             if beside.is_some_and(|b| self.is_walked_on(at + unit(b.0) * (b.1 + 0.3))) { lawn } else { LawnKind::Wild };
         let facing = beside.map_or(turn, |b| b.0);
-        let park = self.ground.areas.at(at) == Some(AreaKind::Park);
+        let park = self.ground.areas.at(at) == Some(LandUse::Park);
         let near = beside.is_some_and(|b| b.1 < 3.5);
         match (lawn, dice) {
             (LawnKind::Wild, d) if d < 0.75 => self.tufts(assembly, at, 5, stream),

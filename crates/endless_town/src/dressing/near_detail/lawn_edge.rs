@@ -6,7 +6,7 @@ use crate::dressing::assembly::{PropPose, TownAssembly};
 use crate::dressing::ground::pavement_index::PavementPiece;
 use crate::geometry::unit;
 use endless_asset::Prop;
-use endless_road::StripKind;
+use endless_road::LaneType;
 use endless_world::{CameraSite, Stream};
 use glam::{DVec2, DVec3, Vec3};
 use std::f64::consts::TAU;
@@ -28,12 +28,8 @@ impl LawnDetail<'_> {
         for site in sites {
             let mut stream = camera_stream(assembly, 145_000, site);
             let before = assembly.placements.len();
-            for piece in self
-                .ground
-                .pavement
-                .pieces
-                .iter()
-                .filter(|piece| piece.kind == StripKind::Sidewalk && sees(site, piece))
+            for piece in
+                self.ground.pavement.pieces.iter().filter(|piece| piece.kind == LaneType::Sidewalk && sees(site, piece))
             {
                 let [right, right_end, left_end, left] = piece.corners.map(DVec3::truncate);
                 for (from, to, side) in [(right, right_end, -1.0), (left, left_end, 1.0)] {

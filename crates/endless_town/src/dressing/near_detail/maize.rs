@@ -4,7 +4,7 @@ use super::detail_ground::DetailGround;
 use crate::dressing::assembly::{PropPose, TownAssembly};
 use crate::geometry::{Rect, around, inside};
 use endless_asset::Prop;
-use endless_road::AreaKind;
+use endless_road::LandUse;
 use endless_world::CameraSite;
 use endless_world::math::f64::atan2;
 use glam::{DVec2, Vec3};
@@ -18,7 +18,7 @@ const BLOCK_M: f64 = 4.0;
 /// Plants blocks of maize that look alike to every camera that sees them.
 pub(crate) fn add(assembly: &mut TownAssembly<'_>, ground: &DetailGround, sites: &[CameraSite]) {
     let stream = assembly.stream(24_000);
-    for (number, field) in ground.areas.of(AreaKind::Farmland).enumerate() {
+    for (number, field) in ground.areas.of(LandUse::Farmland).enumerate() {
         let stream = stream.fork(number as u64);
         let rect = around(&field.outline);
         let (nx, ny) = ((2.0 * rect.half.x / BLOCK_M) as i64, (2.0 * rect.half.y / BLOCK_M) as i64);

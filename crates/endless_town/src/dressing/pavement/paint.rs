@@ -4,7 +4,7 @@ use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::pavement::crossing;
 use crate::dressing::pavement::surface::{PAINT_M, quad};
 use crate::palette::{WHITE_PAINT, YELLOW_PAINT};
-use endless_road::{Control, Crossing, Lane, Mark, Paint, Polyline, RoadMap};
+use endless_road::{Control, Crossing, Lane, MarkingColor, Polyline, RoadMap, RoadMarking};
 use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, DVec3, Vec2};
 
@@ -18,10 +18,10 @@ pub(crate) const PAINT_APART_M: f64 = 0.3;
 const STOP_M: f64 = 0.35;
 
 pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementIndex) {
-    for mark in &map.marks {
+    for mark in &map.markings {
         add_mark(mesh, mark, &map.network.crossings);
     }
-    if map.marks.is_empty() {
+    if map.markings.is_empty() {
         for lane in map.network.lanes.iter().filter(|l| l.junction.is_none()) {
             usual_lines(mesh, lane, map.left_hand);
         }
@@ -30,16 +30,16 @@ pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementInde
         add_crossing(mesh, crossing, pavement);
     }
     for lane in map.network.lanes.iter().filter(|l| matches!(l.end_control, Control::Signal(_) | Control::Stop)) {
-        if !map.marks.iter().any(|mark| is_stop_line_of(mark, lane)) {
+        if !map.markings.iter().any(|mark| is_stop_line_of(mark, lane)) {
             add_stop_line(mesh, lane);
         }
     }
 }
 
-fn add_mark(mesh: &mut MeshBuilder, mark: &Mark, crossings: &[Crossing]) {
-    let paint = match mark.paint {
-        Paint::White => WHITE_PAINT,
-        Paint::Yellow => YELLOW_PAINT,
+fn add_mark(mesh: &mut MeshBuilder, mark: &RoadMarking, crossings: &[Crossing]) {
+    let paint = match mark.color {
+        MarkingColor::White => WHITE_PAINT,
+        MarkingColor::Yellow => YELLOW_PAINT,
     };
     let mut draw = |from: f64, to: f64| line(mesh, &mark.line, (from, to), 0.0, mark.width_m, paint);
     for (from, to) in beside_crossings(mark, crossings) {
@@ -57,7 +57,7 @@ fn add_mark(mesh: &mut MeshBuilder, mark: &Mark, crossings: &[Crossing]) {
 
 /// The parts of a mark that lie on no crossing: where people walk, lines along the road leave off. Broad marks are
 /// crossings and stop lines themselves, and stay whole.
-fn beside_crossings(mark: &Mark, crossings: &[Crossing]) -> Vec<(f64, f64)> {
+fn beside_crossings(mark: &RoadMarking, crossings: &[Crossing]) -> Vec<(f64, f64)> {
     const BROAD_M: f64 = 0.25;
     const STEP_M: f64 = 0.2;
     let length = mark.line.length();
@@ -144,7 +144,7 @@ fn add_crossing(mesh: &mut MeshBuilder, crossing: &Crossing, pavement: &Pavement
 }
 
 /// Whether a mark lies across a lane near its end.
-fn is_stop_line_of(mark: &Mark, lane: &Lane) -> bool {
+fn is_stop_line_of(mark: &RoadMarking, lane: &Lane) -> bool {
     let end = lane.centerline.at(lane.centerline.length());
     let points = mark.line.points();
     let near = points.iter().any(|p| p.distance(end.position) < 14.0);

@@ -6,7 +6,7 @@ use crate::geometry::triangulate;
 use crate::geometry::{Occupied, Rect};
 use crate::palette::NO_LANE;
 use crate::palette::{BALLAST, CYCLEWAY, DECK, KERB, LAWN, PAVING, TRACK};
-use endless_road::{RoadMap, Strip, StripKind};
+use endless_road::{LaneSurface, LaneType, RoadMap};
 use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, DVec3, Vec2, Vec3};
 use std::collections::BTreeSet;
@@ -28,42 +28,42 @@ const PARAPET_M: [f64; 2] = [0.25, 0.95];
 const PIERS_M: f64 = 24.0;
 
 /// The strips as they will lie: medians raised, but those that lie behind a kerb, which are as high as it already.
-pub(crate) fn laid(map: &RoadMap) -> Vec<Strip> {
-    let mut strips: Vec<Strip> =
-        map.strips.iter().filter(|s| s.left.len() == s.right.len() && s.left.len() > 1).cloned().collect();
+pub(crate) fn laid(map: &RoadMap) -> Vec<LaneSurface> {
+    let mut lane_surfaces: Vec<LaneSurface> =
+        map.lane_surfaces.iter().filter(|s| s.left.len() == s.right.len() && s.left.len() > 1).cloned().collect();
     let key = |p: &DVec3| p.to_array().map(f64::to_bits);
-    let is_kerb = |s: &&Strip| s.kind == StripKind::Curb;
+    let is_kerb = |s: &&LaneSurface| s.kind == LaneType::Curb;
     let kerbs: BTreeSet<_> =
-        strips.iter().filter(is_kerb).flat_map(|s| s.left.iter().chain(&s.right)).map(key).collect();
-    let behind_kerb = |s: &Strip| s.left.iter().chain(&s.right).any(|p| kerbs.contains(&key(p)));
-    for strip in strips.iter_mut().filter(|s| s.kind == StripKind::Median && !s.in_junction && !behind_kerb(s)) {
+        lane_surfaces.iter().filter(is_kerb).flat_map(|s| s.left.iter().chain(&s.right)).map(key).collect();
+    let behind_kerb = |s: &LaneSurface| s.left.iter().chain(&s.right).any(|p| kerbs.contains(&key(p)));
+    for strip in lane_surfaces.iter_mut().filter(|s| s.kind == LaneType::Median && !s.in_junction && !behind_kerb(s)) {
         let widest = strip.left.iter().zip(&strip.right).map(|(l, r)| l.distance(*r)).fold(0.0, f64::max);
         if widest > MEDIAN_FROM_M {
             strip.left.iter_mut().chain(&mut strip.right).for_each(|p| p.z += MEDIAN_M);
         }
     }
-    strips
+    lane_surfaces
 }
 
-fn material(strip: &Strip, paving: Material) -> Material {
+fn material(strip: &LaneSurface, paving: Material) -> Material {
     let wide = strip.left.iter().zip(&strip.right).map(|(l, r)| l.distance(*r)).fold(0.0, f64::max);
     match strip.kind {
         _ if strip.unpaved => TRACK,
-        StripKind::Driving | StripKind::Shoulder | StripKind::Parking => paving,
-        StripKind::Biking => CYCLEWAY,
-        StripKind::Sidewalk => PAVING,
-        StripKind::Curb => KERB,
-        StripKind::Median if wide > 1.6 => LAWN,
-        StripKind::Median => PAVING,
-        StripKind::Rail => BALLAST,
+        LaneType::Driving | LaneType::Shoulder | LaneType::Parking => paving,
+        LaneType::Biking => CYCLEWAY,
+        LaneType::Sidewalk => PAVING,
+        LaneType::Curb => KERB,
+        LaneType::Median if wide > 1.6 => LAWN,
+        LaneType::Median => PAVING,
+        LaneType::Rail => BALLAST,
     }
 }
 
 /// A layer for every strip in a junction, so that no two that overlap share one, where there are enough.
-fn layers(strips: &[Strip]) -> Vec<usize> {
-    let boxes: Vec<(DVec2, DVec2)> = strips.iter().map(bounds).collect();
-    let mut layers = vec![0; strips.len()];
-    let inside: Vec<usize> = (0..strips.len()).filter(|&i| strips[i].in_junction).collect();
+fn layers(lane_surfaces: &[LaneSurface]) -> Vec<usize> {
+    let boxes: Vec<(DVec2, DVec2)> = lane_surfaces.iter().map(bounds).collect();
+    let mut layers = vec![0; lane_surfaces.len()];
+    let inside: Vec<usize> = (0..lane_surfaces.len()).filter(|&i| lane_surfaces[i].in_junction).collect();
     for (place, &i) in inside.iter().enumerate() {
         let mut used = [false; LAYERS];
         for &k in &inside[..place] {
@@ -76,7 +76,7 @@ fn layers(strips: &[Strip]) -> Vec<usize> {
     layers
 }
 
-fn bounds(strip: &Strip) -> (DVec2, DVec2) {
+fn bounds(strip: &LaneSurface) -> (DVec2, DVec2) {
     let points = strip.left.iter().chain(&strip.right).map(|p| p.truncate());
     points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)))
 }
@@ -91,9 +91,14 @@ pub(crate) struct PavementMesher<'a> {
 }
 
 impl<'a> PavementMesher<'a> {
-    pub(crate) fn new(strips: &'a [Strip], pavement: &'a PavementIndex, land: &'a Land, paving: Material) -> Self {
-        let materials = strips.iter().map(|strip| material(strip, paving)).collect();
-        Self { pavement, land, materials, layers: layers(strips) }
+    pub(crate) fn new(
+        lane_surfaces: &'a [LaneSurface],
+        pavement: &'a PavementIndex,
+        land: &'a Land,
+        paving: Material,
+    ) -> Self {
+        let materials = lane_surfaces.iter().map(|strip| material(strip, paving)).collect();
+        Self { pavement, land, materials, layers: layers(lane_surfaces) }
     }
 
     /// The pieces under whose middle a pier finds room, which it takes; by number, in order.
@@ -156,16 +161,16 @@ impl<'a> PavementMesher<'a> {
 
     /// Whether a driving lane lies over a place of a strip that is not one.
     fn is_buried(&self, piece: &PavementPiece, p: DVec3) -> bool {
-        piece.kind != StripKind::Driving
+        piece.kind != LaneType::Driving
             && self.pavement.at(p.truncate()).any(|(other, z)| {
-                other.kind == StripKind::Driving && other.strip != piece.strip && (z - p.z).abs() < 1.0
+                other.kind == LaneType::Driving && other.strip != piece.strip && (z - p.z).abs() < 1.0
             })
     }
 
     /// The parts of a piece that are to be seen, as ranges across it from right to left: in junctions, sidewalks and
     /// shoulders give way to driving lanes.
     fn shown(&self, piece: &PavementPiece) -> Vec<[f64; 2]> {
-        if piece.kind == StripKind::Driving {
+        if piece.kind == LaneType::Driving {
             return vec![[0.0, 1.0]];
         }
         const PARTS: usize = 4;
@@ -184,7 +189,7 @@ impl<'a> PavementMesher<'a> {
         let [r0, r1, l1, l0] = piece.corners;
         let up = DVec3::Z * lift;
         let corners = [r0.lerp(l0, from), r1.lerp(l1, from), r1.lerp(l1, to), r0.lerp(l0, to)].map(|p| p + up);
-        let lane = piece.kind == StripKind::Driving && !piece.in_junction;
+        let lane = piece.kind == LaneType::Driving && !piece.in_junction;
         let half = r0.distance(l0).max(r1.distance(l1)) / 2.0;
         let v = |t: f64| if lane { (half * (2.0 * t - 1.0)) as f32 } else { NO_LANE };
         let (u0, u1) = (along as f32, (along + r0.distance(r1)) as f32);
@@ -206,7 +211,7 @@ impl<'a> PavementMesher<'a> {
     /// Kerbs where a neighbour lies lower, skirts into the ground where there is none, parapets on bridges.
     fn edges(&self, mesh: &mut MeshBuilder, piece: &PavementPiece, [first, last]: [bool; 2], high: bool) {
         let [r0, r1, l1, l0] = piece.corners;
-        let raised = matches!(piece.kind, StripKind::Sidewalk | StripKind::Median | StripKind::Curb);
+        let raised = matches!(piece.kind, LaneType::Sidewalk | LaneType::Median | LaneType::Curb);
         let own = self.materials[piece.strip as usize];
         // Each with the ends of the side across.
         let sides = [(r0, r1, true), (r1, l1, last), (l1, l0, true), (l0, r0, first)];

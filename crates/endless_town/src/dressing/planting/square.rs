@@ -9,7 +9,7 @@ use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::road_furniture::post::RoadsidePosts;
 use crate::geometry::{inside, unit};
 use endless_asset::Prop;
-use endless_road::{Area, AreaKind, RoadNetwork};
+use endless_road::{LandUse, LandUseArea, RoadNetwork};
 use endless_world::math::f64::atan2;
 use endless_world::{CameraSite, Stream};
 use glam::{DVec2, Vec3};
@@ -59,14 +59,14 @@ pub(crate) struct SquareFurnisher<'a> {
 impl SquareFurnisher<'_> {
     pub(crate) fn add(&self, assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, sites: &[CameraSite]) {
         let begin = assembly.placements.len();
-        for (i, area) in self.areas.of(AreaKind::Plaza).enumerate() {
+        for (i, area) in self.areas.of(LandUse::Plaza).enumerate() {
             let mut stream = assembly.stream(120_000 + i as u64);
             if assembly.placements.len() - begin < MOST {
                 self.waterside(assembly, area);
                 self.square(assembly, posts, sites, area, &mut stream);
             }
         }
-        for area in self.areas.of(AreaKind::Park) {
+        for area in self.areas.of(LandUse::Park) {
             if assembly.placements.len() - begin < MOST {
                 self.park(assembly, posts, sites, area);
             }
@@ -74,7 +74,7 @@ impl SquareFurnisher<'_> {
     }
 
     /// The ways that pass through an area.
-    fn ways(&self, area: &Area) -> Vec<WalkSegment> {
+    fn ways(&self, area: &LandUseArea) -> Vec<WalkSegment> {
         let (low, high) = bounds(&area.outline);
         let walk = &self.network.walk;
         let all = walk.edges.iter().map(|e| {
@@ -94,7 +94,7 @@ impl SquareFurnisher<'_> {
         assembly: &mut TownAssembly<'_>,
         posts: &RoadsidePosts<'_>,
         sites: &[CameraSite],
-        area: &Area,
+        area: &LandUseArea,
         stream: &mut Stream,
     ) {
         let rect = crate::geometry::around(&area.outline);
@@ -160,7 +160,7 @@ impl SquareFurnisher<'_> {
         &self,
         assembly: &mut TownAssembly<'_>,
         sites: &[CameraSite],
-        area: &Area,
+        area: &LandUseArea,
         ways: &[WalkSegment],
         stream: &mut Stream,
     ) {
@@ -194,7 +194,7 @@ impl SquareFurnisher<'_> {
     }
 
     /// A railing along the sides behind which water begins.
-    fn waterside(&self, assembly: &mut TownAssembly<'_>, area: &Area) {
+    fn waterside(&self, assembly: &mut TownAssembly<'_>, area: &LandUseArea) {
         const PANEL_M: f64 = 2.0;
         let n = area.outline.len();
         let turn = if crate::geometry::area(&area.outline) > 0.0 { 1.0 } else { -1.0 };
@@ -205,7 +205,7 @@ impl SquareFurnisher<'_> {
             for i in 0..(a.distance(b) / PANEL_M).floor() as usize {
                 let at = a + along * (PANEL_M * (i as f64 + 0.5));
                 let water =
-                    (1..=WATERSIDE_M as i32).any(|d| self.areas.at(at + out * f64::from(d)) == Some(AreaKind::Water));
+                    (1..=WATERSIDE_M as i32).any(|d| self.areas.at(at + out * f64::from(d)) == Some(LandUse::Water));
                 if water {
                     let spot = self.spot(at - out * 0.3, atan2(along.y, along.x));
                     assembly.put(Prop::Railing, spot, DVec2::new(PANEL_M / 2.0 - 0.02, 0.1), None);
@@ -215,7 +215,13 @@ impl SquareFurnisher<'_> {
     }
 
     /// Benches, bins and lamps beside the ways of a park.
-    fn park(&self, assembly: &mut TownAssembly<'_>, posts: &RoadsidePosts<'_>, sites: &[CameraSite], area: &Area) {
+    fn park(
+        &self,
+        assembly: &mut TownAssembly<'_>,
+        posts: &RoadsidePosts<'_>,
+        sites: &[CameraSite],
+        area: &LandUseArea,
+    ) {
         let mut lamps: Vec<DVec2> = Vec::new();
         let mut benches: Vec<DVec2> = Vec::new();
         for (i, way) in self.ways(area).iter().enumerate() {

@@ -10,7 +10,7 @@ use crate::dressing::preset::TownPreset;
 use crate::dressing::road_furniture::post::RoadsidePosts;
 use crate::geometry::Rect;
 use endless_asset::Prop;
-use endless_road::{AreaKind, MapObjectKind, RoadMap};
+use endless_road::{LandUse, MapObjectKind, RoadMap};
 use endless_world::{CameraSite, Stream};
 use glam::{DVec2, Vec3};
 use std::f64::consts::TAU;
@@ -109,9 +109,9 @@ impl TreePlanter<'_> {
             let at = low + size * DVec2::new(stream.f64(), stream.f64());
             let (dice, kind, height) = (stream.f64(), stream.f64(), stream.range_f32(0.8, 1.2));
             let (tree, bush) = match self.areas.at(at) {
-                Some(AreaKind::Wood) => (1.0, 0.0),
-                Some(AreaKind::Park) => (0.5, 0.2),
-                Some(AreaKind::Grass | AreaKind::Residential) => (0.3, 0.2),
+                Some(LandUse::Wood) => (1.0, 0.0),
+                Some(LandUse::Park) => (0.5, 0.2),
+                Some(LandUse::Grass | LandUse::Residential) => (0.3, 0.2),
                 Some(_) => (0.0, 0.0),
                 None if self.density.at(at) > 60.0 => (0.3, 0.25),
                 None => (0.4, 0.1),

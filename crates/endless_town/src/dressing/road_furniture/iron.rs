@@ -6,7 +6,7 @@ use crate::dressing::pavement::crossing;
 use crate::geometry::unit;
 use crate::placement::{PlacedObject, Placement};
 use endless_asset::Prop;
-use endless_road::{Lane, RoadMap, StripKind};
+use endless_road::{Lane, LaneType, RoadMap};
 use endless_world::Stream;
 use glam::{Affine3A, DVec3, Mat3, Vec3};
 
@@ -101,7 +101,7 @@ fn kerb(lane: &Lane, s: f64, out: f64, pavement: &PavementIndex) -> Option<f64> 
     let side = unit(place.heading_rad).perp() * out;
     let kind = |d: f64, walk: bool| {
         pavement.at(place.position.truncate() + side * d).any(|(p, z)| {
-            let wanted = if walk { p.kind == StripKind::Sidewalk } else { is_carriageway(p.kind) };
+            let wanted = if walk { p.kind == LaneType::Sidewalk } else { is_carriageway(p.kind) };
             wanted && (z - place.position.z).abs() < 0.6
         })
     };

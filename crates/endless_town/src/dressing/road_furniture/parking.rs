@@ -6,7 +6,7 @@ use crate::dressing::ground::land::Land;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::pavement::crossing;
 use crate::geometry::{Rect, inside, unit};
-use endless_road::{AreaKind, RoadNetwork, Strip, StripKind};
+use endless_road::{LandUse, LaneSurface, LaneType, RoadNetwork};
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::{CameraSite, ParkedVehicle, Pose, Stream, VehicleModelId, VehicleRef};
 use glam::{DVec2, DVec3, Vec3};
@@ -31,12 +31,12 @@ struct ParkingBay {
 pub(crate) fn add(
     assembly: &mut TownAssembly<'_>,
     network: &RoadNetwork,
-    strips: &[Strip],
+    lane_surfaces: &[LaneSurface],
     areas: &Areas,
     pavement: &PavementIndex,
     land: &Land,
 ) {
-    for (i, strip) in strips.iter().enumerate().filter(|(_, s)| s.kind == StripKind::Parking && !s.in_junction) {
+    for (i, strip) in lane_surfaces.iter().enumerate().filter(|(_, s)| s.kind == LaneType::Parking && !s.in_junction) {
         let mut stream = assembly.stream(70_000 + i as u64);
         let middle = strip.left[strip.left.len() / 2];
         let way = traffic_heading(network, middle.truncate());
@@ -44,7 +44,7 @@ pub(crate) fn add(
             let reach = unit(bay.yaw) * 2.3;
             let side = reach.normalize_or(DVec2::X).perp() * 0.85;
             let at = bay.at.truncate();
-            let drives = |p: DVec2| pavement.at(p).any(|(piece, _)| piece.kind == StripKind::Driving);
+            let drives = |p: DVec2| pavement.at(p).any(|(piece, _)| piece.kind == LaneType::Driving);
             let in_the_road =
                 [reach + side, reach - side, -reach + side, -reach - side].iter().any(|&d| drives(at + d));
             if in_the_road || near_crossing(network, at) {
@@ -57,7 +57,7 @@ pub(crate) fn add(
             park(assembly, &bay, &mut stream);
         }
     }
-    for (i, area) in areas.of(AreaKind::Parking).enumerate() {
+    for (i, area) in areas.of(LandUse::Parking).enumerate() {
         let mut stream = assembly.stream(90_000 + i as u64);
         for bay in rows(&area.outline, &area.holes, pavement, land) {
             park(assembly, &bay, &mut stream);
@@ -71,7 +71,7 @@ fn near_crossing(network: &RoadNetwork, at: DVec2) -> bool {
 }
 
 /// Bays of a parking lane.
-fn along(strip: &Strip) -> Vec<ParkingBay> {
+fn along(strip: &LaneSurface) -> Vec<ParkingBay> {
     let middle: Vec<DVec3> = strip.left.iter().zip(&strip.right).map(|(l, r)| (*l + *r) / 2.0).collect();
     let widths: Vec<f64> = strip.left.iter().zip(&strip.right).map(|(l, r)| l.distance(*r)).collect();
     let mut bays = Vec::new();

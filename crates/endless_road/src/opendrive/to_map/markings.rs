@@ -3,7 +3,7 @@
 use super::super::document::{LaneSection, RoadMark};
 use super::super::geometry::SectionShape;
 use super::sampled::SampledDocument;
-use crate::{Mark, Paint, Polyline};
+use crate::{MarkingColor, Polyline, RoadMarking};
 use glam::DVec3;
 
 /// Widths of ordinary and bold lines where the file gives none, metres.
@@ -22,8 +22,8 @@ const SHORTEST_M: f64 = 0.3;
 const FAST_MPS: f64 = 23.0;
 
 /// The marks of all lanes.
-pub(super) fn marks(sampled: &SampledDocument<'_>) -> Vec<Mark> {
-    let mut marks = Vec::new();
+pub(super) fn markings(sampled: &SampledDocument<'_>) -> Vec<RoadMarking> {
+    let mut markings = Vec::new();
     for (road, sections) in sampled.document.roads.iter().zip(&sampled.sections) {
         let fast = road.types.iter().any(|t| t.kind == "motorway" || t.speed.is_some_and(|speed| speed > FAST_MPS));
         let dash = if fast { FAST_DASH_M } else { DASH_M };
@@ -32,12 +32,12 @@ pub(super) fn marks(sampled: &SampledDocument<'_>) -> Vec<Mark> {
             for lane in &section.lanes {
                 let Some(edge) = edge(shape, lane.id) else { continue };
                 for (mark, from, to) in runs(section, shape, &lane.marks) {
-                    draw(mark, &clipped(&shape.stations, edge, from, to), dash, &mut marks);
+                    draw(mark, &clipped(&shape.stations, edge, from, to), dash, &mut markings);
                 }
             }
         }
     }
-    marks
+    markings
 }
 
 /// The outer edge of a lane; the middle of the road for the centre lane.
@@ -81,9 +81,9 @@ pub(super) fn clipped(stations: &[f64], line: &[DVec3], from: f64, to: f64) -> V
     std::iter::once(at(from)).chain(inner).chain([at(to)]).collect()
 }
 
-fn draw(mark: &RoadMark, line: &[DVec3], dash: [f64; 2], marks: &mut Vec<Mark>) {
+fn draw(mark: &RoadMark, line: &[DVec3], dash: [f64; 2], markings: &mut Vec<RoadMarking>) {
     let width_m = mark.width.unwrap_or(if mark.bold { BOLD_M } else { LINE_M });
-    let paint = if mark.color == "yellow" { Paint::Yellow } else { Paint::White };
+    let color = if mark.color == "yellow" { MarkingColor::Yellow } else { MarkingColor::White };
     let mut add_part = |offset: f64, width_m: f64, dash: Option<[f64; 2]>, (skip, length): (f64, f64)| {
         if !is_line(line) {
             return;
@@ -98,7 +98,7 @@ fn draw(mark: &RoadMark, line: &[DVec3], dash: [f64; 2], marks: &mut Vec<Mark>) 
         if offset != 0.0 {
             line = line.offset(offset);
         }
-        marks.push(Mark { line, width_m, dash, paint });
+        markings.push(RoadMarking { line, width_m, dash, color });
     };
     if !mark.lines.is_empty() && !matches!(mark.kind.as_str(), "none" | "curb" | "grass") {
         for l in &mark.lines {

@@ -1,8 +1,8 @@
 //! The surface of every lane.
 
-use super::kind::{is_unpaved, is_walked, strip_kind};
+use super::kind::{is_unpaved, is_walked, lane_type};
 use super::sampled::{LaneKey, SampledDocument};
-use crate::{Strip, StripKind};
+use crate::{LaneSurface, LaneType};
 use glam::DVec3;
 
 /// Narrower than this there is nothing to see, metres.
@@ -17,14 +17,14 @@ pub(super) fn sidewalk_lift(sampled: &SampledDocument<'_>) -> f64 {
 }
 
 /// One strip or more for every lane that is paved.
-pub(super) fn strips(sampled: &SampledDocument<'_>) -> Vec<Strip> {
+pub(super) fn lane_surfaces(sampled: &SampledDocument<'_>) -> Vec<LaneSurface> {
     let lift = sidewalk_lift(sampled);
-    let mut strips = Vec::new();
+    let mut lane_surfaces = Vec::new();
     for (key, record) in sampled.keys() {
-        let Some(kind) = strip_kind(&record.kind) else { continue };
+        let Some(kind) = lane_type(&record.kind) else { continue };
         let Some(lane) = sampled.lane(key) else { continue };
         let road = &sampled.document.roads[key.road];
-        let up = DVec3::Z * if kind == StripKind::Sidewalk { lift } else { 0.0 };
+        let up = DVec3::Z * if kind == LaneType::Sidewalk { lift } else { 0.0 };
         let start = road.sections[key.section].s;
         let stations = stations(sampled, key);
         // A segment belongs to a strip if it has some width; a strip is all on a bridge or not at all.
@@ -44,7 +44,7 @@ pub(super) fn strips(sampled: &SampledDocument<'_>) -> Vec<Strip> {
                 to += 1;
             }
             if let Some((bridge, unpaved)) = here {
-                strips.push(Strip {
+                lane_surfaces.push(LaneSurface {
                     kind,
                     left: lane.left[from..=to].iter().map(|p| *p + up).collect(),
                     right: lane.right[from..=to].iter().map(|p| *p + up).collect(),
@@ -56,7 +56,7 @@ pub(super) fn strips(sampled: &SampledDocument<'_>) -> Vec<Strip> {
             from = to;
         }
     }
-    strips
+    lane_surfaces
 }
 
 fn stations<'a>(sampled: &'a SampledDocument<'_>, key: LaneKey) -> &'a [f64] {
