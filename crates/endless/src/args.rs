@@ -1,7 +1,9 @@
 //! The command line.
 
 use crate::{build_info::VERSION, recipe_args::RecipeArgs};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use endless_world::DrivingSide;
 use std::path::PathBuf;
 
 /// Endless annotated urban datasets seen by surveillance cameras.
@@ -83,9 +85,9 @@ pub(crate) enum MapsCommand {
         /// Name of the map [default: the file's].
         #[arg(long)]
         name: Option<String>,
-        /// On which side traffic keeps [default: as the file or its place says].
-        #[arg(long, value_name = "left|right")]
-        driving_side: Option<Side>,
+        /// The side of the road on which traffic drives [default: as the file or its country has it].
+        #[arg(long, value_name = "left|right", value_parser = driving_side())]
+        driving_side: Option<DrivingSide>,
         /// Replace an imported map of the same name.
         #[arg(long)]
         replace: bool,
@@ -157,15 +159,6 @@ pub(crate) struct ExportFiles {
     pub(crate) geojson: Option<PathBuf>,
 }
 
-/// On which side traffic keeps.
-#[derive(Debug, Clone, Copy, clap::ValueEnum)]
-pub(crate) enum Side {
-    /// As in Britain, India, Japan.
-    Left,
-    /// As in most countries.
-    Right,
-}
-
 #[derive(Debug, Args)]
 pub(crate) struct CheckArgs {
     /// Folder of the dataset.
@@ -201,6 +194,12 @@ pub(crate) struct BenchArgs {
     /// Times of day to film [default: afternoon, with --conditions all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) times: Option<Vec<String>>,
+}
+
+fn driving_side() -> impl TypedValueParser<Value = DrivingSide> {
+    let sides = [DrivingSide::Left, DrivingSide::Right];
+    PossibleValuesParser::new(sides.map(DrivingSide::name))
+        .map(move |name| if name == sides[0].name() { sides[0] } else { sides[1] })
 }
 
 /// All cores unless said otherwise.

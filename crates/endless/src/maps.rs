@@ -1,9 +1,9 @@
 //! `endless maps`: what maps there are, how they look, and maps from files.
 
-use crate::args::{ExportFiles, MapsArgs, MapsCommand, Side};
+use crate::args::{ExportFiles, MapsArgs, MapsCommand};
 use crate::file::write;
 use anyhow::Result;
-use endless_interchange::{DrivingSide, ImportOptions, ImportedMap, MapLibrary, MapStatistics};
+use endless_interchange::{ImportOptions, ImportedMap, MapLibrary, MapStatistics};
 use std::{io::Write, path::Path, process::ExitCode};
 
 /// Notes on an imported file that are told; the rest are counted.
@@ -14,7 +14,7 @@ pub(crate) fn run(library: &MapLibrary, args: MapsArgs) -> Result<ExitCode> {
         MapsCommand::List { maps, cameras } => list(library, &maps, cameras)?,
         MapsCommand::Preview { map, out } => preview(library, &map, &out)?,
         MapsCommand::Import { file, name, driving_side, replace } => {
-            import(library, &file, name.as_deref(), driving_side, replace)?;
+            import(library, &file, &ImportOptions { name: name.as_deref(), driving_side, replace })?;
         }
         MapsCommand::Export { map, files } => export(library, &map, &files)?,
     }
@@ -66,15 +66,10 @@ fn preview(library: &MapLibrary, map: &str, out: &Path) -> Result<()> {
     write(out, &endless_dataset::encode_png(&picture))
 }
 
-fn import(library: &MapLibrary, file: &Path, name: Option<&str>, side: Option<Side>, replace: bool) -> Result<()> {
-    let driving_side = side.map(|side| match side {
-        Side::Left => DrivingSide::Left,
-        Side::Right => DrivingSide::Right,
-    });
-    let ImportedMap { stored, statistics, notes } =
-        library.import(file, &ImportOptions { name, driving_side, replace })?;
+fn import(library: &MapLibrary, file: &Path, options: &ImportOptions<'_>) -> Result<()> {
+    let ImportedMap { stored, statistics, notes } = library.import(file, options)?;
     let own = file.file_name().is_some_and(|f| f.to_string_lossy().starts_with(&format!("{}.", stored.name)));
-    if name.is_none() && !own {
+    if options.name.is_none() && !own {
         eprintln!("note: the map is called {} (give another with --name)", stored.name);
     }
     for note in notes.iter().take(NOTES) {

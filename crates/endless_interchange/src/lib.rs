@@ -27,4 +27,4 @@ mod map;
 
 pub use asset::{AssetError, AssetFolder, AssetFolderError, AssetListing, asset_gltf, asset_preview, list_assets};
 pub use library::{ImportedMap, MapLibrary, TownSummary, details_near};
-pub use map::{DrivingSide, ImportOptions, MapError, MapFormat, MapStatistics, MapStore, StoredMap};
+pub use map::{ImportOptions, MapError, MapFormat, MapStatistics, MapStore, StoredMap};

@@ -13,4 +13,4 @@ pub use error::MapError;
 pub(crate) use preview::preview;
 pub use statistics::MapStatistics;
 pub use store::MapStore;
-pub use stored_map::{DrivingSide, ImportOptions, MapFormat, StoredMap};
+pub use stored_map::{ImportOptions, MapFormat, StoredMap};

@@ -1,10 +1,8 @@
 //! Files of maps of either format.
 
-use super::{
-    MapError,
-    stored_map::{DrivingSide, MapFormat},
-};
+use super::{MapError, stored_map::MapFormat};
 use endless_road::{RoadMap, opendrive, osm};
+use endless_world::DrivingSide;
 use std::path::Path;
 
 /// The format of a file, by its content.
@@ -33,18 +31,11 @@ pub(super) fn parse(
                 .map_err(|cause| MapError::OpenDrive { path: path.to_owned(), cause })?;
             let says = if map.left_hand { DrivingSide::Left } else { DrivingSide::Right };
             if side.is_some_and(|side| side != says) {
-                let side = if map.left_hand { "left" } else { "right" };
-                return Err(MapError::DrivingSide { path: path.to_owned(), side });
+                return Err(MapError::DrivingSide { path: path.to_owned(), side: says.name() });
             }
             Ok(map)
         }
-        MapFormat::Osm => {
-            let driving_side = side.map(|side| match side {
-                DrivingSide::Left => osm::DrivingSide::Left,
-                DrivingSide::Right => osm::DrivingSide::Right,
-            });
-            osm::read(bytes, &osm::OsmOptions { driving_side, ..osm::OsmOptions::default() })
-                .map_err(|cause| MapError::Osm { path: path.to_owned(), cause })
-        }
+        MapFormat::Osm => osm::read(bytes, &osm::OsmOptions { driving_side: side, ..osm::OsmOptions::default() })
+            .map_err(|cause| MapError::Osm { path: path.to_owned(), cause }),
     }
 }

@@ -147,7 +147,7 @@ impl MapStore {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::DrivingSide;
+    use endless_world::DrivingSide;
 
     const FILE: &str = r#"<?xml version="1.0"?><OpenDRIVE><header revMajor="1" revMinor="6"/>
         <road name="r" length="200" id="1" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="200"><line/></geometry></planView>

@@ -1,5 +1,6 @@
 //! What is kept of an imported map beside its file.
 
+use endless_world::DrivingSide;
 use serde::{Deserialize, Serialize};
 
 /// Format of a map file.
@@ -10,16 +11,6 @@ pub enum MapFormat {
     OpenDrive,
     /// OpenStreetMap, XML or PBF.
     Osm,
-}
-
-/// On which side of the road traffic keeps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum DrivingSide {
-    /// As in Britain, India, Japan.
-    Left,
-    /// As in most countries.
-    Right,
 }
 
 /// The manifest of an imported map.
@@ -45,8 +36,7 @@ impl StoredMap {
     pub fn content_hash(&self) -> String {
         match self.driving_side {
             None => self.blake3.clone(),
-            Some(DrivingSide::Left) => format!("{}+left", self.blake3),
-            Some(DrivingSide::Right) => format!("{}+right", self.blake3),
+            Some(side) => format!("{}+{}", self.blake3, side.name()),
         }
     }
 }

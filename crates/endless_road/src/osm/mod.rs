@@ -55,19 +55,11 @@ pub use extract::{OsmBounds, OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmR
 pub(crate) use projection::raw as mercator;
 
 use crate::{Junction, JunctionId, RoadMap, Terrain};
+use endless_world::DrivingSide;
 use glam::DVec2;
 use height::Ground;
 use plan::StreetPlan;
 use site::Site;
-
-/// On which side of the road traffic keeps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum DrivingSide {
-    /// As in Britain, India, Japan.
-    Left,
-    /// As in most countries.
-    Right,
-}
 
 /// How to read an extract.
 #[derive(Debug, Clone, PartialEq, Default)]

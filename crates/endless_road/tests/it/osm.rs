@@ -165,7 +165,7 @@ fn village() -> String {
 
 #[test]
 fn a_village_is_read_on_either_side() {
-    use endless_road::osm::DrivingSide;
+    use endless_world::DrivingSide;
     let text = village();
     let read = |side| {
         let options = OsmOptions { driving_side: Some(side), ..OsmOptions::default() };

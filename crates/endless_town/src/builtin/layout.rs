@@ -5,9 +5,10 @@ use super::shape::{along, split_at};
 use crate::building::BuildingKind;
 use crate::dressing::{BuildingZone, TownPreset};
 use endless_road::osm::{
-    DrivingSide, OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmOptions, OsmRelation, OsmTags, OsmWay, map_from,
+    OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmOptions, OsmRelation, OsmTags, OsmWay, map_from,
 };
 use endless_road::{RoadMap, Terrain};
+use endless_world::DrivingSide;
 use glam::DVec2;
 use std::collections::BTreeMap;
 
