@@ -5,7 +5,7 @@ use crate::furniture;
 use crate::person;
 use crate::prop_mesh;
 use crate::vehicle;
-use crate::{Anatomy, ImportedAsset, ImportedThing, PersonModel, Prop, VehicleKind, VehicleModel};
+use crate::{Anatomy, ImportedAsset, ImportedStaticModel, PersonModel, Prop, VehicleKind, VehicleModel};
 use endless_scene::{Material, Mesh};
 use endless_world::walking::PedestrianSpec;
 use endless_world::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef, VehicleSpec};
@@ -17,14 +17,14 @@ pub struct Catalogue {
     vehicles: Vec<VehicleModel>,
     /// How many of them are built in; those from files follow.
     built_in: usize,
-    things: Vec<ImportedThing>,
+    static_models: Vec<ImportedStaticModel>,
 }
 
 impl Catalogue {
     /// The built-in catalogue.
     pub fn builtin() -> Self {
         let vehicles = vehicle::all();
-        Self { built_in: vehicles.len(), vehicles, things: Vec::new() }
+        Self { built_in: vehicles.len(), vehicles, static_models: Vec::new() }
     }
 
     /// With more, from files, in this order. What was there keeps its place.
@@ -33,7 +33,7 @@ impl Catalogue {
         for asset in imported {
             match asset {
                 ImportedAsset::Vehicle(vehicle) => self.vehicles.push(vehicle),
-                ImportedAsset::Thing(thing) => self.things.push(thing),
+                ImportedAsset::StaticModel(model) => self.static_models.push(model),
             }
         }
         self
@@ -45,8 +45,8 @@ impl Catalogue {
     }
 
     /// Props and buildings from files.
-    pub fn imported_things(&self) -> &[ImportedThing] {
-        &self.things
+    pub fn imported_static_models(&self) -> &[ImportedStaticModel] {
+        &self.static_models
     }
 
     /// Vehicle models, some draws of each design; [`VehicleModelId`] indexes them.

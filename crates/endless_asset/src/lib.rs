@@ -37,7 +37,8 @@ mod vehicle;
 
 pub use catalogue::Catalogue;
 pub use import::{
-    AssetEntry, AssetManifest, Beside, Forward, ImportError, ImportedAsset, ImportedThing, LampPlaces, RiderEntry,
+    AssetEntry, AssetManifest, ForwardAxis, ImportError, ImportedAsset, ImportedStaticModel, LampPlaces,
+    ReadExternalFile, RiderEntry,
 };
 pub use person::{Anatomy, BodyPart, BodyPose, Bone, PersonModel, PersonTraits, Stance};
 pub use prop::Prop;

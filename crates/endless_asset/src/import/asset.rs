@@ -1,26 +1,26 @@
 //! From an entry of a manifest and the bytes of its file to an asset.
 
-use super::container::{self, Beside};
+use super::container::{self, ReadExternalFile};
 use super::entry::{AssetClass, AssetEntry};
 use super::error::ImportError;
-use super::thing::{self, ImportedThing};
+use super::static_model::{self, ImportedStaticModel};
 use super::{model, sound, vehicle};
 use crate::VehicleModel;
 
 /// Longest file, bytes.
 pub(crate) const MOST_BYTES: usize = 256 << 20;
 
-/// What a file has become.
+/// An asset made of a file.
 #[derive(Debug, Clone)]
 pub enum ImportedAsset {
     /// A vehicle that traffic drives and towns park.
     Vehicle(VehicleModel),
-    /// Something that stands in towns where others of its class do.
-    Thing(ImportedThing),
+    /// A prop or building that stands in towns in place of others of its class.
+    StaticModel(ImportedStaticModel),
 }
 
 impl AssetEntry {
-    /// Judges what the entry says, before its file is read.
+    /// Checks the entry before its file is read.
     ///
     /// # Errors
     /// [`ImportError::Entry`].
@@ -28,22 +28,24 @@ impl AssetEntry {
         self.validate(self.kind()?)
     }
 
-    /// Makes the asset of this entry from its file's bytes and pictures beside it.
+    /// Makes the asset of this entry from its file's bytes and the image files beside it.
     ///
     /// # Errors
-    /// Whatever keeps the bytes from being the thing that the entry says.
-    pub fn import(&self, bytes: &[u8], beside: Beside<'_>) -> Result<ImportedAsset, ImportError> {
+    /// What keeps the file from being the asset that the entry describes.
+    pub fn import(&self, bytes: &[u8], read_external: ReadExternalFile<'_>) -> Result<ImportedAsset, ImportError> {
         let kind = self.kind()?;
         self.validate(kind)?;
         if bytes.len() > MOST_BYTES {
             return Err(ImportError::TooLong { most_mib: MOST_BYTES >> 20 });
         }
-        let document = container::open(bytes, beside)?;
+        let document = container::open(bytes, read_external)?;
         let model = model::read(&document, self.forward)?;
         sound::judge(&model)?;
         match kind {
             AssetClass::Vehicle(class) => vehicle::make(self, class, model).map(ImportedAsset::Vehicle),
-            AssetClass::Prop(_) | AssetClass::Building => thing::make(self, kind, model).map(ImportedAsset::Thing),
+            AssetClass::Prop(_) | AssetClass::Building => {
+                static_model::make(self, kind, model).map(ImportedAsset::StaticModel)
+            }
         }
     }
 }

@@ -3,8 +3,8 @@
 use super::error::ImportError;
 use gltf::json::validation::{Checked, Error as Fault};
 
-/// Gives the bytes of a picture by its path as seen from the file; `None` if there is none.
-pub type Beside<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
+/// Reads an image file by its path relative to the model's file; `None` if there is none.
+pub type ReadExternalFile<'a> = &'a dyn Fn(&str) -> Option<Vec<u8>>;
 
 const HEADER: usize = 12;
 const CHUNK_HEADER: usize = 8;
@@ -13,7 +13,7 @@ const CHUNK_HEADER: usize = 8;
 pub(super) struct GlbFile<'a> {
     pub(super) document: gltf::Document,
     pub(super) buffer: &'a [u8],
-    pub(super) beside: Beside<'a>,
+    pub(super) read_external: ReadExternalFile<'a>,
 }
 
 fn word(bytes: &[u8], at: usize) -> Option<u32> {
@@ -38,7 +38,7 @@ fn chunk<'a>(bytes: &'a [u8], at: usize, part: &'static str) -> Result<(u32, &'a
 ///
 /// # Errors
 /// When it is no whole `.glb` file or its document contradicts itself.
-pub(super) fn open<'a>(bytes: &'a [u8], beside: Beside<'a>) -> Result<GlbFile<'a>, ImportError> {
+pub(super) fn open<'a>(bytes: &'a [u8], read_external: ReadExternalFile<'a>) -> Result<GlbFile<'a>, ImportError> {
     if !bytes.starts_with(b"glTF") {
         return Err(ImportError::NotGlb);
     }
@@ -70,7 +70,7 @@ pub(super) fn open<'a>(bytes: &'a [u8], beside: Beside<'a>) -> Result<GlbFile<'a
     }
     consistent(&root)?;
     let document = gltf::Document::from_json(root).map_err(|e| damaged(described(&e)))?;
-    Ok(GlbFile { document, buffer, beside })
+    Ok(GlbFile { document, buffer, read_external })
 }
 
 /// What the library that checks documents takes for granted.
@@ -85,7 +85,7 @@ fn consistent(root: &gltf::json::Root) -> Result<(), ImportError> {
     }
     for (number, image) in root.images.iter().enumerate() {
         if image.uri.is_none() && (image.buffer_view.is_none() || image.mime_type.is_none()) {
-            return damaged(format!("picture {number} has no place or no type"));
+            return damaged(format!("image {number} has no place or no type"));
         }
     }
     Ok(())

@@ -7,7 +7,7 @@ use endless_world::ObjectClass;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// What the class of an entry means.
+/// What an entry's class stands for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum AssetClass {
     Vehicle(ObjectClass),
@@ -27,7 +27,7 @@ pub struct AssetManifest {
     pub assets: Vec<AssetEntry>,
 }
 
-/// What a file is.
+/// A manifest's entry: one file and what it holds.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AssetEntry {
@@ -42,7 +42,7 @@ pub struct AssetEntry {
     pub size: [f32; 3],
     /// Where the model's front looks in the file.
     #[serde(default)]
-    pub forward: Forward,
+    pub forward: ForwardAxis,
     /// How the names of wheels' nodes begin.
     #[serde(default = "wheel")]
     pub wheels: String,
@@ -52,7 +52,7 @@ pub struct AssetEntry {
     pub wheel_radius: Option<f32>,
     /// Materials that are painted anew in the colours of real traffic.
     #[serde(default)]
-    pub paint: Vec<String>,
+    pub texture_bake: Vec<String>,
     /// What shines.
     #[serde(default)]
     pub lights: BTreeMap<LightSlot, LampPlaces>,
@@ -82,7 +82,7 @@ fn half() -> f64 {
 
 /// An axis of a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Deserialize)]
-pub enum Forward {
+pub enum ForwardAxis {
     /// As glTF has it.
     #[default]
     #[serde(rename = "+z")]

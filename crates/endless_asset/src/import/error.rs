@@ -24,7 +24,7 @@ pub enum ImportError {
         rule: String,
     },
     /// The file is too long.
-    #[error("the file has more than {most_mib} MiB: simplify the model or its pictures")]
+    #[error("the file has more than {most_mib} MiB: simplify the model or its images")]
     TooLong {
         /// The most.
         most_mib: usize,
@@ -60,17 +60,17 @@ pub enum ImportError {
         /// Of glTF's registry.
         name: String,
     },
-    /// A buffer lies in another file, or a picture lies in one that is not there.
-    #[error("{what} lies outside of the file ({uri}): export everything as one .glb, or put pictures beside it")]
+    /// A buffer lies in another file, or an image lies in one that is not there.
+    #[error("{what} lies outside of the file ({uri}): export everything as one .glb, or put images beside it")]
     Outside {
         /// What.
         what: &'static str,
         /// Where, shortened.
         uri: String,
     },
-    /// A picture cannot be decoded.
-    #[error("picture {number} cannot be read ({why}): embed PNG or JPEG of at most {most_px} pixels a side")]
-    Picture {
+    /// An image cannot be decoded.
+    #[error("image {number} cannot be read ({why}): embed PNG or JPEG of at most {most_px} pixels a side")]
+    Image {
         /// In the file's list.
         number: usize,
         /// What the decoder says.

@@ -1,6 +1,6 @@
 //! Lamps that an entry names: surfaces of materials, or small lenses laid on the body.
 
-use super::coat::SourceMaterial;
+use super::source_material::SourceMaterial;
 use super::{AssetEntry, ImportError, LampPlaces};
 use endless_scene::{LightSlot, Material, Mesh, Surface};
 use endless_world::{ClassTag, math};
@@ -23,10 +23,10 @@ fn color(slot: LightSlot) -> [f32; 3] {
 }
 
 /// Finds a material by its name.
-pub(super) fn named(coats: &[SourceMaterial], name: &str, field: &'static str) -> Result<Vec<usize>, ImportError> {
-    let found: Vec<usize> = (0..coats.len()).filter(|&k| coats[k].name == name).collect();
+pub(super) fn named(materials: &[SourceMaterial], name: &str, field: &'static str) -> Result<Vec<usize>, ImportError> {
+    let found: Vec<usize> = (0..materials.len()).filter(|&k| materials[k].name == name).collect();
     if found.is_empty() {
-        let mut known: Vec<&str> = coats.iter().map(|c| c.name.as_str()).take(8).collect();
+        let mut known: Vec<&str> = materials.iter().map(|c| c.name.as_str()).take(8).collect();
         known.dedup();
         let (name, known) = (name.chars().take(60).collect(), known.join(", "));
         return Err(ImportError::NoMaterial { field, name, known });
@@ -35,13 +35,13 @@ pub(super) fn named(coats: &[SourceMaterial], name: &str, field: &'static str) -
 }
 
 /// Makes lamps of the materials that an entry names.
-pub(super) fn of_materials(entry: &AssetEntry, coats: &mut [SourceMaterial]) -> Result<(), ImportError> {
+pub(super) fn of_materials(entry: &AssetEntry, materials: &mut [SourceMaterial]) -> Result<(), ImportError> {
     for (&slot, places) in &entry.lights {
         let LampPlaces::Materials(names) = places else { continue };
         for name in names {
-            for k in named(coats, name, "lights")? {
-                coats[k].surface = Surface::VehicleLight(slot);
-                coats[k].picture = None;
+            for k in named(materials, name, "lights")? {
+                materials[k].surface = Surface::VehicleLight(slot);
+                materials[k].texture = None;
             }
         }
     }

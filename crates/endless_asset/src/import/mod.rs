@@ -1,4 +1,4 @@
-//! Vehicles, props and buildings from glTF 2.0 files (`.glb`), with a manifest that says what they are.
+//! Vehicles, props and buildings from glTF 2.0 files (`.glb`), described by a manifest.
 //!
 //! A manifest is TOML: one `[[asset]]` a file, see [`AssetEntry`]. Nothing here touches the disk: the caller reads the
 //! manifest's text and the files' bytes. Whatever these bytes are, the answer is an asset or an [`ImportError`].
@@ -9,23 +9,23 @@
 
 mod accessor;
 mod asset;
-mod coat;
 mod container;
 mod entry;
 mod error;
 mod lamp;
 mod model;
-mod paint;
-mod picture;
 mod sound;
-mod thing;
+mod source_material;
+mod static_model;
+mod texture;
+mod texture_bake;
 mod vehicle;
 
 pub use asset::ImportedAsset;
-pub use container::Beside;
-pub use entry::{AssetEntry, AssetManifest, Forward, LampPlaces, RiderEntry};
+pub use container::ReadExternalFile;
+pub use entry::{AssetEntry, AssetManifest, ForwardAxis, LampPlaces, RiderEntry};
 pub use error::ImportError;
-pub use thing::ImportedThing;
+pub use static_model::ImportedStaticModel;
 
 #[cfg(test)]
 mod tests;

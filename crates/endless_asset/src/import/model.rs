@@ -1,8 +1,8 @@
 //! A file's scene as triangles in our frame: x ahead, y left, z up.
 
-use super::coat::{self, SourceMaterial};
 use super::container::GlbFile;
-use super::{Forward, ImportError, accessor};
+use super::source_material::{self, SourceMaterial};
+use super::{ForwardAxis, ImportError, accessor};
 use glam::{Affine3A, Mat3, Mat4, Vec2, Vec3};
 use gltf::Semantic;
 use gltf::mesh::Mode;
@@ -19,7 +19,7 @@ const FARTHEST: f32 = 1e5;
 /// A scene.
 #[derive(Debug)]
 pub(super) struct SourceModel {
-    pub(super) coats: Vec<SourceMaterial>,
+    pub(super) materials: Vec<SourceMaterial>,
     pub(super) parts: Vec<SourcePart>,
 }
 
@@ -35,8 +35,8 @@ pub(super) struct SourcePart {
     /// Linear; as long as the positions.
     pub(super) colors: Vec<Vec3>,
     pub(super) triangles: Vec<[u32; 3]>,
-    /// Index into the coats.
-    pub(super) coat: usize,
+    /// Index into the materials.
+    pub(super) material_index: usize,
 }
 
 impl SourceModel {
@@ -55,13 +55,13 @@ impl SourceModel {
 }
 
 /// From a file's axes to ours.
-fn object_from_file(forward: Forward) -> Mat3 {
+fn object_from_file(forward: ForwardAxis) -> Mat3 {
     // glTF: x to the left, y up, z ahead.
     let [ahead, left] = match forward {
-        Forward::PlusZ => [Vec3::Z, Vec3::X],
-        Forward::MinusZ => [-Vec3::Z, -Vec3::X],
-        Forward::PlusX => [Vec3::X, -Vec3::Z],
-        Forward::MinusX => [-Vec3::X, Vec3::Z],
+        ForwardAxis::PlusZ => [Vec3::Z, Vec3::X],
+        ForwardAxis::MinusZ => [-Vec3::Z, -Vec3::X],
+        ForwardAxis::PlusX => [Vec3::X, -Vec3::Z],
+        ForwardAxis::MinusX => [-Vec3::X, Vec3::Z],
     };
     Mat3::from_cols(ahead, left, Vec3::Y).transpose()
 }
@@ -70,9 +70,13 @@ fn object_from_file(forward: Forward) -> Mat3 {
 ///
 /// # Errors
 /// When it is damaged, too large or empty.
-pub(super) fn read(opened: &GlbFile<'_>, forward: Forward) -> Result<SourceModel, ImportError> {
-    let mut reader =
-        Reader { opened, model: SourceModel { coats: coat::all(opened)?, parts: vec![] }, triangles: 0, nodes: 0 };
+pub(super) fn read(opened: &GlbFile<'_>, forward: ForwardAxis) -> Result<SourceModel, ImportError> {
+    let mut reader = Reader {
+        opened,
+        model: SourceModel { materials: source_material::all(opened)?, parts: vec![] },
+        triangles: 0,
+        nodes: 0,
+    };
     let document = &opened.document;
     let root = Affine3A::from_mat3(object_from_file(forward));
     let mut path = Vec::new();
@@ -157,8 +161,8 @@ impl Reader<'_> {
         if triangles.is_empty() {
             return Ok(());
         }
-        let coat = primitive.material().index().unwrap_or(self.model.coats.len() - 1);
-        let set = self.model.coats[coat].picture.as_ref().map_or(0, |pattern| pattern.set);
+        let material_index = primitive.material().index().unwrap_or(self.model.materials.len() - 1);
+        let set = self.model.materials[material_index].texture.as_ref().map_or(0, |texture| texture.set);
         let normals = self.normals(primitive, object_from_node, &positions, &triangles)?;
         let uvs = match primitive.get(&Semantic::TexCoords(set)) {
             Some(accessor) => accessor::vectors(self.opened, &accessor)?.into_iter().map(finite).collect(),
@@ -168,7 +172,7 @@ impl Reader<'_> {
             Some(accessor) => accessor::vectors::<3>(self.opened, &accessor)?.into_iter().map(tint).collect(),
             None => vec![],
         };
-        let mut part = SourcePart { path: path.to_vec(), positions, normals, uvs, colors, triangles, coat };
+        let mut part = SourcePart { path: path.to_vec(), positions, normals, uvs, colors, triangles, material_index };
         part.uvs.resize(count, Vec2::ZERO);
         part.colors.resize(count, Vec3::ONE);
         self.model.parts.push(part);

@@ -191,14 +191,14 @@ fn pictures_become_colours_where_they_are() {
     assert!((area(body, |_| true) - 2.0 * 1.21 * (4.0 * 1.8 + 4.0 * 1.2 + 1.8 * 1.2)).abs() < 0.01);
 
     document["images"] = json!([{ "uri": "maps/the%20body.png" }]);
-    let beside = |path: &str| (path == "maps/the body.png").then(|| picture.clone());
-    let made = entry(CAR).import(&glb(&document, &buffer), &beside).expect("a picture beside it");
+    let read_external = |path: &str| (path == "maps/the body.png").then(|| picture.clone());
+    let made = entry(CAR).import(&glb(&document, &buffer), &read_external).expect("a picture beside it");
     let ImportedAsset::Vehicle(same) = made else { panic!("{made:?}") };
     assert_eq!(same.body(), body);
     document["images"] = json!([{ "uri": "body.png" }]);
     assert!(refused(CAR, &document, &buffer).contains("body.png"));
     document["images"] = json!([{ "bufferView": 0, "mimeType": "image/png" }]);
-    assert!(refused(CAR, &document, &buffer).contains("picture 0"));
+    assert!(refused(CAR, &document, &buffer).contains("image 0"));
 }
 
 #[test]
@@ -206,7 +206,7 @@ fn things_stand_on_the_ground_and_look_ahead() {
     let (buffer, document) = cube();
     let text = "class = 'kiosk'\nforward = '-z'\nsize = [2.0, 0.9, 0.75]\nshare = 1.0";
     let made = entry(text).import(&glb(&document, &buffer), &|_| None).expect("a kiosk");
-    let ImportedAsset::Thing(kiosk) = made else { panic!("{made:?}") };
+    let ImportedAsset::StaticModel(kiosk) = made else { panic!("{made:?}") };
     assert_eq!(kiosk.prop, Some(Prop::Kiosk));
     let (low, high) = kiosk.mesh.bounds();
     assert!((high - low - Vec3::new(2.0, 0.9, 0.75)).abs().max_element() < 1e-4 && low.z.abs() < 1e-6);
@@ -215,7 +215,7 @@ fn things_stand_on_the_ground_and_look_ahead() {
     let made = entry("class = 'building'\nsize = [20.0, 9.0, 7.5]")
         .import(&glb(&document, &buffer), &|_| None)
         .expect("a building");
-    let ImportedAsset::Thing(building) = made else { panic!("{made:?}") };
+    let ImportedAsset::StaticModel(building) = made else { panic!("{made:?}") };
     assert!(building.mesh.materials.iter().all(|m| m.tag == ClassTag::Buildings));
 }
 
@@ -223,18 +223,18 @@ fn things_stand_on_the_ground_and_look_ahead() {
 fn broken_files_are_told_apart() {
     let (buffer, document) = cube();
     let whole = glb(&document, &buffer);
-    let said = |bytes: &[u8]| entry(CAR).import(bytes, &|_| None).expect_err("broken").to_string();
-    assert!(said(b"").contains("not a binary glTF"));
-    assert!(said(b"solid cube\n").contains("not a binary glTF"));
-    assert!(said(&whole[..7]).contains("cut off"));
-    assert!(said(&whole[..200]).contains("cut off"));
-    assert!(said(&whole[..whole.len() - 1]).contains("cut off"));
+    let extra = |bytes: &[u8]| entry(CAR).import(bytes, &|_| None).expect_err("broken").to_string();
+    assert!(extra(b"").contains("not a binary glTF"));
+    assert!(extra(b"solid cube\n").contains("not a binary glTF"));
+    assert!(extra(&whole[..7]).contains("cut off"));
+    assert!(extra(&whole[..200]).contains("cut off"));
+    assert!(extra(&whole[..whole.len() - 1]).contains("cut off"));
     let mut old = whole.clone();
     old[4] = 1;
-    assert!(said(&old).contains("version 1"));
+    assert!(extra(&old).contains("version 1"));
     let mut garbled = whole.clone();
     garbled[30] = b'{';
-    assert!(said(&garbled).contains("damaged"));
+    assert!(extra(&garbled).contains("damaged"));
 
     let with = |path: &str, value: Value| {
         let mut changed = document.clone();
@@ -275,15 +275,15 @@ fn broken_files_are_told_apart() {
 
 #[test]
 fn entries_that_cannot_be_are_refused_before_the_file_is_read() {
-    let said = |text: &str| entry(text).check().expect_err("refused").to_string();
-    assert!(said("class = 'boat'\nsize = [4.4, 2.0, 1.6]").contains("class = boat"));
-    assert!(said("class = 'signal_pole'\nsize = [1.0, 1.0, 1.0]").contains("no signals"));
-    assert!(said("class = 'car'\nsize = [44.0, 2.0, 1.6]").contains("at most 30"));
-    assert!(said("class = 'car'\nsize = [nan, 2.0, 1.6]").contains("metres"));
-    assert!(said("class = 'car'\nsize = [4.4, 2.0, 1.6]\naxles = [-1.0, 1.0]").contains("front and the rear"));
-    assert!(said("class = 'motorcycle'\nsize = [2.1, 0.8, 1.2]").contains("seat"));
-    assert!(said("class = 'car'\nsize = [4.4, 2.0, 1.6]\nfrequency = -1.0").contains("frequency"));
-    assert!(said("class = 'bench'\nsize = [0.6, 1.8, 0.9]\nshare = 2.0").contains("share"));
+    let extra = |text: &str| entry(text).check().expect_err("refused").to_string();
+    assert!(extra("class = 'boat'\nsize = [4.4, 2.0, 1.6]").contains("class = boat"));
+    assert!(extra("class = 'signal_pole'\nsize = [1.0, 1.0, 1.0]").contains("no signals"));
+    assert!(extra("class = 'car'\nsize = [44.0, 2.0, 1.6]").contains("at most 30"));
+    assert!(extra("class = 'car'\nsize = [nan, 2.0, 1.6]").contains("metres"));
+    assert!(extra("class = 'car'\nsize = [4.4, 2.0, 1.6]\naxles = [-1.0, 1.0]").contains("front and the rear"));
+    assert!(extra("class = 'motorcycle'\nsize = [2.1, 0.8, 1.2]").contains("seat"));
+    assert!(extra("class = 'car'\nsize = [4.4, 2.0, 1.6]\nfrequency = -1.0").contains("frequency"));
+    assert!(extra("class = 'bench'\nsize = [0.6, 1.8, 0.9]\nshare = 2.0").contains("share"));
     let outside = AssetEntry { file: "../a.glb".to_owned(), ..entry(CAR) };
     assert!(outside.check().expect_err("refused").to_string().contains("file = ../a.glb"));
     let odd = AssetEntry { name: Some("a\nb".to_owned()), ..entry(CAR) };

@@ -1,9 +1,9 @@
 //! Vehicles: a body, wheels that roll and steer, lamps.
 
-use super::coat::SourceMaterial;
 use super::model::{SourceModel, SourcePart};
-use super::paint::Painter;
-use super::thing::{OFF, stand};
+use super::source_material::SourceMaterial;
+use super::static_model::{SIZE_TOLERANCE, stand};
+use super::texture_bake::TextureBaker;
 use super::{AssetEntry, ImportError, lamp};
 use crate::vehicle::{RiderFit, VehicleModel, VehicleParts, Wheel};
 use endless_scene::{LightSlot, Mesh, Surface};
@@ -19,13 +19,13 @@ const ALIKE: f32 = 0.04;
 const SAME_AXLE_M: f32 = 0.25;
 
 /// Parts of one wheel.
-struct Round<'a> {
+struct WheelParts<'a> {
     parts: Vec<&'a SourcePart>,
     low: Vec3,
     high: Vec3,
 }
 
-impl Round<'_> {
+impl WheelParts<'_> {
     fn centre(&self) -> Vec3 {
         0.5 * (self.low + self.high)
     }
@@ -48,33 +48,33 @@ pub(super) fn make(
 ) -> Result<VehicleModel, ImportError> {
     let found = stand(&mut model, entry.size[0])?;
     let [_, width, height] = entry.size;
-    let narrow = found.y < (1.0 - OFF) * width || found.y > MIRRORS * width;
-    if narrow || (found.z - height).abs() > OFF * height {
+    let narrow = found.y < (1.0 - SIZE_TOLERANCE) * width || found.y > MIRRORS * width;
+    if narrow || (found.z - height).abs() > SIZE_TOLERANCE * height {
         return Err(ImportError::Size { found: found.to_array(), stated: entry.size });
     }
-    dress(entry, &mut model.coats)?;
+    dress(entry, &mut model.materials)?;
     let tag = class.tag();
     let wheels = wheels(entry, &model.parts);
-    let rolling = Rolling::of(&wheels);
-    let mut painter = Painter::new(&model.coats, tag, false);
+    let rolling = RollingWheels::of(&wheels);
+    let mut baker = TextureBaker::new(&model.materials, tag, false);
     let rolls = |part: &SourcePart| rolling.parts.iter().any(|&p| std::ptr::eq(p, part));
-    model.parts.iter().filter(|part| !rolls(part)).for_each(|part| painter.add(part, Vec3::ZERO));
-    let mut body = painter.finish();
+    model.parts.iter().filter(|part| !rolls(part)).for_each(|part| baker.add(part, Vec3::ZERO));
+    let mut body = baker.finish();
     if body.triangles.is_empty() {
         return Err(ImportError::Empty);
     }
     lamp::at_places(entry, &mut body, tag)?;
-    let mut painter = Painter::new(&model.coats, tag, false);
-    if let Some(pattern) = rolling.pattern {
-        pattern.parts.iter().for_each(|part| painter.add(part, -pattern.centre()));
+    let mut baker = TextureBaker::new(&model.materials, tag, false);
+    if let Some(reference) = rolling.reference {
+        reference.parts.iter().for_each(|part| baker.add(part, -reference.centre()));
     }
-    let wheel_mesh = painter.finish();
+    let wheel_mesh = baker.finish();
     let [front, rear] = match (entry.axles, rolling.span()) {
         (Some(axles), _) => axles,
         (None, Some(span)) => span,
         (None, None) => return Err(ImportError::NoAxles { wheels: entry.wheels.chars().take(40).collect() }),
     };
-    let radius = entry.wheel_radius.or(rolling.pattern.map(|p| p.half().z)).unwrap_or(0.33);
+    let radius = entry.wheel_radius.or(rolling.reference.map(|p| p.half().z)).unwrap_or(0.33);
     // Lenses may stand out by millimetres: what is written down is what is there.
     let parts = VehicleParts {
         headlights: headlights(&body),
@@ -110,30 +110,30 @@ pub(super) fn make(
         ridden: parts.fit.is_some(),
         trailer: None,
     };
-    let paints = !entry.paint.is_empty();
+    let paints = !entry.texture_bake.is_empty();
     Ok(VehicleModel::imported(entry.asset_name(), spec, parts, paints))
 }
 
 /// Materials that are painted anew, and materials that shine.
-fn dress(entry: &AssetEntry, coats: &mut [SourceMaterial]) -> Result<(), ImportError> {
-    for name in &entry.paint {
-        for k in lamp::named(coats, name, "paint")? {
-            coats[k].surface = Surface::CarPaint;
-            coats[k].color = glam::Vec4::ONE;
-            coats[k].picture = None;
+fn dress(entry: &AssetEntry, materials: &mut [SourceMaterial]) -> Result<(), ImportError> {
+    for name in &entry.texture_bake {
+        for k in lamp::named(materials, name, "paint")? {
+            materials[k].surface = Surface::CarPaint;
+            materials[k].color = glam::Vec4::ONE;
+            materials[k].texture = None;
         }
     }
-    lamp::of_materials(entry, coats)
+    lamp::of_materials(entry, materials)
 }
 
 /// The wheels: what lies under nodes whose names begin as the entry says.
-fn wheels<'a>(entry: &AssetEntry, parts: &'a [SourcePart]) -> Vec<Round<'a>> {
+fn wheels<'a>(entry: &AssetEntry, parts: &'a [SourcePart]) -> Vec<WheelParts<'a>> {
     let begins = entry.wheels.to_lowercase();
-    let mut of_node: BTreeMap<usize, Round<'a>> = BTreeMap::new();
+    let mut of_node: BTreeMap<usize, WheelParts<'a>> = BTreeMap::new();
     for part in parts {
         let wheel = part.path.iter().find(|(_, name)| !begins.is_empty() && name.to_lowercase().starts_with(&begins));
         let Some(&(node, _)) = wheel else { continue };
-        let empty = || Round { parts: vec![], low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
+        let empty = || WheelParts { parts: vec![], low: Vec3::INFINITY, high: Vec3::NEG_INFINITY };
         let round = of_node.entry(node).or_insert_with(empty);
         round.parts.push(part);
         for &i in part.triangles.iter().flatten() {
@@ -144,33 +144,33 @@ fn wheels<'a>(entry: &AssetEntry, parts: &'a [SourcePart]) -> Vec<Round<'a>> {
     of_node.into_values().collect()
 }
 
-/// The wheels that roll: the first on the left side is the pattern of all.
-struct Rolling<'a> {
-    pattern: Option<&'a Round<'a>>,
+/// The wheels that roll: the first on the left side is the reference for all.
+struct RollingWheels<'a> {
+    reference: Option<&'a WheelParts<'a>>,
     parts: Vec<&'a SourcePart>,
     wheels: Vec<Wheel>,
 }
 
-impl<'a> Rolling<'a> {
-    fn of(wheels: &'a [Round<'a>]) -> Self {
-        let left = |w: &&Round<'_>| w.is_round() && w.centre().y > -0.05;
-        let Some(pattern) = wheels.iter().find(left) else {
-            return Self { pattern: None, parts: vec![], wheels: vec![] };
+impl<'a> RollingWheels<'a> {
+    fn of(wheels: &'a [WheelParts<'a>]) -> Self {
+        let left = |w: &&WheelParts<'_>| w.is_round() && w.centre().y > -0.05;
+        let Some(reference) = wheels.iter().find(left) else {
+            return Self { reference: None, parts: vec![], wheels: vec![] };
         };
-        let alike = |w: &&Round<'_>| {
+        let alike = |w: &&WheelParts<'_>| {
             w.is_round()
-                && (w.half().z / pattern.half().z - 1.0).abs() < ALIKE
-                && (w.half().y / pattern.half().y.max(1e-3) - 1.0).abs() < 3.0 * ALIKE
+                && (w.half().z / reference.half().z - 1.0).abs() < ALIKE
+                && (w.half().y / reference.half().y.max(1e-3) - 1.0).abs() < 3.0 * ALIKE
         };
-        let rolling: Vec<&Round<'_>> = wheels.iter().filter(alike).collect();
+        let rolling: Vec<&WheelParts<'_>> = wheels.iter().filter(alike).collect();
         let foremost = rolling.iter().map(|w| w.centre().x).fold(f32::NEG_INFINITY, f32::max);
-        let wheel = |w: &&Round<'_>| Wheel {
+        let wheel = |w: &&WheelParts<'_>| Wheel {
             position: w.centre(),
             steered: w.centre().x > foremost - SAME_AXLE_M,
             mirrored: w.centre().y < -0.05,
         };
         Self {
-            pattern: Some(pattern),
+            reference: Some(reference),
             wheels: rolling.iter().map(wheel).collect(),
             parts: rolling.iter().flat_map(|w| w.parts.iter().copied()).collect(),
         }

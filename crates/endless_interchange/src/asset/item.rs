@@ -1,6 +1,6 @@
 //! Items of the catalogue by name.
 
-use endless_asset::{Catalogue, ImportedThing, PersonModel, Prop, VehicleModel};
+use endless_asset::{Catalogue, ImportedStaticModel, PersonModel, Prop, VehicleModel};
 use endless_scene::Mesh;
 use endless_town::{building_styles, sample_building};
 
@@ -45,13 +45,13 @@ pub(crate) enum CatalogueItem {
     Person(Box<PersonModel>),
     Prop(Prop, u32),
     Building(Mesh),
-    Imported(ImportedThing),
+    Imported(ImportedStaticModel),
 }
 
 pub(super) fn names(catalogue: &Catalogue) -> Vec<String> {
     let vehicles = Catalogue::vehicle_kinds().into_iter().map(|k| k.name.to_owned());
     let imported = catalogue.imported_vehicles().iter().map(|v| v.name().to_owned());
-    let imported = imported.chain(catalogue.imported_things().iter().map(|t| t.name.clone()));
+    let imported = imported.chain(catalogue.imported_static_models().iter().map(|t| t.name.clone()));
     let buildings = building_styles().into_iter().map(|style| format!("{BUILDING}{style}"));
     let props = Prop::ALL.iter().map(|p| p.name());
     vehicles.chain([PERSON.to_owned()]).chain(buildings).chain(props).chain(imported).collect()
@@ -68,7 +68,7 @@ pub(crate) fn find(catalogue: &Catalogue, name: &str, variant: u64) -> Result<Ca
     if let Some(vehicle) = catalogue.imported_vehicles().iter().find(|v| v.name() == name) {
         return Ok(CatalogueItem::Vehicle(vehicle.clone()));
     }
-    if let Some(thing) = catalogue.imported_things().iter().find(|t| t.name == name) {
+    if let Some(thing) = catalogue.imported_static_models().iter().find(|t| t.name == name) {
         return Ok(CatalogueItem::Imported(thing.clone()));
     }
     if let Some(building) = name.strip_prefix(BUILDING).and_then(|style| sample_building(style, variant)) {

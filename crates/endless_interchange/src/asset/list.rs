@@ -69,12 +69,12 @@ pub fn list_assets(catalogue: &Catalogue) -> Vec<AssetListing> {
         triangles: triangles(vehicle),
         draws: Some(1),
     });
-    let things = catalogue
-        .imported_things()
+    let models = catalogue
+        .imported_static_models()
         .iter()
         .map(|thing| measured(thing.name.clone(), set_class(thing.prop), std::slice::from_ref(&thing.mesh), Some(1)));
     let people = [measured(PERSON.to_owned(), "pedestrian", &people, None)];
-    vehicles.chain(people).chain(buildings).chain(props).chain(imported).chain(things).collect()
+    vehicles.chain(people).chain(buildings).chain(props).chain(imported).chain(models).collect()
 }
 
 /// What a prop is of, `None` being a building.

@@ -1,7 +1,7 @@
 //! Imported props and buildings stand in towns where others of their class would: each takes the places of a share of
 //! them, as far as it has room there.
 
-use endless_asset::{Catalogue, ImportedThing, Prop};
+use endless_asset::{Catalogue, ImportedStaticModel, Prop};
 use endless_scene::Mesh;
 use endless_town::{PlacedObject, Placement, Town};
 use endless_world::{ClassTag, Stream, fnv1a};
@@ -17,10 +17,10 @@ const HIGHER_M: f32 = 2.0;
 /// Fronts of the town's buildings lie at y = 0, but for steps and bays, metres.
 const FRONT_M: f32 = 2.0;
 
-/// Replaces things of a town by imported ones.
+/// Replaces props and buildings of a town by imported ones.
 pub(crate) fn stand_in(town: &mut Town, catalogue: &Catalogue) {
-    let things = catalogue.imported_things();
-    if things.is_empty() {
+    let models = catalogue.imported_static_models();
+    if models.is_empty() {
         return;
     }
     let seed = fnv1a(town.name.bytes());
@@ -34,20 +34,20 @@ pub(crate) fn stand_in(town: &mut Town, catalogue: &Catalogue) {
                 None => continue,
             },
         };
-        let fits = |t: &ImportedThing| t.prop == prop && lot.as_ref().is_none_or(|lot| lot.holds(&t.mesh));
-        let candidates: Vec<usize> = (0..things.len()).filter(|&k| fits(&things[k])).collect();
-        let Some(total) = candidates.iter().map(|&k| things[k].share).reduce(|a, b| a + b) else { continue };
+        let fits = |t: &ImportedStaticModel| t.prop == prop && lot.as_ref().is_none_or(|lot| lot.holds(&t.mesh));
+        let candidates: Vec<usize> = (0..models.len()).filter(|&k| fits(&models[k])).collect();
+        let Some(total) = candidates.iter().map(|&k| models[k].share).reduce(|a, b| a + b) else { continue };
         let mut stream = Stream::named(seed, "assets/stand in", &[number as u64]);
         if !stream.chance(total.min(1.0)) {
             continue;
         }
-        let shares: Vec<f64> = candidates.iter().map(|&k| things[k].share).collect();
+        let shares: Vec<f64> = candidates.iter().map(|&k| models[k].share).collect();
         let chosen = candidates[stream.weighted(&shares)];
         let mesh = *own.entry(chosen).or_insert_with(|| {
-            town.meshes.push(Arc::clone(&things[chosen].mesh));
+            town.meshes.push(Arc::clone(&models[chosen].mesh));
             (town.meshes.len() - 1) as u32
         });
-        let turned = lot.map_or(Affine3A::IDENTITY, |lot| lot.object_from(&things[chosen].mesh));
+        let turned = lot.map_or(Affine3A::IDENTITY, |lot| lot.object_from(&models[chosen].mesh));
         let level = upright(placement, prop);
         *placement =
             Placement { object: PlacedObject::TownMesh(mesh), world_from_object: level * turned, ..placement.clone() };

@@ -1,4 +1,4 @@
-//! Embedded pictures, reduced to what colour a place has.
+//! Embedded texture images, decoded and sampled.
 
 use super::ImportError;
 use super::container::GlbFile;
@@ -10,16 +10,16 @@ use zune_jpeg::JpegDecoder;
 /// Longest side, pixels.
 const MOST_PX: usize = 8192;
 
-/// An sRGB picture with alpha.
+/// An sRGB image with alpha.
 #[derive(Debug)]
-pub(super) struct Picture {
+pub(super) struct TextureImage {
     width: usize,
     height: usize,
     rgba: Vec<[u8; 4]>,
 }
 
-impl Picture {
-    /// Linear colour and alpha at a place; pictures repeat. The nearest pixel: callers ask at many places.
+impl TextureImage {
+    /// Linear colour and alpha at texture coordinates, repeated beyond 0 to 1. The nearest pixel: callers sample many points.
     pub(super) fn at(&self, uv: Vec2) -> Vec4 {
         let place = |x: f32, n: usize| {
             let x = if x.is_finite() { x - x.floor() } else { 0.0 };
@@ -36,13 +36,13 @@ fn linear(value: u8) -> f32 {
     if v <= 0.04045 { v / 12.92 } else { endless_world::math::pow((v + 0.055) / 1.055, 2.4) }
 }
 
-/// Decodes a picture of the file, or one beside it.
+/// Decodes an image of the file, or one beside it.
 ///
 /// # Errors
 /// When it cannot be had, is neither PNG nor JPEG, or is broken.
-pub(super) fn decode(opened: &GlbFile<'_>, image: &gltf::Image<'_>) -> Result<Picture, ImportError> {
+pub(super) fn decode(opened: &GlbFile<'_>, image: &gltf::Image<'_>) -> Result<TextureImage, ImportError> {
     let number = image.index();
-    let wrong = |why: String| ImportError::Picture { number, why, most_px: MOST_PX };
+    let wrong = |why: String| ImportError::Image { number, why, most_px: MOST_PX };
     let decoded = match image.source() {
         gltf::image::Source::View { view, .. } => {
             let end = view.offset().checked_add(view.length());
@@ -50,18 +50,18 @@ pub(super) fn decode(opened: &GlbFile<'_>, image: &gltf::Image<'_>) -> Result<Pi
             either(bytes.ok_or_else(|| wrong("it reaches beyond the buffer".to_owned()))?)
         }
         gltf::image::Source::Uri { uri, .. } => {
-            let outside = || ImportError::Outside { what: "a picture", uri: uri.chars().take(60).collect() };
-            either(&(opened.beside)(&uri.replace("%20", " ")).ok_or_else(outside)?)
+            let outside = || ImportError::Outside { what: "an image", uri: uri.chars().take(60).collect() };
+            either(&(opened.read_external)(&uri.replace("%20", " ")).ok_or_else(outside)?)
         }
     };
     decoded.map_err(wrong)
 }
 
-fn either(bytes: &[u8]) -> Result<Picture, String> {
+fn either(bytes: &[u8]) -> Result<TextureImage, String> {
     if bytes.starts_with(b"\x89PNG") { png(bytes) } else { jpeg(bytes) }
 }
 
-fn png(bytes: &[u8]) -> Result<Picture, String> {
+fn png(bytes: &[u8]) -> Result<TextureImage, String> {
     let mut decoder = png::Decoder::new(Cursor::new(bytes));
     decoder.set_transformations(png::Transformations::normalize_to_color8() | png::Transformations::ALPHA);
     let mut reader = decoder.read_info().map_err(|e| e.to_string())?;
@@ -76,10 +76,10 @@ fn png(bytes: &[u8]) -> Result<Picture, String> {
         png::ColorType::Rgb => data.chunks_exact(3).map(|p| [p[0], p[1], p[2], 255]).collect(),
         _ => data.iter().map(|&v| [v, v, v, 255]).collect(),
     };
-    picture(width, height, rgba)
+    image(width, height, rgba)
 }
 
-fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
+fn jpeg(bytes: &[u8]) -> Result<TextureImage, String> {
     let options = DecoderOptions::default().jpeg_set_out_colorspace(ColorSpace::RGB);
     let options = options.set_max_width(MOST_PX).set_max_height(MOST_PX);
     let mut decoder = JpegDecoder::new_with_options(ZCursor::new(bytes), options);
@@ -87,7 +87,7 @@ fn jpeg(bytes: &[u8]) -> Result<Picture, String> {
     let (width, height) = decoder.dimensions().ok_or("it has no size")?;
     check(width, height)?;
     let data = decoder.decode().map_err(|e| e.to_string())?;
-    picture(width, height, data.chunks_exact(3).map(|p| [p[0], p[1], p[2], 255]).collect())
+    image(width, height, data.chunks_exact(3).map(|p| [p[0], p[1], p[2], 255]).collect())
 }
 
 fn check(width: usize, height: usize) -> Result<(), String> {
@@ -95,9 +95,9 @@ fn check(width: usize, height: usize) -> Result<(), String> {
     if sides.contains(&width) && sides.contains(&height) { Ok(()) } else { Err(format!("it is {width} by {height}")) }
 }
 
-fn picture(width: usize, height: usize, rgba: Vec<[u8; 4]>) -> Result<Picture, String> {
+fn image(width: usize, height: usize, rgba: Vec<[u8; 4]>) -> Result<TextureImage, String> {
     if rgba.len() == width * height {
-        Ok(Picture { width, height, rgba })
+        Ok(TextureImage { width, height, rgba })
     } else {
         Err("pixels are missing".to_owned())
     }

@@ -1,7 +1,8 @@
-//! Parts of a model as one mesh: pictures become colours of triangles, cut smaller where a picture changes.
+//! Joins the parts of a model to one mesh and bakes its textures: each triangle gets one colour, and triangles are
+//! subdivided where a texture changes.
 
-use super::coat::{Pattern, SourceMaterial};
 use super::model::SourcePart;
+use super::source_material::{SourceMaterial, TextureMapping};
 use endless_scene::{Material, Mesh, Surface};
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3, Vec4};
@@ -36,10 +37,10 @@ impl Corner {
     }
 }
 
-/// Makes a mesh of parts that stand in their final place.
-pub(super) struct Painter<'a> {
-    coats: &'a [SourceMaterial],
-    /// Class of what names none.
+/// Bakes textured parts, in their final place, into one mesh.
+pub(super) struct TextureBaker<'a> {
+    source: &'a [SourceMaterial],
+    /// Class of materials that name none.
     tag: ClassTag,
     /// Whether the file's own classes count: not for vehicles, which are of one class.
     own_tags: bool,
@@ -48,9 +49,9 @@ pub(super) struct Painter<'a> {
     cut: usize,
 }
 
-impl<'a> Painter<'a> {
-    pub(super) fn new(coats: &'a [SourceMaterial], tag: ClassTag, own_tags: bool) -> Self {
-        Self { coats, tag, own_tags, mesh: Mesh::default(), materials: BTreeMap::new(), cut: 0 }
+impl<'a> TextureBaker<'a> {
+    pub(super) fn new(source: &'a [SourceMaterial], tag: ClassTag, own_tags: bool) -> Self {
+        Self { source, tag, own_tags, mesh: Mesh::default(), materials: BTreeMap::new(), cut: 0 }
     }
 
     pub(super) fn finish(self) -> Mesh {
@@ -59,19 +60,18 @@ impl<'a> Painter<'a> {
 
     /// Adds a part, moved.
     pub(super) fn add(&mut self, part: &SourcePart, by: Vec3) {
-        let coats = self.coats;
-        let coat = &coats[part.coat];
+        let material = &self.source[part.material_index];
         let plain = part.colors.iter().all(|&c| c == Vec3::ONE);
         let base = self.mesh.positions.len() as u32;
-        let patterned = coat.picture.as_ref().filter(|_| !matches!(coat.surface, Surface::CarGlass));
-        if patterned.is_none() {
+        let textured = material.texture.as_ref().filter(|_| !matches!(material.surface, Surface::CarGlass));
+        if textured.is_none() {
             self.mesh.positions.extend(part.positions.iter().map(|&p| p + by));
             self.mesh.normals.extend_from_slice(&part.normals);
             self.mesh.uvs.extend_from_slice(&part.uvs);
             for t in &part.triangles {
                 let shade = t.iter().map(|&i| part.colors[i as usize]).sum::<Vec3>() / 3.0;
-                let color = coat.color.truncate() * if plain { Vec3::ONE } else { shade };
-                let material = self.material(part.coat, color, plain);
+                let color = self.source[part.material_index].color.truncate() * if plain { Vec3::ONE } else { shade };
+                let material = self.material(part.material_index, color, plain);
                 self.mesh.triangles.push(t.map(|i| i + base));
                 self.mesh.triangle_materials.push(material);
             }
@@ -81,31 +81,31 @@ impl<'a> Painter<'a> {
             let i = i as usize;
             Corner { position: part.positions[i] + by, normal: part.normals[i], uv: part.uvs[i], color: part.colors[i] }
         };
-        if let Some(pattern) = patterned {
+        if let Some(texture) = textured {
             for t in &part.triangles {
-                self.cut(part.coat, pattern, t.map(corner));
+                self.cut(part.material_index, texture, t.map(corner));
             }
         }
     }
 
-    fn cut(&mut self, coat: usize, pattern: &Pattern, corners: [Corner; 3]) {
+    fn cut(&mut self, material_index: usize, texture: &TextureMapping, corners: [Corner; 3]) {
         let [a, b, c] = corners;
-        let seen = PatternSample::of(pattern, corners);
+        let sample = TextureSample::of(texture, corners);
         let long = [(a, b), (b, c), (c, a)].iter().map(|(p, q)| p.position.distance(q.position)).fold(0.0, f32::max);
-        if seen.spread > SAME && long > FINEST_M && self.cut < MOST_CUT {
+        if sample.spread > SAME && long > FINEST_M && self.cut < MOST_CUT {
             self.cut += 3;
             let [ab, bc, ca] = [a.between(b), b.between(c), c.between(a)];
             for small in [[a, ab, ca], [ab, b, bc], [ca, bc, c], [ab, bc, ca]] {
-                self.cut(coat, pattern, small);
+                self.cut(material_index, texture, small);
             }
             return;
         }
-        let own = &self.coats[coat];
-        if own.cutoff.is_some_and(|least| seen.mean.w * own.color.w < least) {
+        let own = &self.source[material_index];
+        if own.cutoff.is_some_and(|least| sample.mean.w * own.color.w < least) {
             return;
         }
         let shade = (a.color + b.color + c.color) / 3.0;
-        let material = self.material(coat, own.color.truncate() * seen.mean.truncate() * shade, false);
+        let material = self.material(material_index, own.color.truncate() * sample.mean.truncate() * shade, false);
         let base = self.mesh.positions.len() as u32;
         for corner in corners {
             self.mesh.positions.push(corner.position);
@@ -116,9 +116,9 @@ impl<'a> Painter<'a> {
         self.mesh.triangle_materials.push(material);
     }
 
-    /// The material of a coat in a colour; colours of pictures are rounded, so that there are not too many.
-    fn material(&mut self, coat: usize, color: Vec3, exact: bool) -> u16 {
-        let own = &self.coats[coat];
+    /// The mesh's material for a source material in a colour. Colours of textures are rounded, so that there are not too many.
+    fn material(&mut self, material_index: usize, color: Vec3, exact: bool) -> u16 {
+        let own = &self.source[material_index];
         let rounded = color.map(|c| {
             let level = (c.clamp(0.0, 1.0).sqrt() * LEVELS).round() / LEVELS;
             level * level
@@ -127,7 +127,7 @@ impl<'a> Painter<'a> {
         let tag = own.tag.filter(|_| self.own_tags).unwrap_or(self.tag);
         let known = &mut self.materials;
         let materials = &mut self.mesh.materials;
-        *known.entry((coat, color.to_array().map(f32::to_bits))).or_insert_with(|| {
+        *known.entry((material_index, color.to_array().map(f32::to_bits))).or_insert_with(|| {
             // Full tables take the nearest that is there: the last.
             if materials.len() < usize::from(u16::MAX) {
                 materials.push(Material::new(own.surface, color.to_array(), tag));
@@ -137,23 +137,23 @@ impl<'a> Painter<'a> {
     }
 }
 
-/// What a picture shows on a triangle.
-struct PatternSample {
+/// The colours of a texture over one triangle.
+struct TextureSample {
     mean: Vec4,
     /// Largest difference of a sample from the mean, as the eye has it.
     spread: f32,
 }
 
-impl PatternSample {
+impl TextureSample {
     /// Looks at fifteen places.
-    fn of(pattern: &Pattern, corners: [Corner; 3]) -> Self {
+    fn of(texture: &TextureMapping, corners: [Corner; 3]) -> Self {
         let [a, b, c] = corners.map(|c| c.uv);
         let mut samples = [Vec4::ZERO; 15];
         let mut k = 0;
         for i in 0..5u8 {
             for j in 0..5 - i {
                 let (u, v) = ((f32::from(i) + 0.33) / 5.0, (f32::from(j) + 0.33) / 5.0);
-                samples[k] = pattern.at(a + (b - a) * u + (c - a) * v);
+                samples[k] = texture.at(a + (b - a) * u + (c - a) * v);
                 k += 1;
             }
         }

@@ -3,7 +3,7 @@
 use super::entry::{AssetClass, AssetEntry};
 use super::error::ImportError;
 use super::model::SourceModel;
-use super::paint::Painter;
+use super::texture_bake::TextureBaker;
 use crate::{Prop, prop_mesh};
 use endless_scene::Mesh;
 use endless_world::ClassTag;
@@ -12,11 +12,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// Width and height may differ this much from what the entry says.
-pub(super) const OFF: f32 = 0.12;
+pub(super) const SIZE_TOLERANCE: f32 = 0.12;
 
 /// A prop or a building from a file.
 #[derive(Debug, Clone)]
-pub struct ImportedThing {
+pub struct ImportedStaticModel {
     /// Name in the catalogue.
     pub name: String,
     /// What it stands for: a prop, or `None` for a building.
@@ -44,21 +44,25 @@ pub(super) fn stand(model: &mut SourceModel, length_m: f32) -> Result<Vec3, Impo
     if size.is_finite() { Ok(size) } else { Err(ImportError::Empty) }
 }
 
-pub(super) fn make(entry: &AssetEntry, kind: AssetClass, mut model: SourceModel) -> Result<ImportedThing, ImportError> {
+pub(super) fn make(
+    entry: &AssetEntry,
+    kind: AssetClass,
+    mut model: SourceModel,
+) -> Result<ImportedStaticModel, ImportError> {
     let size = stand(&mut model, entry.size[0])?;
-    let off = |k: usize| (size[k] - entry.size[k]).abs() > OFF * entry.size[k] + 0.02;
+    let off = |k: usize| (size[k] - entry.size[k]).abs() > SIZE_TOLERANCE * entry.size[k] + 0.02;
     if off(1) || off(2) {
         return Err(ImportError::Size { found: size.to_array(), stated: entry.size });
     }
     let prop = if let AssetClass::Prop(prop) = kind { Some(prop) } else { None };
     let tag = prop.map_or(ClassTag::Buildings, |prop| usual_tag(&prop_mesh::prop(prop, 0)));
-    let mut painter = Painter::new(&model.coats, tag, true);
-    model.parts.iter().for_each(|part| painter.add(part, Vec3::ZERO));
-    let mesh = painter.finish();
+    let mut baker = TextureBaker::new(&model.materials, tag, true);
+    model.parts.iter().for_each(|part| baker.add(part, Vec3::ZERO));
+    let mesh = baker.finish();
     if mesh.triangles.is_empty() {
         return Err(ImportError::Empty);
     }
-    Ok(ImportedThing { name: entry.asset_name(), prop, share: entry.share, mesh: Arc::new(mesh) })
+    Ok(ImportedStaticModel { name: entry.asset_name(), prop, share: entry.share, mesh: Arc::new(mesh) })
 }
 
 /// The class that most of a mesh's triangles carry.
