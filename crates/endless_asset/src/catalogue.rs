@@ -5,7 +5,7 @@ use crate::furniture;
 use crate::person;
 use crate::prop_mesh;
 use crate::vehicle;
-use crate::{Anatomy, ImportedAsset, ImportedStaticModel, PersonModel, Prop, VehicleKind, VehicleModel};
+use crate::{Anatomy, ImportedAsset, ImportedStaticModel, PersonModel, Prop, VehicleDesignSummary, VehicleModel};
 use endless_scene::{Material, Mesh};
 use endless_world::walking::PedestrianSpec;
 use endless_world::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef, VehicleSpec};
@@ -65,8 +65,8 @@ impl Catalogue {
     }
 
     /// The designs of vehicles with the ranges of their sizes.
-    pub fn vehicle_kinds() -> Vec<VehicleKind> {
-        vehicle::kinds()
+    pub fn vehicle_designs() -> Vec<VehicleDesignSummary> {
+        vehicle::design_summaries()
     }
 
     /// Any draw of the design of a name (`car.sedan`): no end of vehicles beside those of [`Self::vehicles`], which

@@ -42,4 +42,4 @@ pub use import::{
 };
 pub use person::{Anatomy, BodyPart, BodyPose, Bone, PersonModel, PersonTraits, Stance};
 pub use prop::Prop;
-pub use vehicle::{Trailer, VehicleKind, VehicleModel, Wheel};
+pub use vehicle::{Trailer, VehicleDesignSummary, VehicleModel, Wheel};

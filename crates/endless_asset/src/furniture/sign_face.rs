@@ -16,7 +16,7 @@ const GREEN: Material = paint::face([0.010, 0.18, 0.07]);
 const HEIGHT_M: f32 = 2.4;
 
 /// A face under construction: each film lies over the last.
-struct Face {
+struct SignFace {
     sculpt: Sculpt,
     z: f32,
     layer: f32,
@@ -39,7 +39,7 @@ fn turned(p: Vec2, angle: f32) -> Vec2 {
     Vec2::new(cos, sin).rotate(p)
 }
 
-impl Face {
+impl SignFace {
     fn on(outline: &[Vec2], color: Material) -> Self {
         Self::at(HEIGHT_M, outline, color)
     }
@@ -101,34 +101,34 @@ impl Face {
 }
 
 /// A red-rimmed triangle, tip up.
-fn warning() -> Face {
-    Face::on(&regular(3, 0.50, 0.0), paint::RED).film(&regular(3, 0.335, 0.0), paint::WHITE)
+fn warning() -> SignFace {
+    SignFace::on(&regular(3, 0.50, 0.0), paint::RED).film(&regular(3, 0.335, 0.0), paint::WHITE)
 }
 
 /// A yellow or orange diamond with a black border.
-fn diamond(color: Material) -> Face {
-    Face::on(&regular(4, 0.53, 0.0), color)
+fn diamond(color: Material) -> SignFace {
+    SignFace::on(&regular(4, 0.53, 0.0), color)
         .film(&regular(4, 0.50, 0.0), paint::BLACK)
         .film(&regular(4, 0.475, 0.0), color)
 }
 
-fn blue_disc() -> Face {
-    Face::on(&disc(0.32), paint::WHITE).film(&disc(0.305), paint::BLUE)
+fn blue_disc() -> SignFace {
+    SignFace::on(&disc(0.32), paint::WHITE).film(&disc(0.305), paint::BLUE)
 }
 
-fn board(width: f32, height: f32, rim: Material, color: Material) -> Face {
+fn board(width: f32, height: f32, rim: Material, color: Material) -> SignFace {
     let half = Vec2::new(0.5 * width, 0.5 * height);
-    Face::on(&rectangle(half), rim).film(&rectangle(half - 0.018), color)
+    SignFace::on(&rectangle(half), rim).film(&rectangle(half - 0.018), color)
 }
 
-fn no_parking(crossed: bool) -> Face {
+fn no_parking(crossed: bool) -> SignFace {
     let d = 0.18;
-    let face = Face::on(&disc(0.32), paint::RED).film(&disc(0.255), paint::BLUE);
+    let face = SignFace::on(&disc(0.32), paint::RED).film(&disc(0.255), paint::BLUE);
     let face = face.bars(&[[(-d, d), (d, -d)]], 0.055, paint::RED);
     if crossed { face.bars(&[[(-d, -d), (d, d)]], 0.055, paint::RED) } else { face }
 }
 
-fn roundabout() -> Face {
+fn roundabout() -> SignFace {
     let mut face = blue_disc();
     for k in 0..3 {
         let turn = TAU * k as f32 / 3.0;
@@ -141,7 +141,7 @@ fn roundabout() -> Face {
     face
 }
 
-fn cycle_path() -> Face {
+fn cycle_path() -> SignFace {
     let ring = |x: f32| -> Vec<(f32, f32)> {
         (0..=12).map(|i| (turned(Vec2::X * 0.075, TAU * i as f32 / 12.0) + Vec2::new(x, -0.06)).into()).collect()
     };
@@ -154,13 +154,13 @@ fn cycle_path() -> Face {
 }
 
 /// A figure at a heap.
-fn digger(face: Face) -> Face {
+fn digger(face: SignFace) -> SignFace {
     face.walker(Vec2::new(-0.04, -0.03), paint::BLACK)
         .film(&[Vec2::new(0.03, -0.20), Vec2::new(0.17, -0.20), Vec2::new(0.10, -0.10)], paint::BLACK)
         .bars(&[[(0.0, 0.02), (0.11, -0.12)]], 0.016, paint::BLACK)
 }
 
-fn lights(face: Face, size: f32) -> Face {
+fn lights(face: SignFace, size: f32) -> SignFace {
     let mut face = face.film(&rectangle(Vec2::new(0.07, 0.19) * size), paint::BLACK);
     for (y, color) in [(0.12, paint::RED), (0.0, YELLOW), (-0.12, GREEN)] {
         face = face.film(&moved(&regular(14, 0.045 * size, 0.0), Vec2::new(0.0, y * size)), color);
@@ -168,7 +168,7 @@ fn lights(face: Face, size: f32) -> Face {
     face
 }
 
-fn bend(face: Face) -> Face {
+fn bend(face: SignFace) -> SignFace {
     face.chain(&[(-0.09, -0.20), (-0.09, -0.06), (0.05, 0.05)], 0.05, paint::BLACK).arrow(
         (0.05, 0.05),
         (0.05, 0.17),
@@ -177,7 +177,7 @@ fn bend(face: Face) -> Face {
     )
 }
 
-fn speed_limit_mph() -> Face {
+fn speed_limit_mph() -> SignFace {
     board(0.61, 0.76, paint::BLACK, paint::WHITE).words(&[("SPEED", 0.25), ("LIMIT", 0.11)], 0.11, paint::BLACK).words(
         &[("25", -0.16)],
         0.28,
@@ -185,33 +185,33 @@ fn speed_limit_mph() -> Face {
     )
 }
 
-fn school() -> Face {
+fn school() -> SignFace {
     let house = [(-0.38, -0.38), (0.38, -0.38), (0.38, 0.12), (0.0, 0.42), (-0.38, 0.12)].map(Vec2::from);
     let inner: Vec<Vec2> = house.iter().map(|p| *p * 0.955).collect();
     let within: Vec<Vec2> = house.iter().map(|p| *p * 0.91).collect();
-    Face::on(&house, LIME)
+    SignFace::on(&house, LIME)
         .film(&inner, paint::BLACK)
         .film(&within, LIME)
         .walker(Vec2::new(-0.11, -0.06), paint::BLACK)
         .walker(Vec2::new(0.13, -0.11), paint::BLACK)
 }
 
-fn do_not_enter() -> Face {
-    Face::on(&rectangle(Vec2::splat(0.38)), paint::WHITE)
+fn do_not_enter() -> SignFace {
+    SignFace::on(&rectangle(Vec2::splat(0.38)), paint::WHITE)
         .film(&disc(0.35), paint::RED)
         .film(&rectangle(Vec2::new(0.27, 0.055)), paint::WHITE)
         .words(&[("DO NOT", 0.16), ("ENTER", -0.16)], 0.10, paint::WHITE)
 }
 
-fn chevron() -> Face {
-    Face::on(&rectangle(Vec2::new(0.23, 0.31)), YELLOW).chain(
+fn chevron() -> SignFace {
+    SignFace::on(&rectangle(Vec2::new(0.23, 0.31)), YELLOW).chain(
         &[(-0.08, -0.22), (0.10, 0.0), (-0.08, 0.22)],
         0.13,
         paint::BLACK,
     )
 }
 
-fn draw(code: &str) -> Face {
+fn draw(code: &str) -> SignFace {
     let white = paint::WHITE;
     match code {
         "A,1b" => bend(warning()),
@@ -220,13 +220,13 @@ fn draw(code: &str) -> Face {
         "A,16" => digger(warning()),
         "A,17a" => lights(warning(), 0.95),
         "A,32" => warning().words(&[("!", -0.02)], 0.30, paint::BLACK),
-        "B,3" => Face::on(&regular(4, 0.45, 0.0), paint::BLACK)
+        "B,3" => SignFace::on(&regular(4, 0.45, 0.0), paint::BLACK)
             .film(&regular(4, 0.435, 0.0), white)
             .film(&regular(4, 0.30, 0.0), YELLOW),
-        "C,1" => {
-            Face::on(&disc(0.32), white).film(&disc(0.305), paint::RED).film(&rectangle(Vec2::new(0.22, 0.05)), white)
-        }
-        "C,2" => Face::on(&disc(0.32), paint::RED).film(&disc(0.25), white),
+        "C,1" => SignFace::on(&disc(0.32), white)
+            .film(&disc(0.305), paint::RED)
+            .film(&rectangle(Vec2::new(0.22, 0.05)), white),
+        "C,2" => SignFace::on(&disc(0.32), paint::RED).film(&disc(0.25), white),
         "C,18" => no_parking(false),
         "C,19" => no_parking(true),
         "D,1a" => blue_disc().arrow((0.0, -0.21), (0.0, 0.21), 0.065, white),
@@ -235,7 +235,7 @@ fn draw(code: &str) -> Face {
         "D,4" => cycle_path(),
         "E,3" => board(0.80, 0.32, white, paint::BLUE).arrow((-0.32, 0.0), (0.32, 0.0), 0.075, white),
         "E,14" => board(0.60, 0.60, white, paint::BLUE).words(&[("P", 0.0)], 0.42, white),
-        "R1-2" => Face::on(&regular(3, 0.55, PI), paint::RED).film(&regular(3, 0.36, PI), white).words(
+        "R1-2" => SignFace::on(&regular(3, 0.55, PI), paint::RED).film(&regular(3, 0.36, PI), white).words(
             &[("YIELD", 0.085)],
             0.085,
             paint::RED,
@@ -267,7 +267,7 @@ fn draw(code: &str) -> Face {
         "W3-3" => lights(diamond(YELLOW), 1.35),
         "W11-2" => diamond(YELLOW).walker(Vec2::new(0.0, 0.0), paint::BLACK),
         "W20-1" => diamond(ORANGE).words(&[("ROAD", 0.15), ("WORK", 0.0), ("AHEAD", -0.15)], 0.10, paint::BLACK),
-        _ => Face::on(&regular(4, 0.4, FRAC_PI_4), white),
+        _ => SignFace::on(&regular(4, 0.4, FRAC_PI_4), white),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::appearance::Appearance;
 use super::skeleton::{ARM, BONES, Bone, Side, Skeleton};
 use super::skin::{Weights, one, two};
-use crate::shape::Curve;
+use crate::shape::MonotoneCubic;
 use endless_world::math::{self, lerp, smoothstep};
 use glam::{Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
@@ -30,12 +30,12 @@ pub(crate) struct Body<'a> {
     /// Height of the body without the head, so scaled that 0.83 is the base of the neck.
     pub(crate) b: f32,
     /// Half breadth, depth in front and behind, over the stature, by height over the body's.
-    breadth: Curve,
-    front: Curve,
-    back: Curve,
-    arm: Curve,
-    leg: Curve,
-    calf: Curve,
+    breadth: MonotoneCubic,
+    front: MonotoneCubic,
+    back: MonotoneCubic,
+    arm: MonotoneCubic,
+    leg: MonotoneCubic,
+    calf: MonotoneCubic,
 }
 
 /// Height, half breadth, depth in front, depth behind.
@@ -85,8 +85,9 @@ impl<'a> Body<'a> {
             MALE
         };
         let g = appearance.girth;
-        let curve =
-            |value: &dyn Fn(&Section) -> f32| Curve::new(&sections.iter().map(|s| (s.0, value(s))).collect::<Vec<_>>());
+        let curve = |value: &dyn Fn(&Section) -> f32| {
+            MonotoneCubic::new(&sections.iter().map(|s| (s.0, value(s))).collect::<Vec<_>>())
+        };
         // Weight shows at the belly and the hips, less at the chest.
         let belly = |t: f32| (g - 1.0).max(0.0) * smoothstep(0.48, 0.60, t) * (1.0 - smoothstep(0.64, 0.76, t));
         let broad = |t: f32| lerp(g, 0.45 * g + 0.55 * appearance.shoulder, smoothstep(0.66, 0.78, t));
@@ -115,8 +116,9 @@ impl<'a> Body<'a> {
             (1.75, 0.0510),
             (2.0, 0.0530),
         ];
-        let scaled =
-            |points: &[(f32, f32)], k: f32| Curve::new(&points.iter().map(|p| (p.0, p.1 * k)).collect::<Vec<_>>());
+        let scaled = |points: &[(f32, f32)], k: f32| {
+            MonotoneCubic::new(&points.iter().map(|p| (p.0, p.1 * k)).collect::<Vec<_>>())
+        };
         Self {
             appearance,
             skeleton,
@@ -127,7 +129,14 @@ impl<'a> Body<'a> {
             back: curve(&|s| s.3 * lerp(g, 1.0, 0.6 * smoothstep(0.66, 0.78, s.0))),
             arm: scaled(&arm, slim),
             leg: scaled(&leg, limbs * if appearance.female { 1.03 } else { 1.0 }),
-            calf: Curve::new(&[(0.0, 0.0), (0.35, -0.005), (0.65, -0.010), (0.9, -0.002), (1.0, 0.0), (2.0, 0.0)]),
+            calf: MonotoneCubic::new(&[
+                (0.0, 0.0),
+                (0.35, -0.005),
+                (0.65, -0.010),
+                (0.9, -0.002),
+                (1.0, 0.0),
+                (2.0, 0.0),
+            ]),
         }
     }
 

@@ -7,7 +7,7 @@ use super::head::Head;
 use super::palette;
 use super::skeleton::Bone;
 use super::skin::{Skin, two};
-use crate::shape::{Curve, Region, Sculpt};
+use crate::shape::{MonotoneCubic, Region, Sculpt};
 use endless_scene::{Material, Surface};
 use endless_world::math::{self, lerp, smoothstep};
 use glam::{Vec2, Vec3};
@@ -52,7 +52,7 @@ fn hair(skin: &mut Skin, body: &Body<'_>, head: &Head<'_>, free: f32) {
         return;
     }
     let (volume, line) = style(appearance.hair);
-    let line = Curve::new(line);
+    let line = MonotoneCubic::new(line);
     let phase = appearance.folds;
     let grow = |z: f32, angle: f32| {
         let a = angle.abs();

@@ -4,7 +4,7 @@ use super::appearance::{Appearance, Beard, Glasses};
 use super::palette;
 use super::skeleton::{Bone, Skeleton};
 use super::skin::Skin;
-use crate::shape::{Curve, Sculpt};
+use crate::shape::{MonotoneCubic, Sculpt};
 use endless_scene::{Material, Surface};
 use endless_world::math::{self, smoothstep};
 use glam::Vec3;
@@ -23,9 +23,9 @@ pub(crate) struct Head<'a> {
     chin: Vec3,
     /// Chin to crown, metres.
     pub(crate) size: f32,
-    breadth: Curve,
-    front: Curve,
-    back: Curve,
+    breadth: MonotoneCubic,
+    front: MonotoneCubic,
+    back: MonotoneCubic,
 }
 
 impl<'a> Head<'a> {
@@ -79,9 +79,9 @@ impl<'a> Head<'a> {
             appearance,
             chin,
             size: skeleton.head_height,
-            breadth: Curve::new(&breadth),
-            front: Curve::new(&front),
-            back: Curve::new(&back),
+            breadth: MonotoneCubic::new(&breadth),
+            front: MonotoneCubic::new(&front),
+            back: MonotoneCubic::new(&back),
         }
     }
 

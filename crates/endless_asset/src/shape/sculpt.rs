@@ -2,7 +2,7 @@
 
 use super::face::Face;
 use super::runs::Runs;
-use super::weld::{Cell, census};
+use super::weld::{WeldCell, interner};
 use endless_scene::{Material, Mesh};
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -20,13 +20,13 @@ const DEGENERATE_AREA: f32 = 2e-8;
 /// Positions nearer than about this count as one, metres.
 const WELD_M: f32 = 5e-5;
 
-fn key(p: Vec3) -> Cell {
+fn key(p: Vec3) -> WeldCell {
     cell(p / WELD_M)
 }
 
 /// The nearest point of the unit grid.
-fn cell(p: Vec3) -> Cell {
-    Cell(p.to_array().map(|c| (c + 0.5f32.copysign(c)) as i32))
+fn cell(p: Vec3) -> WeldCell {
+    WeldCell(p.to_array().map(|c| (c + 0.5f32.copysign(c)) as i32))
 }
 
 impl Sculpt {
@@ -85,7 +85,7 @@ impl Sculpt {
         let limit = endless_world::math::cos(crease_deg.to_radians());
         let flat: Vec<Vec3> = self.faces.iter().map(|f| f.area_normal().normalize_or(Vec3::Z)).collect();
         // Places, those of corners, and corners by place: the first of each, and the next one of the same place.
-        let mut places = census(self.faces.len());
+        let mut places = interner(self.faces.len());
         let mut place_of = vec![0; self.faces.len() * 3];
         let mut first = Vec::with_capacity(self.faces.len());
         let mut next = vec![u32::MAX; self.faces.len() * 3];
@@ -178,7 +178,7 @@ impl Sculpt {
 
     fn welded(self, seams: bool) -> Mesh {
         let mut mesh = Mesh::default();
-        let mut vertices = census(self.faces.len());
+        let mut vertices = interner(self.faces.len());
         for face in &self.faces {
             let flat = face.area_normal();
             let size = flat.abs();

@@ -5,11 +5,11 @@ use std::hash::{BuildHasherDefault, Hasher};
 
 /// Different keys, numbered as they come. Its table holds numbers alone and so stays in the processor's cache, where a
 /// map of the keys would not. Keys are grid cells that our own code made: nobody can choose them so that they collide.
-pub(crate) type Census<K> = IndexSet<K, BuildHasherDefault<CellHasher>>;
+pub(crate) type Interner<K> = IndexSet<K, BuildHasherDefault<CellHasher>>;
 
 /// With room for some keys before it must grow.
-pub(crate) fn census<K>(keys: usize) -> Census<K> {
-    Census::with_capacity_and_hasher(keys, BuildHasherDefault::default())
+pub(crate) fn interner<K>(keys: usize) -> Interner<K> {
+    Interner::with_capacity_and_hasher(keys, BuildHasherDefault::default())
 }
 
 /// Multiplies and rotates; several times as fast as the standard library's hash.
@@ -39,9 +39,9 @@ impl Hasher for CellHasher {
 
 /// A point of a grid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Cell(pub(crate) [i32; 3]);
+pub(crate) struct WeldCell(pub(crate) [i32; 3]);
 
-impl std::hash::Hash for Cell {
+impl std::hash::Hash for WeldCell {
     fn hash<H: Hasher>(&self, state: &mut H) {
         self.0.iter().for_each(|&c| state.write_i32(c));
     }
@@ -53,16 +53,16 @@ mod tests {
 
     #[test]
     fn keys_are_counted_as_they_come() {
-        let mut census = census(1);
-        let key = |i: i32| Cell([i % 50, i % 7, -(i % 3)]);
-        let mut known: Vec<Cell> = Vec::new();
+        let mut interner = interner(1);
+        let key = |i: i32| WeldCell([i % 50, i % 7, -(i % 3)]);
+        let mut known: Vec<WeldCell> = Vec::new();
         for i in 0..2000 {
             let expected = known.iter().position(|&k| k == key(i)).unwrap_or_else(|| {
                 known.push(key(i));
                 known.len() - 1
             });
-            assert_eq!(census.insert_full(key(i)).0, expected);
+            assert_eq!(interner.insert_full(key(i)).0, expected);
         }
-        assert_eq!(census.len(), known.len());
+        assert_eq!(interner.len(), known.len());
     }
 }

@@ -4,9 +4,9 @@ use super::assemble::{Assembly, HitchMeasures, VehicleBlueprint, VehicleMeasures
 use super::car::{CarShape, Grille, open_arch, plate};
 use super::draw::DesignDraw;
 use super::paint;
-use super::shell::{Arch, Cabin, Ring, Shell};
+use super::shell::{Arch, BodyOutline, Greenhouse, Shell};
 use super::wheel::{Rim, wheel};
-use crate::shape::{Curve, Region, Sculpt, rounded};
+use crate::shape::{MonotoneCubic, Region, Sculpt, rounded};
 use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 use glam::Vec3;
@@ -250,7 +250,7 @@ impl BusShape {
     }
 
     fn shell(&self) -> Shell {
-        let outline = Ring {
+        let outline = BodyOutline {
             front: self.x(0.0),
             rear: self.x(self.length),
             half_width: self.half_width,
@@ -258,7 +258,7 @@ impl BusShape {
             corner: [0.20, 0.14],
             taper: [0.01, 0.01],
         };
-        let flat = |z: f32| Curve::new(&[(-9.0, z), (9.0, z)]);
+        let flat = |z: f32| MonotoneCubic::new(&[(-9.0, z), (9.0, z)]);
         let belt = self.glass_z[0] - 0.08;
         Shell {
             section: vec![
@@ -272,10 +272,10 @@ impl BusShape {
             sill: flat(self.floor),
             belt: flat(belt),
             deck: flat(belt),
-            cabin: Cabin {
+            cabin: Greenhouse {
                 foot: outline.inset(0.0, 0.02, 0.002),
-                top: Ring { corner: [0.24, 0.16], ..outline.inset(0.045, self.rake, 0.05) },
-                roof: Curve::new(&[(-9.0, self.height), (9.0, self.height)]),
+                top: BodyOutline { corner: [0.24, 0.16], ..outline.inset(0.045, self.rake, 0.05) },
+                roof: MonotoneCubic::new(&[(-9.0, self.height), (9.0, self.height)]),
                 edge_drop: 0.16,
                 bulge: 0.01,
             },

@@ -3,11 +3,11 @@
 use super::assemble::VehicleBlueprint;
 use super::draw::DesignDraw;
 use super::tint::{self, PaintShare};
-use super::{articulated, bus, cars, emergency, fire, heavy, truck, two, van};
+use super::{articulated, bus, cars, emergency, fire, heavy, truck, two_wheeler, van};
 use endless_world::ObjectClass;
 
 /// What all draws of a design have in common.
-pub(crate) struct Design {
+pub(crate) struct VehicleDesign {
     /// Unique.
     pub(crate) name: &'static str,
     pub(crate) class: ObjectClass,
@@ -28,8 +28,8 @@ pub(crate) struct Design {
 
 type DrawBlueprint = fn(&DesignDraw) -> VehicleBlueprint;
 
-const fn car(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
-    Design {
+const fn car(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
+    VehicleDesign {
         name,
         class: ObjectClass::Car,
         cruise_mps: 13.5,
@@ -42,8 +42,8 @@ const fn car(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBluep
     }
 }
 
-const fn van(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
-    Design {
+const fn van(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
+    VehicleDesign {
         class: ObjectClass::Van,
         cruise_mps: 12.5,
         acceleration_mps2: 1.5,
@@ -52,8 +52,8 @@ const fn van(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBluep
     }
 }
 
-const fn truck(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
-    Design {
+const fn truck(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
+    VehicleDesign {
         class: ObjectClass::Truck,
         cruise_mps: 11.0,
         acceleration_mps2: 1.0,
@@ -63,8 +63,8 @@ const fn truck(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlu
     }
 }
 
-const fn bus(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
-    Design {
+const fn bus(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
+    VehicleDesign {
         class: ObjectClass::Bus,
         cruise_mps: 11.5,
         acceleration_mps2: 1.1,
@@ -74,8 +74,8 @@ const fn bus(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBluep
     }
 }
 
-const fn motorcycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
-    Design {
+const fn motorcycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
+    VehicleDesign {
         class: ObjectClass::Motorcycle,
         cruise_mps: 13.0,
         acceleration_mps2: 2.4,
@@ -84,8 +84,8 @@ const fn motorcycle(name: &'static str, frequency: f64, draws: u8, blueprint: Dr
     }
 }
 
-const fn bicycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> Design {
-    Design {
+const fn bicycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
+    VehicleDesign {
         class: ObjectClass::Bicycle,
         cruise_mps: 4.8,
         acceleration_mps2: 0.9,
@@ -95,7 +95,7 @@ const fn bicycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawB
     }
 }
 
-impl Design {
+impl VehicleDesign {
     const fn painted(self, paints: &'static [PaintShare]) -> Self {
         Self { paints, ..self }
     }
@@ -110,7 +110,7 @@ impl Design {
 }
 
 /// All of them, by class.
-pub(crate) static DESIGNS: &[Design] = &[
+pub(crate) static DESIGNS: &[VehicleDesign] = &[
     car("car.micro", 1.5, 2, cars::micro),
     car("car.city", 8.0, 3, cars::city),
     car("car.hatchback", 13.0, 4, cars::hatchback),
@@ -154,15 +154,15 @@ pub(crate) static DESIGNS: &[Design] = &[
     bus("bus.city", 1.1, 2, bus::city),
     bus("bus.articulated", 0.3, 1, bus::articulated),
     bus("bus.coach", 0.5, 1, bus::coach).cruising(12.5),
-    motorcycle("motorcycle.scooter", 1.4, 2, two::scooter).cruising(12.0),
-    motorcycle("motorcycle.scooter_delivery", 0.8, 2, two::moped_delivery).cruising(12.0),
-    motorcycle("motorcycle.commuter", 1.9, 2, two::commuter).cruising(13.5),
-    motorcycle("motorcycle.delivery", 0.7, 2, two::delivery),
-    motorcycle("motorcycle.sport", 0.7, 2, two::sport).cruising(15.0),
-    motorcycle("motorcycle.cruiser", 0.5, 2, two::cruiser),
-    bicycle("bicycle.city", 1.3, 2, two::city),
-    bicycle("bicycle.mountain", 0.6, 2, two::mountain).cruising(5.2),
-    bicycle("bicycle.road", 0.4, 1, two::road).cruising(7.0),
-    bicycle("bicycle.cargo", 0.25, 1, two::cargo).cruising(4.5),
-    bicycle("bicycle.kick_scooter", 0.45, 1, two::kick).cruising(5.0),
+    motorcycle("motorcycle.scooter", 1.4, 2, two_wheeler::scooter).cruising(12.0),
+    motorcycle("motorcycle.scooter_delivery", 0.8, 2, two_wheeler::moped_delivery).cruising(12.0),
+    motorcycle("motorcycle.commuter", 1.9, 2, two_wheeler::commuter).cruising(13.5),
+    motorcycle("motorcycle.delivery", 0.7, 2, two_wheeler::delivery),
+    motorcycle("motorcycle.sport", 0.7, 2, two_wheeler::sport).cruising(15.0),
+    motorcycle("motorcycle.cruiser", 0.5, 2, two_wheeler::cruiser),
+    bicycle("bicycle.city", 1.3, 2, two_wheeler::city),
+    bicycle("bicycle.mountain", 0.6, 2, two_wheeler::mountain).cruising(5.2),
+    bicycle("bicycle.road", 0.4, 1, two_wheeler::road).cruising(7.0),
+    bicycle("bicycle.cargo", 0.25, 1, two_wheeler::cargo).cruising(4.5),
+    bicycle("bicycle.kick_scooter", 0.45, 1, two_wheeler::kick_scooter).cruising(5.0),
 ];

@@ -1,28 +1,28 @@
 //! The vehicles of the catalogue, and the designs that they are drawn from.
 
-use super::design::{DESIGNS, Design};
+use super::design::{DESIGNS, VehicleDesign};
 use super::draw::DesignDraw;
 use super::model::VehicleModel;
 use crate::carla;
 use endless_world::ObjectClass;
 
-/// A design of the catalogue and the sizes that its draws have, metres, smallest and largest.
+/// A vehicle design with the smallest and largest size of its draws, metres.
 #[derive(Debug, Clone, PartialEq)]
-pub struct VehicleKind {
+pub struct VehicleDesignSummary {
     /// Unique, e.g. `car.hatchback`.
     pub name: &'static str,
     /// Class of the vehicle itself.
     pub class: ObjectClass,
-    /// Foremost to rearmost point.
+    /// Length over all.
     pub length_m: [f32; 2],
-    /// Without mirrors.
+    /// Width without mirrors.
     pub width_m: [f32; 2],
     /// Height.
     pub height_m: [f32; 2],
 }
 
 /// The designs, from small to large within each class.
-pub(crate) fn kinds() -> Vec<VehicleKind> {
+pub(crate) fn design_summaries() -> Vec<VehicleDesignSummary> {
     /// Draws looked at.
     const DRAWS: u64 = 256;
     let span = |values: &[f32]| {
@@ -33,7 +33,7 @@ pub(crate) fn kinds() -> Vec<VehicleKind> {
         .iter()
         .map(|design| {
             let sizes = || (0..DRAWS).map(|i| (design.blueprint)(&DesignDraw::new(design.name, i)).size);
-            VehicleKind {
+            VehicleDesignSummary {
                 name: design.name,
                 class: design.class,
                 length_m: span(&sizes().map(|s| s.front - s.rear).collect::<Vec<_>>()),
@@ -53,7 +53,7 @@ pub(crate) fn drawn(name: &str, index: u64) -> Option<VehicleModel> {
 /// The vehicles of the catalogue: the first draws of each design, which share its frequency, and those that stand for
 /// CARLA's, which the traffic of our own towns leaves out.
 pub(crate) fn all() -> Vec<VehicleModel> {
-    let draws = |d: &'static Design| {
+    let draws = |d: &'static VehicleDesign| {
         let each = d.frequency / f64::from(d.draws);
         (0..u64::from(d.draws)).map(move |i| VehicleModel::new(d, i, each))
     };

@@ -4,9 +4,9 @@
 use super::assemble::{Assembly, VehicleBlueprint, VehicleMeasures};
 use super::car::{open_arch, plate};
 use super::paint;
-use super::shell::{Arch, Cabin, Ring, Shell};
+use super::shell::{Arch, BodyOutline, Greenhouse, Shell};
 use super::wheel::{Rim, wheel};
-use crate::shape::{Curve, Region, Sculpt, rounded};
+use crate::shape::{MonotoneCubic, Region, Sculpt, rounded};
 use endless_scene::Material;
 use glam::Vec3;
 
@@ -102,7 +102,7 @@ pub(super) fn rect(a0: f32, a1: f32, b0: f32, b1: f32) -> [(f32, f32); 4] {
 /// The cab, its front at x = 0.
 fn cab(kind: Cab) -> Sculpt {
     let (length, top) = (kind.length(), kind.top());
-    let outline = Ring {
+    let outline = BodyOutline {
         front: 0.0,
         rear: -length,
         half_width: HALF_WIDTH,
@@ -110,7 +110,7 @@ fn cab(kind: Cab) -> Sculpt {
         corner: [0.22, 0.06],
         taper: [0.02, 0.0],
     };
-    let flat = |z: f32| Curve::new(&[(-9.0, z), (9.0, z)]);
+    let flat = |z: f32| MonotoneCubic::new(&[(-9.0, z), (9.0, z)]);
     let arch = Arch { x: -AXLE_D, z: WHEEL, radius: WHEEL + 0.10, flare: 0.015 };
     let shell = Shell {
         outline,
@@ -126,10 +126,10 @@ fn cab(kind: Cab) -> Sculpt {
         sill: flat(FLOOR),
         belt: flat(BELT),
         deck: flat(BELT),
-        cabin: Cabin {
+        cabin: Greenhouse {
             foot: outline.inset(0.015, 0.075, 0.0),
             top: outline.inset(0.10, 0.30, 0.06),
-            roof: Curve::new(&[(-length, top), (-0.9, top), (-0.2, top - 0.10)]),
+            roof: MonotoneCubic::new(&[(-length, top), (-0.9, top), (-0.2, top - 0.10)]),
             edge_drop: 0.10,
             bulge: 0.01,
         },

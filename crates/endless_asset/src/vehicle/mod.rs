@@ -18,14 +18,14 @@ mod rider_fit;
 mod shell;
 mod tint;
 mod truck;
-mod two;
+mod two_wheeler;
 mod van;
 mod wheel;
 
 pub use assemble::Trailer;
 pub(crate) use assemble::VehicleParts;
-pub use list::VehicleKind;
-pub(crate) use list::{all, drawn, kinds};
+pub use list::VehicleDesignSummary;
+pub(crate) use list::{all, design_summaries, drawn};
 pub use model::VehicleModel;
 pub(crate) use rider_fit::RiderFit;
 pub use wheel::Wheel;

@@ -1,7 +1,7 @@
 //! One vehicle of the catalogue.
 
 use super::assemble::{Trailer, VehicleBlueprint, VehicleParts};
-use super::design::Design;
+use super::design::VehicleDesign;
 use super::draw::DesignDraw;
 use super::rider_fit::RiderFit;
 use super::tint::{self, PaintShare};
@@ -25,7 +25,7 @@ pub struct VehicleModel {
 #[derive(Clone)]
 enum VehicleOrigin {
     Drawn {
-        design: &'static Design,
+        design: &'static VehicleDesign,
         draw: DesignDraw,
     },
     File {
@@ -37,7 +37,7 @@ enum VehicleOrigin {
 }
 
 impl VehicleModel {
-    pub(crate) fn new(design: &'static Design, index: u64, frequency: f64) -> Self {
+    pub(crate) fn new(design: &'static VehicleDesign, index: u64, frequency: f64) -> Self {
         let draw = DesignDraw::new(design.name, index);
         let VehicleBlueprint { size, joint, .. } = (design.blueprint)(&draw);
         let from_middle = |x: f32| x - size.middle();

@@ -1,14 +1,14 @@
 //! The smooth skin of a car body: rings around the body from the sill up to the belt line, over bonnet and boot to the
 //! foot of the cabin, up its pillars and over the roof.
 
-use crate::shape::{Curve, Sculpt};
+use crate::shape::{MonotoneCubic, Sculpt};
 use endless_scene::Material;
 use endless_world::math;
 use glam::{Vec2, Vec3};
 
 /// A horizontal outline of the body, left half: a rounded rectangle with bowed ends.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Ring {
+pub(crate) struct BodyOutline {
     /// x of the front at the centre line.
     pub(crate) front: f32,
     /// x of the rear at the centre line.
@@ -29,7 +29,7 @@ const CORNER: usize = 4;
 const WING: usize = 7;
 const FLANK: usize = 14;
 
-impl Ring {
+impl BodyOutline {
     /// The same, smaller: at the sides, at the front, at the rear.
     pub(crate) fn inset(&self, side: f32, front: f32, rear: f32) -> Self {
         Self { half_width: self.half_width - side, front: self.front - front, rear: self.rear + rear, ..*self }
@@ -119,15 +119,15 @@ impl Ring {
 /// outline at the sides, the nose and the tail.
 pub(crate) type SectionRow = (f32, f32, f32, f32);
 
-/// The cabin above the belt line.
+/// The greenhouse: windows, pillars and roof above the belt line.
 #[derive(Debug, Clone)]
-pub(crate) struct Cabin {
+pub(crate) struct Greenhouse {
     /// Outline at its foot.
-    pub(crate) foot: Ring,
+    pub(crate) foot: BodyOutline,
     /// Outline at the roof's edge.
-    pub(crate) top: Ring,
+    pub(crate) top: BodyOutline,
     /// Height of the roof's centre line along x.
-    pub(crate) roof: Curve,
+    pub(crate) roof: MonotoneCubic,
     /// How far the roof's edge lies below its centre line.
     pub(crate) edge_drop: f32,
     /// How far the glass bulges outward at half height.
@@ -138,17 +138,17 @@ pub(crate) struct Cabin {
 #[derive(Debug, Clone)]
 pub(crate) struct Shell {
     /// Largest outline.
-    pub(crate) outline: Ring,
+    pub(crate) outline: BodyOutline,
     /// Section from sill to belt.
     pub(crate) section: Vec<SectionRow>,
     /// Height of the lower edge along x.
-    pub(crate) sill: Curve,
+    pub(crate) sill: MonotoneCubic,
     /// Height of the belt line along x.
-    pub(crate) belt: Curve,
+    pub(crate) belt: MonotoneCubic,
     /// Height of bonnet and boot on the centre line along x.
-    pub(crate) deck: Curve,
-    /// The cabin.
-    pub(crate) cabin: Cabin,
+    pub(crate) deck: MonotoneCubic,
+    /// Windows, pillars and roof.
+    pub(crate) cabin: Greenhouse,
     /// Wheel arches: x and z of the centre, radius, swelling of the lip.
     pub(crate) arches: Vec<Arch>,
 }
@@ -206,7 +206,7 @@ impl Shell {
         Some(self.cabin.foot.flank())
     }
 
-    fn belt_ring(&self) -> Ring {
+    fn belt_ring(&self) -> BodyOutline {
         let &(_, side, nose, tail) = self.section.last().expect("a section has rows");
         self.outline.inset(side, nose, tail)
     }
@@ -255,7 +255,7 @@ impl Shell {
     }
 
     fn cabin_rows(&self) -> Vec<Vec<Vec3>> {
-        let Cabin { foot, top, roof, edge_drop, bulge } = &self.cabin;
+        let Greenhouse { foot, top, roof, edge_drop, bulge } = &self.cabin;
         let low: Vec<Vec3> = foot.outline(None).iter().map(|&p| p.extend(self.deck_z(p))).collect();
         let high: Vec<Vec3> = top.outline(None).iter().map(|&p| p.extend(roof.at(p.x) - edge_drop)).collect();
         let mut rows: Vec<Vec<Vec3>> = Vec::new();

@@ -103,7 +103,7 @@ fn vehicles_are_sound_and_measure_what_they_say() {
 
 #[test]
 fn any_draw_is_sound_and_measures_what_it_says() {
-    for (k, kind) in Catalogue::vehicle_kinds().iter().enumerate() {
+    for (k, kind) in Catalogue::vehicle_designs().iter().enumerate() {
         for i in 0..6 {
             let v = Catalogue::draw_vehicle(kind.name, 100 + 37 * k as u64 + i).expect("a design of the list");
             for mesh in [v.body(), v.wheel_mesh()].into_iter().chain(v.trailer().map(|t| &t.body)) {
@@ -116,7 +116,7 @@ fn any_draw_is_sound_and_measures_what_it_says() {
 
 #[test]
 fn draws_of_a_design_differ() {
-    for kind in Catalogue::vehicle_kinds() {
+    for kind in Catalogue::vehicle_designs() {
         let [a, b] = [1, 2].map(|i| Catalogue::draw_vehicle(kind.name, i).expect("a design of the list"));
         assert_ne!(a.spec.length_m, b.spec.length_m, "{}", kind.name);
         assert!(kind.length_m[1] > 1.02 * kind.length_m[0], "{kind:?}");
@@ -125,7 +125,7 @@ fn draws_of_a_design_differ() {
 
 #[test]
 fn vehicles_have_the_sizes_of_their_class() {
-    for kind in Catalogue::vehicle_kinds() {
+    for kind in Catalogue::vehicle_designs() {
         let (length, width, height) = match kind.class {
             ObjectClass::Car => ([2.3, 6.1], [1.45, 2.08], [1.2, 2.1]),
             ObjectClass::Van => ([4.2, 6.5], [1.7, 2.1], [1.7, 2.95]),
@@ -166,7 +166,7 @@ fn there_are_fifty_designs_and_the_traffic_mix_is_that_of_a_city() {
     ] {
         assert!((share(class) - wanted).abs() < 0.015, "{class}: {}", share(class));
     }
-    let kinds = Catalogue::vehicle_kinds();
+    let kinds = Catalogue::vehicle_designs();
     assert!(kinds.len() >= 50, "{} designs", kinds.len());
     for (i, kind) in kinds.iter().enumerate() {
         assert!(kinds[..i].iter().all(|other| other.name != kind.name), "two are called {}", kind.name);

@@ -10,7 +10,7 @@ use std::rc::Rc;
 /// Draws of every design: some hundred vehicles in all.
 fn draws() -> impl Iterator<Item = VehicleModel> {
     const EACH: u64 = 6;
-    let kinds = Catalogue::vehicle_kinds();
+    let kinds = Catalogue::vehicle_designs();
     assert!(kinds.len() as u64 * EACH >= 300);
     kinds.into_iter().flat_map(|k| (0..EACH).map(move |i| Catalogue::draw_vehicle(k.name, 1000 + i).expect("a design")))
 }
@@ -116,7 +116,7 @@ fn lights_are_on_the_surface() {
 
 #[test]
 fn hundreds_of_draws_of_every_design_have_measures_that_agree() {
-    for kind in Catalogue::vehicle_kinds() {
+    for kind in Catalogue::vehicle_designs() {
         for i in 0..300 {
             let v = Catalogue::draw_vehicle(kind.name, i).expect("a design");
             let s = &v.spec;

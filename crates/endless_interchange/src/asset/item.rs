@@ -49,7 +49,7 @@ pub(crate) enum CatalogueItem {
 }
 
 pub(super) fn names(catalogue: &Catalogue) -> Vec<String> {
-    let vehicles = Catalogue::vehicle_kinds().into_iter().map(|k| k.name.to_owned());
+    let vehicles = Catalogue::vehicle_designs().into_iter().map(|k| k.name.to_owned());
     let imported = catalogue.imported_vehicles().iter().map(|v| v.name().to_owned());
     let imported = imported.chain(catalogue.imported_static_models().iter().map(|t| t.name.clone()));
     let buildings = building_styles().into_iter().map(|style| format!("{BUILDING}{style}"));

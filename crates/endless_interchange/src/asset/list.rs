@@ -42,7 +42,7 @@ fn triangles(vehicle: &VehicleModel) -> usize {
 
 /// Everything that a catalogue holds, vehicles first, what comes from files last.
 pub fn list_assets(catalogue: &Catalogue) -> Vec<AssetListing> {
-    let vehicles = Catalogue::vehicle_kinds().into_iter().map(|kind| AssetListing {
+    let vehicles = Catalogue::vehicle_designs().into_iter().map(|kind| AssetListing {
         name: kind.name.to_owned(),
         class: kind.class.to_string(),
         length_m: kind.length_m,

@@ -44,7 +44,7 @@ fn again(catalogue: &Catalogue, own: &VehicleModel) -> VehicleModel {
 #[test]
 fn every_vehicle_comes_back_as_it_was() {
     let catalogue = Catalogue::builtin();
-    for kind in Catalogue::vehicle_kinds() {
+    for kind in Catalogue::vehicle_designs() {
         let own = Catalogue::draw_vehicle(kind.name, 0).expect("a design");
         if own.spec.ridden {
             // Riders are written, too, and are not the vehicle's.

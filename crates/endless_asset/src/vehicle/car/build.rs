@@ -2,16 +2,16 @@
 
 use super::arch::open_arch;
 use super::shape::CarShape;
-use crate::shape::{Curve, Region, Sculpt, rounded};
+use crate::shape::{MonotoneCubic, Region, Sculpt, rounded};
 use crate::vehicle::assemble::{Assembly, VehicleBlueprint, VehicleMeasures};
 use crate::vehicle::paint;
-use crate::vehicle::shell::{Arch, Cabin, Ring, SectionRow, Shell};
+use crate::vehicle::shell::{Arch, BodyOutline, Greenhouse, SectionRow, Shell};
 use crate::vehicle::wheel::{Rim, wheel};
 use glam::{Vec2, Vec3};
 
 impl CarShape {
-    fn curve(&self, points: &[(f32, f32)]) -> Curve {
-        Curve::new(&points.iter().map(|&(d, z)| (self.x(d), z)).collect::<Vec<_>>())
+    fn curve(&self, points: &[(f32, f32)]) -> MonotoneCubic {
+        MonotoneCubic::new(&points.iter().map(|&(d, z)| (self.x(d), z)).collect::<Vec<_>>())
     }
 
     fn section(&self) -> Vec<SectionRow> {
@@ -34,7 +34,7 @@ impl CarShape {
     }
 
     fn shell(&self) -> Shell {
-        let outline = Ring {
+        let outline = BodyOutline {
             front: 0.5 * self.length,
             rear: -0.5 * self.length,
             half_width: self.half_width,
@@ -43,7 +43,7 @@ impl CarShape {
             taper: [0.05, 0.04],
         };
         let [foot_d, top_d, roof_rear_d, tail_d] = self.cabin_d;
-        let cabin_ring = |front: f32, rear: f32, half_width: f32, corner: [f32; 2]| Ring {
+        let cabin_ring = |front: f32, rear: f32, half_width: f32, corner: [f32; 2]| BodyOutline {
             front: self.x(front),
             rear: self.x(rear),
             half_width,
@@ -62,7 +62,7 @@ impl CarShape {
             ]),
             belt: self.curve(&self.belt),
             deck: self.curve(&self.deck),
-            cabin: Cabin {
+            cabin: Greenhouse {
                 foot: cabin_ring(foot_d, tail_d, self.half_width - 0.075, [0.10, 0.12]),
                 top: cabin_ring(top_d, roof_rear_d, self.half_width - self.tumblehome, [0.10, 0.12]),
                 roof: self.curve(&self.roof),
@@ -143,7 +143,7 @@ impl CarShape {
 
     /// Windscreen, rear window and the side glass with its black surround and pillars.
     fn glazing(&self, body: &mut Sculpt, shell: &Shell) {
-        let Cabin { foot, top, .. } = &shell.cabin;
+        let Greenhouse { foot, top, .. } = &shell.cabin;
         let (foot_front, _) = foot.flank();
         let (top_front, _) = top.flank();
         let [end_foot, end_top] = self.glass_end_d.map(|d| self.x(d));

@@ -2,11 +2,11 @@
 
 mod arch;
 mod build;
-mod face;
+mod front_rear;
 mod shape;
 mod trim;
-mod vary;
+mod variation;
 
 pub(crate) use arch::open_arch;
-pub(crate) use face::plate;
+pub(crate) use front_rear::plate;
 pub(crate) use shape::{CarShape, Grille};

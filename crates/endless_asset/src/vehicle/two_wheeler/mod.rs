@@ -3,14 +3,14 @@
 mod bicycle;
 mod commuter;
 mod cruiser;
-mod kick;
+mod kick_scooter;
 mod moped;
 mod sport;
 
 pub(crate) use bicycle::{cargo, city, mountain, road};
 pub(crate) use commuter::{commuter, delivery};
 pub(crate) use cruiser::cruiser;
-pub(crate) use kick::kick;
+pub(crate) use kick_scooter::kick_scooter;
 pub(crate) use moped::{moped_delivery, scooter};
 pub(crate) use sport::sport;
 

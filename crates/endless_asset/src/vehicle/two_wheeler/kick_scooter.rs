@@ -2,7 +2,7 @@
 
 use super::*;
 
-pub(crate) fn kick(draw: &DesignDraw) -> VehicleBlueprint {
+pub(crate) fn kick_scooter(draw: &DesignDraw) -> VehicleBlueprint {
     framed(draw, VehicleBlueprint::new(size([0.565, -0.58], 0.54, 1.18, [0.44, -0.44], 0.125), parts))
 }
 

@@ -4,12 +4,12 @@
 ///
 /// Monotone (Fritsch–Carlson), so that profiles drawn with few points do not overshoot.
 #[derive(Debug, Clone)]
-pub(crate) struct Curve {
+pub(crate) struct MonotoneCubic {
     points: Vec<(f32, f32)>,
     slopes: Vec<f32>,
 }
 
-impl Curve {
+impl MonotoneCubic {
     /// Through these points, in any order, with distinct x.
     pub(crate) fn new(points: &[(f32, f32)]) -> Self {
         let mut points = points.to_vec();
@@ -54,7 +54,7 @@ mod tests {
 
     #[test]
     fn goes_through_its_points_and_does_not_overshoot() {
-        let c = Curve::new(&[(2.0, 1.0), (0.0, 0.0), (1.0, 1.0)]);
+        let c = MonotoneCubic::new(&[(2.0, 1.0), (0.0, 0.0), (1.0, 1.0)]);
         for (x, y) in [(0.0, 0.0), (1.0, 1.0), (2.0, 1.0), (-5.0, 0.0), (9.0, 1.0)] {
             assert!((c.at(x) - y).abs() < 1e-6);
         }

@@ -6,7 +6,7 @@ use std::f32::consts::FRAC_PI_2;
 
 /// How the handlebar is bent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Bar {
+enum HandlebarShape {
     Swept,
     Flat,
     Drop,
@@ -28,7 +28,7 @@ struct BicycleFrame {
     knot: Vec3,
     /// Left grip.
     grip: Vec3,
-    bar: Bar,
+    bar: HandlebarShape,
     guards: bool,
     rack: bool,
     lean_rad: f32,
@@ -51,7 +51,7 @@ fn city_frame() -> BicycleFrame {
         head: v(0.37, 0.0, 0.86),
         knot: v(-0.235, 0.0, 0.78),
         grip: v(0.22, 0.27, 1.04),
-        bar: Bar::Swept,
+        bar: HandlebarShape::Swept,
         guards: true,
         rack: true,
         lean_rad: 0.30,
@@ -78,7 +78,7 @@ pub(crate) fn road(draw: &DesignDraw) -> VehicleBlueprint {
         head: v(0.36, 0.0, 0.83),
         knot: v(-0.245, 0.0, 0.78),
         grip: v(0.44, 0.20, 0.89),
-        bar: Bar::Drop,
+        bar: HandlebarShape::Drop,
         guards: false,
         rack: false,
         lean_rad: 0.72,
@@ -99,7 +99,7 @@ pub(crate) fn mountain(draw: &DesignDraw) -> VehicleBlueprint {
         head: v(0.36, 0.0, 0.86),
         knot: v(-0.20, 0.0, 0.72),
         grip: v(0.34, 0.33, 0.985),
-        bar: Bar::Flat,
+        bar: HandlebarShape::Flat,
         guards: false,
         rack: false,
         lean_rad: 0.45,
@@ -185,14 +185,16 @@ impl BicycleFrame {
     fn handlebar(&self, s: &mut Sculpt, stem: Vec3) {
         let grip = self.grip;
         let path = match self.bar {
-            Bar::Swept => vec![
+            HandlebarShape::Swept => vec![
                 (stem, 0.012),
                 (stem + v(0.03, 0.12, 0.045), 0.012),
                 (grip + v(0.08, 0.0, 0.005), 0.012),
                 (grip - v(0.06, 0.0, 0.0), 0.012),
             ],
-            Bar::Flat => vec![(stem, 0.013), (stem + v(0.03, 0.10, 0.03), 0.013), (grip + v(0.0, 0.02, 0.0), 0.013)],
-            Bar::Drop => vec![
+            HandlebarShape::Flat => {
+                vec![(stem, 0.013), (stem + v(0.03, 0.10, 0.03), 0.013), (grip + v(0.0, 0.02, 0.0), 0.013)]
+            }
+            HandlebarShape::Drop => vec![
                 (stem, 0.013),
                 (stem + v(0.05, 0.19, 0.0), 0.013),
                 (grip + v(0.04, 0.01, -0.03), 0.014),
@@ -202,9 +204,9 @@ impl BicycleFrame {
         };
         s.add(Sculpt::tube(&path, 8, paint::STEEL).both_sides());
         let (from, to) = match self.bar {
-            Bar::Swept => (grip + v(0.05, 0.0, 0.0), grip - v(0.07, 0.0, 0.0)),
-            Bar::Flat => (grip - v(0.0, 0.07, 0.0), grip + v(0.0, 0.05, 0.0)),
-            Bar::Drop => (grip + v(0.03, 0.01, 0.0), grip + v(0.045, 0.01, -0.05)),
+            HandlebarShape::Swept => (grip + v(0.05, 0.0, 0.0), grip - v(0.07, 0.0, 0.0)),
+            HandlebarShape::Flat => (grip - v(0.0, 0.07, 0.0), grip + v(0.0, 0.05, 0.0)),
+            HandlebarShape::Drop => (grip + v(0.03, 0.01, 0.0), grip + v(0.045, 0.01, -0.05)),
         };
         s.add(rod(from, to, 0.018, paint::RUBBER).both_sides());
     }
