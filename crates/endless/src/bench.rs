@@ -4,7 +4,7 @@ use crate::args::{BenchArgs, threads};
 use crate::build_info::this_build;
 use anyhow::{Context, Result};
 use endless_dataset::DatasetLayout;
-use endless_pipeline::{GenerateOptions, Generated, MapSource, RecipeDraft, Silent, Simulator, generate};
+use endless_pipeline::{GenerateOptions, Generated, MapSource, RecipeDraft, SilentProgress, Simulator, generate};
 use endless_world::{TimeOfDay, Weather};
 use std::{
     fs::{self, File},
@@ -55,7 +55,7 @@ fn film<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs, draft: Recipe
         threads: threads(args.threads),
         plan_only: false,
     };
-    let made = generate(simulator, &recipe, &out, &options, &Silent);
+    let made = generate(simulator, &recipe, &out, &options, &SilentProgress);
     if out.exists() {
         fs::remove_dir_all(&out).context("cannot remove the bench's files")?;
     }

@@ -1,6 +1,6 @@
 //! What a run says on stderr: a bar on a terminal, plain lines elsewhere.
 
-use endless_pipeline::{Event, Progress, human_bytes};
+use endless_pipeline::{Progress, ProgressEvent, human_bytes};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 use std::{
     fmt,
@@ -58,10 +58,10 @@ impl Reporter {
 }
 
 impl Progress for Reporter {
-    fn event(&self, event: &Event<'_>) {
+    fn event(&self, event: &ProgressEvent<'_>) {
         match *event {
-            Event::Start { videos: 0, .. } => {}
-            Event::Start { videos, complete, estimate } => {
+            ProgressEvent::Start { videos: 0, .. } => {}
+            ProgressEvent::Start { videos, complete, estimate } => {
                 let done = if complete > 0 { format!(" ({complete} are complete)") } else { String::new() };
                 self.line(&format!(
                     "{videos} videos to make{done}: {} camera frames, at most about {}, {} are free",
@@ -70,8 +70,8 @@ impl Progress for Reporter {
                     human_bytes(estimate.free)
                 ));
             }
-            Event::LoadMap { map } => self.line(&format!("loading {map}")),
-            Event::Video { name, place, of, camera_frames } => {
+            ProgressEvent::LoadMap { map } => self.line(&format!("loading {map}")),
+            ProgressEvent::Video { name, place, of, camera_frames } => {
                 self.frames.store(0, Ordering::Relaxed);
                 self.total.store(camera_frames, Ordering::Relaxed);
                 self.bar.reset();
@@ -79,17 +79,17 @@ impl Progress for Reporter {
                 self.bar.set_prefix(format!("{place}/{of} {name}"));
                 self.line(&format!("video {place} of {of}: {name}"));
             }
-            Event::Fewer { what, asked, placed, map } => {
+            ProgressEvent::FewerSpawned { what, asked, placed, map } => {
                 self.line(&format!(
                     "warning: {map} has room for {placed} {what}, {asked} were asked for: going on with {placed}"
                 ));
             }
-            Event::Baked { seconds } => {
+            ProgressEvent::Baked { seconds } => {
                 self.bar.reset_eta();
                 self.line(&format!("cameras baked in {seconds:.1} s"));
             }
-            Event::Frame { cameras, .. } => self.frame(cameras.into()),
-            Event::VideoDone { name } => self.line(&format!("complete: {name}")),
+            ProgressEvent::Frame { cameras, .. } => self.frame(cameras.into()),
+            ProgressEvent::VideoDone { name } => self.line(&format!("complete: {name}")),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The annotations of one frame of one camera: what is seen, joined with what it is.
 
-use crate::{Bodies, CameraView, Keypoints, ObjectRecord, SceneObjects, VisibleObject};
+use crate::{CameraView, Keypoints, ObjectRecord, SceneObjects, VisibleObject, WorldKeypoints};
 use endless_world::{ClassTag, ImageSize, InstanceId, ObjectClass};
 use serde::{Deserialize, Serialize};
 
@@ -18,7 +18,7 @@ pub struct FrameObjects {
 impl FrameObjects {
     /// With the keypoints of those whose bodies are known.
     #[must_use]
-    pub fn with_keypoints(mut self, bodies: &Bodies, picture: &CameraView<'_>) -> Self {
+    pub fn with_keypoints(mut self, bodies: &WorldKeypoints, picture: &CameraView<'_>) -> Self {
         for object in &mut self.objects {
             object.keypoints = bodies.get(&object.id).map(|body| picture.keypoints(object.id, body));
             object.num_keypoints = object.keypoints.as_ref().map(Keypoints::labelled);

@@ -6,7 +6,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error, ser::Se
 use std::collections::BTreeMap;
 
 /// Where the keypoints of people are, in the order of [`endless_world::KEYPOINTS`]; world frame, metres.
-pub type Bodies = BTreeMap<InstanceId, [Vec3; KEYPOINT_COUNT]>;
+pub type WorldKeypoints = BTreeMap<InstanceId, [Vec3; KEYPOINT_COUNT]>;
 
 /// COCO's flag `v`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

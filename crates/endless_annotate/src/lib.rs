@@ -27,6 +27,6 @@ mod object;
 mod visible;
 
 pub use frame::{AnnotateError, FrameObjects, annotate};
-pub use keypoint::{Bodies, CameraView, Keypoint, Keypoints, Visibility};
+pub use keypoint::{CameraView, Keypoint, Keypoints, Visibility, WorldKeypoints};
 pub use object::{ObjectRecord, SceneObjects};
 pub use visible::{PixelBox, VisibleObject, visible_objects};

@@ -46,7 +46,7 @@ pub struct VisibleObject {
 
 /// Everything that is not stuff, by ascending id.
 pub fn visible_objects(instance: &Image<InstancePixel>) -> Vec<VisibleObject> {
-    let mut gather = Gather { slot_of_id: vec![0; 1 << 16], extents: Vec::new() };
+    let mut gather = ObjectScan { slot_of_id: vec![0; 1 << 16], extents: Vec::new() };
     let width = instance.size.width.max(1) as usize;
     for (y, row) in instance.data.chunks_exact(width).enumerate() {
         let mut x = 0;
@@ -61,7 +61,7 @@ pub fn visible_objects(instance: &Image<InstancePixel>) -> Vec<VisibleObject> {
             }
         }
     }
-    let mut found: Vec<VisibleObject> = gather.extents.iter().map(Extent::visible).collect();
+    let mut found: Vec<VisibleObject> = gather.extents.iter().map(ObjectExtent::visible).collect();
     found.sort_unstable_by_key(|v| v.id);
     found
 }
@@ -72,13 +72,13 @@ fn run_length(row: &[InstancePixel], holds: impl Fn(&InstancePixel) -> bool) -> 
     eights + row[eights..].iter().take_while(|p| holds(p)).count()
 }
 
-struct Gather {
+struct ObjectScan {
     /// Position in `extents` plus one; 0 for an id not seen yet.
     slot_of_id: Vec<u16>,
-    extents: Vec<Extent>,
+    extents: Vec<ObjectExtent>,
 }
 
-struct Extent {
+struct ObjectExtent {
     first: InstancePixel,
     one_tag: bool,
     x_min: u32,
@@ -88,11 +88,11 @@ struct Extent {
     pixels: u32,
 }
 
-impl Gather {
+impl ObjectScan {
     fn add_run(&mut self, pixel: InstancePixel, x_start: u32, x_end: u32, y: u32) {
         let slot = &mut self.slot_of_id[usize::from(pixel.id.0)];
         if *slot == 0 {
-            self.extents.push(Extent {
+            self.extents.push(ObjectExtent {
                 first: pixel,
                 one_tag: true,
                 x_min: x_start,
@@ -113,7 +113,7 @@ impl Gather {
     }
 }
 
-impl Extent {
+impl ObjectExtent {
     fn visible(&self) -> VisibleObject {
         VisibleObject {
             id: self.first.id,

@@ -90,7 +90,5 @@ fn occluded_bvh2(bencher: Bencher<'_, '_>) {
 #[divan::bench(args = [100, 600])]
 fn build_top_level(bencher: Bencher<'_, '_>, count: usize) {
     let last = TOWN.instances.len() - count;
-    bencher
-        .with_inputs(|| town::placed(&TOWN.blas, &TOWN.instances[last..]))
-        .bench_values(endless_render::Accel::build);
+    bencher.with_inputs(|| town::placed(&TOWN.blas, &TOWN.instances[last..])).bench_values(endless_render::Tlas::build);
 }

@@ -7,7 +7,7 @@ use crate::{
     preview::{depth_preview, instance_preview},
     words::words,
 };
-use endless_world::{Image, LookChoice, SensorFrame};
+use endless_world::{CameraLookChoice, Image, SensorFrame};
 use std::borrow::Cow;
 
 words! {
@@ -38,7 +38,7 @@ pub struct LayerEntry {
     /// What is wrong with a stored image by itself.
     pub check: fn(&StoredImage) -> Result<(), String>,
     /// Bytes a pixel of its files, a tenth above the dearest scene measured.
-    pub bytes_a_pixel: fn(RgbFormat, LookChoice) -> f64,
+    pub bytes_a_pixel: fn(RgbFormat, CameraLookChoice) -> f64,
 }
 
 impl Layer {
@@ -69,10 +69,10 @@ const RGB: LayerEntry = LayerEntry {
     check: |_any| Ok(()),
     // Noise does not compress: a little of it adds a bit or three a value, much of it all there is.
     bytes_a_pixel: |format, look| match (format, look) {
-        (RgbFormat::Png, LookChoice::Natural) => 2.1,
-        (RgbFormat::Png, LookChoice::Clean) => 1.2,
+        (RgbFormat::Png, CameraLookChoice::Natural) => 2.1,
+        (RgbFormat::Png, CameraLookChoice::Clean) => 1.2,
         (RgbFormat::Png, _) => 3.01,
-        (RgbFormat::Jpg, LookChoice::Clean) => 0.35,
+        (RgbFormat::Jpg, CameraLookChoice::Clean) => 0.35,
         (RgbFormat::Jpg, _) => 0.9,
     },
 };
@@ -121,7 +121,7 @@ mod tests {
             let stored = (entry.encode)(&frame);
             assert_eq!((entry.check)(&stored), Ok(()), "{layer}");
             assert_eq!((entry.preview)(&stored).expect("shown").size, size, "{layer}");
-            let bytes = (entry.bytes_a_pixel)(RgbFormat::Png, LookChoice::Natural);
+            let bytes = (entry.bytes_a_pixel)(RgbFormat::Png, CameraLookChoice::Natural);
             assert!((0.01..=3.1).contains(&bytes), "{layer}: {bytes}");
             assert_eq!(entry.lossy, layer.format(RgbFormat::Jpg) == RgbFormat::Jpg, "{layer}");
         }

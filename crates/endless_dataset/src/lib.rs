@@ -62,5 +62,5 @@ pub use preview::{depth_preview, instance_preview};
 pub use raster::{decode_jpg, decode_png, encode_jpg, encode_png, read_rgb};
 pub use recipe::Recipe;
 pub use rgb_format::RgbFormat;
-pub use scene_record::{SceneRecord, Spawned, read_json, write_json, write_json_durable};
+pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable};
 pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

@@ -1,7 +1,7 @@
 //! The resolved recipe: everything that decides a dataset's bytes.
 
 use crate::{Layer, RgbFormat};
-use endless_world::{CameraSite, ImageSize, LookChoice, TimeOfDay, Weather};
+use endless_world::{CameraLookChoice, CameraSite, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -46,7 +46,7 @@ pub struct Recipe {
     pub layers: Vec<Layer>,
     /// What lens, sensor and recorder do to the RGB layer.
     #[serde(default = "clean", skip_serializing_if = "is_clean")]
-    pub camera_look: LookChoice,
+    pub camera_look: CameraLookChoice,
     /// How the RGB layer is stored.
     pub rgb_format: RgbFormat,
     /// Objects with fewer visible pixels are not annotated.
@@ -62,12 +62,12 @@ fn pair() -> u32 {
     2
 }
 
-fn clean() -> LookChoice {
-    LookChoice::Clean
+fn clean() -> CameraLookChoice {
+    CameraLookChoice::Clean
 }
 
-fn is_clean(look: &LookChoice) -> bool {
-    *look == LookChoice::Clean
+fn is_clean(look: &CameraLookChoice) -> bool {
+    *look == CameraLookChoice::Clean
 }
 
 impl Recipe {

@@ -7,7 +7,7 @@ use std::{fs, path::Path};
 
 /// What was really placed in a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
-pub struct Spawned {
+pub struct SpawnCounts {
     /// Moving vehicles; fewer than asked for where the map has no more room.
     pub vehicles: u32,
     /// Pedestrians.
@@ -23,7 +23,7 @@ pub struct SceneRecord {
     #[serde(flatten)]
     pub settings: SceneSettings,
     /// What was placed.
-    pub spawned: Spawned,
+    pub spawned: SpawnCounts,
     /// Frames recorded by each camera.
     pub recorded_frames: u32,
     /// Annotated boxes of each camera, summed over frames.

@@ -2,7 +2,7 @@
 
 /// What is still to be made, and the room for it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Estimate {
+pub struct DiskEstimate {
     /// Images of each layer still to be made.
     pub camera_frames: u64,
     /// MapStatistics so many bytes.

@@ -1,6 +1,6 @@
 //! What can go wrong between a recipe and its dataset. Every message is one line that says what to do.
 
-use crate::{Estimate, SimulatorError};
+use crate::{DiskEstimate, SimulatorError};
 use endless_annotate::AnnotateError;
 use endless_dataset::{BuildIdentity, DatasetError};
 use endless_world::UnknownName;
@@ -207,7 +207,7 @@ pub enum GenerateError {
     )]
     DiskTooSmall {
         /// How much is needed and there.
-        estimate: Estimate,
+        estimate: DiskEstimate,
         /// The output.
         path: PathBuf,
     },

@@ -5,13 +5,13 @@ mod lock;
 mod output;
 
 use crate::{
-    Event, GenerateError, Plan, Progress, Simulator, StageTimes,
+    GenerateError, Plan, Progress, ProgressEvent, Simulator, StageTimes,
     record::{Recording, Stage, StageClock, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
 use endless_world::SceneSettings;
 use lock::DatasetLock;
-use output::{Claim, Output};
+use output::{OutputFolder, ResumeRequest};
 use std::{path::Path, time::Instant};
 
 /// What is no part of the recipe.
@@ -73,15 +73,16 @@ fn generate_in<S: Simulator>(
     let start = Instant::now();
     let layout = DatasetLayout::new(root);
     let plan = Plan::new(recipe, simulator)?;
-    let claim = Claim { recipe, plan: &plan, build: &options.build, allow_other_build: options.allow_other_build };
-    let output = Output::inspect(&layout, &claim)?;
+    let claim =
+        ResumeRequest { recipe, plan: &plan, build: &options.build, allow_other_build: options.allow_other_build };
+    let output = OutputFolder::inspect(&layout, &claim)?;
     let estimate = estimate::estimate(&layout, recipe, &output.to_do(&plan))?;
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
     let _lock = DatasetLock::take(&layout)?;
     // Once more, now that nobody else can change it.
-    let output = Output::inspect(&layout, &claim)?;
+    let output = OutputFolder::inspect(&layout, &claim)?;
     let to_do = output.to_do(&plan);
     let mut manifest = output.manifest(&claim);
     output::write_plan(&layout, &manifest, &plan)?;
@@ -97,11 +98,11 @@ fn generate_in<S: Simulator>(
         return Ok(generated);
     }
     let complete = recipe.videos - to_do.len() as u32;
-    progress.event(&Event::Start { videos: to_do.len() as u32, complete, estimate });
+    progress.event(&ProgressEvent::Start { videos: to_do.len() as u32, complete, estimate });
     let clock = StageClock::default();
-    let mut run = Run { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
+    let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in to_do.chunk_by(|a, b| a.map == b.map) {
-        progress.event(&Event::LoadMap { map: &same_map[0].map });
+        progress.event(&ProgressEvent::LoadMap { map: &same_map[0].map });
         let map = clock.time(Stage::LoadMap, || simulator.load_map(&same_map[0].map))?;
         for settings in same_map {
             run.video(&map, settings, to_do.len() as u32, &mut manifest)?;
@@ -121,7 +122,7 @@ fn camera_frames(settings: &SceneSettings) -> u64 {
 }
 
 /// What all videos of a run share.
-struct Run<'a, S> {
+struct GenerateRun<'a, S> {
     pool: &'a rayon::ThreadPool,
     simulator: &'a S,
     recipe: &'a Recipe,
@@ -132,7 +133,7 @@ struct Run<'a, S> {
     place: u32,
 }
 
-impl<S: Simulator> Run<'_, S> {
+impl<S: Simulator> GenerateRun<'_, S> {
     /// Records a video, and notes in the manifest who does it, before it begins, and that it is complete.
     fn video(
         &mut self,
@@ -144,7 +145,7 @@ impl<S: Simulator> Run<'_, S> {
         self.place += 1;
         let name = VideoLayout::name(settings);
         let camera_frames = camera_frames(settings);
-        self.progress.event(&Event::Video { name: &name, place: self.place, of, camera_frames });
+        self.progress.event(&ProgressEvent::Video { name: &name, place: self.place, of, camera_frames });
         manifest.note_build(settings.video as usize, &self.options.build);
         write_json_durable(&self.layout.manifest(), manifest)?;
         let recording = Recording {
@@ -156,7 +157,7 @@ impl<S: Simulator> Run<'_, S> {
             clock: self.clock,
         };
         let record = self.clock.time(Stage::Record, || record_video(self.simulator, map, &recording))?;
-        self.progress.event(&Event::VideoDone { name: &name });
+        self.progress.event(&ProgressEvent::VideoDone { name: &name });
         let entry = &mut manifest.videos[settings.video as usize];
         (entry.state, entry.boxes) = (VideoState::Complete, Some(record.boxes));
         write_json_durable(&self.layout.manifest(), manifest)?;

@@ -57,11 +57,11 @@ mod text_position;
 mod user_camera;
 
 pub use builtin::{BuiltinMap, BuiltinSimulator};
-pub use disk_estimate::Estimate;
+pub use disk_estimate::DiskEstimate;
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{GenerateOptions, Generated, generate};
 pub use plan::Plan;
-pub use progress::{Event, Progress, Silent};
+pub use progress::{Progress, ProgressEvent, SilentProgress};
 pub use recipe::{OptionDefault, OptionKind, RecipeDraft, RecipeOption, Vocabulary, recipe_schema};
 pub use record::StageTimes;
 pub use simulator::{

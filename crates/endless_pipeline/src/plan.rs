@@ -5,7 +5,7 @@ mod combination;
 use crate::{MapCatalog, PlanError};
 use combination::{Combination, Combinations, MapSites};
 use endless_dataset::Recipe;
-use endless_world::{CameraLook, CameraSite, Clock, SceneCamera, SceneSettings, Stream};
+use endless_world::{CameraLook, CameraSite, RecorderClock, SceneCamera, SceneSettings, Stream};
 
 /// The settings of every video, by number.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,7 +49,7 @@ impl Plan {
 /// The settings of a video that films a combination.
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
     let Combination { map, weather, time_of_day, sites } = combination;
-    let clock = Clock::new(time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]));
+    let clock = RecorderClock::new(time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]));
     let camera = |(site, number): (&CameraSite, u64)| {
         let mut random = Stream::named(recipe.seed, "camera look", &[u64::from(video), number]);
         let look = CameraLook::new(recipe.camera_look, time_of_day, clock, &mut random);

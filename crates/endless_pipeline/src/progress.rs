@@ -1,10 +1,10 @@
 //! What a run tells while it works.
 
-use crate::Estimate;
+use crate::DiskEstimate;
 
 /// Something worth telling.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Event<'a> {
+pub enum ProgressEvent<'a> {
     /// About to start.
     Start {
         /// Videos to make or complete.
@@ -12,7 +12,7 @@ pub enum Event<'a> {
         /// Videos that are complete already.
         complete: u32,
         /// What it takes.
-        estimate: Estimate,
+        estimate: DiskEstimate,
     },
     /// A map is being loaded.
     LoadMap {
@@ -31,7 +31,7 @@ pub enum Event<'a> {
         camera_frames: u64,
     },
     /// Fewer were placed than asked for.
-    Fewer {
+    FewerSpawned {
         /// `vehicles` or `pedestrians`.
         what: &'static str,
         /// Asked for.
@@ -63,13 +63,13 @@ pub enum Event<'a> {
 /// Who listens. Called from several threads.
 pub trait Progress: Sync {
     /// Something happened.
-    fn event(&self, event: &Event<'_>);
+    fn event(&self, event: &ProgressEvent<'_>);
 }
 
 /// Nobody listens.
 #[derive(Debug, Clone, Copy, Default)]
-pub struct Silent;
+pub struct SilentProgress;
 
-impl Progress for Silent {
-    fn event(&self, _event: &Event<'_>) {}
+impl Progress for SilentProgress {
+    fn event(&self, _event: &ProgressEvent<'_>) {}
 }

@@ -1,8 +1,8 @@
 //! What simulates and renders: the built-in city, a server elsewhere, a test double. Everything after it is the same code.
 
 use crate::SimulatorError;
-use endless_annotate::{Bodies, SceneObjects};
-use endless_dataset::Spawned;
+use endless_annotate::{SceneObjects, WorldKeypoints};
+use endless_dataset::SpawnCounts;
 use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
 use std::collections::BTreeMap;
 
@@ -77,7 +77,7 @@ pub trait Simulator: MapCatalog + Sync {
 /// One populated scene. It is passed from thread to thread, and used by one at a time.
 pub trait SimulationSession<'m>: Send {
     /// What was really placed.
-    fn spawned(&self) -> Spawned;
+    fn spawned(&self) -> SpawnCounts;
 
     /// Makes ready to render, before the first tick. May take long and use all threads; left out where no frame must be
     /// rendered, and frames can be rendered without.
@@ -112,7 +112,7 @@ pub struct SimulationStep<'m> {
 pub trait RenderTask: Send {
     /// Everything that labels can speak of at this instant.
     fn truth(&self, state: &WorldState) -> SceneTruth {
-        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: Bodies::new() }
+        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: WorldKeypoints::new() }
     }
 
     /// What each camera sees, in the order of the settings. Without [`Capabilities::random_access`] it is called before the
@@ -128,7 +128,7 @@ pub struct SceneTruth {
     /// All objects, parked ones included.
     pub objects: SceneObjects,
     /// Where the keypoints of people and riders are, of those of whom it is known.
-    pub bodies: Bodies,
+    pub bodies: WorldKeypoints,
 }
 
 /// Counters of a renderer.

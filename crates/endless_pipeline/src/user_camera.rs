@@ -59,9 +59,9 @@ pub fn read_cameras(path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
 }
 
 /// Line and column, from 1, and what is wrong there.
-type Misreading = (usize, usize, String);
+type ParseFailure = (usize, usize, String);
 
-fn from_json(text: &str) -> Result<Vec<UserCamera>, Misreading> {
+fn from_json(text: &str) -> Result<Vec<UserCamera>, ParseFailure> {
     let file: Result<CameraFile, serde_json::Error> = serde_json::from_str(text);
     file.map(|f| f.cameras).map_err(|e| {
         // The message ends with the place.
@@ -71,7 +71,7 @@ fn from_json(text: &str) -> Result<Vec<UserCamera>, Misreading> {
     })
 }
 
-fn from_toml(text: &str) -> Result<Vec<UserCamera>, Misreading> {
+fn from_toml(text: &str) -> Result<Vec<UserCamera>, ParseFailure> {
     toml::from_str(text).map(|f: CameraFile| f.cameras).map_err(|e| {
         let (line, column) = line_and_column(text, e.span().map_or(0, |s| s.start));
         (line, column, e.message().lines().collect::<Vec<_>>().join(", "))

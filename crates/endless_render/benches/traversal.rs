@@ -5,7 +5,7 @@ mod street;
 
 use divan::Bencher;
 use divan::counter::ItemsCount;
-use endless_render::{Accel, Blas, Ray, RayStream};
+use endless_render::{Blas, Ray, RayStream, Tlas};
 use endless_scene::Mesh;
 use endless_world::{ImageSize, PinholeCamera};
 use glam::{Affine3A, Vec3A};
@@ -21,7 +21,7 @@ static PLACED: LazyLock<Vec<(Arc<Blas>, Affine3A)>> = LazyLock::new(|| {
     };
     MESHES.iter().flat_map(placed).collect()
 });
-static ACCEL: LazyLock<Accel> = LazyLock::new(|| Accel::build(PLACED.clone()));
+static ACCEL: LazyLock<Tlas> = LazyLock::new(|| Tlas::build(PLACED.clone()));
 
 /// Rays through 8 by 4 pixels, tile by tile.
 static PRIMARY: LazyLock<Vec<[[Ray; 8]; 4]>> = LazyLock::new(|| {
@@ -91,5 +91,5 @@ fn build_blas(bencher: Bencher<'_, '_>) {
 
 #[divan::bench]
 fn build_tlas(bencher: Bencher<'_, '_>) {
-    bencher.with_inputs(|| PLACED.clone()).bench_values(Accel::build);
+    bencher.with_inputs(|| PLACED.clone()).bench_values(Tlas::build);
 }

@@ -1,8 +1,8 @@
 //! Rays through the samples of a camera's pixels.
 
 use crate::accel::Ray;
-use crate::eight::{Vectors, normalize};
 use crate::sampling::SAMPLE_OFFSETS;
+use crate::vec3x8::{Vec3x8, normalize};
 use endless_world::{Distortion, FAR_PLANE_M, PinholeCamera};
 use glam::Vec3A;
 use wide::f32x8;
@@ -16,7 +16,7 @@ pub(crate) fn sample_ray(camera: &PinholeCamera, x: u32, y: u32, sample: usize) 
 
 /// Directions of the rays through a sample of the pixels `x0..x1` of a line, the last one's repeated: those of
 /// [`sample_ray`], eight side by side.
-pub(crate) fn directions8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) -> Vectors {
+pub(crate) fn directions8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) -> Vec3x8 {
     let column = |i: usize| (x0 + i as u32).min(x1 - 1);
     if camera.distortion != Distortion::NONE {
         let directions: [Vec3A; 8] = std::array::from_fn(|i| sample_ray(camera, column(i), y, sample).direction);
@@ -42,7 +42,7 @@ pub(crate) fn planar_depth(camera: &PinholeCamera, ray: &Ray, t: f32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accel::{Accel, Blas};
+    use crate::accel::{Blas, Tlas};
     use crate::sampling::SAMPLES;
     use endless_world::{CameraSite, ImageSize, Mount, math};
     use glam::{Affine3A, DVec3, Vec3};
@@ -92,7 +92,7 @@ mod tests {
     fn the_depth_of_a_plane_is_right_to_a_tenth_of_a_millimetre() {
         let corners = [(-60.0, -60.0), (60.0, -60.0), (60.0, 60.0), (-60.0, 60.0)];
         let ground = Blas::build(&corners.map(|(x, y)| Vec3::new(x, y, 0.0)), &[[0, 1, 2], [0, 2, 3]]);
-        let accel = Accel::build(vec![(Arc::new(ground), Affine3A::IDENTITY)]);
+        let accel = Tlas::build(vec![(Arc::new(ground), Affine3A::IDENTITY)]);
         let site = CameraSite {
             name: "mast".into(),
             position: [3.0, -5.0, 7.5],

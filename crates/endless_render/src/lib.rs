@@ -60,7 +60,6 @@
 mod accel;
 mod cache;
 mod camera_rays;
-mod eight;
 mod film;
 mod indirect;
 mod light;
@@ -72,8 +71,9 @@ mod sampling;
 mod scene;
 mod settings;
 mod shade;
+mod vec3x8;
 
-pub use accel::{Accel, Blas, Hit, Ray, RayStream, StreamHits};
+pub use accel::{Blas, Hit, Ray, RayStream, StreamHits, Tlas};
 pub use cache::{BakeStats, CameraBake};
 pub use light::{BeamKind, VehicleBeam};
 pub use moving_camera::{IndirectLight, MovingCamera};

@@ -48,7 +48,7 @@ impl MovingCamera {
         };
         let nothing = FrameScene::new(FrameDescription::default());
         let tracer = lighting.tracer(still, Some(&nothing));
-        let radiance = cameras.first().map_or_else(Vec::new, |camera| View::trace(&tracer, camera).radiance);
+        let radiance = cameras.first().map_or_else(Vec::new, |camera| TracedImage::trace(&tracer, camera).radiance);
         let environment = &lighting.environment;
         let exposure = exposure(&radiance, Vec3A::ZERO, environment.exposure_key);
         let tone = ToneCurve::new(exposure, environment.white_balance(), Vec3A::ZERO);
@@ -59,7 +59,8 @@ impl MovingCamera {
     pub fn render(&self, still: &StaticScene, frame: &FrameScene, site: &CameraSite) -> SensorFrame {
         let camera = self.settings.camera(site);
         let size = camera.size;
-        let View { radiance, depth, instance } = View::trace(&self.lighting.tracer(still, Some(frame)), &camera);
+        let TracedImage { radiance, depth, instance } =
+            TracedImage::trace(&self.lighting.tracer(still, Some(frame)), &camera);
         let rgb = radiance.par_iter().map(|&r| self.tone.apply(r)).collect();
         SensorFrame {
             frame: frame.frame,
@@ -71,13 +72,13 @@ impl MovingCamera {
 }
 
 /// What a camera sees, before film.
-struct View {
+struct TracedImage {
     radiance: Vec<Vec3A>,
     depth: Vec<f32>,
     instance: Vec<InstancePixel>,
 }
 
-impl View {
+impl TracedImage {
     fn trace(tracer: &Tracer<'_>, camera: &PinholeCamera) -> Self {
         let sky = InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF };
         let count = camera.size.pixels();
@@ -90,14 +91,14 @@ impl View {
             .zip(view.instance.par_chunks_mut(band))
             .enumerate()
             .for_each(|(i, ((radiance, depth), instance))| {
-                Band { tracer, camera, first_line: i * LINES, radiance, depth, instance }.trace();
+                ImageBand { tracer, camera, first_line: i * LINES, radiance, depth, instance }.trace();
             });
         view
     }
 }
 
 /// Some lines of a view.
-struct Band<'a> {
+struct ImageBand<'a> {
     tracer: &'a Tracer<'a>,
     camera: &'a PinholeCamera,
     first_line: usize,
@@ -106,7 +107,7 @@ struct Band<'a> {
     instance: &'a mut [InstancePixel],
 }
 
-impl Band<'_> {
+impl ImageBand<'_> {
     fn trace(&mut self) {
         let width = self.camera.size.width as usize;
         let lines = self.radiance.len() / width;

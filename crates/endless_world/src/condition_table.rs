@@ -1,19 +1,19 @@
 //! The fifteen conditions, a weather at a time of day each, with their physical quantities: the one place where they stand.
 //!
-//! Within a condition scenes differ: where a quantity is a [`Spread`], each scene draws its own by its seed.
+//! Within a condition scenes differ: where a quantity is a [`ValueRange`], each scene draws its own by its seed.
 
 use crate::{Stream, TimeOfDay, Weather};
 
 /// The values that a quantity has in the scenes of a condition: all alike from `low` to `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Spread {
+pub struct ValueRange {
     /// Least.
     pub low: f32,
     /// Most.
     pub high: f32,
 }
 
-impl Spread {
+impl ValueRange {
     /// Always the same.
     pub const fn fixed(value: f32) -> Self {
         Self { low: value, high: value }
@@ -40,9 +40,9 @@ pub struct Condition {
 
     // The sun.
     /// Counter-clockwise from east, degrees: morning around east, afternoon from south-west to west.
-    pub sun_azimuth_deg: Spread,
+    pub sun_azimuth_deg: ValueRange,
     /// Above the horizon, degrees.
-    pub sun_elevation_deg: Spread,
+    pub sun_elevation_deg: ValueRange,
     /// What haze and clouds leave of the sun's direct light, 0 to 1.
     pub sun_share: f32,
 
@@ -65,10 +65,10 @@ pub struct Condition {
     // The air.
     /// Meteorological visibility at the ground, metres: contrast falls to 2 % (Koschmieder 1924). Fog by definition
     /// lies under 1000 (WMO-No. 8).
-    pub visibility_m: Spread,
+    pub visibility_m: ValueRange,
     /// How much higher the air is thinner by the factor e, metres: haze and rain reach high up, fog lies on the ground as
     /// it cools.
-    pub scale_height_m: Spread,
+    pub scale_height_m: ValueRange,
     /// Radiance of infinitely deep air: by day of the sky's mean, at night of the light of a town.
     pub airlight: f32,
     /// Extra radiance of the air towards the sun, of the sky's mean.
@@ -110,8 +110,8 @@ impl Condition {
 const CLEAR: Condition = Condition {
     weather: Weather::ClearSky,
     time_of_day: TimeOfDay::Afternoon,
-    sun_azimuth_deg: Spread::between(215.0, 285.0),
-    sun_elevation_deg: Spread::between(42.0, 60.0),
+    sun_azimuth_deg: ValueRange::between(215.0, 285.0),
+    sun_elevation_deg: ValueRange::between(42.0, 60.0),
     sun_share: 1.0,
     turbidity: 2.2,
     overcast: 0.0,
@@ -120,8 +120,8 @@ const CLEAR: Condition = Condition {
     cloud_brightness: 1.0,
     low_light: [1.0; 3],
     skyglow: 0.0,
-    visibility_m: Spread::fixed(14_000.0),
-    scale_height_m: Spread::fixed(1200.0),
+    visibility_m: ValueRange::fixed(14_000.0),
+    scale_height_m: ValueRange::fixed(1200.0),
     airlight: 0.85,
     sunward: 0.8,
     halo: 0.65,
@@ -142,7 +142,7 @@ const CLOUDY: Condition = Condition {
     overcast: 0.93,
     overcast_klx: 17.0,
     cloud_cover: 0.0,
-    visibility_m: Spread::fixed(7_000.0),
+    visibility_m: ValueRange::fixed(7_000.0),
     sunward: 0.0,
     ..CLEAR
 };
@@ -154,7 +154,7 @@ const RAINY: Condition = Condition {
     overcast: 1.0,
     overcast_klx: 8.0,
     cloud_cover: 0.0,
-    visibility_m: Spread::between(900.0, 1600.0),
+    visibility_m: ValueRange::between(900.0, 1600.0),
     sunward: 0.0,
     halo: 0.5,
     rain: 1.0,
@@ -173,8 +173,8 @@ const FOGGY: Condition = Condition {
     overcast: 0.96,
     overcast_klx: 12.0,
     cloud_cover: 0.0,
-    visibility_m: Spread::between(110.0, 200.0),
-    scale_height_m: Spread::between(35.0, 70.0),
+    visibility_m: ValueRange::between(110.0, 200.0),
+    scale_height_m: ValueRange::between(35.0, 70.0),
     airlight: 0.9,
     sunward: 0.35,
     wetness: 0.12,
@@ -190,7 +190,7 @@ const AFTER_RAIN: Condition = Condition {
     overcast: 0.12,
     overcast_klx: 10.0,
     cloud_cover: 0.55,
-    visibility_m: Spread::fixed(9_000.0),
+    visibility_m: ValueRange::fixed(9_000.0),
     wetness: 0.75,
     puddles: 0.36,
     wet_road: true,
@@ -201,8 +201,8 @@ const AFTER_RAIN: Condition = Condition {
 const fn morning(afternoon: Condition) -> Condition {
     Condition {
         time_of_day: TimeOfDay::Morning,
-        sun_azimuth_deg: Spread::between(-25.0, 35.0),
-        sun_elevation_deg: Spread::between(11.0, 19.0),
+        sun_azimuth_deg: ValueRange::between(-25.0, 35.0),
+        sun_elevation_deg: ValueRange::between(11.0, 19.0),
         overcast_klx: afternoon.overcast_klx * 0.45,
         cloud_brightness: 0.45,
         low_light: [1.0, 0.86, 0.72],
@@ -215,8 +215,8 @@ const fn morning(afternoon: Condition) -> Condition {
 const fn night(afternoon: Condition) -> Condition {
     Condition {
         time_of_day: TimeOfDay::Night,
-        sun_azimuth_deg: Spread::between(0.0, 360.0),
-        sun_elevation_deg: Spread::fixed(-40.0),
+        sun_azimuth_deg: ValueRange::between(0.0, 360.0),
+        sun_elevation_deg: ValueRange::fixed(-40.0),
         sun_share: 0.0,
         overcast: 0.0,
         cloud_cover: 0.0,
@@ -271,8 +271,8 @@ mod tests {
     #[test]
     fn a_fixed_quantity_draws_nothing() {
         let (mut a, mut b) = (Stream::named(1, "spread", &[]), Stream::named(1, "spread", &[]));
-        assert_eq!(Spread::fixed(3.0).draw(&mut a), 3.0);
+        assert_eq!(ValueRange::fixed(3.0).draw(&mut a), 3.0);
         assert_eq!(a.next_u64(), b.next_u64());
-        assert!((2.0..5.0).contains(&Spread::between(2.0, 5.0).draw(&mut a)));
+        assert!((2.0..5.0).contains(&ValueRange::between(2.0, 5.0).draw(&mut a)));
     }
 }

@@ -47,14 +47,14 @@ mod cameras_and_looks {
     use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
     #[derive(Serialize)]
-    struct Written<'a> {
+    struct WrittenCameras<'a> {
         cameras: Vec<&'a CameraSite>,
         #[serde(skip_serializing_if = "Vec::is_empty")]
         looks: Vec<&'a CameraLook>,
     }
 
     #[derive(Deserialize)]
-    struct Read {
+    struct ReadCameras {
         cameras: Vec<CameraSite>,
         looks: Option<Vec<CameraLook>>,
     }
@@ -62,11 +62,11 @@ mod cameras_and_looks {
     pub(super) fn serialize<S: Serializer>(cameras: &[SceneCamera], serializer: S) -> Result<S::Ok, S::Error> {
         let clean = cameras.iter().all(|c| c.look.is_clean());
         let looks = if clean { Vec::new() } else { cameras.iter().map(|c| &c.look).collect() };
-        Written { cameras: cameras.iter().map(|c| &c.site).collect(), looks }.serialize(serializer)
+        WrittenCameras { cameras: cameras.iter().map(|c| &c.site).collect(), looks }.serialize(serializer)
     }
 
     pub(super) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Vec<SceneCamera>, D::Error> {
-        let Read { cameras, looks } = Read::deserialize(deserializer)?;
+        let ReadCameras { cameras, looks } = ReadCameras::deserialize(deserializer)?;
         let looks = looks.unwrap_or_else(|| vec![CameraLook::CLEAN; cameras.len()]);
         if looks.len() != cameras.len() {
             return Err(D::Error::custom(format!("{} looks of {} cameras", looks.len(), cameras.len())));

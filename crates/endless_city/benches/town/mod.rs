@@ -5,7 +5,7 @@ use std::f32::consts::TAU;
 use std::sync::Arc;
 
 use endless_asset::Catalogue;
-use endless_render::{Accel, Blas, Ray};
+use endless_render::{Blas, Ray, Tlas};
 use endless_scene::Mesh;
 use endless_town::PlacedObject;
 use endless_world::{Stream, math};
@@ -18,7 +18,7 @@ pub(crate) type Packet = ([Ray; 8], u8);
 pub(crate) struct Town {
     pub(crate) meshes: Vec<Arc<Mesh>>,
     pub(crate) instances: Vec<(usize, Affine3A)>,
-    pub(crate) accel: Accel,
+    pub(crate) accel: Tlas,
     pub(crate) blas: Vec<Arc<Blas>>,
     /// Where a camera hangs, and where it looks.
     pub(crate) eye: Vec3A,
@@ -52,7 +52,7 @@ impl Town {
             }
         }
         let blas: Vec<_> = meshes.iter().map(|m| Arc::new(Blas::build(&m.positions, &m.triangles))).collect();
-        let accel = Accel::build(placed(&blas, &instances));
+        let accel = Tlas::build(placed(&blas, &instances));
         let site = &town.cameras[0];
         let camera = endless_world::PinholeCamera::new(
             site,
@@ -151,7 +151,7 @@ fn around(axis: Vec3A, (aside, along): (f32, f32), turn: f32) -> Vec3A {
     axis * along + a * (aside * cos) + b * (aside * sin)
 }
 
-/// The list an `Accel` is built from.
+/// The list an `Tlas` is built from.
 pub(crate) fn placed(blas: &[Arc<Blas>], instances: &[(usize, Affine3A)]) -> Vec<(Arc<Blas>, Affine3A)> {
     instances.iter().map(|&(m, place)| (Arc::clone(&blas[m]), place)).collect()
 }

@@ -5,9 +5,9 @@ use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, RenderSettings};
 use endless_town::Town;
 use endless_world::{
-    Actor, CameraLook, CameraSite, ClassTag, Clock, Distortion, Gait, ImageSize, InstanceId, LookChoice, Motion,
-    ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SensorFrame, SignalAspect, SignalState, Stream, TimeOfDay,
-    VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
+    Actor, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, ImageSize, InstanceId, Motion,
+    ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SignalAspect, SignalState, Stream,
+    TimeOfDay, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 
@@ -196,8 +196,8 @@ fn all_other_conditions() {
 fn through_lenses_that_distort() {
     for (seed, (map, camera)) in (0..).zip([("Town03", 0), ("Town03", 2), ("Town10HD", 1)]) {
         let mut random = Stream::named(seed, "camera look", &[]);
-        let clock = Clock::new(TimeOfDay::Afternoon, &mut random);
-        let look = CameraLook::new(LookChoice::Random, TimeOfDay::Afternoon, clock, &mut random);
+        let clock = RecorderClock::new(TimeOfDay::Afternoon, &mut random);
+        let look = CameraLook::new(CameraLookChoice::Random, TimeOfDay::Afternoon, clock, &mut random);
         let look = CameraLook { distortion: Distortion::barrel(-0.25), ..look };
         assert!(check_through(look, map, camera, Weather::ClearSky, TimeOfDay::Afternoon) > 150);
     }

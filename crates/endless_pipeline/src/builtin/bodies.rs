@@ -1,6 +1,6 @@
 //! Where the keypoints of our own people are.
 
-use endless_annotate::Bodies;
+use endless_annotate::WorldKeypoints;
 use endless_asset::{Anatomy, Catalogue};
 use endless_world::{Actor, InstanceId, KEYPOINT_COUNT, Motion, WorldState};
 use glam::Vec3;
@@ -25,7 +25,7 @@ impl Skeletons {
     }
 
     /// Keypoints of people and riders at an instant.
-    pub(super) fn bodies(&self, state: &WorldState) -> Bodies {
+    pub(super) fn bodies(&self, state: &WorldState) -> WorldKeypoints {
         state.actors.iter().filter_map(|actor| self.of_actor(actor)).collect()
     }
 

@@ -5,7 +5,7 @@ use crate::{RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationSt
 use endless_annotate::SceneObjects;
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
-use endless_dataset::Spawned;
+use endless_dataset::SpawnCounts;
 use endless_interchange::details_near;
 use endless_render::{CameraBake, RenderSettings, StaticScene};
 use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
@@ -28,7 +28,7 @@ struct BuiltinScene<'m> {
     map: &'m BuiltinMap,
     catalogue: &'m Catalogue,
     settings: &'m SceneSettings,
-    spawned: Spawned,
+    spawned: SpawnCounts,
     parked: Vec<Actor>,
     /// Everything that moves, as it stands in frame 0: traffic takes nobody in or out.
     moving: Vec<Actor>,
@@ -67,7 +67,7 @@ impl<'m> BuiltinSession<'m> {
         })?;
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
-        let spawned = Spawned {
+        let spawned = SpawnCounts {
             vehicles: population.vehicles_spawned,
             pedestrians: population.pedestrians_spawned,
             parked: parked.len() as u32,
@@ -125,7 +125,7 @@ fn rays(baked: &[CameraBake]) -> u64 {
 }
 
 impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
-    fn spawned(&self) -> Spawned {
+    fn spawned(&self) -> SpawnCounts {
         self.scene.spawned
     }
 

@@ -1,6 +1,6 @@
 //! An estimate of the disk that a dataset takes, from its recipe and what is there.
 
-use crate::{Estimate, record::count_images};
+use crate::{DiskEstimate, record::count_images};
 use endless_dataset::{DatasetError, DatasetLayout, Recipe};
 use endless_world::SceneSettings;
 use std::path::Path;
@@ -14,7 +14,7 @@ pub(super) fn estimate(
     layout: &DatasetLayout,
     recipe: &Recipe,
     to_do: &[&SceneSettings],
-) -> Result<Estimate, DatasetError> {
+) -> Result<DiskEstimate, DatasetError> {
     let mut present = 0;
     for settings in to_do {
         for camera in layout.video(settings).cameras(settings.cameras.len()) {
@@ -32,7 +32,7 @@ pub(super) fn estimate(
     // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.
     let videos = recipe.mp4.len() as f64 * VIDEO_BYTES_A_PIXEL * pixels * camera_frames as f64;
     let bytes = (missing * images + videos + camera_frames as f64 * BYTES_A_FILE) as u64;
-    Ok(Estimate { camera_frames: missing as u64, bytes, free: free(layout.root())? })
+    Ok(DiskEstimate { camera_frames: missing as u64, bytes, free: free(layout.root())? })
 }
 
 /// Free bytes where the folder is or will be.

@@ -10,7 +10,7 @@ use std::{collections::BTreeMap, fs, path::Path};
 
 /// Who wants to go on with the output.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Claim<'a> {
+pub(super) struct ResumeRequest<'a> {
     pub(super) recipe: &'a Recipe,
     pub(super) plan: &'a Plan,
     /// The build that runs.
@@ -21,7 +21,7 @@ pub(super) struct Claim<'a> {
 
 /// What the output folder holds of a plan.
 #[derive(Debug, Default)]
-pub(super) struct Output {
+pub(super) struct OutputFolder {
     /// Boxes of the videos that are complete, by number.
     complete: BTreeMap<u32, Vec<u64>>,
     /// The builds that were at work.
@@ -30,9 +30,9 @@ pub(super) struct Output {
     builds_of_video: BTreeMap<u32, Vec<usize>>,
 }
 
-impl Output {
+impl OutputFolder {
     /// Looks, without changing anything.
-    pub(super) fn inspect(layout: &DatasetLayout, claim: &Claim<'_>) -> Result<Self, GenerateError> {
+    pub(super) fn inspect(layout: &DatasetLayout, claim: &ResumeRequest<'_>) -> Result<Self, GenerateError> {
         let root = layout.root();
         if let Some(file) = root.ancestors().find(|p| p.is_file()) {
             return Err(GenerateError::OutputIsFile { path: file.to_owned() });
@@ -63,7 +63,7 @@ impl Output {
 
     /// Without a manifest nobody knows which build made the images, and only a scene's settings beside them say of which
     /// recipe they are.
-    fn without_manifest(layout: &DatasetLayout, claim: &Claim<'_>) -> Result<Self, GenerateError> {
+    fn without_manifest(layout: &DatasetLayout, claim: &ResumeRequest<'_>) -> Result<Self, GenerateError> {
         let mut output = Self::default();
         let Ok(entries) = fs::read_dir(layout.videos()) else { return Ok(output) };
         for entry in entries {
@@ -84,7 +84,7 @@ impl Output {
     }
 
     /// The manifest of what is there and what is still to be made.
-    pub(super) fn manifest(&self, claim: &Claim<'_>) -> Manifest {
+    pub(super) fn manifest(&self, claim: &ResumeRequest<'_>) -> Manifest {
         let entries = claim.plan.scenes.iter().map(|settings| {
             let boxes = self.complete.get(&settings.video).cloned();
             let state = if boxes.is_some() { VideoState::Complete } else { VideoState::Planned };
@@ -154,7 +154,11 @@ fn refuse_strangers(root: &Path) -> Result<(), GenerateError> {
     Ok(())
 }
 
-fn refuse_other_build(layout: &DatasetLayout, found: &Manifest, claim: &Claim<'_>) -> Result<(), GenerateError> {
+fn refuse_other_build(
+    layout: &DatasetLayout,
+    found: &Manifest,
+    claim: &ResumeRequest<'_>,
+) -> Result<(), GenerateError> {
     match found.builds.iter().find(|build| !build.makes_same_bytes(claim.build)) {
         Some(other) if !claim.allow_other_build => Err(GenerateError::OtherBuild {
             theirs: Box::new(other.clone()),

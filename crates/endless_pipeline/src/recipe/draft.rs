@@ -6,7 +6,7 @@ use super::option::{
 };
 use crate::{RecipeError, UserCamera};
 use endless_dataset::{Layer, MAX_CAMERAS, RgbFormat};
-use endless_world::{LookChoice, TimeOfDay, Weather};
+use endless_world::{CameraLookChoice, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -90,7 +90,7 @@ recipe_options! {
     layers: Vec<String>, OptionKind::Words(vocabulary!(Layer)), Described("all");
     /// What lens, sensor and recorder do to the RGB layer: natural (a little noise, and motion blur by shutter time),
     /// clean (nothing at all), cctv, or random (another camera each time).
-    camera_look: String, OptionKind::Word(vocabulary!(LookChoice)), Value("natural");
+    camera_look: String, OptionKind::Word(vocabulary!(CameraLookChoice)), Value("natural");
     /// How to store the RGB layer.
     rgb_format: String, OptionKind::Word(vocabulary!(RgbFormat)), Value("png");
     /// Leave out objects with fewer visible pixels.

@@ -13,7 +13,7 @@ use endless_dataset::{DatasetError, Layer, StoredImage, Yuv, metres_from_rgb, rg
 use endless_world::{PinholeCamera, SceneCamera, SensorFrame};
 use std::borrow::Cow;
 
-pub(super) struct FrameMaker<'a> {
+pub(super) struct FrameRecorder<'a> {
     pub(super) recording: &'a Recording<'a>,
     stored: &'a StoredFrames,
     /// One a camera.
@@ -21,26 +21,26 @@ pub(super) struct FrameMaker<'a> {
 }
 
 /// An instant as the cameras saw it.
-pub(super) struct TakenFrame {
+pub(super) struct CapturedFrame {
     frame: u32,
     truth: SceneTruth,
-    pictures: Pictures,
+    pictures: FrameImages,
 }
 
 /// One a camera.
-enum Pictures {
+enum FrameImages {
     Rendered(Vec<SensorFrame>),
     Stored(Vec<StoredLayers>),
 }
 
-impl TakenFrame {
+impl CapturedFrame {
     /// Whether it was there already.
     pub(super) fn is_stored(&self) -> bool {
-        matches!(self.pictures, Pictures::Stored(_))
+        matches!(self.pictures, FrameImages::Stored(_))
     }
 }
 
-impl<'a> FrameMaker<'a> {
+impl<'a> FrameRecorder<'a> {
     pub(super) fn new(recording: &'a Recording<'a>, stored: &'a StoredFrames) -> Self {
         let size = recording.settings.size;
         let lens =
@@ -49,20 +49,20 @@ impl<'a> FrameMaker<'a> {
     }
 
     /// What needs the simulator.
-    pub(super) fn take(&self, step: SimulationStep<'_>) -> Result<TakenFrame, GenerateError> {
+    pub(super) fn take(&self, step: SimulationStep<'_>) -> Result<CapturedFrame, GenerateError> {
         let SimulationStep { state, task } = step;
         let clock = self.recording.clock;
         let truth = clock.time(Stage::Boxes, || task.truth(&state));
         let frame = state.frame;
         let pictures = match self.read(frame)? {
-            Some(layers) => Pictures::Stored(layers),
+            Some(layers) => FrameImages::Stored(layers),
             None => {
                 let frames = clock.time(Stage::Render, || task.render(&state))?;
                 self.refuse_other_frames(frame, &frames)?;
-                Pictures::Rendered(frames)
+                FrameImages::Rendered(frames)
             }
         };
-        Ok(TakenFrame { frame, truth, pictures })
+        Ok(CapturedFrame { frame, truth, pictures })
     }
 
     fn refuse_other_frames(&self, frame: u32, frames: &[SensorFrame]) -> Result<(), SimulatorError> {
@@ -93,11 +93,11 @@ impl<'a> FrameMaker<'a> {
     }
 
     /// Images on disk, and what each camera's sink gets.
-    pub(super) fn finish(&self, taken: &TakenFrame) -> Result<Vec<SinkItem>, GenerateError> {
+    pub(super) fn finish(&self, taken: &CapturedFrame) -> Result<Vec<SinkItem>, GenerateError> {
         let Recording { recipe, layout, clock, .. } = *self.recording;
         let cameras = self.lenses.iter().enumerate();
         match &taken.pictures {
-            Pictures::Stored(cameras_layers) => {
+            FrameImages::Stored(cameras_layers) => {
                 let item = |((_, lens), stored): ((_, &PinholeCamera), &StoredLayers)| {
                     let depth = |pixel: usize| metres_from_rgb(stored.depth.data[pixel]);
                     let view = CameraView { camera: lens, instance: &stored.instance, depth: &depth };
@@ -105,7 +105,7 @@ impl<'a> FrameMaker<'a> {
                 };
                 cameras.zip(cameras_layers).map(item).collect()
             }
-            Pictures::Rendered(frames) => {
+            FrameImages::Rendered(frames) => {
                 let item = |((camera, lens), frame): ((usize, &PinholeCamera), &SensorFrame)| {
                     let write = || layers::write(&layout.camera(camera), recipe, frame);
                     let images = clock.time(Stage::Images, write)?;
@@ -122,12 +122,12 @@ impl<'a> FrameMaker<'a> {
     /// Labels, and pictures of videos.
     fn item(
         &self,
-        taken: &TakenFrame,
+        taken: &CapturedFrame,
         view: &CameraView<'_>,
         images: &LayerImages<'_>,
     ) -> Result<SinkItem, GenerateError> {
         let Recording { settings, recipe, clock, .. } = *self.recording;
-        let TakenFrame { frame, truth, .. } = taken;
+        let CapturedFrame { frame, truth, .. } = taken;
         let line = clock.time(Stage::Boxes, || {
             let visible = visible_objects(view.instance);
             let time_s = f64::from(*frame) / settings.fps;

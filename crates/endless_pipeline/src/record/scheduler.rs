@@ -6,7 +6,7 @@ use std::{
 };
 
 /// Something to do.
-pub(super) enum Job<S, T> {
+pub(super) enum WorkerJob<S, T> {
     /// Make this frame.
     Frame {
         /// Its number.
@@ -57,7 +57,7 @@ impl<S, T> FrameScheduler<S, T> {
     }
 
     /// The next thing to do; waits for it. `None` when everything is done or somebody failed.
-    pub(super) fn next(&self) -> Option<Job<S, T>> {
+    pub(super) fn next(&self) -> Option<WorkerJob<S, T>> {
         let mut state = self.lock();
         loop {
             if state.stopped {
@@ -69,7 +69,7 @@ impl<S, T> FrameScheduler<S, T> {
                     && let Some(item) = sink.waiting.remove(&sink.next)
                 {
                     sink.busy = true;
-                    return Some(Job::Sink { camera, item });
+                    return Some(WorkerJob::Sink { camera, item });
                 }
             }
             let slowest = state.sinks.iter().map(|s| s.next).min().unwrap_or(0);
@@ -79,7 +79,7 @@ impl<S, T> FrameScheduler<S, T> {
                 && let Some(session) = state.session.take()
             {
                 state.begun += 1;
-                return Some(Job::Frame { frame, session });
+                return Some(WorkerJob::Frame { frame, session });
             }
             if slowest == self.frames {
                 return None;
@@ -162,14 +162,14 @@ mod tests {
                     scope.spawn(|| {
                         while let Some(job) = scheduler.next() {
                             match job {
-                                Job::Frame { frame, session } => {
+                                WorkerJob::Frame { frame, session } => {
                                     assert_eq!(session, frame, "one worker at a time has the session");
                                     let now = under_way.fetch_add(1, Ordering::SeqCst) + 1;
                                     most.fetch_max(now, Ordering::SeqCst);
                                     scheduler.return_session(session + 1);
                                     scheduler.deliver(frame, vec![frame; cameras]);
                                 }
-                                Job::Sink { camera, item } => {
+                                WorkerJob::Sink { camera, item } => {
                                     taken[camera].lock().expect("unpoisoned").push(item);
                                     if camera == cameras - 1 {
                                         under_way.fetch_sub(1, Ordering::SeqCst);

@@ -1,16 +1,16 @@
 //! One video from its first frame to its last.
 
 use super::{
-    frame::FrameMaker,
+    frame::FrameRecorder,
     recording::Recording,
-    scheduler::{FrameScheduler, Job},
+    scheduler::{FrameScheduler, WorkerJob},
     sink::{CameraSink, SinkItem},
     stored::{StoredFrames, forget},
     times::Stage,
 };
-use crate::{Event, GenerateError, SimulationSession, Simulator, SimulatorError};
+use crate::{GenerateError, ProgressEvent, SimulationSession, Simulator, SimulatorError};
 use endless_dataset::{
-    CameraRecord, DatasetError, SceneRecord, Spawned, remove_temporaries, write_json, write_json_durable,
+    CameraRecord, DatasetError, SceneRecord, SpawnCounts, remove_temporaries, write_json, write_json_durable,
 };
 use endless_world::SceneCamera;
 use std::{
@@ -18,7 +18,7 @@ use std::{
     time::Instant,
 };
 
-type Session<'m> = Box<dyn SimulationSession<'m> + 'm>;
+type BoxedSession<'m> = Box<dyn SimulationSession<'m> + 'm>;
 
 /// Records a video, or completes it.
 pub(crate) fn record_video<S: Simulator>(
@@ -41,17 +41,17 @@ pub(crate) fn record_video<S: Simulator>(
         // Before the workers start, so that it has all threads.
         let start = Instant::now();
         clock.time(Stage::Bake, || session.prepare())?;
-        recording.progress.event(&Event::Baked { seconds: start.elapsed().as_secs_f64() });
+        recording.progress.event(&ProgressEvent::Baked { seconds: start.elapsed().as_secs_f64() });
     }
     let sinks = (0..settings.cameras.len())
         .map(|camera| CameraSink::create(recording, camera).map(Mutex::new))
         .collect::<Result<Vec<_>, _>>()?;
     let window = 2 * recording.pool.current_num_threads() as u32 + 2;
     let scheduler = FrameScheduler::new(session, sinks.len(), settings.frames, window);
-    let work = Work {
+    let work = VideoWorkers {
         scheduler: &scheduler,
         sinks: &sinks,
-        maker: FrameMaker::new(recording, &stored),
+        maker: FrameRecorder::new(recording, &stored),
         random_access: capabilities.random_access,
     };
     let failure = Mutex::new(None);
@@ -93,32 +93,32 @@ fn prepare_folders(recording: &Recording<'_>) -> Result<(), DatasetError> {
     Ok(())
 }
 
-fn report_fewer(recording: &Recording<'_>, spawned: &Spawned) {
+fn report_fewer(recording: &Recording<'_>, spawned: &SpawnCounts) {
     let settings = recording.settings;
     let asked = [("vehicles", settings.vehicles, spawned.vehicles)];
     let walkers = [("pedestrians", settings.pedestrians, spawned.pedestrians)];
     for (what, asked, placed) in asked.into_iter().chain(walkers) {
         if placed < asked {
-            recording.progress.event(&Event::Fewer { what, asked, placed, map: &settings.map });
+            recording.progress.event(&ProgressEvent::FewerSpawned { what, asked, placed, map: &settings.map });
         }
     }
 }
 
 /// What all workers share.
-struct Work<'a, 'm> {
-    scheduler: &'a FrameScheduler<Session<'m>, SinkItem>,
+struct VideoWorkers<'a, 'm> {
+    scheduler: &'a FrameScheduler<BoxedSession<'m>, SinkItem>,
     sinks: &'a [Mutex<CameraSink>],
-    maker: FrameMaker<'a>,
+    maker: FrameRecorder<'a>,
     random_access: bool,
 }
 
-impl<'m> Work<'_, 'm> {
+impl<'m> VideoWorkers<'_, 'm> {
     /// What a worker does until there is nothing left.
     fn all(&self) -> Result<(), GenerateError> {
         while let Some(job) = self.scheduler.next() {
             match job {
-                Job::Frame { frame, session } => self.frame(frame, session)?,
-                Job::Sink { camera, item } => {
+                WorkerJob::Frame { frame, session } => self.frame(frame, session)?,
+                WorkerJob::Sink { camera, item } => {
                     let mut sink = self.sinks[camera].lock().unwrap_or_else(PoisonError::into_inner);
                     sink.push(&item, self.maker.recording.clock)?;
                     drop(sink);
@@ -129,7 +129,7 @@ impl<'m> Work<'_, 'm> {
         Ok(())
     }
 
-    fn frame(&self, frame: u32, mut session: Session<'m>) -> Result<(), GenerateError> {
+    fn frame(&self, frame: u32, mut session: BoxedSession<'m>) -> Result<(), GenerateError> {
         let Recording { clock, progress, .. } = *self.maker.recording;
         let step = clock.time(Stage::Traffic, || session.tick())?;
         if step.state.frame != frame {
@@ -146,7 +146,7 @@ impl<'m> Work<'_, 'm> {
         let resumed = taken.is_stored();
         let items = self.maker.finish(&taken)?;
         self.scheduler.deliver(frame, items);
-        progress.event(&Event::Frame { cameras: self.sinks.len() as u32, resumed });
+        progress.event(&ProgressEvent::Frame { cameras: self.sinks.len() as u32, resumed });
         Ok(())
     }
 }

@@ -2,7 +2,9 @@
 
 use crate::fake::{Fake, build, contents, draft, make, options, recipe};
 use endless_dataset::{BuildIdentity, DatasetError, DatasetLayout, Manifest, check};
-use endless_pipeline::{Event, GenerateError, GenerateOptions, Progress, RecipeDraft, Silent, generate};
+use endless_pipeline::{
+    GenerateError, GenerateOptions, Progress, ProgressEvent, RecipeDraft, SilentProgress, generate,
+};
 use std::{fs, path::Path};
 
 fn manifest(out: &Path) -> Manifest {
@@ -21,8 +23,8 @@ fn other_build(allow_other_build: bool) -> GenerateOptions {
 struct StopAtFrame;
 
 impl Progress for StopAtFrame {
-    fn event(&self, event: &Event<'_>) {
-        assert!(!matches!(event, Event::Frame { .. }), "stopped on purpose");
+    fn event(&self, event: &ProgressEvent<'_>) {
+        assert!(!matches!(event, ProgressEvent::Frame { .. }), "stopped on purpose");
     }
 }
 
@@ -31,7 +33,8 @@ fn another_build_is_refused_and_noted_when_it_is_allowed() {
     let out = tempfile::tempdir().expect("temp");
     make(&Fake::default(), &of(2), out.path(), 2);
     let before = contents(out.path());
-    let error = generate(&Fake::default(), &of(3), out.path(), &other_build(false), &Silent).expect_err("refused");
+    let error =
+        generate(&Fake::default(), &of(3), out.path(), &other_build(false), &SilentProgress).expect_err("refused");
     let message = error.to_string();
     assert!(matches!(error, GenerateError::OtherBuild { .. }) && message.contains("--allow-other-build"), "{message}");
     assert!(message.contains("sources fake") && message.contains("sources other"), "{message}");
@@ -40,16 +43,19 @@ fn another_build_is_refused_and_noted_when_it_is_allowed() {
     // A commit alone makes no other build.
     let same = BuildIdentity { commit: Some("abc".into()), ..build("fake") };
     let same = GenerateOptions { build: same, ..options(2) };
-    assert_eq!(generate(&Fake::default(), &of(2), out.path(), &same, &Silent).expect("nothing to do").videos, 0);
+    assert_eq!(
+        generate(&Fake::default(), &of(2), out.path(), &same, &SilentProgress).expect("nothing to do").videos,
+        0
+    );
 
-    generate(&Fake::default(), &of(3), out.path(), &other_build(true), &Silent).expect("goes on");
+    generate(&Fake::default(), &of(3), out.path(), &other_build(true), &SilentProgress).expect("goes on");
     let mixed = manifest(out.path());
     assert_eq!(mixed.builds, [build("fake"), build("other")]);
     assert_eq!(mixed.videos.iter().map(|v| v.builds.clone()).collect::<Vec<_>>(), [vec![0], vec![0], vec![1]]);
     assert_eq!(check(out.path()).expect("a dataset").findings, []);
     // Neither of the two goes on with what both made, unless it is allowed to.
     for build in [options(2), other_build(false)] {
-        let refused = generate(&Fake::default(), &of(4), out.path(), &build, &Silent);
+        let refused = generate(&Fake::default(), &of(4), out.path(), &build, &SilentProgress);
         assert!(matches!(refused, Err(GenerateError::OtherBuild { .. })));
     }
 }
@@ -62,11 +68,11 @@ fn a_video_that_two_builds_made_names_both() {
     });
     assert!(stopped.is_err());
     assert_eq!(manifest(out.path()).videos[0].builds, [0], "noted before the first image");
-    generate(&Fake::default(), &of(1), out.path(), &other_build(true), &Silent).expect("goes on");
+    generate(&Fake::default(), &of(1), out.path(), &other_build(true), &SilentProgress).expect("goes on");
     assert_eq!(manifest(out.path()).videos[0].builds, [0, 1]);
     // Who made a video that was thrown away is forgotten.
     fs::remove_dir_all(DatasetLayout::new(out.path()).videos()).expect("there");
-    generate(&Fake::default(), &of(1), out.path(), &other_build(true), &Silent).expect("begins anew");
+    generate(&Fake::default(), &of(1), out.path(), &other_build(true), &SilentProgress).expect("begins anew");
     assert_eq!(manifest(out.path()).videos[0].builds, [1]);
 }
 
@@ -78,11 +84,11 @@ fn without_a_manifest_the_build_is_unknown() {
     let path = DatasetLayout::new(out.path()).manifest();
     fs::remove_file(&path).expect("there");
     fs::remove_file(out.path().join("scenes/0001.json")).expect("there");
-    let refused = generate(&Fake::default(), &of(2), out.path(), &options(2), &Silent).expect_err("refused");
+    let refused = generate(&Fake::default(), &of(2), out.path(), &options(2), &SilentProgress).expect_err("refused");
     assert!(matches!(refused, GenerateError::UnknownBuild { .. }), "{refused}");
     let allowed = GenerateOptions { allow_other_build: true, ..options(2) };
     let fake = Fake::default();
-    assert_eq!(generate(&fake, &of(2), out.path(), &allowed, &Silent).expect("goes on").videos, 0);
+    assert_eq!(generate(&fake, &of(2), out.path(), &allowed, &SilentProgress).expect("goes on").videos, 0);
     assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner()), (0, 0));
     let manifest = manifest(out.path());
     assert_eq!(manifest.builds, [BuildIdentity::unknown()]);
@@ -97,7 +103,8 @@ fn another_format_is_refused_in_one_line() {
     make(&Fake::default(), &of(1), out.path(), 2);
     let path = DatasetLayout::new(out.path()).manifest();
     fs::write(&path, "{\"format\": 1, \"tool\": {\"name\": \"endless\", \"version\": \"0.1.0\"}}").expect("writable");
-    let refused = generate(&Fake::default(), &of(1), out.path(), &other_build(true), &Silent).expect_err("refused");
+    let refused =
+        generate(&Fake::default(), &of(1), out.path(), &other_build(true), &SilentProgress).expect_err("refused");
     assert!(refused.to_string().contains("has format 1, this program reads and writes 2"), "{refused}");
     assert!(matches!(check(out.path()), Err(DatasetError::OtherFormat { found: 1, expected: 2, .. })));
 }

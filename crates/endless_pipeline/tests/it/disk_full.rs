@@ -4,7 +4,7 @@
 
 use crate::fake::{Fake, assert_same, contents, draft, make, options, recipe};
 use endless_dataset::Recipe;
-use endless_pipeline::{Event, GenerateError, Progress, RecipeDraft, generate};
+use endless_pipeline::{GenerateError, Progress, ProgressEvent, RecipeDraft, generate};
 use std::{
     fs::{self, File},
     io::{ErrorKind, Write},
@@ -52,7 +52,7 @@ struct FillAfter<'a> {
 }
 
 impl Progress for FillAfter<'_> {
-    fn event(&self, _event: &Event<'_>) {
+    fn event(&self, _event: &ProgressEvent<'_>) {
         if self.seen.fetch_add(1, Ordering::SeqCst) == self.events {
             let mut ballast = File::create(self.disk.folder.path().join("ballast")).expect("creatable");
             let full = loop {

@@ -5,7 +5,7 @@
 use crate::fake::options;
 use endless_dataset::{CameraLayout, DatasetLayout, Layer};
 use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, RecipeDraft, Silent, generate};
+use endless_pipeline::{BuiltinSimulator, RecipeDraft, SilentProgress, generate};
 use std::{fmt::Write, fs, path::Path};
 
 /// Map, weather, time of day: each weather once, each time of day, five towns.
@@ -66,7 +66,7 @@ fn golden_digests_of_every_layer_and_label_file() {
     for scene in SCENES {
         let out = tempfile::tempdir().expect("temp");
         let recipe = draft(scene).resolve(&simulator).expect("a recipe");
-        let generated = generate(&simulator, &recipe, out.path(), &options(2), &Silent).expect("a dataset");
+        let generated = generate(&simulator, &recipe, out.path(), &options(2), &SilentProgress).expect("a dataset");
         let layout = DatasetLayout::new(out.path());
         let video = layout.video(&generated.plan.scenes[0]);
         for (camera, name) in ["camera_a", "camera_b"].into_iter().enumerate() {

@@ -4,7 +4,7 @@ use crate::fake::{Fault, LiveFake, contents, draft, make, options, recipe};
 use endless_dataset::{
     DatasetLayout, Layer, Manifest, Recipe, RgbFormat, VideoState, check, read_json, read_objects, read_rgb,
 };
-use endless_pipeline::{GenerateError, Silent, SimulatorError, generate};
+use endless_pipeline::{GenerateError, SilentProgress, SimulatorError, generate};
 use std::{collections::BTreeSet, path::Path};
 
 /// The number of the session that each frame of a video is from, over all cameras.
@@ -51,7 +51,8 @@ fn after_any_failure_the_same_command_finishes_the_job() {
         let simulator = LiveFake::default();
         // The second video of three fails, and once more when it is begun again.
         simulator.faults.lock().expect("unpoisoned").extend([Fault::None, fault, Fault::DiesAt(3)]);
-        let fail = || generate(&simulator, &recipe, out.path(), &options(threads), &Silent).expect_err("it fails");
+        let fail =
+            || generate(&simulator, &recipe, out.path(), &options(threads), &SilentProgress).expect_err("it fails");
         let error = fail();
         let GenerateError::Simulator(told) = &error else { panic!("{error}") };
         match (fault, told) {

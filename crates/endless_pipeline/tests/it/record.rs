@@ -2,7 +2,7 @@
 
 use crate::fake::{Fake, assert_same, contents, draft, first_video, make, options, recipe};
 use endless_dataset::{Layer, check};
-use endless_pipeline::{GenerateError, GenerateOptions, RecipeDraft, Silent, generate};
+use endless_pipeline::{GenerateError, GenerateOptions, RecipeDraft, SilentProgress, generate};
 use std::{fs, sync::atomic::Ordering};
 
 fn all_layers() -> RecipeDraft {
@@ -96,7 +96,7 @@ fn other_recipes_and_other_files_are_refused_and_nothing_is_harmed() {
     let before = contents(out.path());
     let options = options(2);
     let refuse = |draft: RecipeDraft| {
-        generate(&fake, &recipe(draft), out.path(), &options, &Silent).expect_err("refused").to_string()
+        generate(&fake, &recipe(draft), out.path(), &options, &SilentProgress).expect_err("refused").to_string()
     };
     let fps = refuse(RecipeDraft { fps: Some(5.0), ..draft() });
     assert!(fps.contains("(fps is 10.0 there, 5.0 here)"), "{fps}");
@@ -114,7 +114,7 @@ fn other_recipes_and_other_files_are_refused_and_nothing_is_harmed() {
     assert!(unproven.contains("nothing says that this video is of this recipe"), "{unproven}");
     let other = tempfile::tempdir().expect("temp");
     fs::write(other.path().join("thesis.tex"), "dear").expect("writable");
-    let error = generate(&fake, &recipe(draft()), other.path(), &options, &Silent).expect_err("refused");
+    let error = generate(&fake, &recipe(draft()), other.path(), &options, &SilentProgress).expect_err("refused");
     assert!(matches!(error, GenerateError::OutputInUse { .. }));
     assert_eq!(contents(other.path()).len(), 1);
 }
@@ -124,7 +124,7 @@ fn a_second_process_is_kept_out() {
     let out = tempfile::tempdir().expect("temp");
     let lock = fs::File::create(out.path().join(".lock")).expect("writable");
     lock.try_lock().expect("free");
-    let error = generate(&Fake::default(), &recipe(draft()), out.path(), &options(1), &Silent);
+    let error = generate(&Fake::default(), &recipe(draft()), out.path(), &options(1), &SilentProgress);
     assert!(matches!(error, Err(GenerateError::Locked { .. })));
     drop(lock);
     make(&Fake::default(), &recipe(draft()), out.path(), 1);
@@ -135,7 +135,7 @@ fn the_plan_alone_can_be_written_and_then_recorded() {
     let (out, whole) = (tempfile::tempdir().expect("temp"), tempfile::tempdir().expect("temp"));
     let recipe = recipe(draft());
     let options = GenerateOptions { plan_only: true, ..options(1) };
-    let planned = generate(&Fake::default(), &recipe, out.path(), &options, &Silent).expect("plans");
+    let planned = generate(&Fake::default(), &recipe, out.path(), &options, &SilentProgress).expect("plans");
     assert_eq!(planned.plan.scenes.len(), 3);
     assert_eq!(contents(out.path()).len(), 4, "three scenes and the manifest");
     assert_eq!(check(out.path()).expect("a dataset").findings.len(), 3, "three videos are not complete");

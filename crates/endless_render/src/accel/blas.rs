@@ -9,8 +9,8 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
 use obvhs::ploc::PlocSearchDistance;
 
-use super::collapse::{Bvh, Costs, collapse};
-use super::groups::Groups;
+use super::collapse::{Bvh, SahCosts, collapse};
+use super::leaf_triangles::LeafTriangles;
 use super::node::{BvhNode, EMPTY_BOX, NodeLink, half_area, union};
 use super::triangle::TriangleGroup;
 
@@ -18,7 +18,7 @@ use super::triangle::TriangleGroup;
 #[derive(Clone, Debug)]
 pub struct Blas {
     pub(super) tree: Bvh,
-    groups: Groups,
+    groups: LeafTriangles,
     triangles: usize,
     bounds: (Vec3A, Vec3A),
 }
@@ -35,9 +35,9 @@ pub(crate) enum GeometryUse {
 }
 
 impl GeometryUse {
-    fn costs(self) -> Costs {
+    fn costs(self) -> SahCosts {
         let group = if self == Self::Deforming { 0.8 } else { 1.5 };
-        Costs { group, group_size: TriangleGroup::SIZE as u32, max_leaf: 16 }
+        SahCosts { group, group_size: TriangleGroup::SIZE as u32, max_leaf: 16 }
     }
 
     fn params(self, triangles: usize) -> BvhBuildParams {
@@ -126,8 +126,8 @@ impl Blas {
         let boxes: Vec<_> = groups.iter_mut().map(place).collect();
         let bounds = tree.fit(|leaf| boxes[leaf.range()].iter().copied().fold(EMPTY_BOX, union));
         let groups = match purpose {
-            GeometryUse::Deforming => Groups::soft(groups, &first_groups, triangles, positions),
-            GeometryUse::Still | GeometryUse::Rigid => Groups::rigid(groups),
+            GeometryUse::Deforming => LeafTriangles::soft(groups, &first_groups, triangles, positions),
+            GeometryUse::Still | GeometryUse::Rigid => LeafTriangles::rigid(groups),
         };
         Blas { tree, groups, triangles: triangles.len(), bounds }
     }

@@ -4,22 +4,22 @@ use std::sync::Arc;
 
 use glam::{Affine3A, Vec3, Vec3A};
 
-use super::ray::{Hit, LocalRay, Ray, Transform};
+use super::ray::{Hit, LocalRay, Ray, RayTransform};
 use super::triangle::solve;
-use super::{Accel, Blas};
+use super::{Blas, Tlas};
 
-/// A scene both as plain triangles and as an `Accel`.
+/// A scene both as plain triangles and as an `Tlas`.
 #[derive(Debug)]
 pub(super) struct BruteForceScene {
     pub(super) meshes: Vec<(Vec<Vec3>, Vec<[u32; 3]>)>,
     pub(super) instances: Vec<(usize, Affine3A)>,
-    pub(super) accel: Accel,
+    pub(super) accel: Tlas,
 }
 
 impl BruteForceScene {
     pub(super) fn new(meshes: Vec<(Vec<Vec3>, Vec<[u32; 3]>)>, instances: Vec<(usize, Affine3A)>) -> Self {
         let blas: Vec<_> = meshes.iter().map(|(p, t)| Arc::new(Blas::build(p, t))).collect();
-        let accel = Accel::build(instances.iter().map(|&(m, place)| (Arc::clone(&blas[m]), place)).collect());
+        let accel = Tlas::build(instances.iter().map(|&(m, place)| (Arc::clone(&blas[m]), place)).collect());
         BruteForceScene { meshes, instances, accel }
     }
 
@@ -31,7 +31,7 @@ impl BruteForceScene {
         for (instance, (mesh, place)) in self.instances.iter().enumerate() {
             let identity = *place == Affine3A::IDENTITY;
             let inverse = place.inverse();
-            let transform = Transform { linear: inverse.matrix3, translation: inverse.translation };
+            let transform = RayTransform { linear: inverse.matrix3, translation: inverse.translation };
             let local = if identity {
                 world
             } else {

@@ -9,7 +9,7 @@ use super::node::{BvhNode, EMPTY_BOX, NodeLink, union};
 
 /// What things cost, relative to one test of a node's eight boxes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Costs {
+pub(super) struct SahCosts {
     /// Test of one group of things in a leaf.
     pub(super) group: f32,
     /// Things per group.
@@ -58,7 +58,7 @@ impl Bvh {
 /// Boxes are left to `Bvh::fit`.
 pub(super) fn collapse(
     source: &Bvh2,
-    costs: Costs,
+    costs: SahCosts,
     size: impl Fn(u32) -> u32,
     leaf: impl FnMut(&[u32]) -> NodeLink,
 ) -> Bvh {
@@ -95,7 +95,7 @@ struct CollapsePlan {
     things: u32,
 }
 
-fn plan(source: &Bvh2, costs: Costs, size: impl Fn(u32) -> u32) -> Vec<CollapsePlan> {
+fn plan(source: &Bvh2, costs: SahCosts, size: impl Fn(u32) -> u32) -> Vec<CollapsePlan> {
     let blank = CollapsePlan { cost: [0.0; 8], left: [0; 8], own_left: 0, things: 1 };
     let mut plans = vec![blank; source.nodes.len()];
     let mut parents_first = Vec::with_capacity(source.nodes.len());
@@ -121,7 +121,7 @@ fn plan(source: &Bvh2, costs: Costs, size: impl Fn(u32) -> u32) -> Vec<CollapseP
     plans
 }
 
-fn plan_inner(left: &CollapsePlan, right: &CollapsePlan, area: f32, costs: Costs) -> CollapsePlan {
+fn plan_inner(left: &CollapsePlan, right: &CollapsePlan, area: f32, costs: SahCosts) -> CollapsePlan {
     let things = left.things + right.things;
     let as_leaf = if things <= costs.max_leaf {
         area * costs.group * things.div_ceil(costs.group_size) as f32

@@ -1,11 +1,11 @@
 //! Ray tracing: which triangle of many placed meshes a ray meets first, or whether it meets any.
 //!
-//! Two levels: a [`Blas`] per mesh, shared by its instances, and an [`Accel`] over the instances. Both are trees of
+//! Two levels: a [`Blas`] per mesh, shared by its instances, and a [`Tlas`] over the instances. Both are trees of
 //! eight-wide nodes (`node`), built as binary trees by `obvhs` and collapsed by `collapse`.
 //!
 //! ```text
-//! Accel ── BvhNode ─┬─ TlasEntry ── object_from_world ── Blas ── BvhNode ─┬─ TriangleGroup ×n
-//!                   └─ BvhNode …                                          └─ BvhNode …
+//! Tlas ── BvhNode ─┬─ TlasEntry ── object_from_world ── Blas ── BvhNode ─┬─ TriangleGroup ×n
+//!                  └─ BvhNode …                                          └─ BvhNode …
 //! ```
 //!
 //! The hit of a ray is a function of the geometry alone: neither the shape of the trees, nor refitting, nor tracing
@@ -15,7 +15,7 @@ mod blas;
 #[cfg(test)]
 mod brute;
 mod collapse;
-mod groups;
+mod leaf_triangles;
 mod node;
 mod packet;
 mod packet_ray;
@@ -35,5 +35,5 @@ pub(crate) use node::corners;
 pub use ray::{Hit, Ray};
 pub(crate) use stream::lanes;
 pub use stream::{RayStream, StreamHits};
-pub use tlas::Accel;
+pub use tlas::Tlas;
 pub(crate) use tlas::world_bounds;

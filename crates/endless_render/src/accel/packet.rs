@@ -12,32 +12,32 @@ use super::packet_ray::PacketRay;
 use super::packet_traversal::PacketTraversal;
 use super::ray::{Hit, LocalRay, Ray};
 use super::stack::{NearestChildren, PendingNode, Stack};
-use super::stream::{RayStream, Rows, StreamHits, lanes};
-use super::tlas::{Accel, TlasEntry};
+use super::stream::{RayStream, RowMask, StreamHits, lanes};
+use super::tlas::{Tlas, TlasEntry};
 
 /// With no more lanes than this, single rays are faster.
 const FEW: u32 = 2;
 
-impl Accel {
-    /// [`Accel::closest`] for those of eight rays whose bit is set in `active`; faster when they run side by side.
+impl Tlas {
+    /// [`Tlas::closest`] for those of eight rays whose bit is set in `active`; faster when they run side by side.
     pub fn closest8(&self, rays: &[Ray; 8], active: u8) -> [Option<Hit>; 8] {
         let rays = RayStream::of(std::array::from_ref(rays));
         let hits = self.trace_together::<false, 1>(&rays, u32::from(active)).hits(u32::from(active));
         std::array::from_fn(|lane| hits.get(lane))
     }
 
-    /// [`Accel::occluded`] for those of eight rays whose bit is set in `active`, one bit each.
+    /// [`Tlas::occluded`] for those of eight rays whose bit is set in `active`, one bit each.
     pub fn occluded8(&self, rays: &[Ray; 8], active: u8) -> u8 {
         let rays = RayStream::of(std::array::from_ref(rays));
         active & !(self.trace_together::<true, 1>(&rays, u32::from(active)).live as u8)
     }
 
-    /// [`Accel::closest`] for those of a bundle's rays whose bit is set in `active`.
+    /// [`Tlas::closest`] for those of a bundle's rays whose bit is set in `active`.
     pub fn closest32(&self, rays: &RayStream<4>, active: u32) -> StreamHits<4> {
         self.trace_together::<false, 4>(rays, active).hits(active)
     }
 
-    /// [`Accel::occluded`] for those of a bundle's rays whose bit is set in `active`, one bit each.
+    /// [`Tlas::occluded`] for those of a bundle's rays whose bit is set in `active`, one bit each.
     pub fn occluded32(&self, rays: &RayStream<4>, active: u32) -> u32 {
         active & !self.trace_together::<true, 4>(rays, active).live
     }
@@ -48,7 +48,7 @@ impl Accel {
         let mut stack = Stack::new();
         match packet_of(rays, active) {
             Some(packet) => {
-                let rows = Rows::of(active);
+                let rows = RowMask::of(active);
                 walk::<ANY, N>(
                     self.nodes(),
                     self.root(),
@@ -62,7 +62,7 @@ impl Accel {
                 );
             }
             None if N > 1 => {
-                for row in Rows::of(active).each::<N>() {
+                for row in RowMask::of(active).each::<N>() {
                     let mut part = trip.row(row);
                     self.trace_row::<ANY>(&rays.row(row), &mut part, &mut stack);
                     trip.set_row(row, &part);
@@ -77,7 +77,7 @@ impl Accel {
     fn trace_row<const ANY: bool>(&self, rays: &RayStream<1>, trip: &mut PacketTraversal<1>, stack: &mut Stack) {
         match packet_of(rays, trip.live) {
             Some(packet) => {
-                let rows = Rows::of(trip.live);
+                let rows = RowMask::of(trip.live);
                 walk::<ANY, 1>(self.nodes(), self.root(), rows, &packet, trip, stack, |link, rows, trip, stack| {
                     self.entry(link).trace_packet::<ANY, 1>(rays, &packet, rows, trip, stack);
                 });
@@ -100,7 +100,7 @@ impl Accel {
 
 /// Whether these lanes are enough to go together, and lie in more than one row if there are rows.
 fn worth_a_packet<const N: usize>(lanes: u32) -> bool {
-    lanes.count_ones() > FEW && (N == 1 || Rows::of(lanes).several())
+    lanes.count_ones() > FEW && (N == 1 || RowMask::of(lanes).several())
 }
 
 /// These lanes as a packet, if that is worth it and their directions agree.
@@ -115,7 +115,7 @@ impl TlasEntry {
         &self,
         rays: &RayStream<N>,
         world: &PacketRay<N>,
-        rows: Rows,
+        rows: RowMask,
         trip: &mut PacketTraversal<N>,
         stack: &mut Stack,
     ) {
@@ -137,7 +137,7 @@ impl TlasEntry {
         match packet {
             Some(packet) => self.trace_blas_by_packet::<ANY, N>(packet, &tnear, entered, trip, stack),
             None if N > 1 && entered.count_ones() > FEW => {
-                for row in Rows::of(entered).each::<N>() {
+                for row in RowMask::of(entered).each::<N>() {
                     let mut part = trip.row(row);
                     let entered = entered >> (8 * row) & 255;
                     self.trace_row::<ANY>(&rays.row(row), &[tnear[row]], entered, &mut part, stack);
@@ -203,7 +203,7 @@ impl TlasEntry {
         trip.live &= entered;
         trip.update_reach();
         let groups = self.blas.groups();
-        let rows = Rows::of(entered);
+        let rows = RowMask::of(entered);
         walk::<ANY, N>(self.blas.nodes(), self.root, rows, packet, trip, stack, |link, rows, trip, _| {
             for group in &groups[link.range()] {
                 packet.intersect::<ANY>(group, rows, tmin, trip, self.instance);
@@ -229,11 +229,11 @@ impl TlasEntry {
 fn walk<const ANY: bool, const N: usize>(
     nodes: &[BvhNode],
     root: NodeLink,
-    rows: Rows,
+    rows: RowMask,
     packet: &PacketRay<N>,
     trip: &mut PacketTraversal<N>,
     stack: &mut Stack,
-    mut leaf: impl FnMut(NodeLink, Rows, &mut PacketTraversal<N>, &mut Stack),
+    mut leaf: impl FnMut(NodeLink, RowMask, &mut PacketTraversal<N>, &mut Stack),
 ) {
     if root == NodeLink::EMPTY {
         return;
@@ -241,7 +241,7 @@ fn walk<const ANY: bool, const N: usize>(
     let base = stack.len();
     let mut next = Some((root, rows.with_distance::<N>(0.0)));
     while let Some((mut link, marked)) = next {
-        let (mut rows, tnear) = Rows::and_distance::<N>(marked);
+        let (mut rows, tnear) = RowMask::and_distance::<N>(marked);
         if tnear <= trip.reach {
             loop {
                 if link.is_leaf() {
@@ -266,7 +266,7 @@ fn walk<const ANY: bool, const N: usize>(
                     let slot = hits.trailing_zeros() as usize & 7;
                     hits &= hits - 1;
                     let entered = packet.enters(&Slab::of_child(planes, slot), rows, trip);
-                    if entered == Rows::NONE {
+                    if entered == RowMask::NONE {
                         continue;
                     }
                     let child = PendingNode::new(node.links[slot], entered.with_distance::<N>(tnears[slot]));
@@ -284,7 +284,7 @@ fn walk<const ANY: bool, const N: usize>(
                 };
                 let Some(first) = first else { break };
                 let (first, marked) = first.parts();
-                (link, rows) = (first, Rows::and_distance::<N>(marked).0);
+                (link, rows) = (first, RowMask::and_distance::<N>(marked).0);
             }
         }
         next = stack.pop(base).map(PendingNode::parts);

@@ -5,8 +5,8 @@ use wide::{f32x4, f32x8};
 
 use super::node::{Slab, SlabRay};
 use super::packet_traversal::PacketTraversal;
-use super::ray::{FAR_PAD, Hit, MAX_INVERSE, Transform, permutation};
-use super::stream::{RayStream, Rows, lane_mask, lanes};
+use super::ray::{FAR_PAD, Hit, MAX_INVERSE, RayTransform, permutation};
+use super::stream::{RayStream, RowMask, lane_mask, lanes};
 use super::triangle::TriangleGroup;
 
 /// N times eight rays whose directions agree in signs and main axis.
@@ -44,7 +44,7 @@ impl<const N: usize> PacketRay<N> {
 
     /// The same rays in the frame of an instance; `None` if directions do not agree there.
     #[inline(always)]
-    pub(super) fn transformed(&self, transform: &Transform) -> Option<Self> {
+    pub(super) fn transformed(&self, transform: &RayTransform) -> Option<Self> {
         let m = &transform.linear;
         let splat = |v: Vec3A| v.to_array().map(f32x8::splat);
         let (cx, cy, cz, shift) = (splat(m.x_axis), splat(m.y_axis), splat(m.z_axis), splat(transform.translation));
@@ -90,7 +90,7 @@ impl<const N: usize> PacketRay<N> {
 
     /// `LocalRay::enter` by lane: which live lanes of some rows enter a box before their best hit, and where.
     #[inline(always)]
-    pub(super) fn enter(&self, slab: &Slab, rows: Rows, trip: &PacketTraversal<N>) -> (u32, [f32x8; N]) {
+    pub(super) fn enter(&self, slab: &Slab, rows: RowMask, trip: &PacketTraversal<N>) -> (u32, [f32x8; N]) {
         let mut entered = 0;
         let mut tnears = [f32x8::ZERO; N];
         for row in rows.each::<N>() {
@@ -103,8 +103,8 @@ impl<const N: usize> PacketRay<N> {
 
     /// Those of some rows that have a live lane which enters a box before its best hit.
     #[inline(always)]
-    pub(super) fn enters(&self, slab: &Slab, rows: Rows, trip: &PacketTraversal<N>) -> Rows {
-        let mut entered = Rows::NONE;
+    pub(super) fn enters(&self, slab: &Slab, rows: RowMask, trip: &PacketTraversal<N>) -> RowMask {
+        let mut entered = RowMask::NONE;
         for row in rows.each::<N>() {
             let (tnear, tfar) = self.slabs(slab, row);
             let lanes = tnear.simd_le(tfar.fast_min(trip.ends[row])).to_bitmask();
@@ -128,7 +128,7 @@ impl<const N: usize> PacketRay<N> {
     pub(super) fn intersect<const ANY: bool>(
         &self,
         group: &TriangleGroup,
-        rows: Rows,
+        rows: RowMask,
         tmin: Option<&[f32x8; N]>,
         trip: &mut PacketTraversal<N>,
         instance: u32,

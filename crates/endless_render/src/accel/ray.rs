@@ -134,12 +134,12 @@ impl LocalRay {
 
 /// `object_from_world`, applied with a fixed order of roundings that packets repeat lane by lane.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Transform {
+pub(super) struct RayTransform {
     pub(super) linear: Mat3A,
     pub(super) translation: Vec3A,
 }
 
-impl Transform {
+impl RayTransform {
     #[inline]
     pub(super) fn vector(&self, v: Vec3A) -> Vec3A {
         let m = &self.linear;

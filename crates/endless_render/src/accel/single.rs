@@ -4,9 +4,9 @@ use super::blas::Blas;
 use super::node::{BvhNode, NodeLink, SlabRay};
 use super::ray::{Hit, LocalRay, Ray};
 use super::stack::{NearestChildren, PendingNode, Stack};
-use super::tlas::{Accel, TlasEntry};
+use super::tlas::{Tlas, TlasEntry};
 
-impl Accel {
+impl Tlas {
     /// The nearest hit; of several at the same `t` the one with the lowest instance, then triangle.
     pub fn closest(&self, ray: &Ray) -> Option<Hit> {
         self.trace::<false>(ray).found()
@@ -32,20 +32,20 @@ impl Accel {
 
 impl Blas {
     /// For rays, in the mesh's own frame, of which each `N`th is like the one before.
-    pub(crate) fn shadows<const N: usize>(&self) -> Shadows<'_, N> {
-        Shadows { blas: self, last: [usize::MAX; N], stack: Stack::new() }
+    pub(crate) fn shadows<const N: usize>(&self) -> ShadowRays<'_, N> {
+        ShadowRays { blas: self, last: [usize::MAX; N], stack: Stack::new() }
     }
 }
 
 /// Asks whether rays meet a mesh, first of all what the last ray of the same kind met.
-pub(crate) struct Shadows<'a, const N: usize> {
+pub(crate) struct ShadowRays<'a, const N: usize> {
     blas: &'a Blas,
     /// Group of triangles that the last one met, by kind.
     last: [usize; N],
     stack: Stack,
 }
 
-impl<const N: usize> Shadows<'_, N> {
+impl<const N: usize> ShadowRays<'_, N> {
     /// Whether a ray of some kind meets the mesh.
     pub(crate) fn occluded(&mut self, kind: usize, ray: &Ray) -> bool {
         let Self { blas, last, stack } = self;

@@ -88,9 +88,9 @@ impl<const N: usize> StreamHits<N> {
 
 /// Some of at most four rows of eight lanes, a bit each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Rows(u32);
+pub(super) struct RowMask(u32);
 
-impl Rows {
+impl RowMask {
     pub(super) const NONE: Self = Self(0);
     const ALL: u32 = 15;
 

@@ -4,7 +4,7 @@ use glam::{Affine3A, EulerRot, Quat, Vec3, Vec3A};
 use proptest::prelude::*;
 
 use super::brute::BruteForceScene;
-use super::{Accel, Blas, GeometryUse, Ray, RayStream};
+use super::{Blas, GeometryUse, Ray, RayStream, Tlas};
 
 type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
 
@@ -137,7 +137,7 @@ proptest! {
         refitted.refit(moved.as_slice().into());
         let rebuilt = Blas::build(&moved, &triangles);
         prop_assert_eq!(refitted.bounds(), rebuilt.bounds());
-        let [a, b] = [refitted, rebuilt].map(|blas| Accel::build(vec![(blas.into(), Affine3A::IDENTITY)]));
+        let [a, b] = [refitted, rebuilt].map(|blas| Tlas::build(vec![(blas.into(), Affine3A::IDENTITY)]));
         for ray in rays {
             prop_assert_eq!(a.closest(&ray), b.closest(&ray));
         }
@@ -213,7 +213,7 @@ fn a_tessellated_ground_does_not_leak() {
             triangles.extend([[a, a + 1, a + n + 1], [a + 1, a + n + 2, a + n + 1]]);
         }
     }
-    let accel = Accel::build(vec![(Blas::build(&points, &triangles).into(), Affine3A::IDENTITY)]);
+    let accel = Tlas::build(vec![(Blas::build(&points, &triangles).into(), Affine3A::IDENTITY)]);
     for origin in [Vec3A::new(-310.0, -222.0, 7.3), Vec3A::new(11.84, 9.28, 1.0), Vec3A::new(900.0, 4.0, 120.0)] {
         for triangle in &triangles {
             let [a, b, c] = triangle.map(|i| Vec3A::from(points[i as usize]));
@@ -266,23 +266,23 @@ fn boxes_reject_nothing_that_triangles_accept() {
 fn nothing_is_hit_in_an_empty_scene() {
     let ray = Ray { origin: Vec3A::ZERO, direction: Vec3A::X, tmax: f32::INFINITY };
     for accel in [
-        Accel::build(vec![]),
-        Accel::build(vec![(Blas::build(&[], &[]).into(), Affine3A::IDENTITY)]),
-        Accel::build(vec![(Blas::build(&[Vec3::ZERO], &[[0, 0, 0]]).into(), Affine3A::from_scale(Vec3::ZERO))]),
+        Tlas::build(vec![]),
+        Tlas::build(vec![(Blas::build(&[], &[]).into(), Affine3A::IDENTITY)]),
+        Tlas::build(vec![(Blas::build(&[Vec3::ZERO], &[[0, 0, 0]]).into(), Affine3A::from_scale(Vec3::ZERO))]),
     ] {
         assert_eq!(accel.closest(&ray), None);
         assert!(!accel.occluded(&ray));
         assert_eq!(accel.closest8(&[ray; 8], 255), [None; 8]);
         assert_eq!(accel.occluded8(&[ray; 8], 255), 0);
     }
-    assert!(Accel::build(vec![]).is_empty());
+    assert!(Tlas::build(vec![]).is_empty());
 }
 
 #[test]
 fn a_single_triangle_is_hit_where_expected() {
     let points = [Vec3::ZERO, Vec3::X, Vec3::Y];
     let place = Affine3A::from_translation(Vec3::new(0.0, 0.0, 2.0));
-    let accel = Accel::build(vec![(Blas::build(&points, &[[0, 1, 2]]).into(), place)]);
+    let accel = Tlas::build(vec![(Blas::build(&points, &[[0, 1, 2]]).into(), place)]);
     let ray = Ray { origin: Vec3A::new(0.25, 0.5, 0.0), direction: Vec3A::Z * 4.0, tmax: 1.0 };
     let hit = accel.closest(&ray).expect("hit");
     assert_eq!((hit.t, hit.instance, hit.triangle, hit.u, hit.v), (0.5, 0, 0, 0.25, 0.5));

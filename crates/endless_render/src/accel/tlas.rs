@@ -9,13 +9,13 @@ use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
 
 use super::blas::Blas;
-use super::collapse::{Bvh, Costs, collapse};
+use super::collapse::{Bvh, SahCosts, collapse};
 use super::node::{BvhNode, EMPTY_BOX, NodeLink, corners, half_area, union};
-use super::ray::Transform;
+use super::ray::RayTransform;
 
 /// Acceleration structure over placed meshes: what rays are traced against.
 #[derive(Clone, Debug)]
-pub struct Accel {
+pub struct Tlas {
     tree: Bvh,
     entries: Vec<TlasEntry>,
     instance_bounds: Vec<(Vec3A, Vec3A)>,
@@ -26,7 +26,7 @@ pub struct Accel {
 #[derive(Clone, Debug)]
 pub(super) struct TlasEntry {
     /// `None` if the mesh lies in world space as it is.
-    pub(super) object_from_world: Option<Transform>,
+    pub(super) object_from_world: Option<RayTransform>,
     pub(super) blas: Arc<Blas>,
     /// Where in the mesh's tree to start.
     pub(super) root: NodeLink,
@@ -35,9 +35,9 @@ pub(super) struct TlasEntry {
     pub(super) bounds: (Vec3A, Vec3A),
 }
 
-const COSTS: Costs = Costs { group: 1.0, group_size: 1, max_leaf: 1 };
+const COSTS: SahCosts = SahCosts { group: 1.0, group_size: 1, max_leaf: 1 };
 
-impl Accel {
+impl Tlas {
     /// Builds over instances, each a mesh and its `world_from_object`. Instances whose place is not finite, and
     /// empty meshes, are never hit.
     pub fn build(instances: Vec<(Arc<Blas>, Affine3A)>) -> Self {
@@ -59,7 +59,7 @@ impl Accel {
                 });
             } else {
                 let inverse = world_from_object.inverse();
-                let transform = Transform { linear: inverse.matrix3, translation: inverse.translation };
+                let transform = RayTransform { linear: inverse.matrix3, translation: inverse.translation };
                 parts.push(TlasEntry { object_from_world: Some(transform), blas, root, instance, bounds: (min, max) });
                 boxes.push((min, max));
             }
@@ -67,7 +67,7 @@ impl Accel {
         let (mut tree, order) = top_tree(&boxes);
         let entries = order.iter().map(|&part| parts[part as usize].clone()).collect();
         let bounds = tree.fit(|leaf| boxes[order[leaf.start()] as usize]);
-        Accel { tree, entries, instance_bounds, bounds }
+        Tlas { tree, entries, instance_bounds, bounds }
     }
 
     /// Box around everything, `(min, max)`; `min > max` if there is nothing.

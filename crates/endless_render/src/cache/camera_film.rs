@@ -1,7 +1,7 @@
 //! The film of a fixed camera: the still picture's radiance, and what makes pixels of it.
 
 use super::gbuffer_sample::{GBufferSample, still_light};
-use super::pool::Pool;
+use super::scratch_pool::ScratchPool;
 use crate::camera_rays::sample_ray;
 use crate::film::{BlurScratch, PostProcess, Rain, ToneCurve, black_level, exposure};
 use crate::light::Environment;
@@ -29,8 +29,8 @@ pub(super) struct CameraFilm {
     /// What lens, sensor and recorder do to a picture, if they do anything.
     pub(super) post_process: Option<PostProcess>,
     /// Copies of `radiance`.
-    pub(super) radiance_pool: Pool<Vec<Vec3A>>,
-    pub(super) blur_scratch: Pool<BlurScratch>,
+    pub(super) radiance_pool: ScratchPool<Vec<Vec3A>>,
+    pub(super) blur_scratch: ScratchPool<BlurScratch>,
 }
 
 impl CameraFilm {
@@ -68,8 +68,8 @@ impl CameraFilm {
             shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
             glare: environment.glare,
             post_process: PostProcess::new(&settings.look, settings.size, settings.fps, settings.seed, rains),
-            radiance_pool: Pool::default(),
-            blur_scratch: Pool::default(),
+            radiance_pool: ScratchPool::default(),
+            blur_scratch: ScratchPool::default(),
         }
     }
 

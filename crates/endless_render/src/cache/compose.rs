@@ -1,6 +1,6 @@
 //! The radiance of a still sample in a world where things move.
 
-use super::centre::CentreLight;
+use super::centre_light::CentreLight;
 use super::contact_shadow::contact_shadow;
 use super::gbuffer_sample::{GBufferSample, sun_share};
 use super::gbuffer_shading::gbuffer_bsdf;

@@ -2,14 +2,14 @@
 
 use super::tile::Bounds3;
 use super::tile_work::TileWork;
-use crate::scene::{Facet, FrameScene, MovingVolume};
+use crate::scene::{FrameScene, MovingVolume, ShadingPoint};
 use glam::Vec2;
 
 /// How far above its ground, metres.
 const CONTACT_RISE_M: f32 = 0.4;
 
 /// Share of the ambient light that the objects standing near leave.
-pub(super) fn contact_shadow(frame: &FrameScene, work: &TileWork, facet: &Facet) -> f32 {
+pub(super) fn contact_shadow(frame: &FrameScene, work: &TileWork, facet: &ShadingPoint) -> f32 {
     work.contacts.iter().map(|&i| contact_light(&frame.objects[usize::from(i)], facet)).product()
 }
 
@@ -40,7 +40,7 @@ pub(super) fn contact_may_reach(object: &MovingVolume, span: &Bounds3) -> bool {
 
 /// Share of the ambient light that an object standing near leaves to the ground: the sky that the side of a long box
 /// hides, and nearly all of it beneath.
-fn contact_light(object: &MovingVolume, point: &Facet) -> f32 {
+fn contact_light(object: &MovingVolume, point: &ShadingPoint) -> f32 {
     let rise = point.position.z - object.ground;
     if rise.abs() > CONTACT_RISE_M || point.geometric_normal.z < 0.5 {
         return 1.0;
@@ -85,9 +85,9 @@ mod tests {
         }
     }
 
-    fn ground(x: f32, y: f32, z: f32) -> Facet {
+    fn ground(x: f32, y: f32, z: f32) -> ShadingPoint {
         let (position, up) = (Vec3A::new(x, y, z), Vec3A::Z);
-        Facet { position, geometric_normal: up, direction: -up, distance: 1.0 }
+        ShadingPoint { position, geometric_normal: up, direction: -up, distance: 1.0 }
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use super::affected::affected;
 use super::bake::CameraBake;
-use super::centre::{CentreLight, centre_lights};
-use super::frame_buffer::{FrameBuffer, Pixel};
+use super::centre_light::{CentreLight, centre_lights};
+use super::frame_buffer::{FrameBuffer, FramePixel};
 use super::gbuffer::GBuffer;
 use super::mirror::mirrored_row;
 use super::pixel::undisturbed;
@@ -85,7 +85,7 @@ impl CameraBake {
                 }
                 let still = (self.film.radiance[index], Vec3A::from(self.film.ambient[index]));
                 let pixel = match undisturbed(still, light, found) {
-                    Some(radiance) => Pixel { radiance, covered: None, streak: None },
+                    Some(radiance) => FramePixel { radiance, covered: None, streak: None },
                     None => {
                         let samples = PixelSamples { rays: &row.rays(i), still: self.gbuffer.samples_of(index), found };
                         self.pixel(context, &samples, light, mirrors[i], &coverages[i])

@@ -6,7 +6,7 @@ use endless_world::{Image, InstancePixel, SensorFrame};
 use glam::Vec3A;
 
 /// One pixel of a frame.
-pub(super) struct Pixel {
+pub(super) struct FramePixel {
     pub(super) radiance: Vec3A,
     /// Depth and label, if something that moves covers the pixel's centre.
     pub(super) covered: Option<(f32, InstancePixel)>,
@@ -46,7 +46,7 @@ impl FrameBuffer {
     }
 
     /// Sets a pixel.
-    pub(super) fn set(&mut self, bake: &CameraBake, x: u32, y: u32, pixel: &Pixel) {
+    pub(super) fn set(&mut self, bake: &CameraBake, x: u32, y: u32, pixel: &FramePixel) {
         let i = y as usize * bake.camera.size.width as usize + x as usize;
         match &mut self.radiance {
             Some(radiance) => {

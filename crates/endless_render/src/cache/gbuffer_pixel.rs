@@ -6,7 +6,7 @@ use crate::accel::Ray;
 use crate::material::Bsdf;
 use crate::octahedron;
 use crate::sampling::SAMPLES;
-use crate::scene::Facet;
+use crate::scene::ShadingPoint;
 
 /// What rows of pixels ask of their samples most, side by side: the samples themselves lie far apart in memory.
 #[derive(Debug, Clone, Copy)]
@@ -42,8 +42,8 @@ impl GBufferPixel {
     }
 
     /// The surface of a sample, seen along its ray.
-    pub(super) fn facet(&self, ray: &Ray, sample: usize) -> Facet {
-        Facet::along(ray, self.distances[sample], octahedron::unpack(self.normals[sample]))
+    pub(super) fn facet(&self, ray: &Ray, sample: usize) -> ShadingPoint {
+        ShadingPoint::along(ray, self.distances[sample], octahedron::unpack(self.normals[sample]))
     }
 
     /// The centre, seen along its ray.

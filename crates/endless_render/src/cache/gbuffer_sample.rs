@@ -3,7 +3,7 @@
 use crate::accel::{Hit, Ray};
 use crate::light::{Environment, SUN_SAMPLES};
 use crate::octahedron;
-use crate::scene::Facet;
+use crate::scene::ShadingPoint;
 use glam::Vec3A;
 
 /// No instance: the sky.
@@ -72,12 +72,12 @@ impl GBufferSample {
     }
 
     /// Its surface; `ray` is the one that met it.
-    pub(super) fn facet(&self, ray: &Ray) -> Facet {
-        Facet::along(ray, self.hit.t, octahedron::unpack(self.normal))
+    pub(super) fn facet(&self, ray: &Ray) -> ShadingPoint {
+        ShadingPoint::along(ray, self.hit.t, octahedron::unpack(self.normal))
     }
 
     /// The ray into its mirror, as far as the static scene.
-    pub(super) fn mirror_ray(&self, facet: &Facet) -> Ray {
+    pub(super) fn mirror_ray(&self, facet: &ShadingPoint) -> Ray {
         Ray { origin: facet.ray_origin(), direction: Vec3A::from(self.mirror_direction), tmax: self.mirror_t }
     }
 

@@ -2,12 +2,12 @@
 
 use crate::accel::Ray;
 use crate::material::Bsdf;
-use crate::scene::{Facet, FrameScene};
+use crate::scene::{FrameScene, ShadingPoint};
 use crate::shade::Tracer;
 use glam::Vec3A;
 
 /// The lamps near a point that light it past the static scene, a bit each.
-pub(super) fn lamps_free(tracer: &Tracer<'_>, facet: &Facet) -> u32 {
+pub(super) fn lamps_free(tracer: &Tracer<'_>, facet: &ShadingPoint) -> u32 {
     let origin = facet.ray_origin();
     let mut free = 0;
     for (bit, lamp) in tracer.still.lamps.near(facet.position).enumerate() {
@@ -20,7 +20,13 @@ pub(super) fn lamps_free(tracer: &Tracer<'_>, facet: &Facet) -> u32 {
 }
 
 /// Those of the free lamps that something that moves hides; only `lamps` (indices) are asked.
-pub(super) fn lamps_blocked(tracer: &Tracer<'_>, frame: &FrameScene, lamps: &[u16], facet: &Facet, free: u32) -> u32 {
+pub(super) fn lamps_blocked(
+    tracer: &Tracer<'_>,
+    frame: &FrameScene,
+    lamps: &[u16],
+    facet: &ShadingPoint,
+    free: u32,
+) -> u32 {
     if lamps.is_empty() || free == 0 {
         return 0;
     }
@@ -38,7 +44,7 @@ pub(super) fn lamps_blocked(tracer: &Tracer<'_>, frame: &FrameScene, lamps: &[u1
 }
 
 /// Light of these lamps near a point, without fog.
-pub(super) fn lamp_sum(tracer: &Tracer<'_>, facet: &Facet, bsdf: &Bsdf, free: u32) -> Vec3A {
+pub(super) fn lamp_sum(tracer: &Tracer<'_>, facet: &ShadingPoint, bsdf: &Bsdf, free: u32) -> Vec3A {
     let mut sum = Vec3A::ZERO;
     for (bit, lamp) in tracer.still.lamps.near(facet.position).enumerate() {
         if free >> bit & 1 == 1 {

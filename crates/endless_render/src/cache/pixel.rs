@@ -1,10 +1,10 @@
 //! One pixel of a frame, from its still samples and what moves.
 
 use super::bake::CameraBake;
-use super::centre::CentreLight;
+use super::centre_light::CentreLight;
 use super::compose::compose;
 use super::coverage::Coverage;
-use super::frame_buffer::Pixel;
+use super::frame_buffer::FramePixel;
 use super::mirror::MirroredLight;
 use super::moving_hits::MovingHits;
 use super::sweep::beams_on_samples;
@@ -28,12 +28,12 @@ impl CameraBake {
         centre: Option<&CentreLight>,
         mut mirrored: MirroredLight,
         coverage: &Coverage,
-    ) -> Pixel {
+    ) -> FramePixel {
         let PixelSamples { rays, still, found } = *samples;
         if coverage.samples == SAMPLES {
             let radiance = coverage.light / SAMPLES as f32;
             let streak = self.streak(context.frame, samples, coverage, radiance);
-            return Pixel { radiance, covered: coverage.centre, streak };
+            return FramePixel { radiance, covered: coverage.centre, streak };
         }
         // The samples of a uniform pixel share what their mirrors show in pairs.
         if centre.is_some() {
@@ -53,7 +53,7 @@ impl CameraBake {
         let swept = centre.map_or(Vec3A::ZERO, |light| light.swept * (uncovered as f32 / SAMPLES as f32));
         let radiance = sum / SAMPLES as f32 + swept;
         let streak = self.streak(context.frame, samples, coverage, radiance);
-        Pixel { radiance, covered: coverage.centre, streak }
+        FramePixel { radiance, covered: coverage.centre, streak }
     }
 
     /// What moves in a pixel of some radiance, if it moves far enough to blur.

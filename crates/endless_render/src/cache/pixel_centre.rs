@@ -1,12 +1,12 @@
 //! The centre of a pixel, at which light is found that its samples share.
 
 use crate::material::Bsdf;
-use crate::scene::Facet;
+use crate::scene::ShadingPoint;
 
 /// A pixel's centre in a row.
 #[derive(Clone, Copy)]
 pub(super) struct PixelCentre<'a> {
-    pub(super) facet: Facet,
+    pub(super) facet: ShadingPoint,
     /// At night.
     pub(super) bsdf: Option<&'a Bsdf>,
     pub(super) lamps_free: u32,

@@ -1,8 +1,8 @@
 //! A frame without the cache: the oracle of frames with it.
 
 use super::bake::CameraBake;
-use super::centre::{CentreLight, centre_lights};
-use super::frame_buffer::{FrameBuffer, Pixel};
+use super::centre_light::{CentreLight, centre_lights};
+use super::frame_buffer::{FrameBuffer, FramePixel};
 use super::gbuffer_pixel::GBufferPixel;
 use super::gbuffer_sample::{GBufferSample, share_lamp_light, still_light};
 use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_sample};
@@ -97,7 +97,7 @@ impl CameraBake {
             let light = self.retraced_centre(context, (x, y), samples);
             let still = still_light(samples, environment);
             let pixel = match undisturbed(still, light.as_ref(), found) {
-                Some(radiance) => Pixel { radiance, covered: None, streak: None },
+                Some(radiance) => FramePixel { radiance, covered: None, streak: None },
                 None => {
                     let coverage = &coverages[((y - y0) * TILE + x - x0) as usize];
                     let mirrors = mirrored(tracer, samples, rays, found, self.pixel_angle);

@@ -10,9 +10,9 @@ use super::tile::TILE;
 use super::tile_work::TileWork;
 use crate::accel::Ray;
 use crate::camera_rays::directions8;
-use crate::eight::Vectors;
 use crate::sampling::SAMPLES;
-use crate::scene::{Facet, FrameScene};
+use crate::scene::{FrameScene, ShadingPoint};
+use crate::vec3x8::Vec3x8;
 use glam::Vec3A;
 use wide::f32x8;
 
@@ -30,7 +30,7 @@ struct RowView<'a> {
     first: usize,
     count: usize,
     /// Of the rays, by sample.
-    directions: [Vectors; SAMPLES],
+    directions: [Vec3x8; SAMPLES],
 }
 
 impl<'a> PixelRow<'a> {
@@ -106,7 +106,7 @@ impl<'a> RowView<'a> {
     }
 
     /// Where a pixel's sample lies.
-    fn facet(&self, i: usize, sample: usize) -> Facet {
+    fn facet(&self, i: usize, sample: usize) -> ShadingPoint {
         self.still(i).facet(&self.ray(i, sample), sample)
     }
 

@@ -5,11 +5,11 @@ use super::pixel_centre::PixelCentre;
 use super::tile_context::{PixelSamples, TileContext};
 use super::tile_work::BeamSweep;
 use crate::accel::Ray;
-use crate::eight::normalize;
 use crate::material::{Bsdf, Bsdf8};
 use crate::sampling::SAMPLES;
-use crate::scene::{Facet, FrameScene, SurfaceInteraction};
+use crate::scene::{FrameScene, ShadingPoint, SurfaceInteraction};
 use crate::shade::Tracer;
+use crate::vec3x8::normalize;
 use glam::Vec3A;
 use std::cell::LazyCell;
 use std::ops::Deref;
@@ -26,7 +26,7 @@ pub(super) fn beams_on_samples(context: &TileContext<'_>, samples: &PixelSamples
         return Vec3A::ZERO;
     }
     let open = |s: usize| found.primary[s].is_none() && !still[s].is_sky();
-    let facets: [Option<Facet>; SAMPLES] = std::array::from_fn(|s| open(s).then(|| still[s].facet(&rays[s])));
+    let facets: [Option<ShadingPoint>; SAMPLES] = std::array::from_fn(|s| open(s).then(|| still[s].facet(&rays[s])));
     let transmittance = facets.map(|f| f.map_or(0.0, |f| seen_through(tracer, rays[0].origin, &f)));
     let mut bsdfs: [Option<Bsdf>; SAMPLES] = [const { None }; SAMPLES];
     let mut sums = [Vec3A::ZERO; SAMPLES];
@@ -69,7 +69,7 @@ fn hidden(tracer: &Tracer<'_>, frame: &FrameScene, sweep: &BeamSweep, to_lamp: &
 }
 
 /// Share of light from a surface that comes through the air to `eye`.
-fn seen_through(tracer: &Tracer<'_>, eye: Vec3A, facet: &Facet) -> f32 {
+fn seen_through(tracer: &Tracer<'_>, eye: Vec3A, facet: &ShadingPoint) -> f32 {
     tracer.environment.fog.transmittance(eye, facet.direction, facet.distance)
 }
 

@@ -1,9 +1,9 @@
 //! What lens, sensor and recorder do to a picture: vignetting and lateral chromatic aberration, noise, an unsharp mask,
 //! the clock, and compression. Distortion is not here: rays are bent by it, so all layers have it alike.
 
-use super::clock::stamp;
 use super::droplets::Droplets;
-use super::grain::Grain;
+use super::sensor_noise::SensorNoise;
+use super::timestamp::stamp;
 use endless_world::{CameraLook, ImageSize};
 use glam::{Vec2, Vec3A};
 
@@ -13,7 +13,7 @@ pub(crate) struct PostProcess {
     look: CameraLook,
     size: ImageSize,
     fps: f64,
-    grain: Option<Grain>,
+    grain: Option<SensorNoise>,
     /// In rain.
     droplets: Option<Droplets>,
 }
@@ -21,7 +21,7 @@ pub(crate) struct PostProcess {
 impl PostProcess {
     /// `None` where nothing is done to pictures.
     pub(crate) fn new(look: &CameraLook, size: ImageSize, fps: f64, seed: u64, rains: bool) -> Option<Self> {
-        let grain = (look.noise > 0.0).then(|| Grain::new(look.noise, seed));
+        let grain = (look.noise > 0.0).then(|| SensorNoise::new(look.noise, seed));
         let droplets = (rains && look.droplets > 0).then(|| Droplets::new(look.droplets, size, seed));
         (!look.is_clean()).then_some(Self { look: *look, size, fps, grain, droplets })
     }

@@ -1,14 +1,14 @@
 //! From radiance to pixels: exposure, tone curve, glare, rain in front of the lens, motion
 //! blur; what lens, sensor and recorder do.
 
-mod clock;
 mod droplets;
 mod exposure;
 mod finish;
 mod glare;
-mod grain;
 mod motion_blur;
 mod rain;
+mod sensor_noise;
+mod timestamp;
 mod tone;
 
 pub(crate) use exposure::{black_level, exposure};

@@ -6,7 +6,7 @@ use glam::{Vec2, Vec3A};
 
 /// A layer of clouds.
 #[derive(Debug, Clone)]
-pub(crate) struct Clouds {
+pub(crate) struct CloudLayer {
     /// Share of the sky they cover, 0 to 1.
     pub(crate) cover: f32,
     /// Radiance of a sunlit cloud, kcd/m².
@@ -17,7 +17,7 @@ pub(crate) struct Clouds {
     pub(crate) seed: Vec2,
 }
 
-impl Clouds {
+impl CloudLayer {
     /// The clouds in front of a clear sky's radiance.
     pub(crate) fn over(&self, clear: Vec3A, direction: Vec3A, sun: Vec3A) -> Vec3A {
         if direction.z < 0.01 {

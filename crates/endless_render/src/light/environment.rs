@@ -2,7 +2,7 @@
 
 use super::{
     Fog, Sky,
-    clouds::Clouds,
+    clouds::CloudLayer,
     sky::{LUMINANCE, SOLAR_ILLUMINANCE_KLX, SkyParameters, sun_transmittance},
 };
 use crate::accel::Ray;
@@ -61,7 +61,7 @@ impl Environment {
         let sun_direction = settings.sun_direction.map_or(drawn, |towards| Vec3A::from(towards).normalize_or(drawn));
         let cloud_seed = Vec2::new(random.range_f32(-500.0, 500.0), random.range_f32(-500.0, 500.0));
         let low_light = Vec3A::from(condition.low_light);
-        let clouds = (condition.cloud_cover > 0.0).then(|| Clouds {
+        let clouds = (condition.cloud_cover > 0.0).then(|| CloudLayer {
             cover: condition.cloud_cover,
             lit: low_light * (14.0 * condition.cloud_brightness),
             dark: Vec3A::new(0.80, 0.9, 1.05) * (6.0 * condition.cloud_brightness),

@@ -2,7 +2,7 @@
 //! need not be sharp, those that move and those in mirrors.
 
 use super::lamps::PointLamp;
-use crate::accel::{Accel, Ray};
+use crate::accel::{Ray, Tlas};
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
 
@@ -22,7 +22,7 @@ pub(crate) struct LampMaps {
 
 impl LampMaps {
     /// Maps the surroundings of the lamps over and around a rectangle of ground.
-    pub(crate) fn bake(accel: &Accel, lamps: &[PointLamp], low: Vec2, high: Vec2, range_m: f32) -> Self {
+    pub(crate) fn bake(accel: &Tlas, lamps: &[PointLamp], low: Vec2, high: Vec2, range_m: f32) -> Self {
         let near = |lamp: &PointLamp| {
             let at = Vec2::new(lamp.position.x, lamp.position.y);
             at.clamp(low, high).distance_squared(at) < MARGIN_M * MARGIN_M
@@ -44,7 +44,7 @@ impl LampMaps {
     }
 }
 
-fn map(accel: &Accel, position: Vec3A, range_m: f32) -> Vec<f32> {
+fn map(accel: &Tlas, position: Vec3A, range_m: f32) -> Vec<f32> {
     let mut map = vec![f32::MAX; EDGE * EDGE];
     for (i, eight) in map.chunks_exact_mut(8).enumerate() {
         let rays: [Ray; 8] = std::array::from_fn(|k| {
@@ -99,7 +99,7 @@ mod tests {
             Vec3::new(-1.0, 1.0, 4.0),
         ];
         let blas = Arc::new(Blas::build(&plate, &[[0, 1, 2], [0, 2, 3]]));
-        let accel = Accel::build(vec![(blas, Affine3A::IDENTITY)]);
+        let accel = Tlas::build(vec![(blas, Affine3A::IDENTITY)]);
         let lamp = PointLamp { position: Vec3A::new(0.0, 0.0, 8.0), intensity: Vec3A::ONE };
         let maps = LampMaps::bake(&accel, &[lamp], Vec2::splat(-5.0), Vec2::splat(5.0), 32.0);
         let lit = |p: Vec3A| {

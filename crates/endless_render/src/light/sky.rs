@@ -5,7 +5,7 @@
 //! the light for the further orders of scattering that the integral leaves out. Overcast sky: the CIE standard overcast luminance distribution
 //! (Moon and Spencer 1942). Radiance in kcd/m² per linear RGB channel.
 
-use super::clouds::Clouds;
+use super::clouds::CloudLayer;
 use endless_world::math;
 use glam::Vec3A;
 use std::f32::consts::{PI, TAU};
@@ -56,7 +56,7 @@ pub(crate) struct SkyParameters {
     /// Light that a town throws into its night sky: radiance at the horizon, kcd/m².
     pub(crate) glow: Vec3A,
     /// Broken clouds over the clear part.
-    pub(crate) clouds: Option<Clouds>,
+    pub(crate) clouds: Option<CloudLayer>,
 }
 
 impl Sky {

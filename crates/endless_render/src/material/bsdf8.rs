@@ -1,14 +1,14 @@
 //! Eight BSDFs side by side, each towards its own viewer: their light from one small light after another.
 
 use super::Bsdf;
-use crate::eight::{Vectors, dot, normalize};
+use crate::vec3x8::{Vec3x8, dot, normalize};
 use glam::Vec3A;
 use std::f32::consts::{FRAC_1_PI, PI};
 use wide::f32x8;
 
 /// What [`Bsdf::lit_by`] needs of eight BSDFs; what depends on the viewers alone is known beforehand.
 pub(crate) struct Bsdf8 {
-    albedo: Vectors,
+    albedo: Vec3x8,
     base: GgxLobe8,
     specular: f32x8,
     /// (1 − roughness)² of the base.
@@ -16,13 +16,13 @@ pub(crate) struct Bsdf8 {
     /// Share of the diffuse light that the specular lobe leaves on its way to the viewer.
     left: f32x8,
     /// Share of light that the coat lets through, a channel each.
-    below: Vectors,
+    below: Vec3x8,
     translucency: f32x8,
     coat: f32x8,
-    coat_f0: Vectors,
+    coat_f0: Vec3x8,
     coat_lobe: GgxLobe8,
     /// To the viewer.
-    view: Vectors,
+    view: Vec3x8,
 }
 
 impl Bsdf8 {
@@ -48,7 +48,7 @@ impl Bsdf8 {
     }
 
     /// Radiance towards the viewers, over the illuminance of a surface facing the light; `light` points to the light.
-    pub(crate) fn lit_by(&self, light: &Vectors) -> Vectors {
+    pub(crate) fn lit_by(&self, light: &Vec3x8) -> Vec3x8 {
         let cosine = dot(&self.base.normal, light);
         let facing = cosine.fast_max(f32x8::ZERO);
         let half = normalize([0, 1, 2].map(|k| self.view[k] + light[k]));
@@ -56,7 +56,7 @@ impl Bsdf8 {
         let left = (f32x8::ONE - grazing(self.specular, self.smooth, cosine)) * self.left;
         let matte = facing * left * f32x8::splat(FRAC_1_PI);
         let shine = self.base.value(light, &half) * grazing(self.specular, self.smooth, half_view) * facing;
-        let mut out: Vectors = std::array::from_fn(|k| self.albedo[k] * matte);
+        let mut out: Vec3x8 = std::array::from_fn(|k| self.albedo[k] * matte);
         if self.translucency.simd_gt(f32x8::ZERO).any() {
             // Leaves: part of the light comes through, greener and brighter against the sun.
             let behind = (-cosine).fast_max(f32x8::ZERO) * f32x8::splat(FRAC_1_PI);
@@ -78,7 +78,7 @@ impl Bsdf8 {
 
 /// A GGX lobe towards a viewer.
 struct GgxLobe8 {
-    normal: Vectors,
+    normal: Vec3x8,
     /// α².
     a2: f32x8,
     /// Cosine to the viewer.
@@ -88,7 +88,7 @@ struct GgxLobe8 {
 }
 
 impl GgxLobe8 {
-    fn new(normal: Vectors, roughness: f32x8, view: &Vectors) -> Self {
+    fn new(normal: Vec3x8, roughness: f32x8, view: &Vec3x8) -> Self {
         let alpha = (roughness * roughness).fast_max(f32x8::splat(0.0016));
         let a2 = alpha * alpha;
         let n_v = dot(&normal, view).fast_max(f32x8::splat(0.02));
@@ -97,7 +97,7 @@ impl GgxLobe8 {
     }
 
     /// Distribution and height-correlated shadowing-masking (Heitz 2014) over 4 cos cos.
-    fn value(&self, light: &Vectors, half: &Vectors) -> f32x8 {
+    fn value(&self, light: &Vec3x8, half: &Vec3x8) -> f32x8 {
         let n_h = dot(&self.normal, half).fast_max(f32x8::ZERO);
         let n_l = dot(&self.normal, light).fast_max(f32x8::ZERO);
         let d = n_h * n_h * (self.a2 - f32x8::ONE) + f32x8::ONE;
@@ -114,7 +114,7 @@ fn schlick(cosine: f32x8) -> f32x8 {
     m2 * m2 * m
 }
 
-fn fresnel(f0: &Vectors, cosine: f32x8) -> Vectors {
+fn fresnel(f0: &Vec3x8, cosine: f32x8) -> Vec3x8 {
     let m5 = schlick(cosine);
     f0.map(|f| f + (f32x8::ONE - f) * m5)
 }

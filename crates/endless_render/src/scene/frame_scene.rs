@@ -2,7 +2,7 @@
 
 use super::Instance;
 use super::moving_object::{MovingObject, MovingVolume};
-use crate::accel::Accel;
+use crate::accel::Tlas;
 use crate::light::VehicleBeam;
 use endless_world::SignalAspect;
 use rayon::prelude::*;
@@ -25,7 +25,7 @@ pub struct FrameDescription {
 pub struct FrameScene {
     pub(crate) frame: u32,
     pub(crate) instances: Vec<Instance>,
-    pub(crate) accel: Accel,
+    pub(crate) accel: Tlas,
     pub(crate) objects: Vec<MovingVolume>,
     pub(crate) beams: Vec<VehicleBeam>,
     pub(crate) signals: Vec<SignalAspect>,
@@ -45,7 +45,7 @@ impl FrameScene {
                 spans.push((first..instances.len(), footprint));
             }
         }
-        let accel = Accel::build(instances.iter().map(Instance::placed).collect());
+        let accel = Tlas::build(instances.iter().map(Instance::placed).collect());
         let objects = spans
             .into_par_iter()
             .map(|(own, footprint)| MovingVolume::new(&accel, &instances, own, &footprint, &beams))

@@ -20,5 +20,5 @@ pub use instance::Instance;
 pub(crate) use moving_object::MovingVolume;
 pub use moving_object::{Footprint, MovingObject};
 pub use static_scene::StaticScene;
-pub(crate) use surface_interaction::{Facet, SurfaceInteraction};
+pub(crate) use surface_interaction::{ShadingPoint, SurfaceInteraction};
 pub use velocity::RigidVelocity;

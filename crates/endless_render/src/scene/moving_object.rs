@@ -1,7 +1,7 @@
 //! What moves, as it is described, and as a volume that bounds what it changes.
 
 use super::Instance;
-use crate::accel::Accel;
+use crate::accel::Tlas;
 use crate::light::VehicleBeam;
 use glam::{Affine3A, Vec2, Vec3A};
 use std::ops::Range;
@@ -53,7 +53,7 @@ pub(crate) struct MovingVolume {
 impl MovingVolume {
     /// Of the object that these of the instances make up; `accel` holds all of them.
     pub(super) fn new(
-        accel: &Accel,
+        accel: &Tlas,
         instances: &[Instance],
         own: Range<usize>,
         footprint: &Footprint,

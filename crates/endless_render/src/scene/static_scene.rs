@@ -1,7 +1,7 @@
 //! What stands still: the same in every frame.
 
 use super::Instance;
-use crate::accel::Accel;
+use crate::accel::Tlas;
 use crate::light::Lamps;
 use endless_scene::StreetLamp;
 use std::sync::Arc;
@@ -10,7 +10,7 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct StaticScene {
     pub(crate) instances: Vec<Instance>,
-    pub(crate) accel: Accel,
+    pub(crate) accel: Tlas,
     pub(crate) lamps: Arc<Lamps>,
 }
 
@@ -29,7 +29,7 @@ impl StaticScene {
 
     fn with_lamps(mut instances: Vec<Instance>, lamps: Arc<Lamps>) -> Self {
         instances.retain(|instance| !instance.geometry.is_empty());
-        let accel = Accel::build(instances.iter().map(Instance::placed).collect());
+        let accel = Tlas::build(instances.iter().map(Instance::placed).collect());
         Self { instances, accel, lamps }
     }
 

@@ -8,7 +8,7 @@ use glam::{Vec2, Vec3A};
 
 /// What lights need to know of a point.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Facet {
+pub(crate) struct ShadingPoint {
     /// World frame.
     pub(crate) position: Vec3A,
     /// Unit, on the side that the ray came from.
@@ -19,7 +19,7 @@ pub(crate) struct Facet {
     pub(crate) distance: f32,
 }
 
-impl Facet {
+impl ShadingPoint {
     /// Where a ray has come after `distance` metres.
     pub(crate) fn along(ray: &Ray, distance: f32, geometric_normal: Vec3A) -> Self {
         Self { position: ray.origin + ray.direction * distance, geometric_normal, direction: ray.direction, distance }
@@ -113,9 +113,9 @@ impl<'a> SurfaceInteraction<'a> {
     }
 
     /// The part that lights need.
-    pub(crate) fn facet(&self) -> Facet {
+    pub(crate) fn facet(&self) -> ShadingPoint {
         let Self { position, geometric_normal, direction, distance, .. } = *self;
-        Facet { position, geometric_normal, direction, distance }
+        ShadingPoint { position, geometric_normal, direction, distance }
     }
 
     /// The class of the pixel.

@@ -2,8 +2,8 @@
 //! and go, and sometimes it fails.
 
 use super::{maps, paint, parked, placed, sites, world};
-use endless_annotate::{Bodies, SceneObjects};
-use endless_dataset::Spawned;
+use endless_annotate::{SceneObjects, WorldKeypoints};
+use endless_dataset::SpawnCounts;
 use endless_pipeline::{
     Capabilities, MapCatalog, MapSource, RenderTask, SceneTruth, SimulationSession, SimulationStep, Simulator,
     SimulatorError,
@@ -93,8 +93,8 @@ struct LiveSession<'m> {
 }
 
 impl<'m> SimulationSession<'m> for LiveSession<'m> {
-    fn spawned(&self) -> Spawned {
-        Spawned { parked: 0, ..placed(self.settings) }
+    fn spawned(&self) -> SpawnCounts {
+        SpawnCounts { parked: 0, ..placed(self.settings) }
     }
 
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError> {
@@ -125,7 +125,7 @@ struct LiveTask<'m> {
 
 impl RenderTask for LiveTask<'_> {
     fn truth(&self, state: &WorldState) -> SceneTruth {
-        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: Bodies::new() }
+        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: WorldKeypoints::new() }
     }
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {

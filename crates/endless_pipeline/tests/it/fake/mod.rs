@@ -5,10 +5,10 @@ mod live;
 pub(crate) use live::{Fault, LiveFake};
 
 use endless_annotate::SceneObjects;
-use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, Spawned};
+use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SpawnCounts};
 use endless_pipeline::{
-    Capabilities, GenerateOptions, Generated, MapCatalog, MapSource, RecipeDraft, RenderTask, SceneTruth, Silent,
-    SimulationSession, SimulationStep, Simulator, SimulatorError, generate,
+    Capabilities, GenerateOptions, Generated, MapCatalog, MapSource, RecipeDraft, RenderTask, SceneTruth,
+    SilentProgress, SimulationSession, SimulationStep, Simulator, SimulatorError, generate,
 };
 use endless_world::{
     Actor, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINT_COUNT, Motion, Mount,
@@ -80,8 +80,8 @@ impl Simulator for Fake {
 }
 
 /// The plain has room for twelve vehicles.
-pub(crate) fn placed(settings: &SceneSettings) -> Spawned {
-    Spawned { vehicles: settings.vehicles.min(12), pedestrians: settings.pedestrians, parked: 1 }
+pub(crate) fn placed(settings: &SceneSettings) -> SpawnCounts {
+    SpawnCounts { vehicles: settings.vehicles.min(12), pedestrians: settings.pedestrians, parked: 1 }
 }
 
 fn actor(id: u16, class: ObjectClass) -> Actor {
@@ -133,7 +133,7 @@ struct Drive<'m> {
 }
 
 impl<'m> SimulationSession<'m> for Drive<'m> {
-    fn spawned(&self) -> Spawned {
+    fn spawned(&self) -> SpawnCounts {
         placed(self.settings)
     }
 
@@ -241,7 +241,7 @@ pub(crate) fn recipe(draft: RecipeDraft) -> Recipe {
 }
 
 pub(crate) fn make<S: Simulator>(fake: &S, recipe: &Recipe, out: &Path, threads: usize) -> Generated {
-    generate(fake, recipe, out, &options(threads), &Silent).expect("makes the dataset")
+    generate(fake, recipe, out, &options(threads), &SilentProgress).expect("makes the dataset")
 }
 
 /// How the tests' one build runs.

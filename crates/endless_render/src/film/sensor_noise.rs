@@ -11,7 +11,7 @@ const UNIT: f32 = 1.0 / 64.0;
 
 /// Noise of one camera.
 #[derive(Debug, Clone)]
-pub(crate) struct Grain {
+pub(crate) struct SensorNoise {
     /// Red, green and blue of one pixel after another, nearly normal: mostly common to the three.
     table: Vec<[i16; 3]>,
     /// Strength on black, in 2^-20ths of the table's unit, and how much less it is for each step of the value.
@@ -19,7 +19,7 @@ pub(crate) struct Grain {
     key: u32,
 }
 
-impl Grain {
+impl SensorNoise {
     /// Noise with a standard deviation in middle grey, in 255ths.
     pub(crate) fn new(deviation: f32, seed: u64) -> Self {
         let key = hash(seed as u32 ^ hash((seed >> 32) as u32));

@@ -8,7 +8,7 @@ use std::{fmt, str::FromStr};
 
 named_enum! {
     /// Which looks a recipe asks for.
-    LookChoice, "camera look",
+    CameraLookChoice, "camera look",
     /// A good camera: a little noise, and what moves is blurred by as long as the shutter is open.
     Natural = "natural",
     /// The picture as light made it, at one instant.
@@ -64,14 +64,14 @@ impl Distortion {
 
 /// The recorder's clock at the first frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Clock {
+pub struct RecorderClock {
     /// Year, month, day.
     pub date: [u16; 3],
     /// Seconds since midnight.
     pub second: u32,
 }
 
-impl Clock {
+impl RecorderClock {
     /// Some day, at an hour that fits the light.
     pub fn new(time: TimeOfDay, random: &mut Stream) -> Self {
         let hour = match time {
@@ -110,7 +110,7 @@ pub struct CameraLook {
     pub jpeg_quality: Option<u8>,
     /// The time that is stamped into the picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub clock: Option<Clock>,
+    pub clock: Option<RecorderClock>,
 }
 
 impl CameraLook {
@@ -128,7 +128,7 @@ impl CameraLook {
     };
 
     /// The look of a camera; `random` is its own, `clock` that of the scene.
-    pub fn new(choice: LookChoice, time: TimeOfDay, clock: Clock, random: &mut Stream) -> Self {
+    pub fn new(choice: CameraLookChoice, time: TimeOfDay, clock: RecorderClock, random: &mut Stream) -> Self {
         let dark = if time == TimeOfDay::Night { 2.5 } else { 1.0 };
         // Cameras open the shutter for as long as the light asks, then amplify.
         let shutter_s = match time {
@@ -137,9 +137,9 @@ impl CameraLook {
             TimeOfDay::Night => 1.0 / 60.0,
         };
         match choice {
-            LookChoice::Clean => Self::CLEAN,
-            LookChoice::Natural => Self { shutter_s, noise: 0.6 * dark, ..Self::CLEAN },
-            LookChoice::Cctv => Self {
+            CameraLookChoice::Clean => Self::CLEAN,
+            CameraLookChoice::Natural => Self { shutter_s, noise: 0.6 * dark, ..Self::CLEAN },
+            CameraLookChoice::Cctv => Self {
                 distortion: Distortion::barrel(-0.12),
                 vignetting: 0.3,
                 aberration: 0.0006,
@@ -150,7 +150,7 @@ impl CameraLook {
                 jpeg_quality: Some(60),
                 clock: Some(clock),
             },
-            LookChoice::Random => {
+            CameraLookChoice::Random => {
                 let mut share = |chance: f32| random.f32() < chance;
                 let (bent, recorded, stamped) = (share(0.7), share(0.75), share(0.6));
                 let mut within = |low: f32, high: f32| random.range_f32(low, high);
@@ -203,14 +203,23 @@ mod tests {
 
     #[test]
     fn looks_differ_from_camera_to_camera() {
-        let clock = Clock::new(TimeOfDay::Night, &mut Stream::named(1, "clock", &[]));
+        let clock = RecorderClock::new(TimeOfDay::Night, &mut Stream::named(1, "clock", &[]));
         let look = |n| {
-            CameraLook::new(LookChoice::Random, TimeOfDay::Night, clock, &mut Stream::named(1, "camera look", &[n]))
+            CameraLook::new(
+                CameraLookChoice::Random,
+                TimeOfDay::Night,
+                clock,
+                &mut Stream::named(1, "camera look", &[n]),
+            )
         };
         assert_ne!(look(0), look(1));
         assert_eq!(look(2), look(2));
-        let natural = CameraLook::new(LookChoice::Natural, TimeOfDay::Night, clock, &mut Stream::named(1, "", &[]));
+        let natural =
+            CameraLook::new(CameraLookChoice::Natural, TimeOfDay::Night, clock, &mut Stream::named(1, "", &[]));
         assert!(natural.shutter_s > 0.01 && natural.noise > 0.0 && natural.distortion == Distortion::NONE);
-        assert!(CameraLook::new(LookChoice::Clean, TimeOfDay::Night, clock, &mut Stream::named(1, "", &[])).is_clean());
+        assert!(
+            CameraLook::new(CameraLookChoice::Clean, TimeOfDay::Night, clock, &mut Stream::named(1, "", &[]))
+                .is_clean()
+        );
     }
 }

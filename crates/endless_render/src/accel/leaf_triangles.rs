@@ -12,7 +12,7 @@ use super::triangle::TriangleGroup;
 
 /// The groups of all leaves, one leaf after the other.
 #[derive(Debug)]
-pub(super) struct Groups {
+pub(super) struct LeafTriangles {
     /// Where they are; empty until somebody asks, once the mesh has moved.
     placed: OnceLock<Vec<TriangleGroup>>,
     soft: Option<DeformingGroups>,
@@ -39,7 +39,7 @@ struct GroupLeaf {
     vertices: Range<usize>,
 }
 
-impl Groups {
+impl LeafTriangles {
     /// Of a mesh that keeps its shape.
     pub(super) fn rigid(groups: Vec<TriangleGroup>) -> Self {
         Self { count: groups.len(), placed: groups.into(), soft: None }
@@ -135,7 +135,7 @@ impl Groups {
     }
 }
 
-impl Clone for Groups {
+impl Clone for LeafTriangles {
     fn clone(&self) -> Self {
         Self { placed: self.placed.clone(), soft: self.soft.clone(), count: self.count }
     }

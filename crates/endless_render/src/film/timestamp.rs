@@ -1,9 +1,9 @@
 //! The time that a recorder stamps into its pictures.
 
-use endless_world::{Clock, ImageSize, glyph};
+use endless_world::{ImageSize, RecorderClock, glyph};
 
 /// What the clock shows so many seconds after the first frame.
-fn text(clock: Clock, later_s: u32) -> String {
+fn text(clock: RecorderClock, later_s: u32) -> String {
     let second = clock.second + later_s;
     let [year, month, day] = (0..second / 86_400).fold(clock.date, |date, _| next_day(date));
     let second = second % 86_400;
@@ -26,7 +26,7 @@ fn next_day([year, month, day]: [u16; 3]) -> [u16; 3] {
 }
 
 /// Stamps the time into a picture's upper left corner: white with a dark rim.
-pub(super) fn stamp(clock: Clock, later_s: u32, size: ImageSize, rgb: &mut [[u8; 3]]) {
+pub(super) fn stamp(clock: RecorderClock, later_s: u32, size: ImageSize, rgb: &mut [[u8; 3]]) {
     let dot = i64::from(size.height / 300).max(1);
     let (left, top) = (8 * dot, 8 * dot);
     for (value, rim) in [([16; 3], 1), ([240; 3], 0)] {
@@ -56,7 +56,7 @@ mod tests {
 
     #[test]
     fn the_clock_ticks() {
-        let clock = Clock { date: [2024, 3, 9], second: 23 * 3600 + 59 * 60 + 58 };
+        let clock = RecorderClock { date: [2024, 3, 9], second: 23 * 3600 + 59 * 60 + 58 };
         assert_eq!(text(clock, 1), "2024-03-09 23:59:59");
         assert_eq!(text(clock, 2), "2024-03-10 00:00:00");
         assert_eq!(next_day([2024, 2, 28]), [2024, 2, 29]);
@@ -69,7 +69,7 @@ mod tests {
         for (width, height) in [(1, 1), (20, 3), (200, 40)] {
             let size = ImageSize { width, height };
             let mut rgb = vec![[100u8; 3]; size.pixels()];
-            stamp(Clock { date: [2024, 1, 1], second: 0 }, 0, size, &mut rgb);
+            stamp(RecorderClock { date: [2024, 1, 1], second: 0 }, 0, size, &mut rgb);
             assert_eq!(rgb.iter().any(|p| *p != [100; 3]), width >= 20 && height >= 10);
         }
     }

@@ -5,15 +5,15 @@ use std::sync::{Mutex, PoisonError};
 
 /// Those not in use; at most as many as frames are made at once.
 #[derive(Debug)]
-pub(super) struct Pool<T>(Mutex<Vec<T>>);
+pub(super) struct ScratchPool<T>(Mutex<Vec<T>>);
 
-impl<T> Default for Pool<T> {
+impl<T> Default for ScratchPool<T> {
     fn default() -> Self {
         Self(Mutex::default())
     }
 }
 
-impl<T> Pool<T> {
+impl<T> ScratchPool<T> {
     /// One that is left over, or a fresh one.
     pub(super) fn take(&self, fresh: impl FnOnce() -> T) -> T {
         let spare = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
