@@ -3,7 +3,7 @@
 //! Coordinates are longitude and latitude (WGS 84) and height where the map says where on Earth it lies; else metres
 //! east, north and up, which the member `coordinates` of the collection says.
 
-use endless_road::{BuildingFootprint, Control, Georeference, RoadNetwork, Turn, WalkKind};
+use endless_road::{BuildingFootprint, Georeference, RoadNetwork, TrafficControl, Turn, WalkKind};
 use endless_town::Town;
 use geojson::{Feature, FeatureCollection, Geometry};
 use glam::{DVec2, DVec3, Vec3};
@@ -86,10 +86,10 @@ fn lanes(network: &RoadNetwork, frame: &CoordinateWriter) -> Vec<Feature> {
             Turn::UTurn => "u_turn",
         };
         let (control, signal) = match lane.end_control {
-            Control::Free => ("free", None),
-            Control::Signal(signal) => ("signal", Some(signal.0)),
-            Control::Stop => ("stop", None),
-            Control::Yield => ("yield", None),
+            TrafficControl::Free => ("free", None),
+            TrafficControl::Signal(signal) => ("signal", Some(signal.0)),
+            TrafficControl::Stop => ("stop", None),
+            TrafficControl::Yield => ("yield", None),
         };
         feature(
             frame.line(lane.centerline.points().iter().copied()),

@@ -3,7 +3,7 @@
 #![expect(clippy::print_stdout, reason = "a program")]
 
 use endless_road::osm::{self, OsmOptions};
-use endless_road::{Fault, FaultKind, opendrive};
+use endless_road::{NetworkFault, NetworkFaultKind, opendrive};
 use std::collections::BTreeMap;
 use std::error::Error;
 
@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let (lanes, spawns) = (network.lanes.len(), network.spawn_points.len());
         let bays = map.lane_surfaces.iter().filter(|s| s.kind == endless_road::LaneType::Parking).count();
         println!("{file}: {lanes} lanes, {spawns} spawn points, {bays} parking strips");
-        let mut by_kind: BTreeMap<FaultKind, Vec<Fault>> = BTreeMap::new();
+        let mut by_kind: BTreeMap<NetworkFaultKind, Vec<NetworkFault>> = BTreeMap::new();
         for fault in network.faults() {
             by_kind.entry(fault.kind).or_default().push(fault);
         }

@@ -3,7 +3,7 @@
 #![expect(clippy::print_stdout, reason = "a program")]
 
 use endless_road::osm::{self, OsmOptions};
-use endless_road::{Control, LaneType, MapObjectKind, RoadMap, WalkKind, opendrive};
+use endless_road::{LaneType, MapObjectKind, RoadMap, TrafficControl, WalkKind, opendrive};
 use glam::{DVec2, DVec3};
 use std::error::Error;
 
@@ -110,11 +110,13 @@ fn draw(map: &RoadMap, canvas: &mut Canvas) {
         let end = lane.centerline.at(length);
         let across = (DVec2::from_angle(end.heading_rad).perp() * 0.45 * lane.width_m).extend(0.0);
         let color = match lane.end_control {
-            Control::Free if lane.successors.is_empty() => [0, 0, 0],
-            Control::Free => continue,
-            Control::Signal(id) => [[255, 40, 40], [40, 255, 40], [255, 255, 0], [60, 160, 255]][usize::from(id.0) % 4],
-            Control::Stop => [180, 0, 0],
-            Control::Yield => [255, 140, 0],
+            TrafficControl::Free if lane.successors.is_empty() => [0, 0, 0],
+            TrafficControl::Free => continue,
+            TrafficControl::Signal(id) => {
+                [[255, 40, 40], [40, 255, 40], [255, 255, 0], [60, 160, 255]][usize::from(id.0) % 4]
+            }
+            TrafficControl::Stop => [180, 0, 0],
+            TrafficControl::Yield => [255, 140, 0],
         };
         canvas.line(end.position - across, end.position + across, 0.8, color);
     }

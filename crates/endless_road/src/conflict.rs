@@ -1,6 +1,6 @@
 //! Conflicts inside junctions: whose paths overlap, and who goes first.
 
-use crate::{Conflict, Control, Junction, Lane, LaneId, RoadNetwork, Turn};
+use crate::{Junction, Lane, LaneConflict, LaneId, RoadNetwork, TrafficControl, Turn};
 use endless_world::math::f64::wrap_angle;
 use glam::{DVec2, DVec3};
 
@@ -17,7 +17,7 @@ pub(crate) fn derive(network: &mut RoadNetwork) {
     }
 }
 
-fn conflicts_of(network: &RoadNetwork, junction: &Junction) -> Vec<Conflict> {
+fn conflicts_of(network: &RoadNetwork, junction: &Junction) -> Vec<LaneConflict> {
     let sampled: Vec<SampledLane> = junction.lanes.iter().map(|&lane| SampledLane::new(network.lane(lane))).collect();
     let mut conflicts = Vec::new();
     for (i, &first) in junction.lanes.iter().enumerate() {
@@ -28,8 +28,8 @@ fn conflicts_of(network: &RoadNetwork, junction: &Junction) -> Vec<Conflict> {
             }
             let Some((range, other_range)) = sampled[i].near(&sampled[j], swept_m(a, b)) else { continue };
             let first_waits = gives_way(network, a, b);
-            conflicts.push(Conflict { lane: a.id, other: b.id, range, other_range, gives_way: first_waits });
-            conflicts.push(Conflict {
+            conflicts.push(LaneConflict { lane: a.id, other: b.id, range, other_range, gives_way: first_waits });
+            conflicts.push(LaneConflict {
                 lane: b.id,
                 other: a.id,
                 range: other_range,
@@ -149,8 +149,8 @@ pub fn gives_way(network: &RoadNetwork, a: &Lane, b: &Lane) -> bool {
 fn approach_rank(network: &RoadNetwork, connector: &Lane) -> u8 {
     let control = |id: &LaneId| network.lane(*id).end_control;
     match connector.predecessors.first().map(control) {
-        None | Some(Control::Free | Control::Signal(_)) => 0,
-        Some(Control::Yield) => 1,
-        Some(Control::Stop) => 2,
+        None | Some(TrafficControl::Free | TrafficControl::Signal(_)) => 0,
+        Some(TrafficControl::Yield) => 1,
+        Some(TrafficControl::Stop) => 2,
     }
 }

@@ -1,6 +1,6 @@
 //! Deriving and checking: from what a generator lays down to a network that traffic can use.
 
-use crate::{Control, JunctionId, LaneId, NetworkError, RoadNetwork, WalkEdgeId, WalkKind};
+use crate::{JunctionId, LaneId, NetworkError, RoadNetwork, TrafficControl, WalkEdgeId, WalkKind};
 use crate::{conflict, cut, spawn};
 use endless_world::SignalId;
 use endless_world::math::f64::wrap_angle;
@@ -47,7 +47,7 @@ impl RoadNetwork {
             {
                 return Err(NetworkError::Membership { lane: lane.id, junction });
             }
-            if let Control::Signal(signal) = lane.end_control {
+            if let TrafficControl::Signal(signal) = lane.end_control {
                 self.check_signal(signal, || format!("lane {:?}", lane.id))?;
             }
         }

@@ -30,10 +30,10 @@
 mod conflict;
 mod cut;
 mod error;
-mod fault;
 mod finish;
 mod geographic;
 mod network;
+mod network_fault;
 pub mod opendrive;
 pub mod osm;
 mod polyline;
@@ -45,13 +45,13 @@ mod walk;
 
 pub use conflict::{gives_way, near_ranges, swept_overlap};
 pub use error::NetworkError;
-pub use fault::{Fault, FaultKind};
 pub use geographic::Georeference;
 pub use network::{
-    Conflict, Control, Crossing, CrossingId, Junction, JunctionId, Lane, LaneCut, LaneId, Phase, RoadNetwork,
-    SignalProgram, SpawnPoint, Turn, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId,
+    Crossing, CrossingId, Junction, JunctionId, Lane, LaneConflict, LaneCut, LaneId, RoadNetwork, SignalPhase,
+    SignalProgram, SpawnPoint, TrafficControl, Turn, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId,
 };
-pub use polyline::{OnLine, Polyline};
+pub use network_fault::{NetworkFault, NetworkFaultKind};
+pub use polyline::{Polyline, PolylinePoint};
 pub use road_map::{
     BuildingFootprint, ImportNote, LandUse, LandUseArea, LaneSurface, LaneType, MapObject, MapObjectKind, MarkingColor,
     RoadMap, RoadMarking,

@@ -42,10 +42,10 @@ pub enum Turn {
     UTurn,
 }
 
-/// What governs leaving a lane at its end.
+/// The traffic control at a lane's end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Control {
-    /// Nothing: it goes on.
+pub enum TrafficControl {
+    /// None: the lane goes on.
     Free,
     /// A traffic light.
     Signal(SignalId),
@@ -79,7 +79,7 @@ pub struct Lane {
     /// Which way it turns.
     pub turn: Turn,
     /// What governs its end; the stop line is at the end of the lane.
-    pub end_control: Control,
+    pub end_control: TrafficControl,
 }
 
 impl Lane {
@@ -96,14 +96,14 @@ impl Lane {
             right: None,
             junction: None,
             turn: Turn::Straight,
-            end_control: Control::Free,
+            end_control: TrafficControl::Free,
         }
     }
 }
 
 /// Two junction lanes whose swept areas overlap.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Conflict {
+pub struct LaneConflict {
     /// The lane this is seen from.
     pub lane: LaneId,
     /// The other lane.
@@ -124,12 +124,12 @@ pub struct Junction {
     /// Traffic-light program, if signalised.
     pub program: Option<SignalProgram>,
     /// Every conflict, once from each side. Derived by `finish`.
-    pub conflicts: Vec<Conflict>,
+    pub conflicts: Vec<LaneConflict>,
 }
 
 /// One step of a program.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Phase {
+pub struct SignalPhase {
     /// Seconds.
     pub duration_s: f64,
     /// What each group of this junction shows.
@@ -140,7 +140,7 @@ pub struct Phase {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SignalProgram {
     /// In order.
-    pub phases: Vec<Phase>,
+    pub phases: Vec<SignalPhase>,
     /// Seconds into the cycle at scene time 0.
     pub offset_s: f64,
 }

@@ -11,9 +11,9 @@ pub struct Polyline {
     s: Vec<f64>,
 }
 
-/// A place on a line.
+/// A point of a polyline, with the line's direction there.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct OnLine {
+pub struct PolylinePoint {
     /// Position in the world.
     pub position: DVec3,
     /// Counter-clockwise from east, radians.
@@ -62,7 +62,7 @@ impl Polyline {
 
     /// The place at arc length `s`, clamped to the ends. Heading is interpolated between segment mid-points, so that
     /// what drives along turns smoothly.
-    pub fn at(&self, s: f64) -> OnLine {
+    pub fn at(&self, s: f64) -> PolylinePoint {
         let s = s.clamp(0.0, self.length());
         let i = self.segment_of(s);
         let (a, b) = (self.points[i], self.points[i + 1]);
@@ -78,7 +78,7 @@ impl Polyline {
         } else {
             here
         };
-        OnLine {
+        PolylinePoint {
             position: a.lerp(b, t),
             heading_rad: atan2(blended.y, blended.x),
             grade: blended.z / blended.truncate().length().max(1e-9),

@@ -1,6 +1,6 @@
 //! Places where vehicles may appear.
 
-use crate::fault::enough_reach;
+use crate::network_fault::enough_reach;
 use crate::{LaneId, RoadNetwork, SpawnPoint};
 
 /// Distance between spawn points of a lane, metres.

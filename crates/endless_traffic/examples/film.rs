@@ -4,7 +4,7 @@
 //! (red tail: brake lights, yellow flank: indicator), parked ones grey, people are discs with a nose.
 
 use endless_asset::Catalogue;
-use endless_road::{Control, WalkKind};
+use endless_road::{TrafficControl, WalkKind};
 use endless_town::Town;
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::math::{atan2, sin_cos};
@@ -71,7 +71,7 @@ fn draw_streets(picture: &mut Picture, town: &Town, state: &WorldState) {
         picture.line(a, b, edge.width_m as f32, color);
     }
     for lane in &network.lanes {
-        let Control::Signal(signal) = lane.end_control else { continue };
+        let TrafficControl::Signal(signal) = lane.end_control else { continue };
         let end = lane.centerline.at(lane.centerline.length());
         let color = match state.signals[usize::from(signal.0)].aspect {
             SignalAspect::Red => [255, 40, 40],

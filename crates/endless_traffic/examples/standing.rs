@@ -5,7 +5,7 @@
 
 use endless_asset::Catalogue;
 use endless_road::osm::{self, OsmOptions};
-use endless_road::{Control, Phase, RoadNetwork, opendrive};
+use endless_road::{RoadNetwork, SignalPhase, TrafficControl, opendrive};
 use endless_town::Town;
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::Motion;
@@ -32,8 +32,9 @@ fn place(network: &RoadNetwork, at: DVec2) -> String {
         network.lanes.iter().map(|l| (l, l.centerline.project(at))).min_by(|a, b| a.1.1.abs().total_cmp(&b.1.1.abs()));
     let Some((lane, (s, t))) = nearest else { return String::new() };
     let control = match lane.end_control {
-        Control::Signal(group) => {
-            let shown = |phase: &Phase| phase.aspects.iter().find(|(g, _)| *g == group).map(|(_, aspect)| *aspect);
+        TrafficControl::Signal(group) => {
+            let shown =
+                |phase: &SignalPhase| phase.aspects.iter().find(|(g, _)| *g == group).map(|(_, aspect)| *aspect);
             let programs = network.junctions.iter().filter_map(|j| j.program.as_ref());
             let phases: Vec<_> = programs
                 .flat_map(|p| p.phases.iter().filter_map(|phase| Some((phase.duration_s, shown(phase)?))))

@@ -7,7 +7,7 @@
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::{RightOfWay, Vehicle};
-use endless_road::{Control, JunctionId, LaneId, Turn};
+use endless_road::{JunctionId, LaneId, TrafficControl, Turn};
 use endless_world::{SignalAspect, SignalState};
 
 /// Room kept free behind the leader beyond a junction, metres.
@@ -41,7 +41,7 @@ pub(crate) struct EntryRequest {
     waited_s: f64,
     lanes: Vec<LaneId>,
     exit: LaneId,
-    control: Control,
+    control: TrafficControl,
     /// Its signal stops it.
     held: bool,
 }
@@ -236,14 +236,14 @@ fn stopping_m(speed: f64) -> f64 {
     speed * speed / (2.0 * 3.0) + 0.3 * speed + 0.5
 }
 
-fn approach_control(roads: &Roads, vehicle: &Vehicle, connector: LaneId) -> Control {
+fn approach_control(roads: &Roads, vehicle: &Vehicle, connector: LaneId) -> TrafficControl {
     let place = vehicle.route.iter().position(|&l| l == connector);
-    place.filter(|&p| p > 0).map_or(Control::Free, |p| roads.network.lane(vehicle.route[p - 1]).end_control)
+    place.filter(|&p| p > 0).map_or(TrafficControl::Free, |p| roads.network.lane(vehicle.route[p - 1]).end_control)
 }
 
-fn aspect(control: Control, signals: &[SignalState]) -> Option<SignalAspect> {
+fn aspect(control: TrafficControl, signals: &[SignalState]) -> Option<SignalAspect> {
     match control {
-        Control::Signal(signal) => Some(signals[usize::from(signal.0)].aspect),
+        TrafficControl::Signal(signal) => Some(signals[usize::from(signal.0)].aspect),
         _ => None,
     }
 }
@@ -303,10 +303,10 @@ fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) 
 fn sign_allows(roads: &Roads, request: &EntryRequest) -> bool {
     let must_look = roads.network.lane(request.lanes[0]).turn == Turn::UTurn;
     match request.control {
-        Control::Signal(_) => !request.held,
-        Control::Stop => request.waited_s > 0.7,
-        Control::Yield => request.distance < 14.0 + request.setback,
-        Control::Free => !must_look || request.distance < 14.0 + request.setback,
+        TrafficControl::Signal(_) => !request.held,
+        TrafficControl::Stop => request.waited_s > 0.7,
+        TrafficControl::Yield => request.distance < 14.0 + request.setback,
+        TrafficControl::Free => !must_look || request.distance < 14.0 + request.setback,
     }
 }
 

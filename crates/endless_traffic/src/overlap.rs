@@ -3,7 +3,7 @@
 
 use crate::swept_path::{DesignVehicle, SweptPath};
 use crate::vehicle_length::{LONG_M, SWINGS_OUT_M};
-use endless_road::{Conflict, Lane, LaneId, OnLine, RoadNetwork, Turn, gives_way, near_ranges};
+use endless_road::{Lane, LaneConflict, LaneId, PolylinePoint, RoadNetwork, Turn, gives_way, near_ranges};
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{cos, wrap_angle};
 use std::collections::{BTreeMap, BTreeSet};
@@ -75,8 +75,8 @@ impl DesignVehicles {
 /// Conflicts inside junctions, by lane: for cars, and if one of the two is long and swings out in bends.
 #[derive(Debug, Default)]
 pub(crate) struct Conflicts {
-    pub(crate) small: Vec<Vec<Conflict>>,
-    pub(crate) wide: Vec<Vec<Conflict>>,
+    pub(crate) small: Vec<Vec<LaneConflict>>,
+    pub(crate) wide: Vec<Vec<LaneConflict>>,
     /// How far before its end each lane is to be waited on, so that those who turn get past, metres.
     pub(crate) setbacks: Vec<f64>,
 }
@@ -90,7 +90,7 @@ impl Conflicts {
                 junction.lanes.iter().map(|&l| SweptPath::along(network, network.lane(l), body)).collect()
             };
             let (small, broad) = (sweep(bodies.small), sweep(bodies.broad));
-            let known: BTreeMap<(LaneId, LaneId), Conflict> =
+            let known: BTreeMap<(LaneId, LaneId), LaneConflict> =
                 junction.conflicts.iter().map(|c| ((c.lane, c.other), *c)).collect();
             for (i, &a) in junction.lanes.iter().enumerate() {
                 for (j, &b) in junction.lanes.iter().enumerate().skip(i + 1) {
@@ -106,9 +106,14 @@ impl Conflicts {
                     let widest = join(join(swept, near), broad[i].conflict(&broad[j]));
                     for (ranges, lists) in [(swept, &mut all.small), (widest, &mut all.wide)] {
                         let Some((range, other_range)) = ranges else { continue };
-                        let there = Conflict { lane: a, other: b, range, other_range, gives_way: waits };
-                        let back =
-                            Conflict { lane: b, other: a, range: other_range, other_range: range, gives_way: !waits };
+                        let there = LaneConflict { lane: a, other: b, range, other_range, gives_way: waits };
+                        let back = LaneConflict {
+                            lane: b,
+                            other: a,
+                            range: other_range,
+                            other_range: range,
+                            gives_way: !waits,
+                        };
                         lists[a.index()].push(there);
                         lists[b.index()].push(back);
                     }
@@ -242,7 +247,7 @@ pub(crate) fn alongside(network: &RoadNetwork, bodies: DesignVehicles) -> Vec<Ve
 /// A place on a lane.
 struct LanePlace {
     lane: LaneId,
-    on: OnLine,
+    on: PolylinePoint,
 }
 
 /// Lanes with the same direction of travel that come near one another, and that nothing else relates.

@@ -3,7 +3,7 @@
 use crate::attraction::Attraction;
 use crate::overlap::{Alongside, Conflicts, DesignVehicles, Sibling, alongside, make_room, siblings};
 use crate::vehicle_length::LONG_M;
-use endless_road::{Conflict, CrossingId, JunctionId, LaneId, RoadNetwork, Turn};
+use endless_road::{CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork, Turn};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{VehicleModelId, VehicleSpec};
 use glam::Vec3;
@@ -48,9 +48,9 @@ pub(crate) struct LaneTable {
     pub(crate) cuts: Vec<CrossingCut>,
     /// Smallest radius of the centre line, metres.
     pub(crate) radius: f64,
-    conflicts: Vec<Conflict>,
+    conflicts: Vec<LaneConflict>,
     /// With a long vehicle, which swings out in bends.
-    wide_conflicts: Vec<Conflict>,
+    wide_conflicts: Vec<LaneConflict>,
     pub(crate) siblings: Vec<Sibling>,
     pub(crate) alongside: Vec<Alongside>,
     /// Who waits at the end of the lane keeps this far from it, so that those who turn get past, metres.
@@ -59,7 +59,7 @@ pub(crate) struct LaneTable {
 
 impl LaneTable {
     /// Conflicts with other lanes of the junction, wider if one of the two vehicles is long.
-    pub(crate) fn conflicts(&self, long: bool) -> &[Conflict] {
+    pub(crate) fn conflicts(&self, long: bool) -> &[LaneConflict] {
         if long { &self.wide_conflicts } else { &self.conflicts }
     }
 

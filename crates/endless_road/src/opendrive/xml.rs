@@ -44,7 +44,7 @@ impl XmlElement {
 pub(crate) fn tree(text: &str) -> Result<XmlElement, OpenDriveError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::from_str(text);
-    let mut lines = Lines { text: text.as_bytes(), at: 0, line: 1 };
+    let mut lines = LineCounter { text: text.as_bytes(), at: 0, line: 1 };
     let mut open: Vec<XmlElement> = Vec::new();
     loop {
         let line = lines.of(reader.buffer_position() as usize);
@@ -110,13 +110,13 @@ fn element(start: &BytesStart<'_>, line: usize) -> Result<XmlElement, OpenDriveE
 }
 
 /// Counts lines while the reader goes forward.
-struct Lines<'a> {
+struct LineCounter<'a> {
     text: &'a [u8],
     at: usize,
     line: usize,
 }
 
-impl Lines<'_> {
+impl LineCounter<'_> {
     /// The line of a byte not before those asked for already; before them, the last answer.
     fn of(&mut self, place: usize) -> usize {
         let place = place.min(self.text.len());

@@ -1,6 +1,6 @@
 //! Classes of roads and what is usual for each.
 
-use super::country::Country;
+use super::country::CountryRules;
 use super::extract::OsmTags;
 
 /// What a way is for vehicles, from the least to the most important.
@@ -92,7 +92,7 @@ impl RoadClass {
     }
 
     /// Usual limit, km/h.
-    pub(super) fn kmh(self, link: bool, country: &Country) -> f64 {
+    pub(super) fn kmh(self, link: bool, country: &CountryRules) -> f64 {
         let through = match self {
             Self::Motorway => country.motorway_kmh,
             Self::Trunk => country.rural_kmh.min(90.0),
@@ -107,14 +107,14 @@ impl RoadClass {
 }
 
 /// The limit in the `maxspeed` tag or the usual one, m/s.
-pub(super) fn speed_mps(tags: &OsmTags, class: RoadClass, link: bool, country: &Country) -> f64 {
+pub(super) fn speed_mps(tags: &OsmTags, class: RoadClass, link: bool, country: &CountryRules) -> f64 {
     let said = ["maxspeed", "maxspeed:forward", "maxspeed:backward", "zone:maxspeed", "maxspeed:advisory"]
         .iter()
         .find_map(|key| tags.get(key).and_then(|v| parse_kmh(v, country)));
     (said.unwrap_or_else(|| class.kmh(link, country)) / 3.6).clamp(1.5, 55.0)
 }
 
-fn parse_kmh(value: &str, country: &Country) -> Option<f64> {
+fn parse_kmh(value: &str, country: &CountryRules) -> Option<f64> {
     let value = value.split(';').next()?.trim();
     let (number, factor) = if let Some(n) = value.strip_suffix("mph") {
         (n, 1.609_344)
@@ -161,7 +161,7 @@ mod tests {
 
     #[test]
     fn speeds_and_lengths_have_units() {
-        let usual = Country::at(48.0, 11.0);
+        let usual = CountryRules::at(48.0, 11.0);
         for (text, kmh) in [
             ("50", 50.0),
             ("30 mph", 48.28),

@@ -1,10 +1,10 @@
 //! Lanes through junctions.
 
 use super::curve::{kerb_radius, line_through, way_through};
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
 use super::movement::Movement;
 use super::plan::StreetPlan;
-use crate::{Control, JunctionId, Lane, LaneId, Polyline, RoadNetwork, Turn};
+use crate::{JunctionId, Lane, LaneId, Polyline, RoadNetwork, TrafficControl, Turn};
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
@@ -21,7 +21,7 @@ pub(super) fn add(
 ) -> Vec<LaneId> {
     let mut added = Vec::new();
     for movement in movements {
-        let lane_of = |arm: StretchEnd, band: usize| plan.street(arm).lanes[band];
+        let lane_of = |arm: StreetSegmentEnd, band: usize| plan.street(arm).lanes[band];
         let Some((before, after)) =
             lane_of(movement.from, movement.lane_in).zip(lane_of(movement.to, movement.lane_out))
         else {
@@ -42,7 +42,7 @@ pub(super) fn add(
             right: None,
             junction: Some(junction),
             turn: movement.turn,
-            end_control: Control::Free,
+            end_control: TrafficControl::Free,
         };
         network.lanes.push(lane);
         network.lanes[before.index()].successors.push(id);
@@ -91,11 +91,11 @@ fn comfortable(line: &Polyline) -> f64 {
 fn line(plan: &StreetPlan, m: &Movement) -> Polyline {
     let section_in = plan.arm_section(m.from);
     let section_out = plan.arm_section(m.to);
-    let t_of = |arm: StretchEnd, band: usize, section: &super::section::CrossSection| {
+    let t_of = |arm: StreetSegmentEnd, band: usize, section: &super::section::CrossSection| {
         let band = if arm.end == 0 { band } else { section.bands.len() - 1 - band };
         section.middle(band)
     };
-    let leg = |arm: StretchEnd, t: f64| -> Vec<DVec3> {
+    let leg = |arm: StreetSegmentEnd, t: f64| -> Vec<DVec3> {
         let street = plan.street(arm);
         let (cut, stop) = (plan.cut(arm), plan.stop(arm));
         let stations = if arm.end == 0 {
@@ -145,7 +145,7 @@ fn widest(plan: &StreetPlan, m: &Movement, right: bool) -> f64 {
         return f64::INFINITY;
     }
     let kerb = kerb_radius(plan.street(m.from).class.corner_m().min(plan.street(m.to).class.corner_m()));
-    let beside = |arm: StretchEnd, band: usize, side: usize| {
+    let beside = |arm: StreetSegmentEnd, band: usize, side: usize| {
         let section = plan.arm_section(arm);
         let band = if arm.end == 0 { band } else { section.bands.len() - 1 - band };
         (section.middle(band) - section.kerbs[side]).abs()

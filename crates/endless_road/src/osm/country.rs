@@ -1,9 +1,9 @@
 //! What differs from country to country: the side of the road, usual speeds, paint, signs. Coarse boxes: who needs it
 //! exact says so.
 
-/// Customs of the place.
+/// Traffic rules and road markings of a country.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Country {
+pub(super) struct CountryRules {
     /// Traffic keeps to the left.
     pub(super) left_hand: bool,
     /// Yellow lines part opposite directions.
@@ -20,10 +20,10 @@ pub(super) struct Country {
 }
 
 /// South, west, north, east, degrees.
-type Box4 = [f64; 4];
+type GeoBox = [f64; 4];
 
 /// Where traffic keeps to the left.
-const LEFT: &[Box4] = &[
+const LEFT: &[GeoBox] = &[
     // Britain and Ireland, Channel Islands, Malta, Cyprus.
     [50.0, -11.0, 51.3, 1.45],
     [51.3, -11.0, 61.0, 1.9],
@@ -78,15 +78,15 @@ const LEFT: &[Box4] = &[
 ];
 
 /// The United States and Canada.
-const NORTH_AMERICA: &[Box4] =
+const NORTH_AMERICA: &[GeoBox] =
     &[[32.6, -168.0, 72.0, -52.0], [24.4, -106.0, 32.6, -79.4], [18.8, -161.0, 22.5, -154.0]];
-const LATIN_AMERICA: &[Box4] = &[[-56.0, -92.0, 12.6, -34.0], [7.0, -118.0, 32.6, -59.0]];
+const LATIN_AMERICA: &[GeoBox] = &[[-56.0, -92.0, 12.6, -34.0], [7.0, -118.0, 32.6, -59.0]];
 
-fn inside(boxes: &[Box4], lat: f64, lon: f64) -> bool {
+fn inside(boxes: &[GeoBox], lat: f64, lon: f64) -> bool {
     boxes.iter().any(|&[s, w, n, e]| (s..n).contains(&lat) && (w..e).contains(&lon))
 }
 
-impl Country {
+impl CountryRules {
     /// At a place, degrees.
     pub(super) fn at(lat: f64, lon: f64) -> Self {
         let left_hand = inside(LEFT, lat, lon);
@@ -127,7 +127,7 @@ impl Country {
 
 #[cfg(test)]
 mod tests {
-    use super::Country;
+    use super::CountryRules;
 
     #[test]
     fn cities_drive_on_their_side() {
@@ -174,10 +174,10 @@ mod tests {
             ("Dubai", 25.2, 55.3),
         ];
         for (name, lat, lon) in left {
-            assert!(Country::at(lat, lon).left_hand, "{name}");
+            assert!(CountryRules::at(lat, lon).left_hand, "{name}");
         }
         for (name, lat, lon) in right {
-            assert!(!Country::at(lat, lon).left_hand, "{name}");
+            assert!(!CountryRules::at(lat, lon).left_hand, "{name}");
         }
     }
 }

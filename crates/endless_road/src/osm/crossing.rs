@@ -2,11 +2,11 @@
 
 use super::class::RoadClass;
 use super::extract::OsmTags;
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
+use super::import_context::ImportContext;
 use super::plan::{FootwayCrossing, StreetPlan};
 use super::rules::{nodes_on, walkable};
-use super::site::Site;
-use crate::Control;
+use crate::TrafficControl;
 
 /// Along the road, metres.
 pub(super) const CROSSING_M: f64 = 3.2;
@@ -30,39 +30,39 @@ fn is_painted(tags: &OsmTags) -> bool {
 }
 
 /// Decides on all crossings, and thereby on all stop lines.
-pub(super) fn decide(plan: &mut StreetPlan, site: &Site<'_>) {
-    let mut wanted = wishes(plan, site);
+pub(super) fn decide(plan: &mut StreetPlan, context: &ImportContext<'_>) {
+    let mut wanted = wishes(plan, context);
     make_room(plan, &mut wanted);
     prune(plan, &mut wanted);
     link_islands(plan, &mut wanted);
     place(plan, &wanted);
-    between_junctions(plan, site);
+    between_junctions(plan, context);
 }
 
 /// What is wished for at the end of a street: nothing, or a crossing and whether it is painted.
 type WantedCrossing = Option<bool>;
 
 /// By street and end.
-fn wishes(plan: &StreetPlan, site: &Site<'_>) -> Vec<[WantedCrossing; 2]> {
+fn wishes(plan: &StreetPlan, context: &ImportContext<'_>) -> Vec<[WantedCrossing; 2]> {
     let mut wanted = vec![[None; 2]; plan.streets.len()];
     for intersection in &plan.intersections {
         let sidewalks = intersection.arms.iter().any(|&arm| has_walk(plan, arm, true) || has_walk(plan, arm, false));
         if intersection.arms.len() < 2 || intersection.turnaround || !sidewalks {
             continue;
         }
-        let rules: Vec<Control> = intersection.arms.iter().map(|&a| plan.street(a).control[a.end]).collect();
-        let free = rules.iter().all(|r| *r == Control::Free || *r == Control::Stop);
+        let rules: Vec<TrafficControl> = intersection.arms.iter().map(|&a| plan.street(a).control[a.end]).collect();
+        let free = rules.iter().all(|r| *r == TrafficControl::Free || *r == TrafficControl::Stop);
         for (i, &arm) in intersection.arms.iter().enumerate() {
             let street = plan.street(arm);
             if street.roundabout || street.class >= RoadClass::Trunk {
                 continue;
             }
-            let wish = mapped(plan, site, intersection.nodes.len() > 1, arm).or_else(|| {
+            let wish = mapped(plan, context, intersection.nodes.len() > 1, arm).or_else(|| {
                 if intersection.signals {
                     // A lone light between junctions has one crossing.
                     (intersection.arms.len() > 2 || i == 0).then_some(true)
                 } else if intersection.arms.len() > 2 && walkable(street.class, street.speed_mps) {
-                    (free || rules[i] != Control::Free || street.class <= RoadClass::Living).then_some(false)
+                    (free || rules[i] != TrafficControl::Free || street.class <= RoadClass::Living).then_some(false)
                 } else {
                     None
                 }
@@ -74,11 +74,11 @@ fn wishes(plan: &StreetPlan, site: &Site<'_>) -> Vec<[WantedCrossing; 2]> {
 }
 
 /// A mapped crossing near enough to belong to the junction.
-fn mapped(plan: &StreetPlan, site: &Site<'_>, cluster: bool, arm: StretchEnd) -> WantedCrossing {
+fn mapped(plan: &StreetPlan, context: &ImportContext<'_>, cluster: bool, arm: StreetSegmentEnd) -> WantedCrossing {
     let cut = plan.cut(arm);
     let reach = (cut + BEFORE_M + CROSSING_M + CLEAR_M + AFTER_M).min(0.6 * plan.street(arm).length());
     nodes_on(plan, arm).into_iter().filter(|&(_, d)| d < reach && (d > 0.5 || cluster)).find_map(|(node, _)| {
-        let tags = site.node_tags(node).filter(|tags| is_crossing(tags))?;
+        let tags = context.node_tags(node).filter(|tags| is_crossing(tags))?;
         Some(is_painted(tags))
     })
 }
@@ -97,15 +97,15 @@ fn make_room(plan: &StreetPlan, wanted: &mut [[WantedCrossing; 2]]) {
 }
 
 /// Whether there is a sidewalk on the left (true) or right of an arm, looking outwards.
-pub(super) fn has_walk(plan: &StreetPlan, arm: StretchEnd, left: bool) -> bool {
+pub(super) fn has_walk(plan: &StreetPlan, arm: StreetSegmentEnd, left: bool) -> bool {
     let side = usize::from(left == (arm.end == 1));
     plan.street(arm).section.sidewalks[side] > 0.0
 }
 
 /// Whether people stand at the corner after arm `i`.
-fn alive(plan: &StreetPlan, arms: &[StretchEnd], wanted: &[[WantedCrossing; 2]], i: usize) -> bool {
+fn alive(plan: &StreetPlan, arms: &[StreetSegmentEnd], wanted: &[[WantedCrossing; 2]], i: usize) -> bool {
     let (a, b) = (arms[i], arms[(i + 1) % arms.len()]);
-    let crossed = |arm: StretchEnd| wanted[arm.stretch][arm.end].is_some();
+    let crossed = |arm: StreetSegmentEnd| wanted[arm.stretch][arm.end].is_some();
     has_walk(plan, a, true) || has_walk(plan, b, false) || (crossed(a) && crossed(b) && a != b)
 }
 
@@ -160,7 +160,7 @@ fn link_islands(plan: &StreetPlan, wanted: &mut [[WantedCrossing; 2]]) {
         count += intersection.arms.len();
     }
     let mut parts = UnionFind((0..count).collect());
-    let side_of = |arm: StretchEnd, left: bool| 2 * arm.stretch + usize::from(left == (arm.end == 1));
+    let side_of = |arm: StreetSegmentEnd, left: bool| 2 * arm.stretch + usize::from(left == (arm.end == 1));
     for (intersection, &base) in plan.intersections.iter().zip(&first) {
         let n = intersection.arms.len();
         if n < 2 || intersection.turnaround {
@@ -215,7 +215,7 @@ fn place(plan: &mut StreetPlan, wanted: &[[WantedCrossing; 2]]) {
 }
 
 /// Mapped crossings between junctions, where there are sidewalks on both sides.
-fn between_junctions(plan: &mut StreetPlan, site: &Site<'_>) {
+fn between_junctions(plan: &mut StreetPlan, context: &ImportContext<'_>) {
     for street in &mut plan.streets {
         if street.section.sidewalks.contains(&0.0) {
             continue;
@@ -223,7 +223,7 @@ fn between_junctions(plan: &mut StreetPlan, site: &Site<'_>) {
         let (from, to) = (street.stops[0] + CLEAR_M, street.length() - street.stops[1] - CLEAR_M);
         for i in 0..street.on.len() {
             let (node, s) = street.on[i];
-            let Some(tags) = site.node_tags(node).filter(|tags| is_crossing(tags)) else { continue };
+            let Some(tags) = context.node_tags(node).filter(|tags| is_crossing(tags)) else { continue };
             let alone = street.crossings.iter().all(|c| (c.s - s).abs() > 3.0 * CROSSING_M);
             if s > from && s < to && alone {
                 street.crossings.push(FootwayCrossing {

@@ -1,8 +1,8 @@
 //! How far the roads of an extract may reach: further, a node is misplaced, or the extract is of a country.
 
 use super::OsmError;
-use super::site::Site;
-use super::stretch::Stretch;
+use super::import_context::ImportContext;
+use super::street_segment::StreetSegment;
 
 /// Roads lie within this distance of their middle, north or south, east or west, metres.
 const REACH_M: f64 = 25_000.0;
@@ -13,7 +13,7 @@ const LENGTH_M: f64 = 3_000_000.0;
 ///
 /// # Errors
 /// [`OsmError::TooWide`] with the farthest node, [`OsmError::TooLong`] with the way at which the roads were too long.
-pub(super) fn check(stretches: &[Stretch], site: &Site<'_>) -> Result<(), OsmError> {
+pub(super) fn check(stretches: &[StreetSegment], context: &ImportContext<'_>) -> Result<(), OsmError> {
     let median = |along: fn(&glam::DVec2) -> f64| {
         let mut values: Vec<f64> = stretches.iter().flat_map(|s| &s.vertices).map(|v| along(&v.at)).collect();
         values.sort_by(f64::total_cmp);
@@ -25,7 +25,7 @@ pub(super) fn check(stretches: &[Stretch], site: &Site<'_>) -> Result<(), OsmErr
         for vertex in &stretch.vertices {
             let away = (vertex.at - middle).abs().max_element();
             if away > REACH_M {
-                let node = site.extract.nodes.get(&vertex.node);
+                let node = context.extract.nodes.get(&vertex.node);
                 return Err(OsmError::TooWide {
                     way: stretch.ways[0],
                     node: vertex.node,

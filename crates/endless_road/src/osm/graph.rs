@@ -1,25 +1,25 @@
-//! From ways to a graph: stretches of road between the places where they meet.
+//! From ways to a graph: street segments between the intersections where they meet.
 
 use super::class::RoadClass;
-use super::site::Site;
-use super::stretch::Stretch;
+use super::import_context::ImportContext;
+use super::street_segment::StreetSegment;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The end of a stretch at an intersection.
+/// The end of a street segment at an intersection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) struct StretchEnd {
+pub(super) struct StreetSegmentEnd {
     pub(super) stretch: usize,
     /// 0 for its beginning, 1 for its end.
     pub(super) end: usize,
 }
 
 /// Takes away what is there twice: of roads between the same two nodes the most important one stays.
-pub(super) fn once(stretches: &[Stretch], site: &mut Site<'_>) -> Vec<Stretch> {
+pub(super) fn once(stretches: &[StreetSegment], context: &mut ImportContext<'_>) -> Vec<StreetSegment> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
     order.sort_by_key(|&i| (Reverse(stretches[i].class), i));
     let mut taken: BTreeSet<(i64, i64)> = BTreeSet::new();
-    let mut parts: Vec<Vec<Stretch>> = vec![Vec::new(); stretches.len()];
+    let mut parts: Vec<Vec<StreetSegment>> = vec![Vec::new(); stretches.len()];
     for i in order {
         let stretch = &stretches[i];
         let mut from = 0;
@@ -27,7 +27,7 @@ pub(super) fn once(stretches: &[Stretch], site: &mut Site<'_>) -> Vec<Stretch> {
         for k in 0..last {
             let [a, b] = [k, k + 1].map(|k| stretch.vertices[k].node);
             if !taken.insert((a.min(b), a.max(b))) {
-                site.note(format!("way {}", stretch.ways[0]), "runs twice between the same nodes: once is enough");
+                context.note(format!("way {}", stretch.ways[0]), "runs twice between the same nodes: once is enough");
                 if k > from {
                     parts[i].push(stretch.part(from, k));
                 }
@@ -42,7 +42,7 @@ pub(super) fn once(stretches: &[Stretch], site: &mut Site<'_>) -> Vec<Stretch> {
 }
 
 /// Cuts stretches where they share nodes.
-pub(super) fn split(stretches: &[Stretch]) -> Vec<Stretch> {
+pub(super) fn split(stretches: &[StreetSegment]) -> Vec<StreetSegment> {
     let mut uses: BTreeMap<i64, usize> = BTreeMap::new();
     for stretch in stretches {
         let last = stretch.vertices.len() - 1;
@@ -66,18 +66,18 @@ pub(super) fn split(stretches: &[Stretch]) -> Vec<Stretch> {
 }
 
 /// The ends at each node.
-pub(super) fn ends(stretches: &[Stretch]) -> BTreeMap<i64, Vec<StretchEnd>> {
-    let mut ends: BTreeMap<i64, Vec<StretchEnd>> = BTreeMap::new();
+pub(super) fn ends(stretches: &[StreetSegment]) -> BTreeMap<i64, Vec<StreetSegmentEnd>> {
+    let mut ends: BTreeMap<i64, Vec<StreetSegmentEnd>> = BTreeMap::new();
     for (stretch, data) in stretches.iter().enumerate() {
         for end in 0..2 {
-            ends.entry(data.end_node(end)).or_default().push(StretchEnd { stretch, end });
+            ends.entry(data.end_node(end)).or_default().push(StreetSegmentEnd { stretch, end });
         }
     }
     ends
 }
 
 /// Parts yards and blind alleys from the roads: what leads nowhere is paved, but nobody circulates there.
-pub(super) fn part_yards(stretches: Vec<Stretch>) -> (Vec<Stretch>, Vec<Stretch>) {
+pub(super) fn part_yards(stretches: Vec<StreetSegment>) -> (Vec<StreetSegment>, Vec<StreetSegment>) {
     let only_service = stretches.iter().all(|s| s.class == RoadClass::Service);
     if only_service {
         return (stretches, Vec::new());
@@ -108,9 +108,9 @@ pub(super) fn part_yards(stretches: Vec<Stretch>) -> (Vec<Stretch>, Vec<Stretch>
 }
 
 /// Joins stretches that merely follow one another.
-pub(super) fn merge(stretches: Vec<Stretch>) -> Vec<Stretch> {
-    let mut slots: Vec<Option<Stretch>> = stretches.into_iter().map(Some).collect();
-    let all: Vec<Stretch> = slots.iter().flatten().cloned().collect();
+pub(super) fn merge(stretches: Vec<StreetSegment>) -> Vec<StreetSegment> {
+    let mut slots: Vec<Option<StreetSegment>> = stretches.into_iter().map(Some).collect();
+    let all: Vec<StreetSegment> = slots.iter().flatten().cloned().collect();
     let mut at = ends(&all);
     let nodes: Vec<i64> = at.iter().filter(|(_, e)| e.len() == 2).map(|(n, _)| *n).collect();
     for node in nodes {
@@ -128,14 +128,14 @@ pub(super) fn merge(stretches: Vec<Stretch>) -> Vec<Stretch> {
         let far = second.end_node(1);
         let joined = join(first, second);
         if let Some(list) = at.get_mut(&far) {
-            for end in list.iter_mut().filter(|e| **e == (StretchEnd { stretch: b.stretch, end: 1 - b.end })) {
-                *end = StretchEnd { stretch: a.stretch, end: 1 };
+            for end in list.iter_mut().filter(|e| **e == (StreetSegmentEnd { stretch: b.stretch, end: 1 - b.end })) {
+                *end = StreetSegmentEnd { stretch: a.stretch, end: 1 };
             }
         }
         let near = joined.end_node(0);
         if let Some(list) = at.get_mut(&near) {
-            for end in list.iter_mut().filter(|e| **e == (StretchEnd { stretch: a.stretch, end: 1 - a.end })) {
-                *end = StretchEnd { stretch: a.stretch, end: 0 };
+            for end in list.iter_mut().filter(|e| **e == (StreetSegmentEnd { stretch: a.stretch, end: 1 - a.end })) {
+                *end = StreetSegmentEnd { stretch: a.stretch, end: 0 };
             }
         }
         slots[a.stretch] = Some(joined);
@@ -150,8 +150,8 @@ const SCRAP_M: f64 = 16.0;
 
 /// Gives short pieces of a road the section of what they follow, where their lanes are the same: bays that begin a car's
 /// length before a junction would make a road of steps.
-pub(super) fn without_scraps(mut stretches: Vec<Stretch>) -> Vec<Stretch> {
-    let lanes = |s: &Stretch| (s.section.lanes(true).len(), s.section.lanes(false).len());
+pub(super) fn without_scraps(mut stretches: Vec<StreetSegment>) -> Vec<StreetSegment> {
+    let lanes = |s: &StreetSegment| (s.section.lanes(true).len(), s.section.lanes(false).len());
     for _ in 0..3 {
         let ends = ends(&stretches);
         for i in 0..stretches.len() {
@@ -182,11 +182,11 @@ pub(super) fn without_scraps(mut stretches: Vec<Stretch>) -> Vec<Stretch> {
     stretches
 }
 
-fn alike(a: &Stretch, b: &Stretch) -> bool {
+fn alike(a: &StreetSegment, b: &StreetSegment) -> bool {
     a.section.continues(&b.section) && a.link == b.link && a.roundabout == b.roundabout && a.class == b.class
 }
 
-fn join(mut a: Stretch, b: Stretch) -> Stretch {
+fn join(mut a: StreetSegment, b: StreetSegment) -> StreetSegment {
     let (la, lb) = (a.length(), b.length());
     a.speed_mps = (a.speed_mps * la + b.speed_mps * lb) / (la + lb).max(1e-9);
     a.vertices.extend(&b.vertices[1..]);

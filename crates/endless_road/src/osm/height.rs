@@ -2,7 +2,7 @@
 //! unless its relief is known.
 
 use super::curve::segments_cross;
-use super::stretch::{Level, Stretch, Vertex};
+use super::street_segment::{StreetSegment, StructureLevel, WayVertex};
 use glam::DVec2;
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
@@ -26,10 +26,10 @@ const TABLE_M: f64 = 11.0;
 const EASE_M: f64 = 8.0;
 
 /// Height of the land at a place, metres.
-pub(super) type Ground<'a> = &'a dyn Fn(DVec2) -> f64;
+pub(super) type GroundHeight<'a> = &'a dyn Fn(DVec2) -> f64;
 
 /// Gives every node a height, metres; nodes that are not in it lie at 0. Divides long segments where there are ramps.
-pub(super) fn heights(stretches: &mut [Stretch], ground: Option<Ground<'_>>) -> BTreeMap<i64, f64> {
+pub(super) fn heights(stretches: &mut [StreetSegment], ground: Option<GroundHeight<'_>>) -> BTreeMap<i64, f64> {
     let mut raised = raised(stretches);
     let tunnels = stretches.iter().any(|s| s.levels.iter().any(|l| l.tunnel));
     if raised.is_empty() && !tunnels && ground.is_none() {
@@ -57,7 +57,7 @@ pub(super) fn heights(stretches: &mut [Stretch], ground: Option<Ground<'_>>) -> 
 }
 
 /// Nodes where roads meet and one of them is steep.
-fn steep_meetings(stretches: &[Stretch], edges: &Edges, ground: Ground<'_>) -> BTreeSet<i64> {
+fn steep_meetings(stretches: &[StreetSegment], edges: &HeightGraph, ground: GroundHeight<'_>) -> BTreeSet<i64> {
     let mut steep = BTreeSet::new();
     for stretch in stretches {
         let n = stretch.vertices.len() - 1;
@@ -74,7 +74,7 @@ fn steep_meetings(stretches: &[Stretch], edges: &Edges, ground: Ground<'_>) -> B
 
 /// Levels of a stretch's nodes on the land: straight over bridges and through tunnels, smooth elsewhere, and level at the
 /// ends with `tables`.
-fn profile(stretch: &Stretch, ground: Ground<'_>, tables: [bool; 2]) -> Vec<(i64, f64)> {
+fn profile(stretch: &StreetSegment, ground: GroundHeight<'_>, tables: [bool; 2]) -> Vec<(i64, f64)> {
     let n = stretch.vertices.len() - 1;
     let course = SlopeProfile::new(stretch, tables);
     let mut levels = course.levels(stretch, ground);
@@ -107,7 +107,7 @@ struct SlopeProfile {
 }
 
 impl SlopeProfile {
-    fn new(stretch: &Stretch, tables: [bool; 2]) -> Self {
+    fn new(stretch: &StreetSegment, tables: [bool; 2]) -> Self {
         let mut along = vec![0.0];
         for pair in stretch.vertices.windows(2) {
             along.push(along[along.len() - 1] + pair[0].at.distance(pair[1].at));
@@ -144,7 +144,7 @@ impl SlopeProfile {
     }
 
     /// Heights at a stretch's nodes.
-    fn levels(&self, stretch: &Stretch, ground: Ground<'_>) -> Vec<f64> {
+    fn levels(&self, stretch: &StreetSegment, ground: GroundHeight<'_>) -> Vec<f64> {
         let at = |s: f64| {
             let k = self.along.partition_point(|&a| a < s).clamp(1, self.along.len() - 1);
             let share = (s - self.along[k - 1]) / (self.along[k] - self.along[k - 1]).max(1e-9);
@@ -155,7 +155,7 @@ impl SlopeProfile {
 }
 
 /// Nodes of bridges that pass over another road, with their heights.
-fn raised(stretches: &[Stretch]) -> BTreeMap<i64, f64> {
+fn raised(stretches: &[StreetSegment]) -> BTreeMap<i64, f64> {
     let mut raised: BTreeMap<i64, f64> = BTreeMap::new();
     for stretch in stretches {
         let mut i = 0;
@@ -180,7 +180,7 @@ fn raised(stretches: &[Stretch]) -> BTreeMap<i64, f64> {
 }
 
 /// By how many levels a bridge must be raised above what it crosses.
-fn storeys(stretches: &[Stretch], bridge: &[Vertex], level: Level) -> Option<f64> {
+fn storeys(stretches: &[StreetSegment], bridge: &[WayVertex], level: StructureLevel) -> Option<f64> {
     let mut most: Option<i8> = None;
     for other in stretches {
         for (under, pair) in other.levels.iter().zip(other.vertices.windows(2)) {
@@ -201,7 +201,7 @@ fn storeys(stretches: &[Stretch], bridge: &[Vertex], level: Level) -> Option<f64
 }
 
 /// Cuts long segments; what lies between raised nodes of a bridge is raised as well.
-fn divide(stretch: &mut Stretch, raised: &mut BTreeMap<i64, f64>, next_id: &mut i64) {
+fn divide(stretch: &mut StreetSegment, raised: &mut BTreeMap<i64, f64>, next_id: &mut i64) {
     let (mut vertices, mut levels) = (vec![stretch.vertices[0]], Vec::new());
     for (pair, &level) in stretch.vertices.windows(2).zip(&stretch.levels) {
         let pieces = (pair[0].at.distance(pair[1].at) / PIECE_M).ceil().clamp(1.0, 1000.0) as usize;
@@ -213,7 +213,7 @@ fn divide(stretch: &mut Stretch, raised: &mut BTreeMap<i64, f64>, next_id: &mut 
             if let ([Some(from), Some(to)], true) = (high, level.bridge && k < pieces) {
                 raised.insert(*next_id, from + (to - from) * share);
             }
-            vertices.push(if k == pieces { pair[1] } else { Vertex { node: *next_id, at } });
+            vertices.push(if k == pieces { pair[1] } else { WayVertex { node: *next_id, at } });
             levels.push(level);
         }
     }
@@ -221,10 +221,10 @@ fn divide(stretch: &mut Stretch, raised: &mut BTreeMap<i64, f64>, next_id: &mut 
     stretch.levels = levels;
 }
 
-type Edges = BTreeMap<i64, Vec<(i64, f64)>>;
+type HeightGraph = BTreeMap<i64, Vec<(i64, f64)>>;
 
-fn edges(stretches: &[Stretch]) -> Edges {
-    let mut edges: Edges = BTreeMap::new();
+fn edges(stretches: &[StreetSegment]) -> HeightGraph {
+    let mut edges: HeightGraph = BTreeMap::new();
     for pair in stretches.iter().flat_map(|s| s.vertices.windows(2)) {
         let length = pair[0].at.distance(pair[1].at);
         edges.entry(pair[0].node).or_default().push((pair[1].node, length));
@@ -234,7 +234,12 @@ fn edges(stretches: &[Stretch]) -> Edges {
 }
 
 /// Lets heights fall off along the roads by a slope, down to 0, over the nodes that are wanted.
-fn spread(edges: &Edges, seeds: BTreeMap<i64, f64>, slope: f64, wanted: impl Fn(i64) -> bool) -> BTreeMap<i64, f64> {
+fn spread(
+    edges: &HeightGraph,
+    seeds: BTreeMap<i64, f64>,
+    slope: f64,
+    wanted: impl Fn(i64) -> bool,
+) -> BTreeMap<i64, f64> {
     let key = |z: f64| (z * 1e6) as i64;
     let mut queue: BinaryHeap<(i64, Reverse<i64>)> = seeds.iter().map(|(&n, &z)| (key(z), Reverse(n))).collect();
     let mut heights = seeds;
@@ -255,7 +260,7 @@ fn spread(edges: &Edges, seeds: BTreeMap<i64, f64>, slope: f64, wanted: impl Fn(
 }
 
 /// Tunnels: as deep as the way to the nearest mouth allows.
-fn sink(stretches: &[Stretch], edges: &Edges, heights: &mut BTreeMap<i64, f64>) {
+fn sink(stretches: &[StreetSegment], edges: &HeightGraph, heights: &mut BTreeMap<i64, f64>) {
     // A node where anything touches the open is a mouth.
     let mut inside: BTreeMap<i64, bool> = BTreeMap::new();
     for stretch in stretches {

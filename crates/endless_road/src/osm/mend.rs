@@ -1,6 +1,6 @@
 //! Mends what real data and odd geometry leave behind, so that the network holds together; and tells the user.
 
-use super::site::Site;
+use super::import_context::ImportContext;
 use crate::cut::cut_range;
 use crate::{CrossingId, LaneId, RoadNetwork, WalkKind};
 use endless_world::math::f64::wrap_angle;
@@ -10,12 +10,12 @@ const MOST_KINK_DEG: f64 = 6.0;
 const MOST_GAP_M: f64 = 0.04;
 
 /// Unhooks connectors that do not fit their lanes, and takes away crossings that cross nothing.
-pub(super) fn mend(network: &mut RoadNetwork, site: &mut Site<'_>) {
-    unhook(network, site);
+pub(super) fn mend(network: &mut RoadNetwork, context: &mut ImportContext<'_>) {
+    unhook(network, context);
     drop_idle_crossings(network);
 }
 
-fn unhook(network: &mut RoadNetwork, site: &mut Site<'_>) {
+fn unhook(network: &mut RoadNetwork, context: &mut ImportContext<'_>) {
     for i in 0..network.lanes.len() {
         let lane = &network.lanes[i];
         let end = lane.centerline.at(lane.centerline.length());
@@ -27,8 +27,8 @@ fn unhook(network: &mut RoadNetwork, site: &mut Site<'_>) {
         let kept: Vec<LaneId> = lane.successors.iter().copied().filter(fits).collect();
         if kept.len() < lane.successors.len() {
             let at = end.position;
-            site.note(
-                format!("({:.0}, {:.0}) m", if site.mirrored { -at.x } else { at.x }, at.y),
+            context.note(
+                format!("({:.0}, {:.0}) m", if context.mirrored { -at.x } else { at.x }, at.y),
                 "roads meet at an angle or so close to one another that a way between them cannot be driven",
             );
             network.lanes[i].successors = kept;

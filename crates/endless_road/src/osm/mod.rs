@@ -1,7 +1,7 @@
 //! OpenStreetMap: from an extract (`.osm` XML or `.osm.pbf`) to a [`RoadMap`].
 //!
 //! The steps, each a small file: read (`xml`, `pbf`) into an `extract`; lay it out in metres (`projection`,
-//! `site`); ways become stretches with cross-sections (`ways`, `section`), cut and joined to a graph (`graph`),
+//! `context`); ways become stretches with cross-sections (`ways`, `section`), cut and joined to a graph (`graph`),
 //! raised on bridges and over the lie of the land (`height`, `relief`), rounded into streets (`plan`) and cut back where
 //! they meet (`trim`); rules, crossings and lanes follow (`rules`, `crossing`, `lane`, `movement`, `connector`, `signal`,
 //! `walk`), then what lies there (`surface`, `paint`) and stands beside it.
@@ -19,6 +19,7 @@ mod extract;
 mod formation;
 mod graph;
 mod height;
+mod import_context;
 mod lane;
 mod lift;
 mod mend;
@@ -39,8 +40,7 @@ mod rules;
 mod section;
 mod sign;
 mod signal;
-mod site;
-mod stretch;
+mod street_segment;
 mod surface;
 mod surroundings;
 mod trim;
@@ -57,9 +57,9 @@ pub(crate) use projection::raw as mercator;
 use crate::{Junction, JunctionId, RoadMap, Terrain};
 use endless_world::DrivingSide;
 use glam::DVec2;
-use height::Ground;
+use height::GroundHeight;
+use import_context::ImportContext;
 use plan::StreetPlan;
-use site::Site;
 
 /// How to read an extract.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -99,47 +99,47 @@ pub fn read(bytes: &[u8], options: &OsmOptions) -> Result<RoadMap, OsmError> {
 /// # Errors
 /// [`OsmError::NoRoads`], [`OsmError::TooLarge`], [`OsmError::TooWide`], [`OsmError::TooLong`], [`OsmError::Crowded`].
 pub fn map_from(extract: &OsmExtract, options: &OsmOptions) -> Result<RoadMap, OsmError> {
-    let mut site = Site::new(extract, options.driving_side.map(|side| side == DrivingSide::Left));
-    let ways = ways::collect(extract, &mut site);
-    extent::check(&ways, &site)?;
-    let stretches = graph::split(&graph::once(&ways, &mut site));
+    let mut context = ImportContext::new(extract, options.driving_side.map(|side| side == DrivingSide::Left));
+    let ways = ways::collect(extract, &mut context);
+    extent::check(&ways, &context)?;
+    let stretches = graph::split(&graph::once(&ways, &mut context));
     let (roads, yards) = graph::part_yards(stretches);
     if roads.is_empty() {
         return Err(OsmError::NoRoads { ways: extract.ways.len(), nodes: extract.nodes.len() });
     }
-    let roads = rules::split_at_lights(graph::merge(graph::without_scraps(roads)), &site);
-    let side = if site.mirrored { -1.0 } else { 1.0 };
+    let roads = rules::split_at_lights(graph::merge(graph::without_scraps(roads)), &context);
+    let side = if context.mirrored { -1.0 } else { 1.0 };
     let natural = options.terrain.as_ref().map(|terrain| move |p: DVec2| terrain.height(DVec2::new(side * p.x, p.y)));
-    let ground = natural.as_ref().map(|natural| natural as Ground<'_>);
+    let ground = natural.as_ref().map(|natural| natural as GroundHeight<'_>);
     let mut plan = StreetPlan::new(roads, ground);
-    check_arms(&plan, &site)?;
+    check_arms(&plan, &context)?;
     twin::find(&mut plan);
     turnaround::join_dead_ends(&mut plan);
     trim::trim(&mut plan);
     check_count("junctions", plan.intersections.len())?;
     if let Some(ground) = ground {
-        site.formation = Some(relief::formation(&plan, ground));
+        context.formation = Some(relief::formation(&plan, ground));
     }
-    let mut map = build(&mut plan, &mut site)?;
-    surface::yards(&plan, &site, &yards, &mut map);
-    surroundings::add(&mut site, &mut map);
+    let mut map = build(&mut plan, &mut context)?;
+    surface::yards(&plan, &context, &yards, &mut map);
+    surroundings::add(&mut context, &mut map);
     map.terrain.clone_from(&options.terrain);
-    map.georeference = Some(site.projection.georeference());
-    if site.mirrored {
+    map.georeference = Some(context.projection.georeference());
+    if context.mirrored {
         mirror::map(&mut map);
     }
-    map.notes = site.into_notes();
+    map.notes = context.into_notes();
     Ok(map)
 }
 
 /// No junction has more arms than any on Earth.
-fn check_arms(plan: &StreetPlan, site: &Site<'_>) -> Result<(), OsmError> {
+fn check_arms(plan: &StreetPlan, context: &ImportContext<'_>) -> Result<(), OsmError> {
     let Some(intersection) = plan.intersections.iter().find(|intersection| intersection.arms.len() > trim::MOST_ARMS)
     else {
         return Ok(());
     };
     let node = intersection.nodes[0];
-    let [lat, lon] = site.extract.nodes.get(&node).map_or([f64::NAN; 2], |n| [n.lat, n.lon]);
+    let [lat, lon] = context.extract.nodes.get(&node).map_or([f64::NAN; 2], |n| [n.lat, n.lon]);
     Err(OsmError::Crowded { node, lat, lon, arms: intersection.arms.len(), most: trim::MOST_ARMS })
 }
 
@@ -149,20 +149,20 @@ fn check_count(what: &'static str, count: usize) -> Result<(), OsmError> {
 }
 
 /// Lanes, signals, crossings, walks, surfaces and paint of a plan.
-fn build(plan: &mut StreetPlan, site: &mut Site<'_>) -> Result<RoadMap, OsmError> {
+fn build(plan: &mut StreetPlan, context: &mut ImportContext<'_>) -> Result<RoadMap, OsmError> {
     let mut map = RoadMap::default();
     let network = &mut map.network;
     let mut groups = 0;
-    rules::decide(plan, site, &mut groups);
-    crossing::decide(plan, site);
+    rules::decide(plan, context, &mut groups);
+    crossing::decide(plan, context);
     signal::number_walks(plan, &mut groups);
     check_count("signal groups", groups)?;
     check_count("crossings", plan.streets.iter().map(|s| s.crossings.len()).sum())?;
     network.signal_groups = groups as u16;
     lane::add(plan, network);
     walk::add(plan, network);
-    let paths = path::add(plan, site, network);
-    let restrictions = restriction::Restrictions::new(site.extract);
+    let paths = path::add(plan, context, network);
+    let restrictions = restriction::Restrictions::new(context.extract);
     let mut surfaces = RoadMap::default();
     for intersection in 0..plan.intersections.len() {
         if plan.intersections[intersection].arms.is_empty() {
@@ -172,7 +172,7 @@ fn build(plan: &mut StreetPlan, site: &mut Site<'_>) -> Result<RoadMap, OsmError
         network.junctions.push(Junction::default());
         let movements = connector::sensible(plan, &movement::movements(plan, intersection, &restrictions));
         let lanes = connector::add(plan, network, junction, &movements);
-        if let Some(formation) = &site.formation {
+        if let Some(formation) = &context.formation {
             for lane in &lanes {
                 formation.lay(&mut network.lanes[lane.index()].centerline);
             }
@@ -186,12 +186,12 @@ fn build(plan: &mut StreetPlan, site: &mut Site<'_>) -> Result<RoadMap, OsmError
         surface::intersection(plan, intersection, &movements, &lanes, &mut surfaces);
         surface::connectors(plan, &lanes, &movements, &mut surfaces);
     }
-    if let Some(formation) = &site.formation {
+    if let Some(formation) = &context.formation {
         surfaces.junction_areas = surfaces.junction_areas.iter().flat_map(|o| formation.pieces(o)).collect();
     }
-    surroundings::land(site, &mut surfaces);
-    plaza::add(&surfaces.areas, &surroundings::outlines_of_buildings(site), site, network);
-    mend::mend(network, site);
+    surroundings::land(context, &mut surfaces);
+    plaza::add(&surfaces.areas, &surroundings::outlines_of_buildings(context), context, network);
+    mend::mend(network, context);
     map.network = std::mem::take(&mut map.network).finish()?;
     surface::streets(plan, &mut map);
     map.lane_surfaces.extend(surfaces.lane_surfaces);
@@ -199,7 +199,7 @@ fn build(plan: &mut StreetPlan, site: &mut Site<'_>) -> Result<RoadMap, OsmError
     map.lane_surfaces.extend(paths.lane_surfaces);
     map.areas = surfaces.areas;
     map.junction_areas = surfaces.junction_areas;
-    paint::streets(plan, &site.country, &mut map);
+    paint::streets(plan, &context.country, &mut map);
     sign::add(plan, &mut map);
     Ok(map)
 }

@@ -1,10 +1,10 @@
 //! Ways through an intersection: which arm leads to which, and which lane to which.
 
 use super::curve::angle;
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
 use super::plan::StreetPlan;
 use super::restriction::Restrictions;
-use super::section::{Arrows, LaneUse};
+use super::section::{LaneUse, TurnArrows};
 use crate::Turn;
 use endless_world::math::f64::wrap_angle;
 
@@ -19,17 +19,17 @@ const MOST_EXITS: usize = 24;
 /// From a lane of one arm to a lane of another; bands of their streets.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Movement {
-    pub(super) from: StretchEnd,
+    pub(super) from: StreetSegmentEnd,
     pub(super) lane_in: usize,
-    pub(super) to: StretchEnd,
+    pub(super) to: StreetSegmentEnd,
     pub(super) lane_out: usize,
     pub(super) turn: Turn,
 }
 
 /// An arm to leave by.
 #[derive(Debug, Clone, Copy)]
-struct Exit {
-    to: StretchEnd,
+struct ArmExit {
+    to: StreetSegmentEnd,
     turn: Turn,
     /// To the left of straight on, radians.
     bend: f64,
@@ -51,21 +51,27 @@ pub(super) fn movements(plan: &StreetPlan, intersection: usize, restrictions: &R
 }
 
 /// Two one-way roads that become one with all their lanes, from left to right: nobody has to give way.
-pub(super) fn lanes_add_up(plan: &StreetPlan, intersection: usize) -> Option<[StretchEnd; 2]> {
+pub(super) fn lanes_add_up(plan: &StreetPlan, intersection: usize) -> Option<[StreetSegmentEnd; 2]> {
     let arms = &plan.intersections[intersection].arms;
     let oneway = arms.iter().all(|&arm| plan.street(arm).oneway() && !plan.street(arm).roundabout);
-    let (ins, outs): (Vec<StretchEnd>, Vec<StretchEnd>) = arms.iter().partition(|&&arm| !plan.lanes_in(arm).is_empty());
+    let (ins, outs): (Vec<StreetSegmentEnd>, Vec<StreetSegmentEnd>) =
+        arms.iter().partition(|&&arm| !plan.lanes_in(arm).is_empty());
     let ([a, b], [to]) = (&ins[..], &outs[..]) else { return None };
     let ahead = bend(plan, *a, *to).abs() < STRAIGHT_RAD && bend(plan, *b, *to).abs() < STRAIGHT_RAD;
     if !oneway || !ahead || plan.lanes_in(*a).len() + plan.lanes_in(*b).len() != plan.lanes_out(*to).len() {
         return None;
     }
-    let place = |arm: &StretchEnd| plan.arm_point(*arm, plan.cut(*arm), 0.0).truncate();
+    let place = |arm: &StreetSegmentEnd| plan.arm_point(*arm, plan.cut(*arm), 0.0).truncate();
     let to_the_left = plan.arm_direction(*to, plan.cut(*to)).perp_dot(place(a) - place(b)) > 0.0;
     Some(if to_the_left { [*a, *b] } else { [*b, *a] })
 }
 
-fn side_by_side(plan: &StreetPlan, intersection: usize, left: StretchEnd, right: StretchEnd) -> Vec<Movement> {
+fn side_by_side(
+    plan: &StreetPlan,
+    intersection: usize,
+    left: StreetSegmentEnd,
+    right: StreetSegmentEnd,
+) -> Vec<Movement> {
     let to = plan.intersections[intersection].arms.iter().copied().find(|&arm| !plan.lanes_out(arm).is_empty());
     let lanes_in =
         [left, right].into_iter().flat_map(|arm| plan.lanes_in(arm).into_iter().map(move |lane| (arm, lane)));
@@ -76,16 +82,16 @@ fn side_by_side(plan: &StreetPlan, intersection: usize, left: StretchEnd, right:
         .collect()
 }
 
-fn bend(plan: &StreetPlan, from: StretchEnd, to: StretchEnd) -> f64 {
+fn bend(plan: &StreetPlan, from: StreetSegmentEnd, to: StreetSegmentEnd) -> f64 {
     let heading_in = angle(-plan.arm_direction(from, plan.cut(from)));
     let heading_out = angle(plan.arm_direction(to, plan.cut(to)));
     wrap_angle(heading_out - heading_in)
 }
 
-fn exits(plan: &StreetPlan, intersection: usize, from: StretchEnd, restrictions: &Restrictions) -> Vec<Exit> {
+fn exits(plan: &StreetPlan, intersection: usize, from: StreetSegmentEnd, restrictions: &Restrictions) -> Vec<ArmExit> {
     let k = &plan.intersections[intersection];
     let dead_end = k.arms.len() == 1 || k.turnaround;
-    let mut exits: Vec<Exit> = k
+    let mut exits: Vec<ArmExit> = k
         .arms
         .iter()
         .filter(|&&to| !plan.lanes_out(to).is_empty() && (to != from || dead_end))
@@ -98,7 +104,7 @@ fn exits(plan: &StreetPlan, intersection: usize, from: StretchEnd, restrictions:
                 b if b > 0.0 => Turn::Left,
                 _ => Turn::Right,
             };
-            Exit { to, turn, bend }
+            ArmExit { to, turn, bend }
         })
         .collect();
     let ring = plan.street(from).roundabout;
@@ -110,7 +116,7 @@ fn exits(plan: &StreetPlan, intersection: usize, from: StretchEnd, restrictions:
         exits.retain(|e| e.turn != Turn::UTurn || arrows);
     }
     // Of several that lead straight on, the straightest does; the others turn off.
-    let score = |e: &Exit| e.bend.abs() + if ring && plan.street(e.to).roundabout { -3.0 } else { 0.0 };
+    let score = |e: &ArmExit| e.bend.abs() + if ring && plan.street(e.to).roundabout { -3.0 } else { 0.0 };
     let straightest = exits.iter().filter(|e| e.turn == Turn::Straight).map(score).fold(f64::INFINITY, f64::min);
     let ahead = exits.iter().find(|e| e.turn == Turn::Straight && score(e) <= straightest).map(|e| e.bend);
     for exit in exits.iter_mut().filter(|e| e.turn == Turn::Straight && score(e) > straightest) {
@@ -120,14 +126,14 @@ fn exits(plan: &StreetPlan, intersection: usize, from: StretchEnd, restrictions:
     exits
 }
 
-fn arrows(plan: &StreetPlan, arm: StretchEnd, band: usize) -> Option<Arrows> {
+fn arrows(plan: &StreetPlan, arm: StreetSegmentEnd, band: usize) -> Option<TurnArrows> {
     match plan.street(arm).section.bands[band].what {
         LaneUse::Lane { arrows, .. } => arrows,
         _ => None,
     }
 }
 
-fn allows(arrows: Arrows, turn: Turn) -> bool {
+fn allows(arrows: TurnArrows, turn: Turn) -> bool {
     match turn {
         Turn::Left => arrows.left,
         Turn::Right => arrows.right,
@@ -137,7 +143,7 @@ fn allows(arrows: Arrows, turn: Turn) -> bool {
 }
 
 /// Lanes, from left to right, from which an exit may be taken.
-fn lanes_for(plan: &StreetPlan, from: StretchEnd, exit: &Exit, exits: &[Exit]) -> Vec<usize> {
+fn lanes_for(plan: &StreetPlan, from: StreetSegmentEnd, exit: &ArmExit, exits: &[ArmExit]) -> Vec<usize> {
     let bands = plan.lanes_in(from);
     let n = bands.len();
     let painted: Vec<usize> =
@@ -173,7 +179,7 @@ fn lanes_for(plan: &StreetPlan, from: StretchEnd, exit: &Exit, exits: &[Exit]) -
 }
 
 /// The most lanes that lead out of the ring of an arm, at any of its exits.
-fn widest_exit(plan: &StreetPlan, from: StretchEnd) -> usize {
+fn widest_exit(plan: &StreetPlan, from: StreetSegmentEnd) -> usize {
     let (mut at, mut most) = (from, 0);
     for _ in 0..MOST_EXITS {
         let street = plan.street(at);
@@ -183,7 +189,7 @@ fn widest_exit(plan: &StreetPlan, from: StretchEnd) -> usize {
         };
         most = outwards(false).map(|&arm| plan.lanes_out(arm).len()).fold(most, usize::max);
         let Some(next) = outwards(true).next() else { break };
-        at = StretchEnd { end: 1 - next.end, ..*next };
+        at = StreetSegmentEnd { end: 1 - next.end, ..*next };
         if at == from {
             break;
         }
@@ -191,11 +197,11 @@ fn widest_exit(plan: &StreetPlan, from: StretchEnd) -> usize {
     most
 }
 
-fn assign(plan: &StreetPlan, from: StretchEnd, exits: &[Exit]) -> Vec<Movement> {
+fn assign(plan: &StreetPlan, from: StreetSegmentEnd, exits: &[ArmExit]) -> Vec<Movement> {
     let bands = plan.lanes_in(from);
     let n = bands.len();
     let mut out: Vec<Movement> = Vec::new();
-    let mut add = |k: usize, exit: &Exit, lane_out: usize| {
+    let mut add = |k: usize, exit: &ArmExit, lane_out: usize| {
         let movement = Movement { from, lane_in: bands[k], to: exit.to, lane_out, turn: exit.turn };
         if !out.contains(&movement) {
             out.push(movement);
@@ -220,7 +226,7 @@ fn assign(plan: &StreetPlan, from: StretchEnd, exits: &[Exit]) -> Vec<Movement> 
         let Some(exit) = nearest.and_then(|o| {
             let lane = bands[o];
             exits.iter().filter(|e| lanes_for(plan, from, e, exits).iter().any(|&l| bands[l] == lane)).min_by(|a, b| {
-                let off = |e: &Exit| if k > o { e.bend } else { -e.bend };
+                let off = |e: &ArmExit| if k > o { e.bend } else { -e.bend };
                 off(a).total_cmp(&off(b))
             })
         }) else {

@@ -1,15 +1,15 @@
 //! Paint: lines between lanes, stop lines, crossings.
 
 use super::class::RoadClass;
-use super::country::Country;
+use super::country::CountryRules;
 use super::crossing::CROSSING_M;
 use super::curve::line_through;
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
 use super::lane::inside;
 use super::movement::Movement;
 use super::plan::{FootwayCrossing, Street, StreetPlan};
 use super::section::LaneUse;
-use crate::{Control, Lane, MarkingColor, RoadMap, RoadMarking, Turn};
+use crate::{Lane, MarkingColor, RoadMap, RoadMarking, TrafficControl, Turn};
 
 const LINE_M: f64 = 0.12;
 const STOP_LINE_M: f64 = 0.4;
@@ -20,7 +20,7 @@ const DASH: [f64; 2] = [3.0, 5.0];
 const SOLID_M: f64 = 18.0;
 
 /// Paints all streets.
-pub(super) fn streets(plan: &StreetPlan, country: &Country, map: &mut RoadMap) {
+pub(super) fn streets(plan: &StreetPlan, country: &CountryRules, map: &mut RoadMap) {
     let hidden = inside(plan);
     for (street, _) in plan.streets.iter().zip(hidden).filter(|(_, hidden)| !hidden) {
         if !street.section.unpaved {
@@ -54,7 +54,7 @@ fn pieces(street: &Street) -> Vec<(f64, f64)> {
     pieces
 }
 
-fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
+fn lines(street: &Street, country: &CountryRules, map: &mut RoadMap) {
     let quiet = street.class <= RoadClass::Residential || street.class == RoadClass::Service;
     let bands = &street.section.bands;
     let yellow = if country.yellow_centre { MarkingColor::Yellow } else { MarkingColor::White };
@@ -78,8 +78,11 @@ fn lines(street: &Street, country: &Country, map: &mut RoadMap) {
                 (LaneUse::Lane { forward, .. }, LaneUse::Lane { .. }) => {
                     // Unbroken before the stop line.
                     let end = usize::from(forward);
-                    let solid =
-                        if matches!(street.control[end], Control::Free) { 0.0 } else { SOLID_M.min(0.4 * (to - from)) };
+                    let solid = if matches!(street.control[end], TrafficControl::Free) {
+                        0.0
+                    } else {
+                        SOLID_M.min(0.4 * (to - from))
+                    };
                     let (a, b) = if forward { (from, to - solid) } else { (from + solid, to) };
                     along(street, t, a, b, Some(DASH), MarkingColor::White, map);
                     if solid > 1.0 {
@@ -114,7 +117,7 @@ pub(super) fn through(plan: &StreetPlan, intersection: usize, ways: &[(Movement,
         if k.signals || m.turn != Turn::Straight || (crossed && !ring) {
             continue;
         }
-        let next = |arm: StretchEnd, band: usize, lanes: &[usize]| {
+        let next = |arm: StreetSegmentEnd, band: usize, lanes: &[usize]| {
             let place = lanes.iter().position(|&l| l == band)?;
             Some((arm, *lanes.get(place + 1)?))
         };
@@ -144,9 +147,9 @@ fn stop_lines(street: &Street, map: &mut RoadMap) {
         let forward = end == 1;
         let lanes = street.section.lanes(forward);
         let dash = match street.control[end] {
-            Control::Free => continue,
-            Control::Yield => Some([0.5, 0.35]),
-            Control::Stop | Control::Signal(_) => None,
+            TrafficControl::Free => continue,
+            TrafficControl::Yield => Some([0.5, 0.35]),
+            TrafficControl::Stop | TrafficControl::Signal(_) => None,
         };
         let (Some(&first), Some(&last)) = (lanes.first(), lanes.last()) else { continue };
         let s = if forward { street.length() - street.stops[1] - 0.25 } else { street.stops[0] + 0.25 };
@@ -160,7 +163,7 @@ fn stop_lines(street: &Street, map: &mut RoadMap) {
     }
 }
 
-fn bars(street: &Street, crossing: &FootwayCrossing, country: &Country, map: &mut RoadMap) {
+fn bars(street: &Street, crossing: &FootwayCrossing, country: &CountryRules, map: &mut RoadMap) {
     let [left, right] = street.section.kerbs;
     let (from, to) = (crossing.s - 0.5 * CROSSING_M, crossing.s + 0.5 * CROSSING_M);
     let mut paint = |a, b, width_m| {

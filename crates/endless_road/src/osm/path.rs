@@ -3,13 +3,13 @@
 
 use super::class::metres;
 use super::extract::{OsmTags, OsmWay};
+use super::import_context::ImportContext;
 use super::lane::inside;
 use super::near::SegmentIndex;
 use super::plan::StreetPlan;
-use super::site::Site;
-use super::stretch::Vertex;
+use super::street_segment::WayVertex;
 use super::surface::ribbon;
-use super::walk::Walks;
+use super::walk::WalkNetworkBuilder;
 use super::ways::runs;
 use crate::{LaneSurface, LaneType, Polyline, RoadNetwork, WalkGraph, WalkKind, WalkNodeId};
 use glam::{DVec2, DVec3};
@@ -28,9 +28,9 @@ const JOIN_M: f64 = 12.0;
 /// Paths joined to no sidewalk stay if they are this long together.
 const ALONE_M: f64 = 80.0;
 
-/// What is added for paths.
+/// The surfaces of footpaths and cycleways.
 #[derive(Debug, Default)]
-pub(super) struct Paths {
+pub(super) struct PathSurfaces {
     pub(super) lane_surfaces: Vec<LaneSurface>,
 }
 
@@ -60,34 +60,34 @@ fn is_path(tags: &OsmTags) -> bool {
 }
 
 /// Adds paths to the walk network.
-pub(super) fn add(plan: &StreetPlan, site: &mut Site<'_>, network: &mut RoadNetwork) -> Paths {
+pub(super) fn add(plan: &StreetPlan, context: &mut ImportContext<'_>, network: &mut RoadNetwork) -> PathSurfaces {
     let hidden = inside(plan);
     let near =
         SegmentIndex::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
-    let extract = site.extract;
+    let extract = context.extract;
     let mut shared: BTreeMap<i64, usize> = BTreeMap::new();
     for way in extract.ways.iter().filter(|w| is_path(&w.tags)) {
         way.nodes.iter().for_each(|&node| *shared.entry(node).or_default() += 1);
     }
     let mut pieces = Vec::new();
     for way in extract.ways.iter().filter(|w| is_path(&w.tags)) {
-        for (vertices, _) in runs(way, &way.tags, site) {
+        for (vertices, _) in runs(way, &way.tags, context) {
             pieces.extend(outside_streets(plan, &near, way, &vertices, &shared));
         }
     }
     let streets_nodes = network.walk.nodes.len();
-    let mut paths = Paths::default();
+    let mut paths = PathSurfaces::default();
     let mut at_node: BTreeMap<i64, WalkNodeId> = BTreeMap::new();
     let mut loose: Vec<WalkNodeId> = Vec::new();
     let mut uses: BTreeMap<i64, usize> = BTreeMap::new();
     for node in pieces.iter().flat_map(|p| p.ends).flatten() {
         *uses.entry(node).or_default() += 1;
     }
-    let mut walks = Walks { walk: &mut network.walk };
+    let mut walks = WalkNetworkBuilder { walk: &mut network.walk };
     for piece in &pieces {
-        paths.lane_surfaces.push(strip(piece, site));
+        paths.lane_surfaces.push(strip(piece, context));
         if piece.walkable {
-            lay(piece, site, &mut walks, &mut at_node, &uses, &mut loose);
+            lay(piece, context, &mut walks, &mut at_node, &uses, &mut loose);
         }
     }
     for node in loose {
@@ -102,7 +102,7 @@ fn outside_streets(
     plan: &StreetPlan,
     near: &SegmentIndex,
     way: &OsmWay,
-    vertices: &[Vertex],
+    vertices: &[WayVertex],
     shared: &BTreeMap<i64, usize>,
 ) -> Vec<PathPiece> {
     let tags = &way.tags;
@@ -176,17 +176,17 @@ fn outside_streets(
     pieces
 }
 
-fn strip(piece: &PathPiece, site: &Site<'_>) -> LaneSurface {
+fn strip(piece: &PathPiece, context: &ImportContext<'_>) -> LaneSurface {
     let points: Vec<DVec3> = piece.points.iter().map(|p| p.extend(PATH_Z_M)).collect();
     let (mut left, mut right) = ribbon(&points, 0.5 * piece.width_m, -0.5 * piece.width_m, 1.5);
-    left.iter_mut().chain(&mut right).for_each(|p| p.z += site.ground(p.truncate()));
+    left.iter_mut().chain(&mut right).for_each(|p| p.z += context.ground(p.truncate()));
     LaneSurface { kind: piece.kind, left, right, in_junction: true, unpaved: piece.unpaved, bridge: false }
 }
 
 fn lay(
     piece: &PathPiece,
-    site: &Site<'_>,
-    walks: &mut Walks<'_>,
+    context: &ImportContext<'_>,
+    walks: &mut WalkNetworkBuilder<'_>,
     at_node: &mut BTreeMap<i64, WalkNodeId>,
     uses: &BTreeMap<i64, usize>,
     loose: &mut Vec<WalkNodeId>,
@@ -196,7 +196,7 @@ fn lay(
     let mut last: Option<WalkNodeId> = None;
     for k in 0..=n {
         let p = line.at(line.length() * k as f64 / n as f64).position;
-        let p = p + DVec3::Z * site.ground(p.truncate());
+        let p = p + DVec3::Z * context.ground(p.truncate());
         let end = if k == 0 { Some(piece.ends[0]) } else { (k == n).then_some(piece.ends[1]) };
         let here = match end {
             Some(Some(node)) => *at_node.entry(node).or_insert_with(|| walks.node(p)),
@@ -214,7 +214,7 @@ fn lay(
 }
 
 /// Joins the end of a path to the nearest node of a sidewalk.
-fn join(walks: &mut Walks<'_>, node: WalkNodeId, streets_nodes: usize) {
+fn join(walks: &mut WalkNetworkBuilder<'_>, node: WalkNodeId, streets_nodes: usize) {
     let at = walks.walk.nodes[node.index()];
     let nearest = (0..streets_nodes)
         .map(|i| (walks.walk.nodes[i].distance_squared(at), i))

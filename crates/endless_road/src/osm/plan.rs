@@ -2,12 +2,12 @@
 
 use super::class::RoadClass;
 use super::curve::{angle, line_through, relaxed, rounded, simplified};
-use super::graph::{self, StretchEnd};
-use super::height::Ground;
+use super::graph::{self, StreetSegmentEnd};
+use super::height::GroundHeight;
 use super::lift::lifted;
 use super::section::CrossSection;
-use super::stretch::{Level, Stretch};
-use crate::{Control, CrossingId, LaneId, Polyline};
+use super::street_segment::{StreetSegment, StructureLevel};
+use crate::{CrossingId, LaneId, Polyline, TrafficControl};
 use endless_world::SignalId;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -49,12 +49,12 @@ pub(super) struct Street {
     /// Nodes on it with their places.
     pub(super) on: Vec<(i64, f64)>,
     /// Where levels begin, with the level.
-    pub(super) levels: Vec<(f64, Level)>,
+    pub(super) levels: Vec<(f64, StructureLevel)>,
     pub(super) crossings: Vec<FootwayCrossing>,
     /// Half the width of the median on its left, by place; empty without one.
     pub(super) median: Vec<(f64, f64)>,
     /// What governs its ends for who arrives there.
-    pub(super) control: [Control; 2],
+    pub(super) control: [TrafficControl; 2],
     /// Lanes by band, once they are there.
     pub(super) lanes: Vec<Option<LaneId>>,
 }
@@ -64,7 +64,7 @@ pub(super) struct Street {
 pub(super) struct Intersection {
     pub(super) nodes: Vec<i64>,
     /// Ends of streets, counter-clockwise.
-    pub(super) arms: Vec<StretchEnd>,
+    pub(super) arms: Vec<StreetSegmentEnd>,
     /// Streets that lie inside it whole.
     pub(super) inside: Vec<usize>,
     pub(super) at: DVec2,
@@ -83,7 +83,7 @@ pub(super) struct StreetPlan {
 
 impl StreetPlan {
     /// From stretches that meet at their ends only.
-    pub(super) fn new(mut stretches: Vec<Stretch>, ground: Option<Ground<'_>>) -> Self {
+    pub(super) fn new(mut stretches: Vec<StreetSegment>, ground: Option<GroundHeight<'_>>) -> Self {
         let heights = super::height::heights(&mut stretches, ground);
         let mut plan = Self::default();
         let mut knot_at: BTreeMap<i64, usize> = BTreeMap::new();
@@ -97,57 +97,57 @@ impl StreetPlan {
         plan
     }
 
-    pub(super) fn street(&self, arm: StretchEnd) -> &Street {
+    pub(super) fn street(&self, arm: StreetSegmentEnd) -> &Street {
         &self.streets[arm.stretch]
     }
 
     /// The place at `d` metres outwards along an arm and `t` to the left, looking outwards.
-    pub(super) fn arm_point(&self, arm: StretchEnd, d: f64, t: f64) -> DVec3 {
+    pub(super) fn arm_point(&self, arm: StreetSegmentEnd, d: f64, t: f64) -> DVec3 {
         let street = self.street(arm);
         if arm.end == 0 { street.point(d, t) } else { street.point(street.length() - d, -t) }
     }
 
     /// Outwards at `d` metres.
-    pub(super) fn arm_direction(&self, arm: StretchEnd, d: f64) -> DVec2 {
+    pub(super) fn arm_direction(&self, arm: StreetSegmentEnd, d: f64) -> DVec2 {
         let street = self.street(arm);
         if arm.end == 0 { street.direction(d) } else { -street.direction(street.length() - d) }
     }
 
     /// The section as seen by who looks outwards.
-    pub(super) fn arm_section(&self, arm: StretchEnd) -> CrossSection {
+    pub(super) fn arm_section(&self, arm: StreetSegmentEnd) -> CrossSection {
         let section = &self.street(arm).section;
         if arm.end == 0 { section.clone() } else { section.reversed() }
     }
 
-    pub(super) fn cut(&self, arm: StretchEnd) -> f64 {
+    pub(super) fn cut(&self, arm: StreetSegmentEnd) -> f64 {
         self.street(arm).cuts[arm.end]
     }
 
-    pub(super) fn stop(&self, arm: StretchEnd) -> f64 {
+    pub(super) fn stop(&self, arm: StreetSegmentEnd) -> f64 {
         self.street(arm).stops[arm.end]
     }
 
     /// Bands that lead into the intersection, from left to right for the driver.
-    pub(super) fn lanes_in(&self, arm: StretchEnd) -> Vec<usize> {
+    pub(super) fn lanes_in(&self, arm: StreetSegmentEnd) -> Vec<usize> {
         self.street(arm).section.lanes(arm.end == 1)
     }
 
     /// Bands that lead out of the intersection, from left to right for the driver.
-    pub(super) fn lanes_out(&self, arm: StretchEnd) -> Vec<usize> {
+    pub(super) fn lanes_out(&self, arm: StreetSegmentEnd) -> Vec<usize> {
         self.street(arm).section.lanes(arm.end == 0)
     }
 
     /// Sorts the arms of an intersection counter-clockwise around the middle of what they leave free.
     pub(super) fn sort_arms(&mut self, intersection: usize) {
         let mut arms = self.intersections[intersection].arms.clone();
-        let place = |arm: &StretchEnd| self.arm_point(*arm, self.cut(*arm), 0.0).truncate();
+        let place = |arm: &StreetSegmentEnd| self.arm_point(*arm, self.cut(*arm), 0.0).truncate();
         let middle = if self.intersections[intersection].nodes.len() == 1 {
             // Looking a little past the cuts tells arms apart that part slowly.
             self.intersections[intersection].at
         } else {
             arms.iter().map(place).sum::<DVec2>() / arms.len() as f64
         };
-        let far = |arm: &StretchEnd| {
+        let far = |arm: &StreetSegmentEnd| {
             self.arm_point(*arm, (self.cut(*arm) + 1.0).min(self.street(*arm).length()), 0.0).truncate()
         };
         arms.sort_by(|a, b| angle(far(a) - middle).total_cmp(&angle(far(b) - middle)).then(a.cmp(b)));
@@ -197,7 +197,7 @@ impl Street {
     }
 
     /// The level at a place.
-    pub(super) fn level(&self, s: f64) -> Level {
+    pub(super) fn level(&self, s: f64) -> StructureLevel {
         let i = self.levels.partition_point(|(from, _)| *from <= s).max(1) - 1;
         self.levels[i].1
     }
@@ -207,7 +207,7 @@ impl Street {
     }
 }
 
-fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i64, usize>) -> Street {
+fn street(stretch: &StreetSegment, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i64, usize>) -> Street {
     let points: Vec<DVec3> =
         stretch.vertices.iter().map(|v| v.at.extend(heights.get(&v.node).copied().unwrap_or(0.0))).collect();
     let half = 0.5 * stretch.section.width_m();
@@ -223,7 +223,7 @@ fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i6
     // Lanes on the inside must not fold.
     let line = lifted(&line_through(relaxed(bends, (0.75 * half + 0.8).min(9.0))), &points);
     let on: Vec<(i64, f64)> = stretch.vertices.iter().map(|v| (v.node, line.project(v.at).0)).collect();
-    let mut levels: Vec<(f64, Level)> = Vec::new();
+    let mut levels: Vec<(f64, StructureLevel)> = Vec::new();
     for (i, level) in stretch.levels.iter().enumerate() {
         if levels.last().is_none_or(|(_, l)| l != level) {
             levels.push((if i == 0 { 0.0 } else { on[i].1 }, *level));
@@ -246,7 +246,7 @@ fn street(stretch: &Stretch, heights: &BTreeMap<i64, f64>, knot_at: &BTreeMap<i6
         levels,
         crossings: Vec::new(),
         median: Vec::new(),
-        control: [Control::Free; 2],
+        control: [TrafficControl::Free; 2],
         lanes: Vec::new(),
     }
 }

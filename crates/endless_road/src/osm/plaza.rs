@@ -1,8 +1,8 @@
 //! Squares to walk across: a mesh of ways that keeps clear of what stands there, joined to the walks at its edge.
 
+use super::import_context::ImportContext;
 use super::ring::contains;
-use super::site::Site;
-use super::walk::Walks;
+use super::walk::WalkNetworkBuilder;
 use crate::{LandUse, LandUseArea, Lane, RoadNetwork, WalkKind, WalkNetwork, WalkNodeId};
 use glam::DVec2;
 use std::collections::BTreeMap;
@@ -20,12 +20,17 @@ const CLEAR_M: f64 = 2.0;
 const DOOR_M: f64 = 5.0;
 
 /// Makes a mesh of every square.
-pub(super) fn add(areas: &[LandUseArea], buildings: &[Vec<DVec2>], site: &Site<'_>, network: &mut RoadNetwork) {
+pub(super) fn add(
+    areas: &[LandUseArea],
+    buildings: &[Vec<DVec2>],
+    context: &ImportContext<'_>,
+    network: &mut RoadNetwork,
+) {
     let squares = areas.iter().filter(|a| a.kind == LandUse::Plaza && a.outline.len() >= 3);
     for area in squares {
-        let square = Plaza::new(area, buildings, network);
+        let square = PlazaMesh::new(area, buildings, network);
         let doors = square.doors(&network.walk);
-        square.lay(&doors, site, &mut network.walk);
+        square.lay(&doors, context, &mut network.walk);
     }
 }
 
@@ -41,9 +46,9 @@ fn to_segment(a: DVec2, b: DVec2, p: DVec2) -> f64 {
 }
 
 /// A place of the mesh by its column and row.
-type Cell = (i64, i64);
+type PlazaCell = (i64, i64);
 
-struct Plaza<'a> {
+struct PlazaMesh<'a> {
     area: &'a LandUseArea,
     /// Buildings and holes in it.
     solids: Vec<&'a [DVec2]>,
@@ -52,10 +57,10 @@ struct Plaza<'a> {
     middle: DVec2,
     step: f64,
     /// Places where people can walk.
-    cells: BTreeMap<Cell, DVec2>,
+    cells: BTreeMap<PlazaCell, DVec2>,
 }
 
-impl<'a> Plaza<'a> {
+impl<'a> PlazaMesh<'a> {
     fn new(area: &'a LandUseArea, buildings: &'a [Vec<DVec2>], network: &RoadNetwork) -> Self {
         let ring = &area.outline;
         let (low, high) = bounds(ring);
@@ -100,7 +105,7 @@ impl<'a> Plaza<'a> {
         square
     }
 
-    fn place(&self, (column, row): Cell) -> DVec2 {
+    fn place(&self, (column, row): PlazaCell) -> DVec2 {
         self.middle + (self.axis * column as f64 + self.axis.perp() * row as f64) * self.step
     }
 
@@ -116,9 +121,9 @@ impl<'a> Plaza<'a> {
     }
 
     /// Walks at the edge, each with the place of the mesh to which it leads.
-    fn doors(&self, walk: &WalkNetwork) -> Vec<(WalkNodeId, Cell)> {
+    fn doors(&self, walk: &WalkNetwork) -> Vec<(WalkNodeId, PlazaCell)> {
         let (low, high) = bounds(&self.area.outline);
-        let mut found: Vec<(f64, usize, Cell)> = Vec::new();
+        let mut found: Vec<(f64, usize, PlazaCell)> = Vec::new();
         for (i, node) in walk.nodes.iter().enumerate() {
             let p = node.truncate();
             if p.cmplt(low - DOOR_M).any() || p.cmpgt(high + DOOR_M).any() {
@@ -132,7 +137,7 @@ impl<'a> Plaza<'a> {
             }
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        let mut taken: BTreeMap<Cell, usize> = BTreeMap::new();
+        let mut taken: BTreeMap<PlazaCell, usize> = BTreeMap::new();
         found
             .into_iter()
             .filter(|(_, _, cell)| {
@@ -145,17 +150,17 @@ impl<'a> Plaza<'a> {
     }
 
     /// Adds what can be reached through the doors.
-    fn lay(&self, doors: &[(WalkNodeId, Cell)], site: &Site<'_>, walk: &mut WalkNetwork) {
-        let mut walks = Walks { walk };
-        let mut nodes: BTreeMap<Cell, WalkNodeId> = BTreeMap::new();
-        let mut open: Vec<Cell> = doors.iter().map(|d| d.1).collect();
+    fn lay(&self, doors: &[(WalkNodeId, PlazaCell)], context: &ImportContext<'_>, walk: &mut WalkNetwork) {
+        let mut walks = WalkNetworkBuilder { walk };
+        let mut nodes: BTreeMap<PlazaCell, WalkNodeId> = BTreeMap::new();
+        let mut open: Vec<PlazaCell> = doors.iter().map(|d| d.1).collect();
         while let Some(cell) = open.pop() {
             if nodes.contains_key(&cell) {
                 continue;
             }
             let at = self.cells[&cell];
-            nodes.insert(cell, walks.node(at.extend(SQUARE_Z_M + site.ground(at))));
-            let reached = |next: &Cell| self.cells.get(next).is_some_and(|there| self.straight(at, *there));
+            nodes.insert(cell, walks.node(at.extend(SQUARE_Z_M + context.ground(at))));
+            let reached = |next: &PlazaCell| self.cells.get(next).is_some_and(|there| self.straight(at, *there));
             for next in around(cell).into_iter().filter(reached) {
                 match nodes.get(&next) {
                     Some(&other) => walks.edge(nodes[&cell], other, WIDTH_M, WalkKind::Sidewalk),
@@ -169,7 +174,7 @@ impl<'a> Plaza<'a> {
     }
 }
 
-fn around((column, row): Cell) -> [Cell; 4] {
+fn around((column, row): PlazaCell) -> [PlazaCell; 4] {
     [(column + 1, row), (column - 1, row), (column, row + 1), (column, row - 1)]
 }
 

@@ -1,7 +1,7 @@
 //! Turn restrictions, and which ways lead through a junction of several nodes.
 
 use super::extract::{OsmExtract, OsmMemberKind};
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
 use super::plan::StreetPlan;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -48,9 +48,15 @@ impl Restrictions {
 
     /// Whether an intersection may be entered by one arm and left by another: along the streets inside it, in their direction,
     /// without turning back there, and against no restriction.
-    pub(super) fn allow(&self, plan: &StreetPlan, intersection: usize, from: StretchEnd, to: StretchEnd) -> bool {
-        let node_of = |arm: StretchEnd| plan.street(arm).nodes[arm.end];
-        let way_of = |arm: StretchEnd| plan.street(arm).ways[arm.end];
+    pub(super) fn allow(
+        &self,
+        plan: &StreetPlan,
+        intersection: usize,
+        from: StreetSegmentEnd,
+        to: StreetSegmentEnd,
+    ) -> bool {
+        let node_of = |arm: StreetSegmentEnd| plan.street(arm).nodes[arm.end];
+        let way_of = |arm: StreetSegmentEnd| plan.street(arm).ways[arm.end];
         let goal = (node_of(to), way_of(to));
         let inside = &plan.intersections[intersection].inside;
         let mut seen: BTreeSet<(i64, i64, usize)> = BTreeSet::new();

@@ -5,14 +5,14 @@ use super::extract::OsmTags;
 
 /// Ways that the arrows on a lane allow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Arrows {
+pub(super) struct TurnArrows {
     pub(super) left: bool,
     pub(super) through: bool,
     pub(super) right: bool,
     pub(super) back: bool,
 }
 
-impl Arrows {
+impl TurnArrows {
     /// From a lane's part of `turn:lanes`; `None` without arrows.
     fn parse(text: &str) -> Option<Self> {
         let mut arrows = Self::default();
@@ -35,7 +35,7 @@ impl Arrows {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LaneUse {
     /// A lane; along the road or against it.
-    Lane { forward: bool, arrows: Option<Arrows> },
+    Lane { forward: bool, arrows: Option<TurnArrows> },
     /// Cycle lane.
     Bike,
     /// Kerbside parking.
@@ -309,10 +309,10 @@ fn assemble(
             bands.push(LaneBand { what, width_m });
         }
     };
-    let arrows = |forward: bool| -> Vec<Option<Arrows>> {
+    let arrows = |forward: bool| -> Vec<Option<TurnArrows>> {
         let key = if forward { "turn:lanes:forward" } else { "turn:lanes:backward" };
         let text = said.tags.get(key).or_else(|| said.tags.get("turn:lanes").filter(|_| said.oneway && forward));
-        text.map(|t| t.split('|').map(Arrows::parse).collect()).unwrap_or_default()
+        text.map(|t| t.split('|').map(TurnArrows::parse).collect()).unwrap_or_default()
     };
     let shoulder = match said.class {
         RoadClass::Motorway if !said.link => [0.8, 2.6],

@@ -2,11 +2,11 @@
 
 use super::class::RoadClass;
 use super::curve::angle;
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
 use super::lane::inside;
 use super::plan::StreetPlan;
 use super::surface::KERB_HEIGHT_M;
-use crate::{Control, MapObject, MapObjectKind, RoadMap};
+use crate::{MapObject, MapObjectKind, RoadMap, TrafficControl};
 use glam::DVec3;
 
 /// From the kerb to a post, metres.
@@ -26,17 +26,17 @@ pub(super) fn add(plan: &StreetPlan, map: &mut RoadMap) {
 }
 
 /// Beside the stop line, on the driver's right; over several lanes of a one-way road on the left too.
-fn approach(plan: &StreetPlan, arm: StretchEnd, map: &mut RoadMap) {
+fn approach(plan: &StreetPlan, arm: StreetSegmentEnd, map: &mut RoadMap) {
     let street = plan.street(arm);
     let lanes = plan.lanes_in(arm).len();
     if lanes == 0 {
         return;
     }
     let kind = match street.control[arm.end] {
-        Control::Signal(id) => MapObjectKind::TrafficLight(id),
-        Control::Stop => MapObjectKind::Stop,
-        Control::Yield => MapObjectKind::Yield,
-        Control::Free => return,
+        TrafficControl::Signal(id) => MapObjectKind::TrafficLight(id),
+        TrafficControl::Stop => MapObjectKind::Stop,
+        TrafficControl::Yield => MapObjectKind::Yield,
+        TrafficControl::Free => return,
     };
     let section = plan.arm_section(arm);
     let d = plan.stop(arm);
@@ -53,7 +53,7 @@ fn approach(plan: &StreetPlan, arm: StretchEnd, map: &mut RoadMap) {
     }
 }
 
-fn walk_lights(plan: &StreetPlan, arm: StretchEnd, map: &mut RoadMap) {
+fn walk_lights(plan: &StreetPlan, arm: StreetSegmentEnd, map: &mut RoadMap) {
     let street = plan.street(arm);
     for crossing in street.crossings.iter().filter(|c| c.end == Some(arm.end)) {
         let Some(signal) = crossing.signal else { continue };

@@ -1,10 +1,10 @@
 //! Programs of traffic lights: opposite arms together, people while nobody drives straight over them.
 
 use super::curve::angle;
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
 use super::movement::Movement;
 use super::plan::StreetPlan;
-use crate::{Control, Phase, SignalProgram, Turn};
+use crate::{SignalPhase, SignalProgram, TrafficControl, Turn};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{SignalAspect, SignalId, Stream};
 
@@ -33,8 +33,8 @@ pub(super) fn number_walks(plan: &mut StreetPlan, groups: &mut usize) {
 }
 
 /// An arm with its groups.
-struct Approach {
-    arm: StretchEnd,
+struct SignalApproach {
+    arm: StreetSegmentEnd,
     vehicles: Option<SignalId>,
     people: Option<SignalId>,
     width_m: f64,
@@ -48,16 +48,16 @@ pub(super) fn program(plan: &StreetPlan, intersection: usize, movements: &[Movem
         return None;
     }
     let highest = plan.intersections[intersection].arms.iter().map(|&a| plan.street(a).class).max();
-    let approaches: Vec<Approach> = plan.intersections[intersection]
+    let approaches: Vec<SignalApproach> = plan.intersections[intersection]
         .arms
         .iter()
         .map(|&arm| {
             let street = plan.street(arm);
             let vehicles = match street.control[arm.end] {
-                Control::Signal(id) => Some(id),
+                TrafficControl::Signal(id) => Some(id),
                 _ => None,
             };
-            Approach {
+            SignalApproach {
                 arm,
                 vehicles,
                 people: street.crossings.iter().find(|c| c.end == Some(arm.end)).and_then(|c| c.signal),
@@ -92,7 +92,7 @@ pub(super) fn program(plan: &StreetPlan, intersection: usize, movements: &[Movem
 }
 
 /// Approaches that are green together: opposite ones, and the carriageways of one direction; main roads first.
-fn stages(approaches: &[Approach]) -> Vec<Vec<usize>> {
+fn stages(approaches: &[SignalApproach]) -> Vec<Vec<usize>> {
     let mut order: Vec<usize> = (0..approaches.len()).filter(|&i| approaches[i].vehicles.is_some()).collect();
     order.sort_by_key(|&i| !approaches[i].main);
     let mut stages: Vec<Vec<usize>> = Vec::new();
@@ -110,7 +110,7 @@ fn stages(approaches: &[Approach]) -> Vec<Vec<usize>> {
 }
 
 /// Whether people may cross an arm in a stage: it is red there, and nobody drives onto it but who turns.
-fn may_walk(crossed: &Approach, stage: &[usize], approaches: &[Approach], movements: &[Movement]) -> bool {
+fn may_walk(crossed: &SignalApproach, stage: &[usize], approaches: &[SignalApproach], movements: &[Movement]) -> bool {
     stage.iter().all(|&i| {
         let from = approaches[i].arm;
         from != crossed.arm
@@ -118,7 +118,7 @@ fn may_walk(crossed: &Approach, stage: &[usize], approaches: &[Approach], moveme
     })
 }
 
-fn stage_phases(approaches: &[Approach], stage: &[usize], walks: &[bool]) -> Vec<Phase> {
+fn stage_phases(approaches: &[SignalApproach], stage: &[usize], walks: &[bool]) -> Vec<SignalPhase> {
     let longest = approaches.iter().zip(walks).filter(|(_, w)| **w).map(|(a, _)| a.width_m).fold(0.0, f64::max);
     let clearance = (longest / CLEARANCE_MPS).ceil();
     let main = stage.iter().any(|&i| approaches[i].main);
@@ -131,7 +131,7 @@ fn stage_phases(approaches: &[Approach], stage: &[usize], walks: &[bool]) -> Vec
     };
     let walk = if walks.contains(&true) { WALK_S } else { 0.0 };
     let green = least.max(walk + clearance);
-    let phase = |duration_s: f64, vehicles: SignalAspect, people: SignalAspect| Phase {
+    let phase = |duration_s: f64, vehicles: SignalAspect, people: SignalAspect| SignalPhase {
         duration_s,
         aspects: approaches
             .iter()

@@ -3,14 +3,14 @@
 use super::connector::{is_back, loop_radius};
 use super::crossing::has_walk;
 use super::curve::{area, corner, crosses_itself, hull, line_through, segments_cross, unfolded};
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
+use super::import_context::ImportContext;
 use super::lane::inside;
 use super::movement::Movement;
 use super::near::SegmentIndex;
 use super::plan::{Street, StreetPlan};
 use super::section::{KERB_M, LaneUse};
-use super::site::Site;
-use super::stretch::Stretch;
+use super::street_segment::StreetSegment;
 use crate::{Lane, LaneSurface, LaneType, RoadMap};
 use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
@@ -172,7 +172,13 @@ pub(super) fn connectors(plan: &StreetPlan, lanes: &[&Lane], movements: &[Moveme
 }
 
 /// The kerb between an arm and the next one, counter-clockwise, and a line at some distance behind it.
-pub(super) fn corner_line(plan: &StreetPlan, a: StretchEnd, b: StretchEnd, behind_a: f64, behind_b: f64) -> Vec<DVec3> {
+pub(super) fn corner_line(
+    plan: &StreetPlan,
+    a: StreetSegmentEnd,
+    b: StreetSegmentEnd,
+    behind_a: f64,
+    behind_b: f64,
+) -> Vec<DVec3> {
     let (sa, sb) = (plan.arm_section(a), plan.arm_section(b));
     let (cut_a, cut_b) = (plan.cut(a), plan.cut(b));
     let p = plan.arm_point(a, cut_a, sa.kerbs[0] + behind_a);
@@ -225,7 +231,7 @@ pub(super) fn intersection(
 }
 
 /// Width of what people walk on along one side of an arm at the corner; `None` if nobody does.
-pub(super) fn walk_width(plan: &StreetPlan, arm: StretchEnd, left: bool) -> Option<f64> {
+pub(super) fn walk_width(plan: &StreetPlan, arm: StreetSegmentEnd, left: bool) -> Option<f64> {
     let section = plan.arm_section(arm);
     if has_walk(plan, arm, left) {
         return Some(section.sidewalks[usize::from(!left)]);
@@ -233,7 +239,7 @@ pub(super) fn walk_width(plan: &StreetPlan, arm: StretchEnd, left: bool) -> Opti
     plan.street(arm).crossings.iter().any(|c| c.end == Some(arm.end)).then_some(STUB_M)
 }
 
-fn corner_strip(plan: &StreetPlan, a: StretchEnd, b: StretchEnd, lanes: &[&Lane], map: &mut RoadMap) {
+fn corner_strip(plan: &StreetPlan, a: StreetSegmentEnd, b: StreetSegmentEnd, lanes: &[&Lane], map: &mut RoadMap) {
     let (Some(wa), Some(wb)) = (walk_width(plan, a, true), walk_width(plan, b, false)) else { return };
     let raised = |line: Vec<DVec3>| -> Vec<DVec3> { line.into_iter().map(|p| p + DVec3::Z * KERB_HEIGHT_M).collect() };
     let face = raised(corner_line(plan, a, b, 0.0, 0.0));
@@ -261,7 +267,7 @@ fn lines_cross(a: &[DVec3], b: &[DVec3]) -> bool {
 }
 
 /// The asphalt of a loop between two carriageways.
-fn loop_area(plan: &StreetPlan, arms: &[StretchEnd], lanes: &[&Lane], map: &mut RoadMap) {
+fn loop_area(plan: &StreetPlan, arms: &[StreetSegmentEnd], lanes: &[&Lane], map: &mut RoadMap) {
     let mut points: Vec<DVec2> = Vec::new();
     for &arm in arms {
         let section = plan.arm_section(arm);
@@ -280,7 +286,7 @@ fn loop_area(plan: &StreetPlan, arms: &[StretchEnd], lanes: &[&Lane], map: &mut 
     map.junction_areas.push(hull(&points).into_iter().map(|p| p.extend(z)).collect());
 }
 
-fn dead_end(plan: &StreetPlan, arm: StretchEnd, movements: &[Movement], map: &mut RoadMap) {
+fn dead_end(plan: &StreetPlan, arm: StreetSegmentEnd, movements: &[Movement], map: &mut RoadMap) {
     if !movements.iter().any(is_back) {
         return;
     }
@@ -299,7 +305,7 @@ fn dead_end(plan: &StreetPlan, arm: StretchEnd, movements: &[Movement], map: &mu
 }
 
 /// Strips of driveways and aisles, from behind the sidewalk on.
-pub(super) fn yards(plan: &StreetPlan, site: &Site<'_>, yards: &[Stretch], map: &mut RoadMap) {
+pub(super) fn yards(plan: &StreetPlan, context: &ImportContext<'_>, yards: &[StreetSegment], map: &mut RoadMap) {
     let hidden = inside(plan);
     let near =
         SegmentIndex::new(plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]).map(|(i, s)| (i, &s.line)));
@@ -318,7 +324,7 @@ pub(super) fn yards(plan: &StreetPlan, site: &Site<'_>, yards: &[Stretch], map: 
             for k in 0..=n {
                 let p = pair[0].at.lerp(pair[1].at, k as f64 / n as f64);
                 if !on_street(p) {
-                    runs.last_mut().expect("never empty").push(p.extend(site.ground(p)));
+                    runs.last_mut().expect("never empty").push(p.extend(context.ground(p)));
                 } else if runs[runs.len() - 1].len() > 1 {
                     runs.push(Vec::new());
                 } else {

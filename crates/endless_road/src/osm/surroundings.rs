@@ -2,8 +2,8 @@
 
 use super::class::metres;
 use super::extract::OsmTags;
+use super::import_context::ImportContext;
 use super::patch::patches;
-use super::site::Site;
 use crate::{BuildingFootprint, LandUse, LandUseArea, LaneSurface, LaneType, MapObject, MapObjectKind, RoadMap};
 use endless_world::math::f64::atan2;
 use glam::DVec2;
@@ -17,23 +17,23 @@ const STREAM_M: f64 = 2.0;
 const RAIL_M: f64 = 2.8;
 
 /// Adds what the land is used as.
-pub(super) fn land(site: &mut Site<'_>, map: &mut RoadMap) {
-    for patch in patches(site, true, |tags| land_use(tags).is_some()) {
+pub(super) fn land(context: &mut ImportContext<'_>, map: &mut RoadMap) {
+    for patch in patches(context, true, |tags| land_use(tags).is_some()) {
         if let Some(kind) = land_use(patch.tags) {
             map.areas.push(LandUseArea { kind, outline: patch.outline, holes: patch.holes });
         }
     }
     // The large ones first: what is drawn later lies on top.
     map.areas.sort_by(|a, b| super::curve::area(&b.outline).total_cmp(&super::curve::area(&a.outline)));
-    watercourses(site, map);
+    watercourses(context, map);
 }
 
 /// Adds what stands on it, once the roads are there.
-pub(super) fn add(site: &mut Site<'_>, map: &mut RoadMap) {
-    rails(site, map);
-    buildings(site, map);
-    things(site, map);
-    tree_rows(site, map);
+pub(super) fn add(context: &mut ImportContext<'_>, map: &mut RoadMap) {
+    rails(context, map);
+    buildings(context, map);
+    things(context, map);
+    tree_rows(context, map);
 }
 
 fn land_use(tags: &OsmTags) -> Option<LandUse> {
@@ -79,8 +79,8 @@ fn below_ground(tags: &OsmTags) -> bool {
         || tags.get("layer").and_then(|v| v.parse::<f64>().ok()).is_some_and(|l| l < 0.0)
 }
 
-fn watercourses(site: &mut Site<'_>, map: &mut RoadMap) {
-    let extract = site.extract;
+fn watercourses(context: &mut ImportContext<'_>, map: &mut RoadMap) {
+    let extract = context.extract;
     for way in &extract.ways {
         let usual = match way.tags.get("waterway") {
             Some("river" | "canal") => RIVER_M,
@@ -91,7 +91,7 @@ fn watercourses(site: &mut Site<'_>, map: &mut RoadMap) {
             continue;
         }
         let half = 0.5 * way.tags.get("width").and_then(metres).unwrap_or(usual).clamp(0.5, 300.0);
-        for (vertices, _) in super::ways::runs(way, &way.tags, site) {
+        for (vertices, _) in super::ways::runs(way, &way.tags, context) {
             let points: Vec<_> = vertices.iter().map(|v| v.at.extend(0.0)).collect();
             let (left, right) = super::surface::ribbon(&points, half, -half, 2.0 * half + 5.0);
             let ring: Vec<DVec2> = right.iter().chain(left.iter().rev()).map(|p| p.truncate()).collect();
@@ -102,15 +102,15 @@ fn watercourses(site: &mut Site<'_>, map: &mut RoadMap) {
     }
 }
 
-fn rails(site: &mut Site<'_>, map: &mut RoadMap) {
-    let extract = site.extract;
+fn rails(context: &mut ImportContext<'_>, map: &mut RoadMap) {
+    let extract = context.extract;
     for way in extract.ways.iter().filter(|w| w.tags.is("railway", &["rail", "tram", "light_rail", "narrow_gauge"])) {
         if way.tags.get("tunnel").is_some_and(|v| v != "no") || below_ground(&way.tags) {
             continue;
         }
         let bridge = way.tags.get("bridge").is_some_and(|v| v != "no");
-        for (vertices, _) in super::ways::runs(way, &way.tags, site) {
-            let points: Vec<_> = vertices.iter().map(|v| v.at.extend(site.ground(v.at) + 0.02)).collect();
+        for (vertices, _) in super::ways::runs(way, &way.tags, context) {
+            let points: Vec<_> = vertices.iter().map(|v| v.at.extend(context.ground(v.at) + 0.02)).collect();
             let (left, right) = super::surface::ribbon(&points, 0.5 * RAIL_M, -0.5 * RAIL_M, 40.0);
             map.lane_surfaces.push(LaneSurface {
                 kind: LaneType::Rail,
@@ -129,16 +129,16 @@ fn is_building(tags: &OsmTags) -> bool {
 }
 
 /// Where buildings stand.
-pub(super) fn outlines_of_buildings(site: &mut Site<'_>) -> Vec<Vec<DVec2>> {
-    let noted = site.notes.len();
-    let outlines = patches(site, false, is_building).into_iter().map(|patch| patch.outline).collect();
+pub(super) fn outlines_of_buildings(context: &mut ImportContext<'_>) -> Vec<Vec<DVec2>> {
+    let noted = context.notes.len();
+    let outlines = patches(context, false, is_building).into_iter().map(|patch| patch.outline).collect();
     // They are told of when they are built.
-    site.notes.truncate(noted);
+    context.notes.truncate(noted);
     outlines
 }
 
-fn buildings(site: &mut Site<'_>, map: &mut RoadMap) {
-    for patch in patches(site, false, is_building) {
+fn buildings(context: &mut ImportContext<'_>, map: &mut RoadMap) {
+    for patch in patches(context, false, is_building) {
         let tags = patch.tags;
         let number =
             |key: &str| tags.get(key).and_then(|v| v.split(';').next()).and_then(|v| v.trim().parse::<f64>().ok());
@@ -208,12 +208,12 @@ fn srgb(text: &str) -> Option<[u8; 3]> {
     })
 }
 
-fn things(site: &Site<'_>, map: &mut RoadMap) {
-    for (&id, node) in &site.extract.nodes {
+fn things(context: &ImportContext<'_>, map: &mut RoadMap) {
+    for (&id, node) in &context.extract.nodes {
         let Some(kind) = thing_kind(&node.tags) else { continue };
-        let Some(at) = site.place(id).filter(|&p| site.inside(p)) else { continue };
+        let Some(at) = context.place(id).filter(|&p| context.inside(p)) else { continue };
         let heading_rad = facing(map, at, &kind);
-        map.objects.push(MapObject { kind, position: at.extend(site.ground(at)), heading_rad });
+        map.objects.push(MapObject { kind, position: at.extend(context.ground(at)), heading_rad });
     }
 }
 
@@ -274,15 +274,15 @@ fn facing(map: &RoadMap, at: DVec2, kind: &MapObjectKind) -> f64 {
     best.1
 }
 
-fn tree_rows(site: &mut Site<'_>, map: &mut RoadMap) {
-    let extract = site.extract;
+fn tree_rows(context: &mut ImportContext<'_>, map: &mut RoadMap) {
+    let extract = context.extract;
     for way in extract.ways.iter().filter(|w| w.tags.is("natural", &["tree_row"])) {
-        for (vertices, _) in super::ways::runs(way, &way.tags, site) {
+        for (vertices, _) in super::ways::runs(way, &way.tags, context) {
             let line = super::curve::line_through(vertices.iter().map(|v| v.at.extend(0.0)).collect());
             let n = (line.length() / ROW_M).round().clamp(1.0, 2000.0) as usize;
             for k in 0..=n {
                 let at = line.at(line.length() * k as f64 / n as f64).position.truncate();
-                let at = at.extend(site.ground(at));
+                let at = at.extend(context.ground(at));
                 let taken = map
                     .objects
                     .iter()

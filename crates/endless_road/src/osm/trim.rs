@@ -4,7 +4,7 @@
 use super::class::RoadClass;
 use super::connector::DEAD_END_RADIUS_M;
 use super::curve::angle;
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
 use super::plan::StreetPlan;
 use endless_world::math::f64::{cos, wrap_angle};
 use glam::DVec2;
@@ -48,8 +48,8 @@ pub(super) fn trim(plan: &mut StreetPlan) {
     }
 }
 
-/// The first metres of an arm, outwards from its end.
-struct Reach {
+/// The first metres of an intersection's arm, outwards from its end.
+struct ArmReach {
     line: Vec<DVec2>,
     left: f64,
     right: f64,
@@ -60,7 +60,7 @@ struct Reach {
     most_beside: f64,
 }
 
-fn reach(plan: &StreetPlan, arm: StretchEnd) -> Reach {
+fn reach(plan: &StreetPlan, arm: StreetSegmentEnd) -> ArmReach {
     let street = plan.street(arm);
     let section = plan.arm_section(arm);
     let length = street.length();
@@ -68,7 +68,7 @@ fn reach(plan: &StreetPlan, arm: StretchEnd) -> Reach {
     let most = if ramp { MOST_RAMP_M } else { MOST_M };
     let far = length.min(most + 15.0);
     let n = (far / 2.5).ceil().max(2.0) as usize;
-    Reach {
+    ArmReach {
         line: (0..=n).map(|k| plan.arm_point(arm, far * k as f64 / n as f64, 0.0).truncate()).collect(),
         left: section.kerbs[0],
         right: -section.kerbs[1],
@@ -82,7 +82,7 @@ fn reach(plan: &StreetPlan, arm: StretchEnd) -> Reach {
 }
 
 /// How far outside the asphalt of a road a point lies; negative inside. Behind its beginning it is outside.
-fn outside(road: &Reach, p: DVec2) -> f64 {
+fn outside(road: &ArmReach, p: DVec2) -> f64 {
     let mut best = (f64::INFINITY, f64::INFINITY);
     for (k, pair) in road.line.windows(2).enumerate() {
         let along = pair[1] - pair[0];
@@ -102,7 +102,7 @@ fn outside(road: &Reach, p: DVec2) -> f64 {
 
 fn cut_knot(plan: &mut StreetPlan, intersection: usize) {
     let arms = plan.intersections[intersection].arms.clone();
-    let reaches: Vec<Reach> = arms.iter().map(|&arm| reach(plan, arm)).collect();
+    let reaches: Vec<ArmReach> = arms.iter().map(|&arm| reach(plan, arm)).collect();
     for (i, &arm) in arms.iter().enumerate() {
         let cut = match arms.len() {
             1 => dead_end_cut(plan, arm),
@@ -124,13 +124,13 @@ fn cut_knot(plan: &mut StreetPlan, intersection: usize) {
 }
 
 /// Room for a loop at the end of a two-way road.
-fn dead_end_cut(plan: &StreetPlan, arm: StretchEnd) -> f64 {
+fn dead_end_cut(plan: &StreetPlan, arm: StreetSegmentEnd) -> f64 {
     let street = plan.street(arm);
     if street.oneway() { 0.0 } else { (2.5 * DEAD_END_RADIUS_M).min(0.5 * street.length()) }
 }
 
 /// Where arm `a` is clear of arm `b`.
-fn cut_between(plan: &StreetPlan, arm: StretchEnd, a: &Reach, b: &Reach, arms: usize) -> f64 {
+fn cut_between(plan: &StreetPlan, arm: StreetSegmentEnd, a: &ArmReach, b: &ArmReach, arms: usize) -> f64 {
     let theta = wrap_angle(angle(b.outwards) - angle(a.outwards)).abs();
     let apart = a.line[0].distance(b.line[0]);
     if theta > 2.75 && apart < 1.0 {

@@ -2,7 +2,7 @@
 
 use super::crossing::CROSSING_M;
 use super::curve::simplified;
-use super::graph::StretchEnd;
+use super::graph::StreetSegmentEnd;
 use super::lane::inside;
 use super::plan::StreetPlan;
 use super::section::KERB_M;
@@ -20,12 +20,12 @@ const BULGE_M: f64 = 0.1;
 const SHY_M: f64 = 0.4;
 const PASS_M: f64 = 1.2;
 
-/// The walk network as it grows.
-pub(super) struct Walks<'a> {
+/// Adds nodes and edges to the walk network.
+pub(super) struct WalkNetworkBuilder<'a> {
     pub(super) walk: &'a mut WalkNetwork,
 }
 
-impl Walks<'_> {
+impl WalkNetworkBuilder<'_> {
     pub(super) fn node(&mut self, p: DVec3) -> WalkNodeId {
         self.walk.nodes.push(p);
         WalkNodeId(self.walk.nodes.len() as u32 - 1)
@@ -39,12 +39,12 @@ impl Walks<'_> {
 }
 
 /// By street, end and side (0 left of its line): the node at which the corner's path takes over.
-type Anchors = Vec<[[Option<WalkNodeId>; 2]; 2]>;
+type CornerNodes = Vec<[[Option<WalkNodeId>; 2]; 2]>;
 
 /// Adds the crossings and everything that people walk on along streets.
 pub(super) fn add(plan: &mut StreetPlan, network: &mut RoadNetwork) {
     add_crossings(plan, network);
-    let mut walks = Walks { walk: &mut network.walk };
+    let mut walks = WalkNetworkBuilder { walk: &mut network.walk };
     let anchors = sides(plan, &mut walks);
     for intersection in &plan.intersections {
         let n = intersection.arms.len();
@@ -74,9 +74,9 @@ fn add_crossings(plan: &mut StreetPlan, network: &mut RoadNetwork) {
     }
 }
 
-fn sides(plan: &StreetPlan, walks: &mut Walks<'_>) -> Anchors {
+fn sides(plan: &StreetPlan, walks: &mut WalkNetworkBuilder<'_>) -> CornerNodes {
     let hidden = inside(plan);
-    let mut anchors: Anchors = vec![[[None; 2]; 2]; plan.streets.len()];
+    let mut anchors: CornerNodes = vec![[[None; 2]; 2]; plan.streets.len()];
     for (i, street) in plan.streets.iter().enumerate().filter(|(i, _)| !hidden[*i]) {
         let mut at_crossing = vec![[None; 2]; street.crossings.len()];
         for side in 0..2 {
@@ -157,8 +157,14 @@ fn around_bends(places: Vec<(f64, Option<usize>)>, point: &dyn Fn(f64) -> DVec3)
     out
 }
 
-fn corner(plan: &StreetPlan, a: StretchEnd, b: StretchEnd, anchors: &Anchors, walks: &mut Walks<'_>) {
-    let anchor = |arm: StretchEnd, left: bool| anchors[arm.stretch][arm.end][usize::from(left == (arm.end == 1))];
+fn corner(
+    plan: &StreetPlan,
+    a: StreetSegmentEnd,
+    b: StreetSegmentEnd,
+    anchors: &CornerNodes,
+    walks: &mut WalkNetworkBuilder<'_>,
+) {
+    let anchor = |arm: StreetSegmentEnd, left: bool| anchors[arm.stretch][arm.end][usize::from(left == (arm.end == 1))];
     let (from, to) = (anchor(a, true), anchor(b, false));
     let (Some(from), Some(to)) = (from, to) else { return };
     let (wa, wb) = (walk_width(plan, a, true).unwrap_or(STUB_M), walk_width(plan, b, false).unwrap_or(STUB_M));

@@ -3,7 +3,7 @@
 #![expect(clippy::print_stdout, clippy::unwrap_used, reason = "tests")]
 
 use endless_road::osm::{self, OsmOptions};
-use endless_road::{FaultKind, RoadMap, RoadNetwork, opendrive};
+use endless_road::{NetworkFaultKind, RoadMap, RoadNetwork, opendrive};
 use proptest::prelude::*;
 use std::path::PathBuf;
 
@@ -22,8 +22,8 @@ fn files(folder: &str) -> Vec<(String, Vec<u8>)> {
 /// What is wrong, but for so many overlaps: carriageways that a file draws on one another stay where it has them.
 fn wrong(network: &RoadNetwork, overlaps: usize) -> Vec<String> {
     let faults = network.faults();
-    let allowed = faults.iter().filter(|f| f.kind == FaultKind::Overlap).count() <= overlaps;
-    let counts = |kind: FaultKind| kind != FaultKind::Overlap || !allowed;
+    let allowed = faults.iter().filter(|f| f.kind == NetworkFaultKind::Overlap).count() <= overlaps;
+    let counts = |kind: NetworkFaultKind| kind != NetworkFaultKind::Overlap || !allowed;
     faults.into_iter().filter(|f| counts(f.kind)).map(|f| format!("{:?} {}: {}", f.kind, f.place, f.text)).collect()
 }
 

@@ -49,7 +49,7 @@ fn signs_rank_approaches() {
     let control = |id: LaneId| network.lane(network.lane(id).predecessors[0]).end_control;
     let mut seen = 0;
     for c in network.junctions.iter().flat_map(|j| &j.conflicts) {
-        if control(c.lane) == Control::Yield && control(c.other) == Control::Free {
+        if control(c.lane) == TrafficControl::Yield && control(c.other) == TrafficControl::Free {
             assert!(c.gives_way);
             seen += 1;
         }

@@ -1,7 +1,7 @@
 //! OpenDRIVE on files that are at hand everywhere: what is read, what is refused, and that nothing breaks the reader.
 
 use endless_road::opendrive::{self, OpenDriveDocument, OpenDriveError};
-use endless_road::{Control, LaneType, MapObjectKind, RoadMap, Turn, WalkKind};
+use endless_road::{LaneType, MapObjectKind, RoadMap, TrafficControl, Turn, WalkKind};
 use glam::DVec3;
 use proptest::prelude::*;
 
@@ -76,14 +76,14 @@ fn a_crossroads_with_every_element() {
     assert_eq!(ways.clone().count(), 12);
     assert_eq!(ways.filter(|lane| lane.turn == Turn::Straight).count(), 4);
     // A light on two arms that one controller switches; a stop sign, a give-way sign.
-    let ends = |pick: fn(Control) -> bool| outside().filter(|lane| pick(lane.end_control)).count();
-    assert_eq!(ends(|control| matches!(control, Control::Signal(_))), 2);
-    assert_eq!(ends(|control| control == Control::Stop), 1);
-    assert_eq!(ends(|control| control == Control::Yield), 2);
+    let ends = |pick: fn(TrafficControl) -> bool| outside().filter(|lane| pick(lane.end_control)).count();
+    assert_eq!(ends(|control| matches!(control, TrafficControl::Signal(_))), 2);
+    assert_eq!(ends(|control| control == TrafficControl::Stop), 1);
+    assert_eq!(ends(|control| control == TrafficControl::Yield), 2);
     assert_eq!(network.junctions.iter().filter(|junction| junction.program.is_some()).count(), 1);
     assert_eq!(network.crossings.len(), 3);
     // Lanes end before crossings.
-    for lane in outside().filter(|lane| matches!(lane.end_control, Control::Signal(_) | Control::Stop)) {
+    for lane in outside().filter(|lane| matches!(lane.end_control, TrafficControl::Signal(_) | TrafficControl::Stop)) {
         assert!(network.crossings.iter().all(|c| c.cuts.iter().all(|cut| cut.lane != lane.id)), "{:?}", lane.id);
     }
     let count = |pick: fn(&MapObjectKind) -> bool| map.objects.iter().filter(|thing| pick(&thing.kind)).count();

@@ -2,7 +2,7 @@
 //! reported with its line.
 
 use endless_road::opendrive::{self, OpenDriveDocument};
-use endless_road::{Control, LandUse, LaneType, MapObjectKind, MarkingColor, RoadMap};
+use endless_road::{LandUse, LaneType, MapObjectKind, MarkingColor, RoadMap, TrafficControl};
 use glam::DVec3;
 
 /// A road along x, 100 m, with two driving lanes of 3.5 m, and what is given besides.
@@ -211,7 +211,7 @@ fn signals_stand_where_they_really_stand() {
     let stop = map.objects.iter().find(|thing| thing.kind == MapObjectKind::Stop).expect("a stop sign");
     close(stop.position, 93.0, -6.0, 0.5);
     // It counts where it is valid: traffic along the road stops.
-    assert_eq!(map.network.lanes.iter().filter(|lane| lane.end_control == Control::Stop).count(), 1);
+    assert_eq!(map.network.lanes.iter().filter(|lane| lane.end_control == TrafficControl::Stop).count(), 1);
     let elsewhere = signal.replace(
         "<positionInertial x='93' y='-6' z='0.5' hdg='0'/>",
         "<positionRoad roadId='1' s='40' t='7' zOffset='0' hOffset='0'/>",

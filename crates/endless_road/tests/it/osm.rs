@@ -291,7 +291,7 @@ mod damage {
 
 #[test]
 fn every_light_turns_green() {
-    use endless_road::Control;
+    use endless_road::TrafficControl;
     use endless_world::SignalAspect::Green;
     for (name, map) in maps(&OsmOptions::default()) {
         let network = &map.network;
@@ -303,7 +303,7 @@ fn every_light_turns_green() {
             }
         }
         for lane in &network.lanes {
-            if let Control::Signal(id) = lane.end_control {
+            if let TrafficControl::Signal(id) = lane.end_control {
                 assert!(green[usize::from(id.0)], "{name}: {id:?} stays red");
             }
         }

@@ -1,7 +1,7 @@
 //! The networks of all towns: no dead ends, everything reachable, signals complete.
 
 use endless_asset::Catalogue;
-use endless_road::{Control, LaneId, RoadNetwork};
+use endless_road::{LaneId, RoadNetwork, TrafficControl};
 use endless_town::{NAMES, load};
 use std::collections::BTreeMap;
 
@@ -69,7 +69,7 @@ fn every_signal_is_shown_in_every_phase_and_turns_green() {
             }
         }
         for lane in &network.lanes {
-            if let Control::Signal(id) = lane.end_control {
+            if let TrafficControl::Signal(id) = lane.end_control {
                 assert!(green[usize::from(id.0)], "{name}: {id:?} never turns green");
             }
         }

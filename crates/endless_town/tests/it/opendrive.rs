@@ -2,7 +2,7 @@
 #![expect(clippy::unwrap_used, reason = "tests")]
 
 use endless_asset::Catalogue;
-use endless_road::{Control, Lane, RoadMap, RoadNetwork, Turn, opendrive};
+use endless_road::{Lane, RoadMap, RoadNetwork, TrafficControl, Turn, opendrive};
 use glam::DVec3;
 use std::collections::BTreeSet;
 
@@ -69,11 +69,11 @@ fn towns_come_back_as_they_went_out() {
             let either = [lane.turn, other.turn].contains(&Turn::Straight);
             assert!(lane.turn == other.turn || either, "{name} {:?}: {:?}", lane.id, lane.turn);
             assert!((lane.speed_limit_mps - other.speed_limit_mps).abs() < 1e-6);
-            let kind = |control: Control| match control {
-                Control::Free => 0,
-                Control::Signal(_) => 1,
-                Control::Stop => 2,
-                Control::Yield => 3,
+            let kind = |control: TrafficControl| match control {
+                TrafficControl::Free => 0,
+                TrafficControl::Signal(_) => 1,
+                TrafficControl::Stop => 2,
+                TrafficControl::Yield => 3,
             };
             assert_eq!(kind(lane.end_control), kind(other.end_control), "{name} {:?}", lane.id);
         }

@@ -1,7 +1,7 @@
 //! What vehicles show and how people walk: lights, steering, signals, gait, and the same states again.
 
 use crate::grid::Grid;
-use endless_road::{Control, RoadNetwork};
+use endless_road::{RoadNetwork, TrafficControl};
 use endless_traffic::{Conditions, Simulation, TrafficSettings};
 use endless_world::math::f64::{sin_cos, wrap_angle};
 use endless_world::{
@@ -165,7 +165,7 @@ fn signals_keep_their_program_and_nobody_runs_a_red_light() {
             assert!(!skipped || walks, "signal {g} turns from green to red without yellow");
         }
         for lane in &network.lanes {
-            let Control::Signal(signal) = lane.end_control else { continue };
+            let TrafficControl::Signal(signal) = lane.end_control else { continue };
             let line = lane.centerline.at(lane.centerline.length());
             let (sin, cos) = sin_cos(line.heading_rad);
             let along = DVec2::new(cos, sin);

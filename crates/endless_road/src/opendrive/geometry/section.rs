@@ -54,7 +54,7 @@ impl SectionShape {
     /// The section between two places of its road. Stations are where any border, or the middle of the road, needs
     /// them.
     pub(crate) fn new(shape: &RoadShape<'_>, section: &LaneSection, from: f64, to: f64) -> Self {
-        let across = Across { shape, section, to };
+        let across = SectionSampler { shape, section, to };
         let stations = across.stations(from, to);
         let mut lanes: Vec<LaneShape> = section
             .lanes
@@ -73,21 +73,21 @@ impl SectionShape {
     }
 }
 
-struct Edges {
+struct LaneEdges {
     left: DVec3,
     right: DVec3,
     width: f64,
 }
 
-struct Across<'a> {
+struct SectionSampler<'a> {
     shape: &'a RoadShape<'a>,
     section: &'a LaneSection,
     to: f64,
 }
 
-impl Across<'_> {
+impl SectionSampler<'_> {
     /// Left and right edge of every lane but the centre, left to right.
-    fn lanes(&self, s: f64) -> Vec<Edges> {
+    fn lanes(&self, s: f64) -> Vec<LaneEdges> {
         let road = self.shape.road;
         // What begins exactly where the section ends belongs to the next one.
         let inside = s.min(self.to - 1e-7);
@@ -119,12 +119,12 @@ impl Across<'_> {
             }
             edges
         };
-        let mut all: Vec<Edges> = side(&mut left.iter().rev(), 1.0)
+        let mut all: Vec<LaneEdges> = side(&mut left.iter().rev(), 1.0)
             .into_iter()
             .rev()
-            .map(|(inner, outer, width)| Edges { left: outer, right: inner, width })
+            .map(|(inner, outer, width)| LaneEdges { left: outer, right: inner, width })
             .collect();
-        all.extend(side(&mut right.iter(), -1.0).into_iter().map(|(inner, outer, width)| Edges {
+        all.extend(side(&mut right.iter(), -1.0).into_iter().map(|(inner, outer, width)| LaneEdges {
             left: inner,
             right: outer,
             width,

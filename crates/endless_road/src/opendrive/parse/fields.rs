@@ -9,7 +9,7 @@ pub(in crate::opendrive) const FARTHEST_M: f64 = 2e7;
 
 /// Reads attributes; collects what had to be guessed.
 #[derive(Debug, Default)]
-pub(super) struct Fields {
+pub(super) struct ElementFields {
     pub(super) notes: Vec<ImportNote>,
     /// The last geometry of the road at hand was impossible: where it leads follows from the next road.
     pub(super) loose_end: bool,
@@ -34,7 +34,7 @@ impl ElementError {
     }
 }
 
-impl Fields {
+impl ElementFields {
     pub(super) fn note(&mut self, element: &XmlElement, text: String) {
         let id = element.attribute("id").map(|id| format!(" {id}")).unwrap_or_default();
         self.notes.push(ImportNote { place: format!("line {}: {}{id}", element.line, element.name), text });

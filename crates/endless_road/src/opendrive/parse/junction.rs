@@ -2,9 +2,9 @@
 
 use super::super::document::{ContactPoint, JunctionConnection, JunctionRecord, JunctionType, SignalController};
 use super::super::xml::XmlElement;
-use super::fields::{Fields, text};
+use super::fields::{ElementFields, text};
 
-impl Fields {
+impl ElementFields {
     pub(super) fn junction(&mut self, element: &XmlElement) -> JunctionRecord {
         let kind = match element.attribute("type") {
             Some("direct") => JunctionType::Direct,

@@ -2,9 +2,9 @@
 
 use super::super::document::{LaneRecord, LaneSection, MarkLine, RoadMark};
 use super::super::xml::XmlElement;
-use super::fields::{ElementError, Fields, text};
+use super::fields::{ElementError, ElementFields, text};
 
-impl Fields {
+impl ElementFields {
     pub(super) fn lane_sections(&mut self, lanes: &XmlElement) -> Result<Vec<LaneSection>, ElementError> {
         let mut sections = Vec::new();
         for element in lanes.all("laneSection") {

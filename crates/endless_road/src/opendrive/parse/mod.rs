@@ -10,8 +10,8 @@ mod road;
 use super::document::OpenDriveDocument;
 use super::xml::{self, XmlElement};
 use super::{OpenDriveError, schema};
+use fields::ElementFields;
 pub(super) use fields::FARTHEST_M;
-use fields::Fields;
 
 impl OpenDriveDocument {
     /// Reads a file's text. An element that makes no sense is mended or left out, with a note: the rest of the map is
@@ -25,7 +25,7 @@ impl OpenDriveDocument {
             let what = "is not <OpenDRIVE>: this is another kind of file".to_owned();
             return Err(OpenDriveError::Format { line: root.line, element: root.name, what });
         }
-        let mut fields = Fields::default();
+        let mut fields = ElementFields::default();
         let mut document = OpenDriveDocument::default();
         if let Some(header) = root.first("header") {
             read_header(header, &mut fields, &mut document);
@@ -52,7 +52,7 @@ impl OpenDriveDocument {
     }
 }
 
-fn read_header(header: &XmlElement, fields: &mut Fields, document: &mut OpenDriveDocument) {
+fn read_header(header: &XmlElement, fields: &mut ElementFields, document: &mut OpenDriveDocument) {
     let revision = |name: &str| header.attribute(name).and_then(|v| v.trim().parse().ok()).unwrap_or(0);
     document.revision = (revision("revMajor"), revision("revMinor"));
     if document.revision.0 != 1 {

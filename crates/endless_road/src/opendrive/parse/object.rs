@@ -2,12 +2,12 @@
 
 use super::super::document::{ObjectRepeat, OutlineCorner, Road, RoadObject, Signal, SignalPosition, SignalReference};
 use super::super::xml::XmlElement;
-use super::fields::{ElementError, Fields, orientation, text};
+use super::fields::{ElementError, ElementFields, orientation, text};
 
 /// An object repeated more often than this along one road is a mistake.
 const MOST_REPEATS: f64 = 2000.0;
 
-impl Fields {
+impl ElementFields {
     pub(super) fn read_signals(&mut self, element: &XmlElement, road: &mut Road) {
         let Some(signals) = element.first("signals") else { return };
         for signal in signals.all("signal") {

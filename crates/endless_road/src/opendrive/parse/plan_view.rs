@@ -3,7 +3,7 @@
 use super::super::document::{ContactPoint, GeometryType, PlanViewGeometry, Road, RoadLink};
 use super::super::geometry::{PlanViewCurve, PlanViewPose};
 use super::super::xml::XmlElement;
-use super::fields::{ElementError, Fields};
+use super::fields::{ElementError, ElementFields};
 use endless_world::math::f64::sin_cos;
 use glam::DVec2;
 use std::f64::consts::PI;
@@ -21,7 +21,7 @@ const SHARPEST: f64 = 10.0;
 /// length away.
 const BRIDGED: std::ops::Range<f64> = 0.2..1.05;
 
-impl Fields {
+impl ElementFields {
     pub(super) fn read_plan_view(&mut self, element: &XmlElement, road: &mut Road) -> Result<(), ElementError> {
         let mut impossible = Vec::new();
         for geometry in element.first("planView").into_iter().flat_map(|view| view.all("geometry")) {

@@ -2,9 +2,9 @@
 
 use super::super::document::{ContactPoint, Crossfall, LateralShape, Road, RoadLink, RoadType};
 use super::super::xml::XmlElement;
-use super::fields::{ElementError, Fields, text};
+use super::fields::{ElementError, ElementFields, text};
 
-impl Fields {
+impl ElementFields {
     pub(super) fn road(&mut self, element: &XmlElement) -> Result<Road, ElementError> {
         let link = element.first("link");
         let lateral = element.first("lateralProfile");

@@ -1,6 +1,6 @@
 //! Where traffic waits: before the crossing, not on it; and the line painted there.
 
-use crate::{Control, Crossing, Lane, LaneId, MarkingColor, Polyline, RoadMarking};
+use crate::{Crossing, Lane, LaneId, MarkingColor, Polyline, RoadMarking, TrafficControl};
 use endless_world::math::f64::sin_cos;
 use glam::DVec3;
 
@@ -84,9 +84,9 @@ pub(super) fn stop_lines(lanes: &[Lane], marks: &[RoadMarking]) -> Vec<RoadMarki
     let mut lines = Vec::new();
     for lane in lanes {
         let dash = match lane.end_control {
-            Control::Free => continue,
-            Control::Signal(_) | Control::Stop => None,
-            Control::Yield => Some(YIELD_DASH_M),
+            TrafficControl::Free => continue,
+            TrafficControl::Signal(_) | TrafficControl::Stop => None,
+            TrafficControl::Yield => Some(YIELD_DASH_M),
         };
         let end = lane.centerline.at(lane.centerline.length() - 0.5 * STOP_LINE_M);
         let (sin, cos) = sin_cos(end.heading_rad);

@@ -5,7 +5,7 @@ use super::super::document::ContactPoint;
 use super::joins::LaneEnd;
 use super::kind::{is_driven, usual_speed};
 use super::sampled::{LaneKey, SampledDocument};
-use crate::{Control, ImportNote, Junction, JunctionId, Lane, LaneId, Polyline, Turn};
+use crate::{ImportNote, Junction, JunctionId, Lane, LaneId, Polyline, TrafficControl, Turn};
 use endless_world::math::f64::{atan2, wrap_angle};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -342,7 +342,7 @@ impl LaneGraph {
                 right: None,
                 junction,
                 turn: if junction.is_some() { turn(node) } else { Turn::Straight },
-                end_control: Control::Free,
+                end_control: TrafficControl::Free,
             });
         }
         // Conflicts are sought between all pairs.

@@ -22,7 +22,7 @@ const MOST_GAP_M: f64 = 0.045;
 const MOST_KINK: f64 = 0.13;
 
 /// Joined ends: (node, whether its end rather than its start).
-type Joint = Vec<(usize, bool)>;
+type LaneJoint = Vec<(usize, bool)>;
 
 pub(super) fn mend(graph: &mut LaneGraph, notes: &mut Vec<ImportNote>) {
     let mut moved = 0;
@@ -63,7 +63,7 @@ pub(super) fn drop_unmet(lanes: &mut [Lane], notes: &mut Vec<ImportNote>) {
 }
 
 /// Groups of ends and starts that meet.
-fn joints(graph: &LaneGraph) -> Vec<Joint> {
+fn joints(graph: &LaneGraph) -> Vec<LaneJoint> {
     // Union-find over 2 × nodes: ends are odd.
     let mut parent: Vec<usize> = (0..2 * graph.nodes.len()).collect();
     fn root(parent: &mut [usize], mut i: usize) -> usize {
@@ -79,7 +79,7 @@ fn joints(graph: &LaneGraph) -> Vec<Joint> {
             parent[a.max(b)] = a.min(b);
         }
     }
-    let mut groups: BTreeMap<usize, Joint> = BTreeMap::new();
+    let mut groups: BTreeMap<usize, LaneJoint> = BTreeMap::new();
     for i in 0..parent.len() {
         if !graph.nodes[i / 2].gone {
             let at = root(&mut parent, i);
@@ -91,8 +91,8 @@ fn joints(graph: &LaneGraph) -> Vec<Joint> {
 
 /// Where the ends should meet and in which direction of travel: as the lanes outside junctions have it, if there are
 /// any.
-fn agreed(graph: &LaneGraph, joint: &Joint) -> (DVec3, f64) {
-    let outside: Joint = joint.iter().copied().filter(|&(node, _)| graph.nodes[node].junction.is_none()).collect();
+fn agreed(graph: &LaneGraph, joint: &LaneJoint) -> (DVec3, f64) {
+    let outside: LaneJoint = joint.iter().copied().filter(|&(node, _)| graph.nodes[node].junction.is_none()).collect();
     let of = if outside.is_empty() { joint } else { &outside };
     let mut place = DVec3::ZERO;
     let (_, first) = end_of(graph, of[0]);

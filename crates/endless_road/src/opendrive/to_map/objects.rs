@@ -5,7 +5,7 @@ use super::super::geometry::RoadShape;
 use super::lane_surfaces::KERB_M;
 use super::outline::{corners, place, rectangle};
 use super::sampled::SampledDocument;
-use super::signals::{Governed, SignalMeaning, meaning};
+use super::signals::{SignalLanes, SignalMeaning, meaning};
 use crate::{
     BuildingFootprint, ImportNote, LandUse, LandUseArea, LaneSurface, LaneType, MapObject, MapObjectKind, MarkingColor,
     Polyline, RoadMap, RoadMarking, RoadNetwork,
@@ -24,7 +24,7 @@ const SLENDER: f64 = 3.0;
 /// Adds signals, signs, objects, painted lines and parking bays to the map.
 pub(super) fn add(
     sampled: &SampledDocument<'_>,
-    governed: &Governed<'_>,
+    governed: &SignalLanes<'_>,
     groups: &BTreeMap<&str, SignalId>,
     map: &mut RoadMap,
 ) {
@@ -66,7 +66,7 @@ pub(super) fn add(
 fn signal_thing(
     (sampled, shape): (&SampledDocument<'_>, &RoadShape<'_>),
     signal: &Signal,
-    governed: &Governed<'_>,
+    governed: &SignalLanes<'_>,
     groups: &BTreeMap<&str, SignalId>,
     network: &RoadNetwork,
 ) -> Option<MapObject> {

@@ -46,18 +46,18 @@ pub(super) struct SampledDocument<'a> {
     pub(super) document: &'a OpenDriveDocument,
     pub(super) roads: Vec<RoadShape<'a>>,
     /// By road.
-    pub(super) sections: Vec<Sections>,
+    pub(super) sections: Vec<RoadSections>,
     road_places: BTreeMap<&'a str, usize>,
 }
 
 /// The sections of a road; `None` for one without length.
-type Sections = Vec<Option<SectionShape>>;
+type RoadSections = Vec<Option<SectionShape>>;
 
 /// Samples all roads. Those whose lanes no map can hold leave the document, with a note.
 ///
 /// # Errors
 /// If there is more than a map can hold.
-pub(super) fn sample(document: &mut OpenDriveDocument) -> Result<Vec<Sections>, OpenDriveError> {
+pub(super) fn sample(document: &mut OpenDriveDocument) -> Result<Vec<RoadSections>, OpenDriveError> {
     let metres: f64 = document.roads.iter().map(|road| road.length).sum();
     if metres > MOST_METRES as f64 {
         return Err(OpenDriveError::TooMuch { what: "metres of road", most: MOST_METRES });
@@ -81,7 +81,7 @@ pub(super) fn sample(document: &mut OpenDriveDocument) -> Result<Vec<Sections>, 
 }
 
 /// Samples one road, or says why no map can hold it; counts the points on borders of all roads.
-fn sample_road(road: &Road, points: &mut usize) -> Result<Result<Sections, ImportNote>, OpenDriveError> {
+fn sample_road(road: &Road, points: &mut usize) -> Result<Result<RoadSections, ImportNote>, OpenDriveError> {
     let shape = RoadShape::new(road);
     let mut sections = Vec::new();
     for (place, section) in road.sections.iter().enumerate() {
@@ -103,7 +103,7 @@ fn sample_road(road: &Road, points: &mut usize) -> Result<Result<Sections, Impor
 
 impl<'a> SampledDocument<'a> {
     /// A document with its roads as they were sampled.
-    pub(super) fn new(document: &'a OpenDriveDocument, sections: Vec<Sections>) -> Self {
+    pub(super) fn new(document: &'a OpenDriveDocument, sections: Vec<RoadSections>) -> Self {
         let roads = document.roads.iter().map(RoadShape::new).collect();
         let mut road_places = BTreeMap::new();
         for (place, road) in document.roads.iter().enumerate() {

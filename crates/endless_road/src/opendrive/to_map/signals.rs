@@ -8,7 +8,7 @@
 use super::super::document::{ContactPoint, Signal, SignalOrientation};
 use super::lanes::LaneGraph;
 use super::sampled::{LaneKey, SampledDocument};
-use crate::{Control, Crossing, ImportNote, JunctionId, LaneId, Phase, RoadNetwork, SignalProgram, Turn};
+use crate::{Crossing, ImportNote, JunctionId, LaneId, RoadNetwork, SignalPhase, SignalProgram, TrafficControl, Turn};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{SignalAspect, SignalId};
 use std::collections::{BTreeMap, BTreeSet};
@@ -65,15 +65,15 @@ fn digits(text: &str) -> Option<f64> {
 }
 
 /// The lanes whose ends a signal governs, by the signal's id.
-pub(super) type Governed<'a> = BTreeMap<&'a str, BTreeSet<LaneId>>;
+pub(super) type SignalLanes<'a> = BTreeMap<&'a str, BTreeSet<LaneId>>;
 
 /// What the lanes obey: every signal of the document with its lanes.
 pub(super) fn governed<'a>(
     sampled: &SampledDocument<'a>,
     graph: &LaneGraph,
     notes: &mut Vec<ImportNote>,
-) -> Governed<'a> {
-    let mut governed = Governed::new();
+) -> SignalLanes<'a> {
+    let mut governed = SignalLanes::new();
     for (place, road) in sampled.document.roads.iter().enumerate() {
         let here = road.signals.iter().map(|s| (s.id.as_str(), s.s, s.orientation, &s.validity));
         let there = road.signal_references.iter().map(|r| (r.id.as_str(), r.s, r.orientation, &r.validity));
@@ -135,7 +135,7 @@ fn lanes_of(
 /// Sets what governs lane ends, numbers the groups and writes the programs. Returns each signal's group.
 pub(super) fn apply<'a>(
     sampled: &SampledDocument<'a>,
-    governed: &Governed<'a>,
+    governed: &SignalLanes<'a>,
     network: &mut RoadNetwork,
     notes: &mut Vec<ImportNote>,
 ) -> BTreeMap<&'a str, SignalId> {
@@ -148,8 +148,8 @@ pub(super) fn apply<'a>(
                 SignalMeaning::Light => {
                     lights.entry(lane).or_default().insert(signal.id.as_str());
                 }
-                SignalMeaning::Stop => *control = Control::Stop,
-                SignalMeaning::Yield if *control == Control::Free => *control = Control::Yield,
+                SignalMeaning::Stop => *control = TrafficControl::Stop,
+                SignalMeaning::Yield if *control == TrafficControl::Free => *control = TrafficControl::Yield,
                 _ => {}
             }
         }
@@ -187,7 +187,7 @@ pub(super) fn apply<'a>(
         let id = SignalId(network.signal_groups);
         network.signal_groups = next;
         for &lane in &lanes {
-            network.lanes[lane.index()].end_control = Control::Signal(id);
+            network.lanes[lane.index()].end_control = TrafficControl::Signal(id);
             for signal in &lights[&lane] {
                 ids.entry(*signal).or_insert(id);
             }
@@ -246,7 +246,7 @@ fn add_program(network: &mut RoadNetwork, junction: JunctionId, groups: &[(Signa
     for (stage, walk) in stages.iter().zip(&walks) {
         let clearance = walk.iter().map(|w| (w.1 / CLEARANCE_MPS).ceil()).fold(0.0, f64::max);
         let green = GREEN_S.max(WALK_S + clearance);
-        let phase = |duration_s: f64, vehicles: SignalAspect, people: SignalAspect| Phase {
+        let phase = |duration_s: f64, vehicles: SignalAspect, people: SignalAspect| SignalPhase {
             duration_s,
             aspects: (0..groups.len())
                 .map(|g| (groups[g].0, if stage.contains(&g) { vehicles } else { SignalAspect::Red }))
@@ -322,8 +322,8 @@ pub(super) fn apply_priorities(sampled: &SampledDocument<'_>, graph: &LaneGraph,
                 debug_assert_eq!(key.road, road);
                 for lane in graph.approaches(node) {
                     let control = &mut network.lanes[lane.index()].end_control;
-                    if *control == Control::Free {
-                        *control = Control::Yield;
+                    if *control == TrafficControl::Free {
+                        *control = TrafficControl::Yield;
                     }
                 }
             }

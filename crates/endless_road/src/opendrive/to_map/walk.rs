@@ -29,7 +29,7 @@ pub(super) fn walk(
     crossings: &mut Vec<Crossing>,
     notes: &mut Vec<ImportNote>,
 ) -> WalkNetwork {
-    let mut walk = Walk::default();
+    let mut walk = WalkBuilder::default();
     let ends = walk.add_lanes(sampled);
     walk.join_ends(&ends, joins);
     let mut kept = Vec::new();
@@ -48,13 +48,13 @@ pub(super) fn walk(
 }
 
 #[derive(Default)]
-struct Walk {
+struct WalkBuilder {
     nodes: Vec<DVec3>,
     /// Split edges are replaced by their first half; new ones are added at the end.
     edges: Vec<WalkEdge>,
 }
 
-impl Walk {
+impl WalkBuilder {
     fn node(&mut self, place: DVec3) -> WalkNodeId {
         self.nodes.push(place);
         WalkNodeId((self.nodes.len() - 1) as u32)

@@ -3,7 +3,7 @@
 use super::element::ElementWriter;
 use super::plan::WritePlan;
 use super::road::{junction_id, light_id};
-use crate::{Control, LaneId};
+use crate::{LaneId, TrafficControl};
 use endless_world::SignalId;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,7 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 fn lights(plan: &WritePlan<'_>) -> BTreeMap<SignalId, BTreeSet<usize>> {
     let mut lights: BTreeMap<SignalId, BTreeSet<usize>> = BTreeMap::new();
     for lane in &plan.network.lanes {
-        if let Control::Signal(group) = lane.end_control {
+        if let TrafficControl::Signal(group) = lane.end_control {
             lights.entry(group).or_default().insert(plan.road_of[lane.id.index()]);
         }
     }
@@ -43,7 +43,7 @@ pub(super) fn junctions(plan: &WritePlan<'_>) -> Vec<ElementWriter> {
         let groups: BTreeSet<SignalId> = entries
             .iter()
             .filter_map(|&(lane, _)| match plan.network.lane(lane).end_control {
-                Control::Signal(group) => Some(group),
+                TrafficControl::Signal(group) => Some(group),
                 _ => None,
             })
             .collect();

@@ -20,7 +20,7 @@ pub(super) struct PlannedRoad {
 
 /// What an end of a road is joined to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Joined {
+pub(super) enum RoadEndLink {
     Nothing,
     Road(usize),
     Junction(usize),
@@ -121,20 +121,20 @@ impl<'a> WritePlan<'a> {
     }
 
     /// What a road's beginning or end is joined to.
-    pub(super) fn joined(&self, road: usize, at_end: bool) -> Joined {
+    pub(super) fn joined(&self, road: usize, at_end: bool) -> RoadEndLink {
         let linked = self.linked_lanes(road, at_end);
-        let Some(&first) = linked.first() else { return Joined::Nothing };
+        let Some(&first) = linked.first() else { return RoadEndLink::Nothing };
         // From inside a junction always a road.
         if self.roads[road].junction.is_none() {
             if let Some(junction) = linked.iter().find_map(|&lane| self.network.lane(lane).junction) {
-                return Joined::Junction(junction.index());
+                return RoadEndLink::Junction(junction.index());
             }
             let into = if at_end { vec![road] } else { linked.iter().map(|l| self.road_of[l.index()]).collect() };
             if let Some(place) = self.direct.iter().position(|roads| roads.contains(&into[0])) {
-                return Joined::Junction(self.network.junctions.len() + place);
+                return RoadEndLink::Junction(self.network.junctions.len() + place);
             }
         }
-        Joined::Road(self.road_of[first.index()])
+        RoadEndLink::Road(self.road_of[first.index()])
     }
 
     /// The lanes that follow a road's lanes, or precede them.

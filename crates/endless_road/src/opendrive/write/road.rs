@@ -2,8 +2,8 @@
 
 use super::curve::FittedLine;
 use super::element::{ElementWriter, number};
-use super::plan::{Joined, WritePlan};
-use crate::{Control, Crossing, Lane, LaneId};
+use super::plan::{RoadEndLink, WritePlan};
+use crate::{Crossing, Lane, LaneId, TrafficControl};
 use endless_world::SignalId;
 use endless_world::math::f64::{atan2, wrap_angle};
 use glam::DVec3;
@@ -42,14 +42,14 @@ fn link(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     let mut link = ElementWriter::new("link");
     for (name, at_end, contact) in [("predecessor", false, "end"), ("successor", true, "start")] {
         match plan.joined(place, at_end) {
-            Joined::Nothing => {}
-            Joined::Road(other) => link.push(
+            RoadEndLink::Nothing => {}
+            RoadEndLink::Road(other) => link.push(
                 ElementWriter::new(name)
                     .with("elementType", "road")
                     .with("elementId", other + 1)
                     .with("contactPoint", contact),
             ),
-            Joined::Junction(junction) => {
+            RoadEndLink::Junction(junction) => {
                 link.push(
                     ElementWriter::new(name).with("elementType", "junction").with("elementId", junction_id(junction)),
                 );
@@ -156,7 +156,7 @@ fn lane_element(plan: &WritePlan<'_>, lane: &Lane) -> ElementWriter {
     let place = plan.road_of[lane.id.index()];
     let mut link = ElementWriter::new("link");
     for (name, at_end) in [("predecessor", false), ("successor", true)] {
-        if let Joined::Road(other) = plan.joined(place, at_end) {
+        if let RoadEndLink::Road(other) = plan.joined(place, at_end) {
             let linked = if at_end { &lane.successors } else { &lane.predecessors };
             for &next in linked.iter().filter(|next| plan.road_of[next.index()] == other) {
                 link.push(ElementWriter::new(name).with("id", plan.lane_id(next)));
@@ -240,21 +240,21 @@ pub(super) fn light_id(group: SignalId, place: usize) -> String {
 
 fn signals(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     let planned = &plan.roads[place];
-    let mut by_control: BTreeMap<String, (Control, Vec<LaneId>)> = BTreeMap::new();
+    let mut by_control: BTreeMap<String, (TrafficControl, Vec<LaneId>)> = BTreeMap::new();
     for &lane in &planned.lanes {
         let control = plan.network.lane(lane).end_control;
         let id = match control {
-            Control::Free => continue,
-            Control::Signal(group) => light_id(group, place),
-            Control::Stop => format!("stop_{}", place + 1),
-            Control::Yield => format!("yield_{}", place + 1),
+            TrafficControl::Free => continue,
+            TrafficControl::Signal(group) => light_id(group, place),
+            TrafficControl::Stop => format!("stop_{}", place + 1),
+            TrafficControl::Yield => format!("yield_{}", place + 1),
         };
         by_control.entry(id).or_insert((control, Vec::new())).1.push(lane);
     }
     let signals = by_control.into_iter().map(|(id, (control, lanes))| {
         let (dynamic, country, kind, name) = match control {
-            Control::Signal(_) => ("yes", "OpenDRIVE", "1000001", "traffic light"),
-            Control::Stop => ("no", "DE", "206", "stop"),
+            TrafficControl::Signal(_) => ("yes", "OpenDRIVE", "1000001", "traffic light"),
+            TrafficControl::Stop => ("no", "DE", "206", "stop"),
             _ => ("no", "DE", "205", "give way"),
         };
         let validity = lanes.iter().map(|&lane| {

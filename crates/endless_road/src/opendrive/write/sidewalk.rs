@@ -20,12 +20,12 @@ pub(super) fn roads(walk: &WalkNetwork, first_id: usize) -> Vec<ElementWriter> {
 }
 
 /// A way along sidewalks without forks or sharp turns.
-struct Chain {
+struct SidewalkChain {
     nodes: Vec<WalkNodeId>,
     width_m: f64,
 }
 
-fn chains(walk: &WalkNetwork) -> Vec<Chain> {
+fn chains(walk: &WalkNetwork) -> Vec<SidewalkChain> {
     let sidewalks: Vec<&WalkEdge> = walk.edges.iter().filter(|edge| edge.kind == WalkKind::Sidewalk).collect();
     let mut at: BTreeMap<WalkNodeId, Vec<usize>> = BTreeMap::new();
     for (i, edge) in sidewalks.iter().enumerate() {
@@ -62,12 +62,12 @@ fn chains(walk: &WalkNetwork) -> Vec<Chain> {
             }
             nodes.reverse();
         }
-        chains.push(Chain { nodes, width_m: sidewalks[start].width_m });
+        chains.push(SidewalkChain { nodes, width_m: sidewalks[start].width_m });
     }
     chains
 }
 
-fn road(walk: &WalkNetwork, chain: &Chain, id: usize) -> ElementWriter {
+fn road(walk: &WalkNetwork, chain: &SidewalkChain, id: usize) -> ElementWriter {
     let points: Vec<DVec3> = chain.nodes.iter().map(|node| walk.nodes[node.index()] - DVec3::Z * KERB_M).collect();
     let line = FittedLine::new(&points, &directions(&points));
     let width = chain.width_m + MARGIN_M;

@@ -1,6 +1,6 @@
 //! One block of nodes, ways and relations.
 
-use super::wire::{Message, Value, packed, signed, summed};
+use super::wire::{ProtobufMessage, WireValue, packed, signed, summed};
 use crate::osm::OsmError;
 use crate::osm::extract::{OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmRelation, OsmTags, OsmWay};
 
@@ -43,32 +43,32 @@ fn error(reason: String) -> OsmError {
 pub(super) fn read(bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let mut frame = BlockScale { strings: Vec::new(), granularity: 100, lat_offset: 0, lon_offset: 0 };
     let mut groups = Vec::new();
-    let mut message = Message::new(bytes);
+    let mut message = ProtobufMessage::new(bytes);
     while let Some((field, value)) = message.field()? {
         match (field, value) {
-            (1, Value::Bytes(table)) => {
-                let mut table = Message::new(table);
+            (1, WireValue::Bytes(table)) => {
+                let mut table = ProtobufMessage::new(table);
                 while let Some((field, value)) = table.field()? {
-                    if let (1, Value::Bytes(text)) = (field, value) {
+                    if let (1, WireValue::Bytes(text)) = (field, value) {
                         frame.strings.push(text);
                     }
                 }
             }
-            (2, Value::Bytes(group)) => groups.push(group),
-            (17, Value::Varint(v)) => frame.granularity = v as i64,
-            (19, Value::Varint(v)) => frame.lat_offset = v as i64,
-            (20, Value::Varint(v)) => frame.lon_offset = v as i64,
+            (2, WireValue::Bytes(group)) => groups.push(group),
+            (17, WireValue::Varint(v)) => frame.granularity = v as i64,
+            (19, WireValue::Varint(v)) => frame.lat_offset = v as i64,
+            (20, WireValue::Varint(v)) => frame.lon_offset = v as i64,
             _ => {}
         }
     }
     for group in groups {
-        let mut group = Message::new(group);
+        let mut group = ProtobufMessage::new(group);
         while let Some((field, value)) = group.field()? {
             match (field, value) {
-                (1, Value::Bytes(bytes)) => plain_node(&frame, bytes, extract)?,
-                (2, Value::Bytes(bytes)) => dense_nodes(&frame, bytes, extract)?,
-                (3, Value::Bytes(bytes)) => way(&frame, bytes, extract)?,
-                (4, Value::Bytes(bytes)) => relation(&frame, bytes, extract)?,
+                (1, WireValue::Bytes(bytes)) => plain_node(&frame, bytes, extract)?,
+                (2, WireValue::Bytes(bytes)) => dense_nodes(&frame, bytes, extract)?,
+                (3, WireValue::Bytes(bytes)) => way(&frame, bytes, extract)?,
+                (4, WireValue::Bytes(bytes)) => relation(&frame, bytes, extract)?,
                 _ => {}
             }
         }
@@ -78,14 +78,14 @@ pub(super) fn read(bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmErro
 
 fn plain_node(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let (mut id, mut lat, mut lon, mut keys, mut values) = (0, 0, 0, Vec::new(), Vec::new());
-    let mut message = Message::new(bytes);
+    let mut message = ProtobufMessage::new(bytes);
     while let Some((field, value)) = message.field()? {
         match (field, value) {
-            (1, Value::Varint(v)) => id = signed(v),
-            (2, Value::Bytes(b)) => keys = packed(b)?,
-            (3, Value::Bytes(b)) => values = packed(b)?,
-            (8, Value::Varint(v)) => lat = signed(v),
-            (9, Value::Varint(v)) => lon = signed(v),
+            (1, WireValue::Varint(v)) => id = signed(v),
+            (2, WireValue::Bytes(b)) => keys = packed(b)?,
+            (3, WireValue::Bytes(b)) => values = packed(b)?,
+            (8, WireValue::Varint(v)) => lat = signed(v),
+            (9, WireValue::Varint(v)) => lon = signed(v),
             _ => {}
         }
     }
@@ -96,13 +96,13 @@ fn plain_node(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) ->
 
 fn dense_nodes(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let (mut ids, mut lats, mut lons, mut tags) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-    let mut message = Message::new(bytes);
+    let mut message = ProtobufMessage::new(bytes);
     while let Some((field, value)) = message.field()? {
         match (field, value) {
-            (1, Value::Bytes(b)) => ids = summed(b)?,
-            (8, Value::Bytes(b)) => lats = summed(b)?,
-            (9, Value::Bytes(b)) => lons = summed(b)?,
-            (10, Value::Bytes(b)) => tags = packed(b)?,
+            (1, WireValue::Bytes(b)) => ids = summed(b)?,
+            (8, WireValue::Bytes(b)) => lats = summed(b)?,
+            (9, WireValue::Bytes(b)) => lons = summed(b)?,
+            (10, WireValue::Bytes(b)) => tags = packed(b)?,
             _ => {}
         }
     }
@@ -125,13 +125,13 @@ fn dense_nodes(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -
 
 fn way(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let (mut id, mut nodes, mut keys, mut values) = (0, Vec::new(), Vec::new(), Vec::new());
-    let mut message = Message::new(bytes);
+    let mut message = ProtobufMessage::new(bytes);
     while let Some((field, value)) = message.field()? {
         match (field, value) {
-            (1, Value::Varint(v)) => id = v as i64,
-            (2, Value::Bytes(b)) => keys = packed(b)?,
-            (3, Value::Bytes(b)) => values = packed(b)?,
-            (8, Value::Bytes(b)) => nodes = summed(b)?,
+            (1, WireValue::Varint(v)) => id = v as i64,
+            (2, WireValue::Bytes(b)) => keys = packed(b)?,
+            (3, WireValue::Bytes(b)) => values = packed(b)?,
+            (8, WireValue::Bytes(b)) => nodes = summed(b)?,
             _ => {}
         }
     }
@@ -142,15 +142,15 @@ fn way(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result
 fn relation(frame: &BlockScale<'_>, bytes: &[u8], extract: &mut OsmExtract) -> Result<(), OsmError> {
     let (mut id, mut keys, mut values) = (0, Vec::new(), Vec::new());
     let (mut roles, mut ids, mut kinds) = (Vec::new(), Vec::new(), Vec::new());
-    let mut message = Message::new(bytes);
+    let mut message = ProtobufMessage::new(bytes);
     while let Some((field, value)) = message.field()? {
         match (field, value) {
-            (1, Value::Varint(v)) => id = v as i64,
-            (2, Value::Bytes(b)) => keys = packed(b)?,
-            (3, Value::Bytes(b)) => values = packed(b)?,
-            (8, Value::Bytes(b)) => roles = packed(b)?,
-            (9, Value::Bytes(b)) => ids = summed(b)?,
-            (10, Value::Bytes(b)) => kinds = packed(b)?,
+            (1, WireValue::Varint(v)) => id = v as i64,
+            (2, WireValue::Bytes(b)) => keys = packed(b)?,
+            (3, WireValue::Bytes(b)) => values = packed(b)?,
+            (8, WireValue::Bytes(b)) => roles = packed(b)?,
+            (9, WireValue::Bytes(b)) => ids = summed(b)?,
+            (10, WireValue::Bytes(b)) => kinds = packed(b)?,
             _ => {}
         }
     }

@@ -5,7 +5,7 @@ mod wire;
 
 use super::OsmError;
 use super::extract::{OsmBounds, OsmExtract};
-use wire::{Message, Value, signed};
+use wire::{ProtobufMessage, WireValue, signed};
 
 /// The format's own limits, bytes.
 const MOST_HEADER: usize = 64 << 10;
@@ -66,12 +66,12 @@ fn in_blob(error: OsmError, offset: usize) -> OsmError {
 }
 
 fn blob_header(bytes: &[u8]) -> Result<(Vec<u8>, usize), OsmError> {
-    let mut message = Message::new(bytes);
+    let mut message = ProtobufMessage::new(bytes);
     let (mut kind, mut size) = (Vec::new(), None);
     while let Some((field, value)) = message.field()? {
         match (field, value) {
-            (1, Value::Bytes(name)) => kind = name.to_vec(),
-            (3, Value::Varint(n)) => size = usize::try_from(n).ok(),
+            (1, WireValue::Bytes(name)) => kind = name.to_vec(),
+            (3, WireValue::Varint(n)) => size = usize::try_from(n).ok(),
             _ => {}
         }
     }
@@ -80,16 +80,16 @@ fn blob_header(bytes: &[u8]) -> Result<(Vec<u8>, usize), OsmError> {
 }
 
 fn unpacked(blob: &[u8], offset: usize) -> Result<Vec<u8>, OsmError> {
-    let mut message = Message::new(blob);
+    let mut message = ProtobufMessage::new(blob);
     let error = |reason: String| OsmError::Pbf { offset, reason };
     while let Some((field, value)) = message.field()? {
         match (field, value) {
-            (1, Value::Bytes(raw)) => return Ok(raw.to_vec()),
-            (3, Value::Bytes(packed)) => {
+            (1, WireValue::Bytes(raw)) => return Ok(raw.to_vec()),
+            (3, WireValue::Bytes(packed)) => {
                 return miniz_oxide::inflate::decompress_to_vec_zlib_with_limit(packed, MOST_BLOB)
                     .map_err(|e| error(format!("a blob does not unpack: {e}")));
             }
-            (4..=7, Value::Bytes(_)) => {
+            (4..=7, WireValue::Bytes(_)) => {
                 return Err(error(
                     "a blob is packed with something else than zlib; repack the file with osmium".into(),
                 ));
@@ -101,23 +101,23 @@ fn unpacked(blob: &[u8], offset: usize) -> Result<Vec<u8>, OsmError> {
 }
 
 fn header_block(bytes: &[u8]) -> Result<Option<OsmBounds>, OsmError> {
-    let mut message = Message::new(bytes);
+    let mut message = ProtobufMessage::new(bytes);
     let mut bounds = None;
     while let Some((field, value)) = message.field()? {
         match (field, value) {
-            (1, Value::Bytes(bbox)) => {
+            (1, WireValue::Bytes(bbox)) => {
                 // Left, right, top, bottom, in units of a nano-degree.
                 let mut edges = [0.0; 4];
-                let mut inner = Message::new(bbox);
+                let mut inner = ProtobufMessage::new(bbox);
                 while let Some((field, value)) = inner.field()? {
-                    if let (1..=4, Value::Varint(v)) = (field, value) {
+                    if let (1..=4, WireValue::Varint(v)) = (field, value) {
                         edges[field as usize - 1] = signed(v) as f64 * 1e-9;
                     }
                 }
                 let [left, right, top, bottom] = edges;
                 bounds = Some(OsmBounds { low: [bottom, left], high: [top, right] });
             }
-            (4, Value::Bytes(feature)) if !matches!(feature, b"OsmSchema-V0.6" | b"DenseNodes") => {
+            (4, WireValue::Bytes(feature)) if !matches!(feature, b"OsmSchema-V0.6" | b"DenseNodes") => {
                 let name = String::from_utf8_lossy(feature).into_owned();
                 return Err(message.error(format!("the file requires {name:?}, which is not known")));
             }

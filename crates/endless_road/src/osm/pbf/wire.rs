@@ -5,7 +5,7 @@ use crate::osm::OsmError;
 
 /// A field's value.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Value<'a> {
+pub(super) enum WireValue<'a> {
     Varint(u64),
     Bytes(&'a [u8]),
     /// Fixed 32 or 64 bits: PBF has none that matter.
@@ -14,12 +14,12 @@ pub(super) enum Value<'a> {
 
 /// A message being read.
 #[derive(Debug, Clone)]
-pub(super) struct Message<'a> {
+pub(super) struct ProtobufMessage<'a> {
     bytes: &'a [u8],
     at: usize,
 }
 
-impl<'a> Message<'a> {
+impl<'a> ProtobufMessage<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         Self { bytes, at: 0 }
     }
@@ -52,24 +52,24 @@ impl<'a> Message<'a> {
     }
 
     /// The next field's number and value; `None` at the end.
-    pub(super) fn field(&mut self) -> Result<Option<(u64, Value<'a>)>, OsmError> {
+    pub(super) fn field(&mut self) -> Result<Option<(u64, WireValue<'a>)>, OsmError> {
         if self.at == self.bytes.len() {
             return Ok(None);
         }
         let key = self.varint()?;
         let value = match key & 7 {
-            0 => Value::Varint(self.varint()?),
+            0 => WireValue::Varint(self.varint()?),
             1 => {
                 self.take(8)?;
-                Value::Fixed
+                WireValue::Fixed
             }
             2 => {
                 let length = self.varint()?;
-                Value::Bytes(self.take(length)?)
+                WireValue::Bytes(self.take(length)?)
             }
             5 => {
                 self.take(4)?;
-                Value::Fixed
+                WireValue::Fixed
             }
             other => return Err(self.error(format!("wire type {other} is not known"))),
         };
@@ -79,7 +79,7 @@ impl<'a> Message<'a> {
 
 /// A packed list of numbers.
 pub(super) fn packed(bytes: &[u8]) -> Result<Vec<u64>, OsmError> {
-    let mut message = Message::new(bytes);
+    let mut message = ProtobufMessage::new(bytes);
     let mut values = Vec::new();
     while message.at < bytes.len() {
         values.push(message.varint()?);

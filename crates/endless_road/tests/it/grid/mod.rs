@@ -113,10 +113,10 @@ impl Grid {
             let opposite_missing = into[(a + 2) % 4].is_empty();
             for lane in &into[a] {
                 n.lanes[lane.index()].end_control = match arms {
-                    4 if signalised => Control::Signal(SignalId(base + (a % 2) as u16)),
-                    4 if (i + j) % 3 == 0 => Control::Stop,
-                    3 if opposite_missing => [Control::Stop, Control::Yield][(i + j) % 2],
-                    _ => Control::Free,
+                    4 if signalised => TrafficControl::Signal(SignalId(base + (a % 2) as u16)),
+                    4 if (i + j) % 3 == 0 => TrafficControl::Stop,
+                    3 if opposite_missing => [TrafficControl::Stop, TrafficControl::Yield][(i + j) % 2],
+                    _ => TrafficControl::Free,
                 };
             }
             if !into[a].is_empty() {
@@ -188,7 +188,7 @@ fn push(n: &mut RoadNetwork, centerline: Polyline, junction: Option<JunctionId>,
         right: None,
         junction,
         turn,
-        end_control: Control::Free,
+        end_control: TrafficControl::Free,
     });
     id
 }
@@ -235,7 +235,7 @@ fn program(base: u16, offset_s: f64) -> SignalProgram {
                 (SignalId(walk), person),
                 (SignalId(wait), Red),
             ];
-            phases.push(Phase { duration_s, aspects });
+            phases.push(SignalPhase { duration_s, aspects });
         }
     }
     SignalProgram { phases, offset_s }

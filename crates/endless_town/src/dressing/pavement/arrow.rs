@@ -6,7 +6,7 @@ use crate::dressing::pavement::paint::PAINT_APART_M;
 use crate::dressing::pavement::surface::{PAINT_M, quad};
 use crate::geometry::unit;
 use crate::palette::WHITE_PAINT;
-use endless_road::{Control, Crossing, Lane, LaneId, RoadMap, RoadNetwork, Turn};
+use endless_road::{Crossing, Lane, LaneId, RoadMap, RoadNetwork, TrafficControl, Turn};
 use endless_scene::MeshBuilder;
 use glam::{DVec2, DVec3, Vec3};
 
@@ -24,7 +24,7 @@ pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementInde
     let network = &map.network;
     for lane in &network.lanes {
         let several = lane.left.is_some() || lane.right.is_some();
-        let governed = !matches!(lane.end_control, Control::Free);
+        let governed = !matches!(lane.end_control, TrafficControl::Free);
         if lane.junction.is_none() && several && governed {
             let turns: Vec<Turn> = lane.successors.iter().map(|next| network.lane(*next).turn).collect();
             let length = lane.centerline.length();
@@ -32,7 +32,8 @@ pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementInde
                 ArrowPainter { mesh, pavement, lane, s: length - back }.arrow(&turns);
             }
         }
-        let signalled = lane.predecessors.iter().any(|p| matches!(network.lane(*p).end_control, Control::Signal(_)));
+        let signalled =
+            lane.predecessors.iter().any(|p| matches!(network.lane(*p).end_control, TrafficControl::Signal(_)));
         let inner = if map.left_hand { Turn::Right } else { Turn::Left };
         let long = lane.junction.is_some() && lane.turn == inner && lane.centerline.length() > LONG_M;
         if long && signalled && is_outermost_turn(network, lane, map.left_hand) {

@@ -4,7 +4,7 @@ use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::pavement::crossing;
 use crate::dressing::pavement::surface::{PAINT_M, quad};
 use crate::palette::{WHITE_PAINT, YELLOW_PAINT};
-use endless_road::{Control, Crossing, Lane, MarkingColor, Polyline, RoadMap, RoadMarking};
+use endless_road::{Crossing, Lane, MarkingColor, Polyline, RoadMap, RoadMarking, TrafficControl};
 use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, DVec3, Vec2};
 
@@ -29,7 +29,9 @@ pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementInde
     for crossing in &map.network.crossings {
         add_crossing(mesh, crossing, pavement);
     }
-    for lane in map.network.lanes.iter().filter(|l| matches!(l.end_control, Control::Signal(_) | Control::Stop)) {
+    for lane in
+        map.network.lanes.iter().filter(|l| matches!(l.end_control, TrafficControl::Signal(_) | TrafficControl::Stop))
+    {
         if !map.markings.iter().any(|mark| is_stop_line_of(mark, lane)) {
             add_stop_line(mesh, lane);
         }

@@ -6,7 +6,7 @@ use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::preset::TownPreset;
 use crate::geometry::unit;
 use endless_asset::Prop;
-use endless_road::{Control, Lane, MapObjectKind, RoadMap};
+use endless_road::{Lane, MapObjectKind, RoadMap, TrafficControl};
 use endless_scene::StreetLamp;
 use endless_world::SignalId;
 use glam::{DVec2, DVec3, Vec3};
@@ -143,7 +143,7 @@ impl RoadsidePosts<'_> {
             }
         }
         for lane in self.map.network.lanes.iter().filter(|l| self.is_outermost(l)) {
-            let Control::Signal(signal) = lane.end_control else { continue };
+            let TrafficControl::Signal(signal) = lane.end_control else { continue };
             if shown.contains(&signal) && !self.map.objects.is_empty() && self.is_shown_near(assembly, lane, signal) {
                 continue;
             }
@@ -208,8 +208,8 @@ impl RoadsidePosts<'_> {
         }
         for lane in self.map.network.lanes.iter().filter(|l| self.is_outermost(l)) {
             let prop = match lane.end_control {
-                Control::Stop => Prop::StopSign,
-                Control::Yield => Prop::YieldSign,
+                TrafficControl::Stop => Prop::StopSign,
+                TrafficControl::Yield => Prop::YieldSign,
                 _ => continue,
             };
             let length = lane.centerline.length();

@@ -1,31 +1,31 @@
-//! Stretches of road: where they lie and what they are.
+//! Segments of streets: their geometry and their attributes.
 
 use super::class::RoadClass;
 use super::section::CrossSection;
 use glam::DVec2;
 
-/// A point of a way.
+/// A vertex of a way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Vertex {
+pub(super) struct WayVertex {
     /// The node's id; below `i64::MIN / 2` where a way was cut at the extract's edge.
     pub(super) node: i64,
     pub(super) at: DVec2,
 }
 
-/// Above or below the ground.
+/// On a bridge or in a tunnel, and the layer that its tags name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Level {
+pub(super) struct StructureLevel {
     pub(super) bridge: bool,
     pub(super) tunnel: bool,
     pub(super) layer: i8,
 }
 
-/// A stretch of road between two places.
+/// A segment of a street between two intersections.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Stretch {
-    pub(super) vertices: Vec<Vertex>,
+pub(super) struct StreetSegment {
+    pub(super) vertices: Vec<WayVertex>,
     /// One a segment.
-    pub(super) levels: Vec<Level>,
+    pub(super) levels: Vec<StructureLevel>,
     pub(super) section: CrossSection,
     pub(super) class: RoadClass,
     pub(super) link: bool,
@@ -33,11 +33,11 @@ pub(super) struct Stretch {
     pub(super) speed_mps: f64,
     /// The way at its beginning and at its end.
     pub(super) ways: [i64; 2],
-    /// A driveway or an aisle: paved, but no way to anywhere.
+    /// A driveway or parking aisle: paved, but no through road.
     pub(super) yard: bool,
 }
 
-impl Stretch {
+impl StreetSegment {
     pub(super) fn length(&self) -> f64 {
         self.vertices.windows(2).map(|v| v[0].at.distance(v[1].at)).sum()
     }

@@ -1,11 +1,12 @@
-//! The place an extract shows: where its nodes lie in metres, where it ends, what is built there, whose customs hold.
+//! What all steps of an import share: the extract, its projection to metres and bounds, the country's rules, where land
+//! is built up, and the notes to the user.
 
-use super::country::Country;
+use super::country::CountryRules;
 use super::extract::{OsmExtract, OsmTags};
 use super::formation::Formation;
 use super::mirror;
 use super::projection::Projection;
-use super::stretch::Vertex;
+use super::street_segment::WayVertex;
 use crate::ImportNote;
 use glam::DVec2;
 use std::collections::{BTreeMap, BTreeSet};
@@ -17,11 +18,11 @@ const SQUARE_M: f64 = 80.0;
 /// Missing nodes that are noted one by one.
 const MOST_NOTES: usize = 200;
 
-/// The place.
-pub(super) struct Site<'a> {
+/// Shared by all steps of an import.
+pub(super) struct ImportContext<'a> {
     pub(super) extract: &'a OsmExtract,
     pub(super) projection: Projection,
-    pub(super) country: Country,
+    pub(super) country: CountryRules,
     /// Seen in a mirror: traffic keeps to the left.
     pub(super) mirrored: bool,
     pub(super) notes: Vec<ImportNote>,
@@ -33,12 +34,12 @@ pub(super) struct Site<'a> {
     cuts: i64,
 }
 
-impl<'a> Site<'a> {
+impl<'a> ImportContext<'a> {
     pub(super) fn new(extract: &'a OsmExtract, left_hand: Option<bool>) -> Self {
         let (lat, lon) = centre(extract);
         let projection = Projection::around(lat, lon);
-        let country = Country::at(lat, lon);
-        let mut site = Self {
+        let country = CountryRules::at(lat, lon);
+        let mut context = Self {
             extract,
             projection,
             country,
@@ -50,9 +51,9 @@ impl<'a> Site<'a> {
             missing: BTreeMap::new(),
             cuts: 0,
         };
-        site.find_bounds();
-        site.find_buildings();
-        site
+        context.find_bounds();
+        context.find_buildings();
+        context
     }
 
     fn find_bounds(&mut self) {
@@ -119,7 +120,7 @@ impl<'a> Site<'a> {
     }
 
     /// Where a line leaves the extract.
-    pub(super) fn cut(&mut self, a: DVec2, b: DVec2) -> Vertex {
+    pub(super) fn cut(&mut self, a: DVec2, b: DVec2) -> WayVertex {
         let (mut low, mut high) = (0.0, 1.0);
         let a_inside = self.inside(a);
         for _ in 0..40 {
@@ -131,7 +132,7 @@ impl<'a> Site<'a> {
             }
         }
         self.cuts += 1;
-        Vertex { node: i64::MIN + self.cuts, at: a.lerp(b, if a_inside { low } else { high }) }
+        WayVertex { node: i64::MIN + self.cuts, at: a.lerp(b, if a_inside { low } else { high }) }
     }
 
     /// Whether there are buildings near by.

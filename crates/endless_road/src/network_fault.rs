@@ -28,11 +28,11 @@ pub(crate) fn enough_reach(network: &RoadNetwork, reach: &[f64]) -> f64 {
 }
 
 /// A place on a lane with its arc length.
-type Sample = (LaneId, f64, DVec3);
+type LaneSample = (LaneId, f64, DVec3);
 
-/// What is wrong.
+/// Kind of a defect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum FaultKind {
+pub enum NetworkFaultKind {
     /// Two lanes outside junctions lie on one another.
     Overlap,
     /// A lane ends more than 5 cm from where its successor begins.
@@ -48,11 +48,11 @@ pub enum FaultKind {
     Isolated,
 }
 
-/// Something that a network should not have.
+/// A defect of a lane network.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Fault {
+pub struct NetworkFault {
     /// What.
-    pub kind: FaultKind,
+    pub kind: NetworkFaultKind,
     /// Where.
     pub place: DVec3,
     /// In words.
@@ -62,7 +62,7 @@ pub struct Fault {
 impl RoadNetwork {
     /// Everything that is wrong with a finished network, as far as is known: lanes overlap outside junctions, lanes
     /// do not meet, spawn points lead nowhere, crossings or sidewalks hang in the air.
-    pub fn faults(&self) -> Vec<Fault> {
+    pub fn faults(&self) -> Vec<NetworkFault> {
         let mut faults = Vec::new();
         self.find_overlaps(&mut faults);
         self.find_bad_joints(&mut faults);
@@ -71,8 +71,8 @@ impl RoadNetwork {
         faults
     }
 
-    fn find_overlaps(&self, faults: &mut Vec<Fault>) {
-        let mut cells: BTreeMap<(i64, i64), Vec<Sample>> = BTreeMap::new();
+    fn find_overlaps(&self, faults: &mut Vec<NetworkFault>) {
+        let mut cells: BTreeMap<(i64, i64), Vec<LaneSample>> = BTreeMap::new();
         let cell = |p: DVec3| ((p.x / 8.0).floor() as i64, (p.y / 8.0).floor() as i64);
         for lane in self.lanes.iter().filter(|lane| lane.junction.is_none()) {
             let length = lane.centerline.length();
@@ -97,7 +97,7 @@ impl RoadNetwork {
                         // Samples are apart along the lane, too.
                         let apart = first.centerline.direction(s).perp_dot(flat).abs();
                         let text = format!("lanes {} and {} are {apart:.2} m apart", a.0, b.0);
-                        faults.push(Fault { kind: FaultKind::Overlap, place: p, text });
+                        faults.push(NetworkFault { kind: NetworkFaultKind::Overlap, place: p, text });
                     }
                 }
             }
@@ -114,7 +114,7 @@ impl RoadNetwork {
             || b.successors.contains(&a.id)
     }
 
-    fn find_bad_joints(&self, faults: &mut Vec<Fault>) {
+    fn find_bad_joints(&self, faults: &mut Vec<NetworkFault>) {
         for lane in &self.lanes {
             let end = lane.centerline.at(lane.centerline.length());
             for &next in &lane.successors {
@@ -124,17 +124,17 @@ impl RoadNetwork {
                 let place = end.position;
                 if gap > MOST_GAP_M {
                     let text = format!("lane {} ends {gap:.3} m from lane {}", lane.id.0, next.0);
-                    faults.push(Fault { kind: FaultKind::Gap, place, text });
+                    faults.push(NetworkFault { kind: NetworkFaultKind::Gap, place, text });
                 }
                 if kink > MOST_KINK_DEG {
                     let text = format!("lane {} ends {kink:.1}° from the direction of lane {}", lane.id.0, next.0);
-                    faults.push(Fault { kind: FaultKind::Kink, place, text });
+                    faults.push(NetworkFault { kind: NetworkFaultKind::Kink, place, text });
                 }
             }
         }
     }
 
-    fn find_traps(&self, faults: &mut Vec<Fault>) {
+    fn find_traps(&self, faults: &mut Vec<NetworkFault>) {
         let reach = self.lane_reach();
         let enough = enough_reach(self, &reach);
         let lanes: BTreeSet<LaneId> = self.spawn_points.iter().map(|point| point.lane).collect();
@@ -142,12 +142,16 @@ impl RoadNetwork {
             if reach[lane.index()] < enough {
                 let percent = 100.0 * reach[lane.index()];
                 let text = format!("from lane {} only {percent:.0} % of the lanes around are reached", lane.0);
-                faults.push(Fault { kind: FaultKind::Reach, place: self.lane(lane).centerline.position(0.0), text });
+                faults.push(NetworkFault {
+                    kind: NetworkFaultKind::Reach,
+                    place: self.lane(lane).centerline.position(0.0),
+                    text,
+                });
             }
         }
     }
 
-    fn find_bad_walks(&self, faults: &mut Vec<Fault>) {
+    fn find_bad_walks(&self, faults: &mut Vec<NetworkFault>) {
         let walk = &self.walk;
         let mut edges = vec![0usize; walk.nodes.len()];
         let mut sidewalks = vec![0usize; walk.nodes.len()];
@@ -163,15 +167,19 @@ impl RoadNetwork {
             used[id.index()] = true;
             for node in edge.nodes.into_iter().filter(|node| sidewalks[node.index()] == 0) {
                 let text = format!("crossing {} does not end on a sidewalk", id.0);
-                faults.push(Fault { kind: FaultKind::Crossing, place: walk.nodes[node.index()], text });
+                faults.push(NetworkFault { kind: NetworkFaultKind::Crossing, place: walk.nodes[node.index()], text });
             }
         }
         for (id, crossing) in self.crossings.iter().enumerate().filter(|(id, _)| !used[*id]) {
             let text = format!("crossing {id} is no way for anybody");
-            faults.push(Fault { kind: FaultKind::Crossing, place: crossing.ends[0], text });
+            faults.push(NetworkFault { kind: NetworkFaultKind::Crossing, place: crossing.ends[0], text });
         }
         for (id, &place) in walk.nodes.iter().enumerate().filter(|(id, _)| edges[*id] == 0) {
-            faults.push(Fault { kind: FaultKind::Isolated, place, text: format!("walk node {id} has no edge") });
+            faults.push(NetworkFault {
+                kind: NetworkFaultKind::Isolated,
+                place,
+                text: format!("walk node {id} has no edge"),
+            });
         }
     }
 }
