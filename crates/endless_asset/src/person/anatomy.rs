@@ -12,7 +12,7 @@ pub struct Anatomy {
     pub(crate) skeleton: Skeleton,
     keypoints: [(Bone, Vec3); KEYPOINT_COUNT],
     /// Habits of moving, from the variant.
-    pub(crate) habit: gait::Habit,
+    pub(crate) habit: gait::GaitStyle,
 }
 
 impl Anatomy {
@@ -26,7 +26,7 @@ impl Anatomy {
         Self {
             keypoints: part::keypoints(appearance, &skeleton),
             skeleton,
-            habit: gait::Habit::new(variant, appearance),
+            habit: gait::GaitStyle::new(variant, appearance),
         }
     }
 

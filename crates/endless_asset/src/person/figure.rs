@@ -5,10 +5,10 @@ use super::body::Body;
 use super::carried;
 use super::clothes::{Garment, Pattern, ShoeKind, Upper};
 use super::collar;
+use super::garment_mesh::{BodyRegion, GarmentShape};
 use super::hair;
 use super::head::Head;
 use super::limbs;
-use super::sewing::{Cut, Zone};
 use super::skeleton::{Side, Skeleton};
 use super::skin::Skin;
 use endless_scene::Material;
@@ -85,21 +85,21 @@ fn deep(garment: &Garment) -> bool {
 fn sew(skin: &mut Skin, body: &Body<'_>, g: &Garment, front: bool) {
     let baggy = g.ease > 0.012;
     let cuff = g.sleeve < 0.6 && g.sleeve > 0.0;
-    let ease = |zone: Zone, t: f32| match zone {
-        Zone::Trunk => {
+    let ease = |zone: BodyRegion, t: f32| match zone {
+        BodyRegion::Trunk => {
             let from = if matches!(g.upper, Upper::Waist(_)) { 0.60 } else { 0.57 };
             let blouse = if baggy { 0.004 * smoothstep(g.hem + 0.08, g.hem + 0.03, t) } else { 0.0 };
             g.ease * (1.0 - 0.25 * smoothstep(0.72, 0.80, t)) + g.flare * smoothstep(from, 0.10_f32.max(g.hem), t)
                 - blouse
         }
-        Zone::Arm => {
+        BodyRegion::Arm => {
             let wide = if cuff { 0.007 * smoothstep(0.15, g.sleeve, t) } else { 0.0 };
             0.8 * g.ease.min(0.03) + 0.001 + wide
         }
-        Zone::Leg => 0.0,
+        BodyRegion::Leg => 0.0,
     };
-    let color = |zone: Zone, t: f32, column: usize| pattern(g, zone, t, column);
-    let cut = Cut {
+    let color = |zone: BodyRegion, t: f32, column: usize| pattern(g, zone, t, column);
+    let cut = GarmentShape {
         hem: g.hem,
         upper: g.upper,
         sleeve: g.sleeve,
@@ -115,20 +115,22 @@ fn sew(skin: &mut Skin, body: &Body<'_>, g: &Garment, front: bool) {
 }
 
 /// The colour of a place of a garment.
-fn pattern(g: &Garment, zone: Zone, t: f32, column: usize) -> Material {
+fn pattern(g: &Garment, zone: BodyRegion, t: f32, column: usize) -> Material {
     let other = match g.pattern {
         Pattern::Plain => false,
-        Pattern::Stripes => zone == Zone::Trunk && ((t - g.hem) / 0.054) as u32 % 2 == 1 && t < 0.76,
-        Pattern::Block => zone == Zone::Arm || t > 0.72,
+        Pattern::Stripes => zone == BodyRegion::Trunk && ((t - g.hem) / 0.054) as u32 % 2 == 1 && t < 0.76,
+        Pattern::Block => zone == BodyRegion::Arm || t > 0.72,
         Pattern::Checks => (((t - g.hem) / 0.054) as usize + column) % 2 == 1,
-        Pattern::Border => zone == Zone::Trunk && t < g.hem + 0.045 || zone == Zone::Arm && t > g.sleeve - 0.08,
+        Pattern::Border => {
+            zone == BodyRegion::Trunk && t < g.hem + 0.045 || zone == BodyRegion::Arm && t > g.sleeve - 0.08
+        }
         Pattern::HighVisibility => match zone {
-            Zone::Trunk => {
+            BodyRegion::Trunk => {
                 let band = (0.588..0.636).contains(&t) || (0.686..0.740).contains(&t);
                 band || t > 0.70 && matches!(column, 1 | 14) || t > 0.70 && matches!(column, 6 | 9)
             }
-            Zone::Arm => (0.36..0.52).contains(&t) || (0.66..0.82).contains(&t),
-            Zone::Leg => false,
+            BodyRegion::Arm => (0.36..0.52).contains(&t) || (0.66..0.82).contains(&t),
+            BodyRegion::Leg => false,
         },
     };
     if other { g.accent } else { g.material }
@@ -141,7 +143,7 @@ fn below(skin: &mut Skin, body: &Body<'_>) {
     let hem = appearance.garments.iter().map(|g| g.hem).fold(1.0, f32::min);
     let bare = |skin: &mut Skin, up_to: f32| {
         let boots = if appearance.shoes.kind == ShoeKind::Boots { 0.42 } else { -1.0 };
-        let color = |_: Zone, t: f32, _: usize| if t < boots { appearance.shoes.material } else { legs.below };
+        let color = |_: BodyRegion, t: f32, _: usize| if t < boots { appearance.shoes.material } else { legs.below };
         body.bare_legs(skin, up_to, &color);
     };
     if legs.end > 1.9 {
@@ -158,18 +160,18 @@ fn below(skin: &mut Skin, body: &Body<'_>) {
     } else {
         0.003
     };
-    let ease = |zone: Zone, t: f32| match zone {
-        Zone::Trunk => within.max(0.4 * legs.ease),
+    let ease = |zone: BodyRegion, t: f32| match zone {
+        BodyRegion::Trunk => within.max(0.4 * legs.ease),
         _ => {
             legs.ease * smoothstep(2.0, 1.2, t).max(0.5)
                 + legs.cuff * smoothstep((legs.end + 1.35).min(1.95), legs.end, t)
         }
     };
     let stripe = |column: usize| legs.stripe && matches!(column, 4 | 3);
-    let color = |zone: Zone, _: f32, column: usize| {
-        if zone == Zone::Leg && stripe(column) { legs.accent } else { legs.material }
+    let color = |zone: BodyRegion, _: f32, column: usize| {
+        if zone == BodyRegion::Leg && stripe(column) { legs.accent } else { legs.material }
     };
-    let cut = Cut {
+    let cut = GarmentShape {
         hem: 0.0,
         upper: Upper::Waist(waist),
         sleeve: 0.0,

@@ -12,7 +12,7 @@ use std::f32::consts::TAU;
 
 /// A person's way of moving.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Habit {
+pub(crate) struct GaitStyle {
     pub(crate) walk_mps: f32,
     /// Phase at distance 0, so that a crowd is out of step.
     pub(crate) offset: f32,
@@ -25,7 +25,7 @@ pub(crate) struct Habit {
     pub(crate) carried: Carried,
 }
 
-impl Habit {
+impl GaitStyle {
     pub(crate) fn new(variant: u64, appearance: &Appearance) -> Self {
         let mut s = Stream::named(variant, "gait", &[]);
         let brisk = (1.0 + 0.1 * s.normal() as f32).clamp(0.8, 1.22);
@@ -74,7 +74,7 @@ impl Habit {
 }
 
 /// Phase of the left foot and both feet.
-fn feet(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> (f32, [FootPlace; 2]) {
+fn feet(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> (f32, [FootPlace; 2]) {
     if let Some(footing) = motion.footing {
         return (footing.phase, footing.feet);
     }
@@ -99,7 +99,7 @@ fn feet(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> (f32, [Foo
 }
 
 /// The posture at an instant.
-pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> Posture {
+pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {
     if motion.gait == Gait::Sit || habit.carried == Carried::Wheelchair {
         return sitting(motion, skeleton, habit);
     }
@@ -172,7 +172,7 @@ pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit)
 }
 
 /// What people do with head and arms while they stand.
-fn act(posture: &mut Posture, motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit, rest: f32) {
+fn act(posture: &mut Posture, motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle, rest: f32) {
     if rest < 0.02 {
         return;
     }
@@ -240,7 +240,7 @@ fn act(posture: &mut Posture, motion: &WalkerMotion, skeleton: &Skeleton, habit:
 }
 
 /// On a seat of a chair's height; in a wheelchair hands drive the wheels.
-fn sitting(motion: &WalkerMotion, skeleton: &Skeleton, habit: &Habit) -> Posture {
+fn sitting(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {
     let (h, b) = (skeleton.height, skeleton.body);
     let own = habit.offset * TAU;
     let foot = skeleton.joint(Bone::FootL);

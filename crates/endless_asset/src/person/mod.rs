@@ -10,6 +10,7 @@ mod collar;
 mod dog;
 mod figure;
 mod gait;
+mod garment_mesh;
 mod hair;
 mod head;
 mod hold;
@@ -19,7 +20,6 @@ mod part;
 mod posture;
 mod rider;
 mod seeded;
-mod sewing;
 mod skeleton;
 mod skin;
 mod step;
@@ -64,7 +64,7 @@ pub struct PersonModel {
 /// What traffic needs to know of the person of a seed.
 pub(crate) fn pedestrian_spec(seed: u64) -> PedestrianSpec {
     let appearance = Appearance::of(seed, false);
-    gait::Habit::new(seed, &appearance).spec(&appearance)
+    gait::GaitStyle::new(seed, &appearance).spec(&appearance)
 }
 
 /// Thickness of cloth on the ground, metres.

@@ -1,4 +1,4 @@
-//! What one building is made of.
+//! The materials and ornaments of one building.
 
 use super::opening::Joinery;
 use super::palette::Palette;

@@ -73,9 +73,9 @@ pub(crate) fn house(
     flat_roof(&mut mesh, block, height, parapet, &finish);
     let middle = around(block.outline);
     if matches!(finish.style.roof, RoofForm::Unfinished) {
-        super::top::on_unfinished_roof(&mut mesh, middle, height, stream);
+        super::roof_form::on_unfinished_roof(&mut mesh, middle, height, stream);
     } else {
-        super::top::on_flat_roof(&mut mesh, dimensions, middle, height, &finish, stream);
+        super::roof_form::on_flat_roof(&mut mesh, dimensions, middle, height, &finish, stream);
     }
     (mesh.finish(), height + parapet)
 }

@@ -3,7 +3,7 @@
 mod dimensions;
 mod finish;
 mod freeform;
-mod ground;
+mod ground_floor;
 mod kind;
 mod lot;
 mod opening;
@@ -11,15 +11,15 @@ mod ornament;
 mod palette;
 mod relief;
 mod roof;
+mod roof_form;
 mod rooftop;
-mod special;
+mod special_buildings;
 mod storeyed;
 mod style;
 mod style_table;
 #[cfg(test)]
 mod tests;
-mod top;
-mod upper;
+mod upper_floors;
 mod wall;
 
 pub(crate) use dimensions::BuildingDimensions;

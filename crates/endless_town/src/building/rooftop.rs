@@ -1,4 +1,4 @@
-//! What stands on roofs and hangs at their edges.
+//! Rooftop parts: tanks, aerials, skylights, solar panels, dormers, gutters.
 
 use super::opening::WindowNumbers;
 use super::roof::boxed;

@@ -2,15 +2,15 @@
 //! and differ by their dimensions and their style.
 
 use super::dimensions::{BuildingDesign, BuildingDimensions, FacadeRhythm};
-use super::ground::add_ground_front;
+use super::ground_floor::add_ground_front;
 use super::kind::BuildingKind;
 use super::opening::{WindowDetail, WindowNumbers};
 use super::ornament::fire_escape;
 use super::relief::{dirt, relief};
 use super::style::{Balconies, Massing, PlainWindows};
-use super::upper::{add_balcony, dress_window};
+use super::upper_floors::{add_balcony, dress_window};
 use super::wall::{Wall, WallOpening, walls};
-use super::{opening, special, top};
+use super::{opening, roof_form, special_buildings};
 use endless_scene::{Mesh, MeshBuilder};
 use endless_world::Stream;
 
@@ -26,18 +26,18 @@ pub(super) fn make_designed(design: BuildingDesign<'_>, stream: &mut Stream, num
     let BuildingDesign { dimensions, finish, rhythm } = design;
     let mut mesh = MeshBuilder::new();
     match finish.style.massing {
-        Massing::PetrolStation => special::petrol_station(&mut mesh, dimensions, finish, stream, numbers),
-        Massing::Church => special::church(&mut mesh, dimensions, finish, numbers),
-        Massing::ParkingDeck => special::parking_deck(&mut mesh, dimensions, finish, rhythm),
+        Massing::PetrolStation => special_buildings::petrol_station(&mut mesh, dimensions, finish, stream, numbers),
+        Massing::Church => special_buildings::church(&mut mesh, dimensions, finish, numbers),
+        Massing::ParkingDeck => special_buildings::parking_deck(&mut mesh, dimensions, finish, rhythm),
         Massing::Storeyed => {
             let half = dimensions.width / 2.0;
             let (x, y) = ([-half, half], [0.0, dimensions.depth]);
             for (side, wall) in walls(x, y, 0.0).iter().enumerate() {
                 add_wall(&mut mesh, wall, side, design, stream, numbers);
             }
-            top::add_roof(&mut mesh, design, (x, y), stream, numbers);
+            roof_form::add_roof(&mut mesh, design, (x, y), stream, numbers);
             if dimensions.kind == BuildingKind::House {
-                top::add_porch(&mut mesh, dimensions, finish);
+                roof_form::add_porch(&mut mesh, dimensions, finish);
             }
         }
     }

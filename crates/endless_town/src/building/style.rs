@@ -31,7 +31,7 @@ pub(crate) struct BuildingStyle {
     pub(super) relief: FacadeRelief,
     pub(super) balconies: Balconies,
     pub(super) roof: RoofForm,
-    pub(super) on_roof: OnRoof,
+    pub(super) on_roof: RoofEquipment,
     /// Iron stairs before fronts of four storeys and more.
     pub(super) fire_escape: bool,
     pub(super) downpipes: bool,
@@ -53,7 +53,7 @@ pub(super) struct RhythmStyle {
     pub(super) ground: Option<f32>,
 }
 
-/// What a building is as a whole.
+/// The overall form of a building.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Massing {
     /// Walls with storeys of windows under a roof.
@@ -188,9 +188,9 @@ pub(super) enum RoofForm {
     Flat,
 }
 
-/// What stands on flat roofs, but for what every such building has there.
+/// Equipment on flat roofs, beyond what every flat roof has.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum OnRoof {
+pub(super) enum RoofEquipment {
     Nothing,
     /// A barrel of water on legs over four storeys and more.
     WaterBarrel,

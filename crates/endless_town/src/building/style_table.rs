@@ -2,8 +2,8 @@
 
 use super::kind::BuildingKind;
 use super::style::{
-    Balconies, BuildingStyle, Entrance, FacadeRelief, GroundFront, GroundWindows, Massing, OnRoof, PlainWindows,
-    RhythmStyle, RoofForm, WindowDressing, WindowFrames, WindowRecess,
+    Balconies, BuildingStyle, Entrance, FacadeRelief, GroundFront, GroundWindows, Massing, PlainWindows, RhythmStyle,
+    RoofEquipment, RoofForm, WindowDressing, WindowFrames, WindowRecess,
 };
 use endless_world::Stream;
 
@@ -31,7 +31,7 @@ const PLAIN: BuildingStyle = BuildingStyle {
     relief: FacadeRelief::None,
     balconies: Balconies::None,
     roof: RoofForm::Flat,
-    on_roof: OnRoof::Nothing,
+    on_roof: RoofEquipment::Nothing,
     fire_escape: false,
     downpipes: true,
     cables: false,
@@ -126,7 +126,7 @@ static TENEMENT: BuildingStyle = BuildingStyle {
     windows: WindowDressing::Lintels { units: true },
     ground_windows: GroundWindows::Grilles,
     relief: FacadeRelief::Cornice,
-    on_roof: OnRoof::WaterBarrel,
+    on_roof: RoofEquipment::WaterBarrel,
     fire_escape: true,
     ..PLAIN
 };
@@ -270,7 +270,7 @@ static GLASS_TOWER: BuildingStyle = BuildingStyle {
     frames: WindowFrames::Metal,
     plain_windows: PlainWindows::All,
     relief: FacadeRelief::Mullions,
-    on_roof: OnRoof::Mast,
+    on_roof: RoofEquipment::Mast,
     downpipes: false,
     ..PLAIN
 };

@@ -2,7 +2,7 @@
 //! its walls stood.
 
 use super::layout::TownLayout;
-use super::shape::{points, rect, rise, smooth, smooth_ring};
+use super::layout_geometry::{points, rect, rise, smooth, smooth_ring};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use crate::palette::COBBLES;

@@ -2,7 +2,7 @@
 //! overhead, speed bumps.
 
 use super::layout::TownLayout;
-use super::shape::{hill, points, rect, rise, smooth};
+use super::layout_geometry::{hill, points, rect, rise, smooth};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use endless_road::RoadMap;

@@ -1,7 +1,7 @@
 //! A town's layout in the terms of an OpenStreetMap extract, in metres: ways with tags, land use, buildings. Roads that
 //! cross at one level meet there; roads that end on another join it.
 
-use super::shape::{along, split_at};
+use super::layout_geometry::{along, split_at};
 use crate::building::BuildingKind;
 use crate::dressing::{BuildingZone, TownPreset};
 use endless_road::osm::{
@@ -76,7 +76,7 @@ impl TownLayout {
 
     /// A ring of a roundabout, driven counter-clockwise.
     pub(super) fn roundabout(&mut self, words: &str, centre: DVec2, radius: f64) {
-        let ring = super::shape::arc(centre, radius, 0.0, 360.0);
+        let ring = super::layout_geometry::arc(centre, radius, 0.0, 360.0);
         self.road(&format!("{words} junction=roundabout oneway=yes"), &ring);
     }
 
@@ -118,7 +118,7 @@ impl TownLayout {
             at + (at - middle).normalize_or_zero() * GATE_M
         };
         let half = gate(0).distance(middle).min(gate(1).distance(middle));
-        let ring = super::shape::arc(middle, 0.36 * half, 0.0, 360.0);
+        let ring = super::layout_geometry::arc(middle, 0.36 * half, 0.0, 360.0);
         for k in 0..corners.len() {
             let on_ring = ring.iter().copied().min_by(|a, b| a.distance(gate(k)).total_cmp(&b.distance(gate(k))));
             self.path(&[on_ring.unwrap_or(middle), gate(k)]);
@@ -293,7 +293,7 @@ fn meetings(a: &[DVec2], b: &[DVec2]) -> Vec<DVec2> {
     }
     for (one, other) in [(a, b), (b, a)] {
         for end in ends(one) {
-            let near = super::shape::at(other, along(other, end));
+            let near = super::layout_geometry::at(other, along(other, end));
             if near.distance(end) < JOIN_M {
                 add(near, &mut found);
             }

@@ -4,7 +4,7 @@
 mod altstadt;
 mod ladera;
 mod layout;
-mod shape;
+mod layout_geometry;
 mod town01;
 mod town02;
 mod town03;
@@ -19,10 +19,10 @@ use crate::{Town, TownError};
 use endless_asset::Catalogue;
 use endless_road::RoadMap;
 
-type Make = fn() -> (RoadMap, TownPreset);
+type MakeLayout = fn() -> (RoadMap, TownPreset);
 
 /// CARLA's towns in the paper's order, then two of our own.
-const TOWNS: [(&str, Make); 10] = [
+const TOWNS: [(&str, MakeLayout); 10] = [
     ("Town01", town01::make),
     ("Town02", town02::make),
     ("Town03", town03::make),
@@ -66,7 +66,7 @@ pub fn load(name: &str, catalogue: &Catalogue) -> Result<Town, TownError> {
     dress(name, &map, &preset, catalogue)
 }
 
-fn find(given: &str) -> Result<(&'static str, Make), TownError> {
+fn find(given: &str) -> Result<(&'static str, MakeLayout), TownError> {
     let plain = given.strip_suffix("_Opt").unwrap_or(given);
     let unknown = || TownError::UnknownMap { given: given.to_owned(), known: NAMES.to_vec() };
     TOWNS.into_iter().find(|(name, _)| *name == plain).ok_or_else(unknown)

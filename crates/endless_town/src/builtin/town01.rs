@@ -1,7 +1,7 @@
 //! Town01: a small town on both banks of a river; its streets meet in T-junctions.
 
 use super::layout::TownLayout;
-use super::shape::{band, beside, distance, hill, points, rect, rise, smooth};
+use super::layout_geometry::{band, beside, distance, hill, points, rect, rise, smooth};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use endless_road::RoadMap;

@@ -1,7 +1,7 @@
 //! Town02: a small, compact grid of two-lane streets that meet in T-junctions, with shops, flats and a park.
 
 use super::layout::TownLayout;
-use super::shape::{arc, points, rect};
+use super::layout_geometry::{arc, points, rect};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use endless_road::RoadMap;

@@ -1,7 +1,7 @@
 //! Town03: a larger town about a roundabout, with a boulevard of many lanes, an underpass, and streets up a hill.
 
 use super::layout::TownLayout;
-use super::shape::{arc, hill, points, rect, rise, smooth};
+use super::layout_geometry::{arc, hill, points, rect, rise, smooth};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use crate::geometry::unit;

@@ -1,7 +1,7 @@
 //! Town04: a small town inside a highway loop, at the foot of hills.
 
 use super::layout::TownLayout;
-use super::shape::{beside, hill, part, points, rect, rise, smooth, smooth_ring, turned};
+use super::layout_geometry::{beside, hill, part, points, rect, rise, smooth, smooth_ring, turned};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use endless_road::RoadMap;

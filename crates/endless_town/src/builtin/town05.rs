@@ -1,7 +1,7 @@
 //! Town05: a square grid of streets of many lanes with an expressway on a viaduct right through it.
 
 use super::layout::TownLayout;
-use super::shape::{points, rect};
+use super::layout_geometry::{points, rect};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use endless_road::RoadMap;

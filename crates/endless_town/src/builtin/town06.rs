@@ -2,7 +2,7 @@
 //! back through the median (Michigan lefts). At both ends of the town the one becomes the other.
 
 use super::layout::TownLayout;
-use super::shape::{arc, points, rect};
+use super::layout_geometry::{arc, points, rect};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use endless_road::RoadMap;

@@ -1,7 +1,7 @@
 //! Town07: a village on rolling land: narrow roads without paint, barns, fields of maize.
 
 use super::layout::TownLayout;
-use super::shape::{points, rect, rise, smooth};
+use super::layout_geometry::{points, rect, rise, smooth};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use endless_road::RoadMap;

@@ -1,7 +1,7 @@
 //! Town10HD: a dense downtown with towers, a plaza in its middle and a promenade on the river.
 
 use super::layout::TownLayout;
-use super::shape::{points, rect, rise};
+use super::layout_geometry::{points, rect, rise};
 use crate::building::BuildingKind;
 use crate::dressing::TownPreset;
 use endless_road::RoadMap;

@@ -1,6 +1,6 @@
 //! Puts props down, each only where nothing else stands.
 
-use crate::geometry::{Occupied, Rect};
+use crate::geometry::{OccupiedSpace, Rect};
 use crate::placement::{PlacedObject, Placement};
 use endless_asset::{Catalogue, Prop};
 use endless_scene::StreetLamp;
@@ -10,7 +10,7 @@ use glam::{Affine3A, DVec2, Quat, Vec3};
 /// Everything that stands in a town, while it is being put down.
 pub(crate) struct TownAssembly<'a> {
     pub(crate) catalogue: &'a Catalogue,
-    pub(crate) occupied: Occupied,
+    pub(crate) occupied: OccupiedSpace,
     pub(crate) placements: Vec<Placement>,
     pub(crate) lamps: Vec<StreetLamp>,
     pub(crate) parked: Vec<ParkedVehicle>,
@@ -39,7 +39,7 @@ impl PropPose {
 }
 
 impl<'a> TownAssembly<'a> {
-    pub(crate) fn new(catalogue: &'a Catalogue, occupied: Occupied, seed: u64) -> Self {
+    pub(crate) fn new(catalogue: &'a Catalogue, occupied: OccupiedSpace, seed: u64) -> Self {
         let stream = Stream::named(seed, "town/dressing", &[]);
         Self { catalogue, occupied, placements: Vec::new(), lamps: Vec::new(), parked: Vec::new(), stream }
     }

@@ -8,9 +8,9 @@ use crate::dressing::built_up::footprint;
 use crate::dressing::built_up::growth::BuildingGrowth;
 use crate::dressing::built_up::streets::{self, FootprintGrid};
 use crate::dressing::camera_poles::set_up_cameras;
-use crate::dressing::ground::area::Areas;
-use crate::dressing::ground::bare::{YardParcels, bare};
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::bare_ground::{YardParcels, bare};
+use crate::dressing::ground::ground_grid::GroundGrid;
+use crate::dressing::ground::land_use_map::LandUseMap;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::near_detail::{DetailGround, DetailSource};
 use crate::dressing::pavement::{arrow, bump, infill, paint, surface};
@@ -21,7 +21,7 @@ use crate::dressing::preset::TownPreset;
 use crate::dressing::road_furniture::parking::keep_the_seen;
 use crate::dressing::road_furniture::post::RoadsidePosts;
 use crate::dressing::road_furniture::{furniture, iron, parking};
-use crate::geometry::{Occupied, Rect, around};
+use crate::geometry::{OccupiedSpace, Rect, around};
 use crate::placement::{PlacedObject, Placement};
 use crate::town::{Town, TownError};
 use endless_asset::Catalogue;
@@ -64,11 +64,12 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
     map.junction_areas.iter().map(Vec::as_slice).chain(holes.iter().map(<[_; 4]>::as_slice)).for_each(|outline| {
         pavement.add_between(outline);
     });
-    let land = Land::new(&pavement, &|strip| lane_surfaces[strip as usize].bridge, map.terrain.as_ref(), low, high);
-    let areas = Areas::new(&map.areas, &land, map.terrain.is_some());
+    let land =
+        GroundGrid::new(&pavement, &|strip| lane_surfaces[strip as usize].bridge, map.terrain.as_ref(), low, high);
+    let areas = LandUseMap::new(&map.areas, &land, map.terrain.is_some());
     let streets = streets::streets(&map.network, &pavement);
     let density = StreetDensity::new(&map.network, &streets, low, high);
-    let mut occupied = Occupied::default();
+    let mut occupied = OccupiedSpace::default();
     let mut numbers = WindowNumbers::default();
 
     let paver = surface::PavementMesher::new(&lane_surfaces, &pavement, &land, preset.paving);

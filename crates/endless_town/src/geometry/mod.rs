@@ -4,4 +4,4 @@ mod polygon;
 mod rect;
 
 pub(crate) use polygon::{area, triangulate, with_holes};
-pub(crate) use rect::{Occupied, Rect, around, inside, unit};
+pub(crate) use rect::{OccupiedSpace, Rect, around, inside, unit};

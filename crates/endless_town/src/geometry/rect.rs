@@ -82,12 +82,12 @@ pub(crate) fn around(outline: &[DVec2]) -> Rect {
     })
 }
 
-/// Side of the bins of [`Occupied`], metres.
+/// Side of the bins of [`OccupiedSpace`], metres.
 const BIN_M: f64 = 12.0;
 
-/// Everything that has been put down so far.
+/// The footprints of everything placed so far.
 #[derive(Debug, Clone, Default)]
-pub(crate) struct Occupied {
+pub(crate) struct OccupiedSpace {
     taken: Vec<Rect>,
     /// Numbers of those that may reach into a bin.
     bins: BTreeMap<(i32, i32), Vec<u32>>,
@@ -102,7 +102,7 @@ fn bins(rect: &Rect) -> impl Iterator<Item = (i32, i32)> {
     (low.y..=high.y).flat_map(move |y| (low.x..=high.x).map(move |x| (x, y)))
 }
 
-impl Occupied {
+impl OccupiedSpace {
     pub(crate) fn is_free(&self, rect: &Rect) -> bool {
         let near = |bin| self.bins.get(&bin).into_iter().flatten();
         !bins(rect).flat_map(near).any(|&i| self.taken[i as usize].meets(rect))
@@ -156,7 +156,7 @@ mod tests {
         ) {
             let rects: Vec<Rect> =
                 places.iter().map(|&(x, y, turn, w, h)| Rect::new(DVec2::new(x, y), DVec2::new(w, h), turn)).collect();
-            let mut occupied = Occupied::default();
+            let mut occupied = OccupiedSpace::default();
             for (i, rect) in rects.iter().enumerate() {
                 prop_assert_eq!(occupied.is_free(rect), !rects[..i].iter().any(|r| r.meets(rect)));
                 occupied.take(*rect);

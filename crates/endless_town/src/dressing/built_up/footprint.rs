@@ -3,9 +3,9 @@
 use crate::building::BuildingKind;
 use crate::building::{BuildingDimensions, BuildingOutline, WindowNumbers, house, on_rectangle};
 use crate::camera::BuildingPrism;
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::pavement_index::PavementIndex;
-use crate::geometry::{Occupied, Rect, area, around, inside};
+use crate::geometry::{OccupiedSpace, Rect, area, around, inside};
 use endless_road::{BuildingFootprint, LaneType};
 use endless_scene::Mesh;
 use endless_world::Stream;
@@ -30,8 +30,8 @@ pub(crate) struct PlacedBuilding {
 pub(crate) fn build(
     footprints: &[BuildingFootprint],
     pavement: &PavementIndex,
-    land: &Land,
-    occupied: &mut Occupied,
+    land: &GroundGrid,
+    occupied: &mut OccupiedSpace,
     numbers: &mut WindowNumbers,
     seed: u64,
 ) -> Vec<PlacedBuilding> {
@@ -82,7 +82,7 @@ struct FootprintSite<'a> {
 fn raise(
     site: &FootprintSite<'_>,
     dimensions: BuildingDimensions,
-    land: &Land,
+    land: &GroundGrid,
     stream: &mut Stream,
     numbers: &mut WindowNumbers,
 ) -> PlacedBuilding {

@@ -9,11 +9,11 @@ use crate::camera::BuildingPrism;
 use crate::dressing::built_up::density::StreetDensity;
 use crate::dressing::built_up::footprint::PlacedBuilding;
 use crate::dressing::built_up::streets::{FootprintGrid, may_be_built_on};
-use crate::dressing::ground::area::Areas;
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
+use crate::dressing::ground::land_use_map::LandUseMap;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::preset::TownPreset;
-use crate::geometry::{Occupied, Rect, inside, unit};
+use crate::geometry::{OccupiedSpace, Rect, inside, unit};
 use endless_road::{LandUse, Lane, RoadNetwork};
 use endless_world::Stream;
 use glam::{Affine3A, DVec2, Quat};
@@ -151,8 +151,8 @@ struct WantedLot {
 pub(crate) struct BuildingGrowth<'a> {
     pub(crate) network: &'a RoadNetwork,
     pub(crate) pavement: &'a PavementIndex,
-    pub(crate) land: &'a Land,
-    pub(crate) areas: &'a Areas,
+    pub(crate) land: &'a GroundGrid,
+    pub(crate) areas: &'a LandUseMap,
     pub(crate) density: &'a StreetDensity,
     pub(crate) streets: &'a [bool],
     pub(crate) preset: &'a TownPreset,
@@ -183,7 +183,7 @@ impl BuildingGrowth<'_> {
     /// Fills the land on both sides of streets.
     pub(crate) fn grow(
         &self,
-        occupied: &mut Occupied,
+        occupied: &mut OccupiedSpace,
         numbers: &mut WindowNumbers,
     ) -> Vec<(PlacedBuilding, FrontYard)> {
         let mut built = Vec::new();
@@ -204,7 +204,7 @@ impl BuildingGrowth<'_> {
         lane: &Lane,
         side: f64,
         around_known: f64,
-        occupied: &mut Occupied,
+        occupied: &mut OccupiedSpace,
         numbers: &mut WindowNumbers,
         built: &mut Vec<(PlacedBuilding, FrontYard)>,
     ) {
@@ -307,7 +307,7 @@ impl BuildingGrowth<'_> {
     }
 
     /// A free rectangle beside a lane, its front towards the road.
-    fn lot(&self, lane: &Lane, side: f64, wanted: WantedLot, occupied: &Occupied) -> Option<Rect> {
+    fn lot(&self, lane: &Lane, side: f64, wanted: WantedLot, occupied: &OccupiedSpace) -> Option<Rect> {
         let WantedLot { s, size: (width, depth), set_back, kind } = wanted;
         let place = lane.centerline.at(s);
         let out = unit(place.heading_rad).perp() * side;

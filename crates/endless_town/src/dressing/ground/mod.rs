@@ -1,6 +1,6 @@
-//! The ground: the lie of the land, what covers it, and where pavements lie.
+//! The ground: its heights, its land cover, and the pavements on it.
 
-pub(crate) mod area;
-pub(crate) mod bare;
-pub(crate) mod land;
+pub(crate) mod bare_ground;
+pub(crate) mod ground_grid;
+pub(crate) mod land_use_map;
 pub(crate) mod pavement_index;

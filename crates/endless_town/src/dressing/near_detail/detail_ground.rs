@@ -2,11 +2,11 @@
 
 use crate::dressing::assembly::TownAssembly;
 use crate::dressing::built_up::density::StreetDensity;
-use crate::dressing::ground::area::Areas;
-use crate::dressing::ground::bare::{YardParcels, bare};
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::bare_ground::{YardParcels, bare};
+use crate::dressing::ground::ground_grid::GroundGrid;
+use crate::dressing::ground::land_use_map::LandUseMap;
 use crate::dressing::ground::pavement_index::PavementIndex;
-use crate::geometry::Occupied;
+use crate::geometry::OccupiedSpace;
 use endless_scene::Material;
 use endless_world::{CameraSite, Stream, fnv1a};
 use glam::DVec2;
@@ -15,14 +15,14 @@ use glam::DVec2;
 #[derive(Debug)]
 pub(crate) struct DetailGround {
     pub(crate) pavement: PavementIndex,
-    pub(crate) land: Land,
-    pub(crate) areas: Areas,
+    pub(crate) land: GroundGrid,
+    pub(crate) areas: LandUseMap,
     pub(crate) density: StreetDensity,
     pub(crate) parcels: Option<YardParcels>,
     /// Paved ground before houses.
-    pub(crate) forecourts: Occupied,
+    pub(crate) forecourts: OccupiedSpace,
     /// Where something stands.
-    pub(crate) occupied: Occupied,
+    pub(crate) occupied: OccupiedSpace,
     /// Maize grows on the fields.
     pub(crate) maize: bool,
     pub(crate) seed: u64,

@@ -1,9 +1,9 @@
 //! Pavements: the surface of every strip, kerbs and edges, bridges.
 
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::pavement_index::{PavementIndex, PavementPiece, is_carriageway};
 use crate::geometry::triangulate;
-use crate::geometry::{Occupied, Rect};
+use crate::geometry::{OccupiedSpace, Rect};
 use crate::palette::NO_LANE;
 use crate::palette::{BALLAST, CYCLEWAY, DECK, KERB, LAWN, PAVING, TRACK};
 use endless_road::{LaneSurface, LaneType, RoadMap};
@@ -84,7 +84,7 @@ fn bounds(strip: &LaneSurface) -> (DVec2, DVec2) {
 /// Lays all pavements.
 pub(crate) struct PavementMesher<'a> {
     pavement: &'a PavementIndex,
-    land: &'a Land,
+    land: &'a GroundGrid,
     /// By strip.
     materials: Vec<Material>,
     layers: Vec<usize>,
@@ -94,7 +94,7 @@ impl<'a> PavementMesher<'a> {
     pub(crate) fn new(
         lane_surfaces: &'a [LaneSurface],
         pavement: &'a PavementIndex,
-        land: &'a Land,
+        land: &'a GroundGrid,
         paving: Material,
     ) -> Self {
         let materials = lane_surfaces.iter().map(|strip| material(strip, paving)).collect();
@@ -102,7 +102,7 @@ impl<'a> PavementMesher<'a> {
     }
 
     /// The pieces under whose middle a pier finds room, which it takes; by number, in order.
-    pub(crate) fn piers(&self, occupied: &mut Occupied) -> Vec<usize> {
+    pub(crate) fn piers(&self, occupied: &mut OccupiedSpace) -> Vec<usize> {
         let has_pier = |&(i, from, to): &(usize, f64, f64)| {
             let piece = &self.pavement.pieces[i];
             (from / PIERS_M).floor() < (to / PIERS_M).floor()

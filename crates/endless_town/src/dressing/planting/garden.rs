@@ -3,10 +3,10 @@
 use crate::building::BuildingKind;
 use crate::dressing::assembly::{PropPose, TownAssembly};
 use crate::dressing::built_up::growth::FrontYard;
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::pavement::surface::quad;
-use crate::geometry::{Occupied, Rect};
+use crate::geometry::{OccupiedSpace, Rect};
 use crate::palette::{GRAVEL, YARD};
 use endless_asset::Prop;
 use endless_scene::{Material, MeshBuilder};
@@ -56,7 +56,7 @@ impl GardenFrame {
 /// Lays gardens out.
 pub(crate) struct GardenBuilder<'a> {
     pub(crate) pavement: &'a PavementIndex,
-    pub(crate) land: &'a Land,
+    pub(crate) land: &'a GroundGrid,
 }
 
 impl GardenBuilder<'_> {
@@ -66,8 +66,8 @@ impl GardenBuilder<'_> {
         yards: &[FrontYard],
         mesh: &mut MeshBuilder,
         assembly: &mut TownAssembly<'_>,
-    ) -> Occupied {
-        let mut forecourts = Occupied::default();
+    ) -> OccupiedSpace {
+        let mut forecourts = OccupiedSpace::default();
         for (i, yard) in yards.iter().enumerate() {
             let front = GardenFrame::of(yard);
             let mut stream = assembly.stream(100_000 + i as u64);

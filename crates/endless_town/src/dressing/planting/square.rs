@@ -3,8 +3,8 @@
 
 use crate::camera::{in_the_way, spoils};
 use crate::dressing::assembly::{PropPose, TownAssembly};
-use crate::dressing::ground::area::Areas;
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
+use crate::dressing::ground::land_use_map::LandUseMap;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::road_furniture::post::RoadsidePosts;
 use crate::geometry::{inside, unit};
@@ -52,8 +52,8 @@ impl WalkSegment {
 pub(crate) struct SquareFurnisher<'a> {
     pub(crate) network: &'a RoadNetwork,
     pub(crate) pavement: &'a PavementIndex,
-    pub(crate) land: &'a Land,
-    pub(crate) areas: &'a Areas,
+    pub(crate) land: &'a GroundGrid,
+    pub(crate) areas: &'a LandUseMap,
 }
 
 impl SquareFurnisher<'_> {

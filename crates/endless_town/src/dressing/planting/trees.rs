@@ -3,8 +3,8 @@
 use crate::camera::in_the_way;
 use crate::dressing::assembly::{PropPose, TownAssembly};
 use crate::dressing::built_up::density::StreetDensity;
-use crate::dressing::ground::area::Areas;
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
+use crate::dressing::ground::land_use_map::LandUseMap;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::preset::TownPreset;
 use crate::dressing::road_furniture::post::RoadsidePosts;
@@ -26,8 +26,8 @@ const ROW_M: f64 = 15.0;
 pub(crate) struct TreePlanter<'a> {
     pub(crate) map: &'a RoadMap,
     pub(crate) pavement: &'a PavementIndex,
-    pub(crate) land: &'a Land,
-    pub(crate) areas: &'a Areas,
+    pub(crate) land: &'a GroundGrid,
+    pub(crate) areas: &'a LandUseMap,
     pub(crate) density: &'a StreetDensity,
     pub(crate) preset: &'a TownPreset,
     pub(crate) seed: u64,

@@ -2,7 +2,7 @@
 
 use crate::camera::spoils;
 use crate::dressing::assembly::{PropPose, TownAssembly};
-use crate::dressing::road_furniture::post::{RoadsidePosts, Verge};
+use crate::dressing::road_furniture::post::{RoadsidePosts, RoadsideSpot};
 use crate::dressing::road_furniture::wire::hang;
 use crate::geometry::Rect;
 use endless_asset::Prop;
@@ -65,7 +65,7 @@ pub(crate) fn add(
             let heading = lane.centerline.at(s).heading_rad;
             s += stream.range_f64(7.0, 24.0);
             // Asphalt between roads is paved, too, where ramps part.
-            let walked = |v: &Verge| v.walk && posts.pavement.at(v.at).next().is_some();
+            let walked = |v: &RoadsideSpot| v.walk && posts.pavement.at(v.at).next().is_some();
             let Some(verge) = verge.filter(walked) else { continue };
             if crossings.iter().any(|c| c.distance(verge.at) < 4.0) {
                 continue;

@@ -1,8 +1,8 @@
 //! Parked vehicles: in parking lanes, along quiet streets and on car parks.
 
 use crate::dressing::assembly::TownAssembly;
-use crate::dressing::ground::area::Areas;
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
+use crate::dressing::ground::land_use_map::LandUseMap;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::pavement::crossing;
 use crate::geometry::{Rect, inside, unit};
@@ -32,9 +32,9 @@ pub(crate) fn add(
     assembly: &mut TownAssembly<'_>,
     network: &RoadNetwork,
     lane_surfaces: &[LaneSurface],
-    areas: &Areas,
+    areas: &LandUseMap,
     pavement: &PavementIndex,
-    land: &Land,
+    land: &GroundGrid,
 ) {
     for (i, strip) in lane_surfaces.iter().enumerate().filter(|(_, s)| s.kind == LaneType::Parking && !s.in_junction) {
         let mut stream = assembly.stream(70_000 + i as u64);
@@ -110,7 +110,7 @@ fn traffic_heading(network: &RoadNetwork, at: DVec2) -> Option<f64> {
 }
 
 /// Double rows of bays on a car park, in the direction of its longest side.
-fn rows(outline: &[DVec2], holes: &[Vec<DVec2>], pavement: &PavementIndex, land: &Land) -> Vec<ParkingBay> {
+fn rows(outline: &[DVec2], holes: &[Vec<DVec2>], pavement: &PavementIndex, land: &GroundGrid) -> Vec<ParkingBay> {
     let rect = crate::geometry::around(outline);
     let (axis, half) = if rect.half.x >= rect.half.y {
         (rect.axis, rect.half)

@@ -1,7 +1,7 @@
 //! What stands on posts: traffic lights, signs, street lamps; and the things that a map names.
 
 use crate::dressing::assembly::{PropPose, TownAssembly};
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::preset::TownPreset;
 use crate::geometry::unit;
@@ -59,20 +59,20 @@ fn face_of(code: &str) -> Option<u32> {
     found.max().map(|k| k as u32)
 }
 
-/// A place beside a carriageway.
+/// A point beside a carriageway.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Verge {
+pub(crate) struct RoadsideSpot {
     pub(crate) at: DVec2,
     pub(crate) z: f64,
     /// Whether it lies on a pavement for people.
     pub(crate) walk: bool,
 }
 
-/// Puts posts up.
+/// Places posts beside roads: signals, signs, lamps, stops.
 pub(crate) struct RoadsidePosts<'a> {
     pub(crate) map: &'a RoadMap,
     pub(crate) pavement: &'a PavementIndex,
-    pub(crate) land: &'a Land,
+    pub(crate) land: &'a GroundGrid,
     pub(crate) preset: &'a TownPreset,
 }
 
@@ -88,7 +88,7 @@ impl RoadsidePosts<'_> {
     }
 
     /// The place `beyond` metres outside the carriageway at `s` of a lane, on its `side`.
-    pub(crate) fn verge(&self, lane: &Lane, s: f64, side: f64, beyond: f64) -> Option<Verge> {
+    pub(crate) fn verge(&self, lane: &Lane, s: f64, side: f64, beyond: f64) -> Option<RoadsideSpot> {
         let place = lane.centerline.at(s);
         let out = unit(place.heading_rad).perp() * side;
         let here = place.position.truncate();
@@ -105,7 +105,7 @@ impl RoadsidePosts<'_> {
         let at = here + out * (edge + beyond);
         let paved = self.pavement.height(at, place.position.z + 1.0).filter(|z| (z - place.position.z).abs() < 1.0);
         let z = paved.unwrap_or_else(|| self.land.height(at));
-        ((z - place.position.z).abs() < 1.2).then_some(Verge { at, z, walk: paved.is_some() })
+        ((z - place.position.z).abs() < 1.2).then_some(RoadsideSpot { at, z, walk: paved.is_some() })
     }
 
     fn put(

@@ -1,4 +1,4 @@
-//! What windows of upper storeys have about them, and balconies.
+//! Surrounds and shutters of upper windows, and balconies.
 
 use super::finish::BuildingFinish;
 use super::ornament::{air_conditioner, dish, flower_box, grille, lintel, roller_blind, shutters, surround};

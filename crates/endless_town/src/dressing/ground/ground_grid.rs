@@ -1,4 +1,4 @@
-//! The lie of the land: heights that follow the roads, smooth between them, and hills all around.
+//! Ground heights on a grid: they follow the roads, are smooth between them, and rise to hills all around.
 
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::palette::{HILL, LAWN, MEADOW};
@@ -27,7 +27,7 @@ const BANK: f64 = 1.7;
 
 /// A grid of heights.
 #[derive(Debug, Clone)]
-pub(crate) struct Land {
+pub(crate) struct GroundGrid {
     low: DVec2,
     cell: f64,
     /// Vertices, one more than cells.
@@ -37,11 +37,11 @@ pub(crate) struct Land {
     heights: Vec<f64>,
     /// Without the cut below pavements.
     level: Vec<f64>,
-    /// The lie of the land beyond the roads' banks, where the map knows it.
+    /// Terrain beyond the roads' banks, where the map has it.
     terrain: Option<Terrain>,
 }
 
-impl Land {
+impl GroundGrid {
     /// Through the pavements of a map, and as its terrain lies away from them; bridges do not carry land.
     pub(crate) fn new(
         pavement: &PavementIndex,
@@ -362,7 +362,7 @@ mod tests {
         let mut pavement = PavementIndex::new(&[], low, high);
         pavement.add_between(&square(10.0, -0.1));
         pavement.add_between(&square(50.0, 6.0));
-        let land = Land::new(&pavement, &|_| false, None, low, high);
+        let land = GroundGrid::new(&pavement, &|_| false, None, low, high);
         assert!(land.height(DVec2::splat(20.0)) < -0.1 - 0.3);
         // Grass beside it reaches up to its edge, not through it.
         assert!((0..20).all(|k| land.height(DVec2::new(10.5 + 0.95 * f64::from(k), 11.0)) < -0.1));

@@ -1,4 +1,4 @@
-//! Shapes of which plans are made: points, smooth lines, outlines; and rises of the land.
+//! Geometry of town layouts: points, smooth lines, outlines, hills.
 
 use crate::geometry::unit;
 use glam::DVec2;

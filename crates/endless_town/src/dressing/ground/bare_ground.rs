@@ -1,6 +1,6 @@
-//! What covers ground of which the map says nothing.
+//! Land cover where the map has no land use.
 
-use super::area::Areas;
+use super::land_use_map::LandUseMap;
 use crate::dressing::built_up::density::StreetDensity;
 use crate::geometry::unit;
 use crate::palette::{GRAVEL, LAWN, MEADOW, YARD, YARD_DARK, YARD_SLABS};
@@ -53,7 +53,7 @@ impl YardParcels {
 
 /// What covers a place of which the map says nothing, or that people live there: meadows outside, lawns where roads
 /// are many, with yards paved in the midst of towns where there are `parcels`. Its borders wind.
-pub(crate) fn bare(p: DVec2, density: &StreetDensity, areas: &Areas, parcels: Option<&YardParcels>) -> Material {
+pub(crate) fn bare(p: DVec2, density: &StreetDensity, areas: &LandUseMap, parcels: Option<&YardParcels>) -> Material {
     let winding = sin(0.093 * p.x + 1.7 * sin(0.041 * p.y)) + sin(0.087 * p.y + 1.9 * sin(0.047 * p.x));
     let here = density.at(p) + 9.0 * winding;
     match here {

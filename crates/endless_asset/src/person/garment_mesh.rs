@@ -11,7 +11,7 @@ use glam::{Vec2, Vec3};
 
 /// Where on the body a piece of cloth lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Zone {
+pub(crate) enum BodyRegion {
     /// By height over the body's.
     Trunk,
     /// By distance from the shoulder over the arm's length.
@@ -21,7 +21,7 @@ pub(crate) enum Zone {
 }
 
 /// The pattern of a garment.
-pub(crate) struct Cut<'a> {
+pub(crate) struct GarmentShape<'a> {
     /// Height of the hem over the body's; ignored with legs.
     pub(crate) hem: f32,
     pub(crate) upper: Upper,
@@ -32,9 +32,9 @@ pub(crate) struct Cut<'a> {
     /// Half width of the opening in front, over the stature, at the hem and at the neck.
     pub(crate) gap: Option<(f32, f32)>,
     /// Distance from the skin over the stature.
-    pub(crate) ease: &'a dyn Fn(Zone, f32) -> f32,
+    pub(crate) ease: &'a dyn Fn(BodyRegion, f32) -> f32,
     /// Material by place and column.
-    pub(crate) color: &'a dyn Fn(Zone, f32, usize) -> Material,
+    pub(crate) color: &'a dyn Fn(BodyRegion, f32, usize) -> Material,
     /// Depth of folds, 0 for skin.
     pub(crate) folds: f32,
     /// Only what can be seen between the edges of an open coat.
@@ -48,9 +48,9 @@ const OPENING: [usize; 2] = [2, 6];
 
 impl Body<'_> {
     /// Sews a garment.
-    pub(crate) fn sew(&self, skin: &mut Skin, cut: &Cut<'_>) {
+    pub(crate) fn sew(&self, skin: &mut Skin, cut: &GarmentShape<'_>) {
         let mut cage = Cage::default();
-        let trunk_ease = |t: f32| (cut.ease)(Zone::Trunk, t);
+        let trunk_ease = |t: f32| (cut.ease)(BodyRegion::Trunk, t);
         let low = if cut.legs.is_some() { CROTCH } else { cut.hem };
         let top = match cut.upper {
             Upper::Waist(t) => t,
@@ -91,7 +91,7 @@ impl Body<'_> {
             .collect();
         if cut.legs.is_none() && cut.rim > 0.0 && !cut.front {
             let edge = cage.row(&inner(&rows[0]), trunk);
-            cage.strip(&edge, &numbers[0], closed, false, |j| (cut.color)(Zone::Trunk, low, j));
+            cage.strip(&edge, &numbers[0], closed, false, |j| (cut.color)(BodyRegion::Trunk, low, j));
         }
         for (i, pair) in numbers.windows(2).enumerate() {
             let t = 0.5 * (heights[i] + heights[i + 1]);
@@ -105,14 +105,18 @@ impl Body<'_> {
                     continue;
                 }
                 let k = (j + 1) % n;
-                cage.quad([pair[0][j], pair[0][k], pair[1][k], pair[1][j]], false, (cut.color)(Zone::Trunk, t, j));
+                cage.quad(
+                    [pair[0][j], pair[0][k], pair[1][k], pair[1][j]],
+                    false,
+                    (cut.color)(BodyRegion::Trunk, t, j),
+                );
             }
         }
         if cut.rim > 0.0 && !cut.front {
             let (last, t) = (numbers.len() - 1, heights[heights.len() - 1]);
             let edge =
                 cage.row(&inner(&rows[last]), if shoulder < last { &bust } else { &trunk as &dyn Fn(Vec3) -> Weights });
-            cage.strip(&numbers[last], &edge, closed, false, |j| (cut.color)(Zone::Trunk, t, j));
+            cage.strip(&numbers[last], &edge, closed, false, |j| (cut.color)(BodyRegion::Trunk, t, j));
         }
         if matches!(cut.upper, Upper::Neck { .. }) && cut.sleeve > 0.0 {
             for side in Side::BOTH {
@@ -130,30 +134,37 @@ impl Body<'_> {
     }
 
     /// A tube around an arm from one place to another, joined to the trunk's opening if there is one.
-    fn sleeve(&self, cage: &mut Cage, side: Side, hole: Option<&[u32; LIMB]>, [from, to]: [f32; 2], cut: &Cut<'_>) {
+    fn sleeve(
+        &self,
+        cage: &mut Cage,
+        side: Side,
+        hole: Option<&[u32; LIMB]>,
+        [from, to]: [f32; 2],
+        cut: &GarmentShape<'_>,
+    ) {
         let flipped = side == Side::Right;
         let steps = ((to - from) / 0.22).ceil().max(1.0) as usize;
         let mut before: Option<Vec<u32>> = hole.map(|h| h.to_vec());
         let mut last = from;
         for i in 0..=steps {
             let d = lerp(from, to, i as f32 / steps as f32);
-            let ring = self.arm_ring(side, d, (cut.ease)(Zone::Arm, d));
+            let ring = self.arm_ring(side, d, (cut.ease)(BodyRegion::Arm, d));
             let row = cage.row(&ring, |_| self.arm_weights(side, d));
             if let Some(before) = before {
-                cage.strip(&before, &row, true, flipped, |j| (cut.color)(Zone::Arm, 0.5 * (last + d), j));
+                cage.strip(&before, &row, true, flipped, |j| (cut.color)(BodyRegion::Arm, 0.5 * (last + d), j));
             }
             before = Some(row);
             last = d;
         }
         if let Some(before) = before.filter(|_| cut.rim > 0.0) {
-            let ring = self.arm_ring(side, to - 0.01, (cut.ease)(Zone::Arm, to) - cut.rim);
+            let ring = self.arm_ring(side, to - 0.01, (cut.ease)(BodyRegion::Arm, to) - cut.rim);
             let row = cage.row(&ring, |_| self.arm_weights(side, to));
-            cage.strip(&before, &row, true, flipped, |j| (cut.color)(Zone::Arm, to, j));
+            cage.strip(&before, &row, true, flipped, |j| (cut.color)(BodyRegion::Arm, to, j));
         }
     }
 
     /// A tube around a leg between two places of it, joined to the ring above if there is one.
-    fn leg(&self, cage: &mut Cage, side: Side, above: Option<Vec<u32>>, [from, to]: [f32; 2], cut: &Cut<'_>) {
+    fn leg(&self, cage: &mut Cage, side: Side, above: Option<Vec<u32>>, [from, to]: [f32; 2], cut: &GarmentShape<'_>) {
         let flipped = side == Side::Right;
         let steps = ((from - to) / 0.40).ceil().max(1.0) as usize;
         let mut above = above;
@@ -161,23 +172,23 @@ impl Body<'_> {
         let weights = |p: Vec3| self.leg_weights(side, p);
         for i in 0..=steps {
             let t = lerp(from, to, i as f32 / steps as f32);
-            let ease = (cut.ease)(Zone::Leg, t);
+            let ease = (cut.ease)(BodyRegion::Leg, t);
             let row = cage.row(&self.leg_ring(side, t, Vec2::splat(ease)), weights);
             if let Some(above) = above {
-                cage.strip(&row, &above, true, flipped, |j| (cut.color)(Zone::Leg, 0.5 * (last + t), j));
+                cage.strip(&row, &above, true, flipped, |j| (cut.color)(BodyRegion::Leg, 0.5 * (last + t), j));
             }
             above = Some(row);
             last = t;
         }
         if let Some(above) = above.filter(|_| cut.rim > 0.0) {
-            let ease = (cut.ease)(Zone::Leg, to) - cut.rim;
+            let ease = (cut.ease)(BodyRegion::Leg, to) - cut.rim;
             let row = cage.row(&self.leg_ring(side, to + 0.02, Vec2::splat(ease)), weights);
-            cage.strip(&row, &above, true, flipped, |j| (cut.color)(Zone::Leg, to, j));
+            cage.strip(&row, &above, true, flipped, |j| (cut.color)(BodyRegion::Leg, to, j));
         }
     }
 
     /// Joins two legs to the lowest section of the trunk.
-    fn crotch(&self, cage: &mut Cage, ring: &[u32], end: f32, cut: &Cut<'_>) {
+    fn crotch(&self, cage: &mut Cage, ring: &[u32], end: f32, cut: &GarmentShape<'_>) {
         let (front, back) = (cage.points[ring[0] as usize], cage.points[ring[TRUNK / 2] as usize]);
         let seam: Vec<Vec3> = [0.25, 0.5, 0.75]
             .map(|t| back.lerp(front, t) - Vec3::Z * (0.012 * self.h * if t == 0.5 { 1.0 } else { 0.7 }))
@@ -193,8 +204,8 @@ impl Body<'_> {
 
     /// Bare arms between two places.
     pub(crate) fn bare_arms(&self, skin: &mut Skin, from: f32, skin_color: Material) {
-        let color = |_: Zone, _: f32, _: usize| skin_color;
-        let cut = Cut { color: &color, ..self.bare_cut() };
+        let color = |_: BodyRegion, _: f32, _: usize| skin_color;
+        let cut = GarmentShape { color: &color, ..self.bare_cut() };
         for side in Side::BOTH {
             let mut cage = Cage::default();
             self.sleeve(&mut cage, side, None, [from.max(0.12), 1.03], &cut);
@@ -203,8 +214,8 @@ impl Body<'_> {
     }
 
     /// Bare legs, or legs in stockings, up to a place.
-    pub(crate) fn bare_legs(&self, skin: &mut Skin, up_to: f32, color: &dyn Fn(Zone, f32, usize) -> Material) {
-        let cut = Cut { color, ..self.bare_cut() };
+    pub(crate) fn bare_legs(&self, skin: &mut Skin, up_to: f32, color: &dyn Fn(BodyRegion, f32, usize) -> Material) {
+        let cut = GarmentShape { color, ..self.bare_cut() };
         for side in Side::BOTH {
             let mut cage = Cage::default();
             self.leg(&mut cage, side, None, [up_to, -0.05], &cut);
@@ -214,13 +225,13 @@ impl Body<'_> {
 
     /// Bare shoulders, arms and upper chest, for tops without sleeves.
     pub(crate) fn bare_shoulders(&self, skin: &mut Skin, skin_color: Material) {
-        let color = |_: Zone, _: f32, _: usize| skin_color;
+        let color = |_: BodyRegion, _: f32, _: usize| skin_color;
         let upper = Upper::Neck { dip: 0.0, wide: 0.0 };
-        self.sew(skin, &Cut { color: &color, hem: 0.69, upper, sleeve: 1.03, ..self.bare_cut() });
+        self.sew(skin, &GarmentShape { color: &color, hem: 0.69, upper, sleeve: 1.03, ..self.bare_cut() });
     }
 
-    fn bare_cut(&self) -> Cut<'static> {
-        Cut {
+    fn bare_cut(&self) -> GarmentShape<'static> {
+        GarmentShape {
             hem: 0.0,
             upper: Upper::Waist(0.0),
             sleeve: 0.0,

@@ -1,7 +1,7 @@
 //! What covers the land: squares, lawns, fields and water, laid upon flat land or as the colour of uneven land.
 
 use crate::camera::OpenSpace;
-use crate::dressing::ground::land::Land;
+use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::geometry::inside;
 use crate::geometry::{area, triangulate, with_holes};
 use crate::palette::{CAR_PARK, FIELD, GRAVEL, LAWN, MEADOW, PLAZA, PLAZA_BAND, SOIL, WATER, WOODLAND, YARD};
@@ -34,14 +34,14 @@ struct BoundedArea {
 
 /// Areas, the smaller before the larger.
 #[derive(Debug, Clone)]
-pub(crate) struct Areas {
+pub(crate) struct LandUseMap {
     list: Vec<BoundedArea>,
     /// The land is lower under water than beside it.
     relief: bool,
 }
 
-impl Areas {
-    pub(crate) fn new(areas: &[LandUseArea], land: &Land, relief: bool) -> Self {
+impl LandUseMap {
+    pub(crate) fn new(areas: &[LandUseArea], land: &GroundGrid, relief: bool) -> Self {
         let mut list: Vec<BoundedArea> = areas
             .iter()
             .filter(|a| a.outline.len() >= 3)

@@ -1,4 +1,4 @@
-//! Which roof a building bears, and what stands on it.
+//! The roof of a building, by its form, and the equipment on it.
 
 use super::dimensions::{BuildingDesign, BuildingDimensions};
 use super::finish::BuildingFinish;
@@ -6,7 +6,7 @@ use super::kind::BuildingKind;
 use super::opening::WindowNumbers;
 use super::roof::{boxed, chimney, flat, gabled, hipped, plant};
 use super::rooftop::{aerial, barrel, dormer, gutter, machines, rebar, skylight, solar, water_tank};
-use super::style::{OnRoof, RoofForm};
+use super::style::{RoofEquipment, RoofForm};
 use super::wall::Wall;
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
@@ -127,7 +127,7 @@ pub(super) fn on_flat_roof(
         BuildingKind::Office | BuildingKind::Tower | BuildingKind::Shop => machines(mesh, (x, y), height, stream),
         _ => {}
     }
-    if finish.style.on_roof == OnRoof::WaterBarrel && dimensions.storeys >= 4 && stream.chance(0.6) {
+    if finish.style.on_roof == RoofEquipment::WaterBarrel && dimensions.storeys >= 4 && stream.chance(0.6) {
         barrel(mesh, middle + Vec3::new(0.0, 1.0, 0.0));
     }
     if matches!(dimensions.kind, BuildingKind::Flats | BuildingKind::Terrace) {
@@ -140,7 +140,7 @@ pub(super) fn on_flat_roof(
             aerial(mesh, middle + off, stream);
         }
     }
-    if finish.style.on_roof == OnRoof::Mast && stream.chance(0.5) {
+    if finish.style.on_roof == RoofEquipment::Mast && stream.chance(0.5) {
         let steel = Material::new(Surface::Metal, [0.40, 0.40, 0.41], ClassTag::Buildings);
         boxed(mesh, [middle.x - 0.2, middle.x + 0.2], [middle.y - 0.2, middle.y + 0.2], [height, height + 9.0], steel);
     }
