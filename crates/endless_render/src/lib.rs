@@ -67,6 +67,7 @@ mod lighting;
 mod material;
 mod moving_camera;
 mod octahedron;
+mod pixel_layers;
 mod sampling;
 mod scene;
 mod settings;

@@ -1,14 +1,15 @@
 //! Frames of a camera that moves: nothing is kept from one to the next but what belongs to the scene.
 
 use crate::accel::{Ray, RayStream};
-use crate::camera_rays::{planar_depth, sample_ray};
+use crate::camera_rays::sample_ray;
 use crate::film::{ToneCurve, exposure};
 use crate::lighting::{Lighting, ViewedArea};
 use crate::material::{Bsdf, evaluate_bsdf};
+use crate::pixel_layers::{LayerImages, PixelLayers};
 use crate::scene::{FrameDescription, FrameScene, StaticScene, SurfaceInteraction};
 use crate::settings::RenderSettings;
 use crate::shade::{SceneHit, Tracer, footprint_m, lens_light, shade_interactions8};
-use endless_world::{CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, PinholeCamera, SensorFrame};
+use endless_world::{CameraSite, PinholeCamera, SensorFrame};
 use glam::Vec3A;
 use rayon::prelude::*;
 
@@ -59,40 +60,28 @@ impl MovingCamera {
     pub fn render(&self, still: &StaticScene, frame: &FrameScene, site: &CameraSite) -> SensorFrame {
         let camera = self.settings.camera(site);
         let size = camera.size;
-        let TracedImage { radiance, depth, instance } =
-            TracedImage::trace(&self.lighting.tracer(still, Some(frame)), &camera);
+        let TracedImage { radiance, layers } = TracedImage::trace(&self.lighting.tracer(still, Some(frame)), &camera);
         let rgb = radiance.par_iter().map(|&r| self.tone.apply(r)).collect();
-        SensorFrame {
-            frame: frame.frame,
-            rgb: Image { size, data: rgb },
-            depth: Image { size, data: depth },
-            instance: Image { size, data: instance },
-        }
+        layers.into_iter().collect::<LayerImages>().into_sensor_frame(frame.frame, size, rgb)
     }
 }
 
 /// What a camera sees, before film.
 struct TracedImage {
     radiance: Vec<Vec3A>,
-    depth: Vec<f32>,
-    instance: Vec<InstancePixel>,
+    layers: Vec<PixelLayers>,
 }
 
 impl TracedImage {
     fn trace(tracer: &Tracer<'_>, camera: &PinholeCamera) -> Self {
-        let sky = InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF };
         let count = camera.size.pixels();
-        let mut view =
-            Self { radiance: vec![Vec3A::ZERO; count], depth: vec![FAR_PLANE_M; count], instance: vec![sky; count] };
+        let mut view = Self { radiance: vec![Vec3A::ZERO; count], layers: vec![PixelLayers::SKY; count] };
         let band = LINES * camera.size.width as usize;
-        view.radiance
-            .par_chunks_mut(band)
-            .zip(view.depth.par_chunks_mut(band))
-            .zip(view.instance.par_chunks_mut(band))
-            .enumerate()
-            .for_each(|(i, ((radiance, depth), instance))| {
-                ImageBand { tracer, camera, first_line: i * LINES, radiance, depth, instance }.trace();
-            });
+        view.radiance.par_chunks_mut(band).zip(view.layers.par_chunks_mut(band)).enumerate().for_each(
+            |(i, (radiance, layers))| {
+                ImageBand { tracer, camera, first_line: i * LINES, radiance, layers }.trace();
+            },
+        );
         view
     }
 }
@@ -103,8 +92,7 @@ struct ImageBand<'a> {
     camera: &'a PinholeCamera,
     first_line: usize,
     radiance: &'a mut [Vec3A],
-    depth: &'a mut [f32],
-    instance: &'a mut [InstancePixel],
+    layers: &'a mut [PixelLayers],
 }
 
 impl ImageBand<'_> {
@@ -147,8 +135,7 @@ impl ImageBand<'_> {
                 self.radiance[first + i] +=
                     lens * environment.fog.transmittance(rays[i].origin, rays[i].direction, point.distance);
             }
-            self.depth[first + i] = planar_depth(self.camera, &rays[i], point.distance);
-            self.instance[first + i] = InstancePixel { tag: point.tag(), id: point.instance.id };
+            self.layers[first + i] = PixelLayers::new(self.camera, &rays[i], point);
         }
     }
 }

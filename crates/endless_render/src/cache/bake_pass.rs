@@ -5,14 +5,15 @@ use super::gbuffer_sample::GBufferSample;
 use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_sample};
 use super::sun_rays::{sun_can_light, sun_origin};
 use crate::accel::{Hit, Ray};
-use crate::camera_rays::{planar_depth, sample_ray};
+use crate::camera_rays::sample_ray;
 use crate::indirect::{DenoiseGuide, PATTERN_SIDE, denoise, gather8, turn};
 use crate::material::Bsdf;
+use crate::pixel_layers::{LayerImages, PixelLayers};
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
 use crate::settings::RenderSettings;
 use crate::shade::{Tracer, footprint_m};
-use endless_world::{ClassTag, FAR_PLANE_M, InstanceId, InstancePixel, PinholeCamera};
+use endless_world::PinholeCamera;
 use glam::Vec3A;
 use rayon::prelude::*;
 
@@ -189,24 +190,24 @@ impl BakePass<'_> {
         })
     }
 
-    /// Uniformity, depth, class and instance of every pixel.
-    pub(super) fn labels(&self, samples: &[GBufferSample]) -> (Vec<bool>, Vec<f32>, Vec<InstancePixel>) {
-        let mut uniform = Vec::with_capacity(self.camera.size.pixels());
-        let mut depth = Vec::with_capacity(self.camera.size.pixels());
-        let mut instance = Vec::with_capacity(self.camera.size.pixels());
-        for (pixel, group) in samples.chunks_exact(SAMPLES).enumerate() {
-            let centre = &group[0];
-            uniform.push(self.is_uniform(pixel, group));
-            if centre.is_sky() {
-                depth.push(FAR_PLANE_M);
-                instance.push(InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF });
-                continue;
-            }
-            let ray = self.ray_of(pixel * SAMPLES);
-            let point = SurfaceInteraction::new(&self.tracer.still.instances, &ray, &centre.hit);
-            depth.push(planar_depth(self.camera, &ray, centre.hit.t));
-            instance.push(InstancePixel { tag: point.tag(), id: point.instance.id });
-        }
-        (uniform, depth, instance)
+    /// Which pixels are uniform.
+    pub(super) fn uniform(&self, samples: &[GBufferSample]) -> Vec<bool> {
+        let pixels = samples.par_chunks_exact(SAMPLES).enumerate();
+        pixels.map(|(pixel, group)| self.is_uniform(pixel, group)).collect()
+    }
+
+    /// What each pixel's centre shows in all layers but RGB.
+    pub(super) fn layers(&self, samples: &[GBufferSample]) -> LayerImages {
+        let pixels = samples.chunks_exact(SAMPLES).enumerate();
+        pixels
+            .map(|(pixel, group)| {
+                if group[0].is_sky() {
+                    return PixelLayers::SKY;
+                }
+                let ray = self.ray_of(pixel * SAMPLES);
+                let point = SurfaceInteraction::new(&self.tracer.still.instances, &ray, &group[0].hit);
+                PixelLayers::new(self.camera, &ray, &point)
+            })
+            .collect()
     }
 }

@@ -3,19 +3,18 @@
 use super::bake::CameraBake;
 use super::moving_hits::MovingHits;
 use crate::accel::{Hit, Ray};
-use crate::camera_rays::planar_depth;
+use crate::pixel_layers::PixelLayers;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, SurfaceInteraction};
 use crate::shade::MovingSample;
 use endless_scene::Surface;
-use endless_world::InstancePixel;
 use glam::{Vec2, Vec3A};
 use std::ops::Range;
 
 /// What moves in front of a pixel.
 pub(super) struct Coverage {
-    /// Depth and label, if it covers the pixel's centre.
-    pub(super) centre: Option<(f32, InstancePixel)>,
+    /// What covers the pixel's centre, if it does.
+    pub(super) centre: Option<PixelLayers>,
     /// Samples that it covers.
     pub(super) samples: usize,
     /// Way of what covers it in the image while the shutter is open, pixels.
@@ -52,8 +51,7 @@ impl Coverage {
             }
             let point = SurfaceInteraction::new(&frame.instances, ray, hit);
             if sample == 0 {
-                let label = InstancePixel { tag: point.tag(), id: point.instance.id };
-                centre = Some((planar_depth(&bake.camera, ray, point.distance), label));
+                centre = Some(PixelLayers::new(&bake.camera, ray, &point));
             }
             match list[first..].iter_mut().find(|seen| tells(seen, &point)) {
                 Some(seen) => seen.stands_for += 1,

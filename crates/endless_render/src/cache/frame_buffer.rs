@@ -2,14 +2,15 @@
 
 use super::bake::CameraBake;
 use crate::film::{BlurScratch, Streak, blur, with_glare};
-use endless_world::{Image, InstancePixel, SensorFrame};
+use crate::pixel_layers::{LayerImages, PixelLayers};
+use endless_world::SensorFrame;
 use glam::Vec3A;
 
 /// One pixel of a frame.
 pub(super) struct FramePixel {
     pub(super) radiance: Vec3A,
-    /// Depth and label, if something that moves covers the pixel's centre.
-    pub(super) covered: Option<(f32, InstancePixel)>,
+    /// What moves and covers the pixel's centre.
+    pub(super) covered: Option<PixelLayers>,
     /// What of it moves so fast that the picture blurs.
     pub(super) streak: Option<Streak>,
 }
@@ -23,8 +24,7 @@ pub(super) struct FrameBuffer {
     /// What moves fast, by pixel.
     streaks: Vec<(u32, Streak)>,
     rgb: Vec<[u8; 3]>,
-    depth: Vec<f32>,
-    instance: Vec<InstancePixel>,
+    layers: LayerImages,
 }
 
 impl FrameBuffer {
@@ -40,8 +40,7 @@ impl FrameBuffer {
             } else {
                 bake.film.rgb.clone()
             },
-            depth: bake.gbuffer.depth.clone(),
-            instance: bake.gbuffer.instance.clone(),
+            layers: bake.gbuffer.layers.clone(),
         }
     }
 
@@ -55,9 +54,8 @@ impl FrameBuffer {
             }
             None => self.rgb[i] = bake.film.tone.apply(pixel.radiance),
         }
-        if let Some((depth, label)) = pixel.covered {
-            self.depth[i] = depth;
-            self.instance[i] = label;
+        if let Some(layers) = pixel.covered {
+            self.layers.set(i, layers);
         }
         self.streaks.extend(pixel.streak.map(|streak| (i as u32, streak)));
     }
@@ -73,11 +71,11 @@ impl FrameBuffer {
                     self.touched.push(i as u32);
                 };
                 let ground = |i: usize| {
-                    let bare = self.instance[i] == bake.gbuffer.instance[i] && self.depth[i] == bake.gbuffer.depth[i];
-                    (bare && bake.gbuffer.pixels[i].is_level()).then_some(self.depth[i])
+                    let seen = self.layers.at(i);
+                    (seen == bake.gbuffer.layers.at(i) && bake.gbuffer.pixels[i].is_level()).then_some(seen.depth)
                 };
                 rain.splash(frame, &bake.camera, ground, &mut wet);
-                rain.draw(frame, &bake.camera, &self.depth, wet);
+                rain.draw(frame, &bake.camera, self.layers.depth(), wet);
             }
             match bake.film.post_process.as_ref().filter(|post| post.has_lens()) {
                 Some(post) => {
@@ -95,12 +93,7 @@ impl FrameBuffer {
         if let Some(post) = &bake.film.post_process {
             post.record(frame, &mut self.rgb);
         }
-        SensorFrame {
-            frame,
-            rgb: Image { size, data: self.rgb },
-            depth: Image { size, data: self.depth },
-            instance: Image { size, data: self.instance },
-        }
+        self.layers.into_sensor_frame(frame, size, self.rgb)
     }
 
     fn blur(&mut self, bake: &CameraBake, radiance: &mut [Vec3A]) {
@@ -109,7 +102,8 @@ impl FrameBuffer {
         }
         // Something else that is nearer by more than a thing's own unevenness.
         let hidden = |pixel: usize, streak: &Streak| {
-            self.instance[pixel].id != streak.id && self.depth[pixel] < 0.98 * streak.depth - 0.3
+            let seen = self.layers.at(pixel);
+            seen.instance.id != streak.id && seen.depth < 0.98 * streak.depth - 0.3
         };
         let mut scratch = bake.film.blur_scratch.take(BlurScratch::default);
         blur(

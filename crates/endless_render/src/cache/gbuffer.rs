@@ -4,8 +4,8 @@ use super::bake_pass::BakePass;
 use super::gbuffer_pixel::GBufferPixel;
 use super::gbuffer_sample::{GBufferSample, share_lamp_light};
 use crate::material::Bsdf;
+use crate::pixel_layers::LayerImages;
 use crate::sampling::SAMPLES;
-use endless_world::InstancePixel;
 use glam::Vec3A;
 use rayon::prelude::*;
 
@@ -20,9 +20,8 @@ pub(super) struct GBuffer {
     pub(super) uniform: Vec<bool>,
     /// At night, the BSDF of each uniform pixel's centre: vehicle lights sweep much of the picture.
     pub(super) bsdfs: Vec<Bsdf>,
-    /// Along the optical axis, metres.
-    pub(super) depth: Vec<f32>,
-    pub(super) instance: Vec<InstancePixel>,
+    /// What each pixel's centre shows in all layers but RGB.
+    pub(super) layers: LayerImages,
     /// Gathered at each sample, klx, if it is kept.
     pub(super) irradiance: Vec<[f32; 3]>,
 }
@@ -34,14 +33,15 @@ impl GBuffer {
         let primary = pass.trace();
         let irradiance = pass.irradiance(&primary);
         let mut samples = pass.shade(&primary, &irradiance);
-        let (uniform, depth, instance) = pass.labels(&samples);
+        let uniform = pass.uniform(&samples);
+        let layers = pass.layers(&samples);
         if night {
             samples.par_chunks_mut(SAMPLES).zip(&uniform).filter(|(_, u)| **u).for_each(|(s, _)| share_lamp_light(s));
         }
         let bsdfs = if night { pass.bsdfs(&samples, &uniform) } else { Vec::new() };
         let pixels = samples.as_chunks().0.iter().map(GBufferPixel::new).collect();
         let kept = irradiance.iter().filter(|_| pass.settings.keep_irradiance).map(Vec3A::to_array).collect();
-        Self { samples, pixels, uniform, bsdfs, depth, instance, irradiance: kept }
+        Self { samples, pixels, uniform, bsdfs, layers, irradiance: kept }
     }
 
     /// The samples of a pixel.
