@@ -3,8 +3,8 @@
 use crate::args::{BenchArgs, threads};
 use crate::build_info::this_build;
 use anyhow::{Context, Result};
-use endless_dataset::DatasetLayout;
-use endless_pipeline::{GenerateOptions, Generated, MapSource, RecipeDraft, SilentProgress, Simulator, generate};
+use endless_dataset::{DatasetLayout, RecipeDraft};
+use endless_pipeline::{GenerateOptions, Generated, MapSource, SilentProgress, Simulator, generate, resolve_recipe};
 use endless_world::{TimeOfDay, Weather};
 use std::{
     fs::{self, File},
@@ -45,7 +45,7 @@ fn draft(args: &BenchArgs) -> RecipeDraft {
 
 /// Makes a dataset, and leaves nothing of it.
 fn film<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs, draft: RecipeDraft) -> Result<Generated> {
-    let recipe = draft.resolve(simulator)?;
+    let recipe = resolve_recipe(draft, simulator)?;
     let folder = std::env::current_dir()?;
     remove_leftovers(&folder)?;
     let out = folder.join(format!("{FOLDER}{}", std::process::id()));

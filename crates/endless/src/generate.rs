@@ -7,17 +7,30 @@ use crate::{
     report::Reporter,
 };
 use anyhow::Result;
+use endless_dataset::RecipeDraft;
 use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, GenerateOptions, Generated, Plan, RecipeDraft, generate, read_cameras};
+use endless_pipeline::{
+    BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, RecipeError, Simulator, generate, read_cameras,
+    read_recipe, resolve_recipe,
+};
 use std::{io::Write, process::ExitCode};
 
-pub(crate) fn run(library: MapLibrary, args: GenerateArgs) -> Result<ExitCode> {
-    let file = args.config.as_deref().map(RecipeDraft::read).transpose()?.unwrap_or_default();
+/// The simulator that is used if none is named.
+const BUILTIN: &str = "builtin";
+
+pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs) -> Result<ExitCode> {
+    let file = args.config.as_deref().map(read_recipe).transpose()?.unwrap_or_default();
     let cameras = args.recipe.cameras.as_deref().map(read_cameras).transpose()?;
-    let draft = RecipeDraft { cameras, ..args.recipe.draft }.or(file);
+    let draft = RecipeDraft { cameras, ..std::mem::take(&mut args.recipe.draft) }.or(file);
     let library = assets::with_folder(library, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
-    let simulator = &BuiltinSimulator::new(library);
-    let recipe = draft.resolve(simulator)?;
+    match draft.simulator.as_deref().unwrap_or(BUILTIN) {
+        BUILTIN => run_with(&BuiltinSimulator::new(library), draft, &args),
+        other => Err(RecipeError::UnknownSimulator { given: other.to_owned(), known: vec![BUILTIN] }.into()),
+    }
+}
+
+fn run_with<S: Simulator + MapSource>(simulator: &S, draft: RecipeDraft, args: &GenerateArgs) -> Result<ExitCode> {
+    let recipe = resolve_recipe(draft, simulator)?;
     let options = GenerateOptions {
         build: this_build(),
         allow_other_build: args.allow_other_build,

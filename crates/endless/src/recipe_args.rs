@@ -4,7 +4,7 @@ use clap::{
     Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches,
     error::{Error, ErrorKind},
 };
-use endless_pipeline::{OptionKind, RecipeDraft, RecipeOption};
+use endless_dataset::{OptionKind, RecipeDraft, RecipeOption};
 use std::path::PathBuf;
 
 /// What decides the dataset, as far as flags say it.
@@ -21,7 +21,7 @@ fn value_name(kind: OptionKind) -> &'static str {
         OptionKind::Whole { .. } => "N",
         OptionKind::Number { .. } => "X",
         OptionKind::Size { .. } => "WxH",
-        OptionKind::Word(_) => "WORD",
+        OptionKind::Word(_) | OptionKind::Text => "WORD",
         OptionKind::Words(_) | OptionKind::WordsOrNone(_) | OptionKind::Maps => "LIST",
         OptionKind::Cameras => "FILE",
         OptionKind::Folder => "DIR",

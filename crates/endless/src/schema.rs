@@ -5,6 +5,6 @@ use std::{io::Write, process::ExitCode};
 
 pub(crate) fn run() -> Result<ExitCode> {
     let mut out = std::io::stdout().lock();
-    writeln!(out, "{:#}", endless_pipeline::recipe_schema())?;
+    writeln!(out, "{:#}", endless_dataset::recipe_schema())?;
     Ok(ExitCode::SUCCESS)
 }

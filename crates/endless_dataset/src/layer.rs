@@ -67,14 +67,7 @@ const RGB: LayerEntry = LayerEntry {
     encode: |frame| Cow::Borrowed(&frame.rgb),
     preview: |stored| Ok(Cow::Borrowed(stored)),
     check: |_any| Ok(()),
-    // Noise does not compress: a little of it adds a bit or three a value, much of it all there is.
-    bytes_a_pixel: |format, look| match (format, look) {
-        (RgbFormat::Png, CameraLookChoice::Natural) => 2.1,
-        (RgbFormat::Png, CameraLookChoice::Clean) => 1.2,
-        (RgbFormat::Png, _) => 3.01,
-        (RgbFormat::Jpg, CameraLookChoice::Clean) => 0.35,
-        (RgbFormat::Jpg, _) => 0.9,
-    },
+    bytes_a_pixel: |format, look| (format.entry().rgb_bytes_a_pixel)(look),
 };
 
 const DEPTH: LayerEntry = LayerEntry {

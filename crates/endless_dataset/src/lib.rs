@@ -59,8 +59,10 @@ pub use manifest::{Manifest, VideoEntry, VideoState};
 pub use mp4::{Mp4Info, Mp4Writer, read_mp4};
 pub use objects::{ObjectsWriter, read_objects};
 pub use preview::{depth_preview, instance_preview};
-pub use raster::{decode_jpg, decode_png, encode_jpg, encode_png, read_rgb};
-pub use recipe::Recipe;
-pub use rgb_format::RgbFormat;
+pub use raster::{encode_jpg, encode_png, read_rgb};
+pub use recipe::{
+    OptionDefault, OptionError, OptionKind, Recipe, RecipeDraft, RecipeOption, UserCamera, Vocabulary, recipe_schema,
+};
+pub use rgb_format::{RgbFormat, RgbFormatEntry};
 pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable};
 pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

@@ -46,7 +46,7 @@ pub fn encode_jpg(image: &Image<[u8; 3]>) -> Result<Vec<u8>, String> {
 ///
 /// # Errors
 /// What is wrong with it.
-pub fn decode_png(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
+pub(crate) fn decode_png(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().map_err(|e| e.to_string())?;
     let info = reader.info();
     if (info.color_type, info.bit_depth) != (png::ColorType::Rgb, png::BitDepth::Eight) {
@@ -64,7 +64,7 @@ pub fn decode_png(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
 ///
 /// # Errors
 /// What is wrong with it.
-pub fn decode_jpg(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
+pub(crate) fn decode_jpg(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
     let options = zune_core::options::DecoderOptions::default()
         .set_strict_mode(true)
         .set_max_width(1 << 14)
@@ -84,11 +84,8 @@ pub fn decode_jpg(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
 /// When it cannot be read or decoded.
 pub fn read_rgb(path: &Path, format: RgbFormat) -> Result<Image<[u8; 3]>, DatasetError> {
     let bytes = fs::read(path).map_err(|e| DatasetError::io("cannot read", path, e))?;
-    let decoded = match format {
-        RgbFormat::Png => decode_png(&bytes),
-        RgbFormat::Jpg => decode_jpg(&bytes),
-    };
-    decoded.map_err(|reason| DatasetError::malformed(path, format!("does not decode ({reason})")))
+    (format.entry().decode)(&bytes)
+        .map_err(|reason| DatasetError::malformed(path, format!("does not decode ({reason})")))
 }
 
 #[cfg(test)]

@@ -1,6 +1,11 @@
-//! The file formats of images.
+//! The file formats of images: one entry each.
 
-use crate::words::words;
+use crate::{
+    StoredImage,
+    raster::{decode_jpg, decode_png, encode_jpg, encode_png},
+    words::words,
+};
+use endless_world::CameraLookChoice;
 
 words! {
     /// How the RGB layer is stored. The others are always PNG: they must be exact.
@@ -10,3 +15,49 @@ words! {
     /// A quarter of the size, lossy.
     Jpg = "jpg",
 }
+
+/// All that is to be known of a file format.
+#[derive(Debug, Clone, Copy)]
+pub struct RgbFormatEntry {
+    /// Whether what is read is what was written.
+    pub exact: bool,
+    /// The bytes of a file, or why the image cannot be stored so.
+    pub encode: fn(&StoredImage) -> Result<Vec<u8>, String>,
+    /// The image of a file, or what is wrong with its bytes.
+    pub decode: fn(&[u8]) -> Result<StoredImage, String>,
+    /// Bytes a pixel of the RGB layer, a tenth above the dearest scene measured.
+    pub rgb_bytes_a_pixel: fn(CameraLookChoice) -> f64,
+}
+
+impl RgbFormat {
+    /// The format's entry.
+    pub const fn entry(self) -> &'static RgbFormatEntry {
+        match self {
+            Self::Png => &PNG,
+            Self::Jpg => &JPG,
+        }
+    }
+}
+
+// Noise does not compress: a little of it adds a bit or three a value, much of it all there is.
+
+const PNG: RgbFormatEntry = RgbFormatEntry {
+    exact: true,
+    encode: |image| Ok(encode_png(image)),
+    decode: decode_png,
+    rgb_bytes_a_pixel: |look| match look {
+        CameraLookChoice::Natural => 2.1,
+        CameraLookChoice::Clean => 1.2,
+        _ => 3.01,
+    },
+};
+
+const JPG: RgbFormatEntry = RgbFormatEntry {
+    exact: false,
+    encode: encode_jpg,
+    decode: decode_jpg,
+    rgb_bytes_a_pixel: |look| match look {
+        CameraLookChoice::Clean => 0.35,
+        _ => 0.9,
+    },
+};

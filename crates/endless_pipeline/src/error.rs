@@ -2,16 +2,15 @@
 
 use crate::{DiskEstimate, SimulatorError};
 use endless_annotate::AnnotateError;
-use endless_dataset::{BuildIdentity, DatasetError};
-use endless_world::UnknownName;
+use endless_dataset::{BuildIdentity, DatasetError, OptionError};
 use std::path::PathBuf;
 
 /// A recipe that cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum RecipeError {
-    /// A word that is not in the list.
+    /// A value that an option cannot have.
     #[error(transparent)]
-    Unknown(#[from] UnknownName),
+    Option(#[from] OptionError),
     /// A map that there is not.
     #[error("unknown map '{given}': use one of {}", known.join(", "))]
     UnknownMap {
@@ -23,37 +22,19 @@ pub enum RecipeError {
     /// A map that cannot be read.
     #[error(transparent)]
     Map(#[from] SimulatorError),
-    /// A number outside its range.
-    #[error("{} cannot be {given}: {rule}", field.replace('_', "-"))]
-    OutOfRange {
-        /// The option's key.
-        field: &'static str,
-        /// What was given.
-        given: String,
-        /// What can be given.
-        rule: String,
-    },
-    /// A list without entries.
-    #[error("{field} is empty: name at least one of {}", known.join(", "))]
-    EmptyList {
-        /// The option's name.
-        field: &'static str,
-        /// What can be named.
-        known: Vec<String>,
-    },
     /// A video of a layer that is not recorded.
     #[error("mp4 names the layer {layer}, which is not recorded: add it to layers or leave it out of mp4")]
     VideoWithoutLayer {
         /// The layer.
         layer: endless_dataset::Layer,
     },
-    /// A simulator that this version does not have.
-    #[error(
-        "simulator '{given}': this version has only the built-in simulator, leave out --simulator or write builtin"
-    )]
-    Simulator {
+    /// A simulator that there is not.
+    #[error("unknown simulator '{given}': leave out --simulator, or use one of {}", known.join(", "))]
+    UnknownSimulator {
         /// What was given.
         given: String,
+        /// The simulators there are.
+        known: Vec<&'static str>,
     },
     /// A recipe file that cannot be read.
     #[error("cannot read the recipe: {cause}: {}", path.display())]

@@ -7,7 +7,8 @@
 //! city that comes with the program.
 //!
 //! ```
-//! use endless_pipeline::{MapCatalog, MapSource, Plan, RecipeDraft, SimulatorError};
+//! use endless_dataset::RecipeDraft;
+//! use endless_pipeline::{MapCatalog, MapSource, Plan, SimulatorError, resolve_recipe};
 //! use endless_world::{CameraSite, Mount};
 //!
 //! /// One map with four cameras.
@@ -34,7 +35,7 @@
 //! }
 //!
 //! let draft = RecipeDraft { videos: Some(5), cameras_per_scene: Some(3), ..RecipeDraft::default() };
-//! let recipe = draft.resolve(&Square)?;
+//! let recipe = resolve_recipe(draft, &Square)?;
 //! let plan = Plan::new(&recipe, &Square)?;
 //! assert_eq!(plan.scenes.len(), 5);
 //! assert!(plan.scenes.iter().all(|scene| scene.map == "Square" && scene.cameras.len() == 3));
@@ -62,11 +63,11 @@ pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{GenerateOptions, Generated, generate};
 pub use plan::Plan;
 pub use progress::{Progress, ProgressEvent, SilentProgress};
-pub use recipe::{OptionDefault, OptionKind, RecipeDraft, RecipeOption, Vocabulary, recipe_schema};
+pub use recipe::{read_recipe, resolve_recipe};
 pub use record::StageTimes;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep,
     Simulator,
 };
 pub use simulator_error::SimulatorError;
-pub use user_camera::{UserCamera, read_cameras};
+pub use user_camera::read_cameras;

@@ -73,7 +73,8 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{RecipeDraft, test_catalog::ThreeTowns};
+    use crate::{resolve_recipe, test_catalog::ThreeTowns};
+    use endless_dataset::RecipeDraft;
     use endless_world::{TimeOfDay, Weather};
     use proptest::prelude::*;
     use std::collections::BTreeMap;
@@ -89,7 +90,7 @@ mod tests {
             times: take(TimeOfDay::ALL.iter().map(|t| t.name()).collect(), times),
             ..Default::default()
         };
-        draft.resolve(&ThreeTowns).expect("valid")
+        resolve_recipe(draft, &ThreeTowns).expect("valid")
     }
 
     fn key(s: &SceneSettings) -> String {

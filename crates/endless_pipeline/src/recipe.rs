@@ -1,82 +1,69 @@
 //! From what the user wrote to the resolved recipe.
 
-mod draft;
-mod option;
-mod schema;
-
-pub use draft::RecipeDraft;
-pub use option::{OptionDefault, OptionKind, RecipeOption, Vocabulary};
-pub use schema::recipe_schema;
-
 use crate::{MapSource, RecipeError, text_position::line_and_column, user_camera};
-use endless_dataset::{Layer, Recipe};
+use endless_dataset::{Layer, OptionError, Recipe, RecipeDraft};
 use serde_json::json;
 use std::{collections::BTreeMap, fs, path::Path};
 
 /// File names have six digits.
 const MAX_FRAMES: f64 = 999_999.0;
 
-impl RecipeDraft {
-    /// Reads a TOML recipe.
-    ///
-    /// # Errors
-    /// When it cannot be read or is not a recipe.
-    pub fn read(path: &Path) -> Result<Self, RecipeError> {
-        let text =
-            fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
-        let mut draft: Self = toml::from_str(&text).map_err(|e: toml::de::Error| {
-            let (line, column) = line_and_column(&text, e.span().map_or(0, |s| s.start));
-            RecipeError::Malformed {
-                path: path.to_owned(),
-                line,
-                column,
-                message: e.message().lines().collect::<Vec<_>>().join(", "),
-            }
-        })?;
-        if let (Some(assets), Some(folder)) = (&mut draft.assets, path.parent()) {
-            *assets = folder.join(&*assets);
+/// Reads a TOML recipe.
+///
+/// # Errors
+/// When it cannot be read or is not a recipe.
+pub fn read_recipe(path: &Path) -> Result<RecipeDraft, RecipeError> {
+    let text = fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
+    let mut draft: RecipeDraft = toml::from_str(&text).map_err(|e: toml::de::Error| {
+        let (line, column) = line_and_column(&text, e.span().map_or(0, |s| s.start));
+        RecipeError::Malformed {
+            path: path.to_owned(),
+            line,
+            column,
+            message: e.message().lines().collect::<Vec<_>>().join(", "),
         }
-        Ok(draft)
+    })?;
+    if let (Some(assets), Some(folder)) = (&mut draft.assets, path.parent()) {
+        *assets = folder.join(&*assets);
     }
+    Ok(draft)
+}
 
-    /// Completes with the defaults and validates. Models come from the catalogue, which has read their folder.
-    ///
-    /// # Errors
-    /// The first thing that cannot be.
-    pub fn resolve(self, source: &dyn MapSource) -> Result<Recipe, RecipeError> {
-        if let Some(given) = self.simulator.as_ref().filter(|given| *given != "builtin") {
-            return Err(RecipeError::Simulator { given: given.clone() });
+/// Completes a draft with the defaults and validates it. Models come from the catalogue, which has read their folder.
+///
+/// # Errors
+/// The first thing that cannot be.
+pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Recipe, RecipeError> {
+    let mut draft = draft.or(RecipeDraft::defaults());
+    draft.check()?;
+    let maps = maps(draft.maps.take(), source)?;
+    let mut map_files = BTreeMap::new();
+    for map in &maps {
+        if let Some(hash) = source.content_hash(map)? {
+            map_files.insert(map.clone(), hash);
         }
-        let mut draft = self.or(Self::defaults());
-        draft.check()?;
-        let maps = maps(draft.maps.take(), source)?;
-        let mut map_files = BTreeMap::new();
-        for map in &maps {
-            if let Some(hash) = source.content_hash(map)? {
-                map_files.insert(map.clone(), hash);
-            }
-        }
-        let cameras = user_camera::resolve(&draft.cameras.take().unwrap_or_default(), &maps, source)?;
-        draft.mp4 = Some(mp4(draft.mp4, draft.layers.as_deref().unwrap_or_default())?);
-        // The content of the models counts, not where they lie.
-        draft.assets = None;
-        // Most options are the recipe's fields of their names; those that depend on something else are put in here.
-        let mut fields = serde_json::to_value(&draft).expect("numbers and words");
-        fields["maps"] = json!(maps);
-        fields["map_files"] = json!(map_files);
-        fields["asset_files"] = json!(source.asset_files());
-        fields["cameras"] = json!(cameras);
-        let recipe: Recipe = serde_json::from_value(fields).expect("every field has a default or was put in");
-        let frames = (recipe.fps * recipe.duration).round();
-        if !(1.0..=MAX_FRAMES).contains(&frames) {
-            return Err(RecipeError::OutOfRange {
-                field: "duration",
-                given: recipe.duration.to_string(),
-                rule: format!("at {} fps this is {frames} frames, a video has 1 to {MAX_FRAMES}", recipe.fps),
-            });
-        }
-        Ok(recipe)
     }
+    let cameras = user_camera::resolve(&draft.cameras.take().unwrap_or_default(), &maps, source)?;
+    draft.mp4 = Some(mp4(draft.mp4, draft.layers.as_deref().unwrap_or_default())?);
+    // The content of the models counts, not where they lie.
+    draft.assets = None;
+    // Most options are the recipe's fields of their names; those that depend on something else are put in here.
+    let mut fields = serde_json::to_value(&draft).expect("numbers and words");
+    fields["maps"] = json!(maps);
+    fields["map_files"] = json!(map_files);
+    fields["asset_files"] = json!(source.asset_files());
+    fields["cameras"] = json!(cameras);
+    let recipe: Recipe = serde_json::from_value(fields).expect("every field has a default or was put in");
+    let frames = (recipe.fps * recipe.duration).round();
+    if !(1.0..=MAX_FRAMES).contains(&frames) {
+        return Err(OptionError::OutOfRange {
+            field: "duration",
+            given: recipe.duration.to_string(),
+            rule: format!("at {} fps this is {frames} frames, a video has 1 to {MAX_FRAMES}", recipe.fps),
+        }
+        .into());
+    }
+    Ok(recipe)
 }
 
 /// CARLA's layered maps (`Town01_Opt`) are the same towns.
@@ -84,7 +71,7 @@ fn maps(given: Option<Vec<String>>, source: &dyn MapSource) -> Result<Vec<String
     let Some(given) = given else { return Ok(source.maps()) };
     let known: Vec<String> = source.maps().into_iter().chain(source.imported()).collect();
     if given.is_empty() {
-        return Err(RecipeError::EmptyList { field: "maps", known });
+        return Err(OptionError::EmptyList { field: "maps", known }.into());
     }
     let mut chosen = Vec::new();
     for word in &given {
@@ -105,7 +92,10 @@ fn mp4(given: Option<Vec<String>>, layers: &[String]) -> Result<Vec<String>, Rec
         return Ok(layers.iter().filter(|layer| *layer == Layer::Rgb.name()).cloned().collect());
     };
     match given.iter().find(|layer| !layers.contains(layer)) {
-        Some(layer) => Err(RecipeError::VideoWithoutLayer { layer: layer.parse()? }),
+        Some(layer) => {
+            let layer = layer.parse().map_err(OptionError::from)?;
+            Err(RecipeError::VideoWithoutLayer { layer })
+        }
         None => Ok(given),
     }
 }
@@ -119,7 +109,7 @@ mod tests {
 
     #[test]
     fn defaults_are_the_contract_s() {
-        let recipe = RecipeDraft::default().resolve(&ThreeTowns).expect("defaults are valid");
+        let recipe = resolve_recipe(RecipeDraft::default(), &ThreeTowns).expect("defaults are valid");
         assert_eq!((recipe.videos, recipe.cameras_per_scene, recipe.vehicles, recipe.pedestrians), (2, 2, 30, 20));
         assert_eq!((recipe.size.to_string().as_str(), recipe.fps, recipe.duration), ("1280x720", 30.0, 5.0));
         assert_eq!((recipe.frames(), recipe.seed, recipe.min_pixels), (150, 0, 50));
@@ -136,7 +126,7 @@ mod tests {
             layers: words(&["instance", "rgb", "rgb"]),
             ..Default::default()
         };
-        let recipe = draft.resolve(&ThreeTowns).expect("valid");
+        let recipe = resolve_recipe(draft, &ThreeTowns).expect("valid");
         assert_eq!(recipe.maps, ["Town01", "Town03"]);
         assert_eq!(recipe.layers, [Layer::Rgb, Layer::Instance]);
     }
@@ -146,12 +136,12 @@ mod tests {
         let folder = tempfile::tempdir().expect("temp");
         let path = folder.path().join("recipe.toml");
         fs::write(&path, "videos = 7\nfps = 10\nsize = \"64x48\"\nweathers = [\"rainy\"]\n").expect("writable");
-        let file = RecipeDraft::read(&path).expect("a recipe");
+        let file = read_recipe(&path).expect("a recipe");
         let flags = RecipeDraft { videos: Some(3), ..Default::default() };
-        let recipe = flags.or(file).resolve(&ThreeTowns).expect("valid");
+        let recipe = resolve_recipe(flags.or(file), &ThreeTowns).expect("valid");
         assert_eq!((recipe.videos, recipe.fps, recipe.weathers.as_slice()), (3, 10.0, &[Weather::Rainy][..]));
         fs::write(&path, "videos = 7\nvideoes = 8\n").expect("writable");
-        let error = RecipeDraft::read(&path).expect_err("a misspelt key").to_string();
+        let error = read_recipe(&path).expect_err("a misspelt key").to_string();
         assert!(error.contains("recipe.toml:2:1: unknown field `videoes`"), "{error}");
         assert_eq!(error.lines().count(), 1);
     }
@@ -159,8 +149,8 @@ mod tests {
     #[test]
     fn a_frame_count_is_rounded() {
         let draft = RecipeDraft { fps: Some(29.97), duration: Some(2.0), ..Default::default() };
-        assert_eq!(draft.resolve(&ThreeTowns).expect("valid").frames(), 60);
+        assert_eq!(resolve_recipe(draft, &ThreeTowns).expect("valid").frames(), 60);
         let none = RecipeDraft { fps: Some(1.0), duration: Some(0.1), ..Default::default() };
-        assert!(none.resolve(&ThreeTowns).is_err());
+        assert!(resolve_recipe(none, &ThreeTowns).is_err());
     }
 }

@@ -1,34 +1,12 @@
 //! User cameras, which film in place of a map's own: a list in a recipe, or in a file of its own, TOML or JSON.
 
 use crate::{MapSource, RecipeError, text_position::line_and_column};
+use endless_dataset::{OptionError, UserCamera};
 use endless_world::{CameraSite, Mount};
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-
-/// A camera as users write it: metres, degrees.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct UserCamera {
-    /// The map in which it hangs.
-    pub map: String,
-    /// Unique in the map.
-    pub name: String,
-    /// East, north and up, metres, as in `endless maps list --cameras`.
-    pub position: [f64; 3],
-    /// Counter-clockwise from east, degrees.
-    pub yaw: f64,
-    /// Below the horizon, degrees.
-    pub down: f64,
-    /// Horizontal field of view, degrees.
-    #[serde(default = "usual_fov")]
-    pub fov: f64,
-}
-
-fn usual_fov() -> f64 {
-    70.0
-}
 
 /// A file: `[[cameras]]` of TOML, `{"cameras": [...]}` of JSON.
 #[derive(Debug, Deserialize)]
@@ -106,11 +84,11 @@ pub(crate) fn resolve(
 }
 
 fn wrong(camera: &UserCamera, what: &str, given: &str, rule: &str) -> RecipeError {
-    RecipeError::OutOfRange {
+    RecipeError::Option(OptionError::OutOfRange {
         field: "cameras",
         given: format!("{what} = {given} ({} in {})", camera.name, camera.map),
         rule: rule.to_owned(),
-    }
+    })
 }
 
 fn site(camera: &UserCamera) -> Result<CameraSite, RecipeError> {
@@ -141,7 +119,8 @@ fn site(camera: &UserCamera) -> Result<CameraSite, RecipeError> {
 mod tests {
     use super::*;
     use crate::test_catalog::ThreeTowns;
-    use crate::{Plan, RecipeDraft};
+    use crate::{Plan, resolve_recipe};
+    use endless_dataset::RecipeDraft;
     use proptest::prelude::*;
 
     const TOML: &str = "[[cameras]]\nmap = \"Town01\"\nname = \"gate\"\nposition = [1.0, -2.5, 6]\nyaw = 90\ndown = 20\n\n\
@@ -155,7 +134,7 @@ mod tests {
         let cameras = from_toml(TOML).expect("a list");
         assert_eq!(cameras, from_json(JSON).expect("a list"));
         let draft = RecipeDraft { cameras: Some(cameras), maps: Some(vec!["Town01".into()]), ..Default::default() };
-        let recipe = draft.resolve(&ThreeTowns).expect("valid");
+        let recipe = resolve_recipe(draft, &ThreeTowns).expect("valid");
         let plan = Plan::new(&recipe, &ThreeTowns).expect("plannable");
         for scene in &plan.scenes {
             assert_eq!(scene.cameras.iter().map(|c| c.site.name.as_str()).collect::<Vec<_>>(), ["gate", "corner"]);

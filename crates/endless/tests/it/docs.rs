@@ -2,8 +2,7 @@
 //! `UPDATE_DOCS=1 cargo test -p endless --test it docs` writes them.
 
 use crate::program::succeed;
-use endless_dataset::{Layer, RgbFormat};
-use endless_pipeline::RecipeDraft;
+use endless_dataset::{Layer, RecipeDraft, RgbFormat};
 use std::{env, fs, path::PathBuf};
 
 fn document(name: &str) -> PathBuf {
@@ -36,8 +35,9 @@ fn assert_readme(mark: &str, expected: &str) {
 #[test]
 fn the_readme_lists_all_layers() {
     let rows = Layer::ALL.iter().map(|layer| {
-        let formats: Vec<&str> = RgbFormat::ALL.iter().map(|format| layer.format(*format).name()).collect();
-        let extensions = if formats[0] == formats[1] { formats[0].to_owned() } else { formats.join("\\|") };
+        let mut formats: Vec<&str> = RgbFormat::ALL.iter().map(|format| layer.format(*format).name()).collect();
+        formats.dedup();
+        let extensions = formats.join("\\|");
         format!("| `{layer}` | `{layer}/000123.{extensions}` | {} |\n", layer.entry().summary)
     });
     assert_readme("layers", &format!("| layer | file | |\n|---|---|---|\n{}", rows.collect::<String>()));

@@ -1,8 +1,7 @@
 //! The layers of one camera's frame: written, or read back where they are stored already.
 
 use endless_dataset::{
-    CameraLayout, DatasetError, Layer, Recipe, RgbFormat, StoredImage, decode_jpg, encode_jpg, encode_png,
-    instance_from_rgb, read_rgb, write_atomic,
+    CameraLayout, DatasetError, Layer, Recipe, StoredImage, instance_from_rgb, read_rgb, write_atomic,
 };
 use endless_world::{Image, InstancePixel, SensorFrame};
 use std::borrow::Cow;
@@ -21,7 +20,7 @@ pub(super) struct StoredLayers {
 pub(super) fn can_be_taken_over(recipe: &Recipe) -> bool {
     [Layer::Depth, Layer::Instance]
         .iter()
-        .all(|layer| recipe.layers.contains(layer) && layer.format(recipe.rgb_format) == RgbFormat::Png)
+        .all(|layer| recipe.layers.contains(layer) && layer.format(recipe.rgb_format).entry().exact)
 }
 
 impl StoredLayers {
@@ -59,17 +58,13 @@ pub(super) fn write<'f>(
     for &layer in &recipe.layers {
         let path = files.frame(layer, frame.frame, recipe);
         let mut image = (layer.entry().encode)(frame);
-        match layer.format(recipe.rgb_format) {
-            RgbFormat::Png => write_atomic(&path, &encode_png(&image))?,
-            RgbFormat::Jpg => {
-                let malformed = |reason: String| DatasetError::malformed(&path, reason);
-                let bytes = encode_jpg(&image).map_err(malformed)?;
-                write_atomic(&path, &bytes)?;
-                // The video is made of the frames as they lie on disk, so that a resumed one is the same.
-                if recipe.mp4.contains(&layer) {
-                    image = Cow::Owned(decode_jpg(&bytes).map_err(malformed)?);
-                }
-            }
+        let format = layer.format(recipe.rgb_format).entry();
+        let malformed = |reason: String| DatasetError::malformed(&path, reason);
+        let bytes = (format.encode)(&image).map_err(malformed)?;
+        write_atomic(&path, &bytes)?;
+        // The video is made of the frames as they lie on disk, so that a resumed one is the same.
+        if !format.exact && recipe.mp4.contains(&layer) {
+            image = Cow::Owned((format.decode)(&bytes).map_err(malformed)?);
         }
         images.push((layer, image));
     }

@@ -1,10 +1,8 @@
 //! A dataset is gone on with by the build that began it, or by another on request, and says who was at work.
 
 use crate::fake::{Fake, build, contents, draft, make, options, recipe};
-use endless_dataset::{BuildIdentity, DatasetError, DatasetLayout, Manifest, check};
-use endless_pipeline::{
-    GenerateError, GenerateOptions, Progress, ProgressEvent, RecipeDraft, SilentProgress, generate,
-};
+use endless_dataset::{BuildIdentity, DatasetError, DatasetLayout, Manifest, RecipeDraft, check};
+use endless_pipeline::{GenerateError, GenerateOptions, Progress, ProgressEvent, SilentProgress, generate};
 use std::{fs, path::Path};
 
 fn manifest(out: &Path) -> Manifest {

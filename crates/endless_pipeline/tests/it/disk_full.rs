@@ -3,8 +3,8 @@
 //! Needs the right to mount a small file system; skipped with a message where there is none.
 
 use crate::fake::{Fake, assert_same, contents, draft, make, options, recipe};
-use endless_dataset::Recipe;
-use endless_pipeline::{GenerateError, Progress, ProgressEvent, RecipeDraft, generate};
+use endless_dataset::{Recipe, RecipeDraft};
+use endless_pipeline::{GenerateError, Progress, ProgressEvent, generate};
 use std::{
     fs::{self, File},
     io::{ErrorKind, Write},

@@ -3,9 +3,9 @@
 //! a line in the changelog.
 
 use crate::fake::options;
-use endless_dataset::{CameraLayout, DatasetLayout, Layer};
+use endless_dataset::{CameraLayout, DatasetLayout, Layer, RecipeDraft};
 use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, RecipeDraft, SilentProgress, generate};
+use endless_pipeline::{BuiltinSimulator, SilentProgress, generate, resolve_recipe};
 use std::{fmt::Write, fs, path::Path};
 
 /// Map, weather, time of day: each weather once, each time of day, five towns.
@@ -65,7 +65,7 @@ fn golden_digests_of_every_layer_and_label_file() {
     let simulator = BuiltinSimulator::new(MapLibrary::builtin());
     for scene in SCENES {
         let out = tempfile::tempdir().expect("temp");
-        let recipe = draft(scene).resolve(&simulator).expect("a recipe");
+        let recipe = resolve_recipe(draft(scene), &simulator).expect("a recipe");
         let generated = generate(&simulator, &recipe, out.path(), &options(2), &SilentProgress).expect("a dataset");
         let layout = DatasetLayout::new(out.path());
         let video = layout.video(&generated.plan.scenes[0]);

@@ -1,7 +1,7 @@
 //! Killed at random instants and resumed each time: ends byte-identical to a run that was not killed.
 
 use crate::fake::{Fake, assert_same, draft, make, recipe};
-use endless_pipeline::RecipeDraft;
+use endless_dataset::RecipeDraft;
 use endless_world::Stream;
 use std::{
     env,

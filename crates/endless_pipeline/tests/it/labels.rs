@@ -2,8 +2,8 @@
 
 use crate::fake::{Fake, draft, first_video, make, recipe};
 use endless_annotate::Visibility;
+use endless_dataset::RecipeDraft;
 use endless_dataset::{Layer, read_objects};
-use endless_pipeline::RecipeDraft;
 use std::fs;
 
 #[test]

@@ -1,8 +1,8 @@
 //! From recipe to files, with the fake simulator.
 
 use crate::fake::{Fake, assert_same, contents, draft, first_video, make, options, recipe};
-use endless_dataset::{Layer, check};
-use endless_pipeline::{GenerateError, GenerateOptions, RecipeDraft, SilentProgress, generate};
+use endless_dataset::{Layer, RecipeDraft, check};
+use endless_pipeline::{GenerateError, GenerateOptions, SilentProgress, generate};
 use std::{fs, sync::atomic::Ordering};
 
 fn all_layers() -> RecipeDraft {

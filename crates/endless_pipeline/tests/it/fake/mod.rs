@@ -5,10 +5,11 @@ mod live;
 pub(crate) use live::{Fault, LiveFake};
 
 use endless_annotate::SceneObjects;
-use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, SpawnCounts};
+
+use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, RecipeDraft, SpawnCounts};
 use endless_pipeline::{
-    Capabilities, GenerateOptions, Generated, MapCatalog, MapSource, RecipeDraft, RenderTask, SceneTruth,
-    SilentProgress, SimulationSession, SimulationStep, Simulator, SimulatorError, generate,
+    Capabilities, GenerateOptions, Generated, MapCatalog, MapSource, RenderTask, SceneTruth, SilentProgress,
+    SimulationSession, SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
 };
 use endless_world::{
     Actor, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINT_COUNT, Motion, Mount,
@@ -237,7 +238,7 @@ pub(crate) fn draft() -> RecipeDraft {
 }
 
 pub(crate) fn recipe(draft: RecipeDraft) -> Recipe {
-    draft.resolve(&Fake::default()).expect("valid")
+    resolve_recipe(draft, &Fake::default()).expect("valid")
 }
 
 pub(crate) fn make<S: Simulator>(fake: &S, recipe: &Recipe, out: &Path, threads: usize) -> Generated {

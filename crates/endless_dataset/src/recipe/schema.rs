@@ -1,8 +1,8 @@
 //! The JSON schema of recipes, from the declaration of their options.
 
 use super::{
-    draft::RecipeDraft,
     option::{OptionDefault, OptionKind, RecipeOption},
+    options::RecipeDraft,
 };
 use serde_json::{Value, json};
 
@@ -59,7 +59,7 @@ fn kind_schema(option: &RecipeOption) -> Value {
                 "fov": {"type": "number", "minimum": 5, "maximum": 150, "default": 70},
             },
         }}),
-        OptionKind::Folder => json!({"type": "string"}),
+        OptionKind::Folder | OptionKind::Text => json!({"type": "string"}),
         OptionKind::Switch => json!({"type": "boolean"}),
     }
 }

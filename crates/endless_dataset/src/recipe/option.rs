@@ -1,10 +1,36 @@
 //! What an option of a recipe is: all that flags, files, help, schema and checks need to know of it.
 
-use crate::RecipeError;
+use super::user_camera::UserCamera;
 use endless_world::{ImageSize, UnknownName};
 use std::{path::PathBuf, str::FromStr};
 
-/// One option of a recipe, declared in `draft.rs` and nowhere else.
+/// A value that an option cannot have.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum OptionError {
+    /// A word that is not in the list.
+    #[error(transparent)]
+    Unknown(#[from] UnknownName),
+    /// A number outside its range.
+    #[error("{} cannot be {given}: {rule}", field.replace('_', "-"))]
+    OutOfRange {
+        /// The option's key.
+        field: &'static str,
+        /// What was given.
+        given: String,
+        /// What can be given.
+        rule: String,
+    },
+    /// A list without entries.
+    #[error("{field} is empty: name at least one of {}", known.join(", "))]
+    EmptyList {
+        /// The option's key.
+        field: &'static str,
+        /// What can be named.
+        known: Vec<String>,
+    },
+}
+
+/// One option of a recipe, declared in `options.rs` and nowhere else.
 #[derive(Debug, Clone, Copy)]
 pub struct RecipeOption {
     /// Its key in a TOML file.
@@ -51,6 +77,8 @@ pub enum OptionKind {
     Cameras,
     /// A folder.
     Folder,
+    /// Any word: who uses it knows which there are.
+    Text,
     /// Given or not.
     Switch,
 }
@@ -112,11 +140,11 @@ impl RecipeOption {
         format!("{}: {}.", self.help.trim_end_matches('.'), words.join(", "))
     }
 
-    fn out_of_range(&self, given: &impl ToString, rule: String) -> RecipeError {
-        RecipeError::OutOfRange { field: self.key, given: given.to_string(), rule }
+    fn out_of_range(&self, given: &impl ToString, rule: String) -> OptionError {
+        OptionError::OutOfRange { field: self.key, given: given.to_string(), rule }
     }
 
-    fn check_whole(&self, given: i128) -> Result<(), RecipeError> {
+    fn check_whole(&self, given: i128) -> Result<(), OptionError> {
         match self.kind {
             OptionKind::Whole { least, most } if !(i128::from(least)..=i128::from(most)).contains(&given) => {
                 Err(self.out_of_range(&given, format!("write a whole number from {least} to {most}")))
@@ -132,7 +160,7 @@ pub(super) trait OptionValue: Sized {
     fn from_flag(text: &str) -> Result<Self, String>;
 
     /// Whether the option can be this, and its canonical form.
-    fn check(&mut self, option: &RecipeOption) -> Result<(), RecipeError>;
+    fn check(&mut self, option: &RecipeOption) -> Result<(), OptionError>;
 }
 
 impl OptionValue for i64 {
@@ -140,7 +168,7 @@ impl OptionValue for i64 {
         text.parse().map_err(|e: std::num::ParseIntError| e.to_string())
     }
 
-    fn check(&mut self, option: &RecipeOption) -> Result<(), RecipeError> {
+    fn check(&mut self, option: &RecipeOption) -> Result<(), OptionError> {
         option.check_whole((*self).into())
     }
 }
@@ -150,7 +178,7 @@ impl OptionValue for u64 {
         text.parse().map_err(|e: std::num::ParseIntError| e.to_string())
     }
 
-    fn check(&mut self, option: &RecipeOption) -> Result<(), RecipeError> {
+    fn check(&mut self, option: &RecipeOption) -> Result<(), OptionError> {
         option.check_whole((*self).into())
     }
 }
@@ -160,7 +188,7 @@ impl OptionValue for f64 {
         text.parse().map_err(|e: std::num::ParseFloatError| e.to_string())
     }
 
-    fn check(&mut self, option: &RecipeOption) -> Result<(), RecipeError> {
+    fn check(&mut self, option: &RecipeOption) -> Result<(), OptionError> {
         match option.kind {
             // NaN is in no range.
             OptionKind::Number { least, most } if !(least..=most).contains(self) => {
@@ -176,7 +204,7 @@ impl OptionValue for String {
         Ok(text.to_owned())
     }
 
-    fn check(&mut self, option: &RecipeOption) -> Result<(), RecipeError> {
+    fn check(&mut self, option: &RecipeOption) -> Result<(), OptionError> {
         match option.kind {
             OptionKind::Size { longest } => {
                 let side = 1..=longest;
@@ -199,7 +227,7 @@ impl OptionValue for Vec<String> {
     }
 
     /// Words in the vocabulary's order, without repetition.
-    fn check(&mut self, option: &RecipeOption) -> Result<(), RecipeError> {
+    fn check(&mut self, option: &RecipeOption) -> Result<(), OptionError> {
         let vocabulary = match option.kind {
             OptionKind::WordsOrNone(_) if self.is_empty() || *self == ["none"] => {
                 self.clear();
@@ -211,7 +239,7 @@ impl OptionValue for Vec<String> {
         let words = (vocabulary.words)();
         if self.is_empty() {
             let known = words.iter().map(ToString::to_string).collect();
-            return Err(RecipeError::EmptyList { field: option.key, known });
+            return Err(OptionError::EmptyList { field: option.key, known });
         }
         let given = self.iter().map(|word| (vocabulary.parse)(word.trim())).collect::<Result<Vec<_>, _>>()?;
         *self = words.into_iter().filter(|word| given.contains(word)).map(str::to_owned).collect();
@@ -224,7 +252,7 @@ impl OptionValue for PathBuf {
         Ok(text.into())
     }
 
-    fn check(&mut self, _option: &RecipeOption) -> Result<(), RecipeError> {
+    fn check(&mut self, _option: &RecipeOption) -> Result<(), OptionError> {
         Ok(())
     }
 }
@@ -234,18 +262,18 @@ impl OptionValue for bool {
         text.parse().map_err(|e: std::str::ParseBoolError| e.to_string())
     }
 
-    fn check(&mut self, _option: &RecipeOption) -> Result<(), RecipeError> {
+    fn check(&mut self, _option: &RecipeOption) -> Result<(), OptionError> {
         Ok(())
     }
 }
 
-impl OptionValue for Vec<crate::UserCamera> {
+impl OptionValue for Vec<UserCamera> {
     fn from_flag(_text: &str) -> Result<Self, String> {
         Err("a list of cameras is a file".into())
     }
 
     /// Cameras are checked against their maps, by their own code.
-    fn check(&mut self, _option: &RecipeOption) -> Result<(), RecipeError> {
+    fn check(&mut self, _option: &RecipeOption) -> Result<(), OptionError> {
         Ok(())
     }
 }

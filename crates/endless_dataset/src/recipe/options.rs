@@ -1,14 +1,15 @@
-//! The options of a recipe, each declared once: flag, key, default, bounds, help and schema come from here.
+//! The options of a recipe, each declared once: flag, key, default, bounds, help, schema and the recipe's field come
+//! from here.
 
 use super::option::{
     OptionDefault::{Described, Value},
-    OptionKind, OptionValue, RecipeOption, vocabulary,
+    OptionError, OptionKind, OptionValue, RecipeOption, vocabulary,
 };
-use crate::{RecipeError, UserCamera};
-use endless_dataset::{Layer, MAX_CAMERAS, RgbFormat};
-use endless_world::{CameraLookChoice, TimeOfDay, Weather};
+use super::{serde_size, user_camera::UserCamera};
+use crate::{Layer, MAX_CAMERAS, RgbFormat};
+use endless_world::{CameraLookChoice, CameraSite, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::{collections::BTreeMap, path::PathBuf};
 
 /// The longest side of an image.
 const LONGEST_SIDE: u32 = 8192;
@@ -16,13 +17,34 @@ const MAX_VIDEOS: u64 = 100_000;
 /// Ids have 16 bits.
 const MAX_ACTORS: u64 = 10_000;
 
+/// `key: type in a draft [=> type in the resolved recipe], kind, default;`
 macro_rules! recipe_options {
-    ($($(#[doc = $help:literal])+ $key:ident: $type:ty, $kind:expr, $default:expr;)+) => {
+    ($(
+        $(#[doc = $help:literal])+
+        $key:ident: $given:ty $(=> $(#[$attribute:meta])* $resolved:ty)?, $kind:expr, $default:expr;
+    )+) => {
         /// What the user wrote: any part of a recipe. The same on the command line and in a TOML file.
         #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
         #[serde(deny_unknown_fields)]
         pub struct RecipeDraft {
-            $($(#[doc = $help])+ #[serde(skip_serializing_if = "Option::is_none")] pub $key: Option<$type>,)+
+            $($(#[doc = $help])+ #[serde(skip_serializing_if = "Option::is_none")] pub $key: Option<$given>,)+
+        }
+
+        /// Everything that decides a dataset's bytes, complete and validated. Lists are in their canonical order, without
+        /// repetition.
+        #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+        pub struct Recipe {
+            $($(
+                #[doc = concat!("What [`RecipeDraft::", stringify!($key), "`] says.")]
+                $(#[$attribute])*
+                pub $key: $resolved,
+            )?)+
+            /// Hash of the content of each map among them that was imported from a file, by its name.
+            #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+            pub map_files: BTreeMap<String, String>,
+            /// Hash of the manifest and of each file of imported models, by its name.
+            #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+            pub asset_files: BTreeMap<String, String>,
         }
 
         impl RecipeDraft {
@@ -52,7 +74,10 @@ macro_rules! recipe_options {
             }
 
             /// Whether each option can be what it is given; puts lists in their canonical order.
-            pub(super) fn check(&mut self) -> Result<(), RecipeError> {
+            ///
+            /// # Errors
+            /// The first value that its option cannot have.
+            pub fn check(&mut self) -> Result<(), OptionError> {
                 let mut options = Self::OPTIONS.iter();
                 $(if let (Some(option), Some(value)) = (options.next(), &mut self.$key) { value.check(option)?; })+
                 Ok(())
@@ -63,42 +88,45 @@ macro_rules! recipe_options {
 
 recipe_options! {
     /// Videos to make. A video is one scene filmed by all its cameras.
-    videos: i64, OptionKind::Whole { least: 1, most: MAX_VIDEOS }, Value("2");
+    videos: i64 => u32, OptionKind::Whole { least: 1, most: MAX_VIDEOS }, Value("2");
     /// Moving vehicles in each scene; parked ones come on top.
-    vehicles: i64, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("30");
+    vehicles: i64 => u32, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("30");
     /// Pedestrians in each scene.
-    pedestrians: i64, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("20");
+    pedestrians: i64 => u32, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("20");
     /// Maps to choose from; see `endless maps`. Your own come from OpenDRIVE and OpenStreetMap files (docs/maps.md).
-    maps: Vec<String>, OptionKind::Maps, Described("all that come with the program");
+    maps: Vec<String> => Vec<String>, OptionKind::Maps, Described("all that come with the program");
     /// Cameras of your own in place of a map's: a list in TOML or JSON (docs/maps.md).
-    cameras: Vec<UserCamera>, OptionKind::Cameras, Described("the map's");
+    cameras: Vec<UserCamera> => #[serde(default, skip_serializing_if = "BTreeMap::is_empty")] BTreeMap<String, Vec<CameraSite>>,
+        OptionKind::Cameras, Described("the map's");
     /// Cameras that film each scene at the same instants: a pair, as in the paper, or a network of them.
-    cameras_per_scene: i64, OptionKind::Whole { least: 1, most: MAX_CAMERAS as u64 }, Value("2");
+    cameras_per_scene: i64 => #[serde(default = "pair")] u32,
+        OptionKind::Whole { least: 1, most: MAX_CAMERAS as u64 }, Value("2");
     /// Weathers to choose from.
-    weathers: Vec<String>, OptionKind::Words(vocabulary!(Weather)), Described("all");
+    weathers: Vec<String> => Vec<Weather>, OptionKind::Words(vocabulary!(Weather)), Described("all");
     /// Times of day to choose from.
-    times: Vec<String>, OptionKind::Words(vocabulary!(TimeOfDay)), Described("all");
+    times: Vec<String> => Vec<TimeOfDay>, OptionKind::Words(vocabulary!(TimeOfDay)), Described("all");
     /// Image size, width x height.
-    size: String, OptionKind::Size { longest: LONGEST_SIDE }, Value("1280x720");
+    size: String => #[serde(with = "serde_size")] ImageSize, OptionKind::Size { longest: LONGEST_SIDE }, Value("1280x720");
     /// Frames a second.
-    fps: f64, OptionKind::Number { least: 0.01, most: 1000.0 }, Value("30");
+    fps: f64 => f64, OptionKind::Number { least: 0.01, most: 1000.0 }, Value("30");
     /// Seconds of each video, which has exactly `round(fps × duration)` frames.
-    duration: f64, OptionKind::Number { least: 0.001, most: 1e7 }, Value("5");
+    duration: f64 => f64, OptionKind::Number { least: 0.001, most: 1e7 }, Value("5");
     /// Seed of everything random.
-    seed: u64, OptionKind::Whole { least: 0, most: u64::MAX }, Value("0");
+    seed: u64 => u64, OptionKind::Whole { least: 0, most: u64::MAX }, Value("0");
     /// Layers to store (boxes are always made).
-    layers: Vec<String>, OptionKind::Words(vocabulary!(Layer)), Described("all");
+    layers: Vec<String> => Vec<Layer>, OptionKind::Words(vocabulary!(Layer)), Described("all");
     /// What lens, sensor and recorder do to the RGB layer: natural (a little noise, and motion blur by shutter time),
     /// clean (nothing at all), cctv, or random (another camera each time).
-    camera_look: String, OptionKind::Word(vocabulary!(CameraLookChoice)), Value("natural");
+    camera_look: String => #[serde(default = "clean", skip_serializing_if = "is_clean")] CameraLookChoice,
+        OptionKind::Word(vocabulary!(CameraLookChoice)), Value("natural");
     /// How to store the RGB layer.
-    rgb_format: String, OptionKind::Word(vocabulary!(RgbFormat)), Value("png");
+    rgb_format: String => RgbFormat, OptionKind::Word(vocabulary!(RgbFormat)), Value("png");
     /// Leave out objects with fewer visible pixels.
-    min_pixels: i64, OptionKind::Whole { least: 0, most: 4_294_967_295 }, Value("50");
+    min_pixels: i64 => u32, OptionKind::Whole { least: 0, most: 4_294_967_295 }, Value("50");
     /// Layers to make a video file of; may be none.
-    mp4: Vec<String>, OptionKind::WordsOrNone(vocabulary!(Layer)), Described("rgb");
-    /// What simulates.
-    simulator: String, OptionKind::Word(vocabulary!(SimulatorName)), Value("builtin");
+    mp4: Vec<String> => Vec<Layer>, OptionKind::WordsOrNone(vocabulary!(Layer)), Described("rgb");
+    /// What simulates: builtin, the city that comes with the program.
+    simulator: String => String, OptionKind::Text, Value("builtin");
     /// Folder of glTF models with an assets.toml: vehicles that drive, props and buildings that stand in the towns
     /// (docs/assets.md). In a recipe, as seen from its own folder.
     assets: PathBuf, OptionKind::Folder, Described("none");
@@ -106,28 +134,17 @@ recipe_options! {
     skip_broken: bool, OptionKind::Switch, Described("stop at them");
 }
 
-/// The simulators there are.
-#[derive(Debug, Clone, Copy)]
-struct SimulatorName;
-
-impl SimulatorName {
-    const ALL: &[Self] = &[Self];
-
-    fn name(self) -> &'static str {
-        "builtin"
-    }
+/// As in the paper.
+fn pair() -> u32 {
+    2
 }
 
-impl std::str::FromStr for SimulatorName {
-    type Err = endless_world::UnknownName;
+fn clean() -> CameraLookChoice {
+    CameraLookChoice::Clean
+}
 
-    fn from_str(given: &str) -> Result<Self, Self::Err> {
-        let known = vec![Self.name()];
-        if known.contains(&given) {
-            return Ok(Self);
-        }
-        Err(endless_world::UnknownName { what: "simulator", given: given.to_owned(), known })
-    }
+fn is_clean(look: &CameraLookChoice) -> bool {
+    *look == CameraLookChoice::Clean
 }
 
 impl RecipeDraft {
