@@ -1,11 +1,11 @@
-//! Ground truth from the instance image and the state of the scene: boxes, visible pixels, tracks.
+//! Ground truth from the instance image and the state of the scene: bounding boxes, visible pixels, tracks, keypoints.
 //!
 //! Boxes are in image coordinates: pixels from the top-left corner, `[x, y, w, h]` with `w = xmax − xmin + 1`, tight
-//! around the pixels that the object shows (COCO's convention). A track is an [`endless_world::InstanceId`]: the same
+//! around the object's visible pixels (COCO's convention). A track is an [`endless_world::InstanceId`]: the same
 //! object in all cameras and in all frames of a video.
 //!
-//! [`visible_objects`] finds what an instance image shows, [`annotate`] joins it with the [`SceneObjects`] of the instant, and
-//! [`FrameObjects::with_keypoints`] adds people's joints as a [`CameraView`] shows them.
+//! [`visible_objects`] finds the objects of an instance image, [`annotate`] joins them with the [`SceneObjects`] of the
+//! instant, and [`FrameObjects::with_keypoints`] adds people's keypoints as a [`CameraView`] shows them.
 //!
 //! ```
 //! use endless_annotate::{PixelBox, visible_objects};

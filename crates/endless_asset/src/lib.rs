@@ -1,22 +1,22 @@
-//! The catalogue: vehicles, people, plants and street furniture, all made by code, and what is imported from files.
+//! The catalogue: procedural vehicles, people, plants and street furniture, and models imported from files.
 //!
-//! Meshes are in the object frame (x forward, y left, z up, metres). The origin of things that stand on the ground is
-//! on the ground, under the centre of their footprint.
+//! Meshes are in the object frame (x forward, y left, z up, metres). The origin lies on the ground, under the
+//! centre of the footprint.
 //!
-//! [`Catalogue`] holds all there is: [`VehicleModel`]s, drawn from designs or read from files; persons by their seed
-//! ([`PersonModel`], [`Anatomy`]); [`Prop`]s by kind and variant. [`AssetManifest`] and [`AssetEntry`] read models.
+//! A [`Catalogue`] has [`VehicleModel`]s, drawn from designs or read from files; people by seed ([`PersonModel`],
+//! [`Anatomy`]); and [`Prop`]s by kind and variant. [`AssetManifest`] and [`AssetEntry`] import models from files.
 //!
 //! ```
 //! use endless_asset::{Catalogue, Prop};
 //! use endless_world::{Gait, WalkerMotion};
 //!
 //! let catalogue = Catalogue::builtin();
-//! // Measures are known at once, meshes are made when they are first asked for.
+//! // Sizes are known at once, meshes are made when they are first needed.
 //! let model = catalogue.vehicles().iter().find(|v| v.name() == "car.hatchback").expect("a design");
 //! assert!((3.0..5.0).contains(&model.spec.length_m));
 //! assert_eq!(model.wheels().len(), 4);
 //!
-//! // Who a person is follows from a seed; a pose from what they do.
+//! // A seed gives a person, a motion gives their pose.
 //! let person = catalogue.person(7);
 //! let walking = WalkerMotion { speed_mps: person.walk_mps, gait: Gait::Walk, ..WalkerMotion::default() };
 //! assert_eq!(person.pose(&walking).positions.len(), person.rest.positions.len());

@@ -1,4 +1,4 @@
-//! The built-in city as the renderer draws it: where towns, the catalogue and traffic's actors become geometry.
+//! The built-in city as the renderer draws it: the geometry of towns and of traffic's actors.
 //!
 //! ```text
 //! Town, Catalogue ── TownScene ──────────────┬─ StaticScene

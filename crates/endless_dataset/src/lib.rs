@@ -1,11 +1,11 @@
-//! What lies on disk: layout, encodings, writers, readers, video and validation.
+//! The files of a dataset: layout, encodings, writers, readers, video and validation.
 //!
-//! Every writer goes to a temporary name and renames: what bears its final name is whole. What says that a video is
-//! complete is written when all of its files are on the disk. Every writer has a reader,
-//! and [`check`] reopens a whole dataset with them.
+//! Every file is written under a temporary name and renamed: a file with its final name is complete. The file that marks a
+//! video as complete is written when all other files of the video are on the disk. Every writer has a reader, and [`check`]
+//! reopens a whole dataset with them.
 //!
-//! [`DatasetLayout`] says where everything lies, [`Manifest`] is `dataset.json`, [`Layer`] knows all of a layer,
-//! [`VideoEncoder`] writes the videos, and [`Recipe`] is what decides the bytes. An image goes out and comes back so:
+//! [`DatasetLayout`] gives the paths, [`Manifest`] is `dataset.json`, [`Layer`] describes the kinds of images,
+//! [`VideoEncoder`] writes videos, and [`Recipe`] holds everything that decides the bytes. Writing and reading an image:
 //!
 //! ```
 //! use endless_dataset::{Layer, RgbFormat, depth_from_rgb, encode_png, read_rgb, rgb_from_depth, write_atomic};

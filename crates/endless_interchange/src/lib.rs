@@ -1,11 +1,11 @@
-//! Maps and models in and out: towns and road maps by name, files of maps and of models read, and OpenDRIVE, GeoJSON,
-//! binary glTF and pictures written. Nothing here simulates.
+//! Import and export: towns and road maps by name, map files and models read, and OpenDRIVE, GeoJSON, binary glTF and
+//! previews written. Nothing here simulates.
 //!
-//! [`MapLibrary`] knows every map there is: the built-in towns, and those that [`MapLibrary::import`] made of files and
-//! keeps in a [`MapStore`]. Towns are furnished from its catalogue, which an [`AssetFolder`] of models extends.
-//! [`list_assets`], [`asset_preview`] and [`asset_gltf`] show what a catalogue holds.
+//! [`MapLibrary`] has all maps by name: the built-in towns, and those that [`MapLibrary::import`] read from files and keeps
+//! in a [`MapStore`]. Towns are furnished from its catalogue, which an [`AssetFolder`] of models extends. [`list_assets`],
+//! [`asset_preview`] and [`asset_gltf`] list, draw and export the catalogue.
 //!
-//! What the formats hold, and in which units and frames, is in `docs/maps.md` and `docs/assets.md`.
+//! `docs/maps.md` and `docs/assets.md` describe the formats with their units and frames.
 //!
 //! ```
 //! use endless_interchange::MapLibrary;

@@ -1,7 +1,7 @@
 //! The ray tracer: what fixed cameras see of a scene, fast and exact on a CPU.
 //!
-//! A scene is described in neutral terms: meshes with materials, instances of them with ids and classes, lamps, and a
-//! condition of weather and time.
+//! A scene consists of meshes with materials, instances of them with ids and classes, lamps, and a condition (weather and
+//! time of day).
 //!
 //! ```text
 //! Mesh ─ Geometry ─ Instance ─┬─ StaticScene ────────────────────┐
@@ -54,8 +54,9 @@
 //! assert!((frame.depth.data[middle] - 10.0).abs() < 1.0);
 //! ```
 //!
-//! Inside, `accel` finds what rays meet; `scene` holds what there is; `light` and `material` give it its look; `shade`
-//! puts them together; `indirect` and `cache` remember what does not change; `film` makes pixels of light.
+//! Modules: `accel` intersects rays; `scene` holds geometry and instances; `light` and `material` are light sources and
+//! BSDFs; `shade` computes radiance from them; `indirect` and `cache` keep what does not change; `film` makes pixels of
+//! radiance.
 
 mod accel;
 mod cache;

@@ -4,8 +4,8 @@
 //! direction of travel, from 0 to its length; `t` is positive to the left, as in OpenDRIVE.
 //!
 //! A map is read from a file ([`opendrive::read`], [`osm::read`]) into a [`RoadMap`], or a generator fills a
-//! [`RoadNetwork`] and calls [`RoadNetwork::finish`], which derives what follows from the geometry: predecessors, conflict
-//! areas inside junctions, where crossings cut lanes, spawn points.
+//! [`RoadNetwork`] and calls [`RoadNetwork::finish`], which derives the rest from the geometry: predecessors, conflict areas
+//! inside junctions, the lanes that each crossing cuts, spawn points.
 //!
 //! ```
 //! use endless_road::opendrive;

@@ -1,8 +1,8 @@
-//! What a scene is made of, as plain data: triangle meshes, the materials of their surfaces, and lamps.
+//! The parts of a scene as plain data: triangle meshes, materials, street lamps.
 //!
-//! A [`Mesh`] has a table of [`Material`]s and names one for each triangle. A material says what a surface is made of
-//! ([`Surface`]), its colour, and the class that its pixels carry; how that looks is the renderer's to decide. A
-//! [`MeshBuilder`] makes meshes face by face.
+//! A [`Mesh`] has a table of [`Material`]s and names one for each triangle. A material names what the surface is made of
+//! ([`Surface`]), its colour and its semantic class; the renderer gives it a BSDF. A [`MeshBuilder`] makes meshes face by
+//! face.
 //!
 //! ```
 //! use endless_scene::{Material, MeshBuilder, Surface};

@@ -1,9 +1,9 @@
 //! Towns: a road network dressed with ground, buildings, trees, furniture, parked cars, lamps and camera sites.
 //!
-//! There is one way of making a town: a road map, read from a file ([`dress_map`]) or written here as the layout of a
-//! built-in town ([`load`]), is dressed in named passes with ground, buildings, street furniture and plants, and given
-//! camera sites. What comes out is a [`Town`]: meshes of its own, and [`Placement`]s of these and of the catalogue's
-//! props. What is seen from near by alone is made for the cameras that a scene has ([`Town::details_near`]).
+//! A road map, read from a file ([`dress_map`]) or made of the layout of a built-in town ([`load`]), is dressed in named
+//! passes with ground, buildings, street furniture and plants, and given camera sites. The result is a [`Town`]: meshes of
+//! its own, and [`Placement`]s of these and of the catalogue's props. Details that are seen only from near are made for the
+//! cameras of a scene ([`Town::details_near`]).
 //!
 //! ```text
 //! builtin layouts ─┐
@@ -13,7 +13,7 @@
 //! A straight street of 240 m with sidewalks becomes a town:
 //! ```
 //! use endless_asset::Catalogue;
-//! use endless_road::{Lane, LaneId, Polyline, RoadMap, RoadNetwork, Strip, StripKind};
+//! use endless_road::{Lane, LaneId, LaneSurface, LaneType, Polyline, RoadMap, RoadNetwork};
 //! use glam::DVec3;
 //!
 //! let line = |y: f64, z: f64| (0..=24).map(move |k| DVec3::new(10.0 * f64::from(k), y, z));
@@ -22,15 +22,15 @@
 //! let network = RoadNetwork { lanes: vec![east, west], ..RoadNetwork::default() }.finish().expect("consistent");
 //! let strip = |kind, right: f64, left: f64, z: f64| {
 //!     let (left, right) = (line(left, z).collect(), line(right, z).collect());
-//!     Strip { kind, left, right, in_junction: false, unpaved: false, bridge: false }
+//!     LaneSurface { kind, left, right, in_junction: false, unpaved: false, bridge: false }
 //! };
-//! let strips = vec![
-//!     strip(StripKind::Sidewalk, -6.0, -3.5, 0.15),
-//!     strip(StripKind::Driving, -3.5, 0.0, 0.0),
-//!     strip(StripKind::Driving, 0.0, 3.5, 0.0),
-//!     strip(StripKind::Sidewalk, 3.5, 6.0, 0.15),
+//! let lane_surfaces = vec![
+//!     strip(LaneType::Sidewalk, -6.0, -3.5, 0.15),
+//!     strip(LaneType::Driving, -3.5, 0.0, 0.0),
+//!     strip(LaneType::Driving, 0.0, 3.5, 0.0),
+//!     strip(LaneType::Sidewalk, 3.5, 6.0, 0.15),
 //! ];
-//! let map = RoadMap { network, strips, ..RoadMap::default() };
+//! let map = RoadMap { network, lane_surfaces, ..RoadMap::default() };
 //!
 //! let catalogue = Catalogue::builtin();
 //! let town = endless_town::dress_map("street", &map, &catalogue)?;

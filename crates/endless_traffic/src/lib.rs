@@ -1,9 +1,9 @@
 //! Traffic: vehicles, two-wheelers, pedestrians and signals on a road network.
 //!
 //! A [`Simulation`] is made of a [`RoadNetwork`](endless_road::RoadNetwork), a [`Fleet`] of vehicle models and people,
-//! the vehicles that stand parked, and [`TrafficSettings`]. It owns a copy of the network and advances frame by frame;
-//! [`Simulation::state`] is what the renderer sees. Everything random comes from streams keyed by the seed, and a frame
-//! is a fixed number of equal steps, so the same settings give the same states, bit for bit.
+//! the parked vehicles, and [`TrafficSettings`]. It owns a copy of the network and advances frame by frame;
+//! [`Simulation::state`] is the world state that is rendered and labelled. All randomness comes from streams keyed by the
+//! seed, and a frame is a fixed number of equal steps, so the same settings give the same states, bit for bit.
 //!
 //! ```
 //! use endless_road::{Lane, LaneId, Polyline, RoadNetwork};

@@ -1,8 +1,8 @@
-//! The vocabulary that every room of ENDLESS shares: ids, class tags, frames of reference, units, weather, cameras,
-//! scene settings, the per-frame world state and the sensor frame.
+//! The types that all crates of ENDLESS share: ids, class tags, frames of reference, units, weather, cameras, scene
+//! settings, the per-frame world state and the sensor frame.
 //!
 //! Data flows one way: `Recipe → Plan → SceneSettings → (load) Scene → (tick) WorldState → SensorFrame → Annotations
-//! → files`. The types at the arrows live here, so that crates meet without knowing one another.
+//! → files`. The types at the arrows are defined here, so that crates exchange data without depending on one another.
 //!
 //! # Frames of reference
 //! | frame | axes | units | used by |
@@ -12,7 +12,7 @@
 //! | camera (RDF) | x right, y down, z forward | metres | projection, depth |
 //! | image | x right, y down; pixel (i, j) has its centre at (i + 0.5, j + 0.5) | pixels | boxes, layers |
 //!
-//! CARLA's left-handed degrees appear only at file and wire edges.
+//! CARLA's left-handed degrees appear only where files and messages are read or written.
 
 mod actor;
 mod asset;
