@@ -10,7 +10,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(version = VERSION.as_str(), about, max_term_width = 100, arg_required_else_help = false)]
 pub(crate) struct Cli {
-    /// Tell how long each stage of the work takes, once a video; twice (`-vv`): once a frame.
+    /// Print how long each stage takes, once per video; given twice (`-vv`), once per frame.
     #[arg(short, long, global = true, action = clap::ArgAction::Count)]
     pub(crate) verbose: u8,
     #[command(subcommand)]
@@ -19,9 +19,9 @@ pub(crate) struct Cli {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum Command {
-    /// Make a dataset, or go on with one that was interrupted.
+    /// Make a dataset, or resume one that was interrupted.
     Generate(Box<GenerateArgs>),
-    /// Reopen a whole dataset and name everything that is wrong with it.
+    /// Check a dataset: read every file and list all errors.
     Check(CheckArgs),
     /// Time the whole pipeline on a fixed recipe.
     Bench(BenchArgs),
@@ -35,21 +35,21 @@ pub(crate) enum Command {
 
 #[derive(Debug, Args)]
 pub(crate) struct GenerateArgs {
-    /// Folder of the dataset; need not exist.
+    /// Folder of the dataset; it is created if it does not exist.
     pub(crate) out: PathBuf,
     #[command(flatten)]
     pub(crate) recipe: RecipeArgs,
-    /// Take the recipe from a TOML file; flags win over it.
+    /// Read the recipe from a TOML file; flags override it.
     #[arg(long, value_name = "FILE")]
     pub(crate) config: Option<PathBuf>,
     /// Write the settings of all scenes, print the work order, and stop.
     #[arg(long)]
     pub(crate) plan_only: bool,
-    /// Go on with a dataset that another build of endless began, which may have made other bytes; `dataset.json`
-    /// names the builds of every video.
+    /// Resume a dataset that another build of endless began, although that build may make other bytes; `dataset.json`
+    /// lists the builds of every video.
     #[arg(long)]
     pub(crate) allow_other_build: bool,
-    /// Threads that record [default: all cores]. Does not change the result.
+    /// Number of threads [default: all cores]. Does not change the result.
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<std::num::NonZeroUsize>,
 }
@@ -62,15 +62,15 @@ pub(crate) struct MapsArgs {
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum MapsCommand {
-    /// List the maps with their size, lanes, cameras and features (what `endless maps` alone does).
+    /// List the maps with their size, lanes, cameras and features (same as `endless maps`).
     List {
-        /// These maps only.
+        /// Only these maps.
         maps: Vec<String>,
-        /// The cameras of each, too.
+        /// Also list the cameras of each map.
         #[arg(long)]
         cameras: bool,
     },
-    /// Draw a map from above, and what each of its cameras sees.
+    /// Draw a map from above, with the view of each of its cameras.
     Preview {
         /// Name of the map.
         map: String,
@@ -78,11 +78,11 @@ pub(crate) enum MapsCommand {
         #[arg(long, value_name = "FILE.png")]
         out: PathBuf,
     },
-    /// Make a town of an OpenDRIVE (.xodr) or OpenStreetMap (.osm, .osm.pbf) file and keep it under a name.
+    /// Import an OpenDRIVE (.xodr) or OpenStreetMap (.osm, .osm.pbf) file as a map with a name.
     Import {
         /// The file.
         file: PathBuf,
-        /// Name of the map [default: the file's].
+        /// Name of the map [default: the file's name].
         #[arg(long)]
         name: Option<String>,
         /// The side of the road on which traffic drives [default: as the file or its country has it].
@@ -108,23 +108,23 @@ pub(crate) struct AssetsArgs {
     /// Folder of glTF models with an assets.toml, to be part of the catalogue.
     #[arg(long, value_name = "DIR", global = true)]
     pub(crate) assets: Option<PathBuf>,
-    /// Leave out models that cannot be read, with a warning.
+    /// Skip models that cannot be read, with a warning.
     #[arg(long, global = true)]
     pub(crate) skip_broken: bool,
 }
 
 #[derive(Debug, Subcommand)]
 pub(crate) enum AssetsCommand {
-    /// List the assets with their class, ranges of sizes and triangles (what `endless assets` alone does).
+    /// List the assets with their class, sizes and triangle counts (same as `endless assets`).
     List {
-        /// Only those of this class, or with this in their name.
+        /// Only assets of this class, or with this text in their name.
         filter: Option<String>,
     },
     /// Draw an asset from all sides.
     Preview {
         /// Name of the asset.
         name: String,
-        /// Which of its draws, and in which colours.
+        /// Number of the variant: selects size, equipment and colours.
         #[arg(long, value_name = "N", default_value_t = 0)]
         variant: u64,
         /// The picture to write.
@@ -135,7 +135,7 @@ pub(crate) enum AssetsCommand {
     Export {
         /// Name of the asset.
         name: String,
-        /// Which of its draws, and in which colours.
+        /// Number of the variant: selects size, equipment and colours.
         #[arg(long, value_name = "N", default_value_t = 0)]
         variant: u64,
         /// The file to write.
@@ -144,17 +144,17 @@ pub(crate) enum AssetsCommand {
     },
 }
 
-/// What to write; at least one.
+/// Files to write; at least one.
 #[derive(Debug, Args)]
 #[group(required = true, multiple = true)]
 pub(crate) struct ExportFiles {
-    /// Its roads as OpenDRIVE 1.6.
+    /// Write the roads as OpenDRIVE 1.6.
     #[arg(long, value_name = "FILE.xodr")]
     pub(crate) opendrive: Option<PathBuf>,
-    /// The whole town as binary glTF 2.0, which Blender opens.
+    /// Write the whole town as binary glTF 2.0, which Blender opens.
     #[arg(long, value_name = "FILE.glb")]
     pub(crate) gltf: Option<PathBuf>,
-    /// Lanes, crossings, sidewalks, signals, buildings and cameras as GeoJSON.
+    /// Write lanes, crossings, sidewalks, signals, buildings and cameras as GeoJSON.
     #[arg(long, value_name = "FILE.geojson")]
     pub(crate) geojson: Option<PathBuf>,
 }
@@ -163,7 +163,7 @@ pub(crate) struct ExportFiles {
 pub(crate) struct CheckArgs {
     /// Folder of the dataset.
     pub(crate) out: PathBuf,
-    /// Threads that check [default: all cores].
+    /// Number of threads [default: all cores].
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<std::num::NonZeroUsize>,
 }
@@ -173,7 +173,7 @@ pub(crate) struct BenchArgs {
     /// Seconds of video to record.
     #[arg(long, default_value_t = 2.0, value_name = "S")]
     pub(crate) duration: f64,
-    /// Threads that record [default: all cores].
+    /// Number of threads [default: all cores].
     #[arg(long, value_name = "N")]
     pub(crate) threads: Option<std::num::NonZeroUsize>,
     /// Image size.
@@ -182,16 +182,16 @@ pub(crate) struct BenchArgs {
     /// Cameras that film each scene [default: 2].
     #[arg(long, value_name = "N")]
     pub(crate) cameras_per_scene: Option<i64>,
-    /// Film each of the fifteen conditions, over all towns in turn, and compare them.
+    /// Record each of the fifteen conditions, each in the next town, and compare them.
     #[arg(long)]
     pub(crate) conditions: bool,
-    /// Towns to film, with --conditions each condition in all of them [default: any, with --conditions one a condition].
+    /// Towns to record; with --conditions each condition in all of them [default: any; with --conditions one per condition].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) maps: Option<Vec<String>>,
-    /// Weathers to film [default: clear_sky, with --conditions all].
+    /// Weathers to record [default: clear_sky, with --conditions all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) weathers: Option<Vec<String>>,
-    /// Times of day to film [default: afternoon, with --conditions all].
+    /// Times of day to record [default: afternoon, with --conditions all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) times: Option<Vec<String>>,
 }

@@ -2,11 +2,11 @@
 
 use std::{fmt::Display, io, path::PathBuf};
 
-/// A file that could not be written or read. The path comes last in its message.
+/// Reading or writing a file failed. Messages end with the path.
 #[derive(Debug, thiserror::Error)]
 pub enum DatasetError {
     /// The disk is full.
-    #[error("the disk is full: make room and run the same command again, it goes on where it stopped: {}", path.display())]
+    #[error("the disk is full: make room and run the same command again, which resumes it: {}", path.display())]
     DiskFull {
         /// What was being written.
         path: PathBuf,

@@ -158,7 +158,7 @@ pub enum GenerateError {
     /// Images that nothing tells the build of.
     #[error(
         "dataset.json is missing, and nothing says which build of endless made this video: delete it, give another \
-         folder, or go on with it all the same with --allow-other-build: {}",
+         folder, or resume it with --allow-other-build: {}",
         path.display()
     )]
     UnknownBuild {
@@ -194,7 +194,7 @@ pub enum GenerateError {
     },
 }
 
-/// Bytes as people say them.
+/// A number of bytes for people to read, such as `3.2 GB`.
 pub fn human_bytes(bytes: u64) -> String {
     const UNITS: [&str; 5] = ["bytes", "kB", "MB", "GB", "TB"];
     let mut value = bytes as f64;

@@ -1,4 +1,4 @@
-//! The whole run: plan, scenes, videos, resume.
+//! A whole run: plan, scenes, videos, resume.
 
 mod estimate;
 mod lock;
@@ -14,20 +14,20 @@ use lock::DatasetLock;
 use output::{OutputFolder, ResumeRequest};
 use std::{path::Path, time::Instant};
 
-/// What is no part of the recipe.
+/// Settings of a run that are not part of the recipe.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GenerateOptions {
     /// The program that runs. A dataset that another one began is refused.
     pub build: BuildIdentity,
-    /// Go on with what another build began, and note which builds made which video.
+    /// Resume what another build began, and note which builds made which video.
     pub allow_other_build: bool,
-    /// Threads that work.
+    /// Number of threads.
     pub threads: usize,
     /// Write the scenes and stop.
     pub plan_only: bool,
 }
 
-/// What a run did.
+/// The result of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Generated {
     /// The whole plan.
@@ -38,17 +38,17 @@ pub struct Generated {
     pub camera_frames: u64,
     /// Bytes of all their files.
     pub bytes: u64,
-    /// Seconds that recording took, wall time.
+    /// Wall time of recording, seconds.
     pub seconds: f64,
-    /// Where the time went.
+    /// Time by stage.
     pub times: StageTimes,
 }
 
-/// Makes the dataset of a recipe in a folder, or completes what is there.
+/// Makes the dataset of a recipe in a folder, or resumes it.
 ///
 /// # Errors
-/// When the folder holds something else, the disk is too small or the simulator fails. What is complete stays, and the
-/// same call goes on from there.
+/// When the folder holds something else, the disk is too small or the simulator fails. Complete files stay, and the same
+/// call resumes from them.
 pub fn generate<S: Simulator>(
     simulator: &S,
     recipe: &Recipe,
@@ -121,7 +121,7 @@ fn camera_frames(settings: &SceneSettings) -> u64 {
     settings.cameras.len() as u64 * u64::from(settings.frames)
 }
 
-/// What all videos of a run share.
+/// The state that all videos of a run share.
 struct GenerateRun<'a, S> {
     pool: &'a rayon::ThreadPool,
     simulator: &'a S,

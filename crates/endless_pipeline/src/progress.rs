@@ -1,17 +1,17 @@
-//! What a run tells while it works.
+//! Progress events of a run.
 
 use crate::DiskEstimate;
 
-/// Something worth telling.
+/// An event of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ProgressEvent<'a> {
-    /// About to start.
+    /// The run starts.
     Start {
         /// Videos to make or complete.
         videos: u32,
         /// Videos that are complete already.
         complete: u32,
-        /// What it takes.
+        /// Frames to make, and disk space.
         estimate: DiskEstimate,
     },
     /// A map is being loaded.
@@ -30,7 +30,7 @@ pub enum ProgressEvent<'a> {
         /// Camera frames it has.
         camera_frames: u64,
     },
-    /// Fewer were placed than asked for.
+    /// Fewer actors were placed than the recipe asks for.
     FewerSpawned {
         /// `vehicles` or `pedestrians`.
         what: &'static str,
@@ -50,7 +50,7 @@ pub enum ProgressEvent<'a> {
     Frame {
         /// How many cameras.
         cameras: u32,
-        /// Whether it was there already.
+        /// Whether it was on disk already.
         resumed: bool,
     },
     /// A video is complete.
@@ -60,13 +60,13 @@ pub enum ProgressEvent<'a> {
     },
 }
 
-/// Who listens. Called from several threads.
+/// Receives progress events, from several threads.
 pub trait Progress: Sync {
-    /// Something happened.
+    /// Receives an event.
     fn event(&self, event: &ProgressEvent<'_>);
 }
 
-/// Nobody listens.
+/// Ignores all events.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct SilentProgress;
 

@@ -1,4 +1,4 @@
-//! What simulates and renders: the built-in city, a server elsewhere, a test double. Everything after it is the same code.
+//! The interface of simulators: the built-in city, a remote server, a test double. All later stages are the same for each.
 
 use crate::SimulatorError;
 use endless_annotate::{SceneObjects, WorldKeypoints};
@@ -6,12 +6,12 @@ use endless_dataset::SpawnCounts;
 use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
 use std::collections::BTreeMap;
 
-/// Which maps a recipe can name, and of which files they and their models are made.
+/// The maps that a recipe can name, and the hashes of imported files.
 pub trait MapSource {
-    /// Names of the maps that are used if none is named, in canonical order.
+    /// The maps that are used by default, in canonical order.
     fn maps(&self) -> Vec<String>;
 
-    /// Names of further maps that can be named: those that the user imported.
+    /// The maps that the user imported, which are used only if named.
     fn imported(&self) -> Vec<String> {
         Vec::new()
     }
@@ -30,7 +30,7 @@ pub trait MapSource {
     }
 }
 
-/// Where the cameras of each map hang.
+/// The camera sites of each map.
 pub trait MapCatalog {
     /// The camera sites of a map, in canonical order.
     ///
@@ -39,13 +39,13 @@ pub trait MapCatalog {
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError>;
 }
 
-/// What a simulator can do: by this, recording chooses how it works.
+/// The capabilities of a simulator, by which recording schedules its work.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Capabilities {
-    /// A frame can be rendered while the session goes on, several at the same time and in any order. Else each is
-    /// rendered before the next tick.
+    /// Frames can be rendered while the session ticks on, several at the same time and in any order. Otherwise each frame
+    /// is rendered before the next tick.
     pub random_access: bool,
-    /// The same settings give the same video every time. Else a video that was interrupted is begun again.
+    /// The same settings give the same video every time. Otherwise an interrupted video is recorded again.
     pub repeatable: bool,
 }
 
@@ -54,7 +54,7 @@ pub trait Simulator: MapCatalog + Sync {
     /// A loaded map, shared by all of its sessions.
     type Map: Sync;
 
-    /// What it can do.
+    /// Its capabilities.
     fn capabilities(&self) -> Capabilities;
 
     /// Loads a map.
@@ -63,7 +63,7 @@ pub trait Simulator: MapCatalog + Sync {
     /// When there is no such map, it cannot be made, or the simulator cannot be reached.
     fn load_map(&self, name: &str) -> Result<Self::Map, SimulatorError>;
 
-    /// Populates a map: cheap against [`SimulationSession::prepare`].
+    /// Populates a map. Cheap, compared with [`SimulationSession::prepare`].
     ///
     /// # Errors
     /// When the scene cannot be made, or the simulator cannot be reached.
@@ -74,13 +74,13 @@ pub trait Simulator: MapCatalog + Sync {
     ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError>;
 }
 
-/// One populated scene. It is passed from thread to thread, and used by one at a time.
+/// One populated scene. It is passed between threads and used by one at a time.
 pub trait SimulationSession<'m>: Send {
-    /// What was really placed.
+    /// The numbers of actors that were placed.
     fn spawned(&self) -> SpawnCounts;
 
-    /// Makes ready to render, before the first tick. May take long and use all threads; left out where no frame must be
-    /// rendered, and frames can be rendered without.
+    /// Prepares for rendering, before the first tick. May take long and use all threads. Not called if all frames are
+    /// stored already; rendering must work without it.
     ///
     /// # Errors
     /// When the simulator fails.
@@ -88,34 +88,34 @@ pub trait SimulationSession<'m>: Send {
         Ok(())
     }
 
-    /// Goes on by a frame; the first call gives frame 0.
+    /// Advances by one frame; the first call gives frame 0.
     ///
     /// # Errors
-    /// When the simulator fails: the session is not used any more.
+    /// When the simulator fails; the session is not used afterwards.
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError>;
 
-    /// What rendering has cost until now.
+    /// Statistics of rendering so far.
     fn stats(&self) -> RenderStats {
         RenderStats::default()
     }
 }
 
-/// One instant of a session.
+/// The world at one instant, and its render task.
 pub struct SimulationStep<'m> {
-    /// The world. Actors may come and go from frame to frame.
+    /// The world state. Actors may appear and disappear between frames.
     pub state: WorldState,
-    /// Shows it.
+    /// Renders it.
     pub task: Box<dyn RenderTask + 'm>,
 }
 
-/// Shows the world at one instant.
+/// Renders the world at one instant and knows its ground truth.
 pub trait RenderTask: Send {
-    /// Everything that labels can speak of at this instant.
+    /// The ground truth that labels are made of.
     fn truth(&self, state: &WorldState) -> SceneTruth {
         SceneTruth { objects: SceneObjects::new(state, &[]), bodies: WorldKeypoints::new() }
     }
 
-    /// What each camera sees, in the order of the settings. Without [`Capabilities::random_access`] it is called before the
+    /// The sensor frame of each camera, in the order of the settings. Without [`Capabilities::random_access`] it is called before the
     /// next tick. Not called for frames that are stored already.
     ///
     /// # Errors
@@ -123,7 +123,7 @@ pub trait RenderTask: Send {
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError>;
 }
 
-/// What is known of a scene at one instant, seen or not.
+/// The ground truth of a scene at one instant, visible or not.
 pub struct SceneTruth {
     /// All objects, parked ones included.
     pub objects: SceneObjects,

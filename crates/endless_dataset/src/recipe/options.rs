@@ -87,15 +87,16 @@ macro_rules! recipe_options {
 }
 
 recipe_options! {
-    /// Videos to make. A video is one scene filmed by all its cameras.
+    /// Number of videos. A video is one scene filmed by all its cameras.
     videos: i64 => u32, OptionKind::Whole { least: 1, most: MAX_VIDEOS }, Value("2");
-    /// Moving vehicles in each scene; parked ones come on top.
+    /// Moving vehicles in each scene, in addition to parked ones.
     vehicles: i64 => u32, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("30");
     /// Pedestrians in each scene.
     pedestrians: i64 => u32, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("20");
-    /// Maps to choose from; see `endless maps`. Your own come from OpenDRIVE and OpenStreetMap files (docs/maps.md).
+    /// Maps to choose from; `endless maps` lists them. Your own can be imported from OpenDRIVE and OpenStreetMap files
+    /// (docs/maps.md).
     maps: Vec<String> => Vec<String>, OptionKind::Maps, Described("all that come with the program");
-    /// Cameras of your own in place of a map's: a list in TOML or JSON (docs/maps.md).
+    /// Your own cameras instead of the map's: a list in TOML or JSON (docs/maps.md).
     cameras: Vec<UserCamera> => #[serde(default, skip_serializing_if = "BTreeMap::is_empty")] BTreeMap<String, Vec<CameraSite>>,
         OptionKind::Cameras, Described("the map's");
     /// Cameras that film each scene at the same instants: a pair, as in the paper, or a network of them.
@@ -109,28 +110,28 @@ recipe_options! {
     size: String => #[serde(with = "serde_size")] ImageSize, OptionKind::Size { longest: LONGEST_SIDE }, Value("1280x720");
     /// Frames a second.
     fps: f64 => f64, OptionKind::Number { least: 0.01, most: 1000.0 }, Value("30");
-    /// Seconds of each video, which has exactly `round(fps × duration)` frames.
+    /// Length of each video in seconds; it has exactly `round(fps × duration)` frames.
     duration: f64 => f64, OptionKind::Number { least: 0.001, most: 1e7 }, Value("5");
     /// Seed of everything random.
     seed: u64 => u64, OptionKind::Whole { least: 0, most: u64::MAX }, Value("0");
-    /// Layers to store (boxes are always made).
+    /// Layers to store (bounding boxes are always written).
     layers: Vec<String> => Vec<Layer>, OptionKind::Words(vocabulary!(Layer)), Described("all");
-    /// What lens, sensor and recorder do to the RGB layer: natural (a little noise, and motion blur by shutter time),
-    /// clean (nothing at all), cctv, or random (another camera each time).
+    /// Effects of lens, sensor and recorder on the RGB layer: natural (a little noise, and motion blur by shutter time),
+    /// clean (none), cctv (a wide lens, noise, compression and a time stamp), or random (another camera each time).
     camera_look: String => #[serde(default = "clean", skip_serializing_if = "is_clean")] CameraLookChoice,
         OptionKind::Word(vocabulary!(CameraLookChoice)), Value("natural");
     /// How to store the RGB layer.
     rgb_format: String => RgbFormat, OptionKind::Word(vocabulary!(RgbFormat)), Value("png");
-    /// Leave out objects with fewer visible pixels.
+    /// Annotate only objects with at least this many visible pixels.
     min_pixels: i64 => u32, OptionKind::Whole { least: 0, most: 4_294_967_295 }, Value("50");
-    /// Layers to make a video file of; may be none.
+    /// Layers to write as a video file, too; may be none.
     mp4: Vec<String> => Vec<Layer>, OptionKind::WordsOrNone(vocabulary!(Layer)), Described("rgb");
-    /// What simulates: builtin, the city that comes with the program.
+    /// Simulator to use: builtin, the built-in city.
     simulator: String => String, OptionKind::Text, Value("builtin");
-    /// Folder of glTF models with an assets.toml: vehicles that drive, props and buildings that stand in the towns
-    /// (docs/assets.md). In a recipe, as seen from its own folder.
+    /// Folder of glTF models with an assets.toml: vehicles for the traffic, props and buildings for the towns
+    /// (docs/assets.md). In a recipe file, relative to the folder of that file.
     assets: PathBuf, OptionKind::Folder, Described("none");
-    /// Leave out models that cannot be read, with a warning.
+    /// Skip models that cannot be read, with a warning.
     skip_broken: bool, OptionKind::Switch, Described("stop at them");
 }
 

@@ -1,4 +1,4 @@
-//! The output folder: what it holds, and whether it may be gone on with.
+//! The output folder: what it holds, and whether its dataset may be resumed.
 
 use crate::{GenerateError, Plan, record::camera_is_complete};
 use endless_dataset::{
@@ -8,18 +8,18 @@ use endless_dataset::{
 use endless_world::SceneSettings;
 use std::{collections::BTreeMap, fs, path::Path};
 
-/// Who wants to go on with the output.
+/// The recipe, plan and build that want to resume the output folder.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ResumeRequest<'a> {
     pub(super) recipe: &'a Recipe,
     pub(super) plan: &'a Plan,
     /// The build that runs.
     pub(super) build: &'a BuildIdentity,
-    /// Go on with what another build began.
+    /// Resume what another build began.
     pub(super) allow_other_build: bool,
 }
 
-/// What the output folder holds of a plan.
+/// The state of the output folder: which videos of a plan are complete, and which builds made them.
 #[derive(Debug, Default)]
 pub(super) struct OutputFolder {
     /// Boxes of the videos that are complete, by number.
@@ -31,7 +31,7 @@ pub(super) struct OutputFolder {
 }
 
 impl OutputFolder {
-    /// Looks, without changing anything.
+    /// Inspects the folder without changing anything.
     pub(super) fn inspect(layout: &DatasetLayout, claim: &ResumeRequest<'_>) -> Result<Self, GenerateError> {
         let root = layout.root();
         if let Some(file) = root.ancestors().find(|p| p.is_file()) {

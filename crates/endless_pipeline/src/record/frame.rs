@@ -20,7 +20,7 @@ pub(super) struct FrameRecorder<'a> {
     lenses: Vec<PinholeCamera>,
 }
 
-/// An instant as the cameras saw it.
+/// One frame: its ground truth and the images of all cameras.
 pub(super) struct CapturedFrame {
     frame: u32,
     truth: SceneTruth,
@@ -34,7 +34,7 @@ enum FrameImages {
 }
 
 impl CapturedFrame {
-    /// Whether it was there already.
+    /// Whether it was stored already.
     pub(super) fn is_stored(&self) -> bool {
         matches!(self.pictures, FrameImages::Stored(_))
     }

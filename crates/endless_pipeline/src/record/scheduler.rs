@@ -1,17 +1,17 @@
-//! Who does what next: hands out the session that makes the next frame, and ordered work when its turn has come.
+//! Schedules the workers: hands out the session that makes the next frame, and ordered work in its order.
 
 use std::{
     collections::BTreeMap,
     sync::{Condvar, Mutex, MutexGuard, PoisonError},
 };
 
-/// Something to do.
+/// A job of a worker.
 pub(super) enum WorkerJob<S, T> {
     /// Make this frame.
     Frame {
         /// Its number.
         frame: u32,
-        /// Who makes it: given back by [`FrameScheduler::return_session`] as soon as the next frame may be begun.
+        /// The session, returned by [`FrameScheduler::return_session`] as soon as the next frame may be begun.
         session: S,
     },
     /// Feed a camera's sink with the item whose turn it is.
@@ -56,7 +56,7 @@ impl<S, T> FrameScheduler<S, T> {
         Self { state: Mutex::new(state), changed: Condvar::new(), frames, window }
     }
 
-    /// The next thing to do; waits for it. `None` when everything is done or somebody failed.
+    /// The next job; waits for it. `None` when everything is done or a worker failed.
     pub(super) fn next(&self) -> Option<WorkerJob<S, T>> {
         let mut state = self.lock();
         loop {

@@ -104,7 +104,7 @@ fn report_fewer(recording: &Recording<'_>, spawned: &SpawnCounts) {
     }
 }
 
-/// What all workers share.
+/// The state that all workers of a video share.
 struct VideoWorkers<'a, 'm> {
     scheduler: &'a FrameScheduler<BoxedSession<'m>, SinkItem>,
     sinks: &'a [Mutex<CameraSink>],
@@ -113,7 +113,7 @@ struct VideoWorkers<'a, 'm> {
 }
 
 impl<'m> VideoWorkers<'_, 'm> {
-    /// What a worker does until there is nothing left.
+    /// Runs one worker until no job is left.
     fn all(&self) -> Result<(), GenerateError> {
         while let Some(job) = self.scheduler.next() {
             match job {
