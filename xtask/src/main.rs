@@ -1,8 +1,10 @@
-//! Chores of the repository: `cargo xtask crates`, `cargo xtask cycles`, `cargo xtask fuzz PARSER --seconds N`.
+//! Chores of the repository: `cargo xtask crates`, `cargo xtask cycles`, `cargo xtask glossary`, `cargo xtask fuzz PARSER
+//! --seconds N`.
 
 mod crates;
 mod cycles;
 mod fuzz;
+mod glossary;
 mod manifests;
 
 use anyhow::{Result, bail};
@@ -13,10 +15,11 @@ fn run(args: &[String]) -> Result<()> {
     match args.first().map(String::as_str) {
         Some("crates") => crates::check(root),
         Some("cycles") => cycles::check(root),
+        Some("glossary") => glossary::check(root),
         Some("fuzz") => fuzz::fuzz(&args[1..]),
         other => {
             let other = other.unwrap_or_default();
-            bail!("unknown chore '{other}': use `cargo xtask crates`, `cargo xtask cycles` or `cargo xtask fuzz`")
+            bail!("unknown chore '{other}': use crates, cycles, glossary or fuzz")
         }
     }
 }
