@@ -4,6 +4,7 @@ mod approach;
 mod crossings;
 mod joins;
 mod kind;
+mod lane_simplify;
 mod lane_surfaces;
 mod lanes;
 mod markings;
