@@ -4,10 +4,13 @@
 //! priority are far enough away, and there is room for it beyond. Where the ways of two vehicles overlap they pass in
 //! the order in which they got it, so nobody waits in a circle and no two bodies meet.
 
+use super::entry_request::{
+    EntryRequest, approach_control, aspect, goes_before, lets_in, request, sign_allows, stopping_m, travel_s,
+};
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::{RightOfWay, Vehicle};
-use endless_road::{JunctionId, LaneId, TrafficControl, Turn};
+use endless_road::{JunctionId, Turn};
 use endless_world::{SignalAspect, SignalState};
 
 /// Room kept free behind the leader beyond a junction, metres.
@@ -17,41 +20,8 @@ const CHANCE_S: f64 = 40.0;
 /// Roads beyond a junction are looked along this far, metres; and so many of them, where they are short.
 const SEEN_M: f64 = 60.0;
 const MOST_ROADS: usize = 3;
-/// Seconds after which those who stand and have priority are taken to let others go first.
-const PATIENCE_S: f64 = 2.5;
-/// Seconds of waiting after which those in slow traffic let somebody in.
-const COURTESY_S: f64 = 25.0;
-/// They stand for it this share of the time that the other has waited.
-const COURTEOUS_SHARE: f64 = 0.25;
 /// Who has the right of way and has stood this long before the junction is held up by something else, seconds.
 const HELD_UP_S: f64 = 4.0;
-/// Traffic is slow below this speed, m/s.
-const SLOW_MPS: f64 = 4.0;
-
-/// A vehicle before a junction that has no right of way yet.
-#[derive(Debug, Clone)]
-pub(crate) struct EntryRequest {
-    vehicle: usize,
-    junction: JunctionId,
-    /// From the front bumper to the line, metres.
-    distance: f64,
-    /// How far before the line it waits, metres.
-    setback: f64,
-    speed: f64,
-    waited_s: f64,
-    lanes: Vec<LaneId>,
-    exit: LaneId,
-    control: TrafficControl,
-    /// Its signal stops it.
-    held: bool,
-}
-
-impl EntryRequest {
-    /// Nobody else stands between it and the line.
-    fn at_the_line(&self) -> bool {
-        self.distance < 6.0 + self.setback
-    }
-}
 
 /// Gives and takes back the right of way through junctions.
 #[derive(Debug, Clone, Default)]
@@ -229,140 +199,4 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
         });
         vehicles[i].rights_of_way = rights_of_way;
     }
-}
-
-/// Distance within which a driver at a yellow light would rather go on, metres.
-fn stopping_m(speed: f64) -> f64 {
-    speed * speed / (2.0 * 3.0) + 0.3 * speed + 0.5
-}
-
-fn approach_control(roads: &Roads, vehicle: &Vehicle, connector: LaneId) -> TrafficControl {
-    let place = vehicle.route.iter().position(|&l| l == connector);
-    place.filter(|&p| p > 0).map_or(TrafficControl::Free, |p| roads.network.lane(vehicle.route[p - 1]).end_control)
-}
-
-fn aspect(control: TrafficControl, signals: &[SignalState]) -> Option<SignalAspect> {
-    match control {
-        TrafficControl::Signal(signal) => Some(signals[usize::from(signal.0)].aspect),
-        _ => None,
-    }
-}
-
-/// The next junction without right of way, if it is near enough to matter.
-fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle, i: usize) -> Option<EntryRequest> {
-    let trigger = vehicle.speed * vehicle.speed / (2.0 * 1.8) + 1.2 * vehicle.speed + 8.0 + vehicle.half_length;
-    let mut before = None;
-    let mut lanes: Vec<LaneId> = Vec::new();
-    let mut found: Option<(JunctionId, f64, LaneId)> = None;
-    for (lane, base) in vehicle.ahead(roads) {
-        let junction = roads.table(lane).junction;
-        match found {
-            None => {
-                if base > trigger {
-                    return None;
-                }
-                if let (Some(junction), Some(before)) = (junction, before)
-                    && base > 0.0
-                    && vehicle.right_of_way_at(junction).is_none()
-                {
-                    found = Some((junction, base, before));
-                    lanes.push(lane);
-                }
-            }
-            Some((inside, to_line, before)) => {
-                if junction == Some(inside) {
-                    lanes.push(lane);
-                    continue;
-                }
-                let control = roads.network.lane(before).end_control;
-                let light = aspect(control, signals);
-                let distance = to_line - vehicle.half_length;
-                // Who has waited at the line to turn left clears the junction when the light changes.
-                let clears = light == Some(SignalAspect::Yellow)
-                    && vehicle.waited_s > 1.5
-                    && roads.network.lane(lanes[0]).turn == Turn::Left;
-                return Some(EntryRequest {
-                    vehicle: i,
-                    junction: inside,
-                    distance,
-                    setback: roads.table(before).setback,
-                    speed: vehicle.speed,
-                    waited_s: vehicle.waited_s,
-                    lanes,
-                    exit: lane,
-                    control,
-                    held: light.is_some_and(|a| a != SignalAspect::Green) && !clears,
-                });
-            }
-        }
-        before = Some(lane);
-    }
-    None
-}
-
-fn sign_allows(roads: &Roads, request: &EntryRequest) -> bool {
-    let must_look = roads.network.lane(request.lanes[0]).turn == Turn::UTurn;
-    match request.control {
-        TrafficControl::Signal(_) => !request.held,
-        TrafficControl::Stop => request.waited_s > 0.7,
-        TrafficControl::Yield => request.distance < 14.0 + request.setback,
-        TrafficControl::Free => !must_look || request.distance < 14.0 + request.setback,
-    }
-}
-
-/// Whether `me`, in slow traffic, gives up its turn for `other`, who has waited long to join it or to get across.
-fn lets_in(roads: &Roads, me: &EntryRequest, other: &EntryRequest) -> bool {
-    let meet =
-        || me.lanes.iter().any(|&l| roads.table(l).conflicts(true).iter().any(|c| other.lanes.contains(&c.other)));
-    other.waited_s > COURTESY_S
-        && other.waited_s > me.waited_s
-        && !other.held
-        && me.speed < SLOW_MPS
-        && me.waited_s < COURTEOUS_SHARE * other.waited_s
-        && (me.exit == other.exit || meet())
-}
-
-/// Whether `me` may go although `other`, which has no right of way yet, approaches too.
-fn goes_before(roads: &Roads, vehicles: &[Vehicle], me: &EntryRequest, other: &EntryRequest) -> bool {
-    if other.held {
-        return true;
-    }
-    let driver = &vehicles[me.vehicle].driver;
-    let length = 2.0 * vehicles[me.vehicle].half_length;
-    // The longer the wait, the smaller the gap that is taken.
-    let margin_s = (1.6 - 0.04 * me.waited_s).max(0.6);
-    let mut base = me.distance;
-    for &lane in &me.lanes {
-        let long = vehicles[me.vehicle].long() || vehicles[other.vehicle].long();
-        for conflict in roads.table(lane).conflicts(long).iter().filter(|c| c.gives_way) {
-            let Some(k) = other.lanes.iter().position(|&l| l == conflict.other) else { continue };
-            if other.speed < 0.5 {
-                // Both stand: the one with priority goes, unless it has let its turn pass.
-                let stuck = other.waited_s > PATIENCE_S && me.waited_s > PATIENCE_S;
-                if other.at_the_line() && !stuck {
-                    return false;
-                }
-                continue;
-            }
-            let before: f64 = other.lanes[..k].iter().map(|&l| roads.table(l).length).sum();
-            let arrival = (other.distance + before + conflict.other_range.0) / other.speed.max(3.0);
-            let gone = travel_s(base + conflict.range.1 + length, me.speed, driver.accelerate);
-            if arrival < gone + margin_s {
-                return false;
-            }
-        }
-        base += roads.table(lane).length;
-    }
-    true
-}
-
-/// Seconds to cover a distance from a speed with an acceleration up to 9 m/s.
-fn travel_s(distance: f64, speed: f64, acceleration: f64) -> f64 {
-    let distance = distance.max(0.0);
-    let top = speed.max(9.0);
-    let ramp = (top * top - speed * speed) / (2.0 * acceleration);
-    if distance <= ramp {
-        return ((speed * speed + 2.0 * acceleration * distance).sqrt() - speed) / acceleration;
-    }
-    (top - speed) / acceleration + (distance - ramp) / top
 }

@@ -1,19 +1,16 @@
 //! People on foot: they walk to random places for ever, keep to their right, step around one another, and cross roads
 //! at crossings when they may.
 
+use super::walk_strip::{BODY_M, DirectedEdge, height, unit_vector};
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
 use crate::roads::Roads;
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
-use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
+use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::walking::Footsteps;
 use endless_world::{Gait, SignalAspect, SignalState, Stream};
 use glam::{DVec2, DVec3};
 use std::collections::VecDeque;
 
-/// DesignVehicles are discs of this radius, metres.
-pub(crate) const BODY_M: f64 = 0.25;
-/// Room that people like to keep between bodies, metres.
-const SHY_M: f64 = 0.15;
 /// How far people look for others, metres.
 const SIGHT_M: f64 = 5.0;
 /// How far ahead on their way people aim, metres.
@@ -45,48 +42,6 @@ pub(crate) struct Walker {
     pub(crate) steps: Footsteps,
     /// Seconds for which somebody has stood in the way, and the turn tried to get past, radians.
     pub(crate) stuck: (f64, f64),
-}
-
-/// A directed strip: from, unit direction, length, usable half width.
-#[derive(Debug, Clone, Copy)]
-struct DirectedEdge {
-    from: DVec2,
-    along: DVec2,
-    length: f64,
-    half_width: f64,
-    kind: WalkKind,
-}
-
-impl DirectedEdge {
-    fn new(roads: &Roads, from: WalkNodeId, edge: WalkEdgeId, to: WalkNodeId) -> Self {
-        let walk = &roads.network.walk;
-        let (a, b) = (walk.nodes[from.index()].truncate(), walk.nodes[to.index()].truncate());
-        let data = &walk.edges[edge.index()];
-        Self {
-            from: a,
-            along: (b - a).normalize_or(DVec2::X),
-            length: a.distance(b),
-            half_width: (0.5 * data.width_m - BODY_M).max(0.1),
-            kind: data.kind,
-        }
-    }
-
-    /// Along and to the left.
-    fn local(&self, p: DVec2) -> (f64, f64) {
-        let d = p - self.from;
-        (d.dot(self.along), self.along.perp_dot(d))
-    }
-
-    fn point(&self, along: f64, left: f64) -> DVec2 {
-        self.from + self.along * along + self.along.perp() * left
-    }
-
-    /// How far outside the strip a point lies.
-    fn outside(&self, p: DVec2) -> f64 {
-        let (along, left) = self.local(p);
-        let over = (along - self.length).max(-along).max(0.0);
-        over.max(left.abs() - self.half_width).max(0.0)
-    }
 }
 
 /// What people see.
@@ -198,7 +153,7 @@ impl Walker {
             self.stuck.0 = (self.stuck.0 - step_s).max(0.0);
         }
         if self.stuck.0 > 0.0 && self.stuck.1 != 0.0 {
-            wanted = DVec2::from_angle_exact(self.stuck.1).rotate(wanted) * 0.5;
+            wanted = unit_vector(self.stuck.1).rotate(wanted) * 0.5;
         } else {
             self.stuck.1 = 0.0;
         }
@@ -248,50 +203,6 @@ impl Walker {
         }
     }
 
-    /// The velocity nearest to the wanted one that meets nobody in the next seconds (sampled velocity obstacles,
-    /// Fiorini and Shiller 1998) and stays on the strip.
-    fn avoid(
-        &self,
-        wanted: DVec2,
-        near: &[(DVec2, DVec2)],
-        strip: &DirectedEdge,
-        next: Option<&DirectedEdge>,
-    ) -> DVec2 {
-        let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
-        let here = outside(self.position);
-        // Who has been stuck squeezes past, shoulder to shoulder.
-        let shy = if self.stuck.1 == 0.0 { SHY_M } else { 0.1 * SHY_M };
-        let mut best = (f64::INFINITY, DVec2::ZERO);
-        for (turn, share) in [
-            (0.0, 1.0),
-            (-0.3, 1.0),
-            (0.3, 1.0),
-            (-0.7, 0.9),
-            (0.7, 0.9),
-            (0.0, 0.5),
-            (-1.3, 0.6),
-            (1.3, 0.6),
-            (0.0, 0.0),
-        ] {
-            let candidate = DVec2::from_angle_exact(turn).rotate(wanted) * share;
-            let mut cost = (candidate - wanted).length() + if turn > 0.0 { 0.05 } else { 0.0 };
-            for &(position, velocity) in near {
-                cost += threat(position - self.position, velocity - candidate, shy);
-            }
-            let over = outside(self.position + candidate * 0.5) - here;
-            if over > 0.0 {
-                cost += 6.0 * over;
-            }
-            if cost < best.0 {
-                best = (cost, candidate);
-            }
-            if near.is_empty() && turn == 0.0 {
-                break;
-            }
-        }
-        best.1
-    }
-
     /// Moves, but never into somebody, and not off the sidewalk to get past them.
     fn advance(
         &mut self,
@@ -338,56 +249,5 @@ impl Walker {
         };
         let off = wrap_angle(atan2(facing.y, facing.x) - self.yaw);
         self.yaw = wrap_angle(self.yaw + (off * 5.0).clamp(-TURN_RATE, TURN_RATE) * step_s);
-    }
-}
-
-/// How much a neighbour at a relative place with a relative velocity is in the way of somebody who likes to keep `shy`
-/// metres away.
-fn threat(relative: DVec2, velocity: DVec2, shy: f64) -> f64 {
-    let apart = 2.0 * BODY_M + shy;
-    let distance = relative.length();
-    let closing = -relative.dot(velocity);
-    let mut cost = if distance < apart + 1.3 * shy && closing > 0.0 { 2.0 } else { 0.0 };
-    // Time until the discs touch: |relative + velocity t| = apart.
-    let a = velocity.length_squared();
-    let b = -closing;
-    let c = relative.length_squared() - apart * apart;
-    let discriminant = b * b - a * c;
-    if closing > 0.0 && discriminant > 0.0 && a > 1e-6 && c > 0.0 {
-        let time = (-b - discriminant.sqrt()) / a;
-        if time < 3.0 {
-            cost += 0.9 / (time + 0.15) - 0.28;
-        }
-    }
-    cost
-}
-
-/// Height of the walking surface: sidewalks as drawn, crossings on the road between their kerbs.
-pub(crate) fn height(roads: &Roads, from: WalkNodeId, (edge, to): (WalkEdgeId, WalkNodeId), at: DVec2) -> f64 {
-    let walk = &roads.network.walk;
-    let (a, b) = (walk.nodes[from.index()], walk.nodes[to.index()]);
-    let strip = DirectedEdge::new(roads, from, edge, to);
-    let u = (strip.local(at).0 / strip.length.max(1e-6)).clamp(0.0, 1.0);
-    let high = a.z + (b.z - a.z) * u;
-    let WalkKind::Crossing(id) = strip.kind else { return high };
-    let [p, q] = roads.network.crossings[id.index()].ends;
-    let d = (q - p).truncate();
-    let length = d.length().max(1e-6);
-    let along = (at - p.truncate()).dot(d) / length;
-    let road = p.z + (q.z - p.z) * (along / length).clamp(0.0, 1.0);
-    // A step down takes a foot's length.
-    let on_road = (along.min(length - along) / 0.3 + 0.5).clamp(0.0, 1.0);
-    high + (road - high) * on_road
-}
-
-/// `DVec2::from_angle` with the same bits on every machine.
-trait ExactAngle {
-    fn from_angle_exact(angle: f64) -> DVec2;
-}
-
-impl ExactAngle for DVec2 {
-    fn from_angle_exact(angle: f64) -> DVec2 {
-        let (sin, cos) = sin_cos(angle);
-        DVec2::new(cos, sin)
     }
 }

@@ -20,6 +20,7 @@ mod formation;
 mod graph;
 mod height;
 mod import_context;
+mod junction_surface;
 mod lane;
 mod lift;
 mod mend;
@@ -38,6 +39,7 @@ mod restriction;
 mod ring;
 mod rules;
 mod section;
+mod section_tags;
 mod sign;
 mod signal;
 mod street_segment;
@@ -183,8 +185,8 @@ fn build(plan: &mut StreetPlan, context: &mut ImportContext<'_>) -> Result<RoadM
             let ways: Vec<_> = movements.iter().copied().zip(lanes.iter().copied()).collect();
             paint::through(plan, intersection, &ways, &mut surfaces);
         }
-        surface::intersection(plan, intersection, &movements, &lanes, &mut surfaces);
-        surface::connectors(plan, &lanes, &movements, &mut surfaces);
+        junction_surface::intersection(plan, intersection, &movements, &lanes, &mut surfaces);
+        junction_surface::connectors(plan, &lanes, &movements, &mut surfaces);
     }
     if let Some(formation) = &context.formation {
         surfaces.junction_areas = surfaces.junction_areas.iter().flat_map(|o| formation.pieces(o)).collect();

@@ -3,10 +3,11 @@
 use super::crossing::CROSSING_M;
 use super::curve::simplified;
 use super::graph::StreetSegmentEnd;
+use super::junction_surface::{corner_line, walk_width};
 use super::lane::inside;
 use super::plan::StreetPlan;
 use super::section::KERB_M;
-use super::surface::{KERB_HEIGHT_M, STUB_M, corner_line, walk_width};
+use super::surface::{KERB_HEIGHT_M, STUB_M};
 use crate::{Crossing, CrossingId, RoadNetwork, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
 use glam::DVec3;
 

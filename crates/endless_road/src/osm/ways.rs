@@ -4,7 +4,7 @@ use super::class::{RoadClass, speed_mps};
 use super::country::CountryRules;
 use super::extract::{OsmExtract, OsmTags, OsmWay};
 use super::import_context::ImportContext;
-use super::section::{self, RoadTags};
+use super::section_tags::{self, RoadTags};
 use super::street_segment::{StreetSegment, StructureLevel, WayVertex};
 
 /// No two nodes of a way that follow one another are this far apart, metres: one of them is elsewhere by mistake.
@@ -55,7 +55,7 @@ fn stretch(
 ) -> StreetSegment {
     let direction = direction(tags, class, link);
     let middle = vertices[vertices.len() / 2].at;
-    let said = RoadTags {
+    let road = RoadTags {
         tags,
         class,
         link,
@@ -71,10 +71,10 @@ fn stretch(
     let stretch = StreetSegment {
         vertices,
         levels,
-        section: section::of(&said),
+        section: section_tags::of(&road),
         class,
         link,
-        roundabout: said.roundabout,
+        roundabout: road.roundabout,
         speed_mps: speed_mps(tags, class, link, country),
         ways: [way; 2],
         yard,

@@ -5,6 +5,7 @@ mod altstadt;
 mod ladera;
 mod layout;
 mod layout_geometry;
+mod layout_intersection;
 mod town01;
 mod town02;
 mod town03;

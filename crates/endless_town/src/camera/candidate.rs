@@ -3,7 +3,7 @@
 use super::height_field::{HeightField, TopSurface};
 use super::surroundings::{BuildingPrism, OpenSpace};
 use crate::geometry::area;
-use crate::geometry::{inside, unit};
+use crate::geometry::unit;
 use endless_road::{Lane, Polyline, RoadNetwork};
 use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::{CameraSite, Mount};
@@ -68,11 +68,9 @@ pub(crate) struct CameraCandidate {
 }
 
 /// From the edge of the carriageway to a pole, metres.
-const POLE_M: f64 = 0.6;
+pub(super) const POLE_M: f64 = 0.6;
 /// From which speed a road is a highway, m/s.
 const HIGHWAY_MPS: f64 = 16.0;
-/// Distance between places around squares and along ways, metres.
-const OPEN_STEP_M: f64 = 6.0;
 /// Squares and parks smaller than this are no place, m².
 const LEAST_OPEN_M2: f64 = 260.0;
 /// Most candidates of a kind that are judged.
@@ -80,14 +78,14 @@ const MOST_OF_A_KIND: usize = 420;
 
 /// How a camera is turned at its place.
 #[derive(Debug, Clone, Copy)]
-struct CameraAim {
-    height: f64,
-    fov_deg: f64,
-    mount: Mount,
+pub(super) struct CameraAim {
+    pub(super) height: f64,
+    pub(super) fov_deg: f64,
+    pub(super) mount: Mount,
 }
 
 /// A lens at `lens` (seen from above), `height` above `ground`, looking at a place on the ground.
-fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: CameraAim) -> CameraSite {
+pub(super) fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: CameraAim) -> CameraSite {
     let towards = (aim - lens).normalize_or(DVec2::X);
     let z = ground + turned.height;
     let tilt = atan2(z - aim_z, lens.distance(aim)).clamp(15.5f64.to_radians(), 38.0f64.to_radians());
@@ -143,10 +141,10 @@ fn thinned(found: &[CameraCandidate]) -> Vec<CameraCandidate> {
     kept
 }
 
-struct CandidateFinder<'a> {
-    network: &'a RoadNetwork,
-    relief: &'a HeightField,
-    found: Vec<CameraCandidate>,
+pub(super) struct CandidateFinder<'a> {
+    pub(super) network: &'a RoadNetwork,
+    pub(super) relief: &'a HeightField,
+    pub(super) found: Vec<CameraCandidate>,
 }
 
 /// A place beside a lane, and the direction of the lane there.
@@ -279,62 +277,6 @@ impl CandidateFinder<'_> {
                 self.found.push(CameraCandidate { view: ViewKind::Wall, pole: None, level: road_z, site });
             }
         }
-    }
-}
-
-impl CandidateFinder<'_> {
-    /// From the edge of a square over it.
-    fn at_square(&mut self, outline: &[DVec2]) {
-        let middle = outline.iter().sum::<DVec2>() / outline.len() as f64;
-        let turned = CameraAim { height: 6.8, fov_deg: 74.0, mount: Mount::Pole };
-        for k in 0..outline.len() {
-            let (a, b) = (outline[k], outline[(k + 1) % outline.len()]);
-            let steps = (a.distance(b) / OPEN_STEP_M).ceil() as usize;
-            for i in 0..steps {
-                let edge = a.lerp(b, (i as f64 + 0.5) / steps as f64);
-                let inwards = (middle - edge).normalize_or(DVec2::X);
-                let foot = edge + inwards * POLE_M;
-                for turn in [-0.6f64, -0.25, 0.25, 0.6] {
-                    let ahead = unit(turn).rotate(inwards);
-                    self.push_on_foot(ViewKind::Square, foot, foot + ahead * 20.0, turned);
-                }
-            }
-        }
-    }
-
-    /// From beside the ways in a park along them.
-    fn in_park(&mut self, outline: &[DVec2]) {
-        let walk = &self.network.walk;
-        let turned = CameraAim { height: 5.6, fov_deg: 70.0, mount: Mount::Pole };
-        for edge in &walk.edges {
-            let [from, to] = edge.nodes.map(|n| walk.nodes[n.index()].truncate());
-            if !inside(outline, from.midpoint(to)) {
-                continue;
-            }
-            let along = (to - from).normalize_or(DVec2::X);
-            for side in [-1.0, 1.0] {
-                let foot = from.midpoint(to) + along.perp() * (side * (edge.width_m / 2.0 + POLE_M));
-                for turn in [0.12f64, 0.5] {
-                    for ahead in [along, -along] {
-                        let turn = -turn * side * ahead.dot(along);
-                        self.push_on_foot(ViewKind::Park, foot, foot + unit(turn).rotate(ahead) * 17.0, turned);
-                    }
-                }
-            }
-        }
-    }
-
-    /// Where people walk, if a pole may stand there.
-    fn push_on_foot(&mut self, view: ViewKind, foot: DVec2, aim: DVec2, turned: CameraAim) {
-        let (ground, top) = self.relief.at(foot);
-        let (level, _) = self.relief.at(aim);
-        if !matches!(top, TopSurface::Walk | TopSurface::Green | TopSurface::Ground) || (level - ground).abs() > 3.0 {
-            return;
-        }
-        let (ground, level) = (f64::from(ground), f64::from(level));
-        let lens = foot + (aim - foot).normalize_or(DVec2::X) * 0.4;
-        let site = aimed(lens, ground, aim, level, turned);
-        self.found.push(CameraCandidate { view, pole: Some((foot, ground)), level, site });
     }
 }
 

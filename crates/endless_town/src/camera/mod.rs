@@ -5,6 +5,7 @@ mod choose;
 mod height_field;
 mod judge;
 mod occlusion;
+mod pedestrian_candidate;
 mod raster;
 mod sight;
 mod surroundings;

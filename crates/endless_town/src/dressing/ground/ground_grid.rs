@@ -1,12 +1,8 @@
 //! Ground heights on a grid: they follow the roads, are smooth between them, and rise to hills all around.
 
 use crate::dressing::ground::pavement_index::PavementIndex;
-use crate::palette::{HILL, LAWN, MEADOW};
 use endless_road::Terrain;
-use endless_scene::{Material, MeshBuilder};
-use endless_world::math;
-use endless_world::math::f64::{atan2, sin};
-use glam::{DVec2, DVec3, Vec3};
+use glam::DVec2;
 use rayon::prelude::*;
 
 /// Ground around the roads that belongs to the grid, metres.
@@ -14,8 +10,6 @@ pub(crate) const MARGIN_M: f64 = 90.0;
 /// Most cells, and the side of the finest, metres.
 const MOST_CELLS: f64 = 240_000.0;
 const FINEST_M: f64 = 2.0;
-/// Finer cells along a side of a cell in which ground of different kinds meets.
-const FINER: usize = 3;
 /// Beside pavements the ground lies this much below them, under them this much.
 const BESIDE_M: f64 = 0.05;
 const UNDER_M: f64 = 0.45;
@@ -28,17 +22,17 @@ const BANK: f64 = 1.7;
 /// A grid of heights.
 #[derive(Debug, Clone)]
 pub(crate) struct GroundGrid {
-    low: DVec2,
-    cell: f64,
+    pub(super) low: DVec2,
+    pub(super) cell: f64,
     /// Vertices, one more than cells.
-    nx: usize,
-    ny: usize,
+    pub(super) nx: usize,
+    pub(super) ny: usize,
     /// As seen, below pavements too.
-    heights: Vec<f64>,
+    pub(super) heights: Vec<f64>,
     /// Without the cut below pavements.
-    level: Vec<f64>,
+    pub(super) level: Vec<f64>,
     /// Terrain beyond the roads' banks, where the map has it.
-    terrain: Option<Terrain>,
+    pub(super) terrain: Option<Terrain>,
 }
 
 impl GroundGrid {
@@ -115,7 +109,7 @@ impl GroundGrid {
         }
     }
 
-    fn vertex(&self, x: usize, y: usize) -> DVec2 {
+    pub(super) fn vertex(&self, x: usize, y: usize) -> DVec2 {
         self.low + DVec2::new(x as f64, y as f64) * self.cell
     }
 
@@ -153,153 +147,6 @@ impl GroundGrid {
         heights.sort_by(f64::total_cmp);
         heights.get(heights.len() / 2).copied().unwrap_or(0.0)
     }
-
-    /// The grid as a mesh, and hills around it. `material` says what covers a place.
-    pub(crate) fn add(&self, mesh: &mut MeshBuilder, seed: u64, material: &dyn Fn(DVec2) -> Material) {
-        let base = mesh.vertices((0..self.nx * self.ny).map(|i| {
-            let p = self.vertex(i % self.nx, i / self.nx).extend(self.heights[i]).as_vec3();
-            (p, self.normal(i % self.nx, i / self.nx), p.truncate())
-        }));
-        let index = |x: usize, y: usize| base + (y * self.nx + x) as u32;
-        let covers: Vec<Material> =
-            (0..self.nx * self.ny).map(|i| material(self.vertex(i % self.nx, i / self.nx))).collect();
-        for y in 0..self.ny - 1 {
-            for x in 0..self.nx - 1 {
-                let i = y * self.nx + x;
-                let m = covers[i];
-                if [i + 1, i + self.nx, i + self.nx + 1].iter().any(|&k| covers[k] != m) {
-                    self.add_border(mesh, (x, y), material);
-                    continue;
-                }
-                mesh.triangle_indices([index(x, y), index(x + 1, y), index(x + 1, y + 1)], m);
-                mesh.triangle_indices([index(x, y), index(x + 1, y + 1), index(x, y + 1)], m);
-            }
-        }
-        self.add_hills(mesh, seed);
-    }
-
-    /// A cell in which ground of different kinds meets: finer triangles, cut where the kind changes.
-    fn add_border(&self, mesh: &mut MeshBuilder, (x, y): (usize, usize), material: &dyn Fn(DVec2) -> Material) {
-        let at = |i: usize, k: usize| self.vertex(x, y) + DVec2::new(i as f64, k as f64) * (self.cell / FINER as f64);
-        let corners: Vec<(DVec2, Material)> = (0..=FINER)
-            .flat_map(|k| (0..=FINER).map(move |i| (i, k)))
-            .map(|(i, k)| (at(i, k), material(at(i, k))))
-            .collect();
-        let index = |i: usize, k: usize| k * (FINER + 1) + i;
-        for k in 0..FINER {
-            for i in 0..FINER {
-                let (a, b) = (index(i, k), index(i + 1, k));
-                let (c, d) = (index(i + 1, k + 1), index(i, k + 1));
-                for triangle in [[a, b, c], [a, c, d]] {
-                    self.add_cut(mesh, triangle.map(|v| corners[v]), material);
-                }
-            }
-        }
-    }
-
-    /// A triangle of one or two kinds of ground.
-    fn add_cut(&self, mesh: &mut MeshBuilder, corners: [(DVec2, Material); 3], kind: &dyn Fn(DVec2) -> Material) {
-        let mut add = |triangle: [DVec2; 3], m: Material| {
-            let vertices = triangle.map(|p| (p.extend(self.height(p)).as_vec3(), self.normal_near(p), p.as_vec2()));
-            let base = mesh.vertices(vertices);
-            mesh.triangle_indices([base, base + 1, base + 2], m);
-        };
-        // The corner that differs from the two others.
-        let single = (0..3).find(|&k| corners[(k + 1) % 3].1 == corners[(k + 2) % 3].1);
-        let Some(k) = single else {
-            let middle = (corners[0].0 + corners[1].0 + corners[2].0) / 3.0;
-            add(corners.map(|c| c.0), kind(middle));
-            return;
-        };
-        let [(a, own), (b, other), (c, _)] = [corners[k], corners[(k + 1) % 3], corners[(k + 2) % 3]];
-        if own == other {
-            add([a, b, c], own);
-            return;
-        }
-        let change = |to: DVec2| {
-            let (mut here, mut there) = (0.0, 1.0);
-            for _ in 0..5 {
-                let middle = (here + there) / 2.0;
-                if kind(a.lerp(to, middle)) == own { here = middle } else { there = middle }
-            }
-            a.lerp(to, (here + there) / 2.0)
-        };
-        let (p, q) = (change(b), change(c));
-        add([a, p, q], own);
-        add([p, b, c], other);
-        add([p, c, q], other);
-    }
-
-    fn normal(&self, x: usize, y: usize) -> Vec3 {
-        let at = |x: usize, y: usize| self.heights[y.min(self.ny - 1) * self.nx + x.min(self.nx - 1)];
-        let dx = at(x + 1, y) - at(x.saturating_sub(1), y);
-        let dy = at(x, y + 1) - at(x, y.saturating_sub(1));
-        DVec3::new(-dx, -dy, 2.0 * self.cell).normalize().as_vec3()
-    }
-
-    fn normal_near(&self, p: DVec2) -> Vec3 {
-        let q = ((p - self.low) / self.cell).round().max(DVec2::ZERO);
-        self.normal((q.x as usize).min(self.nx - 1), (q.y as usize).min(self.ny - 1))
-    }
-
-    /// The grid's border, counter-clockwise.
-    fn border(&self) -> Vec<(usize, usize)> {
-        let (x, y) = (self.nx - 1, self.ny - 1);
-        let south = (0..x).map(|i| (i, 0));
-        let east = (0..y).map(|i| (x, i));
-        let north = (0..x).map(|i| (x - i, y));
-        let west = (0..y).map(|i| (0, y - i));
-        south.chain(east).chain(north).chain(west).collect()
-    }
-
-    /// The vertex of a ring of hills beyond vertex `k` of the border.
-    fn ring_point(&self, border: &[(usize, usize)], seed: u64, ring: usize, k: usize) -> DVec3 {
-        let (x, y) = border[k % border.len()];
-        let from = self.vertex(x, y);
-        let z = self.heights[y * self.nx + x];
-        let middle = self.vertex(self.nx / 2, self.ny / 2);
-        let (out, rise) = RINGS[ring];
-        let p = from + (from - middle).normalize_or(DVec2::X) * out;
-        if let Some(terrain) = &self.terrain {
-            let join = (out / 40.0).min(1.0);
-            let ground = z + (terrain.height(p) - z) * join;
-            return p.extend(ground + rise * hilliness(p - middle, seed));
-        }
-        let fade = 1.0 / (1.0 + out / 250.0);
-        p.extend(z * fade + (z.min(0.0)) * (1.0 - fade) + rise * hilliness(p - middle, seed))
-    }
-
-    fn add_hills(&self, mesh: &mut MeshBuilder, seed: u64) {
-        let border = self.border();
-        for ring in 0..RINGS.len() - 1 {
-            let material = [MEADOW, MEADOW, LAWN][ring.min(2)];
-            let material = if ring > 2 { HILL } else { material };
-            for k in 0..border.len() {
-                let point = |ring: usize, k: usize| self.ring_point(&border, seed, ring, k).as_vec3();
-                let corners = [point(ring, k + 1), point(ring, k), point(ring + 1, k), point(ring + 1, k + 1)];
-                mesh.quad(corners, corners.map(Vec3::truncate), material);
-            }
-        }
-    }
-
-    /// A place on the hills, from two numbers in 0..1 and a ring.
-    pub(crate) fn on_hills(&self, seed: u64, ring: usize, (u, v): (f64, f64)) -> DVec3 {
-        let border = self.border();
-        let k = ((u * border.len() as f64) as usize).min(border.len() - 1);
-        self.ring_point(&border, seed, ring, k).lerp(self.ring_point(&border, seed, ring + 1, k), v)
-    }
-}
-
-/// Distance beyond the grid and height of each ring, metres.
-const RINGS: [(f64, f64); 8] =
-    [(0.0, 0.0), (30.0, 0.8), (80.0, 5.0), (170.0, 17.0), (320.0, 36.0), (600.0, 60.0), (1100.0, 80.0), (1800.0, 60.0)];
-
-/// 0.3 to 1: where hills are high.
-fn hilliness(p: DVec2, seed: u64) -> f64 {
-    let phase = (seed % 97) as f64;
-    let around = atan2(p.y, p.x);
-    let wave = sin(3.0 * around + phase) + 0.7 * sin(7.0 * around + 2.3 * phase) + 0.4 * sin(0.011 * p.x + 0.017 * p.y);
-    f64::from(math::lerp(0.3, 1.0, math::smoothstep(-1.6, 1.8, wave as f32)))
 }
 
 /// Fills what is unknown: averages over ever coarser grids, then smoothing that leaves the known alone.
@@ -351,6 +198,7 @@ fn pull(known: &[Option<f64>], nx: usize, ny: usize) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
     use proptest::prelude::*;
 
     #[test]

@@ -1,0 +1,75 @@
+//! A sidewalk or crossing as a strip along which a pedestrian walks, and heights on it.
+
+use crate::roads::Roads;
+use endless_road::{WalkEdgeId, WalkKind, WalkNodeId};
+use endless_world::math::f64::sin_cos;
+use glam::DVec2;
+
+/// DesignVehicles are discs of this radius, metres.
+pub(crate) const BODY_M: f64 = 0.25;
+
+/// A directed strip: from, unit direction, length, usable half width.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct DirectedEdge {
+    pub(super) from: DVec2,
+    pub(super) along: DVec2,
+    pub(super) length: f64,
+    pub(super) half_width: f64,
+    pub(super) kind: WalkKind,
+}
+
+impl DirectedEdge {
+    pub(super) fn new(roads: &Roads, from: WalkNodeId, edge: WalkEdgeId, to: WalkNodeId) -> Self {
+        let walk = &roads.network.walk;
+        let (a, b) = (walk.nodes[from.index()].truncate(), walk.nodes[to.index()].truncate());
+        let data = &walk.edges[edge.index()];
+        Self {
+            from: a,
+            along: (b - a).normalize_or(DVec2::X),
+            length: a.distance(b),
+            half_width: (0.5 * data.width_m - BODY_M).max(0.1),
+            kind: data.kind,
+        }
+    }
+
+    /// Along and to the left.
+    pub(super) fn local(&self, p: DVec2) -> (f64, f64) {
+        let d = p - self.from;
+        (d.dot(self.along), self.along.perp_dot(d))
+    }
+
+    pub(super) fn point(&self, along: f64, left: f64) -> DVec2 {
+        self.from + self.along * along + self.along.perp() * left
+    }
+
+    /// How far outside the strip a point lies.
+    pub(super) fn outside(&self, p: DVec2) -> f64 {
+        let (along, left) = self.local(p);
+        let over = (along - self.length).max(-along).max(0.0);
+        over.max(left.abs() - self.half_width).max(0.0)
+    }
+}
+
+/// Height of the walking surface: sidewalks as drawn, crossings on the road between their kerbs.
+pub(crate) fn height(roads: &Roads, from: WalkNodeId, (edge, to): (WalkEdgeId, WalkNodeId), at: DVec2) -> f64 {
+    let walk = &roads.network.walk;
+    let (a, b) = (walk.nodes[from.index()], walk.nodes[to.index()]);
+    let strip = DirectedEdge::new(roads, from, edge, to);
+    let u = (strip.local(at).0 / strip.length.max(1e-6)).clamp(0.0, 1.0);
+    let high = a.z + (b.z - a.z) * u;
+    let WalkKind::Crossing(id) = strip.kind else { return high };
+    let [p, q] = roads.network.crossings[id.index()].ends;
+    let d = (q - p).truncate();
+    let length = d.length().max(1e-6);
+    let along = (at - p.truncate()).dot(d) / length;
+    let road = p.z + (q.z - p.z) * (along / length).clamp(0.0, 1.0);
+    // A step down takes a foot's length.
+    let on_road = (along.min(length - along) / 0.3 + 0.5).clamp(0.0, 1.0);
+    high + (road - high) * on_road
+}
+
+/// The unit vector of an angle: `DVec2::from_angle` with the same bits on every machine.
+pub(crate) fn unit_vector(angle: f64) -> DVec2 {
+    let (sin, cos) = sin_cos(angle);
+    DVec2::new(cos, sin)
+}
