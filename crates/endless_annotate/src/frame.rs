@@ -48,7 +48,7 @@ pub enum AnnotateError {
         frame: u32,
         /// The object.
         id: InstanceId,
-        /// What it is.
+        /// Its class.
         class: ObjectClass,
         /// A tag that its pixels have.
         actual: ClassTag,

@@ -5,7 +5,7 @@ use glam::Vec3;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error, ser::SerializeSeq};
 use std::collections::BTreeMap;
 
-/// Where the keypoints of people are, in the order of [`endless_world::KEYPOINTS`]; world frame, metres.
+/// World positions of people's keypoints, in the order of [`endless_world::KEYPOINTS`]; metres.
 pub type WorldKeypoints = BTreeMap<InstanceId, [Vec3; KEYPOINT_COUNT]>;
 
 /// COCO's flag `v`.
@@ -27,7 +27,7 @@ pub struct Keypoint {
     pub x: f64,
     /// Pixels from its top edge.
     pub y: f64,
-    /// Whether it can be seen.
+    /// Visibility.
     pub visibility: Visibility,
 }
 
@@ -48,7 +48,7 @@ impl Keypoint {
 pub struct Keypoints(pub [Keypoint; KEYPOINT_COUNT]);
 
 impl Keypoints {
-    /// How many are in the picture, seen or hidden: COCO's `num_keypoints`.
+    /// Number of keypoints in the picture, visible or hidden: COCO's `num_keypoints`.
     pub fn labelled(&self) -> u32 {
         self.0.iter().filter(|k| k.visibility != Visibility::Outside).count() as u32
     }
@@ -86,10 +86,10 @@ impl<'de> Deserialize<'de> for Keypoints {
     }
 }
 
-/// What a camera shows: by this it is judged what can be seen.
+/// A camera with its depth and instance images, by which the visibility of keypoints is judged.
 #[derive(Clone, Copy)]
 pub struct CameraView<'a> {
-    /// Who looks.
+    /// The camera.
     pub camera: &'a PinholeCamera,
     /// Whose each pixel is.
     pub instance: &'a Image<InstancePixel>,

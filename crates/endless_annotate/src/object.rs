@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 pub struct ObjectRecord {
     /// The track: the same object has the same id in all cameras and all frames.
     pub id: InstanceId,
-    /// What it is.
+    /// Its class.
     pub class: ObjectClass,
     /// Tight box of its visible pixels.
     pub bbox: PixelBox,
@@ -26,13 +26,13 @@ pub struct ObjectRecord {
     /// For a two-wheeler: who rides it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rider_id: Option<InstanceId>,
-    /// Of people, riders too: skin on the Monk scale, 1 to 10.
+    /// People and riders: skin tone on the Monk scale, 1 to 10.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub skin_tone: Option<u8>,
-    /// Of people, riders too: COCO's keypoints.
+    /// People and riders: COCO's keypoints.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub keypoints: Option<Keypoints>,
-    /// How many of them are in the picture.
+    /// Number of keypoints in the picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub num_keypoints: Option<u32>,
     /// Point on the ground under its centre, in the world (x east, y north, z up), metres.

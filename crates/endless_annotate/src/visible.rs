@@ -29,14 +29,14 @@ impl From<PixelBox> for [u32; 4] {
     }
 }
 
-/// What an instance image shows of one object.
+/// The visible part of one object in an instance image.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct VisibleObject {
-    /// Which object.
+    /// The object.
     pub id: InstanceId,
     /// Tag of its pixels.
     pub tag: ClassTag,
-    /// Whether all its pixels bear that tag.
+    /// Whether all its pixels have that tag.
     pub one_tag: bool,
     /// Tight box.
     pub bbox: PixelBox,

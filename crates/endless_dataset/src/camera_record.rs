@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 /// One camera of a video: everything needed to project world points into its images and back.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CameraRecord {
-    /// How to read the numbers.
+    /// Conventions of the numbers.
     pub conventions: String,
     /// Image size, pixels.
     pub size: ImageSize,
@@ -22,7 +22,7 @@ pub struct CameraRecord {
     pub lens: Lens,
     /// Depth of the sky, metres.
     pub far_plane_m: f64,
-    /// Where it hangs and looks.
+    /// Position and direction.
     pub site: CameraSite,
 }
 

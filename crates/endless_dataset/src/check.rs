@@ -16,7 +16,7 @@ use std::{collections::BTreeSet, fmt, io, path::Path};
 use strangers::strangers;
 use video::check_video;
 
-/// How a dataset is checked.
+/// Settings of a check.
 #[derive(Clone, Copy, Default)]
 pub struct CheckOptions<'a> {
     /// Threads; all cores where 0.

@@ -3,7 +3,7 @@
 use endless_world::{ClassTag, KEYPOINT_LIMBS, KEYPOINTS, ObjectClass};
 use serde::{Deserialize, Serialize};
 
-/// What the numbers in the instance image and the words in `objects.jsonl` mean.
+/// Meaning of the numbers in the instance image and of the words in `objects.jsonl`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LabelSchema {
     /// Changes when a tag or a class changes its meaning.
@@ -12,7 +12,7 @@ pub struct LabelSchema {
     pub instance_encoding: String,
     /// How to read the depth image.
     pub depth_encoding: String,
-    /// What `bbox` is.
+    /// Convention of `bbox`.
     pub bbox: String,
     /// Values of the red channel of the instance image.
     pub tags: Vec<TagLabel>,

@@ -13,7 +13,7 @@ use std::borrow::Cow;
 words! {
     /// One aligned image of a frame.
     Layer, "layer",
-    /// What the camera sees, sRGB.
+    /// The camera's picture, sRGB.
     Rgb = "rgb",
     /// Planar depth, CARLA's 24-bit encoding.
     Depth = "depth",
@@ -27,13 +27,13 @@ pub type StoredImage = Image<[u8; 3]>;
 /// All that is to be known of a layer.
 #[derive(Debug, Clone, Copy)]
 pub struct LayerEntry {
-    /// What its pixels are, in one line for the documents.
+    /// Meaning of its pixels, in one line for the documents.
     pub summary: &'static str,
     /// Whether it may be stored with loss, in the recipe's RGB format. What is not is always PNG.
     pub lossy: bool,
     /// The image of a frame that is stored.
     pub encode: fn(&SensorFrame) -> Cow<'_, StoredImage>,
-    /// What people see of a stored image in the layer's video, or what is wrong with the image.
+    /// The frame of the layer's video for a stored image, or what is wrong with the image.
     pub preview: fn(&StoredImage) -> Result<Cow<'_, StoredImage>, String>,
     /// What is wrong with a stored image by itself.
     pub check: fn(&StoredImage) -> Result<(), String>,
@@ -89,7 +89,7 @@ const INSTANCE: LayerEntry = LayerEntry {
     bytes_a_pixel: |_format, _look| 0.06,
 };
 
-/// What is wrong with an instance image in which this value stands for a tag.
+/// The error of an instance image that has this value as a class tag.
 fn no_tag(value: u8) -> String {
     format!("has the tag {value}: they end at 28")
 }

@@ -5,7 +5,7 @@ use endless_world::{TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// How far a video is.
+/// State of a video.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum VideoState {
@@ -18,11 +18,11 @@ pub enum VideoState {
 /// One video in `dataset.json`.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct VideoEntry {
-    /// Its place in the shuffled list.
+    /// Its number in the plan.
     pub video: u32,
     /// Its folder below `videos`.
     pub name: String,
-    /// How far it is.
+    /// Its state.
     pub state: VideoState,
     /// Map.
     pub map: String,

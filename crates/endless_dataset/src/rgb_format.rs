@@ -8,7 +8,7 @@ use crate::{
 use endless_world::CameraLookChoice;
 
 words! {
-    /// How the RGB layer is stored. The others are always PNG: they must be exact.
+    /// File format of the RGB layer. The others are always PNG, because they must be exact.
     RgbFormat, "RGB format",
     /// Lossless.
     Png = "png",
@@ -19,7 +19,7 @@ words! {
 /// All that is to be known of a file format.
 #[derive(Debug, Clone, Copy)]
 pub struct RgbFormatEntry {
-    /// Whether what is read is what was written.
+    /// Whether it is lossless.
     pub exact: bool,
     /// The bytes of a file, or why the image cannot be stored so.
     pub encode: fn(&StoredImage) -> Result<Vec<u8>, String>,

@@ -5,10 +5,10 @@ use endless_world::SceneSettings;
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::{fs, path::Path};
 
-/// What was really placed in a scene.
+/// Numbers of actors that were placed in a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct SpawnCounts {
-    /// Moving vehicles; fewer than asked for where the map has no more room.
+    /// Moving vehicles; fewer than the recipe asks for if the map is full.
     pub vehicles: u32,
     /// Pedestrians.
     pub pedestrians: u32,
@@ -22,7 +22,7 @@ pub struct SceneRecord {
     /// The settings, as in `scenes/`.
     #[serde(flatten)]
     pub settings: SceneSettings,
-    /// What was placed.
+    /// Numbers of actors.
     pub spawned: SpawnCounts,
     /// Frames recorded by each camera.
     pub recorded_frames: u32,

@@ -1,6 +1,6 @@
 //! How much disk a dataset takes.
 
-/// What is still to be made, and the room for it.
+/// Estimate of the disk space that the remaining frames need, and of the free space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DiskEstimate {
     /// Images of each layer still to be made.

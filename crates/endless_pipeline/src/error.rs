@@ -181,7 +181,7 @@ pub enum GenerateError {
         /// The video's folder.
         path: PathBuf,
     },
-    /// The disk has not enough room.
+    /// The disk is too small.
     #[error(
         "the disk has {} free, the dataset needs about {}: make room, ask for less, or use --rgb-format jpg: {}",
         human_bytes(estimate.free), human_bytes(estimate.bytes), path.display()

@@ -1,4 +1,4 @@
-//! The light around one camera's view: what is baked once for it, and stays the same while things move.
+//! Lighting baked once for a camera's view, which stays the same while objects move.
 
 use crate::accel::Ray;
 use crate::indirect::{ProbeGrid, ProbeRegion};

@@ -18,12 +18,12 @@ const LINES: usize = 4;
 /// Pixels of a line that are traced together.
 const COLUMNS: usize = 8;
 
-/// Where light comes from that did not come straight from the sun or a lamp.
+/// The source of indirect light.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum IndirectLight {
-    /// From an open sky, whatever stands around.
+    /// The open sky, without occlusion.
     OpenSky,
-    /// From irradiance probes, baked once for all that the cameras see: two bounces.
+    /// Irradiance probes, baked once for all cameras: two bounces.
     Probes,
 }
 
@@ -56,7 +56,7 @@ impl MovingCamera {
         Self { settings: settings.clone(), lighting, tone }
     }
 
-    /// What the camera sees from a site at an instant.
+    /// The sensor frame from a site at an instant.
     pub fn render(&self, still: &StaticScene, frame: &FrameScene, site: &CameraSite) -> SensorFrame {
         let camera = self.settings.camera(site);
         let size = camera.size;
@@ -66,7 +66,7 @@ impl MovingCamera {
     }
 }
 
-/// What a camera sees, before film.
+/// The layers of a camera before the film is applied.
 struct TracedImage {
     radiance: Vec<Vec3A>,
     layers: Vec<PixelLayers>,
@@ -86,7 +86,7 @@ impl TracedImage {
     }
 }
 
-/// Some lines of a view.
+/// A band of lines of an image.
 struct ImageBand<'a> {
     tracer: &'a Tracer<'a>,
     camera: &'a PinholeCamera,

@@ -1,8 +1,8 @@
-//! What decides a camera's picture of a scene.
+//! Settings of a camera's picture of a scene.
 
 use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, TimeOfDay, Weather};
 
-/// What decides a camera's picture of a scene.
+/// Settings of a camera's picture of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RenderSettings {
     /// Weather.
@@ -20,7 +20,7 @@ pub struct RenderSettings {
     /// Which of many equal patterns the gathering rays follow: pictures that differ in nothing else differ by the grain
     /// that is left.
     pub pattern: u32,
-    /// What lens, sensor and recorder do to the picture.
+    /// Effects of lens, sensor and recorder on the picture.
     pub look: CameraLook,
     /// Frames a second, for the recorder's clock.
     pub fps: f64,
@@ -29,7 +29,7 @@ pub struct RenderSettings {
 }
 
 impl RenderSettings {
-    /// As clean as datasets are by default, at 30 frames a second.
+    /// The default settings of datasets, at 30 frames a second.
     pub fn new(weather: Weather, time_of_day: TimeOfDay, seed: u64, size: ImageSize) -> Self {
         Self {
             weather,

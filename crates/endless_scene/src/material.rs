@@ -3,7 +3,7 @@
 use endless_world::ClassTag;
 use serde::Deserialize;
 
-/// Which vehicle lights drive an emitter. Manifests of imported models name them so.
+/// The vehicle lights that switch an emitter. Manifests of imported models use these names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum LightSlot {
@@ -21,7 +21,7 @@ pub enum LightSlot {
     Reverse,
 }
 
-/// Which aspect of a signal group lights a lens.
+/// The aspect of a signal group that lights a lens.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum LensAspect {
     /// Red, or the red standing figure.

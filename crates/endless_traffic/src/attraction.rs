@@ -8,7 +8,7 @@ use endless_road::{LaneId, RoadNetwork};
 use endless_world::math::f64::{exp, pow};
 use glam::{DVec2, Vec3};
 
-/// How far a place attracts, metres.
+/// Reach of an attraction, metres.
 const REACH_M: f64 = 70.0;
 /// Density at such a place over that far away, less 1.
 const DENSITY: f64 = 36.0;
@@ -27,7 +27,7 @@ const STEP_M: f64 = 5.0;
 /// Least share of its usual likelihood that a way away from all places keeps.
 const LEAST: f64 = 0.03;
 
-/// How attractive places, lanes and ways are.
+/// Attraction of places, lanes and walk edges.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Attraction {
     places: Vec<DVec2>,

@@ -1,37 +1,37 @@
-//! What a simulation is asked for, and what it could give.
+//! Driving conditions, and numbers of actors.
 
 use endless_world::{Condition, TimeOfDay, Weather};
 
-/// What drivers see of weather and time.
+/// Effects of weather and time on drivers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Conditions {
     /// Dipped headlights are on.
     pub headlights_on: bool,
-    /// The road is wet: everybody drives a little slower and keeps more distance.
+    /// The road is wet: drivers are a little slower and keep more distance.
     pub wet: bool,
-    /// Rain falls: people on foot are dressed for it.
+    /// It rains: pedestrians are dressed for it.
     pub raining: bool,
 }
 
 impl Conditions {
-    /// Of a weather at a time of day.
+    /// From a weather at a time of day.
     pub fn new(weather: Weather, time: TimeOfDay) -> Self {
         let Condition { headlights_on, wet_road, rain, .. } = *Condition::of(weather, time);
         Self { headlights_on, wet: wet_road, raining: rain > 0.0 }
     }
 }
 
-/// How many of those asked for there are.
+/// Numbers of actors, requested and spawned.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Population {
-    /// Moving vehicles asked for.
+    /// Moving vehicles requested.
     pub vehicles_asked: u32,
-    /// Moving vehicles there are.
+    /// Moving vehicles spawned.
     pub vehicles_spawned: u32,
     /// Spawn points for vehicles in this town; long vehicles take the room of several.
     pub vehicle_capacity: u32,
-    /// Pedestrians asked for.
+    /// Pedestrians requested.
     pub pedestrians_asked: u32,
-    /// Pedestrians there are.
+    /// Pedestrians spawned.
     pub pedestrians_spawned: u32,
 }

@@ -15,7 +15,7 @@ pub struct Fleet<'a> {
     pub pedestrian: &'a dyn Fn(u64) -> PedestrianSpec,
 }
 
-/// What a simulation is asked for.
+/// Settings of a simulation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TrafficSettings {
     /// Moving vehicles; as many are spawned as find room.
@@ -26,7 +26,7 @@ pub struct TrafficSettings {
     pub seed: u64,
     /// Frames a second, positive.
     pub fps: f64,
-    /// What drivers see of weather and time.
+    /// Effects of weather and time on drivers.
     pub conditions: Conditions,
     /// Places around which traffic is denser and to which ways rather lead (world frame, metres; say, the recorded
     /// cameras); without any, vehicles and people are spread evenly over the whole map.

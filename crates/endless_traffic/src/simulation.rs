@@ -103,7 +103,7 @@ impl Simulation {
         Ok(simulation)
     }
 
-    /// How many there are of those asked for.
+    /// Numbers of actors, requested and spawned.
     pub fn population(&self) -> Population {
         self.population
     }
@@ -208,7 +208,7 @@ impl Simulation {
 /// Ids of those who move.
 #[derive(Debug, Clone)]
 struct ActorIds {
-    /// Of each vehicle and of who rides it.
+    /// Ids of each vehicle and of its rider.
     vehicles: Vec<(InstanceId, Option<InstanceId>)>,
     walkers: Vec<InstanceId>,
 }

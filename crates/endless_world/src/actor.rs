@@ -59,7 +59,7 @@ impl VehicleLights {
     }
 }
 
-/// How a vehicle's parts stand.
+/// Motion of a vehicle and its moving parts.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct VehicleMotion {
     /// Forward speed, m/s.
@@ -74,7 +74,7 @@ pub struct VehicleMotion {
     pub lights: VehicleLights,
 }
 
-/// What a person does.
+/// What a person is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Gait {
     /// Standing.
@@ -113,7 +113,7 @@ pub struct FootPlace {
     pub toes_rad: f32,
 }
 
-/// Where both feet are when they do not simply follow from a steady walk: while starting, stopping and turning.
+/// Positions of both feet where they differ from those of a steady walk: while starting, stopping and turning.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Footing {
     /// Place in the cycle of two steps, 0 to 1; the left foot strikes at 0.
@@ -122,22 +122,22 @@ pub struct Footing {
     pub feet: [FootPlace; 2],
 }
 
-/// How a person's body stands.
+/// Motion of a person.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct WalkerMotion {
     /// Forward speed, m/s.
     pub speed_mps: f32,
-    /// What they do.
+    /// Their gait.
     pub gait: Gait,
     /// Distance walked since the scene began, metres: legs swing by distance, so that feet do not slide.
     pub walked_m: f32,
     /// Seconds since the scene began, for breathing and idling.
     pub time_s: f32,
-    /// Where the feet are; `None`: as in a steady walk straight ahead.
+    /// Positions of the feet; `None` for a steady walk straight ahead.
     pub footing: Option<Footing>,
 }
 
-/// What moves, by kind.
+/// Motion, by kind of actor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Motion {
     /// A car, van, truck, bus, motorcycle or bicycle.
@@ -153,15 +153,15 @@ pub struct Actor {
     pub id: InstanceId,
     /// The id of the person riding it, for two-wheelers: class [`ObjectClass::Rider`].
     pub rider_id: Option<InstanceId>,
-    /// What it is.
+    /// Its class.
     pub class: ObjectClass,
-    /// Which entry of the catalogue.
+    /// Its catalogue entry.
     pub asset: AssetRef,
-    /// Where it is.
+    /// Its pose.
     pub pose: Pose,
     /// World-frame velocity, m/s.
     pub velocity_mps: Vec3,
-    /// How its parts stand.
+    /// Motion of its parts.
     pub motion: Motion,
     /// Placed by the town and still for the whole video.
     pub parked: bool,

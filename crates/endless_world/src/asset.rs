@@ -1,4 +1,4 @@
-//! Which entry of the catalogue an actor is.
+//! The catalogue entry of an actor.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use std::fmt;
 pub struct VehicleModelId(pub u32);
 
 impl VehicleModelId {
-    /// Of the model at this index of the catalogue's list.
+    /// The model at an index of the catalogue's list.
     ///
     /// # Panics
     /// If the index is 2³² or more.
@@ -49,13 +49,13 @@ pub enum Outfit {
 /// A person of the catalogue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct PersonRef {
-    /// What they are dressed for.
+    /// The weather they are dressed for.
     pub outfit: Outfit,
-    /// Who they are: seed of body, clothes and way of moving.
+    /// Seed of body, clothes and gait.
     pub seed: u64,
 }
 
-/// Which entry of the catalogue an actor is.
+/// The catalogue entry of an actor.
 ///
 /// ```
 /// use endless_world::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};

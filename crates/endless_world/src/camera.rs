@@ -38,7 +38,7 @@ impl FromStr for ImageSize {
     }
 }
 
-/// What the camera hangs on.
+/// What the camera is mounted on.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Mount {
@@ -50,7 +50,7 @@ pub enum Mount {
     Wall,
 }
 
-/// Where a surveillance camera is and looks. Level: no roll.
+/// Position and direction of a surveillance camera, without roll.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CameraSite {
     /// Unique within the map, e.g. `junction_north`.
@@ -63,7 +63,7 @@ pub struct CameraSite {
     pub down_tilt_rad: f32,
     /// Horizontal field of view, radians.
     pub horizontal_fov_rad: f32,
-    /// What it hangs on.
+    /// Its mount.
     pub mount: Mount,
 }
 

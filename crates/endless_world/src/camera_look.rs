@@ -1,4 +1,4 @@
-//! What a camera's lens, sensor and recorder do to its pictures.
+//! Effects of a camera's lens, sensor and recorder on its pictures.
 
 use crate::condition::{UnknownName, named_enum};
 use crate::{Stream, TimeOfDay};
@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 use std::{fmt, str::FromStr};
 
 named_enum! {
-    /// Which looks a recipe asks for.
+    /// The camera looks that a recipe can ask for.
     CameraLookChoice, "camera look",
     /// A good camera: a little noise, and what moves is blurred by as long as the shutter is open.
     Natural = "natural",
-    /// The picture as light made it, at one instant.
+    /// No effects, at one instant.
     Clean = "clean",
     /// A usual surveillance camera: a wide lens, some noise, a recorder that compresses and stamps the time.
     Cctv = "cctv",
@@ -38,14 +38,14 @@ impl Distortion {
         Self { k1, k2: 0.5 * k1 * k1 }
     }
 
-    /// Where an image point of the pinhole goes.
+    /// The distorted position of a pinhole image point.
     #[inline]
     pub fn distort(self, p: Vec2) -> Vec2 {
         let r2 = p.length_squared();
         p * (1.0 + r2 * (self.k1 + self.k2 * r2))
     }
 
-    /// Where a point of the distorted image comes from: Newton's method on the radius.
+    /// The pinhole image point of a distorted one, by Newton's method on the radius.
     #[inline]
     pub fn undistort(self, p: Vec2) -> Vec2 {
         if self == Self::NONE {
@@ -72,7 +72,7 @@ pub struct RecorderClock {
 }
 
 impl RecorderClock {
-    /// Some day, at an hour that fits the light.
+    /// A random day, at an hour that fits the light.
     pub fn new(time: TimeOfDay, random: &mut Stream) -> Self {
         let hour = match time {
             TimeOfDay::Morning => 7,
@@ -85,10 +85,10 @@ impl RecorderClock {
     }
 }
 
-/// The look of one camera; the values that a scene settled on.
+/// The look of one camera in one scene.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct CameraLook {
-    /// Of all layers, identically.
+    /// Lens distortion, the same for all layers.
     pub distortion: Distortion,
     /// Share of the light that the corners lose.
     pub vignetting: f32,
@@ -114,7 +114,7 @@ pub struct CameraLook {
 }
 
 impl CameraLook {
-    /// Nothing done.
+    /// No effects.
     pub const CLEAN: Self = Self {
         distortion: Distortion::NONE,
         vignetting: 0.0,
@@ -169,7 +169,7 @@ impl CameraLook {
         }
     }
 
-    /// Whether nothing is done.
+    /// Whether it has no effect.
     pub fn is_clean(&self) -> bool {
         *self == Self::CLEAN
     }

@@ -6,9 +6,9 @@ use std::{fmt, str::FromStr};
 /// A name that is not in the list; its message lists the names that are.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UnknownName {
-    /// What the name should have named, e.g. "weather".
+    /// The kind of name, e.g. "weather".
     pub what: &'static str,
-    /// What was given.
+    /// The name that was given.
     pub given: String,
     /// The names there are.
     pub known: Vec<&'static str>,
@@ -55,7 +55,7 @@ macro_rules! named_enum {
 pub(crate) use named_enum;
 
 named_enum! {
-    /// What the sky and the ground are like.
+    /// State of sky and ground.
     Weather, "weather",
     /// Blue sky, dry ground.
     ClearSky = "clear_sky",
@@ -70,7 +70,7 @@ named_enum! {
 }
 
 named_enum! {
-    /// Where the sun stands.
+    /// Time of day, by the sun's elevation.
     TimeOfDay, "time of day",
     /// Low warm sun in the east.
     Morning = "morning",

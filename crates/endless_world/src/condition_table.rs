@@ -1,10 +1,10 @@
-//! The fifteen conditions, a weather at a time of day each, with their physical quantities: the one place where they stand.
+//! The table of the fifteen conditions (a weather at a time of day) with their physical quantities.
 //!
 //! Within a condition scenes differ: where a quantity is a [`ValueRange`], each scene draws its own by its seed.
 
 use crate::{Stream, TimeOfDay, Weather};
 
-/// The values that a quantity has in the scenes of a condition: all alike from `low` to `high`.
+/// The range of a quantity over the scenes of a condition, uniform from `low` to `high`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ValueRange {
     /// Least.
@@ -30,7 +30,7 @@ impl ValueRange {
     }
 }
 
-/// One weather at one time of day. Quantities without a source are set by eye, beside pictures of real street cameras.
+/// One weather at one time of day. Quantities without a source are set by eye, against pictures of real street cameras.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Condition {
     /// The weather.
@@ -43,7 +43,7 @@ pub struct Condition {
     pub sun_azimuth_deg: ValueRange,
     /// Above the horizon, degrees.
     pub sun_elevation_deg: ValueRange,
-    /// What haze and clouds leave of the sun's direct light, 0 to 1.
+    /// Share of the sun's direct light that haze and clouds let through, 0 to 1.
     pub sun_share: f32,
 
     // The sky.
@@ -85,7 +85,7 @@ pub struct Condition {
     pub puddles: f32,
 
     // Cameras.
-    /// Share of light that droplets in the air and on the lens spread around bright things.
+    /// Share of light that droplets in the air and on the lens scatter around bright objects.
     pub glare: f32,
     /// Grey that exposure makes of the picture's mean, of full scale: night should look like night.
     pub exposure_key: f32,

@@ -1,6 +1,6 @@
 //! The keypoints of a person, as COCO names and joins them.
 
-/// How many there are.
+/// Number of keypoints.
 pub const KEYPOINT_COUNT: usize = 17;
 
 /// Their names, in COCO's order.

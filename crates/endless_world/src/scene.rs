@@ -6,9 +6,9 @@ use serde::{Deserialize, Serialize};
 /// A camera of a scene: where it hangs, and what it does to the picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SceneCamera {
-    /// Where it hangs and looks.
+    /// Position and direction.
     pub site: CameraSite,
-    /// What its lens, sensor and recorder do to the picture.
+    /// Effects of its lens, sensor and recorder on the picture.
     pub look: CameraLook,
 }
 
@@ -27,7 +27,7 @@ pub struct SceneSettings {
     /// left out where all are clean.
     #[serde(flatten, with = "cameras_and_looks")]
     pub cameras: Vec<SceneCamera>,
-    /// Vehicles asked for (parked ones come on top).
+    /// Moving vehicles to spawn, in addition to parked ones.
     pub vehicles: u32,
     /// Pedestrians asked for.
     pub pedestrians: u32,

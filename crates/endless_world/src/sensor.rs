@@ -31,7 +31,7 @@ impl<T: Clone> Image<T> {
 pub struct InstancePixel {
     /// Class of what the ray through the pixel's centre hit.
     pub tag: ClassTag,
-    /// Which object; 0 for stuff.
+    /// The object; 0 for stuff.
     pub id: InstanceId,
 }
 

@@ -3,7 +3,7 @@
 use crate::Actor;
 use serde::{Deserialize, Serialize};
 
-/// What a signal head shows.
+/// The aspect of a signal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SignalAspect {
@@ -21,7 +21,7 @@ pub enum SignalAspect {
 /// "finish crossing" (shown as blinking green or red hand).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct SignalState {
-    /// What it shows.
+    /// Its aspect.
     pub aspect: SignalAspect,
 }
 

@@ -30,9 +30,9 @@ pub struct VehicleSpec {
     pub frequency: f64,
     /// Whether it may stand parked at a kerb.
     pub parks: bool,
-    /// Whether somebody rides on it.
+    /// Whether it has a rider.
     pub ridden: bool,
-    /// What it draws; axles are then those of what draws it.
+    /// The trailer that it tows; the axles are then those of the towing vehicle.
     pub trailer: Option<TrailerSpec>,
 }
 
@@ -84,6 +84,6 @@ impl VehicleSpec {
 pub struct ParkedVehicle {
     /// Vehicle model and variant.
     pub vehicle: VehicleRef,
-    /// Where it stands.
+    /// Its pose.
     pub pose: Pose,
 }

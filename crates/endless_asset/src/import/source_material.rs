@@ -87,7 +87,7 @@ fn source_material(
         let placed = transform.as_ref().map_or(([0.0; 2], [1.0; 2], 0.0), |t| (t.offset(), t.scale(), t.rotation()));
         let set = transform.and_then(|t| t.tex_coord()).unwrap_or(info.tex_coord());
         let (offset, scale) = (Vec2::from_array(placed.0), Vec2::from_array(placed.1));
-        mapping = Some(TextureMapping { image: image, set, offset, scale, turn_rad: placed.2 });
+        mapping = Some(TextureMapping { image, set, offset, scale, turn_rad: placed.2 });
     }
     let extras = extras(material);
     let extra = |key: &str| extras.get(key).and_then(|v| v.as_str());

@@ -55,7 +55,7 @@ pub(crate) fn stand_in(town: &mut Town, catalogue: &Catalogue) {
     town.placements = placements;
 }
 
-/// The place without the scale that plants and poles are given: an imported thing has its real size.
+/// The placement without the scale of plants and poles: an imported model has its real size.
 fn upright(placement: &Placement, prop: Option<Prop>) -> Affine3A {
     if prop.is_none() {
         return placement.world_from_object;

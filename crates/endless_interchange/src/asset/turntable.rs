@@ -69,7 +69,7 @@ fn whole(catalogue: &Catalogue, item: &CatalogueItem, variant: u64) -> Mesh {
     }
 }
 
-/// A paved square with a thing in its middle.
+/// A paved square with an object in its middle.
 fn stage(thing: Mesh) -> StaticScene {
     let ground = Material::new(Surface::Asphalt, [0.14, 0.14, 0.14], ClassTag::Roads);
     let mut square = MeshBuilder::new();

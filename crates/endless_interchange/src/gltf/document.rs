@@ -40,7 +40,7 @@ pub(super) fn y_up(v: Vec3) -> Vec3 {
     Vec3::new(v.x, v.z, -v.y)
 }
 
-/// A node of a name at a place. Towns place things with scales and turns only.
+/// A node with a name and a transform. Towns place objects with scales and rotations only.
 pub(super) fn node_at(name: &str, world_from_object: Affine3A) -> Node {
     let (scale, turn, at) = world_from_object.to_scale_rotation_translation();
     let axis = y_up(Vec3::new(turn.x, turn.y, turn.z));

@@ -1,4 +1,4 @@
-//! A whole town, or one thing of the catalogue, as a binary glTF 2.0 file (`.glb`): metres, y up, x east, z south.
+//! A whole town, or one asset of the catalogue, as a binary glTF 2.0 file (`.glb`): metres, y up, x east, z south.
 //!
 //! Things that look alike share a mesh; parts of a mesh that differ in material share its vertices. Materials have
 //! base colour, metallicness, roughness and emission; their procedural detail is the renderer's and stays behind, and with

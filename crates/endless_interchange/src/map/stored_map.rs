@@ -1,4 +1,4 @@
-//! What is kept of an imported map beside its file.
+//! The manifest of an imported map, kept beside its file.
 
 use endless_world::DrivingSide;
 use serde::{Deserialize, Serialize};
@@ -21,7 +21,7 @@ pub struct StoredMap {
     pub name: String,
     /// Its format.
     pub format: MapFormat,
-    /// The side of traffic, where the user said it.
+    /// The driving side, if the user gave it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub driving_side: Option<DrivingSide>,
     /// Name of the file that was imported.
@@ -46,7 +46,7 @@ impl StoredMap {
 pub struct ImportOptions<'a> {
     /// Name of the map; by default the file's, without its endings.
     pub name: Option<&'a str>,
-    /// On which side traffic keeps; by default as the file or its place says.
+    /// The driving side; by default that of the file or its country.
     pub driving_side: Option<DrivingSide>,
     /// Replace an imported map of the same name.
     pub replace: bool,

@@ -76,7 +76,7 @@ impl<'a> FrameRecorder<'a> {
         }
     }
 
-    /// The frame where it is stored; one that somebody spoilt is made again.
+    /// The frame if it is stored; a damaged one is rendered again.
     fn read(&self, frame: u32) -> Result<Option<Vec<StoredLayers>>, DatasetError> {
         if !self.stored.has(frame) {
             return Ok(None);

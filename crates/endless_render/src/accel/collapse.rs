@@ -7,14 +7,14 @@ use wide::f32x8;
 
 use super::node::{BvhNode, EMPTY_BOX, NodeLink, union};
 
-/// What things cost, relative to one test of a node's eight boxes.
+/// Costs of intersection tests, relative to one test of a node's eight boxes.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SahCosts {
-    /// Test of one group of things in a leaf.
+    /// Test of one group of primitives in a leaf.
     pub(super) group: f32,
-    /// Things per group.
+    /// Primitives per group.
     pub(super) group_size: u32,
-    /// Most things in one leaf.
+    /// Most primitives in one leaf.
     pub(super) max_leaf: u32,
 }
 

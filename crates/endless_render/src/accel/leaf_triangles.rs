@@ -13,13 +13,13 @@ use super::triangle::TriangleGroup;
 /// The groups of all leaves, one leaf after the other.
 #[derive(Debug)]
 pub(super) struct LeafTriangles {
-    /// Where they are; empty until somebody asks, once the mesh has moved.
+    /// Their positions; empty until they are first needed after the mesh has moved.
     placed: OnceLock<Vec<TriangleGroup>>,
     soft: Option<DeformingGroups>,
     count: usize,
 }
 
-/// What deforms.
+/// The groups of a deforming mesh.
 #[derive(Debug)]
 struct DeformingGroups {
     /// Vertices of the triangles in the order in which the groups hold them.

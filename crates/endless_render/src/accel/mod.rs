@@ -1,4 +1,4 @@
-//! Ray tracing: which triangle of many placed meshes a ray meets first, or whether it meets any.
+//! Ray tracing: the first triangle of many placed meshes that a ray hits, or whether it hits any.
 //!
 //! Two levels: a [`Blas`] per mesh, shared by its instances, and a [`Tlas`] over the instances. Both are trees of
 //! eight-wide nodes (`node`), built as binary trees by `obvhs` and collapsed by `collapse`.

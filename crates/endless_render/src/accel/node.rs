@@ -5,7 +5,7 @@ use wide::f32x8;
 
 use super::ray::{FAR_PAD, LocalRay};
 
-/// What a child slot points to, in 32 bits: nothing, an inner node, or a run of things in a leaf.
+/// What a child slot points to, in 32 bits: nothing, an inner node, or a range of primitives in a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct NodeLink(pub(super) u32);
 
@@ -14,7 +14,7 @@ impl NodeLink {
     const LEAF: u32 = 0x8000_0000;
     const COUNT_SHIFT: u32 = 27;
     const START_MASK: u32 = (1 << Self::COUNT_SHIFT) - 1;
-    /// Most things in one leaf.
+    /// Most primitives in one leaf.
     pub(super) const MAX_COUNT: usize = 15;
 
     pub(super) fn inner(node: usize) -> Self {
@@ -38,13 +38,13 @@ impl NodeLink {
         self.0 as usize
     }
 
-    /// First thing of a leaf.
+    /// First primitive of a leaf.
     #[inline]
     pub(super) fn start(self) -> usize {
         (self.0 & Self::START_MASK) as usize
     }
 
-    /// The run of things of a leaf.
+    /// The range of primitives of a leaf.
     #[inline]
     pub(super) fn range(self) -> std::ops::Range<usize> {
         self.start()..self.start() + (self.0 >> Self::COUNT_SHIFT & 15) as usize

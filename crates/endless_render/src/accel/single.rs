@@ -37,7 +37,7 @@ impl Blas {
     }
 }
 
-/// Asks whether rays meet a mesh, first of all what the last ray of the same kind met.
+/// Tests shadow rays against a mesh, first against the triangles that the last ray of the same kind hit.
 pub(crate) struct ShadowRays<'a, const N: usize> {
     blas: &'a Blas,
     /// Group of triangles that the last one met, by kind.

@@ -13,7 +13,7 @@ use super::collapse::{Bvh, SahCosts, collapse};
 use super::node::{BvhNode, EMPTY_BOX, NodeLink, corners, half_area, union};
 use super::ray::RayTransform;
 
-/// Acceleration structure over placed meshes: what rays are traced against.
+/// Acceleration structure over placed meshes, which rays are traced against.
 #[derive(Clone, Debug)]
 pub struct Tlas {
     tree: Bvh,
@@ -22,7 +22,7 @@ pub struct Tlas {
     bounds: (Vec3A, Vec3A),
 }
 
-/// What a leaf of the top level holds: an instance, or a part of one.
+/// An entry of a top-level leaf: an instance, or a part of one.
 #[derive(Clone, Debug)]
 pub(super) struct TlasEntry {
     /// `None` if the mesh lies in world space as it is.

@@ -1,4 +1,4 @@
-//! Which tiles what moves can change, and how. Errs towards more.
+//! The tiles that moving objects can change, and how. Conservative.
 
 use super::bake::CameraBake;
 use super::contact_shadow::contact_may_reach;

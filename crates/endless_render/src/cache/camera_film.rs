@@ -24,9 +24,9 @@ pub(super) struct CameraFilm {
     pub(super) rain: Option<Rain>,
     /// How long the shutter is open.
     pub(super) shutter_s: f32,
-    /// Share of light that spreads around bright things.
+    /// Share of light that spreads around bright objects.
     pub(super) glare: f32,
-    /// What lens, sensor and recorder do to a picture, if they do anything.
+    /// Effects of lens, sensor and recorder, if any.
     pub(super) post_process: Option<PostProcess>,
     /// Copies of `radiance`.
     pub(super) radiance_pool: ScratchPool<Vec<Vec3A>>,

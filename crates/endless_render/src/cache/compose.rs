@@ -1,4 +1,4 @@
-//! The radiance of a still sample in a world where things move.
+//! The radiance of a static sample while objects move.
 
 use super::centre_light::CentreLight;
 use super::contact_shadow::contact_shadow;

@@ -11,11 +11,11 @@ use endless_scene::Surface;
 use glam::{Vec2, Vec3A};
 use std::ops::Range;
 
-/// What moves in front of a pixel.
+/// Coverage of a pixel by moving objects.
 pub(super) struct Coverage {
     /// What covers the pixel's centre, if it does.
     pub(super) centre: Option<PixelLayers>,
-    /// Samples that it covers.
+    /// Number of samples that they cover.
     pub(super) samples: usize,
     /// Way of what covers it in the image while the shutter is open, pixels.
     pub(super) way: Vec2,

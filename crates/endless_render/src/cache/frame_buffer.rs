@@ -1,4 +1,4 @@
-//! A frame in the making.
+//! The buffers of a frame while it is rendered.
 
 use super::bake::CameraBake;
 use crate::film::{BlurScratch, Streak, blur, with_glare};
@@ -11,7 +11,7 @@ pub(super) struct FramePixel {
     pub(super) radiance: Vec3A,
     /// What moves and covers the pixel's centre.
     pub(super) covered: Option<PixelLayers>,
-    /// What of it moves so fast that the picture blurs.
+    /// Moving light that is blurred, if it moves fast enough.
     pub(super) streak: Option<Streak>,
 }
 

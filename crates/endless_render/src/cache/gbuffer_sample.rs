@@ -38,7 +38,7 @@ pub(super) struct GBufferSample {
 }
 
 impl GBufferSample {
-    /// Its mirror is strong enough to show moving things.
+    /// Its mirror reflection is strong enough to show moving objects.
     pub(super) const MIRRORS: u8 = 1;
     /// A traffic light's lens.
     pub(super) const LENS: u8 = 2;
@@ -66,7 +66,7 @@ impl GBufferSample {
         self.hit.instance == SKY
     }
 
-    /// Whether its mirror is strong enough to show moving things.
+    /// Whether its mirror reflection is strong enough to show moving objects.
     pub(super) fn mirrors(&self) -> bool {
         self.flags & Self::MIRRORS != 0
     }

@@ -9,7 +9,7 @@ pub(crate) const LEAST_PX: f32 = 0.6;
 /// No streak is longer.
 pub(crate) const LONGEST_PX: f32 = 200.0;
 
-/// What moves in a pixel.
+/// Light of a moving object in a pixel.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Streak {
     pub(crate) id: InstanceId,
@@ -108,7 +108,7 @@ fn along(size: ImageSize, pixel: u32, streak: &Streak, mut give: impl FnMut(usiz
     }
 }
 
-/// Whether a pixel shows one thing, and nothing else, all the while.
+/// Whether a pixel shows only one object while the shutter is open.
 fn inside(size: ImageSize, streaks: &[(u32, Streak)], at: &[u32], pixel: u32) -> bool {
     let find = |pixel: u32| Some(&streaks[at[pixel as usize].checked_sub(1)? as usize].1);
     let Some(here) = find(pixel).filter(|s| s.cover >= 1.0) else { return false };

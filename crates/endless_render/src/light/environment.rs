@@ -48,7 +48,7 @@ pub(crate) struct Environment {
     pub(crate) rain: f32,
     /// How much of the middle grey the exposure aims for: night should look like night.
     pub(crate) exposure_key: f32,
-    /// Share of the light that spreads around bright things.
+    /// Share of the light that spreads around bright objects.
     pub(crate) glare: f32,
 }
 

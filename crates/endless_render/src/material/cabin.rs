@@ -32,7 +32,7 @@ struct Cabin {
     roof: f32,
     /// Lower edge of the windows.
     sill: f32,
-    /// The ends of the room.
+    /// The ends of the cabin.
     x: [f32; 2],
     /// Whether passengers stand, too: one sees the floor, and poles to hold on to.
     standing: bool,
@@ -119,7 +119,7 @@ pub(super) fn behind(point: &SurfaceInteraction<'_>, through: f32) -> Option<Cab
     Some(CabinView { albedo: met.color * through, lit: if met.outside { Vec3A::ZERO } else { lit * through } })
 }
 
-/// The nearest thing met so far.
+/// The nearest hit so far.
 struct CabinHit {
     t: f32,
     color: Vec3A,
@@ -180,7 +180,7 @@ impl Cabin {
         }
     }
 
-    /// The room itself: lining, doors, dashboard, floor, and the windows across.
+    /// The cabin itself: lining, doors, dashboard, floor, and the opposite windows.
     fn shell(&self, origin: Vec3A, direction: Vec3A) -> CabinHit {
         let outside = Vec3A::new(0.23, 0.25, 0.27);
         let dark = Vec3A::splat(0.025);

@@ -1,4 +1,4 @@
-//! Windows with a room behind them. uv: the integer part names the window, the fraction is the place in it.
+//! Windows with a room behind them (interior mapping). uv: the integer part numbers the window, the fraction is the position in it.
 
 use super::{Bsdf, noise};
 use crate::light::Environment;

@@ -6,7 +6,7 @@ use endless_scene::Mesh;
 use glam::Vec3;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// A mesh that deforms, with its rest pose. The memory of forms that nobody holds any more is used again.
+/// A mesh that deforms, with its rest pose. The memory of posed meshes that are no longer used is reused.
 #[derive(Debug)]
 pub struct DeformableMesh {
     rest: Geometry,
@@ -14,7 +14,7 @@ pub struct DeformableMesh {
 }
 
 impl DeformableMesh {
-    /// Of a mesh in its rest pose.
+    /// From a mesh in its rest pose.
     pub fn new(rest: impl Into<Arc<Mesh>>) -> Self {
         Self { rest: Geometry::for_use(rest.into(), GeometryUse::Deforming), posed: Mutex::default() }
     }

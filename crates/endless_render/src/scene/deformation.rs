@@ -3,7 +3,7 @@
 use glam::Vec3;
 use std::fmt::Debug;
 
-/// How the vertices of a mesh stand at one instant: by bones and weights, say.
+/// The vertex positions of a mesh at one instant, for example by bones and weights.
 pub trait Deformation: Debug + Send + Sync {
     /// Writes where every vertex is: object frame, metres, in the order of the mesh.
     fn positions(&self, positions: &mut [Vec3]);

@@ -7,16 +7,16 @@ use crate::light::VehicleBeam;
 use endless_world::SignalAspect;
 use rayon::prelude::*;
 
-/// What there is at one instant besides what stands still; by default nothing.
+/// The moving objects, vehicle lights and signals of one instant; empty by default.
 #[derive(Debug, Clone, Default)]
 pub struct FrameDescription {
     /// Number of the frame: rain and noise differ by it.
     pub frame: u32,
-    /// What moves.
+    /// Moving objects.
     pub objects: Vec<MovingObject>,
     /// Lights of vehicles that shine on their surroundings at night.
     pub beams: Vec<VehicleBeam>,
-    /// What signals show, by [`SignalId`](endless_world::SignalId).
+    /// Aspects of signals, by [`SignalId`](endless_world::SignalId).
     pub signals: Vec<SignalAspect>,
 }
 

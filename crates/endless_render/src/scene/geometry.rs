@@ -10,22 +10,22 @@ use std::sync::Arc;
 /// A mesh ready to be traced. Clones are cheap and share everything.
 #[derive(Debug, Clone)]
 pub struct Geometry {
-    /// As it was made: of what deforms, its vertices are those of the rest pose.
+    /// The mesh; if it deforms, in its rest pose.
     pub(crate) mesh: Arc<Mesh>,
     /// Share of the surroundings that each vertex sees past its own body, 0 to 1, as in glTF's occlusion textures;
     /// empty means 1 everywhere.
     pub(crate) ambient_occlusion: Arc<[f32]>,
-    /// What changes when it deforms.
+    /// Vertices and tree of a deformed mesh.
     pub(crate) posed: Arc<PosedMesh>,
 }
 
 impl Geometry {
-    /// Of what stands still and meets many rays: its hierarchy is worth some work.
+    /// For static meshes, which many rays hit: builds a good hierarchy.
     pub fn new(mesh: impl Into<Arc<Mesh>>) -> Self {
         Self::for_use(mesh.into(), GeometryUse::Still)
     }
 
-    /// Of what moves as it is, such as vehicles: its hierarchy is soon made.
+    /// For rigid moving meshes, such as vehicles: builds a hierarchy quickly.
     pub fn rigid(mesh: impl Into<Arc<Mesh>>) -> Self {
         Self::for_use(mesh.into(), GeometryUse::Rigid)
     }

@@ -23,7 +23,7 @@ pub struct Instance {
     pub(crate) lights: VehicleLights,
     /// Signal group whose aspect lights its lenses.
     pub(crate) signal: Option<SignalId>,
-    /// How it moves.
+    /// Its velocity.
     pub(crate) velocity: RigidVelocity,
     /// The moving object that it is a part of, by index; [`u16::MAX`] for what stands still.
     pub(crate) object: u16,

@@ -10,9 +10,9 @@ use std::ops::Range;
 /// lorry and its trailer, each piece is an object.
 #[derive(Debug, Clone)]
 pub struct MovingObject {
-    /// What of it is drawn.
+    /// Its instances.
     pub instances: Vec<Instance>,
-    /// Where it stands.
+    /// Its footprint on the ground.
     pub footprint: Footprint,
 }
 

@@ -6,7 +6,7 @@ use endless_scene::Mesh;
 use glam::{Vec3, Vec3A};
 use std::sync::Arc;
 
-/// What changes when a mesh deforms.
+/// The vertices and tree of a deformed mesh.
 #[derive(Debug, Clone)]
 pub(crate) struct PosedMesh {
     vertices: VertexSource,
@@ -15,12 +15,12 @@ pub(crate) struct PosedMesh {
     pub(super) bounds: Vec<(Vec3A, Vec3A)>,
 }
 
-/// Where vertices are.
+/// Source of vertex positions.
 #[derive(Debug, Clone)]
 enum VertexSource {
-    /// Where they were made.
+    /// The positions of the mesh itself.
     AsMade(Arc<Mesh>),
-    /// Where a deformation put them. Normals are asked of it: few are ever needed.
+    /// Deformed positions. Normals are computed on demand: few are ever needed.
     Deformed { positions: Arc<[Vec3]>, deformation: Arc<dyn Deformation> },
 }
 
@@ -46,7 +46,7 @@ impl PosedMesh {
         self.bounds = close_bounds(&self.blas);
     }
 
-    /// Where its vertices are.
+    /// Its vertex positions.
     #[inline]
     pub(crate) fn positions(&self) -> &[Vec3] {
         match &self.vertices {

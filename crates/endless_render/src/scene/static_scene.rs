@@ -15,7 +15,7 @@ pub struct StaticScene {
 }
 
 impl StaticScene {
-    /// Of instances and of the lamps that are lit at night. Instances without triangles are left out.
+    /// A scene of instances, and of the lamps that are lit at night. Instances without triangles are left out.
     pub fn new(instances: Vec<Instance>, lamps: &[StreetLamp]) -> Self {
         Self::with_lamps(instances, Arc::new(Lamps::new(lamps)))
     }

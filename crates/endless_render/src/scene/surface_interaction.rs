@@ -6,7 +6,7 @@ use endless_scene::Material;
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3A};
 
-/// What lights need to know of a point.
+/// A point to be lit.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ShadingPoint {
     /// World frame.
@@ -20,12 +20,12 @@ pub(crate) struct ShadingPoint {
 }
 
 impl ShadingPoint {
-    /// Where a ray has come after `distance` metres.
+    /// The point of a ray at `distance` metres.
     pub(crate) fn along(ray: &Ray, distance: f32, geometric_normal: Vec3A) -> Self {
         Self { position: ray.origin + ray.direction * distance, geometric_normal, direction: ray.direction, distance }
     }
 
-    /// Where rays leave the surface without meeting it again.
+    /// Origin for rays that leave the surface, offset so that they do not hit it again.
     pub(crate) fn ray_origin(&self) -> Vec3A {
         let away = 1.5e-3 + 2.0e-5 * self.distance + 4.0e-7 * self.position.abs().max_element();
         self.position + self.geometric_normal * away
@@ -107,7 +107,7 @@ impl<'a> SurfaceInteraction<'a> {
         }
     }
 
-    /// Where the ray started.
+    /// Origin of the ray.
     pub(crate) fn seen_from(&self) -> Vec3A {
         self.position - self.direction * self.distance
     }
@@ -123,7 +123,7 @@ impl<'a> SurfaceInteraction<'a> {
         self.instance.class.unwrap_or(self.material.tag)
     }
 
-    /// Where rays leave the surface without meeting it again.
+    /// Origin for rays that leave the surface, offset so that they do not hit it again.
     pub(crate) fn ray_origin(&self) -> Vec3A {
         self.facet().ray_origin()
     }

@@ -5,7 +5,7 @@ use glam::Vec3A;
 /// A rigid motion at one instant: a velocity, and a turn about a point. World frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidVelocity {
-    /// Of the point `about`, m/s.
+    /// Velocity of the point `about`, m/s.
     pub linear_mps: Vec3A,
     /// About each axis, radians a second.
     pub angular_radps: Vec3A,
@@ -17,7 +17,7 @@ impl RigidVelocity {
     /// Standing still.
     pub const ZERO: Self = Self { linear_mps: Vec3A::ZERO, angular_radps: Vec3A::ZERO, about: Vec3A::ZERO };
 
-    /// Of a point of the piece, m/s.
+    /// Velocity of a point of the body, m/s.
     pub fn at(&self, point: Vec3A) -> Vec3A {
         self.linear_mps + self.angular_radps.cross(point - self.about)
     }

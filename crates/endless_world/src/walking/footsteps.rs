@@ -37,7 +37,7 @@ fn turned(v: DVec2, angle: f64) -> DVec2 {
 }
 
 impl Footsteps {
-    /// Of a person who stands at a place (world frame, metres) and faces some way (radians).
+    /// Footsteps of a person who stands at a position (world frame, metres) with a heading (radians).
     pub fn new(person: &PedestrianSpec, position: DVec2, yaw: f64) -> Self {
         let mut steps = Self {
             height: f64::from(person.height_m),
@@ -61,7 +61,7 @@ impl Footsteps {
         self.mobility == Mobility::Agile
     }
 
-    /// What they do at a speed (m/s); `waits`: to cross a road.
+    /// Their gait at a speed (m/s); `waits`: to cross a road.
     pub fn gait(&self, speed_mps: f64, waits: bool) -> Gait {
         match self.mobility {
             Mobility::Wheelchair => Gait::Sit,
@@ -137,7 +137,7 @@ impl Footsteps {
         }
     }
 
-    /// Whether somebody who stands had better put a foot elsewhere.
+    /// Whether a standing person should reposition a foot.
     fn misplaced(&self) -> bool {
         (0..2).any(|side| {
             let (home, heading) = self.home(side, 0.0);

@@ -1,6 +1,6 @@
 //! What traffic needs to know of a person on foot.
 
-/// How somebody gets about.
+/// How a person moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum Mobility {
     /// Walks, and runs if need be.
@@ -23,7 +23,7 @@ pub struct PedestrianSpec {
     pub walk_mps: f32,
     /// Place in the cycle of two steps at the beginning, 0 to 1, so that a crowd is out of step.
     pub step_phase: f32,
-    /// How they get about.
+    /// How they move.
     pub mobility: Mobility,
 }
 

@@ -7,7 +7,7 @@ use std::f32::consts::PI;
 /// The sign of y in the object frame of the left and of the right side of a body, in the order in which feet are listed.
 pub const SIDES: [f32; 2] = [1.0, -1.0];
 
-/// Where in its cycle a foot is.
+/// Phase of a foot in the step cycle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepPhase {
     /// On the ground, from strike (0) to push (1).
@@ -49,7 +49,7 @@ pub fn foot_home(height_m: f32, side: f32, speed_mps: f32) -> (Vec2, f32) {
 }
 
 impl StepPhase {
-    /// Of a place in the cycle (0 to 1) of a foot that is on the ground for a share of it.
+    /// The phase at a position in the cycle (0 to 1) of a foot that is on the ground for a share of it.
     pub fn of(phase: f32, duty_factor: f32) -> Self {
         if phase < duty_factor {
             Self::Stance(phase / duty_factor)
