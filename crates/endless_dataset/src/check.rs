@@ -3,8 +3,8 @@
 mod camera;
 mod progress;
 mod report;
-mod strangers;
 mod tracks;
+mod unexpected_files;
 mod video;
 
 pub use report::{CheckReport, Finding};
@@ -13,7 +13,7 @@ use crate::{DatasetError, DatasetLayout, Manifest, VideoState};
 use progress::CheckProgress;
 use rayon::{ThreadPoolBuilder, prelude::*};
 use std::{collections::BTreeSet, fmt, io, path::Path};
-use strangers::strangers;
+use unexpected_files::unexpected_files;
 use video::check_video;
 
 /// Settings of a check.
@@ -86,7 +86,7 @@ fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {
     }
     let expected_videos: BTreeSet<String> = manifest.videos.iter().map(|v| v.name.clone()).collect();
     let expected_scenes: BTreeSet<String> = manifest.videos.iter().map(|v| format!("{:04}.json", v.video)).collect();
-    findings.extend(strangers(&layout.videos(), &expected_videos));
-    findings.extend(strangers(&layout.scenes(), &expected_scenes));
+    findings.extend(unexpected_files(&layout.videos(), &expected_videos));
+    findings.extend(unexpected_files(&layout.scenes(), &expected_scenes));
     findings
 }

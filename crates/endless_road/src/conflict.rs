@@ -1,4 +1,4 @@
-//! Conflicts inside junctions: whose paths overlap, and who goes first.
+//! Conflicts inside junctions: which paths overlap, and which has priority.
 
 use crate::{Junction, Lane, LaneConflict, LaneId, RoadNetwork, TrafficControl, Turn};
 use endless_world::math::f64::wrap_angle;

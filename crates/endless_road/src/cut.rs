@@ -1,4 +1,4 @@
-//! Where crossings cut lanes.
+//! The ranges of lanes that crossings cut.
 
 use crate::{Crossing, CrossingId, Lane, LaneCut, NetworkError, RoadNetwork};
 

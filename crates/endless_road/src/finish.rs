@@ -1,4 +1,4 @@
-//! Deriving and checking: from what a generator lays down to a network that traffic can use.
+//! Finishes a generated network: derives predecessors, conflicts and spawn points, and checks it.
 
 use crate::{JunctionId, LaneId, NetworkError, RoadNetwork, TrafficControl, WalkEdgeId, WalkKind};
 use crate::{conflict, cut, spawn};

@@ -4,7 +4,7 @@ use super::container::{self, ReadExternalFile};
 use super::entry::{AssetClass, AssetEntry};
 use super::error::ImportError;
 use super::static_model::{self, ImportedStaticModel};
-use super::{model, sound, vehicle};
+use super::{model, surface_check, vehicle};
 use crate::VehicleModel;
 
 /// Longest file, bytes.
@@ -40,7 +40,7 @@ impl AssetEntry {
         }
         let document = container::open(bytes, read_external)?;
         let model = model::read(&document, self.forward)?;
-        sound::judge(&model)?;
+        surface_check::check(&model)?;
         match kind {
             AssetClass::Vehicle(class) => vehicle::make(self, class, model).map(ImportedAsset::Vehicle),
             AssetClass::Prop(_) | AssetClass::Building => {

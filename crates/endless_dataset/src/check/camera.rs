@@ -3,8 +3,8 @@
 use super::{
     progress::CheckProgress,
     report::{CheckReport, Finding},
-    strangers::strangers,
     tracks::Tracks,
+    unexpected_files::unexpected_files,
 };
 use crate::{
     CameraLayout, CameraRecord, DatasetError, Layer, Recipe, StoredImage, depth_from_rgb, instance_from_rgb, read_json,
@@ -80,11 +80,11 @@ fn check_names(layout: &CameraLayout, recipe: &Recipe) -> Vec<Finding> {
     let mut expected = BTreeSet::from(["camera.json".to_owned(), "objects.jsonl".to_owned()]);
     expected.extend(recipe.layers.iter().map(Layer::to_string));
     expected.extend(recipe.mp4.iter().map(|l| format!("{l}.mp4")));
-    let mut findings = strangers(layout.folder(), &expected);
+    let mut findings = unexpected_files(layout.folder(), &expected);
     for &layer in &recipe.layers {
         let extension = layer.format(recipe.rgb_format);
         let frames: BTreeSet<String> = (0..recipe.frames()).map(|f| format!("{f:06}.{extension}")).collect();
-        findings.extend(strangers(&layout.layer(layer), &frames));
+        findings.extend(unexpected_files(&layout.layer(layer), &frames));
     }
     findings
 }

@@ -4,8 +4,8 @@ use super::{
     camera::{self, check_camera},
     progress::CheckProgress,
     report::{CheckReport, Finding},
-    strangers::strangers,
     tracks,
+    unexpected_files::unexpected_files,
 };
 use crate::{DatasetLayout, MAX_CAMERAS, Manifest, SceneRecord, VideoEntry, VideoLayout, VideoState, read_json};
 use endless_world::SceneSettings;
@@ -49,7 +49,7 @@ pub(super) fn check_video(
         return report;
     }
     let folders: BTreeSet<String> = (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
-    report.findings.extend(strangers(video.folder(), &folders));
+    report.findings.extend(unexpected_files(video.folder(), &folders));
     let cameras: Vec<camera::CameraCheck> = (0..count)
         .into_par_iter()
         .map(|i| check_camera(&video.camera(i), &record.settings, i, &manifest.recipe, progress))

@@ -1,4 +1,4 @@
-//! The plan: streets with their lines and sections, and the intersections where they meet.
+//! The street plan: streets with their centre lines and cross-sections, and the intersections where they meet.
 
 use super::class::RoadClass;
 use super::curve::{angle, line_through, relaxed, rounded, simplified};

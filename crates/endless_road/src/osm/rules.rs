@@ -1,4 +1,4 @@
-//! Who waits for whom at an intersection: lights and signs where they are mapped, the road's class where not.
+//! Right-of-way rules at intersections: lights and signs where they are mapped, otherwise by road class.
 
 use super::class::RoadClass;
 use super::extract::OsmTags;

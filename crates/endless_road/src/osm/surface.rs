@@ -3,9 +3,9 @@
 use super::curve::{line_through, unfolded};
 use super::import_context::ImportContext;
 use super::lane::inside;
-use super::near::SegmentIndex;
 use super::plan::{Street, StreetPlan};
 use super::section::{KERB_M, LaneUse};
+use super::segment_index::SegmentIndex;
 use super::street_segment::StreetSegment;
 use crate::{LaneSurface, LaneType, RoadMap};
 use glam::{DVec2, DVec3};

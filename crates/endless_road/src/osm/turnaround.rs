@@ -1,7 +1,7 @@
 //! Where the extract's edge cuts both carriageways of a road, a loop joins them: traffic that leaves comes back.
 
+use super::dual_carriageway::widest_m;
 use super::plan::StreetPlan;
-use super::twin::widest_m;
 
 /// Carriageways further apart than this are not joined, metres.
 const MOST_M: f64 = 60.0;

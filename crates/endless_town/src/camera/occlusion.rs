@@ -1,4 +1,5 @@
-//! What stands in the streets before the cameras come: how tall it is, and how much of a picture it hides.
+//! Occlusion by street furniture that stands before the cameras are placed: its height, and the share of a picture that it
+//! hides.
 
 use super::raster::cells_in;
 use super::surroundings::TallProp;

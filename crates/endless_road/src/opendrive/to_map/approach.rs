@@ -1,4 +1,4 @@
-//! Where traffic waits: before the crossing, not on it; and the line painted there.
+//! Stop positions before crossings, and the stop lines painted there.
 
 use crate::{Crossing, Lane, LaneId, MarkingColor, Polyline, RoadMarking, TrafficControl};
 use endless_world::math::f64::sin_cos;

@@ -1,6 +1,6 @@
 //! The surface of every lane.
 
-use super::kind::{is_unpaved, is_walked, lane_type};
+use super::lane_types::{is_unpaved, is_walked, lane_type};
 use super::sampled::{LaneKey, SampledDocument};
 use crate::{LaneSurface, LaneType};
 use glam::DVec3;

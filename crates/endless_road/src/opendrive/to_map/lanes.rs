@@ -2,8 +2,8 @@
 
 use super::super::OpenDriveError;
 use super::super::document::ContactPoint;
-use super::joins::LaneEnd;
-use super::kind::{is_driven, usual_speed};
+use super::lane_links::LaneEnd;
+use super::lane_types::{is_driven, usual_speed};
 use super::sampled::{LaneKey, SampledDocument};
 use crate::{ImportNote, Junction, JunctionId, Lane, LaneId, Polyline, TrafficControl, Turn};
 use endless_world::math::f64::{atan2, wrap_angle};

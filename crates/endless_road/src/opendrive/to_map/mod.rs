@@ -2,13 +2,13 @@
 
 mod approach;
 mod crossings;
-mod joins;
-mod kind;
+mod lane_alignment;
+mod lane_links;
 mod lane_simplify;
 mod lane_surfaces;
+mod lane_types;
 mod lanes;
 mod markings;
-mod mend;
 mod neighbours;
 mod objects;
 mod outline;
@@ -32,16 +32,16 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     let sections = sampled::sample(&mut document)?;
     let sampled = SampledDocument::new(&document, sections);
     let mut notes = [&document.notes[..], &document.roads_left_out].concat();
-    let joins = joins::joins(&sampled, &mut notes);
+    let joins = lane_links::joins(&sampled, &mut notes);
     let mut graph = lanes::LaneGraph::new(&sampled, &joins, &mut notes);
     graph.simplify();
-    mend::mend(&mut graph, &mut notes);
+    lane_alignment::mend(&mut graph, &mut notes);
     let loops = turnaround::add(&mut graph, document.junctions.len(), &mut notes);
     let (mut lanes, junctions) = graph.finish(&sampled)?;
     if lanes.is_empty() {
         return Err(OpenDriveError::NoLanes { roads: in_file, why: document.roads_left_out.first().cloned() });
     }
-    mend::drop_unmet(&mut lanes, &mut notes);
+    lane_alignment::drop_unmet(&mut lanes, &mut notes);
     neighbours::find(&sampled, &graph, &mut lanes);
     let mut crossings = crossings::crossings(&sampled, &lanes, &mut notes);
     if !document.lanes_end_at_stops {

@@ -1,9 +1,9 @@
 //! Where people walk: sidewalk lanes, joined where the file joins them or where they touch, and crossings.
 
 use super::super::document::ContactPoint;
-use super::joins::LaneEnd;
-use super::kind::is_walked;
+use super::lane_links::LaneEnd;
 use super::lane_surfaces::sidewalk_lift;
+use super::lane_types::is_walked;
 use super::sampled::SampledDocument;
 use crate::{Crossing, CrossingId, ImportNote, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
 use glam::DVec3;

@@ -1,4 +1,4 @@
-//! Mends what real data and odd geometry leave behind, so that the network holds together; and tells the user.
+//! Repairs defects of networks from real data and odd geometry, and tells the user.
 
 use super::import_context::ImportContext;
 use crate::cut::cut_range;

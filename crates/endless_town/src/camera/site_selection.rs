@@ -1,12 +1,12 @@
-//! Camera sites: good views, of different kinds, unlike one another.
+//! Selects camera sites: good views, of different kinds, that differ from one another.
 //!
 //! Candidates stand beside lanes, at stop lines and crossings, and hang on walls; each is judged by what its picture
 //! shows (`judge`) on a field of heights (`relief`); the best are taken one after another, each discounted by its
 //! likeness to those taken before.
 
 use super::candidate::{self, CameraCandidate, ViewKind, between};
-use super::judge::{ViewContents, ViewJudge};
 use super::surroundings::CameraSurroundings;
+use super::view_score::{ViewContents, ViewScorer};
 use endless_world::CameraSite;
 use endless_world::math::f64::atan2;
 use glam::{DVec2, Vec3};
@@ -39,7 +39,7 @@ const COVERED: [ViewKind; 5] =
 const WORTH: f32 = 1.4;
 
 /// A candidate with what it shows.
-struct JudgedCandidate {
+struct ScoredCandidate {
     candidate: CameraCandidate,
     seen: ViewContents,
     quality: f32,
@@ -51,24 +51,24 @@ pub(crate) fn choose(
     scene: CameraSurroundings<'_>,
     set_up: &mut dyn FnMut(&CameraCandidate) -> bool,
 ) -> Vec<CameraSite> {
-    let judge = ViewJudge::new(scene.network, scene.relief, scene.posts, &scene.parked);
+    let judge = ViewScorer::new(scene.network, scene.relief, scene.posts, &scene.parked);
     let judged = |candidate: CameraCandidate| {
         let seen = judge.look(&candidate.site, candidate.level)?;
         let modest = !candidate.view.is_on_foot() && seen.street() > MODEST_PAVED;
         let quality = seen.quality(candidate.view).or(modest.then_some(MODEST))?;
-        Some(JudgedCandidate { candidate: classed(candidate, &seen), seen, quality })
+        Some(ScoredCandidate { candidate: classed(candidate, &seen), seen, quality })
     };
     // Thousands, each by itself: all threads judge, and the order stays.
     let all = candidate::all(scene.network, scene.relief, scene.solids, scene.open);
-    let mut left: Vec<JudgedCandidate> = all.into_par_iter().filter_map(judged).collect();
-    let mut taken: Vec<JudgedCandidate> = Vec::new();
+    let mut left: Vec<ScoredCandidate> = all.into_par_iter().filter_map(judged).collect();
+    let mut taken: Vec<ScoredCandidate> = Vec::new();
     let mut due: &[ViewKind] = &COVERED;
     while taken.len() < WANTED {
         // A small map may have one street and no more.
-        let full = |j: &JudgedCandidate| !allowed(j.candidate.view, &taken);
+        let full = |j: &ScoredCandidate| !allowed(j.candidate.view, &taken);
         let any = due.is_empty() && taken.len() < LEAST && left.iter().all(full);
-        let asked = |j: &JudgedCandidate| due.first().is_none_or(|view| j.candidate.view == *view);
-        let worth = |j: &JudgedCandidate| taken.iter().fold(j.quality, |worth, other| worth * unlike(j, other));
+        let asked = |j: &ScoredCandidate| due.first().is_none_or(|view| j.candidate.view == *view);
+        let worth = |j: &ScoredCandidate| taken.iter().fold(j.quality, |worth, other| worth * unlike(j, other));
         let best = left
             .iter()
             .enumerate()
@@ -103,13 +103,13 @@ fn classed(candidate: CameraCandidate, seen: &ViewContents) -> CameraCandidate {
     CameraCandidate { view, ..candidate }
 }
 
-fn allowed(view: ViewKind, taken: &[JudgedCandidate]) -> bool {
+fn allowed(view: ViewKind, taken: &[ScoredCandidate]) -> bool {
     let most = MOST.iter().find(|m| m.0 == view).map_or(1, |m| m.1);
     taken.iter().filter(|j| j.candidate.view == view).count() < most
 }
 
 /// From 0 (the same picture) to 1 (nothing in common).
-fn unlike(a: &JudgedCandidate, b: &JudgedCandidate) -> f32 {
+fn unlike(a: &ScoredCandidate, b: &ScoredCandidate) -> f32 {
     let (sa, sb) = (&a.candidate.site, &b.candidate.site);
     let apart = Vec3::from_array(sa.position).distance(Vec3::from_array(sb.position));
     let turned = between(sa.yaw_rad, sb.yaw_rad) as f32;

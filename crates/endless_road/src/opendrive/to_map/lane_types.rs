@@ -1,4 +1,4 @@
-//! What the standard's lane types mean here.
+//! The standard's lane types in terms of a road map.
 
 use crate::LaneType;
 

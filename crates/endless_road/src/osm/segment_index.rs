@@ -1,4 +1,4 @@
-//! Which lines pass near a place: a grid.
+//! A grid index of line segments, for those near a point.
 
 use crate::Polyline;
 use glam::DVec2;

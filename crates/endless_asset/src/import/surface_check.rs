@@ -1,4 +1,4 @@
-//! Whether triangles are a surface.
+//! Checks that the triangles of a model form a surface.
 
 use super::ImportError;
 use super::model::SourceModel;
@@ -12,7 +12,7 @@ const MOST_PERCENT: u32 = 25;
 ///
 /// # Errors
 /// [`ImportError::NotASurface`].
-pub(super) fn judge(model: &SourceModel) -> Result<(), ImportError> {
+pub(super) fn check(model: &SourceModel) -> Result<(), ImportError> {
     let place = |p: Vec3| (p + 0.0).to_array().map(f32::to_bits);
     let mut edges = Vec::new();
     for part in &model.parts {

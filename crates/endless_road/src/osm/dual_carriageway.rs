@@ -1,4 +1,4 @@
-//! The two carriageways of one road: what lies between them is a median, and nobody walks along its kerbs.
+//! Dual carriageways: the median between the two carriageways of one road, along which there are no sidewalks.
 
 use super::class::RoadClass;
 use super::plan::{Street, StreetPlan};

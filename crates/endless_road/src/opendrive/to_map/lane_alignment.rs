@@ -1,4 +1,4 @@
-//! Lanes that follow one another meet exactly, and without a kink.
+//! Aligns the ends of consecutive lanes, so that they meet exactly and without a kink.
 //!
 //! Files are inexact: lane borders of neighbouring roads differ by centimetres, sometimes decimetres, and reference
 //! lines by a degree or two. All ends that are joined are moved to one place and given one direction; the way through

@@ -8,7 +8,7 @@ use std::{
 };
 
 /// What lies in a folder and should not.
-pub(super) fn strangers(folder: &Path, expected: &BTreeSet<String>) -> Vec<Finding> {
+pub(super) fn unexpected_files(folder: &Path, expected: &BTreeSet<String>) -> Vec<Finding> {
     let Ok(found) = list(folder) else {
         return vec![Finding::new(folder, "cannot be read")];
     };

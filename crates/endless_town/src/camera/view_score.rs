@@ -1,4 +1,4 @@
-//! How good a view is, measured on rays through its picture and on the places where traffic is expected.
+//! The score of a view, from rays through its picture and from the places where traffic is expected.
 
 use super::candidate::ViewKind;
 use super::height_field::{HeightField, TopSurface};
@@ -80,13 +80,13 @@ struct ExpectedTraffic {
 }
 
 /// Judges sites of one town.
-pub(crate) struct ViewJudge<'a> {
+pub(crate) struct ViewScorer<'a> {
     pub(crate) relief: &'a HeightField,
     expected: Vec<ExpectedTraffic>,
     posts: Vec<TallProp>,
 }
 
-impl<'a> ViewJudge<'a> {
+impl<'a> ViewScorer<'a> {
     pub(crate) fn new(network: &RoadNetwork, relief: &'a HeightField, posts: Vec<TallProp>, parked: &[Vec3]) -> Self {
         let mut expected = Vec::new();
         for lane in &network.lanes {

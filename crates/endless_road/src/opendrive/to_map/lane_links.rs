@@ -10,7 +10,7 @@ pub(super) type LaneEnd = (LaneKey, ContactPoint);
 
 /// All pairs of joined ends, each once.
 pub(super) fn joins(sampled: &SampledDocument<'_>, notes: &mut Vec<ImportNote>) -> BTreeSet<(LaneEnd, LaneEnd)> {
-    let mut joins = LaneJoins { sampled, notes, pairs: BTreeSet::new() };
+    let mut joins = LaneLinks { sampled, notes, pairs: BTreeSet::new() };
     for road in 0..sampled.document.roads.len() {
         joins.inside_road(road);
         joins.join_next_road(road, ContactPoint::Start);
@@ -22,13 +22,13 @@ pub(super) fn joins(sampled: &SampledDocument<'_>, notes: &mut Vec<ImportNote>) 
     joins.pairs
 }
 
-struct LaneJoins<'a, 'b> {
+struct LaneLinks<'a, 'b> {
     sampled: &'a SampledDocument<'a>,
     notes: &'b mut Vec<ImportNote>,
     pairs: BTreeSet<(LaneEnd, LaneEnd)>,
 }
 
-impl LaneJoins<'_, '_> {
+impl LaneLinks<'_, '_> {
     fn add(&mut self, a: LaneEnd, b: LaneEnd) {
         let exists = |key: LaneKey| self.sampled.record(key).is_some();
         if !exists(b.0) || !exists(a.0) {

@@ -1,4 +1,4 @@
-//! What would stand in the way of cameras that are already chosen.
+//! Keeps the views of the selected cameras clear of what is placed later.
 
 use endless_world::CameraSite;
 use endless_world::math::f64::{atan2, wrap_angle};
