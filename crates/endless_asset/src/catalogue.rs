@@ -8,7 +8,7 @@ use crate::vehicle;
 use crate::{Anatomy, ImportedAsset, ImportedStaticModel, PersonModel, Prop, VehicleDesignSummary, VehicleModel};
 use endless_scene::{Material, Mesh};
 use endless_world::walking::PedestrianSpec;
-use endless_world::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef, VehicleSpec};
+use endless_world::{AssetRef, Outfit, PersonRef, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
 /// when they are first asked for.
@@ -62,6 +62,13 @@ impl Catalogue {
     /// What traffic needs to know of the vehicle models, in the same order.
     pub fn vehicle_specs(&self) -> Vec<VehicleSpec> {
         self.vehicles.iter().map(|model| model.spec.clone()).collect()
+    }
+
+    /// A model drawn by frequency among those that may stand parked and are `allowed`; `None` if there are none. A
+    /// design more in the catalogue changes only those draws that it wins. Takes one number from the stream.
+    pub fn choose_parked(&self, stream: &mut Stream, allowed: impl Fn(&VehicleSpec) -> bool) -> Option<VehicleModelId> {
+        let frequency = |spec: &VehicleSpec| if spec.parks && allowed(spec) { spec.frequency } else { 0.0 };
+        choose_vehicle(stream, self.vehicles.iter().map(|m| (&m.spec, frequency(&m.spec))))
     }
 
     /// The designs of vehicles with the ranges of their sizes.

@@ -26,6 +26,7 @@
 
 mod carla;
 mod catalogue;
+mod color_key;
 mod furniture;
 mod import;
 mod person;

@@ -40,6 +40,7 @@ mod polyline;
 mod road_map;
 mod route;
 mod spawn;
+pub mod swept;
 mod terrain;
 mod walk;
 

@@ -67,6 +67,8 @@ impl JunctionController {
                 None => vehicle.waited_s = 0.0,
             }
         }
+        // Who has waited longest is asked first, or others might take the room beyond for ever.
+        requests.sort_by(|a, b| b.waited_s.total_cmp(&a.waited_s));
         for (k, request) in requests.iter().enumerate() {
             let mut others =
                 requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction).map(|(_, r)| r);

@@ -2,10 +2,10 @@
 //! that point without slipping sideways, as with a trailer's drawbar (the tractrix). Heading and steering angle are
 //! smooth by construction, and a long body swings out in bends about as far as it cuts in.
 
-use crate::drawbar::{DRAWBAR, towed_heading};
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
+use endless_road::swept::{DRAWBAR, towed_heading};
 use endless_world::math::f64::{atan, atan2, sin_cos, tan, wrap_angle};
 use endless_world::{ObjectClass, Pose};
 use glam::DVec3;

@@ -41,10 +41,8 @@
 
 mod attraction;
 mod crossing;
-mod drawbar;
 mod driver;
 mod entry_request;
-mod footprint;
 mod junction_controller;
 mod kinematics;
 mod lane_change;
@@ -59,10 +57,8 @@ mod signals;
 mod simulation;
 mod spawn;
 mod steering;
-mod swept_path;
 mod trailer;
 mod vehicle;
-mod vehicle_length;
 mod walk_strip;
 mod walker;
 

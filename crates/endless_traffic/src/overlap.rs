@@ -1,8 +1,7 @@
 //! Where the areas swept on different lanes overlap: inside junctions, before their lines, and where lanes run into one
 //! another without a junction.
 
-use crate::swept_path::{DesignVehicle, SweptPath};
-use crate::vehicle_length::{LONG_M, SWINGS_OUT_M};
+use endless_road::swept::{DesignVehicle, LONG_M, SWINGS_OUT_M, SweptPath};
 use endless_road::{Lane, LaneConflict, LaneId, PolylinePoint, RoadNetwork, Turn, gives_way, near_ranges};
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{cos, wrap_angle};

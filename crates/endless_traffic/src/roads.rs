@@ -2,9 +2,8 @@
 
 use crate::attraction::Attraction;
 use crate::overlap::{Alongside, Conflicts, DesignVehicles, Sibling, alongside, make_room, siblings};
-use crate::vehicle_length::LONG_M;
-use endless_road::{CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork, Turn};
-use endless_world::math::f64::wrap_angle;
+use endless_road::swept::{LONG_M, curvature_per_m, fits, smallest_radius_m};
+use endless_road::{CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
 use endless_world::{VehicleModelId, VehicleSpec};
 use glam::Vec3;
 
@@ -12,20 +11,6 @@ use glam::Vec3;
 const STATION_M: f64 = 1.0;
 /// Sideways acceleration that people accept in bends, m/s².
 const BEND_MPS2: f64 = 2.0;
-/// Long vehicles need right turns of this many lengths, or their rear wheels would climb the kerb.
-const LONG_RADIUS: f64 = 1.3;
-/// And left turns of this many: the ground inside them is the junction's own, kept free for them.
-const LONG_RADIUS_LEFT: f64 = 0.9;
-/// And of this many where nobody makes room for them: beside oncoming traffic.
-const LONG_RADIUS_BESIDE_OTHERS: f64 = 2.6;
-/// And of this many where they arrive beside the kerb: their front corner would sweep over who waits there.
-const LONG_RADIUS_LEFT_TO_KERB: f64 = 1.8;
-/// Long vehicles need lanes wider than they are by this, metres.
-const BESIDE_M: f64 = 0.4;
-/// Vehicles longer than this keep to streets of several lanes, metres.
-const BUS_M: f64 = 9.0;
-/// Vehicles of two pieces turn like rigid ones this many times as long as the longer piece.
-const BENDS: f64 = 1.15;
 /// Braking planned before a bend, m/s².
 pub(crate) const PLANNED_BRAKING: f64 = 1.3;
 
@@ -141,27 +126,8 @@ impl Roads {
 
 /// The lanes on which a model fits, without bends too tight for it.
 fn wide_enough(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], spec: &VehicleSpec) -> Vec<bool> {
-    let mut stays = everybody.to_vec();
-    let length_m = f64::from(spec.length_m);
-    if length_m < LONG_M {
-        return stays;
-    }
-    // What bends turns like its longest piece, and a little wider.
-    let rigid_m = f64::from(spec.rigid_length_m()) * if spec.trailer.is_some() { BENDS } else { 1.0 };
-    for ((stay, table), lane) in stays.iter_mut().zip(lanes).zip(&network.lanes) {
-        let lengths = match (table.junction, lane.turn) {
-            (None, _) => LONG_RADIUS_BESIDE_OTHERS,
-            (Some(_), Turn::Left) if lane.successors.iter().all(|&to| network.lane(to).right.is_some()) => {
-                LONG_RADIUS_LEFT
-            }
-            (Some(_), Turn::Left) => LONG_RADIUS_LEFT_TO_KERB,
-            (Some(_), _) => LONG_RADIUS,
-        };
-        let broad = lane.junction.is_some() || lane.left.is_some() || lane.right.is_some();
-        let fits = lane.width_m > f64::from(spec.width_m) + BESIDE_M;
-        *stay &= fits && table.radius > lengths * rigid_m && (broad || length_m < BUS_M);
-    }
-    stays
+    let fitting = network.lanes.iter().zip(lanes).map(|(lane, table)| fits(network, lane, table.radius, spec));
+    fitting.zip(everybody).map(|(fits, &stays)| fits && stays).collect()
 }
 
 /// The lanes among these on which one can drive for ever.
@@ -181,14 +147,9 @@ fn table(network: &RoadNetwork, id: LaneId) -> LaneTable {
     let line = &lane.centerline;
     let length = line.length();
     let stations = (length / STATION_M).ceil() as usize + 1;
-    let mut radius = f64::INFINITY;
     let mut profile: Vec<f64> = (0..stations)
         .map(|i| {
-            let s = (i as f64 * STATION_M).min(length);
-            let (before, after) = ((s - 2.0).max(0.0), (s + 2.0).min(length));
-            let turn = wrap_angle(line.at(after).heading_rad - line.at(before).heading_rad).abs();
-            let bend = turn / (after - before).max(0.5);
-            radius = radius.min(1.0 / bend.max(1e-6));
+            let bend = curvature_per_m(line, (i as f64 * STATION_M).min(length));
             lane.speed_limit_mps.min((BEND_MPS2 / bend.max(1e-4)).sqrt()).max(1.5)
         })
         .collect();
@@ -196,5 +157,6 @@ fn table(network: &RoadNetwork, id: LaneId) -> LaneTable {
         let reachable = (profile[i + 1] * profile[i + 1] + 2.0 * PLANNED_BRAKING * STATION_M).sqrt();
         profile[i] = profile[i].min(reachable);
     }
+    let radius = smallest_radius_m(line);
     LaneTable { length, junction: lane.junction, profile, radius, ..LaneTable::default() }
 }

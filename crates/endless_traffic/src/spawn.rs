@@ -1,17 +1,17 @@
 //! Who is there when the scene begins.
 
 use crate::driver::Driver;
-use crate::footprint::OrientedRectangle;
 use crate::kinematics;
 use crate::roads::Roads;
 use crate::settings::TrafficSettings;
 use crate::vehicle::Vehicle;
 use crate::walk_strip::height;
 use crate::walker::Walker;
+use endless_road::swept::OrientedRectangle;
 use endless_road::{SpawnPoint, WalkEdgeId, WalkGraph, WalkKind};
 use endless_world::math::f64::atan2;
 use endless_world::walking::{Footsteps, PedestrianSpec};
-use endless_world::{Gait, ParkedVehicle, Stream, VehicleModelId, VehicleRef, VehicleSpec};
+use endless_world::{Gait, ParkedVehicle, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
 use glam::DVec2;
 
 /// Gap between vehicles that spawn on the same lane, metres.
@@ -56,7 +56,6 @@ pub(crate) fn vehicles(
     settings: &TrafficSettings,
 ) -> Vec<Vehicle> {
     let seed = settings.seed;
-    let mut stream = Stream::named(seed, "traffic.spawn", &[]);
     let mut free = points(roads, specs.len());
     let standing: Vec<OrientedRectangle> = parked
         .iter()
@@ -69,14 +68,12 @@ pub(crate) fn vehicles(
     let has_way = |m: usize| roads.allowed(VehicleModelId::from_index(m)).contains(&true);
     let weights: Vec<f64> = specs.iter().enumerate().map(|(m, s)| if has_way(m) { s.frequency } else { 0.0 }).collect();
     let mut placed: Vec<Vehicle> = Vec::new();
-    let mut misses = 0;
-    if specs.is_empty() || weights.iter().sum::<f64>() <= 0.0 {
-        return placed;
-    }
+    // Vehicles that found no room: in all, and in the slot that is to be filled.
+    let (mut misses, mut tries) = (0, 0);
     let most = capacity(roads, specs.len()).min(settings.vehicles as usize);
     while placed.len() < most && !free.is_empty() {
-        let mut own = Stream::named(seed, "traffic.vehicle", &[placed.len() as u64, misses]);
-        let model = VehicleModelId::from_index(own.weighted(&weights));
+        let mut own = Stream::named(seed, "traffic.vehicle", &[placed.len() as u64, tries]);
+        let Some(model) = choose_vehicle(&mut own, specs.iter().zip(weights.iter().copied())) else { break };
         let spec = &specs[model.index()];
         let half = 0.5 * f64::from(spec.length_m);
         let fits = |p: &SpawnPoint| {
@@ -93,9 +90,13 @@ pub(crate) fn vehicles(
                 })
                 && standing.iter().all(|other| other.center.distance(body.center) > 20.0 || !body.overlaps(other))
         };
-        // The roomiest of some places.
-        let fitting: Vec<usize> = (0..free.len()).filter(|&i| fits(&free[i])).collect();
-        let candidates: Vec<usize> = (0..CANDIDATES.min(fitting.len())).map(|_| *stream.pick(&fitting)).collect();
+        // The roomiest of some places: each place has a rank of its own, so that one more or less leaves the others.
+        let salt = own.next_u64();
+        let rank = |p: &SpawnPoint| Stream::new(salt, &[u64::from(p.lane.0), p.s.to_bits()]).next_u64();
+        let mut ranked: Vec<(u64, usize)> = free.iter().enumerate().map(|(i, p)| (rank(p), i)).collect();
+        ranked.sort_unstable();
+        let fitting = ranked.into_iter().map(|(_, i)| i).filter(|&i| fits(&free[i]));
+        let candidates: Vec<usize> = fitting.take(CANDIDATES).collect();
         let room = |&i: &usize| {
             let at = roads.network.lane(free[i].lane).centerline.at(free[i].s).position.truncate();
             let wanted = roads.attraction.departure_density(&roads.network, free[i].lane, free[i].s);
@@ -103,12 +104,13 @@ pub(crate) fn vehicles(
         };
         let Some(place) = candidates.into_iter().max_by(|a, b| room(a).total_cmp(&room(b))) else {
             // Nothing of this length fits any more; a shorter one may.
-            misses += 1;
+            (misses, tries) = (misses + 1, tries + 1);
             if misses > MISSES {
                 break;
             }
             continue;
         };
+        tries = 0;
         let point = free.remove(place);
         let asset = VehicleRef { model, variant: own.next_u64() };
         let driver = Driver::new(spec, settings.conditions, &mut own);

@@ -1,6 +1,6 @@
 //! What a vehicle draws: its axle follows the hitch without slipping sideways.
 
-use crate::drawbar::towed_heading;
+use endless_road::swept::towed_heading;
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{atan2, sin_cos};
 use glam::DVec2;

@@ -1,10 +1,9 @@
 //! One moving vehicle.
 
 use crate::driver::Driver;
-use crate::footprint::OrientedRectangle;
 use crate::roads::Roads;
 use crate::trailer::TrailerState;
-use crate::vehicle_length::SWINGS_OUT_M;
+use endless_road::swept::{OrientedRectangle, SWINGS_OUT_M};
 use endless_road::{JunctionId, LaneId};
 use endless_world::{ObjectClass, Pose, Stream, VehicleLights, VehicleRef, VehicleSpec};
 use glam::{DVec3, Vec3};

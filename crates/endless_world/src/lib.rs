@@ -30,6 +30,7 @@ mod rng;
 mod scene;
 mod sensor;
 mod state;
+mod vehicle_choice;
 mod vehicle_spec;
 pub mod walking;
 
@@ -48,4 +49,5 @@ pub use rng::{Stream, fnv1a};
 pub use scene::{SceneCamera, SceneSettings};
 pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame};
 pub use state::{SignalAspect, SignalState, WorldState};
+pub use vehicle_choice::choose_vehicle;
 pub use vehicle_spec::{ParkedVehicle, TrailerSpec, VehicleSpec};

@@ -114,6 +114,40 @@ impl Stream {
         weights.len() - 1
     }
 
+    /// Index of one of these keyed choices, in proportion to their weights; `None` if no weight is positive.
+    ///
+    /// Weighted rendezvous hashing (Thaler and Ravishankar 1998; Schindelhauer and Schomaker 2005): every choice has a
+    /// score from its own key, −ln(u) / weight, and the lowest wins. So a choice more or less changes only those draws
+    /// that it wins, wherever in the list it stands. Keys must differ. Takes one number from the stream, however many
+    /// choices there are.
+    ///
+    /// ```
+    /// use endless_world::Stream;
+    ///
+    /// let draw = |choices: &[(u64, f64)]| {
+    ///     let index = Stream::new(7, &[]).weighted_by_key(choices.iter().copied())?;
+    ///     Some(choices[index].0)
+    /// };
+    /// assert_eq!(draw(&[(1, 3.0), (2, 5.0)]), draw(&[(2, 5.0), (1, 3.0)]));
+    /// assert_eq!(draw(&[(1, 0.0)]), None);
+    /// ```
+    pub fn weighted_by_key(&mut self, choices: impl IntoIterator<Item = (u64, f64)>) -> Option<usize> {
+        let salt = self.next_u64();
+        let score = |key, weight| -crate::math::f64::ln(1.0 - Self::new(salt, &[key]).f64()) / weight;
+        let scores = choices.into_iter().enumerate().filter(|(_, (_, weight))| *weight > 0.0);
+        let scores = scores.map(|(index, (key, weight))| (index, score(key, weight)));
+        scores.min_by(|a, b| a.1.total_cmp(&b.1)).map(|(index, _)| index)
+    }
+
+    /// One of these items, all alike likely, each by its key: see [`Self::weighted_by_key`].
+    ///
+    /// # Panics
+    /// If there are none.
+    pub fn pick_by_key<'a, T>(&mut self, items: &'a [T], key: impl Fn(&T) -> u64) -> &'a T {
+        let index = self.weighted_by_key(items.iter().map(|item| (key(item), 1.0)));
+        &items[index.expect("a choice among nothing")]
+    }
+
     /// Fisher–Yates shuffle.
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         for i in (1..items.len()).rev() {
@@ -145,6 +179,26 @@ mod tests {
         assert_eq!(a, b);
         assert_ne!(a[0], Stream::new(7, &[2, 1]).next_u64());
         assert_ne!(a[0], Stream::new(8, &[1, 2]).next_u64());
+    }
+
+    #[test]
+    fn a_choice_more_changes_only_the_draws_that_it_wins() {
+        const DRAWS: u64 = 20_000;
+        let few = [(10, 5.0), (20, 3.0), (30, 2.0)];
+        let more = [(40, 2.5), (10, 5.0), (20, 3.0), (50, 0.0), (30, 2.0)];
+        let draw = |i, choices: &[(u64, f64)]| {
+            let index = Stream::new(3, &[i]).weighted_by_key(choices.iter().copied()).expect("weights");
+            choices[index].0
+        };
+        let mut counts = [0.0; 5];
+        for i in 0..DRAWS {
+            let (before, after) = (draw(i, &few), draw(i, &more));
+            assert!(after == before || after == 40);
+            counts[after as usize / 10 - 1] += 1.0 / DRAWS as f64;
+        }
+        for (share, expected) in counts.into_iter().zip([0.4, 0.24, 0.16, 0.2, 0.0]) {
+            assert!((share - expected).abs() < 0.015, "{share} instead of {expected}");
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What traffic needs to know of a vehicle: the model's measures and habits, and where one stands parked.
 
-use crate::{ObjectClass, Pose, VehicleRef};
+use crate::{ObjectClass, Pose, Stream, VehicleRef};
 
 /// Measures and habits of a vehicle model.
 #[derive(Debug, Clone, PartialEq)]
@@ -8,6 +8,8 @@ pub struct VehicleSpec {
     /// Name of the design, e.g. `car.hatchback`; vehicles of one design differ in size and equipment. `imported` of all
     /// vehicles from files.
     pub name: &'static str,
+    /// Which vehicle of its design it is: the number of the draw, or a hash of the file's name.
+    pub draw: u64,
     /// Class of the vehicle itself (the rider of a two-wheeler is an object of its own).
     pub class: ObjectClass,
     /// Foremost to rearmost point, metres; equals the mesh's bounds.
@@ -54,6 +56,7 @@ impl Default for VehicleSpec {
     fn default() -> Self {
         Self {
             name: "car.hatchback",
+            draw: 0,
             class: ObjectClass::Car,
             length_m: 4.2,
             width_m: 1.8,
@@ -72,6 +75,12 @@ impl Default for VehicleSpec {
 }
 
 impl VehicleSpec {
+    /// Key in random choices: follows from [`Self::name`] and [`Self::draw`] alone, whatever else there is to choose
+    /// from. Models of a fleet must differ in it.
+    pub fn key(&self) -> u64 {
+        Stream::named(self.draw, self.name, &[]).next_u64()
+    }
+
     /// Length of its longest rigid part, metres: how tight it can turn.
     pub fn rigid_length_m(&self) -> f32 {
         let half = 0.5 * self.length_m;

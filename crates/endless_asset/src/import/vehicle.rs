@@ -7,7 +7,7 @@ use super::texture_bake::TextureBaker;
 use super::{AssetEntry, ImportError, lamp};
 use crate::vehicle::{RiderFit, VehicleModel, VehicleParts, Wheel};
 use endless_scene::{LightSlot, Mesh, Surface};
-use endless_world::{ObjectClass, VehicleSpec};
+use endless_world::{ObjectClass, VehicleSpec, fnv1a};
 use glam::Vec3;
 use std::collections::BTreeMap;
 
@@ -96,6 +96,7 @@ pub(super) fn make(
     let (cruise_mps, acceleration_mps2) = habits(class);
     let spec = VehicleSpec {
         name: "imported",
+        draw: fnv1a(entry.asset_name().bytes()),
         class,
         length_m: high.x - low.x,
         width_m: width.min(high.y - low.y),

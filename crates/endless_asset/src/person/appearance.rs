@@ -4,7 +4,7 @@ use super::clothes::{Garment, Legs, Shoes};
 use endless_scene::Material;
 
 /// What grows on the head.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 pub(crate) enum Hair {
     Bald,
     Balding,
@@ -20,7 +20,7 @@ pub(crate) enum Hair {
 }
 
 /// What grows on the chin.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 pub(crate) enum Beard {
     None,
     Stubble,
@@ -29,7 +29,7 @@ pub(crate) enum Beard {
 }
 
 /// What is worn on the head.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 pub(crate) enum Hat {
     None,
     Cap,
@@ -48,7 +48,7 @@ pub(crate) enum Hat {
 }
 
 /// What is worn before the eyes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 pub(crate) enum Glasses {
     None,
     Clear,
@@ -56,7 +56,7 @@ pub(crate) enum Glasses {
 }
 
 /// What is carried, pushed, led, or sat in.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 pub(crate) enum Carried {
     Nothing,
     Backpack,

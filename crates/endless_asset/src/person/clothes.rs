@@ -31,7 +31,7 @@ pub(crate) enum Collar {
 }
 
 /// How colours are laid out.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 pub(crate) enum Pattern {
     Plain,
     /// Horizontal stripes.
@@ -143,7 +143,7 @@ impl Legs {
 }
 
 /// The kind of shoe.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
 pub(crate) enum ShoeKind {
     Trainers,
     Leather,

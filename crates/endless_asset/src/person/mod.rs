@@ -5,6 +5,7 @@ mod appearance;
 mod body;
 mod cage;
 mod carried;
+mod choice;
 mod clothes;
 mod collar;
 mod dog;

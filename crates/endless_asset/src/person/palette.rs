@@ -1,7 +1,7 @@
 //! Colours of skin, hair and cloth.
 
 use endless_scene::{Material, Surface};
-use endless_world::{ClassTag, Stream, math};
+use endless_world::{ClassTag, Stream, fnv1a, math};
 
 type Srgb = [u8; 3];
 
@@ -114,7 +114,7 @@ pub(crate) const fn linear(surface: Surface, base_color: [f32; 3]) -> Material {
 
 /// A dye of a palette, a little lighter or darker than its neighbours.
 pub(crate) fn dyed(s: &mut Stream, surface: Surface, palette: &[Srgb]) -> Material {
-    let color = *s.pick(palette);
+    let color = *s.pick_by_key(palette, |color| fnv1a(*color));
     let shade = s.range_f32(0.8, 1.15);
     material(surface, color, shade)
 }

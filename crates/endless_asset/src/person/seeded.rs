@@ -2,6 +2,7 @@
 //! `wardrobe`.
 
 use super::appearance::{Appearance, Beard, Carried, Glasses, Hair, Hat};
+use super::choice::choose;
 use super::clothes::{Legs, Shoes};
 use super::{palette, wardrobe};
 use endless_world::{Stream, math};
@@ -52,13 +53,13 @@ impl Appearance {
         let beard = if female || age < 19.0 {
             Beard::None
         } else {
-            [Beard::None, Beard::Stubble, Beard::Moustache, Beard::Full][s.weighted(&[60.0, 16.0, 6.0, 18.0])]
+            const BEARDS: [(Beard, f64); 4] =
+                [(Beard::None, 60.0), (Beard::Stubble, 16.0), (Beard::Moustache, 6.0), (Beard::Full, 18.0)];
+            choose(&mut s, &BEARDS)
         };
-        let glasses = [Glasses::None, Glasses::Clear, Glasses::Sun][s.weighted(&[
-            1.0,
-            0.16 + if age > 45.0 { 0.2 } else { 0.0 },
-            if rain || age < 12.0 { 0.0 } else { 0.14 },
-        ])];
+        let clear = 0.16 + if age > 45.0 { 0.2 } else { 0.0 };
+        let sun = if rain || age < 12.0 { 0.0 } else { 0.14 };
+        let glasses = choose(&mut s, &[(Glasses::None, 1.0), (Glasses::Clear, clear), (Glasses::Sun, sun)]);
         let plain = palette::linear(endless_scene::Surface::Cloth, [0.5; 3]);
         let mut appearance = Self {
             age,
@@ -113,26 +114,21 @@ pub(crate) fn skin_tone(variant: u64) -> u8 {
 }
 
 fn hair(s: &mut Stream, female: bool, age: f32, tone: usize) -> Hair {
-    const STYLES: [Hair; 11] = [
-        Hair::Bald,
-        Hair::Balding,
-        Hair::Buzz,
-        Hair::Short,
-        Hair::Parted,
-        Hair::Curly,
-        Hair::Afro,
-        Hair::Bob,
-        Hair::Long,
-        Hair::Ponytail,
-        Hair::Bun,
-    ];
     let old = f64::from(math::smoothstep(30.0, 70.0, age));
     let afro = if tone > 5 { 10.0 } else { 1.0 };
-    let weights = if female {
-        let long = 40.0 * (1.0 - 0.7 * old);
-        [0.0, 0.0, 0.5, 6.0 + 16.0 * old, 2.0, 6.0 + 8.0 * old, 0.6 * afro, 22.0, long, 22.0 * (1.0 - 0.6 * old), 14.0]
-    } else {
-        [2.0 + 10.0 * old, 26.0 * old, 12.0, 40.0, 22.0, 8.0, 0.6 * afro, 1.0, 2.0, 1.0, 1.0]
-    };
-    STYLES[s.weighted(&weights)]
+    // Of women, of men.
+    let styles = [
+        (Hair::Bald, [0.0, 2.0 + 10.0 * old]),
+        (Hair::Balding, [0.0, 26.0 * old]),
+        (Hair::Buzz, [0.5, 12.0]),
+        (Hair::Short, [6.0 + 16.0 * old, 40.0]),
+        (Hair::Parted, [2.0, 22.0]),
+        (Hair::Curly, [6.0 + 8.0 * old, 8.0]),
+        (Hair::Afro, [0.6 * afro, 0.6 * afro]),
+        (Hair::Bob, [22.0, 1.0]),
+        (Hair::Long, [40.0 * (1.0 - 0.7 * old), 2.0]),
+        (Hair::Ponytail, [22.0 * (1.0 - 0.6 * old), 1.0]),
+        (Hair::Bun, [14.0, 1.0]),
+    ];
+    choose(s, &styles.map(|(style, [women, men])| (style, if female { women } else { men })))
 }

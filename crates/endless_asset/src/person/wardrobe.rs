@@ -1,10 +1,12 @@
 //! What people wear together.
 
 use super::appearance::{Appearance, Carried, Hat};
+use super::choice::choose;
 use super::clothes::{Collar, Garment, Legs, Pattern, ShoeKind, Shoes, Upper};
 use super::palette::{self, BRIGHT, CHINO, DENIM, JEWEL, LEATHERS, PALE, SOBER, TRAINERS, WEATHER, dyed};
+use crate::color_key::color_key;
 use endless_scene::{Material, Surface};
-use endless_world::Stream;
+use endless_world::{Stream, fnv1a};
 
 fn trainers(s: &mut Stream) -> Shoes {
     Shoes::new(ShoeKind::Trainers, dyed(s, Surface::Leather, TRAINERS))
@@ -12,6 +14,13 @@ fn trainers(s: &mut Stream) -> Shoes {
 
 fn leather(s: &mut Stream, kind: ShoeKind) -> Shoes {
     Shoes::new(kind, dyed(s, Surface::Leather, LEATHERS))
+}
+
+fn shoes(s: &mut Stream, kinds: &[(ShoeKind, f64)]) -> Shoes {
+    match choose(s, kinds) {
+        ShoeKind::Trainers => trainers(s),
+        kind => leather(s, kind),
+    }
 }
 
 /// Dresses somebody.
@@ -22,12 +31,20 @@ pub(crate) fn dress(appearance: &mut Appearance, s: &mut Stream, rain: bool) {
     let work = if grown && appearance.age < 66.0 { 1.0 } else { 0.0 };
     // How warm people dress differs as much as people do.
     let warm = s.f32() < if rain { 0.85 } else { 0.34 };
-    match s.weighted(&[62.0, 14.0 * work, 5.0, 3.5 * work, 1.2 * work, 9.0]) {
-        0 => casual(appearance, s, warm),
-        1 => office(appearance, s, warm),
-        2 => sporty(appearance, s),
-        3 => worker(appearance, s),
-        4 => police(appearance, s),
+    let outfits = [
+        ("casual", 62.0),
+        ("office", 14.0 * work),
+        ("sports", 5.0),
+        ("high_visibility", 3.5 * work),
+        ("uniform", 1.2 * work),
+        ("regional", 9.0),
+    ];
+    match choose(s, &outfits) {
+        "casual" => casual(appearance, s, warm),
+        "office" => office(appearance, s, warm),
+        "sports" => sporty(appearance, s),
+        "high_visibility" => worker(appearance, s),
+        "uniform" => police(appearance, s),
         _ => regional(appearance, s, warm),
     }
     carry(appearance, s, rain);
@@ -44,34 +61,34 @@ fn light_top(appearance: &Appearance, s: &mut Stream) -> Garment {
     let material = cloth(s, BRIGHT);
     let accent = cloth(s, BRIGHT);
     let long = s.chance(0.3);
-    let garment = match s.weighted(if appearance.female {
-        &[34.0, 8.0, 14.0, 22.0, 14.0]
-    } else {
-        &[46.0, 16.0, 24.0, 0.0, 4.0]
-    }) {
-        0 => Garment::new("t_shirt", 0.505, 0.34, 0.010, material).neck(0.16, 0.008),
-        1 => Garment::new("polo_shirt", 0.505, 0.34, 0.010, material).neck(0.30, 0.006).collar(Collar::Shirt),
-        2 => Garment::new("shirt", 0.495, if long { 0.97 } else { 0.42 }, 0.012, material)
+    let [t_shirt, polo, shirt, blouse, tank] =
+        if appearance.female { [34.0, 8.0, 14.0, 22.0, 14.0] } else { [46.0, 16.0, 24.0, 0.0, 4.0] };
+    let tops = [("t_shirt", t_shirt), ("polo_shirt", polo), ("shirt", shirt), ("blouse", blouse), ("tank_top", tank)];
+    let garment = match choose(s, &tops) {
+        "t_shirt" => Garment::new("t_shirt", 0.505, 0.34, 0.010, material).neck(0.16, 0.008),
+        "polo_shirt" => {
+            Garment::new("polo_shirt", 0.505, 0.34, 0.010, material).neck(0.30, 0.006).collar(Collar::Shirt)
+        }
+        "shirt" => Garment::new("shirt", 0.495, if long { 0.97 } else { 0.42 }, 0.012, material)
             .neck(0.32, 0.006)
             .collar(Collar::Shirt),
-        3 => Garment::new("blouse", 0.510, if long { 0.92 } else { 0.36 }, 0.010, material)
+        "blouse" => Garment::new("blouse", 0.510, if long { 0.92 } else { 0.36 }, 0.010, material)
             .neck(0.50, 0.012)
             .flare(0.016),
         _ => Garment::new("tank_top", 0.530, 0.0, 0.005, material).neck(0.55, 0.022),
     };
-    match s.weighted(&[64.0, 12.0, 10.0, 9.0]) {
-        0 => garment,
-        1 => garment.pattern(Pattern::Stripes, accent),
-        2 => garment.pattern(Pattern::Block, accent),
-        _ => garment.pattern(Pattern::Checks, accent),
+    let patterns = [(Pattern::Plain, 64.0), (Pattern::Stripes, 12.0), (Pattern::Block, 10.0), (Pattern::Checks, 9.0)];
+    match choose(s, &patterns) {
+        Pattern::Plain => garment,
+        pattern => garment.pattern(pattern, accent),
     }
 }
 
 fn warm_top(s: &mut Stream) -> Garment {
     let material = cloth(s, BRIGHT);
-    match s.below(3) {
-        0 => Garment::new("sweater", 0.500, 0.98, 0.013, material).neck(0.10, 0.004),
-        1 => Garment::new("hoodie", 0.495, 0.98, 0.016, material).neck(0.15, 0.006).collar(Collar::Hood),
+    match choose(s, &[("sweater", 1.0), ("hoodie", 1.0), ("long_sleeve", 1.0)]) {
+        "sweater" => Garment::new("sweater", 0.500, 0.98, 0.013, material).neck(0.10, 0.004),
+        "hoodie" => Garment::new("hoodie", 0.495, 0.98, 0.016, material).neck(0.15, 0.006).collar(Collar::Hood),
         _ => Garment::new("long_sleeve", 0.500, 0.97, 0.009, material).neck(0.14, 0.006),
     }
 }
@@ -80,13 +97,16 @@ fn outer(appearance: &Appearance, s: &mut Stream) -> Garment {
     let material = cloth(s, WEATHER);
     let open = s.chance(0.45);
     let scarf = s.chance(0.2);
-    let garment = match s.weighted(&[34.0, 18.0, 20.0, 14.0, 14.0]) {
-        0 => Garment::new("jacket", 0.485, 1.0, 0.019, material).collar(Collar::Stand),
-        1 => Garment { folds: 2.2, ..Garment::new("puffer_jacket", 0.480, 1.0, 0.030, material).collar(Collar::Hood) },
-        2 => Garment::new("coat", if appearance.female { 0.30 } else { 0.33 }, 1.0, 0.021, material)
+    let coats = [("jacket", 34.0), ("puffer_jacket", 18.0), ("coat", 20.0), ("parka", 14.0), ("denim_jacket", 14.0)];
+    let garment = match choose(s, &coats) {
+        "jacket" => Garment::new("jacket", 0.485, 1.0, 0.019, material).collar(Collar::Stand),
+        "puffer_jacket" => {
+            Garment { folds: 2.2, ..Garment::new("puffer_jacket", 0.480, 1.0, 0.030, material).collar(Collar::Hood) }
+        }
+        "coat" => Garment::new("coat", if appearance.female { 0.30 } else { 0.33 }, 1.0, 0.021, material)
             .flare(0.018)
             .collar(Collar::Lapels { tie: false }),
-        3 => Garment::new("parka", 0.40, 1.0, 0.024, material).flare(0.008).collar(Collar::Hood),
+        "parka" => Garment::new("parka", 0.40, 1.0, 0.024, material).flare(0.008).collar(Collar::Hood),
         _ => Garment::new("denim_jacket", 0.53, 0.99, 0.014, cloth(s, DENIM)).collar(Collar::Shirt),
     };
     let garment = if open { garment.neck(0.45, 0.012).open(0.024, 0.018) } else { garment.neck(0.10, 0.008) };
@@ -95,14 +115,16 @@ fn outer(appearance: &Appearance, s: &mut Stream) -> Garment {
 
 fn trousers(appearance: &Appearance, s: &mut Stream) -> Legs {
     let skin = appearance.skin;
-    match s.weighted(if appearance.female { &[40.0, 26.0, 18.0, 16.0] } else { &[52.0, 40.0, 0.0, 8.0] }) {
-        0 => {
+    let [jeans, trousers, leggings, wide] =
+        if appearance.female { [40.0, 26.0, 18.0, 16.0] } else { [52.0, 40.0, 0.0, 8.0] };
+    match choose(s, &[("jeans", jeans), ("trousers", trousers), ("leggings", leggings), ("wide_trousers", wide)]) {
+        "jeans" => {
             let tight = appearance.female || s.chance(0.35);
             let (ease, cuff) = if tight { (0.0035, 0.003) } else { (0.006, 0.011) };
             Legs::new("jeans", 0.02, ease, cuff, cloth(s, DENIM), skin)
         }
-        1 => Legs::new("trousers", 0.0, 0.006, 0.012, cloth(s, CHINO), skin),
-        2 => Legs::new("leggings", 0.06, 0.0015, 0.0, cloth(s, SOBER), skin),
+        "trousers" => Legs::new("trousers", 0.0, 0.006, 0.012, cloth(s, CHINO), skin),
+        "leggings" => Legs::new("leggings", 0.06, 0.0015, 0.0, cloth(s, SOBER), skin),
         _ => Legs::new("wide_trousers", 0.0, 0.009, 0.028, cloth(s, CHINO), skin),
     }
 }
@@ -127,16 +149,14 @@ fn casual(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
             .neck(s.range_f32(0.3, 0.7), 0.016)
             .flare(s.range_f32(0.02, 0.06));
         if s.chance(0.4) {
-            dress = dress.pattern(*s.pick(&[Pattern::Checks, Pattern::Border, Pattern::Stripes]), cloth(s, BRIGHT));
+            let patterns = [(Pattern::Checks, 1.0), (Pattern::Border, 1.0), (Pattern::Stripes, 1.0)];
+            dress = dress.pattern(choose(s, &patterns), cloth(s, BRIGHT));
         }
         appearance.garments.push(dress);
         appearance.legs.below = stockings(appearance, s, warm);
-        appearance.shoes = match s.below(4) {
-            0 => trainers(s),
-            1 => leather(s, ShoeKind::Boots),
-            2 => leather(s, ShoeKind::Heels),
-            _ => leather(s, ShoeKind::Sandals),
-        };
+        const SHOES: [(ShoeKind, f64); 4] =
+            [(ShoeKind::Trainers, 1.0), (ShoeKind::Boots, 1.0), (ShoeKind::Heels, 1.0), (ShoeKind::Sandals, 1.0)];
+        appearance.shoes = shoes(s, &SHOES);
     } else {
         let top = if warm && s.chance(0.6) { warm_top(s) } else { light_top(appearance, s) };
         appearance.garments.push(top);
@@ -156,30 +176,26 @@ fn casual(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
         } else {
             appearance.legs = trousers(appearance, s);
         }
-        appearance.shoes = match s.weighted(&[60.0, 22.0, 10.0, if warm { 0.0 } else { 8.0 }]) {
-            0 => trainers(s),
-            1 => leather(s, ShoeKind::Leather),
-            2 => leather(s, ShoeKind::Boots),
-            _ => leather(s, ShoeKind::Sandals),
-        };
+        let sandals = if warm { 0.0 } else { 8.0 };
+        let kinds = [
+            (ShoeKind::Trainers, 60.0),
+            (ShoeKind::Leather, 22.0),
+            (ShoeKind::Boots, 10.0),
+            (ShoeKind::Sandals, sandals),
+        ];
+        appearance.shoes = shoes(s, &kinds);
     }
     if warm && s.chance(0.75) {
         appearance.garments.push(outer(appearance, s));
     }
-    appearance.hat = match s.weighted(&[
-        74.0,
-        if appearance.female { 4.0 } else { 12.0 },
-        if warm { 14.0 } else { 0.0 },
-        5.0,
-        2.0,
-    ]) {
-        0 => Hat::None,
-        1 => Hat::Cap,
-        2 => Hat::Beanie,
-        3 if !warm => Hat::Brimmed,
-        4 if appearance.age > 25.0 => Hat::Fedora,
-        _ => Hat::None,
-    };
+    let hats = [
+        (Hat::None, 74.0),
+        (Hat::Cap, if appearance.female { 4.0 } else { 12.0 }),
+        (Hat::Beanie, if warm { 14.0 } else { 0.0 }),
+        (Hat::Brimmed, if warm { 0.0 } else { 5.0 }),
+        (Hat::Fedora, if appearance.age > 25.0 { 2.0 } else { 0.0 }),
+    ];
+    appearance.hat = choose(s, &hats);
 }
 
 fn office(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
@@ -242,11 +258,14 @@ fn sporty(appearance: &mut Appearance, s: &mut Stream) {
     appearance.hat = if s.chance(0.3) { Hat::Cap } else { Hat::None };
 }
 
+/// Of site helmets.
+const SHELLS: [[f32; 3]; 4] = [[0.75, 0.75, 0.73], [0.80, 0.50, 0.02], [0.75, 0.12, 0.02], [0.05, 0.16, 0.45]];
+const UNIFORMS: [[u8; 3]; 4] = [[28, 34, 54], [34, 38, 44], [96, 120, 150], [84, 80, 56]];
 const VISIBLE: [[f32; 3]; 2] = [[0.62, 0.70, 0.03], [0.80, 0.16, 0.015]];
 
 fn worker(appearance: &mut Appearance, s: &mut Stream) {
     appearance.outfit = "high_visibility";
-    let bright = palette::linear(Surface::Cloth, *s.pick(&VISIBLE));
+    let bright = palette::linear(Surface::Cloth, *s.pick_by_key(&VISIBLE, color_key));
     let silver = palette::linear(Surface::Plate, [0.62, 0.63, 0.64]);
     let dark = cloth(s, SOBER);
     if s.chance(0.45) {
@@ -267,14 +286,13 @@ fn worker(appearance: &mut Appearance, s: &mut Stream) {
     }
     appearance.shoes = leather(s, ShoeKind::Boots);
     appearance.hat = if s.chance(0.6) { Hat::SiteHelmet } else { Hat::Cap };
-    let shell = *s.pick(&[[0.75, 0.75, 0.73], [0.80, 0.50, 0.02], [0.75, 0.12, 0.02], [0.05, 0.16, 0.45]]);
+    let shell = *s.pick_by_key(&SHELLS, color_key);
     appearance.hat_color = palette::linear(Surface::Plastic, shell);
 }
 
 fn police(appearance: &mut Appearance, s: &mut Stream) {
     appearance.outfit = "uniform";
-    let navy =
-        palette::material(Surface::Cloth, *s.pick(&[[28, 34, 54], [34, 38, 44], [96, 120, 150], [84, 80, 56]]), 1.0);
+    let navy = palette::material(Surface::Cloth, *s.pick_by_key(&UNIFORMS, |color| fnv1a(*color)), 1.0);
     let dark = palette::material(Surface::Cloth, [26, 29, 42], 1.0);
     let sleeve = *s.pick(&[0.42, 0.97]);
     appearance
@@ -295,19 +313,24 @@ fn regional(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
     let gold = palette::material(Surface::Cloth, [214, 172, 84], 1.0);
     let black = palette::material(Surface::Cloth, [22, 22, 25], 1.0);
     let white = palette::material(Surface::Cloth, [236, 234, 228], 1.0);
-    let kind = s.below(4);
-    match (appearance.female && !appearance.child(), kind) {
-        (true, 0) => {
+    let women = appearance.female && !appearance.child();
+    let costumes: &[(&str, f64)] = match women {
+        true => &[("sari", 1.0), ("abaya", 1.0), ("kameez", 1.0), ("tunic", 1.0)],
+        false if appearance.age > 12.0 => &[("thobe", 1.0), ("kurta", 1.0)],
+        false => &[("kurta", 1.0)],
+    };
+    match choose(s, costumes) {
+        "sari" => {
             appearance.garments.push(Garment::new("choli", 0.592, 0.26, 0.003, cloth(s, JEWEL)).neck(0.4, 0.014));
             appearance.garments.push(Garment::skirt("sari", 0.062, 0.035, jewel).pattern(Pattern::Border, gold));
         }
-        (true, 1) => {
+        "abaya" => {
             let robe = if s.chance(0.6) { black } else { jewel };
             appearance.garments.push(Garment::new("abaya", 0.060, 1.0, 0.018, robe).neck(0.05, 0.002).flare(0.055));
             appearance.hat = Hat::Headscarf;
             appearance.hat_color = if s.chance(0.6) { robe } else { cloth(s, BRIGHT) };
         }
-        (true, 2) => {
+        "kameez" => {
             appearance.garments.push(
                 Garment::new("kameez", 0.30, 0.7, 0.009, jewel)
                     .neck(0.3, 0.010)
@@ -318,7 +341,7 @@ fn regional(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
             appearance.hat = if s.chance(0.4) { Hat::Headscarf } else { Hat::None };
             appearance.hat_color = jewel;
         }
-        (true, _) => {
+        "tunic" => {
             // A headscarf over everyday clothes.
             appearance
                 .garments
@@ -327,12 +350,12 @@ fn regional(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
             appearance.hat = Hat::Headscarf;
             appearance.hat_color = cloth(s, BRIGHT);
         }
-        (false, 0 | 1) if appearance.age > 12.0 => {
+        "thobe" => {
             let robe = if s.chance(0.7) { white } else { cloth(s, PALE) };
             appearance.garments.push(
                 Garment::new("thobe", 0.075, 0.99, 0.014, robe).neck(0.08, 0.004).flare(0.03).collar(Collar::Stand),
             );
-            appearance.hat = *s.pick(&[Hat::None, Hat::Headscarf, Hat::Turban]);
+            appearance.hat = choose(s, &[(Hat::None, 1.0), (Hat::Headscarf, 1.0), (Hat::Turban, 1.0)]);
             appearance.hat_color = white;
         }
         _ => {
@@ -355,39 +378,23 @@ fn carry(appearance: &mut Appearance, s: &mut Stream, rain: bool) {
     let old = if age > 66.0 { 1.0 } else { 0.0 };
     let g = if grown { 1.0 } else { 0.0 };
     let office = if matches!(appearance.outfit, "office" | "suit") { 14.0 } else { 0.5 };
-    let weights = [
-        40.0,
-        if age < 18.0 { 30.0 } else { 13.0 },
-        if female { 12.0 * g } else { 0.0 },
-        if female { 10.0 * g } else { 4.0 * g },
-        9.0 * g,
-        office * g,
-        8.0 * g,
-        3.0 * g,
-        if rain { 60.0 * g } else { 0.6 * g },
-        parent,
-        3.0 * g,
-        14.0 * old,
-        3.0 * g,
-        0.8 + 2.5 * old,
+    let carried = [
+        (Carried::Nothing, 40.0),
+        (Carried::Backpack, if age < 18.0 { 30.0 } else { 13.0 }),
+        (Carried::Handbag, if female { 12.0 * g } else { 0.0 }),
+        (Carried::ShoulderBag, if female { 10.0 * g } else { 4.0 * g }),
+        (Carried::ShoppingBag, 9.0 * g),
+        (Carried::Briefcase, office * g),
+        (Carried::Phone, 8.0 * g),
+        (Carried::Call, 3.0 * g),
+        (Carried::Umbrella, if rain { 60.0 * g } else { 0.6 * g }),
+        (Carried::Pram, parent),
+        (Carried::Suitcase, 3.0 * g),
+        (Carried::Cane, 14.0 * old),
+        (Carried::Dog, 3.0 * g),
+        (Carried::Wheelchair, 0.8 + 2.5 * old),
     ];
-    const KINDS: [Carried; 14] = [
-        Carried::Nothing,
-        Carried::Backpack,
-        Carried::Handbag,
-        Carried::ShoulderBag,
-        Carried::ShoppingBag,
-        Carried::Briefcase,
-        Carried::Phone,
-        Carried::Call,
-        Carried::Umbrella,
-        Carried::Pram,
-        Carried::Suitcase,
-        Carried::Cane,
-        Carried::Dog,
-        Carried::Wheelchair,
-    ];
-    appearance.carried = KINDS[s.weighted(&weights)];
+    appearance.carried = choose(s, &carried);
     if matches!(appearance.carried, Carried::Umbrella) {
         let palette = if s.chance(0.5) { SOBER } else { JEWEL };
         appearance.bag_color = cloth(s, palette);

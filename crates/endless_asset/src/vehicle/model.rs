@@ -44,6 +44,7 @@ impl VehicleModel {
         let [front, rear] = size.axles.map(|x| x - size.middle());
         let spec = VehicleSpec {
             name: design.name,
+            draw: index,
             class: design.class,
             length_m: size.front - size.rear,
             width_m: size.width,

@@ -1,5 +1,6 @@
 //! Paint colours as on real roads.
 
+use crate::color_key::color_key;
 use endless_world::{ObjectClass, Stream};
 
 /// Share and linear colour.
@@ -94,8 +95,9 @@ pub(crate) const CAMPERS: &[PaintShare] = &[
 /// Linear paint colour of a variant.
 pub(crate) fn tint(paints: &[PaintShare], variant: u64) -> [f32; 3] {
     let mut stream = Stream::named(variant, "vehicle paint", &[]);
-    let weights: Vec<f64> = paints.iter().map(|p| p.0).collect();
-    let (_, color) = paints[stream.weighted(&weights)];
+    // By the colours themselves: a paint more in the list leaves other vehicles as they are.
+    let chosen = stream.weighted_by_key(paints.iter().map(|(share, color)| (color_key(color), *share)));
+    let color = chosen.map_or([1.0; 3], |index| paints[index].1);
     // Batches and years differ a little.
     let shade = stream.range_f32(0.88, 1.1);
     color.map(|c| (c * shade).clamp(0.004, 0.85))

@@ -3,4 +3,5 @@
 mod imported;
 mod network;
 mod opendrive;
+mod parked;
 mod scene;

@@ -68,6 +68,33 @@ fn vehicles_begin_clear_of_parked_ones() {
 }
 
 #[test]
+fn a_design_more_changes_only_the_vehicles_that_it_takes_the_place_of() {
+    let place = TestTown::new("Town06");
+    let all = place.specs();
+    for added in ["car.taxi", "van.panel"] {
+        let fewer: Vec<VehicleSpec> = all.iter().filter(|s| s.name != added).cloned().collect();
+        let spawn = |specs: &[VehicleSpec], seed| {
+            let roads = Roads::new(place.town.network.clone(), specs, &[]);
+            vehicles(&roads, specs, &[], &asked(25, seed))
+        };
+        let mut taken = 0;
+        for seed in 0..6 {
+            let (before, after) = (spawn(&fewer, seed), spawn(&all, seed));
+            assert_eq!(before.len(), after.len());
+            for (slot, (b, a)) in before.iter().zip(&after).enumerate() {
+                let [b_spec, a_spec] = [(&fewer, b), (&all, a)].map(|(specs, v)| &specs[v.asset.model.index()]);
+                if a_spec.name == added {
+                    taken += 1;
+                } else {
+                    assert_eq!((b_spec.key(), b.asset.variant), (a_spec.key(), a.asset.variant), "slot {slot}");
+                }
+            }
+        }
+        assert!((1..40).contains(&taken), "{taken} of 150 are {added}");
+    }
+}
+
+#[test]
 fn buses_and_lorries_are_as_frequent_as_in_the_catalogue_where_streets_have_several_lanes() {
     const SEEDS: u64 = 60;
     for name in ["Town05", "Town06", "Town10HD"] {

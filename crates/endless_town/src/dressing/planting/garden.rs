@@ -11,7 +11,7 @@ use crate::palette::{GRAVEL, YARD};
 use endless_asset::Prop;
 use endless_scene::{Material, MeshBuilder};
 use endless_world::math::f64::atan2;
-use endless_world::{ParkedVehicle, Pose, Stream, VehicleModelId, VehicleRef};
+use endless_world::{ParkedVehicle, Pose, Stream, VehicleRef};
 use glam::DVec2;
 
 /// Thickness of what is laid, and distance between its corners on uneven land, metres.
@@ -230,13 +230,8 @@ impl GardenBuilder<'_> {
     /// A car of ordinary length; the caller has taken the place.
     fn car(&self, assembly: &mut TownAssembly<'_>, at: DVec2, front: &GardenFrame, nose_in: bool, stream: &mut Stream) {
         let fits = |length: f32| (3.0..4.85).contains(&length);
-        let models = assembly.catalogue.vehicles();
-        let weights: Vec<f64> =
-            models.iter().map(|m| if m.spec.parks && fits(m.spec.length_m) { m.spec.frequency } else { 0.0 }).collect();
-        if weights.iter().sum::<f64>() <= 0.0 || assembly.parked.len() >= MOST {
-            return;
-        }
-        let model = VehicleModelId::from_index(stream.weighted(&weights));
+        let chosen = assembly.catalogue.choose_parked(stream, |spec| fits(spec.length_m));
+        let Some(model) = chosen.filter(|_| assembly.parked.len() < MOST) else { return };
         let vehicle = VehicleRef { model, variant: stream.next_u64() };
         let inwards = front.axis.perp();
         let ahead = if nose_in { inwards } else { -inwards };

@@ -3,5 +3,7 @@
 pub(crate) mod furniture;
 pub(crate) mod iron;
 pub(crate) mod parking;
+mod parking_bay;
 pub(crate) mod post;
+mod swept_ground;
 pub(crate) mod wire;

@@ -21,6 +21,7 @@ pub(crate) fn spec(
     let two_wheeled = matches!(class, ObjectClass::Motorcycle | ObjectClass::Bicycle);
     VehicleSpec {
         name,
+        draw: 0,
         class,
         length_m: size[0],
         width_m: size[1],

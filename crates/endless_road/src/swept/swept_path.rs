@@ -1,8 +1,9 @@
 //! The area that a body sweeps while it follows a lane, its overhangs and the cutting-in of its rear included.
 
-use crate::drawbar::{DRAWBAR, towed_heading};
-use crate::footprint::OrientedRectangle;
-use endless_road::{Lane, Polyline, RoadNetwork};
+use super::design_vehicle::DesignVehicle;
+use super::drawbar::{DRAWBAR, towed_heading};
+use super::oriented_rectangle::OrientedRectangle;
+use crate::{Lane, LaneId, Polyline, RoadNetwork};
 use endless_world::VehicleSpec;
 use endless_world::math::f64::{atan2, sin_cos};
 use glam::{DVec2, DVec3};
@@ -14,36 +15,8 @@ const RUN_UP_M: f64 = 12.0;
 /// From the side of a body to its tyres, and what tyres may leave their lane by: the gutter, less what drivers stray.
 const TYRE_M: f64 = 0.05;
 const GUTTER_M: f64 = 0.25;
-/// DesignVehicles are apart where one is this much above the other, metres.
+/// Bodies are apart where one is this much above the other, metres.
 const STOREY_M: f64 = 3.0;
-
-/// A typical body: the largest of those that go everywhere.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct DesignVehicle {
-    pub(crate) half: DVec2,
-    wheelbase: f64,
-    rear_axle: f64,
-    /// What it draws.
-    towed: Option<TowedBody>,
-}
-
-/// A piece behind a hitch: x in the frame of the whole body while it goes straight on, metres.
-#[derive(Debug, Clone, Copy)]
-struct TowedBody {
-    hitch: f64,
-    axle: f64,
-    front: f64,
-    /// Rearmost point of the piece that draws it.
-    towing_rear: f64,
-}
-
-impl TowedBody {
-    fn of(spec: &VehicleSpec) -> Option<Self> {
-        let t = spec.trailer?;
-        let [hitch, axle, front, towing_rear] = [t.hitch_m, t.axle_m, t.front_m, t.towing_rear_m].map(f64::from);
-        Some(Self { hitch, axle, front, towing_rear })
-    }
-}
 
 /// A rigid piece at a place: its axles are metres ahead of its own middle.
 #[derive(Debug, Clone, Copy)]
@@ -54,31 +27,9 @@ struct PlacedBody {
     axles: [f64; 2],
 }
 
-impl DesignVehicle {
-    /// That holds every one of these, `aside` metres beside the middle of the lane.
-    pub(crate) fn around<'a>(specs: impl Iterator<Item = &'a VehicleSpec>, aside: f64) -> Self {
-        let mut body = Self { half: DVec2::new(2.2, 0.9), wheelbase: 2.6, rear_axle: 1.3, towed: None };
-        for spec in specs {
-            let half = DVec2::new(f64::from(spec.length_m), f64::from(spec.width_m)) / 2.0;
-            if half.x > body.half.x {
-                body.wheelbase = f64::from(spec.front_axle_m - spec.rear_axle_m);
-                body.rear_axle = f64::from(-spec.rear_axle_m);
-                body.towed = TowedBody::of(spec);
-            }
-            body.half = body.half.max(half);
-        }
-        body.half.y += aside;
-        body
-    }
-
-    fn reach(&self) -> f64 {
-        self.half.length()
-    }
-}
-
 /// Where a body is, by the `s` of its origin on the lane; before its beginning and behind its end too.
 #[derive(Debug, Clone)]
-pub(crate) struct SweptPath {
+pub struct SweptPath {
     places: Vec<PlacedBody>,
     low: DVec2,
     high: DVec2,
@@ -136,13 +87,13 @@ impl TowingBody {
 
 impl SweptPath {
     /// Along a lane from where the body begins to cover it to where it has left it.
-    pub(crate) fn along(network: &RoadNetwork, lane: &Lane, body: DesignVehicle) -> Self {
+    pub fn along(network: &RoadNetwork, lane: &Lane, body: DesignVehicle) -> Self {
         Self::between(network, lane, body, -body.half.x, lane.centerline.length() + body.half.x)
     }
 
     /// From one `s` of its origin to another.
-    pub(crate) fn between(network: &RoadNetwork, lane: &Lane, body: DesignVehicle, from: f64, to: f64) -> Self {
-        let line = |id: Option<&endless_road::LaneId>| id.map(|&id| &network.lane(id).centerline);
+    pub fn between(network: &RoadNetwork, lane: &Lane, body: DesignVehicle, from: f64, to: f64) -> Self {
+        let line = |id: Option<&LaneId>| id.map(|&id| &network.lane(id).centerline);
         let course = ExtendedLane {
             before: line(lane.predecessors.first()),
             lane: &lane.centerline,
@@ -196,7 +147,7 @@ impl SweptPath {
     }
 
     /// Whether the tyres of the vehicle that is swept stay on these lanes, the middle one of which is followed.
-    pub(crate) fn keeps_to(&self, spec: &VehicleSpec, way: &[&Lane]) -> bool {
+    pub fn keeps_to(&self, spec: &VehicleSpec, way: &[&Lane]) -> bool {
         let across = 0.5 * f64::from(spec.width_m) - TYRE_M;
         let on_lane = |p: DVec2| {
             let places = way.iter().map(|lane| (lane.centerline.project(p), lane));
@@ -210,8 +161,13 @@ impl SweptPath {
         self.places.iter().all(tyres)
     }
 
+    /// The footprints of all pieces of the body on the way, each with its height, metres.
+    pub fn footprints(&self) -> impl Iterator<Item = (&OrientedRectangle, f64)> {
+        self.places.iter().map(|place| (&place.print, place.z))
+    }
+
     /// The ranges of `s` of the origin on both lanes within which two bodies can touch.
-    pub(crate) fn touch(&self, other: &Self) -> Option<((f64, f64), (f64, f64))> {
+    pub fn touch(&self, other: &Self) -> Option<((f64, f64), (f64, f64))> {
         if self.low.cmpgt(other.high).any() || other.low.cmpgt(self.high).any() {
             return None;
         }
@@ -232,7 +188,7 @@ impl SweptPath {
 
     /// The same as ranges of arc length for bumpers: a front bumper enters at the first of each pair, a rear bumper
     /// has left at the second, which may be less.
-    pub(crate) fn conflict(&self, other: &Self) -> Option<((f64, f64), (f64, f64))> {
+    pub fn conflict(&self, other: &Self) -> Option<((f64, f64), (f64, f64))> {
         let (a, b) = self.touch(other)?;
         let bumpers = |r: (f64, f64), body: &DesignVehicle| ((r.0 + body.half.x).max(0.0), r.1 - body.half.x);
         Some((bumpers(a, &self.body), bumpers(b, &other.body)))
@@ -242,7 +198,6 @@ impl SweptPath {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_road::LaneId;
 
     fn lane(id: u32, points: &[(f64, f64)]) -> Lane {
         Lane::new(LaneId(id), Polyline::new(points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0))), 3.0, 14.0)
