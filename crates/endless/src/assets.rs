@@ -1,4 +1,4 @@
-//! `endless assets`: what the catalogue holds, how it looks, and files of it.
+//! `endless assets`: lists, previews and exports the catalogue.
 
 use crate::args::{AssetsArgs, AssetsCommand};
 use crate::file::write;
@@ -7,7 +7,7 @@ use endless_asset::Catalogue;
 use endless_interchange::{AssetFolder, MapLibrary, asset_gltf, asset_preview, list_assets};
 use std::{io::Write, path::Path, process::ExitCode};
 
-/// The library with the models of a folder, if one is named; what is skipped is told.
+/// The library with the models of a folder, if one is named; warns of skipped models.
 pub(crate) fn with_folder(library: MapLibrary, folder: Option<&Path>, skip_broken: bool) -> Result<MapLibrary> {
     let Some(folder) = folder else { return Ok(library) };
     let folder = AssetFolder::read(folder, skip_broken)?;

@@ -1,4 +1,4 @@
-//! Which build this is, as the build script found out.
+//! The identity of this build, from the build script.
 
 use endless_dataset::{BuildIdentity, Manifest};
 use std::sync::LazyLock;

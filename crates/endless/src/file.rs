@@ -1,4 +1,4 @@
-//! Files that a command was asked to write.
+//! Writes the output files of commands.
 
 use anyhow::{Context, Result};
 use std::{fs, path::Path};

@@ -1,4 +1,4 @@
-//! What `-v` tells: the stages of the work and their times, on stderr.
+//! The log of `-v`: stages and their times, on stderr.
 
 use tracing::Level;
 

@@ -1,4 +1,4 @@
-//! `endless maps`: what maps there are, how they look, and maps from files.
+//! `endless maps`: lists, previews, imports and exports maps.
 
 use crate::args::{ExportFiles, MapsArgs, MapsCommand};
 use crate::file::write;
@@ -6,7 +6,7 @@ use anyhow::Result;
 use endless_interchange::{ImportOptions, ImportedMap, MapLibrary, MapStatistics};
 use std::{io::Write, path::Path, process::ExitCode};
 
-/// Notes on an imported file that are told; the rest are counted.
+/// Notes on an imported file that are printed; the rest are counted.
 const NOTES: usize = 8;
 
 pub(crate) fn run(library: &MapLibrary, args: MapsArgs) -> Result<ExitCode> {

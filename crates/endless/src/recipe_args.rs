@@ -7,7 +7,7 @@ use clap::{
 use endless_dataset::{OptionKind, RecipeDraft, RecipeOption};
 use std::path::PathBuf;
 
-/// What decides the dataset, as far as flags say it.
+/// The part of a recipe that flags give.
 #[derive(Debug)]
 pub(crate) struct RecipeArgs {
     /// All but the cameras.

@@ -1,4 +1,4 @@
-//! What a run says on stderr: a bar on a terminal, plain lines elsewhere.
+//! Progress of a run on stderr: a bar on a terminal, plain lines elsewhere.
 
 use endless_pipeline::{Progress, ProgressEvent, human_bytes};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
@@ -9,7 +9,7 @@ use std::{
     time::Instant,
 };
 
-/// Tells events as they come.
+/// Prints progress events.
 #[derive(Debug)]
 pub(crate) struct Reporter {
     /// Hidden where stderr is no terminal.

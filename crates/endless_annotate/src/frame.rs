@@ -1,4 +1,4 @@
-//! The annotations of one frame of one camera: what is seen, joined with what it is.
+//! The annotations of one frame of one camera: visible objects, joined with their attributes.
 
 use crate::{CameraView, Keypoints, ObjectRecord, SceneObjects, VisibleObject, WorldKeypoints};
 use endless_world::{ClassTag, ImageSize, InstanceId, ObjectClass};

@@ -1,4 +1,4 @@
-//! Keypoints of people in COCO's form: where each lies in the picture, and whether it can be seen there.
+//! Keypoints of people in COCO's form: image position and visibility of each.
 
 use endless_world::{Image, ImageSize, InstanceId, InstancePixel, KEYPOINT_COUNT, PinholeCamera};
 use glam::Vec3;

@@ -1,4 +1,4 @@
-//! What is known of each object that can be seen in a frame.
+//! The attributes of each visible object of a frame.
 
 use crate::{Keypoints, PixelBox};
 use endless_world::{Actor, InstanceId, ObjectClass, WorldState};

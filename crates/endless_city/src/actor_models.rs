@@ -1,4 +1,4 @@
-//! The models of those who move in a video, and all of them at one instant.
+//! The models of all actors of a video, and their geometry at one instant.
 
 use crate::{TownScene, person::PersonGeometry, vehicle::VehicleGeometry, velocity};
 use endless_asset::Catalogue;

@@ -1,4 +1,4 @@
-//! A vehicle's geometry: body, wheels, and what it draws.
+//! A vehicle's geometry: body, wheels, and trailer.
 
 use crate::velocity;
 use endless_asset::{Trailer, VehicleModel, Wheel};

@@ -1,4 +1,4 @@
-//! How the pieces of actors move.
+//! Velocities of the rigid bodies of actors.
 
 use endless_render::RigidVelocity;
 use endless_world::{Actor, Motion, math};

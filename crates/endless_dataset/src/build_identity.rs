@@ -1,4 +1,4 @@
-//! Which build of the program wrote a dataset.
+//! The build of the program that wrote a dataset.
 
 use serde::{Deserialize, Serialize};
 use std::fmt;

@@ -1,4 +1,4 @@
-//! Reopens a whole dataset and names everything that is wrong with it.
+//! Checks a dataset: reads every file and lists all errors.
 
 mod camera;
 mod progress;

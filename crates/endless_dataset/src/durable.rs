@@ -1,4 +1,4 @@
-//! What must still be there after a power failure.
+//! Files that survive a power failure.
 //!
 //! A renamed file may be empty then: its name can reach the disk before its bytes do. Waiting for the disk file by file
 //! would make every frame as slow as the disk; so a video's files are written as the system likes it, and all of them

@@ -1,4 +1,4 @@
-//! What can go wrong with a file.
+//! Errors of reading and writing files.
 
 use std::{fmt::Display, io, path::PathBuf};
 

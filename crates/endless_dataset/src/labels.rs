@@ -1,4 +1,4 @@
-//! The label schema that every dataset carries with it.
+//! The label schema, written to every dataset.
 
 use endless_world::{ClassTag, KEYPOINT_LIMBS, KEYPOINTS, ObjectClass};
 use serde::{Deserialize, Serialize};

@@ -1,4 +1,4 @@
-//! Where everything lies: the tree of the contract.
+//! The paths of all files of a dataset.
 
 use crate::{
     DatasetError, Layer, Recipe,

@@ -1,4 +1,4 @@
-//! What lies in folders.
+//! Lists folders.
 
 use crate::DatasetError;
 use std::{

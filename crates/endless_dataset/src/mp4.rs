@@ -1,4 +1,4 @@
-//! MP4 files of one H.264 track, as browsers like them: index before data, one track, no edits.
+//! MP4 files of one H.264 track that play in browsers: index before data, one track, no edits.
 
 mod boxes;
 mod reader;

@@ -1,4 +1,4 @@
-//! Depth and instance layers as pictures that people can look at, for their videos.
+//! Depth and instance layers as pictures for people, for their videos.
 
 use endless_world::{ClassTag, FAR_PLANE_M, Image, InstancePixel, Stream, math};
 

@@ -1,4 +1,4 @@
-//! JSON files: the settings of a scene, and what happened in it.
+//! JSON files: the settings of a scene, and its results.
 
 use crate::{DatasetError, write_atomic, write_durable};
 use endless_world::SceneSettings;

@@ -1,4 +1,4 @@
-//! Which file it was: what enters the recipe of a dataset.
+//! Content hashes of files, for the recipe of a dataset.
 
 /// BLAKE3 of a file's bytes in hexadecimal, as `b3sum` prints it.
 pub(crate) fn content_hash(bytes: &[u8]) -> String {

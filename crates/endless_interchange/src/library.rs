@@ -1,4 +1,4 @@
-//! Built-in and imported towns by name, and what can be written of them.
+//! Built-in and imported towns by name, and their exports.
 
 use crate::asset::{AssetFolder, stand_in};
 use crate::map::{self, ImportOptions, MapError, MapStatistics, MapStore, StoredMap};
@@ -18,7 +18,7 @@ use std::{
 /// their towns are furnished.
 #[derive(Debug, Default)]
 pub struct MapLibrary {
-    /// Built when first needed: a mistake in the recipe is told at once.
+    /// Built when first needed, so that an error in the recipe is reported at once.
     catalogue: OnceLock<Catalogue>,
     /// Where imported maps are kept; `None` where there is no such place.
     store: Option<MapStore>,

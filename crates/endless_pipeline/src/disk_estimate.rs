@@ -1,4 +1,4 @@
-//! How much disk a dataset takes.
+//! The disk space that a dataset needs.
 
 /// Estimate of the disk space that the remaining frames need, and of the free space.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

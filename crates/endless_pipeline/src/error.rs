@@ -1,4 +1,4 @@
-//! What can go wrong between a recipe and its dataset. Every message is one line that says what to do.
+//! Errors between a recipe and its dataset. Every message is one line that says what to do.
 
 use crate::{DiskEstimate, SimulatorError};
 use endless_annotate::AnnotateError;

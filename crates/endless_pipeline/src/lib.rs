@@ -1,10 +1,10 @@
 //! From recipe to dataset: the plan of its scenes, their simulation, recording and resume. The one crate that depends on
 //! all others.
 //!
-//! A [`RecipeDraft`] holds the options that a user gave. With the maps of a [`MapSource`] it resolves to a recipe, and
-//! [`Plan`] makes the settings of every scene from it. [`generate`] records the scenes with a [`Simulator`]: for each scene
-//! it opens a [`SimulationSession`], which yields world states with their render tasks, and writes images, labels and
-//! videos. [`BuiltinSimulator`] is the built-in city.
+//! A [`RecipeDraft`](endless_dataset::RecipeDraft) holds the options that a user gave. With the maps of a [`MapSource`]
+//! it resolves to a recipe ([`resolve_recipe`]), and [`Plan`] makes the settings of every scene from it. [`generate`]
+//! records the scenes with a [`Simulator`]: for each scene it opens a [`SimulationSession`], which yields world states with
+//! their render tasks, and writes images, labels and videos. [`BuiltinSimulator`] is the built-in city.
 //!
 //! ```
 //! use endless_dataset::RecipeDraft;

@@ -1,4 +1,4 @@
-//! Which scenes a recipe means: the paper's section 4.3.2.
+//! The scenes of a recipe: the paper's section 4.3.2.
 
 mod combination;
 

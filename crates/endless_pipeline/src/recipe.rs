@@ -1,4 +1,4 @@
-//! From what the user wrote to the resolved recipe.
+//! Resolves the options of a user to a recipe.
 
 use crate::{MapSource, RecipeError, text_position::line_and_column, user_camera};
 use endless_dataset::{Layer, OptionError, Recipe, RecipeDraft};

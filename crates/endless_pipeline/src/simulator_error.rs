@@ -1,4 +1,4 @@
-//! What a simulator says when it cannot do what it is asked.
+//! Errors of simulators.
 
 use endless_interchange::MapError;
 use endless_town::TownError;

@@ -1,4 +1,4 @@
-//! Places in texts, as mistakes are told.
+//! Line and column of positions in texts, for error messages.
 
 /// Line and column of a byte of a text, from 1.
 pub(crate) fn line_and_column(text: &str, byte: usize) -> (usize, usize) {

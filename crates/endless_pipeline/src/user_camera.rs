@@ -1,4 +1,4 @@
-//! User cameras, which film in place of a map's own: a list in a recipe, or in a file of its own, TOML or JSON.
+//! User cameras, which replace a map's own: a list in a recipe, or in a file of its own, TOML or JSON.
 
 use crate::{MapSource, RecipeError, text_position::line_and_column};
 use endless_dataset::{OptionError, UserCamera};

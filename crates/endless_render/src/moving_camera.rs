@@ -1,4 +1,4 @@
-//! Frames of a camera that moves: nothing is kept from one to the next but what belongs to the scene.
+//! Frames of a moving camera, which share nothing but the scene.
 
 use crate::accel::{Ray, RayStream};
 use crate::camera_rays::sample_ray;

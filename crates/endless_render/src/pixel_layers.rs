@@ -1,4 +1,4 @@
-//! All layers but RGB: what the ray through each pixel's centre met. A new layer is a field of both types here.
+//! All layers but RGB, from the hit of the ray through each pixel's centre. A new layer is a field of both types here.
 
 use crate::accel::Ray;
 use crate::camera_rays::planar_depth;

@@ -1,4 +1,4 @@
-//! What surfaces are made of, as data; the renderer gives each its look.
+//! Materials of surfaces as data; the renderer gives each its BSDF.
 
 use endless_world::ClassTag;
 use serde::Deserialize;

@@ -1,4 +1,4 @@
-//! Lamps that light streets at night.
+//! Street lamps, lit at night.
 
 use glam::Vec3;
 

@@ -1,4 +1,4 @@
-//! Where a scene is looked at, and how traffic leans towards it.
+//! Attracts traffic to the places that cameras see.
 //!
 //! A camera's view of a quiet town is empty most of the time. Given the places that are recorded, more vehicles and
 //! people begin near them, and choose their ways so that they pass or stay near them. Without such places nothing is

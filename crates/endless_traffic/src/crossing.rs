@@ -1,4 +1,4 @@
-//! Where drivers and people on foot look at one another.
+//! Pedestrian crossings: how drivers and pedestrians yield to one another.
 
 use crate::roads::{CrossingCut, Roads};
 use crate::vehicle::Vehicle;

@@ -1,4 +1,4 @@
-//! Who may enter a junction.
+//! Grants the right of way at junctions.
 //!
 //! A vehicle needs the right of way (a [`RightOfWay`]) to cross the line before a junction: its signal or sign allows it, those with
 //! priority are far enough away, and there is room for it beyond. Where the ways of two vehicles overlap they pass in

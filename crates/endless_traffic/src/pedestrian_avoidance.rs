@@ -1,4 +1,4 @@
-//! How pedestrians turn and slow down for one another.
+//! Collision avoidance of pedestrians: they turn and slow down for one another.
 
 use super::walk_strip::{BODY_M, DirectedEdge, unit_vector};
 use super::walker::Walker;

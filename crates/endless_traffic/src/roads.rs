@@ -1,4 +1,4 @@
-//! What drivers need of the network, looked up by lane.
+//! The road network with tables for drivers, by lane.
 
 use crate::attraction::Attraction;
 use crate::overlap::{Alongside, Conflicts, DesignVehicles, Sibling, alongside, make_room, siblings};

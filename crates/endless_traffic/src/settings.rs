@@ -1,4 +1,4 @@
-//! What a simulation is made of, and what it is asked for.
+//! The fleet and the settings of a simulation.
 
 use crate::population::Conditions;
 use endless_world::VehicleSpec;

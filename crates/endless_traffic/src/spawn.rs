@@ -1,4 +1,4 @@
-//! Who is there when the scene begins.
+//! Spawns the actors of a scene.
 
 use crate::driver::Driver;
 use crate::kinematics;

@@ -1,4 +1,4 @@
-//! One vehicle's acceleration: the smallest of what each thing ahead asks for.
+//! A vehicle's acceleration: the smallest of those that leaders, signals, bends and crossings ahead demand.
 
 use crate::crossing::{CrossingState, comfortable_stop_m, signal_of};
 use crate::driver::HARDEST_BRAKING;

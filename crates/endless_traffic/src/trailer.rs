@@ -1,4 +1,4 @@
-//! What a vehicle draws: its axle follows the hitch without slipping sideways.
+//! Trailers: the axle follows the hitch without slipping sideways.
 
 use endless_road::swept::towed_heading;
 use endless_world::VehicleSpec;

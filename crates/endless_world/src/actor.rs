@@ -1,4 +1,4 @@
-//! What moves: pose, motion and lights of one actor at one instant.
+//! Actors: pose, motion and lights of one at one instant.
 
 use crate::{AssetRef, InstanceId, ObjectClass};
 use glam::{Affine3A, EulerRot, Quat, Vec3};

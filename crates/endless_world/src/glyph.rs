@@ -1,4 +1,4 @@
-//! Letters as dots, for what is written into pictures.
+//! A bitmap font for text in pictures.
 
 /// Letters, digits and what else is in names and times, five columns by seven rows.
 const GLYPHS: [(char, [u8; 7]); 39] = [

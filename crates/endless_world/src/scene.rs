@@ -1,4 +1,4 @@
-//! The settings of one scene: what the paper writes as JSON before anything is simulated.
+//! The settings of one scene, which the paper writes as JSON before simulation.
 
 use crate::{CameraLook, CameraSite, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};

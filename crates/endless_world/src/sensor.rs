@@ -1,4 +1,4 @@
-//! What one camera saw at one instant: aligned layers.
+//! The sensor frame of one camera at one instant: aligned layers.
 
 use crate::{ClassTag, ImageSize, InstanceId};
 

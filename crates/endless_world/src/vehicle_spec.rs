@@ -1,4 +1,4 @@
-//! What traffic needs to know of a vehicle: the model's measures and habits, and where one stands parked.
+//! Vehicles as traffic knows them: measures and habits of a model, and parked vehicles.
 
 use crate::{ObjectClass, Pose, Stream, VehicleRef};
 

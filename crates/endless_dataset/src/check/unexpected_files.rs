@@ -7,7 +7,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
-/// What lies in a folder and should not.
+/// The unexpected files of a folder.
 pub(super) fn unexpected_files(folder: &Path, expected: &BTreeSet<String>) -> Vec<Finding> {
     let Ok(found) = list(folder) else {
         return vec![Finding::new(folder, "cannot be read")];

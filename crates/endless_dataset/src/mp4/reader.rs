@@ -1,4 +1,4 @@
-//! Reads back the files that the writer makes.
+//! Reads the files of the writer.
 
 use super::TICKS_A_FRAME;
 use crate::DatasetError;

@@ -1,4 +1,4 @@
-//! What the catalogue holds: listed, drawn, read from folders of models, and written to files.
+//! The assets of the catalogue: listed, drawn, imported from folders, exported to files.
 
 mod export;
 mod folder;

@@ -1,4 +1,4 @@
-//! A glTF document in the making: meshes, nodes, and the file of both (specification 2.0, sections 3 and 4).
+//! Builds a glTF document: meshes, nodes, and the file of both (specification 2.0, sections 3 and 4).
 
 use super::{buffer::GltfBuffer, material::MaterialTable};
 use endless_asset::Catalogue;

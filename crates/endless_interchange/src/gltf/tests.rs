@@ -1,4 +1,4 @@
-//! What was written is opened by another reader and compared with the town.
+//! Exported files are opened by another reader and compared with the town.
 
 use super::{write_item, write_town};
 use crate::asset::CatalogueItem;

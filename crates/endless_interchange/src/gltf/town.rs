@@ -1,4 +1,4 @@
-//! What stands in a town: its own meshes, the catalogue's, parked vehicles, cameras.
+//! The contents of a town: its own meshes, the catalogue's, parked vehicles, cameras.
 
 use super::document::{GltfDocument, MeshAccessors, y_up};
 use super::vehicle::VehicleMeshes;

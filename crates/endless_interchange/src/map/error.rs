@@ -1,4 +1,4 @@
-//! What can be wrong with an imported map. Every message is one line that says what to do.
+//! Errors of imported maps. Every message is one line that says what to do.
 
 use endless_dataset::DatasetError;
 use endless_road::{opendrive::OpenDriveError, osm::OsmError};

@@ -1,4 +1,4 @@
-//! Maps from files: where they are kept, what is known of a map, and pictures of it.
+//! Maps from files: their store, statistics and previews.
 
 mod error;
 mod label;

@@ -1,4 +1,4 @@
-//! Names that maps can have.
+//! Valid names of maps.
 
 /// Longest name of a map.
 const LONGEST_NAME: usize = 60;

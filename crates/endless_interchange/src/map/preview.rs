@@ -1,4 +1,4 @@
-//! A map on one picture: from above, with what its cameras see beside it.
+//! A picture of a map from above, with the views of its cameras.
 
 use super::label;
 use endless_asset::Catalogue;

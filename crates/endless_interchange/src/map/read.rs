@@ -1,4 +1,4 @@
-//! Files of maps of either format.
+//! Reads map files of both formats.
 
 use super::{MapError, stored_map::MapFormat};
 use endless_road::{RoadMap, opendrive, osm};
@@ -18,7 +18,7 @@ pub(super) fn format_of(bytes: &[u8], path: &Path) -> Result<MapFormat, MapError
     }
 }
 
-/// Reads a map of a file's content.
+/// Reads a map from a file's content.
 pub(super) fn parse(
     bytes: &[u8],
     format: MapFormat,

@@ -1,4 +1,4 @@
-//! What is worth knowing of a map before filming it.
+//! Statistics of a map.
 
 use endless_town::Town;
 use glam::DVec2;

@@ -1,4 +1,4 @@
-//! Where the keypoints of our own people are.
+//! World positions of the keypoints of built-in people.
 
 use endless_annotate::WorldKeypoints;
 use endless_asset::{Anatomy, Catalogue};

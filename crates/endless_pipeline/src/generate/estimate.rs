@@ -1,4 +1,4 @@
-//! An estimate of the disk that a dataset takes, from its recipe and what is there.
+//! Estimates the disk space that a dataset needs, from its recipe and the files that exist.
 
 use crate::{DiskEstimate, record::count_images};
 use endless_dataset::{DatasetError, DatasetLayout, Recipe};

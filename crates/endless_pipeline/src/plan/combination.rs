@@ -1,4 +1,4 @@
-//! All combinations of map, weather, time of day and cameras, by their numbers: none is made before it is asked for.
+//! All combinations of map, weather, time of day and cameras, numbered and made on demand.
 
 use crate::PlanError;
 use endless_dataset::Recipe;

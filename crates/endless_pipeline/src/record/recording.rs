@@ -1,11 +1,11 @@
-//! What a recording needs besides the simulator.
+//! The settings of a recording, besides the simulator.
 
 use super::times::StageClock;
 use crate::Progress;
 use endless_dataset::{Recipe, VideoLayout};
 use endless_world::SceneSettings;
 
-/// What a recording needs besides the simulator.
+/// The settings of a recording, besides the simulator.
 pub(crate) struct Recording<'a> {
     pub(crate) settings: &'a SceneSettings,
     pub(crate) recipe: &'a Recipe,

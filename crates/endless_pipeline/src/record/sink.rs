@@ -1,4 +1,4 @@
-//! What one camera's frames must go through in order: its videos and its list of objects.
+//! The ordered outputs of one camera: its videos and its list of objects.
 
 use super::{
     recording::Recording,

@@ -1,4 +1,4 @@
-//! Which images of a video are there already.
+//! The images of a video that are stored already.
 
 use super::{layers::can_be_taken_over, recording::Recording};
 use endless_dataset::{CameraLayout, DatasetError, Layer, Recipe};
@@ -51,7 +51,7 @@ fn names(camera: &CameraLayout, layer: Layer) -> Result<BTreeSet<OsString>, Data
         .collect()
 }
 
-/// Removes what is there of a video that cannot be gone on with. First what says that it is complete.
+/// Removes the files of a video that cannot be resumed, first the file that marks it as complete.
 pub(super) fn forget(recording: &Recording<'_>) -> Result<(), DatasetError> {
     let Recording { settings, layout, .. } = *recording;
     let gone = |path: &Path, removed: io::Result<()>| match removed {

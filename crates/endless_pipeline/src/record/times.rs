@@ -1,4 +1,4 @@
-//! Where the time goes.
+//! Time by stage.
 
 use crate::RenderStats;
 use std::{

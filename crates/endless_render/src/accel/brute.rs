@@ -1,4 +1,4 @@
-//! The definition of a hit, spelt out: every triangle of every instance, one after the other, no tree.
+//! The definition of a hit by brute force: every triangle of every instance, without a tree.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! How far the traversal of a packet has come.
+//! The state of a packet's traversal.
 
 use super::ray::Hit;
 use super::stream::{RayStream, StreamHits, lane_mask};

@@ -1,4 +1,4 @@
-//! Rays that are traced together, component by component, and what they met.
+//! Rays that are traced together, component by component, and their hits.
 
 use glam::Vec3A;
 use wide::f32x8;

@@ -1,4 +1,4 @@
-//! What is known of one camera in one scene when nothing moves.
+//! All that is precomputed for one camera in one scene without moving objects.
 
 use super::bake_pass::BakePass;
 use super::bake_stats::BakeStats;

@@ -1,4 +1,4 @@
-//! The film of a fixed camera: the still picture's radiance, and what makes pixels of it.
+//! The film of a fixed camera: the static picture's radiance, and its conversion to pixels.
 
 use super::gbuffer_sample::{GBufferSample, still_light};
 use super::scratch_pool::ScratchPool;

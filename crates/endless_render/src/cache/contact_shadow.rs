@@ -1,4 +1,4 @@
-//! Objects darken the ground at their feet: they hide a part of the sky from it.
+//! Contact shadows: objects darken the ground at their feet, because they hide a part of the sky from it.
 
 use super::tile::Bounds3;
 use super::tile_work::TileWork;

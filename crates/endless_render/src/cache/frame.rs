@@ -1,4 +1,4 @@
-//! One frame: the still picture with everything that moves.
+//! One frame: the static picture with all moving objects.
 
 use super::affected::affected;
 use super::bake::CameraBake;

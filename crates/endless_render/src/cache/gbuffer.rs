@@ -1,4 +1,4 @@
-//! What the primary rays of a fixed camera meet, sample by sample and pixel by pixel.
+//! The primary hits of a fixed camera, by sample and by pixel.
 
 use super::bake_pass::BakePass;
 use super::gbuffer_pixel::GBufferPixel;

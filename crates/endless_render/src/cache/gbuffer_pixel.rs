@@ -1,4 +1,4 @@
-//! One pixel of the still picture, as rows of pixels ask for it most.
+//! One pixel of the static picture, in the form that rows of pixels need most.
 
 use super::gbuffer_sample::GBufferSample;
 use super::pixel_centre::PixelCentre;

@@ -1,4 +1,4 @@
-//! One sub-pixel sample of the still picture, its light taken apart by what can change it.
+//! One sub-pixel sample of the static picture; its light is kept in parts, by what can change them.
 
 use crate::accel::{Hit, Ray};
 use crate::light::{Environment, SUN_SAMPLES};

@@ -1,4 +1,4 @@
-//! Shading of the samples of the still picture.
+//! Shading of the samples of the static picture.
 
 use super::gbuffer_sample::{GBufferSample, pack_weight};
 use super::lamp_mask::{lamp_sum, lamps_free};

@@ -1,4 +1,4 @@
-//! Which lamps light a point, and which of them something that moves hides: a bit for each lamp near it.
+//! The lamps that light a point, and those that moving objects hide: a bit for each lamp near it.
 
 use crate::accel::Ray;
 use crate::material::Bsdf;

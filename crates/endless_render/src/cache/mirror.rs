@@ -1,4 +1,4 @@
-//! What still mirrors show of what moves.
+//! Moving objects in mirror reflections of static surfaces.
 
 use super::gbuffer_sample::GBufferSample;
 use super::moving_hits::MovingHits;

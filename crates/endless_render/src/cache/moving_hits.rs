@@ -1,4 +1,4 @@
-//! What the rays of one pixel found of what moves.
+//! Hits of one pixel's rays on moving objects.
 
 use super::gbuffer_sample::GBufferSample;
 use super::sun_rays::sun_origin;

@@ -1,4 +1,4 @@
-//! One pixel of a frame, from its still samples and what moves.
+//! One pixel of a frame, from its static samples and the moving objects.
 
 use super::bake::CameraBake;
 use super::centre_light::CentreLight;

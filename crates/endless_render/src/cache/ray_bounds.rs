@@ -1,4 +1,4 @@
-//! Can any ray of a bundle meet a box? Interval arithmetic that may say yes too often, never no wrongly.
+//! Whether any ray of a bundle can hit a box, by conservative interval arithmetic: yes too often, never no wrongly.
 
 use glam::Vec3A;
 

@@ -1,4 +1,4 @@
-//! Rays towards what moves that wait until enough of them can be traced together.
+//! Rays towards moving objects that wait until enough of them can be traced together.
 
 use crate::accel::{Hit, Ray, RayStream, lanes};
 use crate::scene::FrameScene;

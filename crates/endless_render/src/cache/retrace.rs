@@ -1,4 +1,4 @@
-//! A frame without the cache: the oracle of frames with it.
+//! Renders a frame without the cache: the reference for frames with it.
 
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};

@@ -1,4 +1,4 @@
-//! Up to eight neighbouring pixels of a row: their rays towards what moves go in packets.
+//! Up to eight neighbouring pixels of a row, whose rays towards moving objects are traced in packets.
 
 use super::bake::CameraBake;
 use super::gbuffer_pixel::GBufferPixel;

@@ -1,4 +1,4 @@
-//! What the pixels of a tile depend on at an instant.
+//! The state that the pixels of a tile depend on at an instant.
 
 use super::gbuffer_sample::GBufferSample;
 use super::moving_hits::MovingHits;

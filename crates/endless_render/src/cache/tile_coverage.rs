@@ -1,4 +1,4 @@
-//! What moves in front of the pixels of a tile, and its light.
+//! Moving objects in front of the pixels of a tile, and their light.
 
 use super::bake::CameraBake;
 use super::coverage::Coverage;

@@ -1,4 +1,4 @@
-//! Tiles of pixels, and blocks of tiles above them: tests of what can have changed run on blocks first.
+//! Tiles of pixels, and blocks of tiles above them, which are tested for changes first.
 
 use super::gbuffer_sample::GBufferSample;
 use super::tile::{BLOCK, TILE, TileBounds, TileRayBounds};

@@ -1,4 +1,4 @@
-//! What must be done again in a tile of a frame.
+//! The work to do again in a tile of a frame.
 
 use crate::scene::{FrameScene, StaticScene};
 

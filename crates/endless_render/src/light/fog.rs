@@ -1,4 +1,4 @@
-//! What the air between surface and camera does: extinction and in-scattered light.
+//! The air between surface and camera: extinction and in-scattered light.
 
 use endless_world::math;
 use glam::Vec3A;

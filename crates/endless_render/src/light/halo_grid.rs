@@ -1,4 +1,4 @@
-//! The glow of lamps in the air between camera and what moves, on a coarse grid over picture and distance.
+//! Halos of lamps in the air between camera and moving objects, on a coarse grid over picture and distance.
 
 use glam::Vec3A;
 use rayon::prelude::*;

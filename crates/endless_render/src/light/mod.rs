@@ -1,4 +1,4 @@
-//! Where light comes from: sun, sky, lamps, headlights; and what the air does to it.
+//! Light sources (sun, sky, lamps, headlights) and the air.
 
 mod beams;
 mod clouds;

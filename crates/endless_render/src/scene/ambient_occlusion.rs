@@ -1,4 +1,4 @@
-//! How much of its surroundings each vertex of a moving body sees past the body itself and the ground it shades.
+//! Ambient occlusion of each vertex of a moving body by the body itself and the ground that it shades.
 
 use super::posed_mesh::PosedMesh;
 use crate::accel::Ray;

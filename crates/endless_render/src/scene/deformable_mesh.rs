@@ -1,4 +1,4 @@
-//! Meshes that take another form in every frame, such as people.
+//! Meshes that deform in every frame, such as people.
 
 use super::{Geometry, deformation::Deformation, posed_mesh::PosedMesh};
 use crate::accel::GeometryUse;

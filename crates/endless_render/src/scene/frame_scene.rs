@@ -1,4 +1,4 @@
-//! What moves, at one instant: instances to trace, volumes that shade the ground, lights that sweep it.
+//! The moving scene at one instant: instances to trace, volumes that shade the ground, vehicle lights.
 
 use super::Instance;
 use super::moving_object::{MovingObject, MovingVolume};

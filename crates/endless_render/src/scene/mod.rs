@@ -1,4 +1,4 @@
-//! What there is to see: what stands still, what moves at one instant, and where rays meet either.
+//! The scene: its static part, its moving part at one instant, and hits of rays on both.
 
 mod ambient_occlusion;
 mod deformable_mesh;

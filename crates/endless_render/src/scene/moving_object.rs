@@ -1,4 +1,4 @@
-//! What moves, as it is described, and as a volume that bounds what it changes.
+//! Moving objects, and the volumes that bound what they change.
 
 use super::Instance;
 use crate::accel::Tlas;

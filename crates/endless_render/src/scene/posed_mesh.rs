@@ -1,4 +1,4 @@
-//! The vertices of a mesh where they are at an instant, and the hierarchy over its triangles.
+//! The vertices of a mesh at one instant, and the hierarchy over its triangles.
 
 use super::deformation::Deformation;
 use crate::accel::{Blas, GeometryUse};

@@ -1,4 +1,4 @@
-//! What stands still: the same in every frame.
+//! The static scene, the same in every frame.
 
 use super::Instance;
 use crate::accel::Tlas;

@@ -1,4 +1,4 @@
-//! A point where a ray met a surface.
+//! The hit of a ray on a surface.
 
 use super::Instance;
 use crate::accel::{Hit, Ray};

@@ -1,4 +1,4 @@
-//! How a rigid piece moves at an instant.
+//! The velocity of a rigid body at an instant.
 
 use glam::Vec3A;
 

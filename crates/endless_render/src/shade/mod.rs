@@ -1,4 +1,4 @@
-//! Light from a point towards a viewer: for what moves, and for what is seen in mirrors and by indirect rays.
+//! Radiance from a point towards a viewer: for moving objects, and for hits of mirror and indirect rays.
 
 mod halo;
 mod headlight;

@@ -1,4 +1,4 @@
-//! Rays against the still and the moving part of a scene together.
+//! Rays against the static and the moving part of a scene together.
 
 use crate::accel::{Hit, Ray, RayStream};
 use crate::indirect::ProbeGrid;

@@ -1,4 +1,4 @@
-//! What traffic needs to know of a person on foot.
+//! Pedestrians as traffic knows them.
 
 /// How a person moves.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]

@@ -1,4 +1,4 @@
-//! One foot's way through a step, and the law by which steps lengthen with speed.
+//! The path of a foot through a step, and the law by which steps lengthen with speed.
 
 use crate::math;
 use glam::Vec2;
