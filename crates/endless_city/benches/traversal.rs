@@ -14,9 +14,9 @@ use divan::counter::ItemsCount;
 use endless_render::Ray;
 use obvhs::bvh2::Bvh2;
 use obvhs::cwbvh::CwBvh;
-use town::{Packet, Town};
+use town::{BenchTown, Packet};
 
-static TOWN: LazyLock<Town> = LazyLock::new(|| Town::new("Town02"));
+static TOWN: LazyLock<BenchTown> = LazyLock::new(|| BenchTown::new("Town02"));
 static CWBVH: LazyLock<Baseline<CwBvh>> = LazyLock::new(|| Baseline::new(&TOWN));
 static BVH2: LazyLock<Baseline<Bvh2>> = LazyLock::new(|| Baseline::new(&TOWN));
 

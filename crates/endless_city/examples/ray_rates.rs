@@ -13,7 +13,7 @@ use std::time::Instant;
 use baseline::Baseline;
 use endless_render::{Ray, RayStream};
 use obvhs::cwbvh::CwBvh;
-use town::{Packet, Town};
+use town::{BenchTown, Packet};
 
 const THREADS: usize = 2;
 const ROUNDS: usize = 7;
@@ -80,7 +80,7 @@ fn each(active: u8, rays: &[Ray; 8], hit: impl Fn(&Ray) -> bool) -> u32 {
 type Trace<'a> = &'a dyn Fn(usize) -> (f64, usize);
 
 /// Prints the rates of one town; returns how many times as fast as CWBVH the better of packets and bundles is.
-fn measure(town: &Town) -> [f64; 4] {
+fn measure(town: &BenchTown) -> [f64; 4] {
     let sets = town.rays();
     let (accel, bundled) = (&town.accel, sets.each_ref().map(|set| bundles(set)));
     let cw = Baseline::<CwBvh>::new(town);
@@ -144,7 +144,7 @@ fn main() {
     let mut all = Vec::new();
     for name in &names {
         let start = Instant::now();
-        let town = Town::new(name);
+        let town = BenchTown::new(name);
         let unique: usize = town.meshes.iter().map(|m| m.triangles.len()).sum();
         let bytes: usize = town.blas.iter().map(|b| b.memory_bytes()).sum();
         println!(

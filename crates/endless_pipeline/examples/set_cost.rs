@@ -27,7 +27,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     let conditions = Conditions::new(Weather::ClearSky, TimeOfDay::Morning);
-    let mut stage = Stage::begin();
+    let mut stage = StageCost::begin();
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue)?;
     let town_cost = stage.next();
@@ -88,12 +88,12 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
 }
 
 /// Wall time and processor time of stages, seconds.
-struct Stage {
+struct StageCost {
     wall: Instant,
     processors: f64,
 }
 
-impl Stage {
+impl StageCost {
     fn begin() -> Self {
         Self { wall: Instant::now(), processors: processor_seconds() }
     }

@@ -1,6 +1,6 @@
 //! Which vehicles are on which lane.
 
-use crate::overlap::Alongside;
+use crate::overlap::MergeOverlap;
 use crate::roads::Roads;
 use crate::vehicle::{LaneCover, Vehicle};
 use endless_road::LaneId;
@@ -119,7 +119,7 @@ impl Occupancy {
 }
 
 /// Who is ahead, or to be let in, on a lane that runs into mine `base` metres from my origin.
-fn merging(me: &Vehicle, i: usize, base: f64, beside: &Alongside, o: &Occupant) -> Option<Leader> {
+fn merging(me: &Vehicle, i: usize, base: f64, beside: &MergeOverlap, o: &Occupant) -> Option<Leader> {
     // Everything in `s` of my lane.
     let (mine, shift) = (-base, beside.here_minus_there());
     let theirs = o.middle() + shift;

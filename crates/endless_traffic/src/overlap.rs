@@ -26,7 +26,7 @@ const PLACE_M: f64 = 2.0;
 
 /// A lane that parts from the same lane.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Sibling {
+pub(crate) struct DivergingLane {
     pub(crate) lane: LaneId,
     /// Up to this `s` their swept areas overlap.
     pub(crate) until: f64,
@@ -34,14 +34,14 @@ pub(crate) struct Sibling {
 
 /// A lane that runs into this one, or along it too near, without a junction.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Alongside {
+pub(crate) struct MergeOverlap {
     pub(crate) lane: LaneId,
     /// Range of `s` of this lane within which bodies touch, and that of the other lane.
     pub(crate) range: (f64, f64),
     pub(crate) other_range: (f64, f64),
 }
 
-impl Alongside {
+impl MergeOverlap {
     /// From `s` of the other lane to that of this one.
     pub(crate) fn here_minus_there(&self) -> f64 {
         self.range.1 - self.other_range.1
@@ -73,14 +73,14 @@ impl DesignVehicles {
 
 /// Conflicts inside junctions, by lane: for cars, and if one of the two is long and swings out in bends.
 #[derive(Debug, Default)]
-pub(crate) struct Conflicts {
+pub(crate) struct ConflictTables {
     pub(crate) small: Vec<Vec<LaneConflict>>,
     pub(crate) wide: Vec<Vec<LaneConflict>>,
     /// How far before its end each lane is to be waited on, so that those who turn get past, metres.
     pub(crate) setbacks: Vec<f64>,
 }
 
-impl Conflicts {
+impl ConflictTables {
     pub(crate) fn of(network: &RoadNetwork, bodies: DesignVehicles) -> Self {
         let n = network.lanes.len();
         let mut all = Self { small: vec![Vec::new(); n], wide: vec![Vec::new(); n], setbacks: vec![0.0; n] };
@@ -129,10 +129,10 @@ impl Conflicts {
     }
 }
 
-type Ranges = ((f64, f64), (f64, f64));
+type RangePair = ((f64, f64), (f64, f64));
 
 /// Both together.
-fn join(a: Option<Ranges>, b: Option<Ranges>) -> Option<Ranges> {
+fn join(a: Option<RangePair>, b: Option<RangePair>) -> Option<RangePair> {
     let wider = |a: (f64, f64), b: (f64, f64)| (a.0.min(b.0), a.1.max(b.1));
     match (a, b) {
         (Some(a), Some(b)) => Some((wider(a.0, b.0), wider(a.1, b.1))),
@@ -204,7 +204,7 @@ pub(crate) fn make_room(
 }
 
 /// Lanes that part from the same lane as this one, while they overlap.
-pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &DesignVehicles) -> Vec<Sibling> {
+pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &DesignVehicles) -> Vec<DivergingLane> {
     let mut siblings = Vec::new();
     for before in &lane.predecessors {
         for &other in network.lane(*before).successors.iter().filter(|&&o| o != lane.id) {
@@ -214,7 +214,7 @@ pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &DesignVehicles
             let sweep = |l: &Lane| SweptPath::between(network, l, body.broad, 0.0, reach);
             let swept = sweep(lane).conflict(&sweep(them)).map(|((_, until), _)| until);
             if let Some(until) = known.into_iter().chain(swept).reduce(f64::max) {
-                siblings.push(Sibling { lane: other, until: until + 1.0 });
+                siblings.push(DivergingLane { lane: other, until: until + 1.0 });
             }
         }
     }
@@ -223,8 +223,8 @@ pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &DesignVehicles
 
 /// For every lane the lanes with the same direction of travel that run into it, or too near beside it, without a
 /// junction that would order who goes first.
-pub(crate) fn alongside(network: &RoadNetwork, bodies: DesignVehicles) -> Vec<Vec<Alongside>> {
-    let mut found: Vec<Vec<Alongside>> = vec![Vec::new(); network.lanes.len()];
+pub(crate) fn alongside(network: &RoadNetwork, bodies: DesignVehicles) -> Vec<Vec<MergeOverlap>> {
+    let mut found: Vec<Vec<MergeOverlap>> = vec![Vec::new(); network.lanes.len()];
     for (a, b) in near_pairs(network) {
         let (one, other) = (network.lane(a), network.lane(b));
         let parted = one.predecessors.iter().any(|p| other.predecessors.contains(p));
@@ -237,8 +237,8 @@ pub(crate) fn alongside(network: &RoadNetwork, bodies: DesignVehicles) -> Vec<Ve
         // Long vehicles swing out further.
         let early = |r: (f64, f64)| ((r.0 - LONGER_M).max(from), r.1);
         let (range, other_range) = (early(range), early(other_range));
-        found[a.index()].push(Alongside { lane: b, range, other_range });
-        found[b.index()].push(Alongside { lane: a, range: other_range, other_range: range });
+        found[a.index()].push(MergeOverlap { lane: b, range, other_range });
+        found[b.index()].push(MergeOverlap { lane: a, range: other_range, other_range: range });
     }
     found
 }

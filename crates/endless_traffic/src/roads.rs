@@ -1,7 +1,7 @@
 //! The road network with tables for drivers, by lane.
 
 use crate::attraction::Attraction;
-use crate::overlap::{Alongside, Conflicts, DesignVehicles, Sibling, alongside, make_room, siblings};
+use crate::overlap::{ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, alongside, make_room, siblings};
 use endless_road::swept::{LONG_M, curvature_per_m, fits, smallest_radius_m};
 use endless_road::{CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
 use endless_world::{VehicleModelId, VehicleSpec};
@@ -36,8 +36,8 @@ pub(crate) struct LaneTable {
     conflicts: Vec<LaneConflict>,
     /// With a long vehicle, which swings out in bends.
     wide_conflicts: Vec<LaneConflict>,
-    pub(crate) siblings: Vec<Sibling>,
-    pub(crate) alongside: Vec<Alongside>,
+    pub(crate) siblings: Vec<DivergingLane>,
+    pub(crate) alongside: Vec<MergeOverlap>,
     /// Who waits at the end of the lane keeps this far from it, so that those who turn get past, metres.
     pub(crate) setback: f64,
 }
@@ -85,7 +85,7 @@ impl Roads {
                 });
             }
         }
-        let conflicts = Conflicts::of(&network, bodies);
+        let conflicts = ConflictTables::of(&network, bodies);
         let beside = alongside(&network, bodies);
         for (((table, small), (wide, setback)), beside) in
             lanes.iter_mut().zip(conflicts.small).zip(conflicts.wide.into_iter().zip(conflicts.setbacks)).zip(beside)

@@ -5,7 +5,7 @@ use endless_scene::{Material, Surface};
 
 /// How far up a garment goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Upper {
+pub(crate) enum GarmentTop {
     /// To this height over the body's.
     Waist(f32),
     /// Over the shoulders; how far the neckline dips in front (0 to 0.9), how much wider than the neck it is.
@@ -32,7 +32,7 @@ pub(crate) enum Collar {
 
 /// How colours are laid out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, strum::IntoStaticStr)]
-pub(crate) enum Pattern {
+pub(crate) enum FabricPattern {
     Plain,
     /// Horizontal stripes.
     Stripes,
@@ -52,7 +52,7 @@ pub(crate) struct Garment {
     pub(crate) name: &'static str,
     /// Height of the hem over the body's.
     pub(crate) hem: f32,
-    pub(crate) upper: Upper,
+    pub(crate) upper: GarmentTop,
     /// Over the arm's length; 0: none.
     pub(crate) sleeve: f32,
     /// Half opening in front over the stature, at the hem and at the neck.
@@ -62,7 +62,7 @@ pub(crate) struct Garment {
     pub(crate) flare: f32,
     pub(crate) material: Material,
     pub(crate) accent: Material,
-    pub(crate) pattern: Pattern,
+    pub(crate) pattern: FabricPattern,
     pub(crate) collar: Collar,
     pub(crate) folds: f32,
 }
@@ -72,25 +72,25 @@ impl Garment {
         Self {
             name,
             hem,
-            upper: Upper::Neck { dip: 0.15, wide: 0.006 },
+            upper: GarmentTop::Neck { dip: 0.15, wide: 0.006 },
             sleeve,
             gap: None,
             ease,
             flare: 0.0,
             material,
             accent: material,
-            pattern: Pattern::Plain,
+            pattern: FabricPattern::Plain,
             collar: Collar::None,
             folds: 1.0,
         }
     }
 
     pub(crate) fn skirt(name: &'static str, hem: f32, flare: f32, material: Material) -> Self {
-        Self { upper: Upper::Waist(0.612), flare, ..Self::new(name, hem, 0.0, 0.006, material) }
+        Self { upper: GarmentTop::Waist(0.612), flare, ..Self::new(name, hem, 0.0, 0.006, material) }
     }
 
     pub(crate) fn neck(self, dip: f32, wide: f32) -> Self {
-        Self { upper: Upper::Neck { dip, wide }, ..self }
+        Self { upper: GarmentTop::Neck { dip, wide }, ..self }
     }
 
     pub(crate) fn open(self, hem: f32, neck: f32) -> Self {
@@ -101,7 +101,7 @@ impl Garment {
         Self { collar, ..self }
     }
 
-    pub(crate) fn pattern(self, pattern: Pattern, accent: Material) -> Self {
+    pub(crate) fn pattern(self, pattern: FabricPattern, accent: Material) -> Self {
         Self { pattern, accent, ..self }
     }
 

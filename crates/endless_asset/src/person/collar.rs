@@ -2,7 +2,7 @@
 
 use super::body::Body;
 use super::cage::Cage;
-use super::clothes::{Collar, Garment, Upper};
+use super::clothes::{Collar, Garment, GarmentTop};
 use super::palette;
 use super::skin::Skin;
 use crate::shape::Sculpt;
@@ -13,7 +13,7 @@ use glam::Vec3;
 /// What a garment has at its neck.
 pub(crate) fn add(skin: &mut Skin, body: &Body<'_>, g: &Garment) {
     let e = g.ease;
-    let dip = if let Upper::Neck { dip, .. } = g.upper { dip } else { 0.0 };
+    let dip = if let GarmentTop::Neck { dip, .. } = g.upper { dip } else { 0.0 };
     match g.collar {
         Collar::None => {}
         Collar::Shirt => {

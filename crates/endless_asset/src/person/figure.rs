@@ -3,7 +3,7 @@
 use super::appearance::{Appearance, Carried};
 use super::body::Body;
 use super::carried;
-use super::clothes::{Garment, Pattern, ShoeKind, Upper};
+use super::clothes::{FabricPattern, Garment, GarmentTop, ShoeKind};
 use super::collar;
 use super::garment_mesh::{BodyRegion, GarmentShape};
 use super::hair;
@@ -58,8 +58,8 @@ fn holds(carried: Carried, side: Side) -> bool {
 /// What of a garment the ones over it leave to be seen.
 fn seen_under(garment: &Garment, over: &[Garment]) -> Option<Garment> {
     let mut seen = garment.clone();
-    for other in over.iter().filter(|o| matches!(o.upper, Upper::Neck { .. })) {
-        if matches!(garment.upper, Upper::Waist(_)) {
+    for other in over.iter().filter(|o| matches!(o.upper, GarmentTop::Neck { .. })) {
+        if matches!(garment.upper, GarmentTop::Waist(_)) {
             if other.gap.is_none() && other.hem < garment.hem {
                 return None;
             }
@@ -79,7 +79,7 @@ fn seen_under(garment: &Garment, over: &[Garment]) -> Option<Garment> {
 }
 
 fn deep(garment: &Garment) -> bool {
-    matches!(garment.upper, Upper::Neck { dip, .. } if dip > 0.3)
+    matches!(garment.upper, GarmentTop::Neck { dip, .. } if dip > 0.3)
 }
 
 fn sew(skin: &mut Skin, body: &Body<'_>, g: &Garment, front: bool) {
@@ -87,7 +87,7 @@ fn sew(skin: &mut Skin, body: &Body<'_>, g: &Garment, front: bool) {
     let cuff = g.sleeve < 0.6 && g.sleeve > 0.0;
     let ease = |zone: BodyRegion, t: f32| match zone {
         BodyRegion::Trunk => {
-            let from = if matches!(g.upper, Upper::Waist(_)) { 0.60 } else { 0.57 };
+            let from = if matches!(g.upper, GarmentTop::Waist(_)) { 0.60 } else { 0.57 };
             let blouse = if baggy { 0.004 * smoothstep(g.hem + 0.08, g.hem + 0.03, t) } else { 0.0 };
             g.ease * (1.0 - 0.25 * smoothstep(0.72, 0.80, t)) + g.flare * smoothstep(from, 0.10_f32.max(g.hem), t)
                 - blouse
@@ -117,14 +117,14 @@ fn sew(skin: &mut Skin, body: &Body<'_>, g: &Garment, front: bool) {
 /// The colour of a place of a garment.
 fn pattern(g: &Garment, zone: BodyRegion, t: f32, column: usize) -> Material {
     let other = match g.pattern {
-        Pattern::Plain => false,
-        Pattern::Stripes => zone == BodyRegion::Trunk && ((t - g.hem) / 0.054) as u32 % 2 == 1 && t < 0.76,
-        Pattern::Block => zone == BodyRegion::Arm || t > 0.72,
-        Pattern::Checks => (((t - g.hem) / 0.054) as usize + column) % 2 == 1,
-        Pattern::Border => {
+        FabricPattern::Plain => false,
+        FabricPattern::Stripes => zone == BodyRegion::Trunk && ((t - g.hem) / 0.054) as u32 % 2 == 1 && t < 0.76,
+        FabricPattern::Block => zone == BodyRegion::Arm || t > 0.72,
+        FabricPattern::Checks => (((t - g.hem) / 0.054) as usize + column) % 2 == 1,
+        FabricPattern::Border => {
             zone == BodyRegion::Trunk && t < g.hem + 0.045 || zone == BodyRegion::Arm && t > g.sleeve - 0.08
         }
-        Pattern::HighVisibility => match zone {
+        FabricPattern::HighVisibility => match zone {
             BodyRegion::Trunk => {
                 let band = (0.588..0.636).contains(&t) || (0.686..0.740).contains(&t);
                 band || t > 0.70 && matches!(column, 1 | 14) || t > 0.70 && matches!(column, 6 | 9)
@@ -173,7 +173,7 @@ fn below(skin: &mut Skin, body: &Body<'_>) {
     };
     let cut = GarmentShape {
         hem: 0.0,
-        upper: Upper::Waist(waist),
+        upper: GarmentTop::Waist(waist),
         sleeve: 0.0,
         legs: Some(legs.end),
         gap: None,

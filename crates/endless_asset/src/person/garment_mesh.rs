@@ -2,7 +2,7 @@
 
 use super::body::{ARMPIT, Body, CROTCH, LIMB, TRUNK};
 use super::cage::Cage;
-use super::clothes::Upper;
+use super::clothes::GarmentTop;
 use super::skeleton::Side;
 use super::skin::{Skin, Weights};
 use endless_scene::Material;
@@ -24,7 +24,7 @@ pub(crate) enum BodyRegion {
 pub(crate) struct GarmentShape<'a> {
     /// Height of the hem over the body's; ignored with legs.
     pub(crate) hem: f32,
-    pub(crate) upper: Upper,
+    pub(crate) upper: GarmentTop,
     /// Length of the sleeves over the arm's; 0: none, and the openings are filled by nothing.
     pub(crate) sleeve: f32,
     /// Where legs end, if there are any.
@@ -53,14 +53,14 @@ impl Body<'_> {
         let trunk_ease = |t: f32| (cut.ease)(BodyRegion::Trunk, t);
         let low = if cut.legs.is_some() { CROTCH } else { cut.hem };
         let top = match cut.upper {
-            Upper::Waist(t) => t,
-            Upper::Neck { .. } => ARMPIT,
+            GarmentTop::Waist(t) => t,
+            GarmentTop::Neck { .. } => ARMPIT,
         };
         let steps = ((top - low) / 0.054).ceil().max(1.0) as usize;
         let mut heights: Vec<f32> = (0..=steps).map(|i| lerp(low, top, i as f32 / steps as f32)).collect();
         let mut rows: Vec<Vec<Vec3>> = heights.iter().map(|&t| self.trunk_ring(t, trunk_ease(t)).to_vec()).collect();
         let shoulder = rows.len() - 1;
-        if let Upper::Neck { dip, wide } = cut.upper {
+        if let GarmentTop::Neck { dip, wide } = cut.upper {
             rows.extend(self.bust_rows(dip, wide, &trunk_ease)[1..].iter().map(|r| r.to_vec()));
             heights.extend([0.776, 0.81, 0.835]);
         }
@@ -118,7 +118,7 @@ impl Body<'_> {
                 cage.row(&inner(&rows[last]), if shoulder < last { &bust } else { &trunk as &dyn Fn(Vec3) -> Weights });
             cage.strip(&numbers[last], &edge, closed, false, |j| (cut.color)(BodyRegion::Trunk, t, j));
         }
-        if matches!(cut.upper, Upper::Neck { .. }) && cut.sleeve > 0.0 {
+        if matches!(cut.upper, GarmentTop::Neck { .. }) && cut.sleeve > 0.0 {
             for side in Side::BOTH {
                 let at = |row: usize, k: usize| numbers[shoulder + row][if side == Side::Left { k } else { TRUNK - k }];
                 let hole =
@@ -226,14 +226,14 @@ impl Body<'_> {
     /// Bare shoulders, arms and upper chest, for tops without sleeves.
     pub(crate) fn bare_shoulders(&self, skin: &mut Skin, skin_color: Material) {
         let color = |_: BodyRegion, _: f32, _: usize| skin_color;
-        let upper = Upper::Neck { dip: 0.0, wide: 0.0 };
+        let upper = GarmentTop::Neck { dip: 0.0, wide: 0.0 };
         self.sew(skin, &GarmentShape { color: &color, hem: 0.69, upper, sleeve: 1.03, ..self.bare_cut() });
     }
 
     fn bare_cut(&self) -> GarmentShape<'static> {
         GarmentShape {
             hem: 0.0,
-            upper: Upper::Waist(0.0),
+            upper: GarmentTop::Waist(0.0),
             sleeve: 0.0,
             legs: None,
             gap: None,

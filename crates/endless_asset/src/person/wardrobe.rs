@@ -2,7 +2,7 @@
 
 use super::appearance::{Appearance, Carried, Hat};
 use super::choice::choose;
-use super::clothes::{Collar, Garment, Legs, Pattern, ShoeKind, Shoes, Upper};
+use super::clothes::{Collar, FabricPattern, Garment, GarmentTop, Legs, ShoeKind, Shoes};
 use super::palette::{self, BRIGHT, CHINO, DENIM, JEWEL, LEATHERS, PALE, SOBER, TRAINERS, WEATHER, dyed};
 use crate::color_key::color_key;
 use endless_scene::{Material, Surface};
@@ -77,9 +77,14 @@ fn light_top(appearance: &Appearance, s: &mut Stream) -> Garment {
             .flare(0.016),
         _ => Garment::new("tank_top", 0.530, 0.0, 0.005, material).neck(0.55, 0.022),
     };
-    let patterns = [(Pattern::Plain, 64.0), (Pattern::Stripes, 12.0), (Pattern::Block, 10.0), (Pattern::Checks, 9.0)];
+    let patterns = [
+        (FabricPattern::Plain, 64.0),
+        (FabricPattern::Stripes, 12.0),
+        (FabricPattern::Block, 10.0),
+        (FabricPattern::Checks, 9.0),
+    ];
     match choose(s, &patterns) {
-        Pattern::Plain => garment,
+        FabricPattern::Plain => garment,
         pattern => garment.pattern(pattern, accent),
     }
 }
@@ -110,7 +115,7 @@ fn outer(appearance: &Appearance, s: &mut Stream) -> Garment {
         _ => Garment::new("denim_jacket", 0.53, 0.99, 0.014, cloth(s, DENIM)).collar(Collar::Shirt),
     };
     let garment = if open { garment.neck(0.45, 0.012).open(0.024, 0.018) } else { garment.neck(0.10, 0.008) };
-    if scarf && !open { garment.collar(Collar::Scarf).pattern(Pattern::Plain, cloth(s, JEWEL)) } else { garment }
+    if scarf && !open { garment.collar(Collar::Scarf).pattern(FabricPattern::Plain, cloth(s, JEWEL)) } else { garment }
 }
 
 fn trousers(appearance: &Appearance, s: &mut Stream) -> Legs {
@@ -149,7 +154,7 @@ fn casual(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
             .neck(s.range_f32(0.3, 0.7), 0.016)
             .flare(s.range_f32(0.02, 0.06));
         if s.chance(0.4) {
-            let patterns = [(Pattern::Checks, 1.0), (Pattern::Border, 1.0), (Pattern::Stripes, 1.0)];
+            let patterns = [(FabricPattern::Checks, 1.0), (FabricPattern::Border, 1.0), (FabricPattern::Stripes, 1.0)];
             dress = dress.pattern(choose(s, &patterns), cloth(s, BRIGHT));
         }
         appearance.garments.push(dress);
@@ -240,7 +245,7 @@ fn sporty(appearance: &mut Appearance, s: &mut Stream) {
     if s.chance(0.5) {
         appearance.garments.push(
             Garment::new("track_jacket", 0.495, 0.99, 0.013, a)
-                .pattern(Pattern::Block, b)
+                .pattern(FabricPattern::Block, b)
                 .neck(0.1, 0.006)
                 .collar(Collar::Stand),
         );
@@ -248,9 +253,9 @@ fn sporty(appearance: &mut Appearance, s: &mut Stream) {
             Legs { stripe: true, accent: b, ..Legs::new("track_trousers", 0.0, 0.007, 0.008, a, appearance.skin) };
     } else {
         let sleeve = *s.pick(&[0.0, 0.3]);
-        appearance
-            .garments
-            .push(Garment::new("sports_shirt", 0.505, sleeve, 0.007, a).neck(0.25, 0.010).pattern(Pattern::Block, b));
+        appearance.garments.push(
+            Garment::new("sports_shirt", 0.505, sleeve, 0.007, a).neck(0.25, 0.010).pattern(FabricPattern::Block, b),
+        );
         appearance.legs =
             Legs { stripe: true, accent: a, ..Legs::new("running_shorts", 1.35, 0.008, 0.012, b, appearance.skin) };
     }
@@ -271,7 +276,7 @@ fn worker(appearance: &mut Appearance, s: &mut Stream) {
     if s.chance(0.45) {
         let jacket =
             Garment::new("high_visibility_jacket", 0.48, 1.0, 0.020, bright).neck(0.1, 0.008).collar(Collar::Stand);
-        appearance.garments.push(jacket.pattern(Pattern::HighVisibility, silver));
+        appearance.garments.push(jacket.pattern(FabricPattern::HighVisibility, silver));
         appearance.legs = Legs {
             accent: silver,
             stripe: false,
@@ -281,7 +286,7 @@ fn worker(appearance: &mut Appearance, s: &mut Stream) {
         let under = if s.chance(0.5) { light_top(appearance, s) } else { warm_top(s) };
         appearance.garments.push(Garment { hem: 0.52, collar: Collar::None, ..under });
         let vest = Garment::new("high_visibility_vest", 0.50, 0.0, 0.021, bright).neck(0.55, 0.016).open(0.004, 0.010);
-        appearance.garments.push(vest.pattern(Pattern::HighVisibility, silver));
+        appearance.garments.push(vest.pattern(FabricPattern::HighVisibility, silver));
         appearance.legs = Legs::new("work_trousers", 0.0, 0.008, 0.013, dark, appearance.skin);
     }
     appearance.shoes = leather(s, ShoeKind::Boots);
@@ -322,7 +327,7 @@ fn regional(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
     match choose(s, costumes) {
         "sari" => {
             appearance.garments.push(Garment::new("choli", 0.592, 0.26, 0.003, cloth(s, JEWEL)).neck(0.4, 0.014));
-            appearance.garments.push(Garment::skirt("sari", 0.062, 0.035, jewel).pattern(Pattern::Border, gold));
+            appearance.garments.push(Garment::skirt("sari", 0.062, 0.035, jewel).pattern(FabricPattern::Border, gold));
         }
         "abaya" => {
             let robe = if s.chance(0.6) { black } else { jewel };
@@ -335,7 +340,7 @@ fn regional(appearance: &mut Appearance, s: &mut Stream, warm: bool) {
                 Garment::new("kameez", 0.30, 0.7, 0.009, jewel)
                     .neck(0.3, 0.010)
                     .flare(0.03)
-                    .pattern(Pattern::Border, gold),
+                    .pattern(FabricPattern::Border, gold),
             );
             appearance.legs = Legs::new("salwar", 0.03, 0.014, 0.0, cloth(s, JEWEL), appearance.skin);
             appearance.hat = if s.chance(0.4) { Hat::Headscarf } else { Hat::None };
@@ -409,7 +414,7 @@ fn against_rain(appearance: &mut Appearance, s: &mut Stream) {
     for garment in &mut appearance.garments {
         if garment.gap.is_some() && garment.name != "suit_jacket" {
             garment.gap = None;
-            garment.upper = Upper::Neck { dip: 0.1, wide: 0.008 };
+            garment.upper = GarmentTop::Neck { dip: 0.1, wide: 0.008 };
         }
     }
     let covered = appearance.garments.last().is_some_and(|g| g.sleeve > 0.99 && g.ease > 0.018);

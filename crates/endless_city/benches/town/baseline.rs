@@ -14,7 +14,7 @@ use obvhs::ray::{Ray as ORay, RayHit};
 use obvhs::rt_triangle::RtTriangle;
 use obvhs::triangle::Triangle;
 
-use super::Town;
+use super::BenchTown;
 
 /// What both kinds of `obvhs` tree can do; a leaf callback returns the distance or infinity.
 pub(crate) trait Walk: Sync + Sized {
@@ -60,7 +60,7 @@ pub(crate) struct Baseline<T> {
 }
 
 impl<T: Walk> Baseline<T> {
-    pub(crate) fn new(town: &Town) -> Self {
+    pub(crate) fn new(town: &BenchTown) -> Self {
         let meshes = town.meshes.iter().map(|mesh| {
             let corner = |i: u32| Vec3A::from(mesh.positions[i as usize]);
             let triangles: Vec<_> = mesh

@@ -15,7 +15,7 @@ use glam::{Affine3A, Vec3A};
 pub(crate) type Packet = ([Ray; 8], u8);
 
 /// Meshes, placed; and the structure over them.
-pub(crate) struct Town {
+pub(crate) struct BenchTown {
     pub(crate) meshes: Vec<Arc<Mesh>>,
     pub(crate) instances: Vec<(usize, Affine3A)>,
     pub(crate) accel: Tlas,
@@ -28,7 +28,7 @@ pub(crate) struct Town {
 pub(crate) const WIDTH: usize = 1280;
 pub(crate) const HEIGHT: usize = 720;
 
-impl Town {
+impl BenchTown {
     /// Buildings, ground, plants and furniture of a town; its first camera looks.
     ///
     /// # Panics
@@ -59,7 +59,7 @@ impl Town {
             endless_world::ImageSize { width: WIDTH as u32, height: HEIGHT as u32 },
         );
         let eye = Vec3A::from_array(site.position);
-        Town { meshes, instances, accel, blas, eye, forward: Vec3A::from(camera.world_from_camera.z_axis) }
+        BenchTown { meshes, instances, accel, blas, eye, forward: Vec3A::from(camera.world_from_camera.z_axis) }
     }
 
     /// The surface's normal on the ray's side.

@@ -1,7 +1,7 @@
 //! One frame of all cameras: rendered and written, or read back where it is stored already, and then labelled.
 
 use super::{
-    layers::{self, LayerImages, StoredLayers},
+    layers::{self, StoredImages, StoredLayers},
     recording::Recording,
     sink::SinkItem,
     stored::StoredFrames,
@@ -124,7 +124,7 @@ impl<'a> FrameRecorder<'a> {
         &self,
         taken: &CapturedFrame,
         view: &CameraView<'_>,
-        images: &LayerImages<'_>,
+        images: &StoredImages<'_>,
     ) -> Result<SinkItem, GenerateError> {
         let Recording { settings, recipe, clock, .. } = *self.recording;
         let CapturedFrame { frame, truth, .. } = taken;

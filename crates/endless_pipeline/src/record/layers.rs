@@ -7,11 +7,11 @@ use endless_world::{Image, InstancePixel, SensorFrame};
 use std::borrow::Cow;
 
 /// A recipe's layers in its order, as whoever reads the files finds them.
-pub(super) type LayerImages<'f> = Vec<(Layer, Cow<'f, StoredImage>)>;
+pub(super) type StoredImages<'f> = Vec<(Layer, Cow<'f, StoredImage>)>;
 
 /// One camera's frame as it was read.
 pub(super) struct StoredLayers {
-    pub(super) images: LayerImages<'static>,
+    pub(super) images: StoredImages<'static>,
     pub(super) depth: StoredImage,
     pub(super) instance: Image<InstancePixel>,
 }
@@ -27,7 +27,7 @@ impl StoredLayers {
     /// Reads a frame of which every layer is stored, where [`can_be_taken_over`]. All are decoded, also those that are
     /// not used, so that a spoilt one is noticed.
     pub(super) fn read(files: &CameraLayout, recipe: &Recipe, frame: u32) -> Result<Self, DatasetError> {
-        let mut images = LayerImages::new();
+        let mut images = StoredImages::new();
         let (mut depth, mut instance) = (None, None);
         for &layer in &recipe.layers {
             let path = files.frame(layer, frame, recipe);
@@ -53,8 +53,8 @@ pub(super) fn write<'f>(
     files: &CameraLayout,
     recipe: &Recipe,
     frame: &'f SensorFrame,
-) -> Result<LayerImages<'f>, DatasetError> {
-    let mut images = LayerImages::new();
+) -> Result<StoredImages<'f>, DatasetError> {
+    let mut images = StoredImages::new();
     for &layer in &recipe.layers {
         let path = files.frame(layer, frame.frame, recipe);
         let mut image = (layer.entry().encode)(frame);

@@ -30,7 +30,7 @@ const STEP_M: f32 = 0.5;
 
 /// The scene's file.
 #[derive(Deserialize)]
-struct Street {
+struct BoxStreet {
     width: u32,
     height: u32,
     horizontal_fov_deg: f32,
@@ -122,7 +122,7 @@ fn car([body, cabin]: [(&StreetBox, &Geometry); 2], driven_m: f32) -> MovingObje
     MovingObject { instances: vec![instance(body), instance(cabin)], footprint }
 }
 
-impl Street {
+impl BoxStreet {
     /// The camera, so far along the street.
     fn site(&self, driven_m: f32) -> CameraSite {
         let [eye, target] = [self.eye, self.target].map(Vec3::from);
@@ -140,7 +140,7 @@ impl Street {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args().nth(1);
-    let street: Street = serde_json::from_str(STREET)?;
+    let street: BoxStreet = serde_json::from_str(STREET)?;
     let size = ImageSize { width: street.width, height: street.height };
     let settings = RenderSettings {
         sun_direction: Some(street.light_direction),

@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use super::brute::BruteForceScene;
 use super::{Blas, GeometryUse, Ray, RayStream, Tlas};
 
-type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
+type Triangles = (Vec<Vec3>, Vec<[u32; 3]>);
 
 /// Coordinates that often coincide, so that rays meet edges, planes and corners exactly.
 fn coordinate() -> impl Strategy<Value = f32> {
@@ -18,7 +18,7 @@ fn point() -> impl Strategy<Value = Vec3> {
 }
 
 /// Triangle soup; shares vertices, repeats triangles and holds degenerate ones.
-fn mesh() -> impl Strategy<Value = Mesh> {
+fn mesh() -> impl Strategy<Value = Triangles> {
     (prop::collection::vec(point(), 1..24), 0usize..60).prop_flat_map(|(points, count)| {
         let n = points.len() as u32;
         (Just(points), prop::collection::vec([0..n, 0..n, 0..n], count))
@@ -145,7 +145,7 @@ proptest! {
 }
 
 /// A unit sphere of `2 * n * n` triangles around the origin.
-fn sphere(n: u32) -> Mesh {
+fn sphere(n: u32) -> Triangles {
     let mut points = Vec::new();
     let mut triangles = Vec::new();
     for i in 0..=n {

@@ -72,11 +72,11 @@ fn written_and_read(name: &str, map: &RoadMap, overlaps: usize) -> Result<(), St
 struct Blocks {
     across: usize,
     jitter: Vec<(f64, f64)>,
-    streets: Vec<Street>,
+    streets: Vec<TestStreet>,
 }
 
 #[derive(Debug, Clone)]
-struct Street {
+struct TestStreet {
     missing: bool,
     class: usize,
     lanes: usize,
@@ -85,9 +85,9 @@ struct Street {
     sidewalk: bool,
 }
 
-fn street() -> impl Strategy<Value = Street> {
+fn street() -> impl Strategy<Value = TestStreet> {
     (0..8usize, 0..6usize, 1..5usize, 0..5usize, any::<bool>(), any::<bool>()).prop_map(
-        |(missing, class, lanes, oneway, crossing, sidewalk)| Street {
+        |(missing, class, lanes, oneway, crossing, sidewalk)| TestStreet {
             missing: missing == 0,
             class,
             lanes,

@@ -62,7 +62,7 @@ pub(crate) fn pedestrian(_: u64) -> PedestrianSpec {
 
 /// The body seen from above: centre, axes, half sizes; and the heights between which it is.
 #[derive(Clone, Copy)]
-pub(crate) struct Footprint {
+pub(crate) struct BodyFootprint {
     center: DVec2,
     bottom: f64,
     top: f64,
@@ -70,7 +70,7 @@ pub(crate) struct Footprint {
     half: DVec2,
 }
 
-impl Footprint {
+impl BodyFootprint {
     pub(crate) fn of(pose: &Pose, spec: &VehicleSpec) -> Self {
         let (sin, cos) = sin_cos(f64::from(pose.yaw_rad));
         let half = DVec2::new(f64::from(spec.length_m), f64::from(spec.width_m)) * 0.5;
@@ -148,13 +148,13 @@ pub(crate) fn watch(simulation: &mut Simulation, specs: &[VehicleSpec], seconds:
         simulation.tick();
         let now = simulation.state();
         let vehicles: Vec<&Actor> = now.actors.iter().filter(|a| matches!(a.motion, Motion::Vehicle(_))).collect();
-        let prints: Vec<Vec<Footprint>> =
-            vehicles.iter().copied().chain(&parked).map(|a| Footprint::pieces(a, &specs[model_index(a)])).collect();
+        let prints: Vec<Vec<BodyFootprint>> =
+            vehicles.iter().copied().chain(&parked).map(|a| BodyFootprint::pieces(a, &specs[model_index(a)])).collect();
         let mut touching = Vec::new();
         for i in 0..vehicles.len() {
             for j in i + 1..prints.len() {
                 let pairs = || prints[i].iter().flat_map(|a| prints[j].iter().map(move |b| (a, b)));
-                let near = |a: &Footprint, b: &Footprint| a.center.distance_squared(b.center) < 300.0;
+                let near = |a: &BodyFootprint, b: &BodyFootprint| a.center.distance_squared(b.center) < 300.0;
                 if pairs().any(|(a, b)| near(a, b) && a.depth(b) > 0.0) {
                     touching.push((i, j));
                     if !touching_before.contains(&(i, j)) {
