@@ -26,7 +26,7 @@ use std::{
 };
 
 fn main() -> ExitCode {
-    match cpu::what_is_missing() {
+    match cpu::missing_cpu_feature() {
         Some(message) => {
             // Nothing can be done when not even that can be said.
             let _ = io::stderr().write_all(message.as_bytes());

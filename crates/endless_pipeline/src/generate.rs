@@ -76,14 +76,14 @@ fn generate_in<S: Simulator>(
     let claim =
         ResumeRequest { recipe, plan: &plan, build: &options.build, allow_other_build: options.allow_other_build };
     let output = OutputFolder::inspect(&layout, &claim)?;
-    let estimate = estimate::estimate(&layout, recipe, &output.to_do(&plan))?;
+    let estimate = estimate::estimate(&layout, recipe, &output.remaining_scenes(&plan))?;
     if !options.plan_only && estimate.bytes > estimate.free {
         return Err(GenerateError::DiskTooSmall { estimate, path: root.to_owned() });
     }
     let _lock = DatasetLock::take(&layout)?;
     // Once more, now that nobody else can change it.
     let output = OutputFolder::inspect(&layout, &claim)?;
-    let to_do = output.to_do(&plan);
+    let remaining_scenes = output.remaining_scenes(&plan);
     let mut manifest = output.manifest(&claim);
     output::write_plan(&layout, &manifest, &plan)?;
     let mut generated = Generated {
@@ -97,15 +97,15 @@ fn generate_in<S: Simulator>(
     if options.plan_only {
         return Ok(generated);
     }
-    let complete = recipe.videos - to_do.len() as u32;
-    progress.event(&ProgressEvent::Start { videos: to_do.len() as u32, complete, estimate });
+    let complete = recipe.videos - remaining_scenes.len() as u32;
+    progress.event(&ProgressEvent::Start { videos: remaining_scenes.len() as u32, complete, estimate });
     let clock = StageClock::default();
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
-    for same_map in to_do.chunk_by(|a, b| a.map == b.map) {
+    for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
         progress.event(&ProgressEvent::LoadMap { map: &same_map[0].map });
         let map = clock.time(Stage::LoadMap, || simulator.load_map(&same_map[0].map))?;
         for settings in same_map {
-            run.video(&map, settings, to_do.len() as u32, &mut manifest)?;
+            run.video(&map, settings, remaining_scenes.len() as u32, &mut manifest)?;
             generated.videos += 1;
             generated.camera_frames += camera_frames(settings);
             generated.bytes += layout.video(settings).bytes()?;

@@ -66,7 +66,7 @@ impl RoadNetwork {
         let mut faults = Vec::new();
         self.find_overlaps(&mut faults);
         self.find_bad_joints(&mut faults);
-        self.find_traps(&mut faults);
+        self.find_unreachable(&mut faults);
         self.find_bad_walks(&mut faults);
         faults
     }
@@ -134,7 +134,7 @@ impl RoadNetwork {
         }
     }
 
-    fn find_traps(&self, faults: &mut Vec<NetworkFault>) {
+    fn find_unreachable(&self, faults: &mut Vec<NetworkFault>) {
         let reach = self.lane_reach();
         let enough = enough_reach(self, &reach);
         let lanes: BTreeSet<LaneId> = self.spawn_points.iter().map(|point| point.lane).collect();

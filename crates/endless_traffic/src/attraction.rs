@@ -43,7 +43,7 @@ impl Attraction {
         let mut attraction = Self { places, worth: Vec::new(), goals: Vec::new() };
         attraction.goals = network.walk.nodes.iter().map(|n| attraction.density(n.truncate())).collect();
         if !attraction.places.is_empty() {
-            attraction.worth = attraction.worth_of_lanes(network);
+            attraction.worth = attraction.lane_attraction(network);
         }
         attraction
     }
@@ -96,7 +96,7 @@ impl Attraction {
     }
 
     /// Metres near the places that the best way from the beginning of each lane will have, the sooner the better.
-    fn worth_of_lanes(&self, network: &RoadNetwork) -> Vec<f64> {
+    fn lane_attraction(&self, network: &RoadNetwork) -> Vec<f64> {
         let own: Vec<f64> = network
             .lanes
             .iter()

@@ -119,7 +119,7 @@ pub(super) fn sign_allows(roads: &Roads, request: &EntryRequest) -> bool {
 }
 
 /// Whether `me`, in slow traffic, gives up its turn for `other`, who has waited long to join it or to get across.
-pub(super) fn lets_in(roads: &Roads, me: &EntryRequest, other: &EntryRequest) -> bool {
+pub(super) fn yields_to(roads: &Roads, me: &EntryRequest, other: &EntryRequest) -> bool {
     let meet =
         || me.lanes.iter().any(|&l| roads.table(l).conflicts(true).iter().any(|c| other.lanes.contains(&c.other)));
     other.waited_s > COURTESY_S

@@ -5,7 +5,7 @@
 //! the order in which they got it, so nobody waits in a circle and no two bodies meet.
 
 use super::entry_request::{
-    EntryRequest, approach_control, aspect, goes_before, lets_in, request, sign_allows, stopping_m, travel_s,
+    EntryRequest, approach_control, aspect, goes_before, request, sign_allows, stopping_m, travel_s, yields_to,
 };
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
@@ -74,9 +74,10 @@ impl JunctionController {
                 requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction).map(|(_, r)| r);
             let fits = sign_allows(roads, request)
                 && self.next_in_line(roads, occupancy, vehicles, request)
-                && self.room_beyond(roads, occupancy, vehicles, request)
+                && self.has_exit_space(roads, occupancy, vehicles, request)
                 && self.clear_of_holders(roads, vehicles, request)
-                && others.all(|other| !lets_in(roads, request, other) && goes_before(roads, vehicles, request, other));
+                && others
+                    .all(|other| !yields_to(roads, request, other) && goes_before(roads, vehicles, request, other));
             if fits {
                 self.order += 1;
                 let vehicle = &mut vehicles[request.vehicle];
@@ -106,7 +107,13 @@ impl JunctionController {
 
     /// Room to stand beyond the junction, clear of it and of its crossings. Where the road to the next junction is too
     /// short for that, there must be room beyond the next one too, or a body would be left standing in this one.
-    fn room_beyond(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &EntryRequest) -> bool {
+    fn has_exit_space(
+        &self,
+        roads: &Roads,
+        occupancy: &Occupancy,
+        vehicles: &[Vehicle],
+        request: &EntryRequest,
+    ) -> bool {
         let me = &vehicles[request.vehicle];
         let route = me.route.iter().copied().skip(me.here);
         let crossings = &roads.table(request.exit).cuts;

@@ -69,7 +69,7 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
     for walker in walkers.iter() {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
-        } else if let Some(id) = walker.wants(scene.roads) {
+        } else if let Some(id) = walker.next_crossing(scene.roads) {
             crossings[id.index()].wanted = true;
         }
     }
@@ -100,7 +100,7 @@ impl Walker {
     }
 
     /// The crossing at whose beginning they stand or will be in a moment.
-    fn wants(&self, roads: &Roads) -> Option<CrossingId> {
+    fn next_crossing(&self, roads: &Roads) -> Option<CrossingId> {
         let WalkKind::Crossing(id) = self.next_strip(roads)?.kind else { return None };
         let strip = self.strip(roads);
         (strip.length - strip.local(self.position).0 < KERB_M).then_some(id)
@@ -113,7 +113,7 @@ impl Walker {
 
     fn step(&mut self, scene: &WalkerView<'_>, near: &[(DVec2, DVec2)], crossings: &mut [CrossingState], step_s: f64) {
         let roads = scene.roads;
-        self.go_on(scene, crossings);
+        self.advance_route(scene, crossings);
         let strip = self.strip(roads);
         let next = self.next_strip(roads);
         let (along, _) = strip.local(self.position);
@@ -167,7 +167,7 @@ impl Walker {
     }
 
     /// Takes the next edge when the end of this one is near, and plans a new way when it ends.
-    fn go_on(&mut self, scene: &WalkerView<'_>, crossings: &[CrossingState]) {
+    fn advance_route(&mut self, scene: &WalkerView<'_>, crossings: &[CrossingState]) {
         if self.way.len() < 2 {
             self.plan(scene.roads, scene.graph);
         }

@@ -20,7 +20,7 @@ pub(crate) fn build(appearance: &Appearance, skeleton: &Skeleton) -> Skin {
     let body = Body::new(appearance, skeleton);
     let garments = &appearance.garments;
     for (i, garment) in garments.iter().enumerate() {
-        if let Some(seen) = seen_under(garment, &garments[i + 1..]) {
+        if let Some(seen) = visible_under(garment, &garments[i + 1..]) {
             let front = seen.sleeve == 0.0 && garments[i + 1..].iter().any(|g| g.gap.is_some() && g.sleeve > 0.0);
             sew(&mut skin, &body, &seen, front);
             collar::add(&mut skin, &body, &seen);
@@ -56,7 +56,7 @@ fn holds(carried: Carried, side: Side) -> bool {
 }
 
 /// What of a garment the ones over it leave to be seen.
-fn seen_under(garment: &Garment, over: &[Garment]) -> Option<Garment> {
+fn visible_under(garment: &Garment, over: &[Garment]) -> Option<Garment> {
     let mut seen = garment.clone();
     for other in over.iter().filter(|o| matches!(o.upper, GarmentTop::Neck { .. })) {
         if matches!(garment.upper, GarmentTop::Waist(_)) {

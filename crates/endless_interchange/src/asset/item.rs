@@ -13,7 +13,7 @@ pub(super) const BUILDING: &str = "building.";
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum AssetError {
     /// None of the names.
-    #[error("unknown asset '{given}': see `endless assets list`{}", told(similar))]
+    #[error("unknown asset '{given}': see `endless assets list`{}", suggestion(similar))]
     Unknown {
         /// What was asked for.
         given: String,
@@ -28,7 +28,7 @@ pub enum AssetError {
     },
 }
 
-fn told(similar: &[String]) -> String {
+fn suggestion(similar: &[String]) -> String {
     if similar.is_empty() { String::new() } else { format!(" (there are {})", similar.join(", ")) }
 }
 

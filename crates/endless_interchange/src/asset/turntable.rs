@@ -29,7 +29,7 @@ pub fn asset_preview(catalogue: &Catalogue, name: &str, variant: u64) -> Result<
     let mut pixels = vec![[0u8; 3]; size.pixels()];
     for i in 0..columns * rows {
         let azimuth = PI / 5.0 + TAU * i as f32 / (columns * rows) as f32;
-        let view = seen(&still, &site(low, high, azimuth));
+        let view = render_view(&still, &site(low, high, azimuth));
         let corner = (i / columns * VIEW.height * size.width + i % columns * VIEW.width) as usize;
         for (y, row) in view.data.chunks(VIEW.width as usize).enumerate() {
             let at = corner + y * size.width as usize;
@@ -104,7 +104,7 @@ fn site(low: Vec3, high: Vec3, azimuth: f32) -> CameraSite {
     }
 }
 
-fn seen(still: &StaticScene, site: &CameraSite) -> Image<[u8; 3]> {
+fn render_view(still: &StaticScene, site: &CameraSite) -> Image<[u8; 3]> {
     let settings = RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, VIEW);
     let frame = FrameScene::new(FrameDescription::default());
     CameraBake::bake(still, &settings, site).render(still, &frame).rgb

@@ -23,7 +23,7 @@ impl GltfDocument<'_> {
             let PlacedObject::TownMesh(number) = placement.object else { continue };
             let mesh = &town.meshes[number as usize];
             let Some(accessors) = self.accessors(mesh) else { continue };
-            let name = format!("{} {number}", usual_class(mesh));
+            let name = format!("{} {number}", most_frequent_class(mesh));
             let mesh = self.mesh(&name, &accessors, None);
             children.push(self.instance(&name, mesh, placement.world_from_object));
         }
@@ -119,7 +119,7 @@ impl GltfDocument<'_> {
 }
 
 /// The class that most of a mesh's triangles carry.
-fn usual_class(mesh: &Mesh) -> &'static str {
+fn most_frequent_class(mesh: &Mesh) -> &'static str {
     let mut counts = BTreeMap::new();
     for &m in &mesh.triangle_materials {
         *counts.entry(mesh.materials[usize::from(m)].tag.name()).or_insert(0) += 1;

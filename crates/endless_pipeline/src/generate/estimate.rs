@@ -13,15 +13,16 @@ const BYTES_A_FILE: f64 = 4096.0;
 pub(super) fn estimate(
     layout: &DatasetLayout,
     recipe: &Recipe,
-    to_do: &[&SceneSettings],
+    remaining_scenes: &[&SceneSettings],
 ) -> Result<DiskEstimate, DatasetError> {
     let mut present = 0;
-    for settings in to_do {
+    for settings in remaining_scenes {
         for camera in layout.video(settings).cameras(settings.cameras.len()) {
             present += count_images(&camera, recipe)?;
         }
     }
-    let camera_frames = u64::from(recipe.cameras_per_scene) * to_do.len() as u64 * u64::from(recipe.frames());
+    let camera_frames =
+        u64::from(recipe.cameras_per_scene) * remaining_scenes.len() as u64 * u64::from(recipe.frames());
     let missing = (camera_frames - present / recipe.layers.len() as u64) as f64;
     let pixels = recipe.size.pixels() as f64;
     let images: f64 = recipe

@@ -24,7 +24,7 @@ impl DatasetLock {
         loop {
             let file = File::create(&path).map_err(|e| DatasetError::io("cannot write", root, e))?;
             match file.try_lock() {
-                Ok(()) if lies_at(&file, &path) => return Ok(Self { _file: file, path }),
+                Ok(()) if is_file_at(&file, &path) => return Ok(Self { _file: file, path }),
                 // Who held the lock removed its file after it was opened here: that file keeps nobody out.
                 Ok(()) => {}
                 Err(TryLockError::WouldBlock) => return Err(GenerateError::Locked { path: root.to_owned() }),
@@ -43,7 +43,7 @@ impl Drop for DatasetLock {
 
 /// Whether an open file is still the one at a path.
 #[cfg(unix)]
-fn lies_at(file: &File, path: &Path) -> bool {
+fn is_file_at(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
     let place = |data: fs::Metadata| (data.dev(), data.ino());
     match (file.metadata(), fs::metadata(path)) {
@@ -54,7 +54,7 @@ fn lies_at(file: &File, path: &Path) -> bool {
 
 /// Where an open file cannot be removed, it lies where it was opened.
 #[cfg(not(unix))]
-fn lies_at(_file: &File, path: &Path) -> bool {
+fn is_file_at(_file: &File, path: &Path) -> bool {
     path.exists()
 }
 

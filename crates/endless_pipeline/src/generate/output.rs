@@ -96,7 +96,7 @@ impl OutputFolder {
     }
 
     /// Scenes of the videos that are not complete, in the order of work.
-    pub(super) fn to_do<'p>(&self, plan: &'p Plan) -> Vec<&'p SceneSettings> {
+    pub(super) fn remaining_scenes<'p>(&self, plan: &'p Plan) -> Vec<&'p SceneSettings> {
         let missing = plan.work_order().into_iter().filter(|video| !self.complete.contains_key(video));
         missing.map(|video| &plan.scenes[video as usize]).collect()
     }

@@ -17,14 +17,14 @@ pub(super) struct StoredLayers {
 }
 
 /// Whether a stored frame is enough to make everything else of: everything that labels are judged by, without loss.
-pub(super) fn can_be_taken_over(recipe: &Recipe) -> bool {
+pub(super) fn stored_layers_suffice(recipe: &Recipe) -> bool {
     [Layer::Depth, Layer::Instance]
         .iter()
         .all(|layer| recipe.layers.contains(layer) && layer.format(recipe.rgb_format).entry().exact)
 }
 
 impl StoredLayers {
-    /// Reads a frame of which every layer is stored, where [`can_be_taken_over`]. All are decoded, also those that are
+    /// Reads a frame of which every layer is stored, where [`stored_layers_suffice`]. All are decoded, also those that are
     /// not used, so that a spoilt one is noticed.
     pub(super) fn read(files: &CameraLayout, recipe: &Recipe, frame: u32) -> Result<Self, DatasetError> {
         let mut images = StoredImages::new();

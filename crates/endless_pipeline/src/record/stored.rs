@@ -1,6 +1,6 @@
 //! The images of a video that are stored already.
 
-use super::{layers::can_be_taken_over, recording::Recording};
+use super::{layers::stored_layers_suffice, recording::Recording};
 use endless_dataset::{CameraLayout, DatasetError, Layer, Recipe};
 use std::{collections::BTreeSet, ffi::OsString, fs, io, path::Path};
 
@@ -13,10 +13,10 @@ impl StoredFrames {
     /// Looks at the names. Where labels cannot be made again of what is stored, nothing counts as present.
     pub(super) fn find(recording: &Recording<'_>) -> Result<Self, DatasetError> {
         let Recording { settings, recipe, layout, .. } = *recording;
-        let mut present = vec![can_be_taken_over(recipe); recipe.frames() as usize];
+        let mut present = vec![stored_layers_suffice(recipe); recipe.frames() as usize];
         for camera in layout.cameras(settings.cameras.len()) {
             for &layer in &recipe.layers {
-                mark_absent(&mut present, &camera, layer, recipe)?;
+                mark_missing(&mut present, &camera, layer, recipe)?;
             }
         }
         Ok(Self { present })
@@ -31,7 +31,12 @@ impl StoredFrames {
     }
 }
 
-fn mark_absent(present: &mut [bool], camera: &CameraLayout, layer: Layer, recipe: &Recipe) -> Result<(), DatasetError> {
+fn mark_missing(
+    present: &mut [bool],
+    camera: &CameraLayout,
+    layer: Layer,
+    recipe: &Recipe,
+) -> Result<(), DatasetError> {
     let names = names(camera, layer)?;
     for (present, frame) in present.iter_mut().zip(0..) {
         *present &= camera.frame(layer, frame, recipe).file_name().is_some_and(|name| names.contains(name));
@@ -52,7 +57,7 @@ fn names(camera: &CameraLayout, layer: Layer) -> Result<BTreeSet<OsString>, Data
 }
 
 /// Removes the files of a video that cannot be resumed, first the file that marks it as complete.
-pub(super) fn forget(recording: &Recording<'_>) -> Result<(), DatasetError> {
+pub(super) fn remove_stored(recording: &Recording<'_>) -> Result<(), DatasetError> {
     let Recording { settings, layout, .. } = *recording;
     let gone = |path: &Path, removed: io::Result<()>| match removed {
         Err(e) if e.kind() != io::ErrorKind::NotFound => Err(DatasetError::io("cannot remove", path, e)),

@@ -5,7 +5,7 @@ use super::{
     recording::Recording,
     scheduler::{FrameScheduler, WorkerJob},
     sink::{CameraSink, SinkItem},
-    stored::{StoredFrames, forget},
+    stored::{StoredFrames, remove_stored},
     times::Stage,
 };
 use crate::{GenerateError, ProgressEvent, SimulationSession, Simulator, SimulatorError};
@@ -29,7 +29,7 @@ pub(crate) fn record_video<S: Simulator>(
     let Recording { settings, layout, clock, .. } = *recording;
     let capabilities = simulator.capabilities();
     if !capabilities.repeatable {
-        forget(recording)?;
+        remove_stored(recording)?;
     }
     prepare_folders(recording)?;
     let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings))?;

@@ -99,14 +99,14 @@ impl Tlas {
 }
 
 /// Whether these lanes are enough to go together, and lie in more than one row if there are rows.
-fn worth_a_packet<const N: usize>(lanes: u32) -> bool {
+fn is_packet_worthwhile<const N: usize>(lanes: u32) -> bool {
     lanes.count_ones() > FEW && (N == 1 || RowMask::of(lanes).several())
 }
 
 /// These lanes as a packet, if that is worth it and their directions agree.
 #[inline(always)]
 fn packet_of<const N: usize>(rays: &RayStream<N>, lanes: u32) -> Option<PacketRay<N>> {
-    if worth_a_packet::<N>(lanes) { PacketRay::in_world(rays, lanes) } else { None }
+    if is_packet_worthwhile::<N>(lanes) { PacketRay::in_world(rays, lanes) } else { None }
 }
 
 impl TlasEntry {
@@ -127,7 +127,7 @@ impl TlasEntry {
         }
         let local;
         let packet = match &self.object_from_world {
-            _ if !worth_a_packet::<N>(entered) => None,
+            _ if !is_packet_worthwhile::<N>(entered) => None,
             None => Some(world),
             Some(transform) => {
                 local = world.transformed(transform);

@@ -22,7 +22,7 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
         tile.lens = bounds.lens;
     }
     for instance in &frame.instances {
-        mark_seen(bake, instance, &mut work);
+        mark_visible(bake, instance, &mut work);
     }
     for (i, object) in frame.objects.iter().enumerate() {
         let i = i as u16;
@@ -149,7 +149,7 @@ fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingVolume) -> Vec<
 }
 
 /// Marks the tiles over which the parts of something that moves project.
-fn mark_seen(bake: &CameraBake, instance: &Instance, work: &mut [TileWork]) {
+fn mark_visible(bake: &CameraBake, instance: &Instance, work: &mut [TileWork]) {
     let blas = &instance.geometry.posed.blas;
     let tiles = |bounds| tiles_of(bake, &instance.world_from_object, bounds);
     let Some([low, high]) = tiles(blas.bounds()) else { return };

@@ -51,7 +51,7 @@ impl CameraBake {
         for (y, row) in (y0..y1).zip(rows.iter_mut()) {
             let first = (y * self.camera.size.width + x0) as usize;
             let uniform = &self.gbuffer.uniform[first..first + count];
-            row.aim(x0, x1, y, !work.asks_rays() && uniform.iter().all(|u| *u));
+            row.aim(x0, x1, y, !work.needs_rays() && uniform.iter().all(|u| *u));
             rays += row.find(frame, work);
         }
         let rows = &rows[..(y1 - y0) as usize];

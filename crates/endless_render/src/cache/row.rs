@@ -79,7 +79,7 @@ impl<'a> PixelRow<'a> {
         let Self { view, found, queue } = self;
         queue.traced = 0;
         if work.primary {
-            view.find_seen(frame, found, queue);
+            view.find_visible(frame, found, queue);
         }
         if work.sun {
             view.find_sun(frame, found, queue);
@@ -110,7 +110,7 @@ impl<'a> RowView<'a> {
         self.still(i).facet(&self.ray(i, sample), sample)
     }
 
-    fn find_seen(&self, frame: &FrameScene, found: &mut [MovingHits; TILE as usize], queue: &mut RayQueue) {
+    fn find_visible(&self, frame: &FrameScene, found: &mut [MovingHits; TILE as usize], queue: &mut RayQueue) {
         let rays = &mut queue.rays;
         let still: [&GBufferPixel; TILE as usize] = std::array::from_fn(|i| self.still(i));
         rays.origin = self.bake.camera.position.to_array().map(|axis| [f32x8::splat(axis); SAMPLES]);

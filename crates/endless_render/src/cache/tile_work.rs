@@ -48,7 +48,7 @@ impl TileWork {
     }
 
     /// Whether rays must look for what moves.
-    pub(super) fn asks_rays(&self) -> bool {
+    pub(super) fn needs_rays(&self) -> bool {
         self.primary || self.sun || self.mirror
     }
 
@@ -59,6 +59,6 @@ impl TileWork {
 
     /// Nothing to do.
     pub(super) fn is_none(&self) -> bool {
-        self.only_found() && !self.asks_rays()
+        self.only_found() && !self.needs_rays()
     }
 }

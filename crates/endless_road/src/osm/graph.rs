@@ -15,7 +15,7 @@ pub(super) struct StreetSegmentEnd {
 }
 
 /// Takes away what is there twice: of roads between the same two nodes the most important one stays.
-pub(super) fn once(stretches: &[StreetSegment], context: &mut ImportContext<'_>) -> Vec<StreetSegment> {
+pub(super) fn without_duplicates(stretches: &[StreetSegment], context: &mut ImportContext<'_>) -> Vec<StreetSegment> {
     let mut order: Vec<usize> = (0..stretches.len()).collect();
     order.sort_by_key(|&i| (Reverse(stretches[i].class), i));
     let mut taken: BTreeSet<(i64, i64)> = BTreeSet::new();

@@ -104,7 +104,7 @@ pub fn map_from(extract: &OsmExtract, options: &OsmOptions) -> Result<RoadMap, O
     let mut context = ImportContext::new(extract, options.driving_side.map(|side| side == DrivingSide::Left));
     let ways = ways::collect(extract, &mut context);
     extent::check(&ways, &context)?;
-    let stretches = graph::split(&graph::once(&ways, &mut context));
+    let stretches = graph::split(&graph::without_duplicates(&ways, &mut context));
     let (roads, yards) = graph::part_yards(stretches);
     if roads.is_empty() {
         return Err(OsmError::NoRoads { ways: extract.ways.len(), nodes: extract.nodes.len() });

@@ -46,7 +46,7 @@ pub(super) fn movements(plan: &StreetPlan, intersection: usize, restrictions: &R
         let exits = exits(plan, intersection, from, restrictions);
         all.extend(assign(plan, from, &exits));
     }
-    feed_empty_lanes(plan, intersection, &mut all);
+    connect_unused_lanes(plan, intersection, &mut all);
     all
 }
 
@@ -240,7 +240,7 @@ fn assign(plan: &StreetPlan, from: StreetSegmentEnd, exits: &[ArmExit]) -> Vec<M
 }
 
 /// Lanes that nobody leads to are fed from the lane beside the one that is, or from the straightest arm.
-fn feed_empty_lanes(plan: &StreetPlan, intersection: usize, all: &mut Vec<Movement>) {
+fn connect_unused_lanes(plan: &StreetPlan, intersection: usize, all: &mut Vec<Movement>) {
     let arms = plan.intersections[intersection].arms.clone();
     for &to in &arms {
         let ways_out = plan.lanes_out(to);

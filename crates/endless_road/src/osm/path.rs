@@ -93,7 +93,7 @@ pub(super) fn add(plan: &StreetPlan, context: &mut ImportContext<'_>, network: &
     for node in loose {
         join(&mut walks, node, streets_nodes);
     }
-    drop_lonely(network, streets_nodes);
+    drop_disconnected_paths(network, streets_nodes);
     paths
 }
 
@@ -226,7 +226,7 @@ fn join(walks: &mut WalkNetworkBuilder<'_>, node: WalkNodeId, streets_nodes: usi
 }
 
 /// Takes away what is joined to no street and too short to stroll on.
-fn drop_lonely(network: &mut RoadNetwork, streets_nodes: usize) {
+fn drop_disconnected_paths(network: &mut RoadNetwork, streets_nodes: usize) {
     let walk = &mut network.walk;
     let graph = WalkGraph::new(walk);
     let mut length: BTreeMap<u32, f64> = BTreeMap::new();

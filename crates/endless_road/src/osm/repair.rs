@@ -12,7 +12,7 @@ const MOST_GAP_M: f64 = 0.04;
 /// Unhooks connectors that do not fit their lanes, and takes away crossings that cross nothing.
 pub(super) fn mend(network: &mut RoadNetwork, context: &mut ImportContext<'_>) {
     unhook(network, context);
-    drop_idle_crossings(network);
+    drop_unused_crossings(network);
 }
 
 fn unhook(network: &mut RoadNetwork, context: &mut ImportContext<'_>) {
@@ -36,7 +36,7 @@ fn unhook(network: &mut RoadNetwork, context: &mut ImportContext<'_>) {
     }
 }
 
-fn drop_idle_crossings(network: &mut RoadNetwork) {
+fn drop_unused_crossings(network: &mut RoadNetwork) {
     let used: Vec<bool> = network
         .crossings
         .iter()

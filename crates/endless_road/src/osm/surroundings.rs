@@ -32,7 +32,7 @@ pub(super) fn land(context: &mut ImportContext<'_>, map: &mut RoadMap) {
 pub(super) fn add(context: &mut ImportContext<'_>, map: &mut RoadMap) {
     rails(context, map);
     buildings(context, map);
-    things(context, map);
+    map_objects(context, map);
     tree_rows(context, map);
 }
 
@@ -208,16 +208,16 @@ fn srgb(text: &str) -> Option<[u8; 3]> {
     })
 }
 
-fn things(context: &ImportContext<'_>, map: &mut RoadMap) {
+fn map_objects(context: &ImportContext<'_>, map: &mut RoadMap) {
     for (&id, node) in &context.extract.nodes {
-        let Some(kind) = thing_kind(&node.tags) else { continue };
+        let Some(kind) = object_kind(&node.tags) else { continue };
         let Some(at) = context.place(id).filter(|&p| context.inside(p)) else { continue };
         let heading_rad = facing(map, at, &kind);
         map.objects.push(MapObject { kind, position: at.extend(context.ground(at)), heading_rad });
     }
 }
 
-fn thing_kind(tags: &OsmTags) -> Option<MapObjectKind> {
+fn object_kind(tags: &OsmTags) -> Option<MapObjectKind> {
     let height = || tags.get("height").and_then(metres).filter(|h| *h < 80.0);
     Some(if tags.is("natural", &["tree"]) {
         MapObjectKind::Tree(height())

@@ -12,6 +12,6 @@ mod view_score;
 
 pub(crate) use height_field::HeightField;
 pub(crate) use occlusion::PropOcclusion;
-pub(crate) use sight_lines::{in_the_way, spoils};
+pub(crate) use sight_lines::{blocks_view, occludes_view};
 pub(crate) use site_selection::choose;
 pub(crate) use surroundings::{BuildingPrism, CameraSurroundings, OpenSpace};

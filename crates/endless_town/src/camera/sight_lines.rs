@@ -5,7 +5,7 @@ use endless_world::math::f64::{atan2, wrap_angle};
 use glam::DVec2;
 
 /// Whether a pole would stand large in a camera's picture.
-pub(crate) fn spoils(sites: &[CameraSite], at: DVec2) -> bool {
+pub(crate) fn occludes_view(sites: &[CameraSite], at: DVec2) -> bool {
     sites.iter().any(|site| {
         let [x, y, _] = site.position.map(f64::from);
         let between = at - DVec2::new(x, y);
@@ -16,7 +16,7 @@ pub(crate) fn spoils(sites: &[CameraSite], at: DVec2) -> bool {
 }
 
 /// Whether a tree or other wide thing would stand in a camera's view: near in front of it, or on its axis.
-pub(crate) fn in_the_way(sites: &[CameraSite], at: DVec2, radius: f64) -> bool {
+pub(crate) fn blocks_view(sites: &[CameraSite], at: DVec2, radius: f64) -> bool {
     sites.iter().any(|site| {
         let [x, y, _] = site.position.map(f64::from);
         let between = at - DVec2::new(x, y);

@@ -116,7 +116,7 @@ impl<'a> ViewScorer<'a> {
         let camera = PinholeCamera::new(site, SIZE);
         let lens = camera.position;
         let here = lens.truncate().as_dvec2();
-        if self.hemmed_in(&camera, here) {
+        if self.is_enclosed(&camera, here) {
             return None;
         }
         let mut seen = ViewContents::default();
@@ -146,7 +146,7 @@ impl<'a> ViewScorer<'a> {
     }
 
     /// A lamp post or mast right before the lens, or a wall around or close ahead of it.
-    fn hemmed_in(&self, camera: &PinholeCamera, here: DVec2) -> bool {
+    fn is_enclosed(&self, camera: &PinholeCamera, here: DVec2) -> bool {
         let forward = camera.world_from_camera.z_axis.truncate().as_dvec2().normalize_or(DVec2::X);
         let post = self.posts.iter().any(|post| {
             let between = post.foot.truncate().as_dvec2() - here;

@@ -41,7 +41,7 @@ pub(crate) fn set_up_cameras(
             return false;
         }
         let Some((foot, ground)) = candidate.pole else { return true };
-        if in_the_way(network, foot.extend(ground)) {
+        if blocks_lane(network, foot.extend(ground)) {
             return false;
         }
         let height = f64::from(candidate.site.position[2]) - ground;
@@ -53,7 +53,7 @@ pub(crate) fn set_up_cameras(
 
 /// Whether something drives by so near that a pole would be hit. Lanes that widen or narrow run where the surface
 /// alone does not tell.
-fn in_the_way(network: &RoadNetwork, foot: DVec3) -> bool {
+fn blocks_lane(network: &RoadNetwork, foot: DVec3) -> bool {
     network.lanes.iter().any(|lane| {
         let (s, t) = lane.centerline.project(foot.truncate());
         let nearest = lane.centerline.position(s);

@@ -42,7 +42,7 @@ impl OpenDriveDocument {
             }
         }
         for place in loose_ends {
-            plan_view::tie_loose_end(&mut document.roads, place);
+            plan_view::close_end_gap(&mut document.roads, place);
         }
         document.junctions = root.all("junction").map(|element| fields.junction(element)).collect();
         document.controllers = root.all("controller").map(|element| fields.controller(element)).collect();

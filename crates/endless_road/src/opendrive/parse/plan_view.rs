@@ -149,7 +149,7 @@ impl ElementFields {
 }
 
 /// Leads the last geometry of a road, which was impossible, to where the next road begins.
-pub(super) fn tie_loose_end(roads: &mut [Road], place: usize) {
+pub(super) fn close_end_gap(roads: &mut [Road], place: usize) {
     let Some(RoadLink::Road { id, contact }) = &roads[place].successor else { return };
     let Some(next) = roads.iter().find(|road| road.id == *id && road.id != roads[place].id) else { return };
     let there = match (contact, next.plan_view.first(), next.plan_view.last()) {

@@ -20,7 +20,7 @@ const PAINTED_M: f64 = 4.0;
 
 /// Ends lanes before crossings that lie between them and their junction: what is cut off becomes the beginning of
 /// the ways through it.
-pub(super) fn hold_back(lanes: &mut [Lane], crossings: &[Crossing]) {
+pub(super) fn end_before_crossings(lanes: &mut [Lane], crossings: &[Crossing]) {
     let mut predecessors = vec![0; lanes.len()];
     for next in lanes.iter().flat_map(|lane| &lane.successors) {
         predecessors[next.index()] += 1;

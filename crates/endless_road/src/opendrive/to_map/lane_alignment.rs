@@ -44,7 +44,7 @@ pub(super) fn mend(graph: &mut LaneGraph, notes: &mut Vec<ImportNote>) {
 }
 
 /// Lanes that still do not meet what follows them do not lead there.
-pub(super) fn drop_unmet(lanes: &mut [Lane], notes: &mut Vec<ImportNote>) {
+pub(super) fn drop_unaligned(lanes: &mut [Lane], notes: &mut Vec<ImportNote>) {
     for i in 0..lanes.len() {
         let end = lanes[i].centerline.at(lanes[i].centerline.length());
         let meets = |next: &LaneId| {

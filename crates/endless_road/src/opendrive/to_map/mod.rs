@@ -41,11 +41,11 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     if lanes.is_empty() {
         return Err(OpenDriveError::NoLanes { roads: in_file, why: document.roads_left_out.first().cloned() });
     }
-    lane_alignment::drop_unmet(&mut lanes, &mut notes);
+    lane_alignment::drop_unaligned(&mut lanes, &mut notes);
     neighbours::find(&sampled, &graph, &mut lanes);
     let mut crossings = crossings::crossings(&sampled, &lanes, &mut notes);
     if !document.lanes_end_at_stops {
-        approach::hold_back(&mut lanes, &crossings);
+        approach::end_before_crossings(&mut lanes, &crossings);
     }
     let walk = walk::walk(&sampled, &joins, &mut crossings, &mut notes);
     let mut network = RoadNetwork { lanes, junctions, crossings, walk, ..RoadNetwork::default() };

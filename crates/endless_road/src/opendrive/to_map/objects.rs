@@ -31,8 +31,8 @@ pub(super) fn add(
     let mut strange: BTreeMap<String, (usize, usize)> = BTreeMap::new();
     for shape in &sampled.roads {
         for signal in &shape.road.signals {
-            if let Some(thing) = signal_thing((sampled, shape), signal, governed, groups, &map.network) {
-                map.objects.push(thing);
+            if let Some(map_object) = signal_object((sampled, shape), signal, governed, groups, &map.network) {
+                map.objects.push(map_object);
             }
         }
         for object in &shape.road.objects {
@@ -49,7 +49,7 @@ pub(super) fn add(
                 map.lane_surfaces.extend(island(shape, object));
             } else if let Some((kind, outline)) = land(shape, object) {
                 map.areas.push(LandUseArea { kind, outline, holes: Vec::new() });
-            } else if let Some(kind) = thing_kind(object) {
+            } else if let Some(kind) = object_kind(object) {
                 stand(shape, object, &kind, &mut map.objects);
             } else {
                 let name = if object.kind.is_empty() || object.kind == "-1" { &object.name } else { &object.kind };
@@ -63,7 +63,7 @@ pub(super) fn add(
     }
 }
 
-fn signal_thing(
+fn signal_object(
     (sampled, shape): (&SampledDocument<'_>, &RoadShape<'_>),
     signal: &Signal,
     governed: &SignalLanes<'_>,
@@ -111,7 +111,7 @@ fn signal_thing(
 }
 
 /// Standard types first; for those that programs give no type, the name.
-fn thing_kind(object: &RoadObject) -> Option<MapObjectKind> {
+fn object_kind(object: &RoadObject) -> Option<MapObjectKind> {
     let name = object.name.to_ascii_lowercase();
     let height = (object.size[2] > 0.5).then_some(object.size[2].min(60.0));
     let named = |words: &[&str]| words.iter().any(|word| name.contains(word));

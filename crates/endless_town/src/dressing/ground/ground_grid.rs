@@ -65,7 +65,7 @@ impl GroundGrid {
         };
         let (mut known, under): (Vec<Option<f64>>, Vec<bool>) = (0..nx * ny).into_par_iter().map(place).unzip();
         if let Some(terrain) = terrain {
-            land.know_terrain(terrain, &mut known);
+            land.apply_terrain(terrain, &mut known);
         }
         land.level = spread(&known, nx, ny);
         let between = |i: usize| {
@@ -81,7 +81,7 @@ impl GroundGrid {
     }
 
     /// Takes the terrain's height wherever no bank reaches from a road that lies above or below it.
-    fn know_terrain(&self, terrain: &Terrain, known: &mut [Option<f64>]) {
+    fn apply_terrain(&self, terrain: &Terrain, known: &mut [Option<f64>]) {
         let natural: Vec<f64> =
             (0..known.len()).map(|i| terrain.height(self.vertex(i % self.nx, i / self.nx))).collect();
         let mut reach: Vec<f64> = known

@@ -15,13 +15,13 @@ const STRIPE_M: f64 = 0.5;
 const MOST_M: f64 = 12.0;
 
 pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementIndex) {
-    for thing in map.objects.iter().filter(|t| t.kind == MapObjectKind::SpeedBump) {
-        let along = crate::geometry::unit(thing.heading_rad);
+    for object in map.objects.iter().filter(|t| t.kind == MapObjectKind::SpeedBump) {
+        let along = crate::geometry::unit(object.heading_rad);
         let across = along.perp();
-        let at = thing.position.truncate();
+        let at = object.position.truncate();
         let surface = |p: DVec2| {
             let near =
-                pavement.at(p).filter(|(piece, z)| is_carriageway(piece.kind) && (z - thing.position.z).abs() < 1.0);
+                pavement.at(p).filter(|(piece, z)| is_carriageway(piece.kind) && (z - object.position.z).abs() < 1.0);
             near.map(|(_, z)| z).max_by(f64::total_cmp)
         };
         let reach = |side: f64| {

@@ -1,7 +1,7 @@
 //! What stands on squares and along the ways of parks: trees in rows, benches, café tables, planters, lamps, kiosks; a
 //! railing where a square ends at the water.
 
-use crate::camera::{in_the_way, spoils};
+use crate::camera::{blocks_view, occludes_view};
 use crate::dressing::assembly::{PropPose, TownAssembly};
 use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::land_use_map::LandUseMap;
@@ -122,9 +122,9 @@ impl SquareFurnisher<'_> {
                 let room = ways.iter().map(|w| w.distance(at)).fold(f64::INFINITY, f64::min) - BESIDE_WAY_M;
                 let inwards = rect.centre - at;
                 let facing = atan2(inwards.y, inwards.x);
-                let tall_is_seen = in_the_way(sites, at, 2.2);
+                let tall_is_seen = blocks_view(sites, at, 2.2);
                 let lit = lamps.iter().all(|l| l.distance(at) > LAMPS_M);
-                if lit && room > 0.25 && !spoils(sites, at) {
+                if lit && room > 0.25 && !occludes_view(sites, at) {
                     if posts.lamp(assembly, at, self.spot(at, facing).z, facing) {
                         lamps.push(at);
                     }
@@ -188,7 +188,7 @@ impl SquareFurnisher<'_> {
             r if r > MONUMENT_M => (Prop::Monument, MONUMENT_M),
             _ => return,
         };
-        if !spoils(sites, at) {
+        if !occludes_view(sites, at) {
             assembly.put(prop, self.spot(at, facing), DVec2::splat(half), None);
         }
     }
@@ -233,7 +233,7 @@ impl SquareFurnisher<'_> {
             if !open {
                 continue;
             }
-            if lamps.iter().all(|l| l.distance(at) > LAMPS_M) && !spoils(sites, at) {
+            if lamps.iter().all(|l| l.distance(at) > LAMPS_M) && !occludes_view(sites, at) {
                 if posts.lamp(assembly, at, self.spot(at, facing).z, facing) {
                     lamps.push(at);
                 }

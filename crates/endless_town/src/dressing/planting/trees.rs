@@ -1,6 +1,6 @@
 //! Trees and bushes: those of the map, rows along streets, woods and parks, and woods on the hills around.
 
-use crate::camera::in_the_way;
+use crate::camera::blocks_view;
 use crate::dressing::assembly::{PropPose, TownAssembly};
 use crate::dressing::built_up::density::StreetDensity;
 use crate::dressing::ground::ground_grid::GroundGrid;
@@ -43,14 +43,14 @@ impl TreePlanter<'_> {
     pub(crate) fn known(&self, assembly: &mut TownAssembly<'_>) -> Vec<DVec2> {
         let mut stream = assembly.stream(20_000);
         let mut placed = Vec::new();
-        for thing in &self.map.objects {
-            let MapObjectKind::Tree(height) = thing.kind else { continue };
-            let at = thing.position.truncate();
+        for object in &self.map.objects {
+            let MapObjectKind::Tree(height) = object.kind else { continue };
+            let at = object.position.truncate();
             if self.pavement.is_carriageway(at) {
                 continue;
             }
             let scale = height.map_or_else(|| stream.range_f32(0.85, 1.15), |h| (h as f32 / 9.0).clamp(0.45, 2.0));
-            let z = self.pavement.height(at, thing.position.z + 2.0).unwrap_or_else(|| self.land.height(at));
+            let z = self.pavement.height(at, object.position.z + 2.0).unwrap_or_else(|| self.land.height(at));
             let spot = PropPose { at, z, yaw: stream.range_f64(0.0, TAU), scale: Vec3::splat(scale) };
             if assembly.put(Prop::BroadleafTree, spot, DVec2::splat(0.4), None) {
                 placed.push(at);
@@ -88,7 +88,7 @@ impl TreePlanter<'_> {
                 };
                 let lit = assembly.lamps.iter().any(|l| l.position.truncate().as_dvec2().distance(verge.at) < 4.5);
                 let crown = Rect::around(verge.at, 2.2);
-                let blocked = lit || in_the_way(sites, verge.at, 2.6) || houses.iter().any(|h| h.meets(&crown));
+                let blocked = lit || blocks_view(sites, verge.at, 2.6) || houses.iter().any(|h| h.meets(&crown));
                 if roomy && !blocked && stream.chance(0.85) {
                     let spot = tall(verge.at, verge.z, (0.8, 1.05), &mut stream);
                     let prop = if stream.chance(self.preset.palms) { Prop::Palm } else { Prop::BroadleafTree };
@@ -123,7 +123,7 @@ impl TreePlanter<'_> {
                 d if d < tree + bush => (Prop::Bush, 0.9),
                 _ => continue,
             };
-            if planted >= MOST_ON_LAND || self.pavement.is_near(at, room + 0.8) || in_the_way(sites, at, room) {
+            if planted >= MOST_ON_LAND || self.pavement.is_near(at, room + 0.8) || blocks_view(sites, at, room) {
                 continue;
             }
             if assembly.occupied.is_free(&Rect::around(at, room)) {

@@ -1,6 +1,6 @@
 //! Benches, bins and the rest along sidewalks, and wires' poles beside quiet roads.
 
-use crate::camera::spoils;
+use crate::camera::occludes_view;
 use crate::dressing::assembly::{PropPose, TownAssembly};
 use crate::dressing::road_furniture::post::{RoadsidePosts, RoadsideSpot};
 use crate::dressing::road_furniture::wire::hang;
@@ -117,7 +117,7 @@ fn add_poles(assembly: &mut TownAssembly<'_>, mesh: &mut MeshBuilder, posts: &Ro
             let beyond = if posts.preset.wires { 0.35 } else { 2.2 };
             let verge = posts.verge(lane, s, posts.side(), beyond);
             let Some(verge) = verge.filter(|v| posts.preset.wires || !v.walk) else { continue };
-            let clear = !spoils(sites, verge.at) && assembly.occupied.is_free(&Rect::around(verge.at, 0.3));
+            let clear = !occludes_view(sites, verge.at) && assembly.occupied.is_free(&Rect::around(verge.at, 0.3));
             let spot = PropPose { z: verge.z, ..PropPose::new(verge.at, lane.centerline.at(s).heading_rad) };
             let pole = if posts.preset.bright { Prop::CrowdedPole } else { Prop::UtilityPole };
             if !clear || !assembly.put(pole, spot, DVec2::splat(0.22), None) {

@@ -99,7 +99,7 @@ fn park(assembly: &mut TownAssembly<'_>, bay: &ParkingBay, stream: &mut Stream) 
 const MOST_PARKED: usize = 160;
 
 /// Keeps the vehicles parked nearest to cameras: no others are ever seen large.
-pub(crate) fn keep_the_seen(parked: &mut Vec<ParkedVehicle>, sites: &[CameraSite]) {
+pub(crate) fn keep_visible(parked: &mut Vec<ParkedVehicle>, sites: &[CameraSite]) {
     let far = |p: &ParkedVehicle| {
         let of = |s: &CameraSite| Vec3::from_array(s.position).distance(p.pose.position);
         sites.iter().map(of).fold(f32::INFINITY, f32::min)

@@ -129,16 +129,16 @@ impl RoadsidePosts<'_> {
     /// Traffic lights where the map has them, beside the road if it has them on it, and at every approach that lacks one.
     pub(crate) fn signals(&self, assembly: &mut TownAssembly<'_>) {
         let mut shown: BTreeSet<SignalId> = BTreeSet::new();
-        for thing in &self.map.objects {
-            let at = thing.position.truncate();
-            let (prop, signal) = match thing.kind {
+        for object in &self.map.objects {
+            let at = object.position.truncate();
+            let (prop, signal) = match object.kind {
                 MapObjectKind::TrafficLight(signal) => (Prop::SignalPole, signal),
                 MapObjectKind::WalkLight(signal) => (Prop::WalkSignal, signal),
                 _ => continue,
             };
-            let yaw = thing.heading_rad + PI;
+            let yaw = object.heading_rad + PI;
             let free = !self.pavement.is_carriageway(at);
-            if free && self.put(assembly, prop, at, self.ground(thing.position), yaw, Some(signal)) {
+            if free && self.put(assembly, prop, at, self.ground(object.position), yaw, Some(signal)) {
                 shown.insert(signal);
             }
         }
@@ -180,28 +180,28 @@ impl RoadsidePosts<'_> {
     /// Signs of the map, and those that stop lines without one need.
     pub(crate) fn signs(&self, assembly: &mut TownAssembly<'_>) {
         let mut known: Vec<DVec2> = Vec::new();
-        for thing in &self.map.objects {
-            let prop = match &thing.kind {
+        for object in &self.map.objects {
+            let prop = match &object.kind {
                 MapObjectKind::Stop => Prop::StopSign,
                 MapObjectKind::Yield => Prop::YieldSign,
                 MapObjectKind::SpeedLimit(_) => Prop::SpeedSign,
                 MapObjectKind::Sign(code) if code.contains("350") => Prop::CrossingSign,
                 MapObjectKind::Sign(code) => {
-                    let at = thing.position.truncate();
+                    let at = object.position.truncate();
                     if let Some(variant) = face_of(code).filter(|_| !self.pavement.is_carriageway(at)) {
                         let spot =
-                            PropPose { z: self.ground(thing.position), ..PropPose::new(at, thing.heading_rad + PI) };
+                            PropPose { z: self.ground(object.position), ..PropPose::new(at, object.heading_rad + PI) };
                         assembly.put_variant((Prop::TrafficSign, variant), spot, HALF);
                     }
                     continue;
                 }
                 _ => continue,
             };
-            let at = thing.position.truncate();
-            let yaw = thing.heading_rad + PI;
+            let at = object.position.truncate();
+            let yaw = object.heading_rad + PI;
             if !self.pavement.is_carriageway(at)
-                && self.put(assembly, prop, at, self.ground(thing.position), yaw, None)
-                && matches!(thing.kind, MapObjectKind::Stop | MapObjectKind::Yield)
+                && self.put(assembly, prop, at, self.ground(object.position), yaw, None)
+                && matches!(object.kind, MapObjectKind::Stop | MapObjectKind::Yield)
             {
                 known.push(at);
             }
@@ -227,9 +227,9 @@ impl RoadsidePosts<'_> {
     }
 
     /// The rest of what the map names.
-    pub(crate) fn things(&self, assembly: &mut TownAssembly<'_>) {
-        for thing in &self.map.objects {
-            let (prop, half) = match thing.kind {
+    pub(crate) fn street_furniture(&self, assembly: &mut TownAssembly<'_>) {
+        for object in &self.map.objects {
+            let (prop, half) = match object.kind {
                 MapObjectKind::Bench => (Prop::Bench, DVec2::new(0.42, 0.95)),
                 MapObjectKind::BusStop => (Prop::BusShelter, DVec2::new(1.0, 2.2)),
                 MapObjectKind::Bollard => (Prop::Bollard, DVec2::splat(0.15)),
@@ -238,9 +238,9 @@ impl RoadsidePosts<'_> {
                 MapObjectKind::UtilityPole => (Prop::UtilityPole, DVec2::splat(0.22)),
                 _ => continue,
             };
-            let at = thing.position.truncate();
+            let at = object.position.truncate();
             if !self.pavement.is_carriageway(at) {
-                let spot = PropPose { z: self.ground(thing.position), ..PropPose::new(at, thing.heading_rad) };
+                let spot = PropPose { z: self.ground(object.position), ..PropPose::new(at, object.heading_rad) };
                 assembly.put(prop, spot, half, None);
             }
         }
@@ -248,10 +248,10 @@ impl RoadsidePosts<'_> {
 
     /// Lamps where the map has them; else along streets with sidewalks and along fast roads.
     pub(crate) fn lamps(&self, assembly: &mut TownAssembly<'_>) {
-        for thing in self.map.objects.iter().filter(|t| t.kind == MapObjectKind::StreetLamp) {
-            let at = thing.position.truncate();
+        for object in self.map.objects.iter().filter(|t| t.kind == MapObjectKind::StreetLamp) {
+            let at = object.position.truncate();
             if !self.pavement.is_carriageway(at) {
-                self.lamp(assembly, at, self.ground(thing.position), self.towards_road(at, thing.heading_rad));
+                self.lamp(assembly, at, self.ground(object.position), self.towards_road(at, object.heading_rad));
             }
         }
         if !assembly.lamps.is_empty() {
