@@ -13,6 +13,8 @@ mod neighbours;
 mod objects;
 mod outline;
 mod sampled;
+mod signal_meaning;
+mod signal_program;
 mod signals;
 mod turnaround;
 mod walk;

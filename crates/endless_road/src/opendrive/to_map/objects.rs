@@ -5,7 +5,8 @@ use super::super::geometry::RoadShape;
 use super::lane_surfaces::KERB_M;
 use super::outline::{corners, place, rectangle};
 use super::sampled::SampledDocument;
-use super::signals::{SignalLanes, SignalMeaning, meaning};
+use super::signal_meaning::{SignalMeaning, meaning};
+use super::signals::SignalLanes;
 use crate::{
     BuildingFootprint, ImportNote, LandUse, LandUseArea, LaneSurface, LaneType, MapObject, MapObjectKind, MarkingColor,
     Polyline, RoadMap, RoadMarking, RoadNetwork,

@@ -1,6 +1,7 @@
 //! Buildings where the map knows of none: grown along its roads, higher and closer the denser the roads are, of a kind
 //! that fits what the map says of the land.
 
+use super::quarter_profile::{QUARTERS, QuarterProfile, TRADE, WORKS, usual_quarter};
 use crate::building::BuildingKind;
 use crate::building::{
     BuildingDimensions, BuildingOutline, LATIN, WindowNumbers, eaves, house, on_rectangle, size, storeys,
@@ -49,81 +50,6 @@ const SLIM_M: [f64; 2] = [6.5, 7.5];
 const PORCH_M: f64 = 1.4;
 /// Roads on which shops are, m/s.
 const MAIN_STREET_MPS: f64 = 12.5;
-
-/// What is built where roads are so dense.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct QuarterProfile {
-    kinds: &'static [(BuildingKind, f64)],
-    storeys: (u32, u32),
-    /// Share of lots left open.
-    open: f64,
-}
-
-const QUARTERS: [(f64, QuarterProfile); 4] = [
-    (
-        0.0,
-        QuarterProfile { kinds: &[(BuildingKind::House, 4.0), (BuildingKind::Barn, 1.0)], storeys: (1, 2), open: 0.55 },
-    ),
-    (
-        55.0,
-        QuarterProfile {
-            kinds: &[
-                (BuildingKind::House, 4.0),
-                (BuildingKind::Shop, 1.2),
-                (BuildingKind::Flats, 1.0),
-                (BuildingKind::Hall, 0.5),
-            ],
-            storeys: (2, 3),
-            open: 0.2,
-        },
-    ),
-    (
-        125.0,
-        QuarterProfile {
-            kinds: &[
-                (BuildingKind::Terrace, 4.0),
-                (BuildingKind::Flats, 2.0),
-                (BuildingKind::Shop, 1.4),
-                (BuildingKind::House, 1.2),
-            ],
-            storeys: (2, 5),
-            open: 0.1,
-        },
-    ),
-    (
-        235.0,
-        QuarterProfile {
-            kinds: &[
-                (BuildingKind::Terrace, 2.5),
-                (BuildingKind::Office, 3.0),
-                (BuildingKind::Flats, 2.0),
-                (BuildingKind::Tower, 1.2),
-            ],
-            storeys: (4, 8),
-            open: 0.06,
-        },
-    ),
-];
-
-const WORKS: QuarterProfile = QuarterProfile {
-    kinds: &[(BuildingKind::Hall, 4.0), (BuildingKind::Shop, 0.7), (BuildingKind::Office, 0.5)],
-    storeys: (1, 3),
-    open: 0.2,
-};
-const TRADE: QuarterProfile = QuarterProfile {
-    kinds: &[
-        (BuildingKind::Office, 2.0),
-        (BuildingKind::Shop, 2.5),
-        (BuildingKind::Terrace, 1.5),
-        (BuildingKind::Flats, 0.7),
-    ],
-    storeys: (2, 5),
-    open: 0.12,
-};
-
-fn usual_quarter(density: f64) -> QuarterProfile {
-    QUARTERS.iter().rev().find(|q| density >= q.0).unwrap_or(&QUARTERS[0]).1
-}
 
 /// A grown building with the ground before it.
 #[derive(Debug, Clone, Copy)]

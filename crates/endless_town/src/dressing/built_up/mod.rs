@@ -3,4 +3,5 @@
 pub(crate) mod density;
 pub(crate) mod footprint;
 pub(crate) mod growth;
+mod quarter_profile;
 pub(crate) mod streets;
