@@ -1,7 +1,11 @@
 //! Plants and street furniture.
 
+use strum::VariantArray as _;
+
 /// What can be placed in a town. Each comes in many variants (a seed).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[strum(serialize_all = "snake_case")]
 pub enum Prop {
     /// Round-crowned street tree, about 7 to 11 m.
     BroadleafTree,
@@ -164,6 +168,8 @@ pub enum Prop {
     StoneWall,
     /// Wire netting, 2 m along x, 1.8 m high.
     ChainLink,
+    /// White picket fence, 2 m along x, 0.95 m high.
+    PicketFence,
     /// Cypress, a narrow flame of about 7 to 11 m.
     Cypress,
     /// Broadleaf tree in winter, without leaves.
@@ -176,112 +182,15 @@ pub enum Prop {
     Wheat,
     /// Boulder, about 1.5 m across.
     Rock,
-    /// White picket fence, 2 m along x, 0.95 m high.
-    PicketFence,
 }
 
 impl Prop {
     /// All of them.
-    pub const ALL: &'static [Self] = &[
-        Self::BroadleafTree,
-        Self::Conifer,
-        Self::Palm,
-        Self::Bush,
-        Self::Hedge,
-        Self::Corn,
-        Self::StreetLamp,
-        Self::UtilityPole,
-        Self::CameraPole,
-        Self::SignalPole,
-        Self::SignalMast,
-        Self::WalkSignal,
-        Self::StopSign,
-        Self::YieldSign,
-        Self::SpeedSign,
-        Self::CrossingSign,
-        Self::Bench,
-        Self::Bin,
-        Self::Hydrant,
-        Self::PostBox,
-        Self::Bollard,
-        Self::BusShelter,
-        Self::Billboard,
-        Self::Planter,
-        Self::Cone,
-        Self::Kiosk,
-        Self::Railing,
-        Self::FencePanel,
-        Self::BikeRack,
-        Self::CafeTable,
-        Self::Cabinet,
-        Self::Dumpster,
-        Self::LanternPost,
-        Self::ParkLamp,
-        Self::DoubleLamp,
-        Self::HighMast,
-        Self::CrowdedPole,
-        Self::SpanSignal,
-        Self::CycleSignal,
-        Self::TrafficSign,
-        Self::StreetName,
-        Self::GuideSign,
-        Self::BusStop,
-        Self::GuardRail,
-        Self::JerseyBarrier,
-        Self::WaterBarrier,
-        Self::WorksBarrier,
-        Self::Barricade,
-        Self::SiteFence,
-        Self::Drum,
-        Self::Beacon,
-        Self::BoomGate,
-        Self::ParkingMeter,
-        Self::PayStation,
-        Self::PhoneBooth,
-        Self::NewsBox,
-        Self::Charger,
-        Self::SpeedCamera,
-        Self::DrinkingFountain,
-        Self::AdvertColumn,
-        Self::CityLight,
-        Self::SandwichBoard,
-        Self::Flagpole,
-        Self::WheelieBins,
-        Self::BottleBank,
-        Self::Skip,
-        Self::RubbishBags,
-        Self::Pallets,
-        Self::Manhole,
-        Self::Drain,
-        Self::PicnicTable,
-        Self::StoneBench,
-        Self::Fountain,
-        Self::Monument,
-        Self::MarketStall,
-        Self::TreeGuard,
-        Self::BikeStand,
-        Self::BrickWall,
-        Self::StoneWall,
-        Self::ChainLink,
-        Self::PicketFence,
-        Self::Cypress,
-        Self::BareTree,
-        Self::FlowerBed,
-        Self::GrassTuft,
-        Self::Wheat,
-        Self::Rock,
-    ];
+    pub const ALL: &[Self] = Self::VARIANTS;
 
     /// Name in lists and files: `street_lamp`.
-    pub fn name(self) -> String {
-        let mut name = String::new();
-        for c in format!("{self:?}").chars() {
-            if c.is_uppercase() && !name.is_empty() {
-                name.push('_');
-            }
-            name.push(c.to_ascii_lowercase());
-        }
-        name
+    pub fn name(self) -> &'static str {
+        self.into()
     }
 
     /// Whether it shows the state of a signal program.

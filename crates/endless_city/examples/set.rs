@@ -53,7 +53,7 @@ fn props(catalogue: &Catalogue, plants: bool) -> Vec<(String, Mesh)> {
             _ => 1,
         };
         for k in 0..shown {
-            all.push((prop.name(), catalogue.prop(prop, k * variants / shown)));
+            all.push((prop.name().to_owned(), catalogue.prop(prop, k * variants / shown)));
         }
     }
     all

@@ -151,14 +151,14 @@ impl MovingVehicle {
         world_from_object: Affine3A,
         world_from_last: Affine3A,
     ) -> impl Iterator<Item = VehicleBeam> {
-        let lens = self.headlight.filter(|_| lights.has(VehicleLights::LOW_BEAM));
+        let lens = self.headlight.filter(|_| lights.contains(VehicleLights::LOW_BEAM));
         let half_length = self.extent.x;
         let pair = lens.map(|lens| {
             let Mat3A { x_axis, y_axis, .. } = world_from_object.matrix3;
             let front = Vec3A::new(lens.x.max(half_length) + 0.1, 0.0, lens.z);
             let position = world_from_object.transform_point3a(front);
             let head = VehicleBeam { kind: BeamKind::Head, position, forward: x_axis, left: y_axis };
-            let braking = lights.has(VehicleLights::BRAKE);
+            let braking = lights.contains(VehicleLights::BRAKE);
             let kind = if braking { BeamKind::Brake } else { BeamKind::Tail };
             let Mat3A { x_axis, y_axis, .. } = world_from_last.matrix3;
             let position = world_from_last.transform_point3a(Vec3A::new(-half_length - 0.1, 0.0, 0.8));

@@ -5,20 +5,23 @@ use crate::{
     RgbFormat,
     encoding::{depth_from_rgb, instance_from_rgb, rgb_from_depth, rgb_from_instance},
     preview::{depth_preview, instance_preview},
-    words::words,
 };
-use endless_world::{CameraLookChoice, Image, SensorFrame};
+use endless_world::{CameraLookChoice, Image, SensorFrame, UnknownName};
 use std::borrow::Cow;
+use strum::VariantArray as _;
 
-words! {
-    /// One aligned image of a frame.
-    Layer, "layer",
+/// One aligned image of a frame.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[derive(strum::Display, strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
+pub enum Layer {
     /// The camera's picture, sRGB.
-    Rgb = "rgb",
+    Rgb,
     /// Planar depth, CARLA's 24-bit encoding.
-    Depth = "depth",
+    Depth,
     /// Class tag and instance id.
-    Instance = "instance",
+    Instance,
 }
 
 /// An image as it is stored: 8-bit RGB, whatever it means.
@@ -42,6 +45,18 @@ pub struct LayerEntry {
 }
 
 impl Layer {
+    /// All of them.
+    pub const ALL: &[Self] = Self::VARIANTS;
+
+    /// The word used on the command line and in files.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    fn unknown(given: &str) -> UnknownName {
+        UnknownName::new("layer", given, Self::ALL)
+    }
+
     /// The layer's entry.
     pub const fn entry(self) -> &'static LayerEntry {
         match self {

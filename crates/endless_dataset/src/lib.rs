@@ -41,7 +41,6 @@ mod recipe;
 mod rgb_format;
 mod scene_record;
 mod video;
-mod words;
 
 pub use atomic::{AtomicFile, remove_temporaries, write_atomic, write_durable};
 pub use build_identity::BuildIdentity;

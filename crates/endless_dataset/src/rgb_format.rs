@@ -3,17 +3,34 @@
 use crate::{
     StoredImage,
     raster::{decode_jpg, decode_png, encode_jpg, encode_png},
-    words::words,
 };
-use endless_world::CameraLookChoice;
+use endless_world::{CameraLookChoice, UnknownName};
+use strum::VariantArray as _;
 
-words! {
-    /// File format of the RGB layer. The others are always PNG, because they must be exact.
-    RgbFormat, "RGB format",
+/// File format of the RGB layer. The others are always PNG, because they must be exact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, serde::Serialize, serde::Deserialize)]
+#[derive(strum::Display, strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
+pub enum RgbFormat {
     /// Lossless.
-    Png = "png",
+    Png,
     /// A quarter of the size, lossy.
-    Jpg = "jpg",
+    Jpg,
+}
+
+impl RgbFormat {
+    /// All of them.
+    pub const ALL: &[Self] = Self::VARIANTS;
+
+    /// The word used on the command line and in files.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    fn unknown(given: &str) -> UnknownName {
+        UnknownName::new("RGB format", given, Self::ALL)
+    }
 }
 
 /// All that is to be known of a file format.

@@ -2,9 +2,10 @@
 
 use endless_world::ClassTag;
 use serde::Deserialize;
+use strum::EnumString;
 
 /// The vehicle lights that switch an emitter. Manifests of imported models use these names.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Deserialize, EnumString)]
 #[serde(rename_all = "snake_case")]
 pub enum LightSlot {
     /// Headlight lens.
@@ -22,7 +23,7 @@ pub enum LightSlot {
 }
 
 /// The aspect of a signal group that lights a lens.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString)]
 pub enum LensAspect {
     /// Red, or the red standing figure.
     Red,
@@ -33,7 +34,7 @@ pub enum LensAspect {
 }
 
 /// The kind of a surface: decides procedural detail, reflection and emission in the renderer.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, EnumString)]
 pub enum Surface {
     // Ground; detail from world position.
     /// Road surface: aggregate, patches, cracks, tyre tracks. uv = (along the lane in metres, metres left of the lane
@@ -110,62 +111,16 @@ pub enum Surface {
     Plate,
     // Emitters.
     /// A vehicle's light.
+    #[strum(disabled)]
     VehicleLight(LightSlot),
     /// A traffic light's lens; the instance names the signal group.
+    #[strum(disabled)]
     SignalLens(LensAspect),
     /// A street lamp's lens: lit at night.
     LampLens,
 }
 
 impl Surface {
-    /// All of them.
-    pub const ALL: &'static [Self] = &[
-        Self::Asphalt,
-        Self::RoadPaint,
-        Self::Paving,
-        Self::Cobbles,
-        Self::Kerb,
-        Self::Concrete,
-        Self::Grass,
-        Self::Soil,
-        Self::Gravel,
-        Self::Brick,
-        Self::Plaster,
-        Self::Stone,
-        Self::Cladding,
-        Self::RoofTile,
-        Self::FlatRoof,
-        Self::Wood,
-        Self::WindowGlass,
-        Self::ShopGlass,
-        Self::LitSign,
-        Self::CarPaint,
-        Self::CarGlass,
-        Self::Rubber,
-        Self::Plastic,
-        Self::Metal,
-        Self::Chrome,
-        Self::Painted,
-        Self::Cloth,
-        Self::Skin,
-        Self::Hair,
-        Self::Leather,
-        Self::Bark,
-        Self::Foliage,
-        Self::Water,
-        Self::Plate,
-        Self::VehicleLight(LightSlot::Head),
-        Self::VehicleLight(LightSlot::Tail),
-        Self::VehicleLight(LightSlot::Brake),
-        Self::VehicleLight(LightSlot::IndicatorLeft),
-        Self::VehicleLight(LightSlot::IndicatorRight),
-        Self::VehicleLight(LightSlot::Reverse),
-        Self::SignalLens(LensAspect::Red),
-        Self::SignalLens(LensAspect::Yellow),
-        Self::SignalLens(LensAspect::Green),
-        Self::LampLens,
-    ];
-
     /// Name in files: `CarPaint`, `VehicleLight(Head)`.
     pub fn name(self) -> String {
         format!("{self:?}")
@@ -173,7 +128,12 @@ impl Surface {
 
     /// The surface of a name.
     pub fn from_name(name: &str) -> Option<Self> {
-        Self::ALL.iter().copied().find(|s| s.name() == name)
+        let of = |kind: &str| name.strip_prefix(kind)?.strip_prefix('(')?.strip_suffix(')');
+        match (of("VehicleLight"), of("SignalLens")) {
+            (Some(slot), _) => Some(Self::VehicleLight(slot.parse().ok()?)),
+            (_, Some(aspect)) => Some(Self::SignalLens(aspect.parse().ok()?)),
+            _ => name.parse().ok(),
+        }
     }
 }
 

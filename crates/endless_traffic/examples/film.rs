@@ -96,11 +96,11 @@ fn draw_actor(picture: &mut Picture, catalogue: &Catalogue, actor: &Actor) {
             let body = if actor.parked { [95, 100, 110] } else { [60, 120, 220] };
             picture.rectangle(at, yaw, half, body);
             picture.rectangle(at + ahead * (half.x - 0.3), yaw, Vec2::new(0.3, half.y), [230, 235, 255]);
-            if motion.lights.has(VehicleLights::BRAKE) {
+            if motion.lights.contains(VehicleLights::BRAKE) {
                 picture.rectangle(at - ahead * (half.x - 0.3), yaw, Vec2::new(0.3, half.y), [255, 30, 30]);
             }
             for (bit, side) in [(VehicleLights::LEFT_BLINKER, 1.0), (VehicleLights::RIGHT_BLINKER, -1.0)] {
-                if motion.lights.has(bit) {
+                if motion.lights.contains(bit) {
                     let corner = at + ahead * (half.x - 0.8) + left * side * (half.y - 0.2);
                     picture.rectangle(corner, yaw, Vec2::new(0.6, 0.25), [255, 190, 0]);
                 }

@@ -10,30 +10,30 @@ use endless_world::{ObjectClass, VehicleLights};
 const BLINK_HZ: f64 = 1.5;
 
 pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, conditions: Conditions, time_s: f64, step_s: f64) {
-    let mut bits = 0;
+    let mut lit = VehicleLights::empty();
     if conditions.headlights_on {
-        bits |= VehicleLights::POSITION | VehicleLights::LOW_BEAM;
+        lit |= VehicleLights::POSITION | VehicleLights::LOW_BEAM;
         // Passengers sit in the light; drivers of cars see better in the dark.
         if vehicle.class == ObjectClass::Bus {
-            bits |= VehicleLights::INTERIOR;
+            lit |= VehicleLights::INTERIOR;
         }
     }
     if vehicle.class != ObjectClass::Bicycle {
         let braking = vehicle.acceleration < -0.7 || vehicle.speed < 0.05;
         vehicle.brake_hold_s = if braking { 0.3 } else { vehicle.brake_hold_s - step_s };
         if vehicle.brake_hold_s > 0.0 {
-            bits |= VehicleLights::BRAKE;
+            lit |= VehicleLights::BRAKE;
         }
         // Every vehicle's relay has its own beat.
         let beat = (vehicle.asset.variant % 1000) as f64 / 1000.0;
         if (time_s * BLINK_HZ + beat).rem_euclid(1.0) < 0.5 {
-            bits |= indicated(vehicle, roads);
+            lit |= indicated(vehicle, roads);
         }
     }
-    vehicle.lights = VehicleLights(bits);
+    vehicle.lights = lit;
 }
 
-fn indicated(vehicle: &Vehicle, roads: &Roads) -> u32 {
+fn indicated(vehicle: &Vehicle, roads: &Roads) -> VehicleLights {
     if let Some(shift) = vehicle.shift {
         // Coming from the left (positive offset) means moving to the right.
         return if shift.offset_m > 0.0 { VehicleLights::RIGHT_BLINKER } else { VehicleLights::LEFT_BLINKER };
@@ -53,5 +53,5 @@ fn indicated(vehicle: &Vehicle, roads: &Roads) -> u32 {
             Turn::Straight => {}
         }
     }
-    0
+    VehicleLights::empty()
 }

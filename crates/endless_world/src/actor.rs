@@ -29,33 +29,28 @@ impl Pose {
     }
 }
 
-/// The lights of a vehicle, CARLA's bit layout.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
-pub struct VehicleLights(pub u32);
-
-impl VehicleLights {
-    /// Side and tail lights.
-    pub const POSITION: u32 = 1;
-    /// Dipped headlights.
-    pub const LOW_BEAM: u32 = 2;
-    /// Main beam.
-    pub const HIGH_BEAM: u32 = 4;
-    /// Brake lights.
-    pub const BRAKE: u32 = 8;
-    /// Right indicator, lit (blinking is the traffic's business).
-    pub const RIGHT_BLINKER: u32 = 16;
-    /// Left indicator, lit.
-    pub const LEFT_BLINKER: u32 = 32;
-    /// Reversing lights.
-    pub const REVERSE: u32 = 64;
-    /// Fog lights.
-    pub const FOG: u32 = 128;
-    /// Cabin light.
-    pub const INTERIOR: u32 = 256;
-
-    /// Whether all of these are on.
-    pub const fn has(self, bits: u32) -> bool {
-        self.0 & bits == bits
+bitflags::bitflags! {
+    /// The lights of a vehicle, CARLA's bit layout.
+    #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+    pub struct VehicleLights: u32 {
+        /// Side and tail lights.
+        const POSITION = 1;
+        /// Dipped headlights.
+        const LOW_BEAM = 2;
+        /// Main beam.
+        const HIGH_BEAM = 4;
+        /// Brake lights.
+        const BRAKE = 8;
+        /// Right indicator, lit (blinking is the traffic's business).
+        const RIGHT_BLINKER = 16;
+        /// Left indicator, lit.
+        const LEFT_BLINKER = 32;
+        /// Reversing lights.
+        const REVERSE = 64;
+        /// Fog lights.
+        const FOG = 128;
+        /// Cabin light.
+        const INTERIOR = 256;
     }
 }
 

@@ -1,22 +1,38 @@
 //! Effects of a camera's lens, sensor and recorder on its pictures.
 
-use crate::condition::{UnknownName, named_enum};
-use crate::{Stream, TimeOfDay};
+use crate::{Stream, TimeOfDay, UnknownName};
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
-use std::{fmt, str::FromStr};
+use strum::VariantArray as _;
 
-named_enum! {
-    /// The camera looks that a recipe can ask for.
-    CameraLookChoice, "camera look",
+/// The camera looks that a recipe can ask for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(strum::Display, strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
+pub enum CameraLookChoice {
     /// A good camera: a little noise, and what moves is blurred by as long as the shutter is open.
-    Natural = "natural",
+    Natural,
     /// No effects, at one instant.
-    Clean = "clean",
+    Clean,
     /// A usual surveillance camera: a wide lens, some noise, a recorder that compresses and stamps the time.
-    Cctv = "cctv",
+    Cctv,
     /// Another camera each time, from good to poor.
-    Random = "random",
+    Random,
+}
+
+impl CameraLookChoice {
+    /// All of them.
+    pub const ALL: &[Self] = Self::VARIANTS;
+
+    /// The word used on the command line and in files.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    fn unknown(given: &str) -> UnknownName {
+        UnknownName::new("camera look", given, Self::ALL)
+    }
 }
 
 /// Radial distortion in OpenCV's model: an image point at `r` (in focal lengths from the principal point) moves to

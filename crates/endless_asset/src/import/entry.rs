@@ -171,8 +171,8 @@ impl AssetEntry {
             return Ok(AssetClass::Building);
         }
         // Lamps of signals follow programs, faces of signs mean something: those of the catalogue stay.
-        let placed = |p: &&Prop| p.name() == self.class && !p.is_signal() && **p != Prop::TrafficSign;
-        Prop::ALL.iter().find(placed).map(|&p| AssetClass::Prop(p)).ok_or_else(|| {
+        let placed = |p: &Prop| !p.is_signal() && *p != Prop::TrafficSign;
+        self.class.parse().ok().filter(placed).map(AssetClass::Prop).ok_or_else(|| {
             let rule = "write car, van, truck, bus, motorcycle, bicycle, building, or the name of a plant or a piece of \
                         furniture of `endless assets list` (no signals, no signs)";
             refuse("class", &self.class, rule)

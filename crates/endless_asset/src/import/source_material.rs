@@ -91,7 +91,7 @@ fn source_material(
     }
     let extras = extras(material);
     let extra = |key: &str| extras.get(key).and_then(|v| v.as_str());
-    let tag = extra("class").and_then(|class| ClassTag::ALL.iter().copied().find(|t| t.name() == class));
+    let tag = extra("class").and_then(|class| class.parse().ok());
     let finite = |v: f32, or: f32| if v.is_finite() { v.clamp(0.0, 1.0) } else { or };
     let color = Vec4::from_array(pbr.base_color_factor().map(|c| finite(c, 0.5)));
     let blended = material.alpha_mode() == gltf::material::AlphaMode::Blend && color.w < 0.75;

@@ -72,5 +72,5 @@ fn usual_tag(mesh: &Mesh) -> ClassTag {
         *counts.entry(mesh.materials[usize::from(m)].tag.value()).or_insert(0u32) += 1;
     }
     let usual = counts.into_iter().max_by_key(|c| c.1).map(|c| c.0);
-    ClassTag::ALL.iter().copied().find(|t| Some(t.value()) == usual).unwrap_or(ClassTag::Static)
+    usual.and_then(ClassTag::from_value).unwrap_or(ClassTag::Static)
 }

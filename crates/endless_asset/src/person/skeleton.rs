@@ -2,9 +2,10 @@
 
 use super::appearance::Appearance;
 use glam::Vec3;
+use strum::{EnumCount as _, VariantArray as _};
 
 /// The bones of a person; each turns about its joint, the end nearer to the pelvis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, strum::EnumCount, strum::VariantArray)]
 #[repr(u8)]
 pub enum Bone {
     /// Hips; joint between the hip joints.
@@ -54,39 +55,13 @@ pub enum Bone {
 }
 
 /// How many bones there are.
-pub(crate) const BONES: usize = 22;
+pub(crate) const BONES: usize = Bone::COUNT;
 
 impl Bone {
     /// All of them, in order.
-    pub const ALL: [Self; BONES] = {
-        use Bone::{
-            Carried, CarriedFront, CarriedRear, Chest, FootL, FootR, ForearmL, ForearmR, HandL, HandR, Head, Neck,
-            Pelvis, ShinL, ShinR, Spine, ThighL, ThighR, ToesL, ToesR, UpperArmL, UpperArmR,
-        };
-        [
-            Pelvis,
-            Spine,
-            Chest,
-            Neck,
-            Head,
-            UpperArmL,
-            ForearmL,
-            HandL,
-            UpperArmR,
-            ForearmR,
-            HandR,
-            ThighL,
-            ShinL,
-            FootL,
-            ToesL,
-            ThighR,
-            ShinR,
-            FootR,
-            ToesR,
-            Carried,
-            CarriedFront,
-            CarriedRear,
-        ]
+    pub const ALL: [Self; BONES] = match Self::VARIANTS.first_chunk() {
+        Some(all) => *all,
+        None => unreachable!(),
     };
 
     /// The bone that it hangs from; `None` for the pelvis and for things.

@@ -14,7 +14,7 @@ fn furniture() -> impl Iterator<Item = (Prop, u32)> {
 
 #[test]
 fn there_are_sixty_kinds_and_no_two_are_called_alike() {
-    let kinds: Vec<String> = Prop::ALL.iter().filter(|p| !p.is_plant()).map(|p| p.name()).collect();
+    let kinds: Vec<&str> = Prop::ALL.iter().filter(|p| !p.is_plant()).map(|p| p.name()).collect();
     assert!(kinds.len() >= 60, "{}", kinds.len());
     for (i, name) in kinds.iter().enumerate() {
         assert!(!kinds[..i].contains(name), "{name}");
@@ -37,7 +37,7 @@ fn furniture_is_closed_as_seen_from_outside() {
     let mut open = Vec::new();
     for (prop, variant) in furniture().filter(|f| f.1 < 3) {
         let soup = Soup::new(&CATALOGUE.prop(prop, variant));
-        let (met, inner) = soup.inner_sides(RAYS, &prop.name());
+        let (met, inner) = soup.inner_sides(RAYS, prop.name());
         if met > 0 && inner * 50 > met {
             open.push(format!("{prop:?} {variant}: {inner} of {met}"));
         }

@@ -24,7 +24,8 @@ pub(crate) fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: b
         let Some(entry) = catalogue.vehicle(model) else { break };
         let place = town.network.lane(spawn.lane).centerline.at(spawn.s);
         let rider_id = entry.spec.ridden.then(|| InstanceId(next + 1));
-        let bits = if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION } else { 0 };
+        let lit = VehicleLights::LOW_BEAM | VehicleLights::POSITION;
+        let lights = if lights { lit } else { VehicleLights::empty() };
         actors.push(Actor {
             id: InstanceId(next),
             rider_id,
@@ -32,7 +33,7 @@ pub(crate) fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: b
             asset: VehicleRef { model, variant: i as u64 * 977 }.into(),
             pose: Pose::level(place.position.as_vec3(), place.heading_rad as f32),
             velocity_mps: Vec3::ZERO,
-            motion: Motion::Vehicle(VehicleMotion { lights: VehicleLights(bits), ..VehicleMotion::default() }),
+            motion: Motion::Vehicle(VehicleMotion { lights, ..VehicleMotion::default() }),
             parked: false,
         });
         next += 2;

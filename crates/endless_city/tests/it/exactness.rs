@@ -43,9 +43,11 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
         }
         let model = VehicleModelId::from_index(random.below(catalogue.vehicles().len()));
         let spec = &catalogue.vehicles()[model.index()].spec;
-        let mut bits =
-            if lights { VehicleLights::LOW_BEAM | VehicleLights::POSITION | VehicleLights::INTERIOR } else { 0 };
-        bits |= if random.chance(0.5) { VehicleLights::BRAKE } else { VehicleLights::LEFT_BLINKER };
+        let mut lit = VehicleLights::empty();
+        if lights {
+            lit |= VehicleLights::LOW_BEAM | VehicleLights::POSITION | VehicleLights::INTERIOR;
+        }
+        lit |= if random.chance(0.5) { VehicleLights::BRAKE } else { VehicleLights::LEFT_BLINKER };
         all.push(Actor {
             id: next(),
             rider_id: spec.ridden.then(&mut next),
@@ -58,7 +60,7 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
                 rolled_m: random.f32() * 9.0,
                 steer_rad: 0.2,
                 hitch_rad: 0.25,
-                lights: VehicleLights(bits),
+                lights: lit,
             }),
             parked: false,
         });

@@ -43,7 +43,7 @@ fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
         pose: Pose::level(car, yaw),
         velocity_mps: Vec3::ZERO,
         motion: Motion::Vehicle(VehicleMotion {
-            lights: VehicleLights(VehicleLights::LOW_BEAM | VehicleLights::POSITION),
+            lights: VehicleLights::LOW_BEAM | VehicleLights::POSITION,
             ..VehicleMotion::default()
         }),
         parked: false,

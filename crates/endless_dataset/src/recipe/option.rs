@@ -3,6 +3,7 @@
 use super::user_camera::UserCamera;
 use endless_world::{ImageSize, UnknownName};
 use std::{path::PathBuf, str::FromStr};
+use strum::VariantArray;
 
 /// A value that an option cannot have.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -110,17 +111,18 @@ pub struct Vocabulary {
     pub parse: fn(&str) -> Result<&'static str, UnknownName>,
 }
 
-/// The vocabulary of an enumeration with `ALL` and `name`.
-macro_rules! vocabulary {
-    ($type:ty) => {
-        crate::recipe::option::Vocabulary {
-            words: || <$type>::ALL.iter().map(|word| word.name()).collect(),
-            parse: |word| word.parse::<$type>().map(<$type>::name),
+impl Vocabulary {
+    /// The words of an enumeration.
+    pub(super) const fn of<T>() -> Self
+    where
+        T: VariantArray + Copy + Into<&'static str> + FromStr<Err = UnknownName>,
+    {
+        Self {
+            words: || T::VARIANTS.iter().map(|&word| word.into()).collect(),
+            parse: |word| word.parse::<T>().map(Into::into),
         }
-    };
+    }
 }
-
-pub(super) use vocabulary;
 
 impl RecipeOption {
     /// Its name on the command line, without the dashes.

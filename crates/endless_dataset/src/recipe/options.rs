@@ -3,7 +3,7 @@
 
 use super::option::{
     OptionDefault::{Described, Value},
-    OptionError, OptionKind, OptionValue, RecipeOption, vocabulary,
+    OptionError, OptionKind, OptionValue, RecipeOption, Vocabulary,
 };
 use super::{serde_size, user_camera::UserCamera};
 use crate::{Layer, MAX_CAMERAS, RgbFormat};
@@ -103,9 +103,9 @@ recipe_options! {
     cameras_per_scene: i64 => #[serde(default = "pair")] u32,
         OptionKind::Whole { least: 1, most: MAX_CAMERAS as u64 }, Value("2");
     /// Weathers to choose from.
-    weathers: Vec<String> => Vec<Weather>, OptionKind::Words(vocabulary!(Weather)), Described("all");
+    weathers: Vec<String> => Vec<Weather>, OptionKind::Words(Vocabulary::of::<Weather>()), Described("all");
     /// Times of day to choose from.
-    times: Vec<String> => Vec<TimeOfDay>, OptionKind::Words(vocabulary!(TimeOfDay)), Described("all");
+    times: Vec<String> => Vec<TimeOfDay>, OptionKind::Words(Vocabulary::of::<TimeOfDay>()), Described("all");
     /// Image size, width x height.
     size: String => #[serde(with = "serde_size")] ImageSize, OptionKind::Size { longest: LONGEST_SIDE }, Value("1280x720");
     /// Frames a second.
@@ -115,17 +115,17 @@ recipe_options! {
     /// Seed of everything random.
     seed: u64 => u64, OptionKind::Whole { least: 0, most: u64::MAX }, Value("0");
     /// Layers to store (bounding boxes are always written).
-    layers: Vec<String> => Vec<Layer>, OptionKind::Words(vocabulary!(Layer)), Described("all");
+    layers: Vec<String> => Vec<Layer>, OptionKind::Words(Vocabulary::of::<Layer>()), Described("all");
     /// Effects of lens, sensor and recorder on the RGB layer: natural (a little noise, and motion blur by shutter time),
     /// clean (none), cctv (a wide lens, noise, compression and a time stamp), or random (another camera each time).
     camera_look: String => #[serde(default = "clean", skip_serializing_if = "is_clean")] CameraLookChoice,
-        OptionKind::Word(vocabulary!(CameraLookChoice)), Value("natural");
+        OptionKind::Word(Vocabulary::of::<CameraLookChoice>()), Value("natural");
     /// How to store the RGB layer.
-    rgb_format: String => RgbFormat, OptionKind::Word(vocabulary!(RgbFormat)), Value("png");
+    rgb_format: String => RgbFormat, OptionKind::Word(Vocabulary::of::<RgbFormat>()), Value("png");
     /// Annotate only objects with at least this many visible pixels.
     min_pixels: i64 => u32, OptionKind::Whole { least: 0, most: 4_294_967_295 }, Value("50");
     /// Layers to write as a video file, too; may be none.
-    mp4: Vec<String> => Vec<Layer>, OptionKind::WordsOrNone(vocabulary!(Layer)), Described("rgb");
+    mp4: Vec<String> => Vec<Layer>, OptionKind::WordsOrNone(Vocabulary::of::<Layer>()), Described("rgb");
     /// Simulator to use: builtin, the built-in city.
     simulator: String => String, OptionKind::Text, Value("builtin");
     /// Folder of glTF models with an assets.toml: vehicles for the traffic, props and buildings for the towns

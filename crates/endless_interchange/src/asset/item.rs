@@ -53,7 +53,7 @@ pub(super) fn names(catalogue: &Catalogue) -> Vec<String> {
     let imported = catalogue.imported_vehicles().iter().map(|v| v.name().to_owned());
     let imported = imported.chain(catalogue.imported_static_models().iter().map(|t| t.name.clone()));
     let buildings = building_styles().into_iter().map(|style| format!("{BUILDING}{style}"));
-    let props = Prop::ALL.iter().map(|p| p.name());
+    let props = Prop::ALL.iter().map(|p| p.name().to_owned());
     vehicles.chain([PERSON.to_owned()]).chain(buildings).chain(props).chain(imported).collect()
 }
 
@@ -74,8 +74,7 @@ pub(crate) fn find(catalogue: &Catalogue, name: &str, variant: u64) -> Result<Ca
     if let Some(building) = name.strip_prefix(BUILDING).and_then(|style| sample_building(style, variant)) {
         return Ok(CatalogueItem::Building(building));
     }
-    let prop = Prop::ALL.iter().copied().find(|p| p.name() == name);
-    let unknown = || AssetError::Unknown { given: name.to_owned(), similar: similar(catalogue, name) };
-    let prop = prop.ok_or_else(unknown)?;
+    let unknown = |_| AssetError::Unknown { given: name.to_owned(), similar: similar(catalogue, name) };
+    let prop: Prop = name.parse().map_err(unknown)?;
     Ok(CatalogueItem::Prop(prop, (variant % u64::from(catalogue.prop_variants(prop))) as u32))
 }

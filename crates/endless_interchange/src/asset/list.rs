@@ -58,7 +58,7 @@ pub fn list_assets(catalogue: &Catalogue) -> Vec<AssetListing> {
     });
     let props = Prop::ALL.iter().map(|&prop| {
         let all: Vec<Mesh> = (0..catalogue.prop_variants(prop)).map(|v| catalogue.prop(prop, v)).collect();
-        measured(prop.name(), set_class(Some(prop)), &all, Some(all.len() as u32))
+        measured(prop.name().to_owned(), set_class(Some(prop)), &all, Some(all.len() as u32))
     });
     let imported = catalogue.imported_vehicles().iter().map(|vehicle| AssetListing {
         name: vehicle.name().to_owned(),

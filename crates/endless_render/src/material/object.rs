@@ -33,7 +33,7 @@ pub(super) fn car_glass(point: &SurfaceInteraction<'_>, base: Vec3A, environment
     let behind = inside.as_ref().map_or((base * 0.35).min(Vec3A::splat(0.05)), |inside| inside.albedo);
     let mut bsdf = Bsdf::matte(behind, point.normal).coated(1.0, 0.05, 0.07);
     bsdf.specular = 0.0;
-    if environment.night && point.instance.lights.0 & VehicleLights::INTERIOR != 0 {
+    if environment.night && point.instance.lights.contains(VehicleLights::INTERIOR) {
         bsdf.emission = inside.map_or(Vec3A::ZERO, |inside| inside.lit * LAMP);
     }
     bsdf
@@ -117,7 +117,7 @@ pub(super) fn vehicle_light(
     environment: &Environment,
 ) -> Bsdf {
     let mut bsdf = Bsdf::matte(base, point.normal).coated(1.0, 0.05, 0.08);
-    let on = |bits| point.instance.lights.0 & bits != 0;
+    let on = |lights| point.instance.lights.intersects(lights);
     let glare = if environment.night { NIGHT_GLARE } else { 1.0 };
     let red = Vec3A::new(1.0, 0.035, 0.02);
     let amber = Vec3A::new(1.0, 0.42, 0.03);

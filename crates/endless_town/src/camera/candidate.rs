@@ -10,9 +10,11 @@ use endless_world::{CameraSite, Mount};
 use glam::DVec2;
 
 /// What a view shows.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, strum::IntoStaticStr)]
+#[strum(serialize_all = "snake_case")]
 pub(crate) enum ViewKind {
     /// Over waiting vehicles towards a junction.
+    #[strum(serialize = "junction")]
     Approach,
     /// From a junction out along one of its arms.
     Arm,
@@ -41,18 +43,7 @@ impl ViewKind {
     }
 
     pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Approach => "junction",
-            Self::Arm => "arm",
-            Self::Corner => "corner",
-            Self::Crossing => "crossing",
-            Self::Street => "street",
-            Self::Highway => "highway",
-            Self::Rural => "rural",
-            Self::Wall => "wall",
-            Self::Square => "square",
-            Self::Park => "park",
-        }
+        self.into()
     }
 }
 

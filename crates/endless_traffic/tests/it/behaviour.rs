@@ -61,7 +61,7 @@ fn who_turns_has_indicated_to_that_side_and_not_to_the_other() {
             }
             turns += 1;
             let lit = |bit| {
-                let shown = |w: &WorldState| motion(&w.actors[k]).is_some_and(|m| m.lights.has(bit));
+                let shown = |w: &WorldState| motion(&w.actors[k]).is_some_and(|m| m.lights.contains(bit));
                 frames[i - before..i + window / 2].iter().any(shown)
             };
             let (left, right) = (lit(VehicleLights::LEFT_BLINKER), lit(VehicleLights::RIGHT_BLINKER));
@@ -82,7 +82,7 @@ fn brake_lights_are_lit_by_braking_and_by_nothing_else() {
             if triple[0].actors[k].class == ObjectClass::Bicycle {
                 continue;
             }
-            let lit = at(19).lights.has(VehicleLights::BRAKE);
+            let lit = at(19).lights.contains(VehicleLights::BRAKE);
             let change = |i: usize| f64::from(at(i).speed_mps - at(i - 1).speed_mps) * FPS;
             if change(19) < -1.0 {
                 braked += 1;
@@ -108,9 +108,13 @@ fn headlights_are_lit_by_night_in_rain_and_in_fog() {
     ] {
         let state = simulation(&network, [12, 0], 1, Conditions::new(weather, time), FPS).state();
         for (actor, vehicle) in state.actors.iter().filter_map(|a| Some((a, motion(a)?))) {
-            assert_eq!(vehicle.lights.has(VehicleLights::LOW_BEAM | VehicleLights::POSITION), lit, "{weather} {time}");
+            assert_eq!(
+                vehicle.lights.contains(VehicleLights::LOW_BEAM | VehicleLights::POSITION),
+                lit,
+                "{weather} {time}"
+            );
             let passengers = actor.class == ObjectClass::Bus;
-            assert_eq!(vehicle.lights.has(VehicleLights::INTERIOR), lit && passengers, "{weather} {time}");
+            assert_eq!(vehicle.lights.contains(VehicleLights::INTERIOR), lit && passengers, "{weather} {time}");
         }
     }
 }
