@@ -2,73 +2,58 @@
 
 use crate::{Lane, LaneId, RoadNetwork, Turn};
 use endless_world::Stream;
+use petgraph::algo::kosaraju_scc;
+use petgraph::graph::{DiGraph, NodeIndex};
+use petgraph::unionfind::UnionFind;
+use petgraph::visit::{Dfs, EdgeRef};
 use std::collections::BTreeMap;
 
 impl RoadNetwork {
-    /// The number of each lane's strongly connected component over successors and lane changes (Tarjan 1972).
-    /// Lanes of the same number can reach one another.
+    /// The number of each lane's strongly connected component over successors and lane changes. Lanes of the same
+    /// number can reach one another.
     pub fn lane_components(&self) -> Vec<u32> {
-        Tarjan::new(self).run()
+        components(&self.lane_graph())
     }
 
     /// For every lane the share of the lanes joined to it, however they are directed, that can be reached from it by
     /// successors and lane changes; 1 for all.
     pub fn lane_reach(&self) -> Vec<f64> {
-        let component = self.lane_components();
-        let whole = self.joined_lanes();
+        let graph = self.lane_graph();
+        let component = components(&graph);
+        let mut joined = UnionFind::<u32>::new(self.lanes.len());
+        for edge in graph.edge_references() {
+            joined.union(edge.source().index() as u32, edge.target().index() as u32);
+        }
+        let whole = joined.into_labeling();
         let mut size: BTreeMap<u32, usize> = BTreeMap::new();
         for &part in &whole {
             *size.entry(part).or_default() += 1;
         }
         // All lanes of a component reach the same lanes.
         let mut reached: BTreeMap<u32, usize> = BTreeMap::new();
-        let mut seen = vec![usize::MAX; self.lanes.len()];
-        for start in 0..self.lanes.len() {
-            reached.entry(component[start]).or_insert_with(|| {
-                let mut open = vec![start];
-                let mut count = 0;
-                seen[start] = start;
-                while let Some(lane) = open.pop() {
-                    count += 1;
-                    for next in neighbours(&self.lanes[lane]) {
-                        if std::mem::replace(&mut seen[next.index()], start) != start {
-                            open.push(next.index());
-                        }
-                    }
-                }
-                count
+        let mut search = Dfs::empty(&graph);
+        for start in graph.node_indices() {
+            reached.entry(component[start.index()]).or_insert_with(|| {
+                search.reset(&graph);
+                search.move_to(start);
+                std::iter::from_fn(|| search.next(&graph)).count()
             });
         }
         (0..self.lanes.len()).map(|i| reached[&component[i]] as f64 / size[&whole[i]] as f64).collect()
     }
 
-    /// The number of the part of the network that each lane is joined to, however it is directed.
-    fn joined_lanes(&self) -> Vec<u32> {
-        let mut joined: Vec<Vec<usize>> = vec![Vec::new(); self.lanes.len()];
+    /// An edge from each lane to every one that a vehicle may go on to; nodes have the lanes' numbers.
+    fn lane_graph(&self) -> DiGraph<(), ()> {
+        let mut graph = DiGraph::with_capacity(self.lanes.len(), 2 * self.lanes.len());
+        for _ in &self.lanes {
+            graph.add_node(());
+        }
         for lane in &self.lanes {
-            for next in neighbours(lane) {
-                joined[lane.id.index()].push(next.index());
-                joined[next.index()].push(lane.id.index());
+            for next in lane.successors.iter().chain(&lane.left).chain(&lane.right) {
+                graph.add_edge(NodeIndex::new(lane.id.index()), NodeIndex::new(next.index()), ());
             }
         }
-        let mut part = vec![UNSEEN; self.lanes.len()];
-        let mut parts = 0;
-        for root in 0..self.lanes.len() {
-            if part[root] != UNSEEN {
-                continue;
-            }
-            let mut open = vec![root];
-            part[root] = parts;
-            while let Some(lane) = open.pop() {
-                for &next in &joined[lane] {
-                    if std::mem::replace(&mut part[next], parts) == UNSEEN {
-                        open.push(next);
-                    }
-                }
-            }
-            parts += 1;
-        }
-        part
+        graph
     }
 
     /// The lanes among which a vehicle can drive for ever: the largest component by length, without the lanes that
@@ -126,81 +111,14 @@ impl RoadNetwork {
     }
 }
 
-/// Tarjan's algorithm with its own stack, so that large maps do not exhaust the thread's.
-struct Tarjan<'a> {
-    network: &'a RoadNetwork,
-    index: Vec<u32>,
-    low: Vec<u32>,
-    component: Vec<u32>,
-    stack: Vec<usize>,
-    next_index: u32,
-    next_component: u32,
-}
-
-const UNSEEN: u32 = u32::MAX;
-
-impl<'a> Tarjan<'a> {
-    fn new(network: &'a RoadNetwork) -> Self {
-        let n = network.lanes.len();
-        Self {
-            network,
-            index: vec![UNSEEN; n],
-            low: vec![0; n],
-            component: vec![UNSEEN; n],
-            stack: Vec::new(),
-            next_index: 0,
-            next_component: 0,
+/// The number of each node's strongly connected component. Kosaraju's algorithm, because `petgraph`'s `tarjan_scc`
+/// recurses, so that a long road would exhaust the thread's stack.
+fn components(graph: &DiGraph<(), ()>) -> Vec<u32> {
+    let mut component = vec![0; graph.node_count()];
+    for (number, nodes) in (0..).zip(kosaraju_scc(graph)) {
+        for node in nodes {
+            component[node.index()] = number;
         }
     }
-
-    fn run(mut self) -> Vec<u32> {
-        for root in 0..self.network.lanes.len() {
-            if self.index[root] == UNSEEN {
-                self.visit(root);
-            }
-        }
-        self.component
-    }
-
-    fn visit(&mut self, root: usize) {
-        let mut calls = vec![(root, neighbours(&self.network.lanes[root]))];
-        self.open(root);
-        while let Some((v, rest)) = calls.last_mut() {
-            let v = *v;
-            if let Some(w) = rest.pop() {
-                let w = w.index();
-                if self.index[w] == UNSEEN {
-                    self.open(w);
-                    calls.push((w, neighbours(&self.network.lanes[w])));
-                } else if self.component[w] == UNSEEN {
-                    self.low[v] = self.low[v].min(self.index[w]);
-                }
-                continue;
-            }
-            calls.pop();
-            if let Some(&(parent, _)) = calls.last() {
-                self.low[parent] = self.low[parent].min(self.low[v]);
-            }
-            if self.low[v] == self.index[v] {
-                while let Some(w) = self.stack.pop() {
-                    self.component[w] = self.next_component;
-                    if w == v {
-                        break;
-                    }
-                }
-                self.next_component += 1;
-            }
-        }
-    }
-
-    fn open(&mut self, v: usize) {
-        self.index[v] = self.next_index;
-        self.low[v] = self.next_index;
-        self.next_index += 1;
-        self.stack.push(v);
-    }
-}
-
-fn neighbours(lane: &Lane) -> Vec<LaneId> {
-    lane.successors.iter().chain(&lane.left).chain(&lane.right).copied().collect()
+    component
 }
