@@ -13,6 +13,9 @@ pub(crate) struct Cli {
     /// Print how long each stage takes, once per video; given twice (`-vv`), once per frame.
     #[arg(short, long, global = true, action = clap::ArgAction::Count)]
     pub(crate) verbose: u8,
+    /// Threads that work [default: all cores]. Does not change the result.
+    #[arg(long, global = true, value_name = "N")]
+    pub(crate) threads: Option<std::num::NonZeroUsize>,
     #[command(subcommand)]
     pub(crate) command: Command,
 }
@@ -49,9 +52,6 @@ pub(crate) struct GenerateArgs {
     /// lists the builds of every video.
     #[arg(long)]
     pub(crate) allow_other_build: bool,
-    /// Number of threads [default: all cores]. Does not change the result.
-    #[arg(long, value_name = "N")]
-    pub(crate) threads: Option<std::num::NonZeroUsize>,
 }
 
 #[derive(Debug, Args)]
@@ -163,9 +163,6 @@ pub(crate) struct ExportFiles {
 pub(crate) struct CheckArgs {
     /// Folder of the dataset.
     pub(crate) out: PathBuf,
-    /// Number of threads [default: all cores].
-    #[arg(long, value_name = "N")]
-    pub(crate) threads: Option<std::num::NonZeroUsize>,
 }
 
 #[derive(Debug, Args)]
@@ -173,9 +170,6 @@ pub(crate) struct BenchArgs {
     /// Seconds of video to record.
     #[arg(long, default_value_t = 2.0, value_name = "S")]
     pub(crate) duration: f64,
-    /// Number of threads [default: all cores].
-    #[arg(long, value_name = "N")]
-    pub(crate) threads: Option<std::num::NonZeroUsize>,
     /// Image size.
     #[arg(long, default_value = "1280x720", value_name = "WxH")]
     pub(crate) size: String,
@@ -200,9 +194,4 @@ fn driving_side() -> impl TypedValueParser<Value = DrivingSide> {
     let sides = [DrivingSide::Left, DrivingSide::Right];
     PossibleValuesParser::new(sides.map(DrivingSide::name))
         .map(move |name| if name == sides[0].name() { sides[0] } else { sides[1] })
-}
-
-/// All cores unless said otherwise.
-pub(crate) fn threads(asked: Option<std::num::NonZeroUsize>) -> usize {
-    asked.or_else(|| std::thread::available_parallelism().ok()).map_or(1, Into::into)
 }

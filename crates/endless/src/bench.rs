@@ -1,6 +1,6 @@
 //! `endless bench`: the whole pipeline on a fixed recipe, or under all conditions.
 
-use crate::args::{BenchArgs, threads};
+use crate::args::BenchArgs;
 use crate::build_info::this_build;
 use anyhow::{Context, Result};
 use endless_dataset::{DatasetLayout, RecipeDraft};
@@ -17,9 +17,9 @@ use std::{
 /// What the names of the bench's datasets begin with; the number of its process follows.
 const FOLDER: &str = ".endless-bench-";
 
-pub(crate) fn run<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
+pub(crate) fn run<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs, threads: usize) -> Result<ExitCode> {
     if args.conditions {
-        return conditions(simulator, args);
+        return conditions(simulator, args, threads);
     }
     let asked = |list: &Option<Vec<String>>, default: &str| list.clone().or_else(|| Some(vec![default.into()]));
     let draft = RecipeDraft {
@@ -27,7 +27,7 @@ pub(crate) fn run<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs) -> 
         times: asked(&args.times, "afternoon"),
         ..draft(args)
     };
-    print(&film(simulator, args, draft)?, threads(args.threads))?;
+    print(&film(simulator, draft, threads)?, threads)?;
     Ok(ExitCode::SUCCESS)
 }
 
@@ -44,17 +44,12 @@ fn draft(args: &BenchArgs) -> RecipeDraft {
 }
 
 /// Makes a dataset, and leaves nothing of it.
-fn film<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs, draft: RecipeDraft) -> Result<Generated> {
+fn film<S: Simulator + MapSource>(simulator: &S, draft: RecipeDraft, threads: usize) -> Result<Generated> {
     let recipe = resolve_recipe(draft, simulator)?;
     let folder = std::env::current_dir()?;
     remove_leftovers(&folder)?;
     let out = folder.join(format!("{FOLDER}{}", std::process::id()));
-    let options = GenerateOptions {
-        build: this_build(),
-        allow_other_build: false,
-        threads: threads(args.threads),
-        plan_only: false,
-    };
+    let options = GenerateOptions { build: this_build(), allow_other_build: false, threads, plan_only: false };
     let made = generate(simulator, &recipe, &out, &options, &SilentProgress);
     if out.exists() {
         fs::remove_dir_all(&out).context("cannot remove the bench's files")?;
@@ -79,7 +74,7 @@ fn remove_leftovers(folder: &Path) -> Result<()> {
 }
 
 /// A line for each condition, and the rate of all together.
-fn conditions<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs) -> Result<ExitCode> {
+fn conditions<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs, threads: usize) -> Result<ExitCode> {
     let maps = simulator.maps();
     let mut out = std::io::stdout().lock();
     writeln!(out, "weather     time       map        bake s/camera   render ms   camera frames/s")?;
@@ -98,13 +93,13 @@ fn conditions<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs) -> Resu
         }
         let made = film(
             simulator,
-            args,
             RecipeDraft {
                 maps: Some(vec![map.clone()]),
                 weathers: Some(vec![weather.to_string()]),
                 times: Some(vec![hour.to_string()]),
                 ..draft(args)
             },
+            threads,
         )?;
         let count = made.camera_frames as f64;
         let cameras = made.plan.scenes.iter().map(|s| s.cameras.len()).sum::<usize>() as f64;

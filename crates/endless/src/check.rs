@@ -1,9 +1,6 @@
 //! `endless check`.
 
-use crate::{
-    args::{CheckArgs, threads},
-    exit::FAILURE,
-};
+use crate::{args::CheckArgs, exit::FAILURE};
 use anyhow::{Context, Result};
 use endless_dataset::{CheckOptions, DatasetError, check_with};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -12,13 +9,13 @@ use std::{
     process::ExitCode,
 };
 
-pub(crate) fn run(args: &CheckArgs) -> Result<ExitCode> {
+pub(crate) fn run(args: &CheckArgs, threads: usize) -> Result<ExitCode> {
     let bar = bar();
     let progress = |done, total| {
         bar.set_length(total);
         bar.set_position(done);
     };
-    let options = CheckOptions { threads: threads(args.threads), progress: Some(&progress) };
+    let options = CheckOptions { threads, progress: Some(&progress) };
     let checked = check_with(&args.out, &options);
     bar.finish_and_clear();
     let report = match checked {

@@ -1,11 +1,6 @@
 //! `endless generate`.
 
-use crate::{
-    args::{GenerateArgs, threads},
-    assets,
-    build_info::this_build,
-    report::Reporter,
-};
+use crate::{args::GenerateArgs, assets, build_info::this_build, report::Reporter};
 use anyhow::Result;
 use endless_dataset::RecipeDraft;
 use endless_interchange::MapLibrary;
@@ -18,23 +13,23 @@ use std::{io::Write, process::ExitCode};
 /// The simulator that is used if none is named.
 const BUILTIN: &str = "builtin";
 
-pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs) -> Result<ExitCode> {
+pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs, threads: usize) -> Result<ExitCode> {
     let file = args.config.as_deref().map(read_recipe).transpose()?.unwrap_or_default();
     let cameras = args.recipe.cameras.as_deref().map(read_cameras).transpose()?;
     let draft = RecipeDraft { cameras, ..std::mem::take(&mut args.recipe.draft) }.or(file);
     let library = assets::with_folder(library, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
     match draft.simulator.as_deref().unwrap_or(BUILTIN) {
-        BUILTIN => run_with(&BuiltinSimulator::new(library), draft, &args),
+        BUILTIN => run_with(&BuiltinSimulator::new(library), draft, &args, threads),
         other => Err(RecipeError::UnknownSimulator { given: other.to_owned(), known: vec![BUILTIN] }.into()),
     }
 }
 
-fn run_with<S: Simulator + MapSource>(simulator: &S, draft: RecipeDraft, args: &GenerateArgs) -> Result<ExitCode> {
+fn run_with<S: Simulator + MapSource>(simulator: &S, draft: RecipeDraft, args: &GenerateArgs, threads: usize) -> Result<ExitCode> {
     let recipe = resolve_recipe(draft, simulator)?;
     let options = GenerateOptions {
         build: this_build(),
         allow_other_build: args.allow_other_build,
-        threads: threads(args.threads),
+        threads,
         plan_only: args.plan_only,
     };
     let reporter = Reporter::new();

@@ -14,6 +14,7 @@ mod maps;
 mod recipe_args;
 mod report;
 mod schema;
+mod threads;
 
 use args::{Cli, Command};
 use clap::Parser;
@@ -24,6 +25,7 @@ use std::{
     io::{self, Write},
     process::ExitCode,
 };
+use threads::on_threads;
 
 fn main() -> ExitCode {
     match cpu::missing_cpu_feature() {
@@ -48,13 +50,14 @@ fn run() -> ExitCode {
         eprintln!("{advice}");
     }
     let library = MapLibrary::user();
+    let threads = threads::threads(cli.threads);
     let result = match cli.command {
-        Command::Generate(args) => generate::run(library, *args),
-        Command::Check(args) => check::run(&args),
+        Command::Generate(args) => generate::run(library, *args, threads),
+        Command::Check(args) => check::run(&args, threads),
         Command::Schema => schema::run(),
-        Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args),
-        Command::Assets(args) => assets::run(library, args),
-        Command::Maps(args) => maps::run(&library, args),
+        Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args, threads),
+        Command::Assets(args) => on_threads(threads, || assets::run(library, args)),
+        Command::Maps(args) => on_threads(threads, || maps::run(&library, args)),
     };
     match result {
         Ok(code) => code,

@@ -7,3 +7,4 @@ mod imported_assets;
 mod imported_maps;
 mod program;
 mod real_city;
+mod threads;
