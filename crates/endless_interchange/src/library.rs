@@ -37,6 +37,15 @@ struct PlannedTowns {
     kept: Option<Town>,
 }
 
+/// Whether a town is made with what is seen from near by alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum NearDetails {
+    /// Without: each scene makes the details near its cameras.
+    Without,
+    /// With those near the town's own cameras: as it is shown and exported.
+    OfItsCameras,
+}
+
 /// What is asked of a town before it is filmed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TownSummary {
@@ -115,7 +124,7 @@ impl MapLibrary {
     /// When there is no such map or it cannot be read.
     pub fn town(&self, name: &str) -> Result<Town, MapError> {
         let kept = self.planned().kept.take_if(|town| town.name == name);
-        kept.map_or_else(|| self.plan(name), Ok)
+        kept.map_or_else(|| self.load(name, NearDetails::Without), Ok)
     }
 
     /// A town's character and its cameras; planned once.
@@ -127,7 +136,7 @@ impl MapLibrary {
         if let Some(known) = self.planned().summaries.get(name) {
             return Ok(known.clone());
         }
-        let town = self.plan(name)?;
+        let town = self.load(name, NearDetails::Without)?;
         let summary = TownSummary { summary: town.summary.clone(), cameras: town.cameras.clone() };
         let mut planned = self.planned();
         planned.summaries.insert(name.to_owned(), summary.clone());
@@ -139,25 +148,17 @@ impl MapLibrary {
         self.planned.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn plan(&self, name: &str) -> Result<Town, MapError> {
-        let mut town = self.dressed(name)?;
-        stand_in(&mut town, self.catalogue());
-        Ok(town)
-    }
-
-    /// A whole town with the details near its own cameras: as it is shown and exported.
-    fn town_with_details(&self, name: &str) -> Result<Town, MapError> {
-        let mut town = self.dressed(name)?;
-        town.placements.extend(town.details_near(&town.cameras, self.catalogue()));
-        stand_in(&mut town, self.catalogue());
-        Ok(town)
-    }
-
-    fn dressed(&self, name: &str) -> Result<Town, MapError> {
-        Ok(match self.stored(name)? {
+    /// Makes a town, with imported models in their places.
+    fn load(&self, name: &str, details: NearDetails) -> Result<Town, MapError> {
+        let mut town = match self.stored(name)? {
             Some((store, stored)) => dress_map(name, &store.read(&stored)?, self.catalogue())?,
             None => endless_town::load(name, self.catalogue())?,
-        })
+        };
+        if details == NearDetails::OfItsCameras {
+            town.placements.extend(town.details_near(&town.cameras, self.catalogue()));
+        }
+        stand_in(&mut town, self.catalogue());
+        Ok(town)
     }
 
     /// The road map of an imported map; `None` for built-in towns.
@@ -212,7 +213,7 @@ impl MapLibrary {
     /// When there is no such map, it cannot be read, or it is too large.
     pub fn gltf(&self, name: &str) -> Result<Vec<u8>, MapError> {
         let too_large = |_: gltf::TooLarge| MapError::TooLarge { name: name.to_owned() };
-        gltf::write_town(&self.town_with_details(name)?, self.catalogue()).map_err(too_large)
+        gltf::write_town(&self.load(name, NearDetails::OfItsCameras)?, self.catalogue()).map_err(too_large)
     }
 
     /// What is known of a map as GeoJSON.
@@ -231,7 +232,7 @@ impl MapLibrary {
     /// # Errors
     /// When there is no such map or it cannot be read.
     pub fn preview(&self, name: &str) -> Result<Image<[u8; 3]>, MapError> {
-        Ok(map::preview(&self.town_with_details(name)?, self.catalogue())?)
+        Ok(map::preview(&self.load(name, NearDetails::OfItsCameras)?, self.catalogue())?)
     }
 }
 

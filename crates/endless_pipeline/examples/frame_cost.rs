@@ -4,8 +4,8 @@
 use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, RenderSettings};
-use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
-use endless_world::{SceneCamera, SceneSettings};
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
+use endless_world::{Condition, SceneCamera, SceneSettings};
 use glam::Vec3;
 use std::{error::Error, hash::Hasher, time::Duration};
 
@@ -34,10 +34,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let baked: Vec<CameraBake> = settings.cameras.iter().map(bake).collect();
     let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
-    let conditions = Conditions::new(weather, time_of_day);
+    let condition = Condition::of(weather, time_of_day);
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
-    let asked = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
+    let asked = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &asked)?;
     let models = ActorModels::in_town(&town_scene, &catalogue, &traffic.state().actors);
     let (mut scene_time, mut times) = (Duration::ZERO, vec![Duration::ZERO; baked.len()]);

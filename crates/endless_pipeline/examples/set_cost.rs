@@ -4,8 +4,8 @@
 
 use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
-use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
-use endless_world::{TimeOfDay, Weather};
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
+use endless_world::{Condition, TimeOfDay, Weather};
 use std::{error::Error, fs, time::Instant};
 
 /// A scene as people ask for, and a crowded one.
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
-    let conditions = Conditions::new(Weather::ClearSky, TimeOfDay::Morning);
+    let condition = Condition::of(Weather::ClearSky, TimeOfDay::Morning);
     let mut stage = StageCost::begin();
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue)?;
@@ -37,7 +37,7 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let crowd = |[vehicles, pedestrians]: [u32; 2]| {
-        let settings = TrafficSettings { vehicles, pedestrians, seed: 1, fps: FPS, conditions, focus: Vec::new() };
+        let settings = TrafficSettings { vehicles, pedestrians, seed: 1, fps: FPS, condition, focus: Vec::new() };
         Simulation::new(&town.network, &fleet, &town.parked, &settings).expect("few enough")
     };
     let scene = crowd(SCENE);

@@ -1,8 +1,7 @@
 //! How a driver accelerates: the Intelligent Driver Model (Treiber, Hennecke, Helbing 2000, "Congested traffic states
 //! in empirical observations and microscopic simulations").
 
-use crate::population::Conditions;
-use endless_world::{ObjectClass, Stream, VehicleSpec};
+use endless_world::{Condition, ObjectClass, Stream, VehicleSpec};
 
 /// Hardest braking, m/s².
 pub(crate) const HARDEST_BRAKING: f64 = 7.5;
@@ -31,9 +30,9 @@ pub(crate) struct Driver {
 }
 
 impl Driver {
-    pub(crate) fn new(spec: &VehicleSpec, conditions: Conditions, stream: &mut Stream) -> Self {
+    pub(crate) fn new(spec: &VehicleSpec, condition: &Condition, stream: &mut Stream) -> Self {
         let heavy = matches!(spec.class, ObjectClass::Truck | ObjectClass::Bus);
-        let wet = if conditions.wet { 0.88 } else { 1.0 };
+        let wet = if condition.wet_road { 0.88 } else { 1.0 };
         let lateral_m = match spec.class {
             ObjectClass::Bicycle => stream.range_f64(-0.95, -0.6),
             ObjectClass::Motorcycle => stream.range_f64(-0.4, 0.4),

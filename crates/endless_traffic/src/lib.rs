@@ -62,6 +62,6 @@ mod vehicle;
 mod walk_strip;
 mod walker;
 
-pub use population::{Conditions, Population};
+pub use population::Population;
 pub use settings::{Fleet, TrafficSettings};
 pub use simulation::Simulation;

@@ -1,17 +1,16 @@
 //! Lights: brake, indicators, headlights, cabins.
 
-use crate::population::Conditions;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::Turn;
-use endless_world::{ObjectClass, VehicleLights};
+use endless_world::{Condition, ObjectClass, VehicleLights};
 
 /// Indicators blink this often a second.
 const BLINK_HZ: f64 = 1.5;
 
-pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, conditions: Conditions, time_s: f64, step_s: f64) {
+pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, condition: &Condition, time_s: f64, step_s: f64) {
     let mut lit = VehicleLights::empty();
-    if conditions.headlights_on {
+    if condition.headlights_on {
         lit |= VehicleLights::POSITION | VehicleLights::LOW_BEAM;
         // Passengers sit in the light; drivers of cars see better in the dark.
         if vehicle.class == ObjectClass::Bus {

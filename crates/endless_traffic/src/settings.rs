@@ -1,8 +1,7 @@
 //! The fleet and the settings of a simulation.
 
-use crate::population::Conditions;
-use endless_world::VehicleSpec;
 use endless_world::walking::PedestrianSpec;
+use endless_world::{Condition, TimeOfDay, VehicleSpec, Weather};
 use glam::Vec3;
 
 /// The vehicles and people there are to draw from.
@@ -26,8 +25,8 @@ pub struct TrafficSettings {
     pub seed: u64,
     /// Frames a second, positive.
     pub fps: f64,
-    /// Effects of weather and time on drivers.
-    pub conditions: Conditions,
+    /// Weather and time of day: headlights, wet roads, what people wear.
+    pub condition: &'static Condition,
     /// Places around which traffic is denser and to which ways rather lead (world frame, metres; say, the recorded
     /// cameras); without any, vehicles and people are spread evenly over the whole map.
     pub focus: Vec<Vec3>,
@@ -35,6 +34,7 @@ pub struct TrafficSettings {
 
 impl Default for TrafficSettings {
     fn default() -> Self {
-        Self { vehicles: 30, pedestrians: 20, seed: 0, fps: 10.0, conditions: Conditions::default(), focus: Vec::new() }
+        let condition = Condition::of(Weather::ClearSky, TimeOfDay::Afternoon);
+        Self { vehicles: 30, pedestrians: 20, seed: 0, fps: 10.0, condition, focus: Vec::new() }
     }
 }

@@ -3,7 +3,7 @@
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
-use crate::population::{Conditions, Population};
+use crate::population::Population;
 use crate::roads::Roads;
 use crate::settings::{Fleet, TrafficSettings};
 use crate::steering::DriverView;
@@ -13,8 +13,8 @@ use crate::{kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{
-    Actor, InstanceId, InstanceIdAllocator, Motion, ObjectClass, Outfit, ParkedVehicle, PersonRef, Pose, SignalState,
-    TooManyInstances, VehicleMotion, VehicleSpec, WalkerMotion, WorldState,
+    Actor, Condition, InstanceId, InstanceIdAllocator, Motion, ObjectClass, Outfit, ParkedVehicle, PersonRef, Pose,
+    SignalState, TooManyInstances, VehicleMotion, VehicleSpec, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 
@@ -28,7 +28,7 @@ const WARM_UP_S: f64 = 25.0;
 pub struct Simulation {
     roads: Roads,
     graph: WalkGraph,
-    conditions: Conditions,
+    condition: &'static Condition,
     population: Population,
     parked: Vec<Actor>,
     vehicles: Vec<Vehicle>,
@@ -80,7 +80,7 @@ impl Simulation {
         let mut simulation = Self {
             roads,
             graph,
-            conditions: settings.conditions,
+            condition: settings.condition,
             population,
             parked,
             vehicles,
@@ -153,7 +153,7 @@ impl Simulation {
             vehicle.acceleration = acceleration;
             kinematics::advance(vehicle, &self.roads, step_s);
             vehicle.plan(&self.roads);
-            lights::update(vehicle, &self.roads, self.conditions, self.time_s + step_s, step_s);
+            lights::update(vehicle, &self.roads, self.condition, self.time_s + step_s, step_s);
         }
     }
 
@@ -181,7 +181,7 @@ impl Simulation {
                 parked: false,
             });
         }
-        let outfit = if self.conditions.raining { Outfit::Rain } else { Outfit::Fair };
+        let outfit = if self.condition.rain > 0.0 { Outfit::Rain } else { Outfit::Fair };
         for (walker, &id) in self.walkers.iter().zip(&self.ids.walkers) {
             let motion = WalkerMotion {
                 speed_mps: walker.velocity.length() as f32,

@@ -113,7 +113,7 @@ pub(crate) fn vehicles(
         tries = 0;
         let point = free.remove(place);
         let asset = VehicleRef { model, variant: own.next_u64() };
-        let driver = Driver::new(spec, settings.conditions, &mut own);
+        let driver = Driver::new(spec, settings.condition, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.plan(roads);
         kinematics::settle(&mut vehicle, roads);

@@ -5,10 +5,10 @@ use endless_city::{ActorModels, TownScene};
 use endless_interchange::{AssetFolder, MapLibrary, asset_gltf};
 use endless_render::{CameraBake, RenderSettings};
 use endless_scene::Mesh;
-use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{
-    Actor, CameraLook, CameraSite, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount, ObjectClass, Pose,
-    TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, VehicleSpec, Weather, WorldState,
+    Actor, CameraLook, CameraSite, Condition, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount, ObjectClass,
+    Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, VehicleSpec, Weather, WorldState,
 };
 use glam::Vec3;
 use std::{fs, path::Path};
@@ -165,10 +165,10 @@ fn imported_vehicles_drive_and_things_stand_where_their_class_does() {
     let cottages = changed.filter(|(a, _)| matches!(a.object, endless_town::PlacedObject::TownMesh(_))).count();
     assert!(cottages > 0, "no cottage found a lot");
 
-    let conditions = Conditions::new(Weather::Cloudy, TimeOfDay::Morning);
+    let condition = Condition::of(Weather::Cloudy, TimeOfDay::Morning);
     let specs = library.catalogue().vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
-    let settings = TrafficSettings { vehicles: 12, pedestrians: 0, seed: 3, conditions, ..TrafficSettings::default() };
+    let settings = TrafficSettings { vehicles: 12, pedestrians: 0, seed: 3, condition, ..TrafficSettings::default() };
     let mut traffic = Simulation::new(&after.network, &fleet, &after.parked, &settings).expect("few enough");
     let built_in = VehicleModelId::from_index(Catalogue::builtin().vehicles().len());
     let begin = traffic.state();

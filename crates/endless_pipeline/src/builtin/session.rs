@@ -8,8 +8,8 @@ use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
 use endless_interchange::details_near;
 use endless_render::{CameraBake, RenderSettings, StaticScene};
-use endless_traffic::{Conditions, Fleet, Simulation, TrafficSettings};
-use endless_world::{Actor, CameraSite, InstanceId, SceneCamera, SceneSettings, SensorFrame, WorldState};
+use endless_traffic::{Fleet, Simulation, TrafficSettings};
+use endless_world::{Actor, CameraSite, Condition, InstanceId, SceneCamera, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
@@ -56,10 +56,10 @@ impl<'m> BuiltinSession<'m> {
         settings: &'m SceneSettings,
     ) -> Result<Self, SimulatorError> {
         let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
-        let conditions = Conditions::new(weather, time_of_day);
+        let condition = Condition::of(weather, time_of_day);
         // Traffic over the whole map, denser where the cameras look.
         let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
-        let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus };
+        let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
         let specs = catalogue.vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
         let simulation = Simulation::new(&map.town.network, &fleet, &map.town.parked, &traffic).map_err(|source| {

@@ -2,10 +2,11 @@
 
 use crate::grid::Grid;
 use endless_road::{RoadNetwork, TrafficControl};
-use endless_traffic::{Conditions, Simulation, TrafficSettings};
+use endless_traffic::{Simulation, TrafficSettings};
 use endless_world::math::f64::{sin_cos, wrap_angle};
 use endless_world::{
-    Actor, Gait, Motion, ObjectClass, SignalAspect, TimeOfDay, VehicleLights, VehicleMotion, Weather, WorldState,
+    Actor, Condition, Gait, Motion, ObjectClass, SignalAspect, TimeOfDay, VehicleLights, VehicleMotion, Weather,
+    WorldState,
 };
 use glam::DVec2;
 
@@ -15,15 +16,25 @@ fn town() -> RoadNetwork {
     Grid { columns: 3, rows: 3, lanes: 1 }.network()
 }
 
-fn simulation(network: &RoadNetwork, asked: [u32; 2], seed: u64, conditions: Conditions, fps: f64) -> Simulation {
+fn clear_afternoon() -> &'static Condition {
+    Condition::of(Weather::ClearSky, TimeOfDay::Afternoon)
+}
+
+fn simulation(
+    network: &RoadNetwork,
+    asked: [u32; 2],
+    seed: u64,
+    condition: &'static Condition,
+    fps: f64,
+) -> Simulation {
     let specs = crate::watch::specs();
     let [vehicles, pedestrians] = asked;
-    let settings = TrafficSettings { vehicles, pedestrians, seed, fps, conditions, focus: Vec::new() };
+    let settings = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus: Vec::new() };
     crate::watch::simulation(network, &specs, &settings)
 }
 
 fn frames(network: &RoadNetwork, asked: [u32; 2], seconds: f64) -> Vec<WorldState> {
-    let mut s = simulation(network, asked, 3, Conditions::default(), FPS);
+    let mut s = simulation(network, asked, 3, clear_afternoon(), FPS);
     let tick = |_| {
         s.tick();
         s.state()
@@ -106,7 +117,7 @@ fn headlights_are_lit_by_night_in_rain_and_in_fog() {
         (Weather::Rainy, TimeOfDay::Afternoon, true),
         (Weather::Foggy, TimeOfDay::Morning, true),
     ] {
-        let state = simulation(&network, [12, 0], 1, Conditions::new(weather, time), FPS).state();
+        let state = simulation(&network, [12, 0], 1, Condition::of(weather, time), FPS).state();
         for (actor, vehicle) in state.actors.iter().filter_map(|a| Some((a, motion(a)?))) {
             assert_eq!(
                 vehicle.lights.contains(VehicleLights::LOW_BEAM | VehicleLights::POSITION),
@@ -220,7 +231,7 @@ fn feet_keep_pace_with_the_ground() {
 fn states_repeat_bit_for_bit_and_hardly_depend_on_the_frame_rate() {
     let network = town();
     let after_four_seconds = |fps: f64| {
-        let mut s = simulation(&network, [30, 20], 9, Conditions::default(), fps);
+        let mut s = simulation(&network, [30, 20], 9, clear_afternoon(), fps);
         (0..(4.0 * fps) as usize).for_each(|_| s.tick());
         s.state()
     };

@@ -1,14 +1,13 @@
 //! A simulator as a server elsewhere may be: frames come in order and only once, no two sessions are alike, actors come
 //! and go, and sometimes it fails.
 
-use super::{maps, paint, parked, placed, sites, world};
+use super::{paint, parked, placed, two_maps, world};
 use endless_annotate::{SceneObjects, WorldKeypoints};
 use endless_dataset::SpawnCounts;
 use endless_pipeline::{
-    Capabilities, MapCatalog, MapSource, RenderTask, SceneTruth, SimulationSession, SimulationStep, Simulator,
-    SimulatorError,
+    Capabilities, RenderTask, SceneTruth, SimulationSession, SimulationStep, Simulator, SimulatorError,
 };
-use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
+use endless_world::{SceneSettings, SensorFrame, WorldState};
 use std::{
     collections::VecDeque,
     io,
@@ -45,17 +44,7 @@ pub(crate) struct LiveFake {
     pending: AtomicBool,
 }
 
-impl MapSource for LiveFake {
-    fn maps(&self) -> Vec<String> {
-        maps()
-    }
-}
-
-impl MapCatalog for LiveFake {
-    fn cameras(&self, _map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
-        Ok(sites())
-    }
-}
+two_maps!(LiveFake);
 
 impl Simulator for LiveFake {
     type Map = ();

@@ -5,10 +5,9 @@ mod live;
 pub(crate) use live::{Fault, LiveFake};
 
 use endless_annotate::SceneObjects;
-
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, RecipeDraft, SpawnCounts};
 use endless_pipeline::{
-    Capabilities, GenerateOptions, Generated, MapCatalog, MapSource, RenderTask, SceneTruth, SilentProgress,
+    Capabilities, GenerateOptions, Generated, RenderTask, SceneTruth, SilentProgress,
     SimulationSession, SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
 };
 use endless_world::{
@@ -31,10 +30,6 @@ pub(crate) struct Fake {
     pub(crate) renders: AtomicU32,
 }
 
-pub(crate) fn maps() -> Vec<String> {
-    ["Town01", "Town02"].map(String::from).to_vec()
-}
-
 pub(crate) fn sites() -> Vec<CameraSite> {
     let site = |i: u8| CameraSite {
         name: format!("mast_{i}"),
@@ -47,17 +42,26 @@ pub(crate) fn sites() -> Vec<CameraSite> {
     (0..9).map(site).collect()
 }
 
-impl MapSource for Fake {
-    fn maps(&self) -> Vec<String> {
-        maps()
-    }
+/// What both fakes know of maps: two, with the same masts.
+macro_rules! two_maps {
+    ($simulator:ty) => {
+        impl endless_pipeline::MapSource for $simulator {
+            fn maps(&self) -> Vec<String> {
+                ["Town01", "Town02"].map(String::from).to_vec()
+            }
+        }
+
+        impl endless_pipeline::MapCatalog for $simulator {
+            fn cameras(&self, _map: &str) -> Result<Vec<endless_world::CameraSite>, endless_pipeline::SimulatorError> {
+                Ok($crate::fake::sites())
+            }
+        }
+    };
 }
 
-impl MapCatalog for Fake {
-    fn cameras(&self, _map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
-        Ok(sites())
-    }
-}
+pub(crate) use two_maps;
+
+two_maps!(Fake);
 
 impl Simulator for Fake {
     type Map = ();
