@@ -13,7 +13,7 @@ const LAYERS: &[&[&str]] = &[
     &["endless_traffic", "endless_city", "endless_dataset"],
     &["endless_carla", "endless_interchange"],
     &["endless_pipeline"],
-    &["endless"],
+    &["endless", "endless_fuzz"],
 ];
 
 pub(crate) fn check(root: &Path) -> Result<()> {

@@ -1,9 +1,7 @@
-//! Chores of the repository: `cargo xtask crates`, `cargo xtask cycles`, `cargo xtask glossary`, `cargo xtask fuzz PARSER
-//! --seconds N`.
+//! Chores of the repository: `cargo xtask crates`, `cargo xtask cycles`, `cargo xtask glossary`.
 
 mod crates;
 mod cycles;
-mod fuzz;
 mod glossary;
 mod manifests;
 
@@ -16,10 +14,9 @@ fn run(args: &[String]) -> Result<()> {
         Some("crates") => crates::check(root),
         Some("cycles") => cycles::check(root),
         Some("glossary") => glossary::check(root),
-        Some("fuzz") => fuzz::fuzz(&args[1..]),
         other => {
             let other = other.unwrap_or_default();
-            bail!("unknown chore '{other}': use crates, cycles, glossary or fuzz")
+            bail!("unknown chore '{other}': use crates, cycles or glossary")
         }
     }
 }

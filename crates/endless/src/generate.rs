@@ -24,7 +24,12 @@ pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs, threads: usize) -
     }
 }
 
-fn run_with<S: Simulator + MapSource>(simulator: &S, draft: RecipeDraft, args: &GenerateArgs, threads: usize) -> Result<ExitCode> {
+fn run_with<S: Simulator + MapSource>(
+    simulator: &S,
+    draft: RecipeDraft,
+    args: &GenerateArgs,
+    threads: usize,
+) -> Result<ExitCode> {
     let recipe = resolve_recipe(draft, simulator)?;
     let options = GenerateOptions {
         build: this_build(),

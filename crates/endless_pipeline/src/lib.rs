@@ -63,11 +63,11 @@ pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{GenerateOptions, Generated, generate};
 pub use plan::Plan;
 pub use progress::{Progress, ProgressEvent, SilentProgress};
-pub use recipe::{read_recipe, resolve_recipe};
+pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
 pub use record::StageTimes;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep,
     Simulator,
 };
 pub use simulator_error::SimulatorError;
-pub use user_camera::read_cameras;
+pub use user_camera::{cameras_from_text, read_cameras};

@@ -14,8 +14,16 @@ const MAX_FRAMES: f64 = 999_999.0;
 /// When it cannot be read or is not a recipe.
 pub fn read_recipe(path: &Path) -> Result<RecipeDraft, RecipeError> {
     let text = fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
-    let mut draft: RecipeDraft = toml::from_str(&text).map_err(|e: toml::de::Error| {
-        let (line, column) = line_and_column(&text, e.span().map_or(0, |s| s.start));
+    recipe_from_text(&text, path)
+}
+
+/// Reads the text of the TOML recipe at a path.
+///
+/// # Errors
+/// When it is not a recipe.
+pub fn recipe_from_text(text: &str, path: &Path) -> Result<RecipeDraft, RecipeError> {
+    let mut draft: RecipeDraft = toml::from_str(text).map_err(|e: toml::de::Error| {
+        let (line, column) = line_and_column(text, e.span().map_or(0, |s| s.start));
         RecipeError::Malformed {
             path: path.to_owned(),
             line,

@@ -26,6 +26,14 @@ const NAME: usize = 64;
 /// [`RecipeError::Unreadable`], or [`RecipeError::Malformed`] with the place.
 pub fn read_cameras(path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
     let text = fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
+    cameras_from_text(&text, path)
+}
+
+/// Reads the text of a list of cameras that lies at a path: JSON if the file's name ends so, else TOML.
+///
+/// # Errors
+/// [`RecipeError::Malformed`] with the place.
+pub fn cameras_from_text(text: &str, path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
     let wrong = |(line, column, message): (usize, usize, String)| RecipeError::Malformed {
         path: path.to_owned(),
         line,
@@ -33,7 +41,7 @@ pub fn read_cameras(path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
         message,
     };
     let json = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json"));
-    if json { from_json(&text) } else { from_toml(&text) }.map_err(wrong)
+    if json { from_json(text) } else { from_toml(text) }.map_err(wrong)
 }
 
 /// Line and column, from 1, and what is wrong there.

@@ -1,7 +1,6 @@
 //! Integration tests of `endless_road`, in one binary: a module a subject.
 
 mod faults;
-mod fuzz;
 mod grid;
 mod network;
 mod opendrive;

@@ -7,8 +7,8 @@ pub(crate) use live::{Fault, LiveFake};
 use endless_annotate::SceneObjects;
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, RecipeDraft, SpawnCounts};
 use endless_pipeline::{
-    Capabilities, GenerateOptions, Generated, RenderTask, SceneTruth, SilentProgress,
-    SimulationSession, SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
+    Capabilities, GenerateOptions, Generated, RenderTask, SceneTruth, SilentProgress, SimulationSession,
+    SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
 };
 use endless_world::{
     Actor, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINT_COUNT, Motion, Mount,

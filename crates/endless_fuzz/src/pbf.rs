@@ -1,5 +1,6 @@
-//! A small writer of `.osm.pbf`, raw blobs, so that the reader has something to read and the hunt something to change.
+//! A small writer of `.osm.pbf`, raw blobs, so that the reader has something to read and fuzzing something to change.
 
+use crate::mutate;
 use endless_road::osm::{OsmExtract, OsmMemberKind, OsmTags};
 use endless_world::Stream;
 
@@ -39,7 +40,7 @@ fn differences(values: impl IntoIterator<Item = i64>) -> Vec<u64> {
 }
 
 /// A blob with its header.
-pub(crate) fn blob(kind: &str, content: &[u8]) -> Vec<u8> {
+fn blob(kind: &str, content: &[u8]) -> Vec<u8> {
     let mut body = Vec::new();
     bytes(1, content, &mut body);
     let mut header = Vec::new();
@@ -55,8 +56,8 @@ fn header() -> Vec<u8> {
     blob("OSMHeader", &header)
 }
 
-/// A file that holds an extract.
-pub(crate) fn file(extract: &OsmExtract) -> Vec<u8> {
+/// A `.osm.pbf` file that holds an extract, its blobs raw.
+pub fn pbf_from_extract(extract: &OsmExtract) -> Vec<u8> {
     [header(), blob("OSMData", &block(extract))].concat()
 }
 
@@ -128,16 +129,14 @@ fn block(extract: &OsmExtract) -> Vec<u8> {
     block
 }
 
-/// A file as [`file`] writes them with what is in its last blob changed, and all lengths around it right. Others are
+/// A file as [`pbf_from_extract`] writes them with what is in its last blob changed, and all lengths around it right. Others are
 /// changed anywhere.
 pub(crate) fn changed(file: &[u8], stream: &mut Stream) -> Vec<u8> {
     let whole = header();
     let content = file.strip_prefix(&whole[..]).and_then(content);
     match content {
-        Some(content) if stream.chance(0.7) => {
-            [whole, blob("OSMData", &super::mutate::binary(content, stream))].concat()
-        }
-        _ => super::mutate::binary(file, stream),
+        Some(content) if stream.chance(0.7) => [whole, blob("OSMData", &mutate::binary(content, stream))].concat(),
+        _ => mutate::binary(file, stream),
     }
 }
 

@@ -88,15 +88,15 @@ const VALUES: &[&str] = &[
     "inner",
 ];
 
-/// A file changed in a few places. `others` lends parts.
-pub(crate) fn xml(file: &[u8], others: &[Vec<u8>], stream: &mut Stream) -> Vec<u8> {
+/// A text changed in a few places: values, lines, bytes.
+pub(crate) fn text(file: &[u8], stream: &mut Stream) -> Vec<u8> {
     let mut file = file.to_vec();
     for _ in 0..1 + stream.below(6) {
         match stream.below(20) {
             0..=5 => value(&mut file, stream),
             6..=9 => nudge(&mut file, stream),
             10..=12 => swap_values(&mut file, stream),
-            13..=16 => lines(&mut file, others, stream),
+            13..=16 => lines(&mut file, stream),
             17 => bytes(&mut file, stream),
             18 => truncate(&mut file, stream),
             _ => repeat(&mut file, stream),
@@ -126,19 +126,24 @@ pub(crate) fn binary(file: &[u8], stream: &mut Stream) -> Vec<u8> {
     file
 }
 
-/// The ranges of bytes between quotation marks.
+/// The ranges of bytes between quotation marks, and of numbers outside of them.
 fn values(file: &[u8]) -> Vec<(usize, usize)> {
+    let is_number = |byte: &u8| byte.is_ascii_digit() || matches!(byte, b'.' | b'-' | b'+' | b'e' | b'E');
     let mut found = Vec::new();
-    let mut open: Option<(usize, u8)> = None;
-    for (at, &byte) in file.iter().enumerate() {
-        match open {
-            Some((from, quote)) if byte == quote => {
-                found.push((from, at));
-                open = None;
+    let mut at = 0;
+    while at < file.len() {
+        let before = at.checked_sub(1).map(|k| file[k]);
+        let to = match file[at] {
+            quote @ (b'"' | b'\'') => {
+                file[at + 1..].iter().position(|byte| *byte == quote).map(|n| (at + 1, at + 1 + n))
             }
-            None if matches!(byte, b'"' | b'\'') => open = Some((at + 1, byte)),
-            _ => {}
-        }
+            b'0'..=b'9' | b'-' if before.is_none_or(|byte| !byte.is_ascii_alphanumeric()) => {
+                Some((at, at + 1 + file[at + 1..].iter().take_while(|byte| is_number(byte)).count()))
+            }
+            _ => None,
+        };
+        found.extend(to);
+        at = to.map_or(at, |(_, to)| to) + 1;
     }
     found
 }
@@ -180,8 +185,8 @@ fn swap_values(file: &mut Vec<u8>, stream: &mut Stream) {
     }
 }
 
-/// Lines dropped, doubled, moved, or taken from another file.
-fn lines(file: &mut Vec<u8>, others: &[Vec<u8>], stream: &mut Stream) {
+/// Lines dropped, doubled or moved.
+fn lines(file: &mut Vec<u8>, stream: &mut Stream) {
     let starts = |file: &[u8]| -> Vec<usize> {
         let ends = file.iter().enumerate().filter(|(_, byte)| **byte == b'\n').map(|(at, _)| at + 1);
         std::iter::once(0).chain(ends).collect()
@@ -190,24 +195,17 @@ fn lines(file: &mut Vec<u8>, others: &[Vec<u8>], stream: &mut Stream) {
     let first = stream.below(own.len());
     let last = (first + 1 + stream.below(8)).min(own.len() - 1).max(first);
     let (from, to) = (own[first], own[last]);
-    match stream.below(4) {
+    match stream.below(3) {
         0 => drop(file.drain(from..to)),
         1 => {
             let copy = file[from..to].to_vec();
             file.splice(to..to, copy);
         }
-        2 => {
+        _ => {
             let taken: Vec<u8> = file.drain(from..to).collect();
             let left = starts(file);
             let at = *stream.pick(&left);
             file.splice(at..at, taken);
-        }
-        _ => {
-            let other = stream.pick(others);
-            let theirs = starts(other);
-            let a = stream.below(theirs.len());
-            let b = (a + 1 + stream.below(12)).min(theirs.len() - 1).max(a);
-            file.splice(from..from, other[theirs[a]..theirs[b]].to_vec());
         }
     }
 }
