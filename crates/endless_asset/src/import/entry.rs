@@ -52,7 +52,7 @@ pub struct AssetEntry {
     pub wheel_radius: Option<f32>,
     /// Materials that are painted anew in the colours of real traffic.
     #[serde(default)]
-    pub texture_bake: Vec<String>,
+    pub paint: Vec<String>,
     /// What shines.
     #[serde(default)]
     pub lights: BTreeMap<LightSlot, LampPlaces>,

@@ -111,13 +111,13 @@ pub(super) fn make(
         ridden: parts.fit.is_some(),
         trailer: None,
     };
-    let paints = !entry.texture_bake.is_empty();
+    let paints = !entry.paint.is_empty();
     Ok(VehicleModel::imported(entry.asset_name(), spec, parts, paints))
 }
 
 /// Materials that are painted anew, and materials that shine.
 fn dress(entry: &AssetEntry, materials: &mut [SourceMaterial]) -> Result<(), ImportError> {
-    for name in &entry.texture_bake {
+    for name in &entry.paint {
         for k in lamp::named(materials, name, "paint")? {
             materials[k].surface = Surface::CarPaint;
             materials[k].color = glam::Vec4::ONE;
