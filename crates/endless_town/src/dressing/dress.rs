@@ -18,7 +18,6 @@ use crate::dressing::planting::garden::GardenBuilder;
 use crate::dressing::planting::square::SquareFurnisher;
 use crate::dressing::planting::trees::TreePlanter;
 use crate::dressing::preset::TownPreset;
-use crate::dressing::road_furniture::parking::keep_visible;
 use crate::dressing::road_furniture::post::RoadsidePosts;
 use crate::dressing::road_furniture::{furniture, iron, parking};
 use crate::geometry::{OccupiedSpace, Rect, around};
@@ -130,7 +129,6 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
         relief.add_column(at, CROWN_M, TREE_M);
     }
     let cameras = set_up_cameras(&mut assembly, &map.network, &relief, &solids, &areas.open());
-    keep_visible(&mut assembly.parked, &cameras);
     planter.rows(&mut assembly, &posts, &cameras, &houses);
     SquareFurnisher { network: &map.network, pavement: &pavement, land: &land, areas: &areas }.add(
         &mut assembly,

@@ -4,7 +4,7 @@ use endless_asset::{Catalogue, ImportedAsset, VehicleModel};
 use endless_road::swept::{DesignVehicle, OrientedRectangle, SweptPath, fits, smallest_radius_m};
 use endless_town::{NAMES, Town, load};
 use endless_world::{ObjectClass, VehicleSpec};
-use glam::DVec2;
+use glam::{DVec2, Vec3};
 
 /// Beside the middle of their lanes drivers keep within this, metres: those of lorries and buses, and others.
 const HEAVY_ASIDE_M: f64 = 0.05;
@@ -82,4 +82,19 @@ fn a_design_more_changes_only_the_bays_that_it_stands_in() {
             assert_eq!((&before.cameras, &before.placements), (&after.cameras, &after.placements), "{name}");
         }
     }
+}
+
+#[test]
+fn vehicles_park_along_all_streets_and_not_where_cameras_look() {
+    const NEAR_M: f32 = 90.0;
+    let catalogue = Catalogue::builtin();
+    let (mut all, mut far) = (0, 0);
+    for name in NAMES {
+        let town = load(name, &catalogue).expect("known");
+        let seen = |at: Vec3| town.cameras.iter().any(|site| Vec3::from_array(site.position).distance(at) < NEAR_M);
+        println!("{name}: {} parked", town.parked.len());
+        all += town.parked.len();
+        far += town.parked.iter().filter(|p| !seen(p.pose.position)).count();
+    }
+    assert!(far * 3 > all, "{far} of {all} parked vehicles are far from all cameras");
 }

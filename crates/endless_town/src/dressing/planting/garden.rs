@@ -25,7 +25,7 @@ const ON_FORECOURTS: f64 = 0.4;
 /// Half the width of a way to a door, and of a drive, metres.
 const DOORWAY_M: f64 = 0.7;
 const DRIVE_M: f64 = 1.35;
-/// Most vehicles before the cameras are chosen.
+/// Most parked vehicles of a town: instance ids are few.
 const MOST: usize = 2500;
 
 /// A house as its front garden sees it: `x` along the front wall, `y` from it towards the road.

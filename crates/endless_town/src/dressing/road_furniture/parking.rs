@@ -10,8 +10,8 @@ use crate::dressing::road_furniture::swept_ground::clear_of_traffic;
 use crate::geometry::unit;
 use endless_road::{LandUse, LaneSurface, LaneType, RoadNetwork};
 use endless_world::math::f64::wrap_angle;
-use endless_world::{CameraSite, ParkedVehicle, Pose, Stream, VehicleRef, VehicleSpec};
-use glam::{DVec2, Vec3};
+use endless_world::{ParkedVehicle, Pose, Stream, VehicleRef, VehicleSpec};
+use glam::DVec2;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Share of places that are taken.
@@ -19,8 +19,8 @@ const TAKEN: f64 = 0.62;
 /// Between who stands in a bay and its ends, both together, metres; and what a bay is wider than who stands in it.
 const ENDS_M: f64 = 0.15;
 const SIDES_M: f64 = 0.05;
-/// Most parked vehicles before the cameras are chosen.
-const MOST: usize = 2500;
+/// Of more bays than have so many vehicles, a smaller share is taken.
+const MOST: f64 = 1500.0;
 
 pub(crate) fn add(
     assembly: &mut TownAssembly<'_>,
@@ -57,9 +57,13 @@ pub(crate) fn add(
         bays.extend(inside.into_iter().enumerate().map(|(k, bay)| ([90_000 + i as u64, k as u64], bay)));
     }
     let clear = clear_of_traffic(network, &bays.iter().map(|b| b.1).collect::<Vec<_>>());
-    for (([strip, k], bay), _) in bays.iter().zip(clear).filter(|(_, clear)| *clear) {
+    let bays: Vec<_> = bays.iter().zip(clear).filter(|(_, clear)| *clear).map(|(bay, _)| bay).collect();
+    let taken = TAKEN.min(MOST / bays.len().max(1) as f64);
+    for ([strip, k], bay) in bays {
         let mut stream = assembly.stream(*strip).fork(*k);
-        park(assembly, bay, &mut stream);
+        if stream.chance(taken) {
+            park(assembly, bay, &mut stream);
+        }
     }
 }
 
@@ -75,11 +79,8 @@ fn traffic_heading(network: &RoadNetwork, at: DVec2) -> Option<f64> {
     (near.1.1.abs() < 12.0).then(|| near.0.centerline.at(near.1.0).heading_rad)
 }
 
-/// Who stands in a bay, or nobody. What is taken is the bay, whatever stands in it: its neighbours do not depend on it.
+/// Who stands in a bay, if it is free. What is taken is the bay, whatever stands in it: its neighbours do not depend on it.
 fn park(assembly: &mut TownAssembly<'_>, bay: &ParkingBay, stream: &mut Stream) {
-    if !stream.chance(TAKEN) || assembly.parked.len() >= MOST {
-        return;
-    }
     let fits = |spec: &VehicleSpec| {
         f64::from(spec.length_m) <= bay.room.x - ENDS_M && f64::from(spec.width_m) <= bay.room.y - SIDES_M
     };
@@ -93,17 +94,4 @@ fn park(assembly: &mut TownAssembly<'_>, bay: &ParkingBay, stream: &mut Stream) 
         let pose = Pose { pitch_rad, ..Pose::level(at.as_vec3(), yaw as f32) };
         assembly.parked.push(ParkedVehicle { vehicle: VehicleRef { model, variant }, pose });
     }
-}
-
-/// Most vehicles parked along the streets of a town.
-const MOST_PARKED: usize = 160;
-
-/// Keeps the vehicles parked nearest to cameras: no others are ever seen large.
-pub(crate) fn keep_visible(parked: &mut Vec<ParkedVehicle>, sites: &[CameraSite]) {
-    let far = |p: &ParkedVehicle| {
-        let of = |s: &CameraSite| Vec3::from_array(s.position).distance(p.pose.position);
-        sites.iter().map(of).fold(f32::INFINITY, f32::min)
-    };
-    parked.sort_by(|a, b| far(a).total_cmp(&far(b)));
-    parked.truncate(MOST_PARKED);
 }
