@@ -19,7 +19,7 @@ pub enum NetworkError {
     UnknownLane {
         /// Where.
         lane: LaneId,
-        /// What it names.
+        /// The id that it names.
         named: LaneId,
     },
     /// Width or speed limit is not positive and finite.
@@ -67,11 +67,11 @@ pub enum NetworkError {
     /// A signal id at or beyond `signal_groups`.
     #[error("{user} uses signal {signal:?}, but there are {groups} groups")]
     UnknownSignal {
-        /// Who uses it.
+        /// Its user.
         user: String,
         /// The id.
         signal: SignalId,
-        /// How many groups there are.
+        /// Number of groups.
         groups: u16,
     },
     /// A program without phases, or with a phase that takes no time.

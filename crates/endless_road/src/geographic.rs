@@ -4,7 +4,7 @@
 use crate::osm::mercator;
 use glam::DVec2;
 
-/// Where a map's local frame lies.
+/// The position of a map's local frame on Earth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Georeference {
     lat_0: f64,
@@ -15,7 +15,7 @@ pub struct Georeference {
 }
 
 impl Georeference {
-    /// Of a PROJ string; `None` for projections that are not known here.
+    /// From a PROJ string; `None` for projections that are not supported.
     pub fn parse(text: &str) -> Option<Self> {
         let word = |key: &str| {
             let mut words = text.split_whitespace().filter_map(|w| w.strip_prefix('+'));

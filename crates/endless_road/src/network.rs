@@ -29,7 +29,7 @@ index_ids! {
     WalkEdgeId(u32);
 }
 
-/// Where a lane inside a junction leads, seen from the driver.
+/// The turn that a lane makes inside a junction, seen from the driver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Turn {
     /// Straight on, and every lane outside junctions.
@@ -76,9 +76,9 @@ pub struct Lane {
     pub right: Option<LaneId>,
     /// The junction this lane lies in.
     pub junction: Option<JunctionId>,
-    /// Which way it turns.
+    /// Its turn.
     pub turn: Turn,
-    /// What governs its end; the stop line is at the end of the lane.
+    /// Traffic control at its end, where the stop line is.
     pub end_control: TrafficControl,
 }
 
@@ -116,7 +116,7 @@ pub struct LaneConflict {
     pub gives_way: bool,
 }
 
-/// Where lanes meet.
+/// A junction: lanes that meet, with their conflicts and signals.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Junction {
     /// Lanes inside.
@@ -132,7 +132,7 @@ pub struct Junction {
 pub struct SignalPhase {
     /// Seconds.
     pub duration_s: f64,
-    /// What each group of this junction shows.
+    /// Aspect of each signal group of this junction.
     pub aspects: Vec<(SignalId, SignalAspect)>,
 }
 
@@ -145,7 +145,7 @@ pub struct SignalProgram {
     pub offset_s: f64,
 }
 
-/// Where a crossing cuts a lane.
+/// The range of a lane that a crossing cuts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LaneCut {
     /// The lane.
@@ -167,7 +167,7 @@ pub struct Crossing {
     pub cuts: Vec<LaneCut>,
 }
 
-/// What a walkable edge is.
+/// Kind of an edge of the walk network.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum WalkKind {
     /// Sidewalk, path, plaza.
@@ -183,11 +183,11 @@ pub struct WalkEdge {
     pub nodes: [WalkNodeId; 2],
     /// Usable width, metres: people stay within ± half of it.
     pub width_m: f64,
-    /// What it is.
+    /// Its kind.
     pub kind: WalkKind,
 }
 
-/// Where people walk.
+/// The network of sidewalks and crossings.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct WalkNetwork {
     /// On the walking surface (sidewalk height; crossings end on the sidewalk).

@@ -22,7 +22,7 @@ fn millimetres(metres: f64) -> u64 {
 }
 
 impl WalkGraph {
-    /// Of a network.
+    /// The graph of a network.
     pub fn new(walk: &WalkNetwork) -> Self {
         let mut edges_at = vec![Vec::new(); walk.nodes.len()];
         for (place, edge) in walk.edges.iter().enumerate() {

@@ -4,7 +4,7 @@ use endless_asset::Prop;
 use endless_world::SignalId;
 use glam::Affine3A;
 
-/// What a placement puts down.
+/// The object of a placement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum PlacedObject {
     /// One of the town's own meshes.
@@ -16,7 +16,7 @@ pub enum PlacedObject {
 /// A mesh standing in the town.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Placement {
-    /// What stands there.
+    /// The object.
     pub object: PlacedObject,
     /// Where.
     pub world_from_object: Affine3A,

@@ -19,7 +19,7 @@ pub struct Town {
     pub network: RoadNetwork,
     /// Ground, roads, kerbs, markings and buildings.
     pub meshes: Vec<Arc<Mesh>>,
-    /// Everything placed, own meshes included.
+    /// All placements, own meshes included.
     pub placements: Vec<Placement>,
     /// Parked vehicles. Number i carries instance id i + 1 in every video.
     pub parked: Vec<ParkedVehicle>,
@@ -27,7 +27,7 @@ pub struct Town {
     pub lamps: Vec<StreetLamp>,
     /// At least five camera sites.
     pub cameras: Vec<CameraSite>,
-    /// What [`details_near`](Self::details_near) makes details from; empty by default.
+    /// The source of [`details_near`](Self::details_near); empty by default.
     pub detail_source: DetailSource,
 }
 

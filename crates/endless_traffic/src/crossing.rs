@@ -4,7 +4,7 @@ use crate::roads::{CrossingCut, Roads};
 use crate::vehicle::Vehicle;
 use endless_road::CrossingId;
 
-/// Somebody on a crossing.
+/// A pedestrian on a crossing.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CrossingPedestrian {
     /// Metres from the crossing's first end.
@@ -18,9 +18,9 @@ pub(crate) struct CrossingPedestrian {
 /// One crossing at this instant.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct CrossingState {
-    /// Who is on it.
+    /// Pedestrians on it.
     pub(crate) people: Vec<CrossingPedestrian>,
-    /// Somebody stands at the kerb and may go as soon as drivers let them.
+    /// A pedestrian waits at the kerb and may go as soon as drivers yield.
     pub(crate) wanted: bool,
     /// A vehicle is on it, or at its very edge.
     pub(crate) occupied: bool,
@@ -37,13 +37,13 @@ const CLEAR_M: f64 = 0.3;
 const IN_THE_WAY_M: f64 = 2.5;
 /// A long vehicle sweeps this much more in turns, metres.
 const LONG_SWEEPS_M: f64 = 1.2;
-/// How firmly people stop, m/s².
+/// Deceleration of pedestrians who stop, m/s².
 const HALT_MPS2: f64 = 2.0;
 /// Drivers stop for people that walk towards their lane from this far, metres.
 const NOTICED_M: f64 = 7.0;
 
 impl CrossingState {
-    /// Whether somebody on it is in the way of a vehicle on a lane, or soon will be.
+    /// Whether a pedestrian on it blocks a vehicle on a lane, or soon will.
     pub(crate) fn blocks(&self, cut: &CrossingCut, vehicle: &Vehicle) -> bool {
         self.people.iter().any(|p| {
             let to_lane = (cut.along_m - p.along_m) * p.direction;
@@ -51,12 +51,12 @@ impl CrossingState {
         })
     }
 
-    /// Whether somebody on it has still to pass a lane, however far away.
+    /// Whether a pedestrian on it has still to pass a lane.
     pub(crate) fn awaits(&self, cut: &CrossingCut, vehicle: &Vehicle) -> bool {
         self.people.iter().any(|p| (cut.along_m - p.along_m) * p.direction > -in_the_way_m(vehicle))
     }
 
-    /// Whether somebody at this place who walks in this direction would step in front of a vehicle.
+    /// Whether a pedestrian at this position who walks in this direction would step in front of a vehicle.
     pub(crate) fn step_is_unsafe(&self, person: CrossingPedestrian) -> bool {
         let halt_m = person.speed * person.speed / (2.0 * HALT_MPS2);
         self.taken.iter().any(|(along, beside)| {

@@ -21,7 +21,7 @@ pub(crate) struct EntryRequest {
     pub(crate) junction: JunctionId,
     /// From the front bumper to the line, metres.
     pub(crate) distance: f64,
-    /// How far before the line it waits, metres.
+    /// Distance before the line at which it waits, metres.
     pub(crate) setback: f64,
     pub(crate) speed: f64,
     pub(crate) waited_s: f64,
@@ -33,7 +33,7 @@ pub(crate) struct EntryRequest {
 }
 
 impl EntryRequest {
-    /// Nobody else stands between it and the line.
+    /// Whether no other vehicle stands between it and the line.
     pub(super) fn at_the_line(&self) -> bool {
         self.distance < 6.0 + self.setback
     }

@@ -23,7 +23,7 @@ impl Occupant {
     }
 }
 
-/// What is ahead.
+/// The vehicle ahead.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Leader {
     pub(crate) vehicle: usize,
@@ -118,7 +118,7 @@ impl Occupancy {
     }
 }
 
-/// Who is ahead, or to be let in, on a lane that runs into mine `base` metres from my origin.
+/// The vehicle ahead, or to be let in, on a lane that merges into mine `base` metres from my origin.
 fn merging(me: &Vehicle, i: usize, base: f64, beside: &MergeOverlap, o: &Occupant) -> Option<Leader> {
     // Everything in `s` of my lane.
     let (mine, shift) = (-base, beside.here_minus_there());

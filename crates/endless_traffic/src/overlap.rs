@@ -76,7 +76,7 @@ impl DesignVehicles {
 pub(crate) struct ConflictTables {
     pub(crate) small: Vec<Vec<LaneConflict>>,
     pub(crate) wide: Vec<Vec<LaneConflict>>,
-    /// How far before its end each lane is to be waited on, so that those who turn get past, metres.
+    /// Distance before each lane's end at which vehicles wait, so that those who turn get past, metres.
     pub(crate) setbacks: Vec<f64>,
 }
 

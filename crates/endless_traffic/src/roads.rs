@@ -38,7 +38,7 @@ pub(crate) struct LaneTable {
     wide_conflicts: Vec<LaneConflict>,
     pub(crate) siblings: Vec<DivergingLane>,
     pub(crate) alongside: Vec<MergeOverlap>,
-    /// Who waits at the end of the lane keeps this far from it, so that those who turn get past, metres.
+    /// Distance from the lane's end at which vehicles wait, so that those who turn get past, metres.
     pub(crate) setback: f64,
 }
 

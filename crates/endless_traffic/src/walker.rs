@@ -11,11 +11,11 @@ use endless_world::{Gait, SignalAspect, SignalState, Stream};
 use glam::{DVec2, DVec3};
 use std::collections::VecDeque;
 
-/// How far people look for others, metres.
+/// Distance within which pedestrians notice others, metres.
 const SIGHT_M: f64 = 5.0;
-/// How far ahead on their way people aim, metres.
+/// Distance ahead at which pedestrians aim, metres.
 const AIM_M: f64 = 1.6;
-/// Who is this near to a crossing's beginning wants to cross, metres.
+/// Pedestrians this near to the beginning of their next crossing request it, metres.
 const KERB_M: f64 = 2.0;
 /// Turning rate, rad/s.
 const TURN_RATE: f64 = 3.5;
@@ -28,7 +28,7 @@ pub(crate) struct Walker {
     pub(crate) stream: Stream,
     /// Comfortable speed, m/s.
     pub(crate) pace: f64,
-    /// Where on the strip they like to walk: 0 middle, 1 right edge.
+    /// Preferred position across the strip: 0 middle, 1 right edge.
     pub(crate) side: f64,
     pub(crate) from: WalkNodeId,
     /// The edge underfoot, then those to come, each with the node it leads to.
@@ -44,7 +44,7 @@ pub(crate) struct Walker {
     pub(crate) stuck: (f64, f64),
 }
 
-/// What people see.
+/// The surroundings of pedestrians.
 pub(crate) struct WalkerView<'a> {
     pub(crate) roads: &'a Roads,
     pub(crate) graph: &'a WalkGraph,

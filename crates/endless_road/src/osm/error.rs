@@ -1,6 +1,6 @@
 //! Why a file is no map.
 
-/// What is wrong with a file, and where.
+/// Errors in OpenStreetMap files, with their positions.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OsmError {

@@ -51,7 +51,7 @@ pub struct OsmWay {
     pub tags: OsmTags,
 }
 
-/// What a relation's member is.
+/// Kind of a relation's member.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum OsmMemberKind {
     /// A node.
@@ -65,7 +65,7 @@ pub enum OsmMemberKind {
 /// A member of a relation.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OsmMember {
-    /// What it is.
+    /// Its kind.
     pub kind: OsmMemberKind,
     /// Its id.
     pub id: i64,
@@ -78,7 +78,7 @@ pub struct OsmMember {
 pub struct OsmRelation {
     /// Its id.
     pub id: i64,
-    /// What it is made of.
+    /// Its members.
     pub members: Vec<OsmMember>,
     /// Its tags.
     pub tags: OsmTags,

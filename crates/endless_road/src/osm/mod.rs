@@ -63,7 +63,7 @@ use height::GroundHeight;
 use import_context::ImportContext;
 use plan::StreetPlan;
 
-/// How to read an extract.
+/// Options for reading an extract.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OsmOptions {
     /// The side of traffic; by the extract's place where `None`.

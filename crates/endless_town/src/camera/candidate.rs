@@ -9,7 +9,7 @@ use endless_world::math::f64::{atan2, wrap_angle};
 use endless_world::{CameraSite, Mount};
 use glam::DVec2;
 
-/// What a view shows.
+/// Kind of a view, by what it shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, strum::IntoStaticStr)]
 #[strum(serialize_all = "snake_case")]
 pub(crate) enum ViewKind {
@@ -67,7 +67,7 @@ const LEAST_OPEN_M2: f64 = 260.0;
 /// Most candidates of a kind that are judged.
 const MOST_OF_A_KIND: usize = 420;
 
-/// How a camera is turned at its place.
+/// Height above ground, field of view and mount of a camera.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CameraAim {
     pub(super) height: f64,

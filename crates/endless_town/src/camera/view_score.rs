@@ -32,7 +32,7 @@ pub(crate) const LEAST_STREET: f32 = 0.27;
 /// Least weight of places of people in a picture of a square or a park.
 const LEAST_PEOPLE: f32 = 2.5;
 
-/// What a picture shows, as shares of its pixels, and the objects expected in it.
+/// Contents of a picture: shares of its pixels, and expected objects.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct ViewContents {
     pub(crate) road: f32,

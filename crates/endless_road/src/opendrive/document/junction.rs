@@ -2,7 +2,7 @@
 
 use super::road::ContactPoint;
 
-/// How a junction joins roads.
+/// Type of a junction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum JunctionType {
     /// By connecting roads.
@@ -12,7 +12,7 @@ pub enum JunctionType {
     Direct,
     /// A place beside a road that goes on.
     Virtual,
-    /// Where roads or rails cross without turning.
+    /// Roads or rails cross without turning.
     Crossing,
 }
 
@@ -25,7 +25,7 @@ pub struct JunctionRecord {
     pub line: usize,
     /// Name, may be empty.
     pub name: String,
-    /// How it joins.
+    /// Its type.
     pub kind: JunctionType,
     /// Paths through it.
     pub connections: Vec<JunctionConnection>,

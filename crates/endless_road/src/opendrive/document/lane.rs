@@ -5,7 +5,7 @@ use super::plan_view::CubicPolynomial;
 /// A stretch of road with the same lanes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct LaneSection {
-    /// Where it begins.
+    /// Start on the road.
     pub s: f64,
     /// Line in the file.
     pub line: usize,
@@ -40,7 +40,7 @@ pub struct LaneRecord {
     pub marks: Vec<RoadMark>,
     /// Speed limits: `s` from the section's start, limit.
     pub speeds: Vec<(f64, f64)>,
-    /// What the surface is made of: `s` from the section's start, name.
+    /// Surface material: `s` from the section's start, name.
     pub materials: Vec<(f64, String)>,
 }
 
@@ -57,7 +57,7 @@ pub struct RoadMark {
     pub bold: bool,
     /// Width of one line, where the file says so.
     pub width: Option<f64>,
-    /// Which lane changes it allows: `none`, `both`, `increase`, `decrease`.
+    /// Lane changes that it allows: `none`, `both`, `increase`, `decrease`.
     pub lane_change: Option<String>,
     /// Lines in detail, where the file gives them.
     pub lines: Vec<MarkLine>,
@@ -74,7 +74,7 @@ pub struct MarkLine {
     pub once: bool,
     /// From the lane's edge, positive to the left.
     pub t_offset: f64,
-    /// Where it begins, from the mark's `s`.
+    /// Its start, from the mark's `s`.
     pub s_offset: f64,
     /// Width, where the file says so.
     pub width: Option<f64>,

@@ -35,7 +35,7 @@ pub struct OpenDriveDocument {
     pub junctions: Vec<JunctionRecord>,
     /// All controllers.
     pub controllers: Vec<SignalController>,
-    /// What was not understood, mended or left out.
+    /// Notes on what was not understood, repaired or left out.
     pub notes: Vec<ImportNote>,
     /// Whole roads that were left out because nobody could drive on them, and why.
     pub roads_left_out: Vec<ImportNote>,

@@ -45,7 +45,7 @@ pub struct RoadObject {
 pub struct ObjectRepeat {
     /// The first one.
     pub s: f64,
-    /// How far they go.
+    /// Length of the range along the road.
     pub length: f64,
     /// From one to the next; 0 is without a gap.
     pub distance: f64,

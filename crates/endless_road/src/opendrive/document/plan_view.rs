@@ -3,7 +3,7 @@
 /// A cubic polynomial `a + b ds + c ds² + d ds³` of the distance `ds` from `s`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct CubicPolynomial {
-    /// Where it begins.
+    /// Start on the road.
     pub s: f64,
     /// Coefficients.
     pub abcd: [f64; 4],
@@ -12,11 +12,11 @@ pub struct CubicPolynomial {
 /// A segment of the reference line (OpenDRIVE's `geometry`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanViewGeometry {
-    /// Where it begins on the road.
+    /// Start on the road.
     pub s: f64,
-    /// Where it begins in the world.
+    /// Start in the world.
     pub x: f64,
-    /// Where it begins in the world.
+    /// Start in the world.
     pub y: f64,
     /// Direction at its beginning.
     pub heading: f64,
@@ -51,9 +51,9 @@ pub enum GeometryType {
 /// Height across the road at one `s`, cubic in `t` (OpenDRIVE's `lateralProfile/shape`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LateralShape {
-    /// Where on the road.
+    /// Station on the road.
     pub s: f64,
-    /// Where it begins across the road.
+    /// Start across the road.
     pub t: f64,
     /// Coefficients in `t − self.t`.
     pub abcd: [f64; 4],

@@ -8,20 +8,20 @@ use super::signal::{Signal, SignalReference};
 /// One end of a road or lane (OpenDRIVE's `contactPoint`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ContactPoint {
-    /// Where `s` is 0.
+    /// `s` is 0.
     Start,
-    /// Where `s` is the length.
+    /// `s` is the length.
     End,
 }
 
-/// What a road's end is joined to.
+/// The link of a road's end.
 #[derive(Debug, Clone, PartialEq)]
 pub enum RoadLink {
     /// An end of another road.
     Road {
         /// Its id.
         id: String,
-        /// Which end; where the file does not say, the start of a successor and the end of a predecessor.
+        /// Its contact point; by default the start of a successor and the end of a predecessor.
         contact: ContactPoint,
     },
     /// A junction.
@@ -46,9 +46,9 @@ pub struct Road {
     pub junction: Option<String>,
     /// Traffic keeps to the left.
     pub left_hand: bool,
-    /// What its start is joined to.
+    /// Link of its start.
     pub predecessor: Option<RoadLink>,
-    /// What its end is joined to.
+    /// Link of its end.
     pub successor: Option<RoadLink>,
     /// Type of road (`town`, `motorway`...) and speed limit from each `s` on.
     pub types: Vec<RoadType>,

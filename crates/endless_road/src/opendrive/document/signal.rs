@@ -30,7 +30,7 @@ pub struct Signal {
     pub h_offset: f64,
     /// For whom.
     pub orientation: SignalOrientation,
-    /// Whether it changes.
+    /// Whether its state changes.
     pub dynamic: bool,
     /// Country, may be empty.
     pub country: String,
@@ -46,11 +46,11 @@ pub struct Signal {
     pub text: String,
     /// Ranges of lanes it is valid for; none given is all.
     pub validity: Vec<(i32, i32)>,
-    /// Where it really stands, if not where it counts.
+    /// Physical position, if it differs from the position at which it is valid.
     pub position: Option<SignalPosition>,
 }
 
-/// Where a signal really stands.
+/// Physical position of a signal.
 #[derive(Debug, Clone, PartialEq)]
 pub enum SignalPosition {
     /// In the world: x, y, z.
