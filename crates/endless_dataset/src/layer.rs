@@ -2,11 +2,11 @@
 //! know of it. A new layer is a new entry here, and an image in the renderer's [`SensorFrame`].
 
 use crate::{
-    RgbFormat,
+    RgbFormat, StoredImage,
     encoding::{depth_from_rgb, instance_from_rgb, rgb_from_depth, rgb_from_instance},
     preview::{depth_preview, instance_preview},
 };
-use endless_world::{CameraLookChoice, Image, SensorFrame, UnknownName};
+use endless_world::{CameraLookChoice, SensorFrame, UnknownName};
 use std::borrow::Cow;
 use strum::VariantArray as _;
 
@@ -23,9 +23,6 @@ pub enum Layer {
     /// Class tag and instance id.
     Instance,
 }
-
-/// An image as it is stored: 8-bit RGB, whatever it means.
-pub type StoredImage = Image<[u8; 3]>;
 
 /// All that is to be known of a layer.
 #[derive(Debug, Clone, Copy)]
@@ -112,7 +109,7 @@ fn no_tag(value: u8) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{ClassTag, ImageSize, InstanceId, InstancePixel};
+    use endless_world::{ClassTag, Image, ImageSize, InstanceId, InstancePixel};
 
     /// Whatever is stored passes its own check and can be shown.
     #[test]

@@ -1,7 +1,7 @@
 //! The paths of all files of a dataset.
 
 use crate::{
-    DatasetError, Layer, Recipe,
+    DatasetError, Layer, MAX_CAMERAS, Recipe,
     durable::{sync_folder, sync_tree},
     listing::list,
 };
@@ -10,9 +10,6 @@ use std::{
     fs,
     path::{Path, PathBuf},
 };
-
-/// Most cameras of a scene.
-pub const MAX_CAMERAS: u32 = 8;
 
 /// Paths of one dataset.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -52,16 +52,17 @@ pub use encoding::{
 };
 pub use error::DatasetError;
 pub use labels::LabelSchema;
-pub use layer::{Layer, LayerEntry, StoredImage};
-pub use layout::{CameraLayout, DatasetLayout, MAX_CAMERAS, VideoLayout};
+pub use layer::{Layer, LayerEntry};
+pub use layout::{CameraLayout, DatasetLayout, VideoLayout};
 pub use manifest::{Manifest, VideoEntry, VideoState};
 pub use mp4::{Mp4Info, Mp4Writer, read_mp4};
 pub use objects::{ObjectsWriter, read_objects};
 pub use preview::{depth_preview, instance_preview};
-pub use raster::{encode_jpg, encode_png, read_rgb};
+pub use raster::{StoredImage, encode_jpg, encode_png};
 pub use recipe::{
-    OptionDefault, OptionError, OptionKind, Recipe, RecipeDraft, RecipeOption, UserCamera, Vocabulary, recipe_schema,
+    MAX_CAMERAS, OptionDefault, OptionError, OptionKind, Recipe, RecipeDraft, RecipeOption, UserCamera, Vocabulary,
+    recipe_schema,
 };
-pub use rgb_format::{RgbFormat, RgbFormatEntry};
+pub use rgb_format::{RgbFormat, RgbFormatEntry, read_rgb};
 pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable};
 pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

@@ -1,8 +1,9 @@
 //! PNG and JPEG of RGB images.
 
-use crate::{DatasetError, RgbFormat};
 use endless_world::{Image, ImageSize};
-use std::{fs, path::Path};
+
+/// An image as it is stored: 8-bit RGB, whatever it means.
+pub type StoredImage = Image<[u8; 3]>;
 
 /// JPEG quality: hardly visible loss at about 0.35 bytes a pixel.
 const JPG_QUALITY: u8 = 92;
@@ -76,16 +77,6 @@ pub(crate) fn decode_jpg(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
     let (width, height) = decoder.dimensions().ok_or("no size")?;
     let data = pixels.as_chunks::<3>().0.to_vec();
     Ok(Image { size: ImageSize { width: width as u32, height: height as u32 }, data })
-}
-
-/// Reads an image file of the dataset.
-///
-/// # Errors
-/// When it cannot be read or decoded.
-pub fn read_rgb(path: &Path, format: RgbFormat) -> Result<Image<[u8; 3]>, DatasetError> {
-    let bytes = fs::read(path).map_err(|e| DatasetError::io("cannot read", path, e))?;
-    (format.entry().decode)(&bytes)
-        .map_err(|reason| DatasetError::malformed(path, format!("does not decode ({reason})")))
 }
 
 #[cfg(test)]

@@ -1,10 +1,11 @@
 //! The file formats of images: one entry each.
 
 use crate::{
-    StoredImage,
-    raster::{decode_jpg, decode_png, encode_jpg, encode_png},
+    DatasetError,
+    raster::{StoredImage, decode_jpg, decode_png, encode_jpg, encode_png},
 };
 use endless_world::{CameraLookChoice, UnknownName};
+use std::{fs, path::Path};
 use strum::VariantArray as _;
 
 /// File format of the RGB layer. The others are always PNG, because they must be exact.
@@ -78,3 +79,13 @@ const JPG: RgbFormatEntry = RgbFormatEntry {
         _ => 0.9,
     },
 };
+
+/// Reads an image file of the dataset.
+///
+/// # Errors
+/// When it cannot be read or decoded.
+pub fn read_rgb(path: &Path, format: RgbFormat) -> Result<StoredImage, DatasetError> {
+    let bytes = fs::read(path).map_err(|e| DatasetError::io("cannot read", path, e))?;
+    (format.entry().decode)(&bytes)
+        .map_err(|reason| DatasetError::malformed(path, format!("does not decode ({reason})")))
+}

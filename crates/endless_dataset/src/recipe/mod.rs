@@ -7,7 +7,7 @@ mod serde_size;
 mod user_camera;
 
 pub use option::{OptionDefault, OptionError, OptionKind, RecipeOption, Vocabulary};
-pub use options::{Recipe, RecipeDraft};
+pub use options::{MAX_CAMERAS, Recipe, RecipeDraft};
 pub use schema::recipe_schema;
 pub use user_camera::UserCamera;
 

@@ -6,7 +6,7 @@ use super::option::{
     OptionError, OptionKind, OptionValue, RecipeOption, Vocabulary,
 };
 use super::{serde_size, user_camera::UserCamera};
-use crate::{Layer, MAX_CAMERAS, RgbFormat};
+use crate::{Layer, RgbFormat};
 use endless_world::{CameraLookChoice, CameraSite, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
@@ -16,6 +16,9 @@ const LONGEST_SIDE: u32 = 8192;
 const MAX_VIDEOS: u64 = 100_000;
 /// Ids have 16 bits.
 const MAX_ACTORS: u64 = 10_000;
+
+/// Most cameras of a scene.
+pub const MAX_CAMERAS: u32 = 8;
 
 /// `key: type in a draft [=> type in the resolved recipe], kind, default;`
 macro_rules! recipe_options {
