@@ -1,6 +1,7 @@
 //! Triangle meshes and a builder for them.
 
 use crate::Material;
+use endless_world::math::UnfusedMatrix;
 use glam::{Affine3A, Vec2, Vec3};
 
 /// An indexed triangle mesh with smooth normals and a material per triangle.
@@ -39,8 +40,8 @@ impl Mesh {
     /// Appends another mesh, transformed.
     pub fn append(&mut self, other: &Self, self_from_other: Affine3A) {
         let base = u32::try_from(self.positions.len()).expect("fewer than 2^32 vertices");
-        let normal_matrix = self_from_other.matrix3.inverse().transpose();
-        let flips = self_from_other.matrix3.determinant() < 0.0;
+        let normal_matrix = self_from_other.matrix3.inverse_unfused().transpose();
+        let flips = self_from_other.matrix3.determinant_unfused() < 0.0;
         self.positions.extend(other.positions.iter().map(|&p| self_from_other.transform_point3(p)));
         self.normals.extend(other.normals.iter().map(|&n| (normal_matrix * n).normalize_or_zero()));
         self.uvs.extend_from_slice(&other.uvs);

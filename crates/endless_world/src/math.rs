@@ -3,6 +3,10 @@
 //! The standard library's versions are banned by `clippy.toml`. `sqrt`, `abs`, `floor` and the four operations are
 //! exact everywhere and need no wrapper.
 
+mod unfused;
+
+pub use unfused::{UnfusedMatrix, UnfusedQuat, UnfusedVec3A};
+
 macro_rules! same_everywhere {
     ($($(#[$doc:meta])* $name:ident($($arg:ident),*) = $f32:ident, $f64:ident;)*) => {
         $($(#[$doc])* #[inline] pub fn $name($($arg: f32),*) -> f32 { libm::$f32($($arg),*) })*

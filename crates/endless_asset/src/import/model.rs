@@ -3,6 +3,7 @@
 use super::container::GlbFile;
 use super::source_material::{self, SourceMaterial};
 use super::{ForwardAxis, ImportError, accessor};
+use endless_world::math::UnfusedMatrix;
 use glam::{Affine3A, Mat3, Mat4, Vec2, Vec3};
 use gltf::Semantic;
 use gltf::mesh::Mode;
@@ -150,7 +151,7 @@ impl Reader<'_> {
         if corners.iter().any(|&i| i as usize >= count) {
             return Err(ImportError::Damaged { what: format!("mesh '{mesh}' has indices beyond its vertices") });
         }
-        if object_from_node.matrix3.determinant() < 0.0 && primitive.mode() == Mode::Triangles {
+        if object_from_node.matrix3.determinant_unfused() < 0.0 && primitive.mode() == Mode::Triangles {
             corners.chunks_exact_mut(3).for_each(|t| t.swap(1, 2));
         }
         let triangles = joined(primitive.mode(), &corners, &positions);
@@ -195,7 +196,7 @@ impl Reader<'_> {
         }
         let mut normals: Vec<Vec3> = around.into_iter().map(|n| n.normalize_or(Vec3::Z)).collect();
         if let Some(accessor) = primitive.get(&Semantic::Normals) {
-            let turn = object_from_node.matrix3.inverse().transpose();
+            let turn = object_from_node.matrix3.inverse_unfused().transpose();
             let given = accessor::vectors::<3>(self.opened, &accessor)?;
             for (normal, given) in normals.iter_mut().zip(given) {
                 let turned = Vec3::from(turn * glam::Vec3A::from_array(given));

@@ -5,6 +5,7 @@ use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{Bone, Side, Skeleton};
 use super::step;
 use super::{hold, wheeled};
+use endless_world::math::UnfusedQuat;
 use endless_world::walking::{Mobility, PedestrianSpec, average_speed_mps, foot_home, running_share, stride_m};
 use endless_world::{FootPlace, Gait, Stream, WalkerMotion, math};
 use glam::{Quat, Vec3};
@@ -132,7 +133,7 @@ pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitSt
     let mut pelvis_z = upright + pelvis_rest.z - hip.z;
     for side in Side::BOTH {
         let ankle = ankles[side.index()];
-        let joint = pelvis_turn * (side.flip(hip) - pelvis_rest);
+        let joint = pelvis_turn.rotate_unfused(side.flip(hip) - pelvis_rest);
         let (dx, dy) = (ankle.x - joint.x, ankle.y - side_shift - joint.y);
         let r = 0.995 * reach;
         pelvis_z = pelvis_z.min(ankle.z + (r * r - dx * dx - dy * dy).max(0.1 * r * r).sqrt() - joint.z);

@@ -4,6 +4,7 @@ use super::appearance::Carried;
 use super::posture::{Arm, Posture, about};
 use super::skeleton::{BONES, Bone, Side, Skeleton};
 use super::{dog, wheeled};
+use endless_world::math::UnfusedQuat;
 use endless_world::{FootPlace, WalkerMotion, math};
 use glam::{Affine3A, Quat, Vec3};
 
@@ -94,8 +95,10 @@ pub(crate) fn place(bones: &mut [Affine3A; BONES], motion: &WalkerMotion, skelet
             let turn = Quat::from_rotation_arc(-Vec3::Z, wanted.normalize_or(-Vec3::Z));
             // The tip stays on the ground: what is missing slides through the hand.
             let slack = wanted.length() - length;
-            let m =
-                Affine3A::from_rotation_translation(turn, held + wanted.normalize_or(-Vec3::Z) * slack - turn * rest);
+            let m = Affine3A::from_rotation_translation(
+                turn,
+                held + wanted.normalize_or(-Vec3::Z) * slack - turn.rotate_unfused(rest),
+            );
             set(Bone::Carried, m);
         }
         Carried::Pram | Carried::Wheelchair => {

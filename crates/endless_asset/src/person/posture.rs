@@ -1,6 +1,7 @@
 //! From where pelvis, hands and feet are to how every bone stands.
 
 use super::skeleton::{BONES, Bone, Side, Skeleton};
+use endless_world::math::UnfusedQuat;
 use glam::{Affine3A, Mat3, Quat, Vec3};
 
 /// An arm: where its wrist is, or how it hangs.
@@ -42,7 +43,7 @@ pub(crate) struct Posture {
 
 /// Turns about a joint.
 pub(crate) fn about(joint: Vec3, turn: Quat) -> Affine3A {
-    Affine3A::from_rotation_translation(turn, joint - turn * joint)
+    Affine3A::from_rotation_translation(turn, joint - turn.rotate_unfused(joint))
 }
 
 /// A frame whose first axis is `along` and whose second lies towards `pole`.
@@ -77,7 +78,7 @@ impl Posture {
             Affine3A::from_translation(self.pelvis - j(Bone::Pelvis)) * about(j(Bone::Pelvis), self.pelvis_turn);
         let spine = pelvis * about(j(Bone::Spine), self.spine);
         let chest = spine * about(j(Bone::Chest), self.chest);
-        let half = Quat::IDENTITY.slerp(self.head, 0.5);
+        let half = Quat::IDENTITY.slerp_unfused(self.head, 0.5);
         let neck = chest * about(j(Bone::Neck), half);
         let head = neck * about(j(Bone::Head), half);
         for (bone, m) in
@@ -94,8 +95,8 @@ impl Posture {
             let (elbow, wrist) = match self.arms[i] {
                 Arm::Swing { forward, outward, elbow } => {
                     let out = Quat::from_rotation_x(outward * side.sign());
-                    let upper = out * Quat::from_rotation_y(-forward) * -Vec3::Z;
-                    let fore = out * Quat::from_rotation_y(-forward - elbow) * -Vec3::Z;
+                    let upper = (out * Quat::from_rotation_y(-forward)).rotate_unfused(-Vec3::Z);
+                    let fore = (out * Quat::from_rotation_y(-forward - elbow)).rotate_unfused(-Vec3::Z);
                     let e = shoulder + turned(upper) * l1;
                     (e, e + turned(fore) * l2)
                 }
@@ -120,7 +121,7 @@ impl Posture {
             out[thigh as usize] = limb((h0, k0, Vec3::X), (hip, knee, leg.knee));
             out[shin as usize] = limb((k0, a0, Vec3::X), (knee, ankle, leg.knee));
             let turn = Quat::from_rotation_z(leg.yaw) * Quat::from_rotation_y(leg.pitch);
-            out[foot as usize] = Affine3A::from_rotation_translation(turn, ankle - turn * a0);
+            out[foot as usize] = Affine3A::from_rotation_translation(turn, ankle - turn.rotate_unfused(a0));
             out[toes as usize] = out[foot as usize] * about(j(toes), Quat::from_rotation_y(-leg.toes));
         }
         out

@@ -1,6 +1,7 @@
 //! Feet of a body: where the ankle is over a foot, and feet in a steady walk.
 
 use super::skeleton::{Bone, Side, Skeleton};
+use endless_world::math::UnfusedQuat;
 use endless_world::walking::{StepPhase, duty_factor, foot_home};
 use endless_world::{FootPlace, math};
 use glam::{Quat, Vec3};
@@ -11,7 +12,7 @@ pub(crate) fn ankle(foot: &FootPlace, skeleton: &Skeleton) -> Vec3 {
     let pivot = if foot.pitch_rad < 0.0 { -skeleton.heel } else { skeleton.joint(Bone::ToesL).x - a.x };
     // About the heel's edge, or about the ball, whose joint stays.
     let below = if foot.pitch_rad < 0.0 { 0.0 } else { skeleton.joint(Bone::ToesL).z };
-    let turned = Quat::from_rotation_y(foot.pitch_rad) * Vec3::new(-pivot, 0.0, a.z - below);
+    let turned = Quat::from_rotation_y(foot.pitch_rad).rotate_unfused(Vec3::new(-pivot, 0.0, a.z - below));
     let local = Vec3::new(pivot + turned.x, 0.0, turned.z + below + foot.lift_m);
     let (sin, cos) = math::sin_cos(foot.yaw_rad);
     Vec3::new(foot.at[0] + local.x * cos, foot.at[1] + local.x * sin, local.z)

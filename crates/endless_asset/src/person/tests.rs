@@ -1,4 +1,5 @@
 use super::*;
+use endless_world::math::UnfusedQuat;
 use endless_world::walking::Footsteps;
 use endless_world::{Gait, KEYPOINTS, Outfit, PersonRef, Stream};
 use glam::{DVec2, Quat};
@@ -74,7 +75,7 @@ fn contact(person: &PersonModel, motion: &WalkerMotion, side: Side, pitch: f32, 
         person.anatomy.skeleton.joint(toes)
     };
     let p = bones[foot as usize].transform_point3(rest);
-    let turned = Quat::from_rotation_z(yaw as f32) * p;
+    let turned = Quat::from_rotation_z(yaw as f32).rotate_unfused(p);
     body + DVec2::new(f64::from(turned.x), f64::from(turned.y))
 }
 

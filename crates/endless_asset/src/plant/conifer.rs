@@ -3,6 +3,7 @@
 use super::leaf::{Leaves, bark, direction, shades};
 use crate::shape::Sculpt;
 use endless_scene::{Material, Mesh};
+use endless_world::math::UnfusedQuat;
 use endless_world::{Stream, math};
 use glam::{Affine3A, Quat, Vec2, Vec3};
 use std::f32::consts::TAU;
@@ -62,7 +63,7 @@ pub(crate) fn conifer(variant: u32) -> Mesh {
             for j in 0..sprays {
                 let f = math::lerp(0.18, 1.0, (j as f32 + s.f32()) / sprays as f32);
                 let p = (Vec3::Z * z).lerp(tip, f) + Vec3::Z * 0.06 * reach * 4.0 * f * (1.0 - f);
-                let side = Quat::from_rotation_z(s.range_f32(-1.15, 1.15)) * out;
+                let side = Quat::from_rotation_z(s.range_f32(-1.15, 1.15)).rotate_unfused(out);
                 let along = (side + Vec3::NEG_Z * s.range_f32(-0.1, 0.5)).normalize_or(out);
                 let size = s.range_f32(0.19, 0.34) * (1.15 - 0.45 * f);
                 let shade = shades[((f * 3.0) as usize + s.below(2)).min(4)];

@@ -4,6 +4,7 @@ use super::face::Face;
 use super::runs::Runs;
 use super::weld::{WeldCell, interner};
 use endless_scene::{Material, Mesh};
+use endless_world::math::UnfusedMatrix;
 use glam::{Affine3A, Vec2, Vec3};
 
 /// Triangles with a normal a corner. Parts are made one by one, smoothed, painted by [`crate::shape::Region`]s, and put
@@ -130,8 +131,8 @@ impl Sculpt {
 
     /// The same, moved.
     pub(crate) fn placed(mut self, transform: Affine3A) -> Self {
-        let normal_matrix = transform.matrix3.inverse().transpose();
-        let flips = transform.matrix3.determinant() < 0.0;
+        let normal_matrix = transform.matrix3.inverse_unfused().transpose();
+        let flips = transform.matrix3.determinant_unfused() < 0.0;
         for face in self.faces_mut() {
             face.corners = face.corners.map(|p| transform.transform_point3(p));
             face.normals = face.normals.map(|n| (normal_matrix * n).normalize_or(Vec3::Z));

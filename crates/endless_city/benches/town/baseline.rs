@@ -1,5 +1,6 @@
 //! The same town in the traversals that `obvhs` brings, to compare with.
 
+use endless_world::math::UnfusedMatrix;
 use std::time::Duration;
 
 use endless_render::Ray;
@@ -79,7 +80,7 @@ impl<T: Walk> Baseline<T> {
         let instances = town
             .instances
             .iter()
-            .map(|&(mesh, place)| (mesh, (place != Affine3A::IDENTITY).then(|| place.inverse())))
+            .map(|&(mesh, place)| (mesh, (place != Affine3A::IDENTITY).then(|| place.inverse_unfused())))
             .collect();
         Baseline { meshes: meshes.collect(), top: T::of_boxes(&boxes), instances }
     }

@@ -1,5 +1,6 @@
 //! A built-in town, as one of its cameras sees it.
 
+use endless_world::math::UnfusedVec3A;
 use std::collections::BTreeMap;
 use std::f32::consts::TAU;
 use std::sync::Arc;
@@ -68,7 +69,7 @@ impl BenchTown {
         let mesh = &self.meshes[*mesh];
         let corners = mesh.triangles[hit.triangle as usize]
             .map(|i| place.transform_point3a(Vec3A::from(mesh.positions[i as usize])));
-        let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalize_or(Vec3A::Z);
+        let normal = (corners[1] - corners[0]).cross_unfused(corners[2] - corners[0]).normalize_or(Vec3A::Z);
         if normal.dot(direction) > 0.0 { -normal } else { normal }
     }
 
@@ -111,8 +112,8 @@ impl BenchTown {
     }
 
     fn primary(&self, x: usize, y: usize) -> Ray {
-        let right = self.forward.cross(Vec3A::Z).normalize();
-        let up = right.cross(self.forward);
+        let right = self.forward.cross_unfused(Vec3A::Z).normalize();
+        let up = right.cross_unfused(self.forward);
         let (x, y, w, h) = (x as f32 + 0.5, y as f32 + 0.5, WIDTH as f32, HEIGHT as f32);
         let direction = self.forward + right * (1.4 * (x / w - 0.5)) - up * (1.4 * (y - h * 0.5) / w);
         Ray { origin: self.eye, direction: direction.normalize(), tmax: f32::INFINITY }

@@ -1,5 +1,6 @@
 //! The definition of a hit by brute force: every triangle of every instance, without a tree.
 
+use endless_world::math::UnfusedMatrix;
 use std::sync::Arc;
 
 use glam::{Affine3A, Vec3, Vec3A};
@@ -30,7 +31,7 @@ impl BruteForceScene {
         let world = LocalRay::new(ray.origin, ray.direction);
         for (instance, (mesh, place)) in self.instances.iter().enumerate() {
             let identity = *place == Affine3A::IDENTITY;
-            let inverse = place.inverse();
+            let inverse = place.inverse_unfused();
             let transform = RayTransform { linear: inverse.matrix3, translation: inverse.translation };
             let local = if identity {
                 world

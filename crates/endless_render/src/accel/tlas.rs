@@ -1,5 +1,6 @@
 //! The top level: a tree over instances of meshes.
 
+use endless_world::math::UnfusedMatrix;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -58,7 +59,7 @@ impl Tlas {
                     boxes.push(bounds);
                 });
             } else {
-                let inverse = world_from_object.inverse();
+                let inverse = world_from_object.inverse_unfused();
                 let transform = RayTransform { linear: inverse.matrix3, translation: inverse.translation };
                 parts.push(TlasEntry { object_from_world: Some(transform), blas, root, instance, bounds: (min, max) });
                 boxes.push((min, max));

@@ -4,6 +4,7 @@ use super::bake::CameraBake;
 use crate::film::{BlurScratch, Streak, blur, with_glare};
 use crate::pixel_layers::{LayerImages, PixelLayers};
 use endless_world::SensorFrame;
+use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 
 /// One pixel of a frame.
@@ -67,7 +68,7 @@ impl FrameBuffer {
             self.blur(bake, &mut radiance);
             if let Some(rain) = &bake.film.rain {
                 let mut wet = |i: usize, share: f32| {
-                    radiance[i] = radiance[i].lerp(rain.radiance, share);
+                    radiance[i] = radiance[i].lerp_unfused(rain.radiance, share);
                     self.touched.push(i as u32);
                 };
                 let ground = |i: usize| {

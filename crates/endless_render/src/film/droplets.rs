@@ -1,6 +1,7 @@
 //! Drops of rain that sit on the lens: each shows the whole scene upside down, out of focus.
 
 use super::glare::{REDUCE, box_blur, reduce};
+use endless_world::math::UnfusedVec3A;
 use endless_world::{ImageSize, Stream, math};
 use glam::{Vec2, Vec3A};
 
@@ -62,7 +63,7 @@ impl Droplets {
                     let shown = soft[at.y as usize * w + at.x as usize] * (1.0 - 0.55 * r2 * r2);
                     let cover = 0.9 * math::smoothstep(1.0, 0.55, r2);
                     let pixel = &mut picture[y as usize * width + x as usize];
-                    *pixel = pixel.lerp(shown, cover);
+                    *pixel = pixel.lerp_unfused(shown, cover);
                 }
             }
         }

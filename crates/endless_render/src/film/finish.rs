@@ -4,6 +4,7 @@
 use super::droplets::Droplets;
 use super::sensor_noise::SensorNoise;
 use super::timestamp::stamp;
+use endless_world::math::UnfusedVec3A;
 use endless_world::{CameraLook, ImageSize};
 use glam::{Vec2, Vec3A};
 
@@ -96,8 +97,8 @@ fn bilinear(from: &[Vec3A], width: usize, height: usize, at: Vec2) -> Vec3A {
     let (x, y) = (p.x as usize, p.y as usize);
     let (x1, y1) = ((x + 1).min(width - 1), (y + 1).min(height - 1));
     let (u, v) = (p.x - x as f32, p.y - y as f32);
-    let row = |y: usize| from[y * width + x].lerp(from[y * width + x1], u);
-    row(y).lerp(row(y1), v)
+    let row = |y: usize| from[y * width + x].lerp_unfused(from[y * width + x1], u);
+    row(y).lerp_unfused(row(y1), v)
 }
 
 /// The picture as a recorder's JPEG-like compression leaves it.

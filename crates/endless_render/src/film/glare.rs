@@ -2,6 +2,7 @@
 //! picture, blurred at three widths, computed at a quarter of the resolution.
 
 use endless_world::ImageSize;
+use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 
 /// Side of the squares of pixels that become one.
@@ -32,10 +33,10 @@ pub(crate) fn with_glare(size: ImageSize, pixels: &[Vec3A], share: f32, mut deve
         let (y0, y1, v) = place(y, h);
         let (top, bottom) = (&glow[y0 * w..][..w], &glow[y1 * w..][..w]);
         for ((mixed, &a), &b) in row.iter_mut().zip(top).zip(bottom) {
-            *mixed = a.lerp(b, v) * share;
+            *mixed = a.lerp_unfused(b, v) * share;
         }
         for (&pixel, &(x0, x1, u)) in pixels.iter().zip(&columns) {
-            develop(pixel * (1.0 - share) + row[x0].lerp(row[x1], u));
+            develop(pixel * (1.0 - share) + row[x0].lerp_unfused(row[x1], u));
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::material::noise;
 use endless_world::math;
+use endless_world::math::UnfusedVec3A;
 use glam::{Vec2, Vec3A};
 
 /// A layer of clouds.
@@ -21,7 +22,7 @@ impl CloudLayer {
     /// The clouds in front of a clear sky's radiance.
     pub(crate) fn over(&self, clear: Vec3A, direction: Vec3A, sun: Vec3A) -> Vec3A {
         if direction.z < 0.01 {
-            return clear.lerp((self.lit + self.dark) * 0.5, self.cover * 0.8);
+            return clear.lerp_unfused((self.lit + self.dark) * 0.5, self.cover * 0.8);
         }
         // A layer bent down towards the horizon, so that clouds do not shrink to lines there.
         let at = Vec2::new(direction.x, direction.y) / (direction.z + 0.18) * 1.6 + self.seed;
@@ -33,8 +34,8 @@ impl CloudLayer {
         let beyond = noise::fbm2(at + towards, 4, 0.55);
         let lighting = (0.62 + (billows - beyond) * 1.6 - density * 0.25).clamp(0.0, 1.0);
         let forward = math::pow(direction.dot(sun).clamp(0.0, 1.0), 24.0) * (1.0 - density) * 1.5;
-        let cloud = self.dark.lerp(self.lit, lighting) * (1.0 + forward);
+        let cloud = self.dark.lerp_unfused(self.lit, lighting) * (1.0 + forward);
         let haze = math::smoothstep(0.0, 0.12, direction.z);
-        clear.lerp(cloud, density * (0.35 + 0.6 * haze))
+        clear.lerp_unfused(cloud, density * (0.35 + 0.6 * haze))
     }
 }

@@ -8,6 +8,7 @@ use super::{
 use crate::accel::Ray;
 use crate::scene::SurfaceInteraction;
 use crate::settings::RenderSettings;
+use endless_world::math::UnfusedVec3A;
 use endless_world::{Condition, Stream, math};
 use glam::{Vec2, Vec3A};
 use std::f32::consts::{PI, TAU};
@@ -114,7 +115,7 @@ impl Environment {
         let sun = self.sun.as_ref().map_or(Vec3A::ZERO, |sun| sun.illuminance * sun.direction.z);
         let light = sun + self.sky.mean * PI;
         let white = light.dot(LUMINANCE) / light.max(Vec3A::splat(1e-6));
-        Vec3A::ONE.lerp(white, STRENGTH)
+        Vec3A::ONE.lerp_unfused(white, STRENGTH)
     }
 
     /// Whether lamps glow in the air.

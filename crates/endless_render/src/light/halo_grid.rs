@@ -1,5 +1,6 @@
 //! Halos of lamps in the air between camera and moving objects, on a coarse grid over picture and distance.
 
+use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 use rayon::prelude::*;
 
@@ -38,9 +39,9 @@ impl HaloGrid {
         let point = |dx: usize, dy: usize| {
             let slices = &self.light[(row + dy) * self.columns + column + dx];
             let near = if far == 0 { Vec3A::ZERO } else { slices[far - 1] };
-            near.lerp(slices[far], w)
+            near.lerp_unfused(slices[far], w)
         };
-        point(0, 0).lerp(point(1, 0), u).lerp(point(0, 1).lerp(point(1, 1), u), v)
+        point(0, 0).lerp_unfused(point(1, 0), u).lerp_unfused(point(0, 1).lerp_unfused(point(1, 1), u), v)
     }
 }
 

@@ -7,6 +7,7 @@
 
 use super::clouds::CloudLayer;
 use endless_world::math;
+use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 use std::f32::consts::{PI, TAU};
 
@@ -91,7 +92,7 @@ impl Sky {
         let (c0, c1) = (column(x0), column(x0 + 1.0));
         let (r0, r1) = (y0 as usize, (y0 as usize + 1).min(HEIGHT - 1));
         let at = |c: usize, r: usize| self.table[r * WIDTH + c];
-        at(c0, r0).lerp(at(c1, r0), fx).lerp(at(c0, r1).lerp(at(c1, r1), fx), fy)
+        at(c0, r0).lerp_unfused(at(c1, r0), fx).lerp_unfused(at(c0, r1).lerp_unfused(at(c1, r1), fx), fy)
     }
 
     /// Illuminance on a horizontal plane, klx, by quadrature over the table.
@@ -132,7 +133,7 @@ impl SkyParameters {
         let zenith = self.overcast_klx * 9.0 / (7.0 * PI);
         let grey = Vec3A::new(0.95, 1.0, 1.08) * (zenith * (1.0 + 2.0 * direction.z) / 3.0);
         let horizon = (1.0 - direction.z).max(0.0);
-        clear.lerp(grey, self.overcast) + self.glow * (0.25 + 0.75 * horizon * horizon * horizon)
+        clear.lerp_unfused(grey, self.overcast) + self.glow * (0.25 + 0.75 * horizon * horizon * horizon)
     }
 }
 

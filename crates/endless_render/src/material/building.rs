@@ -2,6 +2,7 @@
 
 use super::{Bsdf, noise};
 use crate::scene::SurfaceInteraction;
+use endless_world::math::UnfusedVec3A;
 use endless_world::math::smoothstep;
 use glam::{Vec2, Vec3A};
 
@@ -30,10 +31,10 @@ fn bond(uv: Vec2, size: Vec2) -> (f32, glam::IVec2) {
 pub(super) fn brick(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let (edge, cell) = bond(point.uv, Vec2::new(0.25, 0.075));
     let seen = (0.05 / footprint.max(1e-3)).min(1.0);
-    let each = Vec3A::ONE.lerp(noise::tint(cell, 61, 0.28), seen);
+    let each = Vec3A::ONE.lerp_unfused(noise::tint(cell, 61, 0.28), seen);
     let mortar = (1.0 - smoothstep(0.005, 0.005 + footprint.max(0.004), edge)) * seen + 0.16 * (1.0 - seen);
     let body = base * each * weathering(point, footprint);
-    Bsdf::matte(body.lerp(Vec3A::new(0.42, 0.40, 0.37), mortar * 0.8), point.normal)
+    Bsdf::matte(body.lerp_unfused(Vec3A::new(0.42, 0.40, 0.37), mortar * 0.8), point.normal)
 }
 
 pub(super) fn plaster(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
@@ -71,7 +72,7 @@ pub(super) fn roof_tile(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: 
     let shade = 1.0 - 0.35 * seen * (1.0 - smoothstep(0.0, 0.22, local.y)) - 0.25 * seen * (local.x * 2.0 - 1.0).abs();
     let each = noise::tint(cell.as_ivec2(), 64, 0.18 * seen);
     let moss = smoothstep(0.25, 0.6, noise::filtered_fbm2(point.uv, 2.2, 4, footprint));
-    let color = (base * each).lerp(Vec3A::new(0.12, 0.13, 0.08), moss * 0.5);
+    let color = (base * each).lerp_unfused(Vec3A::new(0.12, 0.13, 0.08), moss * 0.5);
     Bsdf::matte(color * (shade + 0.1), point.normal)
 }
 

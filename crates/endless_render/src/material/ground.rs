@@ -3,6 +3,7 @@
 use super::{Bsdf, noise};
 use crate::scene::SurfaceInteraction;
 use endless_world::ClassTag;
+use endless_world::math::UnfusedVec3A;
 use endless_world::math::smoothstep;
 use glam::{IVec2, Vec2, Vec3A};
 
@@ -79,7 +80,7 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
 
 /// The colour with a share of its saturation taken away.
 pub(super) fn muted(color: Vec3A, share: f32) -> Vec3A {
-    color.lerp(Vec3A::splat(color.dot(Vec3A::new(0.2126, 0.7152, 0.0722))), share)
+    color.lerp_unfused(Vec3A::splat(color.dot(Vec3A::new(0.2126, 0.7152, 0.0722))), share)
 }
 
 fn bumped(normal: Vec3A, p: Vec2, wavelength: f32, strength: f32, footprint: f32) -> Vec3A {
@@ -106,7 +107,7 @@ pub(super) fn road_paint(point: &SurfaceInteraction<'_>, base: Vec3A, footprint:
     let wear = noise::filtered_fbm2(p, 0.7, 5, footprint) + 0.25 * noise::value2(p * 0.2, 33);
     let gone = smoothstep(0.18, 0.42, wear) * 0.75;
     let dirty = base * (0.86 + 0.14 * tone) * (1.0 - 0.12 * noise::value2(p * 0.9, 35).max(0.0));
-    let mut bsdf = Bsdf::matte(dirty.lerp(Vec3A::splat(0.125) * tone, gone), point.normal);
+    let mut bsdf = Bsdf::matte(dirty.lerp_unfused(Vec3A::splat(0.125) * tone, gone), point.normal);
     bsdf.roughness = 0.7;
     bsdf
 }
@@ -190,7 +191,7 @@ pub(super) fn concrete(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f
         let (bays, moss) = yard_tone(p, footprint);
         let stain = smoothstep(0.25, 0.6, noise::filtered_fbm2(p + 57.0, 1.9, 4, footprint));
         let tone = 0.92 + 0.20 * noise::filtered_fbm2(p, 2.7, 6, footprint) - 0.12 * stain;
-        let color = (base * (tone * bays)).lerp(Vec3A::new(0.055, 0.075, 0.03), 0.7 * moss);
+        let color = (base * (tone * bays)).lerp_unfused(Vec3A::new(0.055, 0.075, 0.03), 0.7 * moss);
         return Bsdf::matte(color, point.normal);
     }
     let p = plan(point) + point.position.z * Vec2::new(0.37, 0.91);
@@ -211,7 +212,7 @@ pub(super) fn grass(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32)
     let green = muted(base, 0.22) * (0.94 + 0.34 * broad + 0.35 * tuft + 0.75 * clump + 0.7 * blades);
     let straw = Vec3A::new(0.20, 0.17, 0.085) * (1.0 + 0.4 * blades + 0.3 * tuft);
     let earth = Vec3A::new(0.115, 0.09, 0.065) * (1.0 + 0.5 * tuft);
-    let color = green.lerp(straw, dry * 0.6).lerp(earth, worn * 0.6);
+    let color = green.lerp_unfused(straw, dry * 0.6).lerp_unfused(earth, worn * 0.6);
     let mut bsdf = Bsdf::matte(color, bumped(point.normal, p, 0.10, 0.8, footprint));
     bsdf.roughness = 0.8;
     bsdf

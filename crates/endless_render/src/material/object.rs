@@ -5,6 +5,7 @@ use crate::light::Environment;
 use crate::scene::SurfaceInteraction;
 use endless_scene::LightSlot;
 use endless_world::VehicleLights;
+use endless_world::math::UnfusedVec3A;
 use endless_world::math::smoothstep;
 use glam::{Vec2, Vec3, Vec3A};
 
@@ -17,7 +18,7 @@ pub(super) fn car_paint(point: &SurfaceInteraction<'_>, base: Vec3A, environment
     let low = 1.0 - smoothstep(0.25, 0.85, p.z);
     let dirt = (0.06 + 0.35 * low) * (0.6 + 0.4 * noise::value3(p * 3.1, 3)).max(0.0);
     let dirt = dirt * (1.0 - 0.5 * environment.rain);
-    let color = (base * point.instance.tint).lerp(Vec3A::new(0.20, 0.17, 0.14), dirt);
+    let color = (base * point.instance.tint).lerp_unfused(Vec3A::new(0.20, 0.17, 0.14), dirt);
     let mut bsdf = Bsdf::matte(color, point.normal).coated(1.0 - 0.6 * dirt, 0.045, 0.14);
     bsdf.roughness = 0.35;
     bsdf.specular = 0.05;
@@ -91,7 +92,7 @@ fn individual(point: &SurfaceInteraction<'_>, green: Vec3A) -> Vec3A {
     }
     let own = noise::value3(Vec3::from(point.position) * 0.8, 34);
     let turned = smoothstep(-0.5, 0.6, own + 1.2 * dice(35) - 0.3);
-    (green * tint).lerp(AUTUMN[(3.0 * dice(36)) as usize % 3] * green.y, turned)
+    (green * tint).lerp_unfused(AUTUMN[(3.0 * dice(36)) as usize % 3] * green.y, turned)
 }
 
 pub(super) fn lit_sign(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment) -> Bsdf {

@@ -3,6 +3,7 @@
 use super::{Bsdf, noise};
 use crate::light::Environment;
 use crate::scene::SurfaceInteraction;
+use endless_world::math::UnfusedVec3A;
 use endless_world::math::{lerp, smoothstep};
 use glam::{IVec2, Vec2, Vec3A};
 
@@ -24,7 +25,7 @@ pub(super) fn window(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &
 
     // The room: a box as deep as the window is wide, seen through the pane (van Dongen 2008, interior mapping).
     let inward = -point.geometric_normal;
-    let side = inward.cross(Vec3A::Z).normalize_or(Vec3A::X);
+    let side = inward.cross_unfused(Vec3A::Z).normalize_or(Vec3A::X);
     let d = point.direction;
     let (dx, dy, dz) = (d.dot(side), d.z, d.dot(inward).max(0.05));
     let depth = 1.3;
@@ -43,7 +44,7 @@ pub(super) fn window(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &
         let furniture = noise::cell2(noise::corner_of(reached * 4.0).as_ivec2() + id, 95);
         0.62 - 0.35 * smoothstep(0.55, 0.7, furniture)
     };
-    let wall_color = Vec3A::new(0.62, 0.58, 0.52).lerp(Vec3A::new(0.45, 0.50, 0.55), random(1));
+    let wall_color = Vec3A::new(0.62, 0.58, 0.52).lerp_unfused(Vec3A::new(0.45, 0.50, 0.55), random(1));
     let mut room = wall_color * (tone * falloff);
     if shop {
         // Shelves and goods.
@@ -64,7 +65,7 @@ pub(super) fn window(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &
         0.0
     };
     let folds = 0.85 + 0.15 * noise::value2(Vec2::new(place.x * 23.0, 0.3), 7);
-    let cloth = Vec3A::new(0.66, 0.63, 0.58).lerp(Vec3A::new(0.40, 0.36, 0.33), random(5) * 0.7) * folds;
+    let cloth = Vec3A::new(0.66, 0.63, 0.58).lerp_unfused(Vec3A::new(0.40, 0.36, 0.33), random(5) * 0.7) * folds;
 
     let lit_share = if shop { 0.85 } else { 0.36 };
     let lit = environment.night && random(6) < lit_share;
@@ -72,11 +73,11 @@ pub(super) fn window(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &
     if lit {
         let lamp = if shop { LAMP_COLORS[2] } else { LAMP_COLORS[(random(7) * 4.0) as usize % 4] };
         let power = if shop { 0.055 } else { 0.018 * lerp(0.5, 1.5, random(8)) };
-        let behind = room.lerp(cloth * 0.45, curtain);
+        let behind = room.lerp_unfused(cloth * 0.45, curtain);
         emission = lamp * behind * power;
     }
     // By day a room gets only what its window lets in.
-    let by_day = (room * 0.10).lerp(cloth * 0.55, curtain);
+    let by_day = (room * 0.10).lerp_unfused(cloth * 0.55, curtain);
     let mut bsdf = Bsdf::matte(by_day * base.max(Vec3A::splat(0.5)), point.normal).coated(1.0, 0.07, 0.06);
     bsdf.specular = 0.0;
     bsdf.emission = emission;

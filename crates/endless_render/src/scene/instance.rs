@@ -2,6 +2,7 @@
 
 use super::{Geometry, RigidVelocity};
 use crate::accel::{Blas, world_bounds};
+use endless_world::math::UnfusedMatrix;
 use endless_world::{ClassTag, InstanceId, SignalId, VehicleLights};
 use glam::{Affine3A, Mat3A, Vec3, Vec3A};
 use std::sync::Arc;
@@ -35,7 +36,7 @@ impl Instance {
         Self {
             geometry: geometry.clone(),
             world_from_object,
-            normal_matrix: world_from_object.matrix3.inverse().transpose(),
+            normal_matrix: world_from_object.matrix3.inverse_unfused().transpose(),
             id: InstanceId::STUFF,
             class: None,
             tint: Vec3A::ONE,

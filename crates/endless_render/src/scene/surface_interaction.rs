@@ -4,6 +4,7 @@ use super::Instance;
 use crate::accel::{Hit, Ray};
 use endless_scene::Material;
 use endless_world::ClassTag;
+use endless_world::math::UnfusedVec3A;
 use glam::{Vec2, Vec3A};
 
 /// A point to be lit.
@@ -70,7 +71,7 @@ impl<'a> SurfaceInteraction<'a> {
         let w = 1.0 - hit.u - hit.v;
         let object_position = pa * w + pb * hit.u + pc * hit.v;
         let smooth = posed.normal(a) * w + posed.normal(b) * hit.u + posed.normal(c) * hit.v;
-        let flat = (pb - pa).cross(pc - pa);
+        let flat = (pb - pa).cross_unfused(pc - pa);
         let mut geometric_normal = (instance.normal_matrix * flat).normalize_or(Vec3A::Z);
         let mut normal = (instance.normal_matrix * smooth).normalize_or(geometric_normal);
         // Mirrored instances turn the winding round: let the vertex normals decide which side is out.

@@ -1,5 +1,6 @@
 //! The velocity of a rigid body at an instant.
 
+use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 
 /// A rigid motion at one instant: a velocity, and a turn about a point. World frame.
@@ -19,6 +20,6 @@ impl RigidVelocity {
 
     /// Velocity of a point of the body, m/s.
     pub fn at(&self, point: Vec3A) -> Vec3A {
-        self.linear_mps + self.angular_radps.cross(point - self.about)
+        self.linear_mps + self.angular_radps.cross_unfused(point - self.about)
     }
 }
