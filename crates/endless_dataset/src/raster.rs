@@ -43,6 +43,9 @@ pub fn encode_jpg(image: &Image<[u8; 3]>) -> Result<Vec<u8>, String> {
     Ok(out)
 }
 
+/// Longest side of an image that is read: what a damaged header asks for is not allocated.
+const LONGEST_SIDE: u32 = 1 << 14;
+
 /// Pixels of an 8-bit RGB PNG.
 ///
 /// # Errors
@@ -52,6 +55,9 @@ pub(crate) fn decode_png(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
     let info = reader.info();
     if (info.color_type, info.bit_depth) != (png::ColorType::Rgb, png::BitDepth::Eight) {
         return Err(format!("{:?} {:?} instead of 8-bit RGB", info.color_type, info.bit_depth));
+    }
+    if info.width.max(info.height) > LONGEST_SIDE {
+        return Err(format!("{}x{} pixels: at most {LONGEST_SIDE} a side", info.width, info.height));
     }
     let size = ImageSize { width: info.width, height: info.height };
     let mut data = vec![[0u8; 3]; size.pixels()];
@@ -68,12 +74,13 @@ pub(crate) fn decode_png(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
 pub(crate) fn decode_jpg(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
     let options = zune_core::options::DecoderOptions::default()
         .set_strict_mode(true)
-        .set_max_width(1 << 14)
-        .set_max_height(1 << 14)
+        .set_max_width(LONGEST_SIDE as usize)
+        .set_max_height(LONGEST_SIDE as usize)
         .jpeg_set_out_colorspace(zune_core::colorspace::ColorSpace::RGB);
     let cursor = zune_core::bytestream::ZCursor::new(bytes);
     let mut decoder = zune_jpeg::JpegDecoder::new_with_options(cursor, options);
-    let pixels = decoder.decode().map_err(|e| e.to_string())?;
+    // Some of its messages end with a line break.
+    let pixels = decoder.decode().map_err(|e| e.to_string().trim_end().to_owned())?;
     let (width, height) = decoder.dimensions().ok_or("no size")?;
     let data = pixels.as_chunks::<3>().0.to_vec();
     Ok(Image { size: ImageSize { width: width as u32, height: height as u32 }, data })
@@ -89,6 +96,17 @@ mod tests {
         let mut stream = Stream::named(1, "raster test", &[]);
         let data = (0..size.pixels()).map(|_| stream.next_u64().to_le_bytes()[..3].try_into().expect("3")).collect();
         Image { size, data }
+    }
+
+    #[test]
+    fn a_header_that_asks_for_too_much_is_refused() {
+        let mut header = b"IHDR\0\0\x4e\x20\0\0\0\x01\x08\x02\0\0\0".to_vec();
+        let checksum = header.iter().fold(u32::MAX, |crc, &byte| {
+            (0..8).fold(crc ^ u32::from(byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 * (crc & 1)))
+        });
+        header.extend((!checksum).to_be_bytes());
+        let png = [b"\x89PNG\r\n\x1a\n\0\0\0\x0d", &header[..], b"\0\0\0\0IDAT\x35\xaf\x06\x1e"].concat();
+        assert_eq!(decode_png(&png), Err("20000x1 pixels: at most 16384 a side".to_owned()));
     }
 
     #[test]
