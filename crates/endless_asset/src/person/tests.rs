@@ -3,6 +3,7 @@ use endless_world::math::UnfusedQuat;
 use endless_world::walking::Footsteps;
 use endless_world::{Gait, KEYPOINTS, Outfit, PersonRef, Stream};
 use glam::{DVec2, Quat};
+use rayon::prelude::*;
 use skeleton::Side;
 
 const GAITS: [Gait; 9] =
@@ -276,7 +277,7 @@ fn the_skeleton_is_inside_the_body() {
             Vec3::new(r * cos, r * sin, z)
         })
         .collect();
-    for variant in 0..300 {
+    (0..300).into_par_iter().for_each(|variant| {
         let person = person(variant);
         let skirt = person.traits.wears.iter().any(|w| ["skirt", "long_skirt", "dress"].contains(w));
         for gait in [Gait::Stand, Gait::Walk, Gait::Run, Gait::Sit] {
@@ -292,7 +293,7 @@ fn the_skeleton_is_inside_the_body() {
                 assert!(met >= least, "variant {variant} {gait:?}: {met} of 26 rays from {bone:?} meet the body");
             }
         }
-    }
+    });
 }
 
 fn meets(person: &PersonModel, pose: &BodyPose, from: Vec3, direction: Vec3, most: f32) -> bool {

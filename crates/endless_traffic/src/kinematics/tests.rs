@@ -5,6 +5,8 @@ use endless_asset::Catalogue;
 use endless_road::Turn;
 use endless_world::{Condition, Stream, TimeOfDay, VehicleModelId, VehicleRef, VehicleSpec, Weather};
 use glam::DVec2;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Between the outermost lane and the kerb, metres.
 const GUTTER_M: f64 = 0.3;
@@ -32,8 +34,8 @@ fn drawn_tyres(trailer: &TrailerState, spec: &VehicleSpec) -> [DVec2; 2] {
 fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
     let catalogue = Catalogue::builtin();
     let specs: Vec<VehicleSpec> = catalogue.vehicle_specs();
-    let mut turns = [0, 0];
-    for name in endless_town::NAMES {
+    let turns = [AtomicUsize::new(0), AtomicUsize::new(0)];
+    endless_town::NAMES.par_iter().for_each(|name| {
         let town = endless_town::load(name, &catalogue).expect("a town");
         let roads = Roads::new(town.network, &specs, &[]);
         let network = &roads.network;
@@ -51,7 +53,7 @@ fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
                 settle(&mut bus, &roads);
                 bus.speed = 4.0;
                 let way = 25.0 + lane.centerline.length() + network.lane(after).centerline.length().min(40.0) - 9.0;
-                turns[usize::from(lane.turn == Turn::Left)] += 1;
+                turns[usize::from(lane.turn == Turn::Left)].fetch_add(1, Ordering::Relaxed);
                 for _ in 0..(way / 4.0 * 30.0) as usize {
                     advance(&mut bus, &roads, 1.0 / 30.0);
                     // To the left the ground inside is the junction's own: room is kept for what is drawn there.
@@ -62,8 +64,8 @@ fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
                 }
             }
         }
-    }
-    assert!(turns.iter().all(|&n| n > 20), "{turns:?} right and left turns");
+    });
+    assert!(turns.iter().all(|n| n.load(Ordering::Relaxed) > 20), "{turns:?} right and left turns");
 }
 
 /// On a street's lane a tyre keeps to it; inside a junction it may cut the corner to the left, but not over the kerb.
