@@ -4,6 +4,7 @@
 //! send their rays side by side, and the denoiser mixes neighbours, which have different ones.
 
 use crate::accel::Ray;
+use crate::light::Environment;
 use crate::material::noise;
 use crate::sampling::{SAMPLES, cosine_direction, hammersley, rotated};
 use crate::scene::SurfaceInteraction;
@@ -26,6 +27,12 @@ pub(crate) fn turn(x: usize, y: usize, sample: usize, pattern: u32) -> Vec2 {
     rotated(hammersley(index as u32, count as u32), shift)
 }
 
+/// The most that one ray may bring, kcd/m²: lenses of lamps, whose light is counted without them, are met by few rays and
+/// would be grain.
+pub(super) fn brightest(environment: &Environment) -> f32 {
+    (environment.sky.mean.max_element() * CLAMP).max(0.05)
+}
+
 /// Illuminance from everything but the sun's disc and the lamps, klx, of up to eight points whose patterns are turned
 /// alike; noisy, to be denoised.
 pub(crate) fn gather8(
@@ -35,7 +42,7 @@ pub(crate) fn gather8(
     rays: u32,
 ) -> [Vec3A; 8] {
     let active = points.iter().enumerate().fold(0u8, |bits, (i, point)| bits | u8::from(point.is_some()) << i);
-    let limit = (tracer.environment.sky.mean.max_element() * CLAMP).max(0.05);
+    let limit = brightest(tracer.environment);
     let mut sums = [Vec3A::ZERO; 8];
     for k in 0..rays {
         let u = rotated(hammersley(k, rays), turn);

@@ -1,5 +1,6 @@
 //! Baking of irradiance probes.
 
+use super::gather::brightest;
 use super::harmonics::SphericalHarmonics;
 use super::probe_grid::{Probe, ProbeGrid, ProbeRegion};
 use crate::accel::Ray;
@@ -45,6 +46,7 @@ impl ProbeGrid {
 fn probe(tracer: &Tracer<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe {
     let mut light = SphericalHarmonics::ZERO;
     let mut behind = 0u32;
+    let limit = Vec3A::splat(brightest(tracer.environment));
     let turn = Vec2::new(noise::cell1(pattern, 1), noise::cell1(pattern, 2));
     for k in 0..rays {
         let direction = sphere_direction(rotated(hammersley(k, rays), turn));
@@ -53,7 +55,7 @@ fn probe(tracer: &Tracer<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe
             let point = tracer.point(&ray, &struck);
             behind += u32::from(point.from_behind && point.material.surface != Surface::Foliage);
         }
-        light.add(direction, shade_secondary(tracer, &ray, 0.6), 4.0 * PI / rays as f32);
+        light.add(direction, shade_secondary(tracer, &ray, 0.6).min(limit), 4.0 * PI / rays as f32);
     }
     let inside = behind as f32 / rays as f32;
     Probe { light, trust: (1.0 - inside * 4.0).clamp(0.0, 1.0) }

@@ -6,7 +6,7 @@ use super::opening::WindowNumbers;
 use super::storeyed::{add_wall, make_designed};
 use super::style::RoofForm;
 use super::wall::Wall;
-use crate::geometry::{triangulate, with_holes};
+use crate::geometry::triangulate;
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
 use endless_world::{ClassTag, Stream};
 use glam::{DVec2, Vec2, Vec3};
@@ -137,9 +137,9 @@ fn raise(
 fn flat_roof(mesh: &mut MeshBuilder, block: &BuildingOutline<'_>, height: f32, parapet: f32, finish: &BuildingFinish) {
     let inner = inset(block.outline);
     let holes: Vec<Vec<DVec2>> = block.holes.iter().map(|hole| inset(hole)).collect();
-    let joined = with_holes(&inner, &holes);
-    let base = mesh.vertices(joined.iter().map(|p| (p.extend(f64::from(height)).as_vec3(), Vec3::Z, p.as_vec2())));
-    for t in triangulate(&joined) {
+    let (corners, triangles) = triangulate(&inner, &holes);
+    let base = mesh.vertices(corners.iter().map(|p| (p.extend(f64::from(height)).as_vec3(), Vec3::Z, p.as_vec2())));
+    for t in triangles {
         mesh.triangle_indices(t.map(|k| base + k as u32), FELT);
     }
     let rings = std::iter::once((block.outline, &inner[..]))

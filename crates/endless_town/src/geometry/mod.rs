@@ -3,5 +3,5 @@
 mod polygon;
 mod rect;
 
-pub(crate) use polygon::{area, triangulate, with_holes};
+pub(crate) use polygon::{area, triangulate};
 pub(crate) use rect::{OccupiedSpace, Rect, around, inside, unit};

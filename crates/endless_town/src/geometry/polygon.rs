@@ -1,81 +1,29 @@
-//! Triangles of a simple polygon.
+//! Triangles of a polygon.
 
+use earcut::Earcut;
 use glam::DVec2;
 
-/// Ear clipping that takes the best-shaped ear first. The outline is counter-clockwise; returns indices into it.
-pub(crate) fn triangulate(outline: &[DVec2]) -> Vec<[usize; 3]> {
-    let mut left: Vec<usize> = (0..outline.len()).collect();
-    let mut shape: Vec<f64> = (0..left.len()).map(|k| ear_shape(outline, &left, k)).collect();
-    let mut triangles = Vec::with_capacity(outline.len());
-    let mut fresh = true;
-    while left.len() > 3 {
-        let best = (0..left.len()).max_by(|&a, &b| shape[a].total_cmp(&shape[b])).expect("three or more");
-        if shape[best] <= 0.0 && !fresh {
-            // Ears that were blocked may have become free.
-            shape = (0..left.len()).map(|k| ear_shape(outline, &left, k)).collect();
-            fresh = true;
-            continue;
-        }
-        let n = left.len();
-        triangles.push([left[(best + n - 1) % n], left[best], left[(best + 1) % n]]);
-        left.remove(best);
-        shape.remove(best);
-        fresh = false;
-        let n = left.len();
-        for k in [(best + n - 1) % n, best % n] {
-            shape[k] = ear_shape(outline, &left, k);
-        }
+/// The triangles of an outline with holes, whichever way these turn: the corners (those of the outline, then those of
+/// each hole) and three of them a triangle, counter-clockwise. Ears are cut (Held 2001), then edges are flipped until the
+/// triangles are Delaunay's (Lawson 1977): thin ones are rare. Corners on a straight line may belong to no triangle.
+pub(crate) fn triangulate(outline: &[DVec2], holes: &[Vec<DVec2>]) -> (Vec<DVec2>, Vec<[usize; 3]>) {
+    let mut corners = outline.to_vec();
+    let mut begins: Vec<u32> = Vec::new();
+    for hole in holes.iter().filter(|hole| hole.len() >= 3) {
+        begins.push(corners.len() as u32);
+        corners.extend(hole);
     }
-    triangles.push([left[0], left[1], left[2]]);
-    triangles
-}
-
-/// How good an ear the corner `k` is: area over longest side squared; 0 for nearly flat ones, negative if it is none.
-fn ear_shape(outline: &[DVec2], left: &[usize], k: usize) -> f64 {
-    let n = left.len();
-    let [a, b, c] = [left[(k + n - 1) % n], left[k], left[(k + 1) % n]].map(|i| outline[i]);
-    let area = (b - a).perp_dot(c - a);
-    if area <= 0.0 {
-        return -1.0;
-    }
-    let inside =
-        |p: DVec2| (b - a).perp_dot(p - a) >= 0.0 && (c - b).perp_dot(p - b) >= 0.0 && (a - c).perp_dot(p - c) >= 0.0;
-    // Corners may be doubled where a hole was joined to the outline.
-    let corner = |p: DVec2| p == a || p == b || p == c;
-    let blocked = left.iter().any(|&i| !corner(outline[i]) && inside(outline[i]));
-    if blocked {
-        return -1.0;
-    }
-    area / a.distance_squared(b).max(b.distance_squared(c)).max(c.distance_squared(a))
-}
-
-/// One outline around a polygon with holes (clockwise): each hole is joined to it by the shortest way in and out.
-pub(crate) fn with_holes(outline: &[DVec2], holes: &[Vec<DVec2>]) -> Vec<DVec2> {
-    let mut joined = outline.to_vec();
-    for hole in holes.iter().filter(|h| h.len() >= 3) {
-        let crosses = |a: DVec2, b: DVec2, ring: &[DVec2]| {
-            (0..ring.len()).any(|k| {
-                let (c, d) = (ring[k], ring[(k + 1) % ring.len()]);
-                let touch = [c, d].iter().any(|p| *p == a || *p == b);
-                let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
-                !touch && side(a, b, c) * side(a, b, d) <= 0.0 && side(c, d, a) * side(c, d, b) <= 0.0
-            })
-        };
-        let mut ways: Vec<(f64, usize, usize)> = (0..joined.len())
-            .flat_map(|i| (0..hole.len()).map(move |j| (i, j)))
-            .map(|(i, j)| (joined[i].distance_squared(hole[j]), i, j))
-            .collect();
-        ways.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let clear = |&&(_, i, j): &&(f64, usize, usize)| {
-            !crosses(joined[i], hole[j], &joined) && !crosses(joined[i], hole[j], hole)
-        };
-        if let Some(&(_, i, j)) = ways.iter().find(clear) {
-            let around = (0..=hole.len()).map(|k| hole[(j + k) % hole.len()]);
-            let insert: Vec<DVec2> = around.chain([joined[i]]).collect();
-            joined.splice(i + 1..i + 1, insert);
-        }
-    }
-    joined
+    let places: Vec<[f64; 2]> = corners.iter().map(DVec2::to_array).collect();
+    let mut indices: Vec<u32> = Vec::new();
+    Earcut::new().earcut_slice(&places, &begins, &mut indices);
+    earcut::refine(&mut indices, &places);
+    let counter_clockwise = |t: &[u32]| {
+        let [a, b, c] = [t[0], t[1], t[2]].map(|i| i as usize);
+        let turn = (corners[b] - corners[a]).perp_dot(corners[c] - corners[a]);
+        if turn < 0.0 { [a, c, b] } else { [a, b, c] }
+    };
+    let triangles = indices.chunks_exact(3).map(counter_clockwise).collect();
+    (corners, triangles)
 }
 
 /// Signed area, positive if counter-clockwise.
@@ -100,11 +48,19 @@ mod tests {
                 .collect()
         };
         let (outer, hole) = (ring(9.0, 8, 1.0), ring(4.0, 5, -1.0));
-        let joined = with_holes(&outer, std::slice::from_ref(&hole));
-        let triangles = triangulate(&joined);
-        let covered: f64 = triangles.iter().map(|t| area(&t.map(|i| joined[i]))).sum();
+        let (corners, triangles) = triangulate(&outer, std::slice::from_ref(&hole));
+        let covered: f64 = triangles.iter().map(|t| area(&t.map(|i| corners[i]))).sum();
         assert!((covered - (area(&outer) + area(&hole))).abs() < 1e-9);
-        assert!(triangles.iter().all(|t| area(&t.map(|i| joined[i])) > -1e-9));
+        assert!(triangles.iter().all(|t| area(&t.map(|i| corners[i])) > -1e-9));
+    }
+
+    #[test]
+    fn what_is_no_polygon_has_no_triangles() {
+        let line = [DVec2::ZERO, DVec2::X, DVec2::X * 2.0, DVec2::X];
+        for outline in [&line[..0], &line[..2], &line] {
+            assert!(triangulate(outline, &[]).1.is_empty());
+        }
+        assert!(triangulate(&[DVec2::NAN; 4], &[]).1.iter().flatten().all(|&i| i < 4));
     }
 
     proptest! {
@@ -119,7 +75,7 @@ mod tests {
                     DVec2::new(cos, sin) * *r
                 })
                 .collect();
-            let triangles = triangulate(&outline);
+            let (_, triangles) = triangulate(&outline, &[]);
             let covered: f64 = triangles.iter().map(|t| area(&t.map(|i| outline[i]))).sum();
             prop_assert_eq!(triangles.len(), outline.len() - 2);
             prop_assert!((covered - area(&outline)).abs() < 1e-6);

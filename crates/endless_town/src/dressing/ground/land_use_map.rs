@@ -3,7 +3,7 @@
 use crate::camera::OpenSpace;
 use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::geometry::inside;
-use crate::geometry::{area, triangulate, with_holes};
+use crate::geometry::{area, triangulate};
 use crate::palette::{CAR_PARK, FIELD, GRAVEL, LAWN, MEADOW, PLAZA, PLAZA_BAND, SOIL, WATER, WOODLAND, YARD};
 use endless_road::{LandUse, LandUseArea};
 use endless_scene::{Material, MeshBuilder};
@@ -115,12 +115,12 @@ impl LandUseMap {
             if outline.len() < 3 {
                 continue;
             }
-            let joined = with_holes(&outline, &bounded.area.holes);
+            let (corners, triangles) = triangulate(&outline, &bounded.area.holes);
             // Above the ground beside pavements, below the pavements.
             let z = level - 0.048 + 0.000_1 * (place % 350) as f64;
-            let base = mesh.vertices(joined.iter().map(|p| (p.extend(z).as_vec3(), Vec3::Z, p.as_vec2())));
-            for t in triangulate(&joined) {
-                if area(&t.map(|k| joined[k])) > 1e-4 {
+            let base = mesh.vertices(corners.iter().map(|p| (p.extend(z).as_vec3(), Vec3::Z, p.as_vec2())));
+            for t in triangles {
+                if area(&t.map(|k| corners[k])) > 1e-4 {
                     mesh.triangle_indices(t.map(|k| base + k as u32), material);
                 }
             }

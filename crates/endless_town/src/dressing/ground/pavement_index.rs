@@ -150,7 +150,7 @@ impl PavementIndex {
         if flat.len() < 3 || crate::geometry::area(&flat) <= 0.0 {
             return;
         }
-        for triangle in triangulate(&flat) {
+        for triangle in triangulate(&flat, &[]).1 {
             let number = self.between.len() as u32;
             let corners = triangle.map(|k| flat[k]);
             let (low, high) = (corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2]));

@@ -288,7 +288,7 @@ pub(crate) fn junction_areas(mesh: &mut MeshBuilder, map: &RoadMap, paving: Mate
             let p = (*p - DVec3::Z * 0.004).as_vec3();
             (p, Vec3::Z, Vec2::new(p.x, NO_LANE))
         }));
-        for t in triangulate(&flat).into_iter().filter(|t| crate::geometry::area(&t.map(|k| flat[k])) > 1e-3) {
+        for t in triangulate(&flat, &[]).1.into_iter().filter(|t| crate::geometry::area(&t.map(|k| flat[k])) > 1e-3) {
             mesh.triangle_indices(t.map(|k| base + k as u32), paving);
         }
         for k in 0..outline.len() {
