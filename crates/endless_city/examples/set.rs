@@ -4,7 +4,9 @@
 mod staged;
 
 use endless_asset::{Catalogue, Prop};
-use endless_render::{CameraBake, FrameDescription, FrameScene, Geometry, Instance, RenderSettings, StaticScene};
+use endless_render::{
+    CameraBake, FrameDescription, FrameScene, Gathering, Geometry, Instance, RenderSettings, StaticScene,
+};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
 use endless_world::{CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather, math};
 use glam::{Affine3A, Vec2, Vec3};
@@ -102,7 +104,7 @@ fn site(low: Vec3, high: Vec3, tile: ImageSize, azimuth: f32) -> CameraSite {
 fn picture(mesh: &Mesh, tile: ImageSize, azimuth: f32) -> Vec<[u8; 3]> {
     let still = stage(mesh);
     let settings = RenderSettings {
-        gather_rays: 2,
+        gathering: Gathering::Interpolated { rays: 4 },
         ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 1, sheet::large(tile))
     };
     let (mut low, high) = mesh.bounds();

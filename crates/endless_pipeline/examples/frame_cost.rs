@@ -3,7 +3,7 @@
 
 use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
-use endless_render::{CameraBake, RenderSettings};
+use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{Condition, SceneCamera, SceneSettings};
 use glam::Vec3;
@@ -25,7 +25,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     // One gathered ray: the light is noisy, the cost of a frame is the same.
     let bake = |SceneCamera { site, look }: &SceneCamera| {
         let render = RenderSettings {
-            gather_rays: 1,
+            gathering: Gathering::Interpolated { rays: 2 },
             look: *look,
             fps,
             ..RenderSettings::new(weather, time_of_day, seed, size)

@@ -5,7 +5,8 @@ mod street;
 
 use divan::Bencher;
 use endless_render::{
-    CameraBake, FrameDescription, FrameScene, Geometry, IndirectLight, MovingCamera, RenderSettings, StaticScene,
+    CameraBake, FrameDescription, FrameScene, Gathering, Geometry, IndirectLight, MovingCamera, RenderSettings,
+    StaticScene,
 };
 use endless_world::{ImageSize, TimeOfDay, Weather};
 use std::sync::LazyLock;
@@ -20,7 +21,10 @@ fn main() {
 
 fn settings() -> RenderSettings {
     let size = ImageSize { width: 1280, height: 720 };
-    RenderSettings { gather_rays: 1, ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, size) }
+    RenderSettings {
+        gathering: Gathering::Interpolated { rays: 2 },
+        ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, size)
+    }
 }
 
 fn frame(cars: u16) -> FrameScene {

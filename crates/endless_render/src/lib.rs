@@ -83,4 +83,4 @@ pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,
     RigidVelocity, StaticScene,
 };
-pub use settings::RenderSettings;
+pub use settings::{Gathering, RenderSettings};

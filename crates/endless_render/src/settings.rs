@@ -2,6 +2,32 @@
 
 use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, TimeOfDay, Weather};
 
+/// Where light of the sky and from other surfaces is gathered for the still picture, and with how many rays a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Gathering {
+    /// At one point of every two by two pixels, interpolated along surfaces from there, and wherever that does not do.
+    Interpolated {
+        /// Rays a point; 8 are clean after denoising.
+        rays: u32,
+    },
+    /// At every sample of every pixel: slow; the oracle of the other.
+    EverySample {
+        /// Rays a sample; 4 are clean after denoising.
+        rays: u32,
+    },
+}
+
+impl Gathering {
+    /// As clean as the default.
+    pub const EVERY_SAMPLE: Self = Self::EverySample { rays: 4 };
+}
+
+impl Default for Gathering {
+    fn default() -> Self {
+        Self::Interpolated { rays: 8 }
+    }
+}
+
 /// Settings of a camera's picture of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RenderSettings {
@@ -15,8 +41,8 @@ pub struct RenderSettings {
     pub seed: u64,
     /// Image size.
     pub size: ImageSize,
-    /// Rays that gather indirect light for each of a pixel's samples; 4 is clean after denoising.
-    pub gather_rays: u32,
+    /// Where light that bounced is gathered.
+    pub gathering: Gathering,
     /// Which of many equal patterns the gathering rays follow: pictures that differ in nothing else differ by the grain
     /// that is left.
     pub pattern: u32,
@@ -37,7 +63,7 @@ impl RenderSettings {
             sun_direction: None,
             seed,
             size,
-            gather_rays: 4,
+            gathering: Gathering::default(),
             pattern: 0,
             look: CameraLook::CLEAN,
             fps: 30.0,

@@ -3,7 +3,7 @@
 use super::crowd;
 use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
-use endless_render::{CameraBake, RenderSettings};
+use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::Town;
 use endless_world::{CameraSite, ImageSize, TimeOfDay, Weather};
 
@@ -17,7 +17,10 @@ pub(crate) fn draw(
     size: ImageSize,
 ) -> Vec<[u8; 3]> {
     let still = town_scene.static_scene();
-    let settings = RenderSettings { gather_rays: 1, ..RenderSettings::new(weather, time_of_day, 7, size) };
+    let settings = RenderSettings {
+        gathering: Gathering::Interpolated { rays: 2 },
+        ..RenderSettings::new(weather, time_of_day, 7, size)
+    };
     let bake = CameraBake::bake(still, &settings, site);
     let lights = time_of_day == TimeOfDay::Night || matches!(weather, Weather::Rainy | Weather::Foggy);
     let state = crowd(town, site.position, catalogue, lights);

@@ -3,7 +3,7 @@
 use super::label;
 use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
-use endless_render::{CameraBake, RenderSettings};
+use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::{Town, top_view};
 use endless_world::{Image, ImageSize, SignalAspect, SignalState, TimeOfDay, TooManyInstances, Weather, WorldState};
 
@@ -22,8 +22,10 @@ pub(crate) fn preview(town: &Town, catalogue: &Catalogue) -> Result<Image<[u8; 3
     pixels[..width * width].copy_from_slice(&above);
     let town_scene = TownScene::load(town, catalogue)?;
     let still = town_scene.static_scene();
-    let settings =
-        RenderSettings { gather_rays: 2, ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, SMALL) };
+    let settings = RenderSettings {
+        gathering: Gathering::Interpolated { rays: 4 },
+        ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, SMALL)
+    };
     let signals = vec![SignalState { aspect: SignalAspect::Red }; usize::from(town.network.signal_groups)];
     let state = WorldState { frame: 0, time_s: 0.0, actors: Vec::new(), signals };
     let models = ActorModels::new(catalogue, &state.actors);

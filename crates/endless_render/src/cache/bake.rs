@@ -1,7 +1,7 @@
 //! All that is precomputed for one camera in one scene without moving objects.
 
 use super::bake_pass::BakePass;
-use super::bake_stats::BakeStats;
+use super::bake_stats::{BakeStats, timed};
 use super::camera_film::CameraFilm;
 use super::gbuffer::GBuffer;
 use super::tile_hierarchy::TileHierarchy;
@@ -32,14 +32,15 @@ impl CameraBake {
         let camera = settings.camera(site);
         let pixel_angle = 1.0 / camera.intrinsics.fx;
         let area = ViewedArea::of(still, &camera);
-        let lighting = Lighting::direct(still, settings, &area).with_probes(still, settings, &area);
+        let lighting = timed("lights", || Lighting::direct(still, settings, &area));
+        let lighting = timed("probes", || lighting.with_probes(still, settings, &area));
         let stats = BakeStats::default();
         let tracer = lighting.tracer(still, None);
         let gbuffer = GBuffer::bake(&BakePass { tracer, camera: &camera, pixel_angle, settings, stats: &stats });
         let sun = lighting.environment.sun.as_ref().map(|sun| sun.direction);
-        let tiles = TileHierarchy::new(&camera, &gbuffer.samples, sun);
-        let film = CameraFilm::new(settings, &camera, &lighting.environment, &gbuffer.samples);
-        let lighting = lighting.with_halos(still, &camera);
+        let tiles = timed("tiles", || TileHierarchy::new(&camera, &gbuffer.samples, sun));
+        let film = timed("film", || CameraFilm::new(settings, &camera, &lighting.environment, &gbuffer.samples));
+        let lighting = timed("halos", || lighting.with_halos(still, &camera));
         Self { camera, pixel_angle, lighting, gbuffer, tiles, film, stats }
     }
 

@@ -1,13 +1,14 @@
 //! The primary hits of a fixed camera, by sample and by pixel.
 
 use super::bake_pass::BakePass;
+use super::bake_stats::timed;
 use super::gbuffer_pixel::GBufferPixel;
-use super::gbuffer_sample::{GBufferSample, share_lamp_light};
+use super::gbuffer_sample::GBufferSample;
+use super::irradiance::IrradiancePass;
 use crate::material::Bsdf;
 use crate::pixel_layers::LayerImages;
 use crate::sampling::SAMPLES;
 use glam::Vec3A;
-use rayon::prelude::*;
 
 /// The G-buffer of what stands still: all by pixel, row-major.
 pub(super) struct GBuffer {
@@ -30,15 +31,13 @@ impl GBuffer {
     /// Traces and shades what stands still.
     pub(super) fn bake(pass: &BakePass<'_>) -> Self {
         let night = pass.tracer.environment.night;
-        let primary = pass.trace();
-        let irradiance = pass.irradiance(&primary);
-        let mut samples = pass.shade(&primary, &irradiance);
-        let uniform = pass.uniform(&samples);
-        let layers = pass.layers(&samples);
-        if night {
-            samples.par_chunks_mut(SAMPLES).zip(&uniform).filter(|(_, u)| **u).for_each(|(s, _)| share_lamp_light(s));
-        }
-        let bsdfs = if night { pass.bsdfs(&samples, &uniform) } else { Vec::new() };
+        let primary = timed("primary", || pass.trace());
+        let uniform = timed("uniform", || pass.uniform(&primary));
+        let irradiance =
+            timed("gather", || IrradiancePass { bake: pass, primary: &primary, uniform: &uniform }.gather());
+        let samples = timed("shade", || pass.shade(&primary, &irradiance, &uniform));
+        let layers = timed("layers", || pass.layers(&samples));
+        let bsdfs = if night { timed("bsdfs", || pass.bsdfs(&samples, &uniform)) } else { Vec::new() };
         let pixels = samples.as_chunks().0.iter().map(GBufferPixel::new).collect();
         let kept = irradiance.iter().filter(|_| pass.settings.keep_irradiance).map(Vec3A::to_array).collect();
         Self { samples, pixels, uniform, bsdfs, layers, irradiance: kept }

@@ -22,6 +22,8 @@ pub(super) struct PrimarySample {
     pub(super) irradiance: Vec3A,
     /// Number of the sample in its pixel.
     pub(super) sample: usize,
+    /// Whether lamps are asked for their light at night.
+    pub(super) asks_lamps: bool,
 }
 
 /// The BSDF of a still sample; the same wherever it is asked for.
@@ -34,6 +36,11 @@ pub(super) fn gbuffer_bsdf(
     evaluate_bsdf(point, environment, footprint_m(point, pixel_angle), sample as f32 / 4.0 + 0.1)
 }
 
+/// Whether a point lies on a lens of a traffic light.
+pub(super) fn shows_signal(point: &SurfaceInteraction<'_>) -> bool {
+    matches!(point.material.surface, Surface::SignalLens(_)) && point.instance.signal.is_some()
+}
+
 /// Shades a sample, surface or sky; `tracer` must hold nothing that moves.
 pub(super) fn shade_sample(tracer: &Tracer<'_>, primary: &PrimarySample, pixel_angle: f32) -> GBufferSample {
     match &primary.hit {
@@ -43,7 +50,7 @@ pub(super) fn shade_sample(tracer: &Tracer<'_>, primary: &PrimarySample, pixel_a
 }
 
 fn shade_surface(tracer: &Tracer<'_>, primary: &PrimarySample, hit: &Hit, pixel_angle: f32) -> GBufferSample {
-    let PrimarySample { ray, sun_free, irradiance, sample, .. } = *primary;
+    let PrimarySample { ray, sun_free, irradiance, sample, asks_lamps, .. } = *primary;
     let environment = tracer.environment;
     let point = SurfaceInteraction::new(&tracer.still.instances, &ray, hit);
     let bsdf = gbuffer_bsdf(&point, environment, sample, pixel_angle);
@@ -51,9 +58,9 @@ fn shade_surface(tracer: &Tracer<'_>, primary: &PrimarySample, hit: &Hit, pixel_
     let transmittance = environment.fog.transmittance(ray.origin, ray.direction, hit.t);
     let (mirror, mirror_t) = mirror_light(tracer, &point, &bsdf, pixel_angle);
     let mirrors = bsdf.coat_reflectance(view).max_element() >= MIRROR_THRESHOLD;
-    let lens = matches!(point.material.surface, Surface::SignalLens(_)) && point.instance.signal.is_some();
+    let lens = shows_signal(&point);
     let facet = point.facet();
-    let lamps_free = if environment.night { lamps_free(tracer, &facet) } else { 0 };
+    let lamps_free = if environment.night && asks_lamps { lamps_free(tracer, &facet) } else { 0 };
     let direct = if environment.night {
         lamp_sum(tracer, &facet, &bsdf, lamps_free)
     } else {

@@ -9,12 +9,10 @@ use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_sample};
 use super::mirror::mirrored;
 use super::moving_hits::MovingHits;
 use super::pixel::undisturbed;
-use super::sun_rays::{sun_can_light, sun_origin};
 use super::tile::TILE;
 use super::tile_context::{PixelSamples, TileContext};
 use super::tile_coverage::{CoveredPixel, coverages};
 use super::tile_work::TileWork;
-use crate::accel::Ray;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfaceInteraction};
 use crate::shade::{Tracer, shade_moving};
@@ -41,27 +39,21 @@ impl CameraBake {
         buffer.develop(self, frame.frame)
     }
 
-    /// A still sample from nothing but the scene and the baked irradiance.
+    /// A still sample from nothing but the scene, the baked irradiance and what the bake found of the sun's disc.
     fn retrace(&self, tracer: &Tracer<'_>, x: u32, y: u32, sample: usize) -> GBufferSample {
         let ray = self.ray(x, y, sample);
         let hit = tracer.still.accel.closest(&ray);
-        let mut sun_free = 0;
-        if let (Some(hit), Some(sun)) = (&hit, &tracer.environment.sun) {
-            let point = SurfaceInteraction::new(&tracer.still.instances, &ray, hit);
-            if sun_can_light(&point, sun.direction) {
-                let origin = sun_origin(&point.facet(), sun.direction);
-                for (bit, &direction) in sun.disc[sample].iter().enumerate() {
-                    let free = !tracer.still.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
-                    sun_free |= u8::from(free) << bit;
-                }
-            }
-        }
         let index = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES + sample;
         let irradiance = Vec3A::from(self.gbuffer.irradiance[index]);
-        shade_sample(tracer, &PrimarySample { ray, hit, sun_free, irradiance, sample }, self.pixel_angle)
+        let sun_free = self.gbuffer.samples[index].sun_free;
+        shade_sample(
+            tracer,
+            &PrimarySample { ray, hit, sun_free, irradiance, sample, asks_lamps: true },
+            self.pixel_angle,
+        )
     }
 
-    /// A tile from nothing but the scene and the baked irradiance, a ray at a time.
+    /// A tile from nothing but the scene, the baked irradiance and what the bake found of the sun's disc, a ray at a time.
     fn retrace_tile(&self, context: &TileContext<'_>, (x0, y0): (u32, u32), buffer: &mut FrameBuffer) {
         let TileContext { tracer, frame, .. } = *context;
         let environment = tracer.environment;

@@ -13,6 +13,23 @@ pub(crate) struct DenoiseGuide {
     pub(crate) reach_m: f32,
 }
 
+impl DenoiseGuide {
+    /// Nothing to light.
+    pub(crate) const SKY: Self = Self { position: Vec3A::ZERO, normal: Vec3A::ZERO, reach_m: 1.0 };
+}
+
+/// How much two samples, `steps` times the reach apart in the picture, lie on one surface: 1 on a plane.
+pub(crate) fn surface_weight(here: &DenoiseGuide, there: &DenoiseGuide, steps: f32) -> f32 {
+    let facing = here.normal.dot(there.normal).max(0.0);
+    let facing = facing * facing;
+    let facing = facing * facing;
+    let off_plane = (there.position - here.position).dot(here.normal) / (here.reach_m * steps);
+    let plane = 1.0 / (1.0 + 4.0 * off_plane * off_plane);
+    let apart = (there.position - here.position).length_squared() / (here.reach_m * here.reach_m);
+    let near = 1.0 / (1.0 + apart / (64.0 * (steps * steps)));
+    facing * facing * plane * plane * near
+}
+
 /// Filters an image of irradiance; rows in parallel, the result independent of the number of threads.
 pub(crate) fn denoise(width: usize, guides: &[DenoiseGuide], mut light: Vec<Vec3A>, levels: u32) -> Vec<Vec3A> {
     let height = guides.len() / width.max(1);
@@ -57,14 +74,7 @@ fn filter_one(
             }
             let other = row as usize * width + column as usize;
             let there = &guides[other];
-            let facing = here.normal.dot(there.normal).max(0.0);
-            let facing = facing * facing;
-            let facing = facing * facing;
-            let off_plane = (there.position - here.position).dot(here.normal) / (here.reach_m * step as f32);
-            let plane = 1.0 / (1.0 + 4.0 * off_plane * off_plane);
-            let apart = (there.position - here.position).length_squared() / (here.reach_m * here.reach_m);
-            let near = 1.0 / (1.0 + apart / (64.0 * (step * step) as f32));
-            let weight = KERNEL[(i + 1) as usize] * KERNEL[(j + 1) as usize] * facing * facing * plane * plane * near;
+            let weight = KERNEL[(i + 1) as usize] * KERNEL[(j + 1) as usize] * surface_weight(here, there, step as f32);
             sum += light[other] * weight;
             total += weight;
         }

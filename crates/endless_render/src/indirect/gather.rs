@@ -6,7 +6,7 @@
 use crate::accel::Ray;
 use crate::light::Environment;
 use crate::material::noise;
-use crate::sampling::{SAMPLES, cosine_direction, hammersley, rotated};
+use crate::sampling::{cosine_direction, hammersley, rotated};
 use crate::scene::SurfaceInteraction;
 use crate::shade::{Tracer, shade_secondary8};
 use glam::{Vec2, Vec3A};
@@ -14,15 +14,15 @@ use std::f32::consts::PI;
 
 /// Brightest single contribution, in units of the mean sky: keeps rare bright hits from spotting the picture.
 const CLAMP: f32 = 12.0;
-/// Patterns repeat after this many pixels along and down.
-pub(crate) const PATTERN_SIDE: usize = 4;
+/// Patterns repeat after this many points along and down.
+pub(crate) const PATTERN_SIDE: usize = 8;
+const PATTERNS: usize = PATTERN_SIDE * PATTERN_SIDE;
 
-/// How the pattern of rays of a pixel's sample is turned; pixels `PATTERN_SIDE` apart share it.
-pub(crate) fn turn(x: usize, y: usize, sample: usize, pattern: u32) -> Vec2 {
+/// How the pattern of rays of a point is turned; points `PATTERN_SIDE` apart share it.
+pub(crate) fn turn(x: usize, y: usize, pattern: u32) -> Vec2 {
     let place = (y % PATTERN_SIDE) * PATTERN_SIDE + x % PATTERN_SIDE;
-    let count = PATTERN_SIDE * PATTERN_SIDE * SAMPLES;
     // An odd factor scatters the turns of neighbours over the square.
-    let index = (place * SAMPLES + sample) * 37 % count;
+    let (index, count) = (place * 37 % PATTERNS, PATTERNS);
     let shift = Vec2::new(noise::cell1(pattern, 11), noise::cell1(pattern, 12));
     rotated(hammersley(index as u32, count as u32), shift)
 }
@@ -73,8 +73,8 @@ mod tests {
         let mut all = Vec::new();
         for y in 0..PATTERN_SIDE {
             for x in 0..PATTERN_SIDE {
-                assert_eq!(turn(x, y, 1, 5), turn(x + PATTERN_SIDE, y + 2 * PATTERN_SIDE, 1, 5));
-                all.extend((0..SAMPLES).map(|s| turn(x, y, s, 5)));
+                assert_eq!(turn(x, y, 5), turn(x + PATTERN_SIDE, y + 2 * PATTERN_SIDE, 5));
+                all.push(turn(x, y, 5));
             }
         }
         for (i, a) in all.iter().enumerate() {

@@ -10,7 +10,7 @@ mod lamps;
 mod sky;
 
 pub use beams::{BeamKind, VehicleBeam};
-pub(crate) use environment::{Environment, SUN_SAMPLES};
+pub(crate) use environment::{Environment, SUN_SAMPLES, Sun};
 pub(crate) use fog::Fog;
 pub(crate) use halo_grid::HaloGrid;
 pub(crate) use lamp_maps::LampMaps;

@@ -9,6 +9,7 @@ use super::clouds::CloudLayer;
 use endless_world::math;
 use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
+use rayon::prelude::*;
 use std::f32::consts::{PI, TAU};
 
 const WIDTH: usize = 512;
@@ -63,12 +64,8 @@ pub(crate) struct SkyParameters {
 impl Sky {
     /// Tabulates the sky.
     pub(crate) fn new(parameters: &SkyParameters) -> Self {
-        let mut table = Vec::with_capacity(WIDTH * HEIGHT);
-        for row in 0..HEIGHT {
-            for column in 0..WIDTH {
-                table.push(parameters.radiance(direction_of(column as f32 + 0.5, row as f32 + 0.5)));
-            }
-        }
+        let place = |i: usize| direction_of((i % WIDTH) as f32 + 0.5, (i / WIDTH) as f32 + 0.5);
+        let table: Vec<Vec3A> = (0..WIDTH * HEIGHT).into_par_iter().map(|i| parameters.radiance(place(i))).collect();
         let (mut sum, mut solid_angle) = (Vec3A::ZERO, 0.0);
         for (row, line) in table.chunks_exact(WIDTH).enumerate() {
             let weight = math::sin(elevation_of(row as f32 + 1.0)) - math::sin(elevation_of(row as f32));

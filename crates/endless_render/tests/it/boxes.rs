@@ -1,8 +1,8 @@
 //! A scene of boxes: rendered with the cache, without it, and by a camera that moves.
 
 use endless_render::{
-    CameraBake, Footprint, FrameDescription, FrameScene, Geometry, IndirectLight, Instance, MovingCamera, MovingObject,
-    RenderSettings, StaticScene,
+    CameraBake, Footprint, FrameDescription, FrameScene, Gathering, Geometry, IndirectLight, Instance, MovingCamera,
+    MovingObject, RenderSettings, StaticScene,
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, Mount, SensorFrame, TimeOfDay, Weather};
@@ -64,7 +64,7 @@ fn site() -> CameraSite {
 
 fn settings(weather: Weather) -> RenderSettings {
     RenderSettings {
-        gather_rays: 1,
+        gathering: Gathering::Interpolated { rays: 2 },
         keep_irradiance: true,
         ..RenderSettings::new(weather, TimeOfDay::Afternoon, 3, SIZE)
     }

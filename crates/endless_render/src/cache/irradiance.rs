@@ -1,0 +1,171 @@
+//! The pass of a bake that gathers light: where it varies, not everywhere.
+//!
+//! Rays leave from one point of every two by two pixels. What they bring is denoised, and the samples around take it from
+//! the points that lie on their own surface. Samples with no such point (edges, leaves, wires) send rays themselves, and
+//! mix what these bring with the light in the open, of which the probes tell, darkened as it is at the points around.
+
+use super::bake_pass::BakePass;
+use super::point_grid::{PointGrid, SPACING};
+use super::primary::PrimaryHits;
+use crate::indirect::{DenoiseGuide, PATTERN_SIDE, denoise, gather8, turn};
+use crate::sampling::SAMPLES;
+use crate::scene::SurfaceInteraction;
+use crate::settings::Gathering;
+use crate::shade::footprint_m;
+use endless_world::math::UnfusedVec3A;
+use glam::{Vec2, Vec3A};
+use rayon::prelude::*;
+
+/// How much the light of samples that gather for themselves is that of the points around, where there are such.
+const NEARBY_WEIGHT: f32 = 0.4;
+/// The most that a point may get of the light in the open: where that is nearly none, shares mean nothing.
+const MOST_SHARE: f32 = 3.0;
+
+/// What is gathered from.
+pub(super) struct IrradiancePass<'a> {
+    pub(super) bake: &'a BakePass<'a>,
+    pub(super) primary: &'a PrimaryHits,
+    /// Which pixels' samples lie on one flat piece.
+    pub(super) uniform: &'a [bool],
+}
+
+impl<'a> IrradiancePass<'a> {
+    /// Irradiance of every sample, klx.
+    pub(super) fn gather(&self) -> Vec<Vec3A> {
+        match self.bake.settings.gathering {
+            Gathering::Interpolated { rays } => self.interpolated(rays),
+            Gathering::EverySample { rays } => self.every_sample(rays),
+        }
+    }
+
+    fn width(&self) -> usize {
+        self.bake.camera.size.width as usize
+    }
+
+    fn height(&self) -> usize {
+        self.bake.camera.size.height as usize
+    }
+
+    /// The surface that a sample saw.
+    fn point(&self, index: usize) -> Option<SurfaceInteraction<'a>> {
+        let hit = self.primary.hits[index].as_ref()?;
+        Some(SurfaceInteraction::new(&self.bake.tracer.still.instances, &self.bake.ray_of(index), hit))
+    }
+
+    fn guide(&self, point: &SurfaceInteraction<'_>, pixels: usize) -> DenoiseGuide {
+        let reach_m = (footprint_m(point, self.bake.pixel_angle) * pixels as f32).max(0.01);
+        DenoiseGuide { position: point.position, normal: point.normal, reach_m }
+    }
+
+    /// Gathers for eight points that share a pattern of rays.
+    fn gather_eight(&self, points: &[Option<SurfaceInteraction<'_>>; 8], turn: Vec2, rays: u32) -> [Vec3A; 8] {
+        self.bake.stats.add(u64::from(rays) * 16);
+        gather8(&self.bake.tracer, points, turn, rays)
+    }
+
+    /// Every sample's light, taken from the points around or gathered there.
+    fn interpolated(&self, rays: u32) -> Vec<Vec3A> {
+        let grid = self.points(rays);
+        let mut irradiance = vec![Vec3A::ZERO; self.primary.hits.len()];
+        let rows = irradiance.par_chunks_mut(self.width() * SAMPLES).enumerate();
+        let alone: Vec<usize> = rows.flat_map_iter(|(y, row)| self.interpolate_row(&grid, y, row)).collect();
+        let own: Vec<[[Vec3A; 8]; 8]> =
+            alone.par_chunks(64).enumerate().map(|(block, indices)| self.gather_alone(block, indices, rays)).collect();
+        for (k, &index) in alone.iter().enumerate() {
+            let (own, nearby) = (own[k / 64][k % 8][k / 8 % 8], irradiance[index]);
+            irradiance[index] = if nearby == Vec3A::ZERO { own } else { own.lerp_unfused(nearby, NEARBY_WEIGHT) };
+        }
+        irradiance
+    }
+
+    /// Gathers for 64 samples, one after the other in the picture: those of a pixel have different patterns.
+    fn gather_alone(&self, block: usize, indices: &[usize], rays: u32) -> [[Vec3A; 8]; 8] {
+        std::array::from_fn(|k| {
+            let points = std::array::from_fn(|i| self.point(*indices.get(8 * i + k)?));
+            self.gather_eight(&points, turn(k, block, self.bake.settings.pattern), rays)
+        })
+    }
+
+    /// Gathers at the points of the grid, and denoises.
+    fn points(&self, rays: u32) -> PointGrid {
+        let (guides, light) = self.gather_picture(SPACING, 0, rays);
+        let width = self.width().div_ceil(SPACING);
+        let light = denoise(width, &guides, light, 4);
+        let share = guides.par_iter().zip(&light).map(|(guide, light)| self.share(guide, *light)).collect();
+        PointGrid { width, guides, light, share }
+    }
+
+    /// Light at a point as a share of that in the open.
+    fn share(&self, here: &DenoiseGuide, light: Vec3A) -> Vec3A {
+        if here.normal == Vec3A::ZERO {
+            return Vec3A::ZERO;
+        }
+        (light / self.in_the_open(here).max(Vec3A::splat(1e-9))).min(Vec3A::splat(MOST_SHARE))
+    }
+
+    /// Light at a place as the probes in the air tell of it.
+    fn in_the_open(&self, here: &DenoiseGuide) -> Vec3A {
+        self.bake.tracer.ambient(here.position + here.normal * 0.25, here.normal)
+    }
+
+    /// Takes the light of a row's samples from the points around; gives the samples for which that does not do. What
+    /// those take is a share of the light in the open, or nothing.
+    fn interpolate_row(&self, grid: &PointGrid, y: usize, row: &mut [Vec3A]) -> Vec<usize> {
+        let mut alone = Vec::new();
+        for (x, pixel) in row.chunks_exact_mut(SAMPLES).enumerate() {
+            let index = (y * self.width() + x) * SAMPLES;
+            let here = |sample: usize| Some(self.guide(&self.point(index + sample)?, SPACING));
+            if self.uniform[index / SAMPLES]
+                && let Some(light) = here(0).and_then(|here| grid.on_surface(&here, x, y))
+            {
+                pixel.fill(light);
+                continue;
+            }
+            for (sample, light) in pixel.iter_mut().enumerate() {
+                let Some(here) = here(sample) else { continue };
+                *light = grid.on_surface(&here, x, y).unwrap_or_else(|| {
+                    alone.push(index + sample);
+                    grid.share_nearby(&here, x, y).map_or(Vec3A::ZERO, |share| share * self.in_the_open(&here))
+                });
+            }
+        }
+        alone
+    }
+
+    /// Gathers at every sample, and denoises each of a pixel's as a picture of its own.
+    fn every_sample(&self, rays: u32) -> Vec<Vec3A> {
+        let mut all = vec![Vec3A::ZERO; self.primary.hits.len()];
+        for sample in 0..SAMPLES {
+            let (guides, light) = self.gather_picture(1, sample, rays);
+            let clean = denoise(self.width(), &guides, light, 5);
+            all.par_chunks_mut(SAMPLES).zip(clean).for_each(|(pixel, light)| pixel[sample] = light);
+        }
+        all
+    }
+
+    /// Gathers for one sample of every pixel, or of those `spacing` apart.
+    fn gather_picture(&self, spacing: usize, sample: usize, rays: u32) -> (Vec<DenoiseGuide>, Vec<Vec3A>) {
+        let (width, height) = (self.width().div_ceil(spacing), self.height().div_ceil(spacing));
+        let mut guides = vec![DenoiseGuide::SKY; width * height];
+        let mut light = vec![Vec3A::ZERO; width * height];
+        guides.par_chunks_mut(width).zip(light.par_chunks_mut(width)).enumerate().for_each(|(y, (guides, light))| {
+            // Points that share a pattern of rays lie `PATTERN_SIDE` apart.
+            for block in (0..width).step_by(8 * PATTERN_SIDE) {
+                for first in block..(block + PATTERN_SIDE).min(width) {
+                    let column = |i: usize| Some(first + i * PATTERN_SIDE).filter(|x| *x < width);
+                    let index = |x: usize| (y * self.width() + x) * spacing * SAMPLES + sample;
+                    let points = std::array::from_fn(|i| self.point(index(column(i)?)));
+                    let turn = turn(first + 3 * sample, y + 5 * sample, self.bake.settings.pattern);
+                    let gathered = self.gather_eight(&points, turn, rays);
+                    for (i, point) in points.iter().enumerate() {
+                        if let (Some(x), Some(point)) = (column(i), point) {
+                            guides[x] = self.guide(point, spacing);
+                            light[x] = gathered[i];
+                        }
+                    }
+                }
+            }
+        });
+        (guides, light)
+    }
+}

@@ -1,0 +1,161 @@
+//! The first pass of a bake: what each sample sees, and what it sees of the sun.
+
+use super::bake_pass::BakePass;
+use super::sun_rays::{sun_can_light, sun_origin};
+use crate::accel::{Hit, Ray, RayStream, lanes};
+use crate::camera_rays::directions8;
+use crate::light::{SUN_SAMPLES, Sun};
+use crate::sampling::SAMPLES;
+use crate::scene::SurfaceInteraction;
+use rayon::prelude::*;
+use wide::f32x8;
+
+/// What the first pass found for each sample.
+pub(super) struct PrimaryHits {
+    pub(super) hits: Vec<Option<Hit>>,
+    /// Which parts of the sun's disc what stands still leaves free, a bit each.
+    pub(super) sun_free: Vec<u8>,
+}
+
+impl BakePass<'_> {
+    /// Visibility of every sample, and of the sun's disc from there, in bundles of eight neighbours.
+    pub(super) fn trace(&self) -> PrimaryHits {
+        let total = self.camera.size.pixels() * SAMPLES;
+        let mut hits = vec![None; total];
+        let mut sun_free = vec![0u8; total];
+        let row = self.width() * SAMPLES;
+        hits.par_chunks_mut(row).zip(sun_free.par_chunks_mut(row)).enumerate().for_each(|(y, (hits, free))| {
+            let eights = hits.chunks_mut(8 * SAMPLES).zip(free.chunks_mut(8 * SAMPLES));
+            for (eight, (hits, free)) in eights.enumerate() {
+                self.trace_eight(y as u32, 8 * eight as u32, hits, free);
+            }
+        });
+        self.stats.add(total as u64 * 2);
+        PrimaryHits { hits, sun_free }
+    }
+
+    /// All samples of up to eight pixels; `hits` and `free` are those of the first pixel, then those of the next.
+    fn trace_eight(&self, y: u32, first: u32, hits: &mut [Option<Hit>], free: &mut [u8]) {
+        let count = (hits.len() / SAMPLES) as u32;
+        let place = |lane: usize| lane % 8 * SAMPLES + lane / 8;
+        let mut rays = RayStream::<SAMPLES>::NONE;
+        rays.origin = self.camera.position.to_array().map(|axis| [f32x8::splat(axis); SAMPLES]);
+        rays.tmax = [f32x8::splat(f32::MAX); SAMPLES];
+        for sample in 0..SAMPLES {
+            let directions = directions8(self.camera, first, first + count, y, sample);
+            for (axis, eight) in rays.direction.iter_mut().zip(directions) {
+                axis[sample] = eight;
+            }
+        }
+        let active = u32::from_ne_bytes([((1u16 << count) - 1) as u8; SAMPLES]);
+        let found = self.tracer.still.accel.closest32(&rays, active);
+        for lane in lanes(active) {
+            hits[place(lane)] = found.get(lane);
+        }
+        let Some(sun) = &self.tracer.environment.sun else { return };
+        let mut to_sun = rays.clone();
+        let mut asked = 0u32;
+        for lane in lanes(active) {
+            let (Some(hit), ray) = (found.get(lane), rays.ray(lane)) else { continue };
+            let point = SurfaceInteraction::new(&self.tracer.still.instances, &ray, &hit);
+            if sun_can_light(&point, sun.direction) {
+                asked |= 1 << lane;
+                to_sun.set(lane, &Ray { origin: sun_origin(&point.facet(), sun.direction), ..ray });
+            }
+        }
+        let blocked = self.sun_blocked(sun, &mut to_sun, asked);
+        for lane in lanes(asked) {
+            let bits = (0..SUN_SAMPLES).map(|part| u8::from(blocked[part] >> lane & 1 == 0) << part);
+            free[place(lane)] = bits.sum();
+        }
+    }
+
+    /// Which of a bundle's rays what stands still keeps from each part of the sun's disc. All parts are asked only where
+    /// the first, of which each sample has another, says different things of the bundle.
+    fn sun_blocked(&self, sun: &Sun, rays: &mut RayStream<SAMPLES>, asked: u32) -> [u32; SUN_SAMPLES] {
+        /// Half-way between the middle of the disc and its rim.
+        const FIRST: usize = 1;
+        let mut part_blocked = |part: usize| {
+            for (sample, disc) in sun.disc.iter().enumerate() {
+                for (axis, along) in rays.direction.iter_mut().zip(disc[part].to_array()) {
+                    axis[sample] = f32x8::splat(along);
+                }
+            }
+            self.tracer.still.accel.occluded32(rays, asked)
+        };
+        let first = if asked == 0 { 0 } else { part_blocked(FIRST) };
+        if first == 0 || first == asked {
+            return [first; SUN_SAMPLES];
+        }
+        std::array::from_fn(|part| if part == FIRST { first } else { part_blocked(part) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cache::bake_stats::BakeStats;
+    use crate::lighting::{Lighting, ViewedArea};
+    use crate::scene::{Geometry, Instance, StaticScene};
+    use crate::settings::RenderSettings;
+    use endless_scene::{Material, MeshBuilder, Surface};
+    use endless_world::{CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather};
+    use glam::{Affine3A, Vec3};
+
+    fn cuboid(low: Vec3, high: Vec3) -> Instance {
+        let mut builder = MeshBuilder::new();
+        builder.cuboid(low, high, Material::new(Surface::Concrete, [0.4; 3], ClassTag::Static));
+        Instance::new(&Geometry::new(builder.finish()), Affine3A::IDENTITY)
+    }
+
+    /// A floor, a wall, and a fence of posts as thin as three centimetres.
+    fn street() -> StaticScene {
+        let floor = cuboid(Vec3::new(-60.0, -60.0, -1.0), Vec3::new(60.0, 60.0, 0.0));
+        let wall = cuboid(Vec3::new(14.0, -12.0, 0.0), Vec3::new(15.0, -2.0, 9.0));
+        let posts = (0..30).map(|k| {
+            let foot = Vec3::new(9.0 + 0.1 * k as f32, -3.0 + 0.4 * k as f32, 0.0);
+            cuboid(foot, foot + Vec3::new(0.03, 0.03, 1.6))
+        });
+        StaticScene::new([floor, wall].into_iter().chain(posts).collect(), &[])
+    }
+
+    /// Asking all of the disc only where a bundle is not of one mind errs on few samples.
+    #[test]
+    fn the_sun_is_seen_as_if_each_part_of_its_disc_were_asked() {
+        let still = street();
+        let size = ImageSize { width: 161, height: 91 };
+        for time in [TimeOfDay::Morning, TimeOfDay::Afternoon] {
+            let settings = RenderSettings::new(Weather::ClearSky, time, 3, size);
+            let site = CameraSite {
+                name: "pole".to_owned(),
+                position: [0.0, 0.0, 6.0],
+                yaw_rad: 0.0,
+                down_tilt_rad: 0.35,
+                horizontal_fov_rad: 1.1,
+                mount: Mount::Pole,
+            };
+            let camera = settings.camera(&site);
+            let lighting = Lighting::direct(&still, &settings, &ViewedArea::of(&still, &camera));
+            let (tracer, stats) = (lighting.tracer(&still, None), BakeStats::default());
+            let pass = BakePass { tracer, camera: &camera, pixel_angle: 0.01, settings: &settings, stats: &stats };
+            let primary = pass.trace();
+            let sun = lighting.environment.sun.as_ref().expect("a clear sky");
+            let (mut lit, mut partly, mut wrong) = (0, 0, 0);
+            for (index, hit) in primary.hits.iter().enumerate() {
+                let ray = pass.ray_of(index);
+                assert_eq!(*hit, still.accel.closest(&ray));
+                let Some(hit) = hit else { continue };
+                let point = SurfaceInteraction::new(&still.instances, &ray, hit);
+                let origin = sun_origin(&point.facet(), sun.direction);
+                let sees = |&direction| !still.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
+                let parts = sun.disc[index % SAMPLES].iter().map(|direction| u32::from(sees(direction)));
+                let asked = if sun_can_light(&point, sun.direction) { parts.sum::<u32>() } else { 0 };
+                lit += asked;
+                partly += u32::from(asked % SUN_SAMPLES as u32 != 0);
+                wrong += asked.abs_diff(primary.sun_free[index].count_ones());
+            }
+            assert!(lit > 20_000 && partly > 100, "{lit} parts reach a sample, {partly} samples see part of the disc");
+            assert!(wrong * 500 < lit, "{wrong} of {lit} parts are taken for others in the {time}");
+        }
+    }
+}
