@@ -1,13 +1,11 @@
 //! The networks of all towns: no dead ends, everything reachable, signals complete.
 
-use endless_asset::Catalogue;
+use crate::towns;
 use endless_road::{LaneId, RoadNetwork, TrafficControl};
-use endless_town::{NAMES, load};
 use std::collections::BTreeMap;
 
-fn networks() -> Vec<(&'static str, RoadNetwork)> {
-    let catalogue = Catalogue::builtin();
-    NAMES.iter().map(|&n| (n, load(n, &catalogue).expect("known").network)).collect()
+fn networks() -> impl Iterator<Item = (&'static str, &'static RoadNetwork)> {
+    towns().iter().map(|town| (&*town.name, &town.network))
 }
 
 fn reached_from(network: &RoadNetwork, start: usize) -> usize {
@@ -28,7 +26,7 @@ fn traffic_never_ends_and_gets_everywhere() {
     for (name, network) in networks() {
         assert!(network.lanes.iter().all(|l| !l.successors.is_empty()), "{name}: a lane ends");
         for lane in &network.lanes {
-            let reached = reached_from(&network, lane.id.index());
+            let reached = reached_from(network, lane.id.index());
             assert!(reached * 10 >= network.lanes.len() * 9, "{name}: {:?} reaches only {reached}", lane.id);
         }
     }

@@ -1,7 +1,6 @@
 //! Every town, written as OpenDRIVE and read back, is the same network.
 #![expect(clippy::unwrap_used, reason = "tests")]
 
-use endless_asset::Catalogue;
 use endless_road::{Lane, RoadMap, RoadNetwork, TrafficControl, Turn, opendrive};
 use glam::DVec3;
 use std::collections::BTreeSet;
@@ -43,10 +42,9 @@ fn matching(ours: &RoadNetwork, theirs: &RoadNetwork) -> Vec<usize> {
 
 #[test]
 fn towns_come_back_as_they_went_out() {
-    let catalogue = Catalogue::builtin();
-    for name in endless_town::NAMES {
-        let network = endless_town::load(name, &catalogue).unwrap().network;
-        let map = RoadMap { network, ..RoadMap::default() };
+    for town in crate::towns() {
+        let name = &town.name;
+        let map = RoadMap { network: town.network.clone(), ..RoadMap::default() };
         let text = opendrive::write(&map, name);
         let back = opendrive::read(&text).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(back.notes.is_empty(), "{name}: {:?}", back.notes);

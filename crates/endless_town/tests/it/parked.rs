@@ -1,8 +1,9 @@
 //! Where vehicles stand parked: out of the way of all who drive by, and no others because a design was added.
 
+use crate::towns;
 use endless_asset::{Catalogue, ImportedAsset, VehicleModel};
 use endless_road::swept::{DesignVehicle, OrientedRectangle, SweptPath, fits, smallest_radius_m};
-use endless_town::{NAMES, Town, load};
+use endless_town::{Town, load};
 use endless_world::{ObjectClass, VehicleSpec};
 use glam::{DVec2, Vec3};
 
@@ -31,9 +32,9 @@ fn beside(line: &endless_road::Polyline, standing: &[(OrientedRectangle, f64)]) 
 fn nobody_who_drives_by_touches_a_parked_vehicle() {
     let catalogue = Catalogue::builtin();
     let specs = catalogue.vehicle_specs();
-    for name in NAMES {
-        let town = load(name, &catalogue).expect("known");
-        let standing = standing(&town, &specs);
+    for town in towns() {
+        let name = &town.name;
+        let standing = standing(town, &specs);
         for lane in &town.network.lanes {
             let beside = beside(&lane.centerline, &standing);
             if beside.is_empty() {
@@ -87,12 +88,10 @@ fn a_design_more_changes_only_the_bays_that_it_stands_in() {
 #[test]
 fn vehicles_park_along_all_streets_and_not_where_cameras_look() {
     const NEAR_M: f32 = 90.0;
-    let catalogue = Catalogue::builtin();
     let (mut all, mut far) = (0, 0);
-    for name in NAMES {
-        let town = load(name, &catalogue).expect("known");
+    for town in towns() {
         let seen = |at: Vec3| town.cameras.iter().any(|site| Vec3::from_array(site.position).distance(at) < NEAR_M);
-        println!("{name}: {} parked", town.parked.len());
+        println!("{}: {} parked", town.name, town.parked.len());
         all += town.parked.len();
         far += town.parked.iter().filter(|p| !seen(p.pose.position)).count();
     }

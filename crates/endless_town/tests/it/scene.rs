@@ -1,27 +1,12 @@
 //! What stands in the towns: sound meshes, cameras that see, nothing on the carriageways.
 
+use crate::towns;
 use endless_asset::{Catalogue, Prop};
 use endless_scene::Mesh;
-use endless_town::{NAMES, PlacedObject, Town, load};
+use endless_town::{PlacedObject, Town};
 use endless_world::{CameraSite, ClassTag, ImageSize, Mount, PinholeCamera};
 use glam::{Affine3A, DVec2, DVec3, Vec3};
 use rayon::prelude::*;
-use std::sync::OnceLock;
-
-/// All towns with the details near their cameras, made once for all tests.
-fn towns() -> &'static [Town] {
-    static TOWNS: OnceLock<Vec<Town>> = OnceLock::new();
-    TOWNS.get_or_init(|| {
-        let catalogue = Catalogue::builtin();
-        let with_details = |name: &&str| {
-            let mut town = load(name, &catalogue).expect("known");
-            let details = town.details_near(&town.cameras, &catalogue);
-            town.placements.extend(details);
-            town
-        };
-        NAMES.par_iter().map(with_details).collect()
-    })
-}
 
 fn volume(mesh: &Mesh) -> f64 {
     let sum: f64 = mesh
