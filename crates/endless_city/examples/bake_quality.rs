@@ -59,8 +59,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         for &(weather, time) in &conditions {
             let settings = RenderSettings::new(weather, time, 7, size);
             let pictures = Pictures { still: scene.static_scene(), site, settings };
-            let (fast, seconds) = pictures
-                .baked(Gathering::Interpolated { rays: std::env::var("RAYS").map_or(8, |r| r.parse().expect("rays")) });
+            let (fast, seconds) = pictures.baked(Gathering::default());
             print!("{name} {index} {weather} {time}  {seconds:.2}");
             if compares {
                 let Gathering::EverySample { rays } = Gathering::EVERY_SAMPLE else { unreachable!("so it is defined") };

@@ -66,6 +66,7 @@ mod indirect;
 mod light;
 mod lighting;
 mod material;
+mod math8;
 mod moving_camera;
 mod octahedron;
 mod pixel_layers;

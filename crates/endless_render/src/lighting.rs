@@ -5,9 +5,10 @@ use crate::indirect::{ProbeGrid, ProbeRegion};
 use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
 use crate::scene::{FrameScene, StaticScene};
 use crate::settings::RenderSettings;
-use crate::shade::{Tracer, halos};
+use crate::shade::{Tracer, halos8};
 use endless_world::PinholeCamera;
 use glam::{Vec2, Vec3A};
+use wide::f32x8;
 
 /// Rectangle of ground that cameras see within the reach of probes, and the height of that ground.
 #[derive(Debug, Clone, Copy)]
@@ -82,9 +83,9 @@ impl Lighting {
     pub(crate) fn with_halos(self, still: &StaticScene, camera: &PinholeCamera) -> Self {
         let tracer = self.tracer(still, None);
         let grid = self.environment.halos().then(|| {
-            HaloGrid::bake(camera.size.width, camera.size.height, |x, y, distance| {
-                let direction = Vec3A::from(camera.ray_through(x, y));
-                halos(&tracer, &Ray { origin: Vec3A::from(camera.position), direction, tmax: f32::MAX }, distance)
+            HaloGrid::bake(camera.size.width, camera.size.height, |x, y, distances| {
+                let direction = camera.ray_through(x, y).to_array().map(f32x8::splat);
+                halos8(&tracer, Vec3A::from(camera.position), &direction, distances)
             })
         });
         Self { halos: grid, ..self }

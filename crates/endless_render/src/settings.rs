@@ -7,7 +7,7 @@ use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, TimeOfDay,
 pub enum Gathering {
     /// At one point of every two by two pixels, interpolated along surfaces from there, and wherever that does not do.
     Interpolated {
-        /// Rays a point; 8 are clean after denoising.
+        /// Rays a point; 6 are clean after denoising.
         rays: u32,
     },
     /// At every sample of every pixel: slow; the oracle of the other.
@@ -24,7 +24,7 @@ impl Gathering {
 
 impl Default for Gathering {
     fn default() -> Self {
-        Self::Interpolated { rays: 8 }
+        Self::Interpolated { rays: 6 }
     }
 }
 

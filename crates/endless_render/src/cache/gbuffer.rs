@@ -1,6 +1,7 @@
 //! The primary hits of a fixed camera, by sample and by pixel.
 
 use super::bake_pass::BakePass;
+use super::bake_shading::ShadedSamples;
 use super::bake_stats::timed;
 use super::gbuffer_pixel::GBufferPixel;
 use super::gbuffer_sample::GBufferSample;
@@ -30,17 +31,13 @@ pub(super) struct GBuffer {
 impl GBuffer {
     /// Traces and shades what stands still.
     pub(super) fn bake(pass: &BakePass<'_>) -> Self {
-        let night = pass.tracer.environment.night;
         let primary = timed("primary", || pass.trace());
-        let uniform = timed("uniform", || pass.uniform(&primary));
-        let irradiance =
-            timed("gather", || IrradiancePass { bake: pass, primary: &primary, uniform: &uniform }.gather());
-        let samples = timed("shade", || pass.shade(&primary, &irradiance, &uniform));
+        let irradiance = timed("gather", || IrradiancePass { bake: pass, primary: &primary }.gather());
+        let ShadedSamples { samples, bsdfs } = timed("shade", || pass.shade(&primary, &irradiance));
         let layers = timed("layers", || pass.layers(&samples));
-        let bsdfs = if night { timed("bsdfs", || pass.bsdfs(&samples, &uniform)) } else { Vec::new() };
         let pixels = samples.as_chunks().0.iter().map(GBufferPixel::new).collect();
         let kept = irradiance.iter().filter(|_| pass.settings.keep_irradiance).map(Vec3A::to_array).collect();
-        Self { samples, pixels, uniform, bsdfs, layers, irradiance: kept }
+        Self { samples, pixels, uniform: primary.uniform, bsdfs, layers, irradiance: kept }
     }
 
     /// The samples of a pixel.

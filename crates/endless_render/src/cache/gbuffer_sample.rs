@@ -61,6 +61,11 @@ impl GBufferSample {
         }
     }
 
+    /// Its light on another place of the same piece.
+    pub(super) fn seen_by(&self, sun_free: u8, hit: &Hit) -> Self {
+        Self { hit: *hit, sun_free, lamps_free: 0, ..*self }
+    }
+
     /// Whether it saw the sky.
     pub(super) fn is_sky(&self) -> bool {
         self.hit.instance == SKY
@@ -108,13 +113,4 @@ pub(super) fn sun_share(environment: &Environment, free: u8) -> f32 {
 
 pub(super) fn pack_weight(weight: Vec3A, roughness: f32) -> [u16; 4] {
     [weight.x, weight.y, weight.z, roughness].map(|c| (c.clamp(0.0, 1.0) * 65_535.0).round() as u16)
-}
-
-/// Gives all samples of a uniform pixel the lamp light of its centre.
-pub(super) fn share_lamp_light(pixel: &mut [GBufferSample]) {
-    if let [centre, others @ ..] = pixel {
-        for other in others {
-            other.direct = centre.direct;
-        }
-    }
 }

@@ -1,4 +1,4 @@
-//! Shading of the samples of the static picture.
+//! Shading of the samples of the static picture, a ray at a time: the oracle of [`super::bake_shading`], and what both share.
 
 use super::gbuffer_sample::{GBufferSample, pack_weight};
 use super::lamp_mask::{lamp_sum, lamps_free};
@@ -6,6 +6,7 @@ use crate::accel::{Hit, Ray};
 use crate::light::Environment;
 use crate::material::{Bsdf, evaluate_bsdf};
 use crate::octahedron;
+use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
 use crate::shade::{MIRROR_THRESHOLD, Tracer, footprint_m, halos, mirror_light, mirror_ray};
 use endless_scene::Surface;
@@ -20,10 +21,35 @@ pub(super) struct PrimarySample {
     pub(super) sun_free: u8,
     /// Gathered there, klx.
     pub(super) irradiance: Vec3A,
-    /// Number of the sample in its pixel.
-    pub(super) sample: usize,
-    /// Whether lamps are asked for their light at night.
-    pub(super) asks_lamps: bool,
+}
+
+/// The air before a surface.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Air {
+    /// Share of the surface's light that it lets through.
+    pub(super) transmittance: f32,
+    /// What it scatters into the ray, kcd/m²: of sun and sky, and of lamps.
+    pub(super) glow: Vec3A,
+}
+
+impl Air {
+    /// As far as a surface; `halos` is the glow of lamps.
+    pub(super) fn before(environment: &Environment, ray: &Ray, distance: f32, halos: Vec3A) -> Self {
+        let transmittance = environment.fog.transmittance(ray.origin, ray.direction, distance);
+        Self { transmittance, glow: environment.fog.in_scatter(ray.direction, transmittance) + halos }
+    }
+}
+
+/// What reaches a still surface and what is before it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SampleLight {
+    pub(super) air: Air,
+    /// By day the sun's light if nothing were in its way; at night that of all lamps, shadowed by the static scene.
+    pub(super) direct: Vec3A,
+    /// The lamps near it that light it past the static scene, a bit each.
+    pub(super) lamps_free: u32,
+    /// What the coat mirrors, and how far it sees.
+    pub(super) mirror: (Vec3A, f32),
 }
 
 /// The BSDF of a still sample; the same wherever it is asked for.
@@ -41,57 +67,89 @@ pub(super) fn shows_signal(point: &SurfaceInteraction<'_>) -> bool {
     matches!(point.material.surface, Surface::SignalLens(_)) && point.instance.signal.is_some()
 }
 
-/// Shades a sample, surface or sky; `tracer` must hold nothing that moves.
-pub(super) fn shade_sample(tracer: &Tracer<'_>, primary: &PrimarySample, pixel_angle: f32) -> GBufferSample {
-    match &primary.hit {
-        Some(hit) => shade_surface(tracer, primary, hit, pixel_angle),
-        None => shade_sky(tracer, &primary.ray),
+/// Shades the samples of a pixel, a ray at a time; `tracer` must hold nothing that moves. The second of each pair of a
+/// uniform pixel's samples is lit as the first; the first of both share the air before the pixel's centre and the lamp
+/// light there.
+pub(super) fn shade_pixel(
+    tracer: &Tracer<'_>,
+    samples: &[PrimarySample; SAMPLES],
+    uniform: bool,
+    pixel_angle: f32,
+) -> [GBufferSample; SAMPLES] {
+    let environment = tracer.environment;
+    let mut centre: Option<SampleLight> = None;
+    let mut shaded = [GBufferSample::sky(Vec3A::ZERO); SAMPLES];
+    for (sample, primary) in samples.iter().enumerate() {
+        let PrimarySample { ray, hit: Some(hit), .. } = primary else {
+            shaded[sample] = sky_sample(environment, &primary.ray, halos(tracer, &primary.ray, f32::MAX));
+            continue;
+        };
+        if uniform && sample % 2 == 1 {
+            shaded[sample] = shaded[sample - 1].seen_by(primary.sun_free, hit);
+            continue;
+        }
+        let point = SurfaceInteraction::new(&tracer.still.instances, ray, hit);
+        let bsdf = gbuffer_bsdf(&point, environment, sample, pixel_angle);
+        let shared = centre.filter(|_| uniform);
+        let air = shared.map_or_else(|| Air::before(environment, ray, hit.t, halos(tracer, ray, hit.t)), |c| c.air);
+        let mirror = mirror_light(tracer, &point, &bsdf, pixel_angle);
+        let mut light = SampleLight { air, direct: Vec3A::ZERO, lamps_free: 0, mirror };
+        if !environment.night {
+            light.direct = sun_light(environment, &point, &bsdf);
+        } else if let Some(shared) = shared {
+            light.direct = shared.direct;
+        } else {
+            light.lamps_free = lamps_free(tracer, &point.facet());
+            light.direct = lamp_sum(tracer, &point.facet(), &bsdf, light.lamps_free);
+        }
+        centre = centre.or(Some(light));
+        shaded[sample] = surface_sample(primary, hit, &point, &bsdf, &light);
     }
+    shaded
 }
 
-fn shade_surface(tracer: &Tracer<'_>, primary: &PrimarySample, hit: &Hit, pixel_angle: f32) -> GBufferSample {
-    let PrimarySample { ray, sun_free, irradiance, sample, asks_lamps, .. } = *primary;
-    let environment = tracer.environment;
-    let point = SurfaceInteraction::new(&tracer.still.instances, &ray, hit);
-    let bsdf = gbuffer_bsdf(&point, environment, sample, pixel_angle);
-    let view = -ray.direction;
-    let transmittance = environment.fog.transmittance(ray.origin, ray.direction, hit.t);
-    let (mirror, mirror_t) = mirror_light(tracer, &point, &bsdf, pixel_angle);
-    let mirrors = bsdf.coat_reflectance(view).max_element() >= MIRROR_THRESHOLD;
-    let lens = shows_signal(&point);
-    let facet = point.facet();
-    let lamps_free = if environment.night && asks_lamps { lamps_free(tracer, &facet) } else { 0 };
-    let direct = if environment.night {
-        lamp_sum(tracer, &facet, &bsdf, lamps_free)
-    } else {
-        environment.sun.as_ref().map_or(Vec3A::ZERO, |sun| bsdf.lit_by(sun.illuminance, sun.direction, view))
-    };
-    let rest = bsdf.emission * transmittance
-        + environment.fog.in_scatter(ray.direction, transmittance)
-        + halos(tracer, &ray, hit.t);
+/// Light of the sun, were nothing in its way.
+pub(super) fn sun_light(environment: &Environment, point: &SurfaceInteraction<'_>, bsdf: &Bsdf) -> Vec3A {
+    let sun = environment.sun.as_ref();
+    sun.map_or(Vec3A::ZERO, |sun| bsdf.lit_by(sun.illuminance, sun.direction, -point.direction))
+}
+
+/// A sample that met a surface.
+pub(super) fn surface_sample(
+    primary: &PrimarySample,
+    hit: &Hit,
+    point: &SurfaceInteraction<'_>,
+    bsdf: &Bsdf,
+    light: &SampleLight,
+) -> GBufferSample {
+    let view = -point.direction;
+    let Air { transmittance, glow } = light.air;
+    let reflectance = bsdf.coat_reflectance(view);
+    let mirrors = reflectance.max_element() >= MIRROR_THRESHOLD;
+    let (mirror, mirror_t) = light.mirror;
     GBufferSample {
         hit: *hit,
-        rest: rest.to_array(),
-        ambient: (bsdf.lit_by_ambient(irradiance, view) * transmittance).to_array(),
-        direct: (direct * transmittance).to_array(),
+        rest: (bsdf.emission * transmittance + glow).to_array(),
+        ambient: (bsdf.lit_by_ambient(primary.irradiance, view) * transmittance).to_array(),
+        direct: (light.direct * transmittance).to_array(),
         mirror: (mirror * transmittance).to_array(),
-        mirror_direction: mirror_ray(&point, &bsdf).direction.to_array(),
+        mirror_direction: mirror_ray(point, bsdf).direction.to_array(),
         mirror_t,
-        mirror_weight: pack_weight(bsdf.coat_reflectance(view) * transmittance, bsdf.coat_roughness),
+        mirror_weight: pack_weight(reflectance * transmittance, bsdf.coat_roughness),
         normal: octahedron::pack(point.geometric_normal),
-        sun_free,
-        lamps_free,
-        flags: u8::from(mirrors) * GBufferSample::MIRRORS + u8::from(lens) * GBufferSample::LENS,
+        sun_free: primary.sun_free,
+        lamps_free: light.lamps_free,
+        flags: u8::from(mirrors) * GBufferSample::MIRRORS + u8::from(shows_signal(point)) * GBufferSample::LENS,
     }
 }
 
-fn shade_sky(tracer: &Tracer<'_>, ray: &Ray) -> GBufferSample {
-    let environment = tracer.environment;
+/// A sample that met nothing; `halos` is the glow of lamps along its ray.
+pub(super) fn sky_sample(environment: &Environment, ray: &Ray, halos: Vec3A) -> GBufferSample {
     let sky = environment.sky.radiance(ray.direction);
     // Fog and rain fill the whole way to the sky; thin haze is part of the sky model already.
     let air =
         if environment.fog.is_dense() { environment.fog.through(sky, ray.origin, ray.direction, 2000.0) } else { sky };
-    GBufferSample::sky(air + sun_disc(environment, ray.direction) + halos(tracer, ray, f32::MAX))
+    GBufferSample::sky(air + sun_disc(environment, ray.direction) + halos)
 }
 
 /// The sun itself, where a ray meets its disc.

@@ -1,10 +1,13 @@
 //! The pass of a bake that gathers light: where it varies, not everywhere.
 //!
 //! Rays leave from one point of every two by two pixels. What they bring is denoised, and the samples around take it from
-//! the points that lie on their own surface. Samples with no such point (edges, leaves, wires) send rays themselves, and
-//! mix what these bring with the light in the open, of which the probes tell, darkened as it is at the points around.
+//! the points that lie on their own surface. Samples with no such point (edges, leaves, wires) send rays themselves, half
+//! as many. What these bring is denoised among such samples, and mixed with the light in the open, of which the probes
+//! tell, darkened as it is at the points around.
 
 use super::bake_pass::BakePass;
+use super::bake_stats::timed;
+use super::edge_samples::EdgeSamples;
 use super::point_grid::{PointGrid, SPACING};
 use super::primary::PrimaryHits;
 use crate::indirect::{DenoiseGuide, PATTERN_SIDE, denoise, gather8, turn};
@@ -25,8 +28,6 @@ const MOST_SHARE: f32 = 3.0;
 pub(super) struct IrradiancePass<'a> {
     pub(super) bake: &'a BakePass<'a>,
     pub(super) primary: &'a PrimaryHits,
-    /// Which pixels' samples lie on one flat piece.
-    pub(super) uniform: &'a [bool],
 }
 
 impl<'a> IrradiancePass<'a> {
@@ -65,23 +66,33 @@ impl<'a> IrradiancePass<'a> {
 
     /// Every sample's light, taken from the points around or gathered there.
     fn interpolated(&self, rays: u32) -> Vec<Vec3A> {
-        let grid = self.points(rays);
+        let grid = timed("gather at points", || self.points(rays));
         let mut irradiance = vec![Vec3A::ZERO; self.primary.hits.len()];
         let rows = irradiance.par_chunks_mut(self.width() * SAMPLES).enumerate();
-        let alone: Vec<usize> = rows.flat_map_iter(|(y, row)| self.interpolate_row(&grid, y, row)).collect();
-        let own: Vec<[[Vec3A; 8]; 8]> =
-            alone.par_chunks(64).enumerate().map(|(block, indices)| self.gather_alone(block, indices, rays)).collect();
-        for (k, &index) in alone.iter().enumerate() {
-            let (own, nearby) = (own[k / 64][k % 8][k / 8 % 8], irradiance[index]);
+        let edges: Vec<usize> =
+            timed("interpolate", || rows.flat_map_iter(|(y, row)| self.interpolate_row(&grid, y, row)).collect());
+        let light = timed("gather at edges", || self.gather_at_edges(&edges, rays.div_ceil(2)));
+        for (own, &index) in light.into_iter().zip(&edges) {
+            let nearby = irradiance[index];
             irradiance[index] = if nearby == Vec3A::ZERO { own } else { own.lerp_unfused(nearby, NEARBY_WEIGHT) };
         }
         irradiance
     }
 
+    /// Gathers at samples, and denoises among them.
+    fn gather_at_edges(&self, edges: &[usize], rays: u32) -> Vec<Vec3A> {
+        let blocks = edges.par_chunks(64).enumerate();
+        let light: Vec<[[Vec3A; 8]; 8]> = blocks.map(|(block, edges)| self.gather_block(block, edges, rays)).collect();
+        let light = (0..edges.len()).map(|k| light[k / 64][k % 8][k / 8 % 8]).collect();
+        let guide = |&index: &usize| self.point(index).map_or(DenoiseGuide::SKY, |point| self.guide(&point, 1));
+        let guides = edges.par_iter().map(guide).collect();
+        EdgeSamples::new(self.width(), self.height(), edges, guides).denoise(light)
+    }
+
     /// Gathers for 64 samples, one after the other in the picture: those of a pixel have different patterns.
-    fn gather_alone(&self, block: usize, indices: &[usize], rays: u32) -> [[Vec3A; 8]; 8] {
+    fn gather_block(&self, block: usize, edges: &[usize], rays: u32) -> [[Vec3A; 8]; 8] {
         std::array::from_fn(|k| {
-            let points = std::array::from_fn(|i| self.point(*indices.get(8 * i + k)?));
+            let points = std::array::from_fn(|i| self.point(*edges.get(8 * i + k)?));
             self.gather_eight(&points, turn(k, block, self.bake.settings.pattern), rays)
         })
     }
@@ -92,7 +103,7 @@ impl<'a> IrradiancePass<'a> {
         let width = self.width().div_ceil(SPACING);
         let light = denoise(width, &guides, light, 4);
         let share = guides.par_iter().zip(&light).map(|(guide, light)| self.share(guide, *light)).collect();
-        PointGrid { width, guides, light, share }
+        PointGrid::new(width, guides, light, share)
     }
 
     /// Light at a point as a share of that in the open.
@@ -111,11 +122,11 @@ impl<'a> IrradiancePass<'a> {
     /// Takes the light of a row's samples from the points around; gives the samples for which that does not do. What
     /// those take is a share of the light in the open, or nothing.
     fn interpolate_row(&self, grid: &PointGrid, y: usize, row: &mut [Vec3A]) -> Vec<usize> {
-        let mut alone = Vec::new();
+        let mut edges = Vec::new();
         for (x, pixel) in row.chunks_exact_mut(SAMPLES).enumerate() {
             let index = (y * self.width() + x) * SAMPLES;
             let here = |sample: usize| Some(self.guide(&self.point(index + sample)?, SPACING));
-            if self.uniform[index / SAMPLES]
+            if self.primary.uniform[index / SAMPLES]
                 && let Some(light) = here(0).and_then(|here| grid.on_surface(&here, x, y))
             {
                 pixel.fill(light);
@@ -124,12 +135,12 @@ impl<'a> IrradiancePass<'a> {
             for (sample, light) in pixel.iter_mut().enumerate() {
                 let Some(here) = here(sample) else { continue };
                 *light = grid.on_surface(&here, x, y).unwrap_or_else(|| {
-                    alone.push(index + sample);
+                    edges.push(index + sample);
                     grid.share_nearby(&here, x, y).map_or(Vec3A::ZERO, |share| share * self.in_the_open(&here))
                 });
             }
         }
-        alone
+        edges
     }
 
     /// Gathers at every sample, and denoises each of a pixel's as a picture of its own.

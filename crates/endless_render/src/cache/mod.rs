@@ -8,6 +8,7 @@
 
 mod affected;
 mod bake;
+mod bake_layers;
 mod bake_pass;
 mod bake_shading;
 mod bake_stats;
@@ -16,6 +17,7 @@ mod centre_light;
 mod compose;
 mod contact_shadow;
 mod coverage;
+mod edge_samples;
 mod frame;
 mod frame_buffer;
 mod gbuffer;

@@ -38,7 +38,7 @@ impl CameraBake {
         // The samples of a uniform pixel share what their mirrors show in pairs.
         if centre.is_some() {
             for s in (1..SAMPLES).step_by(2) {
-                mirrored[s] = mirrored[s - 1].filter(|_| still[s].mirrors());
+                mirrored[s] = mirrored[s - 1];
             }
         }
         let mut sum = coverage.light;

@@ -2,6 +2,7 @@
 
 use crate::indirect::{DenoiseGuide, surface_weight};
 use glam::Vec3A;
+use rayon::prelude::*;
 
 /// Pixels between points, along and down.
 pub(super) const SPACING: usize = 2;
@@ -9,6 +10,9 @@ pub(super) const SPACING: usize = 2;
 const LEAST_WEIGHT: f32 = 0.15;
 /// Others take a share from points around them that are as near as this, together.
 const LEAST_SHARE: f32 = 0.3;
+
+/// Points are clean if those around lie on their surface by as much as this, in the mean.
+const LEAST_SUPPORT: f32 = 0.3;
 
 /// Points, row by row, and the light gathered there.
 pub(super) struct PointGrid {
@@ -18,9 +22,17 @@ pub(super) struct PointGrid {
     pub(super) light: Vec<Vec3A>,
     /// That as a share of the irradiance in the open.
     pub(super) share: Vec<Vec3A>,
+    /// Whether enough points around lie on the same surface: elsewhere, denoising left noise.
+    clean: Vec<bool>,
 }
 
 impl PointGrid {
+    /// Of points whose light is denoised.
+    pub(super) fn new(width: usize, guides: Vec<DenoiseGuide>, light: Vec<Vec3A>, share: Vec<Vec3A>) -> Self {
+        let clean = (0..guides.len()).into_par_iter().map(|place| is_clean(width, &guides, place)).collect();
+        Self { width, guides, light, share, clean }
+    }
+
     /// The points around a pixel, at most `reach` to each side.
     fn around(&self, x: usize, y: usize, reach: usize) -> impl Iterator<Item = usize> {
         let height = self.guides.len() / self.width;
@@ -35,7 +47,7 @@ impl PointGrid {
     /// Light of a sample of the pixel at (x, y), from the points around it that lie on its surface.
     pub(super) fn on_surface(&self, here: &DenoiseGuide, x: usize, y: usize) -> Option<Vec3A> {
         let (mut sum, mut total) = (Vec3A::ZERO, 0.0);
-        for place in self.around(x, y, 1) {
+        for place in self.around(x, y, 1).filter(|place| self.clean[*place]) {
             let weight = surface_weight(here, &self.guides[place], 1.0);
             sum += self.light[place] * weight;
             total += weight;
@@ -63,6 +75,19 @@ impl PointGrid {
     }
 }
 
+/// Whether enough of the points around one lie on its surface.
+fn is_clean(width: usize, guides: &[DenoiseGuide], place: usize) -> bool {
+    let (x, y) = (place % width, place / width);
+    let rows = y.saturating_sub(1)..(y + 2).min(guides.len() / width);
+    let others = rows.flat_map(|row| (x.saturating_sub(1)..(x + 2).min(width)).map(move |column| row * width + column));
+    let (mut sum, mut count) = (0.0, 0.0);
+    for other in others.filter(|other| *other != place) {
+        sum += surface_weight(&guides[place], &guides[other], 1.0);
+        count += 1.0;
+    }
+    sum > LEAST_SUPPORT * count
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -72,7 +97,7 @@ mod tests {
         let place = |i: usize| Vec3A::new((i % 9) as f32, 0.0, (i / 9) as f32);
         let guides = (0..45).map(|i| DenoiseGuide { position: place(i), normal: Vec3A::Y, reach_m: 1.0 }).collect();
         let light = (0..45).map(|i| Vec3A::splat((i % 9) as f32)).collect();
-        PointGrid { width: 9, guides, light, share: vec![Vec3A::splat(0.5); 45] }
+        PointGrid::new(9, guides, light, vec![Vec3A::splat(0.5); 45])
     }
 
     #[test]
@@ -89,6 +114,15 @@ mod tests {
         assert_eq!(wall().share_nearby(&turned, 6, 4), Some(Vec3A::splat(0.5)));
         let far = DenoiseGuide { position: Vec3A::new(3.0, 40.0, 2.0), normal: Vec3A::Y, reach_m: 1.0 };
         assert!(wall().on_surface(&far, 6, 4).is_none() && wall().share_nearby(&far, 6, 4).is_none());
+    }
+
+    #[test]
+    fn what_lies_by_a_point_alone_on_its_surface_takes_nothing() {
+        let mut grid = wall();
+        grid.guides[21].normal = Vec3A::X;
+        let grid = PointGrid::new(grid.width, grid.guides, grid.light, grid.share);
+        let here = DenoiseGuide { position: Vec3A::new(3.0, 0.0, 2.0), normal: Vec3A::X, reach_m: 1.0 };
+        assert!(grid.on_surface(&here, 6, 4).is_none());
     }
 
     #[test]

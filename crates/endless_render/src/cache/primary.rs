@@ -1,6 +1,7 @@
-//! The first pass of a bake: what each sample sees, and what it sees of the sun.
+//! The first pass of a bake: what each sample sees, what it sees of the sun, and which pixels are uniform.
 
 use super::bake_pass::BakePass;
+use super::gbuffer_shading::shows_signal;
 use super::sun_rays::{sun_can_light, sun_origin};
 use crate::accel::{Hit, Ray, RayStream, lanes};
 use crate::camera_rays::directions8;
@@ -15,29 +16,39 @@ pub(super) struct PrimaryHits {
     pub(super) hits: Vec<Option<Hit>>,
     /// Which parts of the sun's disc what stands still leaves free, a bit each.
     pub(super) sun_free: Vec<u8>,
+    /// By pixel: whether all its samples lie on one flat piece of one surface.
+    pub(super) uniform: Vec<bool>,
+}
+
+/// The samples of up to eight neighbouring pixels of a row, one pixel's after another's.
+struct EightPixels<'a> {
+    hits: &'a mut [Option<Hit>],
+    sun_free: &'a mut [u8],
+    uniform: &'a mut [bool],
 }
 
 impl BakePass<'_> {
     /// Visibility of every sample, and of the sun's disc from there, in bundles of eight neighbours.
     pub(super) fn trace(&self) -> PrimaryHits {
-        let total = self.camera.size.pixels() * SAMPLES;
-        let mut hits = vec![None; total];
-        let mut sun_free = vec![0u8; total];
+        let pixels = self.camera.size.pixels();
+        let mut hits = vec![None; pixels * SAMPLES];
+        let mut sun_free = vec![0u8; pixels * SAMPLES];
+        let mut uniform = vec![false; pixels];
         let row = self.width() * SAMPLES;
-        hits.par_chunks_mut(row).zip(sun_free.par_chunks_mut(row)).enumerate().for_each(|(y, (hits, free))| {
-            let eights = hits.chunks_mut(8 * SAMPLES).zip(free.chunks_mut(8 * SAMPLES));
-            for (eight, (hits, free)) in eights.enumerate() {
-                self.trace_eight(y as u32, 8 * eight as u32, hits, free);
+        let rows = hits.par_chunks_mut(row).zip(sun_free.par_chunks_mut(row)).zip(uniform.par_chunks_mut(self.width()));
+        rows.enumerate().for_each(|(y, ((hits, free), uniform))| {
+            let eights = hits.chunks_mut(8 * SAMPLES).zip(free.chunks_mut(8 * SAMPLES)).zip(uniform.chunks_mut(8));
+            for (eight, ((hits, sun_free), uniform)) in eights.enumerate() {
+                self.trace_eight(y as u32, 8 * eight as u32, EightPixels { hits, sun_free, uniform });
             }
         });
-        self.stats.add(total as u64 * 2);
-        PrimaryHits { hits, sun_free }
+        self.stats.add(hits.len() as u64 * 2);
+        PrimaryHits { hits, sun_free, uniform }
     }
 
-    /// All samples of up to eight pixels; `hits` and `free` are those of the first pixel, then those of the next.
-    fn trace_eight(&self, y: u32, first: u32, hits: &mut [Option<Hit>], free: &mut [u8]) {
-        let count = (hits.len() / SAMPLES) as u32;
-        let place = |lane: usize| lane % 8 * SAMPLES + lane / 8;
+    /// All samples of up to eight pixels.
+    fn trace_eight(&self, y: u32, first: u32, EightPixels { hits, sun_free, uniform }: EightPixels<'_>) {
+        let count = uniform.len() as u32;
         let mut rays = RayStream::<SAMPLES>::NONE;
         rays.origin = self.camera.position.to_array().map(|axis| [f32x8::splat(axis); SAMPLES]);
         rays.tmax = [f32x8::splat(f32::MAX); SAMPLES];
@@ -49,24 +60,29 @@ impl BakePass<'_> {
         }
         let active = u32::from_ne_bytes([((1u16 << count) - 1) as u8; SAMPLES]);
         let found = self.tracer.still.accel.closest32(&rays, active);
+        let mut points: [Option<SurfaceInteraction<'_>>; 8 * SAMPLES] = [const { None }; 8 * SAMPLES];
         for lane in lanes(active) {
-            hits[place(lane)] = found.get(lane);
+            let hit = found.get(lane);
+            hits[place(lane)] = hit;
+            points[lane] = hit.map(|hit| SurfaceInteraction::new(&self.tracer.still.instances, &rays.ray(lane), &hit));
+        }
+        for (pixel, uniform) in uniform.iter_mut().enumerate() {
+            *uniform = is_uniform(std::array::from_fn(|sample| points[8 * sample + pixel].as_ref()));
         }
         let Some(sun) = &self.tracer.environment.sun else { return };
         let mut to_sun = rays.clone();
         let mut asked = 0u32;
         for lane in lanes(active) {
-            let (Some(hit), ray) = (found.get(lane), rays.ray(lane)) else { continue };
-            let point = SurfaceInteraction::new(&self.tracer.still.instances, &ray, &hit);
-            if sun_can_light(&point, sun.direction) {
-                asked |= 1 << lane;
-                to_sun.set(lane, &Ray { origin: sun_origin(&point.facet(), sun.direction), ..ray });
-            }
+            let Some(point) = points[lane].as_ref().filter(|point| sun_can_light(point, sun.direction)) else {
+                continue;
+            };
+            asked |= 1 << lane;
+            to_sun.set(lane, &Ray { origin: sun_origin(&point.facet(), sun.direction), ..rays.ray(lane) });
         }
         let blocked = self.sun_blocked(sun, &mut to_sun, asked);
         for lane in lanes(asked) {
             let bits = (0..SUN_SAMPLES).map(|part| u8::from(blocked[part] >> lane & 1 == 0) << part);
-            free[place(lane)] = bits.sum();
+            sun_free[place(lane)] = bits.sum();
         }
     }
 
@@ -89,6 +105,23 @@ impl BakePass<'_> {
         }
         std::array::from_fn(|part| if part == FIRST { first } else { part_blocked(part) })
     }
+}
+
+/// Where the samples of eight pixels keep what a lane found: lanes run along the row, sample after sample.
+pub(super) fn place(lane: usize) -> usize {
+    lane % 8 * SAMPLES + lane / 8
+}
+
+/// Whether a pixel's samples lie on one flat piece of one surface.
+fn is_uniform(points: [Option<&SurfaceInteraction<'_>>; SAMPLES]) -> bool {
+    let [Some(centre), others @ ..] = points else { return false };
+    let same_piece = |p: &SurfaceInteraction<'_>| {
+        std::ptr::eq(p.instance, centre.instance)
+            && p.material == centre.material
+            && p.normal.dot(centre.normal) > 0.995
+            && (p.position - centre.position).dot(centre.geometric_normal).abs() < 0.02
+    };
+    !shows_signal(centre) && others.into_iter().all(|p| p.is_some_and(same_piece))
 }
 
 #[cfg(test)]

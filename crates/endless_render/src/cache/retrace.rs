@@ -4,8 +4,8 @@ use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
 use super::frame_buffer::{FrameBuffer, FramePixel};
 use super::gbuffer_pixel::GBufferPixel;
-use super::gbuffer_sample::{GBufferSample, share_lamp_light, still_light};
-use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_sample};
+use super::gbuffer_sample::{GBufferSample, still_light};
+use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_pixel};
 use super::mirror::mirrored;
 use super::moving_hits::MovingHits;
 use super::pixel::undisturbed;
@@ -39,18 +39,17 @@ impl CameraBake {
         buffer.develop(self, frame.frame)
     }
 
-    /// A still sample from nothing but the scene, the baked irradiance and what the bake found of the sun's disc.
-    fn retrace(&self, tracer: &Tracer<'_>, x: u32, y: u32, sample: usize) -> GBufferSample {
-        let ray = self.ray(x, y, sample);
-        let hit = tracer.still.accel.closest(&ray);
-        let index = (y as usize * self.camera.size.width as usize + x as usize) * SAMPLES + sample;
-        let irradiance = Vec3A::from(self.gbuffer.irradiance[index]);
-        let sun_free = self.gbuffer.samples[index].sun_free;
-        shade_sample(
-            tracer,
-            &PrimarySample { ray, hit, sun_free, irradiance, sample, asks_lamps: true },
-            self.pixel_angle,
-        )
+    /// A pixel's still samples from nothing but the scene, the baked irradiance and what the bake found of the sun's disc.
+    fn retrace(&self, tracer: &Tracer<'_>, x: u32, y: u32) -> [GBufferSample; SAMPLES] {
+        let pixel = (y * self.camera.size.width + x) as usize;
+        let samples = std::array::from_fn(|sample| {
+            let ray = self.ray(x, y, sample);
+            let hit = tracer.still.accel.closest(&ray);
+            let index = pixel * SAMPLES + sample;
+            let irradiance = Vec3A::from(self.gbuffer.irradiance[index]);
+            PrimarySample { ray, hit, sun_free: self.gbuffer.samples[index].sun_free, irradiance }
+        });
+        shade_pixel(tracer, &samples, self.gbuffer.uniform[pixel], self.pixel_angle)
     }
 
     /// A tile from nothing but the scene, the baked irradiance and what the bake found of the sun's disc, a ray at a time.
@@ -63,10 +62,7 @@ impl CameraBake {
         let pixels: Vec<_> = places
             .map(|(x, y)| {
                 let uniform = self.gbuffer.uniform[(y * self.camera.size.width + x) as usize];
-                let mut samples: [GBufferSample; SAMPLES] = std::array::from_fn(|s| self.retrace(&empty, x, y, s));
-                if environment.night && uniform {
-                    share_lamp_light(&mut samples);
-                }
+                let samples = self.retrace(&empty, x, y);
                 let rays = std::array::from_fn(|s| self.ray(x, y, s));
                 let found = MovingHits::one_by_one(environment, frame, &rays, &samples, uniform);
                 (x, y, samples, rays, found)

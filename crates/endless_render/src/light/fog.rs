@@ -1,8 +1,11 @@
 //! The air between surface and camera: extinction and in-scattered light.
 
+use crate::math8;
+use crate::vec3x8::{Vec3x8, dot};
 use endless_world::math;
 use glam::Vec3A;
 use std::f32::consts::PI;
+use wide::f32x8;
 
 /// Air that thins out exponentially with height (Beer–Lambert), with light scattered towards the viewer mostly from the
 /// sun's side.
@@ -67,35 +70,29 @@ impl Fog {
         radiance * t + self.in_scatter(direction, t)
     }
 
-    /// Light of a lamp scattered into a view ray: single scattering in the closed form of the airlight integral without
-    /// extinction (Sun, Ramamoorthi, Narasimhan, Nayar 2005), weighted by how much droplets send on towards the viewer.
-    pub(crate) fn halo(
-        &self,
-        origin: Vec3A,
-        direction: Vec3A,
-        distance_m: f32,
-        lamp: Vec3A,
-        intensity: Vec3A,
-    ) -> Vec3A {
+    /// Light of a lamp scattered into eight view rays from one origin, over the lamp's intensity: single scattering in
+    /// the closed form of the airlight integral without extinction (Sun, Ramamoorthi, Narasimhan, Nayar 2005), weighted
+    /// by how much droplets send on towards the viewer.
+    pub(crate) fn halo8(&self, origin: Vec3A, directions: &Vec3x8, distances_m: f32x8, lamp: Vec3A) -> f32x8 {
         let to_lamp = lamp - origin;
-        let along = to_lamp.dot(direction);
-        let aside = (to_lamp.length_squared() - along * along).max(0.04).sqrt();
-        let swept = math::atan2_approx(distance_m - along, aside) + math::atan2_approx(along, aside);
-        let reach = along.clamp(0.0, distance_m);
-        let forward = droplet_phase(along / to_lamp.length().max(0.2));
+        let along = dot(&to_lamp.to_array().map(f32x8::splat), directions);
+        let aside = (f32x8::splat(to_lamp.length_squared()) - along * along).fast_max(f32x8::splat(0.04)).sqrt();
+        let swept = math8::atan2_approx(distances_m - along, aside) + math8::atan2_approx(along, aside);
+        let reach = along.fast_max(f32x8::ZERO).fast_min(distances_m);
+        let forward = droplet_phase(along / f32x8::splat(to_lamp.length().max(0.2)));
         // The nearest part of the ray scatters most: the light has come that far, and has as far to go.
         let extinction = self.extinction_at(lamp.z);
-        let faded = math::exp(-extinction * (reach + 0.7 * aside));
-        intensity * (self.glow * forward * faded * extinction * swept / (4.0 * PI * aside))
+        let faded = math8::exp(f32x8::splat(-extinction) * (reach + f32x8::splat(0.7) * aside));
+        f32x8::splat(self.glow * extinction / (4.0 * PI)) * forward * faded * swept / aside
     }
 }
 
 /// Light that fog droplets scatter by an angle of this cosine, 1 on average: most goes nearly straight on (Henyey and
 /// Greenstein 1941, g = 0.6, which makes up for scattering more than once).
-fn droplet_phase(cosine: f32) -> f32 {
+fn droplet_phase(cosine: f32x8) -> f32x8 {
     const G: f32 = 0.6;
-    let d = 1.0 + G * G - 2.0 * G * cosine;
-    (1.0 - G * G) / (d * d.sqrt())
+    let d = f32x8::splat(1.0 + G * G) - f32x8::splat(2.0 * G) * cosine;
+    f32x8::splat(1.0 - G * G) / (d * d.sqrt())
 }
 
 #[cfg(test)]
@@ -105,9 +102,10 @@ mod tests {
     #[test]
     fn droplets_lose_no_light() {
         let n = 20_000;
-        let mean = (0..n).map(|i| droplet_phase(2.0 * (i as f32 + 0.5) / n as f32 - 1.0)).sum::<f32>() / n as f32;
+        let phase = |cosine: f32| droplet_phase(f32x8::splat(cosine)).to_array()[0];
+        let mean = (0..n).map(|i| phase(2.0 * (i as f32 + 0.5) / n as f32 - 1.0)).sum::<f32>() / n as f32;
         assert!((mean - 1.0).abs() < 1e-3);
-        assert!(droplet_phase(1.0) > 20.0 * droplet_phase(-1.0));
+        assert!(phase(1.0) > 20.0 * phase(-1.0));
     }
 
     fn fog(scale_height_m: f32) -> Fog {

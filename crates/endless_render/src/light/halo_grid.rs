@@ -3,11 +3,13 @@
 use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 use rayon::prelude::*;
+use wide::f32x8;
 
 /// Pixels between grid points.
 const STEP: u32 = 8;
 /// Distances of the slices from the camera, metres.
-const SLICES_M: [f32; 12] = [3.0, 6.0, 10.0, 15.0, 21.0, 28.0, 37.0, 48.0, 62.0, 80.0, 110.0, 150.0];
+const SLICES_M: [f32; 16] =
+    [3.0, 6.0, 10.0, 15.0, 21.0, 28.0, 37.0, 48.0, 58.0, 68.0, 80.0, 92.0, 105.0, 118.0, 133.0, 150.0];
 
 /// Light scattered into view rays up to each slice.
 pub(crate) struct HaloGrid {
@@ -16,14 +18,16 @@ pub(crate) struct HaloGrid {
 }
 
 impl HaloGrid {
-    /// Fills the grid: `halo(x, y, distance)` is the light of the ray through a place of the picture.
-    pub(crate) fn bake(width: u32, height: u32, halo: impl Fn(f32, f32, f32) -> Vec3A + Sync) -> Self {
+    /// Fills the grid: `halo(x, y, distances)` is the light of the ray through a place of the picture.
+    pub(crate) fn bake(width: u32, height: u32, halo: impl Fn(f32, f32, f32x8) -> [Vec3A; 8] + Sync) -> Self {
         let (columns, rows) = ((width.div_ceil(STEP) + 1) as usize, (height.div_ceil(STEP) + 1) as usize);
         let light = (0..columns * rows)
             .into_par_iter()
             .map(|i| {
                 let (x, y) = ((i % columns) as f32 * STEP as f32, (i / columns) as f32 * STEP as f32);
-                SLICES_M.map(|distance| halo(x, y, distance))
+                let eights = SLICES_M.as_chunks().0;
+                let light = [0, 1].map(|half: usize| halo(x, y, f32x8::new(eights[half])));
+                std::array::from_fn(|slice| light[slice / 8][slice % 8])
             })
             .collect();
         Self { columns, light }
@@ -52,7 +56,7 @@ mod tests {
     #[test]
     fn what_is_linear_between_grid_points_comes_back() {
         let light = |x: f32, y: f32, d: f32| Vec3A::new(x, y, d);
-        let grid = HaloGrid::bake(61, 47, light);
+        let grid = HaloGrid::bake(61, 47, |x, y, distances| distances.to_array().map(|d| light(x, y, d)));
         for (x, y, d) in [(0, 0, 1.0), (60, 46, 20.0), (13, 29, 100.0), (8, 8, 150.0)] {
             let expected = light(x as f32 + 0.5, y as f32 + 0.5, d);
             // Up to the first slice, light grows from nothing.

@@ -14,5 +14,5 @@ pub(crate) use environment::{Environment, SUN_SAMPLES, Sun};
 pub(crate) use fog::Fog;
 pub(crate) use halo_grid::HaloGrid;
 pub(crate) use lamp_maps::LampMaps;
-pub(crate) use lamps::Lamps;
+pub(crate) use lamps::{Lamps, PointLamp};
 pub(crate) use sky::Sky;

@@ -6,11 +6,14 @@
 //! (Moon and Spencer 1942). Radiance in kcd/m² per linear RGB channel.
 
 use super::clouds::CloudLayer;
+use crate::math8;
+use crate::vec3x8::{Vec3x8, dot, normalize};
 use endless_world::math;
 use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 use rayon::prelude::*;
 use std::f32::consts::{PI, TAU};
+use wide::f32x8;
 
 const WIDTH: usize = 512;
 const HEIGHT: usize = 256;
@@ -65,7 +68,9 @@ impl Sky {
     /// Tabulates the sky.
     pub(crate) fn new(parameters: &SkyParameters) -> Self {
         let place = |i: usize| direction_of((i % WIDTH) as f32 + 0.5, (i / WIDTH) as f32 + 0.5);
-        let table: Vec<Vec3A> = (0..WIDTH * HEIGHT).into_par_iter().map(|i| parameters.radiance(place(i))).collect();
+        let eight = |i: usize| parameters.radiance8(&std::array::from_fn(|lane| place(8 * i + lane)));
+        let eights = (0..WIDTH * HEIGHT / 8).into_par_iter();
+        let table = eights.map(eight).collect::<Vec<[Vec3A; 8]>>().into_flattened();
         let (mut sum, mut solid_angle) = (Vec3A::ZERO, 0.0);
         for (row, line) in table.chunks_exact(WIDTH).enumerate() {
             let weight = math::sin(elevation_of(row as f32 + 1.0)) - math::sin(elevation_of(row as f32));
@@ -118,13 +123,21 @@ fn direction_of(column: f32, row: f32) -> Vec3A {
 }
 
 impl SkyParameters {
-    fn radiance(&self, direction: Vec3A) -> Vec3A {
-        let mut clear = Vec3A::ZERO;
-        if self.overcast < 1.0 {
-            clear = single_scattering(direction, self.sun_direction, self.turbidity);
-            if let Some(clouds) = &self.clouds {
-                clear = clouds.over(clear, direction, self.sun_direction);
-            }
+    fn radiance8(&self, directions: &[Vec3A; 8]) -> [Vec3A; 8] {
+        let clear = if self.overcast < 1.0 {
+            single_scattering(directions, self.sun_direction, self.turbidity)
+        } else {
+            [Vec3A::ZERO; 8]
+        };
+        std::array::from_fn(|i| self.over(clear[i], directions[i]))
+    }
+
+    /// Radiance from a direction, of which the clear sky's is known.
+    fn over(&self, mut clear: Vec3A, direction: Vec3A) -> Vec3A {
+        if self.overcast < 1.0
+            && let Some(clouds) = &self.clouds
+        {
+            clear = clouds.over(clear, direction, self.sun_direction);
         }
         // CIE overcast: L = Lz (1 + 2 sin e) / 3, and E = 7 π Lz / 9.
         let zenith = self.overcast_klx * 9.0 / (7.0 * PI);
@@ -134,22 +147,39 @@ impl SkyParameters {
     }
 }
 
-/// Distance from inside to the sphere of this radius around the Earth's centre.
-fn to_shell(origin: Vec3A, direction: Vec3A, radius: f32) -> f32 {
-    // In double precision: the Earth's radius squared leaves no digits for a street in single.
-    let b = f64::from(origin.dot(direction));
-    let c = f64::from(origin.length()).powi(2) - f64::from(radius).powi(2);
-    ((b * b - c).max(0.0).sqrt() - b) as f32
+/// Distances from places in the air to its upper end, metres.
+fn to_space(origins: &Vec3x8, directions: &Vec3x8) -> f32x8 {
+    let top = f32x8::splat(ATMOSPHERE_RADIUS_M);
+    let up = dot(origins, directions);
+    let from_centre = dot(origins, origins).sqrt();
+    let depth = (top - from_centre) * (top + from_centre);
+    let root = (up * up + depth).sqrt();
+    // Of the two forms of the root of a quadratic equation, each loses its digits where the other keeps them.
+    up.simd_gt(f32x8::ZERO).select(depth / (up + root), root - up)
 }
 
-fn optical_depth(origin: Vec3A, direction: Vec3A, steps: u32) -> (f32, f32) {
-    let length = to_shell(origin, direction, ATMOSPHERE_RADIUS_M);
-    let step = length / steps as f32;
-    let (mut rayleigh, mut mie) = (0.0, 0.0);
+/// Share of the density at sea level that air which thins out by the factor e a scale height has.
+fn density(heights_m: f32x8, scale_m: f32) -> f32x8 {
+    math8::exp(heights_m * f32x8::splat(-1.0 / scale_m))
+}
+
+/// Heights of places above the ground, metres.
+fn heights(places: &Vec3x8) -> f32x8 {
+    dot(places, places).sqrt() - f32x8::splat(EARTH_RADIUS_M)
+}
+
+fn along(origins: &Vec3x8, directions: &Vec3x8, distances: f32x8) -> Vec3x8 {
+    std::array::from_fn(|axis| origins[axis] + directions[axis] * distances)
+}
+
+/// Columns of air and of aerosols on the way to space, metres at sea-level density.
+fn optical_depth(origins: &Vec3x8, directions: &Vec3x8, steps: u32) -> (f32x8, f32x8) {
+    let step = to_space(origins, directions) * f32x8::splat(1.0 / steps as f32);
+    let (mut rayleigh, mut mie) = (f32x8::ZERO, f32x8::ZERO);
     for i in 0..steps {
-        let height = (origin + direction * ((i as f32 + 0.5) * step)).length() - EARTH_RADIUS_M;
-        rayleigh += math::exp(-height / RAYLEIGH_SCALE_M) * step;
-        mie += math::exp(-height / MIE_SCALE_M) * step;
+        let heights = heights(&along(origins, directions, step * f32x8::splat(i as f32 + 0.5)));
+        rayleigh += density(heights, RAYLEIGH_SCALE_M) * step;
+        mie += density(heights, MIE_SCALE_M) * step;
     }
     (rayleigh, mie)
 }
@@ -160,54 +190,66 @@ fn mie_extinction(turbidity: f32) -> Vec3A {
 }
 
 /// Share of light left along columns of air and aerosols, metres at sea-level density.
-fn extinction(rayleigh: f32, mie: f32, turbidity: f32) -> Vec3A {
-    let tau = (RAYLEIGH_BETA + OZONE_BETA) * rayleigh + mie_extinction(turbidity) * mie;
-    Vec3A::new(math::exp(-tau.x), math::exp(-tau.y), math::exp(-tau.z))
+fn extinction(rayleigh: f32x8, mie: f32x8, turbidity: f32) -> Vec3x8 {
+    let (air, aerosols) = (RAYLEIGH_BETA + OZONE_BETA, mie_extinction(turbidity));
+    [0, 1, 2].map(|k| math8::exp(-(f32x8::splat(air[k]) * rayleigh + f32x8::splat(aerosols[k]) * mie)))
+}
+
+/// Where one stands, from the Earth's centre.
+fn ground() -> Vec3x8 {
+    [0.0, 0.0, EARTH_RADIUS_M + 10.0].map(f32x8::splat)
 }
 
 /// Share of the sunlight that reaches the ground, per channel.
 pub(crate) fn sun_transmittance(sun_direction: Vec3A, turbidity: f32) -> Vec3A {
-    let (rayleigh, mie) = optical_depth(Vec3A::new(0.0, 0.0, EARTH_RADIUS_M + 10.0), sun_direction, 32);
-    extinction(rayleigh, mie, turbidity)
+    let (rayleigh, mie) = optical_depth(&ground(), &sun_direction.to_array().map(f32x8::splat), 32);
+    let [r, g, b] = extinction(rayleigh, mie, turbidity).map(|channel| channel.to_array()[0]);
+    Vec3A::new(r, g, b)
 }
 
-fn single_scattering(direction: Vec3A, sun: Vec3A, turbidity: f32) -> Vec3A {
+fn single_scattering(directions: &[Vec3A; 8], sun: Vec3A, turbidity: f32) -> [Vec3A; 8] {
     if sun.z < -0.12 {
-        return Vec3A::ZERO;
+        return [Vec3A::ZERO; 8];
     }
     const STEPS: u32 = 16;
-    let origin = Vec3A::new(0.0, 0.0, EARTH_RADIUS_M + 10.0);
-    let direction = Vec3A::new(direction.x, direction.y, direction.z.max(0.004)).normalize();
-    let length = to_shell(origin, direction, ATMOSPHERE_RADIUS_M);
-    let cosine = direction.dot(sun);
-    let rayleigh_phase = 3.0 / (16.0 * PI) * (1.0 + cosine * cosine);
-    let g = MIE_ANISOTROPY;
+    let lane = |axis: usize| f32x8::new(directions.map(|direction| direction[axis]));
+    let directions = normalize([lane(0), lane(1), lane(2).fast_max(f32x8::splat(0.004))]);
+    let (origin, sun) = (ground(), sun.to_array().map(f32x8::splat));
+    let length = to_space(&origin, &directions);
+    let cosine = dot(&directions, &sun);
+    let [one, g] = [1.0, MIE_ANISOTROPY].map(f32x8::splat);
+    let symmetric = one + cosine * cosine;
+    let rayleigh_phase = f32x8::splat(3.0 / (16.0 * PI)) * symmetric;
     let mie_beta = mie_extinction(turbidity) * MIE_ALBEDO;
-    let mie_phase = 3.0 / (8.0 * PI) * (1.0 - g * g) * (1.0 + cosine * cosine)
-        / ((2.0 + g * g) * math::pow((1.0 + g * g - 2.0 * g * cosine).max(1e-4), 1.5));
-    let (mut depth_rayleigh, mut depth_mie) = (0.0, 0.0);
-    let mut in_scattered = Vec3A::ZERO;
-    let mut from = 0.0;
+    let spread = (one + g * g - f32x8::splat(2.0) * g * cosine).fast_max(f32x8::splat(1e-4));
+    let mie_phase = f32x8::splat(3.0 / (8.0 * PI)) * (one - g * g) * symmetric
+        / ((f32x8::splat(2.0) + g * g) * spread * spread.sqrt());
+    // Further orders are nearly isotropic.
+    let multiple_phase = f32x8::splat(FURTHER_ORDERS / (4.0 * PI));
+    let (mut depth_rayleigh, mut depth_mie) = (f32x8::ZERO, f32x8::ZERO);
+    let mut in_scattered = [f32x8::ZERO; 3];
+    let mut from = f32x8::ZERO;
     for i in 0..STEPS {
         // Steps grow with distance: air is dense near the ground.
         let t = (i + 1) as f32 / STEPS as f32;
-        let to = length * t * t;
-        let (step, middle) = (to - from, (to + from) / 2.0);
+        let to = length * f32x8::splat(t * t);
+        let (step, middle) = (to - from, (to + from) * f32x8::splat(0.5));
         from = to;
-        let point = origin + direction * middle;
-        let height = (point.length() - EARTH_RADIUS_M).max(0.0);
-        let (rho_rayleigh, rho_mie) =
-            (math::exp(-height / RAYLEIGH_SCALE_M) * step, math::exp(-height / MIE_SCALE_M) * step);
+        let points = along(&origin, &directions, middle);
+        let heights = heights(&points).fast_max(f32x8::ZERO);
+        let (rho_rayleigh, rho_mie) = (density(heights, RAYLEIGH_SCALE_M) * step, density(heights, MIE_SCALE_M) * step);
         depth_rayleigh += rho_rayleigh;
         depth_mie += rho_mie;
-        let (sun_rayleigh, sun_mie) = optical_depth(point, sun, 6);
+        let (sun_rayleigh, sun_mie) = optical_depth(&points, &sun, 6);
         let light = extinction(depth_rayleigh + sun_rayleigh, depth_mie + sun_mie, turbidity);
-        let single = RAYLEIGH_BETA * (rho_rayleigh * rayleigh_phase) + mie_beta * (rho_mie * mie_phase);
-        // Further orders are nearly isotropic.
-        let multiple = (RAYLEIGH_BETA * rho_rayleigh + mie_beta * rho_mie) * (FURTHER_ORDERS / (4.0 * PI));
-        in_scattered += light * (single + multiple);
+        for (k, sum) in in_scattered.iter_mut().enumerate() {
+            let scattered = f32x8::splat(RAYLEIGH_BETA[k]) * rho_rayleigh * (rayleigh_phase + multiple_phase)
+                + f32x8::splat(mie_beta[k]) * rho_mie * (mie_phase + multiple_phase);
+            *sum += light[k] * scattered;
+        }
     }
-    in_scattered * SOLAR_ILLUMINANCE_KLX
+    let [r, g, b] = in_scattered.map(|channel| (channel * f32x8::splat(SOLAR_ILLUMINANCE_KLX)).to_array());
+    std::array::from_fn(|i| Vec3A::new(r[i], g[i], b[i]))
 }
 
 #[cfg(test)]
