@@ -1,6 +1,6 @@
 //! The models of all actors of a video, and their geometry at one instant.
 
-use crate::{TownScene, person::PersonGeometry, vehicle::VehicleGeometry, velocity};
+use crate::{SharedModels, TownScene, person::PersonGeometry, vehicle::VehicleGeometry, velocity};
 use endless_asset::Catalogue;
 use endless_render::{
     BeamKind, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject, VehicleBeam,
@@ -22,8 +22,8 @@ pub struct ActorModels {
 }
 
 /// A vehicle model that moves.
-#[derive(Debug)]
-struct MovingVehicle {
+#[derive(Debug, Clone)]
+pub(crate) struct MovingVehicle {
     geometry: VehicleGeometry,
     /// Half length, half width, height.
     extent: Vec3A,
@@ -36,25 +36,24 @@ struct MovingVehicle {
 impl ActorModels {
     /// Models of these actors.
     pub fn new(catalogue: &Catalogue, actors: &[Actor]) -> Self {
-        Self::made(catalogue, actors, &BTreeMap::new())
+        Self::made(catalogue, actors, &SharedModels::default())
     }
 
-    /// The same in a town of the same catalogue: vehicles that stand parked there are not made again.
+    /// The same in a town of the same catalogue, whose models are shared.
     pub fn in_town(town: &TownScene, catalogue: &Catalogue, actors: &[Actor]) -> Self {
-        Self::made(catalogue, actors, &town.parked)
+        Self::made(catalogue, actors, &town.models)
     }
 
-    fn made(catalogue: &Catalogue, actors: &[Actor], parked: &BTreeMap<VehicleModelId, VehicleGeometry>) -> Self {
+    fn made(catalogue: &Catalogue, actors: &[Actor], shared: &SharedModels) -> Self {
         // Everything is made by all threads, once.
         let driving: BTreeSet<VehicleRef> = actors.iter().filter_map(|a| a.asset.vehicle()).collect();
         let models: BTreeSet<VehicleModelId> = driving.iter().map(|v| v.model).collect();
         let dressed: BTreeSet<PersonRef> = actors.iter().filter_map(|a| a.asset.person()).collect();
         let ridden = actors.iter().filter(|a| a.rider_id.is_some());
         let ridden: BTreeSet<VehicleRef> = ridden.filter_map(|a| a.asset.vehicle()).collect();
-        let vehicle = |m: VehicleModelId| Some((m, MovingVehicle::new(catalogue, m, parked.get(&m).cloned())?));
         let person = |person| (person, PersonGeometry::new(catalogue.dressed_person(person)));
         let (vehicles, (people, riders)) = rayon::join(
-            || models.into_par_iter().filter_map(vehicle).collect(),
+            || shared.moving(models, catalogue),
             || {
                 rayon::join(
                     || dressed.into_par_iter().map(person).collect(),
@@ -132,11 +131,11 @@ impl ActorModels {
 }
 
 impl MovingVehicle {
-    fn new(catalogue: &Catalogue, model: VehicleModelId, made: Option<VehicleGeometry>) -> Option<Self> {
+    pub(crate) fn new(catalogue: &Catalogue, model: VehicleModelId, parked: VehicleGeometry) -> Option<Self> {
         let entry = catalogue.vehicle(model)?;
         let extent = Vec3A::new(entry.spec.length_m / 2.0, entry.spec.width_m / 2.0, entry.spec.height_m);
         let low = Vec3::new(-extent.x, -extent.y, 0.0);
-        let geometry = made.unwrap_or_else(|| VehicleGeometry::new(entry)).with_ambient_occlusion(low, extent.into());
+        let geometry = parked.with_ambient_occlusion(low, extent.into());
         let lenses = entry.headlights();
         let headlight =
             (!lenses.is_empty()).then(|| lenses.iter().map(|&p| Vec3A::from(p)).sum::<Vec3A>() / lenses.len() as f32);

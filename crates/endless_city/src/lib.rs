@@ -5,7 +5,7 @@
 //! actors ── ActorModels ── with a WorldState ┴─ FrameScene
 //! ```
 //! A [`TownScene`] is loaded once a map, [`ActorModels`] are made once a video, and a
-//! [`FrameScene`](endless_render::FrameScene) once a frame.
+//! [`FrameScene`](endless_render::FrameScene) once a frame. [`SharedModels`] keep what towns and videos have in common.
 //!
 //! ```
 //! use endless_asset::Catalogue;
@@ -36,9 +36,11 @@
 
 mod actor_models;
 mod person;
+mod shared_models;
 mod town_scene;
 mod vehicle;
 mod velocity;
 
 pub use actor_models::ActorModels;
+pub use shared_models::SharedModels;
 pub use town_scene::TownScene;

@@ -1,6 +1,6 @@
 //! A town as the renderer draws it.
 
-use crate::vehicle::VehicleGeometry;
+use crate::{SharedModels, vehicle::VehicleGeometry};
 use endless_asset::Catalogue;
 use endless_render::{Geometry, Instance, RigidVelocity, StaticScene};
 use endless_scene::Mesh;
@@ -17,8 +17,7 @@ use std::{
 #[derive(Debug)]
 pub struct TownScene {
     still: StaticScene,
-    /// Models of the parked vehicles: the same may drive by.
-    pub(crate) parked: BTreeMap<VehicleModelId, VehicleGeometry>,
+    pub(crate) models: Arc<SharedModels>,
 }
 
 impl TownScene {
@@ -27,18 +26,28 @@ impl TownScene {
     /// # Errors
     /// When more vehicles stand parked than [`endless_world::InstanceId`] can number.
     pub fn load(town: &Town, catalogue: &Catalogue) -> Result<Self, TooManyInstances> {
-        let models: BTreeSet<VehicleModelId> = town.parked.iter().map(|p| p.vehicle.model).collect();
-        let geometry = |model| Some((model, VehicleGeometry::new(catalogue.vehicle(model)?)));
+        Self::load_sharing(town, catalogue, Arc::default())
+    }
+
+    /// The same with models that other towns of this catalogue share.
+    ///
+    /// # Errors
+    /// As [`Self::load`].
+    pub fn load_sharing(
+        town: &Town,
+        catalogue: &Catalogue,
+        models: Arc<SharedModels>,
+    ) -> Result<Self, TooManyInstances> {
         // Large meshes and small ones side by side, so that no thread waits for another.
         let (mut instances, parked): (Vec<Instance>, BTreeMap<VehicleModelId, VehicleGeometry>) = rayon::join(
-            || placed(&town.meshes, &town.placements, catalogue),
-            || models.into_par_iter().filter_map(geometry).collect(),
+            || placed(&town.meshes, &town.placements, &models, catalogue),
+            || models.parked(town.parked.iter().map(|p| p.vehicle.model).collect(), catalogue),
         );
         let ids = InstanceIdAllocator::default().allocate_many(town.parked.len())?;
         for (&id, vehicle) in ids.iter().zip(&town.parked) {
             instances.extend(parked_instances(vehicle, id, &parked, catalogue));
         }
-        Ok(Self { still: StaticScene::new(instances, &town.lamps), parked })
+        Ok(Self { still: StaticScene::new(instances, &town.lamps), models })
     }
 
     /// What stands still, for the renderer.
@@ -48,21 +57,22 @@ impl TownScene {
 
     /// The same with more that stands still: details near the cameras of one video. [`PlacedObject::TownMesh`] numbers `meshes`.
     pub fn with_details(&self, meshes: &[Arc<Mesh>], placements: &[Placement], catalogue: &Catalogue) -> StaticScene {
-        self.still.with_instances(placed(meshes, placements, catalogue))
+        self.still.with_instances(placed(meshes, placements, &self.models, catalogue))
     }
 }
 
 /// Instances of a town's own meshes and of props.
-fn placed(meshes: &[Arc<Mesh>], placements: &[Placement], catalogue: &Catalogue) -> Vec<Instance> {
+fn placed(
+    meshes: &[Arc<Mesh>],
+    placements: &[Placement],
+    models: &SharedModels,
+    catalogue: &Catalogue,
+) -> Vec<Instance> {
     let kinds = placements.iter().map(|placement| placement.object);
     let used: BTreeSet<PlacedObject> = kinds.filter(|what| matches!(what, PlacedObject::Prop(..))).collect();
-    let prop = |what: PlacedObject| match what {
-        PlacedObject::Prop(prop, variant) => Some((what, Geometry::new(catalogue.prop(prop, variant)))),
-        PlacedObject::TownMesh(_) => None,
-    };
     let (own, props): (Vec<Geometry>, BTreeMap<PlacedObject, Geometry>) = rayon::join(
         || meshes.par_iter().map(|mesh| Geometry::new(Arc::clone(mesh))).collect(),
-        || used.into_par_iter().filter_map(prop).collect(),
+        || models.props(used, catalogue),
     );
     let place = |placement: &Placement| {
         let geometry = match placement.object {

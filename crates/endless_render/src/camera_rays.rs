@@ -17,20 +17,40 @@ pub(crate) fn sample_ray(camera: &PinholeCamera, x: u32, y: u32, sample: usize) 
 /// Directions of the rays through a sample of the pixels `x0..x1` of a line, the last one's repeated: those of
 /// [`sample_ray`], eight side by side.
 pub(crate) fn directions8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) -> Vec3x8 {
-    let column = |i: usize| (x0 + i as u32).min(x1 - 1);
-    if camera.distortion != Distortion::NONE {
-        let directions: [Vec3A; 8] = std::array::from_fn(|i| sample_ray(camera, column(i), y, sample).direction);
-        return [0, 1, 2].map(|axis| f32x8::new(directions.map(|d| d[axis])));
-    }
-    let (k, offset) = (&camera.intrinsics, SAMPLE_OFFSETS[sample]);
-    let across = f32x8::new(std::array::from_fn(|i| column(i) as f32 + 0.5 + offset.x));
-    let across = (across - f32x8::splat(k.cx)) / f32x8::splat(k.fx);
-    let down = f32x8::splat((y as f32 + 0.5 + offset.y - k.cy) / k.fy);
+    let offset = SAMPLE_OFFSETS[sample];
+    let across = f32x8::new(std::array::from_fn(|i| (x0 + i as u32).min(x1 - 1) as f32 + 0.5 + offset.x));
+    directions_through(camera, across, f32x8::splat(y as f32 + 0.5 + offset.y))
+}
+
+/// Directions of the rays through places of the picture: those of [`PinholeCamera::ray_through`].
+pub(crate) fn directions_through(camera: &PinholeCamera, x: f32x8, y: f32x8) -> Vec3x8 {
+    let k = &camera.intrinsics;
+    let across = (x - f32x8::splat(k.cx)) / f32x8::splat(k.fx);
+    let down = (y - f32x8::splat(k.cy)) / f32x8::splat(k.fy);
+    let [across, down] = undistort8(camera.distortion, [across, down]);
     let m = &camera.world_from_camera;
     normalize([0, 1, 2].map(|axis| {
         let [x, y, z] = [m.x_axis[axis], m.y_axis[axis], m.z_axis[axis]].map(f32x8::splat);
         x * across + y * down + z
     }))
+}
+
+/// [`Distortion::undistort`] for eight image points.
+fn undistort8(lens: Distortion, [x, y]: [f32x8; 2]) -> [f32x8; 2] {
+    if lens == Distortion::NONE {
+        return [x, y];
+    }
+    let [one, three_k1, five_k2] = [1.0, 3.0 * lens.k1, 5.0 * lens.k2].map(f32x8::splat);
+    let [k1, k2] = [lens.k1, lens.k2].map(f32x8::splat);
+    let bent = (x * x + y * y).sqrt();
+    let mut r = bent;
+    for _ in 0..Distortion::NEWTON_STEPS {
+        let r2 = r * r;
+        let miss = r * (one + r2 * (k1 + k2 * r2)) - bent;
+        r -= miss / (one + r2 * (three_k1 + five_k2 * r2)).fast_max(f32x8::splat(0.05));
+    }
+    let longer = bent.simd_gt(f32x8::ZERO).select(r / bent, one);
+    [x * longer, y * longer]
 }
 
 /// Depth along the optical axis, never beyond the far plane.

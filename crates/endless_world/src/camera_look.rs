@@ -61,6 +61,9 @@ impl Distortion {
         p * (1.0 + r2 * (self.k1 + self.k2 * r2))
     }
 
+    /// Steps of Newton's method that undo a distortion: as good as single precision.
+    pub const NEWTON_STEPS: u32 = 8;
+
     /// The pinhole image point of a distorted one, by Newton's method on the radius.
     #[inline]
     pub fn undistort(self, p: Vec2) -> Vec2 {
@@ -69,7 +72,7 @@ impl Distortion {
         }
         let bent = p.length();
         let mut r = bent;
-        for _ in 0..8 {
+        for _ in 0..Self::NEWTON_STEPS {
             let r2 = r * r;
             let miss = r * (1.0 + r2 * (self.k1 + self.k2 * r2)) - bent;
             r -= miss / (1.0 + r2 * (3.0 * self.k1 + 5.0 * self.k2 * r2)).max(0.05);

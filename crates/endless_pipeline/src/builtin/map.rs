@@ -2,8 +2,9 @@
 
 use crate::SimulatorError;
 use endless_asset::Catalogue;
-use endless_city::TownScene;
+use endless_city::{SharedModels, TownScene};
 use endless_town::Town;
+use std::sync::Arc;
 
 /// A town and its geometry.
 pub struct BuiltinMap {
@@ -16,8 +17,8 @@ impl BuiltinMap {
     ///
     /// # Errors
     /// [`SimulatorError::LoadMap`] when it has more parts than can be told apart.
-    pub(super) fn load(town: Town, catalogue: &Catalogue) -> Result<Self, SimulatorError> {
-        let town_scene = TownScene::load(&town, catalogue)
+    pub(super) fn load(town: Town, catalogue: &Catalogue, models: Arc<SharedModels>) -> Result<Self, SimulatorError> {
+        let town_scene = TownScene::load_sharing(&town, catalogue, models)
             .map_err(|source| SimulatorError::LoadMap { map: town.name.clone(), source: source.into() })?;
         Ok(Self { town, town_scene })
     }

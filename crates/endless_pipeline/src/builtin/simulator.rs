@@ -2,20 +2,22 @@
 
 use super::{map::BuiltinMap, session::BuiltinSession};
 use crate::{Capabilities, MapCatalog, MapSource, SimulationSession, Simulator, SimulatorError};
+use endless_city::SharedModels;
 use endless_interchange::MapLibrary;
 use endless_world::{CameraSite, SceneSettings};
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, sync::Arc};
 
 /// Simulates and renders without anything outside this program.
 #[derive(Debug)]
 pub struct BuiltinSimulator {
     map_library: MapLibrary,
+    models: Arc<SharedModels>,
 }
 
 impl BuiltinSimulator {
     /// Over the maps and the catalogue of a library.
     pub fn new(map_library: MapLibrary) -> Self {
-        Self { map_library }
+        Self { map_library, models: Arc::default() }
     }
 }
 
@@ -51,7 +53,7 @@ impl Simulator for BuiltinSimulator {
     }
 
     fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
-        BuiltinMap::load(self.map_library.town(name)?, self.map_library.catalogue())
+        BuiltinMap::load(self.map_library.town(name)?, self.map_library.catalogue(), Arc::clone(&self.models))
     }
 
     fn open_session<'m>(

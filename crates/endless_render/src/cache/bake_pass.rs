@@ -2,11 +2,13 @@
 
 use super::bake_stats::BakeStats;
 use crate::accel::Ray;
-use crate::camera_rays::sample_ray;
-use crate::sampling::SAMPLES;
+use crate::camera_rays::{directions_through, sample_ray};
+use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::settings::RenderSettings;
 use crate::shade::Tracer;
+use crate::vec3x8::Vec3x8;
 use endless_world::PinholeCamera;
+use wide::f32x8;
 
 /// What the passes of a bake share.
 pub(super) struct BakePass<'a> {
@@ -25,5 +27,15 @@ impl BakePass<'_> {
     pub(super) fn ray_of(&self, sample_index: usize) -> Ray {
         let pixel = sample_index / SAMPLES;
         sample_ray(self.camera, (pixel % self.width()) as u32, (pixel / self.width()) as u32, sample_index % SAMPLES)
+    }
+
+    /// Directions of the rays of eight pixels that follow each other in the picture, by sample; beyond `count`, of the last.
+    pub(super) fn directions_of(&self, first: usize, count: usize) -> [Vec3x8; SAMPLES] {
+        let pixel = |i: usize| first + i.min(count - 1);
+        SAMPLE_OFFSETS.map(|offset| {
+            let x = f32x8::new(std::array::from_fn(|i| (pixel(i) % self.width()) as f32 + 0.5 + offset.x));
+            let y = f32x8::new(std::array::from_fn(|i| (pixel(i) / self.width()) as f32 + 0.5 + offset.y));
+            directions_through(self.camera, x, y)
+        })
     }
 }

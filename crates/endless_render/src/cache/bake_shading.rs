@@ -6,7 +6,7 @@ use super::gbuffer_sample::GBufferSample;
 use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, sky_sample, sun_light, surface_sample};
 use super::lamp_mask::{lamp_sum, lamps_free32};
 use super::primary::{PrimaryHits, place};
-use crate::accel::{RayStream, lanes};
+use crate::accel::{Ray, RayStream, lanes};
 use crate::material::Bsdf;
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
@@ -67,10 +67,12 @@ struct PixelEight<'a> {
 impl<'a> PixelEight<'a> {
     fn new(pass: &'a BakePass<'a>, primary: &PrimaryHits, irradiance: &[Vec3A], first: usize) -> Self {
         let count = (primary.uniform.len() - first).min(8);
+        let directions = pass.directions_of(first, count);
         let samples = std::array::from_fn(|lane| {
             let index = first * SAMPLES + place(8 * (lane / 8) + (lane % 8).min(count - 1));
+            let direction = Vec3A::from_array(directions[lane / 8].each_ref().map(|axis| axis.as_array()[lane % 8]));
             PrimarySample {
-                ray: pass.ray_of(index),
+                ray: Ray { origin: pass.camera.position.into(), direction, tmax: f32::MAX },
                 hit: primary.hits[index],
                 sun_free: primary.sun_free[index],
                 irradiance: irradiance[index],

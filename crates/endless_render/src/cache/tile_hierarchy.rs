@@ -2,11 +2,12 @@
 
 use super::gbuffer_sample::GBufferSample;
 use super::tile::{BLOCK, TILE, TileBounds, TileRayBounds};
-use crate::camera_rays::sample_ray;
+use crate::camera_rays::directions8;
 use crate::sampling::SAMPLES;
 use endless_world::PinholeCamera;
 use glam::Vec3A;
 use rayon::prelude::*;
+use wide::f32x8;
 
 /// Bounds of the tiles of a fixed camera's picture, on two levels.
 pub(super) struct TileHierarchy {
@@ -56,15 +57,18 @@ impl TileHierarchy {
 fn bounds_of(camera: &PinholeCamera, samples: &[GBufferSample], tile: u32, columns: u32) -> TileBounds {
     let mut bounds = TileBounds::EMPTY;
     let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
+    let x1 = (x0 + TILE).min(camera.size.width);
     for y in y0..(y0 + TILE).min(camera.size.height) {
-        for x in x0..(x0 + TILE).min(camera.size.width) {
-            let pixel = (y * camera.size.width + x) as usize;
-            for (sample, still) in samples[pixel * SAMPLES..][..SAMPLES].iter().enumerate() {
+        let first = (y * camera.size.width + x0) as usize * SAMPLES;
+        for sample in 0..SAMPLES {
+            let directions = directions8(camera, x0, x1, y, sample).map(f32x8::to_array);
+            for x in 0..(x1 - x0) as usize {
+                let still = &samples[first + x * SAMPLES + sample];
                 if still.is_sky() {
                     continue;
                 }
-                let ray = sample_ray(camera, x, y, sample);
-                bounds.add(still, ray.origin + ray.direction * still.hit.t);
+                let direction = Vec3A::from_array(directions.map(|axis| axis[x]));
+                bounds.add(still, Vec3A::from(camera.position) + direction * still.hit.t);
             }
         }
     }
