@@ -35,6 +35,7 @@
 //! ```
 
 mod actor_models;
+mod moving_vehicle;
 mod person;
 mod shared_models;
 mod town_scene;

@@ -1,6 +1,6 @@
 //! Geometry of a catalogue's models, made when it is first needed and kept for all towns and videos.
 
-use crate::{actor_models::MovingVehicle, vehicle::VehicleGeometry};
+use crate::{moving_vehicle::MovingVehicle, vehicle::VehicleGeometry};
 use endless_asset::Catalogue;
 use endless_render::Geometry;
 use endless_town::PlacedObject;

@@ -144,6 +144,19 @@ impl MapLibrary {
         Ok(summary)
     }
 
+    /// Camera sites of a map, in canonical order.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn cameras(&self, name: &str) -> Result<Vec<CameraSite>, MapError> {
+        // Parked cars stand before lenses: imported ones may move a site.
+        let catalogue = self.catalogue();
+        let as_built = catalogue.imported_vehicles().is_empty() && catalogue.imported_static_models().is_empty();
+        let imported = self.stored(name)?.is_some();
+        let known = (as_built && !imported).then(|| endless_town::known_cameras(name)).flatten();
+        known.map_or_else(|| Ok(self.summary(name)?.cameras), Ok)
+    }
+
     fn planned(&self) -> MutexGuard<'_, PlannedTowns> {
         self.planned.lock().unwrap_or_else(PoisonError::into_inner)
     }

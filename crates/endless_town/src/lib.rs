@@ -51,7 +51,7 @@ mod top_view;
 mod town;
 
 pub use building::{building_styles, sample_building};
-pub use builtin::{NAMES, canonical_name, load};
+pub use builtin::{NAMES, canonical_name, known_cameras, load};
 pub use dressing::{DetailSource, dress_map};
 pub use placement::{PlacedObject, Placement};
 pub use top_view::{top_view, top_view_of};

@@ -41,7 +41,7 @@ impl MapSource for BuiltinSimulator {
 
 impl MapCatalog for BuiltinSimulator {
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
-        Ok(self.map_library.summary(map)?.cameras)
+        Ok(self.map_library.cameras(map)?)
     }
 }
 

@@ -13,8 +13,9 @@ fn coordinate() -> impl Strategy<Value = f32> {
     prop_oneof![2 => (-4i32..=4).prop_map(|i| i as f32), 1 => -4.0f32..4.0, 1 => Just(0.0f32)]
 }
 
-fn point() -> impl Strategy<Value = Vec3> {
-    (coordinate(), coordinate(), coordinate()).prop_map(|(x, y, z)| Vec3::new(x, y, z))
+/// On the heap, as rays are: many of them together would not fit on a thread's stack.
+fn point() -> BoxedStrategy<Vec3> {
+    (coordinate(), coordinate(), coordinate()).prop_map(|(x, y, z)| Vec3::new(x, y, z)).boxed()
 }
 
 /// Triangle soup; shares vertices, repeats triangles and holds degenerate ones.
@@ -43,13 +44,14 @@ fn scene() -> impl Strategy<Value = BruteForceScene> {
     })
 }
 
-fn ray() -> impl Strategy<Value = Ray> {
+fn ray() -> BoxedStrategy<Ray> {
     let tmax = prop_oneof![3 => Just(f32::INFINITY), 1 => 0.0f32..8.0, 1 => (1i32..5).prop_map(|i| i as f32)];
-    (point(), point(), tmax).prop_map(|(origin, direction, tmax)| Ray {
+    let ray = |(origin, direction, tmax): (Vec3, Vec3, f32)| Ray {
         origin: Vec3A::from(origin) * 1.5,
         direction: if direction == Vec3::ZERO { Vec3A::Z } else { direction.into() },
         tmax,
-    })
+    };
+    (point(), point(), tmax).prop_map(ray).boxed()
 }
 
 /// Eight rays side by side, or eight rays of any kind.

@@ -1,7 +1,7 @@
 //! The pass of a bake that gathers light: where it varies, not everywhere.
 //!
 //! Rays leave from one point of every two by two pixels. What they bring is denoised, and the samples around take it from
-//! the points that lie on their own surface. Samples with no such point (edges, leaves, wires) send rays themselves, half
+//! the points that lie on their own surface. Samples with no such point (edges, leaves, wires) send rays themselves, a third
 //! as many. What these bring is denoised among such samples, and mixed with the light in the open, of which the probes
 //! tell, darkened as it is at the points around.
 
@@ -20,7 +20,7 @@ use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
 
 /// How much the light of samples that gather for themselves is that of the points around, where there are such.
-const NEARBY_WEIGHT: f32 = 0.4;
+const NEARBY_WEIGHT: f32 = 0.5;
 /// The most that a point may get of the light in the open: where that is nearly none, shares mean nothing.
 const MOST_SHARE: f32 = 3.0;
 
@@ -71,7 +71,7 @@ impl<'a> IrradiancePass<'a> {
         let rows = irradiance.par_chunks_mut(self.width() * SAMPLES).enumerate();
         let edges: Vec<usize> =
             timed("interpolate", || rows.flat_map_iter(|(y, row)| self.interpolate_row(&grid, y, row)).collect());
-        let light = timed("gather at edges", || self.gather_at_edges(&edges, rays.div_ceil(2)));
+        let light = timed("gather at edges", || self.gather_at_edges(&edges, rays.div_ceil(3)));
         for (own, &index) in light.into_iter().zip(&edges) {
             let nearby = irradiance[index];
             irradiance[index] = if nearby == Vec3A::ZERO { own } else { own.lerp_unfused(nearby, NEARBY_WEIGHT) };

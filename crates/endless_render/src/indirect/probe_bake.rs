@@ -8,7 +8,7 @@ use crate::light::{Environment, LampMaps};
 use crate::material::noise;
 use crate::sampling::{hammersley, rotated, sphere_direction};
 use crate::scene::StaticScene;
-use crate::shade::{Tracer, shade_secondary};
+use crate::shade::{Tracer, shade_hit};
 use endless_scene::Surface;
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
@@ -51,11 +51,13 @@ fn probe(tracer: &Tracer<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe
     for k in 0..rays {
         let direction = sphere_direction(rotated(hammersley(k, rays), turn));
         let ray = Ray { origin: position, direction, tmax: f32::MAX };
-        if let Some(struck) = tracer.closest(&ray) {
-            let point = tracer.point(&ray, &struck);
+        let struck = tracer.closest(&ray);
+        if let Some(struck) = &struck {
+            let point = tracer.point(&ray, struck);
             behind += u32::from(point.from_behind && point.material.surface != Surface::Foliage);
         }
-        light.add(direction, shade_secondary(tracer, &ray, 0.6).min(limit), 4.0 * PI / rays as f32);
+        let radiance = shade_hit(tracer, &ray, struck.as_ref(), 0.6);
+        light.add(direction, radiance.min(limit), 4.0 * PI / rays as f32);
     }
     let inside = behind as f32 / rays as f32;
     Probe { light, trust: (1.0 - inside * 4.0).clamp(0.0, 1.0) }

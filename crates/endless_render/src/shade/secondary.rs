@@ -10,12 +10,8 @@ use glam::Vec3A;
 /// Lamps whose shadows a secondary point tests.
 const LAMPS: usize = 2;
 
-/// Radiance that arrives along a ray, kcd/m². `footprint_m` is the width of detail that matters where it lands.
-pub(crate) fn shade_secondary(tracer: &Tracer<'_>, ray: &Ray, footprint_m: f32) -> Vec3A {
-    shade_hit(tracer, ray, tracer.closest(ray).as_ref(), footprint_m)
-}
-
-/// The same for a ray of which it is known what it met.
+/// Radiance that arrives along a ray of which it is known what it met, kcd/m². `footprint_m` is the width of detail that
+/// matters where it lands.
 pub(crate) fn shade_hit(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&SceneHit>, footprint_m: f32) -> Vec3A {
     let Some(struck) = struck else { return tracer.environment.sky.radiance(ray.direction) };
     let point = tracer.point(ray, struck);
@@ -30,7 +26,7 @@ pub(crate) fn shade_hit(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&SceneHit
     tracer.environment.fog.through(radiance, ray.origin, ray.direction, struck.hit.t)
 }
 
-/// [`shade_secondary`] for those of eight rays whose bit is set in `active`: they run side by side.
+/// Radiance along those of eight rays whose bit is set in `active`: they run side by side.
 pub(crate) fn shade_secondary8(
     tracer: &Tracer<'_>,
     rays: &[Ray; 8],

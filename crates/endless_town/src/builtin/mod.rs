@@ -2,6 +2,7 @@
 //! it and it is dressed like any map.
 
 mod altstadt;
+mod camera_table;
 mod ladera;
 mod layout;
 mod layout_geometry;
@@ -19,6 +20,8 @@ use crate::dressing::{TownPreset, dress};
 use crate::{Town, TownError};
 use endless_asset::Catalogue;
 use endless_road::RoadMap;
+
+pub use camera_table::known_cameras;
 
 type MakeLayout = fn() -> (RoadMap, TownPreset);
 

@@ -5,6 +5,7 @@ use endless_town::{NAMES, Town, load};
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
+mod cameras;
 mod imported;
 mod network;
 mod opendrive;
