@@ -32,7 +32,7 @@ def main():
             process = subprocess.Popen([endless, "generate", killed, *ARGUMENTS], **quiet)
             if kill % 2 == 0:
                 # While towns are loaded and cameras baked, most often.
-                time.sleep(dice.uniform(0.02, length * 0.5))
+                time.sleep(dice.uniform(0.02, length * 0.25))
             else:
                 # While frames are written: every run gets a little further.
                 count = len(files(killed)) + dice.randint(1, max(1, 3 * len(files(whole)) // (2 * kills)))
