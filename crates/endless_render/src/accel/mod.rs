@@ -33,7 +33,7 @@ pub use blas::Blas;
 pub(crate) use blas::GeometryUse;
 pub(crate) use node::corners;
 pub use ray::{Hit, Ray};
-pub(crate) use stream::lanes;
 pub use stream::{RayStream, StreamHits};
+pub(crate) use stream::{first_lanes, lanes};
 pub use tlas::Tlas;
 pub(crate) use tlas::world_bounds;

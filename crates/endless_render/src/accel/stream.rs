@@ -146,6 +146,11 @@ pub(crate) fn lanes(mut mask: u32) -> impl Iterator<Item = usize> {
     })
 }
 
+/// The lanes of the first `count` (at most eight) of each row, of four rows.
+pub(crate) fn first_lanes(count: usize) -> u32 {
+    u32::from_ne_bytes([((1u16 << count) - 1) as u8; 4])
+}
+
 /// All bits of those of eight lanes whose bit is set, none of the others.
 #[inline(always)]
 pub(super) fn lane_mask(bits: u32) -> f32x8 {

@@ -8,6 +8,7 @@ use crate::settings::RenderSettings;
 use crate::shade::Tracer;
 use crate::vec3x8::Vec3x8;
 use endless_world::PinholeCamera;
+use glam::Vec3A;
 use wide::f32x8;
 
 /// What the passes of a bake share.
@@ -27,6 +28,12 @@ impl BakePass<'_> {
     pub(super) fn ray_of(&self, sample_index: usize) -> Ray {
         let pixel = sample_index / SAMPLES;
         sample_ray(self.camera, (pixel % self.width()) as u32, (pixel / self.width()) as u32, sample_index % SAMPLES)
+    }
+
+    /// One of eight rays.
+    pub(super) fn ray_along(&self, directions: &Vec3x8, lane: usize) -> Ray {
+        let direction = Vec3A::from_array(directions.each_ref().map(|axis| axis.as_array()[lane]));
+        Ray { origin: self.camera.position.into(), direction, tmax: f32::MAX }
     }
 
     /// Directions of the rays of eight pixels that follow each other in the picture, by sample; beyond `count`, of the last.

@@ -3,14 +3,14 @@
 
 use super::bake_pass::BakePass;
 use super::gbuffer_sample::GBufferSample;
-use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, sky_sample, sun_light, surface_sample};
+use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, sky_sample, surface_sample};
 use super::lamp_mask::{lamp_sum, lamps_free32};
 use super::primary::{PrimaryHits, place};
-use crate::accel::{Ray, RayStream, lanes};
+use crate::accel::{RayStream, first_lanes, lanes};
 use crate::material::Bsdf;
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
-use crate::shade::{MIRROR_THRESHOLD, halos8, mirror_footprint, mirror_ray, shade_hit8};
+use crate::shade::{MIRROR_THRESHOLD, halos8, mirror_footprint, mirror_ray, shade_hit8, sun_light};
 use glam::Vec3A;
 use rayon::prelude::*;
 use wide::f32x8;
@@ -70,16 +70,15 @@ impl<'a> PixelEight<'a> {
         let directions = pass.directions_of(first, count);
         let samples = std::array::from_fn(|lane| {
             let index = first * SAMPLES + place(8 * (lane / 8) + (lane % 8).min(count - 1));
-            let direction = Vec3A::from_array(directions[lane / 8].each_ref().map(|axis| axis.as_array()[lane % 8]));
             PrimarySample {
-                ray: Ray { origin: pass.camera.position.into(), direction, tmax: f32::MAX },
+                ray: pass.ray_along(&directions[lane / 8], lane % 8),
                 hit: primary.hits[index],
                 sun_free: primary.sun_free[index],
                 irradiance: irradiance[index],
             }
         });
         let uniform = primary.uniform[first..first + count].iter().rev().fold(0, |bits, u| bits << 1 | u32::from(*u));
-        let inside = u32::from_ne_bytes([((1u16 << count) - 1) as u8; SAMPLES]);
+        let inside = first_lanes(count);
         let seconds = uniform * SECONDS;
         let surfaces = std::array::from_fn(|lane| {
             let PrimarySample { ray, hit: Some(hit), .. } = &samples[lane] else { return None };

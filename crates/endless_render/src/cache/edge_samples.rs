@@ -1,14 +1,12 @@
 //! Samples at edges, on leaves and wires: the few of a picture on whose surface no points lie that gather light.
 
-use crate::indirect::{DenoiseGuide, surface_weight};
+use crate::indirect::{DenoiseGuide, KERNEL, surface_weight};
 use crate::sampling::SAMPLES;
 use glam::Vec3A;
 use rayon::prelude::*;
 
 /// Steps of the filter: the last reaches sixteen pixels away.
 const LEVELS: u32 = 5;
-/// Weights of a pixel's neighbours in a row.
-const KERNEL: [f32; 3] = [0.25, 0.5, 0.25];
 
 /// Samples of a picture, and where they are.
 pub(super) struct EdgeSamples<'a> {

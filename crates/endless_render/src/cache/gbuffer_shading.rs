@@ -8,7 +8,7 @@ use crate::material::{Bsdf, evaluate_bsdf};
 use crate::octahedron;
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
-use crate::shade::{MIRROR_THRESHOLD, Tracer, footprint_m, halos, mirror_light, mirror_ray};
+use crate::shade::{MIRROR_THRESHOLD, Tracer, footprint_m, halos, mirror_light, mirror_ray, sun_light};
 use endless_scene::Surface;
 use glam::Vec3A;
 
@@ -106,12 +106,6 @@ pub(super) fn shade_pixel(
         shaded[sample] = surface_sample(primary, hit, &point, &bsdf, &light);
     }
     shaded
-}
-
-/// Light of the sun, were nothing in its way.
-pub(super) fn sun_light(environment: &Environment, point: &SurfaceInteraction<'_>, bsdf: &Bsdf) -> Vec3A {
-    let sun = environment.sun.as_ref();
-    sun.map_or(Vec3A::ZERO, |sun| bsdf.lit_by(sun.illuminance, sun.direction, -point.direction))
 }
 
 /// A sample that met a surface.

@@ -10,6 +10,7 @@ use super::bake_stats::timed;
 use super::edge_samples::EdgeSamples;
 use super::point_grid::{PointGrid, SPACING};
 use super::primary::PrimaryHits;
+use crate::accel::Ray;
 use crate::indirect::{DenoiseGuide, PATTERN_SIDE, denoise, gather8, turn};
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
@@ -18,6 +19,7 @@ use crate::shade::footprint_m;
 use endless_world::math::UnfusedVec3A;
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
+use wide::f32x8;
 
 /// How much the light of samples that gather for themselves is that of the points around, where there are such.
 const NEARBY_WEIGHT: f32 = 0.5;
@@ -49,8 +51,13 @@ impl<'a> IrradiancePass<'a> {
 
     /// The surface that a sample saw.
     fn point(&self, index: usize) -> Option<SurfaceInteraction<'a>> {
+        self.point_along(index, &self.bake.ray_of(index))
+    }
+
+    /// The same, if its ray is known.
+    fn point_along(&self, index: usize, ray: &Ray) -> Option<SurfaceInteraction<'a>> {
         let hit = self.primary.hits[index].as_ref()?;
-        Some(SurfaceInteraction::new(&self.bake.tracer.still.instances, &self.bake.ray_of(index), hit))
+        Some(SurfaceInteraction::new(&self.bake.tracer.still.instances, ray, hit))
     }
 
     fn guide(&self, point: &SurfaceInteraction<'_>, pixels: usize) -> DenoiseGuide {
@@ -123,9 +130,16 @@ impl<'a> IrradiancePass<'a> {
     /// those take is a share of the light in the open, or nothing.
     fn interpolate_row(&self, grid: &PointGrid, y: usize, row: &mut [Vec3A]) -> Vec<usize> {
         let mut edges = Vec::new();
+        let mut directions = [[f32x8::ZERO; 3]; SAMPLES];
         for (x, pixel) in row.chunks_exact_mut(SAMPLES).enumerate() {
             let index = (y * self.width() + x) * SAMPLES;
-            let here = |sample: usize| Some(self.guide(&self.point(index + sample)?, SPACING));
+            if x % 8 == 0 {
+                directions = self.bake.directions_of(index / SAMPLES, (self.width() - x).min(8));
+            }
+            let here = |sample: usize| {
+                let ray = self.bake.ray_along(&directions[sample], x % 8);
+                Some(self.guide(&self.point_along(index + sample, &ray)?, SPACING))
+            };
             if self.primary.uniform[index / SAMPLES]
                 && let Some(light) = here(0).and_then(|here| grid.on_surface(&here, x, y))
             {

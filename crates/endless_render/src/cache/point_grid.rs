@@ -35,13 +35,7 @@ impl PointGrid {
 
     /// The points around a pixel, at most `reach` to each side.
     fn around(&self, x: usize, y: usize, reach: usize) -> impl Iterator<Item = usize> {
-        let height = self.guides.len() / self.width;
-        let range = |at: usize, end: usize| {
-            let first = (at / SPACING + 1).saturating_sub(reach).min(end - 1);
-            first..(at.div_ceil(SPACING) + reach).min(end)
-        };
-        let columns = range(x, self.width);
-        range(y, height).flat_map(move |row| columns.clone().map(move |column| row * self.width + column))
+        around(self.width, self.guides.len() / self.width, [x, y], reach)
     }
 
     /// Light of a sample of the pixel at (x, y), from the points around it that lie on its surface.
@@ -75,13 +69,21 @@ impl PointGrid {
     }
 }
 
+/// The points around a pixel in a grid of points, at most `reach` to each side.
+fn around(width: usize, height: usize, [x, y]: [usize; 2], reach: usize) -> impl Iterator<Item = usize> {
+    let range = |at: usize, end: usize| {
+        let first = (at / SPACING + 1).saturating_sub(reach).min(end - 1);
+        first..(at.div_ceil(SPACING) + reach).min(end)
+    };
+    let columns = range(x, width);
+    range(y, height).flat_map(move |row| columns.clone().map(move |column| row * width + column))
+}
+
 /// Whether enough of the points around one lie on its surface.
 fn is_clean(width: usize, guides: &[DenoiseGuide], place: usize) -> bool {
-    let (x, y) = (place % width, place / width);
-    let rows = y.saturating_sub(1)..(y + 2).min(guides.len() / width);
-    let others = rows.flat_map(|row| (x.saturating_sub(1)..(x + 2).min(width)).map(move |column| row * width + column));
+    let pixel = [place % width, place / width].map(|at| SPACING * at);
     let (mut sum, mut count) = (0.0, 0.0);
-    for other in others.filter(|other| *other != place) {
+    for other in around(width, guides.len() / width, pixel, 2).filter(|other| *other != place) {
         sum += surface_weight(&guides[place], &guides[other], 1.0);
         count += 1.0;
     }

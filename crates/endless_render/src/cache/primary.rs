@@ -3,7 +3,7 @@
 use super::bake_pass::BakePass;
 use super::gbuffer_shading::shows_signal;
 use super::sun_rays::{sun_can_light, sun_origin};
-use crate::accel::{Hit, Ray, RayStream, lanes};
+use crate::accel::{Hit, Ray, RayStream, first_lanes, lanes};
 use crate::camera_rays::directions8;
 use crate::light::{SUN_SAMPLES, Sun};
 use crate::sampling::SAMPLES;
@@ -58,7 +58,7 @@ impl BakePass<'_> {
                 axis[sample] = eight;
             }
         }
-        let active = u32::from_ne_bytes([((1u16 << count) - 1) as u8; SAMPLES]);
+        let active = first_lanes(uniform.len());
         let found = self.tracer.still.accel.closest32(&rays, active);
         let mut points: [Option<SurfaceInteraction<'_>>; 8 * SAMPLES] = [const { None }; 8 * SAMPLES];
         for lane in lanes(active) {

@@ -8,7 +8,7 @@ use super::ray_queue::RayQueue;
 use super::sun_rays::sun_origin;
 use super::tile::TILE;
 use super::tile_work::TileWork;
-use crate::accel::Ray;
+use crate::accel::{Ray, first_lanes};
 use crate::camera_rays::directions8;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, ShadingPoint};
@@ -120,7 +120,7 @@ impl<'a> RowView<'a> {
             }
             rays.tmax[s] = f32x8::new(still.map(|still| still.distances[s]));
         }
-        let active = u32::from_ne_bytes([((1u16 << self.count) - 1) as u8; SAMPLES]);
+        let active = first_lanes(self.count);
         queue.traced += u64::from(active.count_ones());
         let hits = frame.accel.closest32(rays, active);
         for (i, found) in found.iter_mut().enumerate() {

@@ -30,6 +30,9 @@ pub(crate) fn surface_weight(here: &DenoiseGuide, there: &DenoiseGuide, steps: f
     facing * facing * plane * plane * near
 }
 
+/// Weights of a sample and its neighbours in a row or a column.
+pub(crate) const KERNEL: [f32; 3] = [0.25, 0.5, 0.25];
+
 /// Filters an image of irradiance; rows in parallel, the result independent of the number of threads.
 pub(crate) fn denoise(width: usize, guides: &[DenoiseGuide], mut light: Vec<Vec3A>, levels: u32) -> Vec<Vec3A> {
     let height = guides.len() / width.max(1);
@@ -60,7 +63,6 @@ fn filter_one(
     if here.normal == Vec3A::ZERO {
         return light[centre];
     }
-    const KERNEL: [f32; 3] = [0.25, 0.5, 0.25];
     let (mut sum, mut total) = (Vec3A::ZERO, 0.0);
     for j in -1isize..=1 {
         let row = y as isize + j * step;

@@ -7,6 +7,6 @@ mod harmonics;
 mod probe_bake;
 mod probe_grid;
 
-pub(crate) use denoise::{DenoiseGuide, denoise, surface_weight};
+pub(crate) use denoise::{DenoiseGuide, KERNEL, denoise, surface_weight};
 pub(crate) use gather::{PATTERN_SIDE, gather8, turn};
 pub(crate) use probe_grid::{ProbeGrid, ProbeRegion};

@@ -3,6 +3,7 @@
 use super::lamplight::{lamp_light, lamp_light8};
 use super::{Tracer, tracer::SceneHit};
 use crate::accel::Ray;
+use crate::light::Environment;
 use crate::material::{Bsdf, evaluate_bsdf};
 use crate::scene::SurfaceInteraction;
 use glam::Vec3A;
@@ -20,7 +21,7 @@ pub(crate) fn shade_hit(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&SceneHit
         lamp_light(tracer, &point, &bsdf, LAMPS)
     } else {
         let sunlit = sun_ray(tracer, &point).is_some_and(|ray| !tracer.occluded(&ray));
-        sun_light(tracer, &point, &bsdf, sunlit)
+        if sunlit { sun_light(tracer.environment, &point, &bsdf) } else { Vec3A::ZERO }
     };
     let radiance = soft_light(tracer, &point, &bsdf) + direct;
     tracer.environment.fog.through(radiance, ray.origin, ray.direction, struck.hit.t)
@@ -89,8 +90,8 @@ fn direct8(tracer: &Tracer<'_>, rays: &[Ray; 8], points: &[Option<(SurfaceIntera
     });
     let sunlit = asked & !tracer.occluded8(&to_sun, asked);
     std::array::from_fn(|i| {
-        let lit = |(point, bsdf): &(SurfaceInteraction<'_>, Bsdf)| sun_light(tracer, point, bsdf, sunlit >> i & 1 == 1);
-        points[i].as_ref().map_or(Vec3A::ZERO, lit)
+        let lit = points[i].as_ref().filter(|_| sunlit >> i & 1 == 1);
+        lit.map_or(Vec3A::ZERO, |(point, bsdf)| sun_light(tracer.environment, point, bsdf))
     })
 }
 
@@ -114,12 +115,10 @@ fn soft_light(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, bsdf: &Bsdf) 
     radiance
 }
 
-/// Light of the sun's centre, if the point is `sunlit`.
-fn sun_light(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, bsdf: &Bsdf, sunlit: bool) -> Vec3A {
-    match &tracer.environment.sun {
-        Some(sun) if sunlit => bsdf.lit_by(sun.illuminance, sun.direction, -point.direction),
-        _ => Vec3A::ZERO,
-    }
+/// Light of the sun, were nothing in its way.
+pub(crate) fn sun_light(environment: &Environment, point: &SurfaceInteraction<'_>, bsdf: &Bsdf) -> Vec3A {
+    let sun = environment.sun.as_ref();
+    sun.map_or(Vec3A::ZERO, |sun| bsdf.lit_by(sun.illuminance, sun.direction, -point.direction))
 }
 
 /// What a coat's mirror shows, weighted by its reflectance, and how far it sees. No light where the weight is too small

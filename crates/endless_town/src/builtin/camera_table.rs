@@ -3,11 +3,13 @@
 
 use endless_world::CameraSite;
 use std::collections::BTreeMap;
+use std::sync::LazyLock;
 
-const FILE: &str = include_str!("cameras.json");
+/// By name of the town.
+static TOWNS: LazyLock<BTreeMap<String, Vec<CameraSite>>> =
+    LazyLock::new(|| serde_json::from_str(include_str!("cameras.json")).unwrap_or_default());
 
 /// Camera sites of a built-in town with the built-in catalogue, without making the town; `None` of others.
 pub fn known_cameras(name: &str) -> Option<Vec<CameraSite>> {
-    let mut towns: BTreeMap<String, Vec<CameraSite>> = serde_json::from_str(FILE).ok()?;
-    towns.remove(super::canonical_name(name).ok()?)
+    TOWNS.get(super::canonical_name(name).ok()?).cloned()
 }
