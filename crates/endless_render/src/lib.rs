@@ -70,6 +70,7 @@ mod math8;
 mod moving_camera;
 mod octahedron;
 mod pixel_layers;
+mod rgb9e5;
 mod sampling;
 mod scene;
 mod settings;

@@ -123,7 +123,7 @@ impl ImageBand<'_> {
         let pixel_angle = 1.0 / self.camera.intrinsics.fx;
         let points: [Option<(SurfaceInteraction<'_>, Bsdf)>; COLUMNS] = std::array::from_fn(|i| {
             let point = self.tracer.point(&rays[i], hits[i].as_ref()?);
-            let bsdf = evaluate_bsdf(&point, environment, footprint_m(&point, pixel_angle), 0.5);
+            let bsdf = evaluate_bsdf(&point, environment, footprint_m(&point.facet(), pixel_angle), 0.5);
             Some((point, bsdf))
         });
         let shaded = shade_interactions8(self.tracer, rays, &points, active);

@@ -38,8 +38,8 @@ impl CameraBake {
         let tracer = lighting.tracer(still, None);
         let gbuffer = GBuffer::bake(&BakePass { tracer, camera: &camera, pixel_angle, settings, stats: &stats });
         let sun = lighting.environment.sun.as_ref().map(|sun| sun.direction);
-        let tiles = timed("tiles", || TileHierarchy::new(&camera, &gbuffer.samples, sun));
-        let film = timed("film", || CameraFilm::new(settings, &camera, &lighting.environment, &gbuffer.samples));
+        let tiles = timed("tiles", || TileHierarchy::new(&camera, &gbuffer, sun));
+        let film = timed("film", || CameraFilm::new(settings, &camera, &lighting.environment, &gbuffer));
         let lighting = timed("halos", || lighting.with_halos(still, &camera));
         Self { camera, pixel_angle, lighting, gbuffer, tiles, film, stats }
     }

@@ -2,12 +2,15 @@
 //! by side.
 
 use super::bake_pass::BakePass;
-use super::gbuffer_sample::GBufferSample;
-use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, sky_sample, surface_sample};
+use super::gbuffer_row::GBufferRow;
+use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, is_shaded, sky_sample, surface_sample};
 use super::lamp_mask::{lamp_sum, lamps_free32};
-use super::primary::{PrimaryHits, place};
+use super::primary_hits::PrimaryHits;
+use super::shaded_pixel::{ShadedPixel, ShadedSample};
 use crate::accel::{RayStream, first_lanes, lanes};
-use crate::material::Bsdf;
+use crate::material::{Bsdf, PackedBsdf};
+use crate::pixel_layers::{LayerImages, PixelLayers};
+use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
 use crate::shade::{MIRROR_THRESHOLD, halos8, mirror_footprint, mirror_ray, shade_hit8, sun_light};
@@ -17,38 +20,49 @@ use wide::f32x8;
 
 /// Samples of eight pixels: lane 8 × sample + pixel.
 const LANES: usize = 8 * SAMPLES;
-/// Times eight pixels' bits: the lanes of their samples that are second of a pair.
-const SECONDS: u32 = 0x0100_0100;
 /// Times eight pixels' bits: the lanes of their samples but the centres.
 const NOT_CENTRES: u32 = 0x0101_0100;
 
-/// What shading makes of the samples.
-pub(super) struct ShadedSamples {
-    /// Four a pixel.
-    pub(super) samples: Vec<GBufferSample>,
-    /// At night, the BSDF of each uniform pixel's centre; by day, none.
-    pub(super) bsdfs: Vec<Bsdf>,
-}
-
 impl BakePass<'_> {
-    /// Shades every sample but the second of each pair of a uniform pixel, which is lit as the first. The first of both
-    /// pairs share the air before the pixel's centre and the lamp light there.
-    pub(super) fn shade(&self, primary: &PrimaryHits, irradiance: &[Vec3A]) -> ShadedSamples {
-        self.stats.add(primary.hits.len() as u64);
-        let pixels = primary.uniform.len();
-        let eights = (0..pixels.div_ceil(8)).into_par_iter();
-        let eight = |i| PixelEight::new(self, primary, irradiance, 8 * i);
-        let (mut samples, mut bsdfs) = (Vec::new(), Vec::new());
-        if self.tracer.environment.night {
-            let both = |eight: PixelEight<'_>| (eight.shaded(), eight.bsdfs());
-            eights.map(|i| both(eight(i))).unzip_into_vecs(&mut samples, &mut bsdfs);
-        } else {
-            eights.map(|i| eight(i).shaded()).collect_into_vec(&mut samples);
+    /// Shades all pixels, and tells what their centres show in all layers but RGB.
+    pub(super) fn shade(
+        &self,
+        primary: &PrimaryHits,
+        irradiance: &[[Rgb9e5; SAMPLES]],
+    ) -> (Vec<GBufferRow>, LayerImages) {
+        self.stats.add((irradiance.len() * SAMPLES) as u64);
+        let height = self.camera.size.height as usize;
+        let rows = (0..height).into_par_iter().map(|y| self.shade_row(primary, irradiance, y));
+        let (rows, layers): (Vec<GBufferRow>, Vec<Vec<PixelLayers>>) = rows.unzip();
+        (rows, layers.into_iter().flatten().collect())
+    }
+
+    /// Shades a row. Of a uniform pixel the centre is shaded, and where it mirrors the third sample, too; they share the air
+    /// before the centre and the lamp light there.
+    fn shade_row(
+        &self,
+        primary: &PrimaryHits,
+        irradiance: &[[Rgb9e5; SAMPLES]],
+        y: usize,
+    ) -> (GBufferRow, Vec<PixelLayers>) {
+        let pixels = y * self.width()..(y + 1) * self.width();
+        let mut row = GBufferRow::for_pixels(pixels.clone().map(|pixel| primary.pixel(pixel)));
+        let mut layers = Vec::with_capacity(self.width());
+        for first in pixels.clone().step_by(8) {
+            let count = (pixels.end - first).min(8);
+            let eight = PixelEight::new(self, primary, irradiance, first, count);
+            let shaded = eight.shaded();
+            for pixel in 0..count {
+                let samples = std::array::from_fn(|sample| shaded[8 * sample + pixel]);
+                row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples));
+                layers.push(eight.layers(pixel));
+            }
+            if self.tracer.environment.night {
+                row.bsdfs.extend(&eight.bsdfs()[..count]);
+            }
         }
-        let (mut samples, mut bsdfs) = (samples.into_flattened(), bsdfs.into_flattened());
-        samples.truncate(pixels * SAMPLES);
-        bsdfs.truncate(pixels);
-        ShadedSamples { samples, bsdfs }
+        row.shrink();
+        (row, layers)
     }
 }
 
@@ -65,30 +79,34 @@ struct PixelEight<'a> {
 }
 
 impl<'a> PixelEight<'a> {
-    fn new(pass: &'a BakePass<'a>, primary: &PrimaryHits, irradiance: &[Vec3A], first: usize) -> Self {
-        let count = (primary.uniform.len() - first).min(8);
+    fn new(
+        pass: &'a BakePass<'a>,
+        primary: &PrimaryHits,
+        irradiance: &[[Rgb9e5; SAMPLES]],
+        first: usize,
+        count: usize,
+    ) -> Self {
         let directions = pass.directions_of(first, count);
         let samples = std::array::from_fn(|lane| {
-            let index = first * SAMPLES + place(8 * (lane / 8) + (lane % 8).min(count - 1));
+            let (pixel, sample) = (first + (lane % 8).min(count - 1), lane / 8);
             PrimarySample {
-                ray: pass.ray_along(&directions[lane / 8], lane % 8),
-                hit: primary.hits[index],
-                sun_free: primary.sun_free[index],
-                irradiance: irradiance[index],
+                ray: pass.ray_along(&directions[sample], lane % 8),
+                hit: primary.pixel(pixel).hit(sample),
+                irradiance: irradiance[pixel][sample].get(),
             }
         });
         let uniform = primary.uniform[first..first + count].iter().rev().fold(0, |bits, u| bits << 1 | u32::from(*u));
         let inside = first_lanes(count);
-        let seconds = uniform * SECONDS;
-        let surfaces = std::array::from_fn(|lane| {
-            let PrimarySample { ray, hit: Some(hit), .. } = &samples[lane] else { return None };
-            if seconds >> lane & 1 == 1 {
-                return None;
+        let mut surfaces = [const { None }; LANES];
+        for (lane, PrimarySample { ray, hit, .. }) in samples.iter().enumerate() {
+            let (Some(hit), pixel) = (hit, lane % 8) else { continue };
+            if uniform >> pixel & 1 == 1 && !is_shaded(lane / 8, &surfaces[pixel]) {
+                continue;
             }
             let point = SurfaceInteraction::new(&pass.tracer.still.instances, ray, hit);
             let bsdf = gbuffer_bsdf(&point, pass.tracer.environment, lane / 8, pass.pixel_angle);
-            Some((point, bsdf))
-        });
+            surfaces[lane] = Some((point, bsdf));
+        }
         Self { pass, samples, surfaces, inside, uniform }
     }
 
@@ -97,7 +115,8 @@ impl<'a> PixelEight<'a> {
         self.uniform * NOT_CENTRES
     }
 
-    fn shaded(&self) -> [GBufferSample; LANES] {
+    /// By lane; of a uniform pixel, nothing but of those samples that tell it.
+    fn shaded(&self) -> [ShadedSample; LANES] {
         let tracer = &self.pass.tracer;
         let environment = tracer.environment;
         let halos = self.halos();
@@ -105,18 +124,15 @@ impl<'a> PixelEight<'a> {
         let lamps = if environment.night { self.lamps() } else { [(0, Vec3A::ZERO); LANES] };
         let sharing = self.sharing();
         let mut air = [Air { transmittance: 1.0, glow: Vec3A::ZERO }; LANES];
-        let mut shaded = [GBufferSample::sky(Vec3A::ZERO); LANES];
+        let mut shaded = [ShadedSample::sky(Vec3A::ZERO); LANES];
         for lane in lanes(self.inside) {
             let primary = &self.samples[lane];
             let shares = sharing >> lane & 1 == 1;
             let Some(hit) = &primary.hit else {
-                shaded[place(lane)] = sky_sample(environment, &primary.ray, halos[lane]);
+                shaded[lane] = sky_sample(environment, &primary.ray, halos[lane]);
                 continue;
             };
-            let Some((point, bsdf)) = &self.surfaces[lane] else {
-                shaded[place(lane)] = shaded[place(lane - 8)].seen_by(primary.sun_free, hit);
-                continue;
-            };
+            let Some((point, bsdf)) = &self.surfaces[lane] else { continue };
             air[lane] = match shares {
                 true => air[lane % 8],
                 false => Air::before(environment, &primary.ray, hit.t, halos[lane]),
@@ -125,17 +141,25 @@ impl<'a> PixelEight<'a> {
             let direct = if environment.night { lamp_light } else { sun_light(environment, point, bsdf) };
             let lamps_free = if shares { 0 } else { lamps_free };
             let light = SampleLight { air: air[lane], direct, lamps_free, mirror: mirrors[lane] };
-            shaded[place(lane)] = surface_sample(primary, hit, point, bsdf, &light);
+            shaded[lane] = surface_sample(primary.irradiance, point, bsdf, &light);
         }
         shaded
     }
 
     /// BSDFs of the uniform pixels' centres.
-    fn bsdfs(&self) -> [Bsdf; 8] {
+    fn bsdfs(&self) -> [PackedBsdf; 8] {
         std::array::from_fn(|pixel| match &self.surfaces[pixel] {
-            Some((_, bsdf)) if self.uniform >> pixel & 1 == 1 => bsdf.clone(),
-            _ => Bsdf::matte(Vec3A::ZERO, Vec3A::Z),
+            Some((_, bsdf)) if self.uniform >> pixel & 1 == 1 => PackedBsdf::new(bsdf),
+            _ => PackedBsdf::NONE,
         })
+    }
+
+    /// What a pixel's centre shows in all layers but RGB.
+    fn layers(&self, pixel: usize) -> PixelLayers {
+        let seen = |(point, _): &(SurfaceInteraction<'_>, Bsdf)| {
+            PixelLayers::new(self.pass.camera, &self.samples[pixel].ray, point)
+        };
+        self.surfaces[pixel].as_ref().map_or(PixelLayers::SKY, seen)
     }
 
     /// Glow of lamps before the samples that do not share that of their centre.

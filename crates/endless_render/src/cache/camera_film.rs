@@ -1,12 +1,11 @@
 //! The film of a fixed camera: the static picture's radiance, and its conversion to pixels.
 
-use super::gbuffer_sample::{GBufferSample, still_light};
+use super::gbuffer::GBuffer;
 use super::scratch_pool::ScratchPool;
 use crate::camera_rays::sample_ray;
 use crate::film::{BlurScratch, PostProcess, Rain, ToneCurve, black_level, exposure};
 use crate::light::Environment;
 use crate::material::noise;
-use crate::sampling::SAMPLES;
 use crate::settings::RenderSettings;
 use endless_world::PinholeCamera;
 use glam::Vec3A;
@@ -16,8 +15,6 @@ use rayon::prelude::*;
 pub(super) struct CameraFilm {
     /// Of the still picture, kcd/m².
     pub(super) radiance: Vec<Vec3A>,
-    /// The part of `radiance` that objects standing near darken.
-    pub(super) ambient: Vec<[f32; 3]>,
     /// The still picture.
     pub(super) rgb: Vec<[u8; 3]>,
     pub(super) tone: ToneCurve,
@@ -39,21 +36,16 @@ impl CameraFilm {
         settings: &RenderSettings,
         camera: &PinholeCamera,
         environment: &Environment,
-        samples: &[GBufferSample],
+        gbuffer: &GBuffer,
     ) -> Self {
-        let (radiance, ambient): (Vec<Vec3A>, Vec<[f32; 3]>) = samples
-            .par_chunks(SAMPLES)
-            .map(|pixel| {
-                let (radiance, ambient) = still_light(pixel, environment);
-                (radiance, ambient.to_array())
-            })
-            .unzip();
+        let pixels = (0..gbuffer.pixels()).into_par_iter();
+        let radiance: Vec<Vec3A> = pixels.map(|pixel| gbuffer.pixel(pixel).radiance(environment)).collect();
         let width = settings.size.width as usize;
         let black = black_level(&radiance, |i| {
-            let (ray, still) = (sample_ray(camera, (i % width) as u32, (i / width) as u32, 0), &samples[i * SAMPLES]);
+            let (ray, still) = (sample_ray(camera, (i % width) as u32, (i / width) as u32, 0), gbuffer.pixel(i));
             let fog = &environment.fog;
-            let left = fog.transmittance(ray.origin, ray.direction, still.hit.t);
-            if still.is_sky() { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
+            let left = fog.transmittance(ray.origin, ray.direction, still.distances[0]);
+            if still.is_sky(0) { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
         });
         let exposure = exposure(&radiance, black, environment.exposure_key);
         let tone = ToneCurve::new(exposure, environment.white_balance(), black);
@@ -61,7 +53,6 @@ impl CameraFilm {
         let rains = environment.rain > 0.0;
         Self {
             radiance,
-            ambient,
             rgb,
             tone,
             rain: rain(environment, exposure, settings.seed),

@@ -60,7 +60,7 @@ pub(super) fn centre_lights(
         light.contact = contact_shadow(frame, work, facet);
         light.direct = bsdf
             .filter(|_| blocked[i] != 0)
-            .map(|bsdf| lamp_sum(tracer, facet, bsdf, lamps_free & !blocked[i]) * transmittance[i]);
+            .map(|bsdf| lamp_sum(tracer, facet, &bsdf.get(), lamps_free & !blocked[i]) * transmittance[i]);
     }
     lights
 }

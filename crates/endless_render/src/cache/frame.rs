@@ -4,7 +4,6 @@ use super::affected::affected;
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
 use super::frame_buffer::{FrameBuffer, FramePixel};
-use super::gbuffer::GBuffer;
 use super::mirror::mirrored_row;
 use super::pixel::undisturbed;
 use super::pixel_centre::PixelCentre;
@@ -83,11 +82,11 @@ impl CameraBake {
                 if light.is_some_and(CentreLight::is_nothing) && found.is_nothing() {
                     continue;
                 }
-                let still = (self.film.radiance[index], Vec3A::from(self.film.ambient[index]));
-                let pixel = match undisturbed(still, light, found) {
+                let still = row.still(i);
+                let pixel = match undisturbed(&still, self.film.radiance[index], light, found) {
                     Some(radiance) => FramePixel { radiance, covered: None, streak: None },
                     None => {
-                        let samples = PixelSamples { rays: &row.rays(i), still: self.gbuffer.samples_of(index), found };
+                        let samples = PixelSamples { rays: &row.rays(i), still, found };
                         self.pixel(context, &samples, light, mirrors[i], &coverages[i])
                     }
                 };
@@ -105,13 +104,12 @@ impl CameraBake {
         row: &PixelRow<'_>,
         count: usize,
     ) -> [CentreLight; TILE as usize] {
-        let GBuffer { uniform, pixels, bsdfs, .. } = &self.gbuffer;
         let centres: [Option<PixelCentre<'_>>; TILE as usize] = std::array::from_fn(|i| {
             let index = row.pixel(i);
-            if i >= count || !uniform[index] || row.found[i].primary.iter().all(Option::is_some) {
+            if i >= count || !self.gbuffer.uniform[index] || row.found[i].primary.iter().all(Option::is_some) {
                 return None;
             }
-            Some(pixels[index].centre(&row.ray(i, 0), bsdfs.get(index)))
+            Some(row.still(i).centre(&row.ray(i, 0), self.gbuffer.centre_bsdf(index)))
         });
         centre_lights(context, Vec3A::from(self.camera.position), &centres)
     }

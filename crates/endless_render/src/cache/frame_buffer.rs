@@ -73,7 +73,7 @@ impl FrameBuffer {
                 };
                 let ground = |i: usize| {
                     let seen = self.layers.at(i);
-                    (seen == bake.gbuffer.layers.at(i) && bake.gbuffer.pixels[i].is_level()).then_some(seen.depth)
+                    (seen == bake.gbuffer.layers.at(i) && bake.gbuffer.pixel(i).is_level()).then_some(seen.depth)
                 };
                 rain.splash(frame, &bake.camera, ground, &mut wet);
                 rain.draw(frame, &bake.camera, self.layers.depth(), wet);

@@ -1,31 +1,32 @@
 //! The primary hits of a fixed camera, by sample and by pixel.
 
 use super::bake_pass::BakePass;
-use super::bake_shading::ShadedSamples;
 use super::bake_stats::timed;
-use super::gbuffer_pixel::GBufferPixel;
-use super::gbuffer_sample::GBufferSample;
+use super::gbuffer_row::GBufferRow;
 use super::irradiance::IrradiancePass;
-use crate::material::Bsdf;
+use super::primary_hits::PrimaryHits;
+use super::still_pixel::StillPixel;
+use crate::material::PackedBsdf;
 use crate::pixel_layers::LayerImages;
+use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
-use glam::Vec3A;
 
 /// The G-buffer of what stands still: all by pixel, row-major.
 pub(super) struct GBuffer {
-    /// Four a pixel.
-    pub(super) samples: Vec<GBufferSample>,
-    /// What is asked most of each pixel's samples.
-    pub(super) pixels: Vec<GBufferPixel>,
+    width: usize,
+    /// How far each sample lies from the lens, metres; [`f32::MAX`] for the sky.
+    pub(super) distances: Vec<[f32; SAMPLES]>,
+    /// Which directions to the sun's disc the static scene leaves each sample, a bit each.
+    pub(super) sun_free: Vec<[u8; SAMPLES]>,
     /// All four samples of the pixel lie on one smooth piece that gives no light of its own: what moves does the same to
     /// the light of all four, so that is found once.
     pub(super) uniform: Vec<bool>,
-    /// At night, the BSDF of each uniform pixel's centre: vehicle lights sweep much of the picture.
-    pub(super) bsdfs: Vec<Bsdf>,
+    /// The rest, row by row.
+    rows: Vec<GBufferRow>,
     /// What each pixel's centre shows in all layers but RGB.
     pub(super) layers: LayerImages,
     /// Gathered at each sample, klx, if it is kept.
-    pub(super) irradiance: Vec<[f32; 3]>,
+    pub(super) irradiance: Vec<[Rgb9e5; SAMPLES]>,
 }
 
 impl GBuffer {
@@ -33,15 +34,25 @@ impl GBuffer {
     pub(super) fn bake(pass: &BakePass<'_>) -> Self {
         let primary = timed("primary", || pass.trace());
         let irradiance = timed("gather", || IrradiancePass { bake: pass, primary: &primary }.gather());
-        let ShadedSamples { samples, bsdfs } = timed("shade", || pass.shade(&primary, &irradiance));
-        let layers = timed("layers", || pass.layers(&samples));
-        let pixels = samples.as_chunks().0.iter().map(GBufferPixel::new).collect();
-        let kept = irradiance.iter().filter(|_| pass.settings.keep_irradiance).map(Vec3A::to_array).collect();
-        Self { samples, pixels, uniform: primary.uniform, bsdfs, layers, irradiance: kept }
+        let (rows, layers) = timed("shade", || pass.shade(&primary, &irradiance));
+        let PrimaryHits { distances, sun_free, uniform, .. } = primary;
+        let irradiance = if pass.settings.keep_irradiance { irradiance } else { Vec::new() };
+        Self { width: pass.width(), distances, sun_free, uniform, rows, layers, irradiance }
     }
 
-    /// The samples of a pixel.
-    pub(super) fn samples_of(&self, pixel: usize) -> &[GBufferSample] {
-        &self.samples[pixel * SAMPLES..][..SAMPLES]
+    /// A pixel, by its place in the picture.
+    pub(super) fn pixel(&self, pixel: usize) -> StillPixel<'_> {
+        let row = &self.rows[pixel / self.width];
+        row.pixel(pixel % self.width, &self.distances[pixel], &self.sun_free[pixel], self.uniform[pixel])
+    }
+
+    /// All pixels.
+    pub(super) fn pixels(&self) -> usize {
+        self.uniform.len()
+    }
+
+    /// At night, the BSDF of a pixel's centre if the pixel is uniform.
+    pub(super) fn centre_bsdf(&self, pixel: usize) -> Option<&PackedBsdf> {
+        self.rows[pixel / self.width].bsdfs.get(pixel % self.width)
     }
 }

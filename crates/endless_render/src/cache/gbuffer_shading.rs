@@ -1,15 +1,14 @@
 //! Shading of the samples of the static picture, a ray at a time: the oracle of [`super::bake_shading`], and what both share.
 
-use super::gbuffer_sample::{GBufferSample, pack_weight};
+use super::gbuffer_sample::{Mirror, MirrorSample};
 use super::lamp_mask::{lamp_sum, lamps_free};
+use super::shaded_pixel::ShadedSample;
 use crate::accel::{Hit, Ray};
 use crate::light::Environment;
 use crate::material::{Bsdf, evaluate_bsdf};
-use crate::octahedron;
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
 use crate::shade::{MIRROR_THRESHOLD, Tracer, footprint_m, halos, mirror_light, mirror_ray, sun_light};
-use endless_scene::Surface;
 use glam::Vec3A;
 
 /// What is known of a sample before it is shaded.
@@ -17,8 +16,6 @@ pub(super) struct PrimarySample {
     pub(super) ray: Ray,
     /// What the ray met; `None`: the sky.
     pub(super) hit: Option<Hit>,
-    /// Which directions to the sun's disc what stands still leaves free, a bit each.
-    pub(super) sun_free: u8,
     /// Gathered there, klx.
     pub(super) irradiance: Vec3A,
 }
@@ -59,33 +56,27 @@ pub(super) fn gbuffer_bsdf(
     sample: usize,
     pixel_angle: f32,
 ) -> Bsdf {
-    evaluate_bsdf(point, environment, footprint_m(point, pixel_angle), sample as f32 / 4.0 + 0.1)
+    evaluate_bsdf(point, environment, footprint_m(&point.facet(), pixel_angle), sample as f32 / 4.0 + 0.1)
 }
 
-/// Whether a point lies on a lens of a traffic light.
-pub(super) fn shows_signal(point: &SurfaceInteraction<'_>) -> bool {
-    matches!(point.material.surface, Surface::SignalLens(_)) && point.instance.signal.is_some()
-}
-
-/// Shades the samples of a pixel, a ray at a time; `tracer` must hold nothing that moves. The second of each pair of a
-/// uniform pixel's samples is lit as the first; the first of both share the air before the pixel's centre and the lamp
-/// light there.
+/// Shades the samples of a pixel, a ray at a time; `tracer` must hold nothing that moves. Of a uniform pixel the centre is
+/// shaded, and where it mirrors the third sample, too; they share the air before the centre and the lamp light there.
 pub(super) fn shade_pixel(
     tracer: &Tracer<'_>,
     samples: &[PrimarySample; SAMPLES],
     uniform: bool,
     pixel_angle: f32,
-) -> [GBufferSample; SAMPLES] {
+) -> [ShadedSample; SAMPLES] {
     let environment = tracer.environment;
     let mut centre: Option<SampleLight> = None;
-    let mut shaded = [GBufferSample::sky(Vec3A::ZERO); SAMPLES];
+    let mut seen = None;
+    let mut shaded = [ShadedSample::sky(Vec3A::ZERO); SAMPLES];
     for (sample, primary) in samples.iter().enumerate() {
         let PrimarySample { ray, hit: Some(hit), .. } = primary else {
             shaded[sample] = sky_sample(environment, &primary.ray, halos(tracer, &primary.ray, f32::MAX));
             continue;
         };
-        if uniform && sample % 2 == 1 {
-            shaded[sample] = shaded[sample - 1].seen_by(primary.sun_free, hit);
+        if uniform && !is_shaded(sample, &seen) {
             continue;
         }
         let point = SurfaceInteraction::new(&tracer.still.instances, ray, hit);
@@ -103,47 +94,58 @@ pub(super) fn shade_pixel(
             light.direct = lamp_sum(tracer, &point.facet(), &bsdf, light.lamps_free);
         }
         centre = centre.or(Some(light));
-        shaded[sample] = surface_sample(primary, hit, &point, &bsdf, &light);
+        shaded[sample] = surface_sample(primary.irradiance, &point, &bsdf, &light);
+        seen = seen.or(Some((point, bsdf)));
     }
     shaded
 }
 
-/// A sample that met a surface.
+/// Whether a sample of a uniform pixel is shaded, of which the centre is known: it is itself, and so is the third sample
+/// where the centre mirrors, for a mirror's image has detail that no material has.
+pub(super) fn is_shaded(sample: usize, centre: &Option<(SurfaceInteraction<'_>, Bsdf)>) -> bool {
+    let mirrors = |(point, bsdf): &(SurfaceInteraction<'_>, Bsdf)| {
+        bsdf.coat_reflectance(-point.direction).max_element() >= MIRROR_THRESHOLD
+    };
+    sample == 0 || sample == 2 && centre.as_ref().is_some_and(mirrors)
+}
+
+/// A sample that met a surface, on which `irradiance` was gathered, klx.
 pub(super) fn surface_sample(
-    primary: &PrimarySample,
-    hit: &Hit,
+    irradiance: Vec3A,
     point: &SurfaceInteraction<'_>,
     bsdf: &Bsdf,
     light: &SampleLight,
-) -> GBufferSample {
+) -> ShadedSample {
     let view = -point.direction;
     let Air { transmittance, glow } = light.air;
     let reflectance = bsdf.coat_reflectance(view);
-    let mirrors = reflectance.max_element() >= MIRROR_THRESHOLD;
-    let (mirror, mirror_t) = light.mirror;
-    GBufferSample {
-        hit: *hit,
-        rest: (bsdf.emission * transmittance + glow).to_array(),
-        ambient: (bsdf.lit_by_ambient(primary.irradiance, view) * transmittance).to_array(),
-        direct: (light.direct * transmittance).to_array(),
-        mirror: (mirror * transmittance).to_array(),
-        mirror_direction: mirror_ray(point, bsdf).direction.to_array(),
-        mirror_t,
-        mirror_weight: pack_weight(reflectance * transmittance, bsdf.coat_roughness),
-        normal: octahedron::pack(point.geometric_normal),
-        sun_free: primary.sun_free,
+    let mirror = (reflectance.max_element() >= MIRROR_THRESHOLD).then(|| {
+        let (mirrored, reach) = light.mirror;
+        MirrorSample::new(&Mirror {
+            light: mirrored * transmittance,
+            weight: reflectance * transmittance,
+            direction: mirror_ray(point, bsdf).direction,
+            reach,
+            roughness: bsdf.coat_roughness,
+        })
+    });
+    ShadedSample {
+        rest: bsdf.emission * transmittance + glow,
+        ambient: bsdf.lit_by_ambient(irradiance, view) * transmittance,
+        direct: light.direct * transmittance,
+        mirror,
         lamps_free: light.lamps_free,
-        flags: u8::from(mirrors) * GBufferSample::MIRRORS + u8::from(shows_signal(point)) * GBufferSample::LENS,
+        is_lens: point.is_signal_lens(),
     }
 }
 
 /// A sample that met nothing; `halos` is the glow of lamps along its ray.
-pub(super) fn sky_sample(environment: &Environment, ray: &Ray, halos: Vec3A) -> GBufferSample {
+pub(super) fn sky_sample(environment: &Environment, ray: &Ray, halos: Vec3A) -> ShadedSample {
     let sky = environment.sky.radiance(ray.direction);
     // Fog and rain fill the whole way to the sky; thin haze is part of the sky model already.
     let air =
         if environment.fog.is_dense() { environment.fog.through(sky, ray.origin, ray.direction, 2000.0) } else { sky };
-    GBufferSample::sky(air + sun_disc(environment, ray.direction) + halos)
+    ShadedSample::sky(air + sun_disc(environment, ray.direction) + halos)
 }
 
 /// The sun itself, where a ray meets its disc.

@@ -9,11 +9,10 @@ use super::bake_pass::BakePass;
 use super::bake_stats::timed;
 use super::edge_samples::EdgeSamples;
 use super::point_grid::{PointGrid, SPACING};
-use super::primary::PrimaryHits;
-use crate::accel::Ray;
-use crate::indirect::{DenoiseGuide, PATTERN_SIDE, denoise, gather8, turn};
+use super::primary_hits::PrimaryHits;
+use crate::indirect::{DenoiseGuide, GatherPoint, PATTERN_SIDE, denoise, gather8, turn};
+use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
-use crate::scene::SurfaceInteraction;
 use crate::settings::Gathering;
 use crate::shade::footprint_m;
 use endless_world::math::UnfusedVec3A;
@@ -32,9 +31,9 @@ pub(super) struct IrradiancePass<'a> {
     pub(super) primary: &'a PrimaryHits,
 }
 
-impl<'a> IrradiancePass<'a> {
+impl IrradiancePass<'_> {
     /// Irradiance of every sample, klx.
-    pub(super) fn gather(&self) -> Vec<Vec3A> {
+    pub(super) fn gather(&self) -> Vec<[Rgb9e5; SAMPLES]> {
         match self.bake.settings.gathering {
             Gathering::Interpolated { rays } => self.interpolated(rays),
             Gathering::EverySample { rays } => self.every_sample(rays),
@@ -49,39 +48,35 @@ impl<'a> IrradiancePass<'a> {
         self.bake.camera.size.height as usize
     }
 
-    /// The surface that a sample saw.
-    fn point(&self, index: usize) -> Option<SurfaceInteraction<'a>> {
-        self.point_along(index, &self.bake.ray_of(index))
+    /// The surface that a sample saw: four times the pixel's place, and its own in the pixel.
+    fn point(&self, index: usize) -> Option<GatherPoint> {
+        self.primary.pixel(index / SAMPLES).gather_point(&self.bake.ray_of(index), index % SAMPLES)
     }
 
-    /// The same, if its ray is known.
-    fn point_along(&self, index: usize, ray: &Ray) -> Option<SurfaceInteraction<'a>> {
-        let hit = self.primary.hits[index].as_ref()?;
-        Some(SurfaceInteraction::new(&self.bake.tracer.still.instances, ray, hit))
-    }
-
-    fn guide(&self, point: &SurfaceInteraction<'_>, pixels: usize) -> DenoiseGuide {
-        let reach_m = (footprint_m(point, self.bake.pixel_angle) * pixels as f32).max(0.01);
-        DenoiseGuide { position: point.position, normal: point.normal, reach_m }
+    fn guide(&self, GatherPoint { facet, normal }: &GatherPoint, pixels: usize) -> DenoiseGuide {
+        let reach_m = (footprint_m(facet, self.bake.pixel_angle) * pixels as f32).max(0.01);
+        DenoiseGuide { position: facet.position, normal: *normal, reach_m }
     }
 
     /// Gathers for eight points that share a pattern of rays.
-    fn gather_eight(&self, points: &[Option<SurfaceInteraction<'_>>; 8], turn: Vec2, rays: u32) -> [Vec3A; 8] {
+    fn gather_eight(&self, points: &[Option<GatherPoint>; 8], turn: Vec2, rays: u32) -> [Vec3A; 8] {
         self.bake.stats.add(u64::from(rays) * 16);
         gather8(&self.bake.tracer, points, turn, rays)
     }
 
     /// Every sample's light, taken from the points around or gathered there.
-    fn interpolated(&self, rays: u32) -> Vec<Vec3A> {
+    fn interpolated(&self, rays: u32) -> Vec<[Rgb9e5; SAMPLES]> {
         let grid = timed("gather at points", || self.points(rays));
-        let mut irradiance = vec![Vec3A::ZERO; self.primary.hits.len()];
-        let rows = irradiance.par_chunks_mut(self.width() * SAMPLES).enumerate();
+        let mut irradiance = vec![[Rgb9e5::ZERO; SAMPLES]; self.primary.uniform.len()];
+        let rows = irradiance.par_chunks_mut(self.width()).enumerate();
         let edges: Vec<usize> =
             timed("interpolate", || rows.flat_map_iter(|(y, row)| self.interpolate_row(&grid, y, row)).collect());
         let light = timed("gather at edges", || self.gather_at_edges(&edges, rays.div_ceil(3)));
         for (own, &index) in light.into_iter().zip(&edges) {
-            let nearby = irradiance[index];
-            irradiance[index] = if nearby == Vec3A::ZERO { own } else { own.lerp_unfused(nearby, NEARBY_WEIGHT) };
+            let kept = &mut irradiance[index / SAMPLES][index % SAMPLES];
+            let nearby = kept.get();
+            let light = if nearby == Vec3A::ZERO { own } else { own.lerp_unfused(nearby, NEARBY_WEIGHT) };
+            *kept = Rgb9e5::new(light);
         }
         irradiance
     }
@@ -128,42 +123,42 @@ impl<'a> IrradiancePass<'a> {
 
     /// Takes the light of a row's samples from the points around; gives the samples for which that does not do. What
     /// those take is a share of the light in the open, or nothing.
-    fn interpolate_row(&self, grid: &PointGrid, y: usize, row: &mut [Vec3A]) -> Vec<usize> {
+    fn interpolate_row(&self, grid: &PointGrid, y: usize, row: &mut [[Rgb9e5; SAMPLES]]) -> Vec<usize> {
         let mut edges = Vec::new();
         let mut directions = [[f32x8::ZERO; 3]; SAMPLES];
-        for (x, pixel) in row.chunks_exact_mut(SAMPLES).enumerate() {
+        for (x, pixel) in row.iter_mut().enumerate() {
             let index = (y * self.width() + x) * SAMPLES;
             if x % 8 == 0 {
                 directions = self.bake.directions_of(index / SAMPLES, (self.width() - x).min(8));
             }
             let here = |sample: usize| {
                 let ray = self.bake.ray_along(&directions[sample], x % 8);
-                Some(self.guide(&self.point_along(index + sample, &ray)?, SPACING))
+                Some(self.guide(&self.primary.pixel(index / SAMPLES).gather_point(&ray, sample)?, SPACING))
             };
             if self.primary.uniform[index / SAMPLES]
                 && let Some(light) = here(0).and_then(|here| grid.on_surface(&here, x, y))
             {
-                pixel.fill(light);
+                *pixel = [Rgb9e5::new(light); SAMPLES];
                 continue;
             }
             for (sample, light) in pixel.iter_mut().enumerate() {
                 let Some(here) = here(sample) else { continue };
-                *light = grid.on_surface(&here, x, y).unwrap_or_else(|| {
+                *light = Rgb9e5::new(grid.on_surface(&here, x, y).unwrap_or_else(|| {
                     edges.push(index + sample);
                     grid.share_nearby(&here, x, y).map_or(Vec3A::ZERO, |share| share * self.in_the_open(&here))
-                });
+                }));
             }
         }
         edges
     }
 
     /// Gathers at every sample, and denoises each of a pixel's as a picture of its own.
-    fn every_sample(&self, rays: u32) -> Vec<Vec3A> {
-        let mut all = vec![Vec3A::ZERO; self.primary.hits.len()];
+    fn every_sample(&self, rays: u32) -> Vec<[Rgb9e5; SAMPLES]> {
+        let mut all = vec![[Rgb9e5::ZERO; SAMPLES]; self.primary.uniform.len()];
         for sample in 0..SAMPLES {
             let (guides, light) = self.gather_picture(1, sample, rays);
             let clean = denoise(self.width(), &guides, light, 5);
-            all.par_chunks_mut(SAMPLES).zip(clean).for_each(|(pixel, light)| pixel[sample] = light);
+            all.par_iter_mut().zip(clean).for_each(|(pixel, light)| pixel[sample] = Rgb9e5::new(light));
         }
         all
     }

@@ -1,8 +1,8 @@
 //! Moving objects in mirror reflections of static surfaces.
 
-use super::gbuffer_sample::GBufferSample;
 use super::moving_hits::MovingHits;
 use super::row::PixelRow;
+use super::still_pixel::StillPixel;
 use super::tile::TILE;
 use crate::accel::Ray;
 use crate::sampling::SAMPLES;
@@ -15,16 +15,16 @@ pub(super) type MirroredLight = [Option<Vec3A>; SAMPLES];
 /// The mirrors of a pixel, a sample at a time: the oracle of [`mirrored_row`].
 pub(super) fn mirrored(
     tracer: &Tracer<'_>,
-    samples: &[GBufferSample],
+    still: &StillPixel<'_>,
     rays: &[Ray; SAMPLES],
     found: &MovingHits,
     pixel_angle: f32,
 ) -> MirroredLight {
     std::array::from_fn(|s| {
-        let hit = found.mirrored[s]?;
-        let mirror = samples[s].mirror_ray(&samples[s].facet(&rays[s]));
-        let (weight, footprint) = seen_in(&samples[s], pixel_angle);
-        Some(weight * shade_hit(tracer, &mirror, Some(&SceneHit { hit, moving: true }), footprint))
+        let (hit, mirror) = (found.mirrored[s]?, still.mirror(s)?);
+        let ray = mirror.ray(&still.facet(&rays[s], s));
+        let footprint = mirror_footprint(still.distances[s], mirror.roughness(), pixel_angle);
+        Some(mirror.weight() * shade_hit(tracer, &ray, Some(&SceneHit { hit, moving: true }), footprint))
     })
 }
 
@@ -50,10 +50,12 @@ pub(super) fn mirrored_row(
         let mut rays = [Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 }; 8];
         let (mut struck, mut weights, mut footprints) = ([None; 8], [Vec3A::ZERO; 8], [0.0; 8]);
         for (lane, &(i, s)) in asked.iter().enumerate() {
-            let sample = row.sample(i, s);
-            rays[lane] = sample.mirror_ray(&sample.facet(&row.ray(i, s)));
+            let still = row.still(i);
+            let Some(mirror) = still.mirror(s) else { continue };
+            rays[lane] = mirror.ray(&still.facet(&row.ray(i, s), s));
             struck[lane] = row.found[i].mirrored[s].map(|hit| SceneHit { hit, moving: true });
-            (weights[lane], footprints[lane]) = seen_in(sample, pixel_angle);
+            weights[lane] = mirror.weight();
+            footprints[lane] = mirror_footprint(still.distances[s], mirror.roughness(), pixel_angle);
         }
         let active = ((1u16 << asked.len()) - 1) as u8;
         let shown = shade_hit8(tracer, &rays, &struck, active, &footprints);
@@ -62,10 +64,4 @@ pub(super) fn mirrored_row(
         }
     }
     light
-}
-
-/// The weight of what a sample's mirror shows, and the width of detail that matters there.
-fn seen_in(sample: &GBufferSample, pixel_angle: f32) -> (Vec3A, f32) {
-    let (weight, roughness) = sample.mirror_weight();
-    (weight, mirror_footprint(sample.hit.t, roughness, pixel_angle))
 }

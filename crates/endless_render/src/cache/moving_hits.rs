@@ -1,6 +1,6 @@
 //! Hits of one pixel's rays on moving objects.
 
-use super::gbuffer_sample::GBufferSample;
+use super::still_pixel::StillPixel;
 use super::sun_rays::sun_origin;
 use crate::accel::{Hit, Ray};
 use crate::light::Environment;
@@ -33,28 +33,27 @@ impl MovingHits {
         environment: &Environment,
         frame: &FrameScene,
         rays: &[Ray; SAMPLES],
-        samples: &[GBufferSample],
-        uniform: bool,
+        still: &StillPixel<'_>,
     ) -> Self {
         let mut found = Self::NOTHING;
-        for (s, still) in samples.iter().enumerate() {
+        for s in 0..SAMPLES {
             let nearer = |ray: Ray| frame.accel.closest(&ray).filter(|hit| hit.t < ray.tmax);
-            found.primary[s] = nearer(Ray { tmax: still.hit.t, ..rays[s] });
-            if still.is_sky() {
+            found.primary[s] = nearer(Ray { tmax: still.distances[s], ..rays[s] });
+            if still.is_sky(s) {
                 continue;
             }
-            let facet = still.facet(&rays[s]);
+            let facet = still.facet(&rays[s], s);
             if let Some(sun) = &environment.sun {
                 let origin = sun_origin(&facet, sun.direction);
-                for (part, direction) in sun.parts(s, uniform) {
-                    let asked = still.sun_free & part;
+                for (part, direction) in sun.parts(s, still.uniform) {
+                    let asked = still.sun_free[s] & part;
                     if asked != 0 && frame.accel.occluded(&Ray { origin, direction, tmax: f32::MAX }) {
                         found.sun_blocked[s] |= asked;
                     }
                 }
             }
-            if still.mirrors() && !(uniform && s % 2 == 1) {
-                found.mirrored[s] = nearer(still.mirror_ray(&facet));
+            if still.mirrored >> s & 1 == 1 {
+                found.mirrored[s] = still.mirror(s).and_then(|mirror| nearer(mirror.ray(&facet)));
             }
         }
         found

@@ -7,6 +7,7 @@ use super::coverage::Coverage;
 use super::frame_buffer::FramePixel;
 use super::mirror::MirroredLight;
 use super::moving_hits::MovingHits;
+use super::still_pixel::StillPixel;
 use super::sweep::beams_on_samples;
 use super::tile::TILE;
 use super::tile_context::{PixelSamples, TileContext};
@@ -43,8 +44,8 @@ impl CameraBake {
         }
         let mut sum = coverage.light;
         for s in (0..SAMPLES).filter(|&s| found.primary[s].is_none()) {
-            let moving = (still[s].sun_free & !found.sun_blocked[s], mirrored[s]);
-            sum += compose(context, centre, &still[s], moving, &rays[s], s);
+            let moving = (still.sun_free[s] & !found.sun_blocked[s], mirrored[s]);
+            sum += compose(context, centre, &still, moving, &rays[s], s);
         }
         if centre.is_none() {
             sum += beams_on_samples(context, samples);
@@ -88,13 +89,14 @@ impl CameraBake {
     }
 }
 
-/// Radiance of a uniform pixel towards which nothing that moves was found and whose lamps are all free, from that of
-/// the still picture and its ambient part.
+/// Radiance of a uniform pixel towards which nothing that moves was found and whose lamps are all free; `radiance` is
+/// that of the still picture.
 pub(super) fn undisturbed(
-    (radiance, ambient): (Vec3A, Vec3A),
+    still: &StillPixel<'_>,
+    radiance: Vec3A,
     light: Option<&CentreLight>,
     found: &MovingHits,
 ) -> Option<Vec3A> {
     let light = light.filter(|light| light.direct.is_none() && found.is_nothing())?;
-    Some(radiance + ambient * (light.contact - 1.0) + light.swept)
+    Some(radiance + still.sample(0).ambient.get() * (light.contact - 1.0) + light.swept)
 }

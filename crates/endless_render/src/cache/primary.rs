@@ -1,9 +1,10 @@
 //! The first pass of a bake: what each sample sees, what it sees of the sun, and which pixels are uniform.
 
 use super::bake_pass::BakePass;
-use super::gbuffer_shading::shows_signal;
+use super::packed_hit::PackedHit;
+use super::primary_hits::{PackedNormals, PrimaryHits};
 use super::sun_rays::{sun_can_light, sun_origin};
-use crate::accel::{Hit, Ray, RayStream, first_lanes, lanes};
+use crate::accel::{Ray, RayStream, first_lanes, lanes};
 use crate::camera_rays::directions8;
 use crate::light::{SUN_SAMPLES, Sun};
 use crate::sampling::SAMPLES;
@@ -11,43 +12,38 @@ use crate::scene::SurfaceInteraction;
 use rayon::prelude::*;
 use wide::f32x8;
 
-/// What the first pass found for each sample.
-pub(super) struct PrimaryHits {
-    pub(super) hits: Vec<Option<Hit>>,
-    /// Which parts of the sun's disc what stands still leaves free, a bit each.
-    pub(super) sun_free: Vec<u8>,
-    /// By pixel: whether all its samples lie on one flat piece of one surface.
-    pub(super) uniform: Vec<bool>,
-}
-
-/// The samples of up to eight neighbouring pixels of a row, one pixel's after another's.
+/// Up to eight neighbouring pixels of a row.
 struct EightPixels<'a> {
-    hits: &'a mut [Option<Hit>],
-    sun_free: &'a mut [u8],
+    distances: &'a mut [[f32; SAMPLES]],
+    hits: &'a mut [[PackedHit; SAMPLES]],
+    normals: &'a mut [[PackedNormals; SAMPLES]],
+    sun_free: &'a mut [[u8; SAMPLES]],
     uniform: &'a mut [bool],
 }
 
 impl BakePass<'_> {
     /// Visibility of every sample, and of the sun's disc from there, in bundles of eight neighbours.
     pub(super) fn trace(&self) -> PrimaryHits {
-        let pixels = self.camera.size.pixels();
-        let mut hits = vec![None; pixels * SAMPLES];
-        let mut sun_free = vec![0u8; pixels * SAMPLES];
-        let mut uniform = vec![false; pixels];
-        let row = self.width() * SAMPLES;
-        let rows = hits.par_chunks_mut(row).zip(sun_free.par_chunks_mut(row)).zip(uniform.par_chunks_mut(self.width()));
-        rows.enumerate().for_each(|(y, ((hits, free), uniform))| {
-            let eights = hits.chunks_mut(8 * SAMPLES).zip(free.chunks_mut(8 * SAMPLES)).zip(uniform.chunks_mut(8));
-            for (eight, ((hits, sun_free), uniform)) in eights.enumerate() {
-                self.trace_eight(y as u32, 8 * eight as u32, EightPixels { hits, sun_free, uniform });
+        let mut found = PrimaryHits::new(self.camera.size.pixels());
+        let width = self.width();
+        let PrimaryHits { distances, hits, normals, sun_free, uniform } = &mut found;
+        let rows = distances.par_chunks_mut(width).zip(hits.par_chunks_mut(width)).zip(normals.par_chunks_mut(width));
+        let rows = rows.zip(sun_free.par_chunks_mut(width).zip(uniform.par_chunks_mut(width)));
+        rows.enumerate().for_each(|(y, (((distances, hits), normals), (sun_free, uniform)))| {
+            let eights = distances.chunks_mut(8).zip(hits.chunks_mut(8)).zip(normals.chunks_mut(8));
+            let eights = eights.zip(sun_free.chunks_mut(8).zip(uniform.chunks_mut(8)));
+            for (eight, (((distances, hits), normals), (sun_free, uniform))) in eights.enumerate() {
+                let pixels = EightPixels { distances, hits, normals, sun_free, uniform };
+                self.trace_eight(y as u32, 8 * eight as u32, pixels);
             }
         });
-        self.stats.add(hits.len() as u64 * 2);
-        PrimaryHits { hits, sun_free, uniform }
+        self.stats.add((found.uniform.len() * SAMPLES) as u64 * 2);
+        found
     }
 
     /// All samples of up to eight pixels.
-    fn trace_eight(&self, y: u32, first: u32, EightPixels { hits, sun_free, uniform }: EightPixels<'_>) {
+    fn trace_eight(&self, y: u32, first: u32, eight: EightPixels<'_>) {
+        let EightPixels { distances, hits, normals, sun_free, uniform } = eight;
         let count = uniform.len() as u32;
         let mut rays = RayStream::<SAMPLES>::NONE;
         rays.origin = self.camera.position.to_array().map(|axis| [f32x8::splat(axis); SAMPLES]);
@@ -62,9 +58,12 @@ impl BakePass<'_> {
         let found = self.tracer.still.accel.closest32(&rays, active);
         let mut points: [Option<SurfaceInteraction<'_>>; 8 * SAMPLES] = [const { None }; 8 * SAMPLES];
         for lane in lanes(active) {
-            let hit = found.get(lane);
-            hits[place(lane)] = hit;
-            points[lane] = hit.map(|hit| SurfaceInteraction::new(&self.tracer.still.instances, &rays.ray(lane), &hit));
+            let Some(hit) = found.get(lane) else { continue };
+            distances[lane % 8][lane / 8] = hit.t;
+            hits[lane % 8][lane / 8] = PackedHit::new(&hit);
+            let point = SurfaceInteraction::new(&self.tracer.still.instances, &rays.ray(lane), &hit);
+            normals[lane % 8][lane / 8] = PackedNormals::new(&point);
+            points[lane] = Some(point);
         }
         for (pixel, uniform) in uniform.iter_mut().enumerate() {
             *uniform = is_uniform(std::array::from_fn(|sample| points[8 * sample + pixel].as_ref()));
@@ -82,34 +81,39 @@ impl BakePass<'_> {
         let blocked = self.sun_blocked(sun, &mut to_sun, asked);
         for lane in lanes(asked) {
             let bits = (0..SUN_SAMPLES).map(|part| u8::from(blocked[part] >> lane & 1 == 0) << part);
-            sun_free[place(lane)] = bits.sum();
+            sun_free[lane % 8][lane / 8] = bits.sum();
         }
     }
 
-    /// Which of a bundle's rays what stands still keeps from each part of the sun's disc. All parts are asked only where
-    /// the first, of which each sample has another, says different things of the bundle.
+    /// Which of a bundle's rays what stands still keeps from each part of the sun's disc. All parts are asked only near
+    /// where the first, of which each sample has another, says different things.
     fn sun_blocked(&self, sun: &Sun, rays: &mut RayStream<SAMPLES>, asked: u32) -> [u32; SUN_SAMPLES] {
         /// Half-way between the middle of the disc and its rim.
         const FIRST: usize = 1;
-        let mut part_blocked = |part: usize| {
+        let mut part_blocked = |part: usize, asked: u32| {
             for (sample, disc) in sun.disc.iter().enumerate() {
                 for (axis, along) in rays.direction.iter_mut().zip(disc[part].to_array()) {
                     axis[sample] = f32x8::splat(along);
                 }
             }
-            self.tracer.still.accel.occluded32(rays, asked)
+            if asked == 0 { 0 } else { self.tracer.still.accel.occluded32(rays, asked) }
         };
-        let first = if asked == 0 { 0 } else { part_blocked(FIRST) };
-        if first == 0 || first == asked {
+        let first = part_blocked(FIRST, asked);
+        let again = near_a_shadows_edge(first, asked & !first) & asked;
+        if again == 0 {
             return [first; SUN_SAMPLES];
         }
-        std::array::from_fn(|part| if part == FIRST { first } else { part_blocked(part) })
+        std::array::from_fn(|part| if part == FIRST { first } else { first & !again | part_blocked(part, again) })
     }
 }
 
-/// Where the samples of eight pixels keep what a lane found: lanes run along the row, sample after sample.
-pub(super) fn place(lane: usize) -> usize {
-    lane % 8 * SAMPLES + lane / 8
+/// The lanes of pixels of which some samples lie in shadow and others in light, or pixels near them in the row do.
+fn near_a_shadows_edge(shaded: u32, lit: u32) -> u32 {
+    /// Pixels to each side.
+    const REACH: u32 = 3;
+    let pixels = |lanes: u32| lanes.to_ne_bytes().into_iter().fold(0, |all, row| all | u32::from(row));
+    let near = |pixels: u32| (1..=REACH).fold(pixels, |all, step| all | pixels << step | pixels >> step);
+    (near(pixels(shaded)) & near(pixels(lit)) & 0xff) * 0x0101_0101
 }
 
 /// Whether a pixel's samples lie on one flat piece of one surface.
@@ -121,7 +125,7 @@ fn is_uniform(points: [Option<&SurfaceInteraction<'_>>; SAMPLES]) -> bool {
             && p.normal.dot(centre.normal) > 0.995
             && (p.position - centre.position).dot(centre.geometric_normal).abs() < 0.02
     };
-    !shows_signal(centre) && others.into_iter().all(|p| p.is_some_and(same_piece))
+    !centre.is_signal_lens() && others.into_iter().all(|p| p.is_some_and(same_piece))
 }
 
 #[cfg(test)]
@@ -174,18 +178,19 @@ mod tests {
             let primary = pass.trace();
             let sun = lighting.environment.sun.as_ref().expect("a clear sky");
             let (mut lit, mut partly, mut wrong) = (0, 0, 0);
-            for (index, hit) in primary.hits.iter().enumerate() {
+            for index in 0..size.pixels() * SAMPLES {
                 let ray = pass.ray_of(index);
-                assert_eq!(*hit, still.accel.closest(&ray));
+                let hit = still.accel.closest(&ray).and_then(|hit| PackedHit::new(&hit).at(hit.t));
+                assert_eq!(primary.pixel(index / SAMPLES).hit(index % SAMPLES), hit);
                 let Some(hit) = hit else { continue };
-                let point = SurfaceInteraction::new(&still.instances, &ray, hit);
+                let point = SurfaceInteraction::new(&still.instances, &ray, &hit);
                 let origin = sun_origin(&point.facet(), sun.direction);
                 let sees = |&direction| !still.accel.occluded(&Ray { origin, direction, tmax: f32::MAX });
                 let parts = sun.disc[index % SAMPLES].iter().map(|direction| u32::from(sees(direction)));
                 let asked = if sun_can_light(&point, sun.direction) { parts.sum::<u32>() } else { 0 };
                 lit += asked;
                 partly += u32::from(asked % SUN_SAMPLES as u32 != 0);
-                wrong += asked.abs_diff(primary.sun_free[index].count_ones());
+                wrong += asked.abs_diff(primary.sun_free[index / SAMPLES][index % SAMPLES].count_ones());
             }
             assert!(lit > 20_000 && partly > 100, "{lit} parts reach a sample, {partly} samples see part of the disc");
             assert!(wrong * 500 < lit, "{wrong} of {lit} parts are taken for others in the {time}");

@@ -3,16 +3,20 @@
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
 use super::frame_buffer::{FrameBuffer, FramePixel};
-use super::gbuffer_pixel::GBufferPixel;
-use super::gbuffer_sample::{GBufferSample, still_light};
+use super::gbuffer::GBuffer;
 use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_pixel};
 use super::mirror::mirrored;
 use super::moving_hits::MovingHits;
+use super::packed_hit::PackedHit;
 use super::pixel::undisturbed;
+use super::primary_hits::{PackedNormals, PrimaryPixel};
+use super::shaded_pixel::ShadedPixel;
+use super::still_pixel::StillPixel;
 use super::tile::TILE;
 use super::tile_context::{PixelSamples, TileContext};
 use super::tile_coverage::{CoveredPixel, coverages};
 use super::tile_work::TileWork;
+use crate::material::PackedBsdf;
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfaceInteraction};
 use crate::shade::{Tracer, shade_moving};
@@ -26,7 +30,7 @@ impl CameraBake {
     /// # Panics
     /// If the bake did not keep its irradiance.
     pub fn render_uncached(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
-        assert_eq!(self.gbuffer.irradiance.len(), self.gbuffer.samples.len(), "the bake kept no irradiance");
+        assert_eq!(self.gbuffer.irradiance.len(), self.gbuffer.pixels(), "the bake kept no irradiance");
         let tracer = self.lighting.tracer(still, Some(frame));
         let everything = TileWork::everything(self.lighting.environment.night, still, frame);
         let context = TileContext { tracer: &tracer, frame, work: &everything, pixel_angle: self.pixel_angle };
@@ -39,17 +43,28 @@ impl CameraBake {
         buffer.develop(self, frame.frame)
     }
 
-    /// A pixel's still samples from nothing but the scene, the baked irradiance and what the bake found of the sun's disc.
-    fn retrace(&self, tracer: &Tracer<'_>, x: u32, y: u32) -> [GBufferSample; SAMPLES] {
+    /// What the bake found of a pixel's visibility is traced again, but for the sun's disc and what is uniform.
+    fn retraced_hits(&self, tracer: &Tracer<'_>, x: u32, y: u32) -> RetracedHits {
+        let mut traced = RetracedHits::NONE;
+        for sample in 0..SAMPLES {
+            let ray = self.ray(x, y, sample);
+            let Some(hit) = tracer.still.accel.closest(&ray) else { continue };
+            let point = SurfaceInteraction::new(&tracer.still.instances, &ray, &hit);
+            traced.distances[sample] = hit.t;
+            traced.hits[sample] = PackedHit::new(&hit);
+            traced.normals[sample] = PackedNormals::new(&point);
+        }
+        traced
+    }
+
+    /// A still pixel from nothing but the scene, the baked irradiance and what the bake found of the sun's disc.
+    fn retrace(&self, tracer: &Tracer<'_>, primary: &PrimaryPixel<'_>, x: u32, y: u32) -> ShadedPixel {
         let pixel = (y * self.camera.size.width + x) as usize;
         let samples = std::array::from_fn(|sample| {
-            let ray = self.ray(x, y, sample);
-            let hit = tracer.still.accel.closest(&ray);
-            let index = pixel * SAMPLES + sample;
-            let irradiance = Vec3A::from(self.gbuffer.irradiance[index]);
-            PrimarySample { ray, hit, sun_free: self.gbuffer.samples[index].sun_free, irradiance }
+            let irradiance = self.gbuffer.irradiance[pixel][sample].get();
+            PrimarySample { ray: self.ray(x, y, sample), hit: primary.hit(sample), irradiance }
         });
-        shade_pixel(tracer, &samples, self.gbuffer.uniform[pixel], self.pixel_angle)
+        ShadedPixel::new(primary, &shade_pixel(tracer, &samples, primary.uniform, self.pixel_angle))
     }
 
     /// A tile from nothing but the scene, the baked irradiance and what the bake found of the sun's disc, a ray at a time.
@@ -61,14 +76,15 @@ impl CameraBake {
         let places = (y0..y1).flat_map(|y| (x0..x1).map(move |x| (x, y)));
         let pixels: Vec<_> = places
             .map(|(x, y)| {
-                let uniform = self.gbuffer.uniform[(y * self.camera.size.width + x) as usize];
-                let samples = self.retrace(&empty, x, y);
+                let hits = self.retraced_hits(&empty, x, y);
+                let primary = hits.primary(&self.gbuffer, (y * self.camera.size.width + x) as usize);
+                let shaded = self.retrace(&empty, &primary, x, y);
                 let rays = std::array::from_fn(|s| self.ray(x, y, s));
-                let found = MovingHits::one_by_one(environment, frame, &rays, &samples, uniform);
-                (x, y, samples, rays, found)
+                let found = MovingHits::one_by_one(environment, frame, &rays, &shaded.still(&primary));
+                (x, y, hits, shaded, rays, found)
             })
             .collect();
-        let covered = pixels.iter().map(|(x, y, _, rays, found)| CoveredPixel {
+        let covered = pixels.iter().map(|(x, y, .., rays, found)| CoveredPixel {
             place: ((y - y0) * TILE + x - x0) as usize,
             rays: *rays,
             found,
@@ -80,16 +96,16 @@ impl CameraBake {
             |seen| seen.iter().map(|seen| shade_moving(tracer, seen, self.pixel_angle)).collect(),
             |place, seen| self.halo((x0, y0), place, seen),
         );
-        for (x, y, samples, rays, found) in &pixels {
+        for (x, y, hits, shaded, rays, found) in &pixels {
             let (x, y) = (*x, *y);
-            let light = self.retraced_centre(context, (x, y), samples);
-            let still = still_light(samples, environment);
-            let pixel = match undisturbed(still, light.as_ref(), found) {
+            let still = shaded.still(&hits.primary(&self.gbuffer, (y * self.camera.size.width + x) as usize));
+            let light = self.retraced_centre(context, (x, y), &still);
+            let pixel = match undisturbed(&still, still.radiance(environment), light.as_ref(), found) {
                 Some(radiance) => FramePixel { radiance, covered: None, streak: None },
                 None => {
                     let coverage = &coverages[((y - y0) * TILE + x - x0) as usize];
-                    let mirrors = mirrored(tracer, samples, rays, found, self.pixel_angle);
-                    let samples = PixelSamples { rays, still: samples, found };
+                    let mirrors = mirrored(tracer, &still, rays, found, self.pixel_angle);
+                    let samples = PixelSamples { rays, still, found };
                     self.pixel(context, &samples, light.as_ref(), mirrors, coverage)
                 }
             };
@@ -102,17 +118,37 @@ impl CameraBake {
         &self,
         context: &TileContext<'_>,
         (x, y): (u32, u32),
-        samples: &[GBufferSample; SAMPLES],
+        still: &StillPixel<'_>,
     ) -> Option<CentreLight> {
-        if !self.gbuffer.uniform[(y * self.camera.size.width + x) as usize] {
-            return None;
-        }
+        let hit = still.hit(0).filter(|_| still.uniform)?;
         let environment = context.tracer.environment;
         let ray = self.ray(x, y, 0);
-        let point = SurfaceInteraction::new(&context.tracer.still.instances, &ray, &samples[0].hit);
-        let bsdf = gbuffer_bsdf(&point, environment, 0, self.pixel_angle);
+        let point = SurfaceInteraction::new(&context.tracer.still.instances, &ray, &hit);
+        let bsdf = PackedBsdf::new(&gbuffer_bsdf(&point, environment, 0, self.pixel_angle));
         let mut row = [None; 8];
-        row[0] = Some(GBufferPixel::new(samples).centre(&ray, Some(&bsdf).filter(|_| environment.night)));
+        row[0] = Some(still.centre(&ray, Some(&bsdf).filter(|_| environment.night)));
         Some(centre_lights(context, Vec3A::from(self.camera.position), &row)[0])
+    }
+}
+
+/// What a pixel's rays met, traced again.
+struct RetracedHits {
+    distances: [f32; SAMPLES],
+    hits: [PackedHit; SAMPLES],
+    normals: [PackedNormals; SAMPLES],
+}
+
+impl RetracedHits {
+    /// Nothing but sky.
+    const NONE: Self = Self {
+        distances: [f32::MAX; SAMPLES],
+        hits: [PackedHit::NONE; SAMPLES],
+        normals: [PackedNormals::NONE; SAMPLES],
+    };
+
+    /// With what the bake found of the sun's disc, and whether the pixel is uniform.
+    fn primary<'a>(&'a self, baked: &'a GBuffer, pixel: usize) -> PrimaryPixel<'a> {
+        let Self { distances, hits, normals } = self;
+        PrimaryPixel { distances, hits, normals, sun_free: &baked.sun_free[pixel], uniform: baked.uniform[pixel] }
     }
 }

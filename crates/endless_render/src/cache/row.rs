@@ -1,17 +1,16 @@
 //! Up to eight neighbouring pixels of a row, whose rays towards moving objects are traced in packets.
 
 use super::bake::CameraBake;
-use super::gbuffer_pixel::GBufferPixel;
-use super::gbuffer_sample::GBufferSample;
 use super::moving_hits::MovingHits;
 use super::ray_queue::RayQueue;
+use super::still_pixel::StillPixel;
 use super::sun_rays::sun_origin;
 use super::tile::TILE;
 use super::tile_work::TileWork;
-use crate::accel::{Ray, first_lanes};
+use crate::accel::{Ray, first_lanes, lanes};
 use crate::camera_rays::directions8;
 use crate::sampling::SAMPLES;
-use crate::scene::{FrameScene, ShadingPoint};
+use crate::scene::FrameScene;
 use crate::vec3x8::Vec3x8;
 use glam::Vec3A;
 use wide::f32x8;
@@ -69,9 +68,9 @@ impl<'a> PixelRow<'a> {
         self.view.ray(i, sample)
     }
 
-    /// A still sample of a pixel.
-    pub(super) fn sample(&self, i: usize, sample: usize) -> &'a GBufferSample {
-        &self.view.bake.gbuffer.samples[self.pixel(i) * SAMPLES + sample]
+    /// A pixel of the static picture.
+    pub(super) fn still(&self, i: usize) -> StillPixel<'a> {
+        self.view.still(i)
     }
 
     /// Asks what moves, as far as `work` says that it can matter; returns the number of rays.
@@ -101,50 +100,49 @@ impl<'a> RowView<'a> {
         Ray { origin: self.bake.camera.position.into(), direction: Vec3A::new(x, y, z), tmax: f32::MAX }
     }
 
-    fn still(&self, i: usize) -> &'a GBufferPixel {
-        &self.bake.gbuffer.pixels[self.pixel(i)]
-    }
-
-    /// Where a pixel's sample lies.
-    fn facet(&self, i: usize, sample: usize) -> ShadingPoint {
-        self.still(i).facet(&self.ray(i, sample), sample)
+    fn still(&self, i: usize) -> StillPixel<'a> {
+        self.bake.gbuffer.pixel(self.pixel(i))
     }
 
     fn find_visible(&self, frame: &FrameScene, found: &mut [MovingHits; TILE as usize], queue: &mut RayQueue) {
         let rays = &mut queue.rays;
-        let still: [&GBufferPixel; TILE as usize] = std::array::from_fn(|i| self.still(i));
+        let distances: [&[f32; SAMPLES]; TILE as usize] =
+            std::array::from_fn(|i| &self.bake.gbuffer.distances[self.pixel(i)]);
         rays.origin = self.bake.camera.position.to_array().map(|axis| [f32x8::splat(axis); SAMPLES]);
         for s in 0..SAMPLES {
             for k in 0..3 {
                 rays.direction[k][s] = self.directions[s][k];
             }
-            rays.tmax[s] = f32x8::new(still.map(|still| still.distances[s]));
+            rays.tmax[s] = f32x8::new(distances.map(|pixel| pixel[s]));
         }
         let active = first_lanes(self.count);
         queue.traced += u64::from(active.count_ones());
         let hits = frame.accel.closest32(rays, active);
         for (i, found) in found.iter_mut().enumerate() {
             for s in 0..SAMPLES {
-                found.primary[s] = hits.get(8 * s + i).filter(|hit| hit.t < still[i].distances[s]);
+                found.primary[s] = hits.get(8 * s + i).filter(|hit| hit.t < distances[i][s]);
             }
         }
     }
 
     fn find_sun(&self, frame: &FrameScene, found: &mut [MovingHits; TILE as usize], queue: &mut RayQueue) {
         let Some(sun) = &self.bake.lighting.environment.sun else { return };
-        for (i, s) in self.each_sample() {
-            let free = self.still(i).sun_free[s];
-            if free == 0 || found[i].primary[s].is_some() || self.still(i).distances[s] == f32::MAX {
-                continue;
-            }
-            let origin = sun_origin(&self.facet(i, s), sun.direction);
-            for (part, direction) in sun.parts(s, self.bake.gbuffer.uniform[self.pixel(i)]) {
-                if free & part == 0 {
+        for i in 0..self.count {
+            let still = self.still(i);
+            for s in 0..SAMPLES {
+                let free = still.sun_free[s];
+                if free == 0 || found[i].primary[s].is_some() {
                     continue;
                 }
-                queue.push((i, s, free & part), Ray { origin, direction, tmax: f32::MAX });
-                if queue.is_full() {
-                    queue.occluded(frame, |(i, s, part)| found[i].sun_blocked[s] |= part);
+                let origin = sun_origin(&still.facet(&self.ray(i, s), s), sun.direction);
+                for (part, direction) in sun.parts(s, still.uniform) {
+                    if free & part == 0 {
+                        continue;
+                    }
+                    queue.push((i, s, free & part), Ray { origin, direction, tmax: f32::MAX });
+                    if queue.is_full() {
+                        queue.occluded(frame, |(i, s, part)| found[i].sun_blocked[s] |= part);
+                    }
                 }
             }
         }
@@ -152,22 +150,15 @@ impl<'a> RowView<'a> {
     }
 
     fn find_mirrored(&self, frame: &FrameScene, found: &mut [MovingHits; TILE as usize], queue: &mut RayQueue) {
-        for (i, s) in self.each_sample() {
+        for i in 0..self.count {
             let still = self.still(i);
-            let asks = match self.bake.gbuffer.uniform[self.pixel(i)] {
-                true => s % 2 == 0,
-                false => still.distances[s] < f32::MAX && found[i].primary[s].is_none(),
-            };
-            if asks && still.mirrors >> s & 1 == 1 {
-                let sample = &self.bake.gbuffer.samples[self.pixel(i) * SAMPLES + s];
-                queue.push((i, s, 0), sample.mirror_ray(&self.facet(i, s)));
+            for s in lanes(u32::from(still.mirrored)) {
+                let Some(mirror) = still.mirror(s).filter(|_| still.uniform || found[i].primary[s].is_none()) else {
+                    continue;
+                };
+                queue.push((i, s, 0), mirror.ray(&still.facet(&self.ray(i, s), s)));
             }
         }
         queue.closest(frame, |(i, s, _), hit| found[i].mirrored[s] = Some(hit));
-    }
-
-    /// Pixel by pixel: rays that go side by side then go nearly the same way.
-    fn each_sample(&self) -> impl Iterator<Item = (usize, usize)> {
-        (0..self.count).flat_map(|i| (0..SAMPLES).map(move |s| (i, s)))
     }
 }

@@ -25,8 +25,8 @@ pub(super) fn beams_on_samples(context: &TileContext<'_>, samples: &PixelSamples
     if work.beams.is_empty() {
         return Vec3A::ZERO;
     }
-    let open = |s: usize| found.primary[s].is_none() && !still[s].is_sky();
-    let facets: [Option<ShadingPoint>; SAMPLES] = std::array::from_fn(|s| open(s).then(|| still[s].facet(&rays[s])));
+    let open = |s: usize| found.primary[s].is_none() && !still.is_sky(s);
+    let facets: [Option<ShadingPoint>; SAMPLES] = std::array::from_fn(|s| open(s).then(|| still.facet(&rays[s], s)));
     let transmittance = facets.map(|f| f.map_or(0.0, |f| seen_through(tracer, rays[0].origin, &f)));
     let mut bsdfs: [Option<Bsdf>; SAMPLES] = [const { None }; SAMPLES];
     let mut sums = [Vec3A::ZERO; SAMPLES];
@@ -48,8 +48,9 @@ pub(super) fn beams_on_samples(context: &TileContext<'_>, samples: &PixelSamples
         let to_lamp: [Ray; 8] = std::array::from_fn(|s| beam.shadow_ray(asks(s)));
         active &= !hidden(tracer, frame, sweep, &to_lamp, active);
         for s in (0..SAMPLES).filter(|s| active >> s & 1 == 1) {
+            let Some(hit) = still.hit(s) else { continue };
             let bsdf = bsdfs[s].get_or_insert_with(|| {
-                let point = SurfaceInteraction::new(&tracer.still.instances, &rays[s], &still[s].hit);
+                let point = SurfaceInteraction::new(&tracer.still.instances, &rays[s], &hit);
                 gbuffer_bsdf(&point, tracer.environment, s, pixel_angle)
             });
             let (illuminance, direction) = arriving[s];
@@ -85,8 +86,11 @@ pub(super) fn beams_on_row<'a>(
     let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
     let axis = |axis: usize| f32x8::new(std::array::from_fn(|i| row[i].map_or(0.0, |p| p.facet.position[axis])));
     let positions = [axis(0), axis(1), axis(2)];
-    let seen = |place: &Option<PixelCentre<'a>>| place.and_then(|p| Some((p.bsdf?, -p.facet.direction)));
-    let bsdfs = LazyCell::new(|| Bsdf8::new(&std::array::from_fn(|i| seen(&row[i]))));
+    let seen = |place: &Option<PixelCentre<'a>>| place.and_then(|p| Some((p.bsdf?.get(), -p.facet.direction)));
+    let bsdfs = LazyCell::new(|| {
+        let seen: [_; 8] = std::array::from_fn(|i| seen(&row[i]));
+        Bsdf8::new(&seen.each_ref().map(|seen| seen.as_ref().map(|(bsdf, view)| (bsdf, *view))))
+    });
     let mut sums = [f32x8::ZERO; 3];
     let mut shown = false;
     for sweep in beams {

@@ -1,7 +1,7 @@
 //! The state that the pixels of a tile depend on at an instant.
 
-use super::gbuffer_sample::GBufferSample;
 use super::moving_hits::MovingHits;
+use super::still_pixel::StillPixel;
 use super::tile_work::TileWork;
 use crate::accel::Ray;
 use crate::sampling::SAMPLES;
@@ -23,6 +23,6 @@ pub(super) struct TileContext<'a> {
 #[derive(Clone, Copy)]
 pub(super) struct PixelSamples<'a> {
     pub(super) rays: &'a [Ray; SAMPLES],
-    pub(super) still: &'a [GBufferSample],
+    pub(super) still: StillPixel<'a>,
     pub(super) found: &'a MovingHits,
 }

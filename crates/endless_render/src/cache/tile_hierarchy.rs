@@ -1,6 +1,7 @@
 //! Tiles of pixels, and blocks of tiles above them, which are tested for changes first.
 
-use super::gbuffer_sample::GBufferSample;
+use super::gbuffer::GBuffer;
+use super::still_pixel::StillPixel;
 use super::tile::{BLOCK, TILE, TileBounds, TileRayBounds};
 use crate::camera_rays::directions8;
 use crate::sampling::SAMPLES;
@@ -35,10 +36,10 @@ impl TileLevel {
 
 impl TileHierarchy {
     /// Over these samples; `sun` is the direction to it, where it shines.
-    pub(super) fn new(camera: &PinholeCamera, samples: &[GBufferSample], sun: Option<Vec3A>) -> Self {
+    pub(super) fn new(camera: &PinholeCamera, gbuffer: &GBuffer, sun: Option<Vec3A>) -> Self {
         let (columns, rows) = (camera.size.width.div_ceil(TILE), camera.size.height.div_ceil(TILE));
         let tiles: Vec<TileBounds> =
-            (0..columns * rows).into_par_iter().map(|tile| bounds_of(camera, samples, tile, columns)).collect();
+            (0..columns * rows).into_par_iter().map(|tile| bounds_of(camera, gbuffer, tile, columns)).collect();
         let (block_columns, block_rows) = (columns.div_ceil(BLOCK), rows.div_ceil(BLOCK));
         let mut blocks = vec![TileBounds::EMPTY; (block_columns * block_rows) as usize];
         for (i, tile) in tiles.iter().enumerate() {
@@ -54,21 +55,21 @@ impl TileHierarchy {
     }
 }
 
-fn bounds_of(camera: &PinholeCamera, samples: &[GBufferSample], tile: u32, columns: u32) -> TileBounds {
+fn bounds_of(camera: &PinholeCamera, gbuffer: &GBuffer, tile: u32, columns: u32) -> TileBounds {
     let mut bounds = TileBounds::EMPTY;
     let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
     let x1 = (x0 + TILE).min(camera.size.width);
     for y in y0..(y0 + TILE).min(camera.size.height) {
-        let first = (y * camera.size.width + x0) as usize * SAMPLES;
+        let first = (y * camera.size.width + x0) as usize;
         for sample in 0..SAMPLES {
             let directions = directions8(camera, x0, x1, y, sample).map(f32x8::to_array);
             for x in 0..(x1 - x0) as usize {
-                let still = &samples[first + x * SAMPLES + sample];
-                if still.is_sky() {
+                let still = gbuffer.pixel(first + x);
+                if still.is_sky(sample) {
                     continue;
                 }
                 let direction = Vec3A::from_array(directions.map(|axis| axis[x]));
-                bounds.add(still, Vec3A::from(camera.position) + direction * still.hit.t);
+                bounds.add(&still, sample, Vec3A::from(camera.position) + direction * still.distances[sample]);
             }
         }
     }
@@ -77,16 +78,16 @@ fn bounds_of(camera: &PinholeCamera, samples: &[GBufferSample], tile: u32, colum
 
 impl TileBounds {
     /// Adds a sample that lies at a position.
-    fn add(&mut self, still: &GBufferSample, position: Vec3A) {
+    fn add(&mut self, still: &StillPixel<'_>, sample: usize, position: Vec3A) {
         self.points.add(position);
-        if still.sun_free != 0 {
+        if still.sun_free[sample] != 0 {
             self.sunlit.add(position);
         }
-        self.lens |= still.flags & GBufferSample::LENS != 0;
-        if still.mirrors() {
+        self.lens |= still.is_lens(sample);
+        if let Some(mirror) = still.mirror(sample) {
             self.mirrors.add(position);
-            self.mirror_directions.add(Vec3A::from(still.mirror_direction));
-            self.mirror_reach = self.mirror_reach.max(still.mirror_t);
+            self.mirror_directions.add(mirror.direction());
+            self.mirror_reach = self.mirror_reach.max(mirror.reach);
         }
     }
 }

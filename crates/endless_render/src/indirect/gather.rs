@@ -7,7 +7,7 @@ use crate::accel::Ray;
 use crate::light::Environment;
 use crate::material::noise;
 use crate::sampling::{cosine_direction, hammersley, rotated};
-use crate::scene::SurfaceInteraction;
+use crate::scene::ShadingPoint;
 use crate::shade::{Tracer, shade_secondary8};
 use glam::{Vec2, Vec3A};
 use std::f32::consts::PI;
@@ -33,21 +33,24 @@ pub(super) fn brightest(environment: &Environment) -> f32 {
     (environment.sky.mean.max_element() * CLAMP).max(0.05)
 }
 
+/// A point where light is gathered.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct GatherPoint {
+    pub(crate) facet: ShadingPoint,
+    /// Unit, interpolated, on the side that it is seen from.
+    pub(crate) normal: Vec3A,
+}
+
 /// Illuminance from everything but the sun's disc and the lamps, klx, of up to eight points whose patterns are turned
 /// alike; noisy, to be denoised.
-pub(crate) fn gather8(
-    tracer: &Tracer<'_>,
-    points: &[Option<SurfaceInteraction<'_>>; 8],
-    turn: Vec2,
-    rays: u32,
-) -> [Vec3A; 8] {
+pub(crate) fn gather8(tracer: &Tracer<'_>, points: &[Option<GatherPoint>; 8], turn: Vec2, rays: u32) -> [Vec3A; 8] {
     let active = points.iter().enumerate().fold(0u8, |bits, (i, point)| bits | u8::from(point.is_some()) << i);
     let limit = brightest(tracer.environment);
     let mut sums = [Vec3A::ZERO; 8];
     for k in 0..rays {
         let u = rotated(hammersley(k, rays), turn);
         let towards = std::array::from_fn(|i| match &points[i] {
-            Some(point) => Ray { origin: point.ray_origin(), direction: above(point, u), tmax: f32::MAX },
+            Some(point) => Ray { origin: point.facet.ray_origin(), direction: above(point, u), tmax: f32::MAX },
             None => Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 },
         });
         for (sum, light) in sums.iter_mut().zip(shade_secondary8(tracer, &towards, active, &[0.5; 8])) {
@@ -58,10 +61,10 @@ pub(crate) fn gather8(
 }
 
 /// A direction of the cosine lobe around a point's normal, bent up where it would enter the surface.
-fn above(point: &SurfaceInteraction<'_>, u: Vec2) -> Vec3A {
+fn above(point: &GatherPoint, u: Vec2) -> Vec3A {
     let direction = cosine_direction(point.normal, u);
-    let below = direction.dot(point.geometric_normal);
-    if below < 0.01 { (direction + point.geometric_normal * (0.01 - below)).normalize() } else { direction }
+    let below = direction.dot(point.facet.geometric_normal);
+    if below < 0.01 { (direction + point.facet.geometric_normal * (0.01 - below)).normalize() } else { direction }
 }
 
 #[cfg(test)]

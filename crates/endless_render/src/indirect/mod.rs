@@ -8,5 +8,5 @@ mod probe_bake;
 mod probe_grid;
 
 pub(crate) use denoise::{DenoiseGuide, KERNEL, denoise, surface_weight};
-pub(crate) use gather::{PATTERN_SIDE, gather8, turn};
+pub(crate) use gather::{GatherPoint, PATTERN_SIDE, gather8, turn};
 pub(crate) use probe_grid::{ProbeGrid, ProbeRegion};

@@ -9,9 +9,11 @@ mod evaluate;
 mod ground;
 pub(crate) mod noise;
 mod object;
+mod packed_bsdf;
 mod wet;
 mod window;
 
 pub(crate) use bsdf::Bsdf;
 pub(crate) use bsdf8::Bsdf8;
 pub(crate) use evaluate::evaluate_bsdf;
+pub(crate) use packed_bsdf::PackedBsdf;

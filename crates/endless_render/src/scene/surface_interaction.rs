@@ -2,7 +2,7 @@
 
 use super::Instance;
 use crate::accel::{Hit, Ray};
-use endless_scene::Material;
+use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 use endless_world::math::UnfusedVec3A;
 use glam::{Vec2, Vec3A};
@@ -122,6 +122,11 @@ impl<'a> SurfaceInteraction<'a> {
     /// The class of the pixel.
     pub(crate) fn tag(&self) -> ClassTag {
         self.instance.class.unwrap_or(self.material.tag)
+    }
+
+    /// Whether it lies on a lens of a traffic light.
+    pub(crate) fn is_signal_lens(&self) -> bool {
+        matches!(self.material.surface, Surface::SignalLens(_)) && self.instance.signal.is_some()
     }
 
     /// Origin for rays that leave the surface, offset so that they do not hit it again.

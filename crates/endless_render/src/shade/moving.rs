@@ -8,7 +8,7 @@ use super::secondary::{MIRROR_THRESHOLD, mirror_footprint, mirror_ray, shade_hit
 use crate::accel::{Ray, RayStream};
 use crate::material::{Bsdf, evaluate_bsdf};
 use crate::sampling::SAMPLES;
-use crate::scene::SurfaceInteraction;
+use crate::scene::{ShadingPoint, SurfaceInteraction};
 use endless_world::math;
 use glam::Vec3A;
 use std::f32::consts::FRAC_1_PI;
@@ -119,7 +119,7 @@ impl PendingLight {
     fn new(tracer: &Tracer<'_>, seen: &MovingSample<'_>, pixel_angle: f32) -> Self {
         let MovingSample { point, sample, .. } = seen;
         let environment = tracer.environment;
-        let bsdf = evaluate_bsdf(point, environment, footprint_m(point, pixel_angle), *sample as f32 / 4.0);
+        let bsdf = evaluate_bsdf(point, environment, footprint_m(&point.facet(), pixel_angle), *sample as f32 / 4.0);
         let sun = environment.sun.as_ref().and_then(|sun| sun.ray_from(point));
         let mirror = MirrorRay::new(point, &bsdf, f32::from(seen.stands_for) / SAMPLES as f32, pixel_angle);
         Self { bsdf, sun, mirror }
@@ -178,6 +178,6 @@ impl MirrorRay {
 }
 
 /// Width of a pixel on a surface.
-pub(crate) fn footprint_m(point: &SurfaceInteraction<'_>, pixel_angle: f32) -> f32 {
+pub(crate) fn footprint_m(point: &ShadingPoint, pixel_angle: f32) -> f32 {
     point.distance * pixel_angle / point.geometric_normal.dot(point.direction).abs().max(0.08)
 }

@@ -1,0 +1,32 @@
+//! Where a sample's ray met a triangle, in twelve bytes.
+
+use crate::accel::Hit;
+
+/// No instance.
+const NOTHING: u32 = u32::MAX;
+
+/// A [`Hit`] but for its distance, which is kept apart.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct PackedHit {
+    /// [`NOTHING`] if the ray met nothing.
+    instance: u32,
+    triangle: u32,
+    /// Barycentric weights of the triangle's second and third vertex; 65,535 is 1.
+    weights: [u16; 2],
+}
+
+impl PackedHit {
+    /// A ray that met nothing.
+    pub(super) const NONE: Self = Self { instance: NOTHING, triangle: 0, weights: [0; 2] };
+
+    pub(super) fn new(hit: &Hit) -> Self {
+        let weights = [hit.u, hit.v].map(|w| (w.clamp(0.0, 1.0) * 65_535.0).round() as u16);
+        Self { instance: hit.instance, triangle: hit.triangle, weights }
+    }
+
+    /// The hit at a distance.
+    pub(super) fn at(&self, t: f32) -> Option<Hit> {
+        let [u, v] = self.weights.map(|w| f32::from(w) / 65_535.0);
+        (self.instance != NOTHING).then_some(Hit { t, instance: self.instance, triangle: self.triangle, u, v })
+    }
+}
