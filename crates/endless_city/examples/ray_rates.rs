@@ -1,17 +1,24 @@
 //! Prints rates of tracing in the built-in towns, or those that are named, own traversal beside that of `obvhs`:
-//! `cargo run --release -p endless_city --example ray_rates -- [Town03 …]`.
+//! `cargo run --release -p endless_city --example ray_rates -- [--export FOLDER] [Town03 …]`.
+//!
+//! With `--export` the triangles, rays and rates of each town are written to the folder, for other ray tracers.
 #![expect(clippy::print_stdout, reason = "a table is what it is for")]
 
 #[path = "../benches/town/baseline.rs"]
 mod baseline;
+#[path = "ray_rates/export.rs"]
+mod export;
 #[path = "../benches/town/mod.rs"]
 mod town;
 
+use std::error::Error;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
 use baseline::Baseline;
 use endless_render::{Ray, RayStream};
+use export::MeasuredSet;
 use obvhs::cwbvh::CwBvh;
 use town::{BenchTown, Packet};
 
@@ -20,6 +27,8 @@ const ROUNDS: usize = 7;
 
 /// The sets of rays.
 const SETS: [&str; 4] = ["primary", "sun", "diffuse", "scattered"];
+/// The set for whose rays any hit is enough.
+const SUN: usize = 1;
 
 /// Time this thread has run, so that other work on the machine does not count; wall time where the system does not
 /// tell.
@@ -79,12 +88,18 @@ fn each(active: u8, rays: &[Ray; 8], hit: impl Fn(&Ray) -> bool) -> u32 {
 /// A way to trace one of the sets.
 type Trace<'a> = &'a dyn Fn(usize) -> (f64, usize);
 
-/// Prints the rates of one town; returns how many times as fast as CWBVH the better of packets and bundles is.
-fn measure(town: &BenchTown) -> [f64; 4] {
-    let sets = town.rays();
+/// What each way made of each set: CWBVH, then single rays, packets and bundles.
+struct TownRates {
+    /// Million rays a second of all threads.
+    rates: [[f64; 4]; 4],
+    /// Rays that hit.
+    hits: [[usize; 4]; 4],
+}
+
+/// Prints the rates of one town.
+fn measure(town: &BenchTown, sets: &[Vec<Packet>; 4]) -> TownRates {
     let (accel, bundled) = (&town.accel, sets.each_ref().map(|set| bundles(set)));
     let cw = Baseline::<CwBvh>::new(town);
-    const SUN: usize = 1;
     let single = |set: usize| match set {
         SUN => pass(&sets[set], |r, m| each(m, r, |ray| accel.occluded(ray))),
         _ => pass(&sets[set], |r, m| each(m, r, |ray| accel.closest(ray).is_some())),
@@ -126,9 +141,26 @@ fn measure(town: &BenchTown) -> [f64; 4] {
         let columns = (0..4).map(|set| format!("{:20}", format!("{:6.2} ({} hit)", rates[set], best[set].1)));
         println!("{name:14} {}", columns.collect::<String>());
     }
-    let ratios = std::array::from_fn(|set| rates[2][set].max(rates[3][set]) / rates[0][set]);
-    print_ratios("times CWBVH", &ratios);
-    ratios
+    TownRates { rates, hits: best.map(|best| best.map(|(_, hits)| hits)) }
+}
+
+/// Writes a town and its rays, with what was measured.
+fn export(
+    folder: &Path,
+    name: &str,
+    town: &BenchTown,
+    sets: &[Vec<Packet>; 4],
+    found: &TownRates,
+) -> std::io::Result<()> {
+    let measured: [MeasuredSet<'_>; 4] = std::array::from_fn(|set| MeasuredSet {
+        name: SETS[set],
+        any_hit: set == SUN,
+        packets: &sets[set],
+        hits: found.hits[1][set],
+        rates: std::array::from_fn(|way| found.rates[1 + way][set]),
+    });
+    export::write_scene(folder, name, town)?;
+    export::write_rays(folder, name, &measured)
 }
 
 fn print_ratios(name: &str, ratios: &[f64; 4]) {
@@ -136,8 +168,14 @@ fn print_ratios(name: &str, ratios: &[f64; 4]) {
     println!("{name:14} {}", columns.collect::<String>());
 }
 
-fn main() {
+fn main() -> Result<(), Box<dyn Error>> {
     let mut names: Vec<String> = std::env::args().skip(1).collect();
+    let mut folder = None;
+    if let Some(flag) = names.iter().position(|name| name == "--export") {
+        let mut rest = names.split_off(flag).into_iter().skip(1);
+        folder = Some(PathBuf::from(rest.next().ok_or("--export needs a folder")?));
+        names.extend(rest);
+    }
     if names.is_empty() {
         names = endless_town::NAMES.iter().map(ToString::to_string).collect();
     }
@@ -156,8 +194,18 @@ fn main() {
             town.accel.memory_bytes() as f64 / 1e6
         );
         println!("{:14} {}   Mrays/s", "", SETS.map(|set| format!("{set:20}")).join(""));
-        all.push(measure(&town));
+        let sets = town.rays();
+        let found = measure(&town, &sets);
+        let [cwbvh, _, packets, bundles] = found.rates;
+        // How many times as fast as CWBVH the better of packets and bundles is.
+        let ratios = std::array::from_fn(|set| packets[set].max(bundles[set]) / cwbvh[set]);
+        print_ratios("times CWBVH", &ratios);
+        all.push(ratios);
+        if let Some(folder) = &folder {
+            export(folder, name, &town, &sets, &found)?;
+        }
     }
     let mean = |set: usize| all.iter().map(|ratios: &[f64; 4]| ratios[set]).sum::<f64>() / all.len() as f64;
     print_ratios("mean of all", &std::array::from_fn(mean));
+    Ok(())
 }
