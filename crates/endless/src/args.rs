@@ -1,6 +1,6 @@
 //! The command line.
 
-use crate::{build_info::VERSION, recipe_args::RecipeArgs};
+use crate::{bench::ScalingSeries, build_info::VERSION, recipe_args::RecipeArgs};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use endless_world::DrivingSide;
@@ -167,19 +167,23 @@ pub(crate) struct CheckArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
-    /// Seconds of video to record.
-    #[arg(long, default_value_t = 2.0, value_name = "S")]
-    pub(crate) duration: f64,
-    /// Image size.
-    #[arg(long, default_value = "1280x720", value_name = "WxH")]
-    pub(crate) size: String,
+    /// Seconds of video to record [default: 2; with --scaling 0.5].
+    #[arg(long, value_name = "S")]
+    pub(crate) duration: Option<f64>,
+    /// Image size [default: 1280x720; with --scaling 640x360, and up to 1920x1080 where pixels grow].
+    #[arg(long, value_name = "WxH")]
+    pub(crate) size: Option<String>,
     /// Cameras that film each scene [default: 2].
     #[arg(long, value_name = "N")]
     pub(crate) cameras_per_scene: Option<i64>,
     /// Record each of the fifteen conditions, each in the next town, and compare them.
     #[arg(long)]
     pub(crate) conditions: bool,
-    /// Towns to record; with --conditions each condition in all of them [default: any; with --conditions one per condition].
+    /// Let one thing after another grow, and compare what that costs [default: all of the list].
+    #[arg(long, value_name = "LIST", value_delimiter = ',', num_args = 0..=1, conflicts_with = "conditions")]
+    pub(crate) scaling: Option<Vec<ScalingSeries>>,
+    /// Towns to record; with --conditions each condition in all of them; with --scaling the first, and all where towns are
+    /// compared [default: any; with --conditions one per condition].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) maps: Option<Vec<String>>,
     /// Weathers to record [default: clear_sky, with --conditions all].

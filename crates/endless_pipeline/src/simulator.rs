@@ -4,7 +4,7 @@ use crate::SimulatorError;
 use endless_annotate::{SceneObjects, WorldKeypoints};
 use endless_dataset::SpawnCounts;
 use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, time::Duration};
 
 /// The maps that a recipe can name, and the hashes of imported files.
 pub trait MapSource {
@@ -138,4 +138,6 @@ pub struct RenderStats {
     pub bake_rays: u64,
     /// Rays traced for frames.
     pub frame_rays: u64,
+    /// Wall time of the static bake, with all threads; the models of what moves are left out.
+    pub bake: Duration,
 }

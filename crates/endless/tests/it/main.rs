@@ -7,4 +7,5 @@ mod imported_assets;
 mod imported_maps;
 mod program;
 mod real_city;
+mod scaling;
 mod threads;

@@ -22,4 +22,9 @@ impl BuiltinMap {
             .map_err(|source| SimulatorError::LoadMap { map: town.name.clone(), source: source.into() })?;
         Ok(Self { town, town_scene })
     }
+
+    /// Number of the town's triangles as placed: those of a tree count wherever it stands.
+    pub fn placed_triangles(&self) -> usize {
+        self.town_scene.static_scene().placed_triangles()
+    }
 }

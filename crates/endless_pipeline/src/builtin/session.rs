@@ -14,6 +14,7 @@ use glam::Vec3;
 use std::{
     collections::BTreeMap,
     sync::{Arc, OnceLock},
+    time::{Duration, Instant},
 };
 
 /// Ticks the traffic; what shows it is shared with the render tasks.
@@ -43,6 +44,8 @@ struct BakedCameras {
     models: ActorModels,
     baked: Vec<CameraBake>,
     bake_rays: u64,
+    /// Wall time of `still` and `baked`.
+    bake: Duration,
 }
 
 impl<'m> BuiltinSession<'m> {
@@ -102,6 +105,7 @@ impl BuiltinScene<'_> {
     fn cameras(&self) -> &BakedCameras {
         self.cameras.get_or_init(|| {
             let Self { map, catalogue, settings, .. } = *self;
+            let start = Instant::now();
             let sites: Vec<CameraSite> = settings.cameras.iter().map(|camera| camera.site.clone()).collect();
             let (meshes, details) = details_near(&map.town, &sites, catalogue);
             let still = map.town_scene.with_details(&meshes, &details, catalogue);
@@ -114,8 +118,9 @@ impl BuiltinScene<'_> {
                 CameraBake::bake(&still, &render, site)
             };
             let baked: Vec<CameraBake> = settings.cameras.iter().map(bake).collect();
+            let bake = start.elapsed();
             let models = ActorModels::in_town(&map.town_scene, catalogue, &self.moving);
-            BakedCameras { still, models, bake_rays: rays(&baked), baked }
+            BakedCameras { still, models, bake_rays: rays(&baked), baked, bake }
         })
     }
 }
@@ -145,8 +150,8 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
 
     fn stats(&self) -> RenderStats {
         self.scene.cameras.get().map_or_else(RenderStats::default, |cameras| {
-            let bake_rays = cameras.bake_rays;
-            RenderStats { bake_rays, frame_rays: rays(&cameras.baked) - bake_rays }
+            let BakedCameras { bake_rays, bake, .. } = *cameras;
+            RenderStats { bake_rays, frame_rays: rays(&cameras.baked) - bake_rays, bake }
         })
     }
 }

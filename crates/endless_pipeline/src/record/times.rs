@@ -36,6 +36,7 @@ pub(crate) struct StageClock {
     nanos: [AtomicU64; STAGES],
     bake_rays: AtomicU64,
     frame_rays: AtomicU64,
+    camera_bake_nanos: AtomicU64,
 }
 
 /// Thread-seconds of each stage, and rays.
@@ -45,7 +46,7 @@ pub struct StageTimes {
     pub load_map: Duration,
     /// Populating scenes.
     pub load_scene: Duration,
-    /// Baking cameras: wall time, it uses all threads itself.
+    /// Baking cameras and making the models of what moves: wall time, it uses all threads itself.
     pub bake: Duration,
     /// Ticking the traffic.
     pub traffic: Duration,
@@ -61,8 +62,8 @@ pub struct StageTimes {
     pub video: Duration,
     /// Wall time of recording, bake left out.
     pub record: Duration,
-    /// Rays of the renderer.
-    pub rays: RenderStats,
+    /// What the renderer counted.
+    pub renderer: RenderStats,
 }
 
 impl StageClock {
@@ -80,9 +81,10 @@ impl StageClock {
         result
     }
 
-    pub(crate) fn add_rays(&self, rays: RenderStats) {
-        self.bake_rays.fetch_add(rays.bake_rays, Ordering::Relaxed);
-        self.frame_rays.fetch_add(rays.frame_rays, Ordering::Relaxed);
+    pub(crate) fn add_stats(&self, stats: RenderStats) {
+        self.bake_rays.fetch_add(stats.bake_rays, Ordering::Relaxed);
+        self.frame_rays.fetch_add(stats.frame_rays, Ordering::Relaxed);
+        self.camera_bake_nanos.fetch_add(stats.bake.as_nanos() as u64, Ordering::Relaxed);
     }
 
     pub(crate) fn times(&self) -> StageTimes {
@@ -98,9 +100,10 @@ impl StageClock {
             resume: of(Stage::Resume),
             video: of(Stage::Video),
             record: of(Stage::Record).saturating_sub(of(Stage::Bake)).saturating_sub(of(Stage::LoadScene)),
-            rays: RenderStats {
+            renderer: RenderStats {
                 bake_rays: self.bake_rays.load(Ordering::Relaxed),
                 frame_rays: self.frame_rays.load(Ordering::Relaxed),
+                bake: Duration::from_nanos(self.camera_bake_nanos.load(Ordering::Relaxed)),
             },
         }
     }

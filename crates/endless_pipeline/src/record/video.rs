@@ -66,7 +66,7 @@ pub(crate) fn record_video<S: Simulator>(
         return Err(error);
     }
     if let Some(session) = scheduler.into_session() {
-        clock.add_rays(session.stats());
+        clock.add_stats(session.stats());
     }
     let mut boxes = Vec::with_capacity(sinks.len());
     for sink in sinks {
