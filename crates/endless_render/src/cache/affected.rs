@@ -3,22 +3,23 @@
 use super::bake::CameraBake;
 use super::contact_shadow::contact_may_reach;
 use super::ray_bounds::RayBounds;
-use super::tile::{BLOCK, Bounds3, TILE, TileBounds, TileRayBounds};
-use super::tile_hierarchy::TileHierarchy;
+use super::tile::{Bounds3, TILE, TileBounds, TileRayBounds};
+use super::tile_hierarchy::{FACTOR, TileHierarchy, TileLevel};
 use super::tile_work::{BeamSweep, TileWork};
 use crate::accel::corners;
 use crate::light::{Lamps, VehicleBeam};
 use crate::scene::{FrameScene, Instance, MovingVolume, StaticScene};
 use endless_world::{Distortion, PinholeCamera};
 use glam::{Affine3A, UVec2, Vec2, Vec3, Vec3A};
+use std::cell::LazyCell;
 
 /// Most boxes as which something that moves is told apart in the picture.
 const MOST_PARTS: usize = 128;
 
 /// The work of every tile of a frame.
 pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScene) -> Vec<TileWork> {
-    let mut work = vec![TileWork::default(); bake.tiles.tiles.bounds.len()];
-    for (tile, bounds) in work.iter_mut().zip(&bake.tiles.tiles.bounds) {
+    let mut work = vec![TileWork::default(); bake.tiles.tiles().bounds.len()];
+    for (tile, bounds) in work.iter_mut().zip(&bake.tiles.tiles().bounds) {
         tile.lens = bounds.lens;
     }
     for instance in &frame.instances {
@@ -34,7 +35,7 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     for (i, beam) in beams.iter().enumerate() {
         let range = beam.range_m();
         let near = |o: &&MovingVolume| beam.position.clamp(o.low, o.high).distance(beam.position) <= range * 1.01;
-        let objects: Vec<&MovingVolume> = frame.objects.iter().filter(near).collect();
+        let objects: LazyCell<Vec<&MovingVolume>, _> = LazyCell::new(|| frame.objects.iter().filter(near).collect());
         mark(&bake.tiles, &mut work, |TileArea { bounds, .. }, tile| {
             let reaches = !bounds.points.is_empty() && beam.reaches(bounds.points.low - 0.1, bounds.points.high + 0.1);
             if let (Some(tile), true) = (tile, reaches) {
@@ -48,28 +49,40 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     work
 }
 
-/// A tile or a block of tiles.
+/// A tile or a larger area.
 #[derive(Clone, Copy)]
 struct TileArea<'a> {
     bounds: &'a TileBounds,
     rays: &'a TileRayBounds,
 }
 
-/// Runs a test over blocks, and over the tiles of those blocks that pass it.
+/// Runs a test over the picture, over those parts of it that pass it, and so on down to tiles.
 fn mark(
-    TileHierarchy { tiles, blocks, .. }: &TileHierarchy,
+    TileHierarchy { levels, .. }: &TileHierarchy,
     work: &mut [TileWork],
     mut test: impl FnMut(TileArea<'_>, Option<&mut TileWork>) -> bool,
 ) {
-    for (b, (bounds, rays)) in blocks.bounds.iter().zip(&blocks.rays).enumerate() {
-        if !test(TileArea { bounds, rays }, None) {
-            continue;
-        }
-        let (bx, by) = (b as u32 % blocks.columns * BLOCK, b as u32 / blocks.columns * BLOCK);
-        for y in by..(by + BLOCK).min(tiles.rows) {
-            for x in bx..(bx + BLOCK).min(tiles.columns) {
-                let i = (y * tiles.columns + x) as usize;
-                test(TileArea { bounds: &tiles.bounds[i], rays: &tiles.rays[i] }, Some(&mut work[i]));
+    mark_area(levels, [0, 0], work, &mut test);
+}
+
+/// The same for the area of the last of these levels at a place.
+fn mark_area(
+    levels: &[TileLevel],
+    [x, y]: [u32; 2],
+    work: &mut [TileWork],
+    test: &mut impl FnMut(TileArea<'_>, Option<&mut TileWork>) -> bool,
+) {
+    let Some((level, below)) = levels.split_last() else { return };
+    let i = (y * level.columns + x) as usize;
+    let area = TileArea { bounds: &level.bounds[i], rays: &level.rays[i] };
+    let Some(next) = below.last() else {
+        test(area, Some(&mut work[i]));
+        return;
+    };
+    if test(area, None) {
+        for y in y * FACTOR..((y + 1) * FACTOR).min(next.rows) {
+            for x in x * FACTOR..((x + 1) * FACTOR).min(next.columns) {
+                mark_area(below, [x, y], work, test);
             }
         }
     }
@@ -87,23 +100,23 @@ fn mark_object(
         return false;
     }
     let (low, high) = (object.low, object.high);
-    // A block of tiles asks for the whole, a tile for the parts.
+    // A large area asks for the whole, a tile for the parts.
     let closely = tile.is_some();
     let meets = |rays: &RayBounds, reach: f32| {
         rays.may_meet(low, high, reach)
             && (!closely || object.parts.iter().any(|&(low, high)| rays.may_meet(low, high, reach)))
     };
-    let sun = rays.sun.as_ref().is_some_and(|b| meets(b, f32::MAX));
-    let mirror = rays.mirror.as_ref().is_some_and(|b| meets(b, bounds.mirror_reach * 1.001 + 0.1));
-    let contact = contact_may_reach(object, &bounds.points);
+    let sun = || rays.sun.as_ref().is_some_and(|b| meets(b, f32::MAX));
+    let mirror = || rays.mirror.as_ref().is_some_and(|b| meets(b, bounds.mirror_reach * 1.001 + 0.1));
+    let contact = || contact_may_reach(object, &bounds.points);
     let shades = |shadow: &LampShadow| {
         bounds.points.meets(shadow.span.low - 0.1, shadow.span.high + 0.1)
             && bounds.lamp_rays(shadow.position).may_meet(low, high, 1.0)
     };
-    let Some(tile) = tile else { return sun || mirror || contact || shadows.iter().any(shades) };
-    tile.sun |= sun;
-    tile.mirror |= mirror;
-    if contact {
+    let Some(tile) = tile else { return sun() || mirror() || contact() || shadows.iter().any(shades) };
+    tile.sun = tile.sun || sun();
+    tile.mirror = tile.mirror || mirror();
+    if contact() {
         tile.contacts.push(index);
     }
     for shadow in shadows.iter().filter(|s| shades(s)) {
@@ -126,11 +139,14 @@ fn lamp_shadows(bake: &CameraBake, lamps: &Lamps, object: &MovingVolume) -> Vec<
     let range = Lamps::range_m();
     let reach = |p: Vec3A, low: Vec3A, high: Vec3A| p.clamp(low, high).distance_squared(p) <= range * range * 1.01;
     let floor = bake.tiles.lowest - 0.1;
+    if !bake.lighting.environment.night {
+        return Vec::new();
+    }
     lamps
         .all()
         .iter()
         .enumerate()
-        .filter(|(_, lamp)| bake.lighting.environment.night && reach(lamp.position, object.low, object.high))
+        .filter(|(_, lamp)| reach(lamp.position, object.low, object.high))
         .map(|(i, lamp)| {
             let position = lamp.position;
             let mut span = Bounds3 { low: object.low.with_z(floor), high: object.high };
@@ -158,7 +174,7 @@ fn mark_visible(bake: &CameraBake, instance: &Instance, work: &mut [TileWork]) {
     for [low, high] in blas.parts((area as usize).min(MOST_PARTS)).into_iter().filter_map(tiles) {
         for y in low.y..=high.y {
             for x in low.x..=high.x {
-                work[(y * bake.tiles.tiles.columns + x) as usize].primary = true;
+                work[(y * bake.tiles.tiles().columns + x) as usize].primary = true;
             }
         }
     }

@@ -42,7 +42,7 @@ impl CameraBake {
         buffer: &mut FrameBuffer,
     ) -> u64 {
         let TileContext { tracer, frame, work, .. } = *context;
-        let columns = self.tiles.tiles.columns;
+        let columns = self.tiles.tiles().columns;
         let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
         let (x1, y1) = self.tile_end(x0, y0);
         let count = (x1 - x0) as usize;

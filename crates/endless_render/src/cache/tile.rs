@@ -5,8 +5,6 @@ use glam::Vec3A;
 
 /// Pixels along a tile's edge.
 pub(super) const TILE: u32 = 8;
-/// Tiles along the edge of a block of tiles: tests run on blocks first.
-pub(super) const BLOCK: u32 = 8;
 
 /// An axis-aligned box that may be empty.
 #[derive(Debug, Clone, Copy)]

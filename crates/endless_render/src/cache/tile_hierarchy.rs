@@ -1,8 +1,8 @@
-//! Tiles of pixels, and blocks of tiles above them, which are tested for changes first.
+//! Tiles of pixels, and larger areas above them, which are tested for changes first.
 
 use super::gbuffer::GBuffer;
 use super::still_pixel::StillPixel;
-use super::tile::{BLOCK, TILE, TileBounds, TileRayBounds};
+use super::tile::{TILE, TileBounds, TileRayBounds};
 use crate::camera_rays::directions8;
 use crate::sampling::SAMPLES;
 use endless_world::PinholeCamera;
@@ -10,15 +10,18 @@ use glam::Vec3A;
 use rayon::prelude::*;
 use wide::f32x8;
 
-/// Bounds of the tiles of a fixed camera's picture, on two levels.
+/// Areas along the edge of one of the level above.
+pub(super) const FACTOR: u32 = 4;
+
+/// Bounds of the tiles of a fixed camera's picture, and of ever larger areas of it.
 pub(super) struct TileHierarchy {
-    pub(super) tiles: TileLevel,
-    pub(super) blocks: TileLevel,
+    /// Tiles first; at last the whole picture.
+    pub(super) levels: Vec<TileLevel>,
     /// Height of the lowest surface in view.
     pub(super) lowest: f32,
 }
 
-/// Tiles, or blocks of tiles, row by row.
+/// Areas of the picture, row by row.
 pub(super) struct TileLevel {
     pub(super) bounds: Vec<TileBounds>,
     /// The rays that leave each in every frame.
@@ -32,6 +35,17 @@ impl TileLevel {
         let rays = bounds.iter().map(|b| b.ray_bounds(sun)).collect();
         Self { bounds, rays, columns, rows }
     }
+
+    /// The level above.
+    fn joined(&self, sun: Option<Vec3A>) -> Self {
+        let (columns, rows) = (self.columns.div_ceil(FACTOR), self.rows.div_ceil(FACTOR));
+        let mut bounds = vec![TileBounds::EMPTY; (columns * rows) as usize];
+        for (i, area) in self.bounds.iter().enumerate() {
+            let (x, y) = (i as u32 % self.columns / FACTOR, i as u32 / self.columns / FACTOR);
+            bounds[(y * columns + x) as usize].join(area);
+        }
+        Self::new(bounds, columns, rows, sun)
+    }
 }
 
 impl TileHierarchy {
@@ -40,18 +54,17 @@ impl TileHierarchy {
         let (columns, rows) = (camera.size.width.div_ceil(TILE), camera.size.height.div_ceil(TILE));
         let tiles: Vec<TileBounds> =
             (0..columns * rows).into_par_iter().map(|tile| bounds_of(camera, gbuffer, tile, columns)).collect();
-        let (block_columns, block_rows) = (columns.div_ceil(BLOCK), rows.div_ceil(BLOCK));
-        let mut blocks = vec![TileBounds::EMPTY; (block_columns * block_rows) as usize];
-        for (i, tile) in tiles.iter().enumerate() {
-            let (x, y) = (i as u32 % columns / BLOCK, i as u32 / columns / BLOCK);
-            blocks[(y * block_columns + x) as usize].join(tile);
+        let lowest = tiles.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
+        let mut levels = vec![TileLevel::new(tiles, columns, rows, sun)];
+        while let Some(level) = levels.last().filter(|level| level.bounds.len() > 1) {
+            levels.push(level.joined(sun));
         }
-        let lowest = blocks.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
-        Self {
-            tiles: TileLevel::new(tiles, columns, rows, sun),
-            blocks: TileLevel::new(blocks, block_columns, block_rows, sun),
-            lowest,
-        }
+        Self { levels, lowest }
+    }
+
+    /// The tiles themselves.
+    pub(super) fn tiles(&self) -> &TileLevel {
+        &self.levels[0]
     }
 }
 
