@@ -5,7 +5,7 @@ use super::bake_pass::BakePass;
 use super::gbuffer_row::GBufferRow;
 use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, is_shaded, sky_sample, surface_sample};
 use super::lamp_mask::{lamp_sum, lamps_free32};
-use super::primary_hits::PrimaryHits;
+use super::primary_hits::{PrimaryHits, PrimaryRow, RowSurfaces};
 use super::shaded_pixel::{ShadedPixel, ShadedSample};
 use crate::accel::{RayStream, first_lanes, lanes};
 use crate::material::{Bsdf, PackedBsdf};
@@ -24,15 +24,23 @@ const LANES: usize = 8 * SAMPLES;
 const NOT_CENTRES: u32 = 0x0101_0100;
 
 impl BakePass<'_> {
-    /// Shades all pixels, and tells what their centres show in all layers but RGB.
+    /// Shades all pixels, which needs what `surfaces` tell of each row, and tells what their centres show in all layers but
+    /// RGB.
     pub(super) fn shade(
         &self,
         primary: &PrimaryHits,
+        surfaces: Vec<RowSurfaces>,
         irradiance: &[[Rgb9e5; SAMPLES]],
     ) -> (Vec<GBufferRow>, LayerImages) {
         self.stats.add((irradiance.len() * SAMPLES) as u64);
-        let height = self.camera.size.height as usize;
-        let rows = (0..height).into_par_iter().map(|y| self.shade_row(primary, irradiance, y));
+        let width = self.width();
+        let PrimaryHits { distances, sun_free, uniform, .. } = primary;
+        let rows = surfaces.into_par_iter().enumerate().map(|(y, surfaces)| {
+            let pixels = y * width..(y + 1) * width;
+            let (distances, sun_free) = (&distances[pixels.clone()], &sun_free[pixels.clone()]);
+            let row = PrimaryRow { distances, sun_free, uniform: &uniform[pixels.clone()], surfaces: &surfaces };
+            self.shade_row(row, &irradiance[pixels], y)
+        });
         let (rows, layers): (Vec<GBufferRow>, Vec<Vec<PixelLayers>>) = rows.unzip();
         (rows, layers.into_iter().flatten().collect())
     }
@@ -41,16 +49,16 @@ impl BakePass<'_> {
     /// before the centre and the lamp light there.
     fn shade_row(
         &self,
-        primary: &PrimaryHits,
+        primary: PrimaryRow<'_>,
         irradiance: &[[Rgb9e5; SAMPLES]],
         y: usize,
     ) -> (GBufferRow, Vec<PixelLayers>) {
-        let pixels = y * self.width()..(y + 1) * self.width();
-        let mut row = GBufferRow::for_pixels(pixels.clone().map(|pixel| primary.pixel(pixel)));
-        let mut layers = Vec::with_capacity(self.width());
-        for first in pixels.clone().step_by(8) {
-            let count = (pixels.end - first).min(8);
-            let eight = PixelEight::new(self, primary, irradiance, first, count);
+        let width = self.width();
+        let mut row = GBufferRow::for_pixels((0..width).map(|x| primary.pixel(x)));
+        let mut layers = Vec::with_capacity(width);
+        for first in (0..width).step_by(8) {
+            let count = (width - first).min(8);
+            let eight = PixelEight::new(self, primary, irradiance, [first, y], count);
             let shaded = eight.shaded();
             for pixel in 0..count {
                 let samples = std::array::from_fn(|sample| shaded[8 * sample + pixel]);
@@ -81,12 +89,12 @@ struct PixelEight<'a> {
 impl<'a> PixelEight<'a> {
     fn new(
         pass: &'a BakePass<'a>,
-        primary: &PrimaryHits,
+        primary: PrimaryRow<'_>,
         irradiance: &[[Rgb9e5; SAMPLES]],
-        first: usize,
+        [first, y]: [usize; 2],
         count: usize,
     ) -> Self {
-        let directions = pass.directions_of(first, count);
+        let directions = pass.directions_of(y * pass.width() + first, count);
         let samples = std::array::from_fn(|lane| {
             let (pixel, sample) = (first + (lane % 8).min(count - 1), lane / 8);
             PrimarySample {

@@ -32,9 +32,10 @@ pub(super) struct GBuffer {
 impl GBuffer {
     /// Traces and shades what stands still.
     pub(super) fn bake(pass: &BakePass<'_>) -> Self {
-        let primary = timed("primary", || pass.trace());
+        let mut primary = timed("primary", || pass.trace());
         let irradiance = timed("gather", || IrradiancePass { bake: pass, primary: &primary }.gather());
-        let (rows, layers) = timed("shade", || pass.shade(&primary, &irradiance));
+        let surfaces = std::mem::take(&mut primary.surfaces);
+        let (rows, layers) = timed("shade", || pass.shade(&primary, surfaces, &irradiance));
         let PrimaryHits { distances, sun_free, uniform, .. } = primary;
         let irradiance = if pass.settings.keep_irradiance { irradiance } else { Vec::new() };
         Self { width: pass.width(), distances, sun_free, uniform, rows, layers, irradiance }

@@ -1,6 +1,6 @@
 //! The pass of a bake that gathers light: where it varies, not everywhere.
 //!
-//! Rays leave from one point of every two by two pixels. What they bring is denoised, and the samples around take it from
+//! Rays leave from one point of every two by two pixels (of more in large pictures). What they bring is denoised, and the samples around take it from
 //! the points that lie on their own surface. Samples with no such point (edges, leaves, wires) send rays themselves, a third
 //! as many. What these bring is denoised among such samples, and mixed with the light in the open, of which the probes
 //! tell, darkened as it is at the points around.
@@ -8,7 +8,7 @@
 use super::bake_pass::BakePass;
 use super::bake_stats::timed;
 use super::edge_samples::EdgeSamples;
-use super::point_grid::{PointGrid, SPACING};
+use super::point_grid::{PointGrid, spacing};
 use super::primary_hits::PrimaryHits;
 use crate::indirect::{DenoiseGuide, GatherPoint, PATTERN_SIDE, denoise, gather8, turn};
 use crate::rgb9e5::Rgb9e5;
@@ -101,11 +101,12 @@ impl IrradiancePass<'_> {
 
     /// Gathers at the points of the grid, and denoises.
     fn points(&self, rays: u32) -> PointGrid {
-        let (guides, light) = self.gather_picture(SPACING, 0, rays);
-        let width = self.width().div_ceil(SPACING);
+        let spacing = spacing(self.width());
+        let (guides, light) = self.gather_picture(spacing, 0, rays);
+        let width = self.width().div_ceil(spacing);
         let light = denoise(width, &guides, light, 4);
         let share = guides.par_iter().zip(&light).map(|(guide, light)| self.share(guide, *light)).collect();
-        PointGrid::new(width, guides, light, share)
+        PointGrid::new(width, spacing, guides, light, share)
     }
 
     /// Light at a point as a share of that in the open.
@@ -133,7 +134,7 @@ impl IrradiancePass<'_> {
             }
             let here = |sample: usize| {
                 let ray = self.bake.ray_along(&directions[sample], x % 8);
-                Some(self.guide(&self.primary.pixel(index / SAMPLES).gather_point(&ray, sample)?, SPACING))
+                Some(self.guide(&self.primary.pixel(index / SAMPLES).gather_point(&ray, sample)?, grid.spacing))
             };
             if self.primary.uniform[index / SAMPLES]
                 && let Some(light) = here(0).and_then(|here| grid.on_surface(&here, x, y))

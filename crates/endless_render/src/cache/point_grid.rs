@@ -4,8 +4,14 @@ use crate::indirect::{DenoiseGuide, surface_weight};
 use glam::Vec3A;
 use rayon::prelude::*;
 
-/// Pixels between points, along and down.
-pub(super) const SPACING: usize = 2;
+/// Points along a row of a picture, at least: light varies over angles, however many pixels tell it.
+const POINTS_ACROSS: usize = 640;
+
+/// Pixels between the points of a picture of some width, along and down.
+pub(super) fn spacing(width: usize) -> usize {
+    (width / POINTS_ACROSS).max(2)
+}
+
 /// Samples take light from points around them that lie on their own surface by as much as this, together.
 const LEAST_WEIGHT: f32 = 0.15;
 /// Others take a share from points around them that are as near as this, together.
@@ -17,6 +23,8 @@ const LEAST_SUPPORT: f32 = 0.3;
 /// Points, row by row, and the light gathered there.
 pub(super) struct PointGrid {
     pub(super) width: usize,
+    /// Pixels between them.
+    pub(super) spacing: usize,
     pub(super) guides: Vec<DenoiseGuide>,
     /// Irradiance, klx.
     pub(super) light: Vec<Vec3A>,
@@ -28,14 +36,21 @@ pub(super) struct PointGrid {
 
 impl PointGrid {
     /// Of points whose light is denoised.
-    pub(super) fn new(width: usize, guides: Vec<DenoiseGuide>, light: Vec<Vec3A>, share: Vec<Vec3A>) -> Self {
+    pub(super) fn new(
+        width: usize,
+        spacing: usize,
+        guides: Vec<DenoiseGuide>,
+        light: Vec<Vec3A>,
+        share: Vec<Vec3A>,
+    ) -> Self {
         let clean = (0..guides.len()).into_par_iter().map(|place| is_clean(width, &guides, place)).collect();
-        Self { width, guides, light, share, clean }
+        Self { width, spacing, guides, light, share, clean }
     }
 
     /// The points around a pixel, at most `reach` to each side.
     fn around(&self, x: usize, y: usize, reach: usize) -> impl Iterator<Item = usize> {
-        around(self.width, self.guides.len() / self.width, [x, y], reach)
+        let places = [x, y].map(|at| at / self.spacing..at.div_ceil(self.spacing));
+        around(self.width, self.guides.len() / self.width, places, reach)
     }
 
     /// Light of a sample of the pixel at (x, y), from the points around it that lie on its surface.
@@ -69,11 +84,16 @@ impl PointGrid {
     }
 }
 
-/// The points around a pixel in a grid of points, at most `reach` to each side.
-fn around(width: usize, height: usize, [x, y]: [usize; 2], reach: usize) -> impl Iterator<Item = usize> {
-    let range = |at: usize, end: usize| {
-        let first = (at / SPACING + 1).saturating_sub(reach).min(end - 1);
-        first..(at.div_ceil(SPACING) + reach).min(end)
+/// The points of a grid around a place: its column and row, or those between which it lies; at most `reach` to each side.
+fn around(
+    width: usize,
+    height: usize,
+    [x, y]: [std::ops::Range<usize>; 2],
+    reach: usize,
+) -> impl Iterator<Item = usize> {
+    let range = |at: std::ops::Range<usize>, end: usize| {
+        let first = (at.start + 1).saturating_sub(reach).min(end - 1);
+        first..(at.end + reach).min(end)
     };
     let columns = range(x, width);
     range(y, height).flat_map(move |row| columns.clone().map(move |column| row * width + column))
@@ -81,9 +101,9 @@ fn around(width: usize, height: usize, [x, y]: [usize; 2], reach: usize) -> impl
 
 /// Whether enough of the points around one lie on its surface.
 fn is_clean(width: usize, guides: &[DenoiseGuide], place: usize) -> bool {
-    let pixel = [place % width, place / width].map(|at| SPACING * at);
+    let own = [place % width, place / width].map(|at| at..at);
     let (mut sum, mut count) = (0.0, 0.0);
-    for other in around(width, guides.len() / width, pixel, 2).filter(|other| *other != place) {
+    for other in around(width, guides.len() / width, own, 2).filter(|other| *other != place) {
         sum += surface_weight(&guides[place], &guides[other], 1.0);
         count += 1.0;
     }
@@ -99,7 +119,7 @@ mod tests {
         let place = |i: usize| Vec3A::new((i % 9) as f32, 0.0, (i / 9) as f32);
         let guides = (0..45).map(|i| DenoiseGuide { position: place(i), normal: Vec3A::Y, reach_m: 1.0 }).collect();
         let light = (0..45).map(|i| Vec3A::splat((i % 9) as f32)).collect();
-        PointGrid::new(9, guides, light, vec![Vec3A::splat(0.5); 45])
+        PointGrid::new(9, 2, guides, light, vec![Vec3A::splat(0.5); 45])
     }
 
     #[test]
@@ -122,9 +142,14 @@ mod tests {
     fn what_lies_by_a_point_alone_on_its_surface_takes_nothing() {
         let mut grid = wall();
         grid.guides[21].normal = Vec3A::X;
-        let grid = PointGrid::new(grid.width, grid.guides, grid.light, grid.share);
+        let grid = PointGrid::new(grid.width, 2, grid.guides, grid.light, grid.share);
         let here = DenoiseGuide { position: Vec3A::new(3.0, 0.0, 2.0), normal: Vec3A::X, reach_m: 1.0 };
         assert!(grid.on_surface(&here, 6, 4).is_none());
+    }
+
+    #[test]
+    fn points_lie_as_densely_in_angle_on_large_pictures() {
+        assert_eq!([320, 960, 1280, 1920, 3840].map(spacing), [2, 2, 2, 3, 6]);
     }
 
     #[test]

@@ -24,15 +24,15 @@ struct EightPixels<'a> {
 impl BakePass<'_> {
     /// Visibility of every sample, and of the sun's disc from there, in bundles of eight neighbours.
     pub(super) fn trace(&self) -> PrimaryHits {
-        let mut found = PrimaryHits::new(self.camera.size.pixels());
         let width = self.width();
-        let PrimaryHits { distances, hits, normals, sun_free, uniform } = &mut found;
-        let rows = distances.par_chunks_mut(width).zip(hits.par_chunks_mut(width)).zip(normals.par_chunks_mut(width));
-        let rows = rows.zip(sun_free.par_chunks_mut(width).zip(uniform.par_chunks_mut(width)));
-        rows.enumerate().for_each(|(y, (((distances, hits), normals), (sun_free, uniform)))| {
-            let eights = distances.chunks_mut(8).zip(hits.chunks_mut(8)).zip(normals.chunks_mut(8));
-            let eights = eights.zip(sun_free.chunks_mut(8).zip(uniform.chunks_mut(8)));
-            for (eight, (((distances, hits), normals), (sun_free, uniform))) in eights.enumerate() {
+        let mut found = PrimaryHits::new(width, self.camera.size.height as usize);
+        let PrimaryHits { distances, sun_free, uniform, surfaces, .. } = &mut found;
+        let rows = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
+        let rows = rows.zip(uniform.par_chunks_mut(width)).zip(surfaces.par_iter_mut());
+        rows.enumerate().for_each(|(y, (((distances, sun_free), uniform), surfaces))| {
+            let eights = distances.chunks_mut(8).zip(sun_free.chunks_mut(8)).zip(uniform.chunks_mut(8));
+            let eights = eights.zip(surfaces.hits.chunks_mut(8).zip(surfaces.normals.chunks_mut(8)));
+            for (eight, (((distances, sun_free), uniform), (hits, normals))) in eights.enumerate() {
                 let pixels = EightPixels { distances, hits, normals, sun_free, uniform };
                 self.trace_eight(y as u32, 8 * eight as u32, pixels);
             }

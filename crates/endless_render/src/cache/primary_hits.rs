@@ -7,16 +7,32 @@ use crate::octahedron;
 use crate::sampling::SAMPLES;
 use crate::scene::{ShadingPoint, SurfaceInteraction};
 
-/// What the samples see: all by pixel, row-major.
+/// What the samples see: all by pixel, row by row.
 pub(super) struct PrimaryHits {
+    width: usize,
     /// How far each sample lies from the lens, metres; [`f32::MAX`] for the sky.
     pub(super) distances: Vec<[f32; SAMPLES]>,
-    pub(super) hits: Vec<[PackedHit; SAMPLES]>,
-    pub(super) normals: Vec<[PackedNormals; SAMPLES]>,
     /// Which parts of the sun's disc what stands still leaves each sample, a bit each.
     pub(super) sun_free: Vec<[u8; SAMPLES]>,
     /// Whether all samples lie on one flat piece of one surface.
     pub(super) uniform: Vec<bool>,
+    /// What is needed no longer once a row is shaded.
+    pub(super) surfaces: Vec<RowSurfaces>,
+}
+
+/// On what the samples of a row lie.
+pub(super) struct RowSurfaces {
+    pub(super) hits: Vec<[PackedHit; SAMPLES]>,
+    pub(super) normals: Vec<[PackedNormals; SAMPLES]>,
+}
+
+/// A row of [`PrimaryHits`].
+#[derive(Clone, Copy)]
+pub(super) struct PrimaryRow<'a> {
+    pub(super) distances: &'a [[f32; SAMPLES]],
+    pub(super) sun_free: &'a [[u8; SAMPLES]],
+    pub(super) uniform: &'a [bool],
+    pub(super) surfaces: &'a RowSurfaces,
 }
 
 /// The normals of a surface where a sample sees it, packed.
@@ -49,24 +65,39 @@ pub(super) struct PrimaryPixel<'a> {
 
 impl PrimaryHits {
     /// Nothing seen yet.
-    pub(super) fn new(pixels: usize) -> Self {
+    pub(super) fn new(width: usize, height: usize) -> Self {
+        let pixels = width * height;
+        let surfaces = |_| RowSurfaces {
+            hits: vec![[PackedHit::NONE; SAMPLES]; width],
+            normals: vec![[PackedNormals::NONE; SAMPLES]; width],
+        };
         Self {
+            width,
             distances: vec![[f32::MAX; SAMPLES]; pixels],
-            hits: vec![[PackedHit::NONE; SAMPLES]; pixels],
-            normals: vec![[PackedNormals::NONE; SAMPLES]; pixels],
             sun_free: vec![[0; SAMPLES]; pixels],
             uniform: vec![false; pixels],
+            surfaces: (0..height).map(surfaces).collect(),
         }
     }
 
     /// Of one pixel.
     pub(super) fn pixel(&self, pixel: usize) -> PrimaryPixel<'_> {
+        let (y, x) = (pixel / self.width, pixel % self.width);
+        let row = y * self.width..(y + 1) * self.width;
+        let (distances, sun_free) = (&self.distances[row.clone()], &self.sun_free[row.clone()]);
+        PrimaryRow { distances, sun_free, uniform: &self.uniform[row], surfaces: &self.surfaces[y] }.pixel(x)
+    }
+}
+
+impl<'a> PrimaryRow<'a> {
+    /// Of one pixel.
+    pub(super) fn pixel(&self, x: usize) -> PrimaryPixel<'a> {
         PrimaryPixel {
-            distances: &self.distances[pixel],
-            hits: &self.hits[pixel],
-            normals: &self.normals[pixel],
-            sun_free: &self.sun_free[pixel],
-            uniform: self.uniform[pixel],
+            distances: &self.distances[x],
+            hits: &self.surfaces.hits[x],
+            normals: &self.surfaces.normals[x],
+            sun_free: &self.sun_free[x],
+            uniform: self.uniform[x],
         }
     }
 }
