@@ -18,6 +18,12 @@ fn line(distance: f32, width: f32, footprint: f32) -> f32 {
     (1.0 - smoothstep(width * 0.5, width * 0.5 + blur, distance)) * coverage
 }
 
+/// A line along the borders of cells of a size, told by the distances of the two nearest feature points in cells: the
+/// border lies half as far away as the two differ.
+fn border_line(first: f32, second: f32, cell_m: f32, width: f32, footprint: f32) -> f32 {
+    line((second - first) * 0.5 * cell_m, width, footprint)
+}
+
 /// Brightness of asphalt at a place, around 1: mixes, patches, cracks, tyre tracks, oil.
 fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
     let broad = noise::filtered_fbm2(p, 11.0, 4, footprint);
@@ -46,7 +52,7 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
     if old > 0.0 && footprint < 0.15 {
         let wobble = Vec2::new(noise::value2(p * 1.7, 11), noise::value2(p * 1.7, 12)) * 0.22;
         let (first, second, _) = noise::cells2((p + wobble) / 1.9, 13);
-        tone *= 1.0 - 0.5 * old * line((second - first) * 1.9, 0.016, footprint);
+        tone *= 1.0 - 0.5 * old * border_line(first, second, 1.9, 0.008, footprint);
     }
     // Cracks that were sealed: broad bands of tar that wander along and across.
     if footprint < 0.3 {
@@ -54,7 +60,7 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
             + Vec2::new(noise::value2(p * 1.9, 16), noise::value2(p * 1.9, 17)) * 0.2;
         let (first, second, id) = noise::cells2((p + wander) / 7.0, 18);
         if id < 0.55 {
-            tone *= 1.0 - 0.42 * line((second - first) * 7.0, 0.07, footprint);
+            tone *= 1.0 - 0.42 * border_line(first, second, 7.0, 0.035, footprint);
         }
     }
     // Wheel paths polish and darken; oil drips between them.
@@ -138,7 +144,7 @@ pub(super) fn cobbles(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f3
     const SETT_M: f32 = 0.13;
     let p = plan(point);
     let (first, second, id) = noise::cells2(p / SETT_M, 53);
-    let joint = line((second - first) * SETT_M, 0.022, footprint);
+    let joint = border_line(first, second, SETT_M, 0.018, footprint);
     // Stones differ as far as a pixel still tells them apart.
     let visible = (0.12 / footprint.max(0.01)).min(1.0);
     let stone = 0.92 + (id - 0.5) * 0.5 * visible;
@@ -176,7 +182,7 @@ fn yard_tone(p: Vec2, footprint: f32) -> (f32, f32) {
         };
     let wobble = Vec2::new(noise::value2(p * 0.9, 63), noise::value2(p * 0.9, 64)) * 0.35;
     let (first, second, crack) = noise::cells2((p + wobble) / 3.7, 65);
-    let cracked = if crack < 0.3 { line((second - first) * 3.7, 0.014, footprint) } else { 0.0 };
+    let cracked = if crack < 0.3 { border_line(first, second, 3.7, 0.007, footprint) } else { 0.0 };
     let joint = line(edge, 0.016, footprint);
     let grime = (1.0 - smoothstep(0.0, 0.45, edge)) * (0.5 + 0.5 * noise::filtered_fbm2(p + 19.0, 0.8, 3, footprint));
     let worn = smoothstep(0.1, 0.55, noise::filtered_fbm2(p * Vec2::new(1.0, 0.4) + 23.0, 3.2, 3, footprint));
