@@ -31,35 +31,28 @@ impl Tlas {
 }
 
 impl Blas {
-    /// For rays, in the mesh's own frame, of which each `N`th is like the one before.
-    pub(crate) fn shadows<const N: usize>(&self) -> ShadowRays<'_, N> {
-        ShadowRays { blas: self, last: [usize::MAX; N], stack: Stack::new() }
+    /// For rays in the mesh's own frame.
+    pub(crate) fn shadows(&self) -> ShadowRays<'_> {
+        ShadowRays { blas: self, stack: Stack::new() }
     }
 }
 
-/// Tests shadow rays against a mesh, first against the triangles that the last ray of the same kind hit.
-pub(crate) struct ShadowRays<'a, const N: usize> {
+/// Tests shadow rays against a mesh.
+pub(crate) struct ShadowRays<'a> {
     blas: &'a Blas,
-    /// Group of triangles that the last one met, by kind.
-    last: [usize; N],
     stack: Stack,
 }
 
-impl<const N: usize> ShadowRays<'_, N> {
-    /// Whether a ray of some kind meets the mesh.
-    pub(crate) fn occluded(&mut self, kind: usize, ray: &Ray) -> bool {
-        let Self { blas, last, stack } = self;
+impl ShadowRays<'_> {
+    /// Whether a ray meets the mesh.
+    pub(crate) fn occluded(&mut self, ray: &Ray) -> bool {
+        let Self { blas, stack } = self;
         let local = LocalRay::new(ray.origin, ray.direction);
         let mut best = Hit::none(ray.tmax);
         let groups = blas.groups();
-        if groups.get(last[kind]).is_some_and(|group| group.intersect(&local, 0.0, &mut best, 0)) {
-            return true;
-        }
         let slab_ray = SlabRay::of_ray(&local);
         walk::<true>(blas.nodes(), blas.tree.root, 0.0, &slab_ray, &mut best, stack, |link, _, best, _| {
-            let met = link.range().find(|&i| groups[i].intersect(&local, 0.0, best, 0));
-            last[kind] = met.unwrap_or(last[kind]);
-            met.is_some()
+            groups[link.range()].iter().any(|group| group.intersect(&local, 0.0, best, 0))
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Meshes as the renderer holds them: with a hierarchy over their triangles, shared by all their instances.
 
-use super::ambient_occlusion::ambient_occlusion;
+use super::ambient_occlusion::{AmbientOcclusion, Body};
 use super::posed_mesh::PosedMesh;
 use crate::accel::GeometryUse;
 use endless_scene::Mesh;
@@ -12,9 +12,8 @@ use std::sync::Arc;
 pub struct Geometry {
     /// The mesh; if it deforms, in its rest pose.
     pub(crate) mesh: Arc<Mesh>,
-    /// Share of the surroundings that each vertex sees past its own body, 0 to 1, as in glTF's occlusion textures;
-    /// empty means 1 everywhere.
-    pub(crate) ambient_occlusion: Arc<[f32]>,
+    /// Share of the surroundings that each vertex sees past its own body; `None`: all of them.
+    pub(super) ambient_occlusion: Option<Arc<AmbientOcclusion>>,
     /// Vertices and tree of a deformed mesh.
     pub(crate) posed: Arc<PosedMesh>,
 }
@@ -32,15 +31,15 @@ impl Geometry {
 
     pub(super) fn for_use(mesh: Arc<Mesh>, purpose: GeometryUse) -> Self {
         let posed = Arc::new(PosedMesh::new(Arc::clone(&mesh), purpose));
-        Self { mesh, ambient_occlusion: Arc::default(), posed }
+        Self { mesh, ambient_occlusion: None, posed }
     }
 
-    /// With ambient occlusion by itself and by the ground beneath it, traced at its vertices. `low` and `high` bound the
-    /// whole object in its own frame, metres: of a wheel, the whole vehicle.
+    /// With ambient occlusion by itself and by the ground beneath it, traced at vertices as they are seen. `low` and
+    /// `high` bound the whole object in its own frame, metres: of a wheel, the whole vehicle.
     #[must_use]
     pub fn with_ambient_occlusion(self, low: Vec3, high: Vec3) -> Self {
-        let ambient_occlusion = ambient_occlusion(&self.posed, low.into(), high.into()).into();
-        Self { ambient_occlusion, ..self }
+        let body = Body::Rigid(Arc::clone(&self.posed));
+        Self { ambient_occlusion: Some(Arc::new(AmbientOcclusion::new(body, low, high))), ..self }
     }
 
     /// The mesh that it was made of.

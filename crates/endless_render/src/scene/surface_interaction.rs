@@ -89,9 +89,9 @@ impl<'a> SurfaceInteraction<'a> {
             normal = (normal - ray.direction * (facing + 0.02)).normalize_or(geometric_normal);
         }
         let uv = mesh.uvs[a] * w + mesh.uvs[b] * hit.u + mesh.uvs[c] * hit.v;
-        let ambient_occlusion = match &*instance.geometry.ambient_occlusion {
-            [] => 1.0,
-            open => open[a] * w + open[b] * hit.u + open[c] * hit.v,
+        let ambient_occlusion = match &instance.geometry.ambient_occlusion {
+            None => 1.0,
+            Some(open) => open.at(a) * w + open.at(b) * hit.u + open.at(c) * hit.v,
         };
         Self {
             instance,
