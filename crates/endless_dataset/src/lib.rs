@@ -35,11 +35,13 @@ mod listing;
 mod manifest;
 mod mp4;
 mod objects;
+mod png_encoder;
 mod preview;
 mod raster;
 mod recipe;
 mod rgb_format;
 mod scene_record;
+mod stored_image;
 mod video;
 
 pub use atomic::{AtomicFile, remove_temporaries, write_atomic, write_durable};
@@ -57,12 +59,14 @@ pub use layout::{CameraLayout, DatasetLayout, VideoLayout};
 pub use manifest::{Manifest, VideoEntry, VideoState};
 pub use mp4::{Mp4Info, Mp4Writer, read_mp4};
 pub use objects::{ObjectsWriter, read_objects};
+pub use png_encoder::LastPng;
 pub use preview::{depth_preview, instance_preview};
-pub use raster::{StoredImage, encode_jpg, encode_png};
+pub use raster::{encode_jpg, encode_png};
 pub use recipe::{
     MAX_CAMERAS, OptionDefault, OptionError, OptionKind, Recipe, RecipeDraft, RecipeOption, UserCamera, Vocabulary,
     recipe_schema,
 };
 pub use rgb_format::{RgbFormat, RgbFormatEntry, read_rgb};
 pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable};
+pub use stored_image::StoredImage;
 pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

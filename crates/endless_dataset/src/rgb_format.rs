@@ -2,7 +2,9 @@
 
 use crate::{
     DatasetError,
-    raster::{StoredImage, decode_jpg, decode_png, encode_jpg, encode_png},
+    png_encoder::{self, LastPng},
+    raster::{decode_jpg, decode_png, encode_jpg},
+    stored_image::StoredImage,
 };
 use endless_world::{CameraLookChoice, UnknownName};
 use std::{fs, path::Path};
@@ -39,8 +41,9 @@ impl RgbFormat {
 pub struct RgbFormatEntry {
     /// Whether it is lossless.
     pub exact: bool,
-    /// The bytes of a file, or why the image cannot be stored so.
-    pub encode: fn(&StoredImage) -> Result<Vec<u8>, String>,
+    /// The bytes of a file, or why the image cannot be stored so. They do not depend on the camera's last image, but what is
+    /// as it was there takes no time.
+    pub encode: fn(&StoredImage, &LastPng) -> Result<Vec<u8>, String>,
     /// The image of a file, or what is wrong with its bytes.
     pub decode: fn(&[u8]) -> Result<StoredImage, String>,
     /// Bytes a pixel of the RGB layer, a tenth above the dearest scene measured.
@@ -61,7 +64,7 @@ impl RgbFormat {
 
 const PNG: RgbFormatEntry = RgbFormatEntry {
     exact: true,
-    encode: |image| Ok(encode_png(image)),
+    encode: |image, last| Ok(png_encoder::encode(image, last)),
     decode: decode_png,
     rgb_bytes_a_pixel: |look| match look {
         CameraLookChoice::Natural => 2.1,
@@ -72,7 +75,7 @@ const PNG: RgbFormatEntry = RgbFormatEntry {
 
 const JPG: RgbFormatEntry = RgbFormatEntry {
     exact: false,
-    encode: encode_jpg,
+    encode: |image, _| encode_jpg(image),
     decode: decode_jpg,
     rgb_bytes_a_pixel: |look| match look {
         CameraLookChoice::Clean => 0.35,

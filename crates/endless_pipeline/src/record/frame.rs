@@ -9,7 +9,7 @@ use super::{
 };
 use crate::{GenerateError, SceneTruth, SimulationStep, SimulatorError};
 use endless_annotate::{CameraView, annotate, visible_objects};
-use endless_dataset::{DatasetError, Layer, StoredImage, Yuv, metres_from_rgb, rgb_from_metres, yuv_from_rgb};
+use endless_dataset::{DatasetError, LastPng, Layer, StoredImage, Yuv, metres_from_rgb, rgb_from_metres, yuv_from_rgb};
 use endless_world::{PinholeCamera, SceneCamera, SensorFrame};
 use std::borrow::Cow;
 
@@ -18,6 +18,8 @@ pub(super) struct FrameRecorder<'a> {
     stored: &'a StoredFrames,
     /// One a camera.
     lenses: Vec<PinholeCamera>,
+    /// By camera and layer: what was written last.
+    written: Vec<Vec<LastPng>>,
 }
 
 /// One frame: its ground truth and the images of all cameras.
@@ -45,7 +47,10 @@ impl<'a> FrameRecorder<'a> {
         let size = recording.settings.size;
         let lens =
             |SceneCamera { site, look }: &SceneCamera| PinholeCamera::new(site, size).with_distortion(look.distortion);
-        Self { recording, stored, lenses: recording.settings.cameras.iter().map(lens).collect() }
+        let lenses: Vec<PinholeCamera> = recording.settings.cameras.iter().map(lens).collect();
+        let layers = || recording.recipe.layers.iter().map(|_| LastPng::default()).collect();
+        let written = lenses.iter().map(|_| layers()).collect();
+        Self { recording, stored, lenses, written }
     }
 
     /// What needs the simulator.
@@ -107,7 +112,7 @@ impl<'a> FrameRecorder<'a> {
             }
             FrameImages::Rendered(frames) => {
                 let item = |((camera, lens), frame): ((usize, &PinholeCamera), &SensorFrame)| {
-                    let write = || layers::write(&layout.camera(camera), recipe, frame);
+                    let write = || layers::write(&layout.camera(camera), recipe, frame, &self.written[camera]);
                     let images = clock.time(Stage::Images, write)?;
                     // As it is or would be stored: labels do not depend on which layers are.
                     let depth = |pixel: usize| metres_from_rgb(rgb_from_metres(frame.depth.data[pixel]));

@@ -1,7 +1,7 @@
 //! The layers of one camera's frame: written, or read back where they are stored already.
 
 use endless_dataset::{
-    CameraLayout, DatasetError, Layer, Recipe, StoredImage, instance_from_rgb, read_rgb, write_atomic,
+    CameraLayout, DatasetError, LastPng, Layer, Recipe, StoredImage, instance_from_rgb, read_rgb, write_atomic,
 };
 use endless_world::{Image, InstancePixel, SensorFrame};
 use std::borrow::Cow;
@@ -48,19 +48,20 @@ impl StoredLayers {
     }
 }
 
-/// Writes the recipe's layers of a frame.
+/// Writes the recipe's layers of a frame; `last` is what was written last of each.
 pub(super) fn write<'f>(
     files: &CameraLayout,
     recipe: &Recipe,
     frame: &'f SensorFrame,
+    last: &[LastPng],
 ) -> Result<StoredImages<'f>, DatasetError> {
     let mut images = StoredImages::new();
-    for &layer in &recipe.layers {
+    for (&layer, last) in recipe.layers.iter().zip(last) {
         let path = files.frame(layer, frame.frame, recipe);
         let mut image = (layer.entry().encode)(frame);
         let format = layer.format(recipe.rgb_format).entry();
         let malformed = |reason: String| DatasetError::malformed(&path, reason);
-        let bytes = (format.encode)(&image).map_err(malformed)?;
+        let bytes = (format.encode)(&image, last).map_err(malformed)?;
         write_atomic(&path, &bytes)?;
         // The video is made of the frames as they lie on disk, so that a resumed one is the same.
         if !format.exact && recipe.mp4.contains(&layer) {

@@ -1,5 +1,7 @@
 //! Traversal by one ray: nearest child first for the closest hit, any order for occlusion.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use super::blas::Blas;
 use super::node::{BvhNode, NodeLink, SlabRay};
 use super::ray::{Hit, LocalRay, Ray};
@@ -44,15 +46,21 @@ pub(crate) struct ShadowRays<'a> {
 }
 
 impl ShadowRays<'_> {
-    /// Whether a ray meets the mesh.
-    pub(crate) fn occluded(&mut self, ray: &Ray) -> bool {
+    /// Whether a ray meets the mesh; `hint` is where rays like it met it before, which is tried first.
+    pub(crate) fn occluded(&mut self, ray: &Ray, hint: &AtomicUsize) -> bool {
         let Self { blas, stack } = self;
         let local = LocalRay::new(ray.origin, ray.direction);
         let mut best = Hit::none(ray.tmax);
         let groups = blas.groups();
+        let meets = |group: &usize, best: &mut Hit| groups[*group].intersect(&local, 0.0, best, 0);
+        let hinted = hint.load(Ordering::Relaxed);
+        if hinted < groups.len() && meets(&hinted, &mut best) {
+            return true;
+        }
         let slab_ray = SlabRay::of_ray(&local);
         walk::<true>(blas.nodes(), blas.tree.root, 0.0, &slab_ray, &mut best, stack, |link, _, best, _| {
-            groups[link.range()].iter().any(|group| group.intersect(&local, 0.0, best, 0))
+            let met = link.range().find(|group| meets(group, best));
+            met.inspect(|&group| hint.store(group, Ordering::Relaxed)).is_some()
         })
     }
 }

@@ -27,6 +27,8 @@ pub(super) struct CameraFilm {
     pub(super) post_process: Option<PostProcess>,
     /// Copies of `radiance`.
     pub(super) radiance_pool: ScratchPool<Vec<Vec3A>>,
+    /// Pictures on their way through the lens.
+    pub(super) lens_scratch: ScratchPool<Vec<Vec3A>>,
     pub(super) blur_scratch: ScratchPool<BlurScratch>,
 }
 
@@ -60,6 +62,7 @@ impl CameraFilm {
             glare: environment.glare,
             post_process: PostProcess::new(&settings.look, settings.size, settings.fps, settings.seed, rains),
             radiance_pool: ScratchPool::default(),
+            lens_scratch: ScratchPool::default(),
             blur_scratch: ScratchPool::default(),
         }
     }

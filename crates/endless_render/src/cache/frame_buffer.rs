@@ -80,9 +80,11 @@ impl FrameBuffer {
             }
             match bake.film.post_process.as_ref().filter(|post| post.has_lens()) {
                 Some(post) => {
-                    let mut through = radiance.clone();
+                    let mut through = bake.film.lens_scratch.take(Vec::new);
+                    through.clone_from(&radiance);
                     post.lens(&mut through);
                     self.expose(bake, &through);
+                    bake.film.lens_scratch.give(through);
                 }
                 None => self.expose(bake, &radiance),
             }

@@ -3,15 +3,13 @@
 //! It is traced when a vertex is first asked for: most of what moves is out of sight or small, and shows few of its
 //! vertices. Whoever asks first finds the same.
 
-use super::deformation::Deformation;
 use super::posed_mesh::PosedMesh;
 use crate::accel::Ray;
 use crate::sampling::{cosine_direction, hammersley};
-use endless_scene::Mesh;
 use glam::{IVec3, Vec3, Vec3A};
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicU32, Ordering};
-use std::sync::{Arc, LazyLock, OnceLock};
+use std::sync::atomic::{AtomicU32, AtomicUsize, Ordering};
+use std::sync::{Arc, LazyLock};
 
 const RAYS: u32 = 24;
 const SPARSE: u32 = 3;
@@ -29,44 +27,19 @@ static DIRECTIONS: LazyLock<[Vec3A; RAYS as usize]> = LazyLock::new(|| {
 /// each vertex: as in glTF's occlusion textures.
 #[derive(Debug)]
 pub(crate) struct AmbientOcclusion {
-    body: Body,
+    /// In the form in which it shades itself.
+    body: Arc<PosedMesh>,
     /// The whole object, wheels included, in its own frame.
     low: Vec3A,
     high: Vec3A,
-    places: OnceLock<Places>,
-}
-
-/// The form in which a body shades itself.
-#[derive(Debug)]
-pub(super) enum Body {
-    Rigid(Arc<PosedMesh>),
-    /// A typical form, for all others.
-    Deforming { rest: Arc<Mesh>, undeformed: Arc<PosedMesh>, typical: Arc<dyn Deformation> },
-}
-
-impl Body {
-    fn posed(&self) -> Arc<PosedMesh> {
-        match self {
-            Self::Rigid(posed) => Arc::clone(posed),
-            Self::Deforming { rest, undeformed, typical } => {
-                let mut posed = PosedMesh::clone(undeformed);
-                posed.deform(rest, typical);
-                Arc::new(posed)
-            }
-        }
-    }
-}
-
-/// Vertices that stand for all: one of those that lie on one small flat piece of surface, where all see about the same.
-#[derive(Debug)]
-struct Places {
-    posed: Arc<PosedMesh>,
-    /// The one that stands for others.
+    /// Vertices that stand for all: one of those that lie on one small flat piece of surface, where all see about the same.
     vertices: Vec<u32>,
-    /// Bits of what was found there; [`UNKNOWN`] before.
-    open: Vec<AtomicU32>,
     /// Which of them stands for each vertex.
     place_of: Vec<u32>,
+    /// Bits of what was found there; [`UNKNOWN`] before.
+    open: Vec<AtomicU32>,
+    /// What was in the way in each direction before: it mostly is again.
+    hints: [AtomicUsize; RAYS as usize],
 }
 
 /// Bits of no share.
@@ -74,33 +47,35 @@ const UNKNOWN: u32 = u32::MAX;
 
 impl AmbientOcclusion {
     /// Of a body; `low` and `high` bound the whole object, wheels included, in its own frame, metres.
-    pub(super) fn new(body: Body, low: Vec3, high: Vec3) -> Self {
-        Self { body, low: low.into(), high: high.into(), places: OnceLock::new() }
+    pub(super) fn new(body: Arc<PosedMesh>, low: Vec3, high: Vec3) -> Self {
+        let (vertices, place_of) = places(&body, (high - low).max_element());
+        let open = vertices.iter().map(|_| AtomicU32::new(UNKNOWN)).collect();
+        let hints = [const { AtomicUsize::new(usize::MAX) }; RAYS as usize];
+        Self { body, low: low.into(), high: high.into(), vertices, place_of, open, hints }
     }
 
     /// At a vertex.
     pub(crate) fn at(&self, vertex: usize) -> f32 {
-        let size = (self.high - self.low).max_element();
-        let places = self.places.get_or_init(|| Places::new(self.body.posed(), size));
-        let place = places.place_of[vertex] as usize;
-        let known = places.open[place].load(Ordering::Relaxed);
+        let place = self.place_of[vertex] as usize;
+        let known = self.open[place].load(Ordering::Relaxed);
         if known != UNKNOWN {
             return f32::from_bits(known);
         }
-        let open = self.traced(&places.posed, places.vertices[place] as usize);
-        places.open[place].store(open.to_bits(), Ordering::Relaxed);
+        let open = self.traced(self.vertices[place] as usize);
+        self.open[place].store(open.to_bits(), Ordering::Relaxed);
         open
     }
 
-    fn traced(&self, mesh: &PosedMesh, vertex: usize) -> f32 {
+    fn traced(&self, vertex: usize) -> f32 {
+        let mesh = &self.body;
         let size = (self.high - self.low).max_element();
         let normal = mesh.normal(vertex);
         let origin = Vec3A::from(mesh.positions()[vertex]) + normal * (size * LIFT);
         let (a, b) = normal.any_orthonormal_pair();
         let mut shadows = mesh.blas.shadows();
-        let mut light = DIRECTIONS.iter().map(|d| {
+        let mut light = DIRECTIONS.iter().zip(&self.hints).map(|(d, hint)| {
             let direction = a * d.x + b * d.y + normal * d.z;
-            let occluded = shadows.occluded(&Ray { origin, direction, tmax: size });
+            let occluded = shadows.occluded(&Ray { origin, direction, tmax: size }, hint);
             if occluded { 0.0 } else { self.ground_light(origin, direction) }
         });
         let first: f32 = light.by_ref().take(FIRST as usize).sum();
@@ -121,32 +96,29 @@ impl AmbientOcclusion {
     }
 }
 
-impl Places {
-    /// Of a mesh; `size` is the object's largest measure.
-    fn new(posed: Arc<PosedMesh>, size: f32) -> Self {
-        /// Across the surface, of the object's size and in metres at most.
-        const ACROSS: f32 = 0.012;
-        const MOST_M: f32 = 0.05;
-        /// Along the normal, metres at least.
-        const LEAST_M: f32 = 0.006;
-        let (across, along) = ((ACROSS * size).min(MOST_M), (LIFT * size).max(LEAST_M));
-        let count = posed.positions().len();
-        let mut known: HashMap<(IVec3, IVec3, i32), u32> = HashMap::with_capacity(count);
-        let mut vertices = Vec::new();
-        let mut place_of = |vertex: usize| {
-            let (position, normal) = (Vec3A::from(posed.positions()[vertex]), posed.normal(vertex));
-            let facing = (normal * 4.0).round();
-            let height = (position.dot(facing.normalize_or(Vec3A::Z)) / along).floor();
-            let key = ((position / across).floor().as_ivec3(), facing.as_ivec3(), height as i32);
-            *known.entry(key).or_insert_with(|| {
-                vertices.push(vertex as u32);
-                vertices.len() as u32 - 1
-            })
-        };
-        let place_of = (0..count).map(&mut place_of).collect();
-        let open = vertices.iter().map(|_| AtomicU32::new(UNKNOWN)).collect();
-        Self { posed, vertices, open, place_of }
-    }
+/// Vertices that stand for others, and which of them stands for each; `size` is the object's largest measure.
+fn places(mesh: &PosedMesh, size: f32) -> (Vec<u32>, Vec<u32>) {
+    /// Across the surface, of the object's size and in metres at most.
+    const ACROSS: f32 = 0.012;
+    const MOST_M: f32 = 0.05;
+    /// Along the normal, metres at least.
+    const LEAST_M: f32 = 0.006;
+    let (across, along) = ((ACROSS * size).min(MOST_M), (LIFT * size).max(LEAST_M));
+    let count = mesh.positions().len();
+    let mut known: HashMap<(IVec3, IVec3, i32), u32> = HashMap::with_capacity(count);
+    let mut vertices = Vec::new();
+    let mut place_of = |vertex: usize| {
+        let (position, normal) = (Vec3A::from(mesh.positions()[vertex]), mesh.normal(vertex));
+        let facing = (normal * 4.0).round();
+        let height = (position.dot(facing.normalize_or(Vec3A::Z)) / along).floor();
+        let key = ((position / across).floor().as_ivec3(), facing.as_ivec3(), height as i32);
+        *known.entry(key).or_insert_with(|| {
+            vertices.push(vertex as u32);
+            vertices.len() as u32 - 1
+        })
+    };
+    let place_of = (0..count).map(&mut place_of).collect();
+    (vertices, place_of)
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! Meshes that deform in every frame, such as people.
 
-use super::ambient_occlusion::{AmbientOcclusion, Body};
 use super::{Geometry, deformation::Deformation, posed_mesh::PosedMesh};
 use crate::accel::GeometryUse;
 use endless_scene::Mesh;
@@ -26,9 +25,7 @@ impl DeformableMesh {
         if self.rest.is_empty() {
             return self;
         }
-        let (rest, undeformed) = (Arc::clone(&self.rest.mesh), Arc::clone(&self.rest.posed));
-        let body = Body::Deforming { rest, undeformed, typical: Arc::clone(typical) };
-        let ambient_occlusion = Some(Arc::new(AmbientOcclusion::new(body, low, high)));
+        let ambient_occlusion = self.deformed(typical).with_ambient_occlusion(low, high).ambient_occlusion;
         Self { rest: Geometry { ambient_occlusion, ..self.rest }, posed: Mutex::default() }
     }
 

@@ -1,6 +1,6 @@
 //! Meshes as the renderer holds them: with a hierarchy over their triangles, shared by all their instances.
 
-use super::ambient_occlusion::{AmbientOcclusion, Body};
+use super::ambient_occlusion::AmbientOcclusion;
 use super::posed_mesh::PosedMesh;
 use crate::accel::GeometryUse;
 use endless_scene::Mesh;
@@ -38,8 +38,8 @@ impl Geometry {
     /// `high` bound the whole object in its own frame, metres: of a wheel, the whole vehicle.
     #[must_use]
     pub fn with_ambient_occlusion(self, low: Vec3, high: Vec3) -> Self {
-        let body = Body::Rigid(Arc::clone(&self.posed));
-        Self { ambient_occlusion: Some(Arc::new(AmbientOcclusion::new(body, low, high))), ..self }
+        let ambient_occlusion = AmbientOcclusion::new(Arc::clone(&self.posed), low, high);
+        Self { ambient_occlusion: Some(Arc::new(ambient_occlusion)), ..self }
     }
 
     /// The mesh that it was made of.

@@ -1,0 +1,186 @@
+//! PNG (ISO/IEC 15948) of 8-bit RGB images of which most is as it was in the image before.
+//!
+//! Rows are compressed in bands that know nothing of each other: a band of the same pixels has the same bytes in every
+//! file, and those of the last image are written again. What is written depends on the image alone.
+//!
+//! ```text
+//! signature  IHDR  IDAT (zlib header)  IDAT (band)  IDAT (band) …  IDAT (end, Adler-32)  IEND
+//! ```
+
+mod deflate;
+mod filter;
+mod huffman;
+
+use crate::stored_image::StoredImage;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Rows of a band: 64 KiB of a 720p image, twice what a deflate window reaches.
+const ROWS: usize = 16;
+
+/// The image of a camera's layer that was encoded last.
+#[derive(Debug, Default)]
+pub struct LastPng(Mutex<Memory>);
+
+#[derive(Debug, Default)]
+struct Memory {
+    last: Option<Arc<EncodedImage>>,
+    /// Of images before it: room for pixels is used again.
+    spare: Vec<Vec<[u8; 3]>>,
+}
+
+#[derive(Debug)]
+struct EncodedImage {
+    image: StoredImage,
+    bands: Vec<Arc<Band>>,
+}
+
+impl LastPng {
+    fn memory(&self) -> MutexGuard<'_, Memory> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn remember(&self, image: &StoredImage, bands: Vec<Arc<Band>>) {
+        let mut data = self.memory().spare.pop().unwrap_or_default();
+        data.clone_from(&image.data);
+        let encoded = Arc::new(EncodedImage { image: StoredImage { size: image.size, data }, bands });
+        let mut memory = self.memory();
+        if let Some(before) = memory.last.replace(encoded).and_then(Arc::into_inner) {
+            memory.spare.push(before.image.data);
+        }
+    }
+}
+
+/// Compressed rows.
+#[derive(Debug)]
+struct Band {
+    /// A whole IDAT chunk.
+    chunk: Vec<u8>,
+    /// Of the filtered rows, and how many bytes they have.
+    adler: u32,
+    length: usize,
+}
+
+/// The image as a PNG file; its bytes do not depend on `last`.
+pub(crate) fn encode(image: &StoredImage, last: &LastPng) -> Vec<u8> {
+    let before = last.memory().last.clone().filter(|before| before.image.size == image.size);
+    let width = image.size.width as usize;
+    let mut buffers = BandBuffers::default();
+    let bands: Vec<Arc<Band>> = image
+        .data
+        .chunks(ROWS * width)
+        .enumerate()
+        .map(|(number, pixels)| {
+            let same = before.as_ref().filter(|before| before.image.data[number * ROWS * width..].starts_with(pixels));
+            same.map_or_else(|| Arc::new(buffers.band(pixels, width)), |before| Arc::clone(&before.bands[number]))
+        })
+        .collect();
+    let bytes = file(image, &bands);
+    drop(before);
+    last.remember(image, bands);
+    bytes
+}
+
+#[derive(Default)]
+struct BandBuffers {
+    filtered: Vec<u8>,
+    data: Vec<u8>,
+    deflate: deflate::Buffers,
+}
+
+impl BandBuffers {
+    fn band(&mut self, pixels: &[[u8; 3]], width: usize) -> Band {
+        self.filtered.clear();
+        filter::rows(pixels.as_flattened(), 3 * width, &mut self.filtered);
+        self.data.clear();
+        self.deflate.compress(&self.filtered, &mut self.data);
+        let mut chunk = Vec::with_capacity(self.data.len() + 12);
+        push_chunk(&mut chunk, *b"IDAT", &self.data);
+        Band { chunk, adler: simd_adler32::adler32(&self.filtered.as_slice()), length: self.filtered.len() }
+    }
+}
+
+fn file(image: &StoredImage, bands: &[Arc<Band>]) -> Vec<u8> {
+    /// Deflate with a window of 32 KiB, made fast.
+    const ZLIB_HEADER: [u8; 2] = [0x78, 0x01];
+    const RGB_OF_EIGHT_BITS: [u8; 5] = [8, 2, 0, 0, 0];
+    let length: usize = bands.iter().map(|band| band.chunk.len()).sum();
+    let mut out = Vec::with_capacity(length + 96);
+    out.extend(b"\x89PNG\r\n\x1a\n");
+    let [width, height] = [image.size.width, image.size.height].map(u32::to_be_bytes);
+    push_chunk(&mut out, *b"IHDR", &[&width[..], &height, &RGB_OF_EIGHT_BITS].concat());
+    push_chunk(&mut out, *b"IDAT", &ZLIB_HEADER);
+    let mut adler = 1;
+    for band in bands {
+        out.extend(&band.chunk);
+        adler = adler_of_both(adler, band.adler, band.length);
+    }
+    push_chunk(&mut out, *b"IDAT", &[&deflate::END[..], &adler.to_be_bytes()].concat());
+    push_chunk(&mut out, *b"IEND", &[]);
+    out
+}
+
+fn push_chunk(out: &mut Vec<u8>, kind: [u8; 4], data: &[u8]) {
+    let length = u32::try_from(data.len()).expect("a band is far smaller than 4 GiB");
+    out.extend(length.to_be_bytes());
+    let start = out.len();
+    out.extend(kind);
+    out.extend(data);
+    out.extend(crc32fast::hash(&out[start..]).to_be_bytes());
+}
+
+/// Adler-32 (RFC 1950) of two pieces of data, of which the second has `length` bytes.
+fn adler_of_both(first: u32, second: u32, length: usize) -> u32 {
+    const MODULUS: u64 = 65_521;
+    let [a1, a2] = [first, second].map(|adler| u64::from(adler & 0xffff));
+    let [b1, b2] = [first, second].map(|adler| u64::from(adler >> 16));
+    let length = length as u64 % MODULUS;
+    let a = (a1 + a2 + MODULUS - 1) % MODULUS;
+    let b = (b1 + b2 + length * (a1 + MODULUS - 1)) % MODULUS;
+    (b << 16 | a) as u32
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::raster::decode_png;
+    use endless_world::{Image, ImageSize};
+    use proptest::prelude::*;
+
+    #[test]
+    fn checksums_of_parts_are_that_of_the_whole() {
+        let data: Vec<u8> = (0..100_000u32).map(|i| (i.wrapping_mul(2_654_435_761) >> 7) as u8).collect();
+        let whole = simd_adler32::adler32(&data.as_slice());
+        for cut in [0, 1, 40_000, 65_521, 99_999, 100_000] {
+            let [first, second] = [&data[..cut], &data[cut..]].map(|part| simd_adler32::adler32(&part));
+            assert_eq!(adler_of_both(first, second, data.len() - cut), whole);
+        }
+    }
+
+    /// Pictures of smooth parts, flat parts and noise, of some size.
+    fn pictures() -> impl Strategy<Value = [StoredImage; 2]> {
+        let size = (1u32..70, 1u32..50).prop_map(|(width, height)| ImageSize { width, height });
+        (size, any::<u32>(), 0u32..9, any::<prop::sample::Index>()).prop_map(|(size, seed, kinds, changed)| {
+            let value = |i: u32| match i / 300 % 3 * kinds {
+                0 | 8 => 7,
+                2 | 6 => (i ^ seed) as u8 >> 2,
+                _ => (i.wrapping_mul(seed | 1).rotate_left(9) >> 13) as u8,
+            };
+            let data: Vec<[u8; 3]> = (0..size.pixels() as u32).map(|i| [0, 1, 2].map(|c| value(3 * i + c))).collect();
+            let mut other = data.clone();
+            other[changed.index(data.len())][1] ^= 64;
+            [data, other].map(|data| Image { size, data })
+        })
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_written_is_read_and_does_not_depend_on_the_last_image([first, second] in pictures()) {
+            let last = LastPng::default();
+            for image in [&first, &second, &second, &first] {
+                let bytes = encode(image, &last);
+                prop_assert_eq!(&decode_png(&bytes).expect("own output"), image);
+                prop_assert_eq!(bytes, encode(image, &LastPng::default()));
+            }
+        }
+    }
+}
