@@ -75,6 +75,7 @@ pub(crate) fn encode(image: &StoredImage, last: &LastPng) -> Vec<u8> {
         })
         .collect();
     let bytes = file(image, &bands);
+    // So that nobody else holds it, and its room can be used again.
     drop(before);
     last.remember(image, bands);
     bytes

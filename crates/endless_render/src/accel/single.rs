@@ -1,12 +1,11 @@
 //! Traversal by one ray: nearest child first for the closest hit, any order for occlusion.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use super::blas::Blas;
 use super::node::{BvhNode, NodeLink, SlabRay};
 use super::ray::{Hit, LocalRay, Ray};
 use super::stack::{NearestChildren, PendingNode, Stack};
 use super::tlas::{Tlas, TlasEntry};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 impl Tlas {
     /// The nearest hit; of several at the same `t` the one with the lowest instance, then triangle.
@@ -33,32 +32,18 @@ impl Tlas {
 }
 
 impl Blas {
-    /// For rays in the mesh's own frame.
-    pub(crate) fn shadows(&self) -> ShadowRays<'_> {
-        ShadowRays { blas: self, stack: Stack::new() }
-    }
-}
-
-/// Tests shadow rays against a mesh.
-pub(crate) struct ShadowRays<'a> {
-    blas: &'a Blas,
-    stack: Stack,
-}
-
-impl ShadowRays<'_> {
-    /// Whether a ray meets the mesh; `hint` is where rays like it met it before, which is tried first.
-    pub(crate) fn occluded(&mut self, ray: &Ray, hint: &AtomicUsize) -> bool {
-        let Self { blas, stack } = self;
+    /// Whether a ray in the mesh's own frame meets it; `hint` is where rays like it met it before, which is tried first.
+    pub(crate) fn occluded(&self, ray: &Ray, hint: &AtomicUsize) -> bool {
         let local = LocalRay::new(ray.origin, ray.direction);
         let mut best = Hit::none(ray.tmax);
-        let groups = blas.groups();
+        let groups = self.groups();
         let meets = |group: &usize, best: &mut Hit| groups[*group].intersect(&local, 0.0, best, 0);
         let hinted = hint.load(Ordering::Relaxed);
         if hinted < groups.len() && meets(&hinted, &mut best) {
             return true;
         }
         let slab_ray = SlabRay::of_ray(&local);
-        walk::<true>(blas.nodes(), blas.tree.root, 0.0, &slab_ray, &mut best, stack, |link, _, best, _| {
+        walk::<true>(self.nodes(), self.tree.root, 0.0, &slab_ray, &mut best, &mut Stack::new(), |link, _, best, _| {
             let met = link.range().find(|group| meets(group, best));
             met.inspect(|&group| hint.store(group, Ordering::Relaxed)).is_some()
         })

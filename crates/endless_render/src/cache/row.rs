@@ -40,7 +40,7 @@ impl<'a> PixelRow<'a> {
     }
 
     /// Turns to the pixels `x0..x1` of line `y`, at most eight. With `centres_only`, the other samples' rays are not
-    /// made: they must not be queue for.
+    /// made: they must not be asked for.
     pub(super) fn aim(&mut self, x0: u32, x1: u32, y: u32, centres_only: bool) {
         let view = &mut self.view;
         view.first = y as usize * view.bake.camera.size.width as usize + x0 as usize;

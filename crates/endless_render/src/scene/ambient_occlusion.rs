@@ -23,8 +23,8 @@ static DIRECTIONS: LazyLock<[Vec3A; RAYS as usize]> = LazyLock::new(|| {
     std::array::from_fn(|k| cosine_direction(Vec3A::Z, hammersley(order(k as u32), RAYS)))
 });
 
-/// The cosine-weighted share of directions, 0 to 1, that neither meet the body itself nor the dark ground beneath it, at
-/// each vertex: as in glTF's occlusion textures.
+/// The cosine-weighted share of directions, 0 to 1, that neither meet the body itself nor the dark ground beneath it,
+/// at each vertex: as in glTF's occlusion textures.
 #[derive(Debug)]
 pub(crate) struct AmbientOcclusion {
     /// In the form in which it shades itself.
@@ -32,7 +32,8 @@ pub(crate) struct AmbientOcclusion {
     /// The whole object, wheels included, in its own frame.
     low: Vec3A,
     high: Vec3A,
-    /// Vertices that stand for all: one of those that lie on one small flat piece of surface, where all see about the same.
+    /// Vertices that stand for all: one of those that lie on one small flat piece of surface, where all see about the
+    /// same.
     vertices: Vec<u32>,
     /// Which of them stands for each vertex.
     place_of: Vec<u32>,
@@ -72,10 +73,9 @@ impl AmbientOcclusion {
         let normal = mesh.normal(vertex);
         let origin = Vec3A::from(mesh.positions()[vertex]) + normal * (size * LIFT);
         let (a, b) = normal.any_orthonormal_pair();
-        let mut shadows = mesh.blas.shadows();
         let mut light = DIRECTIONS.iter().zip(&self.hints).map(|(d, hint)| {
             let direction = a * d.x + b * d.y + normal * d.z;
-            let occluded = shadows.occluded(&Ray { origin, direction, tmax: size }, hint);
+            let occluded = mesh.blas.occluded(&Ray { origin, direction, tmax: size }, hint);
             if occluded { 0.0 } else { self.ground_light(origin, direction) }
         });
         let first: f32 = light.by_ref().take(FIRST as usize).sum();
