@@ -13,6 +13,11 @@ pub struct Ray {
     pub tmax: f32,
 }
 
+impl Ray {
+    /// A ray that meets nothing.
+    pub(crate) const NONE: Self = Self { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 };
+}
+
 /// Where a ray meets a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {

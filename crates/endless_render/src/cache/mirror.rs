@@ -47,7 +47,7 @@ pub(super) fn mirrored_row(
         }
     }
     for asked in asked[..count].chunks(8) {
-        let mut rays = [Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 }; 8];
+        let mut rays = [Ray::NONE; 8];
         let (mut struck, mut weights, mut footprints) = ([None; 8], [Vec3A::ZERO; 8], [0.0; 8]);
         for (lane, &(i, s)) in asked.iter().enumerate() {
             let still = row.still(i);

@@ -61,7 +61,8 @@ pub(super) fn lamp_light8(
         points.map(|p| p.map_or([LampCandidate::NONE; MOST], |(point, bsdf)| strongest(tracer, point, bsdf, count)));
     let origins = points.map(|p| p.map_or(Vec3A::ZERO, |(point, _)| point.ray_origin()));
     for rank in 0..count.min(MOST) {
-        let rays: [Ray; 8] = std::array::from_fn(|i| best[i][rank].ray(tracer, origins[i]));
+        let ray = |i: usize| Some(best[i][rank]).filter(LampCandidate::is_some).map(|c| c.ray(tracer, origins[i]));
+        let rays: [Ray; 8] = std::array::from_fn(|i| ray(i).unwrap_or(Ray::NONE));
         let (mut shares, mut asked, mut unknown) = ([0.0; 8], 0u8, 0u8);
         for i in (0..8).filter(|&i| best[i][rank].is_some()) {
             let share = best[i][rank].mapped_share(tracer, &rays[i]);
