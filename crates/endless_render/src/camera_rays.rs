@@ -43,7 +43,7 @@ fn undistort8(lens: Distortion, [x, y]: [f32x8; 2]) -> [f32x8; 2] {
     let [one, three_k1, five_k2] = [1.0, 3.0 * lens.k1, 5.0 * lens.k2].map(f32x8::splat);
     let [k1, k2] = [lens.k1, lens.k2].map(f32x8::splat);
     let bent = (x * x + y * y).sqrt();
-    let mut r = bent;
+    let mut r = bent * (one - bent * bent * k1);
     for _ in 0..Distortion::NEWTON_STEPS {
         let r2 = r * r;
         let miss = r * (one + r2 * (k1 + k2 * r2)) - bent;
