@@ -45,6 +45,13 @@ pub(crate) struct GenerateArgs {
     /// Read the recipe from a TOML file; flags override it.
     #[arg(long, value_name = "FILE")]
     pub(crate) config: Option<PathBuf>,
+    /// Most memory for what bakes of the same camera share, as in 500MB or 4GiB. Does not change the result.
+    #[arg(long, value_name = "SIZE", default_value = "1GiB")]
+    pub(crate) memory: bytesize::ByteSize,
+    /// Keep that in this folder, too, for other runs and for processes that run at the same time. Does not change the
+    /// result.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) cache: Option<PathBuf>,
     /// Write the settings of all scenes, print the work order, and stop.
     #[arg(long)]
     pub(crate) plan_only: bool,

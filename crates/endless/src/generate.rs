@@ -5,8 +5,8 @@ use anyhow::Result;
 use endless_dataset::RecipeDraft;
 use endless_interchange::MapLibrary;
 use endless_pipeline::{
-    BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, RecipeError, Simulator, generate, read_cameras,
-    read_recipe, resolve_recipe,
+    BakeCache, BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, RecipeError, Simulator, generate,
+    read_cameras, read_recipe, resolve_recipe,
 };
 use std::{io::Write, process::ExitCode};
 
@@ -19,8 +19,20 @@ pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs, threads: usize) -
     let draft = RecipeDraft { cameras, ..std::mem::take(&mut args.recipe.draft) }.or(file);
     let library = assets::with_folder(library, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
     match draft.simulator.as_deref().unwrap_or(BUILTIN) {
-        BUILTIN => run_with(&BuiltinSimulator::new(library), draft, &args, threads),
+        BUILTIN => {
+            let simulator = BuiltinSimulator::new(library).with_bake_cache(bake_cache(&args)?);
+            run_with(&simulator, draft, &args, threads)
+        }
         other => Err(RecipeError::UnknownSimulator { given: other.to_owned(), known: vec![BUILTIN] }.into()),
+    }
+}
+
+/// What is kept of bakes. A plan alone bakes nothing.
+fn bake_cache(args: &GenerateArgs) -> Result<BakeCache> {
+    let in_memory = BakeCache::in_memory(usize::try_from(args.memory.as_u64()).unwrap_or(usize::MAX));
+    match &args.cache {
+        Some(folder) if !args.plan_only => Ok(in_memory.in_folder(folder, this_build().sources)?),
+        _ => Ok(in_memory),
     }
 }
 

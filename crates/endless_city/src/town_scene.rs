@@ -54,11 +54,6 @@ impl TownScene {
     pub fn static_scene(&self) -> &StaticScene {
         &self.still
     }
-
-    /// The same with more that stands still: details near the cameras of one video. [`PlacedObject::TownMesh`] numbers `meshes`.
-    pub fn with_details(&self, meshes: &[Arc<Mesh>], placements: &[Placement], catalogue: &Catalogue) -> StaticScene {
-        self.still.with_instances(placed(meshes, placements, &self.models, catalogue))
-    }
 }
 
 /// Instances of a town's own meshes and of props.

@@ -26,5 +26,5 @@ mod library;
 mod map;
 
 pub use asset::{AssetError, AssetFolder, AssetFolderError, AssetListing, asset_gltf, asset_preview, list_assets};
-pub use library::{ImportedMap, MapLibrary, TownSummary, details_near};
+pub use library::{ImportedMap, MapLibrary, TownSummary};
 pub use map::{ImportOptions, MapError, MapFormat, MapStatistics, MapStore, StoredMap};

@@ -5,13 +5,12 @@ use crate::map::{self, ImportOptions, MapError, MapStatistics, MapStore, StoredM
 use crate::{geojson, gltf};
 use endless_asset::Catalogue;
 use endless_road::{RoadMap, opendrive};
-use endless_scene::Mesh;
-use endless_town::{Placement, Town, dress_map};
+use endless_town::{PlacedObject, Placement, Town, dress_map};
 use endless_world::{CameraSite, Image};
 use std::{
     collections::BTreeMap,
     path::Path,
-    sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError},
+    sync::{Mutex, MutexGuard, OnceLock, PoisonError},
 };
 
 /// All maps there are: those that come with the program and those that the user imported, and the catalogue of which
@@ -35,15 +34,6 @@ struct PlannedTowns {
     summaries: BTreeMap<String, TownSummary>,
     /// The first of these, until it is asked for: what is planned for its cameras is usually filmed next.
     kept: Option<Town>,
-}
-
-/// Whether a town is made with what is seen from near by alone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum NearDetails {
-    /// Without: each scene makes the details near its cameras.
-    Without,
-    /// With those near the town's own cameras: as it is shown and exported.
-    OfItsCameras,
 }
 
 /// What is asked of a town before it is filmed.
@@ -124,7 +114,37 @@ impl MapLibrary {
     /// When there is no such map or it cannot be read.
     pub fn town(&self, name: &str) -> Result<Town, MapError> {
         let kept = self.planned().kept.take_if(|town| town.name == name);
-        kept.map_or_else(|| self.load(name, NearDetails::Without), Ok)
+        kept.map_or_else(|| self.load(name), Ok)
+    }
+
+    /// The same with what its own cameras see near by, as it is shown and exported.
+    fn town_with_details(&self, name: &str) -> Result<Town, MapError> {
+        let town = self.town(name)?;
+        let cameras = town.cameras.clone();
+        Ok(self.with_details(town, &cameras))
+    }
+
+    /// The same with what cameras see near by: details before each of these.
+    ///
+    /// # Errors
+    /// As [`Self::town`].
+    pub fn town_before(&self, cameras: &[CameraSite], name: &str) -> Result<Town, MapError> {
+        Ok(self.with_details(self.town(name)?, cameras))
+    }
+
+    /// A town with details before cameras, and imported props in the places of some.
+    fn with_details(&self, mut town: Town, cameras: &[CameraSite]) -> Town {
+        let placements = town.details_near(cameras, self.catalogue());
+        let mut details = Town { name: town.name.clone(), placements, ..Town::default() };
+        stand_in(&mut details, self.catalogue());
+        let first_mesh = town.meshes.len() as u32;
+        let moved = |object| match object {
+            PlacedObject::TownMesh(mesh) => PlacedObject::TownMesh(first_mesh + mesh),
+            prop @ PlacedObject::Prop(..) => prop,
+        };
+        town.meshes.append(&mut details.meshes);
+        town.placements.extend(details.placements.into_iter().map(|p| Placement { object: moved(p.object), ..p }));
+        town
     }
 
     /// A town's character and its cameras; planned once.
@@ -136,7 +156,7 @@ impl MapLibrary {
         if let Some(known) = self.planned().summaries.get(name) {
             return Ok(known.clone());
         }
-        let town = self.load(name, NearDetails::Without)?;
+        let town = self.load(name)?;
         let summary = TownSummary { summary: town.summary.clone(), cameras: town.cameras.clone() };
         let mut planned = self.planned();
         planned.summaries.insert(name.to_owned(), summary.clone());
@@ -162,14 +182,11 @@ impl MapLibrary {
     }
 
     /// Makes a town, with imported models in their places.
-    fn load(&self, name: &str, details: NearDetails) -> Result<Town, MapError> {
+    fn load(&self, name: &str) -> Result<Town, MapError> {
         let mut town = match self.stored(name)? {
             Some((store, stored)) => dress_map(name, &store.read(&stored)?, self.catalogue())?,
             None => endless_town::load(name, self.catalogue())?,
         };
-        if details == NearDetails::OfItsCameras {
-            town.placements.extend(town.details_near(&town.cameras, self.catalogue()));
-        }
         stand_in(&mut town, self.catalogue());
         Ok(town)
     }
@@ -226,7 +243,7 @@ impl MapLibrary {
     /// When there is no such map, it cannot be read, or it is too large.
     pub fn gltf(&self, name: &str) -> Result<Vec<u8>, MapError> {
         let too_large = |_: gltf::TooLarge| MapError::TooLarge { name: name.to_owned() };
-        gltf::write_town(&self.load(name, NearDetails::OfItsCameras)?, self.catalogue()).map_err(too_large)
+        gltf::write_town(&self.town_with_details(name)?, self.catalogue()).map_err(too_large)
     }
 
     /// What is known of a map as GeoJSON.
@@ -245,15 +262,6 @@ impl MapLibrary {
     /// # Errors
     /// When there is no such map or it cannot be read.
     pub fn preview(&self, name: &str) -> Result<Image<[u8; 3]>, MapError> {
-        Ok(map::preview(&self.load(name, NearDetails::OfItsCameras)?, self.catalogue())?)
+        Ok(map::preview(&self.town_with_details(name)?, self.catalogue())?)
     }
-}
-
-/// What [`Town::details_near`] puts before some cameras, with imported props in the places of some. The meshes are those
-/// that [`PlacedObject::TownMesh`](endless_town::PlacedObject::TownMesh) numbers in these placements.
-pub fn details_near(town: &Town, cameras: &[CameraSite], catalogue: &Catalogue) -> (Vec<Arc<Mesh>>, Vec<Placement>) {
-    let placements = town.details_near(cameras, catalogue);
-    let mut details = Town { name: town.name.clone(), placements, ..Town::default() };
-    stand_in(&mut details, catalogue);
-    (details.meshes, details.placements)
 }

@@ -1,9 +1,14 @@
 //! The built-in city: towns, traffic and the ray tracer joined.
 
+mod bake_cache;
+mod bake_key;
 mod bodies;
+mod hits_folder;
+mod kept_hits;
 mod map;
 mod session;
 mod simulator;
 
+pub use bake_cache::BakeCache;
 pub use map::BuiltinMap;
 pub use simulator::BuiltinSimulator;

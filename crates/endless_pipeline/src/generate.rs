@@ -5,7 +5,7 @@ mod lock;
 mod output;
 
 use crate::{
-    GenerateError, Plan, Progress, ProgressEvent, Simulator, StageTimes,
+    GenerateError, MapUse, Plan, Progress, ProgressEvent, Simulator, StageTimes,
     record::{Recording, Stage, StageClock, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
@@ -102,8 +102,12 @@ fn generate_in<S: Simulator>(
     let clock = StageClock::default();
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
-        progress.event(&ProgressEvent::LoadMap { map: &same_map[0].map });
-        let map = clock.time(Stage::LoadMap, || simulator.load_map(&same_map[0].map))?;
+        let name = &same_map[0].map;
+        progress.event(&ProgressEvent::LoadMap { map: name });
+        let map = clock.time(Stage::LoadMap, || {
+            let cameras = Plan::cameras(recipe, simulator, name)?;
+            simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map })
+        })?;
         for settings in same_map {
             run.video(&map, settings, remaining_scenes.len() as u32, &mut manifest)?;
             generated.videos += 1;

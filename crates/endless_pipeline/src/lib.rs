@@ -57,7 +57,7 @@ mod test_catalog;
 mod text_position;
 mod user_camera;
 
-pub use builtin::{BuiltinMap, BuiltinSimulator};
+pub use builtin::{BakeCache, BuiltinMap, BuiltinSimulator};
 pub use disk_estimate::DiskEstimate;
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{GenerateOptions, Generated, generate};
@@ -66,8 +66,8 @@ pub use progress::{Progress, ProgressEvent, SilentProgress};
 pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
 pub use record::StageTimes;
 pub use simulator::{
-    Capabilities, MapCatalog, MapSource, RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep,
-    Simulator,
+    Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneTruth, SimulationSession,
+    SimulationStep, Simulator,
 };
 pub use simulator_error::SimulatorError;
 pub use user_camera::{cameras_from_text, read_cameras};

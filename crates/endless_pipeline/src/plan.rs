@@ -2,7 +2,7 @@
 
 mod combination;
 
-use crate::{MapCatalog, PlanError};
+use crate::{MapCatalog, PlanError, SimulatorError};
 use combination::{Combination, Combinations, MapSites};
 use endless_dataset::Recipe;
 use endless_world::{CameraLook, CameraSite, RecorderClock, SceneCamera, SceneSettings, Stream};
@@ -26,10 +26,7 @@ impl Plan {
     /// # Errors
     /// When a map has fewer cameras than a scene needs.
     pub fn new(recipe: &Recipe, catalog: &dyn MapCatalog) -> Result<Self, PlanError> {
-        let sites_of = |map: &String| {
-            let own = recipe.cameras.get(map).cloned();
-            Ok(MapSites { map: map.clone(), sites: own.map_or_else(|| catalog.cameras(map), Ok)? })
-        };
+        let sites_of = |map: &String| Ok(MapSites { map: map.clone(), sites: Self::cameras(recipe, catalog, map)? });
         let maps: Vec<MapSites> = recipe.maps.iter().map(sites_of).collect::<Result<_, PlanError>>()?;
         let combinations = Combinations::new(recipe, &maps)?;
         let random = |round| Stream::named(recipe.seed, "plan", &[round]);
@@ -38,10 +35,24 @@ impl Plan {
         Ok(Self { scenes: scenes.collect(), maps: recipe.maps.clone() })
     }
 
-    /// Numbers of the videos in the order of work: by map, so that each is loaded once.
+    /// All cameras with which a recipe may film a map: its own, or those of the map.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be made.
+    pub fn cameras(
+        recipe: &Recipe,
+        catalog: &(impl MapCatalog + ?Sized),
+        map: &str,
+    ) -> Result<Vec<CameraSite>, SimulatorError> {
+        recipe.cameras.get(map).map_or_else(|| catalog.cameras(map), |own| Ok(own.clone()))
+    }
+
+    /// Numbers of the videos in the order of work: by map, so that each is loaded once, and by cameras, so that what bakes
+    /// of the same camera share is needed soon again.
     pub fn work_order(&self) -> Vec<u32> {
         let mut order: Vec<&SceneSettings> = self.scenes.iter().collect();
-        order.sort_by_key(|s| self.maps.iter().position(|m| *m == s.map));
+        let cameras = |s: &SceneSettings| s.cameras.iter().map(|c| c.site.name.clone()).collect::<Vec<_>>();
+        order.sort_by_cached_key(|s| (self.maps.iter().position(|m| *m == s.map), cameras(s)));
         order.into_iter().map(|s| s.video).collect()
     }
 }

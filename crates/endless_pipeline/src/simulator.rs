@@ -49,6 +49,17 @@ pub struct Capabilities {
     pub repeatable: bool,
 }
 
+/// A map, and what for it is loaded.
+#[derive(Debug, Clone, Copy)]
+pub struct MapUse<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// All cameras that may film it: the same for all videos of a recipe, whichever of them are still to be made.
+    pub cameras: &'a [CameraSite],
+    /// The videos to come, in order of work.
+    pub videos: &'a [&'a SceneSettings],
+}
+
 /// Loads maps and opens sessions on them.
 pub trait Simulator: MapCatalog + Sync {
     /// A loaded map, shared by all of its sessions.
@@ -61,7 +72,7 @@ pub trait Simulator: MapCatalog + Sync {
     ///
     /// # Errors
     /// When there is no such map, it cannot be made, or the simulator cannot be reached.
-    fn load_map(&self, name: &str) -> Result<Self::Map, SimulatorError>;
+    fn load_map(&self, wanted: &MapUse<'_>) -> Result<Self::Map, SimulatorError>;
 
     /// Populates a map. Cheap, compared with [`SimulationSession::prepare`].
     ///

@@ -2,7 +2,7 @@
 
 use endless_interchange::MapError;
 use endless_town::TownError;
-use std::{error::Error, time::Duration};
+use std::{error::Error, path::PathBuf, time::Duration};
 
 /// What a simulator says when it cannot do what it is asked. Every message is one line that says what to do.
 #[derive(Debug, thiserror::Error)]
@@ -18,6 +18,15 @@ pub enum SimulatorError {
     /// A map that cannot be made.
     #[error(transparent)]
     Map(MapError),
+    /// A folder for what bakes share that cannot be used.
+    #[error("cannot write to the folder {} of --cache: name another one", path.display())]
+    CacheFolder {
+        /// The folder.
+        path: PathBuf,
+        /// Why not.
+        #[source]
+        source: std::io::Error,
+    },
     /// A map that cannot be shown.
     #[error("the simulator cannot load the map {map}")]
     LoadMap {

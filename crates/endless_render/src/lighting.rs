@@ -1,7 +1,7 @@
 //! Lighting baked once for a camera's view, which stays the same while objects move.
 
 use crate::accel::Ray;
-use crate::indirect::{ProbeGrid, ProbeRegion};
+use crate::indirect::{IndirectRays, PROBE_BOUNCES, ProbeGrid, ProbeRegion, TapeStack};
 use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
 use crate::scene::{FrameScene, StaticScene};
 use crate::settings::RenderSettings;
@@ -71,12 +71,18 @@ impl Lighting {
         Self { environment, lamp_maps, probes: None, halos: None }
     }
 
-    /// With light that bounced.
-    pub(crate) fn with_probes(self, still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
+    /// With light that bounced; and the ends of the rays that gathered it, if these are to be kept.
+    pub(crate) fn with_probes(
+        self,
+        still: &StaticScene,
+        settings: &RenderSettings,
+        area: &ViewedArea,
+        indirect: IndirectRays<'_>,
+    ) -> (Self, [TapeStack; PROBE_BOUNCES]) {
         let ViewedArea { low, high, ground } = *area;
         let region = ProbeRegion { low, high, ground, pattern: settings.pattern };
-        let probes = ProbeGrid::bake(still, &self.environment, &self.lamp_maps, &region);
-        Self { probes: Some(probes), ..self }
+        let (probes, hits) = ProbeGrid::bake(still, &self.environment, &self.lamp_maps, &region, indirect);
+        (Self { probes: Some(probes), ..self }, hits)
     }
 
     /// With the glow of lamps before a fixed camera.

@@ -3,6 +3,7 @@
 use crate::accel::{Ray, RayStream};
 use crate::camera_rays::sample_ray;
 use crate::film::{ToneCurve, exposure};
+use crate::indirect::IndirectRays;
 use crate::lighting::{Lighting, ViewedArea};
 use crate::material::{Bsdf, evaluate_bsdf};
 use crate::pixel_layers::{LayerImages, PixelLayers};
@@ -45,7 +46,7 @@ impl MovingCamera {
         let lighting = Lighting::direct(still, settings, &area);
         let lighting = match indirect {
             IndirectLight::OpenSky => lighting,
-            IndirectLight::Probes => lighting.with_probes(still, settings, &area),
+            IndirectLight::Probes => lighting.with_probes(still, settings, &area, IndirectRays::Trace).0,
         };
         let nothing = FrameScene::new(FrameDescription::default());
         let tracer = lighting.tracer(still, Some(&nothing));

@@ -2,8 +2,8 @@
 //!
 //! A road map, read from a file ([`dress_map`]) or made of the layout of a built-in town ([`load`]), is dressed in named
 //! passes with ground, buildings, street furniture and plants, and given camera sites. The result is a [`Town`]: meshes of
-//! its own, and [`Placement`]s of these and of the catalogue's props. Details that are seen only from near are made for the
-//! cameras of a scene ([`Town::details_near`]).
+//! its own, and [`Placement`]s of these and of the catalogue's props. Details that are seen only from near are made for
+//! cameras that are known later ([`Town::details_near`]).
 //!
 //! ```text
 //! builtin layouts ─┐

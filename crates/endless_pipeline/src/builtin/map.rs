@@ -1,15 +1,18 @@
 //! A loaded town.
 
+use super::bake_cache::{BakeCache, MapBakes};
 use crate::SimulatorError;
 use endless_asset::Catalogue;
 use endless_city::{SharedModels, TownScene};
 use endless_town::Town;
+use endless_world::SceneSettings;
 use std::sync::Arc;
 
-/// A town and its geometry.
+/// A town, its geometry, and what is kept of its cameras.
 pub struct BuiltinMap {
     pub(super) town: Town,
     pub(super) town_scene: TownScene,
+    pub(super) bakes: MapBakes,
 }
 
 impl BuiltinMap {
@@ -17,10 +20,17 @@ impl BuiltinMap {
     ///
     /// # Errors
     /// [`SimulatorError::LoadMap`] when it has more parts than can be told apart.
-    pub(super) fn load(town: Town, catalogue: &Catalogue, models: Arc<SharedModels>) -> Result<Self, SimulatorError> {
+    pub(super) fn load(
+        town: Town,
+        catalogue: &Catalogue,
+        models: Arc<SharedModels>,
+        cache: &Arc<BakeCache>,
+        videos: &[&SceneSettings],
+    ) -> Result<Self, SimulatorError> {
         let town_scene = TownScene::load_sharing(&town, catalogue, models)
             .map_err(|source| SimulatorError::LoadMap { map: town.name.clone(), source: source.into() })?;
-        Ok(Self { town, town_scene })
+        let bakes = MapBakes::new(cache, town_scene.static_scene(), videos);
+        Ok(Self { town, town_scene, bakes })
     }
 
     /// Number of the town's triangles as placed: those of a tree count wherever it stands.

@@ -6,10 +6,9 @@ use endless_annotate::SceneObjects;
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_interchange::details_near;
-use endless_render::{CameraBake, RenderSettings, StaticScene};
+use endless_render::CameraBake;
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
-use endless_world::{Actor, CameraSite, Condition, InstanceId, SceneCamera, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, Condition, InstanceId, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
@@ -39,12 +38,10 @@ struct BuiltinScene<'m> {
 }
 
 struct BakedCameras {
-    /// The town with details near these cameras.
-    still: StaticScene,
     models: ActorModels,
     baked: Vec<CameraBake>,
     bake_rays: u64,
-    /// Wall time of `still` and `baked`.
+    /// Wall time of `baked`.
     bake: Duration,
 }
 
@@ -106,21 +103,12 @@ impl BuiltinScene<'_> {
         self.cameras.get_or_init(|| {
             let Self { map, catalogue, settings, .. } = *self;
             let start = Instant::now();
-            let sites: Vec<CameraSite> = settings.cameras.iter().map(|camera| camera.site.clone()).collect();
-            let (meshes, details) = details_near(&map.town, &sites, catalogue);
-            let still = map.town_scene.with_details(&meshes, &details, catalogue);
-            let bake = |SceneCamera { site, look }: &SceneCamera| {
-                let render = RenderSettings {
-                    look: *look,
-                    fps: settings.fps,
-                    ..RenderSettings::new(settings.weather, settings.time_of_day, settings.seed, settings.size)
-                };
-                CameraBake::bake(&still, &render, site)
-            };
-            let baked: Vec<CameraBake> = settings.cameras.iter().map(bake).collect();
+            let still = map.town_scene.static_scene();
+            let baked: Vec<CameraBake> =
+                settings.cameras.iter().map(|camera| map.bakes.bake(still, settings, camera)).collect();
             let bake = start.elapsed();
             let models = ActorModels::in_town(&map.town_scene, catalogue, &self.moving);
-            BakedCameras { still, models, bake_rays: rays(&baked), baked, bake }
+            BakedCameras { models, bake_rays: rays(&baked), baked, bake }
         })
     }
 }
@@ -168,8 +156,8 @@ impl RenderTask for BuiltinRenderTask<'_> {
     }
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        let cameras = self.0.cameras();
+        let (cameras, still) = (self.0.cameras(), self.0.map.town_scene.static_scene());
         let frame = cameras.models.frame_scene(state);
-        Ok(cameras.baked.iter().map(|camera| camera.render(&cameras.still, &frame)).collect())
+        Ok(cameras.baked.iter().map(|camera| camera.render(still, &frame)).collect())
     }
 }

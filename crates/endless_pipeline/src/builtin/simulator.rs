@@ -1,7 +1,7 @@
 //! The built-in city as a simulator.
 
-use super::{map::BuiltinMap, session::BuiltinSession};
-use crate::{Capabilities, MapCatalog, MapSource, SimulationSession, Simulator, SimulatorError};
+use super::{bake_cache::BakeCache, map::BuiltinMap, session::BuiltinSession};
+use crate::{Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError};
 use endless_city::SharedModels;
 use endless_interchange::MapLibrary;
 use endless_world::{CameraSite, SceneSettings};
@@ -12,12 +12,19 @@ use std::{collections::BTreeMap, sync::Arc};
 pub struct BuiltinSimulator {
     map_library: MapLibrary,
     models: Arc<SharedModels>,
+    cache: Arc<BakeCache>,
 }
 
 impl BuiltinSimulator {
     /// Over the maps and the catalogue of a library.
     pub fn new(map_library: MapLibrary) -> Self {
-        Self { map_library, models: Arc::default() }
+        Self { map_library, models: Arc::default(), cache: Arc::default() }
+    }
+
+    /// Keeps what bakes of the same camera share.
+    #[must_use]
+    pub fn with_bake_cache(self, cache: BakeCache) -> Self {
+        Self { cache: Arc::new(cache), ..self }
     }
 }
 
@@ -52,8 +59,9 @@ impl Simulator for BuiltinSimulator {
         Capabilities { random_access: true, repeatable: true }
     }
 
-    fn load_map(&self, name: &str) -> Result<BuiltinMap, SimulatorError> {
-        BuiltinMap::load(self.map_library.town(name)?, self.map_library.catalogue(), Arc::clone(&self.models))
+    fn load_map(&self, wanted: &MapUse<'_>) -> Result<BuiltinMap, SimulatorError> {
+        let town = self.map_library.town_before(wanted.cameras, wanted.name)?;
+        BuiltinMap::load(town, self.map_library.catalogue(), Arc::clone(&self.models), &self.cache, wanted.videos)
     }
 
     fn open_session<'m>(

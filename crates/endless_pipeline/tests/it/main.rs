@@ -1,5 +1,6 @@
 //! Integration tests of `endless_pipeline`, in one binary: a module a subject.
 
+mod bake_cache;
 mod builds;
 mod disk_full;
 mod fake;

@@ -3,10 +3,10 @@
 use endless_world::math::UnfusedMatrix;
 use std::sync::Arc;
 
-use glam::{Affine3A, Vec3, Vec3A};
+use glam::{Affine3A, Vec3};
 
 use super::ray::{Hit, LocalRay, Ray, RayTransform};
-use super::triangle::solve;
+use super::triangle::intersect_triangle;
 use super::{Blas, Tlas};
 
 /// A scene both as plain triangles and as an `Tlas`.
@@ -43,7 +43,7 @@ impl BruteForceScene {
             let (positions, triangles) = &self.meshes[*mesh];
             for (index, triangle) in triangles.iter().enumerate() {
                 let corners = triangle.map(|i| positions[i as usize]);
-                let Some((t, u, v)) = meet(&local, corners) else { continue };
+                let Some((t, u, v)) = intersect_triangle(&local, corners) else { continue };
                 let (min, max) =
                     (corners[0].min(corners[1]).min(corners[2]), corners[0].max(corners[1]).max(corners[2]));
                 let Some(tbox) = local.enter(min.to_array(), max.to_array()).or((!boxes).then_some(0.0)) else {
@@ -63,6 +63,13 @@ impl BruteForceScene {
         nearest(self.hits(ray, true))
     }
 
+    /// Where a ray meets the triangle of a hit.
+    pub(super) fn hit_on(&self, ray: &Ray, hit: &Hit) -> Option<Hit> {
+        let (positions, triangles) = &self.meshes[self.instances[hit.instance as usize].0];
+        let corners = triangles[hit.triangle as usize].map(|i| positions[i as usize]);
+        self.accel.hit_on(ray, hit.instance, hit.triangle, corners)
+    }
+
     /// The closest hit by the triangle test alone.
     pub(super) fn closest_without_boxes(&self, ray: &Ray) -> Option<Hit> {
         nearest(self.hits(ray, false))
@@ -71,21 +78,4 @@ impl BruteForceScene {
 
 fn nearest(hits: Vec<Hit>) -> Option<Hit> {
     hits.into_iter().min_by(|a, b| (a.t.total_cmp(&b.t)).then((a.instance, a.triangle).cmp(&(b.instance, b.triangle))))
-}
-
-/// The triangle test, one triangle at a time.
-fn meet(ray: &LocalRay, corners: [Vec3; 3]) -> Option<(f32, f32, f32)> {
-    let [x, y, z] = ray.shear.axes;
-    let [a, b, c] = corners.map(|p| {
-        let p = Vec3A::from(p) - Vec3A::from(ray.origin);
-        [p[x] - ray.shear.x * p[z], p[y] - ray.shear.y * p[z], p[z]]
-    });
-    let u = c[0] * b[1] - c[1] * b[0];
-    let v = a[0] * c[1] - a[1] * c[0];
-    let w = b[0] * a[1] - b[1] * a[0];
-    let inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
-    if !inside {
-        return None;
-    }
-    solve([u, v, w], [a[2], b[2], c[2]], ray.shear.z)
 }

@@ -78,6 +78,8 @@ proptest! {
             for (ray, expected) in rays.iter().zip(expected) {
                 prop_assert_eq!(scene.accel.closest(ray), expected, "{:?}", ray);
                 prop_assert_eq!(scene.accel.occluded(ray), expected.is_some(), "{:?}", ray);
+                let again = expected.and_then(|hit| scene.hit_on(ray, &hit));
+                prop_assert_eq!(again, expected, "{:?}", ray);
             }
             let closest = scene.accel.closest8(&rays, active);
             let occluded = scene.accel.occluded8(&rays, active);

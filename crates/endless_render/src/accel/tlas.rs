@@ -4,7 +4,7 @@ use endless_world::math::UnfusedMatrix;
 use std::sync::Arc;
 use std::time::Duration;
 
-use glam::{Affine3A, Vec3A};
+use glam::{Affine3A, Vec3, Vec3A};
 use obvhs::BvhBuildParams;
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::builder::build_bvh2;
@@ -12,7 +12,8 @@ use obvhs::bvh2::builder::build_bvh2;
 use super::blas::Blas;
 use super::collapse::{Bvh, SahCosts, collapse};
 use super::node::{BvhNode, EMPTY_BOX, NodeLink, corners, half_area, union};
-use super::ray::RayTransform;
+use super::ray::{Hit, LocalRay, Ray, RayTransform};
+use super::triangle::intersect_triangle;
 
 /// Acceleration structure over placed meshes, which rays are traced against.
 #[derive(Clone, Debug)]
@@ -20,6 +21,8 @@ pub struct Tlas {
     tree: Bvh,
     entries: Vec<TlasEntry>,
     instance_bounds: Vec<(Vec3A, Vec3A)>,
+    /// By instance; `None` if the mesh lies in world space as it is.
+    object_from_world: Vec<Option<RayTransform>>,
     bounds: (Vec3A, Vec3A),
 }
 
@@ -44,31 +47,47 @@ impl Tlas {
     pub fn build(instances: Vec<(Arc<Blas>, Affine3A)>) -> Self {
         let instance_bounds: Vec<_> =
             instances.iter().map(|(blas, world_from_object)| world_bounds(blas.bounds(), world_from_object)).collect();
+        let object_from_world: Vec<_> =
+            instances.iter().map(|(_, world_from_object)| object_from_world(world_from_object)).collect();
         let mut parts = Vec::with_capacity(instances.len());
         let mut boxes = Vec::with_capacity(instances.len());
-        for (index, (blas, world_from_object)) in instances.into_iter().enumerate() {
+        for (index, (blas, _)) in instances.into_iter().enumerate() {
             let (min, max) = instance_bounds[index];
             if !(min.is_finite() && max.is_finite()) {
                 continue;
             }
             let instance = index as u32;
             let root = blas.tree.root;
-            if world_from_object == Affine3A::IDENTITY {
+            let object_from_world = object_from_world[index];
+            if object_from_world.is_none() {
                 open_parts(&blas, &mut |root, bounds| {
-                    parts.push(TlasEntry { object_from_world: None, blas: Arc::clone(&blas), root, instance, bounds });
+                    parts.push(TlasEntry { object_from_world, blas: Arc::clone(&blas), root, instance, bounds });
                     boxes.push(bounds);
                 });
             } else {
-                let inverse = world_from_object.inverse_unfused();
-                let transform = RayTransform { linear: inverse.matrix3, translation: inverse.translation };
-                parts.push(TlasEntry { object_from_world: Some(transform), blas, root, instance, bounds: (min, max) });
+                parts.push(TlasEntry { object_from_world, blas, root, instance, bounds: (min, max) });
                 boxes.push((min, max));
             }
         }
         let (mut tree, order) = top_tree(&boxes);
         let entries = order.iter().map(|&part| parts[part as usize].clone()).collect();
         let bounds = tree.fit(|leaf| boxes[order[leaf.start()] as usize]);
-        Tlas { tree, entries, instance_bounds, bounds }
+        Tlas { tree, entries, instance_bounds, object_from_world, bounds }
+    }
+
+    /// Where a ray meets one triangle, as [`Self::closest`] tells it if that is the nearest; `corners` is where the mesh
+    /// has it. `None` if the ray passes by, or there is no such instance.
+    pub(crate) fn hit_on(&self, ray: &Ray, instance: u32, triangle: u32, corners: [Vec3; 3]) -> Option<Hit> {
+        let (min, max) = self.instance_bounds.get(instance as usize)?;
+        let world = LocalRay::new(ray.origin, ray.direction);
+        let tmin = world.enter(min.to_array(), max.to_array())?;
+        let local = self.object_from_world[instance as usize]
+            .map_or(world, |to_object| LocalRay::new(to_object.point(ray.origin), to_object.vector(ray.direction)));
+        let (t, u, v) = intersect_triangle(&local, corners)?;
+        let [a, b, c] = corners;
+        let tbox = local.enter(a.min(b).min(c).to_array(), a.max(b).max(c).to_array())?;
+        let t = t.max(tbox).max(tmin);
+        (t <= ray.tmax).then_some(Hit { t, instance, triangle, u, v })
     }
 
     /// Box around everything, `(min, max)`; `min > max` if there is nothing.
@@ -91,7 +110,8 @@ impl Tlas {
 
     /// Memory of the top level alone, bytes.
     pub fn memory_bytes(&self) -> usize {
-        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.entries[..]) + size_of_val(&self.instance_bounds[..])
+        let instances = size_of_val(&self.instance_bounds[..]) + size_of_val(&self.object_from_world[..]);
+        size_of_val(&self.tree.nodes[..]) + size_of_val(&self.entries[..]) + instances
     }
 
     pub(super) fn nodes(&self) -> &[BvhNode] {
@@ -106,6 +126,14 @@ impl Tlas {
     pub(super) fn entry(&self, leaf: NodeLink) -> &TlasEntry {
         &self.entries[leaf.start()]
     }
+}
+
+/// The way of a ray into a mesh's own frame; `None` if that is the world's.
+fn object_from_world(world_from_object: &Affine3A) -> Option<RayTransform> {
+    (*world_from_object != Affine3A::IDENTITY).then(|| {
+        let inverse = world_from_object.inverse_unfused();
+        RayTransform { linear: inverse.matrix3, translation: inverse.translation }
+    })
 }
 
 /// The tree over boxes and the order of its leaves. Few things move every frame, many never do: quality by number.

@@ -121,9 +121,26 @@ impl TriangleGroup {
 /// Distance and barycentric weights of the second and third vertex, from edge functions and depths.
 /// `None` if the triangle is seen edge-on or lies behind.
 #[inline]
-pub(super) fn solve(edges: [f32; 3], depths: [f32; 3], shear_z: f32) -> Option<(f32, f32, f32)> {
+fn solve(edges: [f32; 3], depths: [f32; 3], shear_z: f32) -> Option<(f32, f32, f32)> {
     let [u, v, w] = edges;
     let det = (u + v) + w;
     let t = ((u * depths[0] + v * depths[1]) + w * depths[2]) * shear_z / det;
     (t > 0.0 && t < f32::INFINITY).then(|| (t, v / det, w / det))
+}
+
+/// The triangle test, one triangle at a time: distance and barycentric weights of the second and third vertex.
+pub(super) fn intersect_triangle(ray: &LocalRay, corners: [Vec3; 3]) -> Option<(f32, f32, f32)> {
+    let [x, y, z] = ray.shear.axes;
+    let [a, b, c] = corners.map(|p| {
+        let p = Vec3A::from(p) - Vec3A::from(ray.origin);
+        [p[x] - ray.shear.x * p[z], p[y] - ray.shear.y * p[z], p[z]]
+    });
+    let u = c[0] * b[1] - c[1] * b[0];
+    let v = a[0] * c[1] - a[1] * c[0];
+    let w = b[0] * a[1] - b[1] * a[0];
+    let inside = (u >= 0.0 && v >= 0.0 && w >= 0.0) || (u <= 0.0 && v <= 0.0 && w <= 0.0);
+    if !inside {
+        return None;
+    }
+    solve([u, v, w], [a[2], b[2], c[2]], ray.shear.z)
 }

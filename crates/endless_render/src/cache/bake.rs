@@ -8,6 +8,7 @@ use super::tile_hierarchy::TileHierarchy;
 use crate::accel::Ray;
 use crate::camera_rays::sample_ray;
 use crate::film::LONGEST_PX;
+use crate::indirect::{IndirectHits, IndirectRays};
 use crate::lighting::{Lighting, ViewedArea};
 use crate::scene::{RigidVelocity, StaticScene};
 use crate::settings::RenderSettings;
@@ -29,19 +30,45 @@ pub struct CameraBake {
 impl CameraBake {
     /// Traces and shades what stands still as this camera sees it.
     pub fn bake(still: &StaticScene, settings: &RenderSettings, site: &CameraSite) -> Self {
+        Self::bake_with(still, settings, site, IndirectRays::Trace).0
+    }
+
+    /// The same; gives also what another bake of this camera needs not trace again, in whatever condition.
+    pub fn bake_keeping(still: &StaticScene, settings: &RenderSettings, site: &CameraSite) -> (Self, IndirectHits) {
+        Self::bake_with(still, settings, site, IndirectRays::Record)
+    }
+
+    /// The same with what an earlier bake of this camera kept: of the same scene, site, lens, size and gathering.
+    pub fn bake_reusing(
+        still: &StaticScene,
+        settings: &RenderSettings,
+        site: &CameraSite,
+        hits: &IndirectHits,
+    ) -> Self {
+        Self::bake_with(still, settings, site, IndirectRays::Replay(hits)).0
+    }
+
+    fn bake_with(
+        still: &StaticScene,
+        settings: &RenderSettings,
+        site: &CameraSite,
+        indirect: IndirectRays<'_>,
+    ) -> (Self, IndirectHits) {
         let camera = settings.camera(site);
         let pixel_angle = 1.0 / camera.intrinsics.fx;
         let area = ViewedArea::of(still, &camera);
         let lighting = timed("lights", || Lighting::direct(still, settings, &area));
-        let lighting = timed("probes", || lighting.with_probes(still, settings, &area));
+        let (lighting, probes) = timed("probes", || lighting.with_probes(still, settings, &area, indirect));
         let stats = BakeStats::default();
         let tracer = lighting.tracer(still, None);
-        let gbuffer = GBuffer::bake(&BakePass { tracer, camera: &camera, pixel_angle, settings, stats: &stats });
+        let pass = BakePass { tracer, camera: &camera, pixel_angle, settings, stats: &stats, indirect };
+        let (gbuffer, [points, edges]) = GBuffer::bake(&pass);
         let sun = lighting.environment.sun.as_ref().map(|sun| sun.direction);
         let tiles = timed("tiles", || TileHierarchy::new(&camera, &gbuffer, sun));
         let film = timed("film", || CameraFilm::new(settings, &camera, &lighting.environment, &gbuffer));
         let lighting = timed("halos", || lighting.with_halos(still, &camera));
-        Self { camera, pixel_angle, lighting, gbuffer, tiles, film, stats }
+        let hits = IndirectHits { probes, points, edges };
+        (Self { camera, pixel_angle, lighting, gbuffer, tiles, film, stats }, hits)
     }
 
     /// The camera.

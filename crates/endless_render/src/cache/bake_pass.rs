@@ -3,6 +3,7 @@
 use super::bake_stats::BakeStats;
 use crate::accel::Ray;
 use crate::camera_rays::{directions_through, sample_ray};
+use crate::indirect::IndirectRays;
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::settings::RenderSettings;
 use crate::shade::Tracer;
@@ -18,6 +19,7 @@ pub(super) struct BakePass<'a> {
     pub(super) pixel_angle: f32,
     pub(super) settings: &'a RenderSettings,
     pub(super) stats: &'a BakeStats,
+    pub(super) indirect: IndirectRays<'a>,
 }
 
 impl BakePass<'_> {

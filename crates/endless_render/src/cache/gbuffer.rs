@@ -3,9 +3,10 @@
 use super::bake_pass::BakePass;
 use super::bake_stats::timed;
 use super::gbuffer_row::GBufferRow;
-use super::irradiance::IrradiancePass;
+use super::irradiance::{GatheredLight, IrradiancePass};
 use super::primary_hits::PrimaryHits;
 use super::still_pixel::StillPixel;
+use crate::indirect::TapeStack;
 use crate::material::PackedBsdf;
 use crate::pixel_layers::LayerImages;
 use crate::rgb9e5::Rgb9e5;
@@ -30,15 +31,16 @@ pub(super) struct GBuffer {
 }
 
 impl GBuffer {
-    /// Traces and shades what stands still.
-    pub(super) fn bake(pass: &BakePass<'_>) -> Self {
+    /// Traces and shades what stands still; gives the ends of the rays that gathered light, if these are to be kept.
+    pub(super) fn bake(pass: &BakePass<'_>) -> (Self, [TapeStack; 2]) {
         let mut primary = timed("primary", || pass.trace());
-        let irradiance = timed("gather", || IrradiancePass { bake: pass, primary: &primary }.gather());
+        let GatheredLight { irradiance, points, edges } =
+            timed("gather", || IrradiancePass { bake: pass, primary: &primary }.gather());
         let surfaces = std::mem::take(&mut primary.surfaces);
         let (rows, layers) = timed("shade", || pass.shade(&primary, surfaces, &irradiance));
         let PrimaryHits { distances, sun_free, uniform, .. } = primary;
         let irradiance = if pass.settings.keep_irradiance { irradiance } else { Vec::new() };
-        Self { width: pass.width(), distances, sun_free, uniform, rows, layers, irradiance }
+        (Self { width: pass.width(), distances, sun_free, uniform, rows, layers, irradiance }, [points, edges])
     }
 
     /// A pixel, by its place in the picture.

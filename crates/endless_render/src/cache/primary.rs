@@ -132,6 +132,7 @@ fn is_uniform(points: [Option<&SurfaceInteraction<'_>>; SAMPLES]) -> bool {
 mod tests {
     use super::*;
     use crate::cache::bake_stats::BakeStats;
+    use crate::indirect::IndirectRays;
     use crate::lighting::{Lighting, ViewedArea};
     use crate::scene::{Geometry, Instance, StaticScene};
     use crate::settings::RenderSettings;
@@ -174,7 +175,8 @@ mod tests {
             let camera = settings.camera(&site);
             let lighting = Lighting::direct(&still, &settings, &ViewedArea::of(&still, &camera));
             let (tracer, stats) = (lighting.tracer(&still, None), BakeStats::default());
-            let pass = BakePass { tracer, camera: &camera, pixel_angle: 0.01, settings: &settings, stats: &stats };
+            let (settings, indirect) = (&settings, IndirectRays::Trace);
+            let pass = BakePass { tracer, camera: &camera, pixel_angle: 0.01, settings, stats: &stats, indirect };
             let primary = pass.trace();
             let sun = lighting.environment.sun.as_ref().expect("a clear sky");
             let (mut lit, mut partly, mut wrong) = (0, 0, 0);

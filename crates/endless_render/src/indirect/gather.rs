@@ -3,12 +3,13 @@
 //! Pixels take turns at a few patterns of rays (interleaved sampling; Keller and Heidrich 2001): those that share one
 //! send their rays side by side, and the denoiser mixes neighbours, which have different ones.
 
+use super::hit_tape::HitTape;
 use crate::accel::Ray;
 use crate::light::Environment;
 use crate::material::noise;
 use crate::sampling::{cosine_direction, hammersley, rotated};
 use crate::scene::ShadingPoint;
-use crate::shade::{Tracer, shade_secondary8};
+use crate::shade::{Tracer, shade_hit8};
 use glam::{Vec2, Vec3A};
 use std::f32::consts::PI;
 
@@ -42,18 +43,28 @@ pub(crate) struct GatherPoint {
 }
 
 /// Illuminance from everything but the sun's disc and the lamps, klx, of up to eight points whose patterns are turned
-/// alike; noisy, to be denoised.
-pub(crate) fn gather8(tracer: &Tracer<'_>, points: &[Option<GatherPoint>; 8], turn: Vec2, rays: u32) -> [Vec3A; 8] {
+/// alike; noisy, to be denoised. The tape tells where the rays end.
+pub(crate) fn gather8(
+    tracer: &Tracer<'_>,
+    tape: &mut HitTape<'_>,
+    points: &[Option<GatherPoint>; 8],
+    turn: Vec2,
+    rays: u32,
+) -> [Vec3A; 8] {
     let active = points.iter().enumerate().fold(0u8, |bits, (i, point)| bits | u8::from(point.is_some()) << i);
     let limit = brightest(tracer.environment);
     let mut sums = [Vec3A::ZERO; 8];
+    if active == 0 {
+        return sums;
+    }
     for k in 0..rays {
         let u = rotated(hammersley(k, rays), turn);
         let towards = std::array::from_fn(|i| match &points[i] {
             Some(point) => Ray { origin: point.facet.ray_origin(), direction: above(point, u), tmax: f32::MAX },
-            None => Ray { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 },
+            None => Ray::NONE,
         });
-        for (sum, light) in sums.iter_mut().zip(shade_secondary8(tracer, &towards, active, &[0.5; 8])) {
+        let struck = tape.closest8(tracer, &towards, active);
+        for (sum, light) in sums.iter_mut().zip(shade_hit8(tracer, &towards, &struck, active, &[0.5; 8])) {
             *sum += light.min(Vec3A::splat(limit));
         }
     }

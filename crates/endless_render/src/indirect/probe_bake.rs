@@ -2,6 +2,8 @@
 
 use super::gather::brightest;
 use super::harmonics::SphericalHarmonics;
+use super::hit_tape::{HitTape, RayEnd};
+use super::indirect_hits::{IndirectRays, PROBE_BOUNCES, TapeStack};
 use super::probe_grid::{Probe, ProbeGrid, ProbeRegion};
 use crate::accel::Ray;
 use crate::light::{Environment, LampMaps};
@@ -15,35 +17,41 @@ use rayon::prelude::*;
 use std::f32::consts::PI;
 
 /// Rays a probe, by bounce.
-const RAYS: [u32; 2] = [64, 144];
+const RAYS: [u32; PROBE_BOUNCES] = [64, 144];
 
 impl ProbeGrid {
-    /// Bakes probes over a rectangle of ground: first light that bounced once, then twice.
+    /// Bakes probes over a rectangle of ground: first light that bounced once, then twice. With the ends of their rays, if
+    /// these are to be kept.
     pub(crate) fn bake(
         still: &StaticScene,
         environment: &Environment,
         lamp_maps: &LampMaps,
         region: &ProbeRegion,
-    ) -> Self {
+        indirect: IndirectRays<'_>,
+    ) -> (Self, [TapeStack; PROBE_BOUNCES]) {
         let mut grid = Self::over(region);
         let (columns, rows) = (grid.size.x, grid.size.y);
-        for rays in RAYS {
+        let mut stacks = [const { TapeStack::EMPTY }; PROBE_BOUNCES];
+        for (bounce, rays) in RAYS.into_iter().enumerate() {
             let known = (!grid.probes.is_empty()).then_some(&grid);
             let tracer = Tracer { still, moving: None, environment, lamp_maps, probes: known };
-            let probes = (0..columns * rows * grid.size.z)
+            let (probes, tapes): (Vec<Probe>, Vec<Vec<RayEnd>>) = (0..columns * rows * grid.size.z)
                 .into_par_iter()
                 .map(|i| {
                     let (x, y, z) = (i % columns, i / columns % rows, i / (columns * rows));
-                    probe(&tracer, grid.position(x, y, z), i ^ noise::hash(region.pattern), rays)
+                    let mut tape = indirect.tape(|hits| &hits.probes[bounce], i as usize);
+                    let pattern = i ^ noise::hash(region.pattern);
+                    (probe(&tracer, &mut tape, grid.position(x, y, z), pattern, rays), tape.into_ends())
                 })
-                .collect();
+                .unzip();
             grid.probes = probes;
+            stacks[bounce] = TapeStack::new(tapes);
         }
-        grid
+        (grid, stacks)
     }
 }
 
-fn probe(tracer: &Tracer<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe {
+fn probe(tracer: &Tracer<'_>, tape: &mut HitTape<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe {
     let mut light = SphericalHarmonics::ZERO;
     let mut behind = 0u32;
     let limit = Vec3A::splat(brightest(tracer.environment));
@@ -51,7 +59,7 @@ fn probe(tracer: &Tracer<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe
     for k in 0..rays {
         let direction = sphere_direction(rotated(hammersley(k, rays), turn));
         let ray = Ray { origin: position, direction, tmax: f32::MAX };
-        let struck = tracer.closest(&ray);
+        let struck = tape.closest(tracer, &ray);
         if let Some(struck) = &struck {
             let point = tracer.point(&ray, struck);
             behind += u32::from(point.from_behind && point.material.surface != Surface::Foliage);

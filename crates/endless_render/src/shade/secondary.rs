@@ -27,19 +27,6 @@ pub(crate) fn shade_hit(tracer: &Tracer<'_>, ray: &Ray, struck: Option<&SceneHit
     tracer.environment.fog.through(radiance, ray.origin, ray.direction, struck.hit.t)
 }
 
-/// Radiance along those of eight rays whose bit is set in `active`: they run side by side.
-pub(crate) fn shade_secondary8(
-    tracer: &Tracer<'_>,
-    rays: &[Ray; 8],
-    active: u8,
-    footprints_m: &[f32; 8],
-) -> [Vec3A; 8] {
-    if active == 0 {
-        return [Vec3A::ZERO; 8];
-    }
-    shade_hit8(tracer, rays, &tracer.closest8(rays, active), active, footprints_m)
-}
-
 /// [`shade_hit`] for those of eight rays whose bit is set in `active`.
 pub(crate) fn shade_hit8(
     tracer: &Tracer<'_>,

@@ -25,6 +25,13 @@ pub(crate) struct SceneHit {
     pub(crate) moving: bool,
 }
 
+impl SceneHit {
+    /// On what stands still.
+    pub(crate) fn still(hit: Hit) -> Self {
+        Self { hit, moving: false }
+    }
+}
+
 impl<'a> Tracer<'a> {
     /// The nearest surface; what stands still wins a tie.
     pub(crate) fn closest(&self, ray: &Ray) -> Option<SceneHit> {
@@ -32,17 +39,6 @@ impl<'a> Tracer<'a> {
         let shortened = Ray { tmax: still.map_or(ray.tmax, |h| h.t), ..*ray };
         let moving = self.moving.and_then(|m| m.accel.closest(&shortened));
         nearer(still, moving)
-    }
-
-    /// [`Self::closest`] for those of eight rays whose bit is set in `active`.
-    pub(crate) fn closest8(&self, rays: &[Ray; 8], active: u8) -> [Option<SceneHit>; 8] {
-        if active == 0 {
-            return [None; 8];
-        }
-        let still = self.still.accel.closest8(rays, active);
-        let shortened = std::array::from_fn(|i| Ray { tmax: still[i].map_or(rays[i].tmax, |h| h.t), ..rays[i] });
-        let moving = self.moving.map_or([None; 8], |m| m.accel.closest8(&shortened, active));
-        std::array::from_fn(|i| nearer(still[i], moving[i]))
     }
 
     /// [`Self::occluded`] for those of eight rays whose bit is set in `active`, a bit each.
@@ -92,9 +88,9 @@ impl<'a> Tracer<'a> {
 /// What stands still wins a tie.
 fn nearer(still: Option<Hit>, moving: Option<Hit>) -> Option<SceneHit> {
     match (still, moving) {
-        (Some(s), Some(m)) if m.t >= s.t => Some(SceneHit { hit: s, moving: false }),
+        (Some(s), Some(m)) if m.t >= s.t => Some(SceneHit::still(s)),
         (_, Some(hit)) => Some(SceneHit { hit, moving: true }),
-        (Some(hit), None) => Some(SceneHit { hit, moving: false }),
+        (Some(hit), None) => Some(SceneHit::still(hit)),
         (None, None) => None,
     }
 }

@@ -1,8 +1,8 @@
 //! A scene of boxes: rendered with the cache, without it, and by a camera that moves.
 
 use endless_render::{
-    CameraBake, Footprint, FrameDescription, FrameScene, Gathering, Geometry, IndirectLight, Instance, MovingCamera,
-    MovingObject, RenderSettings, StaticScene,
+    CameraBake, Footprint, FrameDescription, FrameScene, Gathering, Geometry, IndirectHits, IndirectLight, Instance,
+    MovingCamera, MovingObject, RenderSettings, StaticScene,
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, Mount, SensorFrame, TimeOfDay, Weather};
@@ -11,8 +11,6 @@ use glam::{Affine3A, Vec2, Vec3};
 const SIZE: ImageSize = ImageSize { width: 120, height: 68 };
 /// A block that stands.
 const STANDING: InstanceId = InstanceId(1);
-/// One that stands only in one video.
-const DETAIL: InstanceId = InstanceId(2);
 /// One that moves.
 const MOVING: InstanceId = InstanceId(3);
 
@@ -89,17 +87,37 @@ fn the_cache_leaves_nothing_out() {
 }
 
 #[test]
-fn a_video_has_details_that_its_map_has_not() {
-    let map = still();
-    let video = map.with_instances([Instance::new(&block(), at(12.0, 5.0)).with_id(DETAIL, ClassTag::Static)]);
-    assert_eq!(video.placed_triangles(), map.placed_triangles() + 12);
-    let seen = |still: &StaticScene| {
-        let nothing = FrameScene::new(FrameDescription::default());
-        CameraBake::bake(still, &settings(Weather::Cloudy), &site()).render(still, &nothing)
+fn a_camera_is_baked_as_well_with_what_another_condition_kept() {
+    let still = still();
+    let (_, hits) = CameraBake::bake_keeping(&still, &settings(Weather::ClearSky), &site());
+    assert!(hits.memory_bytes() > 8 * SIZE.pixels());
+    let read = IndirectHits::from_bytes(&hits.to_bytes()).expect("as it was written");
+    for (weather, time_of_day) in [(Weather::ClearSky, TimeOfDay::Afternoon), (Weather::AfterRain, TimeOfDay::Night)] {
+        let settings = RenderSettings { time_of_day, seed: 8, ..settings(weather) };
+        let plain = CameraBake::bake(&still, &settings, &site());
+        let reusing = CameraBake::bake_reusing(&still, &settings, &site(), &read);
+        // What says nothing is traced.
+        let strange = IndirectHits::default();
+        let frame = frame(12.0);
+        assert!(plain.render(&still, &frame) == reusing.render(&still, &frame), "{weather} {time_of_day}");
+        let traced = CameraBake::bake_reusing(&still, &settings, &site(), &strange);
+        assert!(plain.render(&still, &frame) == traced.render(&still, &frame), "{weather} {time_of_day}");
+    }
+}
+
+#[test]
+fn scenes_are_told_apart_by_what_rays_can_meet() {
+    let written = |still: &StaticScene| {
+        let mut bytes = Vec::new();
+        still.write_geometry(&mut bytes).expect("memory");
+        bytes
     };
-    let (plain, detailed) = (seen(&map), seen(&video));
-    assert!(pixels_of(DETAIL, &plain).is_empty() && pixels_of(DETAIL, &detailed).len() > 30);
-    assert_eq!(pixels_of(STANDING, &plain), pixels_of(STANDING, &detailed));
+    let block = block();
+    let scene =
+        |x: f32| StaticScene::new(vec![Instance::new(&block, at(12.0, 5.0)), Instance::new(&block, at(x, 0.0))], &[]);
+    assert_eq!(written(&scene(1.0)), written(&scene(1.0)));
+    assert_ne!(written(&scene(1.0)), written(&scene(2.0)));
+    assert_ne!(written(&still()), written(&scene(1.0)));
 }
 
 #[test]

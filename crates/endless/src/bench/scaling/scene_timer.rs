@@ -2,7 +2,9 @@
 
 use anyhow::Result;
 use endless_dataset::SpawnCounts;
-use endless_pipeline::{BuiltinMap, BuiltinSimulator, SimulationSession, SimulationStep, Simulator, SimulatorError};
+use endless_pipeline::{
+    BuiltinMap, BuiltinSimulator, MapCatalog, MapUse, SimulationSession, SimulationStep, Simulator, SimulatorError,
+};
 use endless_world::{SceneSettings, WorldState};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::time::Instant;
@@ -39,8 +41,10 @@ impl<'s> SceneTimer<'s> {
 
     /// A town, and the seconds that it took to build.
     pub(super) fn load(&self, map: &str) -> Result<(BuiltinMap, f64)> {
+        let cameras = self.simulator.cameras(map)?;
+        let wanted = MapUse { name: map, cameras: &cameras, videos: &[] };
         let start = Instant::now();
-        let map = self.all_threads.install(|| self.simulator.load_map(map))?;
+        let map = self.all_threads.install(|| self.simulator.load_map(&wanted))?;
         Ok((map, start.elapsed().as_secs_f64()))
     }
 

@@ -5,7 +5,7 @@ use super::{paint, parked, placed, two_maps, world};
 use endless_annotate::{SceneObjects, WorldKeypoints};
 use endless_dataset::SpawnCounts;
 use endless_pipeline::{
-    Capabilities, RenderTask, SceneTruth, SimulationSession, SimulationStep, Simulator, SimulatorError,
+    Capabilities, MapUse, RenderTask, SceneTruth, SimulationSession, SimulationStep, Simulator, SimulatorError,
 };
 use endless_world::{SceneSettings, SensorFrame, WorldState};
 use std::{
@@ -53,7 +53,7 @@ impl Simulator for LiveFake {
         Capabilities { random_access: false, repeatable: false }
     }
 
-    fn load_map(&self, _name: &str) -> Result<(), SimulatorError> {
+    fn load_map(&self, _wanted: &MapUse<'_>) -> Result<(), SimulatorError> {
         Ok(())
     }
 

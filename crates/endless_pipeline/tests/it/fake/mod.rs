@@ -7,7 +7,7 @@ pub(crate) use live::{Fault, LiveFake};
 use endless_annotate::SceneObjects;
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, RecipeDraft, SpawnCounts};
 use endless_pipeline::{
-    Capabilities, GenerateOptions, Generated, RenderTask, SceneTruth, SilentProgress, SimulationSession,
+    Capabilities, GenerateOptions, Generated, MapUse, RenderTask, SceneTruth, SilentProgress, SimulationSession,
     SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
 };
 use endless_world::{
@@ -70,7 +70,7 @@ impl Simulator for Fake {
         Capabilities { random_access: true, repeatable: true }
     }
 
-    fn load_map(&self, _name: &str) -> Result<(), SimulatorError> {
+    fn load_map(&self, _wanted: &MapUse<'_>) -> Result<(), SimulatorError> {
         self.maps_loaded.fetch_add(1, Ordering::SeqCst);
         Ok(())
     }

@@ -1,0 +1,94 @@
+//! Bakes cameras with what earlier videos and runs kept of them.
+
+use super::bake_key::{BakeKey, bake_key, scene_key};
+use super::hits_folder::HitsFolder;
+use super::kept_hits::KeptHits;
+use crate::SimulatorError;
+use endless_render::{CameraBake, RenderSettings, StaticScene};
+use endless_world::{CameraSite, SceneCamera, SceneSettings};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Settings of what is kept of bakes: where their indirect rays end, which is a fifth of the work.
+#[derive(Debug, Default)]
+pub struct BakeCache {
+    /// The most memory that this takes.
+    pub(super) memory_bytes: usize,
+    folder: Option<BuildFolder>,
+}
+
+/// A folder, and which build of the program uses it.
+#[derive(Debug)]
+struct BuildFolder {
+    folder: HitsFolder,
+    build: String,
+}
+
+impl BakeCache {
+    /// In memory, up to so many bytes.
+    pub fn in_memory(memory_bytes: usize) -> Self {
+        Self { memory_bytes, folder: None }
+    }
+
+    /// Also in a folder that other runs and processes share; another build of the program keeps others there.
+    ///
+    /// # Errors
+    /// When nothing can be written there.
+    pub fn in_folder(self, path: &Path, build: impl Into<String>) -> Result<Self, SimulatorError> {
+        let folder = Some(BuildFolder { folder: HitsFolder::open(path)?, build: build.into() });
+        Ok(Self { folder, ..self })
+    }
+}
+
+/// What is kept of the cameras of one map.
+pub(super) struct MapBakes {
+    cache: Arc<BakeCache>,
+    scene: BakeKey,
+    kept: KeptHits,
+}
+
+impl MapBakes {
+    /// Of a map that these videos film, in this order.
+    pub(super) fn new(cache: &Arc<BakeCache>, still: &StaticScene, videos: &[&SceneSettings]) -> Self {
+        // In memory, there is only one scene.
+        let scene = cache.folder.as_ref().map_or([0; 32], |folder| scene_key(&folder.build, still));
+        let keys = |video: &&SceneSettings| {
+            let key = |camera: &SceneCamera| bake_key(&scene, &camera.site, &render_settings(video, camera));
+            (video.video, video.cameras.iter().map(key).collect())
+        };
+        let coming = videos.iter().map(keys).collect();
+        Self { cache: Arc::clone(cache), scene, kept: KeptHits::new(cache.memory_bytes, coming) }
+    }
+
+    /// Bakes a camera of a video.
+    pub(super) fn bake(&self, still: &StaticScene, video: &SceneSettings, camera: &SceneCamera) -> CameraBake {
+        let settings = render_settings(video, camera);
+        let site: &CameraSite = &camera.site;
+        let key = bake_key(&self.scene, site, &settings);
+        let folder = self.cache.folder.as_ref().map(|folder| &folder.folder);
+        let known = self.kept.get(&key).or_else(|| folder?.read(&key));
+        if let Some(hits) = known {
+            let bake = CameraBake::bake_reusing(still, &settings, site, &hits);
+            self.kept.keep(video.video, key, hits);
+            return bake;
+        }
+        if folder.is_none() && !self.kept.is_needed_after(video.video, &key) {
+            return CameraBake::bake(still, &settings, site);
+        }
+        let (bake, hits) = CameraBake::bake_keeping(still, &settings, site);
+        if let Some(folder) = folder {
+            folder.write(&key, &hits);
+        }
+        self.kept.keep(video.video, key, Arc::new(hits));
+        bake
+    }
+}
+
+/// How a camera of a video is rendered.
+fn render_settings(video: &SceneSettings, camera: &SceneCamera) -> RenderSettings {
+    RenderSettings {
+        look: camera.look,
+        fps: video.fps,
+        ..RenderSettings::new(video.weather, video.time_of_day, video.seed, video.size)
+    }
+}
