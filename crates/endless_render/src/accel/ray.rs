@@ -13,6 +13,9 @@ pub struct Ray {
     pub tmax: f32,
 }
 
+/// Rays whose direction is the way to a light end here, a little before it.
+pub(crate) const TO_LIGHT: f32 = 0.999;
+
 impl Ray {
     /// A ray that meets nothing.
     pub(crate) const NONE: Self = Self { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 };

@@ -43,6 +43,14 @@ impl<const N: usize> RayStream<N> {
         self.tmax[row].as_mut_array()[column] = ray.tmax;
     }
 
+    /// Turns all rays towards a point, which they reach at distance 1.
+    #[inline]
+    pub(crate) fn aim_at(&mut self, point: Vec3A) {
+        for (k, direction) in self.direction.iter_mut().enumerate() {
+            *direction = self.origin[k].map(|origin| f32x8::splat(point[k]) - origin);
+        }
+    }
+
     /// One ray.
     #[inline]
     pub fn ray(&self, lane: usize) -> Ray {

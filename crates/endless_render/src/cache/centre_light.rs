@@ -1,16 +1,15 @@
 //! What the samples of a uniform pixel share of what moving things do to their light, found once at the pixel's centre,
-//! for up to eight neighbours at a time.
+//! for half a tile of neighbours at a time.
 
 use super::contact_shadow::contact_shadow;
 use super::lamp_mask::lamp_sum;
-use super::pixel_centre::PixelCentre;
-use super::sweep::beams_on_row;
+use super::pixel_centre::{BLOCK, CentreBlock, PixelCentre};
+use super::sweep::beams_on_block;
 use super::tile_context::TileContext;
-use crate::accel::Ray;
+use crate::accel::{Ray, RayStream, TO_LIGHT, lanes};
 use crate::scene::FrameScene;
 use crate::shade::Tracer;
 use glam::Vec3A;
-use std::cell::LazyCell;
 
 /// Light of a uniform pixel that its samples share.
 #[derive(Debug, Clone, Copy)]
@@ -33,70 +32,70 @@ impl CentreLight {
 }
 
 /// The light of these pixels, seen from `eye`.
-pub(super) fn centre_lights(
-    context: &TileContext<'_>,
-    eye: Vec3A,
-    row: &[Option<PixelCentre<'_>>; 8],
-) -> [CentreLight; 8] {
+pub(super) fn centre_lights(context: &TileContext<'_>, eye: Vec3A, block: &CentreBlock<'_>) -> [CentreLight; BLOCK] {
     let TileContext { tracer, frame, work, .. } = *context;
-    let mut lights = [CentreLight::NONE; 8];
-    if row.iter().all(Option::is_none) {
+    let mut lights = [CentreLight::NONE; BLOCK];
+    if block.iter().all(Option::is_none) {
         return lights;
     }
-    // Three exponentials a pixel: most rows need none.
-    let transmittance = LazyCell::new(|| {
-        let fog = &tracer.environment.fog;
-        row.map(|place| place.map_or(0.0, |p| fog.transmittance(eye, p.facet.direction, p.facet.distance)))
-    });
+    let origins = ray_origins(block);
     if !work.beams.is_empty() {
-        let swept = beams_on_row(tracer, frame, &work.beams, row, &transmittance);
+        let swept = beams_on_block(tracer, frame, &work.beams, eye, block, &origins);
         for (light, swept) in lights.iter_mut().zip(swept) {
             light.swept = swept;
         }
     }
-    let blocked = lamps_blocked_row(tracer, frame, &work.lamps, row);
+    let blocked = lamps_blocked_block(tracer, frame, &work.lamps, block, origins);
     for (i, light) in lights.iter_mut().enumerate() {
-        let Some(PixelCentre { facet, bsdf, lamps_free }) = &row[i] else { continue };
+        let Some(PixelCentre { facet, bsdf, lamps_free }) = &block[i] else { continue };
         light.contact = contact_shadow(frame, work, facet);
-        light.direct = bsdf
-            .filter(|_| blocked[i] != 0)
-            .map(|bsdf| lamp_sum(tracer, facet, &bsdf.get(), lamps_free & !blocked[i]) * transmittance[i]);
+        light.direct = bsdf.filter(|_| blocked[i] != 0).map(|bsdf| {
+            let transmittance = tracer.environment.fog.transmittance(eye, facet.direction, facet.distance);
+            lamp_sum(tracer, facet, &bsdf.get(), lamps_free & !blocked[i]) * transmittance
+        });
     }
     lights
 }
 
+/// Rays that leave the pixels' surfaces, without directions, to the length that rays to lights have.
+fn ray_origins(block: &CentreBlock<'_>) -> RayStream<4> {
+    let mut rays = RayStream::NONE;
+    for (lane, place) in block.iter().enumerate() {
+        let Some(place) = place else { continue };
+        rays.set(lane, &Ray { origin: place.facet.ray_origin(), direction: Vec3A::ZERO, tmax: TO_LIGHT });
+    }
+    rays
+}
+
 /// Lamps that something that moves hides from each pixel, a bit each of those near it.
-fn lamps_blocked_row(
+fn lamps_blocked_block(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     lamps: &[u16],
-    row: &[Option<PixelCentre<'_>>; 8],
-) -> [u32; 8] {
-    let mut blocked = [0u32; 8];
+    block: &CentreBlock<'_>,
+    mut rays: RayStream<4>,
+) -> [u32; BLOCK] {
+    let mut blocked = [0u32; BLOCK];
     if lamps.is_empty() {
         return blocked;
     }
-    let near: [&[u16]; 8] =
-        std::array::from_fn(|i| row[i].map_or(&[][..], |p| tracer.still.lamps.indices_near(p.facet.position)));
-    let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
+    let near = block.map(|place| place.map_or(&[][..], |p| tracer.still.lamps.indices_near(p.facet.position)));
     for lamp in lamps {
-        let mut bits = [0u8; 8];
-        let mut active = 0u8;
-        for (i, place) in row.iter().enumerate() {
+        let mut bits = [0u8; BLOCK];
+        let mut active = 0u32;
+        for (i, place) in block.iter().enumerate() {
             let Some(place) = place else { continue };
             if let Ok(bit) = near[i].binary_search(lamp) {
                 bits[i] = bit as u8;
-                active |= ((place.lamps_free >> bit & 1) as u8) << i;
+                active |= (place.lamps_free >> bit & 1) << i;
             }
         }
         if active == 0 {
             continue;
         }
-        let position = tracer.still.lamps.all()[usize::from(*lamp)].position;
-        let rays = origins.map(|origin| Ray { origin, direction: position - origin, tmax: 0.999 });
-        let hidden = frame.accel.occluded8(&rays, active);
-        for i in 0..8 {
-            blocked[i] |= u32::from(hidden >> i & 1) << bits[i];
+        rays.aim_at(tracer.still.lamps.all()[usize::from(*lamp)].position);
+        for i in lanes(frame.accel.occluded32(&rays, active)) {
+            blocked[i] |= 1 << bits[i];
         }
     }
     blocked

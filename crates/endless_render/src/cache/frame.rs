@@ -3,10 +3,11 @@
 use super::affected::affected;
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
+use super::coverage::Coverage;
 use super::frame_buffer::{FrameBuffer, FramePixel};
 use super::mirror::mirrored_row;
 use super::pixel::undisturbed;
-use super::pixel_centre::PixelCentre;
+use super::pixel_centre::{BLOCK, CentreBlock};
 use super::row::PixelRow;
 use super::tile::TILE;
 use super::tile_context::{PixelSamples, TileContext};
@@ -15,6 +16,9 @@ use crate::scene::{FrameScene, StaticScene};
 use crate::shade::shade_moving_together;
 use endless_world::SensorFrame;
 use glam::Vec3A;
+
+/// Rows of a tile whose light is found together.
+const BLOCK_ROWS: usize = BLOCK / TILE as usize;
 
 impl CameraBake {
     /// What the camera sees at an instant.
@@ -65,20 +69,35 @@ impl CameraBake {
             |seen| shade_moving_together(tracer, seen, self.pixel_angle),
             |place, seen| self.halo((x0, y0), place, seen),
         );
-        for ((y, row), coverages) in (y0..).zip(rows).zip(coverages.chunks(TILE as usize)) {
-            let same = |i: usize| work.only_found() && row.found[i].is_nothing();
-            if (0..count).all(same) {
-                continue;
-            }
-            let lights = self.centre_lights(context, row, count);
-            let mirrors = mirrored_row(tracer, row, self.pixel_angle);
-            for x in x0..x1 {
-                let i = (x - x0) as usize;
-                if same(i) {
-                    continue;
-                }
-                let (index, found) = (row.pixel(i), &row.found[i]);
-                let light = Some(&lights[i]).filter(|_| self.gbuffer.uniform[index]);
+        for (half, coverages) in coverages.chunks(BLOCK).enumerate() {
+            let first = half * BLOCK_ROWS;
+            let rows = &rows[first.min(rows.len())..rows.len().min(first + BLOCK_ROWS)];
+            self.render_rows(context, (x0, y0 + first as u32), rows, coverages, buffer);
+        }
+        rays
+    }
+
+    /// Renders some rows of a tile, the first of whose pixels is given, and tells what covers their pixels.
+    fn render_rows(
+        &self,
+        context: &TileContext<'_>,
+        (x0, y0): (u32, u32),
+        rows: &[PixelRow<'_>],
+        coverages: &[Coverage],
+        buffer: &mut FrameBuffer,
+    ) {
+        let count = (self.tile_end(x0, y0).0 - x0) as usize;
+        let same = |row: &PixelRow<'_>, i: usize| context.work.only_found() && row.found[i].is_nothing();
+        let all_same = |row: &PixelRow<'_>| (0..count).all(|i| same(row, i));
+        if rows.iter().all(all_same) {
+            return;
+        }
+        let lights = self.centre_lights(context, rows, count);
+        for (line, row) in rows.iter().enumerate().filter(|(_, row)| !all_same(row)) {
+            let mirrors = mirrored_row(context.tracer, row, self.pixel_angle);
+            for i in (0..count).filter(|i| !same(row, *i)) {
+                let (index, found, place) = (row.pixel(i), &row.found[i], TILE as usize * line + i);
+                let light = Some(&lights[place]).filter(|_| self.gbuffer.uniform[index]);
                 if light.is_some_and(CentreLight::is_nothing) && found.is_nothing() {
                     continue;
                 }
@@ -87,24 +106,19 @@ impl CameraBake {
                     Some(radiance) => FramePixel { radiance, covered: None, streak: None },
                     None => {
                         let samples = PixelSamples { rays: &row.rays(i), still, found };
-                        self.pixel(context, &samples, light, mirrors[i], &coverages[i])
+                        self.pixel(context, &samples, light, mirrors[i], &coverages[place])
                     }
                 };
-                buffer.set(self, x, y, &pixel);
+                buffer.set(self, x0 + i as u32, y0 + line as u32, &pixel);
             }
         }
-        rays
     }
 
-    /// The light that the samples of each uniform pixel of a row share; pixels that something that moves covers wholly
-    /// are left out.
-    fn centre_lights(
-        &self,
-        context: &TileContext<'_>,
-        row: &PixelRow<'_>,
-        count: usize,
-    ) -> [CentreLight; TILE as usize] {
-        let centres: [Option<PixelCentre<'_>>; TILE as usize] = std::array::from_fn(|i| {
+    /// The light that the samples of each uniform pixel of some rows share; pixels that something that moves covers
+    /// wholly are left out.
+    fn centre_lights(&self, context: &TileContext<'_>, rows: &[PixelRow<'_>], count: usize) -> [CentreLight; BLOCK] {
+        let centres: CentreBlock<'_> = std::array::from_fn(|place| {
+            let (row, i) = (rows.get(place / TILE as usize)?, place % TILE as usize);
             let index = row.pixel(i);
             if i >= count || !self.gbuffer.uniform[index] || row.found[i].primary.iter().all(Option::is_some) {
                 return None;

@@ -9,6 +9,7 @@ use super::mirror::mirrored;
 use super::moving_hits::MovingHits;
 use super::packed_hit::PackedHit;
 use super::pixel::undisturbed;
+use super::pixel_centre::BLOCK;
 use super::primary_hits::{PackedNormals, PrimaryPixel};
 use super::shaded_pixel::ShadedPixel;
 use super::still_pixel::StillPixel;
@@ -125,9 +126,9 @@ impl CameraBake {
         let ray = self.ray(x, y, 0);
         let point = SurfaceInteraction::new(&context.tracer.still.instances, &ray, &hit);
         let bsdf = PackedBsdf::new(&gbuffer_bsdf(&point, environment, 0, self.pixel_angle));
-        let mut row = [None; 8];
-        row[0] = Some(still.centre(&ray, Some(&bsdf).filter(|_| environment.night)));
-        Some(centre_lights(context, Vec3A::from(self.camera.position), &row)[0])
+        let mut block = [None; BLOCK];
+        block[0] = Some(still.centre(&ray, Some(&bsdf).filter(|_| environment.night)));
+        Some(centre_lights(context, Vec3A::from(self.camera.position), &block)[0])
     }
 }
 

@@ -1,18 +1,18 @@
 //! Light of vehicle lamps that sweeps the static scene.
 
 use super::gbuffer_shading::gbuffer_bsdf;
-use super::pixel_centre::PixelCentre;
+use super::pixel_centre::{BLOCK, CentreBlock, PixelCentre};
 use super::tile_context::{PixelSamples, TileContext};
 use super::tile_work::BeamSweep;
-use crate::accel::Ray;
+use crate::accel::{Ray, RayStream};
+use crate::light::VehicleBeam;
 use crate::material::{Bsdf, Bsdf8};
 use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, ShadingPoint, SurfaceInteraction};
 use crate::shade::Tracer;
-use crate::vec3x8::normalize;
+use crate::vec3x8::{Vec3x8, normalize};
 use glam::Vec3A;
-use std::cell::LazyCell;
-use std::ops::Deref;
+use std::cell::OnceCell;
 use wide::f32x8;
 
 /// Illuminance, dimmed by the air before it, below which a vehicle light is not seen, klx.
@@ -74,53 +74,103 @@ fn seen_through(tracer: &Tracer<'_>, eye: Vec3A, facet: &ShadingPoint) -> f32 {
     tracer.environment.fog.transmittance(eye, facet.direction, facet.distance)
 }
 
-/// The same for the centres of up to eight neighbouring pixels at once: rays to one lamp are traced together.
-/// `transmittance` is asked only where a light may show.
-pub(super) fn beams_on_row<'a>(
+/// The same for the centres of a block of pixels, as `eye` sees them: rays to one lamp are traced together. They leave
+/// from `origins`.
+pub(super) fn beams_on_block(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     beams: &[BeamSweep],
-    row: &[Option<PixelCentre<'a>>; 8],
-    transmittance: &impl Deref<Target = [f32; 8]>,
-) -> [Vec3A; 8] {
-    let origins: [Vec3A; 8] = std::array::from_fn(|i| row[i].map_or(Vec3A::ZERO, |p| p.facet.ray_origin()));
-    let axis = |axis: usize| f32x8::new(std::array::from_fn(|i| row[i].map_or(0.0, |p| p.facet.position[axis])));
-    let positions = [axis(0), axis(1), axis(2)];
-    let seen = |place: &Option<PixelCentre<'a>>| place.and_then(|p| Some((p.bsdf?.get(), -p.facet.direction)));
-    let bsdfs = LazyCell::new(|| {
-        let seen: [_; 8] = std::array::from_fn(|i| seen(&row[i]));
-        Bsdf8::new(&seen.each_ref().map(|seen| seen.as_ref().map(|(bsdf, view)| (bsdf, *view))))
-    });
-    let mut sums = [f32x8::ZERO; 3];
-    let mut shown = false;
+    eye: Vec3A,
+    block: &CentreBlock<'_>,
+    origins: &RayStream<4>,
+) -> [Vec3A; BLOCK] {
+    let mut rows: [SweptRow<'_, '_>; 4] = std::array::from_fn(|row| SweptRow::new(&block[8 * row..][..8]));
+    let mut rays = origins.clone();
     for sweep in beams {
         let beam = &frame.beams[usize::from(sweep.beam)];
-        let mut active = 0u8;
-        let strengths = beam.strengths_at(positions);
-        for (i, place) in row.iter().enumerate() {
+        let strengths = rows.each_mut().map(|row| row.strengths(tracer, beam, eye));
+        let lit = strengths.map(|(_, lit)| lit);
+        let active = u32::from_le_bytes(lit);
+        if active == 0 {
+            continue;
+        }
+        rays.aim_at(beam.position);
+        let open = (active & !hidden32(tracer, frame, sweep, &rays, active)).to_le_bytes();
+        for ((row, (strengths, _)), open) in rows.iter_mut().zip(strengths).zip(open).filter(|(_, open)| *open != 0) {
+            row.add(beam, &strengths, open);
+        }
+    }
+    let rows = rows.map(|row| row.light());
+    std::array::from_fn(|i| rows[i / 8][i % 8])
+}
+
+/// [`hidden`] for a bundle.
+fn hidden32(tracer: &Tracer<'_>, frame: &FrameScene, sweep: &BeamSweep, rays: &RayStream<4>, active: u32) -> u32 {
+    let by_moving = if sweep.crossed { frame.accel.occluded32(rays, active) } else { 0 };
+    match active & !by_moving {
+        0 => by_moving,
+        open => by_moving | tracer.still.accel.occluded32(rays, open),
+    }
+}
+
+/// Eight neighbouring pixels, and the light that has been summed for them. What few rows need is found when it is asked.
+struct SweptRow<'b, 'a> {
+    row: &'b [Option<PixelCentre<'a>>],
+    positions: Vec3x8,
+    transmittance: OnceCell<[f32; 8]>,
+    bsdfs: OnceCell<Bsdf8>,
+    sums: Vec3x8,
+    shown: bool,
+}
+
+impl<'b, 'a> SweptRow<'b, 'a> {
+    fn new(row: &'b [Option<PixelCentre<'a>>]) -> Self {
+        let axis = |axis: usize| f32x8::new(std::array::from_fn(|i| row[i].map_or(0.0, |p| p.facet.position[axis])));
+        let positions = [axis(0), axis(1), axis(2)];
+        let (transmittance, bsdfs) = (OnceCell::new(), OnceCell::new());
+        Self { row, positions, transmittance, bsdfs, sums: [f32x8::ZERO; 3], shown: false }
+    }
+
+    /// How strongly a lamp lights each pixel, and where that can be seen, a bit each.
+    fn strengths(&self, tracer: &Tracer<'_>, beam: &VehicleBeam, eye: Vec3A) -> ([f32; 8], u8) {
+        let strengths = beam.strengths_at(self.positions);
+        let mut lit = 0u8;
+        for (i, place) in self.row.iter().enumerate() {
             let Some(PixelCentre { facet, .. }) = place else { continue };
-            let lit = strengths[i] > UNSEEN_KLX
+            let shows = strengths[i] > UNSEEN_KLX
                 && facet.geometric_normal.dot(beam.position - facet.position) > 0.0
-                && strengths[i] * transmittance[i] > UNSEEN_KLX;
-            active |= u8::from(lit) << i;
+                && strengths[i] * self.transmittance(tracer, eye)[i] > UNSEEN_KLX;
+            lit |= u8::from(shows) << i;
         }
-        if active == 0 {
-            continue;
-        }
-        active &= !hidden(tracer, frame, sweep, &origins.map(|origin| beam.shadow_ray(origin)), active);
-        if active == 0 {
-            continue;
-        }
-        shown = true;
-        let arriving = f32x8::new(std::array::from_fn(|i| if active >> i & 1 == 1 { strengths[i] } else { 0.0 }));
-        let lit = bsdfs.lit_by(&normalize([0, 1, 2].map(|k| f32x8::splat(beam.position[k]) - positions[k])));
+        (strengths, lit)
+    }
+
+    fn transmittance(&self, tracer: &Tracer<'_>, eye: Vec3A) -> &[f32; 8] {
+        self.transmittance.get_or_init(|| {
+            std::array::from_fn(|i| self.row[i].map_or(0.0, |place| seen_through(tracer, eye, &place.facet)))
+        })
+    }
+
+    /// Adds a lamp's light on the open pixels.
+    fn add(&mut self, beam: &VehicleBeam, strengths: &[f32; 8], open: u8) {
+        let bsdfs = self.bsdfs.get_or_init(|| {
+            let seen = |place: &Option<PixelCentre<'a>>| place.and_then(|p| Some((p.bsdf?.get(), -p.facet.direction)));
+            let seen: [_; 8] = std::array::from_fn(|i| seen(&self.row[i]));
+            Bsdf8::new(&seen.each_ref().map(|seen| seen.as_ref().map(|(bsdf, view)| (bsdf, *view))))
+        });
+        let arriving = f32x8::new(std::array::from_fn(|i| if open >> i & 1 == 1 { strengths[i] } else { 0.0 }));
+        let to_lamp = normalize([0, 1, 2].map(|k| f32x8::splat(beam.position[k]) - self.positions[k]));
+        let lit = bsdfs.lit_by(&to_lamp);
         for k in 0..3 {
-            sums[k] += lit[k] * arriving * f32x8::splat(beam.color()[k]);
+            self.sums[k] += lit[k] * arriving * f32x8::splat(beam.color()[k]);
         }
+        self.shown = true;
     }
-    if !shown {
-        return [Vec3A::ZERO; 8];
+
+    /// The sum, as it is seen through the air.
+    fn light(&self) -> [Vec3A; 8] {
+        let Some(transmittance) = self.transmittance.get().filter(|_| self.shown) else { return [Vec3A::ZERO; 8] };
+        let [x, y, z] = self.sums.map(f32x8::to_array);
+        std::array::from_fn(|i| Vec3A::new(x[i], y[i], z[i]) * transmittance[i])
     }
-    let [x, y, z] = sums.map(f32x8::to_array);
-    std::array::from_fn(|i| Vec3A::new(x[i], y[i], z[i]) * transmittance[i])
 }
