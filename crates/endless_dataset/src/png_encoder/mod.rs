@@ -17,6 +17,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// Rows of a band: 64 KiB of a 720p image, twice what a deflate window reaches.
 const ROWS: usize = 16;
 
+/// After so many images without a band of the one before, no more are remembered.
+const NEVER_THE_SAME: u32 = 4;
+
 /// The image of a camera's layer that was encoded last.
 #[derive(Debug, Default)]
 pub struct LastPng(Mutex<Memory>);
@@ -24,8 +27,8 @@ pub struct LastPng(Mutex<Memory>);
 #[derive(Debug, Default)]
 struct Memory {
     last: Option<Arc<EncodedImage>>,
-    /// Of images before it: room for pixels is used again.
-    spare: Vec<Vec<[u8; 3]>>,
+    /// How many images one after the other had no band of the one before.
+    all_new: u32,
 }
 
 #[derive(Debug)]
@@ -39,14 +42,23 @@ impl LastPng {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    fn remember(&self, image: &StoredImage, bands: Vec<Arc<Band>>) {
-        let mut data = self.memory().spare.pop().unwrap_or_default();
-        data.clone_from(&image.data);
-        let encoded = Arc::new(EncodedImage { image: StoredImage { size: image.size, data }, bands });
+    /// Remembers an image, of which so many bands were as in the one before, if there was one.
+    fn remember(&self, image: &StoredImage, bands: Vec<Arc<Band>>, same: Option<usize>) {
         let mut memory = self.memory();
-        if let Some(before) = memory.last.replace(encoded).and_then(Arc::into_inner) {
-            memory.spare.push(before.image.data);
+        memory.all_new = match same {
+            Some(0) => memory.all_new + 1,
+            Some(_) => 0,
+            None => memory.all_new,
+        };
+        let before = memory.last.take();
+        // The sensor's noise is new in each.
+        if memory.all_new >= NEVER_THE_SAME {
+            return;
         }
+        // Room for pixels is used again, unless another thread compares with them.
+        let mut data = before.and_then(Arc::into_inner).map_or_else(Vec::new, |before| before.image.data);
+        data.clone_from(&image.data);
+        memory.last = Some(Arc::new(EncodedImage { image: StoredImage { size: image.size, data }, bands }));
     }
 }
 
@@ -65,19 +77,20 @@ pub(crate) fn encode(image: &StoredImage, last: &LastPng) -> Vec<u8> {
     let before = last.memory().last.clone().filter(|before| before.image.size == image.size);
     let width = image.size.width as usize;
     let mut buffers = BandBuffers::default();
+    let mut same_bands = 0;
     let bands: Vec<Arc<Band>> = image
         .data
         .chunks(ROWS * width)
         .enumerate()
         .map(|(number, pixels)| {
             let same = before.as_ref().filter(|before| before.image.data[number * ROWS * width..].starts_with(pixels));
+            same_bands += usize::from(same.is_some());
             same.map_or_else(|| Arc::new(buffers.band(pixels, width)), |before| Arc::clone(&before.bands[number]))
         })
         .collect();
     let bytes = file(image, &bands);
-    // So that nobody else holds it, and its room can be used again.
-    drop(before);
-    last.remember(image, bands);
+    let same = before.map(|_| same_bands);
+    last.remember(image, bands, same);
     bytes
 }
 

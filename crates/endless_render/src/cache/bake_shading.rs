@@ -55,6 +55,7 @@ impl BakePass<'_> {
     ) -> (GBufferRow, Vec<PixelLayers>) {
         let width = self.width();
         let mut row = GBufferRow::for_pixels((0..width).map(|x| primary.pixel(x)));
+        let night = self.tracer.environment.night;
         let mut layers = Vec::with_capacity(width);
         for first in (0..width).step_by(8) {
             let count = (width - first).min(8);
@@ -62,10 +63,10 @@ impl BakePass<'_> {
             let shaded = eight.shaded();
             for pixel in 0..count {
                 let samples = std::array::from_fn(|sample| shaded[8 * sample + pixel]);
-                row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples));
+                row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples), night);
                 layers.push(eight.layers(pixel));
             }
-            if self.tracer.environment.night {
+            if night {
                 row.bsdfs.extend(&eight.bsdfs()[..count]);
             }
         }

@@ -40,8 +40,9 @@ impl CameraFilm {
         environment: &Environment,
         gbuffer: &GBuffer,
     ) -> Self {
-        let pixels = (0..gbuffer.pixels()).into_par_iter();
-        let radiance: Vec<Vec3A> = pixels.map(|pixel| gbuffer.pixel(pixel).radiance(environment)).collect();
+        let pixels = gbuffer.pixels();
+        let radiance: Vec<Vec3A> =
+            (0..pixels).into_par_iter().map(|pixel| gbuffer.pixel(pixel).radiance(environment)).collect();
         let width = settings.size.width as usize;
         let black = black_level(&radiance, |i| {
             let (ray, still) = (sample_ray(camera, (i % width) as u32, (i / width) as u32, 0), gbuffer.pixel(i));
@@ -61,9 +62,9 @@ impl CameraFilm {
             shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
             glare: environment.glare,
             post_process: PostProcess::new(&settings.look, settings.size, settings.fps, settings.seed, rains),
-            radiance_pool: ScratchPool::default(),
-            lens_scratch: ScratchPool::default(),
-            blur_scratch: ScratchPool::default(),
+            radiance_pool: ScratchPool::for_pixels(pixels),
+            lens_scratch: ScratchPool::for_pixels(pixels),
+            blur_scratch: ScratchPool::for_pixels(pixels),
         }
     }
 

@@ -23,28 +23,28 @@ pub(super) fn compose(
 ) -> Vec3A {
     let TileContext { tracer, frame, work, pixel_angle } = *context;
     let kept = still.sample(sample);
-    let Some(hit) = still.hit(sample) else { return kept.rest.get() };
+    if still.is_sky(sample) {
+        return kept.rest.get();
+    }
     let environment = tracer.environment;
     let mut contact = centre.map_or(1.0, |c| c.contact);
     let mut direct = centre.and_then(|c| c.direct);
-    let point = || SurfaceInteraction::new(&tracer.still.instances, ray, &hit);
-    let transmittance = || environment.fog.transmittance(ray.origin, ray.direction, hit.t);
+    let point = || Some(SurfaceInteraction::new(&tracer.still.instances, ray, &still.hit(sample)?));
+    let transmittance = || environment.fog.transmittance(ray.origin, ray.direction, still.distances[sample]);
     if centre.is_none() && !(work.contacts.is_empty() && work.lamps.is_empty()) {
         let facet = still.facet(ray, sample);
         contact = contact_shadow(frame, work, &facet);
-        let blocked = lamps_blocked(tracer, frame, &work.lamps, &facet, kept.lamps_free);
-        if blocked != 0 {
-            let bsdf = gbuffer_bsdf(&point(), environment, sample, pixel_angle);
-            let light = lamp_sum(tracer, &facet, &bsdf, kept.lamps_free & !blocked);
+        let lamps_free = still.lamps_free(sample);
+        let blocked = lamps_blocked(tracer, frame, &work.lamps, &facet, lamps_free);
+        if let Some(point) = (blocked != 0).then(point).flatten() {
+            let bsdf = gbuffer_bsdf(&point, environment, sample, pixel_angle);
+            let light = lamp_sum(tracer, &facet, &bsdf, lamps_free & !blocked);
             direct = Some(light * transmittance());
         }
     }
     let mirror = mirrored.or_else(|| Some(still.mirror(sample)?.light.get())).unwrap_or(Vec3A::ZERO);
-    let signal = if work.lens && still.is_lens(sample) {
-        lens_light(frame, &point(), environment.night) * transmittance()
-    } else {
-        Vec3A::ZERO
-    };
+    let lens = (work.lens && still.is_lens(sample)).then(point).flatten();
+    let signal = lens.map_or(Vec3A::ZERO, |lens| lens_light(frame, &lens, environment.night) * transmittance());
     let direct = direct.unwrap_or_else(|| kept.direct.get()) * sun_share(environment, sun_free);
     kept.rest.get() + kept.ambient.get() * contact + direct + mirror + signal
 }

@@ -7,11 +7,10 @@ use crate::rgb9e5::Rgb9e5;
 use crate::scene::ShadingPoint;
 use glam::Vec3A;
 
-/// What a sample saw and the parts of its radiance, fog applied, kcd/m²: 32 bytes. One tells a whole pixel that is
-/// uniform or of nothing but sky.
+/// The parts of a sample's radiance, fog applied, kcd/m²: 16 bytes. One tells a whole pixel that is uniform or of nothing
+/// but sky.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct GBufferSample {
-    pub(super) hit: PackedHit,
     /// Emitted by the surface and scattered in by the air.
     pub(super) rest: Rgb9e5,
     /// Reflected sky and bounced light; moving objects nearby darken it.
@@ -20,20 +19,19 @@ pub(super) struct GBufferSample {
     pub(super) direct: Rgb9e5,
     /// Geometric normal, packed.
     pub(super) normal: u32,
+}
+
+/// What a sample saw, and which lamps light it: 16 bytes, kept where something that moves can ask for the material.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LitHit {
+    pub(super) hit: PackedHit,
     /// Which lamps near it light it past the static scene, a bit each.
     pub(super) lamps_free: u32,
 }
 
 impl GBufferSample {
     /// Black sky.
-    pub(super) const NONE: Self = Self {
-        hit: PackedHit::NONE,
-        rest: Rgb9e5::ZERO,
-        ambient: Rgb9e5::ZERO,
-        direct: Rgb9e5::ZERO,
-        normal: 0,
-        lamps_free: 0,
-    };
+    pub(super) const NONE: Self = Self { rest: Rgb9e5::ZERO, ambient: Rgb9e5::ZERO, direct: Rgb9e5::ZERO, normal: 0 };
 }
 
 /// What a sample's coat mirrors, where it is strong enough to be seen: 20 bytes.

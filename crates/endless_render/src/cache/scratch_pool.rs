@@ -1,27 +1,34 @@
 //! Large things that frames hand on to one another: each puts back the little that it changed, which costs less than
-//! fresh ones.
+//! fresh ones. Of very large pictures none are kept: each camera's would wait while another's are in use.
 
 use std::sync::{Mutex, PoisonError};
 
+/// Pixels of pictures that are very large.
+const VERY_LARGE: usize = 4_000_000;
+
 /// Those not in use; at most as many as frames are made at once.
 #[derive(Debug)]
-pub(super) struct ScratchPool<T>(Mutex<Vec<T>>);
-
-impl<T> Default for ScratchPool<T> {
-    fn default() -> Self {
-        Self(Mutex::default())
-    }
+pub(super) struct ScratchPool<T> {
+    spare: Mutex<Vec<T>>,
+    keeps: bool,
 }
 
 impl<T> ScratchPool<T> {
+    /// For pictures of so many pixels.
+    pub(super) fn for_pixels(pixels: usize) -> Self {
+        Self { spare: Mutex::default(), keeps: pixels < VERY_LARGE }
+    }
+
     /// One that is left over, or a fresh one.
     pub(super) fn take(&self, fresh: impl FnOnce() -> T) -> T {
-        let spare = self.0.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
         spare.unwrap_or_else(fresh)
     }
 
     /// Takes one back, which must be as it was.
     pub(super) fn give(&self, it: T) {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner).push(it);
+        if self.keeps {
+            self.spare.lock().unwrap_or_else(PoisonError::into_inner).push(it);
+        }
     }
 }

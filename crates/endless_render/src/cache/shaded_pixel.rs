@@ -1,6 +1,6 @@
 //! One pixel of the static picture, just shaded.
 
-use super::gbuffer_sample::{GBufferSample, MirrorSample};
+use super::gbuffer_sample::{GBufferSample, LitHit, MirrorSample};
 use super::primary_hits::PrimaryPixel;
 use super::still_pixel::StillPixel;
 use crate::rgb9e5::Rgb9e5;
@@ -33,8 +33,7 @@ impl ShadedSample {
     /// As it is kept, of a sample of the pixel.
     fn kept(&self, primary: &PrimaryPixel<'_>, sample: usize) -> GBufferSample {
         let [rest, ambient, direct] = [self.rest, self.ambient, self.direct].map(Rgb9e5::new);
-        let (hit, normal) = (primary.hits[sample], primary.normals[sample].geometric);
-        GBufferSample { hit, rest, ambient, direct, normal, lamps_free: self.lamps_free }
+        GBufferSample { rest, ambient, direct, normal: primary.normals[sample].geometric }
     }
 
     /// The light of two in the mean.
@@ -47,6 +46,7 @@ impl ShadedSample {
 /// What is kept of a pixel that was shaded.
 pub(super) struct ShadedPixel {
     samples: [GBufferSample; SAMPLES],
+    hits: [LitHit; SAMPLES],
     /// How many of them are kept.
     count: usize,
     mirrors: [MirrorSample; SAMPLES],
@@ -68,7 +68,8 @@ impl ShadedPixel {
         } else {
             samples = std::array::from_fn(|s| shaded[s].kept(primary, s));
         }
-        let mut pixel = Self { samples, count, mirrors: [MirrorSample::NONE; SAMPLES], mirrored: 0, lenses: 0 };
+        let hits = std::array::from_fn(|s| LitHit { hit: primary.hits[s], lamps_free: shaded[s].lamps_free });
+        let mut pixel = Self { samples, hits, count, mirrors: [MirrorSample::NONE; SAMPLES], mirrored: 0, lenses: 0 };
         for (s, sample) in shaded.iter().enumerate() {
             pixel.lenses |= u8::from(sample.is_lens) << s;
             if let Some(mirror) = sample.mirror.filter(|_| !(primary.uniform && s % 2 == 1)) {
@@ -83,12 +84,16 @@ impl ShadedPixel {
     pub(super) fn still<'a>(&'a self, primary: &PrimaryPixel<'a>) -> StillPixel<'a> {
         let Self { mirrored, lenses, .. } = *self;
         let PrimaryPixel { distances, sun_free, uniform, .. } = *primary;
-        let (samples, mirrors) = (self.samples(), self.mirrors());
-        StillPixel { distances, sun_free, uniform, samples, mirrored, mirrors, lenses }
+        let (samples, hits, mirrors) = (self.samples(), self.hits(), self.mirrors());
+        StillPixel { distances, sun_free, uniform, samples, hits, mirrored, mirrors, lenses }
     }
 
     pub(super) fn samples(&self) -> &[GBufferSample] {
         &self.samples[..self.count]
+    }
+
+    pub(super) fn hits(&self) -> &[LitHit] {
+        &self.hits[..self.count]
     }
 
     pub(super) fn mirrors(&self) -> &[MirrorSample] {

@@ -1,6 +1,6 @@
 //! One pixel of the static picture, as it is kept.
 
-use super::gbuffer_sample::{GBufferSample, MirrorSample};
+use super::gbuffer_sample::{GBufferSample, LitHit, MirrorSample};
 use super::pixel_centre::PixelCentre;
 use crate::accel::{Hit, Ray};
 use crate::light::{Environment, SUN_SAMPLES};
@@ -22,6 +22,8 @@ pub(super) struct StillPixel<'a> {
     pub(super) uniform: bool,
     /// One or four.
     pub(super) samples: &'a [GBufferSample],
+    /// As many, or none by day.
+    pub(super) hits: &'a [LitHit],
     /// Which samples have a mirror, a bit each. Those of a uniform pixel share one in pairs: the first has it.
     pub(super) mirrored: u8,
     pub(super) mirrors: &'a [MirrorSample],
@@ -52,9 +54,18 @@ impl<'a> StillPixel<'a> {
         self.lenses >> sample & 1 == 1
     }
 
-    /// What a sample's ray met; of a uniform pixel, known of its centre alone.
+    fn lit_hit(&self, sample: usize) -> Option<&'a LitHit> {
+        self.hits.get(sample * self.hits.len() / SAMPLES)
+    }
+
+    /// What a sample's ray met, if it is kept; of a uniform pixel, known of its centre alone.
     pub(super) fn hit(&self, sample: usize) -> Option<Hit> {
-        self.sample(sample).hit.at(self.distances[sample])
+        self.lit_hit(sample)?.hit.at(self.distances[sample])
+    }
+
+    /// Which lamps near a sample light it past the static scene, a bit each.
+    pub(super) fn lamps_free(&self, sample: usize) -> u32 {
+        self.lit_hit(sample).map_or(0, |hit| hit.lamps_free)
     }
 
     /// The surface of a sample, seen along its ray.
@@ -64,7 +75,7 @@ impl<'a> StillPixel<'a> {
 
     /// The centre, seen along its ray.
     pub(super) fn centre<'b>(&self, ray: &Ray, bsdf: Option<&'b PackedBsdf>) -> PixelCentre<'b> {
-        PixelCentre { facet: self.facet(ray, 0), bsdf, lamps_free: self.sample(0).lamps_free }
+        PixelCentre { facet: self.facet(ray, 0), bsdf, lamps_free: self.lamps_free(0) }
     }
 
     /// Whether the centre lies on something level, where rain splashes.
