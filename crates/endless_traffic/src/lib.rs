@@ -1,7 +1,8 @@
 //! Traffic: vehicles, two-wheelers, pedestrians and signals on a road network.
 //!
 //! A [`Simulation`] is made of a [`RoadNetwork`](endless_road::RoadNetwork), a [`Fleet`] of vehicle models and people,
-//! the parked vehicles, and [`TrafficSettings`]. It owns a copy of the network and advances frame by frame;
+//! the parked vehicles, and [`TrafficSettings`]. What depends on the network and the models alone can be made once for
+//! many of them ([`TrafficMap`]). It advances frame by frame;
 //! [`Simulation::state`] is the world state that is rendered and labelled. All randomness comes from streams keyed by the
 //! seed, and a frame is a fixed number of equal steps, so the same settings give the same states, bit for bit.
 //!
@@ -63,5 +64,6 @@ mod walk_strip;
 mod walker;
 
 pub use population::Population;
+pub use roads::TrafficMap;
 pub use settings::{Fleet, TrafficSettings};
 pub use simulation::Simulation;

@@ -6,6 +6,7 @@ use endless_road::swept::{LONG_M, curvature_per_m, fits, smallest_radius_m};
 use endless_road::{CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
 use endless_world::{VehicleModelId, VehicleSpec};
 use glam::Vec3;
+use std::{ops::Deref, sync::Arc};
 
 /// Distance between stations of a speed profile, metres.
 const STATION_M: f64 = 1.0;
@@ -57,19 +58,44 @@ impl LaneTable {
     }
 }
 
-/// The network with its tables.
+/// A road network with tables for drivers of all models of a fleet: made once a map. Clones share it.
 #[derive(Debug, Clone)]
-pub(crate) struct Roads {
+pub struct TrafficMap(Arc<RoadTables>);
+
+/// The network with its tables.
+#[derive(Debug)]
+pub(crate) struct RoadTables {
     pub(crate) network: RoadNetwork,
     /// Lanes among which vehicles of each model circulate.
     allowed: Vec<Vec<bool>>,
     lanes: Vec<LaneTable>,
+}
+
+/// The network with its tables, and where traffic goes.
+#[derive(Debug, Clone)]
+pub(crate) struct Roads {
+    tables: Arc<RoadTables>,
     pub(crate) attraction: Attraction,
 }
 
 impl Roads {
-    /// With all models, and the places that are looked at.
-    pub(crate) fn new(network: RoadNetwork, specs: &[VehicleSpec], focus: &[Vec3]) -> Self {
+    /// With the places that are looked at.
+    pub(crate) fn new(TrafficMap(tables): &TrafficMap, focus: &[Vec3]) -> Self {
+        Self { tables: Arc::clone(tables), attraction: Attraction::new(&tables.network, focus) }
+    }
+}
+
+impl Deref for Roads {
+    type Target = RoadTables;
+
+    fn deref(&self) -> &RoadTables {
+        &self.tables
+    }
+}
+
+impl TrafficMap {
+    /// Of a network and all models that may drive on it.
+    pub fn new(network: RoadNetwork, specs: &[VehicleSpec]) -> Self {
         let bodies = DesignVehicles::of(specs);
         let mut lanes: Vec<LaneTable> = network.lanes.iter().map(|lane| table(&network, lane.id)).collect();
         for (place, crossing) in network.crossings.iter().enumerate() {
@@ -110,10 +136,11 @@ impl Roads {
         for (table, setback) in lanes.iter_mut().zip(setbacks) {
             table.setback = setback.min((table.length - bodies.length_m()).max(0.0));
         }
-        let attraction = Attraction::new(&network, focus);
-        Self { network, allowed, lanes, attraction }
+        Self(Arc::new(RoadTables { network, allowed, lanes }))
     }
+}
 
+impl RoadTables {
     /// Lanes among which vehicles of a model can circulate.
     pub(crate) fn allowed(&self, model: VehicleModelId) -> &[bool] {
         &self.allowed[model.index()]

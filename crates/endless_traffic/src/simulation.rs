@@ -4,7 +4,7 @@ use crate::crossing::{CrossingState, note_vehicles};
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
 use crate::population::Population;
-use crate::roads::Roads;
+use crate::roads::{Roads, TrafficMap};
 use crate::settings::{Fleet, TrafficSettings};
 use crate::steering::DriverView;
 use crate::vehicle::Vehicle;
@@ -59,9 +59,26 @@ impl Simulation {
         parked: &[ParkedVehicle],
         settings: &TrafficSettings,
     ) -> Result<Self, TooManyInstances> {
+        Self::on_map(&TrafficMap::new(network.clone(), fleet.vehicles), fleet, parked, settings)
+    }
+
+    /// The same on a map that was made of this fleet's models.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    ///
+    /// # Panics
+    /// As [`Self::new`].
+    pub fn on_map(
+        map: &TrafficMap,
+        fleet: &Fleet<'_>,
+        parked: &[ParkedVehicle],
+        settings: &TrafficSettings,
+    ) -> Result<Self, TooManyInstances> {
         let fps = settings.fps;
         assert!(fps > 0.0, "frames per second must be positive");
-        let roads = Roads::new(network.clone(), fleet.vehicles, &settings.focus);
+        let roads = Roads::new(map, &settings.focus);
+        let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, parked, settings);
         let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);

@@ -5,13 +5,15 @@ use crate::SimulatorError;
 use endless_asset::Catalogue;
 use endless_city::{SharedModels, TownScene};
 use endless_town::Town;
+use endless_traffic::TrafficMap;
 use endless_world::SceneSettings;
 use std::sync::Arc;
 
-/// A town, its geometry, and what is kept of its cameras.
+/// A town, its geometry, its roads as drivers know them, and what is kept of its cameras.
 pub struct BuiltinMap {
     pub(super) town: Town,
     pub(super) town_scene: TownScene,
+    pub(super) traffic: TrafficMap,
     pub(super) bakes: MapBakes,
 }
 
@@ -27,10 +29,14 @@ impl BuiltinMap {
         cache: &Arc<BakeCache>,
         videos: &[&SceneSettings],
     ) -> Result<Self, SimulatorError> {
-        let town_scene = TownScene::load_sharing(&town, catalogue, models)
-            .map_err(|source| SimulatorError::LoadMap { map: town.name.clone(), source: source.into() })?;
+        let (town_scene, traffic) = rayon::join(
+            || TownScene::load_sharing(&town, catalogue, models),
+            || TrafficMap::new(town.network.clone(), &catalogue.vehicle_specs()),
+        );
+        let town_scene =
+            town_scene.map_err(|source| SimulatorError::LoadMap { map: town.name.clone(), source: source.into() })?;
         let bakes = MapBakes::new(cache, town_scene.static_scene(), videos);
-        Ok(Self { town, town_scene, bakes })
+        Ok(Self { town, town_scene, traffic, bakes })
     }
 
     /// Number of the town's triangles as placed: those of a tree count wherever it stands.

@@ -62,7 +62,7 @@ impl<'m> BuiltinSession<'m> {
         let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
         let specs = catalogue.vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
-        let simulation = Simulation::new(&map.town.network, &fleet, &map.town.parked, &traffic).map_err(|source| {
+        let simulation = Simulation::on_map(&map.traffic, &fleet, &map.town.parked, &traffic).map_err(|source| {
             SimulatorError::Scene { video: settings.video, map: settings.map.clone(), source: source.into() }
         })?;
         let population = simulation.population();

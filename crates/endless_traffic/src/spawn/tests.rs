@@ -1,4 +1,5 @@
 use super::*;
+use crate::TrafficMap;
 use endless_asset::Catalogue;
 use endless_town::Town;
 use endless_world::{ObjectClass, Pose, VehicleModelId, VehicleRef};
@@ -21,7 +22,7 @@ impl TestTown {
     }
 
     fn roads(&self, focus: &[Vec3]) -> Roads {
-        Roads::new(self.town.network.clone(), &self.specs(), focus)
+        Roads::new(&TrafficMap::new(self.town.network.clone(), &self.specs()), focus)
     }
 }
 
@@ -74,7 +75,7 @@ fn a_design_more_changes_only_the_vehicles_that_it_takes_the_place_of() {
     for added in ["car.taxi", "van.panel"] {
         let fewer: Vec<VehicleSpec> = all.iter().filter(|s| s.name != added).cloned().collect();
         let spawn = |specs: &[VehicleSpec], seed| {
-            let roads = Roads::new(place.town.network.clone(), specs, &[]);
+            let roads = Roads::new(&TrafficMap::new(place.town.network.clone(), specs), &[]);
             vehicles(&roads, specs, &[], &asked(25, seed))
         };
         let mut taken = 0;
