@@ -1,6 +1,7 @@
 //! The command line.
 
 use crate::{bench::ScalingSeries, build_info::VERSION, recipe_args::RecipeArgs};
+use bytesize::ByteSize;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use endless_world::DrivingSide;
@@ -46,8 +47,8 @@ pub(crate) struct GenerateArgs {
     #[arg(long, value_name = "FILE")]
     pub(crate) config: Option<PathBuf>,
     /// Most memory for what bakes of the same camera share, as in 500MB or 4GiB. Does not change the result.
-    #[arg(long, value_name = "SIZE", default_value = "1GiB")]
-    pub(crate) memory: bytesize::ByteSize,
+    #[arg(long, value_name = "SIZE", default_value = "1GiB", value_parser = byte_size)]
+    pub(crate) memory: ByteSize,
     /// Keep that in this folder, too, for other runs and for processes that run at the same time. Does not change the
     /// result.
     #[arg(long, value_name = "DIR")]
@@ -199,6 +200,10 @@ pub(crate) struct BenchArgs {
     /// Times of day to record [default: afternoon, with --conditions all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) times: Option<Vec<String>>,
+}
+
+fn byte_size(text: &str) -> Result<ByteSize, &'static str> {
+    text.parse().map_err(|_| "write a number and a unit, as in 500MB or 4GiB")
 }
 
 fn driving_side() -> impl TypedValueParser<Value = DrivingSide> {

@@ -1,11 +1,11 @@
-//! The log of `-v`: stages and their times, on stderr.
+//! The log on stderr: warnings, and with `-v` stages and their times.
 
 use tracing::Level;
 
-/// Listens from here on; to nothing where nothing is asked for.
+/// Listens from here on.
 pub(crate) fn start(verbose: u8) {
     let level = match verbose {
-        0 => return,
+        0 => Level::WARN,
         1 => Level::DEBUG,
         _ => Level::TRACE,
     };

@@ -2,6 +2,7 @@
 
 mod bad_input;
 mod build_identity;
+mod cache;
 mod docs;
 mod imported_assets;
 mod imported_maps;
