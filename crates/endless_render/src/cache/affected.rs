@@ -2,6 +2,7 @@
 
 use super::bake::CameraBake;
 use super::contact_shadow::contact_may_reach;
+use super::object_group::ObjectGroup;
 use super::ray_bounds::RayBounds;
 use super::tile::{Bounds3, TILE, TileBounds, TileRayBounds};
 use super::tile_hierarchy::{FACTOR, TileHierarchy, TileLevel};
@@ -25,10 +26,22 @@ pub(super) fn affected(bake: &CameraBake, still: &StaticScene, frame: &FrameScen
     for instance in &frame.instances {
         mark_visible(bake, instance, &mut work);
     }
-    for (i, object) in frame.objects.iter().enumerate() {
-        let i = i as u16;
-        let shadows = lamp_shadows(bake, &still.lamps, object);
-        mark(&bake.tiles, &mut work, |area, tile| mark_object(object, &shadows, i, area, tile));
+    let shadows: Vec<Vec<LampShadow>> =
+        frame.objects.iter().map(|object| lamp_shadows(bake, &still.lamps, object)).collect();
+    let spans: Vec<Bounds3> = shadows.iter().map(|shadows| span_of(shadows)).collect();
+    for group in ObjectGroup::all(&frame.objects, &spans) {
+        mark(&bake.tiles, &mut work, |area, tile| {
+            let may_change = !area.bounds.points.is_empty() && group.may_change(area.bounds, area.rays);
+            if let (Some(tile), true) = (tile, may_change) {
+                for &i in &group.members {
+                    mark_object(&frame.objects[i], &shadows[i], i as u16, area, tile);
+                }
+            }
+            may_change
+        });
+    }
+    for tile in &mut work {
+        tile.contacts.sort_unstable();
     }
     // By day vehicle lights are seen, but light nothing.
     let beams: &[VehicleBeam] = if bake.lighting.environment.night { &frame.beams } else { &[] };
@@ -88,23 +101,17 @@ fn mark_area(
     }
 }
 
-/// Marks a tile (if given) with what an object does to it; says whether it does anything.
+/// Marks a tile with what an object does to it.
 fn mark_object(
     object: &MovingVolume,
     shadows: &[LampShadow],
     index: u16,
     TileArea { bounds, rays }: TileArea<'_>,
-    tile: Option<&mut TileWork>,
-) -> bool {
-    if bounds.points.is_empty() {
-        return false;
-    }
+    tile: &mut TileWork,
+) {
     let (low, high) = (object.low, object.high);
-    // A large area asks for the whole, a tile for the parts.
-    let closely = tile.is_some();
     let meets = |rays: &RayBounds, reach: f32| {
-        rays.may_meet(low, high, reach)
-            && (!closely || object.parts.iter().any(|&(low, high)| rays.may_meet(low, high, reach)))
+        rays.may_meet(low, high, reach) && object.parts.iter().any(|&(low, high)| rays.may_meet(low, high, reach))
     };
     let sun = || rays.sun.as_ref().is_some_and(|b| meets(b, f32::MAX));
     let mirror = || rays.mirror.as_ref().is_some_and(|b| meets(b, bounds.mirror_reach * 1.001 + 0.1));
@@ -113,7 +120,6 @@ fn mark_object(
         bounds.points.meets(shadow.span.low - 0.1, shadow.span.high + 0.1)
             && bounds.lamp_rays(shadow.position).may_meet(low, high, 1.0)
     };
-    let Some(tile) = tile else { return sun() || mirror() || contact() || shadows.iter().any(shades) };
     tile.sun = tile.sun || sun();
     tile.mirror = tile.mirror || mirror();
     if contact() {
@@ -124,7 +130,6 @@ fn mark_object(
             tile.lamps.push(shadow.lamp);
         }
     }
-    true
 }
 
 /// Where an object's shadow by one lamp can lie.
@@ -132,6 +137,15 @@ struct LampShadow {
     lamp: u16,
     position: Vec3A,
     span: Bounds3,
+}
+
+/// Around all of some shadows, with the slack of a tile's test.
+fn span_of(shadows: &[LampShadow]) -> Bounds3 {
+    let mut span = Bounds3::EMPTY;
+    for shadow in shadows {
+        span.join(&Bounds3 { low: shadow.span.low - 0.1, high: shadow.span.high + 0.1 });
+    }
+    span
 }
 
 /// Bounds of the shadows that an object throws by the light of lamps, down to the lowest surface in view.

@@ -23,6 +23,14 @@ fn contact_reach(object: &MovingVolume) -> f32 {
     0.4 + 1.3 * contact_height(object)
 }
 
+/// All that an object may darken lies in here.
+pub(super) fn contact_bounds(object: &MovingVolume) -> Bounds3 {
+    let reach = object.half.length() + contact_reach(object) + 0.02;
+    let rise = CONTACT_RISE_M + 0.01;
+    let [low, high] = [-1.0, 1.0].map(|side| (object.centre + side * reach).extend(object.ground + side * rise).into());
+    Bounds3 { low, high }
+}
+
 /// Whether an object may darken anything in a box: no wrong no.
 pub(super) fn contact_may_reach(object: &MovingVolume, span: &Bounds3) -> bool {
     if span.is_empty() || span.low.z > object.ground + CONTACT_RISE_M || span.high.z < object.ground - CONTACT_RISE_M {

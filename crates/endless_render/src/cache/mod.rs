@@ -27,6 +27,7 @@ mod irradiance;
 mod lamp_mask;
 mod mirror;
 mod moving_hits;
+mod object_group;
 mod packed_hit;
 mod pixel;
 mod pixel_centre;
