@@ -140,12 +140,11 @@ impl<'a> FrameRecorder<'a> {
             Ok::<_, GenerateError>(line.with_keypoints(&truth.bodies, view))
         })?;
         let pictures = clock.time(Stage::Video, || {
-            let shown = images.iter().filter(|(layer, _)| recipe.mp4.contains(layer));
             let picture = |(layer, image): &(Layer, Cow<'_, StoredImage>)| {
                 let preview = (layer.entry().preview)(image);
                 preview.map(|p| yuv_from_rgb(&p)).map_err(|reason| DatasetError::Video { reason })
             };
-            shown.map(picture).collect::<Result<Vec<Yuv>, _>>()
+            images.iter().map(picture).collect::<Result<Vec<Yuv>, _>>()
         })?;
         Ok(SinkItem { line, pictures })
     }

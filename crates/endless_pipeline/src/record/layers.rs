@@ -6,7 +6,7 @@ use endless_dataset::{
 use endless_world::{Image, InstancePixel, SensorFrame};
 use std::borrow::Cow;
 
-/// A recipe's layers in its order, as whoever reads the files finds them.
+/// The layers of which a recipe wants videos, in its order, as whoever reads the files finds them.
 pub(super) type StoredImages<'f> = Vec<(Layer, Cow<'f, StoredImage>)>;
 
 /// One camera's frame as it was read.
@@ -41,14 +41,16 @@ impl StoredLayers {
                 Layer::Instance => instance = instance_from_rgb(&image).ok(),
                 _ => {}
             }
-            images.push((layer, Cow::Owned(image)));
+            if recipe.mp4.contains(&layer) {
+                images.push((layer, Cow::Owned(image)));
+            }
         }
         let missing = || DatasetError::malformed(files.folder(), "lacks layers that labels are judged by");
         Ok(Self { images, depth: depth.ok_or_else(missing)?, instance: instance.ok_or_else(missing)? })
     }
 }
 
-/// Writes the recipe's layers of a frame; `last` is what was written last of each.
+/// Writes all of the recipe's layers of a frame; `last` is what was written last of each.
 pub(super) fn write<'f>(
     files: &CameraLayout,
     recipe: &Recipe,
@@ -63,8 +65,11 @@ pub(super) fn write<'f>(
         let malformed = |reason: String| DatasetError::malformed(&path, reason);
         let bytes = (format.encode)(&image, last).map_err(malformed)?;
         write_atomic(&path, &bytes)?;
+        if !recipe.mp4.contains(&layer) {
+            continue;
+        }
         // The video is made of the frames as they lie on disk, so that a resumed one is the same.
-        if !format.exact && recipe.mp4.contains(&layer) {
+        if !format.exact {
             image = Cow::Owned((format.decode)(&bytes).map_err(malformed)?);
         }
         images.push((layer, image));

@@ -63,14 +63,16 @@ impl BakePass<'_> {
             let shaded = eight.shaded();
             for pixel in 0..count {
                 let samples = std::array::from_fn(|sample| shaded[8 * sample + pixel]);
-                row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples), night);
+                row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples));
                 layers.push(eight.layers(pixel));
             }
             if night {
-                row.bsdfs.extend(&eight.bsdfs()[..count]);
+                for (x, bsdf) in (first..).zip(eight.bsdfs()).take(count) {
+                    row.push_bsdf(x, bsdf);
+                }
             }
         }
-        row.shrink();
+        row.shrink(night);
         (row, layers)
     }
 }
@@ -156,10 +158,10 @@ impl<'a> PixelEight<'a> {
     }
 
     /// BSDFs of the uniform pixels' centres.
-    fn bsdfs(&self) -> [PackedBsdf; 8] {
-        std::array::from_fn(|pixel| match &self.surfaces[pixel] {
-            Some((_, bsdf)) if self.uniform >> pixel & 1 == 1 => PackedBsdf::new(bsdf),
-            _ => PackedBsdf::NONE,
+    fn bsdfs(&self) -> [Option<PackedBsdf>; 8] {
+        std::array::from_fn(|pixel| {
+            let centre = self.surfaces[pixel].as_ref().filter(|_| self.uniform >> pixel & 1 == 1);
+            centre.map(|(_, bsdf)| PackedBsdf::new(bsdf))
         })
     }
 

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 pub(super) struct CameraFilm {
     /// Of the still picture, kcd/m².
     pub(super) radiance: Vec<Vec3A>,
-    /// The still picture.
+    /// The still picture, if frames need not be developed whole.
     pub(super) rgb: Vec<[u8; 3]>,
     pub(super) tone: ToneCurve,
     pub(super) rain: Option<Rain>,
@@ -52,11 +52,10 @@ impl CameraFilm {
         });
         let exposure = exposure(&radiance, black, environment.exposure_key);
         let tone = ToneCurve::new(exposure, environment.white_balance(), black);
-        let rgb = radiance.iter().map(|&r| tone.apply(r)).collect();
         let rains = environment.rain > 0.0;
-        Self {
+        let film = Self {
             radiance,
-            rgb,
+            rgb: Vec::new(),
             tone,
             rain: rain(environment, exposure, settings.seed),
             shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
@@ -65,7 +64,11 @@ impl CameraFilm {
             radiance_pool: ScratchPool::for_pixels(pixels),
             lens_scratch: ScratchPool::for_pixels(pixels),
             blur_scratch: ScratchPool::for_pixels(pixels),
+        };
+        if film.spreads_light() {
+            return film;
         }
+        Self { rgb: film.radiance.par_iter().map(|&r| film.tone.apply(r)).collect(), ..film }
     }
 
     /// Whether all of a frame must be developed again: glare and lens change every pixel.

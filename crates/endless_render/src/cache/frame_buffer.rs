@@ -37,7 +37,7 @@ impl FrameBuffer {
             touched: Vec::new(),
             streaks: Vec::new(),
             rgb: if bake.film.spreads_light() {
-                Vec::with_capacity(bake.film.rgb.len())
+                Vec::with_capacity(bake.film.radiance.len())
             } else {
                 bake.film.rgb.clone()
             },

@@ -56,6 +56,7 @@ impl GBuffer {
 
     /// At night, the BSDF of a pixel's centre if the pixel is uniform.
     pub(super) fn centre_bsdf(&self, pixel: usize) -> Option<&PackedBsdf> {
-        self.rows[pixel / self.width].bsdfs.get(pixel % self.width)
+        let (y, x) = (pixel / self.width, pixel % self.width);
+        self.rows[y].bsdf(x, &self.uniform[y * self.width..(y + 1) * self.width])
     }
 }

@@ -12,21 +12,25 @@ use crate::sampling::SAMPLES;
 pub(super) struct GBufferRow {
     pixels: Vec<KeptPixel>,
     samples: Vec<GBufferSample>,
-    /// At night, where lamps and vehicle lights come and go, of all samples; by day of pixels with lenses of traffic lights.
+    /// As many as samples, where they can be asked for: at night, as lamps and vehicle lights come and go, and in rows with
+    /// lenses of traffic lights. Else none.
     hits: Vec<LitHit>,
     mirrors: Vec<MirrorSample>,
-    /// At night, the BSDF of each pixel's centre if it is uniform: vehicle lights sweep much of the picture.
-    pub(super) bsdfs: Vec<PackedBsdf>,
+    /// At night, the BSDF of the centre of each uniform pixel: vehicle lights sweep much of the picture.
+    bsdfs: Vec<PackedBsdf>,
+    /// How many of them lie before each stretch of pixels.
+    bsdfs_before: Vec<u32>,
 }
+
+/// Pixels of a stretch.
+const STRETCH: usize = 32;
 
 /// Where what is kept of a pixel lies in its row.
 #[derive(Clone, Copy)]
 struct KeptPixel {
     first_sample: u32,
-    first_hit: u32,
     first_mirror: u32,
     samples: u8,
-    hits: u8,
     mirrored: u8,
     lenses: u8,
 }
@@ -40,24 +44,41 @@ impl GBufferRow {
     }
 
     /// Adds the next pixel.
-    pub(super) fn push(&mut self, pixel: &ShadedPixel, night: bool) {
-        let hits = if night || pixel.lenses() != 0 { pixel.hits() } else { &[] };
+    pub(super) fn push(&mut self, pixel: &ShadedPixel) {
         self.pixels.push(KeptPixel {
             first_sample: self.samples.len() as u32,
-            first_hit: self.hits.len() as u32,
             first_mirror: self.mirrors.len() as u32,
             samples: pixel.samples().len() as u8,
-            hits: hits.len() as u8,
             mirrored: pixel.mirrored(),
             lenses: pixel.lenses(),
         });
         self.samples.extend_from_slice(pixel.samples());
-        self.hits.extend_from_slice(hits);
+        self.hits.extend_from_slice(pixel.hits());
         self.mirrors.extend_from_slice(pixel.mirrors());
     }
 
-    /// Gives back the room that was not needed.
-    pub(super) fn shrink(&mut self) {
+    /// At night, adds the BSDF of the next pixel's centre, if the pixel is uniform.
+    pub(super) fn push_bsdf(&mut self, x: usize, bsdf: Option<PackedBsdf>) {
+        if x.is_multiple_of(STRETCH) {
+            self.bsdfs_before.push(self.bsdfs.len() as u32);
+        }
+        self.bsdfs.extend(bsdf);
+    }
+
+    /// At night, the BSDF of a pixel's centre if the pixel is uniform, as this tells of the row's pixels.
+    pub(super) fn bsdf(&self, x: usize, uniform: &[bool]) -> Option<&PackedBsdf> {
+        let before = *self.bsdfs_before.get(x / STRETCH)? as usize;
+        let first = x / STRETCH * STRETCH;
+        let nearer = uniform[first..x].iter().filter(|uniform| **uniform).count();
+        self.bsdfs.get(before + nearer).filter(|_| uniform[x])
+    }
+
+    /// Gives back the room that is not needed.
+    pub(super) fn shrink(&mut self, night: bool) {
+        if !night && self.pixels.iter().all(|pixel| pixel.lenses == 0) {
+            self.hits = Vec::new();
+        }
+        self.bsdfs.shrink_to_fit();
         self.hits.shrink_to_fit();
         self.mirrors.shrink_to_fit();
     }
@@ -70,9 +91,9 @@ impl GBufferRow {
         sun_free: &'a [u8; SAMPLES],
         uniform: bool,
     ) -> StillPixel<'a> {
-        let KeptPixel { first_sample, first_hit, first_mirror, samples, hits, mirrored, lenses } = self.pixels[x];
-        let samples = &self.samples[first_sample as usize..][..usize::from(samples)];
-        let hits = &self.hits[first_hit as usize..][..usize::from(hits)];
+        let KeptPixel { first_sample, first_mirror, samples, mirrored, lenses } = self.pixels[x];
+        let own = first_sample as usize..first_sample as usize + usize::from(samples);
+        let (samples, hits) = (&self.samples[own.clone()], self.hits.get(own).unwrap_or(&[]));
         let mirrors = &self.mirrors[first_mirror as usize..][..mirrored.count_ones() as usize];
         StillPixel { distances, sun_free, uniform, samples, hits, mirrored, mirrors, lenses }
     }

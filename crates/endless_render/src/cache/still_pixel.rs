@@ -22,7 +22,7 @@ pub(super) struct StillPixel<'a> {
     pub(super) uniform: bool,
     /// One or four.
     pub(super) samples: &'a [GBufferSample],
-    /// As many, or none by day.
+    /// As many, or none where nobody asks.
     pub(super) hits: &'a [LitHit],
     /// Which samples have a mirror, a bit each. Those of a uniform pixel share one in pairs: the first has it.
     pub(super) mirrored: u8,

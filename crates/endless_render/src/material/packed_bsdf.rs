@@ -17,10 +17,6 @@ pub(crate) struct PackedBsdf {
 }
 
 impl PackedBsdf {
-    /// Black.
-    pub(crate) const NONE: Self =
-        Self { albedo: Rgb9e5::ZERO, coat_f0: Rgb9e5::ZERO, normal: 0, coat_normal: 0, shares: [0; 5] };
-
     /// Of one that gives no light of its own.
     pub(crate) fn new(bsdf: &Bsdf) -> Self {
         let shares = [bsdf.roughness, bsdf.specular, bsdf.coat, bsdf.coat_roughness, bsdf.translucency];
