@@ -203,7 +203,7 @@ pub(crate) struct BenchArgs {
 }
 
 fn byte_size(text: &str) -> Result<ByteSize, &'static str> {
-    text.parse().map_err(|_| "write a number and a unit, as in 500MB or 4GiB")
+    text.parse().ok().ok_or("write a number and a unit, as in 500MB or 4GiB")
 }
 
 fn driving_side() -> impl TypedValueParser<Value = DrivingSide> {
