@@ -10,6 +10,8 @@ use std::time::{Duration, SystemTime};
 use std::{fs, sync::Arc};
 
 const SUFFIX: &str = "hits";
+/// Names of files that are being written begin so.
+const PREFIX: &str = ".writing-";
 /// What a killed process left half-written is removed after this.
 const ABANDONED: Duration = Duration::from_secs(3600);
 const DIGEST_BYTES: usize = blake3::OUT_LEN;
@@ -86,10 +88,8 @@ impl HitsFolder {
     }
 }
 
-/// Names of files that are being written begin so.
-const PREFIX: &str = ".writing-";
-
-/// A file that vanishes unless it gets its name, and that others may read then.
+/// A file that vanishes unless it gets its name, and that others may read then. Unlike those of a dataset, which one process
+/// writes, it has a name of its own until then: two processes may keep the same camera at once.
 fn temporary(folder: &Path) -> io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(PREFIX);

@@ -32,7 +32,6 @@ mod triangle;
 pub use blas::Blas;
 pub(crate) use blas::GeometryUse;
 pub(crate) use node::corners;
-pub(crate) use ray::TO_LIGHT;
 pub use ray::{Hit, Ray};
 pub use stream::{RayStream, StreamHits};
 pub(crate) use stream::{first_lanes, lanes};

@@ -14,11 +14,16 @@ pub struct Ray {
 }
 
 /// Rays whose direction is the way to a light end here, a little before it.
-pub(crate) const TO_LIGHT: f32 = 0.999;
+pub(super) const TO_LIGHT: f32 = 0.999;
 
 impl Ray {
     /// A ray that meets nothing.
     pub(crate) const NONE: Self = Self { origin: Vec3A::ZERO, direction: Vec3A::Z, tmax: 0.0 };
+
+    /// The ray that must be free for the light at a place to arrive.
+    pub(crate) fn to_light(origin: Vec3A, light: Vec3A) -> Self {
+        Self { origin, direction: light - origin, tmax: TO_LIGHT }
+    }
 }
 
 /// Where a ray meets a triangle.

@@ -3,7 +3,7 @@
 use glam::Vec3A;
 use wide::f32x8;
 
-use super::ray::{Hit, Ray};
+use super::ray::{Hit, Ray, TO_LIGHT};
 
 /// N times eight rays: lane `8 × row + column`.
 #[derive(Clone, Debug)]
@@ -43,12 +43,13 @@ impl<const N: usize> RayStream<N> {
         self.tmax[row].as_mut_array()[column] = ray.tmax;
     }
 
-    /// Turns all rays towards a point, which they reach at distance 1.
+    /// Makes [`Ray::to_light`]s of all rays, from where they are.
     #[inline]
-    pub(crate) fn aim_at(&mut self, point: Vec3A) {
+    pub(crate) fn aim_at(&mut self, light: Vec3A) {
         for (k, direction) in self.direction.iter_mut().enumerate() {
-            *direction = self.origin[k].map(|origin| f32x8::splat(point[k]) - origin);
+            *direction = self.origin[k].map(|origin| f32x8::splat(light[k]) - origin);
         }
+        self.tmax = [f32x8::splat(TO_LIGHT); N];
     }
 
     /// One ray.

@@ -6,7 +6,7 @@ use super::lamp_mask::lamp_sum;
 use super::pixel_centre::{BLOCK, CentreBlock, PixelCentre};
 use super::sweep::beams_on_block;
 use super::tile_context::TileContext;
-use crate::accel::{Ray, RayStream, TO_LIGHT, lanes};
+use crate::accel::{Ray, RayStream, lanes};
 use crate::scene::FrameScene;
 use crate::shade::Tracer;
 use glam::Vec3A;
@@ -57,12 +57,12 @@ pub(super) fn centre_lights(context: &TileContext<'_>, eye: Vec3A, block: &Centr
     lights
 }
 
-/// Rays that leave the pixels' surfaces, without directions, to the length that rays to lights have.
+/// Rays that leave the pixels' surfaces, still without an aim.
 fn ray_origins(block: &CentreBlock<'_>) -> RayStream<4> {
     let mut rays = RayStream::NONE;
     for (lane, place) in block.iter().enumerate() {
         let Some(place) = place else { continue };
-        rays.set(lane, &Ray { origin: place.facet.ray_origin(), direction: Vec3A::ZERO, tmax: TO_LIGHT });
+        rays.set(lane, &Ray { origin: place.facet.ray_origin(), ..Ray::NONE });
     }
     rays
 }

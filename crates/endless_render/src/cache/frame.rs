@@ -69,10 +69,9 @@ impl CameraBake {
             |seen| shade_moving_together(tracer, seen, self.pixel_angle),
             |place, seen| self.halo((x0, y0), place, seen),
         );
-        for (half, coverages) in coverages.chunks(BLOCK).enumerate() {
-            let first = half * BLOCK_ROWS;
-            let rows = &rows[first.min(rows.len())..rows.len().min(first + BLOCK_ROWS)];
-            self.render_rows(context, (x0, y0 + first as u32), rows, coverages, buffer);
+        let halves = rows.chunks(BLOCK_ROWS).zip(coverages.chunks(BLOCK));
+        for (y, (rows, coverages)) in (y0..).step_by(BLOCK_ROWS).zip(halves) {
+            self.render_rows(context, (x0, y), rows, coverages, buffer);
         }
         rays
     }

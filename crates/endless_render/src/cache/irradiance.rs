@@ -2,8 +2,8 @@
 //!
 //! Rays leave from one point of every two by two pixels (of more in large pictures). What they bring is denoised, and the
 //! samples around take it from the points that lie on their own surface. Samples with no such point (edges, leaves, wires)
-//! send rays themselves, a third as many or fewer. What these bring is denoised among such samples, and mixed with the light in the
-//! open, of which the probes tell, darkened as it is at the points around.
+//! send rays themselves, a third as many or fewer. What these bring is denoised among such samples, and mixed with the
+//! light in the open, of which the probes tell, darkened as it is at the points around.
 
 use super::bake_pass::BakePass;
 use super::bake_stats::timed;

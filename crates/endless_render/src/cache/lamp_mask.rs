@@ -1,6 +1,6 @@
 //! The lamps that light a point, and those that moving objects hide: a bit for each lamp near it.
 
-use crate::accel::{Ray, RayStream, TO_LIGHT, lanes};
+use crate::accel::{Ray, RayStream, lanes};
 use crate::light::PointLamp;
 use crate::material::Bsdf;
 use crate::scene::{FrameScene, ShadingPoint};
@@ -12,7 +12,7 @@ pub(super) fn lamps_free(tracer: &Tracer<'_>, facet: &ShadingPoint) -> u32 {
     let origin = facet.ray_origin();
     let mut free = 0;
     for (bit, lamp) in tracer.still.lamps.near(facet.position).enumerate() {
-        let ray = Ray { origin, direction: lamp.position - origin, tmax: TO_LIGHT };
+        let ray = Ray::to_light(origin, lamp.position);
         free |= u32::from(lights(lamp, facet) && !tracer.still.accel.occluded(&ray)) << bit;
     }
     free
@@ -36,7 +36,7 @@ pub(super) fn lamps_free32(tracer: &Tracer<'_>, facets: &[Option<ShadingPoint>; 
                 let Some(facet) = &facets[lane] else { continue };
                 if lights(lamp, facet) {
                     let origin = facet.ray_origin();
-                    rays.set(lane, &Ray { origin, direction: lamp.position - origin, tmax: TO_LIGHT });
+                    rays.set(lane, &Ray::to_light(origin, lamp.position));
                     lit |= 1 << lane;
                 }
             }
@@ -72,8 +72,7 @@ pub(super) fn lamps_blocked(
     for lamp in lamps {
         let Ok(bit) = near.binary_search(lamp) else { continue };
         let position = tracer.still.lamps.all()[usize::from(*lamp)].position;
-        let hidden =
-            free >> bit & 1 == 1 && frame.accel.occluded(&Ray { origin, direction: position - origin, tmax: TO_LIGHT });
+        let hidden = free >> bit & 1 == 1 && frame.accel.occluded(&Ray::to_light(origin, position));
         blocked |= u32::from(hidden) << bit;
     }
     blocked

@@ -46,7 +46,11 @@ pub(super) fn beams_on_samples(context: &TileContext<'_>, samples: &PixelSamples
         }
         let asks = |s: usize| facets.get(s).copied().flatten().map_or(Vec3A::ZERO, |facet| facet.ray_origin());
         let to_lamp: [Ray; 8] = std::array::from_fn(|s| beam.shadow_ray(asks(s)));
-        active &= !hidden(tracer, frame, sweep, &to_lamp, active);
+        let hidden = match sweep.crossed {
+            true => tracer.occluded8(&to_lamp, active),
+            false => tracer.still.accel.occluded8(&to_lamp, active),
+        };
+        active &= !hidden;
         for s in (0..SAMPLES).filter(|s| active >> s & 1 == 1) {
             let Some(hit) = still.hit(s) else { continue };
             let bsdf = bsdfs[s].get_or_insert_with(|| {
@@ -58,15 +62,6 @@ pub(super) fn beams_on_samples(context: &TileContext<'_>, samples: &PixelSamples
         }
     }
     (0..SAMPLES).map(|s| sums[s] * transmittance[s]).sum()
-}
-
-/// Those of eight rays to a lamp that something hides, a bit each.
-fn hidden(tracer: &Tracer<'_>, frame: &FrameScene, sweep: &BeamSweep, to_lamp: &[Ray; 8], active: u8) -> u8 {
-    let by_moving = if sweep.crossed { frame.accel.occluded8(to_lamp, active) } else { 0 };
-    match active & !by_moving {
-        0 => by_moving,
-        open => by_moving | tracer.still.accel.occluded8(to_lamp, open),
-    }
 }
 
 /// Share of light from a surface that comes through the air to `eye`.
@@ -95,22 +90,17 @@ pub(super) fn beams_on_block(
             continue;
         }
         rays.aim_at(beam.position);
-        let open = (active & !hidden32(tracer, frame, sweep, &rays, active)).to_le_bytes();
+        let hidden = match sweep.crossed {
+            true => tracer.occluded32(&rays, active),
+            false => tracer.still.accel.occluded32(&rays, active),
+        };
+        let open = (active & !hidden).to_le_bytes();
         for ((row, (strengths, _)), open) in rows.iter_mut().zip(strengths).zip(open).filter(|(_, open)| *open != 0) {
             row.add(beam, &strengths, open);
         }
     }
     let rows = rows.map(|row| row.light());
     std::array::from_fn(|i| rows[i / 8][i % 8])
-}
-
-/// [`hidden`] for a bundle.
-fn hidden32(tracer: &Tracer<'_>, frame: &FrameScene, sweep: &BeamSweep, rays: &RayStream<4>, active: u32) -> u32 {
-    let by_moving = if sweep.crossed { frame.accel.occluded32(rays, active) } else { 0 };
-    match active & !by_moving {
-        0 => by_moving,
-        open => by_moving | tracer.still.accel.occluded32(rays, open),
-    }
 }
 
 /// Eight neighbouring pixels, and the light that has been summed for them. What few rows need is found when it is asked.

@@ -35,14 +35,12 @@ impl HitTape<'_> {
     /// The nearest surface that stands still along the next ray.
     pub(crate) fn closest(&mut self, tracer: &Tracer<'_>, ray: &Ray) -> Option<SceneHit> {
         let hit = match self {
-            Self::Traced => tracer.still.accel.closest(ray),
-            Self::Recorded(ends) => {
-                let hit = tracer.still.accel.closest(ray);
-                ends.push(RayEnd::new(hit.as_ref()));
-                hit
-            }
             Self::Replayed(ends) => replayed(tracer.still, ray, ends.next()),
+            Self::Traced | Self::Recorded(_) => tracer.still.accel.closest(ray),
         };
+        if let Self::Recorded(ends) = self {
+            ends.push(RayEnd::new(hit.as_ref()));
+        }
         hit.map(SceneHit::still)
     }
 
@@ -50,17 +48,15 @@ impl HitTape<'_> {
     pub(crate) fn closest8(&mut self, tracer: &Tracer<'_>, rays: &[Ray; 8], active: u8) -> [Option<SceneHit>; 8] {
         let asked = |i: &usize| active >> i & 1 == 1;
         let hits = match self {
-            Self::Traced => tracer.still.accel.closest8(rays, active),
-            Self::Recorded(ends) => {
-                let hits = tracer.still.accel.closest8(rays, active);
-                ends.extend((0..8).filter(asked).map(|i| RayEnd::new(hits[i].as_ref())));
-                hits
-            }
             Self::Replayed(ends) => {
                 let mut replay = |i: usize| replayed(tracer.still, &rays[i], ends.next());
                 std::array::from_fn(|i| Some(i).filter(asked).and_then(&mut replay))
             }
+            Self::Traced | Self::Recorded(_) => tracer.still.accel.closest8(rays, active),
         };
+        if let Self::Recorded(ends) = self {
+            ends.extend((0..8).filter(asked).map(|i| RayEnd::new(hits[i].as_ref())));
+        }
         hits.map(|hit| hit.map(SceneHit::still))
     }
 

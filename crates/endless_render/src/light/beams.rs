@@ -1,6 +1,6 @@
 //! Lights that move with vehicles: headlights with a low-beam cut-off, and the red glow behind.
 
-use crate::accel::{Ray, TO_LIGHT};
+use crate::accel::Ray;
 use glam::Vec3A;
 use wide::f32x8;
 
@@ -140,7 +140,7 @@ impl VehicleBeam {
 
     /// The ray that must be free for its light to reach a point.
     pub(crate) fn shadow_ray(&self, origin: Vec3A) -> Ray {
-        Ray { origin, direction: self.position - origin, tmax: TO_LIGHT }
+        Ray::to_light(origin, self.position)
     }
 }
 

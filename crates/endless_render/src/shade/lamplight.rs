@@ -1,7 +1,7 @@
 //! Street lamps on points that are shaded once a frame: the few strongest, with hard shadows.
 
 use super::Tracer;
-use crate::accel::{Ray, TO_LIGHT};
+use crate::accel::Ray;
 use crate::material::Bsdf;
 use crate::scene::SurfaceInteraction;
 use glam::Vec3A;
@@ -29,7 +29,7 @@ impl LampCandidate {
     /// The ray that must be free for its light to arrive.
     fn ray(&self, tracer: &Tracer<'_>, origin: Vec3A) -> Ray {
         let position = tracer.still.lamps.all()[usize::from(self.lamp)].position;
-        Ray { origin, direction: position - origin, tmax: TO_LIGHT }
+        Ray::to_light(origin, position)
     }
 
     /// Share of the light that the static scene lets through, where the lamp's map knows it.
