@@ -87,8 +87,8 @@ mod tests {
     use super::*;
     use crate::{PixelBox, visible_objects};
     use endless_world::{
-        Actor, AssetRef, Image, InstancePixel, Motion, Outfit, PersonRef, Pose, VehicleModelId, VehicleMotion,
-        VehicleRef, WalkerMotion, WorldState,
+        Actor, AssetRef, Behaviour, Image, InstancePixel, Motion, Outfit, PersonRef, Pose, VehicleModelId,
+        VehicleMotion, VehicleRef, WalkerMotion, WorldState,
     };
     use glam::Vec3;
 
@@ -110,6 +110,7 @@ mod tests {
             } else {
                 Motion::Walker(WalkerMotion::default())
             },
+            behaviour: Behaviour::default(),
             parked: false,
         }
     }

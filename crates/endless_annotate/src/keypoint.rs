@@ -1,5 +1,6 @@
 //! Keypoints of people in COCO's form: image position and visibility of each.
 
+use crate::rounding::hundredths;
 use endless_world::{Image, ImageSize, InstanceId, InstancePixel, KEYPOINT_COUNT, PinholeCamera};
 use glam::Vec3;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error, ser::SerializeSeq};
@@ -89,6 +90,8 @@ impl<'de> Deserialize<'de> for Keypoints {
 /// A camera with its depth and instance images, by which the visibility of keypoints is judged.
 #[derive(Clone, Copy)]
 pub struct CameraView<'a> {
+    /// Its number in the scene.
+    pub number: usize,
     /// The camera.
     pub camera: &'a PinholeCamera,
     /// Whose each pixel is.
@@ -131,10 +134,6 @@ impl CameraView<'_> {
     }
 }
 
-fn hundredths(value: f32) -> f64 {
-    (f64::from(value) * 1e2).round() / 1e2
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -162,8 +161,8 @@ mod tests {
 
     fn visibility(shown: InstanceId, depth: f32, point: Vec3) -> Visibility {
         let (camera, instance) = (camera(), image(shown));
-        let keypoints =
-            CameraView { camera: &camera, instance: &instance, depth: &|_| depth }.keypoints(PERSON, &[point; 17]);
+        let keypoints = CameraView { number: 0, camera: &camera, instance: &instance, depth: &|_| depth }
+            .keypoints(PERSON, &[point; 17]);
         keypoints.0[0].visibility
     }
 
@@ -196,7 +195,7 @@ mod tests {
             for row in 0..SIZE.height {
                 instance.data[(row * SIZE.width + shown) as usize].id = PERSON;
             }
-            let picture = CameraView { camera: &camera, instance: &instance, depth: &|_| 10.0 };
+            let picture = CameraView { number: 0, camera: &camera, instance: &instance, depth: &|_| 10.0 };
             let keypoint = picture.keypoints(PERSON, &[at(x); 17]).0[0];
             assert_eq!((keypoint.x, keypoint.visibility), (written, expected), "{x} beside column {shown}");
             // Who reads it looks at the same pixels.
@@ -208,7 +207,7 @@ mod tests {
     #[test]
     fn they_are_written_as_coco_does() {
         let (camera, instance) = (camera(), image(PERSON));
-        let picture = CameraView { camera: &camera, instance: &instance, depth: &|_| 10.0 };
+        let picture = CameraView { number: 0, camera: &camera, instance: &instance, depth: &|_| 10.0 };
         let mut body = [Vec3::new(10.0, 0.0, 0.0); 17];
         body[1] = -Vec3::X;
         let keypoints = picture.keypoints(PERSON, &body);

@@ -5,7 +5,9 @@
 //! object in all cameras and in all frames of a video.
 //!
 //! [`visible_objects`] finds the objects of an instance image, [`annotate`] joins them with the [`SceneObjects`] of the
-//! instant, and [`FrameObjects::with_keypoints`] adds people's keypoints as a [`CameraView`] shows them.
+//! instant, and [`FrameObjects::with_keypoints`] adds people's keypoints as a [`CameraView`] shows them. From the objects'
+//! own [`ObjectShapes`] follow boxes in space ([`FrameObjects::with_boxes3d`]) and what is hidden
+//! ([`FrameObjects::with_amodal`]).
 //!
 //! ```
 //! use endless_annotate::{PixelBox, visible_objects};
@@ -21,12 +23,22 @@
 //! assert_eq!(found[0].bbox, PixelBox { x: 2, y: 1, w: 3, h: 2 });
 //! ```
 
+mod activity;
+mod amodal;
+mod box3d;
 mod frame;
 mod keypoint;
 mod object;
+mod rle;
+mod rounding;
+mod shapes;
 mod visible;
 
+pub use activity::{Action, Activity};
+pub use amodal::{AmodalBox, AmodalRecord, Occluder};
+pub use box3d::{Box3d, Box3dRecord};
 pub use frame::{AnnotateError, FrameObjects, annotate};
 pub use keypoint::{CameraView, Keypoint, Keypoints, Visibility, WorldKeypoints};
 pub use object::{ObjectRecord, SceneObjects};
+pub use shapes::{ObjectShapes, Spatial};
 pub use visible::{PixelBox, VisibleObject, visible_objects};

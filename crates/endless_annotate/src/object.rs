@@ -1,6 +1,7 @@
 //! The attributes of each visible object of a frame.
 
-use crate::{Keypoints, PixelBox};
+use crate::rounding::{ten_thousandths, thousandths};
+use crate::{Activity, AmodalRecord, Keypoints, PixelBox, Spatial};
 use endless_world::{Actor, InstanceId, ObjectClass, WorldState};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -41,6 +42,17 @@ pub struct ObjectRecord {
     pub yaw_rad: f64,
     /// Speed over ground, m/s.
     pub speed_mps: f64,
+    /// Velocity in the world, m/s.
+    pub velocity_mps: [f64; 3],
+    /// What it is doing.
+    #[serde(flatten)]
+    pub activity: Activity,
+    /// Where it is, by its shape.
+    #[serde(default, flatten, skip_serializing_if = "Option::is_none")]
+    pub spatial: Option<Spatial>,
+    /// What of it is hidden.
+    #[serde(default, flatten, skip_serializing_if = "Option::is_none")]
+    pub amodal: Option<AmodalRecord>,
 }
 
 /// All objects of one instant, parked ones included, by id.
@@ -59,6 +71,8 @@ pub(crate) struct SceneObject {
     position: [f64; 3],
     yaw_rad: f64,
     speed_mps: f64,
+    velocity_mps: [f64; 3],
+    activity: Activity,
 }
 
 impl SceneObjects {
@@ -96,15 +110,24 @@ impl SceneObject {
             vehicle_id: None,
             rider_id: actor.rider_id,
             skin_tone: None,
-            position: actor.pose.position.to_array().map(|v| thousandths(f64::from(v))),
-            yaw_rad: ten_thousandths(f64::from(actor.pose.yaw_rad)),
-            speed_mps: thousandths(f64::from(actor.velocity_mps.length())),
+            position: actor.pose.position.to_array().map(thousandths),
+            yaw_rad: ten_thousandths(actor.pose.yaw_rad),
+            speed_mps: thousandths(actor.velocity_mps.length()),
+            velocity_mps: actor.velocity_mps.to_array().map(thousandths),
+            activity: Activity::of(actor),
         }
     }
 
     fn rider_of(actor: &Actor) -> Option<Self> {
         let id = actor.rider_id?;
-        Some(Self { id, class: ObjectClass::Rider, vehicle_id: Some(actor.id), rider_id: None, ..Self::of(actor) })
+        Some(Self {
+            id,
+            class: ObjectClass::Rider,
+            vehicle_id: Some(actor.id),
+            rider_id: None,
+            activity: Activity::of_rider(actor),
+            ..Self::of(actor)
+        })
     }
 
     pub(crate) fn record(&self, bbox: PixelBox, pixels: u32, truncated: bool) -> ObjectRecord {
@@ -123,16 +146,10 @@ impl SceneObject {
             position: self.position,
             yaw_rad: self.yaw_rad,
             speed_mps: self.speed_mps,
+            velocity_mps: self.velocity_mps,
+            activity: self.activity.clone(),
+            spatial: None,
+            amodal: None,
         }
     }
-}
-
-/// Millimetres are all that the simulation means.
-fn thousandths(value: f64) -> f64 {
-    // Adding zero turns −0 into 0, which would look odd in a file.
-    (value * 1e3).round() / 1e3 + 0.0
-}
-
-fn ten_thousandths(value: f64) -> f64 {
-    (value * 1e4).round() / 1e4 + 0.0
 }

@@ -6,8 +6,8 @@ use endless_city::ActorModels;
 use endless_render::{CameraBake, Geometry, Instance, RenderSettings, StaticScene};
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    Actor, AssetRef, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Outfit, PersonRef,
-    Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
+    Actor, AssetRef, Behaviour, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Outfit,
+    PersonRef, Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
 use glam::{Affine3A, Vec2, Vec3};
 use std::error::Error;
@@ -49,6 +49,7 @@ fn actor(number: usize, class: ObjectClass, asset: AssetRef, pose: Pose, motion:
         pose,
         velocity_mps: Vec3::ZERO,
         motion,
+        behaviour: Behaviour::default(),
         parked: false,
     }
 }

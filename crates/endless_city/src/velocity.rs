@@ -30,7 +30,7 @@ pub(crate) fn of_trailer(body: RigidVelocity, hitch: Vec3A, turn_radps: f32) -> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{InstanceId, ObjectClass, Pose, VehicleModelId, VehicleMotion, VehicleRef};
+    use endless_world::{Behaviour, InstanceId, ObjectClass, Pose, VehicleModelId, VehicleMotion, VehicleRef};
     use glam::Vec3;
 
     #[test]
@@ -43,6 +43,7 @@ mod tests {
             pose: Pose::level(Vec3::new(5.0, 5.0, 0.0), 0.0),
             velocity_mps: Vec3::new(10.0, 0.0, 0.0),
             motion: Motion::Vehicle(VehicleMotion { speed_mps: 10.0, ..VehicleMotion::default() }),
+            behaviour: Behaviour::default(),
             parked: false,
         };
         let wheel = of_wheel(of_body(&car, 2.6), Vec3A::new(6.3, 5.8, 0.3), Vec3A::Y, 10.0 / 0.3);

@@ -7,6 +7,7 @@ mod hits_folder;
 mod kept_hits;
 mod map;
 mod session;
+mod shapes;
 mod simulator;
 
 pub use bake_cache::BakeCache;

@@ -1,7 +1,7 @@
 //! The interface of simulators: the built-in city, a remote server, a test double. All later stages are the same for each.
 
 use crate::SimulatorError;
-use endless_annotate::{SceneObjects, WorldKeypoints};
+use endless_annotate::{ObjectShapes, SceneObjects, WorldKeypoints};
 use endless_dataset::SpawnCounts;
 use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
 use std::{collections::BTreeMap, time::Duration};
@@ -116,14 +116,14 @@ pub struct SimulationStep<'m> {
     /// The world state. Actors may appear and disappear between frames.
     pub state: WorldState,
     /// Renders it.
-    pub task: Box<dyn RenderTask + 'm>,
+    pub task: Box<dyn RenderTask<'m> + 'm>,
 }
 
 /// Renders the world at one instant and knows its ground truth.
-pub trait RenderTask: Send {
+pub trait RenderTask<'m>: Send {
     /// The ground truth that labels are made of.
-    fn truth(&self, state: &WorldState) -> SceneTruth {
-        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: WorldKeypoints::new() }
+    fn truth(&self, state: &WorldState) -> SceneTruth<'m> {
+        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: WorldKeypoints::new(), shapes: None }
     }
 
     /// The sensor frame of each camera, in the order of the settings. Without [`Capabilities::random_access`] it is called before the
@@ -135,11 +135,13 @@ pub trait RenderTask: Send {
 }
 
 /// The ground truth of a scene at one instant, visible or not.
-pub struct SceneTruth {
+pub struct SceneTruth<'m> {
     /// All objects, parked ones included.
     pub objects: SceneObjects,
     /// Where the keypoints of people and riders are, of those of whom it is known.
     pub bodies: WorldKeypoints,
+    /// The shapes of all objects, if they are known: they are asked of those that a camera sees.
+    pub shapes: Option<Box<dyn ObjectShapes + Send + 'm>>,
 }
 
 /// Counters of a renderer.

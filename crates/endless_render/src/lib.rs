@@ -56,7 +56,7 @@
 //!
 //! Modules: `accel` intersects rays; `scene` holds geometry and instances; `light` and `material` are light sources and
 //! BSDFs; `shade` computes radiance from them; `indirect` and `cache` keep what does not change; `film` makes pixels of
-//! radiance.
+//! radiance; `silhouette` asks what single objects cover.
 
 mod accel;
 mod cache;
@@ -75,6 +75,7 @@ mod sampling;
 mod scene;
 mod settings;
 mod shade;
+mod silhouette;
 mod vec3x8;
 
 pub use accel::{Blas, Hit, Ray, RayStream, StreamHits, Tlas};
@@ -87,3 +88,4 @@ pub use scene::{
     RigidVelocity, StaticScene,
 };
 pub use settings::{Gathering, RenderSettings};
+pub use silhouette::ObjectShape;

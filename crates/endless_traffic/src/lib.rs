@@ -41,6 +41,7 @@
 //! ```
 
 mod attraction;
+mod behaviour;
 mod crossing;
 mod driver;
 mod entry_request;

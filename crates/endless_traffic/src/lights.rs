@@ -3,7 +3,7 @@
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::Turn;
-use endless_world::{Condition, ObjectClass, VehicleLights};
+use endless_world::{Condition, ObjectClass, Side, VehicleLights};
 
 /// Indicators blink this often a second.
 const BLINK_HZ: f64 = 1.5;
@@ -25,32 +25,45 @@ pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, condition: &Condition
         }
         // Every vehicle's relay has its own beat.
         let beat = (vehicle.asset.variant % 1000) as f64 / 1000.0;
+        vehicle.indicating = indicated(vehicle, roads);
         if (time_s * BLINK_HZ + beat).rem_euclid(1.0) < 0.5 {
-            lit |= indicated(vehicle, roads);
+            lit |= match vehicle.indicating {
+                Some(Side::Left) => VehicleLights::LEFT_BLINKER,
+                Some(Side::Right) => VehicleLights::RIGHT_BLINKER,
+                None => VehicleLights::empty(),
+            };
         }
     }
     vehicle.lights = lit;
 }
 
-fn indicated(vehicle: &Vehicle, roads: &Roads) -> VehicleLights {
+/// The side to which the driver is about to go.
+fn indicated(vehicle: &Vehicle, roads: &Roads) -> Option<Side> {
     if let Some(shift) = vehicle.shift {
         // Coming from the left (positive offset) means moving to the right.
-        return if shift.offset_m > 0.0 { VehicleLights::RIGHT_BLINKER } else { VehicleLights::LEFT_BLINKER };
+        return Some(if shift.offset_m > 0.0 { Side::Right } else { Side::Left });
     }
     if let Some((target, _)) = vehicle.intent {
         let left = roads.network.lane(vehicle.lane()).left == Some(target);
-        return if left { VehicleLights::LEFT_BLINKER } else { VehicleLights::RIGHT_BLINKER };
+        return Some(if left { Side::Left } else { Side::Right });
     }
     let reach = (vehicle.speed * 3.0).max(20.0);
     for (lane, base) in vehicle.ahead(roads) {
         if base > reach {
             break;
         }
-        match roads.network.lane(lane).turn {
-            Turn::Left | Turn::UTurn => return VehicleLights::LEFT_BLINKER,
-            Turn::Right => return VehicleLights::RIGHT_BLINKER,
-            Turn::Straight => {}
+        if let Some(side) = side_of(roads.network.lane(lane).turn) {
+            return Some(side);
         }
     }
-    VehicleLights::empty()
+    None
+}
+
+/// The side to which a lane turns.
+pub(crate) fn side_of(turn: Turn) -> Option<Side> {
+    match turn {
+        Turn::Left | Turn::UTurn => Some(Side::Left),
+        Turn::Right => Some(Side::Right),
+        Turn::Straight => None,
+    }
 }

@@ -9,12 +9,12 @@ use crate::settings::{Fleet, TrafficSettings};
 use crate::steering::DriverView;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, WalkerView};
-use crate::{kinematics, lane_change, lights, signals, spawn, walker};
+use crate::{behaviour, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{
-    Actor, Condition, InstanceId, InstanceIdAllocator, Motion, ObjectClass, Outfit, ParkedVehicle, PersonRef, Pose,
-    SignalState, TooManyInstances, VehicleMotion, VehicleSpec, WalkerMotion, WorldState,
+    Actor, Behaviour, Condition, InstanceId, InstanceIdAllocator, Motion, ObjectClass, Outfit, ParkedVehicle,
+    PersonRef, Pose, SignalState, TooManyInstances, VehicleMotion, VehicleSpec, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 
@@ -195,6 +195,7 @@ impl Simulation {
                 pose: vehicle.pose,
                 velocity_mps: vehicle.velocity,
                 motion: Motion::Vehicle(motion),
+                behaviour: behaviour::of_vehicle(vehicle, &self.roads),
                 parked: false,
             });
         }
@@ -215,6 +216,7 @@ impl Simulation {
                 pose: Pose::level(walker.position.extend(walker.height).as_vec3(), walker.yaw as f32),
                 velocity_mps: walker.velocity.extend(0.0).as_vec3(),
                 motion: Motion::Walker(motion),
+                behaviour: behaviour::of_walker(walker, &self.roads),
                 parked: false,
             });
         }
@@ -254,6 +256,7 @@ fn parked_actors(
             pose: parked.pose,
             velocity_mps: Vec3::ZERO,
             motion: Motion::Vehicle(VehicleMotion::default()),
+            behaviour: Behaviour::default(),
             parked: true,
         })
     };

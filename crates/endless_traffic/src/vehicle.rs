@@ -5,7 +5,7 @@ use crate::roads::Roads;
 use crate::trailer::TrailerState;
 use endless_road::swept::{OrientedRectangle, SWINGS_OUT_M};
 use endless_road::{JunctionId, LaneId};
-use endless_world::{ObjectClass, Pose, Stream, VehicleLights, VehicleRef, VehicleSpec};
+use endless_world::{ObjectClass, Pose, Side, Stream, VehicleLights, VehicleRef, VehicleSpec};
 use glam::{DVec3, Vec3};
 use std::collections::VecDeque;
 
@@ -83,6 +83,8 @@ pub(crate) struct Vehicle {
     pub(crate) trailer: Option<TrailerState>,
     pub(crate) lights: VehicleLights,
     pub(crate) brake_hold_s: f64,
+    /// Where the indicators show, lit or not.
+    pub(crate) indicating: Option<Side>,
 }
 
 impl Vehicle {
@@ -122,6 +124,7 @@ impl Vehicle {
             trailer: TrailerState::of(spec),
             lights: VehicleLights::default(),
             brake_hold_s: 0.0,
+            indicating: None,
         }
     }
 

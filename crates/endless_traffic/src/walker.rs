@@ -87,7 +87,7 @@ impl Walker {
     }
 
     /// The crossing underfoot.
-    fn crossing(&self, roads: &Roads) -> Option<(CrossingId, CrossingPedestrian)> {
+    pub(crate) fn crossing(&self, roads: &Roads) -> Option<(CrossingId, CrossingPedestrian)> {
         let strip = self.strip(roads);
         let WalkKind::Crossing(id) = strip.kind else { return None };
         let [a, b] = roads.network.crossings[id.index()].ends.map(DVec3::truncate);
@@ -100,7 +100,7 @@ impl Walker {
     }
 
     /// The crossing at whose beginning they stand or will be in a moment.
-    fn next_crossing(&self, roads: &Roads) -> Option<CrossingId> {
+    pub(crate) fn next_crossing(&self, roads: &Roads) -> Option<CrossingId> {
         let WalkKind::Crossing(id) = self.next_strip(roads)?.kind else { return None };
         let strip = self.strip(roads);
         (strip.length - strip.local(self.position).0 < KERB_M).then_some(id)

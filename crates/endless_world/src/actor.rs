@@ -1,6 +1,6 @@
 //! Actors: pose, motion and lights of one at one instant.
 
-use crate::{AssetRef, InstanceId, ObjectClass};
+use crate::{AssetRef, Behaviour, InstanceId, ObjectClass};
 use glam::{Affine3A, EulerRot, Quat, Vec3};
 
 /// Position and heading in the world frame. The origin of a vehicle or person is on the ground, under its centre.
@@ -158,6 +158,8 @@ pub struct Actor {
     pub velocity_mps: Vec3,
     /// Motion of its parts.
     pub motion: Motion,
+    /// What it is doing on the road network.
+    pub behaviour: Behaviour,
     /// Placed by the town and still for the whole video.
     pub parked: bool,
 }

@@ -16,6 +16,7 @@
 
 mod actor;
 mod asset;
+mod behaviour;
 mod camera;
 mod camera_look;
 mod class;
@@ -37,6 +38,7 @@ pub mod walking;
 
 pub use actor::{Actor, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
 pub use asset::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
+pub use behaviour::{Behaviour, LanePlace, Side};
 pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};
 pub use camera_look::{CameraLook, CameraLookChoice, Distortion, RecorderClock};
 pub use class::{ClassTag, ObjectClass};

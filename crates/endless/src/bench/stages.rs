@@ -28,8 +28,14 @@ fn print(made: &Generated, threads: usize) -> Result<()> {
     for (name, time) in once {
         writeln!(out, "{name:<14} {:>9.2}", time.as_secs_f64())?;
     }
-    let each =
-        [("traffic", t.traffic), ("render", t.render), ("images", t.images), ("boxes", t.boxes), ("video", t.video)];
+    let each = [
+        ("traffic", t.traffic),
+        ("render", t.render),
+        ("images", t.images),
+        ("boxes", t.boxes),
+        ("amodal", t.amodal),
+        ("video", t.video),
+    ];
     for (name, time) in each {
         writeln!(out, "{name:<14} {:>9.2}   {:>8.2}", time.as_secs_f64(), time.as_secs_f64() * 1e3 / frames)?;
     }

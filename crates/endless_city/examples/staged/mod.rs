@@ -8,8 +8,8 @@ pub(crate) mod sheet;
 use endless_asset::Catalogue;
 use endless_town::Town;
 use endless_world::{
-    Actor, Gait, InstanceId, Motion, ObjectClass, Outfit, PersonRef, Pose, SignalAspect, SignalState, VehicleLights,
-    VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
+    Actor, Behaviour, Gait, InstanceId, Motion, ObjectClass, Outfit, PersonRef, Pose, SignalAspect, SignalState,
+    VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 
@@ -34,6 +34,7 @@ pub(crate) fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: b
             pose: Pose::level(place.position.as_vec3(), place.heading_rad as f32),
             velocity_mps: Vec3::ZERO,
             motion: Motion::Vehicle(VehicleMotion { lights, ..VehicleMotion::default() }),
+            behaviour: Behaviour::default(),
             parked: false,
         });
         next += 2;
@@ -60,6 +61,7 @@ pub(crate) fn crowd(town: &Town, eye: [f32; 3], catalogue: &Catalogue, lights: b
                 walked_m: i as f32 * 0.37,
                 ..WalkerMotion::default()
             }),
+            behaviour: Behaviour::default(),
             parked: false,
         });
         next += 1;

@@ -5,9 +5,9 @@ use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::Town;
 use endless_world::{
-    Actor, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, ImageSize, InstanceId, Motion,
-    ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SignalAspect, SignalState, Stream,
-    TimeOfDay, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
+    Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, ImageSize, InstanceId,
+    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SignalAspect, SignalState,
+    Stream, TimeOfDay, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 use rayon::prelude::*;
@@ -64,6 +64,7 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
                 hitch_rad: 0.25,
                 lights: lit,
             }),
+            behaviour: Behaviour::default(),
             parked: false,
         });
     }
@@ -88,6 +89,7 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
                 time_s: 1.0,
                 footing: None,
             }),
+            behaviour: Behaviour::default(),
             parked: false,
         });
     }

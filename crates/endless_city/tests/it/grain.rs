@@ -4,7 +4,7 @@ use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, RenderSettings};
 use endless_world::{
-    Actor, CameraSite, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay, VehicleLights,
+    Actor, Behaviour, CameraSite, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay, VehicleLights,
     VehicleModelId, VehicleMotion, VehicleRef, Weather, WorldState,
 };
 use glam::Vec3;
@@ -46,6 +46,7 @@ fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
             lights: VehicleLights::LOW_BEAM | VehicleLights::POSITION,
             ..VehicleMotion::default()
         }),
+        behaviour: Behaviour::default(),
         parked: false,
     };
     let state = WorldState { frame: 0, time_s: 0.0, actors: vec![actor], signals: Vec::new() };

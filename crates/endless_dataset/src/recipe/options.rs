@@ -127,6 +127,9 @@ recipe_options! {
     rgb_format: String => RgbFormat, OptionKind::Word(Vocabulary::of::<RgbFormat>()), Value("png");
     /// Annotate only objects with at least this many visible pixels.
     min_pixels: i64 => u32, OptionKind::Whole { least: 0, most: 4_294_967_295 }, Value("50");
+    /// Write the amodal mask of each object: the pixels that it would show if nothing hid it, as COCO's run lengths.
+    amodal_masks: bool => #[serde(default, skip_serializing_if = "std::ops::Not::not")] bool,
+        OptionKind::Switch, Described("no");
     /// Layers to write as a video file, too; may be none.
     mp4: Vec<String> => Vec<Layer>, OptionKind::WordsOrNone(Vocabulary::of::<Layer>()), Described("rgb");
     /// Simulator to use: builtin, the built-in city.

@@ -7,8 +7,8 @@ use endless_render::{CameraBake, RenderSettings};
 use endless_scene::Mesh;
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{
-    Actor, CameraLook, CameraSite, Condition, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount, ObjectClass,
-    Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, VehicleSpec, Weather, WorldState,
+    Actor, Behaviour, CameraLook, CameraSite, Condition, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount,
+    ObjectClass, Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, VehicleSpec, Weather, WorldState,
 };
 use glam::Vec3;
 use std::{fs, path::Path};
@@ -77,6 +77,7 @@ fn seen(catalogue: &Catalogue, model: VehicleModelId, class: ObjectClass) -> Ima
         pose: Pose::level(Vec3::new(14.0, 1.0, 0.0), 0.7),
         velocity_mps: Vec3::ZERO,
         motion: Motion::Vehicle(motion),
+        behaviour: Behaviour::default(),
         parked: false,
     };
     let site = CameraSite {

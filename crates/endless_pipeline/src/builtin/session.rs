@@ -1,12 +1,16 @@
 //! One scene of the built-in city.
 
-use super::{bodies::Skeletons, map::BuiltinMap};
+use super::{
+    bodies::Skeletons,
+    map::BuiltinMap,
+    shapes::{MovingShapes, ParkedShapes},
+};
 use crate::{RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep, SimulatorError};
-use endless_annotate::SceneObjects;
+use endless_annotate::{Box3d, CameraView, ObjectShapes, SceneObjects};
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_render::CameraBake;
+use endless_render::{CameraBake, FrameScene};
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, Condition, InstanceId, SceneSettings, SensorFrame, WorldState};
 use glam::Vec3;
@@ -34,11 +38,12 @@ struct BuiltinScene<'m> {
     moving: Vec<Actor>,
     skin_tones: BTreeMap<InstanceId, u8>,
     skeletons: Skeletons,
+    parked_shapes: ParkedShapes<'m>,
+    models: OnceLock<ActorModels>,
     cameras: OnceLock<BakedCameras>,
 }
 
 struct BakedCameras {
-    models: ActorModels,
     baked: Vec<CameraBake>,
     bake_rays: u64,
     /// Wall time of `baked`.
@@ -78,10 +83,12 @@ impl<'m> BuiltinSession<'m> {
             catalogue,
             settings,
             spawned,
-            parked,
             skin_tones: skin_tones(catalogue, &moving),
             skeletons: Skeletons::of(catalogue, &moving),
+            parked_shapes: ParkedShapes::new(map.town_scene.static_scene(), &parked),
+            parked,
             moving,
+            models: OnceLock::new(),
             cameras: OnceLock::new(),
         };
         Ok(Self { simulation, begun: false, scene: Arc::new(scene) })
@@ -101,15 +108,19 @@ impl BuiltinScene<'_> {
     /// The cameras, baked when they are first needed.
     fn cameras(&self) -> &BakedCameras {
         self.cameras.get_or_init(|| {
-            let Self { map, catalogue, settings, .. } = *self;
+            let Self { map, settings, .. } = *self;
             let start = Instant::now();
             let still = map.town_scene.static_scene();
             let baked: Vec<CameraBake> =
                 settings.cameras.iter().map(|camera| map.bakes.bake(still, settings, camera)).collect();
             let bake = start.elapsed();
-            let models = ActorModels::in_town(&map.town_scene, catalogue, &self.moving);
-            BakedCameras { models, bake_rays: rays(&baked), baked, bake }
+            BakedCameras { bake_rays: rays(&baked), baked, bake }
         })
+    }
+
+    /// The models of what moves, made when they are first needed.
+    fn models(&self) -> &ActorModels {
+        self.models.get_or_init(|| ActorModels::in_town(&self.map.town_scene, self.catalogue, &self.moving))
     }
 }
 
@@ -124,6 +135,7 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {
         self.scene.cameras();
+        self.scene.models();
         Ok(())
     }
 
@@ -132,7 +144,7 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
             self.simulation.tick();
         }
         self.begun = true;
-        let task = Box::new(BuiltinRenderTask(Arc::clone(&self.scene)));
+        let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), frame: Arc::default() });
         Ok(SimulationStep { state: self.simulation.state(), task })
     }
 
@@ -144,20 +156,59 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 }
 
-struct BuiltinRenderTask<'m>(Arc<BuiltinScene<'m>>);
+struct BuiltinRenderTask<'m> {
+    scene: Arc<BuiltinScene<'m>>,
+    frame: SharedFrame,
+}
 
-impl RenderTask for BuiltinRenderTask<'_> {
-    fn truth(&self, state: &WorldState) -> SceneTruth {
-        let BuiltinScene { parked, skin_tones, skeletons, .. } = &*self.0;
+/// What moves at one instant, made when it is first needed: by the renderer, or by labels of a picture that is there.
+type SharedFrame = Arc<OnceLock<Arc<FrameScene>>>;
+
+impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
+    fn truth(&self, state: &WorldState) -> SceneTruth<'m> {
+        let BuiltinScene { parked, skin_tones, skeletons, .. } = &*self.scene;
+        let (scene, frame) = (Arc::clone(&self.scene), Arc::clone(&self.frame));
         SceneTruth {
             objects: SceneObjects::new(state, parked).with_skin_tones(skin_tones),
             bodies: skeletons.bodies(state),
+            shapes: Some(Box::new(SceneShapes { scene, frame, state: state.clone(), moving: OnceLock::new() })),
         }
     }
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        let (cameras, still) = (self.0.cameras(), self.0.map.town_scene.static_scene());
-        let frame = cameras.models.frame_scene(state);
-        Ok(cameras.baked.iter().map(|camera| camera.render(still, &frame)).collect())
+        let (cameras, still) = (self.scene.cameras(), self.scene.map.town_scene.static_scene());
+        let frame = self.frame.get_or_init(|| Arc::new(self.scene.models().frame_scene(state)));
+        Ok(cameras.baked.iter().map(|camera| camera.render(still, frame)).collect())
+    }
+}
+
+/// The shapes of all objects of a scene at one instant.
+struct SceneShapes<'m> {
+    scene: Arc<BuiltinScene<'m>>,
+    frame: SharedFrame,
+    state: WorldState,
+    moving: OnceLock<MovingShapes>,
+}
+
+impl SceneShapes<'_> {
+    fn moving(&self) -> &MovingShapes {
+        self.moving.get_or_init(|| {
+            let frame = self.frame.get_or_init(|| Arc::new(self.scene.models().frame_scene(&self.state)));
+            MovingShapes::new(&self.state.actors, Arc::clone(frame))
+        })
+    }
+}
+
+impl ObjectShapes for SceneShapes<'_> {
+    fn box3d(&self, id: InstanceId) -> Option<Box3d> {
+        self.scene.parked_shapes.box3d(id).or_else(|| self.moving().box3d(id))
+    }
+
+    fn covered(&self, view: &CameraView<'_>, id: InstanceId) -> Option<Arc<[u32]>> {
+        self.scene.parked_shapes.covered(view, id).or_else(|| self.moving().covered(view, id))
+    }
+
+    fn image_bounds(&self, view: &CameraView<'_>, id: InstanceId) -> Option<[f32; 4]> {
+        self.scene.parked_shapes.image_bounds(view, id).or_else(|| self.moving().image_bounds(view, id))
     }
 }

@@ -23,9 +23,9 @@ pub(super) struct FrameRecorder<'a> {
 }
 
 /// One frame: its ground truth and the images of all cameras.
-pub(super) struct CapturedFrame {
+pub(super) struct CapturedFrame<'a> {
     frame: u32,
-    truth: SceneTruth,
+    truth: SceneTruth<'a>,
     pictures: FrameImages,
 }
 
@@ -35,7 +35,7 @@ enum FrameImages {
     Stored(Vec<StoredLayers>),
 }
 
-impl CapturedFrame {
+impl CapturedFrame<'_> {
     /// Whether it was stored already.
     pub(super) fn is_stored(&self) -> bool {
         matches!(self.pictures, FrameImages::Stored(_))
@@ -54,7 +54,7 @@ impl<'a> FrameRecorder<'a> {
     }
 
     /// What needs the simulator.
-    pub(super) fn take(&self, step: SimulationStep<'_>) -> Result<CapturedFrame, GenerateError> {
+    pub(super) fn take<'m>(&self, step: SimulationStep<'m>) -> Result<CapturedFrame<'m>, GenerateError> {
         let SimulationStep { state, task } = step;
         let clock = self.recording.clock;
         let truth = clock.time(Stage::Boxes, || task.truth(&state));
@@ -98,14 +98,14 @@ impl<'a> FrameRecorder<'a> {
     }
 
     /// Images on disk, and what each camera's sink gets.
-    pub(super) fn finish(&self, taken: &CapturedFrame) -> Result<Vec<SinkItem>, GenerateError> {
+    pub(super) fn finish(&self, taken: &CapturedFrame<'_>) -> Result<Vec<SinkItem>, GenerateError> {
         let Recording { recipe, layout, clock, .. } = *self.recording;
         let cameras = self.lenses.iter().enumerate();
         match &taken.pictures {
             FrameImages::Stored(cameras_layers) => {
-                let item = |((_, lens), stored): ((_, &PinholeCamera), &StoredLayers)| {
+                let item = |((camera, lens), stored): ((usize, &PinholeCamera), &StoredLayers)| {
                     let depth = |pixel: usize| metres_from_rgb(stored.depth.data[pixel]);
-                    let view = CameraView { camera: lens, instance: &stored.instance, depth: &depth };
+                    let view = CameraView { number: camera, camera: lens, instance: &stored.instance, depth: &depth };
                     self.item(taken, &view, &stored.images)
                 };
                 cameras.zip(cameras_layers).map(item).collect()
@@ -116,7 +116,7 @@ impl<'a> FrameRecorder<'a> {
                     let images = clock.time(Stage::Images, write)?;
                     // As it is or would be stored: labels do not depend on which layers are.
                     let depth = |pixel: usize| metres_from_rgb(rgb_from_metres(frame.depth.data[pixel]));
-                    let view = CameraView { camera: lens, instance: &frame.instance, depth: &depth };
+                    let view = CameraView { number: camera, camera: lens, instance: &frame.instance, depth: &depth };
                     self.item(taken, &view, &images)
                 };
                 cameras.zip(frames).map(item).collect()
@@ -127,7 +127,7 @@ impl<'a> FrameRecorder<'a> {
     /// Labels, and pictures of videos.
     fn item(
         &self,
-        taken: &CapturedFrame,
+        taken: &CapturedFrame<'_>,
         view: &CameraView<'_>,
         images: &StoredImages<'_>,
     ) -> Result<SinkItem, GenerateError> {
@@ -137,8 +137,16 @@ impl<'a> FrameRecorder<'a> {
             let visible = visible_objects(view.instance);
             let time_s = f64::from(*frame) / settings.fps;
             let line = annotate(*frame, time_s, &visible, &truth.objects, settings.size, recipe.min_pixels)?;
-            Ok::<_, GenerateError>(line.with_keypoints(&truth.bodies, view))
+            let line = line.with_keypoints(&truth.bodies, view);
+            Ok::<_, GenerateError>(match truth.shapes.as_deref() {
+                Some(shapes) => line.with_boxes3d(shapes, view),
+                None => line,
+            })
         })?;
+        let line = match truth.shapes.as_deref() {
+            Some(shapes) => clock.time(Stage::Amodal, || line.with_amodal(shapes, view, recipe.amodal_masks)),
+            None => line,
+        };
         let pictures = clock.time(Stage::Video, || {
             let picture = |(layer, image): &(Layer, Cow<'_, StoredImage>)| {
                 let preview = (layer.entry().preview)(image);

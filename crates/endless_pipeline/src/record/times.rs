@@ -15,6 +15,7 @@ pub(crate) enum Stage {
     Traffic,
     Render,
     Boxes,
+    Amodal,
     Images,
     Resume,
     Video,
@@ -28,7 +29,7 @@ impl Stage {
     }
 }
 
-const STAGES: usize = 10;
+const STAGES: usize = 11;
 
 /// Adds up the time of each stage over all threads.
 #[derive(Debug, Default)]
@@ -54,6 +55,8 @@ pub struct StageTimes {
     pub render: Duration,
     /// Boxes, visible pixels and keypoints.
     pub boxes: Duration,
+    /// Amodal boxes and masks, and what hides objects.
+    pub amodal: Duration,
     /// Encoding and writing images.
     pub images: Duration,
     /// Decoding images that were there already.
@@ -96,6 +99,7 @@ impl StageClock {
             traffic: of(Stage::Traffic),
             render: of(Stage::Render),
             boxes: of(Stage::Boxes),
+            amodal: of(Stage::Amodal),
             images: of(Stage::Images),
             resume: of(Stage::Resume),
             video: of(Stage::Video),

@@ -112,9 +112,9 @@ struct LiveTask<'m> {
     number: u8,
 }
 
-impl RenderTask for LiveTask<'_> {
-    fn truth(&self, state: &WorldState) -> SceneTruth {
-        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: WorldKeypoints::new() }
+impl<'m> RenderTask<'m> for LiveTask<'_> {
+    fn truth(&self, state: &WorldState) -> SceneTruth<'m> {
+        SceneTruth { objects: SceneObjects::new(state, &[]), bodies: WorldKeypoints::new(), shapes: None }
     }
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {

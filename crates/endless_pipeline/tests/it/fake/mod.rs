@@ -11,8 +11,8 @@ use endless_pipeline::{
     SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
 };
 use endless_world::{
-    Actor, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINT_COUNT, Motion, Mount,
-    ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, Stream, VehicleModelId,
+    Actor, Behaviour, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINT_COUNT, Motion,
+    Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, Stream, VehicleModelId,
     VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
@@ -104,6 +104,7 @@ fn actor(id: u16, class: ObjectClass) -> Actor {
         pose: Pose::level(Vec3::ZERO, 0.0),
         velocity_mps: Vec3::new(1.0, 0.0, 0.0),
         motion,
+        behaviour: Behaviour::default(),
         parked: false,
     }
 }
@@ -159,12 +160,13 @@ struct Eyes<'m> {
     settings: &'m SceneSettings,
 }
 
-impl RenderTask for Eyes<'_> {
-    fn truth(&self, state: &WorldState) -> SceneTruth {
+impl<'m> RenderTask<'m> for Eyes<'_> {
+    fn truth(&self, state: &WorldState) -> SceneTruth<'m> {
         let people = state.actors.iter().filter(|a| a.class == ObjectClass::Pedestrian);
         SceneTruth {
             objects: SceneObjects::new(state, &[parked()]),
             bodies: people.map(|a| (a.id, body(self.settings, a))).collect(),
+            shapes: None,
         }
     }
 

@@ -1,0 +1,74 @@
+//! Labels that follow from the shapes of objects: boxes in space, and amodal ones.
+
+use crate::amodal::HiddenPixels;
+use crate::rounding::{hundredths, thousandths};
+use crate::{Box3d, Box3dRecord, CameraView, FrameObjects};
+use endless_world::InstanceId;
+use glam::Vec3;
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// The shapes of a scene's objects at one instant.
+pub trait ObjectShapes {
+    /// The box around an object; `None` if there is no such object.
+    fn box3d(&self, id: InstanceId) -> Option<Box3d>;
+
+    /// The pixels of a camera's picture, by row-major index, that an object would show by itself: at least all those that
+    /// show something else now.
+    fn covered(&self, view: &CameraView<'_>, id: InstanceId) -> Option<Arc<[u32]>>;
+
+    /// The rectangle around an object's projection, `[left, top, right, bottom]` in pixels, also beyond the picture.
+    fn image_bounds(&self, view: &CameraView<'_>, id: InstanceId) -> Option<[f32; 4]>;
+}
+
+/// Where an object is, as `objects.jsonl` has it.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Spatial {
+    /// The box around it.
+    pub box3d: Box3dRecord,
+    /// From the lens to the box's middle, metres.
+    pub distance_m: f64,
+    /// Velocity of the box's middle in the picture, pixels a second; `null` if that lies beside or behind the camera.
+    pub image_velocity_pxps: Option<[f64; 2]>,
+}
+
+impl Spatial {
+    /// Of an object with this velocity in the world.
+    fn new(around: &Box3d, velocity_mps: Vec3, view: &CameraView<'_>) -> Self {
+        // As far as it gets in a thousandth of a second, before and after: the way there and back bends as the lens does.
+        let beside = |seconds: f32| view.camera.project(around.centre + velocity_mps * seconds).map(|(at, _)| at);
+        const STEP_S: f32 = 1e-2;
+        let image_velocity =
+            beside(STEP_S).zip(beside(-STEP_S)).map(|(after, before)| (after - before) / (2.0 * STEP_S));
+        Self {
+            box3d: around.record(view.camera),
+            distance_m: thousandths(view.camera.position.distance(around.centre)),
+            image_velocity_pxps: image_velocity.map(|v| v.to_array().map(hundredths)),
+        }
+    }
+}
+
+impl FrameObjects {
+    /// With the boxes around the objects.
+    #[must_use]
+    pub fn with_boxes3d(mut self, shapes: &dyn ObjectShapes, view: &CameraView<'_>) -> Self {
+        for object in &mut self.objects {
+            let velocity = Vec3::from_array(object.velocity_mps.map(|v| v as f32));
+            object.spatial = shapes.box3d(object.id).map(|around| Spatial::new(&around, velocity, view));
+        }
+        self
+    }
+
+    /// With what is hidden of the objects; masks of amodal pixels only where asked for.
+    #[must_use]
+    pub fn with_amodal(mut self, shapes: &dyn ObjectShapes, view: &CameraView<'_>, masks: bool) -> Self {
+        for object in &mut self.objects {
+            let id = object.id;
+            object.amodal = shapes.covered(view, id).map(|covered| {
+                let hidden = HiddenPixels { id, bbox: object.bbox, pixels: object.pixels, covered: &covered };
+                hidden.record(view, || shapes.image_bounds(view, id), masks)
+            });
+        }
+        self
+    }
+}
