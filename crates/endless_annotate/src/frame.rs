@@ -1,7 +1,9 @@
 //! The annotations of one frame of one camera: visible objects, joined with their attributes.
 
-use crate::{CameraView, Keypoints, ObjectRecord, SceneObjects, VisibleObject, WorldKeypoints};
+use crate::rounding::thousandths;
+use crate::{CameraView, ObjectRecord, SceneObjects, VisibleObject, WorldKeypoints};
 use endless_world::{ClassTag, ImageSize, InstanceId, ObjectClass};
+use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
 /// One line of `objects.jsonl`.
@@ -20,11 +22,21 @@ impl FrameObjects {
     #[must_use]
     pub fn with_keypoints(mut self, bodies: &WorldKeypoints, picture: &CameraView<'_>) -> Self {
         for object in &mut self.objects {
-            object.keypoints = bodies.get(&object.id).map(|body| picture.keypoints(object.id, body));
-            object.num_keypoints = object.keypoints.as_ref().map(Keypoints::labelled);
+            let Some(body) = bodies.get(&object.id) else { continue };
+            let keypoints = picture.keypoints(object.id, &body.body);
+            object.num_keypoints = Some(keypoints.labelled());
+            object.keypoints = Some(keypoints);
+            object.foot_kpts = Some(picture.foot_keypoints(object.id, &body.feet));
+            object.keypoints_3d = Some(places(&body.body));
+            object.foot_kpts_3d = Some(places(&body.feet));
         }
         self
     }
+}
+
+/// World positions, metres.
+fn places<const N: usize>(points: &[Vec3; N]) -> Vec<[f64; 3]> {
+    points.iter().map(|point| point.to_array().map(thousandths)).collect()
 }
 
 /// The instance image shows what the scene does not hold: a fault of the simulator.

@@ -1,13 +1,15 @@
 //! Keypoints of people in COCO's form: image position and visibility of each.
 
 use crate::rounding::hundredths;
-use endless_world::{Image, ImageSize, InstanceId, InstancePixel, KEYPOINT_COUNT, PinholeCamera};
+use endless_world::{
+    BodyKeypoints, FOOT_KEYPOINT_COUNT, Image, ImageSize, InstanceId, InstancePixel, KEYPOINT_COUNT, PinholeCamera,
+};
 use glam::Vec3;
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error, ser::SerializeSeq};
 use std::collections::BTreeMap;
 
-/// World positions of people's keypoints, in the order of [`endless_world::KEYPOINTS`]; metres.
-pub type WorldKeypoints = BTreeMap<InstanceId, [Vec3; KEYPOINT_COUNT]>;
+/// World positions of people's keypoints, metres.
+pub type WorldKeypoints = BTreeMap<InstanceId, BodyKeypoints>;
 
 /// COCO's flag `v`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -44,20 +46,20 @@ impl Keypoint {
     }
 }
 
-/// The keypoints of one person, written as COCO's `[x1, y1, v1, x2, ...]`.
+/// Keypoints of one person, written as COCO's `[x1, y1, v1, x2, ...]`: the 17 of COCO, or others.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Keypoints(pub [Keypoint; KEYPOINT_COUNT]);
+pub struct Keypoints<const N: usize = KEYPOINT_COUNT>(pub [Keypoint; N]);
 
-impl Keypoints {
+impl<const N: usize> Keypoints<N> {
     /// Number of keypoints in the picture, visible or hidden: COCO's `num_keypoints`.
     pub fn labelled(&self) -> u32 {
         self.0.iter().filter(|k| k.visibility != Visibility::Outside).count() as u32
     }
 }
 
-impl Serialize for Keypoints {
+impl<const N: usize> Serialize for Keypoints<N> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(Some(3 * KEYPOINT_COUNT))?;
+        let mut list = serializer.serialize_seq(Some(3 * N))?;
         for keypoint in &self.0 {
             list.serialize_element(&keypoint.x)?;
             list.serialize_element(&keypoint.y)?;
@@ -67,13 +69,14 @@ impl Serialize for Keypoints {
     }
 }
 
-impl<'de> Deserialize<'de> for Keypoints {
+impl<'de, const N: usize> Deserialize<'de> for Keypoints<N> {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         let numbers = Vec::<f64>::deserialize(deserializer)?;
-        if numbers.len() != 3 * KEYPOINT_COUNT {
-            return Err(D::Error::invalid_length(numbers.len(), &"x, y and v of 17 keypoints"));
+        if numbers.len() != 3 * N {
+            let expected = format!("x, y and v of {N} keypoints");
+            return Err(D::Error::invalid_length(numbers.len(), &expected.as_str()));
         }
-        let mut keypoints = [Keypoint::OUTSIDE; KEYPOINT_COUNT];
+        let mut keypoints = [Keypoint::OUTSIDE; N];
         for (keypoint, given) in keypoints.iter_mut().zip(numbers.chunks_exact(3)) {
             let visibility = match given[2] {
                 0.0 => Visibility::Outside,
@@ -106,6 +109,13 @@ const BENEATH_M: [f32; KEYPOINT_COUNT] =
     [0.06, 0.06, 0.06, 0.07, 0.07, 0.15, 0.15, 0.10, 0.10, 0.08, 0.08, 0.20, 0.20, 0.13, 0.13, 0.11, 0.11];
 
 impl CameraView<'_> {
+    /// The keypoints of a person's feet as they are seen.
+    pub fn foot_keypoints(&self, id: InstanceId, feet: &[Vec3; FOOT_KEYPOINT_COUNT]) -> Keypoints<FOOT_KEYPOINT_COUNT> {
+        /// Inside shoes.
+        const BENEATH_FOOT_M: f32 = 0.08;
+        Keypoints(feet.map(|point| self.keypoint(id, point, BENEATH_FOOT_M)))
+    }
+
     /// The keypoints of a person as they are seen.
     pub fn keypoints(&self, id: InstanceId, body: &[Vec3; KEYPOINT_COUNT]) -> Keypoints {
         Keypoints(std::array::from_fn(|k| self.keypoint(id, body[k], BENEATH_M[k])))

@@ -2,7 +2,7 @@
 
 use crate::rounding::{ten_thousandths, thousandths};
 use crate::{Activity, AmodalRecord, Keypoints, PixelBox, Spatial};
-use endless_world::{Actor, InstanceId, ObjectClass, WorldState};
+use endless_world::{Actor, FOOT_KEYPOINT_COUNT, InstanceId, ObjectClass, WorldState};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -36,6 +36,15 @@ pub struct ObjectRecord {
     /// Number of keypoints in the picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub num_keypoints: Option<u32>,
+    /// People and riders: COCO-WholeBody's keypoints of the feet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub foot_kpts: Option<Keypoints<FOOT_KEYPOINT_COUNT>>,
+    /// People and riders: the same keypoints in the world, metres.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub keypoints_3d: Option<Vec<[f64; 3]>>,
+    /// Those of the feet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub foot_kpts_3d: Option<Vec<[f64; 3]>>,
     /// Point on the ground under its centre, in the world (x east, y north, z up), metres.
     pub position: [f64; 3],
     /// Heading, counter-clockwise from east, radians.
@@ -143,6 +152,9 @@ impl SceneObject {
             skin_tone: self.skin_tone,
             keypoints: None,
             num_keypoints: None,
+            foot_kpts: None,
+            keypoints_3d: None,
+            foot_kpts_3d: None,
             position: self.position,
             yaw_rad: self.yaw_rad,
             speed_mps: self.speed_mps,

@@ -1,6 +1,6 @@
 //! The label schema, written to every dataset.
 
-use endless_world::{ClassTag, KEYPOINT_LIMBS, KEYPOINTS, ObjectClass};
+use endless_world::{ClassTag, FOOT_KEYPOINTS, KEYPOINT_LIMBS, KEYPOINTS, ObjectClass};
 use serde::{Deserialize, Serialize};
 
 /// Meaning of the numbers in the instance image and of the words in `objects.jsonl`.
@@ -21,6 +21,9 @@ pub struct LabelSchema {
     /// Names of people's keypoints, in the order of `keypoints`: COCO's.
     #[serde(default)]
     pub keypoints: Vec<String>,
+    /// Names of the keypoints of feet, in the order of `foot_kpts`: COCO-WholeBody's.
+    #[serde(default)]
+    pub foot_kpts: Vec<String>,
     /// Which of them limbs join, counted from 1.
     #[serde(default)]
     pub skeleton: Vec<[u8; 2]>,
@@ -72,6 +75,7 @@ impl LabelSchema {
                 .map(|(c, id)| ClassLabel { id, name: c.name().into(), tag: c.tag().value() })
                 .collect(),
             keypoints: KEYPOINTS.map(String::from).to_vec(),
+            foot_kpts: FOOT_KEYPOINTS.map(String::from).to_vec(),
             skeleton: KEYPOINT_LIMBS.to_vec(),
         }
     }

@@ -1,4 +1,6 @@
-//! The keypoints of a person, as COCO names and joins them.
+//! The keypoints of a person, as COCO and COCO-WholeBody name and join them.
+
+use glam::Vec3;
 
 /// Number of keypoints.
 pub const KEYPOINT_COUNT: usize = 17;
@@ -23,6 +25,30 @@ pub const KEYPOINTS: [&str; KEYPOINT_COUNT] = [
     "left_ankle",
     "right_ankle",
 ];
+
+/// Number of keypoints of feet.
+pub const FOOT_KEYPOINT_COUNT: usize = 6;
+
+/// Their names, in COCO-WholeBody's order.
+pub const FOOT_KEYPOINTS: [&str; FOOT_KEYPOINT_COUNT] =
+    ["left_big_toe", "left_small_toe", "left_heel", "right_big_toe", "right_small_toe", "right_heel"];
+
+/// Where the keypoints of a person are, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BodyKeypoints {
+    /// In the order of [`KEYPOINTS`].
+    pub body: [Vec3; KEYPOINT_COUNT],
+    /// In the order of [`FOOT_KEYPOINTS`].
+    pub feet: [Vec3; FOOT_KEYPOINT_COUNT],
+}
+
+impl BodyKeypoints {
+    /// In another frame of reference.
+    #[must_use]
+    pub fn map(self, place: impl Fn(Vec3) -> Vec3) -> Self {
+        Self { body: self.body.map(&place), feet: self.feet.map(&place) }
+    }
+}
 
 /// Which of them limbs join, counted from 1, as in the `skeleton` of COCO's `person_keypoints`.
 pub const KEYPOINT_LIMBS: [[u8; 2]; 19] = [

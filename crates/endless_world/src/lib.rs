@@ -47,7 +47,7 @@ pub use condition_table::{Condition, ValueRange};
 pub use driving_side::DrivingSide;
 pub use glyph::glyph;
 pub use ids::{InstanceId, InstanceIdAllocator, SignalId, TooManyInstances};
-pub use keypoint::{KEYPOINT_COUNT, KEYPOINT_LIMBS, KEYPOINTS};
+pub use keypoint::{BodyKeypoints, FOOT_KEYPOINT_COUNT, FOOT_KEYPOINTS, KEYPOINT_COUNT, KEYPOINT_LIMBS, KEYPOINTS};
 pub use rng::{Stream, fnv1a};
 pub use scene::{SceneCamera, SceneSettings};
 pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame};

@@ -3,7 +3,7 @@
 use super::appearance::Appearance;
 use super::skeleton::{BONES, Bone, Skeleton};
 use super::{gait, hold, part};
-use endless_world::{KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
+use endless_world::{BodyKeypoints, FOOT_KEYPOINT_COUNT, KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
 use glam::{Affine3A, Vec3};
 
 /// The skeleton of one person, in motion.
@@ -11,6 +11,7 @@ use glam::{Affine3A, Vec3};
 pub struct Anatomy {
     pub(crate) skeleton: Skeleton,
     keypoints: [(Bone, Vec3); KEYPOINT_COUNT],
+    foot_keypoints: [(Bone, Vec3); FOOT_KEYPOINT_COUNT],
     /// Habits of moving, from the variant.
     pub(crate) habit: gait::GaitStyle,
 }
@@ -25,18 +26,20 @@ impl Anatomy {
         let skeleton = Skeleton::new(appearance);
         Self {
             keypoints: part::keypoints(appearance, &skeleton),
+            foot_keypoints: part::foot_keypoints(&skeleton),
             skeleton,
             habit: gait::GaitStyle::new(variant, appearance),
         }
     }
 
-    /// The keypoints of COCO ([`endless_world::KEYPOINTS`]) at an instant, in the person's object frame.
-    pub fn keypoints(&self, motion: &WalkerMotion) -> [Vec3; KEYPOINT_COUNT] {
+    /// The keypoints at an instant, in the person's object frame.
+    pub fn keypoints(&self, motion: &WalkerMotion) -> BodyKeypoints {
         self.keypoints_on(&self.bones(motion))
     }
 
-    pub(crate) fn keypoints_on(&self, bones: &[Affine3A; BONES]) -> [Vec3; KEYPOINT_COUNT] {
-        self.keypoints.map(|(bone, p)| bones[bone as usize].transform_point3(p))
+    pub(crate) fn keypoints_on(&self, bones: &[Affine3A; BONES]) -> BodyKeypoints {
+        let place = |(bone, p): (Bone, Vec3)| bones[bone as usize].transform_point3(p);
+        BodyKeypoints { body: self.keypoints.map(place), feet: self.foot_keypoints.map(place) }
     }
 
     /// Where the joint of every bone is at an instant, in the order of [`Bone::ALL`], in the person's object frame.

@@ -29,7 +29,7 @@ mod wheeled;
 
 use endless_scene::Mesh;
 use endless_world::walking::PedestrianSpec;
-use endless_world::{KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
+use endless_world::{BodyKeypoints, Outfit, PersonRef, WalkerMotion};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
@@ -142,8 +142,8 @@ impl PersonModel {
         &self.anatomy
     }
 
-    /// The keypoints of COCO ([`endless_world::KEYPOINTS`]) at an instant, in the person's object frame.
-    pub fn keypoints(&self, motion: &WalkerMotion) -> [Vec3; KEYPOINT_COUNT] {
+    /// The keypoints at an instant, in the person's object frame.
+    pub fn keypoints(&self, motion: &WalkerMotion) -> BodyKeypoints {
         self.anatomy.keypoints(motion)
     }
 

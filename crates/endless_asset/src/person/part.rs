@@ -2,8 +2,8 @@
 
 use super::appearance::{Appearance, Carried, Glasses, Hat};
 use super::head::Head;
-use super::skeleton::{Bone, Skeleton};
-use endless_world::KEYPOINT_COUNT;
+use super::skeleton::{Bone, Side, Skeleton};
+use endless_world::{FOOT_KEYPOINT_COUNT, KEYPOINT_COUNT};
 use glam::Vec3;
 
 /// A part of the body, as annotations name it; clothes belong to what they cover.
@@ -89,6 +89,22 @@ pub(crate) fn keypoints(appearance: &Appearance, skeleton: &Skeleton) -> [(Bone,
         joint(Bone::FootL),
         joint(Bone::FootR),
     ]
+}
+
+/// Keypoints of the feet in the rest pose, and the bone that each follows.
+pub(crate) fn foot_keypoints(skeleton: &Skeleton) -> [(Bone, Vec3); FOOT_KEYPOINT_COUNT] {
+    let ankle = skeleton.joint(Bone::FootL);
+    let (h, toe, heel) = (skeleton.height, skeleton.toe, skeleton.heel);
+    // Of the left foot; the big toe is on the inner side.
+    let at = |along: f32, outwards: f32, z: f32| Vec3::new(ankle.x + along, ankle.y + outwards * h, z * h);
+    let [big_toe, small_toe, back] =
+        [at(0.93 * toe, -0.008, 0.010), at(0.78 * toe, 0.020, 0.010), at(-0.9 * heel, 0.004, 0.015)];
+    let foot = |side: Side| {
+        let [_, _, foot, toes] = side.leg();
+        [(toes, side.flip(big_toe)), (toes, side.flip(small_toe)), (foot, side.flip(back))]
+    };
+    let [left, right] = [foot(Side::Left), foot(Side::Right)];
+    [left[0], left[1], left[2], right[0], right[1], right[2]]
 }
 
 /// Who a person is and what they wear, for annotations and for those who choose people.

@@ -6,7 +6,7 @@ use super::skeleton::{BONES, Bone, Side};
 use super::{Anatomy, PersonModel};
 use crate::vehicle::RiderFit;
 use endless_scene::Mesh;
-use endless_world::{ClassTag, KEYPOINT_COUNT, Stream};
+use endless_world::{BodyKeypoints, ClassTag, Stream};
 use glam::{Affine3A, Quat, Vec3};
 use std::sync::Arc;
 
@@ -42,8 +42,8 @@ fn mend_normals(mesh: &mut Mesh) {
     }
 }
 
-/// The keypoints of COCO of that person, in the vehicle's object frame.
-pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> [Vec3; KEYPOINT_COUNT] {
+/// The keypoints of that person, in the vehicle's object frame.
+pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> BodyKeypoints {
     let appearance = appearance(fit, variant);
     let anatomy = Anatomy::with_appearance(variant, &appearance);
     anatomy.keypoints_on(&seated(fit, &appearance, &anatomy))

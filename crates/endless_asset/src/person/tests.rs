@@ -327,7 +327,14 @@ fn keypoints_lie_where_they_are_called() {
     for variant in 0..300 {
         let person = person(variant);
         let k = person.keypoints(&motion(&person, Gait::Walk, 0.2 * variant as f32));
-        let at = |name: &str| k[KEYPOINTS.iter().position(|&n| n == name).expect("a keypoint")];
+        for (foot, ankle) in k.feet.chunks_exact(3).zip([k.body[15], k.body[16]]) {
+            let [big_toe, small_toe, heel] = [foot[0], foot[1], foot[2]];
+            assert!(big_toe.distance(heel) > 0.08 && big_toe.distance(small_toe) > 0.02, "variant {variant}");
+            assert!(foot.iter().all(|p| p.z > -0.01 && p.distance(ankle) < 0.3), "variant {variant}: {foot:?}");
+        }
+        let inwards = k.feet[1].y - k.feet[0].y - (k.feet[4].y - k.feet[3].y);
+        assert!(inwards > 0.0, "variant {variant}: big toes are on the inner sides");
+        let at = |name: &str| k.body[KEYPOINTS.iter().position(|&n| n == name).expect("a keypoint")];
         for pair in ["eye", "ear", "shoulder", "hip"] {
             let (l, r) = (at(&format!("left_{pair}")), at(&format!("right_{pair}")));
             assert!(l.y > r.y, "variant {variant}: {pair}");

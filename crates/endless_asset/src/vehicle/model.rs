@@ -7,7 +7,7 @@ use super::rider_fit::RiderFit;
 use super::tint::{self, PaintShare};
 use super::wheel::Wheel;
 use endless_scene::Mesh;
-use endless_world::{KEYPOINT_COUNT, ObjectClass, TrailerSpec, VehicleSpec};
+use endless_world::{BodyKeypoints, ObjectClass, TrailerSpec, VehicleSpec};
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
 
@@ -123,8 +123,8 @@ impl VehicleModel {
         Some(crate::person::rider(self.fit()?, variant))
     }
 
-    /// The keypoints of that rider ([`endless_world::KEYPOINTS`]), in the vehicle's object frame.
-    pub fn rider_keypoints(&self, variant: u64) -> Option<[Vec3; KEYPOINT_COUNT]> {
+    /// The keypoints of that rider, in the vehicle's object frame.
+    pub fn rider_keypoints(&self, variant: u64) -> Option<BodyKeypoints> {
         Some(crate::person::rider_keypoints(self.fit()?, variant))
     }
 

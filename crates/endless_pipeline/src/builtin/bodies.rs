@@ -2,15 +2,14 @@
 
 use endless_annotate::WorldKeypoints;
 use endless_asset::{Anatomy, Catalogue};
-use endless_world::{Actor, InstanceId, KEYPOINT_COUNT, Motion, WorldState};
-use glam::Vec3;
+use endless_world::{Actor, BodyKeypoints, InstanceId, Motion, WorldState};
 use std::collections::BTreeMap;
 
 /// The skeletons of people on foot, by their ids, and the seated bodies of riders, by those of their vehicles.
 pub(super) struct Skeletons {
     on_foot: BTreeMap<InstanceId, Anatomy>,
     /// In the object frame of the vehicle.
-    riding: BTreeMap<InstanceId, [Vec3; KEYPOINT_COUNT]>,
+    riding: BTreeMap<InstanceId, BodyKeypoints>,
 }
 
 impl Skeletons {
@@ -30,7 +29,7 @@ impl Skeletons {
     }
 
     /// Whose keypoints come with an actor, and where they are.
-    fn of_actor(&self, actor: &Actor) -> Option<(InstanceId, [Vec3; KEYPOINT_COUNT])> {
+    fn of_actor(&self, actor: &Actor) -> Option<(InstanceId, BodyKeypoints)> {
         let (id, body) = match &actor.motion {
             Motion::Walker(motion) => (actor.id, self.on_foot.get(&actor.id)?.keypoints(motion)),
             Motion::Vehicle(_) => (actor.rider_id?, *self.riding.get(&actor.id)?),

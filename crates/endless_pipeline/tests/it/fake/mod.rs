@@ -11,7 +11,7 @@ use endless_pipeline::{
     SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
 };
 use endless_world::{
-    Actor, Behaviour, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINT_COUNT, Motion,
+    Actor, Behaviour, BodyKeypoints, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, Motion,
     Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, Stream, VehicleModelId,
     VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
@@ -185,15 +185,16 @@ fn rectangle(settings: &SceneSettings, actor: &Actor, camera: u32) -> ([u32; 2],
 }
 
 /// Keypoints within the rectangle of the first camera, every other one far behind it.
-fn body(settings: &SceneSettings, actor: &Actor) -> [Vec3; KEYPOINT_COUNT] {
+fn body(settings: &SceneSettings, actor: &Actor) -> BodyKeypoints {
     let camera = PinholeCamera::new(&settings.cameras[0].site, settings.size);
     let ([x, y], depth) = rectangle(settings, actor, 0);
     let k = camera.intrinsics;
-    std::array::from_fn(|i| {
+    let point = |i: usize| {
         let z = depth + if i % 2 == 0 { 0.0 } else { 3.0 };
         let at = Vec3::new((x as f32 + 2.5 - k.cx) / k.fx, (y as f32 + 2.5 - k.cy) / k.fy, 1.0);
         camera.position + camera.world_from_camera * (at * z)
-    })
+    };
+    BodyKeypoints { body: std::array::from_fn(point), feet: std::array::from_fn(point) }
 }
 
 /// What a camera sees.
