@@ -40,5 +40,6 @@ pub use box3d::{Box3d, Box3dRecord};
 pub use frame::{AnnotateError, FrameObjects, annotate};
 pub use keypoint::{CameraView, Keypoint, Keypoints, Visibility, WorldKeypoints};
 pub use object::{ObjectRecord, SceneObjects};
+pub use rle::mask_pixels;
 pub use shapes::{ObjectShapes, Spatial};
 pub use visible::{PixelBox, VisibleObject, visible_objects};

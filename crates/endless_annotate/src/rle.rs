@@ -1,7 +1,7 @@
 //! COCO's run-length encoding of masks, compressed as `pycocotools` does (`maskApi.c`, `rleToString`).
 
 use crate::PixelBox;
-use endless_world::{Image, InstanceId, InstancePixel};
+use endless_world::{Image, ImageSize, InstanceId, InstancePixel};
 
 /// The mask of an object: its pixels in an image and some others, all in a box; others by row-major index.
 pub(crate) fn mask(instance: &Image<InstancePixel>, id: InstanceId, within: PixelBox, others: &[u32]) -> String {
@@ -25,6 +25,25 @@ pub(crate) fn mask(instance: &Image<InstancePixel>, id: InstanceId, within: Pixe
     }
     runs.add(false, (width - within.x - within.w) * height);
     compressed(&runs.finish())
+}
+
+/// The pixels of a compressed mask, by row-major index, ascending in columns; `None` if it is not one of a picture of this
+/// size.
+pub fn mask_pixels(text: &str, size: ImageSize) -> Option<Vec<usize>> {
+    let (width, height) = (size.width as usize, size.height as usize);
+    let (mut inside, mut at, mut pixels) = (false, 0, Vec::new());
+    for run in decompressed(text)? {
+        let end = usize::try_from(run).ok().and_then(|run| at_most(at, run, width * height))?;
+        if inside {
+            pixels.extend((at..end).map(|place| place % height * width + place / height));
+        }
+        (inside, at) = (!inside, end);
+    }
+    (at == width * height).then_some(pixels)
+}
+
+fn at_most(from: usize, run: usize, most: usize) -> Option<usize> {
+    from.checked_add(run).filter(|end| *end <= most)
 }
 
 /// Lengths of runs, column by column; the first is of pixels outside.
@@ -68,37 +87,40 @@ fn compressed(runs: &[u32]) -> String {
     text
 }
 
+/// The runs of a compressed mask (`rleFrString`); `None` if it is none.
+fn decompressed(text: &str) -> Option<Vec<i64>> {
+    /// A run has at most 32 bits.
+    const MOST_SHIFT: u32 = 35;
+    let mut runs: Vec<i64> = Vec::new();
+    let mut characters = text.bytes();
+    while let Some(first) = characters.next() {
+        let (mut bits, mut value, mut shift) = (i64::from(first.checked_sub(48)?), 0, 0);
+        loop {
+            value |= (bits & 0x1f) << shift;
+            shift += 5;
+            if bits & 0x20 == 0 {
+                break;
+            }
+            bits = i64::from(characters.next().filter(|_| shift < MOST_SHIFT)?.checked_sub(48)?);
+        }
+        if bits & 0x10 != 0 {
+            value |= -1 << shift;
+        }
+        let before = if runs.len() > 2 { runs[runs.len() - 2] } else { 0 };
+        runs.push(before.checked_add(value)?);
+    }
+    Some(runs)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{ClassTag, ImageSize};
+    use endless_world::ClassTag;
     use proptest::prelude::*;
 
     fn image(size: ImageSize, set: &[bool]) -> Image<InstancePixel> {
         let pixel = |set: &bool| InstancePixel { tag: ClassTag::Car, id: InstanceId(u16::from(*set)) };
         Image { size, data: set.iter().map(pixel).collect() }
-    }
-
-    /// The runs of a compressed mask: `rleFrString`.
-    fn runs(text: &str) -> Vec<i64> {
-        let mut runs = Vec::new();
-        let mut bytes = text.bytes().map(|byte| i64::from(byte) - 48);
-        while let Some(first) = bytes.next() {
-            let (mut bits, mut value, mut shift) = (first, 0, 0);
-            loop {
-                value |= (bits & 0x1f) << shift;
-                shift += 5;
-                if bits & 0x20 == 0 {
-                    break;
-                }
-                bits = bytes.next().expect("more was said to come");
-            }
-            if bits & 0x10 != 0 {
-                value |= -1 << shift;
-            }
-            runs.push(value + if runs.len() > 2 { runs[runs.len() - 2] } else { 0 });
-        }
-        runs
     }
 
     /// As pycocotools writes them.
@@ -120,13 +142,17 @@ mod tests {
         }).boxed()) {
             let size = ImageSize { width, height };
             let text = mask(&image(size, &set), InstanceId(1), PixelBox { x: 0, y: 0, w: width, h: height }, &[]);
-            let mut columns = Vec::new();
-            for (i, run) in runs(&text).into_iter().enumerate() {
-                columns.extend(std::iter::repeat_n(i % 2 == 1, run as usize));
+            let mut read = mask_pixels(&text, size).expect("own output");
+            read.sort_unstable();
+            prop_assert_eq!(read, (0..set.len()).filter(|&i| set[i]).collect::<Vec<_>>());
+        }
+
+        #[test]
+        fn what_is_no_mask_is_refused(text: String) {
+            let size = ImageSize { width: 7, height: 5 };
+            if let Some(pixels) = mask_pixels(&text, size) {
+                prop_assert!(pixels.iter().all(|&pixel| pixel < size.pixels()));
             }
-            let expected: Vec<bool> =
-                (0..width).flat_map(|x| (0..height).map(move |y| (y * width + x) as usize)).map(|i| set[i]).collect();
-            prop_assert_eq!(columns, expected);
         }
     }
 }

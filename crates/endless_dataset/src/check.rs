@@ -1,6 +1,7 @@
 //! Checks a dataset: reads every file and lists all errors.
 
 mod camera;
+mod objects;
 mod progress;
 mod report;
 mod tracks;

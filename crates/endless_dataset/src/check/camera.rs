@@ -1,6 +1,7 @@
 //! One camera of a video: every file decodes, sizes, counts, alignment, boxes.
 
 use super::{
+    objects::LabelledFrame,
     progress::CheckProgress,
     report::{CheckReport, Finding},
     tracks::Tracks,
@@ -11,7 +12,9 @@ use crate::{
     read_mp4, read_objects, read_rgb, video,
 };
 use endless_annotate::{FrameObjects, Keypoint, ObjectRecord, Visibility, visible_objects};
-use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINTS, SceneCamera, SceneSettings};
+use endless_world::{
+    ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, KEYPOINTS, PinholeCamera, SceneCamera, SceneSettings,
+};
 use rayon::prelude::*;
 use rusty_h264_decoder::Decoder;
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,10 +48,12 @@ pub(super) fn check_camera(
         tracks.add(object.id, object.class);
         report.boxes += 1;
     }
+    let SceneCamera { site, look } = &settings.cameras[camera];
+    let lens = PinholeCamera::new(site, settings.size).with_distortion(look.distortion);
     let frames: Vec<CheckReport> = (0..recipe.frames())
         .into_par_iter()
         .map(|frame| {
-            let report = check_frame(layout, frame, lines.get(frame as usize), recipe);
+            let report = check_frame(layout, frame, lines.get(frame as usize), recipe, &lens);
             progress.add(1);
             report
         })
@@ -89,7 +94,13 @@ fn check_names(layout: &CameraLayout, recipe: &Recipe) -> Vec<Finding> {
     findings
 }
 
-fn check_frame(layout: &CameraLayout, frame: u32, line: Option<&FrameObjects>, recipe: &Recipe) -> CheckReport {
+fn check_frame(
+    layout: &CameraLayout,
+    frame: u32,
+    line: Option<&FrameObjects>,
+    recipe: &Recipe,
+    camera: &PinholeCamera,
+) -> CheckReport {
     let mut report = CheckReport::default();
     // The layers that decode.
     let mut stored: BTreeMap<Layer, StoredImage> = BTreeMap::new();
@@ -109,7 +120,11 @@ fn check_frame(layout: &CameraLayout, frame: u32, line: Option<&FrameObjects>, r
         report.findings.extend(misaligned(depth, instance).map(|problem| Finding::new(path, problem)));
     }
     if let Some(line) = line {
-        let problems = line_problems(line, frame, instance.as_ref(), recipe);
+        let labelled = LabelledFrame { camera, instance: instance.as_ref(), depth: depth.as_ref() };
+        let mut problems = line_problems(line, frame, &labelled, recipe);
+        let wrong =
+            |object: &ObjectRecord| Some(format!("frame {frame}: object {} {}", object.id, labelled.problem(object)?));
+        problems.extend(line.objects.iter().filter_map(wrong));
         report.findings.extend(problems.into_iter().map(|problem| Finding::new(layout.objects(), problem)));
     }
     report
@@ -136,12 +151,8 @@ fn misaligned(depth: &Image<f32>, instance: &Image<InstancePixel>) -> Option<Str
     (count > 0).then(|| format!("is not aligned with the instance image: {count} pixels of sky or objects disagree"))
 }
 
-fn line_problems(
-    line: &FrameObjects,
-    frame: u32,
-    instance: Option<&Image<InstancePixel>>,
-    recipe: &Recipe,
-) -> Vec<String> {
+fn line_problems(line: &FrameObjects, frame: u32, labelled: &LabelledFrame<'_>, recipe: &Recipe) -> Vec<String> {
+    let instance = labelled.instance;
     let mut problems = Vec::new();
     if line.frame != frame || (line.time_s - f64::from(frame) / recipe.fps).abs() > 1e-6 {
         problems.push(format!("line {} is of frame {} at {} s", frame + 1, line.frame, line.time_s));

@@ -8,4 +8,5 @@ mod golden;
 mod kill;
 mod labels;
 mod live;
+mod objects;
 mod record;
