@@ -4,7 +4,8 @@ where it is installed).
 
     python3 scripts/check_dataset.py OUT
 
-Recomputes every box from the instance images, decodes depth, and checks counts, sizes and alignment.
+Recomputes every box from the instance images, decodes depth, projects 3D boxes by `camera.json`, decodes amodal masks,
+and checks counts, sizes and alignment.
 """
 
 import json
@@ -16,6 +17,8 @@ from PIL import Image
 
 FAR_PLANE_M = 1000.0
 SKY = 11
+# Fields of a 3D box that differ from camera to camera.
+CAMERA_S_OWN = ("center_in_camera", "rotation_in_camera", "corners")
 
 
 def boxes_of(ids: np.ndarray, tags: np.ndarray, min_pixels: int) -> dict[int, tuple[list[int], int, int]]:
@@ -90,6 +93,103 @@ def check_with_coco(out: pathlib.Path, labels: dict, recipe: dict) -> None:
     print(f"COCO's own code reads {len(annotations)} people with keypoints in {len(images)} pictures")
 
 
+def rotation_matrix(w: float, x: float, y: float, z: float) -> np.ndarray:
+    """Of a unit quaternion."""
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def project(record: dict, world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Pixels, through the lens, and depths of points in the world, by `camera.json` alone."""
+    pose = np.array(record["world_from_camera"])
+    x, y, z = ((world - pose[:3, 3]) @ pose[:3, :3]).T
+    u, v = x / z, y / z
+    k1, k2 = record["lens"]["distortion"][:2]
+    bend = 1 + (u * u + v * v) * (k1 + k2 * (u * u + v * v))
+    k = record["intrinsics"]
+    return np.stack([k["fx"] * u * bend + k["cx"], k["fy"] * v * bend + k["cy"]], axis=-1), z
+
+
+def corners_of(box: dict) -> np.ndarray:
+    """Corners of a 3D box in the world: the lower four from the front left one, against the clock, then the upper."""
+    signs = np.array([[x, y, z] for z in (-1, 1) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))])
+    return np.array(box["center"]) + (signs * np.array(box["size"]) / 2) @ rotation_matrix(*box["rotation"]).T
+
+
+def mask_of(counts: str, height: int, width: int) -> np.ndarray:
+    """COCO's compressed run lengths, column by column."""
+    runs, i = [], 0
+    while i < len(counts):
+        value, shift, more = 0, 0, True
+        while more:
+            bits = ord(counts[i]) - 48
+            value |= (bits & 0x1F) << shift
+            shift, more, i = shift + 5, bool(bits & 0x20), i + 1
+        if bits & 0x10:
+            value -= 1 << shift
+        runs.append(value + (runs[-2] if len(runs) > 2 else 0))
+    inside = np.repeat(np.arange(len(runs)) % 2 == 1, runs)
+    return inside.reshape(width, height).T
+
+
+def check_shapes(line: dict, record: dict, ids: np.ndarray, tags: np.ndarray, depth, where: str) -> None:
+    """Boxes in space, amodal boxes, what hides objects: from the images and `camera.json` alone."""
+    height, width = ids.shape
+    for o in line["objects"]:
+        who = f"{where}: object {o['id']}"
+        if "box3d" in o:
+            box = o["box3d"]
+            pixels, z = project(record, corners_of(box))
+            for written, exact, ahead in zip(box["corners"], pixels, z):
+                assert (written is None) or ahead > 0, f"{who}: a corner behind the camera"
+                if written is not None and (np.abs(exact) < 2 * width).all():
+                    assert np.abs(np.array(written) - exact).max() < 0.5, f"{who}: corners"
+            pose = np.array(record["world_from_camera"])
+            before = (np.array(box["center"]) - pose[:3, 3]) @ pose[:3, :3]
+            assert np.abs(before - box["center_in_camera"]).max() < 2e-3, f"{who}: center_in_camera"
+            assert abs(np.linalg.norm(before) - o["distance_m"]) < 2e-3, f"{who}: distance"
+            turned = pose[:3, :3].T @ rotation_matrix(*box["rotation"])
+            assert np.abs(turned - rotation_matrix(*box["rotation_in_camera"])).max() < 1e-3, f"{who}: rotation"
+            if depth is not None:
+                reach = np.abs(turned[2]) @ np.array(box["size"]) / 2 + 0.02
+                own = depth[ids == o["id"]]
+                assert np.abs(own - before[2]).max() <= reach, f"{who}: pixels nearer or farther than its box"
+        if "amodal_bbox" not in o:
+            continue
+        x, y, w, h = o["bbox"]
+        cx, cy, cw, ch = o["amodal_bbox_clipped"]
+        ax, ay, aw, ah = o["amodal_bbox"]
+        assert cx <= x and cy <= y and cx + cw >= x + w and cy + ch >= y + h, f"{who}: visible outside amodal"
+        assert ax <= cx and ay <= cy and ax + aw >= cx + cw and ay + ah >= cy + ch, f"{who}: clipped outside whole"
+        assert o["pixels"] + sum(q["pixels"] for q in o["occluders"]) == o["amodal_pixels"], f"{who}: sums"
+        assert abs(o["visibility"] - o["pixels"] / o["amodal_pixels"]) < 1e-3, f"{who}: visibility"
+        assert abs(o["truncation"] - (1 - cw * ch / (aw * ah))) < 1e-3, f"{who}: truncation"
+        if "box3d" in o and all(o["box3d"]["corners"]):
+            low, high = np.min(o["box3d"]["corners"], axis=0), np.max(o["box3d"]["corners"], axis=0)
+            first, last = np.array([ax, ay]) + 0.5, np.array([ax + aw, ay + ah]) - 0.5
+            assert (low <= first + 1).all() and (high >= last - 1).all(), f"{who}: amodal box leaves the 3D box"
+        if "amodal_mask" in o:
+            mask = mask_of(o["amodal_mask"], height, width)
+            assert mask.sum() == o["amodal_pixels"] and mask[ids == o["id"]].all(), f"{who}: amodal mask"
+            rows, columns = np.nonzero(mask)
+            tight = [columns.min(), rows.min(), np.ptp(columns) + 1, np.ptp(rows) + 1]
+            assert tight == o["amodal_bbox_clipped"], f"{who}: amodal mask and box"
+            hiding = mask & (ids != o["id"])
+            takers: dict[tuple[int, int], int] = {}
+            for taker in zip(ids[hiding].tolist(), tags[hiding].tolist()):
+                takers[taker] = takers.get(taker, 0) + 1
+            assert takers == {(q["id"], q["tag"]): q["pixels"] for q in o["occluders"]}, f"{who}: occluders"
+        else:
+            for q in o["occluders"]:
+                there = (ids == q["id"]) & (tags == q["tag"])
+                assert there[cy : cy + ch, cx : cx + cw].sum() >= q["pixels"], f"{who}: occluder {q['id']}"
+
+
 def load(path: pathlib.Path, size: tuple[int, int]) -> np.ndarray:
     with Image.open(path) as image:
         assert image.mode == "RGB" and image.size == size, f"{path}: {image.mode} {image.size}"
@@ -125,6 +225,7 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
         assert written == boxes_of(ids, tags, recipe["min_pixels"]), f"{camera}: boxes of frame {frame}"
         compared += len(written)
         check_keypoints(line, ids, f"{camera}: frame {frame}")
+        check_shapes(line, record, ids, tags, depth, f"{camera}: frame {frame}")
         if depth is not None:
             assert (depth[tags == SKY] == FAR_PLANE_M).all(), f"{camera}: sky nearer than the far plane, frame {frame}"
             assert (depth[ids > 0] < FAR_PLANE_M).all(), f"{camera}: object on the far plane, frame {frame}"
@@ -144,6 +245,7 @@ def main() -> None:
         assert video["state"] == "complete", f"{video['name']} is not complete"
         folder = out / "videos" / video["name"]
         class_of_id: dict[int, str] = {}
+        place_of: dict[tuple[int, int], tuple] = {}
         cameras = sorted(p.name for p in folder.glob("camera_*"))
         assert cameras == [f"camera_{c}" for c in "abcdefgh"[: recipe["cameras_per_scene"]]], f"{folder}: cameras"
         assert len(video["cameras"]) == len(video["boxes"]) == len(cameras), f"{folder}: cameras in dataset.json"
@@ -153,7 +255,11 @@ def main() -> None:
                 assert boxes == video["boxes"][number], f"{folder / camera}: number of boxes"
             compared += boxes
             for line in (folder / camera / "objects.jsonl").read_text().splitlines():
-                for o in json.loads(line)["objects"]:
+                line = json.loads(line)
+                for o in line["objects"]:
+                    place = (o["position"], {**o.get("box3d", {}), **dict.fromkeys(CAMERA_S_OWN)})
+                    other = place_of.setdefault((line["frame"], o["id"]), place)
+                    assert other == place, f"{folder}: object {o['id']} is in two places in frame {line['frame']}"
                     same = class_of_id.setdefault(o["id"], o["class"])
                     assert same == o["class"], f"{folder}: object {o['id']} is {same} and {o['class']}"
     check_with_coco(out, dataset["labels"], recipe)
