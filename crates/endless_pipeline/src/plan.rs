@@ -1,9 +1,11 @@
 //! The scenes of a recipe: the paper's section 4.3.2.
 
+mod balanced;
 mod combination;
 
 use crate::{MapCatalog, PlanError, SimulatorError};
-use combination::{Combination, Combinations, MapSites};
+use balanced::Balanced;
+use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::Recipe;
 use endless_world::{CameraLook, CameraSite, RecorderClock, SceneCamera, SceneSettings, Stream};
 
@@ -23,15 +25,17 @@ impl Plan {
     /// every combination appears ⌊n/k⌋ or ⌈n/k⌉ times. A video's number is its place in this list, so that a longer
     /// list begins with the shorter one.
     ///
+    /// A balanced plan is another such list: after every video, each map has come as often as any other or once more, and
+    /// so have each weather and each time of day.
+    ///
     /// # Errors
     /// When a map has fewer cameras than a scene needs.
     pub fn new(recipe: &Recipe, catalog: &dyn MapCatalog) -> Result<Self, PlanError> {
         let sites_of = |map: &String| Ok(MapSites { map: map.clone(), sites: Self::cameras(recipe, catalog, map)? });
         let maps: Vec<MapSites> = recipe.maps.iter().map(sites_of).collect::<Result<_, PlanError>>()?;
         let combinations = Combinations::new(recipe, &maps)?;
-        let random = |round| Stream::named(recipe.seed, "plan", &[round]);
-        let numbers = (0..).flat_map(|round| combination::shuffled(combinations.count(), random(round)));
-        let scenes = (0..recipe.videos).zip(numbers).map(|(video, n)| settings(combinations.get(n), video, recipe));
+        let list = if recipe.balance { balanced(&combinations, recipe) } else { shuffled(&combinations, recipe) };
+        let scenes = (0..recipe.videos).zip(list).map(|(video, combination)| settings(combination, video, recipe));
         Ok(Self { scenes: scenes.collect(), maps: recipe.maps.clone() })
     }
 
@@ -55,6 +59,33 @@ impl Plan {
         order.sort_by_cached_key(|s| (self.maps.iter().position(|m| *m == s.map), cameras(s)));
         order.into_iter().map(|s| s.video).collect()
     }
+}
+
+/// All combinations in a random order, then in another, and so on.
+fn shuffled<'a>(
+    combinations: &'a Combinations<'a>,
+    recipe: &'a Recipe,
+) -> Box<dyn Iterator<Item = Combination<'a>> + 'a> {
+    let random = |round| Stream::named(recipe.seed, "plan", &[round]);
+    let numbers = (0..).flat_map(move |round| combination::shuffled(combinations.count(), random(round)));
+    Box::new(numbers.map(|number| combinations.get(number)))
+}
+
+/// Values in balance; each map goes through its sets of cameras in a random order, then in another, and so on.
+fn balanced<'a>(
+    combinations: &'a Combinations<'a>,
+    recipe: &'a Recipe,
+) -> Box<dyn Iterator<Item = Combination<'a>> + 'a> {
+    let sets_of = |map: usize| {
+        let random = move |round| Stream::named(recipe.seed, "balanced cameras", &[map as u64, round]);
+        (0..).flat_map(move |round| SparseShuffle::new(combinations.camera_sets(map), random(round)))
+    };
+    let mut sets: Vec<_> = (0..recipe.maps.len()).map(sets_of).collect();
+    let places = Balanced::new([recipe.maps.len(), recipe.weathers.len(), recipe.times.len()], recipe.seed);
+    Box::new(places.map(move |places| {
+        let set = sets[places.map].next().expect("rounds follow each other without end");
+        combinations.of(places, set)
+    }))
 }
 
 /// The settings of a video that films a combination.
@@ -104,6 +135,23 @@ mod tests {
         resolve_recipe(draft, &ThreeTowns).expect("valid")
     }
 
+    fn balanced(videos: u32, cameras: u32, seed: u64, lists: [usize; 3]) -> Vec<SceneSettings> {
+        let recipe = Recipe { balance: true, ..recipe(videos, cameras, seed, lists) };
+        Plan::new(&recipe, &ThreeTowns).expect("plannable").scenes
+    }
+
+    /// Whether counts of what comes differ by at most one after every video.
+    fn even(keys: impl Iterator<Item = String>, values: usize) -> bool {
+        let mut counts = BTreeMap::new();
+        let mut all_even = true;
+        for key in keys {
+            *counts.entry(key).or_insert(0u32) += 1;
+            let least = if counts.len() < values { 0 } else { *counts.values().min().expect("one") };
+            all_even &= counts.values().all(|count| *count <= least + 1);
+        }
+        all_even && counts.len() <= values
+    }
+
     fn key(s: &SceneSettings) -> String {
         let cameras: Vec<&str> = s.cameras.iter().map(|c| c.site.name.as_str()).collect();
         format!("{} {} {} {}", s.map, s.weather, s.time_of_day, cameras.join("+"))
@@ -129,6 +177,32 @@ mod tests {
             prop_assert_eq!(plan.scenes.len() as u32, n);
             prop_assert!(counts.values().all(|c| *c == n / k || *c == n.div_ceil(k)));
             prop_assert_eq!(counts.len() as u32, n.min(k));
+        }
+
+        #[test]
+        fn a_balanced_plan_has_every_value_equally_often(
+            n in 7u32..=300, cameras in 1u32..4, seed: u64, maps in 1usize..4, weathers in 1usize..6, times in 1usize..4,
+        ) {
+            let scenes = balanced(n, cameras, seed, [maps, weathers, times]);
+            prop_assert_eq!(scenes.len() as u32, n);
+            prop_assert!(even(scenes.iter().map(|s| s.map.clone()), maps));
+            prop_assert!(even(scenes.iter().map(|s| s.weather.to_string()), weathers));
+            prop_assert!(even(scenes.iter().map(|s| s.time_of_day.to_string()), times));
+            let conditions = |s: &SceneSettings| format!("{} {} {}", s.map, s.weather, s.time_of_day);
+            prop_assert!(even(scenes.iter().map(conditions), maps * weathers * times));
+            for (map, sets) in ["Town01", "Town02", "Town03"].iter().zip([[3, 3, 1], [4, 6, 4], [5, 10, 10]]) {
+                let of_map = scenes.iter().filter(|s| s.map == *map);
+                let names = |s: &SceneSettings| s.cameras.iter().map(|c| c.site.name.clone()).collect();
+                prop_assert!(even(of_map.map(names), sets[cameras as usize - 1]));
+            }
+        }
+
+        #[test]
+        fn a_longer_balanced_list_begins_with_the_shorter(
+            short in 1u32..200, more in 0u32..200, cameras in 1u32..4, seed: u64,
+        ) {
+            let plan = |n| balanced(n, cameras, seed, [3, 4, 2]);
+            prop_assert_eq!(&plan(short)[..], &plan(short + more)[..short as usize]);
         }
 
         #[test]
@@ -158,6 +232,9 @@ mod tests {
         assert_ne!(scenes(1), scenes(2));
         let seeds: std::collections::BTreeSet<u64> = scenes(1).iter().map(|s| s.seed).collect();
         assert_eq!(seeds.len(), 50, "every scene has its own seed");
+        let scenes = |seed| balanced(50, 2, seed, [3, 3, 3]);
+        assert_eq!(scenes(1), scenes(1));
+        assert_ne!(scenes(1), scenes(2));
     }
 
     /// All pairs laid out by loops and shuffled, round after round.

@@ -109,6 +109,9 @@ recipe_options! {
     weathers: Vec<String> => Vec<Weather>, OptionKind::Words(Vocabulary::of::<Weather>()), Described("all");
     /// Times of day to choose from.
     times: Vec<String> => Vec<TimeOfDay>, OptionKind::Words(Vocabulary::of::<TimeOfDay>()), Described("all");
+    /// Let every map, every weather and every time of day appear equally often, however many videos there are: counts
+    /// differ by at most one.
+    balance: bool => #[serde(default, skip_serializing_if = "is_not")] bool, OptionKind::Switch, Value("false");
     /// Image size, width x height.
     size: String => #[serde(with = "serde_size")] ImageSize, OptionKind::Size { longest: LONGEST_SIDE }, Value("1280x720");
     /// Frames a second.
@@ -144,6 +147,11 @@ recipe_options! {
 /// As in the paper.
 fn pair() -> u32 {
     2
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_not(switch: &bool) -> bool {
+    !switch
 }
 
 fn clean() -> CameraLookChoice {

@@ -1,5 +1,6 @@
 //! All combinations of map, weather, time of day and cameras, numbered and made on demand.
 
+use super::balanced::Places;
 use crate::PlanError;
 use endless_dataset::Recipe;
 use endless_world::{CameraSite, Stream, TimeOfDay, Weather};
@@ -57,24 +58,37 @@ impl<'a> Combinations<'a> {
         self.count
     }
 
+    /// How many sets of cameras a map has, by its place.
+    pub(super) fn camera_sets(&self, map: usize) -> u128 {
+        self.camera_sets[map]
+    }
+
+    /// The combination of values by their places in the recipe's lists, and of the map's cameras by the place of their
+    /// set in lexicographic order.
+    pub(super) fn of(&self, Places { map, weather, time_of_day }: Places, set: u128) -> Combination<'a> {
+        let Recipe { weathers, times, cameras_per_scene, .. } = self.recipe;
+        let MapSites { map, sites } = &self.maps[map];
+        let set = set_of_rank(sites.len(), *cameras_per_scene as usize, set);
+        Combination {
+            map,
+            weather: weathers[weather],
+            time_of_day: times[time_of_day],
+            sites: set.into_iter().map(|i| &sites[i]).collect(),
+        }
+    }
+
     /// The combination of a number below [`Self::count`]: by map, weather, time of day, and cameras in lexicographic order.
     pub(super) fn get(&self, number: u128) -> Combination<'a> {
-        let Recipe { weathers, times, cameras_per_scene, .. } = self.recipe;
+        let times = self.recipe.times.len();
         let mut rest = number;
-        for (MapSites { map, sites }, &sets) in self.maps.iter().zip(&self.camera_sets) {
-            let of_map = sets * (weathers.len() * times.len()) as u128;
+        for (map, &sets) in self.camera_sets.iter().enumerate() {
+            let of_map = sets * (self.recipe.weathers.len() * times) as u128;
             if rest >= of_map {
                 rest -= of_map;
                 continue;
             }
             let condition = (rest / sets) as usize;
-            let set = set_of_rank(sites.len(), *cameras_per_scene as usize, rest % sets);
-            return Combination {
-                map,
-                weather: weathers[condition / times.len()],
-                time_of_day: times[condition % times.len()],
-                sites: set.into_iter().map(|i| &sites[i]).collect(),
-            };
+            return self.of(Places { map, weather: condition / times, time_of_day: condition % times }, rest % sets);
         }
         unreachable!("{number} is below the number of combinations")
     }
@@ -110,7 +124,7 @@ const LAID_OUT: u128 = 1 << 24;
 /// The numbers below `count` in a random order.
 pub(super) fn shuffled(count: u128, mut random: Stream) -> Box<dyn Iterator<Item = u128>> {
     if count > LAID_OUT {
-        return Box::new(SparseShuffle { count, next: 0, moved: BTreeMap::new(), random });
+        return Box::new(SparseShuffle::new(count, random));
     }
     let mut order: Vec<u32> = (0..count as u32).collect();
     random.shuffle(&mut order);
@@ -118,11 +132,18 @@ pub(super) fn shuffled(count: u128, mut random: Stream) -> Box<dyn Iterator<Item
 }
 
 /// Fisher and Yates's shuffle from the front, of a list of which only what was moved is kept.
-struct SparseShuffle {
+pub(super) struct SparseShuffle {
     count: u128,
     next: u128,
     moved: BTreeMap<u128, u128>,
     random: Stream,
+}
+
+impl SparseShuffle {
+    /// Of the numbers below `count`.
+    pub(super) fn new(count: u128, random: Stream) -> Self {
+        Self { count, next: 0, moved: BTreeMap::new(), random }
+    }
 }
 
 impl Iterator for SparseShuffle {
@@ -176,9 +197,7 @@ mod tests {
 
         #[test]
         fn a_sparse_shuffle_gives_every_number_once(count in 1u128..300, seed: u64) {
-            let random = Stream::named(seed, "test", &[]);
-            let shuffle = SparseShuffle { count, next: 0, moved: BTreeMap::new(), random };
-            let order: Vec<u128> = shuffle.collect();
+            let order: Vec<u128> = SparseShuffle::new(count, Stream::named(seed, "test", &[])).collect();
             prop_assert_eq!(order.iter().copied().collect::<BTreeSet<_>>(), (0..count).collect());
             prop_assert_eq!(order.len() as u128, count);
         }
