@@ -19,6 +19,16 @@ pub struct AmodalBox {
     pub h: i32,
 }
 
+impl AmodalBox {
+    /// The box around both.
+    #[must_use]
+    pub fn united(self, other: Self) -> Self {
+        let (x, y) = (self.x.min(other.x), self.y.min(other.y));
+        let (x_end, y_end) = ((self.x + self.w).max(other.x + other.w), (self.y + self.h).max(other.y + other.h));
+        Self { x, y, w: x_end - x, h: y_end - y }
+    }
+}
+
 impl From<[i32; 4]> for AmodalBox {
     fn from([x, y, w, h]: [i32; 4]) -> Self {
         Self { x, y, w, h }
@@ -129,8 +139,6 @@ fn united(inside: PixelBox, [left, top, right, bottom]: [f32; 4]) -> AmodalBox {
     const FAR: f32 = 32_768.0;
     let first = |low: f32| (low - 0.5).ceil().clamp(-FAR, FAR) as i32;
     let end = |high: f32| ((high - 0.5).floor().clamp(-FAR, FAR) as i32) + 1;
-    let b = AmodalBox::from(inside);
-    let (x, y) = (b.x.min(first(left)), b.y.min(first(top)));
-    let (x1, y1) = ((b.x + b.w).max(end(right)), (b.y + b.h).max(end(bottom)));
-    AmodalBox { x, y, w: x1 - x, h: y1 - y }
+    let (x, y) = (first(left), first(top));
+    AmodalBox::from(inside).united(AmodalBox { x, y, w: end(right) - x, h: end(bottom) - y })
 }

@@ -24,6 +24,18 @@ impl Box3d {
         Self { centre, size: high - low, world_from_object }
     }
 
+    /// The box around both, which stands as this one does; exact where the other does, too.
+    #[must_use]
+    pub fn united(&self, other: &Self) -> Self {
+        let axes = Mat3::from_quat(self.world_from_object);
+        let (mut low, mut high) = (-0.5 * self.size, 0.5 * self.size);
+        for corner in other.corners() {
+            let own = axes.transpose() * (corner - self.centre);
+            (low, high) = (low.min(own), high.max(own));
+        }
+        Self { centre: self.centre + axes * (0.5 * (low + high)), size: high - low, ..*self }
+    }
+
     /// The corners, world frame: from the front left one below, first the four below against the clock as seen from
     /// above, then the four above them.
     pub fn corners(&self) -> [Vec3; 8] {
@@ -98,6 +110,17 @@ mod tests {
         assert_eq!(corners[1], Vec3::new(8.0, 1.0, 0.0));
         assert_eq!(corners[3], Vec3::new(13.0, -1.0, 0.0));
         assert_eq!(corners[4], Vec3::new(13.0, 1.0, 1.5));
+    }
+
+    #[test]
+    fn two_boxes_are_held_by_one() {
+        let pose = Pose { yaw_rad: 0.7, roll_rad: 0.1, ..Pose::level(Vec3::new(10.0, 3.0, 0.0), 0.7) };
+        let bicycle = Box3d::new(&pose, Vec3::new(-0.9, -0.3, 0.0), Vec3::new(0.9, 0.3, 1.0));
+        let rider = Box3d::new(&pose, Vec3::new(-0.3, -0.35, 0.2), Vec3::new(0.6, 0.25, 1.8));
+        let both = Box3d::new(&pose, Vec3::new(-0.9, -0.35, 0.0), Vec3::new(0.9, 0.3, 1.8));
+        let united = bicycle.united(&rider);
+        assert!(united.centre.distance(both.centre) < 1e-5 && united.size.distance(both.size) < 1e-5, "{united:?}");
+        assert!(bicycle.united(&bicycle).size.distance(bicycle.size) < 1e-5);
     }
 
     proptest! {

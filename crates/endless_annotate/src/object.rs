@@ -1,7 +1,7 @@
 //! The attributes of each visible object of a frame.
 
 use crate::rounding::{ten_thousandths, thousandths};
-use crate::{Activity, AmodalRecord, Keypoints, PixelBox, Spatial};
+use crate::{Activity, AmodalRecord, Keypoints, PixelBox, Spatial, WithRider};
 use endless_world::{Actor, FOOT_KEYPOINT_COUNT, InstanceId, ObjectClass, WorldState};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -62,6 +62,9 @@ pub struct ObjectRecord {
     /// What of it is hidden.
     #[serde(default, flatten, skip_serializing_if = "Option::is_none")]
     pub amodal: Option<AmodalRecord>,
+    /// Of a two-wheeler: together with its rider.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub with_rider: Option<WithRider>,
 }
 
 /// All objects of one instant, parked ones included, by id.
@@ -162,6 +165,7 @@ impl SceneObject {
             activity: self.activity.clone(),
             spatial: None,
             amodal: None,
+            with_rider: None,
         }
     }
 }

@@ -17,6 +17,16 @@ pub struct PixelBox {
     pub h: u32,
 }
 
+impl PixelBox {
+    /// The box around both.
+    #[must_use]
+    pub fn united(self, other: Self) -> Self {
+        let (x, y) = (self.x.min(other.x), self.y.min(other.y));
+        let (x_end, y_end) = ((self.x + self.w).max(other.x + other.w), (self.y + self.h).max(other.y + other.h));
+        Self { x, y, w: x_end - x, h: y_end - y }
+    }
+}
+
 impl From<[u32; 4]> for PixelBox {
     fn from([x, y, w, h]: [u32; 4]) -> Self {
         Self { x, y, w, h }

@@ -1,12 +1,13 @@
 //! The label schema, written to every dataset.
 
+use crate::object_fields::{FieldLabel, object_fields};
 use endless_world::{ClassTag, FOOT_KEYPOINTS, KEYPOINT_LIMBS, KEYPOINTS, ObjectClass};
 use serde::{Deserialize, Serialize};
 
 /// Meaning of the numbers in the instance image and of the words in `objects.jsonl`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LabelSchema {
-    /// Changes when a tag or a class changes its meaning.
+    /// The part before the slash changes when a tag or a class changes its meaning, the number when there are new fields.
     pub version: String,
     /// How to read the instance image.
     pub instance_encoding: String,
@@ -18,6 +19,9 @@ pub struct LabelSchema {
     pub tags: Vec<TagLabel>,
     /// Classes of annotated objects.
     pub classes: Vec<ClassLabel>,
+    /// Fields of an object in `objects.jsonl`.
+    #[serde(default)]
+    pub object_fields: Vec<FieldLabel>,
     /// Names of people's keypoints, in the order of `keypoints`: COCO's.
     #[serde(default)]
     pub keypoints: Vec<String>,
@@ -55,7 +59,7 @@ impl LabelSchema {
     /// The schema of this version.
     pub fn current() -> Self {
         Self {
-            version: "carla-0.9.14/1".into(),
+            version: "carla-0.9.14/2".into(),
             instance_encoding: "R = class tag, instance id = G + 256 B; id 0 is stuff; ids are unique within a video \
                                 and the same in all cameras and all frames"
                 .into(),
@@ -74,6 +78,7 @@ impl LabelSchema {
                 .zip(0..)
                 .map(|(c, id)| ClassLabel { id, name: c.name().into(), tag: c.tag().value() })
                 .collect(),
+            object_fields: object_fields(),
             keypoints: KEYPOINTS.map(String::from).to_vec(),
             foot_kpts: FOOT_KEYPOINTS.map(String::from).to_vec(),
             skeleton: KEYPOINT_LIMBS.to_vec(),

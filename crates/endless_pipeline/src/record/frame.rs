@@ -8,7 +8,7 @@ use super::{
     times::Stage,
 };
 use crate::{GenerateError, SceneTruth, SimulationStep, SimulatorError};
-use endless_annotate::{CameraView, annotate, visible_objects};
+use endless_annotate::{AnnotateError, CameraView, FrameObjects, ObjectShapes, annotate, visible_objects};
 use endless_dataset::{DatasetError, LastPng, Layer, StoredImage, Yuv, metres_from_rgb, rgb_from_metres, yuv_from_rgb};
 use endless_world::{PinholeCamera, SceneCamera, SensorFrame};
 use std::borrow::Cow;
@@ -131,22 +131,8 @@ impl<'a> FrameRecorder<'a> {
         view: &CameraView<'_>,
         images: &StoredImages<'_>,
     ) -> Result<SinkItem, GenerateError> {
-        let Recording { settings, recipe, clock, .. } = *self.recording;
-        let CapturedFrame { frame, truth, .. } = taken;
-        let line = clock.time(Stage::Boxes, || {
-            let visible = visible_objects(view.instance);
-            let time_s = f64::from(*frame) / settings.fps;
-            let line = annotate(*frame, time_s, &visible, &truth.objects, settings.size, recipe.min_pixels)?;
-            let line = line.with_keypoints(&truth.bodies, view);
-            Ok::<_, GenerateError>(match truth.shapes.as_deref() {
-                Some(shapes) => line.with_boxes3d(shapes, view),
-                None => line,
-            })
-        })?;
-        let line = match truth.shapes.as_deref() {
-            Some(shapes) => clock.time(Stage::Amodal, || line.with_amodal(shapes, view, recipe.amodal_masks)),
-            None => line,
-        };
+        let line = self.labels(taken, view)?;
+        let clock = self.recording.clock;
         let pictures = clock.time(Stage::Video, || {
             let picture = |(layer, image): &(Layer, Cow<'_, StoredImage>)| {
                 let preview = (layer.entry().preview)(image);
@@ -155,5 +141,26 @@ impl<'a> FrameRecorder<'a> {
             images.iter().map(picture).collect::<Result<Vec<Yuv>, _>>()
         })?;
         Ok(SinkItem { line, pictures })
+    }
+
+    /// All that is told of the objects that a camera sees.
+    fn labels(&self, taken: &CapturedFrame<'_>, view: &CameraView<'_>) -> Result<FrameObjects, AnnotateError> {
+        let Recording { settings, recipe, clock, .. } = *self.recording;
+        let CapturedFrame { frame, truth, .. } = taken;
+        let shapes = truth.shapes.as_deref().map(|shapes| shapes as &dyn ObjectShapes);
+        let line = clock.time(Stage::Boxes, || {
+            let visible = visible_objects(view.instance);
+            let time_s = f64::from(*frame) / settings.fps;
+            let line = annotate(*frame, time_s, &visible, &truth.objects, settings.size, recipe.min_pixels)?;
+            Ok::<_, AnnotateError>(line.with_keypoints(&truth.bodies, view))
+        })?;
+        let line = match shapes {
+            Some(shapes) => {
+                let line = clock.time(Stage::Amodal, || line.with_amodal(shapes, view, recipe.amodal_masks));
+                clock.time(Stage::Boxes, || line.with_boxes3d(shapes, view))
+            }
+            None => line,
+        };
+        Ok(clock.time(Stage::Boxes, || line.with_riders(shapes, view)))
     }
 }

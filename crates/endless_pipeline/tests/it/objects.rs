@@ -2,7 +2,7 @@
 
 use crate::fake::options;
 use endless_annotate::{AmodalBox, FrameObjects, ObjectRecord, mask_pixels};
-use endless_dataset::{DatasetLayout, RecipeDraft, VideoLayout, check, read_objects};
+use endless_dataset::{DatasetLayout, Manifest, RecipeDraft, VideoLayout, check, read_objects};
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, MapSource, SilentProgress, generate, resolve_recipe};
 use endless_world::{ImageSize, InstanceId};
@@ -81,6 +81,23 @@ fn boxes_lie_in_one_another_in_every_town() {
     }
     println!("{objects} objects, {hidden} partly hidden, out of their boxes in space by at most {worst:.2} px");
     assert!(objects > 100 && hidden > 20, "{objects} objects, {hidden} hidden: too few to mean anything");
+}
+
+#[test]
+fn every_field_is_told_of_in_the_dataset() {
+    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
+    let out = tempfile::tempdir().expect("temp");
+    let video = make(&simulator, draft("Town10HD"), out.path());
+    let manifest = Manifest::read(&DatasetLayout::new(out.path()).manifest()).expect("a manifest");
+    let told: BTreeSet<String> = manifest.labels.object_fields.into_iter().map(|field| field.name).collect();
+    let mut written = BTreeSet::new();
+    for line in lines(&video, 0).into_iter().chain(lines(&video, 1)) {
+        let line = serde_json::to_value(&line.objects).expect("plain data");
+        let objects = line.as_array().expect("objects").iter().filter_map(|object| object.as_object());
+        written.extend(objects.flat_map(|object| object.keys().cloned()));
+    }
+    assert_eq!(written.difference(&told).collect::<Vec<_>>(), Vec::<&String>::new());
+    assert!(written.len() > 30, "{written:?}");
 }
 
 #[test]
