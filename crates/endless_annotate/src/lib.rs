@@ -26,6 +26,7 @@
 mod activity;
 mod amodal;
 mod box3d;
+mod events;
 mod frame;
 mod keypoint;
 mod object;
@@ -38,6 +39,10 @@ mod visible;
 pub use activity::{Action, Activity};
 pub use amodal::{AmodalBox, AmodalRecord, Occluder};
 pub use box3d::{Box3d, Box3dRecord};
+pub use events::{
+    ENCROACHMENT_S, Event, EventDetector, Footprint, HARD_BRAKING_MPS2, LaneCrossing, LaneFacts, NEAR_MISS_S, Relation,
+    RoadFacts, relations,
+};
 pub use frame::{AnnotateError, FrameObjects, annotate};
 pub use keypoint::{CameraView, Keypoint, Keypoints, Visibility, WorldKeypoints};
 pub use object::{ObjectRecord, SceneObjects};

@@ -1,0 +1,51 @@
+//! Those who move, as relations and events see them.
+
+use super::{Footprint, RoadFacts};
+use endless_world::{Actor, Behaviour, InstanceId, Motion, WorldState, math};
+use glam::{Vec2, Vec3Swizzles as _};
+
+/// Slower than this one stands, m/s.
+pub(super) const STANDS_MPS: f32 = 0.1;
+
+/// Somebody who moves, at an instant.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RoadUser {
+    pub(super) id: InstanceId,
+    pub(super) rider_id: Option<InstanceId>,
+    /// In a vehicle or on a two-wheeler, rather than on foot.
+    pub(super) drives: bool,
+    pub(super) speed_mps: f32,
+    pub(super) behaviour: Behaviour,
+    /// Of those whose size is known.
+    pub(super) footprint: Option<Footprint>,
+}
+
+impl RoadUser {
+    fn new(actor: &Actor, road: &RoadFacts) -> Self {
+        let along = Vec2::new(math::cos(actor.pose.yaw_rad), math::sin(actor.pose.yaw_rad));
+        let (centre, velocity) = (actor.pose.position.xy(), actor.velocity_mps.xy());
+        let half = road.half_sizes.get(&actor.id);
+        Self {
+            id: actor.id,
+            rider_id: actor.rider_id,
+            drives: matches!(actor.motion, Motion::Vehicle(_)),
+            speed_mps: velocity.length(),
+            behaviour: actor.behaviour,
+            footprint: half.map(|&half| Footprint { centre, along, half, velocity }),
+        }
+    }
+
+    /// Everybody, by ascending id.
+    pub(super) fn all(state: &WorldState, road: &RoadFacts) -> Vec<Self> {
+        state.actors.iter().map(|actor| Self::new(actor, road)).collect()
+    }
+
+    pub(super) fn stands(&self) -> bool {
+        self.speed_mps < STANDS_MPS
+    }
+
+    /// Half of its length, metres.
+    pub(super) fn half_length_m(&self) -> f32 {
+        self.footprint.map_or(0.0, |footprint| footprint.half.x)
+    }
+}
