@@ -24,6 +24,7 @@ fn value_name(kind: OptionKind) -> &'static str {
         OptionKind::Word(_) | OptionKind::Text => "WORD",
         OptionKind::Words(_) | OptionKind::WordsOrNone(_) | OptionKind::Maps => "LIST",
         OptionKind::Cameras => "FILE",
+        OptionKind::Lines => "LINES",
         OptionKind::Folder => "DIR",
         OptionKind::Switch => "",
     }

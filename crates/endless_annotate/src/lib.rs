@@ -26,8 +26,10 @@
 mod activity;
 mod amodal;
 mod box3d;
+mod counting;
 mod events;
 mod frame;
+mod happenings;
 mod keypoint;
 mod object;
 mod ridden;
@@ -39,11 +41,13 @@ mod visible;
 pub use activity::{Action, Activity};
 pub use amodal::{AmodalBox, AmodalRecord, Occluder};
 pub use box3d::{Box3d, Box3dRecord};
+pub use counting::{ClassCounts, CountingLine, LineCounter, LineCounts};
 pub use events::{
     ENCROACHMENT_S, Event, EventDetector, Footprint, HARD_BRAKING_MPS2, LaneCrossing, LaneFacts, NEAR_MISS_S, Relation,
     RoadFacts, relations,
 };
 pub use frame::{AnnotateError, FrameObjects, annotate};
+pub use happenings::{Happenings, SceneObserver};
 pub use keypoint::{CameraView, Keypoint, Keypoints, Visibility, WorldKeypoints};
 pub use object::{ObjectRecord, SceneObjects};
 pub use ridden::WithRider;

@@ -52,6 +52,7 @@ pub struct ObjectRecord {
     /// Speed over ground, m/s.
     pub speed_mps: f64,
     /// Velocity in the world, m/s.
+    #[serde(default)]
     pub velocity_mps: [f64; 3],
     /// What it is doing.
     #[serde(flatten)]

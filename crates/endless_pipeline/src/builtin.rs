@@ -6,6 +6,7 @@ mod bodies;
 mod hits_folder;
 mod kept_hits;
 mod map;
+mod road_facts;
 mod session;
 mod shapes;
 mod simulator;

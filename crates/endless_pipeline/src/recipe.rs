@@ -51,6 +51,9 @@ pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Reci
             map_files.insert(map.clone(), hash);
         }
     }
+    if let Some(line) = draft.counting_lines.iter().flatten().find(|line| !maps.contains(&line.map)) {
+        return Err(RecipeError::UnknownMap { given: line.map.clone(), known: maps });
+    }
     let cameras = user_camera::resolve(&draft.cameras.take().unwrap_or_default(), &maps, source)?;
     draft.mp4 = Some(mp4(draft.mp4, draft.layers.as_deref().unwrap_or_default())?);
     // The content of the models counts, not where they lie.

@@ -1,7 +1,7 @@
 //! The interface of simulators: the built-in city, a remote server, a test double. All later stages are the same for each.
 
 use crate::SimulatorError;
-use endless_annotate::{ObjectShapes, SceneObjects, WorldKeypoints};
+use endless_annotate::{ObjectShapes, RoadFacts, SceneObjects, WorldKeypoints};
 use endless_dataset::SpawnCounts;
 use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
 use std::{collections::BTreeMap, time::Duration};
@@ -104,6 +104,11 @@ pub trait SimulationSession<'m>: Send {
     /// # Errors
     /// When the simulator fails; the session is not used afterwards.
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError>;
+
+    /// What relations and events are judged by: lanes, lights, and how large those who move are.
+    fn road_facts(&self) -> RoadFacts {
+        RoadFacts::default()
+    }
 
     /// Statistics of rendering so far.
     fn stats(&self) -> RenderStats {

@@ -1,5 +1,6 @@
 //! The recipe: what decides a dataset's bytes. Users write a [`RecipeDraft`] of options; a [`Recipe`] is complete.
 
+mod counting_lines;
 mod option;
 mod options;
 mod schema;

@@ -76,6 +76,8 @@ pub enum OptionKind {
     Maps,
     /// Cameras of the user's own: a file on the command line, a list in a recipe.
     Cameras,
+    /// Lines on the ground.
+    Lines,
     /// A folder.
     Folder,
     /// Any word: who uses it knows which there are.

@@ -7,6 +7,7 @@ use super::option::{
 };
 use super::{serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
+use endless_annotate::CountingLine;
 use endless_world::{CameraLookChoice, CameraSite, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
@@ -133,6 +134,10 @@ recipe_options! {
     /// Write the amodal mask of each object: the pixels that it would show if nothing hid it, as COCO's run lengths.
     amodal_masks: bool => #[serde(default, skip_serializing_if = "std::ops::Not::not")] bool,
         OptionKind::Switch, Described("no");
+    /// Lines on the ground whose passers-by are counted: `MAP/NAME:X,Y,X,Y`, in metres, several after semicolons; in a file a
+    /// list of `{map, name, from = [x, y], to = [x, y]}` (docs/scene.md).
+    counting_lines: Vec<CountingLine> => #[serde(default, skip_serializing_if = "Vec::is_empty")] Vec<CountingLine>,
+        OptionKind::Lines, Described("none");
     /// Layers to write as a video file, too; may be none.
     mp4: Vec<String> => Vec<Layer>, OptionKind::WordsOrNone(Vocabulary::of::<Layer>()), Described("rgb");
     /// Simulator to use: builtin, the built-in city.

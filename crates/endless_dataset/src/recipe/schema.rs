@@ -59,6 +59,15 @@ fn kind_schema(option: &RecipeOption) -> Value {
                 "fov": {"type": "number", "minimum": 5, "maximum": 150, "default": 70},
             },
         }}),
+        OptionKind::Lines => {
+            let place = json!({"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2});
+            json!({"type": "array", "items": {
+                "type": "object",
+                "additionalProperties": false,
+                "required": ["map", "name", "from", "to"],
+                "properties": {"map": {"type": "string"}, "name": {"type": "string"}, "from": place, "to": place},
+            }})
+        }
         OptionKind::Folder | OptionKind::Text => json!({"type": "string"}),
         OptionKind::Switch => json!({"type": "boolean"}),
     }

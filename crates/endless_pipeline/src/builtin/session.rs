@@ -3,10 +3,11 @@
 use super::{
     bodies::Skeletons,
     map::BuiltinMap,
+    road_facts::road_facts,
     shapes::{MovingShapes, ParkedShapes},
 };
 use crate::{RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep, SimulatorError};
-use endless_annotate::{Box3d, CameraView, ObjectShapes, SceneObjects};
+use endless_annotate::{Box3d, CameraView, ObjectShapes, RoadFacts, SceneObjects};
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
@@ -146,6 +147,11 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
         self.begun = true;
         let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), frame: Arc::default() });
         Ok(SimulationStep { state: self.simulation.state(), task })
+    }
+
+    fn road_facts(&self) -> RoadFacts {
+        let BuiltinScene { map, catalogue, moving, .. } = &*self.scene;
+        road_facts(&map.town.network, catalogue, moving)
     }
 
     fn stats(&self) -> RenderStats {

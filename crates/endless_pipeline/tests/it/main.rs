@@ -5,6 +5,7 @@ mod builds;
 mod disk_full;
 mod fake;
 mod golden;
+mod happenings;
 mod kill;
 mod labels;
 mod live;

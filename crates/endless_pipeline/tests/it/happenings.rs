@@ -1,0 +1,112 @@
+//! Relations and events in the traffic of built-in towns, which knows how to drive.
+
+use endless_annotate::{CountingLine, Event, Happenings, Relation, SceneObserver};
+use endless_interchange::MapLibrary;
+use endless_pipeline::{BuiltinSimulator, MapCatalog, MapUse, Simulator};
+use endless_world::{CameraLook, ImageSize, SceneCamera, SceneSettings, TimeOfDay, Weather, WorldState};
+use glam::Vec3Swizzles as _;
+use std::collections::BTreeSet;
+
+/// Half a minute of a town's traffic, seen ten times a second.
+fn watch(town: &str, mut see: impl FnMut(&WorldState, &Happenings)) {
+    const FPS: f64 = 10.0;
+    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
+    let sites = simulator.cameras(town).expect("a town");
+    let settings = SceneSettings {
+        video: 0,
+        map: town.to_owned(),
+        weather: Weather::Cloudy,
+        time_of_day: TimeOfDay::Afternoon,
+        cameras: vec![SceneCamera { site: sites[0].clone(), look: CameraLook::CLEAN }],
+        vehicles: 60,
+        pedestrians: 60,
+        size: ImageSize { width: 64, height: 36 },
+        fps: FPS,
+        frames: 300,
+        seed: 7,
+    };
+    let wanted = MapUse { name: town, cameras: &sites[..1], videos: &[&settings] };
+    let map = simulator.load_map(&wanted).expect("a town");
+    let mut session = simulator.open_session(&map, &settings).expect("a scene");
+    let [x, y, _] = sites[0].position.map(f64::from);
+    let line =
+        |name: &str, from: [f64; 2], to: [f64; 2]| CountingLine { map: town.into(), name: name.into(), from, to };
+    let lines = vec![
+        line("west to east", [x - 300.0, y], [x + 300.0, y]),
+        line("south to north", [x, y - 300.0], [x, y + 300.0]),
+    ];
+    let mut observer = SceneObserver::new(session.road_facts(), lines);
+    for _ in 0..settings.frames {
+        let state = session.tick().expect("a frame").state;
+        let happenings = observer.observe(&state);
+        see(&state, &happenings);
+    }
+}
+
+#[test]
+fn traffic_that_knows_how_to_drive_hits_nobody_and_passes_no_red_light() {
+    let mut all_kinds = BTreeSet::new();
+    for town in ["Town03", "Altstadt"] {
+        let (mut stops, mut changes, mut near, mut passed) = (0, 0, 0, 0);
+        let mut kinds = BTreeSet::new();
+        watch(town, |state, happenings| {
+            for event in &happenings.events {
+                match event {
+                    Event::Stop { .. } => stops += 1,
+                    Event::LaneChange { from, to, .. } => {
+                        assert_ne!(from, to);
+                        changes += 1;
+                    }
+                    Event::NearMiss { .. } | Event::Encroachment { .. } => near += 1,
+                    Event::HardBraking { .. } => {}
+                    Event::RedLightRun { .. } | Event::Collision { .. } => {
+                        panic!("{town}, frame {}: {event:?}", state.frame);
+                    }
+                }
+            }
+            for relation in &happenings.relations {
+                let kind = match relation {
+                    Relation::Rides { .. } => "rides",
+                    Relation::Follows { gap_m, .. } => {
+                        assert!(*gap_m > -0.5, "{town}, frame {}: {relation:?}", state.frame);
+                        "follows"
+                    }
+                    Relation::WaitsAt { .. } => "waits at",
+                    Relation::Crosses { .. } => "crosses",
+                    Relation::YieldsTo { .. } => "yields to",
+                };
+                kinds.insert(kind);
+            }
+            let counts = happenings.counting_lines.iter().flat_map(|line| [&line.to_left, &line.to_right]);
+            passed = counts.flat_map(|counts| counts.values()).sum::<u32>();
+        });
+        println!(
+            "{town}: {stops} stops, {changes} lane changes, {near} near misses, {passed} passed a line; {kinds:?}"
+        );
+        assert!(stops > 5 && passed > 5, "{town}: {stops} stops, {passed} passed a line");
+        all_kinds.extend(kinds);
+    }
+    assert_eq!(all_kinds.len(), 5, "{all_kinds:?}");
+}
+
+#[test]
+fn what_is_counted_is_what_changes_sides() {
+    let mut sides: Vec<(u16, bool)> = Vec::new();
+    let mut before = 0;
+    let line_y = std::cell::Cell::new(0.0);
+    watch("Town01", |state, happenings| {
+        if state.frame == 0 {
+            let simulator = BuiltinSimulator::new(MapLibrary::builtin());
+            line_y.set(simulator.cameras("Town01").expect("a town")[0].position[1]);
+        }
+        let counts = &happenings.counting_lines[0];
+        let now: u32 = counts.to_left.values().chain(counts.to_right.values()).sum();
+        let places: Vec<(u16, bool)> =
+            state.actors.iter().map(|actor| (actor.id.0, actor.pose.position.xy().y >= line_y.get())).collect();
+        // The line is longer than the town, so whoever changes sides passes it.
+        let changed = sides.iter().zip(&places).filter(|(was, is)| was.1 != is.1).count() as u32;
+        assert_eq!(now - before, changed, "frame {}", state.frame);
+        (sides, before) = (places, now);
+    });
+    assert!(before > 5, "{before} passed");
+}
