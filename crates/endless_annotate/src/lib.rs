@@ -35,6 +35,7 @@ mod object;
 mod ridden;
 mod rle;
 mod rounding;
+mod shape_labels;
 mod shapes;
 mod visible;
 

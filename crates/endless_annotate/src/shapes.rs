@@ -1,8 +1,7 @@
-//! Labels that follow from the shapes of objects: boxes in space, and amodal ones.
+//! The shapes of objects, and where these are.
 
-use crate::amodal::HiddenPixels;
 use crate::rounding::{hundredths, thousandths};
-use crate::{Box3d, Box3dRecord, CameraView, FrameObjects};
+use crate::{Box3d, Box3dRecord, CameraView};
 use endless_world::InstanceId;
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
@@ -34,7 +33,7 @@ pub struct Spatial {
 
 impl Spatial {
     /// Of an object with this velocity in the world.
-    fn new(around: &Box3d, velocity_mps: Vec3, view: &CameraView<'_>) -> Self {
+    pub(crate) fn new(around: &Box3d, velocity_mps: Vec3, view: &CameraView<'_>) -> Self {
         // As far as it gets in a thousandth of a second, before and after: the way there and back bends as the lens does.
         let beside = |seconds: f32| view.camera.project(around.centre + velocity_mps * seconds).map(|(at, _)| at);
         const STEP_S: f32 = 1e-2;
@@ -45,30 +44,5 @@ impl Spatial {
             distance_m: thousandths(view.camera.position.distance(around.centre)),
             image_velocity_pxps: image_velocity.map(|v| v.to_array().map(hundredths)),
         }
-    }
-}
-
-impl FrameObjects {
-    /// With the boxes around the objects.
-    #[must_use]
-    pub fn with_boxes3d(mut self, shapes: &dyn ObjectShapes, view: &CameraView<'_>) -> Self {
-        for object in &mut self.objects {
-            let velocity = Vec3::from_array(object.velocity_mps.map(|v| v as f32));
-            object.spatial = shapes.box3d(object.id).map(|around| Spatial::new(&around, velocity, view));
-        }
-        self
-    }
-
-    /// With what is hidden of the objects; masks of amodal pixels only where asked for.
-    #[must_use]
-    pub fn with_amodal(mut self, shapes: &dyn ObjectShapes, view: &CameraView<'_>, masks: bool) -> Self {
-        for object in &mut self.objects {
-            let id = object.id;
-            object.amodal = shapes.covered(view, id).map(|covered| {
-                let hidden = HiddenPixels { id, bbox: object.bbox, pixels: object.pixels, covered: &covered };
-                hidden.record(view, || shapes.image_bounds(view, id), masks)
-            });
-        }
-        self
     }
 }

@@ -76,9 +76,9 @@ fn a_queue_at_a_light_and_somebody_on_the_crossing() {
 }
 
 /// Events of states one after the other.
-fn events(states: Vec<WorldState>) -> Vec<Event> {
+fn events(states: impl IntoIterator<Item = WorldState>) -> Vec<Event> {
     let mut detector = EventDetector::new(road());
-    states.iter().flat_map(|state| detector.observe(state)).collect()
+    states.into_iter().flat_map(|state| detector.observe(&state)).collect()
 }
 
 #[test]
@@ -91,7 +91,7 @@ fn stopping_braking_and_passing_a_light() {
     let states = [(8.0, 0.0), (7.0, -5.0), (3.0, -5.5), (0.5, -2.0), (0.0, 0.0), (0.05, 0.1), (0.0, 0.0)];
     let states = (0..).zip(states).map(|(i, (speed, a))| state(i, SignalAspect::Red, vec![braking(speed, a)]));
     assert_eq!(
-        events(states.collect()),
+        events(states),
         [Event::HardBraking { id, acceleration_mps2: -5.0 }, Event::Stop { id }],
         "each is told once"
     );
@@ -110,7 +110,7 @@ fn a_lane_change_is_told_when_it_begins() {
     };
     let states = [None, Some(0), Some(0), None].into_iter().zip(0..);
     let states = states.map(|(left, i)| state(i, SignalAspect::Green, vec![changing(left)]));
-    assert_eq!(events(states.collect()), [Event::LaneChange { id: InstanceId(1), from: 0, to: 1 }]);
+    assert_eq!(events(states), [Event::LaneChange { id: InstanceId(1), from: 0, to: 1 }]);
 }
 
 #[test]
@@ -138,7 +138,7 @@ fn a_car_comes_to_where_somebody_has_just_been() {
         state(i, SignalAspect::Green, vec![car(1, 0, 20.0 + i as f32, 10.0), walker])
     };
     let found: Vec<Event> =
-        events((0..24).map(at).collect()).into_iter().filter(|e| matches!(e, Event::Encroachment { .. })).collect();
+        events((0..24).map(at)).into_iter().filter(|e| matches!(e, Event::Encroachment { .. })).collect();
     let [Event::Encroachment { ids, post_encroachment_s }] = found[..] else { panic!("{found:?}") };
     assert_eq!(ids, [InstanceId(5), InstanceId(1)]);
     assert!((0.2..1.5).contains(&post_encroachment_s), "{post_encroachment_s}");

@@ -190,7 +190,7 @@ fn body(settings: &SceneSettings, actor: &Actor) -> BodyKeypoints {
     let ([x, y], depth) = rectangle(settings, actor, 0);
     let k = camera.intrinsics;
     let point = |i: usize| {
-        let z = depth + if i % 2 == 0 { 0.0 } else { 3.0 };
+        let z = depth + if i.is_multiple_of(2) { 0.0 } else { 3.0 };
         let at = Vec3::new((x as f32 + 2.5 - k.cx) / k.fx, (y as f32 + 2.5 - k.cy) / k.fy, 1.0);
         camera.position + camera.world_from_camera * (at * z)
     };
