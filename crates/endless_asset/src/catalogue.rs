@@ -8,7 +8,10 @@ use crate::vehicle;
 use crate::{Anatomy, ImportedAsset, ImportedStaticModel, PersonModel, Prop, VehicleDesignSummary, VehicleModel};
 use endless_scene::{Material, Mesh};
 use endless_world::walking::PedestrianSpec;
-use endless_world::{AssetRef, Outfit, PersonRef, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
+use endless_world::{
+    AssetRef, Outfit, PersonAttributes, PersonRef, Reid, Stream, VehicleAttributes, VehicleModelId, VehicleRef,
+    VehicleSpec, choose_vehicle,
+};
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
 /// when they are first asked for.
@@ -128,6 +131,24 @@ impl Catalogue {
         match asset {
             AssetRef::Person(person) => Some(person::skin_tone(person.seed)),
             AssetRef::Vehicle(vehicle) => self.vehicle(vehicle.model)?.rider_skin_tone(vehicle.variant),
+        }
+    }
+
+    /// Who a person is, what they wear and carry.
+    pub fn person_attributes(person: PersonRef) -> PersonAttributes {
+        person::attributes(person)
+    }
+
+    /// Which vehicle it is; `None` if this catalogue has no such model.
+    pub fn vehicle_attributes(&self, vehicle: VehicleRef) -> Option<VehicleAttributes> {
+        Some(self.vehicle(vehicle.model)?.attributes(vehicle.variant))
+    }
+
+    /// The identity of a look, of vehicles without their rider; `None` if this catalogue has no such model.
+    pub fn reid(&self, asset: AssetRef) -> Option<Reid> {
+        match asset {
+            AssetRef::Person(person) => Some(person::reid(person)),
+            AssetRef::Vehicle(vehicle) => Some(self.vehicle(vehicle.model)?.reid(vehicle.variant)),
         }
     }
 

@@ -31,7 +31,7 @@ impl NamedColor {
 pub struct ColoredPiece {
     /// What it is: `t_shirt`, `jeans`, `umbrella`.
     pub piece: Word,
-    /// Its colour, of patterns the one at the hem.
+    /// Its colour; of patterns that of the ground.
     pub color: NamedColor,
     /// How a second colour is laid out: `stripes`, `block` (chest and sleeves), `checks`, `border`, `side_stripe`,
     /// `high_visibility` (reflecting bands).

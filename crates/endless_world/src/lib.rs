@@ -41,8 +41,8 @@ pub mod walking;
 
 pub use actor::{Actor, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
 pub use asset::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
-pub use behaviour::{Behaviour, LanePlace, Side};
 pub use attributes::{AgeGroup, ColoredPiece, Hairdo, NamedColor, PersonAttributes, Sex, VehicleAttributes, Word};
+pub use behaviour::{Behaviour, LanePlace, Side};
 pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};
 pub use camera_look::{CameraLook, CameraLookChoice, Distortion, RecorderClock};
 pub use class::{ClassTag, ObjectClass};

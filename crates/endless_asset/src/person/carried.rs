@@ -1,6 +1,6 @@
 //! What is carried, pushed or led, in the rest pose.
 
-use super::appearance::Carried;
+use super::appearance::{Appearance, Carried};
 use super::body::Body;
 use super::hold::{CANE, TROLLEY};
 use super::palette;
@@ -15,35 +15,49 @@ use std::f32::consts::{PI, TAU};
 
 const BLACK: Material = palette::linear(Surface::Plastic, [0.02, 0.02, 0.02]);
 
+const LEATHER: Material = palette::linear(Surface::Leather, [0.035, 0.022, 0.015]);
+const WOOD: Material = palette::linear(Surface::Wood, [0.10, 0.055, 0.028]);
+
+/// What it is made of for the most part; `None` if nothing is carried.
+pub(crate) fn material(appearance: &Appearance) -> Option<Material> {
+    let own = appearance.bag_color;
+    Some(match appearance.carried {
+        Carried::Nothing => return None,
+        Carried::Backpack | Carried::Pram => Material { surface: Surface::Cloth, ..own },
+        Carried::Handbag | Carried::ShoulderBag | Carried::Umbrella => own,
+        Carried::Suitcase => Material { surface: Surface::Plastic, ..own },
+        // Of paper in a pale tone of it.
+        Carried::ShoppingBag => Material { base_color: own.base_color.map(|c| 0.30 + 0.5 * c), ..BLACK },
+        Carried::Briefcase => LEATHER,
+        Carried::Phone | Carried::Call => BLACK,
+        Carried::Cane => WOOD,
+        Carried::Dog => dog::coat(appearance),
+        Carried::Wheelchair => wheeled::UPHOLSTERY,
+    })
+}
+
 /// Builds it.
 pub(crate) fn add(skin: &mut Skin, body: &Body<'_>) {
-    let color = body.appearance.bag_color;
+    let Some(material) = material(body.appearance) else { return };
     match body.appearance.carried {
         Carried::Nothing => {}
-        Carried::Backpack => backpack(skin, body),
-        Carried::Handbag => bag(skin, body, Vec3::new(0.15, 0.055, 0.11), 0.13, color),
-        Carried::Briefcase => {
-            let leather = palette::linear(Surface::Leather, [0.035, 0.022, 0.015]);
-            bag(skin, body, Vec3::new(0.20, 0.045, 0.15), 0.035, leather);
-        }
-        Carried::ShoppingBag => {
-            let paper = Material { base_color: color.base_color.map(|c| 0.30 + 0.5 * c), ..BLACK };
-            bag(skin, body, Vec3::new(0.16, 0.085, 0.20), 0.14, paper);
-        }
-        Carried::ShoulderBag => shoulder_bag(skin, body),
+        Carried::Backpack => backpack(skin, body, material),
+        Carried::Handbag => bag(skin, body, Vec3::new(0.15, 0.055, 0.11), 0.13, material),
+        Carried::Briefcase => bag(skin, body, Vec3::new(0.20, 0.045, 0.15), 0.035, material),
+        Carried::ShoppingBag => bag(skin, body, Vec3::new(0.16, 0.085, 0.20), 0.14, material),
+        Carried::ShoulderBag => shoulder_bag(skin, body, material),
         Carried::Phone | Carried::Call => phone(skin, body),
-        Carried::Umbrella => umbrella(skin, body),
-        Carried::Suitcase => suitcase(skin, body),
+        Carried::Umbrella => umbrella(skin, body, material),
+        Carried::Suitcase => suitcase(skin, body, material),
         Carried::Cane => cane(skin, body),
-        Carried::Pram => wheeled::pram(skin, body),
+        Carried::Pram => wheeled::pram(skin, body, material),
         Carried::Wheelchair => wheeled::wheelchair(skin, body),
         Carried::Dog => dog::add(skin, body),
     }
 }
 
-fn backpack(skin: &mut Skin, body: &Body<'_>) {
+fn backpack(skin: &mut Skin, body: &Body<'_>, color: Material) {
     let (h, b) = (body.h, body.b);
-    let color = Material { surface: Surface::Cloth, ..body.appearance.bag_color };
     let ease = body.appearance.garments.iter().map(|g| g.ease).fold(0.0, f32::max);
     let back = body.trunk_ring(0.72, ease)[8].x + 0.012 * h;
     // Children carry smaller ones.
@@ -102,9 +116,8 @@ fn bag(skin: &mut Skin, body: &Body<'_>, half: Vec3, handle: f32, material: Mate
     skin.add_rigid(bag, Bone::Carried);
 }
 
-fn shoulder_bag(skin: &mut Skin, body: &Body<'_>) {
+fn shoulder_bag(skin: &mut Skin, body: &Body<'_>, color: Material) {
     let (h, b) = (body.h, body.b);
-    let color = body.appearance.bag_color;
     let ease = body.appearance.garments.iter().map(|g| g.ease).fold(0.0, f32::max) + 0.006;
     let hip = body.trunk_ring(0.54, ease);
     let side = hip[12];
@@ -136,9 +149,8 @@ fn phone(skin: &mut Skin, body: &Body<'_>) {
     skin.add_rigid(s.placed(frame), Bone::HandR);
 }
 
-fn umbrella(skin: &mut Skin, body: &Body<'_>) {
+fn umbrella(skin: &mut Skin, body: &Body<'_>, color: Material) {
     let grip = body.skeleton.grip(Side::Right);
-    let color = body.appearance.bag_color;
     let (radius, top) = (0.52, (0.50 * body.h + 0.06).max(0.6));
     let steel = palette::linear(Surface::Metal, [0.3; 3]);
     let mut s = Sculpt::tube(
@@ -172,10 +184,9 @@ fn umbrella(skin: &mut Skin, body: &Body<'_>) {
     skin.add_rigid(s, Bone::Carried);
 }
 
-fn suitcase(skin: &mut Skin, body: &Body<'_>) {
+fn suitcase(skin: &mut Skin, body: &Body<'_>, color: Material) {
     let grip = body.skeleton.grip(Side::Right);
     let length = TROLLEY * body.h;
-    let color = Material { surface: Surface::Plastic, ..body.appearance.bag_color };
     let metal = palette::linear(Surface::Metal, [0.4; 3]);
     let at = |x: f32, y: f32, z: f32| grip + Vec3::new(x, y, z);
     let (wide, deep, tall) = (0.20, 0.115, 0.55_f32.min(length - 0.30));
@@ -200,7 +211,6 @@ fn suitcase(skin: &mut Skin, body: &Body<'_>) {
 
 fn cane(skin: &mut Skin, body: &Body<'_>) {
     let grip = body.skeleton.grip(Side::Right);
-    let wood = palette::linear(Surface::Wood, [0.10, 0.055, 0.028]);
     let length = CANE * body.h;
     let hook = |x: f32, z: f32| (grip + Vec3::new(x, 0.0, z), 0.011);
     let path = [
@@ -210,5 +220,5 @@ fn cane(skin: &mut Skin, body: &Body<'_>) {
         hook(-0.03, 0.022),
         hook(-0.075, 0.020),
     ];
-    skin.add_rigid(Sculpt::tube(&path, 6, wood), Bone::Carried);
+    skin.add_rigid(Sculpt::tube(&path, 6, WOOD), Bone::Carried);
 }

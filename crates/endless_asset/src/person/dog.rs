@@ -1,5 +1,6 @@
 //! A dog on a lead.
 
+use super::appearance::Appearance;
 use super::body::Body;
 use super::palette;
 use super::skeleton::{Bone, Side};
@@ -16,11 +17,16 @@ const STRIDE: f32 = 0.62;
 
 const COATS: [[u8; 3]; 5] = [[30, 26, 24], [120, 82, 48], [176, 140, 92], [220, 214, 204], [74, 56, 44]];
 
+/// Its coat: each keeper has a dog of their own.
+pub(crate) fn coat(appearance: &Appearance) -> Material {
+    palette::material(Surface::Hair, COATS[(appearance.folds * 3.7) as usize % COATS.len()], 1.0)
+}
+
 /// The dog and its lead.
 pub(crate) fn add(skin: &mut Skin, body: &Body<'_>) {
     let pick = body.appearance.folds;
     let s = 0.72 + 0.5 * (pick - pick.floor());
-    let coat = palette::material(Surface::Hair, COATS[(pick * 3.7) as usize % COATS.len()], 1.0);
+    let coat = coat(body.appearance);
     let dark = palette::linear(Surface::Leather, [0.012, 0.011, 0.011]);
     let at = |x: f32, y: f32, z: f32| PLACE + Vec3::new(x, y, z) * s;
     let row = |x: f32, z: f32, ry: f32, rz: f32| (at(x, 0.0, z), Vec2::new(ry, rz) * s);

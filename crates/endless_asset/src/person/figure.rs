@@ -55,6 +55,11 @@ fn holds(carried: Carried, side: Side) -> bool {
     }
 }
 
+/// What can be seen of garments that are worn over one another, from the inside out.
+pub(crate) fn visible_garments(garments: &[Garment]) -> Vec<Garment> {
+    garments.iter().enumerate().filter_map(|(i, garment)| visible_under(garment, &garments[i + 1..])).collect()
+}
+
 /// What of a garment the ones over it leave to be seen.
 fn visible_under(garment: &Garment, over: &[Garment]) -> Option<Garment> {
     let mut seen = garment.clone();

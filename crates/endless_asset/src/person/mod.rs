@@ -2,6 +2,7 @@
 
 mod anatomy;
 mod appearance;
+mod attributes;
 mod body;
 mod cage;
 mod carried;
@@ -26,17 +27,18 @@ mod skin;
 mod step;
 mod wardrobe;
 mod wheeled;
+mod word;
 
 use endless_scene::Mesh;
 use endless_world::walking::PedestrianSpec;
-use endless_world::{BodyKeypoints, Outfit, PersonRef, WalkerMotion};
+use endless_world::{BodyKeypoints, Outfit, PersonAttributes, PersonRef, Reid, WalkerMotion};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
 pub use anatomy::Anatomy;
 pub(crate) use appearance::Appearance;
 pub use part::{BodyPart, PersonTraits};
-pub(crate) use rider::{rider, rider_keypoints, rider_skin_tone};
+pub(crate) use rider::{rider, rider_attributes, rider_keypoints, rider_reid, rider_skin_tone};
 pub(crate) use seeded::skin_tone;
 use skeleton::BONES;
 pub use skeleton::Bone;
@@ -68,6 +70,22 @@ pub(crate) fn pedestrian_spec(seed: u64) -> PedestrianSpec {
     gait::GaitStyle::new(seed, &appearance).spec(&appearance)
 }
 
+/// Who a person is, what they wear and carry, as drawn.
+pub(crate) fn attributes(person: PersonRef) -> PersonAttributes {
+    attributes::describe(&appearance(person), Reid::new("person", &[person.seed]))
+}
+
+/// The identity of a person's look: the same in two outfits that differ in nothing.
+pub(crate) fn reid(person: PersonRef) -> Reid {
+    let fair = PersonRef { outfit: Outfit::Fair, ..person };
+    let same = appearance(person) == appearance(fair);
+    Reid::new("person look", &[person.seed, u64::from(!same)])
+}
+
+fn appearance(person: PersonRef) -> Appearance {
+    Appearance::of(person.seed, person.outfit == Outfit::Rain)
+}
+
 /// Thickness of cloth on the ground, metres.
 const HEM_M: f32 = 0.004;
 
@@ -87,7 +105,7 @@ pub struct Stance(Vec<Affine3A>);
 impl PersonModel {
     /// A person, dressed for the weather.
     pub(crate) fn new(person: PersonRef) -> Self {
-        Self::with_appearance(person.seed, &Appearance::of(person.seed, person.outfit == Outfit::Rain))
+        Self::with_appearance(person.seed, &appearance(person))
     }
 
     fn with_appearance(variant: u64, appearance: &Appearance) -> Self {

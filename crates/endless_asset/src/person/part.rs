@@ -1,6 +1,6 @@
 //! What can be told of a person: parts of the body, keypoints, and who they are.
 
-use super::appearance::{Appearance, Carried, Glasses, Hat};
+use super::appearance::Appearance;
 use super::head::Head;
 use super::skeleton::{Bone, Side, Skeleton};
 use endless_world::{FOOT_KEYPOINT_COUNT, KEYPOINT_COUNT};
@@ -132,25 +132,8 @@ impl PersonTraits {
     pub(crate) fn new(appearance: &Appearance) -> Self {
         let mut wears = vec![appearance.legs.name];
         wears.extend(appearance.garments.iter().map(|g| g.name));
-        wears.push(match appearance.hat {
-            Hat::None => "",
-            Hat::Cap => "cap",
-            Hat::Beanie => "beanie",
-            Hat::Brimmed => "sun_hat",
-            Hat::Fedora => "fedora",
-            Hat::Headscarf => "headscarf",
-            Hat::Turban => "turban",
-            Hat::SiteHelmet => "hard_hat",
-            Hat::PeakedCap => "peaked_cap",
-            Hat::Hood => "hood",
-            Hat::FullHelmet => "motorcycle_helmet",
-            Hat::CycleHelmet => "bicycle_helmet",
-        });
-        wears.push(match appearance.glasses {
-            Glasses::None => "",
-            Glasses::Clear => "glasses",
-            Glasses::Sun => "sunglasses",
-        });
+        wears.extend(appearance.hat.word());
+        wears.extend(appearance.glasses.word());
         wears.retain(|name| !name.is_empty());
         Self {
             age_years: appearance.age,
@@ -160,21 +143,7 @@ impl PersonTraits {
             skin_tone: appearance.tone as u8 + 1,
             outfit: appearance.outfit,
             wears,
-            carries: match appearance.carried {
-                Carried::Nothing => "",
-                Carried::Backpack => "backpack",
-                Carried::Handbag => "handbag",
-                Carried::ShoulderBag => "shoulder_bag",
-                Carried::ShoppingBag => "shopping_bag",
-                Carried::Briefcase => "briefcase",
-                Carried::Phone | Carried::Call => "phone",
-                Carried::Umbrella => "umbrella",
-                Carried::Pram => "pram",
-                Carried::Suitcase => "suitcase",
-                Carried::Cane => "cane",
-                Carried::Dog => "dog",
-                Carried::Wheelchair => "wheelchair",
-            },
+            carries: appearance.carried.word().unwrap_or_default(),
         }
     }
 }

@@ -3,10 +3,10 @@
 use super::appearance::{Appearance, Hat};
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{BONES, Bone, Side};
-use super::{Anatomy, PersonModel};
+use super::{Anatomy, PersonModel, attributes};
 use crate::vehicle::RiderFit;
 use endless_scene::Mesh;
-use endless_world::{BodyKeypoints, ClassTag, Stream};
+use endless_world::{BodyKeypoints, ClassTag, PersonAttributes, Reid, Stream, fnv1a};
 use glam::{Affine3A, Quat, Vec3};
 use std::sync::Arc;
 
@@ -52,6 +52,17 @@ pub(crate) fn rider_keypoints(fit: &RiderFit, variant: u64) -> BodyKeypoints {
 /// Their skin, 1 to 10 on the Monk scale.
 pub(crate) fn rider_skin_tone(variant: u64) -> u8 {
     Appearance::riding(variant, None).tone as u8 + 1
+}
+
+/// Who they are and what they wear.
+pub(crate) fn rider_attributes(fit: &RiderFit, variant: u64) -> PersonAttributes {
+    attributes::describe(&appearance(fit, variant), Reid::new("rider", &[variant]))
+}
+
+/// The identity of their look: the same on any two-wheeler but for the helmet.
+pub(crate) fn rider_reid(fit: &RiderFit, variant: u64) -> Reid {
+    let helmet = appearance(fit, variant).hat.word().unwrap_or_default();
+    Reid::new("rider look", &[variant, fnv1a(helmet.bytes())])
 }
 
 /// What they look like.

@@ -19,6 +19,9 @@ pub(crate) fn pram_handle(skeleton: &Skeleton) -> Vec3 {
     Vec3::new(0.25 * skeleton.height, 0.0, 0.59 * skeleton.body)
 }
 
+/// Of a wheelchair's seat and back.
+pub(crate) const UPHOLSTERY: Material = palette::linear(Surface::Leather, [0.02; 3]);
+
 const PRAM_WHEEL: f32 = 0.125;
 const REAR_WHEEL: f32 = 0.30;
 const CASTER: f32 = 0.085;
@@ -76,9 +79,8 @@ fn rod(points: &[Vec3], radius: f32, material: Material) -> Sculpt {
 }
 
 /// A pram ahead of who pushes it.
-pub(crate) fn pram(skin: &mut Skin, body: &Body<'_>) {
+pub(crate) fn pram(skin: &mut Skin, body: &Body<'_>, cloth: Material) {
     let handle = pram_handle(body.skeleton);
-    let cloth = Material { surface: Surface::Cloth, ..body.appearance.bag_color };
     let lining = palette::linear(Surface::Cloth, [0.30, 0.29, 0.27]);
     let metal = palette::linear(Surface::Metal, [0.35, 0.35, 0.36]);
     let black = palette::linear(Surface::Plastic, [0.02; 3]);
@@ -132,7 +134,7 @@ pub(crate) fn pram(skin: &mut Skin, body: &Body<'_>) {
 pub(crate) fn wheelchair(skin: &mut Skin, body: &Body<'_>) {
     let (h, b) = (body.h, body.b);
     let metal = palette::linear(Surface::Metal, [0.25, 0.26, 0.28]);
-    let black = palette::linear(Surface::Leather, [0.02; 3]);
+    let black = UPHOLSTERY;
     let seat = SEAT * b;
     let half = 0.125 * h;
     let mut s =

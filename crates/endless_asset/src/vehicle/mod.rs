@@ -2,6 +2,7 @@
 
 mod articulated;
 mod assemble;
+mod attributes;
 mod bus;
 mod car;
 mod cars;

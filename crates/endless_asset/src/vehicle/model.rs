@@ -7,7 +7,7 @@ use super::rider_fit::RiderFit;
 use super::tint::{self, PaintShare};
 use super::wheel::Wheel;
 use endless_scene::Mesh;
-use endless_world::{BodyKeypoints, ObjectClass, TrailerSpec, VehicleSpec};
+use endless_world::{BodyKeypoints, ObjectClass, PersonAttributes, Reid, TrailerSpec, VehicleSpec};
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
 
@@ -133,15 +133,39 @@ impl VehicleModel {
         self.spec.ridden.then(|| crate::person::rider_skin_tone(variant))
     }
 
+    /// Who that rider is and what they wear.
+    pub fn rider_attributes(&self, variant: u64) -> Option<PersonAttributes> {
+        Some(crate::person::rider_attributes(self.fit()?, variant))
+    }
+
+    /// The identity of that rider's look.
+    pub fn rider_reid(&self, variant: u64) -> Option<Reid> {
+        Some(crate::person::rider_reid(self.fit()?, variant))
+    }
+
     fn fit(&self) -> Option<&RiderFit> {
         if self.spec.ridden { self.parts().fit.as_ref() } else { None }
     }
 
     /// Linear paint colour of a variant, distributed as on real roads.
     pub fn tint(&self, variant: u64) -> [f32; 3] {
+        self.paint(variant).unwrap_or([1.0; 3])
+    }
+
+    /// The same; `None` where the colours are those of a file.
+    pub(crate) fn paint(&self, variant: u64) -> Option<[f32; 3]> {
+        let paints = match &self.origin {
+            VehicleOrigin::Drawn { design, .. } => Some(design.paints),
+            VehicleOrigin::File { paints, .. } => *paints,
+        };
+        paints.map(|paints| tint::tint(paints, variant))
+    }
+
+    /// The design that it is drawn from; `None` if it is from a file.
+    pub(crate) fn design_name(&self) -> Option<&'static str> {
         match &self.origin {
-            VehicleOrigin::Drawn { design, .. } => tint::tint(design.paints, variant),
-            VehicleOrigin::File { paints, .. } => paints.map_or([1.0; 3], |paints| tint::tint(paints, variant)),
+            VehicleOrigin::Drawn { design, .. } => Some(design.name),
+            VehicleOrigin::File { .. } => None,
         }
     }
 }
