@@ -24,6 +24,7 @@
 //! ```
 
 mod activity;
+mod actor_record;
 mod amodal;
 mod box3d;
 mod counting;
@@ -40,6 +41,7 @@ mod shapes;
 mod visible;
 
 pub use activity::{Action, Activity};
+pub use actor_record::ActorRecord;
 pub use amodal::{AmodalBox, AmodalRecord, Occluder};
 pub use box3d::{Box3d, Box3dRecord};
 pub use counting::{ClassCounts, CountingLine, LineCounter, LineCounts};

@@ -1,5 +1,6 @@
 //! Checks a dataset: reads every file and lists all errors.
 
+mod actors;
 mod camera;
 mod objects;
 mod progress;

@@ -1,5 +1,6 @@
 //! The label schema, written to every dataset.
 
+use crate::ActorSchema;
 use crate::object_fields::{FieldLabel, object_fields};
 use endless_world::{ClassTag, FOOT_KEYPOINTS, KEYPOINT_LIMBS, KEYPOINTS, ObjectClass};
 use serde::{Deserialize, Serialize};
@@ -31,6 +32,9 @@ pub struct LabelSchema {
     /// Which of them limbs join, counted from 1.
     #[serde(default)]
     pub skeleton: Vec<[u8; 2]>,
+    /// How to read `actors.json`.
+    #[serde(default)]
+    pub actors: ActorSchema,
 }
 
 /// One tag.
@@ -82,6 +86,7 @@ impl LabelSchema {
             keypoints: KEYPOINTS.map(String::from).to_vec(),
             foot_kpts: FOOT_KEYPOINTS.map(String::from).to_vec(),
             skeleton: KEYPOINT_LIMBS.to_vec(),
+            actors: ActorSchema::current(),
         }
     }
 }

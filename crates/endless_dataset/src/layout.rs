@@ -87,6 +87,11 @@ impl VideoLayout {
         self.folder.join("scene.json")
     }
 
+    /// `actors.json`, where the simulator knows its objects.
+    pub fn actors(&self) -> PathBuf {
+        self.folder.join("actors.json")
+    }
+
     /// Bytes of all its files.
     ///
     /// # Errors

@@ -21,6 +21,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod actor_schema;
+mod actors;
 mod atomic;
 mod build_identity;
 mod camera_record;
@@ -45,6 +47,8 @@ mod scene_record;
 mod stored_image;
 mod video;
 
+pub use actor_schema::{ActorField, ActorSchema};
+pub use actors::{read_actors, write_actors};
 pub use atomic::{AtomicFile, remove_temporaries, write_atomic, write_durable};
 pub use build_identity::BuildIdentity;
 pub use camera_record::CameraRecord;

@@ -24,6 +24,9 @@ pub struct SceneRecord {
     pub settings: SceneSettings,
     /// Numbers of actors.
     pub spawned: SpawnCounts,
+    /// Entries of `actors.json`; none if the simulator does not know its objects, and there is no such file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub actors: Option<u32>,
     /// Frames recorded by each camera.
     pub recorded_frames: u32,
     /// Annotated boxes of each camera, summed over frames.

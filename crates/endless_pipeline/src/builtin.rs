@@ -1,5 +1,6 @@
 //! The built-in city: towns, traffic and the ray tracer joined.
 
+mod actors;
 mod bake_cache;
 mod bake_key;
 mod bodies;

@@ -1,7 +1,7 @@
 //! The interface of simulators: the built-in city, a remote server, a test double. All later stages are the same for each.
 
 use crate::SimulatorError;
-use endless_annotate::{ObjectShapes, RoadFacts, SceneObjects, WorldKeypoints};
+use endless_annotate::{ActorRecord, ObjectShapes, RoadFacts, SceneObjects, WorldKeypoints};
 use endless_dataset::SpawnCounts;
 use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
 use std::{collections::BTreeMap, time::Duration};
@@ -89,6 +89,12 @@ pub trait Simulator: MapCatalog + Sync {
 pub trait SimulationSession<'m>: Send {
     /// The numbers of actors that were placed.
     fn spawned(&self) -> SpawnCounts;
+
+    /// What stays the same of every object that may appear, riders and parked ones included, by ascending id; `None` if
+    /// that is not known before they appear.
+    fn actors(&self) -> Option<Vec<ActorRecord>> {
+        None
+    }
 
     /// Prepares for rendering, before the first tick. May take long and use all threads. Not called if all frames are
     /// stored already; rendering must work without it.

@@ -15,6 +15,11 @@ impl Tracks {
     pub(super) fn add(&mut self, id: InstanceId, class: ObjectClass) {
         self.0.entry(id).or_default().insert(class);
     }
+
+    /// Ids with each class that they were seen as.
+    pub(super) fn seen(&self) -> impl Iterator<Item = (InstanceId, ObjectClass)> {
+        self.0.iter().flat_map(|(id, classes)| classes.iter().map(|class| (*id, *class)))
+    }
 }
 
 /// Ids that are more than one class.

@@ -1,6 +1,7 @@
 //! One video: its settings, its cameras, and that they agree.
 
 use super::{
+    actors::check_actors,
     camera::{self, check_camera},
     progress::CheckProgress,
     report::{CheckReport, Finding},
@@ -48,7 +49,9 @@ pub(super) fn check_video(
         report.findings.push(Finding::new(video.scene(), problem));
         return report;
     }
-    let folders: BTreeSet<String> = (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
+    let mut folders: BTreeSet<String> =
+        (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
+    folders.extend(record.actors.map(|_| "actors.json".to_owned()));
     report.findings.extend(unexpected_files(video.folder(), &folders));
     let cameras: Vec<camera::CameraCheck> = (0..count)
         .into_par_iter()
@@ -63,6 +66,7 @@ pub(super) fn check_video(
     }
     let tracks: Vec<_> = cameras.iter().map(|c| &c.tracks).collect();
     report.findings.extend(tracks::disagreements(video.folder(), &tracks));
+    report.findings.extend(check_actors(&video, &record, &tracks));
     for camera in cameras {
         report.merge(camera.report);
     }

@@ -1,13 +1,14 @@
 //! One scene of the built-in city.
 
 use super::{
+    actors,
     bodies::Skeletons,
     map::BuiltinMap,
     road_facts::road_facts,
     shapes::{MovingShapes, ParkedShapes},
 };
 use crate::{RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep, SimulatorError};
-use endless_annotate::{Box3d, CameraView, ObjectShapes, RoadFacts, SceneObjects};
+use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, SceneObjects};
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
@@ -132,6 +133,11 @@ fn rays(baked: &[CameraBake]) -> u64 {
 impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     fn spawned(&self) -> SpawnCounts {
         self.scene.spawned
+    }
+
+    fn actors(&self) -> Option<Vec<ActorRecord>> {
+        let BuiltinScene { catalogue, parked, moving, .. } = &*self.scene;
+        Some(actors::describe(catalogue, parked.iter().chain(moving)))
     }
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {

@@ -202,7 +202,7 @@ fn complete_video(
 ) -> Result<Option<SceneRecord>, GenerateError> {
     let video = layout.video(settings);
     let Ok(record) = read_json::<SceneRecord>(&video.scene()) else { return Ok(None) };
-    if record.settings != *settings {
+    if record.settings != *settings || (record.actors.is_some() && !video.actors().is_file()) {
         return Ok(None);
     }
     for camera in video.cameras(settings.cameras.len()) {

@@ -10,7 +10,8 @@ use super::{
 };
 use crate::{GenerateError, ProgressEvent, SimulationSession, Simulator, SimulatorError};
 use endless_dataset::{
-    CameraRecord, DatasetError, SceneRecord, SpawnCounts, remove_temporaries, write_json, write_json_durable,
+    CameraRecord, DatasetError, SceneRecord, SpawnCounts, remove_temporaries, write_actors, write_json,
+    write_json_durable,
 };
 use endless_world::SceneCamera;
 use std::{
@@ -35,6 +36,10 @@ pub(crate) fn record_video<S: Simulator>(
     let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings))?;
     let spawned = session.spawned();
     report_fewer(recording, &spawned);
+    let actors = session.actors();
+    if let Some(actors) = &actors {
+        write_actors(&layout.actors(), actors)?;
+    }
 
     let stored = StoredFrames::find(recording)?;
     if !stored.is_complete() {
@@ -72,7 +77,13 @@ pub(crate) fn record_video<S: Simulator>(
     for sink in sinks {
         boxes.push(sink.into_inner().unwrap_or_else(PoisonError::into_inner).finish()?);
     }
-    let record = SceneRecord { settings: settings.clone(), spawned, recorded_frames: settings.frames, boxes };
+    let record = SceneRecord {
+        settings: settings.clone(),
+        spawned,
+        actors: actors.map(|actors| actors.len() as u32),
+        recorded_frames: settings.frames,
+        boxes,
+    };
     // It says that the video is complete, after a power failure, too.
     layout.sync()?;
     write_json_durable(&layout.scene(), &record)?;

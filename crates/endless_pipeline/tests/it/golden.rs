@@ -72,7 +72,9 @@ fn golden_digests_of_every_layer_and_label_file() {
         for (camera, name) in ["camera_a", "camera_b"].into_iter().enumerate() {
             camera_digests(&mut table, &format!("{} {name}", scene.join(" ")), &video.camera(camera));
         }
-        writeln!(table, "{} scene.json {}", scene.join(" "), digest([video.scene().as_path()])).expect("memory");
+        for (name, path) in [("scene.json", video.scene()), ("actors.json", video.actors())] {
+            writeln!(table, "{} {name} {}", scene.join(" "), digest([path.as_path()])).expect("memory");
+        }
     }
     insta::assert_snapshot!(table);
 }

@@ -28,7 +28,9 @@ fn actors_that_come_and_go_are_labelled() {
         assert_eq!((report.findings, report.images), (vec![], 3 * 2 * 3 * 20));
         let layout = DatasetLayout::new(out.path());
         let manifest: Manifest = read_json(&layout.manifest()).expect("complete");
-        let camera = layout.video_named(&manifest.videos[0].name).camera(0);
+        let video = layout.video_named(&manifest.videos[0].name);
+        assert!(!video.actors().exists(), "who comes later is not known at first");
+        let camera = video.camera(0);
         let lines = read_objects(&camera.objects()).expect("labelled");
         let ids = |frame: usize| lines[frame].objects.iter().map(|o| o.id).collect::<BTreeSet<_>>();
         assert!(ids(10).difference(&ids(0)).count() > 0 && ids(0).difference(&ids(10)).count() > 0);

@@ -74,6 +74,12 @@ fn what_was_deleted_or_spoilt_comes_back() {
     make(&fake, &recipe, out.path(), 2);
     assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner()), (0, 0));
     assert_same(out.path(), whole.path());
+    // What stays the same of the objects.
+    fs::remove_file(video.actors()).expect("there");
+    let fake = Fake::default();
+    make(&fake, &recipe, out.path(), 2);
+    assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner()), (0, 0));
+    assert_same(out.path(), whole.path());
     // Some images and a scene.
     fs::remove_file(camera.frame(Layer::Depth, 3, &recipe)).expect("there");
     fs::remove_file(out.path().join("scenes/0001.json")).expect("there");
@@ -217,6 +223,20 @@ fn check_names_what_is_wrong() {
     restore(&camera.mp4(Layer::Rgb), &cut, "rgb.mp4: is not a whole MP4 file");
     restore(&camera.objects(), &cut, "objects.jsonl: line");
     restore(&camera.camera(), &cut, "camera.json: is not what it should be");
+    let actors = first_video(out.path()).actors();
+    restore(&actors, &cut, "actors.json: is not what it should be");
+    restore(&actors, &remove, "actors.json: cannot read");
+    let change = |from: &'static str, to: &'static str| {
+        move |path: &std::path::Path| {
+            let text = fs::read_to_string(path).expect("text");
+            fs::write(path, text.replacen(from, to, 1)).expect("writable");
+        }
+    };
+    restore(&actors, &change("\"truck\"", "\"bus\""), "is a bus, not a truck");
+    restore(&actors, &change("\"id\":3", "\"id\":30"), "actors.json: lacks object 3, a truck");
+    restore(&actors, &change("\"id\":3", "\"id\":30"), "actors.json: is not sorted by id");
+    restore(&actors, &change("\"id\":2", "\"rider_id\":3,\"id\":2"), "rider and vehicle do not name each other");
+    restore(&actors, &change("{\"id\":1,\"class\":\"van\",\"parked\":true},\n", ""), "scene.json says 11");
     let instance = |frame| camera.frame(Layer::Instance, frame, &recipe);
     let swap = |path: &std::path::Path| {
         fs::copy(instance(9), path).expect("copies");

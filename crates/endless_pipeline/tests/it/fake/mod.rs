@@ -4,7 +4,7 @@ mod live;
 
 pub(crate) use live::{Fault, LiveFake};
 
-use endless_annotate::SceneObjects;
+use endless_annotate::{ActorRecord, SceneObjects};
 use endless_dataset::{BuildIdentity, DatasetLayout, Recipe, RecipeDraft, SpawnCounts};
 use endless_pipeline::{
     Capabilities, GenerateOptions, Generated, MapUse, RenderTask, SceneTruth, SilentProgress, SimulationSession,
@@ -141,6 +141,11 @@ struct Drive<'m> {
 impl<'m> SimulationSession<'m> for Drive<'m> {
     fn spawned(&self) -> SpawnCounts {
         placed(self.settings)
+    }
+
+    fn actors(&self) -> Option<Vec<ActorRecord>> {
+        let moving = world(self.settings, self.settings.seed, 0).actors;
+        Some(std::iter::once(&parked()).chain(&moving).map(|a| ActorRecord::new(a.id, a.class, a.parked)).collect())
     }
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {
