@@ -192,6 +192,7 @@ pub(crate) fn walkers(
                 gait: Gait::Stand,
                 steps: Footsteps::new(&spec, position, atan2(along.y, along.x)),
                 stuck: (0.0, 0.0),
+                crowded_s: 0.0,
             };
             best = Some((room, walker));
             if found == CANDIDATES {

@@ -21,6 +21,8 @@ const KERB_M: f64 = 2.0;
 const TURN_RATE: f64 = 3.5;
 /// Most acceleration, m/s².
 const ACCELERATION: f64 = 2.5;
+/// Who has been stuck in a crowd for so long turns back, seconds.
+const GIVES_UP_S: f64 = 25.0;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Walker {
@@ -42,6 +44,8 @@ pub(crate) struct Walker {
     pub(crate) steps: Footsteps,
     /// Seconds for which somebody has stood in the way, and the turn tried to get past, radians.
     pub(crate) stuck: (f64, f64),
+    /// Seconds for which they have been stuck in a crowd, less those in which they got on.
+    pub(crate) crowded_s: f64,
 }
 
 /// The surroundings of pedestrians.
@@ -145,12 +149,17 @@ impl Walker {
         let mut wanted = to_target.normalize_or_zero() * pace;
         if pace > 0.3 && self.velocity.length() < 0.15 {
             self.stuck.0 += step_s;
+            self.crowded_s += step_s;
+            if self.crowded_s > GIVES_UP_S && strip.kind == WalkKind::Sidewalk {
+                self.turn_back();
+            }
             if self.stuck.0 > 1.5 {
                 // Face to face: step aside or back, and try again.
                 self.stuck = (0.5, self.stream.range_f64(-2.4, 1.6));
             }
         } else {
             self.stuck.0 = (self.stuck.0 - step_s).max(0.0);
+            self.crowded_s = (self.crowded_s - step_s).max(0.0);
         }
         if self.stuck.0 > 0.0 && self.stuck.1 != 0.0 {
             wanted = unit_vector(self.stuck.1).rotate(wanted) * 0.5;
@@ -181,6 +190,14 @@ impl Walker {
         if passes && let Some((_, node)) = self.way.pop_front() {
             self.from = node;
         }
+    }
+
+    /// Back to where the edge underfoot began; what was planned is forgotten.
+    fn turn_back(&mut self) {
+        let (edge, to) = self.way[0];
+        self.way = [(edge, self.from)].into();
+        self.from = to;
+        self.crowded_s = 0.0;
     }
 
     /// A way to a random place, after what is planned.
