@@ -11,7 +11,7 @@ use endless_road::swept::OrientedRectangle;
 use endless_road::{SpawnPoint, WalkEdgeId, WalkGraph, WalkKind};
 use endless_world::math::f64::atan2;
 use endless_world::walking::{Footsteps, PedestrianSpec};
-use endless_world::{Gait, ParkedVehicle, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
+use endless_world::{Gait, LookPool, ParkedVehicle, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
 use glam::DVec2;
 
 /// Gap between vehicles that spawn on the same lane, metres.
@@ -112,7 +112,9 @@ pub(crate) fn vehicles(
         };
         tries = 0;
         let point = free.remove(place);
-        let asset = VehicleRef { model, variant: own.next_u64() };
+        let taken = |seed| placed.iter().any(|v| v.asset == VehicleRef { model, variant: seed });
+        let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
+        let asset = VehicleRef { model, variant };
         let driver = Driver::new(spec, settings.condition, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.plan(roads);
@@ -151,7 +153,7 @@ pub(crate) fn walkers(
     }
     for k in 0..settings.pedestrians {
         let mut own = Stream::named(settings.seed, "traffic.walker", &[u64::from(k)]);
-        let variant = own.next_u64();
+        let variant = LookPool::people().draw(own.next_u64(), |seed| placed.iter().any(|w| w.variant == seed));
         let hurries = own.chance(0.05);
         let spec = pedestrian(variant);
         let brisk = own.range_f64(0.92, 1.08);

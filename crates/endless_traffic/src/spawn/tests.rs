@@ -4,6 +4,7 @@ use endless_asset::Catalogue;
 use endless_town::Town;
 use endless_world::{ObjectClass, Pose, VehicleModelId, VehicleRef};
 use glam::Vec3;
+use std::collections::{BTreeMap, BTreeSet};
 
 struct TestTown {
     catalogue: Catalogue,
@@ -92,6 +93,32 @@ fn a_design_more_changes_only_the_vehicles_that_it_takes_the_place_of() {
             }
         }
         assert!((1..40).contains(&taken), "{taken} of 150 are {added}");
+    }
+}
+
+#[test]
+fn looks_come_back_in_other_videos_and_never_twice_in_one() {
+    let place = TestTown::new("Town05");
+    let (specs, roads) = (place.specs(), place.roads(&[]));
+    let graph = WalkGraph::new(&roads.network.walk);
+    let mut seen: [BTreeMap<(usize, u64), usize>; 2] = Default::default();
+    let mut drawn = [0, 0];
+    for seed in 0..30 {
+        let cars = vehicles(&roads, &specs, &[], &asked(60, seed));
+        let people = walkers(&roads, &graph, &pedestrian, &asked(120, seed));
+        let cars: Vec<_> = cars.iter().map(|v| (v.asset.model.index(), v.asset.variant)).collect();
+        let people: Vec<_> = people.iter().map(|w| (0, w.variant)).collect();
+        for ((looks, seen), drawn) in [cars, people].into_iter().zip(&mut seen).zip(&mut drawn) {
+            let distinct: BTreeSet<_> = looks.iter().collect();
+            assert_eq!(distinct.len(), looks.len(), "seed {seed}: twins");
+            *drawn += looks.len();
+            looks.into_iter().for_each(|look| *seen.entry(look).or_default() += 1);
+        }
+    }
+    // Of n draws among m looks, m (1 − e^(−n/m)) are met: the pools are about as large as they say.
+    for (seen, drawn) in seen.iter().zip(drawn) {
+        let again = drawn - seen.len();
+        assert!(again * 4 > drawn && seen.len() > 900, "{} looks in {drawn} draws", seen.len());
     }
 }
 
