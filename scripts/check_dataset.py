@@ -233,6 +233,60 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
     return compared
 
 
+def check_actors(folder: pathlib.Path, scene: dict, seen: dict[int, dict], schema: dict) -> int:
+    """Number of objects that `actors.json` describes: all that are seen, as `objects.jsonl` says, in known words."""
+    if "actors" not in scene:
+        return 0
+    actors = json.loads((folder / "actors.json").read_text())
+    by_id = {a["id"]: a for a in actors}
+    assert [a["id"] for a in actors] == sorted(by_id), f"{folder}: actors.json is not sorted by id, or has one twice"
+    assert len(actors) == scene["actors"], f"{folder}: number of actors"
+    for i, o in seen.items():
+        for key in ("class", "parked", "rider_id", "vehicle_id"):
+            assert by_id[i].get(key) == o.get(key), f"{folder}: {key} of object {i} in actors.json and objects.jsonl"
+        tone = by_id[i].get("person", o).get("skin_tone")
+        assert tone == o.get("skin_tone"), f"{folder}: skin of object {i}"
+    counts = {kind: sum(a["class"] == kind for a in actors) for kind in ("pedestrian", "rider")}
+    assert counts["pedestrian"] == scene["spawned"]["pedestrians"], f"{folder}: number of pedestrians"
+    assert sum(a["parked"] for a in actors) == scene["spawned"]["parked"], f"{folder}: number of parked vehicles"
+    described = {f["name"] for f in schema["fields"]}
+    for a in actors:
+        who = f"{folder}: object {a['id']}"
+        for key, value in a.items():
+            nested = isinstance(value, dict) and key in ("person", "vehicle")
+            names = {f"{key}.{k}" for k in value} if nested else {key}
+            assert names <= described, f"{who}: {names - described} are not described in dataset.json"
+        human = a["class"] in ("pedestrian", "rider")
+        assert not ("person" in a and not human) and not ("vehicle" in a and human), f"{who} is described as another"
+        if "vehicle_id" in a:
+            assert by_id[a["vehicle_id"]]["rider_id"] == a["id"], f"{who}: rider"
+        if "rider_id" in a:
+            assert by_id[a["rider_id"]]["vehicle_id"] == a["id"], f"{who}: ridden"
+        if "reid" in a:
+            assert len(a["reid"]) == 16 and int(a["reid"], 16) >= 0, f"{who}: reid"
+        for color in colors_of(a):
+            assert color["name"] in schema["colors"], f"{who}: {color}"
+            assert len(color["rgb"]) == 3 and all(0 <= c <= 255 for c in color["rgb"]), f"{who}: {color}"
+    return len(actors)
+
+
+def colors_of(value) -> list[dict]:
+    """All named colours within a value."""
+    if isinstance(value, list):
+        return [color for item in value for color in colors_of(item)]
+    if not isinstance(value, dict):
+        return []
+    own = [value] if set(value) == {"name", "rgb"} else []
+    return own + colors_of(list(value.values()))
+
+
+def looks_agree(looks: dict[str, list]) -> int:
+    """Number of looks; objects with one `reid` have the same attributes in all videos, others differ."""
+    for reid, described in looks.items():
+        assert all(d == described[0] for d in described), f"reid {reid} is of different looks"
+    return len(looks)
+
+
 def main() -> None:
     out = pathlib.Path(sys.argv[1])
     dataset = json.loads((out / "dataset.json").read_text())
@@ -240,11 +294,13 @@ def main() -> None:
     frames = round(recipe["fps"] * recipe["duration"])
     tag_of_class = {c["name"]: c["tag"] for c in dataset["labels"]["classes"]}
     assert len(dataset["videos"]) == recipe["videos"], "number of videos"
-    compared = 0
+    compared, described = 0, 0
+    looks: dict[str, list] = {}
     for video in dataset["videos"]:
         assert video["state"] == "complete", f"{video['name']} is not complete"
         folder = out / "videos" / video["name"]
         class_of_id: dict[int, str] = {}
+        seen: dict[int, dict] = {}
         place_of: dict[tuple[int, int], tuple] = {}
         cameras = sorted(p.name for p in folder.glob("camera_*"))
         assert cameras == [f"camera_{c}" for c in "abcdefgh"[: recipe["cameras_per_scene"]]], f"{folder}: cameras"
@@ -260,8 +316,15 @@ def main() -> None:
                     place = (o["position"], {**o.get("box3d", {}), **dict.fromkeys(CAMERA_S_OWN)})
                     other = place_of.setdefault((line["frame"], o["id"]), place)
                     assert other == place, f"{folder}: object {o['id']} is in two places in frame {line['frame']}"
+                    seen.setdefault(o["id"], o)
                     same = class_of_id.setdefault(o["id"], o["class"])
                     assert same == o["class"], f"{folder}: object {o['id']} is {same} and {o['class']}"
+        scene = json.loads((folder / "scene.json").read_text())
+        described += check_actors(folder, scene, seen, dataset["labels"].get("actors", {}))
+        for actor in json.loads((folder / "actors.json").read_text()) if "actors" in scene else []:
+            look = {key: actor[key] for key in ("class", "person", "vehicle") if key in actor}
+            looks.setdefault(actor.get("reid", f"{folder} {actor['id']}"), []).append(look)
+    print(f"{described} objects of {looks_agree(looks)} looks")
     check_with_coco(out, dataset["labels"], recipe)
     print(f"all is well: {len(dataset['videos'])} videos, {compared} boxes recomputed")
 

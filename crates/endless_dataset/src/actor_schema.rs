@@ -1,5 +1,6 @@
 //! The schema of `actors.json`, written to every dataset.
 
+use crate::object_fields::FieldLabel;
 use endless_world::ColorName;
 use serde::{Deserialize, Serialize};
 
@@ -11,16 +12,7 @@ pub struct ActorSchema {
     /// Words for colours.
     pub colors: Vec<String>,
     /// The fields, those of nested objects by their path.
-    pub fields: Vec<ActorField>,
-}
-
-/// One field.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct ActorField {
-    /// Its path within an entry.
-    pub name: String,
-    /// Meaning, unit and values.
-    pub meaning: String,
+    pub fields: Vec<FieldLabel>,
 }
 
 /// A garment, a bag, a hat.
@@ -63,7 +55,7 @@ const FIELDS: &[(&str, &str)] = &[
 impl ActorSchema {
     /// The schema of this version.
     pub fn current() -> Self {
-        let field = |(name, meaning): &(&str, &str)| ActorField { name: (*name).into(), meaning: (*meaning).into() };
+        let field = |(name, meaning): &(&str, &str)| FieldLabel { name: (*name).into(), meaning: (*meaning).into() };
         Self {
             version: 1,
             colors: ColorName::ALL.iter().map(|color| color.name().to_owned()).collect(),

@@ -47,7 +47,7 @@ mod scene_record;
 mod stored_image;
 mod video;
 
-pub use actor_schema::{ActorField, ActorSchema};
+pub use actor_schema::ActorSchema;
 pub use actors::{read_actors, write_actors};
 pub use atomic::{AtomicFile, remove_temporaries, write_atomic, write_durable};
 pub use build_identity::BuildIdentity;
