@@ -27,11 +27,16 @@ mod activity;
 mod actor_record;
 mod amodal;
 mod box3d;
+mod camera_map;
 mod counting;
 mod events;
 mod frame;
+mod ground_plane;
 mod happenings;
+mod image_line;
 mod keypoint;
+mod lens_projection;
+mod map_features;
 mod object;
 mod ridden;
 mod rle;
@@ -51,9 +56,22 @@ pub use events::{
 };
 pub use frame::{AnnotateError, FrameObjects, annotate};
 pub use happenings::{Happenings, SceneObserver};
+mod scene_frame;
+
+pub use camera_map::{
+    BodyView, CameraMap, CrosswalkView, LaneView, LensView, PaintView, SidewalkView, SignView, SignalView,
+};
+pub use ground_plane::GroundPlane;
+pub use image_line::{ImageArea, ImageLine};
 pub use keypoint::{CameraView, Keypoint, Keypoints, Visibility, WorldKeypoints};
+pub use map_features::{
+    CrosswalkAttributes, CrosswalkFeature, FeatureBody, LaneAttributes, LaneControl, LaneFeature, LensColor,
+    MapFeatures, MarkAttributes, MarkFeature, PaintColor, SidewalkFeature, SignAttributes, SignFeature,
+    SignalAttributes, SignalFeature, SignalKind, SignalLens, StopLineAttributes, StopLineFeature,
+};
 pub use object::{ObjectRecord, SceneObjects};
 pub use ridden::WithRider;
 pub use rle::mask_pixels;
+pub use scene_frame::{LightState, SceneFrame, SignalRecord, SunState, WeatherState, count_by_class};
 pub use shapes::{ObjectShapes, Spatial};
 pub use visible::{PixelBox, VisibleObject, visible_objects};

@@ -1,7 +1,7 @@
 //! The built-in catalogue.
 
 use crate::carla;
-use crate::furniture;
+use crate::furniture::{self, SignPlate, SignalHead};
 use crate::person;
 use crate::prop_mesh;
 use crate::vehicle;
@@ -161,6 +161,16 @@ impl Catalogue {
     /// can instance them.
     pub fn prop(&self, prop: Prop, variant: u32) -> Mesh {
         prop_mesh::prop(prop, variant)
+    }
+
+    /// The heads of a traffic light; none of other props.
+    pub fn signal_heads(prop: Prop) -> Vec<SignalHead> {
+        furniture::signal_heads(prop)
+    }
+
+    /// The plate of a traffic sign; `None` for other props.
+    pub fn sign_plate(&self, prop: Prop, variant: u32) -> Option<SignPlate> {
+        furniture::sign_plate(prop, variant, &self.prop(prop, variant))
     }
 
     /// Codes of traffic signs, of the Vienna Convention (`C,1`) and of the MUTCD (`R5-1`): the variants of

@@ -37,6 +37,7 @@ mod shape;
 mod vehicle;
 
 pub use catalogue::Catalogue;
+pub use furniture::{SignPlate, SignalHead};
 pub use import::{
     AssetEntry, AssetManifest, ForwardAxis, ImportError, ImportedAsset, ImportedStaticModel, LampPlaces,
     ReadExternalFile, RiderEntry,

@@ -1,5 +1,6 @@
 //! `camera.json`.
 
+use endless_annotate::GroundPlane;
 use endless_world::{CameraSite, Distortion, FAR_PLANE_M, ImageSize, Intrinsics, PinholeCamera};
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +25,9 @@ pub struct CameraRecord {
     pub far_plane_m: f64,
     /// Position and direction.
     pub site: CameraSite,
+    /// The ground, of maps on which it is known.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ground_plane: Option<GroundPlane>,
 }
 
 /// The lens model.
@@ -68,7 +72,16 @@ impl CameraRecord {
             },
             far_plane_m: f64::from(FAR_PLANE_M),
             site: site.clone(),
+            ground_plane: None,
         }
+    }
+
+    /// With the plane of the ground at this height, metres.
+    #[must_use]
+    pub fn with_ground(self, z_m: Option<f64>) -> Self {
+        let camera = PinholeCamera::new(&self.site, self.size);
+        let ground_plane = z_m.and_then(|z_m| GroundPlane::new(&camera, z_m));
+        Self { ground_plane, ..self }
     }
 }
 

@@ -2,6 +2,8 @@
 
 mod actors;
 mod camera;
+mod frames;
+mod map;
 mod objects;
 mod progress;
 mod report;

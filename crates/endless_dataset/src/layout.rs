@@ -92,6 +92,11 @@ impl VideoLayout {
         self.folder.join("actors.json")
     }
 
+    /// `frames.jsonl`: the scene in each frame, whatever the cameras see.
+    pub fn frames(&self) -> PathBuf {
+        self.folder.join("frames.jsonl")
+    }
+
     /// Bytes of all its files.
     ///
     /// # Errors
@@ -150,6 +155,11 @@ impl CameraLayout {
     /// `camera.json`.
     pub fn camera(&self) -> PathBuf {
         self.folder.join("camera.json")
+    }
+
+    /// `map.json`: what the camera sees of the map.
+    pub fn map(&self) -> PathBuf {
+        self.folder.join("map.json")
     }
 
     /// `objects.jsonl`.

@@ -30,6 +30,7 @@ mod check;
 mod durable;
 mod encoding;
 mod error;
+mod json_lines;
 mod labels;
 mod layer;
 mod layout;
@@ -58,6 +59,7 @@ pub use encoding::{
     depth_from_rgb, instance_from_rgb, metres_from_rgb, rgb_from_depth, rgb_from_instance, rgb_from_metres,
 };
 pub use error::DatasetError;
+pub use json_lines::{LinesWriter, read_lines};
 pub use labels::LabelSchema;
 pub use layer::{Layer, LayerEntry};
 pub use layout::{CameraLayout, DatasetLayout, VideoLayout};
@@ -73,6 +75,6 @@ pub use recipe::{
     recipe_schema,
 };
 pub use rgb_format::{RgbFormat, RgbFormatEntry, read_rgb};
-pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable};
+pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable, write_json_line};
 pub use stored_image::StoredImage;
 pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

@@ -1,53 +1,16 @@
 //! `objects.jsonl`: one line a frame.
 
-use crate::{AtomicFile, DatasetError};
+use crate::{DatasetError, LinesWriter, read_lines};
 use endless_annotate::FrameObjects;
-use std::{fs, path::Path};
+use std::path::Path;
 
 /// Writes lines in the order of frames.
-#[derive(Debug)]
-pub struct ObjectsWriter {
-    file: AtomicFile,
-}
-
-impl ObjectsWriter {
-    /// Opens the file.
-    ///
-    /// # Errors
-    /// When it cannot be created.
-    pub fn create(path: &Path) -> Result<Self, DatasetError> {
-        Ok(Self { file: AtomicFile::create(path)? })
-    }
-
-    /// Appends one frame.
-    ///
-    /// # Errors
-    /// When the disk refuses.
-    pub fn write(&mut self, line: &FrameObjects) -> Result<(), DatasetError> {
-        let mut text = serde_json::to_vec(line).expect("plain numbers and words");
-        text.push(b'\n');
-        self.file.write(&text)
-    }
-
-    /// Gives the file its name.
-    ///
-    /// # Errors
-    /// When the disk refuses.
-    pub fn finish(self) -> Result<(), DatasetError> {
-        self.file.finish()
-    }
-}
+pub type ObjectsWriter = LinesWriter<FrameObjects>;
 
 /// All lines of a file.
 ///
 /// # Errors
-/// When it is missing or a line is not what it should be; the message has the line's number.
+/// As [`read_lines`].
 pub fn read_objects(path: &Path) -> Result<Vec<FrameObjects>, DatasetError> {
-    let text = fs::read_to_string(path).map_err(|e| DatasetError::io("cannot read", path, e))?;
-    text.lines()
-        .enumerate()
-        .map(|(i, line)| {
-            serde_json::from_str(line).map_err(|e| DatasetError::malformed(path, format!("line {}: {e}", i + 1)))
-        })
-        .collect()
+    read_lines(path)
 }

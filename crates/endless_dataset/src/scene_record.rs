@@ -41,6 +41,16 @@ pub fn write_json<T: Serialize>(path: &Path, value: &T) -> Result<(), DatasetErr
     write_atomic(path, &readable(path, value)?)
 }
 
+/// Writes a value as JSON on one line.
+///
+/// # Errors
+/// When the disk refuses.
+pub fn write_json_line<T: Serialize>(path: &Path, value: &T) -> Result<(), DatasetError> {
+    let mut text = serde_json::to_vec(value).map_err(|e| DatasetError::malformed(path, e))?;
+    text.push(b'\n');
+    write_atomic(path, &text)
+}
+
 /// Writes a value as readable JSON, which is there after a power failure, too.
 ///
 /// # Errors

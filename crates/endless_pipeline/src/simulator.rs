@@ -1,7 +1,7 @@
 //! The interface of simulators: the built-in city, a remote server, a test double. All later stages are the same for each.
 
 use crate::SimulatorError;
-use endless_annotate::{ActorRecord, ObjectShapes, RoadFacts, SceneObjects, WorldKeypoints};
+use endless_annotate::{ActorRecord, MapFeatures, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, WorldKeypoints};
 use endless_dataset::SpawnCounts;
 use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
 use std::{collections::BTreeMap, time::Duration};
@@ -74,6 +74,11 @@ pub trait Simulator: MapCatalog + Sync {
     /// When there is no such map, it cannot be made, or the simulator cannot be reached.
     fn load_map(&self, wanted: &MapUse<'_>) -> Result<Self::Map, SimulatorError>;
 
+    /// What a map has on and beside its roads, of simulators that know: each camera gets a `map.json` then.
+    fn map_features<'m>(&self, _map: &'m Self::Map) -> Option<&'m MapFeatures> {
+        None
+    }
+
     /// Populates a map. Cheap, compared with [`SimulationSession::prepare`].
     ///
     /// # Errors
@@ -135,6 +140,11 @@ pub trait RenderTask<'m>: Send {
     /// The ground truth that labels are made of.
     fn truth(&self, state: &WorldState) -> SceneTruth<'m> {
         SceneTruth { objects: SceneObjects::new(state, &[]), bodies: WorldKeypoints::new(), shapes: None }
+    }
+
+    /// The line of `frames.jsonl`, of simulators that know what it tells; then of every frame.
+    fn scene_frame(&self, _state: &WorldState) -> Option<SceneFrame> {
+        None
     }
 
     /// The sensor frame of each camera, in the order of the settings. Without [`Capabilities::random_access`] it is called before the

@@ -47,6 +47,7 @@ mod dressing;
 mod geometry;
 mod palette;
 mod placement;
+mod street_features;
 mod top_view;
 mod town;
 
@@ -54,5 +55,6 @@ pub use building::{building_styles, sample_building};
 pub use builtin::{NAMES, canonical_name, known_cameras, load};
 pub use dressing::{DetailSource, dress_map};
 pub use placement::{PlacedObject, Placement};
+pub use street_features::{PaintedCrosswalk, PaintedMark, PaintedStopLine, SidewalkStrip, StreetFeatures};
 pub use top_view::{top_view, top_view_of};
 pub use town::{Town, TownError};

@@ -2,6 +2,7 @@
 
 use crate::dressing::near_detail::DetailSource;
 use crate::placement::Placement;
+use crate::street_features::StreetFeatures;
 use endless_asset::Catalogue;
 use endless_road::RoadNetwork;
 use endless_scene::{Mesh, StreetLamp};
@@ -27,6 +28,8 @@ pub struct Town {
     pub lamps: Vec<StreetLamp>,
     /// At least five camera sites.
     pub cameras: Vec<CameraSite>,
+    /// Paint and sidewalks.
+    pub streets: StreetFeatures,
     /// The source of [`details_near`](Self::details_near); empty by default.
     pub detail_source: DetailSource,
 }

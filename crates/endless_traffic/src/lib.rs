@@ -67,4 +67,5 @@ mod walker;
 pub use population::Population;
 pub use roads::TrafficMap;
 pub use settings::{Fleet, TrafficSettings};
+pub use signals::{SignalCountdown, signal_countdowns};
 pub use simulation::Simulation;

@@ -2,6 +2,7 @@
 
 mod advert;
 mod barrier;
+mod face;
 mod glyph;
 mod lamp;
 mod lantern;
@@ -17,6 +18,8 @@ mod square;
 mod wall;
 mod waste;
 
+pub use face::{SignPlate, SignalHead};
+pub(crate) use face::{sign_plate, signal_heads};
 pub(crate) use sign_face::{CODES, lettering};
 
 use crate::Prop;

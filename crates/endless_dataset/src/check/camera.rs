@@ -1,6 +1,7 @@
 //! One camera of a video: every file decodes, sizes, counts, alignment, boxes.
 
 use super::{
+    map::check_map,
     objects::LabelledFrame,
     progress::CheckProgress,
     report::{CheckReport, Finding},
@@ -35,6 +36,7 @@ pub(super) fn check_camera(
     let mut report = CheckReport::default();
     report.findings.extend(check_record(layout, settings, camera));
     report.findings.extend(check_names(layout, recipe));
+    report.findings.extend(check_map(layout, &settings.cameras[camera], settings.size));
     let lines = read_objects(&layout.objects()).unwrap_or_else(|e| {
         report.findings.push(e.into());
         Vec::new()
@@ -75,14 +77,21 @@ fn check_record(layout: &CameraLayout, settings: &SceneSettings, camera: usize) 
     let SceneCamera { site, look } = &settings.cameras[camera];
     let expected = CameraRecord::new(site, look.distortion, settings.size, settings.fps);
     match read_json::<CameraRecord>(&layout.camera()) {
-        Ok(record) if record == expected => None,
+        Ok(record) if same_camera(&record, expected) => None,
         Ok(_) => Some(Finding::new(layout.camera(), "does not describe the camera of the scene")),
         Err(e) => Some(e.into()),
     }
 }
 
+/// Whether a record is that of this camera, and its ground plane, if it has one, is seen so by it. Numbers in the file are
+/// as short as they can be, and read as they were.
+fn same_camera(record: &CameraRecord, expected: CameraRecord) -> bool {
+    *record == expected.with_ground(record.ground_plane.as_ref().map(|plane| plane.z_m))
+}
+
 fn check_names(layout: &CameraLayout, recipe: &Recipe) -> Vec<Finding> {
     let mut expected = BTreeSet::from(["camera.json".to_owned(), "objects.jsonl".to_owned()]);
+    expected.extend(layout.map().is_file().then(|| "map.json".to_owned()));
     expected.extend(recipe.layers.iter().map(Layer::to_string));
     expected.extend(recipe.mp4.iter().map(|l| format!("{l}.mp4")));
     let mut findings = unexpected_files(layout.folder(), &expected);

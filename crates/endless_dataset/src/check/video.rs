@@ -3,6 +3,7 @@
 use super::{
     actors::check_actors,
     camera::{self, check_camera},
+    frames::check_frames,
     progress::CheckProgress,
     report::{CheckReport, Finding},
     tracks,
@@ -52,7 +53,9 @@ pub(super) fn check_video(
     let mut folders: BTreeSet<String> =
         (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
     folders.extend(record.actors.map(|_| "actors.json".to_owned()));
+    folders.extend(video.frames().is_file().then(|| "frames.jsonl".to_owned()));
     report.findings.extend(unexpected_files(video.folder(), &folders));
+    report.findings.extend(check_frames(&video, &record.settings, &manifest.recipe));
     let cameras: Vec<camera::CameraCheck> = (0..count)
         .into_par_iter()
         .map(|i| check_camera(&video.camera(i), &record.settings, i, &manifest.recipe, progress))

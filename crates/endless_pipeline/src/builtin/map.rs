@@ -1,7 +1,9 @@
 //! A loaded town.
 
 use super::bake_cache::{BakeCache, MapBakes};
+use super::map_features::map_features;
 use crate::SimulatorError;
+use endless_annotate::MapFeatures;
 use endless_asset::Catalogue;
 use endless_city::{SharedModels, TownScene};
 use endless_town::Town;
@@ -15,6 +17,7 @@ pub struct BuiltinMap {
     pub(super) town_scene: TownScene,
     pub(super) traffic: TrafficMap,
     pub(super) bakes: MapBakes,
+    pub(super) features: MapFeatures,
 }
 
 impl BuiltinMap {
@@ -36,7 +39,8 @@ impl BuiltinMap {
         let town_scene =
             town_scene.map_err(|source| SimulatorError::LoadMap { map: town.name.clone(), source: source.into() })?;
         let bakes = MapBakes::new(cache, town_scene.static_scene(), videos);
-        Ok(Self { town, town_scene, traffic, bakes })
+        let features = map_features(&town, catalogue);
+        Ok(Self { town, town_scene, traffic, bakes, features })
     }
 
     /// Number of the town's triangles as placed: those of a tree count wherever it stands.

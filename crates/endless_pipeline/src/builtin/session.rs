@@ -5,10 +5,11 @@ use super::{
     bodies::Skeletons,
     map::BuiltinMap,
     road_facts::road_facts,
+    scene_frame::scene_frame,
     shapes::{MovingShapes, ParkedShapes},
 };
 use crate::{RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep, SimulatorError};
-use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, SceneObjects};
+use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, SceneFrame, SceneObjects};
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
@@ -185,6 +186,11 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
             bodies: skeletons.bodies(state),
             shapes: Some(Box::new(SceneShapes { scene, frame, state: state.clone(), moving: OnceLock::new() })),
         }
+    }
+
+    fn scene_frame(&self, state: &WorldState) -> Option<SceneFrame> {
+        let BuiltinScene { settings, map, parked, .. } = &*self.scene;
+        Some(scene_frame(settings, &map.town.network, parked, state))
     }
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {

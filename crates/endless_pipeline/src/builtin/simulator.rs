@@ -2,6 +2,7 @@
 
 use super::{bake_cache::BakeCache, map::BuiltinMap, session::BuiltinSession};
 use crate::{Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError};
+use endless_annotate::MapFeatures;
 use endless_city::SharedModels;
 use endless_interchange::MapLibrary;
 use endless_world::{CameraSite, SceneSettings};
@@ -62,6 +63,10 @@ impl Simulator for BuiltinSimulator {
     fn load_map(&self, wanted: &MapUse<'_>) -> Result<BuiltinMap, SimulatorError> {
         let town = self.map_library.town_before(wanted.cameras, wanted.name)?;
         BuiltinMap::load(town, self.map_library.catalogue(), Arc::clone(&self.models), &self.cache, wanted.videos)
+    }
+
+    fn map_features<'m>(&self, map: &'m BuiltinMap) -> Option<&'m MapFeatures> {
+        Some(&map.features)
     }
 
     fn open_session<'m>(

@@ -8,7 +8,7 @@ use super::{
     times::Stage,
 };
 use crate::{GenerateError, SceneTruth, SimulationStep, SimulatorError};
-use endless_annotate::{AnnotateError, CameraView, FrameObjects, ObjectShapes, annotate, visible_objects};
+use endless_annotate::{AnnotateError, CameraView, FrameObjects, ObjectShapes, SceneFrame, annotate, visible_objects};
 use endless_dataset::{DatasetError, LastPng, Layer, StoredImage, Yuv, metres_from_rgb, rgb_from_metres, yuv_from_rgb};
 use endless_world::{PinholeCamera, SceneCamera, SensorFrame};
 use std::borrow::Cow;
@@ -26,6 +26,7 @@ pub(super) struct FrameRecorder<'a> {
 pub(super) struct CapturedFrame<'a> {
     frame: u32,
     truth: SceneTruth<'a>,
+    scene: Option<SceneFrame>,
     pictures: FrameImages,
 }
 
@@ -39,6 +40,11 @@ impl CapturedFrame<'_> {
     /// Whether it was stored already.
     pub(super) fn is_stored(&self) -> bool {
         matches!(self.pictures, FrameImages::Stored(_))
+    }
+
+    /// The line of `frames.jsonl`, if the simulator knows it.
+    pub(super) fn into_scene_frame(self) -> Option<SceneFrame> {
+        self.scene
     }
 }
 
@@ -57,7 +63,7 @@ impl<'a> FrameRecorder<'a> {
     pub(super) fn take<'m>(&self, step: SimulationStep<'m>) -> Result<CapturedFrame<'m>, GenerateError> {
         let SimulationStep { state, task } = step;
         let clock = self.recording.clock;
-        let truth = clock.time(Stage::Boxes, || task.truth(&state));
+        let (truth, scene) = clock.time(Stage::Boxes, || (task.truth(&state), task.scene_frame(&state)));
         let frame = state.frame;
         let pictures = match self.read(frame)? {
             Some(layers) => FrameImages::Stored(layers),
@@ -67,7 +73,7 @@ impl<'a> FrameRecorder<'a> {
                 FrameImages::Rendered(frames)
             }
         };
-        Ok(CapturedFrame { frame, truth, pictures })
+        Ok(CapturedFrame { frame, truth, scene, pictures })
     }
 
     fn refuse_other_frames(&self, frame: u32, frames: &[SensorFrame]) -> Result<(), SimulatorError> {
@@ -140,7 +146,7 @@ impl<'a> FrameRecorder<'a> {
             };
             images.iter().map(picture).collect::<Result<Vec<Yuv>, _>>()
         })?;
-        Ok(SinkItem { line, pictures })
+        Ok(SinkItem { line, pictures, scene: None })
     }
 
     /// All that is told of the objects that a camera sees.

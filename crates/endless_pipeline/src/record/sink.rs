@@ -4,8 +4,9 @@ use super::{
     recording::Recording,
     times::{Stage, StageClock},
 };
-use endless_annotate::FrameObjects;
-use endless_dataset::{DatasetError, ObjectsWriter, VideoEncoder, Yuv};
+use endless_annotate::{FrameObjects, SceneFrame};
+use endless_dataset::{DatasetError, LinesWriter, ObjectsWriter, VideoEncoder, Yuv};
+use std::path::PathBuf;
 
 /// What one frame of one camera brings.
 pub(super) struct SinkItem {
@@ -13,12 +14,16 @@ pub(super) struct SinkItem {
     pub(super) line: FrameObjects,
     /// One picture a video, in the recipe's order.
     pub(super) pictures: Vec<Yuv>,
+    /// The line of `frames.jsonl`: the first camera's sink writes it.
+    pub(super) scene: Option<SceneFrame>,
 }
 
 /// The open files of one camera.
 pub(super) struct CameraSink {
     objects: ObjectsWriter,
     videos: Vec<VideoEncoder>,
+    /// `frames.jsonl`: its path, and the file once there is a line for it.
+    frames: (PathBuf, Option<LinesWriter<SceneFrame>>),
     boxes: u64,
 }
 
@@ -31,20 +36,33 @@ impl CameraSink {
             .iter()
             .map(|layer| VideoEncoder::create(&files.mp4(*layer), settings.size, settings.fps))
             .collect::<Result<_, _>>()?;
-        Ok(Self { objects: ObjectsWriter::create(&files.objects())?, videos, boxes: 0 })
+        let frames = (layout.frames(), None);
+        Ok(Self { objects: ObjectsWriter::create(&files.objects())?, videos, frames, boxes: 0 })
     }
 
     pub(super) fn push(&mut self, frame: &SinkItem, clock: &StageClock) -> Result<(), DatasetError> {
         self.boxes += frame.line.objects.len() as u64;
         self.objects.write(&frame.line)?;
+        if let Some(scene) = &frame.scene {
+            self.write_scene(scene)?;
+        }
         clock.time(Stage::Video, || {
             self.videos.iter_mut().zip(&frame.pictures).try_for_each(|(video, picture)| video.push(picture))
         })
     }
 
+    fn write_scene(&mut self, line: &SceneFrame) -> Result<(), DatasetError> {
+        let (path, file) = &mut self.frames;
+        if file.is_none() {
+            *file = Some(LinesWriter::create(path)?);
+        }
+        file.as_mut().map_or(Ok(()), |file| file.write(line))
+    }
+
     /// Completes the files; how many boxes there are.
     pub(super) fn finish(self) -> Result<u64, DatasetError> {
         self.objects.finish()?;
+        self.frames.1.map_or(Ok(()), LinesWriter::finish)?;
         for video in self.videos {
             video.finish()?;
         }

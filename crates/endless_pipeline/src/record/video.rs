@@ -9,11 +9,12 @@ use super::{
     times::Stage,
 };
 use crate::{GenerateError, ProgressEvent, SimulationSession, Simulator, SimulatorError};
+use endless_annotate::{CameraMap, MapFeatures};
 use endless_dataset::{
     CameraRecord, DatasetError, SceneRecord, SpawnCounts, remove_temporaries, write_actors, write_json,
-    write_json_durable,
+    write_json_durable, write_json_line,
 };
-use endless_world::SceneCamera;
+use endless_world::{PinholeCamera, SceneCamera};
 use std::{
     sync::{Mutex, PoisonError},
     time::Instant,
@@ -32,7 +33,7 @@ pub(crate) fn record_video<S: Simulator>(
     if !capabilities.repeatable {
         remove_stored(recording)?;
     }
-    prepare_folders(recording)?;
+    prepare_folders(recording, simulator.map_features(map))?;
     let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings))?;
     let spawned = session.spawned();
     report_fewer(recording, &spawned);
@@ -90,16 +91,22 @@ pub(crate) fn record_video<S: Simulator>(
     Ok(record)
 }
 
-/// Folders, no temporaries, and the records of the cameras.
-fn prepare_folders(recording: &Recording<'_>) -> Result<(), DatasetError> {
+/// Folders, no temporaries, the records of the cameras, and what they see of the map.
+fn prepare_folders(recording: &Recording<'_>, features: Option<&MapFeatures>) -> Result<(), DatasetError> {
     let Recording { settings, recipe, layout, .. } = *recording;
     for camera in layout.cameras(settings.cameras.len()) {
         camera.create(&recipe.layers)?;
     }
     remove_temporaries(layout.folder())?;
     for (number, SceneCamera { site, look }) in settings.cameras.iter().enumerate() {
-        let record = CameraRecord::new(site, look.distortion, settings.size, settings.fps);
-        write_json(&layout.camera(number).camera(), &record)?;
+        let files = layout.camera(number);
+        let lens = PinholeCamera::new(site, settings.size).with_distortion(look.distortion);
+        let ground_z = features.and_then(|features| features.ground_z(&lens));
+        let record = CameraRecord::new(site, look.distortion, settings.size, settings.fps).with_ground(ground_z);
+        write_json(&files.camera(), &record)?;
+        if let Some(features) = features {
+            write_json_line(&files.map(), &CameraMap::new(features, &lens))?;
+        }
     }
     Ok(())
 }
@@ -155,7 +162,10 @@ impl<'m> VideoWorkers<'_, 'm> {
             taken
         };
         let resumed = taken.is_stored();
-        let items = self.maker.finish(&taken)?;
+        let mut items = self.maker.finish(&taken)?;
+        if let Some(first) = items.first_mut() {
+            first.scene = taken.into_scene_frame();
+        }
         self.scheduler.deliver(frame, items);
         progress.event(&ProgressEvent::Frame { cameras: self.sinks.len() as u32, resumed });
         Ok(())

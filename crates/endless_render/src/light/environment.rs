@@ -1,7 +1,7 @@
 //! The light, the air and the wetness of a condition, as a scene draws them by its seed.
 
 use super::{
-    Fog, Sky,
+    Fog, SceneWeather, Sky,
     clouds::CloudLayer,
     sky::{LUMINANCE, SOLAR_ILLUMINANCE_KLX, SkyParameters, sun_transmittance},
 };
@@ -9,8 +9,8 @@ use crate::accel::Ray;
 use crate::scene::SurfaceInteraction;
 use crate::settings::RenderSettings;
 use endless_world::math::UnfusedVec3A;
-use endless_world::{Condition, Stream, math};
-use glam::{Vec2, Vec3A};
+use endless_world::{Condition, math};
+use glam::Vec3A;
 use std::f32::consts::{PI, TAU};
 
 /// Light that a town throws into a clear night sky: radiance at the horizon, kcd/m².
@@ -57,16 +57,15 @@ impl Environment {
     /// The light of a scene whose ground lies at this height, metres.
     pub(crate) fn new(settings: &RenderSettings, ground: f32) -> Self {
         let condition = Condition::of(settings.weather, settings.time_of_day);
-        let mut random = Stream::named(settings.seed, "environment", &[]);
-        let drawn = sun_direction(condition, &mut random);
-        let sun_direction = settings.sun_direction.map_or(drawn, |towards| Vec3A::from(towards).normalize_or(drawn));
-        let cloud_seed = Vec2::new(random.range_f32(-500.0, 500.0), random.range_f32(-500.0, 500.0));
+        let drawn = SceneWeather::new(condition, settings.seed);
+        let usual = Vec3A::from(drawn.sun_direction);
+        let sun_direction = settings.sun_direction.map_or(usual, |towards| Vec3A::from(towards).normalize_or(usual));
         let low_light = Vec3A::from(condition.low_light);
         let clouds = (condition.cloud_cover > 0.0).then(|| CloudLayer {
             cover: condition.cloud_cover,
             lit: low_light * (14.0 * condition.cloud_brightness),
             dark: Vec3A::new(0.80, 0.9, 1.05) * (6.0 * condition.cloud_brightness),
-            seed: cloud_seed,
+            seed: drawn.cloud_seed,
         });
         let sky = Sky::new(&SkyParameters {
             sun_direction,
@@ -84,9 +83,9 @@ impl Environment {
         });
         let night = condition.lamps_lit;
         let fog = Fog {
-            extinction: Fog::extinction_for_visibility(condition.visibility_m.draw(&mut random)),
+            extinction: Fog::extinction_for_visibility(drawn.visibility_m),
             ground,
-            scale_height_m: condition.scale_height_m.draw(&mut random),
+            scale_height_m: drawn.scale_height_m,
             glow: condition.halo,
             airlight: if night { TOWN_AIRLIGHT } else { sky.mean } * condition.airlight,
             sunward: low_light * sky.mean * condition.sunward,
@@ -122,15 +121,6 @@ impl Environment {
     pub(crate) fn halos(&self) -> bool {
         self.night && self.fog.is_dense()
     }
-}
-
-/// Towards the sun of a scene.
-fn sun_direction(condition: &Condition, random: &mut Stream) -> Vec3A {
-    let azimuth_deg = condition.sun_azimuth_deg.draw(random);
-    let elevation_deg = condition.sun_elevation_deg.draw(random);
-    let (sin_azimuth, cos_azimuth) = math::sin_cos(azimuth_deg.to_radians());
-    let (sin_elevation, cos_elevation) = math::sin_cos(elevation_deg.to_radians());
-    Vec3A::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, sin_elevation)
 }
 
 impl Sun {

@@ -7,6 +7,7 @@ mod fog;
 mod halo_grid;
 mod lamp_maps;
 mod lamps;
+mod scene_weather;
 mod sky;
 
 pub use beams::{BeamKind, VehicleBeam};
@@ -15,4 +16,5 @@ pub(crate) use fog::Fog;
 pub(crate) use halo_grid::HaloGrid;
 pub(crate) use lamp_maps::LampMaps;
 pub(crate) use lamps::{Lamps, PointLamp};
+pub use scene_weather::SceneWeather;
 pub(crate) use sky::Sky;

@@ -13,7 +13,7 @@ use crate::dressing::ground::ground_grid::GroundGrid;
 use crate::dressing::ground::land_use_map::LandUseMap;
 use crate::dressing::ground::pavement_index::PavementIndex;
 use crate::dressing::near_detail::{DetailGround, DetailSource};
-use crate::dressing::pavement::{arrow, bump, infill, paint, surface};
+use crate::dressing::pavement::{arrow, bump, features, infill, paint, surface};
 use crate::dressing::planting::garden::GardenBuilder;
 use crate::dressing::planting::square::SquareFurnisher;
 use crate::dressing::planting::trees::TreePlanter;
@@ -142,6 +142,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
     iron::add(&mut assembly, map, &pavement);
     planter.land(&mut assembly, &cameras, low, high);
     planter.hills(&mut assembly);
+    let street_features = features::features(map, &lane_surfaces, &pavement);
     let (placements, parked, lamps, occupied) =
         (assembly.placements, assembly.parked, assembly.lamps, assembly.occupied);
     let maize = preset.maize;
@@ -155,6 +156,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
         parked,
         lamps,
         cameras,
+        streets: street_features,
         detail_source: DetailSource::new(detail),
     })
 }

@@ -3,6 +3,7 @@
 pub(crate) mod arrow;
 pub(crate) mod bump;
 pub(crate) mod crossing;
+pub(crate) mod features;
 pub(crate) mod infill;
 pub(crate) mod paint;
 pub(crate) mod surface;

@@ -8,6 +8,8 @@ use endless_road::{Crossing, Lane, MarkingColor, Polyline, RoadMap, RoadMarking,
 use endless_scene::{Material, MeshBuilder};
 use glam::{DVec2, DVec3, Vec2};
 
+/// No shorter piece of a line is painted, metres.
+const SHORTEST_M: f64 = 0.02;
 /// Longest piece of a painted line, metres.
 const STEP_M: f64 = 3.0;
 /// Bars of crossings.
@@ -15,7 +17,7 @@ const BAR_M: f64 = 0.5;
 /// Between a line along the road and a crossing's bars.
 pub(crate) const PAINT_APART_M: f64 = 0.3;
 /// Depth of stop lines.
-const STOP_M: f64 = 0.35;
+pub(crate) const STOP_M: f64 = 0.35;
 
 pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementIndex) {
     for mark in &map.markings {
@@ -23,19 +25,28 @@ pub(crate) fn add(mesh: &mut MeshBuilder, map: &RoadMap, pavement: &PavementInde
     }
     if map.markings.is_empty() {
         for lane in map.network.lanes.iter().filter(|l| l.junction.is_none()) {
-            usual_lines(mesh, lane, map.left_hand);
+            for usual in usual_lines(lane, map.left_hand) {
+                for piece in usual.pieces {
+                    line(mesh, &lane.centerline, piece, usual.t, USUAL_M, WHITE_PAINT);
+                }
+            }
         }
     }
     for crossing in &map.network.crossings {
         add_crossing(mesh, crossing, pavement);
     }
-    for lane in
-        map.network.lanes.iter().filter(|l| matches!(l.end_control, TrafficControl::Signal(_) | TrafficControl::Stop))
-    {
-        if !map.markings.iter().any(|mark| is_stop_line_of(mark, lane)) {
-            add_stop_line(mesh, lane);
-        }
+    for (_, corners) in added_stop_lines(map) {
+        quad(mesh, corners, [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y], WHITE_PAINT);
     }
+}
+
+/// The stop lines of lanes for which the map has none: from back right to front right, front left, back left.
+pub(crate) fn added_stop_lines(map: &RoadMap) -> impl Iterator<Item = (&Lane, [DVec3; 4])> {
+    let stops = |l: &&Lane| matches!(l.end_control, TrafficControl::Signal(_) | TrafficControl::Stop);
+    let lanes = map.network.lanes.iter().filter(stops);
+    lanes
+        .filter(|lane| !map.markings.iter().any(|mark| is_stop_line_of(mark, lane)))
+        .filter_map(|lane| Some((lane, stop_line(lane)?)))
 }
 
 fn add_mark(mesh: &mut MeshBuilder, mark: &RoadMarking, crossings: &[Crossing]) {
@@ -43,18 +54,27 @@ fn add_mark(mesh: &mut MeshBuilder, mark: &RoadMarking, crossings: &[Crossing]) 
         MarkingColor::White => WHITE_PAINT,
         MarkingColor::Yellow => YELLOW_PAINT,
     };
-    let mut draw = |from: f64, to: f64| line(mesh, &mark.line, (from, to), 0.0, mark.width_m, paint);
+    for piece in painted(mark, crossings) {
+        line(mesh, &mark.line, piece, 0.0, mark.width_m, paint);
+    }
+}
+
+/// Where a mark has paint: its unbroken pieces, from where to where along its line, metres.
+pub(crate) fn painted(mark: &RoadMarking, crossings: &[Crossing]) -> Vec<(f64, f64)> {
+    let mut pieces = Vec::new();
     for (from, to) in beside_crossings(mark, crossings) {
         let Some([dash, gap]) = mark.dash.filter(|[dash, gap]| *dash > 0.05 && dash + gap > 0.1) else {
-            draw(from, to);
+            pieces.push((from, to));
             continue;
         };
         let mut s = (from / (dash + gap)).floor() * (dash + gap);
         while s < to {
-            draw(s.max(from), (s + dash).min(to));
+            pieces.push((s.max(from), (s + dash).min(to)));
             s += dash + gap;
         }
     }
+    pieces.retain(|(from, to)| to - from >= SHORTEST_M);
+    pieces
 }
 
 /// The parts of a mark that lie on no crossing: where people walk, lines along the road leave off. Broad marks are
@@ -86,15 +106,30 @@ fn beside_crossings(mark: &RoadMarking, crossings: &[Crossing]) -> Vec<(f64, f64
     parts
 }
 
+/// The ends of the straight pieces in which a line is painted, metres along it.
+fn stations((from, to): (f64, f64)) -> impl Iterator<Item = f64> {
+    let steps = ((to - from) / STEP_M).ceil().max(1.0) as usize;
+    (0..=steps).map(move |i| from + (to - from) * i as f64 / steps as f64)
+}
+
+/// The middle of the paint along a piece of a line, `t` to its left.
+pub(crate) fn middle(line: &Polyline, piece: (f64, f64), t: f64) -> Vec<DVec3> {
+    let at = |s| {
+        let place = line.at(s);
+        let left = crate::geometry::unit(place.heading_rad).perp().extend(0.0);
+        place.position + left * t + DVec3::Z * PAINT_M
+    };
+    stations(piece).map(at).collect()
+}
+
 /// Paint along a line, `t` to its left.
 fn line(mesh: &mut MeshBuilder, line: &Polyline, (from, to): (f64, f64), t: f64, width: f64, paint: Material) {
-    if to - from < 0.02 {
+    if to - from < SHORTEST_M {
         return;
     }
-    let steps = ((to - from) / STEP_M).ceil().max(1.0) as usize;
-    let rails: Vec<[DVec3; 2]> = (0..=steps)
-        .map(|i| {
-            let place = line.at(from + (to - from) * i as f64 / steps as f64);
+    let rails: Vec<[DVec3; 2]> = stations((from, to))
+        .map(|s| {
+            let place = line.at(s);
             let left = crate::geometry::unit(place.heading_rad).perp().extend(0.0);
             let up = DVec3::Z * PAINT_M;
             [place.position + left * (t - width / 2.0) + up, place.position + left * (t + width / 2.0) + up]
@@ -106,33 +141,55 @@ fn line(mesh: &mut MeshBuilder, line: &Polyline, (from, to): (f64, f64), t: f64,
     }
 }
 
+/// A line that a map without paint gets.
+pub(crate) struct UsualLine {
+    /// To the left of the lane's centre line, metres.
+    pub(crate) t: f64,
+    /// Its pieces along the centre line, metres.
+    pub(crate) pieces: Vec<(f64, f64)>,
+    pub(crate) broken: bool,
+}
+
+pub(crate) const USUAL_M: f64 = 0.12;
+
 /// What nearly every road has, for files that say nothing of paint.
-fn usual_lines(mesh: &mut MeshBuilder, lane: &Lane, left_hand: bool) {
+pub(crate) fn usual_lines(lane: &Lane, left_hand: bool) -> Vec<UsualLine> {
     let (length, half) = (lane.centerline.length(), lane.width_m / 2.0);
     let inner = if left_hand { -1.0 } else { 1.0 };
     let (inwards, outwards) = if left_hand { (lane.right, lane.left) } else { (lane.left, lane.right) };
-    let mut s = 1.0;
+    let mut lines = Vec::new();
     if inwards.is_some() {
+        let mut pieces = Vec::new();
+        let mut s = 1.0;
         while s < length - 2.0 {
-            line(mesh, &lane.centerline, (s, (s + 3.0).min(length)), inner * half, 0.12, WHITE_PAINT);
+            pieces.push((s, (s + 3.0).min(length)));
             s += 9.0;
         }
+        lines.push(UsualLine { t: inner * half, pieces, broken: true });
     }
     if outwards.is_none() && lane.speed_limit_mps > 15.0 {
-        line(mesh, &lane.centerline, (0.0, length), -inner * (half - 0.1), 0.12, WHITE_PAINT);
+        lines.push(UsualLine { t: -inner * (half - 0.1), pieces: vec![(0.0, length)], broken: false });
+    }
+    lines
+}
+
+fn add_crossing(mesh: &mut MeshBuilder, crossing: &Crossing, pavement: &PavementIndex) {
+    for corners in bars(crossing, pavement) {
+        quad(mesh, corners, corners.map(|p| p.truncate().as_vec2()), WHITE_PAINT);
     }
 }
 
-/// Bars along the direction of travel, from kerb to kerb.
-fn add_crossing(mesh: &mut MeshBuilder, crossing: &Crossing, pavement: &PavementIndex) {
+/// The bars of a crossing along the direction of travel, from kerb to kerb: corners at its one side, at its other, and back
+/// half a metre further across.
+pub(crate) fn bars(crossing: &Crossing, pavement: &PavementIndex) -> Vec<[DVec3; 4]> {
     let [a, b] = crossing.ends;
     let across = (b - a).truncate();
     let length = across.length();
-    let Some(way) = across.try_normalize() else { return };
+    let Some(way) = across.try_normalize() else { return Vec::new() };
     let along = way.perp() * (crossing.width_m / 2.0);
     let bars = ((length - 0.4) / (2.0 * BAR_M)).floor().max(1.0) as usize;
     let margin = (length - (2 * bars - 1) as f64 * BAR_M) / 2.0;
-    for k in 0..bars {
+    let bar = |k: usize| {
         let t = margin + 2.0 * BAR_M * k as f64;
         let z = a.z + (b.z - a.z) * t / length;
         let place = |t: f64, side: f64| {
@@ -140,9 +197,9 @@ fn add_crossing(mesh: &mut MeshBuilder, crossing: &Crossing, pavement: &Pavement
             let z = pavement.height(p, z + 0.1).unwrap_or(z).max(z - 0.3);
             p.extend(z + PAINT_M + 0.001)
         };
-        let corners = [place(t, 1.0), place(t, -1.0), place(t + BAR_M, -1.0), place(t + BAR_M, 1.0)];
-        quad(mesh, corners, corners.map(|p| p.truncate().as_vec2()), WHITE_PAINT);
-    }
+        [place(t, 1.0), place(t, -1.0), place(t + BAR_M, -1.0), place(t + BAR_M, 1.0)]
+    };
+    (0..bars).map(bar).collect()
 }
 
 /// Whether a mark lies across a lane near its end.
@@ -159,10 +216,10 @@ fn is_stop_line_of(mark: &RoadMarking, lane: &Lane) -> bool {
     across && t.abs() < 6.0 && mark.width_m > 0.18
 }
 
-fn add_stop_line(mesh: &mut MeshBuilder, lane: &Lane) {
+fn stop_line(lane: &Lane) -> Option<[DVec3; 4]> {
     let length = lane.centerline.length();
     if length < 6.0 {
-        return;
+        return None;
     }
     let end = lane.centerline.at(length - 0.3);
     let forward = crate::geometry::unit(end.heading_rad);
@@ -172,6 +229,5 @@ fn add_stop_line(mesh: &mut MeshBuilder, lane: &Lane) {
         let p: DVec2 = half * side - forward * back;
         end.position + p.extend(-end.grade * back) + lift
     };
-    let corners = [at(STOP_M, -1.0), at(0.0, -1.0), at(0.0, 1.0), at(STOP_M, 1.0)];
-    quad(mesh, corners, [Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y], WHITE_PAINT);
+    Some([at(STOP_M, -1.0), at(0.0, -1.0), at(0.0, 1.0), at(STOP_M, 1.0)])
 }

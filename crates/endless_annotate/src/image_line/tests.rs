@@ -1,0 +1,127 @@
+use super::*;
+use endless_world::{CameraSite, Distortion, ImageSize, Mount, PinholeCamera};
+use proptest::prelude::*;
+
+const SIZE: ImageSize = ImageSize { width: 640, height: 360 };
+const FAR_M: f64 = 100.0;
+
+fn cameras() -> impl Strategy<Value = PinholeCamera> {
+    (-3.0..3.0f32, 0.1..1.2f32, 0.5..1.8f32, -0.22..0.0f32).prop_map(|(yaw_rad, down_tilt_rad, fov, k1)| {
+        let site = CameraSite {
+            name: "test".into(),
+            position: [3.0, -2.0, 6.5],
+            yaw_rad,
+            down_tilt_rad,
+            horizontal_fov_rad: fov,
+            mount: Mount::Pole,
+        };
+        PinholeCamera::new(&site, SIZE).with_distortion(Distortion::barrel(k1))
+    })
+}
+
+fn places() -> impl Strategy<Value = DVec3> {
+    (-80.0..80.0f64, -80.0..80.0f64, -1.0..3.0f64).prop_map(|(x, y, z)| DVec3::new(x, y, z))
+}
+
+fn distance_to_lines(p: DVec2, lines: &[ImageLine]) -> f64 {
+    let segments = lines.iter().flat_map(|line| line.image.windows(2));
+    let distance = |pair: &[[f64; 2]]| {
+        let (a, along) = (DVec2::from(pair[0]), DVec2::from(pair[1]) - DVec2::from(pair[0]));
+        let t = ((p - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
+        p.distance(a + along * t)
+    };
+    segments.map(distance).fold(f64::INFINITY, f64::min)
+}
+
+fn holds(outline: &[[f64; 2]], p: DVec2) -> bool {
+    let n = outline.len();
+    let crosses = |i: usize| {
+        let (a, b) = (DVec2::from(outline[i]), DVec2::from(outline[(i + 1) % n]));
+        (a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)
+    };
+    (0..n).filter(|&i| crosses(i)).count() % 2 == 1
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn a_line_shows_all_that_the_camera_sees_of_it_and_nothing_else(
+        camera in cameras(), points in prop::collection::vec(places(), 2..5),
+    ) {
+        let lens = LensProjection::new(&camera);
+        let lines = lens.line(&points, FAR_M);
+        for line in &lines {
+            prop_assert_eq!(line.world.len(), line.image.len());
+            for (world, image) in line.world.iter().zip(&line.image) {
+                let there = lens.to_camera(DVec3::from(*world));
+                prop_assert!(there.z <= FAR_M + 1e-3 && lens.shows(DVec2::from(*image)));
+                prop_assert!(lens.image(there).distance(DVec2::from(*image)) < 0.02);
+            }
+        }
+        for pair in points.windows(2) {
+            for k in 0..=200 {
+                let there = lens.to_camera(pair[0].lerp(pair[1], f64::from(k) / 200.0));
+                if there.z < 1.01 || there.z > FAR_M - 0.01 {
+                    continue;
+                }
+                let image = lens.image(there);
+                // What is as far outside as a border may bend is nobody's.
+                if lens.shows(image) {
+                    prop_assert!(distance_to_lines(image, &lines) < 0.25, "{image} is missing");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn an_area_shows_its_inside(camera in cameras(), middle in places(), half in (0.5..15.0f64, 0.5..15.0f64)) {
+        let corner = |x: f64, y: f64| middle + DVec3::new(x * half.0, y * half.1, 0.0);
+        let outline = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        let lens = LensProjection::new(&camera);
+        let area = lens.area(&outline, FAR_M);
+        for i in 0..20 {
+            for k in 0..20 {
+                let at = |i: i32| f64::from(i) / 9.5 - 1.0;
+                let there = lens.to_camera(corner(0.98 * at(i), 0.98 * at(k)));
+                let inner = DVec2::splat(1.0);
+                let image = if there.z > 1.01 { lens.image(there) } else { DVec2::splat(-1.0) };
+                if there.z > FAR_M - 0.01 || image.cmplt(inner).any() || image.cmpgt(lens.size - 1.0).any() {
+                    continue;
+                }
+                let edge = match &area {
+                    Some(area) if holds(&area.image, image) => continue,
+                    Some(area) => {
+                        let mut closed = area.image.clone();
+                        closed.push(area.image[0]);
+                        distance_to_lines(image, &[ImageLine { world: vec![], image: closed }])
+                    }
+                    None => 0.0,
+                };
+                prop_assert!(edge < 1.0, "{image} is missing");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_straight_line_through_a_pinhole_keeps_its_two_ends() {
+    let site = CameraSite {
+        name: "test".into(),
+        position: [0.0, 0.0, 6.0],
+        yaw_rad: 0.0,
+        down_tilt_rad: 0.3,
+        horizontal_fov_rad: 1.2,
+        mount: Mount::Pole,
+    };
+    let lens = LensProjection::new(&PinholeCamera::new(&site, SIZE));
+    let lines = lens.line(&[DVec3::new(20.0, 3.0, 0.0), DVec3::new(60.0, 3.0, 0.0)], FAR_M);
+    assert_eq!((lines.len(), lines[0].image.len()), (1, 2));
+    // From one side of the picture to the other, with both ends outside.
+    let across = lens.line(&[DVec3::new(20.0, 50.0, 0.0), DVec3::new(20.0, -50.0, 0.0)], FAR_M);
+    let ends = across[0].image.iter().map(|p| p[0]).collect::<Vec<_>>();
+    assert_eq!((across.len(), ends), (1, vec![0.0, 640.0]));
+    // Behind the camera, and beyond the farthest.
+    assert!(lens.line(&[DVec3::new(-9.0, 3.0, 0.0), DVec3::new(-60.0, 3.0, 0.0)], FAR_M).is_empty());
+    assert!(lens.line(&[DVec3::new(120.0, 3.0, 0.0), DVec3::new(160.0, 3.0, 0.0)], FAR_M).is_empty());
+}

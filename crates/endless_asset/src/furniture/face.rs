@@ -1,0 +1,168 @@
+//! What labels need to know of traffic lights and signs: where their heads, lenses and plates are in the object frame.
+
+use super::sign::FRONT;
+use crate::Prop;
+use endless_scene::{LensAspect, Mesh};
+use glam::Vec3;
+
+/// A head of a traffic light that faces +x.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SignalHead {
+    /// Least corner of its housing and back-plate.
+    pub low: Vec3,
+    /// Greatest corner.
+    pub high: Vec3,
+    /// Middles of its lenses.
+    pub lenses: Vec<(LensAspect, Vec3)>,
+    /// Radius of its lenses, metres.
+    pub lens_radius_m: f32,
+}
+
+/// What heads of one kind have in common, about their middle.
+struct HeadDesign {
+    low: Vec3,
+    high: Vec3,
+    /// Height of the lenses above the middle.
+    lenses: &'static [(LensAspect, f32)],
+    lens_radius_m: f32,
+}
+
+const VEHICLE: HeadDesign = HeadDesign {
+    low: Vec3::new(-0.17, -0.25, -0.54),
+    high: Vec3::new(0.0, 0.25, 0.54),
+    lenses: &[(LensAspect::Red, 0.27), (LensAspect::Yellow, 0.0), (LensAspect::Green, -0.27)],
+    lens_radius_m: 0.10,
+};
+const BICYCLE: HeadDesign = HeadDesign {
+    low: Vec3::new(-0.10, -0.075, -0.25),
+    high: Vec3::new(0.0, 0.075, 0.25),
+    lenses: &[(LensAspect::Red, 0.155), (LensAspect::Yellow, 0.0), (LensAspect::Green, -0.155)],
+    lens_radius_m: 0.055,
+};
+const PEDESTRIAN: HeadDesign = HeadDesign {
+    low: Vec3::new(-0.14, -0.13, -0.27),
+    high: Vec3::new(0.0, 0.13, 0.27),
+    lenses: &[(LensAspect::Red, 0.125), (LensAspect::Green, -0.125)],
+    lens_radius_m: 0.095,
+};
+
+impl HeadDesign {
+    fn at(&self, middle: Vec3) -> SignalHead {
+        let lens = |&(aspect, z): &(LensAspect, f32)| (aspect, middle + Vec3::new(0.002, 0.0, z));
+        SignalHead {
+            low: middle + self.low,
+            high: middle + self.high,
+            lenses: self.lenses.iter().map(lens).collect(),
+            lens_radius_m: self.lens_radius_m,
+        }
+    }
+}
+
+/// The heads of a prop; none of what is no traffic light.
+pub(crate) fn signal_heads(prop: Prop) -> Vec<SignalHead> {
+    let (design, middles): (_, &[Vec3]) = match prop {
+        Prop::SignalPole => (VEHICLE, &[Vec3::new(0.28, 0.0, 3.2)]),
+        Prop::SignalMast => {
+            (VEHICLE, &[Vec3::new(0.33, 0.0, 3.2), Vec3::new(0.24, -2.6, 5.80), Vec3::new(0.24, -5.2, 5.80)])
+        }
+        // Under the lower wire, which sags by 0.85 m.
+        Prop::SpanSignal => {
+            const Z: f32 = 7.4 - 0.85 * (1.0 - 1.9 * 1.9 / 49.0) - 0.72;
+            (VEHICLE, &[Vec3::new(0.10, -1.9, Z), Vec3::new(0.10, 1.9, Z)])
+        }
+        Prop::CycleSignal => (BICYCLE, &[Vec3::new(0.16, 0.0, 2.35)]),
+        Prop::WalkSignal => (PEDESTRIAN, &[Vec3::new(0.22, 0.0, 2.4)]),
+        _ => return Vec::new(),
+    };
+    middles.iter().map(|&middle| design.at(middle)).collect()
+}
+
+/// A traffic sign: the box of its plate, which faces +x, and what it says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SignPlate {
+    /// Least corner.
+    pub low: Vec3,
+    /// Greatest corner.
+    pub high: Vec3,
+    /// Its code: of the Vienna Convention of 1968 (`C,14`) or of the MUTCD (`R2-1`).
+    pub code: &'static str,
+    /// The limit of a speed sign, with its unit.
+    pub limit: Option<(u32, &'static str)>,
+    /// The words on it.
+    pub words: Option<&'static str>,
+}
+
+/// The plate of a sign whose mesh this is; `None` for what is no traffic sign.
+pub(crate) fn sign_plate(prop: Prop, variant: u32, mesh: &Mesh) -> Option<SignPlate> {
+    let code = match prop {
+        Prop::StopSign => "B,2",
+        Prop::YieldSign => "B,1",
+        Prop::SpeedSign => "C,14",
+        Prop::CrossingSign => "E,12",
+        Prop::TrafficSign => super::CODES[variant as usize % super::CODES.len()],
+        _ => return None,
+    };
+    let limit = match prop {
+        Prop::SpeedSign => Some(([50, 30, 40][variant as usize % 3], "km/h")),
+        _ => (code == "R2-1").then_some((25, "mph")),
+    };
+    let words = match code {
+        "B,2" => Some("STOP"),
+        "E,14" => Some("P"),
+        "R1-2" => Some("YIELD"),
+        "R2-1" => Some("SPEED LIMIT"),
+        "R5-1" => Some("DO NOT ENTER"),
+        "R6-1" => Some("ONE WAY"),
+        "R7-1" => Some("NO PARKING ANY TIME"),
+        "W20-1" => Some("ROAD WORK AHEAD"),
+        _ => None,
+    };
+    // The plate is all that lies before the post.
+    let front = mesh.positions.iter().filter(|p| p.x > FRONT - 0.001);
+    let (low, high) = front.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(*p), h.max(*p)));
+    low.is_finite().then_some(SignPlate { low, high, code, limit, words })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::furniture::{furniture, variants};
+    use endless_scene::Surface;
+
+    #[test]
+    fn heads_are_where_the_meshes_have_lenses() {
+        for &prop in Prop::ALL {
+            let mesh = furniture(prop, 0);
+            let heads = signal_heads(prop);
+            assert_eq!(heads.is_empty(), !prop.is_signal(), "{}", prop.name());
+            let mut seen = vec![0; heads.len()];
+            for (triangle, &material) in mesh.triangles.iter().zip(&mesh.triangle_materials) {
+                let Surface::SignalLens(aspect) = mesh.materials[usize::from(material)].surface else { continue };
+                let middle = triangle.iter().map(|&v| mesh.positions[v as usize]).sum::<Vec3>() / 3.0;
+                let here = |head: &SignalHead| {
+                    let near = |lens: &&(LensAspect, Vec3)| lens.1.distance(middle) < head.lens_radius_m + 0.03;
+                    head.lenses.iter().find(near).map(|lens| lens.0) == Some(aspect)
+                };
+                let head = heads.iter().position(here);
+                seen[head.unwrap_or_else(|| panic!("{}: a lens at {middle}", prop.name()))] += 1;
+            }
+            assert!(seen.iter().all(|&lenses| lenses > 0), "{}: a head without lenses", prop.name());
+            for head in &heads {
+                let (low, high) = mesh.bounds();
+                assert!(head.low.cmpge(low - 1e-4).all() && head.high.cmple(high + 1e-4).all(), "{}", prop.name());
+            }
+        }
+    }
+
+    #[test]
+    fn plates_are_flat_and_stand_above_heads() {
+        for prop in [Prop::StopSign, Prop::YieldSign, Prop::SpeedSign, Prop::CrossingSign, Prop::TrafficSign] {
+            for variant in 0..variants(prop) {
+                let plate = sign_plate(prop, variant, &furniture(prop, variant)).expect("a sign");
+                let size = plate.high - plate.low;
+                assert!(size.x < 0.06 && size.y > 0.25 && size.z > 0.25 && plate.low.z > 1.9, "{plate:?}");
+            }
+        }
+        assert_eq!(sign_plate(Prop::Bench, 0, &furniture(Prop::Bench, 0)), None);
+    }
+}

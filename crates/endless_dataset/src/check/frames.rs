@@ -1,0 +1,78 @@
+//! `frames.jsonl`: a line a frame, signals that count down to their changes, a sun that stands where its angles say.
+
+use super::report::Finding;
+use crate::{Recipe, VideoLayout, read_lines};
+use endless_annotate::{SceneFrame, SignalRecord, SunState};
+use endless_world::SceneSettings;
+use endless_world::math::f64::sin_cos;
+
+/// Times are written to the microsecond.
+const ROUNDING_S: f64 = 2e-6;
+/// No signal shows anything for a shorter time.
+const SHORTEST_PHASE_S: f64 = 0.5;
+
+/// What is wrong with a video's frames, where the simulator knew them.
+pub(super) fn check_frames(video: &VideoLayout, settings: &SceneSettings, recipe: &Recipe) -> Vec<Finding> {
+    let path = video.frames();
+    if !path.is_file() {
+        return Vec::new();
+    }
+    let lines: Vec<SceneFrame> = match read_lines(&path) {
+        Ok(lines) => lines,
+        Err(error) => return vec![error.into()],
+    };
+    let mut problems = Vec::new();
+    if lines.len() != recipe.frames() as usize {
+        problems.push(format!("has {} lines for {} frames", lines.len(), recipe.frames()));
+    }
+    for (line, frame) in lines.iter().zip(0..) {
+        if line.frame != frame || (line.time_s - f64::from(frame) / recipe.fps).abs() > 1e-6 {
+            problems.push(format!("line {} is of frame {} at {} s", frame + 1, line.frame, line.time_s));
+        }
+        if line.weather.name != settings.weather || line.light.time_of_day != settings.time_of_day {
+            problems.push(format!("frame {frame} has the weather of another scene"));
+        }
+        if !stands_so(&line.light.sun) {
+            problems.push(format!("frame {frame}: the sun does not stand where its angles say"));
+        }
+    }
+    problems.extend(lines.windows(2).filter_map(|pair| signal_problem(&pair[0], &pair[1])));
+    problems.into_iter().map(|problem| Finding::new(&path, problem)).collect()
+}
+
+fn stands_so(sun: &SunState) -> bool {
+    let ((sin_azimuth, cos_azimuth), (sin_altitude, cos_altitude)) =
+        (sin_cos(sun.azimuth_rad), sin_cos(sun.altitude_rad));
+    let direction = [cos_azimuth * cos_altitude, sin_azimuth * cos_altitude, sin_altitude];
+    let same = direction.iter().zip(sun.direction).all(|(a, b)| (a - b).abs() < 1e-5);
+    same && sun.up == (sun.altitude_rad > 0.0)
+}
+
+/// From a frame to the next, a signal counts down, or changes to what was announced.
+fn signal_problem(before: &SceneFrame, after: &SceneFrame) -> Option<String> {
+    if before.signals.len() != after.signals.len() {
+        return Some(format!("frame {}: has another number of signals than the one before", after.frame));
+    }
+    let passed_s = after.time_s - before.time_s;
+    let wrong = before.signals.iter().zip(&after.signals).find(|(b, a)| !follows(b, a, passed_s))?;
+    Some(format!("frame {}: signal {} does not follow from the frame before", after.frame, wrong.1.id.0))
+}
+
+fn follows(before: &SignalRecord, after: &SignalRecord, passed_s: f64) -> bool {
+    let same_group = before.id == after.id;
+    let (Some(remaining_s), Some(next)) = (before.remaining_s, before.next) else {
+        return same_group && before == after;
+    };
+    let left_s = remaining_s - passed_s;
+    let counts_down = after.aspect == before.aspect
+        && after.next == Some(next)
+        && after.remaining_s.is_some_and(|now| (now - left_s).abs() < ROUNDING_S);
+    // Where frames are far apart it may have changed more than once.
+    let changed = after.aspect == next || passed_s > SHORTEST_PHASE_S;
+    same_group
+        && match left_s {
+            left_s if left_s > ROUNDING_S => counts_down,
+            left_s if left_s < -ROUNDING_S => changed,
+            _ => counts_down || changed,
+        }
+}
