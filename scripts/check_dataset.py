@@ -5,13 +5,15 @@ where it is installed).
     python3 scripts/check_dataset.py OUT
 
 Recomputes every box from the instance images, decodes depth, projects 3D boxes by `camera.json`, decodes amodal masks,
-and checks counts, sizes and alignment.
+and checks counts, sizes and alignment. What belongs to
+the scene is checked in check_scene.py: maps are projected again, signals must count down to their changes.
 """
 
 import json
 import pathlib
 import sys
 
+import check_scene
 import numpy as np
 from PIL import Image
 
@@ -294,7 +296,7 @@ def main() -> None:
     frames = round(recipe["fps"] * recipe["duration"])
     tag_of_class = {c["name"]: c["tag"] for c in dataset["labels"]["classes"]}
     assert len(dataset["videos"]) == recipe["videos"], "number of videos"
-    compared, described = 0, 0
+    compared, described, places = 0, 0, 0
     looks: dict[str, list] = {}
     for video in dataset["videos"]:
         assert video["state"] == "complete", f"{video['name']} is not complete"
@@ -305,6 +307,7 @@ def main() -> None:
         cameras = sorted(p.name for p in folder.glob("camera_*"))
         assert cameras == [f"camera_{c}" for c in "abcdefgh"[: recipe["cameras_per_scene"]]], f"{folder}: cameras"
         assert len(video["cameras"]) == len(video["boxes"]) == len(cameras), f"{folder}: cameras in dataset.json"
+        places += check_scene.check_video(folder, recipe)
         for number, camera in enumerate(cameras):
             boxes = check_camera(folder / camera, recipe, frames, tag_of_class)
             if "instance" in recipe["layers"]:
@@ -326,7 +329,7 @@ def main() -> None:
             looks.setdefault(actor.get("reid", f"{folder} {actor['id']}"), []).append(look)
     print(f"{described} objects of {looks_agree(looks)} looks")
     check_with_coco(out, dataset["labels"], recipe)
-    print(f"all is well: {len(dataset['videos'])} videos, {compared} boxes recomputed")
+    print(f"all is well: {len(dataset['videos'])} videos, {compared} boxes recomputed, {places} places of maps projected")
 
 
 if __name__ == "__main__":

@@ -77,6 +77,9 @@ pub(crate) fn signal_heads(prop: Prop) -> Vec<SignalHead> {
     middles.iter().map(|&middle| design.at(middle)).collect()
 }
 
+/// Height below which posts may be as thick as plates lie before them, metres.
+const FOOT_M: f32 = 1.0;
+
 /// A traffic sign: the box of its plate, which faces +x, and what it says.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SignPlate {
@@ -117,8 +120,8 @@ pub(crate) fn sign_plate(prop: Prop, variant: u32, mesh: &Mesh) -> Option<SignPl
         "W20-1" => Some("ROAD WORK AHEAD"),
         _ => None,
     };
-    // The plate is all that lies before the post.
-    let front = mesh.positions.iter().filter(|p| p.x > FRONT - 0.001);
+    // The plate is all that lies before the post, above its foot.
+    let front = mesh.positions.iter().filter(|p| p.x > FRONT - 0.001 && p.z > FOOT_M);
     let (low, high) = front.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(*p), h.max(*p)));
     low.is_finite().then_some(SignPlate { low, high, code, limit, words })
 }

@@ -76,3 +76,41 @@ fn follows(before: &SignalRecord, after: &SignalRecord, passed_s: f64) -> bool {
             _ => counts_down || changed,
         }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_world::{SignalAspect, SignalId};
+
+    fn record(aspect: SignalAspect, remaining_s: f64, next: SignalAspect) -> SignalRecord {
+        SignalRecord::new(SignalId(3), aspect, Some((remaining_s, next)))
+    }
+
+    #[test]
+    fn a_signal_counts_down_and_changes_to_what_was_announced() {
+        use SignalAspect::{Green, Red, Yellow};
+        let before = record(Green, 0.15, Yellow);
+        assert!(follows(&before, &record(Green, 0.05, Yellow), 0.1));
+        assert!(follows(&before, &record(Yellow, 2.95, Red), 0.2));
+        for (wrong, passed_s) in [
+            (record(Green, 0.06, Yellow), 0.1),
+            (record(Green, 0.05, Red), 0.1),
+            (record(Yellow, 3.0, Red), 0.1),
+            (record(Red, 9.0, Green), 0.2),
+            (record(Green, 0.05, Yellow), 0.2),
+        ] {
+            assert!(!follows(&before, &wrong, passed_s), "{wrong:?} after {passed_s} s");
+        }
+        let never = SignalRecord::new(SignalId(3), Red, None);
+        assert!(follows(&never, &never, 0.1) && !follows(&never, &before, 0.1));
+        assert!(!follows(&before, &SignalRecord { id: SignalId(4), ..record(Green, 0.05, Yellow) }, 0.1));
+    }
+
+    #[test]
+    fn a_sun_stands_where_its_angles_say() {
+        let sun = SunState::new(1.0, 0.4, 1.0);
+        assert!(stands_so(&sun));
+        assert!(!stands_so(&SunState { azimuth_rad: 1.1, ..sun }));
+        assert!(!stands_so(&SunState { up: false, ..sun }));
+    }
+}

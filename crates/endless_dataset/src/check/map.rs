@@ -76,3 +76,66 @@ fn is_seen(body: &BodyView, lens: &PinholeCamera) -> bool {
     let inside = in_picture([x, y], lens.size) && w > 0.0 && h > 0.0;
     inside && (body.truncated || (at.cmpge(low).all() && at.cmple(high).all()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_annotate::{
+        FeatureBody, MapFeatures, MarkAttributes, MarkFeature, PaintColor, SignAttributes, SignFeature,
+    };
+    use endless_world::{CameraSite, Distortion, Mount};
+
+    fn lens() -> PinholeCamera {
+        let site = CameraSite {
+            name: "test".into(),
+            position: [0.0, 0.0, 6.0],
+            yaw_rad: 0.0,
+            down_tilt_rad: 0.3,
+            horizontal_fov_rad: 1.2,
+            mount: Mount::Pole,
+        };
+        PinholeCamera::new(&site, ImageSize { width: 640, height: 360 }).with_distortion(Distortion::barrel(-0.12))
+    }
+
+    fn map() -> CameraMap {
+        let attributes = MarkAttributes { id: 8, broken: false, color: PaintColor::White, width_m: 0.12 };
+        let line = vec![DVec3::new(-5.0, 2.0, 0.0), DVec3::new(70.0, 3.0, 0.1)];
+        let corner = |i: usize| DVec3::new(20.0 + 0.1 * (i & 1) as f64, (i >> 1 & 1) as f64, 2.0 + (i >> 2 & 1) as f64);
+        let body = FeatureBody {
+            corners: std::array::from_fn(corner),
+            center: DVec3::new(20.0, 0.5, 2.5),
+            facing: DVec3::NEG_X,
+        };
+        let sign = SignAttributes {
+            id: 2,
+            code: "C,14".into(),
+            convention: "vienna".into(),
+            value: Some(50),
+            unit: Some("km/h".into()),
+            text: None,
+        };
+        let features = MapFeatures {
+            marks: vec![MarkFeature { attributes, pieces: vec![line] }],
+            signs: vec![SignFeature { attributes: sign, body }],
+            ..MapFeatures::default()
+        };
+        CameraMap::new(&features, &lens())
+    }
+
+    #[test]
+    fn what_lies_elsewhere_is_found() {
+        assert_eq!(problem(&map(), &lens()), None);
+        let spoil = |spoil: &dyn Fn(&mut CameraMap)| {
+            let mut spoilt = map();
+            spoil(&mut spoilt);
+            problem(&spoilt, &lens())
+        };
+        let mark = Some("mark 8 does not lie where the camera shows it".to_owned());
+        assert_eq!(spoil(&|map| map.marks[0].pieces[0].image[1][0] += 0.3), mark);
+        assert_eq!(spoil(&|map| map.marks[0].pieces[0].world[0][1] += 0.1), mark);
+        assert_eq!(spoil(&|map| drop(map.marks[0].pieces[0].image.pop())), mark);
+        let sign = Some("sign 2 does not lie where the camera shows it".to_owned());
+        assert_eq!(spoil(&|map| map.signs[0].body.bbox[0] += 80.0), sign);
+        assert_eq!(map().signs.iter().map(|sign| sign.body.front_seen).collect::<Vec<_>>(), [true]);
+    }
+}

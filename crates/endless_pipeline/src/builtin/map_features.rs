@@ -179,3 +179,6 @@ fn body([low, high]: [Vec3; 2], placement: &Placement) -> FeatureBody {
         facing: facing.normalize_or(DVec3::X),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -57,6 +57,7 @@ fn camera_digests(table: &mut String, title: &str, camera: &CameraLayout) {
     }
     line("objects.jsonl", digest([camera.objects().as_path()]));
     line("camera.json", digest([camera.camera().as_path()]));
+    line("map.json", digest([camera.map().as_path()]));
 }
 
 #[test]
@@ -72,7 +73,9 @@ fn golden_digests_of_every_layer_and_label_file() {
         for (camera, name) in ["camera_a", "camera_b"].into_iter().enumerate() {
             camera_digests(&mut table, &format!("{} {name}", scene.join(" ")), &video.camera(camera));
         }
-        for (name, path) in [("scene.json", video.scene()), ("actors.json", video.actors())] {
+        for (name, path) in
+            [("scene.json", video.scene()), ("actors.json", video.actors()), ("frames.jsonl", video.frames())]
+        {
             writeln!(table, "{} {name} {}", scene.join(" "), digest([path.as_path()])).expect("memory");
         }
     }
