@@ -151,8 +151,7 @@ fn labelled_paint_is_where_the_picture_shows_it() {
     println!("{crossings} crossings: {unpainted} without their bars");
     assert!(places > 1000 && crossings > 3, "{places} places, {crossings} crossings");
     assert_eq!(off, 0, "{worst:.2} pixels");
-    // At the northern corner of Town03 the road bulges over the bars of one crossing.
-    assert!(unpainted <= 1, "{unpainted} of {crossings} crossings are not painted");
+    assert_eq!(unpainted, 0, "of {crossings} crossings");
 }
 
 #[test]
