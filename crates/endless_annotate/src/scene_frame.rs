@@ -1,5 +1,6 @@
 //! The scene at one instant, whatever the cameras see of it: weather, light, signals, numbers of objects.
 
+use crate::Happenings;
 use crate::rounding::{millionths, ten_thousandths_f64};
 use endless_world::{Condition, ObjectClass, SignalAspect, SignalId, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
@@ -25,6 +26,9 @@ pub struct SceneFrame {
     pub signals: Vec<SignalRecord>,
     /// Numbers of objects in the whole scene by class, seen or not, parked ones included.
     pub counts: BTreeMap<ObjectClass, u32>,
+    /// What happens.
+    #[serde(default, flatten)]
+    pub happenings: Happenings,
 }
 
 /// The weather; percentages are those of CARLA's `WeatherParameters`.

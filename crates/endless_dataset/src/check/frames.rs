@@ -2,7 +2,7 @@
 
 use super::report::Finding;
 use crate::{Recipe, VideoLayout, read_lines};
-use endless_annotate::{SceneFrame, SignalRecord, SunState};
+use endless_annotate::{ClassCounts, LineCounts, SceneFrame, SignalRecord, SunState};
 use endless_world::SceneSettings;
 use endless_world::math::f64::sin_cos;
 
@@ -37,6 +37,13 @@ pub(super) fn check_frames(video: &VideoLayout, settings: &SceneSettings, recipe
         }
     }
     problems.extend(lines.windows(2).filter_map(|pair| signal_problem(&pair[0], &pair[1])));
+    problems.extend(lines.windows(2).filter_map(|pair| counting_problem(&pair[0], &pair[1])));
+    let named = |line: &SceneFrame| line.happenings.counting_lines.iter().map(|l| l.name.clone()).collect::<Vec<_>>();
+    let asked: Vec<_> =
+        recipe.counting_lines.iter().filter(|l| l.map == settings.map).map(|l| l.name.clone()).collect();
+    if let Some(line) = lines.iter().find(|line| named(line) != asked) {
+        problems.push(format!("frame {}: does not count at the lines of the recipe", line.frame));
+    }
     problems.into_iter().map(|problem| Finding::new(&path, problem)).collect()
 }
 
@@ -56,6 +63,17 @@ fn signal_problem(before: &SceneFrame, after: &SceneFrame) -> Option<String> {
     let passed_s = after.time_s - before.time_s;
     let wrong = before.signals.iter().zip(&after.signals).find(|(b, a)| !follows(b, a, passed_s))?;
     Some(format!("frame {}: signal {} does not follow from the frame before", after.frame, wrong.1.id.0))
+}
+
+/// Counts never fall.
+fn counting_problem(before: &SceneFrame, after: &SceneFrame) -> Option<String> {
+    let less = |before: &ClassCounts, after: &ClassCounts| {
+        before.iter().any(|(class, count)| after.get(class).copied().unwrap_or(0) < *count)
+    };
+    let lines = before.happenings.counting_lines.iter().zip(&after.happenings.counting_lines);
+    let fell = |(b, a): &(&LineCounts, &LineCounts)| less(&b.to_left, &a.to_left) || less(&b.to_right, &a.to_right);
+    let (line, _) = lines.into_iter().find(fell)?;
+    Some(format!("frame {}: fewer have passed {} than in the frame before", after.frame, line.name))
 }
 
 fn follows(before: &SignalRecord, after: &SignalRecord, passed_s: f64) -> bool {

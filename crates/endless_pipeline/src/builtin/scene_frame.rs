@@ -1,6 +1,6 @@
 //! The line of `frames.jsonl` of the built-in city.
 
-use endless_annotate::{LightState, SceneFrame, SignalRecord, SunState, WeatherState, count_by_class};
+use endless_annotate::{Happenings, LightState, SceneFrame, SignalRecord, SunState, WeatherState, count_by_class};
 use endless_render::SceneWeather;
 use endless_road::RoadNetwork;
 use endless_traffic::{SignalCountdown, signal_countdowns};
@@ -31,6 +31,8 @@ pub(super) fn scene_frame(
         },
         signals: signals(network, state),
         counts: count_by_class(state.actors.iter().chain(parked).map(|actor| actor.class).chain(riders)),
+        // Whoever sees all frames in their order tells of it.
+        happenings: Happenings::default(),
     }
 }
 

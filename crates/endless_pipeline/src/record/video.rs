@@ -9,7 +9,7 @@ use super::{
     times::Stage,
 };
 use crate::{GenerateError, ProgressEvent, SimulationSession, Simulator, SimulatorError};
-use endless_annotate::{CameraMap, MapFeatures};
+use endless_annotate::{CameraMap, MapFeatures, SceneFrame, SceneObserver};
 use endless_dataset::{
     CameraRecord, DatasetError, SceneRecord, SpawnCounts, remove_temporaries, write_actors, write_json,
     write_json_durable, write_json_line,
@@ -28,7 +28,7 @@ pub(crate) fn record_video<S: Simulator>(
     map: &S::Map,
     recording: &Recording<'_>,
 ) -> Result<SceneRecord, GenerateError> {
-    let Recording { settings, layout, clock, .. } = *recording;
+    let Recording { settings, recipe, layout, clock, .. } = *recording;
     let capabilities = simulator.capabilities();
     if !capabilities.repeatable {
         remove_stored(recording)?;
@@ -52,10 +52,13 @@ pub(crate) fn record_video<S: Simulator>(
     let sinks = (0..settings.cameras.len())
         .map(|camera| CameraSink::create(recording, camera).map(Mutex::new))
         .collect::<Result<Vec<_>, _>>()?;
+    let lines = recipe.counting_lines.iter().filter(|line| line.map == settings.map).cloned().collect();
+    let observer = Mutex::new(SceneObserver::new(session.road_facts(), lines));
     let window = 2 * recording.pool.current_num_threads() as u32 + 2;
     let scheduler = FrameScheduler::new(session, sinks.len(), settings.frames, window);
     let work = VideoWorkers {
         scheduler: &scheduler,
+        observer: &observer,
         sinks: &sinks,
         maker: FrameRecorder::new(recording, &stored),
         random_access: capabilities.random_access,
@@ -125,6 +128,8 @@ fn report_fewer(recording: &Recording<'_>, spawned: &SpawnCounts) {
 /// The state that all workers of a video share.
 struct VideoWorkers<'a, 'm> {
     scheduler: &'a FrameScheduler<BoxedSession<'m>, SinkItem>,
+    /// It sees the frames in their order: whoever has the session has it.
+    observer: &'a Mutex<SceneObserver>,
     sinks: &'a [Mutex<CameraSink>],
     maker: FrameRecorder<'a>,
     random_access: bool,
@@ -153,6 +158,8 @@ impl<'m> VideoWorkers<'_, 'm> {
         if step.state.frame != frame {
             return Err(SimulatorError::FramesDropped { expected: frame, got: step.state.frame }.into());
         }
+        let happenings = clock
+            .time(Stage::Traffic, || self.observer.lock().unwrap_or_else(PoisonError::into_inner).observe(&step.state));
         let taken = if self.random_access {
             self.scheduler.return_session(session);
             self.maker.take(step)?
@@ -164,7 +171,7 @@ impl<'m> VideoWorkers<'_, 'm> {
         let resumed = taken.is_stored();
         let mut items = self.maker.finish(&taken)?;
         if let Some(first) = items.first_mut() {
-            first.scene = taken.into_scene_frame();
+            first.scene = taken.into_scene_frame().map(|scene| SceneFrame { happenings, ..scene });
         }
         self.scheduler.deliver(frame, items);
         progress.event(&ProgressEvent::Frame { cameras: self.sinks.len() as u32, resumed });
