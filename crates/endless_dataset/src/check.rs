@@ -1,6 +1,7 @@
 //! Checks a dataset: reads every file and lists all errors.
 
 mod actors;
+mod agreement;
 mod camera;
 mod frames;
 mod map;

@@ -1,4 +1,4 @@
-//! The pixel encodings of the contract: CARLA's.
+//! The pixel encodings of the contract: CARLA's, and COCO's of panoptic images.
 
 use endless_world::{ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel};
 
@@ -55,6 +55,45 @@ pub fn instance_from_rgb(encoded: &Image<[u8; 3]>) -> Result<Image<InstancePixel
     Ok(Image { size: encoded.size, data })
 }
 
+/// R = tag, G = B = 0.
+pub(crate) fn semantic_from_instance(instance: &Image<InstancePixel>) -> Image<[u8; 3]> {
+    Image { size: instance.size, data: instance.data.iter().map(|p| [p.tag.value(), 0, 0]).collect() }
+}
+
+/// Tags of a semantic image.
+///
+/// # Errors
+/// What is wrong with it.
+pub(crate) fn tags_from_semantic(encoded: &Image<[u8; 3]>) -> Result<Image<ClassTag>, String> {
+    let tag = |&[r, g, b]: &[u8; 3]| match (ClassTag::from_value(r), [g, b]) {
+        (Some(tag), [0, 0]) => Ok(tag),
+        (None, _) => Err(format!("has the tag {r}: they end at 28")),
+        _ => Err(format!("has green {g} and blue {b}: they are 0")),
+    };
+    Ok(Image { size: encoded.size, data: encoded.data.iter().map(tag).collect::<Result<_, _>>()? })
+}
+
+/// Segment = R + 256 G + 65536 B = id + 65536 × tag.
+pub(crate) fn panoptic_from_instance(instance: &Image<InstancePixel>) -> Image<[u8; 3]> {
+    let encode = |p: &InstancePixel| {
+        let [low, high] = p.id.0.to_le_bytes();
+        [low, high, p.tag.value()]
+    };
+    Image { size: instance.size, data: instance.data.iter().map(encode).collect() }
+}
+
+/// Tags and ids of a panoptic image.
+///
+/// # Errors
+/// The blue value that no tag has.
+pub(crate) fn instance_from_panoptic(encoded: &Image<[u8; 3]>) -> Result<Image<InstancePixel>, u8> {
+    let decode = |&[r, g, b]: &[u8; 3]| {
+        let tag = ClassTag::from_value(b).ok_or(b)?;
+        Ok(InstancePixel { tag, id: InstanceId(u16::from_le_bytes([r, g])) })
+    };
+    Ok(Image { size: encoded.size, data: encoded.data.iter().map(decode).collect::<Result<_, u8>>()? })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -97,6 +136,10 @@ mod tests {
         fn instance_round_trip(id: u16, tag in 0usize..29) {
             let pixel = InstancePixel { tag: ClassTag::ALL[tag], id: InstanceId(id) };
             let image = Image { size: ONE, data: vec![pixel] };
+            prop_assert_eq!(tags_from_semantic(&semantic_from_instance(&image)).expect("tags").data, vec![pixel.tag]);
+            let [r, g, b] = panoptic_from_instance(&image).data[0].map(u32::from);
+            prop_assert_eq!(r + 256 * g + 65_536 * b, u32::from(id) + 65_536 * tag as u32);
+            prop_assert_eq!(instance_from_panoptic(&panoptic_from_instance(&image)), Ok(image.clone()));
             prop_assert_eq!(instance_from_rgb(&rgb_from_instance(&image)), Ok(image));
         }
     }

@@ -3,10 +3,13 @@
 
 use crate::{
     RgbFormat, StoredImage,
-    encoding::{depth_from_rgb, instance_from_rgb, rgb_from_depth, rgb_from_instance},
-    preview::{depth_preview, instance_preview},
+    encoding::{
+        depth_from_rgb, instance_from_panoptic, instance_from_rgb, panoptic_from_instance, rgb_from_depth,
+        rgb_from_instance, semantic_from_instance, tags_from_semantic,
+    },
+    preview::{depth_preview, instance_preview, semantic_preview},
 };
-use endless_world::{CameraLookChoice, SensorFrame, UnknownName};
+use endless_world::{CameraLookChoice, Image, SensorFrame, UnknownName};
 use std::borrow::Cow;
 use strum::VariantArray as _;
 
@@ -22,6 +25,10 @@ pub enum Layer {
     Depth,
     /// Class tag and instance id.
     Instance,
+    /// Class tag alone.
+    Semantic,
+    /// Segments of objects and of stuff, COCO's encoding.
+    Panoptic,
 }
 
 /// All that is to be known of a layer.
@@ -32,11 +39,11 @@ pub struct LayerEntry {
     /// Whether it may be stored with loss, in the recipe's RGB format. What is not is always PNG.
     pub lossy: bool,
     /// The image of a frame that is stored.
-    pub encode: fn(&SensorFrame) -> Cow<'_, StoredImage>,
+    pub encode: fn(&SensorFrame) -> StoredImage<'_>,
     /// The frame of the layer's video for a stored image, or what is wrong with the image.
-    pub preview: fn(&StoredImage) -> Result<Cow<'_, StoredImage>, String>,
+    pub preview: for<'a> fn(&'a StoredImage<'_>) -> Result<Cow<'a, Image<[u8; 3]>>, String>,
     /// What is wrong with a stored image by itself.
-    pub check: fn(&StoredImage) -> Result<(), String>,
+    pub check: fn(&StoredImage<'_>) -> Result<(), String>,
     /// Bytes a pixel of its files, a tenth above the dearest scene measured.
     pub bytes_a_pixel: fn(RgbFormat, CameraLookChoice) -> f64,
 }
@@ -44,6 +51,8 @@ pub struct LayerEntry {
 impl Layer {
     /// All of them.
     pub const ALL: &[Self] = Self::VARIANTS;
+    /// Those that are stored where nothing else is asked for.
+    pub const DEFAULT: &[Self] = &[Self::Rgb, Self::Depth, Self::Instance];
 
     /// The word used on the command line and in files.
     pub fn name(self) -> &'static str {
@@ -60,6 +69,8 @@ impl Layer {
             Self::Rgb => &RGB,
             Self::Depth => &DEPTH,
             Self::Instance => &INSTANCE,
+            Self::Semantic => &SEMANTIC,
+            Self::Panoptic => &PANOPTIC,
         }
     }
 
@@ -76,18 +87,18 @@ impl Layer {
 const RGB: LayerEntry = LayerEntry {
     summary: "what the camera sees, sRGB",
     lossy: true,
-    encode: |frame| Cow::Borrowed(&frame.rgb),
-    preview: |stored| Ok(Cow::Borrowed(stored)),
-    check: |_any| Ok(()),
+    encode: |frame| (&frame.rgb).into(),
+    preview: |stored| Ok(Cow::Borrowed(stored.rgb8()?)),
+    check: |stored| stored.rgb8().map(drop),
     bytes_a_pixel: |format, look| (format.entry().rgb_bytes_a_pixel)(look),
 };
 
 const DEPTH: LayerEntry = LayerEntry {
     summary: "`metres = 1000 × (R + 256 G + 65536 B) / (256³ − 1)` along the optical axis; the sky has the largest value",
     lossy: false,
-    encode: |frame| Cow::Owned(rgb_from_depth(&frame.depth)),
-    preview: |stored| Ok(Cow::Owned(depth_preview(&depth_from_rgb(stored)))),
-    check: |_any| Ok(()),
+    encode: |frame| rgb_from_depth(&frame.depth).into(),
+    preview: |stored| Ok(Cow::Owned(depth_preview(&depth_from_rgb(stored.rgb8()?)))),
+    check: |stored| stored.rgb8().map(drop),
     bytes_a_pixel: |_format, _look| 1.1,
 };
 
@@ -95,13 +106,32 @@ const INSTANCE: LayerEntry = LayerEntry {
     summary: "R = class tag (CARLA's 29), object id = G + 256 B; ids are unique within a video, the same in all its cameras \
               and frames, 0 for stuff",
     lossy: false,
-    encode: |frame| Cow::Owned(rgb_from_instance(&frame.instance)),
-    preview: |stored| Ok(Cow::Owned(instance_preview(&instance_from_rgb(stored).map_err(no_tag)?))),
-    check: |stored| instance_from_rgb(stored).map(drop).map_err(no_tag),
+    encode: |frame| rgb_from_instance(&frame.instance).into(),
+    preview: |stored| Ok(Cow::Owned(instance_preview(&instance_from_rgb(stored.rgb8()?).map_err(no_tag)?))),
+    check: |stored| instance_from_rgb(stored.rgb8()?).map(drop).map_err(no_tag),
     bytes_a_pixel: |_format, _look| 0.06,
 };
 
-/// The error of an instance image that has this value as a class tag.
+const SEMANTIC: LayerEntry = LayerEntry {
+    summary: "R = class tag (CARLA's 29), G = B = 0 (docs/layers/semantic.md)",
+    lossy: false,
+    encode: |frame| semantic_from_instance(&frame.instance).into(),
+    preview: |stored| Ok(Cow::Owned(semantic_preview(&tags_from_semantic(stored.rgb8()?)?))),
+    check: |stored| tags_from_semantic(stored.rgb8()?).map(drop),
+    bytes_a_pixel: |_format, _look| 0.05,
+};
+
+const PANOPTIC: LayerEntry = LayerEntry {
+    summary: "COCO's panoptic PNG: segment = R + 256 G + 65536 B = object id + 65536 × class tag, object id 0 for stuff \
+              (docs/layers/panoptic.md)",
+    lossy: false,
+    encode: |frame| panoptic_from_instance(&frame.instance).into(),
+    preview: |stored| Ok(Cow::Owned(instance_preview(&instance_from_panoptic(stored.rgb8()?).map_err(no_tag)?))),
+    check: |stored| instance_from_panoptic(stored.rgb8()?).map(drop).map_err(no_tag),
+    bytes_a_pixel: |_format, _look| 0.06,
+};
+
+/// The error of an image that has this value as a class tag.
 fn no_tag(value: u8) -> String {
     format!("has the tag {value}: they end at 28")
 }
@@ -109,6 +139,7 @@ fn no_tag(value: u8) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::LastPng;
     use endless_world::{ClassTag, Image, ImageSize, InstanceId, InstancePixel};
 
     /// Whatever is stored passes its own check and can be shown.
@@ -126,12 +157,21 @@ mod tests {
             let stored = (entry.encode)(&frame);
             assert_eq!((entry.check)(&stored), Ok(()), "{layer}");
             assert_eq!((entry.preview)(&stored).expect("shown").size, size, "{layer}");
+            let last = LastPng::default();
+            let bytes = (RgbFormat::Png.entry().encode)(&stored, &last).expect("a PNG");
+            assert_eq!((RgbFormat::Png.entry().decode)(&bytes), Ok(stored), "{layer}");
             let bytes = (entry.bytes_a_pixel)(RgbFormat::Png, CameraLookChoice::Natural);
             assert!((0.01..=3.1).contains(&bytes), "{layer}: {bytes}");
             assert_eq!(entry.lossy, layer.format(RgbFormat::Jpg) == RgbFormat::Jpg, "{layer}");
         }
-        let no_tag = Image::filled(size, [29, 0, 0]);
-        assert!((Layer::Instance.entry().check)(&no_tag).is_err_and(|reason| reason.contains("29")));
-        assert!((Layer::Instance.entry().preview)(&no_tag).is_err());
+        for (layer, pixel) in
+            [(Layer::Instance, [29u8, 0, 0]), (Layer::Semantic, [29, 0, 0]), (Layer::Panoptic, [0, 0, 29])]
+        {
+            let no_tag = Image::filled(size, pixel).into();
+            assert!((layer.entry().check)(&no_tag).is_err_and(|reason| reason.contains("29")));
+            assert!((layer.entry().preview)(&no_tag).is_err());
+        }
+        let with_id = Image::filled(size, [1u8, 2, 0]).into();
+        assert!((Layer::Semantic.entry().check)(&with_id).is_err_and(|reason| reason.contains("green")));
     }
 }

@@ -17,7 +17,7 @@
 //! write_atomic(&path, &encode_png(&rgb_from_depth(&depth_m)))?;
 //! // Depth is exact, so it is PNG also where the recipe wants JPEG.
 //! let stored = read_rgb(&path, Layer::Depth.format(RgbFormat::Jpg))?;
-//! assert!((depth_from_rgb(&stored).data[0] - 12.5).abs() < 1e-4);
+//! assert!((depth_from_rgb(stored.rgb8()?).data[0] - 12.5).abs() < 1e-4);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -1,4 +1,4 @@
-//! Depth and instance layers as pictures for people, for their videos.
+//! Layers as pictures for people, for their videos.
 
 use endless_world::{ClassTag, FAR_PLANE_M, Image, InstancePixel, Stream, math};
 
@@ -26,6 +26,11 @@ pub fn instance_preview(instance: &Image<InstancePixel>) -> Image<[u8; 3]> {
         })
         .collect();
     Image { size: instance.size, data }
+}
+
+/// Every class in its colour of CARLA's palette.
+pub(crate) fn semantic_preview(tags: &Image<ClassTag>) -> Image<[u8; 3]> {
+    Image { size: tags.size, data: tags.data.iter().map(|tag| tag.color()).collect() }
 }
 
 fn stuff_color(tag: ClassTag) -> [u8; 3] {

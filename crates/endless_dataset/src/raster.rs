@@ -1,6 +1,9 @@
 //! PNG and JPEG of RGB images.
 
-use crate::png_encoder::{self, LastPng};
+use crate::{
+    png_encoder::{self, LastPng},
+    stored_image::StoredImage,
+};
 use endless_world::{Image, ImageSize};
 
 /// JPEG quality: hardly visible loss at about 0.35 bytes a pixel.
@@ -8,7 +11,7 @@ const JPG_QUALITY: u8 = 92;
 
 /// An 8-bit RGB PNG, made fast.
 pub fn encode_png(image: &Image<[u8; 3]>) -> Vec<u8> {
-    png_encoder::encode(image, &LastPng::default())
+    png_encoder::encode(&image.into(), &LastPng::default())
 }
 
 /// A baseline JPEG.
@@ -32,25 +35,34 @@ pub fn encode_jpg(image: &Image<[u8; 3]>) -> Result<Vec<u8>, String> {
 /// Longest side of an image that is read: what a damaged header asks for is not allocated.
 const LONGEST_SIDE: u32 = 1 << 14;
 
-/// Pixels of an 8-bit RGB PNG.
+/// Pixels of an RGB PNG of 8 or 16 bits a channel.
 ///
 /// # Errors
 /// What is wrong with it.
-pub(crate) fn decode_png(bytes: &[u8]) -> Result<Image<[u8; 3]>, String> {
+pub(crate) fn decode_png(bytes: &[u8]) -> Result<StoredImage<'static>, String> {
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().map_err(|e| e.to_string())?;
     let info = reader.info();
-    if (info.color_type, info.bit_depth) != (png::ColorType::Rgb, png::BitDepth::Eight) {
-        return Err(format!("{:?} {:?} instead of 8-bit RGB", info.color_type, info.bit_depth));
+    let depth = info.bit_depth;
+    if info.color_type != png::ColorType::Rgb || !matches!(depth, png::BitDepth::Eight | png::BitDepth::Sixteen) {
+        return Err(format!("{:?} {depth:?} instead of 8-bit or 16-bit RGB", info.color_type));
     }
     if info.width.max(info.height) > LONGEST_SIDE {
         return Err(format!("{}x{} pixels: at most {LONGEST_SIDE} a side", info.width, info.height));
     }
     let size = ImageSize { width: info.width, height: info.height };
-    let mut data = vec![[0u8; 3]; size.pixels()];
-    reader.next_frame(data.as_flattened_mut()).map_err(|e| e.to_string())?;
+    let pixel_bytes = if depth == png::BitDepth::Eight { 3 } else { 6 };
+    let mut bytes = vec![0u8; size.pixels() * pixel_bytes];
+    reader.next_frame(&mut bytes).map_err(|e| e.to_string())?;
     // Reads the checksum of the data and the end mark, so that a cut file is noticed.
     reader.finish().map_err(|e| e.to_string())?;
-    Ok(Image { size, data })
+    Ok(match depth {
+        png::BitDepth::Eight => Image { size, data: bytes.as_chunks::<3>().0.to_vec() }.into(),
+        _ => {
+            let value = |&[high, low]: &[u8; 2]| u16::from_be_bytes([high, low]);
+            let pixel = |bytes: &[u8; 6]| std::array::from_fn(|c| value(&bytes.as_chunks::<2>().0[c]));
+            Image { size, data: bytes.as_chunks::<6>().0.iter().map(pixel).collect::<Vec<[u16; 3]>>() }.into()
+        }
+    })
 }
 
 /// Pixels of an RGB JPEG.
@@ -99,7 +111,7 @@ mod tests {
     fn png_round_trip_at_odd_sizes() {
         for (w, h) in [(1, 1), (3, 2), (17, 31), (641, 363)] {
             let image = noise(w, h);
-            assert_eq!(decode_png(&encode_png(&image)), Ok(image));
+            assert_eq!(decode_png(&encode_png(&image)), Ok(image.into()));
         }
     }
 

@@ -43,9 +43,9 @@ pub struct RgbFormatEntry {
     pub exact: bool,
     /// The bytes of a file, or why the image cannot be stored so. They do not depend on the camera's last image, but what is
     /// as it was there takes no time.
-    pub encode: fn(&StoredImage, &LastPng) -> Result<Vec<u8>, String>,
+    pub encode: fn(&StoredImage<'_>, &LastPng) -> Result<Vec<u8>, String>,
     /// The image of a file, or what is wrong with its bytes.
-    pub decode: fn(&[u8]) -> Result<StoredImage, String>,
+    pub decode: fn(&[u8]) -> Result<StoredImage<'static>, String>,
     /// Bytes a pixel of the RGB layer, a tenth above the dearest scene measured.
     pub rgb_bytes_a_pixel: fn(CameraLookChoice) -> f64,
 }
@@ -75,8 +75,8 @@ const PNG: RgbFormatEntry = RgbFormatEntry {
 
 const JPG: RgbFormatEntry = RgbFormatEntry {
     exact: false,
-    encode: |image, _| encode_jpg(image),
-    decode: decode_jpg,
+    encode: |image, _| encode_jpg(image.rgb8()?),
+    decode: |bytes| Ok(decode_jpg(bytes)?.into()),
     rgb_bytes_a_pixel: |look| match look {
         CameraLookChoice::Clean => 0.35,
         _ => 0.9,
@@ -87,7 +87,7 @@ const JPG: RgbFormatEntry = RgbFormatEntry {
 ///
 /// # Errors
 /// When it cannot be read or decoded.
-pub fn read_rgb(path: &Path, format: RgbFormat) -> Result<StoredImage, DatasetError> {
+pub fn read_rgb(path: &Path, format: RgbFormat) -> Result<StoredImage<'static>, DatasetError> {
     let bytes = fs::read(path).map_err(|e| DatasetError::io("cannot read", path, e))?;
     (format.entry().decode)(&bytes)
         .map_err(|reason| DatasetError::malformed(path, format!("does not decode ({reason})")))

@@ -124,7 +124,7 @@ mod tests {
         assert_eq!((recipe.videos, recipe.cameras_per_scene, recipe.vehicles, recipe.pedestrians), (2, 2, 30, 20));
         assert_eq!((recipe.size.to_string().as_str(), recipe.fps, recipe.duration), ("1280x720", 30.0, 5.0));
         assert_eq!((recipe.frames(), recipe.seed, recipe.min_pixels), (150, 0, 50));
-        assert_eq!(recipe.layers, Layer::ALL);
+        assert_eq!(recipe.layers, Layer::DEFAULT);
         assert_eq!((recipe.rgb_format, recipe.mp4.as_slice()), (RgbFormat::Png, &[Layer::Rgb][..]));
         assert_eq!(recipe.maps.len(), 3);
     }

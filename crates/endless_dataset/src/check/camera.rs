@@ -1,6 +1,7 @@
 //! One camera of a video: every file decodes, sizes, counts, alignment, boxes.
 
 use super::{
+    agreement::disagreements,
     map::check_map,
     objects::LabelledFrame,
     progress::CheckProgress,
@@ -112,7 +113,7 @@ fn check_frame(
 ) -> CheckReport {
     let mut report = CheckReport::default();
     // The layers that decode.
-    let mut stored: BTreeMap<Layer, StoredImage> = BTreeMap::new();
+    let mut stored: BTreeMap<Layer, StoredImage<'_>> = BTreeMap::new();
     for &layer in &recipe.layers {
         match read_layer(layout, layer, frame, recipe) {
             Ok(image) => {
@@ -122,11 +123,18 @@ fn check_frame(
             Err(error) => report.findings.push(error.into()),
         }
     }
-    let depth = stored.get(&Layer::Depth).map(depth_from_rgb);
-    let instance = stored.get(&Layer::Instance).and_then(|image| instance_from_rgb(image).ok());
+    let eight = |layer: Layer| stored.get(&layer)?.rgb8().ok();
+    let depth = eight(Layer::Depth).map(depth_from_rgb);
+    let instance = eight(Layer::Instance).and_then(|image| instance_from_rgb(image).ok());
     if let (Some(depth), Some(instance)) = (&depth, &instance) {
         let path = layout.frame(Layer::Depth, frame, recipe);
         report.findings.extend(misaligned(depth, instance).map(|problem| Finding::new(path, problem)));
+    }
+    if let Some(instance) = &instance {
+        let problems = disagreements(&stored, instance);
+        report
+            .findings
+            .extend(problems.map(|(layer, problem)| Finding::new(layout.frame(layer, frame, recipe), problem)));
     }
     if let Some(line) = line {
         let labelled = LabelledFrame { camera, instance: instance.as_ref(), depth: depth.as_ref() };
@@ -139,11 +147,16 @@ fn check_frame(
     report
 }
 
-fn read_layer(layout: &CameraLayout, layer: Layer, frame: u32, recipe: &Recipe) -> Result<StoredImage, DatasetError> {
+fn read_layer(
+    layout: &CameraLayout,
+    layer: Layer,
+    frame: u32,
+    recipe: &Recipe,
+) -> Result<StoredImage<'static>, DatasetError> {
     let path = layout.frame(layer, frame, recipe);
     let image = read_rgb(&path, layer.format(recipe.rgb_format))?;
-    if image.size != recipe.size {
-        return Err(DatasetError::malformed(path, format!("is {} instead of {}", image.size, recipe.size)));
+    if image.size() != recipe.size {
+        return Err(DatasetError::malformed(path, format!("is {} instead of {}", image.size(), recipe.size)));
     }
     match (layer.entry().check)(&image) {
         Ok(()) => Ok(image),

@@ -1,4 +1,4 @@
-//! PNG (ISO/IEC 15948) of 8-bit RGB images of which most is as it was in the image before.
+//! PNG (ISO/IEC 15948) of RGB images, of 8 or 16 bits a channel, of which most is as it was in the image before.
 //!
 //! Rows are compressed in bands that know nothing of each other: a band of the same pixels has the same bytes in every
 //! file, and those of the last image are written again. What is written depends on the image alone.
@@ -12,6 +12,7 @@ mod filter;
 mod huffman;
 
 use crate::stored_image::StoredImage;
+use endless_world::ImageSize;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Rows of a band: 64 KiB of a 720p image, twice what a deflate window reaches.
@@ -33,7 +34,9 @@ struct Memory {
 
 #[derive(Debug)]
 struct EncodedImage {
-    image: StoredImage,
+    layout: RowLayout,
+    /// As the file has them, but for compression.
+    bytes: Vec<u8>,
     bands: Vec<Arc<Band>>,
 }
 
@@ -43,7 +46,7 @@ impl LastPng {
     }
 
     /// Remembers an image, of which so many bands were as in the one before, if there was one.
-    fn remember(&self, image: &StoredImage, bands: Vec<Arc<Band>>, same: Option<usize>) {
+    fn remember(&self, layout: RowLayout, bytes: &[u8], bands: Vec<Arc<Band>>, same: Option<usize>) {
         let mut memory = self.memory();
         memory.all_new = match same {
             Some(0) => memory.all_new + 1,
@@ -56,9 +59,24 @@ impl LastPng {
             return;
         }
         // Room for pixels is used again, unless another thread compares with them.
-        let mut data = before.and_then(Arc::into_inner).map_or_else(Vec::new, |before| before.image.data);
-        data.clone_from(&image.data);
-        memory.last = Some(Arc::new(EncodedImage { image: StoredImage { size: image.size, data }, bands }));
+        let mut kept = before.and_then(Arc::into_inner).map_or_else(Vec::new, |before| before.bytes);
+        kept.clear();
+        kept.extend_from_slice(bytes);
+        memory.last = Some(Arc::new(EncodedImage { layout, bytes: kept, bands }));
+    }
+}
+
+/// How the bytes of an image lie.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct RowLayout {
+    size: ImageSize,
+    /// Bytes of a channel, of which a pixel has three.
+    channel_bytes: usize,
+}
+
+impl RowLayout {
+    fn row_bytes(self) -> usize {
+        self.size.width as usize * 3 * self.channel_bytes
     }
 }
 
@@ -73,25 +91,26 @@ struct Band {
 }
 
 /// The image as a PNG file; its bytes do not depend on `last`.
-pub(crate) fn encode(image: &StoredImage, last: &LastPng) -> Vec<u8> {
-    let before = last.memory().last.clone().filter(|before| before.image.size == image.size);
-    let width = image.size.width as usize;
+pub(crate) fn encode(image: &StoredImage<'_>, last: &LastPng) -> Vec<u8> {
+    let layout = RowLayout { size: image.size(), channel_bytes: image.channel_bytes() };
+    let before = last.memory().last.clone().filter(|before| before.layout == layout);
+    let band_bytes = ROWS * layout.row_bytes();
+    let bytes = image.bytes();
     let mut buffers = BandBuffers::default();
     let mut same_bands = 0;
-    let bands: Vec<Arc<Band>> = image
-        .data
-        .chunks(ROWS * width)
+    let bands: Vec<Arc<Band>> = bytes
+        .chunks(band_bytes)
         .enumerate()
-        .map(|(number, pixels)| {
-            let same = before.as_ref().filter(|before| before.image.data[number * ROWS * width..].starts_with(pixels));
+        .map(|(number, rows)| {
+            let same = before.as_ref().filter(|before| before.bytes[number * band_bytes..].starts_with(rows));
             same_bands += usize::from(same.is_some());
-            same.map_or_else(|| Arc::new(buffers.band(pixels, width)), |before| Arc::clone(&before.bands[number]))
+            same.map_or_else(|| Arc::new(buffers.band(rows, layout)), |before| Arc::clone(&before.bands[number]))
         })
         .collect();
-    let bytes = file(image, &bands);
+    let file = file(layout, &bands);
     let same = before.map(|_| same_bands);
-    last.remember(image, bands, same);
-    bytes
+    last.remember(layout, &bytes, bands, same);
+    file
 }
 
 #[derive(Default)]
@@ -102,9 +121,12 @@ struct BandBuffers {
 }
 
 impl BandBuffers {
-    fn band(&mut self, pixels: &[[u8; 3]], width: usize) -> Band {
+    fn band(&mut self, rows: &[u8], layout: RowLayout) -> Band {
         self.filtered.clear();
-        filter::rows(pixels.as_flattened(), 3 * width, &mut self.filtered);
+        match layout.channel_bytes {
+            1 => filter::rows::<3>(rows, layout.row_bytes(), &mut self.filtered),
+            _ => filter::rows::<6>(rows, layout.row_bytes(), &mut self.filtered),
+        }
         self.data.clear();
         self.deflate.compress(&self.filtered, &mut self.data);
         let mut chunk = Vec::with_capacity(self.data.len() + 12);
@@ -113,15 +135,15 @@ impl BandBuffers {
     }
 }
 
-fn file(image: &StoredImage, bands: &[Arc<Band>]) -> Vec<u8> {
+fn file(layout: RowLayout, bands: &[Arc<Band>]) -> Vec<u8> {
     /// Deflate with a window of 32 KiB, made fast.
     const ZLIB_HEADER: [u8; 2] = [0x78, 0x01];
-    const RGB_OF_EIGHT_BITS: [u8; 5] = [8, 2, 0, 0, 0];
+    const RGB: [u8; 4] = [2, 0, 0, 0];
     let length: usize = bands.iter().map(|band| band.chunk.len()).sum();
     let mut out = Vec::with_capacity(length + 96);
     out.extend(b"\x89PNG\r\n\x1a\n");
-    let [width, height] = [image.size.width, image.size.height].map(u32::to_be_bytes);
-    push_chunk(&mut out, *b"IHDR", &[&width[..], &height, &RGB_OF_EIGHT_BITS].concat());
+    let [width, height] = [layout.size.width, layout.size.height].map(u32::to_be_bytes);
+    push_chunk(&mut out, *b"IHDR", &[&width[..], &height, &[8 * layout.channel_bytes as u8], &RGB].concat());
     push_chunk(&mut out, *b"IDAT", &ZLIB_HEADER);
     let mut adler = 1;
     for band in bands {
@@ -171,19 +193,29 @@ mod tests {
     }
 
     /// Pictures of smooth parts, flat parts and noise, of some size.
-    fn pictures() -> impl Strategy<Value = [StoredImage; 2]> {
+    fn pictures() -> impl Strategy<Value = [StoredImage<'static>; 2]> {
         let size = (1u32..70, 1u32..50).prop_map(|(width, height)| ImageSize { width, height });
-        (size, any::<u32>(), 0u32..9, any::<prop::sample::Index>()).prop_map(|(size, seed, kinds, changed)| {
-            let value = |i: u32| match i / 300 % 3 * kinds {
-                0 | 8 => 7,
-                2 | 6 => (i ^ seed) as u8 >> 2,
-                _ => (i.wrapping_mul(seed | 1).rotate_left(9) >> 13) as u8,
-            };
-            let data: Vec<[u8; 3]> = (0..size.pixels() as u32).map(|i| [0, 1, 2].map(|c| value(3 * i + c))).collect();
-            let mut other = data.clone();
-            other[changed.index(data.len())][1] ^= 64;
-            [data, other].map(|data| Image { size, data })
-        })
+        let deep = any::<bool>();
+        (size, any::<u32>(), 0u32..9, any::<prop::sample::Index>(), deep).prop_map(
+            |(size, seed, kinds, changed, deep)| {
+                let value = |i: u32| match i / 300 % 3 * kinds {
+                    0 | 8 => 7,
+                    2 | 6 => (i ^ seed) as u8 >> 2,
+                    _ => (i.wrapping_mul(seed | 1).rotate_left(9) >> 13) as u8,
+                };
+                let data: Vec<[u8; 3]> =
+                    (0..size.pixels() as u32).map(|i| [0, 1, 2].map(|c| value(3 * i + c))).collect();
+                let mut other = data.clone();
+                other[changed.index(data.len())][1] ^= 64;
+                [data, other].map(|data| {
+                    let wide = |pixel: &[u8; 3]| pixel.map(|value| u16::from(value).wrapping_mul(0x0b21));
+                    match deep {
+                        true => Image { size, data: data.iter().map(wide).collect() }.into(),
+                        false => Image { size, data }.into(),
+                    }
+                })
+            },
+        )
     }
 
     proptest! {

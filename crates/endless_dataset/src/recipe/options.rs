@@ -122,7 +122,7 @@ recipe_options! {
     /// Seed of everything random.
     seed: u64 => u64, OptionKind::Whole { least: 0, most: u64::MAX }, Value("0");
     /// Layers to store (bounding boxes are always written).
-    layers: Vec<String> => Vec<Layer>, OptionKind::Words(Vocabulary::of::<Layer>()), Described("all");
+    layers: Vec<String> => Vec<Layer>, OptionKind::Words(Vocabulary::of::<Layer>()), Value("rgb,depth,instance");
     /// Effects of lens, sensor and recorder on the RGB layer: natural (a little noise, and motion blur by shutter time),
     /// clean (none), cctv (a wide lens, noise, compression and a time stamp), or random (another camera each time).
     camera_look: String => #[serde(default = "clean", skip_serializing_if = "is_clean")] CameraLookChoice,

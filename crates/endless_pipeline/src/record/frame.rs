@@ -11,7 +11,6 @@ use crate::{GenerateError, SceneTruth, SimulationStep, SimulatorError};
 use endless_annotate::{AnnotateError, CameraView, FrameObjects, ObjectShapes, SceneFrame, annotate, visible_objects};
 use endless_dataset::{DatasetError, LastPng, Layer, StoredImage, Yuv, metres_from_rgb, rgb_from_metres, yuv_from_rgb};
 use endless_world::{PinholeCamera, SceneCamera, SensorFrame};
-use std::borrow::Cow;
 
 pub(super) struct FrameRecorder<'a> {
     pub(super) recording: &'a Recording<'a>,
@@ -140,7 +139,7 @@ impl<'a> FrameRecorder<'a> {
         let line = self.labels(taken, view)?;
         let clock = self.recording.clock;
         let pictures = clock.time(Stage::Video, || {
-            let picture = |(layer, image): &(Layer, Cow<'_, StoredImage>)| {
+            let picture = |(layer, image): &(Layer, StoredImage<'_>)| {
                 let preview = (layer.entry().preview)(image);
                 preview.map(|p| yuv_from_rgb(&p)).map_err(|reason| DatasetError::Video { reason })
             };

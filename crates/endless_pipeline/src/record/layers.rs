@@ -4,15 +4,14 @@ use endless_dataset::{
     CameraLayout, DatasetError, LastPng, Layer, Recipe, StoredImage, instance_from_rgb, read_rgb, write_atomic,
 };
 use endless_world::{Image, InstancePixel, SensorFrame};
-use std::borrow::Cow;
 
 /// The layers of which a recipe wants videos, in its order, as whoever reads the files finds them.
-pub(super) type StoredImages<'f> = Vec<(Layer, Cow<'f, StoredImage>)>;
+pub(super) type StoredImages<'f> = Vec<(Layer, StoredImage<'f>)>;
 
 /// One camera's frame as it was read.
 pub(super) struct StoredLayers {
     pub(super) images: StoredImages<'static>,
-    pub(super) depth: StoredImage,
+    pub(super) depth: Image<[u8; 3]>,
     pub(super) instance: Image<InstancePixel>,
 }
 
@@ -32,17 +31,17 @@ impl StoredLayers {
         for &layer in &recipe.layers {
             let path = files.frame(layer, frame, recipe);
             let image = read_rgb(&path, layer.format(recipe.rgb_format))?;
-            if image.size != recipe.size {
+            if image.size() != recipe.size {
                 return Err(DatasetError::malformed(path, "has another size"));
             }
             (layer.entry().check)(&image).map_err(|reason| DatasetError::malformed(&path, reason))?;
-            match layer {
-                Layer::Depth => depth = Some(image.clone()),
-                Layer::Instance => instance = instance_from_rgb(&image).ok(),
+            match (layer, image.rgb8()) {
+                (Layer::Depth, Ok(image)) => depth = Some(image.clone()),
+                (Layer::Instance, Ok(image)) => instance = instance_from_rgb(image).ok(),
                 _ => {}
             }
             if recipe.mp4.contains(&layer) {
-                images.push((layer, Cow::Owned(image)));
+                images.push((layer, image));
             }
         }
         let missing = || DatasetError::malformed(files.folder(), "lacks layers that labels are judged by");
@@ -70,7 +69,7 @@ pub(super) fn write<'f>(
         }
         // The video is made of the frames as they lie on disk, so that a resumed one is the same.
         if !format.exact {
-            image = Cow::Owned((format.decode)(&bytes).map_err(malformed)?);
+            image = (format.decode)(&bytes).map_err(malformed)?;
         }
         images.push((layer, image));
     }

@@ -19,6 +19,7 @@ const SCENES: [[&str; 3]; 5] = [
 
 fn draft([map, weather, time]: [&str; 3]) -> RecipeDraft {
     let one = |word: &str| Some(vec![word.to_owned()]);
+    let all: Vec<String> = Layer::ALL.iter().map(ToString::to_string).collect();
     RecipeDraft {
         videos: Some(1),
         maps: one(map),
@@ -28,7 +29,8 @@ fn draft([map, weather, time]: [&str; 3]) -> RecipeDraft {
         fps: Some(5.0),
         duration: Some(0.4),
         min_pixels: Some(4),
-        mp4: Some(Layer::ALL.iter().map(ToString::to_string).collect()),
+        layers: Some(all.clone()),
+        mp4: Some(all),
         ..RecipeDraft::default()
     }
 }

@@ -1,7 +1,7 @@
 //! Killed at random instants and resumed each time: ends byte-identical to a run that was not killed.
 
 use crate::fake::{Fake, assert_same, draft, make, recipe};
-use endless_dataset::RecipeDraft;
+use endless_dataset::{Layer, RecipeDraft};
 use endless_world::Stream;
 use std::{
     env,
@@ -14,7 +14,8 @@ use std::{
 const OUT: &str = "ENDLESS_TEST_KILL_OUT";
 
 fn the_draft() -> RecipeDraft {
-    RecipeDraft { videos: Some(4), size: Some("321x181".into()), duration: Some(4.0), ..draft() }
+    let layers = Some(Layer::ALL.iter().map(ToString::to_string).collect());
+    RecipeDraft { videos: Some(4), size: Some("321x181".into()), duration: Some(4.0), layers, ..draft() }
 }
 
 /// Not a test of its own: what the other test starts and kills.

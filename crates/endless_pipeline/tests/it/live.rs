@@ -14,7 +14,8 @@ fn sessions(out: &Path, recipe: &Recipe, video: usize) -> BTreeSet<u8> {
     let folder = layout.video_named(&manifest.videos[video].name);
     let frames = (0..recipe.frames()).flat_map(|f| folder.cameras(2).map(move |c| (f, c)).collect::<Vec<_>>());
     frames
-        .map(|(f, camera)| read_rgb(&camera.frame(Layer::Rgb, f, recipe), RgbFormat::Png).expect("an image").data[0][0])
+        .map(|(f, camera)| read_rgb(&camera.frame(Layer::Rgb, f, recipe), RgbFormat::Png).expect("an image"))
+        .map(|image| image.rgb8().expect("8 bits").data[0][0])
         .collect()
 }
 

@@ -6,7 +6,8 @@ use endless_pipeline::{GenerateError, GenerateOptions, SilentProgress, generate}
 use std::{fs, sync::atomic::Ordering};
 
 fn all_layers() -> RecipeDraft {
-    RecipeDraft { mp4: Some(["rgb", "depth", "instance"].map(String::from).to_vec()), ..draft() }
+    let all: Vec<String> = Layer::ALL.iter().map(ToString::to_string).collect();
+    RecipeDraft { layers: Some(all.clone()), mp4: Some(all), ..draft() }
 }
 
 #[test]
@@ -19,7 +20,7 @@ fn the_dataset_is_whole_and_loads_each_map_once() {
     assert!(fake.maps_loaded.load(Ordering::SeqCst) <= 2);
     let report = check(out.path()).expect("a dataset");
     assert_eq!(report.findings, []);
-    assert_eq!((report.videos, report.images), (3, 3 * 2 * 3 * 20));
+    assert_eq!((report.videos, report.images), (3, 3 * 2 * Layer::ALL.len() as u64 * 20));
     assert!(report.boxes > 100, "{} boxes", report.boxes);
 }
 
@@ -152,7 +153,7 @@ fn the_plan_alone_can_be_written_and_then_recorded() {
 
 #[test]
 fn layers_are_optional() {
-    for layers in [&["rgb"][..], &["depth"], &["instance"], &["depth", "instance"]] {
+    for layers in [&["rgb"][..], &["depth"], &["instance"], &["depth", "instance"], &["panoptic"]] {
         let out = tempfile::tempdir().expect("temp");
         let layers: Vec<String> = layers.iter().map(|l| (*l).to_owned()).collect();
         let recipe = recipe(RecipeDraft { layers: Some(layers.clone()), videos: Some(1), ..draft() });
@@ -177,7 +178,7 @@ fn any_number_of_cameras_films_a_scene() {
         }
         assert_same(out.path(), whole.path());
         let report = check(out.path()).expect("a dataset");
-        assert_eq!((report.findings, report.images), (vec![], cameras as u64 * 3 * 20));
+        assert_eq!((report.findings, report.images), (vec![], cameras as u64 * Layer::ALL.len() as u64 * 20));
         let video = first_video(out.path());
         let last = video.camera(cameras as usize - 1);
         assert!(last.folder().ends_with(["camera_a", "camera_c", "camera_h"][cameras as usize / 3]));
