@@ -5,8 +5,8 @@ where it is installed).
     python3 scripts/check_dataset.py OUT
 
 Recomputes every box from the instance images, decodes depth, projects 3D boxes by `camera.json`, decodes amodal masks,
-and checks counts, sizes and alignment. What belongs to
-the scene is checked in check_scene.py: maps are projected again, signals must count down to their changes.
+checks counts, sizes and alignment, and compares the other layers with these: normals with the gradient of depth. What
+belongs to the scene is checked in check_scene.py: maps are projected again, signals must count down to their changes.
 """
 
 import json
@@ -16,6 +16,9 @@ import sys
 import check_scene
 import numpy as np
 from PIL import Image
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python"))
+from endless_dataset import read_png16  # noqa: E402
 
 FAR_PLANE_M = 1000.0
 SKY = 11
@@ -198,6 +201,70 @@ def load(path: pathlib.Path, size: tuple[int, int]) -> np.ndarray:
         return np.asarray(image).astype(np.int64)
 
 
+def rays_of(record: dict) -> np.ndarray:
+    """(H, W, 3): through the centre of each pixel, camera frame, z = 1."""
+    k, (k1, k2, *_) = record["intrinsics"], record["lens"]["distortion"]
+    width, height = record["size"]["width"], record["size"]["height"]
+    x = (np.arange(width) + 0.5 - k["cx"]) / k["fx"]
+    y = (np.arange(height) + 0.5 - k["cy"]) / k["fy"]
+    bent = np.stack(np.meshgrid(x, y), axis=2)
+    straight = bent.copy()
+    for _ in range(20):
+        r2 = (straight**2).sum(axis=2, keepdims=True)
+        straight = bent / (1 + r2 * (k1 + k2 * r2))
+    return np.concatenate([straight, np.ones((height, width, 1))], axis=2)
+
+
+def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays: np.ndarray, where: str) -> np.ndarray:
+    """Angles, in degrees, between normals and the gradient of depth on planes."""
+    known = stored.any(axis=2)
+    assert (known == (tags != SKY)).all(), f"{where}: normals of the sky"
+    normal = 2.0 * stored / 65535 - 1
+    length = np.linalg.norm(normal[known], axis=1)
+    assert (abs(length - 1) < 1e-4).all(), f"{where}: normals of length {length.min()} to {length.max()}"
+    assert ((normal * rays).sum(axis=2)[known] < 1e-3).all(), f"{where}: normals that look away"
+    # Planes: within three pixels, all have the same normal and lie evenly.
+    points = rays * depth[..., None]
+    far = 3
+    middle = (slice(far, -far), slice(far, -far))
+    plane = known & (depth < 60)
+    plane = plane[middle]
+    for dy in range(-far, far + 1):
+        for dx in range(-far, far + 1):
+            there = (slice(far + dy, stored.shape[0] - far + dy), slice(far + dx, stored.shape[1] - far + dx))
+            same = (abs(stored[there].astype(int) - stored[middle]) <= 1).all(axis=2)
+            plane &= same & (tags[there] == tags[middle])
+            if dx == 0 or dy == 0:
+                back = (slice(far - dy, stored.shape[0] - far - dy), slice(far - dx, stored.shape[1] - far - dx))
+                # On a plane the inverse of depth is linear in the picture (but for the bend of the lens): no step lies between.
+                uneven = abs(1 / depth[there] + 1 / depth[back] - 2 / depth[middle])
+                plane &= uneven * depth[middle] < 5e-4
+    right = points[far:-far, 2 * far :] - points[far:-far, : -2 * far]
+    down = points[2 * far :, far:-far] - points[: -2 * far, far:-far]
+    gradient, normal = np.cross(down, right)[plane], normal[middle][plane]
+    sine = np.linalg.norm(np.cross(gradient, normal), axis=1)
+    return np.degrees(np.arctan2(sine, (gradient * normal).sum(axis=1)))
+
+
+def check_layers(camera: pathlib.Path, recipe: dict, frame: int, known: dict, rays: np.ndarray) -> list[np.ndarray]:
+    """What semantic, panoptic, normals and albedo say of a frame; angles of normals to the gradient of depth."""
+    tags, ids, depth = known["tags"], known["ids"], known["depth"]
+    size = (tags.shape[1], tags.shape[0])
+    name, where = f"{frame:06}.png", f"{camera}: frame {frame}"
+    if "semantic" in recipe["layers"]:
+        semantic = load(camera / "semantic" / name, size)
+        assert (semantic[..., 0] == tags).all() and not semantic[..., 1:].any(), f"{where}: semantic"
+    if "panoptic" in recipe["layers"]:
+        segment = load(camera / "panoptic" / name, size) @ np.array([1, 256, 65536])
+        assert (segment == ids + 65536 * tags).all(), f"{where}: panoptic"
+    if "albedo" in recipe["layers"]:
+        albedo = load(camera / "albedo" / name, size)
+        assert not albedo[tags == SKY].any(), f"{where}: albedo of the sky"
+    if "normals" in recipe["layers"] and depth is not None:
+        return [check_normals(read_png16(camera / "normals" / name), depth, tags, rays, where)]
+    return []
+
+
 def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: dict[str, int]) -> int:
     """Number of boxes that were compared."""
     record = json.loads((camera / "camera.json").read_text())
@@ -206,6 +273,7 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
     lines = [json.loads(line) for line in (camera / "objects.jsonl").read_text().splitlines()]
     assert [line["frame"] for line in lines] == list(range(frames)), f"{camera}: lines of objects.jsonl"
     compared = 0
+    rays, angles = rays_of(record), []
     for layer in recipe["layers"]:
         extension = recipe["rgb_format"] if layer == "rgb" else "png"
         names = sorted(p.name for p in (camera / layer).iterdir())
@@ -232,6 +300,12 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
             assert (depth[tags == SKY] == FAR_PLANE_M).all(), f"{camera}: sky nearer than the far plane, frame {frame}"
             assert (depth[ids > 0] < FAR_PLANE_M).all(), f"{camera}: object on the far plane, frame {frame}"
             assert (depth > 0).all(), f"{camera}: zero depth, frame {frame}"
+        angles += check_layers(camera, recipe, frame, {"tags": tags, "ids": ids, "depth": depth}, rays)
+    if angles:
+        angles = np.concatenate(angles)
+        within = (angles < 0.5).mean() if len(angles) else 1.0
+        print(f"{camera.name}: {len(angles)} normals on planes, {within:.3%} within 0.5 degrees of the gradient of depth")
+        assert within > 0.99, f"{camera}: normals and depth disagree"
     return compared
 
 

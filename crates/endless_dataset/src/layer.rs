@@ -7,9 +7,10 @@ use crate::{
         depth_from_rgb, instance_from_panoptic, instance_from_rgb, panoptic_from_instance, rgb_from_depth,
         rgb_from_instance, semantic_from_instance, tags_from_semantic,
     },
-    preview::{depth_preview, instance_preview, semantic_preview},
+    normals::check_normals,
+    preview::{depth_preview, instance_preview, normals_preview, semantic_preview},
 };
-use endless_world::{CameraLookChoice, Image, SensorFrame, UnknownName};
+use endless_world::{CameraLookChoice, Image, SensorFrame, SensorLayers, UnknownName};
 use std::borrow::Cow;
 use strum::VariantArray as _;
 
@@ -29,7 +30,14 @@ pub enum Layer {
     Semantic,
     /// Segments of objects and of stuff, COCO's encoding.
     Panoptic,
+    /// Unit surface normals.
+    Normals,
+    /// Colours of surfaces without light.
+    Albedo,
 }
+
+/// A picture for people, or what is wrong with the image that it should show.
+type Preview<'a> = Result<Cow<'a, Image<[u8; 3]>>, String>;
 
 /// All that is to be known of a layer.
 #[derive(Debug, Clone, Copy)]
@@ -38,10 +46,10 @@ pub struct LayerEntry {
     pub summary: &'static str,
     /// Whether it may be stored with loss, in the recipe's RGB format. What is not is always PNG.
     pub lossy: bool,
-    /// The image of a frame that is stored.
-    pub encode: fn(&SensorFrame) -> StoredImage<'_>,
+    /// The image of a frame that is stored, if the simulator made it.
+    pub encode: fn(&SensorFrame) -> Option<StoredImage<'_>>,
     /// The frame of the layer's video for a stored image, or what is wrong with the image.
-    pub preview: for<'a> fn(&'a StoredImage<'_>) -> Result<Cow<'a, Image<[u8; 3]>>, String>,
+    pub preview: for<'a> fn(&'a StoredImage<'_>) -> Preview<'a>,
     /// What is wrong with a stored image by itself.
     pub check: fn(&StoredImage<'_>) -> Result<(), String>,
     /// Bytes a pixel of its files, a tenth above the dearest scene measured.
@@ -71,7 +79,14 @@ impl Layer {
             Self::Instance => &INSTANCE,
             Self::Semantic => &SEMANTIC,
             Self::Panoptic => &PANOPTIC,
+            Self::Normals => &NORMALS,
+            Self::Albedo => &ALBEDO,
         }
+    }
+
+    /// What a simulator must be asked for to store these layers.
+    pub fn wanted(layers: &[Self]) -> SensorLayers {
+        SensorLayers { normals: layers.contains(&Self::Normals), albedo: layers.contains(&Self::Albedo) }
     }
 
     /// The format of its files.
@@ -87,7 +102,7 @@ impl Layer {
 const RGB: LayerEntry = LayerEntry {
     summary: "what the camera sees, sRGB",
     lossy: true,
-    encode: |frame| (&frame.rgb).into(),
+    encode: |frame| Some((&frame.rgb).into()),
     preview: |stored| Ok(Cow::Borrowed(stored.rgb8()?)),
     check: |stored| stored.rgb8().map(drop),
     bytes_a_pixel: |format, look| (format.entry().rgb_bytes_a_pixel)(look),
@@ -96,7 +111,7 @@ const RGB: LayerEntry = LayerEntry {
 const DEPTH: LayerEntry = LayerEntry {
     summary: "`metres = 1000 × (R + 256 G + 65536 B) / (256³ − 1)` along the optical axis; the sky has the largest value",
     lossy: false,
-    encode: |frame| rgb_from_depth(&frame.depth).into(),
+    encode: |frame| Some(rgb_from_depth(&frame.depth).into()),
     preview: |stored| Ok(Cow::Owned(depth_preview(&depth_from_rgb(stored.rgb8()?)))),
     check: |stored| stored.rgb8().map(drop),
     bytes_a_pixel: |_format, _look| 1.1,
@@ -106,7 +121,7 @@ const INSTANCE: LayerEntry = LayerEntry {
     summary: "R = class tag (CARLA's 29), object id = G + 256 B; ids are unique within a video, the same in all its cameras \
               and frames, 0 for stuff",
     lossy: false,
-    encode: |frame| rgb_from_instance(&frame.instance).into(),
+    encode: |frame| Some(rgb_from_instance(&frame.instance).into()),
     preview: |stored| Ok(Cow::Owned(instance_preview(&instance_from_rgb(stored.rgb8()?).map_err(no_tag)?))),
     check: |stored| instance_from_rgb(stored.rgb8()?).map(drop).map_err(no_tag),
     bytes_a_pixel: |_format, _look| 0.06,
@@ -115,7 +130,7 @@ const INSTANCE: LayerEntry = LayerEntry {
 const SEMANTIC: LayerEntry = LayerEntry {
     summary: "R = class tag (CARLA's 29), G = B = 0 (docs/layers/semantic.md)",
     lossy: false,
-    encode: |frame| semantic_from_instance(&frame.instance).into(),
+    encode: |frame| Some(semantic_from_instance(&frame.instance).into()),
     preview: |stored| Ok(Cow::Owned(semantic_preview(&tags_from_semantic(stored.rgb8()?)?))),
     check: |stored| tags_from_semantic(stored.rgb8()?).map(drop),
     bytes_a_pixel: |_format, _look| 0.05,
@@ -125,10 +140,29 @@ const PANOPTIC: LayerEntry = LayerEntry {
     summary: "COCO's panoptic PNG: segment = R + 256 G + 65536 B = object id + 65536 × class tag, object id 0 for stuff \
               (docs/layers/panoptic.md)",
     lossy: false,
-    encode: |frame| panoptic_from_instance(&frame.instance).into(),
+    encode: |frame| Some(panoptic_from_instance(&frame.instance).into()),
     preview: |stored| Ok(Cow::Owned(instance_preview(&instance_from_panoptic(stored.rgb8()?).map_err(no_tag)?))),
     check: |stored| instance_from_panoptic(stored.rgb8()?).map(drop).map_err(no_tag),
     bytes_a_pixel: |_format, _look| 0.06,
+};
+
+const NORMALS: LayerEntry = LayerEntry {
+    summary: "16 bits a channel: unit surface normal `n = 2 × RGB / 65535 − 1`, x right, y down, z forward; the sky is 0, 0, 0 \
+              (docs/layers/normals.md)",
+    lossy: false,
+    encode: |frame| Some(frame.normals.as_ref()?.into()),
+    preview: |stored| Ok(Cow::Owned(normals_preview(stored.rgb16()?))),
+    check: |stored| check_normals(stored.rgb16()?),
+    bytes_a_pixel: |_format, _look| 1.6,
+};
+
+const ALBEDO: LayerEntry = LayerEntry {
+    summary: "colour of the surface without the light that falls on it, sRGB; the sky is black (docs/layers/albedo.md)",
+    lossy: false,
+    encode: |frame| Some(frame.albedo.as_ref()?.into()),
+    preview: |stored| Ok(Cow::Borrowed(stored.rgb8()?)),
+    check: |stored| stored.rgb8().map(drop),
+    bytes_a_pixel: |_format, _look| 1.6,
 };
 
 /// The error of an image that has this value as a class tag.
@@ -151,10 +185,12 @@ mod tests {
             rgb: Image::filled(size, [1, 2, 3]),
             depth: Image::filled(size, 12.5),
             instance: Image::filled(size, InstancePixel { tag: ClassTag::Car, id: InstanceId(700) }),
+            normals: Some(Image::filled(size, [32_768, 32_768, 0])),
+            albedo: Some(Image::filled(size, [9, 8, 7])),
         };
         for layer in Layer::ALL {
             let entry = layer.entry();
-            let stored = (entry.encode)(&frame);
+            let stored = (entry.encode)(&frame).expect("made");
             assert_eq!((entry.check)(&stored), Ok(()), "{layer}");
             assert_eq!((entry.preview)(&stored).expect("shown").size, size, "{layer}");
             let last = LastPng::default();

@@ -37,6 +37,7 @@ mod layout;
 mod listing;
 mod manifest;
 mod mp4;
+mod normals;
 mod object_fields;
 mod objects;
 mod png_encoder;

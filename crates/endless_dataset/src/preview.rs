@@ -33,6 +33,12 @@ pub(crate) fn semantic_preview(tags: &Image<ClassTag>) -> Image<[u8; 3]> {
     Image { size: tags.size, data: tags.data.iter().map(|tag| tag.color()).collect() }
 }
 
+/// Each axis as a colour, -1 dark, 1 bright.
+pub(crate) fn normals_preview(normals: &Image<[u16; 3]>) -> Image<[u8; 3]> {
+    let color = |pixel: &[u16; 3]| pixel.map(|value| (value >> 8) as u8);
+    Image { size: normals.size, data: normals.data.iter().map(color).collect() }
+}
+
 fn stuff_color(tag: ClassTag) -> [u8; 3] {
     tag.color().map(|c| c / 2)
 }

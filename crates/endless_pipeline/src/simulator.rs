@@ -3,7 +3,7 @@
 use crate::SimulatorError;
 use endless_annotate::{ActorRecord, MapFeatures, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, WorldKeypoints};
 use endless_dataset::SpawnCounts;
-use endless_world::{CameraSite, SceneSettings, SensorFrame, WorldState};
+use endless_world::{CameraSite, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use std::{collections::BTreeMap, time::Duration};
 
 /// The maps that a recipe can name, and the hashes of imported files.
@@ -79,7 +79,8 @@ pub trait Simulator: MapCatalog + Sync {
         None
     }
 
-    /// Populates a map. Cheap, compared with [`SimulationSession::prepare`].
+    /// Populates a map. Cheap, compared with [`SimulationSession::prepare`]. Its sensor frames have the images that are
+    /// `wanted`, and may lack those that are not.
     ///
     /// # Errors
     /// When the scene cannot be made, or the simulator cannot be reached.
@@ -87,6 +88,7 @@ pub trait Simulator: MapCatalog + Sync {
         &'m self,
         map: &'m Self::Map,
         settings: &'m SceneSettings,
+        wanted: SensorLayers,
     ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError>;
 }
 

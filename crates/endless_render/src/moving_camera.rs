@@ -10,7 +10,7 @@ use crate::pixel_layers::{LayerImages, PixelLayers};
 use crate::scene::{FrameDescription, FrameScene, StaticScene, SurfaceInteraction};
 use crate::settings::RenderSettings;
 use crate::shade::{SceneHit, Tracer, footprint_m, lens_light, shade_interactions8};
-use endless_world::{CameraSite, PinholeCamera, SensorFrame};
+use endless_world::{CameraSite, PinholeCamera, SensorFrame, SensorLayers};
 use glam::Vec3A;
 use rayon::prelude::*;
 
@@ -50,7 +50,9 @@ impl MovingCamera {
         };
         let nothing = FrameScene::new(FrameDescription::default());
         let tracer = lighting.tracer(still, Some(&nothing));
-        let radiance = cameras.first().map_or_else(Vec::new, |camera| TracedImage::trace(&tracer, camera).radiance);
+        let radiance = cameras
+            .first()
+            .map_or_else(Vec::new, |camera| TracedImage::trace(&tracer, camera, SensorLayers::default()).radiance);
         let environment = &lighting.environment;
         let exposure = exposure(&radiance, Vec3A::ZERO, environment.exposure_key);
         let tone = ToneCurve::new(exposure, environment.white_balance(), Vec3A::ZERO);
@@ -61,9 +63,12 @@ impl MovingCamera {
     pub fn render(&self, still: &StaticScene, frame: &FrameScene, site: &CameraSite) -> SensorFrame {
         let camera = self.settings.camera(site);
         let size = camera.size;
-        let TracedImage { radiance, layers } = TracedImage::trace(&self.lighting.tracer(still, Some(frame)), &camera);
+        let TracedImage { radiance, layers: pixels } =
+            TracedImage::trace(&self.lighting.tracer(still, Some(frame)), &camera, self.settings.layers);
         let rgb = radiance.par_iter().map(|&r| self.tone.apply(r)).collect();
-        layers.into_iter().collect::<LayerImages>().into_sensor_frame(frame.frame, size, rgb)
+        let mut layers = LayerImages::with_capacity(self.settings.layers, size.pixels());
+        pixels.iter().for_each(|pixel| layers.push(pixel));
+        layers.into_sensor_frame(frame.frame, size, rgb)
     }
 }
 
@@ -74,13 +79,13 @@ struct TracedImage {
 }
 
 impl TracedImage {
-    fn trace(tracer: &Tracer<'_>, camera: &PinholeCamera) -> Self {
+    fn trace(tracer: &Tracer<'_>, camera: &PinholeCamera, wanted: SensorLayers) -> Self {
         let count = camera.size.pixels();
         let mut view = Self { radiance: vec![Vec3A::ZERO; count], layers: vec![PixelLayers::SKY; count] };
         let band = LINES * camera.size.width as usize;
         view.radiance.par_chunks_mut(band).zip(view.layers.par_chunks_mut(band)).enumerate().for_each(
             |(i, (radiance, layers))| {
-                ImageBand { tracer, camera, first_line: i * LINES, radiance, layers }.trace();
+                ImageBand { tracer, camera, wanted, first_line: i * LINES, radiance, layers }.trace();
             },
         );
         view
@@ -91,6 +96,7 @@ impl TracedImage {
 struct ImageBand<'a> {
     tracer: &'a Tracer<'a>,
     camera: &'a PinholeCamera,
+    wanted: SensorLayers,
     first_line: usize,
     radiance: &'a mut [Vec3A],
     layers: &'a mut [PixelLayers],
@@ -130,13 +136,13 @@ impl ImageBand<'_> {
         let shaded = shade_interactions8(self.tracer, rays, &points, active);
         for i in (0..COLUMNS).filter(|i| active >> i & 1 == 1) {
             self.radiance[first + i] = shaded[i];
-            let Some((point, _)) = &points[i] else { continue };
+            let Some((point, bsdf)) = &points[i] else { continue };
             if let Some(frame) = self.tracer.moving {
                 let lens = lens_light(frame, point, environment.night);
                 self.radiance[first + i] +=
                     lens * environment.fog.transmittance(rays[i].origin, rays[i].direction, point.distance);
             }
-            self.layers[first + i] = PixelLayers::new(self.camera, &rays[i], point);
+            self.layers[first + i] = PixelLayers::new(self.wanted, self.camera, &rays[i], point, || bsdf.clone());
         }
     }
 }

@@ -2,49 +2,129 @@
 
 use crate::accel::Ray;
 use crate::camera_rays::planar_depth;
+use crate::film::srgb;
+use crate::material::Bsdf;
 use crate::scene::SurfaceInteraction;
-use endless_world::{ClassTag, FAR_PLANE_M, Image, ImageSize, InstanceId, InstancePixel, PinholeCamera, SensorFrame};
+use endless_world::{
+    ClassTag, FAR_PLANE_M, Image, ImageSize, InstanceId, InstancePixel, PinholeCamera, SensorFrame, SensorLayers,
+};
+use glam::Vec3A;
 
 /// What the ray through one pixel's centre met.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct PixelLayers {
+pub(crate) struct SeenPixel {
     /// Along the optical axis, metres.
     pub(crate) depth: f32,
     /// Class and object.
     pub(crate) instance: InstancePixel,
 }
 
+/// What all layers but RGB show of a pixel; nothing in those that are not wanted.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct PixelLayers {
+    seen: SeenPixel,
+    normal: [u16; 3],
+    albedo: [u8; 3],
+}
+
 impl PixelLayers {
     /// Nothing.
-    pub(crate) const SKY: Self =
-        Self { depth: FAR_PLANE_M, instance: InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF } };
+    pub(crate) const SKY: Self = Self {
+        seen: SeenPixel { depth: FAR_PLANE_M, instance: InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF } },
+        normal: [0; 3],
+        albedo: [0; 3],
+    };
 
-    /// The point where the ray met a surface.
-    pub(crate) fn new(camera: &PinholeCamera, ray: &Ray, point: &SurfaceInteraction<'_>) -> Self {
+    /// The point where the ray met a surface, whose BSDF is asked for if it is needed.
+    pub(crate) fn new(
+        wanted: SensorLayers,
+        camera: &PinholeCamera,
+        ray: &Ray,
+        point: &SurfaceInteraction<'_>,
+        bsdf: impl FnOnce() -> Bsdf,
+    ) -> Self {
         Self {
-            depth: planar_depth(camera, ray, point.distance),
-            instance: InstancePixel { tag: point.tag(), id: point.instance.id },
+            seen: SeenPixel {
+                depth: planar_depth(camera, ray, point.distance),
+                instance: InstancePixel { tag: point.tag(), id: point.instance.id },
+            },
+            normal: if wanted.normals { encoded_normal(camera, point.geometric_normal) } else { [0; 3] },
+            albedo: if wanted.albedo { encoded_albedo(&bsdf()) } else { [0; 3] },
         }
     }
 }
 
-/// The layers of a whole picture, row-major.
+/// Camera frame, 65,535 for 1, 0 for −1.
+fn encoded_normal(camera: &PinholeCamera, normal: Vec3A) -> [u16; 3] {
+    let axes = &camera.world_from_camera;
+    [axes.x_axis, axes.y_axis, axes.z_axis].map(|axis| {
+        let along = Vec3A::from(axis).dot(normal);
+        ((along + 1.0) * (0.5 * 65_535.0) + 0.5) as u16
+    })
+}
+
+/// What the surface gives back of white light that falls straight on it: of metals, what they mirror. sRGB.
+fn encoded_albedo(bsdf: &Bsdf) -> [u8; 3] {
+    let coat = bsdf.coat_f0 * bsdf.coat;
+    let reflectance = bsdf.albedo * (Vec3A::ONE - coat) + coat;
+    reflectance.to_array().map(|linear| (srgb(linear.clamp(0.0, 1.0)) * 255.0 + 0.5) as u8)
+}
+
+/// The layers of a whole picture, row-major; those that are not wanted have no pixels.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct LayerImages {
     depth: Vec<f32>,
     instance: Vec<InstancePixel>,
+    normals: Option<Vec<[u16; 3]>>,
+    albedo: Option<Vec<[u8; 3]>>,
 }
 
 impl LayerImages {
-    /// One pixel's.
-    pub(crate) fn at(&self, pixel: usize) -> PixelLayers {
-        PixelLayers { depth: self.depth[pixel], instance: self.instance[pixel] }
+    /// No pixels yet, and room for so many.
+    pub(crate) fn with_capacity(wanted: SensorLayers, pixels: usize) -> Self {
+        Self {
+            depth: Vec::with_capacity(pixels),
+            instance: Vec::with_capacity(pixels),
+            normals: wanted.normals.then(|| Vec::with_capacity(pixels)),
+            albedo: wanted.albedo.then(|| Vec::with_capacity(pixels)),
+        }
+    }
+
+    /// Adds the next pixel.
+    pub(crate) fn push(&mut self, pixel: &PixelLayers) {
+        self.depth.push(pixel.seen.depth);
+        self.instance.push(pixel.seen.instance);
+        self.normals.iter_mut().for_each(|normals| normals.push(pixel.normal));
+        self.albedo.iter_mut().for_each(|albedo| albedo.push(pixel.albedo));
+    }
+
+    /// The picture of these rows.
+    pub(crate) fn of_rows(wanted: SensorLayers, rows: Vec<Self>) -> Self {
+        let mut images = Self::with_capacity(wanted, rows.iter().map(|row| row.depth.len()).sum());
+        for row in rows {
+            images.depth.extend(row.depth);
+            images.instance.extend(row.instance);
+            images.normals.iter_mut().for_each(|normals| normals.extend(row.normals.iter().flatten()));
+            images.albedo.iter_mut().for_each(|albedo| albedo.extend(row.albedo.iter().flatten()));
+        }
+        images
+    }
+
+    /// What a pixel shows.
+    pub(crate) fn at(&self, pixel: usize) -> SeenPixel {
+        SeenPixel { depth: self.depth[pixel], instance: self.instance[pixel] }
     }
 
     /// Sets one pixel.
-    pub(crate) fn set(&mut self, pixel: usize, layers: PixelLayers) {
-        self.depth[pixel] = layers.depth;
-        self.instance[pixel] = layers.instance;
+    pub(crate) fn set(&mut self, pixel: usize, layers: &PixelLayers) {
+        self.depth[pixel] = layers.seen.depth;
+        self.instance[pixel] = layers.seen.instance;
+        if let Some(normals) = &mut self.normals {
+            normals[pixel] = layers.normal;
+        }
+        if let Some(albedo) = &mut self.albedo {
+            albedo[pixel] = layers.albedo;
+        }
     }
 
     /// Depth along the optical axis of every pixel, metres.
@@ -59,13 +139,8 @@ impl LayerImages {
             rgb: Image { size, data: rgb },
             depth: Image { size, data: self.depth },
             instance: Image { size, data: self.instance },
+            normals: self.normals.map(|data| Image { size, data }),
+            albedo: self.albedo.map(|data| Image { size, data }),
         }
-    }
-}
-
-impl FromIterator<PixelLayers> for LayerImages {
-    fn from_iter<I: IntoIterator<Item = PixelLayers>>(pixels: I) -> Self {
-        let (depth, instance) = pixels.into_iter().map(|pixel| (pixel.depth, pixel.instance)).unzip();
-        Self { depth, instance }
     }
 }

@@ -1,6 +1,6 @@
 //! Settings of a camera's picture of a scene.
 
-use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, TimeOfDay, Weather};
+use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, SensorLayers, TimeOfDay, Weather};
 
 /// Where light of the sky and from other surfaces is gathered for the still picture, and with how many rays a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,6 +50,8 @@ pub struct RenderSettings {
     pub look: CameraLook,
     /// Frames a second, for the recorder's clock.
     pub fps: f64,
+    /// Images that are wanted besides RGB, depth and instances.
+    pub layers: SensorLayers,
     /// Keep what [`crate::CameraBake::render_uncached`] needs (12 bytes a sample).
     pub keep_irradiance: bool,
 }
@@ -67,6 +69,7 @@ impl RenderSettings {
             pattern: 0,
             look: CameraLook::CLEAN,
             fps: 30.0,
+            layers: SensorLayers::default(),
             keep_irradiance: false,
         }
     }

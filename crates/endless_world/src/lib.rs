@@ -56,7 +56,7 @@ pub use keypoint::{BodyKeypoints, FOOT_KEYPOINT_COUNT, FOOT_KEYPOINTS, KEYPOINT_
 pub use reid::{LookPool, Reid};
 pub use rng::{Stream, fnv1a};
 pub use scene::{SceneCamera, SceneSettings};
-pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame};
+pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame, SensorLayers};
 pub use state::{SignalAspect, SignalState, WorldState};
 pub use unknown_name::UnknownName;
 pub use vehicle_choice::choose_vehicle;

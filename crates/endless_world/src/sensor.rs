@@ -35,6 +35,15 @@ pub struct InstancePixel {
     pub id: InstanceId,
 }
 
+/// The images that a sensor frame has only where they are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SensorLayers {
+    /// [`SensorFrame::normals`].
+    pub normals: bool,
+    /// [`SensorFrame::albedo`].
+    pub albedo: bool,
+}
+
 /// All layers of one camera at one simulation frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SensorFrame {
@@ -46,4 +55,10 @@ pub struct SensorFrame {
     pub depth: Image<f32>,
     /// Class and instance of every pixel.
     pub instance: Image<InstancePixel>,
+    /// Unit normal of the triangle that the ray through the pixel's centre met, on the side of the camera. Camera frame: x
+    /// right, y down, z forward. Each is kept as `round((n + 1) / 2 × 65535)`; the sky is 0, 0, 0.
+    pub normals: Option<Image<[u16; 3]>>,
+    /// Share of white light that the surface at the pixel's centre gives back, without the light that falls on it: sRGB, 8
+    /// bit; the sky is black.
+    pub albedo: Option<Image<[u8; 3]>>,
 }

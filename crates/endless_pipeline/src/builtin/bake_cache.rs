@@ -5,7 +5,7 @@ use super::hits_folder::HitsFolder;
 use super::kept_hits::KeptHits;
 use crate::SimulatorError;
 use endless_render::{CameraBake, RenderSettings, StaticScene};
-use endless_world::{CameraSite, SceneCamera, SceneSettings};
+use endless_world::{CameraSite, SceneCamera, SceneSettings, SensorLayers};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -61,8 +61,14 @@ impl MapBakes {
     }
 
     /// Bakes a camera of a video.
-    pub(super) fn bake(&self, still: &StaticScene, video: &SceneSettings, camera: &SceneCamera) -> CameraBake {
-        let settings = render_settings(video, camera);
+    pub(super) fn bake(
+        &self,
+        still: &StaticScene,
+        video: &SceneSettings,
+        camera: &SceneCamera,
+        wanted: SensorLayers,
+    ) -> CameraBake {
+        let settings = RenderSettings { layers: wanted, ..render_settings(video, camera) };
         let site: &CameraSite = &camera.site;
         let key = bake_key(&self.scene, site, &settings);
         let folder = self.cache.folder.as_ref().map(|folder| &folder.folder);

@@ -15,7 +15,7 @@ use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
 use endless_render::{CameraBake, FrameScene};
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
-use endless_world::{Actor, Condition, InstanceId, SceneSettings, SensorFrame, WorldState};
+use endless_world::{Actor, Condition, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
@@ -35,6 +35,7 @@ struct BuiltinScene<'m> {
     map: &'m BuiltinMap,
     catalogue: &'m Catalogue,
     settings: &'m SceneSettings,
+    wanted: SensorLayers,
     spawned: SpawnCounts,
     parked: Vec<Actor>,
     /// Everything that moves, as it stands in frame 0: traffic takes nobody in or out.
@@ -62,6 +63,7 @@ impl<'m> BuiltinSession<'m> {
         map: &'m BuiltinMap,
         catalogue: &'m Catalogue,
         settings: &'m SceneSettings,
+        wanted: SensorLayers,
     ) -> Result<Self, SimulatorError> {
         let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
         let condition = Condition::of(weather, time_of_day);
@@ -85,6 +87,7 @@ impl<'m> BuiltinSession<'m> {
             map,
             catalogue,
             settings,
+            wanted,
             spawned,
             skin_tones: skin_tones(catalogue, &moving),
             skeletons: Skeletons::of(catalogue, &moving),
@@ -111,11 +114,11 @@ impl BuiltinScene<'_> {
     /// The cameras, baked when they are first needed.
     fn cameras(&self) -> &BakedCameras {
         self.cameras.get_or_init(|| {
-            let Self { map, settings, .. } = *self;
+            let Self { map, settings, wanted, .. } = *self;
             let start = Instant::now();
             let still = map.town_scene.static_scene();
             let baked: Vec<CameraBake> =
-                settings.cameras.iter().map(|camera| map.bakes.bake(still, settings, camera)).collect();
+                settings.cameras.iter().map(|camera| map.bakes.bake(still, settings, camera, wanted)).collect();
             let bake = start.elapsed();
             BakedCameras { bake_rays: rays(&baked), baked, bake }
         })

@@ -5,7 +5,7 @@ use crate::{Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simu
 use endless_annotate::MapFeatures;
 use endless_city::SharedModels;
 use endless_interchange::MapLibrary;
-use endless_world::{CameraSite, SceneSettings};
+use endless_world::{CameraSite, SceneSettings, SensorLayers};
 use std::{collections::BTreeMap, sync::Arc};
 
 /// Simulates and renders without anything outside this program.
@@ -73,7 +73,8 @@ impl Simulator for BuiltinSimulator {
         &'m self,
         map: &'m BuiltinMap,
         settings: &'m SceneSettings,
+        wanted: SensorLayers,
     ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError> {
-        Ok(Box::new(BuiltinSession::open(map, self.map_library.catalogue(), settings)?))
+        Ok(Box::new(BuiltinSession::open(map, self.map_library.catalogue(), settings, wanted)?))
     }
 }

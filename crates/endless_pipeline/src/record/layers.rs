@@ -59,9 +59,10 @@ pub(super) fn write<'f>(
     let mut images = StoredImages::new();
     for (&layer, last) in recipe.layers.iter().zip(last) {
         let path = files.frame(layer, frame.frame, recipe);
-        let mut image = (layer.entry().encode)(frame);
-        let format = layer.format(recipe.rgb_format).entry();
         let malformed = |reason: String| DatasetError::malformed(&path, reason);
+        let made = (layer.entry().encode)(frame);
+        let mut image = made.ok_or_else(|| malformed(format!("cannot be: the simulator gives no {layer}")))?;
+        let format = layer.format(recipe.rgb_format).entry();
         let bytes = (format.encode)(&image, last).map_err(malformed)?;
         write_atomic(&path, &bytes)?;
         if !recipe.mp4.contains(&layer) {

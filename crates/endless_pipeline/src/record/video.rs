@@ -11,7 +11,7 @@ use super::{
 use crate::{GenerateError, ProgressEvent, SimulationSession, Simulator, SimulatorError};
 use endless_annotate::{CameraMap, MapFeatures, SceneFrame, SceneObserver};
 use endless_dataset::{
-    CameraRecord, DatasetError, SceneRecord, SpawnCounts, remove_temporaries, write_actors, write_json,
+    CameraRecord, DatasetError, Layer, SceneRecord, SpawnCounts, remove_temporaries, write_actors, write_json,
     write_json_durable, write_json_line,
 };
 use endless_world::{PinholeCamera, SceneCamera};
@@ -34,7 +34,8 @@ pub(crate) fn record_video<S: Simulator>(
         remove_stored(recording)?;
     }
     prepare_folders(recording, simulator.map_features(map))?;
-    let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings))?;
+    let wanted = Layer::wanted(&recipe.layers);
+    let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings, wanted))?;
     let spawned = session.spawned();
     report_fewer(recording, &spawned);
     let actors = session.actors();

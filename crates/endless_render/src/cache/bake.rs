@@ -12,7 +12,7 @@ use crate::indirect::{IndirectHits, IndirectRays};
 use crate::lighting::{Lighting, ViewedArea};
 use crate::scene::{RigidVelocity, StaticScene};
 use crate::settings::RenderSettings;
-use endless_world::{CameraSite, PinholeCamera};
+use endless_world::{CameraSite, PinholeCamera, SensorLayers};
 use glam::{Vec2, Vec3A};
 
 /// The fixed-camera cache of one camera in one scene.
@@ -25,6 +25,8 @@ pub struct CameraBake {
     pub(super) tiles: TileHierarchy,
     pub(super) film: CameraFilm,
     pub(super) stats: BakeStats,
+    /// What frames have besides RGB, depth and instances.
+    pub(super) wanted: SensorLayers,
 }
 
 impl CameraBake {
@@ -68,7 +70,8 @@ impl CameraBake {
         let film = timed("film", || CameraFilm::new(settings, &camera, &lighting.environment, &gbuffer));
         let lighting = timed("halos", || lighting.with_halos(still, &camera));
         let hits = IndirectHits { probes, points, edges };
-        (Self { camera, pixel_angle, lighting, gbuffer, tiles, film, stats }, hits)
+        let wanted = settings.layers;
+        (Self { camera, pixel_angle, lighting, gbuffer, tiles, film, stats, wanted }, hits)
     }
 
     /// The camera.

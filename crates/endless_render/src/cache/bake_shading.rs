@@ -41,8 +41,8 @@ impl BakePass<'_> {
             let row = PrimaryRow { distances, sun_free, uniform: &uniform[pixels.clone()], surfaces: &surfaces };
             self.shade_row(row, &irradiance[pixels], y)
         });
-        let (rows, layers): (Vec<GBufferRow>, Vec<Vec<PixelLayers>>) = rows.unzip();
-        (rows, layers.into_iter().flatten().collect())
+        let (rows, layers): (Vec<GBufferRow>, Vec<LayerImages>) = rows.unzip();
+        (rows, LayerImages::of_rows(self.settings.layers, layers))
     }
 
     /// Shades a row. Of a uniform pixel the centre is shaded, and where it mirrors the third sample, too; they share the air
@@ -52,11 +52,11 @@ impl BakePass<'_> {
         primary: PrimaryRow<'_>,
         irradiance: &[[Rgb9e5; SAMPLES]],
         y: usize,
-    ) -> (GBufferRow, Vec<PixelLayers>) {
+    ) -> (GBufferRow, LayerImages) {
         let width = self.width();
         let mut row = GBufferRow::for_pixels((0..width).map(|x| primary.pixel(x)));
         let night = self.tracer.environment.night;
-        let mut layers = Vec::with_capacity(width);
+        let mut layers = LayerImages::with_capacity(self.settings.layers, width);
         for first in (0..width).step_by(8) {
             let count = (width - first).min(8);
             let eight = PixelEight::new(self, primary, irradiance, [first, y], count);
@@ -64,7 +64,7 @@ impl BakePass<'_> {
             for pixel in 0..count {
                 let samples = std::array::from_fn(|sample| shaded[8 * sample + pixel]);
                 row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples));
-                layers.push(eight.layers(pixel));
+                layers.push(&eight.layers(pixel));
             }
             if night {
                 for (x, bsdf) in (first..).zip(eight.bsdfs()).take(count) {
@@ -167,8 +167,9 @@ impl<'a> PixelEight<'a> {
 
     /// What a pixel's centre shows in all layers but RGB.
     fn layers(&self, pixel: usize) -> PixelLayers {
-        let seen = |(point, _): &(SurfaceInteraction<'_>, Bsdf)| {
-            PixelLayers::new(self.pass.camera, &self.samples[pixel].ray, point)
+        let BakePass { settings, camera, .. } = self.pass;
+        let seen = |(point, bsdf): &(SurfaceInteraction<'_>, Bsdf)| {
+            PixelLayers::new(settings.layers, camera, &self.samples[pixel].ray, point, || bsdf.clone())
         };
         self.surfaces[pixel].as_ref().map_or(PixelLayers::SKY, seen)
     }

@@ -1,6 +1,7 @@
 //! What moves in front of a pixel, and which of its samples must be shaded to tell the pixel's colour.
 
 use super::bake::CameraBake;
+use super::gbuffer_shading::gbuffer_bsdf;
 use super::moving_hits::MovingHits;
 use crate::accel::{Hit, Ray};
 use crate::pixel_layers::PixelLayers;
@@ -51,7 +52,8 @@ impl Coverage {
             }
             let point = SurfaceInteraction::new(&frame.instances, ray, hit);
             if sample == 0 {
-                centre = Some(PixelLayers::new(&bake.camera, ray, &point));
+                let bsdf = || gbuffer_bsdf(&point, &bake.lighting.environment, 0, bake.pixel_angle);
+                centre = Some(PixelLayers::new(bake.wanted, &bake.camera, ray, &point, bsdf));
             }
             match list[first..].iter_mut().find(|seen| tells(seen, &point)) {
                 Some(seen) => seen.stands_for += 1,

@@ -56,7 +56,7 @@ impl FrameBuffer {
             None => self.rgb[i] = bake.film.tone.apply(pixel.radiance),
         }
         if let Some(layers) = pixel.covered {
-            self.layers.set(i, layers);
+            self.layers.set(i, &layers);
         }
         self.streaks.extend(pixel.streak.map(|streak| (i as u32, streak)));
     }

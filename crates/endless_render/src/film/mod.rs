@@ -16,4 +16,4 @@ pub(crate) use finish::PostProcess;
 pub(crate) use glare::with_glare;
 pub(crate) use motion_blur::{BlurScratch, LEAST_PX, LONGEST_PX, Streak, blur};
 pub(crate) use rain::Rain;
-pub(crate) use tone::ToneCurve;
+pub(crate) use tone::{ToneCurve, srgb};

@@ -34,7 +34,7 @@ fn filmic(x: f32) -> f32 {
     math::pow(x, CONTRAST) / (math::pow(x, CONTRAST * SHOULDER) * b + c)
 }
 
-fn srgb(linear: f32) -> f32 {
+pub(crate) fn srgb(linear: f32) -> f32 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * math::pow(linear, 1.0 / 2.4) - 0.055 }
 }
 

@@ -5,7 +5,7 @@ use endless_dataset::SpawnCounts;
 use endless_pipeline::{
     BuiltinMap, BuiltinSimulator, MapCatalog, MapUse, SimulationSession, SimulationStep, Simulator, SimulatorError,
 };
-use endless_world::{SceneSettings, WorldState};
+use endless_world::{SceneSettings, SensorLayers, WorldState};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::time::Instant;
 
@@ -64,7 +64,7 @@ impl<'s> SceneTimer<'s> {
         map: &'m BuiltinMap,
         settings: &'m SceneSettings,
     ) -> Result<(BakedSession<'m>, f64)> {
-        let mut session = self.simulator.open_session(map, settings)?;
+        let mut session = self.simulator.open_session(map, settings, SensorLayers::default())?;
         let start = Instant::now();
         self.all_threads.install(|| session.prepare())?;
         let models = start.elapsed().saturating_sub(session.stats().bake);

@@ -7,7 +7,7 @@ use endless_dataset::SpawnCounts;
 use endless_pipeline::{
     Capabilities, MapUse, RenderTask, SceneTruth, SimulationSession, SimulationStep, Simulator, SimulatorError,
 };
-use endless_world::{SceneSettings, SensorFrame, WorldState};
+use endless_world::{SceneSettings, SensorFrame, SensorLayers, WorldState};
 use std::{
     collections::VecDeque,
     io,
@@ -61,6 +61,7 @@ impl Simulator for LiveFake {
         &'m self,
         _map: &'m (),
         settings: &'m SceneSettings,
+        _wanted: SensorLayers,
     ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError> {
         let fault = self.faults.lock().expect("unpoisoned").pop_front().unwrap_or(Fault::None);
         let number = self.sessions.fetch_add(1, Ordering::SeqCst) + 1;

@@ -12,7 +12,7 @@ use endless_pipeline::{
 };
 use endless_world::{
     Actor, Behaviour, BodyKeypoints, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, Motion,
-    Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, Stream, VehicleModelId,
+    Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, SensorLayers, Stream, VehicleModelId,
     VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
@@ -79,6 +79,7 @@ impl Simulator for Fake {
         &'m self,
         _map: &'m (),
         settings: &'m SceneSettings,
+        _wanted: SensorLayers,
     ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError> {
         Ok(Box::new(Drive { fake: self, settings, next: 0 }))
     }
@@ -212,6 +213,8 @@ pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -
         rgb: Image::filled(size, [120, 160, 220]),
         depth: Image::filled(size, FAR_PLANE_M),
         instance: Image::filled(size, sky),
+        normals: Some(Image::filled(size, [0; 3])),
+        albedo: Some(Image::filled(size, [0; 3])),
     };
     for y in h / 3..h {
         for x in 0..w {
@@ -219,6 +222,7 @@ pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -
             frame.rgb.data[i] = [(x * 7 + camera * 50) as u8, (y * 3) as u8, (x ^ y) as u8];
             frame.depth.data[i] = 30.0 + 300.0 / (1 + y) as f32;
             frame.instance.data[i].tag = ClassTag::Roads;
+            frame.normals.iter_mut().for_each(|image| image.data[i] = [32_768, 0, 32_768]);
         }
     }
     for actor in state.actors.iter().chain([&parked()]) {
@@ -229,6 +233,8 @@ pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -
                 let bits = actor.id.0.wrapping_mul(40_503).to_le_bytes();
                 frame.rgb.data[i] = [bits[0], bits[1], 200];
                 frame.depth.data[i] = depth;
+                frame.normals.iter_mut().for_each(|image| image.data[i] = [32_768, 32_768, 0]);
+                frame.albedo.iter_mut().for_each(|image| image.data[i] = [bits[0], bits[1], 7]);
                 frame.instance.data[i] = InstancePixel { tag: actor.class.tag(), id: actor.id };
             }
         }
