@@ -184,6 +184,9 @@ pub(crate) struct BenchArgs {
     /// Cameras that film each scene [default: 2].
     #[arg(long, value_name = "N")]
     pub(crate) cameras_per_scene: Option<i64>,
+    /// Layers to store [default: rgb,depth,instance].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) layers: Option<Vec<String>>,
     /// Record each of the fifteen conditions, each in the next town, and compare them.
     #[arg(long)]
     pub(crate) conditions: bool,

@@ -22,6 +22,7 @@ pub(super) fn draft(args: &BenchArgs) -> RecipeDraft {
         size: args.size.clone(),
         duration: Some(args.duration.unwrap_or(DURATION_S)),
         maps: args.maps.clone(),
+        layers: args.layers.clone(),
         cameras_per_scene: args.cameras_per_scene,
         ..RecipeDraft::default()
     }

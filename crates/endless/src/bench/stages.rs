@@ -4,7 +4,7 @@ use super::film::{draft, film};
 use super::peak_memory;
 use crate::args::BenchArgs;
 use anyhow::Result;
-use endless_dataset::RecipeDraft;
+use endless_dataset::{Layer, RecipeDraft};
 use endless_pipeline::{Generated, MapSource, Simulator};
 use std::{io::Write, process::ExitCode, time::Duration};
 
@@ -37,6 +37,10 @@ fn print(made: &Generated, threads: usize) -> Result<()> {
         ("video", t.video),
     ];
     for (name, time) in each {
+        writeln!(out, "{name:<14} {:>9.2}   {:>8.2}", time.as_secs_f64(), time.as_secs_f64() * 1e3 / frames)?;
+    }
+    for (layer, time) in Layer::ALL.iter().zip(t.layers).filter(|(_, time)| !time.is_zero()) {
+        let name = format!("- {layer}");
         writeln!(out, "{name:<14} {:>9.2}   {:>8.2}", time.as_secs_f64(), time.as_secs_f64() * 1e3 / frames)?;
     }
     let rate = |count: f64, time: Duration| count / time.as_secs_f64().max(1e-9);

@@ -6,8 +6,9 @@ use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::Town;
 use endless_world::{
     Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, ImageSize, InstanceId,
-    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SignalAspect, SignalState,
-    Stream, TimeOfDay, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
+    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SensorLayers,
+    SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef,
+    WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 use rayon::prelude::*;
@@ -142,6 +143,7 @@ fn check_through(
         gathering: Gathering::Interpolated { rays: 2 },
         look,
         keep_irradiance: true,
+        layers: SensorLayers { normals: true, albedo: true },
         ..RenderSettings::new(weather, time_of_day, 3, SIZE)
     };
     let bake = CameraBake::bake(still, &settings, site);

@@ -117,7 +117,7 @@ impl<'a> FrameRecorder<'a> {
             }
             FrameImages::Rendered(frames) => {
                 let item = |((camera, lens), frame): ((usize, &PinholeCamera), &SensorFrame)| {
-                    let write = || layers::write(&layout.camera(camera), recipe, frame, &self.written[camera]);
+                    let write = || layers::write(&layout.camera(camera), recipe, frame, &self.written[camera], clock);
                     let images = clock.time(Stage::Images, write)?;
                     // As it is or would be stored: labels do not depend on which layers are.
                     let depth = |pixel: usize| metres_from_rgb(rgb_from_metres(frame.depth.data[pixel]));

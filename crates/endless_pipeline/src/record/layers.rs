@@ -1,5 +1,6 @@
 //! The layers of one camera's frame: written, or read back where they are stored already.
 
+use super::times::StageClock;
 use endless_dataset::{
     CameraLayout, DatasetError, LastPng, Layer, Recipe, StoredImage, instance_from_rgb, read_rgb, write_atomic,
 };
@@ -55,16 +56,20 @@ pub(super) fn write<'f>(
     recipe: &Recipe,
     frame: &'f SensorFrame,
     last: &[LastPng],
+    clock: &StageClock,
 ) -> Result<StoredImages<'f>, DatasetError> {
     let mut images = StoredImages::new();
     for (&layer, last) in recipe.layers.iter().zip(last) {
         let path = files.frame(layer, frame.frame, recipe);
-        let malformed = |reason: String| DatasetError::malformed(&path, reason);
-        let made = (layer.entry().encode)(frame);
-        let mut image = made.ok_or_else(|| malformed(format!("cannot be: the simulator gives no {layer}")))?;
         let format = layer.format(recipe.rgb_format).entry();
-        let bytes = (format.encode)(&image, last).map_err(malformed)?;
-        write_atomic(&path, &bytes)?;
+        let malformed = |reason: String| DatasetError::malformed(&path, reason);
+        let (mut image, bytes) = clock.time_layer(layer, || {
+            let made = (layer.entry().encode)(frame);
+            let image = made.ok_or_else(|| malformed(format!("cannot be: the simulator gives no {layer}")))?;
+            let bytes = (format.encode)(&image, last).map_err(malformed)?;
+            write_atomic(&path, &bytes)?;
+            Ok::<_, DatasetError>((image, bytes))
+        })?;
         if !recipe.mp4.contains(&layer) {
             continue;
         }

@@ -1,6 +1,7 @@
 //! Time by stage.
 
 use crate::RenderStats;
+use endless_dataset::Layer;
 use std::{
     sync::atomic::{AtomicU64, Ordering},
     time::{Duration, Instant},
@@ -29,12 +30,14 @@ impl Stage {
     }
 }
 
+const LAYERS: usize = Layer::ALL.len();
 const STAGES: usize = 11;
 
 /// Adds up the time of each stage over all threads.
 #[derive(Debug, Default)]
 pub(crate) struct StageClock {
     nanos: [AtomicU64; STAGES],
+    layer_nanos: [AtomicU64; LAYERS],
     bake_rays: AtomicU64,
     frame_rays: AtomicU64,
     camera_bake_nanos: AtomicU64,
@@ -59,6 +62,8 @@ pub struct StageTimes {
     pub amodal: Duration,
     /// Encoding and writing images.
     pub images: Duration,
+    /// That of each layer, in the order of [`Layer::ALL`].
+    pub layers: [Duration; LAYERS],
     /// Decoding images that were there already.
     pub resume: Duration,
     /// Encoding videos.
@@ -84,6 +89,14 @@ impl StageClock {
         result
     }
 
+    /// Times what encodes and writes an image of a layer, which is part of [`Stage::Images`].
+    pub(crate) fn time_layer<R>(&self, layer: Layer, work: impl FnOnce() -> R) -> R {
+        let start = Instant::now();
+        let result = work();
+        self.layer_nanos[layer as usize].fetch_add(start.elapsed().as_nanos() as u64, Ordering::Relaxed);
+        result
+    }
+
     pub(crate) fn add_stats(&self, stats: RenderStats) {
         self.bake_rays.fetch_add(stats.bake_rays, Ordering::Relaxed);
         self.frame_rays.fetch_add(stats.frame_rays, Ordering::Relaxed);
@@ -101,6 +114,7 @@ impl StageClock {
             boxes: of(Stage::Boxes),
             amodal: of(Stage::Amodal),
             images: of(Stage::Images),
+            layers: self.layer_nanos.each_ref().map(|nanos| Duration::from_nanos(nanos.load(Ordering::Relaxed))),
             resume: of(Stage::Resume),
             video: of(Stage::Video),
             record: of(Stage::Record).saturating_sub(of(Stage::Bake)).saturating_sub(of(Stage::LoadScene)),

@@ -3,7 +3,7 @@
 use endless_annotate::{CountingLine, Event, Happenings, Relation, SceneObserver};
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, MapCatalog, MapUse, Simulator};
-use endless_world::{CameraLook, ImageSize, SceneCamera, SceneSettings, TimeOfDay, Weather, WorldState};
+use endless_world::{CameraLook, ImageSize, SceneCamera, SceneSettings, SensorLayers, TimeOfDay, Weather, WorldState};
 use glam::Vec3Swizzles as _;
 use std::collections::BTreeSet;
 
@@ -27,7 +27,7 @@ fn watch(town: &str, mut see: impl FnMut(&WorldState, &Happenings)) {
     };
     let wanted = MapUse { name: town, cameras: &sites[..1], videos: &[&settings] };
     let map = simulator.load_map(&wanted).expect("a town");
-    let mut session = simulator.open_session(&map, &settings).expect("a scene");
+    let mut session = simulator.open_session(&map, &settings, SensorLayers::default()).expect("a scene");
     let [x, y, _] = sites[0].position.map(f64::from);
     let line =
         |name: &str, from: [f64; 2], to: [f64; 2]| CountingLine { map: town.into(), name: name.into(), from, to };

@@ -5,7 +5,9 @@ use endless_render::{
     MovingCamera, MovingObject, RenderSettings, StaticScene,
 };
 use endless_scene::{Material, MeshBuilder, Surface};
-use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, Mount, SensorFrame, TimeOfDay, Weather};
+use endless_world::{
+    CameraSite, ClassTag, ImageSize, InstanceId, Mount, SensorFrame, SensorLayers, TimeOfDay, Weather,
+};
 use glam::{Affine3A, Vec2, Vec3};
 
 const SIZE: ImageSize = ImageSize { width: 120, height: 68 };
@@ -64,6 +66,7 @@ fn settings(weather: Weather) -> RenderSettings {
     RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
         keep_irradiance: true,
+        layers: SensorLayers { normals: true, albedo: true },
         ..RenderSettings::new(weather, TimeOfDay::Afternoon, 3, SIZE)
     }
 }
@@ -83,6 +86,37 @@ fn the_cache_leaves_nothing_out() {
             assert!(cached == traced, "{weather}, {x} m");
             assert!(pixels_of(MOVING, &cached).len() > 30);
         }
+    }
+}
+
+#[test]
+fn layers_show_what_is_asked_for_and_change_nothing_else() {
+    let (still, frame, settings) = (still(), frame(12.0), settings(Weather::ClearSky));
+    let all = CameraBake::bake(&still, &settings, &site()).render(&still, &frame);
+    let none = RenderSettings { layers: SensorLayers::default(), ..settings };
+    let plain = CameraBake::bake(&still, &none, &site()).render(&still, &frame);
+    assert!(plain.normals.is_none() && plain.albedo.is_none());
+    assert!(plain.rgb == all.rgb && plain.depth == all.depth && plain.instance == all.instance);
+    let (normals, albedo) = (all.normals.expect("asked for"), all.albedo.expect("asked for"));
+    // Up and towards the camera, which looks down by 0.35 rad; both blocks turn a side and their tops to it.
+    let (sin, cos) = (0.342_898, 0.939_373);
+    let code = |n: f32| ((n + 1.0) * 32_767.5).round() as u16;
+    let up = [code(0.0), code(-cos), code(-sin)];
+    let ahead = [code(0.0), code(sin), code(-cos)];
+    let sees = |pixel: [u16; 3], wanted: [u16; 3]| (0..3).all(|axis| pixel[axis].abs_diff(wanted[axis]) <= 1);
+    for (i, label) in all.instance.data.iter().enumerate() {
+        let (normal, color) = (normals.data[i], albedo.data[i]);
+        match (label.tag, label.id) {
+            (ClassTag::Sky, _) => assert_eq!((normal, color), ([0; 3], [0; 3])),
+            (ClassTag::Roads, _) => assert!(sees(normal, up), "{normal:?}"),
+            (_, MOVING) => assert!(color[0] > color[1] && color[1] > color[2], "{color:?} of red-brown paint"),
+            _ => {}
+        }
+    }
+    for id in [STANDING, MOVING] {
+        let pixels = pixels_of(id, &plain);
+        let facing = |wanted| pixels.iter().filter(|&&i| sees(normals.data[i], wanted)).count();
+        assert!(facing(up) > 5 && facing(ahead) > 5, "{} up, {} ahead", facing(up), facing(ahead));
     }
 }
 

@@ -12,8 +12,8 @@ use endless_pipeline::{
 };
 use endless_world::{
     Actor, Behaviour, BodyKeypoints, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, Motion,
-    Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, SensorLayers, Stream, VehicleModelId,
-    VehicleMotion, VehicleRef, WalkerMotion, WorldState,
+    Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, SensorLayers, Stream,
+    VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 use std::{
