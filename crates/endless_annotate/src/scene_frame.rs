@@ -170,6 +170,7 @@ mod tests {
                 SignalRecord::new(SignalId(1), SignalAspect::Red, None),
             ],
             counts: count_by_class([ObjectClass::Car, ObjectClass::Car, ObjectClass::Bus]),
+            happenings: Happenings::default(),
         };
         let text = serde_json::to_string(&line).expect("plain data");
         for part in [
