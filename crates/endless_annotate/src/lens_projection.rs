@@ -28,14 +28,15 @@ impl LensProjection {
         let (focal, principal) = (Vec2::new(k.fx, k.fy), Vec2::new(k.cx, k.cy));
         let size = Vec2::new(camera.size.width as f32, camera.size.height as f32);
         let border = [0.0, 0.5, 1.0].map(|x| [0.0, 0.5, 1.0].map(|y| Vec2::new(x, y) * size));
-        let straight = |p: &Vec2| camera.distortion.undistort((*p - principal) / focal).abs().as_dvec2();
+        let distortion = [camera.distortion.k1, camera.distortion.k2].map(f64::from);
+        let straight = |p: &Vec2| undistorted(((*p - principal) / focal).as_dvec2(), distortion).abs();
         let reach = border.iter().flatten().map(straight).fold(DVec2::ZERO, DVec2::max) * MARGIN;
         Self {
             camera_from_world: camera.world_from_camera.transpose().as_dmat3(),
             position: camera.position.as_dvec3(),
             focal: focal.as_dvec2(),
             principal: principal.as_dvec2(),
-            distortion: [camera.distortion.k1, camera.distortion.k2].map(f64::from),
+            distortion,
             size: size.as_dvec2(),
             reach,
         }
@@ -54,9 +55,7 @@ impl LensProjection {
     /// The pixel of a point before the camera, through the lens.
     pub(crate) fn image(&self, point_in_camera: DVec3) -> DVec2 {
         let p = point_in_camera.truncate() / point_in_camera.z;
-        let r2 = p.length_squared();
-        let [k1, k2] = self.distortion;
-        self.principal + self.focal * p * (1.0 + r2 * (k1 + k2 * r2))
+        self.principal + self.focal * p * stretch(p.length_squared(), self.distortion)
     }
 
     /// `K` of `image ~ K · camera`, for a picture without distortion.
@@ -109,6 +108,25 @@ impl LensProjection {
             points.push(b);
         }
     }
+}
+
+/// By how much a lens moves a point away from the principal point, whose distance squared this is.
+fn stretch(r2: f64, [k1, k2]: [f64; 2]) -> f64 {
+    1.0 + r2 * (k1 + k2 * r2)
+}
+
+/// The pinhole image point of a distorted one, by bisection: also where a wide lens bends so much that Newton's method
+/// would need many steps.
+fn undistorted(p: DVec2, distortion: [f64; 2]) -> DVec2 {
+    /// Tangent of the largest angle from the optical axis that is looked for.
+    const WIDEST: f64 = 100.0;
+    let bent = p.length();
+    let (mut low, mut high) = (0.0, WIDEST);
+    for _ in 0..60 {
+        let r = 0.5 * (low + high);
+        if r * stretch(r * r, distortion) < bent { low = r } else { high = r }
+    }
+    if bent > 0.0 { p * (high / bent) } else { p }
 }
 
 /// Distance of straight lines from what they stand for, pixels.

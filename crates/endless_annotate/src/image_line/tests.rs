@@ -5,8 +5,9 @@ use proptest::prelude::*;
 const SIZE: ImageSize = ImageSize { width: 640, height: 360 };
 const FAR_M: f64 = 100.0;
 
+/// Fields of view to 80 degrees: behind the strongest barrel a wider one shows more than half of the world.
 fn cameras() -> impl Strategy<Value = PinholeCamera> {
-    (-3.0..3.0f32, 0.1..1.2f32, 0.5..1.8f32, -0.22..0.0f32).prop_map(|(yaw_rad, down_tilt_rad, fov, k1)| {
+    (-3.0..3.0f32, 0.1..1.2f32, 0.5..1.4f32, -0.22..0.0f32).prop_map(|(yaw_rad, down_tilt_rad, fov, k1)| {
         let site = CameraSite {
             name: "test".into(),
             position: [3.0, -2.0, 6.5],
@@ -66,8 +67,9 @@ proptest! {
                     continue;
                 }
                 let image = lens.image(there);
-                // What is as far outside as a border may bend is nobody's.
-                if lens.shows(image) {
+                // What touches the border by less than a line may bend is nobody's.
+                let border = DVec2::splat(0.3);
+                if lens.shows(image - border) && lens.shows(image + border) {
                     prop_assert!(distance_to_lines(image, &lines) < 0.25, "{image} is missing");
                 }
             }
