@@ -170,7 +170,7 @@ impl Catalogue {
 
     /// The plate of a traffic sign; `None` for other props.
     pub fn sign_plate(&self, prop: Prop, variant: u32) -> Option<SignPlate> {
-        furniture::sign_plate(prop, variant, &self.prop(prop, variant))
+        furniture::sign_plate(prop, variant, || self.prop(prop, variant))
     }
 
     /// Codes of traffic signs, of the Vienna Convention (`C,1`) and of the MUTCD (`R5-1`): the variants of

