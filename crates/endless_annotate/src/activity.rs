@@ -4,8 +4,8 @@ use crate::rounding::thousandths;
 use endless_world::{Actor, Gait, Motion, Side};
 use serde::{Deserialize, Serialize};
 
-/// Slower than this a vehicle stands, m/s.
-const STANDS_MPS: f32 = 0.1;
+/// Slower than this one stands, m/s.
+pub(crate) const STANDS_MPS: f32 = 0.1;
 
 /// What somebody on foot or on a two-wheeler is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]

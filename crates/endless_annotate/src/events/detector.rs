@@ -2,7 +2,7 @@
 
 use super::RoadFacts;
 use super::conflict::{self, ENCROACHMENT_S, NEAR_MISS_S, Trails};
-use super::road_user::{RoadUser, STANDS_MPS};
+use super::road_user::RoadUser;
 use crate::rounding::thousandths;
 use endless_world::{InstanceId, SignalAspect, SignalId, WorldState};
 use serde::{Deserialize, Serialize};
@@ -67,7 +67,7 @@ pub enum Event {
 }
 
 /// What of somebody must be remembered until the next frame.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy)]
 struct Remembered {
     lane: Option<u32>,
     changes_lane: bool,
@@ -130,19 +130,19 @@ impl EventDetector {
         let id = user.id;
         let behaviour = user.behaviour;
         let lane = behaviour.lane.map(|place| place.lane);
+        let before = self.remembered.get(&id).copied();
         let now = Remembered {
             lane,
             changes_lane: behaviour.lane_left.is_some(),
-            moved: user.speed_mps > MOVED_MPS,
+            // Who creeps has moved until they stop.
+            moved: user.speed_mps > MOVED_MPS || before.is_some_and(|before| before.moved && !user.stands()),
             brakes_hard: behaviour.acceleration_mps2 < -HARD_BRAKING_MPS2,
         };
-        let Some(before) = self.remembered.insert(id, now) else { return };
-        if before.moved && user.speed_mps < STANDS_MPS {
+        self.remembered.insert(id, now);
+        let Some(before) = before else { return };
+        if before.moved && user.stands() {
             events.push(Event::Stop { id });
         }
-        // Who creeps has moved until they stop.
-        let moved = now.moved || before.moved && user.speed_mps >= STANDS_MPS;
-        self.remembered.insert(id, Remembered { moved, ..now });
         if now.brakes_hard && !before.brakes_hard {
             events.push(Event::HardBraking { id, acceleration_mps2: thousandths(behaviour.acceleration_mps2) });
         }

@@ -1,11 +1,9 @@
 //! Those who move, as relations and events see them.
 
 use super::{Footprint, RoadFacts};
+use crate::activity::STANDS_MPS;
 use endless_world::{Actor, Behaviour, InstanceId, Motion, WorldState, math};
 use glam::{Vec2, Vec3Swizzles as _};
-
-/// Slower than this one stands, m/s.
-pub(super) const STANDS_MPS: f32 = 0.1;
 
 /// Somebody who moves, at an instant.
 #[derive(Debug, Clone, Copy)]

@@ -3,8 +3,8 @@
 const SUB: u8 = 1;
 const UP: u8 = 2;
 
-/// Appends the rows of a band, of so many bytes a pixel, each filtered by what leaves the smaller differences: to the pixel on the left, or to the
-/// one above, which the first row does not know.
+/// Appends the rows of a band, of so many bytes a pixel, each filtered by what leaves the smaller differences: to the pixel
+/// on the left, or to the one above, which the first row does not know.
 pub(super) fn rows<const PIXEL: usize>(band: &[u8], row_bytes: usize, out: &mut Vec<u8>) {
     let mut above: Option<&[u8]> = None;
     for row in band.chunks_exact(row_bytes) {

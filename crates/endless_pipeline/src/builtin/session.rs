@@ -128,6 +128,11 @@ impl BuiltinScene<'_> {
     fn models(&self) -> &ActorModels {
         self.models.get_or_init(|| ActorModels::in_town(&self.map.town_scene, self.catalogue, &self.moving))
     }
+
+    /// What moves at the instant that a frame is of.
+    fn frame_scene<'f>(&self, frame: &'f SharedFrame, state: &WorldState) -> &'f Arc<FrameScene> {
+        frame.get_or_init(|| Arc::new(self.models().frame_scene(state)))
+    }
 }
 
 fn rays(baked: &[CameraBake]) -> u64 {
@@ -198,7 +203,7 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
         let (cameras, still) = (self.scene.cameras(), self.scene.map.town_scene.static_scene());
-        let frame = self.frame.get_or_init(|| Arc::new(self.scene.models().frame_scene(state)));
+        let frame = self.scene.frame_scene(&self.frame, state);
         Ok(cameras.baked.iter().map(|camera| camera.render(still, frame)).collect())
     }
 }
@@ -214,7 +219,7 @@ struct SceneShapes<'m> {
 impl SceneShapes<'_> {
     fn moving(&self) -> &MovingShapes {
         self.moving.get_or_init(|| {
-            let frame = self.frame.get_or_init(|| Arc::new(self.scene.models().frame_scene(&self.state)));
+            let frame = self.scene.frame_scene(&self.frame, &self.state);
             MovingShapes::new(&self.state.actors, Arc::clone(frame))
         })
     }

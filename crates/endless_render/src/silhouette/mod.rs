@@ -18,8 +18,8 @@ pub struct ObjectShape {
 }
 
 impl ObjectShape {
-    fn of<'a>(instances: impl Iterator<Item = &'a Instance>) -> Option<Self> {
-        let instances: Vec<Instance> = instances.cloned().collect();
+    fn of(id: InstanceId, all: &[Instance]) -> Option<Self> {
+        let instances: Vec<Instance> = all.iter().filter(|instance| instance.id == id).cloned().collect();
         let accel = Tlas::build(instances.iter().map(Instance::placed).collect());
         (!instances.is_empty()).then_some(Self { instances, accel })
     }
@@ -28,14 +28,14 @@ impl ObjectShape {
 impl FrameScene {
     /// One of the objects that move; `None` if none of them has this id.
     pub fn object_shape(&self, id: InstanceId) -> Option<ObjectShape> {
-        ObjectShape::of(self.instances.iter().filter(|instance| instance.id == id))
+        ObjectShape::of(id, &self.instances)
     }
 }
 
 impl StaticScene {
     /// One of the objects that stand still; `None` if none of them has this id.
     pub fn object_shape(&self, id: InstanceId) -> Option<ObjectShape> {
-        ObjectShape::of(self.instances.iter().filter(|instance| instance.id == id))
+        ObjectShape::of(id, &self.instances)
     }
 }
 
