@@ -2,7 +2,7 @@
 
 use crate::Happenings;
 use crate::rounding::{millionths, ten_thousandths_f64};
-use endless_world::{Condition, ObjectClass, SignalAspect, SignalId, TimeOfDay, Weather};
+use endless_world::{ObjectClass, SceneWeather, SignalAspect, SignalId, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -53,21 +53,18 @@ pub struct WeatherState {
 }
 
 impl WeatherState {
-    /// The weather of a condition in which one sees this far.
-    pub fn new(condition: &Condition, visibility_m: f32, fog_scale_height_m: f32) -> Self {
-        let percent = |share: f32| ten_thousandths_f64(100.0 * f64::from(share));
-        // The table tells of clouds by day: at night they are seen by the light of the town alone.
-        let sky = Condition::of(condition.weather, TimeOfDay::Afternoon);
-        let depth = VISIBILITY_DEPTH * FOG_PATH_M / f64::from(visibility_m);
+    /// The weather of a scene at an instant.
+    pub fn new(weather: &SceneWeather) -> Self {
+        let depth = VISIBILITY_DEPTH * FOG_PATH_M / f64::from(weather.visibility_m);
         Self {
-            name: condition.weather,
-            cloudiness: percent(sky.overcast.max(sky.cloud_cover)),
-            precipitation: percent(condition.rain),
-            precipitation_deposits: percent(condition.puddles),
-            wetness: percent(condition.wetness),
+            name: weather.weather,
+            cloudiness: percent(weather.cloudiness),
+            precipitation: percent(weather.rain),
+            precipitation_deposits: percent(weather.puddles),
+            wetness: percent(weather.wetness),
             fog_density: ten_thousandths_f64(100.0 * (1.0 - endless_world::math::f64::exp(-depth))),
-            visibility_m: ten_thousandths_f64(visibility_m.into()),
-            fog_scale_height_m: ten_thousandths_f64(fog_scale_height_m.into()),
+            visibility_m: ten_thousandths_f64(weather.visibility_m.into()),
+            fog_scale_height_m: ten_thousandths_f64(weather.scale_height_m.into()),
         }
     }
 }
@@ -79,10 +76,32 @@ pub struct LightState {
     pub time_of_day: TimeOfDay,
     /// The sun.
     pub sun: SunState,
-    /// Whether street lamps, windows and signs are lit.
+    /// Whether any street lamps, windows and signs are lit.
     pub street_lamps_on: bool,
-    /// Whether vehicles drive with dipped headlights.
+    /// Whether any vehicles drive with dipped headlights.
     pub headlights_on: bool,
+    /// How many of the lamps, windows and signs are lit that are at night, percent.
+    pub street_lamps_percent: f64,
+    /// How many of the vehicles drive with dipped headlights, percent.
+    pub headlights_percent: f64,
+}
+
+impl LightState {
+    /// The light of a scene at an instant.
+    pub fn new(weather: &SceneWeather) -> Self {
+        Self {
+            time_of_day: weather.time_of_day,
+            sun: SunState::new(weather.sun_azimuth_rad, weather.sun_altitude_rad, weather.sun_share),
+            street_lamps_on: weather.lamps_lit > 0.0,
+            headlights_on: weather.headlights_on > 0.0,
+            street_lamps_percent: percent(weather.lamps_lit),
+            headlights_percent: percent(weather.headlights_on),
+        }
+    }
+}
+
+fn percent(share: f32) -> f64 {
+    ten_thousandths_f64(100.0 * f64::from(share))
 }
 
 /// Where the sun stands in the world, also under clouds and below the horizon.
@@ -154,17 +173,12 @@ mod tests {
 
     #[test]
     fn a_line_has_the_documented_fields() {
-        let condition = Condition::of(Weather::Rainy, TimeOfDay::Night);
+        let weather = SceneWeather::new(Weather::Rainy, TimeOfDay::Night, 1);
         let line = SceneFrame {
             frame: 7,
             time_s: 1.4,
-            weather: WeatherState::new(condition, 1000.0, 1200.0),
-            light: LightState {
-                time_of_day: TimeOfDay::Night,
-                sun: SunState::new(1.0, -0.5, 0.7),
-                street_lamps_on: true,
-                headlights_on: true,
-            },
+            weather: WeatherState { visibility_m: 1000.0, ..WeatherState::new(&weather) },
+            light: LightState { sun: SunState::new(1.0, -0.5, 0.7), ..LightState::new(&weather) },
             signals: vec![
                 SignalRecord::new(SignalId(0), SignalAspect::RedYellow, Some((0.5, SignalAspect::Green))),
                 SignalRecord::new(SignalId(1), SignalAspect::Red, None),
@@ -175,7 +189,7 @@ mod tests {
         let text = serde_json::to_string(&line).expect("plain data");
         for part in [
             r#"{"frame":7,"time_s":1.4,"weather":{"name":"rainy","cloudiness":100.0,"precipitation":100.0,"#,
-            r#""fog_density":32.3755,"visibility_m":1000.0"#,
+            r#""visibility_m":1000.0"#,
             r#""altitude_rad":-0.5,"up":false,"direct_share":0.0}"#,
             r#"{"id":0,"aspect":"red_yellow","remaining_s":0.5,"next":"green"},{"id":1,"aspect":"red"}]"#,
             r#""counts":{"car":2,"van":0,"truck":0,"bus":1,"#,

@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let baked: Vec<CameraBake> = settings.cameras.iter().map(bake).collect();
     let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
-    let condition = Condition::of(weather, time_of_day);
+    let condition = Condition::of(weather, time_of_day).into();
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let asked = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };

@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
-    let condition = Condition::of(Weather::ClearSky, TimeOfDay::Morning);
+    let condition = Condition::of(Weather::ClearSky, TimeOfDay::Morning).into();
     let mut stage = StageCost::begin();
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue)?;

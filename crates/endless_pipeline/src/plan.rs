@@ -1,6 +1,7 @@
 //! The scenes of a recipe: the paper's section 4.3.2.
 
 mod balanced;
+mod changing;
 mod combination;
 
 use crate::{MapCatalog, PlanError, SimulatorError};
@@ -102,6 +103,7 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         map: map.to_owned(),
         weather,
         time_of_day,
+        changing_to: changing::to(recipe, video, weather, time_of_day),
         cameras: sites.into_iter().zip(0..).map(camera).collect(),
         vehicles: recipe.vehicles,
         pedestrians: recipe.pedestrians,

@@ -2,7 +2,7 @@
 
 use crate::accel::Ray;
 use crate::indirect::{IndirectRays, PROBE_BOUNCES, ProbeGrid, ProbeRegion, TapeStack};
-use crate::light::{Environment, HaloGrid, LampMaps, Lamps};
+use crate::light::{Environment, HaloGrid, LampMaps, Lamps, lamp_power};
 use crate::scene::{FrameScene, StaticScene};
 use crate::settings::RenderSettings;
 use crate::shade::{Tracer, halos8};
@@ -54,6 +54,8 @@ impl ViewedArea {
 /// Sun, sky and air, what hides lamps, light that bounced, and the glow of lamps in the air.
 pub(crate) struct Lighting {
     pub(crate) environment: Environment,
+    /// Where not all of them are lit.
+    dimmed_lamps: Option<Lamps>,
     pub(crate) lamp_maps: LampMaps,
     /// Light that bounced; without them it is that of the open sky.
     pub(crate) probes: Option<ProbeGrid>,
@@ -65,10 +67,13 @@ impl Lighting {
     /// Around what cameras see, without light that bounced and without the glow of lamps.
     pub(crate) fn direct(still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
         let ViewedArea { low, high, ground } = *area;
-        let environment = Environment::new(settings, ground);
+        let environment = Environment::new(&settings.weather, ground);
         let lamps = if environment.night { still.lamps.all() } else { &[] };
         let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
-        Self { environment, lamp_maps, probes: None, halos: None }
+        let share = environment.lamps_lit;
+        let dimmed_lamps =
+            (environment.night && share < 1.0).then(|| still.lamps.with_power(|place| lamp_power(place, share)));
+        Self { environment, dimmed_lamps, lamp_maps, probes: None, halos: None }
     }
 
     /// With light that bounced; and the ends of the rays that gathered it, if these are to be kept.
@@ -81,7 +86,7 @@ impl Lighting {
     ) -> (Self, [TapeStack; PROBE_BOUNCES]) {
         let ViewedArea { low, high, ground } = *area;
         let region = ProbeRegion { low, high, ground, pattern: settings.pattern };
-        let (probes, hits) = ProbeGrid::bake(still, &self.environment, &self.lamp_maps, &region, indirect);
+        let (probes, hits) = ProbeGrid::bake(&self.tracer(still, None), &region, indirect);
         (Self { probes: Some(probes), ..self }, hits)
     }
 
@@ -99,7 +104,8 @@ impl Lighting {
 
     /// All that light depends on at an instant, or when nothing moves.
     pub(crate) fn tracer<'a>(&'a self, still: &'a StaticScene, moving: Option<&'a FrameScene>) -> Tracer<'a> {
-        let Self { environment, lamp_maps, probes, .. } = self;
-        Tracer { still, moving, environment, lamp_maps, probes: probes.as_ref() }
+        let Self { environment, dimmed_lamps, lamp_maps, probes, .. } = self;
+        let lamps = dimmed_lamps.as_ref().unwrap_or(&still.lamps);
+        Tracer { still, moving, environment, lamps, lamp_maps, probes: probes.as_ref() }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::accel::Ray;
 use crate::camera_rays::planar_depth;
-use crate::film::srgb;
+use crate::film::{mix_rgb, srgb};
 use crate::material::Bsdf;
 use crate::scene::SurfaceInteraction;
 use endless_world::{
@@ -125,6 +125,14 @@ impl LayerImages {
         if let Some(albedo) = &mut self.albedo {
             albedo[pixel] = layers.albedo;
         }
+    }
+
+    /// The same instant in a light that is this share of the way to another: only the light differs.
+    pub(crate) fn mixed(mut self, other: Self, share: f32) -> Self {
+        if let (Some(albedo), Some(next)) = (&mut self.albedo, &other.albedo) {
+            mix_rgb(albedo, next, share);
+        }
+        self
     }
 
     /// Depth along the optical axis of every pixel, metres.

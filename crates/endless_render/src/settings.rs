@@ -1,6 +1,6 @@
 //! Settings of a camera's picture of a scene.
 
-use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, SensorLayers, TimeOfDay, Weather};
+use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, SceneWeather, SensorLayers, TimeOfDay, Weather};
 
 /// Where light of the sky and from other surfaces is gathered for the still picture, and with how many rays a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,12 +31,8 @@ impl Default for Gathering {
 /// Settings of a camera's picture of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RenderSettings {
-    /// Weather.
-    pub weather: Weather,
-    /// Time of day.
-    pub time_of_day: TimeOfDay,
-    /// Towards the sun, world frame, in place of where it stands in this condition; any length but zero.
-    pub sun_direction: Option<[f32; 3]>,
+    /// Sun, sky, air and ground.
+    pub weather: SceneWeather,
     /// The scene's seed.
     pub seed: u64,
     /// Image size.
@@ -60,9 +56,7 @@ impl RenderSettings {
     /// The default settings of datasets, at 30 frames a second.
     pub fn new(weather: Weather, time_of_day: TimeOfDay, seed: u64, size: ImageSize) -> Self {
         Self {
-            weather,
-            time_of_day,
-            sun_direction: None,
+            weather: SceneWeather::new(weather, time_of_day, seed),
             seed,
             size,
             gathering: Gathering::default(),

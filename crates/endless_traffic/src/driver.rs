@@ -1,10 +1,16 @@
 //! How a driver accelerates: the Intelligent Driver Model (Treiber, Hennecke, Helbing 2000, "Congested traffic states
 //! in empirical observations and microscopic simulations").
 
-use endless_world::{Condition, ObjectClass, Stream, VehicleSpec};
+use endless_world::math::smoothstep;
+use endless_world::{ObjectClass, Stream, VehicleSpec};
 
 /// Hardest braking, m/s².
 pub(crate) const HARDEST_BRAKING: f64 = 7.5;
+
+/// Factor on speeds on a road of this wetness, 0 dry to 1 soaked.
+fn pace_on(wetness: f32) -> f64 {
+    1.0 - 0.12 * f64::from(smoothstep(0.2, 0.7, wetness))
+}
 
 /// One driver's habits.
 #[derive(Debug, Clone, Copy)]
@@ -30,9 +36,9 @@ pub(crate) struct Driver {
 }
 
 impl Driver {
-    pub(crate) fn new(spec: &VehicleSpec, condition: &Condition, stream: &mut Stream) -> Self {
+    pub(crate) fn new(spec: &VehicleSpec, wetness: f32, stream: &mut Stream) -> Self {
         let heavy = matches!(spec.class, ObjectClass::Truck | ObjectClass::Bus);
-        let wet = if condition.wet_road { 0.88 } else { 1.0 };
+        let wet = pace_on(wetness);
         let lateral_m = match spec.class {
             ObjectClass::Bicycle => stream.range_f64(-0.95, -0.6),
             ObjectClass::Motorcycle => stream.range_f64(-0.4, 0.4),
@@ -50,6 +56,15 @@ impl Driver {
             lateral_m,
             politeness: stream.range_f64(0.1, 0.5),
         }
+    }
+
+    /// On a road that was so wet, and is now.
+    pub(crate) fn adapt(&mut self, from_wetness: f32, to_wetness: f32) {
+        let change = pace_on(to_wetness) / pace_on(from_wetness);
+        self.headway_s /= change;
+        self.limit_factor *= change;
+        self.cruise_mps *= change;
+        self.bend_factor *= change;
     }
 
     /// On an open road, with a speed to reach.

@@ -66,6 +66,6 @@ mod walker;
 
 pub use population::Population;
 pub use roads::TrafficMap;
-pub use settings::{Fleet, TrafficSettings};
+pub use settings::{DrivingCondition, Fleet, TrafficSettings};
 pub use signals::{SignalCountdown, signal_countdowns};
 pub use simulation::Simulation;

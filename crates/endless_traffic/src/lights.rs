@@ -3,14 +3,16 @@
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::Turn;
-use endless_world::{Condition, ObjectClass, Side, VehicleLights};
+use endless_world::{ObjectClass, Side, VehicleLights};
 
 /// Indicators blink this often a second.
 const BLINK_HZ: f64 = 1.5;
 
-pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, condition: &Condition, time_s: f64, step_s: f64) {
+pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, headlights_on: f32, time_s: f64, step_s: f64) {
     let mut lit = VehicleLights::empty();
-    if condition.headlights_on {
+    // Every vehicle's relay has its own beat, and every driver thinks it dark at another time.
+    let own = (vehicle.asset.variant % 1000) as f64 / 1000.0;
+    if f64::from(headlights_on) > own {
         lit |= VehicleLights::POSITION | VehicleLights::LOW_BEAM;
         // Passengers sit in the light; drivers of cars see better in the dark.
         if vehicle.class == ObjectClass::Bus {
@@ -23,10 +25,8 @@ pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, condition: &Condition
         if vehicle.brake_hold_s > 0.0 {
             lit |= VehicleLights::BRAKE;
         }
-        // Every vehicle's relay has its own beat.
-        let beat = (vehicle.asset.variant % 1000) as f64 / 1000.0;
         vehicle.indicating = indicated(vehicle, roads);
-        if (time_s * BLINK_HZ + beat).rem_euclid(1.0) < 0.5 {
+        if (time_s * BLINK_HZ + own).rem_euclid(1.0) < 0.5 {
             lit |= match vehicle.indicating {
                 Some(Side::Left) => VehicleLights::LEFT_BLINKER,
                 Some(Side::Right) => VehicleLights::RIGHT_BLINKER,

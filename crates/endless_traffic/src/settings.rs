@@ -1,7 +1,7 @@
 //! The fleet and the settings of a simulation.
 
 use endless_world::walking::PedestrianSpec;
-use endless_world::{Condition, TimeOfDay, VehicleSpec, Weather};
+use endless_world::{Condition, VehicleSpec};
 use glam::Vec3;
 
 /// The vehicles and people there are to draw from.
@@ -12,6 +12,23 @@ pub struct Fleet<'a> {
     pub vehicles: &'a [VehicleSpec],
     /// The person of a seed.
     pub pedestrian: &'a dyn Fn(u64) -> PedestrianSpec,
+}
+
+/// What road users take notice of in weather and light. By default, a dry day.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct DrivingCondition {
+    /// Share of vehicles that drive with dipped headlights, 0 to 1.
+    pub headlights_on: f32,
+    /// Of the road, 0 dry to 1 soaked: drivers go slower and keep more distance.
+    pub wetness: f32,
+    /// Rain in the air, 0 to 1: people wear other clothes.
+    pub rain: f32,
+}
+
+impl<Q> From<&Condition<Q>> for DrivingCondition {
+    fn from(&Condition { headlights_on, wetness, rain, .. }: &Condition<Q>) -> Self {
+        Self { headlights_on, wetness, rain }
+    }
 }
 
 /// Settings of a simulation.
@@ -25,8 +42,8 @@ pub struct TrafficSettings {
     pub seed: u64,
     /// Frames a second, positive.
     pub fps: f64,
-    /// Weather and time of day: headlights, wet roads, what people wear.
-    pub condition: &'static Condition,
+    /// Weather and light at the beginning.
+    pub condition: DrivingCondition,
     /// Places around which traffic is denser and to which ways rather lead (world frame, metres; say, the recorded
     /// cameras); without any, vehicles and people are spread evenly over the whole map.
     pub focus: Vec<Vec3>,
@@ -34,7 +51,7 @@ pub struct TrafficSettings {
 
 impl Default for TrafficSettings {
     fn default() -> Self {
-        let condition = Condition::of(Weather::ClearSky, TimeOfDay::Afternoon);
+        let condition = DrivingCondition::default();
         Self { vehicles: 30, pedestrians: 20, seed: 0, fps: 10.0, condition, focus: Vec::new() }
     }
 }

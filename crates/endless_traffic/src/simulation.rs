@@ -5,7 +5,7 @@ use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
 use crate::population::Population;
 use crate::roads::{Roads, TrafficMap};
-use crate::settings::{Fleet, TrafficSettings};
+use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
 use crate::steering::DriverView;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, WalkerView};
@@ -13,8 +13,8 @@ use crate::{behaviour, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{
-    Actor, Behaviour, Condition, InstanceId, InstanceIdAllocator, Motion, ObjectClass, Outfit, ParkedVehicle,
-    PersonRef, Pose, SignalState, TooManyInstances, VehicleMotion, VehicleSpec, WalkerMotion, WorldState,
+    Actor, Behaviour, InstanceId, InstanceIdAllocator, Motion, ObjectClass, Outfit, ParkedVehicle, PersonRef, Pose,
+    SignalState, TooManyInstances, VehicleMotion, VehicleSpec, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 
@@ -28,7 +28,9 @@ const WARM_UP_S: f64 = 25.0;
 pub struct Simulation {
     roads: Roads,
     graph: WalkGraph,
-    condition: &'static Condition,
+    condition: DrivingCondition,
+    /// What people wear, from when they left home.
+    outfit: Outfit,
     population: Population,
     parked: Vec<Actor>,
     vehicles: Vec<Vehicle>,
@@ -98,6 +100,7 @@ impl Simulation {
             roads,
             graph,
             condition: settings.condition,
+            outfit: if settings.condition.rain > 0.0 { Outfit::Rain } else { Outfit::Fair },
             population,
             parked,
             vehicles,
@@ -128,6 +131,16 @@ impl Simulation {
     /// The parked vehicles; number i carries instance id i + 1.
     pub fn parked(&self) -> &[Actor] {
         &self.parked
+    }
+
+    /// Weather and light from now on.
+    pub fn set_condition(&mut self, condition: DrivingCondition) {
+        if condition.wetness != self.condition.wetness {
+            for vehicle in &mut self.vehicles {
+                vehicle.driver.adapt(self.condition.wetness, condition.wetness);
+            }
+        }
+        self.condition = condition;
     }
 
     /// Advances by one frame: a fixed number of equal steps of at most 1/30 s.
@@ -170,7 +183,7 @@ impl Simulation {
             vehicle.acceleration = acceleration;
             kinematics::advance(vehicle, &self.roads, step_s);
             vehicle.plan(&self.roads);
-            lights::update(vehicle, &self.roads, self.condition, self.time_s + step_s, step_s);
+            lights::update(vehicle, &self.roads, self.condition.headlights_on, self.time_s + step_s, step_s);
         }
     }
 
@@ -199,7 +212,7 @@ impl Simulation {
                 parked: false,
             });
         }
-        let outfit = if self.condition.rain > 0.0 { Outfit::Rain } else { Outfit::Fair };
+        let outfit = self.outfit;
         for (walker, &id) in self.walkers.iter().zip(&self.ids.walkers) {
             let motion = WalkerMotion {
                 speed_mps: walker.velocity.length() as f32,

@@ -115,7 +115,7 @@ pub(crate) fn vehicles(
         let taken = |seed| placed.iter().any(|v| v.asset == VehicleRef { model, variant: seed });
         let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
         let asset = VehicleRef { model, variant };
-        let driver = Driver::new(spec, settings.condition, &mut own);
+        let driver = Driver::new(spec, settings.condition.wetness, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.plan(roads);
         kinematics::settle(&mut vehicle, roads);

@@ -31,8 +31,9 @@ impl ValueRange {
 }
 
 /// One weather at one time of day. Quantities without a source are set by eye, against pictures of real street cameras.
+/// `Q` is [`ValueRange`] in the table, and `f32` where a scene has drawn its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Condition {
+pub struct Condition<Q = ValueRange> {
     /// The weather.
     pub weather: Weather,
     /// The time of day.
@@ -40,9 +41,9 @@ pub struct Condition {
 
     // The sun.
     /// Counter-clockwise from east, degrees: morning around east, afternoon from south-west to west.
-    pub sun_azimuth_deg: ValueRange,
+    pub sun_azimuth_deg: Q,
     /// Above the horizon, degrees.
-    pub sun_elevation_deg: ValueRange,
+    pub sun_elevation_deg: Q,
     /// Share of the sun's direct light that haze and clouds let through, 0 to 1.
     pub sun_share: f32,
 
@@ -65,12 +66,14 @@ pub struct Condition {
     // The air.
     /// Meteorological visibility at the ground, metres: contrast falls to 2 % (Koschmieder 1924). Fog by definition
     /// lies under 1000 (WMO-No. 8).
-    pub visibility_m: ValueRange,
+    pub visibility_m: Q,
     /// How much higher the air is thinner by the factor e, metres: haze and rain reach high up, fog lies on the ground as
     /// it cools.
-    pub scale_height_m: ValueRange,
-    /// Radiance of infinitely deep air: by day of the sky's mean, at night of the light of a town.
+    pub scale_height_m: Q,
+    /// Radiance of infinitely deep air by the light of the sky: of the sky's mean; 0 at night.
     pub airlight: f32,
+    /// Radiance of infinitely deep air by the light of the town, of that of a usual town; 0 by day.
+    pub town_airlight: f32,
     /// Extra radiance of the air towards the sun, of the sky's mean.
     pub sunward: f32,
     /// How much of a lamp's light the air spreads as a halo, 0 to 1: rain less than fog, its drops are few and large.
@@ -91,18 +94,52 @@ pub struct Condition {
     pub exposure_key: f32,
 
     // People.
-    /// Street lamps, windows and signs are lit.
-    pub lamps_lit: bool,
-    /// Vehicles drive with dipped headlights.
-    pub headlights_on: bool,
-    /// The road is wet enough that drivers go slower and keep more distance.
-    pub wet_road: bool,
+    /// Share of street lamps, windows and signs that are lit: 0 by day, 1 at night.
+    pub lamps_lit: f32,
+    /// Share of vehicles that drive with dipped headlights.
+    pub headlights_on: f32,
 }
 
 impl Condition {
     /// The record of a weather at a time of day.
     pub fn of(weather: Weather, time_of_day: TimeOfDay) -> &'static Self {
         &CONDITIONS[weather as usize * TimeOfDay::ALL.len() + time_of_day as usize]
+    }
+}
+
+impl<Q: Copy> Condition<Q> {
+    /// The same with other values of what scenes draw: azimuth and elevation of the sun, visibility, scale height.
+    pub(crate) const fn with_values<R: Copy>(
+        &self,
+        [sun_azimuth_deg, sun_elevation_deg, visibility_m, scale_height_m]: [R; 4],
+    ) -> Condition<R> {
+        Condition {
+            sun_azimuth_deg,
+            sun_elevation_deg,
+            visibility_m,
+            scale_height_m,
+            weather: self.weather,
+            time_of_day: self.time_of_day,
+            sun_share: self.sun_share,
+            turbidity: self.turbidity,
+            overcast: self.overcast,
+            overcast_klx: self.overcast_klx,
+            cloud_cover: self.cloud_cover,
+            cloud_brightness: self.cloud_brightness,
+            low_light: self.low_light,
+            skyglow: self.skyglow,
+            airlight: self.airlight,
+            town_airlight: self.town_airlight,
+            sunward: self.sunward,
+            halo: self.halo,
+            rain: self.rain,
+            wetness: self.wetness,
+            puddles: self.puddles,
+            glare: self.glare,
+            exposure_key: self.exposure_key,
+            lamps_lit: self.lamps_lit,
+            headlights_on: self.headlights_on,
+        }
     }
 }
 
@@ -123,6 +160,7 @@ const CLEAR: Condition = Condition {
     visibility_m: ValueRange::fixed(14_000.0),
     scale_height_m: ValueRange::fixed(1200.0),
     airlight: 0.85,
+    town_airlight: 0.0,
     sunward: 0.8,
     halo: 0.65,
     rain: 0.0,
@@ -130,9 +168,8 @@ const CLEAR: Condition = Condition {
     puddles: 0.0,
     glare: 0.0,
     exposure_key: 0.235,
-    lamps_lit: false,
-    headlights_on: false,
-    wet_road: false,
+    lamps_lit: 0.0,
+    headlights_on: 0.0,
 };
 
 const CLOUDY: Condition = Condition {
@@ -161,8 +198,7 @@ const RAINY: Condition = Condition {
     wetness: 1.0,
     puddles: 0.42,
     exposure_key: 0.20,
-    headlights_on: true,
-    wet_road: true,
+    headlights_on: 1.0,
     ..CLEAR
 };
 
@@ -179,7 +215,7 @@ const FOGGY: Condition = Condition {
     sunward: 0.35,
     wetness: 0.12,
     exposure_key: 0.34,
-    headlights_on: true,
+    headlights_on: 1.0,
     ..CLEAR
 };
 
@@ -193,7 +229,6 @@ const AFTER_RAIN: Condition = Condition {
     visibility_m: ValueRange::fixed(9_000.0),
     wetness: 0.75,
     puddles: 0.36,
-    wet_road: true,
     ..CLEAR
 };
 
@@ -221,12 +256,13 @@ const fn night(afternoon: Condition) -> Condition {
         overcast: 0.0,
         cloud_cover: 0.0,
         skyglow: 1.9,
-        airlight: 0.30,
+        airlight: 0.0,
+        town_airlight: 0.30,
         sunward: 0.0,
         glare: 0.06,
         exposure_key: 0.065,
-        lamps_lit: true,
-        headlights_on: true,
+        lamps_lit: 1.0,
+        headlights_on: 1.0,
         ..afternoon
     }
 }
@@ -238,13 +274,13 @@ static CONDITIONS: [Condition; 15] = [
     Condition { skyglow: 1.0, ..night(CLEAR) },
     morning(RAINY),
     RAINY,
-    Condition { airlight: 0.12, glare: 0.10, exposure_key: 0.075, ..night(RAINY) },
+    Condition { town_airlight: 0.12, glare: 0.10, exposure_key: 0.075, ..night(RAINY) },
     morning(CLOUDY),
     CLOUDY,
     night(CLOUDY),
     Condition { sunward: 0.9, exposure_key: 0.27, ..morning(FOGGY) },
     FOGGY,
-    Condition { airlight: 0.42, glare: 0.13, exposure_key: 0.075, ..night(FOGGY) },
+    Condition { town_airlight: 0.42, glare: 0.13, exposure_key: 0.075, ..night(FOGGY) },
     Condition { exposure_key: 0.19, ..morning(AFTER_RAIN) },
     AFTER_RAIN,
     night(AFTER_RAIN),
@@ -261,7 +297,7 @@ mod tests {
                 let condition = Condition::of(weather, time_of_day);
                 let night = time_of_day == TimeOfDay::Night;
                 assert_eq!((condition.weather, condition.time_of_day), (weather, time_of_day));
-                assert_eq!(condition.lamps_lit, night, "{weather} {time_of_day}");
+                assert_eq!(condition.lamps_lit, f32::from(night), "{weather} {time_of_day}");
                 assert_eq!(condition.sun_elevation_deg.high < 0.0, night, "{weather} {time_of_day}");
                 assert!(condition.visibility_m.low <= condition.visibility_m.high);
             }

@@ -1,6 +1,6 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
-use crate::{CameraLook, CameraSite, ImageSize, TimeOfDay, Weather};
+use crate::{CameraLook, CameraSite, ConditionChange, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 
 /// A camera of a scene: where it hangs, and what it does to the picture.
@@ -23,6 +23,9 @@ pub struct SceneSettings {
     pub weather: Weather,
     /// Time of day.
     pub time_of_day: TimeOfDay,
+    /// What these two become by the last frame, if they change.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub changing_to: Option<ConditionChange>,
     /// The cameras, filming the same instants. Written as a list of sites, `cameras`, and one of looks, `looks`, which is
     /// left out where all are clean.
     #[serde(flatten, with = "cameras_and_looks")]

@@ -14,10 +14,10 @@ use glam::Vec3;
 use rayon::prelude::*;
 use std::sync::OnceLock;
 
-const SIZE: ImageSize = ImageSize { width: 129, height: 73 };
+pub(crate) const SIZE: ImageSize = ImageSize { width: 129, height: 73 };
 
 /// The shutter is open so long that what moves is blurred.
-const BLURRED: CameraLook = CameraLook { shutter_s: 1.0 / 60.0, ..CameraLook::CLEAN };
+pub(crate) const BLURRED: CameraLook = CameraLook { shutter_s: 1.0 / 60.0, ..CameraLook::CLEAN };
 
 /// Unit vector of a heading.
 fn along(yaw: f32) -> Vec3 {
@@ -97,20 +97,33 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
     all
 }
 
-fn differing(a: &SensorFrame, b: &SensorFrame) -> usize {
+pub(crate) fn differing(a: &SensorFrame, b: &SensorFrame) -> usize {
     let rgb = a.rgb.data.iter().zip(&b.rgb.data).filter(|(p, q)| p != q).count();
     let depth = a.depth.data.iter().zip(&b.depth.data).filter(|(p, q)| p.to_bits() != q.to_bits()).count();
     let labels = a.instance.data.iter().zip(&b.instance.data).filter(|(p, q)| p != q).count();
     rgb + depth + labels
 }
 
-struct LoadedTown {
+pub(crate) struct LoadedTown {
     catalogue: Catalogue,
-    town: Town,
-    scene: TownScene,
+    pub(crate) town: Town,
+    pub(crate) scene: TownScene,
 }
 
-fn load(map: &str) -> LoadedTown {
+impl LoadedTown {
+    /// What moves before a camera, and signals in all states.
+    pub(crate) fn staged(&self, camera: usize, lights: bool) -> (ActorModels, WorldState) {
+        let Self { catalogue, town, .. } = self;
+        let mut random = Stream::named(5, "exactness", &[camera as u64]);
+        let actors = actors(town, catalogue, &town.cameras[camera], lights, &mut random);
+        let aspects = [SignalAspect::Red, SignalAspect::Green, SignalAspect::Yellow, SignalAspect::RedYellow];
+        let signals =
+            (0..town.network.signal_groups).map(|i| SignalState { aspect: aspects[usize::from(i) % 4] }).collect();
+        (ActorModels::new(catalogue, &actors), WorldState { frame: 4, time_s: 0.1, actors, signals })
+    }
+}
+
+pub(crate) fn load(map: &str) -> LoadedTown {
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(map, &catalogue).expect("a built-in town");
     let scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
@@ -118,7 +131,7 @@ fn load(map: &str) -> LoadedTown {
 }
 
 /// Loaded once for the tests that look at it.
-fn town03() -> &'static LoadedTown {
+pub(crate) fn town03() -> &'static LoadedTown {
     static TOWN: OnceLock<LoadedTown> = OnceLock::new();
     TOWN.get_or_init(|| load("Town03"))
 }
@@ -136,7 +149,7 @@ fn check_through(
     weather: Weather,
     time_of_day: TimeOfDay,
 ) -> usize {
-    let LoadedTown { catalogue, town, scene } = loaded;
+    let LoadedTown { town, scene, .. } = loaded;
     let (map, still) = (&town.name, scene.static_scene());
     let site = &town.cameras[camera];
     let settings = RenderSettings {
@@ -147,14 +160,8 @@ fn check_through(
         ..RenderSettings::new(weather, time_of_day, 3, SIZE)
     };
     let bake = CameraBake::bake(still, &settings, site);
-    let mut random = Stream::named(5, "exactness", &[camera as u64]);
     let lights = time_of_day == TimeOfDay::Night || weather == Weather::Rainy;
-    let actors = actors(town, catalogue, site, lights, &mut random);
-    let models = ActorModels::new(catalogue, &actors);
-    let aspects = [SignalAspect::Red, SignalAspect::Green, SignalAspect::Yellow, SignalAspect::RedYellow];
-    let signals =
-        (0..town.network.signal_groups).map(|i| SignalState { aspect: aspects[usize::from(i) % 4] }).collect();
-    let state = WorldState { frame: 4, time_s: 0.1, actors, signals };
+    let (models, state) = loaded.staged(camera, lights);
     let frame = models.frame_scene(&state);
     let (cached, traced) = (bake.render(still, &frame), bake.render_uncached(still, &frame));
     assert_eq!(differing(&cached, &traced), 0, "{map} {weather} {time_of_day}: pixels that differ");

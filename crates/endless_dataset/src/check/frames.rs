@@ -3,8 +3,8 @@
 use super::report::Finding;
 use crate::{Recipe, VideoLayout, read_lines};
 use endless_annotate::{ClassCounts, LineCounts, SceneFrame, SignalRecord, SunState};
-use endless_world::SceneSettings;
 use endless_world::math::f64::sin_cos;
+use endless_world::{ConditionChange, SceneSettings};
 
 /// Times are written to the microsecond.
 const ROUNDING_S: f64 = 2e-6;
@@ -29,7 +29,7 @@ pub(super) fn check_frames(video: &VideoLayout, settings: &SceneSettings, recipe
         if line.frame != frame || (line.time_s - f64::from(frame) / recipe.fps).abs() > 1e-6 {
             problems.push(format!("line {} is of frame {} at {} s", frame + 1, line.frame, line.time_s));
         }
-        if line.weather.name != settings.weather || line.light.time_of_day != settings.time_of_day {
+        if !is_of_scene(line, settings) {
             problems.push(format!("frame {frame} has the weather of another scene"));
         }
         if !stands_so(&line.light.sun) {
@@ -45,6 +45,14 @@ pub(super) fn check_frames(video: &VideoLayout, settings: &SceneSettings, recipe
         problems.push(format!("frame {}: does not count at the lines of the recipe", line.frame));
     }
     problems.into_iter().map(|problem| Finding::new(&path, problem)).collect()
+}
+
+/// Whether a line has the names of a scene's condition, or of that to which it changes.
+fn is_of_scene(line: &SceneFrame, settings: &SceneSettings) -> bool {
+    let SceneSettings { weather, time_of_day, changing_to, .. } = settings;
+    let to = changing_to.unwrap_or(ConditionChange { weather: *weather, time_of_day: *time_of_day });
+    [*weather, to.weather].contains(&line.weather.name)
+        && [*time_of_day, to.time_of_day].contains(&line.light.time_of_day)
 }
 
 fn stands_so(sun: &SunState) -> bool {

@@ -8,7 +8,7 @@ use super::option::{
 use super::{serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
-use endless_world::{CameraLookChoice, CameraSite, ImageSize, TimeOfDay, Weather};
+use endless_world::{CameraLookChoice, CameraSite, Changing, ImageSize, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
 
@@ -113,6 +113,10 @@ recipe_options! {
     /// Let every map, every weather and every time of day appear equally often, however many videos there are: counts
     /// differ by at most one.
     balance: bool => #[serde(default, skip_serializing_if = "is_not")] bool, OptionKind::Switch, Value("false");
+    /// Let weather, time of day or both change during each video: rain sets in, fog lifts, dusk falls
+    /// (docs/changing.md).
+    changing: String => #[serde(default, skip_serializing_if = "is_nothing")] Changing,
+        OptionKind::Word(Vocabulary::of::<Changing>()), Value("nothing");
     /// Image size, width x height.
     size: String => #[serde(with = "serde_size")] ImageSize, OptionKind::Size { longest: LONGEST_SIDE }, Value("1280x720");
     /// Frames a second.
@@ -157,6 +161,11 @@ fn pair() -> u32 {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
 fn is_not(switch: &bool) -> bool {
     !switch
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_nothing(changing: &Changing) -> bool {
+    *changing == Changing::Nothing
 }
 
 fn clean() -> CameraLookChoice {

@@ -166,7 +166,7 @@ fn imported_vehicles_drive_and_things_stand_where_their_class_does() {
     let cottages = changed.filter(|(a, _)| matches!(a.object, endless_town::PlacedObject::TownMesh(_))).count();
     assert!(cottages > 0, "no cottage found a lot");
 
-    let condition = Condition::of(Weather::Cloudy, TimeOfDay::Morning);
+    let condition = Condition::of(Weather::Cloudy, TimeOfDay::Morning).into();
     let specs = library.catalogue().vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let settings = TrafficSettings { vehicles: 12, pedestrians: 0, seed: 3, condition, ..TrafficSettings::default() };

@@ -4,10 +4,10 @@ use super::bake_key::{BakeKey, bake_key, scene_key};
 use super::hits_folder::HitsFolder;
 use super::kept_hits::KeptHits;
 use crate::SimulatorError;
-use endless_render::{CameraBake, RenderSettings, StaticScene};
-use endless_world::{CameraSite, SceneCamera, SceneSettings, SensorLayers};
+use endless_render::{CameraBake, IndirectHits, RenderSettings, StaticScene};
+use endless_world::{CameraSite, SceneCamera, SceneSettings, SceneWeather, SensorLayers};
 use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Settings of what is kept of bakes: where their indirect rays end, which is a fifth of the work.
 #[derive(Debug, Default)]
@@ -40,6 +40,17 @@ impl BakeCache {
     }
 }
 
+/// A bake that is asked for.
+#[derive(Clone, Copy)]
+pub(super) struct BakeRequest<'a> {
+    pub(super) video: &'a SceneSettings,
+    pub(super) camera: &'a SceneCamera,
+    pub(super) weather: SceneWeather,
+    pub(super) wanted: SensorLayers,
+    /// Where the video keeps what its other bakes of this camera need, if there are any.
+    pub(super) own_hits: Option<&'a OnceLock<Arc<IndirectHits>>>,
+}
+
 /// What is kept of the cameras of one map.
 pub(super) struct MapBakes {
     cache: Arc<BakeCache>,
@@ -61,31 +72,31 @@ impl MapBakes {
     }
 
     /// Bakes a camera of a video.
-    pub(super) fn bake(
-        &self,
-        still: &StaticScene,
-        video: &SceneSettings,
-        camera: &SceneCamera,
-        wanted: SensorLayers,
-    ) -> CameraBake {
-        let settings = RenderSettings { layers: wanted, ..render_settings(video, camera) };
+    pub(super) fn bake(&self, still: &StaticScene, request: &BakeRequest<'_>) -> CameraBake {
+        let BakeRequest { video, camera, weather, wanted, own_hits } = *request;
+        let settings = RenderSettings { layers: wanted, weather, ..render_settings(video, camera) };
         let site: &CameraSite = &camera.site;
+        if let Some(hits) = own_hits.and_then(OnceLock::get) {
+            return CameraBake::bake_reusing(still, &settings, site, hits);
+        }
         let key = bake_key(&self.scene, site, &settings);
         let folder = self.cache.folder.as_ref().map(|folder| &folder.folder);
         let known = self.kept.get(&key).or_else(|| folder?.read(&key));
-        if let Some(hits) = known {
-            let bake = CameraBake::bake_reusing(still, &settings, site, &hits);
-            self.kept.keep(video.video, key, hits);
-            return bake;
-        }
-        if folder.is_none() && !self.kept.is_needed_after(video.video, &key) {
+        let (bake, hits) = if let Some(hits) = known {
+            (CameraBake::bake_reusing(still, &settings, site, &hits), hits)
+        } else if folder.is_none() && own_hits.is_none() && !self.kept.is_needed_after(video.video, &key) {
             return CameraBake::bake(still, &settings, site);
+        } else {
+            let (bake, hits) = CameraBake::bake_keeping(still, &settings, site);
+            if let Some(folder) = folder {
+                folder.write(&key, &hits);
+            }
+            (bake, Arc::new(hits))
+        };
+        if let Some(own) = own_hits {
+            own.get_or_init(|| Arc::clone(&hits));
         }
-        let (bake, hits) = CameraBake::bake_keeping(still, &settings, site);
-        if let Some(folder) = folder {
-            folder.write(&key, &hits);
-        }
-        self.kept.keep(video.video, key, Arc::new(hits));
+        self.kept.keep(video.video, key, hits);
         bake
     }
 }

@@ -1,34 +1,26 @@
 //! The line of `frames.jsonl` of the built-in city.
 
-use endless_annotate::{Happenings, LightState, SceneFrame, SignalRecord, SunState, WeatherState, count_by_class};
-use endless_render::SceneWeather;
+use endless_annotate::{Happenings, LightState, SceneFrame, SignalRecord, WeatherState, count_by_class};
 use endless_road::RoadNetwork;
 use endless_traffic::{SignalCountdown, signal_countdowns};
-use endless_world::{Actor, Condition, ObjectClass, SceneSettings, SignalId, SignalState, WorldState};
+use endless_world::{Actor, ObjectClass, SceneWeather, SignalId, SignalState, WorldState};
 
 /// Scene time is summed up before frame 0: a signal that changes in that very instant may be a rounding error early or late.
 const ROUNDING_S: f64 = 1e-9;
 
 /// The scene at an instant, with those who stand parked.
 pub(super) fn scene_frame(
-    settings: &SceneSettings,
+    weather: &SceneWeather,
     network: &RoadNetwork,
     parked: &[Actor],
     state: &WorldState,
 ) -> SceneFrame {
-    let condition = Condition::of(settings.weather, settings.time_of_day);
-    let drawn = SceneWeather::new(condition, settings.seed);
     let riders = state.actors.iter().filter(|actor| actor.rider_id.is_some()).map(|_| ObjectClass::Rider);
     SceneFrame {
         frame: state.frame,
         time_s: state.time_s,
-        weather: WeatherState::new(condition, drawn.visibility_m, drawn.scale_height_m),
-        light: LightState {
-            time_of_day: settings.time_of_day,
-            sun: SunState::new(drawn.sun_azimuth_rad, drawn.sun_altitude_rad, condition.sun_share),
-            street_lamps_on: condition.lamps_lit,
-            headlights_on: condition.headlights_on,
-        },
+        weather: WeatherState::new(weather),
+        light: LightState::new(weather),
         signals: signals(network, state),
         counts: count_by_class(state.actors.iter().chain(parked).map(|actor| actor.class).chain(riders)),
         // Whoever sees all frames in their order tells of it.

@@ -3,6 +3,7 @@
 use super::{
     actors,
     bodies::Skeletons,
+    key_bakes::{FrameBakes, KeyBakes, SceneBakes},
     map::BuiltinMap,
     road_facts::road_facts,
     scene_frame::scene_frame,
@@ -13,20 +14,20 @@ use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, 
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_render::{CameraBake, FrameScene};
-use endless_traffic::{Fleet, Simulation, TrafficSettings};
-use endless_world::{Actor, Condition, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
+use endless_render::FrameScene;
+use endless_traffic::{DrivingCondition, Fleet, Simulation, TrafficSettings};
+use endless_world::{Actor, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use glam::Vec3;
 use std::{
     collections::BTreeMap,
     sync::{Arc, OnceLock},
-    time::{Duration, Instant},
 };
 
 /// Ticks the traffic; what shows it is shared with the render tasks.
 pub(super) struct BuiltinSession<'m> {
     simulation: Simulation,
     begun: bool,
+    bakes: KeyBakes<'m>,
     scene: Arc<BuiltinScene<'m>>,
 }
 
@@ -34,8 +35,7 @@ pub(super) struct BuiltinSession<'m> {
 struct BuiltinScene<'m> {
     map: &'m BuiltinMap,
     catalogue: &'m Catalogue,
-    settings: &'m SceneSettings,
-    wanted: SensorLayers,
+    bakes: Arc<SceneBakes<'m>>,
     spawned: SpawnCounts,
     parked: Vec<Actor>,
     /// Everything that moves, as it stands in frame 0: traffic takes nobody in or out.
@@ -44,14 +44,6 @@ struct BuiltinScene<'m> {
     skeletons: Skeletons,
     parked_shapes: ParkedShapes<'m>,
     models: OnceLock<ActorModels>,
-    cameras: OnceLock<BakedCameras>,
-}
-
-struct BakedCameras {
-    baked: Vec<CameraBake>,
-    bake_rays: u64,
-    /// Wall time of `baked`.
-    bake: Duration,
 }
 
 impl<'m> BuiltinSession<'m> {
@@ -65,8 +57,9 @@ impl<'m> BuiltinSession<'m> {
         settings: &'m SceneSettings,
         wanted: SensorLayers,
     ) -> Result<Self, SimulatorError> {
-        let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
-        let condition = Condition::of(weather, time_of_day);
+        let SceneSettings { vehicles, pedestrians, seed, fps, .. } = *settings;
+        let bakes = Arc::new(SceneBakes::new(map.town_scene.static_scene(), &map.bakes, settings, wanted));
+        let condition = DrivingCondition::from(&*bakes.weather(0));
         // Traffic over the whole map, denser where the cameras look.
         let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
         let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
@@ -86,8 +79,7 @@ impl<'m> BuiltinSession<'m> {
         let scene = BuiltinScene {
             map,
             catalogue,
-            settings,
-            wanted,
+            bakes: Arc::clone(&bakes),
             spawned,
             skin_tones: skin_tones(catalogue, &moving),
             skeletons: Skeletons::of(catalogue, &moving),
@@ -95,9 +87,8 @@ impl<'m> BuiltinSession<'m> {
             parked,
             moving,
             models: OnceLock::new(),
-            cameras: OnceLock::new(),
         };
-        Ok(Self { simulation, begun: false, scene: Arc::new(scene) })
+        Ok(Self { simulation, begun: false, bakes: KeyBakes::new(bakes), scene: Arc::new(scene) })
     }
 }
 
@@ -111,19 +102,6 @@ fn skin_tones(catalogue: &Catalogue, moving: &[Actor]) -> BTreeMap<InstanceId, u
 }
 
 impl BuiltinScene<'_> {
-    /// The cameras, baked when they are first needed.
-    fn cameras(&self) -> &BakedCameras {
-        self.cameras.get_or_init(|| {
-            let Self { map, settings, wanted, .. } = *self;
-            let start = Instant::now();
-            let still = map.town_scene.static_scene();
-            let baked: Vec<CameraBake> =
-                settings.cameras.iter().map(|camera| map.bakes.bake(still, settings, camera, wanted)).collect();
-            let bake = start.elapsed();
-            BakedCameras { bake_rays: rays(&baked), baked, bake }
-        })
-    }
-
     /// The models of what moves, made when they are first needed.
     fn models(&self) -> &ActorModels {
         self.models.get_or_init(|| ActorModels::in_town(&self.map.town_scene, self.catalogue, &self.moving))
@@ -133,10 +111,6 @@ impl BuiltinScene<'_> {
     fn frame_scene<'f>(&self, frame: &'f SharedFrame, state: &WorldState) -> &'f Arc<FrameScene> {
         frame.get_or_init(|| Arc::new(self.models().frame_scene(state)))
     }
-}
-
-fn rays(baked: &[CameraBake]) -> u64 {
-    baked.iter().map(|b| b.stats().rays()).sum()
 }
 
 impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
@@ -150,7 +124,7 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {
-        self.scene.cameras();
+        self.bakes.prepare();
         self.scene.models();
         Ok(())
     }
@@ -160,8 +134,12 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
             self.simulation.tick();
         }
         self.begun = true;
-        let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), frame: Arc::default() });
-        Ok(SimulationStep { state: self.simulation.state(), task })
+        let state = self.simulation.state();
+        // From this frame to the next.
+        self.simulation.set_condition(DrivingCondition::from(&*self.scene.bakes.weather(state.frame + 1)));
+        let bakes = self.bakes.at(state.frame);
+        let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), bakes, frame: Arc::default() });
+        Ok(SimulationStep { state, task })
     }
 
     fn road_facts(&self) -> RoadFacts {
@@ -170,15 +148,13 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn stats(&self) -> RenderStats {
-        self.scene.cameras.get().map_or_else(RenderStats::default, |cameras| {
-            let BakedCameras { bake_rays, bake, .. } = *cameras;
-            RenderStats { bake_rays, frame_rays: rays(&cameras.baked) - bake_rays, bake }
-        })
+        self.bakes.stats()
     }
 }
 
 struct BuiltinRenderTask<'m> {
     scene: Arc<BuiltinScene<'m>>,
+    bakes: FrameBakes<'m>,
     frame: SharedFrame,
 }
 
@@ -197,14 +173,13 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
     }
 
     fn scene_frame(&self, state: &WorldState) -> Option<SceneFrame> {
-        let BuiltinScene { settings, map, parked, .. } = &*self.scene;
-        Some(scene_frame(settings, &map.town.network, parked, state))
+        let BuiltinScene { bakes, map, parked, .. } = &*self.scene;
+        Some(scene_frame(&bakes.weather(state.frame), &map.town.network, parked, state))
     }
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        let (cameras, still) = (self.scene.cameras(), self.scene.map.town_scene.static_scene());
-        let frame = self.scene.frame_scene(&self.frame, state);
-        Ok(cameras.baked.iter().map(|camera| camera.render(still, frame)).collect())
+        let still = self.scene.map.town_scene.static_scene();
+        Ok(self.bakes.render(still, self.scene.frame_scene(&self.frame, state)))
     }
 }
 

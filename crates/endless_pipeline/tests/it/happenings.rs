@@ -17,6 +17,7 @@ fn watch(town: &str, mut see: impl FnMut(&WorldState, &Happenings)) {
         map: town.to_owned(),
         weather: Weather::Cloudy,
         time_of_day: TimeOfDay::Afternoon,
+        changing_to: None,
         cameras: vec![SceneCamera { site: sites[0].clone(), look: CameraLook::CLEAN }],
         vehicles: 60,
         pedestrians: 60,

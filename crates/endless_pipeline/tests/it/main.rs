@@ -2,6 +2,7 @@
 
 mod bake_cache;
 mod builds;
+mod changing;
 mod disk_full;
 mod fake;
 mod golden;

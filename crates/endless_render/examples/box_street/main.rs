@@ -10,7 +10,8 @@ use endless_render::{
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, Mount, SensorFrame, TimeOfDay, Weather, math,
+    CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, Mount, SceneWeather, SensorFrame, TimeOfDay, Weather,
+    math,
 };
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec3A};
 use serde::Deserialize;
@@ -143,7 +144,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let street: BoxStreet = serde_json::from_str(STREET)?;
     let size = ImageSize { width: street.width, height: street.height };
     let settings = RenderSettings {
-        sun_direction: Some(street.light_direction),
+        weather: SceneWeather::new(Weather::ClearSky, TimeOfDay::Afternoon, 0).with_sun(street.light_direction.into()),
         ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, size)
     };
     let geometry: Vec<Geometry> = street.boxes.iter().map(|b| b.geometry(b.class())).collect();

@@ -52,7 +52,6 @@ impl CameraFilm {
         });
         let exposure = exposure(&radiance, black, environment.exposure_key);
         let tone = ToneCurve::new(exposure, environment.white_balance(), black);
-        let rains = environment.rain > 0.0;
         let film = Self {
             radiance,
             rgb: Vec::new(),
@@ -60,7 +59,13 @@ impl CameraFilm {
             rain: rain(environment, exposure, settings.seed),
             shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
             glare: environment.glare,
-            post_process: PostProcess::new(&settings.look, settings.size, settings.fps, settings.seed, rains),
+            post_process: PostProcess::new(
+                &settings.look,
+                settings.size,
+                settings.fps,
+                settings.seed,
+                environment.rain,
+            ),
             radiance_pool: ScratchPool::for_pixels(pixels),
             lens_scratch: ScratchPool::for_pixels(pixels),
             blur_scratch: ScratchPool::for_pixels(pixels),

@@ -79,7 +79,7 @@ fn lamps_blocked_block(
     if lamps.is_empty() {
         return blocked;
     }
-    let near = block.map(|place| place.map_or(&[][..], |p| tracer.still.lamps.indices_near(p.facet.position)));
+    let near = block.map(|place| place.map_or(&[][..], |p| tracer.lamps.indices_near(p.facet.position)));
     for lamp in lamps {
         let mut bits = [0u8; BLOCK];
         let mut active = 0u32;
@@ -93,7 +93,7 @@ fn lamps_blocked_block(
         if active == 0 {
             continue;
         }
-        rays.aim_at(tracer.still.lamps.all()[usize::from(*lamp)].position);
+        rays.aim_at(tracer.lamps.all()[usize::from(*lamp)].position);
         for i in lanes(frame.accel.occluded32(&rays, active)) {
             blocked[i] |= 1 << bits[i];
         }

@@ -4,7 +4,7 @@ use super::affected::affected;
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
 use super::coverage::Coverage;
-use super::frame_buffer::{FrameBuffer, FramePixel};
+use super::frame_buffer::{DevelopedFrame, FrameBuffer, FramePixel};
 use super::mirror::mirrored_row;
 use super::pixel::undisturbed;
 use super::pixel_centre::{BLOCK, CentreBlock};
@@ -23,6 +23,16 @@ const BLOCK_ROWS: usize = BLOCK / TILE as usize;
 impl CameraBake {
     /// What the camera sees at an instant.
     pub fn render(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
+        self.developed(still, frame).recorded(self)
+    }
+
+    /// What the camera sees at an instant at which the light is a share of the way, 0 to 1, from that of this bake to that of
+    /// the `next`, of the same camera: a mixture of both pictures.
+    pub fn render_changing(&self, next: &Self, share: f32, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
+        self.developed(still, frame).mixed(next.developed(still, frame), share).recorded(self)
+    }
+
+    fn developed(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
         let tracer = self.lighting.tracer(still, Some(frame));
         let mut buffer = FrameBuffer::new(self);
         let mut rows: Vec<PixelRow<'_>> = (0..TILE).map(|_| PixelRow::new(self)).collect();

@@ -1,7 +1,7 @@
 //! The buffers of a frame while it is rendered.
 
 use super::bake::CameraBake;
-use crate::film::{BlurScratch, Streak, blur, with_glare};
+use crate::film::{BlurScratch, Streak, blur, mix_rgb, with_glare};
 use crate::pixel_layers::{LayerImages, PixelLayers};
 use endless_world::SensorFrame;
 use endless_world::math::UnfusedVec3A;
@@ -26,6 +26,29 @@ pub(super) struct FrameBuffer {
     streaks: Vec<(u32, Streak)>,
     rgb: Vec<[u8; 3]>,
     layers: LayerImages,
+}
+
+/// A picture before sensor and recorder have added theirs.
+pub(super) struct DevelopedFrame {
+    frame: u32,
+    rgb: Vec<[u8; 3]>,
+    layers: LayerImages,
+}
+
+impl DevelopedFrame {
+    /// The same instant in a light that is this share of the way to that of another picture.
+    pub(super) fn mixed(mut self, other: Self, share: f32) -> Self {
+        mix_rgb(&mut self.rgb, &other.rgb, share);
+        Self { layers: self.layers.mixed(other.layers, share), ..self }
+    }
+
+    /// What the sensor sees and the recorder keeps of it.
+    pub(super) fn recorded(mut self, bake: &CameraBake) -> SensorFrame {
+        if let Some(post) = &bake.film.post_process {
+            post.record(self.frame, &mut self.rgb);
+        }
+        self.layers.into_sensor_frame(self.frame, bake.camera.size, self.rgb)
+    }
 }
 
 impl FrameBuffer {
@@ -61,9 +84,8 @@ impl FrameBuffer {
         self.streaks.extend(pixel.streak.map(|streak| (i as u32, streak)));
     }
 
-    /// Blur, rain, lens, glare, tone curve, sensor and recorder.
-    pub(super) fn develop(mut self, bake: &CameraBake, frame: u32) -> SensorFrame {
-        let size = bake.camera.size;
+    /// Blur, rain, lens, glare, tone curve.
+    pub(super) fn develop(mut self, bake: &CameraBake, frame: u32) -> DevelopedFrame {
         if let Some(mut radiance) = self.radiance.take() {
             self.blur(bake, &mut radiance);
             if let Some(rain) = &bake.film.rain {
@@ -93,10 +115,7 @@ impl FrameBuffer {
             }
             bake.film.radiance_pool.give(radiance);
         }
-        if let Some(post) = &bake.film.post_process {
-            post.record(frame, &mut self.rgb);
-        }
-        self.layers.into_sensor_frame(frame, size, self.rgb)
+        DevelopedFrame { frame, rgb: self.rgb, layers: self.layers }
     }
 
     fn blur(&mut self, bake: &CameraBake, radiance: &mut [Vec3A]) {

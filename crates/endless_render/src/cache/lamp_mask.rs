@@ -11,7 +11,7 @@ use glam::Vec3A;
 pub(super) fn lamps_free(tracer: &Tracer<'_>, facet: &ShadingPoint) -> u32 {
     let origin = facet.ray_origin();
     let mut free = 0;
-    for (bit, lamp) in tracer.still.lamps.near(facet.position).enumerate() {
+    for (bit, lamp) in tracer.lamps.near(facet.position).enumerate() {
         let ray = Ray::to_light(origin, lamp.position);
         free |= u32::from(lights(lamp, facet) && !tracer.still.accel.occluded(&ray)) << bit;
     }
@@ -21,7 +21,7 @@ pub(super) fn lamps_free(tracer: &Tracer<'_>, facet: &ShadingPoint) -> u32 {
 /// The same for those of the points of a bundle whose bit is set in `asked`: rays to the same lamp run side by side.
 pub(super) fn lamps_free32(tracer: &Tracer<'_>, facets: &[Option<ShadingPoint>; 32], mut asked: u32) -> [u32; 32] {
     let mut free = [0u32; 32];
-    let near = |lane: usize| facets[lane].map_or(&[][..], |facet| tracer.still.lamps.indices_near(facet.position));
+    let near = |lane: usize| facets[lane].map_or(&[][..], |facet| tracer.lamps.indices_near(facet.position));
     let mut rays = RayStream::<4>::NONE;
     while asked != 0 {
         // Those that have the same lamps near them.
@@ -30,7 +30,7 @@ pub(super) fn lamps_free32(tracer: &Tracer<'_>, facets: &[Option<ShadingPoint>; 
             lanes(asked).filter(|lane| std::ptr::eq(near(*lane), lamps)).fold(0, |bits, lane| bits | 1 << lane);
         asked &= !together;
         for (bit, lamp) in lamps.iter().enumerate() {
-            let lamp = &tracer.still.lamps.all()[usize::from(*lamp)];
+            let lamp = &tracer.lamps.all()[usize::from(*lamp)];
             let mut lit = 0u32;
             for lane in lanes(together) {
                 let Some(facet) = &facets[lane] else { continue };
@@ -66,12 +66,12 @@ pub(super) fn lamps_blocked(
     if lamps.is_empty() || free == 0 {
         return 0;
     }
-    let near = tracer.still.lamps.indices_near(facet.position);
+    let near = tracer.lamps.indices_near(facet.position);
     let origin = facet.ray_origin();
     let mut blocked = 0;
     for lamp in lamps {
         let Ok(bit) = near.binary_search(lamp) else { continue };
-        let position = tracer.still.lamps.all()[usize::from(*lamp)].position;
+        let position = tracer.lamps.all()[usize::from(*lamp)].position;
         let hidden = free >> bit & 1 == 1 && frame.accel.occluded(&Ray::to_light(origin, position));
         blocked |= u32::from(hidden) << bit;
     }
@@ -81,7 +81,7 @@ pub(super) fn lamps_blocked(
 /// Light of these lamps near a point, without fog.
 pub(super) fn lamp_sum(tracer: &Tracer<'_>, facet: &ShadingPoint, bsdf: &Bsdf, free: u32) -> Vec3A {
     let mut sum = Vec3A::ZERO;
-    for (bit, lamp) in tracer.still.lamps.near(facet.position).enumerate() {
+    for (bit, lamp) in tracer.lamps.near(facet.position).enumerate() {
         if free >> bit & 1 == 1 {
             let (illuminance, direction) = lamp.illuminance_at(facet.position);
             sum += bsdf.lit_by(illuminance, direction, -facet.direction);

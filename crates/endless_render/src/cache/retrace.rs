@@ -2,7 +2,7 @@
 
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
-use super::frame_buffer::{FrameBuffer, FramePixel};
+use super::frame_buffer::{DevelopedFrame, FrameBuffer, FramePixel};
 use super::gbuffer::GBuffer;
 use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_pixel};
 use super::mirror::mirrored;
@@ -31,6 +31,24 @@ impl CameraBake {
     /// # Panics
     /// If the bake did not keep its irradiance.
     pub fn render_uncached(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
+        self.retraced(still, frame).recorded(self)
+    }
+
+    /// The same as [`Self::render_changing`] without the cache.
+    ///
+    /// # Panics
+    /// If a bake did not keep its irradiance.
+    pub fn render_changing_uncached(
+        &self,
+        next: &Self,
+        share: f32,
+        still: &StaticScene,
+        frame: &FrameScene,
+    ) -> SensorFrame {
+        self.retraced(still, frame).mixed(next.retraced(still, frame), share).recorded(self)
+    }
+
+    fn retraced(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
         assert_eq!(self.gbuffer.irradiance.len(), self.gbuffer.pixels(), "the bake kept no irradiance");
         let tracer = self.lighting.tracer(still, Some(frame));
         let everything = TileWork::everything(self.lighting.environment.night, still, frame);

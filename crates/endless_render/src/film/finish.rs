@@ -21,9 +21,10 @@ pub(crate) struct PostProcess {
 
 impl PostProcess {
     /// `None` where nothing is done to pictures.
-    pub(crate) fn new(look: &CameraLook, size: ImageSize, fps: f64, seed: u64, rains: bool) -> Option<Self> {
+    pub(crate) fn new(look: &CameraLook, size: ImageSize, fps: f64, seed: u64, rain: f32) -> Option<Self> {
         let grain = (look.noise > 0.0).then(|| SensorNoise::new(look.noise, seed));
-        let droplets = (rains && look.droplets > 0).then(|| Droplets::new(look.droplets, size, seed));
+        let count = (look.droplets as f32 * rain) as u32;
+        let droplets = (count > 0).then(|| Droplets::new(count, size, seed));
         (!look.is_clean()).then_some(Self { look: *look, size, fps, grain, droplets })
     }
 
@@ -123,12 +124,12 @@ mod tests {
     const SIZE: ImageSize = ImageSize { width: 320, height: 200 };
 
     fn finish(look: CameraLook) -> PostProcess {
-        PostProcess::new(&look, SIZE, 30.0, 7, true).expect("not clean")
+        PostProcess::new(&look, SIZE, 30.0, 7, 1.0).expect("not clean")
     }
 
     #[test]
     fn nothing_is_done_by_a_clean_camera() {
-        assert!(PostProcess::new(&CameraLook::CLEAN, SIZE, 30.0, 1, true).is_none());
+        assert!(PostProcess::new(&CameraLook::CLEAN, SIZE, 30.0, 1, 1.0).is_none());
     }
 
     #[test]

@@ -6,10 +6,8 @@ use super::hit_tape::{HitTape, RayEnd};
 use super::indirect_hits::{IndirectRays, PROBE_BOUNCES, TapeStack};
 use super::probe_grid::{Probe, ProbeGrid, ProbeRegion};
 use crate::accel::Ray;
-use crate::light::{Environment, LampMaps};
 use crate::material::noise;
 use crate::sampling::{hammersley, rotated, sphere_direction};
-use crate::scene::StaticScene;
 use crate::shade::{Tracer, shade_hit};
 use endless_scene::Surface;
 use glam::{Vec2, Vec3A};
@@ -23,9 +21,7 @@ impl ProbeGrid {
     /// Bakes probes over a rectangle of ground: first light that bounced once, then twice. With the ends of their rays, if
     /// these are to be kept.
     pub(crate) fn bake(
-        still: &StaticScene,
-        environment: &Environment,
-        lamp_maps: &LampMaps,
+        without_probes: &Tracer<'_>,
         region: &ProbeRegion,
         indirect: IndirectRays<'_>,
     ) -> (Self, [TapeStack; PROBE_BOUNCES]) {
@@ -34,7 +30,7 @@ impl ProbeGrid {
         let mut stacks = [const { TapeStack::EMPTY }; PROBE_BOUNCES];
         for (bounce, rays) in RAYS.into_iter().enumerate() {
             let known = (!grid.probes.is_empty()).then_some(&grid);
-            let tracer = Tracer { still, moving: None, environment, lamp_maps, probes: known };
+            let tracer = Tracer { probes: known, ..*without_probes };
             let (probes, tapes): (Vec<Probe>, Vec<Vec<RayEnd>>) = (0..columns * rows * grid.size.z)
                 .into_par_iter()
                 .map(|i| {

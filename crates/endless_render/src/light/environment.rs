@@ -1,15 +1,14 @@
 //! The light, the air and the wetness of a condition, as a scene draws them by its seed.
 
 use super::{
-    Fog, SceneWeather, Sky,
+    Fog, Sky,
     clouds::CloudLayer,
     sky::{LUMINANCE, SOLAR_ILLUMINANCE_KLX, SkyParameters, sun_transmittance},
 };
 use crate::accel::Ray;
 use crate::scene::SurfaceInteraction;
-use crate::settings::RenderSettings;
 use endless_world::math::UnfusedVec3A;
-use endless_world::{Condition, math};
+use endless_world::{SceneWeather, math};
 use glam::Vec3A;
 use std::f32::consts::{PI, TAU};
 
@@ -39,8 +38,10 @@ pub(crate) struct Environment {
     pub(crate) sun: Option<Sun>,
     pub(crate) sky: Sky,
     pub(crate) fog: Fog,
-    /// Street lamps, windows and signs are lit.
+    /// Street lamps, windows and signs are lit, or some of them.
     pub(crate) night: bool,
+    /// Share of them that are lit.
+    pub(crate) lamps_lit: f32,
     /// 0 dry to 1 soaked.
     pub(crate) wetness: f32,
     /// Share of wet ground that is puddle.
@@ -55,40 +56,38 @@ pub(crate) struct Environment {
 
 impl Environment {
     /// The light of a scene whose ground lies at this height, metres.
-    pub(crate) fn new(settings: &RenderSettings, ground: f32) -> Self {
-        let condition = Condition::of(settings.weather, settings.time_of_day);
-        let drawn = SceneWeather::new(condition, settings.seed);
-        let usual = Vec3A::from(drawn.sun_direction);
-        let sun_direction = settings.sun_direction.map_or(usual, |towards| Vec3A::from(towards).normalize_or(usual));
-        let low_light = Vec3A::from(condition.low_light);
-        let clouds = (condition.cloud_cover > 0.0).then(|| CloudLayer {
-            cover: condition.cloud_cover,
-            lit: low_light * (14.0 * condition.cloud_brightness),
-            dark: Vec3A::new(0.80, 0.9, 1.05) * (6.0 * condition.cloud_brightness),
-            seed: drawn.cloud_seed,
+    pub(crate) fn new(weather: &SceneWeather, ground: f32) -> Self {
+        let sun_direction = Vec3A::from(weather.sun_direction);
+        let low_light = Vec3A::from(weather.low_light);
+        let clouds = (weather.cloud_cover > 0.0).then(|| CloudLayer {
+            cover: weather.cloud_cover,
+            lit: low_light * (14.0 * weather.cloud_brightness),
+            dark: Vec3A::new(0.80, 0.9, 1.05) * (6.0 * weather.cloud_brightness),
+            seed: weather.cloud_seed,
         });
         let sky = Sky::new(&SkyParameters {
             sun_direction,
-            turbidity: condition.turbidity,
-            overcast: condition.overcast,
-            overcast_klx: condition.overcast_klx,
-            glow: TOWN_SKYGLOW * condition.skyglow,
+            turbidity: weather.turbidity,
+            overcast: weather.overcast,
+            overcast_klx: weather.overcast_klx,
+            glow: TOWN_SKYGLOW * weather.skyglow,
             clouds,
         });
-        let sun = (condition.sun_share > 0.0).then(|| Sun {
+        let night = weather.lamps_lit > 0.0;
+        // Lamps are lit when the sun is down.
+        let sun = (weather.sun_share > 0.0 && sun_direction.z > 0.0 && !night).then(|| Sun {
             direction: sun_direction,
-            illuminance: sun_transmittance(sun_direction, condition.turbidity)
-                * (SOLAR_ILLUMINANCE_KLX * condition.sun_share),
+            illuminance: sun_transmittance(sun_direction, weather.turbidity)
+                * (SOLAR_ILLUMINANCE_KLX * weather.sun_share),
             disc: sun_disc(sun_direction),
         });
-        let night = condition.lamps_lit;
         let fog = Fog {
-            extinction: Fog::extinction_for_visibility(drawn.visibility_m),
+            extinction: Fog::extinction_for_visibility(weather.visibility_m),
             ground,
-            scale_height_m: drawn.scale_height_m,
-            glow: condition.halo,
-            airlight: if night { TOWN_AIRLIGHT } else { sky.mean } * condition.airlight,
-            sunward: low_light * sky.mean * condition.sunward,
+            scale_height_m: weather.scale_height_m,
+            glow: weather.halo,
+            airlight: sky.mean * weather.airlight + TOWN_AIRLIGHT * weather.town_airlight,
+            sunward: low_light * sky.mean * weather.sunward,
             sun_direction,
         };
         Self {
@@ -96,11 +95,12 @@ impl Environment {
             sky,
             fog,
             night,
-            wetness: condition.wetness,
-            puddles: condition.puddles,
-            rain: condition.rain,
-            exposure_key: condition.exposure_key,
-            glare: condition.glare,
+            lamps_lit: weather.lamps_lit,
+            wetness: weather.wetness,
+            puddles: weather.puddles,
+            rain: weather.rain,
+            exposure_key: weather.exposure_key,
+            glare: weather.glare,
         }
     }
 
@@ -108,13 +108,13 @@ impl Environment {
     /// mean lamp.
     pub(crate) fn white_balance(&self) -> Vec3A {
         const STRENGTH: f32 = 0.7;
-        if self.night {
+        if self.lamps_lit == 1.0 {
             return Vec3A::ONE;
         }
         let sun = self.sun.as_ref().map_or(Vec3A::ZERO, |sun| sun.illuminance * sun.direction.z);
         let light = sun + self.sky.mean * PI;
         let white = light.dot(LUMINANCE) / light.max(Vec3A::splat(1e-6));
-        Vec3A::ONE.lerp_unfused(white, STRENGTH)
+        Vec3A::ONE.lerp_unfused(white, STRENGTH * (1.0 - self.lamps_lit))
     }
 
     /// Whether lamps glow in the air.
@@ -160,12 +160,11 @@ fn sun_disc(direction: Vec3A) -> [[Vec3A; SUN_SAMPLES]; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{ImageSize, TimeOfDay, Weather};
+    use endless_world::{TimeOfDay, Weather};
 
     #[test]
     fn conditions_differ_as_they_should() {
-        let size = ImageSize { width: 16, height: 9 };
-        let light = |w, t| Environment::new(&RenderSettings::new(w, t, 5, size), 0.0);
+        let light = |w, t| Environment::new(&SceneWeather::new(w, t, 5), 0.0);
         let noon = light(Weather::ClearSky, TimeOfDay::Afternoon);
         let dawn = light(Weather::ClearSky, TimeOfDay::Morning);
         let (high, low) = (noon.sun.expect("sun"), dawn.sun.expect("sun"));

@@ -91,6 +91,16 @@ impl Lamps {
         Self { lights, low, columns, rows, cells }
     }
 
+    /// The same lamps with another power each, given where they hang: of the power that they have here.
+    #[must_use]
+    pub(crate) fn with_power(&self, power: impl Fn(Vec3A) -> f32) -> Self {
+        let mut lamps = self.clone();
+        for lamp in &mut lamps.lights {
+            lamp.intensity *= power(lamp.position);
+        }
+        lamps
+    }
+
     /// Lamps that may reach a point; the position in this list is the lamp's bit in masks of that point.
     pub(crate) fn near(&self, point: Vec3A) -> impl Iterator<Item = &PointLamp> {
         self.indices_near(point).iter().map(|&i| &self.lights[usize::from(i)])

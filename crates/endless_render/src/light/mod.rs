@@ -2,19 +2,19 @@
 
 mod beams;
 mod clouds;
+mod dusk_switch;
 mod environment;
 mod fog;
 mod halo_grid;
 mod lamp_maps;
 mod lamps;
-mod scene_weather;
 mod sky;
 
 pub use beams::{BeamKind, VehicleBeam};
+pub(crate) use dusk_switch::lamp_power;
 pub(crate) use environment::{Environment, SUN_SAMPLES, Sun};
 pub(crate) use fog::Fog;
 pub(crate) use halo_grid::HaloGrid;
 pub(crate) use lamp_maps::LampMaps;
 pub(crate) use lamps::{Lamps, PointLamp};
-pub use scene_weather::SceneWeather;
 pub(crate) use sky::Sky;

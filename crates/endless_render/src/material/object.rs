@@ -1,7 +1,7 @@
 //! Vehicles, plants, poles, lights.
 
 use super::{Bsdf, cabin, noise};
-use crate::light::Environment;
+use crate::light::{Environment, lamp_power};
 use crate::scene::SurfaceInteraction;
 use endless_scene::LightSlot;
 use endless_world::VehicleLights;
@@ -98,7 +98,7 @@ fn individual(point: &SurfaceInteraction<'_>, green: Vec3A) -> Vec3A {
 pub(super) fn lit_sign(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment) -> Bsdf {
     let mut bsdf = Bsdf::matte(base, point.normal).coated(0.5, 0.04, 0.2);
     if environment.night {
-        bsdf.emission = base * 0.05;
+        bsdf.emission = base * (0.05 * lamp_power(point.position, environment.lamps_lit));
     }
     bsdf
 }
@@ -106,7 +106,7 @@ pub(super) fn lit_sign(point: &SurfaceInteraction<'_>, base: Vec3A, environment:
 pub(super) fn lamp_lens(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment) -> Bsdf {
     let mut bsdf = Bsdf::matte(base, point.normal).coated(0.6, 0.04, 0.2);
     if environment.night {
-        bsdf.emission = Vec3A::new(1.0, 0.86, 0.66) * 0.9;
+        bsdf.emission = Vec3A::new(1.0, 0.86, 0.66) * (0.9 * lamp_power(point.position, environment.lamps_lit));
     }
     bsdf
 }

@@ -67,7 +67,7 @@ pub(super) fn window(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &
     let folds = 0.85 + 0.15 * noise::value2(Vec2::new(place.x * 23.0, 0.3), 7);
     let cloth = Vec3A::new(0.66, 0.63, 0.58).lerp_unfused(Vec3A::new(0.40, 0.36, 0.33), random(5) * 0.7) * folds;
 
-    let lit_share = if shop { 0.85 } else { 0.36 };
+    let lit_share = if shop { 0.85 } else { 0.36 } * environment.lamps_lit;
     let lit = environment.night && random(6) < lit_share;
     let mut emission = Vec3A::ZERO;
     if lit {

@@ -21,7 +21,7 @@ pub(crate) fn halos8(tracer: &Tracer<'_>, origin: Vec3A, directions: &Vec3x8, di
     let reach = distances_m.fast_min(f32x8::splat(REACH_M));
     let near = |lamp: &&PointLamp| lamp.position.distance_squared(origin) < FARTHEST_M * FARTHEST_M;
     let mut sums = [f32x8::ZERO; 3];
-    for lamp in tracer.still.lamps.all().iter().filter(near) {
+    for lamp in tracer.lamps.all().iter().filter(near) {
         let glow = environment.fog.halo8(origin, directions, reach, lamp.position);
         for (sum, intensity) in sums.iter_mut().zip(lamp.intensity.to_array()) {
             *sum += glow * f32x8::splat(intensity);

@@ -28,7 +28,7 @@ impl LampCandidate {
 
     /// The ray that must be free for its light to arrive.
     fn ray(&self, tracer: &Tracer<'_>, origin: Vec3A) -> Ray {
-        let position = tracer.still.lamps.all()[usize::from(self.lamp)].position;
+        let position = tracer.lamps.all()[usize::from(self.lamp)].position;
         Ray::to_light(origin, position)
     }
 
@@ -87,8 +87,8 @@ pub(super) fn lamp_light8(
 fn strongest(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, bsdf: &Bsdf, count: usize) -> [LampCandidate; MOST] {
     let mut best = [LampCandidate::NONE; MOST];
     let count = count.min(MOST);
-    for &lamp in tracer.still.lamps.indices_near(point.position) {
-        let (illuminance, direction) = tracer.still.lamps.all()[usize::from(lamp)].illuminance_at(point.position);
+    for &lamp in tracer.lamps.indices_near(point.position) {
+        let (illuminance, direction) = tracer.lamps.all()[usize::from(lamp)].illuminance_at(point.position);
         if point.geometric_normal.dot(direction) <= 0.0 || illuminance.max_element() <= 0.0 {
             continue;
         }

@@ -2,7 +2,7 @@
 
 use crate::accel::{Hit, Ray, RayStream};
 use crate::indirect::ProbeGrid;
-use crate::light::{Environment, LampMaps};
+use crate::light::{Environment, LampMaps, Lamps};
 use crate::scene::{FrameScene, StaticScene, SurfaceInteraction};
 use glam::Vec3A;
 
@@ -13,6 +13,8 @@ pub(crate) struct Tracer<'a> {
     /// `None` while baking.
     pub(crate) moving: Option<&'a FrameScene>,
     pub(crate) environment: &'a Environment,
+    /// With the power that they have in this light; the same as those of `still` otherwise.
+    pub(crate) lamps: &'a Lamps,
     pub(crate) lamp_maps: &'a LampMaps,
     /// `None` while the probes themselves are made.
     pub(crate) probes: Option<&'a ProbeGrid>,

@@ -6,7 +6,7 @@ use endless_render::{
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    CameraSite, ClassTag, ImageSize, InstanceId, Mount, SensorFrame, SensorLayers, TimeOfDay, Weather,
+    CameraSite, ClassTag, ImageSize, InstanceId, Mount, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, Weather,
 };
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -127,7 +127,8 @@ fn a_camera_is_baked_as_well_with_what_another_condition_kept() {
     assert!(hits.memory_bytes() > 8 * SIZE.pixels());
     let read = IndirectHits::from_bytes(&hits.to_bytes()).expect("as it was written");
     for (weather, time_of_day) in [(Weather::ClearSky, TimeOfDay::Afternoon), (Weather::AfterRain, TimeOfDay::Night)] {
-        let settings = RenderSettings { time_of_day, seed: 8, ..settings(weather) };
+        let settings =
+            RenderSettings { weather: SceneWeather::new(weather, time_of_day, 8), seed: 8, ..settings(weather) };
         let plain = CameraBake::bake(&still, &settings, &site());
         let reusing = CameraBake::bake_reusing(&still, &settings, &site(), &read);
         // What says nothing is traced.
@@ -171,7 +172,8 @@ fn a_moving_camera_sees_what_a_fixed_one_sees() {
 fn the_sun_stands_where_it_is_told_to() {
     let (still, nothing) = (still(), FrameScene::new(FrameDescription::default()));
     let seen = |sun_direction| {
-        let settings = RenderSettings { sun_direction: Some(sun_direction), ..settings(Weather::ClearSky) };
+        let settings = settings(Weather::ClearSky);
+        let settings = RenderSettings { weather: settings.weather.with_sun(Vec3::from(sun_direction)), ..settings };
         MovingCamera::new(&still, &settings, IndirectLight::OpenSky, &[site()]).render(&still, &nothing, &site())
     };
     // The block's shadow falls to the other side: to the right of it in the picture, or to the left.

@@ -2,7 +2,7 @@
 
 use crate::grid::Grid;
 use endless_road::{RoadNetwork, TrafficControl};
-use endless_traffic::{Simulation, TrafficSettings};
+use endless_traffic::{DrivingCondition, Simulation, TrafficSettings};
 use endless_world::math::f64::{sin_cos, wrap_angle};
 use endless_world::{
     Actor, Condition, Gait, Motion, ObjectClass, SignalAspect, TimeOfDay, VehicleLights, VehicleMotion, Weather,
@@ -16,17 +16,11 @@ fn town() -> RoadNetwork {
     Grid { columns: 3, rows: 3, lanes: 1 }.network()
 }
 
-fn clear_afternoon() -> &'static Condition {
-    Condition::of(Weather::ClearSky, TimeOfDay::Afternoon)
+fn clear_afternoon() -> DrivingCondition {
+    Condition::of(Weather::ClearSky, TimeOfDay::Afternoon).into()
 }
 
-fn simulation(
-    network: &RoadNetwork,
-    asked: [u32; 2],
-    seed: u64,
-    condition: &'static Condition,
-    fps: f64,
-) -> Simulation {
+fn simulation(network: &RoadNetwork, asked: [u32; 2], seed: u64, condition: DrivingCondition, fps: f64) -> Simulation {
     let specs = crate::watch::specs();
     let [vehicles, pedestrians] = asked;
     let settings = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus: Vec::new() };
@@ -117,7 +111,7 @@ fn headlights_are_lit_by_night_in_rain_and_in_fog() {
         (Weather::Rainy, TimeOfDay::Afternoon, true),
         (Weather::Foggy, TimeOfDay::Morning, true),
     ] {
-        let state = simulation(&network, [12, 0], 1, Condition::of(weather, time), FPS).state();
+        let state = simulation(&network, [12, 0], 1, Condition::of(weather, time).into(), FPS).state();
         for (actor, vehicle) in state.actors.iter().filter_map(|a| Some((a, motion(a)?))) {
             assert_eq!(
                 vehicle.lights.contains(VehicleLights::LOW_BEAM | VehicleLights::POSITION),

@@ -1,0 +1,110 @@
+//! Videos in which weather or time changes: as exact as others, and without jumps.
+
+use crate::exactness::{BLURRED, LoadedTown, SIZE, differing, load, town03};
+use endless_render::{CameraBake, Gathering, RenderSettings};
+use endless_world::{
+    ConditionChange, SceneSettings, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, Weather, WeatherTimeline,
+    WorldState,
+};
+
+/// As many as a video has by default.
+const FRAMES: u32 = 150;
+
+type Named = (Weather, TimeOfDay);
+
+fn timeline(from: Named, to: Named) -> WeatherTimeline {
+    WeatherTimeline::of(&SceneSettings {
+        video: 0,
+        map: "Town03".into(),
+        weather: from.0,
+        time_of_day: from.1,
+        changing_to: Some(ConditionChange { weather: to.0, time_of_day: to.1 }),
+        cameras: Vec::new(),
+        vehicles: 0,
+        pedestrians: 0,
+        size: SIZE,
+        fps: 30.0,
+        frames: FRAMES,
+        seed: 3,
+    })
+}
+
+fn settings(weather: SceneWeather) -> RenderSettings {
+    RenderSettings {
+        weather,
+        gathering: Gathering::Interpolated { rays: 2 },
+        look: BLURRED,
+        keep_irradiance: true,
+        layers: SensorLayers { albedo: true, ..SensorLayers::default() },
+        ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 3, SIZE)
+    }
+}
+
+/// Between two key frames: rendered with the cache and without.
+fn check(loaded: &LoadedTown, camera: usize, timeline: &WeatherTimeline, key: u32) {
+    let (still, site) = (loaded.scene.static_scene(), &loaded.town.cameras[camera]);
+    let [before, after] = [key, key + 1].map(|key| CameraBake::bake(still, &settings(timeline.at_key(key)), site));
+    let (models, state) = loaded.staged(camera, true);
+    let frame = models.frame_scene(&state);
+    let cached = before.render_changing(&after, 0.4, still, &frame);
+    assert_eq!(differing(&cached, &before.render_changing_uncached(&after, 0.4, still, &frame)), 0);
+    let [first, last] = [&before, &after].map(|bake| bake.render(still, &frame));
+    assert!(differing(&cached, &first) > 1000 && differing(&cached, &last) > 1000, "nothing changes");
+    assert_eq!(differing(&before.render_changing(&after, 0.0, still, &frame), &first), 0);
+    assert_eq!((cached.depth, cached.instance), (last.depth, last.instance));
+}
+
+#[test]
+fn nightfall_with_headlights_and_some_of_the_lamps_is_exact() {
+    let dusk = timeline((Weather::ClearSky, TimeOfDay::Afternoon), (Weather::ClearSky, TimeOfDay::Night));
+    let lamps = |key: u32| dusk.at_key(key).lamps_lit;
+    let key = (0..dusk.intervals()).find(|&key| lamps(key) > 0.2).expect("lamps are lit");
+    assert!(lamps(key + 1) < 1.0, "not all of them at once");
+    check(town03(), 0, &dusk, key);
+}
+
+#[test]
+fn rain_that_sets_in_is_exact() {
+    let rain = timeline((Weather::ClearSky, TimeOfDay::Morning), (Weather::Rainy, TimeOfDay::Morning));
+    let key = (0..rain.intervals()).find(|&key| rain.at_key(key).rain > 0.3).expect("it rains");
+    check(town03(), 2, &rain, key);
+}
+
+fn mean_change(a: &SensorFrame, b: &SensorFrame) -> f64 {
+    let values = a.rgb.data.as_flattened().iter().zip(b.rgb.data.as_flattened());
+    values.map(|(&a, &b)| f64::from(a.abs_diff(b))).sum::<f64>() / (3 * SIZE.pixels()) as f64
+}
+
+/// The most that a still picture changes from a frame to the next, in 255ths. Between key frames it changes evenly.
+fn fastest(loaded: &LoadedTown, camera: usize, timeline: &WeatherTimeline) -> f64 {
+    let (still, site) = (loaded.scene.static_scene(), &loaded.town.cameras[camera]);
+    let (models, state) = loaded.staged(camera, true);
+    let nothing = models.frame_scene(&WorldState { actors: Vec::new(), ..state });
+    let picture = |key: u32| {
+        let settings = RenderSettings { keep_irradiance: false, ..settings(timeline.at_key(key)) };
+        CameraBake::bake(still, &settings, site).render(still, &nothing)
+    };
+    let pictures: Vec<SensorFrame> = (0..=timeline.intervals()).map(picture).collect();
+    let per_frame = f64::from(timeline.intervals()) / f64::from(FRAMES - 1);
+    let changes: Vec<f64> = pictures.windows(2).map(|pair| mean_change(&pair[0], &pair[1]) * per_frame).collect();
+    println!("a frame, by key frame: {changes:.2?}");
+    changes.into_iter().fold(0.0, f64::max)
+}
+
+#[test]
+fn no_frame_of_a_changing_video_jumps() {
+    use TimeOfDay::{Afternoon, Morning, Night};
+    use Weather::{AfterRain, ClearSky, Foggy, Rainy};
+    let town02 = load("Town02");
+    let changes = [
+        (town03(), 0, (ClearSky, Afternoon), (ClearSky, Night)),
+        (&town02, 1, (Foggy, Morning), (ClearSky, Morning)),
+        (town03(), 1, (ClearSky, Afternoon), (Rainy, Afternoon)),
+        (&town02, 2, (AfterRain, Night), (Foggy, Morning)),
+    ];
+    for (loaded, camera, from, to) in changes {
+        let change = fastest(loaded, camera, &timeline(from, to));
+        println!("{from:?} to {to:?}: {change:.2} of 255 a frame at most");
+        assert!((0.05..1.5).contains(&change), "{from:?} to {to:?}: {change}");
+    }
+}
