@@ -25,6 +25,7 @@
 //!     down_tilt_rad: 0.4,
 //!     horizontal_fov_rad: 1.0,
 //!     mount: Mount::Pole,
+//!     roll_rad: 0.0,
 //! };
 //! let size = ImageSize { width: 32, height: 18 };
 //! let settings = RenderSettings::new(Weather::Cloudy, TimeOfDay::Morning, 0, size);

@@ -1,6 +1,9 @@
 //! Settings of a camera's picture of a scene.
 
-use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, SensorLayers, TimeOfDay, Weather};
+use endless_world::{
+    CameraLook, CameraSite, Condition, ImageSize, LightVariation, PinholeCamera, SceneRandomisation, SensorLayers,
+    TimeOfDay, Weather,
+};
 
 /// Where light of the sky and from other surfaces is gathered for the still picture, and with how many rays a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -39,6 +42,8 @@ pub struct RenderSettings {
     pub sun_direction: Option<[f32; 3]>,
     /// The scene's seed.
     pub seed: u64,
+    /// What is randomised, if anything is.
+    pub randomised: Option<SceneRandomisation>,
     /// Image size.
     pub size: ImageSize,
     /// Where light that bounced is gathered.
@@ -64,6 +69,7 @@ impl RenderSettings {
             time_of_day,
             sun_direction: None,
             seed,
+            randomised: None,
             size,
             gathering: Gathering::default(),
             pattern: 0,
@@ -72,6 +78,17 @@ impl RenderSettings {
             layers: SensorLayers::default(),
             keep_irradiance: false,
         }
+    }
+
+    /// The condition in this picture's light.
+    pub(crate) fn condition(&self) -> Condition {
+        let usual = Condition::of(self.weather, self.time_of_day);
+        self.light().map_or(*usual, |light| light.of(usual))
+    }
+
+    /// What is changed of the light of the condition.
+    pub(crate) fn light(&self) -> Option<LightVariation> {
+        self.randomised.as_ref()?.light
     }
 
     /// The camera of a site with this picture's size and lens.

@@ -1,6 +1,6 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
-use crate::{CameraLook, CameraSite, ImageSize, TimeOfDay, Weather};
+use crate::{CameraLook, CameraSite, ImageSize, SceneRandomisation, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 
 /// A camera of a scene: where it hangs, and what it does to the picture.
@@ -39,6 +39,9 @@ pub struct SceneSettings {
     pub frames: u32,
     /// Seed of everything random in this scene.
     pub seed: u64,
+    /// What is randomised, if anything is; of cameras, [`Self::cameras`] are as they were drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub randomised: Option<SceneRandomisation>,
 }
 
 mod cameras_and_looks {

@@ -95,6 +95,7 @@ fn render_settings(video: &SceneSettings, camera: &SceneCamera) -> RenderSetting
     RenderSettings {
         look: camera.look,
         fps: video.fps,
+        randomised: video.randomised.clone(),
         ..RenderSettings::new(video.weather, video.time_of_day, video.seed, video.size)
     }
 }

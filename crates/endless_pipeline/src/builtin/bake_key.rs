@@ -9,9 +9,9 @@ pub(super) type BakeKey = [u8; 32];
 /// The key of a camera in the scene of this digest.
 pub(super) fn bake_key(scene: &BakeKey, site: &CameraSite, settings: &RenderSettings) -> BakeKey {
     let RenderSettings { size, gathering, pattern, look, .. } = settings;
-    let CameraSite { name: _, position, yaw_rad, down_tilt_rad, horizontal_fov_rad, mount: _ } = site;
+    let CameraSite { name: _, position, yaw_rad, down_tilt_rad, horizontal_fov_rad, mount: _, roll_rad } = site;
     let mut hasher = blake3::Hasher::new_keyed(scene);
-    for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad]) {
+    for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad]) {
         hasher.update(&number.to_le_bytes());
     }
     for number in [look.distortion.k1, look.distortion.k2] {

@@ -16,7 +16,9 @@ pub(super) fn scene_frame(
     parked: &[Actor],
     state: &WorldState,
 ) -> SceneFrame {
-    let condition = Condition::of(settings.weather, settings.time_of_day);
+    let usual = Condition::of(settings.weather, settings.time_of_day);
+    let light = settings.randomised.as_ref().and_then(|randomised| randomised.light);
+    let condition = &light.map_or(*usual, |light| light.of(usual));
     let drawn = SceneWeather::new(condition, settings.seed);
     let riders = state.actors.iter().filter(|actor| actor.rider_id.is_some()).map(|_| ObjectClass::Rider);
     SceneFrame {

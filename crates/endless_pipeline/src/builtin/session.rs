@@ -4,8 +4,10 @@ use super::{
     actors,
     bodies::Skeletons,
     map::BuiltinMap,
+    repainted::repainted,
     road_facts::road_facts,
     scene_frame::scene_frame,
+    scene_variant::scene_variant,
     shapes::{MovingShapes, ParkedShapes},
 };
 use crate::{RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep, SimulatorError};
@@ -13,7 +15,7 @@ use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, 
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_render::{CameraBake, FrameScene};
+use endless_render::{CameraBake, FrameScene, StaticScene};
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, Condition, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use glam::Vec3;
@@ -33,6 +35,8 @@ pub(super) struct BuiltinSession<'m> {
 /// What stays the same in all frames of a session.
 struct BuiltinScene<'m> {
     map: &'m BuiltinMap,
+    /// The map's scene as this video varies it, made when it is first needed; `None` if it does not.
+    variant: OnceLock<Option<StaticScene>>,
     catalogue: &'m Catalogue,
     settings: &'m SceneSettings,
     wanted: SensorLayers,
@@ -85,6 +89,7 @@ impl<'m> BuiltinSession<'m> {
         let moving = simulation.state().actors;
         let scene = BuiltinScene {
             map,
+            variant: OnceLock::new(),
             catalogue,
             settings,
             wanted,
@@ -111,12 +116,18 @@ fn skin_tones(catalogue: &Catalogue, moving: &[Actor]) -> BTreeMap<InstanceId, u
 }
 
 impl BuiltinScene<'_> {
+    /// What stands still in this video.
+    fn still(&self) -> &StaticScene {
+        let variant = self.variant.get_or_init(|| scene_variant(self.map, self.settings));
+        variant.as_ref().unwrap_or_else(|| self.map.town_scene.static_scene())
+    }
+
     /// The cameras, baked when they are first needed.
     fn cameras(&self) -> &BakedCameras {
         self.cameras.get_or_init(|| {
             let Self { map, settings, wanted, .. } = *self;
             let start = Instant::now();
-            let still = map.town_scene.static_scene();
+            let still = self.still();
             let baked: Vec<CameraBake> =
                 settings.cameras.iter().map(|camera| map.bakes.bake(still, settings, camera, wanted)).collect();
             let bake = start.elapsed();
@@ -145,8 +156,11 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn actors(&self) -> Option<Vec<ActorRecord>> {
-        let BuiltinScene { catalogue, parked, moving, .. } = &*self.scene;
-        Some(actors::describe(catalogue, parked.iter().chain(moving)))
+        let BuiltinScene { catalogue, settings, parked, moving, .. } = &*self.scene;
+        let records = actors::describe(catalogue, parked.iter().chain(moving));
+        let randomised = settings.randomised.as_ref();
+        let Some((seed, colors)) = randomised.and_then(|r| Some((r.seed, r.colors()?))) else { return Some(records) };
+        Some(records.into_iter().map(|record| repainted(record, seed, &colors)).collect())
     }
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {
@@ -202,7 +216,7 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
     }
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        let (cameras, still) = (self.scene.cameras(), self.scene.map.town_scene.static_scene());
+        let (cameras, still) = (self.scene.cameras(), self.scene.still());
         let frame = self.scene.frame_scene(&self.frame, state);
         Ok(cameras.baked.iter().map(|camera| camera.render(still, frame)).collect())
     }

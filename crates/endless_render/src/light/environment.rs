@@ -8,8 +8,9 @@ use super::{
 use crate::accel::Ray;
 use crate::scene::SurfaceInteraction;
 use crate::settings::RenderSettings;
+use crate::variation::SurfaceVariation;
+use endless_world::math;
 use endless_world::math::UnfusedVec3A;
-use endless_world::{Condition, math};
 use glam::Vec3A;
 use std::f32::consts::{PI, TAU};
 
@@ -51,13 +52,16 @@ pub(crate) struct Environment {
     pub(crate) exposure_key: f32,
     /// Share of the light that spreads around bright objects.
     pub(crate) glare: f32,
+    /// What surfaces vary in this scene; `None` where they are as they are made.
+    pub(crate) surfaces: Option<SurfaceVariation>,
 }
 
 impl Environment {
     /// The light of a scene whose ground lies at this height, metres.
     pub(crate) fn new(settings: &RenderSettings, ground: f32) -> Self {
-        let condition = Condition::of(settings.weather, settings.time_of_day);
+        let condition = &settings.condition();
         let drawn = SceneWeather::new(condition, settings.seed);
+        let [sun_light, sky_light] = settings.light().map_or([Vec3A::ONE; 2], |l| [l.sun, l.sky].map(Vec3A::from));
         let usual = Vec3A::from(drawn.sun_direction);
         let sun_direction = settings.sun_direction.map_or(usual, |towards| Vec3A::from(towards).normalize_or(usual));
         let low_light = Vec3A::from(condition.low_light);
@@ -74,11 +78,13 @@ impl Environment {
             overcast_klx: condition.overcast_klx,
             glow: TOWN_SKYGLOW * condition.skyglow,
             clouds,
-        });
+        })
+        .tinted(sky_light);
         let sun = (condition.sun_share > 0.0).then(|| Sun {
             direction: sun_direction,
             illuminance: sun_transmittance(sun_direction, condition.turbidity)
-                * (SOLAR_ILLUMINANCE_KLX * condition.sun_share),
+                * (SOLAR_ILLUMINANCE_KLX * condition.sun_share)
+                * sun_light,
             disc: sun_disc(sun_direction),
         });
         let night = condition.lamps_lit;
@@ -87,7 +93,7 @@ impl Environment {
             ground,
             scale_height_m: drawn.scale_height_m,
             glow: condition.halo,
-            airlight: if night { TOWN_AIRLIGHT } else { sky.mean } * condition.airlight,
+            airlight: if night { TOWN_AIRLIGHT * sky_light } else { sky.mean } * condition.airlight,
             sunward: low_light * sky.mean * condition.sunward,
             sun_direction,
         };
@@ -101,6 +107,7 @@ impl Environment {
             rain: condition.rain,
             exposure_key: condition.exposure_key,
             glare: condition.glare,
+            surfaces: settings.randomised.as_ref().and_then(SurfaceVariation::new),
         }
     }
 

@@ -91,6 +91,15 @@ impl Lamps {
         Self { lights, low, columns, rows, cells }
     }
 
+    /// The same lamps with their light changed by factors a channel, by their places in the list.
+    pub(crate) fn tinted(&self, factors: impl Fn(usize) -> [f32; 3]) -> Self {
+        let mut lamps = self.clone();
+        for (place, lamp) in lamps.lights.iter_mut().enumerate() {
+            lamp.intensity *= Vec3A::from(factors(place));
+        }
+        lamps
+    }
+
     /// Lamps that may reach a point; the position in this list is the lamp's bit in masks of that point.
     pub(crate) fn near(&self, point: Vec3A) -> impl Iterator<Item = &PointLamp> {
         self.indices_near(point).iter().map(|&i| &self.lights[usize::from(i)])

@@ -9,7 +9,7 @@ use std::io::{self, Write};
 use std::sync::Arc;
 
 /// Everything that stands still, ready to be traced: made once a map, and shared by all its videos.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct StaticScene {
     pub(crate) instances: Vec<Instance>,
     pub(crate) accel: Tlas,
@@ -22,6 +22,12 @@ impl StaticScene {
         instances.retain(|instance| !instance.geometry.is_empty());
         let accel = Tlas::build(instances.iter().map(Instance::placed).collect());
         Self { instances, accel, lamps: Lamps::new(lamps) }
+    }
+
+    /// The same scene in which each lamp, by its place in the list, has its light changed by factors by linear channel.
+    #[must_use]
+    pub fn with_lamp_factors(&self, factors: impl Fn(usize) -> [f32; 3]) -> Self {
+        Self { lamps: self.lamps.tinted(factors), ..self.clone() }
     }
 
     /// Where a ray meets one triangle; `None` if it passes by, or there is no such triangle.
