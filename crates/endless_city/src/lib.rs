@@ -36,6 +36,7 @@
 //! ```
 
 mod actor_models;
+mod clutter;
 mod moving_vehicle;
 mod person;
 mod shared_models;
@@ -44,5 +45,6 @@ mod vehicle;
 mod velocity;
 
 pub use actor_models::ActorModels;
+pub use clutter::{ClutterPiece, clutter};
 pub use shared_models::SharedModels;
 pub use town_scene::TownScene;

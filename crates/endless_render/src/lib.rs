@@ -87,7 +87,7 @@ pub use light::{BeamKind, SceneWeather, VehicleBeam};
 pub use moving_camera::{IndirectLight, MovingCamera};
 pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,
-    RigidVelocity, StaticScene,
+    RigidVelocity, StaticScene, SurfacePoint,
 };
 pub use settings::{Gathering, RenderSettings};
 pub use silhouette::ObjectShape;

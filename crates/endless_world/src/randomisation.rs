@@ -1,7 +1,7 @@
 //! Domain randomisation: what a video varies beside its scene, so that networks do not learn the looks of one renderer
 //! (Tobin et al. 2017; Tremblay et al. 2018).
 
-use crate::{ColorVariation, LightVariation, TimeOfDay, UnknownName};
+use crate::{CameraSite, ColorVariation, LightVariation, TimeOfDay, UnknownName};
 use serde::{Deserialize, Serialize};
 use strum::VariantArray as _;
 
@@ -44,13 +44,22 @@ pub struct SceneRandomisation {
     /// The light that was drawn, where light is randomised.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub light: Option<LightVariation>,
+    /// The sites of the cameras before they were moved, where cameras are randomised.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub usual_cameras: Vec<CameraSite>,
 }
 
 impl SceneRandomisation {
     /// What the seed of a scene draws; `None` where nothing is to be varied.
     pub fn new(parts: &[RandomisedPart], strength: f32, time_of_day: TimeOfDay, seed: u64) -> Option<Self> {
         let light = parts.contains(&RandomisedPart::Light).then(|| LightVariation::new(strength, time_of_day, seed));
-        (strength > 0.0 && !parts.is_empty()).then(|| Self { parts: parts.to_vec(), strength, seed, light })
+        (strength > 0.0 && !parts.is_empty()).then(|| Self {
+            parts: parts.to_vec(),
+            strength,
+            seed,
+            light,
+            usual_cameras: Vec::new(),
+        })
     }
 
     /// Whether a part varies.

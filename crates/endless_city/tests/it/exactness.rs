@@ -6,9 +6,9 @@ use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::Town;
 use endless_world::{
     Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, ImageSize, InstanceId,
-    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SensorLayers,
-    SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef,
-    WalkerMotion, Weather, WorldState,
+    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RandomisedPart, RecorderClock, SceneRandomisation,
+    SensorFrame, SensorLayers, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleModelId,
+    VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 use rayon::prelude::*;
@@ -136,18 +136,22 @@ fn check_through(
     weather: Weather,
     time_of_day: TimeOfDay,
 ) -> usize {
+    let settings = RenderSettings { look, ..RenderSettings::new(weather, time_of_day, 3, SIZE) };
+    check_site(&settings, loaded, &loaded.town.cameras[camera], camera as u64)
+}
+
+fn check_site(settings: &RenderSettings, loaded: &LoadedTown, site: &CameraSite, seed: u64) -> usize {
     let LoadedTown { catalogue, town, scene } = loaded;
     let (map, still) = (&town.name, scene.static_scene());
-    let site = &town.cameras[camera];
     let settings = RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
-        look,
         keep_irradiance: true,
         layers: SensorLayers { normals: true, albedo: true },
-        ..RenderSettings::new(weather, time_of_day, 3, SIZE)
+        ..settings.clone()
     };
+    let RenderSettings { weather, time_of_day, look, .. } = settings;
     let bake = CameraBake::bake(still, &settings, site);
-    let mut random = Stream::named(5, "exactness", &[camera as u64]);
+    let mut random = Stream::named(5, "exactness", &[seed]);
     let lights = time_of_day == TimeOfDay::Night || weather == Weather::Rainy;
     let actors = actors(town, catalogue, site, lights, &mut random);
     let models = ActorModels::new(catalogue, &actors);
@@ -197,6 +201,17 @@ fn after_rain_with_puddles() {
 #[test]
 fn foggy_night_with_halos() {
     assert!(check(&load("Town01"), 0, Weather::Foggy, TimeOfDay::Night) > 150);
+}
+
+#[test]
+fn randomised_scenes_before_cameras_askew() {
+    let town = town03();
+    for (camera, time) in (0..).zip([TimeOfDay::Afternoon, TimeOfDay::Night]) {
+        let randomised = SceneRandomisation::new(RandomisedPart::ALL, 1.0, time, 9);
+        let settings = RenderSettings { randomised, ..RenderSettings::new(Weather::AfterRain, time, 3, SIZE) };
+        let site = CameraSite { roll_rad: 0.09, ..town.town.cameras[camera].clone() };
+        assert!(check_site(&settings, town, &site, 1) > 150);
+    }
 }
 
 #[test]

@@ -1,4 +1,5 @@
 //! Integration tests of `endless_city` and of the renderer in towns, in one binary: a module a subject.
 
+mod clutter;
 mod exactness;
 mod grain;

@@ -1,6 +1,6 @@
 //! Bakes cameras with what earlier videos and runs kept of them.
 
-use super::bake_key::{BakeKey, bake_key, scene_key};
+use super::bake_key::{BakeKey, bake_key, scene_key, variant_key};
 use super::hits_folder::HitsFolder;
 use super::kept_hits::KeptHits;
 use crate::SimulatorError;
@@ -53,7 +53,9 @@ impl MapBakes {
         // In memory, there is only one scene.
         let scene = cache.folder.as_ref().map_or([0; 32], |folder| scene_key(&folder.build, still));
         let keys = |video: &&SceneSettings| {
-            let key = |camera: &SceneCamera| bake_key(&scene, &camera.site, &render_settings(video, camera));
+            let key = |camera: &SceneCamera| {
+                bake_key(&variant_key(&scene, video), &camera.site, &render_settings(video, camera))
+            };
             (video.video, video.cameras.iter().map(key).collect())
         };
         let coming = videos.iter().map(keys).collect();
@@ -70,7 +72,7 @@ impl MapBakes {
     ) -> CameraBake {
         let settings = RenderSettings { layers: wanted, ..render_settings(video, camera) };
         let site: &CameraSite = &camera.site;
-        let key = bake_key(&self.scene, site, &settings);
+        let key = bake_key(&variant_key(&self.scene, video), site, &settings);
         let folder = self.cache.folder.as_ref().map(|folder| &folder.folder);
         let known = self.kept.get(&key).or_else(|| folder?.read(&key));
         if let Some(hits) = known {

@@ -18,7 +18,6 @@ use endless_dataset::SpawnCounts;
 use endless_render::{CameraBake, FrameScene, StaticScene};
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, Condition, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
-use glam::Vec3;
 use std::{
     collections::BTreeMap,
     sync::{Arc, OnceLock},
@@ -72,7 +71,7 @@ impl<'m> BuiltinSession<'m> {
         let SceneSettings { weather, time_of_day, vehicles, pedestrians, seed, fps, .. } = *settings;
         let condition = Condition::of(weather, time_of_day);
         // Traffic over the whole map, denser where the cameras look.
-        let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
+        let focus = settings.usual_positions().collect();
         let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
         let specs = catalogue.vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
@@ -118,7 +117,7 @@ fn skin_tones(catalogue: &Catalogue, moving: &[Actor]) -> BTreeMap<InstanceId, u
 impl BuiltinScene<'_> {
     /// What stands still in this video.
     fn still(&self) -> &StaticScene {
-        let variant = self.variant.get_or_init(|| scene_variant(self.map, self.settings));
+        let variant = self.variant.get_or_init(|| scene_variant(self.map, self.catalogue, self.settings));
         variant.as_ref().unwrap_or_else(|| self.map.town_scene.static_scene())
     }
 

@@ -28,8 +28,12 @@ pub(super) fn move_cameras(
         first.map_or(&draws[0][0], |([_, moved], _)| moved)
     });
     for scene in scenes.iter_mut().filter(|scene| moving(scene).is_some()) {
+        let mut usual = Vec::new();
         for (camera, site) in scene.cameras.iter_mut().zip(&mut chosen) {
-            camera.site = site.clone();
+            usual.push(std::mem::replace(&mut camera.site, site.clone()));
+        }
+        if let Some(randomised) = &mut scene.randomised {
+            randomised.usual_cameras = usual;
         }
     }
     Ok(())
@@ -81,6 +85,8 @@ mod tests {
             let (usual, moved) = (plan(0.0, 3, balance), plan(1.0, 3, balance));
             for (usual, moved) in usual.iter().zip(&moved) {
                 assert_eq!((&usual.map, usual.weather, usual.seed), (&moved.map, moved.weather, moved.seed));
+                let kept = &moved.randomised.as_ref().expect("asked for").usual_cameras;
+                assert!(usual.cameras.iter().map(|camera| &camera.site).eq(kept));
                 for (a, b) in usual.cameras.iter().zip(&moved.cameras) {
                     assert_eq!(a.site.name, b.site.name);
                     assert!(a.site != b.site && a.look != b.look);

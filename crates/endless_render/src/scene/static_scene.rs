@@ -18,10 +18,14 @@ pub struct StaticScene {
 
 impl StaticScene {
     /// A scene of instances, and of the lamps that are lit at night. Instances without triangles are left out.
-    pub fn new(mut instances: Vec<Instance>, lamps: &[StreetLamp]) -> Self {
+    pub fn new(instances: Vec<Instance>, lamps: &[StreetLamp]) -> Self {
+        Self::of(instances, Lamps::new(lamps))
+    }
+
+    pub(super) fn of(mut instances: Vec<Instance>, lamps: Lamps) -> Self {
         instances.retain(|instance| !instance.geometry.is_empty());
         let accel = Tlas::build(instances.iter().map(Instance::placed).collect());
-        Self { instances, accel, lamps: Lamps::new(lamps) }
+        Self { instances, accel, lamps }
     }
 
     /// The same scene in which each lamp, by its place in the list, has its light changed by factors by linear channel.
