@@ -27,6 +27,8 @@ pub(super) struct Clearance {
     strips: Vec<Strip>,
     /// Those of lanes and sidewalks: beside them is where clutter is in the way of sight. With their mean heights.
     borders: Vec<(Strip, f64)>,
+    /// How often each of them is chosen: long and near ones more.
+    weights: Vec<f64>,
 }
 
 impl Clearance {
@@ -64,17 +66,17 @@ impl Clearance {
         }
         strips.retain(|strip| strip.distance(place) < reach_m);
         borders.retain(|(strip, _)| strip.distance(place) < reach_m);
-        Self { strips, borders }
+        let weight = |(strip, _): &(Strip, f64)| strip.ends[0].distance(strip.ends[1]) / strip.distance(place).max(8.0);
+        let weights = borders.iter().map(weight).collect();
+        Self { strips, borders, weights }
     }
 
     /// A place just outside a lane or sidewalk, for what takes a disc of this radius; `None` if there are none.
     pub(super) fn border(&self, random: &mut Stream, radius_m: f64) -> Option<DVec3> {
-        // Long pieces are met more often.
-        let weights: Vec<f64> = self.borders.iter().map(|(Strip { ends: [a, b], .. }, _)| a.distance(*b)).collect();
-        if weights.is_empty() {
+        if self.borders.is_empty() {
             return None;
         }
-        let (Strip { ends: [a, b], half_m }, height) = self.borders[random.weighted(&weights)];
+        let (Strip { ends: [a, b], half_m }, height) = self.borders[random.weighted(&self.weights)];
         let aside = half_m + radius_m + random.range_f64(0.0, 0.4);
         let side = if random.chance(0.5) { aside } else { -aside };
         let place = a.lerp(b, random.f64()) + (b - a).normalize_or_zero().perp() * side;

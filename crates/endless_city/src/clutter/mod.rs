@@ -14,16 +14,18 @@ use endless_asset::Catalogue;
 use endless_render::{Geometry, Instance, StaticScene};
 use endless_town::Town;
 use endless_world::{CameraSite, ClassTag, ImageSize, PinholeCamera, Stream, math};
-use glam::{Affine3A, DVec2, Mat3A, Vec3, Vec3A};
+use glam::{Affine3A, Mat3A, Vec2, Vec3, Vec3A};
 use kind::ClutterModels;
 use std::f32::consts::TAU;
 
 /// Pieces before a camera at full strength.
-const MOST: f32 = 44.0;
+const MOST: f32 = 60.0;
 /// Tries for each piece that is wanted.
 const TRIES: usize = 30;
 /// Share of tries beside lanes and sidewalks, where what moves is hidden.
-const ROADSIDE: f64 = 0.75;
+const ROADSIDE: f64 = 0.8;
+/// Share of slim things among these: others find no room on sidewalks.
+const SLIM: f64 = 0.6;
 /// How far before a camera they stand, metres.
 const NEAREST_M: f32 = 7.0;
 const FARTHEST_M: f32 = 55.0;
@@ -70,16 +72,18 @@ pub fn clutter(
     let mut pieces = Vec::new();
     for (number, site) in (0..).zip(cameras) {
         let random = Stream::named(seed, "clutter", &[number]);
-        let clearance = Clearance::around(&town.network, DVec2::from(site_place(site)), f64::from(FARTHEST_M) + 10.0);
-        let stage = Stage { still: scene.static_scene(), clearance, camera: PinholeCamera::new(site, SIZE), site };
+        let camera = PinholeCamera::new(site, SIZE);
+        let around = place_of(camera.position).as_dvec2();
+        let clearance = Clearance::around(&town.network, around, f64::from(FARTHEST_M) + 10.0);
+        let stage = Stage { still: scene.static_scene(), clearance, camera, site };
         stage.furnish(&models, strength, random, &mut pieces);
     }
     pieces
 }
 
-fn site_place(site: &CameraSite) -> [f64; 2] {
-    let [x, y, _] = site.position.map(f64::from);
-    [x, y]
+/// Seen from above.
+fn place_of(point: Vec3) -> Vec2 {
+    point.truncate()
 }
 
 /// What one camera sees.
@@ -108,7 +112,7 @@ impl Stage<'_> {
     fn try_one(&self, models: &ClutterModels, random: &mut Stream, others: &[ClutterPiece]) -> Option<ClutterPiece> {
         let turn = random.range_f32(0.0, TAU);
         let roadside = random.chance(ROADSIDE);
-        let drawn = if roadside { models.draw_slim(random) } else { models.draw(random) };
+        let drawn = if roadside && random.chance(SLIM) { models.draw_slim(random) } else { models.draw(random) };
         let height_m = drawn.size.z;
         let radius_m = 0.5 * drawn.size.truncate().length();
         let target = if roadside {
@@ -120,14 +124,15 @@ impl Stage<'_> {
         let seen = self.still.first_surface(self.camera.position, sight.normalize(), 1.5 * FARTHEST_M)?;
         let (image, depth) = self.camera.project(seen.position)?;
         let in_picture = (0.0..SIZE.width as f32).contains(&image.x) && (0.0..SIZE.height as f32).contains(&image.y);
+        let far = place_of(seen.position).distance(place_of(self.camera.position)) > FARTHEST_M;
         let tall = height_m / depth * self.camera.intrinsics.fy > TALLEST * SIZE.height as f32;
-        let place = seen.position.truncate();
+        let place = place_of(seen.position);
         let crowded = others.iter().any(|other| {
-            let apart = other.foot().truncate().distance(place);
+            let apart = place_of(other.foot()).distance(place);
             apart < other.radius_m + radius_m + 0.1
         });
         let free = self.clearance.is_free(place.as_dvec2(), f64::from(radius_m));
-        if !in_picture || tall || depth < NEAREST_M || crowded || !free || !may_stand_on(seen.tag) {
+        if !in_picture || far || tall || depth < NEAREST_M || crowded || !free || !may_stand_on(seen.tag) {
             return None;
         }
         let foot = seen.position.with_z(self.level_ground(seen.position, radius_m)?);
