@@ -48,7 +48,7 @@ impl Clearance {
         }
         let crossings = network.crossings.iter();
         strips.extend(crossings.map(|crossing| Strip {
-            ends: crossing.ends.map(|end| end.truncate()),
+            ends: crossing.ends.map(DVec3::truncate),
             half_m: 0.5 * crossing.width_m + BESIDE_CROSSING_M,
         }));
         let walk = &network.walk;
@@ -58,7 +58,7 @@ impl Clearance {
                 WalkKind::Sidewalk => WALKED_SHARE * (0.5 * edge.width_m - 0.25).max(0.1) + WALKER_M,
                 WalkKind::Crossing(_) => 0.5 * edge.width_m + BESIDE_CROSSING_M,
             };
-            let strip = Strip { ends: ends.map(|end| end.truncate()), half_m };
+            let strip = Strip { ends: ends.map(DVec3::truncate), half_m };
             strips.push(strip);
             if edge.kind == WalkKind::Sidewalk {
                 borders.push((strip, 0.5 * (ends[0].z + ends[1].z)));

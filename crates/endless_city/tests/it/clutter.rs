@@ -2,7 +2,7 @@
 
 use endless_asset::Catalogue;
 use endless_city::{TownScene, clutter};
-use glam::{DVec2, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 
 /// Distance of a place from a line between two points.
 fn distance(place: DVec2, a: DVec2, b: DVec2) -> f64 {
@@ -33,7 +33,7 @@ fn clutter_stands_on_no_lane_no_crossing_and_nobodys_way() {
                     assert!(nearest >= 0.5 * lane.width_m + radius, "{name} {seed}: {foot} on lane {:?}", lane.id);
                 }
                 for crossing in &town.network.crossings {
-                    let [a, b] = crossing.ends.map(|end| end.truncate());
+                    let [a, b] = crossing.ends.map(DVec3::truncate);
                     assert!(distance(place, a, b) >= 0.5 * crossing.width_m + radius, "{name}: {foot} on a crossing");
                 }
                 let walk = &town.network.walk;
