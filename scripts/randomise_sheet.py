@@ -51,7 +51,7 @@ def main() -> None:
     sheet = Image.new("RGB", (columns * width, rows * height))
     for place, tile in enumerate(tiles):
         sheet.paste(tile, (place % columns * width, place // columns * height))
-    sheet.save(path, quality=72, optimize=True)
+    sheet.save(path, quality=50, optimize=True)
 
 
 if __name__ == "__main__":
