@@ -156,10 +156,7 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
 
     fn actors(&self) -> Option<Vec<ActorRecord>> {
         let BuiltinScene { catalogue, settings, parked, moving, .. } = &*self.scene;
-        let records = actors::describe(catalogue, parked.iter().chain(moving));
-        let randomised = settings.randomised.as_ref();
-        let Some((seed, colors)) = randomised.and_then(|r| Some((r.seed, r.colors()?))) else { return Some(records) };
-        Some(records.into_iter().map(|record| repainted(record, seed, &colors)).collect())
+        Some(repainted(actors::describe(catalogue, parked.iter().chain(moving)), settings))
     }
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {
