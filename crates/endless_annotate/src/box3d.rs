@@ -139,6 +139,7 @@ mod tests {
                 down_tilt_rad: 0.3,
                 horizontal_fov_rad: 1.2,
                 mount: Mount::Pole,
+                roll_rad: 0.0,
             };
             let camera = PinholeCamera::new(&site, ImageSize { width: 640, height: 360 });
             let record = around.record(&camera);

@@ -51,6 +51,7 @@ mod tests {
             down_tilt_rad: 0.4,
             horizontal_fov_rad: 1.3,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         let camera = PinholeCamera::new(&site, ImageSize { width: 1280, height: 720 });
         let plane = GroundPlane::new(&camera, 4.5).expect("the camera is above");

@@ -161,6 +161,7 @@ mod tests {
             down_tilt_rad: 0.0,
             horizontal_fov_rad: 1.0,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         PinholeCamera::new(&site, SIZE)
     }

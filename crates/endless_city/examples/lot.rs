@@ -29,6 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         down_tilt_rad: 0.69,
         horizontal_fov_rad: 0.95,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     };
     let settings = RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 1, SIZE);
     let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };

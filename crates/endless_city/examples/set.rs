@@ -98,6 +98,7 @@ fn site(low: Vec3, high: Vec3, tile: ImageSize, azimuth: f32) -> CameraSite {
         down_tilt_rad: tilt,
         horizontal_fov_rad: FIELD_OF_VIEW_RAD,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     }
 }
 

@@ -25,6 +25,7 @@
 //!     down_tilt_rad: 0.4,
 //!     horizontal_fov_rad: 1.0,
 //!     mount: Mount::Pole,
+//!     roll_rad: 0.0,
 //! };
 //! let size = ImageSize { width: 32, height: 18 };
 //! let settings = RenderSettings::new(Weather::Cloudy, TimeOfDay::Morning, 0, size);
@@ -35,6 +36,7 @@
 //! ```
 
 mod actor_models;
+mod clutter;
 mod moving_vehicle;
 mod person;
 mod shared_models;
@@ -43,5 +45,6 @@ mod vehicle;
 mod velocity;
 
 pub use actor_models::ActorModels;
+pub use clutter::{ClutterPiece, clutter};
 pub use shared_models::SharedModels;
 pub use town_scene::TownScene;

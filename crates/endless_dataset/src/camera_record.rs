@@ -100,6 +100,7 @@ mod tests {
             down_tilt_rad: 0.5,
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         let size = ImageSize { width: 641, height: 363 };
         let record = CameraRecord::new(&site, Distortion::NONE, size, 30.0);

@@ -5,7 +5,7 @@ use crate::map::{self, ImportOptions, MapError, MapStatistics, MapStore, StoredM
 use crate::{geojson, gltf};
 use endless_asset::Catalogue;
 use endless_road::{RoadMap, opendrive};
-use endless_town::{PlacedObject, Placement, Town, dress_map};
+use endless_town::{PlacedObject, Placement, Town, ViewCheck, dress_map};
 use endless_world::{CameraSite, Image};
 use std::{
     collections::BTreeMap,
@@ -175,6 +175,17 @@ impl MapLibrary {
         let imported = self.stored(name)?.is_some();
         let known = (as_built && !imported).then(|| endless_town::known_cameras(name)).flatten();
         known.map_or_else(|| Ok(self.summary(name)?.cameras), Ok)
+    }
+
+    /// Asks a judge of other places for a map's cameras.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn with_view_check<R>(&self, name: &str, ask: impl FnOnce(&ViewCheck<'_>) -> R) -> Result<R, MapError> {
+        let town = self.town(name)?;
+        let answer = ask(&ViewCheck::new(&town, self.catalogue()));
+        self.planned().kept.get_or_insert(town);
+        Ok(answer)
     }
 
     fn planned(&self) -> MutexGuard<'_, PlannedTowns> {

@@ -29,6 +29,7 @@
 //!             down_tilt_rad: 0.4,
 //!             horizontal_fov_rad: 1.2,
 //!             mount: Mount::Pole,
+//!             roll_rad: 0.0,
 //!         };
 //!         Ok((0..4).map(site).collect())
 //!     }

@@ -3,12 +3,15 @@
 mod balanced;
 mod changing;
 mod combination;
+mod moved_camera;
 
 use crate::{MapCatalog, PlanError, SimulatorError};
 use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::Recipe;
-use endless_world::{CameraLook, CameraSite, RecorderClock, SceneCamera, SceneSettings, Stream};
+use endless_world::{
+    CameraLook, CameraSite, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation, SceneSettings, Stream,
+};
 
 /// The settings of every video, by number.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +40,12 @@ impl Plan {
         let combinations = Combinations::new(recipe, &maps)?;
         let list = if recipe.balance { balanced(&combinations, recipe) } else { shuffled(&combinations, recipe) };
         let scenes = (0..recipe.videos).zip(list).map(|(video, combination)| settings(combination, video, recipe));
-        Ok(Self { scenes: scenes.collect(), maps: recipe.maps.clone() })
+        let mut scenes: Vec<SceneSettings> = scenes.collect();
+        for map in &recipe.maps {
+            let mut of_map: Vec<&mut SceneSettings> = scenes.iter_mut().filter(|scene| scene.map == *map).collect();
+            moved_camera::move_cameras(&mut of_map, map, catalog)?;
+        }
+        Ok(Self { scenes, maps: recipe.maps.clone() })
     }
 
     /// All cameras with which a recipe may film a map: its own, or those of the map.
@@ -93,9 +101,14 @@ fn balanced<'a>(
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
     let Combination { map, weather, time_of_day, sites } = combination;
     let clock = RecorderClock::new(time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]));
+    let seed = Stream::named(recipe.seed, "scene", &[u64::from(video)]).next_u64();
+    let strength = recipe.randomise_strength as f32;
+    let randomised = SceneRandomisation::new(&recipe.randomise, strength, time_of_day, seed);
     let camera = |(site, number): (&CameraSite, u64)| {
         let mut random = Stream::named(recipe.seed, "camera look", &[u64::from(video), number]);
         let look = CameraLook::new(recipe.camera_look, time_of_day, clock, &mut random);
+        let askew = randomised.as_ref().filter(|r| r.varies(RandomisedPart::Camera));
+        let look = askew.map_or(look, |r| look.randomised(r.strength, &mut random));
         SceneCamera { site: site.clone(), look }
     };
     SceneSettings {
@@ -110,7 +123,8 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         size: recipe.size,
         fps: recipe.fps,
         frames: recipe.frames(),
-        seed: Stream::named(recipe.seed, "scene", &[u64::from(video)]).next_u64(),
+        seed,
+        randomised,
     }
 }
 

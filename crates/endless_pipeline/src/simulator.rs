@@ -37,6 +37,15 @@ pub trait MapCatalog {
     /// # Errors
     /// When there is no such map or it cannot be made.
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError>;
+
+    /// Of other places of a map's cameras, which see about as much of the street as the usual ones; any, where nobody
+    /// knows. Each is a pair: the usual, the moved.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be made.
+    fn see_as_well(&self, _map: &str, moved: &[[CameraSite; 2]]) -> Result<Vec<bool>, SimulatorError> {
+        Ok(vec![true; moved.len()])
+    }
 }
 
 /// The capabilities of a simulator, by which recording schedules its work.

@@ -22,6 +22,7 @@ impl MapCatalog for ThreeTowns {
             down_tilt_rad: 0.4,
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         Ok((0..count).map(site).collect())
     }

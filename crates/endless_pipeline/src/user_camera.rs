@@ -120,6 +120,7 @@ fn site(camera: &UserCamera) -> Result<CameraSite, RecipeError> {
         down_tilt_rad: within("down", camera.down, -10.0, 89.0)?.to_radians() as f32,
         horizontal_fov_rad: within("fov", camera.fov, 5.0, 150.0)?.to_radians() as f32,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     })
 }
 

@@ -77,6 +77,7 @@ mod tests {
             down_tilt_rad: 0.43,
             horizontal_fov_rad: 1.1,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         let straight = PinholeCamera::new(&site, ImageSize { width: 325, height: 180 });
         let bent = straight.clone().with_distortion(Distortion { k1: -0.2, k2: 0.05 });
@@ -120,6 +121,7 @@ mod tests {
             down_tilt_rad: 0.62,
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         let camera = PinholeCamera::new(&site, ImageSize { width: 320, height: 180 });
         for y in (0..180).step_by(7) {

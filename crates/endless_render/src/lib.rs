@@ -44,6 +44,7 @@
 //!     down_tilt_rad: 0.5,
 //!     horizontal_fov_rad: 1.0,
 //!     mount: Mount::Pole,
+//!     roll_rad: 0.0,
 //! };
 //! let size = ImageSize { width: 64, height: 36 };
 //! let settings = RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 0, size);
@@ -76,6 +77,7 @@ mod scene;
 mod settings;
 mod shade;
 mod silhouette;
+mod variation;
 mod vec3x8;
 
 pub use accel::{Blas, Hit, Ray, RayStream, StreamHits, Tlas};
@@ -85,7 +87,7 @@ pub use light::{BeamKind, VehicleBeam};
 pub use moving_camera::{IndirectLight, MovingCamera};
 pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,
-    RigidVelocity, StaticScene,
+    RigidVelocity, StaticScene, SurfacePoint,
 };
 pub use settings::{Gathering, RenderSettings};
 pub use silhouette::ObjectShape;

@@ -67,12 +67,12 @@ impl Lighting {
     /// Around what cameras see, without light that bounced and without the glow of lamps.
     pub(crate) fn direct(still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
         let ViewedArea { low, high, ground } = *area;
-        let environment = Environment::new(&settings.weather, ground);
+        let environment = Environment::new(settings, ground);
         let lamps = if environment.night { still.lamps.all() } else { &[] };
         let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
         let share = environment.lamps_lit;
-        let dimmed_lamps =
-            (environment.night && share < 1.0).then(|| still.lamps.with_power(|place| lamp_power(place, share)));
+        let dimmed_lamps = (environment.night && share < 1.0)
+            .then(|| still.lamps.scaled(|_, hung| Vec3A::splat(lamp_power(hung, share))));
         Self { environment, dimmed_lamps, lamp_maps, probes: None, halos: None }
     }
 

@@ -1,6 +1,9 @@
 //! Settings of a camera's picture of a scene.
 
-use endless_world::{CameraLook, CameraSite, ImageSize, PinholeCamera, SceneWeather, SensorLayers, TimeOfDay, Weather};
+use endless_world::{
+    CameraLook, CameraSite, ImageSize, LightVariation, PinholeCamera, SceneRandomisation, SceneWeather, SensorLayers,
+    TimeOfDay, Weather,
+};
 
 /// Where light of the sky and from other surfaces is gathered for the still picture, and with how many rays a point.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -35,6 +38,8 @@ pub struct RenderSettings {
     pub weather: SceneWeather,
     /// The scene's seed.
     pub seed: u64,
+    /// What is randomised, if anything is.
+    pub randomised: Option<SceneRandomisation>,
     /// Image size.
     pub size: ImageSize,
     /// Where light that bounced is gathered.
@@ -58,6 +63,7 @@ impl RenderSettings {
         Self {
             weather: SceneWeather::new(weather, time_of_day, seed),
             seed,
+            randomised: None,
             size,
             gathering: Gathering::default(),
             pattern: 0,
@@ -66,6 +72,11 @@ impl RenderSettings {
             layers: SensorLayers::default(),
             keep_irradiance: false,
         }
+    }
+
+    /// What is changed of the light of the condition.
+    pub(crate) fn light(&self) -> Option<LightVariation> {
+        self.randomised.as_ref()?.light
     }
 
     /// The camera of a site with this picture's size and lens.

@@ -50,6 +50,7 @@ mod placement;
 mod street_features;
 mod top_view;
 mod town;
+mod view_check;
 
 pub use building::{building_styles, sample_building};
 pub use builtin::{NAMES, canonical_name, known_cameras, load};
@@ -58,3 +59,4 @@ pub use placement::{PlacedObject, Placement};
 pub use street_features::{PaintedCrosswalk, PaintedMark, PaintedStopLine, SidewalkStrip, StreetFeatures};
 pub use top_view::{top_view, top_view_of};
 pub use town::{Town, TownError};
+pub use view_check::ViewCheck;

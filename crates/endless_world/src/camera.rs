@@ -50,7 +50,7 @@ pub enum Mount {
     Wall,
 }
 
-/// Position and direction of a surveillance camera, without roll.
+/// Position and direction of a surveillance camera.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CameraSite {
     /// Unique within the map, e.g. `junction_north`.
@@ -65,6 +65,14 @@ pub struct CameraSite {
     pub horizontal_fov_rad: f32,
     /// Its mount.
     pub mount: Mount,
+    /// Turn about the optical axis, clockwise as the camera looks, radians: 0 unless it was put up askew.
+    #[serde(default, skip_serializing_if = "is_level")]
+    pub roll_rad: f32,
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_level(roll_rad: &f32) -> bool {
+    *roll_rad == 0.0
 }
 
 /// Pinhole intrinsics, pixels.
@@ -111,6 +119,7 @@ impl PinholeCamera {
         let forward = Vec3::new(cos_yaw * cos_tilt, sin_yaw * cos_tilt, -sin_tilt);
         let right = Vec3::new(sin_yaw, -cos_yaw, 0.0);
         let down = forward.cross(right);
+        let (right, down) = rolled(right, down, site.roll_rad);
         Self {
             size,
             intrinsics: Intrinsics::from_fov(size, site.horizontal_fov_rad),
@@ -150,6 +159,15 @@ impl PinholeCamera {
     }
 }
 
+/// Axes turned towards each other.
+fn rolled(right: Vec3, down: Vec3, roll_rad: f32) -> (Vec3, Vec3) {
+    if roll_rad == 0.0 {
+        return (right, down);
+    }
+    let (sin, cos) = math::sin_cos(roll_rad);
+    (right * cos + down * sin, down * cos - right * sin)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -169,6 +187,7 @@ mod tests {
             down_tilt_rad: 0.5,
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
+            roll_rad: 0.07,
         };
         let camera = PinholeCamera::new(&site, ImageSize { width: 641, height: 363 }).with_distortion(distortion);
         assert!((camera.world_from_camera.determinant() - 1.0).abs() < 1e-5);

@@ -1,6 +1,6 @@
 //! Effects of a camera's lens, sensor and recorder on its pictures.
 
-use crate::{Stream, TimeOfDay, UnknownName};
+use crate::{Stream, TimeOfDay, UnknownName, math};
 use glam::Vec2;
 use serde::{Deserialize, Serialize};
 use strum::VariantArray as _;
@@ -122,6 +122,9 @@ pub struct CameraLook {
     pub shutter_s: f32,
     /// Standard deviation of the sensor's noise in middle grey, in 255ths.
     pub noise: f32,
+    /// Factors by linear channel of a white balance that is off.
+    #[serde(default = "neutral", skip_serializing_if = "is_neutral")]
+    pub white_balance: [f32; 3],
     /// Strength of the unsharp mask.
     pub sharpening: f32,
     /// Quality of the recorder's JPEG-like compression, 1 to 100.
@@ -130,6 +133,17 @@ pub struct CameraLook {
     /// The time that is stamped into the picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub clock: Option<RecorderClock>,
+}
+
+/// k1 of the widest lenses.
+const STRONGEST_BARREL: f32 = -0.25;
+
+const fn neutral() -> [f32; 3] {
+    [1.0; 3]
+}
+
+fn is_neutral(white_balance: &[f32; 3]) -> bool {
+    *white_balance == neutral()
 }
 
 impl CameraLook {
@@ -141,6 +155,7 @@ impl CameraLook {
         droplets: 0,
         shutter_s: 0.0,
         noise: 0.0,
+        white_balance: neutral(),
         sharpening: 0.0,
         jpeg_quality: None,
         clock: None,
@@ -165,6 +180,7 @@ impl CameraLook {
                 droplets: 14,
                 shutter_s: 1.5 * shutter_s,
                 noise: 1.4 * dark,
+                white_balance: neutral(),
                 sharpening: 0.5,
                 jpeg_quality: Some(60),
                 clock: Some(clock),
@@ -180,11 +196,30 @@ impl CameraLook {
                     droplets: (within(-30.0, 60.0).max(0.0)) as u32,
                     shutter_s: within(0.5, 2.0) * shutter_s,
                     noise: within(0.3, 3.0) * dark,
+                    white_balance: neutral(),
                     sharpening: within(0.0, 1.0),
                     jpeg_quality: recorded.then(|| within(30.0, 92.0) as u8),
                     clock: stamped.then_some(clock),
                 }
             }
+        }
+    }
+
+    /// The look with a lens and a sensor that differ by chance, up to a strength of 1; a clean camera stays clean.
+    #[must_use]
+    pub fn randomised(self, strength: f32, random: &mut Stream) -> Self {
+        if self.is_clean() {
+            return self;
+        }
+        let mut within = |low: f32, high: f32| random.range_f32(low, high) * strength;
+        let k1 = (self.distortion.k1 - within(0.0, 0.16)).max(STRONGEST_BARREL.min(self.distortion.k1));
+        let [warm, green] = [within(-0.3, 0.3), within(-0.12, 0.12)];
+        Self {
+            distortion: Distortion::barrel(k1),
+            vignetting: (self.vignetting + within(0.0, 0.35)).min(0.6),
+            noise: self.noise * math::exp2(within(-1.0, 1.6)),
+            white_balance: [warm, green, -warm].map(math::exp2),
+            ..self
         }
     }
 

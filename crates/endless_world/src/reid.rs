@@ -18,6 +18,11 @@ impl Reid {
     pub fn new(kind: &str, keys: &[u64]) -> Self {
         Self(Stream::named(0, kind, keys).next_u64())
     }
+
+    /// Its number, as a key of what follows from it.
+    pub const fn key(self) -> u64 {
+        self.0
+    }
 }
 
 impl fmt::Display for Reid {

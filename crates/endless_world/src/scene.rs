@@ -1,6 +1,7 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
-use crate::{CameraLook, CameraSite, ConditionChange, ImageSize, TimeOfDay, Weather};
+use crate::{CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, TimeOfDay, Weather};
+use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
 /// A camera of a scene: where it hangs, and what it does to the picture.
@@ -42,6 +43,18 @@ pub struct SceneSettings {
     pub frames: u32,
     /// Seed of everything random in this scene.
     pub seed: u64,
+    /// What is randomised, if anything is; of cameras, [`Self::cameras`] are as they were drawn.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub randomised: Option<SceneRandomisation>,
+}
+
+impl SceneSettings {
+    /// Where the cameras would hang if nobody moved them: traffic gathers there, so that it is the same before moved ones.
+    pub fn usual_positions(&self) -> impl Iterator<Item = Vec3> {
+        let usual = self.randomised.as_ref().map_or(&[][..], |randomised| &randomised.usual_cameras);
+        let own = if usual.is_empty() { &self.cameras[..] } else { &[] };
+        usual.iter().chain(own.iter().map(|camera| &camera.site)).map(|site| Vec3::from_array(site.position))
+    }
 }
 
 mod cameras_and_looks {

@@ -1,7 +1,7 @@
 //! Sun, sky, air and ground of one scene at one instant, as numbers.
 
 use crate::math::sin_cos;
-use crate::{Condition, Stream, TimeOfDay, Weather};
+use crate::{Condition, LightVariation, Stream, TimeOfDay, Weather};
 use glam::{Vec2, Vec3};
 use std::ops::Deref;
 
@@ -45,6 +45,12 @@ impl SceneWeather {
         let by_day = Condition::of(condition.weather, TimeOfDay::Afternoon);
         let cloudiness = by_day.overcast.max(by_day.cloud_cover);
         Self { condition, sun_azimuth_rad, sun_altitude_rad, sun_direction, cloud_seed, cloudiness }
+    }
+
+    /// The same in a video's own light.
+    #[must_use]
+    pub fn varied(self, light: &LightVariation) -> Self {
+        Self::of(light.of(&self.condition), self.cloud_seed).with_cloudiness(self.cloudiness)
     }
 
     /// Under so many clouds.

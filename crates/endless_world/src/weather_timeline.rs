@@ -3,7 +3,7 @@
 use crate::condition_mix::{by_elevation, mixed};
 use crate::math::lerp;
 use crate::sun_path::SunPath;
-use crate::{Condition, ConditionChange, SceneSettings, SceneWeather, Stream, TimeOfDay};
+use crate::{Condition, ConditionChange, LightVariation, SceneSettings, SceneWeather, Stream, TimeOfDay};
 
 /// Below this the sun's elevation is called night, degrees.
 const NIGHTFALL_DEG: f32 = -3.0;
@@ -19,6 +19,8 @@ const WEATHER_KEYS: u32 = 12;
 pub struct WeatherTimeline {
     begin: SceneWeather,
     change: Option<Change>,
+    /// Laid over every instant.
+    light: Option<LightVariation>,
     frames: u32,
 }
 
@@ -36,7 +38,11 @@ impl WeatherTimeline {
         let begin = SceneWeather::new(weather, time_of_day, seed);
         let differs = |to: &ConditionChange| (to.weather, to.time_of_day) != (weather, time_of_day);
         let change = changing_to.filter(|to| frames > 1 && differs(to));
-        Self { begin, change: change.map(|to| Change::new(&begin, to, seed)), frames }
+        let change = change.map(|to| Change::new(&begin, to, seed));
+        let light = settings.randomised.as_ref().and_then(|randomised| randomised.light);
+        let sun_moves = change.as_ref().is_some_and(|change| change.sun.moves());
+        let light = light.map(|light| if sun_moves { light.with_sun_as_high() } else { light });
+        Self { begin, change, light, frames }
     }
 
     /// Of a frame.
@@ -48,7 +54,7 @@ impl WeatherTimeline {
     /// Of a key frame, of [`Self::intervals`] and one.
     pub fn at_key(&self, key: u32) -> SceneWeather {
         let intervals = self.intervals();
-        if intervals == 0 { self.begin } else { self.at(key as f32 / intervals as f32) }
+        self.at(if intervals == 0 { 0.0 } else { key as f32 / intervals as f32 })
     }
 
     /// How many intervals key frames divide the video into; none where nothing changes.
@@ -68,6 +74,12 @@ impl WeatherTimeline {
 
     /// At a share of the way, 0 to 1.
     fn at(&self, share: f32) -> SceneWeather {
+        let usual = self.usual(share);
+        self.light.map_or(usual, |light| usual.varied(&light))
+    }
+
+    /// The same in the light that nothing varies.
+    fn usual(&self, share: f32) -> SceneWeather {
         let Some(Change { end, sun }) = &self.change else { return self.begin };
         let [azimuth, elevation] = sun.at(share);
         let [of_begin, of_end] = [&self.begin, end].map(|scene| {
@@ -126,6 +138,7 @@ mod tests {
             weather: from.weather,
             time_of_day: from.time_of_day,
             changing_to: to,
+            randomised: None,
             cameras: Vec::new(),
             vehicles: 0,
             pedestrians: 0,

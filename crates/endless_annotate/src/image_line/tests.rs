@@ -15,6 +15,7 @@ fn cameras() -> impl Strategy<Value = PinholeCamera> {
             down_tilt_rad,
             horizontal_fov_rad: fov,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         PinholeCamera::new(&site, SIZE).with_distortion(Distortion::barrel(k1))
     })
@@ -115,6 +116,7 @@ fn a_straight_line_through_a_pinhole_keeps_its_two_ends() {
         down_tilt_rad: 0.3,
         horizontal_fov_rad: 1.2,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     };
     let lens = LensProjection::new(&PinholeCamera::new(&site, SIZE));
     let lines = lens.line(&[DVec3::new(20.0, 3.0, 0.0), DVec3::new(60.0, 3.0, 0.0)], FAR_M);

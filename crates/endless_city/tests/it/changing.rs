@@ -19,6 +19,7 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         weather: from.0,
         time_of_day: from.1,
         changing_to: Some(ConditionChange { weather: to.0, time_of_day: to.1 }),
+        randomised: None,
         cameras: Vec::new(),
         vehicles: 0,
         pedestrians: 0,
@@ -44,7 +45,7 @@ fn settings(weather: SceneWeather) -> RenderSettings {
 fn check(loaded: &LoadedTown, camera: usize, timeline: &WeatherTimeline, key: u32) {
     let (still, site) = (loaded.scene.static_scene(), &loaded.town.cameras[camera]);
     let [before, after] = [key, key + 1].map(|key| CameraBake::bake(still, &settings(timeline.at_key(key)), site));
-    let (models, state) = loaded.staged(camera, true);
+    let (models, state) = loaded.staged(site, camera as u64, true);
     let frame = models.frame_scene(&state);
     let cached = before.render_changing(&after, 0.4, still, &frame);
     assert_eq!(differing(&cached, &before.render_changing_uncached(&after, 0.4, still, &frame)), 0);
@@ -78,7 +79,7 @@ fn mean_change(a: &SensorFrame, b: &SensorFrame) -> f64 {
 /// The most that a still picture changes from a frame to the next, in 255ths. Between key frames it changes evenly.
 fn fastest(loaded: &LoadedTown, camera: usize, timeline: &WeatherTimeline) -> f64 {
     let (still, site) = (loaded.scene.static_scene(), &loaded.town.cameras[camera]);
-    let (models, state) = loaded.staged(camera, true);
+    let (models, state) = loaded.staged(site, camera as u64, true);
     let nothing = models.frame_scene(&WorldState { actors: Vec::new(), ..state });
     let picture = |key: u32| {
         let settings = RenderSettings { keep_irradiance: false, ..settings(timeline.at_key(key)) };

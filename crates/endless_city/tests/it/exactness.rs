@@ -6,9 +6,9 @@ use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::Town;
 use endless_world::{
     Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, ImageSize, InstanceId,
-    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SensorLayers,
-    SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef,
-    WalkerMotion, Weather, WorldState,
+    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RandomisedPart, RecorderClock, SceneRandomisation,
+    SensorFrame, SensorLayers, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleModelId,
+    VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 use rayon::prelude::*;
@@ -112,10 +112,10 @@ pub(crate) struct LoadedTown {
 
 impl LoadedTown {
     /// What moves before a camera, and signals in all states.
-    pub(crate) fn staged(&self, camera: usize, lights: bool) -> (ActorModels, WorldState) {
+    pub(crate) fn staged(&self, site: &CameraSite, seed: u64, lights: bool) -> (ActorModels, WorldState) {
         let Self { catalogue, town, .. } = self;
-        let mut random = Stream::named(5, "exactness", &[camera as u64]);
-        let actors = actors(town, catalogue, &town.cameras[camera], lights, &mut random);
+        let mut random = Stream::named(5, "exactness", &[seed]);
+        let actors = actors(town, catalogue, site, lights, &mut random);
         let aspects = [SignalAspect::Red, SignalAspect::Green, SignalAspect::Yellow, SignalAspect::RedYellow];
         let signals =
             (0..town.network.signal_groups).map(|i| SignalState { aspect: aspects[usize::from(i) % 4] }).collect();
@@ -149,19 +149,24 @@ fn check_through(
     weather: Weather,
     time_of_day: TimeOfDay,
 ) -> usize {
+    let settings = RenderSettings { look, ..RenderSettings::new(weather, time_of_day, 3, SIZE) };
+    check_site(&settings, loaded, &loaded.town.cameras[camera], camera as u64)
+}
+
+fn check_site(settings: &RenderSettings, loaded: &LoadedTown, site: &CameraSite, seed: u64) -> usize {
     let LoadedTown { town, scene, .. } = loaded;
     let (map, still) = (&town.name, scene.static_scene());
-    let site = &town.cameras[camera];
     let settings = RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
-        look,
         keep_irradiance: true,
         layers: SensorLayers { normals: true, albedo: true },
-        ..RenderSettings::new(weather, time_of_day, 3, SIZE)
+        ..settings.clone()
     };
+    let look = settings.look;
+    let (weather, time_of_day) = (settings.weather.weather, settings.weather.time_of_day);
     let bake = CameraBake::bake(still, &settings, site);
     let lights = time_of_day == TimeOfDay::Night || weather == Weather::Rainy;
-    let (models, state) = loaded.staged(camera, lights);
+    let (models, state) = loaded.staged(site, seed, lights);
     let frame = models.frame_scene(&state);
     let (cached, traced) = (bake.render(still, &frame), bake.render_uncached(still, &frame));
     assert_eq!(differing(&cached, &traced), 0, "{map} {weather} {time_of_day}: pixels that differ");
@@ -204,6 +209,17 @@ fn after_rain_with_puddles() {
 #[test]
 fn foggy_night_with_halos() {
     assert!(check(&load("Town01"), 0, Weather::Foggy, TimeOfDay::Night) > 150);
+}
+
+#[test]
+fn randomised_scenes_before_cameras_askew() {
+    let town = town03();
+    for (camera, time) in (0..).zip([TimeOfDay::Afternoon, TimeOfDay::Night]) {
+        let randomised = SceneRandomisation::new(RandomisedPart::ALL, 1.0, time, 9);
+        let settings = RenderSettings { randomised, ..RenderSettings::new(Weather::AfterRain, time, 3, SIZE) };
+        let site = CameraSite { roll_rad: 0.09, ..town.town.cameras[camera].clone() };
+        assert!(check_site(&settings, town, &site, 1) > 150);
+    }
 }
 
 #[test]

@@ -31,6 +31,7 @@ fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
         down_tilt_rad: 0.6,
         horizontal_fov_rad: 0.9,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     };
     let model = catalogue.vehicles().iter().position(|v| v.spec.class == ObjectClass::Car).expect("a car");
     let model = VehicleModelId::from_index(model);

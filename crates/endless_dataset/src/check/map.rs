@@ -93,6 +93,7 @@ mod tests {
             down_tilt_rad: 0.3,
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         PinholeCamera::new(&site, ImageSize { width: 640, height: 360 }).with_distortion(Distortion::barrel(-0.12))
     }

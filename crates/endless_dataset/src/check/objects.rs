@@ -171,6 +171,7 @@ mod tests {
             down_tilt_rad: 0.0,
             horizontal_fov_rad: 1.0,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         let camera = PinholeCamera::new(&site, SIZE);
         let ground = InstancePixel { tag: ClassTag::Roads, id: InstanceId::STUFF };

@@ -8,7 +8,7 @@ use super::option::{
 use super::{serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
-use endless_world::{CameraLookChoice, CameraSite, Changing, ImageSize, TimeOfDay, Weather};
+use endless_world::{CameraLookChoice, CameraSite, Changing, ImageSize, RandomisedPart, TimeOfDay, Weather};
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
 
@@ -131,6 +131,13 @@ recipe_options! {
     /// clean (none), cctv (a wide lens, noise, compression and a time stamp), or random (another camera each time).
     camera_look: String => #[serde(default = "clean", skip_serializing_if = "is_clean")] CameraLookChoice,
         OptionKind::Word(Vocabulary::of::<CameraLookChoice>()), Value("natural");
+    /// What each video varies by chance, so that what is learnt does not depend on the looks of one renderer: colours,
+    /// textures, light, clutter, camera (docs/randomise.md).
+    randomise: Vec<String> => #[serde(default, skip_serializing_if = "Vec::is_empty")] Vec<RandomisedPart>,
+        OptionKind::WordsOrNone(Vocabulary::of::<RandomisedPart>()), Described("none");
+    /// How far it varies what it randomises: 0 not at all, 1 as far as can be.
+    randomise_strength: f64 => #[serde(default = "half", skip_serializing_if = "is_half")] f64,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Value("0.5");
     /// How to store the RGB layer.
     rgb_format: String => RgbFormat, OptionKind::Word(Vocabulary::of::<RgbFormat>()), Value("png");
     /// Annotate only objects with at least this many visible pixels.
@@ -166,6 +173,15 @@ fn is_not(switch: &bool) -> bool {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
 fn is_nothing(changing: &Changing) -> bool {
     *changing == Changing::Nothing
+}
+
+fn half() -> f64 {
+    0.5
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_half(strength: &f64) -> bool {
+    *strength == half()
 }
 
 fn clean() -> CameraLookChoice {

@@ -101,6 +101,7 @@ fn site(low: Vec3, high: Vec3, azimuth: f32) -> CameraSite {
         down_tilt_rad: DOWN_TILT_RAD,
         horizontal_fov_rad: FIELD_OF_VIEW_RAD,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     }
 }
 

@@ -87,6 +87,7 @@ fn seen(catalogue: &Catalogue, model: VehicleModelId, class: ObjectClass) -> Ima
         down_tilt_rad: 0.4,
         horizontal_fov_rad: 0.7,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     };
     let size = ImageSize { width: 480, height: 270 };
     let settings =

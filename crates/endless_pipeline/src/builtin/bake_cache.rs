@@ -1,6 +1,6 @@
 //! Bakes cameras with what earlier videos and runs kept of them.
 
-use super::bake_key::{BakeKey, bake_key, scene_key};
+use super::bake_key::{BakeKey, bake_key, scene_key, variant_key};
 use super::hits_folder::HitsFolder;
 use super::kept_hits::KeptHits;
 use crate::SimulatorError;
@@ -64,7 +64,9 @@ impl MapBakes {
         // In memory, there is only one scene.
         let scene = cache.folder.as_ref().map_or([0; 32], |folder| scene_key(&folder.build, still));
         let keys = |video: &&SceneSettings| {
-            let key = |camera: &SceneCamera| bake_key(&scene, &camera.site, &render_settings(video, camera));
+            let key = |camera: &SceneCamera| {
+                bake_key(&variant_key(&scene, video), &camera.site, &render_settings(video, camera))
+            };
             (video.video, video.cameras.iter().map(key).collect())
         };
         let coming = videos.iter().map(keys).collect();
@@ -79,7 +81,7 @@ impl MapBakes {
         if let Some(hits) = own_hits.and_then(OnceLock::get) {
             return CameraBake::bake_reusing(still, &settings, site, hits);
         }
-        let key = bake_key(&self.scene, site, &settings);
+        let key = bake_key(&variant_key(&self.scene, video), site, &settings);
         let folder = self.cache.folder.as_ref().map(|folder| &folder.folder);
         let known = self.kept.get(&key).or_else(|| folder?.read(&key));
         let (bake, hits) = if let Some(hits) = known {
@@ -106,6 +108,7 @@ fn render_settings(video: &SceneSettings, camera: &SceneCamera) -> RenderSetting
     RenderSettings {
         look: camera.look,
         fps: video.fps,
+        randomised: video.randomised.clone(),
         ..RenderSettings::new(video.weather, video.time_of_day, video.seed, video.size)
     }
 }

@@ -1,7 +1,7 @@
 //! What a bake's indirect rays depend on, as one digest.
 
 use endless_render::{RenderSettings, StaticScene};
-use endless_world::CameraSite;
+use endless_world::{CameraSite, RandomisedPart, SceneRandomisation, SceneSettings};
 
 /// BLAKE3 of the scene, the camera and the pattern of rays.
 pub(super) type BakeKey = [u8; 32];
@@ -9,9 +9,9 @@ pub(super) type BakeKey = [u8; 32];
 /// The key of a camera in the scene of this digest.
 pub(super) fn bake_key(scene: &BakeKey, site: &CameraSite, settings: &RenderSettings) -> BakeKey {
     let RenderSettings { size, gathering, pattern, look, .. } = settings;
-    let CameraSite { name: _, position, yaw_rad, down_tilt_rad, horizontal_fov_rad, mount: _ } = site;
+    let CameraSite { name: _, position, yaw_rad, down_tilt_rad, horizontal_fov_rad, mount: _, roll_rad } = site;
     let mut hasher = blake3::Hasher::new_keyed(scene);
-    for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad]) {
+    for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad]) {
         hasher.update(&number.to_le_bytes());
     }
     for number in [look.distortion.k1, look.distortion.k2] {
@@ -21,6 +21,24 @@ pub(super) fn bake_key(scene: &BakeKey, site: &CameraSite, settings: &RenderSett
         hasher.update(&number.to_le_bytes());
     }
     hasher.update(format!("{gathering:?}").as_bytes());
+    *hasher.finalize().as_bytes()
+}
+
+/// Of a scene with what a video puts into it.
+pub(super) fn variant_key(scene: &BakeKey, video: &SceneSettings) -> BakeKey {
+    let cluttered = video.randomised.as_ref().filter(|randomised| randomised.varies(RandomisedPart::Clutter));
+    let Some(SceneRandomisation { strength, seed, .. }) = cluttered else { return *scene };
+    let mut hasher = blake3::Hasher::new_keyed(scene);
+    hasher.update(&seed.to_le_bytes());
+    hasher.update(&strength.to_le_bytes());
+    // It stands where the cameras look.
+    for camera in &video.cameras {
+        let CameraSite { position, yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad, name: _, mount: _ } =
+            &camera.site;
+        for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad]) {
+            hasher.update(&number.to_le_bytes());
+        }
+    }
     *hasher.finalize().as_bytes()
 }
 

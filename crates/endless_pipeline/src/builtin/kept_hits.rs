@@ -76,6 +76,7 @@ mod tests {
             down_tilt_rad: 0.4,
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         Arc::new(CameraBake::bake_keeping(&StaticScene::new(vec![], &[]), &settings, &site).1)
     }

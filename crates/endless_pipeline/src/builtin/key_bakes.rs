@@ -7,11 +7,9 @@
 //! ```
 //! Only the two around the frames that are being made are kept.
 
-use super::{
-    bake_cache::{BakeRequest, MapBakes},
-    helped_once::HelpedOnce,
-};
+use super::{bake_cache::BakeRequest, helped_once::HelpedOnce, map::BuiltinMap, scene_variant::scene_variant};
 use crate::RenderStats;
+use endless_asset::Catalogue;
 use endless_render::{CameraBake, FrameScene, IndirectHits, StaticScene};
 use endless_world::{SceneSettings, SceneWeather, SensorFrame, SensorLayers, WeatherTimeline};
 use std::{
@@ -24,10 +22,12 @@ use std::{
 
 /// What all bakes of a scene share.
 pub(super) struct SceneBakes<'m> {
-    pub(super) still: &'m StaticScene,
-    pub(super) bakes: &'m MapBakes,
-    pub(super) settings: &'m SceneSettings,
-    pub(super) wanted: SensorLayers,
+    map: &'m BuiltinMap,
+    catalogue: &'m Catalogue,
+    settings: &'m SceneSettings,
+    wanted: SensorLayers,
+    /// The map's scene as this video varies it, made when it is first needed; `None` if it does not.
+    variant: OnceLock<Option<StaticScene>>,
     timeline: WeatherTimeline,
     /// By camera, where more than one bake needs them.
     own_hits: Vec<OnceLock<Arc<IndirectHits>>>,
@@ -46,15 +46,22 @@ struct BakeWork {
 impl<'m> SceneBakes<'m> {
     /// None yet.
     pub(super) fn new(
-        still: &'m StaticScene,
-        bakes: &'m MapBakes,
+        map: &'m BuiltinMap,
+        catalogue: &'m Catalogue,
         settings: &'m SceneSettings,
         wanted: SensorLayers,
     ) -> Self {
         let timeline = WeatherTimeline::of(settings);
         let cameras = if timeline.intervals() == 0 { 0 } else { settings.cameras.len() };
         let own_hits = (0..cameras).map(|_| OnceLock::new()).collect();
-        Self { still, bakes, settings, wanted, timeline, own_hits, work: BakeWork::default() }
+        let variant = OnceLock::new();
+        Self { map, catalogue, settings, wanted, variant, timeline, own_hits, work: BakeWork::default() }
+    }
+
+    /// What stands still in this video.
+    pub(super) fn still(&self) -> &StaticScene {
+        let variant = self.variant.get_or_init(|| scene_variant(self.map, self.catalogue, self.settings));
+        variant.as_ref().unwrap_or_else(|| self.map.town_scene.static_scene())
     }
 
     /// The weather of a frame.
@@ -68,7 +75,7 @@ impl<'m> SceneBakes<'m> {
         let bake = |(number, camera)| {
             let Self { settings: video, wanted, .. } = *self;
             let request = BakeRequest { video, camera, weather, wanted, own_hits: self.own_hits.get(number) };
-            self.bakes.bake(self.still, &request)
+            self.map.bakes.bake(self.still(), &request)
         };
         let baked: Vec<CameraBake> = self.settings.cameras.iter().enumerate().map(bake).collect();
         self.work.bake_rays.fetch_add(rays(&baked), Ordering::Relaxed);

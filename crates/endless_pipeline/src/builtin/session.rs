@@ -5,6 +5,7 @@ use super::{
     bodies::Skeletons,
     key_bakes::{FrameBakes, KeyBakes, SceneBakes},
     map::BuiltinMap,
+    repainted::repainted,
     road_facts::road_facts,
     scene_frame::scene_frame,
     shapes::{MovingShapes, ParkedShapes},
@@ -17,7 +18,6 @@ use endless_dataset::SpawnCounts;
 use endless_render::FrameScene;
 use endless_traffic::{DrivingCondition, Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
-use glam::Vec3;
 use std::{
     collections::BTreeMap,
     sync::{Arc, OnceLock},
@@ -35,6 +35,7 @@ pub(super) struct BuiltinSession<'m> {
 struct BuiltinScene<'m> {
     map: &'m BuiltinMap,
     catalogue: &'m Catalogue,
+    settings: &'m SceneSettings,
     bakes: Arc<SceneBakes<'m>>,
     spawned: SpawnCounts,
     parked: Vec<Actor>,
@@ -58,10 +59,10 @@ impl<'m> BuiltinSession<'m> {
         wanted: SensorLayers,
     ) -> Result<Self, SimulatorError> {
         let SceneSettings { vehicles, pedestrians, seed, fps, .. } = *settings;
-        let bakes = Arc::new(SceneBakes::new(map.town_scene.static_scene(), &map.bakes, settings, wanted));
+        let bakes = Arc::new(SceneBakes::new(map, catalogue, settings, wanted));
         let condition = DrivingCondition::from(&*bakes.weather(0));
         // Traffic over the whole map, denser where the cameras look.
-        let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
+        let focus = settings.usual_positions().collect();
         let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
         let specs = catalogue.vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
@@ -79,6 +80,7 @@ impl<'m> BuiltinSession<'m> {
         let scene = BuiltinScene {
             map,
             catalogue,
+            settings,
             bakes: Arc::clone(&bakes),
             spawned,
             skin_tones: skin_tones(catalogue, &moving),
@@ -119,8 +121,8 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn actors(&self) -> Option<Vec<ActorRecord>> {
-        let BuiltinScene { catalogue, parked, moving, .. } = &*self.scene;
-        Some(actors::describe(catalogue, parked.iter().chain(moving)))
+        let BuiltinScene { catalogue, settings, parked, moving, .. } = &*self.scene;
+        Some(repainted(actors::describe(catalogue, parked.iter().chain(moving)), settings))
     }
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {
@@ -178,8 +180,7 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
     }
 
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        let still = self.scene.map.town_scene.static_scene();
-        Ok(self.bakes.render(still, self.scene.frame_scene(&self.frame, state)))
+        Ok(self.bakes.render(self.scene.bakes.still(), self.scene.frame_scene(&self.frame, state)))
     }
 }
 

@@ -6,6 +6,7 @@ use endless_annotate::MapFeatures;
 use endless_city::SharedModels;
 use endless_interchange::MapLibrary;
 use endless_world::{CameraSite, SceneSettings, SensorLayers};
+use rayon::prelude::*;
 use std::{collections::BTreeMap, sync::Arc};
 
 /// Simulates and renders without anything outside this program.
@@ -50,6 +51,13 @@ impl MapSource for BuiltinSimulator {
 impl MapCatalog for BuiltinSimulator {
     fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
         Ok(self.map_library.cameras(map)?)
+    }
+
+    fn see_as_well(&self, map: &str, moved: &[[CameraSite; 2]]) -> Result<Vec<bool>, SimulatorError> {
+        let judged = self.map_library.with_view_check(map, |check| {
+            moved.par_iter().map(|[usual, moved]| check.sees_as_well(usual, moved)).collect()
+        })?;
+        Ok(judged)
     }
 }
 

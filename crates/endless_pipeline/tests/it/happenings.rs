@@ -25,6 +25,7 @@ fn watch(town: &str, mut see: impl FnMut(&WorldState, &Happenings)) {
         fps: FPS,
         frames: 300,
         seed: 7,
+        randomised: None,
     };
     let wanted = MapUse { name: town, cameras: &sites[..1], videos: &[&settings] };
     let map = simulator.load_map(&wanted).expect("a town");

@@ -11,4 +11,5 @@ mod kill;
 mod labels;
 mod live;
 mod objects;
+mod randomised;
 mod record;

@@ -74,6 +74,7 @@ pub(crate) fn site() -> CameraSite {
         down_tilt_rad: 0.25,
         horizontal_fov_rad: 1.2,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     }
 }
 

@@ -135,6 +135,7 @@ impl BoxStreet {
             down_tilt_rad: math::atan2(-forward.z, forward.truncate().length()),
             horizontal_fov_rad: self.horizontal_fov_deg.to_radians(),
             mount: Mount::Pole,
+            roll_rad: 0.0,
         }
     }
 }

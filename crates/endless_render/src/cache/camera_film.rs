@@ -51,7 +51,8 @@ impl CameraFilm {
             if still.is_sky(0) { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
         });
         let exposure = exposure(&radiance, black, environment.exposure_key);
-        let tone = ToneCurve::new(exposure, environment.white_balance(), black);
+        let tone =
+            ToneCurve::new(exposure, environment.white_balance() * Vec3A::from(settings.look.white_balance), black);
         let film = Self {
             radiance,
             rgb: Vec::new(),

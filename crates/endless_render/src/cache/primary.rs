@@ -171,6 +171,7 @@ mod tests {
                 down_tilt_rad: 0.35,
                 horizontal_fov_rad: 1.1,
                 mount: Mount::Pole,
+                roll_rad: 0.0,
             };
             let camera = settings.camera(&site);
             let lighting = Lighting::direct(&still, &settings, &ViewedArea::of(&still, &camera));

@@ -7,8 +7,10 @@ use super::{
 };
 use crate::accel::Ray;
 use crate::scene::SurfaceInteraction;
+use crate::settings::RenderSettings;
+use crate::variation::SurfaceVariation;
+use endless_world::math;
 use endless_world::math::UnfusedVec3A;
-use endless_world::{SceneWeather, math};
 use glam::Vec3A;
 use std::f32::consts::{PI, TAU};
 
@@ -52,11 +54,15 @@ pub(crate) struct Environment {
     pub(crate) exposure_key: f32,
     /// Share of the light that spreads around bright objects.
     pub(crate) glare: f32,
+    /// What surfaces vary in this scene; `None` where they are as they are made.
+    pub(crate) surfaces: Option<SurfaceVariation>,
 }
 
 impl Environment {
     /// The light of a scene whose ground lies at this height, metres.
-    pub(crate) fn new(weather: &SceneWeather, ground: f32) -> Self {
+    pub(crate) fn new(settings: &RenderSettings, ground: f32) -> Self {
+        let weather = &settings.weather;
+        let [sun_light, sky_light] = settings.light().map_or([Vec3A::ONE; 2], |l| [l.sun, l.sky].map(Vec3A::from));
         let sun_direction = Vec3A::from(weather.sun_direction);
         let low_light = Vec3A::from(weather.low_light);
         let clouds = (weather.cloud_cover > 0.0).then(|| CloudLayer {
@@ -72,13 +78,15 @@ impl Environment {
             overcast_klx: weather.overcast_klx,
             glow: TOWN_SKYGLOW * weather.skyglow,
             clouds,
-        });
+        })
+        .tinted(sky_light);
         let night = weather.lamps_lit > 0.0;
         // Lamps are lit when the sun is down.
         let sun = (weather.sun_share > 0.0 && sun_direction.z > 0.0 && !night).then(|| Sun {
             direction: sun_direction,
             illuminance: sun_transmittance(sun_direction, weather.turbidity)
-                * (SOLAR_ILLUMINANCE_KLX * weather.sun_share),
+                * (SOLAR_ILLUMINANCE_KLX * weather.sun_share)
+                * sun_light,
             disc: sun_disc(sun_direction),
         });
         let fog = Fog {
@@ -86,7 +94,7 @@ impl Environment {
             ground,
             scale_height_m: weather.scale_height_m,
             glow: weather.halo,
-            airlight: sky.mean * weather.airlight + TOWN_AIRLIGHT * weather.town_airlight,
+            airlight: sky.mean * weather.airlight + TOWN_AIRLIGHT * sky_light * weather.town_airlight,
             sunward: low_light * sky.mean * weather.sunward,
             sun_direction,
         };
@@ -101,6 +109,7 @@ impl Environment {
             rain: weather.rain,
             exposure_key: weather.exposure_key,
             glare: weather.glare,
+            surfaces: settings.randomised.as_ref().and_then(SurfaceVariation::new),
         }
     }
 

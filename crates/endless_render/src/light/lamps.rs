@@ -91,12 +91,12 @@ impl Lamps {
         Self { lights, low, columns, rows, cells }
     }
 
-    /// The same lamps with another power each, given where they hang: of the power that they have here.
+    /// The same lamps with their light changed by factors a channel, given their places in the list and where they hang.
     #[must_use]
-    pub(crate) fn with_power(&self, power: impl Fn(Vec3A) -> f32) -> Self {
+    pub(crate) fn scaled(&self, factors: impl Fn(usize, Vec3A) -> Vec3A) -> Self {
         let mut lamps = self.clone();
-        for lamp in &mut lamps.lights {
-            lamp.intensity *= power(lamp.position);
+        for (place, lamp) in lamps.lights.iter_mut().enumerate() {
+            lamp.intensity *= factors(place, lamp.position);
         }
         lamps
     }

@@ -80,6 +80,15 @@ impl Sky {
         Self { table, mean: sum / solid_angle }
     }
 
+    /// The sky with its light changed by a factor a channel.
+    pub(crate) fn tinted(mut self, factors: Vec3A) -> Self {
+        if factors != Vec3A::ONE {
+            self.table.iter_mut().for_each(|radiance| *radiance *= factors);
+            self.mean *= factors;
+        }
+        self
+    }
+
     /// Radiance from a direction, kcd/m²; below the horizon, that of the horizon.
     pub(crate) fn radiance(&self, direction: Vec3A) -> Vec3A {
         let azimuth = math::atan2_approx(direction.y, direction.x);

@@ -14,9 +14,35 @@ pub(crate) fn evaluate_bsdf(
     footprint_m: f32,
     jitter: f32,
 ) -> Bsdf {
+    let Some(variation) = &environment.surfaces else {
+        return finished(dry_bsdf(point, environment, footprint_m), point, environment, footprint_m, jitter);
+    };
+    let varied = variation.of(point);
+    let mut bsdf = dry_bsdf(&varied.point(point), environment, footprint_m * varied.scale());
+    bsdf.albedo = varied.albedo(point, bsdf.albedo, footprint_m);
+    finished(bsdf, point, environment, footprint_m, jitter)
+}
+
+/// With water where it rains, and what no surface exceeds.
+fn finished(
+    mut bsdf: Bsdf,
+    point: &SurfaceInteraction<'_>,
+    environment: &Environment,
+    footprint_m: f32,
+    jitter: f32,
+) -> Bsdf {
+    if environment.wetness > 0.0 {
+        wet::wet(&mut bsdf, point, environment, footprint_m, jitter);
+    }
+    bsdf.albedo = bsdf.albedo.clamp(Vec3A::splat(0.004), Vec3A::splat(0.9));
+    bsdf
+}
+
+/// Of the surface and its detail.
+fn dry_bsdf(point: &SurfaceInteraction<'_>, environment: &Environment, footprint_m: f32) -> Bsdf {
     let base = Vec3A::from_array(point.material.base_color);
     let surface = point.material.surface;
-    let mut bsdf = match surface {
+    match surface {
         Surface::Asphalt => ground::asphalt(point, base, footprint_m),
         Surface::RoadPaint => ground::road_paint(point, base, footprint_m),
         Surface::Paving => ground::paving(point, base, footprint_m),
@@ -53,10 +79,5 @@ pub(crate) fn evaluate_bsdf(
         // What a lens shows changes with the signal: its light is added frame by frame.
         Surface::SignalLens(_) => Bsdf::matte(base * 0.12, point.normal).coated(0.6, 0.04, 0.2),
         Surface::LampLens => object::lamp_lens(point, base, environment),
-    };
-    if environment.wetness > 0.0 {
-        wet::wet(&mut bsdf, point, environment, footprint_m, jitter);
     }
-    bsdf.albedo = bsdf.albedo.clamp(Vec3A::splat(0.004), Vec3A::splat(0.9));
-    bsdf
 }

@@ -10,6 +10,7 @@ mod moving_object;
 mod posed_mesh;
 mod static_scene;
 mod surface_interaction;
+mod surface_query;
 mod velocity;
 
 pub use deformable_mesh::DeformableMesh;
@@ -21,4 +22,5 @@ pub(crate) use moving_object::MovingVolume;
 pub use moving_object::{Footprint, MovingObject};
 pub use static_scene::StaticScene;
 pub(crate) use surface_interaction::{ShadingPoint, SurfaceInteraction};
+pub use surface_query::SurfacePoint;
 pub use velocity::RigidVelocity;

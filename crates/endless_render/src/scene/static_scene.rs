@@ -4,12 +4,13 @@ use super::Instance;
 use crate::accel::{Hit, Ray, Tlas};
 use crate::light::Lamps;
 use endless_scene::StreetLamp;
+use glam::Vec3A;
 use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::Arc;
 
 /// Everything that stands still, ready to be traced: made once a map, and shared by all its videos.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct StaticScene {
     pub(crate) instances: Vec<Instance>,
     pub(crate) accel: Tlas,
@@ -18,10 +19,20 @@ pub struct StaticScene {
 
 impl StaticScene {
     /// A scene of instances, and of the lamps that are lit at night. Instances without triangles are left out.
-    pub fn new(mut instances: Vec<Instance>, lamps: &[StreetLamp]) -> Self {
+    pub fn new(instances: Vec<Instance>, lamps: &[StreetLamp]) -> Self {
+        Self::of(instances, Lamps::new(lamps))
+    }
+
+    pub(super) fn of(mut instances: Vec<Instance>, lamps: Lamps) -> Self {
         instances.retain(|instance| !instance.geometry.is_empty());
         let accel = Tlas::build(instances.iter().map(Instance::placed).collect());
-        Self { instances, accel, lamps: Lamps::new(lamps) }
+        Self { instances, accel, lamps }
+    }
+
+    /// The same scene in which each lamp, by its place in the list, has its light changed by factors by linear channel.
+    #[must_use]
+    pub fn with_lamp_factors(&self, factors: impl Fn(usize) -> [f32; 3]) -> Self {
+        Self { lamps: self.lamps.scaled(|place, _| Vec3A::from(factors(place))), ..self.clone() }
     }
 
     /// Where a ray meets one triangle; `None` if it passes by, or there is no such triangle.

@@ -59,6 +59,7 @@ fn site() -> CameraSite {
         down_tilt_rad: 0.35,
         horizontal_fov_rad: 1.1,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     }
 }
 

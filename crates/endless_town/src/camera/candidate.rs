@@ -87,6 +87,7 @@ pub(super) fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: Ca
         down_tilt_rad: tilt as f32,
         horizontal_fov_rad: turned.fov_deg.to_radians() as f32,
         mount: turned.mount,
+        roll_rad: 0.0,
     }
 }
 

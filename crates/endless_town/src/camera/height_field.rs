@@ -7,6 +7,7 @@ use endless_scene::Mesh;
 use endless_world::ClassTag;
 use glam::{Affine3A, DVec2, Vec2, Vec3};
 use rayon::prelude::*;
+use std::borrow::Borrow;
 
 /// What lies on top at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -48,7 +49,7 @@ pub(crate) struct HeightField {
 
 impl HeightField {
     /// Of a town's own meshes, with the junctions of its network.
-    pub(crate) fn new(network: &RoadNetwork, meshes: &[(Mesh, Affine3A)]) -> Self {
+    pub(crate) fn new<M: Borrow<Mesh> + Sync>(network: &RoadNetwork, meshes: &[(M, Affine3A)]) -> Self {
         let points = network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.truncate());
         let (low, high) =
             points.fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), p| (low.min(p), high.max(p)));
@@ -63,7 +64,7 @@ impl HeightField {
         let rows = height.div_ceil(rayon::current_num_threads());
         cells.par_chunks_mut((rows * width).max(1)).enumerate().for_each(|(i, cells)| {
             let mut band = HeightFieldRows { relief: &relief, first: i * rows, cells };
-            meshes.iter().for_each(|(mesh, place)| band.lay(mesh, *place));
+            meshes.iter().for_each(|(mesh, place)| band.lay(mesh.borrow(), *place));
         });
         relief.cells = cells;
         relief.mark_junctions(network);

@@ -10,8 +10,9 @@ mod site_selection;
 mod surroundings;
 mod view_score;
 
-pub(crate) use height_field::HeightField;
+pub(crate) use height_field::{HeightField, TopSurface};
 pub(crate) use occlusion::PropOcclusion;
 pub(crate) use sight_lines::{blocks_view, occludes_view};
 pub(crate) use site_selection::choose;
 pub(crate) use surroundings::{BuildingPrism, CameraSurroundings, OpenSpace};
+pub(crate) use view_score::{ViewContents, ViewScorer};

@@ -98,6 +98,7 @@ mod tests {
             down_tilt_rad: 0.3,
             horizontal_fov_rad: 1.2,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         let near = PropOcclusion::new(&catalogue, &[at(1.5)]);
         let far = PropOcclusion::new(&catalogue, &[at(30.0)]);

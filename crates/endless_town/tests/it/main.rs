@@ -7,6 +7,7 @@ use std::sync::OnceLock;
 
 mod cameras;
 mod imported;
+mod moved_cameras;
 mod network;
 mod opendrive;
 mod parked;

@@ -445,6 +445,7 @@ fn details_come_near_any_camera() {
             down_tilt_rad: 0.3,
             horizontal_fov_rad: 1.4,
             mount: Mount::Pole,
+            roll_rad: 0.0,
         };
         let details = town.details_near(std::slice::from_ref(&site), &catalogue);
         assert_eq!(details, town.details_near(std::slice::from_ref(&site), &catalogue), "{}", town.name);

@@ -38,6 +38,7 @@ pub(crate) fn sites() -> Vec<CameraSite> {
         down_tilt_rad: 0.4,
         horizontal_fov_rad: 1.2,
         mount: Mount::Pole,
+        roll_rad: 0.0,
     };
     (0..9).map(site).collect()
 }
