@@ -7,6 +7,7 @@ use crate::{
         depth_from_rgb, instance_from_panoptic, instance_from_rgb, panoptic_from_instance, rgb_from_depth,
         rgb_from_instance, semantic_from_instance, tags_from_semantic,
     },
+    flow::{check_flow, flow_preview},
     normals::check_normals,
     preview::{depth_preview, instance_preview, normals_preview, semantic_preview},
 };
@@ -34,6 +35,10 @@ pub enum Layer {
     Normals,
     /// Colours of surfaces without light.
     Albedo,
+    /// Optical flow to the next frame, KITTI's encoding.
+    Flow,
+    /// Optical flow to the frame before.
+    FlowBackward,
 }
 
 /// A picture for people, or what is wrong with the image that it should show.
@@ -81,12 +86,19 @@ impl Layer {
             Self::Panoptic => &PANOPTIC,
             Self::Normals => &NORMALS,
             Self::Albedo => &ALBEDO,
+            Self::Flow => &FLOW,
+            Self::FlowBackward => &FLOW_BACKWARD,
         }
     }
 
     /// What a simulator must be asked for to store these layers.
     pub fn wanted(layers: &[Self]) -> SensorLayers {
-        SensorLayers { normals: layers.contains(&Self::Normals), albedo: layers.contains(&Self::Albedo) }
+        SensorLayers {
+            normals: layers.contains(&Self::Normals),
+            albedo: layers.contains(&Self::Albedo),
+            flow: layers.contains(&Self::Flow),
+            flow_backward: layers.contains(&Self::FlowBackward),
+        }
     }
 
     /// The format of its files.
@@ -165,6 +177,22 @@ const ALBEDO: LayerEntry = LayerEntry {
     bytes_a_pixel: |_format, _look| 1.6,
 };
 
+const FLOW: LayerEntry = LayerEntry {
+    summary: "16 bits a channel, KITTI's encoding: the point of pixel (x, y) is at x + (R − 2¹⁵) / 64, y + (G − 2¹⁵) / 64 in the \
+              next frame; B = 1 visible there, 2 hidden, 3 outside, 0 unknown (docs/layers/flow.md)",
+    lossy: false,
+    encode: |frame| Some(frame.flow.as_ref()?.into()),
+    preview: |stored| Ok(Cow::Owned(flow_preview(stored.rgb16()?)?)),
+    check: |stored| check_flow(stored.rgb16()?),
+    bytes_a_pixel: |_format, _look| 0.2,
+};
+
+const FLOW_BACKWARD: LayerEntry = LayerEntry {
+    summary: "the same to the frame before (docs/layers/flow.md)",
+    encode: |frame| Some(frame.flow_backward.as_ref()?.into()),
+    ..FLOW
+};
+
 /// The error of an image that has this value as a class tag.
 fn no_tag(value: u8) -> String {
     format!("has the tag {value}: they end at 28")
@@ -174,7 +202,7 @@ fn no_tag(value: u8) -> String {
 mod tests {
     use super::*;
     use crate::LastPng;
-    use endless_world::{ClassTag, Image, ImageSize, InstanceId, InstancePixel};
+    use endless_world::{ClassTag, FlowPixel, Image, ImageSize, InstanceId, InstancePixel};
 
     /// Whatever is stored passes its own check and can be shown.
     #[test]
@@ -187,6 +215,8 @@ mod tests {
             instance: Image::filled(size, InstancePixel { tag: ClassTag::Car, id: InstanceId(700) }),
             normals: Some(Image::filled(size, [32_768, 32_768, 0])),
             albedo: Some(Image::filled(size, [9, 8, 7])),
+            flow: Some(Image::filled(size, FlowPixel::STILL.encoded())),
+            flow_backward: Some(Image::filled(size, FlowPixel::UNKNOWN)),
         };
         for layer in Layer::ALL {
             let entry = layer.entry();

@@ -30,6 +30,7 @@ mod check;
 mod durable;
 mod encoding;
 mod error;
+mod flow;
 mod json_lines;
 mod labels;
 mod layer;

@@ -5,6 +5,7 @@ mod bake_cache;
 mod bake_key;
 mod bodies;
 mod hits_folder;
+mod instant;
 mod kept_hits;
 mod map;
 mod map_features;

@@ -79,7 +79,7 @@ mod silhouette;
 mod vec3x8;
 
 pub use accel::{Blas, Hit, Ray, RayStream, StreamHits, Tlas};
-pub use cache::{BakeStats, CameraBake};
+pub use cache::{BakeStats, CameraBake, NeighbourFrames};
 pub use indirect::IndirectHits;
 pub use light::{BeamKind, SceneWeather, VehicleBeam};
 pub use moving_camera::{IndirectLight, MovingCamera};

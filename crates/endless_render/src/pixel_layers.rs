@@ -1,4 +1,4 @@
-//! All layers but RGB, from the hit of the ray through each pixel's centre. A new layer is a field of both types here.
+//! The layers that follow from the hit of the ray through each pixel's centre alone. A new one is a field of both types here.
 
 use crate::accel::Ray;
 use crate::camera_rays::planar_depth;
@@ -132,7 +132,7 @@ impl LayerImages {
         &self.depth
     }
 
-    /// With the picture that they belong to.
+    /// With the picture that they belong to, without flow.
     pub(crate) fn into_sensor_frame(self, frame: u32, size: ImageSize, rgb: Vec<[u8; 3]>) -> SensorFrame {
         SensorFrame {
             frame,
@@ -141,6 +141,8 @@ impl LayerImages {
             instance: Image { size, data: self.instance },
             normals: self.normals.map(|data| Image { size, data }),
             albedo: self.albedo.map(|data| Image { size, data }),
+            flow: None,
+            flow_backward: None,
         }
     }
 }

@@ -42,6 +42,17 @@ pub struct SensorLayers {
     pub normals: bool,
     /// [`SensorFrame::albedo`].
     pub albedo: bool,
+    /// [`SensorFrame::flow`].
+    pub flow: bool,
+    /// [`SensorFrame::flow_backward`].
+    pub flow_backward: bool,
+}
+
+impl SensorLayers {
+    /// Whether a frame must know those beside it.
+    pub fn needs_neighbours(&self) -> bool {
+        self.flow || self.flow_backward
+    }
 }
 
 /// All layers of one camera at one simulation frame.
@@ -61,4 +72,8 @@ pub struct SensorFrame {
     /// Share of white light that the surface at the pixel's centre gives back, without the light that falls on it: sRGB, 8
     /// bit; the sky is black.
     pub albedo: Option<Image<[u8; 3]>>,
+    /// Optical flow to the next frame of the video, as [`FlowPixel`](crate::FlowPixel) encodes it.
+    pub flow: Option<Image<[u16; 3]>>,
+    /// Optical flow to the frame before, encoded alike.
+    pub flow_backward: Option<Image<[u16; 3]>>,
 }

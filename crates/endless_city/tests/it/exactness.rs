@@ -143,7 +143,7 @@ fn check_through(
         gathering: Gathering::Interpolated { rays: 2 },
         look,
         keep_irradiance: true,
-        layers: SensorLayers { normals: true, albedo: true },
+        layers: SensorLayers { normals: true, albedo: true, flow: true, flow_backward: true },
         ..RenderSettings::new(weather, time_of_day, 3, SIZE)
     };
     let bake = CameraBake::bake(still, &settings, site);

@@ -3,6 +3,7 @@
 use super::{
     actors,
     bodies::Skeletons,
+    instant::{NeighbourInstants, SceneInstant},
     map::BuiltinMap,
     road_facts::road_facts,
     scene_frame::scene_frame,
@@ -13,7 +14,7 @@ use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, 
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_render::{CameraBake, FrameScene};
+use endless_render::{CameraBake, NeighbourFrames};
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, Condition, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use glam::Vec3;
@@ -27,6 +28,10 @@ use std::{
 pub(super) struct BuiltinSession<'m> {
     simulation: Simulation,
     begun: bool,
+    /// The instant of the frame that was given out last, where frames need those beside them.
+    last: Option<Arc<SceneInstant>>,
+    /// The one that follows it, if the simulation is ahead.
+    next: Option<Arc<SceneInstant>>,
     scene: Arc<BuiltinScene<'m>>,
 }
 
@@ -97,7 +102,29 @@ impl<'m> BuiltinSession<'m> {
             models: OnceLock::new(),
             cameras: OnceLock::new(),
         };
-        Ok(Self { simulation, begun: false, scene: Arc::new(scene) })
+        Ok(Self { simulation, begun: false, last: None, next: None, scene: Arc::new(scene) })
+    }
+
+    /// The next instant of the simulation.
+    fn advance(&mut self) -> Arc<SceneInstant> {
+        if self.begun {
+            self.simulation.tick();
+        }
+        self.begun = true;
+        Arc::new(SceneInstant::new(self.simulation.state()))
+    }
+
+    /// The instants beside that of a frame to come, which are then known to it: the last frame of a video has none after
+    /// it, although the simulation could go on.
+    fn neighbours(&mut self, instant: &Arc<SceneInstant>) -> NeighbourInstants {
+        let BuiltinScene { wanted, settings, .. } = *self.scene;
+        if !wanted.needs_neighbours() {
+            return NeighbourInstants::default();
+        }
+        let before = self.last.replace(Arc::clone(instant)).filter(|_| wanted.flow_backward);
+        let goes_on = wanted.flow && instant.state.frame + 1 < settings.frames;
+        self.next = goes_on.then(|| self.advance());
+        NeighbourInstants { before, after: self.next.clone() }
     }
 }
 
@@ -128,11 +155,6 @@ impl BuiltinScene<'_> {
     fn models(&self) -> &ActorModels {
         self.models.get_or_init(|| ActorModels::in_town(&self.map.town_scene, self.catalogue, &self.moving))
     }
-
-    /// What moves at the instant that a frame is of.
-    fn frame_scene<'f>(&self, frame: &'f SharedFrame, state: &WorldState) -> &'f Arc<FrameScene> {
-        frame.get_or_init(|| Arc::new(self.models().frame_scene(state)))
-    }
 }
 
 fn rays(baked: &[CameraBake]) -> u64 {
@@ -156,12 +178,13 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError> {
-        if self.begun {
-            self.simulation.tick();
-        }
-        self.begun = true;
-        let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), frame: Arc::default() });
-        Ok(SimulationStep { state: self.simulation.state(), task })
+        let instant = self.next.take().unwrap_or_else(|| self.advance());
+        let neighbours = self.neighbours(&instant);
+        let state = instant.state.clone();
+        Ok(SimulationStep {
+            state,
+            task: Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), instant, neighbours }),
+        })
     }
 
     fn road_facts(&self) -> RoadFacts {
@@ -179,20 +202,18 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
 
 struct BuiltinRenderTask<'m> {
     scene: Arc<BuiltinScene<'m>>,
-    frame: SharedFrame,
+    instant: Arc<SceneInstant>,
+    neighbours: NeighbourInstants,
 }
-
-/// What moves at one instant, made when it is first needed: by the renderer, or by labels of a picture that is there.
-type SharedFrame = Arc<OnceLock<Arc<FrameScene>>>;
 
 impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
     fn truth(&self, state: &WorldState) -> SceneTruth<'m> {
         let BuiltinScene { parked, skin_tones, skeletons, .. } = &*self.scene;
-        let (scene, frame) = (Arc::clone(&self.scene), Arc::clone(&self.frame));
+        let (scene, instant) = (Arc::clone(&self.scene), Arc::clone(&self.instant));
         SceneTruth {
             objects: SceneObjects::new(state, parked).with_skin_tones(skin_tones),
             bodies: skeletons.bodies(state),
-            shapes: Some(Box::new(SceneShapes { scene, frame, state: state.clone(), moving: OnceLock::new() })),
+            shapes: Some(Box::new(SceneShapes { scene, instant, moving: OnceLock::new() })),
         }
     }
 
@@ -201,27 +222,28 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
         Some(scene_frame(settings, &map.town.network, parked, state))
     }
 
-    fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        let (cameras, still) = (self.scene.cameras(), self.scene.map.town_scene.static_scene());
-        let frame = self.scene.frame_scene(&self.frame, state);
-        Ok(cameras.baked.iter().map(|camera| camera.render(still, frame)).collect())
+    fn render(self: Box<Self>, _state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
+        let Self { scene, instant, neighbours } = &*self;
+        let (cameras, still) = (scene.cameras(), scene.map.town_scene.static_scene());
+        let scene_of = |instant: &Arc<SceneInstant>| instant.scene(scene.models());
+        let [before, after] = [&neighbours.before, &neighbours.after].map(|instant| instant.as_ref().map(scene_of));
+        let beside = NeighbourFrames { before: before.as_deref(), after: after.as_deref() };
+        let frame = scene_of(instant);
+        Ok(cameras.baked.iter().map(|camera| camera.render_between(still, &frame, beside)).collect())
     }
 }
 
 /// The shapes of all objects of a scene at one instant.
 struct SceneShapes<'m> {
     scene: Arc<BuiltinScene<'m>>,
-    frame: SharedFrame,
-    state: WorldState,
+    instant: Arc<SceneInstant>,
     moving: OnceLock<MovingShapes>,
 }
 
 impl SceneShapes<'_> {
     fn moving(&self) -> &MovingShapes {
-        self.moving.get_or_init(|| {
-            let frame = self.scene.frame_scene(&self.frame, &self.state);
-            MovingShapes::new(&self.state.actors, Arc::clone(frame))
-        })
+        self.moving
+            .get_or_init(|| MovingShapes::new(&self.instant.state.actors, self.instant.scene(self.scene.models())))
     }
 }
 

@@ -4,6 +4,7 @@ mod bake_cache;
 mod builds;
 mod disk_full;
 mod fake;
+mod flow;
 mod golden;
 mod happenings;
 mod kill;

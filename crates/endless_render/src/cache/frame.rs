@@ -4,6 +4,7 @@ use super::affected::affected;
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
 use super::coverage::Coverage;
+use super::flow::{FlowPass, NeighbourFrames};
 use super::frame_buffer::{FrameBuffer, FramePixel};
 use super::mirror::mirrored_row;
 use super::pixel::undisturbed;
@@ -21,8 +22,18 @@ use glam::Vec3A;
 const BLOCK_ROWS: usize = BLOCK / TILE as usize;
 
 impl CameraBake {
-    /// What the camera sees at an instant.
+    /// What the camera sees at an instant; flow is unknown.
     pub fn render(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
+        self.render_between(still, frame, NeighbourFrames::default())
+    }
+
+    /// The same between two other instants, to which flow leads where it is wanted.
+    pub fn render_between(
+        &self,
+        still: &StaticScene,
+        frame: &FrameScene,
+        neighbours: NeighbourFrames<'_>,
+    ) -> SensorFrame {
         let tracer = self.lighting.tracer(still, Some(frame));
         let mut buffer = FrameBuffer::new(self);
         let mut rows: Vec<PixelRow<'_>> = (0..TILE).map(|_| PixelRow::new(self)).collect();
@@ -34,7 +45,9 @@ impl CameraBake {
             }
         }
         self.stats.add(traced);
-        buffer.develop(self, frame.frame)
+        let centres = buffer.take_centres();
+        let flow = FlowPass { bake: self, still, frame, centres: &centres };
+        flow.added(buffer.develop(self, frame.frame), neighbours)
     }
 
     /// Renders a tile; returns about how many rays that took.

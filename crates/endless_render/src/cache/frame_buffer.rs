@@ -1,8 +1,10 @@
 //! The buffers of a frame while it is rendered.
 
 use super::bake::CameraBake;
+use super::coverage::CoveredCentre;
+use super::flow::MovingCentre;
 use crate::film::{BlurScratch, Streak, blur, with_glare};
-use crate::pixel_layers::{LayerImages, PixelLayers};
+use crate::pixel_layers::LayerImages;
 use endless_world::SensorFrame;
 use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
@@ -11,7 +13,7 @@ use glam::Vec3A;
 pub(super) struct FramePixel {
     pub(super) radiance: Vec3A,
     /// What moves and covers the pixel's centre.
-    pub(super) covered: Option<PixelLayers>,
+    pub(super) covered: Option<CoveredCentre>,
     /// Moving light that is blurred, if it moves fast enough.
     pub(super) streak: Option<Streak>,
 }
@@ -26,6 +28,8 @@ pub(super) struct FrameBuffer {
     streaks: Vec<(u32, Streak)>,
     rgb: Vec<[u8; 3]>,
     layers: LayerImages,
+    /// Centres that something that moves covers, where flow is wanted.
+    centres: Option<Vec<MovingCentre>>,
 }
 
 impl FrameBuffer {
@@ -42,6 +46,7 @@ impl FrameBuffer {
                 bake.film.rgb.clone()
             },
             layers: bake.gbuffer.layers.clone(),
+            centres: bake.wanted.needs_neighbours().then(Vec::new),
         }
     }
 
@@ -55,13 +60,19 @@ impl FrameBuffer {
             }
             None => self.rgb[i] = bake.film.tone.apply(pixel.radiance),
         }
-        if let Some(layers) = pixel.covered {
+        if let Some(CoveredCentre { layers, hit }) = pixel.covered {
             self.layers.set(i, &layers);
+            self.centres.iter_mut().for_each(|centres| centres.push(MovingCentre { pixel: i as u32, hit }));
         }
         self.streaks.extend(pixel.streak.map(|streak| (i as u32, streak)));
     }
 
-    /// Blur, rain, lens, glare, tone curve, sensor and recorder.
+    /// The centres that something that moves covers; none where no flow is wanted.
+    pub(super) fn take_centres(&mut self) -> Vec<MovingCentre> {
+        self.centres.take().unwrap_or_default()
+    }
+
+    /// Blur, rain, lens, glare, tone curve, sensor and recorder; without flow.
     pub(super) fn develop(mut self, bake: &CameraBake, frame: u32) -> SensorFrame {
         let size = bake.camera.size;
         if let Some(mut radiance) = self.radiance.take() {

@@ -17,6 +17,7 @@ mod compose;
 mod contact_shadow;
 mod coverage;
 mod edge_samples;
+mod flow;
 mod frame;
 mod frame_buffer;
 mod gbuffer;
@@ -48,6 +49,8 @@ mod tile_context;
 mod tile_coverage;
 mod tile_hierarchy;
 mod tile_work;
+mod visible_tiles;
 
 pub use bake::CameraBake;
 pub use bake_stats::BakeStats;
+pub use flow::NeighbourFrames;

@@ -2,6 +2,7 @@
 
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
+use super::flow::{FlowPass, NeighbourFrames};
 use super::frame_buffer::{FrameBuffer, FramePixel};
 use super::gbuffer::GBuffer;
 use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_pixel};
@@ -41,7 +42,9 @@ impl CameraBake {
                 self.retrace_tile(&context, (x0, y0), &mut buffer);
             }
         }
-        buffer.develop(self, frame.frame)
+        let centres = buffer.take_centres();
+        let flow = FlowPass { bake: self, still, frame, centres: &centres };
+        flow.added(buffer.develop(self, frame.frame), NeighbourFrames::default())
     }
 
     /// What the bake found of a pixel's visibility is traced again, but for the sun's disc and what is uniform.

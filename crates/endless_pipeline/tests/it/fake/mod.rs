@@ -11,9 +11,9 @@ use endless_pipeline::{
     SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
 };
 use endless_world::{
-    Actor, Behaviour, BodyKeypoints, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, Motion,
-    Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, SensorLayers, Stream,
-    VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
+    Actor, Behaviour, BodyKeypoints, CameraSite, ClassTag, FAR_PLANE_M, FlowPixel, Image, InstanceId, InstancePixel,
+    Motion, Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, SensorLayers,
+    Stream, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 use std::{
@@ -215,6 +215,8 @@ pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -
         instance: Image::filled(size, sky),
         normals: Some(Image::filled(size, [0; 3])),
         albedo: Some(Image::filled(size, [0; 3])),
+        flow: Some(Image::filled(size, FlowPixel::STILL.encoded())),
+        flow_backward: Some(Image::filled(size, FlowPixel::STILL.encoded())),
     };
     for y in h / 3..h {
         for x in 0..w {
