@@ -7,12 +7,14 @@ where it is installed).
 Recomputes every box from the instance images, decodes depth, projects 3D boxes by `camera.json`, decodes amodal masks,
 checks counts, sizes and alignment, and compares the other layers with these: normals with the gradient of depth. What
 belongs to the scene is checked in check_scene.py: maps are projected again, signals must count down to their changes.
+Flow is followed to the next frame and back in check_flow.py.
 """
 
 import json
 import pathlib
 import sys
 
+import check_flow
 import check_scene
 import numpy as np
 from PIL import Image
@@ -371,6 +373,7 @@ def main() -> None:
     tag_of_class = {c["name"]: c["tag"] for c in dataset["labels"]["classes"]}
     assert len(dataset["videos"]) == recipe["videos"], "number of videos"
     compared, described, places = 0, 0, 0
+    flow = check_flow.Agreement()
     looks: dict[str, list] = {}
     for video in dataset["videos"]:
         assert video["state"] == "complete", f"{video['name']} is not complete"
@@ -387,6 +390,7 @@ def main() -> None:
             if "instance" in recipe["layers"]:
                 assert boxes == video["boxes"][number], f"{folder / camera}: number of boxes"
             compared += boxes
+            check_flow.check_camera(flow, folder / camera, recipe, frames)
             for line in (folder / camera / "objects.jsonl").read_text().splitlines():
                 line = json.loads(line)
                 for o in line["objects"]:
@@ -401,6 +405,7 @@ def main() -> None:
         for actor in json.loads((folder / "actors.json").read_text()) if "actors" in scene else []:
             look = {key: actor[key] for key in ("class", "person", "vehicle") if key in actor}
             looks.setdefault(actor.get("reid", f"{folder} {actor['id']}"), []).append(look)
+    flow.check()
     print(f"{described} objects of {looks_agree(looks)} looks")
     check_with_coco(out, dataset["labels"], recipe)
     print(f"all is well: {len(dataset['videos'])} videos, {compared} boxes recomputed, {places} places of maps projected")

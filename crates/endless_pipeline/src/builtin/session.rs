@@ -226,7 +226,9 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
         let Self { scene, instant, neighbours } = &*self;
         let (cameras, still) = (scene.cameras(), scene.map.town_scene.static_scene());
         let scene_of = |instant: &Arc<SceneInstant>| instant.scene(scene.models());
-        let [before, after] = [&neighbours.before, &neighbours.after].map(|instant| instant.as_ref().map(scene_of));
+        // The latest first: a task that began a little earlier is making those before it.
+        let after = neighbours.after.as_ref().map(scene_of);
+        let before = neighbours.before.as_ref().map(scene_of);
         let beside = NeighbourFrames { before: before.as_deref(), after: after.as_deref() };
         let frame = scene_of(instant);
         Ok(cameras.baked.iter().map(|camera| camera.render_between(still, &frame, beside)).collect())

@@ -8,8 +8,8 @@ use super::tile::TILE;
 use super::visible_tiles::each_visible_tile;
 use crate::accel::{Hit, Ray, RayStream, lanes};
 use crate::camera_rays::directions8;
-use crate::scene::{FrameScene, Instance, ShadingPoint, StaticScene};
-use crate::shade::Tracer;
+use crate::scene::{FrameScene, Instance, StaticScene};
+use crate::shade::{SceneHit, Tracer};
 use endless_world::math::UnfusedVec3A;
 use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, SensorFrame};
 use glam::{Vec2, Vec3A};
@@ -134,8 +134,15 @@ impl FlowPass<'_> {
             flows[lane] = FlowPixel { flow_px: place - centre, target };
             image[pixel as usize] = flows[lane].encoded();
         }
-        for lane in lanes(tracer.occluded32(&rays, active)) {
-            image[centres[lane].pixel as usize] = FlowPixel { target: FlowTarget::Hidden, ..flows[lane] }.encoded();
+        let met = tracer.closest32(&rays, active);
+        for lane in lanes(active) {
+            let MovingCentre { pixel, hit, .. } = &centres[lane];
+            // Its own triangle, whatever rounding says of the distance.
+            let itself =
+                |met: &SceneHit| met.moving && (met.hit.instance, met.hit.triangle) == (hit.instance, hit.triangle);
+            if met[lane / 8][lane % 8].as_ref().is_some_and(|met| !itself(met)) {
+                image[*pixel as usize] = FlowPixel { target: FlowTarget::Hidden, ..flows[lane] }.encoded();
+            }
         }
     }
 
@@ -152,25 +159,22 @@ impl FlowPass<'_> {
         let side = (lens - seen).dot(outwards);
         let (position, outwards) = point_of(then, hit);
         let (place, _) = camera.project(position.into())?;
-        let geometric_normal = outwards * 1.0f32.copysign(side);
-        let distance = position.distance(lens);
-        let direction = (position - lens) / distance;
-        if geometric_normal.dot(direction) >= 0.0 {
+        if (lens - position).dot(outwards) * side <= 0.0 {
             return Some((place, None));
         }
-        let way = ShadingPoint { position, geometric_normal, direction, distance }.ray_origin() - lens;
-        let tmax = way.length();
-        Some((place, Some(Ray { origin: lens, direction: way / tmax, tmax })))
+        // Up to a little before it: rounding may let the ray meet the triangles beside it too early.
+        let distance = position.distance(lens);
+        let tmax = distance - (5e-4 + 1e-5 * distance + 4e-7 * position.abs().max_element());
+        Some((place, Some(Ray { origin: lens, direction: (position - lens) / distance, tmax })))
     }
 }
 
-/// The place of a hit in the world, and the unit normal of its triangle, on the side from which its corners run against
-/// the clock.
+/// The place of a hit in the world, and a normal of its triangle, of any length, on the same side at all instants.
 fn point_of(instance: &Instance, hit: &Hit) -> (Vec3A, Vec3A) {
     let positions = instance.geometry.posed.positions();
     let corners = instance.geometry.mesh.triangles[hit.triangle as usize];
     let [a, b, c] = corners.map(|corner| Vec3A::from(positions[corner as usize]));
     let point = a * (1.0 - hit.u - hit.v) + b * hit.u + c * hit.v;
-    let normal = (instance.normal_matrix * (b - a).cross_unfused(c - a)).normalize_or_zero();
+    let normal = instance.normal_matrix * (b - a).cross_unfused(c - a);
     (instance.world_from_object.transform_point3a(point), normal)
 }
