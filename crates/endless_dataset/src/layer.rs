@@ -3,9 +3,10 @@
 
 use crate::{
     RgbFormat, StoredImage,
+    body_parts::{body_parts_preview, parts_from_rgb, rgb_from_parts},
     encoding::{
-        depth_from_rgb, instance_from_panoptic, instance_from_rgb, panoptic_from_instance, rgb_from_depth,
-        rgb_from_instance, semantic_from_instance, tags_from_semantic,
+        check_grey, depth_from_rgb, instance_from_panoptic, instance_from_rgb, panoptic_from_instance, rgb_from_depth,
+        rgb_from_grey, rgb_from_instance, semantic_from_instance, tags_from_semantic,
     },
     flow::{check_flow, flow_preview},
     normals::check_normals,
@@ -35,6 +36,10 @@ pub enum Layer {
     Normals,
     /// Colours of surfaces without light.
     Albedo,
+    /// Where the sun is hidden.
+    Shadow,
+    /// Parts of people's bodies, DensePose's.
+    BodyParts,
     /// Optical flow to the next frame, KITTI's encoding.
     Flow,
     /// Optical flow to the frame before.
@@ -86,6 +91,8 @@ impl Layer {
             Self::Panoptic => &PANOPTIC,
             Self::Normals => &NORMALS,
             Self::Albedo => &ALBEDO,
+            Self::Shadow => &SHADOW,
+            Self::BodyParts => &BODY_PARTS,
             Self::Flow => &FLOW,
             Self::FlowBackward => &FLOW_BACKWARD,
         }
@@ -96,6 +103,8 @@ impl Layer {
         SensorLayers {
             normals: layers.contains(&Self::Normals),
             albedo: layers.contains(&Self::Albedo),
+            shadow: layers.contains(&Self::Shadow),
+            body_parts: layers.contains(&Self::BodyParts),
             flow: layers.contains(&Self::Flow),
             flow_backward: layers.contains(&Self::FlowBackward),
         }
@@ -177,6 +186,26 @@ const ALBEDO: LayerEntry = LayerEntry {
     bytes_a_pixel: |_format, _look| 1.6,
 };
 
+const SHADOW: LayerEntry = LayerEntry {
+    summary: "R = G = B: share of the sun's disc that is hidden there, 0 in the light, 255 in the shadow; 0 for the sky and where no \
+              sun shines (docs/layers/shadow.md)",
+    lossy: false,
+    encode: |frame| Some(rgb_from_grey(frame.shadow.as_ref()?).into()),
+    preview: |stored| Ok(Cow::Borrowed(stored.rgb8()?)),
+    check: |stored| check_grey(stored.rgb8()?),
+    bytes_a_pixel: |_format, _look| 0.1,
+};
+
+const BODY_PARTS: LayerEntry = LayerEntry {
+    summary: "R = part of the body of people and riders, 1 to 14 as DensePose numbers them, 15 what they carry; G = B = 0; 0 \
+              everywhere else (docs/layers/body_parts.md)",
+    lossy: false,
+    encode: |frame| Some(rgb_from_parts(frame.body_parts.as_ref()?).into()),
+    preview: |stored| Ok(Cow::Owned(body_parts_preview(stored.rgb8()?)?)),
+    check: |stored| parts_from_rgb(stored.rgb8()?).map(drop),
+    bytes_a_pixel: |_format, _look| 0.05,
+};
+
 const FLOW: LayerEntry = LayerEntry {
     summary: "16 bits a channel, KITTI's encoding: the point of pixel (x, y) is at x + (R − 2¹⁵) / 64, y + (G − 2¹⁵) / 64 in the \
               next frame; B = 1 visible there, 2 hidden, 3 outside, 0 unknown (docs/layers/flow.md)",
@@ -215,6 +244,8 @@ mod tests {
             instance: Image::filled(size, InstancePixel { tag: ClassTag::Car, id: InstanceId(700) }),
             normals: Some(Image::filled(size, [32_768, 32_768, 0])),
             albedo: Some(Image::filled(size, [9, 8, 7])),
+            shadow: Some(Image::filled(size, 191)),
+            body_parts: Some(Image::filled(size, 14)),
             flow: Some(Image::filled(size, FlowPixel::STILL.encoded())),
             flow_backward: Some(Image::filled(size, FlowPixel::UNKNOWN)),
         };

@@ -24,6 +24,7 @@
 mod actor_schema;
 mod actors;
 mod atomic;
+mod body_parts;
 mod build_identity;
 mod camera_record;
 mod check;

@@ -18,6 +18,7 @@ mod actor;
 mod asset;
 mod attributes;
 mod behaviour;
+mod body_part;
 mod camera;
 mod camera_look;
 mod class;
@@ -44,6 +45,7 @@ pub use actor::{Actor, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, Ve
 pub use asset::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
 pub use attributes::{AgeGroup, ColoredPiece, Hairdo, NamedColor, PersonAttributes, Sex, VehicleAttributes, Word};
 pub use behaviour::{Behaviour, LanePlace, Side};
+pub use body_part::BodyPart;
 pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};
 pub use camera_look::{CameraLook, CameraLookChoice, Distortion, RecorderClock};
 pub use class::{ClassTag, ObjectClass};

@@ -5,8 +5,8 @@ use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::Town;
 use endless_world::{
-    Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, ImageSize, InstanceId,
-    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SensorLayers,
+    Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, Image, ImageSize,
+    InstanceId, Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RecorderClock, SensorFrame, SensorLayers,
     SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleModelId, VehicleMotion, VehicleRef,
     WalkerMotion, Weather, WorldState,
 };
@@ -97,11 +97,23 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
     all
 }
 
+/// In the layers that are there if wanted.
+fn differing_layers(a: &SensorFrame, b: &SensorFrame) -> usize {
+    fn count<T: PartialEq>(a: Option<&Image<T>>, b: Option<&Image<T>>) -> usize {
+        let (a, b) = (a.into_iter().flat_map(|image| &image.data), b.into_iter().flat_map(|image| &image.data));
+        a.zip(b).filter(|(p, q)| p != q).count()
+    }
+    count(a.normals.as_ref(), b.normals.as_ref())
+        + count(a.albedo.as_ref(), b.albedo.as_ref())
+        + count(a.shadow.as_ref(), b.shadow.as_ref())
+        + count(a.body_parts.as_ref(), b.body_parts.as_ref())
+}
+
 fn differing(a: &SensorFrame, b: &SensorFrame) -> usize {
     let rgb = a.rgb.data.iter().zip(&b.rgb.data).filter(|(p, q)| p != q).count();
     let depth = a.depth.data.iter().zip(&b.depth.data).filter(|(p, q)| p.to_bits() != q.to_bits()).count();
     let labels = a.instance.data.iter().zip(&b.instance.data).filter(|(p, q)| p != q).count();
-    rgb + depth + labels
+    rgb + depth + labels + differing_layers(a, b)
 }
 
 struct LoadedTown {
@@ -143,7 +155,7 @@ fn check_through(
         gathering: Gathering::Interpolated { rays: 2 },
         look,
         keep_irradiance: true,
-        layers: SensorLayers { normals: true, albedo: true, flow: true, flow_backward: true },
+        layers: SensorLayers::ALL,
         ..RenderSettings::new(weather, time_of_day, 3, SIZE)
     };
     let bake = CameraBake::bake(still, &settings, site);

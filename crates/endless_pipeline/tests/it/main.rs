@@ -11,4 +11,5 @@ mod kill;
 mod labels;
 mod live;
 mod objects;
+mod people_layers;
 mod record;

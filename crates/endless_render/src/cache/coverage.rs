@@ -19,6 +19,8 @@ pub(super) struct CoveredCentre {
     pub(super) layers: PixelLayers,
     /// Where the ray met it.
     pub(super) hit: Hit,
+    /// From there to the sun, if shadows are wanted and it does not face away.
+    pub(super) to_sun: Option<Ray>,
 }
 
 /// Coverage of a pixel by moving objects.
@@ -63,7 +65,7 @@ impl Coverage {
             if sample == 0 {
                 let bsdf = || gbuffer_bsdf(&point, &bake.lighting.environment, 0, bake.pixel_angle);
                 let layers = PixelLayers::new(bake.wanted, &bake.camera, ray, &point, bsdf);
-                centre = Some(CoveredCentre { layers, hit: *hit });
+                centre = Some(CoveredCentre { layers, hit: *hit, to_sun: bake.sun_ray(&point) });
             }
             match list[first..].iter_mut().find(|seen| tells(seen, &point)) {
                 Some(seen) => seen.stands_for += 1,

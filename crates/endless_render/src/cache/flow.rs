@@ -4,6 +4,7 @@
 //! same point of the same triangle in the other instant, so the flow is exact, deforming bodies included.
 
 use super::bake::CameraBake;
+use super::moving_centre::MovingCentre;
 use super::tile::TILE;
 use super::visible_tiles::each_visible_tile;
 use crate::accel::{Hit, Ray, RayStream, lanes};
@@ -24,14 +25,6 @@ pub struct NeighbourFrames<'a> {
     pub before: Option<&'a FrameScene>,
     /// The one after.
     pub after: Option<&'a FrameScene>,
-}
-
-/// A pixel whose centre shows something that moves.
-pub(super) struct MovingCentre {
-    /// Its place in the picture.
-    pub(super) pixel: u32,
-    /// Where its ray met that.
-    pub(super) hit: Hit,
 }
 
 /// A frame, and what moves in it.
@@ -116,7 +109,7 @@ impl FlowPass<'_> {
         let mut rays = RayStream::NONE;
         let mut active = 0;
         let mut flows = [FlowPixel::STILL; RAYS];
-        for (lane, &MovingCentre { pixel, hit }) in centres.iter().enumerate() {
+        for (lane, &MovingCentre { pixel, hit, .. }) in centres.iter().enumerate() {
             image[pixel as usize] = FlowPixel::UNKNOWN;
             let Some((place, ray)) = self.point_then(other, &hit) else { continue };
             let ImageSize { width, height } = self.bake.camera.size;

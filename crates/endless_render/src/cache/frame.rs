@@ -46,6 +46,9 @@ impl CameraBake {
         }
         self.stats.add(traced);
         let centres = buffer.take_centres();
+        if let Some(shadows) = self.moving_shadows(still, frame, &centres) {
+            buffer.set_shadows(&centres, &shadows);
+        }
         let flow = FlowPass { bake: self, still, frame, centres: &centres };
         flow.added(buffer.develop(self, frame.frame), neighbours)
     }
@@ -115,7 +118,7 @@ impl CameraBake {
                 }
                 let still = row.still(i);
                 let pixel = match undisturbed(&still, self.film.radiance[index], light, found) {
-                    Some(radiance) => FramePixel { radiance, covered: None, streak: None },
+                    Some(radiance) => FramePixel { radiance, covered: None, shadow: None, streak: None },
                     None => {
                         let samples = PixelSamples { rays: &row.rays(i), still, found };
                         self.pixel(context, &samples, light, mirrors[i], &coverages[place])

@@ -2,7 +2,7 @@
 
 use super::bake::CameraBake;
 use super::coverage::CoveredCentre;
-use super::flow::MovingCentre;
+use super::moving_centre::MovingCentre;
 use crate::film::{BlurScratch, Streak, blur, with_glare};
 use crate::pixel_layers::LayerImages;
 use endless_world::SensorFrame;
@@ -14,6 +14,8 @@ pub(super) struct FramePixel {
     pub(super) radiance: Vec3A,
     /// What moves and covers the pixel's centre.
     pub(super) covered: Option<CoveredCentre>,
+    /// On what stands still there, if that may have changed.
+    pub(super) shadow: Option<u8>,
     /// Moving light that is blurred, if it moves fast enough.
     pub(super) streak: Option<Streak>,
 }
@@ -28,7 +30,7 @@ pub(super) struct FrameBuffer {
     streaks: Vec<(u32, Streak)>,
     rgb: Vec<[u8; 3]>,
     layers: LayerImages,
-    /// Centres that something that moves covers, where flow is wanted.
+    /// Centres that something that moves covers, where a layer needs them.
     centres: Option<Vec<MovingCentre>>,
 }
 
@@ -46,7 +48,7 @@ impl FrameBuffer {
                 bake.film.rgb.clone()
             },
             layers: bake.gbuffer.layers.clone(),
-            centres: bake.wanted.needs_neighbours().then(Vec::new),
+            centres: (bake.wanted.needs_neighbours() || bake.wanted.shadow).then(Vec::new),
         }
     }
 
@@ -60,14 +62,23 @@ impl FrameBuffer {
             }
             None => self.rgb[i] = bake.film.tone.apply(pixel.radiance),
         }
-        if let Some(CoveredCentre { layers, hit }) = pixel.covered {
+        if let Some(CoveredCentre { layers, hit, to_sun }) = pixel.covered {
             self.layers.set(i, &layers);
-            self.centres.iter_mut().for_each(|centres| centres.push(MovingCentre { pixel: i as u32, hit }));
+            self.centres.iter_mut().for_each(|centres| centres.push(MovingCentre { pixel: i as u32, hit, to_sun }));
+        } else if let Some(shadow) = pixel.shadow {
+            self.layers.set_shadow(i, shadow);
         }
         self.streaks.extend(pixel.streak.map(|streak| (i as u32, streak)));
     }
 
-    /// The centres that something that moves covers; none where no flow is wanted.
+    /// Sets the shadow on what moves.
+    pub(super) fn set_shadows(&mut self, centres: &[MovingCentre], shadows: &[u8]) {
+        for (centre, &shadow) in centres.iter().zip(shadows) {
+            self.layers.set_shadow(centre.pixel as usize, shadow);
+        }
+    }
+
+    /// The centres that something that moves covers; none where no layer needs them.
     pub(super) fn take_centres(&mut self) -> Vec<MovingCentre> {
         self.centres.take().unwrap_or_default()
     }

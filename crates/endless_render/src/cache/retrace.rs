@@ -43,6 +43,9 @@ impl CameraBake {
             }
         }
         let centres = buffer.take_centres();
+        if let Some(shadows) = self.moving_shadows(still, frame, &centres) {
+            buffer.set_shadows(&centres, &shadows);
+        }
         let flow = FlowPass { bake: self, still, frame, centres: &centres };
         flow.added(buffer.develop(self, frame.frame), NeighbourFrames::default())
     }
@@ -105,7 +108,7 @@ impl CameraBake {
             let still = shaded.still(&hits.primary(&self.gbuffer, (y * self.camera.size.width + x) as usize));
             let light = self.retraced_centre(context, (x, y), &still);
             let pixel = match undisturbed(&still, still.radiance(environment), light.as_ref(), found) {
-                Some(radiance) => FramePixel { radiance, covered: None, streak: None },
+                Some(radiance) => FramePixel { radiance, covered: None, shadow: None, streak: None },
                 None => {
                     let coverage = &coverages[((y - y0) * TILE + x - x0) as usize];
                     let mirrors = mirrored(tracer, &still, rays, found, self.pixel_angle);

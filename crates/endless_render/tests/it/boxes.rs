@@ -66,7 +66,7 @@ fn settings(weather: Weather) -> RenderSettings {
     RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
         keep_irradiance: true,
-        layers: SensorLayers { normals: true, albedo: true, flow: true, flow_backward: true },
+        layers: SensorLayers::ALL,
         ..RenderSettings::new(weather, TimeOfDay::Afternoon, 3, SIZE)
     }
 }

@@ -215,6 +215,8 @@ pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -
         instance: Image::filled(size, sky),
         normals: Some(Image::filled(size, [0; 3])),
         albedo: Some(Image::filled(size, [0; 3])),
+        shadow: Some(Image::filled(size, 0)),
+        body_parts: Some(Image::filled(size, 0)),
         flow: Some(Image::filled(size, FlowPixel::STILL.encoded())),
         flow_backward: Some(Image::filled(size, FlowPixel::STILL.encoded())),
     };
@@ -237,6 +239,8 @@ pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -
                 frame.depth.data[i] = depth;
                 frame.normals.iter_mut().for_each(|image| image.data[i] = [32_768, 32_768, 0]);
                 frame.albedo.iter_mut().for_each(|image| image.data[i] = [bits[0], bits[1], 7]);
+                let person = actor.class.tag() == ClassTag::Pedestrians;
+                frame.body_parts.iter_mut().for_each(|image| image.data[i] = u8::from(person));
                 frame.instance.data[i] = InstancePixel { tag: actor.class.tag(), id: actor.id };
             }
         }
