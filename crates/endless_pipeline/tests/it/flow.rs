@@ -11,7 +11,7 @@ use std::{fs, path::Path};
 const SIZE: ImageSize = ImageSize { width: 640, height: 360 };
 const FRAMES: u32 = 5;
 
-fn draft(map: &str) -> RecipeDraft {
+fn draft(map: &str, size: ImageSize) -> RecipeDraft {
     let words = |words: &[&str]| Some(words.iter().map(|&word| word.to_owned()).collect());
     RecipeDraft {
         videos: Some(1),
@@ -20,7 +20,7 @@ fn draft(map: &str) -> RecipeDraft {
         times: words(&["afternoon"]),
         vehicles: Some(120),
         pedestrians: Some(120),
-        size: Some(SIZE.to_string()),
+        size: Some(size.to_string()),
         fps: Some(10.0),
         duration: Some(0.1 * f64::from(FRAMES)),
         layers: words(&["depth", "instance", "flow", "flow_backward"]),
@@ -30,9 +30,9 @@ fn draft(map: &str) -> RecipeDraft {
     }
 }
 
-fn make(map: &str, out: &Path, threads: usize) -> VideoLayout {
+fn make(map: &str, size: ImageSize, out: &Path, threads: usize) -> VideoLayout {
     let simulator = BuiltinSimulator::new(MapLibrary::builtin());
-    let recipe = resolve_recipe(draft(map), &simulator).expect("a recipe");
+    let recipe = resolve_recipe(draft(map, size), &simulator).expect("a recipe");
     let made = generate(&simulator, &recipe, out, &options(threads), &SilentProgress).expect("a dataset");
     DatasetLayout::new(out).video(&made.plan.scenes[0])
 }
@@ -135,7 +135,7 @@ fn flow_leads_to_the_same_objects_and_back() {
     let mut all = [Agreement::default(), Agreement::default()];
     for map in ["Town10HD", "Town03"] {
         let out = tempfile::tempdir().expect("temp");
-        let video = make(map, out.path(), 2);
+        let video = make(map, SIZE, out.path(), 2);
         assert_eq!(check(out.path()).expect("a dataset").findings, []);
         for camera in 0..2 {
             let folder = video.camera(camera).folder().to_owned();
@@ -174,9 +174,10 @@ fn images(folder: &Path) -> Vec<(String, Vec<u8>)> {
 #[test]
 fn flow_depends_on_neither_threads_nor_resuming() {
     let [one, two, resumed] = [(); 3].map(|()| tempfile::tempdir().expect("temp"));
-    let map = "Town01";
-    let [one, two] = [(one.path(), 1), (two.path(), 2)].map(|(out, threads)| make(map, out, threads));
-    let begun = make(map, resumed.path(), 2);
+    let size = ImageSize { width: 193, height: 109 };
+    let make = |out: &Path, threads| make("Town01", size, out, threads);
+    let [one, two] = [(one.path(), 1), (two.path(), 2)].map(|(out, threads)| make(out, threads));
+    let begun = make(resumed.path(), 2);
     // As if the run had ended with some frames only: the flow of those left leads to frames that are there.
     fs::remove_file(begun.scene()).expect("there");
     for camera in 0..2 {
@@ -185,7 +186,7 @@ fn flow_depends_on_neither_threads_nor_resuming() {
             fs::remove_file(path).expect("there");
         }
     }
-    make(map, resumed.path(), 2);
+    make(resumed.path(), 2);
     for camera in 0..2 {
         for layer in [Layer::Flow, Layer::FlowBackward] {
             let [first, second, third] = [&one, &two, &begun].map(|video| images(&video.camera(camera).layer(layer)));

@@ -1,6 +1,7 @@
 //! The layers of people's parts and of shadows in a town agree with the other layers and with keypoints.
 
 use crate::fake::options;
+use endless_annotate::Visibility;
 use endless_dataset::{CameraLayout, DatasetLayout, Layer, RecipeDraft, RgbFormat, check, read_objects, read_rgb};
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BuiltinSimulator, SilentProgress, generate, resolve_recipe};
@@ -79,16 +80,16 @@ fn parts_are_those_of_people_and_where_their_keypoints_are() {
                 }
                 for object in &line.objects {
                     let Some(keypoints) = &object.keypoints else { continue };
-                    for (name, [x, y, v]) in KEYPOINTS.iter().zip(keypoints.as_chunks::<3>().0) {
-                        if *v < 2.0 {
+                    for (name, keypoint) in KEYPOINTS.iter().zip(&keypoints.0) {
+                        if keypoint.visibility != Visibility::Visible {
                             continue;
                         }
                         let [low, high] = object.id.0.to_le_bytes();
                         // A joint lies under skin and cloth: at the edge of a limb, the pixel beside it is the limb's.
-                        let reach = 1 + (object.bbox[3] / 60) as i64;
+                        let reach = 1 + (object.bbox.h / 60) as i64;
                         let near = (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| (dx, dy)));
                         let found = near
-                            .map(|(dx, dy)| (f64::from(*x) as i64 + dx, f64::from(*y) as i64 + dy))
+                            .map(|(dx, dy)| (keypoint.x as i64 + dx, keypoint.y as i64 + dy))
                             .filter(|(x, y)| {
                                 (0..i64::from(SIZE.width)).contains(x) && (0..i64::from(SIZE.height)).contains(y)
                             })
