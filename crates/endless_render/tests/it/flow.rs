@@ -5,6 +5,7 @@ use endless_render::{
     RenderSettings, StaticScene,
 };
 use endless_scene::{Material, MeshBuilder, Surface};
+use endless_world::math::UnfusedMatrix;
 use endless_world::{
     CameraLook, CameraSite, ClassTag, Distortion, FlowPixel, FlowTarget, Image, ImageSize, InstanceId, Mount,
     PinholeCamera, SensorFrame, SensorLayers, TimeOfDay, Weather,
@@ -121,7 +122,7 @@ fn a_block_flows_as_it_moves_and_turns() {
         let bake = CameraBake::bake(&still, &settings(k1), &site());
         let beside = NeighbourFrames { before: Some(&past), after: Some(&future) };
         let now = bake.render_between(&still, &present, beside);
-        let moved = |to: Affine3A| to * places()[1].inverse();
+        let moved = |to: Affine3A| to * places()[1].inverse_unfused();
         for (flow, then, moved) in
             [(&now.flow, &future, moved(places()[2])), (&now.flow_backward, &past, moved(places()[0]))]
         {
