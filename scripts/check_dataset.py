@@ -253,8 +253,8 @@ def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays:
 
 
 def check_joints(line: dict, ids: np.ndarray, parts: np.ndarray, joints: list[bool]) -> None:
-    """Adds whether each elbow and wrist that is seen has one of its two parts beside it."""
-    for o in line["objects"]:
+    """Adds whether each elbow and wrist that is seen has one of its two parts beside it; people of a few pixels have no arms."""
+    for o in (o for o in line["objects"] if o["bbox"][3] >= 30):
         for (x, y, v), own in zip(np.array(o.get("keypoints", [])).reshape(-1, 3)[7:11], JOINTS):
             if v == 2:
                 reach = 1 + o["bbox"][3] // 60

@@ -41,10 +41,10 @@ class Agreement:
         counts[1] += agree.size
 
     def check(self) -> None:
-        """Fewer than one in a thousand may be astray at the edges of objects, where a point lies between pixels."""
+        """Some may be astray at the edges of objects, where a point is seen between pixels: more of them in small pictures."""
         for what, (agree, count) in self.agreeing.items():
             print(f"flow: {agree} of {count} pixels {what}")
-            assert agree >= 0.999 * count - 5, f"flow: {count - agree} of {count} pixels do not {what}"
+            assert agree >= 0.998 * count - 5, f"flow: {count - agree} of {count} pixels do not {what}"
 
 
 def compare(agreement: Agreement, path: pathlib.Path, path_back: pathlib.Path | None, now: np.ndarray, then) -> None:

@@ -45,10 +45,11 @@ def check_camera(camera: pathlib.Path, recipe: dict) -> list[float]:
         if "normals" in recipe["layers"] and "instance" in recipe["layers"]:
             stored = read_png16(camera / "normals" / name)
             to_sun = np.array(record["world_from_camera"])[:3, :3].T @ np.array(sun["direction"])
-            away = (2.0 * stored / 65535 - 1) @ to_sun < -0.01
+            away = (2.0 * stored / 65535 - 1) @ to_sun < -0.1
             away &= stored.any(axis=2) & (tags != VEGETATION)
-            # Of a pixel on one smooth piece all samples tell the shadow, at edges the centre does.
-            assert (shadow[away] == SHADED).mean() > 0.999 if away.any() else True, f"{path}: light from behind"
+            # All samples of a pixel tell its shadow where it lies on one smooth piece, which may bend between triangles.
+            assert (shadow[away] != SHADED).sum() <= 0.01 * away.sum() + 3, f"{path}: light from behind"
+            assert shadow[away].all(), f"{path}: full light from behind"
         if "rgb" in recipe["layers"] and recipe["rgb_format"] == "png":
             light = brightness(camera / "rgb" / name)
             dark, lit = light[(tags == ROADS) & (shadow == SHADED)], light[(tags == ROADS) & (shadow == 0)]
