@@ -2,7 +2,8 @@
 
 use endless_city::ActorModels;
 use endless_render::FrameScene;
-use endless_world::WorldState;
+use endless_traffic::Simulation;
+use endless_world::{SensorLayers, WorldState};
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// A world state, and the scene that is made of it when it is first needed.
@@ -32,5 +33,42 @@ impl SceneInstant {
         }
         let made = Arc::new(models.frame_scene(&self.state));
         Arc::clone(known().get_or_insert(made))
+    }
+}
+
+/// Gives one instant after the other, and ticks ahead where a frame needs to know the next.
+pub(super) struct InstantSource {
+    simulation: Simulation,
+    begun: bool,
+    /// The one that was given out last, where frames need those beside them.
+    last: Option<Arc<SceneInstant>>,
+    /// The one that follows it, if the simulation is ahead.
+    ahead: Option<Arc<SceneInstant>>,
+}
+
+impl InstantSource {
+    pub(super) fn new(simulation: Simulation) -> Self {
+        Self { simulation, begun: false, last: None, ahead: None }
+    }
+
+    /// The next instant and those beside it, as far as these layers ask for them. The last frame of a video of so many has
+    /// none after it, although the simulation could go on.
+    pub(super) fn next(&mut self, wanted: SensorLayers, frames: u32) -> (Arc<SceneInstant>, NeighbourInstants) {
+        let instant = self.ahead.take().unwrap_or_else(|| self.advance());
+        if !wanted.needs_neighbours() {
+            return (instant, NeighbourInstants::default());
+        }
+        let before = self.last.replace(Arc::clone(&instant)).filter(|_| wanted.flow_backward);
+        let goes_on = wanted.flow && instant.state.frame + 1 < frames;
+        self.ahead = goes_on.then(|| self.advance());
+        (instant, NeighbourInstants { before, after: self.ahead.clone() })
+    }
+
+    fn advance(&mut self) -> Arc<SceneInstant> {
+        if self.begun {
+            self.simulation.tick();
+        }
+        self.begun = true;
+        Arc::new(SceneInstant::new(self.simulation.state()))
     }
 }

@@ -3,7 +3,7 @@
 use super::{
     actors,
     bodies::Skeletons,
-    instant::{NeighbourInstants, SceneInstant},
+    instant::{InstantSource, NeighbourInstants, SceneInstant},
     map::BuiltinMap,
     road_facts::road_facts,
     scene_frame::scene_frame,
@@ -26,12 +26,7 @@ use std::{
 
 /// Ticks the traffic; what shows it is shared with the render tasks.
 pub(super) struct BuiltinSession<'m> {
-    simulation: Simulation,
-    begun: bool,
-    /// The instant of the frame that was given out last, where frames need those beside them.
-    last: Option<Arc<SceneInstant>>,
-    /// The one that follows it, if the simulation is ahead.
-    next: Option<Arc<SceneInstant>>,
+    instants: InstantSource,
     scene: Arc<BuiltinScene<'m>>,
 }
 
@@ -102,29 +97,7 @@ impl<'m> BuiltinSession<'m> {
             models: OnceLock::new(),
             cameras: OnceLock::new(),
         };
-        Ok(Self { simulation, begun: false, last: None, next: None, scene: Arc::new(scene) })
-    }
-
-    /// The next instant of the simulation.
-    fn advance(&mut self) -> Arc<SceneInstant> {
-        if self.begun {
-            self.simulation.tick();
-        }
-        self.begun = true;
-        Arc::new(SceneInstant::new(self.simulation.state()))
-    }
-
-    /// The instants beside that of a frame to come, which are then known to it: the last frame of a video has none after
-    /// it, although the simulation could go on.
-    fn neighbours(&mut self, instant: &Arc<SceneInstant>) -> NeighbourInstants {
-        let BuiltinScene { wanted, settings, .. } = *self.scene;
-        if !wanted.needs_neighbours() {
-            return NeighbourInstants::default();
-        }
-        let before = self.last.replace(Arc::clone(instant)).filter(|_| wanted.flow_backward);
-        let goes_on = wanted.flow && instant.state.frame + 1 < settings.frames;
-        self.next = goes_on.then(|| self.advance());
-        NeighbourInstants { before, after: self.next.clone() }
+        Ok(Self { instants: InstantSource::new(simulation), scene: Arc::new(scene) })
     }
 }
 
@@ -178,8 +151,8 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError> {
-        let instant = self.next.take().unwrap_or_else(|| self.advance());
-        let neighbours = self.neighbours(&instant);
+        let BuiltinScene { wanted, settings, .. } = *self.scene;
+        let (instant, neighbours) = self.instants.next(wanted, settings.frames);
         let state = instant.state.clone();
         Ok(SimulationStep {
             state,
