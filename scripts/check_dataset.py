@@ -7,13 +7,16 @@ where it is installed).
 Recomputes every box from the instance images, decodes depth, projects 3D boxes by `camera.json`, decodes amodal masks,
 checks counts, sizes and alignment, and compares the other layers with these: normals with the gradient of depth. What
 belongs to the scene is checked in check_scene.py: maps are projected again, signals must count down to their changes.
+Flow is followed to the next frame and back in check_flow.py.
 """
 
 import json
 import pathlib
 import sys
 
+import check_flow
 import check_scene
+import check_shadow
 import numpy as np
 from PIL import Image
 
@@ -21,7 +24,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python"
 from endless_dataset import read_png16  # noqa: E402
 
 FAR_PLANE_M = 1000.0
-SKY = 11
+SKY, PEDESTRIANS, RIDER = 11, 12, 13
+# Numbers of body parts: above and below elbows and wrists, left and right in turn, as COCO's keypoints 7 to 10.
+JOINTS = ((10, 12), (11, 13), (12, 3), (13, 2))
+CARRIED = 15
 # Fields of a 3D box that differ from camera to camera.
 CAMERA_S_OWN = ("center_in_camera", "rotation_in_camera", "corners")
 
@@ -246,8 +252,20 @@ def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays:
     return np.degrees(np.arctan2(sine, (gradient * normal).sum(axis=1)))
 
 
-def check_layers(camera: pathlib.Path, recipe: dict, frame: int, known: dict, rays: np.ndarray) -> list[np.ndarray]:
-    """What semantic, panoptic, normals and albedo say of a frame; angles of normals to the gradient of depth."""
+def check_joints(line: dict, ids: np.ndarray, parts: np.ndarray, joints: list[bool]) -> None:
+    """Adds whether each elbow and wrist that is seen has one of its two parts beside it; people of a few pixels have no arms."""
+    for o in (o for o in line["objects"] if o["bbox"][3] >= 30):
+        for (x, y, v), own in zip(np.array(o.get("keypoints", [])).reshape(-1, 3)[7:11], JOINTS):
+            if v == 2:
+                reach = 1 + o["bbox"][3] // 60
+                there = (slice(max(int(y) - reach, 0), int(y) + reach + 1), slice(max(int(x) - reach, 0), int(x) + reach + 1))
+                joints.append(bool(np.isin(parts[there][ids[there] == o["id"]], own).any()))
+
+
+def check_layers(
+    camera: pathlib.Path, recipe: dict, frame: int, known: dict, rays: np.ndarray, joints: list[bool]
+) -> list[np.ndarray]:
+    """What the other layers say of a frame; angles of normals to the gradient of depth."""
     tags, ids, depth = known["tags"], known["ids"], known["depth"]
     size = (tags.shape[1], tags.shape[0])
     name, where = f"{frame:06}.png", f"{camera}: frame {frame}"
@@ -260,6 +278,11 @@ def check_layers(camera: pathlib.Path, recipe: dict, frame: int, known: dict, ra
     if "albedo" in recipe["layers"]:
         albedo = load(camera / "albedo" / name, size)
         assert not albedo[tags == SKY].any(), f"{where}: albedo of the sky"
+    if "body_parts" in recipe["layers"]:
+        parts = load(camera / "body_parts" / name, size)
+        assert parts.max() <= CARRIED and not parts[..., 1:].any(), f"{where}: body parts"
+        assert ((parts[..., 0] > 0) == ((tags == PEDESTRIANS) | (tags == RIDER))).all(), f"{where}: parts of nobody"
+        check_joints(known["line"], ids, parts[..., 0], joints)
     if "normals" in recipe["layers"] and depth is not None:
         return [check_normals(read_png16(camera / "normals" / name), depth, tags, rays, where)]
     return []
@@ -273,7 +296,7 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
     lines = [json.loads(line) for line in (camera / "objects.jsonl").read_text().splitlines()]
     assert [line["frame"] for line in lines] == list(range(frames)), f"{camera}: lines of objects.jsonl"
     compared = 0
-    rays, angles = rays_of(record), []
+    rays, angles, joints = rays_of(record), [], []
     for layer in recipe["layers"]:
         extension = recipe["rgb_format"] if layer == "rgb" else "png"
         names = sorted(p.name for p in (camera / layer).iterdir())
@@ -300,7 +323,8 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
             assert (depth[tags == SKY] == FAR_PLANE_M).all(), f"{camera}: sky nearer than the far plane, frame {frame}"
             assert (depth[ids > 0] < FAR_PLANE_M).all(), f"{camera}: object on the far plane, frame {frame}"
             assert (depth > 0).all(), f"{camera}: zero depth, frame {frame}"
-        angles += check_layers(camera, recipe, frame, {"tags": tags, "ids": ids, "depth": depth}, rays)
+        angles += check_layers(camera, recipe, frame, {"tags": tags, "ids": ids, "depth": depth, "line": line}, rays, joints)
+    assert np.sum(np.array(joints) == 0) <= 0.05 * len(joints) + 3, f"{camera}: joints away from their parts"
     if angles:
         angles = np.concatenate(angles)
         within = (angles < 0.5).mean() if len(angles) else 1.0
@@ -371,6 +395,7 @@ def main() -> None:
     tag_of_class = {c["name"]: c["tag"] for c in dataset["labels"]["classes"]}
     assert len(dataset["videos"]) == recipe["videos"], "number of videos"
     compared, described, places = 0, 0, 0
+    flow, darker = check_flow.Agreement(), []
     looks: dict[str, list] = {}
     for video in dataset["videos"]:
         assert video["state"] == "complete", f"{video['name']} is not complete"
@@ -387,6 +412,8 @@ def main() -> None:
             if "instance" in recipe["layers"]:
                 assert boxes == video["boxes"][number], f"{folder / camera}: number of boxes"
             compared += boxes
+            check_flow.check_camera(flow, folder / camera, recipe, frames)
+            darker += check_shadow.check_camera(folder / camera, recipe)
             for line in (folder / camera / "objects.jsonl").read_text().splitlines():
                 line = json.loads(line)
                 for o in line["objects"]:
@@ -401,6 +428,8 @@ def main() -> None:
         for actor in json.loads((folder / "actors.json").read_text()) if "actors" in scene else []:
             look = {key: actor[key] for key in ("class", "person", "vehicle") if key in actor}
             looks.setdefault(actor.get("reid", f"{folder} {actor['id']}"), []).append(look)
+    flow.check()
+    check_shadow.check(darker)
     print(f"{described} objects of {looks_agree(looks)} looks")
     check_with_coco(out, dataset["labels"], recipe)
     print(f"all is well: {len(dataset['videos'])} videos, {compared} boxes recomputed, {places} places of maps projected")

@@ -13,6 +13,8 @@ import tempfile
 import time
 
 ARGUMENTS = ["--videos", "2", "--size", "161x91", "--fps", "10", "--duration", "30", "--seed", "3", "--min-pixels", "10"]
+# Flow asks for the frames beside those that are missing.
+ARGUMENTS += ["--layers", "rgb,depth,instance,flow,flow_backward"]
 
 
 def files(root):

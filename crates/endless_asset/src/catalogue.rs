@@ -9,9 +9,10 @@ use crate::{Anatomy, ImportedAsset, ImportedStaticModel, PersonModel, Prop, Vehi
 use endless_scene::{Material, Mesh};
 use endless_world::walking::PedestrianSpec;
 use endless_world::{
-    AssetRef, Outfit, PersonAttributes, PersonRef, Reid, Stream, VehicleAttributes, VehicleModelId, VehicleRef,
-    VehicleSpec, choose_vehicle,
+    AssetRef, BodyPart, Outfit, PersonAttributes, PersonRef, Reid, Stream, VehicleAttributes, VehicleModelId,
+    VehicleRef, VehicleSpec, choose_vehicle,
 };
+use std::sync::Arc;
 
 /// Everything that can be placed in a scene. Building it is deterministic and takes a few milliseconds; meshes are made
 /// when they are first asked for.
@@ -155,6 +156,11 @@ impl Catalogue {
     /// The rider of a two-wheeler, seated, in the vehicle's object frame; `None` for other models.
     pub fn rider(&self, vehicle: VehicleRef) -> Option<Mesh> {
         self.vehicle(vehicle.model)?.rider(vehicle.variant)
+    }
+
+    /// The same with the part of the body that each triangle shows.
+    pub fn rider_body(&self, vehicle: VehicleRef) -> Option<(Mesh, Arc<[BodyPart]>)> {
+        self.vehicle(vehicle.model)?.rider_body(vehicle.variant)
     }
 
     /// A plant or a piece of furniture. Few distinct variants exist of each ([`Self::prop_variants`]), so that towns

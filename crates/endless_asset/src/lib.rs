@@ -42,6 +42,6 @@ pub use import::{
     AssetEntry, AssetManifest, ForwardAxis, ImportError, ImportedAsset, ImportedStaticModel, LampPlaces,
     ReadExternalFile, RiderEntry,
 };
-pub use person::{Anatomy, BodyPart, BodyPose, Bone, PersonModel, PersonTraits, Stance};
+pub use person::{Anatomy, BodyPose, Bone, PersonModel, PersonTraits, Stance};
 pub use prop::Prop;
 pub use vehicle::{Trailer, VehicleDesignSummary, VehicleModel, Wheel};

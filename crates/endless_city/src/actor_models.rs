@@ -116,6 +116,7 @@ impl ActorModels {
 
 /// Who rides a vehicle.
 fn rider(catalogue: &Catalogue, vehicle: VehicleRef) -> Option<Geometry> {
-    let rider = Geometry::rigid(catalogue.rider(vehicle)?);
+    let (mesh, parts) = catalogue.rider_body(vehicle)?;
+    let rider = Geometry::rigid(mesh).with_body_parts(parts);
     Some(rider.with_ambient_occlusion(Vec3::new(-0.5, -0.4, 0.0), Vec3::new(0.5, 0.4, 1.8)))
 }

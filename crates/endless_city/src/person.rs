@@ -36,8 +36,9 @@ impl PersonGeometry {
         let model = Arc::new(model);
         let stride = WalkerMotion { speed_mps: 1.3, gait: Gait::Walk, ..WalkerMotion::default() };
         let (low, high) = (Vec3::new(-0.25, -0.3, 0.0), Vec3::new(0.25, 0.3, model.height_m));
-        let mesh =
-            DeformableMesh::new(Arc::clone(&model.rest)).with_ambient_occlusion(&posed(&model, &stride), low, high);
+        let mesh = DeformableMesh::new(Arc::clone(&model.rest))
+            .with_body_parts(Arc::clone(&model.parts))
+            .with_ambient_occlusion(&posed(&model, &stride), low, high);
         Self { model, mesh }
     }
 

@@ -94,6 +94,20 @@ pub(crate) fn instance_from_panoptic(encoded: &Image<[u8; 3]>) -> Result<Image<I
     Ok(Image { size: encoded.size, data: encoded.data.iter().map(decode).collect::<Result<_, u8>>()? })
 }
 
+/// R = G = B.
+pub(crate) fn rgb_from_grey(grey: &Image<u8>) -> Image<[u8; 3]> {
+    Image { size: grey.size, data: grey.data.iter().map(|&value| [value; 3]).collect() }
+}
+
+/// Whether an image is grey.
+///
+/// # Errors
+/// How many pixels are not.
+pub(crate) fn check_grey(image: &Image<[u8; 3]>) -> Result<(), String> {
+    let colored = image.data.iter().filter(|[r, g, b]| r != g || g != b).count();
+    if colored == 0 { Ok(()) } else { Err(format!("has {colored} pixels that are not grey")) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

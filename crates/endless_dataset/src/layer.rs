@@ -3,10 +3,12 @@
 
 use crate::{
     RgbFormat, StoredImage,
+    body_parts::{body_parts_preview, parts_from_rgb, rgb_from_parts},
     encoding::{
-        depth_from_rgb, instance_from_panoptic, instance_from_rgb, panoptic_from_instance, rgb_from_depth,
-        rgb_from_instance, semantic_from_instance, tags_from_semantic,
+        check_grey, depth_from_rgb, instance_from_panoptic, instance_from_rgb, panoptic_from_instance, rgb_from_depth,
+        rgb_from_grey, rgb_from_instance, semantic_from_instance, tags_from_semantic,
     },
+    flow::{check_flow, flow_preview},
     normals::check_normals,
     preview::{depth_preview, instance_preview, normals_preview, semantic_preview},
 };
@@ -34,6 +36,14 @@ pub enum Layer {
     Normals,
     /// Colours of surfaces without light.
     Albedo,
+    /// Where the sun is hidden.
+    Shadow,
+    /// Parts of people's bodies, DensePose's.
+    BodyParts,
+    /// Optical flow to the next frame, KITTI's encoding.
+    Flow,
+    /// Optical flow to the frame before.
+    FlowBackward,
 }
 
 /// A picture for people, or what is wrong with the image that it should show.
@@ -81,12 +91,23 @@ impl Layer {
             Self::Panoptic => &PANOPTIC,
             Self::Normals => &NORMALS,
             Self::Albedo => &ALBEDO,
+            Self::Shadow => &SHADOW,
+            Self::BodyParts => &BODY_PARTS,
+            Self::Flow => &FLOW,
+            Self::FlowBackward => &FLOW_BACKWARD,
         }
     }
 
     /// What a simulator must be asked for to store these layers.
     pub fn wanted(layers: &[Self]) -> SensorLayers {
-        SensorLayers { normals: layers.contains(&Self::Normals), albedo: layers.contains(&Self::Albedo) }
+        SensorLayers {
+            normals: layers.contains(&Self::Normals),
+            albedo: layers.contains(&Self::Albedo),
+            shadow: layers.contains(&Self::Shadow),
+            body_parts: layers.contains(&Self::BodyParts),
+            flow: layers.contains(&Self::Flow),
+            flow_backward: layers.contains(&Self::FlowBackward),
+        }
     }
 
     /// The format of its files.
@@ -165,49 +186,46 @@ const ALBEDO: LayerEntry = LayerEntry {
     bytes_a_pixel: |_format, _look| 1.6,
 };
 
+const SHADOW: LayerEntry = LayerEntry {
+    summary: "R = G = B: share of the sun's disc that is hidden there, 0 in the light, 255 in the shadow; 0 for the sky and where no \
+              sun shines (docs/layers/shadow.md)",
+    lossy: false,
+    encode: |frame| Some(rgb_from_grey(frame.shadow.as_ref()?).into()),
+    preview: |stored| Ok(Cow::Borrowed(stored.rgb8()?)),
+    check: |stored| check_grey(stored.rgb8()?),
+    bytes_a_pixel: |_format, _look| 0.2,
+};
+
+const BODY_PARTS: LayerEntry = LayerEntry {
+    summary: "R = part of the body of people and riders, 1 to 14 as DensePose numbers them, 15 what they carry; G = B = 0; 0 \
+              everywhere else (docs/layers/body_parts.md)",
+    lossy: false,
+    encode: |frame| Some(rgb_from_parts(frame.body_parts.as_ref()?).into()),
+    preview: |stored| Ok(Cow::Owned(body_parts_preview(stored.rgb8()?)?)),
+    check: |stored| parts_from_rgb(stored.rgb8()?).map(drop),
+    bytes_a_pixel: |_format, _look| 0.05,
+};
+
+const FLOW: LayerEntry = LayerEntry {
+    summary: "16 bits a channel, KITTI's encoding: the point of pixel (x, y) is at x + (R − 2¹⁵) / 64, y + (G − 2¹⁵) / 64 in the \
+              next frame; B = 1 visible there, 2 hidden, 3 outside, 0 unknown (docs/layers/flow.md)",
+    lossy: false,
+    encode: |frame| Some(frame.flow.as_ref()?.into()),
+    preview: |stored| Ok(Cow::Owned(flow_preview(stored.rgb16()?)?)),
+    check: |stored| check_flow(stored.rgb16()?),
+    bytes_a_pixel: |_format, _look| 0.2,
+};
+
+const FLOW_BACKWARD: LayerEntry = LayerEntry {
+    summary: "the same to the frame before (docs/layers/flow.md)",
+    encode: |frame| Some(frame.flow_backward.as_ref()?.into()),
+    ..FLOW
+};
+
 /// The error of an image that has this value as a class tag.
 fn no_tag(value: u8) -> String {
     format!("has the tag {value}: they end at 28")
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::LastPng;
-    use endless_world::{ClassTag, Image, ImageSize, InstanceId, InstancePixel};
-
-    /// Whatever is stored passes its own check and can be shown.
-    #[test]
-    fn every_layer_stores_what_it_accepts() {
-        let size = ImageSize { width: 3, height: 2 };
-        let frame = SensorFrame {
-            frame: 0,
-            rgb: Image::filled(size, [1, 2, 3]),
-            depth: Image::filled(size, 12.5),
-            instance: Image::filled(size, InstancePixel { tag: ClassTag::Car, id: InstanceId(700) }),
-            normals: Some(Image::filled(size, [32_768, 32_768, 0])),
-            albedo: Some(Image::filled(size, [9, 8, 7])),
-        };
-        for layer in Layer::ALL {
-            let entry = layer.entry();
-            let stored = (entry.encode)(&frame).expect("made");
-            assert_eq!((entry.check)(&stored), Ok(()), "{layer}");
-            assert_eq!((entry.preview)(&stored).expect("shown").size, size, "{layer}");
-            let last = LastPng::default();
-            let bytes = (RgbFormat::Png.entry().encode)(&stored, &last).expect("a PNG");
-            assert_eq!((RgbFormat::Png.entry().decode)(&bytes), Ok(stored), "{layer}");
-            let bytes = (entry.bytes_a_pixel)(RgbFormat::Png, CameraLookChoice::Natural);
-            assert!((0.01..=3.1).contains(&bytes), "{layer}: {bytes}");
-            assert_eq!(entry.lossy, layer.format(RgbFormat::Jpg) == RgbFormat::Jpg, "{layer}");
-        }
-        for (layer, pixel) in
-            [(Layer::Instance, [29u8, 0, 0]), (Layer::Semantic, [29, 0, 0]), (Layer::Panoptic, [0, 0, 29])]
-        {
-            let no_tag = Image::filled(size, pixel).into();
-            assert!((layer.entry().check)(&no_tag).is_err_and(|reason| reason.contains("29")));
-            assert!((layer.entry().preview)(&no_tag).is_err());
-        }
-        let with_id = Image::filled(size, [1u8, 2, 0]).into();
-        assert!((Layer::Semantic.entry().check)(&with_id).is_err_and(|reason| reason.contains("green")));
-    }
-}
+mod tests;

@@ -24,12 +24,14 @@
 mod actor_schema;
 mod actors;
 mod atomic;
+mod body_parts;
 mod build_identity;
 mod camera_record;
 mod check;
 mod durable;
 mod encoding;
 mod error;
+mod flow;
 mod json_lines;
 mod labels;
 mod layer;

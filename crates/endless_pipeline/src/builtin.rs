@@ -6,6 +6,7 @@ mod bake_key;
 mod bodies;
 mod helped_once;
 mod hits_folder;
+mod instant;
 mod kept_hits;
 mod key_bakes;
 mod map;

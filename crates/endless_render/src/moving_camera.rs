@@ -30,7 +30,8 @@ pub enum IndirectLight {
 
 /// Renders a scene for a camera that moves, one ray a pixel: direct light with hard shadows, indirect light, fog, and the
 /// open sky in mirrors. Faster than a [`CameraBake`](crate::CameraBake) for one frame and slower for many; lights of
-/// vehicles are seen, but light nothing, and what lens and recorder do is left out.
+/// vehicles are seen, but light nothing, and what lens and recorder do is left out. Its frames have neither flow nor the layer
+/// of shadows.
 pub struct MovingCamera {
     settings: RenderSettings,
     lighting: Lighting,
@@ -63,10 +64,11 @@ impl MovingCamera {
     pub fn render(&self, still: &StaticScene, frame: &FrameScene, site: &CameraSite) -> SensorFrame {
         let camera = self.settings.camera(site);
         let size = camera.size;
+        let wanted = SensorLayers { shadow: false, ..self.settings.layers };
         let TracedImage { radiance, layers: pixels } =
-            TracedImage::trace(&self.lighting.tracer(still, Some(frame)), &camera, self.settings.layers);
+            TracedImage::trace(&self.lighting.tracer(still, Some(frame)), &camera, wanted);
         let rgb = radiance.par_iter().map(|&r| self.tone.apply(r)).collect();
-        let mut layers = LayerImages::with_capacity(self.settings.layers, size.pixels());
+        let mut layers = LayerImages::with_capacity(wanted, size.pixels());
         pixels.iter().for_each(|pixel| layers.push(pixel));
         layers.into_sensor_frame(frame.frame, size, rgb)
     }

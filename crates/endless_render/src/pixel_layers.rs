@@ -1,12 +1,13 @@
-//! All layers but RGB, from the hit of the ray through each pixel's centre. A new layer is a field of both types here.
+//! The layers that follow from the hit of the ray through each pixel's centre alone. A new one is a field of both types here.
 
 use crate::accel::Ray;
 use crate::camera_rays::planar_depth;
-use crate::film::{mix_rgb, srgb};
+use crate::film::{mix_rgb, mix_values, srgb};
 use crate::material::Bsdf;
 use crate::scene::SurfaceInteraction;
 use endless_world::{
-    ClassTag, FAR_PLANE_M, Image, ImageSize, InstanceId, InstancePixel, PinholeCamera, SensorFrame, SensorLayers,
+    BodyPart, ClassTag, FAR_PLANE_M, Image, ImageSize, InstanceId, InstancePixel, PinholeCamera, SensorFrame,
+    SensorLayers,
 };
 use glam::Vec3A;
 
@@ -25,6 +26,8 @@ pub(crate) struct PixelLayers {
     seen: SeenPixel,
     normal: [u16; 3],
     albedo: [u8; 3],
+    shadow: u8,
+    body_part: u8,
 }
 
 impl PixelLayers {
@@ -33,6 +36,8 @@ impl PixelLayers {
         seen: SeenPixel { depth: FAR_PLANE_M, instance: InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF } },
         normal: [0; 3],
         albedo: [0; 3],
+        shadow: 0,
+        body_part: 0,
     };
 
     /// The point where the ray met a surface, whose BSDF is asked for if it is needed.
@@ -50,8 +55,20 @@ impl PixelLayers {
             },
             normal: if wanted.normals { encoded_normal(camera, point.geometric_normal) } else { [0; 3] },
             albedo: if wanted.albedo { encoded_albedo(&bsdf()) } else { [0; 3] },
+            shadow: 0,
+            body_part: if wanted.body_parts { body_part(point) } else { 0 },
         }
     }
+
+    /// The same in the shadow.
+    pub(crate) fn with_shadow(self, shadow: u8) -> Self {
+        Self { shadow, ..self }
+    }
+}
+
+/// 0 for what is nobody's.
+fn body_part(point: &SurfaceInteraction<'_>) -> u8 {
+    point.instance.geometry.body_part(point.triangle).map_or(0, BodyPart::value)
 }
 
 /// Camera frame, 65,535 for 1, 0 for −1.
@@ -77,6 +94,8 @@ pub(crate) struct LayerImages {
     instance: Vec<InstancePixel>,
     normals: Option<Vec<[u16; 3]>>,
     albedo: Option<Vec<[u8; 3]>>,
+    shadow: Option<Vec<u8>>,
+    body_parts: Option<Vec<u8>>,
 }
 
 impl LayerImages {
@@ -87,6 +106,8 @@ impl LayerImages {
             instance: Vec::with_capacity(pixels),
             normals: wanted.normals.then(|| Vec::with_capacity(pixels)),
             albedo: wanted.albedo.then(|| Vec::with_capacity(pixels)),
+            shadow: wanted.shadow.then(|| Vec::with_capacity(pixels)),
+            body_parts: wanted.body_parts.then(|| Vec::with_capacity(pixels)),
         }
     }
 
@@ -96,6 +117,8 @@ impl LayerImages {
         self.instance.push(pixel.seen.instance);
         self.normals.iter_mut().for_each(|normals| normals.push(pixel.normal));
         self.albedo.iter_mut().for_each(|albedo| albedo.push(pixel.albedo));
+        self.shadow.iter_mut().for_each(|shadow| shadow.push(pixel.shadow));
+        self.body_parts.iter_mut().for_each(|parts| parts.push(pixel.body_part));
     }
 
     /// The picture of these rows.
@@ -106,6 +129,8 @@ impl LayerImages {
             images.instance.extend(row.instance);
             images.normals.iter_mut().for_each(|normals| normals.extend(row.normals.iter().flatten()));
             images.albedo.iter_mut().for_each(|albedo| albedo.extend(row.albedo.iter().flatten()));
+            images.shadow.iter_mut().for_each(|shadow| shadow.extend(row.shadow.iter().flatten()));
+            images.body_parts.iter_mut().for_each(|parts| parts.extend(row.body_parts.iter().flatten()));
         }
         images
     }
@@ -125,12 +150,26 @@ impl LayerImages {
         if let Some(albedo) = &mut self.albedo {
             albedo[pixel] = layers.albedo;
         }
+        if let Some(parts) = &mut self.body_parts {
+            parts[pixel] = layers.body_part;
+        }
+        self.set_shadow(pixel, layers.shadow);
+    }
+
+    /// Sets the shadow of one pixel, if it is wanted.
+    pub(crate) fn set_shadow(&mut self, pixel: usize, value: u8) {
+        if let Some(shadow) = &mut self.shadow {
+            shadow[pixel] = value;
+        }
     }
 
     /// The same instant in a light that is this share of the way to another: only the light differs.
     pub(crate) fn mixed(mut self, other: Self, share: f32) -> Self {
         if let (Some(albedo), Some(next)) = (&mut self.albedo, &other.albedo) {
             mix_rgb(albedo, next, share);
+        }
+        if let (Some(shadow), Some(next)) = (&mut self.shadow, &other.shadow) {
+            mix_values(shadow, next, share);
         }
         self
     }
@@ -140,7 +179,7 @@ impl LayerImages {
         &self.depth
     }
 
-    /// With the picture that they belong to.
+    /// With the picture that they belong to, without flow.
     pub(crate) fn into_sensor_frame(self, frame: u32, size: ImageSize, rgb: Vec<[u8; 3]>) -> SensorFrame {
         SensorFrame {
             frame,
@@ -149,6 +188,10 @@ impl LayerImages {
             instance: Image { size, data: self.instance },
             normals: self.normals.map(|data| Image { size, data }),
             albedo: self.albedo.map(|data| Image { size, data }),
+            shadow: self.shadow.map(|data| Image { size, data }),
+            body_parts: self.body_parts.map(|data| Image { size, data }),
+            flow: None,
+            flow_backward: None,
         }
     }
 }

@@ -42,6 +42,25 @@ pub struct SensorLayers {
     pub normals: bool,
     /// [`SensorFrame::albedo`].
     pub albedo: bool,
+    /// [`SensorFrame::shadow`].
+    pub shadow: bool,
+    /// [`SensorFrame::body_parts`].
+    pub body_parts: bool,
+    /// [`SensorFrame::flow`].
+    pub flow: bool,
+    /// [`SensorFrame::flow_backward`].
+    pub flow_backward: bool,
+}
+
+impl SensorLayers {
+    /// Everything.
+    pub const ALL: Self =
+        Self { normals: true, albedo: true, shadow: true, body_parts: true, flow: true, flow_backward: true };
+
+    /// Whether a frame must know those beside it.
+    pub fn needs_neighbours(&self) -> bool {
+        self.flow || self.flow_backward
+    }
 }
 
 /// All layers of one camera at one simulation frame.
@@ -61,4 +80,13 @@ pub struct SensorFrame {
     /// Share of white light that the surface at the pixel's centre gives back, without the light that falls on it: sRGB, 8
     /// bit; the sky is black.
     pub albedo: Option<Image<[u8; 3]>>,
+    /// Share of the sun's disc that the surface at the pixel's centre does not see, 255 for all of it: because something
+    /// is in the way, or because it faces away. 0 for the sky, and everywhere where no sun shines.
+    pub shadow: Option<Image<u8>>,
+    /// The [`BodyPart`](crate::BodyPart) of people and riders that the pixel's centre shows, 0 for everything else.
+    pub body_parts: Option<Image<u8>>,
+    /// Optical flow to the next frame of the video, as [`FlowPixel`](crate::FlowPixel) encodes it.
+    pub flow: Option<Image<[u16; 3]>>,
+    /// Optical flow to the frame before, encoded alike.
+    pub flow_backward: Option<Image<[u16; 3]>>,
 }

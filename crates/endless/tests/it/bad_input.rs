@@ -46,7 +46,7 @@ fn what_was_asked_cannot_be() {
             "generate out --maps Town01,",
             "generate out --weathers snowy",
             "generate out --times noon",
-            "generate out --layers rgb,flow",
+            "generate out --layers rgb,lidar",
             "generate out --mp4 depth --layers rgb",
             "generate out --rgb-format webp",
             "generate out --videos 0",

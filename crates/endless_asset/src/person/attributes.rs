@@ -78,8 +78,9 @@ fn carries(appearance: &Appearance) -> Option<ColoredPiece> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::person::PersonModel;
     use crate::person::appearance::Carried;
-    use crate::person::{BodyPart, PersonModel};
+    use endless_world::BodyPart;
     use endless_world::{ColorName, Outfit, PersonRef, srgb_from_linear};
     use rayon::prelude::*;
     use std::collections::{BTreeMap, BTreeSet};
@@ -88,7 +89,7 @@ mod tests {
     fn drawn(person: &PersonModel) -> BTreeMap<[u8; 3], BTreeSet<BodyPart>> {
         let mut colors: BTreeMap<[u8; 3], BTreeSet<BodyPart>> = BTreeMap::new();
         let mesh = &person.rest;
-        for (&material, &part) in mesh.triangle_materials.iter().zip(&person.parts) {
+        for (&material, &part) in mesh.triangle_materials.iter().zip(&*person.parts) {
             let rgb = srgb_from_linear(mesh.materials[usize::from(material)].base_color);
             colors.entry(rgb).or_default().insert(part);
         }

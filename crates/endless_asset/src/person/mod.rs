@@ -31,14 +31,14 @@ mod word;
 
 use endless_scene::Mesh;
 use endless_world::walking::PedestrianSpec;
-use endless_world::{BodyKeypoints, Outfit, PersonAttributes, PersonRef, Reid, WalkerMotion};
+use endless_world::{BodyKeypoints, BodyPart, Outfit, PersonAttributes, PersonRef, Reid, WalkerMotion};
 use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
 pub use anatomy::Anatomy;
 pub(crate) use appearance::Appearance;
-pub use part::{BodyPart, PersonTraits};
-pub(crate) use rider::{rider, rider_attributes, rider_keypoints, rider_reid, rider_skin_tone};
+pub use part::PersonTraits;
+pub(crate) use rider::{rider_attributes, rider_body, rider_keypoints, rider_reid, rider_skin_tone};
 pub(crate) use seeded::skin_tone;
 use skeleton::BONES;
 pub use skeleton::Bone;
@@ -57,7 +57,7 @@ pub struct PersonModel {
     /// Who they are and what they wear.
     pub traits: PersonTraits,
     /// Which part of the body each triangle of the mesh shows.
-    pub parts: Vec<BodyPart>,
+    pub parts: Arc<[BodyPart]>,
     anatomy: Anatomy,
     /// Distinct mixtures of bones, and which one each vertex follows.
     blends: Vec<Blend>,
@@ -114,7 +114,7 @@ impl PersonModel {
         let leader = |i: u32| skin.blends[usize::from(skin.vertex_blend[i as usize])].leader();
         // A triangle shows the part that two of its corners follow.
         let part = |t: &[u32; 3]| {
-            let [a, b, c] = t.map(|i| BodyPart::of(leader(i)));
+            let [a, b, c] = t.map(|i| leader(i).part());
             if b == c { b } else { a }
         };
         Self {

@@ -3,64 +3,28 @@
 use super::appearance::Appearance;
 use super::head::Head;
 use super::skeleton::{Bone, Side, Skeleton};
-use endless_world::{FOOT_KEYPOINT_COUNT, KEYPOINT_COUNT};
+use endless_world::{BodyPart, FOOT_KEYPOINT_COUNT, KEYPOINT_COUNT};
 use glam::Vec3;
 
-/// A part of the body, as annotations name it; clothes belong to what they cover.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[repr(u8)]
-pub enum BodyPart {
-    /// Head and neck, hair and hats.
-    Head = 1,
-    /// Chest, belly, hips.
-    Torso = 2,
-    /// Left upper arm.
-    LeftUpperArm = 3,
-    /// Left forearm.
-    LeftForearm = 4,
-    /// Left hand.
-    LeftHand = 5,
-    /// Right upper arm.
-    RightUpperArm = 6,
-    /// Right forearm.
-    RightForearm = 7,
-    /// Right hand.
-    RightHand = 8,
-    /// Left thigh.
-    LeftThigh = 9,
-    /// Left shin.
-    LeftShin = 10,
-    /// Left foot.
-    LeftFoot = 11,
-    /// Right thigh.
-    RightThigh = 12,
-    /// Right shin.
-    RightShin = 13,
-    /// Right foot.
-    RightFoot = 14,
-    /// Something carried, pushed, led or sat in.
-    Carried = 15,
-}
-
-impl BodyPart {
-    /// The part that a bone moves.
-    pub const fn of(bone: Bone) -> Self {
-        match bone {
-            Bone::Pelvis | Bone::Spine | Bone::Chest => Self::Torso,
-            Bone::Neck | Bone::Head => Self::Head,
-            Bone::UpperArmL => Self::LeftUpperArm,
-            Bone::ForearmL => Self::LeftForearm,
-            Bone::HandL => Self::LeftHand,
-            Bone::UpperArmR => Self::RightUpperArm,
-            Bone::ForearmR => Self::RightForearm,
-            Bone::HandR => Self::RightHand,
-            Bone::ThighL => Self::LeftThigh,
-            Bone::ShinL => Self::LeftShin,
-            Bone::FootL | Bone::ToesL => Self::LeftFoot,
-            Bone::ThighR => Self::RightThigh,
-            Bone::ShinR => Self::RightShin,
-            Bone::FootR | Bone::ToesR => Self::RightFoot,
-            Bone::Carried | Bone::CarriedFront | Bone::CarriedRear => Self::Carried,
+impl Bone {
+    /// The part of the body that it moves.
+    pub const fn part(self) -> BodyPart {
+        match self {
+            Self::Pelvis | Self::Spine | Self::Chest => BodyPart::Torso,
+            Self::Neck | Self::Head => BodyPart::Head,
+            Self::UpperArmL => BodyPart::LeftUpperArm,
+            Self::ForearmL => BodyPart::LeftForearm,
+            Self::HandL => BodyPart::LeftHand,
+            Self::UpperArmR => BodyPart::RightUpperArm,
+            Self::ForearmR => BodyPart::RightForearm,
+            Self::HandR => BodyPart::RightHand,
+            Self::ThighL => BodyPart::LeftThigh,
+            Self::ShinL => BodyPart::LeftShin,
+            Self::FootL | Self::ToesL => BodyPart::LeftFoot,
+            Self::ThighR => BodyPart::RightThigh,
+            Self::ShinR => BodyPart::RightShin,
+            Self::FootR | Self::ToesR => BodyPart::RightFoot,
+            Self::Carried | Self::CarriedFront | Self::CarriedRear => BodyPart::Carried,
         }
     }
 }

@@ -6,12 +6,12 @@ use super::skeleton::{BONES, Bone, Side};
 use super::{Anatomy, PersonModel, attributes};
 use crate::vehicle::RiderFit;
 use endless_scene::Mesh;
-use endless_world::{BodyKeypoints, ClassTag, PersonAttributes, Reid, Stream, fnv1a};
+use endless_world::{BodyKeypoints, BodyPart, ClassTag, PersonAttributes, Reid, Stream, fnv1a};
 use glam::{Affine3A, Quat, Vec3};
 use std::sync::Arc;
 
-/// A person seated on a two-wheeler, in the vehicle's object frame.
-pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
+/// A person seated on a two-wheeler, in the vehicle's object frame, and the part of the body that each triangle shows.
+pub(crate) fn rider_body(fit: &RiderFit, variant: u64) -> (Mesh, Arc<[BodyPart]>) {
     let appearance = appearance(fit, variant);
     let person = PersonModel::with_appearance(variant, &appearance);
     let pose = person.skinned(&seated(fit, &appearance, person.anatomy()));
@@ -20,7 +20,7 @@ pub(crate) fn rider(fit: &RiderFit, variant: u64) -> Mesh {
         material.tag = ClassTag::Rider;
     }
     mend_normals(&mut mesh);
-    mesh
+    (mesh, person.parts)
 }
 
 /// Where cloth is squeezed between hip and thigh, normals that only turned with the bones may look inwards: those are

@@ -26,7 +26,7 @@ fn person(variant: u64) -> PersonModel {
 /// Lowest point of the shoes, left and right.
 fn soles(person: &PersonModel, pose: &BodyPose) -> [f32; 2] {
     let mut low = [f32::INFINITY; 2];
-    for (t, part) in person.rest.triangles.iter().zip(&person.parts) {
+    for (t, part) in person.rest.triangles.iter().zip(&*person.parts) {
         let side = match part {
             BodyPart::LeftFoot => 0,
             BodyPart::RightFoot => 1,
@@ -190,7 +190,7 @@ fn meshes_are_as_tall_as_people() {
             .rest
             .triangles
             .iter()
-            .zip(&person.parts)
+            .zip(&*person.parts)
             .filter(|(_, part)| **part != BodyPart::Carried)
             .flat_map(|(t, _)| t.map(|i| person.rest.positions[i as usize].z))
             .fold(0.0, f32::max);
@@ -355,7 +355,7 @@ fn joints_do_not_tear() {
         let person = person(variant);
         let pose = person.pose(&motion(&person, Gait::Run, 0.7));
         let led = person.traits.carries;
-        for (t, part) in person.rest.triangles.iter().zip(&person.parts) {
+        for (t, part) in person.rest.triangles.iter().zip(&*person.parts) {
             // Leads stretch from hand to dog.
             if led == "dog" && matches!(part, BodyPart::Carried | BodyPart::LeftHand) {
                 continue;

@@ -7,7 +7,7 @@ use super::rider_fit::RiderFit;
 use super::tint::{self, PaintShare};
 use super::wheel::Wheel;
 use endless_scene::Mesh;
-use endless_world::{BodyKeypoints, ObjectClass, PersonAttributes, Reid, TrailerSpec, VehicleSpec};
+use endless_world::{BodyKeypoints, BodyPart, ObjectClass, PersonAttributes, Reid, TrailerSpec, VehicleSpec};
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
 
@@ -120,7 +120,12 @@ impl VehicleModel {
 
     /// The rider of a two-wheeler, in place, in the vehicle's object frame; `None` for other vehicles.
     pub fn rider(&self, variant: u64) -> Option<Mesh> {
-        Some(crate::person::rider(self.fit()?, variant))
+        Some(self.rider_body(variant)?.0)
+    }
+
+    /// The same with the part of the body that each triangle shows.
+    pub fn rider_body(&self, variant: u64) -> Option<(Mesh, Arc<[BodyPart]>)> {
+        Some(crate::person::rider_body(self.fit()?, variant))
     }
 
     /// The keypoints of that rider, in the vehicle's object frame.

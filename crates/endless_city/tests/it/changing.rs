@@ -1,7 +1,7 @@
 //! Videos in which weather or time changes: as exact as others, and without jumps.
 
 use crate::exactness::{BLURRED, LoadedTown, SIZE, differing, load, town03};
-use endless_render::{CameraBake, Gathering, RenderSettings};
+use endless_render::{CameraBake, Gathering, NeighbourFrames, RenderSettings};
 use endless_world::{
     ConditionChange, SceneSettings, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, Weather, WeatherTimeline,
     WorldState,
@@ -36,7 +36,7 @@ fn settings(weather: SceneWeather) -> RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
         look: BLURRED,
         keep_irradiance: true,
-        layers: SensorLayers { albedo: true, ..SensorLayers::default() },
+        layers: SensorLayers::ALL,
         ..RenderSettings::new(Weather::ClearSky, TimeOfDay::Afternoon, 3, SIZE)
     }
 }
@@ -47,11 +47,11 @@ fn check(loaded: &LoadedTown, camera: usize, timeline: &WeatherTimeline, key: u3
     let [before, after] = [key, key + 1].map(|key| CameraBake::bake(still, &settings(timeline.at_key(key)), site));
     let (models, state) = loaded.staged(site, camera as u64, true);
     let frame = models.frame_scene(&state);
-    let cached = before.render_changing(&after, 0.4, still, &frame);
-    assert_eq!(differing(&cached, &before.render_changing_uncached(&after, 0.4, still, &frame)), 0);
+    let cached = before.render_changing((&after, 0.4), still, &frame, NeighbourFrames::default());
+    assert_eq!(differing(&cached, &before.render_changing_uncached((&after, 0.4), still, &frame)), 0);
     let [first, last] = [&before, &after].map(|bake| bake.render(still, &frame));
     assert!(differing(&cached, &first) > 1000 && differing(&cached, &last) > 1000, "nothing changes");
-    assert_eq!(differing(&before.render_changing(&after, 0.0, still, &frame), &first), 0);
+    assert_eq!(differing(&before.render_changing((&after, 0.0), still, &frame, NeighbourFrames::default()), &first), 0);
     assert_eq!((cached.depth, cached.instance), (last.depth, last.instance));
 }
 

@@ -5,10 +5,10 @@ use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::Town;
 use endless_world::{
-    Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, ImageSize, InstanceId,
-    Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RandomisedPart, RecorderClock, SceneRandomisation,
-    SensorFrame, SensorLayers, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights, VehicleModelId,
-    VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
+    Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, Image, ImageSize,
+    InstanceId, Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RandomisedPart, RecorderClock,
+    SceneRandomisation, SensorFrame, SensorLayers, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights,
+    VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
 use glam::Vec3;
 use rayon::prelude::*;
@@ -97,11 +97,23 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
     all
 }
 
+/// In the layers that are there if wanted.
+fn differing_layers(a: &SensorFrame, b: &SensorFrame) -> usize {
+    fn count<T: PartialEq>(a: Option<&Image<T>>, b: Option<&Image<T>>) -> usize {
+        let (a, b) = (a.into_iter().flat_map(|image| &image.data), b.into_iter().flat_map(|image| &image.data));
+        a.zip(b).filter(|(p, q)| p != q).count()
+    }
+    count(a.normals.as_ref(), b.normals.as_ref())
+        + count(a.albedo.as_ref(), b.albedo.as_ref())
+        + count(a.shadow.as_ref(), b.shadow.as_ref())
+        + count(a.body_parts.as_ref(), b.body_parts.as_ref())
+}
+
 pub(crate) fn differing(a: &SensorFrame, b: &SensorFrame) -> usize {
     let rgb = a.rgb.data.iter().zip(&b.rgb.data).filter(|(p, q)| p != q).count();
     let depth = a.depth.data.iter().zip(&b.depth.data).filter(|(p, q)| p.to_bits() != q.to_bits()).count();
     let labels = a.instance.data.iter().zip(&b.instance.data).filter(|(p, q)| p != q).count();
-    rgb + depth + labels
+    rgb + depth + labels + differing_layers(a, b)
 }
 
 pub(crate) struct LoadedTown {
@@ -159,7 +171,7 @@ fn check_site(settings: &RenderSettings, loaded: &LoadedTown, site: &CameraSite,
     let settings = RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
         keep_irradiance: true,
-        layers: SensorLayers { normals: true, albedo: true },
+        layers: SensorLayers::ALL,
         ..settings.clone()
     };
     let look = settings.look;

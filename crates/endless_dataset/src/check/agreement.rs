@@ -5,11 +5,17 @@ use crate::{
     encoding::{panoptic_from_instance, semantic_from_instance},
     normals::normal_of,
 };
-use endless_world::{ClassTag, Image, InstancePixel};
+use endless_world::{ClassTag, FlowPixel, Image, InstancePixel};
+use glam::Vec2;
 use std::collections::BTreeMap;
 
 /// Makes a layer of the instance image.
 type FromInstance = fn(&Image<InstancePixel>) -> Image<[u8; 3]>;
+
+/// Whether a pixel has flow that is not zero.
+fn moves(pixel: [u16; 3]) -> bool {
+    FlowPixel::decoded(pixel).is_ok_and(|flow| flow.is_some_and(|flow| flow.flow_px != Vec2::ZERO))
+}
 
 /// The layers of a frame that contradict its instance image, and how.
 pub(super) fn disagreements<'a>(
@@ -31,7 +37,24 @@ pub(super) fn disagreements<'a>(
         let lit_sky = image.data.iter().zip(sky()).filter(|(pixel, sky)| *sky && **pixel != [0; 3]);
         (Layer::Albedo, lit_sky.count())
     });
+    let shadow = stored.get(&Layer::Shadow).and_then(|image| image.rgb8().ok()).map(|image| {
+        let dark_sky = image.data.iter().zip(sky()).filter(|(pixel, sky)| *sky && **pixel != [0; 3]);
+        (Layer::Shadow, dark_sky.count())
+    });
+    let parts = stored.get(&Layer::BodyParts).and_then(|image| image.rgb8().ok()).map(|image| {
+        let people = [ClassTag::Pedestrians, ClassTag::Rider];
+        let people = instance.data.iter().map(move |seen| people.contains(&seen.tag));
+        (Layer::BodyParts, image.data.iter().zip(people).filter(|(pixel, person)| (pixel[0] != 0) != *person).count())
+    });
+    let flow = [Layer::Flow, Layer::FlowBackward].into_iter().filter_map(move |layer| {
+        let image = stored.get(&layer)?.rgb16().ok()?;
+        let moving = image.data.iter().zip(&instance.data).filter(|(pixel, seen)| seen.id.0 == 0 && moves(**pixel));
+        Some((layer, moving.count()))
+    });
     unlike
+        .chain(parts)
+        .chain(flow)
+        .chain(shadow)
         .chain(normals)
         .chain(albedo)
         .filter(|(_, count)| *count > 0)

@@ -10,7 +10,7 @@
 use super::{bake_cache::BakeRequest, helped_once::HelpedOnce, map::BuiltinMap, scene_variant::scene_variant};
 use crate::RenderStats;
 use endless_asset::Catalogue;
-use endless_render::{CameraBake, FrameScene, IndirectHits, StaticScene};
+use endless_render::{CameraBake, FrameScene, IndirectHits, NeighbourFrames, StaticScene};
 use endless_world::{SceneSettings, SceneWeather, SensorFrame, SensorLayers, WeatherTimeline};
 use std::{
     sync::{
@@ -131,13 +131,18 @@ pub(super) struct FrameBakes<'m> {
 
 impl FrameBakes<'_> {
     /// What each camera sees.
-    pub(super) fn render(&self, still: &StaticScene, frame: &FrameScene) -> Vec<SensorFrame> {
+    pub(super) fn render(
+        &self,
+        still: &StaticScene,
+        frame: &FrameScene,
+        beside: NeighbourFrames<'_>,
+    ) -> Vec<SensorFrame> {
         let before = self.before.cameras().iter();
         match &self.after {
-            None => before.map(|camera| camera.render(still, frame)).collect(),
+            None => before.map(|camera| camera.render_between(still, frame, beside)).collect(),
             Some((after, share)) => {
                 let pairs = before.zip(after.cameras());
-                pairs.map(|(camera, next)| camera.render_changing(next, *share, still, frame)).collect()
+                pairs.map(|(camera, next)| camera.render_changing((next, *share), still, frame, beside)).collect()
             }
         }
     }

@@ -3,6 +3,7 @@
 use super::{
     actors,
     bodies::Skeletons,
+    instant::{InstantSource, NeighbourInstants, SceneInstant},
     key_bakes::{FrameBakes, KeyBakes, SceneBakes},
     map::BuiltinMap,
     repainted::repainted,
@@ -15,7 +16,7 @@ use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, 
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_render::FrameScene;
+use endless_render::NeighbourFrames;
 use endless_traffic::{DrivingCondition, Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use std::{
@@ -25,8 +26,7 @@ use std::{
 
 /// Ticks the traffic; what shows it is shared with the render tasks.
 pub(super) struct BuiltinSession<'m> {
-    simulation: Simulation,
-    begun: bool,
+    instants: InstantSource,
     bakes: KeyBakes<'m>,
     scene: Arc<BuiltinScene<'m>>,
 }
@@ -36,6 +36,7 @@ struct BuiltinScene<'m> {
     map: &'m BuiltinMap,
     catalogue: &'m Catalogue,
     settings: &'m SceneSettings,
+    wanted: SensorLayers,
     bakes: Arc<SceneBakes<'m>>,
     spawned: SpawnCounts,
     parked: Vec<Actor>,
@@ -81,6 +82,7 @@ impl<'m> BuiltinSession<'m> {
             map,
             catalogue,
             settings,
+            wanted,
             bakes: Arc::clone(&bakes),
             spawned,
             skin_tones: skin_tones(catalogue, &moving),
@@ -90,7 +92,8 @@ impl<'m> BuiltinSession<'m> {
             moving,
             models: OnceLock::new(),
         };
-        Ok(Self { simulation, begun: false, bakes: KeyBakes::new(bakes), scene: Arc::new(scene) })
+        let instants = InstantSource::new(simulation);
+        Ok(Self { instants, bakes: KeyBakes::new(bakes), scene: Arc::new(scene) })
     }
 }
 
@@ -107,11 +110,6 @@ impl BuiltinScene<'_> {
     /// The models of what moves, made when they are first needed.
     fn models(&self) -> &ActorModels {
         self.models.get_or_init(|| ActorModels::in_town(&self.map.town_scene, self.catalogue, &self.moving))
-    }
-
-    /// What moves at the instant that a frame is of.
-    fn frame_scene<'f>(&self, frame: &'f SharedFrame, state: &WorldState) -> &'f Arc<FrameScene> {
-        frame.get_or_init(|| Arc::new(self.models().frame_scene(state)))
     }
 }
 
@@ -132,15 +130,12 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError> {
-        if self.begun {
-            self.simulation.tick();
-        }
-        self.begun = true;
-        let state = self.simulation.state();
-        // From this frame to the next.
-        self.simulation.set_condition(DrivingCondition::from(&*self.scene.bakes.weather(state.frame + 1)));
+        let BuiltinScene { settings, wanted, bakes, .. } = &*self.scene;
+        let condition = |frame| DrivingCondition::from(&*bakes.weather(frame));
+        let (instant, neighbours) = self.instants.next(*wanted, settings.frames, condition);
+        let state = instant.state.clone();
         let bakes = self.bakes.at(state.frame);
-        let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), bakes, frame: Arc::default() });
+        let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), bakes, instant, neighbours });
         Ok(SimulationStep { state, task })
     }
 
@@ -157,20 +152,18 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
 struct BuiltinRenderTask<'m> {
     scene: Arc<BuiltinScene<'m>>,
     bakes: FrameBakes<'m>,
-    frame: SharedFrame,
+    instant: Arc<SceneInstant>,
+    neighbours: NeighbourInstants,
 }
-
-/// What moves at one instant, made when it is first needed: by the renderer, or by labels of a picture that is there.
-type SharedFrame = Arc<OnceLock<Arc<FrameScene>>>;
 
 impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
     fn truth(&self, state: &WorldState) -> SceneTruth<'m> {
         let BuiltinScene { parked, skin_tones, skeletons, .. } = &*self.scene;
-        let (scene, frame) = (Arc::clone(&self.scene), Arc::clone(&self.frame));
+        let (scene, instant) = (Arc::clone(&self.scene), Arc::clone(&self.instant));
         SceneTruth {
             objects: SceneObjects::new(state, parked).with_skin_tones(skin_tones),
             bodies: skeletons.bodies(state),
-            shapes: Some(Box::new(SceneShapes { scene, frame, state: state.clone(), moving: OnceLock::new() })),
+            shapes: Some(Box::new(SceneShapes { scene, instant, moving: OnceLock::new() })),
         }
     }
 
@@ -179,25 +172,28 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
         Some(scene_frame(&bakes.weather(state.frame), &map.town.network, parked, state))
     }
 
-    fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        Ok(self.bakes.render(self.scene.bakes.still(), self.scene.frame_scene(&self.frame, state)))
+    fn render(self: Box<Self>, _state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
+        let Self { scene, bakes, instant, neighbours } = &*self;
+        let scene_of = |instant: &Arc<SceneInstant>| instant.scene(scene.models());
+        // The latest first: a task that began a little earlier is making those before it.
+        let after = neighbours.after.as_ref().map(scene_of);
+        let before = neighbours.before.as_ref().map(scene_of);
+        let beside = NeighbourFrames { before: before.as_deref(), after: after.as_deref() };
+        Ok(bakes.render(scene.bakes.still(), &scene_of(instant), beside))
     }
 }
 
 /// The shapes of all objects of a scene at one instant.
 struct SceneShapes<'m> {
     scene: Arc<BuiltinScene<'m>>,
-    frame: SharedFrame,
-    state: WorldState,
+    instant: Arc<SceneInstant>,
     moving: OnceLock<MovingShapes>,
 }
 
 impl SceneShapes<'_> {
     fn moving(&self) -> &MovingShapes {
-        self.moving.get_or_init(|| {
-            let frame = self.scene.frame_scene(&self.frame, &self.state);
-            MovingShapes::new(&self.state.actors, Arc::clone(frame))
-        })
+        self.moving
+            .get_or_init(|| MovingShapes::new(&self.instant.state.actors, self.instant.scene(self.scene.models())))
     }
 }
 

@@ -64,7 +64,8 @@ impl BakePass<'_> {
             for pixel in 0..count {
                 let samples = std::array::from_fn(|sample| shaded[8 * sample + pixel]);
                 row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples));
-                layers.push(&eight.layers(pixel));
+                let seen = eight.layers(pixel);
+                layers.push(&seen.with_shadow(self.still_shadow(&primary.pixel(first + pixel))));
             }
             if night {
                 for (x, bsdf) in (first..).zip(eight.bsdfs()).take(count) {

@@ -12,10 +12,21 @@ use endless_scene::Surface;
 use glam::{Vec2, Vec3A};
 use std::ops::Range;
 
+/// What moves and covers a pixel's centre.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CoveredCentre {
+    /// What it shows.
+    pub(super) layers: PixelLayers,
+    /// Where the ray met it.
+    pub(super) hit: Hit,
+    /// From there to the sun, if shadows are wanted and it does not face away.
+    pub(super) to_sun: Option<Ray>,
+}
+
 /// Coverage of a pixel by moving objects.
 pub(super) struct Coverage {
     /// What covers the pixel's centre, if it does.
-    pub(super) centre: Option<PixelLayers>,
+    pub(super) centre: Option<CoveredCentre>,
     /// Number of samples that they cover.
     pub(super) samples: usize,
     /// Way of what covers it in the image while the shutter is open, pixels.
@@ -53,7 +64,8 @@ impl Coverage {
             let point = SurfaceInteraction::new(&frame.instances, ray, hit);
             if sample == 0 {
                 let bsdf = || gbuffer_bsdf(&point, &bake.lighting.environment, 0, bake.pixel_angle);
-                centre = Some(PixelLayers::new(bake.wanted, &bake.camera, ray, &point, bsdf));
+                let layers = PixelLayers::new(bake.wanted, &bake.camera, ray, &point, bsdf);
+                centre = Some(CoveredCentre { layers, hit: *hit, to_sun: bake.sun_ray(&point) });
             }
             match list[first..].iter_mut().find(|seen| tells(seen, &point)) {
                 Some(seen) => seen.stands_for += 1,

@@ -4,7 +4,9 @@ use super::affected::affected;
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
 use super::coverage::Coverage;
-use super::frame_buffer::{DevelopedFrame, FrameBuffer, FramePixel};
+use super::developed_frame::DevelopedFrame;
+use super::flow::{FlowPass, NeighbourFrames};
+use super::frame_buffer::{FrameBuffer, FramePixel};
 use super::mirror::mirrored_row;
 use super::pixel::undisturbed;
 use super::pixel_centre::{BLOCK, CentreBlock};
@@ -21,15 +23,44 @@ use glam::Vec3A;
 const BLOCK_ROWS: usize = BLOCK / TILE as usize;
 
 impl CameraBake {
-    /// What the camera sees at an instant.
+    /// What the camera sees at an instant; flow is unknown.
     pub fn render(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
-        self.developed(still, frame).recorded(self)
+        self.render_between(still, frame, NeighbourFrames::default())
     }
 
-    /// What the camera sees at an instant at which the light is a share of the way, 0 to 1, from that of this bake to that of
-    /// the `next`, of the same camera: a mixture of both pictures.
-    pub fn render_changing(&self, next: &Self, share: f32, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
-        self.developed(still, frame).mixed(next.developed(still, frame), share).recorded(self)
+    /// The same between two other instants, to which flow leads where it is wanted.
+    pub fn render_between(
+        &self,
+        still: &StaticScene,
+        frame: &FrameScene,
+        neighbours: NeighbourFrames<'_>,
+    ) -> SensorFrame {
+        self.finished(self.developed(still, frame), still, frame, neighbours)
+    }
+
+    /// The same at an instant at which the light is a share of the way, 0 to 1, from that of this bake to that of the next,
+    /// of the same camera: a mixture of both pictures.
+    pub fn render_changing(
+        &self,
+        (next, share): (&Self, f32),
+        still: &StaticScene,
+        frame: &FrameScene,
+        neighbours: NeighbourFrames<'_>,
+    ) -> SensorFrame {
+        let mixed = self.developed(still, frame).mixed(next.developed(still, frame), share);
+        self.finished(mixed, still, frame, neighbours)
+    }
+
+    /// With flow, and with what sensor and recorder do.
+    pub(super) fn finished(
+        &self,
+        developed: DevelopedFrame,
+        still: &StaticScene,
+        frame: &FrameScene,
+        neighbours: NeighbourFrames<'_>,
+    ) -> SensorFrame {
+        let (sensor, centres) = developed.recorded(self);
+        FlowPass { bake: self, still, frame, centres: &centres }.added(sensor, neighbours)
     }
 
     fn developed(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
@@ -44,7 +75,7 @@ impl CameraBake {
             }
         }
         self.stats.add(traced);
-        buffer.develop(self, frame.frame)
+        buffer.develop(self, still, frame)
     }
 
     /// Renders a tile; returns about how many rays that took.
@@ -112,7 +143,7 @@ impl CameraBake {
                 }
                 let still = row.still(i);
                 let pixel = match undisturbed(&still, self.film.radiance[index], light, found) {
-                    Some(radiance) => FramePixel { radiance, covered: None, streak: None },
+                    Some(radiance) => FramePixel { radiance, covered: None, shadow: None, streak: None },
                     None => {
                         let samples = PixelSamples { rays: &row.rays(i), still, found };
                         self.pixel(context, &samples, light, mirrors[i], &coverages[place])

@@ -1,9 +1,12 @@
 //! The buffers of a frame while it is rendered.
 
 use super::bake::CameraBake;
-use crate::film::{BlurScratch, Streak, blur, mix_rgb, with_glare};
-use crate::pixel_layers::{LayerImages, PixelLayers};
-use endless_world::SensorFrame;
+use super::coverage::CoveredCentre;
+use super::developed_frame::DevelopedFrame;
+use super::moving_centre::MovingCentre;
+use crate::film::{BlurScratch, Streak, blur, with_glare};
+use crate::pixel_layers::LayerImages;
+use crate::scene::{FrameScene, StaticScene};
 use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 
@@ -11,7 +14,9 @@ use glam::Vec3A;
 pub(super) struct FramePixel {
     pub(super) radiance: Vec3A,
     /// What moves and covers the pixel's centre.
-    pub(super) covered: Option<PixelLayers>,
+    pub(super) covered: Option<CoveredCentre>,
+    /// On what stands still there, if that may have changed.
+    pub(super) shadow: Option<u8>,
     /// Moving light that is blurred, if it moves fast enough.
     pub(super) streak: Option<Streak>,
 }
@@ -26,29 +31,8 @@ pub(super) struct FrameBuffer {
     streaks: Vec<(u32, Streak)>,
     rgb: Vec<[u8; 3]>,
     layers: LayerImages,
-}
-
-/// A picture before sensor and recorder have added theirs.
-pub(super) struct DevelopedFrame {
-    frame: u32,
-    rgb: Vec<[u8; 3]>,
-    layers: LayerImages,
-}
-
-impl DevelopedFrame {
-    /// The same instant in a light that is this share of the way to that of another picture.
-    pub(super) fn mixed(mut self, other: Self, share: f32) -> Self {
-        mix_rgb(&mut self.rgb, &other.rgb, share);
-        Self { layers: self.layers.mixed(other.layers, share), ..self }
-    }
-
-    /// What the sensor sees and the recorder keeps of it.
-    pub(super) fn recorded(mut self, bake: &CameraBake) -> SensorFrame {
-        if let Some(post) = &bake.film.post_process {
-            post.record(self.frame, &mut self.rgb);
-        }
-        self.layers.into_sensor_frame(self.frame, bake.camera.size, self.rgb)
-    }
+    /// Centres that something that moves covers, where a layer needs them.
+    centres: Option<Vec<MovingCentre>>,
 }
 
 impl FrameBuffer {
@@ -65,6 +49,7 @@ impl FrameBuffer {
                 bake.film.rgb.clone()
             },
             layers: bake.gbuffer.layers.clone(),
+            centres: (bake.wanted.needs_neighbours() || bake.wanted.shadow).then(Vec::new),
         }
     }
 
@@ -78,14 +63,24 @@ impl FrameBuffer {
             }
             None => self.rgb[i] = bake.film.tone.apply(pixel.radiance),
         }
-        if let Some(layers) = pixel.covered {
+        if let Some(CoveredCentre { layers, hit, to_sun }) = pixel.covered {
             self.layers.set(i, &layers);
+            self.centres.iter_mut().for_each(|centres| centres.push(MovingCentre { pixel: i as u32, hit, to_sun }));
+        } else if let Some(shadow) = pixel.shadow {
+            self.layers.set_shadow(i, shadow);
         }
         self.streaks.extend(pixel.streak.map(|streak| (i as u32, streak)));
     }
 
-    /// Blur, rain, lens, glare, tone curve.
-    pub(super) fn develop(mut self, bake: &CameraBake, frame: u32) -> DevelopedFrame {
+    /// Shadows, blur, rain, lens, glare, tone curve.
+    pub(super) fn develop(mut self, bake: &CameraBake, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
+        let centres = self.centres.take().unwrap_or_default();
+        if let Some(shadows) = bake.moving_shadows(still, frame, &centres) {
+            for (centre, shadow) in centres.iter().zip(shadows) {
+                self.layers.set_shadow(centre.pixel as usize, shadow);
+            }
+        }
+        let frame = frame.frame;
         if let Some(mut radiance) = self.radiance.take() {
             self.blur(bake, &mut radiance);
             if let Some(rain) = &bake.film.rain {
@@ -115,7 +110,7 @@ impl FrameBuffer {
             }
             bake.film.radiance_pool.give(radiance);
         }
-        DevelopedFrame { frame, rgb: self.rgb, layers: self.layers }
+        DevelopedFrame { frame, rgb: self.rgb, layers: self.layers, centres }
     }
 
     fn blur(&mut self, bake: &CameraBake, radiance: &mut [Vec3A]) {

@@ -34,7 +34,7 @@ impl CameraBake {
         if coverage.samples == SAMPLES {
             let radiance = coverage.light / SAMPLES as f32;
             let streak = self.streak(context.frame, samples, coverage, radiance);
-            return FramePixel { radiance, covered: coverage.centre, streak };
+            return FramePixel { radiance, covered: coverage.centre, shadow: None, streak };
         }
         // The samples of a uniform pixel share what their mirrors show in pairs.
         if centre.is_some() {
@@ -54,7 +54,7 @@ impl CameraBake {
         let swept = centre.map_or(Vec3A::ZERO, |light| light.swept * (uncovered as f32 / SAMPLES as f32));
         let radiance = sum / SAMPLES as f32 + swept;
         let streak = self.streak(context.frame, samples, coverage, radiance);
-        FramePixel { radiance, covered: coverage.centre, streak }
+        FramePixel { radiance, covered: coverage.centre, shadow: Some(self.shadow(&still, found)), streak }
     }
 
     /// What moves in a pixel of some radiance, if it moves far enough to blur.

@@ -2,7 +2,9 @@
 
 use super::bake::CameraBake;
 use super::centre_light::{CentreLight, centre_lights};
-use super::frame_buffer::{DevelopedFrame, FrameBuffer, FramePixel};
+use super::developed_frame::DevelopedFrame;
+use super::flow::NeighbourFrames;
+use super::frame_buffer::{FrameBuffer, FramePixel};
 use super::gbuffer::GBuffer;
 use super::gbuffer_shading::{PrimarySample, gbuffer_bsdf, shade_pixel};
 use super::mirror::mirrored;
@@ -31,7 +33,7 @@ impl CameraBake {
     /// # Panics
     /// If the bake did not keep its irradiance.
     pub fn render_uncached(&self, still: &StaticScene, frame: &FrameScene) -> SensorFrame {
-        self.retraced(still, frame).recorded(self)
+        self.finished(self.retraced(still, frame), still, frame, NeighbourFrames::default())
     }
 
     /// The same as [`Self::render_changing`] without the cache.
@@ -40,12 +42,12 @@ impl CameraBake {
     /// If a bake did not keep its irradiance.
     pub fn render_changing_uncached(
         &self,
-        next: &Self,
-        share: f32,
+        (next, share): (&Self, f32),
         still: &StaticScene,
         frame: &FrameScene,
     ) -> SensorFrame {
-        self.retraced(still, frame).mixed(next.retraced(still, frame), share).recorded(self)
+        let mixed = self.retraced(still, frame).mixed(next.retraced(still, frame), share);
+        self.finished(mixed, still, frame, NeighbourFrames::default())
     }
 
     fn retraced(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
@@ -59,7 +61,7 @@ impl CameraBake {
                 self.retrace_tile(&context, (x0, y0), &mut buffer);
             }
         }
-        buffer.develop(self, frame.frame)
+        buffer.develop(self, still, frame)
     }
 
     /// What the bake found of a pixel's visibility is traced again, but for the sun's disc and what is uniform.
@@ -120,7 +122,7 @@ impl CameraBake {
             let still = shaded.still(&hits.primary(&self.gbuffer, (y * self.camera.size.width + x) as usize));
             let light = self.retraced_centre(context, (x, y), &still);
             let pixel = match undisturbed(&still, still.radiance(environment), light.as_ref(), found) {
-                Some(radiance) => FramePixel { radiance, covered: None, streak: None },
+                Some(radiance) => FramePixel { radiance, covered: None, shadow: None, streak: None },
                 None => {
                     let coverage = &coverages[((y - y0) * TILE + x - x0) as usize];
                     let mirrors = mirrored(tracer, &still, rays, found, self.pixel_angle);

@@ -3,14 +3,17 @@
 /// Brings a picture this share of the way to another of the same size, in the values that are seen: a change goes on as
 /// evenly as its share.
 pub(crate) fn mix_rgb(picture: &mut [[u8; 3]], other: &[[u8; 3]], share: f32) {
+    mix_values(picture.as_flattened_mut(), other.as_flattened(), share);
+}
+
+/// The same of values.
+pub(crate) fn mix_values(picture: &mut [u8], other: &[u8], share: f32) {
     debug_assert_eq!(picture.len(), other.len());
     // Sixteen bits are enough to tell all shares of a change apart that eight bits of colour can show.
     let weight = (share.clamp(0.0, 1.0) * 65_536.0) as u32;
-    for (pixel, other) in picture.iter_mut().zip(other) {
-        for (value, other) in pixel.iter_mut().zip(other) {
-            let sum = u32::from(*value) * (65_536 - weight) + u32::from(*other) * weight;
-            *value = ((sum + 32_768) >> 16) as u8;
-        }
+    for (value, other) in picture.iter_mut().zip(other) {
+        let sum = u32::from(*value) * (65_536 - weight) + u32::from(*other) * weight;
+        *value = ((sum + 32_768) >> 16) as u8;
     }
 }
 

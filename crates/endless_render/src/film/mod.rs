@@ -15,7 +15,7 @@ mod tone;
 pub(crate) use exposure::{black_level, exposure};
 pub(crate) use finish::PostProcess;
 pub(crate) use glare::with_glare;
-pub(crate) use mix::mix_rgb;
+pub(crate) use mix::{mix_rgb, mix_values};
 pub(crate) use motion_blur::{BlurScratch, LEAST_PX, LONGEST_PX, Streak, blur};
 pub(crate) use rain::Rain;
 pub(crate) use tone::{ToneCurve, srgb};

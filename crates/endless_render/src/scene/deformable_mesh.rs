@@ -3,6 +3,7 @@
 use super::{Geometry, deformation::Deformation, posed_mesh::PosedMesh};
 use crate::accel::GeometryUse;
 use endless_scene::Mesh;
+use endless_world::BodyPart;
 use glam::Vec3;
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -27,6 +28,12 @@ impl DeformableMesh {
         }
         let ambient_occlusion = self.deformed(typical).with_ambient_occlusion(low, high).ambient_occlusion;
         Self { rest: Geometry { ambient_occlusion, ..self.rest }, posed: Mutex::default() }
+    }
+
+    /// As somebody's body; see [`Geometry::with_body_parts`].
+    #[must_use]
+    pub fn with_body_parts(self, parts: Arc<[BodyPart]>) -> Self {
+        Self { rest: self.rest.with_body_parts(parts), ..self }
     }
 
     /// The mesh as it stands.

@@ -4,6 +4,7 @@ use super::ambient_occlusion::AmbientOcclusion;
 use super::posed_mesh::PosedMesh;
 use crate::accel::GeometryUse;
 use endless_scene::Mesh;
+use endless_world::BodyPart;
 use glam::Vec3;
 use std::sync::Arc;
 
@@ -14,6 +15,8 @@ pub struct Geometry {
     pub(crate) mesh: Arc<Mesh>,
     /// Share of the surroundings that each vertex sees past its own body; `None`: all of them.
     pub(super) ambient_occlusion: Option<Arc<AmbientOcclusion>>,
+    /// The part of somebody's body that each triangle shows.
+    pub(super) body_parts: Option<Arc<[BodyPart]>>,
     /// Vertices and tree of a deformed mesh.
     pub(crate) posed: Arc<PosedMesh>,
 }
@@ -31,7 +34,7 @@ impl Geometry {
 
     pub(super) fn for_use(mesh: Arc<Mesh>, purpose: GeometryUse) -> Self {
         let posed = Arc::new(PosedMesh::new(Arc::clone(&mesh), purpose));
-        Self { mesh, ambient_occlusion: None, posed }
+        Self { mesh, ambient_occlusion: None, body_parts: None, posed }
     }
 
     /// With ambient occlusion by itself and by the ground beneath it, traced at vertices as they are seen. `low` and
@@ -40,6 +43,17 @@ impl Geometry {
     pub fn with_ambient_occlusion(self, low: Vec3, high: Vec3) -> Self {
         let ambient_occlusion = AmbientOcclusion::new(Arc::clone(&self.posed), low, high);
         Self { ambient_occlusion: Some(Arc::new(ambient_occlusion)), ..self }
+    }
+
+    /// As somebody's body, with the part that each triangle of the mesh shows.
+    #[must_use]
+    pub fn with_body_parts(self, parts: Arc<[BodyPart]>) -> Self {
+        Self { body_parts: Some(parts), ..self }
+    }
+
+    /// The part of a body that a triangle shows, if it is one.
+    pub(crate) fn body_part(&self, triangle: u32) -> Option<BodyPart> {
+        self.body_parts.as_ref()?.get(triangle as usize).copied()
     }
 
     /// The mesh that it was made of.

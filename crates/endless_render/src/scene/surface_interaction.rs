@@ -37,6 +37,8 @@ impl ShadingPoint {
 #[derive(Debug, Clone)]
 pub(crate) struct SurfaceInteraction<'a> {
     pub(crate) instance: &'a Instance,
+    /// Of the instance's mesh.
+    pub(crate) triangle: u32,
     pub(crate) material: &'a Material,
     /// World frame.
     pub(crate) position: Vec3A,
@@ -95,6 +97,7 @@ impl<'a> SurfaceInteraction<'a> {
         };
         Self {
             instance,
+            triangle: hit.triangle,
             material: &mesh.materials[usize::from(mesh.triangle_materials[triangle])],
             position: ray.origin + ray.direction * hit.t,
             geometric_normal,

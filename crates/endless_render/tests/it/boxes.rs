@@ -67,7 +67,7 @@ fn settings(weather: Weather) -> RenderSettings {
     RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
         keep_irradiance: true,
-        layers: SensorLayers { normals: true, albedo: true },
+        layers: SensorLayers::ALL,
         ..RenderSettings::new(weather, TimeOfDay::Afternoon, 3, SIZE)
     }
 }

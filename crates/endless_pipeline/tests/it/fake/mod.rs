@@ -11,9 +11,9 @@ use endless_pipeline::{
     SimulationStep, Simulator, SimulatorError, generate, resolve_recipe,
 };
 use endless_world::{
-    Actor, Behaviour, BodyKeypoints, CameraSite, ClassTag, FAR_PLANE_M, Image, InstanceId, InstancePixel, Motion,
-    Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, SensorLayers, Stream,
-    VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
+    Actor, Behaviour, BodyKeypoints, CameraSite, ClassTag, FAR_PLANE_M, FlowPixel, Image, InstanceId, InstancePixel,
+    Motion, Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, SensorLayers,
+    Stream, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 use std::{
@@ -216,6 +216,10 @@ pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -
         instance: Image::filled(size, sky),
         normals: Some(Image::filled(size, [0; 3])),
         albedo: Some(Image::filled(size, [0; 3])),
+        shadow: Some(Image::filled(size, 0)),
+        body_parts: Some(Image::filled(size, 0)),
+        flow: Some(Image::filled(size, FlowPixel::STILL.encoded())),
+        flow_backward: Some(Image::filled(size, FlowPixel::STILL.encoded())),
     };
     for y in h / 3..h {
         for x in 0..w {
@@ -236,6 +240,8 @@ pub(crate) fn paint(settings: &SceneSettings, state: &WorldState, camera: u32) -
                 frame.depth.data[i] = depth;
                 frame.normals.iter_mut().for_each(|image| image.data[i] = [32_768, 32_768, 0]);
                 frame.albedo.iter_mut().for_each(|image| image.data[i] = [bits[0], bits[1], 7]);
+                let person = actor.class.tag() == ClassTag::Pedestrians;
+                frame.body_parts.iter_mut().for_each(|image| image.data[i] = u8::from(person));
                 frame.instance.data[i] = InstancePixel { tag: actor.class.tag(), id: actor.id };
             }
         }

@@ -1,0 +1,82 @@
+//! What moves at one instant, shared by all who need it: the renderer, labels, and the flow of the frames beside it.
+
+use endless_city::ActorModels;
+use endless_render::FrameScene;
+use endless_traffic::{DrivingCondition, Simulation};
+use endless_world::{SensorLayers, WorldState};
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// A world state, and the scene that is made of it when it is first needed.
+pub(super) struct SceneInstant {
+    pub(super) state: WorldState,
+    scene: Mutex<Option<Arc<FrameScene>>>,
+}
+
+/// The instants before and after one, as far as anybody asks for them.
+#[derive(Clone, Default)]
+pub(super) struct NeighbourInstants {
+    pub(super) before: Option<Arc<SceneInstant>>,
+    pub(super) after: Option<Arc<SceneInstant>>,
+}
+
+impl SceneInstant {
+    pub(super) fn new(state: WorldState) -> Self {
+        Self { state, scene: Mutex::default() }
+    }
+
+    /// What moves then. It is made outside the lock, by all threads: one that waited for it might be the one that must
+    /// help. So two that ask at the same time may both make it; either is right, and one is kept.
+    pub(super) fn scene(&self, models: &ActorModels) -> Arc<FrameScene> {
+        let known = || self.scene.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(scene) = &*known() {
+            return Arc::clone(scene);
+        }
+        let made = Arc::new(models.frame_scene(&self.state));
+        Arc::clone(known().get_or_insert(made))
+    }
+}
+
+/// Gives one instant after the other, and ticks ahead where a frame needs to know the next.
+pub(super) struct InstantSource {
+    simulation: Simulation,
+    begun: bool,
+    /// The one that was given out last, where frames need those beside them.
+    last: Option<Arc<SceneInstant>>,
+    /// The one that follows it, if the simulation is ahead.
+    ahead: Option<Arc<SceneInstant>>,
+}
+
+impl InstantSource {
+    pub(super) fn new(simulation: Simulation) -> Self {
+        Self { simulation, begun: false, last: None, ahead: None }
+    }
+
+    /// The next instant and those beside it, as far as these layers ask for them. The last frame of a video of so many has
+    /// none after it, although the simulation could go on. `condition` tells the weather of a frame.
+    pub(super) fn next(
+        &mut self,
+        wanted: SensorLayers,
+        frames: u32,
+        condition: impl Fn(u32) -> DrivingCondition,
+    ) -> (Arc<SceneInstant>, NeighbourInstants) {
+        let instant = self.ahead.take().unwrap_or_else(|| self.advance(&condition));
+        if !wanted.needs_neighbours() {
+            return (instant, NeighbourInstants::default());
+        }
+        let before = self.last.replace(Arc::clone(&instant)).filter(|_| wanted.flow_backward);
+        let goes_on = wanted.flow && instant.state.frame + 1 < frames;
+        self.ahead = goes_on.then(|| self.advance(&condition));
+        (instant, NeighbourInstants { before, after: self.ahead.clone() })
+    }
+
+    fn advance(&mut self, condition: impl Fn(u32) -> DrivingCondition) -> Arc<SceneInstant> {
+        if self.begun {
+            self.simulation.tick();
+        }
+        self.begun = true;
+        let state = self.simulation.state();
+        // From this frame to the next.
+        self.simulation.set_condition(condition(state.frame + 1));
+        Arc::new(SceneInstant::new(state))
+    }
+}

@@ -1,0 +1,173 @@
+//! Optical flow of a fixed camera: where the points that a frame shows are in the frame before or after it.
+//!
+//! The camera stands, so what stands still stays where it is, and only what moves can hide it. A point on what moves is the
+//! same point of the same triangle in the other instant, so the flow is exact, deforming bodies included.
+
+use super::bake::CameraBake;
+use super::moving_centre::MovingCentre;
+use super::tile::TILE;
+use super::visible_tiles::each_visible_tile;
+use crate::accel::{Hit, Ray, RayStream, lanes};
+use crate::camera_rays::directions8;
+use crate::scene::{FrameScene, Instance, StaticScene};
+use crate::shade::{SceneHit, Tracer};
+use endless_world::math::UnfusedVec3A;
+use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, SensorFrame};
+use glam::{Vec2, Vec3A};
+use std::sync::Arc;
+use wide::f32x8;
+
+/// The instants to which flow leads. What moves is in all of them, in the same order; where one is missing, flow to it is
+/// unknown.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct NeighbourFrames<'a> {
+    /// The one before.
+    pub before: Option<&'a FrameScene>,
+    /// The one after.
+    pub after: Option<&'a FrameScene>,
+}
+
+/// A frame, and what moves in it.
+pub(super) struct FlowPass<'a> {
+    pub(super) bake: &'a CameraBake,
+    pub(super) still: &'a StaticScene,
+    pub(super) frame: &'a FrameScene,
+    pub(super) centres: &'a [MovingCentre],
+}
+
+/// Rows of a tile whose rays are traced together.
+const ROWS: u32 = 4;
+/// Rays that are traced together.
+const RAYS: usize = (ROWS * TILE) as usize;
+
+impl FlowPass<'_> {
+    /// A sensor frame with the flow that is wanted.
+    pub(super) fn added(&self, sensor: SensorFrame, neighbours: NeighbourFrames<'_>) -> SensorFrame {
+        let wanted = self.bake.wanted;
+        SensorFrame {
+            flow: wanted.flow.then(|| self.flow_to(neighbours.after)),
+            flow_backward: wanted.flow_backward.then(|| self.flow_to(neighbours.before)),
+            ..sensor
+        }
+    }
+
+    fn flow_to(&self, other: Option<&FrameScene>) -> Image<[u16; 3]> {
+        let size = self.bake.camera.size;
+        let Some(other) = other else { return Image::filled(size, FlowPixel::UNKNOWN) };
+        let mut image = Image::filled(size, FlowPixel::STILL.encoded());
+        self.hide_still(other, &mut image.data);
+        let tracer = self.bake.lighting.tracer(self.still, Some(other));
+        for centres in self.centres.chunks(RAYS) {
+            self.follow(&tracer, other, centres, &mut image.data);
+        }
+        image
+    }
+
+    /// Marks what stands still, and is hidden by what moves in the other frame.
+    fn hide_still(&self, other: &FrameScene, image: &mut [[u16; 3]]) {
+        let tiles = self.bake.tiles.tiles();
+        let mut visible = vec![false; tiles.bounds.len()];
+        each_visible_tile(self.bake, other, |tile| visible[tile] = true);
+        let hidden = FlowPixel { target: FlowTarget::Hidden, ..FlowPixel::STILL }.encoded();
+        for tile in (0..visible.len() as u32).filter(|&tile| visible[tile as usize]) {
+            let (x0, y0) = (tile % tiles.columns * TILE, tile / tiles.columns * TILE);
+            let (x1, y1) = self.bake.tile_end(x0, y0);
+            for y in (y0..y1).step_by(ROWS as usize) {
+                let (rays, active) = self.centre_rays((x0, x1), (y, y1.min(y + ROWS)));
+                for lane in lanes(other.accel.occluded32(&rays, active)) {
+                    let (x, y) = (x0 + lane as u32 % TILE, y + lane as u32 / TILE);
+                    image[(y * self.bake.camera.size.width + x) as usize] = hidden;
+                }
+            }
+        }
+    }
+
+    /// Rays through the centres of pixels, up to where they meet what stands still; which of them there are, a bit each.
+    fn centre_rays(&self, (x0, x1): (u32, u32), (y0, y1): (u32, u32)) -> (RayStream<{ ROWS as usize }>, u32) {
+        let CameraBake { camera, gbuffer, .. } = self.bake;
+        let mut rays = RayStream::NONE;
+        let mut active = 0;
+        rays.origin = camera.position.to_array().map(|axis| [f32x8::splat(axis); ROWS as usize]);
+        for (row, y) in (y0..y1).enumerate() {
+            let directions = directions8(camera, x0, x1, y, 0);
+            for (axis, direction) in rays.direction.iter_mut().zip(directions) {
+                axis[row] = direction;
+            }
+            let distance = |i: usize| {
+                let x = (x0 + i as u32).min(x1 - 1);
+                // What is no nearer hides nothing.
+                gbuffer.distances[(y * camera.size.width + x) as usize][0].next_down()
+            };
+            rays.tmax[row] = f32x8::new(std::array::from_fn(distance));
+            active |= ((1u32 << (x1 - x0)) - 1) << (TILE as usize * row);
+        }
+        (rays, active)
+    }
+
+    /// The flow of points on what moves.
+    fn follow(&self, tracer: &Tracer<'_>, other: &FrameScene, centres: &[MovingCentre], image: &mut [[u16; 3]]) {
+        let mut rays = RayStream::NONE;
+        let mut active = 0;
+        let mut flows = [FlowPixel::STILL; RAYS];
+        for (lane, &MovingCentre { pixel, hit, .. }) in centres.iter().enumerate() {
+            image[pixel as usize] = FlowPixel::UNKNOWN;
+            let Some((place, ray)) = self.point_then(other, &hit) else { continue };
+            let ImageSize { width, height } = self.bake.camera.size;
+            let centre = Vec2::new((pixel % width) as f32 + 0.5, (pixel / width) as f32 + 0.5);
+            let outside = place.cmplt(Vec2::ZERO).any() || place.cmpge(Vec2::new(width as f32, height as f32)).any();
+            let target = match ray {
+                _ if outside => FlowTarget::Outside,
+                None => FlowTarget::Hidden,
+                Some(ray) => {
+                    rays.set(lane, &ray);
+                    active |= 1 << lane;
+                    FlowTarget::Visible
+                }
+            };
+            flows[lane] = FlowPixel { flow_px: place - centre, target };
+            image[pixel as usize] = flows[lane].encoded();
+        }
+        let met = tracer.closest32(&rays, active);
+        for lane in lanes(active) {
+            let MovingCentre { pixel, hit, .. } = &centres[lane];
+            // Its own triangle, whatever rounding says of the distance.
+            let itself =
+                |met: &SceneHit| met.moving && (met.hit.instance, met.hit.triangle) == (hit.instance, hit.triangle);
+            if met[lane / 8][lane % 8].as_ref().is_some_and(|met| !itself(met)) {
+                image[*pixel as usize] = FlowPixel { target: FlowTarget::Hidden, ..flows[lane] }.encoded();
+            }
+        }
+    }
+
+    /// Where the point of a hit is in the picture of the other frame, and the ray that must be free for the camera to see
+    /// it: none if it faces away. `None` if it is behind the camera, or not there.
+    fn point_then(&self, other: &FrameScene, hit: &Hit) -> Option<(Vec2, Option<Ray>)> {
+        let camera = &self.bake.camera;
+        let lens = Vec3A::from(camera.position);
+        let (now, then) = (&self.frame.instances[hit.instance as usize], other.instances.get(hit.instance as usize)?);
+        if now.id != then.id || !Arc::ptr_eq(&now.geometry.mesh, &then.geometry.mesh) {
+            return None;
+        }
+        let (seen, outwards) = point_of(now, hit);
+        let side = (lens - seen).dot(outwards);
+        let (position, outwards) = point_of(then, hit);
+        let (place, _) = camera.project(position.into())?;
+        if (lens - position).dot(outwards) * side <= 0.0 {
+            return Some((place, None));
+        }
+        // Up to a little before it: rounding may let the ray meet the triangles beside it too early.
+        let distance = position.distance(lens);
+        let tmax = distance - (5e-4 + 1e-5 * distance + 4e-7 * position.abs().max_element());
+        Some((place, Some(Ray { origin: lens, direction: (position - lens) / distance, tmax })))
+    }
+}
+
+/// The place of a hit in the world, and a normal of its triangle, of any length, on the same side at all instants.
+fn point_of(instance: &Instance, hit: &Hit) -> (Vec3A, Vec3A) {
+    let positions = instance.geometry.posed.positions();
+    let corners = instance.geometry.mesh.triangles[hit.triangle as usize];
+    let [a, b, c] = corners.map(|corner| Vec3A::from(positions[corner as usize]));
+    let point = a * (1.0 - hit.u - hit.v) + b * hit.u + c * hit.v;
+    let normal = instance.normal_matrix * (b - a).cross_unfused(c - a);
+    (instance.world_from_object.transform_point3a(point), normal)
+}
