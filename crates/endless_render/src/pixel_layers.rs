@@ -164,7 +164,7 @@ impl LayerImages {
     }
 
     /// The same instant in a light that is this share of the way to another: only the light differs.
-    pub(crate) fn mixed(mut self, other: Self, share: f32) -> Self {
+    pub(crate) fn mixed(mut self, other: &Self, share: f32) -> Self {
         if let (Some(albedo), Some(next)) = (&mut self.albedo, &other.albedo) {
             mix_rgb(albedo, next, share);
         }

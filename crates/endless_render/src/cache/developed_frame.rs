@@ -17,9 +17,9 @@ pub(super) struct DevelopedFrame {
 
 impl DevelopedFrame {
     /// The same instant in a light that is this share of the way to that of another picture.
-    pub(super) fn mixed(mut self, other: Self, share: f32) -> Self {
+    pub(super) fn mixed(mut self, other: &Self, share: f32) -> Self {
         mix_rgb(&mut self.rgb, &other.rgb, share);
-        Self { layers: self.layers.mixed(other.layers, share), ..self }
+        Self { layers: self.layers.mixed(&other.layers, share), ..self }
     }
 
     /// What the sensor sees and the recorder keeps of it, without flow; and the centres.

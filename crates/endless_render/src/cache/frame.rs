@@ -47,7 +47,7 @@ impl CameraBake {
         frame: &FrameScene,
         neighbours: NeighbourFrames<'_>,
     ) -> SensorFrame {
-        let mixed = self.developed(still, frame).mixed(next.developed(still, frame), share);
+        let mixed = self.developed(still, frame).mixed(&next.developed(still, frame), share);
         self.finished(mixed, still, frame, neighbours)
     }
 

@@ -46,7 +46,7 @@ impl CameraBake {
         still: &StaticScene,
         frame: &FrameScene,
     ) -> SensorFrame {
-        let mixed = self.retraced(still, frame).mixed(next.retraced(still, frame), share);
+        let mixed = self.retraced(still, frame).mixed(&next.retraced(still, frame), share);
         self.finished(mixed, still, frame, NeighbourFrames::default())
     }
 

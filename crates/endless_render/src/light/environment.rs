@@ -169,11 +169,12 @@ fn sun_disc(direction: Vec3A) -> [[Vec3A; SUN_SAMPLES]; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{TimeOfDay, Weather};
+    use endless_world::{ImageSize, TimeOfDay, Weather};
 
     #[test]
     fn conditions_differ_as_they_should() {
-        let light = |w, t| Environment::new(&SceneWeather::new(w, t, 5), 0.0);
+        let size = ImageSize { width: 16, height: 9 };
+        let light = |w, t| Environment::new(&RenderSettings::new(w, t, 5, size), 0.0);
         let noon = light(Weather::ClearSky, TimeOfDay::Afternoon);
         let dawn = light(Weather::ClearSky, TimeOfDay::Morning);
         let (high, low) = (noon.sun.expect("sun"), dawn.sun.expect("sun"));
