@@ -73,6 +73,12 @@ pub struct Activity {
     /// Vehicles: index of the lane in the map's road network.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lane: Option<u32>,
+    /// Vehicles: the OpenDRIVE id of the lane's road.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub road: Option<u32>,
+    /// Vehicles: the OpenDRIVE id of the lane on its road.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub road_lane: Option<i32>,
     /// Vehicles: metres along the lane's centre line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub lane_s_m: Option<f64>,

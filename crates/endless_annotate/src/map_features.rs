@@ -42,6 +42,10 @@ pub enum LaneControl {
 pub struct LaneAttributes {
     /// Unique in the map, the same for all cameras.
     pub id: u32,
+    /// The OpenDRIVE id of its road.
+    pub road: u32,
+    /// Its OpenDRIVE id on the road.
+    pub road_lane: i32,
     /// What it is for, in OpenDRIVE's words: `driving`.
     #[serde(rename = "type")]
     pub kind: String,

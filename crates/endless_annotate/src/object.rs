@@ -109,6 +109,15 @@ impl SceneObjects {
         self
     }
 
+    /// With the OpenDRIVE ids of lanes, of road and lane, given their indices.
+    #[must_use]
+    pub fn with_roads(mut self, ids: impl Fn(u32) -> Option<(u32, i32)>) -> Self {
+        for Activity { lane, road, road_lane, .. } in self.0.iter_mut().map(|object| &mut object.activity) {
+            (*road, *road_lane) = lane.and_then(&ids).unzip();
+        }
+        self
+    }
+
     pub(crate) fn find(&self, id: InstanceId) -> Option<&SceneObject> {
         self.0.binary_search_by_key(&id, |o| o.id).ok().map(|i| &self.0[i])
     }

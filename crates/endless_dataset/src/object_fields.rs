@@ -43,6 +43,8 @@ const FIELDS: &[(&str, &str)] = &[
     ("indicating", "left or right: where a vehicle's indicators show, lit at this instant or not"),
     ("turning", "left or right: which way a vehicle's lane turns on a junction"),
     ("lane", "index of a vehicle's lane in the map's road network"),
+    ("road", "OpenDRIVE id of that lane's road, in the file that endless maps export writes"),
+    ("road_lane", "OpenDRIVE id of that lane on its road"),
     ("lane_s_m", "metres along that lane's centre line"),
     ("lane_left", "index of the lane that a vehicle leaves for another"),
     ("crossing", "index of the crossing under somebody's feet"),

@@ -27,6 +27,12 @@ pub struct SceneRecord {
     /// Entries of `actors.json`; none if the simulator does not know its objects, and there is no such file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub actors: Option<u32>,
+    /// Lines of `frames.jsonl`; none if the simulator does not tell of frames, and there is no such file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub frame_lines: Option<u32>,
+    /// How many cameras have a `map.json`; none if the simulator knows no maps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub camera_maps: Option<u32>,
     /// Frames recorded by each camera.
     pub recorded_frames: u32,
     /// Annotated boxes of each camera, summed over frames.

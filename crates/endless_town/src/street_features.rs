@@ -14,6 +14,8 @@ pub struct StreetFeatures {
     pub crosswalks: Vec<PaintedCrosswalk>,
     /// Sidewalks.
     pub sidewalks: Vec<SidewalkStrip>,
+    /// Traffic keeps to the left.
+    pub left_hand: bool,
 }
 
 /// A painted line along a road.

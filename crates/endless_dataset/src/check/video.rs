@@ -55,6 +55,7 @@ pub(super) fn check_video(
     folders.extend(record.actors.map(|_| "actors.json".to_owned()));
     folders.extend(video.frames().is_file().then(|| "frames.jsonl".to_owned()));
     report.findings.extend(unexpected_files(video.folder(), &folders));
+    report.findings.extend(missing_files(&video, &record));
     report.findings.extend(check_frames(&video, &record.settings, &manifest.recipe));
     let cameras: Vec<camera::CameraCheck> = (0..count)
         .into_par_iter()
@@ -74,4 +75,12 @@ pub(super) fn check_video(
         report.merge(camera.report);
     }
     report
+}
+
+/// Files that `scene.json` says are there.
+fn missing_files(video: &VideoLayout, record: &SceneRecord) -> Vec<Finding> {
+    let frames = record.frame_lines.map(|_| video.frames());
+    let maps = (0..record.camera_maps.unwrap_or(0) as usize).map(|camera| video.camera(camera).map());
+    let missing = frames.into_iter().chain(maps).filter(|path| !path.is_file());
+    missing.map(|path| Finding::new(path, "is missing, and scene.json says that it is there")).collect()
 }

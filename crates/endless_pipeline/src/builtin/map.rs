@@ -6,6 +6,7 @@ use crate::SimulatorError;
 use endless_annotate::MapFeatures;
 use endless_asset::Catalogue;
 use endless_city::{SharedModels, TownScene};
+use endless_road::opendrive::{self, LaneName};
 use endless_town::Town;
 use endless_traffic::TrafficMap;
 use endless_world::SceneSettings;
@@ -18,6 +19,8 @@ pub struct BuiltinMap {
     pub(super) traffic: TrafficMap,
     pub(super) bakes: MapBakes,
     pub(super) features: MapFeatures,
+    /// OpenDRIVE's, by index.
+    pub(super) lane_names: Vec<LaneName>,
 }
 
 impl BuiltinMap {
@@ -32,15 +35,18 @@ impl BuiltinMap {
         cache: &Arc<BakeCache>,
         videos: &[&SceneSettings],
     ) -> Result<Self, SimulatorError> {
-        let (town_scene, traffic) = rayon::join(
+        let (town_scene, (traffic, lane_names)) = rayon::join(
             || TownScene::load_sharing(&town, catalogue, models),
-            || TrafficMap::new(town.network.clone(), &catalogue.vehicle_specs()),
+            || {
+                let traffic = TrafficMap::new(town.network.clone(), &catalogue.vehicle_specs());
+                (traffic, opendrive::lane_names(&town.network, town.streets.left_hand))
+            },
         );
         let town_scene =
             town_scene.map_err(|source| SimulatorError::LoadMap { map: town.name.clone(), source: source.into() })?;
         let bakes = MapBakes::new(cache, town_scene.static_scene(), videos);
-        let features = map_features(&town, catalogue);
-        Ok(Self { town, town_scene, traffic, bakes, features })
+        let features = map_features(&town, catalogue, &lane_names);
+        Ok(Self { town, town_scene, traffic, bakes, features, lane_names })
     }
 
     /// Number of the town's triangles as placed: those of a tree count wherever it stands.

@@ -6,6 +6,7 @@ use endless_annotate::{
     SignalAttributes, SignalFeature, SignalKind, SignalLens, StopLineAttributes, StopLineFeature,
 };
 use endless_asset::{Catalogue, Prop, SignalHead};
+use endless_road::opendrive::LaneName;
 use endless_road::{Lane, LaneId, MarkingColor, TrafficControl, Turn};
 use endless_scene::LensAspect;
 use endless_town::{PlacedObject, Placement, SidewalkStrip, Town};
@@ -17,7 +18,7 @@ use std::collections::BTreeMap;
 const SIDEWALK_PIECE_M: f64 = 20.0;
 
 /// Everything that labels tell of a town.
-pub(super) fn map_features(town: &Town, catalogue: &Catalogue) -> MapFeatures {
+pub(super) fn map_features(town: &Town, catalogue: &Catalogue, lane_names: &[LaneName]) -> MapFeatures {
     let streets = &town.streets;
     let marks = (0..).zip(&streets.marks).map(|(id, mark)| {
         let color = match mark.color {
@@ -39,7 +40,7 @@ pub(super) fn map_features(town: &Town, catalogue: &Catalogue) -> MapFeatures {
         CrosswalkFeature { attributes, outline: crosswalk.outline.clone() }
     });
     MapFeatures {
-        lanes: town.network.lanes.iter().map(lane).collect(),
+        lanes: town.network.lanes.iter().zip(lane_names).map(lane).collect(),
         marks: marks.collect(),
         stop_lines: stop_lines.collect(),
         crosswalks: crosswalks.collect(),
@@ -53,7 +54,7 @@ fn numbers(lanes: &[LaneId]) -> Vec<u32> {
     lanes.iter().map(|lane| lane.0).collect()
 }
 
-fn lane(lane: &Lane) -> LaneFeature {
+fn lane((lane, name): (&Lane, &LaneName)) -> LaneFeature {
     let (control, signal) = match lane.end_control {
         TrafficControl::Free => (LaneControl::Free, None),
         TrafficControl::Signal(signal) => (LaneControl::Signal, Some(signal)),
@@ -68,6 +69,8 @@ fn lane(lane: &Lane) -> LaneFeature {
     };
     let attributes = LaneAttributes {
         id: lane.id.0,
+        road: name.road,
+        road_lane: name.lane,
         kind: "driving".into(),
         junction: lane.junction.map(|junction| junction.0),
         turn: turn.into(),

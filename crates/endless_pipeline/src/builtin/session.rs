@@ -158,10 +158,11 @@ struct BuiltinRenderTask<'m> {
 
 impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
     fn truth(&self, state: &WorldState) -> SceneTruth<'m> {
-        let BuiltinScene { parked, skin_tones, skeletons, .. } = &*self.scene;
+        let BuiltinScene { map, parked, skin_tones, skeletons, .. } = &*self.scene;
+        let ids = |lane: u32| map.lane_names.get(lane as usize).map(|name| (name.road, name.lane));
         let (scene, instant) = (Arc::clone(&self.scene), Arc::clone(&self.instant));
         SceneTruth {
-            objects: SceneObjects::new(state, parked).with_skin_tones(skin_tones),
+            objects: SceneObjects::new(state, parked).with_skin_tones(skin_tones).with_roads(ids),
             bodies: skeletons.bodies(state),
             shapes: Some(Box::new(SceneShapes { scene, instant, moving: OnceLock::new() })),
         }

@@ -86,6 +86,8 @@ pub(crate) fn record_video<S: Simulator>(
         settings: settings.clone(),
         spawned,
         actors: actors.map(|actors| actors.len() as u32),
+        frame_lines: layout.frames().is_file().then_some(settings.frames),
+        camera_maps: simulator.map_features(map).map(|_| settings.cameras.len() as u32),
         recorded_frames: settings.frames,
         boxes,
     };

@@ -46,4 +46,9 @@ fn a_changing_video_is_resumed_to_the_same_bytes_by_any_number_of_threads() {
     for name in ["rainy", "clear_sky", "afternoon", "night"] {
         assert!(lines.contains(&format!(":\"{name}\"")), "{name}");
     }
+    for path in [video.frames(), video.camera(0).map()] {
+        fs::remove_file(&path).expect("it was there");
+        let findings = check(broken.0.path()).expect("a dataset").findings;
+        assert!(findings.iter().any(|f| f.to_string().contains("is missing")), "{}: {findings:?}", path.display());
+    }
 }

@@ -21,4 +21,4 @@ pub use document::{
 };
 pub use error::OpenDriveError;
 pub use to_map::read;
-pub use write::write;
+pub use write::{LaneName, lane_names, write};

@@ -5,6 +5,7 @@ use endless_annotate::{CameraMap, ImageArea, ImageLine, LensColor, LensView, Map
 use endless_asset::Catalogue;
 use endless_city::TownScene;
 use endless_render::{FrameDescription, FrameScene, IndirectLight, MovingCamera, RenderSettings};
+use endless_road::opendrive;
 use endless_town::Town;
 use endless_world::{CameraSite, ClassTag, ImageSize, PinholeCamera, SensorFrame, SignalAspect, TimeOfDay, Weather};
 use glam::{DVec2, DVec3};
@@ -35,7 +36,7 @@ impl LoadedTown {
         let catalogue = Catalogue::builtin();
         let town = endless_town::load(name, &catalogue).expect("a built-in town");
         let scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
-        let features = map_features(&town, &catalogue);
+        let features = map_features(&town, &catalogue, &opendrive::lane_names(&town.network, false));
         Self { town, scene, features }
     }
 

@@ -11,7 +11,7 @@ mod plan;
 mod road;
 mod sidewalk;
 
-use crate::RoadMap;
+use crate::{Lane, RoadMap, RoadNetwork};
 use element::{ElementWriter, number};
 use plan::WritePlan;
 
@@ -35,6 +35,22 @@ pub fn write(map: &RoadMap, name: &str) -> String {
     let mut text = String::from("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
     root.write(0, &mut text);
     text
+}
+
+/// A lane as an OpenDRIVE file names it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct LaneName {
+    /// Id of its road.
+    pub road: u32,
+    /// Its id on the road: below 0 on the right of the reference line, above 0 on the left.
+    pub lane: i32,
+}
+
+/// What [`write`] names the lanes of a network, by their index.
+pub fn lane_names(network: &RoadNetwork, left_hand: bool) -> Vec<LaneName> {
+    let plan = WritePlan::new(network, left_hand);
+    let name = |lane: &Lane| LaneName { road: plan.road_id(lane.id), lane: plan.lane_id(lane.id) };
+    network.lanes.iter().map(name).collect()
 }
 
 fn header(map: &RoadMap, name: &str) -> ElementWriter {

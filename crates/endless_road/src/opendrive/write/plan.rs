@@ -113,6 +113,11 @@ impl<'a> WritePlan<'a> {
         if k < reference { distance } else { -distance }
     }
 
+    /// The OpenDRIVE id of a lane's road.
+    pub(super) fn road_id(&self, lane: LaneId) -> u32 {
+        self.road_of[lane.index()] as u32 + 1
+    }
+
     /// The OpenDRIVE id of a lane.
     pub(super) fn lane_id(&self, lane: LaneId) -> i32 {
         let lanes = &self.roads[self.road_of[lane.index()]].lanes;

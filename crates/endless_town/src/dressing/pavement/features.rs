@@ -18,6 +18,7 @@ const LEVEL_M: f64 = 1.5;
 pub(crate) fn features(map: &RoadMap, laid: &[LaneSurface], pavement: &PavementIndex) -> StreetFeatures {
     let sidewalk = |strip: &LaneSurface| SidewalkStrip { left: strip.left.clone(), right: strip.right.clone() };
     StreetFeatures {
+        left_hand: map.left_hand,
         marks: marks(map),
         stop_lines: stop_lines(map),
         crosswalks: crosswalks(map, pavement),
