@@ -13,8 +13,9 @@ import tempfile
 import time
 
 ARGUMENTS = ["--videos", "2", "--size", "161x91", "--fps", "10", "--duration", "30", "--seed", "3", "--min-pixels", "10"]
-# Flow asks for the frames beside those that are missing.
-ARGUMENTS += ["--layers", "rgb,depth,instance,flow,flow_backward"]
+# Flow asks for the frames beside those that are missing, and a change for the key frames around them.
+LAYERS = "rgb,depth,instance,semantic,panoptic,normals,albedo,shadow,body_parts,flow,flow_backward"
+ARGUMENTS += ["--layers", LAYERS, "--amodal-masks", "--changing", "both"]
 
 
 def files(root):
