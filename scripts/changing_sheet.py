@@ -17,7 +17,7 @@ ROWS = [
     ("Town03", "clear_sky", "afternoon", "time", 5),
     ("Town10HD", "cloudy", "night", "time", 6),
     ("Town02", "foggy,clear_sky", "morning", "weather", 2),
-    ("Town10HD", "clear_sky,rainy", "afternoon", "weather", 3),
+    ("Town10HD", "clear_sky,rainy", "afternoon", "weather", 5),
 ]
 COLUMNS = 5
 SIZE = (320, 180)
