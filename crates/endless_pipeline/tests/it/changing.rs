@@ -15,11 +15,11 @@ fn a_changing_video_is_resumed_to_the_same_bytes_by_any_number_of_threads() {
         maps: word("Town02"),
         weathers: Some(vec!["rainy".into(), "clear_sky".into()]),
         times: word("afternoon"),
-        changing: Some("both".into()),
+        changing: Some("weather".into()),
         cameras_per_scene: Some(1),
         size: Some("96x54".into()),
         fps: Some(10.0),
-        duration: Some(2.8),
+        duration: Some(2.0),
         min_pixels: Some(4),
         ..RecipeDraft::default()
     };
@@ -43,7 +43,7 @@ fn a_changing_video_is_resumed_to_the_same_bytes_by_any_number_of_threads() {
     let report = check(whole.0.path()).expect("a dataset");
     assert!(report.findings.is_empty(), "{:?}", report.findings);
     let lines = fs::read_to_string(video.frames()).expect("lines");
-    for name in ["rainy", "clear_sky", "afternoon", "night"] {
+    for name in ["rainy", "clear_sky", "afternoon"] {
         assert!(lines.contains(&format!(":\"{name}\"")), "{name}");
     }
     for path in [video.frames(), video.camera(0).map()] {

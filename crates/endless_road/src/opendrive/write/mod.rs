@@ -46,7 +46,7 @@ pub struct LaneName {
     pub lane: i32,
 }
 
-/// What [`write`] names the lanes of a network, by their index.
+/// What [`write()`] names the lanes of a network, by their index.
 pub fn lane_names(network: &RoadNetwork, left_hand: bool) -> Vec<LaneName> {
     let plan = WritePlan::new(network, left_hand);
     let name = |lane: &Lane| LaneName { road: plan.road_id(lane.id), lane: plan.lane_id(lane.id) };
