@@ -129,12 +129,14 @@ pub fn srgb_from_linear(linear: [f32; 3]) -> [u8; 3] {
     })
 }
 
+/// Linear value of an sRGB one, both 0 to 1 (IEC 61966-2-1).
+pub(crate) fn linear_from_srgb(c: f64) -> f64 {
+    if c <= 0.040_45 { c / 12.92 } else { math::f64::pow((c + 0.055) / 1.055, 2.4) }
+}
+
 /// CIELAB under D65 of an sRGB colour (CIE 15:2004; the matrix is that of IEC 61966-2-1).
 fn lab(srgb: [u8; 3]) -> [f64; 3] {
-    let [r, g, b] = srgb.map(|c| {
-        let c = f64::from(c) / 255.0;
-        if c <= 0.040_45 { c / 12.92 } else { math::f64::pow((c + 0.055) / 1.055, 2.4) }
-    });
+    let [r, g, b] = srgb.map(|c| linear_from_srgb(f64::from(c) / 255.0));
     let [x, y, z] = [
         (0.4124 * r + 0.3576 * g + 0.1805 * b) / 0.9505,
         0.2126 * r + 0.7152 * g + 0.0722 * b,

@@ -1,5 +1,6 @@
 //! Colours of a video's own: hue, saturation and value shifted by chance.
 
+use crate::color_name::linear_from_srgb;
 use crate::{ColorName, ColoredThing, NamedColor, Stream, math};
 use std::sync::LazyLock;
 
@@ -23,12 +24,8 @@ static LINEAR: LazyLock<[f32; 256]> = LazyLock::new(|| {
 
 /// The greatest linear values that are written as each 8-bit sRGB value, by the same rounding as
 /// [`srgb_from_linear`](crate::srgb_from_linear).
-static ROUNDED_UP: LazyLock<[f32; 255]> = LazyLock::new(|| {
-    std::array::from_fn(|i| {
-        let c = (i as f64 + 0.5) / 255.0;
-        (if c <= 0.040_45 { c / 12.92 } else { math::f64::pow((c + 0.055) / 1.055, 2.4) }) as f32
-    })
-});
+static ROUNDED_UP: LazyLock<[f32; 255]> =
+    LazyLock::new(|| std::array::from_fn(|i| linear_from_srgb((i as f64 + 0.5) / 255.0) as f32));
 
 /// 8-bit sRGB of a linear colour, by table.
 fn srgb_of(linear: [f32; 3]) -> [u8; 3] {

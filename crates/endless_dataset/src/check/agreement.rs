@@ -33,13 +33,9 @@ pub(super) fn disagreements<'a>(
         let wrong = image.data.iter().zip(sky()).filter(|(pixel, sky)| normal_of(**pixel).is_none() != *sky);
         (Layer::Normals, wrong.count())
     });
-    let albedo = stored.get(&Layer::Albedo).and_then(|image| image.rgb8().ok()).map(|image| {
-        let lit_sky = image.data.iter().zip(sky()).filter(|(pixel, sky)| *sky && **pixel != [0; 3]);
-        (Layer::Albedo, lit_sky.count())
-    });
-    let shadow = stored.get(&Layer::Shadow).and_then(|image| image.rgb8().ok()).map(|image| {
-        let dark_sky = image.data.iter().zip(sky()).filter(|(pixel, sky)| *sky && **pixel != [0; 3]);
-        (Layer::Shadow, dark_sky.count())
+    let black_sky = [Layer::Albedo, Layer::Shadow].into_iter().filter_map(move |layer| {
+        let image = stored.get(&layer)?.rgb8().ok()?;
+        Some((layer, image.data.iter().zip(sky()).filter(|(pixel, sky)| *sky && **pixel != [0; 3]).count()))
     });
     let parts = stored.get(&Layer::BodyParts).and_then(|image| image.rgb8().ok()).map(|image| {
         let people = [ClassTag::Pedestrians, ClassTag::Rider];
@@ -54,9 +50,8 @@ pub(super) fn disagreements<'a>(
     unlike
         .chain(parts)
         .chain(flow)
-        .chain(shadow)
         .chain(normals)
-        .chain(albedo)
+        .chain(black_sky)
         .filter(|(_, count)| *count > 0)
         .map(|(layer, count)| (layer, format!("is not what the instance image says at {count} pixels")))
 }

@@ -9,11 +9,8 @@ pub(super) type BakeKey = [u8; 32];
 /// The key of a camera in the scene of this digest.
 pub(super) fn bake_key(scene: &BakeKey, site: &CameraSite, settings: &RenderSettings) -> BakeKey {
     let RenderSettings { size, gathering, pattern, look, .. } = settings;
-    let CameraSite { name: _, position, yaw_rad, down_tilt_rad, horizontal_fov_rad, mount: _, roll_rad } = site;
     let mut hasher = blake3::Hasher::new_keyed(scene);
-    for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad]) {
-        hasher.update(&number.to_le_bytes());
-    }
+    add_site(&mut hasher, site);
     for number in [look.distortion.k1, look.distortion.k2] {
         hasher.update(&number.to_le_bytes());
     }
@@ -33,13 +30,17 @@ pub(super) fn variant_key(scene: &BakeKey, video: &SceneSettings) -> BakeKey {
     hasher.update(&strength.to_le_bytes());
     // It stands where the cameras look.
     for camera in &video.cameras {
-        let CameraSite { position, yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad, name: _, mount: _ } =
-            &camera.site;
-        for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad]) {
-            hasher.update(&number.to_le_bytes());
-        }
+        add_site(&mut hasher, &camera.site);
     }
     *hasher.finalize().as_bytes()
+}
+
+/// Where a camera hangs and looks.
+fn add_site(hasher: &mut blake3::Hasher, site: &CameraSite) {
+    let CameraSite { name: _, position, yaw_rad, down_tilt_rad, horizontal_fov_rad, mount: _, roll_rad } = site;
+    for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad]) {
+        hasher.update(&number.to_le_bytes());
+    }
 }
 
 /// Of a scene as a build of this program traces it.

@@ -34,6 +34,9 @@ impl SceneInstant {
 /// Gives one instant after the other, and ticks ahead where a frame needs to know the next.
 pub(super) struct InstantSource {
     simulation: Simulation,
+    wanted: SensorLayers,
+    /// Of the video.
+    frames: u32,
     begun: bool,
     /// The one that was given out last, where frames need those beside them.
     last: Option<Arc<SceneInstant>>,
@@ -42,24 +45,23 @@ pub(super) struct InstantSource {
 }
 
 impl InstantSource {
-    pub(super) fn new(simulation: Simulation) -> Self {
-        Self { simulation, begun: false, last: None, ahead: None }
+    /// For these layers of a video of so many frames.
+    pub(super) fn new(simulation: Simulation, wanted: SensorLayers, frames: u32) -> Self {
+        Self { simulation, wanted, frames, begun: false, last: None, ahead: None }
     }
 
-    /// The next instant and those beside it, as far as these layers ask for them. The last frame of a video of so many has
-    /// none after it, although the simulation could go on. `condition` tells the weather of a frame.
+    /// The next instant and those beside it, as far as the layers ask for them. The last frame has none after it, although
+    /// the simulation could go on. `condition` tells the weather of a frame.
     pub(super) fn next(
         &mut self,
-        wanted: SensorLayers,
-        frames: u32,
         condition: impl Fn(u32) -> DrivingCondition,
     ) -> (Arc<SceneInstant>, NeighbourInstants) {
         let instant = self.ahead.take().unwrap_or_else(|| self.advance(&condition));
-        if !wanted.needs_neighbours() {
+        if !self.wanted.needs_neighbours() {
             return (instant, NeighbourInstants::default());
         }
-        let before = self.last.replace(Arc::clone(&instant)).filter(|_| wanted.flow_backward);
-        let goes_on = wanted.flow && instant.state.frame + 1 < frames;
+        let before = self.last.replace(Arc::clone(&instant)).filter(|_| self.wanted.flow_backward);
+        let goes_on = self.wanted.flow && instant.state.frame + 1 < self.frames;
         self.ahead = goes_on.then(|| self.advance(&condition));
         (instant, NeighbourInstants { before, after: self.ahead.clone() })
     }

@@ -36,7 +36,6 @@ struct BuiltinScene<'m> {
     map: &'m BuiltinMap,
     catalogue: &'m Catalogue,
     settings: &'m SceneSettings,
-    wanted: SensorLayers,
     bakes: Arc<SceneBakes<'m>>,
     spawned: SpawnCounts,
     parked: Vec<Actor>,
@@ -82,7 +81,6 @@ impl<'m> BuiltinSession<'m> {
             map,
             catalogue,
             settings,
-            wanted,
             bakes: Arc::clone(&bakes),
             spawned,
             skin_tones: skin_tones(catalogue, &moving),
@@ -92,7 +90,7 @@ impl<'m> BuiltinSession<'m> {
             moving,
             models: OnceLock::new(),
         };
-        let instants = InstantSource::new(simulation);
+        let instants = InstantSource::new(simulation, wanted, settings.frames);
         Ok(Self { instants, bakes: KeyBakes::new(bakes), scene: Arc::new(scene) })
     }
 }
@@ -130,9 +128,8 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError> {
-        let BuiltinScene { settings, wanted, bakes, .. } = &*self.scene;
-        let condition = |frame| DrivingCondition::from(&*bakes.weather(frame));
-        let (instant, neighbours) = self.instants.next(*wanted, settings.frames, condition);
+        let condition = |frame| DrivingCondition::from(&*self.scene.bakes.weather(frame));
+        let (instant, neighbours) = self.instants.next(condition);
         let state = instant.state.clone();
         let bakes = self.bakes.at(state.frame);
         let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), bakes, instant, neighbours });
