@@ -1,6 +1,6 @@
 //! What stays the same of each object of a video.
 
-use endless_world::{InstanceId, ObjectClass, PersonAttributes, Reid, VehicleAttributes};
+use endless_world::{InstanceId, ObjectClass, Occupants, PersonAttributes, Reid, VehicleAttributes};
 use serde::{Deserialize, Serialize};
 
 /// One object of a video, seen or not: an entry of `actors.json`.
@@ -24,6 +24,9 @@ pub struct ActorRecord {
     /// For vehicles: which one it is.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub vehicle: Option<VehicleAttributes>,
+    /// For vehicles with a cabin: who sits in it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub occupants: Option<Occupants>,
     /// For people and riders: who they are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub person: Option<PersonAttributes>,
@@ -32,6 +35,16 @@ pub struct ActorRecord {
 impl ActorRecord {
     /// An object of which nothing else is known.
     pub fn new(id: InstanceId, class: ObjectClass, parked: bool) -> Self {
-        Self { id, class, parked, reid: None, vehicle_id: None, rider_id: None, vehicle: None, person: None }
+        Self {
+            id,
+            class,
+            parked,
+            reid: None,
+            vehicle_id: None,
+            rider_id: None,
+            vehicle: None,
+            occupants: None,
+            person: None,
+        }
     }
 }

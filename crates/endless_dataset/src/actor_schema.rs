@@ -35,6 +35,8 @@ const FIELDS: &[(&str, &str)] = &[
     ("vehicle.wheels", "number of wheels, those of the trailer included"),
     ("vehicle.base_type", "CARLA's: car, van, truck, bus, motorcycle, bicycle"),
     ("vehicle.special_type", "CARLA's: emergency, taxi"),
+    ("occupants.driver", "whether somebody is seen at the wheel: of all that drive, of none that are parked"),
+    ("occupants.passengers", "how many sit on the other seats, in buses none of those who might stand"),
     ("person.identity", "the person, 16 hexadecimal digits: equal where only clothes differ"),
     ("person.age_years", "full years"),
     ("person.age_group", "child (to 12), teenager (to 17), adult (to 64), senior"),
@@ -69,8 +71,8 @@ mod tests {
     use super::*;
     use endless_annotate::ActorRecord;
     use endless_world::{
-        AgeGroup, ColorName, ColoredPiece, Hairdo, InstanceId, NamedColor, ObjectClass, PersonAttributes, Reid, Sex,
-        VehicleAttributes,
+        AgeGroup, ColorName, ColoredPiece, Hairdo, InstanceId, NamedColor, ObjectClass, Occupants, PersonAttributes,
+        Reid, Sex, VehicleAttributes,
     };
     use std::collections::BTreeSet;
 
@@ -112,6 +114,7 @@ mod tests {
             vehicle_id: Some(InstanceId(1)),
             rider_id: Some(InstanceId(2)),
             vehicle: Some(vehicle),
+            occupants: Some(Occupants { driver: true, passengers: 1 }),
             person: Some(person),
             ..ActorRecord::new(InstanceId(3), ObjectClass::Car, false)
         }
@@ -122,7 +125,7 @@ mod tests {
         let entry = serde_json::to_value(full()).expect("plain data");
         let mut names = BTreeSet::new();
         for (name, value) in entry.as_object().expect("an object") {
-            match value.as_object().filter(|_| ["vehicle", "person"].contains(&name.as_str())) {
+            match value.as_object().filter(|_| ["vehicle", "occupants", "person"].contains(&name.as_str())) {
                 Some(inner) => names.extend(inner.keys().map(|key| format!("{name}.{key}"))),
                 None => drop(names.insert(name.clone())),
             }

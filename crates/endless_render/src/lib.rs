@@ -84,6 +84,7 @@ pub use accel::{Blas, Hit, Ray, RayStream, StreamHits, Tlas};
 pub use cache::{BakeStats, CameraBake, NeighbourFrames};
 pub use indirect::IndirectHits;
 pub use light::{BeamKind, VehicleBeam};
+pub use material::occupants;
 pub use moving_camera::{IndirectLight, MovingCamera};
 pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,

@@ -163,6 +163,15 @@ pub struct VehicleAttributes {
     pub special_type: Option<Word>,
 }
 
+/// Who sits in a vehicle, behind panes that show it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+pub struct Occupants {
+    /// Whether somebody sits at the wheel.
+    pub driver: bool,
+    /// How many sit on the other seats.
+    pub passengers: u32,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -50,7 +50,9 @@ mod weather_timeline;
 
 pub use actor::{Actor, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
 pub use asset::{AssetRef, Outfit, PersonRef, VehicleModelId, VehicleRef};
-pub use attributes::{AgeGroup, ColoredPiece, Hairdo, NamedColor, PersonAttributes, Sex, VehicleAttributes, Word};
+pub use attributes::{
+    AgeGroup, ColoredPiece, Hairdo, NamedColor, Occupants, PersonAttributes, Sex, VehicleAttributes, Word,
+};
 pub use behaviour::{Behaviour, LanePlace, Side};
 pub use body_part::BodyPart;
 pub use camera::{CameraSite, ImageSize, Intrinsics, Mount, PinholeCamera};

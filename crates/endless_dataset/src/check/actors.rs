@@ -47,6 +47,10 @@ fn inconsistency(actor: &ActorRecord, by_id: &BTreeMap<InstanceId, &ActorRecord>
         Some(format!("object {id}: rider and vehicle do not name each other"))
     } else if if human { actor.vehicle.is_some() } else { actor.person.is_some() } {
         Some(format!("object {id}, a {}, is described as something else", actor.class))
+    } else if actor.occupants.is_some_and(|of| actor.parked && (of.driver || of.passengers > 0)) {
+        Some(format!("object {id} is parked and somebody sits in it"))
+    } else if human && actor.occupants.is_some() {
+        Some(format!("object {id}, a {}, has a cabin", actor.class))
     } else {
         None
     }

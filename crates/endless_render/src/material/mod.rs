@@ -15,5 +15,6 @@ mod window;
 
 pub(crate) use bsdf::Bsdf;
 pub(crate) use bsdf8::Bsdf8;
+pub use cabin::occupants;
 pub(crate) use evaluate::evaluate_bsdf;
 pub(crate) use packed_bsdf::PackedBsdf;
