@@ -284,12 +284,13 @@ fn the_skeleton_is_inside_the_body() {
             let m = motion(&person, gait, 0.31 * variant as f32);
             let pose = person.pose(&m);
             let joints = person.joints(&m);
+            let triangles = bounded_triangles(&person, &pose);
             for bone in &Bone::ALL[..Bone::Carried as usize] {
                 let from = joints[*bone as usize];
                 // Under a skirt some leave by its hem.
                 let legs = *bone == Bone::Pelvis || Side::BOTH.iter().any(|side| side.leg().contains(bone));
                 let least = if skirt && legs { 13 } else { 20 };
-                let near = triangles_near(&person, &pose, from);
+                let near = triangles_near(&triangles, from);
                 let met = directions.iter().filter(|&&d| near.iter().any(|t| meets(t, from, d))).count();
                 assert!(met >= least, "variant {variant} {gait:?}: {met} of 26 rays from {bone:?} meet the body");
             }
@@ -300,11 +301,16 @@ fn the_skeleton_is_inside_the_body() {
 /// Rays end here, metres.
 const RAY_M: f32 = 0.45;
 
-/// The triangles of a body that rays from a place may meet: those whose bounding boxes come near enough.
-fn triangles_near(person: &PersonModel, pose: &BodyPose, from: Vec3) -> Vec<[Vec3; 3]> {
+/// The triangles of a body, each with its bounding box.
+fn bounded_triangles(person: &PersonModel, pose: &BodyPose) -> Vec<([Vec3; 3], [Vec3; 2])> {
     let corners = person.rest.triangles.iter().map(|t| t.map(|i| pose.positions[i as usize]));
-    let near = |[a, b, c]: &[Vec3; 3]| from.clamp(a.min(*b).min(*c), a.max(*b).max(*c)).distance(from) < RAY_M;
-    corners.filter(near).collect()
+    corners.map(|[a, b, c]| ([a, b, c], [a.min(b).min(c), a.max(b).max(c)])).collect()
+}
+
+/// Those that rays from a place may meet: their bounding boxes come near enough.
+fn triangles_near(triangles: &[([Vec3; 3], [Vec3; 2])], from: Vec3) -> Vec<[Vec3; 3]> {
+    let near = |[low, high]: [Vec3; 2]| from.max(low).min(high).distance_squared(from) < RAY_M * RAY_M;
+    triangles.iter().filter(|(_, bounds)| near(*bounds)).map(|(corners, _)| *corners).collect()
 }
 
 fn meets(&[a, b, c]: &[Vec3; 3], from: Vec3, direction: Vec3) -> bool {

@@ -65,7 +65,10 @@ mod tests {
     use endless_scene::{Mesh, Surface};
     use endless_world::VehicleRef;
     use rayon::prelude::*;
-    use std::collections::BTreeSet;
+    use std::{collections::BTreeSet, sync::LazyLock};
+
+    /// Its vehicles are shaped once for all tests.
+    static CATALOGUE: LazyLock<Catalogue> = LazyLock::new(Catalogue::builtin);
 
     /// Area of a mesh's triangles that have one of some surfaces, square metres.
     fn area(mesh: &Mesh, wanted: impl Fn(Surface) -> bool) -> f32 {
@@ -79,8 +82,7 @@ mod tests {
 
     #[test]
     fn every_vehicle_wears_the_paint_that_it_is_said_to_have() {
-        let catalogue = Catalogue::builtin();
-        catalogue.vehicles().par_iter().for_each(|model| {
+        CATALOGUE.vehicles().par_iter().for_each(|model| {
             let said = model.attributes(7);
             assert!(said.color.is_some(), "{} has no paint", model.name());
             let painted = area(model.body(), |s| s == Surface::CarPaint);
@@ -95,8 +97,7 @@ mod tests {
 
     #[test]
     fn measures_and_wheels_are_those_of_the_mesh() {
-        let catalogue = Catalogue::builtin();
-        catalogue.vehicles().par_iter().for_each(|model| {
+        CATALOGUE.vehicles().par_iter().for_each(|model| {
             let said = model.attributes(3);
             let (low, high) = model.whole().bounds();
             assert!((f64::from(high.x - low.x) - said.size[0]).abs() < 0.002, "{}: {:?}", model.name(), said.size);
@@ -125,10 +126,9 @@ mod tests {
 
     #[test]
     fn a_look_is_a_model_in_a_paint() {
-        let catalogue = Catalogue::builtin();
         let reid = |model: usize, variant| {
             let model = endless_world::VehicleModelId::from_index(model);
-            catalogue.reid(VehicleRef { model, variant }.into()).expect("in the catalogue")
+            CATALOGUE.reid(VehicleRef { model, variant }.into()).expect("in the catalogue")
         };
         assert_eq!(reid(3, 5), reid(3, 5));
         let looks: BTreeSet<Reid> =

@@ -67,12 +67,16 @@ fn people_are_closed_as_seen_from_outside() {
 /// Lamps of each kind are there, on the right side, and most of them can be seen from where they shine.
 #[test]
 fn lights_are_on_the_surface() {
-    for (vehicle, rear) in draws().map(Rc::new).flat_map(|v| [false, true].map(|rear| (Rc::clone(&v), rear))) {
-        let name = vehicle.spec.name;
+    let ends = |vehicle: VehicleModel| {
+        let vehicle = Rc::new(vehicle);
+        let front = Rc::new(Soup::new(vehicle.body()));
         // The tail is that of what is drawn, if anything is.
-        let drawn = vehicle.trailer().filter(|_| rear);
-        let body = drawn.map_or(vehicle.body(), |t| &t.body);
-        let soup = Soup::new(body);
+        let rear = vehicle.trailer().map_or_else(|| Rc::clone(&front), |towed| Rc::new(Soup::new(&towed.body)));
+        [(Rc::clone(&vehicle), front, false), (vehicle, rear, true)]
+    };
+    for (vehicle, soup, rear) in draws().flat_map(ends) {
+        let name = vehicle.spec.name;
+        let body = vehicle.trailer().filter(|_| rear).map_or(vehicle.body(), |towed| &towed.body);
         let surface = |i: usize| body.materials[usize::from(body.triangle_materials[i])].surface;
         let lens = |slot: LightSlot| -> Vec<usize> {
             (0..soup.corners.len()).filter(|&i| surface(i) == Surface::VehicleLight(slot)).collect()

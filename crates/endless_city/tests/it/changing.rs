@@ -81,10 +81,14 @@ fn fastest(loaded: &LoadedTown, camera: usize, timeline: &WeatherTimeline) -> f6
     let (still, site) = (loaded.scene.static_scene(), &loaded.town.cameras[camera]);
     let (models, state) = loaded.staged(site, camera as u64, true);
     let nothing = models.frame_scene(&WorldState { actors: Vec::new(), ..state });
-    let picture = |key: u32| {
-        let settings = RenderSettings { keep_irradiance: false, ..settings(timeline.at_key(key)) };
-        CameraBake::bake(still, &settings, site).render(still, &nothing)
+    let settings = |key: u32| RenderSettings {
+        keep_irradiance: false,
+        layers: SensorLayers::default(),
+        ..settings(timeline.at_key(key))
     };
+    // As a video is baked.
+    let (_, hits) = CameraBake::bake_keeping(still, &settings(0), site);
+    let picture = |key: u32| CameraBake::bake_reusing(still, &settings(key), site, &hits).render(still, &nothing);
     let pictures: Vec<SensorFrame> = (0..=timeline.intervals()).map(picture).collect();
     let per_frame = f64::from(timeline.intervals()) / f64::from(FRAMES - 1);
     pictures.windows(2).map(|pair| mean_change(&pair[0], &pair[1]) * per_frame).fold(0.0, f64::max)

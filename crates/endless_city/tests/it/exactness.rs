@@ -12,7 +12,7 @@ use endless_world::{
 };
 use glam::Vec3;
 use rayon::prelude::*;
-use std::sync::OnceLock;
+use std::sync::{LazyLock, OnceLock};
 
 pub(crate) const SIZE: ImageSize = ImageSize { width: 129, height: 73 };
 
@@ -116,8 +116,10 @@ pub(crate) fn differing(a: &SensorFrame, b: &SensorFrame) -> usize {
     rgb + depth + labels + differing_layers(a, b)
 }
 
+/// Its vehicles are shaped once for all tests.
+pub(crate) static CATALOGUE: LazyLock<Catalogue> = LazyLock::new(Catalogue::builtin);
+
 pub(crate) struct LoadedTown {
-    catalogue: Catalogue,
     pub(crate) town: Town,
     pub(crate) scene: TownScene,
 }
@@ -125,27 +127,36 @@ pub(crate) struct LoadedTown {
 impl LoadedTown {
     /// What moves before a camera, and signals in all states.
     pub(crate) fn staged(&self, site: &CameraSite, seed: u64, lights: bool) -> (ActorModels, WorldState) {
-        let Self { catalogue, town, .. } = self;
+        let Self { town, .. } = self;
         let mut random = Stream::named(5, "exactness", &[seed]);
-        let actors = actors(town, catalogue, site, lights, &mut random);
+        let actors = actors(town, &CATALOGUE, site, lights, &mut random);
         let aspects = [SignalAspect::Red, SignalAspect::Green, SignalAspect::Yellow, SignalAspect::RedYellow];
         let signals =
             (0..town.network.signal_groups).map(|i| SignalState { aspect: aspects[usize::from(i) % 4] }).collect();
-        (ActorModels::new(catalogue, &actors), WorldState { frame: 4, time_s: 0.1, actors, signals })
+        (ActorModels::new(&CATALOGUE, &actors), WorldState { frame: 4, time_s: 0.1, actors, signals })
     }
 }
 
-pub(crate) fn load(map: &str) -> LoadedTown {
-    let catalogue = Catalogue::builtin();
-    let town = endless_town::load(map, &catalogue).expect("a built-in town");
-    let scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
-    LoadedTown { catalogue, town, scene }
+fn load(map: &str) -> LoadedTown {
+    let town = endless_town::load(map, &CATALOGUE).expect("a built-in town");
+    let scene = TownScene::load(&town, &CATALOGUE).expect("few parked vehicles");
+    LoadedTown { town, scene }
 }
 
-/// Loaded once for the tests that look at it.
+/// A town that several tests look at, loaded once.
+pub(crate) fn shared(name: &str) -> &'static LoadedTown {
+    static TOWNS: [(&str, OnceLock<LoadedTown>); 4] = [
+        ("Town02", OnceLock::new()),
+        ("Town03", OnceLock::new()),
+        ("Town05", OnceLock::new()),
+        ("Town10HD", OnceLock::new()),
+    ];
+    let (_, town) = TOWNS.iter().find(|(known, _)| *known == name).expect("a town that is shared");
+    town.get_or_init(|| load(name))
+}
+
 pub(crate) fn town03() -> &'static LoadedTown {
-    static TOWN: OnceLock<LoadedTown> = OnceLock::new();
-    TOWN.get_or_init(|| load("Town03"))
+    shared("Town03")
 }
 
 /// Renders a scene both ways; returns how many pixels moving things changed, so that a test cannot pass on an empty
@@ -199,7 +210,7 @@ fn clear_morning_with_long_shadows() {
 #[test]
 fn clear_afternoon() {
     assert!(check_through(CameraLook::CLEAN, town03(), 2, Weather::ClearSky, TimeOfDay::Afternoon) > 150);
-    assert!(check(&load("Town10HD"), 1, Weather::ClearSky, TimeOfDay::Afternoon) > 150);
+    assert!(check(shared("Town10HD"), 1, Weather::ClearSky, TimeOfDay::Afternoon) > 150);
 }
 
 #[test]
@@ -210,12 +221,12 @@ fn rainy_night_with_headlights_and_mirrors() {
 
 #[test]
 fn clear_night() {
-    assert!(check(&load("Town05"), 0, Weather::ClearSky, TimeOfDay::Night) > 150);
+    assert!(check(shared("Town05"), 0, Weather::ClearSky, TimeOfDay::Night) > 150);
 }
 
 #[test]
 fn after_rain_with_puddles() {
-    assert!(check(&load("Town02"), 2, Weather::AfterRain, TimeOfDay::Afternoon) > 150);
+    assert!(check(shared("Town02"), 2, Weather::AfterRain, TimeOfDay::Afternoon) > 150);
 }
 
 #[test]
@@ -254,8 +265,7 @@ fn all_other_conditions() {
 
 #[test]
 fn through_lenses_that_distort() {
-    let plaza = load("Town10HD");
-    for (seed, (loaded, camera)) in (0..).zip([(town03(), 0), (town03(), 2), (&plaza, 1)]) {
+    for (seed, (loaded, camera)) in (0..).zip([(town03(), 0), (town03(), 2), (shared("Town10HD"), 1)]) {
         let mut random = Stream::named(seed, "camera look", &[]);
         let clock = RecorderClock::new(TimeOfDay::Afternoon, &mut random);
         let look = CameraLook::new(CameraLookChoice::Random, TimeOfDay::Afternoon, clock, &mut random);
@@ -266,16 +276,14 @@ fn through_lenses_that_distort() {
 
 #[test]
 fn the_shutter_blurs_light_and_nothing_else() {
-    let catalogue = Catalogue::builtin();
-    let town = endless_town::load("Town05", &catalogue).expect("a built-in town");
-    let town_scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
-    let still = town_scene.static_scene();
+    let LoadedTown { town, scene } = shared("Town05");
+    let still = scene.static_scene();
     let settings = RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
         ..RenderSettings::new(Weather::Cloudy, TimeOfDay::Morning, 3, SIZE)
     };
-    let actors = actors(&town, &catalogue, &town.cameras[0], false, &mut Stream::named(5, "blur", &[]));
-    let models = ActorModels::new(&catalogue, &actors);
+    let actors = actors(town, &CATALOGUE, &town.cameras[0], false, &mut Stream::named(5, "blur", &[]));
+    let models = ActorModels::new(&CATALOGUE, &actors);
     let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };
     let frame = models.frame_scene(&state);
     let image = |look| {
@@ -294,18 +302,16 @@ fn the_shutter_blurs_light_and_nothing_else() {
 
 #[test]
 fn labels_of_moving_things_are_theirs() {
-    let catalogue = Catalogue::builtin();
-    let town = endless_town::load("Town03", &catalogue).expect("a built-in town");
-    let town_scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
-    let still = town_scene.static_scene();
+    let LoadedTown { town, scene } = town03();
+    let still = scene.static_scene();
     let settings = RenderSettings {
         gathering: Gathering::Interpolated { rays: 2 },
         ..RenderSettings::new(Weather::Cloudy, TimeOfDay::Afternoon, 3, SIZE)
     };
     let bake = CameraBake::bake(still, &settings, &town.cameras[0]);
     let mut random = Stream::named(5, "labels", &[]);
-    let actors = actors(&town, &catalogue, &town.cameras[0], false, &mut random);
-    let models = ActorModels::new(&catalogue, &actors);
+    let actors = actors(town, &CATALOGUE, &town.cameras[0], false, &mut random);
+    let models = ActorModels::new(&CATALOGUE, &actors);
     let state = WorldState { frame: 0, time_s: 0.0, actors, signals: Vec::new() };
     let image = bake.render(still, &models.frame_scene(&state));
     let mut seen = 0;

@@ -1,7 +1,7 @@
 //! What moves has no visible grain: pictures made with other patterns of rays hardly differ there.
 
-use endless_asset::Catalogue;
-use endless_city::{ActorModels, TownScene};
+use crate::exactness::{CATALOGUE, LoadedTown, shared};
+use endless_city::ActorModels;
 use endless_render::{CameraBake, RenderSettings};
 use endless_world::{
     Actor, Behaviour, CameraSite, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay, VehicleLights,
@@ -14,10 +14,8 @@ const PATTERNS: u32 = 8;
 
 /// Standard deviation over patterns of the pixels of a car under a camera, 255ths, in the mean.
 fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
-    let catalogue = Catalogue::builtin();
-    let town = endless_town::load("Town02", &catalogue).expect("a built-in town");
-    let town_scene = TownScene::load(&town, &catalogue).expect("few parked vehicles");
-    let still = town_scene.static_scene();
+    let LoadedTown { town, scene } = shared("Town02");
+    let still = scene.static_scene();
     let spawn = town.network.spawn_points[7];
     let place = town.network.lane(spawn.lane).centerline.at(spawn.s);
     let yaw = place.heading_rad as f32;
@@ -33,7 +31,7 @@ fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
         mount: Mount::Pole,
         roll_rad: 0.0,
     };
-    let model = catalogue.vehicles().iter().position(|v| v.spec.class == ObjectClass::Car).expect("a car");
+    let model = CATALOGUE.vehicles().iter().position(|v| v.spec.class == ObjectClass::Car).expect("a car");
     let model = VehicleModelId::from_index(model);
     let id = InstanceId(60_000);
     let actor = Actor {
@@ -51,7 +49,7 @@ fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
         parked: false,
     };
     let state = WorldState { frame: 0, time_s: 0.0, actors: vec![actor], signals: Vec::new() };
-    let models = ActorModels::new(&catalogue, &state.actors);
+    let models = ActorModels::new(&CATALOGUE, &state.actors);
     let frame = models.frame_scene(&state);
     let images: Vec<_> = (0..PATTERNS)
         .map(|pattern| {

@@ -1,14 +1,17 @@
 //! What bakes of the same camera share is traced once, and a dataset is the same with it and without.
 
-use crate::fake::{contents, options};
+use crate::{
+    city::city,
+    fake::{contents, options},
+};
 use endless_dataset::{Recipe, RecipeDraft};
 use endless_interchange::MapLibrary;
 use endless_pipeline::{BakeCache, BuiltinSimulator, MapCatalog, SilentProgress, generate, resolve_recipe};
 use std::{collections::BTreeMap, fs, path::Path};
 
 /// Two cameras of one town, four conditions.
-fn recipe(simulator: &BuiltinSimulator) -> Recipe {
-    let sites = simulator.cameras("Town02").expect("a town").into_iter().take(2).collect();
+fn recipe() -> Recipe {
+    let sites = city().cameras("Town02").expect("a town").into_iter().take(2).collect();
     let words = |words: [&str; 2]| Some(words.map(str::to_owned).to_vec());
     let draft = RecipeDraft {
         videos: Some(4),
@@ -23,15 +26,19 @@ fn recipe(simulator: &BuiltinSimulator) -> Recipe {
         min_pixels: Some(4),
         ..RecipeDraft::default()
     };
-    let recipe = resolve_recipe(draft, simulator).expect("a recipe");
+    let recipe = resolve_recipe(draft, city()).expect("a recipe");
     Recipe { cameras: BTreeMap::from([("Town02".to_owned(), sites)]), ..recipe }
 }
 
 /// All files of the dataset that is made with a cache.
 fn made_with(cache: BakeCache) -> BTreeMap<String, Vec<u8>> {
+    made_of(&recipe(), cache)
+}
+
+fn made_of(recipe: &Recipe, cache: BakeCache) -> BTreeMap<String, Vec<u8>> {
     let simulator = BuiltinSimulator::new(MapLibrary::builtin()).with_bake_cache(cache);
     let out = tempfile::tempdir().expect("temp");
-    generate(&simulator, &recipe(&simulator), out.path(), &options(2), &SilentProgress).expect("a dataset");
+    generate(&simulator, recipe, out.path(), &options(2), &SilentProgress).expect("a dataset");
     contents(out.path())
 }
 
@@ -54,6 +61,6 @@ fn a_dataset_is_the_same_whatever_is_kept() {
     fs::write(&damaged, &whole[..whole.len() / 2]).expect("writable");
     assert!(plain == made_with(in_folder(folder.path(), "one")), "read from a folder");
     assert!(fs::read(&damaged).expect("readable") == whole, "it is made again");
-    made_with(in_folder(folder.path(), "another"));
+    made_of(&Recipe { videos: 1, ..recipe() }, in_folder(folder.path(), "another"));
     assert_eq!(files().count(), 4, "another build keeps its own");
 }

@@ -2,10 +2,9 @@
 //! updates the snapshot in the same commit (`INSTA_UPDATE=always cargo test -p endless_pipeline --test it golden`), with
 //! a line in the changelog.
 
-use crate::fake::options;
+use crate::{city::city, fake::options};
 use endless_dataset::{CameraLayout, DatasetLayout, Layer, RecipeDraft};
-use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, SilentProgress, generate, resolve_recipe};
+use endless_pipeline::{SilentProgress, generate, resolve_recipe};
 use std::{fmt::Write, fs, path::Path};
 
 /// Map, weather, time of day: each weather once, each time of day, five towns.
@@ -65,11 +64,10 @@ fn camera_digests(table: &mut String, title: &str, camera: &CameraLayout) {
 #[test]
 fn golden_digests_of_every_layer_and_label_file() {
     let mut table = String::new();
-    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
     for scene in SCENES {
         let out = tempfile::tempdir().expect("temp");
-        let recipe = resolve_recipe(draft(scene), &simulator).expect("a recipe");
-        let generated = generate(&simulator, &recipe, out.path(), &options(2), &SilentProgress).expect("a dataset");
+        let recipe = resolve_recipe(draft(scene), city()).expect("a recipe");
+        let generated = generate(city(), &recipe, out.path(), &options(2), &SilentProgress).expect("a dataset");
         let layout = DatasetLayout::new(out.path());
         let video = layout.video(&generated.plan.scenes[0]);
         for (camera, name) in ["camera_a", "camera_b"].into_iter().enumerate() {

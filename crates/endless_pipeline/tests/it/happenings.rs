@@ -1,17 +1,16 @@
 //! Relations and events in the traffic of built-in towns, which knows how to drive.
 
+use crate::city::{city, town as shared};
 use endless_annotate::{CountingLine, Event, Happenings, Relation, SceneObserver};
-use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, MapCatalog, MapUse, Simulator};
+use endless_pipeline::{MapCatalog, Simulator};
 use endless_world::{CameraLook, ImageSize, SceneCamera, SceneSettings, SensorLayers, TimeOfDay, Weather, WorldState};
 use glam::Vec3Swizzles as _;
 use std::collections::BTreeSet;
 
 /// Half a minute of a town's traffic, seen ten times a second.
-fn watch(town: &str, mut see: impl FnMut(&WorldState, &Happenings)) {
+fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
     const FPS: f64 = 10.0;
-    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
-    let sites = simulator.cameras(town).expect("a town");
+    let sites = city().cameras(town).expect("a town");
     let settings = SceneSettings {
         video: 0,
         map: town.to_owned(),
@@ -27,9 +26,7 @@ fn watch(town: &str, mut see: impl FnMut(&WorldState, &Happenings)) {
         seed: 7,
         randomised: None,
     };
-    let wanted = MapUse { name: town, cameras: &sites[..1], videos: &[&settings] };
-    let map = simulator.load_map(&wanted).expect("a town");
-    let mut session = simulator.open_session(&map, &settings, SensorLayers::default()).expect("a scene");
+    let mut session = city().open_session(shared(town), &settings, SensorLayers::default()).expect("a scene");
     let [x, y, _] = sites[0].position.map(f64::from);
     let line =
         |name: &str, from: [f64; 2], to: [f64; 2]| CountingLine { map: town.into(), name: name.into(), from, to };
@@ -96,10 +93,9 @@ fn what_is_counted_is_what_changes_sides() {
     let mut sides: Vec<(u16, bool)> = Vec::new();
     let mut before = 0;
     let line_y = std::cell::Cell::new(0.0);
-    watch("Town01", |state, happenings| {
+    watch("Altstadt", |state, happenings| {
         if state.frame == 0 {
-            let simulator = BuiltinSimulator::new(MapLibrary::builtin());
-            line_y.set(simulator.cameras("Town01").expect("a town")[0].position[1]);
+            line_y.set(city().cameras("Altstadt").expect("a town")[0].position[1]);
         }
         let counts = &happenings.counting_lines[0];
         let now: u32 = counts.to_left.values().chain(counts.to_right.values()).sum();

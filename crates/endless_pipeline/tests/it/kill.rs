@@ -15,7 +15,7 @@ const OUT: &str = "ENDLESS_TEST_KILL_OUT";
 
 fn the_draft() -> RecipeDraft {
     let layers = Some(Layer::ALL.iter().map(ToString::to_string).collect());
-    RecipeDraft { videos: Some(4), size: Some("321x181".into()), duration: Some(4.0), layers, ..draft() }
+    RecipeDraft { videos: Some(4), size: Some("321x181".into()), duration: Some(2.0), layers, ..draft() }
 }
 
 /// Not a test of its own: what the other test starts and kills.

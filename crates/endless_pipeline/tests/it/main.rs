@@ -3,6 +3,7 @@
 mod bake_cache;
 mod builds;
 mod changing;
+mod city;
 mod disk_full;
 mod fake;
 mod flow;

@@ -1,10 +1,9 @@
 //! Labels of objects agree with one another in every town and behind every lens, also when a run is resumed.
 
-use crate::fake::options;
+use crate::{city::city, fake::options};
 use endless_annotate::{AmodalBox, FrameObjects, ObjectRecord, mask_pixels};
 use endless_dataset::{DatasetLayout, Manifest, RecipeDraft, VideoLayout, check, read_objects};
-use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, MapSource, SilentProgress, generate, resolve_recipe};
+use endless_pipeline::{MapSource, SilentProgress, generate, resolve_recipe};
 use endless_world::{ImageSize, InstanceId};
 use std::{
     collections::{BTreeMap, BTreeSet},
@@ -33,9 +32,9 @@ fn draft(town: &str) -> RecipeDraft {
     }
 }
 
-fn make(simulator: &BuiltinSimulator, draft: RecipeDraft, out: &Path) -> VideoLayout {
-    let recipe = resolve_recipe(draft, simulator).expect("a recipe");
-    let made = generate(simulator, &recipe, out, &options(2), &SilentProgress).expect("a dataset");
+fn make(draft: RecipeDraft, out: &Path) -> VideoLayout {
+    let recipe = resolve_recipe(draft, city()).expect("a recipe");
+    let made = generate(city(), &recipe, out, &options(2), &SilentProgress).expect("a dataset");
     DatasetLayout::new(out).video(&made.plan.scenes[0])
 }
 
@@ -59,12 +58,11 @@ fn outside(object: &ObjectRecord) -> Option<f64> {
 
 #[test]
 fn boxes_lie_in_one_another_in_every_town() {
-    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
     let (mut objects, mut worst, mut hidden) = (0, f64::NEG_INFINITY, 0);
-    for town in simulator.maps() {
+    for town in city().maps() {
         let out = tempfile::tempdir().expect("temp");
         let one_frame = RecipeDraft { cameras_per_scene: Some(1), duration: Some(0.2), ..draft(&town) };
-        let video = make(&simulator, one_frame, out.path());
+        let video = make(one_frame, out.path());
         // Everything that `endless check` looks at: boxes, shares, masks, places, depths.
         assert_eq!(check(out.path()).expect("readable").findings, [], "{town}");
         for object in lines(&video, 0).iter().flat_map(|line| &line.objects) {
@@ -83,29 +81,26 @@ fn boxes_lie_in_one_another_in_every_town() {
     assert!(objects > 100 && hidden > 20, "{objects} objects, {hidden} hidden: too few to mean anything");
 }
 
-#[test]
-fn every_field_is_told_of_in_the_dataset() {
-    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
-    let out = tempfile::tempdir().expect("temp");
-    let video = make(&simulator, draft("Town10HD"), out.path());
-    let manifest = Manifest::read(&DatasetLayout::new(out.path()).manifest()).expect("a manifest");
+/// Every field that is written is told of in the dataset.
+fn fields_are_told_of(out: &Path, written: &[FrameObjects]) {
+    let manifest = Manifest::read(&DatasetLayout::new(out).manifest()).expect("a manifest");
     let told: BTreeSet<String> = manifest.labels.object_fields.into_iter().map(|field| field.name).collect();
-    let mut written = BTreeSet::new();
-    for line in lines(&video, 0).into_iter().chain(lines(&video, 1)) {
+    let mut names = BTreeSet::new();
+    for line in written {
         let line = serde_json::to_value(&line.objects).expect("plain data");
         let objects = line.as_array().expect("objects").iter().filter_map(|object| object.as_object());
-        written.extend(objects.flat_map(|object| object.keys().cloned()));
+        names.extend(objects.flat_map(|object| object.keys().cloned()));
     }
-    assert_eq!(written.difference(&told).collect::<Vec<_>>(), Vec::<&String>::new());
-    assert!(written.len() > 30, "{written:?}");
+    assert_eq!(names.difference(&told).collect::<Vec<_>>(), Vec::<&String>::new());
+    assert!(names.len() > 30, "{names:?}");
 }
 
 #[test]
 fn cameras_agree_and_a_resumed_run_says_the_same() {
-    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
     let out = tempfile::tempdir().expect("temp");
-    let video = make(&simulator, draft("Town03"), out.path());
+    let video = make(draft("Town03"), out.path());
     let [a, b] = [0, 1].map(|camera| lines(&video, camera));
+    fields_are_told_of(out.path(), &[&a[..], &b[..]].concat());
     for (a, b) in a.iter().zip(&b) {
         let known: BTreeMap<InstanceId, &ObjectRecord> = a.objects.iter().map(|object| (object.id, object)).collect();
         assert_eq!(known.len(), a.objects.iter().map(|object| object.id).collect::<BTreeSet<_>>().len());
@@ -123,6 +118,6 @@ fn cameras_agree_and_a_resumed_run_says_the_same() {
     let before = files.each_ref().map(|file| fs::read(file).expect("labels"));
     fs::remove_file(video.scene()).expect("complete");
     fs::remove_file(&files[1]).expect("labels");
-    make(&simulator, draft("Town03"), out.path());
+    make(draft("Town03"), out.path());
     assert!(before == files.each_ref().map(|file| fs::read(file).expect("labels")));
 }

@@ -1,10 +1,9 @@
 //! The layers of people's parts and of shadows in a town agree with the other layers and with keypoints.
 
-use crate::fake::options;
+use crate::{city::city, fake::options};
 use endless_annotate::Visibility;
 use endless_dataset::{CameraLayout, DatasetLayout, Layer, RecipeDraft, RgbFormat, check, read_objects, read_rgb};
-use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, SilentProgress, generate, resolve_recipe};
+use endless_pipeline::{SilentProgress, generate, resolve_recipe};
 use endless_world::{BodyPart, ClassTag, ImageSize, KEYPOINTS};
 use std::collections::BTreeSet;
 
@@ -42,7 +41,6 @@ fn parts_beside(keypoint: &str) -> &'static [BodyPart] {
 fn parts_are_those_of_people_and_where_their_keypoints_are() {
     let words = |words: &[&str]| Some(words.iter().map(|&word| word.to_owned()).collect());
     let out = tempfile::tempdir().expect("temp");
-    let simulator = BuiltinSimulator::new(MapLibrary::builtin());
     let draft = RecipeDraft {
         videos: Some(2),
         maps: words(&["Town10HD", "Town03"]),
@@ -52,54 +50,53 @@ fn parts_are_those_of_people_and_where_their_keypoints_are() {
         pedestrians: Some(200),
         size: Some(SIZE.to_string()),
         fps: Some(1.0),
-        duration: Some(3.0),
+        duration: Some(2.0),
+        cameras_per_scene: Some(1),
         layers: words(&["depth", "instance", "shadow", "body_parts"]),
         mp4: words(&["body_parts"]),
         ..RecipeDraft::default()
     };
-    let recipe = resolve_recipe(draft, &simulator).expect("a recipe");
-    let made = generate(&simulator, &recipe, out.path(), &options(2), &SilentProgress).expect("a dataset");
+    let recipe = resolve_recipe(draft, city()).expect("a recipe");
+    let made = generate(city(), &recipe, out.path(), &options(2), &SilentProgress).expect("a dataset");
     assert_eq!(check(out.path()).expect("a dataset").findings, []);
     let layout = DatasetLayout::new(out.path());
     let (mut seen, mut asked, mut beside) = (BTreeSet::new(), 0, 0);
     let (mut lit, mut dark) = (0, 0);
     for scene in &made.plan.scenes {
-        for camera in 0..2 {
-            let camera = layout.video(scene).camera(camera);
-            for line in read_objects(&camera.objects()).expect("lines") {
-                let parts = image(&camera, Layer::BodyParts, line.frame);
-                let instance = image(&camera, Layer::Instance, line.frame);
-                let people = [ClassTag::Pedestrians.value(), ClassTag::Rider.value()];
-                for (part, label) in parts.iter().zip(&instance) {
-                    assert_eq!(part[0] != 0, people.contains(&label[0]), "{part:?} of {label:?}");
-                    seen.insert(part[0]);
-                }
-                for shadow in image(&camera, Layer::Shadow, line.frame) {
-                    lit += usize::from(shadow == [0; 3]);
-                    dark += usize::from(shadow == [255; 3]);
-                }
-                for object in &line.objects {
-                    let Some(keypoints) = &object.keypoints else { continue };
-                    for (name, keypoint) in KEYPOINTS.iter().zip(&keypoints.0) {
-                        if keypoint.visibility != Visibility::Visible {
-                            continue;
-                        }
-                        let [low, high] = object.id.0.to_le_bytes();
-                        // A joint lies under skin and cloth: at the edge of a limb, the pixel beside it is the limb's.
-                        let reach = 1 + (object.bbox.h / 60) as i64;
-                        let near = (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| (dx, dy)));
-                        let found = near
-                            .map(|(dx, dy)| (keypoint.x as i64 + dx, keypoint.y as i64 + dy))
-                            .filter(|(x, y)| {
-                                (0..i64::from(SIZE.width)).contains(x) && (0..i64::from(SIZE.height)).contains(y)
-                            })
-                            .map(|(x, y)| (y * i64::from(SIZE.width) + x) as usize)
-                            .filter(|&i| instance[i][1..] == [low, high])
-                            .filter_map(|i| BodyPart::from_value(parts[i][0]))
-                            .any(|part| parts_beside(name).contains(&part));
-                        asked += 1;
-                        beside += u32::from(found);
+        let camera = layout.video(scene).camera(0);
+        for line in read_objects(&camera.objects()).expect("lines") {
+            let parts = image(&camera, Layer::BodyParts, line.frame);
+            let instance = image(&camera, Layer::Instance, line.frame);
+            let people = [ClassTag::Pedestrians.value(), ClassTag::Rider.value()];
+            for (part, label) in parts.iter().zip(&instance) {
+                assert_eq!(part[0] != 0, people.contains(&label[0]), "{part:?} of {label:?}");
+                seen.insert(part[0]);
+            }
+            for shadow in image(&camera, Layer::Shadow, line.frame) {
+                lit += usize::from(shadow == [0; 3]);
+                dark += usize::from(shadow == [255; 3]);
+            }
+            for object in &line.objects {
+                let Some(keypoints) = &object.keypoints else { continue };
+                for (name, keypoint) in KEYPOINTS.iter().zip(&keypoints.0) {
+                    if keypoint.visibility != Visibility::Visible {
+                        continue;
                     }
+                    let [low, high] = object.id.0.to_le_bytes();
+                    // A joint lies under skin and cloth: at the edge of a limb, the pixel beside it is the limb's.
+                    let reach = 1 + (object.bbox.h / 60) as i64;
+                    let near = (-reach..=reach).flat_map(|dy| (-reach..=reach).map(move |dx| (dx, dy)));
+                    let found = near
+                        .map(|(dx, dy)| (keypoint.x as i64 + dx, keypoint.y as i64 + dy))
+                        .filter(|(x, y)| {
+                            (0..i64::from(SIZE.width)).contains(x) && (0..i64::from(SIZE.height)).contains(y)
+                        })
+                        .map(|(x, y)| (y * i64::from(SIZE.width) + x) as usize)
+                        .filter(|&i| instance[i][1..] == [low, high])
+                        .filter_map(|i| BodyPart::from_value(parts[i][0]))
+                        .any(|part| parts_beside(name).contains(&part));
+                    asked += 1;
+                    beside += u32::from(found);
                 }
             }
         }

@@ -75,13 +75,13 @@ fn a_design_more_changes_only_the_vehicles_that_it_takes_the_place_of() {
     let all = place.specs();
     for added in ["car.taxi", "van.panel"] {
         let fewer: Vec<VehicleSpec> = all.iter().filter(|s| s.name != added).cloned().collect();
-        let spawn = |specs: &[VehicleSpec], seed| {
-            let roads = Roads::new(&TrafficMap::new(place.town.network.clone(), specs), &[]);
-            vehicles(&roads, specs, &[], &asked(25, seed))
+        let [of_fewer, of_all] = [&fewer, &all].map(|specs| TrafficMap::new(place.town.network.clone(), specs));
+        let spawn = |map: &TrafficMap, specs: &[VehicleSpec], seed| {
+            vehicles(&Roads::new(map, &[]), specs, &[], &asked(25, seed))
         };
         let mut taken = 0;
         for seed in 0..6 {
-            let (before, after) = (spawn(&fewer, seed), spawn(&all, seed));
+            let (before, after) = (spawn(&of_fewer, &fewer, seed), spawn(&of_all, &all, seed));
             assert_eq!(before.len(), after.len());
             for (slot, (b, a)) in before.iter().zip(&after).enumerate() {
                 let [b_spec, a_spec] = [(&fewer, b), (&all, a)].map(|(specs, v)| &specs[v.asset.model.index()]);
