@@ -5,14 +5,16 @@ use endless_asset::{Catalogue, VehicleModel};
 use endless_scene::{LightSlot, Mesh, Surface};
 use endless_world::{Gait, ObjectClass, WalkerMotion};
 use glam::Vec3;
-use std::rc::Rc;
+use rayon::prelude::*;
 
 /// Draws of every design: some hundred vehicles in all.
-fn draws() -> impl Iterator<Item = VehicleModel> {
+fn draws() -> impl ParallelIterator<Item = VehicleModel> {
     const EACH: u64 = 6;
     let kinds = Catalogue::vehicle_designs();
     assert!(kinds.len() as u64 * EACH >= 300);
-    kinds.into_iter().flat_map(|k| (0..EACH).map(move |i| Catalogue::draw_vehicle(k.name, 1000 + i).expect("a design")))
+    let draw = |(name, i)| Catalogue::draw_vehicle(name, 1000 + i).expect("a design");
+    let all: Vec<(&str, u64)> = kinds.into_iter().flat_map(|kind| (0..EACH).map(move |i| (kind.name, i))).collect();
+    all.into_par_iter().map(draw)
 }
 
 /// Who looks from where a camera may hang meets outer sides only: skins are closed, and wound alike.
@@ -27,8 +29,12 @@ fn inner_sides(vehicle: &VehicleModel) -> Option<String> {
 }
 
 #[test]
-fn vehicles_are_closed_as_seen_from_outside() {
-    let open: Vec<String> = draws().filter_map(|v| inner_sides(&v)).collect();
+fn vehicles_are_closed_as_seen_from_outside_and_their_lights_on_the_surface() {
+    let open = draws().filter_map(|vehicle| {
+        assert_lights_are_on_the_surface(&vehicle);
+        inner_sides(&vehicle)
+    });
+    let open: Vec<String> = open.collect();
     assert!(open.is_empty(), "{open:#?}");
 }
 
@@ -65,18 +71,14 @@ fn people_are_closed_as_seen_from_outside() {
 }
 
 /// Lamps of each kind are there, on the right side, and most of them can be seen from where they shine.
-#[test]
-fn lights_are_on_the_surface() {
-    let ends = |vehicle: VehicleModel| {
-        let vehicle = Rc::new(vehicle);
-        let front = Rc::new(Soup::new(vehicle.body()));
-        // The tail is that of what is drawn, if anything is.
-        let rear = vehicle.trailer().map_or_else(|| Rc::clone(&front), |towed| Rc::new(Soup::new(&towed.body)));
-        [(Rc::clone(&vehicle), front, false), (vehicle, rear, true)]
-    };
-    for (vehicle, soup, rear) in draws().flat_map(ends) {
-        let name = vehicle.spec.name;
-        let body = vehicle.trailer().filter(|_| rear).map_or(vehicle.body(), |towed| &towed.body);
+fn assert_lights_are_on_the_surface(vehicle: &VehicleModel) {
+    let name = vehicle.spec.name;
+    let front = Soup::new(vehicle.body());
+    // The tail is that of what is drawn, if anything is.
+    let towed = vehicle.trailer().map(|towed| (Soup::new(&towed.body), &towed.body));
+    let front = (front, vehicle.body());
+    for rear in [false, true] {
+        let (soup, body) = towed.as_ref().filter(|_| rear).unwrap_or(&front);
         let surface = |i: usize| body.materials[usize::from(body.triangle_materials[i])].surface;
         let lens = |slot: LightSlot| -> Vec<usize> {
             (0..soup.corners.len()).filter(|&i| surface(i) == Surface::VehicleLight(slot)).collect()

@@ -30,13 +30,14 @@ impl Soup {
         let corners: Vec<[Vec3; 3]> = mesh.triangles.iter().map(|t| t.map(|i| mesh.positions[i as usize])).collect();
         let (low, high) = mesh.bounds();
         let order = (0..corners.len()).collect();
+        let sums: Vec<Vec3> = corners.iter().map(|[a, b, c]| *a + *b + *c).collect();
         let mut soup = Self { order, low, high, nodes: Vec::new(), corners };
-        soup.split(0..soup.corners.len());
+        soup.split(0..soup.corners.len(), &sums);
         soup
     }
 
-    /// Adds the nodes of a run, halved where it is longest.
-    fn split(&mut self, run: std::ops::Range<usize>) {
+    /// Adds the nodes of a run, halved where it is longest by the sums of corners.
+    fn split(&mut self, run: std::ops::Range<usize>, sums: &[Vec3]) {
         let points = || self.order[run.clone()].iter().flat_map(|&i| self.corners[i]);
         let (low, high) = (points().fold(Vec3::INFINITY, Vec3::min), points().fold(Vec3::NEG_INFINITY, Vec3::max));
         let node = self.nodes.len();
@@ -45,12 +46,11 @@ impl Soup {
             return;
         }
         let axis = (high - low).max_position();
-        let (corners, half) = (&self.corners, run.len() / 2);
-        let place = |i: usize| corners[i].iter().map(|p| p[axis]).sum::<f32>();
-        self.order[run.clone()].select_nth_unstable_by(half, |&a, &b| place(a).total_cmp(&place(b)));
-        self.split(run.start..run.start + half);
+        let half = run.len() / 2;
+        self.order[run.clone()].select_nth_unstable_by(half, |&a, &b| sums[a][axis].total_cmp(&sums[b][axis]));
+        self.split(run.start..run.start + half, sums);
         self.nodes[node].other = self.nodes.len();
-        self.split(run.start + half..run.end);
+        self.split(run.start + half..run.end, sums);
     }
 
     /// Distance and number of the first triangle that a ray meets, from either side.
