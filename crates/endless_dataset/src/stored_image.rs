@@ -43,17 +43,17 @@ impl StoredImage<'_> {
         }
     }
 
-    /// All bytes, row by row, as PNG has them: the high byte of 16 bits first.
-    pub(crate) fn bytes(&self) -> Cow<'_, [u8]> {
+    /// All bytes, row by row, as PNG has them: the high byte of 16 bits first. If they must be made, there is `room`.
+    pub(crate) fn bytes(&self, mut room: Vec<u8>) -> Cow<'_, [u8]> {
         match self {
             Self::Rgb8(image) => Cow::Borrowed(image.data.as_flattened()),
             Self::Rgb16(image) => {
                 let values = image.data.as_flattened();
-                let mut bytes = vec![0; 2 * values.len()];
-                for (bytes, value) in bytes.as_chunks_mut::<2>().0.iter_mut().zip(values) {
+                room.resize(2 * values.len(), 0);
+                for (bytes, value) in room.as_chunks_mut::<2>().0.iter_mut().zip(values) {
                     *bytes = value.to_be_bytes();
                 }
-                Cow::Owned(bytes)
+                Cow::Owned(room)
             }
         }
     }

@@ -34,6 +34,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
+#[expect(clippy::print_stdout, reason = "a bench is there to print")]
 fn main() {
     let town = std::env::args().nth(1).filter(|arg| !arg.starts_with('-')).unwrap_or_else(|| "Town01".to_owned());
     let simulator = BuiltinSimulator::new(MapLibrary::builtin());

@@ -13,7 +13,11 @@ mod huffman;
 
 use crate::stored_image::StoredImage;
 use endless_world::ImageSize;
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::{
+    borrow::Cow,
+    mem,
+    sync::{Arc, Mutex, MutexGuard, PoisonError},
+};
 
 /// Rows of a band: 64 KiB of a 720p image, twice what a deflate window reaches.
 const ROWS: usize = 16;
@@ -28,6 +32,8 @@ pub struct LastPng(Mutex<Memory>);
 #[derive(Debug, Default)]
 struct Memory {
     last: Option<Arc<EncodedImage>>,
+    /// Room for the bytes of an image.
+    room: Vec<u8>,
     /// How many images one after the other had no band of the one before.
     all_new: u32,
 }
@@ -45,24 +51,38 @@ impl LastPng {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
+    /// The last image, if it lay like this; and room for the next.
+    fn before(&self, layout: RowLayout) -> (Option<Arc<EncodedImage>>, Vec<u8>) {
+        let mut memory = self.memory();
+        (memory.last.clone().filter(|before| before.layout == layout), mem::take(&mut memory.room))
+    }
+
     /// Remembers an image, of which so many bands were as in the one before, if there was one.
-    fn remember(&self, layout: RowLayout, bytes: &[u8], bands: Vec<Arc<Band>>, same: Option<usize>) {
+    fn remember(&self, layout: RowLayout, bytes: Cow<'_, [u8]>, bands: Vec<Arc<Band>>, same: Option<usize>) {
         let mut memory = self.memory();
         memory.all_new = match same {
             Some(0) => memory.all_new + 1,
             Some(_) => 0,
             None => memory.all_new,
         };
-        let before = memory.last.take();
+        // Its room is used again, unless another thread compares with it.
+        if let Some(before) = memory.last.take().and_then(Arc::into_inner) {
+            memory.room = before.bytes;
+        }
         // The sensor's noise is new in each.
         if memory.all_new >= NEVER_THE_SAME {
             return;
         }
-        // Room for pixels is used again, unless another thread compares with them.
-        let mut kept = before.and_then(Arc::into_inner).map_or_else(Vec::new, |before| before.bytes);
-        kept.clear();
-        kept.extend_from_slice(bytes);
-        memory.last = Some(Arc::new(EncodedImage { layout, bytes: kept, bands }));
+        let bytes = match bytes {
+            Cow::Owned(bytes) => bytes,
+            Cow::Borrowed(pixels) => {
+                let mut room = mem::take(&mut memory.room);
+                room.clear();
+                room.extend_from_slice(pixels);
+                room
+            }
+        };
+        memory.last = Some(Arc::new(EncodedImage { layout, bytes, bands }));
     }
 }
 
@@ -93,9 +113,9 @@ struct Band {
 /// The image as a PNG file; its bytes do not depend on `last`.
 pub(crate) fn encode(image: &StoredImage<'_>, last: &LastPng) -> Vec<u8> {
     let layout = RowLayout { size: image.size(), channel_bytes: image.channel_bytes() };
-    let before = last.memory().last.clone().filter(|before| before.layout == layout);
+    let (before, room) = last.before(layout);
     let band_bytes = ROWS * layout.row_bytes();
-    let bytes = image.bytes();
+    let bytes = image.bytes(room);
     let mut buffers = BandBuffers::default();
     let mut same_bands = 0;
     let bands: Vec<Arc<Band>> = bytes
@@ -109,7 +129,7 @@ pub(crate) fn encode(image: &StoredImage<'_>, last: &LastPng) -> Vec<u8> {
         .collect();
     let file = file(layout, &bands);
     let same = before.map(|_| same_bands);
-    last.remember(layout, &bytes, bands, same);
+    last.remember(layout, bytes, bands, same);
     file
 }
 

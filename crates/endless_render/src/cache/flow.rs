@@ -10,11 +10,10 @@ use super::visible_tiles::each_visible_tile;
 use crate::accel::{Hit, Ray, RayStream, lanes};
 use crate::camera_rays::directions8;
 use crate::scene::{FrameScene, Instance, StaticScene};
-use crate::shade::{SceneHit, Tracer};
 use endless_world::math::UnfusedVec3A;
 use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, SensorFrame};
 use glam::{Vec2, Vec3A};
-use std::sync::Arc;
+use std::{ops::Range, sync::Arc};
 use wide::f32x8;
 
 /// The instants to which flow leads. What moves is in all of them, in the same order; where one is missing, flow to it is
@@ -56,9 +55,8 @@ impl FlowPass<'_> {
         let Some(other) = other else { return Image::filled(size, FlowPixel::UNKNOWN) };
         let mut image = Image::filled(size, FlowPixel::STILL.encoded());
         self.hide_still(other, &mut image.data);
-        let tracer = self.bake.lighting.tracer(self.still, Some(other));
         for centres in self.centres.chunks(RAYS) {
-            self.follow(&tracer, other, centres, &mut image.data);
+            self.follow(other, centres, &mut image.data);
         }
         image
     }
@@ -66,6 +64,7 @@ impl FlowPass<'_> {
     /// Marks what stands still, and is hidden by what moves in the other frame.
     fn hide_still(&self, other: &FrameScene, image: &mut [[u16; 3]]) {
         let tiles = self.bake.tiles.tiles();
+        let moving = self.moving_rows(tiles.columns);
         let mut visible = vec![false; tiles.bounds.len()];
         each_visible_tile(self.bake, other, |tile| visible[tile] = true);
         let hidden = FlowPixel { target: FlowTarget::Hidden, ..FlowPixel::STILL }.encoded();
@@ -73,7 +72,14 @@ impl FlowPass<'_> {
             let (x0, y0) = (tile % tiles.columns * TILE, tile / tiles.columns * TILE);
             let (x1, y1) = self.bake.tile_end(x0, y0);
             for y in (y0..y1).step_by(ROWS as usize) {
-                let (rays, active) = self.centre_rays((x0, x1), (y, y1.min(y + ROWS)));
+                let rows = y..y1.min(y + ROWS);
+                let stands =
+                    |y: u32| ((1u32 << (x1 - x0)) - 1) & !u32::from(moving[(y * tiles.columns + x0 / TILE) as usize]);
+                let active = rows.clone().rev().fold(0, |active, y| active << TILE | stands(y));
+                if active == 0 {
+                    continue;
+                }
+                let rays = self.centre_rays(x0..x1, rows);
                 for lane in lanes(other.accel.occluded32(&rays, active)) {
                     let (x, y) = (x0 + lane as u32 % TILE, y + lane as u32 / TILE);
                     image[(y * self.bake.camera.size.width + x) as usize] = hidden;
@@ -82,30 +88,39 @@ impl FlowPass<'_> {
         }
     }
 
-    /// Rays through the centres of pixels, up to where they meet what stands still; which of them there are, a bit each.
-    fn centre_rays(&self, (x0, x1): (u32, u32), (y0, y1): (u32, u32)) -> (RayStream<{ ROWS as usize }>, u32) {
+    /// Which pixels show something that moves, a bit each, by row and by column of tiles.
+    fn moving_rows(&self, columns: u32) -> Vec<u8> {
+        let ImageSize { width, height } = self.bake.camera.size;
+        let mut rows = vec![0; (columns * height) as usize];
+        for centre in self.centres {
+            let (x, y) = (centre.pixel % width, centre.pixel / width);
+            rows[(y * columns + x / TILE) as usize] |= 1 << (x % TILE);
+        }
+        rows
+    }
+
+    /// Rays through the centres of pixels, up to where they meet what stands still.
+    fn centre_rays(&self, columns: Range<u32>, rows: Range<u32>) -> RayStream<{ ROWS as usize }> {
         let CameraBake { camera, gbuffer, .. } = self.bake;
         let mut rays = RayStream::NONE;
-        let mut active = 0;
         rays.origin = camera.position.to_array().map(|axis| [f32x8::splat(axis); ROWS as usize]);
-        for (row, y) in (y0..y1).enumerate() {
-            let directions = directions8(camera, x0, x1, y, 0);
+        for (row, y) in rows.enumerate() {
+            let directions = directions8(camera, columns.start, columns.end, y, 0);
             for (axis, direction) in rays.direction.iter_mut().zip(directions) {
                 axis[row] = direction;
             }
             let distance = |i: usize| {
-                let x = (x0 + i as u32).min(x1 - 1);
+                let x = (columns.start + i as u32).min(columns.end - 1);
                 // What is no nearer hides nothing.
                 gbuffer.distances[(y * camera.size.width + x) as usize][0].next_down()
             };
             rays.tmax[row] = f32x8::new(std::array::from_fn(distance));
-            active |= ((1u32 << (x1 - x0)) - 1) << (TILE as usize * row);
         }
-        (rays, active)
+        rays
     }
 
     /// The flow of points on what moves.
-    fn follow(&self, tracer: &Tracer<'_>, other: &FrameScene, centres: &[MovingCentre], image: &mut [[u16; 3]]) {
+    fn follow(&self, other: &FrameScene, centres: &[MovingCentre], image: &mut [[u16; 3]]) {
         let mut rays = RayStream::NONE;
         let mut active = 0;
         let mut flows = [FlowPixel::STILL; RAYS];
@@ -127,16 +142,32 @@ impl FlowPass<'_> {
             flows[lane] = FlowPixel { flow_px: place - centre, target };
             image[pixel as usize] = flows[lane].encoded();
         }
-        let met = tracer.closest32(&rays, active);
-        for lane in lanes(active) {
-            let MovingCentre { pixel, hit, .. } = &centres[lane];
-            // Its own triangle, whatever rounding says of the distance.
-            let itself =
-                |met: &SceneHit| met.moving && (met.hit.instance, met.hit.triangle) == (hit.instance, hit.triangle);
-            if met[lane / 8][lane % 8].as_ref().is_some_and(|met| !itself(met)) {
-                image[*pixel as usize] = FlowPixel { target: FlowTarget::Hidden, ..flows[lane] }.encoded();
-            }
+        for lane in lanes(self.hidden(other, centres, &rays, active)) {
+            let hidden = FlowPixel { target: FlowTarget::Hidden, ..flows[lane] };
+            image[centres[lane].pixel as usize] = hidden.encoded();
         }
+    }
+
+    /// Which of these rays, of those in `active`, meet something before the point of their centre, a bit each.
+    fn hidden(&self, other: &FrameScene, centres: &[MovingCentre], rays: &RayStream<4>, active: u32) -> u32 {
+        let met = other.accel.closest32(rays, active);
+        let bit = |lane: usize, is: bool| u32::from(is) << lane;
+        // Its own triangle, whatever rounding says of the distance.
+        let other_than_itself = |lane: usize| {
+            let itself = &centres[lane].hit;
+            met.get(lane).is_some_and(|met| (met.instance, met.triangle) != (itself.instance, itself.triangle))
+        };
+        let by_moving = lanes(active).fold(0, |bits, lane| bits | bit(lane, other_than_itself(lane)));
+        // What stands still does not hide what is where it is seen now.
+        let stays = lanes(active).fold(0, |bits, lane| bits | bit(lane, self.stays(other, &centres[lane].hit)));
+        let open = active & !by_moving & !stays;
+        if open == 0 { by_moving } else { by_moving | self.still.accel.occluded32(&met.shortened(rays), open) }
+    }
+
+    /// Whether what was hit is in the same place in the other frame.
+    fn stays(&self, other: &FrameScene, hit: &Hit) -> bool {
+        let [now, then] = [self.frame, other].map(|frame| &frame.instances[hit.instance as usize]);
+        now.world_from_object == then.world_from_object && Arc::ptr_eq(&now.geometry.posed, &then.geometry.posed)
     }
 
     /// Where the point of a hit is in the picture of the other frame, and the ray that must be free for the camera to see
