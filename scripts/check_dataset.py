@@ -353,11 +353,14 @@ def check_actors(folder: pathlib.Path, scene: dict, seen: dict[int, dict], schem
     for a in actors:
         who = f"{folder}: object {a['id']}"
         for key, value in a.items():
-            nested = isinstance(value, dict) and key in ("person", "vehicle")
+            nested = isinstance(value, dict) and key in ("person", "vehicle", "occupants")
             names = {f"{key}.{k}" for k in value} if nested else {key}
             assert names <= described, f"{who}: {names - described} are not described in dataset.json"
         human = a["class"] in ("pedestrian", "rider")
         assert not ("person" in a and not human) and not ("vehicle" in a and human), f"{who} is described as another"
+        if "occupants" in a:
+            assert not human and a["occupants"]["driver"] == (not a["parked"]), f"{who}: driver"
+            assert not (a["parked"] and a["occupants"]["passengers"]), f"{who}: passengers"
         if "vehicle_id" in a:
             assert by_id[a["vehicle_id"]]["rider_id"] == a["id"], f"{who}: rider"
         if "rider_id" in a:

@@ -10,11 +10,11 @@ use std::{
 };
 use tempfile::TempDir;
 
-/// One file of the dataset in `dataset/`: a line with its path, and its content.
+/// One file of a dataset in `datasets/`: a line with its path there, and its content.
 pub const DATASET: FuzzTarget = FuzzTarget { name: "dataset", judge: dataset, mutate: content };
 
-fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("dataset")
+fn datasets() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("datasets")
 }
 
 fn copy(from: &Path, to: &Path) -> io::Result<()> {
@@ -32,15 +32,16 @@ fn dataset(bytes: &[u8]) -> Result<(), String> {
         return Ok(());
     };
     let Ok(path) = std::str::from_utf8(path) else { return Ok(()) };
-    let original = folder().join(path);
+    let original = datasets().join(path);
     // Other paths are not asked for: they may lead anywhere.
     if path.contains("..") || path.starts_with('/') || !original.is_file() {
         return Ok(());
     }
+    let Some((dataset, file)) = path.split_once('/') else { return Ok(()) };
     let cannot = |error: io::Error| format!("the dataset cannot be copied: {error}");
     let copied = TempDir::new().map_err(cannot)?;
-    copy(&folder(), copied.path()).map_err(cannot)?;
-    fs::write(copied.path().join(path), &content[1..]).map_err(cannot)?;
+    copy(&datasets().join(dataset), copied.path()).map_err(cannot)?;
+    fs::write(copied.path().join(file), &content[1..]).map_err(cannot)?;
     let same = fs::read(original).is_ok_and(|original| original == content[1..]);
     let one_thread = CheckOptions { threads: 1, ..CheckOptions::default() };
     match check_with(copied.path(), &one_thread) {

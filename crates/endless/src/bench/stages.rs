@@ -34,6 +34,7 @@ fn print(made: &Generated, threads: usize) -> Result<()> {
         ("images", t.images),
         ("boxes", t.boxes),
         ("amodal", t.amodal),
+        ("lines", t.lines),
         ("video", t.video),
     ];
     for (name, time) in each {

@@ -26,7 +26,7 @@ fn most_threads(folder: &Path, args: &str) -> usize {
 #[cfg_attr(not(target_os = "linux"), ignore = "counts the threads that Linux tells of")]
 fn no_command_has_more_threads_than_asked_for() {
     let folder = tempfile::tempdir().expect("a folder");
-    let dataset = concat!(env!("CARGO_MANIFEST_DIR"), "/../endless_fuzz/dataset");
+    let dataset = concat!(env!("CARGO_MANIFEST_DIR"), "/../endless_fuzz/datasets/three_layers");
     for command in [
         "maps list Town02".to_owned(),
         "assets preview bench --out bench.png".to_owned(),

@@ -42,10 +42,10 @@ impl CameraSink {
 
     pub(super) fn push(&mut self, frame: &SinkItem, clock: &StageClock) -> Result<(), DatasetError> {
         self.boxes += frame.line.objects.len() as u64;
-        self.objects.write(&frame.line)?;
-        if let Some(scene) = &frame.scene {
-            self.write_scene(scene)?;
-        }
+        clock.time(Stage::Lines, || {
+            self.objects.write(&frame.line)?;
+            frame.scene.as_ref().map_or(Ok(()), |scene| self.write_scene(scene))
+        })?;
         clock.time(Stage::Video, || {
             self.videos.iter_mut().zip(&frame.pictures).try_for_each(|(video, picture)| video.push(picture))
         })

@@ -17,6 +17,7 @@ pub(crate) enum Stage {
     Render,
     Boxes,
     Amodal,
+    Lines,
     Images,
     Resume,
     Video,
@@ -31,7 +32,7 @@ impl Stage {
 }
 
 const LAYERS: usize = Layer::ALL.len();
-const STAGES: usize = 11;
+const STAGES: usize = 12;
 
 /// Adds up the time of each stage over all threads.
 #[derive(Debug, Default)]
@@ -60,6 +61,8 @@ pub struct StageTimes {
     pub boxes: Duration,
     /// Amodal boxes and masks, and what hides objects.
     pub amodal: Duration,
+    /// Encoding and writing `objects.jsonl` and `frames.jsonl`.
+    pub lines: Duration,
     /// Encoding and writing images.
     pub images: Duration,
     /// That of each layer, in the order of [`Layer::ALL`].
@@ -113,6 +116,7 @@ impl StageClock {
             render: of(Stage::Render),
             boxes: of(Stage::Boxes),
             amodal: of(Stage::Amodal),
+            lines: of(Stage::Lines),
             images: of(Stage::Images),
             layers: self.layer_nanos.each_ref().map(|nanos| Duration::from_nanos(nanos.load(Ordering::Relaxed))),
             resume: of(Stage::Resume),
