@@ -175,7 +175,7 @@ pub(crate) struct CheckArgs {
 
 #[derive(Debug, Args)]
 pub(crate) struct BenchArgs {
-    /// Seconds of video to record [default: 2; with --scaling 0.5].
+    /// Seconds of video to record [default: 2; with --scaling 0.5, and 1 a thread where threads grow].
     #[arg(long, value_name = "S")]
     pub(crate) duration: Option<f64>,
     /// Image size [default: 1280x720; with --scaling 640x360, and up to 1920x1080 where pixels grow].

@@ -41,6 +41,11 @@ impl<'a> ScalingSetup<'a> {
         self.args.size.as_deref()
     }
 
+    /// The seconds of video that were asked for.
+    pub(super) fn asked_duration(&self) -> Option<f64> {
+        self.args.duration
+    }
+
     /// What each scene is made of but for what grows.
     pub(super) fn draft(&self) -> RecipeDraft {
         let one = |asked: &Option<Vec<String>>, otherwise: &str| {
@@ -49,7 +54,7 @@ impl<'a> ScalingSetup<'a> {
         RecipeDraft {
             maps: Some(vec![self.map()]),
             size: Some(self.asked_size().unwrap_or(SIZE).to_owned()),
-            duration: Some(self.args.duration.unwrap_or(DURATION_S)),
+            duration: Some(self.asked_duration().unwrap_or(DURATION_S)),
             weathers: one(&self.args.weathers, "clear_sky"),
             times: one(&self.args.times, "afternoon"),
             ..draft(self.args)

@@ -7,12 +7,12 @@ use anyhow::Result;
 use endless_dataset::RecipeDraft;
 
 const COUNTS: [usize; 5] = [1, 2, 4, 8, 16];
-/// How much longer this video is than those of other series: all threads need frames for a while.
-const LONGER: f64 = 4.0;
+/// Seconds of video for each thread: when the last frames are made, some threads have nothing to do.
+const SECONDS_A_THREAD: f64 = 1.0;
 
 pub(super) fn run(setup: &ScalingSetup<'_>) -> Result<()> {
-    let draft = setup.draft();
-    let draft = RecipeDraft { duration: draft.duration.map(|seconds| LONGER * seconds), ..draft };
+    let duration = setup.asked_duration().unwrap_or(SECONDS_A_THREAD * setup.threads as f64);
+    let draft = RecipeDraft { duration: Some(duration), ..setup.draft() };
     let heads = [
         "threads",
         "load s",
