@@ -16,7 +16,7 @@ use endless_dataset::{
 };
 use endless_world::{PinholeCamera, SceneCamera};
 use std::{
-    sync::{Mutex, PoisonError},
+    sync::{Barrier, Mutex, PoisonError},
     time::Instant,
 };
 
@@ -65,7 +65,11 @@ pub(crate) fn record_video<S: Simulator>(
         random_access: capabilities.random_access,
     };
     let failure = Mutex::new(None);
+    // Nobody begins before all are there: a thread that helped one at work, and took up its own part only while it waited
+    // for a piece of that, would wait here for the one that waits for it.
+    let all_here = Barrier::new(recording.pool.current_num_threads());
     recording.pool.broadcast(|_| {
+        all_here.wait();
         let _stop_others_on_panic = scheduler.stop_on_panic();
         if let Err(error) = work.all() {
             failure.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
