@@ -1,6 +1,6 @@
 //! Videos in which weather or time changes: as exact as others, and without jumps.
 
-use crate::exactness::{BLURRED, LoadedTown, SIZE, differing, town03};
+use crate::exactness::{BLURRED, LoadedTown, SIZE, differing, shared, town03};
 use endless_render::{CameraBake, Gathering, NeighbourFrames, RenderSettings};
 use endless_world::{
     ConditionChange, SceneSettings, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, Weather, WeatherTimeline,
@@ -96,11 +96,17 @@ fn fastest(loaded: &LoadedTown, camera: usize, timeline: &WeatherTimeline) -> f6
 
 #[test]
 fn no_frame_of_a_changing_video_jumps() {
-    use TimeOfDay::{Afternoon, Night};
-    use Weather::{ClearSky, Rainy};
-    let changes = [(0, (ClearSky, Afternoon), (ClearSky, Night)), (1, (ClearSky, Afternoon), (Rainy, Afternoon))];
-    for (camera, from, to) in changes {
-        let change = fastest(town03(), camera, &timeline(from, to));
+    use TimeOfDay::{Afternoon, Morning, Night};
+    use Weather::{AfterRain, ClearSky, Foggy, Rainy};
+    let town02 = shared("Town02");
+    let changes = [
+        (town03(), 0, (ClearSky, Afternoon), (ClearSky, Night)),
+        (town02, 1, (Foggy, Morning), (ClearSky, Morning)),
+        (town03(), 1, (ClearSky, Afternoon), (Rainy, Afternoon)),
+        (town02, 2, (AfterRain, Night), (Foggy, Morning)),
+    ];
+    for (loaded, camera, from, to) in changes {
+        let change = fastest(loaded, camera, &timeline(from, to));
         assert!((0.05..1.5).contains(&change), "{from:?} to {to:?}: {change}");
     }
 }

@@ -16,11 +16,11 @@ fn a_changing_video_is_resumed_to_the_same_bytes_by_any_number_of_threads() {
         maps: word("Town02"),
         weathers: Some(vec!["rainy".into(), "clear_sky".into()]),
         times: word("afternoon"),
-        changing: Some("weather".into()),
+        changing: Some("both".into()),
         cameras_per_scene: Some(1),
         size: Some("96x54".into()),
         fps: Some(10.0),
-        duration: Some(2.0),
+        duration: Some(2.8),
         min_pixels: Some(4),
         ..RecipeDraft::default()
     };
