@@ -1,7 +1,7 @@
 //! Images as they are stored.
 
 use endless_world::{Image, ImageSize};
-use std::borrow::Cow;
+use std::{borrow::Cow, ops::Range};
 
 /// An image as it is stored: RGB, whatever it means.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,17 +43,28 @@ impl StoredImage<'_> {
         }
     }
 
-    /// All bytes, row by row, as PNG has them: the high byte of 16 bits first. If they must be made, there is `room`.
-    pub(crate) fn bytes(&self, mut room: Vec<u8>) -> Cow<'_, [u8]> {
+    /// Some rows as PNG has them, byte by byte: the high one of 16 bits first.
+    pub(crate) fn rows(&self, rows: Range<usize>) -> Cow<'_, [u8]> {
         match self {
-            Self::Rgb8(image) => Cow::Borrowed(image.data.as_flattened()),
+            Self::Rgb8(image) => Cow::Borrowed(image_rows(image, rows)),
+            Self::Rgb16(image) => Cow::Owned(image_rows(image, rows).iter().flat_map(|v| v.to_be_bytes()).collect()),
+        }
+    }
+
+    /// Whether [`Self::rows`] are these bytes.
+    pub(crate) fn rows_are(&self, rows: Range<usize>, bytes: &[u8]) -> bool {
+        /// Values that are compared without asking in between.
+        const PIECE: usize = 1024;
+        match self {
+            Self::Rgb8(image) => image_rows(image, rows) == bytes,
             Self::Rgb16(image) => {
-                let values = image.data.as_flattened();
-                room.resize(2 * values.len(), 0);
-                for (bytes, value) in room.as_chunks_mut::<2>().0.iter_mut().zip(values) {
-                    *bytes = value.to_be_bytes();
-                }
-                Cow::Owned(room)
+                let values = image_rows(image, rows);
+                let unlike = |(value, bytes): (&u16, &[u8; 2])| value ^ u16::from_be_bytes(*bytes);
+                let mut pieces = values.chunks(PIECE).zip(bytes.as_chunks().0.chunks(PIECE));
+                2 * values.len() == bytes.len()
+                    && pieces.all(|(values, bytes)| {
+                        values.iter().zip(bytes).map(unlike).fold(0, |all, bits| all | bits) == 0
+                    })
             }
         }
     }
@@ -65,6 +76,12 @@ impl StoredImage<'_> {
             Self::Rgb16(_) => 2,
         }
     }
+}
+
+/// The channels of some rows.
+fn image_rows<T>(image: &Image<[T; 3]>, rows: Range<usize>) -> &[T] {
+    let width = image.size.width as usize;
+    image.data[rows.start * width..rows.end * width].as_flattened()
 }
 
 impl From<Image<[u8; 3]>> for StoredImage<'_> {

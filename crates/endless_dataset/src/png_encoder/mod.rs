@@ -15,7 +15,6 @@ use crate::stored_image::StoredImage;
 use endless_world::ImageSize;
 use std::{
     borrow::Cow,
-    mem,
     sync::{Arc, Mutex, MutexGuard, PoisonError},
 };
 
@@ -31,19 +30,22 @@ pub struct LastPng(Mutex<Memory>);
 
 #[derive(Debug, Default)]
 struct Memory {
-    last: Option<Arc<EncodedImage>>,
-    /// Room for the bytes of an image.
-    room: Vec<u8>,
+    last: Option<EncodedImage>,
     /// How many images one after the other had no band of the one before.
     all_new: u32,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct EncodedImage {
     layout: RowLayout,
-    /// As the file has them, but for compression.
-    bytes: Vec<u8>,
     bands: Vec<Arc<Band>>,
+}
+
+impl Memory {
+    /// The sensor's noise is new in each.
+    fn is_of_use(&self) -> bool {
+        self.all_new < NEVER_THE_SAME
+    }
 }
 
 impl LastPng {
@@ -51,38 +53,21 @@ impl LastPng {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The last image, if it lay like this; and room for the next.
-    fn before(&self, layout: RowLayout) -> (Option<Arc<EncodedImage>>, Vec<u8>) {
-        let mut memory = self.memory();
-        (memory.last.clone().filter(|before| before.layout == layout), mem::take(&mut memory.room))
+    /// The last image, if it lay like this; and whether the next is to be remembered.
+    fn before(&self, layout: RowLayout) -> (Option<EncodedImage>, bool) {
+        let memory = self.memory();
+        (memory.last.clone().filter(|before| before.layout == layout), memory.is_of_use())
     }
 
     /// Remembers an image, of which so many bands were as in the one before, if there was one.
-    fn remember(&self, layout: RowLayout, bytes: Cow<'_, [u8]>, bands: Vec<Arc<Band>>, same: Option<usize>) {
+    fn remember(&self, image: EncodedImage, same: Option<usize>) {
         let mut memory = self.memory();
         memory.all_new = match same {
             Some(0) => memory.all_new + 1,
             Some(_) => 0,
             None => memory.all_new,
         };
-        // Its room is used again, unless another thread compares with it.
-        if let Some(before) = memory.last.take().and_then(Arc::into_inner) {
-            memory.room = before.bytes;
-        }
-        // The sensor's noise is new in each.
-        if memory.all_new >= NEVER_THE_SAME {
-            return;
-        }
-        let bytes = match bytes {
-            Cow::Owned(bytes) => bytes,
-            Cow::Borrowed(pixels) => {
-                let mut room = mem::take(&mut memory.room);
-                room.clear();
-                room.extend_from_slice(pixels);
-                room
-            }
-        };
-        memory.last = Some(Arc::new(EncodedImage { layout, bytes, bands }));
+        memory.last = memory.is_of_use().then_some(image);
     }
 }
 
@@ -103,6 +88,8 @@ impl RowLayout {
 /// Compressed rows.
 #[derive(Debug)]
 struct Band {
+    /// Before they were filtered, if they are to be remembered.
+    rows: Vec<u8>,
     /// A whole IDAT chunk.
     chunk: Vec<u8>,
     /// Of the filtered rows, and how many bytes they have.
@@ -113,23 +100,22 @@ struct Band {
 /// The image as a PNG file; its bytes do not depend on `last`.
 pub(crate) fn encode(image: &StoredImage<'_>, last: &LastPng) -> Vec<u8> {
     let layout = RowLayout { size: image.size(), channel_bytes: image.channel_bytes() };
-    let (before, room) = last.before(layout);
-    let band_bytes = ROWS * layout.row_bytes();
-    let bytes = image.bytes(room);
+    let (before, remembered) = last.before(layout);
+    let height = layout.size.height as usize;
     let mut buffers = BandBuffers::default();
     let mut same_bands = 0;
-    let bands: Vec<Arc<Band>> = bytes
-        .chunks(band_bytes)
-        .enumerate()
-        .map(|(number, rows)| {
-            let same = before.as_ref().filter(|before| before.bytes[number * band_bytes..].starts_with(rows));
-            same_bands += usize::from(same.is_some());
-            same.map_or_else(|| Arc::new(buffers.band(rows, layout)), |before| Arc::clone(&before.bands[number]))
-        })
-        .collect();
+    let band = |(number, start): (usize, usize)| {
+        let rows = start..height.min(start + ROWS);
+        let known = before.as_ref().map(|before| &before.bands[number]);
+        if let Some(same) = known.filter(|band| image.rows_are(rows.clone(), &band.rows)) {
+            same_bands += 1;
+            return Arc::clone(same);
+        }
+        Arc::new(buffers.band(image.rows(rows), layout, remembered))
+    };
+    let bands: Vec<Arc<Band>> = (0..height).step_by(ROWS).enumerate().map(band).collect();
     let file = file(layout, &bands);
-    let same = before.map(|_| same_bands);
-    last.remember(layout, bytes, bands, same);
+    last.remember(EncodedImage { layout, bands }, before.map(|_| same_bands));
     file
 }
 
@@ -141,17 +127,19 @@ struct BandBuffers {
 }
 
 impl BandBuffers {
-    fn band(&mut self, rows: &[u8], layout: RowLayout) -> Band {
+    fn band(&mut self, rows: Cow<'_, [u8]>, layout: RowLayout, remembered: bool) -> Band {
         self.filtered.clear();
         match layout.channel_bytes {
-            1 => filter::rows::<3>(rows, layout.row_bytes(), &mut self.filtered),
-            _ => filter::rows::<6>(rows, layout.row_bytes(), &mut self.filtered),
+            1 => filter::rows::<3>(&rows, layout.row_bytes(), &mut self.filtered),
+            _ => filter::rows::<6>(&rows, layout.row_bytes(), &mut self.filtered),
         }
         self.data.clear();
         self.deflate.compress(&self.filtered, &mut self.data);
         let mut chunk = Vec::with_capacity(self.data.len() + 12);
         push_chunk(&mut chunk, *b"IDAT", &self.data);
-        Band { chunk, adler: simd_adler32::adler32(&self.filtered.as_slice()), length: self.filtered.len() }
+        let adler = simd_adler32::adler32(&self.filtered.as_slice());
+        let rows = if remembered { rows.into_owned() } else { Vec::new() };
+        Band { rows, chunk, adler, length: self.filtered.len() }
     }
 }
 
