@@ -81,7 +81,7 @@ mod variation;
 mod vec3x8;
 
 pub use accel::{Blas, Hit, Ray, RayStream, StreamHits, Tlas};
-pub use cache::{BakeStats, CameraBake, NeighbourFrames};
+pub use cache::{BakeStats, CameraBake, CoveredCentres, NeighbourFrame, NeighbourFrames};
 pub use indirect::IndirectHits;
 pub use light::{BeamKind, VehicleBeam};
 pub use material::occupants;

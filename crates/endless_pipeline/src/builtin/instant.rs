@@ -2,7 +2,7 @@
 
 use super::helped_once::HelpedOnce;
 use endless_city::ActorModels;
-use endless_render::FrameScene;
+use endless_render::{CoveredCentres, FrameScene};
 use endless_traffic::{DrivingCondition, Simulation};
 use endless_world::{SensorLayers, WorldState};
 use std::sync::Arc;
@@ -11,6 +11,8 @@ use std::sync::Arc;
 pub(super) struct SceneInstant {
     pub(super) state: WorldState,
     scene: HelpedOnce<Arc<FrameScene>>,
+    /// Of each camera.
+    pub(super) covered: Vec<CoveredCentres>,
 }
 
 /// The instants before and after one, as far as anybody asks for them.
@@ -21,8 +23,9 @@ pub(super) struct NeighbourInstants {
 }
 
 impl SceneInstant {
-    pub(super) fn new(state: WorldState) -> Self {
-        Self { state, scene: HelpedOnce::default() }
+    pub(super) fn new(state: WorldState, cameras: usize) -> Self {
+        let covered = (0..cameras).map(|_| CoveredCentres::default()).collect();
+        Self { state, scene: HelpedOnce::default(), covered }
     }
 
     /// What moves then, made once: who needs it while another makes it helps.
@@ -35,6 +38,7 @@ impl SceneInstant {
 pub(super) struct InstantSource {
     simulation: Simulation,
     wanted: SensorLayers,
+    cameras: usize,
     /// Of the video.
     frames: u32,
     begun: bool,
@@ -45,9 +49,9 @@ pub(super) struct InstantSource {
 }
 
 impl InstantSource {
-    /// For these layers of a video of so many frames.
-    pub(super) fn new(simulation: Simulation, wanted: SensorLayers, frames: u32) -> Self {
-        Self { simulation, wanted, frames, begun: false, last: None, ahead: None }
+    /// For these layers of a video of so many cameras and frames.
+    pub(super) fn new(simulation: Simulation, wanted: SensorLayers, cameras: usize, frames: u32) -> Self {
+        Self { simulation, wanted, cameras, frames, begun: false, last: None, ahead: None }
     }
 
     /// The next instant and those beside it, as far as the layers ask for them. The last frame has none after it, although
@@ -74,6 +78,6 @@ impl InstantSource {
         let state = self.simulation.state();
         // From this frame to the next.
         self.simulation.set_condition(condition(state.frame + 1));
-        Arc::new(SceneInstant::new(state))
+        Arc::new(SceneInstant::new(state, self.cameras))
     }
 }

@@ -130,21 +130,19 @@ pub(super) struct FrameBakes<'m> {
 }
 
 impl FrameBakes<'_> {
-    /// What each camera sees.
-    pub(super) fn render(
+    /// What each camera sees at an instant, and what is `beside` that for it.
+    pub(super) fn render<'a>(
         &self,
         still: &StaticScene,
         frame: &FrameScene,
-        beside: NeighbourFrames<'_>,
+        beside: impl Fn(usize) -> NeighbourFrames<'a>,
     ) -> Vec<SensorFrame> {
-        let before = self.before.cameras().iter();
-        match &self.after {
-            None => before.map(|camera| camera.render_between(still, frame, beside)).collect(),
-            Some((after, share)) => {
-                let pairs = before.zip(after.cameras());
-                pairs.map(|(camera, next)| camera.render_changing((next, *share), still, frame, beside)).collect()
-            }
-        }
+        let after = self.after.as_ref().map(|(after, share)| (after.cameras(), *share));
+        let rendered = |(number, camera): (usize, &CameraBake)| match after {
+            None => camera.render_between(still, frame, beside(number)),
+            Some((after, share)) => camera.render_changing((&after[number], share), still, frame, beside(number)),
+        };
+        self.before.cameras().iter().enumerate().map(rendered).collect()
     }
 }
 

@@ -16,7 +16,7 @@ use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, 
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_render::NeighbourFrames;
+use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames};
 use endless_traffic::{DrivingCondition, Fleet, Simulation, TrafficSettings};
 use endless_world::{Actor, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use std::{
@@ -90,7 +90,7 @@ impl<'m> BuiltinSession<'m> {
             moving,
             models: OnceLock::new(),
         };
-        let instants = InstantSource::new(simulation, wanted, settings.frames);
+        let instants = InstantSource::new(simulation, wanted, settings.cameras.len(), settings.frames);
         Ok(Self { instants, bakes: KeyBakes::new(bakes), scene: Arc::new(scene) })
     }
 }
@@ -176,9 +176,22 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
         // The latest first: a task that began a little earlier is making those before it.
         let after = neighbours.after.as_ref().map(scene_of);
         let before = neighbours.before.as_ref().map(scene_of);
-        let beside = NeighbourFrames { before: before.as_deref(), after: after.as_deref() };
+        let beside = |camera| NeighbourFrames {
+            before: neighbour(&before, &neighbours.before, camera),
+            after: neighbour(&after, &neighbours.after, camera),
+        };
         Ok(bakes.render(scene.bakes.still(), &scene_of(instant), beside))
     }
+}
+
+/// An instant beside a frame, as a camera needs it.
+fn neighbour<'a>(
+    scene: &'a Option<Arc<FrameScene>>,
+    instant: &'a Option<Arc<SceneInstant>>,
+    camera: usize,
+) -> Option<NeighbourFrame<'a>> {
+    let (scene, instant) = (scene.as_deref()?, instant.as_ref()?);
+    Some(NeighbourFrame { scene, covered: instant.covered.get(camera) })
 }
 
 /// The shapes of all objects of a scene at one instant.

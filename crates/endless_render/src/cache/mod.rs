@@ -16,6 +16,7 @@ mod centre_light;
 mod compose;
 mod contact_shadow;
 mod coverage;
+mod covered_centres;
 mod developed_frame;
 mod edge_samples;
 mod flow;
@@ -56,4 +57,5 @@ mod visible_tiles;
 
 pub use bake::CameraBake;
 pub use bake_stats::BakeStats;
-pub use flow::NeighbourFrames;
+pub use covered_centres::CoveredCentres;
+pub use flow::{NeighbourFrame, NeighbourFrames};

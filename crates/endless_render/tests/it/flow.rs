@@ -121,7 +121,7 @@ fn a_block_flows_as_it_moves_and_turns() {
     let [past, present, future] = places().map(|place| frame(&block, place));
     for k1 in [0.0, -0.15] {
         let bake = CameraBake::bake(&still, &settings(k1), &site());
-        let beside = NeighbourFrames { before: Some(&past), after: Some(&future) };
+        let beside = NeighbourFrames { before: Some((&past).into()), after: Some((&future).into()) };
         let now = bake.render_between(&still, &present, beside);
         let moved = |to: Affine3A| to * places()[1].inverse_unfused();
         for (flow, then, moved) in
@@ -139,7 +139,7 @@ fn what_leaves_the_picture_flows_out_of_it() {
     let at = |y: f32| Affine3A::from_translation(Vec3::new(11.0, y, 0.0));
     let bake = CameraBake::bake(&still, &settings(0.0), &site());
     let [present, future] = [5.0, 6.0].map(|y| frame(&block, at(y)));
-    let beside = NeighbourFrames { before: None, after: Some(&future) };
+    let beside = NeighbourFrames { before: None, after: Some((&future).into()) };
     let now = bake.render_between(&still, &present, beside);
     let backward = now.flow_backward.as_ref().expect("wanted");
     assert!(backward.data.iter().all(|pixel| *pixel == FlowPixel::UNKNOWN));
@@ -151,7 +151,7 @@ fn what_leaves_the_picture_flows_out_of_it() {
     // Another mesh under the same number is another thing.
     let other = cuboid(Vec3::NEG_ONE, Vec3::ONE, ClassTag::Dynamic);
     let other = frame(&other, at(6.0));
-    let beside = NeighbourFrames { before: None, after: Some(&other) };
+    let beside = NeighbourFrames { before: None, after: Some((&other).into()) };
     let forward = bake.render_between(&still, &present, beside).flow.expect("wanted");
     for (pixel, label) in forward.data.iter().zip(&now.instance.data) {
         assert_eq!(*pixel == FlowPixel::UNKNOWN, label.id == MOVING);
@@ -164,7 +164,7 @@ fn what_moves_and_does_not_is_as_visible_as_it_was() {
     for k1 in [0.0, -0.15] {
         let bake = CameraBake::bake(&still, &settings(k1), &site());
         let [present, future] = [places()[1]; 2].map(|place| frame(&block, place));
-        let beside = NeighbourFrames { before: Some(&future), after: Some(&future) };
+        let beside = NeighbourFrames { before: Some((&future).into()), after: Some((&future).into()) };
         let now = bake.render_between(&still, &present, beside);
         for flow in [now.flow, now.flow_backward] {
             assert!(flow.expect("wanted").data.iter().all(|pixel| *pixel == FlowPixel::STILL.encoded()));
