@@ -98,8 +98,7 @@ impl FrameBuffer {
             match bake.film.post_process.as_ref().filter(|post| post.has_lens()) {
                 Some(post) => {
                     let mut through = bake.film.lens_scratch.take(Vec::new);
-                    through.clone_from(&radiance);
-                    post.lens(&mut through);
+                    post.lens(&radiance, &mut through);
                     self.expose(bake, &through);
                     bake.film.lens_scratch.give(through);
                 }
@@ -142,9 +141,9 @@ impl FrameBuffer {
                 self.rgb[i as usize] = bake.film.tone.apply(radiance[i as usize]);
             }
         } else if bake.film.glare > 0.0 {
-            with_glare(bake.camera.size, radiance, bake.film.glare, |r| self.rgb.push(bake.film.tone.apply(r)));
+            with_glare(bake.camera.size, radiance, bake.film.glare, |row| bake.film.tone.append(row, &mut self.rgb));
         } else {
-            self.rgb.extend(radiance.iter().map(|&r| bake.film.tone.apply(r)));
+            bake.film.tone.append(radiance, &mut self.rgb);
         }
     }
 }

@@ -4,7 +4,6 @@
 use super::droplets::Droplets;
 use super::sensor_noise::SensorNoise;
 use super::timestamp::stamp;
-use endless_world::math::UnfusedVec3A;
 use endless_world::{CameraLook, ImageSize};
 use glam::{Vec2, Vec3A};
 
@@ -33,25 +32,38 @@ impl PostProcess {
         self.look.vignetting > 0.0 || self.look.aberration > 0.0 || self.droplets.is_some()
     }
 
-    /// What the lens does to a picture in linear light.
-    pub(crate) fn lens(&self, pixels: &mut [Vec3A]) {
+    /// What the lens makes of a picture in linear light; `through` is overwritten.
+    pub(crate) fn lens(&self, seen: &[Vec3A], through: &mut Vec<Vec3A>) {
         let CameraLook { vignetting, aberration, .. } = self.look;
-        if let Some(droplets) = &self.droplets {
-            droplets.draw(self.size, pixels);
-        }
-        let from = (aberration > 0.0).then(|| pixels.to_vec());
         let (width, height) = (self.size.width as usize, self.size.height as usize);
+        let dropped = self.droplets.as_ref().map(|droplets| {
+            let mut dropped = seen.to_vec();
+            droplets.draw(self.size, &mut dropped);
+            dropped
+        });
+        let from = dropped.as_deref().unwrap_or(seen);
         let middle = Vec2::new(width as f32, height as f32) * 0.5;
         let corner = middle.length_squared();
-        for (i, pixel) in pixels.iter_mut().enumerate() {
-            let away = Vec2::new((i % width) as f32 + 0.5, (i / width) as f32 + 0.5) - middle;
-            if let Some(from) = &from {
-                let at = |scale: f32| bilinear(from, width, height, middle + away * scale);
-                pixel.x = at(1.0 - aberration).x;
-                pixel.z = at(1.0 + aberration).z;
-            }
-            let r2 = away.length_squared() / corner;
-            *pixel *= 1.0 - vignetting * r2 * (0.6 + 0.4 * r2);
+        // Where red and blue come from along an axis: rows and columns do not depend on each other.
+        let red_and_blue = |i: usize, middle: f32, n: usize| {
+            let away = i as f32 + 0.5 - middle;
+            [1.0 - aberration, 1.0 + aberration].map(|scale| AxisPlace::new(middle + away * scale, n))
+        };
+        let columns: Vec<_> = (0..width).map(|x| (x, red_and_blue(x, middle.x, width))).collect();
+        through.clear();
+        through.reserve(from.len());
+        for (y, row) in from.chunks_exact(width).enumerate() {
+            let rows = red_and_blue(y, middle.y, height);
+            through.extend(row.iter().zip(&columns).map(|(&pixel, (x, column))| {
+                let mut pixel = pixel;
+                if aberration > 0.0 {
+                    pixel.x = bilinear(from, width, [column[0], rows[0]], |p| p.x);
+                    pixel.z = bilinear(from, width, [column[1], rows[1]], |p| p.z);
+                }
+                let away = Vec2::new(*x as f32 + 0.5, y as f32 + 0.5) - middle;
+                let r2 = away.length_squared() / corner;
+                pixel * (1.0 - vignetting * r2 * (0.6 + 0.4 * r2))
+            }));
         }
     }
 
@@ -71,35 +83,64 @@ impl PostProcess {
         }
     }
 
-    /// An unsharp mask over the four neighbours.
+    /// An unsharp mask over the four neighbours; the border is repeated.
     fn sharpen(&self, rgb: &mut [[u8; 3]]) {
         let from = rgb.to_vec();
         let (width, height) = (self.size.width as usize, self.size.height as usize);
-        let strength = self.look.sharpening;
-        for y in 0..height {
-            let (above, below) = (y.saturating_sub(1) * width, (y + 1).min(height - 1) * width);
-            for x in 0..width {
-                let (left, right) = (x.saturating_sub(1), (x + 1).min(width - 1));
+        let row_of = |y: usize| &from[y * width..][..width];
+        for (y, out) in rgb.chunks_exact_mut(width).enumerate() {
+            let (here, above, below) = (row_of(y), row_of(y.saturating_sub(1)), row_of((y + 1).min(height - 1)));
+            let around = |x: usize| [above[x], below[x], here[x.saturating_sub(1)], here[(x + 1).min(width - 1)]];
+            let last = width - 1;
+            for x in [0, last] {
                 for c in 0..3 {
-                    let at = |row: usize, column: usize| f32::from(from[row + column][c]);
-                    let here = at(y * width, x);
-                    let around = (at(above, x) + at(below, x) + at(y * width, left) + at(y * width, right)) * 0.25;
-                    rgb[y * width + x][c] = (here + strength * (here - around)).round().clamp(0.0, 255.0) as u8;
+                    out[x][c] = sharpened(self.look.sharpening, here[x][c], around(x).map(|pixel| pixel[c]));
                 }
+            }
+            if width < 3 {
+                continue;
+            }
+            let (left, right) = (here[..last - 1].as_flattened(), here[2..].as_flattened());
+            let [here, above, below] = [here, above, below].map(|row| row[1..last].as_flattened());
+            for (i, out) in out[1..last].as_flattened_mut().iter_mut().enumerate() {
+                *out = sharpened(self.look.sharpening, here[i], [above[i], below[i], left[i], right[i]]);
             }
         }
     }
 }
 
-/// A picture between its pixels' centres; the border is repeated.
-fn bilinear(from: &[Vec3A], width: usize, height: usize, at: Vec2) -> Vec3A {
-    let most = Vec2::new((width - 1) as f32, (height - 1) as f32);
-    let p = (at - 0.5).clamp(Vec2::ZERO, most);
-    let (x, y) = (p.x as usize, p.y as usize);
-    let (x1, y1) = ((x + 1).min(width - 1), (y + 1).min(height - 1));
-    let (u, v) = (p.x - x as f32, p.y - y as f32);
-    let row = |y: usize| from[y * width + x].lerp_unfused(from[y * width + x1], u);
-    row(y).lerp_unfused(row(y1), v)
+/// A value and the mean of its neighbours are led apart.
+fn sharpened(strength: f32, here: u8, [above, below, left, right]: [u8; 4]) -> u8 {
+    let here = f32::from(here);
+    let around = (f32::from(above) + f32::from(below) + f32::from(left) + f32::from(right)) * 0.25;
+    (here + strength * (here - around)).round().clamp(0.0, 255.0) as u8
+}
+
+/// A place between the centres of pixels along one axis; the border is repeated.
+#[derive(Clone, Copy)]
+struct AxisPlace {
+    before: usize,
+    after: usize,
+    share: f32,
+}
+
+impl AxisPlace {
+    /// In pixels, of so many.
+    fn new(at: f32, pixels: usize) -> Self {
+        let at = (at - 0.5).clamp(0.0, (pixels - 1) as f32);
+        let before = at as usize;
+        Self { before, after: (before + 1).min(pixels - 1), share: at - before as f32 }
+    }
+}
+
+/// A channel of a picture between its pixels' centres.
+fn bilinear(from: &[Vec3A], width: usize, [x, y]: [AxisPlace; 2], channel: impl Fn(&Vec3A) -> f32) -> f32 {
+    let lerp = |a: f32, b: f32, share: f32| a + (b - a) * share;
+    let row = |y: usize| {
+        let row = &from[y * width..][..width];
+        lerp(channel(&row[x.before]), channel(&row[x.after]), x.share)
+    };
+    lerp(row(y.before), row(y.after), y.share)
 }
 
 /// The picture as a recorder's JPEG-like compression leaves it.
@@ -153,8 +194,9 @@ mod tests {
 
     #[test]
     fn corners_lose_what_is_asked() {
-        let mut pixels = vec![Vec3A::ONE; SIZE.pixels()];
-        finish(CameraLook { vignetting: 0.4, aberration: 0.001, ..CameraLook::CLEAN }).lens(&mut pixels);
+        let mut pixels = Vec::new();
+        let look = CameraLook { vignetting: 0.4, aberration: 0.001, ..CameraLook::CLEAN };
+        finish(look).lens(&vec![Vec3A::ONE; SIZE.pixels()], &mut pixels);
         assert!((pixels[0].x - 0.6).abs() < 0.01, "{}", pixels[0]);
         assert!((pixels[SIZE.pixels() / 2 + SIZE.width as usize / 2].y - 1.0).abs() < 1e-3);
     }

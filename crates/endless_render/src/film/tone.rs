@@ -2,6 +2,7 @@
 
 use endless_world::math;
 use glam::Vec3A;
+use wide::f32x8;
 
 const ENTRIES: usize = 8192;
 
@@ -64,6 +65,34 @@ impl ToneCurve {
         let t = x / (Vec3A::ONE + x) * (ENTRIES - 1) as f32;
         [t.x, t.y, t.z].map(|i| self.table[(i + 0.5) as usize])
     }
+
+    /// Appends a row of pixels, eight at a time: as [`Self::apply`] has them, to the bit.
+    pub(crate) fn append(&self, radiance: &[Vec3A], rgb: &mut Vec<[u8; 3]>) {
+        let (eights, rest) = radiance.as_chunks();
+        rgb.reserve(radiance.len());
+        for eight in eights {
+            rgb.extend(self.apply8(eight));
+        }
+        rgb.extend(rest.iter().map(|&pixel| self.apply(pixel)));
+    }
+
+    #[inline]
+    fn apply8(&self, radiance: &[Vec3A; 8]) -> [[u8; 3]; 8] {
+        let splat = f32x8::splat;
+        let axis = |k: usize| {
+            let seen = f32x8::new(radiance.each_ref().map(|pixel| pixel[k]));
+            ((seen - splat(self.black[k])) * splat(self.exposure[k])).fast_max(f32x8::ZERO)
+        };
+        let x = [axis(0), axis(1), axis(2)];
+        let peak = x[0].fast_max(x[1]).fast_max(x[2]);
+        let bleach = (peak - f32x8::ONE).fast_max(f32x8::ZERO);
+        let white = peak * splat(0.12) * (bleach / (bleach + splat(6.0)));
+        let places = x.map(|x| {
+            let x = x + white;
+            (x / (f32x8::ONE + x) * splat((ENTRIES - 1) as f32) + splat(0.5)).to_array()
+        });
+        std::array::from_fn(|i| [0, 1, 2].map(|k| self.table[places[k][i] as usize]))
+    }
 }
 
 #[cfg(test)]
@@ -83,5 +112,15 @@ mod tests {
             assert!(v >= last);
             last = v;
         }
+    }
+
+    #[test]
+    fn eight_pixels_are_as_one_by_one() {
+        let curve = ToneCurve::new(0.7, Vec3A::new(1.1, 1.0, 0.8), Vec3A::splat(0.02));
+        let light = |i: u32| (i.wrapping_mul(2_654_435_761) >> 8) as f32 * 1e-6 * ((i % 7) as f32 - 0.3);
+        let row: Vec<Vec3A> = (0..4001).map(|i| Vec3A::new(light(3 * i), light(3 * i + 1), light(3 * i + 2))).collect();
+        let mut together = Vec::new();
+        curve.append(&row, &mut together);
+        assert_eq!(together, row.iter().map(|&pixel| curve.apply(pixel)).collect::<Vec<_>>());
     }
 }
