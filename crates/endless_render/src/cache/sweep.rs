@@ -2,6 +2,7 @@
 
 use super::gbuffer_shading::gbuffer_bsdf;
 use super::pixel_centre::{BLOCK, CentreBlock, PixelCentre};
+use super::tile::Bounds3;
 use super::tile_context::{PixelSamples, TileContext};
 use super::tile_work::BeamSweep;
 use crate::accel::{Ray, RayStream};
@@ -81,8 +82,13 @@ pub(super) fn beams_on_block(
 ) -> [Vec3A; BLOCK] {
     let mut rows: [SweptRow<'_, '_>; 4] = std::array::from_fn(|row| SweptRow::new(&block[8 * row..][..8]));
     let mut rays = origins.clone();
+    let mut points = Bounds3::EMPTY;
+    block.iter().flatten().for_each(|place| points.add(place.facet.position));
     for sweep in beams {
         let beam = &frame.beams[usize::from(sweep.beam)];
+        if !beam.reaches(points.low - 1e-3, points.high + 1e-3) {
+            continue;
+        }
         let strengths = rows.each_mut().map(|row| row.strengths(tracer, beam, eye));
         let lit = strengths.map(|(_, lit)| lit);
         let active = u32::from_le_bytes(lit);

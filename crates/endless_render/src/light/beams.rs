@@ -54,10 +54,9 @@ impl VehicleBeam {
         if distance_squared > range * range || ahead <= NEAREST_M {
             return (Vec3A::ZERO, Vec3A::Z);
         }
-        let q = distance_squared / (range * range);
-        let window = (1.0 - q) * (1.0 - q);
         let (aside, up) = (offset.dot(self.left) / ahead, offset.z / ahead);
-        let strength = self.intensity(aside * aside, up, (-up).max(0.0)) * window / distance_squared;
+        let strength =
+            self.intensity(aside * aside, up, (-up).max(0.0)) * self.window(distance_squared) / distance_squared;
         let seen = (strength - FAINT_KLX).max(0.0);
         (self.color() * seen, -offset / distance_squared.sqrt())
     }
@@ -118,7 +117,7 @@ impl VehicleBeam {
     /// Whether any of its light can reach a box: its strength at the nearest distance and the least angles.
     pub(crate) fn reaches(&self, low: Vec3A, high: Vec3A) -> bool {
         let distance_squared = self.position.clamp(low, high).distance_squared(self.position).max(0.05);
-        if distance_squared > self.range_m() * self.range_m() {
+        if distance_squared >= self.range_m() * self.range_m() {
             return false;
         }
         // Extent of the box along an axis, from the light.
@@ -135,7 +134,14 @@ impl VehicleBeam {
         let (bottom, top) = extent(Vec3A::Z);
         let aside = right.max(-left).max(0.0) / ahead;
         let (up, below) = (bottom.max(0.0) / ahead, (-top).max(0.0) / ahead);
-        self.intensity(aside * aside, up, below) / distance_squared * 1.001 > FAINT_KLX
+        let strength = self.intensity(aside * aside, up, below) * self.window(distance_squared) / distance_squared;
+        strength * 1.001 > FAINT_KLX
+    }
+
+    /// Fades the light out towards the end of its range.
+    fn window(&self, distance_squared: f32) -> f32 {
+        let q = distance_squared / (self.range_m() * self.range_m());
+        (1.0 - q) * (1.0 - q)
     }
 
     /// The ray that must be free for its light to reach a point.
