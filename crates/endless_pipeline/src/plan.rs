@@ -4,6 +4,8 @@ mod balanced;
 mod changing;
 mod combination;
 mod moved_camera;
+mod overlapping;
+mod subsets;
 
 use crate::{MapCatalog, PlanError, SimulatorError};
 use balanced::Balanced;
@@ -32,10 +34,19 @@ impl Plan {
     /// A balanced plan is another such list: after every video, each map has come as often as any other or once more, and
     /// so have each weather and each time of day.
     ///
+    /// Overlapping cameras are sets in which each sees at least a quarter of the places that another sees, or that other a
+    /// quarter of its own, and all hang together so; where a map has none, the sets that share most, and all where no two
+    /// cameras share anything.
+    ///
     /// # Errors
     /// When a map has fewer cameras than a scene needs.
     pub fn new(recipe: &Recipe, catalog: &dyn MapCatalog) -> Result<Self, PlanError> {
-        let sites_of = |map: &String| Ok(MapSites { map: map.clone(), sites: Self::cameras(recipe, catalog, map)? });
+        let sites_of = |map: &String| {
+            let sites = Self::cameras(recipe, catalog, map)?;
+            let asks = recipe.overlapping && recipe.cameras_per_scene > 1;
+            let places = asks.then(|| catalog.places_seen(map, &sites)).transpose()?;
+            Ok(MapSites { map: map.clone(), sites, places })
+        };
         let maps: Vec<MapSites> = recipe.maps.iter().map(sites_of).collect::<Result<_, PlanError>>()?;
         let combinations = Combinations::new(recipe, &maps)?;
         let list = if recipe.balance { balanced(&combinations, recipe) } else { shuffled(&combinations, recipe) };
@@ -287,6 +298,37 @@ mod tests {
             let recipe = recipe(videos, 2, seed, [3, 5, 3]);
             let plan = Plan::new(&recipe, &ThreeTowns).expect("plannable");
             assert_eq!(plan.scenes.iter().map(key).collect::<Vec<_>>(), pairs(&recipe));
+        }
+    }
+
+    /// The towns, whose cameras stand in a row: each sees what the next one sees, too.
+    struct InARow;
+
+    impl MapCatalog for InARow {
+        fn cameras(&self, map: &str) -> Result<Vec<CameraSite>, SimulatorError> {
+            ThreeTowns.cameras(map)
+        }
+
+        fn places_seen(&self, _map: &str, sites: &[CameraSite]) -> Result<Vec<Vec<u32>>, SimulatorError> {
+            Ok((0..sites.len() as u32).map(|i| (10 * i..10 * i + 15).collect()).collect())
+        }
+    }
+
+    #[test]
+    fn overlapping_cameras_stand_beside_each_other() {
+        for (balance, cameras) in [(false, 2), (true, 2), (false, 3)] {
+            let plain = Recipe { balance, ..recipe(200, cameras, 5, [3, 2, 2]) };
+            let overlapping = Recipe { overlapping: true, ..plain.clone() };
+            // Where nobody knows what cameras see, all are as good.
+            let scenes = |recipe, catalog: &dyn MapCatalog| Plan::new(recipe, catalog).expect("plannable").scenes;
+            assert_eq!(scenes(&overlapping, &ThreeTowns), scenes(&plain, &ThreeTowns));
+            let places = |scene: &SceneSettings| {
+                let number = |camera: &SceneCamera| camera.site.position[0] as u32;
+                scene.cameras.iter().map(number).collect::<Vec<_>>()
+            };
+            let sets: Vec<Vec<u32>> = scenes(&overlapping, &InARow).iter().map(places).collect();
+            assert!(sets.iter().all(|set| set.windows(2).all(|pair| pair[1] == pair[0] + 1)));
+            assert!((0..3).all(|first| sets.iter().any(|set| set[0] == first)), "not always the same set");
         }
     }
 

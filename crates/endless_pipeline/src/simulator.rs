@@ -46,6 +46,15 @@ pub trait MapCatalog {
     fn see_as_well(&self, _map: &str, moved: &[[CameraSite; 2]]) -> Result<Vec<bool>, SimulatorError> {
         Ok(vec![true; moved.len()])
     }
+
+    /// Numbers of a map's places of vehicles and people that each of these sites sees, ascending; where nobody knows, all
+    /// see the same one.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be made.
+    fn places_seen(&self, _map: &str, sites: &[CameraSite]) -> Result<Vec<Vec<u32>>, SimulatorError> {
+        Ok(vec![vec![0]; sites.len()])
+    }
 }
 
 /// The capabilities of a simulator, by which recording schedules its work.

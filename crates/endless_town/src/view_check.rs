@@ -46,6 +46,13 @@ impl<'t> ViewCheck<'t> {
             && self.props.hide(moved) <= self.props.hide(usual) + MORE_HIDDEN
     }
 
+    /// Numbers of the town's places of vehicles and people that each site sees, ascending: what two sites have in common
+    /// both see.
+    pub fn places_seen(&self, sites: &[CameraSite]) -> Vec<Vec<u32>> {
+        let judge = ViewScorer::new(&self.town.network, &self.relief, Vec::new(), &[]);
+        sites.iter().map(|site| judge.places_seen(site)).collect()
+    }
+
     fn look(&self, judge: &ViewScorer<'_>, site: &CameraSite) -> Option<ViewContents> {
         let [x, y, lens] = site.position.map(f64::from);
         let (ground, top) = self.relief.at(DVec2::new(x, y));

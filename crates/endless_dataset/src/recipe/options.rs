@@ -106,6 +106,8 @@ recipe_options! {
     /// Cameras that film each scene at the same instants: a pair, as in the paper, or a network of them.
     cameras_per_scene: i64 => #[serde(default = "pair")] u32,
         OptionKind::Whole { least: 1, most: MAX_CAMERAS as u64 }, Value("2");
+    /// Film each scene with cameras that see the same street, where a map has such cameras.
+    overlapping: bool => #[serde(default, skip_serializing_if = "is_not")] bool, OptionKind::Switch, Value("false");
     /// Weathers to choose from.
     weathers: Vec<String> => Vec<Weather>, OptionKind::Words(Vocabulary::of::<Weather>()), Described("all");
     /// Times of day to choose from.

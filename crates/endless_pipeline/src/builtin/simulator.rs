@@ -59,6 +59,10 @@ impl MapCatalog for BuiltinSimulator {
         })?;
         Ok(judged)
     }
+
+    fn places_seen(&self, map: &str, sites: &[CameraSite]) -> Result<Vec<Vec<u32>>, SimulatorError> {
+        Ok(self.map_library.with_view_check(map, |check| check.places_seen(sites))?)
+    }
 }
 
 impl Simulator for BuiltinSimulator {

@@ -1,6 +1,8 @@
 //! All combinations of map, weather, time of day and cameras, numbered and made on demand.
 
 use super::balanced::Places;
+use super::overlapping::{OverlappingSets, overlapping_sets};
+use super::subsets::{binomial, set_of_rank};
 use crate::PlanError;
 use endless_dataset::Recipe;
 use endless_world::{CameraSite, Stream, TimeOfDay, Weather};
@@ -10,6 +12,8 @@ use std::collections::BTreeMap;
 pub(super) struct MapSites {
     pub(super) map: String,
     pub(super) sites: Vec<CameraSite>,
+    /// The places that each sees, where sets of cameras are to overlap.
+    pub(super) places: Option<Vec<Vec<u32>>>,
 }
 
 /// One element of the product.
@@ -25,9 +29,40 @@ pub(super) struct Combination<'a> {
 pub(super) struct Combinations<'a> {
     recipe: &'a Recipe,
     maps: &'a [MapSites],
-    /// How many sets of cameras each map has.
-    camera_sets: Vec<u128>,
+    /// Of each map.
+    camera_sets: Vec<CameraSets>,
     count: u128,
+}
+
+/// The sets of cameras of one map, in lexicographic order.
+enum CameraSets {
+    /// All of so many.
+    All(u128),
+    /// Those that see the same street.
+    Overlapping(Vec<Vec<usize>>),
+}
+
+impl CameraSets {
+    /// Of so many cameras each; `None` where there are too many.
+    fn new(map: &MapSites, cameras: usize) -> Option<Self> {
+        Some(match &map.places {
+            Some(places) => {
+                let OverlappingSets { sets, best } = overlapping_sets(places, cameras)?;
+                if best == 0.0 {
+                    tracing::warn!("no {cameras} cameras of {} see the same street: any are taken", map.map);
+                }
+                Self::Overlapping(sets)
+            }
+            None => Self::All(binomial(map.sites.len(), cameras)?),
+        })
+    }
+
+    fn count(&self) -> u128 {
+        match self {
+            Self::All(count) => *count,
+            Self::Overlapping(sets) => sets.len() as u128,
+        }
+    }
 }
 
 impl<'a> Combinations<'a> {
@@ -38,13 +73,14 @@ impl<'a> Combinations<'a> {
         let conditions = (recipe.weathers.len() * recipe.times.len()) as u128;
         let mut camera_sets = Vec::with_capacity(maps.len());
         let mut count = 0u128;
-        for MapSites { map, sites } in maps {
+        for of_map in maps {
+            let MapSites { map, sites, .. } = of_map;
             if sites.len() < wanted {
                 return Err(PlanError::FewCameras { map: map.clone(), cameras: sites.len(), wanted });
             }
-            let sets = binomial(sites.len(), wanted);
-            let total = sets.and_then(|sets| sets.checked_mul(conditions)).and_then(|n| count.checked_add(n));
-            let (Some(sets), Some(total)) = (sets, total) else {
+            let sets = CameraSets::new(of_map, wanted);
+            let all = sets.as_ref().and_then(|sets| sets.count().checked_mul(conditions));
+            let (Some(sets), Some(total)) = (sets, all.and_then(|n| count.checked_add(n))) else {
                 return Err(PlanError::ManyCameras { map: map.clone(), cameras: sites.len() });
             };
             camera_sets.push(sets);
@@ -60,17 +96,20 @@ impl<'a> Combinations<'a> {
 
     /// How many sets of cameras a map has, by its place.
     pub(super) fn camera_sets(&self, map: usize) -> u128 {
-        self.camera_sets[map]
+        self.camera_sets[map].count()
     }
 
     /// The combination of values by their places in the recipe's lists, and of the map's cameras by the place of their
     /// set in lexicographic order.
     pub(super) fn of(&self, Places { map, weather, time_of_day }: Places, set: u128) -> Combination<'a> {
         let Recipe { weathers, times, cameras_per_scene, .. } = self.recipe;
-        let MapSites { map, sites } = &self.maps[map];
-        let set = set_of_rank(sites.len(), *cameras_per_scene as usize, set);
+        let MapSites { map: name, sites, .. } = &self.maps[map];
+        let set = match &self.camera_sets[map] {
+            CameraSets::All(_) => set_of_rank(sites.len(), *cameras_per_scene as usize, set),
+            CameraSets::Overlapping(sets) => sets[set as usize].clone(),
+        };
         Combination {
-            map,
+            map: name,
             weather: weathers[weather],
             time_of_day: times[time_of_day],
             sites: set.into_iter().map(|i| &sites[i]).collect(),
@@ -81,7 +120,8 @@ impl<'a> Combinations<'a> {
     pub(super) fn get(&self, number: u128) -> Combination<'a> {
         let times = self.recipe.times.len();
         let mut rest = number;
-        for (map, &sets) in self.camera_sets.iter().enumerate() {
+        for (map, sets) in self.camera_sets.iter().enumerate() {
+            let sets = sets.count();
             let of_map = sets * (self.recipe.weathers.len() * times) as u128;
             if rest >= of_map {
                 rest -= of_map;
@@ -92,29 +132,6 @@ impl<'a> Combinations<'a> {
         }
         unreachable!("{number} is below the number of combinations")
     }
-}
-
-/// How many sets of `k` there are among `n`; `None` where no 128 bits can hold it.
-fn binomial(n: usize, k: usize) -> Option<u128> {
-    // Every step is a binomial itself, so that the division leaves nothing.
-    (0..k).try_fold(1u128, |c, i| Some(c.checked_mul(n.saturating_sub(i) as u128)? / (i as u128 + 1)))
-}
-
-/// The set of `k` of `0..n` with this place in the lexicographic order of all of them.
-fn set_of_rank(n: usize, k: usize, mut rank: u128) -> Vec<usize> {
-    let mut set = Vec::with_capacity(k);
-    let mut next = 0;
-    while set.len() < k {
-        // So many sets go on with `next`.
-        let with_next = binomial(n - next - 1, k - set.len() - 1).expect("fewer than the sets that were counted");
-        if rank < with_next {
-            set.push(next);
-        } else {
-            rank -= with_next;
-        }
-        next += 1;
-    }
-    set
 }
 
 /// Up to here all numbers are laid out and shuffled, above it only those that come out: the list of 16 million takes
@@ -178,23 +195,7 @@ mod tests {
     use proptest::prelude::*;
     use std::collections::BTreeSet;
 
-    #[test]
-    fn sets_are_counted() {
-        assert_eq!(binomial(10, 2), Some(45));
-        assert_eq!(binomial(99, 8), Some(171_200_862_756));
-        assert_eq!(binomial(3, 4), Some(0));
-        assert_eq!(binomial(usize::MAX, 8), None);
-    }
-
     proptest! {
-        #[test]
-        fn ranks_are_places_in_the_lexicographic_order(n in 1usize..11, k in 1usize..9) {
-            let all: Vec<Vec<usize>> =
-                (0..binomial(n, k).expect("few")).map(|rank| set_of_rank(n, k, rank)).collect();
-            prop_assert!(all.iter().all(|set| set.len() == k && set.is_sorted_by(|a, b| a < b) && set[k - 1] < n));
-            prop_assert!(all.is_sorted_by(|a, b| a < b));
-        }
-
         #[test]
         fn a_sparse_shuffle_gives_every_number_once(count in 1u128..300, seed: u64) {
             let order: Vec<u128> = SparseShuffle::new(count, Stream::named(seed, "test", &[])).collect();

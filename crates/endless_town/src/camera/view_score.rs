@@ -24,6 +24,8 @@ const CENTRAL_POST_M: f64 = 13.0;
 const BRIDGE_HEIGHT_M: f32 = 2.6;
 const BRIDGE_M: f32 = 45.0;
 const STEEP: f32 = 0.12;
+/// Places farther than this are not counted, metres.
+const FAR_SPOT_M: f32 = 85.0;
 /// Least share of the picture on road, sidewalk or square.
 pub(crate) const LEAST_PAVED: f32 = 0.32;
 /// Least share on road or sidewalk.
@@ -183,27 +185,38 @@ impl<'a> ViewScorer<'a> {
 
     fn count_spots(&self, camera: &PinholeCamera, seen: &mut ViewContents) {
         seen.nearest_m = f32::INFINITY;
-        let margin = 20.0;
-        for spot in &self.expected {
-            let between = spot.at - camera.position;
-            if between.length_squared() > 85.0 * 85.0 {
-                continue;
-            }
-            let Some((image, depth)) = camera.project(spot.at + Vec3::Z * 0.7) else { continue };
-            let inside = (margin..SIZE.width as f32 - margin).contains(&image.x)
-                && (margin..SIZE.height as f32 - margin).contains(&image.y);
-            if !inside || !self.relief.sees(camera.position, spot.at + Vec3::Z * 1.2) {
-                continue;
-            }
+        for (_, spot, depth) in self.spots_seen(camera) {
             let pixels = spot.size * camera.intrinsics.fx / depth;
             let class = usize::from(pixels > 32.0) + usize::from(pixels > 96.0);
             seen.sizes[class] += spot.weight;
             if spot.person {
                 seen.people += spot.weight;
             } else {
-                seen.nearest_m = seen.nearest_m.min(between.length());
+                seen.nearest_m = seen.nearest_m.min(spot.at.distance(camera.position));
             }
         }
+    }
+
+    /// Numbers of the places that a site sees, ascending: the same numbers for all sites.
+    pub(crate) fn places_seen(&self, site: &CameraSite) -> Vec<u32> {
+        self.spots_seen(&PinholeCamera::new(site, SIZE)).map(|(number, ..)| number).collect()
+    }
+
+    /// The places in view and not too far, their numbers and depths.
+    fn spots_seen<'s>(
+        &'s self,
+        camera: &'s PinholeCamera,
+    ) -> impl Iterator<Item = (u32, &'s ExpectedTraffic, f32)> + 's {
+        const MARGIN: f32 = 20.0;
+        (0..).zip(&self.expected).filter_map(move |(number, spot)| {
+            if spot.at.distance_squared(camera.position) > FAR_SPOT_M * FAR_SPOT_M {
+                return None;
+            }
+            let (image, depth) = camera.project(spot.at + Vec3::Z * 0.7)?;
+            let inside = (MARGIN..SIZE.width as f32 - MARGIN).contains(&image.x)
+                && (MARGIN..SIZE.height as f32 - MARGIN).contains(&image.y);
+            (inside && self.relief.sees(camera.position, spot.at + Vec3::Z * 1.2)).then_some((number, spot, depth))
+        })
     }
 }
 
