@@ -3,7 +3,7 @@
 use crate::{args::GenerateArgs, assets, build_info::this_build, report::Reporter};
 use anyhow::Result;
 use endless_dataset::RecipeDraft;
-use endless_interchange::MapLibrary;
+use endless_interchange::{MapLibrary, TrackFile};
 use endless_pipeline::{
     BakeCache, BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, RecipeError, Simulator, generate,
     read_cameras, read_recipe, resolve_recipe,
@@ -20,7 +20,10 @@ pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs, threads: usize) -
     let library = assets::with_folder(library, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
     match draft.simulator.as_deref().unwrap_or(BUILTIN) {
         BUILTIN => {
-            let simulator = BuiltinSimulator::new(library).with_bake_cache(bake_cache(&args)?);
+            let mut simulator = BuiltinSimulator::new(library).with_bake_cache(bake_cache(&args)?);
+            if let Some(path) = &draft.traffic {
+                simulator = simulator.with_tracks(TrackFile::read(path).map_err(RecipeError::from)?);
+            }
             run_with(&simulator, draft, &args, threads)
         }
         other => Err(RecipeError::UnknownSimulator { given: other.to_owned(), known: vec![BUILTIN] }.into()),
@@ -43,6 +46,9 @@ fn run_with<S: Simulator + MapSource>(
     threads: usize,
 ) -> Result<ExitCode> {
     let recipe = resolve_recipe(draft, simulator)?;
+    for note in simulator.track_notes(&recipe).map_err(RecipeError::from)? {
+        eprintln!("warning: {note}");
+    }
     let options = GenerateOptions {
         build: this_build(),
         allow_other_build: args.allow_other_build,

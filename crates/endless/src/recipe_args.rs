@@ -23,7 +23,8 @@ fn value_name(kind: OptionKind) -> &'static str {
         OptionKind::Size { .. } => "WxH",
         OptionKind::Word(_) | OptionKind::Text => "WORD",
         OptionKind::Words(_) | OptionKind::WordsOrNone(_) | OptionKind::Maps => "LIST",
-        OptionKind::Cameras => "FILE",
+        OptionKind::Cameras | OptionKind::File => "FILE",
+        OptionKind::Place => "X,Y",
         OptionKind::Lines => "LINES",
         OptionKind::Folder => "DIR",
         OptionKind::Switch => "",
@@ -38,7 +39,7 @@ fn arg(option: &'static RecipeOption) -> Arg {
     let arg = Arg::new(option.key).long(option.flag()).help(help(option)).help_heading("Recipe");
     match option.kind {
         OptionKind::Switch => arg.action(ArgAction::SetTrue),
-        OptionKind::Cameras | OptionKind::Folder => {
+        OptionKind::Cameras | OptionKind::Folder | OptionKind::File => {
             arg.value_name(value_name(option.kind)).value_parser(clap::value_parser!(PathBuf))
         }
         OptionKind::Words(_) | OptionKind::WordsOrNone(_) | OptionKind::Maps => {
@@ -73,6 +74,7 @@ impl FromArgMatches for RecipeArgs {
                 OptionKind::Cameras => self.cameras = matches.get_one(option.key).cloned(),
                 // A path need not be text.
                 OptionKind::Folder => self.draft.assets = matches.get_one(option.key).cloned(),
+                OptionKind::File => self.draft.traffic = matches.get_one(option.key).cloned(),
                 _ => {
                     // A list may be given in parts.
                     if let Some(parts) = matches.get_many::<String>(option.key) {

@@ -30,6 +30,9 @@ pub struct ActorRecord {
     /// For people and riders: who they are.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub person: Option<PersonAttributes>,
+    /// Of what plays a recorded track: the track's name in its file.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub track: Option<String>,
 }
 
 impl ActorRecord {
@@ -45,6 +48,7 @@ impl ActorRecord {
             vehicle: None,
             occupants: None,
             person: None,
+            track: None,
         }
     }
 }

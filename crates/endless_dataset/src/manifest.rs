@@ -67,13 +67,17 @@ impl Manifest {
 
     /// The manifest of a planned dataset.
     pub fn new(recipe: Recipe, builds: Vec<BuildIdentity>, videos: Vec<VideoEntry>) -> Self {
+        let mut labels = LabelSchema::current();
+        if recipe.traffic_file.is_some() {
+            labels.actors = labels.actors.with_tracks();
+        }
         Self {
             format: Self::FORMAT,
             tool: "endless".into(),
             builds,
             seed: recipe.seed,
             recipe,
-            labels: LabelSchema::current(),
+            labels,
             videos,
         }
     }

@@ -5,6 +5,8 @@
 //! in a [`MapStore`]. Towns are furnished from its catalogue, which an [`AssetFolder`] of models extends. [`list_assets`],
 //! [`asset_preview`] and [`asset_gltf`] list, draw and export the catalogue.
 //!
+//! A [`TrackFile`] is recorded motion, to be played on a map.
+//!
 //! `docs/maps.md` and `docs/assets.md` describe the formats with their units and frames.
 //!
 //! ```
@@ -24,7 +26,9 @@ mod geojson;
 mod gltf;
 mod library;
 mod map;
+mod track_file;
 
 pub use asset::{AssetError, AssetFolder, AssetFolderError, AssetListing, asset_gltf, asset_preview, list_assets};
 pub use library::{ImportedMap, MapLibrary, TownSummary};
 pub use map::{ImportOptions, MapError, MapFormat, MapStatistics, MapStore, StoredMap};
+pub use track_file::{TrackFault, TrackFile, TrackFileError};

@@ -4,7 +4,7 @@ use crate::asset::{AssetFolder, stand_in};
 use crate::map::{self, ImportOptions, MapError, MapStatistics, MapStore, StoredMap};
 use crate::{geojson, gltf};
 use endless_asset::Catalogue;
-use endless_road::{RoadMap, opendrive};
+use endless_road::{RoadMap, RoadNetwork, opendrive};
 use endless_town::{PlacedObject, Placement, Town, ViewCheck, dress_map};
 use endless_world::{CameraSite, Image};
 use std::{
@@ -186,6 +186,17 @@ impl MapLibrary {
         let answer = ask(&ViewCheck::new(&town, self.catalogue()));
         self.planned().kept.get_or_insert(town);
         Ok(answer)
+    }
+
+    /// Looks at a map's roads.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be read.
+    pub fn with_road_network<R>(&self, name: &str, look: impl FnOnce(&RoadNetwork) -> R) -> Result<R, MapError> {
+        let town = self.town(name)?;
+        let seen = look(&town.network);
+        self.planned().kept.get_or_insert(town);
+        Ok(seen)
     }
 
     fn planned(&self) -> MutexGuard<'_, PlannedTowns> {

@@ -18,6 +18,7 @@ mod scene_variant;
 mod session;
 mod shapes;
 mod simulator;
+mod track_fit;
 
 pub use bake_cache::BakeCache;
 pub use map::BuiltinMap;

@@ -3,6 +3,7 @@
 use crate::{DiskEstimate, SimulatorError};
 use endless_annotate::AnnotateError;
 use endless_dataset::{BuildIdentity, DatasetError, OptionError};
+use endless_interchange::TrackFileError;
 use std::path::PathBuf;
 
 /// A recipe that cannot be made.
@@ -27,6 +28,18 @@ pub enum RecipeError {
     VideoWithoutLayer {
         /// The layer.
         layer: endless_dataset::Layer,
+    },
+    /// A file of tracks that cannot be played.
+    #[error(transparent)]
+    Tracks(#[from] TrackFileError),
+    /// Tracks on more maps than one.
+    #[error("the tracks of --traffic are those of one map: name it with --maps")]
+    TracksOnMaps,
+    /// An option of tracks without any.
+    #[error("--{field} is about a file of tracks: name it with --traffic, or leave it out")]
+    NoTracks {
+        /// The option.
+        field: &'static str,
     },
     /// A simulator that there is not.
     #[error("unknown simulator '{given}': leave out --simulator, or use one of {}", known.join(", "))]

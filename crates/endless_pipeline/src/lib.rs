@@ -68,7 +68,7 @@ pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
 pub use record::StageTimes;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneTruth, SimulationSession,
-    SimulationStep, Simulator,
+    SimulationStep, Simulator, TrackFileSummary,
 };
 pub use simulator_error::SimulatorError;
 pub use user_camera::{cameras_from_text, read_cameras};

@@ -12,7 +12,7 @@ use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::Recipe;
 use endless_world::{
-    CameraLook, CameraSite, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation, SceneSettings, Stream,
+    CameraLook, CameraSite, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation, SceneSettings, Stream, TrackPlayback,
 };
 
 /// The settings of every video, by number.
@@ -136,6 +136,12 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         frames: recipe.frames(),
         seed,
         randomised,
+        // Those who play tracks look the same in all videos.
+        playback: recipe.traffic_file.as_ref().map(|_| TrackPlayback {
+            begin_s: recipe.traffic_begin.unwrap_or(0.0),
+            offset_m: recipe.traffic_offset,
+            seed: recipe.seed,
+        }),
     }
 }
 

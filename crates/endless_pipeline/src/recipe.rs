@@ -1,6 +1,6 @@
 //! Resolves the options of a user to a recipe.
 
-use crate::{MapSource, RecipeError, text_position::line_and_column, user_camera};
+use crate::{MapSource, RecipeError, TrackFileSummary, text_position::line_and_column, user_camera};
 use endless_dataset::{Layer, OptionError, Recipe, RecipeDraft};
 use serde_json::json;
 use std::{collections::BTreeMap, fs, path::Path};
@@ -31,8 +31,10 @@ pub fn recipe_from_text(text: &str, path: &Path) -> Result<RecipeDraft, RecipeEr
             message: e.message().lines().collect::<Vec<_>>().join(", "),
         }
     })?;
-    if let (Some(assets), Some(folder)) = (&mut draft.assets, path.parent()) {
-        *assets = folder.join(&*assets);
+    if let Some(folder) = path.parent() {
+        for file in [&mut draft.assets, &mut draft.traffic].into_iter().flatten() {
+            *file = folder.join(&*file);
+        }
     }
     Ok(draft)
 }
@@ -42,9 +44,14 @@ pub fn recipe_from_text(text: &str, path: &Path) -> Result<RecipeDraft, RecipeEr
 /// # Errors
 /// The first thing that cannot be.
 pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Recipe, RecipeError> {
+    let tracks = source.track_file();
+    let draft = played(draft, tracks.as_ref())?;
     let mut draft = draft.or(RecipeDraft::defaults());
     draft.check()?;
     let maps = maps(draft.maps.take(), source)?;
+    if tracks.is_some() && maps.len() != 1 {
+        return Err(RecipeError::TracksOnMaps);
+    }
     let mut map_files = BTreeMap::new();
     for map in &maps {
         if let Some(hash) = source.content_hash(map)? {
@@ -58,12 +65,14 @@ pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Reci
     draft.mp4 = Some(mp4(draft.mp4, draft.layers.as_deref().unwrap_or_default())?);
     // The content of the models counts, not where they lie.
     draft.assets = None;
+    draft.traffic = None;
     // Most options are the recipe's fields of their names; those that depend on something else are put in here.
     let mut fields = serde_json::to_value(&draft).expect("numbers and words");
     fields["maps"] = json!(maps);
     fields["map_files"] = json!(map_files);
     fields["asset_files"] = json!(source.asset_files());
     fields["cameras"] = json!(cameras);
+    fields["traffic_file"] = json!(tracks.map(|tracks| tracks.content_hash));
     let recipe: Recipe = serde_json::from_value(fields).expect("every field has a default or was put in");
     let frames = (recipe.fps * recipe.duration).round();
     if !(1.0..=MAX_FRAMES).contains(&frames) {
@@ -75,6 +84,34 @@ pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Reci
         .into());
     }
     Ok(recipe)
+}
+
+/// A draft with what follows from the file of tracks that is played, if one is: when it begins, and that nobody is
+/// simulated of the kinds that it has.
+fn played(mut draft: RecipeDraft, tracks: Option<&TrackFileSummary>) -> Result<RecipeDraft, RecipeError> {
+    let Some(tracks) = tracks else {
+        let without = |field, given: bool| if given { Err(RecipeError::NoTracks { field }) } else { Ok(()) };
+        without("traffic-offset", draft.traffic_offset.is_some())?;
+        without("traffic-begin", draft.traffic_begin.is_some())?;
+        return Ok(draft);
+    };
+    let begin = *draft.traffic_begin.get_or_insert(tracks.begin_s);
+    let duration = draft.duration.unwrap_or(0.0).max(0.0);
+    if begin > tracks.end_s || begin + duration < tracks.begin_s {
+        return Err(OptionError::OutOfRange {
+            field: "traffic_begin",
+            given: begin.to_string(),
+            rule: format!("the file goes from {} s to {} s, write a time between these", tracks.begin_s, tracks.end_s),
+        }
+        .into());
+    }
+    if tracks.vehicles {
+        draft.vehicles.get_or_insert(0);
+    }
+    if tracks.people {
+        draft.pedestrians.get_or_insert(0);
+    }
+    Ok(draft)
 }
 
 /// CARLA's layered maps (`Town01_Opt`) are the same towns.

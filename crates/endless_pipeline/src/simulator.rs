@@ -2,7 +2,7 @@
 
 use crate::SimulatorError;
 use endless_annotate::{ActorRecord, MapFeatures, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, WorldKeypoints};
-use endless_dataset::SpawnCounts;
+use endless_dataset::{Recipe, SpawnCounts};
 use endless_world::{CameraSite, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use std::{collections::BTreeMap, time::Duration};
 
@@ -24,10 +24,38 @@ pub trait MapSource {
         Ok(None)
     }
 
+    /// The file of recorded tracks that is played, if one is.
+    fn track_file(&self) -> Option<TrackFileSummary> {
+        None
+    }
+
+    /// What in that file does not fit a recipe: one line for each kind of thing.
+    ///
+    /// # Errors
+    /// When nobody would be seen on the map, or the map cannot be read.
+    fn track_notes(&self, _recipe: &Recipe) -> Result<Vec<String>, SimulatorError> {
+        Ok(Vec::new())
+    }
+
     /// Hashes of the files of imported models, by their names.
     fn asset_files(&self) -> BTreeMap<String, String> {
         BTreeMap::new()
     }
+}
+
+/// What a recipe needs to know of a file of recorded tracks.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TrackFileSummary {
+    /// Hash of its bytes.
+    pub content_hash: String,
+    /// The first instant at which anybody is there, on the file's clock, seconds.
+    pub begin_s: f64,
+    /// The last one.
+    pub end_s: f64,
+    /// Whether it has vehicles.
+    pub vehicles: bool,
+    /// Whether it has people on foot.
+    pub people: bool,
 }
 
 /// The camera sites of each map.

@@ -73,6 +73,7 @@ impl JunctionController {
             let mut others =
                 requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction).map(|(_, r)| r);
             let fits = sign_allows(roads, request)
+                && !occupancy.crosses_claimed(roads, &request.lanes)
                 && self.next_in_line(roads, occupancy, vehicles, request)
                 && self.has_exit_space(roads, occupancy, vehicles, request)
                 && self.clear_of_holders(roads, vehicles, request)
@@ -102,7 +103,7 @@ impl JunctionController {
         if leader.gap > request.distance {
             return true;
         }
-        vehicles[leader.vehicle].right_of_way_at(request.junction).is_some()
+        vehicles.get(leader.vehicle).is_some_and(|ahead| ahead.right_of_way_at(request.junction).is_some())
     }
 
     /// Room to stand beyond the junction, clear of it and of its crossings. Where the road to the next junction is too
@@ -126,7 +127,8 @@ impl JunctionController {
             let (mut length, mut free) = (0.0, f64::INFINITY);
             while let Some(lane) = lanes.next_if(|&l| length < SEEN_M && roads.table(l).junction.is_none()) {
                 for o in occupancy.on(lane).iter().filter(|o| o.vehicle != request.vehicle) {
-                    free = free.min(length + o.rear + vehicles[o.vehicle].firm_stop_m());
+                    let stop_m = vehicles.get(o.vehicle).map_or(0.0, Vehicle::firm_stop_m);
+                    free = free.min(length + o.rear + stop_m);
                 }
                 length += roads.table(lane).length;
             }

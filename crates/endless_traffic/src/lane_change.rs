@@ -8,6 +8,8 @@ use crate::vehicle::{LaneChange, LaneCover, Vehicle};
 use endless_road::LaneId;
 use endless_world::ObjectClass;
 
+/// Gap to somebody behind who plays a recorded track, metres.
+const PLAYED_GAP_M: f64 = 15.0;
 /// Hardest braking a change may ask of the new follower, m/s².
 const SAFE_BRAKING: f64 = 2.0;
 /// Gain that makes a change worthwhile, m/s².
@@ -105,9 +107,12 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
     let react = |gap: f64, speed: f64| if gap.is_finite() { me.driver.follow(me.speed, gap, speed) } else { free };
     let now = occupancy.leader(roads, vehicles, i, 80.0).map_or(free, |l| react(l.gap, l.speed)).min(free);
     let then = react(ahead.0, ahead.1).min(free);
-    let harm = match behind.1 {
-        Some(follower) => {
-            let them = &vehicles[follower];
+    // Who plays a track brakes for nobody.
+    if behind.1.is_some_and(|follower| follower >= vehicles.len()) && behind.0 < PLAYED_GAP_M {
+        return None;
+    }
+    let harm = match behind.1.and_then(|follower| vehicles.get(follower)) {
+        Some(them) => {
             let after = them.driver.follow(them.speed, behind.0, me.speed);
             if after < -SAFE_BRAKING {
                 return None;

@@ -52,6 +52,7 @@ mod lights;
 mod occupancy;
 mod overlap;
 mod pedestrian_avoidance;
+mod playback;
 mod population;
 mod roads;
 mod settings;
@@ -64,6 +65,7 @@ mod vehicle;
 mod walk_strip;
 mod walker;
 
+pub use playback::{PlayedTracks, TrackFit};
 pub use population::Population;
 pub use roads::TrafficMap;
 pub use settings::{DrivingCondition, Fleet, TrafficSettings};

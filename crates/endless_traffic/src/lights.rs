@@ -9,32 +9,70 @@ use endless_world::{ObjectClass, Side, VehicleLights};
 const BLINK_HZ: f64 = 1.5;
 
 pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, headlights_on: f32, time_s: f64, step_s: f64) {
-    let mut lit = VehicleLights::empty();
-    // Every vehicle's relay has its own beat, and every driver thinks it dark at another time.
-    let own = (vehicle.asset.variant % 1000) as f64 / 1000.0;
-    if f64::from(headlights_on) > own {
-        lit |= VehicleLights::POSITION | VehicleLights::LOW_BEAM;
-        // Passengers sit in the light; drivers of cars see better in the dark.
-        if vehicle.class == ObjectClass::Bus {
-            lit |= VehicleLights::INTERIOR;
-        }
-    }
     if vehicle.class != ObjectClass::Bicycle {
-        let braking = vehicle.acceleration < -0.7 || vehicle.speed < 0.05;
-        vehicle.brake_hold_s = if braking { 0.3 } else { vehicle.brake_hold_s - step_s };
-        if vehicle.brake_hold_s > 0.0 {
+        let braking = brakes(vehicle.acceleration, vehicle.speed);
+        vehicle.brake_hold_s = brake_hold_s(vehicle.brake_hold_s, braking, step_s);
+        vehicle.indicating = indicated(vehicle, roads);
+    }
+    let lamps = Lamps {
+        class: vehicle.class,
+        own: own_share(vehicle.asset.variant),
+        braking: vehicle.brake_hold_s > 0.0,
+        indicating: vehicle.indicating,
+    };
+    vehicle.lights = lamps.lit(headlights_on, time_s);
+}
+
+/// What decides which lamps of a vehicle are lit.
+pub(crate) struct Lamps {
+    pub(crate) class: ObjectClass,
+    /// What sets it apart from others, 0 to 1.
+    pub(crate) own: f64,
+    pub(crate) braking: bool,
+    pub(crate) indicating: Option<Side>,
+}
+
+/// Every vehicle's relay has its own beat, and every driver thinks it dark at another time.
+pub(crate) fn own_share(variant: u64) -> f64 {
+    (variant % 1000) as f64 / 1000.0
+}
+
+/// Whether the brake pedal is pressed.
+pub(crate) fn brakes(acceleration: f64, speed: f64) -> bool {
+    acceleration < -0.7 || speed < 0.05
+}
+
+/// How much longer brake lights are lit, seconds, after a step.
+pub(crate) fn brake_hold_s(before: f64, braking: bool, step_s: f64) -> f64 {
+    if braking { 0.3 } else { before - step_s }
+}
+
+impl Lamps {
+    /// The lamps that are lit at a scene time.
+    pub(crate) fn lit(&self, headlights_on: f32, time_s: f64) -> VehicleLights {
+        let mut lit = VehicleLights::empty();
+        if f64::from(headlights_on) > self.own {
+            lit |= VehicleLights::POSITION | VehicleLights::LOW_BEAM;
+            // Passengers sit in the light; drivers of cars see better in the dark.
+            if self.class == ObjectClass::Bus {
+                lit |= VehicleLights::INTERIOR;
+            }
+        }
+        if self.class == ObjectClass::Bicycle {
+            return lit;
+        }
+        if self.braking {
             lit |= VehicleLights::BRAKE;
         }
-        vehicle.indicating = indicated(vehicle, roads);
-        if (time_s * BLINK_HZ + own).rem_euclid(1.0) < 0.5 {
-            lit |= match vehicle.indicating {
+        if (time_s * BLINK_HZ + self.own).rem_euclid(1.0) < 0.5 {
+            lit |= match self.indicating {
                 Some(Side::Left) => VehicleLights::LEFT_BLINKER,
                 Some(Side::Right) => VehicleLights::RIGHT_BLINKER,
                 None => VehicleLights::empty(),
             };
         }
+        lit
     }
-    vehicle.lights = lit;
 }
 
 /// The side to which the driver is about to go.

@@ -37,6 +37,8 @@ pub(crate) struct Leader {
 pub(crate) struct Occupancy {
     lanes: Vec<Vec<Occupant>>,
     scratch: Vec<LaneCover>,
+    /// Lanes of junctions that belong to vehicles which no controller knows.
+    claimed: Vec<LaneId>,
 }
 
 impl Occupancy {
@@ -57,6 +59,20 @@ impl Occupancy {
 
     pub(crate) fn put(&mut self, vehicle: usize, cover: LaneCover, speed: f64) {
         self.lanes[cover.lane.index()].push(Occupant { vehicle, rear: cover.rear, front: cover.front, speed });
+    }
+
+    /// Gives lanes of junctions, in ascending order, to vehicles which no controller knows.
+    pub(crate) fn claim(&mut self, lanes: &[LaneId]) {
+        lanes.clone_into(&mut self.claimed);
+    }
+
+    /// Whether the way over these lanes of a junction is claimed, or crosses one that is.
+    pub(crate) fn crosses_claimed(&self, roads: &Roads, lanes: &[LaneId]) -> bool {
+        let claimed = |lane: LaneId| self.claimed.binary_search(&lane).is_ok();
+        !self.claimed.is_empty()
+            && lanes.iter().any(|&lane| {
+                claimed(lane) || roads.table(lane).conflicts(true).iter().any(|conflict| claimed(conflict.other))
+            })
     }
 
     pub(crate) fn on(&self, lane: LaneId) -> &[Occupant] {

@@ -1,20 +1,22 @@
 //! The simulation as a whole.
 
+mod world_state;
+
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
+use crate::playback::{PlayedTracks, Playback, Presence};
 use crate::population::Population;
 use crate::roads::{Roads, TrafficMap};
 use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
 use crate::steering::DriverView;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, WalkerView};
-use crate::{behaviour, kinematics, lane_change, lights, signals, spawn, walker};
+use crate::{kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
-use endless_world::math::f64::wrap_angle;
 use endless_world::{
-    Actor, Behaviour, InstanceId, InstanceIdAllocator, Motion, ObjectClass, Outfit, ParkedVehicle, PersonRef, Pose,
-    SignalState, TooManyInstances, VehicleMotion, VehicleSpec, WalkerMotion, WorldState,
+    Actor, Behaviour, InstanceId, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalState, TooManyInstances,
+    VehicleMotion, VehicleSpec,
 };
 use glam::Vec3;
 
@@ -40,6 +42,8 @@ pub struct Simulation {
     controller: JunctionController,
     crossings: Vec<CrossingState>,
     signals: Vec<SignalState>,
+    /// Those who move as recorded tracks say.
+    playback: Option<Playback>,
     fps: f64,
     frame: u32,
     steps: u64,
@@ -77,6 +81,23 @@ impl Simulation {
         parked: &[ParkedVehicle],
         settings: &TrafficSettings,
     ) -> Result<Self, TooManyInstances> {
+        Self::playing(map, fleet, parked, settings, None)
+    }
+
+    /// The same, with those who move as recorded tracks say: they come in addition to those that the settings ask for.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    ///
+    /// # Panics
+    /// As [`Self::new`].
+    pub fn playing(
+        map: &TrafficMap,
+        fleet: &Fleet<'_>,
+        parked: &[ParkedVehicle],
+        settings: &TrafficSettings,
+        played: Option<&PlayedTracks<'_>>,
+    ) -> Result<Self, TooManyInstances> {
         let fps = settings.fps;
         assert!(fps > 0.0, "frames per second must be positive");
         let roads = Roads::new(map, &settings.focus);
@@ -84,7 +105,8 @@ impl Simulation {
         let graph = WalkGraph::new(&network.walk);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, parked, settings);
         let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);
-        let population = Population {
+        let outfit = if settings.condition.rain > 0.0 { Outfit::Rain } else { Outfit::Fair };
+        let mut population = Population {
             vehicles_asked: settings.vehicles,
             vehicles_spawned: vehicles.len() as u32,
             vehicle_capacity: spawn::capacity(&roads, fleet.vehicles.len()) as u32,
@@ -93,23 +115,30 @@ impl Simulation {
         };
         let mut ids = InstanceIdAllocator::default();
         let parked = parked_actors(parked, fleet.vehicles, &mut ids)?;
-        let ids = ActorIds::new(&vehicles, &walkers, &mut ids)?;
+        let own_ids = ActorIds::new(&vehicles, &walkers, &mut ids)?;
+        let cast = |played| Playback::new(network, played, fleet.vehicles, fleet.pedestrian, outfit, &mut ids);
+        let playback = played.map(cast).transpose()?;
+        if let Some([vehicles, people]) = playback.as_ref().map(Playback::counts) {
+            population.vehicles_spawned += vehicles;
+            population.pedestrians_spawned += people;
+        }
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let warm_up_frames = (WARM_UP_S * fps).ceil() as u32;
         let mut simulation = Self {
             roads,
             graph,
             condition: settings.condition,
-            outfit: if settings.condition.rain > 0.0 { Outfit::Rain } else { Outfit::Fair },
+            outfit,
             population,
             parked,
             vehicles,
             walkers,
-            ids,
+            ids: own_ids,
             occupancy: Occupancy::default(),
             controller: JunctionController::default(),
             crossings,
             signals: Vec::new(),
+            playback,
             fps,
             frame: 0,
             steps: 0,
@@ -161,9 +190,14 @@ impl Simulation {
         self.steps += 1;
         signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
         note_vehicles(&self.roads, &self.vehicles, &mut self.crossings);
-        let scene = WalkerView { roads: &self.roads, graph: &self.graph, signals: &self.signals };
+        let others = self.presence();
+        others.note_vehicles(&self.roads, &mut self.crossings);
+        let scene =
+            WalkerView { roads: &self.roads, graph: &self.graph, signals: &self.signals, others: &others.people };
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
+        others.note_people(&mut self.crossings);
         self.occupancy.rebuild(&self.roads, &self.vehicles);
+        others.occupy(&mut self.occupancy, self.vehicles.len());
         let a_second = (1.0 / step_s).round().max(1.0) as u64;
         for i in 0..self.vehicles.len() {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
@@ -185,55 +219,15 @@ impl Simulation {
             vehicle.plan(&self.roads);
             lights::update(vehicle, &self.roads, self.condition.headlights_on, self.time_s + step_s, step_s);
         }
+        if let Some(playback) = &mut self.playback {
+            playback.advance(&self.roads.network, self.time_s + step_s, step_s, self.condition.headlights_on);
+        }
     }
 
-    /// The current frame: moving vehicles first, then people on foot, by ascending id. Ids go on after the parked
-    /// vehicles': vehicles, then riders, then pedestrians.
-    pub fn state(&self) -> WorldState {
-        let time_s = f64::from(self.frame) / self.fps;
-        let mut actors = Vec::with_capacity(self.vehicles.len() + self.walkers.len());
-        for (vehicle, &(id, rider_id)) in self.vehicles.iter().zip(&self.ids.vehicles) {
-            let motion = VehicleMotion {
-                speed_mps: vehicle.speed as f32,
-                rolled_m: vehicle.rolled as f32,
-                steer_rad: vehicle.steer as f32,
-                hitch_rad: vehicle.trailer.map_or(0.0, |t| wrap_angle(t.yaw - vehicle.yaw) as f32),
-                lights: vehicle.lights,
-            };
-            actors.push(Actor {
-                id,
-                rider_id,
-                class: vehicle.class,
-                asset: vehicle.asset.into(),
-                pose: vehicle.pose,
-                velocity_mps: vehicle.velocity,
-                motion: Motion::Vehicle(motion),
-                behaviour: behaviour::of_vehicle(vehicle, &self.roads),
-                parked: false,
-            });
-        }
-        let outfit = self.outfit;
-        for (walker, &id) in self.walkers.iter().zip(&self.ids.walkers) {
-            let motion = WalkerMotion {
-                speed_mps: walker.velocity.length() as f32,
-                gait: walker.gait,
-                walked_m: walker.walked as f32,
-                time_s: time_s as f32,
-                footing: Some(walker.steps.footing()),
-            };
-            actors.push(Actor {
-                id,
-                rider_id: None,
-                class: ObjectClass::Pedestrian,
-                asset: PersonRef { outfit, seed: walker.variant }.into(),
-                pose: Pose::level(walker.position.extend(walker.height).as_vec3(), walker.yaw as f32),
-                velocity_mps: walker.velocity.extend(0.0).as_vec3(),
-                motion: Motion::Walker(motion),
-                behaviour: behaviour::of_walker(walker, &self.roads),
-                parked: false,
-            });
-        }
-        WorldState { frame: self.frame, time_s, actors, signals: self.signals.clone() }
+    /// Those who play tracks as others see them; nobody, where there is nobody to see them.
+    fn presence(&self) -> Presence {
+        let seen = self.playback.as_ref().filter(|_| !self.vehicles.is_empty() || !self.walkers.is_empty());
+        seen.map_or_else(Presence::default, |playback| Presence::of(playback, &self.roads, self.time_s))
     }
 }
 

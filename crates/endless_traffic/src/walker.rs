@@ -53,6 +53,8 @@ pub(crate) struct WalkerView<'a> {
     pub(crate) roads: &'a Roads,
     pub(crate) graph: &'a WalkGraph,
     pub(crate) signals: &'a [SignalState],
+    /// Positions and velocities of people who go their own ways.
+    pub(crate) others: &'a [(DVec2, DVec2)],
 }
 
 /// Moves everybody on by one step, one after the other.
@@ -63,6 +65,9 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
             .enumerate()
             .filter(|(j, w)| *j != i && w.position.distance_squared(walkers[i].position) < SIGHT_M * SIGHT_M)
             .map(|(_, w)| (w.position, w.velocity))
+            .chain(scene.others.iter().copied().filter(|(at, _)| {
+                at.distance_squared(walkers[i].position) < SIGHT_M * SIGHT_M
+            }))
             .collect();
         walkers[i].step(scene, &near, crossings, step_s);
     }

@@ -1,6 +1,6 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
-use crate::{CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, TimeOfDay, Weather};
+use crate::{CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, TimeOfDay, TrackPlayback, Weather};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +46,9 @@ pub struct SceneSettings {
     /// What is randomised, if anything is; of cameras, [`Self::cameras`] are as they were drawn.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub randomised: Option<SceneRandomisation>,
+    /// How recorded tracks are played, if any are.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub playback: Option<TrackPlayback>,
 }
 
 impl SceneSettings {

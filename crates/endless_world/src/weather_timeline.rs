@@ -139,6 +139,7 @@ mod tests {
             time_of_day: from.time_of_day,
             changing_to: to,
             randomised: None,
+            playback: None,
             cameras: Vec::new(),
             vehicles: 0,
             pedestrians: 0,

@@ -20,6 +20,7 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         time_of_day: from.1,
         changing_to: Some(ConditionChange { weather: to.0, time_of_day: to.1 }),
         randomised: None,
+        playback: None,
         cameras: Vec::new(),
         vehicles: 0,
         pedestrians: 0,

@@ -80,6 +80,10 @@ pub enum OptionKind {
     Lines,
     /// A folder.
     Folder,
+    /// A file.
+    File,
+    /// A place on the plane, metres.
+    Place,
     /// Any word: who uses it knows which there are.
     Text,
     /// Given or not.
@@ -157,6 +161,9 @@ impl RecipeOption {
         }
     }
 }
+
+/// Largest coordinate of a place, metres.
+const FARTHEST_M: f64 = 1e7;
 
 /// A value of an option.
 pub(super) trait OptionValue: Sized {
@@ -258,6 +265,22 @@ impl OptionValue for PathBuf {
 
     fn check(&mut self, _option: &RecipeOption) -> Result<(), OptionError> {
         Ok(())
+    }
+}
+
+impl OptionValue for [f64; 2] {
+    fn from_flag(text: &str) -> Result<Self, String> {
+        let numbers: Option<Vec<f64>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+        let place = numbers.and_then(|numbers| numbers.try_into().ok());
+        place.ok_or_else(|| "write X,Y in metres, for example 340.00,261.83".to_owned())
+    }
+
+    fn check(&mut self, option: &RecipeOption) -> Result<(), OptionError> {
+        if self.iter().all(|number| number.abs() <= FARTHEST_M) {
+            return Ok(());
+        }
+        let given = self.map(|number| number.to_string()).join(",");
+        Err(option.out_of_range(&given, format!("write two numbers of at most {FARTHEST_M:e} metres")))
     }
 }
 

@@ -49,6 +49,9 @@ macro_rules! recipe_options {
             /// Hash of the manifest and of each file of imported models, by its name.
             #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
             pub asset_files: BTreeMap<String, String>,
+            /// Hash of the content of the file of tracks that is played.
+            #[serde(default, skip_serializing_if = "Option::is_none")]
+            pub traffic_file: Option<String>,
         }
 
         impl RecipeDraft {
@@ -97,6 +100,15 @@ recipe_options! {
     vehicles: i64 => u32, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("30");
     /// Pedestrians in each scene.
     pedestrians: i64 => u32, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("20");
+    /// Play the motion that a file tells instead of simulating it: SUMO's FCD (XML), or CSV (docs/clone.md). Vehicles and
+    /// pedestrians are then 0 by default, of what the file has. In a recipe file, relative to the folder of that file.
+    traffic: PathBuf, OptionKind::File, Described("none");
+    /// Position in that file of the map's origin, X,Y in metres: SUMO's `netOffset`.
+    traffic_offset: [f64; 2] => #[serde(default, skip_serializing_if = "is_origin")] [f64; 2],
+        OptionKind::Place, Value("0,0");
+    /// When each video begins on that file's clock, seconds.
+    traffic_begin: f64 => #[serde(default, skip_serializing_if = "Option::is_none")] Option<f64>,
+        OptionKind::Number { least: -1e9, most: 1e9 }, Described("the first instant at which anybody is there");
     /// Maps to choose from; `endless maps` lists them. Your own can be imported from OpenDRIVE and OpenStreetMap files
     /// (docs/maps.md).
     maps: Vec<String> => Vec<String>, OptionKind::Maps, Described("all that come with the program");
@@ -175,6 +187,10 @@ fn is_not(switch: &bool) -> bool {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
 fn is_nothing(changing: &Changing) -> bool {
     *changing == Changing::Nothing
+}
+
+fn is_origin(place: &[f64; 2]) -> bool {
+    *place == [0.0; 2]
 }
 
 fn half() -> f64 {

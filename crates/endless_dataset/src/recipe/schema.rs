@@ -68,7 +68,8 @@ fn kind_schema(option: &RecipeOption) -> Value {
                 "properties": {"map": {"type": "string"}, "name": {"type": "string"}, "from": place, "to": place},
             }})
         }
-        OptionKind::Folder | OptionKind::Text => json!({"type": "string"}),
+        OptionKind::Place => json!({"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}),
+        OptionKind::Folder | OptionKind::File | OptionKind::Text => json!({"type": "string"}),
         OptionKind::Switch => json!({"type": "boolean"}),
     }
 }

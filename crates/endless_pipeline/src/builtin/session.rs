@@ -17,8 +17,8 @@ use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
 use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames};
-use endless_traffic::{DrivingCondition, Fleet, Simulation, TrafficSettings};
-use endless_world::{Actor, InstanceId, SceneSettings, SensorFrame, SensorLayers, WorldState};
+use endless_traffic::{DrivingCondition, Fleet, PlayedTracks, Simulation, TrafficSettings};
+use endless_world::{Actor, InstanceId, SceneSettings, SensorFrame, SensorLayers, Track, WorldState};
 use std::{
     collections::BTreeMap,
     sync::{Arc, OnceLock},
@@ -39,8 +39,10 @@ struct BuiltinScene<'m> {
     bakes: Arc<SceneBakes<'m>>,
     spawned: SpawnCounts,
     parked: Vec<Actor>,
-    /// Everything that moves, as it stands in frame 0: traffic takes nobody in or out.
+    /// Everything that moves in some frame. Where it stands does not count.
     moving: Vec<Actor>,
+    /// Names of the tracks that are played, by the ids of those who play them.
+    tracks: BTreeMap<InstanceId, String>,
     skin_tones: BTreeMap<InstanceId, u8>,
     skeletons: Skeletons,
     parked_shapes: ParkedShapes<'m>,
@@ -57,6 +59,7 @@ impl<'m> BuiltinSession<'m> {
         catalogue: &'m Catalogue,
         settings: &'m SceneSettings,
         wanted: SensorLayers,
+        tracks: &[Track],
     ) -> Result<Self, SimulatorError> {
         let SceneSettings { vehicles, pedestrians, seed, fps, .. } = *settings;
         let bakes = Arc::new(SceneBakes::new(map, catalogue, settings, wanted));
@@ -66,9 +69,12 @@ impl<'m> BuiltinSession<'m> {
         let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
         let specs = catalogue.vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
-        let simulation = Simulation::on_map(&map.traffic, &fleet, &map.town.parked, &traffic).map_err(|source| {
-            SimulatorError::Scene { video: settings.video, map: settings.map.clone(), source: source.into() }
-        })?;
+        let duration_s = f64::from(settings.frames) / fps;
+        let played = settings.playback.map(|playback| PlayedTracks { tracks, playback, duration_s });
+        let simulation =
+            Simulation::playing(&map.traffic, &fleet, &map.town.parked, &traffic, played.as_ref()).map_err(|source| {
+                SimulatorError::Scene { video: settings.video, map: settings.map.clone(), source: source.into() }
+            })?;
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
         let spawned = SpawnCounts {
@@ -76,7 +82,8 @@ impl<'m> BuiltinSession<'m> {
             pedestrians: population.pedestrians_spawned,
             parked: parked.len() as u32,
         };
-        let moving = simulation.state().actors;
+        let moving = simulation.everybody();
+        let tracks = simulation.track_names().map(|(id, name)| (id, name.to_owned())).collect();
         let scene = BuiltinScene {
             map,
             catalogue,
@@ -88,6 +95,7 @@ impl<'m> BuiltinSession<'m> {
             parked_shapes: ParkedShapes::new(map.town_scene.static_scene(), &parked),
             parked,
             moving,
+            tracks,
             models: OnceLock::new(),
         };
         let instants = InstantSource::new(simulation, wanted, settings.cameras.len(), settings.frames);
@@ -117,8 +125,12 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     }
 
     fn actors(&self) -> Option<Vec<ActorRecord>> {
-        let BuiltinScene { catalogue, settings, parked, moving, .. } = &*self.scene;
-        Some(repainted(actors::describe(catalogue, parked.iter().chain(moving)), settings))
+        let BuiltinScene { catalogue, settings, parked, moving, tracks, .. } = &*self.scene;
+        let mut records = actors::describe(catalogue, parked.iter().chain(moving));
+        for record in &mut records {
+            record.track = tracks.get(&record.vehicle_id.unwrap_or(record.id)).cloned();
+        }
+        Some(repainted(records, settings))
     }
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {

@@ -1,10 +1,13 @@
 //! The built-in city as a simulator.
 
-use super::{bake_cache::BakeCache, map::BuiltinMap, session::BuiltinSession};
-use crate::{Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError};
+use super::{bake_cache::BakeCache, map::BuiltinMap, session::BuiltinSession, track_fit};
+use crate::{
+    Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError, TrackFileSummary,
+};
 use endless_annotate::MapFeatures;
 use endless_city::SharedModels;
-use endless_interchange::MapLibrary;
+use endless_dataset::Recipe;
+use endless_interchange::{MapLibrary, TrackFile};
 use endless_world::{CameraSite, SceneSettings, SensorLayers};
 use rayon::prelude::*;
 use std::{collections::BTreeMap, sync::Arc};
@@ -15,18 +18,25 @@ pub struct BuiltinSimulator {
     map_library: MapLibrary,
     models: Arc<SharedModels>,
     cache: Arc<BakeCache>,
+    tracks: Option<TrackFile>,
 }
 
 impl BuiltinSimulator {
     /// Over the maps and the catalogue of a library.
     pub fn new(map_library: MapLibrary) -> Self {
-        Self { map_library, models: Arc::default(), cache: Arc::default() }
+        Self { map_library, models: Arc::default(), cache: Arc::default(), tracks: None }
     }
 
     /// Keeps what bakes of the same camera share.
     #[must_use]
     pub fn with_bake_cache(self, cache: BakeCache) -> Self {
         Self { cache: Arc::new(cache), ..self }
+    }
+
+    /// Plays the tracks of a file in all scenes.
+    #[must_use]
+    pub fn with_tracks(self, tracks: TrackFile) -> Self {
+        Self { tracks: Some(tracks), ..self }
     }
 }
 
@@ -41,6 +51,15 @@ impl MapSource for BuiltinSimulator {
 
     fn content_hash(&self, map: &str) -> Result<Option<String>, SimulatorError> {
         Ok(self.map_library.content_hash(map)?)
+    }
+
+    fn track_file(&self) -> Option<TrackFileSummary> {
+        self.tracks.as_ref().map(track_fit::summary)
+    }
+
+    fn track_notes(&self, recipe: &Recipe) -> Result<Vec<String>, SimulatorError> {
+        let (Some(file), [map]) = (&self.tracks, &recipe.maps[..]) else { return Ok(Vec::new()) };
+        self.map_library.with_road_network(map, |network| track_fit::notes(file, recipe, map, network))?
     }
 
     fn asset_files(&self) -> BTreeMap<String, String> {
@@ -87,6 +106,7 @@ impl Simulator for BuiltinSimulator {
         settings: &'m SceneSettings,
         wanted: SensorLayers,
     ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError> {
-        Ok(Box::new(BuiltinSession::open(map, self.map_library.catalogue(), settings, wanted)?))
+        let tracks = self.tracks.as_ref().map_or(&[][..], |file| &file.tracks);
+        Ok(Box::new(BuiltinSession::open(map, self.map_library.catalogue(), settings, wanted, tracks)?))
     }
 }

@@ -25,6 +25,7 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
         frames: 300,
         seed: 7,
         randomised: None,
+        playback: None,
     };
     let mut session = city().open_session(shared(town), &settings, SensorLayers::default()).expect("a scene");
     let [x, y, _] = sites[0].position.map(f64::from);

@@ -8,13 +8,13 @@ use super::covered_centres::CoveredCentres;
 use super::moving_centre::MovingCentre;
 use crate::accel::{Hit, Ray, RayStream, lanes};
 use crate::scene::{FrameScene, Instance, StaticScene};
+use super::other_instant::OtherInstant;
 use endless_world::math::UnfusedVec3A;
 use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, SensorFrame};
 use glam::{Vec2, Vec3A};
 use std::sync::Arc;
 
-/// The instants to which flow leads. What moves is in all of them, in the same order; where one is missing, flow to it is
-/// unknown.
+/// The instants to which flow leads. Where one is missing, flow to it is unknown, as it is of what is not there then.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct NeighbourFrames<'a> {
     /// The one before.
@@ -76,18 +76,19 @@ impl FlowPass<'_> {
         let mut image = Image::filled(size, FlowPixel::STILL.encoded());
         // What stands still is hidden by what moves in the other frame.
         let hidden = FlowPixel { target: FlowTarget::Hidden, ..FlowPixel::STILL }.encoded();
+        let other = OtherInstant::new(self.frame, scene);
         let found = CoveredCentres::default();
         for pixel in covered.unwrap_or(&found).rows(self.bake, scene).pixels(size.width as usize) {
             image.data[pixel] = hidden;
         }
         for (centres, sides) in self.centres.chunks(RAYS).zip(sides.chunks(RAYS)) {
-            self.follow(scene, centres, sides, &mut image.data);
+            self.follow(&other, centres, sides, &mut image.data);
         }
         image
     }
 
     /// The flow of points on what moves.
-    fn follow(&self, other: &FrameScene, centres: &[MovingCentre], sides: &[f32], image: &mut [[u16; 3]]) {
+    fn follow(&self, other: &OtherInstant<'_>, centres: &[MovingCentre], sides: &[f32], image: &mut [[u16; 3]]) {
         let mut rays = RayStream::NONE;
         let mut active = 0;
         let mut flows = [FlowPixel::STILL; RAYS];
@@ -116,13 +117,14 @@ impl FlowPass<'_> {
     }
 
     /// Which of these rays, of those in `active`, meet something before the point of their centre, a bit each.
-    fn hidden(&self, other: &FrameScene, centres: &[MovingCentre], rays: &RayStream<4>, active: u32) -> u32 {
-        let met = other.accel.closest32(rays, active);
+    fn hidden(&self, other: &OtherInstant<'_>, centres: &[MovingCentre], rays: &RayStream<4>, active: u32) -> u32 {
+        let met = other.scene.accel.closest32(rays, active);
         let bit = |lane: usize, is: bool| u32::from(is) << lane;
         // Its own triangle, whatever rounding says of the distance.
         let other_than_itself = |lane: usize| {
             let itself = &centres[lane].hit;
-            met.get(lane).is_some_and(|met| (met.instance, met.triangle) != (itself.instance, itself.triangle))
+            let then = other.instance(itself.instance);
+            met.get(lane).is_some_and(|met| (Some(met.instance), met.triangle) != (then, itself.triangle))
         };
         let by_moving = lanes(active).fold(0, |bits, lane| bits | bit(lane, other_than_itself(lane)));
         // What stands still does not hide what is where it is seen now.
@@ -132,17 +134,19 @@ impl FlowPass<'_> {
     }
 
     /// Whether what was hit is in the same place in the other frame.
-    fn stays(&self, other: &FrameScene, hit: &Hit) -> bool {
-        let [now, then] = [self.frame, other].map(|frame| &frame.instances[hit.instance as usize]);
+    fn stays(&self, other: &OtherInstant<'_>, hit: &Hit) -> bool {
+        let Some(then) = other.instance(hit.instance) else { return false };
+        let (now, then) = (&self.frame.instances[hit.instance as usize], &other.scene.instances[then as usize]);
         now.world_from_object == then.world_from_object && Arc::ptr_eq(&now.geometry.posed, &then.geometry.posed)
     }
 
     /// Where the point of a hit, seen from this side, is in the picture of the other frame, and the ray that must be free
     /// for the camera to see it: none if it faces away. `None` if it is behind the camera, or not there.
-    fn point_then(&self, other: &FrameScene, hit: &Hit, side: f32) -> Option<(Vec2, Option<Ray>)> {
+    fn point_then(&self, other: &OtherInstant<'_>, hit: &Hit, side: f32) -> Option<(Vec2, Option<Ray>)> {
         let camera = &self.bake.camera;
         let lens = Vec3A::from(camera.position);
-        let (now, then) = (&self.frame.instances[hit.instance as usize], other.instances.get(hit.instance as usize)?);
+        let then = other.instance(hit.instance)?;
+        let (now, then) = (&self.frame.instances[hit.instance as usize], &other.scene.instances[then as usize]);
         if now.id != then.id || !Arc::ptr_eq(&now.geometry.mesh, &then.geometry.mesh) {
             return None;
         }

@@ -32,6 +32,7 @@ mod mirror;
 mod moving_centre;
 mod moving_hits;
 mod object_group;
+mod other_instant;
 mod packed_hit;
 mod pixel;
 mod pixel_centre;

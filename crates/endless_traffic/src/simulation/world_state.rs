@@ -1,0 +1,82 @@
+//! What a simulation tells of an instant.
+
+use super::Simulation;
+use crate::behaviour;
+use crate::playback::Playback;
+use endless_world::math::f64::wrap_angle;
+use endless_world::{
+    Actor, InstanceId, Motion, ObjectClass, PersonRef, Pose, VehicleMotion, WalkerMotion, WorldState,
+};
+
+impl Simulation {
+    /// Everybody who is there in some frame, by ascending id, with the looks that they have in all; of those who play
+    /// tracks it is left open where they are.
+    pub fn everybody(&self) -> Vec<Actor> {
+        let mut actors = self.simulated();
+        actors.extend(self.playback.iter().flat_map(Playback::everybody));
+        actors
+    }
+
+    /// The names of the tracks that are played, by the ids of those who play them.
+    pub fn track_names(&self) -> impl Iterator<Item = (InstanceId, &str)> {
+        self.playback.iter().flat_map(Playback::names)
+    }
+
+    /// The current frame: moving vehicles first, then people on foot, by ascending id. Ids go on after the parked
+    /// vehicles': vehicles, then riders, then pedestrians; and so again of those who play tracks.
+    pub fn state(&self) -> WorldState {
+        let time_s = f64::from(self.frame) / self.fps;
+        let mut actors = self.simulated();
+        let playback = self.playback.iter();
+        actors.extend(playback.flat_map(|playback| playback.state(&self.roads.network, time_s)));
+        WorldState { frame: self.frame, time_s, actors, signals: self.signals.clone() }
+    }
+
+    /// Those whose ways are simulated.
+    fn simulated(&self) -> Vec<Actor> {
+        let time_s = f64::from(self.frame) / self.fps;
+        let mut actors = Vec::with_capacity(self.vehicles.len() + self.walkers.len());
+        for (vehicle, &(id, rider_id)) in self.vehicles.iter().zip(&self.ids.vehicles) {
+            let motion = VehicleMotion {
+                speed_mps: vehicle.speed as f32,
+                rolled_m: vehicle.rolled as f32,
+                steer_rad: vehicle.steer as f32,
+                hitch_rad: vehicle.trailer.map_or(0.0, |t| wrap_angle(t.yaw - vehicle.yaw) as f32),
+                lights: vehicle.lights,
+            };
+            actors.push(Actor {
+                id,
+                rider_id,
+                class: vehicle.class,
+                asset: vehicle.asset.into(),
+                pose: vehicle.pose,
+                velocity_mps: vehicle.velocity,
+                motion: Motion::Vehicle(motion),
+                behaviour: behaviour::of_vehicle(vehicle, &self.roads),
+                parked: false,
+            });
+        }
+        let outfit = self.outfit;
+        for (walker, &id) in self.walkers.iter().zip(&self.ids.walkers) {
+            let motion = WalkerMotion {
+                speed_mps: walker.velocity.length() as f32,
+                gait: walker.gait,
+                walked_m: walker.walked as f32,
+                time_s: time_s as f32,
+                footing: Some(walker.steps.footing()),
+            };
+            actors.push(Actor {
+                id,
+                rider_id: None,
+                class: ObjectClass::Pedestrian,
+                asset: PersonRef { outfit, seed: walker.variant }.into(),
+                pose: Pose::level(walker.position.extend(walker.height).as_vec3(), walker.yaw as f32),
+                velocity_mps: walker.velocity.extend(0.0).as_vec3(),
+                motion: Motion::Walker(motion),
+                behaviour: behaviour::of_walker(walker, &self.roads),
+                parked: false,
+            });
+        }
+        actors
+    }
+}
