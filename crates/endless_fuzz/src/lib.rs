@@ -19,6 +19,7 @@ mod pbf;
 mod recipe;
 mod road;
 mod target;
+mod tracks;
 
 pub use dataset::DATASET;
 pub use model::{MANIFEST, MODEL};
@@ -26,6 +27,7 @@ pub use pbf::pbf_from_extract;
 pub use recipe::{CAMERAS, RECIPE};
 pub use road::{OPENDRIVE, OSM, PBF};
 pub use target::FuzzTarget;
+pub use tracks::TRACKS;
 
 /// All targets.
-pub const TARGETS: &[FuzzTarget] = &[OPENDRIVE, OSM, PBF, MODEL, MANIFEST, RECIPE, CAMERAS, DATASET];
+pub const TARGETS: &[FuzzTarget] = &[OPENDRIVE, OSM, PBF, MODEL, MANIFEST, RECIPE, CAMERAS, DATASET, TRACKS];

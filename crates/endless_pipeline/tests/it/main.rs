@@ -4,6 +4,7 @@ mod bake_cache;
 mod builds;
 mod changing;
 mod city;
+mod clone;
 mod disk_full;
 mod fake;
 mod flow;
