@@ -68,7 +68,8 @@ impl ActorSchema {
     /// The same of datasets that play recorded tracks.
     #[must_use]
     pub fn with_tracks(mut self) -> Self {
-        let meaning = "of what plays a recorded track: the track's name in its file; a rider has that of the two-wheeler";
+        let meaning =
+            "of what plays a recorded track: the track's name in its file; a rider has that of the two-wheeler";
         self.fields.push(FieldLabel { name: "track".into(), meaning: meaning.into() });
         self
     }
@@ -139,7 +140,8 @@ mod tests {
                 None => drop(names.insert(name.clone())),
             }
         }
-        let described: BTreeSet<String> = ActorSchema::current().with_tracks().fields.into_iter().map(|f| f.name).collect();
+        let described: BTreeSet<String> =
+            ActorSchema::current().with_tracks().fields.into_iter().map(|f| f.name).collect();
         assert_eq!(described, names);
     }
 }

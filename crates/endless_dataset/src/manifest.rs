@@ -71,15 +71,7 @@ impl Manifest {
         if recipe.traffic_file.is_some() {
             labels.actors = labels.actors.with_tracks();
         }
-        Self {
-            format: Self::FORMAT,
-            tool: "endless".into(),
-            builds,
-            seed: recipe.seed,
-            recipe,
-            labels,
-            videos,
-        }
+        Self { format: Self::FORMAT, tool: "endless".into(), builds, seed: recipe.seed, recipe, labels, videos }
     }
 
     /// Reads `dataset.json`.

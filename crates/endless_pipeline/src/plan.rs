@@ -12,7 +12,8 @@ use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::Recipe;
 use endless_world::{
-    CameraLook, CameraSite, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation, SceneSettings, Stream, TrackPlayback,
+    CameraLook, CameraSite, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation, SceneSettings, Stream,
+    TrackPlayback,
 };
 
 /// The settings of every video, by number.

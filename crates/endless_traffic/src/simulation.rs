@@ -5,7 +5,7 @@ mod world_state;
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
-use crate::playback::{PlayedTracks, Playback, Presence};
+use crate::playback::{Playback, PlayedTracks, Presence};
 use crate::population::Population;
 use crate::roads::{Roads, TrafficMap};
 use crate::settings::{DrivingCondition, Fleet, TrafficSettings};

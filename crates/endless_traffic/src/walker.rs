@@ -65,9 +65,13 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
             .enumerate()
             .filter(|(j, w)| *j != i && w.position.distance_squared(walkers[i].position) < SIGHT_M * SIGHT_M)
             .map(|(_, w)| (w.position, w.velocity))
-            .chain(scene.others.iter().copied().filter(|(at, _)| {
-                at.distance_squared(walkers[i].position) < SIGHT_M * SIGHT_M
-            }))
+            .chain(
+                scene
+                    .others
+                    .iter()
+                    .copied()
+                    .filter(|(at, _)| at.distance_squared(walkers[i].position) < SIGHT_M * SIGHT_M),
+            )
             .collect();
         walkers[i].step(scene, &near, crossings, step_s);
     }

@@ -1,6 +1,8 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
-use crate::{CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, TimeOfDay, TrackPlayback, Weather};
+use crate::{
+    CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, TimeOfDay, TrackPlayback, Weather,
+};
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
 

@@ -79,6 +79,38 @@ fn what_was_asked_cannot_be() {
 }
 
 #[test]
+fn tracks_cannot_be_played() {
+    let folder = tempfile::tempdir().expect("temp");
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("writable");
+    write("good.csv", "time,id,class,x,y,yaw\n5,a,car,0,0,0\n6,a,car,5,0,0\n");
+    write("far.csv", "time,id,class,x,y,yaw\n5,a,car,90000,0,0\n6,a,car,90005,0,0\n");
+    write("line.csv", "time,id,class,x,y,yaw\n5,a,car,0,0,0\n6,a,car,nowhere,0,0\n");
+    write("header.csv", "frame,track,x,y\n5,a,0,0\n");
+    write("cut.xml", "<fcd-export>\n<timestep time=\"0.00\">\n<vehicle id=\"a\" x=\"1\" y=\"2\"");
+    write("net.xml", "<net version=\"1.20\"/>");
+    write("degrees.xml", "<fcd-export>\n<timestep time=\"0\"><vehicle id=\"a\" x=\"9.1\" y=\"48.7\" angle=\"0\" speed=\"12\"/></timestep>\n\
+          <timestep time=\"1\"><vehicle id=\"a\" x=\"9.1\" y=\"48.70011\" angle=\"0\" speed=\"12\"/></timestep>\n</fcd-export>");
+    insta::assert_snapshot!(said(
+        folder.path(),
+        &[
+            "generate out --maps Town02 --traffic none.xml",
+            "generate out --maps Town02 --traffic line.csv",
+            "generate out --maps Town02 --traffic header.csv",
+            "generate out --maps Town02 --traffic cut.xml",
+            "generate out --maps Town02 --traffic net.xml",
+            "generate out --maps Town02 --traffic degrees.xml",
+            "generate out --maps Town02 --traffic far.csv",
+            "generate out --maps Town02 --traffic good.csv --traffic-begin 7",
+            "generate out --maps Town02 --traffic good.csv --traffic-offset 7",
+            "generate out --maps Town02 --traffic good.csv --traffic-offset 1,nan",
+            "generate out --maps Town02 --traffic-offset 1,2",
+            "generate out --maps Town02,Town03 --traffic good.csv",
+        ],
+    ));
+    assert!(!folder.path().join("out").exists(), "nothing was made");
+}
+
+#[test]
 fn the_output_cannot_be_used() {
     let folder = tempfile::tempdir().expect("temp");
     fs::write(folder.path().join("file"), "dear").expect("writable");

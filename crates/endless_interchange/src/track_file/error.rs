@@ -50,6 +50,8 @@ pub enum TrackFault {
     #[error("there is nobody in the file who could be played: write it with vehicles or people")]
     Empty,
     /// Longitudes and latitudes.
-    #[error("positions hardly change where speeds say that all drive: write them in metres (SUMO: without --fcd-output.geo)")]
+    #[error(
+        "positions hardly change where speeds say that all drive: write them in metres (SUMO: without --fcd-output.geo)"
+    )]
     Geographic,
 }

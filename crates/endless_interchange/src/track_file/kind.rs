@@ -15,21 +15,65 @@ pub(super) enum Kind {
 
 /// Words by what they mean: SUMO's vehicle classes, and what data sets say.
 const WORDS: &[(Kind, &[&str])] = &[
-    (Kind::NoModels, &[
-        "rail", "railway", "train", "tram", "subway", "cable", "ship", "boat", "aircraft", "drone", "container", "railtype",
-    ]),
-    (Kind::Known(ObjectClass::Pedestrian), &[
-        "pedestrian", "pedestrians", "ped", "person", "people", "walker", "human", "pedtype", "wheelchair",
-    ]),
-    (Kind::Known(ObjectClass::Bicycle), &["bicycle", "bike", "cyclist", "biker", "cycle", "scooter", "biketype", "escooter"]),
+    (
+        Kind::NoModels,
+        &[
+            "rail",
+            "railway",
+            "train",
+            "tram",
+            "subway",
+            "cable",
+            "ship",
+            "boat",
+            "aircraft",
+            "drone",
+            "container",
+            "railtype",
+        ],
+    ),
+    (
+        Kind::Known(ObjectClass::Pedestrian),
+        &["pedestrian", "pedestrians", "ped", "person", "people", "walker", "human", "pedtype", "wheelchair"],
+    ),
+    (
+        Kind::Known(ObjectClass::Bicycle),
+        &["bicycle", "bike", "cyclist", "biker", "cycle", "scooter", "biketype", "escooter"],
+    ),
     (Kind::Known(ObjectClass::Motorcycle), &["motorcycle", "motorbike", "moped", "motorcyclist", "mc"]),
     (Kind::Known(ObjectClass::Bus), &["bus", "coach", "trolleybus"]),
-    (Kind::Known(ObjectClass::Truck), &["truck", "lorry", "trailer", "hgv", "semi", "heavy", "tractor", "tanker", "firebrigade"]),
+    (
+        Kind::Known(ObjectClass::Truck),
+        &["truck", "lorry", "trailer", "hgv", "semi", "heavy", "tractor", "tanker", "firebrigade"],
+    ),
     (Kind::Known(ObjectClass::Van), &["van", "delivery", "minibus", "transporter", "lcv", "ambulance"]),
-    (Kind::Known(ObjectClass::Car), &[
-        "car", "passenger", "taxi", "taxitype", "vehtype", "veh", "vehicle", "auto", "suv", "sedan", "hatchback", "pickup",
-        "private", "hov", "evehicle", "emergency", "police", "authority", "army", "vip", "custom1", "custom2",
-    ]),
+    (
+        Kind::Known(ObjectClass::Car),
+        &[
+            "car",
+            "passenger",
+            "taxi",
+            "taxitype",
+            "vehtype",
+            "veh",
+            "vehicle",
+            "auto",
+            "suv",
+            "sedan",
+            "hatchback",
+            "pickup",
+            "private",
+            "hov",
+            "evehicle",
+            "emergency",
+            "police",
+            "authority",
+            "army",
+            "vip",
+            "custom1",
+            "custom2",
+        ],
+    ),
 ];
 
 /// What the name of a type says: by its words, which come in the order of [`WORDS`] if there are several ("bicycle_person").
@@ -105,7 +149,8 @@ mod tests {
 
     #[test]
     fn lengths_choose_a_class() {
-        for (length_m, class) in [(0.2, Pedestrian), (1.6, Bicycle), (4.0, Car), (5.9, Van), (7.5, Truck), (18.0, Bus)] {
+        for (length_m, class) in [(0.2, Pedestrian), (1.6, Bicycle), (4.0, Car), (5.9, Van), (7.5, Truck), (18.0, Bus)]
+        {
             assert_eq!(class_of_length(length_m), class, "{length_m} m");
         }
     }

@@ -10,8 +10,8 @@ mod row;
 pub use error::{TrackFault, TrackFileError};
 
 use crate::content_hash::content_hash;
-use gather::Gatherer;
 use endless_world::Track;
+use gather::Gatherer;
 use std::{fs::File, io::Read, path::Path};
 
 /// Longest file, bytes: it is kept in memory while it is read.

@@ -30,7 +30,11 @@ fn fcd_is_read_with_its_axes() {
     assert_eq!((first.position, first.height_m, first.speed_mps), (DVec2::new(10.0, 20.0), None, Some(10.0)));
     assert!(first.yaw_rad.abs() < 1e-12, "90 degrees clockwise from north is east");
     assert!((second.yaw_rad - FRAC_PI_2).abs() < 1e-12, "0 is north");
-    assert_eq!((person.class, person.point), (ObjectClass::Pedestrian, TrackPoint::Centre), "whatever its type is called");
+    assert_eq!(
+        (person.class, person.point),
+        (ObjectClass::Pedestrian, TrackPoint::Centre),
+        "whatever its type is called"
+    );
     assert_eq!((file.begin_s, file.end_s, file.notes.len()), (0.0, 1.0, 0));
 }
 
@@ -41,7 +45,10 @@ fn csv_is_read_in_any_order() {
     let [quoted, bus] = &file.tracks[..] else { panic!("two tracks: {:?}", file.tracks) };
     assert_eq!((quoted.name.as_str(), quoted.point), ("a,b", TrackPoint::Centre));
     assert_eq!(quoted.pieces[0].iter().map(|sample| sample.time_s).collect::<Vec<_>>(), [0.0, 0.5]);
-    assert_eq!((bus.class, bus.pieces[0][0].height_m, bus.pieces[0][0].speed_mps), (ObjectClass::Bus, Some(7.0), Some(2.5)));
+    assert_eq!(
+        (bus.class, bus.pieces[0][0].height_m, bus.pieces[0][0].speed_mps),
+        (ObjectClass::Bus, Some(7.0), Some(2.5))
+    );
 }
 
 #[test]
@@ -56,13 +63,16 @@ fn what_is_guessed_is_told_in_one_line_each() {
     assert_eq!(classes, [ObjectClass::Car, ObjectClass::Bus, ObjectClass::Car]);
     assert_eq!(file.tracks[2].pieces.iter().map(Vec::len).collect::<Vec<_>>(), [2, 1, 1], "a gap, and a jump");
     assert_eq!(file.tracks[2].pieces[0][1].position.x, 1.0, "the first of one instant");
-    assert_eq!(file.notes, [
-        "2 tracks of a type that is not known ('zebra', 'yak'): played as what has their length, else as cars",
-        "1 track of which there are no models ('tram'): left out",
-        "3 tracks with several rows of one instant ('1', '2', '4'): the first of these counts",
-        "1 track with gaps of more than 2 s ('4'): absent meanwhile",
-        "1 track that jump faster than 80 m/s ('4'): they vanish, and appear elsewhere",
-    ]);
+    assert_eq!(
+        file.notes,
+        [
+            "2 tracks of a type that is not known ('zebra', 'yak'): played as what has their length, else as cars",
+            "1 track of which there are no models ('tram'): left out",
+            "3 tracks with several rows of one instant ('1', '2', '4'): the first of these counts",
+            "1 track with gaps of more than 2 s ('4'): absent meanwhile",
+            "1 track that jump faster than 80 m/s ('4'): they vanish, and appear elsewhere",
+        ]
+    );
 }
 
 #[test]

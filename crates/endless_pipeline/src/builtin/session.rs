@@ -71,9 +71,11 @@ impl<'m> BuiltinSession<'m> {
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
         let duration_s = f64::from(settings.frames) / fps;
         let played = settings.playback.map(|playback| PlayedTracks { tracks, playback, duration_s });
-        let simulation =
-            Simulation::playing(&map.traffic, &fleet, &map.town.parked, &traffic, played.as_ref()).map_err(|source| {
-                SimulatorError::Scene { video: settings.video, map: settings.map.clone(), source: source.into() }
+        let simulation = Simulation::playing(&map.traffic, &fleet, &map.town.parked, &traffic, played.as_ref())
+            .map_err(|source| SimulatorError::Scene {
+                video: settings.video,
+                map: settings.map.clone(),
+                source: source.into(),
             })?;
         let population = simulation.population();
         let parked = simulation.parked().to_vec();

@@ -2,7 +2,7 @@
 
 use crate::fake::{assert_same, options};
 use endless_asset::Catalogue;
-use endless_dataset::{DatasetLayout, RecipeDraft, check, read_actors, read_objects};
+use endless_dataset::{DatasetLayout, RecipeDraft, UserCamera, check, read_actors, read_objects};
 use endless_interchange::{MapLibrary, TrackFile};
 use endless_pipeline::{BuiltinSimulator, MapSource, SilentProgress, generate, resolve_recipe};
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
@@ -33,7 +33,7 @@ fn recorded() -> &'static (String, Places) {
             vehicles: 60,
             pedestrians: 40,
             fps: f64::from(STEPS),
-            focus: town.cameras.iter().take(2).map(|camera| camera.position.into()).collect(),
+            focus: town.cameras.iter().take(1).map(|camera| camera.position.into()).collect(),
             ..TrafficSettings::default()
         };
         let mut traffic = Simulation::new(&town.network, &fleet, &[], &settings).expect("few");
@@ -43,7 +43,7 @@ fn recorded() -> &'static (String, Places) {
             writeln!(text, "<timestep time=\"{time_s:.2}\">").expect("memory");
             let mut now = BTreeMap::new();
             for actor in traffic.state().actors {
-                if actor.id.0 % 7 == 1 && !(2..8).contains(&step) {
+                if actor.id.0 % 7 == 1 && !(3..5).contains(&step) {
                     continue;
                 }
                 let (line, name, place) = element(&actor, catalogue);
@@ -91,10 +91,12 @@ fn draft() -> RecipeDraft {
         maps: words(&[TOWN]),
         weathers: words(&["cloudy"]),
         times: words(&["afternoon"]),
-        size: Some("320x180".to_owned()),
+        size: Some("256x144".to_owned()),
         // Two frames in three lie between time steps.
         fps: Some(f64::from(3 * STEPS)),
-        duration: Some(1.0),
+        duration: Some(0.6),
+        cameras_per_scene: Some(1),
+        cameras: Some(vec![camera()]),
         traffic_begin: Some(BEGIN_S + 0.4),
         traffic_offset: Some(OFFSET.to_array()),
         min_pixels: Some(1),
@@ -102,6 +104,19 @@ fn draft() -> RecipeDraft {
         mp4: Some(Vec::new()),
         camera_look: Some("clean".to_owned()),
         ..RecipeDraft::default()
+    }
+}
+
+/// The one around which traffic was recorded.
+fn camera() -> UserCamera {
+    let site = MapLibrary::builtin().cameras(TOWN).expect("a town").swap_remove(0);
+    UserCamera {
+        map: TOWN.to_owned(),
+        name: site.name,
+        position: site.position.map(f64::from),
+        yaw: f64::from(site.yaw_rad).to_degrees(),
+        down: f64::from(site.down_tilt_rad).to_degrees(),
+        fov: f64::from(site.horizontal_fov_rad).to_degrees(),
     }
 }
 
@@ -126,21 +141,21 @@ fn a_clone_is_where_its_file_says_in_every_frame() {
     let actors: BTreeMap<_, _> =
         read_actors(&video.actors()).expect("actors").into_iter().map(|actor| (actor.id, actor)).collect();
     let (mut worst_m, mut seen) = (0.0f64, 0);
-    for line in [0, 1].into_iter().flat_map(|camera| read_objects(&video.camera(camera).objects()).expect("labels")) {
+    for line in read_objects(&video.camera(0).objects()).expect("labels") {
         for object in line.objects.iter().filter(|object| !object.parked && object.vehicle_id.is_none()) {
             let actor = &actors[&object.id];
             let name = actor.track.as_deref().expect("all play a track");
             let place = told(places, name, line.frame);
             let place = place.unwrap_or_else(|| panic!("{name} is not there in frame {}", line.frame));
             let length = actor.vehicle.as_ref().map_or(0.0, |vehicle| f64::from(vehicle.size[0]));
-            let front = DVec2::new(object.position[0], object.position[1])
-                + DVec2::from_angle(object.yaw_rad) * (0.5 * length);
+            let front =
+                DVec2::new(object.position[0], object.position[1]) + DVec2::from_angle(object.yaw_rad) * (0.5 * length);
             worst_m = worst_m.max(front.distance(place));
             seen += 1;
         }
     }
     println!("{seen} objects, at most {:.2} cm from where the file has them", 100.0 * worst_m);
-    assert!(seen > 60 && worst_m < 0.05, "{seen} objects, at most {worst_m} m off");
+    assert!(seen > 30 && worst_m < 0.05, "{seen} objects, at most {worst_m} m off");
     // Whoever comes and goes: labels, layers and flow stand up to every check.
     assert_eq!(check(out[0].path()).expect("readable").findings, []);
 
@@ -171,7 +186,8 @@ fn what_does_not_fit_is_told_before_anything_is_made() {
     let notes = simulator.track_notes(&away);
     // Some of it lies on other roads by chance.
     assert!(notes.is_ok_and(|notes| notes.len() == 1 && notes[0].contains("leave the map")));
-    let far = resolve_recipe(RecipeDraft { traffic_offset: Some([5e5, 0.0]), ..draft() }, &simulator).expect("plausible");
+    let far =
+        resolve_recipe(RecipeDraft { traffic_offset: Some([5e5, 0.0]), ..draft() }, &simulator).expect("plausible");
     let error = simulator.track_notes(&far).expect_err("off the map").to_string();
     assert!(error.contains("--traffic-offset X,Y") && error.lines().count() == 1, "{error}");
 

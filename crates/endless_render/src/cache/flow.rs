@@ -6,9 +6,9 @@
 use super::bake::CameraBake;
 use super::covered_centres::CoveredCentres;
 use super::moving_centre::MovingCentre;
+use super::other_instant::OtherInstant;
 use crate::accel::{Hit, Ray, RayStream, lanes};
 use crate::scene::{FrameScene, Instance, StaticScene};
-use super::other_instant::OtherInstant;
 use endless_world::math::UnfusedVec3A;
 use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, SensorFrame};
 use glam::{Vec2, Vec3A};

@@ -14,7 +14,8 @@ pub(super) struct OtherInstant<'a> {
 impl<'a> OtherInstant<'a> {
     /// Seen from a frame.
     pub(super) fn new(frame: &FrameScene, scene: &'a FrameScene) -> Self {
-        let ids = |scene: &FrameScene| scene.instances.iter().map(|instance: &Instance| instance.id).collect::<Vec<_>>();
+        let ids =
+            |scene: &FrameScene| scene.instances.iter().map(|instance: &Instance| instance.id).collect::<Vec<_>>();
         let (now, then) = (ids(frame), ids(scene));
         Self { scene, numbers: (now != then).then(|| numbers(&now, &then)) }
     }

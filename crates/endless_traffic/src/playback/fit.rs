@@ -48,6 +48,8 @@ impl PlayedTracks<'_> {
         let (begin_s, end_s) = (self.playback.begin_s, self.playback.begin_s + self.duration_s);
         let offset = DVec2::from_array(self.playback.offset_m);
         let samples = track.pieces.iter().flatten();
-        samples.filter(move |sample| (begin_s..=end_s).contains(&sample.time_s)).map(move |sample| sample.position - offset)
+        samples
+            .filter(move |sample| (begin_s..=end_s).contains(&sample.time_s))
+            .map(move |sample| sample.position - offset)
     }
 }

@@ -4,8 +4,8 @@
 //! wheels, lean and steps from their motion. Who is simulated sees them, but they see nobody.
 
 mod body;
-mod fit;
 mod cast;
+mod fit;
 mod ground;
 mod path;
 mod presence;

@@ -82,7 +82,8 @@ impl TrackPath {
         let piece = self.pieces.get(number).filter(|piece| piece.ends().0 <= time_s + ROUNDING_S)?;
         let here = piece.at(time_s);
         let [before, after] = [-1.0, 1.0].map(|side| piece.at(time_s + side * piece.window_s));
-        let rate = |change: f64| if after.time_s > before.time_s { change / (after.time_s - before.time_s) } else { 0.0 };
+        let rate =
+            |change: f64| if after.time_s > before.time_s { change / (after.time_s - before.time_s) } else { 0.0 };
         let centre = |sample: &PathSample| sample.position - heading(sample.yaw) * self.ahead_m;
         let way = centre(&after) - centre(&before);
         Some(PathPlace {

@@ -106,7 +106,9 @@ fn who_turns_indicates_and_leans() {
         let state = simulation.state();
         let [car, bicycle] = &state.actors[..] else { panic!("frame {frame}: {} actors", state.actors.len()) };
         assert_eq!((bicycle.rider_id, car.rider_id), (Some(InstanceId(3)), None));
-        let [Motion::Vehicle(motion), Motion::Vehicle(leaning)] = [car.motion, bicycle.motion] else { panic!("vehicles") };
+        let [Motion::Vehicle(motion), Motion::Vehicle(leaning)] = [car.motion, bicycle.motion] else {
+            panic!("vehicles")
+        };
         if frame < 15 || frame > 75 {
             assert_eq!(car.behaviour.indicating, None, "frame {frame}");
         } else if (30..60).contains(&frame) {
@@ -123,10 +125,14 @@ fn who_turns_indicates_and_leans() {
 
 #[test]
 fn people_walk_and_come_and_go_as_the_file_says() {
-    let walk = track("p", ObjectClass::Pedestrian, (0..=20).map(|k| {
-        let t = 0.1 * f64::from(k);
-        (101.0 + t, 30.0 + 1.3 * t, 3.0, 0.0)
-    }));
+    let walk = track(
+        "p",
+        ObjectClass::Pedestrian,
+        (0..=20).map(|k| {
+            let t = 0.1 * f64::from(k);
+            (101.0 + t, 30.0 + 1.3 * t, 3.0, 0.0)
+        }),
+    );
     let early = track("gone", ObjectClass::Car, [(10.0, 0.0, 0.0, 0.0), (99.0, 0.0, 0.0, 0.0)]);
     let mut simulation = simulation(&[early, walk], PLAYBACK, 10.0);
     assert_eq!((simulation.population().vehicles_spawned, simulation.population().pedestrians_spawned), (0, 1));
@@ -158,7 +164,8 @@ fn an_offset_moves_all_and_who_is_off_the_map_is_told_of() {
         })
         .collect();
     let offset = TrackPlayback { offset_m: [340.0, -261.5], ..PLAYBACK };
-    let [a, b] = [(&tracks[..], PLAYBACK), (&moved[..], offset)].map(|(tracks, playback)| simulation(tracks, playback, 10.0).state());
+    let [a, b] = [(&tracks[..], PLAYBACK), (&moved[..], offset)]
+        .map(|(tracks, playback)| simulation(tracks, playback, 10.0).state());
     assert_eq!(a.actors.len(), 1, "the other is off the map");
     assert!((a.actors[0].pose.position - b.actors[0].pose.position).length() < 1e-3);
     let fit = |tracks: &[Track], playback| PlayedTracks { tracks, playback, duration_s: 10.0 }.fit(&road());
@@ -182,11 +189,15 @@ fn simulated_drivers_keep_behind_those_who_play_tracks() {
     };
     let network = RoadNetwork { lanes: vec![lane(0, 0, 1), lane(1, 180, 0)], ..RoadNetwork::default() };
     let network = network.finish().expect("a ring");
-    let creeps = track("slow", ObjectClass::Car, (0..=700).map(|k| {
-        let angle = 0.1 * f64::from(k) * 1.5 / 60.0;
-        let (sin, cos) = endless_world::math::f64::sin_cos(angle);
-        (60.0 + 0.1 * f64::from(k), 60.0 * cos, 60.0 * sin, angle + FRAC_PI_2)
-    }));
+    let creeps = track(
+        "slow",
+        ObjectClass::Car,
+        (0..=700).map(|k| {
+            let angle = 0.1 * f64::from(k) * 1.5 / 60.0;
+            let (sin, cos) = endless_world::math::f64::sin_cos(angle);
+            (60.0 + 0.1 * f64::from(k), 60.0 * cos, 60.0 * sin, angle + FRAC_PI_2)
+        }),
+    );
     let specs = [car()];
     let fleet = Fleet { vehicles: &specs, pedestrian: &|_| PedestrianSpec::default() };
     let settings = TrafficSettings { vehicles: 4, pedestrians: 0, ..TrafficSettings::default() };

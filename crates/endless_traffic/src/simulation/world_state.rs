@@ -4,9 +4,7 @@ use super::Simulation;
 use crate::behaviour;
 use crate::playback::Playback;
 use endless_world::math::f64::wrap_angle;
-use endless_world::{
-    Actor, InstanceId, Motion, ObjectClass, PersonRef, Pose, VehicleMotion, WalkerMotion, WorldState,
-};
+use endless_world::{Actor, InstanceId, Motion, ObjectClass, PersonRef, Pose, VehicleMotion, WalkerMotion, WorldState};
 
 impl Simulation {
     /// Everybody who is there in some frame, by ascending id, with the looks that they have in all; of those who play
