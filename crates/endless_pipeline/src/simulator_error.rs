@@ -50,20 +50,13 @@ pub enum SimulatorError {
     /// Tracks that do not lie on the map.
     #[error(
         "of the tracks none comes near a road of {map}: say with --traffic-offset X,Y where the map's origin is in their \
-         file, which for SUMO is the netOffset in the net's <location> (tracks lie from {low} to {high}, roads from \
-         {road_low} to {road_high})"
+         file, which for SUMO is the netOffset in the net's <location> ({places})"
     )]
     TracksOffMap {
         /// The map.
         map: String,
-        /// Least x and y of the tracks, with the offset that was given.
-        low: String,
-        /// Greatest.
-        high: String,
-        /// Of the roads.
-        road_low: String,
-        /// Of the roads.
-        road_high: String,
+        /// Where the tracks lie with the offset that was given, and where the roads.
+        places: String,
     },
     /// The simulator went away.
     #[error("the connection to the simulator at {address} is lost: start it again and run the same command")]

@@ -24,6 +24,8 @@ use glam::Vec3;
 const STEP_S: f64 = 1.0 / 30.0;
 /// Simulated before frame 0, seconds.
 const WARM_UP_S: f64 = 25.0;
+/// The same where nobody is simulated: trailers and feet come to where the tracks lead them, seconds.
+const PLAYBACK_WARM_UP_S: f64 = 5.0;
 
 /// Everything that moves in one scene.
 #[derive(Debug, Clone)]
@@ -123,7 +125,9 @@ impl Simulation {
             population.pedestrians_spawned += people;
         }
         let crossings = vec![CrossingState::default(); network.crossings.len()];
-        let warm_up_frames = (WARM_UP_S * fps).ceil() as u32;
+        let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
+        let warm_up_s = if alone { PLAYBACK_WARM_UP_S } else { WARM_UP_S };
+        let warm_up_frames = (warm_up_s * fps).ceil() as u32;
         let mut simulation = Self {
             roads,
             graph,

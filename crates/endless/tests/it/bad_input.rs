@@ -88,8 +88,11 @@ fn tracks_cannot_be_played() {
     write("header.csv", "frame,track,x,y\n5,a,0,0\n");
     write("cut.xml", "<fcd-export>\n<timestep time=\"0.00\">\n<vehicle id=\"a\" x=\"1\" y=\"2\"");
     write("net.xml", "<net version=\"1.20\"/>");
-    write("degrees.xml", "<fcd-export>\n<timestep time=\"0\"><vehicle id=\"a\" x=\"9.1\" y=\"48.7\" angle=\"0\" speed=\"12\"/></timestep>\n\
-          <timestep time=\"1\"><vehicle id=\"a\" x=\"9.1\" y=\"48.70011\" angle=\"0\" speed=\"12\"/></timestep>\n</fcd-export>");
+    write(
+        "degrees.xml",
+        "<fcd-export>\n<timestep time=\"0\"><vehicle id=\"a\" x=\"9.1\" y=\"48.7\" angle=\"0\" speed=\"12\"/></timestep>\n\
+          <timestep time=\"1\"><vehicle id=\"a\" x=\"9.1\" y=\"48.70011\" angle=\"0\" speed=\"12\"/></timestep>\n</fcd-export>",
+    );
     insta::assert_snapshot!(said(
         folder.path(),
         &[

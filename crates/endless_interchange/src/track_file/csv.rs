@@ -6,7 +6,7 @@ use super::row::{Numbers, Row};
 use endless_world::{TrackPoint, TrackSample};
 
 /// Columns that a file must have.
-pub(super) const REQUIRED: [&str; 6] = ["time", "id", "class", "x", "y", "yaw"];
+const REQUIRED: [&str; 6] = ["time", "id", "class", "x", "y", "yaw"];
 /// Columns that it may have.
 const OPTIONAL: [&str; 3] = ["z", "speed", "length"];
 
@@ -31,7 +31,7 @@ pub(super) fn read(text: &str, gatherer: &mut Gatherer) -> Result<(), TrackFault
 
 impl Columns {
     fn of(header: &str) -> Option<Self> {
-        let names: Vec<String> = fields(header).map(|field| field.to_ascii_lowercase()).collect();
+        let names: Vec<String> = fields(header).map(str::to_ascii_lowercase).collect();
         let place = |name: &&str| names.iter().position(|other| other == name);
         let mut required = [0; REQUIRED.len()];
         for (column, name) in required.iter_mut().zip(&REQUIRED) {

@@ -42,8 +42,7 @@ pub enum TrackFault {
     },
     /// Another kind of file.
     #[error(
-        "this is neither SUMO's FCD (<fcd-export>) nor CSV with a header that has {}: see docs/clone.md",
-        super::csv::REQUIRED.join(",")
+        "this is neither SUMO's FCD (<fcd-export>) nor CSV with a header that has time,id,class,x,y,yaw: see docs/clone.md"
     )]
     Format,
     /// Nobody is in it.

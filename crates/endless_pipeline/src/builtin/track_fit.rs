@@ -40,13 +40,10 @@ pub(super) fn notes(
     if fit.tracks > 0 && !fit.any_on_map {
         let points = || network.lanes.iter().flat_map(|lane| lane.centerline.points()).map(|point| point.truncate());
         let [low, high] = fit.bounds.map(place);
-        return Err(SimulatorError::TracksOffMap {
-            map: map.to_owned(),
-            low,
-            high,
-            road_low: place(points().fold(DVec2::INFINITY, DVec2::min)),
-            road_high: place(points().fold(DVec2::NEG_INFINITY, DVec2::max)),
-        });
+        let road_low = place(points().fold(DVec2::INFINITY, DVec2::min));
+        let road_high = place(points().fold(DVec2::NEG_INFINITY, DVec2::max));
+        let places = format!("tracks lie from {low} to {high}, roads from {road_low} to {road_high}");
+        return Err(SimulatorError::TracksOffMap { map: map.to_owned(), places });
     }
     let mut notes = file.notes.clone();
     if !fit.leave.is_empty() {

@@ -2,7 +2,7 @@
 
 use endless_road::{CrossingId, LaneId, RoadNetwork, WalkKind};
 use endless_world::math::f64::wrap_angle;
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
 /// Side of a cell, metres.
@@ -17,13 +17,18 @@ const LEVEL_M: f64 = 2.5;
 const OTHER_LEVEL_M: f64 = 100.0;
 /// A lane that leads elsewhere is none that a vehicle is on, radians.
 const ALONG: f64 = 1.0;
+/// Who stands nearer to an end of a crossing waits for it, metres.
+const KERB_M: f64 = 2.0;
+
+/// What lies in each cell, by number.
+type Cells = BTreeMap<(i32, i32), Vec<u32>>;
 
 /// Lanes and sidewalks by place.
 #[derive(Debug, Clone)]
 pub(super) struct GroundIndex {
-    lanes: BTreeMap<(i32, i32), Vec<u32>>,
+    lanes: Cells,
     /// Edges of the walk network: sidewalks, and crossings.
-    walks: BTreeMap<(i32, i32), Vec<u32>>,
+    walks: Cells,
 }
 
 /// A place on a lane.
@@ -37,8 +42,15 @@ fn cell(at: DVec2) -> (i32, i32) {
     ((at.x / CELL_M).floor() as i32, (at.y / CELL_M).floor() as i32)
 }
 
+fn put(cells: &mut Cells, at: DVec2, item: u32) {
+    let list = cells.entry(cell(at)).or_default();
+    if list.last() != Some(&item) {
+        list.push(item);
+    }
+}
+
 /// What of a list lies in the cells around a place, each once.
-fn around(cells: &BTreeMap<(i32, i32), Vec<u32>>, at: DVec2, reach: i32) -> Vec<u32> {
+fn around(cells: &Cells, at: DVec2, reach: i32) -> Vec<u32> {
     let (x, y) = cell(at);
     let rows = (x.saturating_sub(reach)..=x.saturating_add(reach))
         .flat_map(|x| cells.range((x, y.saturating_sub(reach))..=(x, y.saturating_add(reach))));
@@ -51,24 +63,18 @@ fn around(cells: &BTreeMap<(i32, i32), Vec<u32>>, at: DVec2, reach: i32) -> Vec<
 impl GroundIndex {
     pub(super) fn new(network: &RoadNetwork) -> Self {
         let mut index = Self { lanes: BTreeMap::new(), walks: BTreeMap::new() };
-        let mut put = |cells: fn(&mut Self) -> &mut BTreeMap<(i32, i32), Vec<u32>>, at: DVec2, item: u32| {
-            let list = cells(&mut index).entry(cell(at)).or_default();
-            if list.last() != Some(&item) {
-                list.push(item);
-            }
-        };
         for lane in &network.lanes {
             let steps = (lane.centerline.length() / (0.5 * CELL_M)).ceil().max(1.0) as u32;
             for step in 0..=steps {
                 let s = lane.centerline.length() * f64::from(step) / f64::from(steps);
-                put(|index| &mut index.lanes, lane.centerline.position(s).truncate(), lane.id.0);
+                put(&mut index.lanes, lane.centerline.position(s).truncate(), lane.id.0);
             }
         }
         for (edge, number) in network.walk.edges.iter().zip(0..) {
             let [a, b] = edge.nodes.map(|node| network.walk.nodes[node.index()].truncate());
             let steps = (a.distance(b) / (0.5 * CELL_M)).ceil().max(1.0) as u32;
             for step in 0..=steps {
-                put(|index| &mut index.walks, a.lerp(b, f64::from(step) / f64::from(steps)), number);
+                put(&mut index.walks, a.lerp(b, f64::from(step) / f64::from(steps)), number);
             }
         }
         index
@@ -134,7 +140,7 @@ impl GroundIndex {
     pub(super) fn crossing(network: &RoadNetwork, at: DVec2) -> Option<OnCrossing> {
         let mut nearest: Option<OnCrossing> = None;
         for (crossing, id) in network.crossings.iter().zip(0..) {
-            let [from, to] = crossing.ends.map(|end| end.truncate());
+            let [from, to] = crossing.ends.map(DVec3::truncate);
             let length = from.distance(to);
             let along = (to - from).normalize_or_zero();
             let (along_m, beside_m) = ((at - from).dot(along), along.perp_dot(at - from).abs());
@@ -149,9 +155,6 @@ impl GroundIndex {
         nearest
     }
 }
-
-/// Who stands nearer to an end of a crossing waits for it, metres.
-const KERB_M: f64 = 2.0;
 
 /// A place on a crossing, or at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
