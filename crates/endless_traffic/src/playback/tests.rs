@@ -109,7 +109,7 @@ fn who_turns_indicates_and_leans() {
         let [Motion::Vehicle(motion), Motion::Vehicle(leaning)] = [car.motion, bicycle.motion] else {
             panic!("vehicles")
         };
-        if frame < 15 || frame > 75 {
+        if !(15..=75).contains(&frame) {
             assert_eq!(car.behaviour.indicating, None, "frame {frame}");
         } else if (30..60).contains(&frame) {
             assert_eq!(car.behaviour.indicating, Some(endless_world::Side::Left), "frame {frame}");
