@@ -122,9 +122,11 @@ impl Gatherer {
             repeated.line(|count, names| {
                 format!("{count} with several rows of one instant ({names}): the first of these counts")
             }),
-            gaps.line(|count, names| format!("{count} with gaps of more than {gap_s} s ({names}): absent meanwhile")),
+            gaps.line(|count, names| {
+                format!("{count} with gaps of more than {gap_s:.1} s ({names}): absent meanwhile")
+            }),
             jumps.line(|count, names| {
-                format!("{count} that jump faster than {FASTEST_MPS} m/s ({names}): they vanish, and appear elsewhere")
+                format!("{count} with jumps faster than {FASTEST_MPS} m/s ({names}): they vanish, and appear elsewhere")
             }),
         ];
         Ok((tracks, notes.into_iter().flatten().collect()))

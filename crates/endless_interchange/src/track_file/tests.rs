@@ -69,8 +69,8 @@ fn what_is_guessed_is_told_in_one_line_each() {
             "2 tracks of a type that is not known ('zebra', 'yak'): played as what has their length, else as cars",
             "1 track of which there are no models ('tram'): left out",
             "3 tracks with several rows of one instant ('1', '2', '4'): the first of these counts",
-            "1 track with gaps of more than 2 s ('4'): absent meanwhile",
-            "1 track that jump faster than 80 m/s ('4'): they vanish, and appear elsewhere",
+            "1 track with gaps of more than 2.0 s ('4'): absent meanwhile",
+            "1 track with jumps faster than 80 m/s ('4'): they vanish, and appear elsewhere",
         ]
     );
 }
