@@ -32,6 +32,7 @@ mod cut;
 mod error;
 mod finish;
 mod geographic;
+mod line_numbers;
 mod network;
 mod network_fault;
 pub mod opendrive;
@@ -47,6 +48,7 @@ mod walk;
 pub use conflict::{gives_way, near_ranges, swept_overlap};
 pub use error::NetworkError;
 pub use geographic::Georeference;
+pub use line_numbers::LineNumbers;
 pub use network::{
     Crossing, CrossingId, Junction, JunctionId, Lane, LaneConflict, LaneCut, LaneId, RoadNetwork, SignalPhase,
     SignalProgram, SpawnPoint, TrafficControl, Turn, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId,

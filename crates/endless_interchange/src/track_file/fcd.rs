@@ -6,6 +6,7 @@
 use super::TrackFault;
 use super::gather::Gatherer;
 use super::row::{Numbers, Row};
+use endless_road::LineNumbers;
 use endless_world::{TrackPoint, TrackSample};
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -19,7 +20,7 @@ const ANY_PERSON: &str = "DEFAULT_PEDTYPE";
 /// Hands on the rows of a file, those who sit in a vehicle left out.
 pub(super) fn read(text: &str, gatherer: &mut Gatherer) -> Result<(), TrackFault> {
     let mut reader = Reader::from_str(text);
-    let mut lines = LineCounter { text: text.as_bytes(), at: 0, line: 1 };
+    let mut lines = LineNumbers::new(text);
     let mut time_s: Option<f64> = None;
     let mut root_seen = false;
     loop {
@@ -102,23 +103,4 @@ fn attributes<'a, const N: usize>(
         }
     }
     Ok(values)
-}
-
-/// Counts lines while the reader goes forward.
-struct LineCounter<'a> {
-    text: &'a [u8],
-    at: usize,
-    line: usize,
-}
-
-impl LineCounter<'_> {
-    /// The line of a byte not before those asked for already; before them, the last answer.
-    fn of(&mut self, place: usize) -> usize {
-        let place = place.min(self.text.len());
-        if place > self.at {
-            self.line += self.text[self.at..place].iter().filter(|&&byte| byte == b'\n').count();
-            self.at = place;
-        }
-        self.line
-    }
 }

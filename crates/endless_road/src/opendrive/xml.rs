@@ -1,6 +1,7 @@
 //! An XML file as a tree whose every element knows its line.
 
 use super::OpenDriveError;
+use crate::LineNumbers;
 use crate::error::one_line;
 use quick_xml::Reader;
 use quick_xml::events::{BytesStart, Event};
@@ -44,7 +45,7 @@ impl XmlElement {
 pub(crate) fn tree(text: &str) -> Result<XmlElement, OpenDriveError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut reader = Reader::from_str(text);
-    let mut lines = LineCounter { text: text.as_bytes(), at: 0, line: 1 };
+    let mut lines = LineNumbers::new(text);
     let mut open: Vec<XmlElement> = Vec::new();
     loop {
         let line = lines.of(reader.buffer_position() as usize);
@@ -107,25 +108,6 @@ fn element(start: &BytesStart<'_>, line: usize) -> Result<XmlElement, OpenDriveE
     }
     let name = start.local_name().into_inner().to_owned();
     Ok(XmlElement { name, line, attributes, children: Vec::new(), text: String::new() })
-}
-
-/// Counts lines while the reader goes forward.
-struct LineCounter<'a> {
-    text: &'a [u8],
-    at: usize,
-    line: usize,
-}
-
-impl LineCounter<'_> {
-    /// The line of a byte not before those asked for already; before them, the last answer.
-    fn of(&mut self, place: usize) -> usize {
-        let place = place.min(self.text.len());
-        if place > self.at {
-            self.line += self.text[self.at..place].iter().filter(|&&byte| byte == b'\n').count();
-            self.at = place;
-        }
-        self.line
-    }
 }
 
 #[cfg(test)]
