@@ -9,7 +9,7 @@ const LAYERS: &[&[&str]] = &[
     &["endless_world"],
     &["endless_scene"],
     &["endless_road", "endless_asset", "endless_render"],
-    &["endless_town", "endless_annotate"],
+    &["endless_town", "endless_annotate", "endless_sensor"],
     &["endless_traffic", "endless_city", "endless_dataset"],
     &["endless_carla", "endless_interchange"],
     &["endless_pipeline"],

@@ -36,6 +36,7 @@ mod light_variation;
 pub mod math;
 mod randomisation;
 mod reid;
+mod rig;
 mod rng;
 mod scene;
 mod scene_weather;
@@ -71,6 +72,7 @@ pub use keypoint::{BodyKeypoints, FOOT_KEYPOINT_COUNT, FOOT_KEYPOINTS, KEYPOINT_
 pub use light_variation::LightVariation;
 pub use randomisation::{RandomisedPart, SceneRandomisation};
 pub use reid::{LookPool, Reid};
+pub use rig::SensorPose;
 pub use rng::{Stream, fnv1a};
 pub use scene::{SceneCamera, SceneSettings};
 pub use scene_weather::SceneWeather;

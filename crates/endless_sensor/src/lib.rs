@@ -1,0 +1,3 @@
+//! Models of sensors other than cameras: what they measure of a scene at an instant.
+//!
+//! Each is a pure function of where the sensor is ([`endless_world::SensorPose`]), of the scene, of its settings and of a seed.

@@ -1,0 +1,5 @@
+//! Rigs: sensors of any kind, fixed or carried.
+
+mod sensor_pose;
+
+pub use sensor_pose::SensorPose;
