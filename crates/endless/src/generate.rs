@@ -6,7 +6,7 @@ use endless_dataset::RecipeDraft;
 use endless_interchange::{MapLibrary, TrackFile};
 use endless_pipeline::{
     BakeCache, BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, RecipeError, Simulator, generate,
-    read_cameras, read_recipe, resolve_recipe,
+    read_cameras, read_recipe, read_rig, resolve_recipe,
 };
 use std::{io::Write, process::ExitCode};
 
@@ -16,7 +16,8 @@ const BUILTIN: &str = "builtin";
 pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs, threads: usize) -> Result<ExitCode> {
     let file = args.config.as_deref().map(read_recipe).transpose()?.unwrap_or_default();
     let cameras = args.recipe.cameras.as_deref().map(read_cameras).transpose()?;
-    let draft = RecipeDraft { cameras, ..std::mem::take(&mut args.recipe.draft) }.or(file);
+    let sensor = args.recipe.rig.as_deref().map(read_rig).transpose()?;
+    let draft = RecipeDraft { cameras, sensor, ..std::mem::take(&mut args.recipe.draft) }.or(file);
     let library = assets::with_folder(library, draft.assets.as_deref(), draft.skip_broken.unwrap_or(false))?;
     match draft.simulator.as_deref().unwrap_or(BUILTIN) {
         BUILTIN => {

@@ -10,10 +10,12 @@ use std::path::PathBuf;
 /// The part of a recipe that flags give.
 #[derive(Debug)]
 pub(crate) struct RecipeArgs {
-    /// All but the cameras.
+    /// All but the cameras and the rig.
     pub(crate) draft: RecipeDraft,
     /// The file of the cameras.
     pub(crate) cameras: Option<PathBuf>,
+    /// The file of the rig.
+    pub(crate) rig: Option<PathBuf>,
 }
 
 fn value_name(kind: OptionKind) -> &'static str {
@@ -23,7 +25,7 @@ fn value_name(kind: OptionKind) -> &'static str {
         OptionKind::Size { .. } => "WxH",
         OptionKind::Word(_) | OptionKind::Text => "WORD",
         OptionKind::Words(_) | OptionKind::WordsOrNone(_) | OptionKind::Maps => "LIST",
-        OptionKind::Cameras | OptionKind::File => "FILE",
+        OptionKind::Cameras | OptionKind::Rig | OptionKind::File => "FILE",
         OptionKind::Place => "X,Y",
         OptionKind::Lines => "LINES",
         OptionKind::Folder => "DIR",
@@ -39,7 +41,7 @@ fn arg(option: &'static RecipeOption) -> Arg {
     let arg = Arg::new(option.key).long(option.flag()).help(help(option)).help_heading("Recipe");
     match option.kind {
         OptionKind::Switch => arg.action(ArgAction::SetTrue),
-        OptionKind::Cameras | OptionKind::Folder | OptionKind::File => {
+        OptionKind::Cameras | OptionKind::Rig | OptionKind::Folder | OptionKind::File => {
             arg.value_name(value_name(option.kind)).value_parser(clap::value_parser!(PathBuf))
         }
         OptionKind::Words(_) | OptionKind::WordsOrNone(_) | OptionKind::Maps => {
@@ -61,7 +63,7 @@ impl Args for RecipeArgs {
 
 impl FromArgMatches for RecipeArgs {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
-        let mut args = Self { draft: RecipeDraft::default(), cameras: None };
+        let mut args = Self { draft: RecipeDraft::default(), cameras: None, rig: None };
         args.update_from_arg_matches(matches)?;
         Ok(args)
     }
@@ -72,6 +74,7 @@ impl FromArgMatches for RecipeArgs {
                 OptionKind::Switch if !matches.get_flag(option.key) => {}
                 OptionKind::Switch => self.set(option, "true")?,
                 OptionKind::Cameras => self.cameras = matches.get_one(option.key).cloned(),
+                OptionKind::Rig => self.rig = matches.get_one(option.key).cloned(),
                 // A path need not be text.
                 OptionKind::Folder => self.draft.assets = matches.get_one(option.key).cloned(),
                 OptionKind::File => self.draft.traffic = matches.get_one(option.key).cloned(),

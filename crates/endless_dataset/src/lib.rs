@@ -74,8 +74,8 @@ pub use png_encoder::LastPng;
 pub use preview::{depth_preview, instance_preview};
 pub use raster::{encode_jpg, encode_png};
 pub use recipe::{
-    MAX_CAMERAS, OptionDefault, OptionError, OptionKind, Recipe, RecipeDraft, RecipeOption, UserCamera, Vocabulary,
-    recipe_schema,
+    CameraSpec, CarrierClass, MAX_CAMERAS, ModelSpec, MountSpec, OptionDefault, OptionError, OptionKind, Origin,
+    PanTiltZoomKey, Recipe, RecipeDraft, RecipeOption, SensorSpec, UserCamera, Vocabulary, WayPointSpec, recipe_schema,
 };
 pub use rgb_format::{RgbFormat, RgbFormatEntry, read_rgb};
 pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable, write_json_line};

@@ -90,6 +90,16 @@ pub enum PlanError {
         /// How many a scene needs.
         wanted: usize,
     },
+    /// A sensor of a rig that has no place on a map.
+    #[error("sensor {sensor} on map {map}: {problem}")]
+    Rig {
+        /// Its name.
+        sensor: String,
+        /// The map.
+        map: String,
+        /// What is wrong.
+        problem: String,
+    },
     /// More sets of cameras than can be counted.
     #[error("map {map} has {cameras} cameras, and too many sets of them to choose from: list fewer")]
     ManyCameras {

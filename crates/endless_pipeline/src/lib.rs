@@ -47,10 +47,12 @@ mod builtin;
 mod disk_estimate;
 mod error;
 mod generate;
+mod list_file;
 mod plan;
 mod progress;
 mod recipe;
 mod record;
+mod rig;
 mod simulator;
 mod simulator_error;
 #[cfg(test)]
@@ -66,6 +68,7 @@ pub use plan::Plan;
 pub use progress::{Progress, ProgressEvent, SilentProgress};
 pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
 pub use record::StageTimes;
+pub use rig::read_rig;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneTruth, SimulationSession,
     SimulationStep, Simulator, TrackFileSummary,

@@ -7,7 +7,10 @@ mod moved_camera;
 mod overlapping;
 mod subsets;
 
-use crate::{MapCatalog, PlanError, SimulatorError};
+use crate::{
+    MapCatalog, PlanError, SimulatorError,
+    rig::{RigPlaces, scene_sensors},
+};
 use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::Recipe;
@@ -46,7 +49,8 @@ impl Plan {
             let sites = Self::cameras(recipe, catalog, map)?;
             let asks = recipe.overlapping && recipe.cameras_per_scene > 1;
             let places = asks.then(|| catalog.places_seen(map, &sites)).transpose()?;
-            Ok(MapSites { map: map.clone(), sites, places })
+            let rig = RigPlaces::new(recipe, map, &sites, catalog)?;
+            Ok(MapSites { map: map.clone(), sites, places, rig })
         };
         let maps: Vec<MapSites> = recipe.maps.iter().map(sites_of).collect::<Result<_, PlanError>>()?;
         let combinations = Combinations::new(recipe, &maps)?;
@@ -111,7 +115,7 @@ fn balanced<'a>(
 
 /// The settings of a video that films a combination.
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
-    let Combination { map, weather, time_of_day, sites } = combination;
+    let Combination { map, weather, time_of_day, sites, rig } = combination;
     let clock = RecorderClock::new(time_of_day, &mut Stream::named(recipe.seed, "clock", &[u64::from(video)]));
     let seed = Stream::named(recipe.seed, "scene", &[u64::from(video)]).next_u64();
     let strength = recipe.randomise_strength as f32;
@@ -130,6 +134,7 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         time_of_day,
         changing_to: changing::to(recipe, video, weather, time_of_day),
         cameras: sites.into_iter().zip(0..).map(camera).collect(),
+        sensors: scene_sensors(recipe, rig, video, time_of_day, clock),
         vehicles: recipe.vehicles,
         pedestrians: recipe.pedestrians,
         size: recipe.size,

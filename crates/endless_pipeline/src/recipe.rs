@@ -1,6 +1,6 @@
 //! Resolves the options of a user to a recipe.
 
-use crate::{MapSource, RecipeError, TrackFileSummary, text_position::line_and_column, user_camera};
+use crate::{MapSource, RecipeError, TrackFileSummary, rig, text_position::line_and_column, user_camera};
 use endless_dataset::{Layer, OptionError, Recipe, RecipeDraft};
 use serde_json::json;
 use std::{collections::BTreeMap, fs, path::Path};
@@ -73,7 +73,7 @@ pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Reci
     fields["asset_files"] = json!(source.asset_files());
     fields["cameras"] = json!(cameras);
     fields["traffic_file"] = json!(tracks.map(|tracks| tracks.content_hash));
-    let recipe: Recipe = serde_json::from_value(fields).expect("every field has a default or was put in");
+    let mut recipe: Recipe = serde_json::from_value(fields).expect("every field has a default or was put in");
     let frames = (recipe.fps * recipe.duration).round();
     if !(1.0..=MAX_FRAMES).contains(&frames) {
         return Err(OptionError::OutOfRange {
@@ -83,6 +83,15 @@ pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Reci
         }
         .into());
     }
+    if recipe.cameras_per_scene == 0 && recipe.sensor.is_empty() {
+        return Err(OptionError::OutOfRange {
+            field: "cameras_per_scene",
+            given: "0".to_owned(),
+            rule: "a scene without sensors of a rig has 1 to 8 cameras".to_owned(),
+        }
+        .into());
+    }
+    recipe.sensor = rig::resolve(&recipe)?;
     Ok(recipe)
 }
 

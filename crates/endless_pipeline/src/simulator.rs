@@ -3,6 +3,7 @@
 use crate::SimulatorError;
 use endless_annotate::{ActorRecord, MapFeatures, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, WorldKeypoints};
 use endless_dataset::{Recipe, SpawnCounts};
+use endless_road::JunctionPlace;
 use endless_world::{CameraSite, SceneSettings, SensorFrame, SensorLayers, WorldState};
 use std::{collections::BTreeMap, time::Duration};
 
@@ -82,6 +83,23 @@ pub trait MapCatalog {
     /// When there is no such map or it cannot be made.
     fn places_seen(&self, _map: &str, sites: &[CameraSite]) -> Result<Vec<Vec<u32>>, SimulatorError> {
         Ok(vec![vec![0]; sites.len()])
+    }
+
+    /// The largest junction of a map: that with the most lanes; `None` where there is none, or nobody
+    /// knows.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be made.
+    fn largest_junction(&self, _map: &str) -> Result<Option<JunctionPlace>, SimulatorError> {
+        Ok(None)
+    }
+
+    /// Heights of the ground at places east and north of a map's origin, metres; `None` where nobody knows.
+    ///
+    /// # Errors
+    /// When there is no such map or it cannot be made.
+    fn ground(&self, _map: &str, places: &[[f64; 2]]) -> Result<Vec<Option<f64>>, SimulatorError> {
+        Ok(vec![None; places.len()])
     }
 }
 

@@ -1,12 +1,10 @@
 //! User cameras, which replace a map's own: a list in a recipe, or in a file of its own, TOML or JSON.
 
-use crate::{MapSource, RecipeError, text_position::line_and_column};
+use crate::{MapSource, RecipeError, list_file};
 use endless_dataset::{OptionError, UserCamera};
 use endless_world::{CameraSite, Mount};
 use serde::Deserialize;
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::Path;
+use std::{collections::BTreeMap, path::Path};
 
 /// A file: `[[cameras]]` of TOML, `{"cameras": [...]}` of JSON.
 #[derive(Debug, Deserialize)]
@@ -25,8 +23,7 @@ const NAME: usize = 64;
 /// # Errors
 /// [`RecipeError::Unreadable`], or [`RecipeError::Malformed`] with the place.
 pub fn read_cameras(path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
-    let text = fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
-    cameras_from_text(&text, path)
+    list_file::read(path).map(|file: CameraFile| file.cameras)
 }
 
 /// Reads the text of a list of cameras that lies at a path: JSON if the file's name ends so, else TOML.
@@ -34,34 +31,7 @@ pub fn read_cameras(path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
 /// # Errors
 /// [`RecipeError::Malformed`] with the place.
 pub fn cameras_from_text(text: &str, path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
-    let wrong = |(line, column, message): (usize, usize, String)| RecipeError::Malformed {
-        path: path.to_owned(),
-        line,
-        column,
-        message,
-    };
-    let json = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("json"));
-    if json { from_json(text) } else { from_toml(text) }.map_err(wrong)
-}
-
-/// Line and column, from 1, and what is wrong there.
-type ParseFailure = (usize, usize, String);
-
-fn from_json(text: &str) -> Result<Vec<UserCamera>, ParseFailure> {
-    let file: Result<CameraFile, serde_json::Error> = serde_json::from_str(text);
-    file.map(|f| f.cameras).map_err(|e| {
-        // The message ends with the place.
-        let message = e.to_string();
-        let message = message.split(" at line ").next().unwrap_or_default().replace('\n', " ");
-        (e.line().max(1), e.column().max(1), message)
-    })
-}
-
-fn from_toml(text: &str) -> Result<Vec<UserCamera>, ParseFailure> {
-    toml::from_str(text).map(|f: CameraFile| f.cameras).map_err(|e| {
-        let (line, column) = line_and_column(text, e.span().map_or(0, |s| s.start));
-        (line, column, e.message().lines().collect::<Vec<_>>().join(", "))
-    })
+    list_file::from_text(text, path).map(|file: CameraFile| file.cameras)
 }
 
 /// The cameras by map, checked.
@@ -168,6 +138,14 @@ mod tests {
         assert_eq!((line, column), (5, 1), "{message}");
         let (line, _, message) = from_json(&JSON.replace("\"down\": 25,", "")).expect_err("a missing key");
         assert!(line == 3 && message.contains("down"), "{line} {message}");
+    }
+
+    fn from_toml(text: &str) -> Result<Vec<UserCamera>, list_file::ParseFailure> {
+        list_file::parse(text, false).map(|file: CameraFile| file.cameras)
+    }
+
+    fn from_json(text: &str) -> Result<Vec<UserCamera>, list_file::ParseFailure> {
+        list_file::parse(text, true).map(|file: CameraFile| file.cameras)
     }
 
     proptest! {

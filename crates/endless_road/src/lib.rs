@@ -32,6 +32,7 @@ mod cut;
 mod error;
 mod finish;
 mod geographic;
+mod junction_place;
 mod line_numbers;
 mod network;
 mod network_fault;
@@ -48,6 +49,7 @@ mod walk;
 pub use conflict::{gives_way, near_ranges, swept_overlap};
 pub use error::NetworkError;
 pub use geographic::Georeference;
+pub use junction_place::JunctionPlace;
 pub use line_numbers::LineNumbers;
 pub use network::{
     Crossing, CrossingId, Junction, JunctionId, Lane, LaneConflict, LaneCut, LaneId, RoadNetwork, SignalPhase,

@@ -1,7 +1,8 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
 use crate::{
-    CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, TimeOfDay, TrackPlayback, Weather,
+    CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, SceneSensor, TimeOfDay, TrackPlayback,
+    Weather,
 };
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
@@ -33,6 +34,9 @@ pub struct SceneSettings {
     /// left out where all are clean.
     #[serde(flatten, with = "cameras_and_looks")]
     pub cameras: Vec<SceneCamera>,
+    /// The sensors of its rig, if it has one.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sensors: Vec<SceneSensor>,
     /// Moving vehicles to spawn, in addition to parked ones.
     pub vehicles: u32,
     /// Pedestrians asked for.

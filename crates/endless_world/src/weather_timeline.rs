@@ -141,6 +141,7 @@ mod tests {
             randomised: None,
             playback: None,
             cameras: Vec::new(),
+            sensors: Vec::new(),
             vehicles: 0,
             pedestrians: 0,
             size: ImageSize { width: 16, height: 9 },

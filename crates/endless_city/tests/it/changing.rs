@@ -21,6 +21,7 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         changing_to: Some(ConditionChange { weather: to.0, time_of_day: to.1 }),
         randomised: None,
         playback: None,
+        sensors: Vec::new(),
         cameras: Vec::new(),
         vehicles: 0,
         pedestrians: 0,

@@ -3,12 +3,14 @@
 mod counting_lines;
 mod option;
 mod options;
+mod rig;
 mod schema;
 mod serde_size;
 mod user_camera;
 
 pub use option::{OptionDefault, OptionError, OptionKind, RecipeOption, Vocabulary};
 pub use options::{MAX_CAMERAS, Recipe, RecipeDraft};
+pub use rig::{CameraSpec, CarrierClass, ModelSpec, MountSpec, Origin, PanTiltZoomKey, SensorSpec, WayPointSpec};
 pub use schema::recipe_schema;
 pub use user_camera::UserCamera;
 

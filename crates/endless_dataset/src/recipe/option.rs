@@ -1,6 +1,6 @@
 //! What an option of a recipe is: all that flags, files, help, schema and checks need to know of it.
 
-use super::user_camera::UserCamera;
+use super::{rig::SensorSpec, user_camera::UserCamera};
 use endless_world::{ImageSize, UnknownName};
 use std::{path::PathBuf, str::FromStr};
 use strum::VariantArray;
@@ -76,6 +76,8 @@ pub enum OptionKind {
     Maps,
     /// Cameras of the user's own: a file on the command line, a list in a recipe.
     Cameras,
+    /// Sensors of a rig: a file on the command line (`--rig`), `[[sensor]]` tables in a recipe.
+    Rig,
     /// Lines on the ground.
     Lines,
     /// A folder.
@@ -133,7 +135,10 @@ impl Vocabulary {
 impl RecipeOption {
     /// Its name on the command line, without the dashes.
     pub fn flag(&self) -> String {
-        self.key.replace('_', "-")
+        match self.kind {
+            OptionKind::Rig => "rig".to_owned(),
+            _ => self.key.replace('_', "-"),
+        }
     }
 
     /// What it means, with the words that it knows.
@@ -300,6 +305,17 @@ impl OptionValue for Vec<UserCamera> {
     }
 
     /// Cameras are checked against their maps, by their own code.
+    fn check(&mut self, _option: &RecipeOption) -> Result<(), OptionError> {
+        Ok(())
+    }
+}
+
+impl OptionValue for Vec<SensorSpec> {
+    fn from_flag(_text: &str) -> Result<Self, String> {
+        Err("a rig is a file".into())
+    }
+
+    /// Sensors are checked with all of the recipe, by their own code.
     fn check(&mut self, _option: &RecipeOption) -> Result<(), OptionError> {
         Ok(())
     }

@@ -5,7 +5,7 @@ use super::option::{
     OptionDefault::{Described, Value},
     OptionError, OptionKind, OptionValue, RecipeOption, Vocabulary,
 };
-use super::{serde_size, user_camera::UserCamera};
+use super::{rig::SensorSpec, serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
 use endless_world::{CameraLookChoice, CameraSite, Changing, ImageSize, RandomisedPart, TimeOfDay, Weather};
@@ -116,10 +116,15 @@ recipe_options! {
     cameras: Vec<UserCamera> => #[serde(default, skip_serializing_if = "BTreeMap::is_empty")] BTreeMap<String, Vec<CameraSite>>,
         OptionKind::Cameras, Described("the map's");
     /// Cameras that film each scene at the same instants: a pair, as in the paper, or a network of them.
+    /// With a rig, there may be none.
     cameras_per_scene: i64 => #[serde(default = "pair")] u32,
-        OptionKind::Whole { least: 1, most: MAX_CAMERAS as u64 }, Value("2");
+        OptionKind::Whole { least: 0, most: MAX_CAMERAS as u64 }, Value("2");
     /// Film each scene with cameras that see the same street, where a map has such cameras.
     overlapping: bool => #[serde(default, skip_serializing_if = "is_not")] bool, OptionKind::Switch, Value("false");
+    /// Sensors of any kind that film or measure each scene besides its cameras, fixed or carried by vehicles, people and
+    /// drones: a list in TOML or JSON (docs/rigs.md).
+    sensor: Vec<SensorSpec> => #[serde(default, skip_serializing_if = "Vec::is_empty")] Vec<SensorSpec>,
+        OptionKind::Rig, Described("none");
     /// Weathers to choose from.
     weathers: Vec<String> => Vec<Weather>, OptionKind::Words(Vocabulary::of::<Weather>()), Described("all");
     /// Times of day to choose from.

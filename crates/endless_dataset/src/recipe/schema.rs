@@ -3,6 +3,7 @@
 use super::{
     option::{OptionDefault, OptionKind, RecipeOption},
     options::RecipeDraft,
+    rig::{ModelSpec, MountSpec},
 };
 use serde_json::{Value, json};
 
@@ -57,6 +58,20 @@ fn kind_schema(option: &RecipeOption) -> Value {
                 "yaw": {"type": "number", "minimum": -360, "maximum": 360},
                 "down": {"type": "number", "minimum": -10, "maximum": 89},
                 "fov": {"type": "number", "minimum": 5, "maximum": 150, "default": 70},
+            },
+        }}),
+        OptionKind::Rig => json!({"type": "array", "items": {
+            "type": "object",
+            "required": ["name", "type", "mount"],
+            "properties": {
+                "name": {"type": "string", "pattern": "^[A-Za-z0-9_-]{1,64}$"},
+                "type": {"enum": ModelSpec::TYPES},
+                "rate": {"type": "number", "exclusiveMinimum": 0},
+                "mount": {
+                    "type": "object",
+                    "required": ["on"],
+                    "properties": {"on": {"enum": MountSpec::WORDS}},
+                },
             },
         }}),
         OptionKind::Lines => {

@@ -8,6 +8,7 @@ use endless_annotate::MapFeatures;
 use endless_city::SharedModels;
 use endless_dataset::Recipe;
 use endless_interchange::{MapLibrary, TrackFile};
+use endless_road::{JunctionPlace, RoadNetwork};
 use endless_world::{CameraSite, SceneSettings, SensorLayers};
 use rayon::prelude::*;
 use std::{collections::BTreeMap, sync::Arc};
@@ -81,6 +82,18 @@ impl MapCatalog for BuiltinSimulator {
 
     fn places_seen(&self, map: &str, sites: &[CameraSite]) -> Result<Vec<Vec<u32>>, SimulatorError> {
         Ok(self.map_library.with_view_check(map, |check| check.places_seen(sites))?)
+    }
+
+    fn largest_junction(&self, map: &str) -> Result<Option<JunctionPlace>, SimulatorError> {
+        Ok(self.map_library.with_road_network(map, RoadNetwork::largest_junction)?)
+    }
+
+    fn ground(&self, map: &str, places: &[[f64; 2]]) -> Result<Vec<Option<f64>>, SimulatorError> {
+        if places.is_empty() {
+            return Ok(Vec::new());
+        }
+        let heights = |network: &RoadNetwork| places.iter().map(|&at| network.ground_near(at.into())).collect();
+        Ok(self.map_library.with_road_network(map, heights)?)
     }
 }
 

@@ -3,7 +3,7 @@
 use super::balanced::Places;
 use super::overlapping::{OverlappingSets, overlapping_sets};
 use super::subsets::{binomial, set_of_rank};
-use crate::PlanError;
+use crate::{PlanError, rig::RigPlaces};
 use endless_dataset::Recipe;
 use endless_world::{CameraSite, Stream, TimeOfDay, Weather};
 use std::collections::BTreeMap;
@@ -14,6 +14,8 @@ pub(super) struct MapSites {
     pub(super) sites: Vec<CameraSite>,
     /// The places that each sees, where sets of cameras are to overlap.
     pub(super) places: Option<Vec<Vec<u32>>>,
+    /// Where the sensors of the rig are.
+    pub(super) rig: RigPlaces,
 }
 
 /// One element of the product.
@@ -23,6 +25,8 @@ pub(super) struct Combination<'a> {
     pub(super) time_of_day: TimeOfDay,
     /// Distinct, in the map's order.
     pub(super) sites: Vec<&'a CameraSite>,
+    /// Where the sensors of the rig are.
+    pub(super) rig: &'a RigPlaces,
 }
 
 /// The product of a recipe's maps, weathers, times of day and sets of cameras.
@@ -103,7 +107,7 @@ impl<'a> Combinations<'a> {
     /// set in lexicographic order.
     pub(super) fn of(&self, Places { map, weather, time_of_day }: Places, set: u128) -> Combination<'a> {
         let Recipe { weathers, times, cameras_per_scene, .. } = self.recipe;
-        let MapSites { map: name, sites, .. } = &self.maps[map];
+        let MapSites { map: name, sites, rig, .. } = &self.maps[map];
         let set = match &self.camera_sets[map] {
             CameraSets::All(_) => set_of_rank(sites.len(), *cameras_per_scene as usize, set),
             CameraSets::Overlapping(sets) => sets[set as usize].clone(),
@@ -113,6 +117,7 @@ impl<'a> Combinations<'a> {
             weather: weathers[weather],
             time_of_day: times[time_of_day],
             sites: set.into_iter().map(|i| &sites[i]).collect(),
+            rig,
         }
     }
 

@@ -17,6 +17,7 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
         weather: Weather::Cloudy,
         time_of_day: TimeOfDay::Afternoon,
         changing_to: None,
+        sensors: Vec::new(),
         cameras: vec![SceneCamera { site: sites[0].clone(), look: CameraLook::CLEAN }],
         vehicles: 60,
         pedestrians: 60,

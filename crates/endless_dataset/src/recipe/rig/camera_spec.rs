@@ -1,0 +1,28 @@
+//! The settings of a camera.
+
+use crate::Layer;
+use endless_world::{CameraLookChoice, ImageSize};
+use serde::{Deserialize, Serialize};
+
+/// A camera; what is not given is as the recipe has it for all.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct CameraSpec {
+    /// Image size, `WIDTHxHEIGHT`.
+    pub size: Option<String>,
+    /// Horizontal field of view, degrees: 70 where not given, or the site's.
+    pub fov: Option<f64>,
+    /// Layers that it stores.
+    pub layers: Option<Vec<Layer>>,
+    /// Layers of which it makes a video.
+    pub mp4: Option<Vec<Layer>>,
+    /// Effects of its lens, sensor and recorder on the RGB layer.
+    pub look: Option<CameraLookChoice>,
+}
+
+impl CameraSpec {
+    /// The image size, if it is given and can be read.
+    pub fn image_size(&self) -> Option<ImageSize> {
+        self.size.as_ref()?.parse().ok()
+    }
+}
