@@ -40,9 +40,9 @@ fn fixed_camera(bencher: Bencher<'_, '_>, cars: u16) {
 
 #[divan::bench(args = [IndirectLight::OpenSky, IndirectLight::Probes])]
 fn moving_camera(bencher: Bencher<'_, '_>, indirect: IndirectLight) {
-    let camera = MovingCamera::new(&STILL, &settings(), indirect, &[street::site()]);
+    let camera = MovingCamera::new(&STILL, &settings(), indirect, &[street::camera()]);
     let frame = frame(20);
-    bencher.bench(|| camera.render(&STILL, &frame, &street::site()));
+    bencher.bench(|| camera.render(&STILL, &frame, &street::camera()));
 }
 
 #[divan::bench(args = [20, 100])]

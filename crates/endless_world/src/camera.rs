@@ -1,7 +1,7 @@
-//! Fixed surveillance cameras: sites, intrinsics, projection.
+//! Cameras: sites of fixed ones, intrinsics, projection.
 
-use crate::{Distortion, math};
-use glam::{Mat3, Vec2, Vec3};
+use crate::{Distortion, SensorPose, math};
+use glam::{DVec3, Mat3, Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 use std::{fmt, str::FromStr};
 
@@ -129,6 +129,18 @@ impl PinholeCamera {
         }
     }
 
+    /// The camera of a sensor: its body frame's x axis is the optical axis, its z axis points up in the picture.
+    pub fn at(pose: &SensorPose, size: ImageSize, horizontal_fov_rad: f32) -> Self {
+        let axis = |axis: DVec3| (pose.world_from_sensor * axis).as_vec3();
+        Self {
+            size,
+            intrinsics: Intrinsics::from_fov(size, horizontal_fov_rad),
+            position: pose.position.as_vec3(),
+            world_from_camera: Mat3::from_cols(axis(DVec3::NEG_Y), axis(DVec3::NEG_Z), axis(DVec3::X)),
+            distortion: Distortion::NONE,
+        }
+    }
+
     /// The same camera behind a lens that distorts.
     pub fn with_distortion(self, distortion: Distortion) -> Self {
         Self { distortion, ..self }
@@ -171,12 +183,35 @@ fn rolled(right: Vec3, down: Vec3, roll_rad: f32) -> (Vec3, Vec3) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DQuat;
 
     #[test]
     fn projection_inverts_the_ray() {
         for k1 in [0.0, -0.05, -0.25] {
             projection_inverts_the_ray_of(Distortion::barrel(k1));
         }
+    }
+
+    #[test]
+    fn a_sensor_looks_along_its_body() {
+        // Turned to the left by a yaw, then nose down, then rolled to its right.
+        let (yaw, tilt, roll) = (0.7, 0.2, 0.1);
+        let turn = DQuat::from_rotation_z(yaw) * DQuat::from_rotation_y(tilt) * DQuat::from_rotation_x(roll);
+        let position = DVec3::new(12.0, -3.0, 1.5);
+        let size = ImageSize { width: 640, height: 360 };
+        let camera = PinholeCamera::at(&SensorPose::still(position, turn), size, 1.2);
+        let site = CameraSite {
+            name: "t".into(),
+            position: position.as_vec3().to_array(),
+            yaw_rad: yaw as f32,
+            down_tilt_rad: tilt as f32,
+            horizontal_fov_rad: 1.2,
+            mount: Mount::Pole,
+            roll_rad: roll as f32,
+        };
+        let fixed = PinholeCamera::new(&site, size);
+        assert_eq!((camera.position, camera.intrinsics), (fixed.position, fixed.intrinsics));
+        assert!(camera.world_from_camera.abs_diff_eq(fixed.world_from_camera, 1e-6));
     }
 
     fn projection_inverts_the_ray_of(distortion: Distortion) {

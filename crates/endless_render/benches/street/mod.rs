@@ -4,7 +4,7 @@
 
 use endless_render::{Footprint, Geometry, Instance, MovingObject, StaticScene};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
-use endless_world::{CameraSite, ClassTag, InstanceId, Mount, Stream};
+use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, Mount, PinholeCamera, Stream};
 use glam::{Affine3A, Quat, Vec2, Vec3};
 
 /// Leaves of a bush.
@@ -76,6 +76,11 @@ pub(crate) fn site() -> CameraSite {
         mount: Mount::Pole,
         roll_rad: 0.0,
     }
+}
+
+/// That camera.
+pub(crate) fn camera() -> PinholeCamera {
+    PinholeCamera::new(&site(), ImageSize { width: 1280, height: 720 })
 }
 
 fn cuboid(low: Vec3, high: Vec3, material: Material) -> Mesh {

@@ -10,8 +10,8 @@ use endless_render::{
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, Mount, SceneWeather, SensorFrame, TimeOfDay, Weather,
-    math,
+    CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, Mount, PinholeCamera, SceneWeather, SensorFrame,
+    TimeOfDay, Weather, math,
 };
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec3A};
 use serde::Deserialize;
@@ -157,7 +157,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // A camera that moves: nothing is kept from frame to frame.
     let all = StaticScene::new(boxes().map(|(b, geometry)| b.instance(geometry, 0.0)).collect(), &[]);
-    let way: Vec<CameraSite> = (0..FRAMES).map(|frame| street.site(frame as f32 * STEP_M)).collect();
+    let way: Vec<PinholeCamera> =
+        (0..FRAMES).map(|frame| PinholeCamera::new(&street.site(frame as f32 * STEP_M), size)).collect();
     let empty = FrameScene::new(FrameDescription::default());
     for (name, indirect) in [("direct", IndirectLight::OpenSky), ("indirect", IndirectLight::Probes)] {
         let camera = MovingCamera::new(&all, &settings, indirect, &way);

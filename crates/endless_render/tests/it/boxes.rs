@@ -6,7 +6,8 @@ use endless_render::{
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    CameraSite, ClassTag, ImageSize, InstanceId, Mount, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, Weather,
+    CameraSite, ClassTag, ImageSize, InstanceId, Mount, PinholeCamera, SceneWeather, SensorFrame, SensorLayers,
+    TimeOfDay, Weather,
 };
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -61,6 +62,10 @@ fn site() -> CameraSite {
         mount: Mount::Pole,
         roll_rad: 0.0,
     }
+}
+
+fn camera() -> PinholeCamera {
+    PinholeCamera::new(&site(), SIZE)
 }
 
 fn settings(weather: Weather) -> RenderSettings {
@@ -162,7 +167,7 @@ fn a_moving_camera_sees_what_a_fixed_one_sees() {
     let fixed = CameraBake::bake(&still, &settings, &site()).render(&still, &frame);
     let mean = |f: &SensorFrame| f.rgb.data.iter().flatten().map(|&v| f64::from(v)).sum::<f64>() / SIZE.pixels() as f64;
     for indirect in [IndirectLight::OpenSky, IndirectLight::Probes] {
-        let moving = MovingCamera::new(&still, &settings, indirect, &[site()]).render(&still, &frame, &site());
+        let moving = MovingCamera::new(&still, &settings, indirect, &[camera()]).render(&still, &frame, &camera());
         assert_eq!(moving.instance, fixed.instance);
         assert_eq!(moving.depth, fixed.depth);
         assert!((mean(&moving) - mean(&fixed)).abs() < 40.0, "{} {}", mean(&moving), mean(&fixed));
@@ -175,7 +180,7 @@ fn the_sun_stands_where_it_is_told_to() {
     let seen = |sun_direction| {
         let settings = settings(Weather::ClearSky);
         let settings = RenderSettings { weather: settings.weather.with_sun(Vec3::from(sun_direction)), ..settings };
-        MovingCamera::new(&still, &settings, IndirectLight::OpenSky, &[site()]).render(&still, &nothing, &site())
+        MovingCamera::new(&still, &settings, IndirectLight::OpenSky, &[camera()]).render(&still, &nothing, &camera())
     };
     // The block's shadow falls to the other side: to the right of it in the picture, or to the left.
     let [left, right] = [[0.0, 1.0, 0.7], [0.0, -1.0, 0.7]].map(seen);

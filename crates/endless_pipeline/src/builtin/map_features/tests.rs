@@ -45,9 +45,9 @@ impl LoadedTown {
         let settings = RenderSettings::new(Weather::ClearSky, time, 1, SIZE);
         let signals = vec![aspect; usize::from(self.town.network.signal_groups)];
         let frame = FrameScene::new(FrameDescription { signals, ..FrameDescription::default() });
-        let way = std::slice::from_ref(site);
-        let shown = MovingCamera::new(still, &settings, IndirectLight::OpenSky, way).render(still, &frame, site);
         let camera = PinholeCamera::new(site, SIZE);
+        let way = std::slice::from_ref(&camera);
+        let shown = MovingCamera::new(still, &settings, IndirectLight::OpenSky, way).render(still, &frame, &camera);
         let map = CameraMap::new(&self.features, &camera);
         LabelledView { camera, map, shown }
     }

@@ -10,7 +10,7 @@ use crate::pixel_layers::{LayerImages, PixelLayers};
 use crate::scene::{FrameDescription, FrameScene, StaticScene, SurfaceInteraction};
 use crate::settings::RenderSettings;
 use crate::shade::{SceneHit, Tracer, footprint_m, lens_light, shade_interactions8};
-use endless_world::{CameraSite, PinholeCamera, SensorFrame, SensorLayers};
+use endless_world::{PinholeCamera, SensorFrame, SensorLayers};
 use glam::Vec3A;
 use rayon::prelude::*;
 
@@ -39,10 +39,9 @@ pub struct MovingCamera {
 }
 
 impl MovingCamera {
-    /// Exposed for the first of these sites along the camera's way; probes are baked for what is seen from all of them.
-    pub fn new(still: &StaticScene, settings: &RenderSettings, indirect: IndirectLight, way: &[CameraSite]) -> Self {
-        let cameras: Vec<PinholeCamera> = way.iter().map(|site| settings.camera(site)).collect();
-        let areas = cameras.iter().map(|camera| ViewedArea::of(still, camera));
+    /// Exposed for the first of these cameras along the way; probes are baked for what is seen from all of them.
+    pub fn new(still: &StaticScene, settings: &RenderSettings, indirect: IndirectLight, way: &[PinholeCamera]) -> Self {
+        let areas = way.iter().map(|camera| ViewedArea::of(still, camera));
         let area = areas.reduce(|a, b| a.joined(&b)).unwrap_or(ViewedArea::EMPTY);
         let lighting = Lighting::direct(still, settings, &area);
         let lighting = match indirect {
@@ -51,7 +50,7 @@ impl MovingCamera {
         };
         let nothing = FrameScene::new(FrameDescription::default());
         let tracer = lighting.tracer(still, Some(&nothing));
-        let radiance = cameras
+        let radiance = way
             .first()
             .map_or_else(Vec::new, |camera| TracedImage::trace(&tracer, camera, SensorLayers::default()).radiance);
         let environment = &lighting.environment;
@@ -60,13 +59,12 @@ impl MovingCamera {
         Self { settings: settings.clone(), lighting, tone }
     }
 
-    /// The sensor frame from a site at an instant.
-    pub fn render(&self, still: &StaticScene, frame: &FrameScene, site: &CameraSite) -> SensorFrame {
-        let camera = self.settings.camera(site);
+    /// What a camera sees at an instant; the picture has the camera's own size and lens.
+    pub fn render(&self, still: &StaticScene, frame: &FrameScene, camera: &PinholeCamera) -> SensorFrame {
         let size = camera.size;
         let wanted = SensorLayers { shadow: false, ..self.settings.layers };
         let TracedImage { radiance, layers: pixels } =
-            TracedImage::trace(&self.lighting.tracer(still, Some(frame)), &camera, wanted);
+            TracedImage::trace(&self.lighting.tracer(still, Some(frame)), camera, wanted);
         let rgb = radiance.par_iter().map(|&r| self.tone.apply(r)).collect();
         let mut layers = LayerImages::with_capacity(wanted, size.pixels());
         pixels.iter().for_each(|pixel| layers.push(pixel));
