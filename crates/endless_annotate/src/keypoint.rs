@@ -93,8 +93,8 @@ impl<'de, const N: usize> Deserialize<'de> for Keypoints<N> {
 /// A camera with its depth and instance images, by which the visibility of keypoints is judged.
 #[derive(Clone, Copy)]
 pub struct CameraView<'a> {
-    /// Its number in the scene.
-    pub number: usize,
+    /// Its number among the scene's cameras that stand still; `None` of one that moves.
+    pub number: Option<usize>,
     /// The camera.
     pub camera: &'a PinholeCamera,
     /// Whose each pixel is.
@@ -172,7 +172,7 @@ mod tests {
 
     fn visibility(shown: InstanceId, depth: f32, point: Vec3) -> Visibility {
         let (camera, instance) = (camera(), image(shown));
-        let keypoints = CameraView { number: 0, camera: &camera, instance: &instance, depth: &|_| depth }
+        let keypoints = CameraView { number: Some(0), camera: &camera, instance: &instance, depth: &|_| depth }
             .keypoints(PERSON, &[point; 17]);
         keypoints.0[0].visibility
     }
@@ -206,7 +206,7 @@ mod tests {
             for row in 0..SIZE.height {
                 instance.data[(row * SIZE.width + shown) as usize].id = PERSON;
             }
-            let picture = CameraView { number: 0, camera: &camera, instance: &instance, depth: &|_| 10.0 };
+            let picture = CameraView { number: Some(0), camera: &camera, instance: &instance, depth: &|_| 10.0 };
             let keypoint = picture.keypoints(PERSON, &[at(x); 17]).0[0];
             assert_eq!((keypoint.x, keypoint.visibility), (written, expected), "{x} beside column {shown}");
             // Who reads it looks at the same pixels.
@@ -218,7 +218,7 @@ mod tests {
     #[test]
     fn they_are_written_as_coco_does() {
         let (camera, instance) = (camera(), image(PERSON));
-        let picture = CameraView { number: 0, camera: &camera, instance: &instance, depth: &|_| 10.0 };
+        let picture = CameraView { number: Some(0), camera: &camera, instance: &instance, depth: &|_| 10.0 };
         let mut body = [Vec3::new(10.0, 0.0, 0.0); 17];
         body[1] = -Vec3::X;
         let keypoints = picture.keypoints(PERSON, &body);

@@ -1,5 +1,6 @@
 //! `camera.json`.
 
+use crate::pose_line::world_from_camera;
 use endless_annotate::GroundPlane;
 use endless_world::{CameraSite, Distortion, FAR_PLANE_M, ImageSize, Intrinsics, PinholeCamera};
 use serde::{Deserialize, Serialize};
@@ -17,14 +18,16 @@ pub struct CameraRecord {
     pub intrinsics: Intrinsics,
     /// The same as a matrix, row-major: `image ~ K · camera`.
     pub intrinsics_matrix: [[f64; 3]; 3],
-    /// Row-major 4×4: `world = world_from_camera · camera`.
-    pub world_from_camera: [[f64; 4]; 4],
+    /// Row-major 4×4: `world = world_from_camera · camera`; of cameras that move, `poses.jsonl` tells it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub world_from_camera: Option<[[f64; 4]; 4]>,
     /// The lens.
     pub lens: Lens,
     /// Depth of the sky, metres.
     pub far_plane_m: f64,
-    /// Position and direction.
-    pub site: CameraSite,
+    /// Position and direction of a camera that does not move.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub site: Option<CameraSite>,
     /// The ground, of maps on which it is known.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ground_plane: Option<GroundPlane>,
@@ -49,29 +52,36 @@ const CONVENTIONS: &str = "metres and radians; world: right-handed, x east, y no
 impl CameraRecord {
     /// The record of a site filming through a lens at this size and rate.
     pub fn new(site: &CameraSite, distortion: Distortion, size: ImageSize, fps: f64) -> Self {
-        let camera = PinholeCamera::new(site, size);
-        let Intrinsics { fx, fy, cx, cy } = camera.intrinsics;
-        let r = camera.world_from_camera;
-        let p = camera.position;
-        let row = |i: usize| [r.col(0)[i], r.col(1)[i], r.col(2)[i], p[i]].map(f64::from);
+        let world_from_camera = Some(world_from_camera(&PinholeCamera::new(site, size)));
+        Self {
+            world_from_camera,
+            site: Some(site.clone()),
+            ..Self::moving(site.horizontal_fov_rad, distortion, size, fps)
+        }
+    }
+
+    /// The record of a camera that moves.
+    pub fn moving(horizontal_fov_rad: f32, distortion: Distortion, size: ImageSize, fps: f64) -> Self {
+        let intrinsics = Intrinsics::from_fov(size, horizontal_fov_rad);
+        let Intrinsics { fx, fy, cx, cy } = intrinsics;
         Self {
             conventions: CONVENTIONS.into(),
             size,
             fps,
-            intrinsics: camera.intrinsics,
+            intrinsics,
             intrinsics_matrix: [
                 [f64::from(fx), 0.0, f64::from(cx)],
                 [0.0, f64::from(fy), f64::from(cy)],
                 [0.0, 0.0, 1.0],
             ],
-            world_from_camera: [row(0), row(1), row(2), [0.0, 0.0, 0.0, 1.0]],
+            world_from_camera: None,
             lens: Lens {
                 model: if distortion == Distortion::NONE { "pinhole" } else { "opencv" }.into(),
-                horizontal_fov_rad: f64::from(site.horizontal_fov_rad),
+                horizontal_fov_rad: f64::from(horizontal_fov_rad),
                 distortion: [f64::from(distortion.k1), f64::from(distortion.k2), 0.0, 0.0, 0.0],
             },
             far_plane_m: f64::from(FAR_PLANE_M),
-            site: site.clone(),
+            site: None,
             ground_plane: None,
         }
     }
@@ -79,8 +89,8 @@ impl CameraRecord {
     /// With the plane of the ground at this height, metres.
     #[must_use]
     pub fn with_ground(self, z_m: Option<f64>) -> Self {
-        let camera = PinholeCamera::new(&self.site, self.size);
-        let ground_plane = z_m.and_then(|z_m| GroundPlane::new(&camera, z_m));
+        let camera = self.site.as_ref().map(|site| PinholeCamera::new(site, self.size));
+        let ground_plane = camera.zip(z_m).and_then(|(camera, z_m)| GroundPlane::new(&camera, z_m));
         Self { ground_plane, ..self }
     }
 }
@@ -106,7 +116,10 @@ mod tests {
         let record = CameraRecord::new(&site, Distortion::NONE, size, 30.0);
         let camera = PinholeCamera::new(&site, size);
         let in_camera = [1.5, -0.7, 12.0, 1.0];
-        let world = record.world_from_camera.map(|row| row.iter().zip(in_camera).map(|(m, c)| m * c).sum::<f64>());
+        let world = record
+            .world_from_camera
+            .expect("it stands still")
+            .map(|row| row.iter().zip(in_camera).map(|(m, c)| m * c).sum::<f64>());
         let image = record.intrinsics_matrix.map(|row| row.iter().zip(in_camera).map(|(m, c)| m * c).sum::<f64>());
         let (point, depth) =
             camera.project(Vec3::new(world[0] as f32, world[1] as f32, world[2] as f32)).expect("in front");

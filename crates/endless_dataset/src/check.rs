@@ -8,13 +8,14 @@ mod map;
 mod objects;
 mod progress;
 mod report;
+mod rig;
 mod tracks;
 mod unexpected_files;
 mod video;
 
 pub use report::{CheckReport, Finding};
 
-use crate::{DatasetError, DatasetLayout, Manifest, VideoState};
+use crate::{CameraOutput, DatasetError, DatasetLayout, Manifest, ModelSpec, SensorSpec, VideoState};
 use progress::CheckProgress;
 use rayon::{ThreadPoolBuilder, prelude::*};
 use std::{collections::BTreeSet, fmt, io, path::Path};
@@ -70,7 +71,12 @@ pub fn check_with(root: &Path, options: &CheckOptions<'_>) -> Result<CheckReport
 fn frames_to_check(manifest: &Manifest) -> u64 {
     let recipe = &manifest.recipe;
     let complete = manifest.videos.iter().filter(|video| video.state == VideoState::Complete).count() as u64;
-    complete * u64::from(recipe.cameras_per_scene) * u64::from(recipe.frames()) * (1 + recipe.mp4.len() as u64)
+    let frames = |output: CameraOutput| u64::from(output.count()) * (1 + output.mp4.len() as u64);
+    let of_rig = |sensor: &SensorSpec| match &sensor.model {
+        ModelSpec::Camera(camera) => frames(recipe.rig_camera_output(sensor, camera)),
+    };
+    let cameras = u64::from(recipe.cameras_per_scene) * frames(recipe.camera_output());
+    complete * (cameras + recipe.sensor.iter().map(of_rig).sum::<u64>())
 }
 
 fn check_manifest(layout: &DatasetLayout, manifest: &Manifest) -> Vec<Finding> {

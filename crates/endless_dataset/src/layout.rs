@@ -1,7 +1,7 @@
 //! The paths of all files of a dataset.
 
 use crate::{
-    DatasetError, Layer, MAX_CAMERAS, Recipe,
+    DatasetError, Layer, MAX_CAMERAS, RgbFormat,
     durable::{sync_folder, sync_tree},
     listing::list,
 };
@@ -131,6 +131,11 @@ impl VideoLayout {
         CameraLayout { folder: self.folder.join(Self::camera_name(camera)) }
     }
 
+    /// A sensor of the rig, by its name.
+    pub fn sensor(&self, name: &str) -> CameraLayout {
+        CameraLayout { folder: self.folder.join(name) }
+    }
+
     /// The first `count` cameras.
     ///
     /// # Panics
@@ -140,7 +145,7 @@ impl VideoLayout {
     }
 }
 
-/// Paths of one camera of a video.
+/// Paths of one camera of a video, or of another sensor.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CameraLayout {
     folder: PathBuf,
@@ -155,6 +160,16 @@ impl CameraLayout {
     /// `camera.json`.
     pub fn camera(&self) -> PathBuf {
         self.folder.join("camera.json")
+    }
+
+    /// `sensor.json`, of sensors of a rig.
+    pub fn sensor(&self) -> PathBuf {
+        self.folder.join("sensor.json")
+    }
+
+    /// `poses.jsonl`, of sensors of a rig: where each was at each of its frames.
+    pub fn poses(&self) -> PathBuf {
+        self.folder.join("poses.jsonl")
     }
 
     /// `map.json`: what the camera sees of the map.
@@ -178,8 +193,8 @@ impl CameraLayout {
     }
 
     /// One image, e.g. `rgb/000123.png`.
-    pub fn frame(&self, layer: Layer, frame: u32, recipe: &Recipe) -> PathBuf {
-        self.layer(layer).join(format!("{frame:06}.{}", layer.format(recipe.rgb_format)))
+    pub fn frame(&self, layer: Layer, frame: u32, rgb_format: RgbFormat) -> PathBuf {
+        self.layer(layer).join(format!("{frame:06}.{}", layer.format(rgb_format)))
     }
 
     /// Makes the folders that a recording needs.

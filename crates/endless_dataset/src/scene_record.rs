@@ -37,6 +37,9 @@ pub struct SceneRecord {
     pub recorded_frames: u32,
     /// Annotated boxes of each camera, summed over frames.
     pub boxes: Vec<u64>,
+    /// The same of each sensor of the rig.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub sensor_boxes: Vec<u64>,
 }
 
 /// Writes a value as readable JSON.

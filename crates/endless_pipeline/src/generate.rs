@@ -6,10 +6,10 @@ mod output;
 
 use crate::{
     GenerateError, MapUse, Plan, Progress, ProgressEvent, Simulator, StageTimes,
-    record::{Recording, Stage, StageClock, record_video},
+    record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
-use endless_world::SceneSettings;
+use endless_world::{CameraSite, SceneSettings};
 use lock::DatasetLock;
 use output::{OutputFolder, ResumeRequest};
 use std::{path::Path, time::Instant};
@@ -105,13 +105,14 @@ fn generate_in<S: Simulator>(
         let name = &same_map[0].map;
         progress.event(&ProgressEvent::LoadMap { map: name });
         let map = clock.time(Stage::LoadMap, || {
-            let cameras = Plan::cameras(recipe, simulator, name)?;
+            let mut cameras = Plan::cameras(recipe, simulator, name)?;
+            cameras.extend(fixed_of_rig(&plan, name));
             simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map })
         })?;
         for settings in same_map {
             run.video(&map, settings, remaining_scenes.len() as u32, &mut manifest)?;
             generated.videos += 1;
-            generated.camera_frames += camera_frames(settings);
+            generated.camera_frames += measurements(settings);
             generated.bytes += layout.video(settings).bytes()?;
         }
     }
@@ -120,9 +121,17 @@ fn generate_in<S: Simulator>(
     Ok(generated)
 }
 
-/// Frames of all cameras of a video.
-fn camera_frames(settings: &SceneSettings) -> u64 {
-    settings.cameras.len() as u64 * u64::from(settings.frames)
+/// Sites of the cameras of a rig that stand still on a map: the same in all videos.
+fn fixed_of_rig(plan: &Plan, map: &str) -> Vec<CameraSite> {
+    let video = plan.scenes.iter().find(|scene| scene.map == map);
+    let sensors = video.into_iter().flat_map(|scene| &scene.sensors);
+    sensors.filter_map(|sensor| Some(sensor.fixed_camera()?.site)).collect()
+}
+
+/// Frames of all cameras of a video, and measurements of the sensors of its rig.
+fn measurements(settings: &SceneSettings) -> u64 {
+    let of_rig = settings.sensors.iter().map(|sensor| u64::from(settings.frames.div_ceil(sensor.every)));
+    settings.cameras.len() as u64 * u64::from(settings.frames) + of_rig.sum::<u64>()
 }
 
 /// The state that all videos of a run share.
@@ -148,14 +157,16 @@ impl<S: Simulator> GenerateRun<'_, S> {
     ) -> Result<(), GenerateError> {
         self.place += 1;
         let name = VideoLayout::name(settings);
-        let camera_frames = camera_frames(settings);
+        let camera_frames = measurements(settings);
         self.progress.event(&ProgressEvent::Video { name: &name, place: self.place, of, camera_frames });
         manifest.note_build(settings.video as usize, &self.options.build);
         write_json_durable(&self.layout.manifest(), manifest)?;
+        let layout = self.layout.video(settings);
         let recording = Recording {
             settings,
             recipe: self.recipe,
-            layout: &self.layout.video(settings),
+            layout: &layout,
+            streams: &Stream::all(self.recipe, settings, &layout),
             pool: self.pool,
             progress: self.progress,
             clock: self.clock,

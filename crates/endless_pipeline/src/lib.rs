@@ -70,7 +70,7 @@ pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
 pub use record::StageTimes;
 pub use rig::read_rig;
 pub use simulator::{
-    Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneTruth, SimulationSession,
+    Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneTruth, SensorReading, SimulationSession,
     SimulationStep, Simulator, TrackFileSummary,
 };
 pub use simulator_error::SimulatorError;

@@ -11,13 +11,15 @@ mod recording;
 mod scheduler;
 mod sink;
 mod stored;
+mod streams;
 mod times;
 mod video;
 
 pub use times::StageTimes;
 pub(crate) use {
     recording::Recording,
-    stored::{camera_is_complete, count_images},
+    stored::{count_images, stream_is_complete},
+    streams::{CameraStream, Stream, StreamModel},
     times::{Stage, StageClock},
     video::record_video,
 };

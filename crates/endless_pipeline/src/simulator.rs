@@ -4,7 +4,7 @@ use crate::SimulatorError;
 use endless_annotate::{ActorRecord, MapFeatures, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, WorldKeypoints};
 use endless_dataset::{Recipe, SpawnCounts};
 use endless_road::JunctionPlace;
-use endless_world::{CameraSite, SceneSettings, SensorFrame, SensorLayers, WorldState};
+use endless_world::{CameraSite, InstanceId, SceneSettings, SensorFrame, SensorLayers, SensorPose, WorldState};
 use std::{collections::BTreeMap, time::Duration};
 
 /// The maps that a recipe can name, and the hashes of imported files.
@@ -144,7 +144,7 @@ pub trait Simulator: MapCatalog + Sync {
     }
 
     /// Populates a map. Cheap, compared with [`SimulationSession::prepare`]. Its sensor frames have the images that are
-    /// `wanted`, and may lack those that are not.
+    /// `wanted` of any camera, and may lack those that are not.
     ///
     /// # Errors
     /// When the scene cannot be made, or the simulator cannot be reached.
@@ -182,6 +182,11 @@ pub trait SimulationSession<'m>: Send {
     /// When the simulator fails; the session is not used afterwards.
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError>;
 
+    /// Who carries a sensor of the rig, by its place in the settings.
+    fn carrier(&self, _sensor: usize) -> Option<InstanceId> {
+        None
+    }
+
     /// What relations and events are judged by: lanes, lights, and how large those who move are.
     fn road_facts(&self) -> RoadFacts {
         RoadFacts::default()
@@ -213,12 +218,34 @@ pub trait RenderTask<'m>: Send {
         None
     }
 
-    /// The sensor frame of each camera, in the order of the settings. Without [`Capabilities::random_access`] it is called before the
+    /// Where a sensor of the rig is, by its place in the settings.
+    ///
+    /// # Errors
+    /// When the simulator has no such sensors.
+    fn sensor_pose(&self, _state: &WorldState, _sensor: usize) -> Result<SensorPose, SimulatorError> {
+        Err(SimulatorError::NoRigs)
+    }
+
+    /// What a sensor of the rig measures. Called before [`Self::render`], of those that measure at this frame.
+    ///
+    /// # Errors
+    /// When the simulator fails, or has no such sensors.
+    fn sense(&self, _state: &WorldState, _sensor: usize) -> Result<SensorReading, SimulatorError> {
+        Err(SimulatorError::NoRigs)
+    }
+
+    /// The sensor frame of each of the scene's cameras, in the order of the settings. Without [`Capabilities::random_access`] it is called before the
     /// next tick. Not called for frames that are stored already.
     ///
     /// # Errors
     /// When the simulator fails, or gives another frame than this one.
     fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError>;
+}
+
+/// What a sensor of a rig measured.
+pub enum SensorReading {
+    /// A camera.
+    Camera(SensorFrame),
 }
 
 /// The ground truth of a scene at one instant, visible or not.

@@ -7,6 +7,23 @@ use std::{error::Error, path::PathBuf, time::Duration};
 /// What a simulator says when it cannot do what it is asked. Every message is one line that says what to do.
 #[derive(Debug, thiserror::Error)]
 pub enum SimulatorError {
+    /// A rig, of a simulator that has none.
+    #[error("this simulator has no sensors of rigs: leave out --rig and [[sensor]], or use another --simulator")]
+    NoRigs,
+    /// Nobody to carry a sensor.
+    #[error(
+        "video {video}: sensor {sensor} rides on {wanted}, and there is none on {map}: ask for more traffic or another carrier"
+    )]
+    NoCarrier {
+        /// The video.
+        video: u32,
+        /// The map.
+        map: String,
+        /// The sensor.
+        sensor: String,
+        /// Whom it rides on.
+        wanted: String,
+    },
     /// A map that there is not.
     #[error("unknown map '{map}': use one of {}", known.join(", "))]
     UnknownMap {

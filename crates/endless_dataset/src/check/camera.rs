@@ -10,8 +10,8 @@ use super::{
     unexpected_files::unexpected_files,
 };
 use crate::{
-    CameraLayout, CameraRecord, DatasetError, Layer, Recipe, StoredImage, depth_from_rgb, instance_from_rgb, read_json,
-    read_mp4, read_objects, read_rgb, video,
+    CameraLayout, CameraOutput, CameraRecord, DatasetError, Layer, Recipe, StoredImage, depth_from_rgb,
+    instance_from_rgb, read_json, read_mp4, read_objects, read_rgb, video,
 };
 use endless_annotate::{FrameObjects, Keypoint, ObjectRecord, Visibility, visible_objects};
 use endless_world::{
@@ -21,42 +21,69 @@ use rayon::prelude::*;
 use rusty_h264_decoder::Decoder;
 use std::collections::{BTreeMap, BTreeSet};
 
+/// A camera whose files are checked.
+pub(super) struct CheckedCamera<'a> {
+    pub(super) files: &'a CameraLayout,
+    /// What is stored of it.
+    pub(super) output: &'a CameraOutput,
+    /// Names of its files besides layers, videos and labels.
+    pub(super) records: &'a [&'a str],
+    /// The camera at a frame; `None` where nothing tells it.
+    pub(super) lens: &'a (dyn Fn(u32) -> Option<PinholeCamera> + Sync),
+}
+
 /// What a camera's files show.
 pub(super) struct CameraCheck {
     pub(super) report: CheckReport,
     pub(super) tracks: Tracks,
 }
 
-pub(super) fn check_camera(
-    layout: &CameraLayout,
+/// A camera of the scene: its records, and all that is stored of it.
+pub(super) fn check_scene_camera(
+    files: &CameraLayout,
     settings: &SceneSettings,
     camera: usize,
     recipe: &Recipe,
     progress: &CheckProgress<'_>,
 ) -> CameraCheck {
+    let SceneCamera { site, look } = &settings.cameras[camera];
+    let lens = PinholeCamera::new(site, settings.size).with_distortion(look.distortion);
+    let output = recipe.camera_output();
+    let lens = |_frame| Some(lens.clone());
+    let checked = CheckedCamera { files, output: &output, records: &["map.json"], lens: &lens };
+    let mut check = check_camera(&checked, progress);
+    let record = CameraRecord::new(site, look.distortion, settings.size, settings.fps);
+    check.report.findings.extend(check_record(files, record));
+    check.report.findings.extend(check_map(files, &settings.cameras[camera], settings.size));
+    check
+}
+
+/// All that is stored of a camera.
+pub(super) fn check_camera(checked: &CheckedCamera<'_>, progress: &CheckProgress<'_>) -> CameraCheck {
+    let CheckedCamera { files, output, lens, .. } = *checked;
     let mut report = CheckReport::default();
-    report.findings.extend(check_record(layout, settings, camera));
-    report.findings.extend(check_names(layout, recipe));
-    report.findings.extend(check_map(layout, &settings.cameras[camera], settings.size));
-    let lines = read_objects(&layout.objects()).unwrap_or_else(|e| {
+    report.findings.extend(check_names(checked));
+    let lines = read_objects(&files.objects()).unwrap_or_else(|e| {
         report.findings.push(e.into());
         Vec::new()
     });
-    if lines.len() != recipe.frames() as usize {
-        let problem = format!("has {} lines for {} frames", lines.len(), recipe.frames());
-        report.findings.push(Finding::new(layout.objects(), problem));
+    if lines.len() != output.count() as usize {
+        let problem = format!("has {} lines for {} frames", lines.len(), output.count());
+        report.findings.push(Finding::new(files.objects(), problem));
     }
     let mut tracks = Tracks::default();
     for object in lines.iter().flat_map(|l| &l.objects) {
         tracks.add(object.id, object.class);
         report.boxes += 1;
     }
-    let SceneCamera { site, look } = &settings.cameras[camera];
-    let lens = PinholeCamera::new(site, settings.size).with_distortion(look.distortion);
-    let frames: Vec<CheckReport> = (0..recipe.frames())
+    let numbers: Vec<(usize, u32)> = output.frames().enumerate().collect();
+    let frames: Vec<CheckReport> = numbers
         .into_par_iter()
-        .map(|frame| {
-            let report = check_frame(layout, frame, lines.get(frame as usize), recipe, &lens);
+        .map(|(place, frame)| {
+            let report = match lens(frame) {
+                Some(camera) => check_frame(files, frame, lines.get(place), output, &camera),
+                None => CheckReport::default(),
+            };
             progress.add(1);
             report
         })
@@ -65,21 +92,20 @@ pub(super) fn check_camera(
         report.merge(frame);
     }
     let mp4 = |layer: &Layer| {
-        let finding = check_mp4(layout, *layer, recipe);
-        progress.add(recipe.frames().into());
+        let finding = check_mp4(files, *layer, output);
+        progress.add(output.count().into());
         finding
     };
-    let videos: Vec<Finding> = recipe.mp4.par_iter().filter_map(mp4).collect();
+    let videos: Vec<Finding> = output.mp4.par_iter().filter_map(mp4).collect();
     report.findings.extend(videos);
     CameraCheck { report, tracks }
 }
 
-fn check_record(layout: &CameraLayout, settings: &SceneSettings, camera: usize) -> Option<Finding> {
-    let SceneCamera { site, look } = &settings.cameras[camera];
-    let expected = CameraRecord::new(site, look.distortion, settings.size, settings.fps);
-    match read_json::<CameraRecord>(&layout.camera()) {
+/// Whether `camera.json` is what it should be. Its ground plane, if it has one, is taken as it is.
+pub(super) fn check_record(files: &CameraLayout, expected: CameraRecord) -> Option<Finding> {
+    match read_json::<CameraRecord>(&files.camera()) {
         Ok(record) if same_camera(&record, expected) => None,
-        Ok(_) => Some(Finding::new(layout.camera(), "does not describe the camera of the scene")),
+        Ok(_) => Some(Finding::new(files.camera(), "does not describe the camera of the scene")),
         Err(e) => Some(e.into()),
     }
 }
@@ -90,16 +116,17 @@ fn same_camera(record: &CameraRecord, expected: CameraRecord) -> bool {
     *record == expected.with_ground(record.ground_plane.as_ref().map(|plane| plane.z_m))
 }
 
-fn check_names(layout: &CameraLayout, recipe: &Recipe) -> Vec<Finding> {
+fn check_names(checked: &CheckedCamera<'_>) -> Vec<Finding> {
+    let CheckedCamera { files, output, records, .. } = *checked;
     let mut expected = BTreeSet::from(["camera.json".to_owned(), "objects.jsonl".to_owned()]);
-    expected.extend(layout.map().is_file().then(|| "map.json".to_owned()));
-    expected.extend(recipe.layers.iter().map(Layer::to_string));
-    expected.extend(recipe.mp4.iter().map(|l| format!("{l}.mp4")));
-    let mut findings = unexpected_files(layout.folder(), &expected);
-    for &layer in &recipe.layers {
-        let extension = layer.format(recipe.rgb_format);
-        let frames: BTreeSet<String> = (0..recipe.frames()).map(|f| format!("{f:06}.{extension}")).collect();
-        findings.extend(unexpected_files(&layout.layer(layer), &frames));
+    expected.extend(records.iter().filter(|name| files.folder().join(name).is_file()).map(ToString::to_string));
+    expected.extend(output.layers.iter().map(Layer::to_string));
+    expected.extend(output.mp4.iter().map(|l| format!("{l}.mp4")));
+    let mut findings = unexpected_files(files.folder(), &expected);
+    for &layer in &output.layers {
+        let extension = layer.format(output.rgb_format);
+        let frames: BTreeSet<String> = output.frames().map(|f| format!("{f:06}.{extension}")).collect();
+        findings.extend(unexpected_files(&files.layer(layer), &frames));
     }
     findings
 }
@@ -108,14 +135,14 @@ fn check_frame(
     layout: &CameraLayout,
     frame: u32,
     line: Option<&FrameObjects>,
-    recipe: &Recipe,
+    output: &CameraOutput,
     camera: &PinholeCamera,
 ) -> CheckReport {
     let mut report = CheckReport::default();
     // The layers that decode.
     let mut stored: BTreeMap<Layer, StoredImage<'_>> = BTreeMap::new();
-    for &layer in &recipe.layers {
-        match read_layer(layout, layer, frame, recipe) {
+    for &layer in &output.layers {
+        match read_layer(layout, layer, frame, output) {
             Ok(image) => {
                 report.images += 1;
                 stored.insert(layer, image);
@@ -127,18 +154,18 @@ fn check_frame(
     let depth = eight(Layer::Depth).map(depth_from_rgb);
     let instance = eight(Layer::Instance).and_then(|image| instance_from_rgb(image).ok());
     if let (Some(depth), Some(instance)) = (&depth, &instance) {
-        let path = layout.frame(Layer::Depth, frame, recipe);
+        let path = layout.frame(Layer::Depth, frame, output.rgb_format);
         report.findings.extend(misaligned(depth, instance).map(|problem| Finding::new(path, problem)));
     }
     if let Some(instance) = &instance {
         let problems = disagreements(&stored, instance);
-        report
-            .findings
-            .extend(problems.map(|(layer, problem)| Finding::new(layout.frame(layer, frame, recipe), problem)));
+        report.findings.extend(
+            problems.map(|(layer, problem)| Finding::new(layout.frame(layer, frame, output.rgb_format), problem)),
+        );
     }
     if let Some(line) = line {
         let labelled = LabelledFrame { camera, instance: instance.as_ref(), depth: depth.as_ref() };
-        let mut problems = line_problems(line, frame, &labelled, recipe);
+        let mut problems = line_problems(line, frame, &labelled, output);
         let wrong =
             |object: &ObjectRecord| Some(format!("frame {frame}: object {} {}", object.id, labelled.problem(object)?));
         problems.extend(line.objects.iter().filter_map(wrong));
@@ -151,12 +178,12 @@ fn read_layer(
     layout: &CameraLayout,
     layer: Layer,
     frame: u32,
-    recipe: &Recipe,
+    output: &CameraOutput,
 ) -> Result<StoredImage<'static>, DatasetError> {
-    let path = layout.frame(layer, frame, recipe);
-    let image = read_rgb(&path, layer.format(recipe.rgb_format))?;
-    if image.size() != recipe.size {
-        return Err(DatasetError::malformed(path, format!("is {} instead of {}", image.size(), recipe.size)));
+    let path = layout.frame(layer, frame, output.rgb_format);
+    let image = read_rgb(&path, layer.format(output.rgb_format))?;
+    if image.size() != output.size {
+        return Err(DatasetError::malformed(path, format!("is {} instead of {}", image.size(), output.size)));
     }
     match (layer.entry().check)(&image) {
         Ok(()) => Ok(image),
@@ -173,15 +200,15 @@ fn misaligned(depth: &Image<f32>, instance: &Image<InstancePixel>) -> Option<Str
     (count > 0).then(|| format!("is not aligned with the instance image: {count} pixels of sky or objects disagree"))
 }
 
-fn line_problems(line: &FrameObjects, frame: u32, labelled: &LabelledFrame<'_>, recipe: &Recipe) -> Vec<String> {
+fn line_problems(line: &FrameObjects, frame: u32, labelled: &LabelledFrame<'_>, output: &CameraOutput) -> Vec<String> {
     let instance = labelled.instance;
     let mut problems = Vec::new();
-    if line.frame != frame || (line.time_s - f64::from(frame) / recipe.fps).abs() > 1e-6 {
+    if line.frame != frame || (line.time_s - f64::from(frame) / output.scene_fps).abs() > 1e-6 {
         problems.push(format!("line {} is of frame {} at {} s", frame + 1, line.frame, line.time_s));
     }
-    problems.extend(line.objects.iter().filter_map(|object| keypoint_problem(object, frame, instance, recipe)));
+    problems.extend(line.objects.iter().filter_map(|object| keypoint_problem(object, frame, instance, output)));
     let Some(instance) = instance else { return problems };
-    let seen: Vec<_> = visible_objects(instance).into_iter().filter(|v| v.pixels >= recipe.min_pixels).collect();
+    let seen: Vec<_> = visible_objects(instance).into_iter().filter(|v| v.pixels >= output.min_pixels).collect();
     let seen: Vec<_> = seen.iter().map(|v| (v.id, v.tag, v.bbox, v.pixels)).collect();
     let written: Vec<_> = line.objects.iter().map(|o| (o.id, o.class.tag(), o.bbox, o.pixels)).collect();
     if written != seen {
@@ -201,7 +228,7 @@ fn keypoint_problem(
     object: &ObjectRecord,
     frame: u32,
     instance: Option<&Image<InstancePixel>>,
-    recipe: &Recipe,
+    output: &CameraOutput,
 ) -> Option<String> {
     let who = format!("frame {frame}: object {}", object.id);
     let Some(keypoints) = &object.keypoints else {
@@ -210,7 +237,7 @@ fn keypoint_problem(
     if object.num_keypoints != Some(keypoints.labelled()) {
         return Some(format!("{who} lists {} keypoints and says {:?}", keypoints.labelled(), object.num_keypoints));
     }
-    let (width, height) = (recipe.size.width, recipe.size.height);
+    let (width, height) = (output.size.width, output.size.height);
     let own = |image: &Image<InstancePixel>, k: &Keypoint| {
         k.pixels_around(image.size).any(|[x, y]| image.at(x, y).id == object.id)
     };
@@ -224,17 +251,17 @@ fn keypoint_problem(
     Some(format!("{who} does not show its {}", KEYPOINTS[place]))
 }
 
-fn check_mp4(layout: &CameraLayout, layer: Layer, recipe: &Recipe) -> Option<Finding> {
+fn check_mp4(layout: &CameraLayout, layer: Layer, output: &CameraOutput) -> Option<Finding> {
     let path = layout.mp4(layer);
     let mp4 = match read_mp4(&path) {
         Ok(mp4) => mp4,
         Err(e) => return Some(e.into()),
     };
     let problem = |text: String| Some(Finding::new(&path, text));
-    if mp4.samples() != recipe.frames() as usize {
-        return problem(format!("has {} frames instead of {}", mp4.samples(), recipe.frames()));
+    if mp4.samples() != output.count() as usize {
+        return problem(format!("has {} frames instead of {}", mp4.samples(), output.count()));
     }
-    let size = video::even(recipe.size);
+    let size = video::even(output.size);
     if mp4.size != size {
         return problem(format!("is {} instead of {size}", mp4.size));
     }

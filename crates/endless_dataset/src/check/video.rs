@@ -2,10 +2,11 @@
 
 use super::{
     actors::check_actors,
-    camera::{self, check_camera},
+    camera::{self, check_scene_camera},
     frames::check_frames,
     progress::CheckProgress,
     report::{CheckReport, Finding},
+    rig::check_sensor,
     tracks,
     unexpected_files::unexpected_files,
 };
@@ -50,8 +51,15 @@ pub(super) fn check_video(
         report.findings.push(Finding::new(video.scene(), problem));
         return report;
     }
+    let sensors = manifest.recipe.sensor.len();
+    if record.settings.sensors.len() != sensors || record.sensor_boxes.len() != sensors {
+        let problem = format!("does not speak of {sensors} sensors of a rig, as the recipe does");
+        report.findings.push(Finding::new(video.scene(), problem));
+        return report;
+    }
     let mut folders: BTreeSet<String> =
         (0..count).map(VideoLayout::camera_name).chain(["scene.json".to_owned()]).collect();
+    folders.extend(record.settings.sensors.iter().map(|sensor| sensor.name.clone()));
     folders.extend(record.actors.map(|_| "actors.json".to_owned()));
     folders.extend(video.frames().is_file().then(|| "frames.jsonl".to_owned()));
     report.findings.extend(unexpected_files(video.folder(), &folders));
@@ -59,12 +67,17 @@ pub(super) fn check_video(
     report.findings.extend(check_frames(&video, &record.settings, &manifest.recipe));
     let cameras: Vec<camera::CameraCheck> = (0..count)
         .into_par_iter()
-        .map(|i| check_camera(&video.camera(i), &record.settings, i, &manifest.recipe, progress))
+        .map(|i| check_scene_camera(&video.camera(i), &record.settings, i, &manifest.recipe, progress))
+        .chain(
+            (0..sensors).into_par_iter().map(|i| check_sensor(&video, &record.settings, &manifest.recipe, i, progress)),
+        )
         .collect();
-    for (i, camera) in cameras.iter().enumerate() {
-        if camera.report.boxes != record.boxes[i] {
-            let name = VideoLayout::camera_name(i);
-            let problem = format!("says {} boxes, {name} has {}", record.boxes[i], camera.report.boxes);
+    let names = (0..count).map(VideoLayout::camera_name);
+    let names = names.chain(record.settings.sensors.iter().map(|sensor| sensor.name.clone()));
+    let told = record.boxes.iter().chain(&record.sensor_boxes);
+    for ((camera, name), told) in cameras.iter().zip(names).zip(told) {
+        if camera.report.boxes != *told {
+            let problem = format!("says {told} boxes, {name} has {}", camera.report.boxes);
             report.findings.push(Finding::new(video.scene(), problem));
         }
     }

@@ -37,8 +37,9 @@ impl StillObject {
     }
 }
 
-/// What is kept under a key, or made and kept. Two threads may make the same; either is right.
-fn kept<V: Clone>(by_camera: &Mutex<BTreeMap<usize, V>>, camera: usize, make: impl FnOnce() -> V) -> V {
+/// What is kept of a camera that stands still, or made and kept. Two threads may make the same; either is right.
+fn kept<V: Clone>(by_camera: &Mutex<BTreeMap<usize, V>>, camera: Option<usize>, make: impl FnOnce() -> V) -> V {
+    let Some(camera) = camera else { return make() };
     let known = || by_camera.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(value) = known().get(&camera) {
         return value.clone();
@@ -57,6 +58,9 @@ impl ObjectShapes for ParkedShapes<'_> {
     fn covered(&self, view: &CameraView<'_>, id: InstanceId) -> Option<Arc<[u32]>> {
         let (_, object) = self.objects.get(&id)?;
         let shape = object.shape(self.still, id)?;
+        if view.number.is_none() {
+            return Some(hidden_pixels(shape, view, id));
+        }
         Some(kept(&object.covered, view.number, || shape.covers(view.camera, |_| true).into()))
     }
 
@@ -70,6 +74,13 @@ impl ObjectShapes for ParkedShapes<'_> {
 fn box_around(shape: &ObjectShape, pose: &Pose) -> Box3d {
     let (low, high) = shape.bounds_in(&pose.world_from_object());
     Box3d::new(pose, low, high)
+}
+
+/// Pixels that a shape covers and that show something nearer.
+fn hidden_pixels(shape: &ObjectShape, view: &CameraView<'_>, id: InstanceId) -> Arc<[u32]> {
+    let farthest = shape.farthest_depth(view.camera);
+    let may_hide = |pixel: usize| view.instance.data[pixel].id != id && (view.depth)(pixel) < farthest;
+    shape.covers(view.camera, may_hide).into()
 }
 
 /// Those that move, at one instant.
@@ -100,10 +111,7 @@ impl ObjectShapes for MovingShapes {
     }
 
     fn covered(&self, view: &CameraView<'_>, id: InstanceId) -> Option<Arc<[u32]>> {
-        let shape = self.shape(id)?;
-        let farthest = shape.farthest_depth(view.camera);
-        let may_hide = |pixel: usize| view.instance.data[pixel].id != id && (view.depth)(pixel) < farthest;
-        Some(shape.covers(view.camera, may_hide).into())
+        Some(hidden_pixels(&*self.shape(id)?, view, id))
     }
 
     fn image_bounds(&self, view: &CameraView<'_>, id: InstanceId) -> Option<[f32; 4]> {

@@ -1,7 +1,10 @@
 //! Estimates the disk space that a dataset needs, from its recipe and the files that exist.
 
-use crate::{DiskEstimate, record::count_images};
-use endless_dataset::{DatasetError, DatasetLayout, Recipe};
+use crate::{
+    DiskEstimate,
+    record::{CameraStream, Stream, StreamModel, count_images},
+};
+use endless_dataset::{CameraOutput, DatasetError, DatasetLayout, Recipe};
 use endless_world::SceneSettings;
 use std::path::Path;
 
@@ -15,25 +18,29 @@ pub(super) fn estimate(
     recipe: &Recipe,
     remaining_scenes: &[&SceneSettings],
 ) -> Result<DiskEstimate, DatasetError> {
-    let mut present = 0;
+    let (mut missing_frames, mut bytes) = (0, 0.0);
     for settings in remaining_scenes {
-        for camera in layout.video(settings).cameras(settings.cameras.len()) {
-            present += count_images(&camera, recipe)?;
+        for stream in Stream::all(recipe, settings, &layout.video(settings)) {
+            let present = count_images(&stream)?;
+            let StreamModel::Camera(CameraStream { output, .. }) = &stream.model;
+            let frames = u64::from(output.count());
+            let missing = frames - present / output.layers.len() as u64;
+            missing_frames += missing;
+            // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.
+            let videos = output.mp4.len() as f64 * VIDEO_BYTES_A_PIXEL * output.size.pixels() as f64;
+            bytes += missing as f64 * image_bytes(output) + frames as f64 * (videos + BYTES_A_FILE);
         }
     }
-    let camera_frames =
-        u64::from(recipe.cameras_per_scene) * remaining_scenes.len() as u64 * u64::from(recipe.frames());
-    let missing = (camera_frames - present / recipe.layers.len() as u64) as f64;
-    let pixels = recipe.size.pixels() as f64;
-    let images: f64 = recipe
-        .layers
-        .iter()
-        .map(|l| (l.entry().bytes_a_pixel)(recipe.rgb_format, recipe.camera_look) * pixels + BYTES_A_FILE)
-        .sum();
-    // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.
-    let videos = recipe.mp4.len() as f64 * VIDEO_BYTES_A_PIXEL * pixels * camera_frames as f64;
-    let bytes = (missing * images + videos + camera_frames as f64 * BYTES_A_FILE) as u64;
-    Ok(DiskEstimate { camera_frames: missing as u64, bytes, free: free(layout.root())? })
+    Ok(DiskEstimate { camera_frames: missing_frames, bytes: bytes as u64, free: free(layout.root())? })
+}
+
+/// Of all layers of one frame.
+fn image_bytes(output: &CameraOutput) -> f64 {
+    let pixels = output.size.pixels() as f64;
+    let of_layer = |layer: &endless_dataset::Layer| {
+        (layer.entry().bytes_a_pixel)(output.rgb_format, output.look) * pixels + BYTES_A_FILE
+    };
+    output.layers.iter().map(of_layer).sum()
 }
 
 /// Free bytes where the folder is or will be.

@@ -1,6 +1,9 @@
 //! The output folder: what it holds, and whether its dataset may be resumed.
 
-use crate::{GenerateError, Plan, record::camera_is_complete};
+use crate::{
+    GenerateError, Plan,
+    record::{Stream, stream_is_complete},
+};
 use endless_dataset::{
     BuildIdentity, DatasetError, DatasetLayout, Manifest, Recipe, SceneRecord, VideoEntry, VideoLayout, VideoState,
     read_json, sync_tree, write_json, write_json_durable,
@@ -205,8 +208,8 @@ fn complete_video(
     if record.settings != *settings || (record.actors.is_some() && !video.actors().is_file()) {
         return Ok(None);
     }
-    for camera in video.cameras(settings.cameras.len()) {
-        if !camera_is_complete(&camera, recipe)? {
+    for stream in Stream::all(recipe, settings, &video) {
+        if !stream_is_complete(&stream)? {
             return Ok(None);
         }
     }

@@ -1,44 +1,64 @@
-//! One frame of all cameras: rendered and written, or read back where it is stored already, and then labelled.
+//! One frame of all streams: measured and written, or read back where it is stored already, and then labelled.
 
 use super::{
     layers::{self, StoredImages, StoredLayers},
     recording::Recording,
-    sink::SinkItem,
+    sink::{Measured, SinkItem},
     stored::StoredFrames,
+    streams::{CameraStream, Stream, StreamLens, StreamModel},
     times::Stage,
 };
-use crate::{GenerateError, SceneTruth, SimulationStep, SimulatorError};
+use crate::{GenerateError, RenderTask, SceneTruth, SensorReading, SimulationStep, SimulatorError};
 use endless_annotate::{AnnotateError, CameraView, FrameObjects, ObjectShapes, SceneFrame, annotate, visible_objects};
-use endless_dataset::{DatasetError, LastPng, Layer, StoredImage, Yuv, metres_from_rgb, rgb_from_metres, yuv_from_rgb};
-use endless_world::{PinholeCamera, SceneCamera, SensorFrame};
+use endless_dataset::{
+    CameraOutput, DatasetError, LastPng, Layer, PoseLine, StoredImage, Yuv, metres_from_rgb, rgb_from_metres,
+    yuv_from_rgb,
+};
+use endless_world::{PinholeCamera, SensorFrame, WorldState};
+use std::borrow::Cow;
 
 pub(super) struct FrameRecorder<'a> {
     pub(super) recording: &'a Recording<'a>,
     stored: &'a StoredFrames,
-    /// One a camera.
-    lenses: Vec<PinholeCamera>,
-    /// By camera and layer: what was written last.
+    /// By stream and layer: what was written last.
     written: Vec<Vec<LastPng>>,
 }
 
-/// One frame: its ground truth and the images of all cameras.
+/// One frame: its ground truth and what all streams measured.
 pub(super) struct CapturedFrame<'a> {
     frame: u32,
     truth: SceneTruth<'a>,
     scene: Option<SceneFrame>,
-    pictures: FrameImages,
+    /// One a sensor of the rig.
+    poses: Vec<SensorPlace>,
+    readings: FrameReadings,
 }
 
-/// One a camera.
-enum FrameImages {
-    Rendered(Vec<SensorFrame>),
-    Stored(Vec<StoredLayers>),
+/// Where a sensor is, and the camera that it is then.
+struct SensorPlace {
+    line: PoseLine,
+    camera: Option<PinholeCamera>,
+}
+
+/// One a stream; none of those that do not measure at this frame.
+enum FrameReadings {
+    Made(Vec<Option<SensorReading>>),
+    Stored(Vec<Option<StoredLayers>>),
 }
 
 impl CapturedFrame<'_> {
     /// Whether it was stored already.
     pub(super) fn is_stored(&self) -> bool {
-        matches!(self.pictures, FrameImages::Stored(_))
+        matches!(self.readings, FrameReadings::Stored(_))
+    }
+
+    /// How many streams measured.
+    pub(super) fn measurements(&self) -> u32 {
+        let count = match &self.readings {
+            FrameReadings::Made(made) => made.iter().flatten().count(),
+            FrameReadings::Stored(stored) => stored.iter().flatten().count(),
+        };
+        count as u32
     }
 
     /// The line of `frames.jsonl`, if the simulator knows it.
@@ -49,13 +69,11 @@ impl CapturedFrame<'_> {
 
 impl<'a> FrameRecorder<'a> {
     pub(super) fn new(recording: &'a Recording<'a>, stored: &'a StoredFrames) -> Self {
-        let size = recording.settings.size;
-        let lens =
-            |SceneCamera { site, look }: &SceneCamera| PinholeCamera::new(site, size).with_distortion(look.distortion);
-        let lenses: Vec<PinholeCamera> = recording.settings.cameras.iter().map(lens).collect();
-        let layers = || recording.recipe.layers.iter().map(|_| LastPng::default()).collect();
-        let written = lenses.iter().map(|_| layers()).collect();
-        Self { recording, stored, lenses, written }
+        let layers = |stream: &Stream<'_>| match &stream.model {
+            StreamModel::Camera(camera) => camera.output.layers.iter().map(|_| LastPng::default()).collect(),
+        };
+        let written = recording.streams.iter().map(layers).collect();
+        Self { recording, stored, written }
     }
 
     /// What needs the simulator.
@@ -64,37 +82,77 @@ impl<'a> FrameRecorder<'a> {
         let clock = self.recording.clock;
         let (truth, scene) = clock.time(Stage::Boxes, || (task.truth(&state), task.scene_frame(&state)));
         let frame = state.frame;
-        let pictures = match self.read(frame)? {
-            Some(layers) => FrameImages::Stored(layers),
-            None => {
-                let frames = clock.time(Stage::Render, || task.render(&state))?;
-                self.refuse_other_frames(frame, &frames)?;
-                FrameImages::Rendered(frames)
-            }
+        let poses = self.poses(&state, &*task)?;
+        let readings = match self.read(frame)? {
+            Some(layers) => FrameReadings::Stored(layers),
+            None => FrameReadings::Made(clock.time(Stage::Render, || self.measure(&state, task))?),
         };
-        Ok(CapturedFrame { frame, truth, scene, pictures })
+        Ok(CapturedFrame { frame, truth, scene, poses, readings })
     }
 
-    fn refuse_other_frames(&self, frame: u32, frames: &[SensorFrame]) -> Result<(), SimulatorError> {
-        let (expected, got) = (self.lenses.len(), frames.len());
-        if got != expected {
-            return Err(SimulatorError::CamerasMissing { frame, expected, got });
-        }
-        match frames.iter().find(|f| f.frame != frame) {
-            Some(other) => Err(SimulatorError::FramesDropped { expected: frame, got: other.frame }),
-            None => Ok(()),
-        }
+    /// Where the sensors of the rig are.
+    fn poses(&self, state: &WorldState, task: &dyn RenderTask<'_>) -> Result<Vec<SensorPlace>, SimulatorError> {
+        let place = |stream: &Stream<'_>| {
+            let (number, sensor) = stream.sensor?;
+            Some(task.sensor_pose(state, number).map(|pose| {
+                let line = PoseLine::new(state.frame, state.time_s, &pose);
+                let camera = match &stream.model {
+                    StreamModel::Camera(CameraStream { lens: StreamLens::Fixed { camera, .. }, .. }) => {
+                        Some(camera.clone())
+                    }
+                    StreamModel::Camera(CameraStream { lens: StreamLens::Moving(camera), .. }) => {
+                        Some(camera.at(&sensor.mount, &pose, state.time_s))
+                    }
+                };
+                let line = camera.as_ref().map_or(line.clone(), |camera| line.with_camera(camera));
+                SensorPlace { line, camera }
+            }))
+        };
+        self.recording.streams.iter().filter_map(place).collect()
     }
 
-    /// The frame if it is stored; a damaged one is rendered again.
-    fn read(&self, frame: u32) -> Result<Option<Vec<StoredLayers>>, DatasetError> {
+    /// What every stream measures at this frame.
+    fn measure<'m>(
+        &self,
+        state: &WorldState,
+        task: Box<dyn RenderTask<'m> + 'm>,
+    ) -> Result<Vec<Option<SensorReading>>, SimulatorError> {
+        let frame = state.frame;
+        let streams = self.recording.streams;
+        let of_rig = |stream: &Stream<'_>| {
+            let (number, _) = stream.sensor?;
+            stream.measures_at(frame).then(|| task.sense(state, number))
+        };
+        let mut sensed = Vec::new();
+        for stream in streams {
+            sensed.push(of_rig(stream).transpose()?);
+        }
+        let cameras = streams.iter().filter(|stream| stream.sensor.is_none()).count();
+        let frames = if cameras == 0 { Vec::new() } else { task.render(state)? };
+        if frames.len() != cameras {
+            return Err(SimulatorError::CamerasMissing { frame, expected: cameras, got: frames.len() });
+        }
+        for (reading, image) in sensed.iter_mut().zip(frames) {
+            *reading = Some(SensorReading::Camera(image));
+        }
+        let other = sensed
+            .iter()
+            .flatten()
+            .find_map(|SensorReading::Camera(image)| (image.frame != frame).then_some(image.frame));
+        other.map_or(Ok(sensed), |got| Err(SimulatorError::FramesDropped { expected: frame, got }))
+    }
+
+    /// The frame if it is stored; a damaged one is made again.
+    fn read(&self, frame: u32) -> Result<Option<Vec<Option<StoredLayers>>>, DatasetError> {
         if !self.stored.has(frame) {
             return Ok(None);
         }
-        let Recording { recipe, layout, clock, .. } = *self.recording;
-        let read = clock.time(Stage::Resume, || {
-            layout.cameras(self.lenses.len()).map(|files| StoredLayers::read(&files, recipe, frame)).collect()
-        });
+        let Recording { streams, clock, .. } = *self.recording;
+        let read_stream = |stream: &Stream<'_>| {
+            let StreamModel::Camera(CameraStream { output, .. }) = &stream.model;
+            stream.measures_at(frame).then(|| StoredLayers::read(&stream.files, output, frame)).transpose()
+        };
+        let read = clock.time(Stage::Resume, || streams.iter().map(read_stream).collect());
         match read {
             Ok(layers) => Ok(Some(layers)),
             Err(DatasetError::Malformed { .. }) => Ok(None),
@@ -102,41 +160,65 @@ impl<'a> FrameRecorder<'a> {
         }
     }
 
-    /// Images on disk, and what each camera's sink gets.
+    /// Images on disk, and what each stream's sink gets.
     pub(super) fn finish(&self, taken: &CapturedFrame<'_>) -> Result<Vec<SinkItem>, GenerateError> {
-        let Recording { recipe, layout, clock, .. } = *self.recording;
-        let cameras = self.lenses.iter().enumerate();
-        match &taken.pictures {
-            FrameImages::Stored(cameras_layers) => {
-                let item = |((camera, lens), stored): ((usize, &PinholeCamera), &StoredLayers)| {
-                    let depth = |pixel: usize| metres_from_rgb(stored.depth.data[pixel]);
-                    let view = CameraView { number: camera, camera: lens, instance: &stored.instance, depth: &depth };
-                    self.item(taken, &view, &stored.images)
-                };
-                cameras.zip(cameras_layers).map(item).collect()
+        let streams = self.recording.streams.iter().enumerate();
+        let item = |(place, stream): (usize, &Stream<'_>)| {
+            let at = stream.sensor.map(|(number, _)| &taken.poses[number]);
+            let StreamModel::Camera(camera) = &stream.model;
+            let measured = self.measured(taken, place, camera, at)?;
+            let pose = at.filter(|_| measured.is_some()).map(|at| at.line.clone());
+            Ok(SinkItem { measured, pose, scene: None })
+        };
+        streams.map(item).collect()
+    }
+
+    /// What a camera's sink gets of this frame.
+    fn measured(
+        &self,
+        taken: &CapturedFrame<'_>,
+        place: usize,
+        camera: &CameraStream<'_>,
+        at: Option<&SensorPlace>,
+    ) -> Result<Option<Measured>, GenerateError> {
+        let Recording { streams, clock, .. } = *self.recording;
+        let output = &camera.output;
+        let (number, lens) = match &camera.lens {
+            StreamLens::Fixed { number, camera } => (Some(*number), Cow::Borrowed(camera)),
+            StreamLens::Moving(_) => match at.and_then(|at| at.camera.as_ref()) {
+                Some(camera) => (None, Cow::Borrowed(camera)),
+                None => return Ok(None),
+            },
+        };
+        match &taken.readings {
+            FrameReadings::Stored(stored) => {
+                let Some(stored) = &stored[place] else { return Ok(None) };
+                let depth = |pixel: usize| metres_from_rgb(stored.depth.data[pixel]);
+                let view = CameraView { number, camera: &lens, instance: &stored.instance, depth: &depth };
+                self.labelled(taken, &view, output, &stored.images).map(Some)
             }
-            FrameImages::Rendered(frames) => {
-                let item = |((camera, lens), frame): ((usize, &PinholeCamera), &SensorFrame)| {
-                    let write = || layers::write(&layout.camera(camera), recipe, frame, &self.written[camera], clock);
-                    let images = clock.time(Stage::Images, write)?;
-                    // As it is or would be stored: labels do not depend on which layers are.
-                    let depth = |pixel: usize| metres_from_rgb(rgb_from_metres(frame.depth.data[pixel]));
-                    let view = CameraView { number: camera, camera: lens, instance: &frame.instance, depth: &depth };
-                    self.item(taken, &view, &images)
-                };
-                cameras.zip(frames).map(item).collect()
+            FrameReadings::Made(made) => {
+                let Some(SensorReading::Camera(frame)) = &made[place] else { return Ok(None) };
+                let frame: &SensorFrame = frame;
+                let write = || layers::write(&streams[place].files, output, frame, &self.written[place], clock);
+                let images = clock.time(Stage::Images, write)?;
+                // As it is or would be stored: labels do not depend on which layers are.
+                let depth = |pixel: usize| metres_from_rgb(rgb_from_metres(frame.depth.data[pixel]));
+                let view = CameraView { number, camera: &lens, instance: &frame.instance, depth: &depth };
+                self.labelled(taken, &view, output, &images).map(Some)
             }
         }
     }
 
     /// Labels, and pictures of videos.
-    fn item(
+    fn labelled(
         &self,
         taken: &CapturedFrame<'_>,
         view: &CameraView<'_>,
+        output: &CameraOutput,
         images: &StoredImages<'_>,
-    ) -> Result<SinkItem, GenerateError> {
-        let line = self.labels(taken, view)?;
+    ) -> Result<Measured, GenerateError> {
+        let line = self.labels(taken, view, output)?;
         let clock = self.recording.clock;
         let pictures = clock.time(Stage::Video, || {
             let picture = |(layer, image): &(Layer, StoredImage<'_>)| {
@@ -145,18 +227,23 @@ impl<'a> FrameRecorder<'a> {
             };
             images.iter().map(picture).collect::<Result<Vec<Yuv>, _>>()
         })?;
-        Ok(SinkItem { line, pictures, scene: None })
+        Ok(Measured::Camera { line, pictures })
     }
 
     /// All that is told of the objects that a camera sees.
-    fn labels(&self, taken: &CapturedFrame<'_>, view: &CameraView<'_>) -> Result<FrameObjects, AnnotateError> {
+    fn labels(
+        &self,
+        taken: &CapturedFrame<'_>,
+        view: &CameraView<'_>,
+        output: &CameraOutput,
+    ) -> Result<FrameObjects, AnnotateError> {
         let Recording { settings, recipe, clock, .. } = *self.recording;
         let CapturedFrame { frame, truth, .. } = taken;
         let shapes = truth.shapes.as_deref().map(|shapes| shapes as &dyn ObjectShapes);
         let line = clock.time(Stage::Boxes, || {
             let visible = visible_objects(view.instance);
             let time_s = f64::from(*frame) / settings.fps;
-            let line = annotate(*frame, time_s, &visible, &truth.objects, settings.size, recipe.min_pixels)?;
+            let line = annotate(*frame, time_s, &visible, &truth.objects, output.size, output.min_pixels)?;
             Ok::<_, AnnotateError>(line.with_keypoints(&truth.bodies, view))
         })?;
         let line = match shapes {

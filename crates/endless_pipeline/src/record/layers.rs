@@ -2,11 +2,11 @@
 
 use super::times::StageClock;
 use endless_dataset::{
-    CameraLayout, DatasetError, LastPng, Layer, Recipe, StoredImage, instance_from_rgb, read_rgb, write_atomic,
+    CameraLayout, CameraOutput, DatasetError, LastPng, Layer, StoredImage, instance_from_rgb, read_rgb, write_atomic,
 };
 use endless_world::{Image, InstancePixel, SensorFrame};
 
-/// The layers of which a recipe wants videos, in its order, as whoever reads the files finds them.
+/// The layers of which videos are wanted, in the output's order, as whoever reads the files finds them.
 pub(super) type StoredImages<'f> = Vec<(Layer, StoredImage<'f>)>;
 
 /// One camera's frame as it was read.
@@ -17,22 +17,22 @@ pub(super) struct StoredLayers {
 }
 
 /// Whether a stored frame is enough to make everything else of: everything that labels are judged by, without loss.
-pub(super) fn stored_layers_suffice(recipe: &Recipe) -> bool {
+pub(super) fn stored_layers_suffice(output: &CameraOutput) -> bool {
     [Layer::Depth, Layer::Instance]
         .iter()
-        .all(|layer| recipe.layers.contains(layer) && layer.format(recipe.rgb_format).entry().exact)
+        .all(|layer| output.layers.contains(layer) && layer.format(output.rgb_format).entry().exact)
 }
 
 impl StoredLayers {
     /// Reads a frame of which every layer is stored, where [`stored_layers_suffice`]. All are decoded, also those that are
     /// not used, so that a spoilt one is noticed.
-    pub(super) fn read(files: &CameraLayout, recipe: &Recipe, frame: u32) -> Result<Self, DatasetError> {
+    pub(super) fn read(files: &CameraLayout, output: &CameraOutput, frame: u32) -> Result<Self, DatasetError> {
         let mut images = StoredImages::new();
         let (mut depth, mut instance) = (None, None);
-        for &layer in &recipe.layers {
-            let path = files.frame(layer, frame, recipe);
-            let image = read_rgb(&path, layer.format(recipe.rgb_format))?;
-            if image.size() != recipe.size {
+        for &layer in &output.layers {
+            let path = files.frame(layer, frame, output.rgb_format);
+            let image = read_rgb(&path, layer.format(output.rgb_format))?;
+            if image.size() != output.size {
                 return Err(DatasetError::malformed(path, "has another size"));
             }
             (layer.entry().check)(&image).map_err(|reason| DatasetError::malformed(&path, reason))?;
@@ -41,7 +41,7 @@ impl StoredLayers {
                 (Layer::Instance, Ok(image)) => instance = instance_from_rgb(image).ok(),
                 _ => {}
             }
-            if recipe.mp4.contains(&layer) {
+            if output.mp4.contains(&layer) {
                 images.push((layer, image));
             }
         }
@@ -50,18 +50,18 @@ impl StoredLayers {
     }
 }
 
-/// Writes all of the recipe's layers of a frame; `last` is what was written last of each.
+/// Writes all layers of a camera's frame; `last` is what was written last of each.
 pub(super) fn write<'f>(
     files: &CameraLayout,
-    recipe: &Recipe,
+    output: &CameraOutput,
     frame: &'f SensorFrame,
     last: &[LastPng],
     clock: &StageClock,
 ) -> Result<StoredImages<'f>, DatasetError> {
     let mut images = StoredImages::new();
-    for (&layer, last) in recipe.layers.iter().zip(last) {
-        let path = files.frame(layer, frame.frame, recipe);
-        let format = layer.format(recipe.rgb_format).entry();
+    for (&layer, last) in output.layers.iter().zip(last) {
+        let path = files.frame(layer, frame.frame, output.rgb_format);
+        let format = layer.format(output.rgb_format).entry();
         let malformed = |reason: String| DatasetError::malformed(&path, reason);
         let (mut image, bytes) = clock.time_layer(layer, || {
             let made = (layer.entry().encode)(frame);
@@ -70,7 +70,7 @@ pub(super) fn write<'f>(
             write_atomic(&path, &bytes)?;
             Ok::<_, DatasetError>((image, bytes))
         })?;
-        if !recipe.mp4.contains(&layer) {
+        if !output.mp4.contains(&layer) {
             continue;
         }
         // The video is made of the frames as they lie on disk, so that a resumed one is the same.

@@ -4,17 +4,18 @@ use super::{
     frame::FrameRecorder,
     recording::Recording,
     scheduler::{FrameScheduler, WorkerJob},
-    sink::{CameraSink, SinkItem},
+    sink::{SinkItem, StreamSink},
     stored::{StoredFrames, remove_stored},
+    streams::{CameraStream, Stream, StreamLens, StreamModel},
     times::Stage,
 };
 use crate::{GenerateError, ProgressEvent, SimulationSession, Simulator, SimulatorError};
 use endless_annotate::{CameraMap, MapFeatures, SceneFrame, SceneObserver};
 use endless_dataset::{
-    CameraRecord, DatasetError, Layer, SceneRecord, SpawnCounts, remove_temporaries, write_actors, write_json,
-    write_json_durable, write_json_line,
+    CameraRecord, DatasetError, Layer, SceneRecord, SensorRecord, SpawnCounts, remove_temporaries, write_actors,
+    write_json, write_json_durable, write_json_line,
 };
-use endless_world::{PinholeCamera, SceneCamera};
+use endless_world::SensorLayers;
 use std::{
     sync::{Barrier, Mutex, PoisonError},
     time::Instant,
@@ -28,19 +29,23 @@ pub(crate) fn record_video<S: Simulator>(
     map: &S::Map,
     recording: &Recording<'_>,
 ) -> Result<SceneRecord, GenerateError> {
-    let Recording { settings, recipe, layout, clock, .. } = *recording;
+    let Recording { settings, recipe, layout, streams, clock, .. } = *recording;
     let capabilities = simulator.capabilities();
     if !capabilities.repeatable {
         remove_stored(recording)?;
     }
     prepare_folders(recording, simulator.map_features(map))?;
-    let wanted = Layer::wanted(&recipe.layers);
-    let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings, wanted))?;
+    let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings, wanted_layers(streams)))?;
     let spawned = session.spawned();
     report_fewer(recording, &spawned);
     let actors = session.actors();
     if let Some(actors) = &actors {
         write_actors(&layout.actors(), actors)?;
+    }
+    for Stream { files, sensor, .. } in streams {
+        if let Some((place, sensor)) = sensor {
+            write_json(&files.sensor(), &SensorRecord::new(sensor, settings.fps, session.carrier(*place)))?;
+        }
     }
 
     let stored = StoredFrames::find(recording)?;
@@ -50,8 +55,9 @@ pub(crate) fn record_video<S: Simulator>(
         clock.time(Stage::Bake, || session.prepare())?;
         recording.progress.event(&ProgressEvent::Baked { seconds: start.elapsed().as_secs_f64() });
     }
-    let sinks = (0..settings.cameras.len())
-        .map(|camera| CameraSink::create(recording, camera).map(Mutex::new))
+    let sinks = streams
+        .iter()
+        .map(|stream| StreamSink::create(recording, stream).map(Mutex::new))
         .collect::<Result<Vec<_>, _>>()?;
     let lines = recipe.counting_lines.iter().filter(|line| line.map == settings.map).cloned().collect();
     let observer = Mutex::new(SceneObserver::new(session.road_facts(), lines));
@@ -86,6 +92,7 @@ pub(crate) fn record_video<S: Simulator>(
     for sink in sinks {
         boxes.push(sink.into_inner().unwrap_or_else(PoisonError::into_inner).finish()?);
     }
+    let sensor_boxes = boxes.split_off(settings.cameras.len());
     let record = SceneRecord {
         settings: settings.clone(),
         spawned,
@@ -94,6 +101,7 @@ pub(crate) fn record_video<S: Simulator>(
         camera_maps: simulator.map_features(map).map(|_| settings.cameras.len() as u32),
         recorded_frames: settings.frames,
         boxes,
+        sensor_boxes,
     };
     // It says that the video is complete, after a power failure, too.
     layout.sync()?;
@@ -101,21 +109,37 @@ pub(crate) fn record_video<S: Simulator>(
     Ok(record)
 }
 
+/// The images that any camera stores.
+fn wanted_layers(streams: &[Stream<'_>]) -> SensorLayers {
+    let stored = streams.iter().map(|Stream { model: StreamModel::Camera(camera), .. }| &camera.output.layers);
+    Layer::wanted(&stored.flatten().copied().collect::<Vec<_>>())
+}
+
 /// Folders, no temporaries, the records of the cameras, and what they see of the map.
 fn prepare_folders(recording: &Recording<'_>, features: Option<&MapFeatures>) -> Result<(), DatasetError> {
-    let Recording { settings, recipe, layout, .. } = *recording;
-    for camera in layout.cameras(settings.cameras.len()) {
-        camera.create(&recipe.layers)?;
+    let Recording { settings, layout, streams, .. } = *recording;
+    for Stream { files, model: StreamModel::Camera(camera), .. } in streams {
+        files.create(&camera.output.layers)?;
     }
     remove_temporaries(layout.folder())?;
-    for (number, SceneCamera { site, look }) in settings.cameras.iter().enumerate() {
-        let files = layout.camera(number);
-        let lens = PinholeCamera::new(site, settings.size).with_distortion(look.distortion);
-        let ground_z = features.and_then(|features| features.ground_z(&lens));
-        let record = CameraRecord::new(site, look.distortion, settings.size, settings.fps).with_ground(ground_z);
+    for (place, Stream { files, model: StreamModel::Camera(camera), sensor, .. }) in streams.iter().enumerate() {
+        let CameraStream { output, lens } = camera;
+        let fixed_rig = sensor.and_then(|(_, sensor)| sensor.fixed_camera());
+        let record = match (lens, settings.cameras.get(place).or(fixed_rig.as_ref())) {
+            (StreamLens::Fixed { camera: lens, .. }, Some(camera)) => {
+                let ground_z = features.and_then(|features| features.ground_z(lens));
+                let distortion = camera.look.distortion;
+                CameraRecord::new(&camera.site, distortion, output.size, output.fps()).with_ground(ground_z)
+            }
+            (StreamLens::Moving(camera), _) => {
+                let fov_rad = camera.horizontal_fov_rad as f32;
+                CameraRecord::moving(fov_rad, camera.look.distortion, output.size, output.fps())
+            }
+            (StreamLens::Fixed { .. }, None) => unreachable!("a camera that stands still has a site"),
+        };
         write_json(&files.camera(), &record)?;
-        if let Some(features) = features {
-            write_json_line(&files.map(), &CameraMap::new(features, &lens))?;
+        if let (Some(features), StreamLens::Fixed { camera: lens, .. }, None) = (features, lens, sensor) {
+            write_json_line(&files.map(), &CameraMap::new(features, lens))?;
         }
     }
     Ok(())
@@ -137,7 +161,7 @@ struct VideoWorkers<'a, 'm> {
     scheduler: &'a FrameScheduler<BoxedSession<'m>, SinkItem>,
     /// It sees the frames in their order: whoever has the session has it.
     observer: &'a Mutex<SceneObserver>,
-    sinks: &'a [Mutex<CameraSink>],
+    sinks: &'a [Mutex<StreamSink>],
     maker: FrameRecorder<'a>,
     random_access: bool,
 }
@@ -175,13 +199,13 @@ impl<'m> VideoWorkers<'_, 'm> {
             self.scheduler.return_session(session);
             taken
         };
-        let resumed = taken.is_stored();
+        let (resumed, measurements) = (taken.is_stored(), taken.measurements());
         let mut items = self.maker.finish(&taken)?;
         if let Some(first) = items.first_mut() {
             first.scene = taken.into_scene_frame().map(|scene| SceneFrame { happenings, ..scene });
         }
         self.scheduler.deliver(frame, items);
-        progress.event(&ProgressEvent::Frame { cameras: self.sinks.len() as u32, resumed });
+        progress.event(&ProgressEvent::Frame { cameras: measurements, resumed });
         Ok(())
     }
 }

@@ -37,7 +37,7 @@ fn a_changing_video_is_resumed_to_the_same_bytes_by_any_number_of_threads() {
     for frame in [0, 8, 9, 10, 11] {
         let camera = video.camera(0);
         let gone = if frame % 2 == 0 { Layer::Rgb } else { Layer::Depth };
-        fs::remove_file(camera.frame(gone, frame, &recipe)).expect("it was there");
+        fs::remove_file(camera.frame(gone, frame, recipe.rgb_format)).expect("it was there");
     }
     fs::remove_file(video.scene()).expect("it was there");
     generate(city(), &recipe, broken.0.path(), &options(2), &SilentProgress).expect("the rest");

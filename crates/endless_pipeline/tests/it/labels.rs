@@ -21,7 +21,7 @@ fn labels_do_not_depend_on_what_is_stored() {
         assert!(labels() == *reference, "{layers:?}");
         // Some frames and the labels are lost.
         for frame in [2, 9] {
-            fs::remove_file(video.camera(1).frame(recipe.layers[0], frame, &recipe)).expect("stored");
+            fs::remove_file(video.camera(1).frame(recipe.layers[0], frame, recipe.rgb_format)).expect("stored");
         }
         fs::remove_file(video.camera(0).objects()).expect("stored");
         let fake = Fake::default();

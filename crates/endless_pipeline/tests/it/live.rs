@@ -14,7 +14,7 @@ fn sessions(out: &Path, recipe: &Recipe, video: usize) -> BTreeSet<u8> {
     let folder = layout.video_named(&manifest.videos[video].name);
     let frames = (0..recipe.frames()).flat_map(|f| folder.cameras(2).map(move |c| (f, c)).collect::<Vec<_>>());
     frames
-        .map(|(f, camera)| read_rgb(&camera.frame(Layer::Rgb, f, recipe), RgbFormat::Png).expect("an image"))
+        .map(|(f, camera)| read_rgb(&camera.frame(Layer::Rgb, f, recipe.rgb_format), RgbFormat::Png).expect("an image"))
         .map(|image| image.rgb8().expect("8 bits").data[0][0])
         .collect()
 }
@@ -103,7 +103,7 @@ fn an_image_lost_from_a_complete_video_costs_the_whole_video() {
     let simulator = LiveFake::default();
     make(&simulator, &recipe, out.path(), 2);
     let camera = crate::fake::first_video(out.path()).camera(1);
-    std::fs::remove_file(camera.frame(Layer::Depth, 13, &recipe)).expect("there");
+    std::fs::remove_file(camera.frame(Layer::Depth, 13, recipe.rgb_format)).expect("there");
     assert_eq!(make(&simulator, &recipe, out.path(), 2).videos, 1);
     assert_eq!(check(out.path()).expect("a dataset").findings, []);
     assert_eq!(sessions(out.path(), &recipe, 0), [4].into());

@@ -198,7 +198,7 @@ fn a_randomised_dataset_is_sound_and_the_same_again() {
     let layout = endless_dataset::DatasetLayout::new(folders[1].path());
     let video = layout.video(&made.plan.scenes[1]);
     fs::remove_file(video.scene()).expect("complete");
-    fs::remove_file(video.camera(0).frame(recipe.layers[0], 1, &recipe)).expect("an image");
+    fs::remove_file(video.camera(0).frame(recipe.layers[0], 1, recipe.rgb_format)).expect("an image");
     make(&caching(), folders[1].path(), 2);
     assert_same(folders[0].path(), folders[1].path());
     let [a, b] = [0, 1].map(|n| layout.video(&made.plan.scenes[n]));

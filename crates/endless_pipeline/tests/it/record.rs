@@ -82,14 +82,14 @@ fn what_was_deleted_or_spoilt_comes_back() {
     assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner()), (0, 0));
     assert_same(out.path(), whole.path());
     // Some images and a scene.
-    fs::remove_file(camera.frame(Layer::Depth, 3, &recipe)).expect("there");
+    fs::remove_file(camera.frame(Layer::Depth, 3, recipe.rgb_format)).expect("there");
     fs::remove_file(out.path().join("scenes/0001.json")).expect("there");
     let fake = Fake::default();
     make(&fake, &recipe, out.path(), 2);
     assert_eq!((fake.bakes.into_inner(), fake.renders.into_inner()), (1, 1));
     assert_same(out.path(), whole.path());
     // A spoilt image is noticed when its video is gone through.
-    fs::write(camera.frame(Layer::Instance, 7, &recipe), "spoilt").expect("writable");
+    fs::write(camera.frame(Layer::Instance, 7, recipe.rgb_format), "spoilt").expect("writable");
     fs::remove_file(video.scene()).expect("there");
     make(&Fake::default(), &recipe, out.path(), 2);
     assert_same(out.path(), whole.path());
@@ -183,7 +183,7 @@ fn any_number_of_cameras_films_a_scene() {
         let last = video.camera(cameras as usize - 1);
         assert!(last.folder().ends_with(["camera_a", "camera_c", "camera_h"][cameras as usize / 3]));
         // What is lost of the last camera comes back.
-        fs::remove_file(last.frame(Layer::Instance, 11, &recipe)).expect("there");
+        fs::remove_file(last.frame(Layer::Instance, 11, recipe.rgb_format)).expect("there");
         make(&Fake::default(), &recipe, out.path(), 2);
         assert_same(out.path(), whole.path());
     }
@@ -219,8 +219,8 @@ fn check_names_what_is_wrong() {
         fs::write(path, &bytes[..bytes.len() / 2]).expect("writable");
     };
     let remove = |path: &std::path::Path| fs::remove_file(path).expect("there");
-    restore(&camera.frame(Layer::Rgb, 4, &recipe), &cut, "000004.png: does not decode");
-    restore(&camera.frame(Layer::Depth, 5, &recipe), &remove, "depth/000005.png: cannot read");
+    restore(&camera.frame(Layer::Rgb, 4, recipe.rgb_format), &cut, "000004.png: does not decode");
+    restore(&camera.frame(Layer::Depth, 5, recipe.rgb_format), &remove, "depth/000005.png: cannot read");
     restore(&camera.mp4(Layer::Rgb), &cut, "rgb.mp4: is not a whole MP4 file");
     restore(&camera.objects(), &cut, "objects.jsonl: line");
     restore(&camera.camera(), &cut, "camera.json: is not what it should be");
@@ -238,7 +238,7 @@ fn check_names_what_is_wrong() {
     restore(&actors, &change("\"id\":3", "\"id\":30"), "actors.json: is not sorted by id");
     restore(&actors, &change("\"id\":2", "\"rider_id\":3,\"id\":2"), "rider and vehicle do not name each other");
     restore(&actors, &change("{\"id\":1,\"class\":\"van\",\"parked\":true},\n", ""), "scene.json says 11");
-    let instance = |frame| camera.frame(Layer::Instance, frame, &recipe);
+    let instance = |frame| camera.frame(Layer::Instance, frame, recipe.rgb_format);
     let swap = |path: &std::path::Path| {
         fs::copy(instance(9), path).expect("copies");
     };

@@ -1,7 +1,7 @@
 //! One sensor of a scene's rig.
 
-use super::SensorMount;
-use crate::{CameraLook, ImageSize};
+use super::{SensorMount, SensorPose};
+use crate::{CameraLook, CameraSite, ImageSize, Mount, PinholeCamera, SceneCamera};
 use serde::{Deserialize, Serialize};
 
 /// A sensor of a scene besides its fixed pair or network of cameras.
@@ -37,9 +37,32 @@ pub struct RigCamera {
     pub look: CameraLook,
 }
 
+impl RigCamera {
+    /// As it is when the sensor is there.
+    pub fn at(&self, mount: &SensorMount, pose: &SensorPose, time_s: f64) -> PinholeCamera {
+        let fov_rad = mount.fov_at(time_s).unwrap_or(self.horizontal_fov_rad);
+        PinholeCamera::at(pose, self.size, fov_rad as f32).with_distortion(self.look.distortion)
+    }
+}
+
 impl SceneSensor {
     /// Whether it measures at a frame of the video.
     pub fn measures_at(&self, frame: u32) -> bool {
         frame.is_multiple_of(self.every)
+    }
+
+    /// The camera that it is, if it is one that stands still.
+    pub fn fixed_camera(&self) -> Option<SceneCamera> {
+        let (SensorModel::Camera(camera), SensorMount::Still { at }) = (&self.model, &self.mount) else { return None };
+        let site = CameraSite {
+            name: self.name.clone(),
+            position: at.position.map(|metres| metres as f32),
+            yaw_rad: at.yaw_rad as f32,
+            down_tilt_rad: -at.pitch_rad as f32,
+            horizontal_fov_rad: camera.horizontal_fov_rad as f32,
+            mount: Mount::Pole,
+            roll_rad: at.roll_rad as f32,
+        };
+        Some(SceneCamera { site, look: camera.look })
     }
 }
