@@ -72,7 +72,11 @@ pub use keypoint::{BodyKeypoints, FOOT_KEYPOINT_COUNT, FOOT_KEYPOINTS, KEYPOINT_
 pub use light_variation::LightVariation;
 pub use randomisation::{RandomisedPart, SceneRandomisation};
 pub use reid::{LookPool, Reid};
-pub use rig::{Carrier, Placement, RigCamera, SceneSensor, SensorModel, SensorMount, SensorPose, WayPoint};
+pub use rig::{
+    Carrier, EventCameraSettings, GnssMeasurement, GnssRecord, GnssSettings, ImuMeasurement, ImuRecord, ImuSettings,
+    PixelEvent, Placement, RigCamera, SceneSensor, SensorModel, SensorMount, SensorPose, WayPoint, carried, moving_to,
+    rotation_from_angles, rotation_from_vector, rotation_vector,
+};
 pub use rng::{Stream, fnv1a};
 pub use scene::{SceneCamera, SceneSettings};
 pub use scene_weather::SceneWeather;

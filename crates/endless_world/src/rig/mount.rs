@@ -1,5 +1,6 @@
 //! What carries a sensor.
 
+use super::rotation_from_angles;
 use crate::ObjectClass;
 use glam::{DQuat, DVec3};
 use serde::{Deserialize, Serialize};
@@ -21,8 +22,7 @@ pub struct Placement {
 impl Placement {
     /// Turns directions of the sensor's body frame into those of its carrier, or of the world.
     pub fn rotation(&self) -> DQuat {
-        let [yaw, pitch, roll] = [self.yaw_rad, -self.pitch_rad, self.roll_rad];
-        DQuat::from_rotation_z(yaw) * DQuat::from_rotation_y(pitch) * DQuat::from_rotation_x(roll)
+        rotation_from_angles(self.yaw_rad, self.pitch_rad, self.roll_rad)
     }
 
     /// Its origin, metres.
