@@ -37,7 +37,8 @@ fn of_map(map: &str) -> Result<(), Box<dyn Error>> {
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let crowd = |[vehicles, pedestrians]: [u32; 2]| {
-        let settings = TrafficSettings { vehicles, pedestrians, seed: 1, fps: FPS, condition, focus: Vec::new() };
+        let settings =
+            TrafficSettings { vehicles, pedestrians, seed: 1, fps: FPS, condition, ..TrafficSettings::default() };
         Simulation::new(&town.network, &fleet, &town.parked, &settings).expect("few enough")
     };
     let scene = crowd(SCENE);

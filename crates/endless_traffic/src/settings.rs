@@ -1,7 +1,7 @@
 //! The fleet and the settings of a simulation.
 
 use endless_world::walking::PedestrianSpec;
-use endless_world::{Condition, VehicleSpec};
+use endless_world::{Condition, ObjectClass, VehicleSpec};
 use glam::Vec3;
 
 /// The vehicles and people there are to draw from.
@@ -47,11 +47,13 @@ pub struct TrafficSettings {
     /// Places around which traffic is denser and to which ways rather lead (world frame, metres; say, the recorded
     /// cameras); without any, vehicles and people are spread evenly over the whole map.
     pub focus: Vec<Vec3>,
+    /// Classes of the vehicles that are spawned first; all others are drawn by their frequency.
+    pub first: Vec<ObjectClass>,
 }
 
 impl Default for TrafficSettings {
     fn default() -> Self {
         let condition = DrivingCondition::default();
-        Self { vehicles: 30, pedestrians: 20, seed: 0, fps: 10.0, condition, focus: Vec::new() }
+        Self { vehicles: 30, pedestrians: 20, seed: 0, fps: 10.0, condition, focus: Vec::new(), first: Vec::new() }
     }
 }

@@ -73,7 +73,11 @@ pub(crate) fn vehicles(
     let most = capacity(roads, specs.len()).min(settings.vehicles as usize);
     while placed.len() < most && !free.is_empty() {
         let mut own = Stream::named(seed, "traffic.vehicle", &[placed.len() as u64, tries]);
-        let Some(model) = choose_vehicle(&mut own, specs.iter().zip(weights.iter().copied())) else { break };
+        let wanted = settings.first.get(placed.len());
+        let fits_class = |spec: &VehicleSpec| wanted.is_none_or(|class| spec.class == *class);
+        let weigh = |(spec, weight): (_, &f64)| (spec, if fits_class(spec) { *weight } else { 0.0 });
+        let weighed = specs.iter().zip(&weights).map(weigh);
+        let Some(model) = choose_vehicle(&mut own, weighed) else { break };
         let spec = &specs[model.index()];
         let half = 0.5 * f64::from(spec.length_m);
         let fits = |p: &SpawnPoint| {

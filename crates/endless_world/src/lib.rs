@@ -78,7 +78,7 @@ pub use rig::{
     rotation_from_angles, rotation_from_vector, rotation_vector,
 };
 pub use rng::{Stream, fnv1a};
-pub use scene::{SceneCamera, SceneSettings};
+pub use scene::{FixedCamera, SceneCamera, SceneSettings};
 pub use scene_weather::SceneWeather;
 pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame, SensorLayers};
 pub use state::{SignalAspect, SignalState, WorldState};

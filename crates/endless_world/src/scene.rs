@@ -1,8 +1,8 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
 use crate::{
-    CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, SceneSensor, TimeOfDay, TrackPlayback,
-    Weather,
+    CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, SceneSensor, SensorModel, TimeOfDay,
+    TrackPlayback, Weather,
 };
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
@@ -14,6 +14,15 @@ pub struct SceneCamera {
     pub site: CameraSite,
     /// Effects of its lens, sensor and recorder on the picture.
     pub look: CameraLook,
+}
+
+/// A camera that stands still, and the size of its pictures.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FixedCamera {
+    /// The camera.
+    pub camera: SceneCamera,
+    /// Of its pictures.
+    pub size: ImageSize,
 }
 
 /// Everything that decides one video.
@@ -58,6 +67,15 @@ pub struct SceneSettings {
 }
 
 impl SceneSettings {
+    /// The cameras that stand still: those of the scene, then those of its rig.
+    pub fn fixed_cameras(&self) -> Vec<FixedCamera> {
+        let scene = self.cameras.iter().map(|camera| FixedCamera { camera: camera.clone(), size: self.size });
+        let of_rig = self.sensors.iter().filter_map(|sensor| match &sensor.model {
+            SensorModel::Camera(camera) => Some(FixedCamera { camera: sensor.fixed_camera()?, size: camera.size }),
+        });
+        scene.chain(of_rig).collect()
+    }
+
     /// Where the cameras would hang if nobody moved them: traffic gathers there, so that it is the same before moved ones.
     pub fn usual_positions(&self) -> impl Iterator<Item = Vec3> {
         let usual = self.randomised.as_ref().map_or(&[][..], |randomised| &randomised.usual_cameras);

@@ -5,7 +5,7 @@ use super::hits_folder::HitsFolder;
 use super::kept_hits::KeptHits;
 use crate::SimulatorError;
 use endless_render::{CameraBake, IndirectHits, RenderSettings, StaticScene};
-use endless_world::{CameraSite, SceneCamera, SceneSettings, SceneWeather, SensorLayers};
+use endless_world::{CameraLook, CameraSite, FixedCamera, ImageSize, SceneSettings, SceneWeather, SensorLayers};
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
@@ -44,7 +44,7 @@ impl BakeCache {
 #[derive(Clone, Copy)]
 pub(super) struct BakeRequest<'a> {
     pub(super) video: &'a SceneSettings,
-    pub(super) camera: &'a SceneCamera,
+    pub(super) camera: &'a FixedCamera,
     pub(super) weather: SceneWeather,
     pub(super) wanted: SensorLayers,
     /// Where the video keeps what its other bakes of this camera need, if there are any.
@@ -64,10 +64,11 @@ impl MapBakes {
         // In memory, there is only one scene.
         let scene = cache.folder.as_ref().map_or([0; 32], |folder| scene_key(&folder.build, still));
         let keys = |video: &&SceneSettings| {
-            let key = |camera: &SceneCamera| {
-                bake_key(&variant_key(&scene, video), &camera.site, &render_settings(video, camera))
+            let key = |fixed: &FixedCamera| {
+                let settings = render_settings(video, fixed.camera.look, fixed.size);
+                bake_key(&variant_key(&scene, video), &fixed.camera.site, &settings)
             };
-            (video.video, video.cameras.iter().map(key).collect())
+            (video.video, video.fixed_cameras().iter().map(key).collect())
         };
         let coming = videos.iter().map(keys).collect();
         Self { cache: Arc::clone(cache), scene, kept: KeptHits::new(cache.memory_bytes, coming) }
@@ -76,8 +77,9 @@ impl MapBakes {
     /// Bakes a camera of a video.
     pub(super) fn bake(&self, still: &StaticScene, request: &BakeRequest<'_>) -> CameraBake {
         let BakeRequest { video, camera, weather, wanted, own_hits } = *request;
-        let settings = RenderSettings { layers: wanted, weather, ..render_settings(video, camera) };
-        let site: &CameraSite = &camera.site;
+        let settings =
+            RenderSettings { layers: wanted, weather, ..render_settings(video, camera.camera.look, camera.size) };
+        let site: &CameraSite = &camera.camera.site;
         if let Some(hits) = own_hits.and_then(OnceLock::get) {
             return CameraBake::bake_reusing(still, &settings, site, hits);
         }
@@ -104,11 +106,11 @@ impl MapBakes {
 }
 
 /// How a camera of a video is rendered.
-fn render_settings(video: &SceneSettings, camera: &SceneCamera) -> RenderSettings {
+pub(super) fn render_settings(video: &SceneSettings, look: CameraLook, size: ImageSize) -> RenderSettings {
     RenderSettings {
-        look: camera.look,
+        look,
         fps: video.fps,
         randomised: video.randomised.clone(),
-        ..RenderSettings::new(video.weather, video.time_of_day, video.seed, video.size)
+        ..RenderSettings::new(video.weather, video.time_of_day, video.seed, size)
     }
 }

@@ -11,7 +11,7 @@ use super::{bake_cache::BakeRequest, helped_once::HelpedOnce, map::BuiltinMap, s
 use crate::RenderStats;
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, FrameScene, IndirectHits, NeighbourFrames, StaticScene};
-use endless_world::{SceneSettings, SceneWeather, SensorFrame, SensorLayers, WeatherTimeline};
+use endless_world::{FixedCamera, SceneSettings, SceneWeather, SensorFrame, SensorLayers, WeatherTimeline};
 use std::{
     sync::{
         Arc, OnceLock,
@@ -26,6 +26,7 @@ pub(super) struct SceneBakes<'m> {
     catalogue: &'m Catalogue,
     settings: &'m SceneSettings,
     wanted: SensorLayers,
+    cameras: Vec<FixedCamera>,
     /// The map's scene as this video varies it, made when it is first needed; `None` if it does not.
     variant: OnceLock<Option<StaticScene>>,
     timeline: WeatherTimeline,
@@ -52,10 +53,11 @@ impl<'m> SceneBakes<'m> {
         wanted: SensorLayers,
     ) -> Self {
         let timeline = WeatherTimeline::of(settings);
-        let cameras = if timeline.intervals() == 0 { 0 } else { settings.cameras.len() };
-        let own_hits = (0..cameras).map(|_| OnceLock::new()).collect();
+        let cameras = settings.fixed_cameras();
+        let kept = if timeline.intervals() == 0 { 0 } else { cameras.len() };
+        let own_hits = (0..kept).map(|_| OnceLock::new()).collect();
         let variant = OnceLock::new();
-        Self { map, catalogue, settings, wanted, variant, timeline, own_hits, work: BakeWork::default() }
+        Self { map, catalogue, settings, wanted, cameras, variant, timeline, own_hits, work: BakeWork::default() }
     }
 
     /// What stands still in this video.
@@ -77,7 +79,7 @@ impl<'m> SceneBakes<'m> {
             let request = BakeRequest { video, camera, weather, wanted, own_hits: self.own_hits.get(number) };
             self.map.bakes.bake(self.still(), &request)
         };
-        let baked: Vec<CameraBake> = self.settings.cameras.iter().enumerate().map(bake).collect();
+        let baked: Vec<CameraBake> = self.cameras.iter().enumerate().map(bake).collect();
         self.work.bake_rays.fetch_add(rays(&baked), Ordering::Relaxed);
         self.work.bake_ns.fetch_add(start.elapsed().as_nanos() as u64, Ordering::Relaxed);
         baked
@@ -130,19 +132,19 @@ pub(super) struct FrameBakes<'m> {
 }
 
 impl FrameBakes<'_> {
-    /// What each camera sees at an instant, and what is `beside` that for it.
-    pub(super) fn render<'a>(
+    /// What a camera sees at an instant, by its number, and what is `beside` that for it.
+    pub(super) fn render(
         &self,
+        number: usize,
         still: &StaticScene,
         frame: &FrameScene,
-        beside: impl Fn(usize) -> NeighbourFrames<'a>,
-    ) -> Vec<SensorFrame> {
-        let after = self.after.as_ref().map(|(after, share)| (after.cameras(), *share));
-        let rendered = |(number, camera): (usize, &CameraBake)| match after {
-            None => camera.render_between(still, frame, beside(number)),
-            Some((after, share)) => camera.render_changing((&after[number], share), still, frame, beside(number)),
-        };
-        self.before.cameras().iter().enumerate().map(rendered).collect()
+        beside: NeighbourFrames<'_>,
+    ) -> SensorFrame {
+        let camera = &self.before.cameras()[number];
+        match &self.after {
+            None => camera.render_between(still, frame, beside),
+            Some((after, share)) => camera.render_changing((&after.cameras()[number], *share), still, frame, beside),
+        }
     }
 }
 

@@ -6,19 +6,25 @@ use super::{
     instant::{InstantSource, NeighbourInstants, SceneInstant},
     key_bakes::{FrameBakes, KeyBakes, SceneBakes},
     map::BuiltinMap,
+    moving_cameras::MovingCameras,
     repainted::repainted,
+    rig::SceneRig,
     road_facts::road_facts,
     scene_frame::scene_frame,
     shapes::{MovingShapes, ParkedShapes},
 };
-use crate::{RenderStats, RenderTask, SceneTruth, SimulationSession, SimulationStep, SimulatorError};
+use crate::{RenderStats, RenderTask, SceneTruth, SensorReading, SimulationSession, SimulationStep, SimulatorError};
 use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, SceneFrame, SceneObjects};
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
 use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames};
 use endless_traffic::{DrivingCondition, Fleet, PlayedTracks, Simulation, TrafficSettings};
-use endless_world::{Actor, InstanceId, SceneSettings, SensorFrame, SensorLayers, Track, WorldState};
+use endless_world::{
+    Actor, InstanceId, ObjectClass, SceneSettings, SensorFrame, SensorLayers, SensorModel, SensorMount, SensorPose,
+    Track, WorldState,
+};
+use glam::Vec3;
 use std::{
     collections::BTreeMap,
     sync::{Arc, OnceLock},
@@ -29,6 +35,8 @@ pub(super) struct BuiltinSession<'m> {
     instants: InstantSource,
     bakes: KeyBakes<'m>,
     scene: Arc<BuiltinScene<'m>>,
+    /// Who carries sensors, at the frame before.
+    carriers: Arc<BTreeMap<InstanceId, Actor>>,
 }
 
 /// What stays the same in all frames of a session.
@@ -37,6 +45,8 @@ struct BuiltinScene<'m> {
     catalogue: &'m Catalogue,
     settings: &'m SceneSettings,
     bakes: Arc<SceneBakes<'m>>,
+    rig: SceneRig,
+    moving_cameras: MovingCameras,
     spawned: SpawnCounts,
     parked: Vec<Actor>,
     /// Everything that moves in some frame. Where it stands does not count.
@@ -65,8 +75,9 @@ impl<'m> BuiltinSession<'m> {
         let bakes = Arc::new(SceneBakes::new(map, catalogue, settings, wanted));
         let condition = DrivingCondition::from(&*bakes.weather(0));
         // Traffic over the whole map, denser where the cameras look.
-        let focus = settings.usual_positions().collect();
-        let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
+        let focus = settings.usual_positions().chain(still_sensors(settings)).collect();
+        let first = carrier_classes(settings);
+        let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus, first };
         let specs = catalogue.vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
         let duration_s = f64::from(settings.frames) / fps;
@@ -77,6 +88,9 @@ impl<'m> BuiltinSession<'m> {
                 map: settings.map.clone(),
                 source: source.into(),
             })?;
+        let condition = |frame| DrivingCondition::from(&*bakes.weather(frame));
+        let rig = SceneRig::new(&simulation, settings, condition)?;
+        let moving_cameras = MovingCameras::new(settings, bakes.weather(0), wanted, rig.moving_cameras());
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
         let spawned = SpawnCounts {
@@ -91,6 +105,8 @@ impl<'m> BuiltinSession<'m> {
             catalogue,
             settings,
             bakes: Arc::clone(&bakes),
+            rig,
+            moving_cameras,
             spawned,
             skin_tones: skin_tones(catalogue, &moving),
             skeletons: Skeletons::of(catalogue, &moving),
@@ -101,8 +117,27 @@ impl<'m> BuiltinSession<'m> {
             models: OnceLock::new(),
         };
         let instants = InstantSource::new(simulation, wanted, settings.cameras.len(), settings.frames);
-        Ok(Self { instants, bakes: KeyBakes::new(bakes), scene: Arc::new(scene) })
+        Ok(Self { instants, bakes: KeyBakes::new(bakes), scene: Arc::new(scene), carriers: Arc::default() })
     }
+}
+
+/// Where the sensors of the rig are that stand still.
+fn still_sensors(settings: &SceneSettings) -> impl Iterator<Item = Vec3> {
+    settings.sensors.iter().filter_map(|sensor| match &sensor.mount {
+        SensorMount::Still { at } => Some(at.origin().as_vec3()),
+        _ => None,
+    })
+}
+
+/// Classes of the vehicles that must be there to carry sensors.
+fn carrier_classes(settings: &SceneSettings) -> Vec<ObjectClass> {
+    let mut wanted: BTreeMap<ObjectClass, u32> = BTreeMap::new();
+    for by in settings.sensors.iter().filter_map(|sensor| sensor.mount.carrier()) {
+        let Some(class) = by.class.filter(|class| *class != ObjectClass::Pedestrian) else { continue };
+        let count = wanted.entry(class).or_default();
+        *count = (*count).max(by.number + 1);
+    }
+    wanted.into_iter().flat_map(|(class, count)| std::iter::repeat_n(class, count as usize)).collect()
 }
 
 /// Of people on foot and of riders.
@@ -137,6 +172,7 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
 
     fn prepare(&mut self) -> Result<(), SimulatorError> {
         self.bakes.prepare();
+        self.scene.moving_cameras.prepare(self.scene.bakes.still());
         self.scene.models();
         Ok(())
     }
@@ -146,8 +182,15 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
         let (instant, neighbours) = self.instants.next(condition);
         let state = instant.state.clone();
         let bakes = self.bakes.at(state.frame);
-        let task = Box::new(BuiltinRenderTask { scene: Arc::clone(&self.scene), bakes, instant, neighbours });
+        let before = Arc::clone(&self.carriers);
+        self.carriers = Arc::new(self.scene.rig.carriers(&state));
+        let scene = Arc::clone(&self.scene);
+        let task = Box::new(BuiltinRenderTask { scene, bakes, instant, neighbours, carriers_before: before });
         Ok(SimulationStep { state, task })
+    }
+
+    fn carrier(&self, sensor: usize) -> Option<InstanceId> {
+        self.scene.rig.carrier(sensor)
     }
 
     fn road_facts(&self) -> RoadFacts {
@@ -165,6 +208,8 @@ struct BuiltinRenderTask<'m> {
     bakes: FrameBakes<'m>,
     instant: Arc<SceneInstant>,
     neighbours: NeighbourInstants,
+    /// Who carries sensors, at the frame before.
+    carriers_before: Arc<BTreeMap<InstanceId, Actor>>,
 }
 
 impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
@@ -184,8 +229,28 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
         Some(scene_frame(&bakes.weather(state.frame), &map.town.network, parked, state))
     }
 
+    fn sensor_pose(&self, state: &WorldState, sensor: usize) -> Result<SensorPose, SimulatorError> {
+        Ok(self.scene.rig.pose(sensor, state, &self.carriers_before))
+    }
+
+    fn sense(&self, state: &WorldState, sensor: usize) -> Result<SensorReading, SimulatorError> {
+        let Self { scene, bakes, instant, .. } = self;
+        let of = &scene.settings.sensors[sensor];
+        let (still, frame) = (scene.bakes.still(), instant.scene(scene.models()));
+        let SensorModel::Camera(camera) = &of.model;
+        if of.fixed_camera().is_some() {
+            let before = scene.settings.sensors[..sensor].iter().filter(|other| other.fixed_camera().is_some()).count();
+            let number = scene.settings.cameras.len() + before;
+            return Ok(SensorReading::Camera(bakes.render(number, still, &frame, NeighbourFrames::default())));
+        }
+        let pose = self.sensor_pose(state, sensor)?;
+        let now = camera.at(&of.mount, &pose, state.time_s);
+        let image = scene.moving_cameras.render(sensor, still, &frame, &now);
+        Ok(SensorReading::Camera(image.expect("a camera that does not stand still moves")))
+    }
+
     fn render(self: Box<Self>, _state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        let Self { scene, bakes, instant, neighbours } = &*self;
+        let Self { scene, bakes, instant, neighbours, .. } = &*self;
         let scene_of = |instant: &Arc<SceneInstant>| instant.scene(scene.models());
         // The latest first: a task that began a little earlier is making those before it.
         let after = neighbours.after.as_ref().map(scene_of);
@@ -194,7 +259,9 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
             before: neighbour(&before, &neighbours.before, camera),
             after: neighbour(&after, &neighbours.after, camera),
         };
-        Ok(bakes.render(scene.bakes.still(), &scene_of(instant), beside))
+        let (still, now) = (scene.bakes.still(), scene_of(instant));
+        let cameras = 0..scene.settings.cameras.len();
+        Ok(cameras.map(|camera| bakes.render(camera, still, &now, beside(camera))).collect())
     }
 }
 

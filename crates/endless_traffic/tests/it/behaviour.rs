@@ -23,7 +23,7 @@ fn clear_afternoon() -> DrivingCondition {
 fn simulation(network: &RoadNetwork, asked: [u32; 2], seed: u64, condition: DrivingCondition, fps: f64) -> Simulation {
     let specs = crate::watch::specs();
     let [vehicles, pedestrians] = asked;
-    let settings = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus: Vec::new() };
+    let settings = TrafficSettings { vehicles, pedestrians, seed, fps, condition, ..TrafficSettings::default() };
     crate::watch::simulation(network, &specs, &settings)
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Placement, SensorMount, SensorPose, WayPoint, rotation_vector};
 use crate::math::f64::{atan2, sin_cos};
-use glam::DVec3;
+
 use std::f64::consts::TAU;
 
 /// Half the time between two places from which a velocity is told, seconds.
@@ -94,6 +94,7 @@ fn slope(values: &[(f64, f64)], i: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use glam::DVec3;
     use proptest::prelude::*;
 
     #[test]
