@@ -4,7 +4,7 @@ use crate::dressing::near_detail::DetailSource;
 use crate::placement::Placement;
 use crate::street_features::StreetFeatures;
 use endless_asset::Catalogue;
-use endless_road::RoadNetwork;
+use endless_road::{Georeference, RoadNetwork};
 use endless_scene::{Mesh, StreetLamp};
 use endless_world::{CameraSite, ParkedVehicle};
 use std::sync::Arc;
@@ -18,6 +18,8 @@ pub struct Town {
     pub summary: String,
     /// Roads, junctions, signals, sidewalks.
     pub network: RoadNetwork,
+    /// Where on Earth it lies; `None` where its map does not say, or in a projection that is not supported.
+    pub georeference: Option<Georeference>,
     /// Ground, roads, kerbs, markings and buildings.
     pub meshes: Vec<Arc<Mesh>>,
     /// All placements, own meshes included.

@@ -54,7 +54,7 @@ mod xml;
 
 pub use error::OsmError;
 pub use extract::{OsmBounds, OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmRelation, OsmTags, OsmWay};
-pub(crate) use projection::raw as mercator;
+pub(crate) use projection::{FLATTENING, RADIUS_M, raw as transverse_mercator};
 
 use crate::{Junction, JunctionId, RoadMap, Terrain};
 use endless_world::DrivingSide;

@@ -4,9 +4,10 @@
 use endless_world::math::f64::{atan2, cos, exp, ln, sin, sin_cos};
 use glam::DVec2;
 
-/// WGS 84.
-const RADIUS_M: f64 = 6_378_137.0;
-const FLATTENING: f64 = 1.0 / 298.257_223_563;
+/// Equatorial radius of WGS 84, metres.
+pub(crate) const RADIUS_M: f64 = 6_378_137.0;
+/// Of WGS 84.
+pub(crate) const FLATTENING: f64 = 1.0 / 298.257_223_563;
 
 /// A local frame: x east, y north, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -24,7 +24,7 @@ use crate::geometry::{OccupiedSpace, Rect, around};
 use crate::placement::{PlacedObject, Placement};
 use crate::town::{Town, TownError};
 use endless_asset::Catalogue;
-use endless_road::RoadMap;
+use endless_road::{Georeference, RoadMap};
 use endless_scene::{Mesh, MeshBuilder};
 use endless_world::fnv1a;
 use glam::{Affine3A, DVec2};
@@ -151,6 +151,7 @@ pub(crate) fn dress(name: &str, map: &RoadMap, preset: &TownPreset, catalogue: &
         name: name.to_owned(),
         summary: preset.summary.clone(),
         network: map.network.clone(),
+        georeference: map.georeference.as_deref().and_then(Georeference::parse),
         placements: own_placements(&own).chain(placements).collect(),
         meshes: own.into_iter().map(|(mesh, _)| mesh.into()).collect(),
         parked,
