@@ -4,6 +4,7 @@ mod behaviour;
 #[path = "../../../endless_road/tests/it/grid/mod.rs"]
 mod grid;
 mod grid_traffic;
+mod imu;
 mod merge;
 mod slope;
 mod towns;
