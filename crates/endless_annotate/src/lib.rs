@@ -43,6 +43,7 @@ mod rle;
 mod rounding;
 mod shape_labels;
 mod shapes;
+mod vehicle_events;
 mod visible;
 
 pub use activity::{Action, Activity};
@@ -74,4 +75,5 @@ pub use ridden::WithRider;
 pub use rle::mask_pixels;
 pub use scene_frame::{LightState, SceneFrame, SignalRecord, SunState, WeatherState, count_by_class};
 pub use shapes::{ObjectShapes, Spatial};
+pub use vehicle_events::{CollisionEvent, CollisionSensor, LaneInvasionEvent, LaneInvasionSensor};
 pub use visible::{PixelBox, VisibleObject, visible_objects};

@@ -1,6 +1,7 @@
 //! Rectangles on the ground that move evenly, and when two of them meet.
 
-use glam::Vec2;
+use endless_world::{Actor, math};
+use glam::{Vec2, Vec3Swizzles as _};
 
 /// The ground under a road user at an instant, and where it is going.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +17,31 @@ pub struct Footprint {
 }
 
 impl Footprint {
+    /// Of an actor of this half length and half width, metres.
+    pub fn of(actor: &Actor, half: Vec2) -> Self {
+        let along = Vec2::new(math::cos(actor.pose.yaw_rad), math::sin(actor.pose.yaw_rad));
+        Self { centre: actor.pose.position.xy(), along, half, velocity: actor.velocity_mps.xy() }
+    }
+
+    /// Front left, front right, rear right, rear left.
+    pub fn corners(&self) -> [Vec2; 4] {
+        let (ahead, left) = (self.along * self.half.x, self.along.perp() * self.half.y);
+        [ahead + left, ahead - left, -ahead - left, left - ahead].map(|corner| self.centre + corner)
+    }
+
+    /// Where another that covers some of the same ground would push it: the direction (a unit vector) in which the overlap
+    /// is least, and how deep that is, metres. `None` if they do not overlap.
+    pub fn contact(&self, other: &Self) -> Option<(Vec2, f32)> {
+        let axes = [self.along, self.along.perp(), other.along, other.along.perp()];
+        let overlap = |axis: Vec2| {
+            let apart = (other.centre - self.centre).dot(axis);
+            let away = if apart > 0.0 { -axis } else { axis };
+            (away, self.reach(axis) + other.reach(axis) - apart.abs())
+        };
+        let least = axes.map(overlap).into_iter().min_by(|a, b| a.1.total_cmp(&b.1));
+        least.filter(|(_, depth_m)| *depth_m >= 0.0)
+    }
+
     /// Half of its extent in a direction.
     fn reach(&self, direction: Vec2) -> f32 {
         self.half.x * self.along.dot(direction).abs() + self.half.y * self.along.perp_dot(direction).abs()
@@ -72,6 +98,16 @@ mod tests {
     }
 
     proptest! {
+        #[test]
+        fn who_is_pushed_out_is_free(a in footprint(), b in footprint()) {
+            let contact = a.contact(&b);
+            prop_assert_eq!(contact.is_some(), a.overlaps(&b));
+            let Some((away, depth_m)) = contact else { return Ok(()) };
+            let pushed = |by: f32| Footprint { centre: a.centre + away * by, ..a };
+            prop_assert!(!pushed(depth_m + 1e-3).overlaps(&b));
+            prop_assert!(depth_m < 2e-3 || pushed(depth_m - 1e-3).overlaps(&b));
+        }
+
         #[test]
         fn they_touch_then_and_not_before(a in footprint(), b in footprint()) {
             let grown = |by: f32| Footprint { half: a.half + by, ..a };

@@ -2,8 +2,8 @@
 
 use super::{Footprint, RoadFacts};
 use crate::activity::STANDS_MPS;
-use endless_world::{Actor, Behaviour, InstanceId, Motion, WorldState, math};
-use glam::{Vec2, Vec3Swizzles as _};
+use endless_world::{Actor, Behaviour, InstanceId, Motion, WorldState};
+use glam::Vec3Swizzles as _;
 
 /// Somebody who moves, at an instant.
 #[derive(Debug, Clone, Copy)]
@@ -20,16 +20,13 @@ pub(super) struct RoadUser {
 
 impl RoadUser {
     fn new(actor: &Actor, road: &RoadFacts) -> Self {
-        let along = Vec2::new(math::cos(actor.pose.yaw_rad), math::sin(actor.pose.yaw_rad));
-        let (centre, velocity) = (actor.pose.position.xy(), actor.velocity_mps.xy());
-        let half = road.half_sizes.get(&actor.id);
         Self {
             id: actor.id,
             rider_id: actor.rider_id,
             drives: matches!(actor.motion, Motion::Vehicle(_)),
-            speed_mps: velocity.length(),
+            speed_mps: actor.velocity_mps.xy().length(),
             behaviour: actor.behaviour,
-            footprint: half.map(|&half| Footprint { centre, along, half, velocity }),
+            footprint: road.half_sizes.get(&actor.id).map(|&half| Footprint::of(actor, half)),
         }
     }
 

@@ -1,0 +1,8 @@
+//! What happens to one vehicle: sensors that it carries, under CARLA's names for them.
+
+mod collision;
+mod lane_invasion;
+mod mark_grid;
+
+pub use collision::{CollisionEvent, CollisionSensor};
+pub use lane_invasion::{LaneInvasionEvent, LaneInvasionSensor};
