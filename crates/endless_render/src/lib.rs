@@ -57,7 +57,7 @@
 //!
 //! Modules: `accel` intersects rays; `scene` holds geometry and instances; `light` and `material` are light sources and
 //! BSDFs; `shade` computes radiance from them; `indirect` and `cache` keep what does not change; `film` makes pixels of
-//! radiance; `silhouette` asks what single objects cover.
+//! radiance; `silhouette` asks what single objects cover; `ray_caster` serves sensors that are no cameras.
 
 mod accel;
 mod cache;
@@ -71,6 +71,7 @@ mod math8;
 mod moving_camera;
 mod octahedron;
 mod pixel_layers;
+mod ray_caster;
 mod rgb9e5;
 mod sampling;
 mod scene;
@@ -86,6 +87,7 @@ pub use indirect::IndirectHits;
 pub use light::{BeamKind, VehicleBeam};
 pub use material::occupants;
 pub use moving_camera::{IndirectLight, MovingCamera};
+pub use ray_caster::{RayCaster, RayHit};
 pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,
     RigidVelocity, StaticScene, SurfacePoint,

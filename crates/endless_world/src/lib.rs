@@ -74,8 +74,9 @@ pub use randomisation::{RandomisedPart, SceneRandomisation};
 pub use reid::{LookPool, Reid};
 pub use rig::{
     Carrier, EventCameraSettings, GnssMeasurement, GnssRecord, GnssSettings, ImuMeasurement, ImuRecord, ImuSettings,
-    PixelEvent, Placement, RigCamera, SceneSensor, SensorModel, SensorMount, SensorPose, WayPoint, carried, moving_to,
-    rotation_from_angles, rotation_from_vector, rotation_vector,
+    LidarBeam, LidarPoint, LidarPreset, LidarSettings, LidarSweep, PixelEvent, Placement, RadarDetection, RadarScan,
+    RadarSettings, RigCamera, ScanPattern, SceneSensor, SensorModel, SensorMount, SensorPose, WayPoint, carried,
+    moving_to, rotation_from_angles, rotation_from_vector, rotation_vector,
 };
 pub use rng::{Stream, fnv1a};
 pub use scene::{FixedCamera, SceneCamera, SceneSettings};
