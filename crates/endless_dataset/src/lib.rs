@@ -45,6 +45,7 @@ mod object_fields;
 mod objects;
 mod pixel_events;
 mod png_encoder;
+mod point_cloud;
 mod pose_line;
 mod preview;
 mod raster;
@@ -77,6 +78,10 @@ pub use object_fields::FieldLabel;
 pub use objects::{ObjectsWriter, read_objects};
 pub use pixel_events::{decode_pixel_events, encode_pixel_events};
 pub use png_encoder::LastPng;
+pub use point_cloud::{
+    PointLabel, bin_from_points, csv_from_detections, detections_from_csv, kitti_pose_line, label_from_points,
+    pcd_from_points, ply_from_points, point_labels, points_from_bin, points_from_pcd, points_from_ply,
+};
 pub use pose_line::PoseLine;
 pub use preview::{depth_preview, instance_preview};
 pub use raster::{encode_jpg, encode_png};
