@@ -9,6 +9,7 @@ mod objects;
 mod progress;
 mod report;
 mod rig;
+mod sensor_files;
 mod tracks;
 mod unexpected_files;
 mod video;
@@ -74,6 +75,7 @@ fn frames_to_check(manifest: &Manifest) -> u64 {
     let frames = |output: CameraOutput| u64::from(output.count()) * (1 + output.mp4.len() as u64);
     let of_rig = |sensor: &SensorSpec| match &sensor.model {
         ModelSpec::Camera(camera) => frames(recipe.rig_camera_output(sensor, camera)),
+        _ => u64::from(recipe.frames().div_ceil(recipe.every(sensor))),
     };
     let cameras = u64::from(recipe.cameras_per_scene) * frames(recipe.camera_output());
     complete * (cameras + recipe.sensor.iter().map(of_rig).sum::<u64>())

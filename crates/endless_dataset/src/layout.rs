@@ -196,17 +196,6 @@ impl CameraLayout {
     pub fn frame(&self, layer: Layer, frame: u32, rgb_format: RgbFormat) -> PathBuf {
         self.layer(layer).join(format!("{frame:06}.{}", layer.format(rgb_format)))
     }
-
-    /// Makes the folders that a recording needs.
-    ///
-    /// # Errors
-    /// When a folder cannot be made.
-    pub fn create(&self, layers: &[Layer]) -> Result<(), DatasetError> {
-        for folder in layers.iter().map(|l| self.layer(*l)).chain([self.folder.clone()]) {
-            fs::create_dir_all(&folder).map_err(|e| DatasetError::io("cannot make the folder", &folder, e))?;
-        }
-        Ok(())
-    }
 }
 
 fn bytes_below(folder: &Path) -> Result<u64, DatasetError> {

@@ -52,6 +52,7 @@ mod raster;
 mod recipe;
 mod rgb_format;
 mod scene_record;
+mod sensor_files;
 mod sensor_record;
 mod stored_image;
 mod video;
@@ -86,11 +87,13 @@ pub use pose_line::PoseLine;
 pub use preview::{depth_preview, instance_preview};
 pub use raster::{encode_jpg, encode_png};
 pub use recipe::{
-    CameraSpec, CarrierClass, MAX_CAMERAS, ModelSpec, MountSpec, OptionDefault, OptionError, OptionKind, Origin,
-    PanTiltZoomKey, Recipe, RecipeDraft, RecipeOption, SensorSpec, UserCamera, Vocabulary, WayPointSpec, recipe_schema,
+    CameraSpec, CarrierClass, EventCameraSpec, LidarSpec, MAX_CAMERAS, ModelSpec, MountSpec, OptionDefault,
+    OptionError, OptionKind, Origin, PanTiltZoomKey, PointCloudFormat, Recipe, RecipeDraft, RecipeOption, SensorSpec,
+    UserCamera, Vocabulary, WayPointSpec, recipe_schema,
 };
 pub use rgb_format::{RgbFormat, RgbFormatEntry, read_rgb};
 pub use scene_record::{SceneRecord, SpawnCounts, read_json, write_json, write_json_durable, write_json_line};
+pub use sensor_files::FrameFolder;
 pub use sensor_record::SensorRecord;
 pub use stored_image::StoredImage;
 pub use video::{VideoEncoder, Yuv, yuv_from_rgb};

@@ -20,6 +20,14 @@ pub enum RecipeError {
         /// The names there are.
         known: Vec<String>,
     },
+    /// A sensor of a rig that cannot be like this.
+    #[error("sensor {sensor}: {problem}")]
+    Sensor {
+        /// Its name.
+        sensor: String,
+        /// What is wrong.
+        problem: String,
+    },
     /// A map that cannot be read.
     #[error(transparent)]
     Map(#[from] SimulatorError),

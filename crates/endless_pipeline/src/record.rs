@@ -5,21 +5,26 @@
 //! encodes and writes the images. Where a simulator has no random access, it renders before it gives the session back. The
 //! scheduler keeps the workers within a window of frames, so memory is the same after ten seconds and after an hour.
 
+mod camera_sink;
+mod event_sink;
+mod files;
 mod frame;
 mod layers;
+mod line_sinks;
 mod recording;
 mod scheduler;
 mod sink;
 mod stored;
 mod streams;
 mod times;
+mod vehicle_sensors;
 mod video;
 
 pub use times::StageTimes;
 pub(crate) use {
     recording::Recording,
-    stored::{count_images, stream_is_complete},
-    streams::{CameraStream, Stream, StreamModel},
+    stored::{count_files, stream_is_complete},
+    streams::{CameraStream, Stream, StreamModel, sensor_seed},
     times::{Stage, StageClock},
     video::record_video,
 };

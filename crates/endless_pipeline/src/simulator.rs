@@ -3,8 +3,11 @@
 use crate::SimulatorError;
 use endless_annotate::{ActorRecord, MapFeatures, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, WorldKeypoints};
 use endless_dataset::{Recipe, SpawnCounts};
-use endless_road::JunctionPlace;
-use endless_world::{CameraSite, InstanceId, SceneSettings, SensorFrame, SensorLayers, SensorPose, WorldState};
+use endless_road::{Georeference, JunctionPlace};
+use endless_world::{
+    Actor, CameraSite, InstanceId, LidarSweep, RadarScan, SceneSettings, SensorFrame, SensorLayers, SensorPose,
+    WorldState,
+};
 use std::{collections::BTreeMap, time::Duration};
 
 /// The maps that a recipe can name, and the hashes of imported files.
@@ -143,6 +146,11 @@ pub trait Simulator: MapCatalog + Sync {
         None
     }
 
+    /// Where on Earth a map lies.
+    fn georeference(&self, _map: &Self::Map) -> Georeference {
+        Georeference::default()
+    }
+
     /// Populates a map. Cheap, compared with [`SimulationSession::prepare`]. Its sensor frames have the images that are
     /// `wanted` of any camera, and may lack those that are not.
     ///
@@ -187,6 +195,11 @@ pub trait SimulationSession<'m>: Send {
         None
     }
 
+    /// The vehicles that stand parked for the whole video.
+    fn parked(&self) -> Vec<Actor> {
+        Vec::new()
+    }
+
     /// What relations and events are judged by: lanes, lights, and how large those who move are.
     fn road_facts(&self) -> RoadFacts {
         RoadFacts::default()
@@ -226,7 +239,7 @@ pub trait RenderTask<'m>: Send {
         Err(SimulatorError::NoRigs)
     }
 
-    /// What a sensor of the rig measures. Called before [`Self::render`], of those that measure at this frame.
+    /// What a camera, an event camera, a LiDAR or a radar of the rig measures. Called before [`Self::render`], of those that measure at this frame.
     ///
     /// # Errors
     /// When the simulator fails, or has no such sensors.
@@ -244,8 +257,12 @@ pub trait RenderTask<'m>: Send {
 
 /// What a sensor of a rig measured.
 pub enum SensorReading {
-    /// A camera.
+    /// Of a camera, or the picture from which an event camera's events are made.
     Camera(SensorFrame),
+    /// Of a LiDAR.
+    Lidar(LidarSweep),
+    /// Of a radar.
+    Radar(RadarScan),
 }
 
 /// The ground truth of a scene at one instant, visible or not.

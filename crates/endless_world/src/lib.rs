@@ -75,8 +75,8 @@ pub use reid::{LookPool, Reid};
 pub use rig::{
     Carrier, EventCameraSettings, GnssMeasurement, GnssRecord, GnssSettings, ImuMeasurement, ImuRecord, ImuSettings,
     LidarBeam, LidarPoint, LidarPreset, LidarSettings, LidarSweep, PixelEvent, Placement, RadarDetection, RadarScan,
-    RadarSettings, RigCamera, ScanPattern, SceneSensor, SensorModel, SensorMount, SensorPose, WayPoint, carried,
-    moving_to, rotation_from_angles, rotation_from_vector, rotation_vector,
+    RadarSettings, RigCamera, RigEventCamera, ScanPattern, SceneSensor, SensorModel, SensorMount, SensorPose, WayPoint,
+    carried, moving_to, rotation_from_angles, rotation_from_vector, rotation_vector,
 };
 pub use rng::{Stream, fnv1a};
 pub use scene::{FixedCamera, SceneCamera, SceneSettings};

@@ -1,8 +1,8 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
 use crate::{
-    CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, SceneSensor, SensorModel, TimeOfDay,
-    TrackPlayback, Weather,
+    CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, SceneSensor, TimeOfDay, TrackPlayback,
+    Weather,
 };
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
@@ -70,8 +70,8 @@ impl SceneSettings {
     /// The cameras that stand still: those of the scene, then those of its rig.
     pub fn fixed_cameras(&self) -> Vec<FixedCamera> {
         let scene = self.cameras.iter().map(|camera| FixedCamera { camera: camera.clone(), size: self.size });
-        let of_rig = self.sensors.iter().filter_map(|sensor| match &sensor.model {
-            SensorModel::Camera(camera) => Some(FixedCamera { camera: sensor.fixed_camera()?, size: camera.size }),
+        let of_rig = self.sensors.iter().filter_map(|sensor| {
+            Some(FixedCamera { camera: sensor.fixed_camera()?, size: sensor.model.camera()?.size })
         });
         scene.chain(of_rig).collect()
     }

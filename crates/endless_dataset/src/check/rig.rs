@@ -4,6 +4,8 @@ use super::{
     camera::{CameraCheck, CheckedCamera, check_camera, check_record},
     progress::CheckProgress,
     report::Finding,
+    sensor_files::check_sensor_files,
+    tracks::Tracks,
 };
 use crate::{
     CameraLayout, CameraRecord, CameraSpec, ModelSpec, PoseLine, Recipe, SensorRecord, SensorSpec, VideoLayout,
@@ -32,6 +34,11 @@ pub(super) fn check_sensor(
         (SensorModel::Camera(camera), ModelSpec::Camera(asked)) => {
             let rig_camera = RigCameraFiles { files: &files, sensor, camera, spec, asked };
             rig_camera.check(recipe, &lines, progress)
+        }
+        _ => {
+            let frames: Vec<u32> = (0..settings.frames).step_by(sensor.every.max(1) as usize).collect();
+            let report = check_sensor_files(&files, &spec.model, &frames, progress);
+            CameraCheck { report, tracks: Tracks::default() }
         }
     };
     check.report.findings.extend(findings.into_iter().flatten());

@@ -10,7 +10,10 @@ mod user_camera;
 
 pub use option::{OptionDefault, OptionError, OptionKind, RecipeOption, Vocabulary};
 pub use options::{MAX_CAMERAS, Recipe, RecipeDraft};
-pub use rig::{CameraSpec, CarrierClass, ModelSpec, MountSpec, Origin, PanTiltZoomKey, SensorSpec, WayPointSpec};
+pub use rig::{
+    CameraSpec, CarrierClass, EventCameraSpec, LidarSpec, ModelSpec, MountSpec, Origin, PanTiltZoomKey,
+    PointCloudFormat, SensorSpec, WayPointSpec,
+};
 pub use schema::recipe_schema;
 pub use user_camera::UserCamera;
 

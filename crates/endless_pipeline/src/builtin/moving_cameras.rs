@@ -2,7 +2,7 @@
 
 use super::{bake_cache::render_settings, helped_once::HelpedOnce};
 use endless_render::{FrameScene, IndirectLight, MovingCamera, RenderSettings, StaticScene};
-use endless_world::{PinholeCamera, SceneSettings, SceneWeather, SensorFrame, SensorLayers, SensorModel};
+use endless_world::{PinholeCamera, SceneSettings, SceneWeather, SensorFrame, SensorLayers};
 use std::collections::BTreeMap;
 
 /// The cameras of a rig that move, by their places in it.
@@ -23,7 +23,7 @@ impl MovingCameras {
         ways: impl Iterator<Item = (usize, &'a [PinholeCamera])>,
     ) -> Self {
         let camera = |(place, way): (usize, &[PinholeCamera])| {
-            let SensorModel::Camera(camera) = &video.sensors[place].model;
+            let camera = video.sensors[place].model.camera().expect("what has a way has a lens");
             let settings = RenderSettings { layers, weather, ..render_settings(video, camera.look, camera.size) };
             (place, MovingRigCamera { settings, way: way.to_vec(), made: HelpedOnce::default() })
         };

@@ -3,8 +3,8 @@
 use crate::SimulatorError;
 use endless_traffic::{DrivingCondition, Simulation};
 use endless_world::{
-    Actor, Carrier, InstanceId, ObjectClass, PinholeCamera, SceneSensor, SceneSettings, SensorModel, SensorMount,
-    SensorPose, WorldState, carried,
+    Actor, Carrier, InstanceId, ObjectClass, PinholeCamera, SceneSensor, SceneSettings, SensorMount, SensorPose,
+    WorldState, carried,
 };
 use std::collections::BTreeMap;
 
@@ -108,9 +108,8 @@ impl SceneRig {
     /// A camera that moves, as it stands at an instant.
     fn camera(&self, sensor: usize, state: &WorldState) -> Option<PinholeCamera> {
         let of = &self.sensors[sensor];
-        let SensorModel::Camera(camera) = &of.model;
-        let moves = !of.mount.is_still();
-        moves.then(|| camera.at(&of.mount, &self.pose(sensor, state, &BTreeMap::new()), state.time_s))
+        let camera = of.model.camera().filter(|_| !of.mount.is_still())?;
+        Some(camera.at(&of.mount, &self.pose(sensor, state, &BTreeMap::new()), state.time_s))
     }
 }
 

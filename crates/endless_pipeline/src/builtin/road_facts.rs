@@ -9,8 +9,12 @@ use glam::Vec2;
 /// Half length and half width of somebody on foot, metres.
 const PERSON: Vec2 = Vec2::new(0.2, 0.25);
 
-/// The lanes of a network and the sizes of those who move.
-pub(super) fn road_facts(network: &RoadNetwork, catalogue: &Catalogue, moving: &[Actor]) -> RoadFacts {
+/// The lanes of a network and the sizes of vehicles and people.
+pub(super) fn road_facts<'a>(
+    network: &RoadNetwork,
+    catalogue: &Catalogue,
+    actors: impl Iterator<Item = &'a Actor>,
+) -> RoadFacts {
     let mut lanes: Vec<LaneFacts> = network
         .lanes
         .iter()
@@ -37,5 +41,5 @@ pub(super) fn road_facts(network: &RoadNetwork, catalogue: &Catalogue, moving: &
         }
         None => Some((actor.id, PERSON)),
     };
-    RoadFacts { lanes, half_sizes: moving.iter().filter_map(half_size).collect() }
+    RoadFacts { lanes, half_sizes: actors.filter_map(half_size).collect() }
 }

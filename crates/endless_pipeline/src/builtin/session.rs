@@ -13,16 +13,18 @@ use super::{
     scene_frame::scene_frame,
     shapes::{MovingShapes, ParkedShapes},
 };
+use crate::record::sensor_seed;
 use crate::{RenderStats, RenderTask, SceneTruth, SensorReading, SimulationSession, SimulationStep, SimulatorError};
 use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, SceneFrame, SceneObjects};
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames};
+use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames, RayCaster};
+use endless_sensor::{Atmosphere, Lidar, Radar, SweepInterval};
 use endless_traffic::{DrivingCondition, Fleet, PlayedTracks, Simulation, TrafficSettings};
 use endless_world::{
-    Actor, InstanceId, ObjectClass, SceneSettings, SensorFrame, SensorLayers, SensorModel, SensorMount, SensorPose,
-    Track, WorldState,
+    Actor, InstanceId, ObjectClass, RigEventCamera, SceneSettings, SensorFrame, SensorLayers, SensorModel, SensorMount,
+    SensorPose, Track, WorldState,
 };
 use glam::Vec3;
 use std::{
@@ -193,9 +195,13 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
         self.scene.rig.carrier(sensor)
     }
 
+    fn parked(&self) -> Vec<Actor> {
+        self.scene.parked.clone()
+    }
+
     fn road_facts(&self) -> RoadFacts {
-        let BuiltinScene { map, catalogue, moving, .. } = &*self.scene;
-        road_facts(&map.town.network, catalogue, moving)
+        let BuiltinScene { map, catalogue, moving, parked, .. } = &*self.scene;
+        road_facts(&map.town.network, catalogue, parked.iter().chain(moving))
     }
 
     fn stats(&self) -> RenderStats {
@@ -237,7 +243,23 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
         let Self { scene, bakes, instant, .. } = self;
         let of = &scene.settings.sensors[sensor];
         let (still, frame) = (scene.bakes.still(), instant.scene(scene.models()));
-        let SensorModel::Camera(camera) = &of.model;
+        let camera = match &of.model {
+            SensorModel::Camera(camera) | SensorModel::EventCamera(RigEventCamera { camera, .. }) => camera,
+            SensorModel::Lidar(settings) => {
+                let (carrier, interval) = (scene.rig.carrier(sensor), self.interval(state, sensor)?);
+                let caster = RayCaster::new(still, &frame).ignoring(carrier.as_slice());
+                let lidar = Lidar::new(settings, sensor_seed(scene.settings, sensor));
+                let atmosphere = Atmosphere::from(&scene.bakes.weather(state.frame));
+                return Ok(SensorReading::Lidar(lidar.sweep(&caster, &atmosphere, &interval)));
+            }
+            SensorModel::Radar(settings) => {
+                let (carrier, interval) = (scene.rig.carrier(sensor), self.interval(state, sensor)?);
+                let caster = RayCaster::new(still, &frame).ignoring(carrier.as_slice());
+                let radar = Radar::new(settings, sensor_seed(scene.settings, sensor));
+                return Ok(SensorReading::Radar(radar.scan(&caster, &interval)));
+            }
+            _ => return Err(SimulatorError::NoRigs),
+        };
         if of.fixed_camera().is_some() {
             let before = scene.settings.sensors[..sensor].iter().filter(|other| other.fixed_camera().is_some()).count();
             let number = scene.settings.cameras.len() + before;
@@ -262,6 +284,16 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
         let (still, now) = (scene.bakes.still(), scene_of(instant));
         let cameras = 0..scene.settings.cameras.len();
         Ok(cameras.map(|camera| bakes.render(camera, still, &now, beside(camera))).collect())
+    }
+}
+
+impl BuiltinRenderTask<'_> {
+    /// The interval in which a sensor sweeps: from its last measurement to this one.
+    fn interval(&self, state: &WorldState, sensor: usize) -> Result<SweepInterval, SimulatorError> {
+        let now = self.sensor_pose(state, sensor)?;
+        let SceneSettings { sensors, fps, .. } = self.scene.settings;
+        let sweep_s = f64::from(sensors[sensor].every) / fps;
+        Ok(SweepInterval { before: now.earlier(sweep_s), now, sweep_s, frame: state.frame })
     }
 }
 

@@ -8,7 +8,7 @@ use endless_annotate::MapFeatures;
 use endless_city::SharedModels;
 use endless_dataset::Recipe;
 use endless_interchange::{MapLibrary, TrackFile};
-use endless_road::{JunctionPlace, RoadNetwork};
+use endless_road::{Georeference, JunctionPlace, RoadNetwork};
 use endless_world::{CameraSite, SceneSettings, SensorLayers};
 use rayon::prelude::*;
 use std::{collections::BTreeMap, sync::Arc};
@@ -111,6 +111,10 @@ impl Simulator for BuiltinSimulator {
 
     fn map_features<'m>(&self, map: &'m BuiltinMap) -> Option<&'m MapFeatures> {
         Some(&map.features)
+    }
+
+    fn georeference(&self, map: &BuiltinMap) -> Georeference {
+        map.town.georeference.unwrap_or_default()
     }
 
     fn open_session<'m>(

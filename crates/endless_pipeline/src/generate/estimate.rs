@@ -2,7 +2,7 @@
 
 use crate::{
     DiskEstimate,
-    record::{CameraStream, Stream, StreamModel, count_images},
+    record::{CameraStream, Stream, StreamModel, count_files},
 };
 use endless_dataset::{CameraOutput, DatasetError, DatasetLayout, Recipe};
 use endless_world::SceneSettings;
@@ -21,14 +21,19 @@ pub(super) fn estimate(
     let (mut missing_frames, mut bytes) = (0, 0.0);
     for settings in remaining_scenes {
         for stream in Stream::all(recipe, settings, &layout.video(settings)) {
-            let present = count_images(&stream)?;
-            let StreamModel::Camera(CameraStream { output, .. }) = &stream.model;
-            let frames = u64::from(output.count());
-            let missing = frames - present / output.layers.len() as u64;
+            let frames = stream.frames().len() as u64;
+            let folders = stream.frame_folders().len() as u64;
+            let missing = if folders == 0 { frames } else { frames - count_files(&stream)? / folders };
             missing_frames += missing;
-            // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.
-            let videos = output.mp4.len() as f64 * VIDEO_BYTES_A_PIXEL * output.size.pixels() as f64;
-            bytes += missing as f64 * image_bytes(output) + frames as f64 * (videos + BYTES_A_FILE);
+            let (images, videos) = match &stream.model {
+                // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.
+                StreamModel::Camera(CameraStream { output, .. }) => {
+                    let videos = output.mp4.len() as f64 * VIDEO_BYTES_A_PIXEL * output.size.pixels() as f64;
+                    (image_bytes(output), videos + BYTES_A_FILE)
+                }
+                _ => (folders as f64 * BYTES_A_FILE, 0.0),
+            };
+            bytes += missing as f64 * (images + stream.bytes_a_measurement) + frames as f64 * videos;
         }
     }
     Ok(DiskEstimate { camera_frames: missing_frames, bytes: bytes as u64, free: free(layout.root())? })

@@ -1,6 +1,7 @@
 //! One frame of all streams: measured and written, or read back where it is stored already, and then labelled.
 
 use super::{
+    files,
     layers::{self, StoredImages, StoredLayers},
     recording::Recording,
     sink::{Measured, SinkItem},
@@ -14,7 +15,7 @@ use endless_dataset::{
     CameraOutput, DatasetError, LastPng, Layer, PoseLine, StoredImage, Yuv, metres_from_rgb, rgb_from_metres,
     yuv_from_rgb,
 };
-use endless_world::{PinholeCamera, SensorFrame, WorldState};
+use endless_world::{PinholeCamera, WorldState};
 use std::borrow::Cow;
 
 pub(super) struct FrameRecorder<'a> {
@@ -42,8 +43,23 @@ struct SensorPlace {
 
 /// One a stream; none of those that do not measure at this frame.
 enum FrameReadings {
-    Made(Vec<Option<SensorReading>>),
-    Stored(Vec<Option<StoredLayers>>),
+    Made(Vec<Option<StreamReading>>),
+    Stored(Vec<Option<StoredReading>>),
+}
+
+/// What a stream measured.
+enum StreamReading {
+    /// The simulator made it.
+    Made(SensorReading),
+    /// It follows from the pose, or from world states.
+    Told,
+}
+
+/// What is stored of a stream's measurement.
+enum StoredReading {
+    Layers(StoredLayers),
+    /// Nothing is made of it.
+    Other,
 }
 
 impl CapturedFrame<'_> {
@@ -71,6 +87,7 @@ impl<'a> FrameRecorder<'a> {
     pub(super) fn new(recording: &'a Recording<'a>, stored: &'a StoredFrames) -> Self {
         let layers = |stream: &Stream<'_>| match &stream.model {
             StreamModel::Camera(camera) => camera.output.layers.iter().map(|_| LastPng::default()).collect(),
+            _ => Vec::new(),
         };
         let written = recording.streams.iter().map(layers).collect();
         Self { recording, stored, written }
@@ -103,6 +120,7 @@ impl<'a> FrameRecorder<'a> {
                     StreamModel::Camera(CameraStream { lens: StreamLens::Moving(camera), .. }) => {
                         Some(camera.at(&sensor.mount, &pose, state.time_s))
                     }
+                    _ => None,
                 };
                 let line = camera.as_ref().map_or(line.clone(), |camera| line.with_camera(camera));
                 SensorPlace { line, camera }
@@ -116,12 +134,18 @@ impl<'a> FrameRecorder<'a> {
         &self,
         state: &WorldState,
         task: Box<dyn RenderTask<'m> + 'm>,
-    ) -> Result<Vec<Option<SensorReading>>, SimulatorError> {
+    ) -> Result<Vec<Option<StreamReading>>, SimulatorError> {
         let frame = state.frame;
         let streams = self.recording.streams;
         let of_rig = |stream: &Stream<'_>| {
             let (number, _) = stream.sensor?;
-            stream.measures_at(frame).then(|| task.sense(state, number))
+            let sense = || match &stream.model {
+                StreamModel::Camera(_) | StreamModel::Events { .. } | StreamModel::Readings => {
+                    task.sense(state, number).map(StreamReading::Made)
+                }
+                _ => Ok(StreamReading::Told),
+            };
+            stream.measures_at(frame).then(sense)
         };
         let mut sensed = Vec::new();
         for stream in streams {
@@ -133,24 +157,29 @@ impl<'a> FrameRecorder<'a> {
             return Err(SimulatorError::CamerasMissing { frame, expected: cameras, got: frames.len() });
         }
         for (reading, image) in sensed.iter_mut().zip(frames) {
-            *reading = Some(SensorReading::Camera(image));
+            *reading = Some(StreamReading::Made(SensorReading::Camera(image)));
         }
-        let other = sensed
-            .iter()
-            .flatten()
-            .find_map(|SensorReading::Camera(image)| (image.frame != frame).then_some(image.frame));
+        let other = sensed.iter().flatten().find_map(|reading| match reading {
+            StreamReading::Made(SensorReading::Camera(image)) if image.frame != frame => Some(image.frame),
+            _ => None,
+        });
         other.map_or(Ok(sensed), |got| Err(SimulatorError::FramesDropped { expected: frame, got }))
     }
 
     /// The frame if it is stored; a damaged one is made again.
-    fn read(&self, frame: u32) -> Result<Option<Vec<Option<StoredLayers>>>, DatasetError> {
+    fn read(&self, frame: u32) -> Result<Option<Vec<Option<StoredReading>>>, DatasetError> {
         if !self.stored.has(frame) {
             return Ok(None);
         }
         let Recording { streams, clock, .. } = *self.recording;
         let read_stream = |stream: &Stream<'_>| {
-            let StreamModel::Camera(CameraStream { output, .. }) = &stream.model;
-            stream.measures_at(frame).then(|| StoredLayers::read(&stream.files, output, frame)).transpose()
+            let read = || match &stream.model {
+                StreamModel::Camera(CameraStream { output, .. }) => {
+                    StoredLayers::read(&stream.files, output, frame).map(StoredReading::Layers)
+                }
+                _ => files::read(stream, frame).map(|()| StoredReading::Other),
+            };
+            stream.measures_at(frame).then(read).transpose()
         };
         let read = clock.time(Stage::Resume, || streams.iter().map(read_stream).collect());
         match read {
@@ -165,12 +194,31 @@ impl<'a> FrameRecorder<'a> {
         let streams = self.recording.streams.iter().enumerate();
         let item = |(place, stream): (usize, &Stream<'_>)| {
             let at = stream.sensor.map(|(number, _)| &taken.poses[number]);
-            let StreamModel::Camera(camera) = &stream.model;
-            let measured = self.measured(taken, place, camera, at)?;
+            let measured = match &stream.model {
+                StreamModel::Camera(camera) => self.measured(taken, place, camera, at)?,
+                _ => self.written(taken, place)?,
+            };
             let pose = at.filter(|_| measured.is_some()).map(|at| at.line.clone());
-            Ok(SinkItem { measured, pose, scene: None })
+            Ok(SinkItem { measured, pose, ..SinkItem::default() })
         };
         streams.map(item).collect()
+    }
+
+    /// Writes what another sensor measured; what its sink gets of this frame.
+    fn written(&self, taken: &CapturedFrame<'_>, place: usize) -> Result<Option<Measured>, GenerateError> {
+        let Recording { streams, clock, .. } = *self.recording;
+        let FrameReadings::Made(made) = &taken.readings else {
+            return Ok(streams[place].measures_at(taken.frame).then_some(Measured::Done));
+        };
+        Ok(match &made[place] {
+            None => None,
+            Some(StreamReading::Told) => Some(Measured::Done),
+            Some(StreamReading::Made(SensorReading::Camera(frame))) => Some(Measured::Picture(frame.rgb.clone())),
+            Some(StreamReading::Made(reading)) => {
+                clock.time(Stage::Images, || files::write(&streams[place], taken.frame, reading))?;
+                Some(Measured::Done)
+            }
+        })
     }
 
     /// What a camera's sink gets of this frame.
@@ -192,14 +240,13 @@ impl<'a> FrameRecorder<'a> {
         };
         match &taken.readings {
             FrameReadings::Stored(stored) => {
-                let Some(stored) = &stored[place] else { return Ok(None) };
+                let Some(StoredReading::Layers(stored)) = &stored[place] else { return Ok(None) };
                 let depth = |pixel: usize| metres_from_rgb(stored.depth.data[pixel]);
                 let view = CameraView { number, camera: &lens, instance: &stored.instance, depth: &depth };
                 self.labelled(taken, &view, output, &stored.images).map(Some)
             }
             FrameReadings::Made(made) => {
-                let Some(SensorReading::Camera(frame)) = &made[place] else { return Ok(None) };
-                let frame: &SensorFrame = frame;
+                let Some(StreamReading::Made(SensorReading::Camera(frame))) = &made[place] else { return Ok(None) };
                 let write = || layers::write(&streams[place].files, output, frame, &self.written[place], clock);
                 let images = clock.time(Stage::Images, write)?;
                 // As it is or would be stored: labels do not depend on which layers are.

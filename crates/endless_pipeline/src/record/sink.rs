@@ -1,12 +1,18 @@
-//! The ordered outputs of a video: what must be written frame by frame.
+//! The ordered outputs of a stream: what must be written frame by frame.
 
 use super::{
+    camera_sink::CameraSink,
+    event_sink::EventSink,
+    line_sinks::{GnssSink, ImuSink},
     recording::Recording,
-    streams::{CameraStream, Stream, StreamModel},
+    streams::{Stream, StreamModel},
     times::{Stage, StageClock},
+    vehicle_sensors::Noticed,
 };
-use endless_annotate::{FrameObjects, SceneFrame};
-use endless_dataset::{DatasetError, LinesWriter, ObjectsWriter, PoseLine, VideoEncoder, Yuv};
+use endless_annotate::{CollisionEvent, FrameObjects, LaneInvasionEvent, SceneFrame};
+use endless_dataset::{DatasetError, LinesWriter, PoseLine, Yuv};
+use endless_road::Georeference;
+use endless_world::Image;
 use std::path::PathBuf;
 
 /// What one frame of one stream brings.
@@ -18,12 +24,18 @@ pub(super) struct SinkItem {
     pub(super) pose: Option<PoseLine>,
     /// The line of `frames.jsonl`: the first stream's sink writes it.
     pub(super) scene: Option<SceneFrame>,
+    /// What happened to who carries it.
+    pub(super) noticed: Option<Noticed>,
 }
 
 /// What is written of a measurement in the order of frames.
 pub(super) enum Measured {
     /// Of a camera: its line of `objects.jsonl`, and one picture a video, in the order of its output.
     Camera { line: FrameObjects, pictures: Vec<Yuv> },
+    /// Of an event camera: its picture.
+    Picture(Image<[u8; 3]>),
+    /// Of a sensor whose files are written already, or whose measurement is its pose.
+    Done,
 }
 
 /// The open files of one stream.
@@ -36,36 +48,65 @@ pub(super) struct StreamSink {
 
 enum ModelSink {
     Camera(CameraSink),
-}
-
-struct CameraSink {
-    objects: ObjectsWriter,
-    videos: Vec<VideoEncoder>,
-    boxes: u64,
+    Events(EventSink),
+    Imu(ImuSink),
+    Gnss(GnssSink),
+    Collisions(LinesWriter<CollisionEvent>),
+    LaneInvasions(LinesWriter<LaneInvasionEvent>),
+    Nothing,
 }
 
 impl StreamSink {
-    pub(super) fn create(recording: &Recording<'_>, stream: &Stream<'_>) -> Result<Self, DatasetError> {
-        let model = match &stream.model {
-            StreamModel::Camera(camera) => ModelSink::Camera(CameraSink::create(stream, camera)?),
+    pub(super) fn create(
+        recording: &Recording<'_>,
+        stream: &Stream<'_>,
+        georeference: Georeference,
+    ) -> Result<Self, DatasetError> {
+        let lines = stream.lines.as_deref();
+        let model = match (&stream.model, lines) {
+            (StreamModel::Camera(camera), _) => ModelSink::Camera(CameraSink::create(stream, camera)?),
+            (StreamModel::Events { settings, size }, _) => ModelSink::Events(EventSink::new(stream, settings, *size)),
+            (StreamModel::Imu(settings), Some(path)) => {
+                let period_s = f64::from(stream.every) / recording.settings.fps;
+                ModelSink::Imu(ImuSink::create(path, settings, period_s, stream.seed)?)
+            }
+            (StreamModel::Gnss(settings), Some(path)) => {
+                ModelSink::Gnss(GnssSink::create(path, settings, georeference, stream.seed)?)
+            }
+            (StreamModel::Collision, Some(path)) => ModelSink::Collisions(LinesWriter::create(path)?),
+            (StreamModel::LaneInvasion, Some(path)) => ModelSink::LaneInvasions(LinesWriter::create(path)?),
+            _ => ModelSink::Nothing,
         };
         let poses = stream.sensor.map(|_| LinesWriter::create(&stream.files.poses())).transpose()?;
         Ok(Self { model, poses, frames: (recording.layout.frames(), None) })
     }
 
-    pub(super) fn push(&mut self, frame: &SinkItem, clock: &StageClock) -> Result<(), DatasetError> {
+    pub(super) fn push(&mut self, frame: SinkItem, clock: &StageClock) -> Result<(), DatasetError> {
+        let SinkItem { measured, pose, scene, noticed } = frame;
         clock.time(Stage::Lines, || {
-            if let (Some(poses), Some(pose)) = (&mut self.poses, &frame.pose) {
+            if let (Some(poses), Some(pose)) = (&mut self.poses, &pose) {
                 poses.write(pose)?;
             }
-            frame.scene.as_ref().map_or(Ok(()), |scene| self.write_scene(scene))
+            scene.as_ref().map_or(Ok(()), |scene| self.write_scene(scene))
         })?;
-        match (&mut self.model, &frame.measured) {
-            (_, None) => Ok(()),
-            (ModelSink::Camera(camera), Some(Measured::Camera { line, pictures })) => {
-                camera.push(line, pictures, clock)
+        match (&mut self.model, measured, pose) {
+            (ModelSink::Camera(camera), Some(Measured::Camera { line, pictures }), _) => {
+                camera.push(&line, &pictures, clock)?;
             }
+            (ModelSink::Events(events), Some(Measured::Picture(picture)), Some(pose)) => {
+                clock.time(Stage::Images, || events.push(&pose, &picture))?;
+            }
+            (ModelSink::Imu(imu), Some(_), Some(pose)) => clock.time(Stage::Lines, || imu.push(&pose))?,
+            (ModelSink::Gnss(gnss), Some(_), Some(pose)) => clock.time(Stage::Lines, || gnss.push(&pose))?,
+            _ => {}
         }
+        clock.time(Stage::Lines, || match (&mut self.model, noticed) {
+            (ModelSink::Collisions(file), Some(Noticed::Collisions(events))) => {
+                events.iter().try_for_each(|event| file.write(event))
+            }
+            (ModelSink::LaneInvasions(file), Some(Noticed::LaneInvasion(Some(event)))) => file.write(&event),
+            _ => Ok(()),
+        })
     }
 
     fn write_scene(&mut self, line: &SceneFrame) -> Result<(), DatasetError> {
@@ -81,30 +122,13 @@ impl StreamSink {
         self.poses.map_or(Ok(()), LinesWriter::finish)?;
         self.frames.1.map_or(Ok(()), LinesWriter::finish)?;
         match self.model {
-            ModelSink::Camera(camera) => camera.finish(),
+            ModelSink::Camera(camera) => return camera.finish(),
+            ModelSink::Imu(imu) => imu.finish()?,
+            ModelSink::Gnss(gnss) => gnss.finish()?,
+            ModelSink::Collisions(file) => file.finish()?,
+            ModelSink::LaneInvasions(file) => file.finish()?,
+            ModelSink::Events(_) | ModelSink::Nothing => {}
         }
-    }
-}
-
-impl CameraSink {
-    fn create(stream: &Stream<'_>, CameraStream { output, .. }: &CameraStream<'_>) -> Result<Self, DatasetError> {
-        let files = &stream.files;
-        let video = |layer| VideoEncoder::create(&files.mp4(layer), output.size, output.fps());
-        let videos = output.mp4.iter().map(|layer| video(*layer)).collect::<Result<_, _>>()?;
-        Ok(Self { objects: ObjectsWriter::create(&files.objects())?, videos, boxes: 0 })
-    }
-
-    fn push(&mut self, line: &FrameObjects, pictures: &[Yuv], clock: &StageClock) -> Result<(), DatasetError> {
-        self.boxes += line.objects.len() as u64;
-        clock.time(Stage::Lines, || self.objects.write(line))?;
-        clock.time(Stage::Video, || {
-            self.videos.iter_mut().zip(pictures).try_for_each(|(video, picture)| video.push(picture))
-        })
-    }
-
-    fn finish(self) -> Result<u64, DatasetError> {
-        self.objects.finish()?;
-        self.videos.into_iter().try_for_each(VideoEncoder::finish)?;
-        Ok(self.boxes)
+        Ok(0)
     }
 }

@@ -3,27 +3,33 @@
 use super::{
     layers::stored_layers_suffice,
     recording::Recording,
-    streams::{CameraStream, Stream, StreamModel},
+    streams::{Stream, StreamModel},
 };
-use endless_dataset::{CameraLayout, CameraOutput, DatasetError, Layer};
+use endless_dataset::DatasetError;
 use std::{collections::BTreeSet, ffi::OsString, fs, io, path::Path};
 
-/// Frames that are taken over as they are stored: every layer of all cameras is there.
+/// Frames that are taken over as they are stored: every file of all streams is there.
 pub(super) struct StoredFrames {
     present: Vec<bool>,
 }
 
 impl StoredFrames {
-    /// Looks at the names. Where labels cannot be made again of what is stored, nothing counts as present.
+    /// Looks at the names. Where labels cannot be made again of what is stored, or events of what lies between two
+    /// pictures, nothing counts as present.
     pub(super) fn find(recording: &Recording<'_>) -> Result<Self, DatasetError> {
         let Recording { settings, streams, .. } = *recording;
         let suffices = |stream: &Stream<'_>| match &stream.model {
             StreamModel::Camera(camera) => stored_layers_suffice(&camera.output),
+            StreamModel::Events { .. } => false,
+            _ => true,
         };
         let mut present = vec![streams.iter().all(suffices); settings.frames as usize];
-        for Stream { files, model: StreamModel::Camera(CameraStream { output, .. }), .. } in streams {
-            for &layer in &output.layers {
-                mark_missing(&mut present, files, layer, output)?;
+        for stream in streams {
+            for (folder, extension) in stream.frame_folders() {
+                let names = names(&folder)?;
+                for frame in stream.frames() {
+                    present[frame as usize] &= names.contains(&*file_name(frame, &extension));
+                }
             }
         }
         Ok(Self { present })
@@ -38,38 +44,18 @@ impl StoredFrames {
     }
 }
 
-fn mark_missing(
-    present: &mut [bool],
-    camera: &CameraLayout,
-    layer: Layer,
-    output: &CameraOutput,
-) -> Result<(), DatasetError> {
-    let names = names(camera, layer)?;
-    for frame in output.frames() {
-        present[frame as usize] &= is_there(&names, camera, layer, frame, output);
-    }
-    Ok(())
+fn file_name(frame: u32, extension: &str) -> OsString {
+    format!("{frame:06}.{extension}").into()
 }
 
-fn is_there(
-    names: &BTreeSet<OsString>,
-    camera: &CameraLayout,
-    layer: Layer,
-    frame: u32,
-    output: &CameraOutput,
-) -> bool {
-    camera.frame(layer, frame, output.rgb_format).file_name().is_some_and(|name| names.contains(name))
-}
-
-fn names(camera: &CameraLayout, layer: Layer) -> Result<BTreeSet<OsString>, DatasetError> {
-    let folder = camera.layer(layer);
-    let entries = match fs::read_dir(&folder) {
+fn names(folder: &Path) -> Result<BTreeSet<OsString>, DatasetError> {
+    let entries = match fs::read_dir(folder) {
         Ok(entries) => entries,
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),
-        Err(e) => return Err(DatasetError::io("cannot read the folder", &folder, e)),
+        Err(e) => return Err(DatasetError::io("cannot read the folder", folder, e)),
     };
     entries
-        .map(|entry| Ok(entry.map_err(|e| DatasetError::io("cannot read the folder", &folder, e))?.file_name()))
+        .map(|entry| Ok(entry.map_err(|e| DatasetError::io("cannot read the folder", folder, e))?.file_name()))
         .collect()
 }
 
@@ -87,14 +73,13 @@ pub(super) fn remove_stored(recording: &Recording<'_>) -> Result<(), DatasetErro
     Ok(())
 }
 
-/// How many images of a stream are there.
-pub(crate) fn count_images(stream: &Stream<'_>) -> Result<u64, DatasetError> {
-    let Stream { files, model: StreamModel::Camera(CameraStream { output, .. }), .. } = stream;
+/// How many files of a stream's measurements are there.
+pub(crate) fn count_files(stream: &Stream<'_>) -> Result<u64, DatasetError> {
     let mut count = 0;
-    for &layer in &output.layers {
-        let names = names(files, layer)?;
+    for (folder, extension) in stream.frame_folders() {
+        let names = names(&folder)?;
         if !names.is_empty() {
-            count += output.frames().filter(|frame| is_there(&names, files, layer, *frame, output)).count() as u64;
+            count += stream.frames().filter(|frame| names.contains(&*file_name(*frame, &extension))).count() as u64;
         }
     }
     Ok(count)
@@ -102,8 +87,16 @@ pub(crate) fn count_images(stream: &Stream<'_>) -> Result<u64, DatasetError> {
 
 /// Whether every file of a stream is there.
 pub(crate) fn stream_is_complete(stream: &Stream<'_>) -> Result<bool, DatasetError> {
-    let Stream { files, model: StreamModel::Camera(CameraStream { output, .. }), sensor, .. } = stream;
-    let of_rig = sensor.iter().flat_map(|_| [files.sensor(), files.poses()]);
-    let mut others = output.mp4.iter().map(|l| files.mp4(*l)).chain([files.camera(), files.objects()]).chain(of_rig);
-    Ok(others.all(|path| path.is_file()) && count_images(stream)? == stream.images())
+    let Stream { files, sensor, .. } = stream;
+    let mut others = Vec::new();
+    if let StreamModel::Camera(camera) = &stream.model {
+        others.extend(camera.output.mp4.iter().map(|layer| files.mp4(*layer)));
+        others.extend([files.camera(), files.objects()]);
+    }
+    if sensor.is_some() {
+        others.extend([files.sensor(), files.poses()]);
+    }
+    others.extend(stream.lines.clone());
+    let all = stream.frames().len() as u64 * stream.frame_folders().len() as u64;
+    Ok(others.into_iter().all(|path| path.is_file()) && count_files(stream)? == all)
 }

@@ -1,7 +1,11 @@
 //! What is recorded of a video: the scene's cameras, then the sensors of its rig, each with files of its own.
 
-use endless_dataset::{CameraLayout, CameraOutput, ModelSpec, Recipe, VideoLayout};
-use endless_world::{PinholeCamera, RigCamera, SceneCamera, SceneSensor, SceneSettings, SensorModel};
+use endless_dataset::{CameraLayout, CameraOutput, FrameFolder, ModelSpec, Recipe, VideoLayout};
+use endless_world::{
+    EventCameraSettings, GnssSettings, ImageSize, ImuSettings, PinholeCamera, RigCamera, SceneCamera, SceneSensor,
+    SceneSettings, SensorModel, Stream as RandomStream,
+};
+use std::path::PathBuf;
 
 /// A camera or another sensor of a video.
 pub(crate) struct Stream<'a> {
@@ -11,12 +15,34 @@ pub(crate) struct Stream<'a> {
     /// Its place in the rig, unless it is a camera of the scene.
     pub(crate) sensor: Option<(usize, &'a SceneSensor)>,
     pub(crate) model: StreamModel<'a>,
+    /// Frames of the video.
+    frames: u32,
+    /// What is random of what is measured in the order of frames.
+    pub(crate) seed: u64,
+    /// Folders with one file for each measurement, layers left out.
+    pub(crate) folders: Vec<FrameFolder>,
+    /// The file with a line for each measurement or event.
+    pub(crate) lines: Option<PathBuf>,
+    /// Bytes of a measurement, roughly, layers left out.
+    pub(crate) bytes_a_measurement: f64,
 }
 
 /// What a stream consists of.
 pub(crate) enum StreamModel<'a> {
     /// Images and their labels.
     Camera(CameraStream<'a>),
+    /// Events between images.
+    Events { settings: EventCameraSettings, size: ImageSize },
+    /// Files that the simulator's readings make: a LiDAR, a radar.
+    Readings,
+    /// Poses make its lines.
+    Imu(&'a ImuSettings),
+    /// Poses make its lines.
+    Gnss(&'a GnssSettings),
+    /// World states make its lines.
+    Collision,
+    /// World states make its lines.
+    LaneInvasion,
 }
 
 /// A camera.
@@ -36,11 +62,22 @@ pub(crate) enum StreamLens<'a> {
 impl<'a> Stream<'a> {
     /// All of a video.
     pub(crate) fn all(recipe: &'a Recipe, settings: &'a SceneSettings, layout: &VideoLayout) -> Vec<Self> {
+        let frames = settings.frames;
+        let plain = |files: CameraLayout, model: StreamModel<'a>| Self {
+            files,
+            every: 1,
+            sensor: None,
+            model,
+            frames,
+            seed: 0,
+            folders: Vec::new(),
+            lines: None,
+            bytes_a_measurement: 0.0,
+        };
         let scene = settings.cameras.iter().enumerate().map(|(number, camera)| {
             let output = recipe.camera_output();
             let lens = StreamLens::Fixed { number, camera: lens(camera, &output) };
-            let model = StreamModel::Camera(CameraStream { output, lens });
-            Self { files: layout.camera(number), every: 1, sensor: None, model }
+            plain(layout.camera(number), StreamModel::Camera(CameraStream { output, lens }))
         });
         let mut streams: Vec<Self> = scene.collect();
         let mut number = settings.cameras.len();
@@ -49,17 +86,31 @@ impl<'a> Stream<'a> {
                 (SensorModel::Camera(camera), ModelSpec::Camera(asked)) => {
                     let output = recipe.rig_camera_output(spec, asked);
                     let lens = match sensor.fixed_camera() {
-                        Some(fixed) => {
-                            number += 1;
-                            StreamLens::Fixed { number: number - 1, camera: self::lens(&fixed, &output) }
-                        }
+                        Some(fixed) => StreamLens::Fixed { number, camera: lens(&fixed, &output) },
                         None => StreamLens::Moving(camera),
                     };
                     StreamModel::Camera(CameraStream { output, lens })
                 }
+                (SensorModel::EventCamera(camera), _) => {
+                    StreamModel::Events { settings: camera.settings, size: camera.camera.size }
+                }
+                (SensorModel::Imu(settings), _) => StreamModel::Imu(settings),
+                (SensorModel::Gnss(settings), _) => StreamModel::Gnss(settings),
+                (SensorModel::Collision, _) => StreamModel::Collision,
+                (SensorModel::LaneInvasion, _) => StreamModel::LaneInvasion,
+                (SensorModel::Camera(_) | SensorModel::Lidar(_) | SensorModel::Radar(_), _) => StreamModel::Readings,
             };
+            number += usize::from(sensor.fixed_camera().is_some());
             let files = layout.sensor(&sensor.name);
-            streams.push(Self { files, every: sensor.every, sensor: Some((place, sensor)), model });
+            streams.push(Self {
+                every: sensor.every,
+                sensor: Some((place, sensor)),
+                seed: sensor_seed(settings, place),
+                folders: spec.model.frame_folders(),
+                lines: spec.model.lines_file().map(|name| files.folder().join(name)),
+                bytes_a_measurement: spec.model.bytes_a_measurement(settings.fps / f64::from(sensor.every)),
+                ..plain(files, model)
+            });
         }
         streams
     }
@@ -69,12 +120,29 @@ impl<'a> Stream<'a> {
         frame.is_multiple_of(self.every)
     }
 
-    /// How many images it stores.
-    pub(crate) fn images(&self) -> u64 {
-        match &self.model {
-            StreamModel::Camera(camera) => u64::from(camera.output.count()) * camera.output.layers.len() as u64,
-        }
+    /// The frames at which it measures.
+    pub(crate) fn frames(&self) -> impl ExactSizeIterator<Item = u32> + Clone + use<> {
+        (0..self.frames).step_by(self.every.max(1) as usize)
     }
+
+    /// Folders with one file for each measurement, and what the names of these end with.
+    pub(crate) fn frame_folders(&self) -> Vec<(PathBuf, String)> {
+        let layers = match &self.model {
+            StreamModel::Camera(CameraStream { output, .. }) => &output.layers[..],
+            _ => &[],
+        };
+        let layer = |layer: &endless_dataset::Layer| {
+            let StreamModel::Camera(CameraStream { output, .. }) = &self.model else { unreachable!("it has layers") };
+            (self.files.layer(*layer), layer.format(output.rgb_format).to_string())
+        };
+        let folder = |folder: &FrameFolder| (self.files.frame_folder(*folder), folder.extension().to_owned());
+        layers.iter().map(layer).chain(self.folders.iter().map(folder)).collect()
+    }
+}
+
+/// What is random of a sensor, in this video.
+pub(crate) fn sensor_seed(settings: &SceneSettings, place: usize) -> u64 {
+    RandomStream::named(settings.seed, "sensor", &[place as u64]).next_u64()
 }
 
 /// A camera's lens at the size of its pictures.

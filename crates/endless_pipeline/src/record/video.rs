@@ -8,6 +8,7 @@ use super::{
     stored::{StoredFrames, remove_stored},
     streams::{CameraStream, Stream, StreamLens, StreamModel},
     times::Stage,
+    vehicle_sensors::VehicleSensors,
 };
 use crate::{GenerateError, ProgressEvent, SimulationSession, Simulator, SimulatorError};
 use endless_annotate::{CameraMap, MapFeatures, SceneFrame, SceneObserver};
@@ -17,6 +18,7 @@ use endless_dataset::{
 };
 use endless_world::SensorLayers;
 use std::{
+    fs,
     sync::{Barrier, Mutex, PoisonError},
     time::Instant,
 };
@@ -57,10 +59,14 @@ pub(crate) fn record_video<S: Simulator>(
     }
     let sinks = streams
         .iter()
-        .map(|stream| StreamSink::create(recording, stream).map(Mutex::new))
+        .map(|stream| StreamSink::create(recording, stream, simulator.georeference(map)).map(Mutex::new))
         .collect::<Result<Vec<_>, _>>()?;
     let lines = recipe.counting_lines.iter().filter(|line| line.map == settings.map).cloned().collect();
-    let observer = Mutex::new(SceneObserver::new(session.road_facts(), lines));
+    let (road, parked) = (session.road_facts(), session.parked());
+    let marks = simulator.map_features(map).map_or(&[][..], |features| &features.marks);
+    let carrier = |sensor| session.carrier(sensor);
+    let vehicle_sensors = VehicleSensors::new(streams, carrier, &road, &parked, marks);
+    let observer = Mutex::new((SceneObserver::new(road, lines), vehicle_sensors));
     let window = 2 * recording.pool.current_num_threads() as u32 + 2;
     let scheduler = FrameScheduler::new(session, sinks.len(), settings.frames, window);
     let work = VideoWorkers {
@@ -111,18 +117,25 @@ pub(crate) fn record_video<S: Simulator>(
 
 /// The images that any camera stores.
 fn wanted_layers(streams: &[Stream<'_>]) -> SensorLayers {
-    let stored = streams.iter().map(|Stream { model: StreamModel::Camera(camera), .. }| &camera.output.layers);
+    let stored = streams.iter().filter_map(|stream| match &stream.model {
+        StreamModel::Camera(camera) => Some(&camera.output.layers),
+        _ => None,
+    });
     Layer::wanted(&stored.flatten().copied().collect::<Vec<_>>())
 }
 
 /// Folders, no temporaries, the records of the cameras, and what they see of the map.
 fn prepare_folders(recording: &Recording<'_>, features: Option<&MapFeatures>) -> Result<(), DatasetError> {
     let Recording { settings, layout, streams, .. } = *recording;
-    for Stream { files, model: StreamModel::Camera(camera), .. } in streams {
-        files.create(&camera.output.layers)?;
+    for stream in streams {
+        let folders = stream.frame_folders().into_iter().map(|(folder, _)| folder);
+        for folder in folders.chain([stream.files.folder().to_owned()]) {
+            fs::create_dir_all(&folder).map_err(|e| DatasetError::io("cannot make the folder", &folder, e))?;
+        }
     }
     remove_temporaries(layout.folder())?;
-    for (place, Stream { files, model: StreamModel::Camera(camera), sensor, .. }) in streams.iter().enumerate() {
+    for (place, Stream { files, model, sensor, .. }) in streams.iter().enumerate() {
+        let StreamModel::Camera(camera) = model else { continue };
         let CameraStream { output, lens } = camera;
         let fixed_rig = sensor.and_then(|(_, sensor)| sensor.fixed_camera());
         let record = match (lens, settings.cameras.get(place).or(fixed_rig.as_ref())) {
@@ -160,7 +173,7 @@ fn report_fewer(recording: &Recording<'_>, spawned: &SpawnCounts) {
 struct VideoWorkers<'a, 'm> {
     scheduler: &'a FrameScheduler<BoxedSession<'m>, SinkItem>,
     /// It sees the frames in their order: whoever has the session has it.
-    observer: &'a Mutex<SceneObserver>,
+    observer: &'a Mutex<(SceneObserver, VehicleSensors)>,
     sinks: &'a [Mutex<StreamSink>],
     maker: FrameRecorder<'a>,
     random_access: bool,
@@ -174,7 +187,7 @@ impl<'m> VideoWorkers<'_, 'm> {
                 WorkerJob::Frame { frame, session } => self.frame(frame, session)?,
                 WorkerJob::Sink { camera, item } => {
                     let mut sink = self.sinks[camera].lock().unwrap_or_else(PoisonError::into_inner);
-                    sink.push(&item, self.maker.recording.clock)?;
+                    sink.push(item, self.maker.recording.clock)?;
                     drop(sink);
                     self.scheduler.sink_done(camera);
                 }
@@ -189,8 +202,10 @@ impl<'m> VideoWorkers<'_, 'm> {
         if step.state.frame != frame {
             return Err(SimulatorError::FramesDropped { expected: frame, got: step.state.frame }.into());
         }
-        let happenings = clock
-            .time(Stage::Traffic, || self.observer.lock().unwrap_or_else(PoisonError::into_inner).observe(&step.state));
+        let (happenings, noticed) = clock.time(Stage::Traffic, || {
+            let mut observers = self.observer.lock().unwrap_or_else(PoisonError::into_inner);
+            (observers.0.observe(&step.state), observers.1.observe(&step.state))
+        });
         let taken = if self.random_access {
             self.scheduler.return_session(session);
             self.maker.take(step)?
@@ -203,6 +218,9 @@ impl<'m> VideoWorkers<'_, 'm> {
         let mut items = self.maker.finish(&taken)?;
         if let Some(first) = items.first_mut() {
             first.scene = taken.into_scene_frame().map(|scene| SceneFrame { happenings, ..scene });
+        }
+        for (stream, noticed) in noticed {
+            items[stream].noticed = Some(noticed);
         }
         self.scheduler.deliver(frame, items);
         progress.event(&ProgressEvent::Frame { cameras: measurements, resumed });

@@ -1,7 +1,7 @@
 //! Checks a rig, and fills what follows from the recipe.
 
 use crate::RecipeError;
-use endless_dataset::{CameraSpec, Layer, ModelSpec, MountSpec, OptionError, Recipe, SensorSpec};
+use endless_dataset::{CameraSpec, EventCameraSpec, Layer, ModelSpec, MountSpec, OptionError, Recipe, SensorSpec};
 use endless_world::ImageSize;
 
 /// Most sensors of a rig.
@@ -58,6 +58,11 @@ pub(crate) fn resolve(recipe: &Recipe) -> Result<Vec<SensorSpec>, RecipeError> {
         check_mount(&wrong, recipe)?;
         let model = match &sensor.model {
             ModelSpec::Camera(camera) => ModelSpec::Camera(camera_of(&wrong, camera, recipe)?),
+            ModelSpec::EventCamera(camera) => ModelSpec::EventCamera(event_camera_of(&wrong, camera, recipe)?),
+            other => {
+                check_model(&wrong, other)?;
+                other.clone()
+            }
         };
         sensors.push(SensorSpec { rate: Some(rate), model, ..sensor.clone() });
     }
@@ -106,12 +111,11 @@ fn check_mount(wrong: &Wrong<'_>, recipe: &Recipe) -> Result<(), RecipeError> {
             wrong.within("height", *height, 0.1, 200.0)?;
             angles(yaw.unwrap_or(0.0), pitch.unwrap_or(0.0), 0.0)
         }
-        MountSpec::Vehicle { class, number, at, yaw, pitch, roll } => {
+        MountSpec::Vehicle { number, at, yaw, pitch, roll, .. } => {
             if recipe.traffic_file.is_none() && *number >= recipe.vehicles {
                 let rule = format!("the recipe has {} vehicles, and counting begins at 0", recipe.vehicles);
                 return Err(wrong.value("number", number, &rule));
             }
-            let _ = class;
             place(at, FAR_FROM_CARRIER_M)?;
             angles(*yaw, *pitch, *roll)
         }
@@ -164,23 +168,61 @@ fn check_times(wrong: &Wrong<'_>, what: &str, times: impl Iterator<Item = f64>) 
     }
 }
 
+/// Sensors without a lens.
+fn check_model(wrong: &Wrong<'_>, model: &ModelSpec) -> Result<(), RecipeError> {
+    let settings = |checked: Result<(), String>| {
+        checked.map_err(|problem| RecipeError::Sensor { sensor: wrong.0.name.clone(), problem })
+    };
+    match model {
+        ModelSpec::Lidar(lidar) if lidar.formats.is_empty() => {
+            Err(wrong.value("formats", "[]", "name at least one of kitti, ply, pcd"))
+        }
+        ModelSpec::Lidar(lidar) => settings(lidar.settings.check()),
+        ModelSpec::Radar(radar) => settings(radar.check()),
+        ModelSpec::Imu(imu) => settings(imu.check()),
+        ModelSpec::Gnss(gnss) => settings(gnss.check()),
+        ModelSpec::Collision | ModelSpec::LaneInvasion => match wrong.0.mount {
+            MountSpec::Vehicle { .. } => Ok(()),
+            MountSpec::Pedestrian { .. } if *model == ModelSpec::Collision => Ok(()),
+            _ => Err(wrong.value("type", model.type_name(), "mount it on a vehicle")),
+        },
+        ModelSpec::Camera(_) | ModelSpec::EventCamera(_) => Ok(()),
+    }
+}
+
+/// The size of a camera's pictures, as it is given or as all have it.
+fn size_of(wrong: &Wrong<'_>, given: Option<&String>, recipe: &Recipe) -> Result<ImageSize, RecipeError> {
+    let Some(text) = given else { return Ok(recipe.size) };
+    let side = 1..=8192;
+    let size: Option<ImageSize> = text.parse().ok();
+    let size = size.filter(|size| side.contains(&size.width) && side.contains(&size.height));
+    size.ok_or_else(|| wrong.value("size", text, "write WIDTHxHEIGHT, each from 1 to 8192"))
+}
+
+/// The field of view of a camera, degrees; `None` for that of its site.
+fn fov_of(wrong: &Wrong<'_>, given: Option<f64>) -> Result<Option<f64>, RecipeError> {
+    let at_site = matches!(wrong.0.mount, MountSpec::Site { .. } | MountSpec::PanTiltZoom { site: Some(_), .. });
+    let fov = if given.is_none() && at_site { None } else { Some(given.unwrap_or(USUAL_FOV_DEG)) };
+    fov.map_or(Ok(()), |fov| wrong.within("fov", fov, 1.0, 150.0))?;
+    Ok(fov)
+}
+
+/// An event camera with what is not given of it.
+fn event_camera_of(
+    wrong: &Wrong<'_>,
+    camera: &EventCameraSpec,
+    recipe: &Recipe,
+) -> Result<EventCameraSpec, RecipeError> {
+    let checked = camera.settings.check();
+    checked.map_err(|problem| RecipeError::Sensor { sensor: wrong.0.name.clone(), problem })?;
+    let size = size_of(wrong, camera.size.as_ref(), recipe)?;
+    Ok(EventCameraSpec { size: Some(size.to_string()), fov: fov_of(wrong, camera.fov)?, ..camera.clone() })
+}
+
 /// A camera with what is not given of it.
 fn camera_of(wrong: &Wrong<'_>, camera: &CameraSpec, recipe: &Recipe) -> Result<CameraSpec, RecipeError> {
-    let size = match &camera.size {
-        Some(text) => {
-            let side = 1..=8192;
-            let size: Option<ImageSize> = text.parse().ok();
-            let size = size.filter(|size| side.contains(&size.width) && side.contains(&size.height));
-            size.ok_or_else(|| wrong.value("size", text, "write WIDTHxHEIGHT, each from 1 to 8192"))?
-        }
-        None => recipe.size,
-    };
-    let fov = match (camera.fov, &wrong.0.mount) {
-        // The site's own.
-        (None, MountSpec::Site { .. } | MountSpec::PanTiltZoom { site: Some(_), .. }) => None,
-        (given, _) => Some(given.unwrap_or(USUAL_FOV_DEG)),
-    };
-    fov.map_or(Ok(()), |fov| wrong.within("fov", fov, 1.0, 150.0))?;
+    let size = size_of(wrong, camera.size.as_ref(), recipe)?;
+    let fov = fov_of(wrong, camera.fov)?;
     let mut layers = camera.layers.clone().unwrap_or_else(|| recipe.layers.clone());
     layers.sort_unstable();
     layers.dedup();

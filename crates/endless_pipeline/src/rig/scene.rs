@@ -2,11 +2,11 @@
 
 use super::resolve::every;
 use crate::{MapCatalog, PlanError};
-use endless_dataset::{CameraSpec, ModelSpec, MountSpec, Origin, Recipe, SensorSpec};
+use endless_dataset::{ModelSpec, MountSpec, Origin, Recipe, SensorSpec};
 use endless_road::JunctionPlace;
 use endless_world::{
-    CameraLook, CameraSite, Carrier, ObjectClass, Placement, RecorderClock, RigCamera, SceneSensor, SensorModel,
-    SensorMount, Stream, TimeOfDay, WayPoint, math,
+    CameraLook, CameraSite, Carrier, ImageSize, ObjectClass, Placement, RecorderClock, RigCamera, RigEventCamera,
+    SceneSensor, SensorModel, SensorMount, Stream, TimeOfDay, WayPoint, math,
 };
 
 /// Where the sensors of a rig are on one map.
@@ -212,12 +212,22 @@ pub(crate) fn scene_sensors(
 ) -> Vec<SceneSensor> {
     let sensor = |((spec, place), number): ((&SensorSpec, &SensorPlace), u64)| {
         let model = match &spec.model {
+            ModelSpec::EventCamera(camera) => {
+                let lens = lens_of(camera.fov, camera.image_size().unwrap_or(recipe.size), place);
+                SensorModel::EventCamera(RigEventCamera { camera: lens, settings: camera.settings })
+            }
+            ModelSpec::Lidar(lidar) => SensorModel::Lidar(lidar.settings.clone()),
+            ModelSpec::Radar(radar) => SensorModel::Radar(radar.clone()),
+            ModelSpec::Imu(imu) => SensorModel::Imu(*imu),
+            ModelSpec::Gnss(gnss) => SensorModel::Gnss(*gnss),
+            ModelSpec::Collision => SensorModel::Collision,
+            ModelSpec::LaneInvasion => SensorModel::LaneInvasion,
             ModelSpec::Camera(camera) => {
                 let mut random = Stream::named(recipe.seed, "rig camera look", &[u64::from(video), number]);
                 let look = camera.look.unwrap_or(recipe.camera_look);
                 SensorModel::Camera(RigCamera {
                     look: CameraLook::new(look, time_of_day, clock, &mut random),
-                    ..lens_of(recipe, camera, place)
+                    ..lens_of(camera.fov, camera.image_size().unwrap_or(recipe.size), place)
                 })
             }
         };
@@ -228,10 +238,10 @@ pub(crate) fn scene_sensors(
 }
 
 /// A camera without effects.
-fn lens_of(recipe: &Recipe, camera: &CameraSpec, place: &SensorPlace) -> RigCamera {
-    let fov = camera.fov.map(f64::to_radians).or(place.site_fov_rad);
+fn lens_of(fov_deg: Option<f64>, size: ImageSize, place: &SensorPlace) -> RigCamera {
+    let fov = fov_deg.map(f64::to_radians).or(place.site_fov_rad);
     RigCamera {
-        size: camera.image_size().unwrap_or(recipe.size),
+        size,
         horizontal_fov_rad: fov.expect("a camera has a field of view of its own or of its site"),
         look: CameraLook::CLEAN,
     }

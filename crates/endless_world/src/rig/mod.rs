@@ -21,5 +21,5 @@ pub use mount::{Carrier, Placement, SensorMount, WayPoint};
 pub use mounted::{carried, moving_to};
 pub use radar::{RadarDetection, RadarScan, RadarSettings};
 pub use rotation::{rotation_from_angles, rotation_from_vector, rotation_vector};
-pub use scene_sensor::{RigCamera, SceneSensor, SensorModel};
+pub use scene_sensor::{RigCamera, RigEventCamera, SceneSensor, SensorModel};
 pub use sensor_pose::SensorPose;

@@ -1,6 +1,6 @@
 //! One sensor of a scene's rig.
 
-use super::{SensorMount, SensorPose};
+use super::{EventCameraSettings, GnssSettings, ImuSettings, LidarSettings, RadarSettings, SensorMount, SensorPose};
 use crate::{CameraLook, CameraSite, ImageSize, Mount, PinholeCamera, SceneCamera};
 use serde::{Deserialize, Serialize};
 
@@ -24,6 +24,39 @@ pub struct SceneSensor {
 pub enum SensorModel {
     /// A camera.
     Camera(RigCamera),
+    /// A camera that tells changes of brightness.
+    EventCamera(RigEventCamera),
+    /// A LiDAR.
+    Lidar(LidarSettings),
+    /// A radar.
+    Radar(RadarSettings),
+    /// Accelerometer, gyroscope and compass.
+    Imu(ImuSettings),
+    /// A receiver of satellite navigation.
+    Gnss(GnssSettings),
+    /// It notices whom its carrier touches.
+    Collision,
+    /// It notices painted lines that its carrier comes over.
+    LaneInvasion,
+}
+
+/// An event camera of a rig.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct RigEventCamera {
+    /// Its lens and its pixels.
+    pub camera: RigCamera,
+    /// What makes an event.
+    pub settings: EventCameraSettings,
+}
+
+impl SensorModel {
+    /// Its lens and its pixels, if it has a lens.
+    pub fn camera(&self) -> Option<&RigCamera> {
+        match self {
+            Self::Camera(camera) | Self::EventCamera(RigEventCamera { camera, .. }) => Some(camera),
+            _ => None,
+        }
+    }
 }
 
 /// A camera of a rig.
@@ -53,7 +86,7 @@ impl SceneSensor {
 
     /// The camera that it is, if it is one that stands still.
     pub fn fixed_camera(&self) -> Option<SceneCamera> {
-        let (SensorModel::Camera(camera), SensorMount::Still { at }) = (&self.model, &self.mount) else { return None };
+        let (Some(camera), SensorMount::Still { at }) = (self.model.camera(), &self.mount) else { return None };
         let site = CameraSite {
             name: self.name.clone(),
             position: at.position.map(|metres| metres as f32),

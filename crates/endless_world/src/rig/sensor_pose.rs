@@ -1,5 +1,6 @@
 //! Where a sensor is at an instant, and how it moves.
 
+use super::rotation_from_vector;
 use glam::{DQuat, DVec3};
 
 /// Where a sensor is at an instant, and how it moves: its body frame (x forward, y left, z up) in the world, in double
@@ -20,6 +21,17 @@ impl SensorPose {
     /// At rest.
     pub fn still(position: DVec3, world_from_sensor: DQuat) -> Self {
         Self { position, world_from_sensor, velocity_mps: DVec3::ZERO, angular_velocity_radps: DVec3::ZERO }
+    }
+
+    /// Where it was so many seconds ago, had it moved as it does now all the time.
+    #[must_use]
+    pub fn earlier(&self, seconds: f64) -> Self {
+        let turned = rotation_from_vector(self.angular_velocity_radps * -seconds);
+        Self {
+            position: self.position - self.velocity_mps * seconds,
+            world_from_sensor: turned * self.world_from_sensor,
+            ..*self
+        }
     }
 
     /// A point of the sensor's body frame in the world, metres.

@@ -1,7 +1,9 @@
 //! One sensor.
 
-use super::{CameraSpec, MountSpec};
-use serde::{Deserialize, Serialize, de::DeserializeOwned};
+use super::json_fields::{fields, value};
+use super::{CameraSpec, EventCameraSpec, LidarSpec, MountSpec};
+use endless_world::{GnssSettings, ImuSettings, RadarSettings};
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
 /// A sensor as users write it: what all have, and beside it the settings of its type.
@@ -23,22 +25,51 @@ pub struct SensorSpec {
 pub enum ModelSpec {
     /// A camera.
     Camera(CameraSpec),
+    /// A camera that tells changes of brightness.
+    EventCamera(EventCameraSpec),
+    /// A LiDAR.
+    Lidar(LidarSpec),
+    /// A radar.
+    Radar(RadarSettings),
+    /// Accelerometer, gyroscope and compass.
+    Imu(ImuSettings),
+    /// A receiver of satellite navigation.
+    Gnss(GnssSettings),
+    /// It notices whom its carrier touches.
+    Collision,
+    /// It notices painted lines that its carrier comes over.
+    LaneInvasion,
 }
 
 impl ModelSpec {
     /// The types that there are.
-    pub const TYPES: &[&str] = &["camera"];
+    pub const TYPES: &[&str] =
+        &["camera", "event_camera", "lidar", "radar", "imu", "gnss", "collision", "lane_invasion"];
 
     /// The word for it in a recipe.
     pub fn type_name(&self) -> &'static str {
         match self {
             Self::Camera(_) => "camera",
+            Self::EventCamera(_) => "event_camera",
+            Self::Lidar(_) => "lidar",
+            Self::Radar(_) => "radar",
+            Self::Imu(_) => "imu",
+            Self::Gnss(_) => "gnss",
+            Self::Collision => "collision",
+            Self::LaneInvasion => "lane_invasion",
         }
     }
 
     fn parse(type_name: &str, settings: Map<String, Value>) -> Result<Self, String> {
         match type_name {
             "camera" => Ok(Self::Camera(value(settings)?)),
+            "event_camera" => EventCameraSpec::parse(settings).map(Self::EventCamera),
+            "lidar" => LidarSpec::parse(settings).map(Self::Lidar),
+            "radar" => Ok(Self::Radar(value(settings)?)),
+            "imu" => Ok(Self::Imu(value(settings)?)),
+            "gnss" => Ok(Self::Gnss(value(settings)?)),
+            "collision" => no_settings(&settings).map(|()| Self::Collision),
+            "lane_invasion" => no_settings(&settings).map(|()| Self::LaneInvasion),
             other => Err(format!("unknown type '{other}', known are {}", Self::TYPES.join(", "))),
         }
     }
@@ -46,8 +77,18 @@ impl ModelSpec {
     fn settings(&self) -> Map<String, Value> {
         match self {
             Self::Camera(camera) => fields(camera),
+            Self::EventCamera(camera) => camera.fields(),
+            Self::Lidar(lidar) => lidar.fields(),
+            Self::Radar(radar) => fields(radar),
+            Self::Imu(imu) => fields(imu),
+            Self::Gnss(gnss) => fields(gnss),
+            Self::Collision | Self::LaneInvasion => Map::new(),
         }
     }
+}
+
+fn no_settings(given: &Map<String, Value>) -> Result<(), String> {
+    given.keys().next().map_or(Ok(()), |key| Err(format!("unknown field `{key}`, there are none of this type")))
 }
 
 impl TryFrom<Map<String, Value>> for SensorSpec {
@@ -87,18 +128,6 @@ impl From<SensorSpec> for Map<String, Value> {
         written.insert("mount".to_owned(), fields(&mount).into());
         written.extend(model.settings());
         written
-    }
-}
-
-fn value<T: DeserializeOwned>(given: impl Into<Value>) -> Result<T, String> {
-    serde_json::from_value(given.into()).map_err(|wrong| wrong.to_string().replace('\n', " "))
-}
-
-/// A plain struct as the table that it is written as; what is not given is left out.
-fn fields(of: &impl Serialize) -> Map<String, Value> {
-    match serde_json::to_value(of) {
-        Ok(Value::Object(fields)) => fields.into_iter().filter(|(_, value)| !value.is_null()).collect(),
-        _ => unreachable!("settings are plain structs"),
     }
 }
 
@@ -146,7 +175,7 @@ mod tests {
                 "type = \"camera\"\n        mount = { on = \"orbit\"",
                 "type = \"sonar\"\n        mount = { on = \"orbit\""
             ),
-            "sensor drone: unknown type 'sonar', known are camera"
+            "sensor drone: unknown type 'sonar', known are camera, event_camera, lidar, radar, imu, gnss, collision, lane_invasion"
         );
         assert!(told("fov = 90", "fow = 90").starts_with("sensor front: unknown field `fow`"));
         assert!(told("pitch = -3", "tilt = -3").starts_with("sensor front: mount: unknown field `tilt`"));
