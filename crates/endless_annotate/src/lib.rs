@@ -75,5 +75,5 @@ pub use ridden::WithRider;
 pub use rle::mask_pixels;
 pub use scene_frame::{LightState, SceneFrame, SignalRecord, SunState, WeatherState, count_by_class};
 pub use shapes::{ObjectShapes, Spatial};
-pub use vehicle_events::{CollisionEvent, CollisionSensor, LaneInvasionEvent, LaneInvasionSensor};
+pub use vehicle_events::{BodySize, CollisionEvent, CollisionSensor, LaneInvasionEvent, LaneInvasionSensor};
 pub use visible::{PixelBox, VisibleObject, visible_objects};

@@ -1,9 +1,10 @@
 //! Collisions of one actor with others.
 
+use super::BodySize;
 use crate::Footprint;
 use crate::rounding::{ten_thousandths, thousandths};
 use endless_world::{Actor, InstanceId, ObjectClass, WorldState};
-use glam::Vec2;
+use glam::Vec3Swizzles as _;
 use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -32,34 +33,46 @@ pub struct CollisionEvent {
     pub depth_m: f64,
 }
 
-/// Notices whom an actor touches, in world states that follow one another. Bodies are rectangles on the ground.
+/// Notices whom an actor touches, in world states that follow one another. Bodies are rectangles on
+/// the ground, those of trailers rectangles of their own.
 #[derive(Debug, Clone)]
 pub struct CollisionSensor {
     carrier: InstanceId,
-    half_sizes: BTreeMap<InstanceId, Vec2>,
+    sizes: BTreeMap<InstanceId, BodySize>,
     still: Vec<Actor>,
+    /// Nobody touches another whose middle is farther away, metres.
+    reach_m: f32,
     touched: BTreeSet<InstanceId>,
 }
 
 impl CollisionSensor {
-    /// Carried by this actor. `half_sizes` has half length and half width, metres, of everybody who can be touched and of
-    /// the carrier; `still` are those that world states leave out: parked vehicles.
-    pub fn new(carrier: InstanceId, half_sizes: BTreeMap<InstanceId, Vec2>, still: Vec<Actor>) -> Self {
-        Self { carrier, half_sizes, still, touched: BTreeSet::new() }
+    /// Carried by this actor. `sizes` are those of everybody who can be touched and of the carrier; `still` are those that
+    /// world states leave out: parked vehicles.
+    pub fn new(carrier: InstanceId, sizes: BTreeMap<InstanceId, BodySize>, still: Vec<Actor>) -> Self {
+        let own_m = sizes.get(&carrier).map_or(0.0, |size| size.half.length());
+        let reach_m = own_m + sizes.values().map(|size| size.half.length()).fold(0.0, f32::max);
+        Self { carrier, sizes, still, reach_m, touched: BTreeSet::new() }
     }
 
     /// Whom the carrier touches in the next state, by ascending id; nobody while it is not there.
     pub fn observe(&mut self, state: &WorldState) -> Vec<CollisionEvent> {
         let before = std::mem::take(&mut self.touched);
         let Some(own) = state.actors.iter().find(|actor| actor.id == self.carrier) else { return Vec::new() };
-        let Some(body) = self.footprint(own) else { return Vec::new() };
+        let bodies: Vec<Footprint> = self.footprints(own).collect();
         let others = self.still.iter().chain(&state.actors).filter(|other| other.id != self.carrier);
-        let near = others.filter(|other| (other.pose.position.z - own.pose.position.z).abs() < STOREY_M);
+        let near = others.filter(|other| {
+            let apart = other.pose.position - own.pose.position;
+            apart.z.abs() < STOREY_M && apart.xy().length() < self.reach_m
+        });
         let mut events: Vec<CollisionEvent> = near
             .filter_map(|other| {
-                let touched = self.footprint(other)?;
-                let (normal, depth_m) = body.contact(&touched)?;
-                let closing = (touched.velocity - body.velocity).dot(normal);
+                let contacts = self.footprints(other).flat_map(|touched| {
+                    bodies
+                        .iter()
+                        .filter_map(move |body| Some((body.contact(&touched)?, touched.velocity - body.velocity)))
+                });
+                let ((normal, depth_m), nearer) = contacts.max_by(|a, b| a.0.1.total_cmp(&b.0.1))?;
+                let closing = nearer.dot(normal);
                 Some(CollisionEvent {
                     frame: state.frame,
                     time_s: state.time_s,
@@ -77,8 +90,9 @@ impl CollisionSensor {
         events
     }
 
-    fn footprint(&self, actor: &Actor) -> Option<Footprint> {
-        self.half_sizes.get(&actor.id).map(|&half| Footprint::of(actor, half))
+    /// None for those of no size.
+    fn footprints(&self, actor: &Actor) -> impl Iterator<Item = Footprint> + use<> {
+        self.sizes.get(&actor.id).map(|size| size.footprints(actor)).into_iter().flatten()
     }
 }
 
@@ -86,7 +100,7 @@ impl CollisionSensor {
 mod tests {
     use super::*;
     use endless_world::{Behaviour, Motion, Pose, VehicleModelId, VehicleMotion, VehicleRef};
-    use glam::Vec3;
+    use glam::{Vec2, Vec3};
 
     fn car(id: u16, at: Vec3, speed_mps: f32) -> Actor {
         Actor {
@@ -105,8 +119,9 @@ mod tests {
     #[test]
     fn a_car_runs_into_a_parked_one() {
         let parked = Actor { parked: true, ..car(1, Vec3::new(10.0, 0.5, 0.0), 0.0) };
-        let half_sizes = (1..5).map(|id| (InstanceId(id), Vec2::new(2.0, 0.9))).collect();
-        let mut sensor = CollisionSensor::new(InstanceId(3), half_sizes, vec![parked]);
+        let size = BodySize::rigid(Vec2::new(2.0, 0.9));
+        let sizes = (1..5).map(|id| (InstanceId(id), size)).collect();
+        let mut sensor = CollisionSensor::new(InstanceId(3), sizes, vec![parked]);
         let mut told = Vec::new();
         for frame in 0..8 {
             let x = frame as f32;

@@ -1,7 +1,8 @@
 //! Lane markings that one vehicle crosses.
 
+use super::BodySize;
 use super::mark_grid::MarkGrid;
-use crate::{Footprint, MarkAttributes, MarkFeature};
+use crate::{MarkAttributes, MarkFeature};
 use endless_world::{InstanceId, WorldState};
 use glam::{DVec2, Vec2};
 use serde::{Deserialize, Serialize};
@@ -22,25 +23,24 @@ pub struct LaneInvasionEvent {
 #[derive(Debug, Clone)]
 pub struct LaneInvasionSensor {
     carrier: InstanceId,
-    half: Vec2,
+    size: BodySize,
     marks: MarkGrid,
-    corners: Option<[Vec2; 4]>,
+    corners: Option<Vec<Vec2>>,
 }
 
 impl LaneInvasionSensor {
-    /// Carried by this vehicle of this half length and half width, metres, on a map with these lines.
-    pub fn new(carrier: InstanceId, half: Vec2, marks: &[MarkFeature]) -> Self {
-        Self { carrier, half, marks: MarkGrid::new(marks), corners: None }
+    /// Carried by this vehicle of this size, on a map with these lines.
+    pub fn new(carrier: InstanceId, size: BodySize, marks: &[MarkFeature]) -> Self {
+        Self { carrier, size, marks: MarkGrid::new(marks), corners: None }
     }
 
     /// What the carrier's corners have crossed on their way to the next state: one event, or none.
     pub fn observe(&mut self, state: &WorldState) -> Option<LaneInvasionEvent> {
         let own = state.actors.iter().find(|actor| actor.id == self.carrier);
-        let now = own.map(|own| Footprint::of(own, self.half).corners());
+        let now = own.map(|own| self.size.footprints(own).flat_map(|part| part.corners()).collect());
         let before = std::mem::replace(&mut self.corners, now);
-        let (own, before, now) = (own?, before?, now?);
-        let way = |i: usize| [before[i], now[i]].map(|p: Vec2| -> DVec2 { p.as_dvec2() });
-        let ways = [0, 1, 2, 3].map(way);
+        let (own, before, now) = (own?, before?, self.corners.as_ref()?);
+        let ways: Vec<[DVec2; 2]> = before.iter().zip(now).map(|(a, b)| [a.as_dvec2(), b.as_dvec2()]).collect();
         let crossed_lane_markings: Vec<MarkAttributes> =
             self.marks.crossed(&ways, own.pose.position.z.into()).cloned().collect();
         (!crossed_lane_markings.is_empty()).then_some(LaneInvasionEvent {
@@ -78,7 +78,7 @@ mod tests {
         let attributes = MarkAttributes { id: 7, broken: true, color: PaintColor::Yellow, width_m: 0.12 };
         let line = vec![DVec3::new(-50.0, 2.0, 0.0), DVec3::new(50.0, 2.0, 0.0)];
         let marks = [MarkFeature { attributes: attributes.clone(), pieces: vec![line] }];
-        let mut sensor = LaneInvasionSensor::new(InstanceId(1), Vec2::new(2.0, 0.9), &marks);
+        let mut sensor = LaneInvasionSensor::new(InstanceId(1), BodySize::rigid(Vec2::new(2.0, 0.9)), &marks);
         // Left side at y + 0.9, right side at y − 0.9.
         let ys = [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 3.5];
         let told: Vec<LaneInvasionEvent> = (0..).zip(ys).filter_map(|(i, y)| sensor.observe(&state(i, y))).collect();

@@ -8,4 +8,5 @@ mod imu;
 mod merge;
 mod slope;
 mod towns;
+mod vehicle_events;
 mod watch;
