@@ -56,6 +56,7 @@ fn street() -> RoadMap {
             outline: ring(DVec2::new(20.0, -40.0), DVec2::new(23.0, -20.0)),
             holes: vec![],
         }],
+        georeference: Some("+proj=tmerc +lat_0=48 +lon_0=11.5 +datum=WGS84".to_owned()),
         ..RoadMap::default()
     }
 }
@@ -167,6 +168,8 @@ fn a_street_on_a_slope_is_dressed() {
     assert_eq!(town.meshes, again.meshes);
     assert_eq!(town.placements, again.placements);
     assert_eq!(town.cameras, again.cameras);
+    let origin = town.georeference.expect("the map says where it lies").wgs84(DVec3::Z);
+    assert_eq!([origin.latitude_deg, origin.longitude_deg, origin.altitude_m], [48.0, 11.5, 1.0]);
 }
 
 #[test]
