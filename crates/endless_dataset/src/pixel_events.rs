@@ -86,6 +86,22 @@ mod tests {
         prop::collection::vec(event, 0..50)
     }
 
+    /// `numpy.load` of these bytes gives [(3, 4, -5, True), (1, 2, 1000000000000, False)].
+    #[test]
+    fn numpy_knows_the_format() {
+        let event = |x, y, t_us, polarity| PixelEvent { t_us, y, x, polarity };
+        let bytes = encode_pixel_events(&[event(3, 4, -5, true), event(1, 2, 1_000_000_000_000, false)]);
+        let (head, data) = bytes.split_at(128);
+        assert_eq!(head[..10], *b"\x93NUMPY\x01\x00\x76\x00");
+        let words = "{'descr': [('x', '<u2'), ('y', '<u2'), ('t', '<i8'), ('pol', '|b1')], 'fortran_order': False, \
+                     'shape': (2,), }";
+        assert_eq!(std::str::from_utf8(&head[10..]).map(str::trim_end), Ok(words));
+        assert_eq!(head[127], b'\n');
+        let first = [3, 0, 4, 0, 0xfb, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 1];
+        let second = [1, 0, 2, 0, 0, 0x10, 0xa5, 0xd4, 0xe8, 0, 0, 0, 0];
+        assert_eq!(data, [first, second].concat());
+    }
+
     proptest! {
         #[test]
         fn what_is_written_is_read(events in events()) {
