@@ -8,7 +8,7 @@ use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
 use endless_render::RayCaster;
 use endless_sensor::{Atmosphere, Lidar, SweepInterval};
-use endless_world::{LidarPoint, LidarPreset, LidarSettings, SceneWeather, SensorPose, TimeOfDay, Weather};
+use endless_world::{Actor, LidarPoint, LidarPreset, LidarSettings, SceneWeather, SensorPose, TimeOfDay, Weather};
 use glam::{DQuat, DVec3, Vec3};
 use staged::crowd;
 use std::{error::Error, fs::File, time::Instant};
@@ -34,7 +34,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let state = crowd(&town, place.position.as_vec3().to_array(), &catalogue, false);
     let models = ActorModels::new(&catalogue, &state.actors);
     let frame = models.frame_scene(&state);
-    let caster = RayCaster::new(town_scene.static_scene(), &frame);
+    // Who stands where the sensor is carries it.
+    let near = |actor: &&Actor| actor.pose.position.distance(place.position.as_vec3()) < 1.0;
+    let carrier: Vec<_> = state.actors.iter().filter(near).flat_map(|a| [Some(a.id), a.rider_id]).flatten().collect();
+    let caster = RayCaster::new(town_scene.static_scene(), &frame).ignoring(&carrier);
     let lidar = Lidar::new(&LidarSettings::of(preset), 7);
     let atmosphere = Atmosphere::from(&SceneWeather::new(weather, time, 7));
     let turn = DQuat::from_rotation_z(place.heading_rad);
