@@ -18,7 +18,8 @@ const fn float(name: &'static str) -> PointField {
 }
 
 const fn unsigned(name: &'static str, bytes: usize) -> PointField {
-    PointField { name, ply: if bytes == 1 { "uchar" } else { "ushort" }, pcd: "U", bytes }
+    // Of the two names that PLY has for 16 bits, Open3D knows this one only.
+    PointField { name, ply: if bytes == 1 { "uchar" } else { "uint16" }, pcd: "U", bytes }
 }
 
 /// In their order: metres, share, seconds, then words as numbers.
