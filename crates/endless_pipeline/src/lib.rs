@@ -70,8 +70,8 @@ pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
 pub use record::StageTimes;
 pub use rig::read_rig;
 pub use simulator::{
-    Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneTruth, SensorReading, SimulationSession,
-    SimulationStep, Simulator, TrackFileSummary,
+    Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneBodies, SceneTruth, SensorReading,
+    SimulationSession, SimulationStep, Simulator, TrackFileSummary,
 };
 pub use simulator_error::SimulatorError;
 pub use user_camera::{cameras_from_text, read_cameras};

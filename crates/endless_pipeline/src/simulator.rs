@@ -1,7 +1,9 @@
 //! The interface of simulators: the built-in city, a remote server, a test double. All later stages are the same for each.
 
 use crate::SimulatorError;
-use endless_annotate::{ActorRecord, MapFeatures, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, WorldKeypoints};
+use endless_annotate::{
+    ActorRecord, BodySize, MapFeatures, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, WorldKeypoints,
+};
 use endless_dataset::{Recipe, SpawnCounts};
 use endless_road::{Georeference, JunctionPlace};
 use endless_world::{
@@ -195,9 +197,9 @@ pub trait SimulationSession<'m>: Send {
         None
     }
 
-    /// The vehicles that stand parked for the whole video.
-    fn parked(&self) -> Vec<Actor> {
-        Vec::new()
+    /// What carriers of sensors may touch, if there are sensors that notice it.
+    fn bodies(&self) -> SceneBodies {
+        SceneBodies::default()
     }
 
     /// What relations and events are judged by: lanes, lights, and how large those who move are.
@@ -209,6 +211,15 @@ pub trait SimulationSession<'m>: Send {
     fn stats(&self) -> RenderStats {
         RenderStats::default()
     }
+}
+
+/// The bodies of a scene on the ground.
+#[derive(Debug, Clone, Default)]
+pub struct SceneBodies {
+    /// How large everybody is.
+    pub sizes: BTreeMap<InstanceId, BodySize>,
+    /// Those that world states leave out: parked vehicles.
+    pub still: Vec<Actor>,
 }
 
 /// The world at one instant, and its render task.

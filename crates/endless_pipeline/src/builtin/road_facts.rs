@@ -1,20 +1,17 @@
 //! What relations and events are judged by in built-in towns.
 
-use endless_annotate::{LaneCrossing, LaneFacts, RoadFacts};
+use endless_annotate::{BodySize, LaneCrossing, LaneFacts, RoadFacts};
 use endless_asset::Catalogue;
 use endless_road::{RoadNetwork, TrafficControl};
-use endless_world::Actor;
+use endless_world::{Actor, InstanceId};
 use glam::Vec2;
+use std::collections::BTreeMap;
 
 /// Half length and half width of somebody on foot, metres.
 const PERSON: Vec2 = Vec2::new(0.2, 0.25);
 
-/// The lanes of a network and the sizes of vehicles and people.
-pub(super) fn road_facts<'a>(
-    network: &RoadNetwork,
-    catalogue: &Catalogue,
-    actors: impl Iterator<Item = &'a Actor>,
-) -> RoadFacts {
+/// The lanes of a network and the sizes of those who move.
+pub(super) fn road_facts(network: &RoadNetwork, catalogue: &Catalogue, moving: &[Actor]) -> RoadFacts {
     let mut lanes: Vec<LaneFacts> = network
         .lanes
         .iter()
@@ -34,12 +31,18 @@ pub(super) fn road_facts<'a>(
             lanes[cut.lane.index()].crossings.push(LaneCrossing { crossing, range_m: (begin as f32, end as f32) });
         }
     }
-    let half_size = |actor: &Actor| match actor.asset.vehicle() {
-        Some(vehicle) => {
-            let spec = &catalogue.vehicle(vehicle.model)?.spec;
-            Some((actor.id, 0.5 * Vec2::new(spec.length_m, spec.width_m)))
-        }
-        None => Some((actor.id, PERSON)),
+    let half_sizes = body_sizes(catalogue, moving.iter()).into_iter().map(|(id, size)| (id, size.half)).collect();
+    RoadFacts { lanes, half_sizes }
+}
+
+/// How large actors are on the ground.
+pub(super) fn body_sizes<'a>(
+    catalogue: &Catalogue,
+    actors: impl Iterator<Item = &'a Actor>,
+) -> BTreeMap<InstanceId, BodySize> {
+    let size = |actor: &Actor| match actor.asset.vehicle() {
+        Some(vehicle) => Some((actor.id, BodySize::of(&catalogue.vehicle(vehicle.model)?.spec))),
+        None => Some((actor.id, BodySize::rigid(PERSON))),
     };
-    RoadFacts { lanes, half_sizes: actors.filter_map(half_size).collect() }
+    actors.filter_map(size).collect()
 }

@@ -9,12 +9,14 @@ use super::{
     moving_cameras::MovingCameras,
     repainted::repainted,
     rig::SceneRig,
-    road_facts::road_facts,
+    road_facts::{body_sizes, road_facts},
     scene_frame::scene_frame,
     shapes::{MovingShapes, ParkedShapes},
 };
 use crate::record::sensor_seed;
-use crate::{RenderStats, RenderTask, SceneTruth, SensorReading, SimulationSession, SimulationStep, SimulatorError};
+use crate::{
+    RenderStats, RenderTask, SceneBodies, SceneTruth, SensorReading, SimulationSession, SimulationStep, SimulatorError,
+};
 use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, SceneFrame, SceneObjects};
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
@@ -195,13 +197,14 @@ impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
         self.scene.rig.carrier(sensor)
     }
 
-    fn parked(&self) -> Vec<Actor> {
-        self.scene.parked.clone()
+    fn bodies(&self) -> SceneBodies {
+        let BuiltinScene { catalogue, moving, parked, .. } = &*self.scene;
+        SceneBodies { sizes: body_sizes(catalogue, parked.iter().chain(moving)), still: parked.clone() }
     }
 
     fn road_facts(&self) -> RoadFacts {
-        let BuiltinScene { map, catalogue, moving, parked, .. } = &*self.scene;
-        road_facts(&map.town.network, catalogue, parked.iter().chain(moving))
+        let BuiltinScene { map, catalogue, moving, .. } = &*self.scene;
+        road_facts(&map.town.network, catalogue, moving)
     }
 
     fn stats(&self) -> RenderStats {

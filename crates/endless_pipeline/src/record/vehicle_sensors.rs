@@ -1,11 +1,9 @@
 //! Sensors that notice what happens to their carriers, shown every world state in its order.
 
 use super::streams::{Stream, StreamModel};
-use endless_annotate::{
-    CollisionEvent, CollisionSensor, LaneInvasionEvent, LaneInvasionSensor, MarkFeature, RoadFacts,
-};
-use endless_world::{Actor, InstanceId, WorldState};
-use glam::Vec2;
+use crate::SceneBodies;
+use endless_annotate::{CollisionEvent, CollisionSensor, LaneInvasionEvent, LaneInvasionSensor, MarkFeature};
+use endless_world::{InstanceId, WorldState};
 
 /// Those of a video, by the places of their streams.
 pub(super) struct VehicleSensors {
@@ -29,18 +27,20 @@ impl VehicleSensors {
     pub(super) fn new(
         streams: &[Stream<'_>],
         carrier: impl Fn(usize) -> Option<InstanceId>,
-        road: &RoadFacts,
-        parked: &[Actor],
+        bodies: impl Fn() -> SceneBodies,
         marks: &[MarkFeature],
     ) -> Self {
         let sensor = |(place, stream): (usize, &Stream<'_>)| {
             let id = carrier(stream.sensor?.0)?;
-            let half = road.half_sizes.get(&id).copied().unwrap_or(Vec2::ZERO);
             let sensor = match &stream.model {
                 StreamModel::Collision => {
-                    VehicleSensor::Collision(CollisionSensor::new(id, road.half_sizes.clone(), parked.to_vec()))
+                    let SceneBodies { sizes, still } = bodies();
+                    VehicleSensor::Collision(CollisionSensor::new(id, sizes, still))
                 }
-                StreamModel::LaneInvasion => VehicleSensor::LaneInvasion(LaneInvasionSensor::new(id, half, marks)),
+                StreamModel::LaneInvasion => {
+                    let size = *bodies().sizes.get(&id)?;
+                    VehicleSensor::LaneInvasion(LaneInvasionSensor::new(id, size, marks))
+                }
                 _ => return None,
             };
             Some((place, sensor))

@@ -62,10 +62,10 @@ pub(crate) fn record_video<S: Simulator>(
         .map(|stream| StreamSink::create(recording, stream, simulator.georeference(map)).map(Mutex::new))
         .collect::<Result<Vec<_>, _>>()?;
     let lines = recipe.counting_lines.iter().filter(|line| line.map == settings.map).cloned().collect();
-    let (road, parked) = (session.road_facts(), session.parked());
+    let road = session.road_facts();
     let marks = simulator.map_features(map).map_or(&[][..], |features| &features.marks);
     let carrier = |sensor| session.carrier(sensor);
-    let vehicle_sensors = VehicleSensors::new(streams, carrier, &road, &parked, marks);
+    let vehicle_sensors = VehicleSensors::new(streams, carrier, || session.bodies(), marks);
     let observer = Mutex::new((SceneObserver::new(road, lines), vehicle_sensors));
     let window = 2 * recording.pool.current_num_threads() as u32 + 2;
     let scheduler = FrameScheduler::new(session, sinks.len(), settings.frames, window);

@@ -34,7 +34,7 @@ fn recorded() -> &'static (String, Places) {
             pedestrians: 40,
             fps: f64::from(STEPS),
             focus: town.cameras.iter().take(1).map(|camera| camera.position.into()).collect(),
-            first: Vec::new(),
+
             ..TrafficSettings::default()
         };
         let mut traffic = Simulation::new(&town.network, &fleet, &[], &settings).expect("few");

@@ -17,3 +17,4 @@ mod objects;
 mod people_layers;
 mod randomised;
 mod record;
+mod rig;
