@@ -83,7 +83,7 @@ impl FrameFolder {
             Self::Ply => points_from_ply(bytes).map(|points| points.len()),
             Self::Pcd => points_from_pcd(bytes).map(|points| points.len()),
             Self::Scans => {
-                let text = std::str::from_utf8(bytes).map_err(|_| "is no text".to_owned())?;
+                let text = std::str::from_utf8(bytes).map_err(|error| format!("is no text: {error}"))?;
                 detections_from_csv(text).map(|detections| detections.len())
             }
             Self::Events => decode_pixel_events(bytes).map(|events| events.len()),

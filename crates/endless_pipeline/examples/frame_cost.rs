@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let condition = Condition::of(weather, time_of_day).into();
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
-    let asked = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus };
+    let asked = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus, first: Vec::new() };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &asked)?;
     let models = ActorModels::in_town(&town_scene, &catalogue, &traffic.state().actors);
     let (mut scene_time, mut times) = (Duration::ZERO, vec![Duration::ZERO; baked.len()]);

@@ -269,7 +269,7 @@ pub trait RenderTask<'m>: Send {
 /// What a sensor of a rig measured.
 pub enum SensorReading {
     /// Of a camera, or the picture from which an event camera's events are made.
-    Camera(SensorFrame),
+    Camera(Box<SensorFrame>),
     /// Of a LiDAR.
     Lidar(LidarSweep),
     /// Of a radar.

@@ -39,6 +39,7 @@ mod reid;
 mod rig;
 mod rng;
 mod scene;
+mod scene_camera;
 mod scene_weather;
 mod sensor;
 mod state;
@@ -79,7 +80,8 @@ pub use rig::{
     carried, moving_to, rotation_from_angles, rotation_from_vector, rotation_vector,
 };
 pub use rng::{Stream, fnv1a};
-pub use scene::{FixedCamera, SceneCamera, SceneSettings};
+pub use scene::{FixedCamera, SceneSettings};
+pub use scene_camera::SceneCamera;
 pub use scene_weather::SceneWeather;
 pub use sensor::{FAR_PLANE_M, Image, InstancePixel, SensorFrame, SensorLayers};
 pub use state::{SignalAspect, SignalState, WorldState};

@@ -1,20 +1,10 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
 use crate::{
-    CameraLook, CameraSite, ConditionChange, ImageSize, SceneRandomisation, SceneSensor, TimeOfDay, TrackPlayback,
-    Weather,
+    ConditionChange, ImageSize, SceneCamera, SceneRandomisation, SceneSensor, TimeOfDay, TrackPlayback, Weather,
 };
 use glam::Vec3;
 use serde::{Deserialize, Serialize};
-
-/// A camera of a scene: where it hangs, and what it does to the picture.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SceneCamera {
-    /// Position and direction.
-    pub site: CameraSite,
-    /// Effects of its lens, sensor and recorder on the picture.
-    pub look: CameraLook,
-}
 
 /// A camera that stands still, and the size of its pictures.
 #[derive(Debug, Clone, PartialEq)]

@@ -266,12 +266,17 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
         if of.fixed_camera().is_some() {
             let before = scene.settings.sensors[..sensor].iter().filter(|other| other.fixed_camera().is_some()).count();
             let number = scene.settings.cameras.len() + before;
-            return Ok(SensorReading::Camera(bakes.render(number, still, &frame, NeighbourFrames::default())));
+            return Ok(SensorReading::Camera(Box::new(bakes.render(
+                number,
+                still,
+                &frame,
+                NeighbourFrames::default(),
+            ))));
         }
         let pose = self.sensor_pose(state, sensor)?;
         let now = camera.at(&of.mount, &pose, state.time_s);
         let image = scene.moving_cameras.render(sensor, still, &frame, &now);
-        Ok(SensorReading::Camera(image.expect("a camera that does not stand still moves")))
+        Ok(SensorReading::Camera(Box::new(image.expect("a camera that does not stand still moves"))))
     }
 
     fn render(self: Box<Self>, _state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {

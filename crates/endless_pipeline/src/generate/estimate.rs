@@ -23,7 +23,7 @@ pub(super) fn estimate(
         for stream in Stream::all(recipe, settings, &layout.video(settings)) {
             let frames = stream.frames().len() as u64;
             let folders = stream.frame_folders().len() as u64;
-            let missing = if folders == 0 { frames } else { frames - count_files(&stream)? / folders };
+            let missing = frames - count_files(&stream)?.checked_div(folders).unwrap_or(0);
             missing_frames += missing;
             let (images, videos) = match &stream.model {
                 // A video's samples lie on the disk twice while its index is put in front, and objects take a line a frame.

@@ -157,7 +157,7 @@ impl<'a> FrameRecorder<'a> {
             return Err(SimulatorError::CamerasMissing { frame, expected: cameras, got: frames.len() });
         }
         for (reading, image) in sensed.iter_mut().zip(frames) {
-            *reading = Some(StreamReading::Made(SensorReading::Camera(image)));
+            *reading = Some(StreamReading::Made(SensorReading::Camera(Box::new(image))));
         }
         let other = sensed.iter().flatten().find_map(|reading| match reading {
             StreamReading::Made(SensorReading::Camera(image)) if image.frame != frame => Some(image.frame),

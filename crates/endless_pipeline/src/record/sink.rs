@@ -47,9 +47,9 @@ pub(super) struct StreamSink {
 }
 
 enum ModelSink {
-    Camera(CameraSink),
+    Camera(Box<CameraSink>),
     Events(EventSink),
-    Imu(ImuSink),
+    Imu(Box<ImuSink>),
     Gnss(GnssSink),
     Collisions(LinesWriter<CollisionEvent>),
     LaneInvasions(LinesWriter<LaneInvasionEvent>),
@@ -64,11 +64,11 @@ impl StreamSink {
     ) -> Result<Self, DatasetError> {
         let lines = stream.lines.as_deref();
         let model = match (&stream.model, lines) {
-            (StreamModel::Camera(camera), _) => ModelSink::Camera(CameraSink::create(stream, camera)?),
+            (StreamModel::Camera(camera), _) => ModelSink::Camera(Box::new(CameraSink::create(stream, camera)?)),
             (StreamModel::Events { settings, size }, _) => ModelSink::Events(EventSink::new(stream, settings, *size)),
             (StreamModel::Imu(settings), Some(path)) => {
                 let period_s = f64::from(stream.every) / recording.settings.fps;
-                ModelSink::Imu(ImuSink::create(path, settings, period_s, stream.seed)?)
+                ModelSink::Imu(Box::new(ImuSink::create(path, settings, period_s, stream.seed)?))
             }
             (StreamModel::Gnss(settings), Some(path)) => {
                 ModelSink::Gnss(GnssSink::create(path, settings, georeference, stream.seed)?)
