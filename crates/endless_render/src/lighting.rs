@@ -1,4 +1,4 @@
-//! Lighting baked once for a camera's view, which stays the same while objects move.
+//! Lighting baked once for what cameras view, which stays the same while objects move.
 
 use crate::accel::Ray;
 use crate::indirect::{IndirectRays, PROBE_BOUNCES, ProbeGrid, ProbeRegion, TapeStack};
@@ -51,7 +51,7 @@ impl ViewedArea {
     }
 }
 
-/// Sun, sky and air, what hides lamps, light that bounced, and the glow of lamps in the air.
+/// Sun, sky and air, what hides lamps, and light that bounced.
 pub(crate) struct Lighting {
     pub(crate) environment: Environment,
     /// Where not all of them are lit.
@@ -59,12 +59,10 @@ pub(crate) struct Lighting {
     pub(crate) lamp_maps: LampMaps,
     /// Light that bounced; without them it is that of the open sky.
     pub(crate) probes: Option<ProbeGrid>,
-    /// Where lamps glow in the air before a fixed camera.
-    pub(crate) halos: Option<HaloGrid>,
 }
 
 impl Lighting {
-    /// Around what cameras see, without light that bounced and without the glow of lamps.
+    /// Around what cameras see, without light that bounced.
     pub(crate) fn direct(still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
         let ViewedArea { low, high, ground } = *area;
         let environment = Environment::new(settings, ground);
@@ -73,7 +71,7 @@ impl Lighting {
         let share = environment.lamps_lit;
         let dimmed_lamps = (environment.night && share < 1.0)
             .then(|| still.lamps.scaled(|_, hung| Vec3A::splat(lamp_power(hung, share))));
-        Self { environment, dimmed_lamps, lamp_maps, probes: None, halos: None }
+        Self { environment, dimmed_lamps, lamp_maps, probes: None }
     }
 
     /// With light that bounced; and the ends of the rays that gathered it, if these are to be kept.
@@ -90,16 +88,15 @@ impl Lighting {
         (Self { probes: Some(probes), ..self }, hits)
     }
 
-    /// With the glow of lamps before a fixed camera.
-    pub(crate) fn with_halos(self, still: &StaticScene, camera: &PinholeCamera) -> Self {
+    /// The glow of lamps in the air before a camera, if there is any.
+    pub(crate) fn halos(&self, still: &StaticScene, camera: &PinholeCamera) -> Option<HaloGrid> {
         let tracer = self.tracer(still, None);
-        let grid = self.environment.halos().then(|| {
+        self.environment.halos().then(|| {
             HaloGrid::bake(camera.size.width, camera.size.height, |x, y, distances| {
                 let direction = camera.ray_through(x, y).to_array().map(f32x8::splat);
                 halos8(&tracer, Vec3A::from(camera.position), &direction, distances)
             })
-        });
-        Self { halos: grid, ..self }
+        })
     }
 
     /// All that light depends on at an instant, or when nothing moves.

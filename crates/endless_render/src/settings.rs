@@ -18,6 +18,9 @@ pub enum Gathering {
         /// Rays a sample; 4 are clean after denoising.
         rays: u32,
     },
+    /// Nowhere: the probes in the air tell of it, as they do for what moves. Without grain, so that pictures of a camera that
+    /// moves follow each other smoothly.
+    Probes,
 }
 
 impl Gathering {

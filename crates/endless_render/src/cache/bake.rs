@@ -2,25 +2,29 @@
 
 use super::bake_pass::BakePass;
 use super::bake_stats::{BakeStats, timed};
-use super::camera_film::CameraFilm;
+use super::camera_film::{CameraFilm, FilmResponse};
 use super::gbuffer::GBuffer;
 use super::tile_hierarchy::TileHierarchy;
 use crate::accel::Ray;
 use crate::camera_rays::sample_ray;
-use crate::film::LONGEST_PX;
-use crate::indirect::{IndirectHits, IndirectRays};
+use crate::film::{Exposure, LONGEST_PX};
+use crate::indirect::{IndirectHits, IndirectRays, TapeStack};
+use crate::light::HaloGrid;
 use crate::lighting::{Lighting, ViewedArea};
 use crate::scene::{RigidVelocity, StaticScene};
 use crate::settings::RenderSettings;
 use endless_world::{CameraSite, PinholeCamera, SensorLayers};
 use glam::{Vec2, Vec3A};
+use std::sync::Arc;
 
 /// The fixed-camera cache of one camera in one scene.
 pub struct CameraBake {
     pub(super) camera: PinholeCamera,
     /// Angle of a pixel, radians.
     pub(super) pixel_angle: f32,
-    pub(super) lighting: Lighting,
+    pub(super) lighting: Arc<Lighting>,
+    /// Where lamps glow in the air.
+    pub(super) halos: Option<HaloGrid>,
     pub(super) gbuffer: GBuffer,
     pub(super) tiles: TileHierarchy,
     pub(super) film: CameraFilm,
@@ -57,21 +61,51 @@ impl CameraBake {
         indirect: IndirectRays<'_>,
     ) -> (Self, IndirectHits) {
         let camera = settings.camera(site);
-        let pixel_angle = 1.0 / camera.intrinsics.fx;
         let area = ViewedArea::of(still, &camera);
         let lighting = timed("lights", || Lighting::direct(still, settings, &area));
         let (lighting, probes) = timed("probes", || lighting.with_probes(still, settings, &area, indirect));
+        let (bake, [points, edges]) = Self::lit(still, settings, camera, Arc::new(lighting), None, indirect);
+        (bake, IndirectHits { probes, points, edges })
+    }
+
+    /// What a camera that moves sees from one place: in light that is known, and on a film that was exposed before; on one
+    /// that is exposed for this picture if there is none.
+    pub(crate) fn from_here(
+        still: &StaticScene,
+        settings: &RenderSettings,
+        camera: &PinholeCamera,
+        lighting: &Arc<Lighting>,
+        response: Option<&Arc<FilmResponse>>,
+    ) -> Self {
+        Self::lit(still, settings, camera.clone(), Arc::clone(lighting), response, IndirectRays::Trace).0
+    }
+
+    /// How this camera's film is exposed.
+    pub(crate) fn exposure(&self) -> Exposure {
+        self.film.response.exposure()
+    }
+
+    /// All but the light.
+    fn lit(
+        still: &StaticScene,
+        settings: &RenderSettings,
+        camera: PinholeCamera,
+        lighting: Arc<Lighting>,
+        response: Option<&Arc<FilmResponse>>,
+        indirect: IndirectRays<'_>,
+    ) -> (Self, [TapeStack; 2]) {
+        let pixel_angle = 1.0 / camera.intrinsics.fx;
+        let environment = &lighting.environment;
         let stats = BakeStats::default();
         let tracer = lighting.tracer(still, None);
         let pass = BakePass { tracer, camera: &camera, pixel_angle, settings, stats: &stats, indirect };
-        let (gbuffer, [points, edges]) = GBuffer::bake(&pass);
-        let sun = lighting.environment.sun.as_ref().map(|sun| sun.direction);
+        let (gbuffer, tapes) = GBuffer::bake(&pass);
+        let sun = environment.sun.as_ref().map(|sun| sun.direction);
         let tiles = timed("tiles", || TileHierarchy::new(&camera, &gbuffer, sun));
-        let film = timed("film", || CameraFilm::new(settings, &camera, &lighting.environment, &gbuffer));
-        let lighting = timed("halos", || lighting.with_halos(still, &camera));
-        let hits = IndirectHits { probes, points, edges };
+        let film = timed("film", || CameraFilm::new(settings, &camera, environment, &gbuffer, response));
+        let halos = timed("halos", || lighting.halos(still, &camera));
         let wanted = settings.layers;
-        (Self { camera, pixel_angle, lighting, gbuffer, tiles, film, stats, wanted }, hits)
+        (Self { camera, pixel_angle, lighting, halos, gbuffer, tiles, film, stats, wanted }, tapes)
     }
 
     /// The camera.
@@ -86,7 +120,7 @@ impl CameraBake {
 
     /// Way in the image of a point that moves, while the shutter is open, pixels.
     pub(super) fn way_in_image(&self, point: Vec3A, velocity: RigidVelocity) -> Vec2 {
-        let shutter_s = self.film.shutter_s;
+        let shutter_s = self.film.response.shutter_s;
         if shutter_s == 0.0 || velocity == RigidVelocity::ZERO {
             return Vec2::ZERO;
         }

@@ -7,13 +7,16 @@ use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, is_s
 use super::lamp_mask::{lamp_sum, lamps_free32};
 use super::primary_hits::{PrimaryHits, PrimaryRow, RowSurfaces};
 use super::shaded_pixel::{ShadedPixel, ShadedSample};
-use crate::accel::{RayStream, first_lanes, lanes};
+use crate::accel::{Hit, RayStream, first_lanes, lanes};
 use crate::material::{Bsdf, PackedBsdf};
+use crate::octahedron;
 use crate::pixel_layers::{LayerImages, PixelLayers};
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
+use crate::settings::Gathering;
 use crate::shade::{MIRROR_THRESHOLD, halos8, mirror_footprint, mirror_ray, shade_hit8, sun_light};
+use endless_scene::Surface;
 use glam::Vec3A;
 use rayon::prelude::*;
 use wide::f32x8;
@@ -78,6 +81,23 @@ impl BakePass<'_> {
     }
 }
 
+/// Whether two samples of a pixel may have one light: they lie on one smooth surface, or among leaves.
+fn alike(pass: &BakePass<'_>, row: &RowSurfaces, x: usize, [a, b]: [usize; 2], first: &Hit, second: &Hit) -> bool {
+    let mesh = |hit: &Hit| &*pass.tracer.still.instances[hit.instance as usize].geometry.mesh;
+    let material = |hit: &Hit| mesh(hit).triangle_materials[hit.triangle as usize];
+    if first.instance != second.instance || material(first) != material(second) {
+        return false;
+    }
+    match mesh(first).materials[usize::from(material(first))].surface {
+        Surface::SignalLens(_) => false,
+        Surface::Foliage => a == 0 && b == 3 || a == 1 && b == 2,
+        _ => {
+            let normal = |sample: usize| octahedron::unpack(row.normals[x][sample].shading);
+            normal(a).dot(normal(b)) > 0.98 && (first.t - second.t).abs() < 0.05 * first.t
+        }
+    }
+}
+
 /// Eight neighbouring pixels; the last ones may lie beyond the picture.
 struct PixelEight<'a> {
     pass: &'a BakePass<'a>,
@@ -88,6 +108,8 @@ struct PixelEight<'a> {
     inside: u32,
     /// The pixels that are uniform, a bit each.
     uniform: u32,
+    /// For each sample the one of its pixel whose light it has: itself, where it is shaded.
+    told_by: [u8; LANES],
 }
 
 impl<'a> PixelEight<'a> {
@@ -110,16 +132,35 @@ impl<'a> PixelEight<'a> {
         let uniform = primary.uniform[first..first + count].iter().rev().fold(0, |bits, u| bits << 1 | u32::from(*u));
         let inside = first_lanes(count);
         let mut surfaces = [const { None }; LANES];
+        let mut told_by: [u8; LANES] = std::array::from_fn(|lane| lane as u8);
+        let sparse = pass.settings.gathering == Gathering::Probes;
         for (lane, PrimarySample { ray, hit, .. }) in samples.iter().enumerate() {
-            let (Some(hit), pixel) = (hit, lane % 8) else { continue };
+            let pixel = lane % 8;
+            let distances = &primary.distances[first + pixel.min(count - 1)];
+            if sparse && lane >= 8 && (uniform >> pixel & 1 == 1 || *distances == [f32::MAX; SAMPLES]) {
+                told_by[lane] = pixel as u8;
+                continue;
+            }
+            let Some(hit) = hit else { continue };
             if uniform >> pixel & 1 == 1 && !is_shaded(lane / 8, &surfaces[pixel]) {
+                continue;
+            }
+            if sparse
+                && let Some(alike) = (pixel..lane).step_by(8).find(|&other| {
+                    let before = samples[other].hit.as_ref().filter(|_| usize::from(told_by[other]) == other);
+                    before.is_some_and(|before| {
+                        alike(pass, primary.surfaces, first + pixel, [other / 8, lane / 8], before, hit)
+                    })
+                })
+            {
+                told_by[lane] = alike as u8;
                 continue;
             }
             let point = SurfaceInteraction::new(&pass.tracer.still.instances, ray, hit);
             let bsdf = gbuffer_bsdf(&point, pass.tracer.environment, lane / 8, pass.pixel_angle);
             surfaces[lane] = Some((point, bsdf));
         }
-        Self { pass, samples, surfaces, inside, uniform }
+        Self { pass, samples, surfaces, inside, uniform, told_by }
     }
 
     /// The lanes whose samples share what is known of their pixel's centre.
@@ -140,6 +181,9 @@ impl<'a> PixelEight<'a> {
         for lane in lanes(self.inside) {
             let primary = &self.samples[lane];
             let shares = sharing >> lane & 1 == 1;
+            if usize::from(self.told_by[lane]) != lane {
+                continue;
+            }
             let Some(hit) = &primary.hit else {
                 shaded[lane] = sky_sample(environment, &primary.ray, halos[lane]);
                 continue;
@@ -154,6 +198,9 @@ impl<'a> PixelEight<'a> {
             let lamps_free = if shares { 0 } else { lamps_free };
             let light = SampleLight { air: air[lane], direct, lamps_free, mirror: mirrors[lane] };
             shaded[lane] = surface_sample(primary.irradiance, point, bsdf, &light);
+        }
+        for (lane, &told_by) in self.told_by.iter().enumerate().filter(|(lane, by)| *lane != usize::from(**by)) {
+            shaded[lane] = shaded[usize::from(told_by)];
         }
         shaded
     }

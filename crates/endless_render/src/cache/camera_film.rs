@@ -3,20 +3,27 @@
 use super::gbuffer::GBuffer;
 use super::scratch_pool::ScratchPool;
 use crate::camera_rays::sample_ray;
-use crate::film::{BlurScratch, PostProcess, Rain, ToneCurve, black_level, exposure};
+use crate::film::{BlurScratch, Exposure, PostProcess, Rain, ToneCurve, black_level, exposure};
 use crate::light::Environment;
 use crate::material::noise;
 use crate::settings::RenderSettings;
 use endless_world::PinholeCamera;
 use glam::Vec3A;
 use rayon::prelude::*;
+use std::sync::Arc;
 
-/// What stays the same on a camera's film in all frames of a video.
+/// The still picture on a camera's film.
 pub(super) struct CameraFilm {
-    /// Of the still picture, kcd/m².
+    /// Its radiance, kcd/m².
     pub(super) radiance: Vec<Vec3A>,
-    /// The still picture, if frames need not be developed whole.
+    /// As it is developed, if frames need not be developed whole.
     pub(super) rgb: Vec<[u8; 3]>,
+    pub(super) response: Arc<FilmResponse>,
+}
+
+/// How radiance becomes a picture: the same in all frames of a video.
+pub(crate) struct FilmResponse {
+    exposure: Exposure,
     pub(super) tone: ToneCurve,
     pub(super) rain: Option<Rain>,
     /// How long the shutter is open.
@@ -25,7 +32,7 @@ pub(super) struct CameraFilm {
     pub(super) glare: f32,
     /// Effects of lens, sensor and recorder, if any.
     pub(super) post_process: Option<PostProcess>,
-    /// Copies of `radiance`.
+    /// Copies of the still picture's radiance.
     pub(super) radiance_pool: ScratchPool<Vec<Vec3A>>,
     /// Pictures on their way through the lens.
     pub(super) lens_scratch: ScratchPool<Vec<Vec3A>>,
@@ -33,31 +40,56 @@ pub(super) struct CameraFilm {
 }
 
 impl CameraFilm {
-    /// Exposed for the still picture.
+    /// Exposed for the still picture, or as it is given.
     pub(super) fn new(
         settings: &RenderSettings,
         camera: &PinholeCamera,
         environment: &Environment,
         gbuffer: &GBuffer,
+        response: Option<&Arc<FilmResponse>>,
     ) -> Self {
-        let pixels = gbuffer.pixels();
         let radiance: Vec<Vec3A> =
-            (0..pixels).into_par_iter().map(|pixel| gbuffer.pixel(pixel).radiance(environment)).collect();
-        let width = settings.size.width as usize;
-        let black = black_level(&radiance, |i| {
+            (0..gbuffer.pixels()).into_par_iter().map(|pixel| gbuffer.pixel(pixel).radiance(environment)).collect();
+        let response = response.cloned().unwrap_or_else(|| {
+            let exposure = Exposure::for_picture(camera, environment, gbuffer, &radiance);
+            Arc::new(FilmResponse::new(settings, environment, exposure))
+        });
+        Self::developed(radiance, response)
+    }
+
+    fn developed(radiance: Vec<Vec3A>, response: Arc<FilmResponse>) -> Self {
+        let rgb = if response.spreads_light() {
+            Vec::new()
+        } else {
+            radiance.par_iter().map(|&r| response.tone.apply(r)).collect()
+        };
+        Self { radiance, rgb, response }
+    }
+}
+
+impl Exposure {
+    /// As a still picture of this radiance needs it.
+    fn for_picture(camera: &PinholeCamera, environment: &Environment, gbuffer: &GBuffer, radiance: &[Vec3A]) -> Self {
+        let width = camera.size.width as usize;
+        let black = black_level(radiance, |i| {
             let (ray, still) = (sample_ray(camera, (i % width) as u32, (i / width) as u32, 0), gbuffer.pixel(i));
             let fog = &environment.fog;
             let left = fog.transmittance(ray.origin, ray.direction, still.distances[0]);
             if still.is_sky(0) { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
         });
-        let exposure = exposure(&radiance, black, environment.exposure_key);
-        let tone =
-            ToneCurve::new(exposure, environment.white_balance() * Vec3A::from(settings.look.white_balance), black);
-        let film = Self {
-            radiance,
-            rgb: Vec::new(),
-            tone,
-            rain: rain(environment, exposure, settings.seed),
+        Self { factor: exposure(radiance, black, environment.exposure_key), black }
+    }
+}
+
+impl FilmResponse {
+    /// At this exposure.
+    pub(crate) fn new(settings: &RenderSettings, environment: &Environment, exposure: Exposure) -> Self {
+        let pixels = settings.size.pixels();
+        let white_balance = environment.white_balance() * Vec3A::from(settings.look.white_balance);
+        Self {
+            exposure,
+            tone: ToneCurve::new(exposure.factor, white_balance, exposure.black),
+            rain: rain(environment, exposure.factor, settings.seed),
             shutter_s: settings.look.shutter_s.min(1.0 / settings.fps as f32),
             glare: environment.glare,
             post_process: PostProcess::new(
@@ -70,11 +102,12 @@ impl CameraFilm {
             radiance_pool: ScratchPool::for_pixels(pixels),
             lens_scratch: ScratchPool::for_pixels(pixels),
             blur_scratch: ScratchPool::for_pixels(pixels),
-        };
-        if film.spreads_light() {
-            return film;
         }
-        Self { rgb: film.radiance.par_iter().map(|&r| film.tone.apply(r)).collect(), ..film }
+    }
+
+    /// How it is exposed.
+    pub(crate) fn exposure(&self) -> Exposure {
+        self.exposure
     }
 
     /// Whether all of a frame must be developed again: glare and lens change every pixel.

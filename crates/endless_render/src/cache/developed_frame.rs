@@ -24,7 +24,7 @@ impl DevelopedFrame {
 
     /// What the sensor sees and the recorder keeps of it, without flow; and the centres.
     pub(super) fn recorded(mut self, bake: &CameraBake) -> (SensorFrame, Vec<MovingCentre>) {
-        if let Some(post) = &bake.film.post_process {
+        if let Some(post) = &bake.film.response.post_process {
             post.record(self.frame, &mut self.rgb);
         }
         (self.layers.into_sensor_frame(self.frame, bake.camera.size, self.rgb), self.centres)

@@ -38,12 +38,14 @@ pub(super) struct FrameBuffer {
 impl FrameBuffer {
     /// The still picture.
     pub(super) fn new(bake: &CameraBake) -> Self {
-        let keeps = bake.film.rain.is_some() || bake.film.spreads_light() || bake.film.shutter_s > 0.0;
+        let keeps = bake.film.response.rain.is_some()
+            || bake.film.response.spreads_light()
+            || bake.film.response.shutter_s > 0.0;
         Self {
-            radiance: keeps.then(|| bake.film.radiance_pool.take(|| bake.film.radiance.clone())),
+            radiance: keeps.then(|| bake.film.response.radiance_pool.take(|| bake.film.radiance.clone())),
             touched: Vec::new(),
             streaks: Vec::new(),
-            rgb: if bake.film.spreads_light() {
+            rgb: if bake.film.response.spreads_light() {
                 Vec::with_capacity(bake.film.radiance.len())
             } else {
                 bake.film.rgb.clone()
@@ -61,7 +63,7 @@ impl FrameBuffer {
                 radiance[i] = pixel.radiance;
                 self.touched.push(i as u32);
             }
-            None => self.rgb[i] = bake.film.tone.apply(pixel.radiance),
+            None => self.rgb[i] = bake.film.response.tone.apply(pixel.radiance),
         }
         if let Some(CoveredCentre { layers, hit, to_sun }) = pixel.covered {
             self.layers.set(i, &layers);
@@ -83,7 +85,7 @@ impl FrameBuffer {
         let frame = frame.frame;
         if let Some(mut radiance) = self.radiance.take() {
             self.blur(bake, &mut radiance);
-            if let Some(rain) = &bake.film.rain {
+            if let Some(rain) = &bake.film.response.rain {
                 let mut wet = |i: usize, share: f32| {
                     radiance[i] = radiance[i].lerp_unfused(rain.radiance, share);
                     self.touched.push(i as u32);
@@ -95,19 +97,19 @@ impl FrameBuffer {
                 rain.splash(frame, &bake.camera, ground, &mut wet);
                 rain.draw(frame, &bake.camera, self.layers.depth(), wet);
             }
-            match bake.film.post_process.as_ref().filter(|post| post.has_lens()) {
+            match bake.film.response.post_process.as_ref().filter(|post| post.has_lens()) {
                 Some(post) => {
-                    let mut through = bake.film.lens_scratch.take(Vec::new);
+                    let mut through = bake.film.response.lens_scratch.take(Vec::new);
                     post.lens(&radiance, &mut through);
                     self.expose(bake, &through);
-                    bake.film.lens_scratch.give(through);
+                    bake.film.response.lens_scratch.give(through);
                 }
                 None => self.expose(bake, &radiance),
             }
             for i in self.touched {
                 radiance[i as usize] = bake.film.radiance[i as usize];
             }
-            bake.film.radiance_pool.give(radiance);
+            bake.film.response.radiance_pool.give(radiance);
         }
         DevelopedFrame { frame, rgb: self.rgb, layers: self.layers, centres }
     }
@@ -121,7 +123,7 @@ impl FrameBuffer {
             let seen = self.layers.at(pixel);
             seen.instance.id != streak.id && seen.depth < 0.98 * streak.depth - 0.3
         };
-        let mut scratch = bake.film.blur_scratch.take(BlurScratch::default);
+        let mut scratch = bake.film.response.blur_scratch.take(BlurScratch::default);
         blur(
             bake.camera.size,
             &mut self.streaks,
@@ -131,19 +133,21 @@ impl FrameBuffer {
             &mut self.touched,
             &mut scratch,
         );
-        bake.film.blur_scratch.give(scratch);
+        bake.film.response.blur_scratch.give(scratch);
     }
 
     /// Glare and tone curve.
     fn expose(&mut self, bake: &CameraBake, radiance: &[Vec3A]) {
-        if !bake.film.spreads_light() {
+        if !bake.film.response.spreads_light() {
             for &i in &self.touched {
-                self.rgb[i as usize] = bake.film.tone.apply(radiance[i as usize]);
+                self.rgb[i as usize] = bake.film.response.tone.apply(radiance[i as usize]);
             }
-        } else if bake.film.glare > 0.0 {
-            with_glare(bake.camera.size, radiance, bake.film.glare, |row| bake.film.tone.append(row, &mut self.rgb));
+        } else if bake.film.response.glare > 0.0 {
+            with_glare(bake.camera.size, radiance, bake.film.response.glare, |row| {
+                bake.film.response.tone.append(row, &mut self.rgb)
+            });
         } else {
-            bake.film.tone.append(radiance, &mut self.rgb);
+            bake.film.response.tone.append(radiance, &mut self.rgb);
         }
     }
 }

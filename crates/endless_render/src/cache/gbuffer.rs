@@ -11,6 +11,7 @@ use crate::material::PackedBsdf;
 use crate::pixel_layers::LayerImages;
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
+use crate::settings::Gathering;
 
 /// The G-buffer of what stands still: all by pixel, row-major.
 pub(super) struct GBuffer {
@@ -33,7 +34,10 @@ pub(super) struct GBuffer {
 impl GBuffer {
     /// Traces and shades what stands still; gives the ends of the rays that gathered light, if these are to be kept.
     pub(super) fn bake(pass: &BakePass<'_>) -> (Self, [TapeStack; 2]) {
-        let mut primary = timed("primary", || pass.trace());
+        let mut primary = timed("primary", || match pass.settings.gathering {
+            Gathering::Probes => pass.trace_sparse(),
+            _ => pass.trace(),
+        });
         let GatheredLight { irradiance, points, edges } =
             timed("gather", || IrradiancePass { bake: pass, primary: &primary }.gather());
         let surfaces = std::mem::take(&mut primary.surfaces);

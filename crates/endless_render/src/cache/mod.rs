@@ -46,6 +46,7 @@ mod row;
 mod scratch_pool;
 mod shaded_pixel;
 mod shadow;
+mod sparse_primary;
 mod still_pixel;
 mod sun_rays;
 mod sweep;
@@ -58,5 +59,6 @@ mod visible_tiles;
 
 pub use bake::CameraBake;
 pub use bake_stats::BakeStats;
+pub(crate) use camera_film::FilmResponse;
 pub use covered_centres::CoveredCentres;
 pub use flow::{NeighbourFrame, NeighbourFrames};

@@ -80,7 +80,7 @@ impl CameraBake {
     pub(super) fn halo(&self, (x0, y0): (u32, u32), place: usize, seen: &MovingSample<'_>) -> Vec3A {
         let place = place as u32;
         let at = |halos: &HaloGrid| halos.at(x0 + place % TILE, y0 + place / TILE, seen.point.distance);
-        self.lighting.halos.as_ref().map_or(Vec3A::ZERO, at)
+        self.halos.as_ref().map_or(Vec3A::ZERO, at)
     }
 
     /// Where a tile ends in the picture.

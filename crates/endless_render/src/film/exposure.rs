@@ -3,6 +3,31 @@
 use endless_world::math;
 use glam::Vec3A;
 
+/// How bright the picture is that a film makes of radiance.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Exposure {
+    /// From kcd/m² above `black` to the tone curve's input.
+    pub(crate) factor: f32,
+    /// Radiance that becomes black.
+    pub(crate) black: Vec3A,
+}
+
+impl Exposure {
+    /// Of no picture.
+    pub(crate) const NONE: Self = Self { factor: 1.0, black: Vec3A::ZERO };
+
+    /// The mean of some pictures', on a scale of stops; itself of equal ones.
+    pub(crate) fn mean(of: &[Self]) -> Option<Self> {
+        let (first, count) = (of.first()?, of.len() as f32);
+        if of.iter().all(|other| other == first) {
+            return Some(*first);
+        }
+        let stops = of.iter().map(|exposure| math::ln(exposure.factor)).sum::<f32>() / count;
+        let black = of.iter().map(|exposure| exposure.black).sum::<Vec3A>() / count;
+        Some(Self { factor: math::exp(stops), black })
+    }
+}
+
 const LUMINANCE: Vec3A = Vec3A::new(0.2126, 0.7152, 0.0722);
 
 /// Factor from kcd/m² above `black` to the tone curve's input: the log-average of the picture (Reinhard et al. 2002),

@@ -12,7 +12,7 @@ mod sensor_noise;
 mod timestamp;
 mod tone;
 
-pub(crate) use exposure::{black_level, exposure};
+pub(crate) use exposure::{Exposure, black_level, exposure};
 pub(crate) use finish::PostProcess;
 pub(crate) use glare::with_glare;
 pub(crate) use mix::{mix_rgb, mix_values};

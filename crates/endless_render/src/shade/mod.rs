@@ -11,7 +11,7 @@ mod tracer;
 pub(crate) use halo::{halos, halos8};
 pub(crate) use moving::{MovingSample, footprint_m, shade_moving, shade_moving_together};
 pub(crate) use secondary::{
-    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_hit, shade_hit8, shade_interactions8, sun_light,
+    MIRROR_THRESHOLD, mirror_footprint, mirror_light, mirror_ray, shade_hit, shade_hit8, sun_light,
 };
 pub(crate) use signal::lens_light;
 pub(crate) use tracer::{SceneHit, Tracer};

@@ -41,19 +41,7 @@ pub(crate) fn shade_hit8(
         let bsdf = evaluate_bsdf(&point, environment, footprints_m[i], 0.5);
         Some((point, bsdf))
     });
-    shade_interactions8(tracer, rays, &points, active)
-}
-
-/// Radiance along eight rays of which it is known where they end; those that end nowhere and whose bit is set in `active`
-/// see the sky.
-pub(crate) fn shade_interactions8(
-    tracer: &Tracer<'_>,
-    rays: &[Ray; 8],
-    points: &[Option<(SurfaceInteraction<'_>, Bsdf)>; 8],
-    active: u8,
-) -> [Vec3A; 8] {
-    let environment = tracer.environment;
-    let direct = direct8(tracer, rays, points);
+    let direct = direct8(tracer, rays, &points);
     std::array::from_fn(|i| match &points[i] {
         Some((point, bsdf)) => {
             let radiance = soft_light(tracer, point, bsdf) + direct[i];

@@ -1,0 +1,410 @@
+//! The first pass of a bake for one instant: all samples are traced only where that tells anything.
+//!
+//! Where the centres of a pixel and of its four neighbours lie on one flat piece of one surface, so do its other samples:
+//! they are known without rays. The sun's disc is asked whole near the edges of shadows, by one ray everywhere else.
+//!
+//! ```text
+//! centres of all pixels ──► which pixels are plain, which are near a shadow's edge
+//!                                  │
+//!                other samples ◄───┴───► the rest of the sun's disc
+//! ```
+
+use super::bake_pass::BakePass;
+use super::packed_hit::PackedHit;
+use super::primary_hits::{PackedNormals, PrimaryHits};
+use super::sun_rays::{sun_can_light, sun_origin};
+use crate::accel::{Ray, RayStream, lanes};
+use crate::camera_rays::directions8;
+use crate::light::{SUN_SAMPLES, Sun};
+use crate::octahedron;
+use crate::sampling::SAMPLES;
+use crate::scene::{ShadingPoint, StaticScene, SurfaceInteraction};
+use endless_scene::Surface;
+use glam::Vec3A;
+use rayon::prelude::*;
+use wide::f32x8;
+
+/// Rows of pixels whose centres are traced together, eight columns at a time.
+const ROWS: usize = 4;
+/// The part of the sun's disc that is asked everywhere: half-way between its middle and its rim.
+const FIRST: usize = 1;
+/// All parts of it.
+const WHOLE: u8 = (1 << SUN_SAMPLES) - 1;
+/// How far from the edge of a shadow all of the disc is asked, pixels.
+const PENUMBRA: usize = 3;
+
+/// What the ray through a pixel's centre met.
+#[derive(Clone, Copy)]
+struct Centre {
+    distance: f32,
+    hit: PackedHit,
+    normals: PackedNormals,
+    sun: SunSeen,
+}
+
+/// What a sample's ray to the first part of the sun's disc says.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum SunSeen {
+    /// The sun cannot light it, or there is none.
+    Never,
+    Lit,
+    Shaded,
+}
+
+impl Centre {
+    const SKY: Self =
+        Self { distance: f32::MAX, hit: PackedHit::NONE, normals: PackedNormals::NONE, sun: SunSeen::Never };
+}
+
+/// The surface around a sample, as far as it tells whether others lie on it.
+#[derive(Clone, Copy)]
+struct Piece {
+    instance: u32,
+    material: u16,
+    /// Lenses of traffic lights are pixels of their own.
+    lens: bool,
+    position: Vec3A,
+    geometric: Vec3A,
+    shading: Vec3A,
+}
+
+impl Piece {
+    fn continues(&self, other: &Self) -> bool {
+        self.instance == other.instance
+            && self.material == other.material
+            && !self.lens
+            && self.shading.dot(other.shading) > 0.995
+            && (other.position - self.position).dot(self.geometric).abs() < 0.02
+    }
+}
+
+/// Whether both lie on one surface, or see the sky.
+fn same_piece(a: &Option<Piece>, b: &Option<Piece>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => a.continues(b),
+        (None, None) => true,
+        _ => false,
+    }
+}
+
+/// Whether a pixel's neighbours to the right and below go on on its surface.
+#[derive(Clone, Copy, Default)]
+struct GoesOn {
+    right: bool,
+    below: bool,
+}
+
+impl BakePass<'_> {
+    /// What [`Self::trace`] finds, by fewer rays.
+    pub(super) fn trace_sparse(&self) -> PrimaryHits {
+        let (width, height) = (self.width(), self.camera.size.height as usize);
+        let centres = self.trace_centres();
+        let mut goes_on = vec![GoesOn::default(); width * height];
+        goes_on.par_chunks_mut(width).enumerate().for_each(|(y, row)| self.compare_row(&centres, y, row));
+        let edges = self.near_shadow_edges(&centres);
+        let mut found = PrimaryHits::new(width, height);
+        let PrimaryHits { distances, sun_free, uniform, surfaces, .. } = &mut found;
+        let rows = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
+        let rows = rows.zip(uniform.par_chunks_mut(width)).zip(surfaces.par_iter_mut());
+        rows.enumerate().for_each(|(y, (((distances, sun_free), uniform), surfaces))| {
+            let plain = |x: usize| {
+                let here = y * width + x;
+                let across = goes_on[here].right && (x == 0 || goes_on[here - 1].right);
+                across && goes_on[here].below && (y == 0 || goes_on[here - width].below)
+            };
+            let (hits, normals) = (&mut surfaces.hits[..], &mut surfaces.normals[..]);
+            let row = y * width..(y + 1) * width;
+            let (centres, edges) = (&centres[row.clone()], &edges[row]);
+            SparseRow { pass: self, y, centres, edges, distances, hits, normals, sun_free, uniform }.fill(plain);
+        });
+        self.stats.add((width * height) as u64 * 2);
+        found
+    }
+
+    fn trace_centres(&self) -> Vec<Centre> {
+        let width = self.width();
+        let mut centres = vec![Centre::SKY; self.camera.size.pixels()];
+        centres.par_chunks_mut(ROWS * width).enumerate().for_each(|(band, centres)| {
+            for first in (0..width).step_by(8) {
+                self.trace_block(ROWS * band, first, centres);
+            }
+        });
+        centres
+    }
+
+    /// Up to eight columns of a band of rows.
+    fn trace_block(&self, y: usize, first: usize, centres: &mut [Centre]) {
+        let width = self.width();
+        let (rows, columns) = (centres.len() / width, (width - first).min(8));
+        let mut rays = RayStream::<ROWS>::NONE;
+        rays.origin = self.camera.position.to_array().map(|axis| [f32x8::splat(axis); ROWS]);
+        rays.tmax = [f32x8::splat(f32::MAX); ROWS];
+        for row in 0..rows {
+            let (x0, x1) = (first as u32, (first + columns) as u32);
+            let directions = directions8(self.camera, x0, x1, (y + row) as u32, 0);
+            for (axis, eight) in rays.direction.iter_mut().zip(directions) {
+                axis[row] = eight;
+            }
+        }
+        let own = ((1u16 << columns) - 1) as u8;
+        let active = (0..rows).fold(0u32, |bits, row| bits | u32::from(own) << (8 * row));
+        let found = self.tracer.still.accel.closest32(&rays, active);
+        let sun = self.tracer.environment.sun.as_ref();
+        let (mut to_sun, mut asked) = (RayStream::<ROWS>::NONE, 0u32);
+        let place = |lane: usize| lane / 8 * width + first + lane % 8;
+        for lane in lanes(active) {
+            let Some(hit) = found.get(lane) else { continue };
+            let point = SurfaceInteraction::new(&self.tracer.still.instances, &rays.ray(lane), &hit);
+            let normals = PackedNormals::new(&point);
+            centres[place(lane)] = Centre { distance: hit.t, hit: PackedHit::new(&hit), normals, sun: SunSeen::Never };
+            if let Some(sun) = sun.filter(|sun| sun_can_light(&point, sun.direction)) {
+                asked |= 1 << lane;
+                to_sun.set(lane, &to_part(sun, &point, 0, FIRST));
+            }
+        }
+        if asked != 0 {
+            let shaded = self.tracer.still.accel.occluded32(&to_sun, asked);
+            for lane in lanes(asked) {
+                centres[place(lane)].sun = if shaded >> lane & 1 == 1 { SunSeen::Shaded } else { SunSeen::Lit };
+            }
+        }
+    }
+
+    /// Whether the surface of each pixel of a row goes on. The picture's edges end nothing.
+    fn compare_row(&self, centres: &[Centre], y: usize, goes_on: &mut [GoesOn]) {
+        let (width, height) = (self.width(), self.camera.size.height as usize);
+        for first in (0..width).step_by(8) {
+            let count = (width - first).min(8);
+            let here = self.pieces(centres, first, count, y);
+            let next = (first + 8 < width).then(|| self.pieces(centres, first + 8, 1, y)[0]).flatten();
+            let below = if y + 1 < height { self.pieces(centres, first, count, y + 1) } else { here };
+            for (i, own) in here.iter().enumerate().take(count) {
+                let x = first + i;
+                let right = if i < 7 { &here[i + 1] } else { &next };
+                goes_on[x].right = x + 1 == width || same_piece(own, right);
+                goes_on[x].below = same_piece(own, &below[i]);
+            }
+        }
+    }
+
+    /// Of up to eight centres of a row.
+    fn pieces(&self, centres: &[Centre], x: usize, count: usize, y: usize) -> [Option<Piece>; 8] {
+        let directions = directions8(self.camera, x as u32, (x + count) as u32, y as u32, 0);
+        std::array::from_fn(|i| {
+            let centre = centres.get(y * self.width() + x + i).filter(|_| i < count)?;
+            piece(self.tracer.still, &self.ray_along(&directions, i), centre.distance, centre.hit, &centre.normals)
+        })
+    }
+
+    /// The pixels around which some lie in the light of the sun and some do not.
+    fn near_shadow_edges(&self, centres: &[Centre]) -> Vec<bool> {
+        let width = self.width();
+        if self.tracer.environment.sun.is_none() {
+            return vec![false; centres.len()];
+        }
+        let mut edges = vec![false; centres.len()];
+        edges.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
+            for (x, edge) in row.iter_mut().enumerate() {
+                let here = y * width + x;
+                let other = |there: usize| match (centres[here].sun, centres[there].sun) {
+                    (SunSeen::Never, _) | (_, SunSeen::Never) => false,
+                    (here, there) => here != there,
+                };
+                *edge = (x + 1 < width && other(here + 1)) || (here + width < centres.len() && other(here + width));
+            }
+        });
+        let mut wide = vec![false; centres.len()];
+        wide.par_chunks_mut(width).zip(edges.par_chunks(width)).for_each(|(wide, edges)| {
+            for step in 0..=2 * PENUMBRA {
+                let from = edges.iter().skip(PENUMBRA.saturating_sub(step));
+                wide.iter_mut().skip(step.saturating_sub(PENUMBRA)).zip(from).for_each(|(w, e)| *w |= e);
+            }
+        });
+        edges.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
+            for other in y.saturating_sub(PENUMBRA)..=y + PENUMBRA {
+                let Some(wide) = wide.get(other * width..(other + 1) * width) else { break };
+                row.iter_mut().zip(wide).for_each(|(edge, wide)| *edge |= wide);
+            }
+        });
+        edges
+    }
+}
+
+/// The ray of a point to a part of the sun's disc, as a sample of a pixel asks it.
+fn to_part(sun: &Sun, point: &SurfaceInteraction<'_>, sample: usize, part: usize) -> Ray {
+    Ray { origin: sun_origin(&point.facet(), sun.direction), direction: sun.disc[sample][part], tmax: f32::MAX }
+}
+
+fn piece(still: &StaticScene, ray: &Ray, distance: f32, hit: PackedHit, normals: &PackedNormals) -> Option<Piece> {
+    let hit = hit.at(distance)?;
+    let mesh = &*still.instances[hit.instance as usize].geometry.mesh;
+    let material = mesh.triangle_materials[hit.triangle as usize];
+    Some(Piece {
+        instance: hit.instance,
+        material: material.into(),
+        lens: matches!(mesh.materials[usize::from(material)].surface, Surface::SignalLens(_)),
+        position: ray.origin + ray.direction * distance,
+        geometric: octahedron::unpack(normals.geometric),
+        shading: octahedron::unpack(normals.shading),
+    })
+}
+
+/// A row of pixels whose centres are known.
+struct SparseRow<'a> {
+    pass: &'a BakePass<'a>,
+    y: usize,
+    centres: &'a [Centre],
+    /// Which are near the edge of a shadow.
+    edges: &'a [bool],
+    distances: &'a mut [[f32; SAMPLES]],
+    hits: &'a mut [[PackedHit; SAMPLES]],
+    normals: &'a mut [[PackedNormals; SAMPLES]],
+    sun_free: &'a mut [[u8; SAMPLES]],
+    uniform: &'a mut [bool],
+}
+
+/// Samples that are traced together.
+struct Bundle {
+    rays: RayStream<ROWS>,
+    places: [(usize, usize); 8 * ROWS],
+    count: usize,
+}
+
+impl SparseRow<'_> {
+    fn fill(&mut self, plain: impl Fn(usize) -> bool) {
+        let width = self.centres.len();
+        let mut bundle = Bundle { rays: RayStream::NONE, places: [(0, 0); 8 * ROWS], count: 0 };
+        for first in (0..width).step_by(8) {
+            let count = (width - first).min(8);
+            let directions = self.pass.directions_of(self.y * width + first, count);
+            for x in first..first + count {
+                let centre = self.centres[x];
+                self.distances[x][0] = centre.distance;
+                self.hits[x][0] = centre.hit;
+                self.normals[x][0] = centre.normals;
+                self.sun_free[x][0] = if centre.sun == SunSeen::Lit { WHOLE } else { 0 };
+                let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
+                if plain(x) {
+                    self.spread(x, &rays);
+                } else {
+                    (1..SAMPLES).for_each(|sample| self.push(&mut bundle, x, sample, &rays[sample]));
+                }
+            }
+        }
+        self.trace(&mut bundle);
+        let mut disc = DiscRays { rays: RayStream::NONE, places: Vec::with_capacity(8 * ROWS / SUN_SAMPLES) };
+        for first in (0..width).step_by(8) {
+            let count = (width - first).min(8);
+            let directions = self.pass.directions_of(self.y * width + first, count);
+            for x in first..first + count {
+                let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
+                let plain = plain(x) && self.distances[x][0] < f32::MAX;
+                self.uniform[x] = plain || self.is_uniform(x, &rays);
+                if self.edges[x] {
+                    self.ask_the_disc(&mut disc, x, &rays);
+                }
+            }
+        }
+        self.trace_disc(&mut disc);
+    }
+
+    /// All samples of a pixel lie on the plane of its centre, or see the sky as it does.
+    fn spread(&mut self, x: usize, rays: &[Ray; SAMPLES]) {
+        if self.distances[x][0] == f32::MAX {
+            return;
+        }
+        let normal = octahedron::unpack(self.normals[x][0].geometric);
+        let height = self.distances[x][0] * rays[0].direction.dot(normal);
+        for (sample, ray) in rays.iter().enumerate().skip(1) {
+            let sinks = ray.direction.dot(normal);
+            let distance = if sinks < -1e-4 { height / sinks } else { self.distances[x][0] };
+            self.distances[x][sample] = distance;
+        }
+        self.normals[x] = [self.normals[x][0]; SAMPLES];
+        self.sun_free[x] = [self.sun_free[x][0]; SAMPLES];
+    }
+
+    fn push(&mut self, bundle: &mut Bundle, x: usize, sample: usize, ray: &Ray) {
+        bundle.rays.set(bundle.count, ray);
+        bundle.places[bundle.count] = (x, sample);
+        bundle.count += 1;
+        if bundle.count == bundle.places.len() {
+            self.trace(bundle);
+        }
+    }
+
+    fn trace(&mut self, bundle: &mut Bundle) {
+        let tracer = &self.pass.tracer;
+        let active = (1u64 << std::mem::take(&mut bundle.count)) - 1;
+        let found = tracer.still.accel.closest32(&bundle.rays, active as u32);
+        let (mut to_sun, mut asked) = (RayStream::<ROWS>::NONE, 0u32);
+        for lane in lanes(active as u32) {
+            let (x, sample) = bundle.places[lane];
+            let Some(hit) = found.get(lane) else { continue };
+            let point = SurfaceInteraction::new(&tracer.still.instances, &bundle.rays.ray(lane), &hit);
+            self.distances[x][sample] = hit.t;
+            self.hits[x][sample] = PackedHit::new(&hit);
+            self.normals[x][sample] = PackedNormals::new(&point);
+            let sun = tracer.environment.sun.as_ref();
+            if let Some(sun) = sun.filter(|sun| sun_can_light(&point, sun.direction)) {
+                asked |= 1 << lane;
+                to_sun.set(lane, &to_part(sun, &point, sample, FIRST));
+            }
+        }
+        if asked == 0 {
+            return;
+        }
+        let shaded = tracer.still.accel.occluded32(&to_sun, asked);
+        for lane in lanes(asked & !shaded) {
+            let (x, sample) = bundle.places[lane];
+            self.sun_free[x][sample] = WHOLE;
+        }
+    }
+
+    /// Whether a pixel's samples lie on one flat piece of one surface.
+    fn is_uniform(&self, x: usize, rays: &[Ray; SAMPLES]) -> bool {
+        let still = self.pass.tracer.still;
+        let piece = |s: usize| piece(still, &rays[s], self.distances[x][s], self.hits[x][s], &self.normals[x][s]);
+        let Some(centre) = piece(0) else { return false };
+        (1..SAMPLES).all(|sample| piece(sample).is_some_and(|piece| centre.continues(&piece)))
+    }
+
+    /// Asks what each sample of a pixel sees of the sun's disc.
+    fn ask_the_disc(&mut self, disc: &mut DiscRays, x: usize, rays: &[Ray; SAMPLES]) {
+        let Some(sun) = &self.pass.tracer.environment.sun else { return };
+        for (sample, ray) in rays.iter().enumerate() {
+            let normal = octahedron::unpack(self.normals[x][sample].geometric);
+            let facet = ShadingPoint::along(ray, self.distances[x][sample], normal);
+            // Through leaves that it does not light from the front it was seen before, or is not looked for.
+            let may_light = normal.dot(sun.direction) > 0.0 || self.sun_free[x][sample] != 0;
+            if facet.distance == f32::MAX || !may_light {
+                continue;
+            }
+            let origin = sun_origin(&facet, sun.direction);
+            for (part, &direction) in sun.disc[sample].iter().enumerate() {
+                disc.rays.set(disc.places.len() * SUN_SAMPLES + part, &Ray { origin, direction, tmax: f32::MAX });
+            }
+            disc.places.push((x, sample));
+            if disc.places.len() * SUN_SAMPLES == 8 * ROWS {
+                self.trace_disc(disc);
+            }
+        }
+    }
+
+    fn trace_disc(&mut self, disc: &mut DiscRays) {
+        let asked = (1u64 << (disc.places.len() * SUN_SAMPLES)) - 1;
+        if asked == 0 {
+            return;
+        }
+        let shaded = self.pass.tracer.still.accel.occluded32(&disc.rays, asked as u32);
+        for (k, (x, sample)) in disc.places.drain(..).enumerate() {
+            self.sun_free[x][sample] = !((shaded >> (SUN_SAMPLES * k)) as u8) & WHOLE;
+        }
+    }
+}
+
+/// Rays to all of the sun's disc from a few samples.
+struct DiscRays {
+    rays: RayStream<ROWS>,
+    places: Vec<(usize, usize)>,
+}
