@@ -19,6 +19,8 @@ from PIL import Image
 FLAT = 0.05
 # A point may lie so far before or behind what the pixels around it show: three standard deviations of its noise and more.
 NOISE_M = 0.1
+# SemanticKITTI's class of what is not there.
+OUTLIER = 1
 
 
 def lines(path):
@@ -64,7 +66,8 @@ def check_drive(video, number, kitti):
         points += len(scan)
         depth = depth_at(video / f"image_02/depth/{frame:06}.png")
         assert depth.shape == image.size[::-1] == raw.get_cam3(i).size[::-1]
-        found = agreement(scan, raw.calib.T_cam2_velo, raw.calib.K_cam2, depth)
+        # Rain and fog are no surfaces.
+        found = agreement(scan[labels & 0xFFFF != OUTLIER], raw.calib.T_cam2_velo, raw.calib.K_cam2, depth)
         asked, good = asked + found[0], good + found[1]
 
         line, imu = poses["imu"][frame], raw.oxts[i].T_w_imu
