@@ -2,7 +2,9 @@
 """Kills `endless generate` with SIGKILL at random instants, resumes it each time, and compares the end with a run that
 was left alone, byte by byte.
 
-    python3 scripts/kill_and_resume.py path/to/endless [KILLS]
+    python3 scripts/kill_and_resume.py path/to/endless [KILLS] [FLAG...]
+
+Flags of `generate` that come last are added to or override its own, as in `20 --rig rigs/every_sensor.toml --duration 10`.
 """
 import filecmp
 import os
@@ -22,17 +24,29 @@ def files(root):
     return sorted(os.path.relpath(os.path.join(d, f), root) for d, _, names in os.walk(root) for f in names)
 
 
+def overridden(arguments, more):
+    """The flags of both, those of the latter where both have one."""
+    kept, skip = [], False
+    for argument in arguments:
+        if argument.startswith("--"):
+            skip = argument in more
+        if not skip:
+            kept.append(argument)
+    return kept + more
+
+
 def main():
     endless, kills = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 20
+    arguments = overridden(ARGUMENTS, sys.argv[3:])
     with tempfile.TemporaryDirectory() as work:
         whole, killed = os.path.join(work, "whole"), os.path.join(work, "killed")
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
         begin = time.monotonic()
-        subprocess.run([endless, "generate", whole, *ARGUMENTS], check=True, **quiet)
+        subprocess.run([endless, "generate", whole, *arguments], check=True, **quiet)
         length = time.monotonic() - begin
         dice, done = random.Random(1), 0
         for kill in range(kills):
-            process = subprocess.Popen([endless, "generate", killed, *ARGUMENTS], **quiet)
+            process = subprocess.Popen([endless, "generate", killed, *arguments], **quiet)
             if kill % 2 == 0:
                 # While towns are loaded and cameras baked, most often.
                 time.sleep(dice.uniform(0.02, length * 0.25))
@@ -45,7 +59,7 @@ def main():
             process.kill()
             done += process.wait() != 0
             print(f"kill {kill + 1}: {len(files(killed))} files", flush=True)
-        subprocess.run([endless, "generate", killed, *ARGUMENTS], check=True, **quiet)
+        subprocess.run([endless, "generate", killed, *arguments], check=True, **quiet)
         subprocess.run([endless, "check", killed], check=True, **quiet)
         left, right = files(whole), files(killed)
         assert left == right, f"files differ: {sorted(set(left) ^ set(right))[:5]}"

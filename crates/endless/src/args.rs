@@ -181,12 +181,15 @@ pub(crate) struct BenchArgs {
     /// Image size [default: 1280x720; with --scaling 640x360, and up to 1920x1080 where pixels grow].
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<String>,
-    /// Cameras that film each scene [default: 2].
+    /// Cameras that film each scene [default: 2; with --rig none].
     #[arg(long, value_name = "N")]
     pub(crate) cameras_per_scene: Option<i64>,
     /// Layers to store [default: rgb,depth,instance].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) layers: Option<Vec<String>>,
+    /// Record the sensors of a rig, too, and tell what each costs; TOML or JSON, as for generate.
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["conditions", "scaling"])]
+    pub(crate) rig: Option<PathBuf>,
     /// Record each of the fifteen conditions, each in the next town, and compare them.
     #[arg(long)]
     pub(crate) conditions: bool,

@@ -4,6 +4,7 @@ mod conditions;
 mod film;
 mod peak_memory;
 mod scaling;
+mod sensors;
 mod stages;
 
 use crate::args::BenchArgs;

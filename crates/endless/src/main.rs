@@ -76,7 +76,12 @@ fn run() -> ExitCode {
 fn cannot_be_asked(error: &anyhow::Error) -> bool {
     let plan = error.downcast_ref::<GenerateError>();
     error.is::<RecipeError>()
-        || matches!(plan, Some(GenerateError::Plan(PlanError::FewCameras { .. } | PlanError::ManyCameras { .. })))
+        || matches!(
+            plan,
+            Some(GenerateError::Plan(
+                PlanError::FewCameras { .. } | PlanError::ManyCameras { .. } | PlanError::Rig { .. }
+            ))
+        )
 }
 
 /// Help and version as they are, a mistake in one line.

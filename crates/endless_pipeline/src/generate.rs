@@ -5,7 +5,7 @@ mod lock;
 mod output;
 
 use crate::{
-    GenerateError, MapUse, Plan, Progress, ProgressEvent, Simulator, StageTimes,
+    GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Simulator, StageTimes,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
@@ -42,6 +42,8 @@ pub struct Generated {
     pub seconds: f64,
     /// Time by stage.
     pub times: StageTimes,
+    /// Time by sensor: the cameras of the scenes, then the rig's.
+    pub sensors: Vec<SensorTimes>,
 }
 
 /// Makes the dataset of a recipe in a folder, or resumes it.
@@ -93,6 +95,7 @@ fn generate_in<S: Simulator>(
         bytes: 0,
         seconds: 0.0,
         times: StageTimes::default(),
+        sensors: Vec::new(),
     };
     if options.plan_only {
         return Ok(generated);
@@ -110,7 +113,8 @@ fn generate_in<S: Simulator>(
             simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map })
         })?;
         for settings in same_map {
-            run.video(&map, settings, remaining_scenes.len() as u32, &mut manifest)?;
+            let of = remaining_scenes.len() as u32;
+            run.video(&map, settings, of, &mut manifest, &mut generated.sensors)?;
             generated.videos += 1;
             generated.camera_frames += measurements(settings);
             generated.bytes += layout.video(settings).bytes()?;
@@ -154,6 +158,7 @@ impl<S: Simulator> GenerateRun<'_, S> {
         settings: &SceneSettings,
         of: u32,
         manifest: &mut Manifest,
+        sensors: &mut Vec<SensorTimes>,
     ) -> Result<(), GenerateError> {
         self.place += 1;
         let name = VideoLayout::name(settings);
@@ -162,16 +167,18 @@ impl<S: Simulator> GenerateRun<'_, S> {
         manifest.note_build(settings.video as usize, &self.options.build);
         write_json_durable(&self.layout.manifest(), manifest)?;
         let layout = self.layout.video(settings);
+        let streams = Stream::all(self.recipe, settings, &layout);
         let recording = Recording {
             settings,
             recipe: self.recipe,
             layout: &layout,
-            streams: &Stream::all(self.recipe, settings, &layout),
+            streams: &streams,
             pool: self.pool,
             progress: self.progress,
             clock: self.clock,
         };
         let record = self.clock.time(Stage::Record, || record_video(self.simulator, map, &recording))?;
+        streams.iter().for_each(|stream| stream.add_times(sensors));
         self.progress.event(&ProgressEvent::VideoDone { name: &name });
         let entry = &mut manifest.videos[settings.video as usize];
         (entry.state, entry.boxes) = (VideoState::Complete, Some(record.boxes));

@@ -67,7 +67,7 @@ pub use generate::{GenerateOptions, Generated, generate};
 pub use plan::Plan;
 pub use progress::{Progress, ProgressEvent, SilentProgress};
 pub use recipe::{read_recipe, recipe_from_text, resolve_recipe};
-pub use record::StageTimes;
+pub use record::{SensorTimes, StageTimes};
 pub use rig::read_rig;
 pub use simulator::{
     Capabilities, MapCatalog, MapSource, MapUse, RenderStats, RenderTask, SceneBodies, SceneTruth, SensorReading,

@@ -13,6 +13,7 @@ mod layers;
 mod line_sinks;
 mod recording;
 mod scheduler;
+mod sensor_times;
 mod sink;
 mod stored;
 mod streams;
@@ -20,6 +21,7 @@ mod times;
 mod vehicle_sensors;
 mod video;
 
+pub use sensor_times::SensorTimes;
 pub use times::StageTimes;
 pub(crate) use {
     recording::Recording,

@@ -23,7 +23,8 @@ pub(super) fn draft(args: &BenchArgs) -> RecipeDraft {
         duration: Some(args.duration.unwrap_or(DURATION_S)),
         maps: args.maps.clone(),
         layers: args.layers.clone(),
-        cameras_per_scene: args.cameras_per_scene,
+        // A rig is recorded by itself.
+        cameras_per_scene: args.cameras_per_scene.or(args.rig.as_ref().map(|_| 0)),
         ..RecipeDraft::default()
     }
 }

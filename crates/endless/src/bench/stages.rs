@@ -1,11 +1,11 @@
 //! `endless bench`: one recipe, stage by stage.
 
 use super::film::{draft, film};
-use super::peak_memory;
+use super::{peak_memory, sensors};
 use crate::args::BenchArgs;
 use anyhow::Result;
 use endless_dataset::{Layer, RecipeDraft};
-use endless_pipeline::{Generated, MapSource, Simulator};
+use endless_pipeline::{Generated, MapSource, Simulator, read_rig};
 use std::{io::Write, process::ExitCode, time::Duration};
 
 pub(super) fn run<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs, threads: usize) -> Result<ExitCode> {
@@ -13,9 +13,14 @@ pub(super) fn run<S: Simulator + MapSource>(simulator: &S, args: &BenchArgs, thr
     let draft = RecipeDraft {
         weathers: asked(&args.weathers, "clear_sky"),
         times: asked(&args.times, "afternoon"),
+        sensor: args.rig.as_deref().map(read_rig).transpose()?,
         ..draft(args)
     };
-    print(&film(simulator, draft, threads)?, threads)?;
+    let made = film(simulator, draft, threads)?;
+    print(&made, threads)?;
+    if args.rig.is_some() {
+        sensors::print(&made, threads)?;
+    }
     Ok(ExitCode::SUCCESS)
 }
 

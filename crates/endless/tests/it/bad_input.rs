@@ -114,6 +114,54 @@ fn tracks_cannot_be_played() {
 }
 
 #[test]
+fn rigs_cannot_be_mounted() {
+    let folder = tempfile::tempdir().expect("temp");
+    let write = |name: &str, text: &str| fs::write(folder.path().join(name), text).expect("writable");
+    let car = "mount = { on = \"vehicle\", class = \"car\", at = [0.0, 0.0, 1.7] }\n";
+    let sensor = |rest: &str| format!("[[sensor]]\nname = \"a\"\n{rest}");
+    write("type.toml", &sensor(&format!("type = \"sonar\"\n{car}")));
+    write("twice.toml", &sensor(&format!("type = \"imu\"\n{car}")).repeat(2));
+    write("stopped.toml", &sensor(&format!("type = \"lidar\"\nrate = 0\n{car}")));
+    write("odd.toml", &sensor(&format!("type = \"lidar\"\nrate = 7\n{car}")));
+    write("key.toml", &sensor(&format!("type = \"lidar\"\nchanels = 7\n{car}")));
+    write("preset.toml", &sensor(&format!("type = \"lidar\"\npreset = \"hdl_65\"\n{car}")));
+    write("value.toml", &sensor(&format!("type = \"lidar\"\nrange = -4.0\n{car}")));
+    write("word.toml", &sensor(&format!("type = \"gnss\"\nrate = \"fast\"\n{car}")));
+    write("unmounted.toml", &sensor("type = \"imu\"\n"));
+    write("syntax.toml", "[[sensor]\n");
+    write("syntax.json", "{\"sensor\": [");
+    write("empty.toml", "");
+    let on = |mount: &str| sensor(&format!("type = \"camera\"\nmount = {{ {mount} }}\n"));
+    write("nobody.toml", &on("on = \"vehicle\", number = 500, at = [0.0, 0.0, 1.7]"));
+    write("tank.toml", &on("on = \"vehicle\", class = \"tank\", at = [0.0, 0.0, 1.7]"));
+    write("ground.toml", &on("on = \"pose\", from = \"junction\", at = [0.0, 0.0, -3.0]"));
+    write("site.toml", &on("on = \"site\", site = \"moon\""));
+    let rigs = [
+        "type",
+        "twice",
+        "stopped",
+        "odd",
+        "key",
+        "preset",
+        "value",
+        "word",
+        "unmounted",
+        "syntax",
+        "empty",
+        "nobody",
+        "tank",
+        "ground",
+        "site",
+    ];
+    let commands = rigs.map(|rig| format!("generate out --maps Town02 --rig {rig}.toml"));
+    let more = ["none.toml", "syntax.json"].map(|rig| format!("generate out --maps Town02 --rig {rig}"));
+    let bench = ["bench --rig type.toml".to_owned(), "bench --conditions --rig nobody.toml".to_owned()];
+    let all: Vec<&str> = commands.iter().chain(&more).chain(&bench).map(String::as_str).collect();
+    insta::assert_snapshot!(said(folder.path(), &all));
+    assert!(!folder.path().join("out").exists(), "nothing was made");
+}
+
+#[test]
 fn the_output_cannot_be_used() {
     let folder = tempfile::tempdir().expect("temp");
     fs::write(folder.path().join("file"), "dear").expect("writable");

@@ -92,19 +92,21 @@ impl LabelledFrame<'_> {
         let turned = |i: usize| centre + world_from_object * (half * sign(i));
         let place = |i: usize| {
             let (at, depth) = self.camera.project(turned(i).as_vec3())?;
-            (depth > 0.2).then(|| at.to_array().map(f64::from))
+            (depth > 0.2).then(|| (at.to_array().map(f64::from), f64::from(depth)))
         };
-        let near = |i: usize| place(i).zip(around.corners[i]).is_none_or(|(a, b)| self.same_place(a, b));
+        let near =
+            |i: usize| place(i).zip(around.corners[i]).is_none_or(|((a, depth), b)| self.same_place(a, b, depth));
         if !(0..8).all(near) {
             return Some("has corners that are not those of its box");
         }
         self.depth_problem(object, around, camera_from_object)
     }
 
-    /// Far beside the picture a rounded rotation moves a corner by more.
-    fn same_place(&self, a: [f64; 2], b: [f64; 2]) -> bool {
+    /// Far beside the picture a rounded rotation moves a corner by more, and close to the lens a rounded place does.
+    fn same_place(&self, a: [f64; 2], b: [f64; 2], depth: f64) -> bool {
         let far = (a[0].abs() + a[1].abs()) / f64::from(self.camera.size.width);
-        (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) < PIXELS * (1.0 + far)
+        let close = 0.5 * METRES * f64::from(self.camera.intrinsics.fx) / depth;
+        (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) < (PIXELS + close) * (1.0 + far)
     }
 
     /// Its pixels lie as deep as its box, to two centimetres.

@@ -16,7 +16,7 @@ use endless_dataset::{
     yuv_from_rgb,
 };
 use endless_world::{PinholeCamera, WorldState};
-use std::borrow::Cow;
+use std::{borrow::Cow, time::Instant};
 
 pub(super) struct FrameRecorder<'a> {
     pub(super) recording: &'a Recording<'a>,
@@ -75,6 +75,18 @@ impl CapturedFrame<'_> {
             FrameReadings::Stored(stored) => stored.iter().flatten().count(),
         };
         count as u32
+    }
+
+    /// How many points or detections a stream's measurement has.
+    fn points(&self, stream: usize) -> usize {
+        match &self.readings {
+            FrameReadings::Made(made) => match &made[stream] {
+                Some(StreamReading::Made(SensorReading::Lidar(sweep))) => sweep.points.len(),
+                Some(StreamReading::Made(SensorReading::Radar(scan))) => scan.detections.len(),
+                _ => 0,
+            },
+            FrameReadings::Stored(_) => 0,
+        }
     }
 
     /// The line of `frames.jsonl`, if the simulator knows it.
@@ -145,14 +157,18 @@ impl<'a> FrameRecorder<'a> {
                 }
                 _ => Ok(StreamReading::Told),
             };
-            stream.measures_at(frame).then(sense)
+            stream.measures_at(frame).then(|| stream.clock.time(sense))
         };
         let mut sensed = Vec::new();
         for stream in streams {
             sensed.push(of_rig(stream).transpose()?);
         }
         let cameras = streams.iter().filter(|stream| stream.sensor.is_none()).count();
+        let start = Instant::now();
         let frames = if cameras == 0 { Vec::new() } else { task.render(state)? };
+        for stream in streams.iter().filter(|stream| stream.sensor.is_none()) {
+            stream.clock.add(start.elapsed() / cameras as u32);
+        }
         if frames.len() != cameras {
             return Err(SimulatorError::CamerasMissing { frame, expected: cameras, got: frames.len() });
         }
@@ -199,9 +215,12 @@ impl<'a> FrameRecorder<'a> {
                 _ => self.written(taken, place)?,
             };
             let pose = at.filter(|_| measured.is_some()).map(|at| at.line.clone());
+            if measured.is_some() {
+                stream.clock.measured(taken.points(place));
+            }
             Ok(SinkItem { measured, pose, ..SinkItem::default() })
         };
-        streams.map(item).collect()
+        streams.map(|(place, stream)| stream.clock.time(|| item((place, stream)))).collect()
     }
 
     /// Writes what another sensor measured; what its sink gets of this frame.

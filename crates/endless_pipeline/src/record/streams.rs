@@ -1,5 +1,6 @@
 //! What is recorded of a video: the scene's cameras, then the sensors of its rig, each with files of its own.
 
+use super::sensor_times::{SensorTimes, StreamClock};
 use endless_dataset::{CameraLayout, CameraOutput, FrameFolder, ModelSpec, Recipe, VideoLayout};
 use endless_world::{
     EventCameraSettings, GnssSettings, ImageSize, ImuSettings, PinholeCamera, RigCamera, SceneCamera, SceneSensor,
@@ -25,6 +26,8 @@ pub(crate) struct Stream<'a> {
     pub(crate) lines: Option<PathBuf>,
     /// Bytes of a measurement, roughly, layers left out.
     pub(crate) bytes_a_measurement: f64,
+    /// What it takes.
+    pub(super) clock: StreamClock,
 }
 
 /// What a stream consists of.
@@ -73,6 +76,7 @@ impl<'a> Stream<'a> {
             folders: Vec::new(),
             lines: None,
             bytes_a_measurement: 0.0,
+            clock: StreamClock::default(),
         };
         let scene = settings.cameras.iter().enumerate().map(|(number, camera)| {
             let output = recipe.camera_output();
@@ -113,6 +117,12 @@ impl<'a> Stream<'a> {
             });
         }
         streams
+    }
+
+    /// Adds what it took to what sensors of its name took before.
+    pub(crate) fn add_times(&self, sensors: &mut Vec<SensorTimes>) {
+        let name = self.files.folder().file_name().unwrap_or_default().to_string_lossy();
+        self.clock.add_to(&name, sensors);
     }
 
     /// Whether it measures at a frame.

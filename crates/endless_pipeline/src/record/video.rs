@@ -187,7 +187,8 @@ impl<'m> VideoWorkers<'_, 'm> {
                 WorkerJob::Frame { frame, session } => self.frame(frame, session)?,
                 WorkerJob::Sink { camera, item } => {
                     let mut sink = self.sinks[camera].lock().unwrap_or_else(PoisonError::into_inner);
-                    sink.push(item, self.maker.recording.clock)?;
+                    let Recording { streams, clock, .. } = *self.maker.recording;
+                    streams[camera].clock.time(|| sink.push(item, clock))?;
                     drop(sink);
                     self.scheduler.sink_done(camera);
                 }

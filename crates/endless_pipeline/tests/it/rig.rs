@@ -6,13 +6,16 @@ use crate::{
 };
 use endless_dataset::{
     CameraLayout, DatasetLayout, FrameFolder, Layer, PoseLine, RecipeDraft, RgbFormat, SensorSpec, VideoLayout, check,
-    depth_from_rgb, instance_from_rgb, point_labels, points_from_bin, points_from_ply, read_lines, read_rgb,
+    decode_pixel_events, depth_from_rgb, detections_from_csv, instance_from_rgb, point_labels, points_from_bin,
+    points_from_ply, read_lines, read_objects, read_rgb,
 };
 use endless_pipeline::{Generated, Plan, SilentProgress, generate, resolve_recipe};
+use endless_world::math::f64::{ln, sin_cos};
 use endless_world::{
-    Image, ImageSize, ImuRecord, InstancePixel, PinholeCamera, SensorPose, rotation_from_vector, rotation_vector,
+    Image, ImageSize, ImuRecord, InstancePixel, ObjectClass, PinholeCamera, SensorPose, rotation_from_vector,
+    rotation_vector,
 };
-use glam::{DVec3, UVec2};
+use glam::{DVec2, DVec3, UVec2};
 use serde_json::json;
 use std::{fs, path::Path};
 
@@ -58,7 +61,7 @@ fn everything() -> serde_json::Value {
     let car = |at: [f64; 3]| json!({"on": "vehicle", "class": "car", "at": at});
     json!([
         {"name": "front", "type": "camera", "mount": car([0.4, 0.0, 1.45]), "rate": 10, "fov": 80.0},
-        {"name": "bus", "type": "camera", "mount": {"on": "vehicle", "class": "bus", "at": [5.0, 0.0, 2.5]}, "layers": ["rgb"]},
+        {"name": "lorry", "type": "camera", "mount": {"on": "vehicle", "class": "truck", "at": [5.0, 0.0, 2.5]}, "layers": ["rgb"]},
         {"name": "walker", "type": "camera", "mount": {"on": "pedestrian", "at": [0.2, 0.0, 1.6]}, "mp4": []},
         {"name": "drone", "type": "camera", "size": "96x54", "rate": 5,
             "mount": {"on": "orbit", "from": "junction", "radius": 30.0, "height": 40.0, "period": 20.0}},
@@ -85,13 +88,13 @@ fn every_sensor_is_recorded_the_same_by_any_number_of_threads_and_after_a_kill()
     assert_eq!(report.findings, []);
     let [of, again] = [&out[0], &out[1]].map(|out| video(out.path(), &made));
     let images = |name: &str| fs::read_dir(of.sensor(name).layer(Layer::Rgb)).expect("images").count();
-    assert_eq!([images("front"), images("bus"), images("drone")], [4, 8, 2], "each at its own rate");
+    assert_eq!([images("front"), images("lorry"), images("drone")], [4, 8, 2], "each at its own rate");
     let carrier = |name: &str| {
         let text = fs::read_to_string(of.sensor(name).sensor()).expect("a record");
         serde_json::from_str::<serde_json::Value>(&text).expect("JSON")["carrier_id"].as_u64()
     };
     assert_eq!(carrier("front"), carrier("velodyne"), "they ride together");
-    assert!(carrier("bus").is_some() && carrier("bus") != carrier("front") && carrier("drone").is_none());
+    assert!(carrier("lorry").is_some() && carrier("lorry") != carrier("front") && carrier("drone").is_none());
 
     make(one_camera(), out[1].path(), 1);
     assert_same(out[0].path(), out[1].path());
@@ -227,6 +230,151 @@ fn lidar_points_meet_the_same_objects_in_all_cameras() {
     }
     println!("{asked} points, {objects} of objects, {other} meet another");
     assert!(asked > 20_000 && objects > 100 && f64::from(other) < 0.001 * f64::from(asked), "{other} of {asked}");
+}
+
+/// Depth along the optical axis where a plane is seen at a place in the picture, of the nine pixels around it: the inverse of
+/// a plane's depth is linear in the picture. `None` where these see no plane.
+fn plane_depth_m(depth: &Image<f32>, at: DVec2) -> Option<f64> {
+    let (x, y) = (at.x.floor() as u32, at.y.floor() as u32);
+    let near = |dx: i64, dy: i64| 1.0 / f64::from(*depth.at((i64::from(x) + dx) as u32, (i64::from(y) + dy) as u32));
+    let middle = near(0, 0);
+    // What depth is rounded to moves its inverse by so much.
+    let step = 6e-5 * middle * middle;
+    let flat = (-1..=1)
+        .flat_map(|dy| (-1..=1).map(move |dx| (dx, dy)))
+        .all(|(dx, dy)| (near(dx, dy) + near(-dx, -dy) - 2.0 * middle).abs() < 4.0 * step);
+    let off = at - at.floor() - 0.5;
+    let tilt = DVec2::new(near(1, 0) - near(-1, 0), near(0, 1) - near(0, -1)) * 0.5;
+    flat.then(|| 1.0 / (middle + tilt.dot(off)))
+}
+
+#[test]
+fn lidar_points_lie_where_a_camera_sees_the_surface_to_the_millimetre() {
+    let car = json!({"on": "vehicle", "class": "car", "at": [0.5, 0.0, 1.9]});
+    let sensors = json!([
+        {"name": "front", "type": "camera", "mount": car, "fov": 60.0, "size": "640x360", "layers": ["depth"], "mp4": []},
+        {"name": "lidar", "type": "lidar", "preset": "hdl_64e", "mount": car, "noise_stddev": 0.0, "motion_distortion": false,
+            "weather_effects": false, "dropoff_general_rate": 0.0, "dropoff_intensity_limit": 0.0},
+    ]);
+    let out = tempfile::tempdir().expect("temp");
+    let made = make(RecipeDraft { duration: Some(0.2), ..draft(sensors) }, out.path(), 2);
+    let of = video(out.path(), &made);
+    let (mut worst_m, mut asked, mut thin) = (0.0f64, 0u32, 0u32);
+    for line in read_lines::<PoseLine>(&of.sensor("front").poses()).expect("poses") {
+        let path = of.sensor("front").frame(Layer::Depth, line.frame, RgbFormat::Png);
+        let image = read_rgb(&path, RgbFormat::Png).expect("an image");
+        let depth = depth_from_rgb(image.rgb8().expect("8 bit"));
+        let lens = line.intrinsics.expect("a camera");
+        let bytes = fs::read(of.sensor("lidar").frame_file(FrameFolder::Points, line.frame)).expect("there");
+        for [x, y, z, _] in points_from_bin(&bytes).expect("points") {
+            // Both look ahead from one place.
+            let [right, down, ahead] = [-y, -z, x].map(f64::from);
+            let at = DVec2::new(f64::from(lens.fx) * right, f64::from(lens.fy) * down) / ahead
+                + DVec2::new(f64::from(lens.cx), f64::from(lens.cy));
+            let inside = DVec2::ONE.cmplt(at).all() && at.cmplt(DVec2::new(639.0, 359.0)).all();
+            if ahead < 1.0 || !inside {
+                continue;
+            }
+            let Some(expected) = plane_depth_m(&depth, at).filter(|depth| *depth < 60.0) else { continue };
+            // Along the ray, which is longer than its part along the optical axis.
+            let off_m = (ahead - expected).abs() * DVec3::new(right, down, ahead).length() / ahead;
+            asked += 1;
+            // A wire or a leaf between the pixels' centres.
+            if off_m > 0.01 {
+                thin += 1;
+            } else {
+                worst_m = worst_m.max(off_m);
+            }
+        }
+    }
+    println!(
+        "{asked} points on planes, {thin} on what is thinner than a pixel, others at most {:.3} mm off",
+        1000.0 * worst_m
+    );
+    assert!(
+        asked > 5000 && thin < asked / 1000 && worst_m < 1e-3,
+        "{worst_m} m, {asked} points, {thin} on other things"
+    );
+}
+
+#[test]
+fn a_radar_tells_how_fast_what_it_sees_comes_nearer() {
+    let car = |at: [f64; 3]| json!({"on": "vehicle", "class": "car", "at": at});
+    let sensors = json!([
+        {"name": "radar", "type": "radar", "mount": car([2.2, 0.0, 0.6]), "horizontal_fov": 120.0, "points_per_second": 20_000},
+        {"name": "front", "type": "camera", "mount": car([2.2, 0.0, 0.9]), "fov": 120.0, "mp4": []},
+    ]);
+    let out = tempfile::tempdir().expect("temp");
+    let made = make(RecipeDraft { vehicles: Some(60), ..draft(sensors) }, out.path(), 2);
+    let of = video(out.path(), &made);
+    let poses: Vec<PoseLine> = read_lines(&of.sensor("radar").poses()).expect("poses");
+    let labels = read_objects(&of.sensor("front").objects()).expect("labels");
+    let (mut still, mut moving) = (0u32, 0u32);
+    for (line, seen) in poses.iter().zip(&labels) {
+        let text = fs::read_to_string(of.sensor("radar").frame_file(FrameFolder::Scans, line.frame)).expect("there");
+        let pose = line.pose();
+        for found in detections_from_csv(&text).expect("detections") {
+            let [azimuth, altitude] = [found.azimuth_rad, found.altitude_rad].map(f64::from);
+            let (up, out) = sin_cos(altitude);
+            let level = DVec2::from_angle(azimuth) * out;
+            let direction = pose.world_from_sensor * DVec3::new(level.x, level.y, up);
+            let of_object = seen.objects.iter().find(|object| object.id == found.id);
+            let velocity = match of_object {
+                None if found.id.0 == 0 => DVec3::ZERO,
+                Some(object) if object.parked => DVec3::ZERO,
+                // Parts of what turns have velocities of their own: see the tests of `endless_sensor`.
+                Some(object) if object.class == ObjectClass::Car => DVec3::from(object.velocity_mps),
+                _ => continue,
+            };
+            let expected = (velocity - pose.velocity_mps).dot(direction);
+            let off = (f64::from(found.velocity_mps) - expected).abs();
+            if velocity == DVec3::ZERO {
+                still += 1;
+                assert!(off < 1e-3, "{found:?}: {expected} m/s expected");
+            } else {
+                moving += 1;
+                assert!(off < 0.5, "{found:?}: {expected} m/s expected of the whole");
+            }
+        }
+    }
+    let speed = poses[0].pose().velocity_mps.length();
+    println!("at {speed:.1} m/s: {still} detections of what stands, {moving} of what drives");
+    assert!(speed > 1.0 && still > 500, "{speed} m/s, {still}, {moving}");
+}
+
+#[test]
+fn events_add_up_to_the_change_of_the_picture() {
+    let car = json!({"on": "vehicle", "class": "car", "at": [0.5, 0.0, 1.5]});
+    let sensors = json!([
+        {"name": "events", "type": "event_camera", "size": "160x90", "fov": 90.0, "mount": car, "positive_threshold": 0.2},
+        {"name": "front", "type": "camera", "fov": 90.0, "mount": car, "layers": ["rgb"], "mp4": []},
+    ]);
+    let out = tempfile::tempdir().expect("temp");
+    let made = make(draft(sensors), out.path(), 2);
+    let of = video(out.path(), &made);
+    let levels = |frame: u32| {
+        let image = read_rgb(&of.sensor("front").frame(Layer::Rgb, frame, RgbFormat::Png), RgbFormat::Png);
+        let image = image.expect("an image").rgb8().expect("8 bit").clone();
+        let level = |[r, g, b]: [u8; 3]| {
+            ln(0.001 + (0.2989 * f64::from(r) + 0.587 * f64::from(g) + 0.114 * f64::from(b)) / 255.0)
+        };
+        image.data.iter().map(|&pixel| level(pixel)).collect::<Vec<f64>>()
+    };
+    let first = levels(0);
+    let (mut sums, mut count) = (vec![0.0; first.len()], 0);
+    for frame in 0..8 {
+        let bytes = fs::read(of.sensor("events").frame_file(FrameFolder::Events, frame)).expect("there");
+        for event in decode_pixel_events(&bytes).expect("events") {
+            assert!(event.t_us <= i64::from(frame) * 50_000 && event.t_us > (i64::from(frame) - 1) * 50_000 - 1);
+            sums[usize::from(event.y) * 160 + usize::from(event.x)] += if event.polarity { 0.2 } else { -0.3 };
+            count += 1;
+        }
+        for ((now, then), sum) in levels(frame).iter().zip(&first).zip(&sums) {
+            let missing = now - then - sum;
+            assert!(missing < 0.2 + 1e-9 && missing > -0.3 - 1e-9, "{missing} in frame {frame}");
+        }
+    }
+    assert!(count > 10_000, "{count} events");
 }
 
 #[test]
