@@ -57,7 +57,7 @@ impl CameraBake {
         indirect: IndirectRays<'_>,
     ) -> (Self, IndirectHits) {
         let camera = settings.camera(site);
-        let pixel_angle = 1.0 / camera.intrinsics.fx;
+        let pixel_angle = camera.pixel_angle_rad();
         let area = ViewedArea::of(still, &camera);
         let lighting = timed("lights", || Lighting::direct(still, settings, &area));
         let (lighting, probes) = timed("probes", || lighting.with_probes(still, settings, &area, indirect));
@@ -93,7 +93,7 @@ impl CameraBake {
         let half = velocity.at(point) * (0.5 * shutter_s);
         let at = |p: Vec3A| self.camera.project(p.into()).map(|(at, _)| at);
         match (at(point - half), at(point + half)) {
-            (Some(from), Some(to)) => (to - from).clamp_length_max(LONGEST_PX),
+            (Some(from), Some(to)) => self.camera.way_in_image(from, to).clamp_length_max(LONGEST_PX),
             _ => Vec2::ZERO,
         }
     }

@@ -2,19 +2,22 @@
 
 use super::gbuffer::GBuffer;
 use super::scratch_pool::ScratchPool;
-use crate::camera_rays::sample_ray;
+use crate::camera_rays::{is_nowhere, sample_ray};
 use crate::film::{BlurScratch, PostProcess, Rain, ToneCurve, black_level, exposure};
 use crate::light::Environment;
 use crate::material::noise;
 use crate::settings::RenderSettings;
-use endless_world::PinholeCamera;
+use endless_world::{Lens, PinholeCamera};
 use glam::Vec3A;
 use rayon::prelude::*;
+use std::borrow::Cow;
 
 /// What stays the same on a camera's film in all frames of a video.
 pub(super) struct CameraFilm {
     /// Of the still picture, kcd/m².
     pub(super) radiance: Vec<Vec3A>,
+    /// The pixels in whose centres the lens shows nothing: black, whatever light spreads there.
+    pub(super) unlit: Vec<u32>,
     /// The still picture, if frames need not be developed whole.
     pub(super) rgb: Vec<[u8; 3]>,
     pub(super) tone: ToneCurve,
@@ -44,17 +47,34 @@ impl CameraFilm {
         let radiance: Vec<Vec3A> =
             (0..pixels).into_par_iter().map(|pixel| gbuffer.pixel(pixel).radiance(environment)).collect();
         let width = settings.size.width as usize;
-        let black = black_level(&radiance, |i| {
+        let place = |i: u32| (i % width as u32, i / width as u32);
+        let is_unlit = |&i: &u32| is_nowhere(&sample_ray(camera, place(i).0, place(i).1, 0));
+        let unlit: Vec<u32> = match camera.lens {
+            Lens::Perspective(_) => Vec::new(),
+            _ => (0..pixels as u32).into_par_iter().filter(is_unlit).collect(),
+        };
+        // Exposed for what the lens shows.
+        let lit: Vec<u32> = match unlit.is_empty() {
+            true => Vec::new(),
+            false => (0..pixels as u32).filter(|i| unlit.binary_search(i).is_err()).collect(),
+        };
+        let shown: Cow<'_, [Vec3A]> = match unlit.is_empty() {
+            true => (&radiance).into(),
+            false => lit.iter().map(|&i| radiance[i as usize]).collect::<Vec<_>>().into(),
+        };
+        let black = black_level(&shown, |i| {
+            let i = lit.get(i).map_or(i, |&i| i as usize);
             let (ray, still) = (sample_ray(camera, (i % width) as u32, (i / width) as u32, 0), gbuffer.pixel(i));
             let fog = &environment.fog;
             let left = fog.transmittance(ray.origin, ray.direction, still.distances[0]);
             if still.is_sky(0) { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
         });
-        let exposure = exposure(&radiance, black, environment.exposure_key);
+        let exposure = exposure(&shown, black, environment.exposure_key);
         let tone =
             ToneCurve::new(exposure, environment.white_balance() * Vec3A::from(settings.look.white_balance), black);
         let film = Self {
             radiance,
+            unlit,
             rgb: Vec::new(),
             tone,
             rain: rain(environment, exposure, settings.seed),
@@ -74,7 +94,16 @@ impl CameraFilm {
         if film.spreads_light() {
             return film;
         }
-        Self { rgb: film.radiance.par_iter().map(|&r| film.tone.apply(r)).collect(), ..film }
+        let mut rgb: Vec<_> = film.radiance.par_iter().map(|&r| film.tone.apply(r)).collect();
+        film.darken(&mut rgb);
+        Self { rgb, ..film }
+    }
+
+    /// Makes black what the lens does not show.
+    pub(super) fn darken(&self, rgb: &mut [[u8; 3]]) {
+        for &pixel in &self.unlit {
+            rgb[pixel as usize] = [0; 3];
+        }
     }
 
     /// Whether all of a frame must be developed again: glare and lens change every pixel.

@@ -109,6 +109,7 @@ impl FrameBuffer {
             }
             bake.film.radiance_pool.give(radiance);
         }
+        bake.film.darken(&mut self.rgb);
         DevelopedFrame { frame, rgb: self.rgb, layers: self.layers, centres }
     }
 

@@ -7,8 +7,8 @@ use endless_render::{
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::math::UnfusedMatrix;
 use endless_world::{
-    CameraLook, CameraSite, ClassTag, Distortion, FlowPixel, FlowTarget, Image, ImageSize, InstanceId, Mount,
-    PinholeCamera, SensorFrame, SensorLayers, TimeOfDay, Weather,
+    CameraLook, CameraSite, ClassTag, Distortion, FlowPixel, FlowTarget, Image, ImageSize, InstanceId, LensModel,
+    Mount, PinholeCamera, SensorFrame, SensorLayers, TimeOfDay, Weather,
 };
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -60,6 +60,7 @@ fn site() -> CameraSite {
         down_tilt_rad: 0.3,
         roll_rad: 0.0,
         horizontal_fov_rad: 1.0,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
     }
 }
