@@ -17,6 +17,8 @@ pub(crate) struct OtherLens<'a> {
 
 /// What is nearer is not told of, metres.
 const NEAR_M: f64 = 0.1;
+/// Lines end this much within the image circle, radians: who projects them in single precision still finds them there.
+const RIM_RAD: f64 = 1e-4;
 /// Largest angle between neighbouring points of a line, as the lens sees it, radians.
 const STEP_RAD: f64 = 0.03;
 const MOST_HALVINGS: u32 = 14;
@@ -30,7 +32,7 @@ impl OtherLens<'_> {
     /// The pixel of a point of the camera's frame; `None` where the lens does not show it.
     pub(crate) fn place(&self, p: DVec3) -> Option<DVec2> {
         let shown = match self.other {
-            Lens::Fisheye(fisheye) => angle(p) <= f64::from(fisheye.max_angle_rad()),
+            Lens::Fisheye(fisheye) => angle(p) <= f64::from(fisheye.max_angle_rad()) - RIM_RAD,
             _ => self.other.is_central() || p.z > NEAR_M,
         };
         shown.then(|| self.anywhere(p, 0.0))
