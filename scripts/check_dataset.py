@@ -24,7 +24,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "python"
 from endless_dataset import read_png16  # noqa: E402
 
 FAR_PLANE_M = 1000.0
-SKY, PEDESTRIANS, RIDER = 11, 12, 13
+UNLABELED, SKY, PEDESTRIANS, RIDER = 0, 11, 12, 13
 # Numbers of body parts: above and below elbows and wrists, left and right in turn, as COCO's keypoints 7 to 10.
 JOINTS = ((10, 12), (11, 13), (12, 3), (13, 2))
 CARRIED = 15
@@ -115,15 +115,33 @@ def rotation_matrix(w: float, x: float, y: float, z: float) -> np.ndarray:
     )
 
 
+def radius_of(lens: dict, theta: np.ndarray) -> np.ndarray:
+    """Where a fisheye shows an angle from the optical axis, focal lengths from the middle."""
+    return theta * (1 + sum(k * theta ** (2 * i + 2) for i, k in enumerate(lens["distortion"])))
+
+
 def project(record: dict, world: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Pixels, through the lens, and depths of points in the world, by `camera.json` alone."""
     pose = np.array(record["world_from_camera"])
     x, y, z = ((world - pose[:3, 3]) @ pose[:3, :3]).T
-    u, v = x / z, y / z
-    k1, k2 = record["lens"]["distortion"][:2]
-    bend = 1 + (u * u + v * v) * (k1 + k2 * (u * u + v * v))
-    k = record["intrinsics"]
-    return np.stack([k["fx"] * u * bend + k["cx"], k["fy"] * v * bend + k["cy"]], axis=-1), z
+    k, lens = record["intrinsics"], record["lens"]
+    r, distance = np.hypot(x, y), np.sqrt(x * x + y * y + z * z)
+    depth = distance if lens.get("depth") == "distance" else z
+    if lens["model"] == "opencv_fisheye":
+        theta = np.arctan2(r, z)
+        bent = radius_of(lens, theta) / np.maximum(r, 1e-12)
+        p = np.stack([x * bent, y * bent], axis=-1)
+        depth = np.where(theta <= lens["max_angle_rad"] + 1e-5, depth, -1)
+    elif lens["model"] == "equirectangular":
+        p = np.stack([np.arctan2(x, z), np.arctan2(y, np.hypot(x, z))], axis=-1)
+    elif lens["model"] == "orthographic":
+        p = np.stack([x, y], axis=-1)
+    else:
+        u, v = x / z, y / z
+        k1, k2 = lens["distortion"][:2]
+        bend = 1 + (u * u + v * v) * (k1 + k2 * (u * u + v * v))
+        p = np.stack([u * bend, v * bend], axis=-1)
+    return p * [k["fx"], k["fy"]] + [k["cx"], k["cy"]], depth
 
 
 def corners_of(box: dict) -> np.ndarray:
@@ -159,7 +177,10 @@ def check_shapes(line: dict, record: dict, ids: np.ndarray, tags: np.ndarray, de
             for written, exact, ahead in zip(box["corners"], pixels, z):
                 assert (written is None) or ahead > 0, f"{who}: a corner behind the camera"
                 if written is not None and (np.abs(exact) < 2 * width).all():
-                    assert np.abs(np.array(written) - exact).max() < 0.5, f"{who}: corners"
+                    off = np.abs(np.array(written) - exact)
+                    if record["lens"]["model"] == "equirectangular":
+                        off[0] = min(off[0], abs(2 * np.pi * record["intrinsics"]["fx"] - off[0]))
+                    assert off.max() < 0.5, f"{who}: corners"
             pose = np.array(record["world_from_camera"])
             before = (np.array(box["center"]) - pose[:3, 3]) @ pose[:3, :3]
             assert np.abs(before - box["center_in_camera"]).max() < 2e-3, f"{who}: center_in_camera"
@@ -167,9 +188,11 @@ def check_shapes(line: dict, record: dict, ids: np.ndarray, tags: np.ndarray, de
             turned = pose[:3, :3].T @ rotation_matrix(*box["rotation"])
             assert np.abs(turned - rotation_matrix(*box["rotation_in_camera"])).max() < 1e-3, f"{who}: rotation"
             if depth is not None:
-                reach = np.abs(turned[2]) @ np.array(box["size"]) / 2 + 0.02
+                radial = record["lens"].get("depth") == "distance"
+                reach = np.linalg.norm(box["size"]) / 2 if radial else np.abs(turned[2]) @ np.array(box["size"]) / 2
                 own = depth[ids == o["id"]]
-                assert np.abs(own - before[2]).max() <= reach, f"{who}: pixels nearer or farther than its box"
+                middle = np.linalg.norm(before) if radial else before[2]
+                assert np.abs(own - middle).max() <= reach + 0.02, f"{who}: pixels nearer or farther than its box"
         if "amodal_bbox" not in o:
             continue
         x, y, w, h = o["bbox"]
@@ -180,7 +203,8 @@ def check_shapes(line: dict, record: dict, ids: np.ndarray, tags: np.ndarray, de
         assert o["pixels"] + sum(q["pixels"] for q in o["occluders"]) == o["amodal_pixels"], f"{who}: sums"
         assert abs(o["visibility"] - o["pixels"] / o["amodal_pixels"]) < 1e-3, f"{who}: visibility"
         assert abs(o["truncation"] - (1 - cw * ch / (aw * ah))) < 1e-3, f"{who}: truncation"
-        if "box3d" in o and all(o["box3d"]["corners"]):
+        # Where straight lines bend, what a box holds may reach beyond its corners.
+        if "box3d" in o and all(o["box3d"]["corners"]) and record["lens"]["model"] in ("pinhole", "opencv", "orthographic"):
             low, high = np.min(o["box3d"]["corners"], axis=0), np.max(o["box3d"]["corners"], axis=0)
             first, last = np.array([ax, ay]) + 0.5, np.array([ax + aw, ay + ah]) - 0.5
             assert (low <= first + 1).all() and (high >= last - 1).all(), f"{who}: amodal box leaves the 3D box"
@@ -208,12 +232,26 @@ def load(path: pathlib.Path, size: tuple[int, int]) -> np.ndarray:
 
 
 def rays_of(record: dict) -> np.ndarray:
-    """(H, W, 3): through the centre of each pixel, camera frame, z = 1."""
-    k, (k1, k2, *_) = record["intrinsics"], record["lens"]["distortion"]
+    """(H, W, 3): through the centre of each pixel, camera frame, of depth 1; 0 where the lens shows nothing. Of parallel rays
+    all are alike."""
+    k, lens = record["intrinsics"], record["lens"]
     width, height = record["size"]["width"], record["size"]["height"]
     x = (np.arange(width) + 0.5 - k["cx"]) / k["fx"]
     y = (np.arange(height) + 0.5 - k["cy"]) / k["fy"]
     bent = np.stack(np.meshgrid(x, y), axis=2)
+    if lens["model"] == "orthographic":
+        return np.broadcast_to(np.array([0.0, 0.0, 1.0]), (height, width, 3))
+    if lens["model"] == "equirectangular":
+        shown = (abs(bent) <= [np.pi, np.pi / 2]).all(axis=2, keepdims=True)
+        (lon, lat) = np.moveaxis(bent, 2, 0)
+        return shown * np.stack([np.sin(lon) * np.cos(lat), np.sin(lat), np.cos(lon) * np.cos(lat)], axis=2)
+    if lens["model"] == "opencv_fisheye":
+        radius = np.linalg.norm(bent, axis=2, keepdims=True)
+        table = np.linspace(0, lens["max_angle_rad"], 100_000)
+        theta = np.interp(radius, radius_of(lens, table), table)
+        shown = radius <= radius_of(lens, np.array(lens["max_angle_rad"]))
+        return shown * np.concatenate([bent / np.maximum(radius, 1e-12) * np.sin(theta), np.cos(theta)], axis=2)
+    k1, k2 = lens["distortion"][:2]
     straight = bent.copy()
     for _ in range(20):
         r2 = (straight**2).sum(axis=2, keepdims=True)
@@ -221,16 +259,27 @@ def rays_of(record: dict) -> np.ndarray:
     return np.concatenate([straight, np.ones((height, width, 1))], axis=2)
 
 
-def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays: np.ndarray, where: str) -> np.ndarray:
+def starts_of(record: dict) -> np.ndarray:
+    """(H, W, 3): where the rays through the centres of pixels start, camera frame: parallel ones beside each other."""
+    k, (width, height) = record["intrinsics"], (record["size"]["width"], record["size"]["height"])
+    starts = np.zeros((height, width, 3))
+    if record["lens"]["model"] == "orthographic":
+        starts[..., 0] = (np.arange(width) + 0.5 - k["cx"]) / k["fx"]
+        starts[..., 1] = ((np.arange(height) + 0.5 - k["cy"]) / k["fy"])[:, None]
+    return starts
+
+
+def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays: tuple[np.ndarray, np.ndarray], where: str) -> np.ndarray:
     """Angles, in degrees, between normals and the gradient of depth on planes."""
+    rays, starts = rays
     known = stored.any(axis=2)
-    assert (known == (tags != SKY)).all(), f"{where}: normals of the sky"
+    assert (known == ((tags != SKY) & (tags != UNLABELED))).all(), f"{where}: normals of the sky"
     normal = 2.0 * stored / 65535 - 1
     length = np.linalg.norm(normal[known], axis=1)
     assert (abs(length - 1) < 1e-4).all(), f"{where}: normals of length {length.min()} to {length.max()}"
     assert ((normal * rays).sum(axis=2)[known] < 1e-3).all(), f"{where}: normals that look away"
     # Planes: within three pixels, all have the same normal and lie evenly.
-    points = rays * depth[..., None]
+    points = starts + rays * depth[..., None]
     far = 3
     middle = (slice(far, -far), slice(far, -far))
     plane = known & (depth < 60)
@@ -263,7 +312,7 @@ def check_joints(line: dict, ids: np.ndarray, parts: np.ndarray, joints: list[bo
 
 
 def check_layers(
-    camera: pathlib.Path, recipe: dict, frame: int, known: dict, rays: np.ndarray, joints: list[bool]
+    camera: pathlib.Path, recipe: dict, frame: int, known: dict, rays: tuple[np.ndarray, np.ndarray], joints: list[bool]
 ) -> list[np.ndarray]:
     """What the other layers say of a frame; angles of normals to the gradient of depth."""
     tags, ids, depth = known["tags"], known["ids"], known["depth"]
@@ -277,7 +326,7 @@ def check_layers(
         assert (segment == ids + 65536 * tags).all(), f"{where}: panoptic"
     if "albedo" in recipe["layers"]:
         albedo = load(camera / "albedo" / name, size)
-        assert not albedo[tags == SKY].any(), f"{where}: albedo of the sky"
+        assert not albedo[(tags == SKY) | (tags == UNLABELED)].any(), f"{where}: albedo of the sky"
     if "body_parts" in recipe["layers"]:
         parts = load(camera / "body_parts" / name, size)
         assert parts.max() <= CARRIED and not parts[..., 1:].any(), f"{where}: body parts"
@@ -296,7 +345,7 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
     lines = [json.loads(line) for line in (camera / "objects.jsonl").read_text().splitlines()]
     assert [line["frame"] for line in lines] == list(range(frames)), f"{camera}: lines of objects.jsonl"
     compared = 0
-    rays, angles, joints = rays_of(record), [], []
+    rays, angles, joints = (rays_of(record), starts_of(record)), [], []
     for layer in recipe["layers"]:
         extension = recipe["rgb_format"] if layer == "rgb" else "png"
         names = sorted(p.name for p in (camera / layer).iterdir())
@@ -320,7 +369,8 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
         check_keypoints(line, ids, f"{camera}: frame {frame}")
         check_shapes(line, record, ids, tags, depth, f"{camera}: frame {frame}")
         if depth is not None:
-            assert (depth[tags == SKY] == FAR_PLANE_M).all(), f"{camera}: sky nearer than the far plane, frame {frame}"
+            nothing = (tags == SKY) | (tags == UNLABELED)
+            assert (depth[nothing] == FAR_PLANE_M).all(), f"{camera}: sky nearer than the far plane, frame {frame}"
             assert (depth[ids > 0] < FAR_PLANE_M).all(), f"{camera}: object on the far plane, frame {frame}"
             assert (depth > 0).all(), f"{camera}: zero depth, frame {frame}"
         angles += check_layers(camera, recipe, frame, {"tags": tags, "ids": ids, "depth": depth, "line": line}, rays, joints)

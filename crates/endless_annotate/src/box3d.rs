@@ -97,7 +97,7 @@ fn wxyz(q: Quat) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{CameraSite, ImageSize, Mount};
+    use endless_world::{CameraSite, ImageSize, LensModel, Mount};
     use proptest::prelude::*;
 
     #[test]
@@ -138,6 +138,7 @@ mod tests {
                 yaw_rad: 0.1,
                 down_tilt_rad: 0.3,
                 horizontal_fov_rad: 1.2,
+                lens: LensModel::Pinhole,
                 mount: Mount::Pole,
                 roll_rad: 0.0,
             };

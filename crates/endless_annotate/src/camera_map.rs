@@ -6,6 +6,7 @@ use crate::map_features::{
     CrosswalkAttributes, FeatureBody, LaneAttributes, LensColor, MapFeatures, MarkAttributes, SignAttributes,
     SignalAttributes, SignalFeature, StopLineAttributes,
 };
+use crate::other_lens::OtherLens;
 use crate::rounding::{hundredths_f64, millionths};
 use endless_world::PinholeCamera;
 use glam::DVec2;
@@ -82,7 +83,7 @@ pub struct SidewalkView {
 pub struct BodyView {
     /// `[x, y, w, h]` around its box as far as it lies in the picture, pixels, whatever hides it.
     pub bbox: [f64; 4],
-    /// Whether a part of that lies outside.
+    /// Whether a part of that lies outside, or it lies across the edge where both sides of the picture meet.
     pub truncated: bool,
     /// The middle of its front in the world, metres.
     pub position: [f64; 3],
@@ -151,14 +152,14 @@ impl CameraMap {
             attributes: stop.attributes.clone(),
             pieces: stop.pieces.iter().flat_map(line).collect(),
         });
-        let crosswalks = features.crosswalks.iter().filter_map(|crossing| {
-            let area = lens.area(&crossing.outline, Self::FAR_M)?;
-            Some(CrosswalkView { attributes: crossing.attributes.clone(), area })
+        let crosswalks = features.crosswalks.iter().flat_map(|crossing| {
+            let areas = lens.areas(&crossing.outline, Self::FAR_M).into_iter();
+            areas.map(|area| CrosswalkView { attributes: crossing.attributes.clone(), area })
         });
-        let sidewalks = features
-            .sidewalks
-            .iter()
-            .filter_map(|walk| Some(SidewalkView { id: walk.id, area: lens.area(&walk.outline, Self::FAR_M)? }));
+        let sidewalks = features.sidewalks.iter().flat_map(|walk| {
+            let areas = lens.areas(&walk.outline, Self::FAR_M).into_iter();
+            areas.map(|area| SidewalkView { id: walk.id, area })
+        });
         let signs = features
             .signs
             .iter()
@@ -181,17 +182,23 @@ impl LensProjection {
     fn body(&self, body: &FeatureBody) -> Option<BodyView> {
         let frustum = self.frustum(CameraMap::FAR_M);
         let corners = body.corners.map(|p| self.to_camera(p));
-        // Before the camera as a whole: what is cut by the near plane has no box.
-        if corners.iter().any(|p| frustum[..2].iter().any(|plane| plane.inwards(*p) < 0.0)) {
-            return None;
-        }
-        let image = corners.map(|p| self.image(p));
-        let low = image.iter().fold(DVec2::INFINITY, |l, &p| l.min(p));
-        let high = image.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p));
+        let (low, high) = if let Some(other) = self.other_lens() {
+            OtherLens { lens: self, other, far_m: CameraMap::FAR_M }.rectangle(&corners)?
+        } else {
+            // Before the camera as a whole: what is cut by the near plane has no box.
+            if corners.iter().any(|p| frustum[..2].iter().any(|plane| plane.inwards(*p) < 0.0)) {
+                return None;
+            }
+            let image = corners.map(|p| self.image(p));
+            let low = image.iter().fold(DVec2::INFINITY, |l, &p| l.min(p));
+            let high = image.iter().fold(DVec2::NEG_INFINITY, |h, &p| h.max(p));
+            (low, high)
+        };
         let (from, to) = (low.max(DVec2::ZERO), high.min(self.size));
         let center = self.to_camera(body.center);
         // A lens that bends strongly may fold what is far outside back into the picture.
-        let beside = frustum.iter().any(|plane| corners.iter().all(|p| plane.inwards(*p) < 0.0));
+        let perspective = self.other_lens().is_none();
+        let beside = perspective && frustum.iter().any(|plane| corners.iter().all(|p| plane.inwards(*p) < 0.0));
         let in_picture = !beside && (to - from).min_element() > 0.0 && (to - from).element_product() >= 1.0;
         let to_lens = self.position - body.center;
         in_picture.then(|| BodyView {
@@ -207,9 +214,11 @@ impl LensProjection {
     fn signal(&self, signal: &SignalFeature) -> Option<SignalView> {
         let body = self.body(&signal.body)?;
         let lenses = signal.lenses.iter().filter(|_| body.front_seen).filter_map(|lens| {
-            let center = self.to_camera(lens.center);
-            let [image, top] =
-                [center, self.to_camera(lens.center + glam::DVec3::Z * lens.radius_m)].map(|p| self.image(p));
+            let seen = |p| match self.other_lens() {
+                None => Some(self.image(self.to_camera(p))),
+                Some(other) => OtherLens { lens: self, other, far_m: CameraMap::FAR_M }.place(self.to_camera(p)),
+            };
+            let (image, top) = (seen(lens.center)?, seen(lens.center + glam::DVec3::Z * lens.radius_m)?);
             let radius_px = hundredths_f64(image.distance(top));
             self.shows(image).then(|| LensView { color: lens.color, image: image_point(image), radius_px })
         });

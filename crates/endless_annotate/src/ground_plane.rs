@@ -1,7 +1,7 @@
 //! The ground that a camera looks at as a plane, and the homography between it and the picture.
 
 use crate::lens_projection::LensProjection;
-use endless_world::PinholeCamera;
+use endless_world::{Lens, PinholeCamera};
 use glam::{DMat3, DVec3};
 use serde::{Deserialize, Serialize};
 
@@ -18,8 +18,12 @@ pub struct GroundPlane {
 }
 
 impl GroundPlane {
-    /// The plane at this height as a camera sees it; `None` for a camera in the plane.
+    /// The plane at this height as a camera sees it; `None` for a camera in the plane, and for lenses that are not
+    /// perspective: no matrix tells what they make of a plane.
     pub fn new(camera: &PinholeCamera, z_m: f64) -> Option<Self> {
+        if !matches!(camera.lens, Lens::Perspective(_)) {
+            return None;
+        }
         let lens = LensProjection::new(camera);
         let r = lens.camera_from_world;
         let origin = r * (DVec3::Z * z_m - lens.position);
@@ -39,7 +43,7 @@ fn rows(matrix: DMat3) -> [[f64; 3]; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{CameraSite, ImageSize, Mount};
+    use endless_world::{CameraSite, ImageSize, LensModel, Mount};
     use glam::{DVec2, DVec3};
 
     #[test]
@@ -50,6 +54,7 @@ mod tests {
             yaw_rad: 2.0,
             down_tilt_rad: 0.4,
             horizontal_fov_rad: 1.3,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };

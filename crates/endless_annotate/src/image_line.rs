@@ -1,6 +1,7 @@
 //! Lines and areas of the world as a camera shows them: cut to the picture, bent as its lens bends them.
 
 use crate::lens_projection::{FrustumPlane, LensProjection, between};
+use crate::other_lens::OtherLens;
 use crate::rounding::{hundredths_f64, millionths};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -34,6 +35,9 @@ pub(crate) fn image_point(p: DVec2) -> [f64; 2] {
 impl LensProjection {
     /// The parts of a line of the world that lie in the picture and no deeper than `far_m`.
     pub(crate) fn line(&self, line: &[DVec3], far_m: f64) -> Vec<ImageLine> {
+        if let Some(other) = self.other_lens() {
+            return OtherLens { lens: self, other, far_m }.line(line);
+        }
         let frustum = self.frustum(far_m);
         let mut parts = LineParts::default();
         for pair in line.windows(2) {
@@ -90,8 +94,25 @@ impl LensProjection {
         inside
     }
 
-    /// The part of a flat area that lies in the picture and no deeper than `far_m`; `None` if it is less than a pixel.
-    pub(crate) fn area(&self, outline: &[DVec3], far_m: f64) -> Option<ImageArea> {
+    /// The parts of a flat area that lie in the picture and no deeper than `far_m`, of at least a pixel each: more than one
+    /// only where the left and right edges of the picture meet.
+    pub(crate) fn areas(&self, outline: &[DVec3], far_m: f64) -> Vec<ImageArea> {
+        let pieces = match self.other_lens() {
+            Some(other) => OtherLens { lens: self, other, far_m }.outlines(outline),
+            None => vec![self.outline(outline, far_m)],
+        };
+        let world: Vec<[f64; 3]> = outline.iter().map(|&p| world_point(p)).collect();
+        let area = |image: Vec<DVec2>| {
+            let mut image: Vec<[f64; 2]> =
+                image.into_iter().map(|p| image_point(p.clamp(DVec2::ZERO, self.size))).collect();
+            image.dedup();
+            (area_px(&image) >= 1.0).then(|| ImageArea { world: world.clone(), image })
+        };
+        pieces.into_iter().filter_map(area).collect()
+    }
+
+    /// The part of a flat area that lies in the picture of a perspective lens.
+    fn outline(&self, outline: &[DVec3], far_m: f64) -> Vec<DVec2> {
         let mut corners: Vec<DVec3> = outline.iter().map(|&p| self.to_camera(p)).collect();
         for plane in self.frustum(far_m) {
             corners = cut(&corners, |p| plane.inwards(*p), |a, b, share| a.lerp(*b, share));
@@ -102,16 +123,17 @@ impl LensProjection {
             points.pop();
             points
         });
-        let mut image: Vec<DVec2> = bent.map(|p| self.image(p)).collect();
+        self.cut_to_picture(bent.map(|p| self.image(p)).collect())
+    }
+
+    /// The part of a polygon that lies in the picture.
+    pub(crate) fn cut_to_picture(&self, mut image: Vec<DVec2>) -> Vec<DVec2> {
         let sides: [fn(DVec2, DVec2) -> f64; 4] =
             [|p, _| p.x, |p, _| p.y, |p, size| size.x - p.x, |p, size| size.y - p.y];
         for side in sides {
             image = cut(&image, |p| side(*p, self.size), |a, b, share| a.lerp(*b, share));
         }
-        let mut image: Vec<[f64; 2]> =
-            image.into_iter().map(|p| image_point(p.clamp(DVec2::ZERO, self.size))).collect();
-        image.dedup();
-        (area_px(&image) >= 1.0).then(|| ImageArea { world: outline.iter().map(|&p| world_point(p)).collect(), image })
+        image
     }
 }
 
@@ -174,7 +196,7 @@ fn share_inside([a, b]: [DVec2; 2], size: DVec2) -> Option<f64> {
 }
 
 /// The part of a polygon where `inwards` is at least 0 (Sutherland and Hodgman 1974).
-fn cut<P: Copy>(corners: &[P], inwards: impl Fn(&P) -> f64, lerp: impl Fn(&P, &P, f64) -> P) -> Vec<P> {
+pub(crate) fn cut<P: Copy>(corners: &[P], inwards: impl Fn(&P) -> f64, lerp: impl Fn(&P, &P, f64) -> P) -> Vec<P> {
     let mut kept = Vec::with_capacity(corners.len() + 2);
     for (i, here) in corners.iter().enumerate() {
         let next = &corners[(i + 1) % corners.len()];

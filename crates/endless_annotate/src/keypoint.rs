@@ -99,7 +99,7 @@ pub struct CameraView<'a> {
     pub camera: &'a PinholeCamera,
     /// Whose each pixel is.
     pub instance: &'a Image<InstancePixel>,
-    /// Planar depth of a pixel by its index, metres.
+    /// Depth of a pixel by its index, as the lens measures it, metres.
     pub depth: &'a dyn Fn(usize) -> f32,
 }
 
@@ -147,7 +147,7 @@ impl CameraView<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{CameraSite, ClassTag, ImageSize, Mount};
+    use endless_world::{CameraSite, ClassTag, ImageSize, LensModel, Mount};
 
     const SIZE: ImageSize = ImageSize { width: 64, height: 48 };
     const PERSON: InstanceId = InstanceId(7);
@@ -160,6 +160,7 @@ mod tests {
             yaw_rad: 0.0,
             down_tilt_rad: 0.0,
             horizontal_fov_rad: 1.0,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };

@@ -1,10 +1,10 @@
 //! A camera's projection in double precision, as `camera.json` describes it, and the part of the world that it can show.
 
-use endless_world::PinholeCamera;
+use endless_world::{Lens, PinholeCamera};
 use glam::{DMat3, DVec2, DVec3, Vec2};
 
 /// Nearest depth that is projected, metres.
-const NEAR_M: f64 = 1.0;
+pub(crate) const NEAR_M: f64 = 1.0;
 /// Share by which the frustum is wider than the picture, so that it cuts nothing off.
 const MARGIN: f64 = 1.02;
 
@@ -18,8 +18,10 @@ pub(crate) struct LensProjection {
     distortion: [f64; 2],
     /// Picture size, pixels.
     pub(crate) size: DVec2,
-    /// Largest |x / z| and |y / z| that the picture shows, with a margin.
+    /// Largest |x / z| and |y / z| that the picture of a perspective lens shows, with a margin.
     reach: DVec2,
+    /// The lens, if it is not perspective.
+    other: Option<Lens>,
 }
 
 impl LensProjection {
@@ -28,7 +30,10 @@ impl LensProjection {
         let (focal, principal) = (Vec2::new(k.fx, k.fy), Vec2::new(k.cx, k.cy));
         let size = Vec2::new(camera.size.width as f32, camera.size.height as f32);
         let border = [0.0, 0.5, 1.0].map(|x| [0.0, 0.5, 1.0].map(|y| Vec2::new(x, y) * size));
-        let distortion = [camera.distortion.k1, camera.distortion.k2].map(f64::from);
+        let (distortion, other) = match camera.lens {
+            Lens::Perspective(distortion) => ([distortion.k1, distortion.k2].map(f64::from), None),
+            other => ([0.0; 2], Some(other)),
+        };
         let straight = |p: &Vec2| undistorted(((*p - principal) / focal).as_dvec2(), distortion).abs();
         let reach = border.iter().flatten().map(straight).fold(DVec2::ZERO, DVec2::max) * MARGIN;
         Self {
@@ -39,7 +44,18 @@ impl LensProjection {
             distortion,
             size: size.as_dvec2(),
             reach,
+            other,
         }
+    }
+
+    /// The lens, if it is not perspective.
+    pub(crate) fn other_lens(&self) -> Option<&Lens> {
+        self.other.as_ref()
+    }
+
+    /// The pixel at `p`: see [`Lens`].
+    pub(crate) fn pixel(&self, p: DVec2) -> DVec2 {
+        self.principal + self.focal * p
     }
 
     /// In the camera's frame.
@@ -52,7 +68,7 @@ impl LensProjection {
         self.camera_from_world.transpose() * point_in_camera + self.position
     }
 
-    /// The pixel of a point before the camera, through the lens.
+    /// The pixel of a point before a perspective camera, through the lens.
     pub(crate) fn image(&self, point_in_camera: DVec3) -> DVec2 {
         let p = point_in_camera.truncate() / point_in_camera.z;
         self.principal + self.focal * p * stretch(p.length_squared(), self.distortion)
@@ -130,7 +146,7 @@ fn undistorted(p: DVec2, distortion: [f64; 2]) -> DVec2 {
 }
 
 /// Distance of straight lines from what they stand for, pixels.
-const MOST_DEVIATION_PX: f64 = 0.2;
+pub(crate) const MOST_DEVIATION_PX: f64 = 0.2;
 const MOST_HALVINGS: u32 = 10;
 
 /// A side of the frustum.
@@ -152,7 +168,7 @@ pub(crate) fn between(a: DVec3, b: DVec3, share: f64) -> DVec3 {
     a.lerp(b, share * a.z / (b.z + share * (a.z - b.z)))
 }
 
-fn distance_to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
+pub(crate) fn distance_to_segment(p: DVec2, a: DVec2, b: DVec2) -> f64 {
     let along = b - a;
     let t = ((p - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
     p.distance(a + along * t)

@@ -38,6 +38,7 @@ mod keypoint;
 mod lens_projection;
 mod map_features;
 mod object;
+mod other_lens;
 mod ridden;
 mod rle;
 mod rounding;

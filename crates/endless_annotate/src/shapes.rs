@@ -37,8 +37,9 @@ impl Spatial {
         // As far as it gets in a thousandth of a second, before and after: the way there and back bends as the lens does.
         let beside = |seconds: f32| view.camera.project(around.centre + velocity_mps * seconds).map(|(at, _)| at);
         const STEP_S: f32 = 1e-2;
-        let image_velocity =
-            beside(STEP_S).zip(beside(-STEP_S)).map(|(after, before)| (after - before) / (2.0 * STEP_S));
+        let image_velocity = beside(STEP_S)
+            .zip(beside(-STEP_S))
+            .map(|(after, before)| view.camera.way_in_image(before, after) / (2.0 * STEP_S));
         Self {
             box3d: around.record(view.camera),
             distance_m: thousandths(view.camera.position.distance(around.centre)),

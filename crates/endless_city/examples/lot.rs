@@ -6,8 +6,9 @@ use endless_city::ActorModels;
 use endless_render::{CameraBake, Geometry, Instance, RenderSettings, StaticScene};
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    Actor, AssetRef, Behaviour, CameraSite, ClassTag, Gait, ImageSize, InstanceId, Motion, Mount, ObjectClass, Outfit,
-    PersonRef, Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
+    Actor, AssetRef, Behaviour, CameraSite, ClassTag, Gait, ImageSize, InstanceId, LensModel, Motion, Mount,
+    ObjectClass, Outfit, PersonRef, Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather,
+    WorldState,
 };
 use glam::{Affine3A, Vec2, Vec3};
 use std::error::Error;
@@ -28,6 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         yaw_rad: std::f32::consts::FRAC_PI_2,
         down_tilt_rad: 0.69,
         horizontal_fov_rad: 0.95,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     };

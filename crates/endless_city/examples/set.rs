@@ -8,7 +8,7 @@ use endless_render::{
     CameraBake, FrameDescription, FrameScene, Gathering, Geometry, Instance, RenderSettings, StaticScene,
 };
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
-use endless_world::{CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather, math};
+use endless_world::{CameraSite, ClassTag, ImageSize, LensModel, Mount, TimeOfDay, Weather, math};
 use glam::{Affine3A, Vec2, Vec3};
 use staged::sheet;
 use std::error::Error;
@@ -97,6 +97,7 @@ fn site(low: Vec3, high: Vec3, tile: ImageSize, azimuth: f32) -> CameraSite {
         yaw_rad: azimuth + std::f32::consts::PI,
         down_tilt_rad: tilt,
         horizontal_fov_rad: FIELD_OF_VIEW_RAD,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     }

@@ -12,7 +12,7 @@
 //! use endless_city::{ActorModels, TownScene};
 //! use endless_render::{CameraBake, RenderSettings};
 //! use endless_town::Town;
-//! use endless_world::{CameraSite, ImageSize, Mount, TimeOfDay, Weather, WorldState};
+//! use endless_world::{CameraSite, ImageSize, LensModel, Mount, TimeOfDay, Weather, WorldState};
 //!
 //! let catalogue = Catalogue::builtin();
 //! let town = TownScene::load(&Town::default(), &catalogue)?;
@@ -24,6 +24,7 @@
 //!     yaw_rad: 0.0,
 //!     down_tilt_rad: 0.4,
 //!     horizontal_fov_rad: 1.0,
+//!     lens: LensModel::Pinhole,
 //!     mount: Mount::Pole,
 //!     roll_rad: 0.0,
 //! };

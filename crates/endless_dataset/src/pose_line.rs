@@ -1,6 +1,6 @@
 //! `poses.jsonl`: where a sensor of a rig is at each of its frames.
 
-use endless_world::{ImageSize, Intrinsics, PinholeCamera, SensorPose};
+use endless_world::{ImageSize, Intrinsics, Lens, PinholeCamera, SensorPose};
 use glam::{DQuat, DVec3, Mat3, Vec3};
 use serde::{Deserialize, Serialize};
 
@@ -61,7 +61,7 @@ impl PoseLine {
         }
     }
 
-    /// The camera, as it was told and without distortion; `None` of other sensors.
+    /// The camera as it was told, behind a pinhole: the lens is told elsewhere. `None` of other sensors.
     pub fn camera(&self, size: ImageSize) -> Option<PinholeCamera> {
         let (rows, intrinsics) = (self.world_from_camera?, self.intrinsics?);
         let column = |i: usize| Vec3::new(rows[0][i] as f32, rows[1][i] as f32, rows[2][i] as f32);
@@ -70,7 +70,7 @@ impl PoseLine {
             intrinsics,
             position: column(3),
             world_from_camera: Mat3::from_cols(column(0), column(1), column(2)),
-            distortion: endless_world::Distortion::NONE,
+            lens: Lens::PINHOLE,
         })
     }
 }

@@ -20,6 +20,14 @@ pub enum RecipeError {
         /// The names there are.
         known: Vec<String>,
     },
+    /// A camera of the user's own that cannot be like this.
+    #[error("camera {camera}: {problem}")]
+    UserCamera {
+        /// Its name and map.
+        camera: String,
+        /// What is wrong.
+        problem: String,
+    },
     /// A sensor of a rig that cannot be like this.
     #[error("sensor {sensor}: {problem}")]
     Sensor {

@@ -9,7 +9,7 @@
 //! ```
 //! use endless_dataset::RecipeDraft;
 //! use endless_pipeline::{MapCatalog, MapSource, Plan, SimulatorError, resolve_recipe};
-//! use endless_world::{CameraSite, Mount};
+//! use endless_world::{CameraSite, LensModel, Mount};
 //!
 //! /// One map with four cameras.
 //! struct Square;
@@ -28,6 +28,7 @@
 //!             yaw_rad: 1.6,
 //!             down_tilt_rad: 0.4,
 //!             horizontal_fov_rad: 1.2,
+//!             lens: LensModel::Pinhole,
 //!             mount: Mount::Pole,
 //!             roll_rad: 0.0,
 //!         };

@@ -1,7 +1,7 @@
 //! Maps for tests of recipes and plans.
 
 use crate::{MapCatalog, MapSource, SimulatorError};
-use endless_world::{CameraSite, Mount};
+use endless_world::{CameraSite, LensModel, Mount};
 
 /// Three towns of three, four and five cameras.
 pub(crate) struct ThreeTowns;
@@ -21,6 +21,7 @@ impl MapCatalog for ThreeTowns {
             yaw_rad: 0.0,
             down_tilt_rad: 0.4,
             horizontal_fov_rad: 1.2,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };

@@ -15,6 +15,8 @@ struct CameraFile {
 
 /// Furthest from the map's origin, metres.
 const FAR_M: f64 = 20_000.0;
+/// Horizontal field of view where none is given, degrees: a surveillance camera's.
+const USUAL_FOV_DEG: f64 = 70.0;
 /// Longest name.
 const NAME: usize = 64;
 
@@ -80,6 +82,11 @@ fn site(camera: &UserCamera) -> Result<CameraSite, RecipeError> {
         let rule = format!("write a number from {least} to {most}");
         if (least..=most).contains(&value) { Ok(value) } else { Err(wrong(camera, what, &value.to_string(), &rule)) }
     };
+    let fov_deg = camera.fov.or(camera.lens.usual_fov_deg()).unwrap_or(USUAL_FOV_DEG);
+    camera.lens.check(fov_deg).map_err(|problem| {
+        let camera = format!("{} in {}", camera.name, camera.map);
+        RecipeError::UserCamera { camera, problem }
+    })?;
     for value in camera.position {
         within("position", value, -FAR_M, FAR_M)?;
     }
@@ -87,8 +94,9 @@ fn site(camera: &UserCamera) -> Result<CameraSite, RecipeError> {
         name: camera.name.clone(),
         position: camera.position.map(|x| x as f32),
         yaw_rad: within("yaw", camera.yaw, -360.0, 360.0)?.to_radians() as f32,
-        down_tilt_rad: within("down", camera.down, -10.0, 89.0)?.to_radians() as f32,
-        horizontal_fov_rad: within("fov", camera.fov, 5.0, 150.0)?.to_radians() as f32,
+        down_tilt_rad: within("down", camera.down, -10.0, 90.0)?.to_radians() as f32,
+        horizontal_fov_rad: fov_deg.to_radians() as f32,
+        lens: camera.lens,
         mount: Mount::Pole,
         roll_rad: 0.0,
     })
@@ -100,6 +108,7 @@ mod tests {
     use crate::test_catalog::ThreeTowns;
     use crate::{Plan, resolve_recipe};
     use endless_dataset::RecipeDraft;
+    use endless_world::LensModel;
     use proptest::prelude::*;
 
     const TOML: &str = "[[cameras]]\nmap = \"Town01\"\nname = \"gate\"\nposition = [1.0, -2.5, 6]\nyaw = 90\ndown = 20\n\n\
@@ -132,7 +141,8 @@ mod tests {
         };
         assert!(told(&|c| c[1].map = "Town77".into()).contains("unknown map 'Town77'"));
         assert!(told(&|c| c[1].name = "gate".into()).contains("already"));
-        assert!(told(&|c| c[0].fov = f64::NAN).contains("fov = NaN (gate in Town01)"));
+        assert!(told(&|c| c[0].fov = Some(f64::NAN)).starts_with("camera gate in Town01: fov is NaN: write a number"));
+        assert!(told(&|c| c[0].lens = LensModel::Orthographic { width_m: -1.0 }).contains("width is -1: write"));
         assert!(told(&|c| c[0].position[2] = 1e9).contains("position"));
         let (line, column, message) = from_toml(&TOML.replace("yaw = 90", "yow = 90")).expect_err("a misspelt key");
         assert_eq!((line, column), (5, 1), "{message}");

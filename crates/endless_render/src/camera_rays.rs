@@ -1,33 +1,91 @@
 //! Rays through the samples of a camera's pixels.
 
-use crate::accel::Ray;
+use crate::accel::{Ray, RayStream};
 use crate::sampling::SAMPLE_OFFSETS;
 use crate::vec3x8::{Vec3x8, normalize};
-use endless_world::{Distortion, FAR_PLANE_M, PinholeCamera};
+use endless_world::{DepthMeasure, Distortion, FAR_PLANE_M, Lens, PinholeCamera};
 use glam::Vec3A;
 use wide::f32x8;
+
+/// The ray of a place where the lens shows nothing: so far below the world, and downwards, that it meets nothing.
+const NOWHERE: Ray = Ray { origin: Vec3A::new(0.0, 0.0, -1.0e9), direction: Vec3A::NEG_Z, tmax: f32::MAX };
+
+/// Whether the lens shows nothing where this ray belongs.
+pub(crate) fn is_nowhere(ray: &Ray) -> bool {
+    ray.origin == NOWHERE.origin
+}
 
 /// Unit ray from the lens through a pixel's sample.
 pub(crate) fn sample_ray(camera: &PinholeCamera, x: u32, y: u32, sample: usize) -> Ray {
     let offset = SAMPLE_OFFSETS[sample];
-    let direction = camera.ray_through(x as f32 + 0.5 + offset.x, y as f32 + 0.5 + offset.y);
-    Ray { origin: Vec3A::from(camera.position), direction: Vec3A::from(direction), tmax: f32::MAX }
+    let (x, y) = (x as f32 + 0.5 + offset.x, y as f32 + 0.5 + offset.y);
+    match camera.lens {
+        Lens::Perspective(_) => {
+            let direction = Vec3A::from(camera.ray_through(x, y));
+            Ray { origin: Vec3A::from(camera.position), direction, tmax: f32::MAX }
+        }
+        _ => ray_of_aim(camera, aim_through(camera, x, y)),
+    }
 }
 
-/// Directions of the rays through a sample of the pixels `x0..x1` of a line, the last one's repeated: those of
-/// [`sample_ray`], eight side by side.
-pub(crate) fn directions8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) -> Vec3x8 {
+/// What differs from ray to ray: the direction of one that leaves the lens, 0 where the lens shows nothing; where all
+/// rays are parallel, where one starts.
+fn aim_through(camera: &PinholeCamera, x: f32, y: f32) -> Vec3A {
+    if !camera.lens.is_central() {
+        return camera.ray_origin(x, y).into();
+    }
+    if camera.shows(x, y) { camera.ray_through(x, y).into() } else { Vec3A::ZERO }
+}
+
+/// The ray of what differs from ray to ray.
+pub(crate) fn ray_of_aim(camera: &PinholeCamera, aim: Vec3A) -> Ray {
+    if !camera.lens.is_central() {
+        return Ray { origin: aim, direction: camera.world_from_camera.z_axis.normalize().into(), tmax: f32::MAX };
+    }
+    if aim == Vec3A::ZERO { NOWHERE } else { Ray { origin: camera.position.into(), direction: aim, tmax: f32::MAX } }
+}
+
+/// One of eight.
+pub(crate) fn lane_ray(camera: &PinholeCamera, aims: &Vec3x8, lane: usize) -> Ray {
+    ray_of_aim(camera, Vec3A::from_array(aims.each_ref().map(|axis| axis.as_array()[lane])))
+}
+
+/// Sets the origins and directions of a row of rays that are traced together.
+pub(crate) fn set_row<const N: usize>(camera: &PinholeCamera, rays: &mut RayStream<N>, row: usize, aims: Vec3x8) {
+    let Lens::Perspective(_) = camera.lens else {
+        for lane in 0..8 {
+            let tmax = rays.tmax[row].as_array()[lane];
+            rays.set(8 * row + lane, &Ray { tmax, ..lane_ray(camera, &aims, lane) });
+        }
+        return;
+    };
+    for ((origin, at), (direction, aim)) in
+        rays.origin.iter_mut().zip(camera.position.to_array()).zip(rays.direction.iter_mut().zip(aims))
+    {
+        origin[row] = f32x8::splat(at);
+        direction[row] = aim;
+    }
+}
+
+/// What tells the rays through a sample of the pixels `x0..x1` of a line, the last one's repeated: those of
+/// [`sample_ray`], eight side by side. See [`lane_ray`].
+pub(crate) fn aims8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) -> Vec3x8 {
     let offset = SAMPLE_OFFSETS[sample];
     let across = f32x8::new(std::array::from_fn(|i| (x0 + i as u32).min(x1 - 1) as f32 + 0.5 + offset.x));
-    directions_through(camera, across, f32x8::splat(y as f32 + 0.5 + offset.y))
+    aims_through(camera, across, f32x8::splat(y as f32 + 0.5 + offset.y))
 }
 
-/// Directions of the rays through places of the picture: those of [`PinholeCamera::ray_through`].
-pub(crate) fn directions_through(camera: &PinholeCamera, x: f32x8, y: f32x8) -> Vec3x8 {
+/// What tells the rays through places of the picture.
+pub(crate) fn aims_through(camera: &PinholeCamera, x: f32x8, y: f32x8) -> Vec3x8 {
+    let Lens::Perspective(distortion) = camera.lens else {
+        let (x, y) = (x.to_array(), y.to_array());
+        let aims: [Vec3A; 8] = std::array::from_fn(|i| aim_through(camera, x[i], y[i]));
+        return [0, 1, 2].map(|axis| f32x8::new(aims.map(|aim| aim[axis])));
+    };
     let k = &camera.intrinsics;
     let across = (x - f32x8::splat(k.cx)) / f32x8::splat(k.fx);
     let down = (y - f32x8::splat(k.cy)) / f32x8::splat(k.fy);
-    let [across, down] = undistort8(camera.distortion, [across, down]);
+    let [across, down] = undistort8(distortion, [across, down]);
     let m = &camera.world_from_camera;
     normalize([0, 1, 2].map(|axis| {
         let [x, y, z] = [m.x_axis[axis], m.y_axis[axis], m.z_axis[axis]].map(f32x8::splat);
@@ -53,10 +111,13 @@ fn undistort8(lens: Distortion, [x, y]: [f32x8; 2]) -> [f32x8; 2] {
     [x * longer, y * longer]
 }
 
-/// Depth along the optical axis, never beyond the far plane.
-pub(crate) fn planar_depth(camera: &PinholeCamera, ray: &Ray, t: f32) -> f32 {
-    let forward = Vec3A::from(camera.world_from_camera.z_axis);
-    (t * ray.direction.dot(forward)).min(FAR_PLANE_M)
+/// Depth as the lens measures it, never beyond the far plane.
+pub(crate) fn measured_depth(camera: &PinholeCamera, ray: &Ray, t: f32) -> f32 {
+    let depth = match camera.lens.depth_measure() {
+        DepthMeasure::Planar => t * ray.direction.dot(Vec3A::from(camera.world_from_camera.z_axis)),
+        DepthMeasure::Distance => t,
+    };
+    depth.min(FAR_PLANE_M)
 }
 
 #[cfg(test)]
@@ -64,7 +125,7 @@ mod tests {
     use super::*;
     use crate::accel::{Blas, Tlas};
     use crate::sampling::SAMPLES;
-    use endless_world::{CameraSite, ImageSize, Mount, math};
+    use endless_world::{CameraRay, CameraSite, ImageSize, LensModel, Mount, math};
     use glam::{Affine3A, DVec3, Vec3};
     use std::sync::Arc;
 
@@ -76,19 +137,34 @@ mod tests {
             yaw_rad: 2.7,
             down_tilt_rad: 0.43,
             horizontal_fov_rad: 1.1,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };
         let straight = PinholeCamera::new(&site, ImageSize { width: 325, height: 180 });
         let bent = straight.clone().with_distortion(Distortion { k1: -0.2, k2: 0.05 });
-        for camera in [straight, bent] {
+        let behind = |lens, fov_deg: f32| straight.clone().with_lens(lens, fov_deg.to_radians());
+        let fisheye = behind(LensModel::Fisheye { k: [-0.01, 0.004, 0.0, 0.0] }, 190.0);
+        let round = behind(LensModel::Equirectangular, 360.0);
+        let parallel = behind(LensModel::Orthographic { width_m: 60.0 }, 60.0);
+        for camera in [straight, bent, fisheye, round, parallel] {
             for (y, x0) in (0..180).flat_map(|y| (0..325).step_by(8).map(move |x0| (y, x0))) {
                 let x1 = (x0 + 8).min(325);
                 for sample in 0..SAMPLES {
-                    let [dx, dy, dz] = directions8(&camera, x0, x1, y, sample).map(f32x8::to_array);
+                    let aims = aims8(&camera, x0, x1, y, sample);
+                    let mut rays = RayStream::<1>::NONE;
+                    rays.tmax = [f32x8::splat(f32::MAX)];
+                    set_row(&camera, &mut rays, 0, aims);
                     for (i, x) in (x0..x1).enumerate() {
-                        let direction = Vec3A::new(dx[i], dy[i], dz[i]);
-                        assert_eq!(direction, sample_ray(&camera, x, y, sample).direction);
+                        let (one, shown) = (sample_ray(&camera, x, y, sample), SAMPLE_OFFSETS[sample]);
+                        let shown = camera.ray(x as f32 + 0.5 + shown.x, y as f32 + 0.5 + shown.y);
+                        assert_eq!(shown.is_none(), is_nowhere(&one));
+                        if let Some(CameraRay { origin, direction }) = shown {
+                            assert_eq!((one.origin, one.direction), (origin.into(), direction.into()));
+                        }
+                        for ray in [rays.ray(i), lane_ray(&camera, &aims, i)] {
+                            assert_eq!((ray.origin, ray.direction), (one.origin, one.direction));
+                        }
                     }
                 }
             }
@@ -120,6 +196,7 @@ mod tests {
             yaw_rad: 0.7,
             down_tilt_rad: 0.62,
             horizontal_fov_rad: 1.2,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };
@@ -129,7 +206,7 @@ mod tests {
                 let ray = sample_ray(&camera, x, y, 0);
                 let hit = accel.closest(&ray).expect("the ground fills the picture");
                 let wanted = depth_of_ground(&site, &camera, x, y);
-                let depth = f64::from(planar_depth(&camera, &ray, hit.t));
+                let depth = f64::from(measured_depth(&camera, &ray, hit.t));
                 assert!((depth - wanted).abs() < 1e-4, "pixel {x}, {y}: {depth}, not {wanted}");
             }
         }

@@ -16,7 +16,7 @@
 //! ```
 //! use endless_render::{CameraBake, FrameDescription, FrameScene, Geometry, Instance, RenderSettings, StaticScene};
 //! use endless_scene::{Material, MeshBuilder, Surface};
-//! use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, Mount, TimeOfDay, Weather};
+//! use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, LensModel, Mount, TimeOfDay, Weather};
 //! use glam::{Affine3A, Vec3};
 //!
 //! // A street, and a box on it that is an object of its own.
@@ -43,6 +43,7 @@
 //!     yaw_rad: 0.0,
 //!     down_tilt_rad: 0.5,
 //!     horizontal_fov_rad: 1.0,
+//!     lens: LensModel::Pinhole,
 //!     mount: Mount::Pole,
 //!     roll_rad: 0.0,
 //! };
@@ -63,6 +64,7 @@ mod accel;
 mod cache;
 mod camera_rays;
 mod film;
+mod image_rect;
 mod indirect;
 mod light;
 mod lighting;

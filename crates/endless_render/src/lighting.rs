@@ -6,7 +6,7 @@ use crate::light::{Environment, HaloGrid, LampMaps, Lamps, lamp_power};
 use crate::scene::{FrameScene, StaticScene};
 use crate::settings::RenderSettings;
 use crate::shade::{Tracer, halos8};
-use endless_world::PinholeCamera;
+use endless_world::{CameraRay, PinholeCamera};
 use glam::{Vec2, Vec3A};
 use wide::f32x8;
 
@@ -31,8 +31,8 @@ impl ViewedArea {
             for column in 0..16 {
                 let (x, y) =
                     (size.width as f32 * (column as f32 + 0.5) / 16.0, size.height as f32 * (row as f32 + 0.5) / 12.0);
-                let direction = Vec3A::from(camera.ray_through(x, y));
-                let ray = Ray { origin: Vec3A::from(camera.position), direction, tmax: 110.0 };
+                let Some(CameraRay { origin, direction }) = camera.ray(x, y) else { continue };
+                let ray = Ray { origin: origin.into(), direction: direction.into(), tmax: 110.0 };
                 if let Some(hit) = still.accel.closest(&ray) {
                     let p = ray.origin + ray.direction * hit.t;
                     low = low.min(Vec2::new(p.x, p.y) - 4.0);
@@ -94,7 +94,7 @@ impl Lighting {
         self.environment.halos().then(|| {
             HaloGrid::bake(camera.size.width, camera.size.height, |x, y, distances| {
                 let direction = camera.ray_through(x, y).to_array().map(f32x8::splat);
-                halos8(&tracer, Vec3A::from(camera.position), &direction, distances)
+                halos8(&tracer, Vec3A::from(camera.ray_origin(x, y)), &direction, distances)
             })
         })
     }

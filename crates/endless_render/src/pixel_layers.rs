@@ -1,7 +1,7 @@
 //! The layers that follow from the hit of the ray through each pixel's centre alone. A new one is a field of both types here.
 
 use crate::accel::Ray;
-use crate::camera_rays::planar_depth;
+use crate::camera_rays::measured_depth;
 use crate::film::{mix_rgb, mix_values, srgb};
 use crate::material::Bsdf;
 use crate::scene::SurfaceInteraction;
@@ -14,7 +14,7 @@ use glam::Vec3A;
 /// What the ray through one pixel's centre met.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct SeenPixel {
-    /// Along the optical axis, metres.
+    /// As the lens measures it, metres.
     pub(crate) depth: f32,
     /// Class and object.
     pub(crate) instance: InstancePixel,
@@ -31,14 +31,17 @@ pub(crate) struct PixelLayers {
 }
 
 impl PixelLayers {
-    /// Nothing.
-    pub(crate) const SKY: Self = Self {
-        seen: SeenPixel { depth: FAR_PLANE_M, instance: InstancePixel { tag: ClassTag::Sky, id: InstanceId::STUFF } },
-        normal: [0; 3],
-        albedo: [0; 3],
-        shadow: 0,
-        body_part: 0,
-    };
+    /// The open sky.
+    pub(crate) const SKY: Self = Self::nothing(ClassTag::Sky);
+    /// Where the lens shows nothing.
+    pub(crate) const UNLIT: Self = Self::nothing(ClassTag::Unlabeled);
+
+    /// No surface.
+    const fn nothing(tag: ClassTag) -> Self {
+        let instance = InstancePixel { tag, id: InstanceId::STUFF };
+        let seen = SeenPixel { depth: FAR_PLANE_M, instance };
+        Self { seen, normal: [0; 3], albedo: [0; 3], shadow: 0, body_part: 0 }
+    }
 
     /// The point where the ray met a surface, whose BSDF is asked for if it is needed.
     pub(crate) fn new(
@@ -50,7 +53,7 @@ impl PixelLayers {
     ) -> Self {
         Self {
             seen: SeenPixel {
-                depth: planar_depth(camera, ray, point.distance),
+                depth: measured_depth(camera, ray, point.distance),
                 instance: InstancePixel { tag: point.tag(), id: point.instance.id },
             },
             normal: if wanted.normals { encoded_normal(camera, point.geometric_normal) } else { [0; 3] },
@@ -174,7 +177,7 @@ impl LayerImages {
         self
     }
 
-    /// Depth along the optical axis of every pixel, metres.
+    /// Depth of every pixel as the lens measures it, metres.
     pub(crate) fn depth(&self) -> &[f32] {
         &self.depth
     }

@@ -1,6 +1,6 @@
 //! Cameras: sites of fixed ones, intrinsics, projection.
 
-use crate::{Distortion, SensorPose, math};
+use crate::{DepthMeasure, Distortion, Lens, LensModel, SensorPose, math};
 use glam::{DVec3, Mat3, Vec2, Vec3};
 use serde::{Deserialize, Serialize};
 use std::{fmt, str::FromStr};
@@ -61,8 +61,11 @@ pub struct CameraSite {
     pub yaw_rad: f32,
     /// Angle of the optical axis below the horizon, radians.
     pub down_tilt_rad: f32,
-    /// Horizontal field of view, radians.
+    /// Horizontal field of view, radians; of no meaning for orthographic lenses.
     pub horizontal_fov_rad: f32,
+    /// Its lens; one like a pinhole unless it is told.
+    #[serde(default, skip_serializing_if = "LensModel::is_pinhole")]
+    pub lens: LensModel,
     /// Its mount.
     pub mount: Mount,
     /// Turn about the optical axis, clockwise as the camera looks, radians: 0 unless it was put up askew.
@@ -75,7 +78,7 @@ fn is_level(roll_rad: &f32) -> bool {
     *roll_rad == 0.0
 }
 
-/// Pinhole intrinsics, pixels.
+/// Intrinsics, pixels: focal lengths are pixels of a tangent, of a radian or of a metre, as the [`Lens`] says.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Intrinsics {
     /// Focal length along x.
@@ -103,12 +106,21 @@ pub struct PinholeCamera {
     pub size: ImageSize,
     /// Intrinsics.
     pub intrinsics: Intrinsics,
-    /// Lens position in the world.
+    /// Lens position in the world; of an orthographic lens the middle of the plane from which its rays start.
     pub position: Vec3,
     /// Columns are the camera's right, down and forward axes in the world.
     pub world_from_camera: Mat3,
-    /// Radial distortion of the lens; none in a true pinhole.
-    pub distortion: Distortion,
+    /// How directions become places of the picture.
+    pub lens: Lens,
+}
+
+/// The ray of a place of a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CameraRay {
+    /// Where it starts in the world, metres.
+    pub origin: Vec3,
+    /// A unit vector of the world.
+    pub direction: Vec3,
 }
 
 impl PinholeCamera {
@@ -122,14 +134,14 @@ impl PinholeCamera {
         let (right, down) = rolled(right, down, site.roll_rad);
         Self {
             size,
-            intrinsics: Intrinsics::from_fov(size, site.horizontal_fov_rad),
+            intrinsics: site.lens.intrinsics(size, site.horizontal_fov_rad),
             position: Vec3::from_array(site.position),
             world_from_camera: Mat3::from_cols(right, down, forward),
-            distortion: Distortion::NONE,
+            lens: site.lens.lens(site.horizontal_fov_rad),
         }
     }
 
-    /// The camera of a sensor: its body frame's x axis is the optical axis, its z axis points up in the picture.
+    /// The camera of a sensor, a pinhole: its body frame's x axis is the optical axis, its z axis points up in the picture.
     pub fn at(pose: &SensorPose, size: ImageSize, horizontal_fov_rad: f32) -> Self {
         let axis = |axis: DVec3| (pose.world_from_sensor * axis).as_vec3();
         Self {
@@ -137,21 +149,99 @@ impl PinholeCamera {
             intrinsics: Intrinsics::from_fov(size, horizontal_fov_rad),
             position: pose.position.as_vec3(),
             world_from_camera: Mat3::from_cols(axis(DVec3::NEG_Y), axis(DVec3::NEG_Z), axis(DVec3::X)),
-            distortion: Distortion::NONE,
+            lens: Lens::PINHOLE,
         }
     }
 
-    /// The same camera behind a lens that distorts.
-    pub fn with_distortion(self, distortion: Distortion) -> Self {
-        Self { distortion, ..self }
+    /// The same camera behind another lens.
+    #[must_use]
+    pub fn with_lens(self, model: LensModel, horizontal_fov_rad: f32) -> Self {
+        let intrinsics = model.intrinsics(self.size, horizontal_fov_rad);
+        Self { intrinsics, lens: model.lens(horizontal_fov_rad), ..self }
     }
 
-    /// Unit direction in the world of the ray through an image point (pixel (i, j) has its centre at i + 0.5, j + 0.5).
+    /// The same camera behind a lens that distorts, if it is perspective: other lenses stay as they are.
+    #[must_use]
+    pub fn with_distortion(self, distortion: Distortion) -> Self {
+        match self.lens {
+            Lens::Perspective(_) => Self { lens: Lens::Perspective(distortion), ..self },
+            _ => self,
+        }
+    }
+
+    /// The place of an image point before focal length and principal point: see [`Lens`].
+    #[inline]
+    fn normalized(&self, x: f32, y: f32) -> Vec2 {
+        let k = &self.intrinsics;
+        Vec2::new((x - k.cx) / k.fx, (y - k.cy) / k.fy)
+    }
+
+    /// Unit direction in the world of the ray through an image point (pixel (i, j) has its centre at i + 0.5, j + 0.5);
+    /// of the nearest one, where the lens shows nothing.
     #[inline]
     pub fn ray_through(&self, x: f32, y: f32) -> Vec3 {
-        let k = &self.intrinsics;
-        let straight = self.distortion.undistort(Vec2::new((x - k.cx) / k.fx, (y - k.cy) / k.fy));
-        (self.world_from_camera * straight.extend(1.0)).normalize()
+        (self.world_from_camera * self.lens.direction(self.normalized(x, y))).normalize()
+    }
+
+    /// The ray through an image point; `None` where the lens shows nothing.
+    #[inline]
+    pub fn ray(&self, x: f32, y: f32) -> Option<CameraRay> {
+        self.shows(x, y).then(|| CameraRay { origin: self.ray_origin(x, y), direction: self.ray_through(x, y) })
+    }
+
+    /// Where the ray through an image point starts.
+    #[inline]
+    pub fn ray_origin(&self, x: f32, y: f32) -> Vec3 {
+        if self.lens.is_central() {
+            return self.position;
+        }
+        self.position + self.world_from_camera * self.normalized(x, y).extend(0.0)
+    }
+
+    /// Whether the lens shows anything at an image point: beyond the image circle of a fisheye, and beyond the poles of an
+    /// equirectangular picture, it does not.
+    #[inline]
+    pub fn shows(&self, x: f32, y: f32) -> bool {
+        self.lens.shows(self.normalized(x, y))
+    }
+
+    /// From where the camera sees a point of the world: the lens, or of parallel rays the start of that which leads there.
+    #[inline]
+    pub fn eye_for(&self, point_in_world: Vec3) -> Vec3 {
+        if self.lens.is_central() {
+            return self.position;
+        }
+        let forward = self.world_from_camera.z_axis;
+        point_in_world - forward * (point_in_world - self.position).dot(forward)
+    }
+
+    /// Depth of what a ray in this direction meets at a distance, as the lens measures it, metres.
+    #[inline]
+    pub fn depth_along(&self, direction: Vec3, distance: f32) -> f32 {
+        match self.lens.depth_measure() {
+            DepthMeasure::Planar => distance * direction.dot(self.world_from_camera.z_axis),
+            DepthMeasure::Distance => distance,
+        }
+    }
+
+    /// Angle of a pixel in the middle of the picture, radians; of parallel rays that of the ground, taken to be at height
+    /// 0, from where the camera hangs.
+    pub fn pixel_angle_rad(&self) -> f32 {
+        if self.lens.is_central() {
+            1.0 / self.intrinsics.fx
+        } else {
+            1.0 / (self.intrinsics.fx * self.position.z.max(1.0))
+        }
+    }
+
+    /// A way between two image points: the short one where the picture's left and right edges meet.
+    pub fn way_in_image(&self, from: Vec2, to: Vec2) -> Vec2 {
+        let way = to - from;
+        let round = self.intrinsics.fx * std::f32::consts::TAU;
+        if self.lens == Lens::Equirectangular && way.x.abs() > 0.5 * round {
+            return Vec2::new(way.x - round.copysign(way.x), way.y);
+        }
+        way
     }
 
     /// A world point in the camera frame (x right, y down, z forward).
@@ -160,14 +250,12 @@ impl PinholeCamera {
         self.world_from_camera.transpose() * (point_in_world - self.position)
     }
 
-    /// Image point and planar depth (metres along the optical axis); `None` behind the camera.
+    /// Image point, also beyond the picture, and depth as the lens measures it: metres along the optical axis, or from the
+    /// lens. `None` for what the lens does not show: behind a perspective one, beyond the largest angle of a fisheye.
     pub fn project(&self, point_in_world: Vec3) -> Option<(Vec2, f32)> {
-        let p = self.camera_from_world(point_in_world);
+        let (p, depth) = self.lens.project(self.camera_from_world(point_in_world))?;
         let k = &self.intrinsics;
-        (p.z > 1e-4).then(|| {
-            let bent = self.distortion.distort(Vec2::new(p.x, p.y) / p.z);
-            (Vec2::new(k.fx * bent.x + k.cx, k.fy * bent.y + k.cy), p.z)
-        })
+        Some((Vec2::new(k.fx * p.x + k.cx, k.fy * p.y + k.cy), depth))
     }
 }
 
@@ -206,6 +294,7 @@ mod tests {
             yaw_rad: yaw as f32,
             down_tilt_rad: tilt as f32,
             horizontal_fov_rad: 1.2,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: roll as f32,
         };
@@ -221,6 +310,7 @@ mod tests {
             yaw_rad: 2.1,
             down_tilt_rad: 0.5,
             horizontal_fov_rad: 1.2,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.07,
         };

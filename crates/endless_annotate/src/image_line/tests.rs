@@ -1,9 +1,101 @@
 use super::*;
-use endless_world::{CameraSite, Distortion, ImageSize, Mount, PinholeCamera};
+use endless_world::{CameraSite, Distortion, ImageSize, Lens, LensModel, Mount, PinholeCamera};
 use proptest::prelude::*;
 
 const SIZE: ImageSize = ImageSize { width: 640, height: 360 };
 const FAR_M: f64 = 100.0;
+
+/// Fisheyes, equirectangular lenses and parallel rays.
+fn other_cameras() -> impl Strategy<Value = PinholeCamera> {
+    let lenses = prop_oneof![
+        Just((LensModel::Fisheye { k: [0.0; 4] }, 180.0f32)),
+        Just((LensModel::Fisheye { k: [-0.01, 0.004, 0.0, 0.0] }, 215.0)),
+        Just((LensModel::Equirectangular, 360.0)),
+        Just((LensModel::Orthographic { width_m: 50.0 }, 70.0)),
+    ];
+    (-3.0..3.0f32, 0.0..1.57f32, lenses).prop_map(|(yaw_rad, down_tilt_rad, (lens, fov_deg))| {
+        let site = CameraSite {
+            name: "test".into(),
+            position: [3.0, -2.0, 16.5],
+            yaw_rad,
+            down_tilt_rad,
+            horizontal_fov_rad: fov_deg.to_radians(),
+            lens,
+            mount: Mount::Pole,
+            roll_rad: 0.0,
+        };
+        PinholeCamera::new(&site, SIZE)
+    })
+}
+
+/// Where a camera that is not perspective shows a point, well inside of its picture and of the depth that is told of.
+fn shown(camera: &PinholeCamera, point: DVec3) -> Option<DVec2> {
+    let (at, depth) = camera.project(point.as_vec3())?;
+    let at = at.as_dvec2();
+    let rim = |p: DVec2| camera.shows(p.x as f32, p.y as f32);
+    let inside = at.cmpgt(DVec2::ONE).all() && at.cmplt(DVec2::new(639.0, 359.0)).all();
+    let around = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].map(|way| rim(at + way * 2.0));
+    (inside && around == [true; 4] && (0.2..60.0).contains(&depth)).then_some(at)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn other_lenses_show_lines_where_their_points_are(
+        camera in other_cameras(), points in prop::collection::vec(places(), 2..4),
+    ) {
+        let lens = LensProjection::new(&camera);
+        let lines = lens.line(&points, FAR_M);
+        for line in &lines {
+            prop_assert_eq!(line.world.len(), line.image.len());
+            for (world, image) in line.world.iter().zip(&line.image) {
+                let (at, _) = camera.project(DVec3::from(*world).as_vec3()).expect("it is shown");
+                let image = DVec2::from(*image).as_vec2();
+                prop_assert!(camera.way_in_image(at, image).length() < 0.1, "{at} {image}");
+                prop_assert!(lens.shows(image.as_dvec2()));
+            }
+            // A line never jumps across the picture.
+            let steps = line.image.windows(2).map(|pair| (pair[0][0] - pair[1][0]).abs());
+            prop_assert!(camera.lens != Lens::Equirectangular || steps.fold(0.0, f64::max) < 400.0);
+        }
+        for pair in points.windows(2) {
+            for i in 0..=100 {
+                let Some(at) = shown(&camera, pair[0].lerp(pair[1], f64::from(i) / 100.0)) else { continue };
+                prop_assert!(distance_to_lines(at, &lines) < 0.6, "{at} of {:?} is on no line", camera.lens);
+            }
+        }
+    }
+
+    #[test]
+    fn other_lenses_show_areas_with_their_inside(
+        camera in other_cameras(), middle in (-25.0..25.0f64, -25.0..25.0f64), half in (1.0..9.0f64, 1.0..9.0f64),
+    ) {
+        let corner = |x: f64, y: f64| DVec3::new(middle.0 + x * half.0, middle.1 + y * half.1, 0.0);
+        let outline = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
+        let areas = LensProjection::new(&camera).areas(&outline, FAR_M);
+        let near_edge = |p: DVec2| {
+            areas.iter().any(|area| {
+                let closed = ImageLine { world: Vec::new(), image: [&area.image[..], &area.image[..1]].concat() };
+                distance_to_lines(p, &[closed]) < 1.5
+            })
+        };
+        let tiny = shown(&camera, corner(0.0, 0.0)).is_some() && half.0.min(half.1) < 1.5;
+        for i in 0..17 {
+            for k in 0..17 {
+                let at = |i: i32| f64::from(i) / 5.0 - 1.6;
+                let (x, y) = (at(i), at(k));
+                let Some(place) = shown(&camera, corner(x, y)) else { continue };
+                let inside = x.abs() < 1.0 && y.abs() < 1.0;
+                if tiny || near_edge(place) {
+                    continue;
+                }
+                let held = areas.iter().any(|area| holds(&area.image, place));
+                prop_assert_eq!(held, inside, "{} {} at {} of {:?}: {:?}", x, y, place, camera.lens, areas);
+            }
+        }
+    }
+}
 
 /// Fields of view to 80 degrees: behind the strongest barrel a wider one shows more than half of the world.
 fn cameras() -> impl Strategy<Value = PinholeCamera> {
@@ -14,6 +106,7 @@ fn cameras() -> impl Strategy<Value = PinholeCamera> {
             yaw_rad,
             down_tilt_rad,
             horizontal_fov_rad: fov,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };
@@ -82,7 +175,7 @@ proptest! {
         let corner = |x: f64, y: f64| middle + DVec3::new(x * half.0, y * half.1, 0.0);
         let outline = [corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)];
         let lens = LensProjection::new(&camera);
-        let area = lens.area(&outline, FAR_M);
+        let area = lens.areas(&outline, FAR_M).pop();
         for i in 0..20 {
             for k in 0..20 {
                 let at = |i: i32| f64::from(i) / 9.5 - 1.0;
@@ -115,6 +208,7 @@ fn a_straight_line_through_a_pinhole_keeps_its_two_ends() {
         yaw_rad: 0.0,
         down_tilt_rad: 0.3,
         horizontal_fov_rad: 1.2,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     };

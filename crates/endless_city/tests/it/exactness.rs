@@ -6,7 +6,7 @@ use endless_render::{CameraBake, Gathering, RenderSettings};
 use endless_town::Town;
 use endless_world::{
     Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, Image, ImageSize,
-    InstanceId, Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RandomisedPart, RecorderClock,
+    InstanceId, LensModel, Motion, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, RandomisedPart, RecorderClock,
     SceneRandomisation, SensorFrame, SensorLayers, SignalAspect, SignalState, Stream, TimeOfDay, VehicleLights,
     VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, Weather, WorldState,
 };
@@ -272,6 +272,50 @@ fn through_lenses_that_distort() {
         let look = CameraLook { distortion: Distortion::barrel(-0.25), ..look };
         assert!(check_through(look, loaded, camera, Weather::ClearSky, TimeOfDay::Afternoon) > 150);
     }
+}
+
+#[test]
+fn a_fisheye_of_more_than_half_of_all_directions() {
+    let lens = LensModel::Fisheye { k: [-0.01, 0.002, 0.0, 0.0] };
+    for (camera, weather, time) in [(0, Weather::ClearSky, TimeOfDay::Morning), (2, Weather::Rainy, TimeOfDay::Night)] {
+        let site =
+            CameraSite { lens, horizontal_fov_rad: 190f32.to_radians(), ..town03().town.cameras[camera].clone() };
+        assert!(check_behind(&site, weather, time) > 60, "{weather} {time}");
+    }
+}
+
+#[test]
+fn all_round_the_camera() {
+    let (lens, horizontal_fov_rad) = (LensModel::Equirectangular, 360f32.to_radians());
+    for (camera, weather, time) in [(0, Weather::ClearSky, TimeOfDay::Afternoon), (1, Weather::Foggy, TimeOfDay::Night)]
+    {
+        // Turned, so that what the picture's edges cut lies on the street.
+        let site = town03().town.cameras[camera].clone();
+        let site = CameraSite { lens, horizontal_fov_rad, yaw_rad: site.yaw_rad + 3.0, down_tilt_rad: 0.1, ..site };
+        assert!(check_behind(&site, weather, time) > 20, "{weather} {time}");
+    }
+}
+
+#[test]
+fn parallel_rays_from_above() {
+    let lens = LensModel::Orthographic { width_m: 70.0 };
+    for (tilt, weather, time) in [
+        (std::f32::consts::FRAC_PI_2, Weather::ClearSky, TimeOfDay::Morning),
+        (1.1, Weather::AfterRain, TimeOfDay::Night),
+        (0.9, Weather::Rainy, TimeOfDay::Afternoon),
+    ] {
+        let site = town03().town.cameras[0].clone();
+        let [x, y, z] = site.position;
+        let ahead = along(site.yaw_rad) * if tilt > 1.5 { 25.0 } else { 0.0 };
+        let site = CameraSite { lens, down_tilt_rad: tilt, position: [x + ahead.x, y + ahead.y, z + 30.0], ..site };
+        assert!(check_behind(&site, weather, time) > 60, "{tilt} {weather} {time}");
+    }
+}
+
+/// In the town of the site.
+fn check_behind(site: &CameraSite, weather: Weather, time: TimeOfDay) -> usize {
+    let settings = RenderSettings { look: BLURRED, ..RenderSettings::new(weather, time, 3, SIZE) };
+    check_site(&settings, town03(), site, 1)
 }
 
 #[test]

@@ -4,8 +4,8 @@ use crate::exactness::{CATALOGUE, LoadedTown, shared};
 use endless_city::ActorModels;
 use endless_render::{CameraBake, RenderSettings};
 use endless_world::{
-    Actor, Behaviour, CameraSite, ImageSize, InstanceId, Motion, Mount, ObjectClass, Pose, TimeOfDay, VehicleLights,
-    VehicleModelId, VehicleMotion, VehicleRef, Weather, WorldState,
+    Actor, Behaviour, CameraSite, ImageSize, InstanceId, LensModel, Motion, Mount, ObjectClass, Pose, TimeOfDay,
+    VehicleLights, VehicleModelId, VehicleMotion, VehicleRef, Weather, WorldState,
 };
 use glam::Vec3;
 
@@ -28,6 +28,7 @@ fn grain(weather: Weather, time_of_day: TimeOfDay) -> f64 {
         yaw_rad: yaw + std::f32::consts::PI - 0.52,
         down_tilt_rad: 0.6,
         horizontal_fov_rad: 0.9,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     };

@@ -191,10 +191,11 @@ fn read_layer(
     }
 }
 
-/// The sky, and nothing else that the instance image shows as an object, lies on the far plane.
+/// The sky and what a lens does not show, and nothing that the instance image shows as an object, lie on the far plane.
 fn misaligned(depth: &Image<f32>, instance: &Image<InstancePixel>) -> Option<String> {
     let pairs = || depth.data.iter().zip(&instance.data);
-    let near_sky = pairs().filter(|(d, p)| p.tag == ClassTag::Sky && **d < FAR_PLANE_M).count();
+    let near_sky =
+        pairs().filter(|(d, p)| [ClassTag::Sky, ClassTag::Unlabeled].contains(&p.tag) && **d < FAR_PLANE_M).count();
     let far_objects = pairs().filter(|(d, p)| p.id != InstanceId::STUFF && **d >= FAR_PLANE_M).count();
     let count = near_sky + far_objects;
     (count > 0).then(|| format!("is not aligned with the instance image: {count} pixels of sky or objects disagree"))

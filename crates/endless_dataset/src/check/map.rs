@@ -48,7 +48,9 @@ fn problem(map: &CameraMap, lens: &PinholeCamera) -> Option<String> {
 fn agrees(line: &ImageLine, lens: &PinholeCamera) -> bool {
     let projected = |(world, image): (&[f64; 3], &[f64; 2])| {
         let there = lens.project(DVec3::from(*world).as_vec3());
-        there.is_some_and(|(there, _)| (there - image_point(*image)).abs().max_element() < MOST_OFF_PX)
+        // The short way, where the picture's left and right edges meet.
+        let off = |there| lens.way_in_image(image_point(*image), there).abs().max_element();
+        there.is_some_and(|(there, _)| off(there) < MOST_OFF_PX)
     };
     line.world.len() == line.image.len()
         && line.world.len() > 1
@@ -83,7 +85,7 @@ mod tests {
     use endless_annotate::{
         FeatureBody, MapFeatures, MarkAttributes, MarkFeature, PaintColor, SignAttributes, SignFeature,
     };
-    use endless_world::{CameraSite, Distortion, Mount};
+    use endless_world::{CameraSite, Distortion, LensModel, Mount};
 
     fn lens() -> PinholeCamera {
         let site = CameraSite {
@@ -92,6 +94,7 @@ mod tests {
             yaw_rad: 0.0,
             down_tilt_rad: 0.3,
             horizontal_fov_rad: 1.2,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };

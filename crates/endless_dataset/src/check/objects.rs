@@ -1,8 +1,8 @@
 //! Labels of objects against one another and against the camera: boxes in one another, shares, counts, places in space.
 
 use endless_annotate::{AmodalBox, AmodalRecord, Box3dRecord, ObjectRecord, Occluder, PixelBox, Spatial, mask_pixels};
-use endless_world::{Image, ImageSize, InstancePixel, PinholeCamera};
-use glam::{DQuat, DVec3};
+use endless_world::{DepthMeasure, Image, ImageSize, InstancePixel, PinholeCamera};
+use glam::{DQuat, DVec3, Vec2};
 
 /// Places in the picture are written to hundredths of a pixel; sizes and rotations that lead there are rounded, too.
 const PIXELS: f64 = 0.25;
@@ -13,7 +13,7 @@ const METRES: f64 = 2e-3;
 pub(super) struct LabelledFrame<'a> {
     pub(super) camera: &'a PinholeCamera,
     pub(super) instance: Option<&'a Image<InstancePixel>>,
-    /// Planar, metres.
+    /// As the lens measures it, metres.
     pub(super) depth: Option<&'a Image<f32>>,
 }
 
@@ -106,7 +106,10 @@ impl LabelledFrame<'_> {
     fn same_place(&self, a: [f64; 2], b: [f64; 2], depth: f64) -> bool {
         let far = (a[0].abs() + a[1].abs()) / f64::from(self.camera.size.width);
         let close = 0.5 * METRES * f64::from(self.camera.intrinsics.fx) / depth;
-        (a[0] - b[0]).abs().max((a[1] - b[1]).abs()) < (PIXELS + close) * (1.0 + far)
+        let place = |p: [f64; 2]| Vec2::from_array(p.map(|value| value as f32));
+        // The short way, where the picture's left and right edges meet.
+        let way = self.camera.way_in_image(place(a), place(b));
+        f64::from(way.abs().max_element()) < (PIXELS + close) * (1.0 + far)
     }
 
     /// Its pixels lie as deep as its box, to two centimetres.
@@ -117,9 +120,15 @@ impl LabelledFrame<'_> {
         camera_from_object: DQuat,
     ) -> Option<&'static str> {
         let (instance, depth) = (self.instance?, self.depth?);
-        let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| (camera_from_object * axis).z.abs());
-        let reach: f64 = axes.iter().zip(around.size).map(|(axis, size)| 0.5 * axis * size).sum();
-        let middle = around.center_in_camera[2];
+        let (reach, middle): (f64, f64) = match self.camera.lens.depth_measure() {
+            DepthMeasure::Planar => {
+                let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| (camera_from_object * axis).z.abs());
+                (axes.iter().zip(around.size).map(|(axis, size)| 0.5 * axis * size).sum(), around.center_in_camera[2])
+            }
+            DepthMeasure::Distance => {
+                (0.5 * DVec3::from(around.size).length(), DVec3::from(around.center_in_camera).length())
+            }
+        };
         let PixelBox { x, y, w, h } = object.bbox;
         let own = (y..y + h).flat_map(|y| (x..x + w).map(move |x| (x, y)));
         let mut own = own.filter(|&(x, y)| instance.at(x, y).id == object.id);
@@ -153,7 +162,7 @@ fn area(b: AmodalBox) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::{CameraSite, ClassTag, InstanceId, Mount};
+    use endless_world::{CameraSite, ClassTag, InstanceId, LensModel, Mount};
 
     /// A car whose left half stands behind somebody, and everything that its labels are judged by.
     struct Example {
@@ -172,6 +181,7 @@ mod tests {
             yaw_rad: 0.0,
             down_tilt_rad: 0.0,
             horizontal_fov_rad: 1.0,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };

@@ -11,7 +11,7 @@ use crate::{
     CameraLayout, CameraRecord, CameraSpec, ModelSpec, PoseLine, Recipe, SensorRecord, SensorSpec, VideoLayout,
     read_json, read_lines,
 };
-use endless_world::{PinholeCamera, RigCamera, SceneSensor, SceneSettings, SensorModel};
+use endless_world::{Lens, PinholeCamera, RigCamera, SceneSensor, SceneSettings, SensorModel};
 use std::collections::BTreeMap;
 
 /// Largest difference of a position from where its sensor should be, metres, and of an orientation, radians.
@@ -64,7 +64,11 @@ impl RigCameraFiles<'_> {
         let fixed = sensor.fixed_camera();
         let lens_of = |line: &PoseLine| match &fixed {
             Some(fixed) => Some(PinholeCamera::new(&fixed.site, output.size).with_distortion(distortion)),
-            None => Some(line.camera(output.size)?.with_distortion(distortion)),
+            None => {
+                let fov_rad = sensor.mount.fov_at(line.time_s).unwrap_or(camera.horizontal_fov_rad);
+                let lens = camera.lens.lens(fov_rad as f32);
+                Some(PinholeCamera { lens, ..line.camera(output.size)? }.with_distortion(distortion))
+            }
         };
         let lenses: BTreeMap<u32, PinholeCamera> =
             lines.iter().filter_map(|line| Some((line.frame, lens_of(line)?))).collect();
@@ -74,11 +78,14 @@ impl RigCameraFiles<'_> {
             check_camera(&CheckedCamera { files, output: &output, records: &records, lens: &lens }, progress);
         let expected = match &fixed {
             Some(fixed) => CameraRecord::new(&fixed.site, distortion, output.size, output.fps()),
-            None => CameraRecord::moving(camera.horizontal_fov_rad as f32, distortion, output.size, output.fps()),
+            None => {
+                let fov_rad = camera.horizontal_fov_rad as f32;
+                CameraRecord::moving(camera.lens, fov_rad, distortion, output.size, output.fps())
+            }
         };
         check.report.findings.extend(check_record(files, expected));
         let told = |line: &PoseLine| {
-            let wanted = PinholeCamera { distortion: endless_world::Distortion::NONE, ..lens_of(line)? };
+            let wanted = PinholeCamera { lens: Lens::PINHOLE, ..lens_of(line)? };
             (line.camera(output.size) != Some(wanted)).then_some(line.frame)
         };
         if let Some(frame) = lines.iter().find_map(told) {

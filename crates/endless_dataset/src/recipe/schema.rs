@@ -5,6 +5,7 @@ use super::{
     options::RecipeDraft,
     rig::{ModelSpec, MountSpec},
 };
+use endless_world::LensModel;
 use serde_json::{Value, json};
 
 /// The schema of a recipe (JSON Schema, draft 2020-12): editors complete and check TOML files by it.
@@ -33,6 +34,19 @@ pub fn recipe_schema() -> Value {
     })
 }
 
+fn lens_schema() -> Value {
+    json!({"anyOf": [{"enum": LensModel::NAMES}, {
+        "type": "object",
+        "additionalProperties": false,
+        "required": ["model"],
+        "properties": {
+            "model": {"enum": LensModel::NAMES},
+            "k": {"type": "array", "items": {"type": "number"}, "minItems": 4, "maxItems": 4},
+            "width": {"type": "number", "minimum": 0.1, "maximum": 10_000},
+        },
+    }]})
+}
+
 fn kind_schema(option: &RecipeOption) -> Value {
     match option.kind {
         OptionKind::Whole { least, most } => json!({"type": "integer", "minimum": least, "maximum": most}),
@@ -56,8 +70,9 @@ fn kind_schema(option: &RecipeOption) -> Value {
                 "name": {"type": "string", "pattern": "^[A-Za-z0-9_-]{1,64}$"},
                 "position": {"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3},
                 "yaw": {"type": "number", "minimum": -360, "maximum": 360},
-                "down": {"type": "number", "minimum": -10, "maximum": 89},
-                "fov": {"type": "number", "minimum": 5, "maximum": 150, "default": 70},
+                "down": {"type": "number", "minimum": -10, "maximum": 90},
+                "fov": {"type": "number", "minimum": 1, "maximum": 360},
+                "lens": lens_schema(),
             },
         }}),
         OptionKind::Rig => json!({"type": "array", "items": {

@@ -1,5 +1,6 @@
 //! Cameras that users give in place of a map's own.
 
+use endless_world::LensModel;
 use serde::{Deserialize, Serialize};
 
 /// A camera as users write it: metres, degrees.
@@ -16,11 +17,10 @@ pub struct UserCamera {
     pub yaw: f64,
     /// Below the horizon, degrees.
     pub down: f64,
-    /// Horizontal field of view, degrees.
-    #[serde(default = "usual_fov")]
-    pub fov: f64,
-}
-
-fn usual_fov() -> f64 {
-    70.0
+    /// Horizontal field of view, degrees: 70 where not given, 180 of a fisheye, 360 of an equirectangular lens.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fov: Option<f64>,
+    /// Lens: `"pinhole"` where not given, `"fisheye"`, `"equirectangular"` or `"orthographic"`, or a table with its numbers.
+    #[serde(default, skip_serializing_if = "LensModel::is_pinhole")]
+    pub lens: LensModel,
 }

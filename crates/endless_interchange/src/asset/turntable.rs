@@ -4,7 +4,7 @@ use super::item::{AssetError, CatalogueItem, find};
 use endless_asset::Catalogue;
 use endless_render::{CameraBake, FrameDescription, FrameScene, Geometry, Instance, RenderSettings, StaticScene};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
-use endless_world::{CameraSite, ClassTag, Image, ImageSize, Mount, TimeOfDay, Weather, math};
+use endless_world::{CameraSite, ClassTag, Image, ImageSize, LensModel, Mount, TimeOfDay, Weather, math};
 use glam::{Affine3A, Vec2, Vec3};
 use std::f32::consts::{PI, TAU};
 
@@ -100,6 +100,7 @@ fn site(low: Vec3, high: Vec3, azimuth: f32) -> CameraSite {
         yaw_rad: azimuth + PI,
         down_tilt_rad: DOWN_TILT_RAD,
         horizontal_fov_rad: FIELD_OF_VIEW_RAD,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     }

@@ -7,8 +7,9 @@ use endless_render::{CameraBake, RenderSettings};
 use endless_scene::Mesh;
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::{
-    Actor, Behaviour, CameraLook, CameraSite, Condition, Image, ImageSize, InstanceId, InstancePixel, Motion, Mount,
-    ObjectClass, Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, VehicleSpec, Weather, WorldState,
+    Actor, Behaviour, CameraLook, CameraSite, Condition, Image, ImageSize, InstanceId, InstancePixel, LensModel,
+    Motion, Mount, ObjectClass, Pose, TimeOfDay, VehicleModelId, VehicleMotion, VehicleRef, VehicleSpec, Weather,
+    WorldState,
 };
 use glam::Vec3;
 use std::{fs, path::Path};
@@ -86,6 +87,7 @@ fn seen(catalogue: &Catalogue, model: VehicleModelId, class: ObjectClass) -> Ima
         yaw_rad: 0.0,
         down_tilt_rad: 0.4,
         horizontal_fov_rad: 0.7,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     };

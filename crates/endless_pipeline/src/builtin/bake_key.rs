@@ -37,10 +37,11 @@ pub(super) fn variant_key(scene: &BakeKey, video: &SceneSettings) -> BakeKey {
 
 /// Where a camera hangs and looks.
 fn add_site(hasher: &mut blake3::Hasher, site: &CameraSite) {
-    let CameraSite { name: _, position, yaw_rad, down_tilt_rad, horizontal_fov_rad, mount: _, roll_rad } = site;
+    let CameraSite { name: _, position, yaw_rad, down_tilt_rad, horizontal_fov_rad, lens, mount: _, roll_rad } = site;
     for number in position.iter().chain([yaw_rad, down_tilt_rad, horizontal_fov_rad, roll_rad]) {
         hasher.update(&number.to_le_bytes());
     }
+    hasher.update(format!("{lens:?}").as_bytes());
 }
 
 /// Of a scene as a build of this program traces it.

@@ -56,7 +56,7 @@ impl KeptHits {
 mod tests {
     use super::*;
     use endless_render::{CameraBake, Gathering, RenderSettings, StaticScene};
-    use endless_world::{CameraSite, ImageSize, Mount, TimeOfDay, Weather};
+    use endless_world::{CameraSite, ImageSize, LensModel, Mount, TimeOfDay, Weather};
 
     fn key(camera: u8) -> BakeKey {
         [camera; 32]
@@ -75,6 +75,7 @@ mod tests {
             yaw_rad: 0.0,
             down_tilt_rad: 0.4,
             horizontal_fov_rad: 1.2,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };

@@ -1,7 +1,7 @@
 //! Cameras that hang and look a little otherwise in each video.
 
 use crate::{MapCatalog, SimulatorError};
-use endless_world::{CameraSite, RandomisedPart, SceneRandomisation, SceneSettings, Stream};
+use endless_world::{CameraSite, LensModel, RandomisedPart, SceneRandomisation, SceneSettings, Stream};
 
 /// Draws of a camera, each nearer to the usual place than the one before: the first that sees enough is taken.
 const DRAWS: u64 = 8;
@@ -55,7 +55,11 @@ fn moved(site: &CameraSite, randomised: &SceneRandomisation, camera: u64, draw: 
         yaw_rad: site.yaw_rad + within(14.0).to_radians(),
         down_tilt_rad: site.down_tilt_rad + within(7.0).to_radians(),
         roll_rad: site.roll_rad + within(5.0).to_radians(),
-        horizontal_fov_rad: (site.horizontal_fov_rad * (1.0 + within(0.22))).min(2.4),
+        horizontal_fov_rad: match site.lens {
+            LensModel::Pinhole => (site.horizontal_fov_rad * (1.0 + within(0.22))).min(2.4),
+            // A fisheye has the circle that it has.
+            _ => site.horizontal_fov_rad,
+        },
         ..site.clone()
     }
 }

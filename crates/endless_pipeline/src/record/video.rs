@@ -146,7 +146,7 @@ fn prepare_folders(recording: &Recording<'_>, features: Option<&MapFeatures>) ->
             }
             (StreamLens::Moving(camera), _) => {
                 let fov_rad = camera.horizontal_fov_rad as f32;
-                CameraRecord::moving(fov_rad, camera.look.distortion, output.size, output.fps())
+                CameraRecord::moving(camera.lens, fov_rad, camera.look.distortion, output.size, output.fps())
             }
             (StreamLens::Fixed { .. }, None) => unreachable!("a camera that stands still has a site"),
         };

@@ -2,7 +2,7 @@
 
 use crate::RecipeError;
 use endless_dataset::{CameraSpec, EventCameraSpec, Layer, ModelSpec, MountSpec, OptionError, Recipe, SensorSpec};
-use endless_world::ImageSize;
+use endless_world::{ImageSize, LensModel};
 
 /// Most sensors of a rig.
 const MOST_SENSORS: usize = 64;
@@ -200,11 +200,17 @@ fn size_of(wrong: &Wrong<'_>, given: Option<&String>, recipe: &Recipe) -> Result
 }
 
 /// The field of view of a camera, degrees; `None` for that of its site.
-fn fov_of(wrong: &Wrong<'_>, given: Option<f64>) -> Result<Option<f64>, RecipeError> {
+fn fov_of(wrong: &Wrong<'_>, given: Option<f64>, lens: LensModel) -> Result<Option<f64>, RecipeError> {
+    let checked = |fov: f64| {
+        let problem = |problem| RecipeError::Sensor { sensor: wrong.0.name.clone(), problem };
+        lens.check(fov).map_err(problem).map(|()| Some(fov))
+    };
     let at_site = matches!(wrong.0.mount, MountSpec::Site { .. } | MountSpec::PanTiltZoom { site: Some(_), .. });
-    let fov = if given.is_none() && at_site { None } else { Some(given.unwrap_or(USUAL_FOV_DEG)) };
-    fov.map_or(Ok(()), |fov| wrong.within("fov", fov, 1.0, 150.0))?;
-    Ok(fov)
+    match given.or(lens.usual_fov_deg()) {
+        Some(fov) => checked(fov),
+        None if at_site => checked(USUAL_FOV_DEG).map(|_| None),
+        None => checked(USUAL_FOV_DEG),
+    }
 }
 
 /// An event camera with what is not given of it.
@@ -216,13 +222,17 @@ fn event_camera_of(
     let checked = camera.settings.check();
     checked.map_err(|problem| RecipeError::Sensor { sensor: wrong.0.name.clone(), problem })?;
     let size = size_of(wrong, camera.size.as_ref(), recipe)?;
-    Ok(EventCameraSpec { size: Some(size.to_string()), fov: fov_of(wrong, camera.fov)?, ..camera.clone() })
+    Ok(EventCameraSpec {
+        size: Some(size.to_string()),
+        fov: fov_of(wrong, camera.fov, camera.lens.unwrap_or_default())?,
+        ..camera.clone()
+    })
 }
 
 /// A camera with what is not given of it.
 fn camera_of(wrong: &Wrong<'_>, camera: &CameraSpec, recipe: &Recipe) -> Result<CameraSpec, RecipeError> {
     let size = size_of(wrong, camera.size.as_ref(), recipe)?;
-    let fov = fov_of(wrong, camera.fov)?;
+    let fov = fov_of(wrong, camera.fov, camera.lens.unwrap_or_default())?;
     let mut layers = camera.layers.clone().unwrap_or_else(|| recipe.layers.clone());
     layers.sort_unstable();
     layers.dedup();
@@ -247,6 +257,7 @@ fn camera_of(wrong: &Wrong<'_>, camera: &CameraSpec, recipe: &Recipe) -> Result<
     Ok(CameraSpec {
         size: Some(size.to_string()),
         fov,
+        lens: camera.lens,
         layers: Some(layers),
         mp4: Some(mp4),
         look: Some(camera.look.unwrap_or(recipe.camera_look)),

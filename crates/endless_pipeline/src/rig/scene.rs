@@ -5,8 +5,8 @@ use crate::{MapCatalog, PlanError};
 use endless_dataset::{ModelSpec, MountSpec, Origin, Recipe, SensorSpec};
 use endless_road::JunctionPlace;
 use endless_world::{
-    CameraLook, CameraSite, Carrier, ImageSize, ObjectClass, Placement, RecorderClock, RigCamera, RigEventCamera,
-    SceneSensor, SensorModel, SensorMount, Stream, TimeOfDay, WayPoint, math,
+    CameraLook, CameraSite, Carrier, ImageSize, LensModel, ObjectClass, Placement, RecorderClock, RigCamera,
+    RigEventCamera, SceneSensor, SensorModel, SensorMount, Stream, TimeOfDay, WayPoint, math,
 };
 
 /// Where the sensors of a rig are on one map.
@@ -213,7 +213,7 @@ pub(crate) fn scene_sensors(
     let sensor = |((spec, place), number): ((&SensorSpec, &SensorPlace), u64)| {
         let model = match &spec.model {
             ModelSpec::EventCamera(camera) => {
-                let lens = lens_of(camera.fov, camera.image_size().unwrap_or(recipe.size), place);
+                let lens = lens_of(camera.fov, camera.lens, camera.image_size().unwrap_or(recipe.size), place);
                 SensorModel::EventCamera(RigEventCamera { camera: lens, settings: camera.settings })
             }
             ModelSpec::Lidar(lidar) => SensorModel::Lidar(lidar.settings.clone()),
@@ -227,7 +227,7 @@ pub(crate) fn scene_sensors(
                 let look = camera.look.unwrap_or(recipe.camera_look);
                 SensorModel::Camera(RigCamera {
                     look: CameraLook::new(look, time_of_day, clock, &mut random),
-                    ..lens_of(camera.fov, camera.image_size().unwrap_or(recipe.size), place)
+                    ..lens_of(camera.fov, camera.lens, camera.image_size().unwrap_or(recipe.size), place)
                 })
             }
         };
@@ -238,11 +238,12 @@ pub(crate) fn scene_sensors(
 }
 
 /// A camera without effects.
-fn lens_of(fov_deg: Option<f64>, size: ImageSize, place: &SensorPlace) -> RigCamera {
+fn lens_of(fov_deg: Option<f64>, lens: Option<LensModel>, size: ImageSize, place: &SensorPlace) -> RigCamera {
     let fov = fov_deg.map(f64::to_radians).or(place.site_fov_rad);
     RigCamera {
         size,
         horizontal_fov_rad: fov.expect("a camera has a field of view of its own or of its site"),
+        lens: lens.unwrap_or_default(),
         look: CameraLook::CLEAN,
     }
 }

@@ -117,7 +117,8 @@ fn camera() -> UserCamera {
         position: site.position.map(f64::from),
         yaw: f64::from(site.yaw_rad).to_degrees(),
         down: f64::from(site.down_tilt_rad).to_degrees(),
-        fov: f64::from(site.horizontal_fov_rad).to_degrees(),
+        fov: Some(f64::from(site.horizontal_fov_rad).to_degrees()),
+        lens: site.lens,
     }
 }
 

@@ -12,6 +12,7 @@ mod golden;
 mod happenings;
 mod kill;
 mod labels;
+mod lenses;
 mod live;
 mod objects;
 mod people_layers;

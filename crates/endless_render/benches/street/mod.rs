@@ -4,7 +4,7 @@
 
 use endless_render::{Footprint, Geometry, Instance, MovingObject, StaticScene};
 use endless_scene::{Material, Mesh, MeshBuilder, Surface};
-use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, Mount, PinholeCamera, Stream};
+use endless_world::{CameraSite, ClassTag, ImageSize, InstanceId, LensModel, Mount, PinholeCamera, Stream};
 use glam::{Affine3A, Quat, Vec2, Vec3};
 
 /// Leaves of a bush.
@@ -73,6 +73,7 @@ pub(crate) fn site() -> CameraSite {
         yaw_rad: 0.1,
         down_tilt_rad: 0.25,
         horizontal_fov_rad: 1.2,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     }

@@ -10,8 +10,8 @@ use endless_render::{
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, Mount, PinholeCamera, SceneWeather, SensorFrame,
-    TimeOfDay, Weather, math,
+    CameraSite, ClassTag, FAR_PLANE_M, ImageSize, InstanceId, LensModel, Mount, PinholeCamera, SceneWeather,
+    SensorFrame, TimeOfDay, Weather, math,
 };
 use glam::{Affine3A, Quat, Vec2, Vec3, Vec3A};
 use serde::Deserialize;
@@ -134,6 +134,7 @@ impl BoxStreet {
             yaw_rad: math::atan2(forward.y, forward.x),
             down_tilt_rad: math::atan2(-forward.z, forward.truncate().length()),
             horizontal_fov_rad: self.horizontal_fov_deg.to_radians(),
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         }

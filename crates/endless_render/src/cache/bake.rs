@@ -94,7 +94,7 @@ impl CameraBake {
         response: Option<&Arc<FilmResponse>>,
         indirect: IndirectRays<'_>,
     ) -> (Self, [TapeStack; 2]) {
-        let pixel_angle = 1.0 / camera.intrinsics.fx;
+        let pixel_angle = camera.pixel_angle_rad();
         let environment = &lighting.environment;
         let stats = BakeStats::default();
         let tracer = lighting.tracer(still, None);
@@ -127,7 +127,7 @@ impl CameraBake {
         let half = velocity.at(point) * (0.5 * shutter_s);
         let at = |p: Vec3A| self.camera.project(p.into()).map(|(at, _)| at);
         match (at(point - half), at(point + half)) {
-            (Some(from), Some(to)) => (to - from).clamp_length_max(LONGEST_PX),
+            (Some(from), Some(to)) => self.camera.way_in_image(from, to).clamp_length_max(LONGEST_PX),
             _ => Vec2::ZERO,
         }
     }

@@ -2,14 +2,13 @@
 
 use super::bake_stats::BakeStats;
 use crate::accel::Ray;
-use crate::camera_rays::{directions_through, sample_ray};
+use crate::camera_rays::{aims_through, lane_ray, sample_ray};
 use crate::indirect::IndirectRays;
 use crate::sampling::{SAMPLE_OFFSETS, SAMPLES};
 use crate::settings::RenderSettings;
 use crate::shade::Tracer;
 use crate::vec3x8::Vec3x8;
 use endless_world::PinholeCamera;
-use glam::Vec3A;
 use wide::f32x8;
 
 /// What the passes of a bake share.
@@ -34,17 +33,17 @@ impl BakePass<'_> {
 
     /// One of eight rays.
     pub(super) fn ray_along(&self, directions: &Vec3x8, lane: usize) -> Ray {
-        let direction = Vec3A::from_array(directions.each_ref().map(|axis| axis.as_array()[lane]));
-        Ray { origin: self.camera.position.into(), direction, tmax: f32::MAX }
+        lane_ray(self.camera, directions, lane)
     }
 
-    /// Directions of the rays of eight pixels that follow each other in the picture, by sample; beyond `count`, of the last.
+    /// What tells the rays, their directions unless they are parallel, of eight pixels that follow each other in the
+    /// picture, by sample; beyond `count`, of the last.
     pub(super) fn directions_of(&self, first: usize, count: usize) -> [Vec3x8; SAMPLES] {
         let pixel = |i: usize| first + i.min(count - 1);
         SAMPLE_OFFSETS.map(|offset| {
             let x = f32x8::new(std::array::from_fn(|i| (pixel(i) % self.width()) as f32 + 0.5 + offset.x));
             let y = f32x8::new(std::array::from_fn(|i| (pixel(i) / self.width()) as f32 + 0.5 + offset.y));
-            directions_through(self.camera, x, y)
+            aims_through(self.camera, x, y)
         })
     }
 }

@@ -8,6 +8,7 @@ use super::lamp_mask::{lamp_sum, lamps_free32};
 use super::primary_hits::{PrimaryHits, PrimaryRow, RowSurfaces};
 use super::shaded_pixel::{ShadedPixel, ShadedSample};
 use crate::accel::{Hit, RayStream, first_lanes, lanes};
+use crate::camera_rays::is_nowhere;
 use crate::material::{Bsdf, PackedBsdf};
 use crate::octahedron;
 use crate::pixel_layers::{LayerImages, PixelLayers};
@@ -15,7 +16,7 @@ use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
 use crate::settings::Gathering;
-use crate::shade::{MIRROR_THRESHOLD, halos8, mirror_footprint, mirror_ray, shade_hit8, sun_light};
+use crate::shade::{MIRROR_THRESHOLD, halos, halos8, mirror_footprint, mirror_ray, shade_hit8, sun_light};
 use endless_scene::Surface;
 use glam::Vec3A;
 use rayon::prelude::*;
@@ -219,23 +220,31 @@ impl<'a> PixelEight<'a> {
         let seen = |(point, bsdf): &(SurfaceInteraction<'_>, Bsdf)| {
             PixelLayers::new(settings.layers, camera, &self.samples[pixel].ray, point, || bsdf.clone())
         };
-        self.surfaces[pixel].as_ref().map_or(PixelLayers::SKY, seen)
+        let nothing = if is_nowhere(&self.samples[pixel].ray) { PixelLayers::UNLIT } else { PixelLayers::SKY };
+        self.surfaces[pixel].as_ref().map_or(nothing, seen)
     }
 
     /// Glow of lamps before the samples that do not share that of their centre.
     fn halos(&self) -> [Vec3A; LANES] {
-        let mut halos = [Vec3A::ZERO; LANES];
+        let mut all = [Vec3A::ZERO; LANES];
         let sharing = self.sharing();
-        for (row, (eight, glow)) in self.samples.chunks(8).zip(halos.chunks_mut(8)).enumerate() {
+        for (row, (eight, glow)) in self.samples.chunks(8).zip(all.chunks_mut(8)).enumerate() {
             if self.inside & !sharing & 0xff << (8 * row) == 0 {
                 continue;
             }
             let directions = [0, 1, 2].map(|axis| f32x8::new(std::array::from_fn(|i| eight[i].ray.direction[axis])));
             let distance = |i: usize| eight[i].hit.as_ref().map_or(f32::MAX, |hit| hit.t);
             let distances = f32x8::new(std::array::from_fn(distance));
-            glow.copy_from_slice(&halos8(&self.pass.tracer, eight[0].ray.origin, &directions, distances));
+            if self.pass.camera.lens.is_central() {
+                let lens = Vec3A::from(self.pass.camera.position);
+                glow.copy_from_slice(&halos8(&self.pass.tracer, lens, &directions, distances));
+            } else {
+                for (glow, PrimarySample { ray, hit, .. }) in glow.iter_mut().zip(eight) {
+                    *glow = halos(&self.pass.tracer, ray, hit.as_ref().map_or(f32::MAX, |hit| hit.t));
+                }
+            }
         }
-        halos
+        all
     }
 
     /// What the samples' coats mirror, and how far they see.

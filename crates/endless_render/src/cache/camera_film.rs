@@ -2,20 +2,23 @@
 
 use super::gbuffer::GBuffer;
 use super::scratch_pool::ScratchPool;
-use crate::camera_rays::sample_ray;
+use crate::camera_rays::{is_nowhere, sample_ray};
 use crate::film::{BlurScratch, Exposure, PostProcess, Rain, ToneCurve, black_level, exposure};
 use crate::light::Environment;
 use crate::material::noise;
 use crate::settings::RenderSettings;
-use endless_world::PinholeCamera;
+use endless_world::{Lens, PinholeCamera};
 use glam::Vec3A;
 use rayon::prelude::*;
+use std::borrow::Cow;
 use std::sync::Arc;
 
 /// The still picture on a camera's film.
 pub(super) struct CameraFilm {
     /// Its radiance, kcd/m².
     pub(super) radiance: Vec<Vec3A>,
+    /// The pixels in whose centres the lens shows nothing: black, whatever light spreads there.
+    pub(super) unlit: Vec<u32>,
     /// As it is developed, if frames need not be developed whole.
     pub(super) rgb: Vec<[u8; 3]>,
     pub(super) response: Arc<FilmResponse>,
@@ -50,34 +53,65 @@ impl CameraFilm {
     ) -> Self {
         let radiance: Vec<Vec3A> =
             (0..gbuffer.pixels()).into_par_iter().map(|pixel| gbuffer.pixel(pixel).radiance(environment)).collect();
+        let unlit = unlit(camera);
         let response = response.cloned().unwrap_or_else(|| {
-            let exposure = Exposure::for_picture(camera, environment, gbuffer, &radiance);
+            let exposure = Exposure::for_picture(camera, environment, gbuffer, &radiance, &unlit);
             Arc::new(FilmResponse::new(settings, environment, exposure))
         });
-        Self::developed(radiance, response)
+        let spreads_light = response.spreads_light();
+        let film = Self { radiance, unlit, rgb: Vec::new(), response };
+        if spreads_light {
+            return film;
+        }
+        let mut rgb: Vec<_> = film.radiance.par_iter().map(|&r| film.response.tone.apply(r)).collect();
+        film.darken(&mut rgb);
+        Self { rgb, ..film }
     }
 
-    fn developed(radiance: Vec<Vec3A>, response: Arc<FilmResponse>) -> Self {
-        let rgb = if response.spreads_light() {
-            Vec::new()
-        } else {
-            radiance.par_iter().map(|&r| response.tone.apply(r)).collect()
-        };
-        Self { radiance, rgb, response }
+    /// Makes black what the lens does not show.
+    pub(super) fn darken(&self, rgb: &mut [[u8; 3]]) {
+        for &pixel in &self.unlit {
+            rgb[pixel as usize] = [0; 3];
+        }
     }
 }
 
+/// The pixels in whose centres a camera's lens shows nothing.
+fn unlit(camera: &PinholeCamera) -> Vec<u32> {
+    if matches!(camera.lens, Lens::Perspective(_)) {
+        return Vec::new();
+    }
+    let width = camera.size.width;
+    let is_unlit = |&i: &u32| is_nowhere(&sample_ray(camera, i % width, i / width, 0));
+    (0..camera.size.pixels() as u32).into_par_iter().filter(is_unlit).collect()
+}
+
 impl Exposure {
-    /// As a still picture of this radiance needs it.
-    fn for_picture(camera: &PinholeCamera, environment: &Environment, gbuffer: &GBuffer, radiance: &[Vec3A]) -> Self {
+    /// As a still picture of this radiance needs it, but for the pixels in which the lens shows nothing.
+    fn for_picture(
+        camera: &PinholeCamera,
+        environment: &Environment,
+        gbuffer: &GBuffer,
+        radiance: &[Vec3A],
+        unlit: &[u32],
+    ) -> Self {
         let width = camera.size.width as usize;
-        let black = black_level(radiance, |i| {
+        let lit: Vec<u32> = match unlit.is_empty() {
+            true => Vec::new(),
+            false => (0..radiance.len() as u32).filter(|i| unlit.binary_search(i).is_err()).collect(),
+        };
+        let shown: Cow<'_, [Vec3A]> = match unlit.is_empty() {
+            true => radiance.into(),
+            false => lit.iter().map(|&i| radiance[i as usize]).collect::<Vec<_>>().into(),
+        };
+        let black = black_level(&shown, |i| {
+            let i = lit.get(i).map_or(i, |&i| i as usize);
             let (ray, still) = (sample_ray(camera, (i % width) as u32, (i / width) as u32, 0), gbuffer.pixel(i));
             let fog = &environment.fog;
             let left = fog.transmittance(ray.origin, ray.direction, still.distances[0]);
             if still.is_sky(0) { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
         });
-        Self { factor: exposure(radiance, black, environment.exposure_key), black }
+        Self { factor: exposure(&shown, black, environment.exposure_key), black }
     }
 }
 

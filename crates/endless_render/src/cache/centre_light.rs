@@ -9,6 +9,7 @@ use super::tile_context::TileContext;
 use crate::accel::{Ray, RayStream, lanes};
 use crate::scene::FrameScene;
 use crate::shade::Tracer;
+use endless_world::PinholeCamera;
 use glam::Vec3A;
 
 /// Light of a uniform pixel that its samples share.
@@ -31,8 +32,12 @@ impl CentreLight {
     }
 }
 
-/// The light of these pixels, seen from `eye`.
-pub(super) fn centre_lights(context: &TileContext<'_>, eye: Vec3A, block: &CentreBlock<'_>) -> [CentreLight; BLOCK] {
+/// The light of these pixels, as a camera sees them.
+pub(super) fn centre_lights(
+    context: &TileContext<'_>,
+    camera: &PinholeCamera,
+    block: &CentreBlock<'_>,
+) -> [CentreLight; BLOCK] {
     let TileContext { tracer, frame, work, .. } = *context;
     let mut lights = [CentreLight::NONE; BLOCK];
     if block.iter().all(Option::is_none) {
@@ -40,7 +45,7 @@ pub(super) fn centre_lights(context: &TileContext<'_>, eye: Vec3A, block: &Centr
     }
     let origins = ray_origins(block);
     if !work.beams.is_empty() {
-        let swept = beams_on_block(tracer, frame, &work.beams, eye, block, &origins);
+        let swept = beams_on_block(tracer, frame, &work.beams, camera, block, &origins);
         for (light, swept) in lights.iter_mut().zip(swept) {
             light.swept = swept;
         }
@@ -50,7 +55,8 @@ pub(super) fn centre_lights(context: &TileContext<'_>, eye: Vec3A, block: &Centr
         let Some(PixelCentre { facet, bsdf, lamps_free }) = &block[i] else { continue };
         light.contact = contact_shadow(frame, work, facet);
         light.direct = bsdf.filter(|_| blocked[i] != 0).map(|bsdf| {
-            let transmittance = tracer.environment.fog.transmittance(eye, facet.direction, facet.distance);
+            let eye = camera.eye_for(facet.position.into());
+            let transmittance = tracer.environment.fog.transmittance(eye.into(), facet.direction, facet.distance);
             lamp_sum(tracer, facet, &bsdf.get(), lamps_free & !blocked[i]) * transmittance
         });
     }

@@ -4,7 +4,7 @@ use super::bake::CameraBake;
 use super::tile::TILE;
 use super::visible_tiles::each_visible_tile;
 use crate::accel::{RayStream, lanes};
-use crate::camera_rays::directions8;
+use crate::camera_rays::{aims8, set_row};
 use crate::scene::FrameScene;
 use std::{ops::Range, sync::OnceLock};
 use wide::f32x8;
@@ -66,12 +66,8 @@ impl CoveredRows {
 fn centre_rays(bake: &CameraBake, columns: Range<u32>, rows: Range<u32>) -> RayStream<{ ROWS as usize }> {
     let CameraBake { camera, gbuffer, .. } = bake;
     let mut rays = RayStream::NONE;
-    rays.origin = camera.position.to_array().map(|axis| [f32x8::splat(axis); ROWS as usize]);
     for (row, y) in rows.enumerate() {
-        let directions = directions8(camera, columns.start, columns.end, y, 0);
-        for (axis, direction) in rays.direction.iter_mut().zip(directions) {
-            axis[row] = direction;
-        }
+        set_row(camera, &mut rays, row, aims8(camera, columns.start, columns.end, y, 0));
         let distance = |i: usize| {
             let x = (columns.start + i as u32).min(columns.end - 1);
             // What is no nearer hides nothing.

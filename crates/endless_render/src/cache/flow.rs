@@ -65,7 +65,7 @@ impl FlowPass<'_> {
     fn sides(&self) -> Vec<f32> {
         let side = |centre: &MovingCentre| {
             let (seen, outwards) = point_of(&self.frame.instances[centre.hit.instance as usize], &centre.hit);
-            (Vec3A::from(self.bake.camera.position) - seen).dot(outwards)
+            (Vec3A::from(self.bake.camera.eye_for(seen.into())) - seen).dot(outwards)
         };
         self.centres.iter().map(side).collect()
     }
@@ -76,6 +76,9 @@ impl FlowPass<'_> {
         let mut image = Image::filled(size, FlowPixel::STILL.encoded());
         // What stands still is hidden by what moves in the other frame.
         let hidden = FlowPixel { target: FlowTarget::Hidden, ..FlowPixel::STILL }.encoded();
+        for &pixel in &self.bake.film.unlit {
+            image.data[pixel as usize] = FlowPixel::UNKNOWN;
+        }
         let other = OtherInstant::new(self.frame, scene);
         let found = CoveredCentres::default();
         for pixel in covered.unwrap_or(&found).rows(self.bake, scene).pixels(size.width as usize) {
@@ -107,7 +110,7 @@ impl FlowPass<'_> {
                     FlowTarget::Visible
                 }
             };
-            flows[lane] = FlowPixel { flow_px: place - centre, target };
+            flows[lane] = FlowPixel { flow_px: self.bake.camera.way_in_image(centre, place), target };
             image[pixel as usize] = flows[lane].encoded();
         }
         for lane in lanes(self.hidden(other, centres, &rays, active)) {
@@ -144,7 +147,6 @@ impl FlowPass<'_> {
     /// for the camera to see it: none if it faces away. `None` if it is behind the camera, or not there.
     fn point_then(&self, other: &OtherInstant<'_>, hit: &Hit, side: f32) -> Option<(Vec2, Option<Ray>)> {
         let camera = &self.bake.camera;
-        let lens = Vec3A::from(camera.position);
         let then = other.instance(hit.instance)?;
         let (now, then) = (&self.frame.instances[hit.instance as usize], &other.scene.instances[then as usize]);
         if now.id != then.id || !Arc::ptr_eq(&now.geometry.mesh, &then.geometry.mesh) {
@@ -152,6 +154,7 @@ impl FlowPass<'_> {
         }
         let (position, outwards) = point_of(then, hit);
         let (place, _) = camera.project(position.into())?;
+        let lens = Vec3A::from(camera.eye_for(position.into()));
         if (lens - position).dot(outwards) * side <= 0.0 {
             return Some((place, None));
         }

@@ -17,7 +17,6 @@ use super::tile_coverage::{CoveredPixel, coverages};
 use crate::scene::{FrameScene, StaticScene};
 use crate::shade::shade_moving_together;
 use endless_world::SensorFrame;
-use glam::Vec3A;
 
 /// Rows of a tile whose light is found together.
 const BLOCK_ROWS: usize = BLOCK / TILE as usize;
@@ -165,6 +164,6 @@ impl CameraBake {
             }
             Some(row.still(i).centre(&row.ray(i, 0), self.gbuffer.centre_bsdf(index)))
         });
-        centre_lights(context, Vec3A::from(self.camera.position), &centres)
+        centre_lights(context, &self.camera, &centres)
     }
 }

@@ -111,6 +111,7 @@ impl FrameBuffer {
             }
             bake.film.response.radiance_pool.give(radiance);
         }
+        bake.film.darken(&mut self.rgb);
         DevelopedFrame { frame, rgb: self.rgb, layers: self.layers, centres }
     }
 

@@ -4,6 +4,7 @@ use super::gbuffer_sample::{Mirror, MirrorSample};
 use super::lamp_mask::{lamp_sum, lamps_free};
 use super::shaded_pixel::ShadedSample;
 use crate::accel::{Hit, Ray};
+use crate::camera_rays::is_nowhere;
 use crate::light::Environment;
 use crate::material::{Bsdf, evaluate_bsdf};
 use crate::sampling::SAMPLES;
@@ -139,8 +140,11 @@ pub(super) fn surface_sample(
     }
 }
 
-/// A sample that met nothing; `halos` is the glow of lamps along its ray.
+/// A sample that met nothing, black where the lens shows nothing; `halos` is the glow of lamps along its ray.
 pub(super) fn sky_sample(environment: &Environment, ray: &Ray, halos: Vec3A) -> ShadedSample {
+    if is_nowhere(ray) {
+        return ShadedSample::sky(Vec3A::ZERO);
+    }
     let sky = environment.sky.radiance(ray.direction);
     // Fog and rain fill the whole way to the sky; thin haze is part of the sky model already.
     let air =

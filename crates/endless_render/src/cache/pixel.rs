@@ -11,7 +11,7 @@ use super::still_pixel::StillPixel;
 use super::sweep::beams_on_samples;
 use super::tile::TILE;
 use super::tile_context::{PixelSamples, TileContext};
-use crate::camera_rays::planar_depth;
+use crate::camera_rays::measured_depth;
 use crate::film::{LEAST_PX, Streak};
 use crate::light::HaloGrid;
 use crate::sampling::SAMPLES;
@@ -73,7 +73,7 @@ impl CameraBake {
         let nearest = samples.found.primary.iter().flatten().min_by(|a, b| a.t.total_cmp(&b.t))?;
         let behind = (cover < 1.0).then(|| (radiance - light) / (1.0 - cover));
         let id = frame.instances[nearest.instance as usize].id;
-        Some(Streak { id, light, cover, behind, way, depth: planar_depth(&self.camera, &samples.rays[0], nearest.t) })
+        Some(Streak { id, light, cover, behind, way, depth: measured_depth(&self.camera, &samples.rays[0], nearest.t) })
     }
 
     /// Glow of lamps in the air before something that moves, at a place of the tile whose first pixel is given.

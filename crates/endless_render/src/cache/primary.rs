@@ -5,7 +5,7 @@ use super::packed_hit::PackedHit;
 use super::primary_hits::{PackedNormals, PrimaryHits};
 use super::sun_rays::{sun_can_light, sun_origin};
 use crate::accel::{Ray, RayStream, first_lanes, lanes};
-use crate::camera_rays::directions8;
+use crate::camera_rays::{aims8, set_row};
 use crate::light::{SUN_SAMPLES, Sun};
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
@@ -46,13 +46,9 @@ impl BakePass<'_> {
         let EightPixels { distances, hits, normals, sun_free, uniform } = eight;
         let count = uniform.len() as u32;
         let mut rays = RayStream::<SAMPLES>::NONE;
-        rays.origin = self.camera.position.to_array().map(|axis| [f32x8::splat(axis); SAMPLES]);
         rays.tmax = [f32x8::splat(f32::MAX); SAMPLES];
         for sample in 0..SAMPLES {
-            let directions = directions8(self.camera, first, first + count, y, sample);
-            for (axis, eight) in rays.direction.iter_mut().zip(directions) {
-                axis[sample] = eight;
-            }
+            set_row(self.camera, &mut rays, sample, aims8(self.camera, first, first + count, y, sample));
         }
         let active = first_lanes(uniform.len());
         let found = self.tracer.still.accel.closest32(&rays, active);
@@ -137,7 +133,7 @@ mod tests {
     use crate::scene::{Geometry, Instance, StaticScene};
     use crate::settings::RenderSettings;
     use endless_scene::{Material, MeshBuilder, Surface};
-    use endless_world::{CameraSite, ClassTag, ImageSize, Mount, TimeOfDay, Weather};
+    use endless_world::{CameraSite, ClassTag, ImageSize, LensModel, Mount, TimeOfDay, Weather};
     use glam::{Affine3A, Vec3};
 
     fn cuboid(low: Vec3, high: Vec3) -> Instance {
@@ -170,6 +166,7 @@ mod tests {
                 yaw_rad: 0.0,
                 down_tilt_rad: 0.35,
                 horizontal_fov_rad: 1.1,
+                lens: LensModel::Pinhole,
                 mount: Mount::Pole,
                 roll_rad: 0.0,
             };

@@ -24,7 +24,6 @@ use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, StaticScene, SurfaceInteraction};
 use crate::shade::{Tracer, shade_moving};
 use endless_world::SensorFrame;
-use glam::Vec3A;
 
 impl CameraBake {
     /// The same as [`Self::render`] without the cache: every sample traced and shaded again, every moving thing asked
@@ -148,7 +147,7 @@ impl CameraBake {
         let bsdf = PackedBsdf::new(&gbuffer_bsdf(&point, environment, 0, self.pixel_angle));
         let mut block = [None; BLOCK];
         block[0] = Some(still.centre(&ray, Some(&bsdf).filter(|_| environment.night)));
-        Some(centre_lights(context, Vec3A::from(self.camera.position), &block)[0])
+        Some(centre_lights(context, &self.camera, &block)[0])
     }
 }
 

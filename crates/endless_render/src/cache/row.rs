@@ -8,11 +8,10 @@ use super::sun_rays::sun_origin;
 use super::tile::TILE;
 use super::tile_work::TileWork;
 use crate::accel::{Ray, first_lanes, lanes};
-use crate::camera_rays::directions8;
+use crate::camera_rays::{aims8, lane_ray, set_row};
 use crate::sampling::SAMPLES;
 use crate::scene::FrameScene;
 use crate::vec3x8::Vec3x8;
-use glam::Vec3A;
 use wide::f32x8;
 
 /// A row of pixels and what their rays towards what moves found: memory that is used for one row after another.
@@ -28,14 +27,14 @@ struct RowView<'a> {
     /// The first pixel, as an index into the picture.
     first: usize,
     count: usize,
-    /// Of the rays, by sample.
-    directions: [Vec3x8; SAMPLES],
+    /// What tells the rays, by sample.
+    aims: [Vec3x8; SAMPLES],
 }
 
 impl<'a> PixelRow<'a> {
     /// A row that looks nowhere yet.
     pub(super) fn new(bake: &'a CameraBake) -> Self {
-        let view = RowView { bake, first: 0, count: 0, directions: [[f32x8::ZERO; 3]; SAMPLES] };
+        let view = RowView { bake, first: 0, count: 0, aims: [[f32x8::ZERO; 3]; SAMPLES] };
         Self { view, found: [MovingHits::NOTHING; TILE as usize], queue: RayQueue::new() }
     }
 
@@ -45,9 +44,9 @@ impl<'a> PixelRow<'a> {
         let view = &mut self.view;
         view.first = y as usize * view.bake.camera.size.width as usize + x0 as usize;
         view.count = (x1 - x0) as usize;
-        for (s, directions) in view.directions.iter_mut().enumerate() {
+        for (s, aims) in view.aims.iter_mut().enumerate() {
             if s == 0 || !centres_only {
-                *directions = directions8(&view.bake.camera, x0, x1, y, s);
+                *aims = aims8(&view.bake.camera, x0, x1, y, s);
             }
         }
         self.found = [MovingHits::NOTHING; TILE as usize];
@@ -96,8 +95,7 @@ impl<'a> RowView<'a> {
     }
 
     fn ray(&self, i: usize, sample: usize) -> Ray {
-        let [x, y, z] = self.directions[sample].each_ref().map(|axis| axis.as_array()[i]);
-        Ray { origin: self.bake.camera.position.into(), direction: Vec3A::new(x, y, z), tmax: f32::MAX }
+        lane_ray(&self.bake.camera, &self.aims[sample], i)
     }
 
     fn still(&self, i: usize) -> StillPixel<'a> {
@@ -108,11 +106,8 @@ impl<'a> RowView<'a> {
         let rays = &mut queue.rays;
         let distances: [&[f32; SAMPLES]; TILE as usize] =
             std::array::from_fn(|i| &self.bake.gbuffer.distances[self.pixel(i)]);
-        rays.origin = self.bake.camera.position.to_array().map(|axis| [f32x8::splat(axis); SAMPLES]);
         for s in 0..SAMPLES {
-            for k in 0..3 {
-                rays.direction[k][s] = self.directions[s][k];
-            }
+            set_row(&self.bake.camera, rays, s, self.aims[s]);
             rays.tmax[s] = f32x8::new(distances.map(|pixel| pixel[s]));
         }
         let active = first_lanes(self.count);

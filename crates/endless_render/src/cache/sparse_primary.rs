@@ -14,7 +14,7 @@ use super::packed_hit::PackedHit;
 use super::primary_hits::{PackedNormals, PrimaryHits};
 use super::sun_rays::{sun_can_light, sun_origin};
 use crate::accel::{Ray, RayStream, lanes};
-use crate::camera_rays::directions8;
+use crate::camera_rays::{aims8, lane_ray, set_row};
 use crate::light::{SUN_SAMPLES, Sun};
 use crate::octahedron;
 use crate::sampling::SAMPLES;
@@ -137,14 +137,10 @@ impl BakePass<'_> {
         let width = self.width();
         let (rows, columns) = (centres.len() / width, (width - first).min(8));
         let mut rays = RayStream::<ROWS>::NONE;
-        rays.origin = self.camera.position.to_array().map(|axis| [f32x8::splat(axis); ROWS]);
         rays.tmax = [f32x8::splat(f32::MAX); ROWS];
         for row in 0..rows {
             let (x0, x1) = (first as u32, (first + columns) as u32);
-            let directions = directions8(self.camera, x0, x1, (y + row) as u32, 0);
-            for (axis, eight) in rays.direction.iter_mut().zip(directions) {
-                axis[row] = eight;
-            }
+            set_row(self.camera, &mut rays, row, aims8(self.camera, x0, x1, (y + row) as u32, 0));
         }
         let own = ((1u16 << columns) - 1) as u8;
         let active = (0..rows).fold(0u32, |bits, row| bits | u32::from(own) << (8 * row));
@@ -189,10 +185,10 @@ impl BakePass<'_> {
 
     /// Of up to eight centres of a row.
     fn pieces(&self, centres: &[Centre], x: usize, count: usize, y: usize) -> [Option<Piece>; 8] {
-        let directions = directions8(self.camera, x as u32, (x + count) as u32, y as u32, 0);
+        let aims = aims8(self.camera, x as u32, (x + count) as u32, y as u32, 0);
         std::array::from_fn(|i| {
             let centre = centres.get(y * self.width() + x + i).filter(|_| i < count)?;
-            piece(self.tracer.still, &self.ray_along(&directions, i), centre.distance, centre.hit, &centre.normals)
+            piece(self.tracer.still, &lane_ray(self.camera, &aims, i), centre.distance, centre.hit, &centre.normals)
         })
     }
 
@@ -314,10 +310,10 @@ impl SparseRow<'_> {
             return;
         }
         let normal = octahedron::unpack(self.normals[x][0].geometric);
-        let height = self.distances[x][0] * rays[0].direction.dot(normal);
+        let centre = rays[0].origin + rays[0].direction * self.distances[x][0];
         for (sample, ray) in rays.iter().enumerate().skip(1) {
             let sinks = ray.direction.dot(normal);
-            let distance = if sinks < -1e-4 { height / sinks } else { self.distances[x][0] };
+            let distance = if sinks < -1e-4 { (centre - ray.origin).dot(normal) / sinks } else { self.distances[x][0] };
             self.distances[x][sample] = distance;
         }
         self.normals[x] = [self.normals[x][0]; SAMPLES];

@@ -12,6 +12,7 @@ use crate::sampling::SAMPLES;
 use crate::scene::{FrameScene, ShadingPoint, SurfaceInteraction};
 use crate::shade::Tracer;
 use crate::vec3x8::{Vec3x8, normalize};
+use endless_world::PinholeCamera;
 use glam::Vec3A;
 use std::cell::OnceCell;
 use wide::f32x8;
@@ -70,13 +71,13 @@ fn seen_through(tracer: &Tracer<'_>, eye: Vec3A, facet: &ShadingPoint) -> f32 {
     tracer.environment.fog.transmittance(eye, facet.direction, facet.distance)
 }
 
-/// The same for the centres of a block of pixels, as `eye` sees them: rays to one lamp are traced together. They leave
+/// The same for the centres of a block of pixels, as a camera sees them: rays to one lamp are traced together. They leave
 /// from `origins`.
 pub(super) fn beams_on_block(
     tracer: &Tracer<'_>,
     frame: &FrameScene,
     beams: &[BeamSweep],
-    eye: Vec3A,
+    camera: &PinholeCamera,
     block: &CentreBlock<'_>,
     origins: &RayStream<4>,
 ) -> [Vec3A; BLOCK] {
@@ -89,7 +90,7 @@ pub(super) fn beams_on_block(
         if !beam.reaches(points.low - 1e-3, points.high + 1e-3) {
             continue;
         }
-        let strengths = rows.each_mut().map(|row| row.strengths(tracer, beam, eye));
+        let strengths = rows.each_mut().map(|row| row.strengths(tracer, beam, camera));
         let lit = strengths.map(|(_, lit)| lit);
         let active = u32::from_le_bytes(lit);
         if active == 0 {
@@ -128,22 +129,24 @@ impl<'b, 'a> SweptRow<'b, 'a> {
     }
 
     /// How strongly a lamp lights each pixel, and where that can be seen, a bit each.
-    fn strengths(&self, tracer: &Tracer<'_>, beam: &VehicleBeam, eye: Vec3A) -> ([f32; 8], u8) {
+    fn strengths(&self, tracer: &Tracer<'_>, beam: &VehicleBeam, camera: &PinholeCamera) -> ([f32; 8], u8) {
         let strengths = beam.strengths_at(self.positions);
         let mut lit = 0u8;
         for (i, place) in self.row.iter().enumerate() {
             let Some(PixelCentre { facet, .. }) = place else { continue };
             let shows = strengths[i] > UNSEEN_KLX
                 && facet.geometric_normal.dot(beam.position - facet.position) > 0.0
-                && strengths[i] * self.transmittance(tracer, eye)[i] > UNSEEN_KLX;
+                && strengths[i] * self.transmittance(tracer, camera)[i] > UNSEEN_KLX;
             lit |= u8::from(shows) << i;
         }
         (strengths, lit)
     }
 
-    fn transmittance(&self, tracer: &Tracer<'_>, eye: Vec3A) -> &[f32; 8] {
+    fn transmittance(&self, tracer: &Tracer<'_>, camera: &PinholeCamera) -> &[f32; 8] {
         self.transmittance.get_or_init(|| {
-            std::array::from_fn(|i| self.row[i].map_or(0.0, |place| seen_through(tracer, eye, &place.facet)))
+            let eye = |facet: &ShadingPoint| Vec3A::from(camera.eye_for(facet.position.into()));
+            let through = |place: PixelCentre<'_>| seen_through(tracer, eye(&place.facet), &place.facet);
+            std::array::from_fn(|i| self.row[i].map_or(0.0, through))
         })
     }
 

@@ -3,12 +3,11 @@
 use super::gbuffer::GBuffer;
 use super::still_pixel::StillPixel;
 use super::tile::{TILE, TileBounds, TileRayBounds};
-use crate::camera_rays::directions8;
+use crate::camera_rays::{aims8, lane_ray};
 use crate::sampling::SAMPLES;
 use endless_world::PinholeCamera;
 use glam::Vec3A;
 use rayon::prelude::*;
-use wide::f32x8;
 
 /// Areas along the edge of one of the level above.
 pub(super) const FACTOR: u32 = 4;
@@ -75,14 +74,14 @@ fn bounds_of(camera: &PinholeCamera, gbuffer: &GBuffer, tile: u32, columns: u32)
     for y in y0..(y0 + TILE).min(camera.size.height) {
         let first = (y * camera.size.width + x0) as usize;
         for sample in 0..SAMPLES {
-            let directions = directions8(camera, x0, x1, y, sample).map(f32x8::to_array);
+            let aims = aims8(camera, x0, x1, y, sample);
             for x in 0..(x1 - x0) as usize {
                 let still = gbuffer.pixel(first + x);
                 if still.is_sky(sample) {
                     continue;
                 }
-                let direction = Vec3A::from_array(directions.map(|axis| axis[x]));
-                bounds.add(&still, sample, Vec3A::from(camera.position) + direction * still.distances[sample]);
+                let ray = lane_ray(camera, &aims, x);
+                bounds.add(&still, sample, ray.origin + ray.direction * still.distances[sample]);
             }
         }
     }

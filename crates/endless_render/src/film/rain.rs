@@ -3,8 +3,8 @@
 //! A drop is a tiny wide-angle lens: it shows the mean of what lies around (Garg and Nayar 2007), so streaks are
 //! brighter than a dark street and vanish before the sky.
 
-use endless_world::{ImageSize, PinholeCamera, Stream};
-use glam::{Vec2, Vec3A};
+use endless_world::{ImageSize, Lens, PinholeCamera, Stream};
+use glam::{Vec2, Vec3, Vec3A};
 
 /// The rain of one scene.
 #[derive(Debug, Clone)]
@@ -42,7 +42,8 @@ impl Rain {
             let (size_m, strength) = (random.range_f32(0.012, 0.035), random.range_f32(0.15, 0.5));
             let Some(distance) = ground((y * width + x) as usize).filter(|d| *d < SPRAY_SEEN_M) else { continue };
             // A crown of spray: a small arc, open above, wider than high.
-            let half = size_m * camera.intrinsics.fx / distance;
+            let away = if camera.lens.is_central() { distance } else { 1.0 };
+            let half = size_m * camera.intrinsics.fx / away;
             let fade = strength * (half / 0.7).min(1.0) * (1.0 - distance / SPRAY_SEEN_M);
             let reach = half.ceil() as i32;
             for dx in -reach..=reach {
@@ -55,22 +56,35 @@ impl Rain {
         }
     }
 
-    /// A frame's streaks over a picture of planar `depth`, metres: gives `blend` pixels and the share of each that
+    /// A frame's streaks over a picture of this `depth`, metres: gives `blend` pixels and the share of each that
     /// becomes rain.
     pub(crate) fn draw(&self, frame: u32, camera: &PinholeCamera, depth: &[f32], mut blend: impl FnMut(usize, f32)) {
         let mut random = Stream::named(self.seed, "rain", &[u64::from(frame)]);
         let (width, height) = (camera.size.width as f32, camera.size.height as f32);
         let k = &camera.intrinsics;
+        let perspective = matches!(camera.lens, Lens::Perspective(_));
         for _ in 0..self.drops {
             // Uniform in the volume of the view cone: z³ uniform.
             let cube = random.range_f32(NEAREST_M.powi(3), FARTHEST_M.powi(3));
             let z = endless_world::math::pow(cube, 1.0 / 3.0);
             let at = Vec2::new(random.f32() * width, random.f32() * height * 1.1);
-            let length = (STREAK_M * random.range_f32(0.7, 1.3) * k.fy / z).clamp(2.0, height * 0.12);
+            let fall_m = STREAK_M * random.range_f32(0.7, 1.3);
+            let length = (fall_m * k.fy / z).clamp(2.0, height * 0.12);
             let lean = self.slant * 1.5 + 0.07f32.copysign(self.slant) + random.range_f32(-0.03, 0.03);
-            let thickness = (0.0024 * k.fx / z).clamp(0.3, 2.0);
+            let away = if camera.lens.is_central() { z } else { 1.0 };
+            let thickness = (0.0024 * k.fx / away).clamp(0.3, 2.0);
             let opacity = (0.55 * thickness.min(1.0)) * random.range_f32(0.5, 1.0);
-            let along = Vec2::new(lean, -1.0).normalize() * length;
+            let along = if perspective {
+                Vec2::new(lean, -1.0).normalize() * length
+            } else {
+                // Upwards in the world is not upwards in the picture.
+                let Some(ray) = camera.ray(at.x, at.y) else { continue };
+                let below = ray.origin + ray.direction * z;
+                let right = camera.world_from_camera.x_axis;
+                let above = below + (Vec3::Z + right * lean).normalize() * fall_m;
+                let Some((to, _)) = camera.project(above) else { continue };
+                camera.way_in_image(at, to).clamp_length_max(height * 0.12)
+            };
             streak(camera.size, at, along, thickness, |i, share| {
                 if depth[i] >= z {
                     blend(i, opacity * share);

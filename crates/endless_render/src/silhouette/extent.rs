@@ -2,12 +2,13 @@
 
 use super::ObjectShape;
 use crate::accel::corners;
+use crate::image_rect::{ImageRect, sphere_in_image};
 use crate::scene::Instance;
-use endless_world::PinholeCamera;
 use endless_world::math::UnfusedMatrix;
+use endless_world::{DepthMeasure, Lens, PinholeCamera};
 use glam::{Affine3A, Vec2, Vec3, Vec3A};
 
-/// What is nearer to the lens along the optical axis has no place in the picture, metres.
+/// What is nearer has no place in the picture, metres of depth.
 const NEAR_M: f32 = 0.1;
 
 impl ObjectShape {
@@ -41,17 +42,30 @@ impl ObjectShape {
         rectangle(camera, points)
     }
 
-    /// A rectangle that its projection does not leave, of boxes that hold its pieces; `None` if one of these reaches the
-    /// camera, so that there is no such rectangle.
+    /// A rectangle that its projection does not leave, of boxes that hold its pieces; `None` if one of these reaches a
+    /// perspective camera, so that there is no such rectangle, or if another lens shows nothing of them.
     pub(super) fn rough_image_bounds(&self, camera: &PinholeCamera) -> Option<[f32; 4]> {
         let boxes = || self.instances.iter().flat_map(Instance::close_bounds);
+        if !matches!(camera.lens, Lens::Perspective(_)) {
+            let spheres = boxes().map(|(low, high)| ((low + high) * 0.5, (high - low).length() * 0.5));
+            let seen = spheres.flat_map(|(centre, radius)| sphere_in_image(camera, centre.into(), radius));
+            return seen
+                .flatten()
+                .reduce(ImageRect::joined)
+                .map(|ImageRect { low, high }| [low.x, low.y, high.x, high.y]);
+        }
         let corners: Vec<Vec3> = boxes().flat_map(corners).map(Vec3::from).collect();
         let ahead = |corner: &Vec3| camera.camera_from_world(*corner).z >= NEAR_M;
         corners.iter().all(ahead).then(|| rectangle(camera, corners.into_iter())).flatten()
     }
 
-    /// Largest distance along the optical axis, metres, or a little more.
+    /// Largest depth as the lens measures it, metres, or a little more.
     pub fn farthest_depth(&self, camera: &PinholeCamera) -> f32 {
+        if camera.lens.depth_measure() == DepthMeasure::Distance {
+            let lens = Vec3A::from(camera.position);
+            let distance = |(low, high): (Vec3A, Vec3A)| ((low - lens).abs()).max((high - lens).abs()).length();
+            return self.instances.iter().flat_map(Instance::close_bounds).map(distance).fold(0.0, f32::max) * 1.001;
+        }
         let forward = Vec3A::from(camera.world_from_camera.z_axis);
         let origin = Vec3A::from(camera.position);
         let depth = |(low, high): (Vec3A, Vec3A)| {

@@ -46,7 +46,7 @@ mod tests {
     use crate::{CameraBake, FrameDescription, RenderSettings};
     use endless_scene::{Material, MeshBuilder, Surface};
     use endless_world::{
-        CameraSite, ClassTag, Distortion, ImageSize, InstancePixel, Mount, PinholeCamera, TimeOfDay, Weather,
+        CameraSite, ClassTag, Distortion, ImageSize, InstancePixel, LensModel, Mount, PinholeCamera, TimeOfDay, Weather,
     };
     use glam::{Affine3A, Vec3};
 
@@ -79,6 +79,7 @@ mod tests {
             yaw_rad: 0.05,
             down_tilt_rad: 0.45,
             horizontal_fov_rad: 1.0,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         }

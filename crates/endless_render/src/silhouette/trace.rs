@@ -2,8 +2,8 @@
 
 use super::ObjectShape;
 use crate::accel::RayStream;
-use crate::camera_rays::directions8;
-use endless_world::PinholeCamera;
+use crate::camera_rays::{aims8, set_row};
+use endless_world::{Lens, PinholeCamera};
 use wide::f32x8;
 
 /// Rows of pixels that are asked together.
@@ -32,7 +32,7 @@ impl ObjectShape {
     fn rows_and_columns(&self, camera: &PinholeCamera) -> Option<[u32; 4]> {
         let (width, height) = (camera.size.width, camera.size.height);
         let Some([left, top, right, bottom]) = self.rough_image_bounds(camera) else {
-            return Some([0, 0, width, height]);
+            return matches!(camera.lens, Lens::Perspective(_)).then_some([0, 0, width, height]);
         };
         // Lines bend a little through a lens: two pixels more than the corners say.
         let first = |low: f32| (low - 2.0).max(0.0) as u32;
@@ -65,14 +65,10 @@ impl PixelBlock<'_> {
     /// The rays through their centres.
     fn rays(&self) -> RayStream<{ ROWS as usize }> {
         let mut rays = RayStream::NONE;
-        rays.origin = self.camera.position.to_array().map(|axis| [f32x8::splat(axis); ROWS as usize]);
         rays.tmax = [f32x8::splat(f32::MAX); ROWS as usize];
         for row in 0..ROWS {
             let y = (self.y + row).min(self.y_end - 1);
-            let directions = directions8(self.camera, self.x, self.x_end, y, CENTRE);
-            for (axis, eight) in rays.direction.iter_mut().zip(directions) {
-                axis[row as usize] = eight;
-            }
+            set_row(self.camera, &mut rays, row as usize, aims8(self.camera, self.x, self.x_end, y, CENTRE));
         }
         rays
     }

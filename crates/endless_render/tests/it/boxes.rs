@@ -6,8 +6,8 @@ use endless_render::{
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    CameraSite, ClassTag, ImageSize, InstanceId, Mount, PinholeCamera, SceneWeather, SensorFrame, SensorLayers,
-    TimeOfDay, Weather,
+    CameraSite, ClassTag, ImageSize, InstanceId, LensModel, Mount, PinholeCamera, SceneWeather, SensorFrame,
+    SensorLayers, TimeOfDay, Weather,
 };
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -59,6 +59,7 @@ fn site() -> CameraSite {
         yaw_rad: 0.0,
         down_tilt_rad: 0.35,
         horizontal_fov_rad: 1.1,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     }

@@ -7,8 +7,8 @@ use endless_render::{
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::math::UnfusedMatrix;
 use endless_world::{
-    CameraLook, CameraSite, ClassTag, Distortion, FlowPixel, FlowTarget, Image, ImageSize, InstanceId, Mount,
-    PinholeCamera, SensorFrame, SensorLayers, TimeOfDay, Weather,
+    CameraLook, CameraSite, ClassTag, Distortion, FlowPixel, FlowTarget, Image, ImageSize, InstanceId, LensModel,
+    Mount, PinholeCamera, SensorFrame, SensorLayers, TimeOfDay, Weather,
 };
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -60,6 +60,7 @@ fn site() -> CameraSite {
         down_tilt_rad: 0.3,
         roll_rad: 0.0,
         horizontal_fov_rad: 1.0,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
     }
 }
@@ -72,13 +73,17 @@ fn centre(pixel: usize) -> Vec2 {
 /// The point in the world that a pixel shows.
 fn point(camera: &PinholeCamera, frame: &SensorFrame, pixel: usize) -> Vec3 {
     let at = centre(pixel);
-    let ray = camera.ray_through(at.x, at.y);
-    camera.position + ray * (frame.depth.data[pixel] / ray.dot(camera.world_from_camera.z_axis))
+    let ray = camera.ray(at.x, at.y).expect("it is shown");
+    ray.origin + ray.direction * (frame.depth.data[pixel] / camera.depth_along(ray.direction, 1.0))
 }
 
 fn check(camera: &PinholeCamera, now: &SensorFrame, then: &SensorFrame, flow: &Image<[u16; 3]>, moved: Affine3A) {
     let (mut visible, mut astray, mut hidden, mut uncovered) = (0, 0, 0, 0);
     for (pixel, &code) in flow.data.iter().enumerate() {
+        if !camera.shows(centre(pixel).x, centre(pixel).y) {
+            assert_eq!(code, FlowPixel::UNKNOWN, "beyond the image circle, pixel {pixel}");
+            continue;
+        }
         let FlowPixel { flow_px, target } = FlowPixel::decoded(code).expect("legal").expect("known");
         if now.instance.data[pixel].id != MOVING {
             // What stands is hidden where the other picture shows what moves at the same pixel, and nowhere else.
@@ -119,8 +124,15 @@ fn check(camera: &PinholeCamera, now: &SensorFrame, then: &SensorFrame, flow: &I
 fn a_block_flows_as_it_moves_and_turns() {
     let (still, block) = (still(), cuboid(Vec3::new(-1.0, -1.0, 0.0), Vec3::new(1.0, 1.0, 2.0), ClassTag::Dynamic));
     let [past, present, future] = places().map(|place| frame(&block, place));
-    for k1 in [0.0, -0.15] {
-        let bake = CameraBake::bake(&still, &settings(k1), &site());
+    let behind = |lens| CameraSite { lens, ..site() };
+    for (k1, site) in [
+        (0.0, site()),
+        (-0.15, site()),
+        (0.0, behind(LensModel::Fisheye { k: [0.02, -0.004, 0.0, 0.0] })),
+        (0.0, behind(LensModel::Equirectangular)),
+        (0.0, behind(LensModel::Orthographic { width_m: 12.0 })),
+    ] {
+        let bake = CameraBake::bake(&still, &settings(k1), &site);
         let beside = NeighbourFrames { before: Some((&past).into()), after: Some((&future).into()) };
         let now = bake.render_between(&still, &present, beside);
         let moved = |to: Affine3A| to * places()[1].inverse_unfused();

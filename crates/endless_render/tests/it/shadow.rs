@@ -5,8 +5,8 @@ use endless_render::{
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
-    CameraLook, CameraSite, ClassTag, ImageSize, InstanceId, Mount, PinholeCamera, SceneWeather, SensorFrame,
-    SensorLayers, TimeOfDay, Weather, math,
+    CameraLook, CameraSite, ClassTag, ImageSize, InstanceId, LensModel, Mount, PinholeCamera, SceneWeather,
+    SensorFrame, SensorLayers, TimeOfDay, Weather, math,
 };
 use glam::{Affine3A, Vec2, Vec3};
 
@@ -52,6 +52,7 @@ fn rendered(weather: Weather, time_of_day: TimeOfDay) -> (PinholeCamera, SensorF
         down_tilt_rad: 0.35,
         roll_rad: 0.0,
         horizontal_fov_rad: 1.1,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
     };
     let still = still();

@@ -4,7 +4,8 @@ use super::*;
 use crate::test_scene::{box_street, scene_of};
 use endless_render::{CameraBake, FrameDescription, FrameScene, RenderSettings, StaticScene};
 use endless_world::{
-    CameraSite, ClassTag, ImageSize, InstanceId, LidarPreset, Mount, ScanPattern, SensorPose, TimeOfDay, Weather,
+    CameraSite, ClassTag, ImageSize, InstanceId, LensModel, LidarPreset, Mount, ScanPattern, SensorPose, TimeOfDay,
+    Weather,
 };
 use glam::{DVec2, Vec3};
 use proptest::prelude::*;
@@ -61,6 +62,7 @@ fn points_agree_with_a_cameras_depth() {
         yaw_rad: 0.3,
         down_tilt_rad: 0.2,
         horizontal_fov_rad: 1.2,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     };

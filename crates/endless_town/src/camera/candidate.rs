@@ -6,7 +6,7 @@ use crate::geometry::area;
 use crate::geometry::unit;
 use endless_road::{Lane, Polyline, RoadNetwork};
 use endless_world::math::f64::{atan2, wrap_angle};
-use endless_world::{CameraSite, Mount};
+use endless_world::{CameraSite, LensModel, Mount};
 use glam::DVec2;
 
 /// Kind of a view, by what it shows.
@@ -86,6 +86,7 @@ pub(super) fn aimed(lens: DVec2, ground: f64, aim: DVec2, aim_z: f64, turned: Ca
         yaw_rad: atan2(towards.y, towards.x) as f32,
         down_tilt_rad: tilt as f32,
         horizontal_fov_rad: turned.fov_deg.to_radians() as f32,
+        lens: LensModel::Pinhole,
         mount: turned.mount,
         roll_rad: 0.0,
     }

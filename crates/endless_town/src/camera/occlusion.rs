@@ -81,7 +81,7 @@ fn cover(camera: &PinholeCamera, corners: [Vec3; 3], hidden: &mut [bool]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use endless_world::Mount;
+    use endless_world::{LensModel, Mount};
 
     #[test]
     fn a_post_at_the_lens_hides_much() {
@@ -97,6 +97,7 @@ mod tests {
             yaw_rad: 0.0,
             down_tilt_rad: 0.3,
             horizontal_fov_rad: 1.2,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };

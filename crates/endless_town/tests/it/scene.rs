@@ -4,7 +4,7 @@ use crate::towns;
 use endless_asset::{Catalogue, Prop};
 use endless_scene::Mesh;
 use endless_town::{PlacedObject, Town};
-use endless_world::{CameraSite, ClassTag, ImageSize, Mount, PinholeCamera};
+use endless_world::{CameraSite, ClassTag, ImageSize, LensModel, Mount, PinholeCamera};
 use glam::{Affine3A, DVec2, DVec3, Vec3};
 use rayon::prelude::*;
 
@@ -444,6 +444,7 @@ fn details_come_near_any_camera() {
             yaw_rad: here.heading_rad as f32,
             down_tilt_rad: 0.3,
             horizontal_fov_rad: 1.4,
+            lens: LensModel::Pinhole,
             mount: Mount::Pole,
             roll_rad: 0.0,
         };

@@ -1,7 +1,7 @@
 //! One sensor of a scene's rig.
 
 use super::{EventCameraSettings, GnssSettings, ImuSettings, LidarSettings, RadarSettings, SensorMount, SensorPose};
-use crate::{CameraLook, CameraSite, ImageSize, Mount, PinholeCamera, SceneCamera};
+use crate::{CameraLook, CameraSite, ImageSize, LensModel, Mount, PinholeCamera, SceneCamera};
 use serde::{Deserialize, Serialize};
 
 /// A sensor of a scene besides its fixed pair or network of cameras.
@@ -66,6 +66,9 @@ pub struct RigCamera {
     pub size: ImageSize,
     /// Horizontal field of view, radians; of a lens that zooms the mount's way-points have others.
     pub horizontal_fov_rad: f64,
+    /// Its lens; one like a pinhole unless it is told.
+    #[serde(default, skip_serializing_if = "LensModel::is_pinhole")]
+    pub lens: LensModel,
     /// Effects of its lens, sensor and recorder on the picture.
     pub look: CameraLook,
 }
@@ -73,8 +76,9 @@ pub struct RigCamera {
 impl RigCamera {
     /// As it is when the sensor is there.
     pub fn at(&self, mount: &SensorMount, pose: &SensorPose, time_s: f64) -> PinholeCamera {
-        let fov_rad = mount.fov_at(time_s).unwrap_or(self.horizontal_fov_rad);
-        PinholeCamera::at(pose, self.size, fov_rad as f32).with_distortion(self.look.distortion)
+        let fov_rad = mount.fov_at(time_s).unwrap_or(self.horizontal_fov_rad) as f32;
+        let camera = PinholeCamera::at(pose, self.size, fov_rad).with_lens(self.lens, fov_rad);
+        camera.with_distortion(self.look.distortion)
     }
 }
 
@@ -93,6 +97,7 @@ impl SceneSensor {
             yaw_rad: at.yaw_rad as f32,
             down_tilt_rad: -at.pitch_rad as f32,
             horizontal_fov_rad: camera.horizontal_fov_rad as f32,
+            lens: camera.lens,
             mount: Mount::Pole,
             roll_rad: at.roll_rad as f32,
         };

@@ -12,8 +12,8 @@ use endless_pipeline::{
 };
 use endless_world::{
     Actor, Behaviour, BodyKeypoints, CameraSite, ClassTag, FAR_PLANE_M, FlowPixel, Image, InstanceId, InstancePixel,
-    Motion, Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame, SensorLayers,
-    Stream, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
+    LensModel, Motion, Mount, ObjectClass, Outfit, PersonRef, PinholeCamera, Pose, SceneSettings, SensorFrame,
+    SensorLayers, Stream, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion, WorldState,
 };
 use glam::Vec3;
 use std::{
@@ -37,6 +37,7 @@ pub(crate) fn sites() -> Vec<CameraSite> {
         yaw_rad: f32::from(i) * 0.3,
         down_tilt_rad: 0.4,
         horizontal_fov_rad: 1.2,
+        lens: LensModel::Pinhole,
         mount: Mount::Pole,
         roll_rad: 0.0,
     };
