@@ -4,3 +4,4 @@ mod changing;
 mod clutter;
 mod exactness;
 mod grain;
+mod moving;

@@ -66,6 +66,11 @@ impl<'m> SceneBakes<'m> {
         variant.as_ref().unwrap_or_else(|| self.map.town_scene.static_scene())
     }
 
+    /// How weather and time change.
+    pub(super) fn timeline(&self) -> &WeatherTimeline {
+        &self.timeline
+    }
+
     /// The weather of a frame.
     pub(super) fn weather(&self, frame: u32) -> SceneWeather {
         self.timeline.at_frame(frame)

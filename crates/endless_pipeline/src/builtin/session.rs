@@ -6,7 +6,7 @@ use super::{
     instant::{InstantSource, NeighbourInstants, SceneInstant},
     key_bakes::{FrameBakes, KeyBakes, SceneBakes},
     map::BuiltinMap,
-    moving_cameras::MovingCameras,
+    moving_cameras::{MovingCameras, MovingView},
     repainted::repainted,
     rig::SceneRig,
     road_facts::{body_sizes, road_facts},
@@ -25,8 +25,8 @@ use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames, RayCaster};
 use endless_sensor::{Atmosphere, Lidar, Radar, SweepInterval};
 use endless_traffic::{DrivingCondition, Fleet, PlayedTracks, Simulation, TrafficSettings};
 use endless_world::{
-    Actor, InstanceId, ObjectClass, RigEventCamera, SceneSettings, SensorFrame, SensorLayers, SensorModel, SensorMount,
-    SensorPose, Track, WorldState,
+    Actor, InstanceId, ObjectClass, PinholeCamera, RigEventCamera, SceneSettings, SensorFrame, SensorLayers,
+    SensorModel, SensorMount, SensorPose, Track, WorldState,
 };
 use glam::Vec3;
 use std::{
@@ -94,7 +94,7 @@ impl<'m> BuiltinSession<'m> {
             })?;
         let condition = |frame| DrivingCondition::from(&*bakes.weather(frame));
         let rig = SceneRig::new(&simulation, settings, condition)?;
-        let moving_cameras = MovingCameras::new(settings, bakes.weather(0), wanted, rig.moving_cameras());
+        let moving_cameras = MovingCameras::new(settings, bakes.timeline(), wanted, rig.moving_cameras());
         let population = simulation.population();
         let parked = simulation.parked().to_vec();
         let spawned = SpawnCounts {
@@ -263,19 +263,30 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
             }
             _ => return Err(SimulatorError::NoRigs),
         };
+        let scene_of = |instant: &Arc<SceneInstant>| instant.scene(scene.models());
+        let [before, after] = [&self.neighbours.before, &self.neighbours.after];
+        let (scene_before, scene_after) = (before.as_ref().map(scene_of), after.as_ref().map(scene_of));
         if of.fixed_camera().is_some() {
+            let beside = NeighbourFrames {
+                before: scene_before.as_deref().map(NeighbourFrame::from),
+                after: scene_after.as_deref().map(NeighbourFrame::from),
+            };
             let before = scene.settings.sensors[..sensor].iter().filter(|other| other.fixed_camera().is_some()).count();
             let number = scene.settings.cameras.len() + before;
-            return Ok(SensorReading::Camera(Box::new(bakes.render(
-                number,
-                still,
-                &frame,
-                NeighbourFrames::default(),
-            ))));
+            return Ok(SensorReading::Camera(Box::new(bakes.render(number, still, &frame, beside))));
         }
-        let pose = self.sensor_pose(state, sensor)?;
-        let now = camera.at(&of.mount, &pose, state.time_s);
-        let image = scene.moving_cameras.render(sensor, still, &frame, &now);
+        let stands = |state: &WorldState| {
+            let pose = scene.rig.pose(sensor, state, &self.carriers_before);
+            camera.at(&of.mount, &pose, state.time_s)
+        };
+        let at = |instant: &Option<Arc<SceneInstant>>| instant.as_ref().map(|instant| stands(&instant.state));
+        let (camera_before, camera_after) = (at(before), at(after));
+        let neighbours = NeighbourFrames {
+            before: seen_from(scene_before.as_deref(), camera_before.as_ref()),
+            after: seen_from(scene_after.as_deref(), camera_after.as_ref()),
+        };
+        let view = MovingView { still, frame: &frame, number: state.frame, camera: &stands(state), neighbours };
+        let image = scene.moving_cameras.render(sensor, &view);
         Ok(SensorReading::Camera(Box::new(image.expect("a camera that does not stand still moves"))))
     }
 
@@ -305,6 +316,11 @@ impl BuiltinRenderTask<'_> {
     }
 }
 
+/// An instant beside a frame, as a camera needs it that moves.
+fn seen_from<'a>(scene: Option<&'a FrameScene>, camera: Option<&'a PinholeCamera>) -> Option<NeighbourFrame<'a>> {
+    Some(NeighbourFrame { camera, ..scene?.into() })
+}
+
 /// An instant beside a frame, as a camera needs it.
 fn neighbour<'a>(
     scene: &'a Option<Arc<FrameScene>>,
@@ -312,7 +328,7 @@ fn neighbour<'a>(
     camera: usize,
 ) -> Option<NeighbourFrame<'a>> {
     let (scene, instant) = (scene.as_deref()?, instant.as_ref()?);
-    Some(NeighbourFrame { scene, covered: instant.covered.get(camera) })
+    Some(NeighbourFrame { covered: instant.covered.get(camera), ..scene.into() })
 }
 
 /// The shapes of all objects of a scene at one instant.

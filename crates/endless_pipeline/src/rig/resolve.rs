@@ -240,11 +240,13 @@ fn camera_of(wrong: &Wrong<'_>, camera: &CameraSpec, recipe: &Recipe) -> Result<
     if layers.is_empty() {
         return Err(wrong.value("layers", "[]", "name at least one"));
     }
-    let flow = [Layer::Flow, Layer::FlowBackward, Layer::Shadow];
-    if let Some(layer) = camera.layers.iter().flatten().find(|layer| flow.contains(layer)) {
-        return Err(wrong.value("layers", layer, "sensors of a rig have no flow and no shadow layer"));
+    if every(wrong.0.rate.unwrap_or(recipe.fps), recipe.fps) != Some(1) {
+        let flow = [Layer::Flow, Layer::FlowBackward];
+        if let Some(layer) = camera.layers.iter().flatten().find(|layer| flow.contains(layer)) {
+            return Err(wrong.value("layers", layer, "flow leads to the scene's next frame: leave out the rate"));
+        }
+        layers.retain(|layer| !flow.contains(layer));
     }
-    layers.retain(|layer| !flow.contains(layer));
     let mut mp4 = match &camera.mp4 {
         Some(mp4) => mp4.clone(),
         None => recipe.mp4.iter().filter(|layer| layers.contains(layer)).copied().collect(),

@@ -400,7 +400,7 @@ fn rigs_that_cannot_be_are_refused_before_anything_is_simulated() {
     assert!(one(json!({"name": "camera_a"})).contains("folder of a camera of the scene"));
     assert!(one(json!({"name": "../a"})).contains("letters, digits"));
     assert!(one(json!({"size": "0x9"})).contains("size = 0x9 (a)"));
-    assert!(one(json!({"layers": ["flow"]})).contains("no flow"));
+    assert!(one(json!({"layers": ["flow"], "rate": 10.0})).contains("leave out the rate"));
     assert!(one(json!({"mp4": ["normals"]})).contains("mp4 = normals (a)"));
     assert!(
         one(json!({"mount": {"on": "vehicle", "number": 12, "at": [0.0, 0.0, 1.0]}}))

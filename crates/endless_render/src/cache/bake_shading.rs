@@ -7,7 +7,7 @@ use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, is_s
 use super::lamp_mask::{lamp_sum, lamps_free32};
 use super::primary_hits::{PrimaryHits, PrimaryRow, RowSurfaces};
 use super::shaded_pixel::{ShadedPixel, ShadedSample};
-use crate::accel::{Hit, RayStream, first_lanes, lanes};
+use crate::accel::{Hit, Ray, RayStream, first_lanes, lanes};
 use crate::camera_rays::is_nowhere;
 use crate::material::{Bsdf, PackedBsdf};
 use crate::octahedron;
@@ -15,7 +15,6 @@ use crate::pixel_layers::{LayerImages, PixelLayers};
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
-use crate::settings::Gathering;
 use crate::shade::{MIRROR_THRESHOLD, halos, halos8, mirror_footprint, mirror_ray, shade_hit8, sun_light};
 use endless_scene::Surface;
 use glam::Vec3A;
@@ -24,6 +23,12 @@ use wide::f32x8;
 
 /// Samples of eight pixels: lane 8 × sample + pixel.
 const LANES: usize = 8 * SAMPLES;
+/// Share of what is around a plant that its leaves see past each other, as gathered light has it in the mean.
+const OPEN_TO_LEAVES: f32 = 0.5;
+/// The same of walls, from which sills, balconies and eaves stand out.
+const OPEN_TO_WALLS: f32 = 0.93;
+/// Normals of walls rise or fall by less.
+const UPRIGHT: f32 = 0.5;
 /// Times eight pixels' bits: the lanes of their samples but the centres.
 const NOT_CENTRES: u32 = 0x0101_0100;
 
@@ -36,14 +41,14 @@ impl BakePass<'_> {
         surfaces: Vec<RowSurfaces>,
         irradiance: &[[Rgb9e5; SAMPLES]],
     ) -> (Vec<GBufferRow>, LayerImages) {
-        self.stats.add((irradiance.len() * SAMPLES) as u64);
+        self.stats.add((primary.uniform.len() * SAMPLES) as u64);
         let width = self.width();
         let PrimaryHits { distances, sun_free, uniform, .. } = primary;
         let rows = surfaces.into_par_iter().enumerate().map(|(y, surfaces)| {
             let pixels = y * width..(y + 1) * width;
             let (distances, sun_free) = (&distances[pixels.clone()], &sun_free[pixels.clone()]);
             let row = PrimaryRow { distances, sun_free, uniform: &uniform[pixels.clone()], surfaces: &surfaces };
-            self.shade_row(row, &irradiance[pixels], y)
+            self.shade_row(row, irradiance.get(pixels), y)
         });
         let (rows, layers): (Vec<GBufferRow>, Vec<LayerImages>) = rows.unzip();
         (rows, LayerImages::of_rows(self.settings.layers, layers))
@@ -54,19 +59,21 @@ impl BakePass<'_> {
     fn shade_row(
         &self,
         primary: PrimaryRow<'_>,
-        irradiance: &[[Rgb9e5; SAMPLES]],
+        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
         y: usize,
     ) -> (GBufferRow, LayerImages) {
         let width = self.width();
         let mut row = GBufferRow::for_pixels((0..width).map(|x| primary.pixel(x)));
         let night = self.tracer.environment.night;
         let mut layers = LayerImages::with_capacity(self.settings.layers, width);
+        // Large, so it is never moved.
+        let eight = &mut PixelEight::new(self);
         for first in (0..width).step_by(8) {
             let count = (width - first).min(8);
-            let eight = PixelEight::new(self, primary, irradiance, [first, y], count);
-            let shaded = eight.shaded();
+            eight.look_at(primary, irradiance, [first, y], count);
+            eight.shade();
             for pixel in 0..count {
-                let samples = std::array::from_fn(|sample| shaded[8 * sample + pixel]);
+                let samples = std::array::from_fn(|sample| eight.shaded[8 * sample + pixel]);
                 row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples));
                 let seen = eight.layers(pixel);
                 layers.push(&seen.with_shadow(self.still_shadow(&primary.pixel(first + pixel))));
@@ -80,6 +87,17 @@ impl BakePass<'_> {
         row.shrink(night);
         (row, layers)
     }
+}
+
+/// Light at a point as the probes tell of it: what hides it close by is not in them.
+fn probed(pass: &BakePass<'_>, point: &SurfaceInteraction<'_>) -> Vec3A {
+    let place = point.position + point.geometric_normal * 0.25;
+    let open = match point.material.surface {
+        Surface::Foliage => OPEN_TO_LEAVES,
+        _ if point.normal.z.abs() < UPRIGHT => OPEN_TO_WALLS * point.ambient_occlusion,
+        _ => point.ambient_occlusion,
+    };
+    pass.tracer.ambient(place, point.normal) * open
 }
 
 /// Whether two samples of a pixel may have one light: they lie on one smooth surface, or among leaves.
@@ -99,12 +117,14 @@ fn alike(pass: &BakePass<'_>, row: &RowSurfaces, x: usize, [a, b]: [usize; 2], f
     }
 }
 
-/// Eight neighbouring pixels; the last ones may lie beyond the picture.
+/// Eight neighbouring pixels, one after the other; the last ones may lie beyond the picture.
 struct PixelEight<'a> {
     pass: &'a BakePass<'a>,
     samples: [PrimarySample; LANES],
     /// What the samples see that are not lit as another; none of the sky.
     surfaces: [Option<(SurfaceInteraction<'a>, Bsdf)>; LANES],
+    /// Of a uniform pixel, nothing but of those samples that tell it.
+    shaded: [ShadedSample; LANES],
     /// The samples that lie in the picture, a bit each.
     inside: u32,
     /// The pixels that are uniform, a bit each.
@@ -114,54 +134,75 @@ struct PixelEight<'a> {
 }
 
 impl<'a> PixelEight<'a> {
-    fn new(
-        pass: &'a BakePass<'a>,
+    /// Which look at nothing yet.
+    fn new(pass: &'a BakePass<'a>) -> Self {
+        let nothing = PrimarySample { ray: Ray::NONE, hit: None, irradiance: Vec3A::ZERO };
+        Self {
+            pass,
+            samples: [nothing; LANES],
+            surfaces: [const { None }; LANES],
+            shaded: [ShadedSample::sky(Vec3A::ZERO); LANES],
+            inside: 0,
+            uniform: 0,
+            told_by: [0; LANES],
+        }
+    }
+
+    /// Turns to `count` pixels of the row `y`, of whose samples it is known what light was gathered there, or which the
+    /// probes tell.
+    fn look_at(
+        &mut self,
         primary: PrimaryRow<'_>,
-        irradiance: &[[Rgb9e5; SAMPLES]],
+        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
         [first, y]: [usize; 2],
         count: usize,
-    ) -> Self {
+    ) {
+        let pass = self.pass;
         let directions = pass.directions_of(y * pass.width() + first, count);
-        let samples = std::array::from_fn(|lane| {
-            let (pixel, sample) = (first + (lane % 8).min(count - 1), lane / 8);
-            PrimarySample {
-                ray: pass.ray_along(&directions[sample], lane % 8),
-                hit: primary.pixel(pixel).hit(sample),
-                irradiance: irradiance[pixel][sample].get(),
-            }
-        });
-        let uniform = primary.uniform[first..first + count].iter().rev().fold(0, |bits, u| bits << 1 | u32::from(*u));
-        let inside = first_lanes(count);
-        let mut surfaces = [const { None }; LANES];
-        let mut told_by: [u8; LANES] = std::array::from_fn(|lane| lane as u8);
-        let sparse = pass.settings.gathering == Gathering::Probes;
-        for (lane, PrimarySample { ray, hit, .. }) in samples.iter().enumerate() {
-            let pixel = lane % 8;
-            let distances = &primary.distances[first + pixel.min(count - 1)];
-            if sparse && lane >= 8 && (uniform >> pixel & 1 == 1 || *distances == [f32::MAX; SAMPLES]) {
-                told_by[lane] = pixel as u8;
+        self.uniform = primary.uniform[first..first + count].iter().rev().fold(0, |bits, u| bits << 1 | u32::from(*u));
+        self.inside = first_lanes(count);
+        for lane in 0..LANES {
+            let (pixel, sample) = (lane % 8, lane / 8);
+            let x = first + pixel.min(count - 1);
+            let is_uniform = self.uniform >> pixel & 1 == 1;
+            self.told_by[lane] = lane as u8;
+            self.surfaces[lane] = None;
+            self.shaded[lane] = ShadedSample::sky(Vec3A::ZERO);
+            if irradiance.is_none() && sample > 0 && (is_uniform || primary.distances[x] == [f32::MAX; SAMPLES]) {
+                self.told_by[lane] = pixel as u8;
                 continue;
             }
-            let Some(hit) = hit else { continue };
-            if uniform >> pixel & 1 == 1 && !is_shaded(lane / 8, &surfaces[pixel]) {
+            let gathered = irradiance.map_or(Vec3A::ZERO, |irradiance| irradiance[x][sample].get());
+            let (ray, hit) = (pass.ray_along(&directions[sample], pixel), primary.pixel(x).hit(sample));
+            self.samples[lane] = PrimarySample { ray, hit, irradiance: gathered };
+            let Some(hit) = &hit else { continue };
+            if is_uniform && !is_shaded(sample, &self.surfaces[pixel]) {
                 continue;
             }
-            if sparse
-                && let Some(alike) = (pixel..lane).step_by(8).find(|&other| {
-                    let before = samples[other].hit.as_ref().filter(|_| usize::from(told_by[other]) == other);
-                    before.is_some_and(|before| {
-                        alike(pass, primary.surfaces, first + pixel, [other / 8, lane / 8], before, hit)
-                    })
-                })
+            if irradiance.is_none()
+                && let Some(alike) = self.alike(primary.surfaces, x, lane)
             {
-                told_by[lane] = alike as u8;
+                self.told_by[lane] = alike;
                 continue;
             }
-            let point = SurfaceInteraction::new(&pass.tracer.still.instances, ray, hit);
-            let bsdf = gbuffer_bsdf(&point, pass.tracer.environment, lane / 8, pass.pixel_angle);
-            surfaces[lane] = Some((point, bsdf));
+            let point = SurfaceInteraction::new(&pass.tracer.still.instances, &ray, hit);
+            if irradiance.is_none() {
+                self.samples[lane].irradiance = probed(pass, &point);
+            }
+            let bsdf = gbuffer_bsdf(&point, pass.tracer.environment, sample, pass.pixel_angle);
+            self.surfaces[lane] = Some((point, bsdf));
         }
-        Self { pass, samples, surfaces, inside, uniform, told_by }
+    }
+
+    /// An earlier sample of the same pixel `x` of the row that may tell the light of this one.
+    fn alike(&self, row: &RowSurfaces, x: usize, lane: usize) -> Option<u8> {
+        let hit = self.samples[lane].hit.as_ref()?;
+        let may_tell = |&other: &usize| {
+            let shaded = usize::from(self.told_by[other]) == other;
+            let before = self.samples[other].hit.as_ref().filter(|_| shaded);
+            before.is_some_and(|before| alike(self.pass, row, x, [other / 8, lane / 8], before, hit))
+        };
+        (lane % 8..lane).step_by(8).find(may_tell).map(|other| other as u8)
     }
 
     /// The lanes whose samples share what is known of their pixel's centre.
@@ -169,8 +210,7 @@ impl<'a> PixelEight<'a> {
         self.uniform * NOT_CENTRES
     }
 
-    /// By lane; of a uniform pixel, nothing but of those samples that tell it.
-    fn shaded(&self) -> [ShadedSample; LANES] {
+    fn shade(&mut self) {
         let tracer = &self.pass.tracer;
         let environment = tracer.environment;
         let halos = self.halos();
@@ -178,7 +218,6 @@ impl<'a> PixelEight<'a> {
         let lamps = if environment.night { self.lamps() } else { [(0, Vec3A::ZERO); LANES] };
         let sharing = self.sharing();
         let mut air = [Air { transmittance: 1.0, glow: Vec3A::ZERO }; LANES];
-        let mut shaded = [ShadedSample::sky(Vec3A::ZERO); LANES];
         for lane in lanes(self.inside) {
             let primary = &self.samples[lane];
             let shares = sharing >> lane & 1 == 1;
@@ -186,7 +225,7 @@ impl<'a> PixelEight<'a> {
                 continue;
             }
             let Some(hit) = &primary.hit else {
-                shaded[lane] = sky_sample(environment, &primary.ray, halos[lane]);
+                self.shaded[lane] = sky_sample(environment, &primary.ray, halos[lane]);
                 continue;
             };
             let Some((point, bsdf)) = &self.surfaces[lane] else { continue };
@@ -198,12 +237,11 @@ impl<'a> PixelEight<'a> {
             let direct = if environment.night { lamp_light } else { sun_light(environment, point, bsdf) };
             let lamps_free = if shares { 0 } else { lamps_free };
             let light = SampleLight { air: air[lane], direct, lamps_free, mirror: mirrors[lane] };
-            shaded[lane] = surface_sample(primary.irradiance, point, bsdf, &light);
+            self.shaded[lane] = surface_sample(primary.irradiance, point, bsdf, &light);
         }
-        for (lane, &told_by) in self.told_by.iter().enumerate().filter(|(lane, by)| *lane != usize::from(**by)) {
-            shaded[lane] = shaded[usize::from(told_by)];
+        for lane in lanes(self.inside) {
+            self.shaded[lane] = self.shaded[usize::from(self.told_by[lane])];
         }
-        shaded
     }
 
     /// BSDFs of the uniform pixels' centres.

@@ -1,7 +1,8 @@
-//! Optical flow of a fixed camera: where the points that a frame shows are in the frame before or after it.
+//! Optical flow: where the points that a frame shows are in the frame before or after it.
 //!
-//! The camera stands, so what stands still stays where it is, and only what moves can hide it. A point on what moves is the
-//! same point of the same triangle in the other instant, so the flow is exact, deforming bodies included.
+//! A point on what moves is the same point of the same triangle in the other instant, so the flow is exact, deforming bodies
+//! included. Before a camera that stands, what stands still stays where it is, and only what moves can hide it; before one
+//! that moves, each point is looked for (`flow_from_elsewhere.rs`).
 
 use super::bake::CameraBake;
 use super::covered_centres::CoveredCentres;
@@ -10,7 +11,7 @@ use super::other_instant::OtherInstant;
 use crate::accel::{Hit, Ray, RayStream, lanes};
 use crate::scene::{FrameScene, Instance, StaticScene};
 use endless_world::math::UnfusedVec3A;
-use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, SensorFrame};
+use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, PinholeCamera, SensorFrame};
 use glam::{Vec2, Vec3A};
 use std::sync::Arc;
 
@@ -30,11 +31,13 @@ pub struct NeighbourFrame<'a> {
     pub scene: &'a FrameScene,
     /// Of this camera and instant, if they are kept.
     pub covered: Option<&'a CoveredCentres>,
+    /// The camera then, if it moves.
+    pub camera: Option<&'a PinholeCamera>,
 }
 
 impl<'a> From<&'a FrameScene> for NeighbourFrame<'a> {
     fn from(scene: &'a FrameScene) -> Self {
-        Self { scene, covered: None }
+        Self { scene, covered: None, camera: None }
     }
 }
 
@@ -47,7 +50,7 @@ pub(super) struct FlowPass<'a> {
 }
 
 /// Rays that are traced together.
-const RAYS: usize = 32;
+pub(super) const RAYS: usize = 32;
 
 impl FlowPass<'_> {
     /// A sensor frame with the flow that is wanted.
@@ -72,7 +75,12 @@ impl FlowPass<'_> {
 
     fn flow_to(&self, other: Option<NeighbourFrame<'_>>, sides: &[f32]) -> Image<[u16; 3]> {
         let size = self.bake.camera.size;
-        let Some(NeighbourFrame { scene, covered }) = other else { return Image::filled(size, FlowPixel::UNKNOWN) };
+        let Some(NeighbourFrame { scene, covered, camera }) = other else {
+            return Image::filled(size, FlowPixel::UNKNOWN);
+        };
+        if let Some(camera) = camera {
+            return self.flow_from_elsewhere(&OtherInstant::new(self.frame, scene), camera, sides);
+        }
         let mut image = Image::filled(size, FlowPixel::STILL.encoded());
         // What stands still is hidden by what moves in the other frame.
         let hidden = FlowPixel { target: FlowTarget::Hidden, ..FlowPixel::STILL }.encoded();
@@ -85,19 +93,26 @@ impl FlowPass<'_> {
             image.data[pixel] = hidden;
         }
         for (centres, sides) in self.centres.chunks(RAYS).zip(sides.chunks(RAYS)) {
-            self.follow(&other, centres, sides, &mut image.data);
+            self.follow(&other, &self.bake.camera, centres, sides, &mut image.data);
         }
         image
     }
 
-    /// The flow of points on what moves.
-    fn follow(&self, other: &OtherInstant<'_>, centres: &[MovingCentre], sides: &[f32], image: &mut [[u16; 3]]) {
+    /// The flow of points on what moves, seen by this camera then.
+    pub(super) fn follow(
+        &self,
+        other: &OtherInstant<'_>,
+        camera: &PinholeCamera,
+        centres: &[MovingCentre],
+        sides: &[f32],
+        image: &mut [[u16; 3]],
+    ) {
         let mut rays = RayStream::NONE;
         let mut active = 0;
         let mut flows = [FlowPixel::STILL; RAYS];
         for (lane, (&MovingCentre { pixel, hit, .. }, &side)) in centres.iter().zip(sides).enumerate() {
             image[pixel as usize] = FlowPixel::UNKNOWN;
-            let Some((place, ray)) = self.point_then(other, &hit, side) else { continue };
+            let Some((place, ray)) = self.point_then(other, camera, &hit, side) else { continue };
             let ImageSize { width, height } = self.bake.camera.size;
             let centre = Vec2::new((pixel % width) as f32 + 0.5, (pixel / width) as f32 + 0.5);
             let outside = place.cmplt(Vec2::ZERO).any() || place.cmpge(Vec2::new(width as f32, height as f32)).any();
@@ -113,14 +128,22 @@ impl FlowPass<'_> {
             flows[lane] = FlowPixel { flow_px: self.bake.camera.way_in_image(centre, place), target };
             image[pixel as usize] = flows[lane].encoded();
         }
-        for lane in lanes(self.hidden(other, centres, &rays, active)) {
+        let camera_stays = *camera == self.bake.camera;
+        for lane in lanes(self.hidden(other, camera_stays, centres, &rays, active)) {
             let hidden = FlowPixel { target: FlowTarget::Hidden, ..flows[lane] };
             image[centres[lane].pixel as usize] = hidden.encoded();
         }
     }
 
     /// Which of these rays, of those in `active`, meet something before the point of their centre, a bit each.
-    fn hidden(&self, other: &OtherInstant<'_>, centres: &[MovingCentre], rays: &RayStream<4>, active: u32) -> u32 {
+    fn hidden(
+        &self,
+        other: &OtherInstant<'_>,
+        camera_stays: bool,
+        centres: &[MovingCentre],
+        rays: &RayStream<4>,
+        active: u32,
+    ) -> u32 {
         let met = other.scene.accel.closest32(rays, active);
         let bit = |lane: usize, is: bool| u32::from(is) << lane;
         // Its own triangle, whatever rounding says of the distance.
@@ -131,7 +154,8 @@ impl FlowPass<'_> {
         };
         let by_moving = lanes(active).fold(0, |bits, lane| bits | bit(lane, other_than_itself(lane)));
         // What stands still does not hide what is where it is seen now.
-        let stays = lanes(active).fold(0, |bits, lane| bits | bit(lane, self.stays(other, &centres[lane].hit)));
+        let stays = |lane: usize| camera_stays && self.stays(other, &centres[lane].hit);
+        let stays = lanes(active).fold(0, |bits, lane| bits | bit(lane, stays(lane)));
         let open = active & !by_moving & !stays;
         if open == 0 { by_moving } else { by_moving | self.still.accel.occluded32(&met.shortened(rays), open) }
     }
@@ -145,8 +169,13 @@ impl FlowPass<'_> {
 
     /// Where the point of a hit, seen from this side, is in the picture of the other frame, and the ray that must be free
     /// for the camera to see it: none if it faces away. `None` if it is behind the camera, or not there.
-    fn point_then(&self, other: &OtherInstant<'_>, hit: &Hit, side: f32) -> Option<(Vec2, Option<Ray>)> {
-        let camera = &self.bake.camera;
+    fn point_then(
+        &self,
+        other: &OtherInstant<'_>,
+        camera: &PinholeCamera,
+        hit: &Hit,
+        side: f32,
+    ) -> Option<(Vec2, Option<Ray>)> {
         let then = other.instance(hit.instance)?;
         let (now, then) = (&self.frame.instances[hit.instance as usize], &other.scene.instances[then as usize]);
         if now.id != then.id || !Arc::ptr_eq(&now.geometry.mesh, &then.geometry.mesh) {

@@ -13,6 +13,7 @@ use crate::shade::{MIRROR_THRESHOLD, Tracer, footprint_m, halos, mirror_light, m
 use glam::Vec3A;
 
 /// What is known of a sample before it is shaded.
+#[derive(Clone, Copy)]
 pub(super) struct PrimarySample {
     pub(super) ray: Ray,
     /// What the ray met; `None`: the sky.

@@ -37,6 +37,11 @@ pub(super) struct GatheredLight {
     pub(super) edges: TapeStack,
 }
 
+impl GatheredLight {
+    /// The probes tell it where it is needed.
+    const NOTHING: Self = Self { irradiance: Vec::new(), points: TapeStack::EMPTY, edges: TapeStack::EMPTY };
+}
+
 /// What is gathered from.
 pub(super) struct IrradiancePass<'a> {
     pub(super) bake: &'a BakePass<'a>,
@@ -57,7 +62,7 @@ impl IrradiancePass<'_> {
         match self.bake.settings.gathering {
             Gathering::Interpolated { rays } => self.interpolated(rays),
             Gathering::EverySample { rays } => self.every_sample(rays),
-            Gathering::Probes => self.of_probes(),
+            Gathering::Probes => GatheredLight::NOTHING,
         }
     }
 
@@ -200,30 +205,6 @@ impl IrradiancePass<'_> {
             all.par_iter_mut().zip(clean).for_each(|(pixel, light)| pixel[sample] = Rgb9e5::new(light));
         }
         GatheredLight { irradiance: all, points: TapeStack::new(points), edges: TapeStack::EMPTY }
-    }
-
-    /// Light as the probes tell of it: of a uniform pixel at its centre.
-    fn of_probes(&self) -> GatheredLight {
-        let mut irradiance = vec![[Rgb9e5::ZERO; SAMPLES]; self.primary.uniform.len()];
-        irradiance.par_chunks_mut(self.width()).enumerate().for_each(|(y, row)| {
-            let mut directions = [[f32x8::ZERO; 3]; SAMPLES];
-            for (x, pixel) in row.iter_mut().enumerate() {
-                let index = y * self.width() + x;
-                if x % 8 == 0 {
-                    directions = self.bake.directions_of(index, (self.width() - x).min(8));
-                }
-                let light = |sample: usize| {
-                    let ray = self.bake.ray_along(&directions[sample], x % 8);
-                    let point = self.primary.pixel(index).gather_point(&ray, sample);
-                    point.map_or(Rgb9e5::ZERO, |GatherPoint { facet, normal }| {
-                        let place = facet.position + facet.geometric_normal * 0.25;
-                        Rgb9e5::new(self.bake.tracer.ambient(place, normal))
-                    })
-                };
-                *pixel = if self.primary.uniform[index] { [light(0); SAMPLES] } else { std::array::from_fn(light) };
-            }
-        });
-        GatheredLight { irradiance, points: TapeStack::EMPTY, edges: TapeStack::EMPTY }
     }
 
     /// Gathers for one sample of every pixel, or of those `spacing` apart.

@@ -20,6 +20,7 @@ mod covered_centres;
 mod developed_frame;
 mod edge_samples;
 mod flow;
+mod flow_from_elsewhere;
 mod frame;
 mod frame_buffer;
 mod gbuffer;

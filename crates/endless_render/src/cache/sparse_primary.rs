@@ -1,15 +1,16 @@
 //! The first pass of a bake for one instant: all samples are traced only where that tells anything.
 //!
-//! Where the centres of a pixel and of its four neighbours lie on one flat piece of one surface, so do its other samples:
-//! they are known without rays. The sun's disc is asked whole near the edges of shadows, by one ray everywhere else.
+//! Where the centre of a pixel and that of the neighbour towards which a sample lies are on one flat piece of one surface, so
+//! is the sample: it is known without a ray. The sun's disc is asked by eight rays a pixel near the edges of shadows, and by one everywhere
+//! else.
 //!
 //! ```text
-//! centres of all pixels ──► which pixels are plain, which are near a shadow's edge
-//!                                  │
-//!                other samples ◄───┴───► the rest of the sun's disc
+//! centres of all pixels ──► where surfaces end ──► samples that are not known
+//!                      └──► where shadows end  ──► the rest of the sun's disc
 //! ```
 
 use super::bake_pass::BakePass;
+use super::bake_stats::timed;
 use super::packed_hit::PackedHit;
 use super::primary_hits::{PackedNormals, PrimaryHits};
 use super::sun_rays::{sun_can_light, sun_origin};
@@ -28,10 +29,14 @@ use wide::f32x8;
 const ROWS: usize = 4;
 /// The part of the sun's disc that is asked everywhere: half-way between its middle and its rim.
 const FIRST: usize = 1;
+/// The parts of it that each sample asks near the edge of a shadow: eight directions a pixel.
+const PARTS: [usize; 2] = [FIRST, 3];
 /// All parts of it.
 const WHOLE: u8 = (1 << SUN_SAMPLES) - 1;
-/// How far from the edge of a shadow all of the disc is asked, pixels.
-const PENUMBRA: usize = 3;
+/// How far from the edge of a shadow all of the disc is asked, at most: pixels.
+const PENUMBRA: usize = 4;
+/// Half the width of the shadow's edge of something five metres away.
+const PENUMBRA_M: f32 = 0.023;
 
 /// What the ray through a pixel's centre met.
 #[derive(Clone, Copy)]
@@ -98,24 +103,28 @@ impl BakePass<'_> {
     /// What [`Self::trace`] finds, by fewer rays.
     pub(super) fn trace_sparse(&self) -> PrimaryHits {
         let (width, height) = (self.width(), self.camera.size.height as usize);
-        let centres = self.trace_centres();
+        let centres = timed("centres", || self.trace_centres());
         let mut goes_on = vec![GoesOn::default(); width * height];
-        goes_on.par_chunks_mut(width).enumerate().for_each(|(y, row)| self.compare_row(&centres, y, row));
-        let edges = self.near_shadow_edges(&centres);
-        let mut found = PrimaryHits::new(width, height);
+        timed("ends of surfaces", || {
+            goes_on.par_chunks_mut(width).enumerate().for_each(|(y, row)| self.compare_row(&centres, y, row));
+        });
+        let edges = timed("ends of shadows", || self.near_shadow_edges(&centres));
+        let mut found = timed("new", || PrimaryHits::new(width, height));
         let PrimaryHits { distances, sun_free, uniform, surfaces, .. } = &mut found;
         let rows = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
         let rows = rows.zip(uniform.par_chunks_mut(width)).zip(surfaces.par_iter_mut());
         rows.enumerate().for_each(|(y, (((distances, sun_free), uniform), surfaces))| {
-            let plain = |x: usize| {
+            // Which samples lie between the centre and those of neighbours on the same surface.
+            let known = |x: usize| {
                 let here = y * width + x;
-                let across = goes_on[here].right && (x == 0 || goes_on[here - 1].right);
-                across && goes_on[here].below && (y == 0 || goes_on[here - width].below)
+                let left = x == 0 || goes_on[here - 1].right;
+                let above = y == 0 || goes_on[here - width].below;
+                [true, goes_on[here].right, left && goes_on[here].below, above]
             };
             let (hits, normals) = (&mut surfaces.hits[..], &mut surfaces.normals[..]);
             let row = y * width..(y + 1) * width;
             let (centres, edges) = (&centres[row.clone()], &edges[row]);
-            SparseRow { pass: self, y, centres, edges, distances, hits, normals, sun_free, uniform }.fill(plain);
+            SparseRow { pass: self, y, centres, edges, distances, hits, normals, sun_free, uniform }.fill(known);
         });
         self.stats.add((width * height) as u64 * 2);
         found
@@ -209,17 +218,27 @@ impl BakePass<'_> {
                 *edge = (x + 1 < width && other(here + 1)) || (here + width < centres.len() && other(here + width));
             }
         });
+        // How far from there, by the width of a pixel.
+        let reach = |centre: &Centre| ((PENUMBRA_M / (centre.distance * self.pixel_angle)) as usize).clamp(1, PENUMBRA);
+        let near = |edges: &[bool], count: usize, at: usize, stride: usize, reach: usize| {
+            let (line, first) = (at / stride, at % stride);
+            (line.saturating_sub(reach)..(line + reach + 1).min(count)).any(|line| edges[line * stride + first])
+        };
         let mut wide = vec![false; centres.len()];
-        wide.par_chunks_mut(width).zip(edges.par_chunks(width)).for_each(|(wide, edges)| {
-            for step in 0..=2 * PENUMBRA {
-                let from = edges.iter().skip(PENUMBRA.saturating_sub(step));
-                wide.iter_mut().skip(step.saturating_sub(PENUMBRA)).zip(from).for_each(|(w, e)| *w |= e);
+        wide.par_chunks_mut(width).enumerate().for_each(|(y, wide)| {
+            let row = y * width..(y + 1) * width;
+            let (edges, centres) = (&edges[row.clone()], &centres[row]);
+            if edges.iter().any(|edge| *edge) {
+                for (x, wide) in wide.iter_mut().enumerate() {
+                    *wide = near(edges, width, x, 1, reach(&centres[x]));
+                }
             }
         });
+        let height = centres.len() / width;
         edges.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
-            for other in y.saturating_sub(PENUMBRA)..=y + PENUMBRA {
-                let Some(wide) = wide.get(other * width..(other + 1) * width) else { break };
-                row.iter_mut().zip(wide).for_each(|(edge, wide)| *edge |= wide);
+            for (x, edge) in row.iter_mut().enumerate() {
+                let here = y * width + x;
+                *edge = centres[here].sun != SunSeen::Never && near(&wide, height, here, width, reach(&centres[here]));
             }
         });
         edges
@@ -267,7 +286,8 @@ struct Bundle {
 }
 
 impl SparseRow<'_> {
-    fn fill(&mut self, plain: impl Fn(usize) -> bool) {
+    /// `known` tells of each pixel the samples that lie on the surface of its centre.
+    fn fill(&mut self, known: impl Fn(usize) -> [bool; SAMPLES]) {
         let width = self.centres.len();
         let mut bundle = Bundle { rays: RayStream::NONE, places: [(0, 0); 8 * ROWS], count: 0 };
         for first in (0..width).step_by(8) {
@@ -280,22 +300,21 @@ impl SparseRow<'_> {
                 self.normals[x][0] = centre.normals;
                 self.sun_free[x][0] = if centre.sun == SunSeen::Lit { WHOLE } else { 0 };
                 let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
-                if plain(x) {
-                    self.spread(x, &rays);
-                } else {
-                    (1..SAMPLES).for_each(|sample| self.push(&mut bundle, x, sample, &rays[sample]));
+                let known = known(x);
+                self.spread(x, &rays, known);
+                for sample in (1..SAMPLES).filter(|&sample| !known[sample]) {
+                    self.push(&mut bundle, x, sample, &rays[sample]);
                 }
             }
         }
         self.trace(&mut bundle);
-        let mut disc = DiscRays { rays: RayStream::NONE, places: Vec::with_capacity(8 * ROWS / SUN_SAMPLES) };
+        let mut disc = DiscRays { rays: RayStream::NONE, places: Vec::with_capacity(8 * ROWS / PARTS.len()) };
         for first in (0..width).step_by(8) {
             let count = (width - first).min(8);
             let directions = self.pass.directions_of(self.y * width + first, count);
             for x in first..first + count {
                 let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
-                let plain = plain(x) && self.distances[x][0] < f32::MAX;
-                self.uniform[x] = plain || self.is_uniform(x, &rays);
+                self.uniform[x] = self.is_uniform(x, &rays, known(x));
                 if self.edges[x] {
                     self.ask_the_disc(&mut disc, x, &rays);
                 }
@@ -304,20 +323,21 @@ impl SparseRow<'_> {
         self.trace_disc(&mut disc);
     }
 
-    /// All samples of a pixel lie on the plane of its centre, or see the sky as it does.
-    fn spread(&mut self, x: usize, rays: &[Ray; SAMPLES]) {
+    /// Samples of a pixel that lie on the plane of its centre, or see the sky as it does.
+    fn spread(&mut self, x: usize, rays: &[Ray; SAMPLES], known: [bool; SAMPLES]) {
         if self.distances[x][0] == f32::MAX {
             return;
         }
         let normal = octahedron::unpack(self.normals[x][0].geometric);
         let centre = rays[0].origin + rays[0].direction * self.distances[x][0];
-        for (sample, ray) in rays.iter().enumerate().skip(1) {
+        for (sample, ray) in rays.iter().enumerate().skip(1).filter(|(sample, _)| known[*sample]) {
             let sinks = ray.direction.dot(normal);
             let distance = if sinks < -1e-4 { (centre - ray.origin).dot(normal) / sinks } else { self.distances[x][0] };
             self.distances[x][sample] = distance;
+            self.hits[x][sample] = self.hits[x][0];
+            self.normals[x][sample] = self.normals[x][0];
+            self.sun_free[x][sample] = self.sun_free[x][0];
         }
-        self.normals[x] = [self.normals[x][0]; SAMPLES];
-        self.sun_free[x] = [self.sun_free[x][0]; SAMPLES];
     }
 
     fn push(&mut self, bundle: &mut Bundle, x: usize, sample: usize, ray: &Ray) {
@@ -358,11 +378,19 @@ impl SparseRow<'_> {
     }
 
     /// Whether a pixel's samples lie on one flat piece of one surface.
-    fn is_uniform(&self, x: usize, rays: &[Ray; SAMPLES]) -> bool {
+    fn is_uniform(&self, x: usize, rays: &[Ray; SAMPLES], known: [bool; SAMPLES]) -> bool {
+        if self.distances[x][0] == f32::MAX {
+            return false;
+        }
+        if known == [true; SAMPLES] {
+            return true;
+        }
         let still = self.pass.tracer.still;
         let piece = |s: usize| piece(still, &rays[s], self.distances[x][s], self.hits[x][s], &self.normals[x][s]);
         let Some(centre) = piece(0) else { return false };
-        (1..SAMPLES).all(|sample| piece(sample).is_some_and(|piece| centre.continues(&piece)))
+        (1..SAMPLES)
+            .filter(|&sample| !known[sample])
+            .all(|sample| piece(sample).is_some_and(|piece| centre.continues(&piece)))
     }
 
     /// Asks what each sample of a pixel sees of the sun's disc.
@@ -377,24 +405,26 @@ impl SparseRow<'_> {
                 continue;
             }
             let origin = sun_origin(&facet, sun.direction);
-            for (part, &direction) in sun.disc[sample].iter().enumerate() {
-                disc.rays.set(disc.places.len() * SUN_SAMPLES + part, &Ray { origin, direction, tmax: f32::MAX });
+            for (lane, part) in (disc.places.len() * PARTS.len()..).zip(PARTS) {
+                disc.rays.set(lane, &Ray { origin, direction: sun.disc[sample][part], tmax: f32::MAX });
             }
             disc.places.push((x, sample));
-            if disc.places.len() * SUN_SAMPLES == 8 * ROWS {
+            if disc.places.len() * PARTS.len() == 8 * ROWS {
                 self.trace_disc(disc);
             }
         }
     }
 
     fn trace_disc(&mut self, disc: &mut DiscRays) {
-        let asked = (1u64 << (disc.places.len() * SUN_SAMPLES)) - 1;
+        let asked = (1u64 << (disc.places.len() * PARTS.len())) - 1;
         if asked == 0 {
             return;
         }
         let shaded = self.pass.tracer.still.accel.occluded32(&disc.rays, asked as u32);
         for (k, (x, sample)) in disc.places.drain(..).enumerate() {
-            self.sun_free[x][sample] = !((shaded >> (SUN_SAMPLES * k)) as u8) & WHOLE;
+            let free = |ray: usize| u8::from(shaded >> (PARTS.len() * k + ray) & 1 == 0);
+            // Each ray stands for half of what the sample asks elsewhere.
+            self.sun_free[x][sample] = free(0) * 0b0011 | free(1) * 0b1100;
         }
     }
 }

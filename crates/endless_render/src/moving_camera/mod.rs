@@ -10,11 +10,13 @@ use crate::indirect::IndirectRays;
 use crate::lighting::{Lighting, ViewedArea};
 use crate::scene::{FrameScene, StaticScene};
 use crate::settings::{Gathering, RenderSettings};
-use endless_world::{CameraLook, PinholeCamera, SensorFrame};
+use endless_world::{CameraLook, ImageSize, Intrinsics, PinholeCamera, SensorFrame};
 use std::sync::Arc;
 
 /// Places along a way for whose pictures a camera is exposed.
 const EXPOSED_FOR: usize = 4;
+/// Width of these pictures, at most.
+const EXPOSED_WIDTH: u32 = 320;
 
 /// The source of indirect light.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,22 +47,62 @@ impl MovingCamera {
             IndirectLight::OpenSky => lighting,
             IndirectLight::Probes => lighting.with_probes(still, &settings, &area, IndirectRays::Trace).0,
         });
-        let exposures: Vec<Exposure> = places(way)
-            .map(|camera| CameraBake::from_here(still, &settings, camera, &lighting, None).exposure())
-            .collect();
+        // As fixed cameras there would be.
+        let gathered = RenderSettings { gathering: Gathering::default(), ..settings.clone() };
+        let exposed = |camera: &PinholeCamera| {
+            let small = reduced(camera);
+            let settings = RenderSettings { size: small.size, ..gathered.clone() };
+            CameraBake::from_here(still, &settings, &small, &lighting, None).exposure()
+        };
+        let exposures: Vec<Exposure> = places(way).map(exposed).collect();
         let exposure = Exposure::mean(&exposures).unwrap_or(Exposure::NONE);
         let response = Arc::new(FilmResponse::new(&settings, &lighting.environment, exposure));
         Self { settings, lighting, response }
     }
 
-    /// What a camera sees at an instant; the picture has the camera's own size and lens.
+    /// What a camera sees at an instant; the picture has the camera's own size and lens. Flow is unknown.
     pub fn render(&self, still: &StaticScene, frame: &FrameScene, camera: &PinholeCamera) -> SensorFrame {
-        self.from(still, camera).render_between(still, frame, NeighbourFrames::default())
+        self.render_between(still, frame, camera, NeighbourFrames::default())
+    }
+
+    /// The same between two other instants, to which flow leads where it is wanted: they must tell where the camera is then.
+    pub fn render_between(
+        &self,
+        still: &StaticScene,
+        frame: &FrameScene,
+        camera: &PinholeCamera,
+        neighbours: NeighbourFrames<'_>,
+    ) -> SensorFrame {
+        self.from(still, camera).render_between(still, frame, neighbours)
+    }
+
+    /// The same at an instant at which the light is a share of the way, 0 to 1, from that of this camera to that of the next:
+    /// a mixture of both pictures.
+    pub fn render_changing(
+        &self,
+        (next, share): (&Self, f32),
+        still: &StaticScene,
+        frame: &FrameScene,
+        camera: &PinholeCamera,
+        neighbours: NeighbourFrames<'_>,
+    ) -> SensorFrame {
+        let next = next.from(still, camera);
+        self.from(still, camera).render_changing((&next, share), still, frame, neighbours)
     }
 
     fn from(&self, still: &StaticScene, camera: &PinholeCamera) -> CameraBake {
         CameraBake::from_here(still, &self.settings, camera, &self.lighting, Some(&self.response))
     }
+}
+
+/// The same view in a small picture.
+fn reduced(camera: &PinholeCamera) -> PinholeCamera {
+    let ImageSize { width, height } = camera.size;
+    let share = EXPOSED_WIDTH.min(width) as f32 / width as f32;
+    let less = |pixels: u32| ((pixels as f32 * share).round() as u32).max(1);
+    let Intrinsics { fx, fy, cx, cy } = camera.intrinsics;
+    let intrinsics = Intrinsics { fx: fx * share, fy: fy * share, cx: cx * share, cy: cy * share };
+    PinholeCamera { size: ImageSize { width: less(width), height: less(height) }, intrinsics, ..camera.clone() }
 }
 
 /// Some places of a way, evenly spaced, each once.
