@@ -137,7 +137,8 @@ impl<'a> PixelEight<'a> {
         let sparse = pass.settings.gathering == Gathering::Probes;
         for (lane, PrimarySample { ray, hit, .. }) in samples.iter().enumerate() {
             let pixel = lane % 8;
-            let distances = &primary.distances[first + pixel.min(count - 1)];
+            let x = first + pixel.min(count - 1);
+            let distances = &primary.distances[x];
             if sparse && lane >= 8 && (uniform >> pixel & 1 == 1 || *distances == [f32::MAX; SAMPLES]) {
                 told_by[lane] = pixel as u8;
                 continue;
@@ -149,9 +150,7 @@ impl<'a> PixelEight<'a> {
             if sparse
                 && let Some(alike) = (pixel..lane).step_by(8).find(|&other| {
                     let before = samples[other].hit.as_ref().filter(|_| usize::from(told_by[other]) == other);
-                    before.is_some_and(|before| {
-                        alike(pass, primary.surfaces, first + pixel, [other / 8, lane / 8], before, hit)
-                    })
+                    before.is_some_and(|before| alike(pass, primary.surfaces, x, [other / 8, lane / 8], before, hit))
                 })
             {
                 told_by[lane] = alike as u8;
