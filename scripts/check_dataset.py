@@ -280,6 +280,7 @@ def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays:
     assert ((normal * rays).sum(axis=2)[known] < 1e-3).all(), f"{where}: normals that look away"
     # Planes: within three pixels, all have the same normal and lie evenly.
     points = starts + rays * depth[..., None]
+    pixel_m = starts[0, 1, 0] - starts[0, 0, 0]
     far = 3
     middle = (slice(far, -far), slice(far, -far))
     plane = known & (depth < 60)
@@ -292,8 +293,12 @@ def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays:
             if dx == 0 or dy == 0:
                 back = (slice(far - dy, stored.shape[0] - far - dy), slice(far - dx, stored.shape[1] - far - dx))
                 # On a plane the inverse of depth is linear in the picture (but for the bend of the lens): no step lies between.
-                uneven = abs(1 / depth[there] + 1 / depth[back] - 2 / depth[middle])
-                plane &= uneven * depth[middle] < 5e-4
+                # Of parallel rays depth itself is.
+                if pixel_m > 0:
+                    plane &= abs(depth[there] + depth[back] - 2 * depth[middle]) < 5e-4 * 2 * far * pixel_m
+                else:
+                    uneven = abs(1 / depth[there] + 1 / depth[back] - 2 / depth[middle])
+                    plane &= uneven * depth[middle] < 5e-4
     right = points[far:-far, 2 * far :] - points[far:-far, : -2 * far]
     down = points[2 * far :, far:-far] - points[: -2 * far, far:-far]
     gradient, normal = np.cross(down, right)[plane], normal[middle][plane]
