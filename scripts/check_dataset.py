@@ -280,6 +280,7 @@ def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays:
     assert ((normal * rays).sum(axis=2)[known] < 1e-3).all(), f"{where}: normals that look away"
     # Planes: within three pixels, all have the same normal and lie evenly.
     points = starts + rays * depth[..., None]
+    pixel_m = starts[0, 1, 0] - starts[0, 0, 0]
     far = 3
     middle = (slice(far, -far), slice(far, -far))
     plane = known & (depth < 60)
@@ -292,8 +293,12 @@ def check_normals(stored: np.ndarray, depth: np.ndarray, tags: np.ndarray, rays:
             if dx == 0 or dy == 0:
                 back = (slice(far - dy, stored.shape[0] - far - dy), slice(far - dx, stored.shape[1] - far - dx))
                 # On a plane the inverse of depth is linear in the picture (but for the bend of the lens): no step lies between.
-                uneven = abs(1 / depth[there] + 1 / depth[back] - 2 / depth[middle])
-                plane &= uneven * depth[middle] < 5e-4
+                # Of parallel rays depth itself is.
+                if pixel_m > 0:
+                    plane &= abs(depth[there] + depth[back] - 2 * depth[middle]) < 5e-4 * 2 * far * pixel_m
+                else:
+                    uneven = abs(1 / depth[there] + 1 / depth[back] - 2 / depth[middle])
+                    plane &= uneven * depth[middle] < 5e-4
     right = points[far:-far, 2 * far :] - points[far:-far, : -2 * far]
     down = points[2 * far :, far:-far] - points[: -2 * far, far:-far]
     gradient, normal = np.cross(down, right)[plane], normal[middle][plane]
@@ -337,21 +342,38 @@ def check_layers(
     return []
 
 
-def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: dict[str, int]) -> int:
+def sensor_cameras(folder: pathlib.Path, recipe: dict) -> list[tuple[pathlib.Path, dict, range]]:
+    """The cameras of a video's rig, with what they have of their own in place of the recipe's, and their frames."""
+    found = []
+    for sensor in recipe.get("sensor", []):
+        if sensor["type"] == "camera":
+            own = {key: sensor[key] for key in ("size", "layers") if key in sensor}
+            every = round(recipe["fps"] / sensor.get("rate", recipe["fps"]))
+            found.append((folder / sensor["name"], {**recipe, **own}, range(0, round(recipe["fps"] * recipe["duration"]), every)))
+    return found
+
+
+def check_camera(camera: pathlib.Path, recipe: dict, frames: range, tag_of_class: dict[str, int]) -> int:
     """Number of boxes that were compared."""
     record = json.loads((camera / "camera.json").read_text())
+    poses = {}
+    if (camera / "poses.jsonl").is_file():
+        lines = [json.loads(line) for line in (camera / "poses.jsonl").read_text().splitlines()]
+        poses = {line["frame"]: {key: line[key] for key in ("world_from_camera", "intrinsics")} for line in lines}
+        assert list(poses) == list(frames), f"{camera}: lines of poses.jsonl"
     size = (record["size"]["width"], record["size"]["height"])
     assert f"{size[0]}x{size[1]}" == recipe["size"], f"{camera}: size {size}"
     lines = [json.loads(line) for line in (camera / "objects.jsonl").read_text().splitlines()]
-    assert [line["frame"] for line in lines] == list(range(frames)), f"{camera}: lines of objects.jsonl"
+    assert [line["frame"] for line in lines] == list(frames), f"{camera}: lines of objects.jsonl"
     compared = 0
-    rays, angles, joints = (rays_of(record), starts_of(record)), [], []
+    angles, joints = [], []
     for layer in recipe["layers"]:
         extension = recipe["rgb_format"] if layer == "rgb" else "png"
         names = sorted(p.name for p in (camera / layer).iterdir())
-        assert names == [f"{f:06}.{extension}" for f in range(frames)], f"{camera / layer}: names"
+        assert names == [f"{f:06}.{extension}" for f in frames], f"{camera / layer}: names"
     for line in lines:
         frame = line["frame"]
+        record |= poses.get(frame, {})
         assert abs(line["time_s"] - frame / recipe["fps"]) < 1e-6, f"{camera}: time of frame {frame}"
         if "rgb" in recipe["layers"]:
             load(camera / "rgb" / f"{frame:06}.{recipe['rgb_format']}", size)
@@ -373,6 +395,7 @@ def check_camera(camera: pathlib.Path, recipe: dict, frames: int, tag_of_class: 
             assert (depth[nothing] == FAR_PLANE_M).all(), f"{camera}: sky nearer than the far plane, frame {frame}"
             assert (depth[ids > 0] < FAR_PLANE_M).all(), f"{camera}: object on the far plane, frame {frame}"
             assert (depth > 0).all(), f"{camera}: zero depth, frame {frame}"
+        rays = (rays_of(record), starts_of(record)) if "normals" in recipe["layers"] else None
         angles += check_layers(camera, recipe, frame, {"tags": tags, "ids": ids, "depth": depth, "line": line}, rays, joints)
     assert np.sum(np.array(joints) == 0) <= 0.05 * len(joints) + 3, f"{camera}: joints away from their parts"
     if angles:
@@ -448,6 +471,7 @@ def main() -> None:
     tag_of_class = {c["name"]: c["tag"] for c in dataset["labels"]["classes"]}
     assert len(dataset["videos"]) == recipe["videos"], "number of videos"
     compared, described, places = 0, 0, 0
+    judged: list[str] = []
     flow, darker = check_flow.Agreement(), []
     looks: dict[str, list] = {}
     for video in dataset["videos"]:
@@ -460,14 +484,18 @@ def main() -> None:
         assert cameras == [f"camera_{c}" for c in "abcdefgh"[: recipe["cameras_per_scene"]]], f"{folder}: cameras"
         assert len(video["cameras"]) == len(video["boxes"]) == len(cameras), f"{folder}: cameras in dataset.json"
         places += check_scene.check_video(folder, recipe)
-        for number, camera in enumerate(cameras):
-            boxes = check_camera(folder / camera, recipe, frames, tag_of_class)
-            if "instance" in recipe["layers"]:
-                assert boxes == video["boxes"][number], f"{folder / camera}: number of boxes"
+        own = [(folder / camera, recipe, range(frames)) for camera in cameras]
+        for number, (camera, has, at) in enumerate(own + sensor_cameras(folder, recipe)):
+            boxes = check_camera(camera, has, at, tag_of_class)
+            if number < len(own):
+                if "instance" in recipe["layers"]:
+                    assert boxes == video["boxes"][number], f"{camera}: number of boxes"
+                check_flow.check_camera(flow, camera, recipe, frames)
+                darker += check_shadow.check_camera(camera, recipe)
+            else:
+                judged.append(f"{camera.name} ({boxes} boxes)")
             compared += boxes
-            check_flow.check_camera(flow, folder / camera, recipe, frames)
-            darker += check_shadow.check_camera(folder / camera, recipe)
-            for line in (folder / camera / "objects.jsonl").read_text().splitlines():
+            for line in (camera / "objects.jsonl").read_text().splitlines():
                 line = json.loads(line)
                 for o in line["objects"]:
                     place = (o["position"], {**o.get("box3d", {}), **dict.fromkeys(CAMERA_S_OWN)})
@@ -484,6 +512,8 @@ def main() -> None:
     flow.check()
     check_shadow.check(darker)
     print(f"{described} objects of {looks_agree(looks)} looks")
+    if judged:
+        print("cameras of rigs:", ", ".join(judged))
     check_with_coco(out, dataset["labels"], recipe)
     print(f"all is well: {len(dataset['videos'])} videos, {compared} boxes recomputed, {places} places of maps projected")
 

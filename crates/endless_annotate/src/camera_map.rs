@@ -1,6 +1,6 @@
 //! `map.json`: what a camera sees of a map's lanes, paint, areas, signals and signs.
 
-use crate::image_line::{ImageArea, ImageLine, image_point, world_point};
+use crate::image_shape::{ImageArea, ImageLine, image_point, world_point};
 use crate::lens_projection::LensProjection;
 use crate::map_features::{
     CrosswalkAttributes, FeatureBody, LaneAttributes, LensColor, MapFeatures, MarkAttributes, SignAttributes,

@@ -1,36 +1,10 @@
 //! Lines and areas of the world as a camera shows them: cut to the picture, bent as its lens bends them.
 
+use crate::image_shape::{ImageArea, ImageLine, image_point, world_point};
 use crate::lens_projection::{FrustumPlane, LensProjection, between};
 use crate::other_lens::OtherLens;
-use crate::rounding::{hundredths_f64, millionths};
+use crate::polygon::cut;
 use glam::{DVec2, DVec3};
-use serde::{Deserialize, Serialize};
-
-/// A connected part of a line in a picture: as many points of the world as of the image.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ImageLine {
-    /// Metres.
-    pub world: Vec<[f64; 3]>,
-    /// Pixels, through the lens; straight lines between them are as near to the curve as 0.25 pixels.
-    pub image: Vec<[f64; 2]>,
-}
-
-/// An area in a picture.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct ImageArea {
-    /// Its whole outline, not closed, metres.
-    pub world: Vec<[f64; 3]>,
-    /// The outline of the part in the picture, not closed, pixels through the lens.
-    pub image: Vec<[f64; 2]>,
-}
-
-pub(crate) fn world_point(p: DVec3) -> [f64; 3] {
-    p.to_array().map(millionths)
-}
-
-pub(crate) fn image_point(p: DVec2) -> [f64; 2] {
-    p.to_array().map(hundredths_f64)
-}
 
 impl LensProjection {
     /// The parts of a line of the world that lie in the picture and no deeper than `far_m`.
@@ -125,16 +99,6 @@ impl LensProjection {
         });
         self.cut_to_picture(bent.map(|p| self.image(p)).collect())
     }
-
-    /// The part of a polygon that lies in the picture.
-    pub(crate) fn cut_to_picture(&self, mut image: Vec<DVec2>) -> Vec<DVec2> {
-        let sides: [fn(DVec2, DVec2) -> f64; 4] =
-            [|p, _| p.x, |p, _| p.y, |p, size| size.x - p.x, |p, size| size.y - p.y];
-        for side in sides {
-            image = cut(&image, |p| side(*p, self.size), |a, b, share| a.lerp(*b, share));
-        }
-        image
-    }
 }
 
 /// The parts of a line, in the camera's frame.
@@ -193,22 +157,6 @@ fn share_inside([a, b]: [DVec2; 2], size: DVec2) -> Option<f64> {
         to = to.min(near.max(far));
     }
     (from < to).then_some((from + to) / 2.0)
-}
-
-/// The part of a polygon where `inwards` is at least 0 (Sutherland and Hodgman 1974).
-pub(crate) fn cut<P: Copy>(corners: &[P], inwards: impl Fn(&P) -> f64, lerp: impl Fn(&P, &P, f64) -> P) -> Vec<P> {
-    let mut kept = Vec::with_capacity(corners.len() + 2);
-    for (i, here) in corners.iter().enumerate() {
-        let next = &corners[(i + 1) % corners.len()];
-        let (at_here, at_next) = (inwards(here), inwards(next));
-        if at_here >= 0.0 {
-            kept.push(*here);
-        }
-        if (at_here >= 0.0) != (at_next >= 0.0) {
-            kept.push(lerp(here, next, at_here / (at_here - at_next)));
-        }
-    }
-    kept
 }
 
 fn area_px(outline: &[[f64; 2]]) -> f64 {

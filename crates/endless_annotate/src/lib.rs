@@ -34,11 +34,13 @@ mod frame;
 mod ground_plane;
 mod happenings;
 mod image_line;
+mod image_shape;
 mod keypoint;
 mod lens_projection;
 mod map_features;
 mod object;
 mod other_lens;
+mod polygon;
 mod ridden;
 mod rle;
 mod rounding;
@@ -64,7 +66,7 @@ pub use camera_map::{
     BodyView, CameraMap, CrosswalkView, LaneView, LensView, PaintView, SidewalkView, SignView, SignalView,
 };
 pub use ground_plane::GroundPlane;
-pub use image_line::{ImageArea, ImageLine};
+pub use image_shape::{ImageArea, ImageLine};
 pub use keypoint::{CameraView, Keypoint, Keypoints, Visibility, WorldKeypoints};
 pub use map_features::{
     CrosswalkAttributes, CrosswalkFeature, FeatureBody, LaneAttributes, LaneControl, LaneFeature, LensColor,

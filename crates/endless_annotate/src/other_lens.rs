@@ -1,8 +1,9 @@
 //! Lines, areas and boxes of the world as lenses show them that are not perspective: a straight line is a curve there, and
 //! a picture of all directions ends at a seam, where its left and right edges meet.
 
-use crate::image_line::{ImageLine, cut, image_point, world_point};
+use crate::image_shape::{ImageLine, image_point, world_point};
 use crate::lens_projection::{LensProjection, MOST_DEVIATION_PX, distance_to_segment};
+use crate::polygon::cut;
 use endless_world::{Fisheye, Lens, math::f64 as math};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};

@@ -7,6 +7,7 @@ use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
 use endless_render::{IndirectLight, MovingCamera, RenderSettings};
 use endless_town::Town;
+use endless_world::math::f64::atan2;
 use endless_world::{ImageSize, PinholeCamera, SensorPose, TimeOfDay, Weather, rotation_from_angles};
 use glam::DVec3;
 use staged::crowd;
@@ -76,7 +77,7 @@ fn poses(town: &Town, near: [f32; 3], frames: usize, step_m: f64) -> impl Iterat
         let s = (k as f64 * step_m).min(line.length() - 1.0);
         let (here, ahead) = (line.position(s), line.position(s + 1.0));
         let forward = ahead - here;
-        let turn = rotation_from_angles(forward.y.atan2(forward.x), 0.0, 0.0);
+        let turn = rotation_from_angles(atan2(forward.y, forward.x), 0.0, 0.0);
         SensorPose::still(here + DVec3::Z * HEIGHT_M, turn)
     })
 }

@@ -3,6 +3,7 @@
 mod actors;
 mod agreement;
 mod camera;
+mod camera_way;
 mod frames;
 mod map;
 mod objects;

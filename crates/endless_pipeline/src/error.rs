@@ -65,9 +65,11 @@ pub enum RecipeError {
         /// The simulators there are.
         known: Vec<&'static str>,
     },
-    /// A recipe file that cannot be read.
-    #[error("cannot read the recipe: {cause}: {}", path.display())]
+    /// A file that cannot be read.
+    #[error("cannot read the {what}: {cause}: {}", path.display())]
     Unreadable {
+        /// What it has: a recipe, a rig, cameras.
+        what: &'static str,
         /// The file.
         path: PathBuf,
         /// Why not.

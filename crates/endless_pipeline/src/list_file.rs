@@ -4,12 +4,13 @@ use crate::{RecipeError, text_position::line_and_column};
 use serde::de::DeserializeOwned;
 use std::{fs, path::Path};
 
-/// Reads a file: JSON if its name ends so, else TOML.
+/// Reads a file that has a rig, or whatever it is: JSON if its name ends so, else TOML.
 ///
 /// # Errors
 /// [`RecipeError::Unreadable`], or [`RecipeError::Malformed`] with the place.
-pub(crate) fn read<T: DeserializeOwned>(path: &Path) -> Result<T, RecipeError> {
-    let text = fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
+pub(crate) fn read<T: DeserializeOwned>(path: &Path, what: &'static str) -> Result<T, RecipeError> {
+    let unreadable = |cause| RecipeError::Unreadable { what, path: path.to_owned(), cause };
+    let text = fs::read_to_string(path).map_err(unreadable)?;
     from_text(&text, path)
 }
 

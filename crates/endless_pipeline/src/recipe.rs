@@ -13,7 +13,8 @@ const MAX_FRAMES: f64 = 999_999.0;
 /// # Errors
 /// When it cannot be read or is not a recipe.
 pub fn read_recipe(path: &Path) -> Result<RecipeDraft, RecipeError> {
-    let text = fs::read_to_string(path).map_err(|cause| RecipeError::Unreadable { path: path.to_owned(), cause })?;
+    let unreadable = |cause| RecipeError::Unreadable { what: "recipe", path: path.to_owned(), cause };
+    let text = fs::read_to_string(path).map_err(unreadable)?;
     recipe_from_text(&text, path)
 }
 

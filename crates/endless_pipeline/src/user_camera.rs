@@ -25,7 +25,7 @@ const NAME: usize = 64;
 /// # Errors
 /// [`RecipeError::Unreadable`], or [`RecipeError::Malformed`] with the place.
 pub fn read_cameras(path: &Path) -> Result<Vec<UserCamera>, RecipeError> {
-    list_file::read(path).map(|file: CameraFile| file.cameras)
+    list_file::read(path, "cameras").map(|file: CameraFile| file.cameras)
 }
 
 /// Reads the text of a list of cameras that lies at a path: JSON if the file's name ends so, else TOML.

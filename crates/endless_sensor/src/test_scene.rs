@@ -62,9 +62,15 @@ pub(crate) fn box_street() -> (StaticScene, FrameScene) {
 
 /// Distance along a ray of unit length to the nearest of the street's surfaces, by its planes.
 pub(crate) fn distance(origin: DVec3, direction: DVec3) -> Option<f64> {
+    distance_past(origin, direction, 0.0)
+}
+
+/// The same, where boxes are this much smaller on every side.
+pub(crate) fn distance_past(origin: DVec3, direction: DVec3, margin_m: f64) -> Option<f64> {
     let ground = (direction.z < 0.0).then(|| -origin.z / direction.z);
     let boxes = houses().chain([CAR]).filter_map(|corners| {
         let [low, high] = corners.map(DVec3::from_array);
+        let [low, high] = [low + margin_m, high - margin_m];
         let (a, b) = ((low - origin) / direction, (high - origin) / direction);
         let (near, far) = (a.min(b).max_element(), a.max(b).min_element());
         (near > 0.0 && near <= far).then_some(near)

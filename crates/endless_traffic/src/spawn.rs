@@ -70,14 +70,22 @@ pub(crate) fn vehicles(
     let mut placed: Vec<Vehicle> = Vec::new();
     // Vehicles that found no room: in all, and in the slot that is to be filled.
     let (mut misses, mut tries) = (0, 0);
+    // Classes of `settings.first` of which none can be placed here.
+    let mut denied = 0;
     let most = capacity(roads, specs.len()).min(settings.vehicles as usize);
     while placed.len() < most && !free.is_empty() {
         let mut own = Stream::named(seed, "traffic.vehicle", &[placed.len() as u64, tries]);
-        let wanted = settings.first.get(placed.len());
+        let wanted = settings.first.get(placed.len() + denied);
         let fits_class = |spec: &VehicleSpec| wanted.is_none_or(|class| spec.class == *class);
         let weigh = |(spec, weight): (_, &f64)| (spec, if fits_class(spec) { *weight } else { 0.0 });
         let weighed = specs.iter().zip(&weights).map(weigh);
-        let Some(model) = choose_vehicle(&mut own, weighed) else { break };
+        let Some(model) = choose_vehicle(&mut own, weighed) else {
+            if wanted.is_none() {
+                break;
+            }
+            denied += 1;
+            continue;
+        };
         let spec = &specs[model.index()];
         let half = 0.5 * f64::from(spec.length_m);
         let fits = |p: &SpawnPoint| {
@@ -110,7 +118,10 @@ pub(crate) fn vehicles(
             // Nothing of this length fits any more; a shorter one may.
             (misses, tries) = (misses + 1, tries + 1);
             if misses > MISSES {
-                break;
+                if wanted.is_none() {
+                    break;
+                }
+                (misses, denied) = (0, denied + 1);
             }
             continue;
         };

@@ -17,10 +17,11 @@ fn moves(pixel: [u16; 3]) -> bool {
     FlowPixel::decoded(pixel).is_ok_and(|flow| flow.is_some_and(|flow| flow.flow_px != Vec2::ZERO))
 }
 
-/// The layers of a frame that contradict its instance image, and how.
+/// The layers of a frame that contradict its instance image, and how; the camera stands still, or does not.
 pub(super) fn disagreements<'a>(
     stored: &'a BTreeMap<Layer, StoredImage<'_>>,
     instance: &'a Image<InstancePixel>,
+    stands: bool,
 ) -> impl Iterator<Item = (Layer, String)> + 'a {
     let twins: [(Layer, FromInstance); 2] =
         [(Layer::Semantic, semantic_from_instance), (Layer::Panoptic, panoptic_from_instance)];
@@ -43,7 +44,8 @@ pub(super) fn disagreements<'a>(
         let people = instance.data.iter().map(move |seen| people.contains(&seen.tag));
         (Layer::BodyParts, image.data.iter().zip(people).filter(|(pixel, person)| (pixel[0] != 0) != *person).count())
     });
-    let flow = [Layer::Flow, Layer::FlowBackward].into_iter().filter_map(move |layer| {
+    // Of a camera that moves, `flow_of_still_points` says more.
+    let flow = [Layer::Flow, Layer::FlowBackward].into_iter().filter(move |_| stands).filter_map(move |layer| {
         let image = stored.get(&layer)?.rgb16().ok()?;
         let moving = image.data.iter().zip(&instance.data).filter(|(pixel, seen)| seen.id.0 == 0 && moves(**pixel));
         Some((layer, moving.count()))

@@ -2,6 +2,7 @@
 
 use super::{
     agreement::disagreements,
+    camera_way::CameraWay,
     map::check_map,
     objects::LabelledFrame,
     progress::CheckProgress,
@@ -81,7 +82,11 @@ pub(super) fn check_camera(checked: &CheckedCamera<'_>, progress: &CheckProgress
         .into_par_iter()
         .map(|(place, frame)| {
             let report = match lens(frame) {
-                Some(camera) => check_frame(files, frame, lines.get(place), output, &camera),
+                Some(camera) => {
+                    let [before, after] = [frame.checked_sub(1), frame.checked_add(1)].map(|other| lens(other?));
+                    let way = CameraWay { before, now: camera, after };
+                    check_frame(files, frame, lines.get(place), output, &way)
+                }
                 None => CheckReport::default(),
             };
             progress.add(1);
@@ -136,8 +141,9 @@ fn check_frame(
     frame: u32,
     line: Option<&FrameObjects>,
     output: &CameraOutput,
-    camera: &PinholeCamera,
+    way: &CameraWay,
 ) -> CheckReport {
+    let camera = &way.now;
     let mut report = CheckReport::default();
     // The layers that decode.
     let mut stored: BTreeMap<Layer, StoredImage<'_>> = BTreeMap::new();
@@ -158,7 +164,8 @@ fn check_frame(
         report.findings.extend(misaligned(depth, instance).map(|problem| Finding::new(path, problem)));
     }
     if let Some(instance) = &instance {
-        let problems = disagreements(&stored, instance);
+        let wrong_flow = way.wrong_flow(&stored, instance, depth.as_ref());
+        let problems = disagreements(&stored, instance, way.stands()).chain(wrong_flow);
         report.findings.extend(
             problems.map(|(layer, problem)| Finding::new(layout.frame(layer, frame, output.rgb_format), problem)),
         );

@@ -29,5 +29,5 @@ struct RigFile {
 /// # Errors
 /// [`RecipeError::Unreadable`], or [`RecipeError::Malformed`] with the place.
 pub fn read_rig(path: &Path) -> Result<Vec<SensorSpec>, RecipeError> {
-    list_file::read(path).map(|file: RigFile| file.sensor)
+    list_file::read(path, "rig").map(|file: RigFile| file.sensor)
 }

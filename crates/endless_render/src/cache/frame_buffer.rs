@@ -145,7 +145,7 @@ impl FrameBuffer {
             }
         } else if bake.film.response.glare > 0.0 {
             with_glare(bake.camera.size, radiance, bake.film.response.glare, |row| {
-                bake.film.response.tone.append(row, &mut self.rgb)
+                bake.film.response.tone.append(row, &mut self.rgb);
             });
         } else {
             bake.film.response.tone.append(radiance, &mut self.rgb);

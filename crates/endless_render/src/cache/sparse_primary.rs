@@ -256,7 +256,7 @@ fn piece(still: &StaticScene, ray: &Ray, distance: f32, hit: PackedHit, normals:
     let material = mesh.triangle_materials[hit.triangle as usize];
     Some(Piece {
         instance: hit.instance,
-        material: material.into(),
+        material,
         lens: matches!(mesh.materials[usize::from(material)].surface, Surface::SignalLens(_)),
         position: ray.origin + ray.direction * distance,
         geometric: octahedron::unpack(normals.geometric),

@@ -1,7 +1,7 @@
 //! A LiDAR in scenes of which the distances are known.
 
 use super::*;
-use crate::test_scene::{box_street, scene_of};
+use crate::test_scene::{box_street, distance_past, scene_of};
 use endless_render::{CameraBake, FrameDescription, FrameScene, RenderSettings, StaticScene};
 use endless_world::{
     CameraSite, ClassTag, ImageSize, InstanceId, LensModel, LidarPreset, Mount, ScanPattern, SensorPose, TimeOfDay,
@@ -46,9 +46,12 @@ proptest! {
         for point in &found.points {
             let world = pose.world_from_sensor_point(point.position.as_dvec3());
             let direction = (pose.world_from_sensor * point.position.as_dvec3()).normalize();
-            let expected = crate::test_scene::distance(pose.position, direction).expect("something is there");
             let measured = (world - pose.position).length();
-            prop_assert!((measured - expected).abs() < 1e-3, "{measured} instead of {expected}");
+            // Out there single precision tells places to 0.03 mm: more along a ray that grazes a wall, or misses its edge.
+            let at = |margin_m| distance_past(pose.position, direction, margin_m);
+            let nearest = at(-1e-4).expect("something is there") - 1e-3;
+            let farthest = at(1e-4).map_or(f64::INFINITY, |expected| expected + 1e-3);
+            prop_assert!((nearest..=farthest).contains(&measured), "{measured} instead of {nearest} to {farthest}");
         }
     }
 }

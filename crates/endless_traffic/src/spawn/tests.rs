@@ -191,3 +191,25 @@ fn more_begin_near_the_places_looked_at() {
     let (even, focused) = (near(&[]), near(&focus));
     assert!(focused[0] > even[0] * 5 / 4 && focused[1] > 2 * even[1], "{even:?} {focused:?}");
 }
+
+#[test]
+fn vehicles_are_placed_after_a_class_of_which_none_can_be() {
+    let place = TestTown::new("Town02");
+    let (mut specs, roads) = (place.specs(), place.roads(&[]));
+    let classes = |specs: &[VehicleSpec], first: &[ObjectClass]| -> Vec<ObjectClass> {
+        let settings = TrafficSettings { first: first.to_vec(), ..asked(12, 5) };
+        vehicles(&roads, specs, &[], &settings).iter().map(|v| v.class).collect()
+    };
+    let (bus, van) = (ObjectClass::Bus, ObjectClass::Van);
+    // No bus drives here.
+    specs.iter_mut().filter(|s| s.class == bus).for_each(|s| s.frequency = 0.0);
+    let without = classes(&specs, &[van]);
+    assert_eq!((without.len(), without[0]), (12, van));
+    assert_eq!(classes(&specs, &[bus, van, bus]), without);
+    // One that is too long for every lane finds no room.
+    for s in specs.iter_mut().filter(|s| s.class == bus) {
+        (s.frequency, s.length_m) = (1.0, 4000.0);
+    }
+    let crowded = classes(&specs, &[bus, van]);
+    assert!(crowded.len() > 6 && crowded[0] == van, "{crowded:?}");
+}
