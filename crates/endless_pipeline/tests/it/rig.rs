@@ -62,7 +62,8 @@ fn everything() -> serde_json::Value {
     json!([
         {"name": "front", "type": "camera", "mount": car([0.4, 0.0, 1.45]), "rate": 10, "fov": 80.0},
         {"name": "lorry", "type": "camera", "mount": {"on": "vehicle", "class": "truck", "at": [5.0, 0.0, 2.5]}, "layers": ["rgb"]},
-        {"name": "walker", "type": "camera", "mount": {"on": "pedestrian", "at": [0.2, 0.0, 1.6]}, "mp4": []},
+        {"name": "walker", "type": "camera", "mount": {"on": "pedestrian", "at": [0.2, 0.0, 1.6]}, "mp4": [],
+            "layers": ["rgb", "depth", "instance", "normals", "shadow", "flow", "flow_backward"]},
         {"name": "drone", "type": "camera", "size": "96x54", "rate": 5,
             "mount": {"on": "orbit", "from": "junction", "radius": 30.0, "height": 40.0, "period": 20.0}},
         {"name": "pole", "type": "camera", "mount": {"on": "junction", "corner": 2, "height": 6.0}, "layers": ["semantic", "instance"]},
