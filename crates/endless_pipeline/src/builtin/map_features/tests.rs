@@ -9,6 +9,7 @@ use endless_road::opendrive;
 use endless_town::Town;
 use endless_world::{CameraSite, ClassTag, ImageSize, PinholeCamera, SensorFrame, SignalAspect, TimeOfDay, Weather};
 use glam::{DVec2, DVec3};
+use std::sync::LazyLock;
 
 const SIZE: ImageSize = ImageSize { width: 1280, height: 720 };
 /// Paint is looked for up to here, metres.
@@ -17,6 +18,9 @@ const NEAR_M: f32 = 40.0;
 const MOST_OFF_PX: f64 = 2.0;
 /// What is farther from the lens than the picture's depth is hidden, metres.
 const HIDDEN_M: f32 = 0.3;
+
+/// A roundabout, boulevards, signals: both tests look at it.
+static TOWN03: LazyLock<LoadedTown> = LazyLock::new(|| LoadedTown::new("Town03"));
 
 /// A town without those who move, as one of its cameras shows it and as its labels tell of it.
 struct LabelledView {
@@ -40,16 +44,19 @@ impl LoadedTown {
         Self { town, scene, features }
     }
 
-    fn view(&self, site: &CameraSite, time: TimeOfDay, aspect: SignalAspect) -> LabelledView {
+    /// Under clouds, with signals as they are told to be.
+    fn views<const N: usize>(&self, site: &CameraSite, aspects: [SignalAspect; N]) -> [LabelledView; N] {
         let still = self.scene.static_scene();
-        let settings = RenderSettings::new(Weather::ClearSky, time, 1, SIZE);
-        let signals = vec![aspect; usize::from(self.town.network.signal_groups)];
-        let frame = FrameScene::new(FrameDescription { signals, ..FrameDescription::default() });
+        let settings = RenderSettings::new(Weather::Cloudy, TimeOfDay::Afternoon, 1, SIZE);
         let camera = PinholeCamera::new(site, SIZE);
-        let way = std::slice::from_ref(&camera);
-        let shown = MovingCamera::new(still, &settings, IndirectLight::OpenSky, way).render(still, &frame, &camera);
-        let map = CameraMap::new(&self.features, &camera);
-        LabelledView { camera, map, shown }
+        let film = MovingCamera::new(still, &settings, IndirectLight::OpenSky, std::slice::from_ref(&camera));
+        aspects.map(|aspect| {
+            let signals = vec![aspect; usize::from(self.town.network.signal_groups)];
+            let frame = FrameScene::new(FrameDescription { signals, ..FrameDescription::default() });
+            let shown = film.render(still, &frame, &camera);
+            let map = CameraMap::new(&self.features, &camera);
+            LabelledView { camera: camera.clone(), map, shown }
+        })
     }
 }
 
@@ -131,10 +138,10 @@ impl LabelledView {
 #[test]
 fn labelled_paint_is_where_the_picture_shows_it() {
     let (mut places, mut off, mut worst, mut crossings, mut unpainted) = (0, 0, 0.0f64, 0, 0);
-    for name in ["Town01", "Town03", "Ladera"] {
-        let town = LoadedTown::new(name);
+    // Level ground and steep.
+    for town in [&*TOWN03, &LoadedTown::new("Ladera")] {
         for site in &town.town.cameras[..2] {
-            let view = town.view(site, TimeOfDay::Afternoon, SignalAspect::Red);
+            let [view] = town.views(site, [SignalAspect::Red]);
             let marks = view.map.marks.iter().flat_map(|mark| &mark.pieces);
             let stops = view.map.stop_lines.iter().flat_map(|stop| &stop.pieces);
             for distance in marks.chain(stops).flat_map(|line| view.off_along(line)) {
@@ -150,18 +157,18 @@ fn labelled_paint_is_where_the_picture_shows_it() {
     }
     println!("{places} places on paint: {off} more than {MOST_OFF_PX} pixels off, {worst:.2} pixels the worst");
     println!("{crossings} crossings: {unpainted} without their bars");
-    assert!(places > 500 && crossings > 3, "{places} places, {crossings} crossings");
+    assert!(places > 400 && crossings > 2, "{places} places, {crossings} crossings");
     assert_eq!(off, 0, "{worst:.2} pixels");
     assert_eq!(unpainted, 0, "of {crossings} crossings");
 }
 
 #[test]
 fn lit_lenses_have_the_colour_of_their_aspect() {
-    let town = LoadedTown::new("Town05");
+    let town = &*TOWN03;
     let (mut right, mut wrong) = (0, 0);
     for site in &town.town.cameras[..2] {
-        for (aspect, lit) in [(SignalAspect::Red, LensColor::Red), (SignalAspect::Green, LensColor::Green)] {
-            let view = town.view(site, TimeOfDay::Afternoon, aspect);
+        let views = town.views(site, [SignalAspect::Red, SignalAspect::Green]);
+        for (view, lit) in views.iter().zip([LensColor::Red, LensColor::Green]) {
             let lenses =
                 view.map.signals.iter().flat_map(|signal| signal.lenses.iter().map(move |lens| (signal, lens)));
             for (signal, lens) in lenses.filter(|(_, lens)| lens.radius_px > 1.5) {
