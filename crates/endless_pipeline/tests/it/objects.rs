@@ -11,7 +11,7 @@ use std::{
     path::Path,
 };
 
-const SIZE: ImageSize = ImageSize { width: 384, height: 216 };
+const SIZE: ImageSize = ImageSize { width: 288, height: 162 };
 
 /// Two frames of two cameras of a town, through some lens; under clouds, as no label depends on light.
 fn draft(town: &str) -> RecipeDraft {
