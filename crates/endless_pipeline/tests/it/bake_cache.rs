@@ -9,15 +9,15 @@ use endless_interchange::MapLibrary;
 use endless_pipeline::{BakeCache, BuiltinSimulator, MapCatalog, SilentProgress, generate, resolve_recipe};
 use std::{collections::BTreeMap, fs, path::Path};
 
-/// Two cameras of one town, four conditions.
+/// Two cameras of one town, by day and at night.
 fn recipe() -> Recipe {
     let sites = city().cameras("Town02").expect("a town").into_iter().take(2).collect();
-    let words = |words: [&str; 2]| Some(words.map(str::to_owned).to_vec());
+    let words = |words: &[&str]| Some(words.iter().map(|&word| word.to_owned()).collect());
     let draft = RecipeDraft {
-        videos: Some(4),
-        maps: Some(vec!["Town02".to_owned()]),
-        weathers: words(["clear_sky", "rainy"]),
-        times: words(["afternoon", "night"]),
+        videos: Some(2),
+        maps: words(&["Town02"]),
+        weathers: words(&["clear_sky"]),
+        times: words(&["afternoon", "night"]),
         size: Some("96x54".into()),
         fps: Some(5.0),
         duration: Some(0.2),

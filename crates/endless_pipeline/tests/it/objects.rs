@@ -11,14 +11,16 @@ use std::{
     path::Path,
 };
 
-const SIZE: ImageSize = ImageSize { width: 384, height: 216 };
+const SIZE: ImageSize = ImageSize { width: 288, height: 162 };
 
-/// Two frames of two cameras of a town, in some condition, through some lens.
+/// Two frames of two cameras of a town, through some lens; under clouds, as no label depends on light.
 fn draft(town: &str) -> RecipeDraft {
     let words = |words: &[&str]| Some(words.iter().map(|&word| word.to_owned()).collect());
     RecipeDraft {
         videos: Some(1),
         maps: words(&[town]),
+        weathers: words(&["cloudy"]),
+        times: words(&["afternoon"]),
         vehicles: Some(60),
         pedestrians: Some(60),
         size: Some(SIZE.to_string()),

@@ -40,16 +40,19 @@ impl LoadedTown {
         Self { town, scene, features }
     }
 
-    fn view(&self, site: &CameraSite, time: TimeOfDay, aspect: SignalAspect) -> LabelledView {
+    /// Under clouds, with signals as they are told to be.
+    fn views<const N: usize>(&self, site: &CameraSite, aspects: [SignalAspect; N]) -> [LabelledView; N] {
         let still = self.scene.static_scene();
-        let settings = RenderSettings::new(Weather::ClearSky, time, 1, SIZE);
-        let signals = vec![aspect; usize::from(self.town.network.signal_groups)];
-        let frame = FrameScene::new(FrameDescription { signals, ..FrameDescription::default() });
+        let settings = RenderSettings::new(Weather::Cloudy, TimeOfDay::Afternoon, 1, SIZE);
         let camera = PinholeCamera::new(site, SIZE);
-        let way = std::slice::from_ref(&camera);
-        let shown = MovingCamera::new(still, &settings, IndirectLight::OpenSky, way).render(still, &frame, &camera);
-        let map = CameraMap::new(&self.features, &camera);
-        LabelledView { camera, map, shown }
+        let film = MovingCamera::new(still, &settings, IndirectLight::OpenSky, std::slice::from_ref(&camera));
+        aspects.map(|aspect| {
+            let signals = vec![aspect; usize::from(self.town.network.signal_groups)];
+            let frame = FrameScene::new(FrameDescription { signals, ..FrameDescription::default() });
+            let shown = film.render(still, &frame, &camera);
+            let map = CameraMap::new(&self.features, &camera);
+            LabelledView { camera: camera.clone(), map, shown }
+        })
     }
 }
 
@@ -134,7 +137,7 @@ fn labelled_paint_is_where_the_picture_shows_it() {
     for name in ["Town01", "Town03", "Ladera"] {
         let town = LoadedTown::new(name);
         for site in &town.town.cameras[..2] {
-            let view = town.view(site, TimeOfDay::Afternoon, SignalAspect::Red);
+            let [view] = town.views(site, [SignalAspect::Red]);
             let marks = view.map.marks.iter().flat_map(|mark| &mark.pieces);
             let stops = view.map.stop_lines.iter().flat_map(|stop| &stop.pieces);
             for distance in marks.chain(stops).flat_map(|line| view.off_along(line)) {
@@ -160,8 +163,8 @@ fn lit_lenses_have_the_colour_of_their_aspect() {
     let town = LoadedTown::new("Town05");
     let (mut right, mut wrong) = (0, 0);
     for site in &town.town.cameras[..2] {
-        for (aspect, lit) in [(SignalAspect::Red, LensColor::Red), (SignalAspect::Green, LensColor::Green)] {
-            let view = town.view(site, TimeOfDay::Afternoon, aspect);
+        let views = town.views(site, [SignalAspect::Red, SignalAspect::Green]);
+        for (view, lit) in views.iter().zip([LensColor::Red, LensColor::Green]) {
             let lenses =
                 view.map.signals.iter().flat_map(|signal| signal.lenses.iter().map(move |lens| (signal, lens)));
             for (signal, lens) in lenses.filter(|(_, lens)| lens.radius_px > 1.5) {
