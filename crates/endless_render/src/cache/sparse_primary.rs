@@ -424,7 +424,7 @@ impl SparseRow<'_> {
         for (k, (x, sample)) in disc.places.drain(..).enumerate() {
             let free = |ray: usize| u8::from(shaded >> (PARTS.len() * k + ray) & 1 == 0);
             // Each ray stands for half of what the sample asks elsewhere.
-            self.sun_free[x][sample] = free(0) * 0b0011 | free(1) * 0b1100;
+            self.sun_free[x][sample] = (free(0) * 0b0011) | (free(1) * 0b1100);
         }
     }
 }
