@@ -11,7 +11,7 @@ use super::other_instant::OtherInstant;
 use crate::accel::{Hit, Ray, RayStream, lanes};
 use crate::scene::{FrameScene, Instance, StaticScene};
 use endless_world::math::UnfusedVec3A;
-use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, PinholeCamera, SensorFrame};
+use endless_world::{FlowPixel, FlowTarget, Image, PinholeCamera, SensorFrame};
 use glam::{Vec2, Vec3A};
 use std::sync::Arc;
 
@@ -113,19 +113,13 @@ impl FlowPass<'_> {
         for (lane, (&MovingCentre { pixel, hit, .. }, &side)) in centres.iter().zip(sides).enumerate() {
             image[pixel as usize] = FlowPixel::UNKNOWN;
             let Some((place, ray)) = self.point_then(other, camera, &hit, side) else { continue };
-            let ImageSize { width, height } = self.bake.camera.size;
-            let centre = Vec2::new((pixel % width) as f32 + 0.5, (pixel / width) as f32 + 0.5);
-            let outside = place.cmplt(Vec2::ZERO).any() || place.cmpge(Vec2::new(width as f32, height as f32)).any();
-            let target = match ray {
-                _ if outside => FlowTarget::Outside,
-                None => FlowTarget::Hidden,
-                Some(ray) => {
-                    rays.set(lane, &ray);
-                    active |= 1 << lane;
-                    FlowTarget::Visible
-                }
-            };
-            flows[lane] = FlowPixel { flow_px: self.bake.camera.way_in_image(centre, place), target };
+            let width = self.bake.camera.size.width;
+            let (flow, ray) = self.flow_towards([pixel % width, pixel / width], place, ray);
+            if let Some(ray) = ray {
+                rays.set(lane, &ray);
+                active |= 1 << lane;
+            }
+            flows[lane] = flow;
             image[pixel as usize] = flows[lane].encoded();
         }
         let camera_stays = *camera == self.bake.camera;
@@ -133,6 +127,21 @@ impl FlowPass<'_> {
             let hidden = FlowPixel { target: FlowTarget::Hidden, ..flows[lane] };
             image[centres[lane].pixel as usize] = hidden.encoded();
         }
+    }
+
+    /// The flow of a pixel to a place of the other picture, visible there if this ray is free; with the ray, if that must be
+    /// asked. Without a ray the point faces away.
+    pub(super) fn flow_towards(&self, [x, y]: [u32; 2], place: Vec2, ray: Option<Ray>) -> (FlowPixel, Option<Ray>) {
+        let camera = &self.bake.camera;
+        let size = Vec2::new(camera.size.width as f32, camera.size.height as f32);
+        let inside = place.cmpge(Vec2::ZERO).all() && place.cmplt(size).all();
+        let target = match &ray {
+            _ if !inside => FlowTarget::Outside,
+            None => FlowTarget::Hidden,
+            Some(_) => FlowTarget::Visible,
+        };
+        let centre = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
+        (FlowPixel { flow_px: camera.way_in_image(centre, place), target }, ray.filter(|_| inside))
     }
 
     /// Which of these rays, of those in `active`, meet something before the point of their centre, a bit each.

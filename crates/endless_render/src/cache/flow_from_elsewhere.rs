@@ -4,7 +4,7 @@ use super::flow::{FlowPass, RAYS};
 use super::other_instant::OtherInstant;
 use crate::accel::{Ray, RayStream, lanes};
 use crate::camera_rays::{is_nowhere, sample_ray};
-use endless_world::{FlowPixel, FlowTarget, Image, ImageSize, PinholeCamera};
+use endless_world::{FlowPixel, FlowTarget, Image, PinholeCamera};
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
 
@@ -35,24 +35,17 @@ impl FlowPass<'_> {
 
     /// The flow of pixels from here on, as if nothing that moves covered them.
     fn look_for(&self, other: &OtherInstant<'_>, camera: &PinholeCamera, [x0, y]: [usize; 2], flows: &mut [[u16; 3]]) {
-        let ImageSize { width, height } = self.bake.camera.size;
         let mut found = [FlowPixel::STILL; RAYS];
         let (mut rays, mut active) = (RayStream::NONE, 0u32);
         for (lane, flow) in flows.iter_mut().enumerate() {
             let (x, y) = ((x0 + lane) as u32, y as u32);
             let Some((place, ray)) = self.still_point_then(camera, x, y) else { continue };
-            let outside = place.cmplt(Vec2::ZERO).any() || place.cmpge(Vec2::new(width as f32, height as f32)).any();
-            let target = match ray {
-                _ if outside => FlowTarget::Outside,
-                None => FlowTarget::Hidden,
-                Some(ray) => {
-                    rays.set(lane, &ray);
-                    active |= 1 << lane;
-                    FlowTarget::Visible
-                }
-            };
-            let centre = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
-            found[lane] = FlowPixel { flow_px: self.bake.camera.way_in_image(centre, place), target };
+            let (towards, ray) = self.flow_towards([x, y], place, ray);
+            if let Some(ray) = ray {
+                rays.set(lane, &ray);
+                active |= 1 << lane;
+            }
+            found[lane] = towards;
             *flow = found[lane].encoded();
         }
         if active == 0 {
