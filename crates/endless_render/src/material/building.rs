@@ -1,5 +1,6 @@
 //! Walls and roofs; uv is in metres along and up.
 
+use super::noise_batch::NoiseBatch;
 use super::{Bsdf, noise};
 use crate::scene::SurfaceInteraction;
 use endless_world::math::UnfusedVec3A;
@@ -10,11 +11,16 @@ use glam::{Vec2, Vec3A};
 fn weathering(point: &SurfaceInteraction<'_>, footprint: f32) -> f32 {
     let p = point.position;
     let along = p.x * point.geometric_normal.y.abs() + p.y * point.geometric_normal.x.abs();
-    let streaks = noise::filtered_fbm2(Vec2::new(along, p.z * 0.12), 0.6, 4, footprint);
-    let broad = noise::filtered_fbm2(Vec2::new(along, p.z), 3.5, 4, footprint);
+    let mut batch = NoiseBatch::new(footprint);
+    let asked = [
+        batch.filtered_fbm2(Vec2::new(along, p.z * 0.12), 0.6, 4),
+        batch.filtered_fbm2(Vec2::new(along, p.z), 3.5, 4),
+        // Whole stretches of wall age differently; soot and runoff darken more than sun bleaches.
+        batch.filtered_fbm2(Vec2::new(along, p.z * 0.6) + 19.0, 11.0, 2),
+    ];
+    let found = batch.found();
+    let [streaks, broad, large] = asked.map(|asked| found.of(asked));
     let foot = 0.70 + 0.30 * smoothstep(0.0, 1.1, p.z + 0.25 * broad);
-    // Whole stretches of wall age differently; soot and runoff darken more than sun bleaches.
-    let large = noise::filtered_fbm2(Vec2::new(along, p.z * 0.6) + 19.0, 11.0, 2, footprint);
     let runs = smoothstep(0.12, 0.5, streaks + 0.35 * broad);
     (0.95 + 0.14 * streaks + 0.20 * broad + 0.18 * large - 0.20 * runs) * foot
 }

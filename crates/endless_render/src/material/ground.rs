@@ -1,5 +1,6 @@
 //! Ground: asphalt, paint on it, slabs, kerbs, concrete, lawn, earth.
 
+use super::noise_batch::{Asked, NoiseBatch};
 use super::{Bsdf, noise};
 use crate::scene::SurfaceInteraction;
 use endless_world::ClassTag;
@@ -26,15 +27,42 @@ fn border_line(first: f32, second: f32, cell_m: f32, width: f32, footprint: f32)
 
 /// Brightness of asphalt at a place, around 1: mixes, patches, cracks, tyre tracks, oil.
 fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
-    let broad = noise::filtered_fbm2(p, 11.0, 4, footprint);
-    let mottle = noise::filtered_fbm2(p + 70.0, 0.6, 3, footprint);
-    let grain = noise::filtered_fbm2(p, 0.02, 2, footprint);
-    let mut tone = 1.0 + 0.20 * broad + 0.07 * mottle + 0.55 * grain;
+    let mut batch = NoiseBatch::new(footprint);
+    let broad = batch.filtered_fbm2(p, 11.0, 4);
+    let mottle = batch.filtered_fbm2(p + 70.0, 0.6, 3);
+    let grain = batch.filtered_fbm2(p, 0.02, 2);
+    let bleached = batch.filtered_fbm2(p + 900.0, 85.0, 2);
+    let stain = batch.filtered_fbm2(p + 40.0, 2.4, 3);
+    let shift = [5, 6].map(|salt| batch.value2(p * 0.05, salt));
+    let lateral = uv.y;
+    let in_lane = lateral.abs() < 2.2;
+    let traffic = match in_lane {
+        true => [
+            batch.filtered_fbm2(p, 0.9, 3),
+            // Whatever drops from vehicles is drawn out along the lane.
+            batch.filtered_fbm2(Vec2::new(uv.x / 40.0, lateral), 0.55, 3),
+        ],
+        // Where traffic crosses: rubber and oil in smears.
+        false => [
+            batch.filtered_fbm2(p * Vec2::new(0.45, 1.0), 1.4, 3),
+            batch.filtered_fbm2(p * Vec2::new(1.0, 0.45) + 31.0, 1.4, 3),
+        ],
+    };
+    let cracks =
+        (footprint < 0.15).then(|| (batch.value2(p * 0.11, 9), [11, 12].map(|salt| batch.value2(p * 1.7, salt))));
+    let sealed = (footprint < 0.3).then(|| {
+        let wander = [14, 15].map(|salt| batch.value2(p * 0.4, salt));
+        (wander, [16, 17].map(|salt| batch.value2(p * 1.9, salt)))
+    });
+    let found = batch.found();
+    let at = |[x, y]: [Asked; 2]| Vec2::new(found.of(x), found.of(y));
+    let mottle = found.of(mottle);
+    let mut tone = 1.0 + 0.20 * found.of(broad) + 0.07 * mottle + 0.55 * found.of(grain);
     // Sun and traffic bleach bitumen over the years: whole stretches are of one age.
-    tone *= 1.0 + 0.40 * noise::filtered_fbm2(p + 900.0, 85.0, 2, footprint);
+    tone *= 1.0 + 0.40 * found.of(bleached);
     // Repairs: rectangles of newer asphalt with a tar seam around.
     let block = Vec2::new(5.3, 3.1);
-    let shifted = p + Vec2::new(noise::value2(p * 0.05, 5), noise::value2(p * 0.05, 6)) * 0.4;
+    let shifted = p + at(shift) * 0.4;
     let cell = noise::corner_of(shifted / block);
     let id = cell.as_ivec2();
     if noise::cell2(id, 71) < 0.16 {
@@ -48,39 +76,34 @@ fn asphalt_tone(p: Vec2, uv: Vec2, footprint: f32) -> f32 {
         tone *= 1.0 - 0.45 * line((inside - 0.02).abs(), 0.05, footprint);
     }
     // Cracks along the borders of a cell pattern, where the surface is old.
-    let old = smoothstep(0.05, 0.35, noise::value2(p * 0.11, 9));
-    if old > 0.0 && footprint < 0.15 {
-        let wobble = Vec2::new(noise::value2(p * 1.7, 11), noise::value2(p * 1.7, 12)) * 0.22;
-        let (first, second, _) = noise::cells2((p + wobble) / 1.9, 13);
-        tone *= 1.0 - 0.5 * old * border_line(first, second, 1.9, 0.008, footprint);
+    if let Some((old, wobble)) = cracks {
+        let old = smoothstep(0.05, 0.35, found.of(old));
+        if old > 0.0 {
+            let (first, second, _) = noise::cells2((p + at(wobble) * 0.22) / 1.9, 13);
+            tone *= 1.0 - 0.5 * old * border_line(first, second, 1.9, 0.008, footprint);
+        }
     }
     // Cracks that were sealed: broad bands of tar that wander along and across.
-    if footprint < 0.3 {
-        let wander = Vec2::new(noise::value2(p * 0.4, 14), noise::value2(p * 0.4, 15)) * 1.1
-            + Vec2::new(noise::value2(p * 1.9, 16), noise::value2(p * 1.9, 17)) * 0.2;
-        let (first, second, id) = noise::cells2((p + wander) / 7.0, 18);
+    if let Some((wander, wobble)) = sealed {
+        let (first, second, id) = noise::cells2((p + (at(wander) * 1.1 + at(wobble) * 0.2)) / 7.0, 18);
         if id < 0.55 {
             tone *= 1.0 - 0.42 * border_line(first, second, 7.0, 0.035, footprint);
         }
     }
-    // Wheel paths polish and darken; oil drips between them.
-    let lateral = uv.y;
-    if lateral.abs() < 2.2 {
+    let traffic = traffic.map(|asked| found.of(asked));
+    if in_lane {
+        // Wheel paths polish and darken; oil drips between them.
         let path = 1.0 - smoothstep(0.15, 0.55, (lateral.abs() - 0.78).abs());
         let drip = 1.0 - smoothstep(0.05, 0.45, lateral.abs());
-        let spots = smoothstep(0.1, 0.7, noise::filtered_fbm2(p, 0.9, 3, footprint) + 0.3);
+        let spots = smoothstep(0.1, 0.7, traffic[0] + 0.3);
         tone *= 1.0 - 0.20 * path * (0.75 + 0.5 * mottle) - 0.20 * drip * spots;
-        // Whatever drops from vehicles is drawn out along the lane.
-        tone *= 1.0 + 0.22 * noise::filtered_fbm2(Vec2::new(uv.x / 40.0, lateral), 0.55, 3, footprint);
+        tone *= 1.0 + 0.22 * traffic[1];
         // The joint where two lanes were laid beside each other.
         tone *= 1.0 - 0.18 * line((lateral.abs() - 1.72).abs(), 0.04, footprint);
     } else {
-        // Where traffic crosses: rubber and oil in smears.
-        let smear = noise::filtered_fbm2(p * Vec2::new(0.45, 1.0), 1.4, 3, footprint)
-            + noise::filtered_fbm2(p * Vec2::new(1.0, 0.45) + 31.0, 1.4, 3, footprint);
-        tone *= 0.96 - 0.07 * smoothstep(0.0, 0.6, smear);
+        tone *= 0.96 - 0.07 * smoothstep(0.0, 0.6, traffic[0] + traffic[1]);
     }
-    let stain = smoothstep(0.42, 0.62, noise::filtered_fbm2(p + 40.0, 2.4, 3, footprint));
+    let stain = smoothstep(0.42, 0.62, found.of(stain));
     tone * (1.0 - 0.12 * stain)
 }
 
@@ -130,8 +153,10 @@ pub(super) fn paving(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32
     let visible = (0.5 / footprint.max(0.01) * 0.25).min(1.0);
     let slab = 0.84 + (noise::cell2(cell.as_ivec2(), 41) - 0.5) * 0.26 * visible;
     let joint = line(edge, 0.012, footprint);
-    let stain =
-        1.0 + 0.34 * noise::filtered_fbm2(p, 3.1, 5, footprint) + 0.16 * noise::filtered_fbm2(p, 14.0, 2, footprint);
+    let mut batch = NoiseBatch::new(footprint);
+    let stains = [batch.filtered_fbm2(p, 3.1, 5), batch.filtered_fbm2(p, 14.0, 2)];
+    let found = batch.found();
+    let stain = 1.0 + 0.34 * found.of(stains[0]) + 0.16 * found.of(stains[1]);
     let gum = {
         let (first, _, id) = noise::cells2(p / 0.8, 43);
         if id < 0.25 && footprint < 0.05 { 0.35 * (1.0 - smoothstep(0.02, 0.035, first * 0.8)) } else { 0.0 }
@@ -180,13 +205,19 @@ fn yard_tone(p: Vec2, footprint: f32) -> (f32, f32) {
         } else {
             0.0
         };
-    let wobble = Vec2::new(noise::value2(p * 0.9, 63), noise::value2(p * 0.9, 64)) * 0.35;
+    let mut batch = NoiseBatch::new(footprint);
+    let wobble = [63, 64].map(|salt| batch.value2(p * 0.9, salt));
+    let grime = batch.filtered_fbm2(p + 19.0, 0.8, 3);
+    let worn = batch.filtered_fbm2(p * Vec2::new(1.0, 0.4) + 23.0, 3.2, 3);
+    let overgrown = batch.filtered_fbm2(p + 140.0, 4.5, 3);
+    let found = batch.found();
+    let wobble = Vec2::from_array(wobble.map(|asked| found.of(asked))) * 0.35;
     let (first, second, crack) = noise::cells2((p + wobble) / 3.7, 65);
     let cracked = if crack < 0.3 { border_line(first, second, 3.7, 0.007, footprint) } else { 0.0 };
     let joint = line(edge, 0.016, footprint);
-    let grime = (1.0 - smoothstep(0.0, 0.45, edge)) * (0.5 + 0.5 * noise::filtered_fbm2(p + 19.0, 0.8, 3, footprint));
-    let worn = smoothstep(0.1, 0.55, noise::filtered_fbm2(p * Vec2::new(1.0, 0.4) + 23.0, 3.2, 3, footprint));
-    let overgrown = smoothstep(-0.1, 0.3, noise::filtered_fbm2(p + 140.0, 4.5, 3, footprint));
+    let grime = (1.0 - smoothstep(0.0, 0.45, edge)) * (0.5 + 0.5 * found.of(grime));
+    let worn = smoothstep(0.1, 0.55, found.of(worn));
+    let overgrown = smoothstep(-0.1, 0.3, found.of(overgrown));
     let tone = cast * (1.0 - 0.5 * joint) * (1.0 - 0.45 * cracked) * (1.0 - 0.16 * grime) * (1.0 - 0.16 * worn);
     (tone, line(edge, 0.05, footprint) * overgrown)
 }
@@ -195,26 +226,41 @@ pub(super) fn concrete(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f
     if point.material.tag == ClassTag::Ground && point.geometric_normal.z > 0.9 {
         let p = plan(point);
         let (bays, moss) = yard_tone(p, footprint);
-        let stain = smoothstep(0.25, 0.6, noise::filtered_fbm2(p + 57.0, 1.9, 4, footprint));
-        let tone = 0.92 + 0.20 * noise::filtered_fbm2(p, 2.7, 6, footprint) - 0.12 * stain;
+        let [stain, cloudy, _] = concrete_noise(p, footprint);
+        let tone = 0.92 + 0.20 * cloudy - 0.12 * smoothstep(0.25, 0.6, stain);
         let color = (base * (tone * bays)).lerp_unfused(Vec3A::new(0.055, 0.075, 0.03), 0.7 * moss);
         return Bsdf::matte(color, point.normal);
     }
     let p = plan(point) + point.position.z * Vec2::new(0.37, 0.91);
-    let broad = noise::filtered_fbm2(p + 11.0, 9.0, 3, footprint);
-    let stain = smoothstep(0.25, 0.6, noise::filtered_fbm2(p + 57.0, 1.9, 4, footprint));
-    let tone = 0.86 + 0.26 * noise::filtered_fbm2(p, 2.7, 6, footprint) + 0.18 * broad - 0.16 * stain;
+    let [stain, cloudy, broad] = concrete_noise(p, footprint);
+    let tone = 0.86 + 0.26 * cloudy + 0.18 * broad - 0.16 * smoothstep(0.25, 0.6, stain);
     Bsdf::matte(base * tone, point.normal)
+}
+
+/// Of stains, of unevenness within metres and over more of them.
+fn concrete_noise(p: Vec2, footprint: f32) -> [f32; 3] {
+    let mut batch = NoiseBatch::new(footprint);
+    let asked =
+        [batch.filtered_fbm2(p + 57.0, 1.9, 4), batch.filtered_fbm2(p, 2.7, 6), batch.filtered_fbm2(p + 11.0, 9.0, 3)];
+    let found = batch.found();
+    asked.map(|asked| found.of(asked))
 }
 
 pub(super) fn grass(point: &SurfaceInteraction<'_>, base: Vec3A, footprint: f32) -> Bsdf {
     let p = plan(point);
-    let broad = noise::filtered_fbm2(p, 7.0, 4, footprint);
-    let tuft = noise::filtered_fbm2(p, 0.35, 2, footprint);
-    let clump = noise::filtered_fbm2(p + 7.0, 0.13, 2, footprint);
-    let blades = noise::filtered_fbm2(p * Vec2::new(1.0, 0.6), 0.05, 3, footprint);
-    let dry = smoothstep(0.1, 0.6, noise::filtered_fbm2(p + 90.0, 5.0, 3, footprint) + 0.15 * tuft);
-    let worn = smoothstep(0.28, 0.62, noise::filtered_fbm2(p + 210.0, 3.3, 4, footprint) + 0.1 * tuft);
+    let mut batch = NoiseBatch::new(footprint);
+    let asked = [
+        batch.filtered_fbm2(p, 7.0, 4),
+        batch.filtered_fbm2(p, 0.35, 2),
+        batch.filtered_fbm2(p + 7.0, 0.13, 2),
+        batch.filtered_fbm2(p * Vec2::new(1.0, 0.6), 0.05, 3),
+        batch.filtered_fbm2(p + 90.0, 5.0, 3),
+        batch.filtered_fbm2(p + 210.0, 3.3, 4),
+    ];
+    let found = batch.found();
+    let [broad, tuft, clump, blades, dry, worn] = asked.map(|asked| found.of(asked));
+    let dry = smoothstep(0.1, 0.6, dry + 0.15 * tuft);
+    let worn = smoothstep(0.28, 0.62, worn + 0.1 * tuft);
     let green = muted(base, 0.22) * (0.94 + 0.34 * broad + 0.35 * tuft + 0.75 * clump + 0.7 * blades);
     let straw = Vec3A::new(0.20, 0.17, 0.085) * (1.0 + 0.4 * blades + 0.3 * tuft);
     let earth = Vec3A::new(0.115, 0.09, 0.065) * (1.0 + 0.5 * tuft);

@@ -8,6 +8,7 @@ mod cabin;
 mod evaluate;
 mod ground;
 pub(crate) mod noise;
+mod noise_batch;
 mod object;
 mod packed_bsdf;
 mod wet;

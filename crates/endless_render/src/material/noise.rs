@@ -79,6 +79,24 @@ fn value2x4([x, y]: [[f32; 4]; 2], salts: [u32; 4]) -> [f32; 4] {
     ((a + (b - a) * v) * f32x4::splat(2.0) - f32x4::ONE).to_array()
 }
 
+/// [`value2`] of eight places, each with its salt.
+#[inline]
+pub(super) fn value2x8([x, y]: [f32x8; 2], salts: [u32; 8]) -> f32x8 {
+    let corner = [x, y].map(f32x8::floor);
+    let [u, v] = [x - corner[0], y - corner[1]].map(|t| t * t * (f32x8::splat(3.0) - f32x8::splat(2.0) * t));
+    let [column, row] = corner.map(|c| u32x8::new(c.fast_trunc_int().to_array().map(|c| c as u32)));
+    let one = u32x8::splat(1);
+    let salts = u32x8::new(salts) * u32x8::splat(0x9e37_79b9);
+    let [low, high] = [row, row + one].map(|row| hash8(row + salts));
+    let at = |column: u32x8, row: u32x8| unit8(hash8(column ^ row));
+    let line = |row: u32x8| {
+        let (left, right) = (at(column, row), at(column + one, row));
+        left + (right - left) * u
+    };
+    let (a, b) = (line(low), line(high));
+    (a + (b - a) * v) * f32x8::splat(2.0) - f32x8::ONE
+}
+
 /// [`hash`] of eight numbers.
 #[inline]
 fn hash8(mut x: u32x8) -> u32x8 {
@@ -158,21 +176,30 @@ pub(crate) fn filtered_fbm2(p: Vec2, wavelength_m: f32, octaves: u32, footprint_
 
 /// The two nearest feature points of a jittered grid (Worley 1996): distances, and the id of the nearest in [0, 1).
 pub(crate) fn cells2(p: Vec2, salt: u32) -> (f32, f32, f32) {
+    const COLUMNS: i32x8 = i32x8::new([-1, 0, 1, -1, 0, 1, -1, 0]);
+    const ROWS: i32x8 = i32x8::new([-1, -1, -1, 0, 0, 0, 1, 1]);
     let i = corner_of(p).as_ivec2();
-    let (mut first, mut second, mut id) = (f32::MAX, f32::MAX, 0.0);
-    for y in -1..=1 {
-        for x in -1..=1 {
-            let c = i + IVec2::new(x, y);
-            let feature = c.as_vec2() + Vec2::new(cell2(c, salt), cell2(c, salt ^ 0x55));
-            let distance = feature.distance(p);
-            if distance < first {
-                (second, first, id) = (first, distance, cell2(c, salt ^ 0xaa));
-            } else if distance < second {
-                second = distance;
-            }
-        }
+    let (x, y) = (i32x8::splat(i.x) + COLUMNS, i32x8::splat(i.y) + ROWS);
+    let [column, row] = [x, y].map(|c| u32x8::new(c.to_array().map(|c| c as u32)));
+    let cell = |salt: u32| {
+        let salt = u32x8::splat(salt.wrapping_mul(0x9e37_79b9));
+        unit8(hash8(column ^ hash8(row + salt)))
+    };
+    let dx = f32x8::from_i32x8(x) + cell(salt) - f32x8::splat(p.x);
+    let dy = f32x8::from_i32x8(y) + cell(salt ^ 0x55) - f32x8::splat(p.y);
+    let distances = (dx * dx + dy * dy).sqrt().to_array();
+    let last = i + IVec2::ONE;
+    let aside = last.as_vec2() + Vec2::new(cell2(last, salt), cell2(last, salt ^ 0x55)) - p;
+    // The standard library's root is one instruction, glam's a call.
+    let last = (aside.x * aside.x + aside.y * aside.y).sqrt();
+    let (mut first, mut second, mut nearest) = (last, f32::MAX, 8);
+    for (cell, distance) in distances.into_iter().enumerate() {
+        second = second.min(distance.max(first));
+        nearest = if distance < first { cell as i32 } else { nearest };
+        first = first.min(distance);
     }
-    (first, second, id)
+    let nearest = i + IVec2::new(nearest % 3 - 1, nearest / 3 - 1);
+    (first, second, cell2(nearest, salt ^ 0xaa))
 }
 
 /// A random colour around 1, the same for the same cell.
@@ -197,6 +224,29 @@ mod tests {
         ) {
             let one = |i: usize| value2(Vec2::new(x[i], y[i]), salts[i]);
             prop_assert_eq!(value2x4([x, y], salts).map(f32::to_bits), std::array::from_fn(|i| one(i).to_bits()));
+        }
+
+        #[test]
+        fn eight_places_are_those_of_one_after_another(
+            x in prop::array::uniform8(-1e4f32..1e4), y in prop::array::uniform8(-1e4f32..1e4), salts: [u32; 8],
+        ) {
+            let one = |i: usize| value2(Vec2::new(x[i], y[i]), salts[i]);
+            let eight = value2x8([x, y].map(f32x8::new), salts).to_array();
+            prop_assert_eq!(eight.map(f32::to_bits), std::array::from_fn(|i| one(i).to_bits()));
+        }
+
+        #[test]
+        fn the_nearest_feature_points_are_found(x in -1e3f32..1e3, y in -1e3f32..1e3, salt: u32) {
+            let p = Vec2::new(x, y);
+            let mut around: Vec<(f32, f32)> = (0..9)
+                .map(|k| corner_of(p).as_ivec2() + IVec2::new(k % 3 - 1, k / 3 - 1))
+                .map(|c| {
+                    let feature = c.as_vec2() + Vec2::new(cell2(c, salt), cell2(c, salt ^ 0x55));
+                    (feature.distance(p), cell2(c, salt ^ 0xaa))
+                })
+                .collect();
+            around.sort_by(|a, b| a.0.total_cmp(&b.0));
+            prop_assert_eq!(cells2(p, salt), (around[0].0, around[1].0, around[0].1));
         }
 
         #[test]
