@@ -8,7 +8,7 @@ use super::lamp_mask::{lamp_sum, lamps_free32};
 use super::primary_hits::{PrimaryHits, PrimaryRow, RowSurfaces};
 use super::shaded_pixel::{ShadedPixel, ShadedSample};
 use crate::accel::{Hit, Ray, RayStream, first_lanes, lanes};
-use crate::camera_rays::is_nowhere;
+use crate::camera_rays::{aims8, is_nowhere};
 use crate::material::{Bsdf, PackedBsdf};
 use crate::octahedron;
 use crate::pixel_layers::{LayerImages, PixelLayers};
@@ -56,7 +56,7 @@ impl BakePass<'_> {
 
     /// Shades a row. Of a uniform pixel the centre is shaded, and where it mirrors the third sample, too; they share the air
     /// before the centre and the lamp light there.
-    fn shade_row(
+    pub(super) fn shade_row(
         &self,
         primary: PrimaryRow<'_>,
         irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
@@ -73,8 +73,8 @@ impl BakePass<'_> {
             eight.look_at(primary, irradiance, [first, y], count);
             eight.shade();
             for pixel in 0..count {
-                let samples = std::array::from_fn(|sample| eight.shaded[8 * sample + pixel]);
-                row.push(&ShadedPixel::new(&primary.pixel(first + pixel), &samples));
+                let samples = std::array::from_fn(|sample| eight.shaded(pixel, sample));
+                row.push(&ShadedPixel::new(&primary.pixel(first + pixel), samples));
                 let seen = eight.layers(pixel);
                 layers.push(&seen.with_shadow(self.still_shadow(&primary.pixel(first + pixel))));
             }
@@ -125,8 +125,8 @@ struct PixelEight<'a> {
     surfaces: [Option<(SurfaceInteraction<'a>, Bsdf)>; LANES],
     /// Of a uniform pixel, nothing but of those samples that tell it.
     shaded: [ShadedSample; LANES],
-    /// The samples that lie in the picture, a bit each.
-    inside: u32,
+    /// The samples that lie in the picture and are not told by another, a bit each; more of those that may be.
+    asked: u32,
     /// The pixels that are uniform, a bit each.
     uniform: u32,
     /// For each sample the one of its pixel whose light it has: itself, where it is shaded.
@@ -142,7 +142,7 @@ impl<'a> PixelEight<'a> {
             samples: [nothing; LANES],
             surfaces: [const { None }; LANES],
             shaded: [ShadedSample::sky(Vec3A::ZERO); LANES],
-            inside: 0,
+            asked: 0,
             uniform: 0,
             told_by: [0; LANES],
         }
@@ -158,40 +158,68 @@ impl<'a> PixelEight<'a> {
         count: usize,
     ) {
         let pass = self.pass;
-        let directions = pass.directions_of(y * pass.width() + first, count);
-        self.uniform = primary.uniform[first..first + count].iter().rev().fold(0, |bits, u| bits << 1 | u32::from(*u));
-        self.inside = first_lanes(count);
-        for lane in 0..LANES {
-            let (pixel, sample) = (lane % 8, lane / 8);
-            let x = first + pixel.min(count - 1);
-            let is_uniform = self.uniform >> pixel & 1 == 1;
-            self.told_by[lane] = lane as u8;
-            self.surfaces[lane] = None;
-            self.shaded[lane] = ShadedSample::sky(Vec3A::ZERO);
-            if irradiance.is_none() && sample > 0 && (is_uniform || primary.distances[x] == [f32::MAX; SAMPLES]) {
+        let bits =
+            |of: &dyn Fn(usize) -> bool| (0..count).rev().fold(0, |bits, i| bits << 1 | u32::from(of(first + i)));
+        self.uniform = bits(&|x| primary.uniform[x]);
+        // The light of probes is that of the centre wherever a pixel is uniform or of nothing but sky.
+        let simple = match irradiance {
+            Some(_) => 0,
+            None => bits(&|x| primary.uniform[x] || primary.distances[x] == [f32::MAX; SAMPLES]),
+        };
+        self.asked = first_lanes(count) & !(simple * NOT_CENTRES);
+        for sample in 0..SAMPLES {
+            let lanes_of = |bits: u32| lanes(bits).map(move |pixel| (pixel, 8 * sample + pixel));
+            for (pixel, lane) in lanes_of(if sample > 0 { simple } else { 0 }) {
                 self.told_by[lane] = pixel as u8;
+            }
+            let asked = self.asked >> (8 * sample) & 0xff;
+            if asked == 0 {
                 continue;
             }
-            let gathered = irradiance.map_or(Vec3A::ZERO, |irradiance| irradiance[x][sample].get());
-            let (ray, hit) = (pass.ray_along(&directions[sample], pixel), primary.pixel(x).hit(sample));
-            self.samples[lane] = PrimarySample { ray, hit, irradiance: gathered };
-            let Some(hit) = &hit else { continue };
-            if is_uniform && !is_shaded(sample, &self.surfaces[pixel]) {
-                continue;
+            let aims = aims8(pass.camera, first as u32, (first + count) as u32, y as u32, sample);
+            for (pixel, lane) in lanes_of(asked) {
+                let x = first + pixel;
+                let gathered = irradiance.map(|irradiance| irradiance[x][sample].get());
+                self.look_along(pass.ray_along(&aims, pixel), primary, gathered, (x, pixel, lane));
             }
-            if irradiance.is_none()
-                && let Some(alike) = self.alike(primary.surfaces, x, lane)
-            {
-                self.told_by[lane] = alike;
-                continue;
-            }
-            let point = SurfaceInteraction::new(&pass.tracer.still.instances, &ray, hit);
-            if irradiance.is_none() {
-                self.samples[lane].irradiance = probed(pass, &point);
-            }
-            let bsdf = gbuffer_bsdf(&point, pass.tracer.environment, sample, pass.pixel_angle);
-            self.surfaces[lane] = Some((point, bsdf));
         }
+    }
+
+    /// Turns to one sample of a pixel `x` of the row.
+    fn look_along(
+        &mut self,
+        ray: Ray,
+        primary: PrimaryRow<'_>,
+        gathered: Option<Vec3A>,
+        (x, pixel, lane): (usize, usize, usize),
+    ) {
+        let (pass, sample) = (self.pass, lane / 8);
+        let hit = primary.pixel(x).hit(sample);
+        self.told_by[lane] = lane as u8;
+        self.surfaces[lane] = None;
+        self.samples[lane] = PrimarySample { ray, hit, irradiance: gathered.unwrap_or(Vec3A::ZERO) };
+        let Some(hit) = &hit else { return };
+        if self.uniform >> pixel & 1 == 1 && !is_shaded(sample, &self.surfaces[pixel]) {
+            self.shaded[lane] = ShadedSample::sky(Vec3A::ZERO);
+            return;
+        }
+        if gathered.is_none()
+            && let Some(alike) = self.alike(primary.surfaces, x, lane)
+        {
+            self.told_by[lane] = alike;
+            return;
+        }
+        let point = SurfaceInteraction::new(&pass.tracer.still.instances, &ray, hit);
+        if gathered.is_none() {
+            self.samples[lane].irradiance = probed(pass, &point);
+        }
+        let bsdf = gbuffer_bsdf(&point, pass.tracer.environment, sample, pass.pixel_angle);
+        self.surfaces[lane] = Some((point, bsdf));
+    }
+
+    /// The light of a pixel's sample.
+    fn shaded(&self, pixel: usize, sample: usize) -> &ShadedSample {
+        &self.shaded[usize::from(self.told_by[8 * sample + pixel])]
     }
 
     /// An earlier sample of the same pixel `x` of the row that may tell the light of this one.
@@ -218,7 +246,7 @@ impl<'a> PixelEight<'a> {
         let lamps = if environment.night { self.lamps() } else { [(0, Vec3A::ZERO); LANES] };
         let sharing = self.sharing();
         let mut air = [Air { transmittance: 1.0, glow: Vec3A::ZERO }; LANES];
-        for lane in lanes(self.inside) {
+        for lane in lanes(self.asked) {
             let primary = &self.samples[lane];
             let shares = sharing >> lane & 1 == 1;
             if usize::from(self.told_by[lane]) != lane {
@@ -238,9 +266,6 @@ impl<'a> PixelEight<'a> {
             let lamps_free = if shares { 0 } else { lamps_free };
             let light = SampleLight { air: air[lane], direct, lamps_free, mirror: mirrors[lane] };
             self.shaded[lane] = surface_sample(primary.irradiance, point, bsdf, &light);
-        }
-        for lane in lanes(self.inside) {
-            self.shaded[lane] = self.shaded[usize::from(self.told_by[lane])];
         }
     }
 
@@ -267,7 +292,7 @@ impl<'a> PixelEight<'a> {
         let mut all = [Vec3A::ZERO; LANES];
         let sharing = self.sharing();
         for (row, (eight, glow)) in self.samples.chunks(8).zip(all.chunks_mut(8)).enumerate() {
-            if self.inside & !sharing & 0xff << (8 * row) == 0 {
+            if self.asked & !sharing & 0xff << (8 * row) == 0 {
                 continue;
             }
             let directions = [0, 1, 2].map(|axis| f32x8::new(std::array::from_fn(|i| eight[i].ray.direction[axis])));
@@ -293,7 +318,7 @@ impl<'a> PixelEight<'a> {
         let mut asked = 0u32;
         let mut weights = [Vec3A::ZERO; LANES];
         let mut footprints_m = [0.0; LANES];
-        for lane in lanes(self.inside) {
+        for lane in lanes(self.asked) {
             let Some((point, bsdf)) = &self.surfaces[lane] else { continue };
             weights[lane] = bsdf.coat_reflectance(-point.direction);
             if weights[lane].max_element() >= MIRROR_THRESHOLD {
@@ -325,10 +350,11 @@ impl<'a> PixelEight<'a> {
     /// Which lamps light the samples that do not share the light of their centre, a bit each, and their light.
     fn lamps(&self) -> [(u32, Vec3A); LANES] {
         let tracer = &self.pass.tracer;
-        let facets = std::array::from_fn(|lane| self.surfaces[lane].as_ref().map(|(point, _)| point.facet()));
-        let free = lamps_free32(tracer, &facets, self.inside & !self.sharing());
+        let surface = |lane: usize| self.surfaces[lane].as_ref().filter(|_| self.asked >> lane & 1 == 1);
+        let facets = std::array::from_fn(|lane| surface(lane).map(|(point, _)| point.facet()));
+        let free = lamps_free32(tracer, &facets, self.asked & !self.sharing());
         std::array::from_fn(|lane| {
-            let light = self.surfaces[lane].as_ref().filter(|_| free[lane] != 0);
+            let light = surface(lane).filter(|_| free[lane] != 0);
             let sum = light.map_or(Vec3A::ZERO, |(point, bsdf)| lamp_sum(tracer, &point.facet(), bsdf, free[lane]));
             (free[lane], sum)
         })

@@ -4,7 +4,8 @@ use super::bake_pass::BakePass;
 use super::bake_stats::timed;
 use super::gbuffer_row::GBufferRow;
 use super::irradiance::{GatheredLight, IrradiancePass};
-use super::primary_hits::PrimaryHits;
+use super::primary_hits::{PrimaryHits, PrimaryRow};
+use super::sparse_primary::KeptRow;
 use super::still_pixel::StillPixel;
 use crate::indirect::TapeStack;
 use crate::material::PackedBsdf;
@@ -12,6 +13,7 @@ use crate::pixel_layers::LayerImages;
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
 use crate::settings::Gathering;
+use rayon::prelude::*;
 
 /// The G-buffer of what stands still: all by pixel, row-major.
 pub(super) struct GBuffer {
@@ -34,10 +36,10 @@ pub(super) struct GBuffer {
 impl GBuffer {
     /// Traces and shades what stands still; gives the ends of the rays that gathered light, if these are to be kept.
     pub(super) fn bake(pass: &BakePass<'_>) -> (Self, [TapeStack; 2]) {
-        let mut primary = timed("primary", || match pass.settings.gathering {
-            Gathering::Probes => pass.trace_sparse(),
-            _ => pass.trace(),
-        });
+        if pass.settings.gathering == Gathering::Probes {
+            return (Self::for_an_instant(pass), Default::default());
+        }
+        let mut primary = timed("primary", || pass.trace());
         let GatheredLight { irradiance, points, edges } =
             timed("gather", || IrradiancePass { bake: pass, primary: &primary }.gather());
         let surfaces = std::mem::take(&mut primary.surfaces);
@@ -45,6 +47,27 @@ impl GBuffer {
         let PrimaryHits { distances, sun_free, uniform, .. } = primary;
         let irradiance = if pass.settings.keep_irradiance { irradiance } else { Vec::new() };
         (Self { width: pass.width(), distances, sun_free, uniform, rows, layers, irradiance }, [points, edges])
+    }
+
+    /// The same in the light of probes. Each row is shaded as soon as it is traced: what it lies on never leaves the
+    /// processor's caches.
+    fn for_an_instant(pass: &BakePass<'_>) -> Self {
+        let (width, pixels) = (pass.width(), pass.camera.size.pixels());
+        let sparse = pass.trace_sparse();
+        let mut distances = vec![[f32::MAX; SAMPLES]; pixels];
+        let mut sun_free = vec![[0; SAMPLES]; pixels];
+        let mut uniform = vec![false; pixels];
+        let kept = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
+        let kept = kept.zip(uniform.par_chunks_mut(width)).enumerate();
+        let rows = kept.map(|(y, ((distances, sun_free), uniform))| {
+            let kept = KeptRow { distances: &mut *distances, sun_free: &mut *sun_free, uniform: &mut *uniform };
+            let surfaces = sparse.trace_row(y, kept);
+            pass.shade_row(PrimaryRow { distances, sun_free, uniform, surfaces: &surfaces }, None, y)
+        });
+        let (rows, layers): (Vec<GBufferRow>, Vec<LayerImages>) = timed("shade", || rows.unzip());
+        pass.stats.add((pixels * SAMPLES) as u64);
+        let layers = LayerImages::of_rows(pass.settings.layers, layers);
+        Self { width, distances, sun_free, uniform, rows, layers, irradiance: Vec::new() }
     }
 
     /// A pixel, by its place in the picture.

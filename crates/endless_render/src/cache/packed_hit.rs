@@ -24,6 +24,11 @@ impl PackedHit {
         Self { instance: hit.instance, triangle: hit.triangle, weights }
     }
 
+    /// Whether both are on one triangle.
+    pub(super) fn is_on_triangle_of(&self, other: &Self) -> bool {
+        self.instance == other.instance && self.triangle == other.triangle
+    }
+
     /// The hit at a distance.
     pub(super) fn at(&self, t: f32) -> Option<Hit> {
         let [u, v] = self.weights.map(|w| f32::from(w) / 65_535.0);

@@ -26,6 +26,14 @@ pub(super) struct RowSurfaces {
     pub(super) normals: Vec<[PackedNormals; SAMPLES]>,
 }
 
+impl RowSurfaces {
+    /// Of a row of sky.
+    pub(super) fn nothing(width: usize) -> Self {
+        let (hits, normals) = ([PackedHit::NONE; SAMPLES], [PackedNormals::NONE; SAMPLES]);
+        Self { hits: vec![hits; width], normals: vec![normals; width] }
+    }
+}
+
 /// A row of [`PrimaryHits`].
 #[derive(Clone, Copy)]
 pub(super) struct PrimaryRow<'a> {
@@ -49,7 +57,9 @@ impl PackedNormals {
     pub(super) const NONE: Self = Self { geometric: 0, shading: 0 };
 
     pub(super) fn new(point: &SurfaceInteraction<'_>) -> Self {
-        Self { geometric: octahedron::pack(point.geometric_normal), shading: octahedron::pack(point.normal) }
+        let geometric = octahedron::pack(point.geometric_normal);
+        let is_flat = point.normal == point.geometric_normal;
+        Self { geometric, shading: if is_flat { geometric } else { octahedron::pack(point.normal) } }
     }
 }
 
@@ -67,16 +77,12 @@ impl PrimaryHits {
     /// Nothing seen yet.
     pub(super) fn new(width: usize, height: usize) -> Self {
         let pixels = width * height;
-        let surfaces = |_| RowSurfaces {
-            hits: vec![[PackedHit::NONE; SAMPLES]; width],
-            normals: vec![[PackedNormals::NONE; SAMPLES]; width],
-        };
         Self {
             width,
             distances: vec![[f32::MAX; SAMPLES]; pixels],
             sun_free: vec![[0; SAMPLES]; pixels],
             uniform: vec![false; pixels],
-            surfaces: (0..height).map(surfaces).collect(),
+            surfaces: (0..height).map(|_| RowSurfaces::nothing(width)).collect(),
         }
     }
 

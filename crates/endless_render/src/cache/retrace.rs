@@ -84,7 +84,7 @@ impl CameraBake {
             let irradiance = self.gbuffer.irradiance[pixel][sample].get();
             PrimarySample { ray: self.ray(x, y, sample), hit: primary.hit(sample), irradiance }
         });
-        ShadedPixel::new(primary, &shade_pixel(tracer, &samples, primary.uniform, self.pixel_angle))
+        ShadedPixel::new(primary, shade_pixel(tracer, &samples, primary.uniform, self.pixel_angle).each_ref())
     }
 
     /// A tile from nothing but the scene, the baked irradiance and what the bake found of the sun's disc, a ray at a time.

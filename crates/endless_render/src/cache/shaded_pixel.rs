@@ -56,11 +56,11 @@ pub(super) struct ShadedPixel {
 
 impl ShadedPixel {
     /// Of a pixel's samples. Of a uniform one, the centre tells all, together with the third sample where it mirrors.
-    pub(super) fn new(primary: &PrimaryPixel<'_>, shaded: &[ShadedSample; SAMPLES]) -> Self {
+    pub(super) fn new(primary: &PrimaryPixel<'_>, shaded: [&ShadedSample; SAMPLES]) -> Self {
         let count = primary.kept_samples();
         let mut samples = [GBufferSample::NONE; SAMPLES];
         if primary.uniform {
-            let all = if shaded[0].mirror.is_some() { shaded[0].mean(&shaded[2]) } else { shaded[0] };
+            let all = if shaded[0].mirror.is_some() { shaded[0].mean(shaded[2]) } else { *shaded[0] };
             samples[0] = all.kept(primary, 0);
         } else if count == 1 {
             let mean = shaded.iter().map(|s| s.rest).sum::<Vec3A>() / SAMPLES as f32;
@@ -70,7 +70,7 @@ impl ShadedPixel {
         }
         let hits = std::array::from_fn(|s| LitHit { hit: primary.hits[s], lamps_free: shaded[s].lamps_free });
         let mut pixel = Self { samples, hits, count, mirrors: [MirrorSample::NONE; SAMPLES], mirrored: 0, lenses: 0 };
-        for (s, sample) in shaded.iter().enumerate() {
+        for (s, sample) in shaded.into_iter().enumerate() {
             pixel.lenses |= u8::from(sample.is_lens) << s;
             if let Some(mirror) = sample.mirror.filter(|_| !(primary.uniform && s % 2 == 1)) {
                 pixel.mirrors[pixel.mirrored.count_ones() as usize] = mirror;

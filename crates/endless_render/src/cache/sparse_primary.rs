@@ -12,17 +12,19 @@
 use super::bake_pass::BakePass;
 use super::bake_stats::timed;
 use super::packed_hit::PackedHit;
-use super::primary_hits::{PackedNormals, PrimaryHits};
+use super::primary_hits::{PackedNormals, RowSurfaces};
 use super::sun_rays::{sun_can_light, sun_origin};
 use crate::accel::{Ray, RayStream, lanes};
-use crate::camera_rays::{aims8, lane_ray, set_row};
+use crate::camera_rays::{aims8, sample_ray, set_row};
 use crate::light::{SUN_SAMPLES, Sun};
 use crate::octahedron;
 use crate::sampling::SAMPLES;
 use crate::scene::{ShadingPoint, StaticScene, SurfaceInteraction};
+use crate::vec3x8::{Vec3x8, dot};
 use endless_scene::Surface;
 use glam::Vec3A;
 use rayon::prelude::*;
+use std::ops::Range;
 use wide::f32x8;
 
 /// Rows of pixels whose centres are traced together, eight columns at a time.
@@ -44,6 +46,8 @@ struct Centre {
     distance: f32,
     hit: PackedHit,
     normals: PackedNormals,
+    /// On a lens of a traffic light.
+    is_lens: bool,
     sun: SunSeen,
 }
 
@@ -57,8 +61,26 @@ enum SunSeen {
 }
 
 impl Centre {
-    const SKY: Self =
-        Self { distance: f32::MAX, hit: PackedHit::NONE, normals: PackedNormals::NONE, sun: SunSeen::Never };
+    const SKY: Self = Self {
+        distance: f32::MAX,
+        hit: PackedHit::NONE,
+        normals: PackedNormals::NONE,
+        is_lens: false,
+        sun: SunSeen::Never,
+    };
+
+    fn is_sky(&self) -> bool {
+        self.distance == f32::MAX
+    }
+
+    /// Whether a neighbour's centre lies on the same surface, or sees the sky, too; where that takes no look at the scene.
+    fn evidently_continues(&self, other: &Self) -> Option<bool> {
+        if self.is_sky() || other.is_sky() {
+            return Some(self.is_sky() && other.is_sky());
+        }
+        let flat = self.hit.is_on_triangle_of(&other.hit) && self.normals.shading == other.normals.shading;
+        flat.then_some(!self.is_lens)
+    }
 }
 
 /// The surface around a sample, as far as it tells whether others lie on it.
@@ -100,34 +122,17 @@ struct GoesOn {
 }
 
 impl BakePass<'_> {
-    /// What [`Self::trace`] finds, by fewer rays.
-    pub(super) fn trace_sparse(&self) -> PrimaryHits {
+    /// What can be told before any row is looked at alone.
+    pub(super) fn trace_sparse(&self) -> SparsePrimary<'_> {
         let (width, height) = (self.width(), self.camera.size.height as usize);
         let centres = timed("centres", || self.trace_centres());
         let mut goes_on = vec![GoesOn::default(); width * height];
         timed("ends of surfaces", || {
             goes_on.par_chunks_mut(width).enumerate().for_each(|(y, row)| self.compare_row(&centres, y, row));
         });
-        let edges = timed("ends of shadows", || self.near_shadow_edges(&centres));
-        let mut found = timed("new", || PrimaryHits::new(width, height));
-        let PrimaryHits { distances, sun_free, uniform, surfaces, .. } = &mut found;
-        let rows = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
-        let rows = rows.zip(uniform.par_chunks_mut(width)).zip(surfaces.par_iter_mut());
-        rows.enumerate().for_each(|(y, (((distances, sun_free), uniform), surfaces))| {
-            // Which samples lie between the centre and those of neighbours on the same surface.
-            let known = |x: usize| {
-                let here = y * width + x;
-                let left = x == 0 || goes_on[here - 1].right;
-                let above = y == 0 || goes_on[here - width].below;
-                [true, goes_on[here].right, left && goes_on[here].below, above]
-            };
-            let (hits, normals) = (&mut surfaces.hits[..], &mut surfaces.normals[..]);
-            let row = y * width..(y + 1) * width;
-            let (centres, edges) = (&centres[row.clone()], &edges[row]);
-            SparseRow { pass: self, y, centres, edges, distances, hits, normals, sun_free, uniform }.fill(known);
-        });
+        let near_shadow_edge = timed("ends of shadows", || self.near_shadow_edges(&centres));
         self.stats.add((width * height) as u64 * 2);
-        found
+        SparsePrimary { pass: self, centres, goes_on, near_shadow_edge }
     }
 
     fn trace_centres(&self) -> Vec<Centre> {
@@ -161,7 +166,9 @@ impl BakePass<'_> {
             let Some(hit) = found.get(lane) else { continue };
             let point = SurfaceInteraction::new(&self.tracer.still.instances, &rays.ray(lane), &hit);
             let normals = PackedNormals::new(&point);
-            centres[place(lane)] = Centre { distance: hit.t, hit: PackedHit::new(&hit), normals, sun: SunSeen::Never };
+            let is_lens = matches!(point.material.surface, Surface::SignalLens(_));
+            let hit = PackedHit::new(&hit);
+            centres[place(lane)] = Centre { distance: point.distance, hit, normals, is_lens, sun: SunSeen::Never };
             if let Some(sun) = sun.filter(|sun| sun_can_light(&point, sun.direction)) {
                 asked |= 1 << lane;
                 to_sun.set(lane, &to_part(sun, &point, 0, FIRST));
@@ -178,27 +185,20 @@ impl BakePass<'_> {
     /// Whether the surface of each pixel of a row goes on. The picture's edges end nothing.
     fn compare_row(&self, centres: &[Centre], y: usize, goes_on: &mut [GoesOn]) {
         let (width, height) = (self.width(), self.camera.size.height as usize);
-        for first in (0..width).step_by(8) {
-            let count = (width - first).min(8);
-            let here = self.pieces(centres, first, count, y);
-            let next = (first + 8 < width).then(|| self.pieces(centres, first + 8, 1, y)[0]).flatten();
-            let below = if y + 1 < height { self.pieces(centres, first, count, y + 1) } else { here };
-            for (i, own) in here.iter().enumerate().take(count) {
-                let x = first + i;
-                let right = if i < 7 { &here[i + 1] } else { &next };
-                goes_on[x].right = x + 1 == width || same_piece(own, right);
-                goes_on[x].below = same_piece(own, &below[i]);
-            }
+        let goes = |x: usize, (to_x, to_y): (usize, usize)| {
+            let (own, other) = (&centres[y * width + x], &centres[to_y * width + to_x]);
+            own.evidently_continues(other)
+                .unwrap_or_else(|| same_piece(&self.piece_of(own, x, y), &self.piece_of(other, to_x, to_y)))
+        };
+        for (x, goes_on) in goes_on.iter_mut().enumerate() {
+            goes_on.right = x + 1 == width || goes(x, (x + 1, y));
+            goes_on.below = y + 1 == height || goes(x, (x, y + 1));
         }
     }
 
-    /// Of up to eight centres of a row.
-    fn pieces(&self, centres: &[Centre], x: usize, count: usize, y: usize) -> [Option<Piece>; 8] {
-        let aims = aims8(self.camera, x as u32, (x + count) as u32, y as u32, 0);
-        std::array::from_fn(|i| {
-            let centre = centres.get(y * self.width() + x + i).filter(|_| i < count)?;
-            piece(self.tracer.still, &lane_ray(self.camera, &aims, i), centre.distance, centre.hit, &centre.normals)
-        })
+    fn piece_of(&self, centre: &Centre, x: usize, y: usize) -> Option<Piece> {
+        let ray = sample_ray(self.camera, x as u32, y as u32, 0);
+        piece(self.tracer.still, &ray, centre.distance, centre.hit, &centre.normals)
     }
 
     /// The pixels around which some lie in the light of the sun and some do not.
@@ -264,6 +264,42 @@ fn piece(still: &StaticScene, ray: &Ray, distance: f32, hit: PackedHit, normals:
     })
 }
 
+/// The centres of all pixels, and around which of them more must be traced.
+pub(super) struct SparsePrimary<'a> {
+    pass: &'a BakePass<'a>,
+    centres: Vec<Centre>,
+    goes_on: Vec<GoesOn>,
+    near_shadow_edge: Vec<bool>,
+}
+
+/// What is kept of a row of [`PrimaryHits`](super::primary_hits::PrimaryHits): nothing seen yet.
+pub(super) struct KeptRow<'a> {
+    pub(super) distances: &'a mut [[f32; SAMPLES]],
+    pub(super) sun_free: &'a mut [[u8; SAMPLES]],
+    pub(super) uniform: &'a mut [bool],
+}
+
+impl SparsePrimary<'_> {
+    /// What [`BakePass::trace`] finds in a row, by fewer rays. Of the surfaces of uniform pixels it tells those of the centres.
+    pub(super) fn trace_row(&self, y: usize, kept: KeptRow<'_>) -> RowSurfaces {
+        let width = self.pass.width();
+        let row = y * width..(y + 1) * width;
+        // Which samples lie between the centre and those of neighbours on the same surface.
+        let known = |x: usize| {
+            let here = y * width + x;
+            let left = x == 0 || self.goes_on[here - 1].right;
+            let above = y == 0 || self.goes_on[here - width].below;
+            [true, self.goes_on[here].right, left && self.goes_on[here].below, above]
+        };
+        let mut surfaces = RowSurfaces::nothing(width);
+        let (hits, normals) = (&mut surfaces.hits[..], &mut surfaces.normals[..]);
+        let (centres, edges) = (&self.centres[row.clone()], &self.near_shadow_edge[row]);
+        let KeptRow { distances, sun_free, uniform } = kept;
+        SparseRow { pass: self.pass, y, centres, edges, distances, hits, normals, sun_free, uniform }.fill(known);
+        surfaces
+    }
+}
+
 /// A row of pixels whose centres are known.
 struct SparseRow<'a> {
     pass: &'a BakePass<'a>,
@@ -290,37 +326,83 @@ impl SparseRow<'_> {
     fn fill(&mut self, known: impl Fn(usize) -> [bool; SAMPLES]) {
         let width = self.centres.len();
         let mut bundle = Bundle { rays: RayStream::NONE, places: [(0, 0); 8 * ROWS], count: 0 };
+        let mut unknown = Vec::new();
         for first in (0..width).step_by(8) {
-            let count = (width - first).min(8);
-            let directions = self.pass.directions_of(self.y * width + first, count);
-            for x in first..first + count {
-                let centre = self.centres[x];
-                self.distances[x][0] = centre.distance;
+            let pixels = first..(first + 8).min(width);
+            for x in pixels.clone() {
+                let centre = &self.centres[x];
+                self.distances[x] = [centre.distance; SAMPLES];
                 self.hits[x][0] = centre.hit;
                 self.normals[x][0] = centre.normals;
-                self.sun_free[x][0] = if centre.sun == SunSeen::Lit { WHOLE } else { 0 };
+                self.sun_free[x] = [if centre.sun == SunSeen::Lit { WHOLE } else { 0 }; SAMPLES];
+                self.uniform[x] = !centre.is_sky();
+            }
+            let all_known = pixels.clone().all(|x| known(x) == [true; SAMPLES]);
+            if all_known && self.centres[pixels.clone()].iter().all(Centre::is_sky) {
+                continue;
+            }
+            let directions = self.pass.directions_of(self.y * width + first, pixels.len());
+            if all_known && self.pass.camera.lens.is_central() {
+                self.spread_on_planes(pixels, &directions);
+                continue;
+            }
+            for x in pixels {
                 let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
                 let known = known(x);
                 self.spread(x, &rays, known);
                 for sample in (1..SAMPLES).filter(|&sample| !known[sample]) {
                     self.push(&mut bundle, x, sample, &rays[sample]);
                 }
+                if known != [true; SAMPLES] {
+                    unknown.push((x, rays));
+                }
             }
         }
         self.trace(&mut bundle);
+        for (x, rays) in unknown {
+            self.uniform[x] = self.is_uniform(x, &rays, known(x));
+        }
         let mut disc = DiscRays { rays: RayStream::NONE, places: Vec::with_capacity(8 * ROWS / PARTS.len()) };
         for first in (0..width).step_by(8) {
-            let count = (width - first).min(8);
-            let directions = self.pass.directions_of(self.y * width + first, count);
-            for x in first..first + count {
-                let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
-                self.uniform[x] = self.is_uniform(x, &rays, known(x));
+            let pixels = first..(first + 8).min(width);
+            if !self.edges[pixels.clone()].iter().any(|edge| *edge) {
+                continue;
+            }
+            let directions = self.pass.directions_of(self.y * width + first, pixels.len());
+            for x in pixels {
                 if self.edges[x] {
+                    let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
                     self.ask_the_disc(&mut disc, x, &rays);
                 }
             }
         }
         self.trace_disc(&mut disc);
+    }
+
+    /// How far the samples of eight pixels lie, all of which lie on the planes of their centres; all rays leave one lens.
+    fn spread_on_planes(&mut self, pixels: Range<usize>, directions: &[Vec3x8; SAMPLES]) {
+        let (mut normals, mut centres) = ([[0.0; 8]; 3], [0.0; 8]);
+        let (mut last, mut normal) = (0, Vec3A::Z);
+        for (lane, x) in pixels.clone().enumerate() {
+            let packed = self.normals[x][0].geometric;
+            if lane == 0 || packed != last {
+                (last, normal) = (packed, octahedron::unpack(packed));
+            }
+            for (axis, own) in normals.iter_mut().zip(normal.to_array()) {
+                axis[lane] = own;
+            }
+            centres[lane] = self.centres[x].distance;
+        }
+        let (normals, centres) = (normals.map(f32x8::new), f32x8::new(centres));
+        let height = centres * dot(&directions[0], &normals);
+        for (sample, direction) in directions.iter().enumerate().skip(1) {
+            let sinks = dot(direction, &normals);
+            let meets = sinks.simd_lt(f32x8::splat(-1e-4)) & centres.simd_lt(f32x8::splat(f32::MAX));
+            let distances = meets.select(height / sinks, centres).to_array();
+            for (x, distance) in pixels.clone().zip(distances) {
+                self.distances[x][sample] = distance;
+            }
+        }
     }
 
     /// Samples of a pixel that lie on the plane of its centre, or see the sky as it does.
@@ -397,7 +479,8 @@ impl SparseRow<'_> {
     fn ask_the_disc(&mut self, disc: &mut DiscRays, x: usize, rays: &[Ray; SAMPLES]) {
         let Some(sun) = &self.pass.tracer.environment.sun else { return };
         for (sample, ray) in rays.iter().enumerate() {
-            let normal = octahedron::unpack(self.normals[x][sample].geometric);
+            let own = if self.uniform[x] { 0 } else { sample };
+            let normal = octahedron::unpack(self.normals[x][own].geometric);
             let facet = ShadingPoint::along(ray, self.distances[x][sample], normal);
             // Through leaves that it does not light from the front it was seen before, or is not looked for.
             let may_light = normal.dot(sun.direction) > 0.0 || self.sun_free[x][sample] != 0;
