@@ -89,15 +89,32 @@ impl BakePass<'_> {
     }
 }
 
-/// Light at a point as the probes tell of it: what hides it close by is not in them.
-fn probed(pass: &BakePass<'_>, point: &SurfaceInteraction<'_>) -> Vec3A {
-    let place = point.position + point.geometric_normal * 0.25;
-    let open = match point.material.surface {
+/// Light near a point as the probes tell of it.
+fn ambient(pass: &BakePass<'_>, point: &SurfaceInteraction<'_>) -> Vec3A {
+    pass.tracer.ambient(point.position + point.geometric_normal * 0.25, point.normal)
+}
+
+/// The share of it that what is close by leaves, which is not in the probes.
+fn open(point: &SurfaceInteraction<'_>) -> f32 {
+    match point.material.surface {
         Surface::Foliage => OPEN_TO_LEAVES,
         _ if point.normal.z.abs() < UPRIGHT => OPEN_TO_WALLS * point.ambient_occlusion,
         _ => point.ambient_occlusion,
+    }
+}
+
+/// Whether points, of which the first and the last are given, lie near each other on one flat piece of a plane.
+fn is_one_plane<'a>(
+    from: &SurfaceInteraction<'_>,
+    to: &SurfaceInteraction<'_>,
+    mut points: impl Iterator<Item = &'a SurfaceInteraction<'a>>,
+) -> bool {
+    /// Far less than from probe to probe.
+    const WIDE_M: f32 = 1.0;
+    let same = |p: &SurfaceInteraction<'_>| {
+        p.normal == from.normal && (p.position - from.position).dot(from.geometric_normal).abs() < 0.02
     };
-    pass.tracer.ambient(place, point.normal) * open
+    (to.position - from.position).length_squared() < WIDE_M * WIDE_M && points.all(same)
 }
 
 /// Whether two samples of a pixel may have one light: they lie on one smooth surface, or among leaves.
@@ -122,7 +139,9 @@ struct PixelEight<'a> {
     pass: &'a BakePass<'a>,
     samples: [PrimarySample; LANES],
     /// What the samples see that are not lit as another; none of the sky.
-    surfaces: [Option<(SurfaceInteraction<'a>, Bsdf)>; LANES],
+    points: [Option<SurfaceInteraction<'a>>; LANES],
+    /// The BSDFs of these points.
+    bsdfs: [Option<Bsdf>; LANES],
     /// Of a uniform pixel, nothing but of those samples that tell it.
     shaded: [ShadedSample; LANES],
     /// The samples that lie in the picture and are not told by another, a bit each; more of those that may be.
@@ -140,7 +159,8 @@ impl<'a> PixelEight<'a> {
         Self {
             pass,
             samples: [nothing; LANES],
-            surfaces: [const { None }; LANES],
+            points: [const { None }; LANES],
+            bsdfs: [const { None }; LANES],
             shaded: [ShadedSample::sky(Vec3A::ZERO); LANES],
             asked: 0,
             uniform: 0,
@@ -182,6 +202,13 @@ impl<'a> PixelEight<'a> {
                 let gathered = irradiance.map(|irradiance| irradiance[x][sample].get());
                 self.look_along(pass.ray_along(&aims, pixel), primary, gathered, (x, pixel, lane));
             }
+            if irradiance.is_none() {
+                self.ask_probes(sample);
+            }
+            for (_, lane) in lanes_of(asked) {
+                let bsdf = |point| gbuffer_bsdf(point, pass.tracer.environment, sample, pass.pixel_angle);
+                self.bsdfs[lane] = self.points[lane].as_ref().map(bsdf);
+            }
         }
     }
 
@@ -196,10 +223,10 @@ impl<'a> PixelEight<'a> {
         let (pass, sample) = (self.pass, lane / 8);
         let hit = primary.pixel(x).hit(sample);
         self.told_by[lane] = lane as u8;
-        self.surfaces[lane] = None;
+        self.points[lane] = None;
         self.samples[lane] = PrimarySample { ray, hit, irradiance: gathered.unwrap_or(Vec3A::ZERO) };
         let Some(hit) = &hit else { return };
-        if self.uniform >> pixel & 1 == 1 && !is_shaded(sample, &self.surfaces[pixel]) {
+        if self.uniform >> pixel & 1 == 1 && !is_shaded(sample, self.surface(pixel)) {
             self.shaded[lane] = ShadedSample::sky(Vec3A::ZERO);
             return;
         }
@@ -209,12 +236,33 @@ impl<'a> PixelEight<'a> {
             self.told_by[lane] = alike;
             return;
         }
-        let point = SurfaceInteraction::new(&pass.tracer.still.instances, &ray, hit);
-        if gathered.is_none() {
-            self.samples[lane].irradiance = probed(pass, &point);
+        self.points[lane] = Some(SurfaceInteraction::new(&pass.tracer.still.instances, &ray, hit));
+    }
+
+    /// The light at one sample of each of the pixels, as the probes tell of it: along a plane it changes evenly.
+    fn ask_probes(&mut self, sample: usize) {
+        let asked = lanes(self.asked & 0xff << (8 * sample));
+        let seen = asked.filter(|&lane| self.points[lane].is_some()).fold(0u32, |bits, lane| bits | 1 << lane);
+        let points = || lanes(seen).filter_map(|lane| self.points[lane].as_ref().map(|point| (lane, point)));
+        let (Some((first, from)), Some((last, to))) = (points().next(), points().last()) else { return };
+        let (way, pass) = (to.position - from.position, self.pass);
+        let even = last > first + 1 && is_one_plane(from, to, points().map(|(_, point)| point));
+        let ends = even.then(|| (ambient(pass, from), ambient(pass, to)));
+        let light = |point: &SurfaceInteraction<'_>| match ends {
+            Some((first, last)) => {
+                first + (last - first) * ((point.position - from.position).dot(way) / way.length_squared())
+            }
+            None => ambient(pass, point),
+        };
+        for lane in lanes(seen) {
+            let Some(point) = &self.points[lane] else { continue };
+            self.samples[lane].irradiance = light(point) * open(point);
         }
-        let bsdf = gbuffer_bsdf(&point, pass.tracer.environment, sample, pass.pixel_angle);
-        self.surfaces[lane] = Some((point, bsdf));
+    }
+
+    /// What a sample sees that is not lit as another.
+    fn surface(&self, lane: usize) -> Option<(&SurfaceInteraction<'a>, &Bsdf)> {
+        self.points[lane].as_ref().zip(self.bsdfs[lane].as_ref())
     }
 
     /// The light of a pixel's sample.
@@ -256,7 +304,7 @@ impl<'a> PixelEight<'a> {
                 self.shaded[lane] = sky_sample(environment, &primary.ray, halos[lane]);
                 continue;
             };
-            let Some((point, bsdf)) = &self.surfaces[lane] else { continue };
+            let Some((point, bsdf)) = self.surface(lane) else { continue };
             air[lane] = match shares {
                 true => air[lane % 8],
                 false => Air::before(environment, &primary.ray, hit.t, halos[lane]),
@@ -272,7 +320,7 @@ impl<'a> PixelEight<'a> {
     /// BSDFs of the uniform pixels' centres.
     fn bsdfs(&self) -> [Option<PackedBsdf>; 8] {
         std::array::from_fn(|pixel| {
-            let centre = self.surfaces[pixel].as_ref().filter(|_| self.uniform >> pixel & 1 == 1);
+            let centre = self.surface(pixel).filter(|_| self.uniform >> pixel & 1 == 1);
             centre.map(|(_, bsdf)| PackedBsdf::new(bsdf))
         })
     }
@@ -280,11 +328,11 @@ impl<'a> PixelEight<'a> {
     /// What a pixel's centre shows in all layers but RGB.
     fn layers(&self, pixel: usize) -> PixelLayers {
         let BakePass { settings, camera, .. } = self.pass;
-        let seen = |(point, bsdf): &(SurfaceInteraction<'_>, Bsdf)| {
+        let seen = |(point, bsdf): (&SurfaceInteraction<'_>, &Bsdf)| {
             PixelLayers::new(settings.layers, camera, &self.samples[pixel].ray, point, || bsdf.clone())
         };
         let nothing = if is_nowhere(&self.samples[pixel].ray) { PixelLayers::UNLIT } else { PixelLayers::SKY };
-        self.surfaces[pixel].as_ref().map_or(nothing, seen)
+        self.surface(pixel).map_or(nothing, seen)
     }
 
     /// Glow of lamps before the samples that do not share that of their centre.
@@ -319,7 +367,7 @@ impl<'a> PixelEight<'a> {
         let mut weights = [Vec3A::ZERO; LANES];
         let mut footprints_m = [0.0; LANES];
         for lane in lanes(self.asked) {
-            let Some((point, bsdf)) = &self.surfaces[lane] else { continue };
+            let Some((point, bsdf)) = self.surface(lane) else { continue };
             weights[lane] = bsdf.coat_reflectance(-point.direction);
             if weights[lane].max_element() >= MIRROR_THRESHOLD {
                 asked |= 1 << lane;
@@ -350,7 +398,7 @@ impl<'a> PixelEight<'a> {
     /// Which lamps light the samples that do not share the light of their centre, a bit each, and their light.
     fn lamps(&self) -> [(u32, Vec3A); LANES] {
         let tracer = &self.pass.tracer;
-        let surface = |lane: usize| self.surfaces[lane].as_ref().filter(|_| self.asked >> lane & 1 == 1);
+        let surface = |lane: usize| self.surface(lane).filter(|_| self.asked >> lane & 1 == 1);
         let facets = std::array::from_fn(|lane| surface(lane).map(|(point, _)| point.facet()));
         let free = lamps_free32(tracer, &facets, self.asked & !self.sharing());
         std::array::from_fn(|lane| {

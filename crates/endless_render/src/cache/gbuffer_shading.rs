@@ -78,7 +78,7 @@ pub(super) fn shade_pixel(
             shaded[sample] = sky_sample(environment, &primary.ray, halos(tracer, &primary.ray, f32::MAX));
             continue;
         };
-        if uniform && !is_shaded(sample, &seen) {
+        if uniform && !is_shaded(sample, seen.as_ref().map(|(point, bsdf)| (point, bsdf))) {
             continue;
         }
         let point = SurfaceInteraction::new(&tracer.still.instances, ray, hit);
@@ -104,11 +104,11 @@ pub(super) fn shade_pixel(
 
 /// Whether a sample of a uniform pixel is shaded, of which the centre is known: it is itself, and so is the third sample
 /// where the centre mirrors, for a mirror's image has detail that no material has.
-pub(super) fn is_shaded(sample: usize, centre: &Option<(SurfaceInteraction<'_>, Bsdf)>) -> bool {
-    let mirrors = |(point, bsdf): &(SurfaceInteraction<'_>, Bsdf)| {
+pub(super) fn is_shaded(sample: usize, centre: Option<(&SurfaceInteraction<'_>, &Bsdf)>) -> bool {
+    let mirrors = |(point, bsdf): (&SurfaceInteraction<'_>, &Bsdf)| {
         bsdf.coat_reflectance(-point.direction).max_element() >= MIRROR_THRESHOLD
     };
-    sample == 0 || sample == 2 && centre.as_ref().is_some_and(mirrors)
+    sample == 0 || sample == 2 && centre.is_some_and(mirrors)
 }
 
 /// A sample that met a surface, on which `irradiance` was gathered, klx.
