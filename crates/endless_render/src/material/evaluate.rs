@@ -20,13 +20,16 @@ pub(crate) fn evaluate_bsdf(
     footprint_m: f32,
     jitter: f32,
 ) -> Bsdf {
-    let Some(variation) = &environment.surfaces else {
-        return finished(dry_bsdf(point, environment, footprint_m), point, environment, footprint_m, jitter);
-    };
-    let varied = variation.of(point);
-    let mut bsdf = dry_bsdf(&varied.point(point), environment, footprint_m * varied.scale());
-    bsdf.albedo = varied.albedo(point, bsdf.albedo, footprint_m);
-    finished(bsdf, point, environment, footprint_m, jitter)
+    let mut bsdf;
+    if let Some(variation) = &environment.surfaces {
+        let varied = variation.of(point);
+        bsdf = dry_bsdf(&varied.point(point), environment, footprint_m * varied.scale());
+        bsdf.albedo = varied.albedo(point, bsdf.albedo, footprint_m);
+    } else {
+        bsdf = dry_bsdf(point, environment, footprint_m);
+    }
+    finish(&mut bsdf, point, environment, footprint_m, jitter);
+    bsdf
 }
 
 /// [`evaluate_bsdf`] of the points that eight pixels side by side see, each with the width of its pixel; to the bit.
@@ -37,38 +40,37 @@ pub(crate) fn evaluate_bsdfs(
     footprints_m: &[f32; 8],
     jitter: f32,
 ) -> [Option<Bsdf>; 8] {
+    let mut bsdfs = [const { None }; 8];
     let Some(variation) = &environment.surfaces else {
-        let mut bsdfs = dry_bsdfs(points, environment, footprints_m);
-        return std::array::from_fn(|i| {
-            Some(finished(bsdfs[i].take()?, points[i]?, environment, footprints_m[i], jitter))
-        });
+        dry_bsdfs(points, environment, footprints_m, &mut bsdfs);
+        for (i, bsdf) in bsdfs.iter_mut().enumerate() {
+            if let (Some(bsdf), Some(point)) = (bsdf, points[i]) {
+                finish(bsdf, point, environment, footprints_m[i], jitter);
+            }
+        }
+        return bsdfs;
     };
     let varied = points.map(|point| point.map(|point| variation.of(point)));
     let places: [Option<SurfaceInteraction<'_>>; 8] =
         std::array::from_fn(|i| Some(varied[i].as_ref()?.point(points[i]?)));
     let scales = varied.each_ref().map(|varied| varied.as_ref().map_or(1.0, VariedSurface::scale));
     let scaled_m = std::array::from_fn(|i| footprints_m[i] * scales[i]);
-    let mut bsdfs = dry_bsdfs(&places.each_ref().map(Option::as_ref), environment, &scaled_m);
-    std::array::from_fn(|i| {
-        let (mut bsdf, point) = (bsdfs[i].take()?, points[i]?);
-        bsdf.albedo = varied[i].as_ref()?.albedo(point, bsdf.albedo, footprints_m[i]);
-        Some(finished(bsdf, point, environment, footprints_m[i], jitter))
-    })
+    dry_bsdfs(&places.each_ref().map(Option::as_ref), environment, &scaled_m, &mut bsdfs);
+    for (i, bsdf) in bsdfs.iter_mut().enumerate() {
+        if let (Some(bsdf), Some(point), Some(varied)) = (bsdf, points[i], &varied[i]) {
+            bsdf.albedo = varied.albedo(point, bsdf.albedo, footprints_m[i]);
+            finish(bsdf, point, environment, footprints_m[i], jitter);
+        }
+    }
+    bsdfs
 }
 
-/// With water where it rains, and what no surface exceeds.
-fn finished(
-    mut bsdf: Bsdf,
-    point: &SurfaceInteraction<'_>,
-    environment: &Environment,
-    footprint_m: f32,
-    jitter: f32,
-) -> Bsdf {
+/// Adds water where it rains, and keeps to what no surface exceeds.
+fn finish(bsdf: &mut Bsdf, point: &SurfaceInteraction<'_>, environment: &Environment, footprint_m: f32, jitter: f32) {
     if environment.wetness > 0.0 {
-        wet::wet(&mut bsdf, point, environment, footprint_m, jitter);
+        wet::wet(bsdf, point, environment, footprint_m, jitter);
     }
     bsdf.albedo = bsdf.albedo.clamp(Vec3A::splat(0.004), Vec3A::splat(0.9));
-    bsdf
 }
 
 /// [`dry_bsdf`] of eight points: those that share a kind of surface are seen together.
@@ -76,8 +78,8 @@ fn dry_bsdfs(
     points: &[Option<&SurfaceInteraction<'_>>; 8],
     environment: &Environment,
     footprints_m: &[f32; 8],
-) -> [Option<Bsdf>; 8] {
-    let mut bsdfs = [const { None }; 8];
+    bsdfs: &mut [Option<Bsdf>; 8],
+) {
     for first in 0..8 {
         let Some(point) = points[first].filter(|_| bsdfs[first].is_none()) else { continue };
         let surface = point.material.surface;
@@ -89,7 +91,7 @@ fn dry_bsdfs(
                 points: std::array::from_fn(|i| points[own(i)].unwrap_or(point)),
                 footprints_m: f32x8::new(std::array::from_fn(|i| footprints_m[own(i)])),
             };
-            if together(&pixels, surface, &alike, &mut bsdfs) {
+            if together(&pixels, surface, &alike, bsdfs) {
                 continue;
             }
         }
@@ -97,7 +99,6 @@ fn dry_bsdfs(
             bsdfs[i] = points[i].map(|point| dry_bsdf(point, environment, footprints_m[i]));
         }
     }
-    bsdfs
 }
 
 /// BSDFs of those wanted of eight pixels that see the same kind of surface; whether this kind has a pattern that is

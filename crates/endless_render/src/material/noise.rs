@@ -82,24 +82,29 @@ fn value2x4([x, y]: [[f32; 4]; 2], salts: [u32; 4]) -> [f32; 4] {
 /// [`value2`] of eight places, each with its salt.
 #[inline]
 pub(super) fn value2x8(p: [f32x8; 2], salts: [u32; 8]) -> f32x8 {
-    salted_value2x8(p, u32x8::new(salts) * u32x8::splat(0x9e37_79b9))
+    let salts = u32x8::new(salts) * u32x8::splat(0x9e37_79b9);
+    within_cells(p, |column, row| corners_of(column, row + salts))
 }
 
-/// [`value2`] of eight places; `salted` is what their salts add to the rows of cells.
-#[inline]
-pub(super) fn salted_value2x8([x, y]: [f32x8; 2], salted: u32x8) -> f32x8 {
+/// Between what `corners` are, of the cells of eight places told by column and row: low left and right, high left and
+/// right.
+#[inline(always)]
+pub(super) fn within_cells([x, y]: [f32x8; 2], corners: impl Fn(u32x8, u32x8) -> [f32x8; 4]) -> f32x8 {
     let corner = [x, y].map(f32x8::floor);
     let [u, v] = [x - corner[0], y - corner[1]].map(|t| t * t * (f32x8::splat(3.0) - f32x8::splat(2.0) * t));
     let [column, row] = corner.map(|c| c.fast_trunc_int().cast_unsigned());
-    let one = u32x8::splat(1);
-    let [low, high] = [row, row + one].map(|row| hash8(row + salted));
-    let at = |column: u32x8, row: u32x8| unit8(hash8(column ^ row));
-    let line = |row: u32x8| {
-        let (left, right) = (at(column, row), at(column + one, row));
-        left + (right - left) * u
-    };
-    let (a, b) = (line(low), line(high));
+    let [low_left, low_right, high_left, high_right] = corners(column, row);
+    let (a, b) = (low_left + (low_right - low_left) * u, high_left + (high_right - high_left) * u);
     (a + (b - a) * v) * f32x8::splat(2.0) - f32x8::ONE
+}
+
+/// [`cell2`] of cells and of those to the right, above, and to the right above; rows with their salts.
+#[inline(always)]
+pub(super) fn corners_of(column: u32x8, row: u32x8) -> [f32x8; 4] {
+    let one = u32x8::splat(1);
+    let [low, high] = [row, row + one].map(hash8);
+    let at = |column: u32x8, row: u32x8| unit8(hash8(column ^ row));
+    [at(column, low), at(column + one, low), at(column, high), at(column + one, high)]
 }
 
 /// [`hash`] of eight numbers.

@@ -64,7 +64,7 @@ impl NoiseQuestions<f32> for NoiseBatch {
     }
 
     #[inline]
-    fn found(self) -> impl Fn(Asked) -> f32 {
+    fn found(&self) -> impl Fn(Asked) -> f32 {
         let values = self.values();
         move |asked| values[asked.first..asked.first + asked.count].iter().fold(0.0, |sum, value| sum + value)
     }

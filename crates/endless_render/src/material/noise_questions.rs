@@ -23,5 +23,5 @@ pub(super) trait NoiseQuestions<N: PerPixel>: Sized {
     }
 
     /// What was asked. What is not looked up may not cost anything: look up once, and only what matters.
-    fn found(self) -> impl Fn(Self::Asked) -> N;
+    fn found(&self) -> impl Fn(Self::Asked) -> N;
 }
