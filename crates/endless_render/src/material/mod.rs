@@ -8,9 +8,13 @@ mod cabin;
 mod evaluate;
 mod ground;
 pub(crate) mod noise;
+mod noise8;
 mod noise_batch;
+mod noise_questions;
 mod object;
 mod packed_bsdf;
+mod per_pixel;
+mod pixel_group;
 mod wet;
 mod window;
 
@@ -18,4 +22,6 @@ pub(crate) use bsdf::Bsdf;
 pub(crate) use bsdf8::Bsdf8;
 pub use cabin::occupants;
 pub(crate) use evaluate::evaluate_bsdf;
+#[allow(unused_imports, reason = "those that trace eight rays at once are to ask for it")]
+pub(crate) use evaluate::evaluate_bsdfs;
 pub(crate) use packed_bsdf::PackedBsdf;

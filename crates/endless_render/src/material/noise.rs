@@ -81,25 +81,35 @@ fn value2x4([x, y]: [[f32; 4]; 2], salts: [u32; 4]) -> [f32; 4] {
 
 /// [`value2`] of eight places, each with its salt.
 #[inline]
-pub(super) fn value2x8([x, y]: [f32x8; 2], salts: [u32; 8]) -> f32x8 {
+pub(super) fn value2x8(p: [f32x8; 2], salts: [u32; 8]) -> f32x8 {
+    let salts = u32x8::new(salts) * u32x8::splat(0x9e37_79b9);
+    within_cells(p, |column, row| corners_of(column, row + salts))
+}
+
+/// Between what `corners` are, of the cells of eight places told by column and row: low left and right, high left and
+/// right.
+#[inline(always)]
+pub(super) fn within_cells([x, y]: [f32x8; 2], corners: impl Fn(u32x8, u32x8) -> [f32x8; 4]) -> f32x8 {
     let corner = [x, y].map(f32x8::floor);
     let [u, v] = [x - corner[0], y - corner[1]].map(|t| t * t * (f32x8::splat(3.0) - f32x8::splat(2.0) * t));
-    let [column, row] = corner.map(|c| u32x8::new(c.fast_trunc_int().to_array().map(|c| c as u32)));
-    let one = u32x8::splat(1);
-    let salts = u32x8::new(salts) * u32x8::splat(0x9e37_79b9);
-    let [low, high] = [row, row + one].map(|row| hash8(row + salts));
-    let at = |column: u32x8, row: u32x8| unit8(hash8(column ^ row));
-    let line = |row: u32x8| {
-        let (left, right) = (at(column, row), at(column + one, row));
-        left + (right - left) * u
-    };
-    let (a, b) = (line(low), line(high));
+    let [column, row] = corner.map(|c| c.fast_trunc_int().cast_unsigned());
+    let [low_left, low_right, high_left, high_right] = corners(column, row);
+    let (a, b) = (low_left + (low_right - low_left) * u, high_left + (high_right - high_left) * u);
     (a + (b - a) * v) * f32x8::splat(2.0) - f32x8::ONE
+}
+
+/// [`cell2`] of cells and of those to the right, above, and to the right above; rows with their salts.
+#[inline(always)]
+pub(super) fn corners_of(column: u32x8, row: u32x8) -> [f32x8; 4] {
+    let one = u32x8::splat(1);
+    let [low, high] = [row, row + one].map(hash8);
+    let at = |column: u32x8, row: u32x8| unit8(hash8(column ^ row));
+    [at(column, low), at(column + one, low), at(column, high), at(column + one, high)]
 }
 
 /// [`hash`] of eight numbers.
 #[inline]
-fn hash8(mut x: u32x8) -> u32x8 {
+pub(super) fn hash8(mut x: u32x8) -> u32x8 {
     x ^= x >> 16u32;
     x *= u32x8::splat(0x7feb_352d);
     x ^= x >> 15u32;
@@ -109,10 +119,9 @@ fn hash8(mut x: u32x8) -> u32x8 {
 
 /// [`unit`] of eight hashes.
 #[inline]
-fn unit8(h: u32x8) -> f32x8 {
+pub(super) fn unit8(h: u32x8) -> f32x8 {
     // Below 2²⁴, so that the sign does not matter.
-    let h: i32x8 = i32x8::new((h >> 8u32).to_array().map(|h| h as i32));
-    f32x8::from_i32x8(h) * f32x8::splat(1.0 / 16_777_216.0)
+    f32x8::from_i32x8((h >> 8u32).cast_signed()) * f32x8::splat(1.0 / 16_777_216.0)
 }
 
 /// Value noise in [−1, 1].

@@ -1,7 +1,7 @@
 //! Value noise at many places, found together: eight at a time.
 
 use super::noise::value2x8;
-use glam::Vec2;
+use super::noise_questions::NoiseQuestions;
 use wide::f32x8;
 
 /// Most places of a batch.
@@ -30,27 +30,25 @@ pub(super) struct Asked {
     count: usize,
 }
 
-/// What a batch found.
-pub(super) struct NoiseValues([f32; MOST]);
+impl NoiseQuestions<f32> for NoiseBatch {
+    type Asked = Asked;
 
-impl NoiseBatch {
-    pub(super) fn new(footprint_m: f32) -> Self {
+    #[inline]
+    fn new(footprint_m: f32) -> Self {
         let none = [0.0; MOST];
         let (wavelength, salt) = ([1.0; MOST], [0; MOST]);
         Self { footprint_m, x: none, y: none, wavelength, offset: none, amplitude: none, detail: none, salt, count: 0 }
     }
 
-    /// Asks for [`noise::value2`](super::noise::value2), which no footprint filters.
     #[inline]
-    pub(super) fn value2(&mut self, p: Vec2, salt: u32) -> Asked {
+    fn value2(&mut self, p: [f32; 2], salt: u32) -> Asked {
         let first = self.count;
         self.push(p, 1.0, 0.0, 1.0, f32::MAX, salt);
         Asked { first, count: self.count - first }
     }
 
-    /// Asks for [`noise::filtered_fbm2`](super::noise::filtered_fbm2).
     #[inline]
-    pub(super) fn filtered_fbm2(&mut self, p: Vec2, wavelength_m: f32, octaves: u32) -> Asked {
+    fn fbm2_of(&mut self, p: [f32; 2], wavelength_m: f32, octaves: u32) -> Asked {
         let first = self.count;
         let (mut amplitude, mut wavelength) = (0.5, wavelength_m);
         let finest = self.footprint_m.max(1e-4);
@@ -66,16 +64,24 @@ impl NoiseBatch {
     }
 
     #[inline]
-    fn push(&mut self, p: Vec2, wavelength: f32, offset: f32, amplitude: f32, detail: f32, salt: u32) {
+    fn found(&self) -> impl Fn(Asked) -> f32 {
+        let values = self.values();
+        move |asked| values[asked.first..asked.first + asked.count].iter().fold(0.0, |sum, value| sum + value)
+    }
+}
+
+impl NoiseBatch {
+    #[inline]
+    fn push(&mut self, [x, y]: [f32; 2], wavelength: f32, offset: f32, amplitude: f32, detail: f32, salt: u32) {
         let i = self.count;
         assert!(i < MOST, "too much is asked of one batch of noise");
-        (self.x[i], self.y[i], self.wavelength[i], self.offset[i]) = (p.x, p.y, wavelength, offset);
+        (self.x[i], self.y[i], self.wavelength[i], self.offset[i]) = (x, y, wavelength, offset);
         (self.amplitude[i], self.detail[i], self.salt[i]) = (amplitude, detail, salt);
         self.count += 1;
     }
 
-    /// All that was asked.
-    pub(super) fn found(&self) -> NoiseValues {
+    /// What is found at each place, by its number.
+    fn values(&self) -> [f32; MOST] {
         let mut values = [0.0; MOST];
         let finest = f32x8::splat(self.footprint_m.max(1e-4));
         for first in (0..self.count).step_by(8) {
@@ -89,15 +95,7 @@ impl NoiseBatch {
             let scaled = eight(&self.amplitude) * kept * noise;
             values[first..first + 8].copy_from_slice(scaled.as_array());
         }
-        NoiseValues(values)
-    }
-}
-
-impl NoiseValues {
-    /// What one question gave.
-    #[inline]
-    pub(super) fn of(&self, asked: Asked) -> f32 {
-        self.0[asked.first..asked.first + asked.count].iter().fold(0.0, |sum, value| sum + value)
+        values
     }
 }
 
@@ -105,6 +103,7 @@ impl NoiseValues {
 mod tests {
     use super::super::noise;
     use super::*;
+    use glam::Vec2;
     use proptest::prelude::*;
 
     proptest! {
@@ -113,14 +112,14 @@ mod tests {
             x in -1e3f32..1e3, y in -1e3f32..1e3, wavelength_m in 0.02f32..90.0, octaves in 1u32..7,
             footprint_m in 0.0005f32..3.0, salt: u32,
         ) {
-            let p = Vec2::new(x, y);
             let mut batch = NoiseBatch::new(footprint_m);
-            let value = batch.value2(p, salt);
-            let sums = [0.0, 5.0, 9.0].map(|aside| batch.filtered_fbm2(p + aside, wavelength_m, octaves));
+            let value = batch.value2([x, y], salt);
+            let sums = [0.0, 5.0, 9.0].map(|aside| batch.fbm2([x + aside, y + aside], wavelength_m, octaves));
             let found = batch.found();
-            prop_assert_eq!(found.of(value), noise::value2(p, salt));
+            let p = Vec2::new(x, y);
+            prop_assert_eq!(found(value), noise::value2(p, salt));
             for (sum, aside) in sums.into_iter().zip([0.0, 5.0, 9.0]) {
-                prop_assert_eq!(found.of(sum), noise::filtered_fbm2(p + aside, wavelength_m, octaves, footprint_m));
+                prop_assert_eq!(found(sum), noise::filtered_fbm2(p + aside, wavelength_m, octaves, footprint_m));
             }
         }
     }
