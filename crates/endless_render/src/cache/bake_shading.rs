@@ -3,7 +3,7 @@
 
 use super::bake_pass::BakePass;
 use super::gbuffer_row::GBufferRow;
-use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdf, is_shaded, sky_sample, surface_sample};
+use super::gbuffer_shading::{Air, PrimarySample, SampleLight, gbuffer_bsdfs, is_shaded, sky_sample, surface_sample};
 use super::lamp_mask::{lamp_sum, lamps_free32};
 use super::primary_hits::{PrimaryHits, PrimaryRow, RowSurfaces};
 use super::shaded_pixel::{ShadedPixel, ShadedSample};
@@ -205,9 +205,11 @@ impl<'a> PixelEight<'a> {
             if irradiance.is_none() {
                 self.ask_probes(sample);
             }
-            for (_, lane) in lanes_of(asked) {
-                let bsdf = |point| gbuffer_bsdf(point, pass.tracer.environment, sample, pass.pixel_angle);
-                self.bsdfs[lane] = self.points[lane].as_ref().map(bsdf);
+            let seen = |pixel: usize| self.points[8 * sample + pixel].as_ref().filter(|_| asked >> pixel & 1 == 1);
+            let points = std::array::from_fn(seen);
+            let bsdfs = gbuffer_bsdfs(&points, pass.tracer.environment, sample, pass.pixel_angle);
+            for (own, bsdf) in self.bsdfs[8 * sample..].iter_mut().zip(bsdfs) {
+                *own = bsdf;
             }
         }
     }

@@ -6,7 +6,7 @@ use super::shaded_pixel::ShadedSample;
 use crate::accel::{Hit, Ray};
 use crate::camera_rays::is_nowhere;
 use crate::light::Environment;
-use crate::material::{Bsdf, evaluate_bsdf};
+use crate::material::{Bsdf, evaluate_bsdf, evaluate_bsdfs};
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
 use crate::shade::{MIRROR_THRESHOLD, Tracer, footprint_m, halos, mirror_light, mirror_ray, sun_light};
@@ -58,7 +58,23 @@ pub(super) fn gbuffer_bsdf(
     sample: usize,
     pixel_angle: f32,
 ) -> Bsdf {
-    evaluate_bsdf(point, environment, footprint_m(&point.facet(), pixel_angle), sample as f32 / 4.0 + 0.1)
+    evaluate_bsdf(point, environment, footprint_m(&point.facet(), pixel_angle), sample_jitter(sample))
+}
+
+/// [`gbuffer_bsdf`] of a sample of each of eight pixels.
+pub(super) fn gbuffer_bsdfs(
+    points: &[Option<&SurfaceInteraction<'_>>; 8],
+    environment: &Environment,
+    sample: usize,
+    pixel_angle: f32,
+) -> [Option<Bsdf>; 8] {
+    let footprints_m = points.map(|point| point.map_or(1.0, |point| footprint_m(&point.facet(), pixel_angle)));
+    evaluate_bsdfs(points, environment, &footprints_m, sample_jitter(sample))
+}
+
+/// Differs between the samples of a pixel.
+fn sample_jitter(sample: usize) -> f32 {
+    sample as f32 / 4.0 + 0.1
 }
 
 /// Shades the samples of a pixel, a ray at a time; `tracer` must hold nothing that moves. Of a uniform pixel the centre is

@@ -33,7 +33,6 @@ pub(crate) fn evaluate_bsdf(
 }
 
 /// [`evaluate_bsdf`] of the points that eight pixels side by side see, each with the width of its pixel; to the bit.
-#[allow(dead_code, reason = "those that trace eight rays at once are to ask for it")]
 pub(crate) fn evaluate_bsdfs(
     points: &[Option<&SurfaceInteraction<'_>>; 8],
     environment: &Environment,
