@@ -28,7 +28,8 @@ pub(crate) fn evaluate_bsdf(
     } else {
         bsdf = dry_bsdf(point, environment, footprint_m);
     }
-    finish(&mut bsdf, point, environment, footprint_m, jitter);
+    let film = || wet::film_look(&OnePixel { point, footprint_m }, environment);
+    finish(&mut bsdf, point, environment, film, jitter);
     bsdf
 }
 
@@ -40,34 +41,55 @@ pub(crate) fn evaluate_bsdfs(
     jitter: f32,
 ) -> [Option<Bsdf>; 8] {
     let mut bsdfs = [const { None }; 8];
-    let Some(variation) = &environment.surfaces else {
-        dry_bsdfs(points, environment, footprints_m, &mut bsdfs);
+    if let Some(variation) = &environment.surfaces {
+        let varied = points.map(|point| point.map(|point| variation.of(point)));
+        let places: [Option<SurfaceInteraction<'_>>; 8] =
+            std::array::from_fn(|i| Some(varied[i].as_ref()?.point(points[i]?)));
+        let scales = varied.each_ref().map(|varied| varied.as_ref().map_or(1.0, VariedSurface::scale));
+        let scaled_m = std::array::from_fn(|i| footprints_m[i] * scales[i]);
+        dry_bsdfs(&places.each_ref().map(Option::as_ref), environment, &scaled_m, &mut bsdfs);
         for (i, bsdf) in bsdfs.iter_mut().enumerate() {
-            if let (Some(bsdf), Some(point)) = (bsdf, points[i]) {
-                finish(bsdf, point, environment, footprints_m[i], jitter);
+            if let (Some(bsdf), Some(point), Some(varied)) = (bsdf, points[i], &varied[i]) {
+                bsdf.albedo = varied.albedo(point, bsdf.albedo, footprints_m[i]);
             }
         }
-        return bsdfs;
-    };
-    let varied = points.map(|point| point.map(|point| variation.of(point)));
-    let places: [Option<SurfaceInteraction<'_>>; 8] =
-        std::array::from_fn(|i| Some(varied[i].as_ref()?.point(points[i]?)));
-    let scales = varied.each_ref().map(|varied| varied.as_ref().map_or(1.0, VariedSurface::scale));
-    let scaled_m = std::array::from_fn(|i| footprints_m[i] * scales[i]);
-    dry_bsdfs(&places.each_ref().map(Option::as_ref), environment, &scaled_m, &mut bsdfs);
+    } else {
+        dry_bsdfs(points, environment, footprints_m, &mut bsdfs);
+    }
+    let films = films(points, environment, footprints_m);
     for (i, bsdf) in bsdfs.iter_mut().enumerate() {
-        if let (Some(bsdf), Some(point), Some(varied)) = (bsdf, points[i], &varied[i]) {
-            bsdf.albedo = varied.albedo(point, bsdf.albedo, footprints_m[i]);
-            finish(bsdf, point, environment, footprints_m[i], jitter);
+        if let (Some(bsdf), Some(point)) = (bsdf, points[i]) {
+            finish(bsdf, point, environment, || films.map(|number| number[i]), jitter);
         }
     }
     bsdfs
 }
 
+/// What [`wet::film_look`] finds for each of eight points, as far as it is wet and bears a film.
+fn films(
+    points: &[Option<&SurfaceInteraction<'_>>; 8],
+    environment: &Environment,
+    footprints_m: &[f32; 8],
+) -> [[f32; 8]; 4] {
+    let bears_film = |point: &SurfaceInteraction<'_>| wet::bears_film(point.material.surface);
+    let wet = points.map(|point| environment.wetness > 0.0 && point.is_some_and(bears_film));
+    let mut films = [[0.0; 8]; 4];
+    if let Some(pixels) = EightPixels::of(points, footprints_m, &wet) {
+        films = wet::film_look(&pixels, environment).map(f32x8::to_array);
+    }
+    films
+}
+
 /// Adds water where it rains, and keeps to what no surface exceeds.
-fn finish(bsdf: &mut Bsdf, point: &SurfaceInteraction<'_>, environment: &Environment, footprint_m: f32, jitter: f32) {
+fn finish(
+    bsdf: &mut Bsdf,
+    point: &SurfaceInteraction<'_>,
+    environment: &Environment,
+    film: impl FnOnce() -> [f32; 4],
+    jitter: f32,
+) {
     if environment.wetness > 0.0 {
-        wet::wet(bsdf, point, environment, footprint_m, jitter);
+        wet::wet(bsdf, point, environment, film, jitter);
     }
     bsdf.albedo = bsdf.albedo.clamp(Vec3A::splat(0.004), Vec3A::splat(0.9));
 }
@@ -85,11 +107,7 @@ fn dry_bsdfs(
         let alike: [bool; 8] =
             std::array::from_fn(|i| i >= first && points[i].is_some_and(|point| point.material.surface == surface));
         if alike.iter().filter(|alike| **alike).count() >= FEWEST_TOGETHER {
-            let own = |i: usize| if alike[i] { i } else { first };
-            let pixels = EightPixels {
-                points: std::array::from_fn(|i| points[own(i)].unwrap_or(point)),
-                footprints_m: f32x8::new(std::array::from_fn(|i| footprints_m[own(i)])),
-            };
+            let Some(pixels) = EightPixels::of(points, footprints_m, &alike) else { continue };
             if together(&pixels, surface, &alike, bsdfs) {
                 continue;
             }

@@ -81,19 +81,17 @@ fn value2x4([x, y]: [[f32; 4]; 2], salts: [u32; 4]) -> [f32; 4] {
 
 /// [`value2`] of eight places, each with its salt.
 #[inline]
-pub(super) fn value2x8(p: [f32x8; 2], salts: [u32; 8]) -> f32x8 {
-    let salts = u32x8::new(salts) * u32x8::splat(0x9e37_79b9);
-    within_cells(p, |column, row| corners_of(column, row + salts))
+pub(super) fn value2x8([x, y]: [f32x8; 2], salts: [u32; 8]) -> f32x8 {
+    let corner = [x, y].map(f32x8::floor);
+    let shares = [x - corner[0], y - corner[1]].map(|t| t * t * (f32x8::splat(3.0) - f32x8::splat(2.0) * t));
+    let [column, row] = corner.map(|c| c.fast_trunc_int().cast_unsigned());
+    between(corners_of(column, row + u32x8::new(salts) * u32x8::splat(0x9e37_79b9)), shares)
 }
 
-/// Between what `corners` are, of the cells of eight places told by column and row: low left and right, high left and
-/// right.
+/// Value noise where it is known at the corners of the cells: low left and right, high left and right. The shares are
+/// those of the right and the high ones.
 #[inline(always)]
-pub(super) fn within_cells([x, y]: [f32x8; 2], corners: impl Fn(u32x8, u32x8) -> [f32x8; 4]) -> f32x8 {
-    let corner = [x, y].map(f32x8::floor);
-    let [u, v] = [x - corner[0], y - corner[1]].map(|t| t * t * (f32x8::splat(3.0) - f32x8::splat(2.0) * t));
-    let [column, row] = corner.map(|c| c.fast_trunc_int().cast_unsigned());
-    let [low_left, low_right, high_left, high_right] = corners(column, row);
+pub(super) fn between([low_left, low_right, high_left, high_right]: [f32x8; 4], [u, v]: [f32x8; 2]) -> f32x8 {
     let (a, b) = (low_left + (low_right - low_left) * u, high_left + (high_right - high_left) * u);
     (a + (b - a) * v) * f32x8::splat(2.0) - f32x8::ONE
 }

@@ -26,57 +26,108 @@ pub(super) fn cell2x8([x, y]: [f32x8; 2], salt: u32) -> f32x8 {
 /// [`noise::value2`] of eight places.
 #[inline]
 pub(super) fn value2x8(p: [f32x8; 2], salt: u32) -> f32x8 {
-    noise::within_cells(p, |column, row| {
-        let row = salted(row, salt);
-        if is_shared(column) && is_shared(row) { shared_corners(column, row) } else { noise::corners_of(column, row) }
-    })
+    let [value] = values2x8([p], [salt]);
+    value
 }
 
-/// Whether all eight are the same. Pixels side by side mostly see one cell of all but the finest noise.
-#[inline]
-fn is_shared(cells: u32x8) -> bool {
-    cells.simd_eq(u32x8::splat(cells.as_array()[0])).all()
+/// [`value2x8`] of one set of places or of two, each with its salt: two are found in hardly more time than one, as each
+/// step waits for the one before.
+#[inline(always)]
+fn values2x8<const N: usize>(p: [[f32x8; 2]; N], salts: [u32; N]) -> [f32x8; N] {
+    let corner = p.map(|p| p.map(f32x8::floor));
+    let shares: [[f32x8; 2]; N] = std::array::from_fn(|n| {
+        [0, 1].map(|k| p[n][k] - corner[n][k]).map(|t| t * t * (f32x8::splat(3.0) - f32x8::splat(2.0) * t))
+    });
+    let cells = corner.map(|corner| corner.map(cell_of));
+    let rows: [u32x8; N] = std::array::from_fn(|n| salted(cells[n][1], salts[n]));
+    let corners = if are_shared(&cells) {
+        shared_corners(cells.map(|cell| cell[0]), rows)
+    } else {
+        std::array::from_fn(|n| noise::corners_of(cells[n][0], rows[n]))
+    };
+    std::array::from_fn(|n| noise::between(corners[n], shares[n]))
 }
 
-/// [`noise::corners_of`] one cell that all share: a lane each.
-#[inline]
-fn shared_corners(column: u32x8, row: u32x8) -> [f32x8; 4] {
+/// Whether all eight places lie in one cell. Pixels side by side mostly do, of all but the finest noise.
+#[inline(always)]
+fn are_shared<const N: usize>(cells: &[[u32x8; 2]; N]) -> bool {
+    let differing = cells.as_flattened().iter().map(|cells| *cells ^ u32x8::splat(cells.as_array()[0]));
+    differing.fold(u32x8::ZERO, |all, one| all | one).simd_eq(u32x8::ZERO).all()
+}
+
+/// [`noise::corners_of`] one cell that all eight share, or of two: four lanes each.
+#[inline(always)]
+fn shared_corners<const N: usize>(columns: [u32x8; N], rows: [u32x8; N]) -> [[f32x8; 4]; N] {
     const COLUMNS: u32x8 = u32x8::new([0, 1, 0, 1, 0, 1, 0, 1]);
     const ROWS: u32x8 = u32x8::new([0, 0, 1, 1, 0, 0, 1, 1]);
-    let corners = unit8(hash8((column + COLUMNS) ^ hash8(row + ROWS)));
-    [0, 1, 2, 3].map(|k| f32x8::splat(corners.as_array()[k]))
+    let four_each = |cells: [u32x8; N]| u32x8::new(std::array::from_fn(|lane| cells[lane / 4 % N].as_array()[0]));
+    let corners = unit8(hash8((four_each(columns) + COLUMNS) ^ hash8(four_each(rows) + ROWS)));
+    std::array::from_fn(|n| [0, 1, 2, 3].map(|k| f32x8::splat(corners.as_array()[4 * n + k])))
 }
 
 /// [`noise::filtered_fbm2`] of eight places, each with its wavelength and its footprint, metres.
 pub(super) fn filtered_fbm2x8(p: [f32x8; 2], wavelength_m: f32x8, octaves: u32, footprint_m: f32x8) -> f32x8 {
-    let half = f32x8::splat(0.5);
-    let finest = footprint_m.fast_max(f32x8::splat(1e-4));
-    let whole = finest * f32x8::splat(4.0);
-    let (mut sum, mut amplitude, mut wavelength) = (f32x8::ZERO, 0.5, wavelength_m);
-    for octave in 0..octaves {
-        // No pixel keeps any of it.
-        if wavelength.simd_le(finest).all() {
-            break;
-        }
-        let mut scale = f32x8::splat(amplitude);
-        // Long waves are kept whole.
-        if !wavelength.simd_gt(whole).all() {
-            scale *= (wavelength / finest * half - half).fast_clamp(f32x8::ZERO, f32x8::ONE);
-        }
-        let offset = f32x8::splat(octave as f32 * 0.7 * 13.7);
-        let value = value2x8(p.map(|axis| axis / wavelength + offset), octave + 31);
-        sum += scale * value;
-        amplitude *= 0.55;
-        wavelength *= f32x8::splat(0.47);
+    let mut sum = FilteredSum {
+        p,
+        finest: footprint_m.fast_max(f32x8::splat(1e-4)),
+        wavelength: wavelength_m,
+        amplitude: 0.5,
+        sum: f32x8::ZERO,
+    };
+    let mut octave = 0;
+    while octave + 1 < octaves && sum.keeps(sum.wavelength * f32x8::splat(0.47)) {
+        sum.add([octave, octave + 1]);
+        octave += 2;
     }
-    sum
+    if octave < octaves && sum.keeps(sum.wavelength) {
+        sum.add([octave]);
+    }
+    sum.sum
+}
+
+/// A sum of octaves, as far as it is added up.
+struct FilteredSum {
+    p: [f32x8; 2],
+    /// The footprints take away what is shorter, metres.
+    finest: f32x8,
+    /// Of the next octave, metres.
+    wavelength: f32x8,
+    amplitude: f32,
+    sum: f32x8,
+}
+
+impl FilteredSum {
+    /// Whether a pixel keeps any of an octave.
+    #[inline(always)]
+    fn keeps(&self, wavelength: f32x8) -> bool {
+        wavelength.simd_gt(self.finest).any()
+    }
+
+    /// Adds the next octaves.
+    #[inline(always)]
+    fn add<const N: usize>(&mut self, octaves: [u32; N]) {
+        let next = octaves.map(|octave| {
+            let offset = f32x8::splat(octave as f32 * 0.7 * 13.7);
+            let place = self.p.map(|axis| axis / self.wavelength + offset);
+            let half = f32x8::splat(0.5);
+            let keep = (self.wavelength / self.finest * half - half).fast_clamp(f32x8::ZERO, f32x8::ONE);
+            let scale = f32x8::splat(self.amplitude) * keep;
+            self.amplitude *= 0.55;
+            self.wavelength *= f32x8::splat(0.47);
+            (place, scale)
+        });
+        let values = values2x8(next.map(|(place, _)| place), octaves.map(|octave| octave + 31));
+        for ((_, scale), value) in next.into_iter().zip(values) {
+            self.sum += scale * value;
+        }
+    }
 }
 
 /// [`noise::cells2`] of eight places.
 pub(super) fn cells2x8(p: [f32x8; 2], salt: u32) -> [f32x8; 3] {
     let corner = p.map(f32x8::floor);
     let [column, row] = corner.map(cell_of);
-    let features = if is_shared(column) && is_shared(row) {
+    let features = if are_shared(&[[column, row]]) {
         shared_features(column, row, salt)
     } else {
         features_around(column, row, salt)

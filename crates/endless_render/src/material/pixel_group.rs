@@ -39,6 +39,24 @@ pub(super) struct EightPixels<'a, 'b> {
     pub(super) footprints_m: f32x8,
 }
 
+impl<'a, 'b> EightPixels<'a, 'b> {
+    /// Those wanted of eight pixels, each with its width on the surface, metres; the first of them stands in for the
+    /// others. `None` where none is wanted.
+    pub(super) fn of(
+        points: &[Option<&'a SurfaceInteraction<'b>>; 8],
+        footprints_m: &[f32; 8],
+        wanted: &[bool; 8],
+    ) -> Option<Self> {
+        let first = wanted.iter().position(|wanted| *wanted)?;
+        let first_point = points[first]?;
+        let own = |i: usize| if wanted[i] { i } else { first };
+        Some(Self {
+            points: std::array::from_fn(|i| points[own(i)].unwrap_or(first_point)),
+            footprints_m: f32x8::new(std::array::from_fn(|i| footprints_m[own(i)])),
+        })
+    }
+}
+
 impl PixelGroup for OnePixel<'_, '_> {
     type Number = f32;
 
