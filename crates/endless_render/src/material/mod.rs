@@ -21,7 +21,5 @@ mod window;
 pub(crate) use bsdf::Bsdf;
 pub(crate) use bsdf8::Bsdf8;
 pub use cabin::occupants;
-pub(crate) use evaluate::evaluate_bsdf;
-#[allow(unused_imports, reason = "those that trace eight rays at once are to ask for it")]
-pub(crate) use evaluate::evaluate_bsdfs;
+pub(crate) use evaluate::{evaluate_bsdf, evaluate_bsdfs};
 pub(crate) use packed_bsdf::PackedBsdf;

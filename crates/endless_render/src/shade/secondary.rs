@@ -4,7 +4,7 @@ use super::lamplight::{lamp_light, lamp_light8};
 use super::{Tracer, tracer::SceneHit};
 use crate::accel::Ray;
 use crate::light::Environment;
-use crate::material::{Bsdf, evaluate_bsdf};
+use crate::material::{Bsdf, evaluate_bsdf, evaluate_bsdfs};
 use crate::scene::SurfaceInteraction;
 use glam::Vec3A;
 
@@ -36,11 +36,10 @@ pub(crate) fn shade_hit8(
     footprints_m: &[f32; 8],
 ) -> [Vec3A; 8] {
     let environment = tracer.environment;
-    let points: [Option<(SurfaceInteraction<'_>, Bsdf)>; 8] = std::array::from_fn(|i| {
-        let point = tracer.point(&rays[i], struck[i].as_ref()?);
-        let bsdf = evaluate_bsdf(&point, environment, footprints_m[i], 0.5);
-        Some((point, bsdf))
-    });
+    let points: [Option<SurfaceInteraction<'_>>; 8] =
+        std::array::from_fn(|i| struck[i].as_ref().map(|struck| tracer.point(&rays[i], struck)));
+    let mut bsdfs = evaluate_bsdfs(&points.each_ref().map(Option::as_ref), environment, footprints_m, 0.5).into_iter();
+    let points = points.map(|point| point.zip(bsdfs.next().flatten()));
     let direct = direct8(tracer, rays, &points);
     std::array::from_fn(|i| match &points[i] {
         Some((point, bsdf)) => {
