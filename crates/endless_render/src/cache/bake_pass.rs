@@ -38,7 +38,7 @@ impl BakePass<'_> {
 
     /// What tells the rays, their directions unless they are parallel, of eight pixels that follow each other in the
     /// picture, by sample; beyond `count`, of the last.
-    pub(super) fn directions_of(&self, first: usize, count: usize) -> [Vec3x8; SAMPLES] {
+    pub(super) fn aims_of(&self, first: usize, count: usize) -> [Vec3x8; SAMPLES] {
         let pixel = |i: usize| first + i.min(count - 1);
         SAMPLE_OFFSETS.map(|offset| {
             let x = f32x8::new(std::array::from_fn(|i| (pixel(i) % self.width()) as f32 + 0.5 + offset.x));

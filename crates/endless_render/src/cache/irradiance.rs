@@ -171,7 +171,7 @@ impl IrradiancePass<'_> {
         for (x, pixel) in row.iter_mut().enumerate() {
             let index = (y * self.width() + x) * SAMPLES;
             if x % 8 == 0 {
-                directions = self.bake.directions_of(index / SAMPLES, (self.width() - x).min(8));
+                directions = self.bake.aims_of(index / SAMPLES, (self.width() - x).min(8));
             }
             let here = |sample: usize| {
                 let ray = self.bake.ray_along(&directions[sample], x % 8);

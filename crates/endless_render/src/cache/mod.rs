@@ -48,6 +48,7 @@ mod scratch_pool;
 mod shaded_pixel;
 mod shadow;
 mod sparse_primary;
+mod sparse_row;
 mod still_pixel;
 mod sun_rays;
 mod sweep;

@@ -268,11 +268,15 @@ mod tests {
     fn bits(bsdf: &Bsdf) -> Vec<u32> {
         let vectors = [bsdf.albedo, bsdf.normal, bsdf.coat_f0, bsdf.coat_normal, bsdf.emission];
         let numbers = [bsdf.roughness, bsdf.specular, bsdf.coat, bsdf.coat_roughness, bsdf.translucency];
-        vectors.iter().flat_map(|v| v.to_array()).chain(numbers).map(f32::to_bits).collect()
+        vectors.iter().flat_map(Vec3A::to_array).chain(numbers).map(f32::to_bits).collect()
     }
 
     /// Eight pixels: the middle, the width of a pixel, then of each which of two surfaces it sees, its place and its normal.
-    fn pixels() -> impl Strategy<Value = (Vec<(Material, Vec3A, Vec2, Vec3A)>, [f32; 8])> {
+    /// A material, position, texture coordinates and normal of each of eight pixels.
+    type Pixels = Vec<(Material, Vec3A, Vec2, Vec3A)>;
+
+    /// With the widths of the pixels.
+    fn pixels() -> impl Strategy<Value = (Pixels, [f32; 8])> {
         let surfaces = (prop::array::uniform2(0..SURFACES.len()), 0.0f32..1.0, any::<bool>());
         let middle = (-300f32..300.0, -300f32..300.0, 0f32..6.0, -3f32..3.0);
         let pixel = (0.0f32..1.0, -4f32..4.0, -4f32..4.0, -1f32..1.0, -1f32..1.0, 0.5f32..1.5);
