@@ -47,6 +47,7 @@ mod row;
 mod scratch_pool;
 mod shaded_pixel;
 mod shadow;
+mod sparse_centre;
 mod sparse_primary;
 mod sparse_row;
 mod still_pixel;

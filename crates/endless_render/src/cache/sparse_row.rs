@@ -3,7 +3,7 @@
 use super::bake_pass::BakePass;
 use super::packed_hit::PackedHit;
 use super::primary_hits::PackedNormals;
-use super::sparse_primary::{Centre, FIRST, PARTS, ROWS, SunSeen, WHOLE, piece, to_part};
+use super::sparse_centre::{Centre, FIRST, PARTS, ROWS, SunSeen, WHOLE, piece, to_part};
 use super::sun_rays::{sun_can_light, sun_origin};
 use crate::accel::{Ray, RayStream, lanes};
 use crate::octahedron;

@@ -239,6 +239,11 @@ impl NoiseQuestions<f32x8> for NoiseQuestions8 {
     }
 
     #[inline]
+    fn fbm2(&mut self, p: [f32x8; 2], wavelength_m: f32, octaves: u32) -> Self::Asked {
+        self.fbm2_of(p, f32x8::splat(wavelength_m), octaves)
+    }
+
+    #[inline]
     fn found(&self) -> impl Fn(Asked8) -> f32x8 {
         |asked| match asked {
             Asked8::Value { p, salt } => value2x8(p, salt),

@@ -64,6 +64,11 @@ impl NoiseQuestions<f32> for NoiseBatch {
     }
 
     #[inline]
+    fn fbm2(&mut self, p: [f32; 2], wavelength_m: f32, octaves: u32) -> Self::Asked {
+        self.fbm2_of(p, wavelength_m, octaves)
+    }
+
+    #[inline]
     fn found(&self) -> impl Fn(Asked) -> f32 {
         let values = self.values();
         move |asked| values[asked.first..asked.first + asked.count].iter().fold(0.0, |sum, value| sum + value)

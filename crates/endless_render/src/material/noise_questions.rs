@@ -1,9 +1,7 @@
 //! Noise that a material wants, asked for before it is needed, so that it can be found together.
 
-use super::per_pixel::PerPixel;
-
 /// Noise of each pixel, seen by its footprint.
-pub(super) trait NoiseQuestions<N: PerPixel>: Sized {
+pub(super) trait NoiseQuestions<N>: Sized {
     /// One question.
     type Asked: Copy;
 
@@ -17,10 +15,7 @@ pub(super) trait NoiseQuestions<N: PerPixel>: Sized {
     fn fbm2_of(&mut self, p: [N; 2], wavelength_m: N, octaves: u32) -> Self::Asked;
 
     /// Asks for [`noise::filtered_fbm2`](super::noise::filtered_fbm2).
-    #[inline]
-    fn fbm2(&mut self, p: [N; 2], wavelength_m: f32, octaves: u32) -> Self::Asked {
-        self.fbm2_of(p, N::splat(wavelength_m), octaves)
-    }
+    fn fbm2(&mut self, p: [N; 2], wavelength_m: f32, octaves: u32) -> Self::Asked;
 
     /// What was asked. What is not looked up may not cost anything: look up once, and only what matters.
     fn found(&self) -> impl Fn(Self::Asked) -> N;
