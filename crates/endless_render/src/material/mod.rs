@@ -15,6 +15,7 @@ mod object;
 mod packed_bsdf;
 mod per_pixel;
 mod pixel_group;
+mod reflection8;
 mod wet;
 mod window;
 
@@ -23,3 +24,4 @@ pub(crate) use bsdf8::Bsdf8;
 pub use cabin::occupants;
 pub(crate) use evaluate::{evaluate_bsdf, evaluate_bsdfs};
 pub(crate) use packed_bsdf::PackedBsdf;
+pub(crate) use reflection8::Reflection8;
