@@ -2,7 +2,6 @@
 
 use super::gbuffer_sample::{GBufferSample, LitHit, MirrorSample};
 use super::primary_hits::PrimaryPixel;
-use super::shaded_pixel::ShadedPixel;
 use super::still_pixel::StillPixel;
 use crate::material::PackedBsdf;
 use crate::sampling::SAMPLES;
@@ -43,18 +42,37 @@ impl GBufferRow {
         Self { pixels: Vec::with_capacity(count), samples: Vec::with_capacity(samples), ..Self::default() }
     }
 
-    /// Adds the next pixel.
-    pub(super) fn push(&mut self, pixel: &ShadedPixel) {
-        self.pixels.push(KeptPixel {
-            first_sample: self.samples.len() as u32,
-            first_mirror: self.mirrors.len() as u32,
-            samples: pixel.samples().len() as u8,
-            mirrored: pixel.mirrored(),
-            lenses: pixel.lenses(),
-        });
-        self.samples.extend_from_slice(pixel.samples());
-        self.hits.extend_from_slice(pixel.hits());
-        self.mirrors.extend_from_slice(pixel.mirrors());
+    /// Adds the next pixel, of which one or four samples tell the light.
+    #[inline]
+    pub(super) fn push<const N: usize>(&mut self, samples: [GBufferSample; N]) {
+        let (first_sample, first_mirror) = (self.samples.len() as u32, self.mirrors.len() as u32);
+        self.pixels.push(KeptPixel { first_sample, first_mirror, samples: N as u8, mirrored: 0, lenses: 0 });
+        self.samples.extend(samples);
+    }
+
+    /// Adds what a sample of the last pixel mirrors, after those of earlier samples.
+    pub(super) fn push_mirror(&mut self, sample: usize, mirror: MirrorSample) {
+        if let Some(pixel) = self.pixels.last_mut() {
+            pixel.mirrored |= 1 << sample;
+            self.mirrors.push(mirror);
+        }
+    }
+
+    /// Notes that a sample of the last pixel lies on the lens of a traffic light.
+    pub(super) fn mark_lens(&mut self, sample: usize) {
+        if let Some(pixel) = self.pixels.last_mut() {
+            pixel.lenses |= 1 << sample;
+        }
+    }
+
+    /// Whether anything lies on the lens of a traffic light.
+    pub(super) fn has_lenses(&self) -> bool {
+        self.pixels.iter().any(|pixel| pixel.lenses != 0)
+    }
+
+    /// Tells of all samples what they saw.
+    pub(super) fn set_hits(&mut self, hits: Vec<LitHit>) {
+        self.hits = hits;
     }
 
     /// At night, adds the BSDF of the next pixel's centre, if the pixel is uniform.
@@ -74,12 +92,8 @@ impl GBufferRow {
     }
 
     /// Gives back the room that is not needed.
-    pub(super) fn shrink(&mut self, night: bool) {
-        if !night && self.pixels.iter().all(|pixel| pixel.lenses == 0) {
-            self.hits = Vec::new();
-        }
+    pub(super) fn shrink(&mut self) {
         self.bsdfs.shrink_to_fit();
-        self.hits.shrink_to_fit();
         self.mirrors.shrink_to_fit();
     }
 

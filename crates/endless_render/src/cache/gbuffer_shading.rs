@@ -3,8 +3,8 @@
 use super::gbuffer_sample::{Mirror, MirrorSample};
 use super::lamp_mask::{lamp_sum, lamps_free};
 use super::shaded_pixel::ShadedSample;
+use super::sky_sample::sky_sample;
 use crate::accel::{Hit, Ray};
-use crate::camera_rays::is_nowhere;
 use crate::light::Environment;
 use crate::material::{Bsdf, evaluate_bsdf, evaluate_bsdfs};
 use crate::sampling::SAMPLES;
@@ -61,15 +61,15 @@ pub(super) fn gbuffer_bsdf(
     evaluate_bsdf(point, environment, footprint_m(&point.facet(), pixel_angle), sample_jitter(sample))
 }
 
-/// [`gbuffer_bsdf`] of a sample of each of eight pixels.
+/// [`gbuffer_bsdf`] of eight samples of any pixels.
 pub(super) fn gbuffer_bsdfs(
     points: &[Option<&SurfaceInteraction<'_>>; 8],
     environment: &Environment,
-    sample: usize,
+    samples: &[usize; 8],
     pixel_angle: f32,
 ) -> [Option<Bsdf>; 8] {
     let footprints_m = points.map(|point| point.map_or(1.0, |point| footprint_m(&point.facet(), pixel_angle)));
-    evaluate_bsdfs(points, environment, &footprints_m, sample_jitter(sample))
+    evaluate_bsdfs(points, environment, &footprints_m, &samples.map(sample_jitter))
 }
 
 /// Differs between the samples of a pixel.
@@ -155,26 +155,4 @@ pub(super) fn surface_sample(
         lamps_free: light.lamps_free,
         is_lens: point.is_signal_lens(),
     }
-}
-
-/// A sample that met nothing, black where the lens shows nothing; `halos` is the glow of lamps along its ray.
-pub(super) fn sky_sample(environment: &Environment, ray: &Ray, halos: Vec3A) -> ShadedSample {
-    if is_nowhere(ray) {
-        return ShadedSample::sky(Vec3A::ZERO);
-    }
-    let sky = environment.sky.radiance(ray.direction);
-    // Fog and rain fill the whole way to the sky; thin haze is part of the sky model already.
-    let air =
-        if environment.fog.is_dense() { environment.fog.through(sky, ray.origin, ray.direction, 2000.0) } else { sky };
-    ShadedSample::sky(air + sun_disc(environment, ray.direction) + halos)
-}
-
-/// The sun itself, where a ray meets its disc.
-fn sun_disc(environment: &Environment, direction: Vec3A) -> Vec3A {
-    let Some(sun) = &environment.sun else { return Vec3A::ZERO };
-    let cosine = direction.dot(sun.direction);
-    // Disc, and an aureole that haze makes around it.
-    let disc = if cosine > 0.999_975 { sun.illuminance * 200.0 } else { Vec3A::ZERO };
-    let around = ((cosine - 0.97) / 0.03).max(0.0);
-    disc + sun.illuminance * (0.06 * around * around * around)
 }

@@ -99,12 +99,4 @@ impl ShadedPixel {
     pub(super) fn mirrors(&self) -> &[MirrorSample] {
         &self.mirrors[..self.mirrored.count_ones() as usize]
     }
-
-    pub(super) fn mirrored(&self) -> u8 {
-        self.mirrored
-    }
-
-    pub(super) fn lenses(&self) -> u8 {
-        self.lenses
-    }
 }

@@ -33,12 +33,12 @@ pub(crate) fn evaluate_bsdf(
     bsdf
 }
 
-/// [`evaluate_bsdf`] of the points that eight pixels side by side see, each with the width of its pixel; to the bit.
+/// [`evaluate_bsdf`] of eight points, each with the width of its pixel there and its jitter; to the bit.
 pub(crate) fn evaluate_bsdfs(
     points: &[Option<&SurfaceInteraction<'_>>; 8],
     environment: &Environment,
     footprints_m: &[f32; 8],
-    jitter: f32,
+    jitters: &[f32; 8],
 ) -> [Option<Bsdf>; 8] {
     let mut bsdfs = [const { None }; 8];
     if let Some(variation) = &environment.surfaces {
@@ -59,7 +59,7 @@ pub(crate) fn evaluate_bsdfs(
     let films = films(points, environment, footprints_m);
     for (i, bsdf) in bsdfs.iter_mut().enumerate() {
         if let (Some(bsdf), Some(point)) = (bsdf, points[i]) {
-            finish(bsdf, point, environment, || films.map(|number| number[i]), jitter);
+            finish(bsdf, point, environment, || films.map(|number| number[i]), jitters[i]);
         }
     }
     bsdfs
@@ -305,14 +305,14 @@ mod tests {
         #![proptest_config(ProptestConfig::with_cases(3000))]
         #[test]
         fn eight_pixels_look_as_one_after_another(
-            (seen, footprints_m) in pixels(), there in any::<u8>(), which in 0..6usize, jitter in 0f32..1.0,
+            (seen, footprints_m) in pixels(), there in any::<u8>(), which in 0..6usize, jitters in prop::array::uniform8(0f32..1.0),
         ) {
             let environment = &ENVIRONMENTS[which];
             let points: Vec<_> = seen.iter().map(|(material, p, uv, normal)| point_at(material, *p, *uv, *normal)).collect();
             let eight = std::array::from_fn(|i| (there >> i & 1 == 1).then_some(&points[i]));
-            let bsdfs = evaluate_bsdfs(&eight, environment, &footprints_m, jitter);
+            let bsdfs = evaluate_bsdfs(&eight, environment, &footprints_m, &jitters);
             for i in 0..8 {
-                let expected = eight[i].map(|point| evaluate_bsdf(point, environment, footprints_m[i], jitter));
+                let expected = eight[i].map(|point| evaluate_bsdf(point, environment, footprints_m[i], jitters[i]));
                 prop_assert_eq!(bsdfs[i].as_ref().map(bits), expected.as_ref().map(bits));
             }
         }

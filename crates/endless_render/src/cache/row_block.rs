@@ -1,0 +1,236 @@
+//! A block of neighbouring pixels of a row: which of their samples have a light of their own, and what these see.
+
+use super::bake_pass::BakePass;
+use super::primary_hits::{PrimaryRow, RowSurfaces};
+use crate::accel::{Hit, Ray, first_lanes, lanes};
+use crate::camera_rays::aims8;
+use crate::octahedron;
+use crate::rgb9e5::Rgb9e5;
+use crate::sampling::SAMPLES;
+use crate::scene::SurfaceInteraction;
+use endless_scene::Surface;
+use glam::Vec3A;
+
+/// Pixels of a block: what is known of them stays in the processor's nearest caches.
+pub(super) const BLOCK: usize = 64;
+/// Their samples: lane [`BLOCK`] × sample + pixel.
+pub(super) const LANES: usize = BLOCK * SAMPLES;
+/// In the place of a lane: nobody tells the light, for nobody asks.
+pub(super) const NOBODY: u16 = u16::MAX;
+/// Share of what is around a plant that its leaves see past each other, as gathered light has it in the mean.
+const OPEN_TO_LEAVES: f32 = 0.5;
+/// The same of walls, from which sills, balconies and eaves stand out.
+const OPEN_TO_WALLS: f32 = 0.93;
+/// Normals of walls rise or fall by less.
+const UPRIGHT: f32 = 0.5;
+
+/// A sample that met a surface and is not lit as another.
+pub(super) struct BlockPoint<'a> {
+    pub(super) surface: SurfaceInteraction<'a>,
+    /// Where its ray began.
+    pub(super) origin: Vec3A,
+    /// Gathered there, or of probes, klx.
+    pub(super) irradiance: Vec3A,
+    pub(super) lane: u16,
+}
+
+impl BlockPoint<'_> {
+    /// Which of its pixel's samples it is.
+    pub(super) fn sample(&self) -> usize {
+        usize::from(self.lane) / BLOCK
+    }
+
+    /// The ray that met it.
+    pub(super) fn ray(&self) -> Ray {
+        Ray { origin: self.origin, direction: self.surface.direction, tmax: f32::MAX }
+    }
+}
+
+/// A sample that met nothing.
+#[derive(Clone, Copy)]
+pub(super) struct SkySample {
+    pub(super) ray: Ray,
+    pub(super) lane: u16,
+    /// Its light is that of all samples of its pixel.
+    pub(super) alone: bool,
+}
+
+/// What a block of pixels sees.
+pub(super) struct RowBlock<'a> {
+    pub(super) pass: &'a BakePass<'a>,
+    /// The first pixel in the row.
+    pub(super) first: usize,
+    pub(super) y: usize,
+    /// How many pixels there are.
+    pub(super) count: usize,
+    pub(super) points: Vec<BlockPoint<'a>>,
+    pub(super) skies: Vec<SkySample>,
+    /// For each lane the one whose light it has: itself, where it is shaded.
+    pub(super) told_by: [u16; LANES],
+}
+
+impl<'a> RowBlock<'a> {
+    /// That looks at nothing yet.
+    pub(super) fn new(pass: &'a BakePass<'a>) -> Self {
+        let (points, skies) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
+        Self { pass, first: 0, y: 0, count: 0, points, skies, told_by: [NOBODY; LANES] }
+    }
+
+    /// Turns to `count` pixels of the row `y`, of whose samples it is known what light was gathered there, or which the
+    /// probes tell.
+    pub(super) fn look_at(
+        &mut self,
+        primary: PrimaryRow<'_>,
+        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
+        [first, y]: [usize; 2],
+        count: usize,
+    ) {
+        (self.first, self.y, self.count) = (first, y, count);
+        self.points.clear();
+        self.skies.clear();
+        for pixel in (0..count).step_by(8) {
+            self.look_at_eight(primary, irradiance, pixel, (count - pixel).min(8));
+        }
+    }
+
+    /// Of these, `count` that follow pixel `own`. The centre of a uniform pixel tells its light; that of one of nothing but
+    /// sky, too, where no other light was gathered.
+    fn look_at_eight(
+        &mut self,
+        primary: PrimaryRow<'_>,
+        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
+        own: usize,
+        count: usize,
+    ) {
+        let (pass, first) = (self.pass, self.first + own);
+        let bits =
+            |of: &dyn Fn(usize) -> bool| (0..count).rev().fold(0, |bits, i| bits << 1 | u32::from(of(first + i)));
+        let uniform = bits(&|x| primary.uniform[x]);
+        let sky = bits(&|x| primary.distances[x] == [f32::MAX; SAMPLES]);
+        let simple = if irradiance.is_some() { uniform } else { uniform | sky };
+        let told_by_centres = if irradiance.is_some() { 0 } else { simple };
+        for sample in 0..SAMPLES {
+            let at = own + BLOCK * sample;
+            let asked = first_lanes(count) & if sample == 0 { 0xff } else { 0xff & !simple };
+            for pixel in lanes(if sample == 0 { 0 } else { simple }) {
+                self.told_by[at + pixel] =
+                    if told_by_centres >> pixel & 1 == 1 { (own + pixel) as u16 } else { NOBODY };
+            }
+            if asked == 0 {
+                continue;
+            }
+            let aims = aims8(pass.camera, first as u32, (first + count) as u32, self.y as u32, sample);
+            let from = self.points.len();
+            for pixel in lanes(asked) {
+                let x = first + pixel;
+                let gathered = irradiance.map(|irradiance| irradiance[x][sample].get());
+                let alone = sample == 0 && simple & sky >> pixel & 1 == 1;
+                self.look_along(&pass.ray_along(&aims, pixel), primary, gathered, (x, at + pixel), alone);
+            }
+            if irradiance.is_none() {
+                self.ask_probes(from);
+            }
+        }
+    }
+
+    /// Turns to one sample of a pixel `x` of the row.
+    fn look_along(
+        &mut self,
+        ray: &Ray,
+        primary: PrimaryRow<'_>,
+        gathered: Option<Vec3A>,
+        (x, lane): (usize, usize),
+        alone: bool,
+    ) {
+        self.told_by[lane] = lane as u16;
+        let Some(hit) = primary.pixel(x).hit(lane / BLOCK) else {
+            self.skies.push(SkySample { ray: *ray, lane: lane as u16, alone });
+            return;
+        };
+        if gathered.is_none()
+            && let Some(alike) = self.alike(primary, x, lane, &hit)
+        {
+            self.told_by[lane] = alike;
+            return;
+        }
+        self.push_point(ray, &hit, gathered.unwrap_or(Vec3A::ZERO), lane);
+    }
+
+    pub(super) fn push_point(&mut self, ray: &Ray, hit: &Hit, irradiance: Vec3A, lane: usize) {
+        let surface = SurfaceInteraction::new(&self.pass.tracer.still.instances, ray, hit);
+        self.points.push(BlockPoint { surface, origin: ray.origin, irradiance, lane: lane as u16 });
+    }
+
+    /// The light at the points since `from`, one sample of each of eight pixels, as the probes tell of it: along a plane it
+    /// changes evenly.
+    fn ask_probes(&mut self, from: usize) {
+        let (pass, points) = (self.pass, &mut self.points[from..]);
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
+        let (start, way) = (first.surface.position, last.surface.position - first.surface.position);
+        let even = last.lane > first.lane + 1 && is_one_plane(points);
+        let ends = even.then(|| (ambient(pass, &first.surface), ambient(pass, &last.surface)));
+        for point in points {
+            let light = match ends {
+                Some((first, last)) => {
+                    first + (last - first) * ((point.surface.position - start).dot(way) / way.length_squared())
+                }
+                None => ambient(pass, &point.surface),
+            };
+            point.irradiance = light * open(&point.surface);
+        }
+    }
+
+    /// An earlier sample of the same pixel `x` of the row that may tell the light of this one.
+    fn alike(&self, primary: PrimaryRow<'_>, x: usize, lane: usize, hit: &Hit) -> Option<u16> {
+        let may_tell = |&other: &usize| {
+            let shaded = usize::from(self.told_by[other]) == other;
+            let before = if shaded { primary.pixel(x).hit(other / BLOCK) } else { None };
+            before
+                .is_some_and(|before| alike(self.pass, primary.surfaces, x, [other / BLOCK, lane / BLOCK], &before, hit))
+        };
+        (lane % BLOCK..lane).step_by(BLOCK).find(may_tell).map(|other| other as u16)
+    }
+}
+
+/// Light near a point as the probes tell of it.
+fn ambient(pass: &BakePass<'_>, point: &SurfaceInteraction<'_>) -> Vec3A {
+    pass.tracer.ambient(point.position + point.geometric_normal * 0.25, point.normal)
+}
+
+/// The share of it that what is close by leaves, which is not in the probes.
+fn open(point: &SurfaceInteraction<'_>) -> f32 {
+    match point.material.surface {
+        Surface::Foliage => OPEN_TO_LEAVES,
+        _ if point.normal.z.abs() < UPRIGHT => OPEN_TO_WALLS * point.ambient_occlusion,
+        _ => point.ambient_occlusion,
+    }
+}
+
+/// Whether points that follow each other lie on one flat piece of a plane.
+fn is_one_plane(points: &[BlockPoint<'_>]) -> bool {
+    /// Far less than from probe to probe.
+    const WIDE_M: f32 = 1.0;
+    let (Some(from), Some(to)) = (points.first(), points.last()) else { return false };
+    let (from, to) = (&from.surface, &to.surface);
+    let same = |p: &SurfaceInteraction<'_>| {
+        p.normal == from.normal && (p.position - from.position).dot(from.geometric_normal).abs() < 0.02
+    };
+    (to.position - from.position).length_squared() < WIDE_M * WIDE_M && points.iter().all(|p| same(&p.surface))
+}
+
+/// Whether two samples of a pixel may have one light: they lie on one smooth surface, or among leaves.
+fn alike(pass: &BakePass<'_>, row: &RowSurfaces, x: usize, [a, b]: [usize; 2], first: &Hit, second: &Hit) -> bool {
+    let mesh = |hit: &Hit| &*pass.tracer.still.instances[hit.instance as usize].geometry.mesh;
+    let material = |hit: &Hit| mesh(hit).triangle_materials[hit.triangle as usize];
+    if first.instance != second.instance || material(first) != material(second) {
+        return false;
+    }
+    match mesh(first).materials[usize::from(material(first))].surface {
+        Surface::SignalLens(_) => false,
+        Surface::Foliage => a == 0 && b == 3 || a == 1 && b == 2,
+        _ => {
+            let normal = |sample: usize| octahedron::unpack(row.normals[x][sample].shading);
+            normal(a).dot(normal(b)) > 0.98 && (first.t - second.t).abs() < 0.05 * first.t
+        }
+    }
+}
