@@ -1,0 +1,88 @@
+//! Functions of [`endless_world::math`] of eight numbers side by side: the same bits in each.
+
+use wide::{f32x8, i32x8};
+
+/// [`endless_world::math::exp`]: the steps of `libm` (FreeBSD's `e_expf.c`). Its longest way gives what most of its other
+/// branches give, if no power of two is taken out where they take none.
+#[inline]
+pub(crate) fn exp(x: f32x8) -> f32x8 {
+    const LN2_HI: f32 = 0.693_145_75;
+    const LN2_LO: f32 = 1.428_606_8e-6;
+    const INV_LN2: f32 = 1.442_695;
+    const P1: f32 = 0.166_666_25;
+    const P2: f32 = -2.766_733_3e-3;
+    /// ln 2 / 2, up to which `libm` takes no power of two out.
+    const SMALL: f32 = f32::from_bits(0x3eb1_7218);
+    /// Up to which `libm` takes the curve for straight.
+    const TINY: f32 = f32::from_bits(0x3900_0000);
+    // Beyond these, nothing is left and nothing is finite.
+    let x = x.fast_clamp(f32x8::splat(-104.0), f32x8::splat(89.0));
+    let size = x.abs();
+    let straight = f32x8::ONE + x;
+    let nearest = (f32x8::splat(INV_LN2) * x + f32x8::HALF.copysign(x)).trunc();
+    let whole = size.simd_gt(f32x8::splat(SMALL)) & nearest;
+    let (high, low) = (x - whole * f32x8::splat(LN2_HI), whole * f32x8::splat(LN2_LO));
+    let x = high - low;
+    let xx = x * x;
+    let c = x - xx * (f32x8::splat(P1) + xx * f32x8::splat(P2));
+    let y = f32x8::ONE + (x * c / (f32x8::splat(2.0) - c) - low + high);
+    // In two steps, of which the first is exact: some powers of two are too large or too small for one number.
+    let power = whole.fast_trunc_int();
+    let first = power >> 1u32;
+    let grown = y * power_of_two(first) * power_of_two(power - first);
+    size.simd_gt(f32x8::splat(TINY)).select(grown, straight)
+}
+
+/// 2 to a power from -126 to 127.
+#[inline]
+fn power_of_two(power: i32x8) -> f32x8 {
+    f32x8::from_bits((power + i32x8::splat(127)).cast_unsigned() << 23u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_world::math;
+    use proptest::prelude::*;
+
+    /// Bits of numbers at which the one-number way takes another branch.
+    const TURNS: [u32; 6] = [0x3900_0000, 0x3eb1_7218, 0x3f85_1592, 0x42ae_ac50, 0x42b1_7218, 0x42cf_f1b5];
+
+    fn check_exp(x: [f32; 8]) {
+        let eight = exp(f32x8::new(x)).to_array();
+        for (x, found) in x.into_iter().zip(eight) {
+            assert_eq!(found.to_bits(), math::exp(x).to_bits(), "{x}");
+        }
+    }
+
+    #[test]
+    fn powers_of_e_at_the_turns_are_those_of_one_number() {
+        for turn in TURNS {
+            for first in (turn - 4096..turn + 4096).step_by(8) {
+                for sign in [0, 1 << 31] {
+                    check_exp(std::array::from_fn(|i| f32::from_bits(first + i as u32 | sign)));
+                }
+            }
+        }
+        check_exp([0.0, -0.0, f32::INFINITY, f32::NEG_INFINITY, f32::MAX, f32::MIN, 1e-40, -1e-40]);
+    }
+
+    /// Every 509th number there is: some eight million.
+    #[test]
+    fn powers_of_e_of_all_sizes_are_those_of_one_number() {
+        for first in (0..f32::INFINITY.to_bits()).step_by(8 * 509) {
+            for sign in [0, 1 << 31] {
+                check_exp(std::array::from_fn(|i| f32::from_bits((first + 509 * i as u32).min(0x7f80_0000) | sign)));
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(16_384))]
+
+        #[test]
+        fn powers_of_e_are_those_of_one_number(x in prop::array::uniform8(-110f32..95.0), scale in 0..4) {
+            check_exp(x.map(|x| x * [1.0, 0.1, 0.01, 1e-4][scale as usize]));
+        }
+    }
+}
