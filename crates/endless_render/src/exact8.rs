@@ -35,8 +35,15 @@ pub(crate) fn exp(x: f32x8) -> f32x8 {
 
 /// 2 to a power from -126 to 127.
 #[inline]
-fn power_of_two(power: i32x8) -> f32x8 {
+pub(crate) fn power_of_two(power: i32x8) -> f32x8 {
     f32x8::from_bits((power + i32x8::splat(127)).cast_unsigned() << 23u32)
+}
+
+/// [`f32::round`] of numbers from -2²² to 2²². What is added is a little less than a half: with a half, the number next below
+/// it would become 1, while sums with halves become whole this way, too, for want of digits.
+#[inline]
+pub(crate) fn round_int(x: f32x8) -> i32x8 {
+    (x + f32x8::splat(0.5f32.next_down()).copysign(x)).fast_trunc_int()
 }
 
 #[cfg(test)]
@@ -74,6 +81,34 @@ mod tests {
             for sign in [0, 1 << 31] {
                 check_exp(std::array::from_fn(|i| f32::from_bits((first + 509 * i as u32).min(0x7f80_0000) | sign)));
             }
+        }
+    }
+
+    fn check_rounding(x: [f32; 8]) {
+        assert_eq!(round_int(f32x8::new(x)).to_array(), x.map(|x| x.round() as i32), "{x:?}");
+    }
+
+    #[test]
+    fn rounded_numbers_are_those_of_one_number() {
+        for n in -70_000..70_000 {
+            let half = n as f32 + 0.5;
+            let (below, above) = (half.next_down(), half.next_up());
+            check_rounding([
+                half,
+                below,
+                above,
+                n as f32,
+                below.next_down(),
+                above.next_up(),
+                half * 59.0,
+                n as f32 * 0.01,
+            ]);
+        }
+        // Every 509th number there is of these.
+        for first in (0..4_194_304f32.to_bits()).step_by(8 * 509) {
+            let x: [f32; 8] = std::array::from_fn(|i| f32::from_bits(first + 509 * i as u32).min(4_194_304.0));
+            check_rounding(x);
+            check_rounding(x.map(|x| -x));
         }
     }
 
