@@ -1,5 +1,6 @@
 //! Functions of [`endless_world::math`] of eight numbers side by side: the same bits in each.
 
+use std::f32::consts::{FRAC_PI_2, PI};
 use wide::{f32x8, i32x8};
 
 /// [`endless_world::math::exp`]: the steps of `libm` (FreeBSD's `e_expf.c`). Its longest way gives what most of its other
@@ -37,6 +38,26 @@ pub(crate) fn exp(x: f32x8) -> f32x8 {
 #[inline]
 pub(crate) fn power_of_two(power: i32x8) -> f32x8 {
     f32x8::from_bits((power + i32x8::splat(127)).cast_unsigned() << 23u32)
+}
+
+/// [`endless_world::math::atan2_approx`].
+#[inline]
+pub(crate) fn atan2_approx(y: f32x8, x: f32x8) -> f32x8 {
+    let (ax, ay) = (x.abs(), y.abs());
+    let t = ax.fast_min(ay) / ax.fast_max(ay).fast_max(f32x8::splat(f32::MIN_POSITIVE));
+    let t2 = t * t;
+    let poly = f32x8::splat(-0.085_133) + t2 * f32x8::splat(0.020_835_1);
+    let poly = f32x8::splat(-0.330_299_5) + t2 * (f32x8::splat(0.180_141) + t2 * poly);
+    let octant = t * (f32x8::splat(0.999_866) + t2 * poly);
+    let quadrant = ay.simd_gt(ax).select(f32x8::splat(FRAC_PI_2) - octant, octant);
+    let half = x.simd_lt(f32x8::ZERO).select(f32x8::splat(PI) - quadrant, quadrant);
+    negated(half, y.simd_lt(f32x8::ZERO))
+}
+
+/// Numbers with their signs turned where something holds.
+#[inline]
+pub(crate) fn negated(x: f32x8, holds: f32x8) -> f32x8 {
+    x ^ (holds & f32x8::splat(-0.0))
 }
 
 /// [`f32::round`] of numbers from -2²² to 2²². What is added is a little less than a half: with a half, the number next below
@@ -118,6 +139,27 @@ mod tests {
         #[test]
         fn powers_of_e_are_those_of_one_number(x in prop::array::uniform8(-110f32..95.0), scale in 0..4) {
             check_exp(x.map(|x| x * [1.0, 0.1, 0.01, 1e-4][scale as usize]));
+        }
+
+        #[test]
+        fn angles_are_those_of_one_vector(
+            y in prop::array::uniform8(-1f32..1.0), x in prop::array::uniform8(-1f32..1.0),
+            ends in prop::array::uniform8(0..20usize),
+        ) {
+            let end = |value: f32, end: usize| match end {
+                0 => 0.0,
+                1 => -0.0,
+                2 => 1.0,
+                3 => -1.0,
+                4 => value * 1e-40,
+                _ => value,
+            };
+            let y: [f32; 8] = std::array::from_fn(|i| end(y[i], ends[i]));
+            let x: [f32; 8] = std::array::from_fn(|i| end(x[i], ends[(i + 1) % 8]));
+            let eight = atan2_approx(f32x8::new(y), f32x8::new(x)).to_array();
+            for i in 0..8 {
+                prop_assert_eq!(eight[i].to_bits(), math::atan2_approx(y[i], x[i]).to_bits());
+            }
         }
     }
 }
