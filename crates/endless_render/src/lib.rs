@@ -63,6 +63,7 @@
 mod accel;
 mod cache;
 mod camera_rays;
+mod exact8;
 mod film;
 mod image_rect;
 mod indirect;

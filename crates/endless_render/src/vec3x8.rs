@@ -6,12 +6,15 @@ use wide::f32x8;
 /// Eight vectors: x, y, z.
 pub(crate) type Vec3x8 = [f32x8; 3];
 
-/// Eight vectors, from one after the other.
-pub(crate) fn side_by_side(vectors: &[Vec3A; 8]) -> Vec3x8 {
-    [0, 1, 2].map(|axis| f32x8::new(vectors.map(|v| v[axis])))
+/// Vectors put side by side.
+#[inline]
+pub(crate) fn side_by_side(v: [Vec3A; 8]) -> Vec3x8 {
+    let [x, y, z, ..] = f32x8::transpose(v.map(|v| f32x8::new([v.x, v.y, v.z, 0.0, 0.0, 0.0, 0.0, 0.0])));
+    [x, y, z]
 }
 
 /// One of eight vectors.
+#[inline]
 pub(crate) fn lane_of(all: &Vec3x8, lane: usize) -> Vec3A {
     Vec3A::from_array(all.each_ref().map(|axis| axis.as_array()[lane]))
 }
@@ -24,4 +27,17 @@ pub(crate) fn dot(a: &Vec3x8, b: &Vec3x8) -> f32x8 {
 pub(crate) fn normalize(v: Vec3x8) -> Vec3x8 {
     let over = f32x8::ONE / dot(&v, &v).fast_max(f32x8::splat(1e-30)).sqrt();
     v.map(|axis| axis * over)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_side_by_side_keep_their_places() {
+        let v = side_by_side(std::array::from_fn(|i| Vec3A::new(0.0, 10.0, 20.0) + i as f32));
+        for (k, axis) in v.into_iter().enumerate() {
+            assert_eq!(axis.to_array(), std::array::from_fn(|i| (10 * k + i) as f32));
+        }
+    }
 }

@@ -99,10 +99,10 @@ impl CameraBake {
         let stats = BakeStats::default();
         let tracer = lighting.tracer(still, None);
         let pass = BakePass { tracer, camera: &camera, pixel_angle, settings, stats: &stats, indirect };
-        let (gbuffer, tapes) = GBuffer::bake(&pass);
+        let (gbuffer, radiance, tapes) = GBuffer::bake(&pass);
         let sun = environment.sun.as_ref().map(|sun| sun.direction);
         let tiles = timed("tiles", || TileHierarchy::new(&camera, &gbuffer, sun));
-        let film = timed("film", || CameraFilm::new(settings, &camera, environment, &gbuffer, response));
+        let film = timed("film", || CameraFilm::new(settings, &camera, environment, &gbuffer, radiance, response));
         let halos = timed("halos", || lighting.halos(still, &camera));
         let wanted = settings.layers;
         (Self { camera, pixel_angle, lighting, halos, gbuffer, tiles, film, stats, wanted }, tapes)

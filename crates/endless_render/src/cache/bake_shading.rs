@@ -15,32 +15,35 @@ use rayon::prelude::*;
 
 impl BakePass<'_> {
     /// Shades all pixels, which needs what `surfaces` tell of each row, and tells what their centres show in all layers but
-    /// RGB.
+    /// RGB, and their radiance while nothing moves.
     pub(super) fn shade(
         &self,
         primary: &PrimaryHits,
         surfaces: Vec<RowSurfaces>,
         irradiance: &[[Rgb9e5; SAMPLES]],
+        radiance: &mut [Vec3A],
     ) -> (Vec<GBufferRow>, LayerImages) {
         self.stats.add((primary.uniform.len() * SAMPLES) as u64);
         let width = self.width();
         let PrimaryHits { distances, sun_free, uniform, .. } = primary;
-        let rows = surfaces.into_par_iter().enumerate().map(|(y, surfaces)| {
+        let rows = surfaces.into_par_iter().zip(radiance.par_chunks_mut(width)).enumerate();
+        let rows = rows.map(|(y, (surfaces, radiance))| {
             let pixels = y * width..(y + 1) * width;
             let (distances, sun_free) = (&distances[pixels.clone()], &sun_free[pixels.clone()]);
             let row = PrimaryRow { distances, sun_free, uniform: &uniform[pixels.clone()], surfaces: &surfaces };
-            self.shade_row(row, irradiance.get(pixels), y)
+            self.shade_row(row, irradiance.get(pixels), y, radiance)
         });
         let (rows, layers): (Vec<GBufferRow>, Vec<LayerImages>) = rows.unzip();
         (rows, LayerImages::of_rows(self.settings.layers, layers))
     }
 
-    /// Shades a row.
+    /// Shades a row: what is kept of it, and its radiance while nothing moves.
     pub(super) fn shade_row(
         &self,
         primary: PrimaryRow<'_>,
         irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
         y: usize,
+        radiance: &mut [Vec3A],
     ) -> (GBufferRow, LayerImages) {
         let width = self.width();
         let night = self.tracer.environment.night;
@@ -74,6 +77,7 @@ impl BakePass<'_> {
             }));
         }
         row.set_hits(hits);
+        row.radiance(self.tracer.environment, primary, radiance);
         row.shrink();
         (row, layers)
     }

@@ -18,7 +18,7 @@ use crate::shade::{MIRROR_THRESHOLD, halos, halos8, mirror_footprint, mirror_ray
 use crate::vec3x8::{Vec3x8, lane_of, side_by_side};
 use glam::Vec3A;
 use std::mem::discriminant;
-use wide::{Select, f32x8};
+use wide::f32x8;
 
 /// Samples whose rays run together.
 const TOGETHER: usize = 32;
@@ -67,7 +67,11 @@ impl RowBlock<'_> {
     /// What met nothing.
     fn shade_skies(&self, light: &mut BlockLight) {
         for skies in self.skies.chunks(8) {
-            let seen = sky_samples8(&self.pass.tracer, self.pass.camera, &std::array::from_fn(|i| &skies[i.min(skies.len() - 1)].ray));
+            let seen = sky_samples8(
+                &self.pass.tracer,
+                self.pass.camera,
+                &std::array::from_fn(|i| &skies[i.min(skies.len() - 1)].ray),
+            );
             let four = [0, 1, 2].map(|k| (seen[k] + seen[k] + seen[k] + seen[k]) / f32x8::splat(SAMPLES as f32));
             let alone = f32x8::new(std::array::from_fn(|i| f32::from(skies[i.min(skies.len() - 1)].alone)));
             let alone = alone.simd_gt(f32x8::ZERO);
@@ -119,7 +123,7 @@ impl RowBlock<'_> {
             false => eight
                 .map(|point| point.map_or(Vec3A::ZERO, |point| halos(tracer, &point.ray(), point.surface.distance))),
         };
-        side_by_side(&glow)
+        side_by_side(glow)
     }
 
     /// Shades eight points, and keeps what is seen of them; what they mirror is not traced yet.
@@ -140,7 +144,7 @@ impl RowBlock<'_> {
                     }
                     _ => Vec3A::ZERO,
                 };
-                side_by_side(&std::array::from_fn(sum))
+                side_by_side(std::array::from_fn(sum))
             }
             (None, Some(sun)) => reflection.lit_by(sun.illuminance, sun.direction),
             (None, None) => [f32x8::ZERO; 3],
@@ -165,8 +169,7 @@ impl RowBlock<'_> {
             light.set(lane, kept);
             if lane < BLOCK {
                 let wanted = pass.settings.layers;
-                light.layers[lane] =
-                    PixelLayers::new(wanted, pass.camera, &point.ray(), surface, || bsdf.clone());
+                light.layers[lane] = PixelLayers::new(wanted, pass.camera, &point.ray(), surface, || bsdf.clone());
                 let uniform = environment.night && primary.uniform[self.first + lane];
                 light.bsdfs[lane] = uniform.then(|| PackedBsdf::new(bsdf));
             }
@@ -192,12 +195,7 @@ impl RowBlock<'_> {
     }
 
     /// The third samples of the uniform pixels whose centres mirror.
-    fn shade_thirds(
-        &mut self,
-        primary: PrimaryRow<'_>,
-        irradiance: &[[Rgb9e5; SAMPLES]],
-        light: &mut BlockLight,
-    ) {
+    fn shade_thirds(&mut self, primary: PrimaryRow<'_>, irradiance: &[[Rgb9e5; SAMPLES]], light: &mut BlockLight) {
         let of_uniform = |lane: u16| usize::from(lane) < BLOCK && primary.uniform[self.first + usize::from(lane)];
         let centres: Vec<usize> = (0..light.mirrors.len()).filter(|&i| of_uniform(light.mirrors[i].lane)).collect();
         let from = self.points.len();
@@ -213,7 +211,7 @@ impl RowBlock<'_> {
             let eight: Eight<'_, '_> = std::array::from_fn(|i| points.get(i));
             let of = |i: usize| centres.get(i).map(|&centre| &light.mirrors[centre]);
             let vectors = |of_centre: fn(&BlockMirror) -> Vec3A| {
-                side_by_side(&std::array::from_fn(|i| of(i).map_or(Vec3A::ZERO, of_centre)))
+                side_by_side(std::array::from_fn(|i| of(i).map_or(Vec3A::ZERO, of_centre)))
             };
             let lit = Light8 {
                 transmittance: f32x8::new(std::array::from_fn(|i| of(i).map_or(0.0, |centre| centre.transmittance))),
@@ -272,5 +270,5 @@ fn by_surface(points: &[BlockPoint<'_>]) -> Vec<u16> {
 
 /// A vector of each point.
 fn columns(eight: &Eight<'_, '_>, of: impl Fn(&BlockPoint<'_>) -> Vec3A) -> Vec3x8 {
-    side_by_side(&eight.map(|point| point.map_or(Vec3A::ZERO, &of)))
+    side_by_side(eight.map(|point| point.map_or(Vec3A::ZERO, &of)))
 }

@@ -43,16 +43,15 @@ pub(crate) struct FilmResponse {
 }
 
 impl CameraFilm {
-    /// Exposed for the still picture, or as it is given.
+    /// Of a still picture's radiance, kcd/m²; exposed for it, or as it is given.
     pub(super) fn new(
         settings: &RenderSettings,
         camera: &PinholeCamera,
         environment: &Environment,
         gbuffer: &GBuffer,
+        radiance: Vec<Vec3A>,
         response: Option<&Arc<FilmResponse>>,
     ) -> Self {
-        let radiance: Vec<Vec3A> =
-            (0..gbuffer.pixels()).into_par_iter().map(|pixel| gbuffer.pixel(pixel).radiance(environment)).collect();
         let unlit = unlit(camera);
         let response = response.cloned().unwrap_or_else(|| {
             let exposure = Exposure::for_picture(camera, environment, gbuffer, &radiance, &unlit);

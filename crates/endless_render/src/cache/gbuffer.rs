@@ -13,6 +13,7 @@ use crate::pixel_layers::LayerImages;
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
 use crate::settings::Gathering;
+use glam::Vec3A;
 use rayon::prelude::*;
 
 /// The G-buffer of what stands still: all by pixel, row-major.
@@ -34,40 +35,45 @@ pub(super) struct GBuffer {
 }
 
 impl GBuffer {
-    /// Traces and shades what stands still; gives the ends of the rays that gathered light, if these are to be kept.
-    pub(super) fn bake(pass: &BakePass<'_>) -> (Self, [TapeStack; 2]) {
+    /// Traces and shades what stands still; gives its radiance, kcd/m², and the ends of the rays that gathered light, if
+    /// these are to be kept.
+    pub(super) fn bake(pass: &BakePass<'_>) -> (Self, Vec<Vec3A>, [TapeStack; 2]) {
         if pass.settings.gathering == Gathering::Probes {
-            return (Self::for_an_instant(pass), Default::default());
+            let (gbuffer, radiance) = Self::for_an_instant(pass);
+            return (gbuffer, radiance, Default::default());
         }
         let mut primary = timed("primary", || pass.trace());
         let GatheredLight { irradiance, points, edges } =
             timed("gather", || IrradiancePass { bake: pass, primary: &primary }.gather());
         let surfaces = std::mem::take(&mut primary.surfaces);
-        let (rows, layers) = timed("shade", || pass.shade(&primary, surfaces, &irradiance));
+        let mut radiance = vec![Vec3A::ZERO; pass.camera.size.pixels()];
+        let (rows, layers) = timed("shade", || pass.shade(&primary, surfaces, &irradiance, &mut radiance));
         let PrimaryHits { distances, sun_free, uniform, .. } = primary;
         let irradiance = if pass.settings.keep_irradiance { irradiance } else { Vec::new() };
-        (Self { width: pass.width(), distances, sun_free, uniform, rows, layers, irradiance }, [points, edges])
+        let gbuffer = Self { width: pass.width(), distances, sun_free, uniform, rows, layers, irradiance };
+        (gbuffer, radiance, [points, edges])
     }
 
     /// The same in the light of probes. Each row is shaded as soon as it is traced: what it lies on never leaves the
     /// processor's caches.
-    fn for_an_instant(pass: &BakePass<'_>) -> Self {
+    fn for_an_instant(pass: &BakePass<'_>) -> (Self, Vec<Vec3A>) {
         let (width, pixels) = (pass.width(), pass.camera.size.pixels());
         let sparse = pass.trace_sparse();
         let mut distances = vec![[f32::MAX; SAMPLES]; pixels];
         let mut sun_free = vec![[0; SAMPLES]; pixels];
         let mut uniform = vec![false; pixels];
+        let mut radiance = vec![Vec3A::ZERO; pixels];
         let kept = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
-        let kept = kept.zip(uniform.par_chunks_mut(width)).enumerate();
-        let rows = kept.map(|(y, ((distances, sun_free), uniform))| {
+        let kept = kept.zip(uniform.par_chunks_mut(width)).zip(radiance.par_chunks_mut(width)).enumerate();
+        let rows = kept.map(|(y, (((distances, sun_free), uniform), radiance))| {
             let kept = KeptRow { distances: &mut *distances, sun_free: &mut *sun_free, uniform: &mut *uniform };
             let surfaces = sparse.trace_row(y, kept);
-            pass.shade_row(PrimaryRow { distances, sun_free, uniform, surfaces: &surfaces }, None, y)
+            pass.shade_row(PrimaryRow { distances, sun_free, uniform, surfaces: &surfaces }, None, y, radiance)
         });
         let (rows, layers): (Vec<GBufferRow>, Vec<LayerImages>) = timed("shade", || rows.unzip());
         pass.stats.add((pixels * SAMPLES) as u64);
         let layers = LayerImages::of_rows(pass.settings.layers, layers);
-        Self { width, distances, sun_free, uniform, rows, layers, irradiance: Vec::new() }
+        (Self { width, distances, sun_free, uniform, rows, layers, irradiance: Vec::new() }, radiance)
     }
 
     /// A pixel, by its place in the picture.

@@ -97,6 +97,14 @@ impl GBufferRow {
         self.mirrors.shrink_to_fit();
     }
 
+    /// What is kept of eight pixels of which one sample each tells all.
+    pub(super) fn plain_eight(&self, x: usize) -> Option<&[GBufferSample; 8]> {
+        let pixels = self.pixels.get(x..x + 8)?;
+        let first = pixels[0].first_sample as usize;
+        let plain = pixels.iter().all(|pixel| pixel.samples == 1 && pixel.mirrored == 0);
+        self.samples[first..].first_chunk().filter(|_| plain)
+    }
+
     /// A pixel, with what is kept elsewhere.
     pub(super) fn pixel<'a>(
         &'a self,

@@ -55,6 +55,7 @@ mod sparse_centre;
 mod sparse_primary;
 mod sparse_row;
 mod still_pixel;
+mod still_radiance;
 mod sun_rays;
 mod sweep;
 mod tile;

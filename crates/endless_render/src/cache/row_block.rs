@@ -185,8 +185,9 @@ impl<'a> RowBlock<'a> {
         let may_tell = |&other: &usize| {
             let shaded = usize::from(self.told_by[other]) == other;
             let before = if shaded { primary.pixel(x).hit(other / BLOCK) } else { None };
-            before
-                .is_some_and(|before| alike(self.pass, primary.surfaces, x, [other / BLOCK, lane / BLOCK], &before, hit))
+            before.is_some_and(|before| {
+                alike(self.pass, primary.surfaces, x, [other / BLOCK, lane / BLOCK], &before, hit)
+            })
         };
         (lane % BLOCK..lane).step_by(BLOCK).find(may_tell).map(|other| other as u16)
     }

@@ -8,14 +8,14 @@ use crate::shade::{Tracer, halos, halos8};
 use crate::vec3x8::{Vec3x8, dot, side_by_side};
 use endless_world::PinholeCamera;
 use glam::Vec3A;
-use wide::{Select, f32x8};
+use wide::f32x8;
 
 /// Fog and rain fill the way to the sky as far as this, metres.
 const FAR_M: f32 = 2000.0;
 /// Cosine of the radius of the sun's disc.
 const DISC: f32 = 0.999_975;
-/// Cosine of the radius of the aureole that haze makes around it.
-const AUREOLE: f32 = 0.97;
+/// Cosine of the radius of the aureole that haze makes around it, and what is left to 1.
+const AUREOLE: (f32, f32) = (0.97, 0.03);
 
 /// A sample that met nothing, black where the lens shows nothing; `halos` is the glow of lamps along its ray.
 pub(super) fn sky_sample(environment: &Environment, ray: &Ray, halos: Vec3A) -> ShadedSample {
@@ -33,9 +33,9 @@ pub(super) fn sky_sample(environment: &Environment, ray: &Ray, halos: Vec3A) -> 
 pub(super) fn sky_samples8(tracer: &Tracer<'_>, camera: &PinholeCamera, rays: &[&Ray; 8]) -> Vec3x8 {
     let environment = tracer.environment;
     if rays.iter().any(|ray| is_nowhere(ray)) {
-        return side_by_side(&rays.map(|ray| sky_sample(environment, ray, halos(tracer, ray, f32::MAX)).rest));
+        return side_by_side(rays.map(|ray| sky_sample(environment, ray, halos(tracer, ray, f32::MAX)).rest));
     }
-    let directions = side_by_side(&rays.map(|ray| ray.direction));
+    let directions = side_by_side(rays.map(|ray| ray.direction));
     let mut seen = environment.sky.radiance8(&directions);
     let fog = &environment.fog;
     if fog.is_dense() {
@@ -53,7 +53,7 @@ pub(super) fn sky_samples8(tracer: &Tracer<'_>, camera: &PinholeCamera, rays: &[
             true => halos8(tracer, rays[0].origin, &directions, f32x8::splat(f32::MAX)),
             false => rays.map(|ray| halos(tracer, ray, f32::MAX)),
         };
-        let glow = side_by_side(&glow);
+        let glow = side_by_side(glow);
         seen = std::array::from_fn(|k| seen[k] + glow[k]);
     }
     seen
@@ -64,14 +64,14 @@ fn sun_disc(environment: &Environment, direction: Vec3A) -> Vec3A {
     let Some(sun) = &environment.sun else { return Vec3A::ZERO };
     let cosine = direction.dot(sun.direction);
     let disc = if cosine > DISC { sun.illuminance * 200.0 } else { Vec3A::ZERO };
-    let around = ((cosine - AUREOLE) / (1.0 - AUREOLE)).max(0.0);
+    let around = ((cosine - AUREOLE.0) / AUREOLE.1).max(0.0);
     disc + sun.illuminance * (0.06 * around * around * around)
 }
 
 /// [`sun_disc`] in eight directions.
 fn sun_disc8(sun: &Sun, directions: &Vec3x8) -> Vec3x8 {
     let cosine = dot(directions, &sun.direction.to_array().map(f32x8::splat));
-    let around = ((cosine - f32x8::splat(AUREOLE)) / f32x8::splat(1.0 - AUREOLE)).fast_max(f32x8::ZERO);
+    let around = ((cosine - f32x8::splat(AUREOLE.0)) / f32x8::splat(AUREOLE.1)).fast_max(f32x8::ZERO);
     let around = f32x8::splat(0.06) * around * around * around;
     let is_disc = cosine.simd_gt(f32x8::splat(DISC));
     sun.illuminance.to_array().map(|axis| {

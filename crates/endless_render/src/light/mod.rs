@@ -5,6 +5,7 @@ mod clouds;
 mod dusk_switch;
 mod environment;
 mod fog;
+mod fog8;
 mod halo_grid;
 mod lamp_maps;
 mod lamps;

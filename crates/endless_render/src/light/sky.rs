@@ -6,17 +6,19 @@
 //! (Moon and Spencer 1942). Radiance in kcd/m² per linear RGB channel.
 
 use super::clouds::CloudLayer;
-use crate::math8;
-use crate::vec3x8::{Vec3x8, dot, normalize};
+use crate::vec3x8::{Vec3x8, dot, normalize, side_by_side};
+use crate::{exact8, math8};
 use endless_world::math;
 use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 use rayon::prelude::*;
 use std::f32::consts::{PI, TAU};
-use wide::f32x8;
+use wide::{f32x8, i32x8};
 
 const WIDTH: usize = 512;
 const HEIGHT: usize = 256;
+// So that columns wrap with their low bits.
+const _: () = assert!(WIDTH.is_power_of_two());
 
 const EARTH_RADIUS_M: f32 = 6_360_000.0;
 const ATMOSPHERE_RADIUS_M: f32 = 6_420_000.0;
@@ -104,6 +106,28 @@ impl Sky {
         let (r0, r1) = (y0 as usize, (y0 as usize + 1).min(HEIGHT - 1));
         let at = |c: usize, r: usize| self.table[r * WIDTH + c];
         at(c0, r0).lerp_unfused(at(c1, r0), fx).lerp_unfused(at(c0, r1).lerp_unfused(at(c1, r1), fx), fy)
+    }
+
+    /// [`Self::radiance`] from eight directions.
+    pub(crate) fn radiance8(&self, [x, y, z]: &Vec3x8) -> Vec3x8 {
+        let level = (*x * *x + *y * *y).sqrt();
+        let elevation = exact8::atan2_approx(z.fast_max(f32x8::ZERO), level);
+        let half = f32x8::HALF;
+        let x = (exact8::atan2_approx(*y, *x) / f32x8::splat(TAU) + half) * f32x8::splat(WIDTH as f32) - half;
+        let y = (elevation / f32x8::splat(PI / 2.0)).sqrt() * f32x8::splat(HEIGHT as f32) - half;
+        let y = y.fast_clamp(f32x8::ZERO, f32x8::splat((HEIGHT - 1) as f32));
+        let (x0, y0) = (x.floor(), y.floor());
+        let [fx, fy] = [x - x0, y - y0].map(f32x8::to_array);
+        let column = x0.fast_trunc_int();
+        let columns = [column, column + i32x8::ONE].map(|c| c & i32x8::splat(WIDTH as i32 - 1));
+        let row = y0.fast_trunc_int();
+        let rows = [row, (row + i32x8::ONE).min(i32x8::splat(HEIGHT as i32 - 1))];
+        let places = rows.map(|r| columns.map(|c| (r * i32x8::splat(WIDTH as i32) + c).to_array()));
+        side_by_side(std::array::from_fn(|i| {
+            let [low, high] = places.each_ref().map(|row| row.each_ref().map(|places| self.table[places[i] as usize]));
+            let [low, high] = [low, high].map(|[from, to]| from.lerp_unfused(to, fx[i]));
+            low.lerp_unfused(high, fy[i])
+        }))
     }
 
     /// Illuminance on a horizontal plane, klx, by quadrature over the table.
@@ -264,6 +288,7 @@ fn single_scattering(directions: &[Vec3A; 8], sun: Vec3A, turbidity: f32) -> [Ve
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::sampling::{hammersley, sphere_direction};
 
     fn clear(elevation_rad: f32) -> SkyParameters {
         SkyParameters {
@@ -320,5 +345,25 @@ mod tests {
         let sky = Sky::new(&clear(0.9));
         let zenith = sky.radiance(Vec3A::Z);
         assert!(zenith.z > zenith.y && zenith.y > zenith.x);
+    }
+
+    #[test]
+    fn eight_places_shine_as_one_after_another() {
+        let sky = Sky::new(&clear(0.3));
+        let n = 40_000;
+        let axes = [Vec3A::X, Vec3A::Y, Vec3A::Z].map(|axis| [axis, -axis]);
+        let near = [1e-3, 1e-6, 1e-20, -1e-6].map(|aside| [Vec3A::new(-1.0, aside, 0.3), Vec3A::new(aside, 0.0, 1.0)]);
+        let mut directions: Vec<Vec3A> = (0..n).map(|i| sphere_direction(hammersley(i, n))).collect();
+        directions
+            .extend(axes.as_flattened().iter().chain(near.as_flattened()).chain(&[Vec3A::new(-1.0, -0.0, -0.0); 2]));
+        let (eights, rest) = directions.as_chunks();
+        assert!(rest.is_empty());
+        for eight in eights {
+            let found = sky.radiance8(&side_by_side(*eight)).map(f32x8::to_array);
+            for (i, direction) in eight.iter().enumerate() {
+                let one = sky.radiance(*direction).to_array();
+                assert_eq!(found.map(|channel| channel[i].to_bits()), one.map(f32::to_bits), "{direction}");
+            }
+        }
     }
 }

@@ -38,7 +38,8 @@ pub(crate) fn shade_hit8(
     let environment = tracer.environment;
     let points: [Option<SurfaceInteraction<'_>>; 8] =
         std::array::from_fn(|i| struck[i].as_ref().map(|struck| tracer.point(&rays[i], struck)));
-    let mut bsdfs = evaluate_bsdfs(&points.each_ref().map(Option::as_ref), environment, footprints_m, &[0.5; 8]).into_iter();
+    let mut bsdfs =
+        evaluate_bsdfs(&points.each_ref().map(Option::as_ref), environment, footprints_m, &[0.5; 8]).into_iter();
     let points = points.map(|point| point.zip(bsdfs.next().flatten()));
     let direct = direct8(tracer, rays, &points);
     std::array::from_fn(|i| match &points[i] {
