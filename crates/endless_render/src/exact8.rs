@@ -88,7 +88,7 @@ mod tests {
         for turn in TURNS {
             for first in (turn - 4096..turn + 4096).step_by(8) {
                 for sign in [0, 1 << 31] {
-                    check_exp(std::array::from_fn(|i| f32::from_bits(first + i as u32 | sign)));
+                    check_exp(std::array::from_fn(|i| f32::from_bits((first + i as u32) | sign)));
                 }
             }
         }

@@ -1,12 +1,21 @@
 //! Irradiance as second-order spherical harmonics (Ramamoorthi and Hanrahan 2001).
 
-use glam::Vec3A;
+use glam::{Vec3A, Vec4};
 use std::f32::consts::{FRAC_PI_4, PI};
 use wide::f32x8;
 
-/// Nine coefficients of radiance, each of three colour channels, one after the other: they are added up eight at a time.
+/// Nine coefficients of radiance, each of three colour channels: they are added up eight numbers at a time. Each of the
+/// first eight has four lanes, so that it can be taken out at once; the last has fourth lanes of others.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SphericalHarmonics([f32x8; 4]);
+
+/// Where a channel of a coefficient is among all lanes.
+const fn lane(k: usize, channel: usize) -> usize {
+    if k < 8 { 4 * k + channel } else { 8 * channel + 3 }
+}
+
+/// A lane that nothing else needs.
+const SPARE: usize = 31;
 
 fn basis(d: Vec3A) -> [f32; 9] {
     [
@@ -28,12 +37,26 @@ impl SphericalHarmonics {
     /// Adds radiance from a direction, weighted by its solid angle.
     pub(super) fn add(&mut self, direction: Vec3A, radiance: Vec3A, solid_angle: f32) {
         let mut coefficients = [0.0; 32];
-        for (c, b) in coefficients.chunks_exact_mut(3).zip(basis(direction)) {
-            c.copy_from_slice(&(radiance * (b * solid_angle)).to_array());
+        for (k, b) in basis(direction).into_iter().enumerate() {
+            for (channel, c) in (radiance * (b * solid_angle)).to_array().into_iter().enumerate() {
+                coefficients[lane(k, channel)] = c;
+            }
         }
         for (own, eight) in self.0.iter_mut().zip(coefficients.as_chunks().0) {
             *own += f32x8::new(*eight);
         }
+    }
+
+    /// The same with a number beside the coefficients, where there is room for it.
+    pub(super) fn with_spare(mut self, spare: f32) -> Self {
+        self.0[SPARE / 8].as_mut_array()[SPARE % 8] = spare;
+        self
+    }
+
+    /// The number beside the coefficients.
+    #[inline]
+    pub(super) fn spare(&self) -> f32 {
+        self.0[SPARE / 8].as_array()[SPARE % 8]
     }
 
     /// Weighted sum with another.
@@ -54,7 +77,11 @@ impl SphericalHarmonics {
         };
         let coefficients = self.0.map(f32x8::to_array);
         let coefficients = coefficients.as_flattened();
-        let color = |k: usize| Vec3A::new(coefficients[3 * k], coefficients[3 * k + 1], coefficients[3 * k + 2]);
+        let color = |k: usize| {
+            let [r, g, b] = [0, 1, 2].map(|channel| coefficients[lane(k, channel)]);
+            // What is in the fourth lane does not matter.
+            if k < 8 { Vec3A::from_vec4(Vec4::new(r, g, b, coefficients[4 * k + 3])) } else { Vec3A::new(r, g, b) }
+        };
         let mut sum = Vec3A::ZERO;
         for (k, (b, a)) in basis(normal).into_iter().zip(BAND).enumerate() {
             sum += color(k) * (b * a);
@@ -68,6 +95,7 @@ impl SphericalHarmonics {
 mod tests {
     use super::*;
     use crate::sampling::{hammersley, sphere_direction};
+    use proptest::prelude::*;
 
     #[test]
     fn uniform_light_gives_pi_and_half_a_sky_its_share() {
@@ -83,5 +111,34 @@ mod tests {
         assert!((uniform.irradiance(Vec3A::X).x - PI).abs() < 0.02);
         assert!((sky.irradiance(Vec3A::Z).x - PI).abs() < 0.15);
         assert!((sky.irradiance(Vec3A::X).x - PI / 2.0).abs() < 0.1);
+    }
+
+    proptest! {
+        #[test]
+        fn numbers_side_by_side_are_those_of_one_after_another(
+            lights in prop::collection::vec((0u32..999, 0f32..9.0, 0f32..9.0, 0f32..0.5), 1..9), facing in 0u32..999,
+            weight in 0f32..1.0,
+        ) {
+            let mut light = SphericalHarmonics::ZERO.with_spare(7.0);
+            let mut plain = [Vec3A::ZERO; 9];
+            for (direction, red, blue, solid_angle) in lights {
+                let (direction, radiance) = (sphere_direction(hammersley(direction, 999)), Vec3A::new(red, 1.0, blue));
+                light.add(direction, radiance, solid_angle);
+                for (sum, b) in plain.iter_mut().zip(basis(direction)) {
+                    *sum += radiance * (b * solid_angle);
+                }
+            }
+            prop_assert_eq!(light.spare(), 7.0);
+            let mut weighted = light;
+            weighted.accumulate(&light, weight);
+            let normal = sphere_direction(hammersley(facing, 999));
+            let mut sum = Vec3A::ZERO;
+            for ((k, c), b) in plain.into_iter().enumerate().zip(basis(normal)) {
+                let band = [PI, 2.0 * PI / 3.0, FRAC_PI_4][usize::from(k > 0) + usize::from(k > 3)];
+                sum += (c + c * weight) * (b * band);
+            }
+            let expected = sum.max((plain[0] + plain[0] * weight) * 0.05);
+            prop_assert_eq!(weighted.irradiance(normal).to_array().map(f32::to_bits), expected.to_array().map(f32::to_bits));
+        }
     }
 }

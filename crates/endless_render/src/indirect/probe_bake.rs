@@ -64,5 +64,5 @@ fn probe(tracer: &Tracer<'_>, tape: &mut HitTape<'_>, position: Vec3A, pattern: 
         light.add(direction, radiance.min(limit), 4.0 * PI / rays as f32);
     }
     let inside = behind as f32 / rays as f32;
-    Probe { light, trust: (1.0 - inside * 4.0).clamp(0.0, 1.0) }
+    Probe::new(light, (1.0 - inside * 4.0).clamp(0.0, 1.0))
 }

@@ -1,7 +1,7 @@
 //! A grid of irradiance probes in the air of what a camera sees: the ambient light of everything that moves.
 
 use super::harmonics::SphericalHarmonics;
-use glam::{UVec3, Vec2, Vec3, Vec3A};
+use glam::{UVec3, Vec2, Vec3A};
 
 const SPACING_M: f32 = 6.0;
 /// Heights of the layers above the lowest ground: dense where cars and people are.
@@ -26,10 +26,13 @@ pub(crate) struct ProbeGrid {
     pub(super) probes: Vec<Probe>,
 }
 
-pub(super) struct Probe {
-    pub(super) light: SphericalHarmonics,
-    /// 0 inside walls, 1 in the open.
-    pub(super) trust: f32,
+/// Light, and its trust beside its numbers: 0 inside walls, 1 in the open.
+pub(super) struct Probe(SphericalHarmonics);
+
+impl Probe {
+    pub(super) fn new(light: SphericalHarmonics, trust: f32) -> Self {
+        Self(light.with_spare(trust))
+    }
 }
 
 impl ProbeGrid {
@@ -51,28 +54,96 @@ impl ProbeGrid {
 
     /// Illuminance of a surface with this normal, klx: trilinear between the probes in the open.
     pub(crate) fn irradiance(&self, position: Vec3A, normal: Vec3A) -> Vec3A {
-        let p = Vec3::from(position);
         let last = self.size - UVec3::ONE;
-        let u = ((p.x - self.low.x) / SPACING_M).clamp(0.0, last.x as f32);
-        let v = ((p.y - self.low.y) / SPACING_M).clamp(0.0, last.y as f32);
-        let height = p.z - self.ground;
-        let layer = HEIGHTS_M.partition_point(|&h| h <= height).clamp(1, HEIGHTS_M.len() - 1) - 1;
+        let u = ((position.x - self.low.x) / SPACING_M).clamp(0.0, last.x as f32);
+        let v = ((position.y - self.low.y) / SPACING_M).clamp(0.0, last.y as f32);
+        let height = position.z - self.ground;
+        let layer = HEIGHTS_M[1..HEIGHTS_M.len() - 1].iter().filter(|&&h| h <= height).count();
         let w = ((height - HEIGHTS_M[layer]) / (HEIGHTS_M[layer + 1] - HEIGHTS_M[layer])).clamp(0.0, 1.0);
-        let (x0, y0) = ((u as u32).min(last.x), (v as u32).min(last.y));
-        let (fx, fy) = (u - x0 as f32, v - y0 as f32);
+        let (x0, y0) = (u as u32, v as u32);
+        let (fx, fy) = (u - u.floor(), v - v.floor());
+        let columns = [(x0, 1.0 - fx), ((x0 + 1).min(last.x), fx)];
+        let rows = [(y0, 1.0 - fy), ((y0 + 1).min(last.y), fy)];
+        let layers = [(layer as u32, 1.0 - w), (layer as u32 + 1, w)];
         let mut sum = SphericalHarmonics::ZERO;
         let mut total = 0.0;
+        for (z, of_layer) in layers {
+            for (y, of_row) in rows {
+                let row = (z * self.size.y + y) * self.size.x;
+                for (x, of_column) in columns {
+                    let Probe(light) = &self.probes[(row + x) as usize];
+                    let weight = of_column * of_row * of_layer;
+                    let weight = weight * light.spare() + 1e-6 * weight;
+                    sum.accumulate(light, weight);
+                    total += weight;
+                }
+            }
+        }
+        sum.irradiance(normal) / total.max(1e-9)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::material::noise;
+    use crate::sampling::{hammersley, sphere_direction};
+    use proptest::prelude::*;
+
+    fn grid() -> ProbeGrid {
+        let (low, high) = (Vec2::new(-5.0, 2.0), Vec2::new(14.0, 13.0));
+        let mut grid = ProbeGrid::over(&ProbeRegion { low, high, ground: 1.5, pattern: 0 });
+        let probe = |i: u32| {
+            let mut light = SphericalHarmonics::ZERO;
+            for k in 0..6 {
+                let number = |salt: u32| noise::cell1(i, 8 * k + salt);
+                let direction = sphere_direction(Vec2::new(number(0), number(1)));
+                light.add(direction, Vec3A::new(number(2), number(3), number(4)), 2.0);
+            }
+            Probe::new(light, (noise::cell1(i, 99) * 1.5 - 0.2).clamp(0.0, 1.0))
+        };
+        grid.probes = (0..grid.size.element_product()).map(probe).collect();
+        grid
+    }
+
+    /// Illuminance by the corners' numbers.
+    fn corner_by_corner(grid: &ProbeGrid, position: Vec3A, normal: Vec3A) -> Vec3A {
+        let last = grid.size - UVec3::ONE;
+        let u = ((position.x - grid.low.x) / SPACING_M).clamp(0.0, last.x as f32);
+        let v = ((position.y - grid.low.y) / SPACING_M).clamp(0.0, last.y as f32);
+        let height = position.z - grid.ground;
+        let layer = HEIGHTS_M.partition_point(|&h| h <= height).clamp(1, HEIGHTS_M.len() - 1) - 1;
+        let w = ((height - HEIGHTS_M[layer]) / (HEIGHTS_M[layer + 1] - HEIGHTS_M[layer])).clamp(0.0, 1.0);
+        let low = UVec3::new(u as u32, v as u32, layer as u32);
+        let (mut sum, mut total) = (SphericalHarmonics::ZERO, 0.0);
         for corner in 0..8u32 {
-            let (dx, dy, dz) = (corner & 1, corner >> 1 & 1, corner >> 2);
-            let weight = (if dx == 1 { fx } else { 1.0 - fx })
-                * (if dy == 1 { fy } else { 1.0 - fy })
-                * (if dz == 1 { w } else { 1.0 - w });
-            let (x, y) = ((x0 + dx).min(last.x), (y0 + dy).min(last.y));
-            let probe = &self.probes[((layer as u32 + dz) * self.size.y * self.size.x + y * self.size.x + x) as usize];
-            let weight = weight * probe.trust + 1e-6 * weight;
-            sum.accumulate(&probe.light, weight);
+            let aside = UVec3::new(corner & 1, corner >> 1 & 1, corner >> 2);
+            let of_axis = |aside, share: f32| if aside == 1 { share } else { 1.0 - share };
+            let weight = of_axis(aside.x, u - low.x as f32) * of_axis(aside.y, v - low.y as f32) * of_axis(aside.z, w);
+            let at = (low + aside).min(last);
+            let Probe(light) = &grid.probes[((at.z * grid.size.y + at.y) * grid.size.x + at.x) as usize];
+            let weight = weight * light.spare() + 1e-6 * weight;
+            sum.accumulate(light, weight);
             total += weight;
         }
         sum.irradiance(normal) / total.max(1e-9)
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(64))]
+
+        #[test]
+        fn light_is_that_of_the_corners(
+            places in prop::collection::vec((-9f32..20.0, -3f32..19.0, 0f32..24.0, 0u32..999, any::<bool>()), 64),
+        ) {
+            let grid = grid();
+            for (x, y, z, facing, on_probe) in places {
+                let place = Vec3A::new(x, y, z);
+                let place = if on_probe { ((place - grid.position(0, 0, 0)) / 6.0).floor() * 6.0 + grid.position(0, 0, 0) } else { place };
+                let normal = sphere_direction(hammersley(facing, 999));
+                let (found, expected) = (grid.irradiance(place, normal), corner_by_corner(&grid, place, normal));
+                prop_assert_eq!(found.to_array().map(f32::to_bits), expected.to_array().map(f32::to_bits));
+            }
+        }
     }
 }

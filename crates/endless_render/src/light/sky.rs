@@ -122,10 +122,12 @@ impl Sky {
         let columns = [column, column + i32x8::ONE].map(|c| c & i32x8::splat(WIDTH as i32 - 1));
         let row = y0.fast_trunc_int();
         let rows = [row, (row + i32x8::ONE).min(i32x8::splat(HEIGHT as i32 - 1))];
-        let places = rows.map(|r| columns.map(|c| (r * i32x8::splat(WIDTH as i32) + c).to_array()));
+        let place = |c: usize, r: usize| (rows[r] * i32x8::splat(WIDTH as i32) + columns[c]).to_array();
+        let (p00, p10, p01, p11) = (place(0, 0), place(1, 0), place(0, 1), place(1, 1));
+        let at = |place: i32| self.table[place as usize];
         side_by_side(std::array::from_fn(|i| {
-            let [low, high] = places.each_ref().map(|row| row.each_ref().map(|places| self.table[places[i] as usize]));
-            let [low, high] = [low, high].map(|[from, to]| from.lerp_unfused(to, fx[i]));
+            let low = at(p00[i]).lerp_unfused(at(p10[i]), fx[i]);
+            let high = at(p01[i]).lerp_unfused(at(p11[i]), fx[i]);
             low.lerp_unfused(high, fy[i])
         }))
     }

@@ -143,7 +143,7 @@ impl Coat8 {
     /// Share of light that coats reflect towards the viewers.
     #[inline]
     fn reflectance(&self, views: &Vec3x8) -> Vec3x8 {
-        fresnel(&self.f0, dot(&self.normal, views).abs()).map(|f| f * self.share & self.there)
+        fresnel(&self.f0, dot(&self.normal, views).abs()).map(|f| (f * self.share) & self.there)
     }
 }
 
@@ -183,7 +183,7 @@ fn columns(bsdfs: [&Bsdf; 8], row: impl Fn(&Bsdf) -> (Vec3A, f32, Vec3A, f32)) -
 fn normalize_or_zero(v: Vec3x8) -> Vec3x8 {
     let over = f32x8::ONE / dot(&v, &v).sqrt();
     let there = over.simd_lt(f32x8::splat(f32::INFINITY));
-    v.map(|axis| axis * over & there)
+    v.map(|axis| (axis * over) & there)
 }
 
 /// Schlick's fifth power.
