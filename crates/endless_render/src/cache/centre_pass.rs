@@ -79,7 +79,7 @@ impl BakePass<'_> {
         let normals = TriangleNormals::new(&instances[instance as usize], triangle);
         for (row, own) in alike.to_le_bytes().into_iter().enumerate().filter(|(_, own)| *own != 0) {
             let (distances, weights) = (hits.distances[row], hits.weights[row]);
-            let Normals8 { geometric, shading } = normals.at(&rays.direction.map(|axis| axis[row]), weights);
+            let Normals8 { geometric, shading, .. } = normals.at(&rays.direction.map(|axis| axis[row]), weights);
             if let Some(sun) = &mut sun {
                 let (positions, is_leaf) = (rays.places(row, distances), kind.surface == Surface::Foliage);
                 sun.ask(row, own, &Surface8 { positions, normals: geometric, distances, is_leaf });

@@ -1,6 +1,7 @@
 //! Where a sample's ray met a triangle, in twelve bytes.
 
 use crate::accel::Hit;
+use crate::exact8;
 use wide::f32x8;
 
 /// No instance.
@@ -43,7 +44,7 @@ impl PackedHit {
     /// The weights of eight triangles' second or third vertices, packed.
     pub(super) fn weights8(weights: f32x8) -> [u16; 8] {
         let share = weights.fast_clamp(f32x8::ZERO, f32x8::ONE);
-        (share * f32x8::splat(65_535.0)).round().fast_trunc_int().to_array().map(|weight| weight as u16)
+        exact8::round_int(share * f32x8::splat(65_535.0)).to_array().map(|weight| weight as u16)
     }
 
     /// The hit at a distance.

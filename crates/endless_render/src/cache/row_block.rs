@@ -7,9 +7,12 @@ use crate::camera_rays::aims8;
 use crate::octahedron;
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
-use crate::scene::SurfaceInteraction;
+use crate::scene::{SurfaceInteraction, TriangleHits};
+use crate::vec3x8::Vec3x8;
 use endless_scene::Surface;
+use endless_world::Lens;
 use glam::Vec3A;
+use wide::f32x8;
 
 /// Pixels of a block: what is known of them stays in the processor's nearest caches.
 pub(super) const BLOCK: usize = 64;
@@ -17,6 +20,8 @@ pub(super) const BLOCK: usize = 64;
 pub(super) const LANES: usize = BLOCK * SAMPLES;
 /// In the place of a lane: nobody tells the light, for nobody asks.
 pub(super) const NOBODY: u16 = u16::MAX;
+/// Fewest points on one triangle for which it pays to find them together.
+const FEWEST: u32 = 3;
 /// Share of what is around a plant that its leaves see past each other, as gathered light has it in the mean.
 const OPEN_TO_LEAVES: f32 = 0.5;
 /// The same of walls, from which sills, balconies and eaves stand out.
@@ -121,16 +126,64 @@ impl<'a> RowBlock<'a> {
             }
             let aims = aims8(pass.camera, first as u32, (first + count) as u32, self.y as u32, sample);
             let from = self.points.len();
-            for pixel in lanes(asked) {
+            let is_together = sample == 0 && matches!(pass.camera.lens, Lens::Perspective(_));
+            let mut left = asked;
+            while let Some(pixel) = lanes(left).next() {
+                let alike = if is_together { self.look_at_triangle(primary, irradiance, own, left, &aims) } else { 0 };
+                if alike != 0 {
+                    left &= !alike;
+                    continue;
+                }
                 let x = first + pixel;
                 let gathered = irradiance.map(|irradiance| irradiance[x][sample].get());
                 let alone = sample == 0 && simple & sky >> pixel & 1 == 1;
                 self.look_along(&pass.ray_along(&aims, pixel), primary, gathered, (x, at + pixel), alone);
+                left &= left - 1;
             }
             if irradiance.is_none() {
                 self.ask_probes(from);
             }
         }
+    }
+
+    /// Turns to the centres of those of eight pixels that follow the first that is asked on one triangle with it, if they are
+    /// enough, and tells which they are.
+    fn look_at_triangle(
+        &mut self,
+        primary: PrimaryRow<'_>,
+        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
+        own: usize,
+        asked: u32,
+        aims: &Vec3x8,
+    ) -> u32 {
+        let first = self.first + own;
+        let hit_of = |pixel: usize| &primary.surfaces.hits[first + pixel][0];
+        let Some(start) = lanes(asked).next() else { return 0 };
+        let alike = lanes(asked).take_while(|&pixel| hit_of(pixel).is_on_triangle_of(hit_of(start)));
+        let alike = alike.fold(0u32, |bits, pixel| bits | 1 << pixel);
+        let Some((hit, true)) = primary.pixel(first + start).hit(0).zip(Some(alike.count_ones() >= FEWEST)) else {
+            return 0;
+        };
+        let hits: [Hit; 8] = std::array::from_fn(|i| {
+            let pixel = if alike >> i & 1 == 1 { i } else { start };
+            hit_of(pixel).at(primary.distances[first + pixel][0]).unwrap_or(hit)
+        });
+        let origin = Vec3A::from(self.pass.camera.position);
+        let eight = TriangleHits {
+            triangle: hit.triangle,
+            origin,
+            directions: *aims,
+            distances: f32x8::new(hits.map(|hit| hit.t)),
+            weights: [f32x8::new(hits.map(|hit| hit.u)), f32x8::new(hits.map(|hit| hit.v))],
+        };
+        let instance = &self.pass.tracer.still.instances[hit.instance as usize];
+        eight.points(instance, lanes(alike), |pixel, surface| {
+            let lane = (own + pixel) as u16;
+            let irradiance = irradiance.map_or(Vec3A::ZERO, |irradiance| irradiance[first + pixel][0].get());
+            self.told_by[usize::from(lane)] = lane;
+            self.points.push(BlockPoint { surface, origin, irradiance, lane });
+        });
+        alike
     }
 
     /// Turns to one sample of a pixel `x` of the row.

@@ -12,6 +12,7 @@ mod static_scene;
 mod surface_interaction;
 mod surface_query;
 mod triangle_normals;
+mod triangle_points;
 mod velocity;
 
 pub use deformable_mesh::DeformableMesh;
@@ -25,4 +26,5 @@ pub use static_scene::StaticScene;
 pub(crate) use surface_interaction::{ShadingPoint, SurfaceInteraction, ray_origins8};
 pub use surface_query::SurfacePoint;
 pub(crate) use triangle_normals::{Normals8, TriangleNormals};
+pub(crate) use triangle_points::TriangleHits;
 pub use velocity::RigidVelocity;

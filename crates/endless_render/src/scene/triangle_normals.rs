@@ -24,6 +24,8 @@ pub(crate) struct Normals8 {
     pub(crate) geometric: Vec3x8,
     /// Interpolated.
     pub(crate) shading: Vec3x8,
+    /// All bits where the ray met the inner side.
+    pub(super) from_behind: f32x8,
 }
 
 impl TriangleNormals {
@@ -55,11 +57,12 @@ impl TriangleNormals {
         let facing = dot(&shading, directions);
         let leans = facing.simd_gt(f32x8::splat(-0.02));
         if !leans.any() {
-            return Normals8 { geometric, shading };
+            return Normals8 { geometric, shading, from_behind };
         }
         let back = facing + f32x8::splat(0.02);
         let bent = normalize_or(std::array::from_fn(|k| shading[k] - directions[k] * back), &geometric);
-        Normals8 { geometric, shading: std::array::from_fn(|k| leans.select(bent[k], shading[k])) }
+        let shading = std::array::from_fn(|k| leans.select(bent[k], shading[k]));
+        Normals8 { geometric, shading, from_behind }
     }
 }
 
