@@ -4,6 +4,7 @@ use super::bake_pass::BakePass;
 use super::bake_stats::{BakeStats, timed};
 use super::camera_film::{CameraFilm, FilmResponse};
 use super::gbuffer::GBuffer;
+use super::picture_memory::PictureMemory;
 use super::tile_hierarchy::TileHierarchy;
 use crate::accel::Ray;
 use crate::camera_rays::sample_ray;
@@ -64,7 +65,8 @@ impl CameraBake {
         let area = ViewedArea::of(still, &camera);
         let lighting = timed("lights", || Lighting::direct(still, settings, &area));
         let (lighting, probes) = timed("probes", || lighting.with_probes(still, settings, &area, indirect));
-        let (bake, [points, edges]) = Self::lit(still, settings, camera, Arc::new(lighting), None, indirect);
+        let (bake, [points, edges]) =
+            Self::lit(still, settings, camera, Arc::new(lighting), None, (indirect, PictureMemory::default()));
         (bake, IndirectHits { probes, points, edges })
     }
 
@@ -76,8 +78,14 @@ impl CameraBake {
         camera: &PinholeCamera,
         lighting: &Arc<Lighting>,
         response: Option<&Arc<FilmResponse>>,
+        memory: PictureMemory,
     ) -> Self {
-        Self::lit(still, settings, camera.clone(), Arc::clone(lighting), response, IndirectRays::Trace).0
+        Self::lit(still, settings, camera.clone(), Arc::clone(lighting), response, (IndirectRays::Trace, memory)).0
+    }
+
+    /// Its memory, for another picture.
+    pub(crate) fn into_memory(self) -> PictureMemory {
+        self.gbuffer.into_memory(self.film.radiance)
     }
 
     /// How this camera's film is exposed.
@@ -92,14 +100,14 @@ impl CameraBake {
         camera: PinholeCamera,
         lighting: Arc<Lighting>,
         response: Option<&Arc<FilmResponse>>,
-        indirect: IndirectRays<'_>,
+        (indirect, memory): (IndirectRays<'_>, PictureMemory),
     ) -> (Self, [TapeStack; 2]) {
         let pixel_angle = camera.pixel_angle_rad();
         let environment = &lighting.environment;
         let stats = BakeStats::default();
         let tracer = lighting.tracer(still, None);
         let pass = BakePass { tracer, camera: &camera, pixel_angle, settings, stats: &stats, indirect };
-        let (gbuffer, radiance, tapes) = GBuffer::bake(&pass);
+        let (gbuffer, radiance, tapes) = GBuffer::bake(&pass, memory);
         let sun = environment.sun.as_ref().map(|sun| sun.direction);
         let tiles = timed("tiles", || TileHierarchy::new(&camera, &gbuffer, sun));
         let film = timed("film", || CameraFilm::new(settings, &camera, environment, &gbuffer, radiance, response));

@@ -31,23 +31,26 @@ impl BakePass<'_> {
             let pixels = y * width..(y + 1) * width;
             let (distances, sun_free) = (&distances[pixels.clone()], &sun_free[pixels.clone()]);
             let row = PrimaryRow { distances, sun_free, uniform: &uniform[pixels.clone()], surfaces: &surfaces };
-            self.shade_row(row, irradiance.get(pixels), y, radiance)
+            let mut kept = GBufferRow::default();
+            let layers = self.shade_row(row, irradiance.get(pixels), y, &mut kept, radiance);
+            (kept, layers)
         });
         let (rows, layers): (Vec<GBufferRow>, Vec<LayerImages>) = rows.unzip();
         (rows, LayerImages::of_rows(self.settings.layers, layers))
     }
 
-    /// Shades a row: what is kept of it, and its radiance while nothing moves.
+    /// Shades a row, writes what is kept of it and its radiance while nothing moves, and tells its other layers.
     pub(super) fn shade_row(
         &self,
         primary: PrimaryRow<'_>,
         irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
         y: usize,
+        row: &mut GBufferRow,
         radiance: &mut [Vec3A],
-    ) -> (GBufferRow, LayerImages) {
+    ) -> LayerImages {
         let width = self.width();
         let night = self.tracer.environment.night;
-        let mut row = GBufferRow::for_pixels((0..width).map(|x| primary.pixel(x)));
+        row.clear_for((0..width).map(|x| primary.pixel(x)));
         let mut layers = LayerImages::with_capacity(self.settings.layers, width);
         let mut hits = Vec::new();
         // Large, so they are never moved.
@@ -58,7 +61,7 @@ impl BakePass<'_> {
             block.shade(primary, irradiance, light);
             for pixel in 0..count {
                 let seen = primary.pixel(first + pixel);
-                block.push_pixel(pixel, &seen, light, &mut row);
+                block.push_pixel(pixel, &seen, light, row);
                 layers.push(&light.layers[pixel].with_shadow(self.still_shadow(&seen)));
                 if night {
                     row.push_bsdf(first + pixel, light.bsdfs[pixel].take());
@@ -79,7 +82,7 @@ impl BakePass<'_> {
         row.set_hits(hits);
         row.radiance(self.tracer.environment, primary, radiance);
         row.shrink();
-        (row, layers)
+        layers
     }
 }
 

@@ -4,6 +4,7 @@ use super::bake_pass::BakePass;
 use super::bake_stats::timed;
 use super::gbuffer_row::GBufferRow;
 use super::irradiance::{GatheredLight, IrradiancePass};
+use super::picture_memory::PictureMemory;
 use super::primary_hits::{PrimaryHits, PrimaryRow};
 use super::sparse_primary::KeptRow;
 use super::still_pixel::StillPixel;
@@ -37,9 +38,9 @@ pub(super) struct GBuffer {
 impl GBuffer {
     /// Traces and shades what stands still; gives its radiance, kcd/m², and the ends of the rays that gathered light, if
     /// these are to be kept.
-    pub(super) fn bake(pass: &BakePass<'_>) -> (Self, Vec<Vec3A>, [TapeStack; 2]) {
+    pub(super) fn bake(pass: &BakePass<'_>, memory: PictureMemory) -> (Self, Vec<Vec3A>, [TapeStack; 2]) {
         if pass.settings.gathering == Gathering::Probes {
-            let (gbuffer, radiance) = Self::for_an_instant(pass);
+            let (gbuffer, radiance) = Self::for_an_instant(pass, memory);
             return (gbuffer, radiance, Default::default());
         }
         let mut primary = timed("primary", || pass.trace());
@@ -56,24 +57,28 @@ impl GBuffer {
 
     /// The same in the light of probes. Each row is shaded as soon as it is traced: what it lies on never leaves the
     /// processor's caches.
-    fn for_an_instant(pass: &BakePass<'_>) -> (Self, Vec<Vec3A>) {
+    fn for_an_instant(pass: &BakePass<'_>, memory: PictureMemory) -> (Self, Vec<Vec3A>) {
         let (width, pixels) = (pass.width(), pass.camera.size.pixels());
         let sparse = pass.trace_sparse();
-        let mut distances = vec![[f32::MAX; SAMPLES]; pixels];
-        let mut sun_free = vec![[0; SAMPLES]; pixels];
-        let mut uniform = vec![false; pixels];
-        let mut radiance = vec![Vec3A::ZERO; pixels];
+        let memory = memory.resized(pixels, pass.camera.size.height as usize);
+        let PictureMemory { mut distances, mut sun_free, mut uniform, mut radiance, mut rows } = memory;
         let kept = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
-        let kept = kept.zip(uniform.par_chunks_mut(width)).zip(radiance.par_chunks_mut(width)).enumerate();
-        let rows = kept.map(|(y, (((distances, sun_free), uniform), radiance))| {
+        let kept = kept.zip(uniform.par_chunks_mut(width)).zip(radiance.par_chunks_mut(width));
+        let layers = kept.zip(&mut rows).enumerate().map(|(y, ((((distances, sun_free), uniform), radiance), row))| {
             let kept = KeptRow { distances: &mut *distances, sun_free: &mut *sun_free, uniform: &mut *uniform };
             let surfaces = sparse.trace_row(y, kept);
-            pass.shade_row(PrimaryRow { distances, sun_free, uniform, surfaces: &surfaces }, None, y, radiance)
+            pass.shade_row(PrimaryRow { distances, sun_free, uniform, surfaces: &surfaces }, None, y, row, radiance)
         });
-        let (rows, layers): (Vec<GBufferRow>, Vec<LayerImages>) = timed("shade", || rows.unzip());
+        let layers: Vec<LayerImages> = timed("shade", || layers.collect());
         pass.stats.add((pixels * SAMPLES) as u64);
         let layers = LayerImages::of_rows(pass.settings.layers, layers);
         (Self { width, distances, sun_free, uniform, rows, layers, irradiance: Vec::new() }, radiance)
+    }
+
+    /// Its memory, with that of the picture's radiance.
+    pub(super) fn into_memory(self, radiance: Vec<Vec3A>) -> PictureMemory {
+        let Self { distances, sun_free, uniform, rows, .. } = self;
+        PictureMemory { distances, sun_free, uniform, radiance, rows }
     }
 
     /// A pixel, by its place in the picture.

@@ -35,11 +35,16 @@ struct KeptPixel {
 }
 
 impl GBufferRow {
-    /// Room for what these pixels need.
-    pub(super) fn for_pixels<'a>(pixels: impl ExactSizeIterator<Item = PrimaryPixel<'a>>) -> Self {
-        let count = pixels.len();
-        let samples = pixels.map(|pixel| pixel.kept_samples()).sum();
-        Self { pixels: Vec::with_capacity(count), samples: Vec::with_capacity(samples), ..Self::default() }
+    /// Forgets what it held, and makes room for what these pixels need.
+    pub(super) fn clear_for<'a>(&mut self, pixels: impl ExactSizeIterator<Item = PrimaryPixel<'a>>) {
+        self.pixels.clear();
+        self.samples.clear();
+        self.hits.clear();
+        self.mirrors.clear();
+        self.bsdfs.clear();
+        self.bsdfs_before.clear();
+        self.pixels.reserve_exact(pixels.len());
+        self.samples.reserve_exact(pixels.map(|pixel| pixel.kept_samples()).sum());
     }
 
     /// Adds the next pixel, of which one or four samples tell the light.

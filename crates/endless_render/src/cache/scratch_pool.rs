@@ -8,25 +8,25 @@ const VERY_LARGE: usize = 4_000_000;
 
 /// Those not in use; at most as many as frames are made at once.
 #[derive(Debug)]
-pub(super) struct ScratchPool<T> {
+pub(crate) struct ScratchPool<T> {
     spare: Mutex<Vec<T>>,
     keeps: bool,
 }
 
 impl<T> ScratchPool<T> {
     /// For pictures of so many pixels.
-    pub(super) fn for_pixels(pixels: usize) -> Self {
+    pub(crate) fn for_pixels(pixels: usize) -> Self {
         Self { spare: Mutex::default(), keeps: pixels < VERY_LARGE }
     }
 
     /// One that is left over, or a fresh one.
-    pub(super) fn take(&self, fresh: impl FnOnce() -> T) -> T {
+    pub(crate) fn take(&self, fresh: impl FnOnce() -> T) -> T {
         let spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner).pop();
         spare.unwrap_or_else(fresh)
     }
 
     /// Takes one back, which must be as it was.
-    pub(super) fn give(&self, it: T) {
+    pub(crate) fn give(&self, it: T) {
         if self.keeps {
             self.spare.lock().unwrap_or_else(PoisonError::into_inner).push(it);
         }

@@ -4,7 +4,7 @@
 //! that bounced differs: it comes from probes along the way, because gathered light has a pattern of its own in each picture,
 //! which would crawl over what is seen.
 
-use crate::cache::{CameraBake, FilmResponse, NeighbourFrames};
+use crate::cache::{CameraBake, FilmResponse, NeighbourFrames, PictureMemory, ScratchPool};
 use crate::film::Exposure;
 use crate::indirect::IndirectRays;
 use crate::lighting::{Lighting, ViewedArea};
@@ -33,6 +33,8 @@ pub struct MovingCamera {
     settings: RenderSettings,
     lighting: Arc<Lighting>,
     response: Arc<FilmResponse>,
+    /// Of pictures that are made.
+    memory: ScratchPool<PictureMemory>,
 }
 
 impl MovingCamera {
@@ -52,12 +54,13 @@ impl MovingCamera {
         let exposed = |camera: &PinholeCamera| {
             let small = reduced(camera);
             let settings = RenderSettings { size: small.size, ..gathered.clone() };
-            CameraBake::from_here(still, &settings, &small, &lighting, None).exposure()
+            CameraBake::from_here(still, &settings, &small, &lighting, None, PictureMemory::default()).exposure()
         };
         let exposures: Vec<Exposure> = places(way).map(exposed).collect();
         let exposure = Exposure::mean(&exposures).unwrap_or(Exposure::NONE);
         let response = Arc::new(FilmResponse::new(&settings, &lighting.environment, exposure));
-        Self { settings, lighting, response }
+        let memory = ScratchPool::for_pixels(settings.size.pixels());
+        Self { settings, lighting, response, memory }
     }
 
     /// What a camera sees at an instant; the picture has the camera's own size and lens. Flow is unknown.
@@ -73,7 +76,10 @@ impl MovingCamera {
         camera: &PinholeCamera,
         neighbours: NeighbourFrames<'_>,
     ) -> SensorFrame {
-        self.from(still, camera).render_between(still, frame, neighbours)
+        let here = self.from(still, camera);
+        let seen = here.render_between(still, frame, neighbours);
+        self.memory.give(here.into_memory());
+        seen
     }
 
     /// The same at an instant at which the light is a share of the way, 0 to 1, from that of this camera to that of the next:
@@ -86,12 +92,16 @@ impl MovingCamera {
         camera: &PinholeCamera,
         neighbours: NeighbourFrames<'_>,
     ) -> SensorFrame {
-        let next = next.from(still, camera);
-        self.from(still, camera).render_changing((&next, share), still, frame, neighbours)
+        let (here, then) = (self.from(still, camera), next.from(still, camera));
+        let seen = here.render_changing((&then, share), still, frame, neighbours);
+        self.memory.give(here.into_memory());
+        next.memory.give(then.into_memory());
+        seen
     }
 
     fn from(&self, still: &StaticScene, camera: &PinholeCamera) -> CameraBake {
-        CameraBake::from_here(still, &self.settings, camera, &self.lighting, Some(&self.response))
+        let memory = self.memory.take(PictureMemory::default);
+        CameraBake::from_here(still, &self.settings, camera, &self.lighting, Some(&self.response), memory)
     }
 }
 
