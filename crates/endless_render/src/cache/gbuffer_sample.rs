@@ -42,7 +42,7 @@ pub(super) struct MirrorSample {
     /// Share of the mirrored light that arrives, fog applied.
     weight: Rgb9e5,
     /// Where the mirror ray goes, packed.
-    direction: u32,
+    pub(super) direction: u32,
     /// How far that ray gets in the static scene, metres.
     pub(super) reach: f32,
     /// The coat's; 255 is 1.

@@ -1,10 +1,8 @@
 //! Tiles of pixels, and larger areas above them, which are tested for changes first.
 
 use super::gbuffer::GBuffer;
-use super::still_pixel::StillPixel;
 use super::tile::{TILE, TileBounds, TileRayBounds};
-use crate::camera_rays::{aims8, lane_ray};
-use crate::sampling::SAMPLES;
+use super::tile_bounds::bounds_of;
 use endless_world::PinholeCamera;
 use glam::Vec3A;
 use rayon::prelude::*;
@@ -51,8 +49,8 @@ impl TileHierarchy {
     /// Over these samples; `sun` is the direction to it, where it shines.
     pub(super) fn new(camera: &PinholeCamera, gbuffer: &GBuffer, sun: Option<Vec3A>) -> Self {
         let (columns, rows) = (camera.size.width.div_ceil(TILE), camera.size.height.div_ceil(TILE));
-        let tiles: Vec<TileBounds> =
-            (0..columns * rows).into_par_iter().map(|tile| bounds_of(camera, gbuffer, tile, columns)).collect();
+        let of_tile = |tile: u32| bounds_of(camera, gbuffer, (tile % columns * TILE, tile / columns * TILE));
+        let tiles: Vec<TileBounds> = (0..columns * rows).into_par_iter().map(of_tile).collect();
         let lowest = tiles.iter().map(|b| b.points.low.z).fold(f32::INFINITY, f32::min);
         let mut levels = vec![TileLevel::new(tiles, columns, rows, sun)];
         while let Some(level) = levels.last().filter(|level| level.bounds.len() > 1) {
@@ -64,42 +62,5 @@ impl TileHierarchy {
     /// The tiles themselves.
     pub(super) fn tiles(&self) -> &TileLevel {
         &self.levels[0]
-    }
-}
-
-fn bounds_of(camera: &PinholeCamera, gbuffer: &GBuffer, tile: u32, columns: u32) -> TileBounds {
-    let mut bounds = TileBounds::EMPTY;
-    let (x0, y0) = (tile % columns * TILE, tile / columns * TILE);
-    let x1 = (x0 + TILE).min(camera.size.width);
-    for y in y0..(y0 + TILE).min(camera.size.height) {
-        let first = (y * camera.size.width + x0) as usize;
-        for sample in 0..SAMPLES {
-            let aims = aims8(camera, x0, x1, y, sample);
-            for x in 0..(x1 - x0) as usize {
-                let still = gbuffer.pixel(first + x);
-                if still.is_sky(sample) {
-                    continue;
-                }
-                let ray = lane_ray(camera, &aims, x);
-                bounds.add(&still, sample, ray.origin + ray.direction * still.distances[sample]);
-            }
-        }
-    }
-    bounds
-}
-
-impl TileBounds {
-    /// Adds a sample that lies at a position.
-    fn add(&mut self, still: &StillPixel<'_>, sample: usize, position: Vec3A) {
-        self.points.add(position);
-        if still.sun_free[sample] != 0 {
-            self.sunlit.add(position);
-        }
-        self.lens |= still.is_lens(sample);
-        if let Some(mirror) = still.mirror(sample) {
-            self.mirrors.add(position);
-            self.mirror_directions.add(mirror.direction());
-            self.mirror_reach = self.mirror_reach.max(mirror.reach);
-        }
     }
 }
