@@ -6,7 +6,7 @@ use super::still_pixel::StillPixel;
 use super::tile::{TILE, TileBounds};
 use crate::accel::{lane_mask, lanes};
 use crate::camera_rays::{aims8, places8};
-use crate::octahedron8::unpack8;
+use crate::octahedron::unpack8;
 use crate::sampling::SAMPLES;
 use crate::vec3x8::Vec3x8;
 use endless_world::PinholeCamera;
@@ -103,7 +103,7 @@ impl WideBounds {
             }
         }
         self.mirrors.add(positions, lane_mask(found));
-        self.mirror_directions.add(&unpack8(directions), lane_mask(found));
+        self.mirror_directions.add(&unpack8(&directions), lane_mask(found));
     }
 
     fn all(&self) -> TileBounds {
