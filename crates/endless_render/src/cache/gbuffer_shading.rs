@@ -1,4 +1,4 @@
-//! Shading of the samples of the static picture, a ray at a time: the oracle of [`super::bake_shading`], and what both share.
+//! Shading of the samples of the static picture, a ray at a time: the oracle of [`super::block_shading`], and what both share.
 
 use super::gbuffer_sample::{Mirror, MirrorSample};
 use super::lamp_mask::{lamp_sum, lamps_free};
