@@ -2,7 +2,6 @@
 
 use super::bounds8::Bounds8;
 use super::gbuffer::GBuffer;
-use super::still_pixel::StillPixel;
 use super::tile::{TILE, TileBounds};
 use crate::accel::{lane_mask, lanes};
 use crate::camera_rays::{aims8, places8};
@@ -20,43 +19,57 @@ pub(super) fn bounds_of(camera: &PinholeCamera, gbuffer: &GBuffer, (x0, y0): (u3
     let x1 = (x0 + TILE).min(camera.size.width);
     for y in y0..(y0 + TILE).min(camera.size.height) {
         let first = (y * camera.size.width + x0) as usize;
+        let distances = distances_of(&gbuffer.distances[first..first + (x1 - x0) as usize]);
+        let seen = distances.map(|distances| distances.simd_ne(f32x8::splat(f32::MAX)).to_bitmask());
+        if seen == [0; SAMPLES] {
+            continue;
+        }
         let row = TileRow::new(gbuffer, first, (x1 - x0) as usize);
-        for sample in 0..SAMPLES {
-            let distances = row.distances(sample);
-            let seen = distances.simd_ne(f32x8::splat(f32::MAX)).to_bitmask() as u8 & row.own;
-            if seen != 0 {
-                bounds.add(&row, sample, seen, &places8(camera, &aims8(camera, x0, x1, y, sample), distances));
-            }
+        for (sample, (distances, seen)) in
+            distances.into_iter().zip(seen).enumerate().filter(|(_, (_, seen))| *seen != 0)
+        {
+            bounds.add(&row, sample, seen, &places8(camera, &aims8(camera, x0, x1, y, sample), distances));
         }
     }
     bounds.all()
 }
 
+/// The distances of up to eight pixels, by sample; beyond them those of the sky.
+fn distances_of(pixels: &[[f32; SAMPLES]]) -> [f32x8; SAMPLES] {
+    let mut all = [[f32::MAX; WIDTH]; SAMPLES];
+    for (lane, own) in pixels.iter().enumerate() {
+        for (all, &own) in all.iter_mut().zip(own) {
+            all[lane] = own;
+        }
+    }
+    all.map(f32x8::new)
+}
+
 /// A row of a tile.
 struct TileRow<'a> {
-    /// Beyond the picture's edge its last pixel's.
-    pixels: [StillPixel<'a>; WIDTH],
-    /// Which are the picture's, a bit each.
-    own: u8,
-    /// Which mirror at all.
-    mirroring: u8,
+    gbuffer: &'a GBuffer,
+    first: usize,
+    /// Pixels that the sun reaches, by sample, a bit each.
+    sunlit: [u32; SAMPLES],
+    /// Pixels that mirror at all, a bit each.
+    mirroring: u32,
+    /// Some sample is a traffic light's lens.
+    lens: bool,
 }
 
 impl<'a> TileRow<'a> {
     fn new(gbuffer: &'a GBuffer, first: usize, count: usize) -> Self {
-        let pixels: [StillPixel<'a>; WIDTH] = std::array::from_fn(|i| gbuffer.pixel(first + i.min(count - 1)));
-        let mirroring = bits_of(&pixels, |pixel| pixel.mirrored != 0);
-        Self { pixels, own: u8::MAX >> (WIDTH - count), mirroring }
+        let (mut sunlit, mut mirroring, mut lens) = ([0; SAMPLES], 0, false);
+        for lane in 0..count {
+            let pixel = gbuffer.pixel(first + lane);
+            mirroring |= u32::from(pixel.mirrored != 0) << lane;
+            lens |= pixel.lenses != 0;
+            for (sunlit, free) in sunlit.iter_mut().zip(pixel.sun_free) {
+                *sunlit |= u32::from(*free != 0) << lane;
+            }
+        }
+        Self { gbuffer, first, sunlit, mirroring, lens }
     }
-
-    fn distances(&self, sample: usize) -> f32x8 {
-        f32x8::new(std::array::from_fn(|i| self.pixels[i].distances[sample]))
-    }
-}
-
-/// The pixels of which something is true, a bit each.
-fn bits_of(pixels: &[StillPixel<'_>; WIDTH], is_so: impl Fn(&StillPixel<'_>) -> bool) -> u8 {
-    pixels.iter().enumerate().fold(0, |bits, (lane, pixel)| bits | u8::from(is_so(pixel)) << lane)
 }
 
 /// [`TileBounds`] of each lane.
@@ -79,31 +92,33 @@ impl WideBounds {
         lens: false,
     };
 
-    /// Adds those pixels' samples, a bit each, that see anything.
-    fn add(&mut self, row: &TileRow<'_>, sample: usize, seen: u8, positions: &Vec3x8) {
-        self.points.add(positions, lane_mask(seen.into()));
-        let sunlit = seen & bits_of(&row.pixels, |pixel| pixel.sun_free[sample] != 0);
+    /// Adds the places of those pixels' samples, a bit each, that see anything.
+    fn add(&mut self, row: &TileRow<'_>, sample: usize, seen: u32, places: &Vec3x8) {
+        self.lens |= row.lens;
+        self.points.add(places, lane_mask(seen));
+        let sunlit = seen & row.sunlit[sample];
         if sunlit != 0 {
-            self.sunlit.add(positions, lane_mask(sunlit.into()));
+            self.sunlit.add(places, lane_mask(sunlit));
         }
-        self.lens |= seen & bits_of(&row.pixels, |pixel| pixel.is_lens(sample)) != 0;
         let mirroring = seen & row.mirroring;
         if mirroring != 0 {
-            self.add_mirrors(row, sample, mirroring, positions);
+            self.add_mirrors(row, sample, mirroring, places);
         }
     }
 
-    fn add_mirrors(&mut self, row: &TileRow<'_>, sample: usize, pixels: u8, positions: &Vec3x8) {
+    fn add_mirrors(&mut self, row: &TileRow<'_>, sample: usize, pixels: u32, places: &Vec3x8) {
         let (mut found, mut directions) = (0, [0; WIDTH]);
-        for lane in lanes(pixels.into()) {
-            if let Some(mirror) = row.pixels[lane].mirror(sample) {
+        for lane in lanes(pixels) {
+            if let Some(mirror) = row.gbuffer.pixel(row.first + lane).mirror(sample) {
                 found |= 1 << lane;
-                directions[lane] = mirror.direction;
+                directions[lane % WIDTH] = mirror.direction;
                 self.mirror_reach = self.mirror_reach.max(mirror.reach);
             }
         }
-        self.mirrors.add(positions, lane_mask(found));
-        self.mirror_directions.add(&unpack8(&directions), lane_mask(found));
+        if found != 0 {
+            self.mirrors.add(places, lane_mask(found));
+            self.mirror_directions.add(&unpack8(&directions), lane_mask(found));
+        }
     }
 
     fn all(&self) -> TileBounds {
