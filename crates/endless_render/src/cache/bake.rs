@@ -13,7 +13,7 @@ use crate::indirect::{IndirectHits, IndirectRays, TapeStack};
 use crate::light::HaloGrid;
 use crate::lighting::{Lighting, ViewedArea};
 use crate::scene::{RigidVelocity, StaticScene};
-use crate::settings::{Gathering, RenderSettings};
+use crate::settings::RenderSettings;
 use endless_world::{CameraSite, PinholeCamera, SensorLayers};
 use glam::{Vec2, Vec3A};
 use std::sync::Arc;
@@ -32,8 +32,6 @@ pub struct CameraBake {
     pub(super) stats: BakeStats,
     /// What frames have besides RGB, depth and instances.
     pub(super) wanted: SensorLayers,
-    /// For a single frame, of a camera that moves.
-    pub(super) is_for_an_instant: bool,
 }
 
 impl CameraBake {
@@ -114,8 +112,8 @@ impl CameraBake {
         let tiles = timed("tiles", || TileHierarchy::new(&camera, &gbuffer, sun));
         let film = timed("film", || CameraFilm::new(settings, &camera, environment, &gbuffer, radiance, response));
         let halos = timed("halos", || lighting.halos(still, &camera));
-        let (wanted, is_for_an_instant) = (settings.layers, settings.gathering == Gathering::Probes);
-        (Self { camera, pixel_angle, lighting, halos, gbuffer, tiles, film, stats, wanted, is_for_an_instant }, tapes)
+        let wanted = settings.layers;
+        (Self { camera, pixel_angle, lighting, halos, gbuffer, tiles, film, stats, wanted }, tapes)
     }
 
     /// The camera.

@@ -17,13 +17,9 @@ use super::tile_coverage::{CoveredPixel, coverages};
 use crate::scene::{FrameScene, StaticScene};
 use crate::shade::shade_moving_together;
 use endless_world::SensorFrame;
-use rayon::prelude::*;
 
 /// Rows of a tile whose light is found together.
 const BLOCK_ROWS: usize = BLOCK / TILE as usize;
-
-/// Takes a pixel that something changes: its column and row, and what it shows.
-type SetPixel<'a> = dyn FnMut([u32; 2], FramePixel) + 'a;
 
 impl CameraBake {
     /// What the camera sees at an instant; flow is unknown.
@@ -66,58 +62,19 @@ impl CameraBake {
         FlowPass { bake: self, still, frame, centres: &centres }.added(sensor, neighbours)
     }
 
-    fn developed<'a>(&'a self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
+    fn developed(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
         let tracer = self.lighting.tracer(still, Some(frame));
         let mut buffer = FrameBuffer::new(self);
-        let work = affected(self, still, frame);
-        let render = |rows: &mut [PixelRow<'a>], tile: usize, set: &mut SetPixel<'_>| {
-            let context = TileContext { tracer: &tracer, frame, work: &work[tile], pixel_angle: self.pixel_angle };
-            self.render_tile(&context, tile as u32, rows, set)
-        };
-        let tiles: Vec<usize> = (0..work.len()).filter(|&tile| !work[tile].is_none()).collect();
-        let mut set = |[x, y]: [u32; 2], pixel: FramePixel| buffer.set(self, x, y, &pixel);
-        let traced: u64 = if self.is_for_an_instant {
-            self.render_side_by_side(&tiles, render, &mut set)
-        } else {
-            let mut rows = self.tile_rows();
-            tiles.into_iter().map(|tile| render(&mut rows, tile, &mut set)).sum()
-        };
-        self.stats.add(traced);
-        buffer.develop(self, still, frame)
-    }
-
-    /// Renders tiles by all threads; returns about how many rays that took. A picture that is made but once is waited for;
-    /// of a video whose camera stands, each thread has a frame of its own.
-    fn render_side_by_side<'a>(
-        &'a self,
-        tiles: &[usize],
-        render: impl Fn(&mut [PixelRow<'a>], usize, &mut SetPixel<'_>) -> u64 + Sync,
-        set: &mut SetPixel<'_>,
-    ) -> u64 {
-        /// Tiles of a thread.
-        const STRETCH: usize = 16;
-        /// Stretches whose pixels wait to be set.
-        const WAITING: usize = 32;
+        let mut rows: Vec<PixelRow<'_>> = (0..TILE).map(|_| PixelRow::new(self)).collect();
         let mut traced = 0;
-        for stretches in tiles.chunks(STRETCH * WAITING) {
-            let of_stretch = |rows: &mut Vec<PixelRow<'a>>, tiles: &[usize]| {
-                let mut pixels = Vec::new();
-                let mut keep = |place: [u32; 2], pixel: FramePixel| pixels.push((place, pixel));
-                let traced: u64 = tiles.iter().map(|&tile| render(rows, tile, &mut keep)).sum();
-                (pixels, traced)
-            };
-            let made: Vec<_> = stretches.par_chunks(STRETCH).map_init(|| self.tile_rows(), of_stretch).collect();
-            for (pixels, rays) in made {
-                traced += rays;
-                pixels.into_iter().for_each(|(place, pixel)| set(place, pixel));
+        for (tile, work) in affected(self, still, frame).iter().enumerate() {
+            if !work.is_none() {
+                let context = TileContext { tracer: &tracer, frame, work, pixel_angle: self.pixel_angle };
+                traced += self.render_tile(&context, tile as u32, &mut rows, &mut buffer);
             }
         }
-        traced
-    }
-
-    /// Room for the rows of a tile.
-    fn tile_rows(&self) -> Vec<PixelRow<'_>> {
-        (0..TILE).map(|_| PixelRow::new(self)).collect()
+        self.stats.add(traced);
+        buffer.develop(self, still, frame)
     }
 
     /// Renders a tile; returns about how many rays that took.
@@ -126,7 +83,7 @@ impl CameraBake {
         context: &TileContext<'_>,
         tile: u32,
         rows: &mut [PixelRow<'a>],
-        set: &mut SetPixel<'_>,
+        buffer: &mut FrameBuffer,
     ) -> u64 {
         let TileContext { tracer, frame, work, .. } = *context;
         let columns = self.tiles.tiles().columns;
@@ -154,7 +111,7 @@ impl CameraBake {
         );
         let halves = rows.chunks(BLOCK_ROWS).zip(coverages.chunks(BLOCK));
         for (y, (rows, coverages)) in (y0..).step_by(BLOCK_ROWS).zip(halves) {
-            self.render_rows(context, (x0, y), rows, coverages, set);
+            self.render_rows(context, (x0, y), rows, coverages, buffer);
         }
         rays
     }
@@ -166,7 +123,7 @@ impl CameraBake {
         (x0, y0): (u32, u32),
         rows: &[PixelRow<'_>],
         coverages: &[Coverage],
-        set: &mut SetPixel<'_>,
+        buffer: &mut FrameBuffer,
     ) {
         let count = (self.tile_end(x0, y0).0 - x0) as usize;
         let same = |row: &PixelRow<'_>, i: usize| context.work.only_found() && row.found[i].is_nothing();
@@ -191,7 +148,7 @@ impl CameraBake {
                         self.pixel(context, &samples, light, mirrors[i], &coverages[place])
                     }
                 };
-                set([x0 + i as u32, y0 + line as u32], pixel);
+                buffer.set(self, x0 + i as u32, y0 + line as u32, &pixel);
             }
         }
     }
