@@ -1,6 +1,6 @@
 //! Functions of [`endless_world::math`] of eight numbers side by side: the same bits in each.
 
-use std::f32::consts::{FRAC_PI_2, PI};
+use std::f32::consts::{FRAC_PI_2, LOG2_E, PI};
 use wide::{f32x8, i32x8};
 
 /// [`endless_world::math::exp`]: the steps of `libm` (FreeBSD's `e_expf.c`). Its longest way gives what most of its other
@@ -9,7 +9,6 @@ use wide::{f32x8, i32x8};
 pub(crate) fn exp(x: f32x8) -> f32x8 {
     const LN2_HI: f32 = 0.693_145_75;
     const LN2_LO: f32 = 1.428_606_8e-6;
-    const INV_LN2: f32 = 1.442_695;
     const P1: f32 = 0.166_666_25;
     const P2: f32 = -2.766_733_3e-3;
     /// ln 2 / 2, up to which `libm` takes no power of two out.
@@ -20,7 +19,7 @@ pub(crate) fn exp(x: f32x8) -> f32x8 {
     let x = x.fast_clamp(f32x8::splat(-104.0), f32x8::splat(89.0));
     let size = x.abs();
     let straight = f32x8::ONE + x;
-    let nearest = (f32x8::splat(INV_LN2) * x + f32x8::HALF.copysign(x)).trunc();
+    let nearest = (f32x8::splat(LOG2_E) * x + f32x8::HALF.copysign(x)).trunc();
     let whole = size.simd_gt(f32x8::splat(SMALL)) & nearest;
     let (high, low) = (x - whole * f32x8::splat(LN2_HI), whole * f32x8::splat(LN2_LO));
     let x = high - low;
