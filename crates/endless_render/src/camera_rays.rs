@@ -50,6 +50,17 @@ pub(crate) fn lane_ray(camera: &PinholeCamera, aims: &Vec3x8, lane: usize) -> Ra
     ray_of_aim(camera, Vec3A::from_array(aims.each_ref().map(|axis| axis.as_array()[lane])))
 }
 
+/// Where eight rays have come after these distances. Where the lens shows nothing, no place means anything.
+pub(crate) fn places8(camera: &PinholeCamera, aims: &Vec3x8, distances: f32x8) -> Vec3x8 {
+    let splat = |v: Vec3A| v.to_array().map(f32x8::splat);
+    if camera.lens.is_central() {
+        let origin = splat(camera.position.into());
+        return std::array::from_fn(|k| origin[k] + aims[k] * distances);
+    }
+    let direction = splat(camera.world_from_camera.z_axis.normalize().into());
+    std::array::from_fn(|k| aims[k] + direction[k] * distances)
+}
+
 /// Sets the origins and directions of a row of rays that are traced together.
 pub(crate) fn set_row<const N: usize>(camera: &PinholeCamera, rays: &mut RayStream<N>, row: usize, aims: Vec3x8) {
     let Lens::Perspective(_) = camera.lens else {
@@ -164,6 +175,10 @@ mod tests {
                         }
                         for ray in [rays.ray(i), lane_ray(&camera, &aims, i)] {
                             assert_eq!((ray.origin, ray.direction), (one.origin, one.direction));
+                        }
+                        let place = places8(&camera, &aims, f32x8::splat(7.3)).map(|axis| axis.to_array()[i]);
+                        if shown.is_some() {
+                            assert_eq!(Vec3A::from_array(place), one.origin + one.direction * 7.3);
                         }
                     }
                 }

@@ -73,6 +73,7 @@ mod material;
 mod math8;
 mod moving_camera;
 mod octahedron;
+mod octahedron8;
 mod pixel_layers;
 mod ray_caster;
 mod rgb9e5;

@@ -34,6 +34,6 @@ pub(crate) use blas::GeometryUse;
 pub(crate) use node::corners;
 pub use ray::{Hit, Ray};
 pub use stream::{RayStream, StreamHits};
-pub(crate) use stream::{first_lanes, lanes};
+pub(crate) use stream::{first_lanes, lane_mask, lanes};
 pub use tlas::Tlas;
 pub(crate) use tlas::world_bounds;

@@ -63,6 +63,12 @@ impl<const N: usize> RayStream<N> {
         Ray { origin: vector(&self.origin), direction: vector(&self.direction), tmax }
     }
 
+    /// Where eight of them have come after these distances, in units of their directions.
+    #[inline]
+    pub(crate) fn places(&self, row: usize, distances: f32x8) -> [f32x8; 3] {
+        std::array::from_fn(|k| self.origin[k][row] + self.direction[k][row] * distances)
+    }
+
     /// Eight of them.
     pub(super) fn row(&self, row: usize) -> RayStream<1> {
         RayStream {
@@ -162,7 +168,7 @@ pub(crate) fn first_lanes(count: usize) -> u32 {
 
 /// All bits of those of eight lanes whose bit is set, none of the others.
 #[inline(always)]
-pub(super) fn lane_mask(bits: u32) -> f32x8 {
+pub(crate) fn lane_mask(bits: u32) -> f32x8 {
     // As exponents the bits are positive numbers, each a normal one.
     const OWN: f32x8 = f32x8::new([
         f32::from_bits(1 << 23),

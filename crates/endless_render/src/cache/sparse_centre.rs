@@ -25,6 +25,8 @@ pub(super) struct Centre {
     pub(super) distance: f32,
     pub(super) hit: PackedHit,
     pub(super) normals: PackedNormals,
+    /// The triangle's, as its mesh numbers it.
+    pub(super) material: u16,
     /// On a lens of a traffic light.
     pub(super) is_lens: bool,
     pub(super) sun: SunSeen,
@@ -44,6 +46,7 @@ impl Centre {
         distance: f32::MAX,
         hit: PackedHit::NONE,
         normals: PackedNormals::NONE,
+        material: 0,
         is_lens: false,
         sun: SunSeen::Never,
     };
@@ -52,13 +55,18 @@ impl Centre {
         self.distance == f32::MAX
     }
 
-    /// Whether a neighbour's centre lies on the same surface, or sees the sky, too; where that takes no look at the scene.
+    /// Whether a neighbour's centre lies on the same surface, or sees the sky, too; where that takes no look at places and
+    /// normals.
     pub(super) fn evidently_continues(&self, other: &Self) -> Option<bool> {
         if self.is_sky() || other.is_sky() {
             return Some(self.is_sky() && other.is_sky());
         }
         let flat = self.hit.is_on_triangle_of(&other.hit) && self.normals.shading == other.normals.shading;
-        flat.then_some(!self.is_lens)
+        if flat || self.is_lens {
+            return Some(!self.is_lens);
+        }
+        let may_continue = self.hit.is_on_instance_of(&other.hit) && self.material == other.material;
+        (!may_continue).then_some(false)
     }
 }
 
@@ -81,15 +89,6 @@ impl Piece {
             && !self.lens
             && self.shading.dot(other.shading) > 0.995
             && (other.position - self.position).dot(self.geometric).abs() < 0.02
-    }
-}
-
-/// Whether both lie on one surface, or see the sky.
-pub(super) fn same_piece(a: &Option<Piece>, b: &Option<Piece>) -> bool {
-    match (a, b) {
-        (Some(a), Some(b)) => a.continues(b),
-        (None, None) => true,
-        _ => false,
     }
 }
 

@@ -11,6 +11,7 @@ mod posed_mesh;
 mod static_scene;
 mod surface_interaction;
 mod surface_query;
+mod triangle_normals;
 mod velocity;
 
 pub use deformable_mesh::DeformableMesh;
@@ -21,6 +22,7 @@ pub use instance::Instance;
 pub(crate) use moving_object::MovingVolume;
 pub use moving_object::{Footprint, MovingObject};
 pub use static_scene::StaticScene;
-pub(crate) use surface_interaction::{ShadingPoint, SurfaceInteraction};
+pub(crate) use surface_interaction::{ShadingPoint, SurfaceInteraction, ray_origins8};
 pub use surface_query::SurfacePoint;
+pub(crate) use triangle_normals::{Normals8, TriangleNormals};
 pub use velocity::RigidVelocity;

@@ -2,10 +2,12 @@
 
 use super::Instance;
 use crate::accel::{Hit, Ray};
+use crate::vec3x8::Vec3x8;
 use endless_scene::{Material, Surface};
 use endless_world::ClassTag;
 use endless_world::math::UnfusedVec3A;
 use glam::{Vec2, Vec3A};
+use wide::f32x8;
 
 /// A point to be lit.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +22,9 @@ pub(crate) struct ShadingPoint {
     pub(crate) distance: f32,
 }
 
+/// How far from a surface rays start that leave it: at least, by distance seen from, and by the largest coordinate.
+const AWAY: [f32; 3] = [1.5e-3, 2.0e-5, 4.0e-7];
+
 impl ShadingPoint {
     /// The point of a ray at `distance` metres.
     pub(crate) fn along(ray: &Ray, distance: f32, geometric_normal: Vec3A) -> Self {
@@ -28,9 +33,18 @@ impl ShadingPoint {
 
     /// Origin for rays that leave the surface, offset so that they do not hit it again.
     pub(crate) fn ray_origin(&self) -> Vec3A {
-        let away = 1.5e-3 + 2.0e-5 * self.distance + 4.0e-7 * self.position.abs().max_element();
+        let [least, by_distance, by_position] = AWAY;
+        let away = least + by_distance * self.distance + by_position * self.position.abs().max_element();
         self.position + self.geometric_normal * away
     }
+}
+
+/// [`ShadingPoint::ray_origin`] of eight points.
+pub(crate) fn ray_origins8(positions: &Vec3x8, normals: &Vec3x8, distances: f32x8) -> Vec3x8 {
+    let [least, by_distance, by_position] = AWAY.map(f32x8::splat);
+    let [x, y, z] = positions.map(f32x8::abs);
+    let away = least + by_distance * distances + by_position * x.fast_max(y).fast_max(z);
+    std::array::from_fn(|k| positions[k] + normals[k] * away)
 }
 
 /// Everything that shading needs to know of a hit.

@@ -1,0 +1,120 @@
+//! Where surfaces end between the centres of neighbouring pixels.
+
+use super::centre_band::Centres;
+use super::sparse_centre::Centre;
+use crate::camera_rays::{aims8, places8};
+use crate::octahedron8::unpack8;
+use crate::sampling::SAMPLES;
+use crate::vec3x8::{Vec3x8, dot};
+use endless_world::PinholeCamera;
+use rayon::prelude::*;
+use wide::f32x8;
+
+/// Whether pixels' neighbours to the right and below go on on their surfaces. The picture's edges end nothing.
+pub(super) struct SurfaceEnds {
+    /// Of eight pixels that follow each other in a row, a bit each.
+    goes_on: Vec<GoesOn>,
+    row_blocks: usize,
+}
+
+/// Of eight pixels: which neighbours to the right, and below, are alike.
+#[derive(Clone, Copy, Default)]
+struct GoesOn {
+    right: u8,
+    below: u8,
+}
+
+impl SurfaceEnds {
+    pub(super) fn new(camera: &PinholeCamera, centres: &Centres) -> Self {
+        let row_blocks = centres.width.div_ceil(8);
+        let mut goes_on = vec![GoesOn::default(); row_blocks * centres.height];
+        goes_on.par_chunks_mut(row_blocks).enumerate().for_each(|(y, row)| {
+            for (block, goes_on) in row.iter_mut().enumerate() {
+                *goes_on = compare_block(camera, centres, 8 * block, y);
+            }
+        });
+        Self { goes_on, row_blocks }
+    }
+
+    /// Which samples of a pixel lie between its centre and those of neighbours on the same surface.
+    pub(super) fn known(&self, x: usize, y: usize) -> [bool; SAMPLES] {
+        let block = |x: usize, y: usize| self.goes_on[y * self.row_blocks + x / 8];
+        let has = |bits: u8, x: usize| bits >> (x % 8) & 1 == 1;
+        let own = block(x, y);
+        let left = x == 0 || has(block(x - 1, y).right, x - 1);
+        let above = y == 0 || has(block(x, y - 1).below, x);
+        [true, has(own.right, x), left && has(own.below, x), above]
+    }
+}
+
+/// Whether the surfaces of up to eight pixels from `x` on go on.
+fn compare_block(camera: &PinholeCamera, centres: &Centres, x: usize, y: usize) -> GoesOn {
+    let row = centres.row(y);
+    let own = &row[x..row.len().min(x + 8)];
+    let right = compare(own, &row[x + 1..row.len().min(x + 9)]);
+    let below = match y + 1 < centres.height {
+        true => compare(own, &centres.row(y + 1)[x..][..own.len()]),
+        false => Comparison { alike: u8::MAX, unsure: 0 },
+    };
+    // The last pixel of a row has no neighbour that it could differ from.
+    let at_the_end = u8::from(x + own.len() == row.len()) << (own.len() - 1);
+    let mut goes_on = GoesOn { right: right.alike | at_the_end, below: below.alike };
+    if right.unsure | below.unsure != 0 {
+        let pieces = Pieces8::new(camera, row, x, y);
+        if right.unsure != 0 {
+            goes_on.right |= right.unsure & pieces.go_on_in(&Pieces8::new(camera, row, x + 1, y));
+        }
+        if below.unsure != 0 {
+            goes_on.below |= below.unsure & pieces.go_on_in(&Pieces8::new(camera, centres.row(y + 1), x, y + 1));
+        }
+    }
+    goes_on
+}
+
+/// What is evident of eight pixels and neighbours of theirs, a bit each.
+#[derive(Default)]
+struct Comparison {
+    alike: u8,
+    /// Where that takes a look at places and normals.
+    unsure: u8,
+}
+
+fn compare(own: &[Centre], others: &[Centre]) -> Comparison {
+    let mut comparison = Comparison::default();
+    for (lane, (own, other)) in own.iter().zip(others).enumerate() {
+        let evident = own.evidently_continues(other);
+        comparison.alike |= u8::from(evident == Some(true)) << lane;
+        comparison.unsure |= u8::from(evident.is_none()) << lane;
+    }
+    comparison
+}
+
+/// Small pieces of the surfaces that the centres of eight pixels show.
+struct Pieces8 {
+    positions: Vec3x8,
+    geometric: Vec3x8,
+    shading: Vec3x8,
+}
+
+impl Pieces8 {
+    /// Of the pixels from `x` on of a row; beyond its end, of the last.
+    fn new(camera: &PinholeCamera, row: &[Centre], x: usize, y: usize) -> Self {
+        let centres: [&Centre; 8] = std::array::from_fn(|i| &row[(x + i).min(row.len() - 1)]);
+        let aims = aims8(camera, x as u32, row.len() as u32, y as u32, 0);
+        let distances = f32x8::new(centres.map(|centre| centre.distance));
+        Self {
+            positions: places8(camera, &aims, distances),
+            geometric: unpack8(centres.map(|centre| centre.normals.geometric)),
+            shading: unpack8(centres.map(|centre| centre.normals.shading)),
+        }
+    }
+
+    /// Which go on, a bit each, in others of the same instances and materials: as
+    /// [`Piece::continues`](super::sparse_centre::Piece::continues) has it.
+    fn go_on_in(&self, others: &Self) -> u8 {
+        let bends_little = dot(&self.shading, &others.shading).simd_gt(f32x8::splat(0.995));
+        let way = std::array::from_fn(|k| others.positions[k] - self.positions[k]);
+        let is_level = dot(&way, &self.geometric).abs().simd_lt(f32x8::splat(0.02));
+        (bends_little & is_level).to_bitmask() as u8
+    }
+}
