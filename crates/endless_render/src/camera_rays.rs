@@ -10,6 +10,8 @@ use wide::f32x8;
 /// The ray of a place where the lens shows nothing: so far below the world, and downwards, that it meets nothing.
 const NOWHERE: Ray = Ray { origin: Vec3A::new(0.0, 0.0, -1.0e9), direction: Vec3A::NEG_Z, tmax: f32::MAX };
 
+const FIRST_EIGHT: f32x8 = f32x8::new([0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+
 /// Whether the lens shows nothing where this ray belongs.
 pub(crate) fn is_nowhere(ray: &Ray) -> bool {
     ray.origin == NOWHERE.origin
@@ -82,7 +84,9 @@ pub(crate) fn set_row<const N: usize>(camera: &PinholeCamera, rays: &mut RayStre
 /// [`sample_ray`], eight side by side. See [`lane_ray`].
 pub(crate) fn aims8(camera: &PinholeCamera, x0: u32, x1: u32, y: u32, sample: usize) -> Vec3x8 {
     let offset = SAMPLE_OFFSETS[sample];
-    let across = f32x8::new(std::array::from_fn(|i| (x0 + i as u32).min(x1 - 1) as f32 + 0.5 + offset.x));
+    // Whole numbers of this size are exact.
+    let pixels = (f32x8::splat(x0 as f32) + FIRST_EIGHT).fast_min(f32x8::splat((x1 - 1) as f32));
+    let across = pixels + f32x8::HALF + f32x8::splat(offset.x);
     aims_through(camera, across, f32x8::splat(y as f32 + 0.5 + offset.y))
 }
 
@@ -98,9 +102,9 @@ pub(crate) fn aims_through(camera: &PinholeCamera, x: f32x8, y: f32x8) -> Vec3x8
     let down = (y - f32x8::splat(k.cy)) / f32x8::splat(k.fy);
     let [across, down] = undistort8(distortion, [across, down]);
     let m = &camera.world_from_camera;
-    normalize([0, 1, 2].map(|axis| {
-        let [x, y, z] = [m.x_axis[axis], m.y_axis[axis], m.z_axis[axis]].map(f32x8::splat);
-        x * across + y * down + z
+    // Each splat from its own number: of an array, the compiler would write all to the stack, to read it back at once.
+    normalize(std::array::from_fn(|axis| {
+        f32x8::splat(m.x_axis[axis]) * across + f32x8::splat(m.y_axis[axis]) * down + f32x8::splat(m.z_axis[axis])
     }))
 }
 
@@ -109,8 +113,9 @@ fn undistort8(lens: Distortion, [x, y]: [f32x8; 2]) -> [f32x8; 2] {
     if lens == Distortion::NONE {
         return [x, y];
     }
-    let [one, three_k1, five_k2] = [1.0, 3.0 * lens.k1, 5.0 * lens.k2].map(f32x8::splat);
-    let [k1, k2] = [lens.k1, lens.k2].map(f32x8::splat);
+    let one = f32x8::ONE;
+    let (k1, k2) = (f32x8::splat(lens.k1), f32x8::splat(lens.k2));
+    let (three_k1, five_k2) = (f32x8::splat(3.0 * lens.k1), f32x8::splat(5.0 * lens.k2));
     let bent = (x * x + y * y).sqrt();
     let mut r = bent * (one - bent * bent * k1);
     for _ in 0..Distortion::NEWTON_STEPS {

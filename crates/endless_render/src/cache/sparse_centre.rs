@@ -2,13 +2,7 @@
 
 use super::packed_hit::PackedHit;
 use super::primary_hits::PackedNormals;
-use super::sun_rays::sun_origin;
-use crate::accel::Ray;
-use crate::light::{SUN_SAMPLES, Sun};
-use crate::octahedron;
-use crate::scene::{StaticScene, SurfaceInteraction};
-use endless_scene::Surface;
-use glam::Vec3A;
+use crate::light::SUN_SAMPLES;
 
 /// Rows of pixels whose centres are traced together, eight columns at a time.
 pub(super) const ROWS: usize = 4;
@@ -65,54 +59,11 @@ impl Centre {
         if flat || self.is_lens {
             return Some(!self.is_lens);
         }
-        let may_continue = self.hit.is_on_instance_of(&other.hit) && self.material == other.material;
-        (!may_continue).then_some(false)
+        (!self.may_continue(&other.hit, other.material)).then_some(false)
     }
-}
 
-/// The surface around a sample, as far as it tells whether others lie on it.
-#[derive(Clone, Copy)]
-pub(super) struct Piece {
-    instance: u32,
-    material: u16,
-    /// Lenses of traffic lights are pixels of their own.
-    lens: bool,
-    position: Vec3A,
-    geometric: Vec3A,
-    shading: Vec3A,
-}
-
-impl Piece {
-    pub(super) fn continues(&self, other: &Self) -> bool {
-        self.instance == other.instance
-            && self.material == other.material
-            && !self.lens
-            && self.shading.dot(other.shading) > 0.995
-            && (other.position - self.position).dot(self.geometric).abs() < 0.02
+    /// Whether its surface may go on in a hit on such a material; places and normals tell whether it does.
+    pub(super) fn may_continue(&self, hit: &PackedHit, material: u16) -> bool {
+        self.hit.is_on_instance_of(hit) && self.material == material && !self.is_lens
     }
-}
-
-/// The ray of a point to a part of the sun's disc, as a sample of a pixel asks it.
-pub(super) fn to_part(sun: &Sun, point: &SurfaceInteraction<'_>, sample: usize, part: usize) -> Ray {
-    Ray { origin: sun_origin(&point.facet(), sun.direction), direction: sun.disc[sample][part], tmax: f32::MAX }
-}
-
-pub(super) fn piece(
-    still: &StaticScene,
-    ray: &Ray,
-    distance: f32,
-    hit: PackedHit,
-    normals: &PackedNormals,
-) -> Option<Piece> {
-    let hit = hit.at(distance)?;
-    let mesh = &*still.instances[hit.instance as usize].geometry.mesh;
-    let material = mesh.triangle_materials[hit.triangle as usize];
-    Some(Piece {
-        instance: hit.instance,
-        material,
-        lens: matches!(mesh.materials[usize::from(material)].surface, Surface::SignalLens(_)),
-        position: ray.origin + ray.direction * distance,
-        geometric: octahedron::unpack(normals.geometric),
-        shading: octahedron::unpack(normals.shading),
-    })
 }

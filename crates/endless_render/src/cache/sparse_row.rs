@@ -1,16 +1,18 @@
 //! A row of [`super::sparse_primary`]: what lies between the centres of its pixels.
 
 use super::bake_pass::BakePass;
+use super::disc_rays::DiscRays;
 use super::packed_hit::PackedHit;
 use super::primary_hits::PackedNormals;
-use super::sparse_centre::{Centre, FIRST, PARTS, ROWS, SunSeen, WHOLE, piece, to_part};
-use super::sun_rays::{sun_can_light, sun_origin};
-use crate::accel::{Ray, RayStream, lanes};
-use crate::octahedron;
+use super::sample_bundle::{RowCentres, SampleBundle};
+use super::sparse_centre::{Centre, SunSeen, WHOLE};
+use super::sun_rays::sun_origins8;
+use crate::accel::{RayStream, lanes};
+use crate::camera_rays::{aims8, set_row};
+use crate::light::Sun;
+use crate::octahedron::unpack8;
 use crate::sampling::SAMPLES;
-use crate::scene::{ShadingPoint, SurfaceInteraction};
-use crate::vec3x8::{Vec3x8, dot};
-use glam::Vec3A;
+use crate::vec3x8::{Vec3x8, dot, lane_of};
 use std::ops::Range;
 use wide::f32x8;
 
@@ -28,206 +30,227 @@ pub(super) struct SparseRow<'a> {
     pub(super) uniform: &'a mut [bool],
 }
 
-/// Samples that are traced together.
-struct Bundle {
-    rays: RayStream<ROWS>,
-    places: [(usize, usize); 8 * ROWS],
-    count: usize,
+/// Of up to eight pixels, a bit each: the samples that lie on the surfaces of their centres.
+#[derive(Clone, Copy)]
+struct Known {
+    samples: [u32; SAMPLES],
+    /// Pixels that see the sky.
+    sky: u32,
+    /// All pixels there are.
+    all: u32,
+}
+
+impl Known {
+    /// Pixels of which all samples are known.
+    fn whole(&self) -> u32 {
+        self.samples.iter().fold(self.all, |whole, sample| whole & sample)
+    }
 }
 
 impl SparseRow<'_> {
     /// `known` tells of each pixel the samples that lie on the surface of its centre.
     pub(super) fn fill(&mut self, known: impl Fn(usize) -> [bool; SAMPLES]) {
         let width = self.centres.len();
-        let mut bundle = Bundle { rays: RayStream::NONE, places: [(0, 0); 8 * ROWS], count: 0 };
-        let mut unknown = Vec::new();
+        let is_central = self.pass.camera.lens.is_central();
+        let mut bundle = SampleBundle::none();
         for first in (0..width).step_by(8) {
             let pixels = first..(first + 8).min(width);
-            for x in pixels.clone() {
-                let centre = &self.centres[x];
-                self.distances[x] = [centre.distance; SAMPLES];
-                self.hits[x][0] = centre.hit;
-                self.normals[x][0] = centre.normals;
-                self.sun_free[x] = [if centre.sun == SunSeen::Lit { WHOLE } else { 0 }; SAMPLES];
-                self.uniform[x] = !centre.is_sky();
-            }
-            let all_known = pixels.clone().all(|x| known(x) == [true; SAMPLES]);
-            if all_known && self.centres[pixels.clone()].iter().all(Centre::is_sky) {
+            let known = self.begin(pixels.clone(), &known);
+            let is_whole = known.whole() == known.all;
+            if is_whole && known.sky == known.all {
                 continue;
             }
-            let directions = self.pass.aims_of(self.y * width + first, pixels.len());
-            if all_known && self.pass.camera.lens.is_central() {
-                self.spread_on_planes(pixels, &directions);
-                continue;
-            }
-            for x in pixels {
-                let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
-                let known = known(x);
-                self.spread(x, &rays, known);
-                for sample in (1..SAMPLES).filter(|&sample| !known[sample]) {
-                    self.push(&mut bundle, x, sample, &rays[sample]);
-                }
-                if known != [true; SAMPLES] {
-                    unknown.push((x, rays));
-                }
+            let aims = self.aims(pixels.clone());
+            if is_whole && is_central {
+                self.spread_on_planes(pixels, &aims);
+            } else {
+                let rays = self.rays(aims);
+                let centres = rays.places(0, self.centre_distances(pixels.clone()));
+                self.spread(pixels, &rays, &centres, &known);
+                self.ask_for_unknown(first, &rays, &centres, &known, &mut bundle);
             }
         }
         self.trace(&mut bundle);
-        for (x, rays) in unknown {
-            self.uniform[x] = self.is_uniform(x, &rays, known(x));
+        if let Some(sun) = &self.pass.tracer.environment.sun {
+            self.ask_the_disc(sun);
         }
-        let mut disc = DiscRays { rays: RayStream::NONE, places: Vec::with_capacity(8 * ROWS / PARTS.len()) };
-        for first in (0..width).step_by(8) {
-            let pixels = first..(first + 8).min(width);
-            if !self.edges[pixels.clone()].iter().any(|edge| *edge) {
+    }
+
+    /// Takes what the centres of up to eight pixels tell.
+    fn begin(&mut self, pixels: Range<usize>, known: impl Fn(usize) -> [bool; SAMPLES]) -> Known {
+        let mut all = Known { samples: [0; SAMPLES], sky: 0, all: (1 << pixels.len()) - 1 };
+        for (lane, x) in pixels.enumerate() {
+            let centre = &self.centres[x];
+            self.distances[x] = [centre.distance; SAMPLES];
+            self.hits[x][0] = centre.hit;
+            self.normals[x][0] = centre.normals;
+            self.sun_free[x] = [if centre.sun == SunSeen::Lit { WHOLE } else { 0 }; SAMPLES];
+            // Until a sample is found to lie elsewhere.
+            self.uniform[x] = !centre.is_sky();
+            all.sky |= u32::from(centre.is_sky()) << lane;
+            for (bits, own) in all.samples.iter_mut().zip(known(x)) {
+                *bits |= u32::from(own) << lane;
+            }
+        }
+        all
+    }
+
+    /// What tells the rays of up to eight pixels, by sample.
+    fn aims(&self, pixels: Range<usize>) -> [Vec3x8; SAMPLES] {
+        let (x0, x1) = (pixels.start as u32, pixels.end as u32);
+        std::array::from_fn(|sample| aims8(self.pass.camera, x0, x1, self.y as u32, sample))
+    }
+
+    /// The rays themselves, a row for each sample.
+    fn rays(&self, aims: [Vec3x8; SAMPLES]) -> RayStream<SAMPLES> {
+        let mut rays = RayStream::NONE;
+        rays.tmax = [f32x8::splat(f32::MAX); SAMPLES];
+        for (sample, aims) in aims.into_iter().enumerate() {
+            set_row(self.pass.camera, &mut rays, sample, aims);
+        }
+        rays
+    }
+
+    /// How far the centres of up to eight pixels lie; beyond the last, that of the last.
+    fn centre_distances(&self, pixels: Range<usize>) -> f32x8 {
+        f32x8::new(std::array::from_fn(|lane| self.centres[(pixels.start + lane).min(pixels.end - 1)].distance))
+    }
+
+    /// The normals of the triangles there.
+    fn centre_normals(&self, pixels: Range<usize>) -> Vec3x8 {
+        let centre = |lane: usize| &self.centres[(pixels.start + lane).min(pixels.end - 1)];
+        unpack8(&std::array::from_fn(|lane| centre(lane).normals.geometric))
+    }
+
+    /// How far the samples of eight pixels lie, all of which lie on the planes of their centres; all rays leave one lens.
+    fn spread_on_planes(&mut self, pixels: Range<usize>, directions: &[Vec3x8; SAMPLES]) {
+        let normals = self.centre_normals(pixels.clone());
+        let centres = self.centre_distances(pixels.clone());
+        let height = centres * dot(&directions[0], &normals);
+        let seen = centres.simd_lt(f32x8::splat(f32::MAX));
+        let distances = directions.each_ref().map(|direction| {
+            let sinks = dot(direction, &normals);
+            let meets = sinks.simd_lt(f32x8::splat(-1e-4)) & seen;
+            meets.select(height / sinks, centres).to_array()
+        });
+        for (lane, x) in pixels.enumerate() {
+            for (sample, distances) in distances.iter().enumerate().skip(1) {
+                self.distances[x][sample] = distances[lane];
+            }
+        }
+    }
+
+    /// Samples of eight pixels that lie on the planes of their centres, or see the sky as they do.
+    fn spread(&mut self, pixels: Range<usize>, rays: &RayStream<SAMPLES>, places: &Vec3x8, known: &Known) {
+        let normals = self.centre_normals(pixels.clone());
+        let centres = self.centre_distances(pixels.clone());
+        for sample in 1..SAMPLES {
+            let own = known.samples[sample] & !known.sky;
+            if own == 0 {
                 continue;
             }
-            let directions = self.pass.aims_of(self.y * width + first, pixels.len());
-            for x in pixels {
-                if self.edges[x] {
-                    let rays: [Ray; SAMPLES] = std::array::from_fn(|s| self.pass.ray_along(&directions[s], x - first));
-                    self.ask_the_disc(&mut disc, x, &rays);
+            let sinks = dot(&rays.direction.map(|axis| axis[sample]), &normals);
+            let way = std::array::from_fn(|k| places[k] - rays.origin[k][sample]);
+            let meets = sinks.simd_lt(f32x8::splat(-1e-4));
+            let distances = meets.select(dot(&way, &normals) / sinks, centres).to_array();
+            for lane in lanes(own) {
+                let x = pixels.start + lane;
+                self.distances[x][sample] = distances[lane];
+                self.hits[x][sample] = self.hits[x][0];
+                self.normals[x][sample] = self.normals[x][0];
+            }
+        }
+    }
+
+    /// Has those samples traced that are not known.
+    fn ask_for_unknown(
+        &mut self,
+        first: usize,
+        rays: &RayStream<SAMPLES>,
+        centres: &Vec3x8,
+        known: &Known,
+        bundle: &mut SampleBundle,
+    ) {
+        for lane in lanes(known.all & !known.whole()) {
+            for sample in (1..SAMPLES).filter(|&sample| known.samples[sample] >> lane & 1 == 0) {
+                bundle.push((first + lane, sample), &rays.ray(8 * sample + lane), lane_of(centres, lane));
+                if bundle.is_full() {
+                    self.trace(bundle);
+                }
+            }
+        }
+    }
+
+    fn trace(&mut self, bundle: &mut SampleBundle) {
+        let known = RowCentres { centres: self.centres, edges: self.edges };
+        bundle.trace(self.pass, known, |x, sample, seen| {
+            let Some(seen) = seen else {
+                self.uniform[x] = false;
+                return;
+            };
+            self.distances[x][sample] = seen.distance;
+            self.hits[x][sample] = seen.hit;
+            self.normals[x][sample] = seen.normals;
+            self.uniform[x] &= seen.goes_on;
+            if seen.is_lit {
+                self.sun_free[x][sample] = WHOLE;
+            }
+        });
+    }
+
+    /// Asks what each sample near the edge of a shadow sees of the sun's disc.
+    fn ask_the_disc(&mut self, sun: &Sun) {
+        let mut disc = DiscRays::none();
+        for first in (0..self.centres.len()).step_by(8) {
+            let pixels = first..(first + 8).min(self.centres.len());
+            let near = self.edges[pixels.clone()].iter().enumerate();
+            let near = near.fold(0, |bits, (lane, edge)| bits | u32::from(*edge) << lane);
+            if near == 0 {
+                continue;
+            }
+            let rays = self.rays(self.aims(pixels));
+            let origins: [(u32, Vec3x8); SAMPLES] =
+                std::array::from_fn(|sample| self.disc_origins(sun, first, near, sample, &rays));
+            for lane in lanes(near) {
+                for (sample, (_, origins)) in
+                    origins.iter().enumerate().filter(|(_, (asked, _))| asked >> lane & 1 == 1)
+                {
+                    disc.push(sun, (first + lane, sample), lane_of(origins, lane));
+                    if disc.is_full() {
+                        self.trace_disc(&mut disc);
+                    }
                 }
             }
         }
         self.trace_disc(&mut disc);
     }
 
-    /// How far the samples of eight pixels lie, all of which lie on the planes of their centres; all rays leave one lens.
-    fn spread_on_planes(&mut self, pixels: Range<usize>, directions: &[Vec3x8; SAMPLES]) {
-        let (mut normals, mut centres) = ([[0.0; 8]; 3], [0.0; 8]);
-        let (mut last, mut normal) = (0, Vec3A::Z);
-        for (lane, x) in pixels.clone().enumerate() {
-            let packed = self.normals[x][0].geometric;
-            if lane == 0 || packed != last {
-                (last, normal) = (packed, octahedron::unpack(packed));
-            }
-            for (axis, own) in normals.iter_mut().zip(normal.to_array()) {
-                axis[lane] = own;
-            }
-            centres[lane] = self.centres[x].distance;
+    /// Which of eight pixels ask the sun's disc for a sample, a bit each, and from where.
+    fn disc_origins(
+        &self,
+        sun: &Sun,
+        first: usize,
+        near: u32,
+        sample: usize,
+        rays: &RayStream<SAMPLES>,
+    ) -> (u32, Vec3x8) {
+        let (mut packed, mut distances, mut lit) = ([0; 8], [f32::MAX; 8], 0);
+        for lane in lanes(near) {
+            let x = first + lane;
+            packed[lane] = self.normals[x][if self.uniform[x] { 0 } else { sample }].geometric;
+            distances[lane] = self.distances[x][sample];
+            lit |= u32::from(self.sun_free[x][sample] != 0) << lane;
         }
-        let (normals, centres) = (normals.map(f32x8::new), f32x8::new(centres));
-        let height = centres * dot(&directions[0], &normals);
-        for (sample, direction) in directions.iter().enumerate().skip(1) {
-            let sinks = dot(direction, &normals);
-            let meets = sinks.simd_lt(f32x8::splat(-1e-4)) & centres.simd_lt(f32x8::splat(f32::MAX));
-            let distances = meets.select(height / sinks, centres).to_array();
-            for (x, distance) in pixels.clone().zip(distances) {
-                self.distances[x][sample] = distance;
-            }
-        }
-    }
-
-    /// Samples of a pixel that lie on the plane of its centre, or see the sky as it does.
-    fn spread(&mut self, x: usize, rays: &[Ray; SAMPLES], known: [bool; SAMPLES]) {
-        if self.distances[x][0] == f32::MAX {
-            return;
-        }
-        let normal = octahedron::unpack(self.normals[x][0].geometric);
-        let centre = rays[0].origin + rays[0].direction * self.distances[x][0];
-        for (sample, ray) in rays.iter().enumerate().skip(1).filter(|(sample, _)| known[*sample]) {
-            let sinks = ray.direction.dot(normal);
-            let distance = if sinks < -1e-4 { (centre - ray.origin).dot(normal) / sinks } else { self.distances[x][0] };
-            self.distances[x][sample] = distance;
-            self.hits[x][sample] = self.hits[x][0];
-            self.normals[x][sample] = self.normals[x][0];
-            self.sun_free[x][sample] = self.sun_free[x][0];
-        }
-    }
-
-    fn push(&mut self, bundle: &mut Bundle, x: usize, sample: usize, ray: &Ray) {
-        bundle.rays.set(bundle.count, ray);
-        bundle.places[bundle.count] = (x, sample);
-        bundle.count += 1;
-        if bundle.count == bundle.places.len() {
-            self.trace(bundle);
-        }
-    }
-
-    fn trace(&mut self, bundle: &mut Bundle) {
-        let tracer = &self.pass.tracer;
-        let active = (1u64 << std::mem::take(&mut bundle.count)) - 1;
-        let found = tracer.still.accel.closest32(&bundle.rays, active as u32);
-        let (mut to_sun, mut asked) = (RayStream::<ROWS>::NONE, 0u32);
-        for lane in lanes(active as u32) {
-            let (x, sample) = bundle.places[lane];
-            let Some(hit) = found.get(lane) else { continue };
-            let point = SurfaceInteraction::new(&tracer.still.instances, &bundle.rays.ray(lane), &hit);
-            self.distances[x][sample] = hit.t;
-            self.hits[x][sample] = PackedHit::new(&hit);
-            self.normals[x][sample] = PackedNormals::new(&point);
-            let sun = tracer.environment.sun.as_ref();
-            if let Some(sun) = sun.filter(|sun| sun_can_light(&point, sun.direction)) {
-                asked |= 1 << lane;
-                to_sun.set(lane, &to_part(sun, &point, sample, FIRST));
-            }
-        }
-        if asked == 0 {
-            return;
-        }
-        let shaded = tracer.still.accel.occluded32(&to_sun, asked);
-        for lane in lanes(asked & !shaded) {
-            let (x, sample) = bundle.places[lane];
-            self.sun_free[x][sample] = WHOLE;
-        }
-    }
-
-    /// Whether a pixel's samples lie on one flat piece of one surface.
-    fn is_uniform(&self, x: usize, rays: &[Ray; SAMPLES], known: [bool; SAMPLES]) -> bool {
-        if self.distances[x][0] == f32::MAX {
-            return false;
-        }
-        if known == [true; SAMPLES] {
-            return true;
-        }
-        let still = self.pass.tracer.still;
-        let piece = |s: usize| piece(still, &rays[s], self.distances[x][s], self.hits[x][s], &self.normals[x][s]);
-        let Some(centre) = piece(0) else { return false };
-        (1..SAMPLES)
-            .filter(|&sample| !known[sample])
-            .all(|sample| piece(sample).is_some_and(|piece| centre.continues(&piece)))
-    }
-
-    /// Asks what each sample of a pixel sees of the sun's disc.
-    fn ask_the_disc(&mut self, disc: &mut DiscRays, x: usize, rays: &[Ray; SAMPLES]) {
-        let Some(sun) = &self.pass.tracer.environment.sun else { return };
-        for (sample, ray) in rays.iter().enumerate() {
-            let own = if self.uniform[x] { 0 } else { sample };
-            let normal = octahedron::unpack(self.normals[x][own].geometric);
-            let facet = ShadingPoint::along(ray, self.distances[x][sample], normal);
-            // Through leaves that it does not light from the front it was seen before, or is not looked for.
-            let may_light = normal.dot(sun.direction) > 0.0 || self.sun_free[x][sample] != 0;
-            if facet.distance == f32::MAX || !may_light {
-                continue;
-            }
-            let origin = sun_origin(&facet, sun.direction);
-            for (lane, part) in (disc.places.len() * PARTS.len()..).zip(PARTS) {
-                disc.rays.set(lane, &Ray { origin, direction: sun.disc[sample][part], tmax: f32::MAX });
-            }
-            disc.places.push((x, sample));
-            if disc.places.len() * PARTS.len() == 8 * ROWS {
-                self.trace_disc(disc);
-            }
-        }
+        let (normals, distances) = (unpack8(&packed), f32x8::new(distances));
+        let to_sun = sun.direction.to_array().map(f32x8::splat);
+        let faces = dot(&normals, &to_sun).simd_gt(f32x8::ZERO).to_bitmask();
+        let sees = distances.simd_lt(f32x8::splat(f32::MAX)).to_bitmask();
+        // Through leaves that it does not light from the front it was seen before, or is not looked for.
+        let asked = near & sees & (faces | lit);
+        (asked, sun_origins8(&rays.places(sample, distances), &normals, distances, &to_sun))
     }
 
     fn trace_disc(&mut self, disc: &mut DiscRays) {
-        let asked = (1u64 << (disc.places.len() * PARTS.len())) - 1;
-        if asked == 0 {
-            return;
-        }
-        let shaded = self.pass.tracer.still.accel.occluded32(&disc.rays, asked as u32);
-        for (k, (x, sample)) in disc.places.drain(..).enumerate() {
-            let free = |ray: usize| u8::from(shaded >> (PARTS.len() * k + ray) & 1 == 0);
-            // Each ray stands for half of what the sample asks elsewhere.
-            self.sun_free[x][sample] = (free(0) * 0b0011) | (free(1) * 0b1100);
-        }
+        disc.trace(&self.pass.tracer.still.accel, |x, sample, free| self.sun_free[x][sample] = free);
     }
-}
-
-/// Rays to all of the sun's disc from a few samples.
-struct DiscRays {
-    rays: RayStream<ROWS>,
-    places: Vec<(usize, usize)>,
 }

@@ -1,11 +1,11 @@
 //! Where surfaces end between the centres of neighbouring pixels.
 
 use super::centre_band::Centres;
+use super::pieces8::Pieces8;
 use super::sparse_centre::Centre;
 use crate::camera_rays::{aims8, places8};
 use crate::octahedron::unpack8;
 use crate::sampling::SAMPLES;
-use crate::vec3x8::{Vec3x8, dot};
 use endless_world::PinholeCamera;
 use rayon::prelude::*;
 use wide::f32x8;
@@ -60,12 +60,12 @@ fn compare_block(camera: &PinholeCamera, centres: &Centres, x: usize, y: usize) 
     let at_the_end = u8::from(x + own.len() == row.len()) << (own.len() - 1);
     let mut goes_on = GoesOn { right: right.alike | at_the_end, below: below.alike };
     if right.unsure | below.unsure != 0 {
-        let pieces = Pieces8::new(camera, row, x, y);
+        let pieces = Pieces8::of_centres(camera, row, x, y);
         if right.unsure != 0 {
-            goes_on.right |= right.unsure & pieces.go_on_in(&Pieces8::new(camera, row, x + 1, y));
+            goes_on.right |= right.unsure & pieces.go_on_in(&Pieces8::of_centres(camera, row, x + 1, y));
         }
         if below.unsure != 0 {
-            goes_on.below |= below.unsure & pieces.go_on_in(&Pieces8::new(camera, centres.row(y + 1), x, y + 1));
+            goes_on.below |= below.unsure & pieces.go_on_in(&Pieces8::of_centres(camera, centres.row(y + 1), x, y + 1));
         }
     }
     goes_on
@@ -89,16 +89,9 @@ fn compare(own: &[Centre], others: &[Centre]) -> Comparison {
     comparison
 }
 
-/// Small pieces of the surfaces that the centres of eight pixels show.
-struct Pieces8 {
-    positions: Vec3x8,
-    geometric: Vec3x8,
-    shading: Vec3x8,
-}
-
 impl Pieces8 {
     /// Of the pixels from `x` on of a row; beyond its end, of the last.
-    fn new(camera: &PinholeCamera, row: &[Centre], x: usize, y: usize) -> Self {
+    fn of_centres(camera: &PinholeCamera, row: &[Centre], x: usize, y: usize) -> Self {
         let centres: [&Centre; 8] = std::array::from_fn(|i| &row[(x + i).min(row.len() - 1)]);
         let aims = aims8(camera, x as u32, row.len() as u32, y as u32, 0);
         let distances = f32x8::new(centres.map(|centre| centre.distance));
@@ -107,14 +100,5 @@ impl Pieces8 {
             geometric: unpack8(&centres.map(|centre| centre.normals.geometric)),
             shading: unpack8(&centres.map(|centre| centre.normals.shading)),
         }
-    }
-
-    /// Which go on, a bit each, in others of the same instances and materials: as
-    /// [`Piece::continues`](super::sparse_centre::Piece::continues) has it.
-    fn go_on_in(&self, others: &Self) -> u8 {
-        let bends_little = dot(&self.shading, &others.shading).simd_gt(f32x8::splat(0.995));
-        let way = std::array::from_fn(|k| others.positions[k] - self.positions[k]);
-        let is_level = dot(&way, &self.geometric).abs().simd_lt(f32x8::splat(0.02));
-        (bends_little & is_level).to_bitmask() as u8
     }
 }

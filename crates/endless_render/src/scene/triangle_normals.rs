@@ -49,9 +49,17 @@ impl TriangleNormals {
         let smooth: Vec3x8 = std::array::from_fn(|k| a[k] * w + b[k] * u + c[k] * v);
         let [mx, my, mz] = self.to_world.map(splat);
         let turned = std::array::from_fn(|k| mx[k] * smooth[0] + my[k] * smooth[1] + mz[k] * smooth[2]);
-        let shading = normalize_or(turned, &flat);
+        Normals8::towards_viewer(&flat, turned, directions)
+    }
+}
+
+impl Normals8 {
+    /// From those of triangles, on either side, and interpolated ones of any length, where rays of these unit directions met
+    /// them.
+    pub(super) fn towards_viewer(flat: &Vec3x8, smooth: Vec3x8, directions: &Vec3x8) -> Self {
+        let shading = normalize_or(smooth, flat);
         // As in `SurfaceInteraction::new`, which says why.
-        let geometric = flipped(&flat, dot(&flat, &shading).simd_lt(f32x8::ZERO));
+        let geometric = flipped(flat, dot(flat, &shading).simd_lt(f32x8::ZERO));
         let from_behind = dot(&geometric, directions).simd_gt(f32x8::ZERO);
         let (geometric, shading) = (flipped(&geometric, from_behind), flipped(&shading, from_behind));
         let facing = dot(&shading, directions);
@@ -76,7 +84,7 @@ impl Instance {
 }
 
 /// [`Vec3A::normalize_or`], lane by lane.
-fn normalize_or(v: Vec3x8, fallback: &Vec3x8) -> Vec3x8 {
+pub(super) fn normalize_or(v: Vec3x8, fallback: &Vec3x8) -> Vec3x8 {
     let over = f32x8::ONE / dot(&v, &v).sqrt();
     let usable = over.simd_gt(f32x8::ZERO) & over.simd_lt(f32x8::splat(f32::INFINITY));
     std::array::from_fn(|k| usable.select(v[k] * over, fallback[k]))

@@ -1,0 +1,171 @@
+//! Samples between the centres of pixels that must be traced: 32 at a time, looked at eight by eight.
+
+use super::bake_pass::BakePass;
+use super::packed_hit::PackedHit;
+use super::pieces8::Pieces8;
+use super::primary_hits::PackedNormals;
+use super::sample_sun::{LitPlaces, SampleSun};
+use super::sparse_centre::{Centre, ROWS, SunSeen};
+use crate::accel::{Hit, Ray, RayStream, StreamHits, lanes};
+use crate::octahedron::{pack8, unpack8};
+use crate::scene::{Instance, normals_of_hits};
+use endless_scene::Surface;
+use glam::Vec3A;
+use wide::f32x8;
+
+/// How many go together.
+const LANES: usize = 8 * ROWS;
+
+/// Samples of a row that wait for their rays.
+pub(super) struct SampleBundle {
+    rays: RayStream<ROWS>,
+    /// Pixel of the row, and sample.
+    places: [(usize, usize); LANES],
+    /// Where the centres of their pixels lie.
+    centres: [[f32x8; ROWS]; 3],
+    count: usize,
+}
+
+/// What is known of the row's pixels.
+#[derive(Clone, Copy)]
+pub(super) struct RowCentres<'a> {
+    pub(super) centres: &'a [Centre],
+    /// Which are near the edge of a shadow: what their samples see of the sun is asked afterwards.
+    pub(super) edges: &'a [bool],
+}
+
+/// What eight samples met: where it was nothing, what one of the others met.
+struct Hits8 {
+    hits: [Hit; 8],
+    /// Those that met anything, a bit each.
+    met: u32,
+}
+
+/// What a sample sees.
+#[derive(Clone, Copy)]
+pub(super) struct SampleSeen {
+    pub(super) distance: f32,
+    pub(super) hit: PackedHit,
+    pub(super) normals: PackedNormals,
+    /// It lies on the flat piece of its pixel's centre.
+    pub(super) goes_on: bool,
+    /// The first part of the sun's disc is known to light it.
+    pub(super) is_lit: bool,
+}
+
+impl SampleSeen {
+    const NOTHING: Self =
+        Self { distance: f32::MAX, hit: PackedHit::NONE, normals: PackedNormals::NONE, goes_on: false, is_lit: false };
+}
+
+impl SampleBundle {
+    pub(super) fn none() -> Self {
+        Self { rays: RayStream::NONE, places: [(0, 0); LANES], centres: [[f32x8::ZERO; ROWS]; 3], count: 0 }
+    }
+
+    pub(super) fn is_full(&self) -> bool {
+        self.count == LANES
+    }
+
+    /// Adds a sample of a pixel whose centre lies at `centre`.
+    pub(super) fn push(&mut self, place: (usize, usize), ray: &Ray, centre: Vec3A) {
+        self.rays.set(self.count, ray);
+        let (row, column) = (self.count / 8, self.count % 8);
+        for (all, own) in self.centres.iter_mut().zip(centre.to_array()) {
+            all[row].as_mut_array()[column] = own;
+        }
+        self.places[self.count] = place;
+        self.count += 1;
+    }
+
+    /// Traces them all and tells by pixel and sample what each sees, if anything.
+    pub(super) fn trace(
+        &mut self,
+        pass: &BakePass<'_>,
+        known: RowCentres<'_>,
+        mut tell: impl FnMut(usize, usize, Option<&SampleSeen>),
+    ) {
+        let count = std::mem::take(&mut self.count);
+        if count == 0 {
+            return;
+        }
+        let still = pass.tracer.still;
+        let found = still.accel.closest32(&self.rays, ((1u64 << count) - 1) as u32);
+        let mut sun = pass.tracer.environment.sun.as_ref().map(SampleSun::new);
+        let (mut seen, mut met) = ([SampleSeen::NOTHING; LANES], 0);
+        for (row, seen) in seen.as_chunks_mut().0.iter_mut().enumerate() {
+            let Some(hits) = Hits8::new(&found, row) else { continue };
+            met |= hits.met << (8 * row);
+            self.look_at(row, &hits, &still.instances, known, sun.as_mut(), seen);
+        }
+        if let Some(sun) = sun {
+            lanes(sun.lit(&still.accel)).for_each(|lane| seen[lane].is_lit = true);
+        }
+        for (lane, (&(x, sample), seen)) in self.places[..count].iter().zip(&seen).enumerate() {
+            tell(x, sample, (met >> lane & 1 == 1).then_some(seen));
+        }
+    }
+
+    /// Tells what eight of them see, but for the sun, which they are made to ask for.
+    fn look_at(
+        &self,
+        row: usize,
+        Hits8 { hits, met }: &Hits8,
+        instances: &[Instance],
+        RowCentres { centres, edges }: RowCentres<'_>,
+        sun: Option<&mut SampleSun<'_>>,
+        seen: &mut [SampleSeen; 8],
+    ) {
+        let places = &self.places[8 * row..][..8];
+        let normals = normals_of_hits(instances, hits, &self.rays.direction.map(|axis| axis[row]));
+        let distances = f32x8::new(hits.map(|hit| hit.t));
+        let positions = self.rays.places(row, distances);
+        let (geometric, shading) = (pack8(&normals.geometric), pack8(&normals.shading));
+        let second = PackedHit::weights8(f32x8::new(hits.map(|hit| hit.u)));
+        let third = PackedHit::weights8(f32x8::new(hits.map(|hit| hit.v)));
+        let (mut is_leaf, mut may_go_on, mut by_light, mut by_edge) = (0, 0, 0, 0);
+        for (lane, (hit, seen)) in hits.iter().zip(seen.iter_mut()).enumerate() {
+            let (x, centre) = (places[lane].0, &centres[places[lane].0]);
+            let (material, kind) = instances[hit.instance as usize].material_of(hit.triangle);
+            seen.distance = hit.t;
+            seen.hit = PackedHit::of(hit.instance, hit.triangle, [second[lane], third[lane]]);
+            seen.normals = PackedNormals { geometric: geometric[lane], shading: shading[lane] };
+            is_leaf |= u32::from(kind.surface == Surface::Foliage) << lane;
+            may_go_on |= u32::from(centre.may_continue(&seen.hit, material)) << lane;
+            by_light |= u32::from(centre.sun == SunSeen::Lit) << lane;
+            by_edge |= u32::from(edges[x]) << lane;
+        }
+        let by_centre: [PackedNormals; 8] = std::array::from_fn(|lane| centres[places[lane].0].normals);
+        let by_centre_geometric = unpack8(&by_centre.map(|normals| normals.geometric));
+        if let Some(sun) = sun {
+            // Whatever the ray would say, those count as lit whose pixel's centre is lit, and those are asked again that face
+            // the sun near a shadow's edge.
+            let again = by_edge & sun.faces(&by_centre_geometric) & sun.faces(&unpack8(&geometric));
+            let samples = std::array::from_fn(|lane| places[lane].1);
+            let some = met & !by_light & !again;
+            sun.ask(row, some, samples, &LitPlaces { positions, normals: normals.geometric, distances, is_leaf });
+        }
+        if may_go_on & met != 0 {
+            let own = Pieces8 {
+                positions: self.centres.map(|axis| axis[row]),
+                geometric: by_centre_geometric,
+                shading: unpack8(&by_centre.map(|normals| normals.shading)),
+            };
+            let others = Pieces8 { positions, geometric: normals.geometric, shading: unpack8(&shading) };
+            let goes_on = may_go_on & u32::from(own.go_on_in(&others));
+            for (lane, seen) in seen.iter_mut().enumerate() {
+                seen.goes_on = goes_on >> lane & 1 == 1;
+            }
+        }
+    }
+}
+
+impl Hits8 {
+    /// Of a row of rays; `None` if none met anything.
+    fn new(found: &StreamHits<ROWS>, row: usize) -> Option<Self> {
+        let hits: [Option<Hit>; 8] = std::array::from_fn(|lane| found.get(8 * row + lane));
+        let first = hits.into_iter().flatten().next()?;
+        let met = hits.iter().enumerate().fold(0, |bits, (lane, hit)| bits | u32::from(hit.is_some()) << lane);
+        Some(Self { hits: hits.map(|hit| hit.unwrap_or(first)), met })
+    }
+}
