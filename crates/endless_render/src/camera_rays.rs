@@ -2,7 +2,7 @@
 
 use crate::accel::{Ray, RayStream};
 use crate::sampling::SAMPLE_OFFSETS;
-use crate::vec3x8::{Vec3x8, normalize};
+use crate::vec3x8::{Vec3x8, normalize, splat};
 use endless_world::{DepthMeasure, Distortion, FAR_PLANE_M, Lens, PinholeCamera};
 use glam::Vec3A;
 use wide::f32x8;
@@ -54,7 +54,6 @@ pub(crate) fn lane_ray(camera: &PinholeCamera, aims: &Vec3x8, lane: usize) -> Ra
 
 /// Where eight rays have come after these distances. Where the lens shows nothing, no place means anything.
 pub(crate) fn places8(camera: &PinholeCamera, aims: &Vec3x8, distances: f32x8) -> Vec3x8 {
-    let splat = |v: Vec3A| v.to_array().map(f32x8::splat);
     if camera.lens.is_central() {
         let origin = splat(camera.position.into());
         return std::array::from_fn(|k| origin[k] + aims[k] * distances);

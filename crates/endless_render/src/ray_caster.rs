@@ -99,7 +99,7 @@ fn surface_of(instance: &Instance, ray: &Ray, hit: &Hit) -> RayHit {
     let positions = instance.geometry.posed.positions();
     let [a, b, c] = mesh.triangles[triangle].map(|corner| Vec3A::from(positions[corner as usize]));
     let normal = (instance.normal_matrix * (b - a).cross_unfused(c - a)).normalize_or(-ray.direction);
-    let material = &mesh.materials[usize::from(mesh.triangle_materials[triangle])];
+    let (_, material) = instance.material_of(hit.triangle);
     let paint = if material.surface == Surface::CarPaint { instance.tint } else { Vec3A::ONE };
     RayHit {
         distance: hit.t,

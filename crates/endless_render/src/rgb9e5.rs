@@ -73,6 +73,7 @@ fn power_of_two(power: i32) -> f32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vec3x8::side_by_side;
     use proptest::prelude::*;
 
     #[test]
@@ -118,7 +119,7 @@ mod tests {
                 }
             });
             let lights = lights.map(|light| if light.is_nan() { Vec3A::ZERO } else { light });
-            let packed = Rgb9e5::pack8(&[0, 1, 2].map(|k| f32x8::new(lights.map(|light| light[k]))));
+            let packed = Rgb9e5::pack8(&side_by_side(lights));
             prop_assert_eq!(packed, lights.map(Rgb9e5::new));
             let found = Rgb9e5::unpack8(&packed).map(f32x8::to_array);
             for i in 0..8 {

@@ -13,6 +13,12 @@ pub(crate) fn side_by_side(v: [Vec3A; 8]) -> Vec3x8 {
     [x, y, z]
 }
 
+/// One vector eight times.
+#[inline]
+pub(crate) fn splat(v: Vec3A) -> Vec3x8 {
+    v.to_array().map(f32x8::splat)
+}
+
 /// One of eight vectors.
 #[inline]
 pub(crate) fn lane_of(all: &Vec3x8, lane: usize) -> Vec3A {
@@ -27,6 +33,14 @@ pub(crate) fn dot(a: &Vec3x8, b: &Vec3x8) -> f32x8 {
 pub(crate) fn normalize(v: Vec3x8) -> Vec3x8 {
     let over = f32x8::ONE / dot(&v, &v).fast_max(f32x8::splat(1e-30)).sqrt();
     v.map(|axis| axis * over)
+}
+
+/// [`Vec3A::normalize_or`], lane by lane: the same bits.
+#[inline]
+pub(crate) fn normalize_or(v: Vec3x8, fallback: &Vec3x8) -> Vec3x8 {
+    let over = f32x8::ONE / dot(&v, &v).sqrt();
+    let usable = over.simd_gt(f32x8::ZERO) & over.simd_lt(f32x8::splat(f32::INFINITY));
+    std::array::from_fn(|k| usable.select(v[k] * over, fallback[k]))
 }
 
 #[cfg(test)]

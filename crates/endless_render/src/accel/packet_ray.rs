@@ -1,6 +1,6 @@
 //! N times eight rays prepared for box and triangle tests in one frame of reference.
 
-use glam::Vec3A;
+use crate::vec3x8::splat;
 use wide::{f32x4, f32x8};
 
 use super::node::{Slab, SlabRay};
@@ -46,7 +46,6 @@ impl<const N: usize> PacketRay<N> {
     #[inline(always)]
     pub(super) fn transformed(&self, transform: &RayTransform) -> Option<Self> {
         let m = &transform.linear;
-        let splat = |v: Vec3A| v.to_array().map(f32x8::splat);
         let (cx, cy, cz, shift) = (splat(m.x_axis), splat(m.y_axis), splat(m.z_axis), splat(transform.translation));
         let vector =
             |v: &[[f32x8; N]; 3], k: usize, row: usize| (cx[k] * v[0][row] + cy[k] * v[1][row]) + cz[k] * v[2][row];

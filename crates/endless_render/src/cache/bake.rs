@@ -65,8 +65,8 @@ impl CameraBake {
         let area = ViewedArea::of(still, &camera);
         let lighting = timed("lights", || Lighting::direct(still, settings, &area));
         let (lighting, probes) = timed("probes", || lighting.with_probes(still, settings, &area, indirect));
-        let (bake, [points, edges]) =
-            Self::lit(still, settings, camera, Arc::new(lighting), None, (indirect, PictureMemory::default()));
+        let memory = PictureMemory::default();
+        let (bake, [points, edges]) = Self::lit(still, settings, camera, Arc::new(lighting), None, indirect, memory);
         (bake, IndirectHits { probes, points, edges })
     }
 
@@ -80,7 +80,7 @@ impl CameraBake {
         response: Option<&Arc<FilmResponse>>,
         memory: PictureMemory,
     ) -> Self {
-        Self::lit(still, settings, camera.clone(), Arc::clone(lighting), response, (IndirectRays::Trace, memory)).0
+        Self::lit(still, settings, camera.clone(), Arc::clone(lighting), response, IndirectRays::Trace, memory).0
     }
 
     /// Its memory, for another picture.
@@ -100,7 +100,8 @@ impl CameraBake {
         camera: PinholeCamera,
         lighting: Arc<Lighting>,
         response: Option<&Arc<FilmResponse>>,
-        (indirect, memory): (IndirectRays<'_>, PictureMemory),
+        indirect: IndirectRays<'_>,
+        memory: PictureMemory,
     ) -> (Self, [TapeStack; 2]) {
         let pixel_angle = camera.pixel_angle_rad();
         let environment = &lighting.environment;

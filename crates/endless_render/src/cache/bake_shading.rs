@@ -6,7 +6,7 @@ use super::block_shading::THIRD;
 use super::gbuffer_row::GBufferRow;
 use super::gbuffer_sample::{GBufferSample, LitHit};
 use super::primary_hits::{PrimaryHits, PrimaryPixel, PrimaryRow, RowSurfaces};
-use super::row_block::{BLOCK, RowBlock};
+use super::row_block::{BLOCK, RowBlock, ShadedRow};
 use crate::pixel_layers::LayerImages;
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
@@ -32,7 +32,8 @@ impl BakePass<'_> {
             let (distances, sun_free) = (&distances[pixels.clone()], &sun_free[pixels.clone()]);
             let row = PrimaryRow { distances, sun_free, uniform: &uniform[pixels.clone()], surfaces: &surfaces };
             let mut kept = GBufferRow::default();
-            let layers = self.shade_row(row, irradiance.get(pixels), y, &mut kept, radiance);
+            let row = ShadedRow { y, primary: row, irradiance: irradiance.get(pixels) };
+            let layers = self.shade_row(row, &mut kept, radiance);
             (kept, layers)
         });
         let (rows, layers): (Vec<GBufferRow>, Vec<LayerImages>) = rows.unzip();
@@ -40,25 +41,19 @@ impl BakePass<'_> {
     }
 
     /// Shades a row, writes what is kept of it and its radiance while nothing moves, and tells its other layers.
-    pub(super) fn shade_row(
-        &self,
-        primary: PrimaryRow<'_>,
-        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
-        y: usize,
-        row: &mut GBufferRow,
-        radiance: &mut [Vec3A],
-    ) -> LayerImages {
+    pub(super) fn shade_row(&self, shaded: ShadedRow<'_>, row: &mut GBufferRow, radiance: &mut [Vec3A]) -> LayerImages {
+        let primary = shaded.primary;
         let width = self.width();
         let night = self.tracer.environment.night;
         row.clear_for((0..width).map(|x| primary.pixel(x)));
         let mut layers = LayerImages::with_capacity(self.settings.layers, width);
         let mut hits = Vec::new();
         // Large, so they are never moved.
-        let (block, light) = (&mut RowBlock::new(self), &mut BlockLight::new());
+        let (block, light) = (&mut RowBlock::new(self, shaded), &mut BlockLight::new());
         for first in (0..width).step_by(BLOCK) {
             let count = (width - first).min(BLOCK);
-            block.look_at(primary, irradiance, [first, y], count);
-            block.shade(primary, irradiance, light);
+            block.look_at(first, count);
+            block.shade(light);
             for pixel in 0..count {
                 let seen = primary.pixel(first + pixel);
                 block.push_pixel(pixel, &seen, light, row);

@@ -5,7 +5,6 @@ use super::block_light::{BlockLight, BlockMirror, KeptLight};
 use super::gbuffer_sample::{Mirror, MirrorSample};
 use super::gbuffer_shading::gbuffer_bsdfs;
 use super::lamp_mask::{lamp_sum, lamps_free32};
-use super::primary_hits::PrimaryRow;
 use super::row_block::{BLOCK, BlockPoint, RowBlock};
 use super::sky_sample::sky_samples8;
 use crate::accel::RayStream;
@@ -33,20 +32,16 @@ struct Light8 {
     transmittance: f32x8,
     /// What the air adds: of sun and sky, and of lamps.
     glow: Vec3x8,
-    /// At night, that of all lamps; by day, each point's own question.
+    /// That of all lamps, where another sample has told it.
     lamps: Option<Vec3x8>,
+    /// Else the lamps that light each, a bit each.
     lamps_free: [u32; 8],
 }
 
 impl RowBlock<'_> {
     /// Shades all that the block looks at. Of a uniform pixel in gathered light the third sample is shaded, too, where the
     /// centre mirrors; they share the air before the centre and the lamp light there.
-    pub(super) fn shade(
-        &mut self,
-        primary: PrimaryRow<'_>,
-        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
-        light: &mut BlockLight,
-    ) {
+    pub(super) fn shade(&mut self, light: &mut BlockLight) {
         light.mirrors.clear();
         self.shade_skies(light);
         for together in by_surface(&self.points).chunks(TOGETHER) {
@@ -55,12 +50,10 @@ impl RowBlock<'_> {
             for (k, points) in points.chunks(8).enumerate() {
                 let eight: Eight<'_, '_> = std::array::from_fn(|i| points.get(i).copied());
                 let lit = self.light_at(&eight, lamps.as_ref().map(|lamps| &lamps[8 * k..8 * k + 8]));
-                self.keep(&eight, &lit, primary, light);
+                self.keep(&eight, &lit, light);
             }
         }
-        if let Some(irradiance) = irradiance {
-            self.shade_thirds(primary, irradiance, light);
-        }
+        self.shade_thirds(light);
         self.trace_mirrors(light);
     }
 
@@ -89,7 +82,7 @@ impl RowBlock<'_> {
         }
     }
 
-    /// At night, which lamps light up to thirty-two points, a bit each, and their light goes with the points' BSDFs.
+    /// At night, which lamps light up to thirty-two points, a bit each.
     fn lamps(&self, points: &[&BlockPoint<'_>]) -> Option<[u32; TOGETHER]> {
         self.pass.tracer.environment.night.then(|| {
             let facets = std::array::from_fn(|i| points.get(i).map(|point| point.surface.facet()));
@@ -127,8 +120,8 @@ impl RowBlock<'_> {
     }
 
     /// Shades eight points, and keeps what is seen of them; what they mirror is not traced yet.
-    fn keep(&self, eight: &Eight<'_, '_>, lit: &Light8, primary: PrimaryRow<'_>, light: &mut BlockLight) {
-        let pass = self.pass;
+    fn keep(&self, eight: &Eight<'_, '_>, lit: &Light8, light: &mut BlockLight) {
+        let (pass, uniform) = (self.pass, &self.row.primary.uniform[self.first..]);
         let environment = pass.tracer.environment;
         let surfaces = eight.map(|point| point.map(|point| &point.surface));
         let samples = eight.map(|point| point.map_or(0, BlockPoint::sample));
@@ -170,11 +163,11 @@ impl RowBlock<'_> {
             if lane < BLOCK {
                 let wanted = pass.settings.layers;
                 light.layers[lane] = PixelLayers::new(wanted, pass.camera, &point.ray(), surface, || bsdf.clone());
-                let uniform = environment.night && primary.uniform[self.first + lane];
-                light.bsdfs[lane] = uniform.then(|| PackedBsdf::new(bsdf));
+                let is_asked = environment.night && uniform[lane];
+                light.bsdfs[lane] = is_asked.then(|| PackedBsdf::new(bsdf));
             }
             let parts = || parts.each_ref().map(|part| lane_of(part, i));
-            if point.sample() == THIRD && primary.uniform[self.first + lane % BLOCK] {
+            if point.sample() == THIRD && uniform[lane % BLOCK] {
                 light.thirds[lane % BLOCK] = parts();
             }
             if mirrors >> i & 1 == 1 {
@@ -194,18 +187,22 @@ impl RowBlock<'_> {
         }
     }
 
-    /// The third samples of the uniform pixels whose centres mirror.
-    fn shade_thirds(&mut self, primary: PrimaryRow<'_>, irradiance: &[[Rgb9e5; SAMPLES]], light: &mut BlockLight) {
-        let of_uniform = |lane: u16| usize::from(lane) < BLOCK && primary.uniform[self.first + usize::from(lane)];
-        let centres: Vec<usize> = (0..light.mirrors.len()).filter(|&i| of_uniform(light.mirrors[i].lane)).collect();
+    /// The third samples of the uniform pixels whose centres mirror, in gathered light.
+    fn shade_thirds(&mut self, light: &mut BlockLight) {
+        let (first, row) = (self.first, self.row);
         let from = self.points.len();
-        for &centre in &centres {
-            let pixel = usize::from(light.mirrors[centre].lane);
-            let (x, lane) = (self.first + pixel, BLOCK * THIRD + pixel);
-            let Some(hit) = primary.pixel(x).hit(THIRD) else { continue };
-            let ray = sample_ray(self.pass.camera, x as u32, self.y as u32, THIRD);
+        let mut centres = Vec::new();
+        for (centre, mirror) in light.mirrors.iter().enumerate() {
+            let pixel = usize::from(mirror.lane);
+            if pixel >= BLOCK || !row.primary.uniform[first + pixel] {
+                continue;
+            }
+            let (x, lane) = (first + pixel, BLOCK * THIRD + pixel);
+            let Some((hit, gathered)) = row.primary.pixel(x).hit(THIRD).zip(row.gathered(x, THIRD)) else { continue };
+            let ray = sample_ray(self.pass.camera, x as u32, row.y as u32, THIRD);
             self.told_by[lane] = lane as u16;
-            self.push_point(&ray, &hit, irradiance[x][THIRD].get(), lane);
+            self.push_point(&ray, &hit, gathered, lane);
+            centres.push(centre);
         }
         for (points, centres) in self.points[from..].chunks(8).zip(centres.chunks(8)) {
             let eight: Eight<'_, '_> = std::array::from_fn(|i| points.get(i));
@@ -219,7 +216,7 @@ impl RowBlock<'_> {
                 lamps: self.pass.tracer.environment.night.then(|| vectors(|centre| centre.lamps)),
                 lamps_free: [0; 8],
             };
-            self.keep(&eight, &lit, primary, light);
+            self.keep(&eight, &lit, light);
         }
     }
 

@@ -3,15 +3,16 @@
 
 use super::bake_pass::BakePass;
 use super::block_hits::BlockHits;
-use super::block_sun::{BlockSun, Surface8};
 use super::centre_band::{CentreBand, Centres, SunBits};
 use super::packed_hit::PackedHit;
 use super::primary_hits::PackedNormals;
-use super::sparse_centre::{Centre, ROWS, SunSeen};
+use super::sparse_centre::{Centre, FIRST, ROWS, SunSeen};
+use super::sun_bundle::{LitPlaces, SunBundle};
 use crate::accel::{RayStream, lanes};
 use crate::camera_rays::{aims8, set_row};
 use crate::octahedron::pack8;
 use crate::scene::{Normals8, TriangleNormals};
+use crate::vec3x8::{Vec3x8, splat};
 use endless_scene::Surface;
 use rayon::prelude::*;
 use wide::f32x8;
@@ -42,7 +43,8 @@ impl BakePass<'_> {
         let own = ((1u16 << columns) - 1) as u8;
         let active = (0..rows).fold(0u32, |bits, row| bits | u32::from(own) << (8 * row));
         let hits = BlockHits::new(&self.tracer.still.accel.closest32(&rays, active), active);
-        let mut sun = self.tracer.environment.sun.as_ref().map(BlockSun::new);
+        let sun = self.tracer.environment.sun.as_ref();
+        let mut sun = sun.map(|sun| (SunBundle::new(sun), splat(sun.disc[0][FIRST])));
         let mut left = hits.met;
         while left != 0 {
             let alike = hits.on_triangle_of_first(left);
@@ -51,13 +53,13 @@ impl BakePass<'_> {
                 band.centres[row * width + first + column] = centre;
             });
         }
-        let Some(sun) = sun.filter(|sun| sun.asked != 0) else { return };
-        let shaded = self.tracer.still.accel.occluded32(&sun.rays, sun.asked);
+        let Some((sun, _)) = sun else { return };
+        let lit = sun.lit(&self.tracer.still.accel);
         for lane in lanes(sun.asked) {
-            let seen = if shaded >> lane & 1 == 1 { SunSeen::Shaded } else { SunSeen::Lit };
+            let seen = if lit >> lane & 1 == 1 { SunSeen::Lit } else { SunSeen::Shaded };
             band.centres[lane / 8 * width + first + lane % 8].sun = seen;
         }
-        let (lit, shaded) = ((sun.asked & !shaded).to_le_bytes(), shaded.to_le_bytes());
+        let (lit, shaded) = (lit.to_le_bytes(), (sun.asked & !lit).to_le_bytes());
         for row in 0..rows {
             band.sun[row * width.div_ceil(8) + block] = SunBits { lit: lit[row], shaded: shaded[row] };
         }
@@ -69,20 +71,22 @@ impl BakePass<'_> {
         rays: &RayStream<ROWS>,
         hits: &BlockHits,
         alike: u32,
-        mut sun: Option<&mut BlockSun>,
+        mut sun: Option<&mut (SunBundle<'_>, Vec3x8)>,
         mut tell: impl FnMut(usize, usize, Centre),
     ) {
         let instances = &self.tracer.still.instances;
         let (instance, triangle) = hits.triangle(alike.trailing_zeros() as usize);
         let (material, kind) = instances[instance as usize].material_of(triangle);
         let is_lens = matches!(kind.surface, Surface::SignalLens(_));
+        let is_leaf = if kind.surface == Surface::Foliage { u32::MAX } else { 0 };
         let normals = TriangleNormals::new(&instances[instance as usize], triangle);
         for (row, own) in alike.to_le_bytes().into_iter().enumerate().filter(|(_, own)| *own != 0) {
             let (distances, weights) = (hits.distances[row], hits.weights[row]);
             let Normals8 { geometric, shading, .. } = normals.at(&rays.direction.map(|axis| axis[row]), weights);
-            if let Some(sun) = &mut sun {
-                let (positions, is_leaf) = (rays.places(row, distances), kind.surface == Surface::Foliage);
-                sun.ask(row, own, &Surface8 { positions, normals: geometric, distances, is_leaf });
+            if let Some((sun, directions)) = &mut sun {
+                let positions = rays.places(row, distances);
+                let lit = LitPlaces { positions, normals: geometric, distances, is_leaf };
+                sun.ask(row, own.into(), &lit, directions);
             }
             let [second, third] = weights.map(PackedHit::weights8);
             let (geometric, shading, distances) = (pack8(&geometric), pack8(&shading), distances.to_array());

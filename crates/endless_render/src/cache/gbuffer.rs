@@ -6,6 +6,7 @@ use super::gbuffer_row::GBufferRow;
 use super::irradiance::{GatheredLight, IrradiancePass};
 use super::picture_memory::PictureMemory;
 use super::primary_hits::{PrimaryHits, PrimaryRow};
+use super::row_block::ShadedRow;
 use super::sparse_primary::KeptRow;
 use super::still_pixel::StillPixel;
 use crate::indirect::TapeStack;
@@ -67,7 +68,8 @@ impl GBuffer {
         let layers = kept.zip(&mut rows).enumerate().map(|(y, ((((distances, sun_free), uniform), radiance), row))| {
             let kept = KeptRow { distances: &mut *distances, sun_free: &mut *sun_free, uniform: &mut *uniform };
             let surfaces = sparse.trace_row(y, kept);
-            pass.shade_row(PrimaryRow { distances, sun_free, uniform, surfaces: &surfaces }, None, y, row, radiance)
+            let primary = PrimaryRow { distances, sun_free, uniform, surfaces: &surfaces };
+            pass.shade_row(ShadedRow { y, primary, irradiance: None }, row, radiance)
         });
         let layers: Vec<LayerImages> = timed("shade", || layers.collect());
         pass.stats.add((pixels * SAMPLES) as u64);

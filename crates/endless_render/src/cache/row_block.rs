@@ -1,7 +1,7 @@
 //! A block of neighbouring pixels of a row: which of their samples have a light of their own, and what these see.
 
 use super::bake_pass::BakePass;
-use super::primary_hits::{PrimaryRow, RowSurfaces};
+use super::primary_hits::{PrimaryPixel, PrimaryRow};
 use crate::accel::{Hit, Ray, first_lanes, lanes};
 use crate::camera_rays::aims8;
 use crate::octahedron;
@@ -60,14 +60,28 @@ pub(super) struct SkySample {
     pub(super) alone: bool,
 }
 
+/// What is known of a row before it is shaded.
+#[derive(Clone, Copy)]
+pub(super) struct ShadedRow<'a> {
+    pub(super) y: usize,
+    pub(super) primary: PrimaryRow<'a>,
+    /// Gathered at each sample, klx; `None` if the probes tell.
+    pub(super) irradiance: Option<&'a [[Rgb9e5; SAMPLES]]>,
+}
+
+impl ShadedRow<'_> {
+    /// What was gathered at a sample, klx.
+    pub(super) fn gathered(&self, x: usize, sample: usize) -> Option<Vec3A> {
+        Some(self.irradiance?[x][sample].get())
+    }
+}
+
 /// What a block of pixels sees.
 pub(super) struct RowBlock<'a> {
     pub(super) pass: &'a BakePass<'a>,
+    pub(super) row: ShadedRow<'a>,
     /// The first pixel in the row.
     pub(super) first: usize,
-    pub(super) y: usize,
-    /// How many pixels there are.
-    pub(super) count: usize,
     pub(super) points: Vec<BlockPoint<'a>>,
     pub(super) skies: Vec<SkySample>,
     /// For each lane the one whose light it has: itself, where it is shaded.
@@ -76,68 +90,52 @@ pub(super) struct RowBlock<'a> {
 
 impl<'a> RowBlock<'a> {
     /// That looks at nothing yet.
-    pub(super) fn new(pass: &'a BakePass<'a>) -> Self {
+    pub(super) fn new(pass: &'a BakePass<'a>, row: ShadedRow<'a>) -> Self {
         let (points, skies) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
-        Self { pass, first: 0, y: 0, count: 0, points, skies, told_by: [NOBODY; LANES] }
+        Self { pass, row, first: 0, points, skies, told_by: [NOBODY; LANES] }
     }
 
-    /// Turns to `count` pixels of the row `y`, of whose samples it is known what light was gathered there, or which the
-    /// probes tell.
-    pub(super) fn look_at(
-        &mut self,
-        primary: PrimaryRow<'_>,
-        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
-        [first, y]: [usize; 2],
-        count: usize,
-    ) {
-        (self.first, self.y, self.count) = (first, y, count);
+    /// Turns to `count` pixels of the row from `first` on.
+    pub(super) fn look_at(&mut self, first: usize, count: usize) {
+        self.first = first;
         self.points.clear();
         self.skies.clear();
         for pixel in (0..count).step_by(8) {
-            self.look_at_eight(primary, irradiance, pixel, (count - pixel).min(8));
+            self.look_at_eight(pixel, (count - pixel).min(8));
         }
     }
 
     /// Of these, `count` that follow pixel `own`. The centre of a uniform pixel tells its light; that of one of nothing but
     /// sky, too, where no other light was gathered.
-    fn look_at_eight(
-        &mut self,
-        primary: PrimaryRow<'_>,
-        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
-        own: usize,
-        count: usize,
-    ) {
+    fn look_at_eight(&mut self, own: usize, count: usize) {
         let (pass, first) = (self.pass, self.first + own);
         let bits =
             |of: &dyn Fn(usize) -> bool| (0..count).rev().fold(0, |bits, i| bits << 1 | u32::from(of(first + i)));
+        let ShadedRow { y, primary, irradiance } = self.row;
         let uniform = bits(&|x| primary.uniform[x]);
         let sky = bits(&|x| primary.distances[x] == [f32::MAX; SAMPLES]);
         let simple = if irradiance.is_some() { uniform } else { uniform | sky };
-        let told_by_centres = if irradiance.is_some() { 0 } else { simple };
         for sample in 0..SAMPLES {
             let at = own + BLOCK * sample;
             let asked = first_lanes(count) & if sample == 0 { 0xff } else { 0xff & !simple };
             for pixel in lanes(if sample == 0 { 0 } else { simple }) {
-                self.told_by[at + pixel] =
-                    if told_by_centres >> pixel & 1 == 1 { (own + pixel) as u16 } else { NOBODY };
+                self.told_by[at + pixel] = if irradiance.is_some() { NOBODY } else { (own + pixel) as u16 };
             }
             if asked == 0 {
                 continue;
             }
-            let aims = aims8(pass.camera, first as u32, (first + count) as u32, self.y as u32, sample);
+            let aims = aims8(pass.camera, first as u32, (first + count) as u32, y as u32, sample);
             let from = self.points.len();
             let is_together = sample == 0 && matches!(pass.camera.lens, Lens::Perspective(_));
             let mut left = asked;
             while let Some(pixel) = lanes(left).next() {
-                let alike = if is_together { self.look_at_triangle(primary, irradiance, own, left, &aims) } else { 0 };
+                let alike = if is_together { self.look_at_triangle(own, left, &aims) } else { 0 };
                 if alike != 0 {
                     left &= !alike;
                     continue;
                 }
-                let x = first + pixel;
-                let gathered = irradiance.map(|irradiance| irradiance[x][sample].get());
                 let alone = sample == 0 && simple & sky >> pixel & 1 == 1;
-                self.look_along(&pass.ray_along(&aims, pixel), primary, gathered, (x, at + pixel), alone);
+                self.look_along(&pass.ray_along(&aims, pixel), at + pixel, alone);
                 left &= left - 1;
             }
             if irradiance.is_none() {
@@ -148,15 +146,9 @@ impl<'a> RowBlock<'a> {
 
     /// Turns to the centres of those of eight pixels that follow the first that is asked on one triangle with it, if they are
     /// enough, and tells which they are.
-    fn look_at_triangle(
-        &mut self,
-        primary: PrimaryRow<'_>,
-        irradiance: Option<&[[Rgb9e5; SAMPLES]]>,
-        own: usize,
-        asked: u32,
-        aims: &Vec3x8,
-    ) -> u32 {
-        let first = self.first + own;
+    fn look_at_triangle(&mut self, own: usize, asked: u32, aims: &Vec3x8) -> u32 {
+        let (first, row) = (self.first + own, self.row);
+        let primary = row.primary;
         let hit_of = |pixel: usize| &primary.surfaces.hits[first + pixel][0];
         let Some(start) = lanes(asked).next() else { return 0 };
         let alike = lanes(asked).take_while(|&pixel| hit_of(pixel).is_on_triangle_of(hit_of(start)));
@@ -179,29 +171,24 @@ impl<'a> RowBlock<'a> {
         let instance = &self.pass.tracer.still.instances[hit.instance as usize];
         eight.points(instance, lanes(alike), |pixel, surface| {
             let lane = (own + pixel) as u16;
-            let irradiance = irradiance.map_or(Vec3A::ZERO, |irradiance| irradiance[first + pixel][0].get());
+            let irradiance = row.gathered(first + pixel, 0).unwrap_or(Vec3A::ZERO);
             self.told_by[usize::from(lane)] = lane;
             self.points.push(BlockPoint { surface, origin, irradiance, lane });
         });
         alike
     }
 
-    /// Turns to one sample of a pixel `x` of the row.
-    fn look_along(
-        &mut self,
-        ray: &Ray,
-        primary: PrimaryRow<'_>,
-        gathered: Option<Vec3A>,
-        (x, lane): (usize, usize),
-        alone: bool,
-    ) {
+    /// Turns to one sample; `alone` if the light of the sky is that of all samples of its pixel.
+    fn look_along(&mut self, ray: &Ray, lane: usize, alone: bool) {
+        let (x, sample) = (self.first + lane % BLOCK, lane / BLOCK);
         self.told_by[lane] = lane as u16;
-        let Some(hit) = primary.pixel(x).hit(lane / BLOCK) else {
+        let Some(hit) = self.row.primary.pixel(x).hit(sample) else {
             self.skies.push(SkySample { ray: *ray, lane: lane as u16, alone });
             return;
         };
+        let gathered = self.row.gathered(x, sample);
         if gathered.is_none()
-            && let Some(alike) = self.alike(primary, x, lane, &hit)
+            && let Some(alike) = self.alike(lane, &hit)
         {
             self.told_by[lane] = alike;
             return;
@@ -233,14 +220,13 @@ impl<'a> RowBlock<'a> {
         }
     }
 
-    /// An earlier sample of the same pixel `x` of the row that may tell the light of this one.
-    fn alike(&self, primary: PrimaryRow<'_>, x: usize, lane: usize, hit: &Hit) -> Option<u16> {
+    /// An earlier sample of the same pixel that may tell the light of this one.
+    fn alike(&self, lane: usize, hit: &Hit) -> Option<u16> {
+        let seen = self.row.primary.pixel(self.first + lane % BLOCK);
         let may_tell = |&other: &usize| {
             let shaded = usize::from(self.told_by[other]) == other;
-            let before = if shaded { primary.pixel(x).hit(other / BLOCK) } else { None };
-            before.is_some_and(|before| {
-                alike(self.pass, primary.surfaces, x, [other / BLOCK, lane / BLOCK], &before, hit)
-            })
+            let before = if shaded { seen.hit(other / BLOCK) } else { None };
+            before.is_some_and(|before| alike(self.pass, &seen, [other / BLOCK, lane / BLOCK], &before, hit))
         };
         (lane % BLOCK..lane).step_by(BLOCK).find(may_tell).map(|other| other as u16)
     }
@@ -273,17 +259,18 @@ fn is_one_plane(points: &[BlockPoint<'_>]) -> bool {
 }
 
 /// Whether two samples of a pixel may have one light: they lie on one smooth surface, or among leaves.
-fn alike(pass: &BakePass<'_>, row: &RowSurfaces, x: usize, [a, b]: [usize; 2], first: &Hit, second: &Hit) -> bool {
-    let mesh = |hit: &Hit| &*pass.tracer.still.instances[hit.instance as usize].geometry.mesh;
-    let material = |hit: &Hit| mesh(hit).triangle_materials[hit.triangle as usize];
-    if first.instance != second.instance || material(first) != material(second) {
+fn alike(pass: &BakePass<'_>, seen: &PrimaryPixel<'_>, [a, b]: [usize; 2], first: &Hit, second: &Hit) -> bool {
+    if first.instance != second.instance {
         return false;
     }
-    match mesh(first).materials[usize::from(material(first))].surface {
+    let instance = &pass.tracer.still.instances[first.instance as usize];
+    let (own, other) = (instance.material_of(first.triangle), instance.material_of(second.triangle));
+    match own.1.surface {
+        _ if own.0 != other.0 => false,
         Surface::SignalLens(_) => false,
         Surface::Foliage => a == 0 && b == 3 || a == 1 && b == 2,
         _ => {
-            let normal = |sample: usize| octahedron::unpack(row.normals[x][sample].shading);
+            let normal = |sample: usize| octahedron::unpack(seen.normals[sample].shading);
             normal(a).dot(normal(b)) > 0.98 && (first.t - second.t).abs() < 0.05 * first.t
         }
     }

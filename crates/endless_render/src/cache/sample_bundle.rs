@@ -4,11 +4,12 @@ use super::bake_pass::BakePass;
 use super::packed_hit::PackedHit;
 use super::pieces8::Pieces8;
 use super::primary_hits::PackedNormals;
-use super::sample_sun::{LitPlaces, SampleSun};
-use super::sparse_centre::{Centre, ROWS, SunSeen};
+use super::sparse_centre::{Centre, FIRST, ROWS, SunSeen};
+use super::sun_bundle::{LitPlaces, SunBundle};
 use crate::accel::{Hit, Ray, RayStream, StreamHits, lanes};
 use crate::octahedron::{pack8, unpack8};
 use crate::scene::{Instance, normals_of_hits};
+use crate::vec3x8::side_by_side;
 use endless_scene::Surface;
 use glam::Vec3A;
 use wide::f32x8;
@@ -30,8 +31,9 @@ pub(super) struct SampleBundle {
 #[derive(Clone, Copy)]
 pub(super) struct RowCentres<'a> {
     pub(super) centres: &'a [Centre],
-    /// Which are near the edge of a shadow: what their samples see of the sun is asked afterwards.
-    pub(super) edges: &'a [bool],
+    /// Which are near the edge of a shadow, of eight that follow each other a bit each: what their samples see of the sun is asked
+    /// afterwards.
+    pub(super) edges: &'a [u8],
 }
 
 /// What eight samples met: where it was nothing, what one of the others met.
@@ -91,7 +93,7 @@ impl SampleBundle {
         }
         let still = pass.tracer.still;
         let found = still.accel.closest32(&self.rays, ((1u64 << count) - 1) as u32);
-        let mut sun = pass.tracer.environment.sun.as_ref().map(SampleSun::new);
+        let mut sun = pass.tracer.environment.sun.as_ref().map(SunBundle::new);
         let (mut seen, mut met) = ([SampleSeen::NOTHING; LANES], 0);
         for (row, seen) in seen.as_chunks_mut().0.iter_mut().enumerate() {
             let Some(hits) = Hits8::new(&found, row) else { continue };
@@ -113,7 +115,7 @@ impl SampleBundle {
         Hits8 { hits, met }: &Hits8,
         instances: &[Instance],
         RowCentres { centres, edges }: RowCentres<'_>,
-        sun: Option<&mut SampleSun<'_>>,
+        sun: Option<&mut SunBundle<'_>>,
         seen: &mut [SampleSeen; 8],
     ) {
         let places = &self.places[8 * row..][..8];
@@ -133,7 +135,7 @@ impl SampleBundle {
             is_leaf |= u32::from(kind.surface == Surface::Foliage) << lane;
             may_go_on |= u32::from(centre.may_continue(&seen.hit, material)) << lane;
             by_light |= u32::from(centre.sun == SunSeen::Lit) << lane;
-            by_edge |= u32::from(edges[x]) << lane;
+            by_edge |= u32::from(edges[x / 8] >> (x % 8) & 1) << lane;
         }
         let by_centre: [PackedNormals; 8] = std::array::from_fn(|lane| centres[places[lane].0].normals);
         let by_centre_geometric = unpack8(&by_centre.map(|normals| normals.geometric));
@@ -141,9 +143,9 @@ impl SampleBundle {
             // Whatever the ray would say, those count as lit whose pixel's centre is lit, and those are asked again that face
             // the sun near a shadow's edge.
             let again = by_edge & sun.faces(&by_centre_geometric) & sun.faces(&unpack8(&geometric));
-            let samples = std::array::from_fn(|lane| places[lane].1);
-            let some = met & !by_light & !again;
-            sun.ask(row, some, samples, &LitPlaces { positions, normals: normals.geometric, distances, is_leaf });
+            let directions = side_by_side(std::array::from_fn(|lane| sun.sun.disc[places[lane].1][FIRST]));
+            let lit = LitPlaces { positions, normals: normals.geometric, distances, is_leaf };
+            sun.ask(row, met & !by_light & !again, &lit, &directions);
         }
         if may_go_on & met != 0 {
             let own = Pieces8 {

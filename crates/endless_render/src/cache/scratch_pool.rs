@@ -1,5 +1,5 @@
-//! Large things that frames hand on to one another: each puts back the little that it changed, which costs less than
-//! fresh ones. Of very large pictures none are kept: each camera's would wait while another's are in use.
+//! Large things that frames hand on to one another, which costs less than fresh ones: each frame puts back the little that it
+//! changed, or writes all of it anew. Of very large pictures none are kept: each camera's would wait while another's are in use.
 
 use std::sync::{Mutex, PoisonError};
 
@@ -25,7 +25,7 @@ impl<T> ScratchPool<T> {
         spare.unwrap_or_else(fresh)
     }
 
-    /// Takes one back, which must be as it was.
+    /// Takes one back: as it was, if whoever takes it next relies on that.
     pub(crate) fn give(&self, it: T) {
         if self.keeps {
             self.spare.lock().unwrap_or_else(PoisonError::into_inner).push(it);

@@ -12,7 +12,6 @@ const PENUMBRA_M: f32 = 0.023;
 /// The pixels near the edge of a shadow.
 pub(super) struct ShadowEdges {
     near: Bits,
-    width: usize,
 }
 
 /// Of eight pixels that follow each other in a row a bit each, row by row.
@@ -77,13 +76,12 @@ impl ShadowEdges {
                 },
             )
         });
-        Self { near, width: centres.width }
+        Self { near }
     }
 
-    /// By pixel.
-    pub(super) fn row(&self, y: usize) -> Vec<bool> {
-        let row = self.near.row(y);
-        (0..self.width).map(|x| row[x / 8] >> (x % 8) & 1 == 1).collect()
+    /// Of eight pixels that follow each other, a bit each.
+    pub(super) fn row(&self, y: usize) -> &[u8] {
+        self.near.row(y)
     }
 }
 

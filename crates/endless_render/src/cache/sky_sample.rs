@@ -5,7 +5,7 @@ use crate::accel::Ray;
 use crate::camera_rays::is_nowhere;
 use crate::light::{Environment, Sun};
 use crate::shade::{Tracer, halos, halos8};
-use crate::vec3x8::{Vec3x8, dot, side_by_side};
+use crate::vec3x8::{Vec3x8, dot, side_by_side, splat};
 use endless_world::PinholeCamera;
 use glam::Vec3A;
 use wide::f32x8;
@@ -70,7 +70,7 @@ fn sun_disc(environment: &Environment, direction: Vec3A) -> Vec3A {
 
 /// [`sun_disc`] in eight directions.
 fn sun_disc8(sun: &Sun, directions: &Vec3x8) -> Vec3x8 {
-    let cosine = dot(directions, &sun.direction.to_array().map(f32x8::splat));
+    let cosine = dot(directions, &splat(sun.direction));
     let around = ((cosine - f32x8::splat(AUREOLE.0)) / f32x8::splat(AUREOLE.1)).fast_max(f32x8::ZERO);
     let around = f32x8::splat(0.06) * around * around * around;
     let is_disc = cosine.simd_gt(f32x8::splat(DISC));

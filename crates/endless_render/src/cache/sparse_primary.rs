@@ -49,7 +49,7 @@ impl SparsePrimary<'_> {
     pub(super) fn trace_row(&self, y: usize, kept: KeptRow<'_>) -> RowSurfaces {
         let mut surfaces = RowSurfaces::nothing(self.pass.width());
         let (hits, normals) = (&mut surfaces.hits[..], &mut surfaces.normals[..]);
-        let (centres, edges) = (self.centres.row(y), &self.edges.row(y)[..]);
+        let (centres, edges) = (self.centres.row(y), self.edges.row(y));
         let KeptRow { distances, sun_free, uniform } = kept;
         let mut row = SparseRow { pass: self.pass, y, centres, edges, distances, hits, normals, sun_free, uniform };
         row.fill(|x| self.ends.known(x, y));

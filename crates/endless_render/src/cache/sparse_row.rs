@@ -12,7 +12,7 @@ use crate::camera_rays::{aims8, set_row};
 use crate::light::Sun;
 use crate::octahedron::unpack8;
 use crate::sampling::SAMPLES;
-use crate::vec3x8::{Vec3x8, dot, lane_of};
+use crate::vec3x8::{Vec3x8, dot, lane_of, splat};
 use std::ops::Range;
 use wide::f32x8;
 
@@ -21,8 +21,8 @@ pub(super) struct SparseRow<'a> {
     pub(super) pass: &'a BakePass<'a>,
     pub(super) y: usize,
     pub(super) centres: &'a [Centre],
-    /// Which are near the edge of a shadow.
-    pub(super) edges: &'a [bool],
+    /// Which are near the edge of a shadow: of eight that follow each other, a bit each.
+    pub(super) edges: &'a [u8],
     pub(super) distances: &'a mut [[f32; SAMPLES]],
     pub(super) hits: &'a mut [[PackedHit; SAMPLES]],
     pub(super) normals: &'a mut [[PackedNormals; SAMPLES]],
@@ -203,8 +203,7 @@ impl SparseRow<'_> {
         let mut disc = DiscRays::none();
         for first in (0..self.centres.len()).step_by(8) {
             let pixels = first..(first + 8).min(self.centres.len());
-            let near = self.edges[pixels.clone()].iter().enumerate();
-            let near = near.fold(0, |bits, (lane, edge)| bits | u32::from(*edge) << lane);
+            let near = u32::from(self.edges[first / 8]);
             if near == 0 {
                 continue;
             }
@@ -242,7 +241,7 @@ impl SparseRow<'_> {
             lit |= u32::from(self.sun_free[x][sample] != 0) << lane;
         }
         let (normals, distances) = (unpack8(&packed), f32x8::new(distances));
-        let to_sun = sun.direction.to_array().map(f32x8::splat);
+        let to_sun = splat(sun.direction);
         let faces = dot(&normals, &to_sun).simd_gt(f32x8::ZERO).to_bitmask();
         let sees = distances.simd_lt(f32x8::splat(f32::MAX)).to_bitmask();
         // Through leaves that it does not light from the front it was seen before, or is not looked for.

@@ -1,7 +1,7 @@
 //! The air between surface and camera: extinction and in-scattered light.
 
 use crate::math8;
-use crate::vec3x8::{Vec3x8, dot};
+use crate::vec3x8::{Vec3x8, dot, splat};
 use endless_world::math;
 use glam::Vec3A;
 use std::f32::consts::PI;
@@ -75,7 +75,7 @@ impl Fog {
     /// by how much droplets send on towards the viewer.
     pub(crate) fn halo8(&self, origin: Vec3A, directions: &Vec3x8, distances_m: f32x8, lamp: Vec3A) -> f32x8 {
         let to_lamp = lamp - origin;
-        let along = dot(&to_lamp.to_array().map(f32x8::splat), directions);
+        let along = dot(&splat(to_lamp), directions);
         let aside = (f32x8::splat(to_lamp.length_squared()) - along * along).fast_max(f32x8::splat(0.04)).sqrt();
         let swept = math8::atan2_approx(distances_m - along, aside) + math8::atan2_approx(along, aside);
         let reach = along.fast_max(f32x8::ZERO).fast_min(distances_m);

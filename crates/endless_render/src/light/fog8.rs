@@ -2,7 +2,7 @@
 
 use super::Fog;
 use crate::exact8;
-use crate::vec3x8::{Vec3x8, dot};
+use crate::vec3x8::{Vec3x8, dot, splat};
 use wide::f32x8;
 
 impl Fog {
@@ -21,7 +21,7 @@ impl Fog {
     /// [`Fog::in_scatter`] of eight rays.
     #[inline]
     pub(crate) fn in_scatter8(&self, directions: &Vec3x8, transmittance: f32x8) -> Vec3x8 {
-        let sun = self.sun_direction.to_array().map(f32x8::splat);
+        let sun = splat(self.sun_direction);
         let cosine = dot(directions, &sun).fast_max(f32x8::ZERO);
         let lobe = cosine * cosine;
         let lobe = lobe * lobe * lobe;
@@ -33,6 +33,7 @@ impl Fog {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vec3x8::side_by_side;
     use glam::Vec3A;
     use proptest::prelude::*;
 
@@ -70,7 +71,7 @@ mod tests {
                 (if from_one_height { rays[0].0 } else { height }, direction.normalize_or(Vec3A::X), distance)
             });
             let heights = f32x8::new(rays.map(|(height, ..)| height));
-            let directions = [0, 1, 2].map(|k| f32x8::new(rays.map(|(_, direction, _)| direction[k])));
+            let directions = side_by_side(rays.map(|(_, direction, _)| direction));
             let left = fog.transmittance8(heights, directions[2], f32x8::new(rays.map(|(.., distance)| distance)));
             let scattered = fog.in_scatter8(&directions, left).map(f32x8::to_array);
             for (i, (height, direction, distance)) in rays.into_iter().enumerate() {

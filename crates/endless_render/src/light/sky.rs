@@ -6,7 +6,7 @@
 //! (Moon and Spencer 1942). Radiance in kcd/m² per linear RGB channel.
 
 use super::clouds::CloudLayer;
-use crate::vec3x8::{Vec3x8, dot, normalize, side_by_side};
+use crate::vec3x8::{Vec3x8, dot, normalize, side_by_side, splat};
 use crate::{exact8, math8};
 use endless_world::math;
 use endless_world::math::UnfusedVec3A;
@@ -237,7 +237,7 @@ fn ground() -> Vec3x8 {
 
 /// Share of the sunlight that reaches the ground, per channel.
 pub(crate) fn sun_transmittance(sun_direction: Vec3A, turbidity: f32) -> Vec3A {
-    let (rayleigh, mie) = optical_depth(&ground(), &sun_direction.to_array().map(f32x8::splat), 32);
+    let (rayleigh, mie) = optical_depth(&ground(), &splat(sun_direction), 32);
     let [r, g, b] = extinction(rayleigh, mie, turbidity).map(|channel| channel.to_array()[0]);
     Vec3A::new(r, g, b)
 }
@@ -249,7 +249,7 @@ fn single_scattering(directions: &[Vec3A; 8], sun: Vec3A, turbidity: f32) -> [Ve
     const STEPS: u32 = 16;
     let lane = |axis: usize| f32x8::new(directions.map(|direction| direction[axis]));
     let directions = normalize([lane(0), lane(1), lane(2).fast_max(f32x8::splat(0.004))]);
-    let (origin, sun) = (ground(), sun.to_array().map(f32x8::splat));
+    let (origin, sun) = (ground(), splat(sun));
     let length = to_space(&origin, &directions);
     let cosine = dot(&directions, &sun);
     let [one, g] = [1.0, MIE_ANISOTROPY].map(f32x8::splat);

@@ -1,7 +1,7 @@
 //! The light that eight surfaces side by side reflect, each towards its own viewer: the bits of [`Bsdf`]'s functions.
 
 use super::Bsdf;
-use crate::vec3x8::{Vec3x8, dot};
+use crate::vec3x8::{Vec3x8, dot, normalize_or, splat};
 use glam::Vec3A;
 use std::f32::consts::{FRAC_1_PI, PI};
 use wide::f32x8;
@@ -84,9 +84,9 @@ impl Reflection8 {
 
     /// [`Bsdf::lit_by`] one light that is the same for all eight.
     pub(crate) fn lit_by(&self, illuminance: Vec3A, light: Vec3A) -> Vec3x8 {
-        let light = light.to_array().map(f32x8::splat);
+        let light = splat(light);
         let cosine = dot(&self.normal, &light);
-        let half = normalize_or_zero(std::array::from_fn(|k| self.views[k] + light[k]));
+        let half = normalize_or(std::array::from_fn(|k| self.views[k] + light[k]), &[f32x8::ZERO; 3]);
         let half_view = dot(&half, &self.views);
         let below = self.coat_reflectance.map(|coat| f32x8::ONE - coat);
         let specular = Specular8::new(self.specular, self.roughness);
@@ -178,14 +178,6 @@ fn columns(bsdfs: [&Bsdf; 8], row: impl Fn(&Bsdf) -> (Vec3A, f32, Vec3A, f32)) -
     }))
 }
 
-/// [`Vec3A::normalize_or_zero`].
-#[inline]
-fn normalize_or_zero(v: Vec3x8) -> Vec3x8 {
-    let over = f32x8::ONE / dot(&v, &v).sqrt();
-    let there = over.simd_lt(f32x8::splat(f32::INFINITY));
-    v.map(|axis| (axis * over) & there)
-}
-
 /// Schlick's fifth power.
 #[inline]
 fn schlick(cosine: f32x8) -> f32x8 {
@@ -218,6 +210,7 @@ fn ggx(normal: &Vec3x8, views: &Vec3x8, cosine: f32x8, half: &Vec3x8, roughness:
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::vec3x8::side_by_side;
     use proptest::prelude::*;
 
     fn direction() -> impl Strategy<Value = Vec3A> {
@@ -279,13 +272,12 @@ mod tests {
                 }
             }
             let eight = std::array::from_fn(|i| (there >> i & 1 == 1).then_some(&bsdfs[i].0));
-            let side_by_side = |of: &dyn Fn(usize) -> Vec3A| [0, 1, 2].map(|k| f32x8::new(std::array::from_fn(|i| of(i)[k])));
-            let reflection = Reflection8::new(&eight, &side_by_side(&|i| bsdfs[i].1));
+            let reflection = Reflection8::new(&eight, &side_by_side(std::array::from_fn(|i| bsdfs[i].1)));
             let found = [
                 reflection.coat_reflectance(),
                 reflection.emission(),
                 reflection.lit_by(illuminance, light),
-                reflection.lit_by_ambient(&side_by_side(&|i| bsdfs[i].2)),
+                reflection.lit_by_ambient(&side_by_side(std::array::from_fn(|i| bsdfs[i].2))),
             ];
             for i in (0..8).filter(|i| there >> i & 1 == 1) {
                 let (bsdf, view, ambient) = &bsdfs[i];

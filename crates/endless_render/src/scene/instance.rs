@@ -2,6 +2,7 @@
 
 use super::{Geometry, RigidVelocity};
 use crate::accel::{Blas, world_bounds};
+use endless_scene::Material;
 use endless_world::math::UnfusedMatrix;
 use endless_world::{ClassTag, InstanceId, SignalId, VehicleLights};
 use glam::{Affine3A, Mat3A, Vec3, Vec3A};
@@ -80,6 +81,13 @@ impl Instance {
     /// World-space boxes that together hold it closely.
     pub(crate) fn close_bounds(&self) -> impl Iterator<Item = (Vec3A, Vec3A)> {
         self.geometry.posed.bounds.iter().map(|&bounds| world_bounds(bounds, &self.world_from_object))
+    }
+
+    /// The material of a triangle, and its number in the mesh.
+    pub(crate) fn material_of(&self, triangle: u32) -> (u16, &Material) {
+        let mesh = &*self.geometry.mesh;
+        let number = mesh.triangle_materials[triangle as usize];
+        (number, &mesh.materials[usize::from(number)])
     }
 
     /// For the acceleration structure.

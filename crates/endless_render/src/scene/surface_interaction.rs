@@ -112,7 +112,7 @@ impl<'a> SurfaceInteraction<'a> {
         Self {
             instance,
             triangle: hit.triangle,
-            material: &mesh.materials[usize::from(mesh.triangle_materials[triangle])],
+            material: instance.material_of(hit.triangle).1,
             position: ray.origin + ray.direction * hit.t,
             geometric_normal,
             normal,

@@ -2,8 +2,7 @@
 //! [`SurfaceInteraction`](super::SurfaceInteraction), of which nothing else is needed where the first rays end.
 
 use super::Instance;
-use crate::vec3x8::{Vec3x8, dot};
-use endless_scene::Material;
+use crate::vec3x8::{Vec3x8, dot, normalize_or, splat};
 use endless_world::math::UnfusedVec3A;
 use glam::Vec3A;
 use wide::f32x8;
@@ -42,7 +41,6 @@ impl TriangleNormals {
 
     /// Where rays of these unit directions met it, at weights of its second and third vertex.
     pub(crate) fn at(&self, directions: &Vec3x8, [u, v]: [f32x8; 2]) -> Normals8 {
-        let splat = |v: Vec3A| v.to_array().map(f32x8::splat);
         let flat = splat(self.flat);
         let [a, b, c] = self.corners.map(splat);
         let w = f32x8::ONE - u - v;
@@ -74,22 +72,6 @@ impl Normals8 {
     }
 }
 
-impl Instance {
-    /// The material of a triangle, as its mesh numbers it.
-    pub(crate) fn material_of(&self, triangle: u32) -> (u16, &Material) {
-        let mesh = &*self.geometry.mesh;
-        let number = mesh.triangle_materials[triangle as usize];
-        (number, &mesh.materials[usize::from(number)])
-    }
-}
-
-/// [`Vec3A::normalize_or`], lane by lane.
-pub(super) fn normalize_or(v: Vec3x8, fallback: &Vec3x8) -> Vec3x8 {
-    let over = f32x8::ONE / dot(&v, &v).sqrt();
-    let usable = over.simd_gt(f32x8::ZERO) & over.simd_lt(f32x8::splat(f32::INFINITY));
-    std::array::from_fn(|k| usable.select(v[k] * over, fallback[k]))
-}
-
 /// The other way round in these lanes.
 fn flipped(v: &Vec3x8, lanes: f32x8) -> Vec3x8 {
     let sign = lanes & f32x8::splat(-0.0);
@@ -97,25 +79,28 @@ fn flipped(v: &Vec3x8, lanes: f32x8) -> Vec3x8 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::{Geometry, SurfaceInteraction};
+pub(super) mod tests {
+    use super::super::{Geometry, Instance, SurfaceInteraction};
     use super::*;
     use crate::accel::{Hit, Ray};
     use crate::sampling::{hammersley, sphere_direction};
-    use endless_scene::{MeshBuilder, Surface};
+    use crate::vec3x8::{lane_of, side_by_side};
+    use endless_scene::{Material, MeshBuilder, Surface};
     use endless_world::ClassTag;
     use glam::{Affine3A, Quat, Vec3};
 
-    #[test]
-    fn eight_are_those_of_one_after_another() {
+    /// A slab in three places, one of them mirrored: smooth over its edges, one of its triangles none. And how many triangles it
+    /// has.
+    pub(in super::super) fn slabs() -> ([Instance; 3], u32) {
         let mut builder = MeshBuilder::new();
         let material = Material::new(Surface::Concrete, [0.4; 3], ClassTag::Static);
         builder.cuboid(Vec3::new(-1.0, -1.2, 0.95), Vec3::new(1.0, 1.0, 1.0), material);
         let mut mesh = builder.finish();
-        // Smooth over the edges, and as long as interpolation leaves them.
+        // As long as interpolation leaves them.
         for (normal, position) in mesh.normals.iter_mut().zip(&mesh.positions) {
             *normal = (*normal + *position * 0.4).normalize();
         }
+        mesh.triangles[0][2] = mesh.triangles[0][1];
         let triangles = mesh.triangles.len() as u32;
         let turn = Quat::from_rotation_x(0.3) * Quat::from_rotation_z(1.1);
         let places = [
@@ -124,7 +109,23 @@ mod tests {
             Affine3A::from_scale_rotation_translation(Vec3::new(-1.0, 1.0, 1.0), turn, Vec3::ZERO),
         ];
         let geometry = Geometry::rigid(mesh);
-        let instances = places.map(|place| Instance::new(&geometry, place));
+        (places.map(|place| Instance::new(&geometry, place)), triangles)
+    }
+
+    /// Checks normals of eight hits by rays of these directions against those found one after the other.
+    pub(in super::super) fn check(eight: &Normals8, instances: &[Instance], hits: &[Hit; 8], directions: &[Vec3A; 8]) {
+        for (lane, (hit, &direction)) in hits.iter().zip(directions).enumerate() {
+            let ray = Ray { origin: Vec3A::ZERO, direction, tmax: f32::MAX };
+            let one = SurfaceInteraction::new(instances, &ray, hit);
+            let bits = |v: Vec3A| v.to_array().map(f32::to_bits);
+            assert_eq!(bits(lane_of(&eight.geometric, lane)), bits(one.geometric_normal));
+            assert_eq!(bits(lane_of(&eight.shading, lane)), bits(one.normal));
+        }
+    }
+
+    #[test]
+    fn eight_are_those_of_one_after_another() {
+        let (instances, triangles) = slabs();
         let count = 64;
         for (instance, triangle) in (0..3).flat_map(|i| (0..triangles).map(move |t| (i, t))) {
             for first in (0..count).step_by(8) {
@@ -135,16 +136,8 @@ mod tests {
                     Hit { t: 1.0, instance, triangle, u, v: (1.0 - u) * 0.3 * (i % 4) as f32 }
                 });
                 let weights = [hits.map(|hit| hit.u), hits.map(|hit| hit.v)].map(f32x8::new);
-                let eight = TriangleNormals::new(&instances[instance as usize], triangle)
-                    .at(&[0, 1, 2].map(|axis| f32x8::new(directions.map(|d| d[axis]))), weights);
-                let lane = |v: &Vec3x8, i: usize| Vec3A::from_array(v.map(|axis| axis.to_array()[i]));
-                for (i, (hit, direction)) in hits.iter().zip(directions).enumerate() {
-                    let ray = Ray { origin: Vec3A::ZERO, direction, tmax: f32::MAX };
-                    let one = SurfaceInteraction::new(&instances, &ray, hit);
-                    let bits = |v: Vec3A| v.to_array().map(f32::to_bits);
-                    assert_eq!(bits(lane(&eight.geometric, i)), bits(one.geometric_normal));
-                    assert_eq!(bits(lane(&eight.shading, i)), bits(one.normal));
-                }
+                let normals = TriangleNormals::new(&instances[instance as usize], triangle);
+                check(&normals.at(&side_by_side(directions), weights), &instances, &hits, &directions);
             }
         }
     }

@@ -3,7 +3,7 @@
 use super::Tracer;
 use crate::accel::Ray;
 use crate::light::PointLamp;
-use crate::vec3x8::Vec3x8;
+use crate::vec3x8::{Vec3x8, splat};
 use glam::Vec3A;
 use wide::f32x8;
 
@@ -33,6 +33,6 @@ pub(crate) fn halos8(tracer: &Tracer<'_>, origin: Vec3A, directions: &Vec3x8, di
 
 /// The same along one.
 pub(crate) fn halos(tracer: &Tracer<'_>, ray: &Ray, distance_m: f32) -> Vec3A {
-    let [glow, ..] = halos8(tracer, ray.origin, &ray.direction.to_array().map(f32x8::splat), f32x8::splat(distance_m));
+    let [glow, ..] = halos8(tracer, ray.origin, &splat(ray.direction), f32x8::splat(distance_m));
     glow
 }
