@@ -26,6 +26,17 @@ pub(super) struct FittedPiece {
     pub(super) cubic: Option<[[f64; 4]; 2]>,
 }
 
+/// The point of a reference line that is nearest to a place.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct NearestPoint {
+    pub(super) s: f64,
+    pub(super) place: DVec3,
+    /// Counter-clockwise from east, radians.
+    pub(super) heading: f64,
+    /// Rise over run of the line there.
+    pub(super) grade: f64,
+}
+
 /// A reference line with its height.
 #[derive(Debug, Clone)]
 pub(super) struct FittedLine {
@@ -61,32 +72,54 @@ impl FittedLine {
         line
     }
 
-    /// `s`, `t` and the direction of the line nearest to a place.
-    pub(super) fn nearest(&self, place: DVec2) -> (f64, f64, f64) {
-        let mut best = (f64::INFINITY, 0.0, 0.0, 0.0);
+    /// The point nearest to a place, seen from above.
+    pub(super) fn nearest(&self, place: DVec2) -> NearestPoint {
+        let mut best = (f64::INFINITY, 0.0, DVec2::ZERO, 0.0);
         for piece in &self.pieces {
-            let (sin, cos) = sin_cos(piece.heading);
             let n = if piece.cubic.is_some() { 16 } else { 1 };
-            let at = |k: usize| {
-                let p = k as f64 / f64::from(n as u32);
-                let local = match &piece.cubic {
-                    Some([u, v]) => DVec2::new(value(u, p), value(v, p)),
-                    None => DVec2::new(p * piece.length, 0.0),
-                };
-                piece.start + DVec2::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y)
-            };
+            let share_at = |k: usize| k as f64 / f64::from(n as u32);
             for k in 0..n {
-                let (a, b) = (at(k), at(k + 1));
+                let (a, b) = (piece.point(share_at(k)), piece.point(share_at(k + 1)));
                 let along = b - a;
                 let share = ((place - a).dot(along) / along.length_squared().max(1e-12)).clamp(0.0, 1.0);
-                let offset = place - (a + along * share);
-                if offset.length_squared() < best.0 {
-                    let s = piece.s + piece.length * (k as f64 + share) / f64::from(n as u32);
-                    best = (offset.length_squared(), s, along.normalize_or_zero().perp_dot(offset), angle(along));
+                let there = a + along * share;
+                let distance = place.distance_squared(there);
+                if distance < best.0 {
+                    let p = (k as f64 + share) / f64::from(n as u32);
+                    best = (distance, piece.s + piece.length * p, there, piece.heading_at(p));
                 }
             }
         }
-        (best.1, best.2, best.3)
+        let (_, s, there, heading) = best;
+        let (z, grade) = self.height(s);
+        NearestPoint { s, place: there.extend(z), heading, grade }
+    }
+
+    /// Height and rise over run at `s`.
+    fn height(&self, s: f64) -> (f64, f64) {
+        let after = self.heights.partition_point(|&(at, _)| at <= s).clamp(1, self.heights.len().max(2) - 1);
+        let [(s0, z0), (s1, z1)] = [after - 1, after].map(|i| self.heights.get(i).copied().unwrap_or((s, 0.0)));
+        let grade = if s1 > s0 { (z1 - z0) / (s1 - s0) } else { 0.0 };
+        (z0 + (s - s0) * grade, grade)
+    }
+}
+
+impl FittedPiece {
+    /// The point at a share of its length.
+    fn point(&self, share: f64) -> DVec2 {
+        let (sin, cos) = sin_cos(self.heading);
+        let local = match &self.cubic {
+            Some([u, v]) => DVec2::new(value(u, share), value(v, share)),
+            None => DVec2::new(share * self.length, 0.0),
+        };
+        self.start + DVec2::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y)
+    }
+
+    /// Its direction at a share of its length, radians.
+    fn heading_at(&self, share: f64) -> f64 {
+        let Some(cubic) = &self.cubic else { return self.heading };
+        let [du, dv] = cubic.map(|[_, b, c, d]| b + share * (2.0 * c + share * 3.0 * d));
+        wrap_angle(self.heading + atan2(dv, du))
     }
 }
 
@@ -184,14 +217,8 @@ mod tests {
             let (points, along) = tightened(&chain, &directions(&chain));
             let line = FittedLine::new(&points, &along);
             for piece in &line.pieces {
-                let (sin, cos) = sin_cos(piece.heading);
                 for k in 0..=20 {
-                    let p = f64::from(k) / 20.0;
-                    let local = match &piece.cubic {
-                        Some([u, v]) => DVec2::new(value(u, p), value(v, p)),
-                        None => DVec2::new(p * piece.length, 0.0),
-                    };
-                    let at = piece.start + DVec2::new(cos * local.x - sin * local.y, sin * local.x + cos * local.y);
+                    let at = piece.point(f64::from(k) / 20.0);
                     let off = chain.windows(2).map(|w| {
                         let (a, way) = (w[0].truncate(), (w[1] - w[0]).truncate());
                         let t = ((at - a).dot(way) / way.length_squared()).clamp(0.0, 1.0);

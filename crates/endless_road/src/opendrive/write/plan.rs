@@ -2,18 +2,24 @@
 
 use super::curve::{FittedLine, directions, tightened};
 use crate::{Junction, Lane, LaneId, RoadNetwork};
+use glam::{DVec2, DVec3};
 use std::collections::BTreeSet;
 
 /// Lanes of one road may be off their place beside its reference line by this, metres.
 const MOST_OFF_M: f64 = 0.008;
 
+/// Where an edge is shorter than its lane's middle by more than this share, lanes are laid from the middle.
+const LEAST_EDGE: f64 = 0.3;
+
 /// A road to write.
 pub(super) struct PlannedRoad {
     /// From left to right in the direction of travel.
     pub(super) lanes: Vec<LaneId>,
-    /// Of these, the lane whose centre is the reference line.
-    pub(super) reference: usize,
+    /// The reference line: the left edge of the leftmost lane, or in left-hand traffic the right edge of the rightmost.
+    /// In bends too sharp for that, the middle of that lane.
     pub(super) line: FittedLine,
+    /// `t` of that edge: 0, or half of that lane's width.
+    pub(super) lane_offset: f64,
     /// The junction it lies in.
     pub(super) junction: Option<usize>,
 }
@@ -93,18 +99,19 @@ impl<'a> WritePlan<'a> {
         for &lane in lanes {
             self.road_of[lane.index()] = self.roads.len();
         }
-        let line = if lanes.len() > 1 {
-            FittedLine::new(points, &along)
-        } else {
-            let (points, along) = tightened(points, &along);
-            FittedLine::new(&points, &along)
+        let (points, along) = if lanes.len() > 1 { (points.to_vec(), along) } else { tightened(points, &along) };
+        let half = 0.5 * network.lane(lanes[reference]).width_m;
+        let to_edge = if self.left_hand { -half } else { half };
+        let (line, lane_offset) = match edge(&points, &along, to_edge) {
+            Some(edge) => (FittedLine::new(&edge, &along), 0.0),
+            None => (FittedLine::new(&points, &along), to_edge),
         };
         let junction = network.lane(lanes[0]).junction.map(crate::JunctionId::index);
-        self.roads.push(PlannedRoad { lanes: lanes.to_vec(), reference, line, junction });
+        self.roads.push(PlannedRoad { lanes: lanes.to_vec(), line, lane_offset, junction });
         true
     }
 
-    /// `t` of the middle of lane `k`.
+    /// `t` of the middle of lane `k`, from the middle of the reference lane.
     fn offset(&self, lanes: &[LaneId], reference: usize, k: usize) -> f64 {
         let width = |k: usize| self.network.lane(lanes[k]).width_m;
         let (low, high) = (k.min(reference), k.max(reference));
@@ -193,10 +200,19 @@ impl<'a> WritePlan<'a> {
 
     /// The right edge of a road as `t`.
     pub(super) fn right_edge(&self, road: usize) -> f64 {
-        let planned = &self.roads[road];
-        let last = planned.lanes.len() - 1;
-        self.offset(&planned.lanes, planned.reference, last) - 0.5 * self.network.lane(planned.lanes[last]).width_m
+        let width: f64 = self.roads[road].lanes.iter().map(|&lane| self.network.lane(lane).width_m).sum();
+        self.roads[road].lane_offset - if self.left_hand { 0.0 } else { width }
     }
+}
+
+/// A chain moved to its left by `t`; `None` if that would fold it.
+fn edge(points: &[DVec3], directions: &[DVec2], t: f64) -> Option<Vec<DVec3>> {
+    let edge: Vec<DVec3> = points.iter().zip(directions).map(|(p, d)| *p + (d.perp() * t).extend(0.0)).collect();
+    let keeps = |(inner, middle): (&[DVec3], &[DVec3])| {
+        let along = (middle[1] - middle[0]).truncate();
+        (inner[1] - inner[0]).truncate().dot(along) > LEAST_EDGE * along.length_squared()
+    };
+    edge.windows(2).zip(points.windows(2)).all(keeps).then_some(edge)
 }
 
 /// The lanes of a lane's carriageway, from left to right, that no road has yet.

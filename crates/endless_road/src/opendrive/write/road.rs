@@ -5,8 +5,8 @@ use super::element::{ElementWriter, number};
 use super::plan::{RoadEndLink, WritePlan};
 use crate::{Crossing, Lane, LaneId, TrafficControl};
 use endless_world::SignalId;
-use endless_world::math::f64::{atan2, wrap_angle};
-use glam::DVec3;
+use endless_world::math::f64::{atan2, sin_cos};
+use glam::DVec2;
 use std::collections::BTreeMap;
 
 /// Signals stand this far from the edge of the road, metres.
@@ -119,13 +119,7 @@ pub(super) fn elevation(line: &FittedLine) -> ElementWriter {
 
 fn lanes(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     let planned = &plan.roads[place];
-    let half = 0.5 * plan.network.lane(planned.lanes[planned.reference]).width_m;
-    let offset = ElementWriter::new("laneOffset").with("s", "0").with_cubic([
-        if plan.left_hand { -half } else { half },
-        0.0,
-        0.0,
-        0.0,
-    ]);
+    let offset = ElementWriter::new("laneOffset").with("s", "0").with_cubic([planned.lane_offset, 0.0, 0.0, 0.0]);
     let centre = ElementWriter::new("lane")
         .with("id", "0")
         .with("type", "none")
@@ -195,7 +189,9 @@ fn outer_mark(plan: &WritePlan<'_>, lane: &Lane) -> ElementWriter {
 fn objects(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     let mut objects = ElementWriter::new("objects");
     for (number, crossing) in plan.network.crossings.iter().enumerate() {
-        let home = crossing.cuts.first().map(|cut| plan.road_of[cut.lane.index()]);
+        // CARLA counts the `t` of objects from the lane offset, the standard from the reference line.
+        let roads = || crossing.cuts.iter().map(|cut| plan.road_of[cut.lane.index()]);
+        let home = roads().find(|&road| plan.roads[road].lane_offset == 0.0).or_else(|| roads().next());
         if home == Some(place) {
             objects.push(crosswalk(plan, place, crossing, number));
         }
@@ -203,33 +199,47 @@ fn objects(plan: &WritePlan<'_>, place: usize) -> ElementWriter {
     objects
 }
 
+/// A crosswalk by its corners, in the plane of the road.
 fn crosswalk(plan: &WritePlan<'_>, place: usize, crossing: &Crossing, id: usize) -> ElementWriter {
-    let [a, b] = crossing.ends.map(DVec3::truncate);
-    let (s, t, direction) = plan.roads[place].line.nearest(a.midpoint(b));
-    let (half_length, half_width) = (0.5 * a.distance(b), 0.5 * crossing.width_m);
-    let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(u, v): (f64, f64)| {
-        ElementWriter::new("cornerLocal")
-            .with("u", number(u * half_length))
-            .with("v", number(v * half_width))
-            .with("z", "0")
-            .with("height", "0")
+    let [a, b] = crossing.ends;
+    let origin = plan.roads[place].line.nearest(a.midpoint(b).truncate());
+    let (sin, cos) = sin_cos(origin.heading);
+    let along = DVec2::new(cos, sin);
+    let side = (b - a).truncate().perp().normalize_or_zero() * (0.5 * crossing.width_m);
+    let corners = [(a, side), (a, -side), (b, -side), (b, side)].map(|(end, side)| {
+        let from_origin = end.truncate() + side - origin.place.truncate();
+        let u = from_origin.dot(along);
+        let height = end.z + origin.grade * side.dot(along) - origin.place.z;
+        [u, from_origin.dot(along.perp()), height - origin.grade * u]
     });
+    let corner = |[u, v, z]: [f64; 3]| {
+        ElementWriter::new("cornerLocal")
+            .with("u", number(u))
+            .with("v", number(v))
+            .with("z", number(z))
+            .with("height", "0")
+    };
+    let outline = || ElementWriter::new("outline").with("id", "0").with("closed", "true");
+    let extent = |axis: usize| 2.0 * corners.iter().map(|corner| corner[axis].abs()).fold(0.0, f64::max);
     ElementWriter::new("object")
         .with("id", id + 1)
         .with("name", "crosswalk")
         .with("type", "crosswalk")
-        .with("s", number(s))
-        .with("t", number(t))
+        .with("s", number(origin.s))
+        .with("t", "0")
         .with("zOffset", "0")
-        .with("hdg", number(wrap_angle(atan2(b.y - a.y, b.x - a.x) - direction)))
-        .with("pitch", "0")
+        .with("hdg", "0")
+        // Nose down is positive.
+        .with("pitch", number(-atan2(origin.grade, 1.0)))
         .with("roll", "0")
         .with("orientation", "none")
-        .with("length", number(2.0 * half_length))
-        .with("width", number(2.0 * half_width))
+        .with("length", number(extent(0)))
+        .with("width", number(extent(1)))
         .with("height", "0")
         .holding([
-            ElementWriter::new("outlines").holding([ElementWriter::new("outline").with("id", "0").holding(corners)])
+            // As version 1.4 has it, which CARLA reads, with the first corner again at the end.
+            outline().holding(corners.into_iter().chain([corners[0]]).map(corner)),
+            ElementWriter::new("outlines").holding([outline().holding(corners.map(corner))]),
         ])
 }
 
