@@ -2,7 +2,7 @@
 //!
 //! The ids, classes and sizes are those of CARLA 0.9.15's blueprint library.
 
-use crate::person::Appearance;
+use crate::person::{Appearance, Carried};
 use endless_world::ObjectClass::{self, Bicycle, Bus, Car, Motorcycle, Truck, Van};
 use endless_world::Stream;
 
@@ -67,12 +67,14 @@ pub(crate) fn walkers() -> impl Iterator<Item = String> {
     (1..=WALKERS).map(|n| format!("walker.pedestrian.{n:04}"))
 }
 
-/// The variant of a person that stands for one of CARLA's walkers: a child for a child, of its height.
-pub(crate) fn walker(id: &str) -> Option<u64> {
+fn walker_number(id: &str) -> Option<u32> {
     let n: u32 = id.strip_prefix("walker.pedestrian.").filter(|n| n.len() == 4)?.parse().ok()?;
-    if n == 0 || n > WALKERS {
-        return None;
-    }
+    (1..=WALKERS).contains(&n).then_some(n)
+}
+
+/// The variant of a person on foot that stands for one of CARLA's walkers: a child for a child, of its height.
+pub(crate) fn walker(id: &str) -> Option<u64> {
+    let n = walker_number(id)?;
     let child = CHILDREN.iter().find(|c| c.0 == n).map(|c| c.1);
     let mut stream = Stream::named(u64::from(n), "carla walker", &[]);
     loop {
@@ -80,8 +82,26 @@ pub(crate) fn walker(id: &str) -> Option<u64> {
         let appearance = Appearance::of(variant, false);
         match child {
             Some(height) if appearance.child() && (appearance.height - height).abs() < 0.06 => return Some(variant),
-            None if !appearance.child() => return Some(variant),
+            None if !appearance.child() && appearance.carried != Carried::Wheelchair => return Some(variant),
             _ => {}
+        }
+    }
+}
+
+/// The variant of a person in a wheelchair that stands for one of CARLA's grown-up walkers when it uses one: of the sex
+/// of the one on foot. None for children.
+pub(crate) fn walker_in_wheelchair(id: &str) -> Option<u64> {
+    let on_foot = Appearance::of(walker(id)?, false);
+    if on_foot.child() {
+        return None;
+    }
+    let mut stream = Stream::named(u64::from(walker_number(id)?), "carla walker in a wheelchair", &[]);
+    loop {
+        let variant = stream.next_u64();
+        let appearance = Appearance::of(variant, false);
+        let like = appearance.carried == Carried::Wheelchair && appearance.female == on_foot.female;
+        if like && !appearance.child() {
+            return Some(variant);
         }
     }
 }

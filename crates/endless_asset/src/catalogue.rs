@@ -97,6 +97,12 @@ impl Catalogue {
         carla::walker(id)
     }
 
+    /// The person (a variant) that stands for one of CARLA's grown-up walkers when it uses a wheelchair: of the same sex as
+    /// the one on foot. None for children.
+    pub fn carla_walker_in_wheelchair(id: &str) -> Option<u64> {
+        carla::walker_in_wheelchair(id)
+    }
+
     /// Ids of the blueprints of CARLA that have a counterpart here: vehicles, then walkers.
     pub fn carla_ids() -> (Vec<&'static str>, Vec<String>) {
         (carla::VEHICLES.iter().map(|b| b.0).collect(), carla::walkers().collect())

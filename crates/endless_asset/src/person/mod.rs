@@ -36,7 +36,7 @@ use glam::{Affine3A, Vec3};
 use std::sync::Arc;
 
 pub use anatomy::Anatomy;
-pub(crate) use appearance::Appearance;
+pub(crate) use appearance::{Appearance, Carried};
 pub use part::PersonTraits;
 pub(crate) use rider::{rider_attributes, rider_body, rider_keypoints, rider_reid, rider_skin_tone};
 pub(crate) use seeded::skin_tone;
