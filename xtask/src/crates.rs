@@ -11,7 +11,8 @@ const LAYERS: &[&[&str]] = &[
     &["endless_road", "endless_asset", "endless_render"],
     &["endless_town", "endless_annotate", "endless_sensor"],
     &["endless_traffic", "endless_city", "endless_dataset"],
-    &["endless_carla", "endless_interchange"],
+    &["endless_interchange"],
+    &["endless_carla"],
     &["endless_pipeline"],
     &["endless", "endless_fuzz"],
 ];

@@ -1,0 +1,6 @@
+//! CARLA's wire: the protocol of CARLA 0.9.16, as data and as a server.
+//!
+//! Lengths are metres, angles degrees and axes left-handed (x forward, y right, z up) on the wire, and nowhere else: all
+//! conversions to this workspace's frames are in this crate.
+
+pub mod wire;
