@@ -3,4 +3,6 @@
 //! Lengths are metres, angles degrees and axes left-handed (x forward, y right, z up) on the wire, and nowhere else: all
 //! conversions to this workspace's frames are in this crate.
 
+pub mod rpc;
+pub mod stream;
 pub mod wire;

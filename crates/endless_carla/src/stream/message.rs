@@ -1,0 +1,44 @@
+//! The header of all messages of streams, little-endian.
+
+use crate::wire::Transform;
+
+/// The type of messages that are snapshots, in 0.9.16.
+pub const WORLD_OBSERVER: u64 = 17;
+
+/// What begins a message.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SensorHeader {
+    /// What the payload is.
+    pub type_id: u64,
+    /// The frame.
+    pub frame: u64,
+    /// Seconds since the episode began.
+    pub timestamp: f64,
+    /// Where the sensor was.
+    pub transform: Transform,
+}
+
+impl SensorHeader {
+    /// Its size, bytes.
+    pub const SIZE: usize = 48;
+
+    /// A message of this header, with room for a payload of so many bytes.
+    pub fn begin(&self, payload: usize) -> Vec<u8> {
+        let mut message = Vec::with_capacity(Self::SIZE + payload);
+        message.extend(self.type_id.to_le_bytes());
+        message.extend(self.frame.to_le_bytes());
+        message.extend(self.timestamp.to_le_bytes());
+        push_transform(&mut message, &self.transform);
+        message
+    }
+}
+
+/// Place, then pitch, yaw and roll.
+pub(super) fn push_transform(message: &mut Vec<u8>, transform: &Transform) {
+    let Transform { location, rotation } = transform;
+    push_floats(message, &[location.x, location.y, location.z, rotation.pitch, rotation.yaw, rotation.roll]);
+}
+
+pub(super) fn push_floats(message: &mut Vec<u8>, numbers: &[f32]) {
+    message.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+}

@@ -1,0 +1,17 @@
+//! CARLA's streams: what sensors measure, and snapshots of the world. A client connects once a stream, sends its number, and
+//! is sent messages, each after its length.
+
+mod hub;
+mod image;
+mod listener;
+mod message;
+mod session;
+mod snapshot;
+mod token;
+
+pub use hub::{Delivery, StreamHub};
+pub use image::image_payload;
+pub use listener::listen_for_sessions;
+pub use message::{SensorHeader, WORLD_OBSERVER};
+pub use snapshot::{ActorRecord, ActorRecordState, EpisodeHeader, LightRecord, VehicleRecord, WalkerRecord, snapshot};
+pub use token::Token;
