@@ -3,6 +3,12 @@
 //! Lengths are metres, angles degrees and axes left-handed (x forward, y right, z up) on the wire, and nowhere else: all
 //! conversions to this workspace's frames are in this crate.
 
+mod blueprint;
 pub mod rpc;
 pub mod stream;
 pub mod wire;
+
+pub use blueprint::{
+    AttributeError, Attributes, BaseType, Blueprint, BlueprintKind, BlueprintLibrary, PropBlueprint, PropBody,
+    SensorKind, VehicleBlueprint, WalkerBlueprint,
+};

@@ -1,0 +1,45 @@
+//! What is neither a vehicle, a walker, a sensor nor a prop.
+
+use super::attribute::{floats, role_name};
+use super::entry::Blueprint;
+use super::kind::BlueprintKind;
+use super::label;
+use crate::wire::{ActorAttribute, BoundingBox, Vector3D};
+
+/// What clients may spawn.
+pub(super) fn spawnable() -> Vec<Blueprint> {
+    vec![
+        plain("controller.ai.walker", BlueprintKind::WalkerController, Vec::new()),
+        friction(),
+        plain("util.actor.empty", BlueprintKind::Empty, Vec::new()),
+    ]
+}
+
+/// What only a server spawns: clients see it as actors, not as blueprints.
+pub(super) fn of_the_server() -> Vec<Blueprint> {
+    let sign = |id: &str| plain(id, BlueprintKind::TrafficSign, vec![label::TRAFFIC_SIGNS]);
+    let mut blueprints = vec![
+        plain("spectator", BlueprintKind::Spectator, Vec::new()),
+        plain("traffic.traffic_light", BlueprintKind::TrafficLight, vec![label::TRAFFIC_LIGHT]),
+        sign("traffic.stop"),
+        sign("traffic.yield"),
+        sign("traffic.unknown"),
+    ];
+    // Kilometres an hour.
+    blueprints.extend((1..=13).map(|tens| sign(&format!("traffic.speed_limit.{}", 10 * tens))));
+    blueprints
+}
+
+fn plain(id: &str, kind: BlueprintKind, labels: Vec<u8>) -> Blueprint {
+    Blueprint::new(id, vec![role_name(&["default"])], kind, BoundingBox::default(), labels)
+}
+
+/// A box on whose ground wheels slip; its extents are in the attributes, of which CARLA does not tell the unit.
+fn friction() -> Blueprint {
+    let mut attributes: Vec<ActorAttribute> = vec![role_name(&["default"])];
+    attributes.extend(floats(&["friction"], "3.5"));
+    attributes.extend(floats(&["extent_x", "extent_y", "extent_z"], "1.0"));
+    let extent = Vector3D { x: 1.0, y: 1.0, z: 1.0 };
+    let bounding_box = BoundingBox { extent, ..BoundingBox::default() };
+    Blueprint::new("static.trigger.friction", attributes, BlueprintKind::FrictionTrigger, bounding_box, Vec::new())
+}
