@@ -4,6 +4,7 @@
 //! conversions to this workspace's frames are in this crate.
 
 mod blueprint;
+pub mod map;
 pub mod physics;
 pub mod rpc;
 pub mod stream;

@@ -1,0 +1,58 @@
+//! Heights of the ground.
+
+use super::surface::Surface;
+use glam::{DVec2, DVec3};
+use std::collections::HashMap;
+
+/// Side of the cells by which surfaces are found, metres.
+const CELL_M: f64 = 8.0;
+
+/// The surfaces of a town, found by place.
+#[derive(Debug, Clone)]
+pub(super) struct Ground {
+    surfaces: Vec<Surface>,
+    /// Indices into the surfaces, ascending.
+    cells: HashMap<[i32; 2], Vec<u32>>,
+}
+
+impl Ground {
+    pub(super) fn new(surfaces: Vec<Surface>) -> Self {
+        let mut cells: HashMap<[i32; 2], Vec<u32>> = HashMap::new();
+        for (index, surface) in (0..).zip(&surfaces) {
+            let [low, high] = surface.bounds().map(cell);
+            for x in low[0]..=high[0] {
+                for y in low[1]..=high[1] {
+                    cells.entry([x, y]).or_default().push(index);
+                }
+            }
+        }
+        Self { surfaces, cells }
+    }
+
+    pub(super) fn surfaces(&self) -> &[Surface] {
+        &self.surfaces
+    }
+
+    /// Of the surfaces at a place, the height of the one nearest to the place's own height; where some touch, of the one
+    /// that counts. `None` beside all of them.
+    pub(super) fn height(&self, place: DVec3) -> Option<f64> {
+        let at = place.truncate();
+        let there = self.cells.get(&cell(at)).into_iter().flatten().filter_map(|&index| {
+            let surface = &self.surfaces[index as usize];
+            Some((surface.kind, surface.height(at)?))
+        });
+        let mut best: Option<(f64, super::surface::SurfaceKind, f64)> = None;
+        for (kind, z) in there {
+            // Surfaces half a metre apart are levels of their own.
+            let level = ((z - place.z).abs() / 0.5).floor();
+            if best.is_none_or(|(least, of, _)| level < least || (level == least && kind > of)) {
+                best = Some((level, kind, z));
+            }
+        }
+        best.map(|(_, _, z)| z)
+    }
+}
+
+fn cell(place: DVec2) -> [i32; 2] {
+    [(place.x / CELL_M).floor() as i32, (place.y / CELL_M).floor() as i32]
+}
