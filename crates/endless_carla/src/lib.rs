@@ -4,9 +4,11 @@
 //! conversions to this workspace's frames are in this crate.
 
 mod blueprint;
+
 pub mod map;
 pub mod physics;
 pub mod rpc;
+pub mod server;
 pub mod stream;
 pub mod wire;
 

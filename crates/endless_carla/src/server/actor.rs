@@ -1,0 +1,149 @@
+//! Actors of an episode.
+
+use super::vehicle_actor::VehicleActor;
+use super::walker_actor::WalkerActor;
+use crate::blueprint::{Blueprint, SensorKind};
+use crate::wire::{Actor, Bytes, Transform, Vector3D};
+use endless_sensor::Imu;
+use endless_world::{GnssSettings, ImageSize, ImuSettings, LidarSettings, RadarSettings, SensorPose};
+
+/// An actor at an instant.
+pub(super) struct ServerActor {
+    /// What clients are told of it once.
+    pub(super) told: Actor,
+    /// In the world.
+    pub(super) transform: Transform,
+    /// Metres a second.
+    pub(super) velocity: Vector3D,
+    /// Degrees a second.
+    pub(super) angular_velocity: Vector3D,
+    /// Metres a second squared.
+    pub(super) acceleration: Vector3D,
+    /// Where it is on whom it is attached to.
+    pub(super) on_parent: Option<Transform>,
+    pub(super) body: Body,
+}
+
+/// What only actors of a kind have.
+pub(super) enum Body {
+    Vehicle(Box<VehicleActor>),
+    Walker(Box<WalkerActor>),
+    Sensor(SensorActor),
+    /// By its place in the map's list.
+    Light(usize),
+    /// By its number in the OpenDRIVE file.
+    Sign(String),
+    Other,
+}
+
+/// A sensor.
+pub(super) struct SensorActor {
+    pub(super) kind: SensorKind,
+    /// The number of its stream; 0 if it has none.
+    pub(super) stream: u32,
+    pub(super) model: SensorModel,
+    /// Seconds from one measurement to the next; 0 for every frame.
+    pub(super) tick_s: f64,
+    /// When it measures next, seconds of the episode.
+    pub(super) due_s: f64,
+    /// When it measured last, seconds of the episode, and where it was.
+    pub(super) last: Option<(f64, SensorPose)>,
+}
+
+/// How a sensor measures.
+#[derive(Debug, Clone)]
+pub(super) enum SensorModel {
+    Camera(CameraSettings),
+    Lidar(Box<LidarSettings>),
+    Radar(Box<RadarSettings>),
+    Imu(Box<ImuSettings>, Option<Box<Imu>>),
+    Gnss(Box<GnssSettings>),
+    /// It tells of what happens, not of every frame.
+    Event,
+}
+
+/// The picture of a camera.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct CameraSettings {
+    pub(super) size: ImageSize,
+    /// Across, degrees.
+    pub(super) fov_deg: f32,
+    /// It hangs on another actor.
+    pub(super) is_carried: bool,
+}
+
+impl SensorActor {
+    /// Whether it measures at this time of its episode; then it says when it does so next.
+    pub(super) fn measures(&mut self, now_s: f64) -> bool {
+        // A frame's time is a sum of many steps.
+        const ROUNDING_S: f64 = 1e-6;
+        if self.tick_s <= 0.0 {
+            return true;
+        }
+        let is_due = now_s + ROUNDING_S >= self.due_s;
+        if is_due {
+            let missed = ((now_s - self.due_s) / self.tick_s).floor().max(0.0);
+            self.due_s += (missed + 1.0) * self.tick_s;
+        }
+        is_due
+    }
+}
+
+impl ServerActor {
+    /// One of the server's own: the spectator, lights, signs.
+    pub(super) fn own(blueprint: &Blueprint, id: u32, transform: Transform, body: Body) -> Self {
+        let told = Actor {
+            id,
+            parent_id: 0,
+            description: blueprint.description(),
+            bounding_box: blueprint.bounding_box.clone(),
+            semantic_tags: Bytes(blueprint.semantic_tags.clone()),
+            stream_token: Bytes::default(),
+        };
+        Self::new(told, transform, body)
+    }
+
+    /// That does not move yet.
+    pub(super) fn new(told: Actor, transform: Transform, body: Body) -> Self {
+        let zero = Vector3D::default;
+        Self {
+            told,
+            transform,
+            velocity: zero(),
+            angular_velocity: zero(),
+            acceleration: zero(),
+            on_parent: None,
+            body,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sensors_measure_as_often_as_they_shall() {
+        let mut sensor = SensorActor {
+            kind: SensorKind::Collision,
+            stream: 1,
+            model: SensorModel::Event,
+            tick_s: 0.2,
+            due_s: 0.0,
+            last: None,
+        };
+        let mut measured = Vec::new();
+        let mut now_s = 0.0;
+        for frame in 0..20 {
+            now_s += 0.05;
+            if sensor.measures(now_s) {
+                measured.push(frame);
+            }
+        }
+        assert_eq!(measured, [0, 3, 7, 11, 15, 19]);
+        // After a long step it measures once.
+        assert!(sensor.measures(9.0) && !sensor.measures(9.05));
+        let mut always = SensorActor { tick_s: 0.0, ..sensor };
+        assert!(always.measures(9.1) && always.measures(9.1));
+    }
+}

@@ -1,0 +1,108 @@
+//! Maps as episodes need them.
+
+use super::error::ServerError;
+use crate::map::CarlaMap;
+use endless_asset::Catalogue;
+use endless_city::{SharedModels, TownScene};
+use endless_interchange::MapLibrary;
+use endless_render::{FrameDescription, FrameScene, Ray, RayCaster};
+use endless_town::Town;
+use endless_world::ClassTag;
+use glam::{DVec3, Vec3A};
+use std::sync::Arc;
+
+/// A map, ready for episodes.
+pub(super) struct LoadedMap {
+    pub(super) name: String,
+    pub(super) town: Town,
+    pub(super) scene: TownScene,
+    pub(super) roads: CarlaMap,
+    /// Nobody.
+    empty: FrameScene,
+}
+
+impl LoadedMap {
+    /// Height of what one can stand on under somebody who is about at a place, metres.
+    pub(super) fn ground(&self, place: DVec3) -> Option<f64> {
+        /// Kerbs and ramps that are climbed in a step, metres.
+        const CLIMBED_M: f32 = 0.6;
+        /// Leaves, wires and what else is fallen through.
+        const FALLEN_THROUGH: usize = 8;
+        let caster = RayCaster::new(self.scene.static_scene(), &self.empty);
+        let mut origin = Vec3A::from(place.as_vec3()) + CLIMBED_M * Vec3A::Z;
+        for _ in 0..FALLEN_THROUGH {
+            let hit = caster.closest(&Ray { origin, direction: Vec3A::NEG_Z, tmax: f32::MAX })?;
+            origin.z -= hit.distance;
+            if is_ground(hit.tag) {
+                return Some(origin.z.into());
+            }
+            origin.z -= 0.01;
+        }
+        None
+    }
+}
+
+/// What one can stand and drive on.
+fn is_ground(tag: ClassTag) -> bool {
+    use ClassTag::{Bridge, Ground, RailTrack, RoadLines, Roads, Sidewalks, Terrain};
+    matches!(tag, Roads | Sidewalks | Terrain | RoadLines | Ground | Bridge | RailTrack)
+}
+
+/// The maps there are, the last ones kept.
+pub(super) struct MapShelf {
+    pub(super) library: Arc<MapLibrary>,
+    models: Arc<SharedModels>,
+    kept: Vec<Arc<LoadedMap>>,
+}
+
+/// As many maps are kept for those who come back to them.
+const KEPT: usize = 2;
+
+impl MapShelf {
+    pub(super) fn new(library: MapLibrary) -> Self {
+        Self { library: Arc::new(library), models: Arc::default(), kept: Vec::new() }
+    }
+
+    /// The names that clients may load, as CARLA writes them.
+    pub(super) fn names(&self) -> Vec<String> {
+        let names = self.library.builtin_names().into_iter().chain(self.library.imported_names());
+        names.map(|name| format!("/Game/Carla/Maps/{name}")).collect()
+    }
+
+    /// A map by any way in which clients write its name.
+    pub(super) fn load(&mut self, name: &str) -> Result<Arc<LoadedMap>, ServerError> {
+        let name = own_name(name);
+        if let Some(place) = self.kept.iter().position(|map| map.name == name) {
+            let map = self.kept.remove(place);
+            self.kept.push(Arc::clone(&map));
+            return Ok(map);
+        }
+        let town = self.library.town(name)?;
+        let opendrive = self.library.opendrive(name)?;
+        let scene = TownScene::load_sharing(&town, self.library.catalogue(), Arc::clone(&self.models));
+        let scene = scene.map_err(|error| ServerError::Scene { map: name.to_owned(), reason: error.to_string() })?;
+        let roads = CarlaMap::new(&town, opendrive);
+        let map = Arc::new(LoadedMap {
+            name: name.to_owned(),
+            town,
+            scene,
+            roads,
+            empty: FrameScene::new(FrameDescription::default()),
+        });
+        if self.kept.len() >= KEPT {
+            self.kept.remove(0);
+        }
+        self.kept.push(Arc::clone(&map));
+        Ok(map)
+    }
+
+    pub(super) fn catalogue(&self) -> &Catalogue {
+        self.library.catalogue()
+    }
+}
+
+/// The last part of a path, without CARLA's word for maps in layers.
+fn own_name(name: &str) -> &str {
+    let last = name.rsplit('/').next().unwrap_or(name);
+    last.strip_suffix("_Opt").unwrap_or(last)
+}

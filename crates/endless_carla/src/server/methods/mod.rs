@@ -1,0 +1,35 @@
+//! The methods of the protocol, by what they are about.
+
+mod actors;
+mod batch;
+mod controls;
+mod environment;
+mod lights;
+mod map;
+mod rays;
+mod sensors;
+mod traffic_manager;
+mod world;
+
+use super::call::Method;
+use std::collections::BTreeMap;
+
+/// All that are supported, by name.
+pub(super) fn all() -> BTreeMap<&'static str, Method> {
+    [
+        world::METHODS,
+        map::METHODS,
+        rays::METHODS,
+        actors::METHODS,
+        batch::METHODS,
+        controls::METHODS,
+        environment::METHODS,
+        lights::METHODS,
+        sensors::METHODS,
+        traffic_manager::METHODS,
+    ]
+    .into_iter()
+    .flatten()
+    .copied()
+    .collect()
+}

@@ -1,0 +1,56 @@
+//! Versions, episodes, settings and time.
+
+use crate::rpc::Answer;
+use crate::server::call::{Call, Method};
+use crate::server::call_error::CallError;
+use crate::server::version::VERSION;
+use crate::server::world::World;
+use crate::wire::{EpisodeInfo, EpisodeSettings};
+
+type Result = std::result::Result<Answer, CallError>;
+
+pub(super) const METHODS: &[(&str, Method)] = &[
+    ("version", version),
+    ("get_episode_info", get_episode_info),
+    ("get_episode_settings", get_episode_settings),
+    ("set_episode_settings", set_episode_settings),
+    ("tick_cue", tick_cue),
+    ("load_new_episode", load_new_episode),
+];
+
+fn version(_: &mut World, _: &Call<'_>) -> Result {
+    Ok(Answer::of(&VERSION.to_owned()))
+}
+
+fn get_episode_info(world: &mut World, _: &Call<'_>) -> Result {
+    let token = world.token(world.episode.stream());
+    Ok(Answer::of(&EpisodeInfo { id: world.episode.id, token: vec![token] }))
+}
+
+fn get_episode_settings(world: &mut World, _: &Call<'_>) -> Result {
+    Ok(Answer::of(&world.settings))
+}
+
+/// Gives the current frame: clients wait for the snapshot of the frame that they are told.
+fn set_episode_settings(world: &mut World, call: &Call<'_>) -> Result {
+    /// The longest step that physics can follow, seconds.
+    const LONGEST_S: f64 = 10.0;
+    let settings: EpisodeSettings = call.request.argument(0)?;
+    if let Some(step_s) = settings.fixed_delta_seconds
+        && !(0.0..=LONGEST_S).contains(&step_s)
+    {
+        return Err(CallError::refused(format!("fixed_delta_seconds must be from 0 to {LONGEST_S}, not {step_s}")));
+    }
+    world.settings = settings;
+    Ok(Answer::of(&world.episode.frame))
+}
+
+fn tick_cue(world: &mut World, call: &Call<'_>) -> Result {
+    Ok(Answer::of(&world.tick(call.caller.id)))
+}
+
+fn load_new_episode(world: &mut World, call: &Call<'_>) -> Result {
+    let (map, reset_settings): (String, bool) = (call.request.argument(0)?, call.request.argument(1)?);
+    world.load(&map, reset_settings)?;
+    Ok(Answer::Void)
+}

@@ -1,0 +1,103 @@
+//! The server: our city behind CARLA's protocol.
+//!
+//! ```text
+//! clients ── rpc::listen ──► Engine ── methods ──► World ──► Episode: actors, time, weather, lights
+//!                              │ once a frame
+//!                              ├──► sensing: cameras, LiDARs and all others measure the city
+//!                              └──► StreamHub ──► sessions: what sensors measure, then the snapshot
+//! ```
+//! One thread owns the world. In synchronous mode it moves on when a client says so, else with the clock.
+
+mod actor;
+mod call;
+mod call_error;
+mod engine;
+mod episode;
+mod error;
+mod frames;
+mod loaded_map;
+mod methods;
+mod moving;
+mod sensing;
+mod sensor_model;
+mod signals;
+mod spawn;
+mod vehicle_actor;
+mod version;
+mod walker_actor;
+mod weather;
+mod world;
+
+use crate::rpc::listen;
+use crate::stream::{StreamHub, listen_for_sessions};
+use endless_interchange::MapLibrary;
+use engine::Engine;
+use loaded_map::MapShelf;
+use std::net::{IpAddr, SocketAddr, TcpListener};
+use std::sync::Arc;
+use std::sync::mpsc::sync_channel;
+use std::thread;
+use world::World;
+
+pub use error::ServerError;
+pub use version::VERSION;
+
+/// Requests that wait.
+const QUEUE: usize = 4096;
+
+/// How a server runs.
+#[derive(Debug, Clone)]
+pub struct ServerSettings {
+    /// Who may connect: this machine alone, unless another address is given.
+    pub bind: IpAddr,
+    /// Of requests; the next one is that of streams. 0 for any.
+    pub port: u16,
+    /// The first map.
+    pub map: String,
+    /// Of all that is drawn.
+    pub seed: u64,
+}
+
+/// A server that has its ports and its first map.
+pub struct Server {
+    engine: Engine,
+    address: SocketAddr,
+}
+
+impl Server {
+    /// Opens the ports, and loads the map.
+    ///
+    /// # Errors
+    /// When a port cannot be had or the map cannot be loaded.
+    pub fn bind(settings: &ServerSettings, library: MapLibrary) -> Result<Self, ServerError> {
+        let open = |port: u16| {
+            let address = SocketAddr::new(settings.bind, port);
+            TcpListener::bind(address).map_err(|source| ServerError::Listen { address, source })
+        };
+        let rpc = open(settings.port)?;
+        let address = rpc.local_addr().map_err(ServerError::Thread)?;
+        let streams = open(if settings.port == 0 { 0 } else { address.port().saturating_add(1) })?;
+        let stream_port = streams.local_addr().map_err(ServerError::Thread)?.port();
+        let shelf = MapShelf::new(library);
+        let hub = Arc::new(StreamHub::default());
+        let (sender, events) = sync_channel(QUEUE);
+        let world = World::new(&settings.map, settings.seed, shelf, Arc::clone(&hub), stream_port)?;
+        let engine = Engine::new(world, events);
+        let spawn = |name: &str, work: Box<dyn FnOnce() + Send>| {
+            thread::Builder::new().name(name.to_owned()).spawn(work).map(drop).map_err(ServerError::Thread)
+        };
+        spawn("rpc", Box::new(move || listen(&rpc, &sender)))?;
+        spawn("streams", Box::new(move || listen_for_sessions(&streams, &hub)))?;
+        Ok(Self { engine, address })
+    }
+
+    /// Where it listens for requests.
+    pub fn address(&self) -> SocketAddr {
+        self.address
+    }
+
+    /// Serves for ever.
+    pub fn run(self) {
+        self.engine.run();
+    }
+}

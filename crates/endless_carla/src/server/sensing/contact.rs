@@ -1,0 +1,65 @@
+//! Collision sensors: who meets whom.
+
+use super::inertial::message;
+use crate::blueprint::SensorKind;
+use crate::physics::{Contact, Party};
+use crate::server::actor::Body;
+use crate::server::episode::Episode;
+use crate::server::frames;
+use crate::stream::{SensorHeader, StreamHub};
+use crate::wire::{Actor, Wire};
+use glam::DVec3;
+use rmpv::Value;
+
+/// What collision sensors tell of the contacts of this frame: `[who carries the sensor, whom it met, impulse]`, N s.
+pub(super) fn collisions(episode: &Episode, hub: &StreamHub) -> Vec<(u32, Vec<u8>)> {
+    let mut messages = Vec::new();
+    for contact in &episode.contacts {
+        for (own, other, impulse) in sides(contact) {
+            let Party::Body(own) = own else { continue };
+            for (stream, header) in sensors_of(episode, own) {
+                if !hub.is_heard(stream) {
+                    continue;
+                }
+                let (Some(carrier), other) = (episode.actors.get(&own), told(episode, other)) else { continue };
+                let impulse = frames::to_carla(impulse.as_vec3()).to_value();
+                let payload = Value::Array(vec![carrier.told.to_value(), other.to_value(), impulse]);
+                messages.push((stream, message(&header, &payload)));
+            }
+        }
+    }
+    messages
+}
+
+/// A contact as each of both feels it.
+fn sides(contact: &Contact) -> [(Party, Party, DVec3); 2] {
+    [(contact.a, contact.b, -contact.impulse), (contact.b, contact.a, contact.impulse)]
+}
+
+/// Whom something met: an actor, or a thing of the map.
+fn told(episode: &Episode, party: Party) -> Actor {
+    let actor = match party {
+        Party::Body(id) => episode.actors.get(&id).map(|actor| actor.told.clone()),
+        Party::Obstacle(_) => None,
+    };
+    actor.unwrap_or_else(|| {
+        let mut thing = Actor::default();
+        thing.description.id = "static.building".to_owned();
+        thing
+    })
+}
+
+fn sensors_of(episode: &Episode, carrier: u32) -> impl Iterator<Item = (u32, SensorHeader)> {
+    episode.actors.values().filter_map(move |actor| match &actor.body {
+        Body::Sensor(sensor) if sensor.kind == SensorKind::Collision && actor.told.parent_id == carrier => {
+            let header = SensorHeader {
+                type_id: sensor.kind.stream_type_id(),
+                frame: episode.frame,
+                timestamp: episode.elapsed_s,
+                transform: actor.transform.clone(),
+            };
+            Some((sensor.stream, header))
+        }
+        _ => None,
+    })
+}

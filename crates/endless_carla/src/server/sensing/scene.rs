@@ -1,0 +1,66 @@
+//! Actors as the renderer draws them.
+
+use crate::server::actor::{Body, ServerActor};
+use crate::server::episode::Episode;
+use crate::server::frames;
+use crate::wire::Transform;
+use endless_asset::Catalogue;
+use endless_city::ActorModels;
+use endless_render::FrameScene;
+use endless_world::{Actor, Behaviour, InstanceId, Motion, ObjectClass, WorldState};
+
+/// The models of an episode's actors, made again when others come.
+#[derive(Default)]
+pub(super) struct ActorScene {
+    made: Option<(u64, ActorModels)>,
+}
+
+impl ActorScene {
+    /// What moves at this instant.
+    pub(super) fn at(&mut self, episode: &Episode, catalogue: &Catalogue) -> FrameScene {
+        let actors: Vec<Actor> = episode.actors.values().filter_map(|actor| drawn(actor, episode.elapsed_s)).collect();
+        let is_known = self.made.as_ref().is_some_and(|(population, _)| *population == episode.population);
+        if !is_known {
+            self.made = Some((episode.population, ActorModels::in_town(&episode.map.scene, catalogue, &actors)));
+        }
+        let state =
+            WorldState { frame: episode.frame as u32, time_s: episode.elapsed_s, actors, signals: episode.signals() };
+        match &self.made {
+            Some((_, models)) => models.frame_scene(&state),
+            None => ActorModels::new(catalogue, &[]).frame_scene(&state),
+        }
+    }
+}
+
+/// Vehicles and people; their number in pictures is that of the actor.
+fn drawn(actor: &ServerActor, time_s: f64) -> Option<Actor> {
+    let id = InstanceId((actor.told.id & 0xffff) as u16);
+    let (class, asset, motion, rider) = match &actor.body {
+        Body::Vehicle(vehicle) => {
+            (vehicle.class, vehicle.asset.into(), Motion::Vehicle(vehicle.motion()), vehicle.is_ridden.then_some(id))
+        }
+        Body::Walker(walker) => {
+            (ObjectClass::Pedestrian, walker.asset.into(), Motion::Walker(walker.motion(time_s)), None)
+        }
+        _ => return None,
+    };
+    Some(Actor {
+        id,
+        rider_id: rider,
+        class,
+        asset,
+        pose: frames::pose(&on_ground(actor)),
+        velocity_mps: frames::from_carla(&actor.velocity),
+        motion,
+        behaviour: Behaviour::default(),
+        parked: false,
+    })
+}
+
+/// CARLA's people have their place in their middle, ours under their feet.
+fn on_ground(actor: &ServerActor) -> Transform {
+    match &actor.body {
+        Body::Walker(walker) => walker.on_ground(&actor.transform),
+        _ => actor.transform.clone(),
+    }
+}

@@ -1,0 +1,106 @@
+//! Actors that come and go.
+
+use super::actor::{Body, SensorActor, ServerActor};
+use super::call_error::CallError;
+use super::episode::Episode;
+use super::frames;
+use super::sensor_model::sensor_model;
+use super::vehicle_actor::VehicleActor;
+use super::walker_actor::WalkerActor;
+use super::world::World;
+use crate::blueprint::{Attributes, BlueprintKind, SensorKind};
+use crate::wire::{Actor, ActorDescription, Bytes, Transform};
+
+impl World {
+    /// Makes an actor where its transform says, in the world or on its parent; gives its number.
+    pub(super) fn spawn(
+        &mut self,
+        description: &ActorDescription,
+        transform: Transform,
+        parent: Option<u32>,
+    ) -> Result<u32, CallError> {
+        let invalid = || CallError::refused("Spawn failed because of invalid actor description");
+        let blueprint = self.blueprints.spawnable(description).ok_or_else(invalid)?.clone();
+        if !frames::is_finite(&transform) {
+            return Err(CallError::refused("Spawn failed because of a transform that is no place"));
+        }
+        let placed = match parent {
+            None => transform.clone(),
+            Some(parent) => frames::attached(&self.episode.actor(parent)?.transform, &transform),
+        };
+        let attributes = blueprint.attributes(description);
+        let description = attributes.complete()?;
+        let episode = &mut self.episode;
+        let id = episode.allocate_id();
+        let (body, placed) = match blueprint.kind {
+            BlueprintKind::Sensor(kind) => (sensor(kind, &attributes, parent.is_some(), episode)?, placed),
+            BlueprintKind::Vehicle(vehicle) => {
+                let body = VehicleActor::new(&vehicle, &attributes, self.shelf.catalogue(), id, &placed)?;
+                if episode.is_taken(&body.body.outline()) {
+                    return Err(CallError::refused("Spawn failed because of collision at spawn position"));
+                }
+                (Body::Vehicle(Box::new(body)), placed)
+            }
+            BlueprintKind::Walker(walker) => {
+                let body = WalkerActor::new(&walker, &blueprint, &attributes, &placed)?;
+                (Body::Walker(Box::new(body)), placed)
+            }
+            _ => (Body::Other, placed),
+        };
+        let token = match &body {
+            Body::Sensor(sensor) if sensor.stream != 0 => {
+                self.hub.open(sensor.stream);
+                self.token(sensor.stream)
+            }
+            _ => Bytes::default(),
+        };
+        let told = Actor {
+            id,
+            parent_id: parent.unwrap_or(0),
+            description,
+            bounding_box: crate::wire::BoundingBox { actor_id: id, ..blueprint.bounding_box.clone() },
+            semantic_tags: Bytes(blueprint.semantic_tags.clone()),
+            stream_token: token,
+        };
+        let actor = ServerActor { on_parent: parent.map(|_| transform), ..ServerActor::new(told, placed, body) };
+        self.episode.insert(actor);
+        Ok(id)
+    }
+
+    /// Takes an actor away, and what is attached to it; gives whether it was there.
+    pub(super) fn destroy(&mut self, id: u32) -> bool {
+        let is_own = |actor: &ServerActor| matches!(actor.body, Body::Light(_) | Body::Sign(_));
+        if id == self.episode.spectator || self.episode.actors.get(&id).is_none_or(is_own) {
+            return false;
+        }
+        let children: Vec<u32> = self
+            .episode
+            .actors
+            .values()
+            .filter(|actor| actor.told.parent_id == id)
+            .map(|actor| actor.told.id)
+            .collect();
+        for child in children {
+            self.destroy(child);
+        }
+        if let Some(gone) = self.episode.remove(id)
+            && let Body::Sensor(sensor) = gone.body
+        {
+            self.hub.close(sensor.stream);
+            self.sensing.forget(sensor.stream);
+        }
+        true
+    }
+}
+
+fn sensor(
+    kind: SensorKind,
+    attributes: &Attributes<'_>,
+    is_carried: bool,
+    episode: &mut Episode,
+) -> Result<Body, CallError> {
+    let model = sensor_model(kind, attributes, is_carried)?;
+    let stream = if kind.streams() { episode.allocate_stream() } else { 0 };
+    let tick_s = if attributes.has("sensor_tick") { attributes.sensor_tick_secs()? } else { 0.0 };
+    Ok(Body::Sensor(SensorActor { kind, stream, model, tick_s, due_s: episode.elapsed_s, last: None }))
+}

@@ -1,0 +1,135 @@
+//! Vehicles.
+
+use super::call_error::CallError;
+use super::frames;
+use crate::blueprint::{Attributes, VehicleBlueprint};
+use crate::physics::{AckermannController, VehicleBody, VehicleShape};
+use crate::wire::{
+    AckermannControllerSettings, Transform, Vector3D, VehicleAckermannControl, VehicleControl, VehiclePhysicsControl,
+    VehicleTelemetryData,
+};
+use endless_asset::Catalogue;
+use endless_world::{ObjectClass, VehicleLights, VehicleMotion, VehicleRef};
+
+/// A vehicle.
+pub(super) struct VehicleActor {
+    pub(super) asset: VehicleRef,
+    pub(super) class: ObjectClass,
+    /// Somebody sits on it.
+    pub(super) is_ridden: bool,
+    pub(super) body: VehicleBody,
+    pub(super) control: VehicleControl,
+    ackermann: Option<VehicleAckermannControl>,
+    controller: AckermannController,
+    lights: VehicleLights,
+}
+
+impl VehicleActor {
+    pub(super) fn new(
+        blueprint: &VehicleBlueprint,
+        attributes: &Attributes<'_>,
+        catalogue: &Catalogue,
+        id: u32,
+        transform: &Transform,
+    ) -> Result<Self, CallError> {
+        let color = if attributes.has("color") { Some(attributes.color("color")?) } else { None };
+        let asset = blueprint.reference(catalogue, color, u64::from(id));
+        let model = catalogue.vehicle(asset.model).ok_or_else(|| CallError::refused("there is no such vehicle"))?;
+        let spec = &model.spec;
+        let shape = VehicleShape {
+            class: spec.class,
+            length_m: spec.length_m.into(),
+            width_m: spec.width_m.into(),
+            height_m: spec.height_m.into(),
+            front_axle_m: spec.front_axle_m.into(),
+            rear_axle_m: spec.rear_axle_m.into(),
+            wheel_radius_m: spec.wheel_radius_m.into(),
+            mass_kg: Some(blueprint.mass_kg.into()),
+            electric: blueprint.special_type == "electric",
+        };
+        Ok(Self {
+            asset,
+            class: spec.class,
+            is_ridden: spec.ridden,
+            body: VehicleBody::new(shape, frames::place(transform)),
+            control: VehicleControl::default(),
+            ackermann: None,
+            controller: AckermannController::default(),
+            lights: VehicleLights::empty(),
+        })
+    }
+
+    /// What is seen of it.
+    pub(super) fn motion(&self) -> VehicleMotion {
+        let mut lights = self.lights;
+        // Brakes and gears switch these by themselves.
+        lights.set(VehicleLights::BRAKE, lights.contains(VehicleLights::BRAKE) || self.control.brake > 0.05);
+        lights.set(VehicleLights::REVERSE, lights.contains(VehicleLights::REVERSE) || self.control.reverse);
+        let [left, right, ..] = self.body.wheel_angles_rad();
+        VehicleMotion {
+            speed_mps: self.body.speed_mps() as f32,
+            rolled_m: self.body.rolled_m() as f32,
+            steer_rad: (0.5 * (left + right)) as f32,
+            hitch_rad: 0.0,
+            lights,
+        }
+    }
+
+    /// Before a step: its pedals, where a speed and an angle are wanted of it.
+    pub(super) fn drive(&mut self, step_s: f64) {
+        if let Some(wanted) = &self.ackermann {
+            self.control = self.controller.run(wanted, &self.body, step_s);
+        }
+    }
+
+    pub(super) fn apply_control(&mut self, control: &VehicleControl) {
+        self.ackermann = None;
+        self.control = control.clone();
+    }
+
+    pub(super) fn apply_ackermann(&mut self, control: &VehicleAckermannControl) {
+        if self.ackermann.is_none() {
+            self.controller.reset();
+        }
+        self.ackermann = Some(control.clone());
+    }
+
+    pub(super) fn ackermann_settings(&self) -> AckermannControllerSettings {
+        self.controller.settings().clone()
+    }
+
+    pub(super) fn set_ackermann_settings(&mut self, settings: &AckermannControllerSettings) {
+        self.controller.set_settings(settings);
+    }
+
+    pub(super) fn physics_control(&self) -> VehiclePhysicsControl {
+        self.body.physics_control()
+    }
+
+    pub(super) fn set_physics_control(&mut self, control: &VehiclePhysicsControl) {
+        self.body.set_physics_control(control);
+    }
+
+    pub(super) fn telemetry(&self) -> VehicleTelemetryData {
+        self.body.telemetry()
+    }
+
+    /// Keeps a velocity in its own frame, or lets go of it.
+    pub(super) fn hold_velocity(&mut self, velocity: Option<&Vector3D>) {
+        self.body.set_constant_velocity(velocity.map(|velocity| frames::from_carla(velocity).as_dvec3()));
+    }
+
+    pub(super) fn lights(&self) -> u32 {
+        self.lights.bits()
+    }
+
+    pub(super) fn set_lights(&mut self, flags: u32) {
+        self.lights = VehicleLights::from_bits_retain(flags);
+    }
+
+    /// Of a wheel (front left, front right, rear left, rear right), degrees to the right.
+    pub(super) fn wheel_steer_deg(&self, wheel: u8) -> f32 {
+        let angles = self.body.wheel_angles_rad();
+        -angles[usize::from(wheel) & 3].to_degrees() as f32
+    }
+}

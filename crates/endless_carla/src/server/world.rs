@@ -1,0 +1,119 @@
+//! The world that clients share: an episode, how its time runs, and what measures it.
+
+use super::call_error::CallError;
+use super::episode::Episode;
+use super::error::ServerError;
+use super::loaded_map::MapShelf;
+use super::sensing::Sensing;
+use crate::blueprint::BlueprintLibrary;
+use crate::rpc::ConnectionId;
+use crate::stream::{Delivery, StreamHub, Token};
+use crate::wire::{Bytes, EpisodeSettings};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+use std::time::Instant;
+
+/// Frames a second without a fixed step.
+const USUAL_FPS: f64 = 30.0;
+
+/// The world that clients share.
+pub(super) struct World {
+    pub(super) shelf: MapShelf,
+    pub(super) blueprints: BlueprintLibrary,
+    pub(super) episode: Episode,
+    pub(super) settings: EpisodeSettings,
+    pub(super) sensing: Sensing,
+    pub(super) hub: Arc<StreamHub>,
+    /// Their hosts, by port.
+    pub(super) traffic_managers: BTreeMap<u16, String>,
+    /// Who made time pass last in synchronous mode.
+    pub(super) ticking: Option<ConnectionId>,
+    seed: u64,
+    stream_port: u16,
+    begun: Instant,
+}
+
+impl World {
+    /// With its first episode, on this map.
+    pub(super) fn new(
+        map: &str,
+        seed: u64,
+        mut shelf: MapShelf,
+        hub: Arc<StreamHub>,
+        stream_port: u16,
+    ) -> Result<Self, ServerError> {
+        let map = shelf.load(map)?;
+        let blueprints = BlueprintLibrary::new();
+        let world = Self {
+            episode: Episode::new(map, seed, &blueprints, None),
+            shelf,
+            blueprints,
+            settings: EpisodeSettings::default(),
+            sensing: Sensing::default(),
+            hub,
+            traffic_managers: BTreeMap::new(),
+            ticking: None,
+            seed,
+            stream_port,
+            begun: Instant::now(),
+        };
+        world.hub.open(world.episode.stream());
+        Ok(world)
+    }
+
+    /// Seconds from frame to frame.
+    pub(super) fn step_s(&self) -> f64 {
+        self.settings.fixed_delta_seconds.filter(|s| *s > 0.0).unwrap_or(1.0 / USUAL_FPS)
+    }
+
+    /// A client lets time pass; gives the new frame. In asynchronous mode it passes by itself.
+    pub(super) fn tick(&mut self, by: ConnectionId) -> u64 {
+        if self.settings.synchronous_mode {
+            self.ticking = Some(by);
+            self.hub.wait_for_expected();
+            self.advance(self.step_s());
+        }
+        self.episode.frame
+    }
+
+    /// Time passes: as much as the settings say, else so much.
+    pub(super) fn advance(&mut self, passed_s: f64) {
+        let step_s = self.settings.fixed_delta_seconds.filter(|s| *s > 0.0).unwrap_or(passed_s);
+        self.episode.step(step_s);
+        let delivery = if self.settings.synchronous_mode { Delivery::Every } else { Delivery::Latest };
+        let sees = !self.settings.no_rendering_mode;
+        self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
+        // After what was measured, so that a client whose tick has ended has it on its way.
+        let message = self.episode.snapshot(self.begun.elapsed().as_secs_f64());
+        self.hub.publish(self.episode.stream(), message, delivery);
+    }
+
+    /// Another episode begins, on this map or another.
+    pub(super) fn load(&mut self, map: &str, reset_settings: bool) -> Result<(), CallError> {
+        let map = match map {
+            "" => Arc::clone(&self.episode.map),
+            name => self.shelf.load(name).map_err(|error| CallError::refused(error.to_string()))?,
+        };
+        self.begin(map, reset_settings);
+        Ok(())
+    }
+
+    /// Another episode begins on this map.
+    pub(super) fn begin(&mut self, map: Arc<super::loaded_map::LoadedMap>, reset_settings: bool) {
+        if reset_settings {
+            self.settings = EpisodeSettings::default();
+        }
+        let next = Episode::new(map, self.seed, &self.blueprints, Some(&self.episode));
+        for stream in self.episode.streams() {
+            self.hub.close(stream);
+        }
+        self.episode = next;
+        self.sensing = Sensing::default();
+        self.hub.open(self.episode.stream());
+    }
+
+    /// What tells a client where a stream is.
+    pub(super) fn token(&self, stream: u32) -> Bytes {
+        Token { stream, port: self.stream_port }.bytes()
+    }
+}
