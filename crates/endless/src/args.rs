@@ -35,6 +35,24 @@ pub(crate) enum Command {
     Maps(MapsArgs),
     /// List, preview and export vehicles, people, buildings, plants and street furniture.
     Assets(AssetsArgs),
+    /// Be a CARLA server: scripts that are written for CARLA 0.9.16 run on the built-in city.
+    Serve(ServeArgs),
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct ServeArgs {
+    /// The first map; clients may load others.
+    #[arg(long, default_value = "Town10HD")]
+    pub(crate) map: String,
+    /// Port of requests; that of streams is the next one. 0 for any two that are free.
+    #[arg(long, default_value_t = 2000)]
+    pub(crate) port: u16,
+    /// Address on which to listen: this machine alone, unless another is given.
+    #[arg(long, default_value = "127.0.0.1")]
+    pub(crate) bind: std::net::IpAddr,
+    /// Of all that is drawn.
+    #[arg(long, default_value_t = 0)]
+    pub(crate) seed: u64,
 }
 
 #[derive(Debug, Args)]

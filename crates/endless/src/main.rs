@@ -14,6 +14,7 @@ mod maps;
 mod recipe_args;
 mod report;
 mod schema;
+mod serve;
 mod threads;
 
 use args::{Cli, Command};
@@ -56,6 +57,7 @@ fn run() -> ExitCode {
         Command::Check(args) => check::run(&args, threads),
         Command::Schema => schema::run(),
         Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args, threads),
+        Command::Serve(args) => on_threads(threads, || serve::run(library, &args)),
         Command::Assets(args) => on_threads(threads, || assets::run(library, args)),
         Command::Maps(args) => on_threads(threads, || maps::run(&library, args)),
     };
