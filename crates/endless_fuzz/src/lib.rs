@@ -12,6 +12,7 @@
 //! assert_eq!((OPENDRIVE.judge)(b"<OpenDRIVE/>"), Ok(()));
 //! ```
 
+mod carla;
 mod dataset;
 mod model;
 mod mutate;
@@ -21,6 +22,7 @@ mod road;
 mod target;
 mod tracks;
 
+pub use carla::CARLA;
 pub use dataset::DATASET;
 pub use model::{MANIFEST, MODEL};
 pub use pbf::pbf_from_extract;
@@ -30,4 +32,4 @@ pub use target::FuzzTarget;
 pub use tracks::TRACKS;
 
 /// All targets.
-pub const TARGETS: &[FuzzTarget] = &[OPENDRIVE, OSM, PBF, MODEL, MANIFEST, RECIPE, CAMERAS, DATASET, TRACKS];
+pub const TARGETS: &[FuzzTarget] = &[OPENDRIVE, OSM, PBF, MODEL, MANIFEST, RECIPE, CAMERAS, DATASET, TRACKS, CARLA];
