@@ -148,6 +148,11 @@ impl Episode {
         self.next_id
     }
 
+    /// Whether an actor has ever had this number.
+    pub(super) fn has_given(&self, id: u32) -> bool {
+        id != 0 && id <= self.next_id
+    }
+
     /// A number for another stream.
     pub(super) fn allocate_stream(&mut self) -> u32 {
         self.next_stream += 1;

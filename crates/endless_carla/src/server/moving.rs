@@ -25,6 +25,12 @@ impl Episode {
         self.actors.get(&id).ok_or_else(|| CallError::no_actor(id))
     }
 
+    /// Whether an actor was there and has gone: the client's TrafficManager asks after such from a thread of its own, and what
+    /// it is refused ends the program.
+    pub(super) fn has_gone(&self, id: u32) -> bool {
+        self.has_given(id) && !self.actors.contains_key(&id)
+    }
+
     fn actor_mut(&mut self, id: u32) -> Result<&mut ServerActor, CallError> {
         self.actors.get_mut(&id).ok_or_else(|| CallError::no_actor(id))
     }

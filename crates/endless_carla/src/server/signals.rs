@@ -8,6 +8,7 @@ use crate::map::LightState;
 use crate::stream::{LightRecord, VehicleRecord};
 use crate::wire::BoundingBox;
 use endless_world::{SignalAspect, SignalState};
+use std::sync::Arc;
 
 /// Kilometres an hour far from all lanes.
 const USUAL_LIMIT: f32 = 50.0;
@@ -15,7 +16,7 @@ const USUAL_LIMIT: f32 = 50.0;
 impl Episode {
     /// Puts up the lights and signs of the map.
     pub(super) fn put_up_signals(&mut self, blueprints: &BlueprintLibrary) {
-        let map = std::sync::Arc::clone(&self.map);
+        let map = Arc::clone(&self.map);
         if let Some(blueprint) = blueprints.find("traffic.traffic_light") {
             for (place, light) in map.roads.traffic_lights().iter().enumerate() {
                 let id = self.allocate_id();

@@ -9,7 +9,7 @@ use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
 use super::world::World;
 use crate::blueprint::{Attributes, BlueprintKind, SensorKind};
-use crate::wire::{Actor, ActorDescription, Bytes, Transform};
+use crate::wire::{Actor, ActorDescription, BoundingBox, Bytes, Transform};
 
 impl World {
     /// Makes an actor where its transform says, in the world or on its parent; gives its number.
@@ -58,7 +58,7 @@ impl World {
             id,
             parent_id: parent.unwrap_or(0),
             description,
-            bounding_box: crate::wire::BoundingBox { actor_id: id, ..blueprint.bounding_box.clone() },
+            bounding_box: BoundingBox { actor_id: id, ..blueprint.bounding_box.clone() },
             semantic_tags: Bytes(blueprint.semantic_tags.clone()),
             stream_token: token,
         };

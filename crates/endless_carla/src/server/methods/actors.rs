@@ -42,7 +42,10 @@ fn get_actors_by_id(world: &mut World, call: &Call<'_>) -> Result {
 
 fn get_actor_bounding_box(world: &mut World, call: &Call<'_>) -> Result {
     let id = call.request.argument(0)?;
-    let own = world.episode.actor(id)?.told.bounding_box.clone();
+    let own = match world.episode.has_gone(id) {
+        true => BoundingBox::default(),
+        false => world.episode.actor(id)?.told.bounding_box.clone(),
+    };
     Ok(Answer::of(&BoundingBox { actor_id: id, ..own }))
 }
 

@@ -1,11 +1,11 @@
 //! Many commands in one request.
 
-use crate::rpc::{Answer, ConnectionId, failure, success};
+use crate::rpc::{Answer, failure, success};
 use crate::server::call::{Call, Method};
 use crate::server::call_error::CallError;
 use crate::server::moving::Push;
 use crate::server::world::World;
-use crate::wire::{Command, SpawnActor, Wire};
+use crate::wire::{Command, SpawnActor, Transform, Wire, WireError};
 use rmpv::Value;
 
 pub(super) const METHODS: &[(&str, Method)] = &[("apply_batch", apply_batch)];
@@ -23,13 +23,9 @@ fn apply_batch(world: &mut World, call: &Call<'_>) -> Result<Answer, CallError> 
     };
     let answers: Vec<Value> = commands.iter().map(answer).collect();
     if do_tick {
-        tick(world, call.caller.id);
+        world.tick(call.caller.id);
     }
     Ok(Answer::Bare(Value::Array(answers)))
-}
-
-fn tick(world: &mut World, by: ConnectionId) {
-    world.tick(by);
 }
 
 /// Commands that are read one by one: a wrong one does not spoil the others.
@@ -40,8 +36,8 @@ impl Wire for Commands {
         Value::Array(self.0.clone())
     }
 
-    fn from_value(value: &Value) -> Result<Self, crate::wire::WireError> {
-        value.as_array().map(|own| Self(own.clone())).ok_or_else(|| crate::wire::WireError::new("commands", value))
+    fn from_value(value: &Value) -> Result<Self, WireError> {
+        value.as_array().map(|own| Self(own.clone())).ok_or_else(|| WireError::new("commands", value))
     }
 }
 
@@ -78,7 +74,7 @@ impl World {
             Command::SetVehicleLightState { lights, .. } => episode.vehicle(id)?.set_lights(*lights),
             Command::ApplyLocation { location, .. } => {
                 let rotation = episode.actor(id)?.transform.rotation.clone();
-                episode.put(id, crate::wire::Transform { location: location.clone(), rotation })?;
+                episode.put(id, Transform { location: location.clone(), rotation })?;
             }
             Command::ConsoleCommand { .. } => return Err(CallError::refused("there is no console")),
             Command::SetTrafficLightState { state, .. } => episode.set_light_state(id, *state)?,

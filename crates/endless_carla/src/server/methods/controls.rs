@@ -91,7 +91,9 @@ fn get_telemetry_data(world: &mut World, call: &Call<'_>) -> Result {
 
 fn set_actor_simulate_physics(world: &mut World, call: &Call<'_>) -> Result {
     let (id, on) = two(call)?;
-    world.episode.simulate_physics(id, on)?;
+    if !world.episode.has_gone(id) {
+        world.episode.simulate_physics(id, on)?;
+    }
     Ok(Answer::Void)
 }
 

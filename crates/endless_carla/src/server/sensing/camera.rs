@@ -63,7 +63,9 @@ impl CameraView {
         let camera = PinholeCamera::at(pose, settings.size, settings.fov_deg.to_radians());
         let is_good = |kept: &Kept| is_like(&kept.weather, &light.weather) && (kept.normals || !normals);
         let kept = self.kept.take().filter(is_good);
-        let way = match (kept.map(|kept| kept.way), is_new && !settings.is_carried || self.stood >= STANDS) {
+        // Who carries a camera will go on after a red light: two ways of finding light must not alternate.
+        let stays = !settings.is_carried && (is_new || self.stood >= STANDS);
+        let way = match (kept.map(|kept| kept.way), stays) {
             (Some(Way::Still(bake)), _) if stands => Way::Still(bake),
             (_, true) => Way::Still(Box::new(CameraBake::bake(
                 light.still,

@@ -22,6 +22,7 @@ use endless_world::{InstanceId, LidarSettings, RadarSettings, SceneWeather, Sens
 use rayon::prelude::*;
 use scene::ActorScene;
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// The sensors of an episode, as far as something is kept of them from frame to frame.
 #[derive(Default)]
@@ -173,7 +174,7 @@ fn look_alike(cameras: Vec<Measurement>) -> Vec<Vec<Measurement>> {
 /// The sensors that measure now and are heard.
 fn due(episode: &mut Episode, hub: &StreamHub) -> Vec<Measurement> {
     let (now_s, frame, step_s) = (episode.elapsed_s, episode.frame, episode.delta_s);
-    let (map, seed) = (std::sync::Arc::clone(&episode.map), episode.seed);
+    let (map, seed) = (Arc::clone(&episode.map), episode.seed);
     let measurement = |actor: &mut ServerActor| {
         let carrier = InstanceId((actor.told.parent_id & 0xffff) as u16);
         let Body::Sensor(sensor) = &mut actor.body else { return None };
