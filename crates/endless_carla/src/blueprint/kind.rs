@@ -81,7 +81,7 @@ impl BaseType {
 /// What a server must know of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VehicleBlueprint {
-    /// Our body for it, in [`Catalogue::builtin`].
+    /// Our body for it, in [`endless_asset::Catalogue::builtin`].
     pub model: VehicleModelId,
     /// How CARLA classes it.
     pub base_type: BaseType,

@@ -1,0 +1,120 @@
+"""Times `endless serve` through CARLA's own client.
+
+    python scripts/bench_carla.py endless [--map Town03] [--seconds 10] [--minutes 0]
+
+Needs `pip install carla==0.9.16 numpy`. Prints: answers a second to one client that waits for each, and to one that does not;
+frames a second of a camera on a pole and of one on a moving car, in synchronous mode, with thirty vehicles that the client's
+TrafficManager drives; memory before and after a hundred clients, and while time passes for some minutes.
+"""
+
+import argparse
+import queue
+import random
+import socket
+import sys
+import time
+
+import carla
+
+from judge_carla import Server, free_port, spawn_traffic
+
+
+def resident_mb(process):
+    with open(f"/proc/{process.pid}/status") as status:
+        return next(int(line.split()[1]) / 1024 for line in status if line.startswith("VmRSS"))
+
+
+def answers_a_second(port, seconds, at_once):
+    """Of the raw protocol: what Python's msgpack or CARLA's client take is left out."""
+    request = bytes([0x94, 0, 1, 0xA7]) + b"version" + bytes([0x91, 0x91, 0xC2])
+    size = len(bytes([0x94, 1, 1, 0xC0, 0x91, 0x92, 1, 0xA6]) + b"0.9.16")
+    with socket.create_connection(("127.0.0.1", port)) as client:
+        client.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
+        count, end = 0, time.time() + seconds
+        while time.time() < end:
+            client.sendall(request * at_once)
+            left = size * at_once
+            while left:
+                left -= len(client.recv(left))
+            count += at_once
+    return count / seconds
+
+
+def frames_a_second(world, blueprint, transform, parent, seconds):
+    images = queue.Queue()
+    sensor = world.spawn_actor(blueprint, transform, attach_to=parent)
+    sensor.listen(images.put)
+    for _ in range(3):
+        world.tick()
+        images.get(timeout=60)
+    count, begin = 0, time.time()
+    while time.time() < begin + seconds:
+        world.tick()
+        images.get(timeout=60)
+        count += 1
+    rate = count / (time.time() - begin)
+    sensor.stop()
+    sensor.destroy()
+    return rate
+
+
+def camera(world, kind, width, height):
+    blueprint = world.get_blueprint_library().find(f"sensor.camera.{kind}")
+    blueprint.set_attribute("image_size_x", str(width))
+    blueprint.set_attribute("image_size_y", str(height))
+    return blueprint
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program")
+    parser.add_argument("--map", default="Town03")
+    parser.add_argument("--seconds", type=float, default=10)
+    parser.add_argument("--minutes", type=float, default=0)
+    args = parser.parse_args()
+    with Server(args.program, args.map) as server:
+        client = carla.Client("127.0.0.1", server.port)
+        client.set_timeout(60)
+        world = client.get_world()
+        settings = world.get_settings()
+        settings.synchronous_mode, settings.fixed_delta_seconds = True, 0.05
+        world.apply_settings(settings)
+        for at_once in (1, 100):
+            print(f"answers a second, {at_once} at a time: {answers_a_second(server.port, 3, at_once):.0f}")
+        before = resident_mb(server.process)
+        for _ in range(100):
+            other = carla.Client("127.0.0.1", server.port)
+            other.get_world().get_actors()
+            del other
+        print(f"memory before and after a hundred clients: {before:.0f} and {resident_mb(server.process):.0f} MB")
+        manager = client.get_trafficmanager(free_port())
+        manager.set_synchronous_mode(True)
+        manager.set_random_device_seed(1)
+        vehicles = spawn_traffic(client, world, manager, 30, random.Random(1))
+        for _ in range(20):
+            world.tick()
+        begin, ticks = time.time(), 0
+        while time.time() < begin + args.seconds:
+            world.tick()
+            ticks += 1
+        print(f"frames a second without sensors: {ticks / (time.time() - begin):.0f}")
+        car = world.get_actor(vehicles[0])
+        place = car.get_transform()
+        pole = carla.Transform(place.location + carla.Location(z=8), carla.Rotation(pitch=-25, yaw=place.rotation.yaw))
+        roof = carla.Transform(carla.Location(x=1.5, z=2.4))
+        for name, size, transform, parent in (("on a pole", (1280, 720), pole, None), ("on a car", (640, 360), roof, car)):
+            rate = frames_a_second(world, camera(world, "rgb", *size), transform, parent, args.seconds)
+            print(f"frames a second, RGB {size[0]}x{size[1]} {name}: {rate:.1f}")
+        memory = resident_mb(server.process)
+        end = time.time() + 60 * args.minutes
+        while time.time() < end:
+            world.tick()
+        if args.minutes:
+            print(f"memory before and after {args.minutes:g} minutes: {memory:.0f} and {resident_mb(server.process):.0f} MB")
+        manager.shut_down()
+        settings.synchronous_mode, settings.fixed_delta_seconds = False, None
+        world.apply_settings(settings)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
