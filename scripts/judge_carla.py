@@ -144,6 +144,8 @@ def main():
         driven = dict.fromkeys(vehicles, 0.0)
         ids_seen, ran_red, off_road = set(), 0, 0
         known = set(vehicles) | set(walkers)
+        parked = {thing.id for thing in world.get_environment_objects(carla.CityObjectLabel.Any)}
+        check(not known & parked, "actors and parked vehicles share ids")
         began = time.time()
         for _ in range(args.frames):
             frame = world.tick()
@@ -157,7 +159,9 @@ def main():
                 check((semantic[..., 2] == instance[..., 2]).all(), f"{view}: classes of two cameras differ")
                 moving = np.isin(instance[..., 2], (12, 13, 14, 15, 16, 18, 19))
                 ids = instance[..., 1].astype(int) + 256 * instance[..., 0].astype(int)
-                ids_seen |= set(np.unique(ids[moving]).tolist()) & known
+                shown = set(np.unique(ids[moving]).tolist())
+                check(shown <= known | parked, f"{view}: ids of nobody: {sorted(shown - known - parked)[:5]}")
+                ids_seen |= shown & known
             for id in vehicles:
                 here = snapshot.find(id).get_transform().location
                 driven[id] += here.distance(begin[id])
