@@ -43,7 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 fn actor(number: usize, class: ObjectClass, asset: AssetRef, pose: Pose, motion: Motion) -> Actor {
-    let ridden = matches!(class, ObjectClass::Motorcycle | ObjectClass::Bicycle);
+    let ridden = class.two_wheeled();
     Actor {
         id: InstanceId(2 * number as u16 + 1),
         rider_id: ridden.then_some(InstanceId(2 * number as u16 + 2)),

@@ -6,8 +6,8 @@ use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
 use endless_road::swept::{DRAWBAR, towed_heading};
+use endless_world::Pose;
 use endless_world::math::f64::{atan, atan2, sin_cos, tan, wrap_angle};
-use endless_world::{ObjectClass, Pose};
 use glam::DVec3;
 
 const GRAVITY: f64 = 9.81;
@@ -101,7 +101,7 @@ fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
     }
     vehicle.steer = atan(tan(angle) / DRAWBAR).clamp(-0.8, 0.8);
     vehicle.rolled += travelled * sin_cos(angle).1;
-    if step_s > 0.0 && matches!(vehicle.class, ObjectClass::Motorcycle | ObjectClass::Bicycle) {
+    if step_s > 0.0 && vehicle.class.two_wheeled() {
         // Two-wheelers lean into the bend.
         let lean = -atan(vehicle.speed * turned / step_s / GRAVITY).clamp(-0.6, 0.6);
         vehicle.roll += (lean - vehicle.roll) * (step_s / 0.25).min(1.0);

@@ -111,6 +111,11 @@ impl ObjectClass {
         }
     }
 
+    /// Whether somebody sits on it: a motorcycle or bicycle.
+    pub const fn two_wheeled(self) -> bool {
+        matches!(self, Self::Motorcycle | Self::Bicycle)
+    }
+
     /// The name in `objects.jsonl`.
     pub fn name(self) -> &'static str {
         self.into()

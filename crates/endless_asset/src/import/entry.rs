@@ -220,7 +220,7 @@ impl AssetEntry {
     }
 
     fn validate_rider(&self, kind: AssetClass) -> Result<(), ImportError> {
-        let two_wheeled = matches!(kind, AssetClass::Vehicle(ObjectClass::Motorcycle | ObjectClass::Bicycle));
+        let two_wheeled = matches!(kind, AssetClass::Vehicle(class) if class.two_wheeled());
         let rule = "a two-wheeler needs { seat, grip, foot }, each metres ahead of the middle, to the left, up; lean from -1 \
                     to 1.5, helmet from 0 to 1; other things have no rider";
         match &self.rider {

@@ -7,7 +7,7 @@ use super::rider_fit::RiderFit;
 use super::tint::{self, PaintShare};
 use super::wheel::Wheel;
 use endless_scene::Mesh;
-use endless_world::{BodyKeypoints, BodyPart, ObjectClass, PersonAttributes, Reid, TrailerSpec, VehicleSpec};
+use endless_world::{BodyKeypoints, BodyPart, PersonAttributes, Reid, TrailerSpec, VehicleSpec};
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
 
@@ -56,7 +56,7 @@ impl VehicleModel {
             acceleration_mps2: design.acceleration_mps2,
             frequency,
             parks: design.parks,
-            ridden: matches!(design.class, ObjectClass::Motorcycle | ObjectClass::Bicycle),
+            ridden: design.class.two_wheeled(),
             trailer: joint.map(|j| TrailerSpec {
                 hitch_m: from_middle(j.hitch),
                 axle_m: from_middle(j.axle),

@@ -41,7 +41,7 @@ impl VehicleShape {
 
     /// Whether it leans into bends.
     pub fn two_wheeled(&self) -> bool {
-        matches!(self.class, ObjectClass::Motorcycle | ObjectClass::Bicycle | ObjectClass::Rider)
+        self.class.two_wheeled() || self.class == ObjectClass::Rider
     }
 
     /// Kilograms, with those on two-wheelers: by volume, as its class has it.

@@ -103,7 +103,7 @@ impl VehicleBody {
             let steer = atan(wheelbase * place.turning / place.speed).clamp(-0.6, 0.6);
             self.steer += (steer - self.steer) * follows;
         }
-        if matches!(self.class, ObjectClass::Motorcycle | ObjectClass::Bicycle) {
+        if self.class.two_wheeled() {
             let lean = -atan(place.speed * place.turning / GRAVITY).clamp(-0.6, 0.6);
             self.roll += (lean - self.roll) * follows;
         }

@@ -18,7 +18,7 @@ pub(crate) fn spec(
     cruise_mps: f32,
     frequency: f64,
 ) -> VehicleSpec {
-    let two_wheeled = matches!(class, ObjectClass::Motorcycle | ObjectClass::Bicycle);
+    let two_wheeled = class.two_wheeled();
     VehicleSpec {
         name,
         draw: 0,
