@@ -252,9 +252,22 @@ impl MapLibrary {
     /// # Errors
     /// When there is no such map or it cannot be read.
     pub fn opendrive(&self, name: &str) -> Result<String, MapError> {
+        self.written(name, || Ok(self.town(name)?.network))
+    }
+
+    /// The roads of a town that has been loaded as an OpenDRIVE file: [`Self::opendrive`] without loading it again.
+    ///
+    /// # Errors
+    /// When its imported map cannot be read.
+    pub fn opendrive_of(&self, town: &Town) -> Result<String, MapError> {
+        self.written(&town.name, || Ok(town.network.clone()))
+    }
+
+    /// A map as an OpenDRIVE file: as it was imported, or else of its network.
+    fn written(&self, name: &str, network: impl FnOnce() -> Result<RoadNetwork, MapError>) -> Result<String, MapError> {
         let map = match self.road_map(name)? {
             Some(map) => map,
-            None => RoadMap { network: self.town(name)?.network, ..RoadMap::default() },
+            None => RoadMap { network: network()?, ..RoadMap::default() },
         };
         Ok(opendrive::write(&map, name))
     }

@@ -50,7 +50,7 @@ fn is_ground(tag: ClassTag) -> bool {
 
 /// The maps there are, the last ones kept.
 pub(super) struct MapShelf {
-    pub(super) library: Arc<MapLibrary>,
+    maps: MapLibrary,
     models: Arc<SharedModels>,
     kept: Vec<Arc<LoadedMap>>,
 }
@@ -59,13 +59,13 @@ pub(super) struct MapShelf {
 const KEPT: usize = 2;
 
 impl MapShelf {
-    pub(super) fn new(library: MapLibrary) -> Self {
-        Self { library: Arc::new(library), models: Arc::default(), kept: Vec::new() }
+    pub(super) fn new(maps: MapLibrary) -> Self {
+        Self { maps, models: Arc::default(), kept: Vec::new() }
     }
 
     /// The names that clients may load, as CARLA writes them.
     pub(super) fn names(&self) -> Vec<String> {
-        let names = self.library.builtin_names().into_iter().chain(self.library.imported_names());
+        let names = self.maps.builtin_names().into_iter().chain(self.maps.imported_names());
         names.map(|name| format!("/Game/Carla/Maps/{name}")).collect()
     }
 
@@ -77,9 +77,9 @@ impl MapShelf {
             self.kept.push(Arc::clone(&map));
             return Ok(map);
         }
-        let town = self.library.town(name)?;
-        let opendrive = self.library.opendrive(name)?;
-        let scene = TownScene::load_sharing(&town, self.library.catalogue(), Arc::clone(&self.models));
+        let town = self.maps.town(name)?;
+        let opendrive = self.maps.opendrive_of(&town)?;
+        let scene = TownScene::load_sharing(&town, self.maps.catalogue(), Arc::clone(&self.models));
         let scene = scene.map_err(|error| ServerError::Scene { map: name.to_owned(), reason: error.to_string() })?;
         let roads = CarlaMap::new(&town, opendrive);
         let map = Arc::new(LoadedMap {
@@ -97,7 +97,7 @@ impl MapShelf {
     }
 
     pub(super) fn catalogue(&self) -> &Catalogue {
-        self.library.catalogue()
+        self.maps.catalogue()
     }
 }
 
