@@ -16,7 +16,7 @@ import time
 
 import carla
 
-from judge_carla import Server, free_port, spawn_traffic
+from judge_carla import Server, free_port, spawn_traffic, synchronous
 
 
 def resident_mb(process):
@@ -76,9 +76,7 @@ def main():
         client = carla.Client("127.0.0.1", server.port)
         client.set_timeout(60)
         world = client.get_world()
-        settings = world.get_settings()
-        settings.synchronous_mode, settings.fixed_delta_seconds = True, 0.05
-        world.apply_settings(settings)
+        settings = synchronous(world)
         for at_once in (1, 100):
             print(f"answers a second, {at_once} at a time: {answers_a_second(server.port, 3, at_once):.0f}")
         before = resident_mb(server.process)

@@ -16,11 +16,9 @@ import carla
 import numpy as np
 from PIL import Image
 
+from judge_carla import bgra, synchronous
+
 KINDS = ("rgb", "depth", "instance_segmentation")
-
-
-def bgra(image):
-    return np.frombuffer(image.raw_data, np.uint8).reshape(image.height, image.width, 4)
 
 
 def colours(image):
@@ -50,9 +48,7 @@ def main():
     client = carla.Client("127.0.0.1", args.port)
     client.set_timeout(120)
     world, rng = client.get_world(), random.Random(5)
-    settings = world.get_settings()
-    settings.synchronous_mode, settings.fixed_delta_seconds = True, 0.05
-    world.apply_settings(settings)
+    synchronous(world)
     manager = client.get_trafficmanager(args.port + 6000)
     manager.set_synchronous_mode(True)
     manager.set_random_device_seed(3)

@@ -61,6 +61,14 @@ def bgra(image):
     return np.frombuffer(image.raw_data, np.uint8).reshape(image.height, image.width, 4)
 
 
+def synchronous(world):
+    """Time passes in steps of a twentieth of a second, by ticks; gives the settings."""
+    settings = world.get_settings()
+    settings.synchronous_mode, settings.fixed_delta_seconds = True, 0.05
+    world.apply_settings(settings)
+    return settings
+
+
 def spawn_traffic(client, world, manager, count, rng):
     library = world.get_blueprint_library().filter("vehicle.*")
     points = list(world.get_map().get_spawn_points())
@@ -114,9 +122,7 @@ def main():
         client.set_timeout(60.0)
         check(client.get_server_version() == client.get_client_version(), "versions differ")
         world = client.get_world()
-        settings = world.get_settings()
-        settings.synchronous_mode, settings.fixed_delta_seconds = True, 0.05
-        world.apply_settings(settings)
+        settings = synchronous(world)
         manager = client.get_trafficmanager(free_port())
         manager.set_synchronous_mode(True)
         manager.set_random_device_seed(1)
