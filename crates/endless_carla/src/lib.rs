@@ -4,6 +4,7 @@
 //! conversions to this workspace's frames are in this crate.
 
 mod blueprint;
+mod frames;
 
 pub mod map;
 pub mod physics;
@@ -13,6 +14,6 @@ pub mod stream;
 pub mod wire;
 
 pub use blueprint::{
-    AttributeError, Attributes, BaseType, Blueprint, BlueprintKind, BlueprintLibrary, PropBlueprint, PropBody,
-    SensorKind, VehicleBlueprint, WalkerBlueprint,
+    AttributeError, Attributes, Blueprint, BlueprintKind, BlueprintLibrary, PropBlueprint, PropBody, SensorKind,
+    VehicleBlueprint, WalkerBlueprint,
 };

@@ -3,6 +3,7 @@
 use super::attribute::choice;
 use super::kind::BlueprintKind;
 use crate::wire::{ActorAttribute, ActorAttributeValue, ActorDefinition, ActorDescription, AttributeType, BoundingBox};
+use endless_world::ClassTag;
 
 /// A blueprint, and what it means here.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,8 +25,9 @@ impl Blueprint {
         mut attributes: Vec<ActorAttribute>,
         kind: BlueprintKind,
         bounding_box: BoundingBox,
-        semantic_tags: Vec<u8>,
+        semantic_tags: Vec<ClassTag>,
     ) -> Self {
+        let semantic_tags = semantic_tags.into_iter().map(ClassTag::value).collect();
         attributes.push(choice("ros_name", AttributeType::String, &[id]));
         let definition = ActorDefinition { uid: 0, id: id.to_owned(), tags: id.replace('.', ","), attributes };
         Self { definition, kind, bounding_box, semantic_tags }

@@ -1,9 +1,8 @@
 //! What blueprints make.
 
-use super::label;
 use super::sensor::SensorKind;
 use endless_asset::Prop;
-use endless_world::{Sex, VehicleModelId};
+use endless_world::{ObjectClass, Sex, VehicleModelId};
 
 /// What a blueprint makes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,61 +29,13 @@ pub enum BlueprintKind {
     TrafficSign,
 }
 
-/// CARLA's base types.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum BaseType {
-    /// `car`.
-    Car,
-    /// `van`.
-    Van,
-    /// `truck`.
-    Truck,
-    /// `bus`.
-    Bus,
-    /// `motorcycle`.
-    Motorcycle,
-    /// `bicycle`.
-    Bicycle,
-}
-
-impl BaseType {
-    /// As the attribute has it.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Car => "car",
-            Self::Van => "van",
-            Self::Truck => "truck",
-            Self::Bus => "bus",
-            Self::Motorcycle => "motorcycle",
-            Self::Bicycle => "bicycle",
-        }
-    }
-
-    /// Whether somebody sits on it.
-    pub const fn two_wheeled(self) -> bool {
-        matches!(self, Self::Motorcycle | Self::Bicycle)
-    }
-
-    /// Semantic labels of its actors: its own, and its rider's.
-    pub(super) fn labels(self) -> Vec<u8> {
-        match self {
-            // Vans are cars.
-            Self::Car | Self::Van => vec![label::CAR],
-            Self::Truck => vec![label::TRUCK],
-            Self::Bus => vec![label::BUS],
-            Self::Motorcycle => vec![label::MOTORCYCLE, label::RIDER],
-            Self::Bicycle => vec![label::BICYCLE, label::RIDER],
-        }
-    }
-}
-
 /// What a server must know of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VehicleBlueprint {
     /// Our body for it, in [`endless_asset::Catalogue::builtin`].
     pub model: VehicleModelId,
-    /// How CARLA classes it.
-    pub base_type: BaseType,
+    /// CARLA's base type: it has our names.
+    pub base_type: ObjectClass,
     /// `electric`, `emergency`, `taxi`, or empty.
     pub special_type: &'static str,
     /// 1 or 2.

@@ -8,7 +8,6 @@ mod attribute;
 mod camera;
 mod entry;
 mod kind;
-mod label;
 mod library;
 mod lidar;
 mod other_sensor;
@@ -24,7 +23,7 @@ mod vehicle_table;
 mod walker;
 
 pub use entry::Blueprint;
-pub use kind::{BaseType, BlueprintKind, PropBlueprint, PropBody, VehicleBlueprint, WalkerBlueprint};
+pub use kind::{BlueprintKind, PropBlueprint, PropBody, VehicleBlueprint, WalkerBlueprint};
 pub use library::BlueprintLibrary;
 pub use reading::{AttributeError, Attributes};
 pub use sensor::SensorKind;

@@ -3,17 +3,17 @@
 use super::attribute::{choice, fixed, float, role_name};
 use super::entry::Blueprint;
 use super::kind::{BlueprintKind, PropBlueprint, PropBody};
-use super::label;
 use super::prop_table::{Body, PROPS, Row, Size};
 use crate::wire::{AttributeType, BoundingBox, Vector3D};
 use endless_asset::{Catalogue, Prop};
+use endless_world::ClassTag;
 
 /// CARLA's props.
 pub(super) fn blueprints(catalogue: &Catalogue) -> impl Iterator<Item = Blueprint> {
     PROPS.iter().map(|row| blueprint(catalogue, row)).chain([mesh()])
 }
 
-fn blueprint(catalogue: &Catalogue, &(name, size, label, body): &Row) -> Blueprint {
+fn blueprint(catalogue: &Catalogue, &(name, size, tag, body): &Row) -> Blueprint {
     let body = match body {
         Body::Nothing => None,
         Body::Piece(prop) => {
@@ -30,7 +30,7 @@ fn blueprint(catalogue: &Catalogue, &(name, size, label, body): &Row) -> Bluepri
     let attributes = vec![role_name(&["prop"]), fixed("size", AttributeType::String, size.name())];
     let bounding_box = body.map_or_else(|| size.box_on_ground(), |body| bounds(catalogue, body));
     let id = format!("static.prop.{name}");
-    Blueprint::new(&id, attributes, BlueprintKind::Prop(PropBlueprint { body }), bounding_box, vec![label])
+    Blueprint::new(&id, attributes, BlueprintKind::Prop(PropBlueprint { body }), bounding_box, vec![tag])
 }
 
 /// A mesh out of CARLA's own files; there are none here, so it stays unseen.
@@ -42,7 +42,7 @@ fn mesh() -> Blueprint {
         float("scale", "1.0"),
     ];
     let kind = BlueprintKind::Prop(PropBlueprint { body: None });
-    Blueprint::new("static.prop.mesh", attributes, kind, BoundingBox::default(), vec![label::STATIC])
+    Blueprint::new("static.prop.mesh", attributes, kind, BoundingBox::default(), vec![ClassTag::Static])
 }
 
 /// The box of a piece: our y is to the left, CARLA's to the right.

@@ -3,8 +3,8 @@
 use super::attribute::{floats, role_name};
 use super::entry::Blueprint;
 use super::kind::BlueprintKind;
-use super::label;
 use crate::wire::{ActorAttribute, BoundingBox, Vector3D};
+use endless_world::ClassTag;
 
 /// What clients may spawn.
 pub(super) fn spawnable() -> Vec<Blueprint> {
@@ -17,10 +17,10 @@ pub(super) fn spawnable() -> Vec<Blueprint> {
 
 /// What only a server spawns: clients see it as actors, not as blueprints.
 pub(super) fn of_the_server() -> Vec<Blueprint> {
-    let sign = |id: &str| plain(id, BlueprintKind::TrafficSign, vec![label::TRAFFIC_SIGNS]);
+    let sign = |id: &str| plain(id, BlueprintKind::TrafficSign, vec![ClassTag::TrafficSigns]);
     let mut blueprints = vec![
         plain("spectator", BlueprintKind::Spectator, Vec::new()),
-        plain("traffic.traffic_light", BlueprintKind::TrafficLight, vec![label::TRAFFIC_LIGHT]),
+        plain("traffic.traffic_light", BlueprintKind::TrafficLight, vec![ClassTag::TrafficLight]),
         sign("traffic.stop"),
         sign("traffic.yield"),
         sign("traffic.unknown"),
@@ -30,8 +30,8 @@ pub(super) fn of_the_server() -> Vec<Blueprint> {
     blueprints
 }
 
-fn plain(id: &str, kind: BlueprintKind, labels: Vec<u8>) -> Blueprint {
-    Blueprint::new(id, vec![role_name(&["default"])], kind, BoundingBox::default(), labels)
+fn plain(id: &str, kind: BlueprintKind, tags: Vec<ClassTag>) -> Blueprint {
+    Blueprint::new(id, vec![role_name(&["default"])], kind, BoundingBox::default(), tags)
 }
 
 /// A box on whose ground wheels slip; its extents are in the attributes, of which CARLA does not tell the unit.

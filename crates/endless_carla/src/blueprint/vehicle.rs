@@ -6,7 +6,7 @@ use super::kind::{BlueprintKind, VehicleBlueprint};
 use super::vehicle_table::{Equipment, Row, VEHICLES};
 use crate::wire::{ActorAttribute, AttributeType, BoundingBox, Color, Vector3D};
 use endless_asset::Catalogue;
-use endless_world::{Stream, VehicleModelId, VehicleRef, srgb_from_linear};
+use endless_world::{ClassTag, Stream, VehicleModelId, VehicleRef, srgb_from_linear};
 
 /// How many of a vehicle's variants are looked at for one of a colour.
 const PAINTS_TRIED: usize = 256;
@@ -51,7 +51,9 @@ fn blueprint(number: usize, row: &Row, model: VehicleModelId) -> Blueprint {
     // Unpainted steel has no colours.
     let painted = id != "vehicle.tesla.cybertruck";
     let attributes = attributes(&vehicle, painted.then_some(number));
-    Blueprint::new(id, attributes, BlueprintKind::Vehicle(vehicle), bounding_box, base_type.labels())
+    let rider = base_type.two_wheeled().then_some(ClassTag::Rider);
+    let tags = [base_type.tag()].into_iter().chain(rider).collect();
+    Blueprint::new(id, attributes, BlueprintKind::Vehicle(vehicle), bounding_box, tags)
 }
 
 /// Paints to choose from: ours, since CARLA's are part of its assets.

@@ -1,6 +1,6 @@
 //! CARLA's vehicles: facts of its public catalogue, and boxes as its clients see them.
 
-use super::kind::BaseType::{self, Bicycle, Bus, Car, Motorcycle, Truck, Van};
+use endless_world::ObjectClass::{self, Bicycle, Bus, Car, Motorcycle, Truck, Van};
 
 /// What can be switched and opened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -14,7 +14,7 @@ use Equipment::{Doors, Lights, Plain};
 
 /// Id, base type, special type, generation, equipment, about its mass (kg), half of CARLA's box and where its middle is
 /// (metres: forward, right, up).
-pub(super) type Row = (&'static str, BaseType, &'static str, u8, Equipment, f32, [f32; 3], [f32; 3]);
+pub(super) type Row = (&'static str, ObjectClass, &'static str, u8, Equipment, f32, [f32; 3], [f32; 3]);
 
 /// In the order of their ids.
 #[rustfmt::skip]

@@ -3,10 +3,9 @@
 use super::attribute::{choice, fixed, restricted, role_name, switch, word};
 use super::entry::Blueprint;
 use super::kind::{BlueprintKind, WalkerBlueprint};
-use super::label;
 use crate::wire::{ActorAttribute, AttributeType, BoundingBox, Vector3D};
 use endless_asset::Catalogue;
-use endless_world::{Outfit, PersonRef, Sex};
+use endless_world::{ClassTag, Outfit, PersonRef, Sex};
 
 /// CARLA's figures of a walker.
 struct Facts {
@@ -55,7 +54,7 @@ fn blueprint(id: &str) -> Option<Blueprint> {
     let [x, y, z] = facts.extent;
     let bounding_box = BoundingBox { extent: Vector3D { x, y, z }, ..BoundingBox::default() };
     let attributes = attributes(&walker, facts.generation);
-    Some(Blueprint::new(id, attributes, BlueprintKind::Walker(walker), bounding_box, vec![label::PEDESTRIANS]))
+    Some(Blueprint::new(id, attributes, BlueprintKind::Walker(walker), bounding_box, vec![ClassTag::Pedestrians]))
 }
 
 fn attributes(walker: &WalkerBlueprint, generation: u8) -> Vec<ActorAttribute> {

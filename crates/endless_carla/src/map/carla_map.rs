@@ -3,7 +3,9 @@
 use super::ground::Ground;
 use super::lane_index::LaneIndex;
 use super::navmesh::{self, NavigationMesh};
-use super::{LightCycle, TrafficLight, TrafficSign, frame, signals, spawn, surface};
+use super::surface::{self, Surface};
+use super::{LightCycle, TrafficLight, TrafficSign, signals, spawn};
+use crate::frames;
 use crate::wire::{Location, Transform};
 use endless_road::RoadNetwork;
 use endless_town::Town;
@@ -18,8 +20,10 @@ pub struct CarlaMap {
     spawn_points: Vec<Transform>,
     lights: Vec<TrafficLight>,
     signs: Vec<TrafficSign>,
-    ground: Ground,
+    surfaces: Vec<Surface>,
     lanes: LaneIndex,
+    /// Made when first asked for.
+    ground: OnceLock<Ground>,
     /// Made when first asked for.
     navigation: OnceLock<Option<NavigationMesh>>,
 }
@@ -35,8 +39,9 @@ impl CarlaMap {
             spawn_points: spawn::points(town),
             lights,
             signs,
-            ground: Ground::new(surface::surfaces(town)),
+            surfaces: surface::surfaces(town),
             lanes: LaneIndex::new(&town.network),
+            ground: OnceLock::new(),
             navigation: OnceLock::new(),
         }
     }
@@ -49,11 +54,6 @@ impl CarlaMap {
     /// The roads as an OpenDRIVE file.
     pub fn opendrive(&self) -> &str {
         &self.opendrive
-    }
-
-    /// Our own network of the same roads.
-    pub fn network(&self) -> &RoadNetwork {
-        &self.network
     }
 
     /// Places where vehicles may appear: on lanes, away from junctions and parked vehicles, with room for a bus, 0.4 m
@@ -86,21 +86,22 @@ impl CarlaMap {
     /// Height of the road, sidewalk or crossing at a place, metres: of that nearest to the place's own height. Beside all
     /// of them as the nearest road has it; `None` far from all roads.
     pub fn ground_height(&self, place: &Location) -> Option<f32> {
-        let at = frame::world(place);
-        let height = self.ground.height(at).or_else(|| self.network.ground_near(at.truncate()));
+        let at = frames::from_carla(place).as_dvec3();
+        let ground = self.ground.get_or_init(|| Ground::new(&self.surfaces));
+        let height = ground.height(&self.surfaces, at).or_else(|| self.network.ground_near(at.truncate()));
         height.map(|z| z as f32)
     }
 
     /// The speed limit of the nearest lane, km/h; `None` far from all lanes.
     pub fn speed_limit_kmh(&self, place: &Location) -> Option<f32> {
-        let lane = self.lanes.nearest(frame::world(place))?;
+        let lane = self.lanes.nearest(frames::from_carla(place).as_dvec3())?;
         Some((self.network.lane(lane).speed_limit_mps * 3.6) as f32)
     }
 
     /// The mesh on which pedestrians find their way; `None` where nobody can walk. Made when first asked for, which takes
     /// seconds on a large town.
     pub fn navigation(&self) -> Option<&NavigationMesh> {
-        self.navigation.get_or_init(|| navmesh::build(&self.name, self.ground.surfaces())).as_ref()
+        self.navigation.get_or_init(|| navmesh::build(&self.name, &self.surfaces)).as_ref()
     }
 }
 
@@ -159,12 +160,12 @@ mod tests {
         for (index, light) in map.traffic_lights().iter().enumerate() {
             for (&lane, bounds) in light.lanes.iter().zip(&light.trigger_boxes) {
                 let line = &town.network.lane(lane).centerline;
-                let before = |m: f64| frame::location(line.position(line.length() - m));
+                let before = |m: f64| frames::to_carla(line.position(line.length() - m).as_vec3());
                 assert_eq!(map.light_at(&before(1.0)), Some(index));
                 assert_eq!(map.light_at(&before(20.0)), None);
                 assert_eq!(
                     bounds.rotation,
-                    frame::transform(DVec3::ZERO, line.at(line.length()).heading_rad, 0.0).rotation
+                    frames::heading(DVec3::ZERO, line.at(line.length()).heading_rad, 0.0).rotation
                 );
             }
             // The box in the frame of the pole is where the others are.
@@ -211,9 +212,9 @@ mod tests {
             let above = point.location.z - map.ground_height(&point.location).expect("a road");
             assert!((0.3..0.5).contains(&above), "{above}");
             assert!((20.0..60.0).contains(&map.speed_limit_kmh(&point.location).expect("a lane")));
-            let place = frame::world(&point.location);
+            let place = frames::from_carla(&point.location).as_dvec3();
             for other in &points[..i] {
-                assert!(place.distance(frame::world(&other.location)) > 2.7);
+                assert!(place.distance(frames::from_carla(&other.location).as_dvec3()) > 2.7);
             }
             for parked in &town.parked {
                 assert!(place.distance(parked.pose.position.as_dvec3()) > 2.4);
@@ -226,7 +227,7 @@ mod tests {
     fn sidewalks_are_higher_than_roads() {
         let (town, map) = &*TOWN;
         for node in &town.network.walk.nodes {
-            let z = f64::from(map.ground_height(&frame::location(*node)).expect("a sidewalk"));
+            let z = f64::from(map.ground_height(&frames::to_carla(node.as_vec3())).expect("a sidewalk"));
             assert!((z - node.z).abs() < 0.05, "{z} {}", node.z);
         }
         assert_eq!(map.ground_height(&Location { x: 1e5, y: 0.0, z: 0.0 }), None);

@@ -10,15 +10,14 @@ const CELL_M: f64 = 8.0;
 /// The surfaces of a town, found by place.
 #[derive(Debug, Clone)]
 pub(super) struct Ground {
-    surfaces: Vec<Surface>,
-    /// Indices into the surfaces, ascending.
+    /// Their indices, ascending.
     cells: HashMap<[i32; 2], Vec<u32>>,
 }
 
 impl Ground {
-    pub(super) fn new(surfaces: Vec<Surface>) -> Self {
+    pub(super) fn new(surfaces: &[Surface]) -> Self {
         let mut cells: HashMap<[i32; 2], Vec<u32>> = HashMap::new();
-        for (index, surface) in (0..).zip(&surfaces) {
+        for (index, surface) in (0..).zip(surfaces) {
             let [low, high] = surface.bounds().map(cell);
             for x in low[0]..=high[0] {
                 for y in low[1]..=high[1] {
@@ -26,19 +25,15 @@ impl Ground {
                 }
             }
         }
-        Self { surfaces, cells }
-    }
-
-    pub(super) fn surfaces(&self) -> &[Surface] {
-        &self.surfaces
+        Self { cells }
     }
 
     /// Of the surfaces at a place, the height of the one nearest to the place's own height; where some touch, of the one
     /// that counts. `None` beside all of them.
-    pub(super) fn height(&self, place: DVec3) -> Option<f64> {
+    pub(super) fn height(&self, surfaces: &[Surface], place: DVec3) -> Option<f64> {
         let at = place.truncate();
         let there = self.cells.get(&cell(at)).into_iter().flatten().filter_map(|&index| {
-            let surface = &self.surfaces[index as usize];
+            let surface = &surfaces[index as usize];
             Some((surface.kind, surface.height(at)?))
         });
         let mut best: Option<(f64, super::surface::SurfaceKind, f64)> = None;

@@ -1,7 +1,7 @@
 //! Traffic lights and signs where the exported OpenDRIVE file has them.
 
-use super::frame;
 use super::light_plan::LightPlan;
+use crate::frames;
 use crate::wire::{BoundingBox, Location, Rotation, Transform, Vector3D};
 use endless_asset::Prop;
 use endless_road::{Lane, LaneId, TrafficControl, opendrive};
@@ -178,7 +178,7 @@ impl Approach<'_> {
         let side = if self.town.streets.left_hand { aside } else { -aside };
         let beside = end.position + (unit(end.heading_rad).perp() * side).extend(0.0);
         let foot = self.standing(control, end.position, end.heading_rad).unwrap_or(beside);
-        frame::transform(foot, end.heading_rad - FRAC_PI_2, 0.0)
+        frames::heading(foot, end.heading_rad - FRAC_PI_2, 0.0)
     }
 
     /// The foot of the pole that stands in the town for a control, facing those who come.
@@ -209,7 +209,7 @@ impl Approach<'_> {
     fn boxes(&self) -> Vec<BoundingBox> {
         let of_lane = |lane: &&Lane| {
             let (middle, heading_rad, half) = trigger(lane);
-            let pose = frame::transform(middle + DVec3::Z * (TRIGGER_HALF_M - 0.5), heading_rad, 0.0);
+            let pose = frames::heading(middle + DVec3::Z * (TRIGGER_HALF_M - 0.5), heading_rad, 0.0);
             BoundingBox { location: pose.location, extent: vector(half), rotation: pose.rotation, actor_id: 0 }
         };
         self.lanes.iter().map(of_lane).collect()
@@ -217,7 +217,7 @@ impl Approach<'_> {
 
     /// Around all of these, in the frame of the pole.
     fn volume(&self, pole: &Transform) -> BoundingBox {
-        let origin = frame::world(&pole.location);
+        let origin = frames::from_carla(&pole.location).as_dvec3();
         let forward = unit(-f64::from(pole.rotation.yaw).to_radians());
         let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         for lane in self.lanes {
@@ -260,7 +260,7 @@ fn vector(v: DVec3) -> Vector3D {
 
 /// Whether a place is in a box; both in the world.
 pub(super) fn holds(bounds: &BoundingBox, place: &Location) -> bool {
-    let away = frame::world(place) - frame::world(&bounds.location);
+    let away = frames::from_carla(place).as_dvec3() - frames::from_carla(&bounds.location).as_dvec3();
     let along = unit(-f64::from(bounds.rotation.yaw).to_radians());
     let local = DVec3::new(away.truncate().dot(along), along.perp_dot(away.truncate()), away.z);
     let half = DVec3::new(f64::from(bounds.extent.x), f64::from(bounds.extent.y), f64::from(bounds.extent.z));

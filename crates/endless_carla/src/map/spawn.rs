@@ -1,6 +1,6 @@
 //! Places where vehicles appear.
 
-use super::frame;
+use crate::frames;
 use crate::wire::Transform;
 use endless_town::Town;
 use endless_world::math::f64::sin_cos;
@@ -33,7 +33,7 @@ pub(super) fn points(town: &Town) -> Vec<Transform> {
         };
         if taken.iter().all(|p| clear(p, [ALONG_M, BESIDE_M])) && parked.iter().all(|p| clear(p, PARKED_M)) {
             taken.push(there.position);
-            points.push(frame::transform(there.position + DVec3::Z * ABOVE_M, there.heading_rad, there.grade));
+            points.push(frames::heading(there.position + DVec3::Z * ABOVE_M, there.heading_rad, there.grade));
         }
     }
     points

@@ -3,9 +3,10 @@
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
 use crate::blueprint::{Blueprint, SensorKind};
+use crate::stream::SensorHeader;
 use crate::wire::{Actor, Bytes, Transform, Vector3D};
 use endless_sensor::Imu;
-use endless_world::{GnssSettings, ImageSize, ImuSettings, LidarSettings, RadarSettings, SensorPose};
+use endless_world::{GnssSettings, ImageSize, ImuSettings, InstanceId, LidarSettings, RadarSettings};
 
 /// An actor at an instant.
 pub(super) struct ServerActor {
@@ -46,8 +47,8 @@ pub(super) struct SensorActor {
     pub(super) tick_s: f64,
     /// When it measures next, seconds of the episode.
     pub(super) due_s: f64,
-    /// When it measured last, seconds of the episode, and where it was.
-    pub(super) last: Option<(f64, SensorPose)>,
+    /// When it measured last, seconds of the episode.
+    pub(super) last_s: Option<f64>,
 }
 
 /// How a sensor measures.
@@ -72,7 +73,18 @@ pub(super) struct CameraSettings {
     pub(super) is_carried: bool,
 }
 
+/// An actor's number in pictures and point clouds: the last 16 bits of its own.
+pub(super) fn instance_id(actor: u32) -> InstanceId {
+    InstanceId((actor & 0xffff) as u16)
+}
+
 impl SensorActor {
+    /// What begins its messages, of a frame at a time of the episode.
+    pub(super) fn header(&self, transform: &Transform, frame: u64, now_s: f64) -> SensorHeader {
+        let type_id = self.kind.stream_type_id();
+        SensorHeader { type_id, frame, timestamp: now_s, transform: transform.clone() }
+    }
+
     /// Whether it measures at this time of its episode; then it says when it does so next.
     pub(super) fn measures(&mut self, now_s: f64) -> bool {
         // A frame's time is a sum of many steps.
@@ -130,7 +142,7 @@ mod tests {
             model: SensorModel::Event,
             tick_s: 0.2,
             due_s: 0.0,
-            last: None,
+            last_s: None,
         };
         let mut measured = Vec::new();
         let mut now_s = 0.0;

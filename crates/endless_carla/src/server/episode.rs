@@ -1,10 +1,10 @@
 //! What happens from one load of a map to the next.
 
 use super::actor::{Body, ServerActor};
-use super::frames;
 use super::loaded_map::LoadedMap;
 use super::weather::CLEAR_NOON;
 use crate::blueprint::BlueprintLibrary;
+use crate::frames;
 use crate::map::LightCycle;
 use crate::physics::Contact;
 use crate::stream::{
@@ -33,6 +33,8 @@ pub(super) struct Episode {
     /// Of the last step.
     pub(super) contacts: Vec<Contact>,
     pub(super) lights: LightCycle,
+    /// The actors of the map's lights, in the order of its list.
+    pub(super) light_ids: Vec<u32>,
     next_id: u32,
     next_stream: u32,
     own_stream: u32,
@@ -58,6 +60,7 @@ impl Episode {
             population: 0,
             contacts: Vec::new(),
             lights: map.roads.light_cycle(),
+            light_ids: Vec::new(),
             // Parked vehicles have the first numbers in pictures.
             next_id: map.town.parked.len() as u32,
             next_stream: own_stream,

@@ -14,7 +14,6 @@ mod call_error;
 mod engine;
 mod episode;
 mod error;
-mod frames;
 mod loaded_map;
 mod methods;
 mod moving;

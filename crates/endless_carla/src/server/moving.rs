@@ -3,9 +3,9 @@
 use super::actor::{Body, ServerActor};
 use super::call_error::CallError;
 use super::episode::Episode;
-use super::frames;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
+use crate::frames;
 use crate::physics::{self, Mover, Obstacle, OrientedBox, step_bodies};
 use crate::wire::{Transform, Vector3D};
 use glam::{DVec2, DVec3};

@@ -23,6 +23,7 @@ impl Episode {
                 let mut actor = ServerActor::own(blueprint, id, light.pole.clone(), Body::Light(place));
                 actor.told.bounding_box = BoundingBox { actor_id: id, ..light.trigger_volume.clone() };
                 self.insert(actor);
+                self.light_ids.push(id);
             }
         }
         for sign in map.roads.traffic_signs() {
@@ -41,15 +42,6 @@ impl Episode {
             Body::Light(light) => Ok(light),
             _ => Err(CallError::refused(format!("actor {id} is not a traffic light"))),
         }
-    }
-
-    /// The actors of lights, by their places in the map's list.
-    pub(super) fn light_actors(&self, lights: &[usize]) -> Vec<u32> {
-        let own = |actor: &ServerActor| match actor.body {
-            Body::Light(light) if lights.contains(&light) => Some(actor.told.id),
-            _ => None,
-        };
-        self.actors.values().filter_map(own).collect()
     }
 
     /// Puts a light into a state until its cycle changes it.
@@ -102,7 +94,7 @@ impl Episode {
         VehicleRecord {
             speed_limit: roads.speed_limit_kmh(place).unwrap_or(USUAL_LIMIT),
             traffic_light_state: state.number(),
-            traffic_light: light.and_then(|light| self.light_actors(&[light]).first().copied()),
+            traffic_light: light.and_then(|light| self.light_ids.get(light).copied()),
             ..VehicleRecord::default()
         }
     }

@@ -3,12 +3,12 @@
 use super::actor::{Body, SensorActor, ServerActor};
 use super::call_error::CallError;
 use super::episode::Episode;
-use super::frames;
 use super::sensor_model::sensor_model;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
 use super::world::World;
 use crate::blueprint::{Attributes, BlueprintKind, SensorKind};
+use crate::frames;
 use crate::wire::{Actor, ActorDescription, BoundingBox, Bytes, Transform};
 
 impl World {
@@ -32,20 +32,19 @@ impl World {
         let description = attributes.complete()?;
         let episode = &mut self.episode;
         let id = episode.allocate_id();
-        let (body, placed) = match blueprint.kind {
-            BlueprintKind::Sensor(kind) => (sensor(kind, &attributes, parent.is_some(), episode)?, placed),
+        let body = match blueprint.kind {
+            BlueprintKind::Sensor(kind) => sensor(kind, &attributes, parent.is_some(), episode)?,
             BlueprintKind::Vehicle(vehicle) => {
                 let body = VehicleActor::new(&vehicle, &attributes, self.shelf.catalogue(), id, &placed)?;
                 if episode.is_taken(&body.body.outline()) {
                     return Err(CallError::refused("Spawn failed because of collision at spawn position"));
                 }
-                (Body::Vehicle(Box::new(body)), placed)
+                Body::Vehicle(Box::new(body))
             }
             BlueprintKind::Walker(walker) => {
-                let body = WalkerActor::new(&walker, &blueprint, &attributes, &placed)?;
-                (Body::Walker(Box::new(body)), placed)
+                Body::Walker(Box::new(WalkerActor::new(&walker, &blueprint, &attributes, &placed)?))
             }
-            _ => (Body::Other, placed),
+            _ => Body::Other,
         };
         let token = match &body {
             Body::Sensor(sensor) if sensor.stream != 0 => {
@@ -102,5 +101,5 @@ fn sensor(
     let model = sensor_model(kind, attributes, is_carried)?;
     let stream = if kind.streams() { episode.allocate_stream() } else { 0 };
     let tick_s = if attributes.has("sensor_tick") { attributes.sensor_tick_secs()? } else { 0.0 };
-    Ok(Body::Sensor(SensorActor { kind, stream, model, tick_s, due_s: episode.elapsed_s, last: None }))
+    Ok(Body::Sensor(SensorActor { kind, stream, model, tick_s, due_s: episode.elapsed_s, last_s: None }))
 }

@@ -1,8 +1,8 @@
 //! Vehicles.
 
 use super::call_error::CallError;
-use super::frames;
 use crate::blueprint::{Attributes, VehicleBlueprint};
+use crate::frames;
 use crate::physics::{AckermannController, VehicleBody, VehicleShape};
 use crate::wire::{
     AckermannControllerSettings, Transform, Vector3D, VehicleAckermannControl, VehicleControl, VehiclePhysicsControl,
@@ -37,15 +37,9 @@ impl VehicleActor {
         let model = catalogue.vehicle(asset.model).ok_or_else(|| CallError::refused("there is no such vehicle"))?;
         let spec = &model.spec;
         let shape = VehicleShape {
-            class: spec.class,
-            length_m: spec.length_m.into(),
-            width_m: spec.width_m.into(),
-            height_m: spec.height_m.into(),
-            front_axle_m: spec.front_axle_m.into(),
-            rear_axle_m: spec.rear_axle_m.into(),
-            wheel_radius_m: spec.wheel_radius_m.into(),
             mass_kg: Some(blueprint.mass_kg.into()),
             electric: blueprint.special_type == "electric",
+            ..VehicleShape::from(spec)
         };
         Ok(Self {
             asset,

@@ -1,8 +1,8 @@
 //! People.
 
 use super::call_error::CallError;
-use super::frames;
 use crate::blueprint::{Attributes, Blueprint, WalkerBlueprint};
+use crate::frames;
 use crate::physics::{Place, WalkerBody};
 use crate::wire::{Transform, WalkerControl};
 use endless_world::{Gait, Outfit, PersonRef, WalkerMotion};

@@ -61,9 +61,14 @@ impl World {
         Ok(world)
     }
 
+    /// Seconds from frame to frame, where the settings say.
+    fn fixed_step_s(&self) -> Option<f64> {
+        self.settings.fixed_delta_seconds.filter(|s| *s > 0.0)
+    }
+
     /// Seconds from frame to frame.
     pub(super) fn step_s(&self) -> f64 {
-        self.settings.fixed_delta_seconds.filter(|s| *s > 0.0).unwrap_or(1.0 / USUAL_FPS)
+        self.fixed_step_s().unwrap_or(1.0 / USUAL_FPS)
     }
 
     /// A client lets time pass; gives the new frame. In asynchronous mode it passes by itself.
@@ -78,7 +83,7 @@ impl World {
 
     /// Time passes: as much as the settings say, else so much.
     pub(super) fn advance(&mut self, passed_s: f64) {
-        let step_s = self.settings.fixed_delta_seconds.filter(|s| *s > 0.0).unwrap_or(passed_s);
+        let step_s = self.fixed_step_s().unwrap_or(passed_s);
         self.episode.step(step_s);
         let delivery = if self.settings.synchronous_mode { Delivery::Every } else { Delivery::Latest };
         let sees = !self.settings.no_rendering_mode;
@@ -94,12 +99,6 @@ impl World {
             "" => Arc::clone(&self.episode.map),
             name => self.shelf.load(name).map_err(|error| CallError::refused(error.to_string()))?,
         };
-        self.begin(map, reset_settings);
-        Ok(())
-    }
-
-    /// Another episode begins on this map.
-    pub(super) fn begin(&mut self, map: Arc<super::loaded_map::LoadedMap>, reset_settings: bool) {
         if reset_settings {
             self.settings = EpisodeSettings::default();
         }
@@ -110,6 +109,7 @@ impl World {
         self.episode = next;
         self.sensing = Sensing::default();
         self.hub.open(self.episode.stream());
+        Ok(())
     }
 
     /// What tells a client where a stream is.

@@ -1,6 +1,7 @@
 //! The header of all messages of streams, little-endian.
 
 use crate::wire::Transform;
+use rmpv::Value;
 
 /// The type of messages that are snapshots, in 0.9.16.
 pub const WORLD_OBSERVER: u64 = 17;
@@ -29,6 +30,14 @@ impl SensorHeader {
         message.extend(self.frame.to_le_bytes());
         message.extend(self.timestamp.to_le_bytes());
         push_transform(&mut message, &self.transform);
+        message
+    }
+
+    /// A message of this header whose payload is msgpack.
+    pub fn with_msgpack(&self, payload: &Value) -> Vec<u8> {
+        let mut message = self.begin(64);
+        // Nothing can go wrong in memory.
+        let _ = rmpv::encode::write_value(&mut message, payload);
         message
     }
 }

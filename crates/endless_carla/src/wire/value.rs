@@ -80,18 +80,7 @@ macro_rules! wire_integer {
         }
     )*};
 }
-wire_integer!(u16, u32, u64, i32, i64);
-
-impl Wire for u8 {
-    fn to_value(&self) -> Value {
-        Value::from(*self)
-    }
-
-    fn from_value(value: &Value) -> Result<Self, WireError> {
-        let number = value.as_u64().and_then(|number| Self::try_from(number).ok());
-        number.ok_or_else(|| WireError::new("an integer (u8)", value))
-    }
-}
+wire_integer!(u8, u16, u32, u64, i32, i64);
 
 impl Wire for f32 {
     fn to_value(&self) -> Value {

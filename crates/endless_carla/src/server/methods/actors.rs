@@ -1,12 +1,9 @@
 //! Blueprints; actors that come, go and are put elsewhere.
 
 use crate::rpc::Answer;
-use crate::server::call::{Call, Method};
-use crate::server::call_error::CallError;
+use crate::server::call::{Call, CallResult, Method, nothing_to_do};
 use crate::server::world::World;
 use crate::wire::{Actor, ActorDescription, BoundingBox, Location, Transform};
-
-type Result = std::result::Result<Answer, CallError>;
 
 pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_actor_definitions", get_actor_definitions),
@@ -24,23 +21,23 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_actor_socket_names", no_names),
 ];
 
-fn get_actor_definitions(world: &mut World, _: &Call<'_>) -> Result {
+fn get_actor_definitions(world: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.blueprints.definitions().to_vec()))
 }
 
-fn get_spectator(world: &mut World, _: &Call<'_>) -> Result {
+fn get_spectator(world: &mut World, _: &Call<'_>) -> CallResult {
     let id = world.episode.spectator;
     Ok(Answer::of(&world.episode.actor(id)?.told))
 }
 
 /// Those that are not there are left out.
-fn get_actors_by_id(world: &mut World, call: &Call<'_>) -> Result {
+fn get_actors_by_id(world: &mut World, call: &Call<'_>) -> CallResult {
     let ids: Vec<u32> = call.request.argument(0)?;
     let told: Vec<Actor> = ids.iter().filter_map(|id| Some(world.episode.actors.get(id)?.told.clone())).collect();
     Ok(Answer::of(&told))
 }
 
-fn get_actor_bounding_box(world: &mut World, call: &Call<'_>) -> Result {
+fn get_actor_bounding_box(world: &mut World, call: &Call<'_>) -> CallResult {
     let id = call.request.argument(0)?;
     let own = match world.episode.has_gone(id) {
         true => BoundingBox::default(),
@@ -49,7 +46,7 @@ fn get_actor_bounding_box(world: &mut World, call: &Call<'_>) -> Result {
     Ok(Answer::of(&BoundingBox { actor_id: id, ..own }))
 }
 
-fn spawn_actor(world: &mut World, call: &Call<'_>) -> Result {
+fn spawn_actor(world: &mut World, call: &Call<'_>) -> CallResult {
     let description: ActorDescription = call.request.argument(0)?;
     let transform: Transform = call.request.argument(1)?;
     let id = world.spawn(&description, transform, None)?;
@@ -57,7 +54,7 @@ fn spawn_actor(world: &mut World, call: &Call<'_>) -> Result {
 }
 
 /// Attached to another one: rigidly, for there are no spring arms that could give way to walls.
-fn spawn_actor_with_parent(world: &mut World, call: &Call<'_>) -> Result {
+fn spawn_actor_with_parent(world: &mut World, call: &Call<'_>) -> CallResult {
     let description: ActorDescription = call.request.argument(0)?;
     let transform: Transform = call.request.argument(1)?;
     let parent: u32 = call.request.argument(2)?;
@@ -65,27 +62,23 @@ fn spawn_actor_with_parent(world: &mut World, call: &Call<'_>) -> Result {
     Ok(Answer::of(&world.episode.actor(id)?.told))
 }
 
-fn destroy_actor(world: &mut World, call: &Call<'_>) -> Result {
+fn destroy_actor(world: &mut World, call: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.destroy(call.request.argument(0)?)))
 }
 
-fn set_actor_transform(world: &mut World, call: &Call<'_>) -> Result {
+fn set_actor_transform(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, transform): (u32, Transform) = (call.request.argument(0)?, call.request.argument(1)?);
     world.episode.put(id, transform)?;
     Ok(Answer::Void)
 }
 
-fn set_actor_location(world: &mut World, call: &Call<'_>) -> Result {
+fn set_actor_location(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, location): (u32, Location) = (call.request.argument(0)?, call.request.argument(1)?);
     let rotation = world.episode.actor(id)?.transform.rotation.clone();
     world.episode.put(id, Transform { location, rotation })?;
     Ok(Answer::Void)
 }
 
-fn nothing_to_do(_: &mut World, _: &Call<'_>) -> Result {
-    Ok(Answer::Void)
-}
-
-fn no_names(_: &mut World, _: &Call<'_>) -> Result {
+fn no_names(_: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&Vec::<String>::new()))
 }

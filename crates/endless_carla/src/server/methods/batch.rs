@@ -1,7 +1,7 @@
 //! Many commands in one request.
 
 use crate::rpc::{Answer, failure, success};
-use crate::server::call::{Call, Method};
+use crate::server::call::{Call, CallResult, Method};
 use crate::server::call_error::CallError;
 use crate::server::moving::Push;
 use crate::server::world::World;
@@ -11,7 +11,7 @@ use rmpv::Value;
 pub(super) const METHODS: &[(&str, Method)] = &[("apply_batch", apply_batch)];
 
 /// One answer a command: the number of its actor, or why it failed. The answers are not wrapped as one.
-fn apply_batch(world: &mut World, call: &Call<'_>) -> Result<Answer, CallError> {
+fn apply_batch(world: &mut World, call: &Call<'_>) -> CallResult {
     let commands: Vec<Value> = call.request.argument::<Commands>(0)?.0;
     let do_tick: bool = call.request.argument(1)?;
     let answer = |command: &Value| match Command::from_value(command).map_err(CallError::from) {

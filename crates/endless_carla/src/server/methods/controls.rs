@@ -1,7 +1,7 @@
 //! How vehicles and people are moved.
 
 use crate::rpc::Answer;
-use crate::server::call::{Call, Method};
+use crate::server::call::{Call, CallResult, Method, nothing_to_do};
 use crate::server::call_error::CallError;
 use crate::server::moving::Push;
 use crate::server::world::World;
@@ -9,8 +9,6 @@ use crate::wire::{
     AckermannControllerSettings, Vector3D, VehicleAckermannControl, VehicleControl, VehiclePhysicsControl,
     WalkerControl, Wire,
 };
-
-type Result = std::result::Result<Answer, CallError>;
 
 pub(super) const METHODS: &[(&str, Method)] = &[
     ("apply_control_to_vehicle", apply_control_to_vehicle),
@@ -42,54 +40,54 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_wheel_steer_angle", get_wheel_steer_angle),
 ];
 
-/// A method that changes a vehicle or walker.
-fn two<A: Wire, B: Wire>(call: &Call<'_>) -> std::result::Result<(A, B), CallError> {
+/// Whom it is about, and what.
+fn two<A: Wire, B: Wire>(call: &Call<'_>) -> Result<(A, B), CallError> {
     Ok((call.request.argument(0)?, call.request.argument(1)?))
 }
 
-fn apply_control_to_vehicle(world: &mut World, call: &Call<'_>) -> Result {
+fn apply_control_to_vehicle(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, control): (u32, VehicleControl) = two(call)?;
     world.episode.vehicle(id)?.apply_control(&control);
     Ok(Answer::Void)
 }
 
-fn apply_ackermann_control_to_vehicle(world: &mut World, call: &Call<'_>) -> Result {
+fn apply_ackermann_control_to_vehicle(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, control): (u32, VehicleAckermannControl) = two(call)?;
     world.episode.vehicle(id)?.apply_ackermann(&control);
     Ok(Answer::Void)
 }
 
-fn get_ackermann_controller_settings(world: &mut World, call: &Call<'_>) -> Result {
+fn get_ackermann_controller_settings(world: &mut World, call: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.episode.vehicle(call.request.argument(0)?)?.ackermann_settings()))
 }
 
-fn apply_ackermann_controller_settings(world: &mut World, call: &Call<'_>) -> Result {
+fn apply_ackermann_controller_settings(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, settings): (u32, AckermannControllerSettings) = two(call)?;
     world.episode.vehicle(id)?.set_ackermann_settings(&settings);
     Ok(Answer::Void)
 }
 
-fn apply_control_to_walker(world: &mut World, call: &Call<'_>) -> Result {
+fn apply_control_to_walker(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, control): (u32, WalkerControl) = two(call)?;
     world.episode.walker(id)?.apply_control(&control);
     Ok(Answer::Void)
 }
 
-fn get_physics_control(world: &mut World, call: &Call<'_>) -> Result {
+fn get_physics_control(world: &mut World, call: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.episode.vehicle(call.request.argument(0)?)?.physics_control()))
 }
 
-fn apply_physics_control(world: &mut World, call: &Call<'_>) -> Result {
+fn apply_physics_control(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, control): (u32, VehiclePhysicsControl) = two(call)?;
     world.episode.vehicle(id)?.set_physics_control(&control);
     Ok(Answer::Void)
 }
 
-fn get_telemetry_data(world: &mut World, call: &Call<'_>) -> Result {
+fn get_telemetry_data(world: &mut World, call: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.episode.vehicle(call.request.argument(0)?)?.telemetry()))
 }
 
-fn set_actor_simulate_physics(world: &mut World, call: &Call<'_>) -> Result {
+fn set_actor_simulate_physics(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, on) = two(call)?;
     if !world.episode.has_gone(id) {
         world.episode.simulate_physics(id, on)?;
@@ -97,85 +95,80 @@ fn set_actor_simulate_physics(world: &mut World, call: &Call<'_>) -> Result {
     Ok(Answer::Void)
 }
 
-fn set_actor_enable_gravity(world: &mut World, call: &Call<'_>) -> Result {
+fn set_actor_enable_gravity(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, on) = two(call)?;
     world.episode.enable_gravity(id, on)?;
     Ok(Answer::Void)
 }
 
-fn set_actor_collisions(world: &mut World, call: &Call<'_>) -> Result {
+fn set_actor_collisions(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, on) = two(call)?;
     world.episode.enable_collisions(id, on)?;
     Ok(Answer::Void)
 }
 
-fn set_actor_target_velocity(world: &mut World, call: &Call<'_>) -> Result {
+fn set_actor_target_velocity(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, velocity): (u32, Vector3D) = two(call)?;
     world.episode.set_target_velocity(id, &velocity)?;
     Ok(Answer::Void)
 }
 
-fn set_actor_target_angular_velocity(world: &mut World, call: &Call<'_>) -> Result {
+fn set_actor_target_angular_velocity(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, velocity): (u32, Vector3D) = two(call)?;
     world.episode.set_target_angular_velocity(id, &velocity)?;
     Ok(Answer::Void)
 }
 
-fn enable_actor_constant_velocity(world: &mut World, call: &Call<'_>) -> Result {
+fn enable_actor_constant_velocity(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, velocity): (u32, Vector3D) = two(call)?;
     world.episode.vehicle(id)?.hold_velocity(Some(&velocity));
     Ok(Answer::Void)
 }
 
-fn disable_actor_constant_velocity(world: &mut World, call: &Call<'_>) -> Result {
+fn disable_actor_constant_velocity(world: &mut World, call: &Call<'_>) -> CallResult {
     world.episode.vehicle(call.request.argument(0)?)?.hold_velocity(None);
     Ok(Answer::Void)
 }
 
-fn add_actor_impulse(world: &mut World, call: &Call<'_>) -> Result {
-    let (id, impulse): (u32, Vector3D) = two(call)?;
-    world.episode.push(id, &impulse, Push::Impulse)?;
+/// Knocks or pushes an actor.
+fn push(world: &mut World, call: &Call<'_>, push: Push) -> CallResult {
+    let (id, vector): (u32, Vector3D) = two(call)?;
+    world.episode.push(id, &vector, push)?;
     Ok(Answer::Void)
 }
 
-fn add_actor_force(world: &mut World, call: &Call<'_>) -> Result {
-    let (id, force): (u32, Vector3D) = two(call)?;
-    world.episode.push(id, &force, Push::Force)?;
-    Ok(Answer::Void)
+fn add_actor_impulse(world: &mut World, call: &Call<'_>) -> CallResult {
+    push(world, call, Push::Impulse)
 }
 
-fn add_actor_angular_impulse(world: &mut World, call: &Call<'_>) -> Result {
-    let (id, impulse): (u32, Vector3D) = two(call)?;
-    world.episode.push(id, &impulse, Push::AngularImpulse)?;
-    Ok(Answer::Void)
+fn add_actor_force(world: &mut World, call: &Call<'_>) -> CallResult {
+    push(world, call, Push::Force)
 }
 
-fn add_actor_torque(world: &mut World, call: &Call<'_>) -> Result {
-    let (id, torque): (u32, Vector3D) = two(call)?;
-    world.episode.push(id, &torque, Push::Torque)?;
-    Ok(Answer::Void)
+fn add_actor_angular_impulse(world: &mut World, call: &Call<'_>) -> CallResult {
+    push(world, call, Push::AngularImpulse)
 }
 
-fn get_vehicle_light_state(world: &mut World, call: &Call<'_>) -> Result {
+fn add_actor_torque(world: &mut World, call: &Call<'_>) -> CallResult {
+    push(world, call, Push::Torque)
+}
+
+fn get_vehicle_light_state(world: &mut World, call: &Call<'_>) -> CallResult {
     Ok(Answer::of(&vec![world.episode.vehicle(call.request.argument(0)?)?.lights()]))
 }
 
 /// The flags come in an array of one.
-fn set_vehicle_light_state(world: &mut World, call: &Call<'_>) -> Result {
+fn set_vehicle_light_state(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, flags): (u32, Vec<u32>) = two(call)?;
     world.episode.vehicle(id)?.set_lights(flags.first().copied().unwrap_or(0));
     Ok(Answer::Void)
 }
 
-fn get_vehicle_light_states(world: &mut World, _: &Call<'_>) -> Result {
+fn get_vehicle_light_states(world: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.episode.light_states()))
 }
 
-fn get_wheel_steer_angle(world: &mut World, call: &Call<'_>) -> Result {
+fn get_wheel_steer_angle(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, wheel): (u32, u8) = two(call)?;
     Ok(Answer::of(&world.episode.vehicle(id)?.wheel_steer_deg(wheel)))
-}
-
-fn nothing_to_do(_: &mut World, _: &Call<'_>) -> Result {
-    Ok(Answer::Void)
 }

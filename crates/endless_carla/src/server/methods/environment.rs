@@ -1,15 +1,12 @@
 //! Weather, and what stands in the world that is no actor.
 
+use crate::frames;
 use crate::rpc::Answer;
-use crate::server::call::{Call, Method};
-use crate::server::call_error::CallError;
-use crate::server::frames;
+use crate::server::call::{Call, CallResult, Method, nothing_to_do};
 use crate::server::world::World;
 use crate::wire::{BoundingBox, EnvironmentObject, Vector3D, WeatherParameters};
 use endless_world::{ParkedVehicle, Pose};
 use glam::Vec3;
-
-type Result = std::result::Result<Answer, CallError>;
 
 pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_weather_parameters", get_weather_parameters),
@@ -18,6 +15,7 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_all_level_BBs", get_all_level_boxes),
     ("get_environment_objects", get_environment_objects),
     ("get_names_of_all_objects", get_names_of_all_objects),
+    // Pictures are for machines that learn: nothing is drawn into them.
     ("draw_debug_shape", nothing_to_do),
     ("clear_debug_shape", nothing_to_do),
     ("clear_debug_string", nothing_to_do),
@@ -26,17 +24,17 @@ pub(super) const METHODS: &[(&str, Method)] = &[
 /// m/s², as CARLA's IMU assumes.
 const GRAVITY: f32 = 9.81;
 
-fn get_weather_parameters(world: &mut World, _: &Call<'_>) -> Result {
+fn get_weather_parameters(world: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.episode.weather))
 }
 
-fn set_weather_parameters(world: &mut World, call: &Call<'_>) -> Result {
+fn set_weather_parameters(world: &mut World, call: &Call<'_>) -> CallResult {
     let weather: WeatherParameters = call.request.argument(0)?;
     world.episode.weather = weather;
     Ok(Answer::Void)
 }
 
-fn get_imui_gravity(_: &mut World, _: &Call<'_>) -> Result {
+fn get_imui_gravity(_: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&GRAVITY))
 }
 
@@ -44,12 +42,12 @@ fn get_imui_gravity(_: &mut World, _: &Call<'_>) -> Result {
 const ANY: u8 = 255;
 
 /// In the world.
-fn get_all_level_boxes(world: &mut World, call: &Call<'_>) -> Result {
+fn get_all_level_boxes(world: &mut World, call: &Call<'_>) -> CallResult {
     let boxes: Vec<BoundingBox> = things(world, call.request.argument(0)?).map(|thing| thing.bounding_box).collect();
     Ok(Answer::of(&boxes))
 }
 
-fn get_environment_objects(world: &mut World, call: &Call<'_>) -> Result {
+fn get_environment_objects(world: &mut World, call: &Call<'_>) -> CallResult {
     let things: Vec<EnvironmentObject> = things(world, call.request.argument(0)?).collect();
     Ok(Answer::of(&things))
 }
@@ -73,11 +71,6 @@ fn things(world: &World, label: u8) -> impl Iterator<Item = EnvironmentObject> {
     (1..).zip(parked).filter_map(thing)
 }
 
-fn get_names_of_all_objects(_: &mut World, _: &Call<'_>) -> Result {
+fn get_names_of_all_objects(_: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&Vec::<String>::new()))
-}
-
-/// Pictures are for machines that learn: nothing is drawn into them.
-fn nothing_to_do(_: &mut World, _: &Call<'_>) -> Result {
-    Ok(Answer::Void)
 }

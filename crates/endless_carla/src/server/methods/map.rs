@@ -1,12 +1,10 @@
 //! Maps and the files that come with them.
 
 use crate::rpc::Answer;
-use crate::server::call::{Call, Method};
+use crate::server::call::{Call, CallResult, Method, nothing_to_do};
 use crate::server::call_error::CallError;
 use crate::server::world::World;
 use crate::wire::{Bytes, LightState, MapInfo};
-
-type Result = std::result::Result<Answer, CallError>;
 
 pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_map_info", get_map_info),
@@ -15,6 +13,7 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_required_files", get_required_files),
     ("request_file", request_file),
     ("get_navigation_mesh", get_navigation_mesh),
+    // Maps have no layers that could be taken away.
     ("load_map_layer", nothing_to_do),
     ("unload_map_layer", nothing_to_do),
     ("query_lights_state", query_lights_state),
@@ -22,28 +21,28 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("update_day_night_cycle", nothing_to_do),
 ];
 
-fn get_map_info(world: &mut World, _: &Call<'_>) -> Result {
+fn get_map_info(world: &mut World, _: &Call<'_>) -> CallResult {
     let map = &world.episode.map;
     let name = format!("Carla/Maps/{}", map.name);
     Ok(Answer::of(&MapInfo { name, recommended_spawn_points: map.roads.spawn_points().to_vec() }))
 }
 
-fn get_map_data(world: &mut World, _: &Call<'_>) -> Result {
+fn get_map_data(world: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::Value(world.episode.map.roads.opendrive().into()))
 }
 
-fn get_available_maps(world: &mut World, _: &Call<'_>) -> Result {
+fn get_available_maps(world: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.shelf.names()))
 }
 
 /// Clients cache files by name for ever: the name of a mesh tells its content.
-fn get_required_files(world: &mut World, call: &Call<'_>) -> Result {
+fn get_required_files(world: &mut World, call: &Call<'_>) -> CallResult {
     let folder: String = call.request.argument(0)?;
     let mesh = world.episode.map.roads.navigation().filter(|_| folder == "Nav");
     Ok(Answer::of(&Vec::from_iter(mesh.map(|mesh| mesh.file_name.clone()))))
 }
 
-fn request_file(world: &mut World, call: &Call<'_>) -> Result {
+fn request_file(world: &mut World, call: &Call<'_>) -> CallResult {
     let name: String = call.request.argument(0)?;
     match world.episode.map.roads.navigation().filter(|mesh| mesh.file_name == name) {
         Some(mesh) => Ok(Answer::of(&Bytes(mesh.bytes.clone()))),
@@ -51,17 +50,12 @@ fn request_file(world: &mut World, call: &Call<'_>) -> Result {
     }
 }
 
-fn get_navigation_mesh(world: &mut World, _: &Call<'_>) -> Result {
+fn get_navigation_mesh(world: &mut World, _: &Call<'_>) -> CallResult {
     let mesh = world.episode.map.roads.navigation();
     Ok(Answer::of(&Bytes(mesh.map_or_else(Vec::new, |mesh| mesh.bytes.clone()))))
 }
 
 /// Lamps follow the time of day: nobody may switch them one by one.
-fn query_lights_state(_: &mut World, _: &Call<'_>) -> Result {
+fn query_lights_state(_: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&Vec::<LightState>::new()))
-}
-
-/// Maps have no layers that could be taken away.
-fn nothing_to_do(_: &mut World, _: &Call<'_>) -> Result {
-    Ok(Answer::Void)
 }

@@ -1,16 +1,14 @@
 //! What rays meet: `cast_ray`, `project_point`, and the client's own `ground_projection`.
 
+use crate::frames;
 use crate::rpc::Answer;
-use crate::server::call::{Call, Method};
+use crate::server::call::{Call, CallResult, Method};
 use crate::server::call_error::CallError;
-use crate::server::frames;
 use crate::server::world::World;
 use crate::wire::{LabelledPoint, Location, Vector3D, Wire};
 use endless_render::{Ray, RayCaster};
 use glam::{Vec3, Vec3A};
 use rmpv::Value;
-
-type Result = std::result::Result<Answer, CallError>;
 
 pub(super) const METHODS: &[(&str, Method)] = &[("cast_ray", cast_ray), ("project_point", project_point)];
 
@@ -20,14 +18,14 @@ const MOST: usize = 1000;
 const BEHIND_M: f32 = 1e-3;
 
 /// All surfaces between two places.
-fn cast_ray(world: &mut World, call: &Call<'_>) -> Result {
+fn cast_ray(world: &mut World, call: &Call<'_>) -> CallResult {
     let (from, to): (Location, Location) = (call.request.argument(0)?, call.request.argument(1)?);
     let (from, to) = (frames::from_carla(&from), frames::from_carla(&to));
     Ok(Answer::of(&met(world, from, to - from, (to - from).length(), MOST)?))
 }
 
 /// The first surface from a place in a direction, within a distance.
-fn project_point(world: &mut World, call: &Call<'_>) -> Result {
+fn project_point(world: &mut World, call: &Call<'_>) -> CallResult {
     let (from, direction, distance): (Location, Vector3D, f32) =
         (call.request.argument(0)?, call.request.argument(1)?, call.request.argument(2)?);
     let first = met(world, frames::from_carla(&from), frames::from_carla(&direction), distance, 1)?.pop();
@@ -42,7 +40,7 @@ fn met(
     direction: Vec3,
     distance: f32,
     most: usize,
-) -> std::result::Result<Vec<LabelledPoint>, CallError> {
+) -> Result<Vec<LabelledPoint>, CallError> {
     let Some(direction) = direction.try_normalize().filter(|_| from.is_finite() && distance.is_finite()) else {
         return Err(CallError::refused("a ray needs a place, a direction and a length that are numbers"));
     };

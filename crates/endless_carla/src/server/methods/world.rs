@@ -1,13 +1,11 @@
 //! Versions, episodes, settings and time.
 
 use crate::rpc::Answer;
-use crate::server::call::{Call, Method};
+use crate::server::call::{Call, CallResult, Method};
 use crate::server::call_error::CallError;
 use crate::server::version::VERSION;
 use crate::server::world::World;
 use crate::wire::{EpisodeInfo, EpisodeSettings};
-
-type Result = std::result::Result<Answer, CallError>;
 
 pub(super) const METHODS: &[(&str, Method)] = &[
     ("version", version),
@@ -18,21 +16,21 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("load_new_episode", load_new_episode),
 ];
 
-fn version(_: &mut World, _: &Call<'_>) -> Result {
+fn version(_: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&VERSION.to_owned()))
 }
 
-fn get_episode_info(world: &mut World, _: &Call<'_>) -> Result {
+fn get_episode_info(world: &mut World, _: &Call<'_>) -> CallResult {
     let token = world.token(world.episode.stream());
     Ok(Answer::of(&EpisodeInfo { id: world.episode.id, token: vec![token] }))
 }
 
-fn get_episode_settings(world: &mut World, _: &Call<'_>) -> Result {
+fn get_episode_settings(world: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.settings))
 }
 
 /// Gives the current frame: clients wait for the snapshot of the frame that they are told.
-fn set_episode_settings(world: &mut World, call: &Call<'_>) -> Result {
+fn set_episode_settings(world: &mut World, call: &Call<'_>) -> CallResult {
     /// The longest step that physics can follow, seconds.
     const LONGEST_S: f64 = 10.0;
     let settings: EpisodeSettings = call.request.argument(0)?;
@@ -45,11 +43,11 @@ fn set_episode_settings(world: &mut World, call: &Call<'_>) -> Result {
     Ok(Answer::of(&world.episode.frame))
 }
 
-fn tick_cue(world: &mut World, call: &Call<'_>) -> Result {
+fn tick_cue(world: &mut World, call: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.tick(call.caller.id)))
 }
 
-fn load_new_episode(world: &mut World, call: &Call<'_>) -> Result {
+fn load_new_episode(world: &mut World, call: &Call<'_>) -> CallResult {
     let (map, reset_settings): (String, bool) = (call.request.argument(0)?, call.request.argument(1)?);
     world.load(&map, reset_settings)?;
     Ok(Answer::Void)

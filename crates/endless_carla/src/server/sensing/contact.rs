@@ -1,11 +1,10 @@
 //! Collision sensors: who meets whom.
 
-use super::inertial::message;
 use crate::blueprint::SensorKind;
+use crate::frames;
 use crate::physics::{Contact, Party};
 use crate::server::actor::Body;
 use crate::server::episode::Episode;
-use crate::server::frames;
 use crate::stream::{SensorHeader, StreamHub};
 use crate::wire::{Actor, Wire};
 use glam::DVec3;
@@ -24,7 +23,7 @@ pub(super) fn collisions(episode: &Episode, hub: &StreamHub) -> Vec<(u32, Vec<u8
                 let (Some(carrier), other) = (episode.actors.get(&own), told(episode, other)) else { continue };
                 let impulse = frames::to_carla(impulse.as_vec3()).to_value();
                 let payload = Value::Array(vec![carrier.told.to_value(), other.to_value(), impulse]);
-                messages.push((stream, message(&header, &payload)));
+                messages.push((stream, header.with_msgpack(&payload)));
             }
         }
     }
@@ -52,13 +51,7 @@ fn told(episode: &Episode, party: Party) -> Actor {
 fn sensors_of(episode: &Episode, carrier: u32) -> impl Iterator<Item = (u32, SensorHeader)> {
     episode.actors.values().filter_map(move |actor| match &actor.body {
         Body::Sensor(sensor) if sensor.kind == SensorKind::Collision && actor.told.parent_id == carrier => {
-            let header = SensorHeader {
-                type_id: sensor.kind.stream_type_id(),
-                frame: episode.frame,
-                timestamp: episode.elapsed_s,
-                transform: actor.transform.clone(),
-            };
-            Some((sensor.stream, header))
+            Some((sensor.stream, sensor.header(&actor.transform, episode.frame, episode.elapsed_s)))
         }
         _ => None,
     })

@@ -20,7 +20,7 @@ pub(super) fn imu_message(header: &SensorHeader, imu: &mut Imu, pose: &SensorPos
     let accelerometer = Vector3D { x: ax, y: -ay, z: az };
     let gyroscope = Vector3D { x: -gx, y: gy, z: -gz };
     let compass = Value::F32(measured.compass_rad as f32);
-    message(header, &Value::Array(vec![accelerometer.to_value(), gyroscope.to_value(), compass]))
+    header.with_msgpack(&Value::Array(vec![accelerometer.to_value(), gyroscope.to_value(), compass]))
 }
 
 /// `[latitude, longitude, altitude]`: degrees and metres.
@@ -33,13 +33,5 @@ pub(super) fn gnss_message(
     let GnssMeasurement { latitude_deg, longitude_deg, altitude_m } =
         Gnss::new(settings, seed).measure(header.frame, truth);
     let place = GeoLocation { latitude: latitude_deg, longitude: longitude_deg, altitude: altitude_m };
-    message(header, &place.to_value())
-}
-
-/// A message whose payload is msgpack.
-pub(super) fn message(header: &SensorHeader, payload: &Value) -> Vec<u8> {
-    let mut message = header.begin(64);
-    // Nothing can go wrong in memory.
-    let _ = rmpv::encode::write_value(&mut message, payload);
-    message
+    header.with_msgpack(&place.to_value())
 }

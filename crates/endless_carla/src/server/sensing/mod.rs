@@ -8,11 +8,11 @@ mod lidar;
 mod radar;
 mod scene;
 
-use super::actor::{Body, CameraSettings, SensorModel, ServerActor};
+use super::actor::{Body, CameraSettings, SensorModel, ServerActor, instance_id};
 use super::episode::Episode;
-use super::frames;
 use super::weather::scene_weather;
 use crate::blueprint::SensorKind;
+use crate::frames;
 use crate::stream::{Delivery, SensorHeader, StreamHub};
 use camera::{CameraView, Light};
 use endless_asset::Catalogue;
@@ -46,7 +46,6 @@ struct Measurement {
 }
 
 /// How it measures, where that needs to know the scene.
-#[derive(Clone)]
 enum Measured {
     Camera(CameraSettings),
     Lidar(Box<LidarSettings>),
@@ -73,15 +72,13 @@ impl Sensing {
             hub.publish(stream, message, delivery);
         }
         let due = due(episode, hub);
-        let (done, mut looking): (Vec<_>, Vec<_>) =
-            due.into_iter().partition(|one| matches!(one.what, Measured::Done(_)));
+        let (done, looking): (Vec<_>, Vec<_>) = due.into_iter().partition(|one| matches!(one.what, Measured::Done(_)));
         for one in done {
             if let Measured::Done(message) = one.what {
                 hub.publish(one.stream, message, delivery);
             }
         }
-        looking.retain(|_| sees);
-        if looking.is_empty() {
+        if looking.is_empty() || !sees {
             return;
         }
         let frame = self.scene.at(episode, catalogue);
@@ -123,6 +120,13 @@ impl Sensing {
 }
 
 impl Measurement {
+    fn camera(&self) -> Option<CameraSettings> {
+        match self.what {
+            Measured::Camera(settings) => Some(settings),
+            _ => None,
+        }
+    }
+
     fn sweep(&self, caster: &RayCaster<'_>, weather: &SceneWeather, seed: u64) -> Vec<u8> {
         let caster = caster.ignoring(self.carrier.as_slice());
         let interval = SweepInterval::standing(self.pose, self.interval_s, self.header.frame as u32);
@@ -148,15 +152,6 @@ fn show(view: &mut CameraView, alike: &[Measurement], light: &Light<'_>, frame: 
     alike.iter().filter_map(message).collect()
 }
 
-impl Measurement {
-    fn camera(&self) -> Option<CameraSettings> {
-        match self.what {
-            Measured::Camera(settings) => Some(settings),
-            _ => None,
-        }
-    }
-}
-
 fn look_alike(cameras: Vec<Measurement>) -> Vec<Vec<Measurement>> {
     let mut alike: Vec<Vec<Measurement>> = Vec::new();
     for one in cameras {
@@ -176,19 +171,14 @@ fn due(episode: &mut Episode, hub: &StreamHub) -> Vec<Measurement> {
     let (now_s, frame, step_s) = (episode.elapsed_s, episode.frame, episode.delta_s);
     let (map, seed) = (Arc::clone(&episode.map), episode.seed);
     let measurement = |actor: &mut ServerActor| {
-        let carrier = InstanceId((actor.told.parent_id & 0xffff) as u16);
+        let carrier = instance_id(actor.told.parent_id);
         let Body::Sensor(sensor) = &mut actor.body else { return None };
         if !sensor.measures(now_s) || !hub.is_heard(sensor.stream) {
             return None;
         }
         let pose = frames::sensor_pose(&actor.transform);
-        let interval_s = sensor.last.map_or(step_s, |(last_s, _)| now_s - last_s).max(1e-6);
-        let header = SensorHeader {
-            type_id: sensor.kind.stream_type_id(),
-            frame,
-            timestamp: now_s,
-            transform: actor.transform.clone(),
-        };
+        let interval_s = sensor.last_s.map_or(step_s, |last_s| now_s - last_s).max(1e-6);
+        let header = sensor.header(&actor.transform, frame, now_s);
         let own_seed = seed ^ u64::from(sensor.stream);
         let what = match &mut sensor.model {
             SensorModel::Camera(settings) => Measured::Camera(*settings),
@@ -204,7 +194,7 @@ fn due(episode: &mut Episode, hub: &StreamHub) -> Vec<Measurement> {
             }
             SensorModel::Event => return None,
         };
-        sensor.last = Some((now_s, pose));
+        sensor.last_s = Some(now_s);
         let carrier = Some(carrier).filter(|id| *id != InstanceId::STUFF);
         Some(Measurement { kind: sensor.kind, stream: sensor.stream, header, pose, interval_s, carrier, what })
     };

@@ -1,13 +1,13 @@
 //! Actors as the renderer draws them.
 
-use crate::server::actor::{Body, ServerActor};
+use crate::frames;
+use crate::server::actor::{Body, ServerActor, instance_id};
 use crate::server::episode::Episode;
-use crate::server::frames;
 use crate::wire::Transform;
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_render::FrameScene;
-use endless_world::{Actor, Behaviour, InstanceId, Motion, ObjectClass, WorldState};
+use endless_world::{Actor, Behaviour, Motion, ObjectClass, WorldState};
 
 /// The models of an episode's actors, made again when others come.
 #[derive(Default)]
@@ -34,7 +34,7 @@ impl ActorScene {
 
 /// Vehicles and people; their number in pictures is that of the actor.
 fn drawn(actor: &ServerActor, time_s: f64) -> Option<Actor> {
-    let id = InstanceId((actor.told.id & 0xffff) as u16);
+    let id = instance_id(actor.told.id);
     let (class, asset, motion, rider) = match &actor.body {
         Body::Vehicle(vehicle) => {
             (vehicle.class, vehicle.asset.into(), Motion::Vehicle(vehicle.motion()), vehicle.is_ridden.then_some(id))

@@ -5,21 +5,22 @@
 
 use crate::physics::Place;
 use crate::wire::{Rotation, Transform, Vector3D};
+use endless_world::math::f64::{asin, atan2};
 use endless_world::{Pose, SensorPose, rotation_from_angles};
 use glam::{DQuat, DVec3, Vec3};
 
 /// A place or a direction of CARLA's in our frame.
-pub(super) fn from_carla(vector: &Vector3D) -> Vec3 {
+pub(crate) fn from_carla(vector: &Vector3D) -> Vec3 {
     Vec3::new(vector.x, -vector.y, vector.z)
 }
 
 /// A place or a direction of ours in CARLA's frame.
-pub(super) fn to_carla(vector: Vec3) -> Vector3D {
+pub(crate) fn to_carla(vector: Vec3) -> Vector3D {
     Vector3D { x: vector.x, y: -vector.y, z: vector.z }
 }
 
 /// An actor's pose.
-pub(super) fn pose(transform: &Transform) -> Pose {
+pub(crate) fn pose(transform: &Transform) -> Pose {
     let Rotation { pitch, yaw, roll } = transform.rotation;
     Pose {
         position: from_carla(&transform.location),
@@ -30,7 +31,7 @@ pub(super) fn pose(transform: &Transform) -> Pose {
 }
 
 /// The transform of a pose.
-pub(super) fn transform(pose: &Pose) -> Transform {
+pub(crate) fn transform(pose: &Pose) -> Transform {
     let rotation = Rotation {
         pitch: pose.pitch_rad.to_degrees(),
         yaw: -pose.yaw_rad.to_degrees(),
@@ -40,7 +41,7 @@ pub(super) fn transform(pose: &Pose) -> Transform {
 }
 
 /// An actor's place.
-pub(super) fn place(transform: &Transform) -> Place {
+pub(crate) fn place(transform: &Transform) -> Place {
     let radians = |degrees: f32| f64::from(degrees).to_radians();
     let Rotation { pitch, yaw, roll } = transform.rotation;
     Place {
@@ -52,7 +53,7 @@ pub(super) fn place(transform: &Transform) -> Place {
 }
 
 /// The transform of a place.
-pub(super) fn transform_of(place: &Place) -> Transform {
+pub(crate) fn transform_of(place: &Place) -> Transform {
     let degrees = |radians: f64| radians.to_degrees() as f32;
     let rotation =
         Rotation { pitch: degrees(place.pitch_rad), yaw: -degrees(place.yaw_rad), roll: degrees(place.roll_rad) };
@@ -60,34 +61,34 @@ pub(super) fn transform_of(place: &Place) -> Transform {
 }
 
 /// An axis and a speed of turning (degrees a second there, radians here): to the left about it there, to the right here.
-pub(super) fn turn_from_carla(turn: &Vector3D) -> DVec3 {
+pub(crate) fn turn_from_carla(turn: &Vector3D) -> DVec3 {
     axis_from_carla(turn).map(f64::to_radians)
 }
 
 /// An axis of turning of any unit: what turns to the left about it there, turns to the right here.
-pub(super) fn axis_from_carla(axis: &Vector3D) -> DVec3 {
+pub(crate) fn axis_from_carla(axis: &Vector3D) -> DVec3 {
     DVec3::new(-f64::from(axis.x), f64::from(axis.y), -f64::from(axis.z))
 }
 
 /// The same the other way.
-pub(super) fn turn_to_carla(turn: DVec3) -> Vector3D {
+pub(crate) fn turn_to_carla(turn: DVec3) -> Vector3D {
     let degrees = |radians: f64| radians.to_degrees() as f32;
     Vector3D { x: -degrees(turn.x), y: degrees(turn.y), z: -degrees(turn.z) }
 }
 
 /// A sensor's pose: it stands still.
-pub(super) fn sensor_pose(transform: &Transform) -> SensorPose {
+pub(crate) fn sensor_pose(transform: &Transform) -> SensorPose {
     SensorPose::still(from_carla(&transform.location).as_dvec3(), orientation(&transform.rotation))
 }
 
 /// The turn of a body in our frame.
-pub(super) fn orientation(rotation: &Rotation) -> DQuat {
+pub(crate) fn orientation(rotation: &Rotation) -> DQuat {
     let radians = |degrees: f32| f64::from(degrees).to_radians();
     rotation_from_angles(-radians(rotation.yaw), radians(rotation.pitch), radians(rotation.roll))
 }
 
 /// Where something attached is, that has a place in the frame of whom it is attached to.
-pub(super) fn attached(parent: &Transform, own: &Transform) -> Transform {
+pub(crate) fn attached(parent: &Transform, own: &Transform) -> Transform {
     let world_from_parent = orientation(&parent.rotation);
     let offset = world_from_parent * from_carla(&own.location).as_dvec3();
     let place = from_carla(&parent.location).as_dvec3() + offset;
@@ -98,8 +99,7 @@ pub(super) fn attached(parent: &Transform, own: &Transform) -> Transform {
 }
 
 /// CARLA's angles of a turn.
-pub(super) fn rotation(turn: DQuat) -> Rotation {
-    use endless_world::math::f64::{asin, atan2};
+pub(crate) fn rotation(turn: DQuat) -> Rotation {
     let (forward, left, up) = (turn * DVec3::X, turn * DVec3::Y, turn * DVec3::Z);
     let degrees = |radians: f64| radians.to_degrees() as f32;
     Rotation {
@@ -109,8 +109,21 @@ pub(super) fn rotation(turn: DQuat) -> Rotation {
     }
 }
 
+/// A pose that looks along a heading, nose up by a grade (rise over run).
+pub(crate) fn heading(place: DVec3, heading_rad: f64, grade: f64) -> Transform {
+    let rotation =
+        Rotation { pitch: atan2(grade, 1.0).to_degrees() as f32, yaw: yaw_deg(heading_rad) as f32, roll: 0.0 };
+    Transform { location: to_carla(place.as_vec3()), rotation }
+}
+
+/// From -180 (not included) to 180 degrees.
+fn yaw_deg(heading_rad: f64) -> f64 {
+    let turned = (-heading_rad.to_degrees()).rem_euclid(360.0);
+    if turned > 180.0 { turned - 360.0 } else { turned }
+}
+
 /// Whether all its numbers are numbers.
-pub(super) fn is_finite(transform: &Transform) -> bool {
+pub(crate) fn is_finite(transform: &Transform) -> bool {
     let Transform { location: l, rotation: r } = transform;
     [l.x, l.y, l.z, r.pitch, r.yaw, r.roll].iter().all(|number| number.is_finite())
 }
@@ -120,6 +133,7 @@ mod tests {
     use super::*;
     use crate::wire::Location;
     use proptest::prelude::*;
+    use std::f64::consts::FRAC_PI_2;
 
     fn any_transform() -> impl Strategy<Value = Transform> {
         (prop::array::uniform3(-500.0f32..500.0), -80.0f32..80.0, -170.0f32..170.0, -80.0f32..80.0).prop_map(
@@ -166,5 +180,14 @@ mod tests {
         assert!(forward.distance(DVec3::NEG_Y) < 1e-9);
         let right = orientation(&Rotation { pitch: 0.0, yaw: 0.0, roll: 30.0 }) * DVec3::NEG_Y;
         assert!(right.z < -0.4);
+    }
+
+    #[test]
+    fn north_is_minus_y_and_up_a_hill_is_nose_up() {
+        let pose = heading(DVec3::new(1.0, 2.0, 3.0), FRAC_PI_2, 0.1);
+        assert_eq!(pose.location, Location { x: 1.0, y: -2.0, z: 3.0 });
+        assert!((pose.rotation.yaw + 90.0).abs() < 1e-4 && (pose.rotation.pitch - 5.71).abs() < 0.01);
+        assert_eq!(from_carla(&pose.location).as_dvec3(), DVec3::new(1.0, 2.0, 3.0));
+        assert!((yaw_deg(-std::f64::consts::PI) - 180.0).abs() < 1e-9);
     }
 }
