@@ -89,6 +89,9 @@ impl Progress for Reporter {
                 self.line(&format!("cameras baked in {seconds:.1} s"));
             }
             ProgressEvent::Frame { cameras, .. } => self.frame(cameras.into()),
+            ProgressEvent::VideoAgain { name, reason } => {
+                self.line(&format!("warning: {name} is begun again: {reason}"));
+            }
             ProgressEvent::VideoDone { name } => self.line(&format!("complete: {name}")),
         }
     }

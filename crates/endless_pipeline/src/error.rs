@@ -65,6 +65,12 @@ pub enum RecipeError {
         /// The simulators there are.
         known: Vec<&'static str>,
     },
+    /// An address of a simulator that cannot be.
+    #[error("--simulator: {problem}")]
+    Simulator {
+        /// What is wrong.
+        problem: String,
+    },
     /// A file that cannot be read.
     #[error("cannot read the {what}: {cause}: {}", path.display())]
     Unreadable {

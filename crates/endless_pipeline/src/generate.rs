@@ -5,7 +5,7 @@ mod lock;
 mod output;
 
 use crate::{
-    GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Simulator, StageTimes,
+    GenerateError, MapUse, Plan, Progress, ProgressEvent, SensorTimes, Simulator, SimulatorError, StageTimes,
     record::{Recording, Stage, StageClock, Stream, record_video},
 };
 use endless_dataset::{BuildIdentity, DatasetLayout, Manifest, Recipe, VideoLayout, VideoState, write_json_durable};
@@ -106,15 +106,23 @@ fn generate_in<S: Simulator>(
     let mut run = GenerateRun { pool, simulator, recipe, layout: &layout, options, progress, clock: &clock, place: 0 };
     for same_map in remaining_scenes.chunk_by(|a, b| a.map == b.map) {
         let name = &same_map[0].map;
-        progress.event(&ProgressEvent::LoadMap { map: name });
-        let map = clock.time(Stage::LoadMap, || {
-            let mut cameras = Plan::cameras(recipe, simulator, name)?;
-            cameras.extend(fixed_of_rig(&plan, name));
-            simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map })
-        })?;
+        let mut cameras = Plan::cameras(recipe, simulator, name)?;
+        cameras.extend(fixed_of_rig(&plan, name));
+        let load = || {
+            progress.event(&ProgressEvent::LoadMap { map: name });
+            clock.time(Stage::LoadMap, || simulator.load_map(&MapUse { name, cameras: &cameras, videos: same_map }))
+        };
+        let mut map = None;
         for settings in same_map {
             let of = remaining_scenes.len() as u32;
-            run.video(&map, settings, of, &mut manifest, &mut generated.sensors)?;
+            run.place += 1;
+            let mut failures = 0;
+            while let Err(failure) = run.video(&mut map, &load, settings, of, &mut manifest, &mut generated.sensors) {
+                failures += 1;
+                // What is loaded there may be lost with the connection.
+                map = None;
+                run.recover(settings, failure, failures)?;
+            }
             generated.videos += 1;
             generated.camera_frames += measurements(settings);
             generated.bytes += layout.video(settings).bytes()?;
@@ -151,16 +159,32 @@ struct GenerateRun<'a, S> {
 }
 
 impl<S: Simulator> GenerateRun<'_, S> {
+    /// After a failure of a video: whether it may be begun again.
+    fn recover(&self, settings: &SceneSettings, failure: GenerateError, failures: u32) -> Result<(), GenerateError> {
+        let GenerateError::Simulator(failure) = failure else { return Err(failure) };
+        if !failure.is_passing() {
+            return Err(failure.into());
+        }
+        let reason = failure.to_string();
+        self.simulator.recover(failure, failures)?;
+        self.progress.event(&ProgressEvent::VideoAgain { name: &VideoLayout::name(settings), reason: &reason });
+        Ok(())
+    }
+
     /// Records a video, and notes in the manifest who does it, before it begins, and that it is complete.
     fn video(
         &mut self,
-        map: &S::Map,
+        map: &mut Option<S::Map>,
+        load: &impl Fn() -> Result<S::Map, SimulatorError>,
         settings: &SceneSettings,
         of: u32,
         manifest: &mut Manifest,
         sensors: &mut Vec<SensorTimes>,
     ) -> Result<(), GenerateError> {
-        self.place += 1;
+        let map = match map {
+            Some(map) => map,
+            none => none.insert(load()?),
+        };
         let name = VideoLayout::name(settings);
         let camera_frames = measurements(settings);
         self.progress.event(&ProgressEvent::Video { name: &name, place: self.place, of, camera_frames });

@@ -53,6 +53,13 @@ pub enum ProgressEvent<'a> {
         /// Whether it was on disk already.
         resumed: bool,
     },
+    /// A video failed and is begun again.
+    VideoAgain {
+        /// Its folder's name.
+        name: &'a str,
+        /// Why it failed.
+        reason: &'a str,
+    },
     /// A video is complete.
     VideoDone {
         /// Its folder's name.

@@ -93,6 +93,7 @@ pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Reci
         .into());
     }
     recipe.sensor = rig::resolve(&recipe)?;
+    source.accepts(&recipe)?;
     Ok(recipe)
 }
 

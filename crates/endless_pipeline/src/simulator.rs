@@ -43,6 +43,14 @@ pub trait MapSource {
         Ok(Vec::new())
     }
 
+    /// Whether a recipe asks for nothing that this simulator cannot make.
+    ///
+    /// # Errors
+    /// What it cannot make.
+    fn accepts(&self, _recipe: &Recipe) -> Result<(), SimulatorError> {
+        Ok(())
+    }
+
     /// Hashes of the files of imported models, by their names.
     fn asset_files(&self) -> BTreeMap<String, String> {
         BTreeMap::new()
@@ -142,6 +150,15 @@ pub trait Simulator: MapCatalog + Sync {
     /// # Errors
     /// When there is no such map, it cannot be made, or the simulator cannot be reached.
     fn load_map(&self, wanted: &MapUse<'_>) -> Result<Self::Map, SimulatorError>;
+
+    /// After a failure that may pass: waits until the map can be loaded again and the video begun again. `failures` is how
+    /// often this video has failed, from 1.
+    ///
+    /// # Errors
+    /// The failure, when trying again helps nothing or has been tried often enough.
+    fn recover(&self, failure: SimulatorError, _failures: u32) -> Result<(), SimulatorError> {
+        Err(failure)
+    }
 
     /// What a map has on and beside its roads, of simulators that know: each camera gets a `map.json` then.
     fn map_features<'m>(&self, _map: &'m Self::Map) -> Option<&'m MapFeatures> {

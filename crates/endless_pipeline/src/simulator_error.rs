@@ -103,6 +103,27 @@ pub enum SimulatorError {
         /// The frame that came.
         got: u32,
     },
+    /// What a simulator elsewhere said or did.
+    #[error("the simulator at {address}: {reason}")]
+    Remote {
+        /// Where it is.
+        address: String,
+        /// What is wrong.
+        reason: String,
+        /// Whether the same may go well another time.
+        passing: bool,
+    },
+    /// What a simulator cannot make.
+    #[error("this simulator makes no {what}: {instead}")]
+    Unsupported {
+        /// What was asked for.
+        what: String,
+        /// What to do.
+        instead: &'static str,
+    },
+    /// The user wants to stop.
+    #[error("stopped: what is complete stays, the same command goes on")]
+    Interrupted,
     /// Fewer or more pictures than there are cameras.
     #[error("the simulator gave pictures of {got} cameras in place of {expected} for frame {frame}")]
     CamerasMissing {
@@ -113,6 +134,20 @@ pub enum SimulatorError {
         /// Cameras of which pictures came.
         got: usize,
     },
+}
+
+impl SimulatorError {
+    /// Whether the same may go well another time: a connection broke, frames were lost, nothing came in time.
+    pub fn is_passing(&self) -> bool {
+        match self {
+            Self::ConnectionLost { .. }
+            | Self::Timeout { .. }
+            | Self::FramesDropped { .. }
+            | Self::CamerasMissing { .. } => true,
+            Self::Remote { passing, .. } => *passing,
+            _ => false,
+        }
+    }
 }
 
 impl From<MapError> for SimulatorError {
