@@ -1,6 +1,6 @@
 //! The header of all messages of streams, little-endian.
 
-use crate::wire::Transform;
+use crate::wire::{Rotation, Transform, Vector3D};
 use rmpv::Value;
 
 /// The type of messages that are snapshots, in 0.9.16.
@@ -22,6 +22,13 @@ pub struct SensorHeader {
 impl SensorHeader {
     /// Its size, bytes.
     pub const SIZE: usize = 48;
+
+    /// From its bytes.
+    pub fn read(bytes: &[u8; Self::SIZE]) -> Self {
+        let mut bytes = ByteReader(bytes);
+        let (type_id, frame, timestamp) = (bytes.u64(), bytes.u64(), bytes.f64());
+        Self { type_id, frame, timestamp, transform: bytes.transform() }
+    }
 
     /// A message of this header, with room for a payload of so many bytes.
     pub fn begin(&self, payload: usize) -> Vec<u8> {
@@ -50,4 +57,44 @@ pub(super) fn push_transform(message: &mut Vec<u8>, transform: &Transform) {
 
 pub(super) fn push_floats(message: &mut Vec<u8>, numbers: &[f32]) {
     message.extend(numbers.iter().flat_map(|number| number.to_le_bytes()));
+}
+
+/// Reads numbers one after the other; beyond the end they are 0.
+pub(super) struct ByteReader<'a>(pub(super) &'a [u8]);
+
+impl ByteReader<'_> {
+    pub(super) fn take<const N: usize>(&mut self) -> [u8; N] {
+        match self.0.split_first_chunk::<N>() {
+            Some((chunk, rest)) => {
+                self.0 = rest;
+                *chunk
+            }
+            None => [0; N],
+        }
+    }
+
+    pub(super) fn u32(&mut self) -> u32 {
+        u32::from_le_bytes(self.take())
+    }
+
+    pub(super) fn u64(&mut self) -> u64 {
+        u64::from_le_bytes(self.take())
+    }
+
+    pub(super) fn f32(&mut self) -> f32 {
+        f32::from_le_bytes(self.take())
+    }
+
+    pub(super) fn f64(&mut self) -> f64 {
+        f64::from_le_bytes(self.take())
+    }
+
+    pub(super) fn vector(&mut self) -> Vector3D {
+        Vector3D { x: self.f32(), y: self.f32(), z: self.f32() }
+    }
+
+    pub(super) fn transform(&mut self) -> Transform {
+        let location = self.vector();
+        Transform { location, rotation: Rotation { pitch: self.f32(), yaw: self.f32(), roll: self.f32() } }
+    }
 }

@@ -108,13 +108,13 @@ pub struct LightRecord {
 }
 
 /// Of the header of an episode, bytes.
-const EPISODE_SIZE: usize = 36;
+pub(super) const EPISODE_SIZE: usize = 36;
 /// Of a record, bytes.
-const RECORD_SIZE: usize = 119;
+pub(super) const RECORD_SIZE: usize = 119;
 /// Of what differs by kind, bytes.
-const STATE_SIZE: usize = 54;
+pub(super) const STATE_SIZE: usize = 54;
 /// Of the number of a sign, bytes.
-const SIGN_SIZE: usize = 32;
+pub(super) const SIGN_SIZE: usize = 32;
 /// The state of all who are told of.
 const ACTIVE: u8 = 1;
 
