@@ -12,8 +12,8 @@ const LAYERS: &[&[&str]] = &[
     &["endless_town", "endless_annotate", "endless_sensor"],
     &["endless_traffic", "endless_city", "endless_dataset"],
     &["endless_interchange"],
-    &["endless_carla"],
     &["endless_pipeline"],
+    &["endless_carla"],
     &["endless", "endless_fuzz"],
 ];
 

@@ -4,6 +4,7 @@ use crate::{bench::ScalingSeries, build_info::VERSION, recipe_args::RecipeArgs};
 use bytesize::ByteSize;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
+use endless_carla::client::Address;
 use endless_world::DrivingSide;
 use std::path::PathBuf;
 
@@ -71,6 +72,16 @@ pub(crate) struct GenerateArgs {
     /// result.
     #[arg(long, value_name = "DIR")]
     pub(crate) cache: Option<PathBuf>,
+    /// With a CARLA server: the TrafficManager that drives the vehicles, as HOST or HOST:PORT [default: none, the built-in
+    /// traffic drives on the server's map].
+    #[arg(long, value_name = "HOST:PORT", value_parser = traffic_manager)]
+    pub(crate) traffic_manager: Option<Address>,
+    /// With a CARLA server: how long a frame may take, seconds; then it is asked for again.
+    #[arg(long, value_name = "S", default_value_t = 30.0, value_parser = seconds)]
+    pub(crate) frame_timeout: f64,
+    /// With a CARLA server: how long one that has gone is waited for, seconds; then the run ends, and the same command goes on.
+    #[arg(long, value_name = "S", default_value_t = 120.0, value_parser = seconds)]
+    pub(crate) reconnect_timeout: f64,
     /// Write the settings of all scenes, print the work order, and stop.
     #[arg(long)]
     pub(crate) plan_only: bool,
@@ -224,6 +235,17 @@ pub(crate) struct BenchArgs {
     /// Times of day to record [default: afternoon, with --conditions all].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) times: Option<Vec<String>>,
+}
+
+/// A TrafficManager's address; 8000 is its usual port.
+fn traffic_manager(text: &str) -> Result<Address, String> {
+    Address::with_port(text, 8000)
+}
+
+/// A time that can be waited for.
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds = text.parse::<f64>().ok().filter(|seconds| (0.1..=86_400.0).contains(seconds));
+    seconds.ok_or_else(|| "give 0.1 to 86400 seconds".to_owned())
 }
 
 fn byte_size(text: &str) -> Result<ByteSize, &'static str> {

@@ -1,14 +1,15 @@
 //! `endless generate`.
 
-use crate::{args::GenerateArgs, assets, build_info::this_build, report::Reporter};
+use crate::{args::GenerateArgs, assets, build_info::this_build, exit::INTERRUPTED, report::Reporter};
 use anyhow::Result;
+use endless_carla::client::{Address, CarlaSettings, CarlaSimulator, StopFlag};
 use endless_dataset::RecipeDraft;
 use endless_interchange::{MapLibrary, TrackFile};
 use endless_pipeline::{
     BakeCache, BuiltinSimulator, GenerateOptions, Generated, MapSource, Plan, RecipeError, Simulator, generate,
     read_cameras, read_recipe, read_rig, resolve_recipe,
 };
-use std::{io::Write, process::ExitCode};
+use std::{io::Write, process::ExitCode, time::Duration};
 
 /// The simulator that is used if none is named.
 const BUILTIN: &str = "builtin";
@@ -27,8 +28,41 @@ pub(crate) fn run(library: MapLibrary, mut args: GenerateArgs, threads: usize) -
             }
             run_with(&simulator, draft, &args, threads)
         }
-        other => Err(RecipeError::UnknownSimulator { given: other.to_owned(), known: vec![BUILTIN] }.into()),
+        other => match Address::of_simulator(other) {
+            Some(address) => {
+                let address = address.map_err(|problem| RecipeError::Simulator { problem })?;
+                let simulator = CarlaSimulator::connect(carla_settings(address, &draft, &args)?)?;
+                // Where it is says nothing of what is made.
+                let draft = RecipeDraft { simulator: Some("carla".to_owned()), ..draft };
+                run_with(&simulator, draft, &args, threads)
+            }
+            None => {
+                let known = vec![BUILTIN, "carla://HOST:PORT"];
+                Err(RecipeError::UnknownSimulator { given: other.to_owned(), known }.into())
+            }
+        },
     }
+}
+
+/// Settings of a connection. Ctrl-C and a request to end let it clean up on the server.
+fn carla_settings(address: Address, draft: &RecipeDraft, args: &GenerateArgs) -> Result<CarlaSettings> {
+    let stop = StopFlag::default();
+    let flag = stop.clone();
+    ctrlc::set_handler(move || {
+        // Whoever asks twice does not want to wait for that.
+        if flag.is_set() {
+            std::process::exit(INTERRUPTED.into());
+        }
+        flag.stop();
+    })?;
+    Ok(CarlaSettings {
+        address,
+        traffic_manager: args.traffic_manager.clone(),
+        frame_limit: Duration::from_secs_f64(args.frame_timeout),
+        reconnect_limit: Duration::from_secs_f64(args.reconnect_timeout),
+        finds_sites: draft.cameras.is_none(),
+        stop,
+    })
 }
 
 /// What is kept of bakes. A plan alone bakes nothing.

@@ -20,8 +20,8 @@ mod threads;
 use args::{Cli, Command};
 use clap::Parser;
 use endless_interchange::MapLibrary;
-use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError};
-use exit::{FAILURE, USAGE};
+use endless_pipeline::{BuiltinSimulator, GenerateError, PlanError, RecipeError, SimulatorError};
+use exit::{FAILURE, INTERRUPTED, USAGE};
 use std::{
     io::{self, Write},
     process::ExitCode,
@@ -69,9 +69,22 @@ fn run() -> ExitCode {
         }
         Err(error) => {
             eprintln!("error: {}", one_line(&format!("{error:#}")));
-            ExitCode::from(if cannot_be_asked(&error) { USAGE } else { FAILURE })
+            ExitCode::from(exit_code(&error))
         }
     }
+}
+
+fn exit_code(error: &anyhow::Error) -> u8 {
+    let of_simulator = match (error.downcast_ref(), error.downcast_ref(), error.downcast_ref()) {
+        (Some(GenerateError::Simulator(error) | GenerateError::Plan(PlanError::Simulator(error))), ..)
+        | (_, Some(RecipeError::Map(error)), _)
+        | (_, _, Some(error)) => Some(error),
+        _ => None,
+    };
+    if matches!(of_simulator, Some(SimulatorError::Interrupted)) {
+        return INTERRUPTED;
+    }
+    if cannot_be_asked(error) { USAGE } else { FAILURE }
 }
 
 /// Whether the mistake is in what was asked for.

@@ -6,6 +6,8 @@
 mod blueprint;
 mod frames;
 
+pub mod client;
+
 pub mod map;
 pub mod physics;
 pub mod rpc;

@@ -1,0 +1,151 @@
+//! Streams that are listened to.
+
+use super::connection::connect;
+use super::error::ClientError;
+use super::patience::{PatientReader, Wait};
+use crate::stream::SensorHeader;
+use crate::wire::Bytes;
+use std::io::{self, BufReader, Read, Write};
+use std::net::{Shutdown, TcpStream};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::thread;
+
+/// Messages that wait to be looked at; a server that sends more waits, too.
+const MOST_WAITING: usize = 4;
+/// Longest message: a picture of 8192 × 8192.
+const LONGEST: u32 = 300 << 20;
+
+/// A stream.
+pub(super) struct Subscription {
+    stream: TcpStream,
+    messages: Receiver<Result<StreamMessage, ClientError>>,
+    /// Came before anybody asked for its frame.
+    early: Option<StreamMessage>,
+}
+
+/// A message of a stream.
+pub(super) struct StreamMessage {
+    pub(super) header: SensorHeader,
+    /// What follows the header.
+    pub(super) payload: Vec<u8>,
+}
+
+impl Subscription {
+    /// Listens to the stream of a token on a host.
+    pub(super) fn new(host: &str, token: &Bytes) -> Result<Self, ClientError> {
+        let wrong = || ClientError::Protocol("a stream's token has 24 bytes".to_owned());
+        let (id, rest) = token.0.split_first_chunk::<4>().ok_or_else(wrong)?;
+        let (port, rest) = rest.split_first_chunk::<2>().ok_or_else(wrong)?;
+        let kind = rest.get(1).ok_or_else(wrong)?;
+        // An address of its own, unless it is that of nobody and everybody.
+        let own = match (kind, rest.get(2..6)) {
+            (1, Some(&[a, b, c, d])) if [a, b, c, d] != [0; 4] => Some(format!("{a}.{b}.{c}.{d}")),
+            _ => None,
+        };
+        let mut stream = connect(own.as_deref().unwrap_or(host), u16::from_le_bytes(*port))?;
+        stream.write_all(id).map_err(ClientError::Lost)?;
+        let reader = BufReader::new(PatientReader::new(stream.try_clone().map_err(ClientError::Lost)?));
+        let (sender, messages) = sync_channel(MOST_WAITING);
+        thread::Builder::new()
+            .name("stream".to_owned())
+            .spawn(move || listen(reader, &sender))
+            .map_err(ClientError::Lost)?;
+        Ok(Self { stream, messages, early: None })
+    }
+
+    /// The next message.
+    pub(super) fn next(&mut self, wait: &Wait) -> Result<StreamMessage, ClientError> {
+        if let Some(early) = self.early.take() {
+            return Ok(early);
+        }
+        loop {
+            match self.messages.recv_timeout(wait.piece()?) {
+                Ok(message) => return message,
+                Err(RecvTimeoutError::Timeout) => {}
+                Err(RecvTimeoutError::Disconnected) => {
+                    return Err(ClientError::Lost(io::ErrorKind::UnexpectedEof.into()));
+                }
+            }
+        }
+    }
+
+    /// The message of a frame, or `None` if one of a later frame came first. Those of earlier frames are passed over.
+    pub(super) fn of_frame(&mut self, frame: u64, wait: &Wait) -> Result<Option<StreamMessage>, ClientError> {
+        loop {
+            let message = self.next(wait)?;
+            if message.header.frame == frame {
+                return Ok(Some(message));
+            }
+            if message.header.frame > frame {
+                self.early = Some(message);
+                return Ok(None);
+            }
+        }
+    }
+}
+
+impl Drop for Subscription {
+    fn drop(&mut self) {
+        // It may be gone already.
+        let _ = self.stream.shutdown(Shutdown::Both);
+    }
+}
+
+fn listen(mut reader: BufReader<PatientReader>, messages: &SyncSender<Result<StreamMessage, ClientError>>) {
+    loop {
+        let message = read_message(&mut reader);
+        let is_end = message.is_err();
+        // Nobody may listen any more.
+        if messages.send(message).is_err() || is_end {
+            break;
+        }
+    }
+}
+
+fn read_message(reader: &mut impl Read) -> Result<StreamMessage, ClientError> {
+    let mut length = [0; 4];
+    reader.read_exact(&mut length).map_err(ClientError::Lost)?;
+    let length = u32::from_le_bytes(length);
+    if length > LONGEST {
+        return Err(ClientError::Protocol(format!("a message of a stream has {length} bytes")));
+    }
+    let mut header = [0; SensorHeader::SIZE];
+    let short = || ClientError::Protocol(format!("a message of a stream has {length} bytes"));
+    let rest = (length as usize).checked_sub(header.len()).ok_or_else(short)?;
+    reader.read_exact(&mut header).map_err(ClientError::Lost)?;
+    // Memory is taken for what arrives, not for what is announced.
+    let mut payload = Vec::new();
+    let read = reader.take(rest as u64).read_to_end(&mut payload).map_err(ClientError::Lost)?;
+    if read < rest {
+        return Err(ClientError::Lost(io::ErrorKind::UnexpectedEof.into()));
+    }
+    Ok(StreamMessage { header: SensorHeader::read(&header), payload })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wire::Transform;
+    use proptest::prelude::*;
+
+    #[test]
+    fn messages_are_read_as_they_are_written() {
+        let mut transform = Transform::default();
+        (transform.location.y, transform.rotation.yaw) = (-3.5, 12.25);
+        let header = SensorHeader { type_id: 13, frame: 7, timestamp: 0.35, transform };
+        let mut message = header.begin(3);
+        message.extend([1, 2, 3]);
+        let bytes = [&(message.len() as u32).to_le_bytes()[..], &message].concat();
+        let read = read_message(&mut &bytes[..]).unwrap();
+        assert_eq!((read.header, read.payload), (header, vec![1, 2, 3]));
+        assert!(matches!(read_message(&mut &bytes[..20]), Err(ClientError::Lost(_))));
+        assert!(matches!(read_message(&mut &[255; 99][..]), Err(ClientError::Protocol(_))));
+    }
+
+    proptest! {
+        #[test]
+        fn any_bytes_are_a_message_or_an_error(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
+            let _ = read_message(&mut &bytes[..]);
+        }
+    }
+}
