@@ -53,10 +53,10 @@ impl ClientError {
             Self::Lost(source) => SimulatorError::ConnectionLost { address, source },
             Self::Late { action, limit } => SimulatorError::Timeout { action, limit },
             Self::Interrupted => SimulatorError::Interrupted,
-            Self::Refused(_) | Self::Unfit(_) => {
+            Self::Refused(_) | Self::Unfit(_) | Self::Protocol(_) => {
                 SimulatorError::Remote { address, reason: self.to_string(), passing: true }
             }
-            Self::Failed { .. } | Self::Protocol(_) | Self::Unusable(_) => {
+            Self::Failed { .. } | Self::Unusable(_) => {
                 SimulatorError::Remote { address, reason: self.to_string(), passing: false }
             }
         }

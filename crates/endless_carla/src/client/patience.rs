@@ -72,7 +72,7 @@ impl Wait {
         Ok(left.min(LOOK))
     }
 
-    /// Sleeps before it is looked again.
+    /// Sleeps before it is looked again; at most a tenth of a second.
     pub(super) fn sleep(&self, time: Duration) -> Result<(), ClientError> {
         std::thread::sleep(self.piece()?.min(time));
         Ok(())

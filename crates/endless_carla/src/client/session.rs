@@ -1,5 +1,6 @@
 //! One scene on a server, from its population to its last frame.
 
+use super::address::Address;
 use super::camera::{Pictures, SessionCamera, sensors};
 use super::cast::{Cast, Casting};
 use super::driver::Driver;
@@ -7,12 +8,13 @@ use super::error::ClientError;
 use super::instances::InstanceTable;
 use super::lights::TrafficLights;
 use super::map::CarlaMap;
+use super::patience::Wait;
 use super::server::Server;
 use super::task::CarlaRenderTask;
 use super::traffic_manager::TrafficManager;
 use super::weather;
 use super::world::{Snapshot, World};
-use crate::wire::EpisodeSettings;
+use crate::wire::{EpisodeSettings, Vector3D};
 use endless_asset::Catalogue;
 use endless_dataset::SpawnCounts;
 use endless_pipeline::{SimulationSession, SimulationStep, SimulatorError};
@@ -20,6 +22,7 @@ use endless_traffic::{DrivingCondition, Fleet, Simulation, TrafficSettings};
 use endless_world::{ObjectClass, Pose, SceneSettings, SceneWeather, SensorFrame, WorldState};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 /// How often a frame is tried when pictures of it are lost.
 const TRIES: u32 = 12;
@@ -82,14 +85,11 @@ impl<'m> CarlaSession<'m> {
         let world = casting.world;
         let table = InstanceTable::new(cast.bodies.clone(), map.stills.clone())?;
         driver.place(cast, world)?;
-        let snapshot = world.tick()?;
+        let snapshot = world.tick_until_seen(TRIES)?;
         let mut lights = traffic_lights(map, world, &snapshot)?;
         lights.show(world, &driver.simulation.state().signals)?;
         if let Some(address) = manager {
-            driver.manager = Some(TrafficManager::drive(address, cast.vehicles(), settings.seed, world.stop())?);
-            for _ in 0..(DRIVE_UP_S * settings.fps).ceil() as u32 {
-                step(&mut driver, cast, &mut lights, world)?;
-            }
+            drive_up(server, settings, address, &mut driver, cast, &mut lights, world)?;
         } else {
             world.apply_settings(&clock(WARM_UP_STEP_S))?;
         }
@@ -107,7 +107,7 @@ impl<'m> CarlaSession<'m> {
         };
         if session.driver.is_still_between_frames() {
             for _ in 0..WARM_UP_FRAMES {
-                world.tick()?;
+                world.tick_until_seen(TRIES)?;
             }
             world.apply_settings(&clock(1.0 / settings.fps))?;
         }
@@ -177,10 +177,54 @@ impl<'m> CarlaSession<'m> {
     }
 }
 
-/// Lets all go on by a frame, without looking at it.
-fn step(driver: &mut Driver, cast: &Cast, lights: &mut TrafficLights, world: &mut World) -> Result<(), ClientError> {
-    step_once(driver, cast, lights, world)?;
-    world.tick().map(drop)
+/// Hands the vehicles to a TrafficManager, until they are on their way. One that was made before the map was loaded moves
+/// nobody: then another is waited for.
+fn drive_up(
+    server: &Server,
+    settings: &SceneSettings,
+    address: &Address,
+    driver: &mut Driver,
+    cast: &Cast,
+    lights: &mut TrafficLights,
+    world: &mut World,
+) -> Result<(), ClientError> {
+    let wait =
+        Wait::new("drive vehicles, though a TrafficManager was named", server.settings.reconnect_limit, world.stop());
+    loop {
+        let driven = TrafficManager::drive(address, cast.vehicles(), settings.seed, world.stop());
+        let mut moves = cast.vehicles().is_empty();
+        match driven {
+            Ok(manager) => {
+                driver.manager = Some(manager);
+                for _ in 0..(DRIVE_UP_S * settings.fps).ceil() as u32 {
+                    step_once(driver, cast, lights, world)?;
+                    let snapshot = world.tick()?;
+                    moves |= cast.vehicles().iter().any(|vehicle| is_moving(&snapshot, vehicle.id));
+                }
+            }
+            Err(error @ ClientError::Interrupted) => return Err(error),
+            Err(error) => tracing::warn!("{error}"),
+        }
+        if moves {
+            return Ok(());
+        }
+        tracing::warn!(
+            "the TrafficManager at {address} moves nobody: waiting for one that was made after the map was loaded"
+        );
+        if let Some(mut manager) = driver.manager.take() {
+            // It may be of another world.
+            let _ = manager.leave();
+        }
+        wait.sleep(Duration::from_millis(500))?;
+    }
+}
+
+fn is_moving(snapshot: &Snapshot, id: u32) -> bool {
+    const MOVES_MPS: f32 = 0.5;
+    snapshot.actors.get(&id).is_some_and(|record| {
+        let Vector3D { x, y, .. } = record.velocity;
+        x.hypot(y) > MOVES_MPS
+    })
 }
 
 /// Moves all to where they are a frame later.

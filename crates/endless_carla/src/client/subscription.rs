@@ -12,6 +12,8 @@ use std::thread;
 
 /// Messages that wait to be looked at; a server that sends more waits, too.
 const MOST_WAITING: usize = 4;
+/// A stream that was waited for so often in vain has nobody at its other end.
+const HANGS: u32 = 4;
 /// Longest message: a picture of 8192 × 8192.
 const LONGEST: u32 = 300 << 20;
 
@@ -21,6 +23,8 @@ pub(super) struct Subscription {
     messages: Receiver<Result<StreamMessage, ClientError>>,
     /// Came before anybody asked for its frame.
     early: Option<StreamMessage>,
+    /// How often in a row it was waited for in vain.
+    waits_in_vain: u32,
 }
 
 /// A message of a stream.
@@ -50,7 +54,7 @@ impl Subscription {
             .name("stream".to_owned())
             .spawn(move || listen(reader, &sender))
             .map_err(ClientError::Lost)?;
-        Ok(Self { stream, messages, early: None })
+        Ok(Self { stream, messages, early: None, waits_in_vain: 0 })
     }
 
     /// The next message.
@@ -59,8 +63,15 @@ impl Subscription {
             return Ok(early);
         }
         loop {
-            match self.messages.recv_timeout(wait.piece()?) {
-                Ok(message) => return message,
+            let piece = wait.piece().inspect_err(|_| self.waits_in_vain += 1);
+            if self.waits_in_vain >= HANGS {
+                return Err(ClientError::Lost(io::ErrorKind::TimedOut.into()));
+            }
+            match self.messages.recv_timeout(piece?) {
+                Ok(message) => {
+                    self.waits_in_vain = 0;
+                    return message;
+                }
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => {
                     return Err(ClientError::Lost(io::ErrorKind::UnexpectedEof.into()));

@@ -221,6 +221,17 @@ impl World {
         Ok(Snapshot { header: message.header, actors })
     }
 
+    /// The same where nobody moves by themselves: again, if the world is not seen.
+    pub(super) fn tick_until_seen(&mut self, tries: u32) -> Result<Snapshot, ClientError> {
+        for _ in 1..tries {
+            match self.tick() {
+                Err(ClientError::Unfit(_) | ClientError::Late { .. }) => {}
+                other => return other,
+            }
+        }
+        self.tick()
+    }
+
     /// For messages of a frame.
     pub(super) fn frame_wait(&self) -> Wait {
         Wait::new("give a frame", self.frame_limit, &self.stop)

@@ -2,5 +2,7 @@
 
 mod cameras;
 mod client;
+mod dataset;
+mod proxy;
 mod sessions;
 mod unbreakable;
