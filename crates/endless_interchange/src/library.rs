@@ -213,6 +213,19 @@ impl MapLibrary {
         Ok(town)
     }
 
+    /// A town of an OpenDRIVE text that is not kept, and its roads as our own writer has them.
+    ///
+    /// # Errors
+    /// When the text is no map, or cannot be a town.
+    pub fn town_of_opendrive(&self, name: &str, text: &str) -> Result<(Town, String), MapError> {
+        let cause = |cause| MapError::OpenDrive { path: name.into(), cause };
+        let map = opendrive::read(text).map_err(cause)?;
+        let mut town = dress_map(name, &map, self.catalogue())?;
+        stand_in(&mut town, self.catalogue());
+        let written = opendrive::write(&map, name);
+        Ok((town, written))
+    }
+
     /// The road map of an imported map; `None` for built-in towns.
     ///
     /// # Errors

@@ -4,7 +4,7 @@
 
 use crate::osm::{FLATTENING, RADIUS_M, transverse_mercator};
 use endless_world::GnssMeasurement;
-use endless_world::math::f64::{atan, cos, exp, ln, sin};
+use endless_world::math::f64::{acos, atan, cos, exp, ln, sin};
 use glam::{DVec2, DVec3};
 use std::f64::consts::FRAC_PI_2;
 
@@ -86,6 +86,20 @@ impl Georeference {
             }),
             _ => None,
         }
+    }
+
+    /// As a PROJ string, from which [`parse`](Self::parse) makes the same again.
+    pub fn proj(&self) -> String {
+        let Self { method, lat_0, lon_0, scale, origin: DVec2 { x, y } } = *self;
+        let projection = match method {
+            Method::TransverseMercator => format!("tmerc +lat_0={lat_0} +lon_0={lon_0} +k={scale}"),
+            Method::Mercator => format!("merc +lon_0={lon_0} +k={scale}"),
+            Method::Equirectangular => {
+                let lat_ts = acos(scale).to_degrees();
+                format!("eqc +lat_ts={lat_ts} +lat_0={lat_0} +lon_0={lon_0}")
+            }
+        };
+        format!("+proj={projection} +x_0={x} +y_0={y} +datum=WGS84 +units=m +no_defs")
     }
 
     /// Where on Earth a place in the local frame is; heights stay as they are.
@@ -202,6 +216,23 @@ mod tests {
             assert_eq!(at.altitude_m, 7.5);
         }
         assert_eq!(Some(Georeference::default()), Georeference::parse(ours), "maps that do not say");
+    }
+
+    #[test]
+    fn what_is_written_is_read() {
+        for text in [
+            "+proj=tmerc +lat_0=29.4224112902818 +lon_0=-98.48788928598394 +k=1 +x_0=3 +y_0=-4.5",
+            "+proj=utm +zone=32 +south",
+            "+proj=merc +lon_0=8 +k=0.99 +x_0=100 +y_0=-50",
+        ] {
+            let reference = Georeference::parse(text).expect("known");
+            assert_eq!(Georeference::parse(&reference.proj()), Some(reference), "{}", reference.proj());
+        }
+        let local = Georeference::parse("+proj=eqc +lat_ts=48 +lat_0=48 +lon_0=11").expect("known");
+        let again = Georeference::parse(&local.proj()).expect("known");
+        assert!((again.scale - local.scale).abs() < 1e-15 && Georeference { scale: local.scale, ..again } == local);
+        let usual = "+proj=tmerc +lat_0=42 +lon_0=2 +k=1 +x_0=0 +y_0=0 +datum=WGS84 +units=m +no_defs";
+        assert_eq!(Georeference::default().proj(), usual);
     }
 
     proptest! {

@@ -1,5 +1,6 @@
 //! A town as a CARLA server tells of it.
 
+use super::georeference;
 use super::ground::Ground;
 use super::lane_index::LaneIndex;
 use super::navmesh::{self, NavigationMesh};
@@ -34,7 +35,7 @@ impl CarlaMap {
         let (lights, signs) = signals::signals(town);
         Self {
             name: town.name.clone(),
-            opendrive: as_carla_reads(opendrive),
+            opendrive: georeference::with_georeference(as_carla_reads(opendrive), town.georeference),
             network: town.network.clone(),
             spawn_points: spawn::points(town),
             lights,
@@ -44,6 +45,12 @@ impl CarlaMap {
             ground: OnceLock::new(),
             navigation: OnceLock::new(),
         }
+    }
+
+    /// The same without a mesh for pedestrians.
+    #[must_use]
+    pub fn without_walkers(self) -> Self {
+        Self { navigation: OnceLock::from(None), ..self }
     }
 
     /// The town's name, without a path.

@@ -2,6 +2,7 @@
 //! lights and signs, speed limits, and the mesh on which pedestrians find their way. Its roads are an OpenDRIVE file.
 
 mod carla_map;
+mod georeference;
 mod ground;
 mod lane_index;
 mod light_cycle;

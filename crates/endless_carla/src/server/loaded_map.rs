@@ -1,6 +1,8 @@
 //! Maps as episodes need them.
 
+use super::call_error::CallError;
 use super::error::ServerError;
+use super::given_map::{self, DressedText};
 use crate::map::CarlaMap;
 use endless_asset::Catalogue;
 use endless_city::{SharedModels, TownScene};
@@ -53,6 +55,14 @@ pub(super) struct MapShelf {
     maps: MapLibrary,
     models: Arc<SharedModels>,
     kept: Vec<Arc<LoadedMap>>,
+    /// Of the last OpenDRIVE text that a client has sent.
+    given: Option<GivenMap>,
+}
+
+/// A map of a client's OpenDRIVE text: its scene is made when it is first loaded.
+enum GivenMap {
+    Dressed(Box<DressedText>),
+    Loaded(Arc<LoadedMap>),
 }
 
 /// As many maps are kept for those who come back to them.
@@ -60,7 +70,7 @@ const KEPT: usize = 2;
 
 impl MapShelf {
     pub(super) fn new(maps: MapLibrary) -> Self {
-        Self { maps, models: Arc::default(), kept: Vec::new() }
+        Self { maps, models: Arc::default(), kept: Vec::new(), given: None }
     }
 
     /// The names that clients may load, as CARLA writes them.
@@ -72,6 +82,11 @@ impl MapShelf {
     /// A map by any way in which clients write its name.
     pub(super) fn load(&mut self, name: &str) -> Result<Arc<LoadedMap>, ServerError> {
         let name = own_name(name);
+        if let Some(given) = self.given.take_if(|_| name == given_map::NAME) {
+            let map = self.load_given(given)?;
+            self.given = Some(GivenMap::Loaded(Arc::clone(&map)));
+            return Ok(map);
+        }
         if let Some(place) = self.kept.iter().position(|map| map.name == name) {
             let map = self.kept.remove(place);
             self.kept.push(Arc::clone(&map));
@@ -79,21 +94,41 @@ impl MapShelf {
         }
         let town = self.maps.town(name)?;
         let opendrive = self.maps.opendrive_of(&town)?;
-        let scene = TownScene::load_sharing(&town, self.maps.catalogue(), Arc::clone(&self.models));
-        let scene = scene.map_err(|error| ServerError::Scene { map: name.to_owned(), reason: error.to_string() })?;
-        let roads = CarlaMap::new(&town, opendrive);
-        let map = Arc::new(LoadedMap {
-            name: name.to_owned(),
-            town,
-            scene,
-            roads,
-            empty: FrameScene::new(FrameDescription::default()),
-        });
+        let map = Arc::new(self.made(name, town, opendrive)?);
         if self.kept.len() >= KEPT {
             self.kept.remove(0);
         }
         self.kept.push(Arc::clone(&map));
         Ok(map)
+    }
+
+    /// Takes an OpenDRIVE text as the map of the name [`given_map::NAME`], in place of the one before it.
+    ///
+    /// # Errors
+    /// When it is no map or cannot be a town: the one before it stays.
+    pub(super) fn give(&mut self, text: &str, has_walkers: bool) -> Result<(), CallError> {
+        let dressed = given_map::dress(&self.maps, text, has_walkers)?;
+        self.given = Some(GivenMap::Dressed(Box::new(dressed)));
+        Ok(())
+    }
+
+    fn load_given(&self, given: GivenMap) -> Result<Arc<LoadedMap>, ServerError> {
+        match given {
+            GivenMap::Loaded(map) => Ok(map),
+            GivenMap::Dressed(dressed) => {
+                let DressedText { town, opendrive, has_walkers } = *dressed;
+                let map = self.made(given_map::NAME, town, opendrive)?;
+                Ok(Arc::new(if has_walkers { map } else { LoadedMap { roads: map.roads.without_walkers(), ..map } }))
+            }
+        }
+    }
+
+    fn made(&self, name: &str, town: Town, opendrive: String) -> Result<LoadedMap, ServerError> {
+        let scene = TownScene::load_sharing(&town, self.maps.catalogue(), Arc::clone(&self.models));
+        let scene = scene.map_err(|error| ServerError::Scene { map: name.to_owned(), reason: error.to_string() })?;
+        let roads = CarlaMap::new(&town, opendrive);
+        let empty = FrameScene::new(FrameDescription::default());
+        Ok(LoadedMap { name: name.to_owned(), town, scene, roads, empty })
     }
 
     pub(super) fn catalogue(&self) -> &Catalogue {

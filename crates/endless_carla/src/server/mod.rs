@@ -14,6 +14,7 @@ mod call_error;
 mod engine;
 mod episode;
 mod error;
+mod given_map;
 mod loaded_map;
 mod methods;
 mod moving;

@@ -4,5 +4,6 @@ mod cameras;
 mod client;
 mod dataset;
 mod proxy;
+mod opendrive;
 mod sessions;
 mod unbreakable;

@@ -5,7 +5,7 @@ use crate::server::call::{Call, CallResult, Method};
 use crate::server::call_error::CallError;
 use crate::server::version::VERSION;
 use crate::server::world::World;
-use crate::wire::{EpisodeInfo, EpisodeSettings};
+use crate::wire::{EpisodeInfo, EpisodeSettings, OpendriveGenerationParameters};
 
 pub(super) const METHODS: &[(&str, Method)] = &[
     ("version", version),
@@ -14,6 +14,7 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("set_episode_settings", set_episode_settings),
     ("tick_cue", tick_cue),
     ("load_new_episode", load_new_episode),
+    ("copy_opendrive_to_file", copy_opendrive_to_file),
 ];
 
 fn version(_: &mut World, _: &Call<'_>) -> CallResult {
@@ -50,5 +51,14 @@ fn tick_cue(world: &mut World, call: &Call<'_>) -> CallResult {
 fn load_new_episode(world: &mut World, call: &Call<'_>) -> CallResult {
     let (map, reset_settings): (String, bool) = (call.request.argument(0)?, call.request.argument(1)?);
     world.load(&map, reset_settings)?;
+    Ok(Answer::Void)
+}
+
+/// Takes an OpenDRIVE text, to be loaded as the map `OpenDriveMap`. Of the parameters only that on pedestrians has a meaning:
+/// roads end and are as smooth here as they are in our own towns.
+fn copy_opendrive_to_file(world: &mut World, call: &Call<'_>) -> CallResult {
+    let text: String = call.request.argument(0)?;
+    let parameters: OpendriveGenerationParameters = call.request.optional(1)?;
+    world.shelf.give(&text, parameters.enable_pedestrian_navigation)?;
     Ok(Answer::Void)
 }
