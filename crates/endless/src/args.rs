@@ -54,6 +54,10 @@ pub(crate) struct ServeArgs {
     /// Of all that is drawn.
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,
+    /// Folder of recordings, the only one that clients can write to and read from; by default `endless/recordings` where the
+    /// platform keeps data.
+    #[arg(long, value_name = "DIR")]
+    pub(crate) recordings: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

@@ -3,11 +3,13 @@
 use crate::args::ServeArgs;
 use anyhow::Result;
 use endless_carla::server::{Server, ServerSettings, VERSION};
-use endless_interchange::MapLibrary;
+use endless_interchange::{MapLibrary, user_data_folder};
 use std::process::ExitCode;
 
 pub(crate) fn run(library: MapLibrary, args: &ServeArgs) -> Result<ExitCode> {
-    let settings = ServerSettings { bind: args.bind, port: args.port, map: args.map.clone(), seed: args.seed };
+    let recordings = args.recordings.clone().or_else(|| user_data_folder("recordings"));
+    let settings =
+        ServerSettings { bind: args.bind, port: args.port, map: args.map.clone(), seed: args.seed, recordings };
     let server = Server::bind(&settings, library)?;
     let address = server.address();
     eprintln!("CARLA {VERSION} at {address}, streams at the next port, map {}; Ctrl-C ends it", args.map);

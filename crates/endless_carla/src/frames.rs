@@ -98,6 +98,16 @@ pub(crate) fn attached(parent: &Transform, own: &Transform) -> Transform {
     }
 }
 
+/// The other way: where something is in the frame of another, both of which have a place in the world.
+pub(crate) fn detached(parent: &Transform, own: &Transform) -> Transform {
+    let parent_from_world = orientation(&parent.rotation).inverse();
+    let offset = from_carla(&own.location).as_dvec3() - from_carla(&parent.location).as_dvec3();
+    Transform {
+        location: to_carla((parent_from_world * offset).as_vec3()),
+        rotation: rotation(parent_from_world * orientation(&own.rotation)),
+    }
+}
+
 /// CARLA's angles of a turn.
 pub(crate) fn rotation(turn: DQuat) -> Rotation {
     let (forward, left, up) = (turn * DVec3::X, turn * DVec3::Y, turn * DVec3::Z);
@@ -157,12 +167,13 @@ mod tests {
 
     proptest! {
         #[test]
-        fn there_and_back(there in any_transform()) {
+        fn there_and_back(there in any_transform(), other in any_transform()) {
             prop_assert!(close(&transform(&pose(&there)), &there));
             let turned = Transform { rotation: rotation(orientation(&there.rotation)), ..there.clone() };
             prop_assert!(close(&turned, &there));
             prop_assert!(close(&attached(&there, &Transform::default()), &there));
             prop_assert!(close(&attached(&Transform::default(), &there), &there));
+            prop_assert!(close(&detached(&there, &attached(&there, &other)), &other));
         }
     }
 

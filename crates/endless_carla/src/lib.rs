@@ -10,6 +10,7 @@ pub mod client;
 
 pub mod map;
 pub mod physics;
+pub mod recording;
 pub mod rpc;
 pub mod server;
 pub mod stream;

@@ -27,8 +27,10 @@ mod gltf;
 mod library;
 mod map;
 mod track_file;
+mod user_folder;
 
 pub use asset::{AssetError, AssetFolder, AssetFolderError, AssetListing, asset_gltf, asset_preview, list_assets};
 pub use library::{ImportedMap, MapLibrary, TownSummary};
 pub use map::{ImportOptions, MapError, MapFormat, MapStatistics, MapStore, StoredMap};
 pub use track_file::{TrackFault, TrackFile, TrackFileError};
+pub use user_folder::user_data_folder;

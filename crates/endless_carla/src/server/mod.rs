@@ -18,6 +18,7 @@ mod given_map;
 mod loaded_map;
 mod methods;
 mod moving;
+mod recorder;
 mod sensing;
 mod sensor_model;
 mod signals;
@@ -33,7 +34,9 @@ use crate::stream::{StreamHub, listen_for_sessions};
 use endless_interchange::MapLibrary;
 use engine::Engine;
 use loaded_map::MapShelf;
+use recorder::Recordings;
 use std::net::{IpAddr, SocketAddr, TcpListener};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::mpsc::sync_channel;
 use std::thread;
@@ -56,6 +59,8 @@ pub struct ServerSettings {
     pub map: String,
     /// Of all that is drawn.
     pub seed: u64,
+    /// Where recordings are kept; none: nothing can be recorded or replayed.
+    pub recordings: Option<PathBuf>,
 }
 
 /// A server that has its ports and its first map.
@@ -81,7 +86,8 @@ impl Server {
         let shelf = MapShelf::new(library);
         let hub = Arc::new(StreamHub::default());
         let (sender, events) = sync_channel(QUEUE);
-        let world = World::new(&settings.map, settings.seed, shelf, Arc::clone(&hub), stream_port)?;
+        let mut world = World::new(&settings.map, settings.seed, shelf, Arc::clone(&hub), stream_port)?;
+        world.recordings = Recordings::new(settings.recordings.clone());
         let engine = Engine::new(world, events);
         let spawn = |name: &str, work: Box<dyn FnOnce() + Send>| {
             thread::Builder::new().name(name.to_owned()).spawn(work).map(drop).map_err(ServerError::Thread)

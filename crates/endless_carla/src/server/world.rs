@@ -4,6 +4,7 @@ use super::call_error::CallError;
 use super::episode::Episode;
 use super::error::ServerError;
 use super::loaded_map::MapShelf;
+use super::recorder::Recordings;
 use super::sensing::Sensing;
 use crate::blueprint::BlueprintLibrary;
 use crate::rpc::ConnectionId;
@@ -23,6 +24,7 @@ pub(super) struct World {
     pub(super) episode: Episode,
     pub(super) settings: EpisodeSettings,
     pub(super) sensing: Sensing,
+    pub(super) recordings: Recordings,
     pub(super) hub: Arc<StreamHub>,
     /// Their hosts, by port.
     pub(super) traffic_managers: BTreeMap<u16, String>,
@@ -50,6 +52,7 @@ impl World {
             blueprints,
             settings: EpisodeSettings::default(),
             sensing: Sensing::default(),
+            recordings: Recordings::new(None),
             hub,
             traffic_managers: BTreeMap::new(),
             ticking: None,
@@ -85,6 +88,8 @@ impl World {
     pub(super) fn advance(&mut self, passed_s: f64) {
         let step_s = self.fixed_step_s().unwrap_or(passed_s);
         self.episode.step(step_s);
+        self.replay(step_s);
+        self.record();
         let delivery = if self.settings.synchronous_mode { Delivery::Every } else { Delivery::Latest };
         let sees = !self.settings.no_rendering_mode;
         self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
@@ -107,6 +112,7 @@ impl World {
             self.hub.close(stream);
         }
         self.episode = next;
+        self.recordings.end();
         self.sensing = Sensing::default();
         self.hub.open(self.episode.stream());
         Ok(())

@@ -9,6 +9,7 @@ use endless_interchange::MapLibrary;
 use rmpv::Value;
 use std::io::{Read, Write};
 use std::net::{IpAddr, Ipv4Addr, SocketAddr, TcpStream};
+use std::path::PathBuf;
 use std::thread;
 use std::time::Duration;
 
@@ -17,7 +18,13 @@ pub(crate) const MAP: &str = "Town02";
 
 /// A server of its own; it ends with the program.
 pub(crate) fn serve() -> SocketAddr {
-    let settings = ServerSettings { bind: IpAddr::V4(Ipv4Addr::LOCALHOST), port: 0, map: MAP.to_owned(), seed: 0 };
+    serve_recording(None)
+}
+
+/// The same with a folder for recordings.
+pub(crate) fn serve_recording(recordings: Option<PathBuf>) -> SocketAddr {
+    let bind = IpAddr::V4(Ipv4Addr::LOCALHOST);
+    let settings = ServerSettings { bind, port: 0, map: MAP.to_owned(), seed: 0, recordings };
     let server = Server::bind(&settings, MapLibrary::builtin()).expect("ports are free");
     let address = server.address();
     thread::spawn(|| server.run());

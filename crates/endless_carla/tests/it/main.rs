@@ -5,5 +5,6 @@ mod client;
 mod dataset;
 mod proxy;
 mod opendrive;
+mod recordings;
 mod sessions;
 mod unbreakable;

@@ -6,10 +6,9 @@ use super::{
     read::{format_of, parse},
     stored_map::{ImportOptions, MapFormat, StoredMap},
 };
-use crate::content_hash::content_hash;
+use crate::{content_hash::content_hash, user_data_folder};
 use endless_dataset::write_durable;
 use endless_road::RoadMap;
-use etcetera::BaseStrategy;
 use std::{
     env,
     fs::{self, File},
@@ -45,8 +44,7 @@ impl MapStore {
     /// When the platform names no such place, either.
     pub fn user() -> Result<Self, MapError> {
         let told = env::var_os("ENDLESS_MAPS").filter(|folder| !folder.is_empty()).map(PathBuf::from);
-        let platform = || Some(etcetera::choose_base_strategy().ok()?.data_dir().join("endless/maps"));
-        told.or_else(platform).map(Self::at).ok_or(MapError::NoFolder)
+        told.or_else(|| user_data_folder("maps")).map(Self::at).ok_or(MapError::NoFolder)
     }
 
     /// In a folder, which need not exist.

@@ -7,6 +7,7 @@ mod environment;
 mod lights;
 mod map;
 mod rays;
+mod recorder;
 mod sensors;
 mod traffic_manager;
 mod world;
@@ -20,6 +21,7 @@ pub(super) fn all() -> BTreeMap<&'static str, Method> {
         world::METHODS,
         map::METHODS,
         rays::METHODS,
+        recorder::METHODS,
         actors::METHODS,
         batch::METHODS,
         controls::METHODS,
