@@ -1,5 +1,6 @@
 //! Actors of an episode.
 
+use super::spring_arm::SpringArm;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
 use crate::blueprint::{Blueprint, SensorKind};
@@ -22,6 +23,8 @@ pub(super) struct ServerActor {
     pub(super) acceleration: Vector3D,
     /// Where it is on whom it is attached to.
     pub(super) on_parent: Option<Transform>,
+    /// What it hangs on there; none if rigidly.
+    pub(super) arm: Option<SpringArm>,
     pub(super) body: Body,
 }
 
@@ -125,6 +128,7 @@ impl ServerActor {
             angular_velocity: zero(),
             acceleration: zero(),
             on_parent: None,
+            arm: None,
             body,
         }
     }

@@ -1,6 +1,7 @@
 //! What happens from one load of a map to the next.
 
 use super::actor::{Body, ServerActor};
+use super::lamps::Lamps;
 use super::loaded_map::LoadedMap;
 use super::weather::CLEAR_NOON;
 use crate::blueprint::BlueprintLibrary;
@@ -33,9 +34,12 @@ pub(super) struct Episode {
     /// Of the last step.
     pub(super) contacts: Vec<Contact>,
     pub(super) lights: LightCycle,
+    pub(super) lamps: Lamps,
     /// The actors of the map's lights, in the order of its list.
     pub(super) light_ids: Vec<u32>,
     next_id: u32,
+    /// How many numbers had been given in other episodes.
+    ids_before: u32,
     next_stream: u32,
     own_stream: u32,
     /// No snapshot has told of the map yet.
@@ -45,8 +49,13 @@ pub(super) struct Episode {
 impl Episode {
     /// The first one on a map, or the one after another.
     pub(super) fn new(map: Arc<LoadedMap>, seed: u64, blueprints: &BlueprintLibrary, before: Option<&Self>) -> Self {
-        // Numbers of streams are never used twice: what an ended episode sends must not reach those of this one.
-        let own_stream = before.map_or(1, |before| before.next_stream.wrapping_add(1).max(1));
+        // Clients that did not load the map hear of it through the stream of snapshots, which stays. All other numbers are never
+        // used twice: what sensors of an ended episode send must not reach those of this one.
+        let own_stream = before.map_or(1, |before| before.own_stream);
+        let next_stream = before.map_or(own_stream, |before| before.next_stream);
+        // Nor are numbers of actors: clients keep what they were told of one.
+        let parked = map.town.parked.len() as u32;
+        let next_id = before.map_or(parked, |before| before.next_id.max(parked));
         let (id, frame) = before.map_or((1, 0), |before| (before.id + 1, before.frame));
         let mut episode = Self {
             id,
@@ -60,10 +69,12 @@ impl Episode {
             population: 0,
             contacts: Vec::new(),
             lights: map.roads.light_cycle(),
+            lamps: Lamps::new(&map.town),
             light_ids: Vec::new(),
             // Parked vehicles have the first numbers in pictures.
-            next_id: map.town.parked.len() as u32,
-            next_stream: own_stream,
+            next_id,
+            ids_before: next_id - parked,
+            next_stream,
             own_stream,
             is_new: true,
             map,
@@ -77,13 +88,13 @@ impl Episode {
         self.own_stream
     }
 
-    /// All its streams.
-    pub(super) fn streams(&self) -> Vec<u32> {
+    /// The streams of its sensors.
+    pub(super) fn sensor_streams(&self) -> Vec<u32> {
         let sensors = self.actors.values().filter_map(|actor| match &actor.body {
             Body::Sensor(sensor) => Some(sensor.stream),
             _ => None,
         });
-        sensors.chain([self.own_stream]).collect()
+        sensors.collect()
     }
 
     /// The actors that every episode has.
@@ -151,6 +162,11 @@ impl Episode {
         self.next_id
     }
 
+    /// The number that an actor would have in the first episode of a server: what is drawn by it is the same in each.
+    pub(super) fn number_in_episode(&self, id: u32) -> u32 {
+        id.saturating_sub(self.ids_before)
+    }
+
     /// Whether an actor has ever had this number.
     pub(super) fn has_given(&self, id: u32) -> bool {
         id != 0 && id <= self.next_id
@@ -169,6 +185,7 @@ impl Episode {
         self.delta_s = step_s;
         self.lights.tick(step_s);
         self.move_bodies(step_s);
+        self.turn_arms(step_s);
         self.carry_attached();
     }
 
@@ -179,7 +196,10 @@ impl Episode {
             let Some(actor) = self.actors.get(&id) else { continue };
             let Some(on_parent) = &actor.on_parent else { continue };
             let Some(parent) = self.actors.get(&actor.told.parent_id) else { continue };
-            let transform = frames::attached(&parent.transform, on_parent);
+            let transform = match &actor.arm {
+                Some(arm) => self.on_arm(arm, parent, on_parent),
+                None => frames::attached(&parent.transform, on_parent),
+            };
             let velocity = parent.velocity.clone();
             let (angular, acceleration) = (parent.angular_velocity.clone(), parent.acceleration.clone());
             if let Some(actor) = self.actors.get_mut(&id) {
@@ -204,7 +224,7 @@ impl Episode {
             platform_timestamp,
             delta_seconds: self.delta_s as f32,
             map_change: std::mem::take(&mut self.is_new),
-            light_update: false,
+            light_update: self.lamps.take_news(),
         };
         let records: Vec<_> = self.actors.values().map(|actor| self.record(actor)).collect();
         snapshot(&header, &episode, &records)

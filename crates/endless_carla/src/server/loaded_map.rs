@@ -3,7 +3,9 @@
 use super::call_error::CallError;
 use super::error::ServerError;
 use super::given_map::{self, DressedText};
+use super::map_objects::map_objects;
 use crate::map::CarlaMap;
+use crate::wire::EnvironmentObject;
 use endless_asset::Catalogue;
 use endless_city::{SharedModels, TownScene};
 use endless_interchange::MapLibrary;
@@ -11,7 +13,7 @@ use endless_render::{FrameDescription, FrameScene, Ray, RayCaster};
 use endless_town::Town;
 use endless_world::ClassTag;
 use glam::{DVec3, Vec3A};
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A map, ready for episodes.
 pub(super) struct LoadedMap {
@@ -21,9 +23,37 @@ pub(super) struct LoadedMap {
     pub(super) roads: CarlaMap,
     /// Nobody.
     empty: FrameScene,
+    /// Told apart when first asked for.
+    objects: OnceLock<Vec<EnvironmentObject>>,
 }
 
 impl LoadedMap {
+    /// What stands in it and can be told apart.
+    pub(super) fn objects(&self, catalogue: &Catalogue) -> &[EnvironmentObject] {
+        self.objects.get_or_init(|| map_objects(&self.town, catalogue))
+    }
+
+    /// How far one can go along a way before something that blocks it, metres; none if nothing does.
+    pub(super) fn free_way(&self, from: DVec3, way: DVec3, blocks: impl Fn(ClassTag) -> bool) -> Option<f64> {
+        /// Leaves and what else is passed through.
+        const PASSED: usize = 16;
+        /// Behind it the way goes on from here, metres.
+        const BEHIND_M: f32 = 0.01;
+        let caster = RayCaster::new(self.scene.static_scene(), &self.empty);
+        let (direction, length) = (Vec3A::from(way.normalize_or_zero().as_vec3()), way.length() as f32);
+        let mut gone = 0.0;
+        for _ in 0..PASSED {
+            let origin = Vec3A::from(from.as_vec3()) + direction * gone;
+            let hit = caster.closest(&Ray { origin, direction, tmax: length - gone })?;
+            gone += hit.distance;
+            if blocks(hit.tag) {
+                return Some(gone.into());
+            }
+            gone += BEHIND_M;
+        }
+        None
+    }
+
     /// Height of what one can stand on under somebody who is about at a place, metres.
     pub(super) fn ground(&self, place: DVec3) -> Option<f64> {
         /// Kerbs and ramps that are climbed in a step, metres.
@@ -128,7 +158,7 @@ impl MapShelf {
         let scene = scene.map_err(|error| ServerError::Scene { map: name.to_owned(), reason: error.to_string() })?;
         let roads = CarlaMap::new(&town, opendrive);
         let empty = FrameScene::new(FrameDescription::default());
-        Ok(LoadedMap { name: name.to_owned(), town, scene, roads, empty })
+        Ok(LoadedMap { name: name.to_owned(), town, scene, roads, empty, objects: OnceLock::new() })
     }
 
     pub(super) fn catalogue(&self) -> &Catalogue {

@@ -32,10 +32,11 @@ impl World {
         let description = attributes.complete()?;
         let episode = &mut self.episode;
         let id = episode.allocate_id();
+        let number = episode.number_in_episode(id);
         let body = match blueprint.kind {
             BlueprintKind::Sensor(kind) => sensor(kind, &attributes, parent.is_some(), episode)?,
             BlueprintKind::Vehicle(vehicle) => {
-                let body = VehicleActor::new(&vehicle, &attributes, self.shelf.catalogue(), id, &placed)?;
+                let body = VehicleActor::new(&vehicle, &attributes, self.shelf.catalogue(), number, &placed)?;
                 if episode.is_taken(&body.body.outline()) {
                     return Err(CallError::refused("Spawn failed because of collision at spawn position"));
                 }

@@ -22,6 +22,15 @@ pub(super) struct VehicleActor {
     ackermann: Option<VehicleAckermannControl>,
     controller: AckermannController,
     lights: VehicleLights,
+    /// As clients have turned its wheels, for those that no physics turns: to the right, and forwards, degrees.
+    wheels_set: [WheelSet; 4],
+}
+
+/// A wheel as clients have turned it.
+#[derive(Debug, Clone, Copy, Default)]
+struct WheelSet {
+    steer_deg: Option<f32>,
+    pitch_deg: f32,
 }
 
 impl VehicleActor {
@@ -29,11 +38,11 @@ impl VehicleActor {
         blueprint: &VehicleBlueprint,
         attributes: &Attributes<'_>,
         catalogue: &Catalogue,
-        id: u32,
+        number: u32,
         transform: &Transform,
     ) -> Result<Self, CallError> {
         let color = if attributes.has("color") { Some(attributes.color("color")?) } else { None };
-        let asset = blueprint.reference(catalogue, color, u64::from(id));
+        let asset = blueprint.reference(catalogue, color, u64::from(number));
         let model = catalogue.vehicle(asset.model).ok_or_else(|| CallError::refused("there is no such vehicle"))?;
         let spec = &model.spec;
         let shape = VehicleShape {
@@ -50,6 +59,7 @@ impl VehicleActor {
             ackermann: None,
             controller: AckermannController::default(),
             lights: VehicleLights::empty(),
+            wheels_set: <[WheelSet; 4]>::default(),
         })
     }
 
@@ -59,11 +69,11 @@ impl VehicleActor {
         // Brakes and gears switch these by themselves.
         lights.set(VehicleLights::BRAKE, lights.contains(VehicleLights::BRAKE) || self.control.brake > 0.05);
         lights.set(VehicleLights::REVERSE, lights.contains(VehicleLights::REVERSE) || self.control.reverse);
-        let [left, right, ..] = self.body.wheel_angles_rad();
+        let [left, right] = [0, 1].map(|wheel| -self.wheel_steer_deg(wheel).to_radians());
         VehicleMotion {
             speed_mps: self.body.speed_mps() as f32,
             rolled_m: self.body.rolled_m() as f32,
-            steer_rad: (0.5 * (left + right)) as f32,
+            steer_rad: 0.5 * (left + right),
             hitch_rad: 0.0,
             lights,
         }
@@ -123,7 +133,24 @@ impl VehicleActor {
 
     /// Of a wheel (front left, front right, rear left, rear right), degrees to the right.
     pub(super) fn wheel_steer_deg(&self, wheel: u8) -> f32 {
+        let wheel = usize::from(wheel) & 3;
         let angles = self.body.wheel_angles_rad();
-        -angles[usize::from(wheel) & 3].to_degrees() as f32
+        let set = self.wheels_set[wheel].steer_deg.filter(|_| !self.body.simulated());
+        set.unwrap_or_else(|| -angles[wheel].to_degrees() as f32)
+    }
+
+    /// Turns a wheel of a vehicle that no physics moves, degrees to the right.
+    pub(super) fn set_wheel_steer(&mut self, wheel: u8, degrees: f32) {
+        self.wheels_set[usize::from(wheel) & 3].steer_deg = Some(degrees).filter(|degrees| degrees.is_finite());
+    }
+
+    /// How far a wheel was rolled by [`Self::set_wheel_pitch`], degrees.
+    pub(super) fn wheel_pitch_deg(&self, wheel: u8) -> f32 {
+        self.wheels_set[usize::from(wheel) & 3].pitch_deg
+    }
+
+    /// Rolls a wheel: it is told again, and not drawn, for wheels are drawn by the way that they have gone.
+    pub(super) fn set_wheel_pitch(&mut self, wheel: u8, degrees: f32) {
+        self.wheels_set[usize::from(wheel) & 3].pitch_deg = if degrees.is_finite() { degrees } else { 0.0 };
     }
 }

@@ -1,6 +1,7 @@
 //! People.
 
 use super::call_error::CallError;
+use super::walker_bones::WalkerPose;
 use crate::blueprint::{Attributes, Blueprint, WalkerBlueprint};
 use crate::frames;
 use crate::physics::{Place, WalkerBody};
@@ -12,6 +13,8 @@ pub(super) struct WalkerActor {
     pub(super) asset: PersonRef,
     pub(super) body: WalkerBody,
     pub(super) control: WalkerControl,
+    /// That clients give it; pictures show its animation alone.
+    pub(super) pose: WalkerPose,
     /// Of the actor's place above the ground, metres.
     origin_height_m: f32,
 }
@@ -31,6 +34,7 @@ impl WalkerActor {
             asset: PersonRef { outfit: Outfit::Fair, seed },
             body: WalkerBody::new(2.0 * f64::from(extent.z), extent.x.into(), place),
             control: WalkerControl::default(),
+            pose: WalkerPose::default(),
             origin_height_m: walker.origin_height_m,
         })
     }

@@ -108,13 +108,12 @@ impl World {
             self.settings = EpisodeSettings::default();
         }
         let next = Episode::new(map, self.seed, &self.blueprints, Some(&self.episode));
-        for stream in self.episode.streams() {
+        for stream in self.episode.sensor_streams() {
             self.hub.close(stream);
         }
         self.episode = next;
         self.recordings.end();
         self.sensing = Sensing::default();
-        self.hub.open(self.episode.stream());
         Ok(())
     }
 

@@ -8,3 +8,4 @@ mod opendrive;
 mod recordings;
 mod sessions;
 mod unbreakable;
+mod world_queries;

@@ -41,11 +41,11 @@ fn a_client_finds_the_world_and_lets_time_pass() {
     // Another episode: another number, frames go on, and nobody is left.
     client.call("load_new_episode", &["".into(), false.into(), 65535.into()]).expect("the same map");
     let next: EpisodeInfo = client.get("get_episode_info", &[]);
-    assert!(next.id != episode.id && next.token != episode.token);
-    let mut snapshots = client.listen(&next.token[0]);
+    assert!(next.id != episode.id && next.token == episode.token, "those who listen already hear of it, too");
     let frame = client.tick();
     assert!(frame > first);
     let message = snapshots.of_frame(frame);
+    assert_eq!(message.payload[..8], next.id.to_le_bytes());
     assert_eq!(message.payload[32..36], 1u32.to_le_bytes(), "the first snapshot tells of the map");
 }
 

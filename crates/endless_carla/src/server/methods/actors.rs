@@ -2,6 +2,7 @@
 
 use crate::rpc::Answer;
 use crate::server::call::{Call, CallResult, Method, nothing_to_do};
+use crate::server::spring_arm::SpringArm;
 use crate::server::world::World;
 use crate::wire::{Actor, ActorDescription, BoundingBox, Location, Transform};
 
@@ -16,9 +17,6 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("set_actor_transform", set_actor_transform),
     ("set_actor_location", set_actor_location),
     ("set_actor_dead", nothing_to_do),
-    ("get_actor_component_names", no_names),
-    ("get_actor_bone_names", no_names),
-    ("get_actor_socket_names", no_names),
 ];
 
 fn get_actor_definitions(world: &mut World, _: &Call<'_>) -> CallResult {
@@ -53,12 +51,13 @@ fn spawn_actor(world: &mut World, call: &Call<'_>) -> CallResult {
     Ok(Answer::of(&world.episode.actor(id)?.told))
 }
 
-/// Attached to another one: rigidly, for there are no spring arms that could give way to walls.
+/// Attached to another one, rigidly or on a spring arm.
 fn spawn_actor_with_parent(world: &mut World, call: &Call<'_>) -> CallResult {
     let description: ActorDescription = call.request.argument(0)?;
     let transform: Transform = call.request.argument(1)?;
-    let parent: u32 = call.request.argument(2)?;
+    let (parent, attachment): (u32, u8) = (call.request.argument(2)?, call.request.optional(3)?);
     let id = world.spawn(&description, transform, Some(parent))?;
+    world.episode.hang(id, SpringArm::of_attachment(attachment));
     Ok(Answer::of(&world.episode.actor(id)?.told))
 }
 
@@ -77,8 +76,4 @@ fn set_actor_location(world: &mut World, call: &Call<'_>) -> CallResult {
     let rotation = world.episode.actor(id)?.transform.rotation.clone();
     world.episode.put(id, Transform { location, rotation })?;
     Ok(Answer::Void)
-}
-
-fn no_names(_: &mut World, _: &Call<'_>) -> CallResult {
-    Ok(Answer::of(&Vec::<String>::new()))
 }

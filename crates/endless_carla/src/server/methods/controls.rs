@@ -38,6 +38,9 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("open_vehicle_door", nothing_to_do),
     ("close_vehicle_door", nothing_to_do),
     ("get_wheel_steer_angle", get_wheel_steer_angle),
+    ("set_wheel_steer_direction", set_wheel_steer_direction),
+    ("get_wheel_pitch_angle", get_wheel_pitch_angle),
+    ("set_wheel_pitch_angle", set_wheel_pitch_angle),
 ];
 
 /// Whom it is about, and what.
@@ -171,4 +174,21 @@ fn get_vehicle_light_states(world: &mut World, _: &Call<'_>) -> CallResult {
 fn get_wheel_steer_angle(world: &mut World, call: &Call<'_>) -> CallResult {
     let (id, wheel): (u32, u8) = two(call)?;
     Ok(Answer::of(&world.episode.vehicle(id)?.wheel_steer_deg(wheel)))
+}
+
+fn set_wheel_steer_direction(world: &mut World, call: &Call<'_>) -> CallResult {
+    let (id, wheel): (u32, u8) = two(call)?;
+    world.episode.vehicle(id)?.set_wheel_steer(wheel, call.request.argument(2)?);
+    Ok(Answer::Void)
+}
+
+fn get_wheel_pitch_angle(world: &mut World, call: &Call<'_>) -> CallResult {
+    let (id, wheel): (u32, u8) = two(call)?;
+    Ok(Answer::of(&world.episode.vehicle(id)?.wheel_pitch_deg(wheel)))
+}
+
+fn set_wheel_pitch_angle(world: &mut World, call: &Call<'_>) -> CallResult {
+    let (id, wheel): (u32, u8) = two(call)?;
+    world.episode.vehicle(id)?.set_wheel_pitch(wheel, call.request.argument(2)?);
+    Ok(Answer::Void)
 }

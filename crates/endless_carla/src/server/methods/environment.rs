@@ -1,12 +1,11 @@
 //! Weather, and what stands in the world that is no actor.
 
-use crate::frames;
 use crate::rpc::Answer;
 use crate::server::call::{Call, CallResult, Method, nothing_to_do};
+use crate::server::weather::condition;
 use crate::server::world::World;
-use crate::wire::{BoundingBox, EnvironmentObject, Vector3D, WeatherParameters};
-use endless_world::{ParkedVehicle, Pose};
-use glam::Vec3;
+use crate::wire::{BoundingBox, EnvironmentObject, WeatherParameters};
+use endless_world::TimeOfDay;
 
 pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_weather_parameters", get_weather_parameters),
@@ -14,7 +13,11 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_imui_gravity", get_imui_gravity),
     ("get_all_level_BBs", get_all_level_boxes),
     ("get_environment_objects", get_environment_objects),
+    // What stands in a town is one piece, and stays.
+    ("enable_environment_objects", nothing_to_do),
     ("get_names_of_all_objects", get_names_of_all_objects),
+    ("apply_color_texture_to_objects", nothing_to_do),
+    ("apply_float_color_texture_to_objects", nothing_to_do),
     // Pictures are for machines that learn: nothing is drawn into them.
     ("draw_debug_shape", nothing_to_do),
     ("clear_debug_shape", nothing_to_do),
@@ -30,6 +33,7 @@ fn get_weather_parameters(world: &mut World, _: &Call<'_>) -> CallResult {
 
 fn set_weather_parameters(world: &mut World, call: &Call<'_>) -> CallResult {
     let weather: WeatherParameters = call.request.argument(0)?;
+    world.episode.lamps.set_night(condition(&weather).1 == TimeOfDay::Night);
     world.episode.weather = weather;
     Ok(Answer::Void)
 }
@@ -43,34 +47,24 @@ const ANY: u8 = 255;
 
 /// In the world.
 fn get_all_level_boxes(world: &mut World, call: &Call<'_>) -> CallResult {
-    let boxes: Vec<BoundingBox> = things(world, call.request.argument(0)?).map(|thing| thing.bounding_box).collect();
+    let boxes: Vec<BoundingBox> =
+        things(world, call.request.argument(0)?).map(|thing| thing.bounding_box.clone()).collect();
     Ok(Answer::of(&boxes))
 }
 
 fn get_environment_objects(world: &mut World, call: &Call<'_>) -> CallResult {
-    let things: Vec<EnvironmentObject> = things(world, call.request.argument(0)?).collect();
+    let things: Vec<EnvironmentObject> = things(world, call.request.argument(0)?).cloned().collect();
     Ok(Answer::of(&things))
 }
 
-/// What of a class stands in the map and is told apart: parked vehicles, by their numbers in pictures.
-fn things(world: &World, label: u8) -> impl Iterator<Item = EnvironmentObject> {
-    let specs = world.shelf.catalogue().vehicle_specs();
-    let parked = &world.episode.map.town.parked;
-    let thing = move |(id, vehicle): (u64, &ParkedVehicle)| {
-        let spec = specs.get(vehicle.vehicle.model.index())?;
-        let own = spec.class.tag().value();
-        let pose = Pose { position: vehicle.pose.position + 0.5 * spec.height_m * Vec3::Z, ..vehicle.pose };
-        let middle = frames::transform(&pose);
-        let extent = Vector3D { x: 0.5 * spec.length_m, y: 0.5 * spec.width_m, z: 0.5 * spec.height_m };
-        let bounding_box =
-            BoundingBox { location: middle.location.clone(), extent, rotation: middle.rotation, actor_id: 0 };
-        let transform = frames::transform(&vehicle.pose);
-        let name = format!("{}_{id}", spec.name);
-        (label == ANY || label == own).then_some(EnvironmentObject { transform, bounding_box, id, name, label: own })
-    };
-    (1..).zip(parked).filter_map(thing)
+/// What of a class stands in the map.
+fn things(world: &World, label: u8) -> impl Iterator<Item = &EnvironmentObject> {
+    let objects = world.episode.map.objects(world.shelf.catalogue());
+    objects.iter().filter(move |object| label == ANY || label == object.label)
 }
 
-fn get_names_of_all_objects(_: &mut World, _: &Call<'_>) -> CallResult {
-    Ok(Answer::of(&Vec::<String>::new()))
+/// Their names, by which textures would be given to them.
+fn get_names_of_all_objects(world: &mut World, _: &Call<'_>) -> CallResult {
+    let names: Vec<String> = things(world, ANY).map(|thing| thing.name.clone()).collect();
+    Ok(Answer::of(&names))
 }

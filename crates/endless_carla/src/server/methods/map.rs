@@ -17,7 +17,7 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("load_map_layer", nothing_to_do),
     ("unload_map_layer", nothing_to_do),
     ("query_lights_state", query_lights_state),
-    ("update_lights_state", nothing_to_do),
+    ("update_lights_state", update_lights_state),
     ("update_day_night_cycle", nothing_to_do),
 ];
 
@@ -55,7 +55,13 @@ fn get_navigation_mesh(world: &mut World, _: &Call<'_>) -> CallResult {
     Ok(Answer::of(&Bytes(mesh.map_or_else(Vec::new, |mesh| mesh.bytes.clone()))))
 }
 
-/// Lamps follow the time of day: nobody may switch them one by one.
-fn query_lights_state(_: &mut World, _: &Call<'_>) -> CallResult {
-    Ok(Answer::of(&Vec::<LightState>::new()))
+fn query_lights_state(world: &mut World, _: &Call<'_>) -> CallResult {
+    Ok(Answer::of(&world.episode.lamps.states()))
+}
+
+/// All clients ask for the lamps after the next snapshot, the one that has set them, too.
+fn update_lights_state(world: &mut World, call: &Call<'_>) -> CallResult {
+    let states: Vec<LightState> = call.request.argument(1)?;
+    world.episode.lamps.set(&states);
+    Ok(Answer::Void)
 }

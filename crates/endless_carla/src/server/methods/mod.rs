@@ -2,6 +2,7 @@
 
 mod actors;
 mod batch;
+mod bones;
 mod controls;
 mod environment;
 mod lights;
@@ -24,6 +25,7 @@ pub(super) fn all() -> BTreeMap<&'static str, Method> {
         recorder::METHODS,
         actors::METHODS,
         batch::METHODS,
+        bones::METHODS,
         controls::METHODS,
         environment::METHODS,
         lights::METHODS,

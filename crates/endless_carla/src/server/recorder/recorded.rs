@@ -5,12 +5,12 @@ use crate::frames;
 use crate::physics::Party;
 use crate::recording::{
     RecordedActor, RecordedActorType, RecordedAttribute, RecordedBox, RecordedCollision, RecordedKinematics,
-    RecordedLightState, RecordedLightTimes, RecordedPhysics, RecordedPosition, RecordedVehicle, RecordedVehicleLights,
-    RecordedWalker,
+    RecordedLightState, RecordedLightTimes, RecordedPhysics, RecordedPosition, RecordedSceneLight, RecordedVehicle,
+    RecordedVehicleLights, RecordedWalker,
 };
 use crate::server::actor::{Body, ServerActor};
 use crate::server::episode::Episode;
-use crate::wire::{Transform, Vector3D};
+use crate::wire::{Color, LightState, Transform, Vector3D};
 
 fn numbers(vector: &Vector3D, scale: f32) -> [f32; 3] {
     [vector.x, vector.y, vector.z].map(|number| scale * number)
@@ -108,6 +108,25 @@ pub(super) fn light_times(episode: &Episode, actor: &ServerActor) -> Option<Reco
     let times = episode.lights.times(light);
     let (green_s, yellow_s, red_s) = (times.green_s, times.yellow_s, times.red_s);
     Some(RecordedLightTimes { actor: actor.told.id, green_s, yellow_s, red_s })
+}
+
+pub(super) fn lamp(lamp: &LightState) -> RecordedSceneLight {
+    let [r, g, b] = [lamp.color.r, lamp.color.g, lamp.color.b].map(|part| f32::from(part) / 255.0);
+    let (light, intensity, color) = (lamp.id as i32, lamp.intensity, [r, g, b, 1.0]);
+    RecordedSceneLight { light, intensity, color, active: lamp.active, group: lamp.group }
+}
+
+/// The same the other way.
+pub(super) fn lamp_state(recorded: &RecordedSceneLight) -> Option<LightState> {
+    let [r, g, b, _] = recorded.color.map(|part| (255.0 * part.clamp(0.0, 1.0)).round() as u8);
+    Some(LightState {
+        id: u32::try_from(recorded.light).ok()?,
+        intensity: recorded.intensity,
+        group: recorded.group,
+        color: Color { r, g, b },
+        active: recorded.active,
+        ..LightState::default()
+    })
 }
 
 /// Who met whom in the last step, with numbers from `next` on; a hero comes first.

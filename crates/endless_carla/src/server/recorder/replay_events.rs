@@ -1,5 +1,6 @@
 //! Actors that come and go in a replay.
 
+use super::recorded;
 use super::replay_frame::ReplayFrame;
 use super::replayer::ReplayPart;
 use super::transform_of;
@@ -32,6 +33,8 @@ impl World {
                 Err(error) => tracing::warn!("a replay cannot make {}: {error}", recorded.blueprint),
             }
         }
+        let lamps: Vec<_> = frame.scene_lights.iter().filter_map(recorded::lamp_state).collect();
+        self.episode.lamps.set(&lamps);
         for gone in &frame.destroyed {
             if let Some(id) = part.ids.remove(gone) {
                 self.destroy(id);

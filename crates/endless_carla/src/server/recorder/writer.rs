@@ -7,6 +7,7 @@ use crate::server::actor::ServerActor;
 use crate::server::call_error::CallError;
 use crate::server::episode::Episode;
 use crate::server::world::World;
+use crate::wire::LightState;
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, Write as _};
@@ -54,8 +55,9 @@ impl World {
 
     /// After a step: what there is now goes into the file, if one is recorded.
     pub(in crate::server) fn record(&mut self) {
+        let changed = self.episode.lamps.take_changed();
         let Some(recorder) = &mut self.recordings.recorder else { return };
-        if let Err(error) = recorder.record(&self.episode) {
+        if let Err(error) = recorder.record(&self.episode, changed) {
             tracing::warn!("the recording ends: {error}");
             self.recordings.recorder = None;
         }
@@ -75,11 +77,12 @@ impl super::Recordings {
 }
 
 impl Recorder {
-    fn record(&mut self, episode: &Episode) -> io::Result<()> {
+    fn record(&mut self, episode: &Episode, changed: Vec<LightState>) -> io::Result<()> {
         let elapsed_s = self.frame.elapsed_s + self.frame.duration_s;
         self.frame = FrameStart { id: self.frame.id + 1, duration_s: episode.delta_s, elapsed_s };
         let mut bytes = Vec::new();
-        for packet in self.packets(episode) {
+        let lamps = if self.frame.id == 1 { episode.lamps.states() } else { changed };
+        for packet in self.packets(episode, &lamps) {
             packet.write(&mut bytes);
         }
         self.known = episode.actors.keys().copied().collect();
@@ -87,7 +90,7 @@ impl Recorder {
     }
 
     /// The packets of a frame. Collisions come before parents: programs that read CARLA's text expect them so.
-    fn packets(&mut self, episode: &Episode) -> Vec<Packet> {
+    fn packets(&mut self, episode: &Episode, lamps: &[LightState]) -> Vec<Packet> {
         let all = || episode.actors.values();
         let new: Vec<&ServerActor> = all().filter(|actor| !self.known.contains(&actor.told.id)).collect();
         let gone = self.known.iter().filter(|id| !episode.actors.contains_key(id)).copied().collect();
@@ -106,6 +109,7 @@ impl Recorder {
             Packet::Vehicles(all().filter_map(recorded::vehicle).collect()),
             Packet::Walkers(all().filter_map(recorded::walker).collect()),
             Packet::VehicleLights(all().filter_map(recorded::vehicle_lights).collect()),
+            Packet::SceneLights(lamps.iter().map(recorded::lamp).collect()),
         ];
         if self.tells_more {
             let of_new = || new.iter().copied();

@@ -1,0 +1,122 @@
+//! The street lamps of a map, as clients switch them.
+
+use crate::frames;
+use crate::wire::{Color, LightState};
+use endless_scene::StreetLamp;
+use endless_town::Town;
+use std::collections::{BTreeMap, BTreeSet};
+use std::f32::consts::PI;
+
+/// CARLA's group of street lamps.
+const STREET: u8 = 2;
+
+/// Street lamps: on by night and off by day, but for those that clients have switched. Their state is kept and told; pictures
+/// have the light of all lamps by night, and of none by day.
+pub(super) struct Lamps {
+    /// As they are by themselves, by day.
+    all: Vec<LightState>,
+    /// As clients have set them.
+    set: BTreeMap<u32, LightState>,
+    /// Those that clients have set since this was last asked.
+    changed: BTreeSet<u32>,
+    /// Clients are to be told to ask again.
+    is_news: bool,
+    is_night: bool,
+}
+
+impl Lamps {
+    pub(super) fn new(town: &Town) -> Self {
+        let all = (1..).zip(&town.lamps).map(|(id, lamp)| state(id, lamp)).collect();
+        Self { all, set: BTreeMap::new(), changed: BTreeSet::new(), is_news: false, is_night: false }
+    }
+
+    /// All of them.
+    pub(super) fn states(&self) -> Vec<LightState> {
+        let now = |lamp: &LightState| {
+            self.set.get(&lamp.id).cloned().unwrap_or_else(|| LightState { active: self.is_night, ..lamp.clone() })
+        };
+        self.all.iter().map(now).collect()
+    }
+
+    /// One of them.
+    pub(super) fn state(&self, id: u32) -> Option<LightState> {
+        let lamp = self.all.get((id as usize).checked_sub(1)?)?;
+        let by_itself = || LightState { active: self.is_night, ..lamp.clone() };
+        Some(self.set.get(&id).cloned().unwrap_or_else(by_itself))
+    }
+
+    /// Sets lamps; numbers of none are passed over. Lamps stay where they are.
+    pub(super) fn set(&mut self, states: &[LightState]) {
+        for wanted in states {
+            let Some(lamp) = self.state(wanted.id) else { continue };
+            let intensity = if wanted.intensity.is_finite() { wanted.intensity.max(0.0) } else { lamp.intensity };
+            let now = LightState { location: lamp.location.clone(), intensity, ..wanted.clone() };
+            if now != lamp {
+                self.changed.insert(now.id);
+                self.set.insert(now.id, now);
+                self.is_news = true;
+            }
+        }
+    }
+
+    /// Night begins or ends.
+    pub(super) fn set_night(&mut self, is_night: bool) {
+        self.is_news |= self.is_night != is_night && !self.all.is_empty();
+        self.is_night = is_night;
+    }
+
+    /// Whether clients are to be told to ask again; asked once for a frame.
+    pub(super) fn take_news(&mut self) -> bool {
+        std::mem::take(&mut self.is_news)
+    }
+
+    /// Those that clients have set since this was last asked.
+    pub(super) fn take_changed(&mut self) -> Vec<LightState> {
+        std::mem::take(&mut self.changed).into_iter().filter_map(|id| self.state(id)).collect()
+    }
+}
+
+/// A lamp by day. Its flux is about that of one that shines downwards evenly, lumens.
+fn state(id: u32, lamp: &StreetLamp) -> LightState {
+    let [r, g, b] = lamp.color.map(|linear| (255.0 * linear.clamp(0.0, 1.0)).round() as u8);
+    LightState {
+        id,
+        location: frames::to_carla(lamp.position),
+        intensity: PI * lamp.intensity_cd,
+        group: STREET,
+        color: Color { r, g, b },
+        active: false,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use glam::Vec3;
+
+    #[test]
+    fn lamps_are_on_by_night_and_as_they_are_set() {
+        let lamp = |x| StreetLamp { position: Vec3::new(x, 2.0, 8.0), color: [1.0, 0.8, 0.5], intensity_cd: 1000.0 };
+        let mut lamps = Lamps::new(&Town { lamps: vec![lamp(1.0), lamp(5.0)], ..Town::default() });
+        let active = |lamps: &Lamps| lamps.states().iter().map(|lamp| lamp.active).collect::<Vec<_>>();
+        assert_eq!(active(&lamps), [false, false]);
+        assert!(!lamps.take_news());
+        lamps.set_night(true);
+        assert_eq!((active(&lamps), lamps.take_news(), lamps.take_news()), (vec![true, true], true, false));
+        let told = lamps.states();
+        assert_eq!((told[1].id, told[1].group, told[1].location.y, told[1].color.g), (2, 2, -2.0, 204));
+        let off =
+            LightState { active: false, intensity: f32::NAN, location: told[0].location.clone(), ..told[1].clone() };
+        lamps.set(&[
+            off,
+            LightState { id: 7, ..told[0].clone() },
+            LightState { id: 0, ..told[0].clone() },
+            told[0].clone(),
+        ]);
+        assert_eq!((active(&lamps), lamps.take_news()), (vec![true, false], true));
+        assert_eq!(lamps.state(2), Some(LightState { active: false, ..told[1].clone() }));
+        assert_eq!((lamps.take_changed().len(), lamps.take_changed().len()), (1, 0));
+        lamps.set_night(false);
+        assert_eq!(active(&lamps), [false, false]);
+    }
+}
