@@ -22,6 +22,8 @@ pub(super) struct CameraFilm {
     /// As it is developed, if frames need not be developed whole.
     pub(super) rgb: Vec<[u8; 3]>,
     pub(super) response: Arc<FilmResponse>,
+    /// Copies of the radiance, for frames: of this picture alone, where pictures share a response.
+    pub(super) radiance_pool: ScratchPool<Vec<Vec3A>>,
 }
 
 /// How radiance becomes a picture: the same in all frames of a video.
@@ -35,8 +37,6 @@ pub(crate) struct FilmResponse {
     pub(super) glare: f32,
     /// Effects of lens, sensor and recorder, if any.
     pub(super) post_process: Option<PostProcess>,
-    /// Copies of the still picture's radiance.
-    pub(super) radiance_pool: ScratchPool<Vec<Vec3A>>,
     /// Pictures on their way through the lens.
     pub(super) lens_scratch: ScratchPool<Vec<Vec3A>>,
     pub(super) blur_scratch: ScratchPool<BlurScratch>,
@@ -58,7 +58,8 @@ impl CameraFilm {
             Arc::new(FilmResponse::new(settings, environment, exposure))
         });
         let spreads_light = response.spreads_light();
-        let film = Self { radiance, unlit, rgb: Vec::new(), response };
+        let radiance_pool = ScratchPool::for_pixels(radiance.len());
+        let film = Self { radiance, unlit, rgb: Vec::new(), response, radiance_pool };
         if spreads_light {
             return film;
         }
@@ -132,7 +133,6 @@ impl FilmResponse {
                 settings.seed,
                 environment.rain,
             ),
-            radiance_pool: ScratchPool::for_pixels(pixels),
             lens_scratch: ScratchPool::for_pixels(pixels),
             blur_scratch: ScratchPool::for_pixels(pixels),
         }

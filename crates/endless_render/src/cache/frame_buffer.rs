@@ -42,7 +42,7 @@ impl FrameBuffer {
             || bake.film.response.spreads_light()
             || bake.film.response.shutter_s > 0.0;
         Self {
-            radiance: keeps.then(|| bake.film.response.radiance_pool.take(|| bake.film.radiance.clone())),
+            radiance: keeps.then(|| bake.film.radiance_pool.take(|| bake.film.radiance.clone())),
             touched: Vec::new(),
             streaks: Vec::new(),
             rgb: if bake.film.response.spreads_light() {
@@ -109,7 +109,7 @@ impl FrameBuffer {
             for i in self.touched {
                 radiance[i as usize] = bake.film.radiance[i as usize];
             }
-            bake.film.response.radiance_pool.give(radiance);
+            bake.film.radiance_pool.give(radiance);
         }
         bake.film.darken(&mut self.rgb);
         DevelopedFrame { frame, rgb: self.rgb, layers: self.layers, centres }

@@ -184,6 +184,25 @@ fn a_moving_camera_sees_what_a_fixed_one_sees() {
     }
 }
 
+/// At night light spreads over the whole picture, and rain falls in front of it: none of it is that of a frame before.
+#[test]
+fn a_moving_camera_sees_nothing_of_where_it_was() {
+    let (still, frame) = (still(), frame(12.0));
+    let here = camera();
+    let there = PinholeCamera { position: here.position + Vec3::new(3.0, 1.0, 0.0), ..here.clone() };
+    for (weather, time) in [(Weather::Rainy, TimeOfDay::Afternoon), (Weather::ClearSky, TimeOfDay::Night)] {
+        let settings = RenderSettings { weather: SceneWeather::new(weather, time, 5), ..settings(weather) };
+        let camera = || MovingCamera::new(&still, &settings, IndirectLight::OpenSky, &[here.clone(), there.clone()]);
+        let (goes, comes) = (camera(), camera());
+        goes.render(&still, &frame, &here);
+        assert_eq!(
+            goes.render(&still, &frame, &there).rgb,
+            comes.render(&still, &frame, &there).rgb,
+            "{weather} {time}"
+        );
+    }
+}
+
 #[test]
 fn the_sun_stands_where_it_is_told_to() {
     let (still, nothing) = (still(), FrameScene::new(FrameDescription::default()));
