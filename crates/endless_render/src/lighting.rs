@@ -8,6 +8,7 @@ use crate::settings::RenderSettings;
 use crate::shade::{Tracer, halos8};
 use endless_world::{CameraRay, PinholeCamera};
 use glam::{Vec2, Vec3A};
+use std::sync::Arc;
 use wide::f32x8;
 
 /// Rectangle of ground that cameras see within the reach of probes, and the height of that ground.
@@ -53,9 +54,9 @@ impl ViewedArea {
 
 /// Sun, sky and air, what hides lamps, and light that bounced.
 pub(crate) struct Lighting {
-    pub(crate) environment: Environment,
+    pub(crate) environment: Arc<Environment>,
     /// Where not all of them are lit.
-    dimmed_lamps: Option<Lamps>,
+    pub(crate) dimmed_lamps: Option<Arc<Lamps>>,
     pub(crate) lamp_maps: LampMaps,
     /// Light that bounced; without them it is that of the open sky.
     pub(crate) probes: Option<ProbeGrid>,
@@ -65,13 +66,25 @@ impl Lighting {
     /// Around what cameras see, without light that bounced.
     pub(crate) fn direct(still: &StaticScene, settings: &RenderSettings, area: &ViewedArea) -> Self {
         let ViewedArea { low, high, ground } = *area;
-        let environment = Environment::new(settings, ground);
-        let lamps = if environment.night { still.lamps.all() } else { &[] };
-        let lamp_maps = LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m());
+        let dark = Self::dark(still, settings, ground);
+        let lamps = if dark.environment.night { still.lamps.all() } else { &[] };
+        Self { lamp_maps: LampMaps::bake(&still.accel, lamps, low, high, Lamps::range_m()), ..dark }
+    }
+
+    /// Without what hides lamps, and without light that bounced; the air lies on ground of this height, metres.
+    pub(crate) fn dark(still: &StaticScene, settings: &RenderSettings, ground: f32) -> Self {
+        let environment = Arc::new(Environment::new(settings, ground));
         let share = environment.lamps_lit;
         let dimmed_lamps = (environment.night && share < 1.0)
-            .then(|| still.lamps.scaled(|_, hung| Vec3A::splat(lamp_power(hung, share))));
-        Self { environment, dimmed_lamps, lamp_maps, probes: None }
+            .then(|| Arc::new(still.lamps.scaled(|_, hung| Vec3A::splat(lamp_power(hung, share)))));
+        Self { environment, dimmed_lamps, lamp_maps: LampMaps::default(), probes: None }
+    }
+
+    /// The same sun, sky, air and lamps, without light that bounced.
+    pub(crate) fn without_probes(&self) -> Self {
+        let Self { environment, dimmed_lamps, lamp_maps, .. } = self;
+        let (environment, dimmed_lamps) = (Arc::clone(environment), dimmed_lamps.clone());
+        Self { environment, dimmed_lamps, lamp_maps: lamp_maps.clone(), probes: None }
     }
 
     /// With light that bounced; and the ends of the rays that gathered it, if these are to be kept.
@@ -102,7 +115,7 @@ impl Lighting {
     /// All that light depends on at an instant, or when nothing moves.
     pub(crate) fn tracer<'a>(&'a self, still: &'a StaticScene, moving: Option<&'a FrameScene>) -> Tracer<'a> {
         let Self { environment, dimmed_lamps, lamp_maps, probes, .. } = self;
-        let lamps = dimmed_lamps.as_ref().unwrap_or(&still.lamps);
+        let lamps = dimmed_lamps.as_deref().unwrap_or(&still.lamps);
         Tracer { still, moving, environment, lamps, lamp_maps, probes: probes.as_ref() }
     }
 }

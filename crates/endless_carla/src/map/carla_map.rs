@@ -99,6 +99,12 @@ impl CarlaMap {
         height.map(|z| z as f32)
     }
 
+    /// Height of the lowest road, metres.
+    pub fn lowest_m(&self) -> f32 {
+        let heights = self.network.lanes.iter().flat_map(|lane| lane.centerline.points()).map(|point| point.z);
+        heights.reduce(f64::min).unwrap_or(0.0) as f32
+    }
+
     /// The speed limit of the nearest lane, km/h; `None` far from all lanes.
     pub fn speed_limit_kmh(&self, place: &Location) -> Option<f32> {
         let lane = self.lanes.nearest(frames::from_carla(place).as_dvec3())?;

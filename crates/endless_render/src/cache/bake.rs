@@ -93,6 +93,11 @@ impl CameraBake {
         self.film.response.exposure()
     }
 
+    /// How it would be exposed if it were for this picture alone; looks at fewer pixels than a film that is exposed for it.
+    pub(crate) fn wanted_exposure(&self) -> Exposure {
+        self.film.wanted_exposure(&self.camera, &self.lighting.environment, &self.gbuffer)
+    }
+
     /// All but the light.
     fn lit(
         still: &StaticScene,

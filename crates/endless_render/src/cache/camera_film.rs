@@ -13,6 +13,9 @@ use rayon::prelude::*;
 use std::borrow::Cow;
 use std::sync::Arc;
 
+/// One of so many pixels tells how a picture is exposed.
+const EVERY: usize = 7;
+
 /// The still picture on a camera's film.
 pub(super) struct CameraFilm {
     /// Its radiance, kcd/m².
@@ -54,7 +57,7 @@ impl CameraFilm {
     ) -> Self {
         let unlit = unlit(camera);
         let response = response.cloned().unwrap_or_else(|| {
-            let exposure = Exposure::for_picture(camera, environment, gbuffer, &radiance, &unlit);
+            let exposure = Exposure::for_picture(camera, environment, gbuffer, &radiance, &unlit, EVERY);
             Arc::new(FilmResponse::new(settings, environment, exposure))
         });
         let spreads_light = response.spreads_light();
@@ -66,6 +69,16 @@ impl CameraFilm {
         let mut rgb: Vec<_> = film.radiance.par_iter().map(|&r| film.response.tone.apply(r)).collect();
         film.darken(&mut rgb);
         Self { rgb, ..film }
+    }
+
+    /// As [`Exposure::for_picture`] finds it from some pixels of this picture.
+    pub(super) fn wanted_exposure(
+        &self,
+        camera: &PinholeCamera,
+        environment: &Environment,
+        gbuffer: &GBuffer,
+    ) -> Exposure {
+        Exposure::for_picture(camera, environment, gbuffer, &self.radiance, &self.unlit, 5 * EVERY)
     }
 
     /// Makes black what the lens does not show.
@@ -87,13 +100,15 @@ fn unlit(camera: &PinholeCamera) -> Vec<u32> {
 }
 
 impl Exposure {
-    /// As a still picture of this radiance needs it, but for the pixels in which the lens shows nothing.
+    /// As a still picture of this radiance needs it, but for the pixels in which the lens shows nothing; asks one of `every`
+    /// so many pixels.
     fn for_picture(
         camera: &PinholeCamera,
         environment: &Environment,
         gbuffer: &GBuffer,
         radiance: &[Vec3A],
         unlit: &[u32],
+        every: usize,
     ) -> Self {
         let width = camera.size.width as usize;
         let lit: Vec<u32> = match unlit.is_empty() {
@@ -104,14 +119,14 @@ impl Exposure {
             true => radiance.into(),
             false => lit.iter().map(|&i| radiance[i as usize]).collect::<Vec<_>>().into(),
         };
-        let black = black_level(&shown, |i| {
+        let black = black_level(&shown, every, |i| {
             let i = lit.get(i).map_or(i, |&i| i as usize);
             let (ray, still) = (sample_ray(camera, (i % width) as u32, (i / width) as u32, 0), gbuffer.pixel(i));
             let fog = &environment.fog;
             let left = fog.transmittance(ray.origin, ray.direction, still.distances[0]);
             if still.is_sky(0) { Vec3A::ZERO } else { fog.in_scatter(ray.direction, left) }
         });
-        Self { factor: exposure(&shown, black, environment.exposure_key), black }
+        Self { factor: exposure(&shown, black, environment.exposure_key, every), black }
     }
 }
 

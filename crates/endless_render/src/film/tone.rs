@@ -2,6 +2,7 @@
 
 use endless_world::math;
 use glam::Vec3A;
+use std::sync::LazyLock;
 use wide::f32x8;
 
 const ENTRIES: usize = 8192;
@@ -12,9 +13,18 @@ pub(crate) struct ToneCurve {
     black: Vec3A,
     /// Exposure by channel: white balance included.
     exposure: Vec3A,
-    /// By x / (1 + x).
-    table: Vec<u8>,
+    table: &'static [u8],
 }
+
+/// The curve by x / (1 + x), the same at all exposures.
+static TABLE: LazyLock<Vec<u8>> = LazyLock::new(|| {
+    let entry = |i: usize| {
+        let t = i as f32 / (ENTRIES - 1) as f32;
+        let x = if t < 1.0 { (t / (1.0 - t)).min(WHITE) } else { WHITE };
+        (srgb(filmic(x).clamp(0.0, 1.0)) * 255.0 + 0.5) as u8
+    };
+    (0..ENTRIES).map(entry).collect()
+});
 
 /// Slope in the middle of the curve on a log scale: cameras that watch streets are set to more contrast than eyes see.
 const CONTRAST: f32 = 1.2;
@@ -43,15 +53,7 @@ impl ToneCurve {
     /// The curve at an exposure (factor from kcd/m² to scene-referred units where 0.18 is middle grey) and a white balance
     /// (factors by channel), above a black level (kcd/m²).
     pub(crate) fn new(exposure: f32, white_balance: Vec3A, black: Vec3A) -> Self {
-        let table = (0..ENTRIES)
-            .map(|i| {
-                let t = i as f32 / (ENTRIES - 1) as f32;
-                let x = if t < 1.0 { (t / (1.0 - t)).min(WHITE) } else { WHITE };
-                let y = filmic(x);
-                (srgb(y.clamp(0.0, 1.0)) * 255.0 + 0.5) as u8
-            })
-            .collect();
-        Self { black, exposure: white_balance * exposure, table }
+        Self { black, exposure: white_balance * exposure, table: &TABLE }
     }
 
     /// One pixel.

@@ -8,6 +8,7 @@ mod hit_tape;
 mod indirect_hits;
 mod probe_bake;
 mod probe_grid;
+mod probe_map;
 
 pub(crate) use denoise::{DenoiseGuide, KERNEL, denoise, surface_weight};
 pub(crate) use gather::{GatherPoint, PATTERN_SIDE, gather8, turn};
@@ -15,3 +16,4 @@ pub(crate) use hit_tape::{HitTape, RayEnd};
 pub use indirect_hits::IndirectHits;
 pub(crate) use indirect_hits::{IndirectRays, PROBE_BOUNCES, TapeStack};
 pub(crate) use probe_grid::{ProbeGrid, ProbeRegion};
+pub(crate) use probe_map::{Cell, ProbeMap};

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use std::f32::consts::PI;
 
 /// Rays a probe, by bounce.
-const RAYS: [u32; PROBE_BOUNCES] = [64, 144];
+pub(super) const RAYS: [u32; PROBE_BOUNCES] = [64, 144];
 
 impl ProbeGrid {
     /// Bakes probes over a rectangle of ground: first light that bounced once, then twice. With the ends of their rays, if
@@ -47,7 +47,8 @@ impl ProbeGrid {
     }
 }
 
-fn probe(tracer: &Tracer<'_>, tape: &mut HitTape<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe {
+/// The light at a place, by so many rays.
+pub(super) fn probe(tracer: &Tracer<'_>, tape: &mut HitTape<'_>, position: Vec3A, pattern: u32, rays: u32) -> Probe {
     let mut light = SphericalHarmonics::ZERO;
     let mut behind = 0u32;
     let limit = Vec3A::splat(brightest(tracer.environment));

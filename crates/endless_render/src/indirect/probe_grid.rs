@@ -3,9 +3,11 @@
 use super::harmonics::SphericalHarmonics;
 use glam::{UVec3, Vec2, Vec3A};
 
-const SPACING_M: f32 = 6.0;
-/// Heights of the layers above the lowest ground: dense where cars and people are.
-const HEIGHTS_M: [f32; 5] = [0.8, 2.2, 4.5, 9.0, 18.0];
+pub(super) const SPACING_M: f32 = 6.0;
+/// Layers of probes.
+pub(super) const LAYERS: usize = 5;
+/// Heights of the layers above the ground: dense where cars and people are.
+pub(super) const HEIGHTS_M: [f32; LAYERS] = [0.8, 2.2, 4.5, 9.0, 18.0];
 
 /// Where probes are wanted.
 pub(crate) struct ProbeRegion {
@@ -21,15 +23,26 @@ pub(crate) struct ProbeRegion {
 /// The probes around one camera's view.
 pub(crate) struct ProbeGrid {
     low: Vec2,
-    ground: f32,
+    ground: Ground,
     pub(super) size: UVec3,
     pub(super) probes: Vec<Probe>,
 }
 
+/// From where the heights of probes count.
+enum Ground {
+    /// A plane at the lowest ground.
+    Level(f32),
+    /// The ground below each column of probes, row by row.
+    Columns(Vec<f32>),
+}
+
 /// Light, and its trust beside its numbers: 0 inside walls, 1 in the open.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Probe(SphericalHarmonics);
 
 impl Probe {
+    pub(super) const NONE: Self = Self(SphericalHarmonics::ZERO);
+
     pub(super) fn new(light: SphericalHarmonics, trust: f32) -> Self {
         Self(light.with_spare(trust))
     }
@@ -40,16 +53,23 @@ impl ProbeGrid {
     pub(super) fn over(&ProbeRegion { low, high, ground, .. }: &ProbeRegion) -> Self {
         let columns = ((high.x - low.x) / SPACING_M).ceil().max(1.0) as u32 + 1;
         let rows = ((high.y - low.y) / SPACING_M).ceil().max(1.0) as u32 + 1;
-        Self { low, ground, size: UVec3::new(columns, rows, HEIGHTS_M.len() as u32), probes: Vec::new() }
+        let ground = Ground::Level(ground);
+        Self { low, ground, size: UVec3::new(columns, rows, LAYERS as u32), probes: Vec::new() }
+    }
+
+    /// A grid of known probes, layer by layer, over the ground below each column, row by row; `low` is its first corner.
+    pub(super) fn of_columns(low: Vec2, columns: u32, ground: Vec<f32>, probes: Vec<Probe>) -> Self {
+        let rows = ground.len() as u32 / columns;
+        Self { low, ground: Ground::Columns(ground), size: UVec3::new(columns, rows, LAYERS as u32), probes }
     }
 
     /// Where a probe is.
     pub(super) fn position(&self, x: u32, y: u32, z: u32) -> Vec3A {
-        Vec3A::new(
-            self.low.x + x as f32 * SPACING_M,
-            self.low.y + y as f32 * SPACING_M,
-            self.ground + HEIGHTS_M[z as usize],
-        )
+        let ground = match &self.ground {
+            Ground::Level(ground) => *ground,
+            Ground::Columns(ground) => ground[(y * self.size.x + x) as usize],
+        };
+        Vec3A::new(self.low.x + x as f32 * SPACING_M, self.low.y + y as f32 * SPACING_M, ground + HEIGHTS_M[z as usize])
     }
 
     /// Illuminance of a surface with this normal, klx: trilinear between the probes in the open.
@@ -57,13 +77,13 @@ impl ProbeGrid {
         let last = self.size - UVec3::ONE;
         let u = ((position.x - self.low.x) / SPACING_M).clamp(0.0, last.x as f32);
         let v = ((position.y - self.low.y) / SPACING_M).clamp(0.0, last.y as f32);
-        let height = position.z - self.ground;
-        let layer = HEIGHTS_M[1..HEIGHTS_M.len() - 1].iter().filter(|&&h| h <= height).count();
-        let w = ((height - HEIGHTS_M[layer]) / (HEIGHTS_M[layer + 1] - HEIGHTS_M[layer])).clamp(0.0, 1.0);
         let (x0, y0) = (u as u32, v as u32);
         let (fx, fy) = (u - u.floor(), v - v.floor());
         let columns = [(x0, 1.0 - fx), ((x0 + 1).min(last.x), fx)];
         let rows = [(y0, 1.0 - fy), ((y0 + 1).min(last.y), fy)];
+        let height = position.z - self.ground_at(columns, rows);
+        let layer = HEIGHTS_M[1..LAYERS - 1].iter().filter(|&&h| h <= height).count();
+        let w = ((height - HEIGHTS_M[layer]) / (HEIGHTS_M[layer + 1] - HEIGHTS_M[layer])).clamp(0.0, 1.0);
         let layers = [(layer as u32, 1.0 - w), (layer as u32 + 1, w)];
         let mut sum = SphericalHarmonics::ZERO;
         let mut total = 0.0;
@@ -80,6 +100,17 @@ impl ProbeGrid {
             }
         }
         sum.irradiance(normal) / total.max(1e-9)
+    }
+
+    /// Between these columns and rows, each with its share.
+    fn ground_at(&self, columns: [(u32, f32); 2], rows: [(u32, f32); 2]) -> f32 {
+        match &self.ground {
+            Ground::Level(ground) => *ground,
+            Ground::Columns(ground) => {
+                let along = |y: u32| columns.map(|(x, share)| ground[(y * self.size.x + x) as usize] * share);
+                rows.into_iter().map(|(y, share)| along(y).iter().sum::<f32>() * share).sum()
+            }
+        }
     }
 }
 
@@ -111,7 +142,7 @@ mod tests {
         let last = grid.size - UVec3::ONE;
         let u = ((position.x - grid.low.x) / SPACING_M).clamp(0.0, last.x as f32);
         let v = ((position.y - grid.low.y) / SPACING_M).clamp(0.0, last.y as f32);
-        let height = position.z - grid.ground;
+        let height = position.z - 1.5;
         let layer = HEIGHTS_M.partition_point(|&h| h <= height).clamp(1, HEIGHTS_M.len() - 1) - 1;
         let w = ((height - HEIGHTS_M[layer]) / (HEIGHTS_M[layer + 1] - HEIGHTS_M[layer])).clamp(0.0, 1.0);
         let low = UVec3::new(u as u32, v as u32, layer as u32);

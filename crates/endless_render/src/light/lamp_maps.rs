@@ -5,6 +5,7 @@ use super::lamps::PointLamp;
 use crate::accel::{Ray, Tlas};
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
+use std::sync::Arc;
 
 /// Directions along each edge of a map.
 const EDGE: usize = 192;
@@ -14,27 +15,38 @@ const BIAS_M: f32 = 0.3;
 const MARGIN_M: f32 = 48.0;
 
 /// Maps of the lamps around one camera's view.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct LampMaps {
-    /// By lamp; empty without a map.
-    maps: Vec<Vec<f32>>,
+    /// By lamp.
+    maps: Vec<Option<Arc<[f32]>>>,
 }
 
 impl LampMaps {
     /// Maps the surroundings of the lamps over and around a rectangle of ground.
     pub(crate) fn bake(accel: &Tlas, lamps: &[PointLamp], low: Vec2, high: Vec2, range_m: f32) -> Self {
+        let mut maps = Self::default();
+        maps.reach(accel, lamps, low, high, range_m);
+        maps
+    }
+
+    /// Adds those of the same lamps around another rectangle that have none yet.
+    pub(crate) fn reach(&mut self, accel: &Tlas, lamps: &[PointLamp], low: Vec2, high: Vec2, range_m: f32) {
         let near = |lamp: &PointLamp| {
             let at = Vec2::new(lamp.position.x, lamp.position.y);
             at.clamp(low, high).distance_squared(at) < MARGIN_M * MARGIN_M
         };
-        let map = |lamp: &PointLamp| if near(lamp) { map(accel, lamp.position, range_m) } else { Vec::new() };
-        Self { maps: lamps.par_iter().map(map).collect() }
+        self.maps.resize(lamps.len(), None);
+        self.maps.par_iter_mut().zip(lamps).for_each(|(kept, lamp)| {
+            if kept.is_none() && near(lamp) {
+                *kept = Some(map(accel, lamp.position, range_m).into());
+            }
+        });
     }
 
     /// Share of a lamp's light that the town lets pass to a point below it; `None` if the lamp has no map. `to_lamp` is
     /// the unit direction to the lamp.
     pub(crate) fn lit(&self, lamp: usize, to_lamp: Vec3A, distance: f32) -> Option<f32> {
-        let map = self.maps.get(lamp).filter(|map| !map.is_empty())?;
+        let map = self.maps.get(lamp)?.as_ref()?;
         let place = (fold(-to_lamp) * EDGE as f32 - 0.5).clamp(Vec2::ZERO, Vec2::splat((EDGE - 1) as f32));
         let (x, y) = ((place.x as usize).min(EDGE - 2), (place.y as usize).min(EDGE - 2));
         let (u, v) = (place.x - x as f32, place.y - y as f32);

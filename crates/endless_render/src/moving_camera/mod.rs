@@ -3,6 +3,14 @@
 //! A frame is a [`CameraBake`] made for one instant, so that both share their definition, all layers and all code. Only light
 //! that bounced differs: it comes from probes along the way, because gathered light has a pattern of its own in each picture,
 //! which would crawl over what is seen.
+//!
+//! A [`MovingCamera`] knows its whole way beforehand; a [`RoamingCamera`] does not, and takes its light from a [`RoamingLight`].
+
+mod roaming_camera;
+mod roaming_light;
+
+pub use roaming_camera::RoamingCamera;
+pub use roaming_light::{LocalLight, RoamingLight};
 
 use crate::cache::{CameraBake, FilmResponse, NeighbourFrames, PictureMemory, ScratchPool};
 use crate::film::Exposure;

@@ -2,7 +2,7 @@
 
 use endless_render::{
     CameraBake, Footprint, FrameDescription, FrameScene, Gathering, Geometry, IndirectHits, IndirectLight, Instance,
-    MovingCamera, MovingObject, RenderSettings, StaticScene,
+    MovingCamera, MovingObject, NeighbourFrames, RenderSettings, RoamingCamera, RoamingLight, StaticScene,
 };
 use endless_scene::{Material, MeshBuilder, Surface};
 use endless_world::{
@@ -201,6 +201,32 @@ fn a_moving_camera_sees_nothing_of_where_it_was() {
             "{weather} {time}"
         );
     }
+}
+
+/// A camera that goes anywhere sees what one sees that knew its way, and finds the same light when it comes back.
+#[test]
+fn a_roaming_camera_sees_what_a_moving_one_sees() {
+    let (still, frame, settings) = (still(), frame(12.0), settings(Weather::ClearSky));
+    let here = camera();
+    let render = |light: &mut RoamingLight, camera: &PinholeCamera| {
+        let around = light.around(&still, camera.position);
+        RoamingCamera::new(&settings).render(&still, &frame, &around, camera, NeighbourFrames::default(), 0.05)
+    };
+    let light = || RoamingLight::new(&still, &settings, 0.0);
+    let seen = render(&mut light(), &here);
+    let known = MovingCamera::new(&still, &settings, IndirectLight::Probes, std::slice::from_ref(&here));
+    let known = known.render(&still, &frame, &here);
+    assert_eq!((&seen.instance, &seen.depth), (&known.instance, &known.depth));
+    let channels = seen.rgb.data.as_flattened().iter().zip(known.rgb.data.as_flattened());
+    let apart: f64 = channels.map(|(&a, &b)| f64::from(a.abs_diff(b))).sum();
+    let mean = apart / (3 * SIZE.pixels()) as f64;
+    assert!(mean < 2.0, "{mean:.2} levels apart");
+    // Away, and back again.
+    let mut roaming = light();
+    render(&mut roaming, &here);
+    let away = PinholeCamera { position: here.position + Vec3::new(40.0, 0.0, 0.0), ..here.clone() };
+    render(&mut roaming, &away);
+    assert_eq!(render(&mut roaming, &here).rgb, seen.rgb);
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod inertial;
 mod lidar;
 mod radar;
 mod scene;
+mod town_light;
 
 use super::actor::{Body, CameraSettings, SensorModel, ServerActor, instance_id};
 use super::episode::Episode;
@@ -14,15 +15,16 @@ use super::weather::scene_weather;
 use crate::blueprint::SensorKind;
 use crate::frames;
 use crate::stream::{Delivery, SensorHeader, StreamHub};
-use camera::{CameraView, Light};
+use camera::CameraView;
 use endless_asset::Catalogue;
-use endless_render::{FrameScene, RayCaster};
+use endless_render::{FrameScene, LocalLight, RayCaster};
 use endless_sensor::{Atmosphere, SweepInterval};
-use endless_world::{InstanceId, LidarSettings, RadarSettings, SceneWeather, SensorPose};
+use endless_world::{InstanceId, LidarSettings, RadarSettings, SceneWeather, SensorLayers, SensorPose};
 use rayon::prelude::*;
 use scene::ActorScene;
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use town_light::{Light, TownLight};
 
 /// The sensors of an episode, as far as something is kept of them from frame to frame.
 #[derive(Default)]
@@ -30,6 +32,7 @@ pub(super) struct Sensing {
     scene: ActorScene,
     /// By the stream of the first sensor that looks through each.
     cameras: BTreeMap<u32, CameraView>,
+    light: TownLight,
 }
 
 /// A sensor that measures at this frame.
@@ -90,14 +93,21 @@ impl Sensing {
         let seed = episode.seed;
         let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather, seed))).collect();
         let light = Light { still, weather, seed, step_s: episode.delta_s };
-        let views: Vec<(CameraView, Vec<Measurement>)> = look_alike(cameras)
+        let map = Arc::clone(&episode.map);
+        let views: Vec<(CameraView, Option<LocalLight>, Vec<Measurement>)> = look_alike(cameras)
             .into_iter()
-            .map(|alike| (self.cameras.remove(&alike[0].stream).unwrap_or_default(), alike))
+            .map(|alike| {
+                let mut view = self.cameras.remove(&alike[0].stream).unwrap_or_default();
+                let (pose, settings) = (&alike[0].pose, alike[0].camera());
+                let goes = settings.is_some_and(|settings| view.goes(&light, settings, pose));
+                let around = goes.then(|| self.light.around(&map, &light, pose));
+                (view, around, alike)
+            })
             .collect();
         let shown: Vec<(CameraView, u32, Messages)> = views
             .into_par_iter()
-            .map(|(mut view, alike)| {
-                let messages = show(&mut view, &alike, &light, &frame);
+            .map(|(mut view, around, alike)| {
+                let messages = show(&mut view, &alike, &light, around.as_ref(), &frame);
                 (view, alike[0].stream, messages)
             })
             .collect();
@@ -109,7 +119,7 @@ impl Sensing {
     }
 
     /// What moves at this instant, as rays meet it.
-    pub(super) fn scene(&mut self, episode: &Episode, catalogue: &Catalogue) -> FrameScene {
+    pub(super) fn scene(&mut self, episode: &Episode, catalogue: &Catalogue) -> Arc<FrameScene> {
         self.scene.at(episode, catalogue)
     }
 
@@ -142,10 +152,17 @@ impl Measurement {
 }
 
 /// The messages of cameras that look alike, such as one for colours and one for depth: they share one picture.
-fn show(view: &mut CameraView, alike: &[Measurement], light: &Light<'_>, frame: &FrameScene) -> Messages {
+fn show(
+    view: &mut CameraView,
+    alike: &[Measurement],
+    light: &Light<'_>,
+    around: Option<&LocalLight>,
+    frame: &FrameScene,
+) -> Messages {
     let (first, Some(settings)) = (&alike[0], alike[0].camera()) else { return Vec::new() };
     let normals = alike.iter().any(|one| one.kind == SensorKind::Normals);
-    let (seen, camera) = view.render(light, frame, settings, &first.pose, normals);
+    let layers = SensorLayers { normals, ..SensorLayers::default() };
+    let (seen, camera) = view.render(light, around, frame, settings, &first.pose, layers);
     let message = |one: &Measurement| {
         Some((one.stream, image::message(&one.header, one.kind, settings.fov_deg, &seen, &camera)?))
     };

@@ -8,27 +8,36 @@ use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_render::FrameScene;
 use endless_world::{Actor, Behaviour, Motion, ObjectClass, WorldState};
+use std::sync::Arc;
 
 /// The models of an episode's actors, made again when others come.
 #[derive(Default)]
 pub(super) struct ActorScene {
     made: Option<(u64, ActorModels)>,
+    /// The last instant that was asked for: rays between two frames meet the same.
+    posed: Option<(WorldState, Arc<FrameScene>)>,
 }
 
 impl ActorScene {
     /// What moves at this instant.
-    pub(super) fn at(&mut self, episode: &Episode, catalogue: &Catalogue) -> FrameScene {
+    pub(super) fn at(&mut self, episode: &Episode, catalogue: &Catalogue) -> Arc<FrameScene> {
         let actors: Vec<Actor> = episode.actors.values().filter_map(|actor| drawn(actor, episode.elapsed_s)).collect();
         let is_known = self.made.as_ref().is_some_and(|(population, _)| *population == episode.population);
         if !is_known {
             self.made = Some((episode.population, ActorModels::in_town(&episode.map.scene, catalogue, &actors)));
+            self.posed = None;
         }
         let state =
             WorldState { frame: episode.frame as u32, time_s: episode.elapsed_s, actors, signals: episode.signals() };
-        match &self.made {
+        if let Some((_, scene)) = self.posed.as_ref().filter(|(posed, _)| *posed == state) {
+            return Arc::clone(scene);
+        }
+        let scene = Arc::new(match &self.made {
             Some((_, models)) => models.frame_scene(&state),
             None => ActorModels::new(catalogue, &[]).frame_scene(&state),
-        }
+        });
+        self.posed = Some((state, Arc::clone(&scene)));
+        scene
     }
 }
 
