@@ -5,9 +5,7 @@ use crate::proxy::{Fault, proxy};
 use endless_carla::client::{Address, CarlaSettings, CarlaSimulator, StopFlag};
 use endless_carla::wire::{EpisodeSettings, Wire};
 use endless_dataset::{BuildIdentity, DatasetLayout, Layer, Recipe, RecipeDraft, RgbFormat, check, read_rgb};
-use endless_pipeline::{
-    GenerateError, GenerateOptions, Progress, ProgressEvent, SimulatorError, generate, resolve_recipe,
-};
+use endless_pipeline::{GenerateError, GenerateOptions, SilentProgress, SimulatorError, generate, resolve_recipe};
 use endless_world::Image;
 use std::net::SocketAddr;
 use std::path::Path;
@@ -45,17 +43,6 @@ fn recipe(simulator: &CarlaSimulator) -> Recipe {
     resolve_recipe(draft, simulator).expect("a recipe")
 }
 
-/// Tells in a test's output what went wrong.
-struct Told;
-
-impl Progress for Told {
-    fn event(&self, event: &ProgressEvent<'_>) {
-        if let ProgressEvent::VideoAgain { reason, .. } = event {
-            println!("begun again: {reason}");
-        }
-    }
-}
-
 fn make(simulator: &CarlaSimulator, out: &Path) -> Result<(), GenerateError> {
     let options = GenerateOptions {
         build: BuildIdentity { version: "0".to_owned(), sources: "0".to_owned(), commit: None },
@@ -63,7 +50,7 @@ fn make(simulator: &CarlaSimulator, out: &Path) -> Result<(), GenerateError> {
         threads: 2,
         plan_only: false,
     };
-    generate(simulator, &recipe(simulator), out, &options, &Told).map(drop)
+    generate(simulator, &recipe(simulator), out, &options, &SilentProgress).map(drop)
 }
 
 /// The depth of every frame of both cameras: what stands where at that instant.

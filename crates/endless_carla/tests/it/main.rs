@@ -3,8 +3,8 @@
 mod cameras;
 mod client;
 mod dataset;
-mod proxy;
 mod opendrive;
+mod proxy;
 mod recordings;
 mod sessions;
 mod unbreakable;
