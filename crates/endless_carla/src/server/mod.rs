@@ -15,6 +15,7 @@ mod engine;
 mod episode;
 mod error;
 mod given_map;
+mod hanging;
 mod lamps;
 mod loaded_map;
 mod map_objects;

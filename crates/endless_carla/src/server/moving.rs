@@ -139,6 +139,17 @@ impl Episode {
         Ok(())
     }
 
+    /// Knocks or pushes a vehicle at a place in the world.
+    pub(super) fn push_at(&mut self, id: u32, vector: &Vector3D, at: &Vector3D, push: Push) -> Result<(), CallError> {
+        let (straight, at) = (frames::from_carla(vector).as_dvec3(), frames::from_carla(at).as_dvec3());
+        match (&mut self.actor_mut(id)?.body, push) {
+            (Body::Vehicle(vehicle), Push::Impulse) => vehicle.body.add_impulse_at(straight, at),
+            (Body::Vehicle(vehicle), Push::Force) => vehicle.body.add_force_at(straight, at),
+            _ => self.push(id, vector, push)?,
+        }
+        Ok(())
+    }
+
     /// The lights of all vehicles, as flags.
     pub(super) fn light_states(&self) -> Vec<(u32, u32)> {
         let lights = |actor: &ServerActor| match &actor.body {

@@ -3,17 +3,13 @@
 //! An arm reaches from its parent to the place of what hangs on it, level whatever the parent's pitch and roll. It turns after
 //! its parent with a lag, and what hangs on it looks along it to the parent, turned from there as it says itself.
 
-use super::episode::Episode;
 use crate::frames;
 use crate::wire::{Location, Rotation, Transform};
-use endless_world::ClassTag;
 use endless_world::math::f64::atan2;
 use glam::DVec3;
 
 /// How fast an arm turns after its parent: the share of what is missing, a second.
 const TURNS: f64 = 8.0;
-/// What hangs on an arm stays so far before walls, metres.
-const BEFORE_WALLS_M: f64 = 0.12;
 /// A shorter arm has no direction, metres.
 const SHORTEST_M: f64 = 0.01;
 
@@ -21,7 +17,7 @@ const SHORTEST_M: f64 = 0.01;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SpringArm {
     /// Whether it passes through walls.
-    is_ghost: bool,
+    pub(super) is_ghost: bool,
     /// Of the arm; none before the first step, degrees.
     yaw_deg: Option<f64>,
 }
@@ -33,14 +29,14 @@ impl SpringArm {
     }
 
     /// Time passes: it turns after its parent.
-    fn turn(&mut self, parent_yaw_deg: f64, step_s: f64) {
+    pub(super) fn turn(&mut self, parent_yaw_deg: f64, step_s: f64) {
         let yaw_deg = self.yaw_deg.unwrap_or(parent_yaw_deg);
         let missing = (parent_yaw_deg - yaw_deg + 180.0).rem_euclid(360.0) - 180.0;
         self.yaw_deg = Some(yaw_deg + missing * (TURNS * step_s).clamp(0.0, 1.0));
     }
 
     /// Where something is that hangs on it, with its place in the frame of the parent.
-    fn end(&self, parent: &Transform, own: &Transform) -> Transform {
+    pub(super) fn end(&self, parent: &Transform, own: &Transform) -> Transform {
         let yaw = self.yaw_deg.map_or(parent.rotation.yaw, |yaw| yaw as f32);
         let level = Transform { location: parent.location.clone(), rotation: Rotation { pitch: 0.0, yaw, roll: 0.0 } };
         let Location { x, y, z } = own.location;
@@ -59,49 +55,6 @@ impl SpringArm {
         };
         let turned = Transform { location: Location::default(), rotation: own.rotation.clone() };
         frames::attached(&frames::attached(&level, &looks), &turned)
-    }
-}
-
-impl Episode {
-    /// Hangs an actor that has a parent on an arm.
-    pub(super) fn hang(&mut self, id: u32, arm: Option<SpringArm>) {
-        if let Some(actor) = self.actors.get_mut(&id) {
-            actor.arm = arm;
-        }
-        self.carry_attached();
-    }
-
-    /// Time passes: all arms turn after their parents.
-    pub(super) fn turn_arms(&mut self, step_s: f64) {
-        let armed = self.actors.values().filter(|actor| actor.arm.is_some());
-        let turned: Vec<(u32, f64)> = armed
-            .filter_map(|actor| {
-                let parent = self.actors.get(&actor.told.parent_id)?;
-                Some((actor.told.id, parent.transform.rotation.yaw.into()))
-            })
-            .collect();
-        for (id, yaw_deg) in turned {
-            if let Some(arm) = self.actors.get_mut(&id).and_then(|actor| actor.arm.as_mut()) {
-                arm.turn(yaw_deg, step_s);
-            }
-        }
-    }
-
-    /// Where something is that hangs on an arm: nearer to its parent where a wall is between them.
-    pub(super) fn on_arm(&self, arm: &SpringArm, parent: &super::actor::ServerActor, own: &Transform) -> Transform {
-        let mut end = arm.end(&parent.transform, own);
-        if arm.is_ghost {
-            return end;
-        }
-        let middle = Transform { location: parent.told.bounding_box.location.clone(), ..Transform::default() };
-        let from = frames::from_carla(&frames::attached(&parent.transform, &middle).location).as_dvec3();
-        let way = frames::from_carla(&end.location).as_dvec3() - from;
-        let is_wall = |tag: ClassTag| tag != ClassTag::Vegetation;
-        if let Some(free_m) = self.map.free_way(from, way, is_wall) {
-            let place = from + way.normalize_or_zero() * (free_m - BEFORE_WALLS_M).max(0.0);
-            end.location = frames::to_carla(place.as_vec3());
-        }
-        end
     }
 }
 

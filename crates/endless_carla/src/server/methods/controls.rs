@@ -32,6 +32,8 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("add_actor_force", add_actor_force),
     ("add_actor_angular_impulse", add_actor_angular_impulse),
     ("add_actor_torque", add_actor_torque),
+    ("add_actor_impulse_at_location", add_actor_impulse_at_location),
+    ("add_actor_force_at_location", add_actor_force_at_location),
     ("get_vehicle_light_state", get_vehicle_light_state),
     ("set_vehicle_light_state", set_vehicle_light_state),
     ("get_vehicle_light_states", get_vehicle_light_states),
@@ -154,6 +156,21 @@ fn add_actor_angular_impulse(world: &mut World, call: &Call<'_>) -> CallResult {
 
 fn add_actor_torque(world: &mut World, call: &Call<'_>) -> CallResult {
     push(world, call, Push::Torque)
+}
+
+/// Knocks or pushes an actor at a place in the world.
+fn push_at(world: &mut World, call: &Call<'_>, push: Push) -> CallResult {
+    let (id, vector): (u32, Vector3D) = two(call)?;
+    world.episode.push_at(id, &vector, &call.request.argument(2)?, push)?;
+    Ok(Answer::Void)
+}
+
+fn add_actor_impulse_at_location(world: &mut World, call: &Call<'_>) -> CallResult {
+    push_at(world, call, Push::Impulse)
+}
+
+fn add_actor_force_at_location(world: &mut World, call: &Call<'_>) -> CallResult {
+    push_at(world, call, Push::Force)
 }
 
 fn get_vehicle_light_state(world: &mut World, call: &Call<'_>) -> CallResult {

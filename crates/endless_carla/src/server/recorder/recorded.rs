@@ -1,6 +1,6 @@
 //! Actors as recordings tell of them.
 
-use super::recorded_place;
+use super::place::recorded_place;
 use crate::frames;
 use crate::physics::Party;
 use crate::recording::{

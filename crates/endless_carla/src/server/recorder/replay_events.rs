@@ -1,9 +1,9 @@
 //! Actors that come and go in a replay.
 
+use super::place::transform_of;
 use super::recorded;
 use super::replay_frame::ReplayFrame;
 use super::replayer::ReplayPart;
-use super::transform_of;
 use crate::frames;
 use crate::recording::RecordedActor;
 use crate::server::call_error::CallError;

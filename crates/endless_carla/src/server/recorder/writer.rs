@@ -1,18 +1,14 @@
 //! Writes what happens into a file.
 
-use super::folder::RecordingFolder;
 use super::recorded;
 use crate::recording::{FrameStart, LogHeader, Packet, RecordedParent};
 use crate::server::actor::ServerActor;
-use crate::server::call_error::CallError;
 use crate::server::episode::Episode;
-use crate::server::world::World;
 use crate::wire::LightState;
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{self, Write as _};
-use std::path::PathBuf;
-use std::time::{Instant, SystemTime, UNIX_EPOCH};
+use std::time::Instant;
 
 /// Writes what happens into a file, frame by frame.
 pub(super) struct Recorder {
@@ -27,57 +23,18 @@ pub(super) struct Recorder {
     begun: Instant,
 }
 
-impl World {
-    /// Begins to record; gives the path of the file.
-    pub(in crate::server) fn start_recorder(&mut self, name: &str, tells_more: bool) -> Result<String, CallError> {
-        self.stop_replayer(false);
-        self.recordings.recorder = None;
-        let (mut file, path) = self.recordings.folder()?.create(name)?;
-        let now_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs() as i64);
-        let mut bytes = Vec::new();
-        LogHeader::new(&self.episode.map.name, now_s).write(&mut bytes);
-        let failed = |error| CallError::refused(format!("cannot record to '{name}': {error}"));
-        file.write_all(&bytes).map_err(failed)?;
-        self.recordings.recorder = Some(Recorder {
-            file,
-            frame: FrameStart::default(),
-            known: BTreeSet::new(),
-            tells_more,
-            collisions: 0,
-            begun: Instant::now(),
-        });
-        Ok(path.display().to_string())
-    }
-
-    pub(in crate::server) fn stop_recorder(&mut self) {
-        self.recordings.recorder = None;
-    }
-
-    /// After a step: what there is now goes into the file, if one is recorded.
-    pub(in crate::server) fn record(&mut self) {
-        let changed = self.episode.lamps.take_changed();
-        let Some(recorder) = &mut self.recordings.recorder else { return };
-        if let Err(error) = recorder.record(&self.episode, changed) {
-            tracing::warn!("the recording ends: {error}");
-            self.recordings.recorder = None;
-        }
-    }
-}
-
-impl super::Recordings {
-    /// The path of a recording, which may not exist.
-    pub(in crate::server) fn path(&self, name: &str) -> Result<PathBuf, CallError> {
-        self.folder()?.path(name)
-    }
-
-    pub(super) fn folder(&self) -> Result<&RecordingFolder, CallError> {
-        let missing = "there is no folder for recordings: start the server with --recordings DIR";
-        self.folder.as_ref().ok_or_else(|| CallError::refused(missing))
-    }
-}
-
 impl Recorder {
-    fn record(&mut self, episode: &Episode, changed: Vec<LightState>) -> io::Result<()> {
+    /// Begins a file, of a map, at a time (seconds of Unix).
+    pub(super) fn new(mut file: File, map: &str, now_s: i64, tells_more: bool) -> io::Result<Self> {
+        let mut bytes = Vec::new();
+        LogHeader::new(map, now_s).write(&mut bytes);
+        file.write_all(&bytes)?;
+        let (known, begun) = (BTreeSet::new(), Instant::now());
+        Ok(Self { file, frame: FrameStart::default(), known, tells_more, collisions: 0, begun })
+    }
+
+    /// After a step: what there is now.
+    pub(super) fn record(&mut self, episode: &Episode, changed: Vec<LightState>) -> io::Result<()> {
         let elapsed_s = self.frame.elapsed_s + self.frame.duration_s;
         self.frame = FrameStart { id: self.frame.id + 1, duration_s: episode.delta_s, elapsed_s };
         let mut bytes = Vec::new();
