@@ -170,7 +170,7 @@ recipe_options! {
         OptionKind::Lines, Described("none");
     /// Layers to write as a video file, too; may be none.
     mp4: Vec<String> => Vec<Layer>, OptionKind::WordsOrNone(Vocabulary::of::<Layer>()), Described("rgb");
-    /// Simulator to use: builtin, the built-in city.
+    /// Simulator to use: builtin, the built-in city; carla://HOST:PORT, a CARLA server.
     simulator: String => String, OptionKind::Text, Value("builtin");
     /// Folder of glTF models with an assets.toml: vehicles for the traffic, props and buildings for the towns
     /// (docs/assets.md). In a recipe file, relative to the folder of that file.

@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""Kills a CARLA server at random instants while `endless generate` records from it, and starts it again each time: the run must
+complete. Then stops a second run by Ctrl-C: the server must be left as it was.
+
+    python3 scripts/kill_carla_server.py path/to/endless [KILLS]
+"""
+
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+
+PORT = 27300
+FRAMES = 20
+RECIPE = ["--maps", "Town02", "--videos", "2", "--fps", "10", "--duration", str(FRAMES / 10), "--size", "160x96"]
+
+
+def serve(endless: str) -> subprocess.Popen:
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    return subprocess.Popen([endless, "serve", "--map", "Town02", "--port", str(PORT)], **quiet)
+
+
+def generate(endless: str, out: pathlib.Path) -> subprocess.Popen:
+    flags = ["--simulator", f"carla://127.0.0.1:{PORT}", "--frame-timeout", "20", *RECIPE]
+    return subprocess.Popen([endless, "generate", str(out), *flags], stderr=subprocess.PIPE, text=True)
+
+
+def images(out: pathlib.Path) -> int:
+    return sum(1 for _ in out.glob("videos/*/camera_*/rgb/*.png"))
+
+
+def main() -> None:
+    endless, kills = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 10
+    dice = random.Random(1)
+    with tempfile.TemporaryDirectory() as work:
+        out = pathlib.Path(work) / "killed"
+        server = serve(endless)
+        time.sleep(3)
+        run = generate(endless, out)
+        done = 0
+        while done < kills and run.poll() is None:
+            # Anywhere from loading the map to the last frames.
+            time.sleep(dice.uniform(0.1, 4.0))
+            server.kill()
+            server.wait()
+            done += 1
+            time.sleep(dice.uniform(0.0, 1.0))
+            server = serve(endless)
+        said = run.stderr.read()
+        code = run.wait()
+        again = said.count("is begun again")
+        assert code == 0, f"the run ended with {code}: {said[-2000:]}"
+        assert images(out) == 2 * 2 * FRAMES, f"{images(out)} images"
+        subprocess.run([endless, "check", str(out)], check=True)
+        print(f"{done} kills, {again} times begun again: the dataset is complete")
+
+        stopped = pathlib.Path(work) / "stopped"
+        run = generate(endless, stopped)
+        while images(stopped) == 0 and run.poll() is None:
+            time.sleep(0.02)
+        run.send_signal(signal.SIGINT)
+        said = run.stderr.read()
+        assert run.wait() == 130 and "the same command goes on" in said, said[-500:]
+        run = generate(endless, stopped)
+        run.stderr.read()
+        assert run.wait() == 0, "the same command goes on"
+        subprocess.run([endless, "check", str(stopped)], check=True)
+        print("stopped by Ctrl-C with exit code 130, and completed by the same command")
+        server.kill()
+
+
+if __name__ == "__main__":
+    main()
