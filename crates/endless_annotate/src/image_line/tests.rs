@@ -33,7 +33,7 @@ fn shown(camera: &PinholeCamera, point: DVec3) -> Option<DVec2> {
     let (at, depth) = camera.project(point.as_vec3())?;
     let at = at.as_dvec2();
     let rim = |p: DVec2| camera.shows(p.x as f32, p.y as f32);
-    let inside = at.cmpgt(DVec2::ONE).all() && at.cmplt(DVec2::new(639.0, 359.0)).all();
+    let inside = at.cmpgt(DVec2::splat(3.0)).all() && at.cmplt(DVec2::new(637.0, 357.0)).all();
     let around = [DVec2::X, DVec2::Y, DVec2::NEG_X, DVec2::NEG_Y].map(|way| rim(at + way * 2.0));
     (inside && around == [true; 4] && (0.2..60.0).contains(&depth)).then_some(at)
 }
