@@ -5,6 +5,7 @@
 
 mod blueprint;
 mod frames;
+mod instance;
 
 pub mod client;
 

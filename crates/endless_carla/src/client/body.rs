@@ -73,12 +73,12 @@ pub(super) fn class(description: &wire::ActorDescription) -> Option<ObjectClass>
 /// Our model of an actor: the one that our own server has for it, or else one of its class.
 fn asset(actor: &wire::Actor, class: ObjectClass, blueprint: Option<&Blueprint>, catalogue: &Catalogue) -> AssetRef {
     let seed = u64::from(actor.id);
-    match blueprint.map(|blueprint| &blueprint.kind) {
-        Some(BlueprintKind::Vehicle(vehicle)) => {
-            let color = actor.description.attribute("color").and_then(color);
+    match blueprint.map(|blueprint| (&blueprint.kind, blueprint)) {
+        Some((BlueprintKind::Vehicle(vehicle), blueprint)) => {
+            let color = blueprint.attributes(&actor.description).color("color").ok();
             vehicle.reference(catalogue, color, seed).into()
         }
-        Some(BlueprintKind::Walker(walker)) => PersonRef { outfit: Outfit::Fair, seed: walker.person }.into(),
+        Some((BlueprintKind::Walker(walker), _)) => PersonRef { outfit: Outfit::Fair, seed: walker.person }.into(),
         _ if class == ObjectClass::Pedestrian => PersonRef { outfit: Outfit::Fair, seed }.into(),
         _ => {
             let specs = catalogue.vehicle_specs();
@@ -86,12 +86,6 @@ fn asset(actor: &wire::Actor, class: ObjectClass, blueprint: Option<&Blueprint>,
             VehicleRef { model: endless_world::VehicleModelId::from_index(model), variant: seed }.into()
         }
     }
-}
-
-/// From `r,g,b`.
-fn color(text: &str) -> Option<wire::Color> {
-    let mut numbers = text.split(',').map(|number| number.trim().parse().ok());
-    Some(wire::Color { r: numbers.next()??, g: numbers.next()??, b: numbers.next()?? })
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ pub(super) struct Cast {
 pub(super) struct Casting<'a> {
     pub(super) world: &'a mut World,
     pub(super) fleet: &'a Fleet,
-    pub(super) library: &'a BlueprintLibrary,
+    pub(super) blueprints: &'a BlueprintLibrary,
     pub(super) catalogue: &'a Catalogue,
     pub(super) seed: u64,
 }
@@ -102,7 +102,7 @@ impl Cast {
         let new: Vec<u32> = ids.iter().flatten().copied().collect();
         self.spawned.extend(&new);
         for actor in casting.world.actors(&new)? {
-            if let Some(body) = ActorBody::new(&actor, casting.library, casting.catalogue) {
+            if let Some(body) = ActorBody::new(&actor, casting.blueprints, casting.catalogue) {
                 self.bodies.insert(actor.id, body);
             }
             self.told.insert(actor.id, actor);

@@ -132,7 +132,7 @@ fn metadata(asynchronous: bool) -> Value {
 }
 
 /// What is in the wrapper of an answer: `[[1, value]]`, `[[false]]`, or an error.
-fn unwrapped(method: &'static str, answer: &Value) -> Result<Value, ClientError> {
+pub(super) fn unwrapped(method: &'static str, answer: &Value) -> Result<Value, ClientError> {
     let wrapper = answer.as_array().and_then(|outer| outer.first()).and_then(Value::as_array);
     match wrapper.map(Vec::as_slice) {
         Some([Value::Boolean(false)]) => Ok(Value::Nil),

@@ -6,12 +6,11 @@ use super::error::ClientError;
 use super::traffic_manager::TrafficManager;
 use super::world::{Snapshot, World};
 use crate::frames;
+use crate::instance::instance_id;
 use crate::stream::{ActorRecord, ActorRecordState};
-use crate::wire::{Command, Vector3D};
+use crate::wire::Command;
 use endless_traffic::Simulation;
-use endless_world::{
-    Actor, Behaviour, Gait, InstanceId, Motion, VehicleLights, VehicleMotion, WalkerMotion, WorldState,
-};
+use endless_world::{Actor, Behaviour, Gait, Motion, VehicleLights, VehicleMotion, WalkerMotion, WorldState};
 use std::collections::BTreeMap;
 
 /// Moves the actors of a session.
@@ -106,7 +105,7 @@ fn actor(id: u32, body: &ActorBody, record: &ActorRecord, moved: Option<&Actor>,
         }
     };
     Actor {
-        id: InstanceId((id & 0xffff) as u16),
+        id: instance_id(id),
         // Put in by the table of instances.
         rider_id: None,
         class: body.class,
@@ -120,7 +119,6 @@ fn actor(id: u32, body: &ActorBody, record: &ActorRecord, moved: Option<&Actor>,
 }
 
 fn forward_speed(record: &ActorRecord) -> f32 {
-    let Vector3D { x, y, z } = record.velocity;
     let forward = frames::pose(&record.transform).world_from_object().x_axis;
-    forward.x * x - forward.y * y + forward.z * z
+    frames::from_carla(&record.velocity).dot(forward.into())
 }

@@ -6,6 +6,7 @@ use super::boxes::{ROUNDING_M, between, box_on_ground, grown, in_box, is_near};
 use super::error::ClientError;
 use super::picture::{InstanceKey, Picture};
 use super::still::StillObjects;
+use crate::instance::instance_id;
 use endless_annotate::Box3d;
 use endless_world::{Actor, ClassTag, Image, InstanceId, InstancePixel, PinholeCamera, Pose};
 use glam::Vec3;
@@ -50,7 +51,7 @@ impl InstanceTable {
             taken: [(InstanceId::STUFF, ())].into(),
         };
         for (actor, body) in bodies {
-            let id = InstanceId((actor & 0xffff) as u16);
+            let id = instance_id(actor);
             if table.taken.insert(id, ()).is_some() {
                 return Err(ClientError::Unfit(format!(
                     "the id of actor {actor} has the same last 16 bits as another's, so that pictures cannot tell them apart"
@@ -80,7 +81,7 @@ impl InstanceTable {
 
     /// An actor of the server.
     pub(super) fn actor(&self, id: u32) -> Option<&SeenActor> {
-        self.actors.get(&((id & 0xffff) as u16))
+        self.actors.get(&instance_id(id).0)
     }
 
     /// Vehicles and people of the map that were seen until now.

@@ -2,7 +2,8 @@
 
 use super::error::ClientError;
 use super::subscription::StreamMessage;
-use endless_world::{FAR_PLANE_M, Image, ImageSize};
+use endless_dataset::metres_from_rgb;
+use endless_world::{Image, ImageSize};
 
 /// Width, height and field of view.
 const HEADER: usize = 12;
@@ -44,11 +45,7 @@ impl Picture {
 
     /// As depths along the optical axis, metres.
     pub(super) fn depth(&self) -> Image<f32> {
-        const MOST: f64 = 16_777_215.0;
-        let metres = |[b, g, r]: [u8; 3]| {
-            let share = f64::from(u32::from_le_bytes([r, g, b, 0])) / MOST;
-            (share * f64::from(FAR_PLANE_M)) as f32
-        };
+        let metres = |[b, g, r]: [u8; 3]| metres_from_rgb([r, g, b]);
         Image { size: self.size, data: self.pixels().map(metres).collect() }
     }
 }

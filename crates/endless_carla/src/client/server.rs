@@ -35,7 +35,7 @@ pub struct CarlaSettings {
 pub(super) struct Server {
     pub(super) settings: CarlaSettings,
     state: Mutex<ServerState>,
-    pub(super) library: BlueprintLibrary,
+    pub(super) blueprints: BlueprintLibrary,
     pub(super) catalogue: Catalogue,
 }
 
@@ -51,7 +51,12 @@ pub(super) struct ServerState {
 impl Server {
     pub(super) fn new(settings: CarlaSettings, world: World) -> Self {
         let state = ServerState { world: Some(world), loaded: None, planned: BTreeMap::new() };
-        Self { settings, state: Mutex::new(state), library: BlueprintLibrary::new(), catalogue: Catalogue::builtin() }
+        Self {
+            settings,
+            state: Mutex::new(state),
+            blueprints: BlueprintLibrary::new(),
+            catalogue: Catalogue::builtin(),
+        }
     }
 
     pub(super) fn state(&self) -> MutexGuard<'_, ServerState> {

@@ -76,8 +76,8 @@ impl<'m> CarlaSession<'m> {
         let simulation = simulation(map, settings, manager.is_some())?;
         let mut driver = Driver::new(simulation);
         let moved = driver.simulation.everybody();
-        let (library, catalogue) = (&server.library, &server.catalogue);
-        let mut casting = Casting { world, fleet: &map.fleet, library, catalogue, seed: settings.seed };
+        let (blueprints, catalogue) = (&server.blueprints, &server.catalogue);
+        let mut casting = Casting { world, fleet: &map.fleet, blueprints, catalogue, seed: settings.seed };
         cast.spawn_moved(&mut casting, &moved)?;
         if manager.is_some() {
             cast.spawn_driven(&mut casting, settings.vehicles)?;

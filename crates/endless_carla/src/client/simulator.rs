@@ -71,7 +71,7 @@ impl CarlaSimulator {
         if let Some(fleet) = self.fleet.get() {
             return Ok(Arc::clone(fleet));
         }
-        let fleet = Arc::new(Fleet::of(world, &self.server.library, &self.server.catalogue)?);
+        let fleet = Arc::new(Fleet::of(world, &self.server.blueprints, &self.server.catalogue)?);
         Ok(Arc::clone(self.fleet.get_or_init(|| fleet)))
     }
 

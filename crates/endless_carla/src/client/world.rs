@@ -1,7 +1,7 @@
 //! A server's world: the calls that are needed of it.
 
 use super::address::Address;
-use super::connection::Connection;
+use super::connection::{Connection, unwrapped};
 use super::error::ClientError;
 use super::patience::{StopFlag, Wait};
 use super::subscription::Subscription;
@@ -178,13 +178,10 @@ impl World {
         let answer = self.connection.bare("apply_batch", vec![Value::Array(commands), false.into()], CALL)?;
         let wrong = || ClientError::Protocol("apply_batch gives a list".to_owned());
         let responses = answer.as_array().ok_or_else(wrong)?;
-        let response = |response: &Value| {
-            let inner = response.as_array().and_then(|outer| outer.first()).and_then(Value::as_array);
-            match inner.map(Vec::as_slice) {
-                Some([index, value]) if index.as_u64() == Some(1) => Ok(Ok(u32::from_value(value)?)),
-                Some([_, error]) => Ok(Err(error[0].as_str().unwrap_or("it failed").to_owned())),
-                _ => Err(wrong()),
-            }
+        let response = |response: &Value| match unwrapped("apply_batch", response) {
+            Ok(value) => Ok(Ok(u32::from_value(&value)?)),
+            Err(ClientError::Failed { text, .. }) => Ok(Err(text)),
+            Err(error) => Err(error),
         };
         responses.iter().map(response).collect()
     }

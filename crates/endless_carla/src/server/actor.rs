@@ -7,7 +7,7 @@ use crate::blueprint::{Blueprint, SensorKind};
 use crate::stream::SensorHeader;
 use crate::wire::{Actor, Bytes, Transform, Vector3D};
 use endless_sensor::Imu;
-use endless_world::{GnssSettings, ImageSize, ImuSettings, InstanceId, LidarSettings, RadarSettings};
+use endless_world::{GnssSettings, ImageSize, ImuSettings, LidarSettings, RadarSettings};
 
 /// An actor at an instant.
 pub(super) struct ServerActor {
@@ -74,11 +74,6 @@ pub(super) struct CameraSettings {
     pub(super) fov_deg: f32,
     /// It hangs on another actor.
     pub(super) is_carried: bool,
-}
-
-/// An actor's number in pictures and point clouds: the last 16 bits of its own.
-pub(super) fn instance_id(actor: u32) -> InstanceId {
-    InstanceId((actor & 0xffff) as u16)
 }
 
 impl SensorActor {

@@ -2,7 +2,8 @@
 
 use crate::blueprint::SensorKind;
 use crate::stream::{SensorHeader, image_payload};
-use endless_world::{FAR_PLANE_M, PinholeCamera, SensorFrame};
+use endless_dataset::rgb_from_metres;
+use endless_world::{PinholeCamera, SensorFrame};
 use glam::Vec3;
 
 /// The message of a camera; `None` of those that are not served.
@@ -43,11 +44,9 @@ pub(super) fn message(
     Some(message)
 }
 
-/// 24 bits of red, green and blue, red the lowest: shares of the far plane's distance.
+/// A share of the far plane's distance, as datasets have it.
 fn depth_pixel(depth_m: f32) -> [u8; 4] {
-    const MOST: f64 = 16_777_215.0;
-    let share = (f64::from(depth_m) / f64::from(FAR_PLANE_M)).clamp(0.0, 1.0);
-    let [r, g, b, _] = ((share * MOST).round() as u32).to_le_bytes();
+    let [r, g, b] = rgb_from_metres(depth_m);
     [b, g, r, 255]
 }
 

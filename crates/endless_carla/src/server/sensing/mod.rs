@@ -9,11 +9,12 @@ mod radar;
 mod scene;
 mod town_light;
 
-use super::actor::{Body, CameraSettings, SensorModel, ServerActor, instance_id};
+use super::actor::{Body, CameraSettings, SensorModel, ServerActor};
 use super::episode::Episode;
 use super::weather::scene_weather;
 use crate::blueprint::SensorKind;
 use crate::frames;
+use crate::instance::instance_id;
 use crate::stream::{Delivery, SensorHeader, StreamHub};
 use camera::CameraView;
 use endless_asset::Catalogue;

@@ -1,7 +1,8 @@
 //! Actors as the renderer draws them.
 
 use crate::frames;
-use crate::server::actor::{Body, ServerActor, instance_id};
+use crate::instance::instance_id;
+use crate::server::actor::{Body, ServerActor};
 use crate::server::episode::Episode;
 use crate::wire::Transform;
 use endless_asset::Catalogue;
