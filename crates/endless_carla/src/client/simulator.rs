@@ -47,8 +47,21 @@ impl CarlaSimulator {
         Ok(Self { server: Server::new(settings, world), maps, fleet: OnceLock::new() })
     }
 
-    /// A map, planned; it is loaded for that unless it is known.
+    /// A map, planned; it is loaded for that unless it is known. A server that goes meanwhile is waited for.
     fn planned(&self, map: &str) -> Result<Arc<PlannedMap>, SimulatorError> {
+        let mut failures = 0;
+        loop {
+            match self.known_or_planned(map) {
+                Err(error) if error.is_passing() => {
+                    failures += 1;
+                    self.recover(error, failures)?;
+                }
+                other => return other,
+            }
+        }
+    }
+
+    fn known_or_planned(&self, map: &str) -> Result<Arc<PlannedMap>, SimulatorError> {
         let mut state = self.server.state();
         if let Some(known) = state.planned.get(map) {
             return Ok(Arc::clone(known));
