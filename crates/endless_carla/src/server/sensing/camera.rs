@@ -2,7 +2,9 @@
 
 use super::town_light::Light;
 use crate::server::actor::CameraSettings;
-use endless_render::{CameraBake, FrameScene, LocalLight, NeighbourFrames, RenderSettings, RoamingCamera};
+use endless_render::{
+    CameraBake, FrameScene, LocalLight, NeighbourFrames, RenderSettings, RoamingCamera, render_labels,
+};
 use endless_world::{CameraSite, LensModel, Mount, PinholeCamera, SceneWeather, SensorFrame, SensorLayers, SensorPose};
 use glam::DVec3;
 
@@ -13,6 +15,16 @@ pub(super) struct CameraView {
     /// Frames for which neither it nor the weather has moved.
     stood: u32,
     way: Option<Way>,
+}
+
+/// How a picture is made.
+pub(super) enum Making {
+    /// The camera stands still.
+    Still,
+    /// It moves, in this light.
+    Moving(LocalLight),
+    /// It moves, and nobody asks for colours.
+    Labels,
 }
 
 enum Way {
@@ -39,11 +51,11 @@ impl CameraView {
         !(stays || stands && matches!(self.way, Some(Way::Still(..))))
     }
 
-    /// What it sees; `around` is the light there, if it is taken for one that moves.
+    /// What it sees.
     pub(super) fn render(
         &mut self,
         light: &Light<'_>,
-        around: Option<&LocalLight>,
+        making: &Making,
         frame: &FrameScene,
         settings: CameraSettings,
         pose: &SensorPose,
@@ -51,17 +63,23 @@ impl CameraView {
     ) -> (SensorFrame, PinholeCamera) {
         let camera = PinholeCamera::at(pose, settings.size, settings.fov_deg.to_radians());
         let render_settings = || RenderSettings { layers, ..light.settings(settings.size) };
-        let Some(around) = around else {
-            let (bake, normals) = match self.way.take() {
-                Some(Way::Still(bake, normals)) if self.stood > 0 && (normals || !layers.normals) => (bake, normals),
-                _ => {
-                    let bake = CameraBake::bake(light.still, &render_settings(), &site(pose, settings));
-                    (Box::new(bake), layers.normals)
-                }
-            };
-            let seen = bake.render(light.still, frame);
-            self.way = Some(Way::Still(bake, normals));
-            return (seen, camera);
+        let around = match making {
+            Making::Labels => return (render_labels(light.still, frame, &camera, layers), camera),
+            Making::Moving(around) => around,
+            Making::Still => {
+                let (bake, normals) = match self.way.take() {
+                    Some(Way::Still(bake, normals)) if self.stood > 0 && (normals || !layers.normals) => {
+                        (bake, normals)
+                    }
+                    _ => {
+                        let bake = CameraBake::bake(light.still, &render_settings(), &site(pose, settings));
+                        (Box::new(bake), layers.normals)
+                    }
+                };
+                let seen = bake.render_at_once(light.still, frame, NeighbourFrames::default());
+                self.way = Some(Way::Still(bake, normals));
+                return (seen, camera);
+            }
         };
         let mut moving = match self.way.take() {
             Some(Way::Moving(moving)) => moving,

@@ -16,9 +16,9 @@ use crate::blueprint::SensorKind;
 use crate::frames;
 use crate::instance::instance_id;
 use crate::stream::{Delivery, SensorHeader, StreamHub};
-use camera::CameraView;
+use camera::{CameraView, Making};
 use endless_asset::Catalogue;
-use endless_render::{FrameScene, LocalLight, RayCaster};
+use endless_render::{FrameScene, RayCaster};
 use endless_sensor::{Atmosphere, SweepInterval};
 use endless_world::{InstanceId, LidarSettings, RadarSettings, SceneWeather, SensorLayers, SensorPose};
 use rayon::prelude::*;
@@ -95,20 +95,24 @@ impl Sensing {
         let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather, seed))).collect();
         let light = Light { still, weather, seed, step_s: episode.delta_s };
         let map = Arc::clone(&episode.map);
-        let views: Vec<(CameraView, Option<LocalLight>, Vec<Measurement>)> = look_alike(cameras)
+        let views: Vec<(CameraView, Making, Vec<Measurement>)> = look_alike(cameras)
             .into_iter()
             .map(|alike| {
                 let mut view = self.cameras.remove(&alike[0].stream).unwrap_or_default();
                 let (pose, settings) = (&alike[0].pose, alike[0].camera());
                 let goes = settings.is_some_and(|settings| view.goes(&light, settings, pose));
-                let around = goes.then(|| self.light.around(&map, &light, pose));
-                (view, around, alike)
+                let making = match (goes, alike.iter().any(Measurement::needs_light)) {
+                    (false, _) => Making::Still,
+                    (true, true) => Making::Moving(self.light.around(&map, &light, pose)),
+                    (true, false) => Making::Labels,
+                };
+                (view, making, alike)
             })
             .collect();
         let shown: Vec<(CameraView, u32, Messages)> = views
             .into_par_iter()
-            .map(|(mut view, around, alike)| {
-                let messages = show(&mut view, &alike, &light, around.as_ref(), &frame);
+            .map(|(mut view, making, alike)| {
+                let messages = show(&mut view, &alike, &light, &making, &frame);
                 (view, alike[0].stream, messages)
             })
             .collect();
@@ -138,6 +142,12 @@ impl Measurement {
         }
     }
 
+    /// Whether it shows more than shapes.
+    fn needs_light(&self) -> bool {
+        use SensorKind::{Depth, Instance, Normals, Semantic};
+        !matches!(self.kind, Depth | Instance | Normals | Semantic)
+    }
+
     fn sweep(&self, caster: &RayCaster<'_>, weather: &SceneWeather, seed: u64) -> Vec<u8> {
         let caster = caster.ignoring(self.carrier.as_slice());
         let interval = SweepInterval::standing(self.pose, self.interval_s, self.header.frame as u32);
@@ -157,13 +167,13 @@ fn show(
     view: &mut CameraView,
     alike: &[Measurement],
     light: &Light<'_>,
-    around: Option<&LocalLight>,
+    making: &Making,
     frame: &FrameScene,
 ) -> Messages {
     let (first, Some(settings)) = (&alike[0], alike[0].camera()) else { return Vec::new() };
     let normals = alike.iter().any(|one| one.kind == SensorKind::Normals);
     let layers = SensorLayers { normals, ..SensorLayers::default() };
-    let (seen, camera) = view.render(light, around, frame, settings, &first.pose, layers);
+    let (seen, camera) = view.render(light, making, frame, settings, &first.pose, layers);
     let message = |one: &Measurement| {
         Some((one.stream, image::message(&one.header, one.kind, settings.fov_deg, &seen, &camera)?))
     };
