@@ -51,7 +51,7 @@ impl World {
             shelf,
             blueprints,
             settings: EpisodeSettings::default(),
-            sensing: Sensing::default(),
+            sensing: Sensing::new(),
             recordings: Recordings::new(None),
             hub,
             traffic_managers: BTreeMap::new(),
@@ -113,7 +113,7 @@ impl World {
         }
         self.episode = next;
         self.recordings.end();
-        self.sensing = Sensing::default();
+        self.sensing = Sensing::new();
         Ok(())
     }
 

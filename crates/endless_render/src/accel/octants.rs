@@ -2,6 +2,7 @@
 
 use super::packet_ray::main_axis8;
 use super::stream::RayStream;
+use wide::f32x8;
 
 /// Signs and main axis of each lane's direction.
 pub(super) struct Octants {
@@ -15,7 +16,7 @@ impl Octants {
         for row in 0..N {
             let direction = rays.direction.map(|axis| axis[row]);
             let [x_main, y_main] = main_axis8(&direction);
-            let [x, y, z] = direction.map(|along| along.to_bitmask());
+            let [x, y, z] = direction.map(f32x8::to_bitmask);
             for (all, own) in bits.iter_mut().zip([x, y, z, x_main, y_main & !x_main]) {
                 *all |= own << (8 * row);
             }

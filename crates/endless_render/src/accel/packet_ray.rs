@@ -226,7 +226,7 @@ struct PacketTriangle<'a> {
 /// Which of eight directions have x for their main axis, and which of them have more of y than of z, a bit each.
 #[inline(always)]
 pub(super) fn main_axis8(direction: &[f32x8; 3]) -> [u32; 2] {
-    let [x, y, z] = direction.map(|along| along.abs());
+    let [x, y, z] = direction.map(f32x8::abs);
     [(x.simd_ge(y) & x.simd_ge(z)).to_bitmask(), y.simd_ge(z).to_bitmask()]
 }
 
