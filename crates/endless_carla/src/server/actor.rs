@@ -3,7 +3,7 @@
 use super::spring_arm::SpringArm;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
-use crate::blueprint::{Blueprint, SensorKind};
+use crate::blueprint::{Blueprint, PropBody, SensorKind};
 use crate::stream::SensorHeader;
 use crate::wire::{Actor, Bytes, Transform, Vector3D};
 use endless_sensor::Imu;
@@ -33,11 +33,19 @@ pub(super) enum Body {
     Vehicle(Box<VehicleActor>),
     Walker(Box<WalkerActor>),
     Sensor(SensorActor),
+    Prop(PropActor),
     /// By its place in the map's list.
     Light(usize),
     /// By its number in the OpenDRIVE file.
     Sign(String),
     Other,
+}
+
+/// A prop.
+pub(super) struct PropActor {
+    /// What is seen of it.
+    pub(super) body: Option<PropBody>,
+    pub(super) collides: bool,
 }
 
 /// A sensor.

@@ -48,9 +48,15 @@ impl OrientedBox {
     }
 
     /// The smallest box along the axes that holds it in the plane: its low and its high corner.
-    pub(super) fn bounds(&self) -> (DVec2, DVec2) {
+    pub(crate) fn bounds(&self) -> (DVec2, DVec2) {
         let reach = self.along.abs() * self.half.x + self.along.perp().abs() * self.half.y;
         (self.centre - reach, self.centre + reach)
+    }
+
+    /// Whether the smallest box along the axes that holds it meets a rectangle.
+    pub(crate) fn comes_into(&self, low: DVec2, high: DVec2) -> bool {
+        let (own_low, own_high) = self.bounds();
+        own_low.cmple(high).all() && low.cmple(own_high).all()
     }
 
     fn reach(&self, axis: DVec2) -> f64 {
