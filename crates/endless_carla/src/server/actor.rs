@@ -7,7 +7,7 @@ use crate::blueprint::{Blueprint, PropBody, SensorKind};
 use crate::stream::SensorHeader;
 use crate::wire::{Actor, Bytes, Transform, Vector3D};
 use endless_sensor::Imu;
-use endless_world::{GnssSettings, ImageSize, ImuSettings, LidarSettings, RadarSettings};
+use endless_world::{EventCameraSettings, GnssSettings, ImageSize, ImuSettings, LidarSettings, RadarSettings};
 
 /// An actor at an instant.
 pub(super) struct ServerActor {
@@ -66,12 +66,24 @@ pub(super) struct SensorActor {
 #[derive(Debug, Clone)]
 pub(super) enum SensorModel {
     Camera(CameraSettings),
+    /// One that tells where it becomes brighter or darker.
+    Events(CameraSettings, Box<EventCameraSettings>),
     Lidar(Box<LidarSettings>),
     Radar(Box<RadarSettings>),
     Imu(Box<ImuSettings>, Option<Box<Imu>>),
     Gnss(Box<GnssSettings>),
+    Obstacle(ObstacleSettings),
     /// It tells of what happens, not of every frame.
     Event,
+}
+
+/// What a detector of obstacles sends ahead.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ObstacleSettings {
+    pub(super) distance_m: f64,
+    pub(super) hit_radius_m: f64,
+    /// Vehicles and people alone.
+    pub(super) only_dynamics: bool,
 }
 
 /// The picture of a camera.

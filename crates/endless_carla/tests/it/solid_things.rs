@@ -99,3 +99,42 @@ fn props_stop_cars_and_are_seen_where_they_are() {
     let (_, moved) = crash(&mut client, start, 12.0);
     assert!(moved > 13.0, "{moved} m");
 }
+
+#[test]
+fn detectors_tell_how_far_ahead_something_is() {
+    let mut client = Client::new(serve());
+    client.synchronous();
+    let map: MapInfo = client.get("get_map_info", &[]);
+    let start = &map.recommended_spawn_points[0];
+    let car = client.description("vehicle.tesla.model3", &[]);
+    let other = client.spawn(&car, &ahead(start, 14.0, 0.0));
+    let car = client.spawn(&car, start);
+    let detector = |client: &mut Client, only_dynamics: &str| {
+        let attributes = [("distance", "20"), ("hit_radius", "0.3"), ("only_dynamics", only_dynamics)];
+        let sensor = client.description("sensor.other.obstacle", &attributes);
+        let bumper = Transform { location: Location { x: 2.5, y: 0.0, z: 0.7 }, ..Transform::default() };
+        let on_car = [sensor.to_value(), bumper.to_value(), car.id.into(), 0.into(), "".into()];
+        let sensor: Actor = client.get("spawn_actor_with_parent", &on_car);
+        client.listen(&sensor.stream_token)
+    };
+    let mut streams = [detector(&mut client, "false"), detector(&mut client, "true")];
+    let mut told = |client: &mut Client, stream: usize| {
+        let frame = client.tick();
+        let event = read_value(&mut &streams[stream].of_frame(frame).payload[..]).expect("an event");
+        let actor = |at: usize| Actor::from_value(&event[at]).expect("an actor");
+        (actor(0).id, actor(1), event[2].as_f64().expect("metres"))
+    };
+    // 14 m from middle to middle, less half of the other and the way to the bumper and the ball's own radius.
+    let expected = 14.0 - 2.5 - 0.3 - f64::from(other.bounding_box.extent.x);
+    for stream in 0..2 {
+        let (own, met, distance_m) = told(&mut client, stream);
+        assert_eq!((own, met.id), (car.id, other.id));
+        assert!((distance_m - expected).abs() < 0.2, "{distance_m} m, not {expected}");
+    }
+    // A prop before it is met by the one that looks for everything.
+    let cone = client.description("static.prop.streetbarrier", &[]);
+    let cone = client.spawn(&cone, &ahead(start, 7.0, -0.4));
+    let (_, met, distance_m) = told(&mut client, 0);
+    assert!(met.id == cone.id && distance_m < 5.0, "{} {distance_m} m", met.description.id);
+    assert_eq!(told(&mut client, 1).1.id, other.id);
+}

@@ -2,14 +2,16 @@
 
 mod camera;
 mod contact;
+mod events;
 mod image;
 mod inertial;
 mod lidar;
+mod obstacle;
 mod radar;
 mod scene;
 mod town_light;
 
-use super::actor::{Body, CameraSettings, SensorModel, ServerActor};
+use super::actor::{Body, CameraSettings, ObstacleSettings, SensorModel, ServerActor};
 use super::episode::Episode;
 use super::weather::scene_weather;
 use crate::blueprint::SensorKind;
@@ -20,7 +22,10 @@ use camera::CameraView;
 use endless_asset::Catalogue;
 use endless_render::{FrameScene, LocalLight, RayCaster};
 use endless_sensor::{Atmosphere, SweepInterval};
-use endless_world::{InstanceId, LidarSettings, RadarSettings, SceneWeather, SensorLayers, SensorPose};
+use endless_world::{
+    EventCameraSettings, InstanceId, LidarSettings, RadarSettings, SceneWeather, SensorLayers, SensorPose,
+};
+use events::Events;
 use rayon::prelude::*;
 use scene::ActorScene;
 use std::collections::BTreeMap;
@@ -52,8 +57,11 @@ struct Measurement {
 /// How it measures, where that needs to know the scene.
 enum Measured {
     Camera(CameraSettings),
+    Events(CameraSettings, Box<EventCameraSettings>),
     Lidar(Box<LidarSettings>),
     Radar(Box<RadarSettings>),
+    /// Of this sensor on this carrier.
+    Obstacle(ObstacleSettings, [u32; 2]),
     /// It has measured already.
     Done(Vec<u8>),
 }
@@ -76,10 +84,11 @@ impl Sensing {
             hub.publish(stream, message, delivery);
         }
         let due = due(episode, hub);
-        let (done, looking): (Vec<_>, Vec<_>) = due.into_iter().partition(|one| matches!(one.what, Measured::Done(_)));
+        let (done, looking): (Vec<_>, Vec<_>) = due.into_iter().partition(|one| !one.looks());
         for one in done {
-            if let Measured::Done(message) = one.what {
-                hub.publish(one.stream, message, delivery);
+            let stream = one.stream;
+            if let Some(message) = one.message(episode) {
+                hub.publish(stream, message, delivery);
             }
         }
         if looking.is_empty() || !sees {
@@ -88,8 +97,7 @@ impl Sensing {
         let frame = self.scene.at(episode, catalogue);
         let weather = scene_weather(&episode.weather, episode.seed);
         let still = episode.map.scene.static_scene();
-        let (cameras, others): (Vec<_>, Vec<_>) =
-            looking.into_iter().partition(|one| matches!(one.what, Measured::Camera(_)));
+        let (cameras, others): (Vec<_>, Vec<_>) = looking.into_iter().partition(|one| one.camera().is_some());
         let caster = RayCaster::new(still, &frame);
         let seed = episode.seed;
         let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather, seed))).collect();
@@ -133,7 +141,21 @@ impl Sensing {
 impl Measurement {
     fn camera(&self) -> Option<CameraSettings> {
         match self.what {
-            Measured::Camera(settings) => Some(settings),
+            Measured::Camera(settings) | Measured::Events(settings, _) => Some(settings),
+            _ => None,
+        }
+    }
+
+    /// Whether it needs what the renderer draws.
+    fn looks(&self) -> bool {
+        !matches!(self.what, Measured::Done(_) | Measured::Obstacle(..))
+    }
+
+    /// What it tells that needs no picture.
+    fn message(self, episode: &Episode) -> Option<Vec<u8>> {
+        match self.what {
+            Measured::Done(message) => Some(message),
+            Measured::Obstacle(settings, ids) => obstacle::message(&self.header, episode, ids, &settings, &self.pose),
             _ => None,
         }
     }
@@ -147,7 +169,7 @@ impl Measurement {
                 lidar::message(&self.header, self.kind, settings, &caster, &Atmosphere::from(weather), &interval, seed)
             }
             Measured::Radar(settings) => radar::message(&self.header, settings, &caster, &interval, seed),
-            Measured::Camera(_) | Measured::Done(_) => Vec::new(),
+            _ => Vec::new(),
         }
     }
 }
@@ -158,14 +180,22 @@ fn show(
     alike: &[Measurement],
     light: &Light<'_>,
     around: Option<&LocalLight>,
-    frame: &FrameScene,
+    frame: &Arc<FrameScene>,
 ) -> Messages {
     let (first, Some(settings)) = (&alike[0], alike[0].camera()) else { return Vec::new() };
     let normals = alike.iter().any(|one| one.kind == SensorKind::Normals);
-    let layers = SensorLayers { normals, ..SensorLayers::default() };
+    let flow_backward = alike.iter().any(|one| one.kind == SensorKind::OpticalFlow);
+    let layers = SensorLayers { normals, flow_backward, ..SensorLayers::default() };
     let (seen, camera) = view.render(light, around, frame, settings, &first.pose, layers);
     let message = |one: &Measurement| {
-        Some((one.stream, image::message(&one.header, one.kind, settings.fov_deg, &seen, &camera)?))
+        let message = match &one.what {
+            Measured::Events(_, events) => {
+                let new = || Events::new(events, settings.size, light.seed ^ u64::from(one.stream));
+                view.events.entry(one.stream).or_insert_with(new).message(&one.header, settings.fov_deg, &seen.rgb)
+            }
+            _ => image::message(&one.header, one.kind, settings.fov_deg, &seen, &camera),
+        };
+        Some((one.stream, message?))
     };
     alike.iter().filter_map(message).collect()
 }
@@ -200,6 +230,8 @@ fn due(episode: &mut Episode, hub: &StreamHub) -> Vec<Measurement> {
         let own_seed = seed ^ u64::from(sensor.stream);
         let what = match &mut sensor.model {
             SensorModel::Camera(settings) => Measured::Camera(*settings),
+            SensorModel::Events(camera, events) => Measured::Events(*camera, events.clone()),
+            SensorModel::Obstacle(settings) => Measured::Obstacle(*settings, [actor.told.id, actor.told.parent_id]),
             SensorModel::Lidar(settings) => Measured::Lidar(settings.clone()),
             SensorModel::Radar(settings) => Measured::Radar(settings.clone()),
             SensorModel::Imu(settings, imu) => {
