@@ -1,8 +1,9 @@
 //! The models of all actors of a video, and their geometry at one instant.
 
-use crate::{SharedModels, TownScene, moving_vehicle::MovingVehicle, person::PersonGeometry, velocity};
+use crate::{PlacedProp, SharedModels, TownScene, moving_vehicle::MovingVehicle, person::PersonGeometry, velocity};
 use endless_asset::Catalogue;
 use endless_render::{Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject};
+use endless_town::PlacedObject;
 use endless_world::{Actor, ClassTag, Motion, PersonRef, VehicleModelId, VehicleMotion, VehicleRef, WorldState};
 use glam::{Vec2, Vec3};
 use rayon::prelude::*;
@@ -15,6 +16,7 @@ pub struct ActorModels {
     people: BTreeMap<PersonRef, PersonGeometry>,
     riders: BTreeMap<VehicleRef, Geometry>,
     tints: BTreeMap<VehicleRef, Vec3>,
+    props: BTreeMap<PlacedObject, Geometry>,
 }
 
 impl ActorModels {
@@ -26,6 +28,13 @@ impl ActorModels {
     /// The same in a town of the same catalogue, whose models are shared.
     pub fn in_town(town: &TownScene, catalogue: &Catalogue, actors: &[Actor]) -> Self {
         Self::made(catalogue, actors, &town.models)
+    }
+
+    /// The same with those of props beside the actors.
+    #[must_use]
+    pub fn with_props(self, town: &TownScene, catalogue: &Catalogue, props: &[PlacedProp]) -> Self {
+        let kinds = props.iter().map(|prop| PlacedObject::Prop(prop.prop, prop.variant)).collect();
+        Self { props: town.models.props(kinds, catalogue), ..self }
     }
 
     fn made(catalogue: &Catalogue, actors: &[Actor], shared: &SharedModels) -> Self {
@@ -46,11 +55,17 @@ impl ActorModels {
             },
         );
         let tint = |vehicle| Some((vehicle, Vec3::from_array(catalogue.vehicle_tint(vehicle)?)));
-        Self { vehicles, people, riders, tints: driving.into_iter().filter_map(tint).collect() }
+        let tints = driving.into_iter().filter_map(tint).collect();
+        Self { vehicles, people, riders, tints, props: BTreeMap::new() }
     }
 
     /// The actors as they stand at an instant, ready to be traced.
     pub fn frame_scene(&self, state: &WorldState) -> FrameScene {
+        self.frame_scene_among(state, &[])
+    }
+
+    /// The same among props, of which [`Self::with_props`] has been told.
+    pub fn frame_scene_among(&self, state: &WorldState, props: &[PlacedProp]) -> FrameScene {
         // People are posed by all threads.
         let posed: Vec<Option<Geometry>> = state.actors.par_iter().map(|actor| self.posed(actor)).collect();
         let mut frame = FrameDescription {
@@ -64,6 +79,8 @@ impl ActorModels {
                 Motion::Walker(_) => frame.objects.extend(body.and_then(|body| self.person(actor, &body))),
             }
         }
+        let drawn = |prop: &PlacedProp| Some(prop.drawn(self.props.get(&PlacedObject::Prop(prop.prop, prop.variant))?));
+        frame.objects.extend(props.iter().filter_map(drawn));
         FrameScene::new(frame)
     }
 

@@ -40,6 +40,7 @@ mod actor_models;
 mod clutter;
 mod moving_vehicle;
 mod person;
+mod placed_prop;
 mod shared_models;
 mod town_scene;
 mod vehicle;
@@ -47,5 +48,6 @@ mod velocity;
 
 pub use actor_models::ActorModels;
 pub use clutter::{ClutterPiece, clutter};
+pub use placed_prop::PlacedProp;
 pub use shared_models::SharedModels;
 pub use town_scene::TownScene;

@@ -10,6 +10,7 @@ use crate::frames;
 use crate::wire::{Location, Transform};
 use endless_road::RoadNetwork;
 use endless_town::Town;
+use glam::DVec2;
 use std::sync::OnceLock;
 
 /// A town as a CARLA server tells of it. All places are in CARLA's frame.
@@ -97,6 +98,11 @@ impl CarlaMap {
         let ground = self.ground.get_or_init(|| Ground::new(&self.surfaces));
         let height = ground.height(&self.surfaces, at).or_else(|| self.network.ground_near(at.truncate()));
         height.map(|z| z as f32)
+    }
+
+    /// Heights of the lanes at a place of this workspace's world, metres.
+    pub(crate) fn lane_heights(&self, at: DVec2) -> impl Iterator<Item = f64> {
+        self.ground.get_or_init(|| Ground::new(&self.surfaces)).lane_heights(&self.surfaces, at)
     }
 
     /// Height of the lowest road, metres.

@@ -1,6 +1,6 @@
 //! Heights of the ground.
 
-use super::surface::Surface;
+use super::surface::{Surface, SurfaceKind};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
@@ -36,7 +36,7 @@ impl Ground {
             let surface = &surfaces[index as usize];
             Some((surface.kind, surface.height(at)?))
         });
-        let mut best: Option<(f64, super::surface::SurfaceKind, f64)> = None;
+        let mut best: Option<(f64, SurfaceKind, f64)> = None;
         for (kind, z) in there {
             // Surfaces half a metre apart are levels of their own.
             let level = ((z - place.z).abs() / 0.5).floor();
@@ -45,6 +45,17 @@ impl Ground {
             }
         }
         best.map(|(_, _, z)| z)
+    }
+}
+
+impl Ground {
+    /// Heights of the lanes at a place.
+    pub(super) fn lane_heights(&self, surfaces: &[Surface], at: DVec2) -> impl Iterator<Item = f64> {
+        let there = self.cells.get(&cell(at)).into_iter().flatten();
+        there.filter_map(move |&index| {
+            let surface = surfaces.get(index as usize)?;
+            if surface.kind == SurfaceKind::Road { surface.height(at) } else { None }
+        })
     }
 }
 

@@ -35,6 +35,7 @@ pub use footing::Ground;
 pub use place::Place;
 pub use shape::VehicleShape;
 pub use vehicle_body::VehicleBody;
+pub(crate) use vehicle_body::direction;
 pub use walker_body::WalkerBody;
 
 /// m/s².

@@ -324,7 +324,7 @@ impl VehicleBody {
 }
 
 /// The unit vector at an angle from east.
-pub(super) fn direction(yaw_rad: f64) -> DVec2 {
+pub(crate) fn direction(yaw_rad: f64) -> DVec2 {
     let (sin, cos) = sin_cos(yaw_rad);
     DVec2::new(cos, sin)
 }

@@ -202,6 +202,11 @@ impl WalkerBody {
         self.pushed = DVec2::ZERO;
     }
 
+    /// Whether [`Self::put_walking`] put it where it is.
+    pub(super) fn is_carried(&self) -> bool {
+        self.carried_mps.is_some()
+    }
+
     /// Where it is.
     pub fn place(&self) -> Place {
         Place::level(self.position, self.yaw_rad)

@@ -3,11 +3,11 @@
 use super::spring_arm::SpringArm;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
-use crate::blueprint::{Blueprint, SensorKind};
+use crate::blueprint::{Blueprint, PropBody, SensorKind};
 use crate::stream::SensorHeader;
 use crate::wire::{Actor, Bytes, Transform, Vector3D};
 use endless_sensor::Imu;
-use endless_world::{GnssSettings, ImageSize, ImuSettings, LidarSettings, RadarSettings};
+use endless_world::{EventCameraSettings, GnssSettings, ImageSize, ImuSettings, LidarSettings, RadarSettings};
 
 /// An actor at an instant.
 pub(super) struct ServerActor {
@@ -33,11 +33,19 @@ pub(super) enum Body {
     Vehicle(Box<VehicleActor>),
     Walker(Box<WalkerActor>),
     Sensor(SensorActor),
+    Prop(PropActor),
     /// By its place in the map's list.
     Light(usize),
     /// By its number in the OpenDRIVE file.
     Sign(String),
     Other,
+}
+
+/// A prop.
+pub(super) struct PropActor {
+    /// What is seen of it.
+    pub(super) body: Option<PropBody>,
+    pub(super) collides: bool,
 }
 
 /// A sensor.
@@ -58,12 +66,31 @@ pub(super) struct SensorActor {
 #[derive(Debug, Clone)]
 pub(super) enum SensorModel {
     Camera(CameraSettings),
+    /// One that tells where it becomes brighter or darker.
+    Events(CameraSettings, Box<EventCameraSettings>),
     Lidar(Box<LidarSettings>),
     Radar(Box<RadarSettings>),
     Imu(Box<ImuSettings>, Option<Box<Imu>>),
     Gnss(Box<GnssSettings>),
+    Obstacle(ObstacleSettings),
     /// It tells of what happens, not of every frame.
     Event,
+}
+
+impl SensorModel {
+    /// Whether it measures what rays meet.
+    pub(super) fn looks(&self) -> bool {
+        matches!(self, Self::Camera(_) | Self::Events(..) | Self::Lidar(_) | Self::Radar(_))
+    }
+}
+
+/// What a detector of obstacles sends ahead.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct ObstacleSettings {
+    pub(super) distance_m: f64,
+    pub(super) hit_radius_m: f64,
+    /// Vehicles and people alone.
+    pub(super) only_dynamics: bool,
 }
 
 /// The picture of a camera.

@@ -4,6 +4,7 @@ use super::call_error::CallError;
 use super::error::ServerError;
 use super::given_map::{self, DressedText};
 use super::map_objects::map_objects;
+use super::obstacles::MapObstacles;
 use crate::map::CarlaMap;
 use crate::wire::EnvironmentObject;
 use endless_asset::Catalogue;
@@ -21,6 +22,8 @@ pub(super) struct LoadedMap {
     pub(super) town: Town,
     pub(super) scene: TownScene,
     pub(super) roads: CarlaMap,
+    /// What stops those who drive and walk.
+    pub(super) obstacles: MapObstacles,
     /// Nobody.
     empty: FrameScene,
     /// Told apart when first asked for.
@@ -157,8 +160,9 @@ impl MapShelf {
         let scene = TownScene::load_sharing(&town, self.maps.catalogue(), Arc::clone(&self.models));
         let scene = scene.map_err(|error| ServerError::Scene { map: name.to_owned(), reason: error.to_string() })?;
         let roads = CarlaMap::new(&town, opendrive);
+        let obstacles = MapObstacles::new(&town, &roads, self.maps.catalogue());
         let empty = FrameScene::new(FrameDescription::default());
-        Ok(LoadedMap { name: name.to_owned(), town, scene, roads, empty, objects: OnceLock::new() })
+        Ok(LoadedMap { name: name.to_owned(), town, scene, roads, obstacles, empty, objects: OnceLock::new() })
     }
 
     pub(super) fn catalogue(&self) -> &Catalogue {

@@ -21,6 +21,7 @@ mod loaded_map;
 mod map_objects;
 mod methods;
 mod moving;
+mod obstacles;
 mod recorder;
 mod sensing;
 mod sensor_model;

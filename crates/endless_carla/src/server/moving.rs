@@ -3,6 +3,7 @@
 use super::actor::{Body, ServerActor};
 use super::call_error::CallError;
 use super::episode::Episode;
+use super::obstacles::upright;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
 use crate::frames;
@@ -100,6 +101,7 @@ impl Episode {
         match &mut self.actor_mut(id)?.body {
             Body::Vehicle(vehicle) => vehicle.body.set_collides(on),
             Body::Walker(walker) => walker.body.set_collides(on),
+            Body::Prop(prop) => prop.collides = on,
             _ => {}
         }
         Ok(())
@@ -168,11 +170,27 @@ impl Episode {
         })
     }
 
+    /// Props that stop others, by their actors.
+    fn props(&self) -> Vec<Obstacle> {
+        let obstacle = |actor: &ServerActor| match &actor.body {
+            Body::Prop(prop) if prop.collides => {
+                let outline = upright(&actor.transform, &actor.told.bounding_box);
+                Some(Obstacle { id: actor.told.id.into(), outline })
+            }
+            _ => None,
+        };
+        self.actors.values().filter_map(obstacle).collect()
+    }
+
     /// Vehicles and people go on, and meet each other.
     pub(super) fn move_bodies(&mut self, step_s: f64) {
         let map = Arc::clone(&self.map);
         let ground = |x: f64, y: f64, z: f64| map.ground(DVec3::new(x, y, z));
-        let nothing = |_: DVec2, _: DVec2, _: &mut Vec<Obstacle>| {};
+        let props = self.props();
+        let around = |low: DVec2, high: DVec2, found: &mut Vec<Obstacle>| {
+            map.obstacles.near(low, high, found);
+            found.extend(props.iter().filter(|prop| prop.outline.comes_into(low, high)));
+        };
         let mut bodies = Vec::new();
         for actor in self.actors.values_mut() {
             let mover = match &mut actor.body {
@@ -185,7 +203,7 @@ impl Episode {
             };
             bodies.push(physics::Body { id: actor.told.id, mover });
         }
-        self.contacts = step_bodies(&mut bodies, step_s, &ground, &nothing);
+        self.contacts = step_bodies(&mut bodies, step_s, &ground, &around);
         self.actors.values_mut().for_each(follow_body);
     }
 }

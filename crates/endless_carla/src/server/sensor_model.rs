@@ -1,9 +1,14 @@
 //! What a sensor's attributes make of it.
 
-use super::actor::{CameraSettings, SensorModel};
+use super::actor::{CameraSettings, ObstacleSettings, SensorModel};
 use super::call_error::CallError;
 use crate::blueprint::{Attributes, SensorKind};
-use endless_world::{GnssSettings, ImageSize, ImuSettings, LidarPreset, LidarSettings, RadarSettings};
+use endless_world::{
+    EventCameraSettings, GnssSettings, ImageSize, ImuSettings, LidarPreset, LidarSettings, RadarSettings,
+};
+
+/// Nothing is looked for farther away, metres.
+const FARTHEST_M: f64 = 1000.0;
 
 /// How a sensor of this kind and these attributes measures.
 pub(super) fn sensor_model(
@@ -17,8 +22,17 @@ pub(super) fn sensor_model(
         _ if kind.is_camera() => {
             let [width, height] = attributes.image_size()?;
             let fov_deg = attributes.fov_degrees()? as f32;
-            SensorModel::Camera(CameraSettings { size: ImageSize { width, height }, fov_deg, is_carried })
+            let camera = CameraSettings { size: ImageSize { width, height }, fov_deg, is_carried };
+            match kind {
+                SensorKind::Dvs => SensorModel::Events(camera, Box::new(events(attributes, camera.size)?)),
+                _ => SensorModel::Camera(camera),
+            }
         }
+        SensorKind::Obstacle => SensorModel::Obstacle(ObstacleSettings {
+            distance_m: number("distance")?.clamp(0.0, FARTHEST_M),
+            hit_radius_m: number("hit_radius")?.clamp(0.0, FARTHEST_M),
+            only_dynamics: attributes.flag("only_dynamics")?,
+        }),
         SensorKind::Lidar | SensorKind::SemanticLidar => SensorModel::Lidar(Box::new(lidar(kind, attributes)?)),
         SensorKind::Radar => {
             let settings = RadarSettings {
@@ -61,6 +75,25 @@ pub(super) fn sensor_model(
         }
         _ => SensorModel::Event,
     })
+}
+
+/// When pixels of an event camera give events.
+fn events(attributes: &Attributes<'_>, size: ImageSize) -> Result<EventCameraSettings, CallError> {
+    let number = |id: &str| attributes.number(id).map_err(CallError::from);
+    let settings = EventCameraSettings {
+        positive_threshold: number("positive_threshold")?,
+        negative_threshold: number("negative_threshold")?,
+        sigma_positive_threshold: number("sigma_positive_threshold")?,
+        sigma_negative_threshold: number("sigma_negative_threshold")?,
+        refractory_period_ns: number("refractory_period_ns")?.max(0.0) as u64,
+        use_log: attributes.flag("use_log")?,
+        log_eps: number("log_eps")?,
+    };
+    settings.check().map_err(CallError::refused)?;
+    if size.width > 1 << 16 || size.height > 1 << 16 {
+        return Err(CallError::refused("an event camera has at most 65,536 columns and rows"));
+    }
+    Ok(settings)
 }
 
 /// A LiDAR as CARLA's is: all that is in range is found, whatever the weather; the semantic one loses nothing.

@@ -1,6 +1,6 @@
 //! Actors that come and go.
 
-use super::actor::{Body, SensorActor, ServerActor};
+use super::actor::{Body, PropActor, SensorActor, ServerActor};
 use super::call_error::CallError;
 use super::episode::Episode;
 use super::sensor_model::sensor_model;
@@ -45,6 +45,7 @@ impl World {
             BlueprintKind::Walker(walker) => {
                 Body::Walker(Box::new(WalkerActor::new(&walker, &blueprint, &attributes, &placed)?))
             }
+            BlueprintKind::Prop(prop) => Body::Prop(PropActor { body: prop.body, collides: true }),
             _ => Body::Other,
         };
         let token = match &body {

@@ -7,5 +7,6 @@ mod opendrive;
 mod proxy;
 mod recordings;
 mod sessions;
+mod solid_things;
 mod unbreakable;
 mod world_queries;

@@ -195,6 +195,11 @@ impl Body<'_> {
         }
     }
 
+    /// Who is carried along a way by a client meets nothing that stands: the way knows of it.
+    fn is_carried(&self) -> bool {
+        matches!(&self.mover, Mover::Walker(walker, _) if walker.is_carried())
+    }
+
     fn solid(&self) -> Solid {
         match &self.mover {
             Mover::Vehicle(vehicle, _) => vehicle.solid(),
@@ -219,7 +224,7 @@ impl Body<'_> {
     fn obstacles(&self, dt_s: f64, obstacles: &dyn Obstacles) -> Vec<Obstacle> {
         let solid = self.solid();
         let mut found = Vec::new();
-        if self.collides() && solid.per_mass > 0.0 {
+        if self.collides() && !self.is_carried() && solid.per_mass > 0.0 {
             let (low, high) = solid.outline.bounds();
             let margin = DVec2::splat(MARGIN_M + solid.velocity.length() * dt_s);
             obstacles.near(low - margin, high + margin, &mut found);

@@ -1,6 +1,6 @@
 //! Upright boxes: rectangles in the plane with a range of heights.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 /// An upright box.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,9 +48,23 @@ impl OrientedBox {
     }
 
     /// The smallest box along the axes that holds it in the plane: its low and its high corner.
-    pub(super) fn bounds(&self) -> (DVec2, DVec2) {
+    pub(crate) fn bounds(&self) -> (DVec2, DVec2) {
         let reach = self.along.abs() * self.half.x + self.along.perp().abs() * self.half.y;
         (self.centre - reach, self.centre + reach)
+    }
+
+    /// How far a point is from it, metres; 0 within it.
+    pub(crate) fn distance_m(&self, point: DVec3) -> f64 {
+        let from = point.truncate() - self.centre;
+        let beside = DVec2::new(from.dot(self.along), from.dot(self.along.perp())).abs() - self.half;
+        let above = (point.z - self.high_m).max(self.low_m - point.z);
+        beside.extend(above).max(DVec3::ZERO).length()
+    }
+
+    /// Whether the smallest box along the axes that holds it meets a rectangle.
+    pub(crate) fn comes_into(&self, low: DVec2, high: DVec2) -> bool {
+        let (own_low, own_high) = self.bounds();
+        own_low.cmple(high).all() && low.cmple(own_high).all()
     }
 
     fn reach(&self, axis: DVec2) -> f64 {

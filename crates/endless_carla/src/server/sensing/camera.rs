@@ -1,12 +1,15 @@
 //! One camera: while it stands still, what stands still is traced but once.
 
+use super::events::Events;
 use super::town_light::Light;
 use crate::server::actor::CameraSettings;
 use endless_render::{
-    CameraBake, FrameScene, LocalLight, NeighbourFrames, RenderSettings, RoamingCamera, render_labels,
+    CameraBake, FrameScene, LocalLight, NeighbourFrame, NeighbourFrames, RenderSettings, RoamingCamera, render_labels,
 };
 use endless_world::{CameraSite, LensModel, Mount, PinholeCamera, SceneWeather, SensorFrame, SensorLayers, SensorPose};
 use glam::DVec3;
+use std::collections::BTreeMap;
+use std::sync::Arc;
 
 /// A camera, and what is kept of it from frame to frame.
 #[derive(Default)]
@@ -15,6 +18,10 @@ pub(super) struct CameraView {
     /// Frames for which neither it nor the weather has moved.
     stood: u32,
     way: Option<Way>,
+    /// What moved when it was last looked through, and from where, if flow is wanted.
+    before: Option<(Arc<FrameScene>, PinholeCamera)>,
+    /// Of event cameras that look through it, by their streams.
+    pub(super) events: BTreeMap<u32, Events>,
 }
 
 /// How a picture is made.
@@ -28,8 +35,8 @@ pub(super) enum Making {
 }
 
 enum Way {
-    /// It stands still; whether normals are known.
-    Still(Box<CameraBake>, bool),
+    /// It stands still; what is known besides colours.
+    Still(Box<CameraBake>, SensorLayers),
     /// It moves.
     Moving(Box<RoamingCamera>),
 }
@@ -56,28 +63,30 @@ impl CameraView {
         &mut self,
         light: &Light<'_>,
         making: &Making,
-        frame: &FrameScene,
+        frame: &Arc<FrameScene>,
         settings: CameraSettings,
         pose: &SensorPose,
         layers: SensorLayers,
     ) -> (SensorFrame, PinholeCamera) {
         let camera = PinholeCamera::at(pose, settings.size, settings.fov_deg.to_radians());
         let render_settings = || RenderSettings { layers, ..light.settings(settings.size) };
+        let now = layers.flow_backward.then(|| (Arc::clone(frame), camera.clone()));
+        let before = std::mem::replace(&mut self.before, now);
+        let neighbours =
+            NeighbourFrames { before: before.as_ref().map(|before| neighbour(before, &camera)), after: None };
         let around = match making {
             Making::Labels => return (render_labels(light.still, frame, &camera, layers), camera),
             Making::Moving(around) => around,
             Making::Still => {
-                let (bake, normals) = match self.way.take() {
-                    Some(Way::Still(bake, normals)) if self.stood > 0 && (normals || !layers.normals) => {
-                        (bake, normals)
-                    }
+                let (bake, known) = match self.way.take() {
+                    Some(Way::Still(bake, known)) if self.stood > 0 && is_known(layers, known) => (bake, known),
                     _ => {
                         let bake = CameraBake::bake(light.still, &render_settings(), &site(pose, settings));
-                        (Box::new(bake), layers.normals)
+                        (Box::new(bake), layers)
                     }
                 };
-                let seen = bake.render_at_once(light.still, frame, NeighbourFrames::default());
-                self.way = Some(Way::Still(bake, normals));
+                let seen = bake.render_at_once(light.still, frame, neighbours);
+                self.way = Some(Way::Still(bake, known));
                 return (seen, camera);
             }
         };
@@ -86,11 +95,20 @@ impl CameraView {
             _ => Box::new(RoamingCamera::new(&render_settings())),
         };
         *moving.layers_mut() = layers;
-        let nobody = NeighbourFrames::default();
-        let seen = moving.render(light.still, frame, around, &camera, nobody, light.step_s as f32);
+        let seen = moving.render(light.still, frame, around, &camera, neighbours, light.step_s as f32);
         self.way = Some(Way::Moving(moving));
         (seen, camera)
     }
+}
+
+/// Whether what is wanted of a camera is known of it already.
+fn is_known(wanted: SensorLayers, known: SensorLayers) -> bool {
+    (known.normals || !wanted.normals) && (known.flow_backward || !wanted.flow_backward)
+}
+
+/// The picture before, as flow leads to it from this camera.
+fn neighbour<'a>((scene, then): &'a (Arc<FrameScene>, PinholeCamera), now: &PinholeCamera) -> NeighbourFrame<'a> {
+    NeighbourFrame { scene, covered: None, camera: (then != now).then_some(then) }
 }
 
 /// The same camera, as those know it that hang on poles.

@@ -6,7 +6,8 @@ use crate::physics::{Contact, Party};
 use crate::server::actor::Body;
 use crate::server::episode::Episode;
 use crate::stream::{SensorHeader, StreamHub};
-use crate::wire::{Actor, Wire};
+use crate::wire::{Actor, Bytes, Wire};
+use endless_world::ClassTag;
 use glam::DVec3;
 use rmpv::Value;
 
@@ -38,14 +39,40 @@ fn sides(contact: &Contact) -> [(Party, Party, DVec3); 2] {
 /// Whom something met: an actor, or a thing of the map.
 fn told(episode: &Episode, party: Party) -> Actor {
     let actor = match party {
-        Party::Body(id) => episode.actors.get(&id).map(|actor| actor.told.clone()),
-        Party::Obstacle(_) => None,
+        Party::Body(id) => Some(id),
+        Party::Obstacle(id) => u32::try_from(id).ok(),
     };
-    actor.unwrap_or_else(|| {
-        let mut thing = Actor::default();
-        thing.description.id = "static.building".to_owned();
-        thing
-    })
+    if let Some(actor) = actor.and_then(|id| episode.actors.get(&id)) {
+        return actor.told.clone();
+    }
+    let tag = match party {
+        Party::Obstacle(id) => episode.map.obstacles.tag(id),
+        Party::Body(_) => None,
+    };
+    thing(tag.unwrap_or(ClassTag::Unlabeled))
+}
+
+/// A thing of the map: CARLA's actor without a number.
+pub(super) fn thing(tag: ClassTag) -> Actor {
+    let mut thing = Actor::default();
+    thing.description.id = format!("static.{}", kind(tag));
+    thing.semantic_tags = Bytes(vec![tag.value()]);
+    thing
+}
+
+/// The word for a class in the names of things.
+fn kind(tag: ClassTag) -> String {
+    match tag {
+        ClassTag::Unlabeled => "unknown".to_owned(),
+        ClassTag::Roads => "road".to_owned(),
+        ClassTag::Sidewalks => "sidewalk".to_owned(),
+        ClassTag::Buildings => "building".to_owned(),
+        ClassTag::Walls => "wall".to_owned(),
+        ClassTag::Fences => "fence".to_owned(),
+        ClassTag::Poles => "pole".to_owned(),
+        ClassTag::TrafficSigns => "trafficsign".to_owned(),
+        other => other.name().to_lowercase(),
+    }
 }
 
 fn sensors_of(episode: &Episode, carrier: u32) -> impl Iterator<Item = (u32, SensorHeader)> {

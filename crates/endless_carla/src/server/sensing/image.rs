@@ -1,9 +1,9 @@
 //! Pictures as CARLA's cameras send them.
 
 use crate::blueprint::SensorKind;
-use crate::stream::{SensorHeader, image_payload};
+use crate::stream::{SensorHeader, image_header, image_payload};
 use endless_dataset::rgb_from_metres;
-use endless_world::{PinholeCamera, SensorFrame};
+use endless_world::{FlowPixel, PinholeCamera, SensorFrame};
 use glam::Vec3;
 
 /// The message of a camera; `None` of those that are not served.
@@ -39,6 +39,12 @@ pub(super) fn message(
             let normals = seen.normals.as_ref()?;
             image_payload(out, size, fov_deg, normals.data.iter().map(|normal| normal_pixel(*normal, camera)));
         }
+        SensorKind::OpticalFlow => {
+            let flow = seen.flow_backward.as_ref()?;
+            image_header(out, size, fov_deg);
+            out.reserve(8 * flow.data.len());
+            out.extend(flow.data.iter().flat_map(|&pixel| flow_pixel(pixel, size)).flat_map(f32::to_le_bytes));
+        }
         _ => return None,
     }
     Some(message)
@@ -48,6 +54,13 @@ pub(super) fn message(
 fn depth_pixel(depth_m: f32) -> [u8; 4] {
     let [r, g, b] = rgb_from_metres(depth_m);
     [b, g, r, 255]
+}
+
+/// How the point of a pixel has moved since the picture before, to the right and upwards: 2 is the width and the height of the
+/// picture, as Unreal has it. 0 where that is not known.
+fn flow_pixel(to_before: [u16; 3], [width, height]: [u32; 2]) -> [f32; 2] {
+    let Ok(Some(FlowPixel { flow_px, .. })) = FlowPixel::decoded(to_before) else { return [0.0; 2] };
+    [-2.0 * flow_px.x / width as f32, 2.0 * flow_px.y / height as f32]
 }
 
 /// The world's x, y and z in red, green and blue; the sky is black.
@@ -65,6 +78,16 @@ fn normal_pixel(normal: [u16; 3], camera: &PinholeCamera) -> [u8; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use endless_world::FlowTarget;
+    use glam::Vec2;
+
+    #[test]
+    fn flow_is_that_of_the_screen_and_since_the_picture_before() {
+        let flow = |x, y| FlowPixel { flow_px: Vec2::new(x, y), target: FlowTarget::Visible }.encoded();
+        // It was 80 pixels to the left and 30 above, in a picture of 320 by 240.
+        assert_eq!(flow_pixel(flow(-80.0, -30.0), [320, 240]), [0.5, -0.25]);
+        assert_eq!(flow_pixel(FlowPixel::UNKNOWN, [320, 240]), [0.0; 2]);
+    }
 
     #[test]
     fn depths_are_read_as_clients_read_them() {

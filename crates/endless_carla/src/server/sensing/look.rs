@@ -1,6 +1,7 @@
 //! A look at the scene at one instant: by cameras, LiDARs and radars.
 
 use super::camera::{CameraView, Making};
+use super::events::Events;
 use super::image;
 use super::measurement::{Measured, Measurement};
 use super::town_light::{Light, TownLight};
@@ -40,8 +41,7 @@ impl Views {
     pub(super) fn look(&mut self, look: Look, hub: &StreamHub, delivery: Delivery) {
         let Look { frame, weather, map, seed, step_s, sensors } = look;
         let still = map.scene.static_scene();
-        let (cameras, others): (Vec<_>, Vec<_>) =
-            sensors.into_iter().partition(|one| matches!(one.what, Measured::Camera(_)));
+        let (cameras, others): (Vec<_>, Vec<_>) = sensors.into_iter().partition(|one| one.camera().is_some());
         let caster = RayCaster::new(still, &frame);
         let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather, seed))).collect();
         let light = Light { still, weather, seed, step_s };
@@ -85,14 +85,22 @@ fn show(
     alike: &[Measurement],
     light: &Light<'_>,
     making: &Making,
-    frame: &FrameScene,
+    frame: &Arc<FrameScene>,
 ) -> Messages {
     let (first, Some(settings)) = (&alike[0], alike[0].camera()) else { return Vec::new() };
     let normals = alike.iter().any(|one| one.kind == SensorKind::Normals);
-    let layers = SensorLayers { normals, ..SensorLayers::default() };
+    let flow_backward = alike.iter().any(|one| one.kind == SensorKind::OpticalFlow);
+    let layers = SensorLayers { normals, flow_backward, ..SensorLayers::default() };
     let (seen, camera) = view.render(light, making, frame, settings, &first.pose, layers);
     let message = |one: &Measurement| {
-        Some((one.stream, image::message(&one.header, one.kind, settings.fov_deg, &seen, &camera)?))
+        let message = match &one.what {
+            Measured::Events(_, events) => {
+                let new = || Events::new(events, settings.size, light.seed ^ u64::from(one.stream));
+                view.events.entry(one.stream).or_insert_with(new).message(&one.header, settings.fov_deg, &seen.rgb)
+            }
+            _ => image::message(&one.header, one.kind, settings.fov_deg, &seen, &camera),
+        };
+        Some((one.stream, message?))
     };
     alike.iter().filter_map(message).collect()
 }

@@ -1,12 +1,13 @@
 //! One sensor at one frame.
 
-use super::{lidar, radar};
+use super::{lidar, obstacle, radar};
 use crate::blueprint::SensorKind;
-use crate::server::actor::CameraSettings;
+use crate::server::actor::{CameraSettings, ObstacleSettings};
+use crate::server::episode::Episode;
 use crate::stream::SensorHeader;
 use endless_render::RayCaster;
 use endless_sensor::{Atmosphere, SweepInterval};
-use endless_world::{InstanceId, LidarSettings, RadarSettings, SceneWeather, SensorPose};
+use endless_world::{EventCameraSettings, InstanceId, LidarSettings, RadarSettings, SceneWeather, SensorPose};
 
 /// A sensor that measures at this frame.
 pub(super) struct Measurement {
@@ -24,8 +25,11 @@ pub(super) struct Measurement {
 /// How it measures, where that needs to know the scene.
 pub(super) enum Measured {
     Camera(CameraSettings),
+    Events(CameraSettings, Box<EventCameraSettings>),
     Lidar(Box<LidarSettings>),
     Radar(Box<RadarSettings>),
+    /// Of this sensor on this carrier.
+    Obstacle(ObstacleSettings, [u32; 2]),
     /// It has measured already.
     Done(Vec<u8>),
 }
@@ -33,7 +37,21 @@ pub(super) enum Measured {
 impl Measurement {
     pub(super) fn camera(&self) -> Option<CameraSettings> {
         match self.what {
-            Measured::Camera(settings) => Some(settings),
+            Measured::Camera(settings) | Measured::Events(settings, _) => Some(settings),
+            _ => None,
+        }
+    }
+
+    /// Whether it needs what the renderer draws.
+    pub(super) fn looks(&self) -> bool {
+        !matches!(self.what, Measured::Done(_) | Measured::Obstacle(..))
+    }
+
+    /// What it tells that needs no picture.
+    pub(super) fn message(self, episode: &Episode) -> Option<Vec<u8>> {
+        match self.what {
+            Measured::Done(message) => Some(message),
+            Measured::Obstacle(settings, ids) => obstacle::message(&self.header, episode, ids, &settings, &self.pose),
             _ => None,
         }
     }
@@ -53,7 +71,7 @@ impl Measurement {
                 lidar::message(&self.header, self.kind, settings, &caster, &Atmosphere::from(weather), &interval, seed)
             }
             Measured::Radar(settings) => radar::message(&self.header, settings, &caster, &interval, seed),
-            Measured::Camera(_) | Measured::Done(_) => Vec::new(),
+            _ => Vec::new(),
         }
     }
 }

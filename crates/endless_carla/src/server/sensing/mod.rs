@@ -2,12 +2,14 @@
 
 mod camera;
 mod contact;
+mod events;
 mod image;
 mod inertial;
 mod lidar;
 mod look;
 mod looking;
 mod measurement;
+mod obstacle;
 mod radar;
 mod scene;
 mod town_light;
@@ -58,10 +60,11 @@ impl Sensing {
         self.passed_s += episode.delta_s;
         let views = if sees { self.looking.views(delivery) } else { None };
         let due = due(episode, hub, views.is_some());
-        let (done, looking): (Vec<_>, Vec<_>) = due.into_iter().partition(|one| matches!(one.what, Measured::Done(_)));
+        let (done, looking): (Vec<_>, Vec<_>) = due.into_iter().partition(|one| !one.looks());
         for one in done {
-            if let Measured::Done(message) = one.what {
-                hub.publish(one.stream, message, delivery);
+            let stream = one.stream;
+            if let Some(message) = one.message(episode) {
+                hub.publish(stream, message, delivery);
             }
         }
         let Some(views) = views else { return };
@@ -97,8 +100,7 @@ fn due(episode: &mut Episode, hub: &StreamHub, may_look: bool) -> Vec<Measuremen
     let measurement = |actor: &mut ServerActor| {
         let carrier = instance_id(actor.told.parent_id);
         let Body::Sensor(sensor) = &mut actor.body else { return None };
-        let looks = matches!(sensor.model, SensorModel::Camera(_) | SensorModel::Lidar(_) | SensorModel::Radar(_));
-        if looks && !may_look || !sensor.measures(now_s) || !hub.is_heard(sensor.stream) {
+        if sensor.model.looks() && !may_look || !sensor.measures(now_s) || !hub.is_heard(sensor.stream) {
             return None;
         }
         let pose = frames::sensor_pose(&actor.transform);
@@ -107,6 +109,8 @@ fn due(episode: &mut Episode, hub: &StreamHub, may_look: bool) -> Vec<Measuremen
         let own_seed = seed ^ u64::from(sensor.stream);
         let what = match &mut sensor.model {
             SensorModel::Camera(settings) => Measured::Camera(*settings),
+            SensorModel::Events(camera, events) => Measured::Events(*camera, events.clone()),
+            SensorModel::Obstacle(settings) => Measured::Obstacle(*settings, [actor.told.id, actor.told.parent_id]),
             SensorModel::Lidar(settings) => Measured::Lidar(settings.clone()),
             SensorModel::Radar(settings) => Measured::Radar(settings.clone()),
             SensorModel::Imu(settings, imu) => {
