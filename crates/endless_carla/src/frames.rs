@@ -34,10 +34,15 @@ pub(crate) fn pose(transform: &Transform) -> Pose {
 pub(crate) fn transform(pose: &Pose) -> Transform {
     let rotation = Rotation {
         pitch: pose.pitch_rad.to_degrees(),
-        yaw: -pose.yaw_rad.to_degrees(),
+        yaw: yaw_of(pose.yaw_rad.to_degrees()),
         roll: pose.roll_rad.to_degrees(),
     };
     Transform { location: to_carla(pose.position), rotation }
+}
+
+/// CARLA's yaw of ours, degrees: to the west it is 180, never -180.
+fn yaw_of(yaw_deg: f32) -> f32 {
+    Some(-yaw_deg).filter(|yaw| *yaw > -180.0).unwrap_or(180.0)
 }
 
 /// An actor's place.
@@ -55,8 +60,8 @@ pub(crate) fn place(transform: &Transform) -> Place {
 /// The transform of a place.
 pub(crate) fn transform_of(place: &Place) -> Transform {
     let degrees = |radians: f64| radians.to_degrees() as f32;
-    let rotation =
-        Rotation { pitch: degrees(place.pitch_rad), yaw: -degrees(place.yaw_rad), roll: degrees(place.roll_rad) };
+    let yaw = yaw_of(degrees(place.yaw_rad));
+    let rotation = Rotation { pitch: degrees(place.pitch_rad), yaw, roll: degrees(place.roll_rad) };
     Transform { location: to_carla(place.position.as_vec3()), rotation }
 }
 

@@ -8,4 +8,5 @@ mod proxy;
 mod recordings;
 mod sessions;
 mod unbreakable;
+mod vehicles;
 mod world_queries;

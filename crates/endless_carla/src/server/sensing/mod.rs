@@ -41,6 +41,10 @@ struct Measurement {
     kind: SensorKind,
     stream: u32,
     header: SensorHeader,
+    /// How often it had measured before.
+    number: u32,
+    /// Of its noise.
+    seed: u64,
     pose: SensorPose,
     /// Since it measured last, seconds.
     interval_s: f64,
@@ -91,9 +95,8 @@ impl Sensing {
         let (cameras, others): (Vec<_>, Vec<_>) =
             looking.into_iter().partition(|one| matches!(one.what, Measured::Camera(_)));
         let caster = RayCaster::new(still, &frame);
-        let seed = episode.seed;
-        let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather, seed))).collect();
-        let light = Light { still, weather, seed, step_s: episode.delta_s };
+        let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather))).collect();
+        let light = Light { still, weather, seed: episode.seed, step_s: episode.delta_s };
         let map = Arc::clone(&episode.map);
         let views: Vec<(CameraView, Option<LocalLight>, Vec<Measurement>)> = look_alike(cameras)
             .into_iter()
@@ -138,10 +141,11 @@ impl Measurement {
         }
     }
 
-    fn sweep(&self, caster: &RayCaster<'_>, weather: &SceneWeather, seed: u64) -> Vec<u8> {
+    fn sweep(&self, caster: &RayCaster<'_>, weather: &SceneWeather) -> Vec<u8> {
         let caster = caster.ignoring(self.carrier.as_slice());
-        let interval = SweepInterval::standing(self.pose, self.interval_s, self.header.frame as u32);
-        let seed = seed ^ u64::from(self.stream);
+        // By its own count, not by the frame: the same script gives the same noise whenever its world was loaded.
+        let interval = SweepInterval::standing(self.pose, self.interval_s, self.number);
+        let seed = self.seed;
         match &self.what {
             Measured::Lidar(settings) => {
                 lidar::message(&self.header, self.kind, settings, &caster, &Atmosphere::from(weather), &interval, seed)
@@ -187,7 +191,7 @@ fn look_alike(cameras: Vec<Measurement>) -> Vec<Vec<Measurement>> {
 /// The sensors that measure now and are heard.
 fn due(episode: &mut Episode, hub: &StreamHub) -> Vec<Measurement> {
     let (now_s, frame, step_s) = (episode.elapsed_s, episode.frame, episode.delta_s);
-    let (map, seed) = (Arc::clone(&episode.map), episode.seed);
+    let map = Arc::clone(&episode.map);
     let measurement = |actor: &mut ServerActor| {
         let carrier = instance_id(actor.told.parent_id);
         let Body::Sensor(sensor) = &mut actor.body else { return None };
@@ -197,24 +201,35 @@ fn due(episode: &mut Episode, hub: &StreamHub) -> Vec<Measurement> {
         let pose = frames::sensor_pose(&actor.transform);
         let interval_s = sensor.last_s.map_or(step_s, |last_s| now_s - last_s).max(1e-6);
         let header = sensor.header(&actor.transform, frame, now_s);
-        let own_seed = seed ^ u64::from(sensor.stream);
+        let (number, seed) = (sensor.count, sensor.seed);
         let what = match &mut sensor.model {
             SensorModel::Camera(settings) => Measured::Camera(*settings),
             SensorModel::Lidar(settings) => Measured::Lidar(settings.clone()),
             SensorModel::Radar(settings) => Measured::Radar(settings.clone()),
             SensorModel::Imu(settings, imu) => {
-                let imu = imu.get_or_insert_with(|| inertial::imu(settings, interval_s, own_seed));
+                let imu = imu.get_or_insert_with(|| inertial::imu(settings, interval_s, seed));
                 Measured::Done(inertial::imu_message(&header, imu, &pose))
             }
             SensorModel::Gnss(settings) => {
                 let place = map.town.georeference.unwrap_or_default().wgs84(pose.position);
-                Measured::Done(inertial::gnss_message(&header, settings, place, own_seed))
+                Measured::Done(inertial::gnss_message(&header, settings, place, number, seed))
             }
             SensorModel::Event => return None,
         };
         sensor.last_s = Some(now_s);
+        sensor.count = number.wrapping_add(1);
         let carrier = Some(carrier).filter(|id| *id != InstanceId::STUFF);
-        Some(Measurement { kind: sensor.kind, stream: sensor.stream, header, pose, interval_s, carrier, what })
+        Some(Measurement {
+            kind: sensor.kind,
+            stream: sensor.stream,
+            header,
+            number,
+            seed,
+            pose,
+            interval_s,
+            carrier,
+            what,
+        })
     };
     episode.actors.values_mut().filter_map(measurement).collect()
 }
