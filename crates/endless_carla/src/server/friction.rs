@@ -6,9 +6,9 @@ use super::episode::Episode;
 use crate::blueprint::Attributes;
 use crate::frames;
 use crate::physics::OrientedBox;
-use crate::wire::{Transform, Vector3D};
+use crate::wire::{BoundingBox, Transform, Vector3D};
 use endless_world::math::f64::sin_cos;
-use glam::{DVec2, DVec3};
+use glam::{DVec2, DVec3, Vec3};
 
 /// The attributes' unit is Unreal's, the centimetre.
 const M_PER_CM: f64 = 0.01;
@@ -29,10 +29,10 @@ impl FrictionTrigger {
         Ok(Self { friction: attributes.number("friction")?, extent })
     }
 
-    /// Half of its length, width and height, metres.
-    pub(super) fn extent(&self) -> Vector3D {
-        let DVec3 { x, y, z } = self.extent;
-        Vector3D { x: x as f32, y: y as f32, z: z as f32 }
+    /// In its own frame.
+    pub(super) fn bounds(&self) -> BoundingBox {
+        let Vec3 { x, y, z } = self.extent.as_vec3();
+        BoundingBox { extent: Vector3D { x, y, z }, ..BoundingBox::default() }
     }
 
     /// Where it is, upright.

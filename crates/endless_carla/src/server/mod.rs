@@ -11,6 +11,7 @@
 mod actor;
 mod call;
 mod call_error;
+mod drawn_boxes;
 mod engine;
 mod episode;
 mod error;

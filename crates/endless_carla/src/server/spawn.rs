@@ -50,10 +50,14 @@ impl World {
             BlueprintKind::FrictionTrigger => Body::FrictionTrigger(FrictionTrigger::new(&attributes)?),
             _ => Body::Other,
         };
-        let mut bounding_box = BoundingBox { actor_id: id, ..blueprint.bounding_box.clone() };
-        if let Body::FrictionTrigger(trigger) = &body {
-            bounding_box.extent = trigger.extent();
-        }
+        let catalogue = self.shelf.catalogue();
+        let bounds = match &body {
+            Body::Vehicle(vehicle) => self.drawn_boxes.vehicle(catalogue, vehicle.asset),
+            Body::Walker(walker) => Some(self.drawn_boxes.person(catalogue, walker.asset, walker.origin_height_m)),
+            Body::FrictionTrigger(trigger) => Some(trigger.bounds()),
+            _ => None,
+        };
+        let bounding_box = BoundingBox { actor_id: id, ..bounds.unwrap_or_else(|| blueprint.bounding_box.clone()) };
         let token = match &body {
             Body::Sensor(sensor) if sensor.stream != 0 => {
                 self.hub.open(sensor.stream);

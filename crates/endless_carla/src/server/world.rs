@@ -1,6 +1,7 @@
 //! The world that clients share: an episode, how its time runs, and what measures it.
 
 use super::call_error::CallError;
+use super::drawn_boxes::DrawnBoxes;
 use super::episode::Episode;
 use super::error::ServerError;
 use super::loaded_map::MapShelf;
@@ -24,6 +25,7 @@ pub(super) struct World {
     pub(super) episode: Episode,
     pub(super) settings: EpisodeSettings,
     pub(super) sensing: Sensing,
+    pub(super) drawn_boxes: DrawnBoxes,
     pub(super) recordings: Recordings,
     pub(super) hub: Arc<StreamHub>,
     /// Their hosts, by port.
@@ -49,6 +51,7 @@ impl World {
             blueprints,
             settings: EpisodeSettings::default(),
             sensing: Sensing::default(),
+            drawn_boxes: DrawnBoxes::default(),
             recordings: Recordings::new(None),
             hub,
             traffic_managers: BTreeMap::new(),
