@@ -1,6 +1,7 @@
 //! The world that clients share: an episode, how its time runs, and what measures it.
 
 use super::call_error::CallError;
+use super::drawn_boxes::DrawnBoxes;
 use super::episode::Episode;
 use super::error::ServerError;
 use super::loaded_map::MapShelf;
@@ -24,27 +25,25 @@ pub(super) struct World {
     pub(super) episode: Episode,
     pub(super) settings: EpisodeSettings,
     pub(super) sensing: Sensing,
+    pub(super) drawn_boxes: DrawnBoxes,
     pub(super) recordings: Recordings,
     pub(super) hub: Arc<StreamHub>,
     /// Their hosts, by port.
     pub(super) traffic_managers: BTreeMap<u16, String>,
     /// Who made time pass last in synchronous mode.
     pub(super) ticking: Option<ConnectionId>,
+    /// On which clients are told to hear streams; of no meaning until it is open.
+    pub(super) stream_port: u16,
     seed: u64,
-    stream_port: u16,
     begun: Instant,
 }
 
 impl World {
     /// With its first episode, on this map.
-    pub(super) fn new(
-        map: &str,
-        seed: u64,
-        mut shelf: MapShelf,
-        hub: Arc<StreamHub>,
-        stream_port: u16,
-    ) -> Result<Self, ServerError> {
+    pub(super) fn new(map: &str, seed: u64, mut shelf: MapShelf, hub: Arc<StreamHub>) -> Result<Self, ServerError> {
         let map = shelf.load(map)?;
+        // Made now rather than while somebody waits.
+        let _ = map.loaded.roads.navigation();
         let blueprints = BlueprintLibrary::new();
         let world = Self {
             episode: Episode::new(map, seed, &blueprints, None),
@@ -52,12 +51,13 @@ impl World {
             blueprints,
             settings: EpisodeSettings::default(),
             sensing: Sensing::new(),
+            drawn_boxes: DrawnBoxes::default(),
             recordings: Recordings::new(None),
             hub,
             traffic_managers: BTreeMap::new(),
             ticking: None,
             seed,
-            stream_port,
+            stream_port: 0,
             begun: Instant::now(),
         };
         world.hub.open(world.episode.stream());
@@ -101,12 +101,16 @@ impl World {
     /// Another episode begins, on this map or another.
     pub(super) fn load(&mut self, map: &str, reset_settings: bool) -> Result<(), CallError> {
         let map = match map {
-            "" => Arc::clone(&self.episode.map),
+            "" => self.episode.named_map(),
             name => self.shelf.load(name).map_err(|error| CallError::refused(error.to_string()))?,
         };
         if reset_settings {
             self.settings = EpisodeSettings::default();
         }
+        let walked = Arc::clone(&map.loaded);
+        rayon::spawn(move || {
+            let _ = walked.roads.navigation();
+        });
         let next = Episode::new(map, self.seed, &self.blueprints, Some(&self.episode));
         for stream in self.episode.sensor_streams() {
             self.hub.close(stream);

@@ -43,7 +43,7 @@ impl Views {
         let still = map.scene.static_scene();
         let (cameras, others): (Vec<_>, Vec<_>) = sensors.into_iter().partition(|one| one.camera().is_some());
         let caster = RayCaster::new(still, &frame);
-        let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather, seed))).collect();
+        let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather))).collect();
         let light = Light { still, weather, seed, step_s };
         let views: Vec<(CameraView, Making, Vec<Measurement>)> = look_alike(cameras)
             .into_iter()
@@ -95,7 +95,7 @@ fn show(
     let message = |one: &Measurement| {
         let message = match &one.what {
             Measured::Events(_, events) => {
-                let new = || Events::new(events, settings.size, light.seed ^ u64::from(one.stream));
+                let new = || Events::new(events, settings.size, one.seed);
                 view.events.entry(one.stream).or_insert_with(new).message(&one.header, settings.fov_deg, &seen.rgb)
             }
             _ => image::message(&one.header, one.kind, settings.fov_deg, &seen, &camera),

@@ -14,6 +14,10 @@ pub(super) struct Measurement {
     pub(super) kind: SensorKind,
     pub(super) stream: u32,
     pub(super) header: SensorHeader,
+    /// How often it had measured before.
+    pub(super) number: u32,
+    /// Of its noise.
+    pub(super) seed: u64,
     pub(super) pose: SensorPose,
     /// Since it measured last, seconds.
     pub(super) interval_s: f64,
@@ -62,10 +66,11 @@ impl Measurement {
         !matches!(self.kind, Depth | Instance | Normals | Semantic)
     }
 
-    pub(super) fn sweep(&self, caster: &RayCaster<'_>, weather: &SceneWeather, seed: u64) -> Vec<u8> {
+    pub(super) fn sweep(&self, caster: &RayCaster<'_>, weather: &SceneWeather) -> Vec<u8> {
         let caster = caster.ignoring(self.carrier.as_slice());
-        let interval = SweepInterval::standing(self.pose, self.interval_s, self.header.frame as u32);
-        let seed = seed ^ u64::from(self.stream);
+        // By its own count, not by the frame: the same script gives the same noise whenever its world was loaded.
+        let interval = SweepInterval::standing(self.pose, self.interval_s, self.number);
+        let seed = self.seed;
         match &self.what {
             Measured::Lidar(settings) => {
                 lidar::message(&self.header, self.kind, settings, &caster, &Atmosphere::from(weather), &interval, seed)

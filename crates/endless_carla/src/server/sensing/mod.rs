@@ -96,7 +96,7 @@ impl Sensing {
 /// The sensors that measure now and are heard, with those that look at the scene or without.
 fn due(episode: &mut Episode, hub: &StreamHub, may_look: bool) -> Vec<Measurement> {
     let (now_s, frame, step_s) = (episode.elapsed_s, episode.frame, episode.delta_s);
-    let (map, seed) = (Arc::clone(&episode.map), episode.seed);
+    let map = Arc::clone(&episode.map);
     let measurement = |actor: &mut ServerActor| {
         let carrier = instance_id(actor.told.parent_id);
         let Body::Sensor(sensor) = &mut actor.body else { return None };
@@ -106,7 +106,7 @@ fn due(episode: &mut Episode, hub: &StreamHub, may_look: bool) -> Vec<Measuremen
         let pose = frames::sensor_pose(&actor.transform);
         let interval_s = sensor.last_s.map_or(step_s, |last_s| now_s - last_s).max(1e-6);
         let header = sensor.header(&actor.transform, frame, now_s);
-        let own_seed = seed ^ u64::from(sensor.stream);
+        let (number, seed) = (sensor.count, sensor.seed);
         let what = match &mut sensor.model {
             SensorModel::Camera(settings) => Measured::Camera(*settings),
             SensorModel::Events(camera, events) => Measured::Events(*camera, events.clone()),
@@ -114,18 +114,29 @@ fn due(episode: &mut Episode, hub: &StreamHub, may_look: bool) -> Vec<Measuremen
             SensorModel::Lidar(settings) => Measured::Lidar(settings.clone()),
             SensorModel::Radar(settings) => Measured::Radar(settings.clone()),
             SensorModel::Imu(settings, imu) => {
-                let imu = imu.get_or_insert_with(|| inertial::imu(settings, interval_s, own_seed));
+                let imu = imu.get_or_insert_with(|| inertial::imu(settings, interval_s, seed));
                 Measured::Done(inertial::imu_message(&header, imu, &pose))
             }
             SensorModel::Gnss(settings) => {
                 let place = map.town.georeference.unwrap_or_default().wgs84(pose.position);
-                Measured::Done(inertial::gnss_message(&header, settings, place, own_seed))
+                Measured::Done(inertial::gnss_message(&header, settings, place, number, seed))
             }
             SensorModel::Event => return None,
         };
         sensor.last_s = Some(now_s);
+        sensor.count = number.wrapping_add(1);
         let carrier = Some(carrier).filter(|id| *id != InstanceId::STUFF);
-        Some(Measurement { kind: sensor.kind, stream: sensor.stream, header, pose, interval_s, carrier, what })
+        Some(Measurement {
+            kind: sensor.kind,
+            stream: sensor.stream,
+            header,
+            number,
+            seed,
+            pose,
+            interval_s,
+            carrier,
+            what,
+        })
     };
     episode.actors.values_mut().filter_map(measurement).collect()
 }
