@@ -16,6 +16,7 @@ mod engine;
 mod episode;
 mod error;
 mod friction;
+mod friction_trigger;
 mod given_map;
 mod hanging;
 mod lamps;
