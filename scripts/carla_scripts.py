@@ -70,7 +70,7 @@ SCRIPTS = [
     example("tutorial", says="done", limit_s=60),
     example("synchronous_mode", stop_s=20, says="done"),
     example("client_bounding_boxes", stop_s=20, says="EXIT"),
-    example("lidar_to_camera", "-f", "20", says="Frame"),
+    example("lidar_to_camera", "-f", "20"),
     example("open3d_lidar", stop_s=20, says=r"(FPS.*\s+){20}"),
     example("open3d_lidar", "--semantic", stop_s=20, says=r"(FPS.*\s+){20}"),
     example("dynamic_weather", stop_s=10, says="Storm"),

@@ -1,8 +1,6 @@
 //! `static.trigger.friction`: boxes in which tyres grip otherwise.
 
-use super::actor::Body;
 use super::call_error::CallError;
-use super::episode::Episode;
 use crate::blueprint::Attributes;
 use crate::frames;
 use crate::physics::OrientedBox;
@@ -35,8 +33,13 @@ impl FrictionTrigger {
         BoundingBox { extent: Vector3D { x, y, z }, ..BoundingBox::default() }
     }
 
+    /// CARLA's `tire_friction`.
+    pub(super) fn friction(&self) -> f64 {
+        self.friction
+    }
+
     /// Where it is, upright.
-    fn outline(&self, transform: &Transform) -> OrientedBox {
+    pub(super) fn outline(&self, transform: &Transform) -> OrientedBox {
         let place = frames::place(transform);
         let (sin, cos) = sin_cos(place.yaw_rad);
         OrientedBox {
@@ -45,24 +48,6 @@ impl FrictionTrigger {
             along: DVec2::new(cos, sin),
             low_m: place.position.z - self.extent.z,
             high_m: place.position.z + self.extent.z,
-        }
-    }
-}
-
-impl Episode {
-    /// Vehicles that have come into a box, or have left it, grip otherwise. Of two boxes the newer one counts.
-    pub(super) fn feel_friction(&mut self) {
-        let boxes = self.actors.values().filter_map(|actor| match &actor.body {
-            Body::FrictionTrigger(trigger) => Some((trigger.outline(&actor.transform), trigger.friction)),
-            _ => None,
-        });
-        let boxes: Vec<_> = boxes.collect();
-        for actor in self.actors.values_mut() {
-            if let Body::Vehicle(vehicle) = &mut actor.body {
-                let outline = vehicle.body.outline();
-                let here = boxes.iter().rev().find(|(bounds, _)| outline.touches(bounds));
-                vehicle.body.set_friction_here(here.map(|(_, friction)| *friction));
-            }
         }
     }
 }

@@ -17,6 +17,7 @@ mod episode;
 mod error;
 mod friction;
 mod given_map;
+mod gripping;
 mod hanging;
 mod lamps;
 mod loaded_map;

@@ -10,7 +10,7 @@ use std::thread;
 use std::time::{Duration, Instant};
 
 /// How long a snapshot waits for what is measured of its frame.
-const PATIENCE: Duration = Duration::from_secs(1);
+const PATIENCE: Duration = Duration::from_millis(1500);
 /// How often it is looked at whether that is over.
 const LOOK: Duration = Duration::from_millis(100);
 
