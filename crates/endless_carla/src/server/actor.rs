@@ -1,6 +1,6 @@
 //! Actors of an episode.
 
-use super::friction_trigger::FrictionTrigger;
+use super::friction::FrictionTrigger;
 use super::spring_arm::SpringArm;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;

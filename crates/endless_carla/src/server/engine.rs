@@ -40,6 +40,7 @@ impl Engine {
             };
             match event {
                 Ok(RpcEvent::Call(caller, request)) if self.is_held(&request) => self.held.push((caller, request)),
+                Ok(RpcEvent::Call(caller, request)) if self.is_tick(&request) => self.tick(&caller, &request),
                 Ok(RpcEvent::Call(caller, request)) => self.answer(&caller, &request),
                 Ok(RpcEvent::Gone(client)) => self.forget(client),
                 Err(RecvTimeoutError::Timeout) => self.frame_of_the_clock(),
@@ -59,6 +60,17 @@ impl Engine {
 
     fn is_held(&self, request: &Request) -> bool {
         !self.world.settings.synchronous_mode && PACING.contains(&request.method.as_str())
+    }
+
+    fn is_tick(&self, request: &Request) -> bool {
+        self.world.settings.synchronous_mode && request.method == "tick_cue"
+    }
+
+    /// In synchronous mode a client is told at once which frame is made: it then waits for the snapshot of that.
+    fn tick(&mut self, caller: &Caller, request: &Request) {
+        let frame = self.world.episode.frame + 1;
+        caller.send(Answer::of(&frame).into_message(request.call_id));
+        self.world.tick(caller.id);
     }
 
     fn answer(&mut self, caller: &Caller, request: &Request) {

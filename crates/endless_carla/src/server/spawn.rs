@@ -3,7 +3,7 @@
 use super::actor::{Body, PropActor, SensorActor, ServerActor};
 use super::call_error::CallError;
 use super::episode::Episode;
-use super::friction_trigger::FrictionTrigger;
+use super::friction::FrictionTrigger;
 use super::sensor_model::sensor_model;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;

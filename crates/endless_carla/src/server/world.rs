@@ -7,6 +7,7 @@ use super::error::ServerError;
 use super::loaded_map::MapShelf;
 use super::recorder::Recordings;
 use super::sensing::Sensing;
+use super::timely_snapshot::TimelySnapshot;
 use crate::blueprint::BlueprintLibrary;
 use crate::rpc::ConnectionId;
 use crate::stream::{Delivery, StreamHub, Token};
@@ -28,6 +29,7 @@ pub(super) struct World {
     pub(super) drawn_boxes: DrawnBoxes,
     pub(super) recordings: Recordings,
     pub(super) hub: Arc<StreamHub>,
+    snapshots: TimelySnapshot,
     /// Their hosts, by port.
     pub(super) traffic_managers: BTreeMap<u16, String>,
     /// Who made time pass last in synchronous mode.
@@ -53,6 +55,7 @@ impl World {
             sensing: Sensing::new(),
             drawn_boxes: DrawnBoxes::default(),
             recordings: Recordings::new(None),
+            snapshots: TimelySnapshot::new(Arc::clone(&hub)),
             hub,
             traffic_managers: BTreeMap::new(),
             ticking: None,
@@ -92,10 +95,17 @@ impl World {
         self.record();
         let delivery = if self.settings.synchronous_mode { Delivery::Every } else { Delivery::Latest };
         let sees = !self.settings.no_rendering_mode;
-        self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
-        // After what was measured, so that a client whose tick has ended has it on its way.
+        // It goes after what was measured, so that a client whose tick has ended has it on its way.
         let message = self.episode.snapshot(self.begun.elapsed().as_secs_f64());
-        self.hub.publish(self.episode.stream(), message, delivery);
+        let stream = self.episode.stream();
+        if delivery == Delivery::Every {
+            self.snapshots.wait(stream, message);
+            self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
+            self.snapshots.go();
+        } else {
+            self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
+            self.hub.publish(stream, message, delivery);
+        }
     }
 
     /// Another episode begins, on this map or another.
