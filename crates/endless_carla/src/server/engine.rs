@@ -3,6 +3,7 @@
 use super::call::{Call, Method};
 use super::call_error::CallError;
 use super::methods;
+use super::timely_snapshot::TickAnswer;
 use super::world::World;
 use crate::rpc::{Answer, Caller, ConnectionId, Request, RpcEvent};
 use std::collections::BTreeMap;
@@ -66,11 +67,12 @@ impl Engine {
         self.world.settings.synchronous_mode && request.method == "tick_cue"
     }
 
-    /// In synchronous mode a client is told at once which frame is made: it then waits for the snapshot of that.
+    /// In synchronous mode an answer to a tick goes with the snapshot of its frame: a client that has the one and not the other
+    /// looks for it without a pause, on the processor that renders.
     fn tick(&mut self, caller: &Caller, request: &Request) {
         let frame = self.world.episode.frame + 1;
-        caller.send(Answer::of(&frame).into_message(request.call_id));
-        self.world.tick(caller.id);
+        let answer = Answer::of(&frame).into_message(request.call_id);
+        self.world.tick(caller.id, Some(TickAnswer { caller: caller.clone(), message: answer }));
     }
 
     fn answer(&mut self, caller: &Caller, request: &Request) {
@@ -119,7 +121,7 @@ impl Engine {
     fn frame_of_the_clock(&mut self) {
         let passed_s = self.last_frame.elapsed().as_secs_f64().min(LONGEST_STEP_S);
         self.last_frame = Instant::now();
-        self.world.advance(passed_s);
+        self.world.advance(passed_s, None);
         for (caller, request) in std::mem::take(&mut self.held) {
             self.answer(&caller, &request);
         }

@@ -2,8 +2,9 @@
 //!
 //! A snapshot is sent after all that was measured of its frame, so that a client whose tick has ended has its pictures on their
 //! way. The first picture of a place may take longer than clients wait for a tick (many scripts say two seconds): then the
-//! snapshot goes first.
+//! snapshot goes first, with the answer to the tick.
 
+use crate::rpc::Caller;
 use crate::stream::{Delivery, StreamHub};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
 use std::thread;
@@ -14,11 +15,19 @@ const PATIENCE: Duration = Duration::from_millis(1500);
 /// How often it is looked at whether that is over.
 const LOOK: Duration = Duration::from_millis(100);
 
+/// The answer to a tick.
+pub(super) struct TickAnswer {
+    pub(super) caller: Caller,
+    pub(super) message: Vec<u8>,
+}
+
 /// A snapshot that is due at a time, if it was not sent before.
 struct Due {
     at: Instant,
     stream: u32,
     message: Vec<u8>,
+    /// It goes right after.
+    answer: Option<TickAnswer>,
 }
 
 /// Where a snapshot waits.
@@ -40,8 +49,8 @@ impl TimelySnapshot {
     }
 
     /// A snapshot begins to wait.
-    pub(super) fn wait(&self, stream: u32, message: Vec<u8>) {
-        *lock(&self.due) = Some(Due { at: Instant::now() + PATIENCE, stream, message });
+    pub(super) fn wait(&self, stream: u32, message: Vec<u8>, answer: Option<TickAnswer>) {
+        *lock(&self.due) = Some(Due { at: Instant::now() + PATIENCE, stream, message, answer });
     }
 
     /// All of its frame is on its way: it goes, if it has not gone.
@@ -67,7 +76,10 @@ fn lock(due: &Mutex<Option<Due>>) -> MutexGuard<'_, Option<Due>> {
 
 /// While it is sent nobody else may send one: they keep their order.
 fn send(due: &mut Option<Due>, hub: &StreamHub) {
-    if let Some(Due { stream, message, .. }) = due.take() {
+    if let Some(Due { stream, message, answer, .. }) = due.take() {
         hub.publish(stream, message, Delivery::Every);
+        if let Some(TickAnswer { caller, message }) = answer {
+            caller.send(message);
+        }
     }
 }

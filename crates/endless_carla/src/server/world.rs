@@ -7,7 +7,7 @@ use super::error::ServerError;
 use super::loaded_map::MapShelf;
 use super::recorder::Recordings;
 use super::sensing::Sensing;
-use super::timely_snapshot::TimelySnapshot;
+use super::timely_snapshot::{TickAnswer, TimelySnapshot};
 use crate::blueprint::BlueprintLibrary;
 use crate::rpc::ConnectionId;
 use crate::stream::{Delivery, StreamHub, Token};
@@ -78,17 +78,17 @@ impl World {
     }
 
     /// A client lets time pass; gives the new frame. In asynchronous mode it passes by itself.
-    pub(super) fn tick(&mut self, by: ConnectionId) -> u64 {
+    pub(super) fn tick(&mut self, by: ConnectionId, answer: Option<TickAnswer>) -> u64 {
         if self.settings.synchronous_mode {
             self.ticking = Some(by);
             self.hub.wait_for_expected();
-            self.advance(self.step_s());
+            self.advance(self.step_s(), answer);
         }
         self.episode.frame
     }
 
-    /// Time passes: as much as the settings say, else so much.
-    pub(super) fn advance(&mut self, passed_s: f64) {
+    /// Time passes: as much as the settings say, else so much. In synchronous mode an answer goes with the frame's snapshot.
+    pub(super) fn advance(&mut self, passed_s: f64, answer: Option<TickAnswer>) {
         let step_s = self.fixed_step_s().unwrap_or(passed_s);
         self.episode.step(step_s);
         self.replay(step_s);
@@ -99,7 +99,7 @@ impl World {
         let message = self.episode.snapshot(self.begun.elapsed().as_secs_f64());
         let stream = self.episode.stream();
         if delivery == Delivery::Every {
-            self.snapshots.wait(stream, message);
+            self.snapshots.wait(stream, message, answer);
             self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
             self.snapshots.go();
         } else {
