@@ -83,3 +83,46 @@ fn send(due: &mut Option<Due>, hub: &StreamHub) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stream::listen_for_sessions;
+    use std::io::{Read, Write};
+    use std::net::{TcpListener, TcpStream};
+
+    #[test]
+    fn snapshots_go_when_all_is_measured_and_in_time() {
+        let hub = Arc::new(StreamHub::default());
+        hub.open(7);
+        let listener = TcpListener::bind("127.0.0.1:0").expect("a port");
+        let mut client = TcpStream::connect(listener.local_addr().expect("a port")).expect("it listens");
+        let streams = Arc::clone(&hub);
+        thread::spawn(move || listen_for_sessions(&listener, &streams));
+        hub.expect(7);
+        client.write_all(&7u32.to_le_bytes()).expect("it reads");
+        hub.wait_for_expected();
+        let mut next = || {
+            let mut message = [0; 5];
+            client.read_exact(&mut message).expect("a message");
+            message[4]
+        };
+        let snapshots = TimelySnapshot::new(hub);
+        // Measured soon: at once, and once only.
+        let began = Instant::now();
+        snapshots.wait(7, vec![1]);
+        snapshots.go();
+        snapshots.go();
+        assert_eq!(next(), 1);
+        assert!(began.elapsed() < PATIENCE);
+        // Not measured in time: without it, and not again afterwards.
+        let began = Instant::now();
+        snapshots.wait(7, vec![2]);
+        assert_eq!(next(), 2);
+        assert!(began.elapsed() >= PATIENCE);
+        snapshots.go();
+        snapshots.wait(7, vec![3]);
+        snapshots.go();
+        assert_eq!(next(), 3);
+    }
+}
