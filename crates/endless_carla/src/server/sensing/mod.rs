@@ -9,6 +9,7 @@ mod lidar;
 mod obstacle;
 mod radar;
 mod scene;
+mod switched_lamps;
 mod town_light;
 
 use super::actor::{Body, CameraSettings, ObstacleSettings, SensorModel, ServerActor};
@@ -30,6 +31,7 @@ use rayon::prelude::*;
 use scene::ActorScene;
 use std::collections::BTreeMap;
 use std::sync::Arc;
+use switched_lamps::SwitchedLamps;
 use town_light::{Light, TownLight};
 
 /// The sensors of an episode, as far as something is kept of them from frame to frame.
@@ -39,6 +41,7 @@ pub(super) struct Sensing {
     /// By the stream of the first sensor that looks through each.
     cameras: BTreeMap<u32, CameraView>,
     light: TownLight,
+    lamps: SwitchedLamps,
 }
 
 /// A sensor that measures at this frame.
@@ -96,13 +99,17 @@ impl Sensing {
         }
         let frame = self.scene.at(episode, catalogue);
         let weather = scene_weather(&episode.weather, episode.seed);
-        let still = episode.map.scene.static_scene();
+        let map = Arc::clone(&episode.map);
+        if self.lamps.follow(&episode.lamps, map.scene.static_scene()) {
+            self.cameras.values_mut().for_each(CameraView::forget_light);
+            self.light = TownLight::default();
+        }
+        let still = self.lamps.scene(map.scene.static_scene());
         let (cameras, others): (Vec<_>, Vec<_>) = looking.into_iter().partition(|one| one.camera().is_some());
         let caster = RayCaster::new(still, &frame);
         let seed = episode.seed;
         let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather, seed))).collect();
         let light = Light { still, weather, seed, step_s: episode.delta_s };
-        let map = Arc::clone(&episode.map);
         let views: Vec<(CameraView, Option<LocalLight>, Vec<Measurement>)> = look_alike(cameras)
             .into_iter()
             .map(|alike| {
