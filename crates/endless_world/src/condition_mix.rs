@@ -84,16 +84,17 @@ pub(crate) fn mixed(from: &Condition<f32>, to: &Condition<f32>, share: f32) -> M
 }
 
 /// How far each group of quantities is on its way, 0 to 1.
-struct Groups {
-    sky: f32,
-    air: f32,
-    rain: f32,
-    wetness: f32,
-    puddles: f32,
+pub(crate) struct Groups {
+    pub(crate) sky: f32,
+    pub(crate) air: f32,
+    pub(crate) rain: f32,
+    pub(crate) wetness: f32,
+    pub(crate) puddles: f32,
 }
 
 impl Groups {
-    fn mix(&self, from: &Condition<f32>, to: &Condition<f32>) -> Condition<f32> {
+    /// Between two records.
+    pub(crate) fn mix(&self, from: &Condition<f32>, to: &Condition<f32>) -> Condition<f32> {
         let Self { sky, air, rain, wetness, puddles } = *self;
         // One sees by contrast, which falls exponentially.
         let by_ratio = |from: f32, to: f32| from * exp(air * ln(to / from));

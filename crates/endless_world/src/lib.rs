@@ -51,6 +51,7 @@ mod unknown_name;
 mod vehicle_choice;
 mod vehicle_spec;
 pub mod walking;
+mod weather_quantities;
 mod weather_timeline;
 
 pub use actor::{Actor, FootPlace, Footing, Gait, Motion, Pose, VehicleLights, VehicleMotion, WalkerMotion};
@@ -93,4 +94,5 @@ pub use track::{Track, TrackPlayback, TrackPoint, TrackSample};
 pub use unknown_name::UnknownName;
 pub use vehicle_choice::choose_vehicle;
 pub use vehicle_spec::{ParkedVehicle, TrailerSpec, VehicleSpec};
+pub use weather_quantities::WeatherQuantities;
 pub use weather_timeline::WeatherTimeline;

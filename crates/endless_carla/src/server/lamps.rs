@@ -10,8 +10,7 @@ use std::f32::consts::PI;
 /// CARLA's group of street lamps.
 const STREET: u8 = 2;
 
-/// Street lamps: on by night and off by day, but for those that clients have switched. Their state is kept and told; pictures
-/// have the light of all lamps by night, and of none by day.
+/// Street lamps: on by night and off by day, but for those that clients have switched. By day pictures have the light of none.
 pub(super) struct Lamps {
     /// As they are by themselves, by day.
     all: Vec<LightState>,
@@ -57,6 +56,22 @@ impl Lamps {
                 self.is_news = true;
             }
         }
+    }
+
+    /// What becomes of the light of those lamps that clients have set, by their places in the map's list, linear channels.
+    pub(super) fn factors(&self) -> BTreeMap<usize, [f32; 3]> {
+        let factor = |(id, now): (&u32, &LightState)| {
+            let place = (*id as usize).checked_sub(1)?;
+            let own = self.all.get(place)?;
+            let brighter = if now.active { now.intensity / own.intensity.max(1.0) } else { 0.0 };
+            let channel = |now: u8, own: u8| brighter * f32::from(now) / f32::from(own.max(1));
+            let (n, o) = (&now.color, &own.color);
+            let factors = [channel(n.r, o.r), channel(n.g, o.g), channel(n.b, o.b)];
+            // Brighter than this is no lamp.
+            Some((place, factors.map(|factor| factor.clamp(0.0, 1000.0))))
+        };
+        // Those that were only switched on shine by night as all do.
+        self.set.iter().filter_map(factor).filter(|(_, factors)| *factors != [1.0; 3]).collect()
     }
 
     /// Night begins or ends.
@@ -114,6 +129,16 @@ mod tests {
             told[0].clone(),
         ]);
         assert_eq!((active(&lamps), lamps.take_news()), (vec![true, false], true));
+        assert_eq!(lamps.factors(), [(1, [0.0; 3])].into());
+        let dim = LightState {
+            intensity: 0.5 * told[0].intensity,
+            color: Color { g: 102, ..told[0].color.clone() },
+            ..told[0].clone()
+        };
+        let mut others = Lamps::new(&Town { lamps: vec![lamp(1.0)], ..Town::default() });
+        assert!(others.factors().is_empty());
+        others.set(&[LightState { active: true, ..dim }]);
+        assert_eq!(others.factors(), [(0, [0.5, 0.25, 0.5])].into());
         assert_eq!(lamps.state(2), Some(LightState { active: false, ..told[1].clone() }));
         assert_eq!((lamps.take_changed().len(), lamps.take_changed().len()), (1, 0));
         lamps.set_night(false);

@@ -1,9 +1,8 @@
-//! CARLA's fourteen parameters of weather as our conditions.
+//! CARLA's fourteen parameters of weather as quantities of ours.
 
 use crate::wire::WeatherParameters;
-use endless_world::math::sin_cos;
-use endless_world::{SceneWeather, TimeOfDay, Weather};
-use glam::Vec3;
+use endless_world::math::pow;
+use endless_world::{SceneWeather, WeatherQuantities};
 
 /// CARLA's preset of this name: what episodes begin with.
 pub(super) const CLEAR_NOON: WeatherParameters = WeatherParameters {
@@ -23,54 +22,65 @@ pub(super) const CLEAR_NOON: WeatherParameters = WeatherParameters {
     dust_storm: 0.0,
 };
 
-/// Below this altitude of the sun it is night, degrees.
-const NIGHT_DEG: f32 = 0.0;
-/// Below this one it is low, degrees.
-const LOW_SUN_DEG: f32 = 30.0;
+/// Below this altitude of the sun it is night, degrees: lamps are on.
+const NIGHT_DEG: f32 = -2.5;
 
-/// The condition that is nearest, with the sun where CARLA has it.
+/// The weather that is drawn.
 pub(super) fn scene_weather(parameters: &WeatherParameters, seed: u64) -> SceneWeather {
-    let (weather, time) = condition(parameters);
-    let scene = SceneWeather::new(weather, time, seed);
-    if time == TimeOfDay::Night {
-        return scene;
-    }
-    // No sun so low that the records of the day no longer hold.
-    let altitude = parameters.sun_altitude_angle.clamp(4.0, 90.0).to_radians();
-    let (sin_altitude, cos_altitude) = sin_cos(altitude);
-    let (sin_azimuth, cos_azimuth) = sin_cos(parameters.sun_azimuth_angle.rem_euclid(360.0).to_radians());
-    // CARLA's y axis points south.
-    scene.with_sun(Vec3::new(cos_azimuth * cos_altitude, -sin_azimuth * cos_altitude, sin_altitude))
+    SceneWeather::of_quantities(&quantities(parameters), seed)
 }
 
-/// The weather and time of day that are nearest to CARLA's presets of these names.
-pub(super) fn condition(parameters: &WeatherParameters) -> (Weather, TimeOfDay) {
-    let WeatherParameters { cloudiness, precipitation, precipitation_deposits, fog_density, wetness, .. } = *parameters;
-    let weather = if precipitation >= 10.0 {
-        Weather::Rainy
-    } else if fog_density >= 25.0 {
-        Weather::Foggy
-    } else if precipitation_deposits >= 25.0 || wetness >= 25.0 {
-        Weather::AfterRain
-    } else if cloudiness >= 50.0 {
-        Weather::Cloudy
-    } else {
-        Weather::ClearSky
-    };
-    let altitude = parameters.sun_altitude_angle;
-    let time = if altitude < NIGHT_DEG {
-        TimeOfDay::Night
-    } else if altitude < LOW_SUN_DEG {
-        TimeOfDay::Morning
-    } else {
-        TimeOfDay::Afternoon
-    };
-    (weather, time)
+/// Whether street lamps are lit.
+pub(super) fn is_night(parameters: &WeatherParameters) -> bool {
+    parameters.sun_altitude_angle < NIGHT_DEG
+}
+
+/// CARLA's presets, and what `endless generate` asks of a server, come near to our conditions of these names.
+fn quantities(parameters: &WeatherParameters) -> WeatherQuantities {
+    // Of a hundred; what is no number is none.
+    let share = |value: f32| if value > 0.0 { 0.01 * value.min(100.0) } else { 0.0 };
+    let part = |value: f32, from: f32, to: f32| ((value - from) / (to - from)).clamp(0.0, 1.0);
+    let (clouds, deposits) = (share(parameters.cloudiness), share(parameters.precipitation_deposits));
+    // Rain at 60 is our moderate to heavy one.
+    let rain = part(share(parameters.precipitation), 0.0, 0.6);
+    // Deposits are water on the ground: they wet it, whatever CARLA's wetness of roads says, which is 0 in presets by day.
+    let wetness = part(share(parameters.wetness), 0.0, 0.8).max(part(deposits, 0.0, 0.8));
+    WeatherQuantities {
+        // CARLA's y axis points south.
+        sun_azimuth_rad: -parameters.sun_azimuth_angle.rem_euclid(360.0).to_radians(),
+        sun_altitude_rad: parameters.sun_altitude_angle.clamp(-90.0, 90.0).to_radians(),
+        // At 5 the sky is our clear one; wet streets lie under clouds that break up.
+        broken_clouds: (0.5 * part(clouds, 0.0, 0.05) + 0.5 * part(clouds, 0.05, 0.25)).max(part(wetness, 0.0, 0.75)),
+        overcast: part(clouds, 0.25, 0.6),
+        rain,
+        wetness,
+        puddles: (0.6 * deposits + 0.06 * rain).min(0.55),
+        fog_visibility_m: fog_visibility_m(parameters),
+        // At 1 it reaches as high as houses.
+        fog_height_m: 40.0 / parameters.fog_falloff.max(0.03),
+        dust: share(parameters.dust_storm),
+    }
+}
+
+/// How far one sees in the fog, metres.
+fn fog_visibility_m(parameters: &WeatherParameters) -> f32 {
+    /// Density of our fog, and how far one sees in it, metres.
+    const USUAL: [f32; 2] = [60.0, 155.0];
+    /// Of this density CARLA's presets are at night that are called clear or cloudy: thin, or far away.
+    const CLEAR_NIGHT: f32 = 60.0;
+    const THIN_FALLOFF: f32 = 0.2;
+    const FAR_M: f32 = 50.0;
+    let WeatherParameters { fog_density, fog_falloff, fog_distance, .. } = *parameters;
+    let is_preset = is_night(parameters) && (fog_falloff <= THIN_FALLOFF || fog_distance >= FAR_M);
+    let density = if is_preset { fog_density - CLEAR_NIGHT } else { fog_density };
+    if density > 0.0 { USUAL[1] * pow(USUAL[0] / density.min(100.0), 2.5) } else { f32::INFINITY }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use endless_world::{TimeOfDay, Weather};
+    use glam::Vec3;
 
     fn preset(cloudiness: f32, precipitation: f32, deposits: f32, fog: f32, altitude: f32) -> WeatherParameters {
         WeatherParameters {
@@ -86,12 +96,39 @@ mod tests {
     #[test]
     fn presets_are_the_conditions_of_their_names() {
         use TimeOfDay::{Afternoon, Morning, Night};
+        let named = |parameters: &WeatherParameters| {
+            let scene = scene_weather(parameters, 0);
+            (scene.weather, scene.time_of_day)
+        };
         // ClearNoon, CloudySunset, WetNoon, HardRainNight, and a fog.
-        assert_eq!(condition(&preset(5.0, 0.0, 0.0, 2.0, 45.0)), (Weather::ClearSky, Afternoon));
-        assert_eq!(condition(&preset(60.0, 0.0, 0.0, 3.0, 15.0)), (Weather::Cloudy, Morning));
-        assert_eq!(condition(&preset(5.0, 0.0, 50.0, 3.0, 45.0)), (Weather::AfterRain, Afternoon));
-        assert_eq!(condition(&preset(100.0, 100.0, 90.0, 100.0, -90.0)), (Weather::Rainy, Night));
-        assert_eq!(condition(&preset(50.0, 0.0, 0.0, 60.0, 40.0)), (Weather::Foggy, Afternoon));
+        assert_eq!(named(&preset(5.0, 0.0, 0.0, 2.0, 45.0)), (Weather::ClearSky, Afternoon));
+        assert_eq!(named(&preset(60.0, 0.0, 0.0, 3.0, 15.0)), (Weather::Cloudy, Morning));
+        assert_eq!(named(&preset(5.0, 0.0, 50.0, 3.0, 45.0)), (Weather::AfterRain, Afternoon));
+        assert_eq!(named(&preset(100.0, 100.0, 90.0, 100.0, -90.0)), (Weather::Rainy, Night));
+        assert_eq!(named(&preset(50.0, 0.0, 0.0, 60.0, 40.0)), (Weather::Foggy, Afternoon));
+        // ClearNight and CloudyNight are full of fog that nobody sees.
+        let clear = WeatherParameters { fog_distance: 75.0, fog_falloff: 1.0, ..preset(5.0, 0.0, 0.0, 60.0, -90.0) };
+        assert_eq!(named(&clear), (Weather::ClearSky, Night));
+        let cloudy = WeatherParameters { fog_distance: 0.75, fog_falloff: 0.1, ..preset(60.0, 0.0, 0.0, 60.0, -90.0) };
+        assert_eq!(named(&cloudy), (Weather::Cloudy, Night));
+        assert!(is_night(&cloudy) && !is_night(&preset(5.0, 0.0, 0.0, 0.0, -1.0)));
+    }
+
+    #[test]
+    fn more_of_it_is_more() {
+        let scene = |clouds, rain, deposits, fog| scene_weather(&preset(clouds, rain, deposits, fog, 45.0), 0);
+        let steps = [0.0f32, 10.0, 30.0, 50.0, 59.0];
+        for pair in steps.windows(2) {
+            let (less, more) = (pair[0], pair[1]);
+            let [a, b] = [less, more].map(|clouds| scene(clouds, 0.0, 0.0, 0.0));
+            assert!(a.overcast + a.cloud_cover + a.cloudiness < b.overcast + b.cloud_cover + b.cloudiness, "{more}");
+            let [a, b] = [less, more].map(|rain| scene(60.0, rain, 0.0, 0.0));
+            assert!(a.rain < b.rain && a.visibility_m > b.visibility_m);
+            let [a, b] = [less, more].map(|deposits| scene(5.0, 0.0, deposits, 0.0));
+            assert!(a.wetness < b.wetness && a.puddles < b.puddles);
+            let [a, b] = [less, more].map(|fog| scene(60.0, 0.0, 0.0, fog));
+            assert!(a.visibility_m > b.visibility_m);
+        }
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! Pictures.
 
 use crate::client::{Client, serve};
-use endless_carla::wire::{Actor, Location, MapInfo, Rotation, Transform, Wire};
+use endless_carla::wire::{Actor, LightState, Location, MapInfo, Rotation, Transform, WeatherParameters, Wire};
 use endless_world::math::sin_cos;
 
 /// A camera behind and above a car sees it, under its own number, in all kinds of pictures of one frame.
@@ -104,4 +104,33 @@ fn flow_and_events_tell_of_what_moves() {
     let column = |event: &[u8]| u16::from_le_bytes([event[0], event[1]]);
     let near = events.iter().filter(|event| (30..110).contains(&column(event))).count();
     assert!(near > events.len() / 2, "{near} of {} events", events.len());
+}
+
+/// A lamp that clients switch off lights nothing, and one that they switch on again lights what it did.
+#[test]
+fn lamps_light_pictures_as_they_are_switched() {
+    let mut client = Client::new(serve());
+    client.synchronous();
+    let night = WeatherParameters { sun_altitude_angle: -90.0, ..WeatherParameters::default() };
+    client.call("set_weather_parameters", &[night.to_value()]).expect("night");
+    let lamps: Vec<LightState> = client.get("query_lights_state", &["".into()]);
+    let Location { x, y, z } = lamps[0].location;
+    let rotation = Rotation { pitch: -89.0, yaw: 0.0, roll: 0.0 };
+    let below = Transform { location: Location { x, y, z: z - 1.0 }, rotation };
+    let camera = client.description("sensor.camera.rgb", &[("image_size_x", "64"), ("image_size_y", "36")]);
+    let camera = client.spawn(&camera, &below);
+    let mut stream = client.listen(&camera.stream_token);
+    let mut lit = |client: &mut Client, active: bool| {
+        let lamps: Vec<LightState> = lamps.iter().map(|lamp| LightState { active, ..lamp.clone() }).collect();
+        client.call("update_lights_state", &["".into(), lamps.to_value(), false.into()]).expect("set");
+        client.tick();
+        let frame = client.tick();
+        stream.of_frame(frame).payload[12..].to_vec()
+    };
+    let mean = |image: &[u8]| image.iter().map(|&value| f64::from(value)).sum::<f64>() / image.len() as f64;
+    let differ =
+        |a: &[u8], b: &[u8]| a.iter().zip(b).map(|(&a, &b)| f64::from(a.abs_diff(b))).sum::<f64>() / a.len() as f64;
+    let [on, off, again] = [true, false, true].map(|active| lit(&mut client, active));
+    assert!(differ(&on, &off) > 5.0, "{} {}", mean(&on), mean(&off));
+    assert!(differ(&on, &again) < 3.0, "{}", differ(&on, &again));
 }

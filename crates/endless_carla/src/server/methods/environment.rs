@@ -2,10 +2,9 @@
 
 use crate::rpc::Answer;
 use crate::server::call::{Call, CallResult, Method, nothing_to_do};
-use crate::server::weather::condition;
+use crate::server::weather::is_night;
 use crate::server::world::World;
 use crate::wire::{BoundingBox, EnvironmentObject, WeatherParameters};
-use endless_world::TimeOfDay;
 
 pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_weather_parameters", get_weather_parameters),
@@ -33,7 +32,7 @@ fn get_weather_parameters(world: &mut World, _: &Call<'_>) -> CallResult {
 
 fn set_weather_parameters(world: &mut World, call: &Call<'_>) -> CallResult {
     let weather: WeatherParameters = call.request.argument(0)?;
-    world.episode.lamps.set_night(condition(&weather).1 == TimeOfDay::Night);
+    world.episode.lamps.set_night(is_night(&weather));
     world.episode.weather = weather;
     Ok(Answer::Void)
 }

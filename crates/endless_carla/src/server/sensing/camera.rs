@@ -58,6 +58,13 @@ impl CameraView {
         !(stays || stands && matches!(self.way, Some(Way::Still(..))))
     }
 
+    /// The lamps of the town shine otherwise: what it kept of their light is no longer so.
+    pub(super) fn forget_light(&mut self) {
+        if matches!(self.way, Some(Way::Still(..))) {
+            self.way = None;
+        }
+    }
+
     /// What it sees.
     pub(super) fn render(
         &mut self,

@@ -4,6 +4,7 @@ use super::camera::{CameraView, Making};
 use super::events::Events;
 use super::image;
 use super::measurement::{Measured, Measurement};
+use super::switched_lamps::SwitchedLamps;
 use super::town_light::{Light, TownLight};
 use crate::blueprint::SensorKind;
 use crate::server::loaded_map::LoadedMap;
@@ -20,6 +21,7 @@ pub(super) struct Views {
     /// By the stream of the first sensor that looks through each.
     cameras: BTreeMap<u32, CameraView>,
     light: TownLight,
+    lamps: SwitchedLamps,
 }
 
 /// What is looked at, and by whom.
@@ -27,6 +29,8 @@ pub(super) struct Look {
     pub(super) frame: Arc<FrameScene>,
     pub(super) weather: SceneWeather,
     pub(super) map: Arc<LoadedMap>,
+    /// What becomes of the light of those lamps that clients have set, by their places in the map's list, linear channels.
+    pub(super) lamps: BTreeMap<usize, [f32; 3]>,
     pub(super) seed: u64,
     /// Since the look before, seconds.
     pub(super) step_s: f64,
@@ -39,8 +43,12 @@ type Messages = Vec<(u32, Vec<u8>)>;
 impl Views {
     /// Looks, and sends what is seen.
     pub(super) fn look(&mut self, look: Look, hub: &StreamHub, delivery: Delivery) {
-        let Look { frame, weather, map, seed, step_s, sensors } = look;
-        let still = map.scene.static_scene();
+        let Look { frame, weather, map, lamps, seed, step_s, sensors } = look;
+        if self.lamps.follow(lamps, map.scene.static_scene()) {
+            self.cameras.values_mut().for_each(CameraView::forget_light);
+            self.light = TownLight::default();
+        }
+        let still = self.lamps.scene(map.scene.static_scene());
         let (cameras, others): (Vec<_>, Vec<_>) = sensors.into_iter().partition(|one| one.camera().is_some());
         let caster = RayCaster::new(still, &frame);
         let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather))).collect();

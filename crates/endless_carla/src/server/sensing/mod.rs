@@ -12,6 +12,7 @@ mod measurement;
 mod obstacle;
 mod radar;
 mod scene;
+mod switched_lamps;
 mod town_light;
 
 use super::actor::{Body, SensorModel, ServerActor};
@@ -75,6 +76,7 @@ impl Sensing {
             frame: self.scene.at(episode, catalogue),
             weather: scene_weather(&episode.weather, episode.seed),
             map: Arc::clone(&episode.map),
+            lamps: episode.lamps.factors(),
             seed: episode.seed,
             step_s: std::mem::take(&mut self.passed_s),
             sensors: looking,
