@@ -13,7 +13,7 @@ use std::time::Duration;
 
 const FRAMES: u32 = 6;
 
-fn settings(address: SocketAddr) -> CarlaSettings {
+pub(crate) fn settings(address: SocketAddr) -> CarlaSettings {
     CarlaSettings {
         address: Address { host: address.ip().to_string(), port: address.port() },
         traffic_manager: None,

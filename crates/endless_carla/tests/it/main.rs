@@ -1,5 +1,6 @@
 //! A server and clients that speak its protocol byte by byte.
 
+mod agreement;
 mod cameras;
 mod client;
 mod dataset;
