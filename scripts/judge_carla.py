@@ -1,13 +1,15 @@
 """Lets CARLA's own client judge `endless serve`.
 
-    python scripts/judge_carla.py endless [--map Town03] [--frames 300] [--vehicles 30] [--size 320x180]
+    python scripts/judge_carla.py endless [--map Town03 | --towns all] [--frames 300] [--seconds 60] [--size 320x180]
 
 Needs the official client (`pip install carla==0.9.16 numpy`). Starts a server on a free port, drives vehicles by the client's
-traffic manager and people by its crowd, records two cameras in synchronous mode, and fails with a line that says what is
-wrong.
+traffic manager and people by its crowd, records two views in synchronous mode, and fails with a line that says what is wrong:
+frames, ids, classes, boxes that do not hold what is seen, vehicles that run a red light or leave the road, traffic that stands.
+With `--seconds` it lets time pass on after the last picture: in a minute the median vehicle drives 100 m.
 """
 
 import argparse
+import os
 import queue
 import random
 import socket
@@ -18,6 +20,10 @@ import time
 import carla
 import numpy as np
 
+from carla_projection import OUT_PX, out_of_box, projected, seen
+from carla_road_rules import RoadRules
+
+STEP_S = 0.05
 KINDS = ("rgb", "depth", "semantic_segmentation", "instance_segmentation")
 
 
@@ -64,7 +70,7 @@ def bgra(image):
 def synchronous(world):
     """Time passes in steps of a twentieth of a second, by ticks; gives the settings."""
     settings = world.get_settings()
-    settings.synchronous_mode, settings.fixed_delta_seconds = True, 0.05
+    settings.synchronous_mode, settings.fixed_delta_seconds = True, STEP_S
     world.apply_settings(settings)
     return settings
 
@@ -105,108 +111,153 @@ def spawn_walkers(client, world, count, rng):
     return walkers, controllers
 
 
+class Pictures:
+    """Two views, each by four cameras: from a pole, and from a vehicle."""
+
+    def __init__(self, world, ego, size):
+        corner = ego.get_transform()
+        above = corner.location + carla.Location(z=8)
+        views = {
+            "fixed": (carla.Transform(above, carla.Rotation(pitch=-25, yaw=corner.rotation.yaw)), None),
+            "carried": (carla.Transform(carla.Location(x=1.5, z=2.4)), ego),
+        }
+        self.views, self.queues, self.sensors = list(views), {}, []
+        for view, (transform, parent) in views.items():
+            for kind in KINDS:
+                blueprint = world.get_blueprint_library().find(f"sensor.camera.{kind}")
+                blueprint.set_attribute("image_size_x", size[0])
+                blueprint.set_attribute("image_size_y", size[1])
+                sensor = world.spawn_actor(blueprint, transform, attach_to=parent)
+                self.queues[view, kind] = queue.Queue()
+                sensor.listen(self.queues[view, kind].put)
+                self.sensors.append(sensor)
+        self.ego, self.shown, self.boxes, self.worst_px = ego.id, set(), 0, 0.0
+
+    def frame(self, frame):
+        images = {key: q.get(timeout=60) for key, q in self.queues.items()}
+        for key, image in images.items():
+            check(image.frame == frame, f"{key}: frame {image.frame} in place of {frame}")
+        return images
+
+    def judge(self, images, snapshot, actors, parked):
+        """Classes of all cameras, ids, and boxes of those that are seen."""
+        for view in self.views:
+            semantic, instance = (bgra(images[view, k]) for k in ("semantic_segmentation", "instance_segmentation"))
+            check((semantic[..., 2] == instance[..., 2]).all(), f"{view}: classes of two cameras differ")
+            moving = np.isin(instance[..., 2], (12, 13, 14, 15, 16, 18, 19))
+            ids = np.where(moving, instance[..., 1].astype(int) + 256 * instance[..., 0].astype(int), 0)
+            shown = set(np.unique(ids[moving]).tolist())
+            nobody = shown - actors.keys() - parked
+            check(not nobody, f"{view}: ids of nobody: {sorted(nobody)[:5]}")
+            self.shown |= shown & actors.keys()
+            # Who carries a camera is around it.
+            for actor in shown & actors.keys() - {self.ego if view == "carried" else 0}:
+                image = images[view, "instance_segmentation"]
+                box = projected(actors[actor].bounding_box, snapshot.find(actor).get_transform(), image)
+                out_px = out_of_box(seen(ids, actor), box) if box else float("inf")
+                what = f"{view}, frame {image.frame}: {actors[actor].type_id} {actor}"
+                check(out_px <= OUT_PX, f"{what} reaches {out_px:.1f} pixels out of its box")
+                self.boxes, self.worst_px = self.boxes + 1, max(self.worst_px, out_px)
+
+
+def save(images, folder):
+    os.makedirs(folder, exist_ok=True)
+    for (view, kind), image in images.items():
+        image.save_to_disk(os.path.join(folder, f"{view}_{kind}.png"))
+
+
+def judge_town(client, world, town, args):
+    """Everything on one town."""
+    rng = random.Random(1)
+    settings = synchronous(world)
+    manager = client.get_trafficmanager(free_port())
+    manager.set_synchronous_mode(True)
+    manager.set_random_device_seed(1)
+    world.set_pedestrians_seed(1)
+    vehicles = spawn_traffic(client, world, manager, args.vehicles, rng)
+    walkers, controllers = spawn_walkers(client, world, args.walkers, rng) if args.walkers else ([], [])
+    actors = {actor.id: actor for actor in world.get_actors(vehicles + walkers)}
+    parked = {thing.id for thing in world.get_environment_objects(carla.CityObjectLabel.Any)}
+    check(not actors.keys() & parked, "actors and parked vehicles share ids")
+    pictures = Pictures(world, actors[vehicles[0]], args.size.split("x"))
+    rules = RoadRules(world, vehicles, STEP_S)
+    last = {v: actors[v].get_location() for v in vehicles}
+    walked = {w: actors[w].get_location() for w in walkers}
+    driven = dict.fromkeys(vehicles, 0.0)
+    began = time.time()
+    frames = max(args.frames, round(args.seconds / STEP_S))
+    for number in range(frames):
+        frame = world.tick()
+        snapshot = world.get_snapshot()
+        check(snapshot.frame == frame, f"snapshot {snapshot.frame} in place of {frame}")
+        if number < args.frames:
+            images = pictures.frame(frame)
+            pictures.judge(images, snapshot, actors, parked)
+        elif number == args.frames:
+            for sensor in pictures.sensors:
+                sensor.stop()
+        rules.frame(number)
+        for v in vehicles:
+            here = snapshot.find(v).get_transform().location
+            driven[v] += here.distance(last[v])
+            last[v] = here
+    if args.out:
+        save(images, os.path.join(args.out, town))
+    median = sorted(driven.values())[len(driven) // 2] if driven else 0.0
+    gone = [actors[w].get_location().distance(walked[w]) for w in walkers]
+    print(
+        f"{town}: {args.frames} frames of {len(pictures.queues)} sensors, {frames * STEP_S:.0f} s in {time.time() - began:.1f} s; "
+        f"vehicles drove {median:.1f} m (median), {len(rules.stood)} stood at red, {len(rules.ran)} ran it, {len(rules.left)} off "
+        f"the road; {sum(m > 1 for m in gone)} of {len(walkers)} people walked; {len(pictures.shown)} actors in the pictures, "
+        f"{pictures.boxes} boxes, what is seen at most {pictures.worst_px:.1f} pixels out of them",
+        flush=True,
+    )
+    check(not rules.ran, f"{len(rules.ran)} vehicles ran a red light: {sorted(rules.ran)[:5]}")
+    check(not rules.left, f"{len(rules.left)} vehicles left the road: {sorted(rules.left)[:5]}")
+    least = 100.0 if args.seconds >= 60 else 0.08 * frames * STEP_S * 13
+    check(not vehicles or median > least, f"the median vehicle drove {median:.1f} m")
+    check(args.seconds < 60 or not rules.lights or rules.stood, "nobody stood at a red light")
+    check(not walkers or sum(m > 1 for m in gone) > 0.7 * len(walkers), "people do not walk")
+    for actor in [*pictures.sensors, *world.get_actors(controllers)]:
+        actor.stop()
+    ended = [sensor.id for sensor in pictures.sensors] + controllers + vehicles + walkers
+    # Not with a tick: the client would hold Python's lock while it waits, which its own threads need to let go of
+    # what listened.
+    answers = client.apply_batch_sync([carla.command.DestroyActor(x) for x in ended], False)
+    world.tick()
+    check(not [a.error for a in answers if a.error], "not all actors could be destroyed")
+    check(not world.get_actors().filter("vehicle.*"), "vehicles are left")
+    settings.synchronous_mode, settings.fixed_delta_seconds = False, None
+    # It looks at the world all the time, also while there is none.
+    manager.shut_down()
+    world.apply_settings(settings)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--map", default="Town03")
-    parser.add_argument("--frames", type=int, default=300)
+    parser.add_argument("--towns", help="these one after the other in place of --map: names with commas between, or 'all'")
+    parser.add_argument("--frames", type=int, default=300, help="frames with pictures")
+    parser.add_argument("--seconds", type=float, default=0.0, help="how long to drive, if longer than that")
     parser.add_argument("--vehicles", type=int, default=30)
     parser.add_argument("--walkers", type=int, default=20)
     parser.add_argument("--size", default="320x180")
     parser.add_argument("--out", help="folder for some of the pictures")
     args = parser.parse_args()
-    width, height = args.size.split("x")
-    rng = random.Random(1)
-    with Server(args.program, args.map) as server:
+    first = args.map if not args.towns or args.towns == "all" else args.towns.split(",")[0]
+    with Server(args.program, first) as server:
         client = carla.Client("127.0.0.1", server.port)
         client.set_timeout(60.0)
         check(client.get_server_version() == client.get_client_version(), "versions differ")
-        world = client.get_world()
-        settings = synchronous(world)
-        manager = client.get_trafficmanager(free_port())
-        manager.set_synchronous_mode(True)
-        manager.set_random_device_seed(1)
-        world.set_pedestrians_seed(1)
-        vehicles = spawn_traffic(client, world, manager, args.vehicles, rng)
-        walkers, controllers = spawn_walkers(client, world, args.walkers, rng) if args.walkers else ([], [])
-        queues, sensors = {}, []
-        ego = world.get_actor(vehicles[0])
-        corner = ego.get_transform()
-        views = {
-            "fixed": (carla.Transform(corner.location + carla.Location(z=8), carla.Rotation(pitch=-25, yaw=corner.rotation.yaw)), None),
-            "carried": (carla.Transform(carla.Location(x=1.5, z=2.4)), ego),
-        }
-        for view, (transform, parent) in views.items():
-            for kind in KINDS:
-                blueprint = world.get_blueprint_library().find(f"sensor.camera.{kind}")
-                blueprint.set_attribute("image_size_x", width)
-                blueprint.set_attribute("image_size_y", height)
-                sensor = world.spawn_actor(blueprint, transform, attach_to=parent)
-                queues[view, kind] = queue.Queue()
-                sensor.listen(queues[view, kind].put)
-                sensors.append(sensor)
-        begin = {v.id: v.get_location() for v in world.get_actors(vehicles)}
-        walked = {w.id: w.get_location() for w in world.get_actors(walkers)}
-        driven = dict.fromkeys(vehicles, 0.0)
-        ids_seen, ran_red, off_road = set(), 0, 0
-        known = set(vehicles) | set(walkers)
-        parked = {thing.id for thing in world.get_environment_objects(carla.CityObjectLabel.Any)}
-        check(not known & parked, "actors and parked vehicles share ids")
-        began = time.time()
-        for _ in range(args.frames):
-            frame = world.tick()
-            snapshot = world.get_snapshot()
-            check(snapshot.frame == frame, f"snapshot {snapshot.frame} in place of {frame}")
-            images = {key: q.get(timeout=60) for key, q in queues.items()}
-            for key, image in images.items():
-                check(image.frame == frame, f"{key}: frame {image.frame} in place of {frame}")
-            for view in views:
-                semantic, instance = (bgra(images[view, k]) for k in ("semantic_segmentation", "instance_segmentation"))
-                check((semantic[..., 2] == instance[..., 2]).all(), f"{view}: classes of two cameras differ")
-                moving = np.isin(instance[..., 2], (12, 13, 14, 15, 16, 18, 19))
-                ids = instance[..., 1].astype(int) + 256 * instance[..., 0].astype(int)
-                shown = set(np.unique(ids[moving]).tolist())
-                check(shown <= known | parked, f"{view}: ids of nobody: {sorted(shown - known - parked)[:5]}")
-                ids_seen |= shown & known
-            for id in vehicles:
-                here = snapshot.find(id).get_transform().location
-                driven[id] += here.distance(begin[id])
-                begin[id] = here
-        seconds = time.time() - began
-        waypoints = world.get_map()
-        for actor in world.get_actors(vehicles):
-            place = waypoints.get_waypoint(actor.get_location(), lane_type=carla.LaneType.Any)
-            at = waypoints.get_waypoint(actor.get_location())
-            off_road += at.transform.location.distance(actor.get_location()) > 0.5 * at.lane_width + 1.0
-        if args.out:
-            import os
-            os.makedirs(args.out, exist_ok=True)
-            for (view, kind), image in images.items():
-                image.save_to_disk(os.path.join(args.out, f"{view}_{kind}.png"))
-        median = sorted(driven.values())[len(driven) // 2] if driven else 0.0
-        moved = [w.get_location().distance(walked[w.id]) for w in world.get_actors(walkers)]
-        print(
-            f"{args.map}: {args.frames} frames of {len(queues)} sensors in {seconds:.1f} s; vehicles drove {median:.1f} m "
-            f"(median), {off_road} off the road; {sum(m > 1 for m in moved)} of {len(walkers)} people walked; "
-            f"{len(ids_seen)} actors in the pictures"
-        )
-        check(off_road == 0, f"{off_road} vehicles are off the road")
-        check(not vehicles or median > 0.08 * args.frames * 0.05 * 13, f"the median vehicle drove {median:.1f} m")
-        check(not walkers or sum(m > 1 for m in moved) > 0.7 * len(walkers), "people do not walk")
-        for actor in [*sensors, *world.get_actors(controllers)]:
-            actor.stop()
-        gone = [sensor.id for sensor in sensors] + controllers + vehicles + walkers
-        # Not with a tick: the client would hold Python's lock while it waits, which its own threads need to let go of
-        # what listened.
-        answers = client.apply_batch_sync([carla.command.DestroyActor(x) for x in gone], False)
-        world.tick()
-        check(not [a.error for a in answers if a.error], "not all actors could be destroyed")
-        check(not world.get_actors().filter("vehicle.*"), "vehicles are left")
-        settings.synchronous_mode, settings.fixed_delta_seconds = False, None
-        # It looks at the world all the time, also while there is none.
-        manager.shut_down()
-        world.apply_settings(settings)
-        check(client.load_world(client.get_available_maps()[0].rsplit("/", 1)[-1]).get_map() is not None, "no other map")
+        maps = [name.rsplit("/", 1)[-1] for name in client.get_available_maps()]
+        towns = maps if args.towns == "all" else args.towns.split(",") if args.towns else [args.map]
+        for town in towns:
+            world = client.get_world()
+            if world.get_map().name.rsplit("/", 1)[-1] != town:
+                world = client.load_world(town)
+            judge_town(client, world, town, args)
+        check(client.load_world(maps[0]).get_map() is not None, "no other map")
     print("all held")
 
 

@@ -4,6 +4,7 @@ use crate::image_shape::{ImageArea, ImageLine, image_point, world_point};
 use crate::lens_projection::{FrustumPlane, LensProjection, between};
 use crate::other_lens::OtherLens;
 use crate::polygon::cut;
+use crate::way_inside::WayInside;
 use glam::{DVec2, DVec3};
 
 impl LensProjection {
@@ -50,7 +51,8 @@ impl LensProjection {
             [true, false] => parts.push([a, self.border(a, b)]),
             [false, true] => parts.push([self.border(b, a), b]),
             [false, false] => {
-                let Some(share) = share_inside([self.image(a), self.image(b)], self.size) else { return };
+                let inside = WayInside::ALL.in_picture([self.image(a), self.image(b)], self.size);
+                let Some(share) = inside.middle() else { return };
                 let middle = between(a, b, share);
                 if self.shows(self.image(middle)) {
                     parts.push([self.border(middle, a), self.border(middle, b)]);
@@ -139,24 +141,6 @@ fn clipped([a, b]: [DVec3; 2], planes: &[FrustumPlane]) -> Option<[DVec3; 2]> {
     }
     let at = |share: f64, end: DVec3, whole: f64| if share == whole { end } else { a.lerp(b, share) };
     (from < to).then(|| [at(from, a, 0.0), at(to, b, 1.0)])
-}
-
-/// A share of the way from one point to another that lies in a picture of this size (Liang and Barsky 1984).
-fn share_inside([a, b]: [DVec2; 2], size: DVec2) -> Option<f64> {
-    let way = b - a;
-    let (mut from, mut to) = (0.0f64, 1.0f64);
-    for (start, step, end) in [(a.x, way.x, size.x), (a.y, way.y, size.y)] {
-        if step == 0.0 {
-            if !(0.0..=end).contains(&start) {
-                return None;
-            }
-            continue;
-        }
-        let [near, far] = [-start / step, (end - start) / step];
-        from = from.max(near.min(far));
-        to = to.min(near.max(far));
-    }
-    (from < to).then_some((from + to) / 2.0)
 }
 
 fn area_px(outline: &[[f64; 2]]) -> f64 {

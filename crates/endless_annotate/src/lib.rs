@@ -61,6 +61,7 @@ pub use events::{
 pub use frame::{AnnotateError, FrameObjects, annotate};
 pub use happenings::{Happenings, SceneObserver};
 mod scene_frame;
+mod way_inside;
 
 pub use camera_map::{
     BodyView, CameraMap, CrosswalkView, LaneView, LensView, PaintView, SidewalkView, SignView, SignalView,

@@ -4,6 +4,7 @@
 use crate::image_shape::{ImageLine, image_point, world_point};
 use crate::lens_projection::{LensProjection, MOST_DEVIATION_PX, distance_to_segment};
 use crate::polygon::cut;
+use crate::way_inside::WayInside;
 use endless_world::{Fisheye, Lens, math::f64 as math};
 use glam::{DVec2, DVec3};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -111,8 +112,41 @@ impl OtherLens<'_> {
             (Some(from), Some(to)) => push((a, from), (b, to)),
             (Some(from), None) => push((a, from), self.border(a, b)),
             (None, Some(to)) => push(self.border(b, a), (b, to)),
-            (None, None) => {}
+            (None, None) => {
+                if let Some(between) = self.seen_between([a, b]) {
+                    self.add_piece([a, between], parts);
+                    self.add_piece([between, b], parts);
+                }
+            }
         }
+    }
+
+    /// A point that is shown of a short piece whose ends are not: some lead through a corner of the picture, or just touch the
+    /// image circle.
+    fn seen_between(&self, ends: [DVec3; 2]) -> Option<DVec3> {
+        let [a, b] = ends;
+        if self.crosses_seam(a, b) {
+            return None;
+        }
+        let places = ends.map(|p| self.anywhere(p, 0.0));
+        let inside = WayInside::ALL.in_picture(places, self.lens.size);
+        let inside = match self.other {
+            Lens::Fisheye(fisheye) => {
+                let middle = self.lens.pixel(DVec2::ZERO);
+                inside.in_circle(
+                    places,
+                    middle,
+                    (self.lens.pixel(DVec2::X) - middle).x * f64::from(fisheye.max_radius()),
+                )
+            }
+            Lens::Orthographic => inside.between([a.z, b.z], [NEAR_M, self.far_m]),
+            Lens::Perspective(_) | Lens::Equirectangular => inside,
+        };
+        let share = inside.middle()?;
+        // A way's halves in the picture are seen under the same angle; its nearer end takes up more of it.
+        let far = if self.other.is_central() { a.length() / b.length() } else { 1.0 };
+        let between = a.lerp(b, share * far / (share * far + 1.0 - share));
+        self.seen(between).map(|_| between)
     }
 
     /// Where the way from a point that is shown to one that is not leaves the picture.
@@ -132,13 +166,36 @@ impl OtherLens<'_> {
     fn samples(&self, ends: [DVec3; 2]) -> Vec<DVec3> {
         let mut points = vec![ends[0]];
         if self.other.is_central() {
-            add_samples(ends, MOST_HALVINGS, &mut points);
+            self.add_samples(ends, MOST_HALVINGS, &mut points);
         } else {
             // Straight lines stay straight; where they leave the picture must be found.
             points.extend((1..64).map(|i| ends[0].lerp(ends[1], f64::from(i) / 64.0)));
             points.push(ends[1]);
         }
         points
+    }
+
+    /// Halves a segment, as the lens sees it, until its ends are near to each other and the picture shows it almost straight:
+    /// near its poles an equirectangular lens bends much.
+    fn add_samples(&self, ends: [DVec3; 2], halvings: u32, points: &mut Vec<DVec3>) {
+        let [a, b] = ends;
+        // The bisector of an angle divides the opposite side as the other two.
+        let middle = a.lerp(b, a.length() / (a.length() + b.length()));
+        let is_long = || math::atan2(a.cross(b).length(), a.dot(b)) > STEP_RAD;
+        if halvings > 0 && (is_long() || self.is_bent(a, middle, b)) {
+            self.add_samples([a, middle], halvings - 1, points);
+            self.add_samples([middle, b], halvings - 1, points);
+        } else {
+            points.push(b);
+        }
+    }
+
+    fn is_bent(&self, a: DVec3, middle: DVec3, b: DVec3) -> bool {
+        if *self.other != Lens::Equirectangular || self.crosses_seam(a, b) {
+            return false;
+        }
+        let [from, between, to] = [a, middle, b].map(|p| self.anywhere(p, 0.0));
+        distance_to_segment(between, from, to) > MOST_DEVIATION_PX
     }
 
     /// The outlines of the parts of a flat area that the picture shows: two where it lies across the seam.
@@ -239,18 +296,6 @@ fn radius(fisheye: &Fisheye, angle: f64) -> f64 {
     let within = angle.min(most);
     let a2 = within * within;
     within * (1.0 + a2 * (k1 + a2 * (k2 + a2 * (k3 + a2 * k4)))) + (angle - within)
-}
-
-/// Halves a segment, as the lens sees it, until its ends are near to each other.
-fn add_samples([a, b]: [DVec3; 2], halvings: u32, points: &mut Vec<DVec3>) {
-    if halvings > 0 && math::atan2(a.cross(b).length(), a.dot(b)) > STEP_RAD {
-        // The bisector of an angle divides the opposite side as the other two.
-        let middle = a.lerp(b, a.length() / (a.length() + b.length()));
-        add_samples([a, middle], halvings - 1, points);
-        add_samples([middle, b], halvings - 1, points);
-    } else {
-        points.push(b);
-    }
 }
 
 /// Without the points that lie on straight lines between others.

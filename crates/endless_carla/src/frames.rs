@@ -34,10 +34,15 @@ pub(crate) fn pose(transform: &Transform) -> Pose {
 pub(crate) fn transform(pose: &Pose) -> Transform {
     let rotation = Rotation {
         pitch: pose.pitch_rad.to_degrees(),
-        yaw: -pose.yaw_rad.to_degrees(),
+        yaw: above_minus_180(-pose.yaw_rad.to_degrees()),
         roll: pose.roll_rad.to_degrees(),
     };
     Transform { location: to_carla(pose.position), rotation }
+}
+
+/// A yaw, degrees: to the west it is 180, never -180.
+fn above_minus_180(yaw: f32) -> f32 {
+    if yaw > -180.0 { yaw } else { 180.0 }
 }
 
 /// An actor's place.
@@ -55,8 +60,8 @@ pub(crate) fn place(transform: &Transform) -> Place {
 /// The transform of a place.
 pub(crate) fn transform_of(place: &Place) -> Transform {
     let degrees = |radians: f64| radians.to_degrees() as f32;
-    let rotation =
-        Rotation { pitch: degrees(place.pitch_rad), yaw: -degrees(place.yaw_rad), roll: degrees(place.roll_rad) };
+    let yaw = above_minus_180(-degrees(place.yaw_rad));
+    let rotation = Rotation { pitch: degrees(place.pitch_rad), yaw, roll: degrees(place.roll_rad) };
     Transform { location: to_carla(place.position.as_vec3()), rotation }
 }
 
@@ -121,8 +126,11 @@ pub(crate) fn rotation(turn: DQuat) -> Rotation {
 
 /// A pose that looks along a heading, nose up by a grade (rise over run).
 pub(crate) fn heading(place: DVec3, heading_rad: f64, grade: f64) -> Transform {
-    let rotation =
-        Rotation { pitch: atan2(grade, 1.0).to_degrees() as f32, yaw: yaw_deg(heading_rad) as f32, roll: 0.0 };
+    let rotation = Rotation {
+        pitch: atan2(grade, 1.0).to_degrees() as f32,
+        yaw: above_minus_180(yaw_deg(heading_rad) as f32),
+        roll: 0.0,
+    };
     Transform { location: to_carla(place.as_vec3()), rotation }
 }
 

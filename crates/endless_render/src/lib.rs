@@ -89,7 +89,7 @@ pub use cache::{BakeStats, CameraBake, CoveredCentres, NeighbourFrame, Neighbour
 pub use indirect::IndirectHits;
 pub use light::{BeamKind, VehicleBeam};
 pub use material::occupants;
-pub use moving_camera::{IndirectLight, LocalLight, MovingCamera, RoamingCamera, RoamingLight};
+pub use moving_camera::{IndirectLight, LocalLight, MovingCamera, RoamingCamera, RoamingLight, render_labels};
 pub use ray_caster::{RayCaster, RayHit};
 pub use scene::{
     DeformableMesh, Deformation, Footprint, FrameDescription, FrameScene, Geometry, Instance, MovingObject,

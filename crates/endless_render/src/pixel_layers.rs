@@ -51,13 +51,24 @@ impl PixelLayers {
         point: &SurfaceInteraction<'_>,
         bsdf: impl FnOnce() -> Bsdf,
     ) -> Self {
+        let albedo = if wanted.albedo { encoded_albedo(&bsdf()) } else { [0; 3] };
+        Self { albedo, ..Self::without_albedo(wanted, camera, ray, point) }
+    }
+
+    /// The same where nobody wants to know the albedo.
+    pub(crate) fn without_albedo(
+        wanted: SensorLayers,
+        camera: &PinholeCamera,
+        ray: &Ray,
+        point: &SurfaceInteraction<'_>,
+    ) -> Self {
         Self {
             seen: SeenPixel {
                 depth: measured_depth(camera, ray, point.distance),
                 instance: InstancePixel { tag: point.tag(), id: point.instance.id },
             },
             normal: if wanted.normals { encoded_normal(camera, point.geometric_normal) } else { [0; 3] },
-            albedo: if wanted.albedo { encoded_albedo(&bsdf()) } else { [0; 3] },
+            albedo: [0; 3],
             shadow: 0,
             body_part: if wanted.body_parts { body_part(point) } else { 0 },
         }

@@ -1,6 +1,7 @@
 use super::*;
 use endless_world::{CameraSite, Distortion, ImageSize, Lens, LensModel, Mount, PinholeCamera};
 use proptest::prelude::*;
+use std::f32::consts::FRAC_PI_2;
 
 const SIZE: ImageSize = ImageSize { width: 640, height: 360 };
 const FAR_M: f64 = 100.0;
@@ -39,7 +40,7 @@ fn shown(camera: &PinholeCamera, point: DVec3) -> Option<DVec2> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(2000))]
 
     #[test]
     fn other_lenses_show_lines_where_their_points_are(
@@ -52,7 +53,11 @@ proptest! {
             for (world, image) in line.world.iter().zip(&line.image) {
                 let (at, _) = camera.project(DVec3::from(*world).as_vec3()).expect("it is shown");
                 let image = DVec2::from(*image).as_vec2();
-                prop_assert!(camera.way_in_image(at, image).length() < 0.1, "{at} {image}");
+                let way = camera.way_in_image(at, image);
+                // In the last row before a pole single precision does not tell which way that is.
+                let in_pole = camera.lens == Lens::Equirectangular && (camera.intrinsics.fy * FRAC_PI_2 - (at.y - camera.intrinsics.cy).abs()) < 1.0;
+                let apart = if in_pole { way.y.abs() } else { way.length() };
+                prop_assert!(apart < 0.1, "{at} {image}");
                 prop_assert!(lens.shows(image.as_dvec2()));
             }
             // A line never jumps across the picture.

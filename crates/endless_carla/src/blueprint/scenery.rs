@@ -34,7 +34,7 @@ fn plain(id: &str, kind: BlueprintKind, tags: Vec<ClassTag>) -> Blueprint {
     Blueprint::new(id, vec![role_name(&["default"])], kind, BoundingBox::default(), tags)
 }
 
-/// A box on whose ground wheels slip; its extents are in the attributes, of which CARLA does not tell the unit.
+/// A box in which tyres grip otherwise; its extents, centimetres, are in the attributes.
 fn friction() -> Blueprint {
     let mut attributes: Vec<ActorAttribute> = vec![role_name(&["default"])];
     attributes.extend(floats(&["friction"], "3.5"));

@@ -2,7 +2,7 @@
 
 use super::curve::Curve;
 use super::sane::{within, within_f32};
-use super::tyre::friction_coefficient;
+use super::tyre::{USUAL_LONG_STIFFNESS, friction_coefficient};
 use super::{GRAVITY_MPS2, VehicleShape};
 use crate::wire::{VehiclePhysicsControl, WheelPhysicsControl};
 use endless_world::math::f64::{atan, atan2};
@@ -34,6 +34,10 @@ pub(super) struct Axle {
     pub(super) tire_friction: f64,
     /// CARLA's `lat_stiff_value`.
     pub(super) stiffness: f64,
+    /// CARLA's `long_stiff_value`.
+    pub(super) long_stiffness: f64,
+    /// How many wheels it has.
+    pub(super) wheels: f64,
     /// Load as a share of that at rest, above which it becomes no stiffer.
     pub(super) max_load: f64,
     /// Newtons at the ground.
@@ -137,6 +141,10 @@ impl Parameters {
                 friction: rear * friction_coefficient(tire_friction),
                 tire_friction,
                 stiffness: rear * rear * mean(&wheels, |wheel| within_f32(wheel.lat_stiff_value, 0.0, 1000.0, 17.0)),
+                long_stiffness: mean(&wheels, |wheel| {
+                    within_f32(wheel.long_stiff_value, 0.0, 1e6, USUAL_LONG_STIFFNESS)
+                }),
+                wheels: wheels.len().max(1) as f64,
                 max_load: mean(&wheels, |wheel| within_f32(wheel.lat_stiff_max_load, 0.1, 100.0, 2.0)),
                 brake_n: newtons(|wheel| wheel.max_brake_torque),
                 hand_brake_n: newtons(|wheel| wheel.max_handbrake_torque),

@@ -44,6 +44,8 @@ pub struct VehicleBody {
     pub(super) grounded: bool,
     /// Just put somewhere: it may be let down.
     pub(super) fresh: bool,
+    /// In the first step after that it stays tilted as it was put.
+    pub(super) keeps_tilt: bool,
 
     pub(super) input: Input,
     pub(super) axles: [AxleState; 2],
@@ -84,6 +86,7 @@ impl VehicleBody {
             rolled_m: 0.0,
             grounded: false,
             fresh: true,
+            keeps_tilt: false,
             input: Input::default(),
             axles: [AxleState::default(); 2],
             felt: DVec2::ZERO,
@@ -122,6 +125,7 @@ impl VehicleBody {
 
     pub(super) fn end(&mut self, dt_s: f64) {
         if dt_s > 0.0 {
+            self.keeps_tilt = false;
             self.acceleration = (self.velocity() - self.began) / dt_s;
             (self.force_n, self.torque_nm) = (DVec3::ZERO, DVec3::ZERO);
         }
@@ -133,7 +137,8 @@ impl VehicleBody {
         Place { position: self.position, yaw_rad: self.yaw_rad, pitch_rad: angles.x, roll_rad: angles.y }
     }
 
-    /// Puts it somewhere; it keeps its velocity. Within a metre of the ground it is let down at once. The wheels roll
+    /// Puts it somewhere; it keeps its velocity. Within a metre of the ground it is let down at once,
+    /// nearly as tilted as that as it is put. The wheels roll
     /// along if it is not simulated and did not go far.
     pub fn put(&mut self, place: Place) {
         let place = place.sane();
@@ -148,6 +153,7 @@ impl VehicleBody {
         self.tilt_rates = DVec2::ZERO;
         self.grounded = false;
         self.fresh = true;
+        self.keeps_tilt = false;
         self.footing = None;
     }
 

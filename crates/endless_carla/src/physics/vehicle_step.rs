@@ -4,6 +4,7 @@ use super::bicycle::{self, AxleForces};
 use super::drive_train::Drive;
 use super::footing::Footing;
 use super::sane::{vector, within};
+use super::tyre::passed_on;
 use super::vehicle_body::direction;
 use super::{GRAVITY_MPS2, Ground, VehicleBody};
 use endless_world::math::f64::{atan, exp};
@@ -13,6 +14,8 @@ use glam::{DVec2, DVec3};
 const STEERING_RATE: f64 = 3.0;
 /// Within this height over the ground a body that was put somewhere is let down at once, metres.
 const LET_DOWN_M: f64 = 1.0;
+/// A vehicle that was put on the ground keeps a tilt that differs less from the ground's for a step, radians.
+const NEARLY_TILTED_RAD: f64 = 0.035;
 /// How far wheels hang down before they leave the ground, metres.
 const DROOP_M: f64 = 0.08;
 /// How soon the body follows bumps, seconds.
@@ -36,7 +39,11 @@ impl VehicleBody {
             && (self.position.z - footing.height_m).abs() <= LET_DOWN_M
         {
             self.position.z = footing.height_m;
-            self.tilt = tilt(footing);
+            // What clients read of a pose that they have set on a road is that pose.
+            self.keeps_tilt = (tilt(footing) - self.tilt).length() < NEARLY_TILTED_RAD;
+            if !self.keeps_tilt {
+                self.tilt = tilt(footing);
+            }
             self.climb_mps = 0.0;
             self.grounded = true;
         }
@@ -118,10 +125,11 @@ impl VehicleBody {
             let load_n = (axle.weight * weight_n + loads[index]).clamp(0.0, weight_n);
             let share = load_n / weight_n.max(1e-9);
             let hand_n = if input.hand_brake { axle.hand_brake_n } else { 0.0 };
+            let pulling_n = drive.force_n * axle.driven;
             let rolling_n = p.rolling * load_n + if held { HELD * load_n } else { 0.0 };
             AxleForces {
                 load_n,
-                drive_n: drive.force_n * axle.driven,
+                drive_n: pulling_n * passed_on(pulling_n / axle.wheels, axle.long_stiffness),
                 resist_n: braking_n * share + hand_n + rolling_n + drive.drag_n * axle.driven,
                 locked: hand_n > axle.friction * load_n,
             }
@@ -160,7 +168,9 @@ impl VehicleBody {
                     let expected_m = self.position.z + rise * dt_s;
                     self.position.z = expected_m + (height_m - expected_m) * soon;
                     self.climb_mps = rise;
-                    self.tilt += (tilt(footing) - self.tilt) * soon;
+                    if !self.keeps_tilt {
+                        self.tilt += (tilt(footing) - self.tilt) * soon;
+                    }
                 } else if free_m < height_m {
                     (self.position.z, self.climb_mps) = (height_m, climb.max(rise));
                 } else {

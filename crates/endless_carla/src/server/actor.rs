@@ -1,5 +1,6 @@
 //! Actors of an episode.
 
+use super::friction::FrictionTrigger;
 use super::spring_arm::SpringArm;
 use super::vehicle_actor::VehicleActor;
 use super::walker_actor::WalkerActor;
@@ -38,6 +39,7 @@ pub(super) enum Body {
     Light(usize),
     /// By its number in the OpenDRIVE file.
     Sign(String),
+    FrictionTrigger(FrictionTrigger),
     Other,
 }
 
@@ -60,6 +62,10 @@ pub(super) struct SensorActor {
     pub(super) due_s: f64,
     /// When it measured last, seconds of the episode.
     pub(super) last_s: Option<f64>,
+    /// How often it has measured.
+    pub(super) count: u32,
+    /// Of its noise.
+    pub(super) seed: u64,
 }
 
 /// How a sensor measures.
@@ -75,6 +81,13 @@ pub(super) enum SensorModel {
     Obstacle(ObstacleSettings),
     /// It tells of what happens, not of every frame.
     Event,
+}
+
+impl SensorModel {
+    /// Whether it measures what rays meet.
+    pub(super) fn looks(&self) -> bool {
+        matches!(self, Self::Camera(_) | Self::Events(..) | Self::Lidar(_) | Self::Radar(_))
+    }
 }
 
 /// What a detector of obstacles sends ahead.
@@ -162,6 +175,8 @@ mod tests {
             tick_s: 0.2,
             due_s: 0.0,
             last_s: None,
+            count: 0,
+            seed: 0,
         };
         let mut measured = Vec::new();
         let mut now_s = 0.0;

@@ -2,7 +2,7 @@
 
 use super::actor::{Body, ServerActor};
 use super::lamps::Lamps;
-use super::loaded_map::LoadedMap;
+use super::loaded_map::{LoadedMap, NamedMap};
 use super::weather::CLEAR_NOON;
 use crate::blueprint::BlueprintLibrary;
 use crate::frames;
@@ -25,6 +25,8 @@ pub(super) struct Episode {
     /// Of the last step.
     pub(super) delta_s: f64,
     pub(super) map: Arc<LoadedMap>,
+    /// The name by which it was loaded.
+    pub(super) map_name: String,
     pub(super) weather: WeatherParameters,
     pub(super) actors: BTreeMap<u32, ServerActor>,
     pub(super) spectator: u32,
@@ -48,7 +50,8 @@ pub(super) struct Episode {
 
 impl Episode {
     /// The first one on a map, or the one after another.
-    pub(super) fn new(map: Arc<LoadedMap>, seed: u64, blueprints: &BlueprintLibrary, before: Option<&Self>) -> Self {
+    pub(super) fn new(map: NamedMap, seed: u64, blueprints: &BlueprintLibrary, before: Option<&Self>) -> Self {
+        let NamedMap { name: map_name, loaded: map } = map;
         // Clients that did not load the map hear of it through the stream of snapshots, which stays. All other numbers are never
         // used twice: what sensors of an ended episode send must not reach those of this one.
         let own_stream = before.map_or(1, |before| before.own_stream);
@@ -78,9 +81,15 @@ impl Episode {
             own_stream,
             is_new: true,
             map,
+            map_name,
         };
         episode.populate(blueprints);
         episode
+    }
+
+    /// Its map, for another episode.
+    pub(super) fn named_map(&self) -> NamedMap {
+        NamedMap { name: self.map_name.clone(), loaded: Arc::clone(&self.map) }
     }
 
     /// The number of the stream of snapshots.
@@ -184,6 +193,7 @@ impl Episode {
         self.elapsed_s += step_s;
         self.delta_s = step_s;
         self.lights.tick(step_s);
+        self.feel_friction();
         self.move_bodies(step_s);
         self.turn_arms(step_s);
         self.carry_attached();

@@ -30,6 +30,14 @@ pub(super) struct LoadedMap {
     objects: OnceLock<Vec<EnvironmentObject>>,
 }
 
+/// A map as a client has asked for it: CARLA's `Town03_Opt` is `Town03` in layers, and keeps its name.
+#[derive(Clone)]
+pub(super) struct NamedMap {
+    /// Without a path.
+    pub(super) name: String,
+    pub(super) loaded: Arc<LoadedMap>,
+}
+
 impl LoadedMap {
     /// What stands in it and can be told apart.
     pub(super) fn objects(&self, catalogue: &Catalogue) -> &[EnvironmentObject] {
@@ -98,6 +106,8 @@ enum GivenMap {
     Loaded(Arc<LoadedMap>),
 }
 
+/// What CARLA writes after the names of maps in layers.
+const LAYERED: &str = "_Opt";
 /// As many maps are kept for those who come back to them.
 const KEPT: usize = 2;
 
@@ -113,8 +123,13 @@ impl MapShelf {
     }
 
     /// A map by any way in which clients write its name.
-    pub(super) fn load(&mut self, name: &str) -> Result<Arc<LoadedMap>, ServerError> {
-        let name = own_name(name);
+    pub(super) fn load(&mut self, name: &str) -> Result<NamedMap, ServerError> {
+        let name = name.rsplit('/').next().unwrap_or(name);
+        let loaded = self.load_own(name.strip_suffix(LAYERED).unwrap_or(name))?;
+        Ok(NamedMap { name: name.to_owned(), loaded })
+    }
+
+    fn load_own(&mut self, name: &str) -> Result<Arc<LoadedMap>, ServerError> {
         if let Some(given) = self.given.take_if(|_| name == given_map::NAME) {
             let map = self.load_given(given)?;
             self.given = Some(GivenMap::Loaded(Arc::clone(&map)));
@@ -168,10 +183,4 @@ impl MapShelf {
     pub(super) fn catalogue(&self) -> &Catalogue {
         self.maps.catalogue()
     }
-}
-
-/// The last part of a path, without CARLA's word for maps in layers.
-fn own_name(name: &str) -> &str {
-    let last = name.rsplit('/').next().unwrap_or(name);
-    last.strip_suffix("_Opt").unwrap_or(last)
 }

@@ -11,10 +11,13 @@
 mod actor;
 mod call;
 mod call_error;
+mod drawn_boxes;
 mod engine;
 mod episode;
 mod error;
+mod friction;
 mod given_map;
+mod gripping;
 mod hanging;
 mod lamps;
 mod loaded_map;
@@ -28,6 +31,7 @@ mod sensor_model;
 mod signals;
 mod spawn;
 mod spring_arm;
+mod timely_snapshot;
 mod vehicle_actor;
 mod version;
 mod walker_actor;
@@ -76,7 +80,7 @@ pub struct Server {
 }
 
 impl Server {
-    /// Opens the ports, and loads the map.
+    /// Loads the map, and opens the ports when all is ready.
     ///
     /// # Errors
     /// When a port cannot be had or the map cannot be loaded.
@@ -85,15 +89,21 @@ impl Server {
             let address = SocketAddr::new(settings.bind, port);
             TcpListener::bind(address).map_err(|source| ServerError::Listen { address, source })
         };
-        let rpc = open(settings.port)?;
-        let address = rpc.local_addr().map_err(ServerError::Thread)?;
-        let streams = open(if settings.port == 0 { 0 } else { address.port().saturating_add(1) })?;
-        let stream_port = streams.local_addr().map_err(ServerError::Thread)?.port();
-        let shelf = MapShelf::new(library);
+        let both = || {
+            let rpc = open(settings.port)?;
+            let next = if settings.port == 0 { 0 } else { settings.port.saturating_add(1) };
+            Ok::<_, ServerError>((rpc, open(next)?))
+        };
+        // Ports in use are told of at once, and then closed again: who connects before the map is there would wait, and many
+        // scripts wait two seconds only.
+        drop(both()?);
         let hub = Arc::new(StreamHub::default());
         let (sender, events) = sync_channel(QUEUE);
-        let mut world = World::new(&settings.map, settings.seed, shelf, Arc::clone(&hub), stream_port)?;
+        let mut world = World::new(&settings.map, settings.seed, MapShelf::new(library), Arc::clone(&hub))?;
         world.recordings = Recordings::new(settings.recordings.clone());
+        let (rpc, streams) = both()?;
+        let address = rpc.local_addr().map_err(ServerError::Thread)?;
+        world.stream_port = streams.local_addr().map_err(ServerError::Thread)?.port();
         let engine = Engine::new(world, events);
         let spawn = |name: &str, work: Box<dyn FnOnce() + Send>| {
             thread::Builder::new().name(name.to_owned()).spawn(work).map(drop).map_err(ServerError::Thread)

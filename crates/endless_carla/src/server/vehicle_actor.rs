@@ -19,6 +19,10 @@ pub(super) struct VehicleActor {
     pub(super) is_ridden: bool,
     pub(super) body: VehicleBody,
     pub(super) control: VehicleControl,
+    /// CARLA's `sticky_control`: a control holds until the next; otherwise for a frame only.
+    is_sticky: bool,
+    /// No frame has passed since the last control.
+    is_control_new: bool,
     ackermann: Option<VehicleAckermannControl>,
     controller: AckermannController,
     lights: VehicleLights,
@@ -56,6 +60,8 @@ impl VehicleActor {
             is_ridden: spec.ridden,
             body: VehicleBody::new(shape, frames::place(transform)),
             control: VehicleControl::default(),
+            is_sticky: attributes.flag("sticky_control")?,
+            is_control_new: false,
             ackermann: None,
             controller: AckermannController::default(),
             lights: VehicleLights::empty(),
@@ -81,6 +87,9 @@ impl VehicleActor {
 
     /// Before a step: its pedals, where a speed and an angle are wanted of it.
     pub(super) fn drive(&mut self, step_s: f64) {
+        if !self.is_sticky && !std::mem::take(&mut self.is_control_new) {
+            self.control = VehicleControl::default();
+        }
         if let Some(wanted) = &self.ackermann {
             self.control = self.controller.run(wanted, &self.body, step_s);
         }
@@ -88,6 +97,7 @@ impl VehicleActor {
 
     pub(super) fn apply_control(&mut self, control: &VehicleControl) {
         self.ackermann = None;
+        self.is_control_new = true;
         self.control = control.clone();
     }
 

@@ -16,7 +16,7 @@ pub(super) struct WalkerActor {
     /// That clients give it; pictures show its animation alone.
     pub(super) pose: WalkerPose,
     /// Of the actor's place above the ground, metres.
-    origin_height_m: f32,
+    pub(super) origin_height_m: f32,
 }
 
 impl WalkerActor {

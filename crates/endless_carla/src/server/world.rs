@@ -1,11 +1,13 @@
 //! The world that clients share: an episode, how its time runs, and what measures it.
 
 use super::call_error::CallError;
+use super::drawn_boxes::DrawnBoxes;
 use super::episode::Episode;
 use super::error::ServerError;
 use super::loaded_map::MapShelf;
 use super::recorder::Recordings;
 use super::sensing::Sensing;
+use super::timely_snapshot::{TickAnswer, TimelySnapshot};
 use crate::blueprint::BlueprintLibrary;
 use crate::rpc::ConnectionId;
 use crate::stream::{Delivery, StreamHub, Token};
@@ -24,40 +26,41 @@ pub(super) struct World {
     pub(super) episode: Episode,
     pub(super) settings: EpisodeSettings,
     pub(super) sensing: Sensing,
+    pub(super) drawn_boxes: DrawnBoxes,
     pub(super) recordings: Recordings,
     pub(super) hub: Arc<StreamHub>,
+    snapshots: TimelySnapshot,
     /// Their hosts, by port.
     pub(super) traffic_managers: BTreeMap<u16, String>,
     /// Who made time pass last in synchronous mode.
     pub(super) ticking: Option<ConnectionId>,
+    /// On which clients are told to hear streams; of no meaning until it is open.
+    pub(super) stream_port: u16,
     seed: u64,
-    stream_port: u16,
     begun: Instant,
 }
 
 impl World {
     /// With its first episode, on this map.
-    pub(super) fn new(
-        map: &str,
-        seed: u64,
-        mut shelf: MapShelf,
-        hub: Arc<StreamHub>,
-        stream_port: u16,
-    ) -> Result<Self, ServerError> {
+    pub(super) fn new(map: &str, seed: u64, mut shelf: MapShelf, hub: Arc<StreamHub>) -> Result<Self, ServerError> {
         let map = shelf.load(map)?;
+        // Made now rather than while somebody waits.
+        let _ = map.loaded.roads.navigation();
         let blueprints = BlueprintLibrary::new();
         let world = Self {
             episode: Episode::new(map, seed, &blueprints, None),
             shelf,
             blueprints,
             settings: EpisodeSettings::default(),
-            sensing: Sensing::default(),
+            sensing: Sensing::new(),
+            drawn_boxes: DrawnBoxes::default(),
             recordings: Recordings::new(None),
+            snapshots: TimelySnapshot::new(Arc::clone(&hub)),
             hub,
             traffic_managers: BTreeMap::new(),
             ticking: None,
             seed,
-            stream_port,
+            stream_port: 0,
             begun: Instant::now(),
         };
         world.hub.open(world.episode.stream());
@@ -75,45 +78,56 @@ impl World {
     }
 
     /// A client lets time pass; gives the new frame. In asynchronous mode it passes by itself.
-    pub(super) fn tick(&mut self, by: ConnectionId) -> u64 {
+    pub(super) fn tick(&mut self, by: ConnectionId, answer: Option<TickAnswer>) -> u64 {
         if self.settings.synchronous_mode {
             self.ticking = Some(by);
             self.hub.wait_for_expected();
-            self.advance(self.step_s());
+            self.advance(self.step_s(), answer);
         }
         self.episode.frame
     }
 
-    /// Time passes: as much as the settings say, else so much.
-    pub(super) fn advance(&mut self, passed_s: f64) {
+    /// Time passes: as much as the settings say, else so much. In synchronous mode an answer goes with the frame's snapshot.
+    pub(super) fn advance(&mut self, passed_s: f64, answer: Option<TickAnswer>) {
         let step_s = self.fixed_step_s().unwrap_or(passed_s);
         self.episode.step(step_s);
         self.replay(step_s);
         self.record();
         let delivery = if self.settings.synchronous_mode { Delivery::Every } else { Delivery::Latest };
         let sees = !self.settings.no_rendering_mode;
-        self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
-        // After what was measured, so that a client whose tick has ended has it on its way.
+        // It goes after what was measured, so that a client whose tick has ended has it on its way.
         let message = self.episode.snapshot(self.begun.elapsed().as_secs_f64());
-        self.hub.publish(self.episode.stream(), message, delivery);
+        let stream = self.episode.stream();
+        if delivery == Delivery::Every {
+            self.snapshots.wait(stream, message, answer);
+            self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
+            self.snapshots.go();
+        } else {
+            self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
+            self.hub.publish(stream, message, delivery);
+        }
     }
 
     /// Another episode begins, on this map or another.
     pub(super) fn load(&mut self, map: &str, reset_settings: bool) -> Result<(), CallError> {
         let map = match map {
-            "" => Arc::clone(&self.episode.map),
+            "" => self.episode.named_map(),
             name => self.shelf.load(name).map_err(|error| CallError::refused(error.to_string()))?,
         };
         if reset_settings {
             self.settings = EpisodeSettings::default();
         }
+        let walked = Arc::clone(&map.loaded);
+        rayon::spawn(move || {
+            let _ = walked.roads.navigation();
+        });
         let next = Episode::new(map, self.seed, &self.blueprints, Some(&self.episode));
         for stream in self.episode.sensor_streams() {
             self.hub.close(stream);
         }
         self.episode = next;
         self.recordings.end();
-        self.sensing = Sensing::default();
+        self.sensing = Sensing::new();
         Ok(())
     }
 

@@ -9,4 +9,5 @@ mod recordings;
 mod sessions;
 mod solid_things;
 mod unbreakable;
+mod vehicles;
 mod world_queries;

@@ -2,7 +2,7 @@
 
 use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
-use endless_render::{CameraBake, Gathering, RenderSettings};
+use endless_render::{CameraBake, Gathering, NeighbourFrames, RenderSettings, render_labels};
 use endless_town::Town;
 use endless_world::{
     Actor, Behaviour, CameraLook, CameraLookChoice, CameraSite, ClassTag, Distortion, Gait, Image, ImageSize,
@@ -193,6 +193,11 @@ fn check_site(settings: &RenderSettings, loaded: &LoadedTown, site: &CameraSite,
     let frame = models.frame_scene(&state);
     let (cached, traced) = (bake.render(still, &frame), bake.render_uncached(still, &frame));
     assert_eq!(differing(&cached, &traced), 0, "{map} {weather} {time_of_day}: pixels that differ");
+    let at_once = bake.render_at_once(still, &frame, NeighbourFrames::default());
+    assert!(at_once == cached, "{map} {weather} {time_of_day}: by all threads");
+    let labels = render_labels(still, &frame, bake.camera(), settings.layers);
+    assert!((&labels.depth, &labels.instance) == (&cached.depth, &cached.instance), "{map}: without light");
+    assert!((&labels.normals, &labels.body_parts) == (&cached.normals, &cached.body_parts), "{map}: without light");
     let empty = |frame| models.frame_scene(&WorldState { frame, actors: Vec::new(), ..state.clone() });
     let alone = bake.render(still, &empty(state.frame));
     if weather != Weather::Rainy && look.noise == 0.0 && look.clock.is_none() {

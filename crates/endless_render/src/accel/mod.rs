@@ -17,6 +17,7 @@ mod brute;
 mod collapse;
 mod leaf_triangles;
 mod node;
+mod octants;
 mod packet;
 mod packet_ray;
 mod packet_traversal;

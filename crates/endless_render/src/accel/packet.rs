@@ -8,6 +8,7 @@
 use wide::f32x8;
 
 use super::node::{BvhNode, NodeLink, Slab, SlabRay};
+use super::octants::Octants;
 use super::packet_ray::PacketRay;
 use super::packet_traversal::PacketTraversal;
 use super::ray::{Hit, LocalRay, Ray};
@@ -61,16 +62,50 @@ impl Tlas {
                     },
                 );
             }
-            None if N > 1 => {
-                for row in RowMask::of(active).each::<N>() {
-                    let mut part = trip.row(row);
-                    self.trace_row::<ANY>(&rays.row(row), &mut part, &mut stack);
-                    trip.set_row(row, &part);
-                }
-            }
+            None if N > 1 => self.trace_octants::<ANY, N>(rays, active, &mut trip, &mut stack),
             None => self.trace_singly::<ANY, N>(rays, &mut trip),
         }
         trip
+    }
+
+    /// Rays of which some point to other octants than others, as those to a sun that stands in the south: those of each octant
+    /// and main axis go together. Where these are too many, eight neighbours do.
+    #[inline(never)]
+    fn trace_octants<const ANY: bool, const N: usize>(
+        &self,
+        rays: &RayStream<N>,
+        active: u32,
+        trip: &mut PacketTraversal<N>,
+        stack: &mut Stack,
+    ) {
+        /// With fewer lanes to each, rows of neighbours are faster.
+        const MANY: u32 = 8;
+        let octants = Octants::of(rays);
+        let mut left = active;
+        while left != 0 {
+            let alike = octants.like_first(left);
+            left &= !alike;
+            let packet = if alike.count_ones() < MANY { None } else { packet_of(rays, alike) };
+            let others = trip.live & !alike;
+            trip.live &= alike;
+            trip.update_reach();
+            match packet {
+                Some(packet) => {
+                    let rows = RowMask::of(alike);
+                    walk::<ANY, N>(self.nodes(), self.root(), rows, &packet, trip, stack, |link, rows, trip, stack| {
+                        self.entry(link).trace_packet::<ANY, N>(rays, &packet, rows, trip, stack);
+                    });
+                }
+                None => {
+                    for row in RowMask::of(alike).each::<N>() {
+                        let mut part = trip.row(row);
+                        self.trace_row::<ANY>(&rays.row(row), &mut part, stack);
+                        trip.set_row(row, &part);
+                    }
+                }
+            }
+            trip.live |= others;
+        }
     }
 
     #[inline(never)]

@@ -58,9 +58,9 @@ impl<const N: usize> PacketRay<N> {
     fn new(origin: [[f32x8; N]; 3], direction: [[f32x8; N]; 3]) -> Option<Self> {
         let (mut x_main, mut y_main) = (0, 0);
         for row in 0..N {
-            let [ax, ay, az] = [0, 1, 2].map(|k: usize| direction[k][row].abs());
-            x_main += (ax.simd_ge(ay) & ax.simd_ge(az)).to_bitmask().count_ones();
-            y_main += ay.simd_ge(az).to_bitmask().count_ones();
+            let [x, y] = main_axis8(&direction.map(|axis| axis[row]));
+            x_main += x.count_ones();
+            y_main += y.count_ones();
         }
         let all = 8 * N as u32;
         let axes = permutation(match (x_main, y_main) {
@@ -221,6 +221,13 @@ struct PacketTriangle<'a> {
     /// Along the rays' own axes.
     vertices: [[f32x8; 3]; 3],
     instance: u32,
+}
+
+/// Which of eight directions have x for their main axis, and which of them have more of y than of z, a bit each.
+#[inline(always)]
+pub(super) fn main_axis8(direction: &[f32x8; 3]) -> [u32; 2] {
+    let [x, y, z] = direction.map(f32x8::abs);
+    [(x.simd_ge(y) & x.simd_ge(z)).to_bitmask(), y.simd_ge(z).to_bitmask()]
 }
 
 /// `ray::inverse` by lane.

@@ -14,9 +14,16 @@ use super::row::PixelRow;
 use super::tile::TILE;
 use super::tile_context::{PixelSamples, TileContext};
 use super::tile_coverage::{CoveredPixel, coverages};
+use super::tile_work::TileWork;
 use crate::scene::{FrameScene, StaticScene};
-use crate::shade::shade_moving_together;
+use crate::shade::{Tracer, shade_moving_together};
 use endless_world::SensorFrame;
+use rayon::prelude::*;
+
+/// The tiles in which anything can have changed.
+fn worked_on(work: &[TileWork]) -> Vec<(u32, &TileWork)> {
+    work.iter().enumerate().filter(|(_, work)| !work.is_none()).map(|(tile, work)| (tile as u32, work)).collect()
+}
 
 /// Rows of a tile whose light is found together.
 const BLOCK_ROWS: usize = BLOCK / TILE as usize;
@@ -35,6 +42,17 @@ impl CameraBake {
         neighbours: NeighbourFrames<'_>,
     ) -> SensorFrame {
         self.finished(self.developed(still, frame), still, frame, neighbours)
+    }
+
+    /// The same picture, for which all threads work at once: for who waits for one picture. Of many pictures each is better
+    /// left to one thread.
+    pub fn render_at_once(
+        &self,
+        still: &StaticScene,
+        frame: &FrameScene,
+        neighbours: NeighbourFrames<'_>,
+    ) -> SensorFrame {
+        self.finished(self.developed_at_once(still, frame), still, frame, neighbours)
     }
 
     /// The same at an instant at which the light is a share of the way, 0 to 1, from that of this bake to that of the next,
@@ -65,16 +83,44 @@ impl CameraBake {
     fn developed(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
         let tracer = self.lighting.tracer(still, Some(frame));
         let mut buffer = FrameBuffer::new(self);
+        let work = affected(self, still, frame);
+        self.render_tiles(&tracer, frame, &worked_on(&work), |place, pixel| buffer.set(self, place, &pixel));
+        buffer.develop(self, still, frame)
+    }
+
+    fn developed_at_once(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
+        /// Tiles that a thread takes on.
+        const SHARE: usize = 12;
+        let tracer = self.lighting.tracer(still, Some(frame));
+        let mut buffer = FrameBuffer::new(self);
+        let work = affected(self, still, frame);
+        let tiles = worked_on(&work);
+        let rendered = tiles.par_chunks(SHARE).map(|share| {
+            let mut pixels = Vec::new();
+            self.render_tiles(&tracer, frame, share, |place, pixel| pixels.push((place, pixel)));
+            pixels
+        });
+        for (place, pixel) in rendered.collect::<Vec<_>>().iter().flatten() {
+            buffer.set(self, *place, pixel);
+        }
+        buffer.develop(self, still, frame)
+    }
+
+    /// Renders these tiles, one after the other.
+    fn render_tiles(
+        &self,
+        tracer: &Tracer<'_>,
+        frame: &FrameScene,
+        tiles: &[(u32, &TileWork)],
+        mut set: impl FnMut([u32; 2], FramePixel),
+    ) {
         let mut rows: Vec<PixelRow<'_>> = (0..TILE).map(|_| PixelRow::new(self)).collect();
         let mut traced = 0;
-        for (tile, work) in affected(self, still, frame).iter().enumerate() {
-            if !work.is_none() {
-                let context = TileContext { tracer: &tracer, frame, work, pixel_angle: self.pixel_angle };
-                traced += self.render_tile(&context, tile as u32, &mut rows, &mut buffer);
-            }
+        for &(tile, work) in tiles {
+            let context = TileContext { tracer, frame, work, pixel_angle: self.pixel_angle };
+            traced += self.render_tile(&context, tile, &mut rows, &mut set);
         }
         self.stats.add(traced);
-        buffer.develop(self, still, frame)
     }
 
     /// Renders a tile; returns about how many rays that took.
@@ -83,7 +129,7 @@ impl CameraBake {
         context: &TileContext<'_>,
         tile: u32,
         rows: &mut [PixelRow<'a>],
-        buffer: &mut FrameBuffer,
+        set: &mut impl FnMut([u32; 2], FramePixel),
     ) -> u64 {
         let TileContext { tracer, frame, work, .. } = *context;
         let columns = self.tiles.tiles().columns;
@@ -111,7 +157,7 @@ impl CameraBake {
         );
         let halves = rows.chunks(BLOCK_ROWS).zip(coverages.chunks(BLOCK));
         for (y, (rows, coverages)) in (y0..).step_by(BLOCK_ROWS).zip(halves) {
-            self.render_rows(context, (x0, y), rows, coverages, buffer);
+            self.render_rows(context, (x0, y), rows, coverages, set);
         }
         rays
     }
@@ -123,7 +169,7 @@ impl CameraBake {
         (x0, y0): (u32, u32),
         rows: &[PixelRow<'_>],
         coverages: &[Coverage],
-        buffer: &mut FrameBuffer,
+        set: &mut impl FnMut([u32; 2], FramePixel),
     ) {
         let count = (self.tile_end(x0, y0).0 - x0) as usize;
         let same = |row: &PixelRow<'_>, i: usize| context.work.only_found() && row.found[i].is_nothing();
@@ -148,7 +194,7 @@ impl CameraBake {
                         self.pixel(context, &samples, light, mirrors[i], &coverages[place])
                     }
                 };
-                buffer.set(self, x0 + i as u32, y0 + line as u32, &pixel);
+                set([x0 + i as u32, y0 + line as u32], pixel);
             }
         }
     }

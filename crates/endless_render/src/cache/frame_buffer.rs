@@ -56,7 +56,7 @@ impl FrameBuffer {
     }
 
     /// Sets a pixel.
-    pub(super) fn set(&mut self, bake: &CameraBake, x: u32, y: u32, pixel: &FramePixel) {
+    pub(super) fn set(&mut self, bake: &CameraBake, [x, y]: [u32; 2], pixel: &FramePixel) {
         let i = y as usize * bake.camera.size.width as usize + x as usize;
         match &mut self.radiance {
             Some(radiance) => {

@@ -129,7 +129,7 @@ impl CameraBake {
                     self.pixel(context, &samples, light.as_ref(), mirrors, coverage)
                 }
             };
-            buffer.set(self, x, y, &pixel);
+            buffer.set(self, [x, y], &pixel);
         }
     }
 

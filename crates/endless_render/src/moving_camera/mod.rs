@@ -5,10 +5,13 @@
 //! which would crawl over what is seen.
 //!
 //! A [`MovingCamera`] knows its whole way beforehand; a [`RoamingCamera`] does not, and takes its light from a [`RoamingLight`].
+//! Where no colours are wanted, [`render_labels`] tells the rest.
 
+mod labels;
 mod roaming_camera;
 mod roaming_light;
 
+pub use labels::render_labels;
 pub use roaming_camera::RoamingCamera;
 pub use roaming_light::{LocalLight, RoamingLight};
 

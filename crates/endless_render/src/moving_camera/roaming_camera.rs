@@ -50,7 +50,7 @@ impl RoamingCamera {
             self.exposure.map(|exposure| Arc::new(FilmResponse::new(&self.settings, &light.environment, exposure)));
         let memory = std::mem::take(&mut self.memory);
         let here = CameraBake::from_here(still, &self.settings, camera, light, response.as_ref(), memory);
-        let seen = here.render_between(still, frame, neighbours);
+        let seen = here.render_at_once(still, frame, neighbours);
         self.exposure = Some(match self.exposure {
             Some(exposure) => exposure.followed(&here.wanted_exposure(), step_s, [DARKER_PER_S, BRIGHTER_PER_S]),
             None => here.exposure(),

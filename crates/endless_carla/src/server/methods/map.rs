@@ -23,7 +23,7 @@ pub(super) const METHODS: &[(&str, Method)] = &[
 
 fn get_map_info(world: &mut World, _: &Call<'_>) -> CallResult {
     let map = &world.episode.map;
-    let name = format!("Carla/Maps/{}", map.name);
+    let name = format!("Carla/Maps/{}", world.episode.map_name);
     Ok(Answer::of(&MapInfo { name, recommended_spawn_points: map.roads.spawn_points().to_vec() }))
 }
 

@@ -13,7 +13,7 @@ impl World {
         let (file, path) = self.recordings.folder()?.create(name)?;
         let now_s = SystemTime::now().duration_since(UNIX_EPOCH).map_or(0, |since| since.as_secs() as i64);
         let failed = |error| CallError::refused(format!("cannot record to '{name}': {error}"));
-        let recorder = Recorder::new(file, &self.episode.map.name, now_s, tells_more).map_err(failed)?;
+        let recorder = Recorder::new(file, &self.episode.map_name, now_s, tells_more).map_err(failed)?;
         self.recordings.recorder = Some(recorder);
         Ok(path.display().to_string())
     }

@@ -29,7 +29,7 @@ impl World {
         let unread = |error: RecordingError| CallError::refused(format!("'{name}': {error}"));
         let mut log = LogReader::new(BufReader::new(file)).map_err(unread)?;
         let map = log.header().map.rsplit('/').next().unwrap_or_default().to_owned();
-        if map != self.episode.map.name {
+        if map != self.episode.map_name {
             if self.load(&map, false).is_err() {
                 return Ok(text + &format!("Could not load mapfile {map}\n"));
             }

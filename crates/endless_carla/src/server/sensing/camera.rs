@@ -4,7 +4,7 @@ use super::events::Events;
 use super::town_light::Light;
 use crate::server::actor::CameraSettings;
 use endless_render::{
-    CameraBake, FrameScene, LocalLight, NeighbourFrame, NeighbourFrames, RenderSettings, RoamingCamera,
+    CameraBake, FrameScene, LocalLight, NeighbourFrame, NeighbourFrames, RenderSettings, RoamingCamera, render_labels,
 };
 use endless_world::{CameraSite, LensModel, Mount, PinholeCamera, SceneWeather, SensorFrame, SensorLayers, SensorPose};
 use glam::DVec3;
@@ -22,6 +22,16 @@ pub(super) struct CameraView {
     before: Option<(Arc<FrameScene>, PinholeCamera)>,
     /// Of event cameras that look through it, by their streams.
     pub(super) events: BTreeMap<u32, Events>,
+}
+
+/// How a picture is made.
+pub(super) enum Making {
+    /// The camera stands still.
+    Still,
+    /// It moves, in this light.
+    Moving(LocalLight),
+    /// It moves, and nobody asks for colours.
+    Labels,
 }
 
 enum Way {
@@ -55,11 +65,11 @@ impl CameraView {
         }
     }
 
-    /// What it sees; `around` is the light there, if it is taken for one that moves.
+    /// What it sees.
     pub(super) fn render(
         &mut self,
         light: &Light<'_>,
-        around: Option<&LocalLight>,
+        making: &Making,
         frame: &Arc<FrameScene>,
         settings: CameraSettings,
         pose: &SensorPose,
@@ -71,17 +81,21 @@ impl CameraView {
         let before = std::mem::replace(&mut self.before, now);
         let neighbours =
             NeighbourFrames { before: before.as_ref().map(|before| neighbour(before, &camera)), after: None };
-        let Some(around) = around else {
-            let (bake, known) = match self.way.take() {
-                Some(Way::Still(bake, known)) if self.stood > 0 && is_known(layers, known) => (bake, known),
-                _ => {
-                    let bake = CameraBake::bake(light.still, &render_settings(), &site(pose, settings));
-                    (Box::new(bake), layers)
-                }
-            };
-            let seen = bake.render_between(light.still, frame, neighbours);
-            self.way = Some(Way::Still(bake, known));
-            return (seen, camera);
+        let around = match making {
+            Making::Labels => return (render_labels(light.still, frame, &camera, layers), camera),
+            Making::Moving(around) => around,
+            Making::Still => {
+                let (bake, known) = match self.way.take() {
+                    Some(Way::Still(bake, known)) if self.stood > 0 && is_known(layers, known) => (bake, known),
+                    _ => {
+                        let bake = CameraBake::bake(light.still, &render_settings(), &site(pose, settings));
+                        (Box::new(bake), layers)
+                    }
+                };
+                let seen = bake.render_at_once(light.still, frame, neighbours);
+                self.way = Some(Way::Still(bake, known));
+                return (seen, camera);
+            }
         };
         let mut moving = match self.way.take() {
             Some(Way::Moving(moving)) => moving,

@@ -28,10 +28,11 @@ pub(super) fn gnss_message(
     header: &SensorHeader,
     settings: &GnssSettings,
     truth: GnssMeasurement,
+    number: u32,
     seed: u64,
 ) -> Vec<u8> {
     let GnssMeasurement { latitude_deg, longitude_deg, altitude_m } =
-        Gnss::new(settings, seed).measure(header.frame, truth);
+        Gnss::new(settings, seed).measure(number.into(), truth);
     let place = GeoLocation { latitude: latitude_deg, longitude: longitude_deg, altitude: altitude_m };
     header.with_msgpack(&place.to_value())
 }
