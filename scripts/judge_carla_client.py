@@ -22,7 +22,7 @@ from judge_carla import Server, check, free_port
 SCRIPTS = pathlib.Path(__file__).resolve().parent
 MAP = "Town02"
 RECIPE = ["--maps", MAP, "--videos", "1", "--size", "160x96", "--fps", "10", "--duration", "3", "--vehicles", "30",
-          "--pedestrians", "10", "--min-pixels", "10", "--mp4", ""]
+          "--pedestrians", "10", "--min-pixels", "10"]
 
 
 def run(*command):

@@ -9,6 +9,8 @@ CARLA's client: `pip install carla==0.9.16`. Runs until it is stopped, or the se
 
 import argparse
 import multiprocessing
+import signal
+import sys
 import time
 
 import carla
@@ -34,6 +36,8 @@ def main() -> None:
     parser.add_argument("--tm-port", type=int, default=8000)
     parser.add_argument("--patience", type=float, default=60, help="end when the server has been gone for so many seconds")
     args = parser.parse_args()
+    # What ends it ends its process for the map, too.
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit())
     # Forked, a process would share its parent's connection.
     processes = multiprocessing.get_context("spawn")
     driver, episode, seen = None, None, time.monotonic()

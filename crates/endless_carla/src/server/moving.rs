@@ -161,11 +161,16 @@ impl Episode {
         self.actors.values().filter_map(lights).collect()
     }
 
-    /// Whether a vehicle or somebody stands there.
+    /// Whether a vehicle, somebody or a prop that is seen stands there.
     pub(super) fn is_taken(&self, outline: &OrientedBox) -> bool {
         self.actors.values().any(|actor| match &actor.body {
             Body::Vehicle(other) => outline.touches(&other.body.outline()),
             Body::Walker(other) => outline.touches(&other.body.outline()),
+            Body::Prop(prop) => {
+                prop.collides
+                    && prop.body.is_some()
+                    && outline.touches(&upright(&actor.transform, &actor.told.bounding_box))
+            }
             _ => false,
         })
     }

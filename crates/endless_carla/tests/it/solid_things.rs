@@ -86,6 +86,9 @@ fn props_stop_cars_and_are_seen_where_they_are() {
         let own = |pixel: &&[u8; 4]| u32::from(pixel[1]) + 256 * u32::from(pixel[0]) == prop.id;
         image[12..].as_chunks::<4>().0.iter().filter(own).count()
     };
+    let car = client.description("vehicle.tesla.model3", &[]);
+    let within = [car.to_value(), ahead(start, 12.0, 0.0).to_value()];
+    assert!(client.call("spawn_actor", &within).is_err_and(|error| error.contains("collision")));
     let near = seen(&mut client);
     assert!(near > 60, "{near} pixels");
     let (met, moved) = crash(&mut client, start, 12.0);

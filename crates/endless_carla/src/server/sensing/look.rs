@@ -4,7 +4,7 @@ use super::camera::{CameraView, Making};
 use super::events::Events;
 use super::image;
 use super::measurement::{Measured, Measurement};
-use super::switched_lamps::SwitchedLamps;
+use super::switched_lamps::{LampFactors, SwitchedLamps};
 use super::town_light::{Light, TownLight};
 use crate::blueprint::SensorKind;
 use crate::server::loaded_map::LoadedMap;
@@ -28,9 +28,9 @@ pub(super) struct Views {
 pub(super) struct Look {
     pub(super) frame: Arc<FrameScene>,
     pub(super) weather: SceneWeather,
+    /// By which clients have changed the light of street lamps.
+    pub(super) lamps: LampFactors,
     pub(super) map: Arc<LoadedMap>,
-    /// What becomes of the light of those lamps that clients have set, by their places in the map's list, linear channels.
-    pub(super) lamps: BTreeMap<usize, [f32; 3]>,
     pub(super) seed: u64,
     /// Since the look before, seconds.
     pub(super) step_s: f64,
@@ -43,7 +43,7 @@ type Messages = Vec<(u32, Vec<u8>)>;
 impl Views {
     /// Looks, and sends what is seen.
     pub(super) fn look(&mut self, look: Look, hub: &StreamHub, delivery: Delivery) {
-        let Look { frame, weather, map, lamps, seed, step_s, sensors } = look;
+        let Look { frame, weather, lamps, map, seed, step_s, sensors } = look;
         if self.lamps.follow(lamps, map.scene.static_scene()) {
             self.cameras.values_mut().for_each(CameraView::forget_light);
             self.light = TownLight::default();

@@ -75,8 +75,8 @@ impl Sensing {
         let look = Look {
             frame: self.scene.at(episode, catalogue),
             weather: scene_weather(&episode.weather, episode.seed),
-            map: Arc::clone(&episode.map),
             lamps: episode.lamps.factors(),
+            map: Arc::clone(&episode.map),
             seed: episode.seed,
             step_s: std::mem::take(&mut self.passed_s),
             sensors: looking,

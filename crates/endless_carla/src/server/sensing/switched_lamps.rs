@@ -3,13 +3,16 @@
 use endless_render::StaticScene;
 use std::collections::BTreeMap;
 
+/// What becomes of the light of some of a map's lamps, by their places in its list, linear channels.
+pub(super) type LampFactors = BTreeMap<usize, [f32; 3]>;
+
 /// The map's scene with the light of its lamps as it is now; none while nobody has changed any.
 #[derive(Default)]
-pub(super) struct SwitchedLamps(Option<(BTreeMap<usize, [f32; 3]>, StaticScene)>);
+pub(super) struct SwitchedLamps(Option<(LampFactors, StaticScene)>);
 
 impl SwitchedLamps {
-    /// Takes note of what becomes of the light of some lamps; whether they shine otherwise than before.
-    pub(super) fn follow(&mut self, factors: BTreeMap<usize, [f32; 3]>, usual: &StaticScene) -> bool {
+    /// Takes note of the lamps; whether they shine otherwise than before.
+    pub(super) fn follow(&mut self, factors: LampFactors, usual: &StaticScene) -> bool {
         let is_same = match &self.0 {
             Some((known, _)) => *known == factors,
             None => factors.is_empty(),
