@@ -57,7 +57,8 @@ fn run() -> ExitCode {
         Command::Check(args) => check::run(&args, threads),
         Command::Schema => schema::run(),
         Command::Bench(args) => bench::run(&BuiltinSimulator::new(library), &args, threads),
-        Command::Serve(args) => on_threads(threads, || serve::run(library, &args)),
+        // One more, which answers, and waits while others render.
+        Command::Serve(args) => on_threads(threads + 1, || serve::run(library, &args)),
         Command::Assets(args) => on_threads(threads, || assets::run(library, args)),
         Command::Maps(args) => on_threads(threads, || maps::run(&library, args)),
     };
