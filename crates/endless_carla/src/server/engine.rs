@@ -3,7 +3,6 @@
 use super::call::{Call, Method};
 use super::call_error::CallError;
 use super::methods;
-use super::timely_snapshot::TickAnswer;
 use super::world::World;
 use crate::rpc::{Answer, Caller, ConnectionId, Request, RpcEvent};
 use std::collections::BTreeMap;
@@ -50,7 +49,6 @@ impl Engine {
             };
             match event {
                 Ok(RpcEvent::Call(caller, request)) if self.is_held(&request) => self.hold(caller, &request),
-                Ok(RpcEvent::Call(caller, request)) if self.is_tick(&request) => self.tick(&caller, &request),
                 Ok(RpcEvent::Call(caller, request)) => self.answer(&caller, &request),
                 Ok(RpcEvent::Gone(client)) => self.forget(client),
                 Err(RecvTimeoutError::Timeout) if self.is_release_due() => self.release(),
@@ -95,18 +93,6 @@ impl Engine {
 
     fn is_held(&self, request: &Request) -> bool {
         !self.world.settings.synchronous_mode && PACING.contains(&request.method.as_str())
-    }
-
-    fn is_tick(&self, request: &Request) -> bool {
-        self.world.settings.synchronous_mode && request.method == "tick_cue"
-    }
-
-    /// In synchronous mode an answer to a tick goes with the snapshot of its frame: a client that has the one and not the other
-    /// looks for it without a pause, on the processor that renders.
-    fn tick(&mut self, caller: &Caller, request: &Request) {
-        let frame = self.world.episode.frame + 1;
-        let answer = Answer::of(&frame).into_message(request.call_id);
-        self.world.tick(caller.id, Some(TickAnswer { caller: caller.clone(), message: answer }));
     }
 
     fn answer(&mut self, caller: &Caller, request: &Request) {
@@ -166,6 +152,6 @@ impl Engine {
     fn frame_of_the_clock(&mut self) {
         let passed_s = self.last_frame.elapsed().as_secs_f64().min(LONGEST_STEP_S);
         self.last_frame = Instant::now();
-        self.world.advance(passed_s, None);
+        self.world.advance(passed_s);
     }
 }

@@ -31,7 +31,6 @@ mod sensor_model;
 mod signals;
 mod spawn;
 mod spring_arm;
-mod timely_snapshot;
 mod vehicle_actor;
 mod version;
 mod walker_actor;

@@ -7,7 +7,6 @@ use super::error::ServerError;
 use super::loaded_map::MapShelf;
 use super::recorder::Recordings;
 use super::sensing::Sensing;
-use super::timely_snapshot::{TickAnswer, TimelySnapshot};
 use crate::blueprint::BlueprintLibrary;
 use crate::rpc::ConnectionId;
 use crate::stream::{Delivery, StreamHub, Token};
@@ -29,7 +28,6 @@ pub(super) struct World {
     pub(super) drawn_boxes: DrawnBoxes,
     pub(super) recordings: Recordings,
     pub(super) hub: Arc<StreamHub>,
-    snapshots: TimelySnapshot,
     /// Their hosts, by port.
     pub(super) traffic_managers: BTreeMap<u16, String>,
     /// Who made time pass last in synchronous mode.
@@ -55,7 +53,6 @@ impl World {
             sensing: Sensing::new(),
             drawn_boxes: DrawnBoxes::default(),
             recordings: Recordings::new(None),
-            snapshots: TimelySnapshot::new(Arc::clone(&hub)),
             hub,
             traffic_managers: BTreeMap::new(),
             ticking: None,
@@ -78,34 +75,27 @@ impl World {
     }
 
     /// A client lets time pass; gives the new frame. In asynchronous mode it passes by itself.
-    pub(super) fn tick(&mut self, by: ConnectionId, answer: Option<TickAnswer>) -> u64 {
+    pub(super) fn tick(&mut self, by: ConnectionId) -> u64 {
         if self.settings.synchronous_mode {
             self.ticking = Some(by);
             self.hub.wait_for_expected();
-            self.advance(self.step_s(), answer);
+            self.advance(self.step_s());
         }
         self.episode.frame
     }
 
-    /// Time passes: as much as the settings say, else so much. In synchronous mode an answer goes with the frame's snapshot.
-    pub(super) fn advance(&mut self, passed_s: f64, answer: Option<TickAnswer>) {
+    /// Time passes: as much as the settings say, else so much.
+    pub(super) fn advance(&mut self, passed_s: f64) {
         let step_s = self.fixed_step_s().unwrap_or(passed_s);
         self.episode.step(step_s);
         self.replay(step_s);
         self.record();
         let delivery = if self.settings.synchronous_mode { Delivery::Every } else { Delivery::Latest };
         let sees = !self.settings.no_rendering_mode;
-        // It goes after what was measured, so that a client whose tick has ended has it on its way.
+        self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
+        // After what was measured, so that a client whose tick has ended has it on its way, unless that takes long.
         let message = self.episode.snapshot(self.begun.elapsed().as_secs_f64());
-        let stream = self.episode.stream();
-        if delivery == Delivery::Every {
-            self.snapshots.wait(stream, message, answer);
-            self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
-            self.snapshots.go();
-        } else {
-            self.sensing.measure(&mut self.episode, self.shelf.catalogue(), &self.hub, delivery, sees);
-            self.hub.publish(stream, message, delivery);
-        }
+        self.hub.publish(self.episode.stream(), message, delivery);
     }
 
     /// Another episode begins, on this map or another.

@@ -23,7 +23,7 @@ fn apply_batch(world: &mut World, call: &Call<'_>) -> CallResult {
     };
     let answers: Vec<Value> = commands.iter().map(answer).collect();
     if do_tick {
-        world.tick(call.caller.id, None);
+        world.tick(call.caller.id);
     }
     Ok(Answer::Bare(Value::Array(answers)))
 }

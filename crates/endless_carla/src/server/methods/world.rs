@@ -45,7 +45,7 @@ fn set_episode_settings(world: &mut World, call: &Call<'_>) -> CallResult {
 }
 
 fn tick_cue(world: &mut World, call: &Call<'_>) -> CallResult {
-    Ok(Answer::of(&world.tick(call.caller.id, None)))
+    Ok(Answer::of(&world.tick(call.caller.id)))
 }
 
 fn load_new_episode(world: &mut World, call: &Call<'_>) -> CallResult {

@@ -1,9 +1,14 @@
-//! Sensors that look at the scene do so beside the thread that answers: in asynchronous mode nobody waits for a picture.
+//! Sensors that look at the scene do so beside the thread that answers: in asynchronous mode nobody waits for a picture, and in
+//! synchronous mode nobody waits long.
 
-use super::look::{Look, Views};
-use crate::stream::{Delivery, StreamHub};
-use std::sync::Arc;
-use std::sync::mpsc::{Receiver, TryRecvError, channel};
+use super::look::Views;
+use crate::stream::Delivery;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError, channel};
+use std::time::Duration;
+
+/// For how long a tick waits for all that is seen of its frame. The first picture of a place may take longer than clients wait
+/// for an answer (many scripts say two seconds): it follows, and the next tick waits for it.
+pub(super) const PATIENCE: Duration = Duration::from_millis(1500);
 
 /// Who looks, and what is kept of the frames before.
 pub(super) struct Looking {
@@ -45,18 +50,27 @@ impl Looking {
         self.state = State::Free(views);
     }
 
-    /// Looks, and sends what is seen; to the end, if every frame counts.
-    pub(super) fn begin(&mut self, mut views: Box<Views>, look: Look, hub: &Arc<StreamHub>, delivery: Delivery) {
+    /// Looks; if every frame counts, it waits for that with some patience.
+    pub(super) fn begin(
+        &mut self,
+        mut views: Box<Views>,
+        look: impl FnOnce(&mut Views) + Send + 'static,
+        delivery: Delivery,
+        patience: Duration,
+    ) {
         let (done, back) = channel();
-        let hub = Arc::clone(hub);
         rayon::spawn(move || {
-            views.look(look, &hub, delivery);
+            look(&mut views);
             // Nobody takes it back when another episode has begun.
             let _ = done.send(views);
         });
         self.state = match delivery {
-            Delivery::Every => State::Free(back.recv().unwrap_or_default()),
             Delivery::Latest => State::Busy(back),
+            Delivery::Every => match back.recv_timeout(patience) {
+                Ok(views) => State::Free(views),
+                Err(RecvTimeoutError::Timeout) => State::Busy(back),
+                Err(RecvTimeoutError::Disconnected) => State::Free(Box::default()),
+            },
         };
     }
 
@@ -66,5 +80,28 @@ impl Looking {
             State::Free(views) => views.forget(stream),
             State::Busy(_) => self.gone.push(stream),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nobody_waits_for_ever_and_no_frame_is_lost() {
+        let mut looking = Looking::new();
+        let (go, gate) = channel::<()>();
+        let views = looking.views(Delivery::Every).expect("nobody looks yet");
+        let slow = move |_: &mut Views| gate.recv().expect("it is opened");
+        looking.begin(views, slow, Delivery::Every, Duration::from_millis(1));
+        // It still looks: who may leave frames out does so.
+        assert!(looking.views(Delivery::Latest).is_none());
+        looking.forget(7);
+        go.send(()).expect("it waits");
+        let views = looking.views(Delivery::Every).expect("what counts is waited for");
+        let (tell, told) = channel();
+        looking.begin(views, move |_| tell.send(()).expect("it is heard"), Delivery::Latest, PATIENCE);
+        told.recv().expect("it has looked");
+        assert!(looking.views(Delivery::Every).is_some());
     }
 }

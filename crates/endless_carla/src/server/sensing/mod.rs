@@ -25,7 +25,7 @@ use endless_asset::Catalogue;
 use endless_render::FrameScene;
 use endless_world::InstanceId;
 use look::Look;
-use looking::Looking;
+use looking::{Looking, PATIENCE};
 use measurement::{Measured, Measurement};
 use scene::ActorScene;
 use std::sync::Arc;
@@ -81,7 +81,8 @@ impl Sensing {
             step_s: std::mem::take(&mut self.passed_s),
             sensors: looking,
         };
-        self.looking.begin(views, look, hub, delivery);
+        let hub = Arc::clone(hub);
+        self.looking.begin(views, move |views| views.look(look, &hub, delivery), delivery, PATIENCE);
     }
 
     /// What moves at this instant, as rays meet it.
