@@ -26,8 +26,8 @@ pub(super) struct CameraView {
 
 /// How a picture is made.
 pub(super) enum Making {
-    /// The camera stands still.
-    Still,
+    /// The camera stands still. All threads make its picture if there are more of them than pictures.
+    Still { at_once: bool },
     /// It moves, in this light.
     Moving(LocalLight),
     /// It moves, and nobody asks for colours.
@@ -84,7 +84,7 @@ impl CameraView {
         let around = match making {
             Making::Labels => return (render_labels(light.still, frame, &camera, layers), camera),
             Making::Moving(around) => around,
-            Making::Still => {
+            Making::Still { at_once } => {
                 let (bake, known) = match self.way.take() {
                     Some(Way::Still(bake, known)) if self.stood > 0 && is_known(layers, known) => (bake, known),
                     _ => {
@@ -92,7 +92,11 @@ impl CameraView {
                         (Box::new(bake), layers)
                     }
                 };
-                let seen = bake.render_at_once(light.still, frame, neighbours);
+                let seen = if *at_once {
+                    bake.render_at_once(light.still, frame, neighbours)
+                } else {
+                    bake.render_between(light.still, frame, neighbours)
+                };
                 self.way = Some(Way::Still(bake, known));
                 return (seen, camera);
             }

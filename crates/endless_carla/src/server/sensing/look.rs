@@ -53,14 +53,16 @@ impl Views {
         let caster = RayCaster::new(still, &frame);
         let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather))).collect();
         let light = Light { still, weather, seed, step_s };
-        let views: Vec<(CameraView, Making, Vec<Measurement>)> = look_alike(cameras)
+        let alike = look_alike(cameras);
+        let at_once = alike.len() < rayon::current_num_threads();
+        let views: Vec<(CameraView, Making, Vec<Measurement>)> = alike
             .into_iter()
             .map(|alike| {
                 let mut view = self.cameras.remove(&alike[0].stream).unwrap_or_default();
                 let (pose, settings) = (&alike[0].pose, alike[0].camera());
                 let goes = settings.is_some_and(|settings| view.goes(&light, settings, pose));
                 let making = match (goes, alike.iter().any(Measurement::needs_light)) {
-                    (false, _) => Making::Still,
+                    (false, _) => Making::Still { at_once },
                     (true, true) => Making::Moving(self.light.around(&map, &light, pose)),
                     (true, false) => Making::Labels,
                 };
