@@ -94,7 +94,7 @@ impl Cast {
 
     /// Runs commands that spawn: the new actor of each, if it was made.
     fn run(&mut self, casting: &mut Casting<'_>, commands: &[Command]) -> Result<Vec<Option<u32>>, ClientError> {
-        let results = casting.world.batch(commands)?;
+        let results = casting.world.spawn(commands)?;
         let ids: Vec<Option<u32>> = results
             .into_iter()
             .map(|result| result.inspect_err(|text| tracing::debug!("an actor was not spawned: {text}")).ok())
@@ -123,13 +123,10 @@ impl Cast {
                 ..SpawnActor::default()
             }))
         };
-        let results = world.batch(&sensors.iter().map(spawn).collect::<Vec<_>>())?;
-        let mut ids = Vec::new();
-        for result in results {
-            let id = result.map_err(|text| ClientError::Unusable(format!("it spawns no camera: {text}")))?;
-            self.spawned.push(id);
-            ids.push(id);
-        }
+        let results = world.spawn(&sensors.iter().map(spawn).collect::<Vec<_>>())?;
+        self.spawned.extend(results.iter().filter_map(|result| result.as_ref().ok()));
+        let refused = |text| ClientError::Unusable(format!("it spawns no camera: {text}"));
+        let ids = results.into_iter().map(|result| result.map_err(refused)).collect::<Result<Vec<u32>, _>>()?;
         let actors = world.actors(&ids)?;
         let token = |id: &u32| actors.iter().find(|actor| actor.id == *id).map(|actor| actor.stream_token.clone());
         let lost = || ClientError::Unfit("a camera was gone as soon as it was spawned".to_owned());

@@ -57,7 +57,7 @@ impl<'m> CarlaSession<'m> {
             let opened = Self::populate(server, map, settings, world, &mut cast);
             if opened.is_err() {
                 // The connection may be what failed.
-                let _ = cast.leave(world);
+                let _ = server.settings.stop.pause(|| cast.leave(world));
             }
             opened
         })

@@ -172,6 +172,11 @@ impl World {
         self.connection.tell("freeze_traffic_light", vec![light.into(), frozen.into()])
     }
 
+    /// Runs commands that spawn, also when the user wants to stop meanwhile: what was spawned must be known, to be taken away.
+    pub(super) fn spawn(&mut self, commands: &[Command]) -> Result<Vec<Result<u32, String>>, ClientError> {
+        self.stop.clone().pause(|| self.batch(commands))
+    }
+
     /// Runs commands: the actor of each, or why it failed.
     pub(super) fn batch(&mut self, commands: &[Command]) -> Result<Vec<Result<u32, String>>, ClientError> {
         let commands: Vec<Value> = commands.iter().map(|command| self.in_its_version(command)).collect();
