@@ -16,7 +16,8 @@ import time
 
 import carla
 
-from judge_carla import Server, free_port, spawn_traffic, synchronous
+from carla_server import Server, free_port
+from judge_carla import spawn_traffic, synchronous
 
 
 def resident_mb(process):

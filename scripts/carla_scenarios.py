@@ -19,7 +19,7 @@ import tempfile
 
 import carla
 
-from carla_scripts import Server
+from carla_server import Server
 
 HERE = pathlib.Path(__file__).resolve().parent
 # Metres before a junction at which each type begins.
@@ -80,7 +80,7 @@ def config(point, kind, town):
 def run(kind, args, work):
     """The result and the reason."""
     with open(args.log or os.devnull, "a", encoding="utf-8") as log:
-        with Server(args.endless, args.port, args.map, work, log):
+        with Server(args.endless, args.map, args.port, ["--recordings", work], log):
             client = carla.Client("127.0.0.1", args.port)
             client.set_timeout(60.0)
             world = client.get_world()

@@ -15,11 +15,12 @@ import os
 import pathlib
 import re
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
 import time
+
+from carla_server import Server
 
 HERE = pathlib.Path(__file__).resolve().parent
 
@@ -137,35 +138,10 @@ def fault(script, code, said):
     return ""
 
 
-class Server:
-    """`endless serve` on a port, until the end of the block."""
-
-    def __init__(self, endless, port, town, work, log):
-        with socket.socket() as other:
-            if other.connect_ex(("127.0.0.1", port)) == 0:
-                sys.exit(f"port {port} is in use: choose another one with --port")
-        command = [endless, "serve", "--map", town, "--port", str(port), "--recordings", work]
-        self.process = subprocess.Popen(command, stdout=log, stderr=subprocess.STDOUT)
-        while self.process.poll() is None:
-            try:
-                socket.create_connection(("127.0.0.1", port), 1).close()
-                return
-            except OSError:
-                time.sleep(0.1)
-        sys.exit(f"the server ended with {self.process.returncode}")
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.terminate()
-        self.process.wait()
-
-
 def run(script, args):
     """Runs it in a server of its own; gives the result, the reason and how long it took."""
     with tempfile.TemporaryDirectory() as work, open(args.log or os.devnull, "a", encoding="utf-8") as log:
-        with Server(args.endless, args.port, script.map, work, log):
+        with Server(args.endless, script.map, args.port, ["--recordings", work], log):
             began = time.monotonic()
             if script.after:
                 launch(sys.executable, args.port, args.api, script.after, work)

@@ -12,8 +12,6 @@ import argparse
 import os
 import queue
 import random
-import socket
-import subprocess
 import sys
 import time
 
@@ -22,40 +20,10 @@ import numpy as np
 
 from carla_projection import OUT_PX, out_of_box, projected, seen
 from carla_road_rules import RoadRules
+from carla_server import Server, free_port
 
 STEP_S = 0.05
 KINDS = ("rgb", "depth", "semantic_segmentation", "instance_segmentation")
-
-
-def free_port():
-    with socket.socket() as s:
-        s.bind(("127.0.0.1", 0))
-        return s.getsockname()[1]
-
-
-class Server:
-    """A server that ends with the script."""
-
-    def __init__(self, program, town):
-        self.port = free_port()
-        self.process = subprocess.Popen([program, "serve", "--map", town, "--port", str(self.port)])
-        deadline = time.time() + 120
-        while time.time() < deadline:
-            if self.process.poll() is not None:
-                sys.exit(f"the server ended with {self.process.returncode}")
-            try:
-                socket.create_connection(("127.0.0.1", self.port), 1).close()
-                return
-            except OSError:
-                time.sleep(0.2)
-        sys.exit("the server does not listen")
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.terminate()
-        self.process.wait()
 
 
 def check(condition, what):
