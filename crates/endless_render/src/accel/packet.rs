@@ -38,6 +38,13 @@ impl Tlas {
         self.trace_together::<false, 4>(rays, active).hits(active)
     }
 
+    /// The same for rays of which only eight neighbours have much in common.
+    pub fn closest_by_rows(&self, rays: &RayStream<4>, active: u32) -> StreamHits<4> {
+        let mut trip = PacketTraversal::new(rays, active);
+        self.trace_rows::<false, 4>(rays, active, &mut trip, &mut Stack::new());
+        trip.hits(active)
+    }
+
     /// [`Tlas::occluded`] for those of a bundle's rays whose bit is set in `active`, one bit each.
     pub fn occluded32(&self, rays: &RayStream<4>, active: u32) -> u32 {
         active & !self.trace_together::<true, 4>(rays, active).live
@@ -96,15 +103,24 @@ impl Tlas {
                         self.entry(link).trace_packet::<ANY, N>(rays, &packet, rows, trip, stack);
                     });
                 }
-                None => {
-                    for row in RowMask::of(alike).each::<N>() {
-                        let mut part = trip.row(row);
-                        self.trace_row::<ANY>(&rays.row(row), &mut part, stack);
-                        trip.set_row(row, &part);
-                    }
-                }
+                None => self.trace_rows::<ANY, N>(rays, alike, trip, stack),
             }
             trip.live |= others;
+        }
+    }
+
+    /// Each row of these lanes, which are those that are live.
+    fn trace_rows<const ANY: bool, const N: usize>(
+        &self,
+        rays: &RayStream<N>,
+        lanes: u32,
+        trip: &mut PacketTraversal<N>,
+        stack: &mut Stack,
+    ) {
+        for row in RowMask::of(lanes).each::<N>() {
+            let mut part = trip.row(row);
+            self.trace_row::<ANY>(&rays.row(row), &mut part, stack);
+            trip.set_row(row, &part);
         }
     }
 

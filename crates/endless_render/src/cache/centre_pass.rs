@@ -7,7 +7,8 @@ use super::centre_band::{CentreBand, Centres, SunBits};
 use super::packed_hit::PackedHit;
 use super::primary_hits::PackedNormals;
 use super::sparse_centre::{Centre, FIRST, ROWS, SunSeen};
-use super::sun_bundle::{LitPlaces, SunBundle};
+use super::sun_bundle::SunBundle;
+use super::sun_rays::LitPlaces;
 use crate::accel::{RayStream, lanes};
 use crate::camera_rays::{aims8, set_row};
 use crate::octahedron::pack8;
@@ -78,13 +79,14 @@ impl BakePass<'_> {
         let (instance, triangle) = hits.triangle(alike.trailing_zeros() as usize);
         let (material, kind) = instances[instance as usize].material_of(triangle);
         let is_lens = matches!(kind.surface, Surface::SignalLens(_));
-        let is_leaf = if kind.surface == Surface::Foliage { u32::MAX } else { 0 };
+        let is_leaf = kind.surface == Surface::Foliage;
         let normals = TriangleNormals::new(&instances[instance as usize], triangle);
         for (row, own) in alike.to_le_bytes().into_iter().enumerate().filter(|(_, own)| *own != 0) {
             let (distances, weights) = (hits.distances[row], hits.weights[row]);
             let Normals8 { geometric, shading, .. } = normals.at(&rays.direction.map(|axis| axis[row]), weights);
             if let Some((sun, directions)) = &mut sun {
                 let positions = rays.places(row, distances);
+                let is_leaf = if is_leaf { u32::MAX } else { 0 };
                 let lit = LitPlaces { positions, normals: geometric, distances, is_leaf };
                 sun.ask(row, own.into(), &lit, directions);
             }
@@ -94,7 +96,7 @@ impl BakePass<'_> {
                 let hit = PackedHit::of(instance, triangle, [second[lane], third[lane]]);
                 let normals = PackedNormals { geometric: geometric[lane], shading: shading[lane] };
                 let distance = distances[lane];
-                tell(row, lane, Centre { distance, hit, normals, material, is_lens, sun: SunSeen::Never });
+                tell(row, lane, Centre { distance, hit, normals, material, is_lens, is_leaf, sun: SunSeen::Never });
             }
         }
     }

@@ -128,6 +128,7 @@ fn is_uniform(points: [Option<&SurfaceInteraction<'_>>; SAMPLES]) -> bool {
 mod tests {
     use super::*;
     use crate::cache::bake_stats::BakeStats;
+    use crate::cache::sparse_primary::KeptRow;
     use crate::indirect::IndirectRays;
     use crate::lighting::{Lighting, ViewedArea};
     use crate::scene::{Geometry, Instance, StaticScene};
@@ -194,6 +195,18 @@ mod tests {
             }
             assert!(lit > 20_000 && partly > 100, "{lit} parts reach a sample, {partly} samples see part of the disc");
             assert!(wrong * 500 < lit, "{wrong} of {lit} parts are taken for others in the {time}");
+            // For one instant pixels are asked, not samples.
+            let (sparse, width) = (pass.trace_sparse(), size.width as usize);
+            let mut apart = 0;
+            for (y, full) in primary.sun_free.chunks(width).enumerate() {
+                let mut distances = vec![[f32::MAX; SAMPLES]; width];
+                let (mut sun_free, mut uniform) = (vec![[0; SAMPLES]; width], vec![false; width]);
+                let kept = KeptRow { distances: &mut distances, sun_free: &mut sun_free, uniform: &mut uniform };
+                sparse.trace_row(y, kept);
+                let parts = |pixel: &[u8; SAMPLES]| pixel.iter().map(|free| free.count_ones()).sum::<u32>();
+                apart += full.iter().zip(&sun_free).map(|(a, b)| parts(a).abs_diff(parts(b))).sum::<u32>();
+            }
+            assert!(apart * 40 < lit, "{apart} of {lit} parts differ by few rays in the {time}");
         }
     }
 }

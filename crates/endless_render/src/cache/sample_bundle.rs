@@ -4,12 +4,13 @@ use super::bake_pass::BakePass;
 use super::packed_hit::PackedHit;
 use super::pieces8::Pieces8;
 use super::primary_hits::PackedNormals;
-use super::sparse_centre::{Centre, FIRST, ROWS, SunSeen};
-use super::sun_bundle::{LitPlaces, SunBundle};
+use super::sparse_centre::{Centre, ROWS, SunSeen};
+use super::sun_rays::{LitPlaces, faces8};
 use crate::accel::{Hit, Ray, RayStream, StreamHits, lanes};
+use crate::light::Sun;
 use crate::octahedron::{pack8, unpack8};
 use crate::scene::{Instance, normals_of_hits};
-use crate::vec3x8::side_by_side;
+use crate::vec3x8::lane_of;
 use endless_scene::Surface;
 use glam::Vec3A;
 use wide::f32x8;
@@ -31,8 +32,7 @@ pub(super) struct SampleBundle {
 #[derive(Clone, Copy)]
 pub(super) struct RowCentres<'a> {
     pub(super) centres: &'a [Centre],
-    /// Which are near the edge of a shadow, of eight that follow each other a bit each: what their samples see of the sun is asked
-    /// afterwards.
+    /// Which are near the edge of a shadow, of eight that follow each other a bit each.
     pub(super) edges: &'a [u8],
 }
 
@@ -51,13 +51,27 @@ pub(super) struct SampleSeen {
     pub(super) normals: PackedNormals,
     /// It lies on the flat piece of its pixel's centre.
     pub(super) goes_on: bool,
-    /// The first part of the sun's disc is known to light it.
-    pub(super) is_lit: bool,
+    /// What it sees of the sun.
+    pub(super) sun: SampleSun,
+}
+
+/// What is known of the sun where a sample lies.
+#[derive(Clone, Copy)]
+pub(super) enum SampleSun {
+    /// Nothing that its pixel does not tell, now or later.
+    AsPixel,
+    /// A ray from here will tell.
+    Ask(Vec3A),
 }
 
 impl SampleSeen {
-    const NOTHING: Self =
-        Self { distance: f32::MAX, hit: PackedHit::NONE, normals: PackedNormals::NONE, goes_on: false, is_lit: false };
+    const NOTHING: Self = Self {
+        distance: f32::MAX,
+        hit: PackedHit::NONE,
+        normals: PackedNormals::NONE,
+        goes_on: false,
+        sun: SampleSun::AsPixel,
+    };
 }
 
 impl SampleBundle {
@@ -92,30 +106,27 @@ impl SampleBundle {
             return;
         }
         let still = pass.tracer.still;
-        let found = still.accel.closest32(&self.rays, ((1u64 << count) - 1) as u32);
-        let mut sun = pass.tracer.environment.sun.as_ref().map(SunBundle::new);
+        let found = still.accel.closest_by_rows(&self.rays, ((1u64 << count) - 1) as u32);
+        let sun = pass.tracer.environment.sun.as_ref();
         let (mut seen, mut met) = ([SampleSeen::NOTHING; LANES], 0);
         for (row, seen) in seen.as_chunks_mut().0.iter_mut().enumerate() {
             let Some(hits) = Hits8::new(&found, row) else { continue };
             met |= hits.met << (8 * row);
-            self.look_at(row, &hits, &still.instances, known, sun.as_mut(), seen);
-        }
-        if let Some(sun) = sun {
-            lanes(sun.lit(&still.accel)).for_each(|lane| seen[lane].is_lit = true);
+            self.look_at(row, &hits, &still.instances, known, sun, seen);
         }
         for (lane, (&(x, sample), seen)) in self.places[..count].iter().zip(&seen).enumerate() {
             tell(x, sample, (met >> lane & 1 == 1).then_some(seen));
         }
     }
 
-    /// Tells what eight of them see, but for the sun, which they are made to ask for.
+    /// Tells what eight of them see, and which must ask for the sun.
     fn look_at(
         &self,
         row: usize,
         Hits8 { hits, met }: &Hits8,
         instances: &[Instance],
         RowCentres { centres, edges }: RowCentres<'_>,
-        sun: Option<&mut SunBundle<'_>>,
+        sun: Option<&Sun>,
         seen: &mut [SampleSeen; 8],
     ) {
         let places = &self.places[8 * row..][..8];
@@ -125,7 +136,7 @@ impl SampleBundle {
         let (geometric, shading) = (pack8(&normals.geometric), pack8(&normals.shading));
         let second = PackedHit::weights8(f32x8::new(hits.map(|hit| hit.u)));
         let third = PackedHit::weights8(f32x8::new(hits.map(|hit| hit.v)));
-        let (mut is_leaf, mut may_go_on, mut by_light, mut by_edge) = (0, 0, 0, 0);
+        let (mut is_leaf, mut may_go_on, mut by_light, mut by_edge, mut by_leaf) = (0, 0, 0, 0, 0);
         for (lane, (hit, seen)) in hits.iter().zip(seen.iter_mut()).enumerate() {
             let (x, centre) = (places[lane].0, &centres[places[lane].0]);
             let (material, kind) = instances[hit.instance as usize].material_of(hit.triangle);
@@ -136,16 +147,21 @@ impl SampleBundle {
             may_go_on |= u32::from(centre.may_continue(&seen.hit, material)) << lane;
             by_light |= u32::from(centre.sun == SunSeen::Lit) << lane;
             by_edge |= u32::from(edges[x / 8] >> (x % 8) & 1) << lane;
+            by_leaf |= u32::from(centre.is_leaf) << lane;
         }
         let by_centre: [PackedNormals; 8] = std::array::from_fn(|lane| centres[places[lane].0].normals);
         let by_centre_geometric = unpack8(&by_centre.map(|normals| normals.geometric));
         if let Some(sun) = sun {
-            // Whatever the ray would say, those count as lit whose pixel's centre is lit, and those are asked again that face
-            // the sun near a shadow's edge.
-            let again = by_edge & sun.faces(&by_centre_geometric) & sun.faces(&unpack8(&geometric));
-            let directions = side_by_side(std::array::from_fn(|lane| sun.sun.disc[places[lane].1][FIRST]));
+            // Far from shadows' edges those count as lit whose pixel's centre is lit, whatever the ray would say. Near them,
+            // those that face the sun ask its whole disc later, but for pixels of leaves, where a ray a sample does.
+            let later = by_edge & !by_leaf & faces8(&by_centre_geometric, sun) & faces8(&unpack8(&geometric), sun);
+            let as_centre = by_light & !(by_edge & by_leaf);
             let lit = LitPlaces { positions, normals: normals.geometric, distances, is_leaf };
-            sun.ask(row, met & !by_light & !again, &lit, &directions);
+            let asking = met & !as_centre & !later & lit.can_be_lit_by(sun);
+            if asking != 0 {
+                let origins = lit.ray_origins(sun);
+                lanes(asking).for_each(|lane| seen[lane].sun = SampleSun::Ask(lane_of(&origins, lane)));
+            }
         }
         if may_go_on & met != 0 {
             let own = Pieces8 {

@@ -8,8 +8,11 @@ use crate::light::SUN_SAMPLES;
 pub(super) const ROWS: usize = 4;
 /// The part of the sun's disc that is asked everywhere: half-way between its middle and its rim.
 pub(super) const FIRST: usize = 1;
-/// The parts of it that each sample asks near the edge of a shadow: eight directions a pixel.
-pub(super) const PARTS: [usize; 2] = [FIRST, 3];
+/// The other part that samples ask near the edge of a shadow, on its rim.
+pub(super) const RIM: usize = 3;
+/// For which of its parts, a bit each, the answers of these two stand there.
+pub(super) const BY_FIRST: u8 = 0b0011;
+pub(super) const BY_RIM: u8 = 0b1100;
 /// All parts of it.
 pub(super) const WHOLE: u8 = (1 << SUN_SAMPLES) - 1;
 
@@ -23,6 +26,7 @@ pub(super) struct Centre {
     pub(super) material: u16,
     /// On a lens of a traffic light.
     pub(super) is_lens: bool,
+    pub(super) is_leaf: bool,
     pub(super) sun: SunSeen,
 }
 
@@ -42,6 +46,7 @@ impl Centre {
         normals: PackedNormals::NONE,
         material: 0,
         is_lens: false,
+        is_leaf: false,
         sun: SunSeen::Never,
     };
 

@@ -1,18 +1,15 @@
 //! A row of [`super::sparse_primary`]: what lies between the centres of its pixels.
 
 use super::bake_pass::BakePass;
-use super::disc_rays::DiscRays;
 use super::packed_hit::PackedHit;
 use super::primary_hits::PackedNormals;
-use super::sample_bundle::{RowCentres, SampleBundle};
-use super::sparse_centre::{Centre, SunSeen, WHOLE};
-use super::sun_rays::sun_origins8;
-use crate::accel::{RayStream, lanes};
+use super::sample_bundle::{RowCentres, SampleBundle, SampleSun};
+use super::sparse_centre::{Centre, FIRST, SunSeen, WHOLE};
+use crate::accel::{Ray, RayStream, lanes};
 use crate::camera_rays::{aims8, set_row};
-use crate::light::Sun;
 use crate::octahedron::unpack8;
 use crate::sampling::SAMPLES;
-use crate::vec3x8::{Vec3x8, dot, lane_of, splat};
+use crate::vec3x8::{Vec3x8, dot, lane_of};
 use std::ops::Range;
 use wide::f32x8;
 
@@ -96,13 +93,13 @@ impl SparseRow<'_> {
     }
 
     /// What tells the rays of up to eight pixels, by sample.
-    fn aims(&self, pixels: Range<usize>) -> [Vec3x8; SAMPLES] {
+    pub(super) fn aims(&self, pixels: Range<usize>) -> [Vec3x8; SAMPLES] {
         let (x0, x1) = (pixels.start as u32, pixels.end as u32);
         std::array::from_fn(|sample| aims8(self.pass.camera, x0, x1, self.y as u32, sample))
     }
 
     /// The rays themselves, a row for each sample.
-    fn rays(&self, aims: [Vec3x8; SAMPLES]) -> RayStream<SAMPLES> {
+    pub(super) fn rays(&self, aims: [Vec3x8; SAMPLES]) -> RayStream<SAMPLES> {
         let mut rays = RayStream::NONE;
         rays.tmax = [f32x8::splat(f32::MAX); SAMPLES];
         for (sample, aims) in aims.into_iter().enumerate() {
@@ -182,8 +179,9 @@ impl SparseRow<'_> {
     }
 
     fn trace(&mut self, bundle: &mut SampleBundle) {
+        let pass = self.pass;
         let known = RowCentres { centres: self.centres, edges: self.edges };
-        bundle.trace(self.pass, known, |x, sample, seen| {
+        bundle.trace(pass, known, |x, sample, seen| {
             let Some(seen) = seen else {
                 self.uniform[x] = false;
                 return;
@@ -192,64 +190,11 @@ impl SparseRow<'_> {
             self.hits[x][sample] = seen.hit;
             self.normals[x][sample] = seen.normals;
             self.uniform[x] &= seen.goes_on;
-            if seen.is_lit {
-                self.sun_free[x][sample] = WHOLE;
+            if let (SampleSun::Ask(origin), Some(sun)) = (seen.sun, &pass.tracer.environment.sun) {
+                // From leaves near and far, which have little in common: alone they are faster.
+                let ray = Ray { origin, direction: sun.disc[sample][FIRST], tmax: f32::MAX };
+                self.sun_free[x][sample] = if pass.tracer.still.accel.occluded(&ray) { 0 } else { WHOLE };
             }
         });
-    }
-
-    /// Asks what each sample near the edge of a shadow sees of the sun's disc.
-    fn ask_the_disc(&mut self, sun: &Sun) {
-        let mut disc = DiscRays::none();
-        for first in (0..self.centres.len()).step_by(8) {
-            let pixels = first..(first + 8).min(self.centres.len());
-            let near = u32::from(self.edges[first / 8]);
-            if near == 0 {
-                continue;
-            }
-            let rays = self.rays(self.aims(pixels));
-            let origins: [(u32, Vec3x8); SAMPLES] =
-                std::array::from_fn(|sample| self.disc_origins(sun, first, near, sample, &rays));
-            for lane in lanes(near) {
-                for (sample, (_, origins)) in
-                    origins.iter().enumerate().filter(|(_, (asked, _))| asked >> lane & 1 == 1)
-                {
-                    disc.push(sun, (first + lane, sample), lane_of(origins, lane));
-                    if disc.is_full() {
-                        self.trace_disc(&mut disc);
-                    }
-                }
-            }
-        }
-        self.trace_disc(&mut disc);
-    }
-
-    /// Which of eight pixels ask the sun's disc for a sample, a bit each, and from where.
-    fn disc_origins(
-        &self,
-        sun: &Sun,
-        first: usize,
-        near: u32,
-        sample: usize,
-        rays: &RayStream<SAMPLES>,
-    ) -> (u32, Vec3x8) {
-        let (mut packed, mut distances, mut lit) = ([0; 8], [f32::MAX; 8], 0);
-        for lane in lanes(near) {
-            let x = first + lane;
-            packed[lane] = self.normals[x][if self.uniform[x] { 0 } else { sample }].geometric;
-            distances[lane] = self.distances[x][sample];
-            lit |= u32::from(self.sun_free[x][sample] != 0) << lane;
-        }
-        let (normals, distances) = (unpack8(&packed), f32x8::new(distances));
-        let to_sun = splat(sun.direction);
-        let faces = dot(&normals, &to_sun).simd_gt(f32x8::ZERO).to_bitmask();
-        let sees = distances.simd_lt(f32x8::splat(f32::MAX)).to_bitmask();
-        // Through leaves that it does not light from the front it was seen before, or is not looked for.
-        let asked = near & sees & (faces | lit);
-        (asked, sun_origins8(&rays.places(sample, distances), &normals, distances, &to_sun))
-    }
-
-    fn trace_disc(&mut self, disc: &mut DiscRays) {
-        disc.trace(&self.pass.tracer.still.accel, |x, sample, free| self.sun_free[x][sample] = free);
     }
 }
