@@ -8,11 +8,12 @@ complete. Then stops a second run by Ctrl-C: the server must be left as it was.
 import pathlib
 import random
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
 import time
+
+from carla_server import wait_until_it_listens
 
 PORT = 27300
 FRAMES, VIDEOS = 60, 6
@@ -22,15 +23,6 @@ RECIPE = ["--maps", "Town02", "--videos", str(VIDEOS), "--fps", "10", "--duratio
 def serve(endless: str) -> subprocess.Popen:
     quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
     return subprocess.Popen([endless, "serve", "--map", "Town02", "--port", str(PORT)], **quiet)
-
-
-def wait_for_server() -> None:
-    while True:
-        try:
-            socket.create_connection(("127.0.0.1", PORT), 1).close()
-            return
-        except OSError:
-            time.sleep(0.1)
 
 
 def generate(endless: str, out: pathlib.Path) -> subprocess.Popen:
@@ -48,7 +40,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as work:
         out = pathlib.Path(work) / "killed"
         server = serve(endless)
-        wait_for_server()
+        wait_until_it_listens(server, PORT)
         run = generate(endless, out)
         done = 0
         while done < kills and run.poll() is None:
@@ -67,7 +59,7 @@ def main() -> None:
         subprocess.run([endless, "check", str(out)], check=True)
         print(f"{done} kills: the dataset is complete")
 
-        wait_for_server()
+        wait_until_it_listens(server, PORT)
         stopped = pathlib.Path(work) / "stopped"
         run = generate(endless, stopped)
         while images(stopped) == 0 and run.poll() is None:

@@ -81,28 +81,38 @@ impl CameraBake {
     }
 
     fn developed(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
-        let tracer = self.lighting.tracer(still, Some(frame));
-        let mut buffer = FrameBuffer::new(self);
-        let work = affected(self, still, frame);
-        self.render_tiles(&tracer, frame, &worked_on(&work), |place, pixel| buffer.set(self, place, &pixel));
-        buffer.develop(self, still, frame)
+        self.developed_by(still, frame, |tracer, tiles, buffer| {
+            self.render_tiles(tracer, frame, tiles, |place, pixel| buffer.set(self, place, &pixel));
+        })
     }
 
+    /// The same by all threads.
     fn developed_at_once(&self, still: &StaticScene, frame: &FrameScene) -> DevelopedFrame {
         /// Tiles that a thread takes on.
         const SHARE: usize = 12;
+        self.developed_by(still, frame, |tracer, tiles, buffer| {
+            let rendered = tiles.par_chunks(SHARE).map(|share| {
+                let mut pixels = Vec::new();
+                self.render_tiles(tracer, frame, share, |place, pixel| pixels.push((place, pixel)));
+                pixels
+            });
+            for (place, pixel) in rendered.collect::<Vec<_>>().iter().flatten() {
+                buffer.set(self, *place, pixel);
+            }
+        })
+    }
+
+    /// `render` draws the tiles that what moves affects.
+    fn developed_by(
+        &self,
+        still: &StaticScene,
+        frame: &FrameScene,
+        render: impl FnOnce(&Tracer<'_>, &[(u32, &TileWork)], &mut FrameBuffer),
+    ) -> DevelopedFrame {
         let tracer = self.lighting.tracer(still, Some(frame));
         let mut buffer = FrameBuffer::new(self);
         let work = affected(self, still, frame);
-        let tiles = worked_on(&work);
-        let rendered = tiles.par_chunks(SHARE).map(|share| {
-            let mut pixels = Vec::new();
-            self.render_tiles(&tracer, frame, share, |place, pixel| pixels.push((place, pixel)));
-            pixels
-        });
-        for (place, pixel) in rendered.collect::<Vec<_>>().iter().flatten() {
-            buffer.set(self, *place, pixel);
-        }
+        render(&tracer, &worked_on(&work), &mut buffer);
         buffer.develop(self, still, frame)
     }
 
