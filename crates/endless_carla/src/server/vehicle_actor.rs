@@ -11,6 +11,9 @@ use crate::wire::{
 use endless_asset::Catalogue;
 use endless_world::{ObjectClass, VehicleLights, VehicleMotion, VehicleRef};
 
+/// How many people ride two-wheelers of a model and colour: each has a body of their own, which takes some milliseconds to make.
+const RIDERS: u32 = 64;
+
 /// A vehicle.
 pub(super) struct VehicleActor {
     pub(super) asset: VehicleRef,
@@ -46,9 +49,10 @@ impl VehicleActor {
         transform: &Transform,
     ) -> Result<Self, CallError> {
         let color = if attributes.has("color") { Some(attributes.color("color")?) } else { None };
-        let asset = blueprint.reference(catalogue, color, u64::from(number));
-        let model = catalogue.vehicle(asset.model).ok_or_else(|| CallError::refused("there is no such vehicle"))?;
+        let model = catalogue.vehicle(blueprint.model).ok_or_else(|| CallError::refused("there is no such vehicle"))?;
         let spec = &model.spec;
+        let look = if spec.ridden { number % RIDERS } else { number };
+        let asset = blueprint.reference(catalogue, color, u64::from(look));
         let shape = VehicleShape {
             mass_kg: Some(blueprint.mass_kg.into()),
             electric: blueprint.special_type == "electric",
