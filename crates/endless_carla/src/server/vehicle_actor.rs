@@ -168,3 +168,26 @@ impl VehicleActor {
         self.wheels_set[usize::from(wheel) & 3].pitch_deg = if degrees.is_finite() { degrees } else { 0.0 };
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blueprint::{BlueprintKind, BlueprintLibrary};
+
+    #[test]
+    fn so_many_people_ride_two_wheelers_of_a_model() {
+        let (catalogue, library) = (Catalogue::builtin(), BlueprintLibrary::new());
+        let look = |id: &str, number: u32| {
+            let blueprint = library.find(id).expect("CARLA has it");
+            let BlueprintKind::Vehicle(vehicle) = &blueprint.kind else { panic!("{id} is a vehicle") };
+            let description = blueprint.description();
+            let attributes = blueprint.attributes(&description);
+            let actor = VehicleActor::new(vehicle, &attributes, &catalogue, number, &Transform::default());
+            actor.expect("it can be made").asset
+        };
+        let bike = |number| look("vehicle.bh.crossbike", number);
+        assert!(bike(3) != bike(4) && bike(3) == bike(3 + RIDERS));
+        let car = |number| look("vehicle.lincoln.mkz_2020", number);
+        assert!(car(3) != car(3 + RIDERS));
+    }
+}
