@@ -1,4 +1,8 @@
-"""Who stops at red lights and who leaves the road, for `judge_carla.py`."""
+"""Who stops at red lights and who leaves the road, for `judge_carla.py`.
+
+A light that was green while a vehicle stood in its box is green to CARLA's TrafficManager until the vehicle leaves the box
+(`SimulationState::UpdateTrafficLightState`): one that has come by green and is held up by others goes on when it can.
+"""
 
 import collections
 
@@ -18,8 +22,8 @@ class RoadRules:
         self.vehicles = list(world.get_actors(vehicles))
         self.lights = {light.id: light for light in world.get_actors().filter("traffic.traffic_light")}
         self.red_s = collections.Counter()
-        # The light at which each vehicle was in the last frame.
-        self.at = {}
+        # The light at which each vehicle was in the last frame, and who has seen it green since they came there.
+        self.at, self.let_by = {}, set()
         self.stood, self.ran, self.left = set(), set(), set()
 
     def frame(self, number):
@@ -29,9 +33,14 @@ class RoadRules:
         for vehicle in self.vehicles:
             light = vehicle.get_traffic_light() if vehicle.is_at_traffic_light() else None
             before, self.at[vehicle.id] = self.at.get(vehicle.id), light.id if light else None
+            let_by = vehicle.id in self.let_by
+            if self.at[vehicle.id] != before:
+                self.let_by.discard(vehicle.id)
+            if light and light.get_state() == carla.TrafficLightState.Green:
+                self.let_by.add(vehicle.id)
             if light and self.red_s[light.id] > 0 and vehicle.get_velocity().length() < STANDS_MPS:
                 self.stood.add(vehicle.id)
-            if before and not light and self.red_s[before] > SEEN_S:
+            if before and not light and not let_by and self.red_s[before] > SEEN_S:
                 if self.roads.get_waypoint(vehicle.get_location()).is_junction:
                     self.ran.add(vehicle.id)
             if number % 10 == 0:

@@ -14,8 +14,10 @@ use glam::DVec2;
 const ITERATIONS: usize = 4;
 /// Slower than this is standing, m/s and rad/s.
 const STANDS: f64 = 1e-4;
-/// What braked but turning wheels keep across, as a share of their grip.
-const KEPT_ACROSS: f64 = 0.35;
+/// What braked but turning front wheels keep across, and rear ones along, as a share of their grip.
+const KEPT: f64 = 0.35;
+/// How much of what the rear wheels could hold across the front ones may ask of them while the brakes are on.
+const BALANCED: f64 = 0.9;
 
 /// Motion of the centre of mass in the plane, in the world.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -35,6 +37,8 @@ pub(super) struct AxleForces {
     pub(super) drive_n: f64,
     /// Against their rolling.
     pub(super) resist_n: f64,
+    /// The driver brakes.
+    pub(super) braked: bool,
     /// They do not turn at all while they slide.
     pub(super) locked: bool,
 }
@@ -107,16 +111,28 @@ pub(super) fn step(
             // Rubber on asphalt: against the way that it slides.
             (grip_n * v_along / slide.length(), grip_n * v_across / slide.length())
         } else {
-            let left_n = left_across(grip_n, drive_n.abs().max(resist_n)).max(KEPT_ACROSS * grip_n);
             let rest_n = (axle.weight * p.weight_n()).max(1.0);
             let stiffness = axle.stiffness * (axle.max_load * rest_n / own.load_n.max(1.0)).min(1.0);
-            let share = lateral_share(slip_rad, axle.friction, stiffness);
-            (resist_n, (own.load_n * share).min(left_n))
+            let share_n = own.load_n * lateral_share(slip_rad, axle.friction, stiffness);
+            // Electronic brake force distribution: rear brakes yield where their wheels must hold the tail.
+            let rear = index == 1;
+            let braked_n = if rear { resist_n.min(left_across(grip_n, share_n).max(KEPT * grip_n)) } else { resist_n };
+            let left_n = left_across(grip_n, drive_n.abs().max(braked_n)).max(KEPT * grip_n);
+            (braked_n, share_n.min(left_n))
         };
         (contact.most_along, contact.most_across) = (most_along * dt_s, most_across * dt_s);
         slips[index] = slip_rad * if slide.dot(contact.across) > 0.0 { 1.0 } else { -1.0 };
         contact
     });
+
+    // Electronic stability control: brakes of single wheels take from the front what would turn the vehicle round, as
+    // where braking has lifted the load off the rear. Who pulls the hand brake wants that.
+    let [front, rear] = &p.axles;
+    if forces[1].braked && !forces[1].locked {
+        let could_n = left_across(rear.friction * forces[1].load_n, forces[1].drive_n);
+        let asked_n = BALANCED * could_n * -rear.ahead_m / front.ahead_m;
+        contacts[0].most_across = contacts[0].most_across.min(asked_n * dt_s);
+    }
 
     let mut resisted = [0.0; 2];
     for _ in 0..ITERATIONS {

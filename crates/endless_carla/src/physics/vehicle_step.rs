@@ -131,6 +131,7 @@ impl VehicleBody {
                 load_n,
                 drive_n: pulling_n * passed_on(pulling_n / axle.wheels, axle.long_stiffness),
                 resist_n: braking_n * share + hand_n + rolling_n + drive.drag_n * axle.driven,
+                braked: braking_n > 0.0,
                 locked: hand_n > axle.friction * load_n,
             }
         })

@@ -1,11 +1,11 @@
 //! A client's connection: what it is answered waits in a queue with bounds, so that a client that does not read holds up
 //! nobody.
 
-use std::io::Write;
+use std::io::{self, Write};
 use std::net::{Shutdown, TcpStream};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// Most answers that wait for a client.
 const MOST_WAITING: usize = 1 << 16;
@@ -23,20 +23,39 @@ pub struct Caller {
     pub id: ConnectionId,
     queue: SyncSender<Vec<u8>>,
     waiting: Arc<AtomicUsize>,
-    stream: Arc<TcpStream>,
+    stream: Arc<AnswerStream>,
 }
 
 /// What waits for a client.
 pub(super) struct AnswerQueue {
     receiver: Receiver<Vec<u8>>,
     waiting: Arc<AtomicUsize>,
-    stream: Arc<TcpStream>,
+    stream: Arc<AnswerStream>,
+}
+
+/// Where answers are written, each of them whole.
+#[derive(Debug)]
+struct AnswerStream {
+    stream: TcpStream,
+    writing: Mutex<()>,
+}
+
+impl AnswerStream {
+    fn write(&self, message: &[u8]) -> io::Result<()> {
+        let _one_at_a_time = self.writing.lock().unwrap_or_else(PoisonError::into_inner);
+        (&self.stream).write_all(message)
+    }
+
+    fn close(&self) {
+        // It may be gone already.
+        let _ = self.stream.shutdown(Shutdown::Both);
+    }
 }
 
 impl Caller {
     pub(super) fn new(id: ConnectionId, stream: TcpStream) -> (Self, AnswerQueue) {
         let (queue, receiver) = sync_channel(MOST_WAITING);
-        let (waiting, stream) = (Arc::default(), Arc::new(stream));
+        let (waiting, stream) = (Arc::default(), Arc::new(AnswerStream { stream, writing: Mutex::default() }));
         let own = AnswerQueue { receiver, waiting: Arc::clone(&waiting), stream: Arc::clone(&stream) };
         (Self { id, queue, waiting, stream }, own)
     }
@@ -51,23 +70,26 @@ impl Caller {
         }
     }
 
+    /// Sends a message at once: waits for a client that does not read.
+    pub(super) fn send_now(&self, message: &[u8]) -> io::Result<()> {
+        self.stream.write(message)
+    }
+
     /// Ends the connection.
     pub(super) fn close(&self) {
-        // It may be gone already.
-        let _ = self.stream.shutdown(Shutdown::Both);
+        self.stream.close();
     }
 }
 
 impl AnswerQueue {
     /// Writes answers until the connection ends.
     pub(super) fn write_all(self) {
-        let mut stream = &*self.stream;
         for message in &self.receiver {
             self.waiting.fetch_sub(message.len(), Ordering::Relaxed);
-            if stream.write_all(&message).is_err() {
+            if self.stream.write(&message).is_err() {
                 break;
             }
         }
-        let _ = stream.shutdown(Shutdown::Both);
+        self.stream.close();
     }
 }

@@ -3,6 +3,7 @@
 use super::connection::{Caller, ConnectionId};
 use super::decode::read_value;
 use super::request::Request;
+use super::standing::StandingAnswers;
 use std::io::BufReader;
 use std::net::{TcpListener, TcpStream};
 use std::sync::Arc;
@@ -22,8 +23,8 @@ pub enum RpcEvent {
     Gone(ConnectionId),
 }
 
-/// Accepts clients for ever, each with threads of its own.
-pub fn listen(listener: &TcpListener, events: &SyncSender<RpcEvent>) {
+/// Accepts clients for ever, each with threads of its own. All but the standing answers are left to who takes the events.
+pub fn listen(listener: &TcpListener, events: &SyncSender<RpcEvent>, standing: &Arc<StandingAnswers>) {
     let clients = Arc::new(AtomicUsize::new(0));
     for (id, stream) in (1..).map(ConnectionId).zip(listener.incoming()) {
         let Ok(stream) = stream else { continue };
@@ -32,9 +33,9 @@ pub fn listen(listener: &TcpListener, events: &SyncSender<RpcEvent>) {
             tracing::warn!("{MOST_CLIENTS} clients are connected: another one is turned away");
             continue;
         }
-        let (events, clients) = (events.clone(), Arc::clone(&clients));
+        let (events, standing, clients) = (events.clone(), Arc::clone(standing), Arc::clone(&clients));
         let spawned = thread::Builder::new().name(format!("client {}", id.0)).spawn(move || {
-            if let Err(error) = serve(id, stream, &events) {
+            if let Err(error) = serve(id, stream, &events, &standing) {
                 tracing::info!(client = id.0, "a client's connection is closed: {error}");
             }
             clients.fetch_sub(1, Ordering::Relaxed);
@@ -48,7 +49,12 @@ pub fn listen(listener: &TcpListener, events: &SyncSender<RpcEvent>) {
 }
 
 /// Reads requests until the client goes or sends what is none.
-fn serve(id: ConnectionId, stream: TcpStream, events: &SyncSender<RpcEvent>) -> Result<(), String> {
+fn serve(
+    id: ConnectionId,
+    stream: TcpStream,
+    events: &SyncSender<RpcEvent>,
+    standing: &StandingAnswers,
+) -> Result<(), String> {
     let failed = |error: std::io::Error| error.to_string();
     stream.set_nodelay(true).map_err(failed)?;
     let mut reader = BufReader::new(stream.try_clone().map_err(failed)?);
@@ -65,7 +71,11 @@ fn serve(id: ConnectionId, stream: TcpStream, events: &SyncSender<RpcEvent>) -> 
             Ok(request) => request,
             Err(error) => break Err(error.to_string()),
         };
-        if events.send(RpcEvent::Call(caller.clone(), request)).is_err() {
+        let is_over = match standing.response(&request) {
+            Some(response) => caller.send_now(&response).is_err(),
+            None => events.send(RpcEvent::Call(caller.clone(), request)).is_err(),
+        };
+        if is_over {
             break Ok(());
         }
     };

@@ -6,6 +6,7 @@ mod connection;
 mod decode;
 mod listener;
 mod request;
+mod standing;
 
 pub use answer::Answer;
 pub(crate) use answer::{failure, success};
@@ -13,3 +14,4 @@ pub use connection::{Caller, ConnectionId};
 pub use decode::{DecodeError, read_value};
 pub use listener::{RpcEvent, listen};
 pub use request::Request;
+pub use standing::StandingAnswers;

@@ -5,6 +5,7 @@ use super::call_error::CallError;
 use super::methods;
 use super::world::World;
 use crate::rpc::{Answer, Caller, ConnectionId, Request, RpcEvent};
+use crate::wire::EpisodeSettings;
 use std::collections::BTreeMap;
 use std::sync::mpsc::{Receiver, RecvTimeoutError};
 use std::thread;
@@ -142,7 +143,7 @@ impl Engine {
             self.world.ticking = None;
             if self.world.settings.synchronous_mode {
                 tracing::warn!("the client that ticked has gone: back to asynchronous mode");
-                self.world.settings.synchronous_mode = false;
+                self.world.set_settings(EpisodeSettings { synchronous_mode: false, ..self.world.settings.clone() });
                 self.time_runs_otherwise();
             }
         }

@@ -103,11 +103,12 @@ impl Server {
         let (rpc, streams) = both()?;
         let address = rpc.local_addr().map_err(ServerError::Thread)?;
         world.stream_port = streams.local_addr().map_err(ServerError::Thread)?.port();
+        let standing = Arc::clone(&world.standing);
         let engine = Engine::new(world, events);
         let spawn = |name: &str, work: Box<dyn FnOnce() + Send>| {
             thread::Builder::new().name(name.to_owned()).spawn(work).map(drop).map_err(ServerError::Thread)
         };
-        spawn("rpc", Box::new(move || listen(&rpc, &sender)))?;
+        spawn("rpc", Box::new(move || listen(&rpc, &sender, &standing)))?;
         spawn("streams", Box::new(move || listen_for_sessions(&streams, &hub)))?;
         Ok(Self { engine, address })
     }

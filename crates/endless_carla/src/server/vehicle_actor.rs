@@ -11,6 +11,9 @@ use crate::wire::{
 use endless_asset::Catalogue;
 use endless_world::{ObjectClass, VehicleLights, VehicleMotion, VehicleRef};
 
+/// How many people ride two-wheelers of a model and colour: each has a body of their own, which takes some milliseconds to make.
+const RIDERS: u32 = 64;
+
 /// A vehicle.
 pub(super) struct VehicleActor {
     pub(super) asset: VehicleRef,
@@ -46,9 +49,10 @@ impl VehicleActor {
         transform: &Transform,
     ) -> Result<Self, CallError> {
         let color = if attributes.has("color") { Some(attributes.color("color")?) } else { None };
-        let asset = blueprint.reference(catalogue, color, u64::from(number));
-        let model = catalogue.vehicle(asset.model).ok_or_else(|| CallError::refused("there is no such vehicle"))?;
+        let model = catalogue.vehicle(blueprint.model).ok_or_else(|| CallError::refused("there is no such vehicle"))?;
         let spec = &model.spec;
+        let look = if spec.ridden { number % RIDERS } else { number };
+        let asset = blueprint.reference(catalogue, color, u64::from(look));
         let shape = VehicleShape {
             mass_kg: Some(blueprint.mass_kg.into()),
             electric: blueprint.special_type == "electric",
@@ -162,5 +166,28 @@ impl VehicleActor {
     /// Rolls a wheel: it is told again, and not drawn, for wheels are drawn by the way that they have gone.
     pub(super) fn set_wheel_pitch(&mut self, wheel: u8, degrees: f32) {
         self.wheels_set[usize::from(wheel) & 3].pitch_deg = if degrees.is_finite() { degrees } else { 0.0 };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blueprint::{BlueprintKind, BlueprintLibrary};
+
+    #[test]
+    fn so_many_people_ride_two_wheelers_of_a_model() {
+        let (catalogue, library) = (Catalogue::builtin(), BlueprintLibrary::new());
+        let look = |id: &str, number: u32| {
+            let blueprint = library.find(id).expect("CARLA has it");
+            let BlueprintKind::Vehicle(vehicle) = &blueprint.kind else { panic!("{id} is a vehicle") };
+            let description = blueprint.description();
+            let attributes = blueprint.attributes(&description);
+            let actor = VehicleActor::new(vehicle, &attributes, &catalogue, number, &Transform::default());
+            actor.expect("it can be made").asset
+        };
+        let bike = |number| look("vehicle.bh.crossbike", number);
+        assert!(bike(3) != bike(4) && bike(3) == bike(3 + RIDERS));
+        let car = |number| look("vehicle.lincoln.mkz_2020", number);
+        assert!(car(3) != car(3 + RIDERS));
     }
 }

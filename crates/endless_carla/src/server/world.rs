@@ -7,8 +7,9 @@ use super::error::ServerError;
 use super::loaded_map::MapShelf;
 use super::recorder::Recordings;
 use super::sensing::Sensing;
+use super::version::VERSION;
 use crate::blueprint::BlueprintLibrary;
-use crate::rpc::ConnectionId;
+use crate::rpc::{Answer, ConnectionId, StandingAnswers};
 use crate::stream::{Delivery, StreamHub, Token};
 use crate::wire::{Bytes, EpisodeSettings};
 use std::collections::BTreeMap;
@@ -23,7 +24,10 @@ pub(super) struct World {
     pub(super) shelf: MapShelf,
     pub(super) blueprints: BlueprintLibrary,
     pub(super) episode: Episode,
+    /// Changed by [`Self::set_settings`].
     pub(super) settings: EpisodeSettings,
+    /// The version and the settings are told while frames are made.
+    pub(super) standing: Arc<StandingAnswers>,
     pub(super) sensing: Sensing,
     pub(super) drawn_boxes: DrawnBoxes,
     pub(super) recordings: Recordings,
@@ -45,11 +49,12 @@ impl World {
         // Made now rather than while somebody waits.
         let _ = map.loaded.roads.navigation();
         let blueprints = BlueprintLibrary::new();
-        let world = Self {
+        let mut world = Self {
             episode: Episode::new(map, seed, &blueprints, None),
             shelf,
             blueprints,
             settings: EpisodeSettings::default(),
+            standing: Arc::default(),
             sensing: Sensing::new(),
             drawn_boxes: DrawnBoxes::default(),
             recordings: Recordings::new(None),
@@ -61,7 +66,15 @@ impl World {
             begun: Instant::now(),
         };
         world.hub.open(world.episode.stream());
+        world.standing.set("version", Answer::of(&VERSION.to_owned()));
+        world.set_settings(EpisodeSettings::default());
         Ok(world)
+    }
+
+    /// Time runs like this from now on.
+    pub(super) fn set_settings(&mut self, settings: EpisodeSettings) {
+        self.standing.set("get_episode_settings", Answer::of(&settings));
+        self.settings = settings;
     }
 
     /// Seconds from frame to frame, where the settings say.
@@ -105,7 +118,7 @@ impl World {
             name => self.shelf.load(name).map_err(|error| CallError::refused(error.to_string()))?,
         };
         if reset_settings {
-            self.settings = EpisodeSettings::default();
+            self.set_settings(EpisodeSettings::default());
         }
         let walked = Arc::clone(&map.loaded);
         rayon::spawn(move || {

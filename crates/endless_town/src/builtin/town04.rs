@@ -11,6 +11,10 @@ use glam::DVec2;
 /// From the middle of the median to the middle of a carriageway, metres.
 const APART_M: f64 = 7.6;
 
+/// How far ramps go along a carriageway while they come so far out of its middle, metres.
+const TAPER_M: f64 = 45.0;
+const TAPER_OUT_M: f64 = 14.5;
+
 fn height(p: DVec2) -> f64 {
     let slope = 24.0 * rise(-60.0, 480.0, p.y);
     let waves = 2.2 * sin(p.x / 95.0 + 0.6) * rise(-40.0, 160.0, p.y);
@@ -61,27 +65,38 @@ fn highway(layout: &mut TownLayout) {
         layout.road_with_bridges(words, &line, &[(south, 19.0)]);
     }
     let ramp = "motorway_link oneway=yes lanes=1 maxspeed=50";
-    let on = |line: &[DVec2], near: (f64, f64)| {
+    // Where a ramp leaves or joins a carriageway near a place, first out from it and then so far along in the direction of
+    // travel: as slowly as cars that come at the motorway's speed can follow.
+    let taper = |line: &[DVec2], near: (f64, f64), along_m: f64| {
         let p = DVec2::new(near.0, near.1);
-        line.iter().copied().min_by(|a, b| a.distance(p).total_cmp(&b.distance(p))).unwrap_or(p)
+        let nearest = (1..line.len() - 1).min_by(|&a, &b| line[a].distance(p).total_cmp(&line[b].distance(p)));
+        let at = nearest.unwrap_or(1);
+        let ahead = (line[at + 1] - line[at - 1]).normalize_or(DVec2::X);
+        [line[at], line[at] + ahead * along_m - ahead.perp() * TAPER_OUT_M]
     };
-    let mut link = |from: DVec2, through: &[(f64, f64)], to: DVec2| {
-        // Straight at its ends: what leaves slowly lies long upon the carriageway.
-        let between = through.iter().map(|&(x, y)| DVec2::new(x, y));
-        let all: Vec<DVec2> = std::iter::once(from).chain(between).chain([to]).collect();
-        layout.road(ramp, &all);
+    let off = |line: &[DVec2], near: (f64, f64), through: (f64, f64), to: (f64, f64)| {
+        let [from, beside] = taper(line, near, TAPER_M);
+        vec![from, beside, DVec2::new(through.0, through.1), DVec2::new(to.0, to.1)]
     };
-    // South: a diamond on both sides of the main street.
-    let at = DVec2::new;
-    link(on(&outer, (-175.0, -262.0)), &[(-130.0, -303.0), (-60.0, -312.0)], at(0.0, -312.0));
-    link(at(0.0, -312.0), &[(60.0, -312.0), (130.0, -303.0)], on(&outer, (175.0, -262.0)));
-    link(on(&inner, (175.0, -246.0)), &[(130.0, -216.0), (60.0, -208.0)], at(0.0, -212.0));
-    link(at(0.0, -212.0), &[(-60.0, -208.0), (-130.0, -216.0)], on(&inner, (-175.0, -246.0)));
-    // West: the same about the avenue's bridge.
-    link(on(&outer, (-380.0, 130.0)), &[(-428.0, 88.0), (-446.0, 40.0)], at(-446.0, 0.0));
-    link(at(-446.0, 0.0), &[(-446.0, -40.0), (-428.0, -88.0)], on(&outer, (-380.0, -130.0)));
-    link(on(&inner, (-350.0, -120.0)), &[(-332.0, -78.0), (-334.0, -36.0)], at(-340.0, 0.0));
-    link(at(-340.0, 0.0), &[(-334.0, 36.0), (-332.0, 78.0)], on(&inner, (-350.0, 120.0)));
+    let on = |from: (f64, f64), through: (f64, f64), line: &[DVec2], near: (f64, f64)| {
+        let [to, beside] = taper(line, near, -TAPER_M);
+        vec![DVec2::new(from.0, from.1), DVec2::new(through.0, through.1), beside, to]
+    };
+    let ramps = [
+        // South: a diamond on both sides of the main street.
+        off(&outer, (-190.0, -262.0), (-60.0, -312.0), (0.0, -312.0)),
+        on((0.0, -312.0), (60.0, -312.0), &outer, (190.0, -262.0)),
+        off(&inner, (190.0, -246.0), (60.0, -208.0), (0.0, -212.0)),
+        on((0.0, -212.0), (-60.0, -208.0), &inner, (-190.0, -246.0)),
+        // West: the same about the avenue's bridge.
+        off(&outer, (-372.0, 145.0), (-446.0, 40.0), (-446.0, 0.0)),
+        on((-446.0, 0.0), (-446.0, -40.0), &outer, (-372.0, -145.0)),
+        off(&inner, (-345.0, -135.0), (-334.0, -36.0), (-340.0, 0.0)),
+        on((-340.0, 0.0), (-334.0, 36.0), &inner, (-345.0, 135.0)),
+    ];
+    for line in &ramps {
+        layout.road(ramp, line);
+    }
 }
 
 fn streets(layout: &mut TownLayout) {
@@ -102,9 +117,23 @@ fn streets(layout: &mut TownLayout) {
         &points(&[(0.0, -392.0), (0.0, -312.0), (0.0, -212.0), (0.0, -190.0)]),
     );
     layout.road(main, &points(&[(0.0, -190.0), (0.0, 0.0), (6.0, 120.0)]));
+    // Over the highway, round its outside through the hills and back to the avenue.
     layout.road_with_bridges(
         road,
-        &smooth(&[(6.0, 120.0), (8.0, 190.0), (2.0, 268.0), (-6.0, 340.0), (-40.0, 400.0)]),
+        &smooth(&[
+            (6.0, 120.0),
+            (8.0, 190.0),
+            (2.0, 268.0),
+            (-12.0, 332.0),
+            (-52.0, 378.0),
+            (-120.0, 386.0),
+            (-210.0, 340.0),
+            (-320.0, 330.0),
+            (-420.0, 270.0),
+            (-486.0, 160.0),
+            (-516.0, 60.0),
+            (-520.0, 0.0),
+        ]),
         &[(DVec2::new(2.0, 268.0), 20.0)],
     );
     layout.road(
@@ -115,20 +144,6 @@ fn streets(layout: &mut TownLayout) {
             (-280.0, -350.0),
             (-420.0, -260.0),
             (-500.0, -130.0),
-            (-520.0, 0.0),
-        ]),
-    );
-    // Round the outside of the loop, through the hills, back to the avenue.
-    layout.road(
-        road,
-        &smooth(&[
-            (-40.0, 400.0),
-            (-120.0, 386.0),
-            (-210.0, 340.0),
-            (-320.0, 330.0),
-            (-420.0, 270.0),
-            (-486.0, 160.0),
-            (-516.0, 60.0),
             (-520.0, 0.0),
         ]),
     );

@@ -50,6 +50,24 @@ fn a_hand_brake_brings_the_tail_out() {
 }
 
 #[test]
+fn brakes_in_a_bend_do_not_turn_it_round() {
+    let four_wheeled = everyone().into_iter().filter(|(_, shape)| !shape.two_wheeled());
+    for (name, shape) in four_wheeled {
+        for kmh in [40.0, 75.0, 90.0, 130.0] {
+            for (brake, steer) in [(0.3, 0.05), (0.7, 0.1), (0.7, -0.3), (1.0, 0.2), (0.5, 0.6), (1.0, 1.0)] {
+                let mut body = at_kmh(VehicleBody::new(shape, Place::default()), kmh);
+                // Slowly the middle of a vehicle goes elsewhere than its nose.
+                while body.velocity().length() > 5.0 {
+                    body.step(&control(0.0, brake, steer), FRAME_S, &flat);
+                    let slip = slip_deg(&body);
+                    assert!(slip < 12.0, "{name}, {kmh} km/h, brake {brake}, steer {steer}: {slip}");
+                }
+            }
+        }
+    }
+}
+
+#[test]
 fn standing_is_standing() {
     for (name, shape) in everyone() {
         for control in [control(0.0, 0.0, 0.0), control(0.0, 1.0, 0.7), control(0.0, 0.0, -1.0)] {

@@ -1,33 +1,22 @@
-//! Versions, episodes, settings and time.
+//! Episodes, settings and time.
 
 use crate::rpc::Answer;
 use crate::server::call::{Call, CallResult, Method};
 use crate::server::call_error::CallError;
-use crate::server::version::VERSION;
 use crate::server::world::World;
 use crate::wire::{EpisodeInfo, EpisodeSettings, OpendriveGenerationParameters};
 
 pub(super) const METHODS: &[(&str, Method)] = &[
-    ("version", version),
     ("get_episode_info", get_episode_info),
-    ("get_episode_settings", get_episode_settings),
     ("set_episode_settings", set_episode_settings),
     ("tick_cue", tick_cue),
     ("load_new_episode", load_new_episode),
     ("copy_opendrive_to_file", copy_opendrive_to_file),
 ];
 
-fn version(_: &mut World, _: &Call<'_>) -> CallResult {
-    Ok(Answer::of(&VERSION.to_owned()))
-}
-
 fn get_episode_info(world: &mut World, _: &Call<'_>) -> CallResult {
     let token = world.token(world.episode.stream());
     Ok(Answer::of(&EpisodeInfo { id: world.episode.id, token: vec![token] }))
-}
-
-fn get_episode_settings(world: &mut World, _: &Call<'_>) -> CallResult {
-    Ok(Answer::of(&world.settings))
 }
 
 /// Gives the current frame: clients wait for the snapshot of the frame that they are told.
@@ -40,7 +29,7 @@ fn set_episode_settings(world: &mut World, call: &Call<'_>) -> CallResult {
     {
         return Err(CallError::refused(format!("fixed_delta_seconds must be from 0 to {LONGEST_S}, not {step_s}")));
     }
-    world.settings = settings;
+    world.set_settings(settings);
     Ok(Answer::of(&world.episode.frame))
 }
 
