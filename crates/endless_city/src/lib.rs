@@ -43,6 +43,7 @@ mod person;
 mod placed_prop;
 mod shared_models;
 mod town_scene;
+mod town_thing;
 mod vehicle;
 mod velocity;
 
@@ -51,3 +52,4 @@ pub use clutter::{ClutterPiece, clutter};
 pub use placed_prop::PlacedProp;
 pub use shared_models::SharedModels;
 pub use town_scene::TownScene;
+pub use town_thing::TownThing;

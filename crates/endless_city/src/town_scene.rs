@@ -1,11 +1,13 @@
 //! A town as the renderer draws it.
 
-use crate::{SharedModels, vehicle::VehicleGeometry};
+use crate::{SharedModels, TownThing, town_thing::Remains, vehicle::VehicleGeometry};
 use endless_asset::Catalogue;
 use endless_render::{Geometry, Instance, RigidVelocity, StaticScene};
 use endless_scene::Mesh;
 use endless_town::{PlacedObject, Placement, Town};
-use endless_world::{InstanceId, InstanceIdAllocator, ParkedVehicle, TooManyInstances, VehicleModelId, VehicleMotion};
+use endless_world::{
+    ClassTag, InstanceId, InstanceIdAllocator, ParkedVehicle, TooManyInstances, VehicleModelId, VehicleMotion,
+};
 use glam::Vec3;
 use rayon::prelude::*;
 use std::{
@@ -17,6 +19,8 @@ use std::{
 #[derive(Debug)]
 pub struct TownScene {
     still: StaticScene,
+    /// What each of its instances is part of.
+    things: Vec<TownThing>,
     pub(crate) models: Arc<SharedModels>,
 }
 
@@ -39,15 +43,31 @@ impl TownScene {
         models: Arc<SharedModels>,
     ) -> Result<Self, TooManyInstances> {
         // Large meshes and small ones side by side, so that no thread waits for another.
-        let (mut instances, parked): (Vec<Instance>, BTreeMap<VehicleModelId, VehicleGeometry>) = rayon::join(
+        let (placed, parked): (Vec<(TownThing, Instance)>, BTreeMap<VehicleModelId, VehicleGeometry>) = rayon::join(
             || placed(&town.meshes, &town.placements, &models, catalogue),
             || models.parked(town.parked.iter().map(|p| p.vehicle.model).collect(), catalogue),
         );
         let ids = InstanceIdAllocator::default().allocate_many(town.parked.len())?;
-        for (&id, vehicle) in ids.iter().zip(&town.parked) {
-            instances.extend(parked_instances(vehicle, id, &parked, catalogue));
-        }
-        Ok(Self { still: StaticScene::new(instances, &town.lamps), models })
+        let vehicle = |(number, (&id, vehicle)): (u32, (&InstanceId, &ParkedVehicle))| {
+            let instances = parked_instances(vehicle, id, &parked, catalogue);
+            instances.into_iter().map(move |instance| (TownThing::Parked(number), instance))
+        };
+        let vehicles = (0..).zip(ids.iter().zip(&town.parked)).flat_map(vehicle);
+        let (things, instances) =
+            placed.into_iter().chain(vehicles).filter(|(_, instance)| !instance.geometry().is_empty()).unzip();
+        Ok(Self { still: StaticScene::new(instances, &town.lamps), things, models })
+    }
+
+    /// The same town without some of its things, or without those of their parts that are of some classes. All else keeps its
+    /// number.
+    #[must_use]
+    pub fn without(&self, hides: impl Fn(TownThing, ClassTag) -> bool) -> Self {
+        let mut remains = Remains::default();
+        let left = |(thing, instance): (&TownThing, &Instance)| {
+            Some((*thing, remains.of(instance, |class| hides(*thing, class))?))
+        };
+        let (things, instances) = self.things.iter().zip(self.still.instances()).filter_map(left).unzip();
+        Self { still: self.still.made_of(instances), things, models: Arc::clone(&self.models) }
     }
 
     /// What stands still, for the renderer.
@@ -62,21 +82,22 @@ fn placed(
     placements: &[Placement],
     models: &SharedModels,
     catalogue: &Catalogue,
-) -> Vec<Instance> {
+) -> Vec<(TownThing, Instance)> {
     let kinds = placements.iter().map(|placement| placement.object);
     let used: BTreeSet<PlacedObject> = kinds.filter(|what| matches!(what, PlacedObject::Prop(..))).collect();
     let (own, props): (Vec<Geometry>, BTreeMap<PlacedObject, Geometry>) = rayon::join(
         || meshes.par_iter().map(|mesh| Geometry::new(Arc::clone(mesh))).collect(),
         || models.props(used, catalogue),
     );
-    let place = |placement: &Placement| {
+    let place = |(number, placement): (u32, &Placement)| {
         let geometry = match placement.object {
             PlacedObject::TownMesh(i) => own.get(i as usize),
             PlacedObject::Prop(..) => props.get(&placement.object),
         };
-        Some(Instance::new(geometry?, placement.world_from_object).with_signal(placement.signal))
+        let instance = Instance::new(geometry?, placement.world_from_object).with_signal(placement.signal);
+        Some((TownThing::Placed(number), instance))
     };
-    placements.iter().filter_map(place).collect()
+    (0..).zip(placements).filter_map(place).collect()
 }
 
 fn parked_instances(

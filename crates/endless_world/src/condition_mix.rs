@@ -113,6 +113,7 @@ impl Groups {
             cloud_cover: lerp(from.cloud_cover, to.cloud_cover, sky),
             cloud_brightness: lerp(from.cloud_brightness, to.cloud_brightness, sky),
             low_light: [0, 1, 2].map(|k| lerp(from.low_light[k], to.low_light[k], sky)),
+            dust_color: [0, 1, 2].map(|k| lerp(from.dust_color[k], to.dust_color[k], sky)),
             skyglow: lerp(from.skyglow, to.skyglow, sky),
             visibility_m: by_ratio(from.visibility_m, to.visibility_m),
             scale_height_m: by_ratio(from.scale_height_m, to.scale_height_m),

@@ -60,6 +60,8 @@ pub struct Condition<Q = ValueRange> {
     pub cloud_brightness: f32,
     /// Colour of light that has come through the low air to clouds and haze, linear, brightest channel 1.
     pub low_light: [f32; 3],
+    /// Colour that dust in the air gives all daylight, linear; white without dust.
+    pub dust_color: [f32; 3],
     /// Light of the town in the night sky, of that in a clear one; 0 by day. Clouds throw it back.
     pub skyglow: f32,
 
@@ -127,6 +129,7 @@ impl<Q: Copy> Condition<Q> {
             cloud_cover: self.cloud_cover,
             cloud_brightness: self.cloud_brightness,
             low_light: self.low_light,
+            dust_color: self.dust_color,
             skyglow: self.skyglow,
             airlight: self.airlight,
             town_airlight: self.town_airlight,
@@ -156,6 +159,7 @@ const CLEAR: Condition = Condition {
     cloud_cover: 0.28,
     cloud_brightness: 1.0,
     low_light: [1.0; 3],
+    dust_color: [1.0; 3],
     skyglow: 0.0,
     visibility_m: ValueRange::fixed(14_000.0),
     scale_height_m: ValueRange::fixed(1200.0),

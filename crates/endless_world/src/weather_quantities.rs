@@ -105,6 +105,7 @@ impl WeatherQuantities {
             time_of_day,
             turbidity,
             low_light: [tinted(0), tinted(1), tinted(2)],
+            dust_color: DUST_LIGHT.map(|channel| 1.0 + (channel - 1.0) * self.dust),
             visibility_m,
             scale_height_m: rainy.scale_height_m * exp(fog * ln(self.fog_height_m / rainy.scale_height_m)),
             rain: self.rain,

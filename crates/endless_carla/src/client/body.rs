@@ -7,7 +7,7 @@ use crate::wire::{self, Transform};
 use endless_annotate::Box3d;
 use endless_asset::Catalogue;
 use endless_world::{AssetRef, ClassTag, ObjectClass, Outfit, PersonRef, Pose, VehicleRef};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 
 /// What stays the same of an actor.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,8 +19,11 @@ pub(super) struct ActorBody {
     pub(super) asset: AssetRef,
     /// Length, width and height, metres.
     pub(super) size: Vec3,
-    /// From CARLA's place of the actor to the middle of its box's floor, in our object frame, metres.
+    /// From CARLA's place of the actor to ours, in our object frame, metres: of a vehicle, the middle of its box's floor; of a
+    /// person, under their hips, about which the box need not be even.
     offset: Vec3,
+    /// From our place to the middle of the box's floor.
+    box_offset: Vec2,
 }
 
 impl ActorBody {
@@ -31,15 +34,19 @@ impl ActorBody {
         let bounds = &actor.bounding_box;
         let half = Vec3::new(bounds.extent.x, bounds.extent.y, bounds.extent.z).abs().max(Vec3::splat(0.1));
         let centre = frames::from_carla(&bounds.location);
-        // People have their place in their middle.
-        let floor = if class == ObjectClass::Pedestrian { centre.z - half.z } else { 0.0 };
+        let (offset, box_offset) = if class == ObjectClass::Pedestrian {
+            // People have their place in their middle.
+            (Vec3::Z * (centre.z - half.z), centre.truncate())
+        } else {
+            (centre.truncate().extend(0.0), Vec2::ZERO)
+        };
         let tags = &actor.semantic_tags.0;
         let is_ridden = class.two_wheeled() && (tags.is_empty() || tags.contains(&ClassTag::Rider.value()));
         let asset = asset(actor, class, blueprint, catalogue);
-        Some(Self { class, is_ridden, asset, size: 2.0 * half, offset: centre.truncate().extend(floor) })
+        Some(Self { class, is_ridden, asset, size: 2.0 * half, offset, box_offset })
     }
 
-    /// On the ground under its middle.
+    /// On the ground, under its middle.
     pub(super) fn pose(&self, transform: &Transform) -> Pose {
         let pose = frames::pose(transform);
         Pose { position: pose.world_from_object().transform_point3(self.offset), ..pose }
@@ -53,7 +60,8 @@ impl ActorBody {
 
     /// The box around it.
     pub(super) fn box3d(&self, pose: &Pose) -> Box3d {
-        box_on_ground(pose, self.size)
+        let position = pose.world_from_object().transform_point3(self.box_offset.extend(0.0));
+        box_on_ground(&Pose { position, ..*pose }, self.size)
     }
 }
 
@@ -117,6 +125,16 @@ mod tests {
         let body = ActorBody::new(&actor("walker.pedestrian.0001", person), &library, &catalogue).expect("a body");
         let feet = body.pose(&Transform { location: Vector3D { x: 0.0, y: 0.0, z: 1.0 }, ..Transform::default() });
         assert!((feet.position.z - 0.1).abs() < 1e-6);
+        // Who holds something out to the left stands where they stood; their box reaches farther.
+        let person = BoundingBox {
+            location: Vector3D { x: 0.0, y: -0.3, z: 0.0 },
+            extent: Vector3D { x: 0.2, y: 0.5, z: 0.9 },
+            ..BoundingBox::default()
+        };
+        let body = ActorBody::new(&actor("walker.pedestrian.0001", person), &library, &catalogue).expect("a body");
+        let pose = body.pose(&Transform { location: Vector3D { x: 5.0, y: 0.0, z: 0.9 }, ..Transform::default() });
+        assert!(pose.position.distance(Vec3::new(5.0, 0.0, 0.0)) < 1e-6, "{pose:?}");
+        assert!(body.box3d(&pose).centre.distance(Vec3::new(5.0, 0.3, 0.9)) < 1e-6);
         assert!(ActorBody::new(&actor("sensor.camera.rgb", BoundingBox::default()), &library, &catalogue).is_none());
     }
 

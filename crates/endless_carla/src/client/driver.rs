@@ -7,6 +7,7 @@ use super::traffic_manager::TrafficManager;
 use super::world::{Snapshot, World};
 use crate::frames;
 use crate::instance::instance_id;
+use crate::physics::WalkerBody;
 use crate::stream::{ActorRecord, ActorRecordState};
 use crate::wire::Command;
 use endless_traffic::Simulation;
@@ -20,11 +21,13 @@ pub(super) struct Driver {
     pub(super) manager: Option<TrafficManager>,
     /// As the server was told last.
     lights: BTreeMap<u32, VehicleLights>,
+    /// People as a server of ours moves them: the wire tells where they are, and not which foot is in front.
+    walkers: BTreeMap<u32, WalkerBody>,
 }
 
 impl Driver {
     pub(super) fn new(simulation: Simulation) -> Self {
-        Self { simulation, manager: None, lights: BTreeMap::new() }
+        Self { simulation, manager: None, lights: BTreeMap::new(), walkers: BTreeMap::new() }
     }
 
     /// Whether a frame can be made again: nobody moves between frames by themselves.
@@ -47,6 +50,11 @@ impl Driver {
                     }
                 }
                 Motion::Walker(motion) => {
+                    let place = frames::place(&transform);
+                    let [width, height] = [body.size.y, body.size.z].map(f64::from);
+                    let walker = self.walkers.entry(id);
+                    let walker = walker.or_insert_with(|| WalkerBody::new(height, 0.5 * width, place));
+                    walker.put_walking(place, motion.speed_mps.into());
                     commands.push(Command::ApplyWalkerState { actor: id, transform, speed: motion.speed_mps });
                 }
             }
@@ -76,7 +84,11 @@ impl Driver {
             let gone = || ClientError::Unfit(format!("actor {id} is gone"));
             let record = snapshot.actors.get(id).ok_or_else(gone)?;
             let lights = lights.get(id).map(|bits| VehicleLights::from_bits_truncate(*bits));
-            actors.push(actor(*id, body, record, moved.get(id).copied(), lights.unwrap_or_default()));
+            let mut actor = actor(*id, body, record, moved.get(id).copied(), lights.unwrap_or_default());
+            if let Some(walker) = self.walkers.get(id) {
+                actor.motion = Motion::Walker(walker.motion(snapshot.header.timestamp));
+            }
+            actors.push(actor);
         }
         actors.sort_by_key(|actor| actor.id);
         Ok(WorldState { frame, time_s: f64::from(frame) / fps, actors, signals: own.signals })

@@ -4,6 +4,7 @@ use super::georeference;
 use super::ground::Ground;
 use super::lane_index::LaneIndex;
 use super::navmesh::{self, NavigationMesh};
+use super::speed_limits::{speed_limit_signs, with_speed_limits};
 use super::surface::{self, Surface};
 use super::{LightCycle, TrafficLight, TrafficSign, signals, spawn};
 use crate::frames;
@@ -33,10 +34,13 @@ pub struct CarlaMap {
 impl CarlaMap {
     /// Of a town and its roads as an OpenDRIVE file, as our own writer has made it of the same network.
     pub fn new(town: &Town, opendrive: String) -> Self {
-        let (lights, signs) = signals::signals(town);
+        let (lights, mut signs) = signals::signals(town);
+        let limits = speed_limit_signs(town);
+        let opendrive = with_speed_limits(&as_carla_reads(opendrive), &limits);
+        signs.extend(limits.into_iter().map(|limit| limit.sign));
         Self {
             name: town.name.clone(),
-            opendrive: georeference::with_georeference(as_carla_reads(opendrive), town.georeference),
+            opendrive: georeference::with_georeference(opendrive, town.georeference),
             network: town.network.clone(),
             spawn_points: spawn::points(town),
             lights,
@@ -75,7 +79,7 @@ impl CarlaMap {
         &self.lights
     }
 
-    /// Stop and give-way signs, by road.
+    /// Stop and give-way signs, then speed limits, each by road.
     pub fn traffic_signs(&self) -> &[TrafficSign] {
         &self.signs
     }
@@ -157,6 +161,20 @@ mod tests {
         assert_eq!(map.traffic_lights().len(), in_file("1000001"));
         let of_kind = |kind: SignKind| map.traffic_signs().iter().filter(|sign| sign.kind == kind).count();
         assert_eq!([of_kind(SignKind::Stop), of_kind(SignKind::Yield)], [in_file("206"), in_file("205")]);
+        let limits: Vec<&TrafficSign> =
+            map.traffic_signs().iter().filter(|sign| matches!(sign.kind, SignKind::SpeedLimit(_))).collect();
+        assert_eq!(limits.len(), in_file("274"));
+        assert!(limits.len() > 20, "{}", limits.len());
+        for limit in limits {
+            let SignKind::SpeedLimit(kmh) = limit.kind else { continue };
+            // Who passes it is told the same.
+            for passed in &limit.trigger_boxes {
+                let told = map.speed_limit_kmh(&passed.location).expect("a lane");
+                assert!((told - f32::from(kmh)).abs() <= 0.5, "{told} {limit:?}");
+            }
+        }
+        let again = opendrive::read(map.opendrive()).expect("a map");
+        assert_eq!(again.network.lanes.len(), town.network.lanes.len());
         let ids = map.traffic_lights().iter().map(|l| &l.sign_id).chain(map.traffic_signs().iter().map(|s| &s.sign_id));
         let ids: Vec<&String> = ids.collect();
         assert_eq!(ids.iter().collect::<BTreeSet<_>>().len(), ids.len());

@@ -10,6 +10,7 @@ mod light_plan;
 mod navmesh;
 mod signals;
 mod spawn;
+mod speed_limits;
 mod surface;
 
 pub use carla_map::CarlaMap;

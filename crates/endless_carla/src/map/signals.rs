@@ -56,14 +56,17 @@ pub enum SignKind {
     Stop,
     /// Give way.
     Yield,
+    /// No faster than so many kilometres an hour.
+    SpeedLimit(u16),
 }
 
 impl SignKind {
-    /// The name of CARLA's blueprint.
-    pub const fn blueprint(self) -> &'static str {
+    /// The name of CARLA's blueprint: there are speed limits of every ten to 130.
+    pub fn blueprint(self) -> String {
         match self {
-            Self::Stop => "traffic.stop",
-            Self::Yield => "traffic.yield",
+            Self::Stop => "traffic.stop".to_owned(),
+            Self::Yield => "traffic.yield".to_owned(),
+            Self::SpeedLimit(kmh) => format!("traffic.speed_limit.{}", 10 * ((kmh + 5) / 10).clamp(1, 13)),
         }
     }
 }
@@ -183,61 +186,75 @@ impl Approach<'_> {
 
     /// The foot of the pole that stands in the town for a control, facing those who come.
     fn standing(&self, control: Control, end: DVec3, heading_rad: f64) -> Option<DVec3> {
-        let mut best: Option<(f64, DVec3)> = None;
-        for placement in &self.town.placements {
-            let PlacedObject::Prop(prop, _) = placement.object else { continue };
-            let shows = match (control, prop) {
-                (Control::Signal(signal), Prop::SignalPole | Prop::SignalMast | Prop::SpanSignal) => {
-                    placement.signal == Some(signal)
-                }
-                (Control::Stop, Prop::StopSign) | (Control::Yield, Prop::YieldSign) => true,
-                _ => false,
-            };
-            let at = placement.world_from_object.translation.as_dvec3();
-            let faces = placement.world_from_object.matrix3.x_axis.as_dvec3().truncate();
-            let away = at.distance(end);
-            let near = if matches!(control, Control::Signal(_)) { POLE_NEAR_M } else { 10.0 };
-            let faced = faces.dot(unit(heading_rad)) < -0.5;
-            if shows && faced && away < near && best.is_none_or(|(least, _)| away < least) {
-                best = Some((away, at));
-            }
-        }
-        best.map(|(_, at)| at)
+        let near = if matches!(control, Control::Signal(_)) { POLE_NEAR_M } else { 10.0 };
+        standing_near(self.town, end, heading_rad, near, |prop, shown| match (control, prop) {
+            (Control::Signal(signal), Prop::SignalPole | Prop::SignalMast | Prop::SpanSignal) => shown == Some(signal),
+            (Control::Stop, Prop::StopSign) | (Control::Yield, Prop::YieldSign) => true,
+            _ => false,
+        })
     }
 
     /// The last metres of each lane.
     fn boxes(&self) -> Vec<BoundingBox> {
-        let of_lane = |lane: &&Lane| {
-            let (middle, heading_rad, half) = trigger(lane);
-            let pose = frames::heading(middle + DVec3::Z * (TRIGGER_HALF_M - 0.5), heading_rad, 0.0);
-            BoundingBox { location: pose.location, extent: vector(half), rotation: pose.rotation, actor_id: 0 }
-        };
-        self.lanes.iter().map(of_lane).collect()
+        self.lanes.iter().map(|lane| box_of(&trigger(lane))).collect()
     }
 
     /// Around all of these, in the frame of the pole.
     fn volume(&self, pole: &Transform) -> BoundingBox {
-        let origin = frames::from_carla(&pole.location).as_dvec3();
-        let forward = unit(-f64::from(pole.rotation.yaw).to_radians());
-        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-        for lane in self.lanes {
-            let (middle, heading_rad, half) = trigger(lane);
-            let along = unit(heading_rad);
-            for (u, v) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
-                let corner = middle + (along * (u * half.x) + along.perp() * (v * half.y)).extend(0.0) - origin;
-                // The frame of the pole has y to its right.
-                let local = DVec2::new(corner.truncate().dot(forward), -forward.perp_dot(corner.truncate()));
-                low = low.min(local.extend(corner.z - 0.5));
-                high = high.max(local.extend(corner.z - 0.5 + 2.0 * TRIGGER_HALF_M));
-            }
+        volume_of(pole, &self.lanes.iter().map(|lane| trigger(lane)).collect::<Vec<_>>())
+    }
+}
+
+/// The foot of the nearest pole that shows something, faces those who come with a heading to a place, and is near that.
+pub(super) fn standing_near(
+    town: &Town,
+    place: DVec3,
+    heading_rad: f64,
+    near_m: f64,
+    shows: impl Fn(Prop, Option<SignalId>) -> bool,
+) -> Option<DVec3> {
+    let mut best: Option<(f64, DVec3)> = None;
+    for placement in &town.placements {
+        let PlacedObject::Prop(prop, _) = placement.object else { continue };
+        let at = placement.world_from_object.translation.as_dvec3();
+        let faces = placement.world_from_object.matrix3.x_axis.as_dvec3().truncate();
+        let away = at.distance(place);
+        let faced = faces.dot(unit(heading_rad)) < -0.5;
+        let is_nearer = away < near_m && best.is_none_or(|(least, _)| away < least);
+        if is_nearer && faced && shows(prop, placement.signal) {
+            best = Some((away, at));
         }
-        let middle = 0.5 * (low + high);
-        BoundingBox {
-            location: vector(middle),
-            extent: vector(0.5 * (high - low)),
-            rotation: Rotation::default(),
-            actor_id: 0,
+    }
+    best.map(|(_, at)| at)
+}
+
+/// A place where vehicles stand or pass, in the world: its middle, its direction and half its size (along, across, up).
+pub(super) fn box_of((middle, heading_rad, half): &(DVec3, f64, DVec3)) -> BoundingBox {
+    let pose = frames::heading(*middle + DVec3::Z * (TRIGGER_HALF_M - 0.5), *heading_rad, 0.0);
+    BoundingBox { location: pose.location, extent: vector(*half), rotation: pose.rotation, actor_id: 0 }
+}
+
+/// The box around such places, in the frame of a pole.
+pub(super) fn volume_of(pole: &Transform, places: &[(DVec3, f64, DVec3)]) -> BoundingBox {
+    let origin = frames::from_carla(&pole.location).as_dvec3();
+    let forward = unit(-f64::from(pole.rotation.yaw).to_radians());
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for (middle, heading_rad, half) in places {
+        let along = unit(*heading_rad);
+        for (u, v) in [(1.0, 1.0), (1.0, -1.0), (-1.0, 1.0), (-1.0, -1.0)] {
+            let corner = *middle + (along * (u * half.x) + along.perp() * (v * half.y)).extend(0.0) - origin;
+            // The frame of the pole has y to its right.
+            let local = DVec2::new(corner.truncate().dot(forward), -forward.perp_dot(corner.truncate()));
+            low = low.min(local.extend(corner.z - 0.5));
+            high = high.max(local.extend(corner.z - 0.5 + 2.0 * TRIGGER_HALF_M));
         }
+    }
+    let middle = 0.5 * (low + high);
+    BoundingBox {
+        location: vector(middle),
+        extent: vector(0.5 * (high - low)),
+        rotation: Rotation::default(),
+        actor_id: 0,
     }
 }
 
@@ -249,7 +266,7 @@ fn trigger(lane: &Lane) -> (DVec3, f64, DVec3) {
     (middle.position, middle.heading_rad, half)
 }
 
-fn unit(angle: f64) -> DVec2 {
+pub(super) fn unit(angle: f64) -> DVec2 {
     let (sin, cos) = sin_cos(angle);
     DVec2::new(cos, sin)
 }

@@ -17,6 +17,7 @@ mod defaults;
 mod description;
 mod drive_train;
 mod footing;
+mod gait;
 mod input;
 mod parameters;
 mod place;

@@ -192,9 +192,10 @@ impl WalkerBody {
     /// or a control makes it walk; its legs go by the way that it was moved.
     pub fn put_walking(&mut self, place: Place, speed_mps: f64) {
         let speed_mps = within(speed_mps, 0.0, FASTEST_WALK, 0.0);
-        let moved = (place.sane().position - self.position).truncate().length();
-        if moved < 2.0 {
-            self.walked_m += moved;
+        let moved = place.sane().position - self.position;
+        // Who comes from farther off, or from above, has not walked there.
+        if moved.length() < 2.0 {
+            self.walked_m += moved.truncate().length();
         }
         self.put(place);
         self.carried_mps = Some(speed_mps);

@@ -3,6 +3,8 @@
 use super::actor::{Body, ServerActor};
 use super::lamps::Lamps;
 use super::loaded_map::{LoadedMap, NamedMap};
+use super::map_layer::MapLayer;
+use super::scenery::Scenery;
 use super::weather::CLEAR_NOON;
 use crate::blueprint::BlueprintLibrary;
 use crate::frames;
@@ -12,6 +14,7 @@ use crate::stream::{
     ActorRecord, ActorRecordState, EpisodeHeader, SensorHeader, VehicleRecord, WORLD_OBSERVER, WalkerRecord, snapshot,
 };
 use crate::wire::{Transform, Vector3D, WeatherParameters};
+use endless_asset::Catalogue;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -24,7 +27,10 @@ pub(super) struct Episode {
     pub(super) elapsed_s: f64,
     /// Of the last step.
     pub(super) delta_s: f64,
+    /// As it is seen and felt.
     pub(super) map: Arc<LoadedMap>,
+    /// What of it is shown.
+    pub(super) scenery: Scenery,
     /// The name by which it was loaded.
     pub(super) map_name: String,
     pub(super) weather: WeatherParameters,
@@ -50,7 +56,13 @@ pub(super) struct Episode {
 
 impl Episode {
     /// The first one on a map, or the one after another.
-    pub(super) fn new(map: NamedMap, seed: u64, blueprints: &BlueprintLibrary, before: Option<&Self>) -> Self {
+    pub(super) fn new(
+        map: NamedMap,
+        layers: u16,
+        seed: u64,
+        blueprints: &BlueprintLibrary,
+        before: Option<&Self>,
+    ) -> Self {
         let NamedMap { name: map_name, loaded: map } = map;
         // Clients that did not load the map hear of it through the stream of snapshots, which stays. All other numbers are never
         // used twice: what sensors of an ended episode send must not reach those of this one.
@@ -80,16 +92,35 @@ impl Episode {
             next_stream,
             own_stream,
             is_new: true,
+            scenery: Scenery::new(Arc::clone(&map), layers),
             map,
             map_name,
         };
         episode.populate(blueprints);
+        episode.light_layer();
         episode
     }
 
     /// Its map, for another episode.
     pub(super) fn named_map(&self) -> NamedMap {
-        NamedMap { name: self.map_name.clone(), loaded: Arc::clone(&self.map) }
+        NamedMap { name: self.map_name.clone(), loaded: Arc::clone(self.scenery.whole()) }
+    }
+
+    /// Loads layers of its map, named by their bits, or takes them away: street lamps go with theirs.
+    pub(super) fn set_layers(&mut self, layers: u16, loaded: bool) {
+        self.scenery.set_layers(layers, loaded);
+        self.light_layer();
+    }
+
+    fn light_layer(&mut self) {
+        self.lamps.set_standing(self.scenery.has(MapLayer::StreetLights));
+    }
+
+    /// Shows what of the map is to be shown by now.
+    pub(super) fn show_scenery(&mut self, catalogue: &Catalogue) {
+        if let Some(map) = self.scenery.changed(catalogue) {
+            self.map = map;
+        }
     }
 
     /// The number of the stream of snapshots.

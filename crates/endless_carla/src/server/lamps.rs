@@ -21,12 +21,14 @@ pub(super) struct Lamps {
     /// Clients are to be told to ask again.
     is_news: bool,
     is_night: bool,
+    /// They stand in the map: clients can take them all away.
+    is_standing: bool,
 }
 
 impl Lamps {
     pub(super) fn new(town: &Town) -> Self {
         let all = (1..).zip(&town.lamps).map(|(id, lamp)| state(id, lamp)).collect();
-        Self { all, set: BTreeMap::new(), changed: BTreeSet::new(), is_news: false, is_night: false }
+        Self { all, set: BTreeMap::new(), changed: BTreeSet::new(), is_news: false, is_night: false, is_standing: true }
     }
 
     /// All of them.
@@ -34,14 +36,24 @@ impl Lamps {
         let now = |lamp: &LightState| {
             self.set.get(&lamp.id).cloned().unwrap_or_else(|| LightState { active: self.is_night, ..lamp.clone() })
         };
-        self.all.iter().map(now).collect()
+        self.standing().iter().map(now).collect()
     }
 
     /// One of them.
     pub(super) fn state(&self, id: u32) -> Option<LightState> {
-        let lamp = self.all.get((id as usize).checked_sub(1)?)?;
+        let lamp = self.standing().get((id as usize).checked_sub(1)?)?;
         let by_itself = || LightState { active: self.is_night, ..lamp.clone() };
         Some(self.set.get(&id).cloned().unwrap_or_else(by_itself))
+    }
+
+    fn standing(&self) -> &[LightState] {
+        if self.is_standing { &self.all } else { &[] }
+    }
+
+    /// They come or go. Those that come again are as clients have set them.
+    pub(super) fn set_standing(&mut self, is_standing: bool) {
+        self.is_news |= self.is_standing != is_standing && !self.all.is_empty();
+        self.is_standing = is_standing;
     }
 
     /// Sets lamps; numbers of none are passed over. Lamps stay where they are.
@@ -58,7 +70,7 @@ impl Lamps {
         }
     }
 
-    /// What becomes of the light of those lamps that clients have set, by their places in the map's list, linear channels.
+    /// What becomes of the light of those lamps that clients have set or taken away, by their places in the map's list, linear channels.
     pub(super) fn factors(&self) -> BTreeMap<usize, [f32; 3]> {
         let factor = |(id, now): (&u32, &LightState)| {
             let place = (*id as usize).checked_sub(1)?;
@@ -70,6 +82,9 @@ impl Lamps {
             // Brighter than this is no lamp.
             Some((place, factors.map(|factor| factor.clamp(0.0, 1000.0))))
         };
+        if !self.is_standing {
+            return (0..self.all.len()).map(|place| (place, [0.0; 3])).collect();
+        }
         // Those that were only switched on shine by night as all do.
         self.set.iter().filter_map(factor).filter(|(_, factors)| *factors != [1.0; 3]).collect()
     }
@@ -143,5 +158,11 @@ mod tests {
         assert_eq!((lamps.take_changed().len(), lamps.take_changed().len()), (1, 0));
         lamps.set_night(false);
         assert_eq!(active(&lamps), [false, false]);
+        let before = (lamps.factors(), lamps.take_news());
+        lamps.set_standing(false);
+        assert_eq!((lamps.states(), lamps.state(1), lamps.take_news()), (vec![], None, true));
+        assert_eq!(lamps.factors(), [(0, [0.0; 3]), (1, [0.0; 3])].into());
+        lamps.set_standing(true);
+        assert_eq!((lamps.factors(), lamps.take_news()), before);
     }
 }

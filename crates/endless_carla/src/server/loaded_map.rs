@@ -3,31 +3,31 @@
 use super::call_error::CallError;
 use super::error::ServerError;
 use super::given_map::{self, DressedText};
-use super::map_objects::map_objects;
+use super::map_objects::{MapObject, map_objects};
 use super::obstacles::MapObstacles;
 use crate::map::CarlaMap;
-use crate::wire::EnvironmentObject;
 use endless_asset::Catalogue;
-use endless_city::{SharedModels, TownScene};
+use endless_city::{SharedModels, TownScene, TownThing};
 use endless_interchange::MapLibrary;
 use endless_render::{FrameDescription, FrameScene, Ray, RayCaster};
 use endless_town::Town;
 use endless_world::ClassTag;
 use glam::{DVec3, Vec3A};
+use std::collections::BTreeSet;
 use std::sync::{Arc, OnceLock};
 
 /// A map, ready for episodes.
 pub(super) struct LoadedMap {
     pub(super) name: String,
-    pub(super) town: Town,
+    pub(super) town: Arc<Town>,
     pub(super) scene: TownScene,
-    pub(super) roads: CarlaMap,
+    pub(super) roads: Arc<CarlaMap>,
     /// What stops those who drive and walk.
     pub(super) obstacles: MapObstacles,
     /// Nobody.
     empty: FrameScene,
     /// Told apart when first asked for.
-    objects: OnceLock<Vec<EnvironmentObject>>,
+    objects: Arc<OnceLock<Vec<MapObject>>>,
 }
 
 /// A map as a client has asked for it: CARLA's `Town03_Opt` is `Town03` in layers, and keeps its name.
@@ -40,8 +40,22 @@ pub(super) struct NamedMap {
 
 impl LoadedMap {
     /// What stands in it and can be told apart.
-    pub(super) fn objects(&self, catalogue: &Catalogue) -> &[EnvironmentObject] {
+    pub(super) fn objects(&self, catalogue: &Catalogue) -> &[MapObject] {
         self.objects.get_or_init(|| map_objects(&self.town, catalogue))
+    }
+
+    /// The same map, seen and felt without some of its things' parts.
+    pub(super) fn without(&self, hidden: &BTreeSet<(TownThing, ClassTag)>) -> Self {
+        let hides = |thing: TownThing, class: ClassTag| hidden.contains(&(thing, class));
+        Self {
+            name: self.name.clone(),
+            town: Arc::clone(&self.town),
+            scene: self.scene.without(hides),
+            roads: Arc::clone(&self.roads),
+            obstacles: self.obstacles.without(hides),
+            empty: FrameScene::new(FrameDescription::default()),
+            objects: Arc::clone(&self.objects),
+        }
     }
 
     /// How far one can go along a way before something that blocks it, metres; none if nothing does.
@@ -142,7 +156,7 @@ impl MapShelf {
         }
         let town = self.maps.town(name)?;
         let opendrive = self.maps.opendrive_of(&town)?;
-        let map = Arc::new(self.made(name, town, opendrive)?);
+        let map = Arc::new(self.made(name, town, |town| CarlaMap::new(town, opendrive))?);
         if self.kept.len() >= KEPT {
             self.kept.remove(0);
         }
@@ -165,19 +179,29 @@ impl MapShelf {
             GivenMap::Loaded(map) => Ok(map),
             GivenMap::Dressed(dressed) => {
                 let DressedText { town, opendrive, has_walkers } = *dressed;
-                let map = self.made(given_map::NAME, town, opendrive)?;
-                Ok(Arc::new(if has_walkers { map } else { LoadedMap { roads: map.roads.without_walkers(), ..map } }))
+                let roads = |town: &Town| {
+                    let roads = CarlaMap::new(town, opendrive);
+                    if has_walkers { roads } else { roads.without_walkers() }
+                };
+                Ok(Arc::new(self.made(given_map::NAME, town, roads)?))
             }
         }
     }
 
-    fn made(&self, name: &str, town: Town, opendrive: String) -> Result<LoadedMap, ServerError> {
+    fn made(&self, name: &str, town: Town, roads: impl FnOnce(&Town) -> CarlaMap) -> Result<LoadedMap, ServerError> {
         let scene = TownScene::load_sharing(&town, self.maps.catalogue(), Arc::clone(&self.models));
         let scene = scene.map_err(|error| ServerError::Scene { map: name.to_owned(), reason: error.to_string() })?;
-        let roads = CarlaMap::new(&town, opendrive);
+        let roads = roads(&town);
         let obstacles = MapObstacles::new(&town, &roads, self.maps.catalogue());
-        let empty = FrameScene::new(FrameDescription::default());
-        Ok(LoadedMap { name: name.to_owned(), town, scene, roads, obstacles, empty, objects: OnceLock::new() })
+        Ok(LoadedMap {
+            name: name.to_owned(),
+            town: Arc::new(town),
+            scene,
+            roads: Arc::new(roads),
+            obstacles,
+            empty: FrameScene::new(FrameDescription::default()),
+            objects: Arc::default(),
+        })
     }
 
     pub(super) fn catalogue(&self) -> &Catalogue {

@@ -1,8 +1,10 @@
 //! What stands in a map and can be told apart: CARLA's environment objects.
 
+use super::map_layer::MapLayer;
 use crate::frames;
 use crate::wire::{BoundingBox, EnvironmentObject, Vector3D};
 use endless_asset::Catalogue;
+use endless_city::TownThing;
 use endless_scene::Mesh;
 use endless_town::{PlacedObject, Placement, Town};
 use endless_world::{ClassTag, ParkedVehicle, Pose};
@@ -20,9 +22,19 @@ const LARGEST_M: f32 = 250.0;
 /// Smallest and largest corner of the parts of a mesh, by their classes.
 type Parts = Vec<(ClassTag, [Vec3; 2])>;
 
+/// A thing of a map, or those of its parts that are of one class.
+#[derive(Debug, Clone)]
+pub(super) struct MapObject {
+    pub(super) told: EnvironmentObject,
+    pub(super) thing: TownThing,
+    pub(super) class: ClassTag,
+    /// The layer that it is of; none if it is of none.
+    pub(super) layer: Option<MapLayer>,
+}
+
 /// The things of a town, the same every time: parked vehicles, then buildings, plants and street furniture, each once for every
 /// class that it has parts of (a pole, and the lights on it). Boxes are in the world.
-pub(super) fn map_objects(town: &Town, catalogue: &Catalogue) -> Vec<EnvironmentObject> {
+pub(super) fn map_objects(town: &Town, catalogue: &Catalogue) -> Vec<MapObject> {
     let kinds: BTreeSet<PlacedObject> = town.placements.iter().map(|placement| placement.object).collect();
     let parts_of = |object: PlacedObject| {
         let parts = match object {
@@ -55,7 +67,7 @@ fn parts(mesh: &Mesh) -> Parts {
     found.into_iter().filter(|(_, corners)| is_thing(corners)).collect()
 }
 
-fn thing(number: u64, placement: &Placement, class: ClassTag, [low, high]: &[Vec3; 2]) -> EnvironmentObject {
+fn thing(number: u32, placement: &Placement, class: ClassTag, [low, high]: &[Vec3; 2]) -> MapObject {
     let world = &placement.world_from_object;
     let scale = Vec3::from_array([world.matrix3.x_axis, world.matrix3.y_axis, world.matrix3.z_axis].map(Vec3A::length));
     let rotation = frames::rotation(turn(world));
@@ -73,8 +85,9 @@ fn thing(number: u64, placement: &Placement, class: ClassTag, [low, high]: &[Vec
         PlacedObject::Prop(prop, _) => prop.name(),
     };
     let name = format!("{what}_{number}_{}", class.name());
-    let id = FIRST_THING + number * PARTS + u64::from(class.value());
-    EnvironmentObject { transform, bounding_box, id, name, label: class.value() }
+    let id = FIRST_THING + u64::from(number) * PARTS + u64::from(class.value());
+    let told = EnvironmentObject { transform, bounding_box, id, name, label: class.value() };
+    MapObject { told, thing: TownThing::Placed(number), class, layer: MapLayer::of(placement.object, class) }
 }
 
 /// How a placed thing is turned; one that is mirrored is as if it were not.
@@ -86,9 +99,10 @@ fn turn(world: &Affine3A) -> DQuat {
 }
 
 /// By their numbers in pictures.
-fn parked_vehicles(town: &Town, catalogue: &Catalogue) -> Vec<EnvironmentObject> {
+fn parked_vehicles(town: &Town, catalogue: &Catalogue) -> Vec<MapObject> {
     let specs = catalogue.vehicle_specs();
-    let vehicle = |(id, vehicle): (u64, &ParkedVehicle)| {
+    let vehicle = |(number, vehicle): (u32, &ParkedVehicle)| {
+        let id = u64::from(number) + 1;
         let spec = specs.get(vehicle.vehicle.model.index())?;
         let pose = Pose { position: vehicle.pose.position + 0.5 * spec.height_m * Vec3::Z, ..vehicle.pose };
         let middle = frames::transform(&pose);
@@ -97,9 +111,11 @@ fn parked_vehicles(town: &Town, catalogue: &Catalogue) -> Vec<EnvironmentObject>
             BoundingBox { location: middle.location.clone(), extent, rotation: middle.rotation, actor_id: 0 };
         let transform = frames::transform(&vehicle.pose);
         let name = format!("{}_{id}", spec.name);
-        Some(EnvironmentObject { transform, bounding_box, id, name, label: spec.class.tag().value() })
+        let class = spec.class.tag();
+        let told = EnvironmentObject { transform, bounding_box, id, name, label: class.value() };
+        Some(MapObject { told, thing: TownThing::Parked(number), class, layer: Some(MapLayer::ParkedVehicles) })
     };
-    (1..).zip(&town.parked).filter_map(vehicle).collect()
+    (0..).zip(&town.parked).filter_map(vehicle).collect()
 }
 
 #[cfg(test)]
@@ -112,6 +128,13 @@ mod tests {
         let catalogue = Catalogue::builtin();
         let town = endless_town::load("Town02", &catalogue).expect("a town");
         let objects = map_objects(&town, &catalogue);
+        let of_layer = |layer: MapLayer| objects.iter().filter(|object| object.layer == Some(layer)).count();
+        for layer in [MapLayer::Buildings, MapLayer::Foliage, MapLayer::Props, MapLayer::StreetLights, MapLayer::Walls]
+        {
+            assert!(of_layer(layer) > 5, "{layer:?}: {}", of_layer(layer));
+        }
+        assert_eq!(of_layer(MapLayer::ParkedVehicles), town.parked.len());
+        let objects: Vec<EnvironmentObject> = objects.into_iter().map(|object| object.told).collect();
         let ids: BTreeSet<u64> = objects.iter().map(|object| object.id).collect();
         assert_eq!(ids.len(), objects.len());
         let count = |class: ClassTag| objects.iter().filter(|object| object.label == class.value()).count();

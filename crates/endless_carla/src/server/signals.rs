@@ -27,7 +27,7 @@ impl Episode {
             }
         }
         for sign in map.roads.traffic_signs() {
-            let Some(blueprint) = blueprints.find(sign.kind.blueprint()) else { continue };
+            let Some(blueprint) = blueprints.find(&sign.kind.blueprint()) else { continue };
             let id = self.allocate_id();
             let body = Body::Sign(sign.sign_id.clone());
             let mut actor = ServerActor::own(blueprint, id, sign.pole.clone(), body);

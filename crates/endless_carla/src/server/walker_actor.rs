@@ -6,7 +6,7 @@ use crate::blueprint::{Attributes, Blueprint, WalkerBlueprint};
 use crate::frames;
 use crate::physics::{Place, WalkerBody};
 use crate::wire::{Transform, WalkerControl};
-use endless_world::{Gait, Outfit, PersonRef, WalkerMotion};
+use endless_world::{Outfit, PersonRef, WalkerMotion};
 
 /// A person.
 pub(super) struct WalkerActor {
@@ -41,25 +41,7 @@ impl WalkerActor {
 
     /// What is seen of them at this time of the episode.
     pub(super) fn motion(&self, time_s: f64) -> WalkerMotion {
-        /// Slower than this is standing, metres a second.
-        const STANDS_MPS: f64 = 0.1;
-        /// Faster than this is hurrying, and then running.
-        const HURRIES_MPS: f64 = 1.9;
-        const RUNS_MPS: f64 = 2.4;
-        let speed_mps = self.body.walking_mps();
-        let gait = match speed_mps {
-            ..STANDS_MPS => Gait::Stand,
-            ..HURRIES_MPS => Gait::Walk,
-            ..RUNS_MPS => Gait::Hurry,
-            _ => Gait::Run,
-        };
-        WalkerMotion {
-            speed_mps: speed_mps as f32,
-            gait,
-            walked_m: self.body.walked_m() as f32,
-            time_s: time_s as f32,
-            footing: None,
-        }
+        self.body.motion(time_s)
     }
 
     pub(super) fn apply_control(&mut self, control: &WalkerControl) {

@@ -94,6 +94,17 @@ mod tests {
     }
 
     #[test]
+    fn light_in_dust_is_brown() {
+        let light = |dust_storm: f32| {
+            scene_weather(&WeatherParameters { dust_storm, ..preset(5.0, 0.0, 0.0, 2.0, 45.0) }, 0).dust_color
+        };
+        let ([r, g, b], [_, half_g, half_b]) = (light(100.0), light(50.0));
+        assert!(r == 1.0 && g < 0.9 && b < g - 0.1);
+        assert!(half_g > g && half_b > b);
+        assert_eq!(light(0.0), [1.0; 3]);
+    }
+
+    #[test]
     fn presets_are_the_conditions_of_their_names() {
         use TimeOfDay::{Afternoon, Morning, Night};
         let named = |parameters: &WeatherParameters| {

@@ -5,6 +5,7 @@ use super::drawn_boxes::DrawnBoxes;
 use super::episode::Episode;
 use super::error::ServerError;
 use super::loaded_map::MapShelf;
+use super::map_layer::MapLayer;
 use super::recorder::Recordings;
 use super::sensing::Sensing;
 use super::version::VERSION;
@@ -50,7 +51,7 @@ impl World {
         let _ = map.loaded.roads.navigation();
         let blueprints = BlueprintLibrary::new();
         let mut world = Self {
-            episode: Episode::new(map, seed, &blueprints, None),
+            episode: Episode::new(map, MapLayer::ALL, seed, &blueprints, None),
             shelf,
             blueprints,
             settings: EpisodeSettings::default(),
@@ -100,6 +101,7 @@ impl World {
     /// Time passes: as much as the settings say, else so much.
     pub(super) fn advance(&mut self, passed_s: f64) {
         let step_s = self.fixed_step_s().unwrap_or(passed_s);
+        self.episode.show_scenery(self.shelf.catalogue());
         self.episode.step(step_s);
         self.replay(step_s);
         self.record();
@@ -111,8 +113,8 @@ impl World {
         self.hub.publish(self.episode.stream(), message, delivery);
     }
 
-    /// Another episode begins, on this map or another.
-    pub(super) fn load(&mut self, map: &str, reset_settings: bool) -> Result<(), CallError> {
+    /// Another episode begins, on some layers of this map or another.
+    pub(super) fn load(&mut self, map: &str, reset_settings: bool, layers: u16) -> Result<(), CallError> {
         let map = match map {
             "" => self.episode.named_map(),
             name => self.shelf.load(name).map_err(|error| CallError::refused(error.to_string()))?,
@@ -124,7 +126,7 @@ impl World {
         rayon::spawn(move || {
             let _ = walked.roads.navigation();
         });
-        let next = Episode::new(map, self.seed, &self.blueprints, Some(&self.episode));
+        let next = Episode::new(map, layers, self.seed, &self.blueprints, Some(&self.episode));
         for stream in self.episode.sensor_streams() {
             self.hub.close(stream);
         }

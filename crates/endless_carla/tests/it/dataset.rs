@@ -113,6 +113,19 @@ fn what_is_lost_or_false_on_the_way_never_comes_into_a_dataset() {
 }
 
 #[test]
+fn a_server_of_0_9_15_is_spoken_with_in_its_terms() {
+    let [newer, older] = [(); 2].map(|()| tempfile::tempdir().expect("temp"));
+    let simulator = CarlaSimulator::connect(settings(serve())).expect("a server");
+    make(&simulator, newer.path()).expect("a dataset");
+    let (address, misunderstood) = proxy(serve(), Fault::IsOlder);
+    let simulator = CarlaSimulator::connect(settings(address)).expect("an older server");
+    make(&simulator, older.path()).expect("a dataset");
+    is_sound(older.path());
+    assert_eq!(misunderstood.count(), 0);
+    assert!(depths(older.path()) == depths(newer.path()));
+}
+
+#[test]
 fn who_stops_leaves_nothing_behind() {
     let server = serve();
     let settings = settings(server);

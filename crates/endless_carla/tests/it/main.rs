@@ -4,6 +4,7 @@ mod agreement;
 mod cameras;
 mod client;
 mod dataset;
+mod hiding;
 mod opendrive;
 mod proxy;
 mod recordings;

@@ -26,6 +26,8 @@ pub(crate) enum Fault {
     Hangs,
     /// A message is not what it says.
     SendsGarbage,
+    /// The server is CARLA 0.9.15: what it is asked must be in its terms.
+    IsOlder,
 }
 
 /// How often it happened.
@@ -52,11 +54,12 @@ pub(crate) fn proxy(server: SocketAddr, fault: Fault) -> (SocketAddr, Faults) {
     let messages = Arc::new(AtomicUsize::new(0));
     // As the server's tokens name it.
     let upstream = Arc::new(AtomicU16::new(0));
-    let named = Arc::clone(&upstream);
+    let (named, noted) = (Arc::clone(&upstream), faults.clone());
     thread::spawn(move || {
         for client in requests.incoming().flatten() {
             let named = Arc::clone(&named);
-            thread::spawn(move || pass_requests(&client, server, stream_port, &named));
+            let older = (fault == Fault::IsOlder).then(|| noted.clone());
+            thread::spawn(move || pass_requests(&client, server, stream_port, &named, older));
         }
     });
     let noted = faults.clone();
@@ -71,25 +74,43 @@ pub(crate) fn proxy(server: SocketAddr, fault: Fault) -> (SocketAddr, Faults) {
     (address, faults)
 }
 
-/// Requests as they are; in answers, tokens name the proxy's port.
-fn pass_requests(client: &TcpStream, server: SocketAddr, stream_port: u16, named: &AtomicU16) -> io::Result<()> {
+/// Requests as they are; in answers, tokens name the proxy's port. Of an older server, requests that it would not understand are
+/// noted, and answers are as it gives them.
+fn pass_requests(
+    client: &TcpStream,
+    server: SocketAddr,
+    stream_port: u16,
+    named: &AtomicU16,
+    older: Option<Faults>,
+) -> io::Result<()> {
     let upstream = TcpStream::connect(server)?;
     upstream.set_nodelay(true)?;
     client.set_nodelay(true)?;
     let (mut from, mut to) = (client.try_clone()?, upstream.try_clone()?);
+    let is_older = older.is_some();
     thread::spawn(move || {
-        let _ = io::copy(&mut from, &mut to);
+        let _ = match older {
+            None => io::copy(&mut from, &mut to).map(drop),
+            Some(faults) => older::pass_requests(&mut BufReader::new(from), &mut to, &faults),
+        };
         let _ = to.shutdown(std::net::Shutdown::Both);
     });
     let mut answers = BufReader::new(upstream);
     let mut client = client;
     while let Ok(mut answer) = read_value(&mut answers) {
         redirect(&mut answer, stream_port, named);
-        let mut bytes = Vec::new();
-        rmpv::encode::write_value(&mut bytes, &answer).map_err(io::Error::other)?;
-        client.write_all(&bytes)?;
+        if is_older {
+            older::answer(&mut answer);
+        }
+        write_value(&mut client, &answer)?;
     }
     client.shutdown(std::net::Shutdown::Both)
+}
+
+fn write_value(to: &mut impl Write, value: &Value) -> io::Result<()> {
+    let mut bytes = Vec::new();
+    rmpv::encode::write_value(&mut bytes, value).map_err(io::Error::other)?;
+    to.write_all(&bytes)
 }
 
 fn redirect(value: &mut Value, port: u16, named: &AtomicU16) {
@@ -147,6 +168,7 @@ fn pass_messages(
                 faults.note();
                 message[..4].copy_from_slice(&7u32.to_le_bytes());
             }
+            Fault::IsOlder => older::message(&mut message),
             Fault::ReusesIds if kind == INSTANCES && faults.count() < 3 && share_ids(&mut message) => {
                 faults.note();
             }
@@ -188,4 +210,78 @@ fn share_ids(message: &mut [u8]) -> bool {
         }
     }
     true
+}
+
+/// What of the protocol was otherwise in 0.9.15.
+mod older {
+    use super::{Faults, read_value, write_value};
+    use rmpv::Value;
+    use std::io::{self, BufReader, Read, Write};
+
+    /// Calls that came with 0.9.16.
+    const LATER: [&str; 6] = [
+        "get_actor_bounding_box",
+        "get_actor_component_names",
+        "get_actor_bone_names",
+        "get_actor_socket_names",
+        "get_telemetry_data",
+        "set_wheel_pitch_angle",
+    ];
+
+    /// Passes requests on, and notes those that are not of this version.
+    pub(super) fn pass_requests(
+        from: &mut BufReader<impl Read>,
+        to: &mut impl Write,
+        faults: &Faults,
+    ) -> io::Result<()> {
+        while let Ok(request) = read_value(from) {
+            if !is_understood(&request) {
+                faults.note();
+            }
+            write_value(to, &request)?;
+        }
+        Ok(())
+    }
+
+    fn is_understood(request: &Value) -> bool {
+        let (method, parameters) = (request[2].as_str().unwrap_or_default(), request[3].as_array());
+        let parameters = parameters.map_or(&[][..], Vec::as_slice);
+        match method {
+            // Metadata, description, transform, parent and kind of attachment: no socket.
+            "spawn_actor_with_parent" => parameters.len() == 5,
+            "apply_batch" => parameters.get(1).and_then(Value::as_array).is_some_and(|all| all.iter().all(is_command)),
+            _ => !LATER.contains(&method),
+        }
+    }
+
+    /// What is spawned has a description, a transform, a parent, and what is done next.
+    fn is_command(command: &Value) -> bool {
+        command[0][0] != Value::from(0) || command[0][1].as_array().is_some_and(|fields| fields.len() == 4)
+    }
+
+    /// Its version, and boxes that name no actor.
+    pub(super) fn answer(value: &mut Value) {
+        match value {
+            Value::String(text) if text.as_str() == Some("0.9.16") => *value = "0.9.15".into(),
+            Value::Array(values) => {
+                values.iter_mut().for_each(answer);
+                let is_vector = |value: &Value| {
+                    value.as_array().is_some_and(|numbers| numbers.len() == 3 && numbers.iter().all(Value::is_number))
+                };
+                if values.len() == 4 && values[..3].iter().all(is_vector) && values[3].is_u64() {
+                    values.pop();
+                }
+            }
+            _ => {}
+        }
+    }
+
+    /// Snapshots have another type.
+    pub(super) fn message(message: &mut [u8]) {
+        const TYPE: std::ops::Range<usize> = 4..12;
+        const SNAPSHOTS: [u64; 2] = [16, 17];
+        if let Some(kind) = message.get_mut(TYPE).filter(|kind| **kind == SNAPSHOTS[1].to_le_bytes()) {
+            kind.copy_from_slice(&SNAPSHOTS[0].to_le_bytes());
+        }
+    }
 }

@@ -7,7 +7,7 @@ use endless_world::math::sin_cos;
 use rmpv::Value;
 
 /// A place ahead of another, metres.
-fn ahead(of: &Transform, forward_m: f32, up_m: f32) -> Transform {
+pub(crate) fn ahead(of: &Transform, forward_m: f32, up_m: f32) -> Transform {
     let (sin_yaw, cos_yaw) = sin_cos(of.rotation.yaw.to_radians());
     let Location { x, y, z } = of.location;
     let location = Location { x: x + forward_m * cos_yaw, y: y + forward_m * sin_yaw, z: z + up_m };
@@ -15,7 +15,7 @@ fn ahead(of: &Transform, forward_m: f32, up_m: f32) -> Transform {
 }
 
 /// Drives a car against something; gives who it met, and how far it came.
-fn crash(client: &mut Client, from: &Transform, speed_mps: f32) -> (Option<Actor>, f32) {
+pub(crate) fn crash(client: &mut Client, from: &Transform, speed_mps: f32) -> (Option<Actor>, f32) {
     let car = client.description("vehicle.tesla.model3", &[]);
     let car = client.spawn(&car, from);
     let sensor = client.description("sensor.other.collision", &[]);

@@ -67,6 +67,11 @@ fn bones_and_components_are_told() {
     let names: Vec<String> = client.get("get_actor_bone_names", &[person.id.into()]);
     assert_eq!(names.len(), bones.bones.len());
     assert!(client.call("get_bones_transform", &[car.id.into()]).is_err());
+    for call in ["open_vehicle_door", "close_vehicle_door"] {
+        client.call(call, &[car.id.into(), 6.into()]).expect("accepted");
+        assert!(client.call(call, &[person.id.into(), 0.into()]).is_err());
+        assert!(client.call(call, &[car.id.into(), 7.into()]).is_err());
+    }
 
     let wheels: Vec<Transform> = client.get("get_vehicle_bone_world_transforms", &[car.id.into()]);
     assert_eq!(client.get::<Vec<String>>("get_actor_bone_names", &[car.id.into()]).len(), wheels.len());

@@ -4,4 +4,5 @@ mod changing;
 mod clutter;
 mod exactness;
 mod grain;
+mod hiding;
 mod moving;

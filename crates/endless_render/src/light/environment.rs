@@ -65,6 +65,7 @@ impl Environment {
         let [sun_light, sky_light] = settings.light().map_or([Vec3A::ONE; 2], |l| [l.sun, l.sky].map(Vec3A::from));
         let sun_direction = Vec3A::from(weather.sun_direction);
         let low_light = Vec3A::from(weather.low_light);
+        let dust = Vec3A::from(weather.dust_color);
         let clouds = (weather.cloud_cover > 0.0).then(|| CloudLayer {
             cover: weather.cloud_cover,
             lit: low_light * (14.0 * weather.cloud_brightness),
@@ -79,14 +80,15 @@ impl Environment {
             glow: TOWN_SKYGLOW * weather.skyglow,
             clouds,
         })
-        .tinted(sky_light);
+        .tinted(sky_light * dust);
         let night = weather.lamps_lit > 0.0;
         // Lamps are lit when the sun is down.
         let sun = (weather.sun_share > 0.0 && sun_direction.z > 0.0 && !night).then(|| Sun {
             direction: sun_direction,
             illuminance: sun_transmittance(sun_direction, weather.turbidity)
                 * (SOLAR_ILLUMINANCE_KLX * weather.sun_share)
-                * sun_light,
+                * sun_light
+                * dust,
             disc: sun_disc(sun_direction),
         });
         let fog = Fog {

@@ -91,6 +91,15 @@ impl Lamps {
         Self { lights, low, columns, rows, cells }
     }
 
+    /// The lamp, by its place in the list, whose lens has its middle at a place; none if that is the lens of none.
+    pub(crate) fn at(&self, lens: Vec3A) -> Option<usize> {
+        /// Bowls and flat heads have their middles not quite where their light is, metres.
+        const BESIDE_M: f32 = 0.6;
+        let distance = |&place: &u16| self.lights[usize::from(place)].position.distance(lens);
+        let nearest = self.indices_near(lens).iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+        (distance(nearest) < BESIDE_M).then_some(usize::from(*nearest))
+    }
+
     /// The same lamps with their light changed by factors a channel, given their places in the list and where they hang.
     #[must_use]
     pub(crate) fn scaled(&self, factors: impl Fn(usize, Vec3A) -> Vec3A) -> Self {

@@ -106,7 +106,8 @@ pub(super) fn lit_sign(point: &SurfaceInteraction<'_>, base: Vec3A, environment:
 pub(super) fn lamp_lens(point: &SurfaceInteraction<'_>, base: Vec3A, environment: &Environment) -> Bsdf {
     let mut bsdf = Bsdf::matte(base, point.normal).coated(0.6, 0.04, 0.2);
     if environment.night {
-        bsdf.emission = Vec3A::new(1.0, 0.86, 0.66) * (0.9 * lamp_power(point.position, environment.lamps_lit));
+        let power = 0.9 * lamp_power(point.position, environment.lamps_lit);
+        bsdf.emission = Vec3A::new(1.0, 0.86, 0.66) * power * point.instance.tint;
     }
     bsdf
 }

@@ -3,9 +3,9 @@
 use super::ambient_occlusion::AmbientOcclusion;
 use super::posed_mesh::PosedMesh;
 use crate::accel::GeometryUse;
-use endless_scene::Mesh;
+use endless_scene::{Material, Mesh, Surface};
 use endless_world::BodyPart;
-use glam::Vec3;
+use glam::{Vec3, Vec3A};
 use std::sync::Arc;
 
 /// A mesh ready to be traced. Clones are cheap and share everything.
@@ -59,6 +59,32 @@ impl Geometry {
     /// The mesh that it was made of.
     pub fn mesh(&self) -> &Arc<Mesh> {
         &self.mesh
+    }
+
+    /// The same mesh without the triangles of some materials, for static scenes.
+    #[must_use]
+    pub fn without(&self, leaves_out: impl Fn(&Material) -> bool) -> Self {
+        let mesh = &*self.mesh;
+        let is_left = |&(_, material): &(&[u32; 3], &u16)| !leaves_out(&mesh.materials[usize::from(*material)]);
+        let (triangles, triangle_materials) =
+            mesh.triangles.iter().zip(&mesh.triangle_materials).filter(is_left).map(|(t, m)| (*t, *m)).unzip();
+        Self::new(Mesh { triangles, triangle_materials, ..mesh.clone() })
+    }
+
+    /// The middle of the lens of a street lamp in the object's frame; none if it has none.
+    pub(super) fn lens_middle(&self) -> Option<Vec3A> {
+        let mesh = &*self.mesh;
+        let is_lens: Vec<bool> = mesh.materials.iter().map(|material| material.surface == Surface::LampLens).collect();
+        if !is_lens.contains(&true) {
+            return None;
+        }
+        let of_lens = mesh.triangles.iter().zip(&mesh.triangle_materials).filter(|(_, m)| is_lens[usize::from(**m)]);
+        let corners =
+            of_lens.flat_map(|(corners, _)| corners.map(|corner| Vec3A::from(mesh.positions[corner as usize])));
+        let bounds = corners.fold(None, |known: Option<(Vec3A, Vec3A)>, at| {
+            Some(known.map_or((at, at), |(low, high)| (low.min(at), high.max(at))))
+        });
+        bounds.map(|(low, high)| 0.5 * (low + high))
     }
 
     /// Whether it has no triangles: instances of it are left out.

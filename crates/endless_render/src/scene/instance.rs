@@ -19,7 +19,7 @@ pub struct Instance {
     pub(crate) id: InstanceId,
     /// Class of the whole instance; `None`: each material's own.
     pub(crate) class: Option<ClassTag>,
-    /// Paint.
+    /// Of its paint, and of the light of its lamp's lens.
     pub(crate) tint: Vec3A,
     /// Vehicle lights that are on.
     pub(crate) lights: VehicleLights,
@@ -76,6 +76,27 @@ impl Instance {
     #[must_use]
     pub fn with_velocity(self, velocity: RigidVelocity) -> Self {
         Self { velocity, ..self }
+    }
+
+    /// With another mesh in its place.
+    #[must_use]
+    pub fn with_geometry(self, geometry: &Geometry) -> Self {
+        Self { geometry: geometry.clone(), ..self }
+    }
+
+    /// Its mesh.
+    pub fn geometry(&self) -> &Geometry {
+        &self.geometry
+    }
+
+    /// Its class, if all of it has one.
+    pub fn class(&self) -> Option<ClassTag> {
+        self.class
+    }
+
+    /// The middle of its lamp's lens in the world; none if it is no lamp.
+    pub(super) fn lens(&self) -> Option<Vec3A> {
+        self.geometry.lens_middle().map(|middle| self.world_from_object.transform_point3a(middle))
     }
 
     /// World-space boxes that together hold it closely.

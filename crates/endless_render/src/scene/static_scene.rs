@@ -29,10 +29,28 @@ impl StaticScene {
         Self { instances, accel, lamps }
     }
 
-    /// The same scene in which each lamp, by its place in the list, has its light changed by factors by linear channel.
+    /// What it is made of.
+    pub fn instances(&self) -> &[Instance] {
+        &self.instances
+    }
+
+    /// These instances alone in the light of the same lamps.
+    #[must_use]
+    pub fn made_of(&self, instances: Vec<Instance>) -> Self {
+        Self::of(instances, self.lamps.clone())
+    }
+
+    /// The same scene in which each lamp, by its place in the list, has its light changed by factors by linear channel, and its
+    /// lens with it.
     #[must_use]
     pub fn with_lamp_factors(&self, factors: impl Fn(usize) -> [f32; 3]) -> Self {
-        Self { lamps: self.lamps.scaled(|place, _| Vec3A::from(factors(place))), ..self.clone() }
+        let mut changed = self.clone();
+        for instance in &mut changed.instances {
+            if let Some(lamp) = instance.lens().and_then(|lens| self.lamps.at(lens)) {
+                instance.tint = factors(lamp).into();
+            }
+        }
+        Self { lamps: self.lamps.scaled(|place, _| Vec3A::from(factors(place))), ..changed }
     }
 
     /// Where a ray meets one triangle; `None` if it passes by, or there is no such triangle.
@@ -72,5 +90,49 @@ impl StaticScene {
     /// Number of triangles as placed, for reports.
     pub fn placed_triangles(&self) -> usize {
         self.instances.iter().map(|i| i.geometry.mesh.triangles.len()).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Geometry;
+    use endless_scene::{Material, MeshBuilder, Surface};
+    use endless_world::ClassTag;
+    use glam::{Affine3A, Vec3};
+
+    const POLE: Material = Material::new(Surface::Painted, [0.5; 3], ClassTag::Poles);
+    const LENS: Material = Material::new(Surface::LampLens, [0.8; 3], ClassTag::TrafficSigns);
+
+    /// A lamp whose lens is eight metres above its foot.
+    fn lamp() -> Geometry {
+        let mut builder = MeshBuilder::new();
+        builder.cuboid(Vec3::new(-0.1, -0.1, 0.0), Vec3::new(0.1, 0.1, 7.8), POLE);
+        builder.cuboid(Vec3::new(-0.2, -0.2, 7.9), Vec3::new(0.2, 0.2, 8.1), LENS);
+        Geometry::new(builder.finish())
+    }
+
+    #[test]
+    fn lenses_shine_as_their_lamps_do() {
+        let at = |x: f32| Vec3::new(x, 5.0, 0.0);
+        let place = |x: f32| Instance::new(&lamp(), Affine3A::from_translation(at(x)));
+        let light = |x: f32| StreetLamp { position: at(x) + 8.0 * Vec3::Z, color: [1.0; 3], intensity_cd: 1000.0 };
+        // In another order than their lights; the last has none.
+        let instances = vec![place(30.0), place(0.0), place(60.0)];
+        let scene = StaticScene::new(instances, &[light(0.0), light(30.0)]);
+        let switched = scene.with_lamp_factors(|lamp| if lamp == 0 { [0.0; 3] } else { [2.0, 1.0, 0.5] });
+        let tints = |scene: &StaticScene| scene.instances().iter().map(|instance| instance.tint).collect::<Vec<_>>();
+        assert_eq!(tints(&switched), [Vec3A::new(2.0, 1.0, 0.5), Vec3A::ZERO, Vec3A::ONE]);
+        assert_eq!(tints(&scene), [Vec3A::ONE; 3]);
+    }
+
+    #[test]
+    fn meshes_lose_the_triangles_of_a_material_and_keep_the_others() {
+        let whole = lamp();
+        let pole = whole.without(|material| material.surface == Surface::LampLens);
+        assert_eq!(pole.mesh().triangles.len(), 12);
+        assert_eq!(pole.mesh().positions, whole.mesh().positions);
+        assert!(pole.lens_middle().is_none() && whole.lens_middle().is_some());
+        assert!(whole.without(|_| true).is_empty());
     }
 }

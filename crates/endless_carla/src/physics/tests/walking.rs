@@ -3,6 +3,7 @@
 use super::*;
 use crate::physics::WalkerBody;
 use crate::wire::{Vector3D, WalkerControl};
+use endless_world::Gait;
 
 fn walk(x: f32, y: f32, speed: f32) -> WalkerControl {
     WalkerControl { direction: Vector3D { x, y, z: 0.0 }, speed, jump: false }
@@ -58,6 +59,13 @@ fn is_carried_from_place_to_place_walking() {
     assert!((walker.place().position - DVec3::new(7.0, 1.0, 0.0)).length() < 1e-9);
     assert!((walker.velocity() - DVec3::X * 1.4).length() < 1e-9);
     assert!((walker.walked_m() - 8.0).abs() < 0.1, "{}", walker.walked_m());
+    // Who is let down from the sky has made no step.
+    walker.put_walking(Place::level(DVec3::new(7.0, 1.5, 900.0), 0.0), 1.4);
+    assert!((walker.walked_m() - 8.0).abs() < 0.1, "{}", walker.walked_m());
+    walker.put_walking(at(7.0, 1.0, 0.0), 1.4);
+    let motion = walker.motion(2.5);
+    assert_eq!((motion.gait, motion.walked_m), (Gait::Walk, walker.walked_m() as f32));
+    assert!((motion.walked_m - 8.0).abs() < 0.1, "{motion:?}");
     // Then it walks by itself.
     (0..20).for_each(|_| walker.step(&walk(1.0, 0.0, 1.0), FRAME_S, &flat));
     assert!(walker.place().position.x > 7.9);

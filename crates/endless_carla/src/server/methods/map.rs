@@ -13,9 +13,8 @@ pub(super) const METHODS: &[(&str, Method)] = &[
     ("get_required_files", get_required_files),
     ("request_file", request_file),
     ("get_navigation_mesh", get_navigation_mesh),
-    // Maps have no layers that could be taken away.
-    ("load_map_layer", nothing_to_do),
-    ("unload_map_layer", nothing_to_do),
+    ("load_map_layer", load_map_layer),
+    ("unload_map_layer", unload_map_layer),
     ("query_lights_state", query_lights_state),
     ("update_lights_state", update_lights_state),
     ("update_day_night_cycle", nothing_to_do),
@@ -53,6 +52,16 @@ fn request_file(world: &mut World, call: &Call<'_>) -> CallResult {
 fn get_navigation_mesh(world: &mut World, _: &Call<'_>) -> CallResult {
     let mesh = world.episode.map.roads.navigation();
     Ok(Answer::of(&Bytes(mesh.map_or_else(Vec::new, |mesh| mesh.bytes.clone()))))
+}
+
+fn load_map_layer(world: &mut World, call: &Call<'_>) -> CallResult {
+    world.episode.set_layers(call.request.argument(0)?, true);
+    Ok(Answer::Void)
+}
+
+fn unload_map_layer(world: &mut World, call: &Call<'_>) -> CallResult {
+    world.episode.set_layers(call.request.argument(0)?, false);
+    Ok(Answer::Void)
 }
 
 fn query_lights_state(world: &mut World, _: &Call<'_>) -> CallResult {

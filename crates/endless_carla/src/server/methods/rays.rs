@@ -44,6 +44,7 @@ fn met(
     let Some(direction) = direction.try_normalize().filter(|_| from.is_finite() && distance.is_finite()) else {
         return Err(CallError::refused("a ray needs a place, a direction and a length that are numbers"));
     };
+    world.episode.show_scenery(world.shelf.catalogue());
     let frame = world.sensing.scene(&world.episode, world.shelf.catalogue());
     let caster = RayCaster::new(world.episode.map.scene.static_scene(), &frame);
     let (mut points, mut gone) = (Vec::new(), 0.0);

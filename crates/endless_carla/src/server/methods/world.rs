@@ -38,8 +38,9 @@ fn tick_cue(world: &mut World, call: &Call<'_>) -> CallResult {
 }
 
 fn load_new_episode(world: &mut World, call: &Call<'_>) -> CallResult {
-    let (map, reset_settings): (String, bool) = (call.request.argument(0)?, call.request.argument(1)?);
-    world.load(&map, reset_settings)?;
+    let (map, reset_settings, layers): (String, bool, u16) =
+        (call.request.argument(0)?, call.request.argument(1)?, call.request.argument(2)?);
+    world.load(&map, reset_settings, layers)?;
     Ok(Answer::Void)
 }
 

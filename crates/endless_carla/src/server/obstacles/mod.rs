@@ -14,12 +14,14 @@ use crate::map::CarlaMap;
 use crate::physics::{Obstacle, OrientedBox, direction};
 use crate::wire::{BoundingBox, Transform};
 use endless_asset::Catalogue;
+use endless_city::TownThing;
 use endless_town::{PlacedObject, Placement, Town};
 use endless_world::{ClassTag, ParkedVehicle};
 use glam::DVec2;
 use rayon::prelude::*;
-use solid::Part;
+use solid::{Part, bit};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::Arc;
 
 /// Side of a cell, metres.
 const CELL_M: f64 = 8.0;
@@ -28,9 +30,18 @@ const FIRST: u64 = 1 << 32;
 
 /// The obstacles of a map.
 pub(in crate::server) struct MapObstacles {
-    all: Vec<(OrientedBox, ClassTag)>,
+    all: Arc<[MapObstacle]>,
     /// Their places in the list, ascending.
-    cells: HashMap<[i64; 2], Vec<u32>>,
+    cells: Arc<HashMap<[i64; 2], Vec<u32>>>,
+    /// By their places in the list: clients have hidden what they are of.
+    hidden: Vec<bool>,
+}
+
+/// One of them.
+#[derive(Debug, Clone, Copy)]
+struct MapObstacle {
+    part: Part,
+    thing: TownThing,
 }
 
 impl MapObstacles {
@@ -45,24 +56,40 @@ impl MapObstacles {
                 PlacedObject::Prop(prop, variant) => (object, pieces::pieces(&catalogue.prop(prop, variant))),
             })
             .collect();
-        let placed = town.placements.par_iter().flat_map_iter(|placement| {
+        let numbered = (0u32..town.placements.len() as u32).into_par_iter().zip(&town.placements);
+        let standing = numbered.flat_map_iter(|(number, placement)| {
             let parts = known.get(&placement.object).into_iter().flatten();
-            parts.map(|part| (placed(placement, &part.outline), part.tag))
+            parts.map(move |part| MapObstacle {
+                part: Part { outline: placed(placement, &part.outline), ..*part },
+                thing: TownThing::Placed(number),
+            })
         });
-        let parked = town.parked.iter().filter_map(|vehicle| parked(vehicle, catalogue));
-        let mut all: Vec<(OrientedBox, ClassTag)> = placed.collect();
-        all.extend(parked);
-        all.retain(|(outline, _)| outline.half.is_finite() && outline.centre.is_finite());
-        let is_clear: Vec<bool> = all.par_iter().map(|(outline, _)| !stands_on_lane(outline, roads)).collect();
-        let all: Vec<_> = all.into_iter().zip(is_clear).filter_map(|(one, clear)| clear.then_some(one)).collect();
+        let vehicle = |(number, vehicle): (u32, &ParkedVehicle)| {
+            Some(MapObstacle { part: parked(vehicle, catalogue)?, thing: TownThing::Parked(number) })
+        };
+        let mut all: Vec<MapObstacle> = standing.collect();
+        all.extend((0..).zip(&town.parked).filter_map(vehicle));
+        all.retain(|one| one.part.outline.half.is_finite() && one.part.outline.centre.is_finite());
+        let is_clear: Vec<bool> = all.par_iter().map(|one| !stands_on_lane(&one.part.outline, roads)).collect();
+        let all: Arc<[_]> = all.into_iter().zip(is_clear).filter_map(|(one, clear)| clear.then_some(one)).collect();
         let mut cells: HashMap<[i64; 2], Vec<u32>> = HashMap::new();
-        for (index, (outline, _)) in (0..).zip(&all) {
-            let (low, high) = outline.bounds();
+        for (index, one) in (0..).zip(&*all) {
+            let (low, high) = one.part.outline.bounds();
             for cell in cells_of(low, high) {
                 cells.entry(cell).or_default().push(index);
             }
         }
-        Self { all, cells }
+        Self { hidden: vec![false; all.len()], all, cells: Arc::new(cells) }
+    }
+
+    /// The same without those that are of nothing but hidden parts of things.
+    pub(in crate::server) fn without(&self, hides: impl Fn(TownThing, ClassTag) -> bool) -> Self {
+        let is_hidden = |one: &MapObstacle| {
+            let mut classes = ClassTag::ALL.iter().filter(|class| one.part.classes & bit(**class) != 0);
+            classes.all(|class| hides(one.thing, *class))
+        };
+        let hidden = self.all.iter().map(is_hidden).collect();
+        Self { all: Arc::clone(&self.all), cells: Arc::clone(&self.cells), hidden }
     }
 
     /// Adds those that come into a rectangle.
@@ -72,14 +99,14 @@ impl MapObstacles {
         indices.sort_unstable();
         indices.dedup();
         found.extend(indices.into_iter().filter_map(|index| {
-            let outline = self.all.get(index as usize)?.0;
+            let outline = self.all.get(index as usize).filter(|_| !self.hidden[index as usize])?.part.outline;
             outline.comes_into(low, high).then_some(Obstacle { id: FIRST + u64::from(index), outline })
         }));
     }
 
     /// What an obstacle is made of, by its number.
     pub(in crate::server) fn tag(&self, id: u64) -> Option<ClassTag> {
-        self.all.get(usize::try_from(id.checked_sub(FIRST)?).ok()?).map(|(_, tag)| *tag)
+        self.all.get(usize::try_from(id.checked_sub(FIRST)?).ok()?).map(|one| one.part.tag)
     }
 }
 
@@ -107,7 +134,7 @@ fn placed(placement: &Placement, part: &OrientedBox) -> OrientedBox {
     }
 }
 
-fn parked(vehicle: &ParkedVehicle, catalogue: &Catalogue) -> Option<(OrientedBox, ClassTag)> {
+fn parked(vehicle: &ParkedVehicle, catalogue: &Catalogue) -> Option<Part> {
     let spec = &catalogue.vehicle(vehicle.vehicle.model)?.spec;
     let place = vehicle.pose.position.as_dvec3();
     let outline = OrientedBox {
@@ -117,7 +144,8 @@ fn parked(vehicle: &ParkedVehicle, catalogue: &Catalogue) -> Option<(OrientedBox
         low_m: place.z,
         high_m: place.z + f64::from(spec.height_m),
     };
-    Some((outline, spec.class.tag()))
+    let tag = spec.class.tag();
+    Some(Part { tag, classes: bit(tag), outline })
 }
 
 /// Whether vehicles would meet it that keep to their lane.

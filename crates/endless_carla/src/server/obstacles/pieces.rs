@@ -1,7 +1,7 @@
 //! Solid pieces of a prop: a box for each part of it that stands by itself.
 
 use super::band::within_band;
-use super::solid::{Part, solid_triangles};
+use super::solid::{Part, bit, solid_triangles};
 use crate::physics::OrientedBox;
 use endless_scene::Mesh;
 use endless_world::ClassTag;
@@ -14,6 +14,7 @@ const GAP_M: f64 = 0.1;
 #[derive(Debug, Clone, Copy)]
 struct Piece {
     tag: ClassTag,
+    classes: u32,
     low: DVec3,
     high: DVec3,
 }
@@ -32,11 +33,16 @@ pub(super) fn pieces(mesh: &Mesh) -> Vec<Part> {
         let polygon = within_band(&corners);
         let Some(&first) = polygon.first() else { continue };
         let (low, high) = polygon.iter().fold((first, first), |(low, high), &at| (low.min(at), high.max(at)));
-        let mut grown = Piece { tag, low, high };
+        let mut grown = Piece { tag, classes: bit(tag), low, high };
         // What it touches becomes one piece with it, and so what that then touches.
         while let Some(place) = pieces.iter().position(|piece| piece.touches(&grown)) {
             let other = pieces.swap_remove(place);
-            grown = Piece { tag: other.tag, low: grown.low.min(other.low), high: grown.high.max(other.high) };
+            grown = Piece {
+                tag: other.tag,
+                classes: grown.classes | other.classes,
+                low: grown.low.min(other.low),
+                high: grown.high.max(other.high),
+            };
         }
         pieces.push(grown);
     }
@@ -54,5 +60,5 @@ fn part(piece: Piece) -> Part {
         low_m: 0.0,
         high_m: piece.high.z,
     };
-    Part { tag: piece.tag, outline }
+    Part { tag: piece.tag, classes: piece.classes, outline }
 }

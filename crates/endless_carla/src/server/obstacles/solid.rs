@@ -9,7 +9,14 @@ use glam::Vec3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Part {
     pub(super) tag: ClassTag,
+    /// All classes that it has anything of, a bit each.
+    pub(super) classes: u32,
     pub(super) outline: OrientedBox,
+}
+
+/// The bit of a class.
+pub(super) fn bit(class: ClassTag) -> u32 {
+    1 << class.value()
 }
 
 /// Whether bodies stop at it: leaves and water do not stop them, and on ground they stand.

@@ -66,15 +66,27 @@ fn lanes_of_a_town_are_free_and_its_sides_are_not() {
         let met = found(body.centre, 3.0).into_iter().find(|other| body.touches(&other.outline));
         assert_eq!(met, None, "{point:?}");
     }
-    let count = |wanted: ClassTag| obstacles.all.iter().filter(|(_, tag)| *tag == wanted).count();
+    let count = |wanted: ClassTag| obstacles.all.iter().filter(|one| one.part.tag == wanted).count();
     for tag in [ClassTag::Buildings, ClassTag::Vegetation, ClassTag::Poles, ClassTag::Car] {
         assert!(count(tag) > 20, "{}: {}", tag.name(), count(tag));
     }
     // A grid finds what looking at all finds.
-    for (index, (outline, tag)) in obstacles.all.iter().enumerate().step_by(97) {
+    for (index, MapObstacle { part: Part { outline, tag, .. }, .. }) in obstacles.all.iter().enumerate().step_by(97) {
         let id = FIRST + index as u64;
         assert!(found(outline.centre, 0.5).iter().any(|other| other.id == id && other.outline == *outline));
         assert_eq!(obstacles.tag(id), Some(*tag));
     }
+    // Of a hidden thing nothing is found, and all is again when nothing is hidden.
+    let first = obstacles.all[0];
+    let others = obstacles.without(|thing, _| thing == first.thing);
+    let at = first.part.outline.centre;
+    let near = |obstacles: &MapObstacles| {
+        let mut found = Vec::new();
+        obstacles.near(at - 0.5, at + 0.5, &mut found);
+        found
+    };
+    assert!(near(&obstacles).iter().any(|other| other.id == FIRST));
+    assert!(near(&others).iter().all(|other| other.id != FIRST));
+    assert_eq!(near(&others.without(|_, _| false)), near(&obstacles));
     assert_eq!((obstacles.tag(7), obstacles.tag(u64::MAX)), (None, None));
 }

@@ -1,7 +1,7 @@
 //! Walls of a building: its upright faces at the height of bumpers, as long thin boxes.
 
 use super::band::within_band;
-use super::solid::{Part, solid_triangles};
+use super::solid::{Part, bit, solid_triangles};
 use crate::physics::OrientedBox;
 use endless_scene::Mesh;
 use endless_world::ClassTag;
@@ -28,6 +28,7 @@ struct Face {
     low_m: f64,
     high_m: f64,
     tag: ClassTag,
+    classes: u32,
 }
 
 /// The walls of a town's mesh in its own frame.
@@ -86,7 +87,7 @@ fn mean(polygon: &[DVec3], of: impl Fn(&DVec3) -> f64) -> f64 {
 }
 
 fn face(polygon: &[DVec3], along: DVec2, tag: ClassTag) -> Face {
-    let none = Face { from: f64::MAX, to: f64::MIN, low_m: f64::MAX, high_m: f64::MIN, tag };
+    let none = Face { from: f64::MAX, to: f64::MIN, low_m: f64::MAX, high_m: f64::MIN, tag, classes: bit(tag) };
     polygon.iter().fold(none, |known, at| {
         let s = at.truncate().dot(along);
         Face {
@@ -94,7 +95,7 @@ fn face(polygon: &[DVec3], along: DVec2, tag: ClassTag) -> Face {
             to: known.to.max(s),
             low_m: known.low_m.min(at.z),
             high_m: known.high_m.max(at.z),
-            tag,
+            ..known
         }
     })
 }
@@ -109,6 +110,7 @@ fn joined(mut faces: Vec<Face>) -> impl Iterator<Item = Face> {
                 wall.to = wall.to.max(face.to);
                 wall.low_m = wall.low_m.min(face.low_m);
                 wall.high_m = wall.high_m.max(face.high_m);
+                wall.classes |= face.classes;
             }
             _ => walls.push(face),
         }
@@ -124,5 +126,5 @@ fn part(along: DVec2, aside: f64, face: &Face) -> Part {
         low_m: face.low_m,
         high_m: face.high_m,
     };
-    Part { tag: face.tag, outline }
+    Part { tag: face.tag, classes: face.classes, outline }
 }

@@ -6,6 +6,7 @@ use crate::frames;
 use crate::recording::{LogReader, RecordingError};
 use crate::server::actor::Body;
 use crate::server::call_error::CallError;
+use crate::server::map_layer::MapLayer;
 use crate::server::world::World;
 use crate::wire::{Vector3D, VehicleControl, WalkerControl};
 use std::collections::{BTreeMap, BTreeSet};
@@ -30,7 +31,7 @@ impl World {
         let mut log = LogReader::new(BufReader::new(file)).map_err(unread)?;
         let map = log.header().map.rsplit('/').next().unwrap_or_default().to_owned();
         if map != self.episode.map_name {
-            if self.load(&map, false).is_err() {
+            if self.load(&map, false, MapLayer::ALL).is_err() {
                 return Ok(text + &format!("Could not load mapfile {map}\n"));
             }
             text += &format!("Loading map {map}\n");

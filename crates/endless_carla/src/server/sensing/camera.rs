@@ -58,8 +58,8 @@ impl CameraView {
         !(stays || stands && matches!(self.way, Some(Way::Still(..))))
     }
 
-    /// The lamps of the town shine otherwise: what it kept of their light is no longer so.
-    pub(super) fn forget_light(&mut self) {
+    /// Other things stand in the town, or its lamps shine otherwise: what it kept of that is no longer so.
+    pub(super) fn forget_town(&mut self) {
         if matches!(self.way, Some(Way::Still(..))) {
             self.way = None;
         }

@@ -22,6 +22,8 @@ pub(super) struct Views {
     cameras: BTreeMap<u32, CameraView>,
     light: TownLight,
     lamps: SwitchedLamps,
+    /// The map as it was seen last.
+    map: Option<Arc<LoadedMap>>,
 }
 
 /// What is looked at, and by whom.
@@ -44,8 +46,15 @@ impl Views {
     /// Looks, and sends what is seen.
     pub(super) fn look(&mut self, look: Look, hub: &StreamHub, delivery: Delivery) {
         let Look { frame, weather, lamps, map, seed, step_s, sensors } = look;
+        if self.map.as_ref().is_none_or(|known| !Arc::ptr_eq(known, &map)) {
+            // Other things stand in it.
+            self.cameras.values_mut().for_each(CameraView::forget_town);
+            self.light = TownLight::default();
+            self.lamps = SwitchedLamps::default();
+            self.map = Some(Arc::clone(&map));
+        }
         if self.lamps.follow(lamps, map.scene.static_scene()) {
-            self.cameras.values_mut().for_each(CameraView::forget_light);
+            self.cameras.values_mut().for_each(CameraView::forget_town);
             self.light = TownLight::default();
         }
         let still = self.lamps.scene(map.scene.static_scene());

@@ -79,6 +79,7 @@ fn difference(a: &SceneWeather, b: &SceneWeather) -> f32 {
         apart(|w| w.sunward, 0.05),
         apart(|w| w.cloud_brightness, 0.05),
         apart(|w| w.low_light[2], 0.02),
+        apart(|w| w.dust_color[2], 0.02),
         apart(|w| w.glare, 0.01),
         apart(|w| w.exposure_key, 0.004),
         apart(|w| w.turbidity, 0.1),
