@@ -94,7 +94,14 @@ impl<'m> CarlaSession<'m> {
             world.apply_settings(&clock(WARM_UP_STEP_S))?;
         }
         let cameras = cameras(settings, cast, world)?;
-        let session = Self {
+        if driver.is_still_between_frames() {
+            for _ in 0..WARM_UP_FRAMES {
+                world.tick_until_seen(TRIES)?;
+            }
+            world.apply_settings(&clock(1.0 / settings.fps))?;
+        }
+        // Made last: a session that fails takes hold of the world once more, which is held here.
+        Ok(Self {
             server,
             settings,
             driver,
@@ -104,14 +111,7 @@ impl<'m> CarlaSession<'m> {
             cameras,
             parked: map.stills.len() as u32,
             next: 0,
-        };
-        if session.driver.is_still_between_frames() {
-            for _ in 0..WARM_UP_FRAMES {
-                world.tick_until_seen(TRIES)?;
-            }
-            world.apply_settings(&clock(1.0 / settings.fps))?;
-        }
-        Ok(session)
+        })
     }
 
     /// The next frame; where that changes nothing it is tried again when pictures are lost.
