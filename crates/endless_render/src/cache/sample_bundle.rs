@@ -51,17 +51,8 @@ pub(super) struct SampleSeen {
     pub(super) normals: PackedNormals,
     /// It lies on the flat piece of its pixel's centre.
     pub(super) goes_on: bool,
-    /// What it sees of the sun.
-    pub(super) sun: SampleSun,
-}
-
-/// What is known of the sun where a sample lies.
-#[derive(Clone, Copy)]
-pub(super) enum SampleSun {
-    /// Nothing that its pixel does not tell, now or later.
-    AsPixel,
-    /// A ray from here will tell.
-    Ask(Vec3A),
+    /// From where a ray tells whether it sees the sun; none where its pixel tells that, now or later.
+    pub(super) asks_sun_from: Option<Vec3A>,
 }
 
 impl SampleSeen {
@@ -70,7 +61,7 @@ impl SampleSeen {
         hit: PackedHit::NONE,
         normals: PackedNormals::NONE,
         goes_on: false,
-        sun: SampleSun::AsPixel,
+        asks_sun_from: None,
     };
 }
 
@@ -160,7 +151,7 @@ impl SampleBundle {
             let asking = met & !as_centre & !later & lit.can_be_lit_by(sun);
             if asking != 0 {
                 let origins = lit.ray_origins(sun);
-                lanes(asking).for_each(|lane| seen[lane].sun = SampleSun::Ask(lane_of(&origins, lane)));
+                lanes(asking).for_each(|lane| seen[lane].asks_sun_from = Some(lane_of(&origins, lane)));
             }
         }
         if may_go_on & met != 0 {

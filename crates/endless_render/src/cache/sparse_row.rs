@@ -3,7 +3,7 @@
 use super::bake_pass::BakePass;
 use super::packed_hit::PackedHit;
 use super::primary_hits::PackedNormals;
-use super::sample_bundle::{RowCentres, SampleBundle, SampleSun};
+use super::sample_bundle::{RowCentres, SampleBundle};
 use super::sparse_centre::{Centre, FIRST, SunSeen, WHOLE};
 use crate::accel::{Ray, RayStream, lanes};
 use crate::camera_rays::{aims8, set_row};
@@ -190,7 +190,7 @@ impl SparseRow<'_> {
             self.hits[x][sample] = seen.hit;
             self.normals[x][sample] = seen.normals;
             self.uniform[x] &= seen.goes_on;
-            if let (SampleSun::Ask(origin), Some(sun)) = (seen.sun, &pass.tracer.environment.sun) {
+            if let (Some(origin), Some(sun)) = (seen.asks_sun_from, &pass.tracer.environment.sun) {
                 // From leaves near and far, which have little in common: alone they are faster.
                 let ray = Ray { origin, direction: sun.disc[sample][FIRST], tmax: f32::MAX };
                 self.sun_free[x][sample] = if pass.tracer.still.accel.occluded(&ray) { 0 } else { WHOLE };
