@@ -83,6 +83,7 @@ mod shade;
 mod silhouette;
 mod variation;
 mod vec3x8;
+mod work_share;
 
 pub use accel::{Blas, Hit, Ray, RayStream, StreamHits, Tlas};
 pub use cache::{BakeStats, CameraBake, CoveredCentres, NeighbourFrame, NeighbourFrames};

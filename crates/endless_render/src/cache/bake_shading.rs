@@ -10,6 +10,7 @@ use super::row_block::{BLOCK, RowBlock, ShadedRow};
 use crate::pixel_layers::LayerImages;
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
+use crate::work_share;
 use glam::Vec3A;
 use rayon::prelude::*;
 
@@ -26,7 +27,8 @@ impl BakePass<'_> {
         self.stats.add((primary.uniform.len() * SAMPLES) as u64);
         let width = self.width();
         let PrimaryHits { distances, sun_free, uniform, .. } = primary;
-        let rows = surfaces.into_par_iter().zip(radiance.par_chunks_mut(width)).enumerate();
+        let rows =
+            surfaces.into_par_iter().zip(radiance.par_chunks_mut(width)).enumerate().with_max_len(work_share::ROWS);
         let rows = rows.map(|(y, (surfaces, radiance))| {
             let pixels = y * width..(y + 1) * width;
             let (distances, sun_free) = (&distances[pixels.clone()], &sun_free[pixels.clone()]);

@@ -22,7 +22,7 @@ impl BakePass<'_> {
     /// What the centres of all pixels show.
     pub(super) fn trace_centres(&self) -> Centres {
         let (width, height) = (self.width(), self.camera.size.height as usize);
-        let bands = (0..height.div_ceil(ROWS)).into_par_iter().map(|band| {
+        let bands = (0..height.div_ceil(ROWS)).into_par_iter().with_max_len(1).map(|band| {
             let y = ROWS * band;
             let mut band = CentreBand::of_sky(width, (height - y).min(ROWS));
             (0..width.div_ceil(8)).for_each(|block| self.trace_block(y, block, &mut band));

@@ -91,7 +91,7 @@ impl CameraBake {
         /// Tiles that a thread takes on.
         const SHARE: usize = 12;
         self.developed_by(still, frame, |tracer, tiles, buffer| {
-            let rendered = tiles.par_chunks(SHARE).map(|share| {
+            let rendered = tiles.par_chunks(SHARE).with_max_len(1).map(|share| {
                 let mut pixels = Vec::new();
                 self.render_tiles(tracer, frame, share, |place, pixel| pixels.push((place, pixel)));
                 pixels

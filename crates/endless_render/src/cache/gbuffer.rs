@@ -15,6 +15,7 @@ use crate::pixel_layers::LayerImages;
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
 use crate::settings::Gathering;
+use crate::work_share;
 use glam::Vec3A;
 use rayon::prelude::*;
 
@@ -65,7 +66,8 @@ impl GBuffer {
         let PictureMemory { mut distances, mut sun_free, mut uniform, mut radiance, mut rows } = memory;
         let kept = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
         let kept = kept.zip(uniform.par_chunks_mut(width)).zip(radiance.par_chunks_mut(width));
-        let layers = kept.zip(&mut rows).enumerate().map(|(y, ((((distances, sun_free), uniform), radiance), row))| {
+        let kept = kept.zip(&mut rows).enumerate().with_max_len(work_share::ROWS);
+        let layers = kept.map(|(y, ((((distances, sun_free), uniform), radiance), row))| {
             let kept = KeptRow { distances: &mut *distances, sun_free: &mut *sun_free, uniform: &mut *uniform };
             let surfaces = sparse.trace_row(y, kept);
             let primary = PrimaryRow { distances, sun_free, uniform, surfaces: &surfaces };

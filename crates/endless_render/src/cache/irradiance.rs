@@ -15,6 +15,7 @@ use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
 use crate::settings::Gathering;
 use crate::shade::footprint_m;
+use crate::work_share;
 use endless_world::math::UnfusedVec3A;
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
@@ -100,7 +101,7 @@ impl IrradiancePass<'_> {
     fn interpolated(&self, rays: u32) -> GatheredLight {
         let (grid, points) = timed("gather at points", || self.points(rays));
         let mut irradiance = vec![[Rgb9e5::ZERO; SAMPLES]; self.primary.uniform.len()];
-        let rows = irradiance.par_chunks_mut(self.width()).enumerate();
+        let rows = irradiance.par_chunks_mut(self.width()).enumerate().with_max_len(work_share::ROWS);
         let edges: Vec<usize> =
             timed("interpolate", || rows.flat_map_iter(|(y, row)| self.interpolate_row(&grid, y, row)).collect());
         let (light, at_edges) = timed("gather at edges", || self.gather_at_edges(&edges, self.rays_at_edges(rays)));
@@ -120,7 +121,7 @@ impl IrradiancePass<'_> {
 
     /// Gathers at samples, and denoises among them.
     fn gather_at_edges(&self, edges: &[usize], rays: u32) -> (Vec<Vec3A>, TapeStack) {
-        let blocks = edges.par_chunks(64).enumerate();
+        let blocks = edges.par_chunks(64).enumerate().with_max_len(work_share::PLACES);
         let (light, tapes): (Vec<[[Vec3A; 8]; 8]>, Vec<Vec<RayEnd>>) =
             blocks.map(|(block, edges)| self.gather_block(block, edges, rays)).unzip();
         let light = (0..edges.len()).map(|k| light[k / 64][k % 8][k / 8 % 8]).collect();
@@ -213,7 +214,7 @@ impl IrradiancePass<'_> {
         let mut guides = vec![DenoiseGuide::SKY; width * height];
         let mut light = vec![Vec3A::ZERO; width * height];
         let rows = guides.par_chunks_mut(width).zip(light.par_chunks_mut(width)).enumerate();
-        let tapes = rows.map(|(y, (guides, light))| {
+        let tapes = rows.with_max_len(work_share::ROWS).map(|(y, (guides, light))| {
             let mut tape = self.bake.indirect.tape(|hits| &hits.points, sample * height + y);
             // Points that share a pattern of rays lie `PATTERN_SIDE` apart.
             for block in (0..width).step_by(8 * PATTERN_SIDE) {

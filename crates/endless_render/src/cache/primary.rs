@@ -9,6 +9,7 @@ use crate::camera_rays::{aims8, set_row};
 use crate::light::{SUN_SAMPLES, Sun};
 use crate::sampling::SAMPLES;
 use crate::scene::SurfaceInteraction;
+use crate::work_share;
 use rayon::prelude::*;
 use wide::f32x8;
 
@@ -29,14 +30,16 @@ impl BakePass<'_> {
         let PrimaryHits { distances, sun_free, uniform, surfaces, .. } = &mut found;
         let rows = distances.par_chunks_mut(width).zip(sun_free.par_chunks_mut(width));
         let rows = rows.zip(uniform.par_chunks_mut(width)).zip(surfaces.par_iter_mut());
-        rows.enumerate().for_each(|(y, (((distances, sun_free), uniform), surfaces))| {
-            let eights = distances.chunks_mut(8).zip(sun_free.chunks_mut(8)).zip(uniform.chunks_mut(8));
-            let eights = eights.zip(surfaces.hits.chunks_mut(8).zip(surfaces.normals.chunks_mut(8)));
-            for (eight, (((distances, sun_free), uniform), (hits, normals))) in eights.enumerate() {
-                let pixels = EightPixels { distances, hits, normals, sun_free, uniform };
-                self.trace_eight(y as u32, 8 * eight as u32, pixels);
-            }
-        });
+        rows.enumerate().with_max_len(work_share::ROWS).for_each(
+            |(y, (((distances, sun_free), uniform), surfaces))| {
+                let eights = distances.chunks_mut(8).zip(sun_free.chunks_mut(8)).zip(uniform.chunks_mut(8));
+                let eights = eights.zip(surfaces.hits.chunks_mut(8).zip(surfaces.normals.chunks_mut(8)));
+                for (eight, (((distances, sun_free), uniform), (hits, normals))) in eights.enumerate() {
+                    let pixels = EightPixels { distances, hits, normals, sun_free, uniform };
+                    self.trace_eight(y as u32, 8 * eight as u32, pixels);
+                }
+            },
+        );
         self.stats.add((found.uniform.len() * SAMPLES) as u64 * 2);
         found
     }

@@ -9,6 +9,7 @@ use crate::accel::Ray;
 use crate::material::noise;
 use crate::sampling::{hammersley, rotated, sphere_direction};
 use crate::shade::{Tracer, shade_hit};
+use crate::work_share;
 use endless_scene::Surface;
 use glam::{Vec2, Vec3A};
 use rayon::prelude::*;
@@ -33,6 +34,7 @@ impl ProbeGrid {
             let tracer = Tracer { probes: known, ..*without_probes };
             let (probes, tapes): (Vec<Probe>, Vec<Vec<RayEnd>>) = (0..columns * rows * grid.size.z)
                 .into_par_iter()
+                .with_max_len(work_share::PLACES)
                 .map(|i| {
                     let (x, y, z) = (i % columns, i / columns % rows, i / (columns * rows));
                     let mut tape = indirect.tape(|hits| &hits.probes[bounce], i as usize);

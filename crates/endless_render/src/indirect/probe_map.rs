@@ -14,6 +14,7 @@ use crate::accel::Ray;
 use crate::material::noise;
 use crate::scene::StaticScene;
 use crate::shade::Tracer;
+use crate::work_share;
 use endless_world::ClassTag;
 use glam::{Vec2, Vec3, Vec3A};
 use rayon::prelude::*;
@@ -89,6 +90,7 @@ impl ProbeMap {
             let tracer = Tracer { probes: known.as_ref(), ..*without_probes };
             let baked: Vec<[Probe; LAYERS]> = wanted
                 .par_iter()
+                .with_max_len(work_share::PLACES)
                 .map(|&cell| std::array::from_fn(|layer| self.baked(&tracer, cell, layer, bounce)))
                 .collect();
             for (cell, probes) in wanted.iter().zip(baked) {

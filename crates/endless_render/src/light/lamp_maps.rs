@@ -36,7 +36,7 @@ impl LampMaps {
             at.clamp(low, high).distance_squared(at) < MARGIN_M * MARGIN_M
         };
         self.maps.resize(lamps.len(), None);
-        self.maps.par_iter_mut().zip(lamps).for_each(|(kept, lamp)| {
+        self.maps.par_iter_mut().zip(lamps).with_max_len(1).for_each(|(kept, lamp)| {
             if kept.is_none() && near(lamp) {
                 *kept = Some(map(accel, lamp.position, range_m).into());
             }

@@ -23,7 +23,7 @@ pub fn render_labels(
     let height = camera.size.height as usize;
     let seen = LabelRays { still, frame, camera, wanted };
     let bands: Vec<Vec<LayerImages>> =
-        (0..height.div_ceil(ROWS)).into_par_iter().map(|band| seen.band(ROWS * band)).collect();
+        (0..height.div_ceil(ROWS)).into_par_iter().with_max_len(1).map(|band| seen.band(ROWS * band)).collect();
     let layers = LayerImages::of_rows(wanted, bands.into_iter().flatten().collect());
     layers.into_sensor_frame(frame.frame, camera.size, vec![[0; 3]; camera.size.pixels()])
 }
