@@ -27,6 +27,7 @@
 //! # Ok::<(), opendrive::OpenDriveError>(())
 //! ```
 
+mod border;
 mod conflict;
 mod cut;
 mod error;
@@ -46,6 +47,7 @@ pub mod swept;
 mod terrain;
 mod walk;
 
+pub use border::Borders;
 pub use conflict::{gives_way, near_ranges, swept_overlap};
 pub use error::NetworkError;
 pub use geographic::Georeference;

@@ -39,8 +39,8 @@ pub enum NetworkFaultKind {
     Gap,
     /// A lane ends more than 2° from the direction in which its successor begins.
     Kink,
-    /// From a spawn point less than 80 % of the lanes can be reached that are joined to its own (or, where no lane
-    /// reaches so many, less than from the best).
+    /// From a spawn point one can neither leave the map nor reach 80 % of the lanes that are joined to its own (or, where
+    /// no lane reaches so many, as many as from the best).
     Reach,
     /// A crossing that does not join two sidewalks.
     Crossing,
@@ -137,9 +137,11 @@ impl RoadNetwork {
     fn find_unreachable(&self, faults: &mut Vec<NetworkFault>) {
         let reach = self.lane_reach();
         let enough = enough_reach(self, &reach);
+        let borders = self.borders();
+        let leaves = if borders.are_open() { self.lanes_in_use(&borders) } else { vec![false; self.lanes.len()] };
         let lanes: BTreeSet<LaneId> = self.spawn_points.iter().map(|point| point.lane).collect();
         for lane in lanes {
-            if reach[lane.index()] < enough {
+            if reach[lane.index()] < enough && !leaves[lane.index()] {
                 let percent = 100.0 * reach[lane.index()];
                 let text = format!("from lane {} only {percent:.0} % of the lanes around are reached", lane.0);
                 faults.push(NetworkFault {

@@ -14,10 +14,8 @@ pub(crate) fn derive(network: &mut RoadNetwork) {
         blocked[cut.lane.index()].push((cut.range.0 - CLEAR_M, cut.range.1 + CLEAR_M));
     }
     let mut points = Vec::new();
-    // Nobody begins where one gets nowhere; on a map without a way around, as far as may be.
-    let reach = network.lane_reach();
-    let enough = enough_reach(network, &reach);
-    for lane in network.lanes.iter().filter(|lane| lane.junction.is_none() && reach[lane.id.index()] >= enough) {
+    let leads_on = lanes_that_lead_on(network);
+    for lane in network.lanes.iter().filter(|lane| lane.junction.is_none() && leads_on[lane.id.index()]) {
         let cuts = &mut blocked[lane.id.index()];
         cuts.sort_by(|a, b| a.0.total_cmp(&b.0));
         let end = lane.centerline.length() - CLEAR_M;
@@ -29,6 +27,16 @@ pub(crate) fn derive(network: &mut RoadNetwork) {
         fill(lane.id, start, end, &mut points);
     }
     network.spawn_points = points;
+}
+
+/// For every lane whether vehicles may begin there: nobody does where one gets nowhere; on a map without a way around, as far
+/// as may be. Who can leave the map has somewhere to go.
+fn lanes_that_lead_on(network: &RoadNetwork) -> Vec<bool> {
+    let reach = network.lane_reach();
+    let enough = enough_reach(network, &reach);
+    let borders = network.borders();
+    let used = network.lanes_in_use(&borders);
+    reach.into_iter().zip(used).map(|(reach, used)| reach >= enough || borders.are_open() && used).collect()
 }
 
 /// As many points as fit between two places, spread evenly.

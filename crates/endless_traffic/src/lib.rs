@@ -40,6 +40,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod actor_ids;
+mod arrivals;
 mod attraction;
 mod behaviour;
 mod crossing;

@@ -87,7 +87,11 @@ impl Occupancy {
     /// The nearest vehicle ahead on the route, also one that turns off but whose tail is still in the way, and on the
     /// lane that is being left.
     pub(crate) fn leader(&self, roads: &Roads, vehicles: &[Vehicle], i: usize, reach: f64) -> Option<Leader> {
-        let me = &vehicles[i];
+        self.leader_of(roads, &vehicles[i], i, reach)
+    }
+
+    /// The same of the vehicle with number `i`.
+    pub(crate) fn leader_of(&self, roads: &Roads, me: &Vehicle, i: usize, reach: f64) -> Option<Leader> {
         let mut best: Option<Leader> = None;
         for (lane, base) in me.ahead(roads).take_while(|(_, base)| *base <= reach) {
             for beside in &roads.table(lane).alongside {

@@ -3,7 +3,7 @@
 use crate::attraction::Attraction;
 use crate::overlap::{ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, alongside, make_room, siblings};
 use endless_road::swept::{LONG_M, curvature_per_m, fits, smallest_radius_m};
-use endless_road::{CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
+use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
 use endless_world::{VehicleModelId, VehicleSpec};
 use glam::Vec3;
 use std::{ops::Deref, sync::Arc};
@@ -66,7 +66,11 @@ pub struct TrafficMap(Arc<RoadTables>);
 #[derive(Debug)]
 pub(crate) struct RoadTables {
     pub(crate) network: RoadNetwork,
-    /// Lanes among which vehicles of each model circulate.
+    /// Where vehicles come onto the map and leave it; nowhere, where they do not.
+    pub(crate) borders: Borders,
+    /// The models that drive on it.
+    pub(crate) specs: Vec<VehicleSpec>,
+    /// Lanes from which vehicles of each model can drive on for ever, or leave the map.
     allowed: Vec<Vec<bool>>,
     lanes: Vec<LaneTable>,
 }
@@ -94,8 +98,18 @@ impl Deref for Roads {
 }
 
 impl TrafficMap {
-    /// Of a network and all models that may drive on it.
+    /// Of a network and all models that may drive on it. Where its roads leave the map, vehicles leave and others come.
     pub fn new(network: RoadNetwork, specs: &[VehicleSpec]) -> Self {
+        let borders = network.borders();
+        Self::with_borders(network, specs, if borders.are_open() { borders } else { Borders::default() })
+    }
+
+    /// The same, but nobody comes or leaves: only where one can drive for ever are there vehicles.
+    pub fn closed(network: RoadNetwork, specs: &[VehicleSpec]) -> Self {
+        Self::with_borders(network, specs, Borders::default())
+    }
+
+    fn with_borders(network: RoadNetwork, specs: &[VehicleSpec], borders: Borders) -> Self {
         let bodies = DesignVehicles::of(specs);
         let mut lanes: Vec<LaneTable> = network.lanes.iter().map(|lane| table(&network, lane.id)).collect();
         for (place, crossing) in network.crossings.iter().enumerate() {
@@ -121,7 +135,7 @@ impl TrafficMap {
         for lane in &network.lanes {
             lanes[lane.id.index()].siblings = siblings(&network, lane, &bodies);
         }
-        let everybody = network.circulating_lanes();
+        let everybody = network.lanes_in_use(&borders);
         let mut setbacks: Vec<f64> = lanes.iter().map(|table| table.setback).collect();
         let allowed = specs
             .iter()
@@ -130,24 +144,29 @@ impl TrafficMap {
                 if f64::from(spec.length_m) >= LONG_M {
                     make_room(&network, bodies, spec, &mut stays, &mut setbacks);
                 }
-                circulation(&network, stays)
+                lanes_that_lead_on(&network, &borders, stays)
             })
             .collect();
         for (table, setback) in lanes.iter_mut().zip(setbacks) {
             table.setback = setback.min((table.length - bodies.length_m()).max(0.0));
         }
-        Self(Arc::new(RoadTables { network, allowed, lanes }))
+        Self(Arc::new(RoadTables { network, borders, specs: specs.to_vec(), allowed, lanes }))
     }
 }
 
 impl RoadTables {
-    /// Lanes among which vehicles of a model can circulate.
+    /// Lanes from which vehicles of a model can drive on for ever, or leave the map.
     pub(crate) fn allowed(&self, model: VehicleModelId) -> &[bool] {
         &self.allowed[model.index()]
     }
 
     pub(crate) fn table(&self, lane: LaneId) -> &LaneTable {
         &self.lanes[lane.index()]
+    }
+
+    /// Whether vehicles leave the map at the end of a lane.
+    pub(crate) fn is_exit(&self, lane: LaneId) -> bool {
+        self.borders.exits.binary_search(&lane).is_ok()
     }
 }
 
@@ -157,10 +176,12 @@ fn wide_enough(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], s
     fitting.zip(everybody).map(|(fits, &stays)| fits && stays).collect()
 }
 
-/// The lanes among these on which one can drive for ever.
-fn circulation(network: &RoadNetwork, mut stays: Vec<bool>) -> Vec<bool> {
+/// The lanes among these on which one can drive for ever or until one leaves the map.
+fn lanes_that_lead_on(network: &RoadNetwork, borders: &Borders, mut stays: Vec<bool>) -> Vec<bool> {
+    let mut leaves = vec![false; stays.len()];
+    borders.exits.iter().for_each(|exit| leaves[exit.index()] = true);
     loop {
-        let goes_on = |i: usize| network.lanes[i].successors.iter().any(|next| stays[next.index()]);
+        let goes_on = |i: usize| leaves[i] || network.lanes[i].successors.iter().any(|next| stays[next.index()]);
         let stuck: Vec<usize> = (0..stays.len()).filter(|&i| stays[i] && !goes_on(i)).collect();
         if stuck.is_empty() {
             return stays;

@@ -2,6 +2,8 @@
 
 mod world_state;
 
+use crate::actor_ids::ActorIds;
+use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
@@ -15,8 +17,8 @@ use crate::walker::{Walker, WalkerView};
 use crate::{kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::{
-    Actor, Behaviour, InstanceId, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalState, TooManyInstances,
-    VehicleMotion, VehicleSpec,
+    Actor, Behaviour, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalState, TooManyInstances, VehicleMotion,
+    VehicleSpec,
 };
 use glam::Vec3;
 
@@ -40,6 +42,7 @@ pub struct Simulation {
     vehicles: Vec<Vehicle>,
     walkers: Vec<Walker>,
     ids: ActorIds,
+    arrivals: Arrivals,
     occupancy: Occupancy,
     controller: JunctionController,
     crossings: Vec<CrossingState>,
@@ -105,7 +108,8 @@ impl Simulation {
         let roads = Roads::new(map, &settings.focus);
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
-        let vehicles = spawn::vehicles(&roads, fleet.vehicles, parked, settings);
+        let standing = spawn::standing(fleet.vehicles, parked);
+        let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
         let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);
         let outfit = if settings.condition.rain > 0.0 { Outfit::Rain } else { Outfit::Fair };
         let mut population = Population {
@@ -117,13 +121,15 @@ impl Simulation {
         };
         let mut ids = InstanceIdAllocator::default();
         let parked = parked_actors(parked, fleet.vehicles, &mut ids)?;
-        let own_ids = ActorIds::new(&vehicles, &walkers, &mut ids)?;
+        let mut own_ids = ActorIds::new(&vehicles, walkers.len(), &mut ids)?;
         let cast = |played| Playback::new(network, played, fleet.vehicles, fleet.pedestrian, outfit, &mut ids);
         let playback = played.map(cast).transpose()?;
         if let Some([vehicles, people]) = playback.as_ref().map(Playback::counts) {
             population.vehicles_spawned += vehicles;
             population.pedestrians_spawned += people;
         }
+        own_ids.go_on_after(ids);
+        let arrivals = Arrivals::new(settings.seed, vehicles.len(), standing);
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
         let warm_up_s = if alone { PLAYBACK_WARM_UP_S } else { WARM_UP_S };
@@ -138,6 +144,7 @@ impl Simulation {
             vehicles,
             walkers,
             ids: own_ids,
+            arrivals,
             occupancy: Occupancy::default(),
             controller: JunctionController::default(),
             crossings,
@@ -172,6 +179,7 @@ impl Simulation {
             for vehicle in &mut self.vehicles {
                 vehicle.driver.adapt(self.condition.wetness, condition.wetness);
             }
+            self.arrivals.adapt(self.condition.wetness, condition.wetness);
         }
         self.condition = condition;
     }
@@ -208,6 +216,16 @@ impl Simulation {
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }
         self.controller.step(&self.roads, &self.occupancy, &self.signals, &mut self.vehicles, step_s);
+        let come = self.arrivals.step(
+            &ArrivalView {
+                roads: &self.roads,
+                occupancy: &self.occupancy,
+                vehicles: &self.vehicles,
+                crossings: &self.crossings,
+                wetness: self.condition.wetness,
+            },
+            step_s,
+        );
         let view = DriverView {
             roads: &self.roads,
             occupancy: &self.occupancy,
@@ -223,8 +241,28 @@ impl Simulation {
             vehicle.plan(&self.roads);
             lights::update(vehicle, &self.roads, self.condition.headlights_on, self.time_s + step_s, step_s);
         }
+        self.cross_borders(come);
         if let Some(playback) = &mut self.playback {
             playback.advance(&self.roads.network, self.time_s + step_s, step_s, self.condition.headlights_on);
+        }
+    }
+
+    /// Those who have come to the end of the map leave, and these come.
+    fn cross_borders(&mut self, come: Vec<Vehicle>) {
+        if self.roads.borders.exits.is_empty() {
+            return;
+        }
+        for i in (0..self.vehicles.len()).rev() {
+            if has_left(&self.roads, &self.vehicles[i]) {
+                self.vehicles.remove(i);
+                self.ids.leave(i);
+            }
+        }
+        for vehicle in come {
+            // Without an id left, nobody comes.
+            if self.ids.come(&vehicle) {
+                self.vehicles.push(vehicle);
+            }
         }
     }
 
@@ -232,24 +270,6 @@ impl Simulation {
     fn presence(&self) -> Presence {
         let seen = self.playback.as_ref().filter(|_| !self.vehicles.is_empty() || !self.walkers.is_empty());
         seen.map_or_else(Presence::default, |playback| Presence::of(playback, &self.roads, self.time_s))
-    }
-}
-
-/// Ids of those who move.
-#[derive(Debug, Clone)]
-struct ActorIds {
-    /// Ids of each vehicle and of its rider.
-    vehicles: Vec<(InstanceId, Option<InstanceId>)>,
-    walkers: Vec<InstanceId>,
-}
-
-impl ActorIds {
-    /// Vehicles first, then riders, then people on foot.
-    fn new(vehicles: &[Vehicle], walkers: &[Walker], ids: &mut InstanceIdAllocator) -> Result<Self, TooManyInstances> {
-        let own = ids.allocate_many(vehicles.len())?;
-        let of_rider = |vehicle: &Vehicle| vehicle.ridden.then(|| ids.allocate()).transpose();
-        let riders: Vec<Option<InstanceId>> = vehicles.iter().map(of_rider).collect::<Result<_, _>>()?;
-        Ok(Self { vehicles: own.into_iter().zip(riders).collect(), walkers: ids.allocate_many(walkers.len())? })
     }
 }
 

@@ -37,6 +37,8 @@ pub(crate) fn points(roads: &Roads, models: usize) -> Vec<SpawnPoint> {
 
 /// Lane that every vehicle needs for traffic to flow, metres: with less, all wait for one another on a small map.
 const ROOM_M: f64 = 16.0;
+/// The same where vehicles leave the map, so that nobody waits in a circle.
+const OPEN_ROOM_M: f64 = 10.0;
 
 /// How many vehicles the lanes can take on which they circulate.
 pub(crate) fn capacity(roads: &Roads, models: usize) -> usize {
@@ -45,25 +47,28 @@ pub(crate) fn capacity(roads: &Roads, models: usize) -> usize {
     lanes.sort_unstable();
     lanes.dedup();
     let metres: f64 = lanes.iter().map(|&lane| roads.table(lane).length).sum();
-    points.len().min((metres / ROOM_M).ceil() as usize)
+    let room = if roads.borders.are_open() { OPEN_ROOM_M } else { ROOM_M };
+    points.len().min((metres / room).ceil() as usize)
+}
+
+/// The bodies of parked vehicles, with room around them.
+pub(crate) fn standing(specs: &[VehicleSpec], parked: &[ParkedVehicle]) -> Vec<OrientedRectangle> {
+    let body = |ParkedVehicle { vehicle, pose }: &ParkedVehicle| {
+        let spec = &specs[vehicle.model.index()];
+        OrientedRectangle::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), PARKED_M)
+    };
+    parked.iter().map(body).collect()
 }
 
 /// As many vehicles as asked for, or as fit, in rest pose on their lanes.
 pub(crate) fn vehicles(
     roads: &Roads,
     specs: &[VehicleSpec],
-    parked: &[ParkedVehicle],
+    standing: &[OrientedRectangle],
     settings: &TrafficSettings,
 ) -> Vec<Vehicle> {
     let seed = settings.seed;
     let mut free = points(roads, specs.len());
-    let standing: Vec<OrientedRectangle> = parked
-        .iter()
-        .map(|ParkedVehicle { vehicle, pose }| {
-            let spec = &specs[vehicle.model.index()];
-            OrientedRectangle::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), PARKED_M)
-        })
-        .collect();
     // Models that find no way round this town stay away.
     let has_way = |m: usize| roads.allowed(VehicleModelId::from_index(m)).contains(&true);
     let weights: Vec<f64> = specs.iter().enumerate().map(|(m, s)| if has_way(m) { s.frequency } else { 0.0 }).collect();

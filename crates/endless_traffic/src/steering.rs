@@ -10,7 +10,7 @@ use endless_road::LaneId;
 use endless_world::{SignalAspect, SignalState};
 
 /// How far drivers look, metres.
-const SIGHT_M: f64 = 110.0;
+pub(crate) const SIGHT_M: f64 = 110.0;
 /// How far they look for a place to wait that is no crossing, metres.
 const CLOSE_M: f64 = 50.0;
 /// How fast acceleration may rise and fall, m/s³.
@@ -33,7 +33,7 @@ impl DriverView<'_> {
         let me = &self.vehicles[i];
         let driver = &me.driver;
         let leader = self.occupancy.leader(self.roads, self.vehicles, i, SIGHT_M);
-        let mut wanted = driver.free(me.speed, self.speed_ahead(me));
+        let mut wanted = driver.free(me.speed, speed_ahead(self.roads, me));
         if let Some(leader) = leader {
             wanted = wanted.min(driver.follow(me.speed, leader.gap, leader.speed));
         }
@@ -42,24 +42,6 @@ impl DriverView<'_> {
         }
         let eased = wanted.clamp(me.acceleration - JERK_DOWN * step_s, me.acceleration + JERK_UP * step_s);
         eased.clamp(-HARDEST_BRAKING, driver.accelerate)
-    }
-
-    /// The speed that limits and bends allow, now and in time to brake.
-    fn speed_ahead(&self, me: &Vehicle) -> f64 {
-        let mut speed = me.driver.cruise_mps;
-        for (k, (lane, base)) in me.ahead(self.roads).enumerate() {
-            if base > SIGHT_M {
-                break;
-            }
-            let table = self.roads.table(lane);
-            let limit = self.roads.network.lane(lane).speed_limit_mps;
-            let (at, distance) = if k == 0 { (me.s, 0.0) } else { (0.0, base) };
-            let profile = table.speed_at(at);
-            // Bends by the driver's courage, limits by the driver's patience.
-            let allowed = (profile * me.driver.bend_factor).min(limit * me.driver.limit_factor);
-            speed = speed.min((allowed * allowed + 2.0 * PLANNED_BRAKING * distance).sqrt());
-        }
-        speed
     }
 
     /// Distance from the front bumper to the nearest line at which to stop.
@@ -173,4 +155,22 @@ impl DriverView<'_> {
         }
         nearest
     }
+}
+
+/// The speed that limits and bends allow, now and in time to brake, m/s.
+pub(crate) fn speed_ahead(roads: &Roads, me: &Vehicle) -> f64 {
+    let mut speed = me.driver.cruise_mps;
+    for (k, (lane, base)) in me.ahead(roads).enumerate() {
+        if base > SIGHT_M {
+            break;
+        }
+        let table = roads.table(lane);
+        let limit = roads.network.lane(lane).speed_limit_mps;
+        let (at, distance) = if k == 0 { (me.s, 0.0) } else { (0.0, base) };
+        let profile = table.speed_at(at);
+        // Bends by the driver's courage, limits by the driver's patience.
+        let allowed = (profile * me.driver.bend_factor).min(limit * me.driver.limit_factor);
+        speed = speed.min((allowed * allowed + 2.0 * PLANNED_BRAKING * distance).sqrt());
+    }
+    speed
 }

@@ -46,7 +46,7 @@ pub struct CarlaMap {
 impl CarlaMap {
     /// Of the map that is loaded.
     pub(super) fn new(world: &mut World, planned: Arc<PlannedMap>, fleet: Arc<Fleet>) -> Result<Self, ClientError> {
-        let traffic = TrafficMap::new(planned.road_map.network.clone(), &fleet.specs);
+        let traffic = TrafficMap::closed(planned.road_map.network.clone(), &fleet.specs);
         let mut objects = Vec::new();
         for label in LABELS {
             objects.extend(world.environment_objects(label.value())?);

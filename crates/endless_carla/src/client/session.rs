@@ -75,7 +75,7 @@ impl<'m> CarlaSession<'m> {
         let manager = server.settings.traffic_manager.as_ref();
         let simulation = simulation(map, settings, manager.is_some())?;
         let mut driver = Driver::new(simulation);
-        let moved = driver.simulation.everybody();
+        let moved = driver.simulation.everybody(0, |_| DrivingCondition::default());
         let (blueprints, catalogue) = (&server.blueprints, &server.catalogue);
         let mut casting = Casting { world, fleet: &map.fleet, blueprints, catalogue, seed: settings.seed };
         cast.spawn_moved(&mut casting, &moved)?;

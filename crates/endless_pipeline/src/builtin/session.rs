@@ -102,7 +102,7 @@ impl<'m> BuiltinSession<'m> {
             pedestrians: population.pedestrians_spawned,
             parked: parked.len() as u32,
         };
-        let moving = simulation.everybody();
+        let moving = simulation.everybody(settings.frames, condition);
         let tracks = simulation.track_names().map(|(id, name)| (id, name.to_owned())).collect();
         let scene = BuiltinScene {
             map,

@@ -3,15 +3,29 @@
 use super::Simulation;
 use crate::behaviour;
 use crate::playback::Playback;
+use crate::settings::DrivingCondition;
 use endless_world::math::f64::wrap_angle;
 use endless_world::{Actor, InstanceId, Motion, ObjectClass, PersonRef, Pose, VehicleMotion, WalkerMotion, WorldState};
+use std::collections::BTreeSet;
 
 impl Simulation {
-    /// Everybody who is there in some frame, by ascending id, with the looks that they have in all; of those who play
-    /// tracks it is left open where they are.
-    pub fn everybody(&self) -> Vec<Actor> {
+    /// Everybody who is there in some of this frame and the `frames` that follow, by ascending id, with the looks that they
+    /// have in all; of those who play tracks it is left open where they are. `condition` tells the weather of a frame.
+    ///
+    /// Where vehicles come and leave, a copy of the simulation finds out who comes.
+    pub fn everybody(&self, frames: u32, condition: impl Fn(u32) -> DrivingCondition) -> Vec<Actor> {
         let mut actors = self.simulated();
+        if self.roads.borders.are_open() {
+            let mut known: BTreeSet<InstanceId> = actors.iter().map(|actor| actor.id).collect();
+            let mut later = self.clone();
+            for _ in 0..frames {
+                later.set_condition(condition(later.frame + 1));
+                later.tick();
+                actors.extend(later.simulated().into_iter().filter(|actor| known.insert(actor.id)));
+            }
+        }
         actors.extend(self.playback.iter().flat_map(Playback::everybody));
+        actors.sort_by_key(|actor| actor.id);
         actors
     }
 
@@ -20,13 +34,14 @@ impl Simulation {
         self.playback.iter().flat_map(Playback::names)
     }
 
-    /// The current frame: moving vehicles first, then people on foot, by ascending id. Ids go on after the parked
-    /// vehicles': vehicles, then riders, then pedestrians; and so again of those who play tracks.
+    /// The current frame, by ascending id. Ids go on after the parked vehicles': vehicles, then riders, then pedestrians; so
+    /// again of those who play tracks; then those who have come onto the map since the warm-up began.
     pub fn state(&self) -> WorldState {
         let time_s = f64::from(self.frame) / self.fps;
         let mut actors = self.simulated();
         let playback = self.playback.iter();
         actors.extend(playback.flat_map(|playback| playback.state(&self.roads.network, time_s)));
+        actors.sort_by_key(|actor| actor.id);
         WorldState { frame: self.frame, time_s, actors, signals: self.signals.clone() }
     }
 

@@ -61,7 +61,7 @@ fn vehicles_begin_clear_of_parked_ones() {
         let spec = &specs[vehicle.model.index()];
         OrientedRectangle::new(spec, pose.position.as_dvec3().truncate(), f64::from(pose.yaw_rad), 0.0)
     };
-    let placed = vehicles(&roads, &specs, &parked, &asked(60, 3));
+    let placed = vehicles(&roads, &specs, &standing(&specs, &parked), &asked(60, 3));
     assert!(placed.len() > 10, "{} vehicles", placed.len());
     for vehicle in &placed {
         let body = print(vehicle.asset, &vehicle.pose);

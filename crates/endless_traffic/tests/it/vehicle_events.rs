@@ -37,7 +37,7 @@ fn lane_changes_cross_paint_and_nobody_collides() {
         Some(vehicle) => BodySize::of(&specs[vehicle.model.index()]),
         None => BodySize::rigid(Vec2::new(0.2, 0.25)),
     };
-    let (parked, everybody) = (simulation.parked().to_vec(), simulation.everybody());
+    let (parked, everybody) = (simulation.parked().to_vec(), simulation.everybody(0, |_| settings.condition));
     let sizes: BTreeMap<InstanceId, BodySize> =
         parked.iter().chain(&everybody).map(|actor| (actor.id, size(actor))).collect();
     let marks = marks(&town);
