@@ -14,6 +14,7 @@ mod country;
 mod crossing;
 mod curve;
 mod dual_carriageway;
+mod edge;
 mod error;
 mod extent;
 mod extract;
@@ -116,6 +117,7 @@ pub fn map_from(extract: &OsmExtract, options: &OsmOptions) -> Result<RoadMap, O
     let mut plan = StreetPlan::new(roads, ground);
     check_arms(&plan, &context)?;
     dual_carriageway::find(&mut plan);
+    edge::open_ends(&mut plan, &context);
     turnaround::join_dead_ends(&mut plan);
     trim::trim(&mut plan);
     check_count("junctions", plan.intersections.len())?;

@@ -90,7 +90,7 @@ fn bend(plan: &StreetPlan, from: StreetSegmentEnd, to: StreetSegmentEnd) -> f64 
 
 fn exits(plan: &StreetPlan, intersection: usize, from: StreetSegmentEnd, restrictions: &Restrictions) -> Vec<ArmExit> {
     let k = &plan.intersections[intersection];
-    let dead_end = k.arms.len() == 1 || k.turnaround;
+    let dead_end = k.arms.len() == 1 && !k.open || k.turnaround;
     let mut exits: Vec<ArmExit> = k
         .arms
         .iter()

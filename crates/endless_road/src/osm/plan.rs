@@ -72,6 +72,8 @@ pub(super) struct Intersection {
     pub(super) signals: bool,
     /// The way on at a dead end is a loop to the other carriageway.
     pub(super) turnaround: bool,
+    /// The road goes on beyond the extract's edge.
+    pub(super) open: bool,
 }
 
 /// All of it.

@@ -105,6 +105,7 @@ fn cut_knot(plan: &mut StreetPlan, intersection: usize) {
     let reaches: Vec<ArmReach> = arms.iter().map(|&arm| reach(plan, arm)).collect();
     for (i, &arm) in arms.iter().enumerate() {
         let cut = match arms.len() {
+            1 if plan.intersections[intersection].open => 0.0,
             1 => dead_end_cut(plan, arm),
             // Room for the loop.
             2 if plan.intersections[intersection].turnaround => {

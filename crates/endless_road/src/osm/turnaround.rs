@@ -1,4 +1,4 @@
-//! Where the extract's edge cuts both carriageways of a road, a loop joins them: traffic that leaves comes back.
+//! Where both carriageways of a road end inside an extract, a loop joins them: traffic that leaves comes back.
 
 use super::dual_carriageway::widest_m;
 use super::plan::StreetPlan;
@@ -11,7 +11,9 @@ pub(super) fn join_dead_ends(plan: &mut StreetPlan) {
     let mut leaving = Vec::new();
     let mut arriving = Vec::new();
     for (k, intersection) in plan.intersections.iter().enumerate() {
-        if let [arm] = intersection.arms[..] {
+        if let [arm] = intersection.arms[..]
+            && !intersection.open
+        {
             let street = plan.street(arm);
             if street.oneway() && !street.roundabout && street.length() > 15.0 {
                 let list = if arm.end == 1 { &mut leaving } else { &mut arriving };
