@@ -74,6 +74,9 @@ fn parquet_has_the_columns_of_the_csv() {
     let [csv, parquet] = ["a.csv", "a.parquet"].map(|name| folder.path().join(name));
     written(&csv);
     written(&parquet);
+    let again = folder.path().join("again.parquet");
+    written(&again);
+    assert!(fs::read(&parquet).expect("bytes") == fs::read(again).expect("bytes"), "the same bytes each time");
     let text = fs::read_to_string(csv).expect("text");
     let mut lines = text.lines();
     let names: Vec<&str> = lines.next().expect("a header").split(',').collect();
