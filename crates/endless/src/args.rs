@@ -1,11 +1,18 @@
 //! The command line.
 
-use crate::{bench::ScalingSeries, build_info::VERSION, recipe_args::RecipeArgs};
+use crate::{
+    bench::ScalingSeries,
+    build_info::VERSION,
+    recipe_args::RecipeArgs,
+    simulate_options::{OutputFile, TopViewFormat, VehicleCount},
+};
 use bytesize::ByteSize;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
+
+use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use endless_carla::client::Address;
-use endless_world::DrivingSide;
+use endless_interchange::TrajectoryFormat;
+use endless_world::{DrivingSide, TimeOfDay, Weather};
 use std::path::PathBuf;
 
 /// Endless annotated urban datasets seen by surveillance cameras.
@@ -36,6 +43,8 @@ pub(crate) enum Command {
     Maps(MapsArgs),
     /// List, preview and export vehicles, people, buildings, plants and street furniture.
     Assets(AssetsArgs),
+    /// Simulate the traffic of a map without pictures: trajectories, a view from above, an audit.
+    Simulate(SimulateArgs),
     /// Be a CARLA server: scripts that are written for CARLA 0.9.16 run on the built-in city.
     Serve(ServeArgs),
 }
@@ -93,6 +102,51 @@ pub(crate) struct GenerateArgs {
     /// lists the builds of every video.
     #[arg(long)]
     pub(crate) allow_other_build: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct SimulateArgs {
+    /// Name of the map, or a map file: OpenDRIVE (.xodr) or OpenStreetMap (.osm, .osm.pbf).
+    pub(crate) map: String,
+    /// Seconds to simulate, after 25 in which traffic gets going.
+    #[arg(long, value_name = "S", default_value_t = 60.0, value_parser = seconds)]
+    pub(crate) seconds: f64,
+    /// Moving vehicles; `max` for as many as the map holds.
+    #[arg(long, value_name = "N|max", default_value = "30")]
+    pub(crate) vehicles: VehicleCount,
+    /// People on foot.
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(0..=5000))]
+    pub(crate) pedestrians: u32,
+    /// Of all that is drawn.
+    #[arg(long, default_value_t = 0)]
+    pub(crate) seed: u64,
+    /// Instants a second in the files.
+    #[arg(long, value_name = "X", default_value_t = 10.0, value_parser = rate)]
+    pub(crate) fps: f64,
+    /// Weather: on wet roads drivers go slower and keep more distance.
+    #[arg(long, value_name = "WORD", default_value = "clear_sky", value_parser = words(Weather::ALL, Weather::name))]
+    pub(crate) weather: Weather,
+    /// Time of day.
+    #[arg(long, value_name = "WORD", default_value = "afternoon", value_parser = words(TimeOfDay::ALL, TimeOfDay::name))]
+    pub(crate) time: TimeOfDay,
+    #[command(flatten)]
+    pub(crate) wanted: SimulateOutputs,
+}
+
+/// What a simulation is for; at least one.
+#[derive(Debug, Args)]
+#[group(required = true, multiple = true)]
+pub(crate) struct SimulateOutputs {
+    /// Write where everybody was: CSV, Parquet, or SUMO's FCD, by the file's ending.
+    #[arg(long, value_name = "FILE.csv|.parquet|.fcd.xml", value_parser = PathBufValueParser::new().try_map(trajectories))]
+    pub(crate) out: Option<OutputFile<TrajectoryFormat>>,
+    /// Draw the map from above with all road users: a video, or a picture of the last instant.
+    #[arg(long, value_name = "FILE.mp4|.png", value_parser = PathBufValueParser::new().try_map(top_view))]
+    pub(crate) top_view: Option<OutputFile<TopViewFormat>>,
+    /// Print what no street ever shows, with limits: contacts, jumps, stands, jerks, red lights run. Exit code 1 if a limit is
+    /// not kept.
+    #[arg(long)]
+    pub(crate) audit: bool,
 }
 
 #[derive(Debug, Args)]
@@ -244,6 +298,33 @@ pub(crate) struct BenchArgs {
 /// A TrafficManager's address; 8000 is its usual port.
 fn traffic_manager(text: &str) -> Result<Address, String> {
     Address::with_port(text, 8000)
+}
+
+/// A file of trajectories.
+fn trajectories(path: PathBuf) -> Result<OutputFile<TrajectoryFormat>, &'static str> {
+    let format = TrajectoryFormat::of(&path).ok_or("end its name in .csv, .parquet or .fcd.xml")?;
+    Ok(OutputFile { path, format })
+}
+
+/// A picture or a video.
+fn top_view(path: PathBuf) -> Result<OutputFile<TopViewFormat>, &'static str> {
+    let format = TopViewFormat::of(&path).ok_or("end its name in .mp4 or .png")?;
+    Ok(OutputFile { path, format })
+}
+
+/// A rate of instants.
+fn rate(text: &str) -> Result<f64, String> {
+    let rate = text.parse::<f64>().ok().filter(|rate| (0.1..=240.0).contains(rate));
+    rate.ok_or_else(|| "give 0.1 to 240 a second".to_owned())
+}
+
+/// One of these words.
+fn words<T: Copy + Send + Sync + 'static>(
+    all: &'static [T],
+    name: fn(T) -> &'static str,
+) -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(all.iter().map(|&word| name(word)))
+        .map(move |given| all.iter().copied().find(|&word| name(word) == given).unwrap_or(all[0]))
 }
 
 /// A time that can be waited for.

@@ -2,7 +2,6 @@
 
 mod conditions;
 mod film;
-mod peak_memory;
 mod scaling;
 mod sensors;
 mod stages;

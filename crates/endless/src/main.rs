@@ -11,10 +11,13 @@ mod file;
 mod generate;
 mod log;
 mod maps;
+mod memory;
 mod recipe_args;
 mod report;
 mod schema;
 mod serve;
+mod simulate;
+mod simulate_options;
 mod threads;
 
 use args::{Cli, Command};
@@ -60,6 +63,7 @@ fn run() -> ExitCode {
         // One more, which answers, and waits while others render.
         Command::Serve(args) => on_threads(threads + 1, || serve::run(library, &args)),
         Command::Assets(args) => on_threads(threads, || assets::run(library, args)),
+        Command::Simulate(args) => on_threads(threads, || simulate::run(&library, &args)),
         Command::Maps(args) => on_threads(threads, || maps::run(&library, args)),
     };
     match result {

@@ -213,6 +213,17 @@ impl MapLibrary {
         Ok(town)
     }
 
+    /// A town of a map file that is not kept, without the details near its cameras.
+    ///
+    /// # Errors
+    /// When the file cannot be read or is no map, or cannot be a town.
+    pub fn town_of_file(&self, file: &Path) -> Result<Town, MapError> {
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        let mut town = dress_map(&name, &map::read_map(file)?, self.catalogue())?;
+        stand_in(&mut town, self.catalogue());
+        Ok(town)
+    }
+
     /// A town of an OpenDRIVE text that is not kept, and its roads as our own writer has them.
     ///
     /// # Errors

@@ -57,6 +57,6 @@ pub use builtin::{NAMES, canonical_name, known_cameras, load};
 pub use dressing::{DetailSource, dress_map};
 pub use placement::{PlacedObject, Placement};
 pub use street_features::{PaintedCrosswalk, PaintedMark, PaintedStopLine, SidewalkStrip, StreetFeatures};
-pub use top_view::{top_view, top_view_of};
+pub use top_view::{top_view, top_view_of, whole_town};
 pub use town::{Town, TownError};
 pub use view_check::ViewCheck;

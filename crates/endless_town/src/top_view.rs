@@ -19,10 +19,16 @@ const SIGHT_M: f32 = 50.0;
 
 /// The whole town on `pixels` by `pixels`, row by row from the north-west.
 pub fn top_view(town: &Town, catalogue: &Catalogue, pixels: u32) -> Vec<[u8; 3]> {
+    let (middle, metres) = whole_town(town);
+    top_view_of(town, catalogue, pixels, middle, metres)
+}
+
+/// Middle and side of the square, metres, that [`top_view`] shows.
+pub fn whole_town(town: &Town) -> (Vec2, f32) {
     let points = town.network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.as_vec3().truncate());
     let (low, high) = points.fold((Vec2::INFINITY, Vec2::NEG_INFINITY), |(l, h), p| (l.min(p), h.max(p)));
     let (low, high) = if low.x <= high.x { (low, high) } else { (Vec2::ZERO, Vec2::ZERO) };
-    top_view_of(town, catalogue, pixels, (low + high) / 2.0, (high - low).max_element() + 80.0)
+    ((low + high) / 2.0, (high - low).max_element() + 80.0)
 }
 
 /// The square of `metres` around a place.

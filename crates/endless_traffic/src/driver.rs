@@ -7,6 +7,9 @@ use endless_world::{ObjectClass, Stream, VehicleSpec};
 /// Hardest braking, m/s².
 pub(crate) const HARDEST_BRAKING: f64 = 7.5;
 
+/// Largest factor on speed limits that a driver has.
+pub(crate) const MOST_LIMIT_FACTOR: f64 = 1.05;
+
 /// Factor on speeds on a road of this wetness, 0 dry to 1 soaked.
 fn pace_on(wetness: f32) -> f64 {
     1.0 - 0.12 * f64::from(smoothstep(0.2, 0.7, wetness))
@@ -50,7 +53,7 @@ impl Driver {
             brake: stream.range_f64(1.6, 2.3),
             headway_s: stream.range_f64(1.0, 1.7) / wet + if heavy { 0.3 } else { 0.0 },
             standing_gap_m: stream.range_f64(1.6, 2.6),
-            limit_factor: stream.range_f64(0.85, 1.05) * wet,
+            limit_factor: stream.range_f64(0.85, MOST_LIMIT_FACTOR) * wet,
             cruise_mps: f64::from(spec.cruise_mps) * stream.range_f64(0.9, 1.1) * wet,
             bend_factor: stream.range_f64(0.88, 1.1) * wet * if heavy { 0.82 } else { 1.0 },
             lateral_m,

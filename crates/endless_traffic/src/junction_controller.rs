@@ -10,7 +10,7 @@ use super::entry_request::{
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::{RightOfWay, Vehicle};
-use endless_road::{JunctionId, Turn};
+use endless_road::{JunctionId, LaneId, Turn};
 use endless_world::{SignalAspect, SignalState};
 
 /// Room kept free behind the leader beyond a junction, metres.
@@ -20,6 +20,9 @@ const CHANCE_S: f64 = 40.0;
 /// Roads beyond a junction are looked along this far, metres; and so many of them, where they are short.
 const SEEN_M: f64 = 60.0;
 const MOST_ROADS: usize = 3;
+/// Who has waited for so long for room beyond a junction looks for another way, and again after as long, seconds: in a
+/// roundabout that is full, or around a block, all would wait for one another for ever.
+const DETOUR_S: f64 = 15.0;
 /// Who has the right of way and has stood this long before the junction is held up by something else, seconds.
 const HELD_UP_S: f64 = 4.0;
 
@@ -72,10 +75,16 @@ impl JunctionController {
         for (k, request) in requests.iter().enumerate() {
             let mut others =
                 requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction).map(|(_, r)| r);
-            let fits = sign_allows(roads, request)
+            let comes_first = sign_allows(roads, request)
                 && !occupancy.crosses_claimed(roads, &request.lanes)
-                && self.next_in_line(roads, occupancy, vehicles, request)
-                && self.has_exit_space(roads, occupancy, vehicles, request)
+                && self.next_in_line(roads, occupancy, vehicles, request);
+            if comes_first && !self.has_exit_space(roads, occupancy, vehicles, request) {
+                if (request.waited_s / DETOUR_S).floor() > ((request.waited_s - step_s) / DETOUR_S).floor().max(0.0) {
+                    take_another_way(roads, &mut vehicles[request.vehicle], request.lanes[0]);
+                }
+                continue;
+            }
+            let fits = comes_first
                 && self.clear_of_holders(roads, vehicles, request)
                 && others
                     .all(|other| !yields_to(roads, request, other) && goes_before(roads, vehicles, request, other));
@@ -183,6 +192,26 @@ impl JunctionController {
     }
 }
 
+/// Chooses another lane through a junction, if there is any, and a way from there on.
+fn take_another_way(roads: &Roads, vehicle: &mut Vehicle, connector: LaneId) {
+    let Some(place) = vehicle.route.iter().position(|&lane| lane == connector).filter(|&place| place > 0) else {
+        return;
+    };
+    let allowed = roads.allowed(vehicle.asset.model);
+    let may_go = |lane: LaneId| allowed[lane.index()] && roads.network.lane(lane).turn != Turn::UTurn;
+    let before = roads.network.lane(vehicle.route[place - 1]);
+    let others: Vec<LaneId> =
+        before.successors.iter().copied().filter(|&lane| lane != connector && may_go(lane)).collect();
+    if others.is_empty() {
+        return;
+    }
+    let other = *vehicle.stream.pick(&others);
+    vehicle.route.truncate(place);
+    vehicle.route.push_back(other);
+    vehicle.rights_of_way.retain(|right_of_way| right_of_way.entered);
+    vehicle.plan(roads);
+}
+
 /// Takes the right of way back from those who have passed, from those who can and must still stop, and from those who are held up
 /// before they come to the junction: others might wait for them, and they for those.
 fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicles: &mut [Vehicle], step_s: f64) {
@@ -204,9 +233,12 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
                 return false;
             }
             let control = approach_control(roads, vehicle, right_of_way.lanes[0]);
-            let stops = matches!(aspect(control, signals), Some(a) if a != SignalAspect::Green);
+            let aspect = aspect(control, signals);
+            let stops = aspect.is_some_and(|aspect| aspect != SignalAspect::Green);
+            // Who still stands when the light is red has come too late.
+            let late = aspect == Some(SignalAspect::Red) && vehicle.speed < 0.5;
             let waits_to_clear = roads.network.lane(right_of_way.lanes[0]).turn == Turn::Left && distance < 3.0;
-            !(stops && distance > stopping_m(vehicle.speed) && !waits_to_clear)
+            !(late || (stops && distance > stopping_m(vehicle.speed) && !waits_to_clear))
         });
         vehicles[i].rights_of_way = rights_of_way;
     }

@@ -4,7 +4,8 @@
 //! the parked vehicles, and [`TrafficSettings`]. What depends on the network and the models alone can be made once for
 //! many of them ([`TrafficMap`]). It advances frame by frame;
 //! [`Simulation::state`] is the world state that is rendered and labelled. All randomness comes from streams keyed by the
-//! seed, and a frame is a fixed number of equal steps, so the same settings give the same states, bit for bit.
+//! seed, and a frame is a fixed number of equal steps, so the same settings give the same states, bit for bit. A
+//! [`TrafficAudit`] looks at the states and reports what no street ever shows.
 //!
 //! ```
 //! use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
@@ -43,6 +44,7 @@
 mod actor_ids;
 mod arrivals;
 mod attraction;
+mod audit;
 mod behaviour;
 mod crossing;
 mod driver;
@@ -67,6 +69,7 @@ mod vehicle;
 mod walk_strip;
 mod walker;
 
+pub use audit::{AuditCheck, AuditLine, AuditReport, TrafficAudit};
 pub use playback::{PlayedTracks, TrackFit};
 pub use population::Population;
 pub use roads::TrafficMap;

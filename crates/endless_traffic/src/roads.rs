@@ -2,7 +2,7 @@
 
 use crate::attraction::Attraction;
 use crate::overlap::{ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, alongside, make_room, siblings};
-use endless_road::swept::{LONG_M, curvature_per_m, fits, smallest_radius_m};
+use endless_road::swept::{LONG_M, curvature_per_m, fits, leaves_oncoming_room, smallest_radius_m};
 use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
 use endless_world::{VehicleModelId, VehicleSpec};
 use glam::Vec3;
@@ -172,7 +172,10 @@ impl RoadTables {
 
 /// The lanes on which a model fits, without bends too tight for it.
 fn wide_enough(network: &RoadNetwork, lanes: &[LaneTable], everybody: &[bool], spec: &VehicleSpec) -> Vec<bool> {
-    let fitting = network.lanes.iter().zip(lanes).map(|(lane, table)| fits(network, lane, table.radius, spec));
+    let fitting =
+        network.lanes.iter().zip(lanes).map(|(lane, table)| {
+            fits(network, lane, table.radius, spec) && leaves_oncoming_room(lane, table.radius, spec)
+        });
     fitting.zip(everybody).map(|(fits, &stays)| fits && stays).collect()
 }
 

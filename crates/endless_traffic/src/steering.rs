@@ -16,6 +16,9 @@ const CLOSE_M: f64 = 50.0;
 /// How fast acceleration may rise and fall, m/s³.
 const JERK_UP: f64 = 5.0;
 const JERK_DOWN: f64 = 25.0;
+/// The last of a stop is gentle: hardest braking of who is about to stand, m/s², and how much harder it may be for each m/s.
+const LAST_BRAKING: f64 = 0.8;
+const BRAKING_PER_MPS: f64 = 4.0;
 
 /// What all drivers see.
 pub(crate) struct DriverView<'a> {
@@ -41,7 +44,8 @@ impl DriverView<'_> {
             wanted = wanted.min(driver.stop_at(me.speed, gap));
         }
         let eased = wanted.clamp(me.acceleration - JERK_DOWN * step_s, me.acceleration + JERK_UP * step_s);
-        eased.clamp(-HARDEST_BRAKING, driver.accelerate)
+        let hardest = HARDEST_BRAKING.min(LAST_BRAKING + BRAKING_PER_MPS * me.speed);
+        eased.clamp(-hardest, driver.accelerate)
     }
 
     /// Distance from the front bumper to the nearest line at which to stop.

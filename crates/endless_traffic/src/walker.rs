@@ -240,8 +240,10 @@ impl Walker {
     ) {
         let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
         let here = outside(self.position);
-        let leaves = |velocity: DVec2| outside(self.position + velocity * step_s) > here + 1e-9;
-        if strip.kind == WalkKind::Sidewalk && leaves(self.velocity) {
+        // On a crossing there is room for a body beside those who come the other way.
+        let most = if strip.kind == WalkKind::Sidewalk { here } else { here.max(BODY_M) };
+        let leaves = |velocity: DVec2| outside(self.position + velocity * step_s) > most + 1e-9;
+        if leaves(self.velocity) {
             let slides = std::iter::once(strip).chain(next).map(|s| s.along * self.velocity.dot(s.along));
             if let Some(slide) = slides.into_iter().find(|&v| !leaves(v)) {
                 self.velocity = slide;

@@ -1,8 +1,9 @@
 //! `endless bench`: one recipe, stage by stage.
 
 use super::film::{draft, film};
-use super::{peak_memory, sensors};
+use super::sensors;
 use crate::args::BenchArgs;
+use crate::memory;
 use anyhow::Result;
 use endless_dataset::{Layer, RecipeDraft};
 use endless_pipeline::{Generated, MapSource, Simulator, read_rig};
@@ -56,7 +57,7 @@ fn print(made: &Generated, threads: usize) -> Result<()> {
     writeln!(out, "render           {:.1} Mrays/s a thread", rate(t.renderer.frame_rays as f64 / 1e6, t.render))?;
     let megabytes = made.bytes as f64 / 1e6;
     writeln!(out, "written          {megabytes:.1} MB, {:.3} MB a camera frame", megabytes / frames)?;
-    if let Some(peak) = peak_memory::megabytes() {
+    if let Some(peak) = memory::peak_megabytes() {
         writeln!(out, "peak memory      {peak:.0} MB")?;
     }
     Ok(())

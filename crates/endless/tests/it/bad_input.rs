@@ -74,6 +74,15 @@ fn what_was_asked_cannot_be() {
             "generate out --config typo.toml",
             "generate out --config broken.toml",
             "generate out --config words.toml",
+            "simulate Town02",
+            "simulate Town02 --out tracks.json",
+            "simulate Town02 --top-view view.gif",
+            "simulate Town02 --audit --vehicles many",
+            "simulate Town02 --audit --seconds 0",
+            "simulate Town02 --audit --fps 1000",
+            "simulate Town02 --audit --weather snowy",
+            "simulate Town99 --audit",
+            "simulate missing.xodr --audit",
         ],
     ));
     assert!(!folder.path().join("out").exists(), "nothing was made");

@@ -9,4 +9,5 @@ mod imported_maps;
 mod program;
 mod real_city;
 mod scaling;
+mod simulate;
 mod threads;

@@ -3,7 +3,29 @@
 use super::{MapError, stored_map::MapFormat};
 use endless_road::{RoadMap, opendrive, osm};
 use endless_world::DrivingSide;
-use std::path::Path;
+use std::{fs::File, io::Read, path::Path};
+
+/// Longest file that is read, bytes: the extract of a large country. Maps end at city size long before.
+pub(super) const MOST_BYTES: u64 = 2 << 30;
+
+/// The content of a file.
+pub(super) fn read_bytes(path: &Path) -> Result<Vec<u8>, MapError> {
+    let unreadable = |cause| MapError::Unreadable { path: path.to_owned(), cause };
+    let file = File::open(path).map_err(unreadable)?;
+    if file.metadata().map_err(unreadable)?.len() > MOST_BYTES {
+        return Err(MapError::TooLong { path: path.to_owned() });
+    }
+    let mut bytes = Vec::new();
+    // It may grow meanwhile.
+    file.take(MOST_BYTES).read_to_end(&mut bytes).map_err(unreadable)?;
+    Ok(bytes)
+}
+
+/// Reads a map file that is not kept.
+pub(crate) fn read_map(path: &Path) -> Result<RoadMap, MapError> {
+    let bytes = read_bytes(path)?;
+    parse(&bytes, format_of(&bytes, path)?, None, path)
+}
 
 /// The format of a file, by its content.
 pub(super) fn format_of(bytes: &[u8], path: &Path) -> Result<MapFormat, MapError> {

@@ -3,16 +3,14 @@
 use super::{
     MapError,
     name::{default_name, is_built_in, is_name},
-    read::{format_of, parse},
+    read::{format_of, parse, read_bytes},
     stored_map::{ImportOptions, MapFormat, StoredMap},
 };
 use crate::{content_hash::content_hash, user_data_folder};
 use endless_dataset::write_durable;
 use endless_road::RoadMap;
 use std::{
-    env,
-    fs::{self, File},
-    io::Read,
+    env, fs,
     path::{Path, PathBuf},
 };
 
@@ -20,21 +18,6 @@ use std::{
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MapStore {
     folder: PathBuf,
-}
-
-/// Longest file that is read, bytes: the extract of a large country. Maps end at city size long before.
-const MOST_BYTES: u64 = 2 << 30;
-
-fn read(path: &Path) -> Result<Vec<u8>, MapError> {
-    let unreadable = |cause| MapError::Unreadable { path: path.to_owned(), cause };
-    let file = File::open(path).map_err(unreadable)?;
-    if file.metadata().map_err(unreadable)?.len() > MOST_BYTES {
-        return Err(MapError::TooLong { path: path.to_owned() });
-    }
-    let mut bytes = Vec::new();
-    // It may grow meanwhile.
-    file.take(MOST_BYTES).read_to_end(&mut bytes).map_err(unreadable)?;
-    Ok(bytes)
 }
 
 impl MapStore {
@@ -80,7 +63,7 @@ impl MapStore {
         if !is_name(name) || is_built_in(name) || !path.is_file() {
             return Ok(None);
         }
-        let text = String::from_utf8_lossy(&read(&path)?).into_owned();
+        let text = String::from_utf8_lossy(&read_bytes(&path)?).into_owned();
         let damaged = |reason: String| MapError::Damaged { path: path.clone(), reason };
         let map: StoredMap = toml::from_str(&text)
             .map_err(|e: toml::de::Error| damaged(e.message().lines().collect::<Vec<_>>().join(", ")))?;
@@ -119,7 +102,7 @@ impl MapStore {
         judge: impl FnOnce(&str, &RoadMap) -> Result<(), MapError>,
     ) -> Result<StoredMap, MapError> {
         let ImportOptions { name, driving_side, replace } = *options;
-        let bytes = read(file)?;
+        let bytes = read_bytes(file)?;
         let format = format_of(&bytes, file)?;
         let source = file.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let name = name.map_or_else(|| default_name(&source), str::to_owned);
@@ -144,8 +127,10 @@ impl MapStore {
 
 #[cfg(test)]
 mod tests {
+    use super::super::read::MOST_BYTES;
     use super::*;
     use endless_world::DrivingSide;
+    use std::fs::File;
 
     const FILE: &str = r#"<?xml version="1.0"?><OpenDRIVE><header revMajor="1" revMinor="6"/>
         <road name="r" length="200" id="1" junction="-1"><planView><geometry s="0" x="0" y="0" hdg="0" length="200"><line/></geometry></planView>

@@ -65,6 +65,14 @@ pub fn fits(network: &RoadNetwork, lane: &Lane, radius_m: f64, spec: &VehicleSpe
     wide && radius_m > lengths * rigid_m && (broad || length_m < BUS_M) && alone()
 }
 
+/// Whether a vehicle that fits on a lane leaves room there for one as long that comes the other way: on a street with one
+/// lane each way both must keep to their lanes.
+pub fn leaves_oncoming_room(lane: &Lane, radius_m: f64, spec: &VehicleSpec) -> bool {
+    let alone = lane.junction.is_none() && lane.left.is_none() && lane.right.is_none();
+    let short = f64::from(spec.length_m) < LONG_M;
+    short || !alone || strays_m(spec, radius_m) + STEERS_M < 0.5 * lane.width_m
+}
+
 /// How far from the line that it follows a vehicle reaches to either side in a long bend of this radius, metres: its
 /// front sweeps outwards, its rear and what it draws inwards.
 fn strays_m(spec: &VehicleSpec, radius_m: f64) -> f64 {
@@ -104,6 +112,13 @@ mod tests {
         };
         let allowed = |radius_m| [0, 1].map(|k| fits(&network, &network.lanes[k], radius_m, &bus));
         assert_eq!([allowed(25.0), allowed(40.0), allowed(400.0)], [[false; 2], [false, true], [true; 2]]);
+        // Alone on its side of the street it meets another one.
+        let alone = Lane::new(LaneId(0), line(), 3.25, 14.0);
+        assert_eq!(
+            [25.0, 40.0, 400.0].map(|radius_m| leaves_oncoming_room(&alone, radius_m, &bus)),
+            [false, false, true]
+        );
+        assert!(leaves_oncoming_room(&network.lanes[0], 25.0, &bus), "beside others it is not alone");
         // In a bend of 40 m its front sweeps 0.6 m further than its side.
         assert!((strays_m(&bus, 40.0) - 1.9).abs() < 0.1, "{}", strays_m(&bus, 40.0));
     }

@@ -1,8 +1,8 @@
 //! Traffic on a grid of test streets.
 
 use crate::grid::Grid;
-use crate::watch::{Findings, specs};
-use endless_traffic::TrafficSettings;
+use crate::watch::specs;
+use endless_traffic::{AuditReport, TrafficSettings};
 
 const FPS: f64 = 30.0;
 
@@ -10,27 +10,20 @@ fn settings([vehicles, pedestrians]: [u32; 2], seed: u64, fps: f64) -> TrafficSe
     TrafficSettings { vehicles, pedestrians, seed, fps, ..TrafficSettings::default() }
 }
 
-fn simulate(grid: &Grid, asked: [u32; 2], seed: u64, seconds: f64) -> Findings {
+fn simulate(grid: &Grid, asked: [u32; 2], seed: u64, seconds: f64) -> AuditReport {
     let specs = specs();
     let network = grid.network();
     let mut s = crate::watch::simulation(&network, &specs, &settings(asked, seed, FPS));
     let population = s.population();
     assert_eq!(population.vehicles_spawned, asked[0]);
     assert_eq!(population.pedestrians_spawned, asked[1]);
-    crate::watch::watch(&mut s, &specs, seconds, FPS)
+    crate::watch::watch(&mut s, &network, &specs, seconds, FPS)
 }
 
-fn check(f: &Findings, asked: [u32; 2], seconds: f64) {
-    assert!(f.overlaps.is_empty(), "{} overlaps: {:#?}", f.overlaps.len(), f.overlaps);
-    assert!(f.walker_hits.is_empty(), "{} hits: {:#?}", f.walker_hits.len(), f.walker_hits);
-    assert_eq!(f.touching_walkers, 0);
-    assert!(f.jumps.is_empty(), "{:?}", f.jumps);
-    assert!(f.worst_slip_mps < 0.35, "slip {}", f.worst_slip_mps);
-    assert!(f.worst_acceleration < 8.0, "acceleration {}", f.worst_acceleration);
-    assert!(f.worst_yaw_rate < 1.6, "yaw rate {}", f.worst_yaw_rate);
+fn check(f: &AuditReport, asked: [u32; 2], seconds: f64) {
+    assert!(f.passed(), "{f}");
     assert!(f.driven_m / f64::from(asked[0]) / seconds > 1.5, "traffic stands: {} m", f.driven_m);
     assert!(f.walked_m / f64::from(asked[1]) / seconds > 0.6, "people stand: {} m", f.walked_m);
-    assert!(f.longest_stand.0 < 180.0, "stuck: {:?}", f.longest_stand);
 }
 
 #[test]

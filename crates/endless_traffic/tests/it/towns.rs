@@ -1,7 +1,6 @@
 //! The same traffic in the towns: every town, crowded, for minutes.
 
 use endless_asset::Catalogue;
-use endless_road::RoadNetwork;
 use endless_town::Town;
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::walking::PedestrianSpec;
@@ -9,14 +8,6 @@ use endless_world::walking::PedestrianSpec;
 const FPS: f64 = 30.0;
 const ASKED: [u32; 2] = [100, 60];
 const SIMULATED_S: f64 = 240.0;
-/// Nobody stands longer than this, except at lights of long cycles, seconds.
-const PATIENCE_S: f64 = 120.0;
-
-/// The longest signal cycle, seconds.
-fn longest_cycle_s(network: &RoadNetwork) -> f64 {
-    let cycle = |p: &endless_road::SignalProgram| p.phases.iter().map(|phase| phase.duration_s).sum::<f64>();
-    network.junctions.iter().filter_map(|j| j.program.as_ref()).map(cycle).fold(0.0, f64::max)
-}
 
 fn flows_without_a_touch(name: &str) {
     let catalogue = Catalogue::builtin();
@@ -35,16 +26,12 @@ fn flows(catalogue: &Catalogue, town: &Town, seed: u64) {
     let settings =
         TrafficSettings { vehicles: ASKED[0], pedestrians: ASKED[1], seed, fps: FPS, ..TrafficSettings::default() };
     let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings).expect("few enough");
-    let f = crate::watch::watch(&mut s, &specs, SIMULATED_S, FPS);
+    let f = crate::watch::watch(&mut s, &town.network, &specs, SIMULATED_S, FPS);
     let p = s.population();
     let driven = f.driven_m / f64::from(p.vehicles_spawned) / SIMULATED_S;
     let walked = f.walked_m / f64::from(p.pedestrians_spawned) / SIMULATED_S;
-    let what = format!("{name} seed {seed}: {p:?}, driven {driven:.2} m/s, walked {walked:.2} m/s\n{f:#?}");
-    assert!(f.overlaps.is_empty(), "bodies touch: {what}");
-    assert!(f.walker_hits.is_empty() && f.touching_walkers == 0, "people are touched: {what}");
-    assert!(f.worst_slip_mps < 0.35 && f.worst_acceleration < 8.0 && f.worst_yaw_rate < 2.0, "not smooth: {what}");
-    let longest = PATIENCE_S.max(2.0 * longest_cycle_s(&town.network));
-    assert!(f.longest_stand.0 < longest && f.longest_walker_stand.0 < longest, "somebody is stuck: {what}");
+    let what = format!("{name} seed {seed}: {p:?}, driven {driven:.2} m/s, walked {walked:.2} m/s\n{f}");
+    assert!(f.passed(), "{what}");
     assert!(driven > 1.2 && walked > 0.6, "no flow: {what}");
 }
 

@@ -3,7 +3,7 @@
 
 use super::setup::ScalingSetup;
 use super::table::{Table, ratio};
-use crate::bench::peak_memory;
+use crate::memory;
 use anyhow::Result;
 use endless_dataset::RecipeDraft;
 use endless_world::SceneSettings;
@@ -18,7 +18,7 @@ pub(super) fn run(setup: &ScalingSetup<'_>) -> Result<()> {
     let mut table = Table::begin("cameras of one town, all with the same view", &heads)?;
     let mut first = None;
     for count in COUNTS {
-        peak_memory::forget();
+        memory::forget_peak();
         let cameras = std::iter::repeat_n(&one.cameras, count).flatten().cloned().collect();
         let settings = SceneSettings { cameras, ..one.clone() };
         let cost = setup.timer.cost(&map, &settings)?;
@@ -27,7 +27,7 @@ pub(super) fn run(setup: &ScalingSetup<'_>) -> Result<()> {
             count.to_string(),
             format!("{:.2}", cost.bake_s),
             format!("{:.2}", cost.frame_ms),
-            peak_memory::megabytes().map_or_else(String::new, |peak| format!("{peak:.0}")),
+            memory::peak_megabytes().map_or_else(String::new, |peak| format!("{peak:.0}")),
             ratio(cost.bake_s, alone[0]),
             ratio(cost.frame_ms, alone[1]),
         ])?;

@@ -1,0 +1,158 @@
+//! Vehicles on their lanes, people on sidewalks and crossings.
+
+use super::cell_grid::CellGrid;
+use super::check::AuditCheck;
+use super::finding::{Share, Worst};
+use super::report::AuditLine;
+use super::sight::{Glance, Sight};
+use endless_road::{Lane, LaneId, RoadNetwork};
+use endless_world::VehicleSpec;
+use glam::DVec2;
+
+/// People who are further beside their strip are off it, metres.
+const BESIDE_M: f64 = 0.1;
+/// Strips this near are looked at, metres.
+const NEAR_M: f64 = 1.0;
+/// Who is further beside the middle of their lane is aside, metres.
+const ASIDE_M: f64 = 0.5;
+
+/// Measures where road users are.
+#[derive(Debug)]
+pub(super) struct Surfaces {
+    strips: Vec<Strip>,
+    strip_grid: CellGrid,
+    off_lane: Worst,
+    off_sidewalk: Worst,
+    off_sidewalk_share: Share,
+    lane_error: Worst,
+    lane_error_share: Share,
+    two_wheelers_out: Worst,
+}
+
+/// A sidewalk or a crossing.
+#[derive(Debug, Clone, Copy)]
+struct Strip {
+    ends: [DVec2; 2],
+    half_width_m: f64,
+}
+
+impl Strip {
+    fn bounds(&self) -> [DVec2; 2] {
+        let [a, b] = self.ends;
+        [a.min(b) - DVec2::splat(self.half_width_m), a.max(b) + DVec2::splat(self.half_width_m)]
+    }
+
+    /// How far outside a place is, metres. Its ends are round.
+    fn outside_m(&self, at: DVec2) -> f64 {
+        let [a, b] = self.ends;
+        let along = b - a;
+        let share = ((at - a).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
+        (at.distance(a + along * share) - self.half_width_m).max(0.0)
+    }
+}
+
+impl Surfaces {
+    pub(super) fn new(network: &RoadNetwork) -> Self {
+        let node = |node: endless_road::WalkNodeId| network.walk.nodes[node.index()].truncate();
+        let strip =
+            |edge: &endless_road::WalkEdge| Strip { ends: edge.nodes.map(node), half_width_m: 0.5 * edge.width_m };
+        let strips: Vec<Strip> = network.walk.edges.iter().map(strip).collect();
+        let mut strip_grid = CellGrid::default();
+        strip_grid.rebuild(strips.iter().map(Strip::bounds));
+        Self {
+            strips,
+            strip_grid,
+            off_lane: Worst::default(),
+            off_sidewalk: Worst::default(),
+            off_sidewalk_share: Share::default(),
+            lane_error: Worst::default(),
+            lane_error_share: Share::default(),
+            two_wheelers_out: Worst::default(),
+        }
+    }
+
+    pub(super) fn look(&mut self, sight: &Sight<'_>) {
+        for glance in &sight.glances {
+            match glance.driven {
+                Some((_, spec)) => self.driving(sight, glance, spec),
+                None => self.walking(sight, glance),
+            }
+        }
+    }
+
+    fn walking(&mut self, sight: &Sight<'_>, glance: &Glance<'_>) {
+        let around = [glance.at - DVec2::splat(NEAR_M), glance.at + DVec2::splat(NEAR_M)];
+        let mut outside_m = f64::INFINITY;
+        for strip in self.strip_grid.near(around) {
+            outside_m = outside_m.min(self.strips[strip].outside_m(glance.at));
+            if outside_m <= 0.0 {
+                break;
+            }
+        }
+        if outside_m > NEAR_M {
+            outside_m = self.strips.iter().map(|strip| strip.outside_m(glance.at)).fold(outside_m, f64::min);
+        }
+        self.off_sidewalk.note(outside_m, || glance.told(sight));
+        self.off_sidewalk_share.note(outside_m > BESIDE_M);
+    }
+
+    fn driving(&mut self, sight: &Sight<'_>, glance: &Glance<'_>, spec: &VehicleSpec) {
+        let behaviour = glance.actor.behaviour;
+        let (Some((lane, s)), None) = (glance.lane(sight.network), behaviour.lane_left) else { return };
+        let [front_m, rear_m] = [spec.front_axle_m, spec.rear_axle_m].map(f64::from);
+        let aside = |along_m: f64| aside(sight.network, lane, s + along_m, glance.at + glance.ahead * along_m);
+        let middle = aside(0.5 * (front_m + rear_m));
+        if spec.class.two_wheeled() {
+            let out_m = middle.off_m + 0.5 * f64::from(spec.width_m);
+            self.two_wheelers_out.note(out_m, || glance.told(sight));
+        } else {
+            self.lane_error.note(middle.error_m, || glance.told(sight));
+            self.lane_error_share.note(middle.error_m > ASIDE_M);
+        }
+        for axle_m in [front_m, rear_m] {
+            self.off_lane.note(aside(axle_m).off_m, || glance.told(sight));
+        }
+    }
+
+    pub(super) fn lines(&self) -> Vec<AuditLine> {
+        vec![
+            self.off_lane.line(AuditCheck::OffLane),
+            self.off_sidewalk.line(AuditCheck::OffSidewalk),
+            self.off_sidewalk_share.line(AuditCheck::OffSidewalkShare),
+            self.lane_error.line(AuditCheck::LaneError),
+            self.lane_error_share.line(AuditCheck::LaneErrorShare),
+            self.two_wheelers_out.line(AuditCheck::TwoWheelersOut),
+        ]
+    }
+}
+
+/// Where a place is across a lane.
+#[derive(Clone, Copy)]
+struct Aside {
+    /// Beside the lane's middle, metres.
+    error_m: f64,
+    /// Beyond its edge, metres; negative inside.
+    off_m: f64,
+}
+
+/// A place near `s` of a lane, across it, or across the nearest of the lanes before or after it.
+fn aside(network: &RoadNetwork, lane: &Lane, s: f64, at: DVec2) -> Aside {
+    let across = |lane: &Lane, s: f64| {
+        let line = &lane.centerline;
+        let error_m = (at - line.position(s).truncate()).dot(line.direction(s).perp()).abs();
+        Aside { error_m, off_m: error_m - 0.5 * lane.width_m }
+    };
+    let length_m = lane.centerline.length();
+    let nearest = |lanes: &[LaneId], s: &dyn Fn(&Lane) -> f64| {
+        let all = lanes.iter().map(|&id| network.lane(id)).map(|lane| across(lane, s(lane)));
+        all.min_by(|a, b| a.error_m.total_cmp(&b.error_m))
+    };
+    let beyond = if s < 0.0 {
+        nearest(&lane.predecessors, &|before| before.centerline.length() + s)
+    } else if s > length_m {
+        nearest(&lane.successors, &|_| s - length_m)
+    } else {
+        None
+    };
+    beyond.unwrap_or_else(|| across(lane, s))
+}
