@@ -194,9 +194,10 @@ impl JunctionController {
 
 /// Chooses another lane through a junction, if there is any, and a way from there on.
 fn take_another_way(roads: &Roads, vehicle: &mut Vehicle, connector: LaneId) {
-    let Some(place) = vehicle.route.iter().position(|&lane| lane == connector).filter(|&place| place > 0) else {
-        return;
-    };
+    // Ahead: a way round may come through the same lane again.
+    let first = vehicle.here + 1;
+    let Some(place) = vehicle.route.iter().skip(first).position(|&lane| lane == connector) else { return };
+    let place = first + place;
     let allowed = roads.allowed(vehicle.asset.model);
     let may_go = |lane: LaneId| allowed[lane.index()] && roads.network.lane(lane).turn != Turn::UTurn;
     let before = roads.network.lane(vehicle.route[place - 1]);

@@ -152,7 +152,7 @@ impl AuditCheck {
             Self::LaneErrorShare => 2.0,
             Self::Slip => 0.35,
             Self::YawRate => 2.0,
-            Self::LaneError => 1.0,
+            Self::LaneError => 1.2,
             Self::Speeding => 1.0,
         }
     }

@@ -9,6 +9,8 @@ use endless_road::{Lane, LaneId, RoadNetwork};
 use endless_world::VehicleSpec;
 use glam::DVec2;
 
+/// In a junction there is road beside lanes, too, at least so much, metres.
+const IN_JUNCTION_M: f64 = 0.5;
 /// People who are further beside their strip are off it, metres.
 const BESIDE_M: f64 = 0.1;
 /// Strips this near are looked at, metres.
@@ -140,7 +142,8 @@ fn aside(network: &RoadNetwork, lane: &Lane, s: f64, at: DVec2) -> Aside {
     let across = |lane: &Lane, s: f64| {
         let line = &lane.centerline;
         let error_m = (at - line.position(s).truncate()).dot(line.direction(s).perp()).abs();
-        Aside { error_m, off_m: error_m - 0.5 * lane.width_m }
+        let room_m = if lane.junction.is_some() { IN_JUNCTION_M } else { 0.0 };
+        Aside { error_m, off_m: error_m - 0.5 * lane.width_m - room_m }
     };
     let length_m = lane.centerline.length();
     let nearest = |lanes: &[LaneId], s: &dyn Fn(&Lane) -> f64| {

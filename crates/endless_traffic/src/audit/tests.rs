@@ -206,7 +206,7 @@ fn everybody_keeps_to_their_surface() {
     let errors = [AuditCheck::LaneError, AuditCheck::LaneErrorShare];
     assert_eq!(fails(5.0, aside(CAR, 0.4)), []);
     assert_eq!(fails(5.0, aside(CAR, 0.9)), [AuditCheck::LaneErrorShare]);
-    assert_eq!(fails(5.0, aside(CAR, -1.2)), errors);
+    assert_eq!(fails(5.0, aside(CAR, -1.3)), errors);
     assert_eq!(fails(5.0, aside(CAR, 1.8)), [&[AuditCheck::OffLane], &errors[..]].concat());
     // Two-wheelers keep to the side, but to their lane.
     assert_eq!(fails(5.0, aside(BICYCLE, -1.4)), []);
