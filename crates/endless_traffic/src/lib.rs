@@ -43,8 +43,12 @@
 mod attraction;
 mod behaviour;
 mod crossing;
+mod demand;
+mod density;
 mod driver;
 mod entry_request;
+mod focus;
+mod gathering;
 mod junction_controller;
 mod kinematics;
 mod lane_change;
@@ -54,6 +58,7 @@ mod overlap;
 mod pedestrian_avoidance;
 mod playback;
 mod population;
+mod queues;
 mod roads;
 mod settings;
 mod signals;
@@ -65,6 +70,7 @@ mod vehicle;
 mod walk_strip;
 mod walker;
 
+pub use focus::{Focus, View};
 pub use playback::{PlayedTracks, TrackFit};
 pub use population::Population;
 pub use roads::TrafficMap;

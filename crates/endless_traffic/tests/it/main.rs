@@ -1,6 +1,7 @@
 //! Integration tests of `endless_traffic`, in one binary: a module a subject.
 
 mod behaviour;
+mod focus;
 #[path = "../../../endless_road/tests/it/grid/mod.rs"]
 mod grid;
 mod grid_traffic;
