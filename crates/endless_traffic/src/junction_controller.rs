@@ -121,8 +121,9 @@ impl JunctionController {
         let route = me.route.iter().copied().skip(me.here);
         let crossings = &roads.table(request.exit).cuts;
         let crossing_end = crossings.iter().filter(|c| c.range.0 < 12.0).map(|c| c.range.1).fold(0.0, f64::max);
-        // Who joins a ring leaves room for one of those in it: when all its pieces are full, nobody gets on.
-        let left = if request.control == TrafficControl::Yield { ANOTHER_M } else { 0.0 };
+        // Who joins a ring leaves room for one of those in it: when all its pieces are full, nobody gets on. Not for ever.
+        let patient = request.waited_s < CHANCE_S;
+        let left = if patient && request.control == TrafficControl::Yield { ANOTHER_M } else { 0.0 };
         let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left;
         let mut behind = Some(request.junction);
         let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
