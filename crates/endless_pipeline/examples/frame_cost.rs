@@ -4,9 +4,8 @@
 use endless_asset::Catalogue;
 use endless_city::{ActorModels, TownScene};
 use endless_render::{CameraBake, Gathering, RenderSettings};
-use endless_traffic::{Fleet, Simulation, TrafficSettings};
-use endless_world::{Condition, SceneCamera, SceneSettings};
-use glam::Vec3;
+use endless_traffic::{Fleet, Focus, Simulation, TrafficSettings, View};
+use endless_world::{Condition, PinholeCamera, SceneCamera, SceneSettings};
 use std::{error::Error, hash::Hasher, time::Duration};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -33,11 +32,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         CameraBake::bake(still, &render, site)
     };
     let baked: Vec<CameraBake> = settings.cameras.iter().map(bake).collect();
-    let focus = settings.cameras.iter().map(|c| Vec3::from_array(c.site.position)).collect();
+    let views: Vec<View> =
+        settings.usual_sites().map(|site| View::Camera(PinholeCamera::new(site, settings.size))).collect();
+    let focus = Focus::new(&town.network, &views, settings.focus, &|_, _| true);
     let condition = Condition::of(weather, time_of_day).into();
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
-    let asked = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus, first: Vec::new() };
+    let asked = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus, ..TrafficSettings::default() };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &asked)?;
     let models = ActorModels::in_town(&town_scene, &catalogue, &traffic.state().actors);
     let (mut scene_time, mut times) = (Duration::ZERO, vec![Duration::ZERO; baked.len()]);

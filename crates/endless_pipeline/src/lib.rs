@@ -61,7 +61,7 @@ mod test_catalog;
 mod text_position;
 mod user_camera;
 
-pub use builtin::{BakeCache, BuiltinMap, BuiltinSimulator};
+pub use builtin::{BakeCache, BuiltinMap, BuiltinSimulator, SceneBoxes};
 pub use disk_estimate::DiskEstimate;
 pub use error::{GenerateError, PlanError, RecipeError, human_bytes};
 pub use generate::{GenerateOptions, Generated, generate};

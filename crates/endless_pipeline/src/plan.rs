@@ -137,6 +137,8 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         sensors: scene_sensors(recipe, rig, video, time_of_day, clock),
         vehicles: recipe.vehicles,
         pedestrians: recipe.pedestrians,
+        density: recipe.density,
+        focus: recipe.focus,
         size: recipe.size,
         fps: recipe.fps,
         frames: recipe.frames(),

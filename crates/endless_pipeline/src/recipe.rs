@@ -2,6 +2,7 @@
 
 use crate::{MapSource, RecipeError, TrackFileSummary, rig, text_position::line_and_column, user_camera};
 use endless_dataset::{Layer, OptionError, Recipe, RecipeDraft};
+use endless_world::{ActorDensity, TrafficDensity};
 use serde_json::json;
 use std::{collections::BTreeMap, fs, path::Path};
 
@@ -46,7 +47,8 @@ pub fn recipe_from_text(text: &str, path: &Path) -> Result<RecipeDraft, RecipeEr
 /// The first thing that cannot be.
 pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Recipe, RecipeError> {
     let tracks = source.track_file();
-    let draft = played(draft, tracks.as_ref())?;
+    let mut draft = played(draft, tracks.as_ref())?;
+    let density = density(&mut draft)?;
     let mut draft = draft.or(RecipeDraft::defaults());
     draft.check()?;
     let maps = maps(draft.maps.take(), source)?;
@@ -73,6 +75,7 @@ pub fn resolve_recipe(draft: RecipeDraft, source: &dyn MapSource) -> Result<Reci
     fields["map_files"] = json!(map_files);
     fields["asset_files"] = json!(source.asset_files());
     fields["cameras"] = json!(cameras);
+    fields["density"] = json!(density);
     fields["traffic_file"] = json!(tracks.map(|tracks| tracks.content_hash));
     let mut recipe: Recipe = serde_json::from_value(fields).expect("every field has a default or was put in");
     let frames = (recipe.fps * recipe.duration).round();
@@ -123,6 +126,18 @@ fn played(mut draft: RecipeDraft, tracks: Option<&TrackFileSummary>) -> Result<R
         draft.pedestrians.get_or_insert(0);
     }
     Ok(draft)
+}
+
+/// What follows from how busy the streets are: numbers that are not given, which are 0 in the recipe then.
+fn density(draft: &mut RecipeDraft) -> Result<ActorDensity, RecipeError> {
+    let Some(word) = draft.density.take() else { return Ok(ActorDensity::default()) };
+    let density: TrafficDensity = word.trim().parse().map_err(OptionError::from)?;
+    let unless_given = |number: &mut Option<i64>| {
+        let follows = number.is_none().then_some(density);
+        number.get_or_insert(0);
+        follows
+    };
+    Ok(ActorDensity { vehicles: unless_given(&mut draft.vehicles), pedestrians: unless_given(&mut draft.pedestrians) })
 }
 
 /// CARLA's layered maps (`Town01_Opt`) are the same towns.
@@ -203,6 +218,41 @@ mod tests {
         let error = read_recipe(&path).expect_err("a misspelt key").to_string();
         assert!(error.contains("recipe.toml:2:1: unknown field `videoes`"), "{error}");
         assert_eq!(error.lines().count(), 1);
+    }
+
+    #[test]
+    fn plain_numbers_win_over_how_busy_the_streets_are() {
+        let recipe = |density: &str, vehicles, pedestrians| {
+            let draft = RecipeDraft { density: Some(density.to_owned()), vehicles, pedestrians, ..Default::default() };
+            resolve_recipe(draft, &ThreeTowns)
+        };
+        let rush = Some(TrafficDensity::Rush);
+        let all = recipe("rush", None, None).expect("valid");
+        assert_eq!((all.vehicles, all.pedestrians), (0, 0));
+        assert_eq!(all.density, ActorDensity { vehicles: rush, pedestrians: rush });
+        let people = recipe("rush", Some(7), None).expect("valid");
+        assert_eq!((people.vehicles, people.pedestrians), (7, 0));
+        assert_eq!(people.density, ActorDensity { vehicles: None, pedestrians: rush });
+        let none = recipe("rush", Some(0), Some(3)).expect("valid");
+        assert_eq!((none.vehicles, none.pedestrians, none.density), (0, 3, ActorDensity::default()));
+        let error = recipe("jam", None, None).expect_err("no such word").to_string();
+        assert_eq!(error, "unknown traffic density 'jam': use one of light, normal, rush");
+        // It is told of in a dataset, and a dataset that does not tell has plain numbers.
+        let told = serde_json::to_value(&people).expect("numbers and words");
+        assert_eq!(told["density"], json!({"pedestrians": "rush"}));
+        let mut plain = serde_json::to_value(&none).expect("numbers and words");
+        assert_eq!(plain.get("density"), None);
+        plain.as_object_mut().expect("a table").remove("focus");
+        let old: Recipe = serde_json::from_value(plain).expect("an old recipe");
+        assert_eq!(old, none);
+    }
+
+    #[test]
+    fn focus_is_a_share() {
+        let recipe = |focus| resolve_recipe(RecipeDraft { focus: Some(focus), ..Default::default() }, &ThreeTowns);
+        assert_eq!(recipe(0.0).expect("valid").focus, 0.0);
+        let error = recipe(1.5).expect_err("more than all").to_string();
+        assert_eq!(error, "focus cannot be 1.5: write a number from 0 to 1");
     }
 
     #[test]

@@ -6,7 +6,7 @@
 use endless_asset::Catalogue;
 use endless_road::{TrafficControl, WalkKind};
 use endless_town::Town;
-use endless_traffic::{Fleet, Simulation, TrafficSettings};
+use endless_traffic::{Fleet, Focus, Simulation, TrafficSettings, View};
 use endless_world::math::{atan2, sin_cos};
 use endless_world::{Actor, Motion, SignalAspect, VehicleLights, WorldState};
 use glam::Vec2;
@@ -130,7 +130,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         vehicles: 60,
         pedestrians: 40,
         seed: 1,
-        focus: vec![centre.extend(0.0)],
+        focus: Focus::new(&town.network, &[View::around(centre.extend(0.0))], 0.8, &|_, _| true),
         ..TrafficSettings::default()
     };
     let mut simulation = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;

@@ -4,7 +4,7 @@
 
 use endless_asset::Catalogue;
 use endless_town::Town;
-use endless_traffic::{Fleet, Simulation, TrafficSettings};
+use endless_traffic::{Fleet, Focus, Simulation, TrafficSettings, View};
 use endless_world::{Motion, ObjectClass};
 use glam::Vec3;
 use std::error::Error;
@@ -24,8 +24,9 @@ fn presence(town: &Town, catalogue: &Catalogue, asked: [u32; 2], focus: &[Vec3],
     let mut sums = vec![[0.0; 2]; places.len()];
     for seed in 0..SEEDS {
         let [vehicles, pedestrians] = asked;
-        let settings =
-            TrafficSettings { vehicles, pedestrians, seed, focus: focus.to_vec(), ..TrafficSettings::default() };
+        let views: Vec<View> = focus.iter().map(|&at| View::around(at)).collect();
+        let focus = Focus::new(&town.network, &views, 0.8, &|_, _| true);
+        let settings = TrafficSettings { vehicles, pedestrians, seed, focus, ..TrafficSettings::default() };
         let mut s = simulation(town, catalogue, &settings);
         for _ in 0..SECONDS {
             (0..10).for_each(|_| s.tick());

@@ -1,5 +1,6 @@
 //! Who stands long, and where: `cargo run -p endless_traffic --release --example standing -- MAP [vehicles] [people]
-//! [seconds] [seed]`; a map is the name of a town or a file. A line for every vehicle that stood longer than a minute:
+//! [seconds] [seed] [focus]`; a map is the name of a town or a file, and the focus that many percent on what the first two cameras
+//! see. A line for every vehicle that stood longer than a minute:
 //! how long, where, on which lane and how far from its end, what governs that end, who stands ahead.
 #![expect(clippy::print_stdout, reason = "a report on standard output")]
 
@@ -7,13 +8,14 @@ use endless_asset::Catalogue;
 use endless_road::osm::{self, OsmOptions};
 use endless_road::{RoadNetwork, SignalPhase, TrafficControl, opendrive};
 use endless_town::Town;
-use endless_traffic::{Fleet, Simulation, TrafficSettings};
-use endless_world::Motion;
+use endless_traffic::{Fleet, Focus, Simulation, TrafficSettings, View};
+use endless_world::{ImageSize, Motion, PinholeCamera};
 use glam::DVec2;
 use std::error::Error;
 
 const FPS: f64 = 10.0;
 const LONG_S: f64 = 60.0;
+const SIZE: ImageSize = ImageSize { width: 1280, height: 720 };
 
 fn open(name: &str, catalogue: &Catalogue) -> Result<Town, Box<dyn Error>> {
     let map = if name.ends_with(".xodr") {
@@ -62,8 +64,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let town = open(name, &catalogue)?;
     let specs = catalogue.vehicle_specs();
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
+    let views: Vec<View> =
+        town.cameras.iter().take(2).map(|site| View::Camera(PinholeCamera::new(site, SIZE))).collect();
+    let focus = Focus::new(&town.network, &views, f64::from(number(5, 0)?) / 100.0, &|_, _| true);
     let settings = TrafficSettings {
         vehicles,
+        focus,
         pedestrians: people,
         seed: u64::from(seed),
         fps: FPS,
@@ -72,10 +78,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;
     let mut stood = vec![0.0f64; s.state().actors.len()];
     let mut reported = vec![false; stood.len()];
+    let mut speed_sum = (0.0, 0.0);
     for _ in 0..(f64::from(seconds) * FPS) as usize {
+        if s.state().time_s % 60.0 < 0.5 / FPS && speed_sum.1 > 0.0 {
+            println!("{:.0} s: {:.2} m/s in the mean of the minute", s.state().time_s, speed_sum.0 / speed_sum.1);
+            speed_sum = (0.0, 0.0);
+        }
         s.tick();
         let state = s.state();
         for (k, actor) in state.actors.iter().enumerate().filter(|(_, a)| matches!(a.motion, Motion::Vehicle(_))) {
+            speed_sum = (speed_sum.0 + f64::from(actor.velocity_mps.length()), speed_sum.1 + 1.0);
             stood[k] = if actor.velocity_mps.length() < 0.1 { stood[k] + 1.0 / FPS } else { 0.0 };
             if stood[k] > LONG_S && !reported[k] {
                 reported[k] = true;

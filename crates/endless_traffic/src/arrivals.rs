@@ -100,15 +100,15 @@ impl Arrivals {
         let model = choose_vehicle(&mut own, roads.specs.iter().zip(weights))?;
         let spec = &roads.specs[model.index()];
         let entries = open(model);
-        let preferred = roads.attraction.preference(&entries);
-        let demand = |(&entry, preferred): (&LaneId, f64)| roads.network.lane(entry).speed_limit_mps * preferred;
-        let entry = entries[own.weighted(&entries.iter().zip(preferred).map(demand).collect::<Vec<_>>())];
+        let drawn = roads.attraction.draws(&mut own);
+        let entry = entries[own.weighted(&roads.attraction.preference(&entries, drawn))];
         let others = || vehicles.iter().chain(self.waiting.iter().map(|(vehicle, _)| vehicle));
         let taken = |variant| others().any(|v| v.asset == VehicleRef { model, variant });
         let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
         let driver = Driver::new(spec, view.wetness, &mut own);
         let half = 0.5 * f64::from(spec.length_m);
         let mut vehicle = Vehicle::new(spec, VehicleRef { model, variant }, driver, entry, half, own);
+        vehicle.drawn = drawn;
         vehicle.plan(roads);
         while vehicle.s > roads.table(vehicle.lane()).length && vehicle.here + 1 < vehicle.route.len() {
             vehicle.s -= roads.table(vehicle.lane()).length;

@@ -10,11 +10,13 @@ use super::entry_request::{
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::{RightOfWay, Vehicle};
-use endless_road::{JunctionId, LaneId, Turn};
+use endless_road::{JunctionId, LaneId, TrafficControl, Turn};
 use endless_world::{SignalAspect, SignalState};
 
 /// Room kept free behind the leader beyond a junction, metres.
 const SPARE_M: f64 = 2.5;
+/// What another vehicle needs, metres.
+const ANOTHER_M: f64 = 8.0;
 /// Seconds of waiting after which room on the next road alone is enough.
 const CHANCE_S: f64 = 40.0;
 /// Roads beyond a junction are looked along this far, metres; and so many of them, where they are short.
@@ -128,7 +130,10 @@ impl JunctionController {
         let route = me.route.iter().copied().skip(me.here);
         let crossings = &roads.table(request.exit).cuts;
         let crossing_end = crossings.iter().filter(|c| c.range.0 < 12.0).map(|c| c.range.1).fold(0.0, f64::max);
-        let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M;
+        // Who joins a ring leaves room for one of those in it: when all its pieces are full, nobody gets on. Not for ever.
+        let patient = request.waited_s < CHANCE_S;
+        let left = if patient && request.control == TrafficControl::Yield { ANOTHER_M } else { 0.0 };
+        let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left;
         let mut behind = Some(request.junction);
         let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
         for _ in 0..MOST_ROADS {

@@ -1,6 +1,7 @@
 //! The road network with tables for drivers, by lane.
 
 use crate::attraction::Attraction;
+use crate::focus::Focus;
 use crate::overlap::{ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, alongside, make_room, siblings};
 use endless_road::swept::{LONG_M, curvature_per_m, fits, leaves_oncoming_room, smallest_radius_m};
 use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
@@ -83,9 +84,9 @@ pub(crate) struct Roads {
 }
 
 impl Roads {
-    /// With the places that are looked at.
-    pub(crate) fn new(TrafficMap(tables): &TrafficMap, focus: &[Vec3]) -> Self {
-        Self { tables: Arc::clone(tables), attraction: Attraction::new(&tables.network, focus) }
+    /// With what is looked at, and where people have something to do.
+    pub(crate) fn new(TrafficMap(tables): &TrafficMap, focus: &Focus, errands: &[Vec3]) -> Self {
+        Self { tables: Arc::clone(tables), attraction: Attraction::new(&tables.network, focus, errands) }
     }
 }
 
@@ -151,6 +152,11 @@ impl TrafficMap {
             table.setback = setback.min((table.length - bodies.length_m()).max(0.0));
         }
         Self(Arc::new(RoadTables { network, borders, specs: specs.to_vec(), allowed, lanes }))
+    }
+
+    /// The network of which it was made.
+    pub fn network(&self) -> &RoadNetwork {
+        &self.0.network
     }
 }
 

@@ -1,5 +1,6 @@
 //! The fleet and the settings of a simulation.
 
+use crate::Focus;
 use endless_world::walking::PedestrianSpec;
 use endless_world::{Condition, ObjectClass, VehicleSpec};
 use glam::Vec3;
@@ -44,9 +45,11 @@ pub struct TrafficSettings {
     pub fps: f64,
     /// Weather and light at the beginning.
     pub condition: DrivingCondition,
-    /// Places around which traffic is denser and to which ways rather lead (world frame, metres; say, the recorded
-    /// cameras); without any, vehicles and people are spread evenly over the whole map.
-    pub focus: Vec<Vec3>,
+    /// What is looked at: traffic is denser there, and more ways lead there. By default nothing is, and vehicles and people
+    /// are spread over the whole map.
+    pub focus: Focus,
+    /// Places in the world where people have something to do, metres: stops and shops.
+    pub errands: Vec<Vec3>,
     /// Classes of the vehicles that are spawned first; all others are drawn by their frequency.
     pub first: Vec<ObjectClass>,
 }
@@ -54,6 +57,15 @@ pub struct TrafficSettings {
 impl Default for TrafficSettings {
     fn default() -> Self {
         let condition = DrivingCondition::default();
-        Self { vehicles: 30, pedestrians: 20, seed: 0, fps: 10.0, condition, focus: Vec::new(), first: Vec::new() }
+        Self {
+            vehicles: 30,
+            pedestrians: 20,
+            seed: 0,
+            fps: 10.0,
+            condition,
+            focus: Focus::default(),
+            errands: Vec::new(),
+            first: Vec::new(),
+        }
     }
 }

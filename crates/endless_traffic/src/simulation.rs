@@ -5,6 +5,7 @@ mod world_state;
 use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::crossing::{CrossingState, note_vehicles};
+use crate::gathering::{Gathering, LEADS_M, views_ahead};
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
 use crate::playback::{Playback, PlayedTracks, Presence};
@@ -49,6 +50,8 @@ pub struct Simulation {
     signals: Vec<SignalState>,
     /// Those who move as recorded tracks say.
     playback: Option<Playback>,
+    /// Until the first frame.
+    gathering: Option<Gathering>,
     fps: f64,
     frame: u32,
     steps: u64,
@@ -105,12 +108,14 @@ impl Simulation {
     ) -> Result<Self, TooManyInstances> {
         let fps = settings.fps;
         assert!(fps > 0.0, "frames per second must be positive");
-        let roads = Roads::new(map, &settings.focus);
+        let roads = Roads::new(map, &settings.focus, &settings.errands);
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
         let standing = spawn::standing(fleet.vehicles, parked);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
         let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);
+        let people = walkers.iter().map(|walker| (fleet.pedestrian)(walker.variant)).collect();
+        let gathering = Gathering::new(&roads, fleet.vehicles, standing.clone(), people, settings.seed);
         let outfit = if settings.condition.rain > 0.0 { Outfit::Rain } else { Outfit::Fair };
         let mut population = Population {
             vehicles_asked: settings.vehicles,
@@ -150,6 +155,7 @@ impl Simulation {
             crossings,
             signals: Vec::new(),
             playback,
+            gathering,
             fps,
             frame: 0,
             steps: 0,
@@ -158,6 +164,7 @@ impl Simulation {
         for _ in 0..warm_up_frames {
             simulation.tick();
         }
+        simulation.gathering = None;
         simulation.frame = 0;
         simulation.time_s = 0.0;
         Ok(simulation)
@@ -200,6 +207,15 @@ impl Simulation {
 
     fn step(&mut self, step_s: f64) {
         self.steps += 1;
+        let a_second = (1.0 / step_s).round().max(1.0) as u64;
+        if self.steps.is_multiple_of(a_second) {
+            let seen: Vec<u32> = self.vehicles.iter().map(|v| views_ahead(&self.roads, v, LEADS_M)).collect();
+            self.roads.attraction.notice(seen.into_iter());
+            self.roads.attraction.queues.notice(self.vehicles.iter().map(|v| (v.lane(), v.speed)));
+            if let Some(gathering) = &mut self.gathering {
+                gathering.step(&self.roads, &self.graph, &mut self.vehicles, &mut self.walkers, -self.time_s);
+            }
+        }
         signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
         note_vehicles(&self.roads, &self.vehicles, &mut self.crossings);
         let others = self.presence();
@@ -210,7 +226,6 @@ impl Simulation {
         others.note_people(&mut self.crossings);
         self.occupancy.rebuild(&self.roads, &self.vehicles);
         others.occupy(&mut self.occupancy, self.vehicles.len());
-        let a_second = (1.0 / step_s).round().max(1.0) as u64;
         for i in 0..self.vehicles.len() {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);

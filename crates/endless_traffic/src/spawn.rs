@@ -16,6 +16,8 @@ use glam::DVec2;
 
 /// Gap between vehicles that spawn on the same lane, metres.
 const GAP_M: f64 = 3.5;
+/// Least distance between the middles of people, metres.
+const APART_M: f64 = 0.6;
 /// Places tried for a person.
 const TRIES: u32 = 60;
 /// Places among which the roomiest is taken.
@@ -108,6 +110,7 @@ pub(crate) fn vehicles(
                 && standing.iter().all(|other| other.center.distance(body.center) > 20.0 || !body.overlaps(other))
         };
         // The roomiest of some places: each place has a rank of its own, so that one more or less leaves the others.
+        let drawn = roads.attraction.draws(&mut own);
         let salt = own.next_u64();
         let rank = |p: &SpawnPoint| Stream::new(salt, &[u64::from(p.lane.0), p.s.to_bits()]).next_u64();
         let mut ranked: Vec<(u64, usize)> = free.iter().enumerate().map(|(i, p)| (rank(p), i)).collect();
@@ -116,7 +119,7 @@ pub(crate) fn vehicles(
         let candidates: Vec<usize> = fitting.take(CANDIDATES).collect();
         let room = |&i: &usize| {
             let at = roads.network.lane(free[i].lane).centerline.at(free[i].s).position.truncate();
-            let wanted = roads.attraction.departure_density(&roads.network, free[i].lane, free[i].s);
+            let wanted = roads.attraction.departure_density(&roads.network, free[i].lane, free[i].s, drawn);
             wanted * room_at(at, placed.iter().map(|v| v.pose.position.as_dvec3().truncate()))
         };
         let Some(place) = candidates.into_iter().max_by(|a, b| room(a).total_cmp(&room(b))) else {
@@ -137,6 +140,7 @@ pub(crate) fn vehicles(
         let asset = VehicleRef { model, variant };
         let driver = Driver::new(spec, settings.condition.wetness, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
+        vehicle.drawn = drawn;
         vehicle.plan(roads);
         kinematics::settle(&mut vehicle, roads);
         placed.push(vehicle);
@@ -179,6 +183,7 @@ pub(crate) fn walkers(
         let brisk = own.range_f64(0.92, 1.08);
         let pace = f64::from(spec.walk_mps).clamp(0.6, 2.0) * if hurries && spec.can_run() { 1.9 } else { brisk };
         let side = own.range_f64(0.15, 0.85);
+        let drawn = roads.attraction.draws(&mut own);
         let mut best: Option<(f64, Walker)> = None;
         let mut found = 0;
         for _ in 0..TRIES {
@@ -190,11 +195,14 @@ pub(crate) fn walkers(
             let [a, b] = nodes.map(|n| walk.nodes[n.index()].truncate());
             let along = (b - a).normalize_or(DVec2::X);
             let room = (0.5 * walk.edges[edge.index()].width_m - 0.25).max(0.1);
-            let position = a.lerp(b, own.range_f64(0.05, 0.95)) - along.perp() * (side * room);
-            if placed.iter().any(|w| w.position.distance(position) < 0.9) {
+            let share = own.range_f64(0.05, 0.95);
+            let position = a.lerp(b, share) - along.perp() * (side * room);
+            let from_first = a.distance(b) * if nodes == walk.edges[edge.index()].nodes { share } else { 1.0 - share };
+            let seen = drawn && roads.attraction.focus.on_walk(edge.index(), from_first) != 0;
+            if placed.iter().any(|w| w.position.distance(position) < APART_M) {
                 continue;
             }
-            let room = roads.attraction.density(position) * room_at(position, placed.iter().map(|w| w.position));
+            let room = roads.attraction.density(position, seen) * room_at(position, placed.iter().map(|w| w.position));
             found += 1;
             if best.as_ref().is_some_and(|(other, _)| *other >= room) {
                 continue;
@@ -202,6 +210,7 @@ pub(crate) fn walkers(
             let walker = Walker {
                 variant,
                 stream: own.fork(1),
+                drawn,
                 pace,
                 side,
                 from: nodes[0],

@@ -57,6 +57,8 @@ pub(crate) struct Vehicle {
     pub(crate) rear_axle: f64,
     pub(crate) driver: Driver,
     pub(crate) stream: Stream,
+    /// Whether it comes to what is looked at.
+    pub(crate) drawn: bool,
 
     /// Lanes behind that the body may still cover, the lane of the origin (at `here`), lanes to come.
     pub(crate) route: VecDeque<LaneId>,
@@ -105,6 +107,7 @@ impl Vehicle {
             rear_axle: f64::from(-spec.rear_axle_m),
             driver,
             stream,
+            drawn: false,
             route: VecDeque::from([lane]),
             here: 0,
             s,
@@ -165,7 +168,7 @@ impl Vehicle {
         while reach < HORIZON_M || self.route.back().is_some_and(|&l| roads.table(l).junction.is_some()) {
             let Some(&last) = self.route.back() else { return };
             let allowed = roads.allowed(self.asset.model);
-            let preference = |choices: &[LaneId]| roads.attraction.preference(choices);
+            let preference = |choices: &[LaneId]| roads.attraction.preference(choices, self.drawn);
             let next = roads.network.next_lane_preferring(last, allowed, preference, &mut self.stream);
             let Some(next) = next else { return };
             self.route.push_back(next);

@@ -28,6 +28,8 @@ const GIVES_UP_S: f64 = 25.0;
 pub(crate) struct Walker {
     pub(crate) variant: u64,
     pub(crate) stream: Stream,
+    /// Whether they come to what is looked at.
+    pub(crate) drawn: bool,
     /// Comfortable speed, m/s.
     pub(crate) pace: f64,
     /// Preferred position across the strip: 0 middle, 1 right edge.
@@ -213,7 +215,7 @@ impl Walker {
     pub(crate) fn plan(&mut self, roads: &Roads, graph: &WalkGraph) {
         let start = self.way.back().map_or(self.from, |w| w.1);
         for _ in 0..20 {
-            let goal = WalkNodeId(self.stream.weighted(roads.attraction.goals()) as u32);
+            let goal = WalkNodeId(self.stream.weighted(roads.attraction.goals(self.drawn)) as u32);
             let way = graph.shortest(&roads.network.walk, start, goal);
             // Nobody turns on the spot if there is another way.
             let turns = way.first().is_some_and(|w| self.way.back().is_some_and(|b| b.0 == w.0));

@@ -1,9 +1,9 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
 use crate::{
-    ConditionChange, ImageSize, SceneCamera, SceneRandomisation, SceneSensor, TimeOfDay, TrackPlayback, Weather,
+    ActorDensity, CameraSite, ConditionChange, ImageSize, SceneCamera, SceneRandomisation, SceneSensor, TimeOfDay,
+    TrackPlayback, Weather,
 };
-use glam::Vec3;
 use serde::{Deserialize, Serialize};
 
 /// A camera that stands still, and the size of its pictures.
@@ -40,6 +40,12 @@ pub struct SceneSettings {
     pub vehicles: u32,
     /// Pedestrians asked for.
     pub pedestrians: u32,
+    /// Where their numbers follow from how busy streets are; those above are 0 then.
+    #[serde(default, skip_serializing_if = "ActorDensity::is_nothing")]
+    pub density: ActorDensity,
+    /// Share of them who come to what the cameras see, 0 to 1.
+    #[serde(default = "usual_focus")]
+    pub focus: f64,
     /// Image size.
     pub size: ImageSize,
     /// Frames a second.
@@ -66,12 +72,17 @@ impl SceneSettings {
         scene.chain(of_rig).collect()
     }
 
-    /// Where the cameras would hang if nobody moved them: traffic gathers there, so that it is the same before moved ones.
-    pub fn usual_positions(&self) -> impl Iterator<Item = Vec3> {
+    /// The cameras' sites if nobody moved them: traffic gathers before these, so that it is the same before moved ones.
+    pub fn usual_sites(&self) -> impl Iterator<Item = &CameraSite> {
         let usual = self.randomised.as_ref().map_or(&[][..], |randomised| &randomised.usual_cameras);
         let own = if usual.is_empty() { &self.cameras[..] } else { &[] };
-        usual.iter().chain(own.iter().map(|camera| &camera.site)).map(|site| Vec3::from_array(site.position))
+        usual.iter().chain(own.iter().map(|camera| &camera.site))
     }
+}
+
+/// Of scenes that do not tell: their traffic gathered before the cameras, too.
+fn usual_focus() -> f64 {
+    0.8
 }
 
 mod cameras_and_looks {

@@ -128,7 +128,7 @@ impl Change {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ImageSize, Weather};
+    use crate::{ActorDensity, ImageSize, Weather};
     use proptest::prelude::*;
 
     fn settings(from: ConditionChange, to: Option<ConditionChange>, frames: u32, seed: u64) -> SceneSettings {
@@ -144,6 +144,8 @@ mod tests {
             sensors: Vec::new(),
             vehicles: 0,
             pedestrians: 0,
+            density: ActorDensity::default(),
+            focus: 0.8,
             size: ImageSize { width: 16, height: 9 },
             fps: 10.0,
             frames,

@@ -18,8 +18,10 @@ use crate::wire::{EpisodeSettings, Vector3D};
 use endless_asset::Catalogue;
 use endless_dataset::SpawnCounts;
 use endless_pipeline::{SimulationSession, SimulationStep, SimulatorError};
-use endless_traffic::{DrivingCondition, Fleet, Simulation, TrafficSettings};
-use endless_world::{ObjectClass, Pose, SceneSettings, SceneWeather, SensorFrame, WorldState};
+use endless_traffic::{DrivingCondition, Fleet, Focus, Simulation, TrafficSettings, View};
+use endless_world::{
+    CameraSite, ObjectClass, PinholeCamera, Pose, SceneSettings, SceneWeather, SensorFrame, WorldState,
+};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -80,7 +82,8 @@ impl<'m> CarlaSession<'m> {
         let mut casting = Casting { world, fleet: &map.fleet, blueprints, catalogue, seed: settings.seed };
         cast.spawn_moved(&mut casting, &moved)?;
         if manager.is_some() {
-            cast.spawn_driven(&mut casting, settings.vehicles)?;
+            let [vehicles, _] = map.traffic.asked(&focus(map, settings), settings);
+            cast.spawn_driven(&mut casting, vehicles)?;
         }
         let world = casting.world;
         let table = InstanceTable::new(cast.bodies.clone(), map.stills.clone())?;
@@ -253,16 +256,26 @@ pub(super) fn clock(step_s: f64) -> EpisodeSettings {
     }
 }
 
+/// What the cameras see of the streets: nobody knows what stands before them on the server's map.
+fn focus(map: &CarlaMap, settings: &SceneSettings) -> Focus {
+    let view = |site: &CameraSite| View::Camera(PinholeCamera::new(site, settings.size));
+    let views: Vec<View> = settings.usual_sites().map(view).collect();
+    Focus::new(map.traffic.network(), &views, settings.focus, &|_, _| true)
+}
+
 /// Our traffic on the server's map, at frame 0.
 fn simulation(map: &CarlaMap, settings: &SceneSettings, people_alone: bool) -> Result<Simulation, ClientError> {
     let condition = DrivingCondition::from(&*SceneWeather::new(settings.weather, settings.time_of_day, settings.seed));
+    let focus = focus(map, settings);
+    let [vehicles, pedestrians] = map.traffic.asked(&focus, settings);
     let traffic = TrafficSettings {
-        vehicles: if people_alone { 0 } else { settings.vehicles },
-        pedestrians: settings.pedestrians,
+        vehicles: if people_alone { 0 } else { vehicles },
+        pedestrians,
         seed: settings.seed,
         fps: settings.fps,
         condition,
-        focus: settings.usual_positions().collect(),
+        focus,
+        errands: Vec::new(),
         first: Vec::new(),
     };
     let fleet = Fleet { vehicles: &map.fleet.specs, pedestrian: &Catalogue::pedestrian_spec };

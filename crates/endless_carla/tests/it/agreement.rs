@@ -9,8 +9,8 @@ use endless_interchange::MapLibrary;
 use endless_pipeline::{MapCatalog, MapUse, Simulator};
 use endless_render::render_labels;
 use endless_world::{
-    CameraLook, ClassTag, ImageSize, InstanceId, PinholeCamera, SceneCamera, SceneSettings, SensorFrame, SensorLayers,
-    TimeOfDay, Weather,
+    ActorDensity, CameraLook, ClassTag, ImageSize, InstanceId, PinholeCamera, SceneCamera, SceneSettings, SensorFrame,
+    SensorLayers, TimeOfDay, Weather,
 };
 use std::collections::BTreeMap;
 
@@ -60,6 +60,8 @@ fn labels_are_those_of_the_built_in_renderer() {
         sensors: Vec::new(),
         vehicles: 40,
         pedestrians: 40,
+        density: ActorDensity::default(),
+        focus: 0.8,
         size: SIZE,
         fps: 10.0,
         frames: 10,

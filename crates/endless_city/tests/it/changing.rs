@@ -3,8 +3,8 @@
 use crate::exactness::{BLURRED, LoadedTown, SIZE, differing, shared, town03};
 use endless_render::{CameraBake, Gathering, NeighbourFrames, RenderSettings};
 use endless_world::{
-    ConditionChange, SceneSettings, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, Weather, WeatherTimeline,
-    WorldState,
+    ActorDensity, ConditionChange, SceneSettings, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, Weather,
+    WeatherTimeline, WorldState,
 };
 
 use TimeOfDay::{Afternoon, Morning, Night};
@@ -28,6 +28,8 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         cameras: Vec::new(),
         vehicles: 0,
         pedestrians: 0,
+        density: ActorDensity::default(),
+        focus: 0.8,
         size: SIZE,
         fps: 30.0,
         frames: FRAMES,

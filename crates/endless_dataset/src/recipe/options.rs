@@ -8,7 +8,9 @@ use super::option::{
 use super::{rig::SensorSpec, serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
-use endless_world::{CameraLookChoice, CameraSite, Changing, ImageSize, RandomisedPart, TimeOfDay, Weather};
+use endless_world::{
+    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, RandomisedPart, TimeOfDay, TrafficDensity, Weather,
+};
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
 
@@ -100,6 +102,12 @@ recipe_options! {
     vehicles: i64 => u32, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("30");
     /// Pedestrians in each scene.
     pedestrians: i64 => u32, OptionKind::Whole { least: 0, most: MAX_ACTORS }, Value("20");
+    /// How busy the streets are: light, normal or rush. Instead of plain numbers of vehicles and pedestrians, which win where
+    /// they are given: as many as the map and the streets before its cameras take.
+    density: String => #[serde(default, skip_serializing_if = "ActorDensity::is_nothing")] ActorDensity,
+        OptionKind::Word(Vocabulary::of::<TrafficDensity>()), Described("the numbers of vehicles and pedestrians");
+    /// Share of vehicles and pedestrians who come to the streets that the cameras see: 0 spreads them evenly over the map.
+    focus: f64 => #[serde(default = "usual_focus")] f64, OptionKind::Number { least: 0.0, most: 1.0 }, Value("0.8");
     /// Play the motion that a file tells instead of simulating it: SUMO's FCD (XML), or CSV (docs/clone.md). Vehicles and
     /// pedestrians are then 0 by default, of what the file has. In a recipe file, relative to the folder of that file.
     traffic: PathBuf, OptionKind::File, Described("none");
@@ -205,6 +213,10 @@ fn half() -> f64 {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
 fn is_half(strength: &f64) -> bool {
     *strength == half()
+}
+
+fn usual_focus() -> f64 {
+    0.8
 }
 
 fn clean() -> CameraLookChoice {

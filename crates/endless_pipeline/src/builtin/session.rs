@@ -5,11 +5,13 @@ use super::{
     bodies::Skeletons,
     instant::{InstantSource, NeighbourInstants, SceneInstant},
     key_bakes::{FrameBakes, KeyBakes, SceneBakes},
+    lookout,
     map::BuiltinMap,
     moving_cameras::{MovingCameras, MovingView},
     repainted::repainted,
     rig::SceneRig,
     road_facts::{body_sizes, road_facts},
+    scene_boxes::SceneBoxes,
     scene_frame::scene_frame,
     shapes::{MovingShapes, ParkedShapes},
 };
@@ -17,18 +19,19 @@ use crate::record::sensor_seed;
 use crate::{
     RenderStats, RenderTask, SceneBodies, SceneTruth, SensorReading, SimulationSession, SimulationStep, SimulatorError,
 };
-use endless_annotate::{ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, SceneFrame, SceneObjects};
+use endless_annotate::{
+    ActorRecord, Box3d, CameraView, ObjectShapes, RoadFacts, SceneFrame, SceneObjects, annotate, visible_objects,
+};
 use endless_asset::Catalogue;
 use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
-use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames, RayCaster};
+use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames, RayCaster, render_labels};
 use endless_sensor::{Atmosphere, Lidar, Radar, SweepInterval};
 use endless_traffic::{DrivingCondition, Fleet, PlayedTracks, Simulation, TrafficSettings};
 use endless_world::{
-    Actor, InstanceId, ObjectClass, PinholeCamera, RigEventCamera, SceneSettings, SensorFrame, SensorLayers,
-    SensorModel, SensorMount, SensorPose, Track, WorldState,
+    Actor, InstanceId, ObjectClass, PinholeCamera, RigEventCamera, SceneCamera, SceneSettings, SensorFrame,
+    SensorLayers, SensorModel, SensorPose, Track, WorldState,
 };
-use glam::Vec3;
 use std::{
     collections::BTreeMap,
     sync::{Arc, OnceLock},
@@ -75,13 +78,14 @@ impl<'m> BuiltinSession<'m> {
         wanted: SensorLayers,
         tracks: &[Track],
     ) -> Result<Self, SimulatorError> {
-        let SceneSettings { vehicles, pedestrians, seed, fps, .. } = *settings;
+        let SceneSettings { seed, fps, .. } = *settings;
         let bakes = Arc::new(SceneBakes::new(map, catalogue, settings, wanted));
         let condition = DrivingCondition::from(&*bakes.weather(0));
         // Traffic over the whole map, denser where the cameras look.
-        let focus = settings.usual_positions().chain(still_sensors(settings)).collect();
-        let first = carrier_classes(settings);
-        let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus, first };
+        let focus = lookout::focus(map, settings);
+        let [vehicles, pedestrians] = map.traffic.asked(&focus, settings);
+        let (errands, first) = (lookout::errands(&map.town), carrier_classes(settings));
+        let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus, errands, first };
         let specs = catalogue.vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
         let duration_s = f64::from(settings.frames) / fps;
@@ -123,14 +127,27 @@ impl<'m> BuiltinSession<'m> {
         let instants = InstantSource::new(simulation, wanted, settings.cameras.len(), settings.frames);
         Ok(Self { instants, bakes: KeyBakes::new(bakes), scene: Arc::new(scene), carriers: Arc::default() })
     }
-}
 
-/// Where the sensors of the rig are that stand still.
-fn still_sensors(settings: &SceneSettings) -> impl Iterator<Item = Vec3> {
-    settings.sensors.iter().filter_map(|sensor| match &sensor.mount {
-        SensorMount::Still { at } => Some(at.origin().as_vec3()),
-        _ => None,
-    })
+    /// The next frame, which nobody draws.
+    pub(super) fn advance(&mut self) -> Arc<SceneInstant> {
+        let condition = |frame| DrivingCondition::from(&*self.scene.bakes.weather(frame));
+        self.instants.next(condition).0
+    }
+
+    /// What the cameras see of a frame.
+    pub(super) fn boxes(&self, instant: &SceneInstant, min_pixels: u32) -> SceneBoxes {
+        let BuiltinScene { settings, bakes, parked, .. } = &*self.scene;
+        let (state, frame) = (&instant.state, instant.scene(self.scene.models()));
+        let objects = SceneObjects::new(state, parked);
+        let seen = |camera: &SceneCamera| {
+            let camera = PinholeCamera::new(&camera.site, settings.size);
+            let image = render_labels(bakes.still(), &frame, &camera, SensorLayers::default()).instance;
+            let visible = visible_objects(&image);
+            annotate(state.frame, state.time_s, &visible, &objects, settings.size, min_pixels)
+                .expect("the scene holds what it shows")
+        };
+        SceneBoxes { cameras: settings.cameras.iter().map(seen).collect(), state: state.clone() }
+    }
 }
 
 /// Classes of the vehicles that must be there to carry sensors.

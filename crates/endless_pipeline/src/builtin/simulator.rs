@@ -1,15 +1,16 @@
 //! The built-in city as a simulator.
 
-use super::{bake_cache::BakeCache, map::BuiltinMap, session::BuiltinSession, track_fit};
+use super::{bake_cache::BakeCache, map::BuiltinMap, scene_boxes::SceneBoxes, session::BuiltinSession, track_fit};
 use crate::{
     Capabilities, MapCatalog, MapSource, MapUse, SimulationSession, Simulator, SimulatorError, TrackFileSummary,
 };
 use endless_annotate::MapFeatures;
+use endless_asset::Catalogue;
 use endless_city::SharedModels;
 use endless_dataset::Recipe;
 use endless_interchange::{MapLibrary, TrackFile};
 use endless_road::{Georeference, JunctionPlace, RoadNetwork};
-use endless_world::{CameraSite, SceneSettings, SensorLayers};
+use endless_world::{CameraSite, SceneSettings, SensorLayers, Track};
 use rayon::prelude::*;
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -38,6 +39,41 @@ impl BuiltinSimulator {
     #[must_use]
     pub fn with_tracks(self, tracks: TrackFile) -> Self {
         Self { tracks: Some(tracks), ..self }
+    }
+
+    /// The boxes that a recording of this scene has in every `stride`th frame, from frame 0 on: traffic and instance images are
+    /// those of the recording, but no light is computed, so that it takes a small part of the time. Boxes have at least
+    /// `min_pixels` pixels.
+    ///
+    /// # Errors
+    /// When the scene cannot be made.
+    pub fn scene_boxes(
+        &self,
+        map: &BuiltinMap,
+        settings: &SceneSettings,
+        stride: u32,
+        min_pixels: u32,
+    ) -> Result<Vec<SceneBoxes>, SimulatorError> {
+        let mut session =
+            BuiltinSession::open(map, self.catalogue(), settings, SensorLayers::default(), self.tracks())?;
+        let mut boxes = Vec::new();
+        for frame in 0..settings.frames {
+            let instant = session.advance();
+            if frame % stride.max(1) == 0 {
+                boxes.push(session.boxes(&instant, min_pixels));
+            }
+        }
+        Ok(boxes)
+    }
+
+    /// The models of which scenes are made.
+    pub(super) fn catalogue(&self) -> &Catalogue {
+        self.map_library.catalogue()
+    }
+
+    /// The tracks that are played in all scenes.
+    pub(super) fn tracks(&self) -> &[Track] {
+        self.tracks.as_ref().map_or(&[], |file| &file.tracks)
     }
 }
 
@@ -123,7 +159,6 @@ impl Simulator for BuiltinSimulator {
         settings: &'m SceneSettings,
         wanted: SensorLayers,
     ) -> Result<Box<dyn SimulationSession<'m> + 'm>, SimulatorError> {
-        let tracks = self.tracks.as_ref().map_or(&[][..], |file| &file.tracks);
-        Ok(Box::new(BuiltinSession::open(map, self.map_library.catalogue(), settings, wanted, tracks)?))
+        Ok(Box::new(BuiltinSession::open(map, self.catalogue(), settings, wanted, self.tracks())?))
     }
 }

@@ -98,6 +98,7 @@ fn check_mount(wrong: &Wrong<'_>, recipe: &Recipe) -> Result<(), RecipeError> {
         wrong.within("roll", roll, -180.0, 180.0)
     };
     let place = |at: &[f64], far: f64| at.iter().try_for_each(|&value| wrong.within("at", value, -far, far));
+    let counted = recipe.traffic_file.is_none();
     match &wrong.0.mount {
         MountSpec::Site { .. } => Ok(()),
         MountSpec::Pose { at, yaw, pitch, roll, .. } => {
@@ -112,7 +113,7 @@ fn check_mount(wrong: &Wrong<'_>, recipe: &Recipe) -> Result<(), RecipeError> {
             angles(yaw.unwrap_or(0.0), pitch.unwrap_or(0.0), 0.0)
         }
         MountSpec::Vehicle { number, at, yaw, pitch, roll, .. } => {
-            if recipe.traffic_file.is_none() && *number >= recipe.vehicles {
+            if counted && recipe.density.vehicles.is_none() && *number >= recipe.vehicles {
                 let rule = format!("the recipe has {} vehicles, and counting begins at 0", recipe.vehicles);
                 return Err(wrong.value("number", number, &rule));
             }
@@ -120,7 +121,7 @@ fn check_mount(wrong: &Wrong<'_>, recipe: &Recipe) -> Result<(), RecipeError> {
             angles(*yaw, *pitch, *roll)
         }
         MountSpec::Pedestrian { number, at, yaw, pitch, roll } => {
-            if recipe.traffic_file.is_none() && *number >= recipe.pedestrians {
+            if counted && recipe.density.pedestrians.is_none() && *number >= recipe.pedestrians {
                 let rule = format!("the recipe has {} pedestrians, and counting begins at 0", recipe.pedestrians);
                 return Err(wrong.value("number", number, &rule));
             }

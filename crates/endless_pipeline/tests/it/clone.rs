@@ -5,7 +5,7 @@ use endless_asset::Catalogue;
 use endless_dataset::{DatasetLayout, RecipeDraft, UserCamera, check, read_actors, read_objects};
 use endless_interchange::{MapLibrary, TrackFile};
 use endless_pipeline::{BakeCache, BuiltinSimulator, MapSource, SilentProgress, generate, resolve_recipe};
-use endless_traffic::{Fleet, Simulation, TrafficSettings};
+use endless_traffic::{Fleet, Focus, Simulation, TrafficSettings, View};
 use endless_world::{Actor, Motion};
 use glam::DVec2;
 use std::{collections::BTreeMap, fmt::Write, fs, path::Path, sync::LazyLock};
@@ -33,7 +33,7 @@ fn recorded() -> &'static (String, Places) {
             vehicles: 60,
             pedestrians: 40,
             fps: f64::from(STEPS),
-            focus: town.cameras.iter().take(1).map(|camera| camera.position.into()).collect(),
+            focus: Focus::new(&town.network, &[View::around(town.cameras[0].position.into())], 0.8, &|_, _| true),
 
             ..TrafficSettings::default()
         };

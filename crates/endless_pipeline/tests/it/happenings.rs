@@ -3,7 +3,9 @@
 use crate::city::{city, town as shared};
 use endless_annotate::{CountingLine, Event, Happenings, Relation, SceneObserver};
 use endless_pipeline::{MapCatalog, Simulator};
-use endless_world::{CameraLook, ImageSize, SceneCamera, SceneSettings, SensorLayers, TimeOfDay, Weather, WorldState};
+use endless_world::{
+    ActorDensity, CameraLook, ImageSize, SceneCamera, SceneSettings, SensorLayers, TimeOfDay, Weather, WorldState,
+};
 use glam::Vec3Swizzles as _;
 use std::collections::BTreeSet;
 
@@ -21,6 +23,8 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
         cameras: vec![SceneCamera { site: sites[0].clone(), look: CameraLook::CLEAN }],
         vehicles: 60,
         pedestrians: 60,
+        density: ActorDensity::default(),
+        focus: 0.8,
         size: ImageSize { width: 64, height: 36 },
         fps: FPS,
         frames: 300,

@@ -1,4 +1,5 @@
 use super::*;
+use crate::driver::MOST_LIMIT_FACTOR;
 use endless_road::{
     Crossing, Junction, Lane, LaneId, Polyline, SignalPhase, SignalProgram, TrafficControl, WalkEdge, WalkKind,
     WalkNetwork, WalkNodeId,
@@ -283,6 +284,8 @@ fn lights_and_signs_are_kept() {
     };
     assert_eq!(fails(4.0, crosses), []);
     assert_eq!(failed(&audit(4.0, SignalAspect::Yellow, &[], crosses)), [AuditCheck::PeopleAtRed]);
-    assert_eq!(fails(4.0, |t| vec![goes(1, 110.0, 11.4, t)]), []);
-    assert_eq!(fails(4.0, |t| vec![goes(1, 110.0, 11.6, t)]), [AuditCheck::Speeding]);
+    // The lane's limit is 10 m/s.
+    let boldest = 10.0 * MOST_LIMIT_FACTOR + AuditCheck::Speeding.limit();
+    assert_eq!(fails(4.0, |t| vec![goes(1, 110.0, boldest - 0.1, t)]), []);
+    assert_eq!(fails(4.0, |t| vec![goes(1, 110.0, boldest + 0.1, t)]), [AuditCheck::Speeding]);
 }

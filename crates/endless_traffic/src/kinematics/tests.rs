@@ -1,7 +1,7 @@
 use super::*;
-use crate::TrafficMap;
 use crate::driver::Driver;
 use crate::trailer::TrailerState;
+use crate::{Focus, TrafficMap};
 use endless_asset::Catalogue;
 use endless_road::Turn;
 use endless_world::{Stream, VehicleModelId, VehicleRef, VehicleSpec};
@@ -38,7 +38,7 @@ fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
     let turns = [AtomicUsize::new(0), AtomicUsize::new(0)];
     endless_town::NAMES.par_iter().for_each(|name| {
         let town = endless_town::load(name, &catalogue).expect("a town");
-        let roads = Roads::new(&TrafficMap::new(town.network, &specs), &[]);
+        let roads = Roads::new(&TrafficMap::new(town.network, &specs), &Focus::default(), &[]);
         let network = &roads.network;
         for (model, spec) in specs.iter().enumerate().filter(|(_, s)| s.length_m > 6.5) {
             let allowed = roads.allowed(VehicleModelId::from_index(model));

@@ -1,5 +1,5 @@
 use super::*;
-use crate::TrafficMap;
+use crate::{Focus, TrafficMap, View};
 use endless_asset::Catalogue;
 use endless_town::Town;
 use endless_world::{ObjectClass, Pose, VehicleModelId, VehicleRef};
@@ -22,8 +22,8 @@ impl TestTown {
         self.catalogue.vehicle_specs()
     }
 
-    fn roads(&self, focus: &[Vec3]) -> Roads {
-        Roads::new(&TrafficMap::new(self.town.network.clone(), &self.specs()), focus)
+    fn roads(&self, focus: &Focus) -> Roads {
+        Roads::new(&TrafficMap::new(self.town.network.clone(), &self.specs()), focus, &[])
     }
 }
 
@@ -43,7 +43,7 @@ fn at(vehicle: &Vehicle) -> DVec2 {
 #[test]
 fn vehicles_begin_clear_of_parked_ones() {
     let place = TestTown::new("Town02");
-    let (specs, roads) = (place.specs(), place.roads(&[]));
+    let (specs, roads) = (place.specs(), place.roads(&Focus::default()));
     let car = specs.iter().position(|s| s.parks).expect("something parks");
     // Parked so badly that every other spawn point is taken.
     let parked: Vec<ParkedVehicle> = roads
@@ -77,7 +77,7 @@ fn a_design_more_changes_only_the_vehicles_that_it_takes_the_place_of() {
         let fewer: Vec<VehicleSpec> = all.iter().filter(|s| s.name != added).cloned().collect();
         let [of_fewer, of_all] = [&fewer, &all].map(|specs| TrafficMap::new(place.town.network.clone(), specs));
         let spawn = |map: &TrafficMap, specs: &[VehicleSpec], seed| {
-            vehicles(&Roads::new(map, &[]), specs, &[], &asked(25, seed))
+            vehicles(&Roads::new(map, &Focus::default(), &[]), specs, &[], &asked(25, seed))
         };
         let mut taken = 0;
         for seed in 0..6 {
@@ -99,7 +99,7 @@ fn a_design_more_changes_only_the_vehicles_that_it_takes_the_place_of() {
 #[test]
 fn looks_come_back_in_other_videos_and_never_twice_in_one() {
     let place = TestTown::new("Town05");
-    let (specs, roads) = (place.specs(), place.roads(&[]));
+    let (specs, roads) = (place.specs(), place.roads(&Focus::default()));
     let graph = WalkGraph::new(&roads.network.walk);
     let mut seen: [BTreeMap<(usize, u64), usize>; 2] = Default::default();
     let mut drawn = [0, 0];
@@ -127,7 +127,7 @@ fn buses_and_lorries_are_as_frequent_as_in_the_catalogue_where_streets_have_seve
     const SEEDS: u64 = 60;
     for name in ["Town05", "Town06", "Town10HD"] {
         let place = TestTown::new(name);
-        let (specs, roads) = (place.specs(), place.roads(&[]));
+        let (specs, roads) = (place.specs(), place.roads(&Focus::default()));
         let total: f64 = specs.iter().map(|s| s.frequency).sum();
         let mut counts = [0.0; 2];
         for seed in 0..SEEDS {
@@ -147,7 +147,7 @@ fn buses_and_lorries_are_as_frequent_as_in_the_catalogue_where_streets_have_seve
 #[test]
 fn vehicles_and_people_are_spread_over_the_map() {
     let place = TestTown::new("Town03");
-    let (specs, roads) = (place.specs(), place.roads(&[]));
+    let (specs, roads) = (place.specs(), place.roads(&Focus::default()));
     let graph = WalkGraph::new(&roads.network.walk);
     let places = || roads.network.lanes.iter().flat_map(|l| l.centerline.points()).map(|p| p.truncate());
     let (low, high) = (places().fold(DVec2::INFINITY, DVec2::min), places().fold(DVec2::NEG_INFINITY, DVec2::max));
@@ -174,8 +174,9 @@ fn more_begin_near_the_places_looked_at() {
     let place = TestTown::new("Town04");
     let specs = place.specs();
     let focus: Vec<Vec3> = place.town.cameras.iter().take(2).map(|c| Vec3::from_array(c.position)).collect();
-    let near = |focus_on: &[Vec3]| {
-        let roads = place.roads(focus_on);
+    let near = |looked_at: &[Vec3]| {
+        let views: Vec<View> = looked_at.iter().map(|&at| View::around(at)).collect();
+        let roads = place.roads(&Focus::new(&place.town.network, &views, 1.0, &|_, _| true));
         let graph = WalkGraph::new(&roads.network.walk);
         let mut count = [0, 0];
         for seed in 0..5 {
@@ -195,7 +196,7 @@ fn more_begin_near_the_places_looked_at() {
 #[test]
 fn vehicles_are_placed_after_a_class_of_which_none_can_be() {
     let place = TestTown::new("Town02");
-    let (mut specs, roads) = (place.specs(), place.roads(&[]));
+    let (mut specs, roads) = (place.specs(), place.roads(&Focus::default()));
     let classes = |specs: &[VehicleSpec], first: &[ObjectClass]| -> Vec<ObjectClass> {
         let settings = TrafficSettings { first: first.to_vec(), ..asked(12, 5) };
         vehicles(&roads, specs, &[], &settings).iter().map(|v| v.class).collect()
