@@ -14,6 +14,9 @@ fn draft(map: &str, size: ImageSize, cameras: i64) -> RecipeDraft {
     let words = |words: &[&str]| Some(words.iter().map(|&word| word.to_owned()).collect());
     RecipeDraft {
         videos: Some(1),
+        // Traffic that is near enough to be seen, and not so near that its edges are all there is.
+        focus: Some(0.2),
+        seed: Some(1),
         maps: words(&[map]),
         weathers: words(&["cloudy"]),
         times: words(&["afternoon"]),
