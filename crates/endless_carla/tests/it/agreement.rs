@@ -61,7 +61,8 @@ fn labels_are_those_of_the_built_in_renderer() {
         vehicles: 40,
         pedestrians: 40,
         density: ActorDensity::default(),
-        focus: 0.8,
+        // Where more is seen far away, a pixel at an edge falls to the other side now and then: a pose has other digits in degrees.
+        focus: 0.2,
         size: SIZE,
         fps: 10.0,
         frames: 10,
