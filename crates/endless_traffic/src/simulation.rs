@@ -63,7 +63,7 @@ impl Simulation {
     /// those that stand parked.
     ///
     /// # Errors
-    /// When there are more vehicles, riders and people than [`InstanceId`] can number.
+    /// When there are more vehicles, riders and people than [`InstanceId`](endless_world::InstanceId) can number.
     ///
     /// # Panics
     /// If the frame rate is not positive, or a parked vehicle's model is not in the fleet.
