@@ -4,7 +4,7 @@
 //! it, and choose their ways so that they pass through it or stay near. Without, only demand counts.
 
 use crate::demand::lane_demand;
-use crate::focus::{Focus, STEP_M, samples};
+use crate::focus::{Focus, STEP_M, count_in, samples};
 use crate::queues::Queues;
 use endless_road::{LaneId, RoadNetwork, WalkKind};
 use endless_world::Stream;
@@ -99,7 +99,7 @@ impl Attraction {
         }
         let mut counts = vec![0.0; self.worth_by_view.len()];
         for bits in seen {
-            counts.iter_mut().enumerate().for_each(|(view, count)| *count += f64::from(bits >> view & 1));
+            count_in(&mut counts, bits);
         }
         let room = self.focus.seen_m().into_iter().map(|[lanes, _]| lanes / ROOM_M);
         let views = room.zip(counts).enumerate();

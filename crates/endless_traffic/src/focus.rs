@@ -152,6 +152,13 @@ fn nearest(bits: &[u32], along: f64) -> u32 {
     bits.get(place.min(bits.len().saturating_sub(1))).copied().unwrap_or(0)
 }
 
+/// Counts somebody in each of these views.
+pub(crate) fn count_in(counts: &mut [f64], views: u32) {
+    for (view, count) in counts.iter_mut().enumerate() {
+        *count += f64::from(views >> view & 1);
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

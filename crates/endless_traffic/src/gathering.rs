@@ -6,7 +6,7 @@
 //! is moved in any other way than by driving and walking.
 
 use crate::attraction::ROOM_M;
-use crate::focus::{STEP_M, samples};
+use crate::focus::{STEP_M, count_in, samples};
 use crate::kinematics;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
@@ -14,9 +14,9 @@ use crate::walk_strip::{BODY_M, height};
 use crate::walker::Walker;
 use endless_road::swept::OrientedRectangle;
 use endless_road::{LaneId, WalkEdgeId, WalkGraph, WalkKind};
+use endless_world::Stream;
 use endless_world::math::f64::{atan2, sin_cos};
 use endless_world::walking::{Footsteps, PedestrianSpec};
-use endless_world::{Stream, VehicleSpec};
 use glam::DVec2;
 
 /// Roads lead into sight from this far before it, metres.
@@ -72,7 +72,6 @@ struct WalkSlot {
 /// What it takes to gather traffic.
 #[derive(Debug, Clone)]
 pub(crate) struct Gathering {
-    specs: Vec<VehicleSpec>,
     parked: Vec<OrientedRectangle>,
     people: Vec<PedestrianSpec>,
     stream: Stream,
@@ -83,12 +82,11 @@ pub(crate) struct Gathering {
 }
 
 impl Gathering {
-    /// Of these vehicle models, among these parked vehicles, of the person of each walker; `None` where nothing is looked at.
+    /// Among these parked vehicles, of the person of each walker; `None` where nothing is looked at.
     pub(crate) fn new(
         roads: &Roads,
-        specs: &[VehicleSpec],
-        parked: Vec<OrientedRectangle>,
-        people: Vec<PedestrianSpec>,
+        parked: &[OrientedRectangle],
+        people: impl Iterator<Item = PedestrianSpec>,
         seed: u64,
     ) -> Option<Self> {
         let focus = &roads.attraction.focus;
@@ -97,9 +95,8 @@ impl Gathering {
         }
         let room = focus.seen_m().into_iter().map(|[lanes, walks]| [lanes / ROOM_M, walks / WALK_M]).collect();
         Some(Self {
-            specs: specs.to_vec(),
-            parked,
-            people,
+            parked: parked.to_vec(),
+            people: people.collect(),
             stream: Stream::named(seed, "traffic.gathering", &[]),
             lane_slots: lane_slots(roads),
             walk_slots: walk_slots(roads),
@@ -131,7 +128,7 @@ impl Gathering {
         let mut misses = vec![0; self.room.len()];
         for (i, vehicle) in vehicles.iter().enumerate() {
             let views = views_ahead(roads, vehicle, coming_m);
-            note(&mut counts, views);
+            count_in(&mut counts, views);
             if views == 0 && vehicle.drawn {
                 idle.push(i);
             }
@@ -149,7 +146,7 @@ impl Gathering {
                     .collect();
                 if let Some(slot) = self.free_slot(roads, vehicles, i, &slots) {
                     set_down(&mut vehicles[i], roads, slot.0, slot.1);
-                    note(&mut counts, views_ahead(roads, &vehicles[i], coming_m));
+                    count_in(&mut counts, views_ahead(roads, &vehicles[i], coming_m));
                     break;
                 }
                 misses[view] += 1;
@@ -204,7 +201,7 @@ impl Gathering {
         let (sin, cos) = sin_cos(on.heading_rad);
         let along = DVec2::new(cos, sin);
         let body = OrientedRectangle::new(
-            &self.specs[me.asset.model.index()],
+            &roads.specs[me.asset.model.index()],
             on.position.truncate(),
             on.heading_rad,
             CLEAR_M,
@@ -221,7 +218,7 @@ impl Gathering {
             let closing = (fast * fast - slow * slow).max(0.0) / (2.0 * GAP_BRAKING_MPS2);
             let reach = bodies + GAP_M + GAP_S * fast + closing;
             let in_line = along.perp_dot(d).abs() < 2.4 && ahead.abs() < reach;
-            !in_line && !body.overlaps(&other.footprint(&self.specs, CLEAR_M))
+            !in_line && !body.overlaps(&other.footprint(&roads.specs, CLEAR_M))
         };
         vehicles.iter().enumerate().all(clear_of)
             && self.parked.iter().all(|other| other.center.distance(body.center) > FAR_M || !body.overlaps(other))
@@ -232,7 +229,7 @@ impl Gathering {
         let mut idle = Vec::new();
         for (i, walker) in walkers.iter().enumerate() {
             let views = views_of(roads, walker);
-            note(&mut counts, views);
+            count_in(&mut counts, views);
             if views == 0 && walker.drawn {
                 idle.push(i);
             }
@@ -242,7 +239,7 @@ impl Gathering {
                 let seen: Vec<WalkSlot> =
                     self.walk_slots.iter().filter(|s| s.views >> view & 1 == 1).copied().collect();
                 if self.walk_there(roads, graph, walkers, i, &seen) {
-                    note(&mut counts, views_of(roads, &walkers[i]));
+                    count_in(&mut counts, views_of(roads, &walkers[i]));
                     break;
                 }
             }
@@ -289,13 +286,6 @@ impl Gathering {
             return true;
         }
         false
-    }
-}
-
-/// Counts somebody in each of these views.
-fn note(counts: &mut [f64], views: u32) {
-    for (view, count) in counts.iter_mut().enumerate() {
-        *count += f64::from(views >> view & 1);
     }
 }
 

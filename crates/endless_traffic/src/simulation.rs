@@ -114,8 +114,8 @@ impl Simulation {
         let standing = spawn::standing(fleet.vehicles, parked);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
         let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);
-        let people = walkers.iter().map(|walker| (fleet.pedestrian)(walker.variant)).collect();
-        let gathering = Gathering::new(&roads, fleet.vehicles, standing.clone(), people, settings.seed);
+        let people = walkers.iter().map(|walker| (fleet.pedestrian)(walker.variant));
+        let gathering = Gathering::new(&roads, &standing, people, settings.seed);
         let outfit = if settings.condition.rain > 0.0 { Outfit::Rain } else { Outfit::Fair };
         let mut population = Population {
             vehicles_asked: settings.vehicles,
