@@ -47,10 +47,15 @@ impl Fleet {
                 ..SpawnActor::default()
             }))
         };
-        let spawned = world.batch(&vehicles.iter().enumerate().map(put).collect::<Vec<_>>())?;
-        let ids: Vec<u32> = spawned.iter().filter_map(|result| result.as_ref().ok().copied()).collect();
-        let actors = world.actors(&ids)?;
-        world.batch(&ids.iter().map(|actor| Command::DestroyActor { actor: *actor }).collect::<Vec<_>>())?;
+        let put: Vec<Command> = vehicles.iter().enumerate().map(put).collect();
+        // Also when the user wants to stop meanwhile: nobody stays in the sky.
+        let (spawned, actors) = world.stop().clone().pause(|| {
+            let spawned = world.batch(&put)?;
+            let ids: Vec<u32> = spawned.iter().filter_map(|result| result.as_ref().ok().copied()).collect();
+            let actors = world.actors(&ids)?;
+            world.batch(&ids.iter().map(|actor| Command::DestroyActor { actor: *actor }).collect::<Vec<_>>())?;
+            Ok::<_, ClientError>((spawned, actors))
+        })?;
         let body = |result: &Result<u32, String>| {
             let id = result.as_ref().ok()?;
             ActorBody::new(actors.iter().find(|actor| actor.id == *id)?, library, catalogue)
