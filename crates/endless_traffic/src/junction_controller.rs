@@ -51,6 +51,7 @@ impl JunctionController {
         step_s: f64,
     ) {
         release(roads, occupancy, signals, vehicles, step_s);
+        release_behind(roads, occupancy, vehicles);
         self.holders.resize(roads.network.junctions.len(), Vec::new());
         for list in &mut self.holders {
             list.clear();
@@ -79,7 +80,7 @@ impl JunctionController {
                 requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction).map(|(_, r)| r);
             let comes_first = sign_allows(roads, request)
                 && !occupancy.crosses_claimed(roads, &request.lanes)
-                && self.next_in_line(roads, occupancy, vehicles, request);
+                && is_next(roads, occupancy, vehicles, request.vehicle, request.junction, request.distance);
             if comes_first && !self.has_exit_space(roads, occupancy, vehicles, request) {
                 if (request.waited_s / DETOUR_S).floor() > ((request.waited_s - step_s) / DETOUR_S).floor().max(0.0) {
                     take_another_way(roads, &mut vehicles[request.vehicle], request.lanes[0]);
@@ -105,16 +106,6 @@ impl JunctionController {
             }
         }
         self.requests = requests;
-    }
-
-    /// The vehicle directly ahead on the approach has the right of way already.
-    fn next_in_line(&self, roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], request: &EntryRequest) -> bool {
-        let reach = request.distance + vehicles[request.vehicle].half_length;
-        let Some(leader) = occupancy.leader(roads, vehicles, request.vehicle, reach) else { return true };
-        if leader.gap > request.distance {
-            return true;
-        }
-        vehicles.get(leader.vehicle).is_some_and(|ahead| ahead.right_of_way_at(request.junction).is_some())
     }
 
     /// Room to stand beyond the junction, clear of it and of its crossings. Where the road to the next junction is too
@@ -197,6 +188,20 @@ impl JunctionController {
     }
 }
 
+/// Whether the vehicle directly ahead on the approach, whose line is `distance` metres from the front bumper, has the right of
+/// way already.
+fn is_next(
+    roads: &Roads,
+    occupancy: &Occupancy,
+    vehicles: &[Vehicle],
+    i: usize,
+    junction: JunctionId,
+    distance: f64,
+) -> bool {
+    let Some(leader) = occupancy.leader(roads, vehicles, i, distance + vehicles[i].half_length) else { return true };
+    leader.gap > distance || vehicles.get(leader.vehicle).is_some_and(|ahead| ahead.right_of_way_at(junction).is_some())
+}
+
 /// Chooses another lane through a junction, if there is any, and a way from there on.
 fn take_another_way(roads: &Roads, vehicle: &mut Vehicle, connector: LaneId) {
     // Ahead: a way round may come through the same lane again.
@@ -247,5 +252,26 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
             !(late || (stops && distance > stopping_m(vehicle.speed) && !waits_to_clear))
         });
         vehicles[i].rights_of_way = rights_of_way;
+    }
+}
+
+/// Takes it back from those behind somebody on the approach who has none, who lost it or changed lanes before them: would they
+/// go first, they would wait for one who waits for them.
+fn release_behind(roads: &Roads, occupancy: &Occupancy, vehicles: &mut [Vehicle]) {
+    let mut taken = true;
+    while std::mem::take(&mut taken) {
+        for i in 0..vehicles.len() {
+            let mut rights_of_way = std::mem::take(&mut vehicles[i].rights_of_way);
+            let before = rights_of_way.len();
+            rights_of_way.retain(|right_of_way| {
+                let to_line = vehicles[i].distance_to(roads, right_of_way.lanes[0]).filter(|_| !right_of_way.entered);
+                to_line.is_none_or(|to_line| {
+                    let distance = to_line - vehicles[i].half_length;
+                    is_next(roads, occupancy, vehicles, i, right_of_way.junction, distance)
+                })
+            });
+            taken |= rights_of_way.len() < before;
+            vehicles[i].rights_of_way = rights_of_way;
+        }
     }
 }

@@ -308,3 +308,6 @@ fn parked_actors(
     };
     parked.iter().map(actor).collect()
 }
+
+#[cfg(test)]
+mod tests;

@@ -13,6 +13,8 @@ use endless_world::{SignalAspect, SignalState};
 pub(crate) const SIGHT_M: f64 = 110.0;
 /// How far they look for a place to wait that is no crossing, metres.
 const CLOSE_M: f64 = 50.0;
+/// Who waits nearer than this beyond the line waits at the line, metres.
+const AT_LINE_M: f64 = 0.5;
 /// How fast acceleration may rise and fall, m/s³.
 const JERK_UP: f64 = 5.0;
 const JERK_DOWN: f64 = 25.0;
@@ -63,14 +65,17 @@ impl DriverView<'_> {
             if let Some(junction) = table.junction {
                 match me.right_of_way_at(junction) {
                     Some(right_of_way) => {
-                        nearest = nearest.min(self.earlier_ahead(i, lane, base, right_of_way.order, true));
+                        let earlier = self.earlier_ahead(i, lane, base, right_of_way.order, true);
+                        let at_line = base - me.half_length - 0.3;
+                        let waits_at_line = k > 0 && base > 0.0 && earlier < at_line + AT_LINE_M;
+                        nearest = nearest.min(if waits_at_line {
+                            stop_before(me, at_line, kept).min(earlier)
+                        } else {
+                            earlier
+                        });
                     }
                     None if k > 0 && base > 0.0 => {
-                        let at_line = base - me.half_length - 0.3;
-                        // Room for those who turn is left by who can still stop for it; who stands in it stays there.
-                        let short = at_line - kept;
-                        let late = me.speed > 0.5 && short < me.firm_stop_m();
-                        let line = nearest.min(if late { at_line } else { short.max(at_line.min(0.06)) });
+                        let line = nearest.min(stop_before(me, base - me.half_length - 0.3, kept));
                         return Some(self.off_crossings(me, line));
                     }
                     None => {}
@@ -159,6 +164,14 @@ impl DriverView<'_> {
         }
         nearest
     }
+}
+
+/// Where to stop for a line `at_line` metres ahead from which a setback is to be kept: room for those who turn is left by who can
+/// still stop for it; who stands in it stays there.
+fn stop_before(me: &Vehicle, at_line: f64, setback: f64) -> f64 {
+    let short = at_line - setback;
+    let late = me.speed > 0.5 && short < me.firm_stop_m();
+    if late { at_line } else { short.max(at_line.min(0.06)) }
 }
 
 /// The speed that limits and bends allow, now and in time to brake, m/s.

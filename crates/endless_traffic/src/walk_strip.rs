@@ -5,7 +5,7 @@ use endless_road::{WalkEdgeId, WalkKind, WalkNodeId};
 use endless_world::math::f64::sin_cos;
 use glam::DVec2;
 
-/// DesignVehicles are discs of this radius, metres.
+/// Bodies are discs of this radius, metres.
 pub(crate) const BODY_M: f64 = 0.25;
 
 /// A directed strip: from, unit direction, length, usable half width.
