@@ -12,7 +12,7 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use endless_carla::client::Address;
 use endless_interchange::TrajectoryFormat;
-use endless_world::{DrivingSide, TimeOfDay, Weather};
+use endless_world::{DrivingSide, Region, TimeOfDay, Weather};
 use std::path::PathBuf;
 
 /// Endless annotated urban datasets seen by surveillance cameras.
@@ -129,6 +129,15 @@ pub(crate) struct SimulateArgs {
     /// Time of day.
     #[arg(long, value_name = "WORD", default_value = "afternoon", value_parser = words(TimeOfDay::ALL, TimeOfDay::name))]
     pub(crate) time: TimeOfDay,
+    /// Whose mix of vehicles drives.
+    #[arg(long, value_name = "WORD", default_value = "european", value_parser = words(Region::ALL, Region::name))]
+    pub(crate) region: Region,
+    /// Share of motorcycles and bicycles among moving vehicles, instead of the region's.
+    #[arg(long, value_name = "0..1", value_parser = share)]
+    pub(crate) two_wheelers: Option<f64>,
+    /// How drivers drive: 0 all cautious, 0.5 as counted on real streets, 1 all bold.
+    #[arg(long, value_name = "0..1", default_value_t = 0.5, value_parser = share)]
+    pub(crate) aggressiveness: f64,
     #[command(flatten)]
     pub(crate) wanted: SimulateOutputs,
 }
@@ -316,6 +325,11 @@ fn top_view(path: PathBuf) -> Result<OutputFile<TopViewFormat>, &'static str> {
 fn rate(text: &str) -> Result<f64, String> {
     let rate = text.parse::<f64>().ok().filter(|rate| (0.1..=240.0).contains(rate));
     rate.ok_or_else(|| "give 0.1 to 240 a second".to_owned())
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let share = text.parse::<f64>().ok().filter(|share| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "give 0 to 1".to_owned())
 }
 
 /// One of these words.

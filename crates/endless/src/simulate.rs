@@ -11,7 +11,7 @@ use endless_dataset::{VideoEncoder, encode_png, yuv_from_rgb};
 use endless_interchange::{MapLibrary, TopView, TrajectoryFormat, TrajectoryScene, TrajectoryWriter};
 use endless_town::Town;
 use endless_traffic::{AuditReport, DrivingCondition, Fleet, Population, Simulation, TrafficAudit, TrafficSettings};
-use endless_world::{Condition, ImageSize, WorldState};
+use endless_world::{Condition, ImageSize, TrafficProfile, WorldState};
 use std::{
     io::{self, Write},
     path::Path,
@@ -39,11 +39,20 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         seed: args.seed,
         fps: args.fps * f64::from(every),
         condition: DrivingCondition::from(Condition::of(args.weather, args.time)),
+        profile: TrafficProfile {
+            region: args.region,
+            two_wheelers: args.two_wheelers,
+            aggressiveness: args.aggressiveness,
+            ..TrafficProfile::default()
+        },
         ..TrafficSettings::default()
     };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;
     let mut files = Files::begin(&args.wanted, &town, catalogue, &specs, args.fps)?;
-    let mut audit = args.wanted.audit.then(|| TrafficAudit::new(&town.network, &specs, traffic.parked(), settings.fps));
+    let mut audit = args.wanted.audit.then(|| {
+        TrafficAudit::new(&town.network, &specs, traffic.parked(), settings.fps)
+            .with_aggressiveness(args.aggressiveness)
+    });
     let frames = (args.seconds * settings.fps).round() as u32;
     let mut simulating = Duration::ZERO;
     let mut held_mb = None;

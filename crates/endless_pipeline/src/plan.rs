@@ -16,7 +16,7 @@ use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::Recipe;
 use endless_world::{
     CameraLook, CameraSite, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation, SceneSettings, Stream,
-    TrackPlayback,
+    TrackPlayback, TrafficProfile,
 };
 
 /// The settings of every video, by number.
@@ -139,6 +139,12 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         pedestrians: recipe.pedestrians,
         density: recipe.density,
         focus: recipe.focus,
+        profile: TrafficProfile {
+            region: recipe.region,
+            two_wheelers: recipe.two_wheelers,
+            aggressiveness: recipe.aggressiveness,
+            parked: recipe.parked,
+        },
         size: recipe.size,
         fps: recipe.fps,
         frames: recipe.frames(),

@@ -6,7 +6,7 @@ use crate::street_features::StreetFeatures;
 use endless_asset::Catalogue;
 use endless_road::{Georeference, RoadNetwork};
 use endless_scene::{Mesh, StreetLamp};
-use endless_world::{CameraSite, ParkedVehicle};
+use endless_world::{CameraSite, ParkedVehicle, Stream};
 use std::sync::Arc;
 
 /// A whole map. By default an empty one, without a name.
@@ -42,6 +42,16 @@ impl Town {
     /// shown of it for these cameras.
     pub fn details_near(&self, cameras: &[CameraSite], catalogue: &Catalogue) -> Vec<Placement> {
         self.detail_source.place(&self.network, cameras, catalogue)
+    }
+
+    /// Takes parked vehicles away, so that about this share of them, 0 to 1, is left; with a larger share stand all of a smaller
+    /// one.
+    pub fn keep_parked(&mut self, share: f64) {
+        let draw = |parked: &ParkedVehicle| {
+            let at = parked.pose.position.to_array().map(|metres| u64::from(metres.to_bits()));
+            Stream::named(parked.vehicle.variant, "town.kept_parked", &at).range_f64(0.0, 1.0)
+        };
+        self.parked.retain(|parked| draw(parked) < share);
     }
 }
 

@@ -5,8 +5,10 @@ use crate::driver::Driver;
 use crate::kinematics;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
+use crate::settings::TrafficSettings;
 use crate::steering::{SIGHT_M, speed_ahead};
 use crate::vehicle::Vehicle;
+use crate::vehicle_mix;
 use endless_road::LaneId;
 use endless_road::swept::OrientedRectangle;
 use endless_world::{LookPool, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
@@ -43,12 +45,24 @@ pub(crate) struct Arrivals {
     waiting: Vec<(Vehicle, f64)>,
     /// Bodies of parked vehicles.
     parked: Vec<OrientedRectangle>,
+    /// How often each model comes.
+    frequencies: Vec<f64>,
+    /// Of the drivers, 0 to 1.
+    aggressiveness: f64,
 }
 
 impl Arrivals {
     /// For a number of vehicles that shall stay the same.
-    pub(crate) fn new(seed: u64, wanted: usize, parked: Vec<OrientedRectangle>) -> Self {
-        Self { seed, wanted, drawn: 0, waiting: Vec::new(), parked }
+    pub(crate) fn new(
+        specs: &[VehicleSpec],
+        settings: &TrafficSettings,
+        wanted: usize,
+        parked: Vec<OrientedRectangle>,
+    ) -> Self {
+        let TrafficSettings { seed, profile, .. } = settings;
+        let frequencies = vehicle_mix::frequencies(specs, profile);
+        let aggressiveness = profile.aggressiveness;
+        Self { seed: *seed, wanted, drawn: 0, waiting: Vec::new(), parked, frequencies, aggressiveness }
     }
 
     /// To a road that was so wet, and is now.
@@ -93,10 +107,10 @@ impl Arrivals {
             let allowed = roads.allowed(model);
             roads.borders.entries.iter().copied().filter(|entry| allowed[entry.index()]).collect::<Vec<_>>()
         };
-        let comes = |(place, spec): (usize, &VehicleSpec)| {
-            if open(VehicleModelId::from_index(place)).is_empty() { 0.0 } else { spec.frequency }
+        let comes = |(place, frequency): (usize, &f64)| {
+            if open(VehicleModelId::from_index(place)).is_empty() { 0.0 } else { *frequency }
         };
-        let weights: Vec<f64> = roads.specs.iter().enumerate().map(comes).collect();
+        let weights: Vec<f64> = self.frequencies.iter().enumerate().map(comes).collect();
         let model = choose_vehicle(&mut own, roads.specs.iter().zip(weights))?;
         let spec = &roads.specs[model.index()];
         let entries = open(model);
@@ -105,7 +119,7 @@ impl Arrivals {
         let others = || vehicles.iter().chain(self.waiting.iter().map(|(vehicle, _)| vehicle));
         let taken = |variant| others().any(|v| v.asset == VehicleRef { model, variant });
         let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
-        let driver = Driver::new(spec, view.wetness, &mut own);
+        let driver = Driver::new(spec, view.wetness, self.aggressiveness, &mut own);
         let half = 0.5 * f64::from(spec.length_m);
         let mut vehicle = Vehicle::new(spec, VehicleRef { model, variant }, driver, entry, half, own);
         vehicle.drawn = drawn;

@@ -25,6 +25,11 @@ fn pace_on(wetness: f32) -> f64 {
     1.0 - 0.12 * f64::from(smoothstep(0.2, 0.7, wetness))
 }
 
+/// Factor on the speeds at which drivers of this aggressiveness, 0 to 1, take a free street.
+pub(crate) fn pace_of(aggressiveness: f64) -> f64 {
+    1.0 + 0.15 * (2.0 * aggressiveness - 1.0)
+}
+
 /// One driver's habits.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Driver {
@@ -46,10 +51,13 @@ pub(crate) struct Driver {
     pub(crate) lateral_m: f64,
     /// Politeness of lane changes (MOBIL's p).
     pub(crate) politeness: f64,
+    /// Factor on the time that is kept to those with priority.
+    pub(crate) gap_factor: f64,
 }
 
 impl Driver {
-    pub(crate) fn new(spec: &VehicleSpec, wetness: f32, stream: &mut Stream) -> Self {
+    /// Of a scene's drivers, `aggressiveness` from 0 to 1: at 0.5 they are as published distributions have them.
+    pub(crate) fn new(spec: &VehicleSpec, wetness: f32, aggressiveness: f64, stream: &mut Stream) -> Self {
         let heavy = matches!(spec.class, ObjectClass::Truck | ObjectClass::Bus);
         let wet = pace_on(wetness);
         let lateral_m = match spec.class {
@@ -58,16 +66,21 @@ impl Driver {
             ObjectClass::Truck | ObjectClass::Bus => stream.range_f64(-0.05, 0.05),
             _ => stream.range_f64(-0.15, 0.15),
         };
+        let bold = 2.0 * aggressiveness - 1.0;
         Self {
-            accelerate: f64::from(spec.acceleration_mps2).clamp(0.5, 2.8) * stream.range_f64(0.85, 1.1),
-            brake: stream.range_f64(1.6, 2.3),
-            headway_s: stream.range_f64(HEADWAY_S[0], HEADWAY_S[1]) / wet + if heavy { 0.3 } else { 0.0 },
-            standing_gap_m: stream.range_f64(STANDING_GAP_M[0], STANDING_GAP_M[1]),
-            limit_factor: stream.range_f64(LIMIT_FACTOR[0], LIMIT_FACTOR[1]) * wet,
+            accelerate: f64::from(spec.acceleration_mps2).clamp(0.5, 2.8)
+                * stream.range_f64(0.85, 1.1)
+                * (1.0 + 0.2 * bold),
+            brake: stream.range_f64(1.6, 2.3) * (1.0 + 0.2 * bold),
+            headway_s: stream.range_f64(HEADWAY_S[0], HEADWAY_S[1]) * (1.0 - 0.4 * bold) / wet
+                + if heavy { 0.3 } else { 0.0 },
+            standing_gap_m: stream.range_f64(STANDING_GAP_M[0], STANDING_GAP_M[1]) * (1.0 - 0.3 * bold),
+            limit_factor: stream.range_f64(LIMIT_FACTOR[0], LIMIT_FACTOR[1]) * pace_of(aggressiveness) * wet,
             cruise_mps: f64::from(spec.cruise_mps) * stream.range_f64(0.9, 1.1) * wet,
-            bend_factor: stream.range_f64(0.88, 1.1) * wet * if heavy { 0.82 } else { 1.0 },
+            bend_factor: stream.range_f64(0.88, 1.1) * (1.0 + 0.06 * bold) * wet * if heavy { 0.82 } else { 1.0 },
             lateral_m,
-            politeness: stream.range_f64(0.1, 0.5),
+            politeness: stream.range_f64(0.1, 0.5) * (1.0 - 0.9 * bold),
+            gap_factor: 1.0 - 0.35 * bold,
         }
     }
 
@@ -125,6 +138,7 @@ mod tests {
             bend_factor: 1.0,
             lateral_m: 0.0,
             politeness: 0.3,
+            gap_factor: 1.0,
         }
     }
 

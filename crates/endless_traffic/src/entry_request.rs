@@ -138,7 +138,7 @@ pub(super) fn goes_before(roads: &Roads, vehicles: &[Vehicle], me: &EntryRequest
     let driver = &vehicles[me.vehicle].driver;
     let length = 2.0 * vehicles[me.vehicle].half_length;
     // The longer the wait, the smaller the gap that is taken.
-    let margin_s = (1.6 - 0.04 * me.waited_s).max(0.6);
+    let margin_s = (1.6 - 0.04 * me.waited_s).max(0.6) * driver.gap_factor;
     let mut base = me.distance;
     for &lane in &me.lanes {
         let long = vehicles[me.vehicle].long() || vehicles[other.vehicle].long();

@@ -71,6 +71,7 @@ mod spawn;
 mod steering;
 mod trailer;
 mod vehicle;
+mod vehicle_mix;
 mod walk_strip;
 mod walker;
 

@@ -2,7 +2,7 @@
 
 use crate::Focus;
 use endless_world::walking::PedestrianSpec;
-use endless_world::{Condition, ObjectClass, VehicleSpec};
+use endless_world::{Condition, ObjectClass, TrafficProfile, VehicleSpec};
 use glam::Vec3;
 
 /// The vehicles and people there are to draw from.
@@ -52,6 +52,8 @@ pub struct TrafficSettings {
     pub errands: Vec<Vec3>,
     /// Classes of the vehicles that are spawned first; all others are drawn by their frequency.
     pub first: Vec<ObjectClass>,
+    /// Which vehicles there are, and how they are driven.
+    pub profile: TrafficProfile,
 }
 
 impl Default for TrafficSettings {
@@ -66,6 +68,7 @@ impl Default for TrafficSettings {
             focus: Focus::default(),
             errands: Vec::new(),
             first: Vec::new(),
+            profile: TrafficProfile::default(),
         }
     }
 }

@@ -134,7 +134,7 @@ impl Simulation {
             population.pedestrians_spawned += people;
         }
         own_ids.go_on_after(ids);
-        let arrivals = Arrivals::new(settings.seed, vehicles.len(), standing);
+        let arrivals = Arrivals::new(fleet.vehicles, settings, vehicles.len(), standing);
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
         let warm_up_s = if alone { PLAYBACK_WARM_UP_S } else { WARM_UP_S };

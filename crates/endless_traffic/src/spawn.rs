@@ -5,6 +5,7 @@ use crate::kinematics;
 use crate::roads::Roads;
 use crate::settings::TrafficSettings;
 use crate::vehicle::Vehicle;
+use crate::vehicle_mix;
 use crate::walk_strip::height;
 use crate::walker::Walker;
 use endless_road::swept::OrientedRectangle;
@@ -73,7 +74,9 @@ pub(crate) fn vehicles(
     let mut free = points(roads, specs.len());
     // Models that find no way round this town stay away.
     let has_way = |m: usize| roads.allowed(VehicleModelId::from_index(m)).contains(&true);
-    let weights: Vec<f64> = specs.iter().enumerate().map(|(m, s)| if has_way(m) { s.frequency } else { 0.0 }).collect();
+    let frequencies = vehicle_mix::frequencies(specs, &settings.profile);
+    let weights: Vec<f64> =
+        frequencies.into_iter().enumerate().map(|(m, frequency)| if has_way(m) { frequency } else { 0.0 }).collect();
     let mut placed: Vec<Vehicle> = Vec::new();
     // Vehicles that found no room: in all, and in the slot that is to be filled.
     let (mut misses, mut tries) = (0, 0);
@@ -138,7 +141,7 @@ pub(crate) fn vehicles(
         let taken = |seed| placed.iter().any(|v| v.asset == VehicleRef { model, variant: seed });
         let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
         let asset = VehicleRef { model, variant };
-        let driver = Driver::new(spec, settings.condition.wetness, &mut own);
+        let driver = Driver::new(spec, settings.condition.wetness, settings.profile.aggressiveness, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.drawn = drawn;
         vehicle.plan(roads);

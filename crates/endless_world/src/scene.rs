@@ -2,7 +2,7 @@
 
 use crate::{
     ActorDensity, CameraSite, ConditionChange, ImageSize, SceneCamera, SceneRandomisation, SceneSensor, TimeOfDay,
-    TrackPlayback, Weather,
+    TrackPlayback, TrafficProfile, Weather,
 };
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +46,9 @@ pub struct SceneSettings {
     /// Share of them who come to what the cameras see, 0 to 1.
     #[serde(default = "usual_focus")]
     pub focus: f64,
+    /// What is driven on its streets, and how.
+    #[serde(default, skip_serializing_if = "TrafficProfile::is_usual")]
+    pub profile: TrafficProfile,
     /// Image size.
     pub size: ImageSize,
     /// Frames a second.

@@ -128,7 +128,7 @@ impl Change {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{ActorDensity, ImageSize, Weather};
+    use crate::{ActorDensity, ImageSize, TrafficProfile, Weather};
     use proptest::prelude::*;
 
     fn settings(from: ConditionChange, to: Option<ConditionChange>, frames: u32, seed: u64) -> SceneSettings {
@@ -146,6 +146,7 @@ mod tests {
             pedestrians: 0,
             density: ActorDensity::default(),
             focus: 0.8,
+            profile: TrafficProfile::default(),
             size: ImageSize { width: 16, height: 9 },
             fps: 10.0,
             frames,

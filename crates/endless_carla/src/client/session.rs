@@ -277,6 +277,7 @@ fn simulation(map: &CarlaMap, settings: &SceneSettings, people_alone: bool) -> R
         focus,
         errands: Vec::new(),
         first: Vec::new(),
+        profile: settings.profile,
     };
     let fleet = Fleet { vehicles: &map.fleet.specs, pedestrian: &Catalogue::pedestrian_spec };
     let parked = map.stills.parked(&map.fleet.specs);

@@ -10,7 +10,7 @@ use endless_pipeline::{MapCatalog, MapUse, Simulator};
 use endless_render::render_labels;
 use endless_world::{
     ActorDensity, CameraLook, ClassTag, ImageSize, InstanceId, PinholeCamera, SceneCamera, SceneSettings, SensorFrame,
-    SensorLayers, TimeOfDay, Weather,
+    SensorLayers, TimeOfDay, TrafficProfile, Weather,
 };
 use std::collections::BTreeMap;
 
@@ -63,6 +63,7 @@ fn labels_are_those_of_the_built_in_renderer() {
         density: ActorDensity::default(),
         // Where more is seen far away, a pixel at an edge falls to the other side now and then: a pose has other digits in degrees.
         focus: 0.2,
+        profile: TrafficProfile::default(),
         size: SIZE,
         fps: 10.0,
         frames: 10,

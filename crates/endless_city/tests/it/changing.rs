@@ -3,8 +3,8 @@
 use crate::exactness::{BLURRED, LoadedTown, SIZE, differing, shared, town03};
 use endless_render::{CameraBake, Gathering, NeighbourFrames, RenderSettings};
 use endless_world::{
-    ActorDensity, ConditionChange, SceneSettings, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, Weather,
-    WeatherTimeline, WorldState,
+    ActorDensity, ConditionChange, SceneSettings, SceneWeather, SensorFrame, SensorLayers, TimeOfDay, TrafficProfile,
+    Weather, WeatherTimeline, WorldState,
 };
 
 use TimeOfDay::{Afternoon, Morning, Night};
@@ -30,6 +30,7 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         pedestrians: 0,
         density: ActorDensity::default(),
         focus: 0.8,
+        profile: TrafficProfile::default(),
         size: SIZE,
         fps: 30.0,
         frames: FRAMES,

@@ -9,7 +9,8 @@ use super::{rig::SensorSpec, serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
 use endless_world::{
-    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, RandomisedPart, TimeOfDay, TrafficDensity, Weather,
+    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, RandomisedPart, Region, TimeOfDay, TrafficDensity,
+    Weather,
 };
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
@@ -108,6 +109,18 @@ recipe_options! {
         OptionKind::Word(Vocabulary::of::<TrafficDensity>()), Described("the numbers of vehicles and pedestrians");
     /// Share of vehicles and pedestrians who come to the streets that the cameras see: 0 spreads them evenly over the map.
     focus: f64 => #[serde(default = "usual_focus")] f64, OptionKind::Number { least: 0.0, most: 1.0 }, Value("0.8");
+    /// Whose mix of vehicles drives: european, north_american, latin_american or south_east_asian (docs/traffic.md).
+    region: String => #[serde(default, skip_serializing_if = "is_usual_region")] Region,
+        OptionKind::Word(Vocabulary::of::<Region>()), Value("european");
+    /// Share of motorcycles and bicycles among moving vehicles, instead of the region's.
+    two_wheelers: f64 => #[serde(default, skip_serializing_if = "Option::is_none")] Option<f64>,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Described("the region's");
+    /// How drivers drive: 0 all cautious, 0.5 as counted on real streets, 1 all bold: faster, nearer to one another.
+    aggressiveness: f64 => #[serde(default = "half", skip_serializing_if = "is_half")] f64,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Value("0.5");
+    /// Share of the maps' parked vehicles that are there.
+    parked: f64 => #[serde(default = "whole", skip_serializing_if = "is_whole")] f64,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Value("1");
     /// Play the motion that a file tells instead of simulating it: SUMO's FCD (XML), or CSV (docs/clone.md). Vehicles and
     /// pedestrians are then 0 by default, of what the file has. In a recipe file, relative to the folder of that file.
     traffic: PathBuf, OptionKind::File, Described("none");
@@ -213,6 +226,20 @@ fn half() -> f64 {
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
 fn is_half(strength: &f64) -> bool {
     *strength == half()
+}
+
+fn whole() -> f64 {
+    1.0
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_whole(share: &f64) -> bool {
+    *share == whole()
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_usual_region(region: &Region) -> bool {
+    *region == Region::default()
 }
 
 fn usual_focus() -> f64 {

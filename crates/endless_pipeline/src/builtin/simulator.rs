@@ -141,7 +141,9 @@ impl Simulator for BuiltinSimulator {
     }
 
     fn load_map(&self, wanted: &MapUse<'_>) -> Result<BuiltinMap, SimulatorError> {
-        let town = self.map_library.town_before(wanted.cameras, wanted.name)?;
+        let mut town = self.map_library.town_before(wanted.cameras, wanted.name)?;
+        let parked = wanted.videos.first().map_or(1.0, |video| video.profile.parked);
+        town.keep_parked(parked);
         BuiltinMap::load(town, self.map_library.catalogue(), Arc::clone(&self.models), &self.cache, wanted.videos)
     }
 

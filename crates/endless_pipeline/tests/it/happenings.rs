@@ -4,7 +4,8 @@ use crate::city::{city, town as shared};
 use endless_annotate::{CountingLine, Event, Happenings, Relation, SceneObserver};
 use endless_pipeline::{MapCatalog, Simulator};
 use endless_world::{
-    ActorDensity, CameraLook, ImageSize, SceneCamera, SceneSettings, SensorLayers, TimeOfDay, Weather, WorldState,
+    ActorDensity, CameraLook, ImageSize, SceneCamera, SceneSettings, SensorLayers, TimeOfDay, TrafficProfile, Weather,
+    WorldState,
 };
 use glam::Vec3Swizzles as _;
 use std::collections::BTreeSet;
@@ -25,6 +26,7 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
         pedestrians: 60,
         density: ActorDensity::default(),
         focus: 0.8,
+        profile: TrafficProfile::default(),
         size: ImageSize { width: 64, height: 36 },
         fps: FPS,
         frames: 300,

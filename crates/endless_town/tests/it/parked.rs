@@ -97,3 +97,18 @@ fn vehicles_park_along_all_streets_and_not_where_cameras_look() {
     }
     assert!(far * 3 > all, "{far} of {all} parked vehicles are far from all cameras");
 }
+
+#[test]
+fn a_share_of_the_parked_vehicles_is_kept() {
+    let town = towns().first().expect("a town");
+    let kept = |share: f64| {
+        let mut town = town.clone();
+        town.keep_parked(share);
+        town.parked
+    };
+    let (all, few, none) = (kept(1.0), kept(0.4), kept(0.0));
+    assert_eq!((all.len(), none.len()), (town.parked.len(), 0));
+    let share = few.len() as f64 / all.len() as f64;
+    assert!((0.3..0.5).contains(&share), "{share}");
+    assert!(few.iter().all(|parked| kept(0.7).contains(parked)), "more are left with a larger share");
+}

@@ -27,6 +27,7 @@ mod surface;
 pub use check::AuditCheck;
 pub use report::{AuditLine, AuditReport};
 
+use crate::driver::pace_of;
 use contact::Contacts;
 use endless_road::RoadNetwork;
 use endless_world::{Actor, InstanceId, VehicleSpec, WorldState};
@@ -74,6 +75,12 @@ impl<'a> TrafficAudit<'a> {
             surfaces: Surfaces::new(network),
             rules: Rules::new(network),
         }
+    }
+
+    /// Of traffic whose drivers have this aggressiveness, 0 to 1: the bold ones drive faster.
+    #[must_use]
+    pub fn with_aggressiveness(self, aggressiveness: f64) -> Self {
+        Self { rules: self.rules.with_pace(pace_of(aggressiveness)), ..self }
     }
 
     /// Looks at the next frame. Its actors are in the order of their ids.

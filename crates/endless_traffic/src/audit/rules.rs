@@ -34,6 +34,8 @@ pub(super) struct Rules {
     people_at_red: Incidents,
     stop_signs: Incidents,
     speeding: Worst,
+    /// Factor on the speeds that drivers take.
+    pace: f64,
 }
 
 /// A vehicle before the end of a lane.
@@ -59,7 +61,13 @@ impl Rules {
             people_at_red: Incidents::default(),
             stop_signs: Incidents::default(),
             speeding: Worst::default(),
+            pace: 1.0,
         }
+    }
+
+    /// Of drivers who take so many times the usual speeds.
+    pub(super) fn with_pace(self, pace: f64) -> Self {
+        Self { pace, ..self }
     }
 
     pub(super) fn look(&mut self, sight: &Sight<'_>) {
@@ -83,7 +91,7 @@ impl Rules {
 
     fn driving(&mut self, sight: &Sight<'_>, glance: &Glance<'_>, speed_mps: f64, spec: &VehicleSpec) {
         let Some((lane, s)) = glance.lane(sight.network) else { return };
-        let most_mps = lane.speed_limit_mps * MOST_LIMIT_FACTOR;
+        let most_mps = lane.speed_limit_mps * MOST_LIMIT_FACTOR * self.pace;
         self.speeding.note(speed_mps - most_mps, || format!("{}, {speed_mps:.1} m/s", glance.told(sight)));
         let to_line_m = lane.centerline.length() - s - 0.5 * f64::from(spec.length_m);
         let before = *entry(&mut self.approaches, glance.place());

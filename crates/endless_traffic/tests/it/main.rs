@@ -8,6 +8,7 @@ mod grid;
 mod grid_traffic;
 mod imu;
 mod merge;
+mod profile;
 mod slope;
 mod towns;
 mod vehicle_events;

@@ -1,0 +1,128 @@
+//! Which vehicles there are: by their frequency in the fleet, which is that of a European city, or as in another part of the
+//! world.
+//!
+//! The shares by class are round figures of city streets, not counts of one street. Of North America they are in the order of
+//! the vehicle-miles on urban arterials in FHWA's Highway Statistics (table VM-4); that motorcycles are most of what moves in
+//! South-East Asian cities, and a fifth and more in Latin American ones, is told by Bray and Holyoak (2015, "Motorcycles in
+//! Developing Asian Cities: A Case Study of Hanoi") and by CAF's Observatory of Urban Mobility.
+
+use endless_world::{ObjectClass, Region, TrafficProfile, VehicleSpec};
+
+/// Shares of car, van, truck, bus, motorcycle and bicycle.
+const CLASSES: [ObjectClass; 6] = [
+    ObjectClass::Car,
+    ObjectClass::Van,
+    ObjectClass::Truck,
+    ObjectClass::Bus,
+    ObjectClass::Motorcycle,
+    ObjectClass::Bicycle,
+];
+
+fn class_shares(region: Region) -> Option<[f64; 6]> {
+    match region {
+        Region::European => None,
+        Region::NorthAmerican => Some([0.87, 0.045, 0.055, 0.012, 0.006, 0.012]),
+        Region::LatinAmerican => Some([0.57, 0.07, 0.06, 0.08, 0.2, 0.02]),
+        Region::SouthEastAsian => Some([0.29, 0.03, 0.035, 0.025, 0.6, 0.02]),
+    }
+}
+
+/// How many times as frequent a design is as in Europe, among others of its class.
+fn design_factor(region: Region, design: &str) -> f64 {
+    match (region, design) {
+        (Region::NorthAmerican, "car.pickup" | "car.pickup_large") => 8.0,
+        (Region::NorthAmerican, "car.suv_large" | "bus.school") => 4.0,
+        (Region::NorthAmerican, "car.suv" | "car.crossover") => 1.6,
+        (Region::NorthAmerican, "car.micro" | "car.city" | "car.estate" | "bus.double") => 0.1,
+        (Region::LatinAmerican, "car.taxi" | "bus.midi" | "motorcycle.delivery") => 5.0,
+        (Region::LatinAmerican, "car.pickup" | "car.city" | "van.minibus") => 2.0,
+        (Region::LatinAmerican, "bus.double" | "car.micro") => 0.1,
+        (Region::SouthEastAsian, "motorcycle.scooter" | "motorcycle.commuter" | "car.taxi") => 3.0,
+        (Region::SouthEastAsian, "car.city" | "car.mpv" | "car.pickup" | "van.minibus") => 2.0,
+        (Region::SouthEastAsian, "motorcycle.cruiser" | "car.coupe" | "car.executive" | "bus.double") => 0.2,
+        _ => 1.0,
+    }
+}
+
+/// The frequency of each of these models among moving vehicles; they need not sum to 1.
+pub(crate) fn frequencies(specs: &[VehicleSpec], profile: &TrafficProfile) -> Vec<f64> {
+    let TrafficProfile { region, two_wheelers, .. } = *profile;
+    let mut weights: Vec<f64> = specs.iter().map(|spec| spec.frequency * design_factor(region, spec.name)).collect();
+    if let Some(shares) = class_shares(region) {
+        scale_to(specs, &mut weights, |class| CLASSES.iter().position(|&other| other == class), &shares);
+    }
+    if let Some(share) = two_wheelers {
+        scale_to(specs, &mut weights, |class| Some(usize::from(class.two_wheeled())), &[1.0 - share, share]);
+    }
+    weights
+}
+
+/// Scales weights so that each group has its share of their sum.
+fn scale_to(specs: &[VehicleSpec], weights: &mut [f64], group: impl Fn(ObjectClass) -> Option<usize>, shares: &[f64]) {
+    let mut sums = vec![0.0; shares.len()];
+    for (spec, weight) in specs.iter().zip(&*weights) {
+        if let Some(place) = group(spec.class) {
+            sums[place] += weight;
+        }
+    }
+    for (spec, weight) in specs.iter().zip(weights) {
+        if let Some(place) = group(spec.class)
+            && sums[place] > 0.0
+        {
+            *weight *= shares[place] / sums[place];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_asset::Catalogue;
+
+    fn share(profile: TrafficProfile, is: impl Fn(&VehicleSpec) -> bool) -> f64 {
+        let specs = Catalogue::builtin().vehicle_specs();
+        let weights = frequencies(&specs, &profile);
+        let of = |is: &dyn Fn(&VehicleSpec) -> bool| -> f64 {
+            specs.iter().zip(&weights).filter(|(spec, _)| is(spec)).map(|(_, weight)| weight).sum()
+        };
+        of(&is) / of(&|_| true)
+    }
+
+    #[test]
+    fn the_usual_mix_is_that_of_the_fleet() {
+        let specs = Catalogue::builtin().vehicle_specs();
+        let fleet: Vec<f64> = specs.iter().map(|spec| spec.frequency).collect();
+        assert_eq!(frequencies(&specs, &TrafficProfile::default()), fleet);
+    }
+
+    #[test]
+    fn regions_have_their_shares_by_class() {
+        for &region in Region::ALL {
+            let Some(shares) = class_shares(region) else { continue };
+            assert!((shares.iter().sum::<f64>() - 1.0).abs() < 1e-9, "{region}");
+            let profile = TrafficProfile { region, ..TrafficProfile::default() };
+            for (class, wanted) in CLASSES.into_iter().zip(shares) {
+                let is = share(profile, |spec| spec.class == class);
+                assert!((is - wanted).abs() < 1e-9, "{region} {class:?}: {is}");
+            }
+        }
+    }
+
+    #[test]
+    fn two_wheelers_have_the_share_that_is_asked_for() {
+        for &region in Region::ALL {
+            for wanted in [0.0, 0.4, 1.0] {
+                let profile = TrafficProfile { region, two_wheelers: Some(wanted), ..TrafficProfile::default() };
+                assert!((share(profile, |spec| spec.class.two_wheeled()) - wanted).abs() < 1e-9, "{region}");
+            }
+        }
+    }
+
+    #[test]
+    fn pickups_are_north_american() {
+        let pickups = |region| {
+            share(TrafficProfile { region, ..TrafficProfile::default() }, |spec| spec.name.starts_with("car.pickup"))
+        };
+        assert!(pickups(Region::NorthAmerican) > 4.0 * pickups(Region::European));
+    }
+}

@@ -1,0 +1,64 @@
+//! What is driven on the streets of a scene, and how.
+
+use crate::UnknownName;
+use serde::{Deserialize, Serialize};
+use strum::VariantArray as _;
+
+/// A part of the world, by what is driven there.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
+#[derive(strum::Display, strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
+pub enum Region {
+    /// Cars of middle size, some bicycles.
+    #[default]
+    European,
+    /// Pick-ups and large cars, hardly any two-wheelers.
+    NorthAmerican,
+    /// Many motorcycles, taxis and buses.
+    LatinAmerican,
+    /// More motorcycles than all others together.
+    SouthEastAsian,
+}
+
+impl Region {
+    /// All of them.
+    pub const ALL: &[Self] = Self::VARIANTS;
+
+    /// As options have it.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    fn unknown(given: &str) -> UnknownName {
+        UnknownName::new("region", given, Self::ALL)
+    }
+}
+
+/// What is driven on the streets of a scene, and how.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct TrafficProfile {
+    /// Whose mix of vehicles it is.
+    pub region: Region,
+    /// Share of motorcycles and bicycles among moving vehicles, 0 to 1; the region's if there is none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub two_wheelers: Option<f64>,
+    /// How drivers drive: 0.5 as published distributions have it, 0 all cautious, 1 all bold.
+    pub aggressiveness: f64,
+    /// Share of the map's parked vehicles that are there, 0 to 1.
+    pub parked: f64,
+}
+
+impl Default for TrafficProfile {
+    fn default() -> Self {
+        Self { region: Region::default(), two_wheelers: None, aggressiveness: 0.5, parked: 1.0 }
+    }
+}
+
+impl TrafficProfile {
+    /// Whether it is what holds where nothing is asked for.
+    pub fn is_usual(&self) -> bool {
+        *self == Self::default()
+    }
+}
