@@ -13,7 +13,7 @@ use endless_world::{SignalAspect, SignalState};
 pub(crate) const SIGHT_M: f64 = 110.0;
 /// How far they look for a place to wait that is no crossing, metres.
 const CLOSE_M: f64 = 50.0;
-/// Who waits nearer than this beyond the line waits at the line, metres.
+/// Who waits for somebody nearer than this beyond the line waits at the line, metres.
 const AT_LINE_M: f64 = 0.5;
 /// How fast acceleration may rise and fall, m/s³.
 const JERK_UP: f64 = 5.0;
@@ -65,14 +65,9 @@ impl DriverView<'_> {
             if let Some(junction) = table.junction {
                 match me.right_of_way_at(junction) {
                     Some(right_of_way) => {
-                        let earlier = self.earlier_ahead(i, lane, base, right_of_way.order, true);
-                        let at_line = base - me.half_length - 0.3;
-                        let waits_at_line = k > 0 && base > 0.0 && earlier < at_line + AT_LINE_M;
-                        nearest = nearest.min(if waits_at_line {
-                            stop_before(me, at_line, kept).min(earlier)
-                        } else {
-                            earlier
-                        });
+                        let setback = if k > 0 && base > 0.0 { kept } else { 0.0 };
+                        let earlier = self.earlier_ahead(i, lane, base, right_of_way.order, Some(setback));
+                        nearest = nearest.min(earlier);
                     }
                     None if k > 0 && base > 0.0 => {
                         let line = nearest.min(stop_before(me, base - me.half_length - 0.3, kept));
@@ -109,7 +104,7 @@ impl DriverView<'_> {
         for (lane, base) in me.ahead(self.roads).take_while(|a| a.1 < CLOSE_M) {
             let right_of_way = self.roads.table(lane).junction.and_then(|junction| me.right_of_way_at(junction));
             if let Some(right_of_way) = right_of_way {
-                free = free.min(self.earlier_ahead(i, lane, base, right_of_way.order, false));
+                free = free.min(self.earlier_ahead(i, lane, base, right_of_way.order, None));
             }
         }
         free
@@ -134,8 +129,8 @@ impl DriverView<'_> {
     }
 
     /// Distance to the nearest place on a lane where somebody who entered the junction before has not passed yet;
-    /// with `foresight`, unless they will be gone in time.
-    fn earlier_ahead(&self, i: usize, lane: LaneId, base: f64, order: u64, foresight: bool) -> f64 {
+    /// with foresight, unless they will be gone in time, and who has to wait at the line keeps this setback.
+    fn earlier_ahead(&self, i: usize, lane: LaneId, base: f64, order: u64, foresight: Option<f64>) -> f64 {
         let me = &self.vehicles[i];
         let mut nearest = f64::INFINITY;
         let Some(junction) = self.roads.table(lane).junction else { return nearest };
@@ -145,7 +140,7 @@ impl DriverView<'_> {
                 continue;
             };
             for conflict in self.roads.table(lane).conflicts(me.long() || them.long()) {
-                let gap = base + conflict.range.0 - me.half_length - 0.4;
+                let mut gap = base + conflict.range.0 - me.half_length - 0.4;
                 if gap < -1.0 || !right_of_way.lanes.contains(&conflict.other) {
                     continue;
                 }
@@ -154,10 +149,12 @@ impl DriverView<'_> {
                 if to_clear <= 0.0 {
                     continue;
                 }
+                let is_at_line = conflict.range.0 < AT_LINE_M;
+                gap = foresight.filter(|_| is_at_line).map_or(gap, |setback| stop_before(me, gap, setback));
                 // No need to brake for who will be gone, as long as stopping is still possible.
                 let gone_in = to_clear / them.speed.max(0.1);
                 let in_time = gone_in + 0.5 < gap / me.speed.max(1.0);
-                if !(foresight && in_time && gap > comfortable_stop_m(me.speed) + 1.0) {
+                if !(foresight.is_some() && in_time && gap > comfortable_stop_m(me.speed) + 1.0) {
                     nearest = nearest.min(gap.max(0.06));
                 }
             }
