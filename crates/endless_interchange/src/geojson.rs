@@ -3,6 +3,7 @@
 //! Coordinates are longitude and latitude (WGS 84) and height where the map says where on Earth it lies; else metres
 //! east, north and up, which the member `coordinates` of the collection says.
 
+use crate::signal_cycle::signal_cycle;
 use endless_road::{BuildingFootprint, Georeference, RoadNetwork, TrafficControl, Turn, WalkKind};
 use endless_town::Town;
 use geojson::{Feature, FeatureCollection, Geometry};
@@ -130,7 +131,7 @@ fn signals(town: &Town, frame: &CoordinateWriter) -> Vec<Feature> {
     let heads = town.placements.iter().filter_map(|p| Some((p.signal?, p.world_from_object)));
     let heads = heads.map(|(signal, place)| {
         let faces = bearing(place.transform_vector3(Vec3::X));
-        let properties = json!({ "kind": "signal", "signal": signal.0, "faces_deg": faces });
+        let properties = json!({ "kind": "signal", "signal": signal.0, "faces_deg": faces, "cycle": signal_cycle(&town.network, signal) });
         feature(frame.at(Vec3::from(place.translation).as_dvec3()), properties)
     });
     heads.collect()

@@ -27,6 +27,7 @@ mod geojson;
 mod gltf;
 mod library;
 mod map;
+mod signal_cycle;
 mod top_view;
 mod track_file;
 mod trajectory;

@@ -10,7 +10,7 @@ use endless_road::LaneId;
 use endless_world::{SignalAspect, SignalState};
 
 /// How far drivers look, metres.
-pub(crate) const SIGHT_M: f64 = 110.0;
+pub(crate) const SIGHT_M: f64 = 180.0;
 /// How far they look for a place to wait that is no crossing, metres.
 const CLOSE_M: f64 = 50.0;
 /// Who waits for somebody nearer than this beyond the line waits at the line, metres.

@@ -10,7 +10,7 @@ use glam::{DVec3, Vec3};
 use std::collections::VecDeque;
 
 /// How far ahead a route is planned, metres.
-pub(crate) const HORIZON_M: f64 = 130.0;
+pub(crate) const HORIZON_M: f64 = 200.0;
 
 /// Leave to cross a junction. Vehicles pass a place where their ways overlap in the order of `order`.
 #[derive(Debug, Clone)]

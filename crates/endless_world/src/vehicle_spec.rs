@@ -24,7 +24,7 @@ pub struct VehicleSpec {
     pub rear_axle_m: f32,
     /// Metres.
     pub wheel_radius_m: f32,
-    /// Comfortable cruising speed on an empty road, m/s (lower than the limit for bicycles and lorries).
+    /// Comfortable speed on an empty road without a limit, m/s: of cars above all limits, of bicycles and lorries below.
     pub cruise_mps: f32,
     /// Comfortable acceleration, m/s².
     pub acceleration_mps2: f32,

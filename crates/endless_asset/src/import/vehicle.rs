@@ -206,11 +206,11 @@ fn headlights(body: &Mesh) -> Vec<Vec3> {
 /// Cruising speed, m/s, and acceleration, m/s², of a class.
 fn habits(class: ObjectClass) -> (f32, f32) {
     match class {
-        ObjectClass::Van => (12.5, 1.5),
-        ObjectClass::Truck => (11.0, 1.0),
-        ObjectClass::Bus => (11.5, 1.1),
-        ObjectClass::Motorcycle => (13.0, 2.4),
+        ObjectClass::Van => (34.0, 1.5),
+        ObjectClass::Truck => (23.0, 1.0),
+        ObjectClass::Bus => (22.0, 1.1),
+        ObjectClass::Motorcycle => (34.0, 2.4),
         ObjectClass::Bicycle => (4.8, 0.9),
-        _ => (13.5, 2.0),
+        _ => (38.0, 2.0),
     }
 }

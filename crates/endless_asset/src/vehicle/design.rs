@@ -32,7 +32,7 @@ const fn car(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBluep
     VehicleDesign {
         name,
         class: ObjectClass::Car,
-        cruise_mps: 13.5,
+        cruise_mps: 38.0,
         acceleration_mps2: 2.0,
         frequency,
         parks: true,
@@ -45,7 +45,7 @@ const fn car(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBluep
 const fn van(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
     VehicleDesign {
         class: ObjectClass::Van,
-        cruise_mps: 12.5,
+        cruise_mps: 34.0,
         acceleration_mps2: 1.5,
         paints: tint::VANS,
         ..car(name, frequency, draws, blueprint)
@@ -55,7 +55,7 @@ const fn van(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBluep
 const fn truck(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
     VehicleDesign {
         class: ObjectClass::Truck,
-        cruise_mps: 11.0,
+        cruise_mps: 23.0,
         acceleration_mps2: 1.0,
         parks: false,
         paints: tint::TRUCKS,
@@ -66,7 +66,7 @@ const fn truck(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlu
 const fn bus(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
     VehicleDesign {
         class: ObjectClass::Bus,
-        cruise_mps: 11.5,
+        cruise_mps: 22.0,
         acceleration_mps2: 1.1,
         parks: false,
         paints: tint::BUSES,
@@ -77,7 +77,7 @@ const fn bus(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBluep
 const fn motorcycle(name: &'static str, frequency: f64, draws: u8, blueprint: DrawBlueprint) -> VehicleDesign {
     VehicleDesign {
         class: ObjectClass::Motorcycle,
-        cruise_mps: 13.0,
+        cruise_mps: 34.0,
         acceleration_mps2: 2.4,
         paints: tint::MOTORCYCLES,
         ..car(name, frequency, draws, blueprint)
@@ -153,12 +153,12 @@ pub(crate) static DESIGNS: &[VehicleDesign] = &[
     bus("bus.double", 0.3, 1, bus::double_decker),
     bus("bus.city", 1.1, 2, bus::city),
     bus("bus.articulated", 0.3, 1, bus::articulated),
-    bus("bus.coach", 0.5, 1, bus::coach).cruising(12.5),
-    motorcycle("motorcycle.scooter", 1.4, 2, two_wheeler::scooter).cruising(12.0),
-    motorcycle("motorcycle.scooter_delivery", 0.8, 2, two_wheeler::moped_delivery).cruising(12.0),
-    motorcycle("motorcycle.commuter", 1.9, 2, two_wheeler::commuter).cruising(13.5),
+    bus("bus.coach", 0.5, 1, bus::coach).cruising(27.0),
+    motorcycle("motorcycle.scooter", 1.4, 2, two_wheeler::scooter).cruising(25.0),
+    motorcycle("motorcycle.scooter_delivery", 0.8, 2, two_wheeler::moped_delivery).cruising(13.0),
+    motorcycle("motorcycle.commuter", 1.9, 2, two_wheeler::commuter).cruising(28.0),
     motorcycle("motorcycle.delivery", 0.7, 2, two_wheeler::delivery),
-    motorcycle("motorcycle.sport", 0.7, 2, two_wheeler::sport).cruising(15.0),
+    motorcycle("motorcycle.sport", 0.7, 2, two_wheeler::sport).cruising(42.0),
     motorcycle("motorcycle.cruiser", 0.5, 2, two_wheeler::cruiser),
     bicycle("bicycle.city", 1.3, 2, two_wheeler::city),
     bicycle("bicycle.mountain", 0.6, 2, two_wheeler::mountain).cruising(5.2),

@@ -114,9 +114,9 @@ fn spec(definition: &ActorDefinition, body: &ActorBody) -> VehicleSpec {
     let class = class(&described(definition, &[])).unwrap_or(body.class);
     let (cruise_mps, acceleration_mps2, frequency) = match class {
         ObjectClass::Bicycle => (5.0, 1.0, 0.5),
-        ObjectClass::Motorcycle => (15.0, 2.2, 0.5),
-        ObjectClass::Truck | ObjectClass::Bus => (13.0, 1.0, 0.4),
-        _ => (16.0, 1.8, 1.0),
+        ObjectClass::Motorcycle => (34.0, 2.2, 0.5),
+        ObjectClass::Truck | ObjectClass::Bus => (22.0, 1.0, 0.4),
+        _ => (38.0, 1.8, 1.0),
     };
     VehicleSpec {
         name: "imported",
