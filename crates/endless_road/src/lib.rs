@@ -46,6 +46,7 @@ mod spawn;
 pub mod swept;
 mod terrain;
 mod walk;
+mod yellow;
 
 pub use border::Borders;
 pub use conflict::{gives_way, near_ranges, swept_overlap};

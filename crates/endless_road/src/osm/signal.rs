@@ -4,12 +4,12 @@ use super::curve::angle;
 use super::graph::StreetSegmentEnd;
 use super::movement::Movement;
 use super::plan::StreetPlan;
+use crate::yellow::yellow_s;
 use crate::{SignalPhase, SignalProgram, TrafficControl, Turn};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{SignalAspect, SignalId, Stream};
 
 /// Seconds.
-const YELLOW_S: f64 = 3.0;
 const ALL_RED_S: f64 = 2.0;
 const WALK_S: f64 = 7.0;
 const MAIN_GREEN_S: f64 = 20.0;
@@ -38,6 +38,7 @@ struct SignalApproach {
     vehicles: Option<SignalId>,
     people: Option<SignalId>,
     width_m: f64,
+    speed_mps: f64,
     heading: f64,
     main: bool,
 }
@@ -62,6 +63,7 @@ pub(super) fn program(plan: &StreetPlan, intersection: usize, movements: &[Movem
                 vehicles,
                 people: street.crossings.iter().find(|c| c.end == Some(arm.end)).and_then(|c| c.signal),
                 width_m: street.section.width_m(),
+                speed_mps: street.speed_mps,
                 heading: angle(-plan.arm_direction(arm, plan.cut(arm))),
                 main: Some(street.class) == highest,
             }
@@ -152,7 +154,8 @@ fn stage_phases(approaches: &[SignalApproach], stage: &[usize], walks: &[bool]) 
         phases.push(phase(clearance, SignalAspect::Green, SignalAspect::Yellow));
     }
     if !stage.is_empty() {
-        phases.push(phase(YELLOW_S, SignalAspect::Yellow, SignalAspect::Red));
+        let fastest = stage.iter().map(|&i| approaches[i].speed_mps).fold(0.0, f64::max);
+        phases.push(phase(yellow_s(fastest), SignalAspect::Yellow, SignalAspect::Red));
     }
     phases.push(phase(ALL_RED_S, SignalAspect::Red, SignalAspect::Red));
     phases

@@ -1,5 +1,6 @@
 //! Signal programs of junctions: stages of movements that do not conflict, and the crossings that are green with them.
 
+use crate::yellow::yellow_s;
 use crate::{Crossing, JunctionId, LaneId, RoadNetwork, SignalPhase, SignalProgram, Turn};
 use endless_world::math::f64::wrap_angle;
 use endless_world::{SignalAspect, SignalId};
@@ -8,7 +9,6 @@ use std::collections::BTreeSet;
 /// A crossing this near to the end of an approach belongs to its junction, metres.
 const NEAR_CROSSING_M: f64 = 25.0;
 const GREEN_S: f64 = 16.0;
-const YELLOW_S: f64 = 3.0;
 const ALL_RED_S: f64 = 2.0;
 const WALK_S: f64 = 7.0;
 /// The speed for which people's clearance is reckoned, m/s.
@@ -75,7 +75,9 @@ pub(super) fn add_program(network: &mut RoadNetwork, junction: JunctionId, group
         if clearance > 0.0 {
             phases.push(phase(clearance, SignalAspect::Green, SignalAspect::Yellow));
         }
-        phases.push(phase(YELLOW_S, SignalAspect::Yellow, SignalAspect::Red));
+        let limits = stage.iter().flat_map(|&g| &groups[g].1).map(|&lane| network.lane(lane).speed_limit_mps);
+        let yellow = yellow_s(limits.fold(0.0, f64::max));
+        phases.push(phase(yellow, SignalAspect::Yellow, SignalAspect::Red));
         phases.push(phase(ALL_RED_S, SignalAspect::Red, SignalAspect::Red));
     }
     let cycle: f64 = phases.iter().map(|phase| phase.duration_s).sum();
