@@ -117,6 +117,12 @@ pub(crate) struct SimulateArgs {
     /// People on foot.
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(0..=5000))]
     pub(crate) pedestrians: u32,
+    /// Share of people who cross roads away from crossings.
+    #[arg(long, value_name = "X", default_value_t = 0.0, value_parser = share)]
+    pub(crate) jaywalking: f64,
+    /// Share of people who walk in groups of two to four.
+    #[arg(long, value_name = "X", default_value_t = 0.0, value_parser = share)]
+    pub(crate) groups: f64,
     /// Of all that is drawn.
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,
@@ -310,6 +316,12 @@ fn trajectories(path: PathBuf) -> Result<OutputFile<TrajectoryFormat>, &'static 
 fn top_view(path: PathBuf) -> Result<OutputFile<TopViewFormat>, &'static str> {
     let format = TopViewFormat::of(&path).ok_or("end its name in .mp4 or .png")?;
     Ok(OutputFile { path, format })
+}
+
+/// A share of people.
+fn share(text: &str) -> Result<f64, String> {
+    let share = text.parse::<f64>().ok().filter(|share| (0.0..=1.0).contains(share));
+    share.ok_or_else(|| "give 0 to 1".to_owned())
 }
 
 /// A rate of instants.

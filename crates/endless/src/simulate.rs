@@ -39,6 +39,8 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         seed: args.seed,
         fps: args.fps * f64::from(every),
         condition: DrivingCondition::from(Condition::of(args.weather, args.time)),
+        jaywalking: args.jaywalking,
+        groups: args.groups,
         ..TrafficSettings::default()
     };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;

@@ -139,6 +139,8 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         pedestrians: recipe.pedestrians,
         density: recipe.density,
         focus: recipe.focus,
+        jaywalking: recipe.jaywalking,
+        groups: recipe.groups,
         size: recipe.size,
         fps: recipe.fps,
         frames: recipe.frames(),

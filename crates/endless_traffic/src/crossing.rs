@@ -45,10 +45,7 @@ const NOTICED_M: f64 = 7.0;
 impl CrossingState {
     /// Whether a pedestrian on it blocks a vehicle on a lane, or soon will.
     pub(crate) fn blocks(&self, cut: &CrossingCut, vehicle: &Vehicle) -> bool {
-        self.people.iter().any(|p| {
-            let to_lane = (cut.along_m - p.along_m) * p.direction;
-            to_lane > -in_the_way_m(vehicle) && to_lane < NOTICED_M
-        })
+        self.people.iter().any(|p| blocks_lane((cut.along_m - p.along_m) * p.direction, vehicle))
     }
 
     /// Whether a pedestrian on it has still to pass a lane.
@@ -58,16 +55,30 @@ impl CrossingState {
 
     /// Whether a pedestrian at this position who walks in this direction would step in front of a vehicle.
     pub(crate) fn step_is_unsafe(&self, person: CrossingPedestrian) -> bool {
-        let halt_m = person.speed * person.speed / (2.0 * HALT_MPS2);
-        self.taken.iter().any(|(along, beside)| {
-            let to_lane = (along - person.along_m) * person.direction;
-            to_lane > 1.0 && to_lane < beside + 0.2 + halt_m
-        })
+        self.taken.iter().any(|&taken| step_is_unsafe(taken, person))
     }
 }
 
+/// Whether somebody would step in front of a vehicle on a lane: its place along the way over the road, and how far beside its
+/// middle the vehicle sweeps.
+pub(crate) fn step_is_unsafe((along_m, beside_m): (f64, f64), person: CrossingPedestrian) -> bool {
+    let halt_m = person.speed * person.speed / (2.0 * HALT_MPS2);
+    let to_lane = (along_m - person.along_m) * person.direction;
+    to_lane > 1.0 && to_lane < beside_m + 0.2 + halt_m
+}
+
+/// Whether somebody so far before the middle of a lane, metres, is in a vehicle's way there, or soon will be.
+pub(crate) fn blocks_lane(to_lane_m: f64, vehicle: &Vehicle) -> bool {
+    to_lane_m > -in_the_way_m(vehicle) && to_lane_m < NOTICED_M
+}
+
+/// Whether they may be in the way of some vehicle.
+pub(crate) fn nears_lane(to_lane_m: f64) -> bool {
+    to_lane_m > -(IN_THE_WAY_M + LONG_SWEEPS_M) && to_lane_m < NOTICED_M
+}
+
 /// People closer than this to the middle of a vehicle's lane are in its way, metres.
-fn in_the_way_m(vehicle: &Vehicle) -> f64 {
+pub(crate) fn in_the_way_m(vehicle: &Vehicle) -> f64 {
     IN_THE_WAY_M + if vehicle.long() { LONG_SWEEPS_M } else { 0.0 }
 }
 

@@ -146,6 +146,8 @@ mod tests {
             pedestrians: 0,
             density: ActorDensity::default(),
             focus: 0.8,
+            jaywalking: 0.0,
+            groups: 0.0,
             size: ImageSize { width: 16, height: 9 },
             fps: 10.0,
             frames,

@@ -30,6 +30,8 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         pedestrians: 0,
         density: ActorDensity::default(),
         focus: 0.8,
+        jaywalking: 0.0,
+        groups: 0.0,
         size: SIZE,
         fps: 30.0,
         frames: FRAMES,

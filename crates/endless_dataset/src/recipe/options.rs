@@ -108,6 +108,12 @@ recipe_options! {
         OptionKind::Word(Vocabulary::of::<TrafficDensity>()), Described("the numbers of vehicles and pedestrians");
     /// Share of vehicles and pedestrians who come to the streets that the cameras see: 0 spreads them evenly over the map.
     focus: f64 => #[serde(default = "usual_focus")] f64, OptionKind::Number { least: 0.0, most: 1.0 }, Value("0.8");
+    /// Share of pedestrians who cross roads away from crossings when a gap in traffic lets them.
+    jaywalking: f64 => #[serde(default, skip_serializing_if = "is_zero")] f64,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Value("0");
+    /// Share of pedestrians who walk in groups of two to four.
+    groups: f64 => #[serde(default, skip_serializing_if = "is_zero")] f64,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Value("0");
     /// Play the motion that a file tells instead of simulating it: SUMO's FCD (XML), or CSV (docs/clone.md). Vehicles and
     /// pedestrians are then 0 by default, of what the file has. In a recipe file, relative to the folder of that file.
     traffic: PathBuf, OptionKind::File, Described("none");
@@ -217,6 +223,11 @@ fn is_half(strength: &f64) -> bool {
 
 fn usual_focus() -> f64 {
     0.8
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_zero(share: &f64) -> bool {
+    *share == 0.0
 }
 
 fn clean() -> CameraLookChoice {
