@@ -106,7 +106,7 @@ mod tests {
 
     #[test]
     fn who_runs_into_somebody_slides_around_them() {
-        let near = [Passer { at: DVec2::new(0.53, 0.1), velocity: DVec2::ZERO, intent: DVec2::ZERO }];
+        let near = [Passer { at: DVec2::new(0.53, 0.1), velocity: DVec2::ZERO, intent: DVec2::ZERO, passed: 0 }];
         let step_s = 1.0 / 30.0;
         let velocity = nearest_within(&bounds_of_bodies(DVec2::ZERO, &near, step_s), DVec2::new(1.3, 0.0));
         assert!(velocity.x > 0.01 && velocity.y < -0.05, "{velocity}");

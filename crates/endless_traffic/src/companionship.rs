@@ -7,32 +7,44 @@ use crate::walker::Walker;
 use endless_road::WalkKind;
 use endless_world::Gait;
 use glam::DVec2;
+use std::cmp::Ordering;
 
 /// How much faster those behind go, and how much slower those ahead, for each metre.
 const CATCH_UP: f64 = 0.25;
 const WAIT: f64 = 0.5;
 /// Slowest of who waits, as a share of their pace.
 const SLOWEST: f64 = 0.1;
+/// Nobody waits longer for those behind, seconds.
+const PATIENCE_S: f64 = 25.0;
 /// Nobody waits longer for the others to come to where they talk, seconds.
-const ASSEMBLY_S: f64 = 20.0;
+const ASSEMBLY_S: f64 = 10.0;
 /// Sidewalks on which they talk leave room beside them: half their usable width, metres.
 const ROOMY_M: f64 = 0.6;
 
 impl Walker {
     /// Factor on the pace of who walks with these others.
-    pub(crate) fn keeps_together(&self, strip: &DirectedEdge, others: &[Passer]) -> f64 {
+    pub(crate) fn keeps_together(&mut self, strip: &DirectedEdge, others: &[Passer], step_s: f64) -> f64 {
         if others.is_empty() {
             return 1.0;
         }
-        let ahead = |other: &Passer| (other.at - self.position).dot(strip.along);
+        let ahead = |other: &Passer| match other.passed.cmp(&self.passed) {
+            Ordering::Equal => (other.at - self.position).dot(strip.along),
+            Ordering::Greater => other.at.distance(self.position),
+            Ordering::Less => -other.at.distance(self.position),
+        };
         let mean = others.iter().map(ahead).sum::<f64>() / others.len() as f64;
         if mean >= 0.0 {
-            1.0 + CATCH_UP * mean.min(1.0)
-        } else if strip.kind == WalkKind::Sidewalk {
-            (1.0 + WAIT * (mean + 0.2).min(0.0)).max(SLOWEST)
-        } else {
-            1.0
+            return 1.0 + CATCH_UP * mean.min(1.0);
         }
+        let pace = (1.0 + WAIT * (mean + 0.2).min(0.0)).max(SLOWEST);
+        // Whoever does not come in time has lost them.
+        if let Some(company) = self.company.as_deref_mut() {
+            company.waited_s = if pace < 0.5 { company.waited_s + step_s } else { 0.0 };
+            if company.waited_s > PATIENCE_S {
+                self.company = None;
+            }
+        }
+        if strip.kind == WalkKind::Sidewalk { pace } else { 1.0 }
     }
 
     /// Where to stand and talk, at the right edge of the last sidewalk of their way; while they do.

@@ -13,7 +13,7 @@ pub(crate) const ABREAST_M: f64 = 0.75;
 const LOST_M: f64 = 30.0;
 /// Likelihood that they stand and talk on the way to a place, and for how long, seconds.
 const TALKS: f64 = 0.3;
-const TALK_S: [f64; 2] = [15.0, 60.0];
+const TALK_S: [f64; 2] = [10.0, 45.0];
 
 /// What somebody knows of those with whom they walk.
 #[derive(Debug, Clone)]
@@ -25,6 +25,8 @@ pub(crate) struct Company {
     /// Where they go: alike of all.
     pub(crate) goals: Stream,
     pub(crate) talk: Option<Talk>,
+    /// For how long this one has waited for those behind, seconds.
+    pub(crate) waited_s: f64,
 }
 
 /// A talk to come, or under way.
@@ -60,7 +62,8 @@ impl Company {
     /// Place across a strip, metres to the left of its middle, of somebody whose group keeps to a place.
     pub(crate) fn beside(&self, middle: f64, half_width: f64) -> f64 {
         let line = 0.5 * ABREAST_M * (self.members.len() as f64 - 1.0);
-        let room = (half_width - line).max(0.0);
-        (middle.clamp(-room, room) + self.slot * ABREAST_M).clamp(-half_width, half_width)
+        let room = half_width - line;
+        // Where nobody could pass them, they go one behind another.
+        if room < 0.5 * ABREAST_M { middle } else { middle.clamp(-room, room) + self.slot * ABREAST_M }
     }
 }

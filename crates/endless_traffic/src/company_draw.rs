@@ -90,7 +90,7 @@ impl CompanyDraw {
             DirectedEdge::new(roads, placed[self.first].from, placed[self.first].way[0].0, placed[self.first].way[0].1);
         let mut order: Vec<usize> = members.clone().collect();
         order.sort_by(|&a, &b| strip.local(placed[a].position).1.total_cmp(&strip.local(placed[b].position).1));
-        let company = Company { members: members.clone(), slot: 0.0, goals, talk: None };
+        let company = Company { members: members.clone(), slot: 0.0, goals, talk: None, waited_s: 0.0 };
         let first = &mut placed[self.first];
         first.company = Some(Box::new(company));
         first.way.truncate(1);

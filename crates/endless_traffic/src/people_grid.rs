@@ -16,6 +16,8 @@ pub(crate) struct Passer {
     pub(crate) velocity: DVec2,
     /// The velocity that they would like to have, which others see from how they face.
     pub(crate) intent: DVec2,
+    /// How many pieces of their way they have walked.
+    pub(crate) passed: u32,
 }
 
 /// Numbers of people, by the cells in which they were at the beginning of a step.
@@ -71,7 +73,7 @@ mod tests {
         let mut stream = Stream::named(1, "test.people_grid", &[]);
         let mut place = || DVec2::new(stream.range_f64(-30.0, 30.0), stream.range_f64(-30.0, 30.0));
         let people: Vec<Passer> =
-            (0..300).map(|_| Passer { at: place(), velocity: DVec2::ZERO, intent: DVec2::ZERO }).collect();
+            (0..300).map(|_| Passer { at: place(), velocity: DVec2::ZERO, intent: DVec2::ZERO, passed: 0 }).collect();
         let grid = PeopleGrid::new(&people);
         let mut near = Vec::new();
         for (me, passer) in people.iter().enumerate() {

@@ -215,11 +215,11 @@ pub(crate) fn walkers(
         let mut best: Option<(f64, Walker)> = None;
         let mut found = 0;
         for attempt in 0..CROWDED_TRIES {
-            // Where it is crowded, people are anywhere across the sidewalk.
+            // Where it is crowded, people are anywhere on their half of the sidewalk.
             let across = match attempt {
                 0..TRIES => side,
                 _ if best.is_some() => break,
-                _ => own.range_f64(-0.95, 0.95),
+                _ => own.range_f64(0.0, 1.0),
             };
             let edge = WalkEdgeId(own.weighted(&lengths) as u32);
             let mut nodes = walk.edges[edge.index()].nodes;

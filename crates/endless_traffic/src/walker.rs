@@ -42,6 +42,8 @@ pub(crate) struct Walker {
     pub(crate) from: WalkNodeId,
     /// The edge underfoot, then those to come, each with the node it leads to.
     pub(crate) way: VecDeque<(WalkEdgeId, WalkNodeId)>,
+    /// How many edges they have walked.
+    pub(crate) passed: u32,
     pub(crate) position: DVec2,
     pub(crate) velocity: DVec2,
     /// The velocity that they would have if nobody were in the way.
@@ -75,7 +77,7 @@ pub(crate) struct WalkerView<'a> {
 /// Moves everybody on by one step, one after the other.
 pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &mut [CrossingState], step_s: f64) {
     let own = walkers.iter().map(Walker::seen);
-    let others = scene.others.iter().map(|&(at, velocity)| Passer { at, velocity, intent: velocity });
+    let others = scene.others.iter().map(|&(at, velocity)| Passer { at, velocity, intent: velocity, passed: 0 });
     let mut people: Vec<Passer> = own.chain(others).collect();
     let grid = PeopleGrid::new(&people);
     let (mut numbers, mut near) = (Vec::new(), Vec::new());
@@ -87,15 +89,13 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
         walker.step(scene, i, &near, &company, crossings, step_s);
         people[i] = walker.seen();
     }
-    for state in crossings.iter_mut() {
-        state.people.clear();
-        state.wanted = false;
-    }
+    crossings.iter_mut().for_each(|state| state.look_again(step_s));
     for walker in walkers.iter() {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
         } else if let Some(id) = walker.next_crossing(scene.roads) {
-            crossings[id.index()].wanted = true;
+            let state = &mut crossings[id.index()];
+            state.wanted = signal_of(scene.roads, id).is_some() || !state.lets_drivers_go();
         }
     }
 }
@@ -121,6 +121,7 @@ impl Walker {
             side: 0.5,
             from,
             way: [(edge, to)].into(),
+            passed: 0,
             position,
             velocity: DVec2::ZERO,
             intent: DVec2::ZERO,
@@ -139,7 +140,7 @@ impl Walker {
 
     /// As others see them.
     fn seen(&self) -> Passer {
-        Passer { at: self.position, velocity: self.velocity, intent: self.intent }
+        Passer { at: self.position, velocity: self.velocity, intent: self.intent, passed: self.passed }
     }
 
     fn strip(&self, roads: &Roads) -> DirectedEdge {
@@ -177,7 +178,9 @@ impl Walker {
 
     fn may_cross(&self, scene: &WalkerView<'_>, id: CrossingId, crossings: &[CrossingState]) -> bool {
         let light = signal_of(scene.roads, id).map(|s| scene.signals[s].aspect);
-        light.is_none_or(|a| a == SignalAspect::Green) && !crossings[id.index()].danger
+        let state = &crossings[id.index()];
+        let lets_drivers_go = light.is_none() && state.lets_drivers_go();
+        light.is_none_or(|a| a == SignalAspect::Green) && !state.danger && !lets_drivers_go
     }
 
     fn step(
@@ -209,7 +212,7 @@ impl Walker {
                 pace = 0.0;
             }
         }
-        pace *= self.keeps_together(&strip, company);
+        pace *= self.keeps_together(&strip, company, step_s);
         let talks_at = self.talks_at(&strip, step_s);
         if let Some(on_roadway) = self.pace_on_roadway(scene.roadway, number) {
             pace = on_roadway;
@@ -244,7 +247,7 @@ impl Walker {
         if pace > 0.3 && self.velocity.length() < 0.15 {
             self.stuck.0 += step_s;
             self.crowded_s += step_s;
-            if self.crowded_s > GIVES_UP_S && strip.kind == WalkKind::Sidewalk && self.may_turn_back() {
+            if self.crowded_s > GIVES_UP_S && strip.kind == WalkKind::Sidewalk && !self.on_roadway() {
                 self.turn_back();
             }
             if self.stuck.0 > 1.5 {
@@ -292,24 +295,20 @@ impl Walker {
         };
         if passes && let Some((_, node)) = self.way.pop_front() {
             self.from = node;
+            self.passed += 1;
             if next.kind == WalkKind::Sidewalk {
                 self.want_to_cross(scene.roads);
             }
         }
     }
 
-    /// Whoever walks with others stays with them, and nobody turns on a roadway.
-    fn may_turn_back(&self) -> bool {
-        self.company.is_none() && !self.on_roadway()
-    }
-
-    /// Back to where the edge underfoot began; what was planned is forgotten.
+    /// Back to where the edge underfoot began; what was planned is forgotten, and so are those with whom they walked.
     fn turn_back(&mut self) {
         let (edge, to) = self.way[0];
         self.way = [(edge, self.from)].into();
         self.from = to;
         self.crowded_s = 0.0;
-        self.jaywalk = None;
+        (self.jaywalk, self.company) = (None, None);
     }
 
     /// A way to a random place, after what is planned.
