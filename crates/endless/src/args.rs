@@ -117,6 +117,12 @@ pub(crate) struct SimulateArgs {
     /// People on foot.
     #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u32).range(0..=5000))]
     pub(crate) pedestrians: u32,
+    /// Share of people who cross roads away from crossings.
+    #[arg(long, value_name = "X", default_value_t = 0.0, value_parser = share)]
+    pub(crate) jaywalking: f64,
+    /// Share of people who walk in groups of two to four.
+    #[arg(long, value_name = "X", default_value_t = 0.0, value_parser = share)]
+    pub(crate) groups: f64,
     /// Of all that is drawn.
     #[arg(long, default_value_t = 0)]
     pub(crate) seed: u64,

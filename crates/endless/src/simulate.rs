@@ -45,6 +45,8 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
             aggressiveness: args.aggressiveness,
             ..TrafficProfile::default()
         },
+        jaywalking: args.jaywalking,
+        groups: args.groups,
         ..TrafficSettings::default()
     };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;

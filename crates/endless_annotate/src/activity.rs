@@ -91,6 +91,9 @@ pub struct Activity {
     /// People: waiting at a kerb until they may cross.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub waiting_to_cross: Option<bool>,
+    /// People: crossing a road away from its crossings; left out of all others.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub jaywalking: Option<bool>,
 }
 
 impl Activity {
@@ -102,6 +105,7 @@ impl Activity {
                 action: Some(motion.gait.into()),
                 crossing: behaviour.crossing,
                 waiting_to_cross: Some(behaviour.waiting),
+                jaywalking: behaviour.jaywalking.then_some(true),
                 ..Self::default()
             },
             Motion::Vehicle(motion) => Self {

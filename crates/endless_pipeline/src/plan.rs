@@ -145,6 +145,8 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
             aggressiveness: recipe.aggressiveness,
             parked: recipe.parked,
         },
+        jaywalking: recipe.jaywalking,
+        groups: recipe.groups,
         size: recipe.size,
         fps: recipe.fps,
         frames: recipe.frames(),

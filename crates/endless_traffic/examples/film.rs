@@ -1,5 +1,6 @@
 //! Films a town's middle from above, half a second a picture:
-//! `cargo run -p endless_traffic --release --example film -- Town03 out/frame [pictures] [x y] [metres]`.
+//! `cargo run -p endless_traffic --release --example film -- Town03 out/frame [pictures] [x y] [metres] [people] [jaywalking]
+//! [groups]`.
 //! Lanes are grey, stop lines carry their signal's colour, crossings are white, vehicles are boxes with a light nose
 //! (red tail: brake lights, yellow flank: indicator), parked ones grey, people are discs with a nose.
 
@@ -128,7 +129,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let settings = TrafficSettings {
         vehicles: 60,
-        pedestrians: 40,
+        pedestrians: number(6, 40.0) as u32,
+        jaywalking: f64::from(number(7, 0.0)),
+        groups: f64::from(number(8, 0.0)),
         seed: 1,
         focus: Focus::new(&town.network, &[View::around(centre.extend(0.0))], 0.8, &|_, _| true),
         ..TrafficSettings::default()

@@ -53,7 +53,7 @@ const WALKING: Published = Published {
     source: "Bohannon 1997; Weidmann 1993",
 };
 const CROWDED: Published = Published {
-    what: "median speed on foot in a dense crowd",
+    what: "median speed on foot in a dense crowd, 1.5/m2",
     unit: "m/s",
     range: [0.6, 0.95],
     source: "0.77: ETH and UCY",
@@ -302,13 +302,14 @@ fn weidmann_mps(density: f64) -> f64 {
     1.34 * (1.0 - exp(-1.913 * (1.0 / density - 1.0 / 5.4)))
 }
 
-/// Prints our speed and flow by density beside Weidmann's; the largest deviation of speeds as a share of Weidmann's, up to one
-/// person a square metre, and the median speed in the densest crowd.
+/// Prints our speed and flow by density beside Weidmann's; the largest deviation of speeds as a share of Weidmann's, and the
+/// median speed in a dense crowd.
 fn crowd(fleet: &Fleet<'_>) -> Result<(f64, f64), Box<dyn Error>> {
+    const DENSE: f64 = 1.5;
     let (network, area) = corridor()?;
     println!("a closed corridor: people/m2, speed m/s (Weidmann's), flow 1/m/s (Weidmann's)");
-    let (mut worst, mut slowest): (f64, f64) = (0.0, 0.0);
-    for wanted in [0.1, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0] {
+    let (mut worst, mut dense_mps): (f64, f64) = (0.0, 0.0);
+    for wanted in [0.1, 0.25, 0.5, 0.75, 1.0, 1.25, DENSE, 1.75] {
         let pedestrians = (wanted * area).round() as u32;
         let settings = TrafficSettings { vehicles: 0, pedestrians, seed: 3, fps: FPS, ..TrafficSettings::default() };
         let mut traffic = Simulation::new(&network, fleet, &[], &settings)?;
@@ -322,12 +323,12 @@ fn crowd(fleet: &Fleet<'_>) -> Result<(f64, f64), Box<dyn Error>> {
         let mean = speeds.iter().sum::<f64>() / speeds.len() as f64;
         let theirs = weidmann_mps(density);
         println!("  {density:4.2} {mean:6.2} ({theirs:.2}) {:6.2} ({:.2})", density * mean, density * theirs);
-        if density < 1.05 {
-            worst = worst.max((mean / theirs - 1.0).abs());
+        worst = worst.max((mean / theirs - 1.0).abs());
+        if wanted == DENSE {
+            dense_mps = quantile(&mut speeds, 0.5);
         }
-        slowest = quantile(&mut speeds, 0.5);
     }
-    Ok((worst, slowest))
+    Ok((worst, dense_mps))
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {

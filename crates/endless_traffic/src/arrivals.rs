@@ -5,7 +5,7 @@ use crate::driver::Driver;
 use crate::kinematics;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
-use crate::settings::TrafficSettings;
+use crate::settings::{DrivingCondition, TrafficSettings};
 use crate::steering::{SIGHT_M, speed_ahead};
 use crate::vehicle::Vehicle;
 use crate::vehicle_mix;
@@ -30,8 +30,8 @@ pub(crate) struct ArrivalView<'a> {
     pub(crate) occupancy: &'a Occupancy,
     pub(crate) vehicles: &'a [Vehicle],
     pub(crate) crossings: &'a [CrossingState],
-    /// Of the road, 0 dry to 1 soaked.
-    pub(crate) wetness: f32,
+    /// The weather that they drive in.
+    pub(crate) condition: &'a DrivingCondition,
 }
 
 /// Those who are to come.
@@ -66,9 +66,9 @@ impl Arrivals {
     }
 
     /// To a road that was so wet, and is now.
-    pub(crate) fn adapt(&mut self, from_wetness: f32, to_wetness: f32) {
+    pub(crate) fn adapt(&mut self, from: &DrivingCondition, to: &DrivingCondition) {
         for (vehicle, _) in &mut self.waiting {
-            vehicle.driver.adapt(from_wetness, to_wetness);
+            vehicle.driver.adapt(from, to);
         }
     }
 
@@ -119,7 +119,7 @@ impl Arrivals {
         let others = || vehicles.iter().chain(self.waiting.iter().map(|(vehicle, _)| vehicle));
         let taken = |variant| others().any(|v| v.asset == VehicleRef { model, variant });
         let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
-        let driver = Driver::new(spec, view.wetness, self.aggressiveness, &mut own);
+        let driver = Driver::new(spec, view.condition, self.aggressiveness, &mut own);
         let half = 0.5 * f64::from(spec.length_m);
         let mut vehicle = Vehicle::new(spec, VehicleRef { model, variant }, driver, entry, half, own);
         vehicle.drawn = drawn;

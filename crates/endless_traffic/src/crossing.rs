@@ -29,6 +29,10 @@ pub(crate) struct CrossingState {
     /// Lanes with a vehicle on the crossing or too close to stop: metres along it, and how far beside the lane's
     /// middle it sweeps at most.
     pub(crate) taken: Vec<(f64, f64)>,
+    /// A vehicle stands before it.
+    waits: bool,
+    /// For how long one has stood there while people came, seconds.
+    held_s: f64,
 }
 
 /// Vehicles closer than this to a crossing stand on it in people's eyes, metres.
@@ -39,16 +43,34 @@ const IN_THE_WAY_M: f64 = 2.5;
 const LONG_SWEEPS_M: f64 = 1.2;
 /// Deceleration of pedestrians who stop, m/s².
 const HALT_MPS2: f64 = 2.0;
+/// A vehicle this near before a crossing waits for it, metres.
+const WAITS_M: f64 = 3.0;
+/// After people have held up a driver for so long at a crossing without a signal, they let them go, for so long, seconds.
+const HELD_S: f64 = 25.0;
+const LET_GO_S: f64 = 15.0;
 /// Drivers stop for people that walk towards their lane from this far, metres.
 const NOTICED_M: f64 = 7.0;
 
 impl CrossingState {
+    /// Begins another look at people, after a step.
+    pub(crate) fn look_again(&mut self, step_s: f64) {
+        let busy = self.wanted || !self.people.is_empty() || self.lets_drivers_go();
+        self.held_s = if self.waits && busy { self.held_s + step_s } else { 0.0 };
+        if self.held_s > HELD_S + LET_GO_S {
+            self.held_s = 0.0;
+        }
+        self.people.clear();
+        self.wanted = false;
+    }
+
+    /// Whether people wait so that drivers get past for once.
+    pub(crate) fn lets_drivers_go(&self) -> bool {
+        self.held_s > HELD_S
+    }
+
     /// Whether a pedestrian on it blocks a vehicle on a lane, or soon will.
     pub(crate) fn blocks(&self, cut: &CrossingCut, vehicle: &Vehicle) -> bool {
-        self.people.iter().any(|p| {
-            let to_lane = (cut.along_m - p.along_m) * p.direction;
-            to_lane > -in_the_way_m(vehicle) && to_lane < NOTICED_M
-        })
+        self.people.iter().any(|p| blocks_lane((cut.along_m - p.along_m) * p.direction, vehicle))
     }
 
     /// Whether a pedestrian on it has still to pass a lane.
@@ -58,16 +80,30 @@ impl CrossingState {
 
     /// Whether a pedestrian at this position who walks in this direction would step in front of a vehicle.
     pub(crate) fn step_is_unsafe(&self, person: CrossingPedestrian) -> bool {
-        let halt_m = person.speed * person.speed / (2.0 * HALT_MPS2);
-        self.taken.iter().any(|(along, beside)| {
-            let to_lane = (along - person.along_m) * person.direction;
-            to_lane > 1.0 && to_lane < beside + 0.2 + halt_m
-        })
+        self.taken.iter().any(|&taken| step_is_unsafe(taken, person))
     }
 }
 
+/// Whether somebody would step in front of a vehicle on a lane: its place along the way over the road, and how far beside its
+/// middle the vehicle sweeps.
+pub(crate) fn step_is_unsafe((along_m, beside_m): (f64, f64), person: CrossingPedestrian) -> bool {
+    let halt_m = person.speed * person.speed / (2.0 * HALT_MPS2);
+    let to_lane = (along_m - person.along_m) * person.direction;
+    to_lane > 1.0 && to_lane < beside_m + 0.2 + halt_m
+}
+
+/// Whether somebody so far before the middle of a lane, metres, is in a vehicle's way there, or soon will be.
+pub(crate) fn blocks_lane(to_lane_m: f64, vehicle: &Vehicle) -> bool {
+    to_lane_m > -in_the_way_m(vehicle) && to_lane_m < NOTICED_M
+}
+
+/// Whether they may be in the way of some vehicle.
+pub(crate) fn nears_lane(to_lane_m: f64) -> bool {
+    to_lane_m > -(IN_THE_WAY_M + LONG_SWEEPS_M) && to_lane_m < NOTICED_M
+}
+
 /// People closer than this to the middle of a vehicle's lane are in its way, metres.
-fn in_the_way_m(vehicle: &Vehicle) -> f64 {
+pub(crate) fn in_the_way_m(vehicle: &Vehicle) -> f64 {
     IN_THE_WAY_M + if vehicle.long() { LONG_SWEEPS_M } else { 0.0 }
 }
 
@@ -81,12 +117,16 @@ pub(crate) fn note_vehicles(roads: &Roads, vehicles: &[Vehicle], crossings: &mut
     for crossing in crossings.iter_mut() {
         crossing.danger = false;
         crossing.occupied = false;
+        crossing.waits = false;
         crossing.taken.clear();
     }
     for vehicle in vehicles {
         let reach = vehicle.half_length + comfortable_stop_m(vehicle.speed);
         let mut note = |cut: &CrossingCut, base: f64| {
             let (low, high) = (base + cut.range.0, base + cut.range.1);
+            if vehicle.speed < 0.3 && low > vehicle.half_length && low < vehicle.half_length + WAITS_M {
+                crossings[cut.crossing.index()].waits = true;
+            }
             if low < reach && high > -vehicle.half_length - CLEAR_M {
                 let state = &mut crossings[cut.crossing.index()];
                 state.danger = true;
@@ -100,7 +140,7 @@ pub(crate) fn note_vehicles(roads: &Roads, vehicles: &[Vehicle], crossings: &mut
             roads.table(vehicle.route[i]).cuts.iter().for_each(|cut| note(cut, base));
         }
         for (lane, base) in vehicle.ahead(roads) {
-            if base > reach {
+            if base > reach.max(vehicle.half_length + WAITS_M) {
                 break;
             }
             roads.table(lane).cuts.iter().for_each(|cut| note(cut, base));
@@ -111,4 +151,29 @@ pub(crate) fn note_vehicles(roads: &Roads, vehicles: &[Vehicle], crossings: &mut
 /// The signal of a crossing, as an index.
 pub(crate) fn signal_of(roads: &Roads, crossing: CrossingId) -> Option<usize> {
     roads.network.crossings[crossing.index()].signal.map(|s| usize::from(s.0))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn people_let_drivers_go_after_a_while() {
+        let mut state = CrossingState::default();
+        let (mut held, mut let_go) = (0.0, 0.0);
+        for _ in 0..2000 {
+            state.waits = true;
+            state.wanted = !state.lets_drivers_go();
+            state.look_again(0.1);
+            if state.lets_drivers_go() { let_go += 0.1 } else { held += 0.1 }
+        }
+        assert!((let_go / (held + let_go) - LET_GO_S / (HELD_S + LET_GO_S)).abs() < 0.02, "{let_go} {held}");
+        // Where no driver waits, nobody is let go.
+        for _ in 0..2000 {
+            state.waits = false;
+            state.wanted = true;
+            state.look_again(0.1);
+            assert!(!state.lets_drivers_go());
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! How many vehicles and people make streets so busy.
 
+use crate::outing::shares;
 use crate::{Focus, TrafficMap};
 use endless_road::WalkKind;
 use endless_world::{SceneSettings, TrafficDensity};
@@ -28,15 +29,18 @@ const MOST_ELSEWHERE: f64 = 120.0;
 const MOST_ROOM: f64 = 0.25;
 
 impl TrafficMap {
-    /// The vehicles and people that a scene asks for, by number or by how busy its streets are.
+    /// The vehicles and people that a scene asks for, by number, or by how busy its streets are, at its time of day and in its
+    /// weather.
     pub fn asked(&self, focus: &Focus, settings: &SceneSettings) -> [u32; 2] {
-        let follows =
-            |density: Option<TrafficDensity>, kind: usize| density.map_or(0, |d| self.population(focus, d)[kind]);
         let SceneSettings { vehicles, pedestrians, density, .. } = settings;
+        let out = shares(settings.weather, settings.time_of_day);
+        let follows = |density: Option<TrafficDensity>, kind: usize| {
+            density.map_or(0, |d| (f64::from(self.population(focus, d)[kind]) * out[kind]).round() as u32)
+        };
         [vehicles + follows(density.vehicles, 0), pedestrians + follows(density.pedestrians, 1)]
     }
 
-    /// Vehicles and people that make the streets of a map so busy, and those most that are looked at.
+    /// Vehicles and people that make the streets of a map so busy by day, and those most that are looked at.
     pub fn population(&self, focus: &Focus, density: TrafficDensity) -> [u32; 2] {
         let Spacing { seen_m, map_km } = spacing(density);
         let network = self.network();

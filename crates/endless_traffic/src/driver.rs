@@ -1,7 +1,8 @@
 //! How a driver accelerates: the Intelligent Driver Model (Treiber, Hennecke, Helbing 2000, "Congested traffic states
 //! in empirical observations and microscopic simulations").
 
-use endless_world::math::smoothstep;
+use crate::settings::DrivingCondition;
+use crate::weather_pace::{pace_in, sight_speed_mps};
 use endless_world::{ObjectClass, Stream, VehicleSpec};
 
 /// Hardest braking, m/s².
@@ -19,11 +20,6 @@ const STANDING_GAP_M: [f64; 2] = [1.9, 3.1];
 /// Speeds on a free street as shares of its limit: on urban streets the mean is about the limit, and the 85th percentile 10 %
 /// above it (Fitzpatrick et al. 2003, NCHRP Report 504).
 const LIMIT_FACTOR: [f64; 2] = [0.88, MOST_LIMIT_FACTOR];
-
-/// Factor on speeds on a road of this wetness, 0 dry to 1 soaked.
-fn pace_on(wetness: f32) -> f64 {
-    1.0 - 0.12 * f64::from(smoothstep(0.2, 0.7, wetness))
-}
 
 /// Factor on the speeds at which drivers of this aggressiveness, 0 to 1, take a free street.
 pub(crate) fn pace_of(aggressiveness: f64) -> f64 {
@@ -45,6 +41,8 @@ pub(crate) struct Driver {
     pub(crate) limit_factor: f64,
     /// Speed on an empty road, m/s.
     pub(crate) cruise_mps: f64,
+    /// Speed at which they see far enough, m/s.
+    pub(crate) sight_mps: f64,
     /// Factor on the speed through bends.
     pub(crate) bend_factor: f64,
     /// Place in the lane, metres left of its middle.
@@ -57,9 +55,14 @@ pub(crate) struct Driver {
 
 impl Driver {
     /// Of a scene's drivers, `aggressiveness` from 0 to 1: at 0.5 they are as published distributions have them.
-    pub(crate) fn new(spec: &VehicleSpec, wetness: f32, aggressiveness: f64, stream: &mut Stream) -> Self {
+    pub(crate) fn new(
+        spec: &VehicleSpec,
+        condition: &DrivingCondition,
+        aggressiveness: f64,
+        stream: &mut Stream,
+    ) -> Self {
         let heavy = matches!(spec.class, ObjectClass::Truck | ObjectClass::Bus);
-        let wet = pace_on(wetness);
+        let pace = pace_in(condition);
         let lateral_m = match spec.class {
             ObjectClass::Bicycle => stream.range_f64(-0.95, -0.6),
             ObjectClass::Motorcycle => stream.range_f64(-0.4, 0.4),
@@ -72,21 +75,23 @@ impl Driver {
                 * stream.range_f64(0.85, 1.1)
                 * (1.0 + 0.2 * bold),
             brake: stream.range_f64(1.6, 2.3) * (1.0 + 0.2 * bold),
-            headway_s: stream.range_f64(HEADWAY_S[0], HEADWAY_S[1]) * (1.0 - 0.4 * bold) / wet
+            headway_s: stream.range_f64(HEADWAY_S[0], HEADWAY_S[1]) * (1.0 - 0.4 * bold) / pace
                 + if heavy { 0.3 } else { 0.0 },
             standing_gap_m: stream.range_f64(STANDING_GAP_M[0], STANDING_GAP_M[1]) * (1.0 - 0.3 * bold),
-            limit_factor: stream.range_f64(LIMIT_FACTOR[0], LIMIT_FACTOR[1]) * pace_of(aggressiveness) * wet,
-            cruise_mps: f64::from(spec.cruise_mps) * stream.range_f64(0.9, 1.1) * wet,
-            bend_factor: stream.range_f64(0.88, 1.1) * (1.0 + 0.06 * bold) * wet * if heavy { 0.82 } else { 1.0 },
+            limit_factor: stream.range_f64(LIMIT_FACTOR[0], LIMIT_FACTOR[1]) * pace_of(aggressiveness) * pace,
+            cruise_mps: f64::from(spec.cruise_mps) * stream.range_f64(0.9, 1.1) * pace,
+            sight_mps: sight_speed_mps(condition),
+            bend_factor: stream.range_f64(0.88, 1.1) * (1.0 + 0.06 * bold) * pace * if heavy { 0.82 } else { 1.0 },
             lateral_m,
             politeness: stream.range_f64(0.1, 0.5) * (1.0 - 0.9 * bold),
             gap_factor: 1.0 - 0.35 * bold,
         }
     }
 
-    /// On a road that was so wet, and is now.
-    pub(crate) fn adapt(&mut self, from_wetness: f32, to_wetness: f32) {
-        let change = pace_on(to_wetness) / pace_on(from_wetness);
+    /// In weather that was like this, and is now.
+    pub(crate) fn adapt(&mut self, from: &DrivingCondition, to: &DrivingCondition) {
+        let change = pace_in(to) / pace_in(from);
+        self.sight_mps = sight_speed_mps(to);
         self.headway_s /= change;
         self.limit_factor *= change;
         self.cruise_mps *= change;
@@ -135,6 +140,7 @@ mod tests {
             standing_gap_m: 2.0,
             limit_factor: 1.0,
             cruise_mps: 14.0,
+            sight_mps: f64::INFINITY,
             bend_factor: 1.0,
             lateral_m: 0.0,
             politeness: 0.3,

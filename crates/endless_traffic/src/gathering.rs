@@ -230,7 +230,8 @@ impl Gathering {
         for (i, walker) in walkers.iter().enumerate() {
             let views = views_of(roads, walker);
             count_in(&mut counts, views);
-            if views == 0 && walker.drawn {
+            // Groups stay where they are.
+            if views == 0 && walker.drawn && walker.company.is_none() {
                 idle.push(i);
             }
         }
@@ -281,7 +282,7 @@ impl Gathering {
             (walker.position, walker.yaw, walker.velocity) = (position, yaw, DVec2::ZERO);
             walker.height = height(roads, nodes[0], walker.way[0], position);
             walker.steps = Footsteps::new(&self.people[i], position, yaw);
-            (walker.stuck, walker.crowded_s) = ((0.0, 0.0), 0.0);
+            (walker.stuck, walker.crowded_s, walker.jaywalk) = ((0.0, 0.0), 0.0, None);
             walker.plan(roads, graph);
             return true;
         }

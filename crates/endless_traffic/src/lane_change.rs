@@ -1,6 +1,7 @@
 //! Lane changes by MOBIL (Kesting, Treiber, Helbing 2007, "General lane-changing model MOBIL for car-following
 //! models"): change if it helps me more than it harms the others, and if nobody must brake hard.
 
+use crate::crossing::comfortable_stop_m;
 use crate::kinematics;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
@@ -83,6 +84,11 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
     }
     // A crossing is no place to change lanes.
     if roads.table(target).cuts.iter().any(|c| c.range.1 > s - me.half_length && c.range.0 < s + room) {
+        return None;
+    }
+    // Nor is it where somebody crosses on foot.
+    let braking_m = comfortable_stop_m(me.speed);
+    if occupancy.people_on(target).iter().any(|p| p.s > s - me.half_length && p.s < s + room + braking_m) {
         return None;
     }
     let (mut ahead, mut behind) = ((f64::INFINITY, 0.0), (f64::INFINITY, None));

@@ -23,6 +23,17 @@ impl Occupant {
     }
 }
 
+/// Somebody on foot who crosses a lane away from crossings.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct PersonOnLane {
+    pub(crate) lane: LaneId,
+    /// Of their way over the lane, metres, and half its width.
+    pub(crate) s: f64,
+    pub(crate) half_width_m: f64,
+    /// Metres that they have yet to go to the lane's middle.
+    pub(crate) to_lane_m: f64,
+}
+
 /// The vehicle ahead.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Leader {
@@ -39,6 +50,8 @@ pub(crate) struct Occupancy {
     scratch: Vec<LaneCover>,
     /// Lanes of junctions that belong to vehicles which no controller knows.
     claimed: Vec<LaneId>,
+    /// By lane.
+    people: Vec<PersonOnLane>,
 }
 
 impl Occupancy {
@@ -73,6 +86,17 @@ impl Occupancy {
             && lanes.iter().any(|&lane| {
                 claimed(lane) || roads.table(lane).conflicts(true).iter().any(|conflict| claimed(conflict.other))
             })
+    }
+
+    /// People away from crossings, by lane in ascending order.
+    pub(crate) fn put_people(&mut self, people: Vec<PersonOnLane>) {
+        self.people = people;
+    }
+
+    pub(crate) fn people_on(&self, lane: LaneId) -> &[PersonOnLane] {
+        let from = self.people.partition_point(|person| person.lane < lane);
+        let number = self.people[from..].partition_point(|person| person.lane == lane);
+        &self.people[from..from + number]
     }
 
     pub(crate) fn on(&self, lane: LaneId) -> &[Occupant] {

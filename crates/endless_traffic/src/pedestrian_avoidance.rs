@@ -1,82 +1,119 @@
-//! Collision avoidance of pedestrians: they turn and slow down for one another.
+//! How people choose where to walk among others and how fast: the two rules of Moussaïd, Helbing and Theraulaz (2011, "How
+//! simple rules determine pedestrian behavior and crowd disasters", PNAS 108). Somebody walks in the direction in which they
+//! get nearest to where they want, given how everybody moves, and no faster than so that they reach whoever is ahead there in a
+//! given time. Contacts, which the paper's bodies push away, are excluded by [`crate::body_contact`].
 
-use super::walk_strip::{BODY_M, DirectedEdge, unit_vector};
-use super::walker::Walker;
+use crate::people_grid::Passer;
+use crate::walk_strip::{BODY_M, Footway, unit_vector};
 use glam::DVec2;
 
-/// The more people are nearer than this, the less room is kept, metres.
-const CROWD_M: f64 = 2.0;
-/// Room that people like to keep between bodies, metres.
+/// How far ahead people look for a way, metres.
+const HORIZON_M: f64 = 5.0;
+/// Time that people leave between themselves and whoever is ahead, seconds: with it, speed falls with density as Weidmann (1993)
+/// measured.
+const TIME_GAP_S: f64 = 0.36;
+/// Room that people keep to others who come nearer, metres, and where it is crowded.
 const SHY_M: f64 = 0.15;
+/// People within this distance make a crowd, metres.
+pub(crate) const CROWD_M: f64 = 2.0;
+/// Who comes the other way is made room for from this distance on, metres.
+const COMES_M: f64 = 3.0;
+/// Cosine of the angle to the opposite direction within which somebody comes the other way.
+const OPPOSES: f64 = 0.5;
+/// People squeeze past whoever comes the other way as if there were so much more room, metres.
+const SQUEEZE_M: f64 = 0.15;
+/// Of whoever does not get on as they like, others take the mean of what they do and what they like for what they will do.
+const ANTICIPATION: f64 = 0.5;
+/// How much it costs to step to the left, square metres.
+const LEFT_COST: f64 = 0.4;
+/// Directions that are looked at beside the wanted one, radians to the left.
+const TURNS: [f64; 14] = [-0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.9, 0.9, -1.15, 1.15, -1.4, 1.4];
+/// A way's edges are looked for at these distances, metres.
+const STATIONS_M: [f64; 5] = [0.2, 0.5, 1.0, 2.0, 3.5];
 
-impl Walker {
-    /// The velocity nearest to the wanted one that meets nobody in the next seconds (sampled velocity obstacles,
-    /// Fiorini and Shiller 1998) and stays on the strip.
-    pub(super) fn avoid(
-        &self,
-        wanted: DVec2,
-        near: &[(DVec2, DVec2)],
-        strip: &DirectedEdge,
-        next: Option<&DirectedEdge>,
-    ) -> DVec2 {
-        let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
-        let here = outside(self.position);
-        // Who has been stuck squeezes past, shoulder to shoulder.
-        let crowd = near.iter().filter(|(at, _)| at.distance_squared(self.position) < CROWD_M * CROWD_M).count();
-        let shy = if self.stuck.1 == 0.0 { SHY_M / (1.0 + 0.25 * crowd as f64) } else { 0.1 * SHY_M };
-        let mut best = (f64::INFINITY, DVec2::ZERO);
-        for (turn, share) in [
-            (0.0, 1.0),
-            (-0.3, 1.0),
-            (0.3, 1.0),
-            (-0.7, 0.9),
-            (0.7, 0.9),
-            (0.0, 0.75),
-            (0.0, 0.5),
-            (-1.3, 0.6),
-            (1.3, 0.6),
-            (0.0, 0.25),
-            (0.0, 0.0),
-        ] {
-            let candidate = unit_vector(turn).rotate(wanted) * share;
-            let mut cost = (candidate - wanted).length() + if turn > 0.0 { 0.05 } else { 0.0 };
-            for &(position, velocity) in near {
-                cost += threat(position - self.position, velocity - candidate, shy);
-            }
-            let over = outside(self.position + candidate * 0.5) - here;
-            if over > 0.0 {
-                cost += 6.0 * over;
-            }
-            if cost < best.0 {
-                best = (cost, candidate);
-            }
-            if near.is_empty() && turn == 0.0 {
-                break;
-            }
-        }
-        best.1
+impl Passer {
+    /// The velocity that they will have, as far as others can tell.
+    fn expected(&self) -> DVec2 {
+        self.velocity.lerp(self.intent, ANTICIPATION)
     }
 }
 
-/// How much a neighbour at a relative place with a relative velocity is in the way of somebody who likes to keep `shy`
-/// metres away.
-fn threat(relative: DVec2, velocity: DVec2, shy: f64) -> f64 {
-    let apart = 2.0 * BODY_M + shy;
-    let distance = relative.length();
-    let closing = -relative.dot(velocity);
-    // Who comes slowly nearer in a crowd troubles nobody.
-    let closing_mps = closing / distance.max(1e-6);
-    let mut cost = if distance < apart + 1.3 * shy && closing > 0.0 { 2.0 * (closing_mps / 0.6).min(1.0) } else { 0.0 };
-    // Time until the discs touch: |relative + velocity t| = apart.
-    let a = velocity.length_squared();
-    let b = -closing;
-    let c = relative.length_squared() - apart * apart;
-    let discriminant = b * b - a * c;
-    if closing > 0.0 && discriminant > 0.0 && a > 1e-6 && c > 0.0 {
-        let time = (-b - discriminant.sqrt()) / a;
-        if time < 3.0 {
-            cost += 0.9 / (time + 0.15) - 0.28;
+/// The velocity that somebody takes at a place if they want to go with another one.
+pub(crate) fn avoid(at: DVec2, wanted: DVec2, near: &[Passer], way: &Footway<'_>) -> DVec2 {
+    let pace = wanted.length();
+    if near.is_empty() || pace < 1e-6 {
+        return wanted;
+    }
+    let straight = wanted / pace;
+    let shy = SHY_M / (1.0 + 0.25 * crowd(at, near) as f64);
+    let cost = |turn: f64, direction: DVec2, free: f64| {
+        let left = if turn > 0.0 { LEFT_COST } else { 0.0 };
+        // Square of the distance from where they get to the horizon straight ahead.
+        HORIZON_M * HORIZON_M + free * free - 2.0 * HORIZON_M * free * direction.dot(straight) + left
+    };
+    let free = free_path(at, straight, pace, near, shy);
+    let mut best = (cost(0.0, straight, free), straight);
+    if free < HORIZON_M {
+        for turn in TURNS {
+            let direction = unit_vector(turn).rotate(straight);
+            let free = way.free_path(at, direction, &STATIONS_M).min(free_path(at, direction, pace, near, shy));
+            let cost = cost(turn, direction, free);
+            if cost < best.0 {
+                best = (cost, direction);
+            }
         }
     }
-    cost
+    best.1 * pace.min(gap_ahead(at, best.1, near) / TIME_GAP_S)
+}
+
+/// How many people are so near that it is crowded.
+pub(crate) fn crowd(at: DVec2, near: &[Passer]) -> usize {
+    near.iter().take_while(|passer| passer.at.distance_squared(at) < CROWD_M * CROWD_M).count()
+}
+
+/// Whether somebody comes the other way, near enough to make room for.
+pub(crate) fn somebody_comes(at: DVec2, ahead: DVec2, near: &[Passer]) -> bool {
+    let comes = |passer: &Passer| {
+        let away = passer.at - at;
+        opposes(passer, ahead) && away.dot(ahead) > 0.0 && away.length_squared() < COMES_M * COMES_M
+    };
+    near.iter().any(comes)
+}
+
+fn opposes(passer: &Passer, ahead: DVec2) -> bool {
+    passer.intent.dot(ahead) < -OPPOSES * passer.intent.length()
+}
+
+/// How far somebody gets in a direction before they touch anybody, if all go on as they do, metres.
+fn free_path(at: DVec2, direction: DVec2, pace: f64, near: &[Passer], shy: f64) -> f64 {
+    let velocity = direction * pace;
+    let until = HORIZON_M / pace;
+    let time = near.iter().filter_map(|passer| touch_in(passer.at - at, passer.expected() - velocity, shy));
+    time.fold(until, f64::min) * pace
+}
+
+/// Seconds until somebody at a relative place with a relative velocity comes nearer than a body and a bit.
+fn touch_in(relative: DVec2, velocity: DVec2, shy: f64) -> Option<f64> {
+    let closing = -relative.dot(velocity);
+    if closing <= 0.0 {
+        return None;
+    }
+    // Who is nearer already is in the way as soon as they come nearer still.
+    let apart = (2.0 * BODY_M + shy).min(0.98 * relative.length());
+    let a = velocity.length_squared();
+    let discriminant = closing * closing - a * (relative.length_squared() - apart * apart);
+    (discriminant > 0.0 && a > 1e-9).then(|| ((closing - discriminant.sqrt()) / a).max(0.0))
+}
+
+/// Room to the nearest body ahead in a direction, as all stand now, metres.
+fn gap_ahead(at: DVec2, direction: DVec2, near: &[Passer]) -> f64 {
+    let apart = 2.0 * BODY_M;
+    let gap = |passer: &Passer| {
+        let away = passer.at - at;
+        let (along, beside) = (away.dot(direction), direction.perp_dot(away));
+        let squeeze = if opposes(passer, direction) { SQUEEZE_M } else { 0.0 };
+        let room = || (along - (apart * apart - beside * beside).sqrt()).max(0.0) + squeeze;
+        (along > 0.0 && beside.abs() < apart).then(room)
+    };
+    near.iter().filter_map(gap).fold(f64::INFINITY, f64::min)
 }

@@ -2,6 +2,7 @@
 
 use crate::attraction::Attraction;
 use crate::focus::Focus;
+use crate::midblock::MidblockWays;
 use crate::overlap::{ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, alongside, make_room, siblings};
 use endless_road::swept::{LONG_M, curvature_per_m, fits, leaves_oncoming_room, smallest_radius_m};
 use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
@@ -81,12 +82,18 @@ pub(crate) struct RoadTables {
 pub(crate) struct Roads {
     tables: Arc<RoadTables>,
     pub(crate) attraction: Attraction,
+    /// Where people cross away from crossings; nowhere, if nobody does.
+    pub(crate) midblock: Arc<MidblockWays>,
 }
 
 impl Roads {
     /// With what is looked at, and where people have something to do.
     pub(crate) fn new(TrafficMap(tables): &TrafficMap, focus: &Focus, errands: &[Vec3]) -> Self {
-        Self { tables: Arc::clone(tables), attraction: Attraction::new(&tables.network, focus, errands) }
+        Self {
+            tables: Arc::clone(tables),
+            attraction: Attraction::new(&tables.network, focus, errands),
+            midblock: Arc::default(),
+        }
     }
 }
 

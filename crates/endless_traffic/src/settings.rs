@@ -16,7 +16,7 @@ pub struct Fleet<'a> {
 }
 
 /// What road users take notice of in weather and light. By default, a dry day.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DrivingCondition {
     /// Share of vehicles that drive with dipped headlights, 0 to 1.
     pub headlights_on: f32,
@@ -24,11 +24,33 @@ pub struct DrivingCondition {
     pub wetness: f32,
     /// Rain in the air, 0 to 1: people wear other clothes.
     pub rain: f32,
+    /// How far one sees, metres: in fog drivers go slower and keep more distance.
+    pub visibility_m: f32,
 }
 
-impl<Q> From<&Condition<Q>> for DrivingCondition {
-    fn from(&Condition { headlights_on, wetness, rain, .. }: &Condition<Q>) -> Self {
-        Self { headlights_on, wetness, rain }
+impl Default for DrivingCondition {
+    fn default() -> Self {
+        Self { headlights_on: 0.0, wetness: 0.0, rain: 0.0, visibility_m: f32::INFINITY }
+    }
+}
+
+impl DrivingCondition {
+    /// Whether drivers keep the speeds and distances that they keep in another one.
+    pub(crate) fn drives_like(&self, other: &Self) -> bool {
+        self.wetness == other.wetness && self.visibility_m == other.visibility_m
+    }
+}
+
+impl From<&Condition<f32>> for DrivingCondition {
+    fn from(&Condition { headlights_on, wetness, rain, visibility_m, .. }: &Condition<f32>) -> Self {
+        Self { headlights_on, wetness, rain, visibility_m }
+    }
+}
+
+/// Of a kind of weather: in its middle.
+impl From<&Condition> for DrivingCondition {
+    fn from(&Condition { headlights_on, wetness, rain, visibility_m, .. }: &Condition) -> Self {
+        Self { headlights_on, wetness, rain, visibility_m: 0.5 * (visibility_m.low + visibility_m.high) }
     }
 }
 
@@ -50,6 +72,10 @@ pub struct TrafficSettings {
     pub focus: Focus,
     /// Places in the world where people have something to do, metres: stops and shops.
     pub errands: Vec<Vec3>,
+    /// Share of people who cross roads away from crossings when a gap in traffic lets them, 0 to 1.
+    pub jaywalking: f64,
+    /// Share of people who walk in groups of two to four, 0 to 1.
+    pub groups: f64,
     /// Classes of the vehicles that are spawned first; all others are drawn by their frequency.
     pub first: Vec<ObjectClass>,
     /// Which vehicles there are, and how they are driven.
@@ -67,6 +93,8 @@ impl Default for TrafficSettings {
             condition,
             focus: Focus::default(),
             errands: Vec::new(),
+            jaywalking: 0.0,
+            groups: 0.0,
             first: Vec::new(),
             profile: TrafficProfile::default(),
         }

@@ -6,7 +6,9 @@ use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
+use crate::jaywalk::{Roadway, people_on_lanes};
 use crate::junction_controller::JunctionController;
+use crate::midblock::MidblockWays;
 use crate::occupancy::Occupancy;
 use crate::playback::{Playback, PlayedTracks, Presence};
 use crate::population::Population;
@@ -22,6 +24,7 @@ use endless_world::{
     VehicleSpec,
 };
 use glam::Vec3;
+use std::sync::Arc;
 
 /// Longest step, seconds.
 const STEP_S: f64 = 1.0 / 30.0;
@@ -47,6 +50,7 @@ pub struct Simulation {
     occupancy: Occupancy,
     controller: JunctionController,
     crossings: Vec<CrossingState>,
+    roadway: Roadway,
     signals: Vec<SignalState>,
     /// Those who move as recorded tracks say.
     playback: Option<Playback>,
@@ -108,10 +112,13 @@ impl Simulation {
     ) -> Result<Self, TooManyInstances> {
         let fps = settings.fps;
         assert!(fps > 0.0, "frames per second must be positive");
-        let roads = Roads::new(map, &settings.focus, &settings.errands);
+        let mut roads = Roads::new(map, &settings.focus, &settings.errands);
+        let standing = spawn::standing(fleet.vehicles, parked);
+        if settings.jaywalking > 0.0 {
+            roads.midblock = Arc::new(MidblockWays::new(&roads.network, &roads.borders, &standing));
+        }
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
-        let standing = spawn::standing(fleet.vehicles, parked);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
         let walkers = spawn::walkers(&roads, &graph, fleet.pedestrian, settings);
         let people = walkers.iter().map(|walker| (fleet.pedestrian)(walker.variant));
@@ -153,6 +160,7 @@ impl Simulation {
             occupancy: Occupancy::default(),
             controller: JunctionController::default(),
             crossings,
+            roadway: Roadway::default(),
             signals: Vec::new(),
             playback,
             gathering,
@@ -182,11 +190,11 @@ impl Simulation {
 
     /// Weather and light from now on.
     pub fn set_condition(&mut self, condition: DrivingCondition) {
-        if condition.wetness != self.condition.wetness {
+        if !condition.drives_like(&self.condition) {
             for vehicle in &mut self.vehicles {
-                vehicle.driver.adapt(self.condition.wetness, condition.wetness);
+                vehicle.driver.adapt(&self.condition, &condition);
             }
-            self.arrivals.adapt(self.condition.wetness, condition.wetness);
+            self.arrivals.adapt(&self.condition, &condition);
         }
         self.condition = condition;
     }
@@ -220,12 +228,22 @@ impl Simulation {
         note_vehicles(&self.roads, &self.vehicles, &mut self.crossings);
         let others = self.presence();
         others.note_vehicles(&self.roads, &mut self.crossings);
-        let scene =
-            WalkerView { roads: &self.roads, graph: &self.graph, signals: &self.signals, others: &others.people };
+        let jaywalks = self.walkers.iter().map(|walker| walker.jaywalk.as_deref());
+        self.roadway.note_vehicles(&self.roads, &self.vehicles, jaywalks);
+        self.roadway.note_played(others.covers());
+        let scene = WalkerView {
+            roads: &self.roads,
+            graph: &self.graph,
+            signals: &self.signals,
+            roadway: &self.roadway,
+            others: &others.people,
+        };
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
         others.note_people(&mut self.crossings);
         self.occupancy.rebuild(&self.roads, &self.vehicles);
         others.occupy(&mut self.occupancy, self.vehicles.len());
+        let jaywalks = self.walkers.iter().filter_map(|w| Some((w.jaywalk.as_deref()?, w.position)));
+        self.occupancy.put_people(people_on_lanes(jaywalks));
         for i in 0..self.vehicles.len() {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
@@ -237,7 +255,7 @@ impl Simulation {
                 occupancy: &self.occupancy,
                 vehicles: &self.vehicles,
                 crossings: &self.crossings,
-                wetness: self.condition.wetness,
+                condition: &self.condition,
             },
             step_s,
         );

@@ -1,26 +1,26 @@
 //! Spawns the actors of a scene.
 
+use crate::company_draw::{CompanyDraw, look_for};
 use crate::driver::Driver;
 use crate::kinematics;
 use crate::roads::Roads;
 use crate::settings::TrafficSettings;
 use crate::vehicle::Vehicle;
 use crate::vehicle_mix;
-use crate::walk_strip::height;
 use crate::walker::Walker;
 use endless_road::swept::OrientedRectangle;
 use endless_road::{SpawnPoint, WalkEdgeId, WalkGraph, WalkKind};
-use endless_world::math::f64::atan2;
-use endless_world::walking::{Footsteps, PedestrianSpec};
-use endless_world::{Gait, LookPool, ParkedVehicle, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
+use endless_world::walking::PedestrianSpec;
+use endless_world::{LookPool, ParkedVehicle, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
 use glam::DVec2;
 
 /// Gap between vehicles that spawn on the same lane, metres.
 const GAP_M: f64 = 3.5;
 /// Least distance between the middles of people, metres.
-const APART_M: f64 = 0.6;
-/// Places tried for a person.
+const APART_M: f64 = 0.56;
+/// Places tried for a person, and if none is free.
 const TRIES: u32 = 60;
+const CROWDED_TRIES: u32 = 300;
 /// Places among which the roomiest is taken.
 const CANDIDATES: usize = 40;
 /// Room kept to vehicles on other lanes, metres.
@@ -141,7 +141,7 @@ pub(crate) fn vehicles(
         let taken = |seed| placed.iter().any(|v| v.asset == VehicleRef { model, variant: seed });
         let variant = LookPool::vehicles(spec).draw(own.next_u64(), taken);
         let asset = VehicleRef { model, variant };
-        let driver = Driver::new(spec, settings.condition.wetness, settings.profile.aggressiveness, &mut own);
+        let driver = Driver::new(spec, &settings.condition, settings.profile.aggressiveness, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.drawn = drawn;
         vehicle.plan(roads);
@@ -178,18 +178,52 @@ pub(crate) fn walkers(
     if lengths.iter().sum::<f64>() <= 0.0 {
         return placed;
     }
+    let mut companies = CompanyDraw::new(settings.seed, settings.groups);
     for k in 0..settings.pedestrians {
         let mut own = Stream::named(settings.seed, "traffic.walker", &[u64::from(k)]);
-        let variant = LookPool::people().draw(own.next_u64(), |seed| placed.iter().any(|w| w.variant == seed));
+        let variant = if settings.groups > 0.0 {
+            look_for(placed.last().filter(|_| companies.joins()), pedestrian, &placed, &mut own)
+        } else {
+            LookPool::people().draw(own.next_u64(), |seed| placed.iter().any(|w| w.variant == seed))
+        };
         let hurries = own.chance(0.05);
         let spec = pedestrian(variant);
         let brisk = own.range_f64(0.92, 1.08);
         let pace = f64::from(spec.walk_mps).clamp(0.6, 2.0) * if hurries && spec.can_run() { 1.9 } else { brisk };
         let side = own.range_f64(0.15, 0.85);
         let drawn = roads.attraction.draws(&mut own);
+        // Who pushes or draws something uses crossings.
+        let jaywalks = spec.can_run()
+            && settings.jaywalking > 0.0
+            && Stream::named(settings.seed, "traffic.jaywalker", &[u64::from(k)]).chance(settings.jaywalking);
+        if companies.joins() {
+            companies.joined();
+            if let Some(position) = companies.place(roads, &placed, APART_M) {
+                let first = companies.first(&placed);
+                let (edge, to) = first.way[0];
+                let at = (edge, [first.from, to]);
+                let walked = own.range_f64(0.0, 2.0);
+                let drawn = first.drawn;
+                placed.push(Walker {
+                    variant,
+                    drawn,
+                    pace,
+                    walked,
+                    ..Walker::new(roads, &spec, at, position, own.fork(1))
+                });
+                companies.finish(roads, graph, &mut placed);
+                continue;
+            }
+        }
         let mut best: Option<(f64, Walker)> = None;
         let mut found = 0;
-        for _ in 0..TRIES {
+        for attempt in 0..CROWDED_TRIES {
+            // Where it is crowded, people are anywhere on their half of the sidewalk.
+            let across = match attempt {
+                0..TRIES => side,
+                _ if best.is_some() => break,
+                _ => own.range_f64(0.0, 1.0),
+            };
             let edge = WalkEdgeId(own.weighted(&lengths) as u32);
             let mut nodes = walk.edges[edge.index()].nodes;
             if own.chance(0.5) {
@@ -199,7 +233,7 @@ pub(crate) fn walkers(
             let along = (b - a).normalize_or(DVec2::X);
             let room = (0.5 * walk.edges[edge.index()].width_m - 0.25).max(0.1);
             let share = own.range_f64(0.05, 0.95);
-            let position = a.lerp(b, share) - along.perp() * (side * room);
+            let position = a.lerp(b, share) - along.perp() * (across * room);
             let from_first = a.distance(b) * if nodes == walk.edges[edge.index()].nodes { share } else { 1.0 - share };
             let seen = drawn && roads.attraction.focus.on_walk(edge.index(), from_first) != 0;
             if placed.iter().any(|w| w.position.distance(position) < APART_M) {
@@ -212,21 +246,12 @@ pub(crate) fn walkers(
             }
             let walker = Walker {
                 variant,
-                stream: own.fork(1),
                 drawn,
                 pace,
                 side,
-                from: nodes[0],
-                way: [(edge, nodes[1])].into(),
-                position,
-                velocity: DVec2::ZERO,
-                height: height(roads, nodes[0], (edge, nodes[1]), position),
-                yaw: atan2(along.y, along.x),
+                jaywalks,
                 walked: own.range_f64(0.0, 2.0),
-                gait: Gait::Stand,
-                steps: Footsteps::new(&spec, position, atan2(along.y, along.x)),
-                stuck: (0.0, 0.0),
-                crowded_s: 0.0,
+                ..Walker::new(roads, &spec, (edge, nodes), position, own.fork(1))
             };
             best = Some((room, walker));
             if found == CANDIDATES {
@@ -236,6 +261,7 @@ pub(crate) fn walkers(
         if let Some((_, mut walker)) = best {
             walker.plan(roads, graph);
             placed.push(walker);
+            companies.begin(&placed);
         }
     }
     placed

@@ -1,6 +1,6 @@
 //! A vehicle's acceleration: the smallest of those that leaders, signals, bends and crossings ahead demand.
 
-use crate::crossing::{CrossingState, comfortable_stop_m, signal_of};
+use crate::crossing::{CrossingState, blocks_lane, comfortable_stop_m, signal_of};
 use crate::driver::HARDEST_BRAKING;
 use crate::junction_controller::JunctionController;
 use crate::occupancy::{Leader, Occupancy};
@@ -62,6 +62,12 @@ impl DriverView<'_> {
             }
             let table = self.roads.table(lane);
             let kept = std::mem::replace(&mut setback, table.setback);
+            for person in self.occupancy.people_on(lane) {
+                let gap = base + person.s - person.half_width_m - me.half_length - 0.8;
+                if gap > -0.5 && blocks_lane(person.to_lane_m, me) {
+                    nearest = nearest.min(gap.max(0.06));
+                }
+            }
             if let Some(junction) = table.junction {
                 match me.right_of_way_at(junction) {
                     Some(right_of_way) => {
@@ -173,7 +179,7 @@ fn stop_before(me: &Vehicle, at_line: f64, setback: f64) -> f64 {
 
 /// The speed that limits and bends allow, now and in time to brake, m/s.
 pub(crate) fn speed_ahead(roads: &Roads, me: &Vehicle) -> f64 {
-    let mut speed = me.driver.cruise_mps;
+    let mut speed = me.driver.cruise_mps.min(me.driver.sight_mps);
     for (k, (lane, base)) in me.ahead(roads).enumerate() {
         if base > SIGHT_M {
             break;

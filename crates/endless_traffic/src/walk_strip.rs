@@ -10,16 +10,16 @@ pub(crate) const BODY_M: f64 = 0.25;
 
 /// A directed strip: from, unit direction, length, usable half width.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct DirectedEdge {
-    pub(super) from: DVec2,
-    pub(super) along: DVec2,
-    pub(super) length: f64,
-    pub(super) half_width: f64,
-    pub(super) kind: WalkKind,
+pub(crate) struct DirectedEdge {
+    pub(crate) from: DVec2,
+    pub(crate) along: DVec2,
+    pub(crate) length: f64,
+    pub(crate) half_width: f64,
+    pub(crate) kind: WalkKind,
 }
 
 impl DirectedEdge {
-    pub(super) fn new(roads: &Roads, from: WalkNodeId, edge: WalkEdgeId, to: WalkNodeId) -> Self {
+    pub(crate) fn new(roads: &Roads, from: WalkNodeId, edge: WalkEdgeId, to: WalkNodeId) -> Self {
         let walk = &roads.network.walk;
         let (a, b) = (walk.nodes[from.index()].truncate(), walk.nodes[to.index()].truncate());
         let data = &walk.edges[edge.index()];
@@ -33,20 +33,42 @@ impl DirectedEdge {
     }
 
     /// Along and to the left.
-    pub(super) fn local(&self, p: DVec2) -> (f64, f64) {
+    pub(crate) fn local(&self, p: DVec2) -> (f64, f64) {
         let d = p - self.from;
         (d.dot(self.along), self.along.perp_dot(d))
     }
 
-    pub(super) fn point(&self, along: f64, left: f64) -> DVec2 {
+    pub(crate) fn point(&self, along: f64, left: f64) -> DVec2 {
         self.from + self.along * along + self.along.perp() * left
     }
 
-    /// How far outside the strip a point lies.
-    pub(super) fn outside(&self, p: DVec2) -> f64 {
+    /// How far outside the strip a point lies. Its beginning is round, as one comes around a corner there; its end is not, as
+    /// there may be a kerb.
+    pub(crate) fn outside(&self, p: DVec2) -> f64 {
         let (along, left) = self.local(p);
-        let over = (along - self.length).max(-along).max(0.0);
-        over.max(left.abs() - self.half_width).max(0.0)
+        let beside = if along < 0.0 { DVec2::new(along, left).length() } else { left.abs() };
+        (along - self.length).max(beside - self.half_width).max(0.0)
+    }
+}
+
+/// What is underfoot and where it leads.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Footway<'a> {
+    pub(crate) strip: &'a DirectedEdge,
+    pub(crate) next: Option<&'a DirectedEdge>,
+}
+
+impl Footway<'_> {
+    /// How far outside of both a point lies, metres.
+    pub(crate) fn outside(&self, p: DVec2) -> f64 {
+        self.strip.outside(p).min(self.next.map_or(f64::INFINITY, |next| next.outside(p)))
+    }
+
+    /// The first of some distances in a direction at which one is further outside than here, metres.
+    pub(crate) fn free_path(&self, at: DVec2, direction: DVec2, stations_m: &[f64]) -> f64 {
+        let here = self.outside(at) + 1e-6;
+        let leaves = |&&m: &&f64| self.outside(at + direction * m) > here;
+        stations_m.iter().find(leaves).copied().unwrap_or(f64::INFINITY)
     }
 }
 

@@ -1,18 +1,21 @@
 //! People on foot: they walk to random places for ever, keep to their right, step around one another, and cross roads
 //! at crossings when they may.
 
-use super::walk_strip::{BODY_M, DirectedEdge, height, unit_vector};
+use crate::body_contact::{bounds_of_bodies, bounds_of_strip, nearest_within};
+use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
+use crate::jaywalk::{Jaywalk, Roadway};
+use crate::pedestrian_avoidance::{avoid, crowd, somebody_comes};
+use crate::people_grid::{Passer, PeopleGrid};
 use crate::roads::Roads;
+use crate::walk_strip::{BODY_M, DirectedEdge, Footway, height, unit_vector};
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
 use endless_world::math::f64::{atan2, wrap_angle};
-use endless_world::walking::Footsteps;
+use endless_world::walking::{Footsteps, PedestrianSpec};
 use endless_world::{Gait, SignalAspect, SignalState, Stream};
 use glam::{DVec2, DVec3};
 use std::collections::VecDeque;
 
-/// Distance within which pedestrians notice others, metres.
-const SIGHT_M: f64 = 5.0;
 /// Distance ahead at which pedestrians aim, metres.
 const AIM_M: f64 = 1.6;
 /// Pedestrians this near to the beginning of their next crossing request it, metres.
@@ -21,6 +24,8 @@ const KERB_M: f64 = 2.0;
 const TURN_RATE: f64 = 3.5;
 /// Most acceleration, m/s².
 const ACCELERATION: f64 = 2.5;
+/// How much less somebody keeps to their place across the strip for each one who is near.
+const CROWD_EASE: f64 = 0.25;
 /// Who has been stuck in a crowd for so long turns back, seconds.
 const GIVES_UP_S: f64 = 25.0;
 
@@ -37,8 +42,12 @@ pub(crate) struct Walker {
     pub(crate) from: WalkNodeId,
     /// The edge underfoot, then those to come, each with the node it leads to.
     pub(crate) way: VecDeque<(WalkEdgeId, WalkNodeId)>,
+    /// How many edges they have walked.
+    pub(crate) passed: u32,
     pub(crate) position: DVec2,
     pub(crate) velocity: DVec2,
+    /// The velocity that they would have if nobody were in the way.
+    pub(crate) intent: DVec2,
     pub(crate) height: f64,
     pub(crate) yaw: f64,
     pub(crate) walked: f64,
@@ -48,6 +57,11 @@ pub(crate) struct Walker {
     pub(crate) stuck: (f64, f64),
     /// Seconds for which they have been stuck in a crowd, less those in which they got on.
     pub(crate) crowded_s: f64,
+    /// Whether they cross roads away from crossings, and such a crossing.
+    pub(crate) jaywalks: bool,
+    pub(crate) jaywalk: Option<Box<Jaywalk>>,
+    /// Those with whom they walk.
+    pub(crate) company: Option<Box<Company>>,
 }
 
 /// The surroundings of pedestrians.
@@ -55,49 +69,90 @@ pub(crate) struct WalkerView<'a> {
     pub(crate) roads: &'a Roads,
     pub(crate) graph: &'a WalkGraph,
     pub(crate) signals: &'a [SignalState],
+    pub(crate) roadway: &'a Roadway,
     /// Positions and velocities of people who go their own ways.
     pub(crate) others: &'a [(DVec2, DVec2)],
 }
 
 /// Moves everybody on by one step, one after the other.
 pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &mut [CrossingState], step_s: f64) {
-    for i in 0..walkers.len() {
-        let near: Vec<(DVec2, DVec2)> = walkers
-            .iter()
-            .enumerate()
-            .filter(|(j, w)| *j != i && w.position.distance_squared(walkers[i].position) < SIGHT_M * SIGHT_M)
-            .map(|(_, w)| (w.position, w.velocity))
-            .chain(
-                scene
-                    .others
-                    .iter()
-                    .copied()
-                    .filter(|(at, _)| at.distance_squared(walkers[i].position) < SIGHT_M * SIGHT_M),
-            )
-            .collect();
-        walkers[i].step(scene, &near, crossings, step_s);
+    let own = walkers.iter().map(Walker::seen);
+    let others = scene.others.iter().map(|&(at, velocity)| Passer { at, velocity, intent: velocity, passed: 0 });
+    let mut people: Vec<Passer> = own.chain(others).collect();
+    let grid = PeopleGrid::new(&people);
+    let (mut numbers, mut near) = (Vec::new(), Vec::new());
+    for (i, walker) in walkers.iter_mut().enumerate() {
+        grid.nearest(&people, i, &mut numbers);
+        near.clear();
+        near.extend(numbers.iter().map(|(_, other)| people[*other as usize]));
+        let company = walker.company.as_deref().map_or_else(Vec::new, |company| company.others(&people, i));
+        walker.step(scene, i, &near, &company, crossings, step_s);
+        people[i] = walker.seen();
     }
-    for state in crossings.iter_mut() {
-        state.people.clear();
-        state.wanted = false;
-    }
+    crossings.iter_mut().for_each(|state| state.look_again(step_s));
     for walker in walkers.iter() {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
         } else if let Some(id) = walker.next_crossing(scene.roads) {
-            crossings[id.index()].wanted = true;
+            let state = &mut crossings[id.index()];
+            state.wanted = signal_of(scene.roads, id).is_some() || !state.lets_drivers_go();
         }
     }
 }
 
 impl Walker {
+    /// Somebody who stands on an edge between two nodes and is about to go to the second.
+    pub(crate) fn new(
+        roads: &Roads,
+        spec: &PedestrianSpec,
+        (edge, nodes): (WalkEdgeId, [WalkNodeId; 2]),
+        position: DVec2,
+        stream: Stream,
+    ) -> Self {
+        let [from, to] = nodes;
+        let [a, b] = nodes.map(|n| roads.network.walk.nodes[n.index()].truncate());
+        let along = (b - a).normalize_or(DVec2::X);
+        let yaw = atan2(along.y, along.x);
+        Self {
+            variant: 0,
+            stream,
+            drawn: false,
+            pace: f64::from(spec.walk_mps),
+            side: 0.5,
+            from,
+            way: [(edge, to)].into(),
+            passed: 0,
+            position,
+            velocity: DVec2::ZERO,
+            intent: DVec2::ZERO,
+            height: height(roads, from, (edge, to), position),
+            yaw,
+            walked: 0.0,
+            gait: Gait::Stand,
+            steps: Footsteps::new(spec, position, yaw),
+            stuck: (0.0, 0.0),
+            crowded_s: 0.0,
+            jaywalks: false,
+            jaywalk: None,
+            company: None,
+        }
+    }
+
+    /// As others see them.
+    fn seen(&self) -> Passer {
+        Passer { at: self.position, velocity: self.velocity, intent: self.intent, passed: self.passed }
+    }
+
     fn strip(&self, roads: &Roads) -> DirectedEdge {
+        if let Some(strip) = self.jaywalk.as_deref().and_then(Jaywalk::strip) {
+            return strip;
+        }
         let (edge, to) = self.way[0];
         DirectedEdge::new(roads, self.from, edge, to)
     }
 
     fn next_strip(&self, roads: &Roads) -> Option<DirectedEdge> {
-        let &(edge, to) = self.way.get(1)?;
+        let &(edge, to) = self.way.get(1).filter(|_| !self.on_roadway())?;
         Some(DirectedEdge::new(roads, self.way[0].1, edge, to))
     }
 
@@ -123,16 +178,29 @@ impl Walker {
 
     fn may_cross(&self, scene: &WalkerView<'_>, id: CrossingId, crossings: &[CrossingState]) -> bool {
         let light = signal_of(scene.roads, id).map(|s| scene.signals[s].aspect);
-        light.is_none_or(|a| a == SignalAspect::Green) && !crossings[id.index()].danger
+        let state = &crossings[id.index()];
+        let lets_drivers_go = light.is_none() && state.lets_drivers_go();
+        light.is_none_or(|a| a == SignalAspect::Green) && !state.danger && !lets_drivers_go
     }
 
-    fn step(&mut self, scene: &WalkerView<'_>, near: &[(DVec2, DVec2)], crossings: &mut [CrossingState], step_s: f64) {
+    fn step(
+        &mut self,
+        scene: &WalkerView<'_>,
+        number: usize,
+        near: &[Passer],
+        company: &[Passer],
+        crossings: &mut [CrossingState],
+        step_s: f64,
+    ) {
         let roads = scene.roads;
-        self.advance_route(scene, crossings);
+        if !self.cross_roadway(roads, scene.roadway, number, step_s) {
+            self.advance_route(scene, crossings);
+        }
         let strip = self.strip(roads);
         let next = self.next_strip(roads);
         let (along, _) = strip.local(self.position);
-        let kerb = matches!(next.map(|n| n.kind), Some(WalkKind::Crossing(_)));
+        let own_kerb = self.kerb_ahead(&strip, AIM_M);
+        let kerb = own_kerb.is_some() || matches!(next.map(|n| n.kind), Some(WalkKind::Crossing(_)));
         let mut pace = self.pace;
         if let Some((id, person)) = self.crossing(roads) {
             let light = signal_of(roads, id).map(|s| scene.signals[s].aspect);
@@ -144,24 +212,42 @@ impl Walker {
                 pace = 0.0;
             }
         }
+        pace *= self.keeps_together(&strip, company, step_s);
+        let talks_at = self.talks_at(&strip, step_s);
+        if let Some(on_roadway) = self.pace_on_roadway(scene.roadway, number) {
+            pace = on_roadway;
+        }
         // Aim at a point further on, on the right-hand side of the strip, around the corner if that is near.
-        let keep = |s: &DirectedEdge| -self.side * s.half_width;
-        let ahead = along + AIM_M;
+        // In a crowd they stay beside those who are there, but make room for those who come the other way.
+        let makes_room = somebody_comes(self.position, strip.along, near);
+        let crowd = if makes_room { 0 } else { crowd(self.position, near).saturating_sub(company.len()) };
+        let ease = 1.0 / (1.0 + CROWD_EASE * crowd as f64);
+        let keep = |s: &DirectedEdge| {
+            let here = s.local(self.position).1.clamp(-s.half_width, s.half_width);
+            let middle = -self.side * s.half_width;
+            let place = self.company.as_deref().map_or(middle, |company| company.beside(middle, s.half_width));
+            here + (place - here) * ease
+        };
+        // Whom they stop goes to the right first.
+        let share = if makes_room { (self.velocity.length() / self.pace).clamp(0.2, 1.0) } else { 1.0 };
+        let ahead = along + AIM_M * share;
         let target = match next {
             _ if ahead <= strip.length => strip.point(ahead.max(0.3), keep(&strip)),
             Some(n) if !kerb => n.point((ahead - strip.length).min(n.length), keep(&n)),
             _ => strip.point(strip.length, keep(&strip)),
         };
+        let target = talks_at.or(own_kerb).unwrap_or(target);
         let to_target = target - self.position;
-        if kerb && to_target.length() < 0.9 {
+        if (kerb || talks_at.is_some()) && to_target.length() < 0.9 {
             // At the kerb: stand and wait.
             pace *= ((to_target.length() - 0.25) / 0.65).clamp(0.0, 1.0);
         }
         let mut wanted = to_target.normalize_or_zero() * pace;
+        self.intent = strip.along * pace;
         if pace > 0.3 && self.velocity.length() < 0.15 {
             self.stuck.0 += step_s;
             self.crowded_s += step_s;
-            if self.crowded_s > GIVES_UP_S && strip.kind == WalkKind::Sidewalk {
+            if self.crowded_s > GIVES_UP_S && strip.kind == WalkKind::Sidewalk && !self.on_roadway() {
                 self.turn_back();
             }
             if self.stuck.0 > 1.5 {
@@ -177,13 +263,18 @@ impl Walker {
         } else {
             self.stuck.1 = 0.0;
         }
-        let chosen = self.avoid(wanted, near, &strip, next.as_ref().filter(|_| !kerb));
-        let change = chosen - self.velocity;
+        let way = Footway { strip: &strip, next: next.as_ref().filter(|_| !kerb) };
+        let change = avoid(self.position, wanted, near, &way) - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
-        self.advance(near, &strip, next.as_ref().filter(|_| !kerb), kerb, step_s);
-        self.turn(&strip, next.as_ref().filter(|_| kerb), step_s);
+        self.advance(near, &way, kerb, step_s);
+        let waits_for = self.jaywalk.as_deref().and_then(Jaywalk::waits_for);
+        let talks_to = talks_at.and_then(|_| self.talks_to(company));
+        if talks_to.is_some() {
+            self.talk();
+        }
+        self.turn(&strip, talks_to.or(waits_for).or(next.filter(|_| kerb).map(|next| next.along)), step_s);
         self.steps.advance(self.position, self.yaw, self.velocity, step_s);
-        self.height = height(roads, self.from, self.way[0], self.position);
+        self.height = self.height_on_roadway().unwrap_or_else(|| height(roads, self.from, self.way[0], self.position));
     }
 
     /// Takes the next edge when the end of this one is near, and plans a new way when it ends.
@@ -195,27 +286,41 @@ impl Walker {
         let left = strip.length - strip.local(self.position).0;
         let Some(next) = self.next_strip(scene.roads) else { return };
         let passes = match next.kind {
-            WalkKind::Crossing(id) => left < KERB_M && self.may_cross(scene, id, crossings),
+            // Who stands beside the crossing comes to its beginning first.
+            WalkKind::Crossing(id) => {
+                let before_it = next.local(self.position).1.abs() < next.half_width + BODY_M;
+                left < KERB_M && (before_it || left < 0.35) && self.may_cross(scene, id, crossings)
+            }
             WalkKind::Sidewalk => left < 0.35 || (left < 1.5 && next.outside(self.position) <= 0.0),
         };
         if passes && let Some((_, node)) = self.way.pop_front() {
             self.from = node;
+            self.passed += 1;
+            if next.kind == WalkKind::Sidewalk {
+                self.want_to_cross(scene.roads);
+            }
         }
     }
 
-    /// Back to where the edge underfoot began; what was planned is forgotten.
+    /// Back to where the edge underfoot began; what was planned is forgotten, and so are those with whom they walked.
     fn turn_back(&mut self) {
         let (edge, to) = self.way[0];
         self.way = [(edge, self.from)].into();
         self.from = to;
         self.crowded_s = 0.0;
+        (self.jaywalk, self.company) = (None, None);
     }
 
     /// A way to a random place, after what is planned.
     pub(crate) fn plan(&mut self, roads: &Roads, graph: &WalkGraph) {
         let start = self.way.back().map_or(self.from, |w| w.1);
+        if let (Some(company), Some(&(edge, _))) = (&mut self.company, self.way.front()) {
+            company.plan_talk(edge);
+        }
         for _ in 0..20 {
-            let goal = WalkNodeId(self.stream.weighted(roads.attraction.goals(self.drawn)) as u32);
+            let weights = roads.attraction.goals(self.drawn);
+            let stream = self.company.as_deref_mut().map_or(&mut self.stream, Company::goals);
+            let goal = WalkNodeId(stream.weighted(weights) as u32);
             let way = graph.shortest(&roads.network.walk, start, goal);
             // Nobody turns on the spot if there is another way.
             let turns = way.first().is_some_and(|w| self.way.back().is_some_and(|b| b.0 == w.0));
@@ -232,46 +337,31 @@ impl Walker {
     }
 
     /// Moves, but never into somebody, and not off the sidewalk to get past them.
-    fn advance(
-        &mut self,
-        near: &[(DVec2, DVec2)],
-        strip: &DirectedEdge,
-        next: Option<&DirectedEdge>,
-        waits: bool,
-        step_s: f64,
-    ) {
-        let outside = |p: DVec2| strip.outside(p).min(next.map_or(f64::INFINITY, |n| n.outside(p)));
-        let here = outside(self.position);
+    fn advance(&mut self, near: &[Passer], way: &Footway<'_>, waits: bool, step_s: f64) {
+        let here = way.outside(self.position);
         // On a crossing there is room for a body beside those who come the other way.
-        let most = if strip.kind == WalkKind::Sidewalk { here } else { here.max(BODY_M) };
-        let leaves = |velocity: DVec2| outside(self.position + velocity * step_s) > most + 1e-9;
-        if leaves(self.velocity) {
-            let slides = std::iter::once(strip).chain(next).map(|s| s.along * self.velocity.dot(s.along));
-            if let Some(slide) = slides.into_iter().find(|&v| !leaves(v)) {
-                self.velocity = slide;
-            }
-        }
-        let goal = self.position + self.velocity * step_s;
-        let blocked = near.iter().any(|(p, _)| {
-            let after = goal.distance(*p);
-            after < 2.0 * BODY_M + 0.02 && after < self.position.distance(*p)
-        });
-        if blocked {
-            self.velocity = DVec2::ZERO;
-        } else {
-            self.walked += self.position.distance(goal);
-            self.position = goal;
-        }
-        let speed = self.velocity.length();
-        self.gait = self.steps.gait(speed, waits);
+        let beside = if way.strip.kind == WalkKind::Sidewalk { 0.0 } else { BODY_M };
+        let stays = |v: &DVec2| way.outside(self.position + *v * step_s) <= here.max(beside) + 1e-9;
+        let bodies = bounds_of_bodies(self.position, near, step_s);
+        let along_edges = |strip: &DirectedEdge| {
+            let edges = bounds_of_strip(strip, self.position, beside, step_s);
+            nearest_within(&[&bodies[..], &edges].concat(), self.velocity)
+        };
+        let free = std::iter::once_with(|| nearest_within(&bodies, self.velocity));
+        let mut candidates = free.chain(std::iter::once(way.strip).chain(way.next).map(along_edges));
+        self.velocity = candidates.find(stays).unwrap_or(DVec2::ZERO);
+        let step = self.velocity * step_s;
+        self.walked += step.length();
+        self.position += step;
+        self.gait = self.steps.gait(self.velocity.length(), waits);
     }
 
-    fn turn(&mut self, strip: &DirectedEdge, waits_for: Option<&DirectedEdge>, step_s: f64) {
+    fn turn(&mut self, strip: &DirectedEdge, waits_for: Option<DVec2>, step_s: f64) {
         let speed = self.velocity.length();
         let facing = if speed > 0.25 {
             self.velocity
-        } else if let Some(next) = waits_for {
-            next.along
+        } else if let Some(ahead) = waits_for {
+            ahead
         } else if speed > 0.05 {
             strip.along
         } else {
@@ -281,3 +371,6 @@ impl Walker {
         self.yaw = wrap_angle(self.yaw + (off * 5.0).clamp(-TURN_RATE, TURN_RATE) * step_s);
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -38,4 +38,6 @@ pub struct Behaviour {
     pub crossing: Option<u16>,
     /// Of a person on foot: whether they stand at a kerb until they may cross.
     pub waiting: bool,
+    /// Of a person on foot: whether they cross a road away from its crossings.
+    pub jaywalking: bool,
 }

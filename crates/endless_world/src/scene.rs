@@ -49,6 +49,12 @@ pub struct SceneSettings {
     /// What is driven on its streets, and how.
     #[serde(default, skip_serializing_if = "TrafficProfile::is_usual")]
     pub profile: TrafficProfile,
+    /// Share of pedestrians who cross roads away from crossings, 0 to 1.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub jaywalking: f64,
+    /// Share of pedestrians who walk in groups, 0 to 1.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub groups: f64,
     /// Image size.
     pub size: ImageSize,
     /// Frames a second.
@@ -86,6 +92,11 @@ impl SceneSettings {
 /// Of scenes that do not tell: their traffic gathered before the cameras, too.
 fn usual_focus() -> f64 {
     0.8
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_zero(share: &f64) -> bool {
+    *share == 0.0
 }
 
 mod cameras_and_looks {

@@ -147,6 +147,8 @@ mod tests {
             density: ActorDensity::default(),
             focus: 0.8,
             profile: TrafficProfile::default(),
+            jaywalking: 0.0,
+            groups: 0.0,
             size: ImageSize { width: 16, height: 9 },
             fps: 10.0,
             frames,

@@ -276,6 +276,9 @@ fn simulation(map: &CarlaMap, settings: &SceneSettings, people_alone: bool) -> R
         condition,
         focus,
         errands: Vec::new(),
+        // Vehicles of the server would not see them.
+        jaywalking: if people_alone { 0.0 } else { settings.jaywalking },
+        groups: settings.groups,
         first: Vec::new(),
         profile: settings.profile,
     };

@@ -64,6 +64,8 @@ fn labels_are_those_of_the_built_in_renderer() {
         // Where more is seen far away, a pixel at an edge falls to the other side now and then: a pose has other digits in degrees.
         focus: 0.2,
         profile: TrafficProfile::default(),
+        jaywalking: 0.0,
+        groups: 0.0,
         size: SIZE,
         fps: 10.0,
         frames: 10,

@@ -31,6 +31,8 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         density: ActorDensity::default(),
         focus: 0.8,
         profile: TrafficProfile::default(),
+        jaywalking: 0.0,
+        groups: 0.0,
         size: SIZE,
         fps: 30.0,
         frames: FRAMES,

@@ -121,6 +121,12 @@ recipe_options! {
     /// Share of the maps' parked vehicles that are there.
     parked: f64 => #[serde(default = "whole", skip_serializing_if = "is_whole")] f64,
         OptionKind::Number { least: 0.0, most: 1.0 }, Value("1");
+    /// Share of pedestrians who cross roads away from crossings when a gap in traffic lets them.
+    jaywalking: f64 => #[serde(default, skip_serializing_if = "is_zero")] f64,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Value("0");
+    /// Share of pedestrians who walk in groups of two to four.
+    groups: f64 => #[serde(default, skip_serializing_if = "is_zero")] f64,
+        OptionKind::Number { least: 0.0, most: 1.0 }, Value("0");
     /// Play the motion that a file tells instead of simulating it: SUMO's FCD (XML), or CSV (docs/clone.md). Vehicles and
     /// pedestrians are then 0 by default, of what the file has. In a recipe file, relative to the folder of that file.
     traffic: PathBuf, OptionKind::File, Described("none");
@@ -244,6 +250,11 @@ fn is_usual_region(region: &Region) -> bool {
 
 fn usual_focus() -> f64 {
     0.8
+}
+
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde calls it")]
+fn is_zero(share: &f64) -> bool {
+    *share == 0.0
 }
 
 fn clean() -> CameraLookChoice {

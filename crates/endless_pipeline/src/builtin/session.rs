@@ -78,14 +78,26 @@ impl<'m> BuiltinSession<'m> {
         wanted: SensorLayers,
         tracks: &[Track],
     ) -> Result<Self, SimulatorError> {
-        let SceneSettings { seed, fps, profile, .. } = *settings;
+        let SceneSettings { seed, fps, jaywalking, groups, profile, .. } = *settings;
         let bakes = Arc::new(SceneBakes::new(map, catalogue, settings, wanted));
         let condition = DrivingCondition::from(&*bakes.weather(0));
         // Traffic over the whole map, denser where the cameras look.
         let focus = lookout::focus(map, settings);
         let [vehicles, pedestrians] = map.traffic.asked(&focus, settings);
         let (errands, first) = (lookout::errands(&map.town), carrier_classes(settings));
-        let traffic = TrafficSettings { vehicles, pedestrians, seed, fps, condition, focus, errands, first, profile };
+        let traffic = TrafficSettings {
+            vehicles,
+            pedestrians,
+            seed,
+            fps,
+            condition,
+            focus,
+            errands,
+            jaywalking,
+            groups,
+            first,
+            profile,
+        };
         let specs = catalogue.vehicle_specs();
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
         let duration_s = f64::from(settings.frames) / fps;

@@ -27,6 +27,8 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
         density: ActorDensity::default(),
         focus: 0.8,
         profile: TrafficProfile::default(),
+        jaywalking: 0.0,
+        groups: 0.0,
         size: ImageSize { width: 64, height: 36 },
         fps: FPS,
         frames: 300,

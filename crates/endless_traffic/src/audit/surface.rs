@@ -83,6 +83,10 @@ impl Surfaces {
     }
 
     fn walking(&mut self, sight: &Sight<'_>, glance: &Glance<'_>) {
+        // Who crosses a road away from crossings is off them on purpose.
+        if glance.actor.behaviour.jaywalking {
+            return;
+        }
         let around = [glance.at - DVec2::splat(NEAR_M), glance.at + DVec2::splat(NEAR_M)];
         let mut outside_m = f64::INFINITY;
         for strip in self.strip_grid.near(around) {

@@ -1,5 +1,6 @@
 use super::*;
 use crate::driver::Driver;
+use crate::settings::DrivingCondition;
 use crate::trailer::TrailerState;
 use crate::{Focus, TrafficMap};
 use endless_asset::Catalogue;
@@ -45,7 +46,7 @@ fn long_vehicles_keep_their_wheels_on_the_road_in_turns() {
             for lane in network.lanes.iter().filter(|l| allowed[l.id.index()] && l.turn != Turn::Straight) {
                 let (before, after) = (lane.predecessors[0], lane.successors[0]);
                 let mut stream = Stream::new(1, &[]);
-                let mut driver = Driver::new(spec, 0.0, 0.5, &mut stream);
+                let mut driver = Driver::new(spec, &DrivingCondition::default(), 0.5, &mut stream);
                 driver.lateral_m = 0.0;
                 let start = (network.lane(before).centerline.length() - 25.0).max(0.0);
                 let asset = VehicleRef { model: VehicleModelId::from_index(model), variant: 0 };

@@ -92,6 +92,11 @@ impl Presence {
         occupancy.claim(&self.claimed);
     }
 
+    /// Parts of lanes under vehicles, with their speeds, m/s.
+    pub(crate) fn covers(&self) -> impl Iterator<Item = (LaneId, [f64; 2], f64)> {
+        self.covers.iter().map(|(cover, speed)| (cover.lane, [cover.rear, cover.front], *speed))
+    }
+
     /// Notes the vehicles that are on crossings or come there.
     pub(crate) fn note_vehicles(&self, roads: &Roads, crossings: &mut [CrossingState]) {
         for (cover, speed) in &self.covers {

@@ -6,7 +6,9 @@ mod focus;
 #[path = "../../../endless_road/tests/it/grid/mod.rs"]
 mod grid;
 mod grid_traffic;
+mod groups;
 mod imu;
+mod jaywalking;
 mod merge;
 mod profile;
 mod slope;

@@ -1,0 +1,218 @@
+use super::*;
+use crate::{Focus, TrafficMap};
+use endless_road::{RoadNetwork, WalkEdge, WalkNetwork};
+use endless_world::math::f64::{exp, sin_cos};
+use std::f64::consts::TAU;
+
+const STEP_S: f64 = 1.0 / 30.0;
+
+/// People on ways without roads.
+struct Crowd {
+    roads: Roads,
+    graph: WalkGraph,
+    walkers: Vec<Walker>,
+    /// Of the walkable surface, square metres.
+    area: f64,
+}
+
+/// Where people go in a corridor.
+#[derive(Debug, Clone, Copy)]
+enum Directions {
+    One,
+    /// Half of them each way, on their right.
+    Sorted,
+    /// Half of them each way, anywhere.
+    Mixed,
+}
+
+/// What a crowd did.
+#[derive(Debug)]
+struct Seen {
+    /// Of all people at all looks, m/s.
+    mean_mps: f64,
+    /// Share of looks at which somebody hardly moved.
+    standing: f64,
+    /// Least distance between two, metres.
+    nearest_m: f64,
+    /// Furthest that a body was over the edge of its ways, metres.
+    outside_m: f64,
+}
+
+fn ways(walk: WalkNetwork) -> (Roads, WalkGraph) {
+    let network = RoadNetwork { walk, ..RoadNetwork::default() }.finish().expect("ways alone");
+    let graph = WalkGraph::new(&network.walk);
+    (Roads::new(&TrafficMap::new(network, &[]), &Focus::default(), &[]), graph)
+}
+
+impl Crowd {
+    fn put(&mut self, stream: &mut Stream, edge: u32, turned: bool, position: DVec2) {
+        let mut nodes = self.roads.network.walk.edges[edge as usize].nodes;
+        if turned {
+            nodes.reverse();
+        }
+        let spec = PedestrianSpec {
+            walk_mps: (1.34 + 0.2 * stream.normal()).clamp(0.9, 1.9) as f32,
+            ..PedestrianSpec::default()
+        };
+        let own = stream.fork(self.walkers.len() as u64);
+        let mut walker = Walker::new(&self.roads, &spec, (WalkEdgeId(edge), nodes), position, own);
+        walker.side = stream.range_f64(0.15, 0.85);
+        walker.plan(&self.roads, &self.graph);
+        self.walkers.push(walker);
+    }
+
+    /// A corridor of 3.5 m that closes on itself, with people evenly spread.
+    fn corridor(density: f64, directions: Directions) -> Self {
+        const SIDES: u32 = 20;
+        const RADIUS_M: f64 = 10.0;
+        const WIDTH_M: f64 = 3.5;
+        const FILES: usize = 6;
+        let node = |k: u32| {
+            let (sin, cos) = sin_cos(TAU * f64::from(k) / f64::from(SIDES));
+            DVec3::new(RADIUS_M * cos, RADIUS_M * sin, 0.0)
+        };
+        let edge = |k: u32| WalkEdge {
+            nodes: [WalkNodeId(k), WalkNodeId((k + 1) % SIDES)],
+            width_m: WIDTH_M,
+            kind: WalkKind::Sidewalk,
+        };
+        let (roads, graph) =
+            ways(WalkNetwork { nodes: (0..SIDES).map(node).collect(), edges: (0..SIDES).map(edge).collect() });
+        let area = TAU * RADIUS_M * WIDTH_M;
+        let mut crowd = Self { roads, graph, walkers: Vec::new(), area };
+        let mut stream = Stream::named(3, "test.corridor", &[]);
+        let people = (density * area).round() as usize;
+        let ranks = people.div_ceil(FILES);
+        for i in 0..people {
+            let along = (i / FILES) as f64 / ranks as f64 * f64::from(SIDES);
+            let edge = along as u32;
+            let [a, b] = [edge, (edge + 1) % SIDES].map(|k| node(k).truncate());
+            let out = a.lerp(b, along.fract()).normalize();
+            let beside = 0.58 * ((i % FILES) as f64 - 0.5 * (FILES - 1) as f64);
+            let turned = match directions {
+                Directions::One => false,
+                Directions::Sorted => beside < 0.0,
+                Directions::Mixed => stream.chance(0.5),
+            };
+            crowd.put(&mut stream, edge, turned, a.lerp(b, along.fract()) + out * beside);
+        }
+        crowd
+    }
+
+    /// A square of 40 m, criss-crossed by wide ways.
+    fn square(people: usize) -> Self {
+        const SIDE: u32 = 5;
+        const CELL_M: f64 = 8.0;
+        let node = |k: u32| DVec3::new(f64::from(k % SIDE), f64::from(k / SIDE), 0.0) * CELL_M;
+        let mut edges = Vec::new();
+        for k in 0..SIDE * SIDE {
+            let right = (k % SIDE + 1 < SIDE).then_some(k + 1);
+            let up = (k / SIDE + 1 < SIDE).then_some(k + SIDE);
+            edges.extend([right, up].into_iter().flatten().map(|other| WalkEdge {
+                nodes: [WalkNodeId(k), WalkNodeId(other)],
+                width_m: CELL_M,
+                kind: WalkKind::Sidewalk,
+            }));
+        }
+        let numbers = 0..edges.len();
+        let (roads, graph) = ways(WalkNetwork { nodes: (0..SIDE * SIDE).map(node).collect(), edges });
+        let area = (f64::from(SIDE) * CELL_M) * (f64::from(SIDE) * CELL_M);
+        let mut crowd = Self { roads, graph, walkers: Vec::new(), area };
+        let mut stream = Stream::named(3, "test.square", &[]);
+        while crowd.walkers.len() < people {
+            let edge = stream.below(numbers.len()) as u32;
+            let [a, b] = crowd.roads.network.walk.edges[edge as usize]
+                .nodes
+                .map(|node| crowd.roads.network.walk.nodes[node.index()].truncate());
+            let at = a.lerp(b, stream.f64()) + (b - a).normalize().perp() * stream.range_f64(-3.5, 3.5);
+            if crowd.walkers.iter().all(|walker| walker.position.distance(at) > 0.55) {
+                let turned = stream.chance(0.5);
+                crowd.put(&mut stream, edge, turned, at);
+            }
+        }
+        crowd
+    }
+
+    /// Lets them walk, and looks at them for a time at the end of it, seconds.
+    fn walk(&mut self, seconds: f64, look_s: f64) -> Seen {
+        let mut seen = Seen { mean_mps: 0.0, standing: 0.0, nearest_m: f64::INFINITY, outside_m: 0.0 };
+        let mut looks = 0.0;
+        for step_number in 0..(seconds / STEP_S) as u32 {
+            let view = WalkerView {
+                roads: &self.roads,
+                graph: &self.graph,
+                signals: &[],
+                roadway: &Roadway::default(),
+                others: &[],
+            };
+            step(&view, &mut self.walkers, &mut [], STEP_S);
+            let left_s = seconds - f64::from(step_number) * STEP_S;
+            if step_number % 10 != 0 || left_s > look_s {
+                continue;
+            }
+            for (i, walker) in self.walkers.iter().enumerate() {
+                let before = self.walkers[..i].iter().map(|other| other.position.distance(walker.position));
+                seen.nearest_m = before.fold(seen.nearest_m, f64::min);
+                seen.outside_m = seen.outside_m.max(self.outside(walker.position));
+                seen.mean_mps += walker.velocity.length();
+                seen.standing += f64::from(walker.velocity.length() < 0.1);
+                looks += 1.0;
+            }
+        }
+        seen.mean_mps /= looks;
+        seen.standing /= looks;
+        seen
+    }
+
+    /// How far a place is outside of the usable width of all ways, their ends round, metres.
+    fn outside(&self, at: DVec2) -> f64 {
+        let walk = &self.roads.network.walk;
+        let off = |edge: &WalkEdge| {
+            let [a, b] = edge.nodes.map(|node| walk.nodes[node.index()].truncate());
+            let share = ((at - a).dot(b - a) / (b - a).length_squared()).clamp(0.0, 1.0);
+            at.distance(a.lerp(b, share)) - (0.5 * edge.width_m - BODY_M)
+        };
+        walk.edges.iter().map(off).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Weidmann's speed of people at a density, m/s, for who walks at 1.34 m/s where nobody is.
+fn weidmann_mps(density: f64) -> f64 {
+    1.34 * (1.0 - exp(-1.913 * (1.0 / density - 1.0 / 5.4)))
+}
+
+/// Speeds over Weidmann's by density, after half a minute.
+fn over_weidmann(densities: &[f64], directions: Directions) -> Vec<f64> {
+    let share = |density: &f64| {
+        let mut crowd = Crowd::corridor(*density, directions);
+        assert!((crowd.walkers.len() as f64 / crowd.area / density - 1.0).abs() < 0.05);
+        let seen = crowd.walk(40.0, 10.0);
+        assert!(seen.nearest_m > 2.0 * BODY_M && seen.outside_m < BODY_M, "{density} {directions:?}: {seen:?}");
+        seen.mean_mps / weidmann_mps(*density)
+    };
+    densities.iter().map(share).collect()
+}
+
+#[test]
+fn speed_falls_with_density_as_weidmann_has_it() {
+    let shares = over_weidmann(&[0.1, 0.5, 1.0, 1.5, 2.0, 2.5], Directions::One);
+    assert!(shares.iter().all(|share| (0.8..1.2).contains(share)), "{shares:?}");
+}
+
+#[test]
+fn so_it_does_where_people_come_the_other_way() {
+    let shares = over_weidmann(&[0.1, 0.5, 1.0, 1.5, 2.0], Directions::Sorted);
+    assert!(shares.iter().all(|share| (0.75..1.25).contains(share)), "{shares:?}");
+    let shares = over_weidmann(&[2.5], Directions::Sorted);
+    assert!(shares[0] > 0.4, "{shares:?}");
+    let shares = over_weidmann(&[0.25, 0.5, 1.0], Directions::Mixed);
+    assert!(shares.iter().all(|share| (0.75..1.25).contains(share)), "{shares:?}");
+}
+
+#[test]
+fn five_hundred_on_a_square_keep_moving() {
+    let mut crowd = Crowd::square(500);
+    let seen = crowd.walk(60.0, 30.0);
+    assert!(seen.mean_mps > 1.0 && seen.standing < 0.02, "{seen:?}");
+    assert!(seen.nearest_m > 2.0 * BODY_M && seen.outside_m < 0.01, "{seen:?}");
+}
