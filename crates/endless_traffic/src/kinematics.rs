@@ -14,7 +14,10 @@ const GRAVITY: f64 = 9.81;
 
 /// Offset from the lane's middle and its slope, and whether a lane change has ended.
 fn lateral(vehicle: &Vehicle) -> (f64, f64, bool) {
-    let Some(shift) = vehicle.shift else { return (vehicle.driver.lateral_m, 0.0, false) };
+    let Some(shift) = vehicle.shift else {
+        let (aside_m, slope) = vehicle.order.map_or((0.0, 0.0), |order| order.aside(vehicle.rolled));
+        return (vehicle.driver.lateral_m + aside_m, slope, false);
+    };
     let u = ((vehicle.s - shift.begin_s) / shift.length_m).clamp(0.0, 1.0);
     // Quintic: position, slope and curvature continuous.
     let rise = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
@@ -35,6 +38,9 @@ pub(crate) fn settle(vehicle: &mut Vehicle, roads: &Roads) {
 
 /// Moves a vehicle on by one step.
 pub(crate) fn advance(vehicle: &mut Vehicle, roads: &Roads, step_s: f64) {
+    if let Some(order) = &mut vehicle.order {
+        order.age_s += step_s;
+    }
     let before = vehicle.speed;
     vehicle.speed = (before + vehicle.acceleration * step_s).max(0.0);
     let travelled = 0.5 * (before + vehicle.speed) * step_s;

@@ -53,6 +53,7 @@ mod driver;
 mod entry_request;
 mod focus;
 mod gathering;
+mod incident;
 mod junction_controller;
 mod kinematics;
 mod lane_change;
@@ -76,6 +77,7 @@ mod walker;
 
 pub use audit::{AuditCheck, AuditLine, AuditReport, TrafficAudit};
 pub use focus::{Focus, View};
+pub use incident::{DetectedIncident, IncidentDetector, IncidentRequest};
 pub use playback::{PlayedTracks, TrackFit};
 pub use population::Population;
 pub use roads::TrafficMap;

@@ -1,11 +1,13 @@
 //! The simulation as a whole.
 
+mod incidents;
 mod world_state;
 
 use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
+use crate::incident::StagedIncident;
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
 use crate::playback::{Playback, PlayedTracks, Presence};
@@ -52,6 +54,8 @@ pub struct Simulation {
     playback: Option<Playback>,
     /// Until the first frame.
     gathering: Option<Gathering>,
+    /// Incidents to come and those that happen.
+    staged: Vec<StagedIncident>,
     fps: f64,
     frame: u32,
     steps: u64,
@@ -156,6 +160,7 @@ impl Simulation {
             signals: Vec::new(),
             playback,
             gathering,
+            staged: Vec::new(),
             fps,
             frame: 0,
             steps: 0,
@@ -193,6 +198,7 @@ impl Simulation {
 
     /// Advances by one frame: a fixed number of equal steps of at most 1/30 s.
     pub fn tick(&mut self) {
+        self.give_orders();
         let frame_s = 1.0 / self.fps;
         let steps = (frame_s / STEP_S - 1e-9).ceil().max(1.0) as u32;
         let begin = self.time_s;
@@ -203,6 +209,7 @@ impl Simulation {
         self.frame += 1;
         self.time_s = if begin < 0.0 { begin + frame_s } else { f64::from(self.frame) / self.fps };
         signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
+        self.note_incidents();
     }
 
     fn step(&mut self, step_s: f64) {

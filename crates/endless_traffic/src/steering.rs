@@ -35,7 +35,8 @@ impl DriverView<'_> {
     pub(crate) fn acceleration(&self, i: usize, step_s: f64) -> f64 {
         let me = &self.vehicles[i];
         let driver = &me.driver;
-        let leader = self.occupancy.leader(self.roads, self.vehicles, i, SIGHT_M);
+        let looks = me.order.is_none_or(|order| order.sees_leader());
+        let leader = self.occupancy.leader(self.roads, self.vehicles, i, SIGHT_M).filter(|_| looks);
         let mut wanted = driver.free(me.speed, speed_ahead(self.roads, me));
         if let Some(leader) = leader {
             wanted = wanted.min(driver.follow(me.speed, leader.gap, leader.speed));
@@ -43,6 +44,7 @@ impl DriverView<'_> {
         if let Some(gap) = self.line_ahead(i, leader) {
             wanted = wanted.min(driver.stop_at(me.speed, gap));
         }
+        let wanted = me.order.map_or(wanted, |order| order.wanted(wanted));
         let eased = wanted.clamp(me.acceleration - JERK_DOWN * step_s, me.acceleration + JERK_UP * step_s);
         let hardest = HARDEST_BRAKING.min(LAST_BRAKING + BRAKING_PER_MPS * me.speed);
         eased.clamp(-hardest, driver.accelerate)
@@ -133,7 +135,8 @@ impl DriverView<'_> {
     fn earlier_ahead(&self, i: usize, lane: LaneId, base: f64, order: u64, foresight: bool) -> f64 {
         let me = &self.vehicles[i];
         let mut nearest = f64::INFINITY;
-        let Some(junction) = self.roads.table(lane).junction else { return nearest };
+        let heedless = me.order.is_some_and(|order| order.heedless);
+        let Some(junction) = self.roads.table(lane).junction.filter(|_| !heedless) else { return nearest };
         for &other in self.controller.holders(junction) {
             let them = &self.vehicles[other];
             let Some(right_of_way) = them.right_of_way_at(junction).filter(|g| other != i && g.order < order) else {

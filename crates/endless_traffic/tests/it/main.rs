@@ -7,6 +7,7 @@ mod focus;
 mod grid;
 mod grid_traffic;
 mod imu;
+mod incidents;
 mod merge;
 mod slope;
 mod towns;
