@@ -7,7 +7,7 @@ use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
-use crate::incident::StagedIncident;
+use crate::incident::{StagedIncident, impact, road_walk, wrong_way};
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
 use crate::playback::{Playback, PlayedTracks, Presence};
@@ -233,6 +233,8 @@ impl Simulation {
         others.note_people(&mut self.crossings);
         self.occupancy.rebuild(&self.roads, &self.vehicles);
         others.occupy(&mut self.occupancy, self.vehicles.len());
+        wrong_way::occupy(&self.roads, &self.vehicles, &mut self.occupancy);
+        road_walk::occupy(&self.walkers, &mut self.occupancy);
         for i in 0..self.vehicles.len() {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
@@ -263,6 +265,7 @@ impl Simulation {
             vehicle.plan(&self.roads);
             lights::update(vehicle, &self.roads, self.condition.headlights_on, self.time_s + step_s, step_s);
         }
+        impact::collide(&self.roads, &mut self.vehicles);
         self.cross_borders(come);
         if let Some(playback) = &mut self.playback {
             playback.advance(&self.roads.network, self.time_s + step_s, step_s, self.condition.headlights_on);

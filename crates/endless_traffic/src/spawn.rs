@@ -224,6 +224,7 @@ pub(crate) fn walkers(
                 steps: Footsteps::new(&spec, position, atan2(along.y, along.x)),
                 stuck: (0.0, 0.0),
                 crowded_s: 0.0,
+                road_walk: None,
             };
             best = Some((room, walker));
             if found == CANDIDATES {

@@ -53,6 +53,7 @@ impl DriverView<'_> {
     /// Distance from the front bumper to the nearest line at which to stop.
     fn line_ahead(&self, i: usize, leader: Option<Leader>) -> Option<f64> {
         let me = &self.vehicles[i];
+        let heedless = me.order.is_some_and(|order| order.heedless);
         let sure = self.surely_free(i, leader);
         let mut nearest = f64::INFINITY;
         let mut setback = 0.0;
@@ -86,11 +87,12 @@ impl DriverView<'_> {
                 let state = &self.crossings[cut.crossing.index()];
                 let invited =
                     signal_of(self.roads, cut.crossing).is_none_or(|s| self.signals[s].aspect == SignalAspect::Green);
-                let lets_go = state.wanted && invited && !state.occupied && gap > comfortable_stop_m(me.speed);
+                let lets_go =
+                    !heedless && state.wanted && invited && !state.occupied && gap > comfortable_stop_m(me.speed);
                 // Who may have to stop on it keeps off while people come, or if it is no junction's, always: nobody on
                 // foot shall find the way barred in the middle of the road.
                 let stops_on_it = sure < base + cut.range.1 + me.half_length + me.driver.standing_gap_m;
-                let keeps_off = stops_on_it && (table.junction.is_none() || state.awaits(cut, me));
+                let keeps_off = !heedless && stops_on_it && (table.junction.is_none() || state.awaits(cut, me));
                 if state.blocks(cut, me) || lets_go || keeps_off {
                     nearest = nearest.min(gap.max(0.06));
                 }

@@ -3,6 +3,7 @@
 
 use super::walk_strip::{BODY_M, DirectedEdge, height, unit_vector};
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
+use crate::incident::{RoadWalk, road_walk};
 use crate::roads::Roads;
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
 use endless_world::math::f64::{atan2, wrap_angle};
@@ -48,6 +49,8 @@ pub(crate) struct Walker {
     pub(crate) stuck: (f64, f64),
     /// Seconds for which they have been stuck in a crowd, less those in which they got on.
     pub(crate) crowded_s: f64,
+    /// A way over the road, away from crossings.
+    pub(crate) road_walk: Option<RoadWalk>,
 }
 
 /// The surroundings of pedestrians.
@@ -62,6 +65,10 @@ pub(crate) struct WalkerView<'a> {
 /// Moves everybody on by one step, one after the other.
 pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &mut [CrossingState], step_s: f64) {
     for i in 0..walkers.len() {
+        if walkers[i].road_walk.is_some() {
+            road_walk::step(&mut walkers[i], scene.roads, step_s);
+            continue;
+        }
         let near: Vec<(DVec2, DVec2)> = walkers
             .iter()
             .enumerate()
@@ -81,7 +88,7 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
         state.people.clear();
         state.wanted = false;
     }
-    for walker in walkers.iter() {
+    for walker in walkers.iter().filter(|walker| walker.road_walk.is_none()) {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
         } else if let Some(id) = walker.next_crossing(scene.roads) {

@@ -10,14 +10,24 @@ use strum::VariantArray as _;
 #[serde(rename_all = "snake_case")]
 #[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
 pub enum IncidentKind {
+    /// One drives into another.
+    Collision,
     /// Two almost touch: one brakes for nothing, and who follows takes notice late.
     NearMiss,
     /// A driver takes no notice of a red light.
     RedLightRun,
+    /// A vehicle drives on the lane of those who come the other way.
+    WrongWay,
     /// A vehicle breaks down and stands in its lane, hazard lights on.
     Stalled,
+    /// Somebody on foot crosses the road away from crossings.
+    Jaywalk,
+    /// Somebody on a two-wheeler falls.
+    FallenRider,
     /// A vehicle stops at the edge of a driving lane, hazard lights on.
     IllegalParking,
+    /// A queue reaches back to the junction behind it.
+    QueueSpillback,
 }
 
 impl IncidentKind {

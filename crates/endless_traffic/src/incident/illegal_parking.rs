@@ -17,6 +17,8 @@ const PULLS_OVER: f64 = 0.7;
 const EDGE_M: f64 = 0.1;
 /// Who cannot come so far from the lane's middle drives on, metres.
 const LEAST_ASIDE_M: f64 = 0.45;
+/// Who stands so far beside the lane's middle is at its edge, metres.
+const ASIDE_M: f64 = 0.38;
 /// The kerb is within this beside the lane's middle, metres.
 const KERB_M: f64 = 9.0;
 
@@ -36,12 +38,19 @@ pub(super) fn candidates(moment: &Moment<'_>) -> Vec<Candidate> {
         if room_m < LEAST_ASIDE_M {
             return None;
         }
-        let drift = Some(Drift { begin_m: vehicle.rolled, length_m: PULLS_OVER * stop_m, left_m });
+        let drift = Some(Drift { begin_m: vehicle.rolled, length_m: PULLS_OVER * stop_m, left_m, back_m: None });
         let braking = Some(Braking { mps2: BRAKING_MPS2, until_s: f64::INFINITY });
         let order = Order { braking, drift, hazards_below_mps: f64::INFINITY, ..Order::default() };
-        Some(Candidate { roles: vec![(i, order)], junction: None, ahead_m: stop_m })
+        Some(Candidate { roles: vec![(i, order)], walk: None, junction: None, ahead_m: stop_m })
     };
-    moment.vehicles.iter().enumerate().filter_map(who).collect()
+    moment.watched().filter_map(who).collect()
+}
+
+/// Whether somebody has come to the edge: who stops short does not park.
+pub(super) fn is_aside(moment: &Moment<'_>, actors: &[usize]) -> bool {
+    let vehicle = &moment.vehicles[actors[0]];
+    let middle = vehicle.pose.position.as_dvec3().truncate();
+    moment.roads.network.lane(vehicle.lane()).centerline.project(middle).1.abs() > ASIDE_M
 }
 
 /// The side on which a sidewalk runs along a lane with no other lane between: 1 left, −1 right.

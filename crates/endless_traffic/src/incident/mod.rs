@@ -12,19 +12,27 @@
 //! world states ─► detector (poses, signals, map alone) ─────┴─► do both agree?
 //! ```
 
+mod collision;
 mod conflict;
 mod detector;
+mod fallen_rider;
 mod illegal_parking;
+pub(crate) mod impact;
+mod jaywalk;
 mod near_miss;
 mod order;
+mod queue_spillback;
 mod red_light_run;
 mod rehearsal;
+pub(crate) mod road_walk;
 mod stalled;
 mod standing;
+pub(crate) mod wrong_way;
 
 pub use detector::{DetectedIncident, IncidentDetector};
 pub(crate) use order::Order;
 pub(crate) use rehearsal::Rehearsal;
+pub(crate) use road_walk::RoadWalk;
 
 use crate::focus::Focus;
 use crate::occupancy::Occupancy;
@@ -32,6 +40,7 @@ use crate::roads::Roads;
 use crate::settings::DrivingCondition;
 use crate::signals;
 use crate::vehicle::Vehicle;
+use crate::walker::Walker;
 use endless_road::JunctionId;
 use endless_world::{IncidentKind, InstanceId, SignalAspect, SignalId};
 
@@ -54,11 +63,29 @@ pub(crate) struct Moment<'a> {
     pub(crate) roads: &'a Roads,
     pub(crate) occupancy: &'a Occupancy,
     pub(crate) vehicles: &'a [Vehicle],
+    pub(crate) walkers: &'a [Walker],
+    /// Whether each vehicle, and each person on foot, is seen or soon will be.
+    pub(crate) watched: [&'a [bool]; 2],
     /// Scene time, seconds.
     pub(crate) time_s: f64,
 }
 
 impl Moment<'_> {
+    /// Vehicles that are seen or soon will be, with their numbers.
+    fn watched(&self) -> impl Iterator<Item = (usize, &Vehicle)> {
+        self.vehicles
+            .iter()
+            .enumerate()
+            .zip(self.watched[0])
+            .filter(|(_, watched)| **watched)
+            .map(|(vehicle, _)| vehicle)
+    }
+
+    /// People on foot who are seen, with their numbers.
+    fn watched_walkers(&self) -> impl Iterator<Item = (usize, &Walker)> {
+        self.walkers.iter().enumerate().zip(self.watched[1]).filter(|(_, watched)| **watched).map(|(walker, _)| walker)
+    }
+
     /// Whether a signal is red at both of these times, seconds from now.
     fn is_red(&self, signal: SignalId, after_s: [f64; 2]) -> bool {
         let mut aspects = Vec::new();
@@ -73,6 +100,8 @@ impl Moment<'_> {
 #[derive(Debug, Clone)]
 pub(crate) struct Candidate {
     pub(crate) roles: Vec<(usize, Order)>,
+    /// Who goes over the road.
+    pub(crate) walk: Option<(usize, RoadWalk)>,
     /// Where it happens, if at a junction.
     pub(crate) junction: Option<JunctionId>,
     /// How far ahead of the one who causes it, about, metres.
@@ -82,10 +111,15 @@ pub(crate) struct Candidate {
 /// Everybody who could.
 pub(crate) fn candidates(kind: IncidentKind, moment: &Moment<'_>) -> Vec<Candidate> {
     match kind {
+        IncidentKind::Collision => collision::candidates(moment),
         IncidentKind::NearMiss => near_miss::candidates(moment),
         IncidentKind::RedLightRun => red_light_run::candidates(moment),
+        IncidentKind::WrongWay => wrong_way::candidates(moment),
         IncidentKind::Stalled => stalled::candidates(moment),
+        IncidentKind::Jaywalk => jaywalk::candidates(moment),
+        IncidentKind::FallenRider => fallen_rider::candidates(moment),
         IncidentKind::IllegalParking => illegal_parking::candidates(moment),
+        IncidentKind::QueueSpillback => queue_spillback::candidates(moment),
     }
 }
 
@@ -95,6 +129,7 @@ pub(crate) struct StagedIncident {
     pub(crate) kind: IncidentKind,
     pub(crate) frame: u32,
     pub(crate) roles: Vec<(InstanceId, Order)>,
+    pub(crate) walk: Option<(InstanceId, RoadWalk)>,
     pub(crate) junction: Option<JunctionId>,
     pub(crate) label: Label,
 }
@@ -104,28 +139,62 @@ pub(crate) struct StagedIncident {
 pub(crate) struct Label {
     pub(crate) begin_frame: Option<u32>,
     pub(crate) end_frame: Option<u32>,
+    /// Frames from the first to the last in which it happens.
+    pub(crate) frames: u32,
     /// Frames in which others make it happen: it is not what it seems.
     pub(crate) held: u32,
 }
 
 impl StagedIncident {
-    /// Whether it is not over when the recording ends.
-    pub(crate) fn lasts(&self) -> bool {
-        matches!(self.kind, IncidentKind::Stalled | IncidentKind::IllegalParking)
+    /// Everybody who takes part, the one who causes it first.
+    pub(crate) fn actors(&self) -> Vec<InstanceId> {
+        self.walk.iter().map(|(id, _)| *id).chain(self.roles.iter().map(|(id, _)| *id)).collect()
     }
 
-    /// Takes notice of an instant. `actors`: who has a role, as long as they are on the map.
-    pub(crate) fn note(&mut self, frame: u32, moment: &Moment<'_>, actors: &[Option<usize>]) {
+    /// Whether it is not over when the recording ends.
+    pub(crate) fn lasts(&self) -> bool {
+        use IncidentKind::{FallenRider, IllegalParking, QueueSpillback, Stalled};
+        matches!(self.kind, Stalled | FallenRider | IllegalParking | QueueSpillback)
+    }
+
+    /// Shorter ones are none worth telling of, seconds.
+    pub(crate) fn least_s(&self) -> f64 {
+        match self.kind {
+            IncidentKind::WrongWay | IncidentKind::Jaywalk => 1.5,
+            IncidentKind::Collision => 0.4,
+            IncidentKind::RedLightRun => 1.0,
+            _ => 0.0,
+        }
+    }
+
+    /// Whether these two collide because of it.
+    pub(crate) fn collides(&self, pair: [InstanceId; 2]) -> bool {
+        let takes_part = |id: &InstanceId| self.roles.iter().any(|(role, _)| role == id);
+        self.kind == IncidentKind::Collision && pair.iter().all(takes_part)
+    }
+
+    /// Takes notice of an instant. `actors`: who has a role, as long as they are on the map; `walker`: who goes over the road.
+    pub(crate) fn note(&mut self, frame: u32, moment: &Moment<'_>, actors: &[Option<usize>], walker: Option<usize>) {
         let Some(actors) = actors.iter().copied().collect::<Option<Vec<usize>>>() else { return };
         let begun = self.label.begin_frame.is_some();
         let happens = match self.kind {
+            IncidentKind::Collision => collision::happens(moment, &actors),
             IncidentKind::NearMiss => near_miss::happens(moment, &actors),
             IncidentKind::RedLightRun => red_light_run::happens(moment, &actors, self.junction, begun),
-            IncidentKind::Stalled | IncidentKind::IllegalParking => standing::happens(moment, &actors),
+            IncidentKind::WrongWay => wrong_way::happens(moment, &actors),
+            IncidentKind::Jaywalk => walker.is_some_and(|walker| jaywalk::happens(&moment.walkers[walker])),
+            IncidentKind::FallenRider => fallen_rider::happens(moment, &actors),
+            IncidentKind::QueueSpillback => queue_spillback::happens(moment, &actors),
+            IncidentKind::Stalled => standing::happens(moment, &actors),
+            IncidentKind::IllegalParking => {
+                standing::happens(moment, &actors) && illegal_parking::is_aside(moment, &actors)
+            }
         };
-        let stands = matches!(self.kind, IncidentKind::Stalled | IncidentKind::IllegalParking);
+        use IncidentKind::{IllegalParking, QueueSpillback, Stalled};
+        let stands = matches!(self.kind, Stalled | IllegalParking | QueueSpillback);
         if happens {
             self.label.held += u32::from(stands && standing::is_held(moment, &actors));
+            self.label.frames += 1;
             self.label.begin_frame.get_or_insert(frame);
             self.label.end_frame = Some(frame);
         }

@@ -28,7 +28,7 @@ const STRAIGHT: f64 = 0.05;
 /// Pairs on a straight lane, of whom one follows at some speed.
 pub(super) fn candidates(moment: &Moment<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
-    for (i, follower) in moment.vehicles.iter().enumerate() {
+    for (i, follower) in moment.watched() {
         let free =
             |vehicle: &Vehicle| vehicle.order.is_none() && vehicle.shift.is_none() && !vehicle.class.two_wheeled();
         if follower.speed < LEAST_MPS || !free(follower) {
@@ -50,7 +50,12 @@ pub(super) fn candidates(moment: &Moment<'_>) -> Vec<Candidate> {
         for sees_after_s in delays.into_iter().filter(|delay| (SEES_AFTER_S[0]..SEES_AFTER_S[1]).contains(delay)) {
             let late = Order { sees_after_s, ..Order::default() };
             let first = Order { braking: brakes, ..Order::default() };
-            found.push(Candidate { roles: vec![(leader.vehicle, first), (i, late)], junction: None, ahead_m });
+            found.push(Candidate {
+                roles: vec![(leader.vehicle, first), (i, late)],
+                walk: None,
+                junction: None,
+                ahead_m,
+            });
         }
     }
     found

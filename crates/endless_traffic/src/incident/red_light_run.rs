@@ -17,11 +17,11 @@ const STAYS_RED_S: f64 = 3.0;
 
 /// Those who come to a light that will be red, or wait at one, with nobody before them.
 pub(super) fn candidates(moment: &Moment<'_>) -> Vec<Candidate> {
-    let found = moment.vehicles.iter().enumerate().filter_map(|(i, vehicle)| first_at_red(moment, i, vehicle));
+    let found = moment.watched().filter_map(|(i, vehicle)| first_at_red(moment, i, vehicle));
     let both = found.flat_map(|(i, signal, junction, ahead_m)| {
         [false, true].map(|heedless| {
             let order = Order { runs: Some(signal), heedless, ..Order::default() };
-            Candidate { roles: vec![(i, order)], junction: Some(junction), ahead_m }
+            Candidate { roles: vec![(i, order)], walk: None, junction: Some(junction), ahead_m }
         })
     });
     both.collect()

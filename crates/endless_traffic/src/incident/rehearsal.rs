@@ -5,8 +5,11 @@ use super::StagedIncident;
 use super::conflict::MovingBody;
 use crate::audit::body::Body;
 use crate::focus::Focus;
+use crate::roads::RoadTables;
+use endless_road::swept::OrientedRectangle;
+use endless_road::{Lane, RoadNetwork};
 use endless_world::{Actor, Incident, InstanceId, Motion, VehicleSpec, WorldState};
-use glam::DVec2;
+use glam::{DVec2, DVec3, Vec3};
 use std::collections::BTreeMap;
 
 /// Whom incidents may concern is within this of those who have a role, metres.
@@ -38,7 +41,15 @@ struct Glimpse {
     moving: MovingBody,
     pieces: Vec<Body>,
     on_foot: bool,
-    at_m: glam::DVec3,
+    at_m: DVec3,
+}
+
+impl Glimpse {
+    /// Whether somebody on foot touches a body.
+    fn stands_in(&self, body: &Body) -> bool {
+        let z = self.at_m.z;
+        body.touches_disc(self.moving.body.center, PERSON_M, z, z + TALL_M)
+    }
 }
 
 /// One frame of a rehearsal.
@@ -50,6 +61,7 @@ struct Take {
 
 /// What was seen of a rehearsal from its first frame on.
 pub(crate) struct Rehearsal<'a> {
+    network: &'a RoadNetwork,
     specs: &'a [VehicleSpec],
     sight: &'a Focus,
     parked: Vec<Body>,
@@ -59,15 +71,10 @@ pub(crate) struct Rehearsal<'a> {
 }
 
 impl<'a> Rehearsal<'a> {
-    pub(crate) fn new(
-        specs: &'a [VehicleSpec],
-        sight: &'a Focus,
-        parked: &[Actor],
-        fps: f64,
-        first_frame: u32,
-    ) -> Self {
+    pub(crate) fn new(roads: &'a RoadTables, sight: &'a Focus, parked: &[Actor], fps: f64, first_frame: u32) -> Self {
+        let RoadTables { network, specs, .. } = roads;
         let parked = parked.iter().flat_map(|actor| pieces(actor, specs)).collect();
-        Self { specs, sight, parked, fps, first_frame, takes: Vec::new() }
+        Self { network, specs, sight, parked, fps, first_frame, takes: Vec::new() }
     }
 
     /// Looks at the next frame; `false` if somebody touches somebody who should not.
@@ -75,8 +82,8 @@ impl<'a> Rehearsal<'a> {
         let find = |id: InstanceId| state.actors.iter().find(|actor| actor.id == id);
         let cast: Vec<DVec2> = staged
             .iter()
-            .flat_map(|incident| &incident.roles)
-            .filter_map(|(id, _)| find(*id))
+            .flat_map(StagedIncident::actors)
+            .filter_map(find)
             .map(|actor| actor.pose.position.as_dvec3().truncate())
             .collect();
         let near = |actor: &&Actor| {
@@ -84,21 +91,45 @@ impl<'a> Rehearsal<'a> {
             cast.iter().any(|other| other.distance_squared(at) < NEAR_M * NEAR_M)
         };
         let near: Vec<Glimpse> = state.actors.iter().filter(near).map(|actor| glimpse(actor, self.specs)).collect();
-        let touched = self.somebody_touches(&near);
+        let touched = self.somebody_touches(&near, staged);
         let sees = |actor: &Actor| {
-            let place = actor.behaviour.lane;
-            place.is_some_and(|place| self.sight.on_lane(place.lane as usize, f64::from(place.s_m)) != 0)
+            let at = actor.pose.position;
+            let clear = match actor.behaviour.lane {
+                Some(place) => self.sight.on_lane(place.lane as usize, f64::from(place.s_m)) != 0,
+                None => self.sees_road_at(at.as_dvec3()),
+            };
+            clear && self.sight.shows(at + Vec3::Z, actor.asset.vehicle().is_none())
         };
         let everywhere = self.sight.views().is_empty();
-        let seen = staged.iter().map(|incident| everywhere || find(incident.roles[0].0).is_some_and(sees)).collect();
+        let seen = staged
+            .iter()
+            .map(|incident| everywhere || incident.actors().first().is_some_and(|&id| find(id).is_some_and(sees)))
+            .collect();
         self.takes.push(Take { near, seen });
         !touched
     }
 
-    fn somebody_touches(&self, near: &[Glimpse]) -> bool {
+    /// Whether the lane is seen on which somebody is on foot.
+    fn sees_road_at(&self, at: DVec3) -> bool {
+        let near = |lane: &Lane| {
+            let (s, t) = lane.centerline.project(at.truncate());
+            let on = t.abs() < lane.width_m && (lane.centerline.position(s).z - at.z).abs() < TALL_M;
+            on && self.sight.on_lane(lane.id.index(), s) != 0
+        };
+        self.network.lanes.iter().any(near)
+    }
+
+    /// Whether the one who causes an incident is in sight in the frame that was looked at last.
+    pub(crate) fn sees_now(&self, number: usize) -> bool {
+        self.takes.last().is_some_and(|take| take.seen[number])
+    }
+
+    fn somebody_touches(&self, near: &[Glimpse], staged: &[StagedIncident]) -> bool {
+        let should = |pair: [InstanceId; 2]| staged.iter().any(|incident| incident.collides(pair));
         near.iter().enumerate().any(|(i, one)| {
             let parked = one.pieces.iter().any(|body| self.parked.iter().any(|other| body.touches(other)));
-            parked || near[i + 1..].iter().any(|other| touch(one, other))
+            let parked = parked || one.on_foot && self.parked.iter().any(|body| one.stands_in(body));
+            parked || near[i + 1..].iter().any(|other| touch(one, other) && !should([one.id, other.id]))
         })
     }
 
@@ -107,9 +138,11 @@ impl<'a> Rehearsal<'a> {
         let (begin, end) = staged.label.begin_frame.zip(staged.label.end_frame)?;
         let last = frames.saturating_sub(1);
         let in_time = if staged.lasts() {
-            end == last && f64::from(end - begin) >= LASTS_S * self.fps
+            let frames = end + 1 - begin;
+            end == last && f64::from(frames) > LASTS_S * self.fps && frames - staged.label.frames <= frames / 20
         } else {
-            end < last && f64::from(end - begin) < ENDS_S * self.fps
+            let lasts_s = f64::from(end + 1 - begin) / self.fps;
+            end < last && (staged.least_s()..ENDS_S).contains(&lasts_s)
         };
         let take = |frame: u32| self.takes.get(frame.checked_sub(self.first_frame)? as usize);
         let span = begin..=end.min(begin + (IN_SIGHT_S * self.fps) as u32);
@@ -119,7 +152,7 @@ impl<'a> Rehearsal<'a> {
         if held || !in_time || !seen(begin) || share < IN_SIGHT {
             return None;
         }
-        let actors: Vec<InstanceId> = staged.roles.iter().map(|(id, _)| *id).collect();
+        let actors = staged.actors();
         let cause = take(begin)?.near.iter().find(|glimpse| glimpse.id == actors[0])?;
         let position = cause.at_m.as_vec3().to_array();
         let around = (AROUND_S * self.fps).round() as u32;
@@ -193,7 +226,6 @@ fn pieces(actor: &Actor, specs: &[VehicleSpec]) -> Vec<Body> {
 }
 
 fn glimpse(actor: &Actor, specs: &[VehicleSpec]) -> Glimpse {
-    use endless_road::swept::OrientedRectangle;
     let at = actor.pose.position.as_dvec3().truncate();
     let yaw = f64::from(actor.pose.yaw_rad);
     let body = match actor.asset.vehicle() {
@@ -211,11 +243,7 @@ fn glimpse(actor: &Actor, specs: &[VehicleSpec]) -> Glimpse {
 
 /// Whether two bodies touch; people among themselves do not count.
 fn touch(one: &Glimpse, other: &Glimpse) -> bool {
-    let disc = |vehicle: &Glimpse, person: &Glimpse| {
-        let z = person.at_m.z;
-        let touches = |body: &Body| body.touches_disc(person.moving.body.center, PERSON_M, z, z + TALL_M);
-        vehicle.pieces.iter().any(touches)
-    };
+    let disc = |vehicle: &Glimpse, person: &Glimpse| vehicle.pieces.iter().any(|body| person.stands_in(body));
     match (one.on_foot, other.on_foot) {
         (false, false) => one.pieces.iter().any(|body| other.pieces.iter().any(|against| body.touches(against))),
         (false, true) => disc(one, other),

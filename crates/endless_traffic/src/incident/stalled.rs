@@ -19,7 +19,7 @@ pub(super) fn candidates(moment: &Moment<'_>) -> Vec<Candidate> {
         let fits = rolls && place(moment, i, ahead_m).is_some();
         let braking = Some(Braking { mps2: BRAKING_MPS2, until_s: f64::INFINITY });
         let order = Order { braking, hazards_below_mps: HAZARDS_MPS, ..Order::default() };
-        fits.then(|| Candidate { roles: vec![(i, order)], junction: None, ahead_m })
+        fits.then(|| Candidate { roles: vec![(i, order)], walk: None, junction: None, ahead_m })
     };
-    moment.vehicles.iter().enumerate().filter_map(who).collect()
+    moment.watched().filter_map(who).collect()
 }

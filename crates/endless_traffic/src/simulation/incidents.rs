@@ -3,9 +3,15 @@
 use super::Simulation;
 use crate::incident::{Candidate, IncidentRequest, Label, Moment, Rehearsal, StagedIncident, candidates};
 use crate::occupancy::Occupancy;
-use crate::settings::DrivingCondition;
-use endless_world::{Incident, IncidentKind, InstanceId, StagedIncidents, Stream};
+use crate::playback::PlayedTracks;
+use crate::roads::TrafficMap;
+use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
+use crate::vehicle::Vehicle;
+use crate::walker::Walker;
+use endless_world::{Incident, IncidentKind, InstanceId, ParkedVehicle, StagedIncidents, Stream, TooManyInstances};
 
+/// So often traffic is drawn, until all incidents can be had.
+const DRAWS: u64 = 12;
 /// The shares of a recording within which orders are given.
 const GIVEN: [f64; 2] = [0.05, 0.65];
 /// Candidates are looked for so often, seconds.
@@ -13,10 +19,49 @@ const EVERY_S: f64 = 0.3;
 /// So many candidates are tried of an instant, and so many in all, for each incident.
 const TRIED_AT_ONCE: usize = 4;
 const TRIED: usize = 120;
+/// Vehicles soon come to where it is seen if one of these places ahead is, metres.
+const SOON_M: [f64; 4] = [0.0, 20.0, 40.0, 60.0];
+/// Traffic is looked at for so long after one is over, seconds.
+const SETTLES_S: f64 = 20.0;
 /// An incident begins within this after its orders, seconds.
 const BEGINS_WITHIN_S: f64 = 12.0;
 
 impl Simulation {
+    /// As [`Self::playing`], with incidents. Where one cannot be had, other traffic is drawn of the same settings, a dozen times
+    /// at most; the first is taken if none has all.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    ///
+    /// # Panics
+    /// As [`Self::new`].
+    pub fn with_incidents(
+        map: &TrafficMap,
+        fleet: &Fleet<'_>,
+        parked: &[ParkedVehicle],
+        settings: &TrafficSettings,
+        played: Option<&PlayedTracks<'_>>,
+        request: &IncidentRequest<'_>,
+    ) -> Result<(Self, StagedIncidents), TooManyInstances> {
+        let make = |seed: u64| -> Result<(Self, StagedIncidents), TooManyInstances> {
+            let settings = TrafficSettings { seed, ..settings.clone() };
+            let mut simulation = Self::playing(map, fleet, parked, &settings, played)?;
+            let staged = simulation.stage(request);
+            Ok((simulation, staged))
+        };
+        let first = make(settings.seed)?;
+        if first.1.missed.is_empty() {
+            return Ok(first);
+        }
+        for draw in 1..DRAWS {
+            let other = make(Stream::named(settings.seed, "traffic.incident.again", &[draw]).next_u64())?;
+            if other.1.missed.is_empty() {
+                return Ok(other);
+            }
+        }
+        Ok(first)
+    }
+
     /// Stages incidents in the frames to come: each is drawn among those that happen in sight of the request's views in a
     /// rehearsal. Call it before the first tick, with the weather that there will be.
     pub fn stage(&mut self, request: &IncidentRequest<'_>) -> StagedIncidents {
@@ -77,21 +122,29 @@ impl Simulation {
     fn candidates(&self, kind: IncidentKind, request: &IncidentRequest<'_>) -> Vec<Candidate> {
         let mut occupancy = Occupancy::default();
         occupancy.rebuild(&self.roads, &self.vehicles);
-        let mut found = candidates(kind, &self.moment(&occupancy));
         let sight = request.sight;
-        let soon_seen = |candidate: &Candidate| {
-            let ahead = self.vehicles[candidate.roles[0].0].ahead(&self.roads);
-            let place = ahead.take_while(|(_, base)| *base <= candidate.ahead_m).last();
-            place.is_some_and(|(lane, base)| sight.on_lane(lane.index(), candidate.ahead_m - base) != 0)
+        let everywhere = sight.views().is_empty();
+        let seen = |vehicle: &Vehicle, metres: f64| {
+            let place = vehicle.ahead(&self.roads).take_while(|(_, base)| *base <= metres).last();
+            place.is_some_and(|(lane, base)| sight.on_lane(lane.index(), metres - base) != 0)
         };
-        if !sight.views().is_empty() {
-            found.retain(soon_seen);
-        }
+        let soon = |vehicle: &Vehicle| everywhere || SOON_M.iter().any(|&metres| seen(vehicle, metres));
+        let shown =
+            |walker: &Walker| everywhere || sight.shows(walker.position.extend(walker.height + 1.0).as_vec3(), true);
+        let vehicles: Vec<bool> = self.vehicles.iter().map(soon).collect();
+        let walkers: Vec<bool> = self.walkers.iter().map(shown).collect();
+        let mut found = candidates(kind, &self.moment(&occupancy, [&vehicles, &walkers]));
+        let soon_seen = |candidate: &Candidate| {
+            let cause = candidate.roles.first();
+            everywhere || cause.is_none_or(|(cause, _)| seen(&self.vehicles[*cause], candidate.ahead_m))
+        };
+        found.retain(soon_seen);
         found
     }
 
-    fn moment<'a>(&'a self, occupancy: &'a Occupancy) -> Moment<'a> {
-        Moment { roads: &self.roads, occupancy, vehicles: &self.vehicles, time_s: self.time_s }
+    fn moment<'a>(&'a self, occupancy: &'a Occupancy, watched: [&'a [bool]; 2]) -> Moment<'a> {
+        let Self { roads, vehicles, walkers, time_s, .. } = self;
+        Moment { roads, occupancy, vehicles, walkers, watched, time_s: *time_s }
     }
 
     fn with_orders(&self, kind: IncidentKind, candidate: Candidate) -> StagedIncident {
@@ -100,6 +153,7 @@ impl Simulation {
             kind,
             frame: self.frame,
             roles: candidate.roles.into_iter().map(id).collect(),
+            walk: candidate.walk.map(|(i, walk)| (self.ids.walkers[i], walk)),
             junction: candidate.junction,
             label: Label::default(),
         }
@@ -110,13 +164,20 @@ impl Simulation {
         let mut copy = self.clone();
         let begins_by = incident.frame + (BEGINS_WITHIN_S * self.fps) as u32;
         copy.staged.push(incident);
-        let mut rehearsal = Rehearsal::new(&self.roads.specs, request.sight, &self.parked, self.fps, self.frame);
+        let mut rehearsal = Rehearsal::new(&self.roads, request.sight, &self.parked, self.fps, self.frame);
         loop {
             if !rehearsal.look(&copy.state(), &copy.staged) {
                 return None;
             }
-            let begun = copy.staged.last()?.label.begin_frame.is_some();
-            if copy.frame + 1 >= request.frames || (!begun && copy.frame > begins_by) {
+            let label = copy.staged.last()?.label;
+            if copy.frame + 1 >= request.frames || (label.begin_frame.is_none() && copy.frame > begins_by) {
+                break;
+            }
+            if label.begin_frame == Some(copy.frame) && !rehearsal.sees_now(copy.staged.len() - 1) {
+                return None;
+            }
+            let over = label.end_frame.is_some_and(|end| copy.frame > end + (SETTLES_S * self.fps) as u32);
+            if over && !copy.staged.iter().any(StagedIncident::lasts) {
                 break;
             }
             copy.go_on(request.condition);
@@ -129,6 +190,10 @@ impl Simulation {
         self.ids.vehicles.iter().position(|(other, _)| *other == id)
     }
 
+    fn walker_of(&self, id: InstanceId) -> Option<usize> {
+        self.ids.walkers.iter().position(|other| *other == id)
+    }
+
     /// Gives the orders of this frame.
     pub(super) fn give_orders(&mut self) {
         for number in 0..self.staged.len() {
@@ -139,6 +204,11 @@ impl Simulation {
                 if let Some(i) = self.index_of(id) {
                     self.vehicles[i].order = Some(order);
                 }
+            }
+            if let Some((id, walk)) = self.staged[number].walk.clone()
+                && let Some(i) = self.walker_of(id)
+            {
+                self.walkers[i].road_walk = Some(walk);
             }
         }
     }
@@ -153,7 +223,8 @@ impl Simulation {
         let mut staged = std::mem::take(&mut self.staged);
         for incident in staged.iter_mut().filter(|incident| incident.frame < self.frame) {
             let actors: Vec<Option<usize>> = incident.roles.iter().map(|(id, _)| self.index_of(*id)).collect();
-            incident.note(self.frame, &self.moment(&occupancy), &actors);
+            let walker = incident.walk.as_ref().and_then(|(id, _)| self.walker_of(*id));
+            incident.note(self.frame, &self.moment(&occupancy, [&[], &[]]), &actors, walker);
         }
         self.staged = staged;
     }

@@ -2,9 +2,14 @@
 //! and measures in other ways than the simulation does: labels are checked against it.
 
 mod abreast;
+mod collision;
+mod fallen_rider;
+mod jaywalk;
 mod near_miss;
+mod queue_spillback;
 mod red_light_run;
 mod standing;
+mod wrong_way;
 
 use endless_road::RoadNetwork;
 use endless_road::swept::OrientedRectangle;
@@ -47,7 +52,12 @@ impl<'a> IncidentDetector<'a> {
     /// The incidents of a kind, in the order of their causers' ids.
     pub fn detect(&self, kind: IncidentKind) -> Vec<DetectedIncident> {
         match kind {
+            IncidentKind::Collision => collision::detect(self),
             IncidentKind::NearMiss => near_miss::detect(self),
+            IncidentKind::WrongWay => wrong_way::detect(self),
+            IncidentKind::Jaywalk => jaywalk::detect(self),
+            IncidentKind::FallenRider => fallen_rider::detect(self),
+            IncidentKind::QueueSpillback => queue_spillback::detect(self),
             IncidentKind::RedLightRun => red_light_run::detect(self),
             IncidentKind::Stalled => standing::detect(self, IncidentKind::Stalled),
             IncidentKind::IllegalParking => standing::detect(self, IncidentKind::IllegalParking),
