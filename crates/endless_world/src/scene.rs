@@ -1,8 +1,8 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
 use crate::{
-    ActorDensity, CameraSite, ConditionChange, ImageSize, SceneCamera, SceneRandomisation, SceneSensor, TimeOfDay,
-    TrackPlayback, Weather,
+    ActorDensity, CameraSite, ConditionChange, ImageSize, IncidentKind, SceneCamera, SceneRandomisation, SceneSensor,
+    TimeOfDay, TrackPlayback, Weather,
 };
 use serde::{Deserialize, Serialize};
 
@@ -46,6 +46,9 @@ pub struct SceneSettings {
     /// Share of them who come to what the cameras see, 0 to 1.
     #[serde(default = "usual_focus")]
     pub focus: f64,
+    /// Events to stage before its cameras.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub events: Vec<IncidentKind>,
     /// Image size.
     pub size: ImageSize,
     /// Frames a second.

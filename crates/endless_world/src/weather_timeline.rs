@@ -146,6 +146,7 @@ mod tests {
             pedestrians: 0,
             density: ActorDensity::default(),
             focus: 0.8,
+            events: Vec::new(),
             size: ImageSize { width: 16, height: 9 },
             fps: 10.0,
             frames,

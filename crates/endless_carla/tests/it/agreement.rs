@@ -63,6 +63,7 @@ fn labels_are_those_of_the_built_in_renderer() {
         density: ActorDensity::default(),
         // Where more is seen far away, a pixel at an edge falls to the other side now and then: a pose has other digits in degrees.
         focus: 0.2,
+        events: Vec::new(),
         size: SIZE,
         fps: 10.0,
         frames: 10,

@@ -30,6 +30,7 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         pedestrians: 0,
         density: ActorDensity::default(),
         focus: 0.8,
+        events: Vec::new(),
         size: SIZE,
         fps: 30.0,
         frames: FRAMES,

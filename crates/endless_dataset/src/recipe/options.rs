@@ -9,7 +9,8 @@ use super::{rig::SensorSpec, serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
 use endless_world::{
-    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, RandomisedPart, TimeOfDay, TrafficDensity, Weather,
+    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, IncidentKind, RandomisedPart, TimeOfDay,
+    TrafficDensity, Weather,
 };
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
@@ -108,6 +109,10 @@ recipe_options! {
         OptionKind::Word(Vocabulary::of::<TrafficDensity>()), Described("the numbers of vehicles and pedestrians");
     /// Share of vehicles and pedestrians who come to the streets that the cameras see: 0 spreads them evenly over the map.
     focus: f64 => #[serde(default = "usual_focus")] f64, OptionKind::Number { least: 0.0, most: 1.0 }, Value("0.8");
+    /// Events to stage before the cameras, one a video, the kinds in turn: scene.json tells who, when and how near they come
+    /// (docs/traffic.md).
+    events: Vec<String> => #[serde(default, skip_serializing_if = "Vec::is_empty")] Vec<IncidentKind>,
+        OptionKind::WordsOrNone(Vocabulary::of::<IncidentKind>()), Described("none");
     /// Play the motion that a file tells instead of simulating it: SUMO's FCD (XML), or CSV (docs/clone.md). Vehicles and
     /// pedestrians are then 0 by default, of what the file has. In a recipe file, relative to the folder of that file.
     traffic: PathBuf, OptionKind::File, Described("none");

@@ -25,6 +25,7 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
         pedestrians: 60,
         density: ActorDensity::default(),
         focus: 0.8,
+        events: Vec::new(),
         size: ImageSize { width: 64, height: 36 },
         fps: FPS,
         frames: 300,
