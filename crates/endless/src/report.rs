@@ -85,7 +85,9 @@ impl Progress for Reporter {
                 ));
             }
             ProgressEvent::EventMissed { kind, map } => {
-                self.line(&format!("warning: no {kind} could be had where the cameras look in {map}: going on without"));
+                self.line(&format!(
+                    "warning: no {kind} could be had where the cameras look in {map}: going on without"
+                ));
             }
             ProgressEvent::Baked { seconds } => {
                 self.bar.reset_eta();

@@ -7,7 +7,7 @@ use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
-use crate::incident::{StagedIncident, impact, road_walk, wrong_way};
+use crate::incident::{StagedIncident, impact, road_walker, wrong_way};
 use crate::junction_controller::JunctionController;
 use crate::occupancy::Occupancy;
 use crate::playback::{Playback, PlayedTracks, Presence};
@@ -230,11 +230,12 @@ impl Simulation {
         let scene =
             WalkerView { roads: &self.roads, graph: &self.graph, signals: &self.signals, others: &others.people };
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
+        road_walker::step(&mut self.walkers, &self.roads, step_s);
         others.note_people(&mut self.crossings);
         self.occupancy.rebuild(&self.roads, &self.vehicles);
         others.occupy(&mut self.occupancy, self.vehicles.len());
         wrong_way::occupy(&self.roads, &self.vehicles, &mut self.occupancy);
-        road_walk::occupy(&self.walkers, &mut self.occupancy);
+        road_walker::occupy(&self.walkers, &mut self.occupancy);
         for i in 0..self.vehicles.len() {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);

@@ -3,7 +3,7 @@
 
 use super::walk_strip::{BODY_M, DirectedEdge, height, unit_vector};
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
-use crate::incident::{RoadWalk, road_walk};
+use crate::incident::RoadWalk;
 use crate::roads::Roads;
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
 use endless_world::math::f64::{atan2, wrap_angle};
@@ -66,7 +66,6 @@ pub(crate) struct WalkerView<'a> {
 pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &mut [CrossingState], step_s: f64) {
     for i in 0..walkers.len() {
         if walkers[i].road_walk.is_some() {
-            road_walk::step(&mut walkers[i], scene.roads, step_s);
             continue;
         }
         let near: Vec<(DVec2, DVec2)> = walkers

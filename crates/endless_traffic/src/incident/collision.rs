@@ -1,8 +1,8 @@
 //! A rear-end collision: who follows does not look, and drives into the one ahead, who stands or brakes hard. Both then move
 //! as bodies on tyres ([`super::impact`]) until they stand, hazard lights on.
 
-use super::order::Braking;
-use super::{Candidate, Moment, Order};
+use super::moment::{Candidate, Moment};
+use super::order::{Braking, Order};
 use crate::vehicle::Vehicle;
 use endless_world::math::f64::wrap_angle;
 

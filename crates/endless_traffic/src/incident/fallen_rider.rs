@@ -1,7 +1,7 @@
 //! A fall: somebody on a two-wheeler comes off, slides, and lies on the road.
 
-use super::order::{Braking, Fall};
-use super::{Candidate, Moment, Order};
+use super::moment::{Candidate, Moment};
+use super::order::{Braking, Fall, Order};
 use crate::vehicle::Vehicle;
 
 /// Speeds of those who fall, m/s.

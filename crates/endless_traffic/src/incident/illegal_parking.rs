@@ -1,8 +1,8 @@
 //! Illegal parking: a vehicle pulls over to the kerb and stands on the driving lane, hazard lights on.
 
-use super::order::{Braking, Drift};
+use super::moment::{Candidate, Moment};
+use super::order::{Braking, Drift, Order};
 use super::standing::{place, stop_m};
-use super::{Candidate, Moment, Order};
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::{Lane, WalkKind};

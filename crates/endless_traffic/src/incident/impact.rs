@@ -1,6 +1,7 @@
 //! Rigid bodies in the plane: the impulse of an impact (Coulomb friction, Poisson restitution), and how vehicles slide on
 //! their tyres afterwards, drivers on the brake.
 
+use super::sliding_body::SlidingBody;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::swept::OrientedRectangle;
@@ -19,25 +20,8 @@ const BRAKES_MPS2: f64 = 5.0;
 const ACROSS_MPS2: f64 = 6.5;
 /// Tyres turn with so much of a vehicle's length as lever.
 const LEVER: f64 = 0.25;
-/// Below these a body rests, m/s and rad/s.
-const RESTS: [f64; 2] = [0.03, 0.02];
 /// Below this speed hazard lights are on, m/s.
 const HAZARDS_MPS: f64 = 1.0;
-
-/// How a body moves that follows no lane.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct SlidingBody {
-    /// m/s.
-    pub(crate) velocity: DVec2,
-    /// rad/s, to the left.
-    pub(crate) yaw_rate: f64,
-}
-
-impl SlidingBody {
-    pub(crate) fn rests(&self) -> bool {
-        self.velocity.length() < RESTS[0] && self.yaw_rate.abs() < RESTS[1]
-    }
-}
 
 /// A usual mass, kg.
 fn mass_kg(class: ObjectClass) -> f64 {

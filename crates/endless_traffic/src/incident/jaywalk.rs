@@ -1,7 +1,7 @@
 //! Jaywalking: somebody leaves the sidewalk and goes straight over the road, away from crossings; drivers brake.
 
+use super::moment::{Candidate, Moment};
 use super::road_walk::RoadWalk;
-use super::{Candidate, Moment};
 use crate::walker::Walker;
 use endless_road::{Lane, WalkKind};
 use glam::DVec2;
@@ -79,7 +79,7 @@ fn road_walk(moment: &Moment<'_>, walker: &Walker) -> Option<RoadWalk> {
     });
     let inside = road_m[0] > 0.3 && road_m[1] < way_m - 0.3;
     let ends_clear = [0.0, 0.5, 1.0].iter().all(|u| clear(at + across * (u * way_m)));
-    (inside && ends_clear).then(|| RoadWalk::new(walker, across, way_m, number, lanes, road_m))
+    (inside && ends_clear).then(|| RoadWalk::new(walker.pace, across, way_m, number, lanes, road_m))
 }
 
 /// The lanes on the way; `None` if one is a junction's, or none is crossed.

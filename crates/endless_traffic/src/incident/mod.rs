@@ -19,30 +19,29 @@ mod fallen_rider;
 mod illegal_parking;
 pub(crate) mod impact;
 mod jaywalk;
+mod moment;
 mod near_miss;
 mod order;
 mod queue_spillback;
 mod red_light_run;
 mod rehearsal;
-pub(crate) mod road_walk;
+mod road_walk;
+pub(crate) mod road_walker;
+mod sliding_body;
 mod stalled;
 mod standing;
 pub(crate) mod wrong_way;
 
 pub use detector::{DetectedIncident, IncidentDetector};
+pub(crate) use moment::{Candidate, Moment};
 pub(crate) use order::Order;
 pub(crate) use rehearsal::Rehearsal;
 pub(crate) use road_walk::RoadWalk;
 
 use crate::focus::Focus;
-use crate::occupancy::Occupancy;
-use crate::roads::Roads;
 use crate::settings::DrivingCondition;
-use crate::signals;
-use crate::vehicle::Vehicle;
-use crate::walker::Walker;
 use endless_road::JunctionId;
-use endless_world::{IncidentKind, InstanceId, SignalAspect, SignalId};
+use endless_world::{IncidentKind, InstanceId};
 
 /// The incidents that a scene is to have.
 pub struct IncidentRequest<'a> {
@@ -56,56 +55,6 @@ pub struct IncidentRequest<'a> {
     pub sight: &'a Focus,
     /// Weather and light of each frame.
     pub condition: &'a dyn Fn(u32) -> DrivingCondition,
-}
-
-/// An instant at which an incident may be set off.
-pub(crate) struct Moment<'a> {
-    pub(crate) roads: &'a Roads,
-    pub(crate) occupancy: &'a Occupancy,
-    pub(crate) vehicles: &'a [Vehicle],
-    pub(crate) walkers: &'a [Walker],
-    /// Whether each vehicle, and each person on foot, is seen or soon will be.
-    pub(crate) watched: [&'a [bool]; 2],
-    /// Scene time, seconds.
-    pub(crate) time_s: f64,
-}
-
-impl Moment<'_> {
-    /// Vehicles that are seen or soon will be, with their numbers.
-    fn watched(&self) -> impl Iterator<Item = (usize, &Vehicle)> {
-        self.vehicles
-            .iter()
-            .enumerate()
-            .zip(self.watched[0])
-            .filter(|(_, watched)| **watched)
-            .map(|(vehicle, _)| vehicle)
-    }
-
-    /// People on foot who are seen, with their numbers.
-    fn watched_walkers(&self) -> impl Iterator<Item = (usize, &Walker)> {
-        self.walkers.iter().enumerate().zip(self.watched[1]).filter(|(_, watched)| **watched).map(|(walker, _)| walker)
-    }
-
-    /// Whether a signal is red at both of these times, seconds from now.
-    fn is_red(&self, signal: SignalId, after_s: [f64; 2]) -> bool {
-        let mut aspects = Vec::new();
-        after_s.into_iter().all(|after_s| {
-            signals::aspects_at(&self.roads.network, self.time_s + after_s, &mut aspects);
-            aspects[usize::from(signal.0)].aspect == SignalAspect::Red
-        })
-    }
-}
-
-/// Who could be made to do what; the one who causes the incident comes first.
-#[derive(Debug, Clone)]
-pub(crate) struct Candidate {
-    pub(crate) roles: Vec<(usize, Order)>,
-    /// Who goes over the road.
-    pub(crate) walk: Option<(usize, RoadWalk)>,
-    /// Where it happens, if at a junction.
-    pub(crate) junction: Option<JunctionId>,
-    /// How far ahead of the one who causes it, about, metres.
-    pub(crate) ahead_m: f64,
 }
 
 /// Everybody who could.

@@ -1,8 +1,8 @@
 //! A near miss: who follows takes notice late that the one ahead stands, or brakes hard for nothing.
 
 use super::conflict::{EVASIVE_MPS2, NEAR_MISS_S};
-use super::order::Braking;
-use super::{Candidate, Moment, Order};
+use super::moment::{Candidate, Moment};
+use super::order::{Braking, Order};
 use crate::vehicle::Vehicle;
 use endless_world::math::f64::wrap_angle;
 

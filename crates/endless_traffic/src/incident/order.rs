@@ -1,6 +1,6 @@
 //! What somebody is made to do for an incident; in all else they drive as usual.
 
-use super::impact::SlidingBody;
+use super::sliding_body::SlidingBody;
 use endless_road::{LaneId, TrafficControl};
 use endless_world::SignalId;
 

@@ -1,9 +1,9 @@
 //! Queue spillback: somebody who has broken down not far beyond a junction is queued behind, until the queue reaches back to
 //! the junction.
 
-use super::order::Braking;
+use super::moment::{Candidate, Moment};
+use super::order::{Braking, Order};
 use super::standing::{place, stop_m};
-use super::{Candidate, Moment, Order};
 use crate::occupancy::Occupant;
 use endless_road::LaneId;
 

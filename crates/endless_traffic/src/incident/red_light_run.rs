@@ -1,6 +1,7 @@
 //! Running a red light: a driver takes no notice of one signal, and gives way as if it were green, or not even that.
 
-use super::{Candidate, Moment, Order};
+use super::moment::{Candidate, Moment};
+use super::order::Order;
 use crate::vehicle::Vehicle;
 use endless_road::{JunctionId, TrafficControl};
 use endless_world::SignalId;

@@ -1,8 +1,8 @@
 //! A breakdown: a vehicle rolls out to a stand in its lane, hazard lights on, and stays there.
 
-use super::order::Braking;
+use super::moment::{Candidate, Moment};
+use super::order::{Braking, Order};
 use super::standing::{place, stop_m};
-use super::{Candidate, Moment, Order};
 
 /// Braking of who rolls out, m/s².
 const BRAKING_MPS2: f64 = 1.8;

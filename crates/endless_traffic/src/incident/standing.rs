@@ -1,6 +1,6 @@
 //! Room for somebody who comes to a stand on a lane, out of the way of junctions and crossings.
 
-use super::Moment;
+use super::moment::Moment;
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
 use endless_world::math::f64::sin_cos;

@@ -1,8 +1,8 @@
 //! Driving the wrong way: somebody goes over to the lane of those who come the other way, drives on it for a while, and
 //! comes back.
 
-use super::order::Drift;
-use super::{Candidate, Moment, Order};
+use super::moment::{Candidate, Moment};
+use super::order::{Drift, Order};
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::{LaneCover, Vehicle};

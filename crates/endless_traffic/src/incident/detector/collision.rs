@@ -1,6 +1,7 @@
 //! Two vehicles that touch, until both stand.
 
-use super::{DetectedIncident, IncidentDetector};
+use super::detected::DetectedIncident;
+use super::history::StateHistory;
 use endless_road::swept::OrientedRectangle;
 use endless_world::{Actor, IncidentKind, InstanceId};
 use glam::DVec2;
@@ -13,17 +14,17 @@ const STANDS_MPS: f64 = 0.1;
 /// Who is further above or below is on another level, metres.
 const STOREY_M: f32 = 2.0;
 
-pub(super) fn detect(detector: &IncidentDetector<'_>) -> Vec<DetectedIncident> {
+pub(super) fn detect(history: &StateHistory<'_>) -> Vec<DetectedIncident> {
     let mut found = Vec::new();
     let mut known: BTreeSet<[InstanceId; 2]> = BTreeSet::new();
-    for frame in 1..detector.states.len() {
+    for frame in 1..history.states.len() {
         let drives = |actor: &&Actor| actor.asset.vehicle().is_some();
-        let bodies: Vec<(&Actor, OrientedRectangle)> = detector.states[frame]
+        let bodies: Vec<(&Actor, OrientedRectangle)> = history.states[frame]
             .actors
             .iter()
             .filter(drives)
             .map(|actor| {
-                let body = detector.body(actor);
+                let body = history.body(actor);
                 (actor, OrientedRectangle { half: body.half + DVec2::splat(0.5 * TOUCH_M), ..body })
             })
             .collect();
@@ -36,7 +37,7 @@ pub(super) fn detect(detector: &IncidentDetector<'_>) -> Vec<DetectedIncident> {
                 // The one that comes from behind causes it.
                 let behind = (other.center - own.center).dot(own.axis) > 0.0;
                 let actors = if behind { vec![a.id, b.id] } else { vec![b.id, a.id] };
-                let end = last_moving(detector, frame, &actors);
+                let end = last_moving(history, frame, &actors);
                 let (begin_frame, end_frame) = (frame as u32, end as u32);
                 found.push(DetectedIncident { kind: IncidentKind::Collision, actors, begin_frame, end_frame });
             }
@@ -46,11 +47,11 @@ pub(super) fn detect(detector: &IncidentDetector<'_>) -> Vec<DetectedIncident> {
 }
 
 /// The last frame from this one on before both stand.
-fn last_moving(detector: &IncidentDetector<'_>, begin: usize, actors: &[InstanceId]) -> usize {
+fn last_moving(history: &StateHistory<'_>, begin: usize, actors: &[InstanceId]) -> usize {
     let moves = |frame: usize, id: InstanceId| {
-        let [before, now] = [frame - 1, frame].map(|frame| detector.body_at(frame, id));
-        before.zip(now).is_some_and(|(before, now)| before.center.distance(now.center) * detector.fps > STANDS_MPS)
+        let [before, now] = [frame - 1, frame].map(|frame| history.body_at(frame, id));
+        before.zip(now).is_some_and(|(before, now)| before.center.distance(now.center) * history.fps > STANDS_MPS)
     };
-    let frames = begin..detector.states.len();
+    let frames = begin..history.states.len();
     frames.take_while(|&frame| actors.iter().any(|&id| moves(frame, id))).last().unwrap_or(begin)
 }

@@ -1,6 +1,7 @@
 //! Two of whom one follows the other, who would touch within a moment and can no more be saved by gentle braking.
 
-use super::{DetectedIncident, IncidentDetector, runs};
+use super::detected::{DetectedIncident, runs};
+use super::history::StateHistory;
 use crate::incident::conflict::{EVASIVE_MPS2, MovingBody, NEAR_MISS_S};
 use endless_world::{Actor, IncidentKind, InstanceId};
 use glam::DVec2;
@@ -15,12 +16,12 @@ const PAUSE_S: f64 = 0.5;
 /// Who is further above or below is on another level, metres.
 const STOREY_M: f32 = 3.0;
 
-pub(super) fn detect(detector: &IncidentDetector<'_>) -> Vec<DetectedIncident> {
+pub(super) fn detect(history: &StateHistory<'_>) -> Vec<DetectedIncident> {
     let mut frames: BTreeMap<[InstanceId; 2], Vec<usize>> = BTreeMap::new();
-    for frame in 1..detector.states.len() {
-        let actors = &detector.states[frame].actors;
+    for frame in 1..history.states.len() {
+        let actors = &history.states[frame].actors;
         let moving: Vec<(&Actor, MovingBody)> =
-            actors.iter().filter_map(|actor| Some((actor, moving_body(detector, frame, actor)?))).collect();
+            actors.iter().filter_map(|actor| Some((actor, moving_body(history, frame, actor)?))).collect();
         for (i, (a, own)) in moving.iter().enumerate() {
             for (b, other) in &moving[i + 1..] {
                 let apart = other.body.center - own.body.center;
@@ -36,7 +37,7 @@ pub(super) fn detect(detector: &IncidentDetector<'_>) -> Vec<DetectedIncident> {
             }
         }
     }
-    let pause = (PAUSE_S * detector.fps) as usize;
+    let pause = (PAUSE_S * history.fps) as usize;
     let found = frames.into_iter().flat_map(|(ids, frames)| {
         runs(frames, pause).into_iter().map(move |(begin, end)| DetectedIncident {
             kind: IncidentKind::NearMiss,
@@ -49,9 +50,9 @@ pub(super) fn detect(detector: &IncidentDetector<'_>) -> Vec<DetectedIncident> {
 }
 
 /// Of a vehicle: it goes the way that it heads, as fast as its state tells.
-fn moving_body(detector: &IncidentDetector<'_>, frame: usize, actor: &Actor) -> Option<MovingBody> {
+fn moving_body(history: &StateHistory<'_>, frame: usize, actor: &Actor) -> Option<MovingBody> {
     actor.asset.vehicle()?;
-    detector.actor(frame - 1, actor.id)?;
+    history.actor(frame - 1, actor.id)?;
     let velocity: DVec2 = actor.velocity_mps.as_dvec3().truncate();
-    Some(MovingBody { body: detector.body(actor), velocity })
+    Some(MovingBody { body: history.body(actor), velocity })
 }

@@ -1,6 +1,9 @@
 //! A vehicle that stands for no reason, and a queue behind it that ends at the exit of a junction.
 
-use super::{DetectedIncident, IncidentDetector, abreast::EndLine, runs, standing};
+use super::abreast::EndLine;
+use super::detected::{DetectedIncident, runs};
+use super::history::StateHistory;
+use super::standing;
 use endless_road::Lane;
 use endless_road::swept::OrientedRectangle;
 use endless_world::{IncidentKind, InstanceId};
@@ -18,17 +21,17 @@ const PAUSE_S: f64 = 2.0;
 /// Who is further above or below is on another level, metres.
 const STOREY_M: f64 = 3.0;
 
-pub(super) fn detect(detector: &IncidentDetector<'_>) -> Vec<DetectedIncident> {
-    let network = detector.network;
+pub(super) fn detect(history: &StateHistory<'_>) -> Vec<DetectedIncident> {
+    let network = history.network;
     let inside = |lane: &Lane| lane.junction.is_some();
     let leads_out = |lane: &&Lane| inside(lane) && lane.successors.iter().any(|next| !inside(network.lane(*next)));
     let exits: Vec<EndLine> = network.lanes.iter().filter(leads_out).map(|lane| EndLine::of(lane, None)).collect();
     let mut found = Vec::new();
-    for head in standing::detect(detector, IncidentKind::Stalled) {
+    for head in standing::detect(history, IncidentKind::Stalled) {
         let frames = head.begin_frame as usize..=head.end_frame as usize;
         let id = head.actors[0];
-        let spills = frames.filter(|&frame| spills_back(detector, &exits, frame, id));
-        let pause = (PAUSE_S * detector.fps) as usize;
+        let spills = frames.filter(|&frame| spills_back(history, &exits, frame, id));
+        let pause = (PAUSE_S * history.fps) as usize;
         found.extend(runs(spills, pause).into_iter().map(|(begin, end)| DetectedIncident {
             kind: IncidentKind::QueueSpillback,
             actors: vec![id],
@@ -39,12 +42,12 @@ pub(super) fn detect(detector: &IncidentDetector<'_>) -> Vec<DetectedIncident> {
     found
 }
 
-fn spills_back(detector: &IncidentDetector<'_>, exits: &[EndLine], frame: usize, head: InstanceId) -> bool {
-    let Some(actor) = detector.actor(frame, head) else { return false };
+fn spills_back(history: &StateHistory<'_>, exits: &[EndLine], frame: usize, head: InstanceId) -> bool {
+    let Some(actor) = history.actor(frame, head) else { return false };
     let z = f64::from(actor.pose.position.z);
-    let mut last = detector.body(actor);
+    let mut last = history.body(actor);
     let mut queue = vec![head];
-    while let Some((id, body)) = next_behind(detector, frame, &queue, &last, z) {
+    while let Some((id, body)) = next_behind(history, frame, &queue, &last, z) {
         queue.push(id);
         last = body;
     }
@@ -55,7 +58,7 @@ fn spills_back(detector: &IncidentDetector<'_>, exits: &[EndLine], frame: usize,
 
 /// Who stands behind a body with no more than a queue's gap between.
 fn next_behind(
-    detector: &IncidentDetector<'_>,
+    history: &StateHistory<'_>,
     frame: usize,
     queue: &[InstanceId],
     last: &OrientedRectangle,
@@ -63,12 +66,12 @@ fn next_behind(
 ) -> Option<(InstanceId, OrientedRectangle)> {
     let mut gap = last.moved(-(last.half.x + 0.5 * GAP_M));
     gap.half.x = 0.5 * GAP_M;
-    let others = detector.states[frame].actors.iter().filter(|other| !queue.contains(&other.id));
+    let others = history.states[frame].actors.iter().filter(|other| !queue.contains(&other.id));
     others.into_iter().find_map(|other| {
-        let body = detector.body(other);
+        let body = history.body(other);
         let level = (f64::from(other.pose.position.z) - z).abs() < STOREY_M;
-        let before = detector.body_at(frame.checked_sub(1)?, other.id)?;
-        let stands = before.center.distance(body.center) * detector.fps < STANDS_MPS;
+        let before = history.body_at(frame.checked_sub(1)?, other.id)?;
+        let stands = before.center.distance(body.center) * history.fps < STANDS_MPS;
         let behind = other.asset.vehicle().is_some() && body.axis.dot(last.axis) > 0.7;
         (level && stands && behind && gap.overlaps(&body)).then_some((other.id, body))
     })
