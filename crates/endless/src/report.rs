@@ -84,6 +84,11 @@ impl Progress for Reporter {
                     "warning: {map} has room for {placed} {what}, {asked} were asked for: going on with {placed}"
                 ));
             }
+            ProgressEvent::EventMissed { kind, map } => {
+                self.line(&format!(
+                    "warning: no {kind} could be had where the cameras look in {map}: going on without"
+                ));
+            }
             ProgressEvent::Baked { seconds } => {
                 self.bar.reset_eta();
                 self.line(&format!("cameras baked in {seconds:.1} s"));

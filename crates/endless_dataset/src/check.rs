@@ -5,6 +5,7 @@ mod agreement;
 mod camera;
 mod camera_way;
 mod frames;
+mod incidents;
 mod map;
 mod objects;
 mod progress;

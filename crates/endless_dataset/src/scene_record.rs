@@ -1,7 +1,7 @@
 //! JSON files: the settings of a scene, and its results.
 
 use crate::{DatasetError, write_atomic, write_durable};
-use endless_world::SceneSettings;
+use endless_world::{Incident, IncidentKind, SceneSettings};
 use serde::{Deserialize, Serialize, de::DeserializeOwned};
 use std::{fs, path::Path};
 
@@ -24,6 +24,12 @@ pub struct SceneRecord {
     pub settings: SceneSettings,
     /// Numbers of actors.
     pub spawned: SpawnCounts,
+    /// What happens of the events that the settings ask for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub incidents: Vec<Incident>,
+    /// Events of the settings that could not be had where the cameras look.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub missed_events: Vec<IncidentKind>,
     /// Entries of `actors.json`; none if the simulator does not know its objects, and there is no such file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub actors: Option<u32>,

@@ -15,8 +15,8 @@ use balanced::Balanced;
 use combination::{Combination, Combinations, MapSites, SparseShuffle};
 use endless_dataset::Recipe;
 use endless_world::{
-    CameraLook, CameraSite, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation, SceneSettings, Stream,
-    TrackPlayback, TrafficProfile,
+    CameraLook, CameraSite, IncidentKind, RandomisedPart, RecorderClock, SceneCamera, SceneRandomisation,
+    SceneSettings, Stream, TrackPlayback, TrafficProfile,
 };
 
 /// The settings of every video, by number.
@@ -113,6 +113,12 @@ fn balanced<'a>(
     }))
 }
 
+/// The kind of event that is a video's turn.
+fn events(recipe: &Recipe, video: u32) -> Vec<IncidentKind> {
+    let kinds = &recipe.events;
+    kinds.iter().copied().skip(video as usize % kinds.len().max(1)).take(1).collect()
+}
+
 /// The settings of a video that films a combination.
 fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneSettings {
     let Combination { map, weather, time_of_day, sites, rig } = combination;
@@ -147,6 +153,7 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
         },
         jaywalking: recipe.jaywalking,
         groups: recipe.groups,
+        events: events(recipe, video),
         size: recipe.size,
         fps: recipe.fps,
         frames: recipe.frames(),
@@ -169,6 +176,20 @@ mod tests {
     use endless_world::{TimeOfDay, Weather};
     use proptest::prelude::*;
     use std::collections::BTreeMap;
+
+    #[test]
+    fn kinds_of_events_come_in_turn() {
+        let draft = RecipeDraft {
+            videos: Some(5),
+            events: Some(vec!["stalled".into(), "near_miss".into()]),
+            ..Default::default()
+        };
+        let recipe = resolve_recipe(draft, &ThreeTowns).expect("valid");
+        let kinds = (0..5).map(|video| events(&recipe, video));
+        let [miss, stalled] = [IncidentKind::NearMiss, IncidentKind::Stalled];
+        assert_eq!(kinds.collect::<Vec<_>>(), [[miss], [stalled], [miss], [stalled], [miss]]);
+        assert!(events(&Recipe { events: Vec::new(), ..recipe }, 3).is_empty());
+    }
 
     fn recipe(videos: u32, cameras: u32, seed: u64, [maps, weathers, times]: [usize; 3]) -> Recipe {
         let take = |names: Vec<&str>, n: usize| Some(names.into_iter().take(n).map(str::to_owned).collect());

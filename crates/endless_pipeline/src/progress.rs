@@ -1,6 +1,7 @@
 //! Progress events of a run.
 
 use crate::DiskEstimate;
+use endless_world::IncidentKind;
 
 /// An event of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -38,6 +39,13 @@ pub enum ProgressEvent<'a> {
         asked: u32,
         /// Placed.
         placed: u32,
+        /// The map.
+        map: &'a str,
+    },
+    /// An event that the recipe asks for cannot be had where the cameras of a scene look.
+    EventMissed {
+        /// Its kind.
+        kind: IncidentKind,
         /// The map.
         map: &'a str,
     },

@@ -8,7 +8,7 @@ use endless_dataset::{Recipe, SpawnCounts};
 use endless_road::{Georeference, JunctionPlace};
 use endless_world::{
     Actor, CameraSite, InstanceId, LidarSweep, RadarScan, SceneSettings, SensorFrame, SensorLayers, SensorPose,
-    WorldState,
+    StagedIncidents, WorldState,
 };
 use std::{collections::BTreeMap, time::Duration};
 
@@ -187,6 +187,11 @@ pub trait Simulator: MapCatalog + Sync {
 pub trait SimulationSession<'m>: Send {
     /// The numbers of actors that were placed.
     fn spawned(&self) -> SpawnCounts;
+
+    /// What came of the events that the settings ask for.
+    fn incidents(&self) -> StagedIncidents {
+        StagedIncidents::default()
+    }
 
     /// What stays the same of every object that may appear, riders and parked ones included, by ascending id; `None` if
     /// that is not known before they appear.

@@ -1,15 +1,16 @@
 //! Films a town's middle from above, half a second a picture:
-//! `cargo run -p endless_traffic --release --example film -- Town03 out/frame [pictures] [x y] [metres] [people] [jaywalking]
-//! [groups]`.
+//! `cargo run -p endless_traffic --release --example film -- Town03 out/frame [pictures] [x y] [metres] [incident|none] [seed]
+//! [people] [jaywalking] [groups]`. With the name of an incident, such as `collision`, it is staged there and filmed from two
+//! seconds before it begins.
 //! Lanes are grey, stop lines carry their signal's colour, crossings are white, vehicles are boxes with a light nose
 //! (red tail: brake lights, yellow flank: indicator), parked ones grey, people are discs with a nose.
 
 use endless_asset::Catalogue;
 use endless_road::{TrafficControl, WalkKind};
 use endless_town::Town;
-use endless_traffic::{Fleet, Focus, Simulation, TrafficSettings, View};
+use endless_traffic::{DrivingCondition, Fleet, Focus, IncidentRequest, Simulation, TrafficSettings, View};
 use endless_world::math::{atan2, sin_cos};
-use endless_world::{Actor, Motion, SignalAspect, VehicleLights, WorldState};
+use endless_world::{Actor, IncidentKind, Motion, SignalAspect, VehicleLights, WorldState};
 use glam::Vec2;
 use std::{error::Error, fs::File, io::BufWriter};
 
@@ -121,7 +122,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let name = args.first().map_or("Town03", String::as_str);
     let stem = args.get(1).map_or("topview", String::as_str);
     let number = |i: usize, default: f32| args.get(i).and_then(|a| a.parse().ok()).unwrap_or(default);
-    let centre = Vec2::new(number(3, 0.0), number(4, 0.0));
+    let mut centre = Vec2::new(number(3, 0.0), number(4, 0.0));
     let scale = SIDE as f32 / number(5, 130.0);
     let catalogue = Catalogue::builtin();
     let town = endless_town::load(name, &catalogue)?;
@@ -129,14 +130,24 @@ fn main() -> Result<(), Box<dyn Error>> {
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     let settings = TrafficSettings {
         vehicles: 60,
-        pedestrians: number(6, 40.0) as u32,
-        jaywalking: f64::from(number(7, 0.0)),
-        groups: f64::from(number(8, 0.0)),
-        seed: 1,
+        seed: number(7, 1.0) as u64,
+        pedestrians: number(8, 40.0) as u32,
+        jaywalking: f64::from(number(9, 0.0)),
+        groups: f64::from(number(10, 0.0)),
         focus: Focus::new(&town.network, &[View::around(centre.extend(0.0))], 0.8, &|_, _| true),
         ..TrafficSettings::default()
     };
     let mut simulation = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;
+    if let Some(kind) = args.get(6).filter(|kind| *kind != "none") {
+        let kind: IncidentKind = kind.parse()?;
+        let condition = |_| DrivingCondition::default();
+        let (seed, sight) = (settings.seed, &settings.focus);
+        let request = IncidentRequest { kinds: &[kind], frames: 300, seed, sight, condition: &condition };
+        let staged = simulation.stage(&request);
+        let incident = staged.incidents.first().ok_or("it could not be had there")?;
+        centre = glam::Vec3::from(incident.position).truncate();
+        (20..incident.begin_frame).for_each(|_| simulation.tick());
+    }
     for i in 0..number(2, 20.0) as usize {
         let state = simulation.state();
         let mut picture = Picture { pixels: vec![[44, 58, 40]; SIDE * SIDE], centre, scale };

@@ -99,7 +99,9 @@ pub(super) fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle,
                     lanes,
                     exit: lane,
                     control,
-                    held: light.is_some_and(|a| a != SignalAspect::Green) && !clears,
+                    held: light.is_some_and(|a| a != SignalAspect::Green)
+                        && !clears
+                        && !vehicle.takes_no_notice(control),
                 });
             }
         }

@@ -61,7 +61,7 @@ impl View {
 pub struct Focus {
     /// Share of the vehicles and people who come there, 0 to 1.
     share: f64,
-    views: u32,
+    views: Vec<View>,
     /// By lane and by place, every [`STEP_M`]: a bit for each view that sees it.
     lanes: Vec<Vec<u32>>,
     /// The same of the edges of the walk network.
@@ -96,7 +96,7 @@ impl Focus {
         };
         Self {
             share: share.min(1.0),
-            views: views.len() as u32,
+            views: views.to_vec(),
             lanes: network.lanes.iter().map(lane).collect(),
             walks: network.walk.edges.iter().map(walk).collect(),
         }
@@ -109,7 +109,14 @@ impl Focus {
 
     /// Numbers of the views.
     pub(crate) fn views(&self) -> std::ops::Range<u32> {
-        0..self.views
+        0..self.views.len() as u32
+    }
+
+    /// Whether a place in the world is in some picture, near enough for a vehicle or a person there to have a box, whatever
+    /// stands before it.
+    pub(crate) fn shows(&self, at: Vec3, on_foot: bool) -> bool {
+        let share = if on_foot { PERSON_SHARE } else { VEHICLE_SHARE };
+        self.views.iter().any(|view| view.sees(at, share, &|_, _| true))
     }
 
     /// Metres of lanes and of walks that each view sees.

@@ -87,10 +87,13 @@ impl JunctionController {
                 }
                 continue;
             }
-            let fits = comes_first
-                && self.clear_of_holders(roads, vehicles, request)
-                && others
-                    .all(|other| !yields_to(roads, request, other) && goes_before(roads, vehicles, request, other));
+            let lets_others_go = !vehicles[request.vehicle].order.is_some_and(|order| order.heedless);
+            let mut clear = || {
+                self.clear_of_holders(roads, vehicles, request)
+                    && others
+                        .all(|other| !yields_to(roads, request, other) && goes_before(roads, vehicles, request, other))
+            };
+            let fits = comes_first && (!lets_others_go || clear());
             if fits {
                 self.order += 1;
                 let vehicle = &mut vehicles[request.vehicle];
@@ -244,7 +247,7 @@ fn release(roads: &Roads, occupancy: &Occupancy, signals: &[SignalState], vehicl
                 return false;
             }
             let control = approach_control(roads, vehicle, right_of_way.lanes[0]);
-            let aspect = aspect(control, signals);
+            let aspect = aspect(control, signals).filter(|_| !vehicle.takes_no_notice(control));
             let stops = aspect.is_some_and(|aspect| aspect != SignalAspect::Green);
             // Who still stands when the light is red has come too late.
             let late = aspect == Some(SignalAspect::Red) && vehicle.speed < 0.5;

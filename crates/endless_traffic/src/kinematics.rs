@@ -2,6 +2,7 @@
 //! that point without slipping sideways, as with a trailer's drawbar (the tractrix). Heading and steering angle are
 //! smooth by construction, and a long body swings out in bends about as far as it cuts in.
 
+use crate::incident::impact;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
@@ -11,10 +12,15 @@ use endless_world::math::f64::{atan, atan2, sin_cos, tan, wrap_angle};
 use glam::DVec3;
 
 const GRAVITY: f64 = 9.81;
+/// A two-wheeler that lies on its side lies on what stands out, at this share of half its width.
+const LIES_ON: f64 = 0.9;
 
 /// Offset from the lane's middle and its slope, and whether a lane change has ended.
 fn lateral(vehicle: &Vehicle) -> (f64, f64, bool) {
-    let Some(shift) = vehicle.shift else { return (vehicle.driver.lateral_m, 0.0, false) };
+    let Some(shift) = vehicle.shift else {
+        let (aside_m, slope) = vehicle.order.map_or((0.0, 0.0), |order| order.aside(vehicle.rolled));
+        return (vehicle.driver.lateral_m + aside_m, slope, false);
+    };
     let u = ((vehicle.s - shift.begin_s) / shift.length_m).clamp(0.0, 1.0);
     // Quintic: position, slope and curvature continuous.
     let rise = u * u * u * (10.0 - 15.0 * u + 6.0 * u * u);
@@ -35,6 +41,13 @@ pub(crate) fn settle(vehicle: &mut Vehicle, roads: &Roads) {
 
 /// Moves a vehicle on by one step.
 pub(crate) fn advance(vehicle: &mut Vehicle, roads: &Roads, step_s: f64) {
+    if let Some(order) = &mut vehicle.order {
+        order.age_s += step_s;
+        if order.crash.is_some() {
+            impact::slide(vehicle, roads, step_s);
+            return;
+        }
+    }
     let before = vehicle.speed;
     vehicle.speed = (before + vehicle.acceleration * step_s).max(0.0);
     let travelled = 0.5 * (before + vehicle.speed) * step_s;
@@ -106,12 +119,18 @@ fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
         let lean = -atan(vehicle.speed * turned / step_s / GRAVITY).clamp(-0.6, 0.6);
         vehicle.roll += (lean - vehicle.roll) * (step_s / 0.25).min(1.0);
     }
+    let mut lifted_m = 0.0;
+    if let Some((fall, age_s)) = vehicle.order.and_then(|order| Some((order.fall?, order.age_s))) {
+        vehicle.roll = fall.roll(age_s);
+        let half_width_m = 0.5 * f64::from(roads.specs[vehicle.asset.model.index()].width_m);
+        lifted_m = LIES_ON * half_width_m * sin_cos(vehicle.roll).0.abs();
+    }
     let (sin, cos) = sin_cos(course);
     vehicle.velocity = (DVec3::new(cos, sin, on.grade) * vehicle.speed).as_vec3();
     // The road's rise along the vehicle's heading.
     let pitch = atan(on.grade * sin_cos(wrap_angle(yaw - on.heading_rad)).1);
     vehicle.pose = Pose {
-        position: position.as_vec3(),
+        position: (position + DVec3::Z * lifted_m).as_vec3(),
         yaw_rad: yaw as f32,
         pitch_rad: pitch as f32,
         roll_rad: vehicle.roll as f32,

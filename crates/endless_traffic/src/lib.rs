@@ -58,6 +58,7 @@ mod entry_request;
 mod focus;
 mod gap_acceptance;
 mod gathering;
+mod incident;
 mod jaywalk;
 mod junction_controller;
 mod kinematics;
@@ -87,6 +88,7 @@ mod weather_pace;
 
 pub use audit::{AuditCheck, AuditLine, AuditReport, TrafficAudit};
 pub use focus::{Focus, View};
+pub use incident::{DetectedIncident, IncidentDetector, IncidentRequest};
 pub use playback::{PlayedTracks, TrackFit};
 pub use population::Population;
 pub use roads::TrafficMap;

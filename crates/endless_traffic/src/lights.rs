@@ -9,10 +9,11 @@ use endless_world::{ObjectClass, Side, VehicleLights};
 const BLINK_HZ: f64 = 1.5;
 
 pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, headlights_on: f32, time_s: f64, step_s: f64) {
+    let hazards = vehicle.order.is_some_and(|order| vehicle.speed < order.hazards_below_mps);
     if vehicle.class != ObjectClass::Bicycle {
         let braking = brakes(vehicle.acceleration, vehicle.speed);
         vehicle.brake_hold_s = brake_hold_s(vehicle.brake_hold_s, braking, step_s);
-        vehicle.indicating = indicated(vehicle, roads);
+        vehicle.indicating = if hazards { None } else { indicated(vehicle, roads) };
     }
     let lamps = Lamps {
         class: vehicle.class,
@@ -21,6 +22,9 @@ pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, headlights_on: f32, t
         indicating: vehicle.indicating,
     };
     vehicle.lights = lamps.lit(headlights_on, time_s);
+    if hazards && lamps.flashes(time_s) {
+        vehicle.lights |= VehicleLights::LEFT_BLINKER | VehicleLights::RIGHT_BLINKER;
+    }
 }
 
 /// What decides which lamps of a vehicle are lit.
@@ -48,6 +52,11 @@ pub(crate) fn brake_hold_s(before: f64, braking: bool, step_s: f64) -> f64 {
 }
 
 impl Lamps {
+    /// Whether the relay of the indicators is on.
+    fn flashes(&self, time_s: f64) -> bool {
+        (time_s * BLINK_HZ + self.own).rem_euclid(1.0) < 0.5
+    }
+
     /// The lamps that are lit at a scene time.
     pub(crate) fn lit(&self, headlights_on: f32, time_s: f64) -> VehicleLights {
         let mut lit = VehicleLights::empty();
@@ -64,7 +73,7 @@ impl Lamps {
         if self.braking {
             lit |= VehicleLights::BRAKE;
         }
-        if (time_s * BLINK_HZ + self.own).rem_euclid(1.0) < 0.5 {
+        if self.flashes(time_s) {
             lit |= match self.indicating {
                 Some(Side::Left) => VehicleLights::LEFT_BLINKER,
                 Some(Side::Right) => VehicleLights::RIGHT_BLINKER,

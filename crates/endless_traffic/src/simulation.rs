@@ -1,11 +1,13 @@
 //! The simulation as a whole.
 
+mod incidents;
 mod world_state;
 
 use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
+use crate::incident::{StagedIncident, impact, road_walker, wrong_way};
 use crate::jaywalk::{Roadway, people_on_lanes};
 use crate::junction_controller::JunctionController;
 use crate::midblock::MidblockWays;
@@ -56,6 +58,8 @@ pub struct Simulation {
     playback: Option<Playback>,
     /// Until the first frame.
     gathering: Option<Gathering>,
+    /// Incidents to come and those that happen.
+    staged: Vec<StagedIncident>,
     fps: f64,
     frame: u32,
     steps: u64,
@@ -164,6 +168,7 @@ impl Simulation {
             signals: Vec::new(),
             playback,
             gathering,
+            staged: Vec::new(),
             fps,
             frame: 0,
             steps: 0,
@@ -201,6 +206,7 @@ impl Simulation {
 
     /// Advances by one frame: a fixed number of equal steps of at most 1/30 s.
     pub fn tick(&mut self) {
+        self.give_orders();
         let frame_s = 1.0 / self.fps;
         let steps = (frame_s / STEP_S - 1e-9).ceil().max(1.0) as u32;
         let begin = self.time_s;
@@ -211,6 +217,7 @@ impl Simulation {
         self.frame += 1;
         self.time_s = if begin < 0.0 { begin + frame_s } else { f64::from(self.frame) / self.fps };
         signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
+        self.note_incidents();
     }
 
     fn step(&mut self, step_s: f64) {
@@ -239,11 +246,14 @@ impl Simulation {
             others: &others.people,
         };
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
+        road_walker::step(&mut self.walkers, &self.roads, step_s);
         others.note_people(&mut self.crossings);
         self.occupancy.rebuild(&self.roads, &self.vehicles);
         others.occupy(&mut self.occupancy, self.vehicles.len());
         let jaywalks = self.walkers.iter().filter_map(|w| Some((w.jaywalk.as_deref()?, w.position)));
         self.occupancy.put_people(people_on_lanes(jaywalks));
+        wrong_way::occupy(&self.roads, &self.vehicles, &mut self.occupancy);
+        road_walker::occupy(&self.walkers, &mut self.occupancy);
         for i in 0..self.vehicles.len() {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
@@ -274,6 +284,7 @@ impl Simulation {
             vehicle.plan(&self.roads);
             lights::update(vehicle, &self.roads, self.condition.headlights_on, self.time_s + step_s, step_s);
         }
+        impact::collide(&self.roads, &mut self.vehicles);
         self.cross_borders(come);
         if let Some(playback) = &mut self.playback {
             playback.advance(&self.roads.network, self.time_s + step_s, step_s, self.condition.headlights_on);

@@ -37,7 +37,8 @@ impl DriverView<'_> {
     pub(crate) fn acceleration(&self, i: usize, step_s: f64) -> f64 {
         let me = &self.vehicles[i];
         let driver = &me.driver;
-        let leader = self.occupancy.leader(self.roads, self.vehicles, i, SIGHT_M);
+        let looks = me.order.is_none_or(|order| order.sees_leader());
+        let leader = self.occupancy.leader(self.roads, self.vehicles, i, SIGHT_M).filter(|_| looks);
         let mut wanted = driver.free(me.speed, speed_ahead(self.roads, me));
         if let Some(leader) = leader {
             wanted = wanted.min(driver.follow(me.speed, leader.gap, leader.speed));
@@ -45,6 +46,7 @@ impl DriverView<'_> {
         if let Some(gap) = self.line_ahead(i, leader) {
             wanted = wanted.min(driver.stop_at(me.speed, gap));
         }
+        let wanted = me.order.map_or(wanted, |order| order.wanted(wanted));
         let eased = wanted.clamp(me.acceleration - JERK_DOWN * step_s, me.acceleration + JERK_UP * step_s);
         let hardest = HARDEST_BRAKING.min(LAST_BRAKING + BRAKING_PER_MPS * me.speed);
         eased.clamp(-hardest, driver.accelerate)
@@ -53,6 +55,7 @@ impl DriverView<'_> {
     /// Distance from the front bumper to the nearest line at which to stop.
     fn line_ahead(&self, i: usize, leader: Option<Leader>) -> Option<f64> {
         let me = &self.vehicles[i];
+        let heedless = me.order.is_some_and(|order| order.heedless);
         let sure = self.surely_free(i, leader);
         let mut nearest = f64::INFINITY;
         let mut setback = 0.0;
@@ -90,11 +93,12 @@ impl DriverView<'_> {
                 let state = &self.crossings[cut.crossing.index()];
                 let invited =
                     signal_of(self.roads, cut.crossing).is_none_or(|s| self.signals[s].aspect == SignalAspect::Green);
-                let lets_go = state.wanted && invited && !state.occupied && gap > comfortable_stop_m(me.speed);
+                let lets_go =
+                    !heedless && state.wanted && invited && !state.occupied && gap > comfortable_stop_m(me.speed);
                 // Who may have to stop on it keeps off while people come, or if it is no junction's, always: nobody on
                 // foot shall find the way barred in the middle of the road.
                 let stops_on_it = sure < base + cut.range.1 + me.half_length + me.driver.standing_gap_m;
-                let keeps_off = stops_on_it && (table.junction.is_none() || state.awaits(cut, me));
+                let keeps_off = !heedless && stops_on_it && (table.junction.is_none() || state.awaits(cut, me));
                 if state.blocks(cut, me) || lets_go || keeps_off {
                     nearest = nearest.min(gap.max(0.06));
                 }
@@ -139,7 +143,8 @@ impl DriverView<'_> {
     fn earlier_ahead(&self, i: usize, lane: LaneId, base: f64, order: u64, foresight: Option<f64>) -> f64 {
         let me = &self.vehicles[i];
         let mut nearest = f64::INFINITY;
-        let Some(junction) = self.roads.table(lane).junction else { return nearest };
+        let heedless = me.order.is_some_and(|order| order.heedless);
+        let Some(junction) = self.roads.table(lane).junction.filter(|_| !heedless) else { return nearest };
         for &other in self.controller.holders(junction) {
             let them = &self.vehicles[other];
             let Some(right_of_way) = them.right_of_way_at(junction).filter(|g| other != i && g.order < order) else {

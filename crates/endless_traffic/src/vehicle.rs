@@ -1,10 +1,11 @@
 //! One moving vehicle.
 
 use crate::driver::Driver;
+use crate::incident::Order;
 use crate::roads::Roads;
 use crate::trailer::TrailerState;
 use endless_road::swept::{OrientedRectangle, SWINGS_OUT_M};
-use endless_road::{JunctionId, LaneId};
+use endless_road::{JunctionId, LaneId, TrafficControl};
 use endless_world::{ObjectClass, Pose, Side, Stream, VehicleLights, VehicleRef, VehicleSpec};
 use glam::{DVec3, Vec3};
 use std::collections::VecDeque;
@@ -73,6 +74,8 @@ pub(crate) struct Vehicle {
     pub(crate) rights_of_way: Vec<RightOfWay>,
     /// Seconds standing before a junction.
     pub(crate) waited_s: f64,
+    /// What an incident makes it do.
+    pub(crate) order: Option<Order>,
 
     pub(crate) pose: Pose,
     pub(crate) yaw: f64,
@@ -117,6 +120,7 @@ impl Vehicle {
             intent: None,
             rights_of_way: Vec::new(),
             waited_s: 0.0,
+            order: None,
             pose: Pose::default(),
             yaw: 0.0,
             pivot: DVec3::ZERO,
@@ -214,6 +218,11 @@ impl Vehicle {
     /// Where it could stand at the earliest if it braked firmly, metres from now.
     pub(crate) fn firm_stop_m(&self) -> f64 {
         self.speed * self.speed / (2.0 * 3.0)
+    }
+
+    /// Whether an order makes it go on as if this control were not there.
+    pub(crate) fn takes_no_notice(&self, control: TrafficControl) -> bool {
+        self.order.is_some_and(|order| order.runs(control))
     }
 
     pub(crate) fn right_of_way_at(&self, junction: JunctionId) -> Option<&RightOfWay> {

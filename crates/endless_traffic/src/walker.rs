@@ -4,6 +4,7 @@
 use crate::body_contact::{bounds_of_bodies, bounds_of_strip, nearest_within};
 use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
+use crate::incident::RoadWalk;
 use crate::jaywalk::{Jaywalk, Roadway};
 use crate::pedestrian_avoidance::{avoid, crowd, somebody_comes};
 use crate::people_grid::{Passer, PeopleGrid};
@@ -62,6 +63,8 @@ pub(crate) struct Walker {
     pub(crate) jaywalk: Option<Box<Jaywalk>>,
     /// Those with whom they walk.
     pub(crate) company: Option<Box<Company>>,
+    /// A way over the road, away from crossings.
+    pub(crate) road_walk: Option<RoadWalk>,
 }
 
 /// The surroundings of pedestrians.
@@ -82,6 +85,9 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
     let grid = PeopleGrid::new(&people);
     let (mut numbers, mut near) = (Vec::new(), Vec::new());
     for (i, walker) in walkers.iter_mut().enumerate() {
+        if walker.road_walk.is_some() {
+            continue;
+        }
         grid.nearest(&people, i, &mut numbers);
         near.clear();
         near.extend(numbers.iter().map(|(_, other)| people[*other as usize]));
@@ -90,7 +96,7 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
         people[i] = walker.seen();
     }
     crossings.iter_mut().for_each(|state| state.look_again(step_s));
-    for walker in walkers.iter() {
+    for walker in walkers.iter().filter(|walker| walker.road_walk.is_none()) {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
         } else if let Some(id) = walker.next_crossing(scene.roads) {
@@ -135,6 +141,7 @@ impl Walker {
             jaywalks: false,
             jaywalk: None,
             company: None,
+            road_walk: None,
         }
     }
 

@@ -1,8 +1,8 @@
 //! The settings of one scene, which the paper writes as JSON before simulation.
 
 use crate::{
-    ActorDensity, CameraSite, ConditionChange, ImageSize, SceneCamera, SceneRandomisation, SceneSensor, TimeOfDay,
-    TrackPlayback, TrafficProfile, Weather,
+    ActorDensity, CameraSite, ConditionChange, ImageSize, IncidentKind, SceneCamera, SceneRandomisation, SceneSensor,
+    TimeOfDay, TrackPlayback, TrafficProfile, Weather,
 };
 use serde::{Deserialize, Serialize};
 
@@ -55,6 +55,9 @@ pub struct SceneSettings {
     /// Share of pedestrians who walk in groups, 0 to 1.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub groups: f64,
+    /// Events to stage before its cameras.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub events: Vec<IncidentKind>,
     /// Image size.
     pub size: ImageSize,
     /// Frames a second.

@@ -149,6 +149,7 @@ mod tests {
             profile: TrafficProfile::default(),
             jaywalking: 0.0,
             groups: 0.0,
+            events: Vec::new(),
             size: ImageSize { width: 16, height: 9 },
             fps: 10.0,
             frames,

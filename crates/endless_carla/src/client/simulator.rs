@@ -151,6 +151,9 @@ impl MapSource for CarlaSimulator {
         if recipe.cameras.values().flatten().any(|site| site.lens != LensModel::Pinhole) {
             return refuse("cameras but pinholes", "use lens = \"pinhole\", or the built-in simulator");
         }
+        if !recipe.events.is_empty() {
+            return refuse("events", "leave out --events, or use the built-in simulator");
+        }
         if recipe.traffic_file.is_some() {
             return refuse("traffic of a file", "leave out --traffic, or use the built-in simulator");
         }

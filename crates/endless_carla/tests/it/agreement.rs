@@ -66,6 +66,7 @@ fn labels_are_those_of_the_built_in_renderer() {
         profile: TrafficProfile::default(),
         jaywalking: 0.0,
         groups: 0.0,
+        events: Vec::new(),
         size: SIZE,
         fps: 10.0,
         frames: 10,

@@ -33,6 +33,7 @@ fn timeline(from: Named, to: Named) -> WeatherTimeline {
         profile: TrafficProfile::default(),
         jaywalking: 0.0,
         groups: 0.0,
+        events: Vec::new(),
         size: SIZE,
         fps: 30.0,
         frames: FRAMES,

@@ -4,6 +4,7 @@ use super::{
     actors::check_actors,
     camera::{self, check_scene_camera},
     frames::check_frames,
+    incidents::check_incidents,
     progress::CheckProgress,
     report::{CheckReport, Finding},
     rig::check_sensor,
@@ -84,6 +85,7 @@ pub(super) fn check_video(
     let tracks: Vec<_> = cameras.iter().map(|c| &c.tracks).collect();
     report.findings.extend(tracks::disagreements(video.folder(), &tracks));
     report.findings.extend(check_actors(&video, &record, &tracks));
+    report.findings.extend(check_incidents(&video, &record));
     for camera in cameras {
         report.merge(camera.report);
     }

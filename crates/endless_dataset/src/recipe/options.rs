@@ -9,8 +9,8 @@ use super::{rig::SensorSpec, serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
 use endless_world::{
-    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, RandomisedPart, Region, TimeOfDay, TrafficDensity,
-    Weather,
+    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, IncidentKind, RandomisedPart, Region, TimeOfDay,
+    TrafficDensity, Weather,
 };
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
@@ -127,6 +127,10 @@ recipe_options! {
     /// Share of pedestrians who walk in groups of two to four.
     groups: f64 => #[serde(default, skip_serializing_if = "is_zero")] f64,
         OptionKind::Number { least: 0.0, most: 1.0 }, Value("0");
+    /// Events to stage before the cameras, one a video, the kinds in turn: scene.json tells who, when and how near they come
+    /// (docs/traffic.md).
+    events: Vec<String> => #[serde(default, skip_serializing_if = "Vec::is_empty")] Vec<IncidentKind>,
+        OptionKind::WordsOrNone(Vocabulary::of::<IncidentKind>()), Described("none");
     /// Play the motion that a file tells instead of simulating it: SUMO's FCD (XML), or CSV (docs/clone.md). Vehicles and
     /// pedestrians are then 0 by default, of what the file has. In a recipe file, relative to the folder of that file.
     traffic: PathBuf, OptionKind::File, Described("none");

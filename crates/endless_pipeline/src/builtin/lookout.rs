@@ -23,6 +23,11 @@ pub(super) fn focus(map: &BuiltinMap, settings: &SceneSettings) -> Focus {
     Focus::new(map.traffic.network(), &views(settings), settings.focus, &clear)
 }
 
+/// All that the cameras of a scene see, whatever share of the traffic comes there.
+pub(super) fn sight(map: &BuiltinMap, settings: &SceneSettings) -> Focus {
+    focus(map, &SceneSettings { focus: 1.0, ..settings.clone() })
+}
+
 fn sees(still: &StaticScene, empty: &FrameScene, eye: Vec3, at: Vec3) -> bool {
     let ray = Ray { origin: eye.into(), direction: Vec3A::from(at - eye), tmax: ARRIVED };
     RayCaster::new(still, empty).closest(&ray).is_none()

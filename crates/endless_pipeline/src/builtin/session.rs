@@ -27,10 +27,10 @@ use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
 use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames, RayCaster, render_labels};
 use endless_sensor::{Atmosphere, Lidar, Radar, SweepInterval};
-use endless_traffic::{DrivingCondition, Fleet, PlayedTracks, Simulation, TrafficSettings};
+use endless_traffic::{DrivingCondition, Fleet, IncidentRequest, PlayedTracks, Simulation, TrafficSettings};
 use endless_world::{
     Actor, InstanceId, ObjectClass, PinholeCamera, RigEventCamera, SceneCamera, SceneSettings, SensorFrame,
-    SensorLayers, SensorModel, SensorPose, Track, WorldState,
+    SensorLayers, SensorModel, SensorPose, StagedIncidents, Track, WorldState,
 };
 use std::{
     collections::BTreeMap,
@@ -55,6 +55,7 @@ struct BuiltinScene<'m> {
     rig: SceneRig,
     moving_cameras: MovingCameras,
     spawned: SpawnCounts,
+    staged: StagedIncidents,
     parked: Vec<Actor>,
     /// Everything that moves in some frame. Where it stands does not count.
     moving: Vec<Actor>,
@@ -102,13 +103,22 @@ impl<'m> BuiltinSession<'m> {
         let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
         let duration_s = f64::from(settings.frames) / fps;
         let played = settings.playback.map(|playback| PlayedTracks { tracks, playback, duration_s });
-        let simulation = Simulation::playing(&map.traffic, &fleet, &map.town.parked, &traffic, played.as_ref())
-            .map_err(|source| SimulatorError::Scene {
-                video: settings.video,
-                map: settings.map.clone(),
-                source: source.into(),
-            })?;
         let condition = |frame| DrivingCondition::from(&*bakes.weather(frame));
+        let (fleet, parked, played) = (&fleet, &map.town.parked, played.as_ref());
+        let made = if settings.events.is_empty() {
+            let simulation = Simulation::playing(&map.traffic, fleet, parked, &traffic, played);
+            simulation.map(|simulation| (simulation, StagedIncidents::default()))
+        } else {
+            let sight = lookout::sight(map, settings);
+            let (kinds, frames) = (&settings.events[..], settings.frames);
+            let request = IncidentRequest { kinds, frames, seed, sight: &sight, condition: &condition };
+            Simulation::with_incidents(&map.traffic, fleet, parked, &traffic, played, &request)
+        };
+        let (simulation, staged) = made.map_err(|source| SimulatorError::Scene {
+            video: settings.video,
+            map: settings.map.clone(),
+            source: source.into(),
+        })?;
         let rig = SceneRig::new(&simulation, settings, condition)?;
         let moving_cameras = MovingCameras::new(settings, bakes.timeline(), wanted, rig.moving_cameras());
         let population = simulation.population();
@@ -128,6 +138,7 @@ impl<'m> BuiltinSession<'m> {
             rig,
             moving_cameras,
             spawned,
+            staged,
             skin_tones: skin_tones(catalogue, &moving),
             skeletons: Skeletons::of(catalogue, &moving),
             parked_shapes: ParkedShapes::new(map.town_scene.static_scene(), &parked),
@@ -192,6 +203,10 @@ impl BuiltinScene<'_> {
 impl<'m> SimulationSession<'m> for BuiltinSession<'m> {
     fn spawned(&self) -> SpawnCounts {
         self.scene.spawned
+    }
+
+    fn incidents(&self) -> StagedIncidents {
+        self.scene.staged.clone()
     }
 
     fn actors(&self) -> Option<Vec<ActorRecord>> {

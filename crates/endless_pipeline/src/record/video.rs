@@ -40,6 +40,10 @@ pub(crate) fn record_video<S: Simulator>(
     let mut session = clock.time(Stage::LoadScene, || simulator.open_session(map, settings, wanted_layers(streams)))?;
     let spawned = session.spawned();
     report_fewer(recording, &spawned);
+    let staged = session.incidents();
+    for &kind in &staged.missed {
+        recording.progress.event(&ProgressEvent::EventMissed { kind, map: &settings.map });
+    }
     let actors = session.actors();
     if let Some(actors) = &actors {
         write_actors(&layout.actors(), actors)?;
@@ -102,6 +106,8 @@ pub(crate) fn record_video<S: Simulator>(
     let record = SceneRecord {
         settings: settings.clone(),
         spawned,
+        incidents: staged.incidents,
+        missed_events: staged.missed,
         actors: actors.map(|actors| actors.len() as u32),
         frame_lines: layout.frames().is_file().then_some(settings.frames),
         camera_maps: simulator.map_features(map).map(|_| settings.cameras.len() as u32),

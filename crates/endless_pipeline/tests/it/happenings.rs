@@ -29,6 +29,7 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
         profile: TrafficProfile::default(),
         jaywalking: 0.0,
         groups: 0.0,
+        events: Vec::new(),
         size: ImageSize { width: 64, height: 36 },
         fps: FPS,
         frames: 300,

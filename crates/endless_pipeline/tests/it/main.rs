@@ -6,6 +6,7 @@ mod changing;
 mod city;
 mod clone;
 mod disk_full;
+mod events;
 mod fake;
 mod flow;
 mod golden;

@@ -7,15 +7,15 @@ use glam::DVec2;
 
 /// A rigid piece of a vehicle.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Body {
-    pub(super) footprint: OrientedRectangle,
-    pub(super) bottom_m: f64,
-    pub(super) top_m: f64,
+pub(crate) struct Body {
+    pub(crate) footprint: OrientedRectangle,
+    pub(crate) bottom_m: f64,
+    pub(crate) top_m: f64,
 }
 
 impl Body {
     /// The pieces of a vehicle: one, or with a trailer two.
-    pub(super) fn pieces(actor: &Actor, spec: &VehicleSpec) -> impl Iterator<Item = Self> {
+    pub(crate) fn pieces(actor: &Actor, spec: &VehicleSpec) -> impl Iterator<Item = Self> {
         let (position, yaw) = (actor.pose.position.as_dvec3(), f64::from(actor.pose.yaw_rad));
         let whole = OrientedRectangle::new(spec, position.truncate(), yaw, 0.0);
         let (first, second) = match (spec.trailer, actor.motion) {
@@ -39,7 +39,7 @@ impl Body {
     }
 
     /// Corners of the box around it, from south-west to north-east.
-    pub(super) fn bounds(&self) -> [DVec2; 2] {
+    pub(crate) fn bounds(&self) -> [DVec2; 2] {
         let OrientedRectangle { center, axis, half } = self.footprint;
         let reach = axis.abs() * half.x + axis.perp().abs() * half.y;
         [center - reach, center + reach]
@@ -50,12 +50,12 @@ impl Body {
         self.bottom_m <= top_m && bottom_m <= self.top_m
     }
 
-    pub(super) fn touches(&self, other: &Self) -> bool {
+    pub(crate) fn touches(&self, other: &Self) -> bool {
         self.level_with(other.bottom_m, other.top_m) && self.footprint.overlaps(&other.footprint)
     }
 
     /// Whether a disc on the ground, so high, touches it.
-    pub(super) fn touches_disc(&self, at: DVec2, radius_m: f64, bottom_m: f64, top_m: f64) -> bool {
+    pub(crate) fn touches_disc(&self, at: DVec2, radius_m: f64, bottom_m: f64, top_m: f64) -> bool {
         let OrientedRectangle { center, axis, half } = self.footprint;
         let d = at - center;
         let beyond = (DVec2::new(d.dot(axis), d.dot(axis.perp())).abs() - half).max(DVec2::ZERO);

@@ -12,7 +12,7 @@
 //!                                                   └─► rules     lights, stop signs, limits
 //! ```
 
-mod body;
+pub(crate) mod body;
 mod cell_grid;
 mod check;
 mod contact;

@@ -8,6 +8,7 @@ mod grid;
 mod grid_traffic;
 mod groups;
 mod imu;
+mod incidents;
 mod jaywalking;
 mod merge;
 mod profile;
