@@ -39,7 +39,7 @@ pub(crate) fn bounds_of_strip(strip: &DirectedEdge, at: DVec2, beside: f64, step
     let rooms = [
         (strip.along, strip.length - along),
         // Its beginning is round.
-        (-strip.along, along + (side * side - left * left).max(0.0).sqrt()),
+        (-strip.along, along + (side * side - left * left).max(0.0).sqrt().min(strip.round_m)),
         (strip.along.perp(), side - left),
         (-strip.along.perp(), side + left),
     ];

@@ -133,6 +133,7 @@ impl Walker {
             let to = if (b - a).dot(before + 0.1 * heading) > 0.0 { nodes[1] } else { nodes[0] };
             self.way = [(onto, to)].into();
         }
+        self.around_corner = false;
         self.from = if self.way[0].1 == nodes[0] { nodes[1] } else { nodes[0] };
     }
 }

@@ -278,6 +278,7 @@ impl Gathering {
             let walker = &mut walkers[i];
             let yaw = atan2(ahead.y, ahead.x);
             walker.from = nodes[0];
+            walker.around_corner = false;
             walker.way = [(slot.edge, nodes[1])].into();
             (walker.position, walker.yaw, walker.velocity) = (position, yaw, DVec2::ZERO);
             walker.height = height(roads, nodes[0], walker.way[0], position);

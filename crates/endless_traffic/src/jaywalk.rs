@@ -184,6 +184,7 @@ impl Jaywalk {
             length: self.way.length_m(),
             half_width: HALF_WIDTH_M,
             kind: WalkKind::Sidewalk,
+            round_m: 0.0,
         })
     }
 

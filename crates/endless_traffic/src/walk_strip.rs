@@ -8,6 +8,9 @@ use glam::DVec2;
 /// Bodies are discs of this radius, metres.
 pub(crate) const BODY_M: f64 = 0.25;
 
+/// The same where a kerb may be, metres.
+const KERB_ROUND_M: f64 = 0.3;
+
 /// A directed strip: from, unit direction, length, usable half width.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DirectedEdge {
@@ -16,6 +19,8 @@ pub(crate) struct DirectedEdge {
     pub(crate) length: f64,
     pub(crate) half_width: f64,
     pub(crate) kind: WalkKind,
+    /// How far it reaches back beyond its beginning, metres: where one comes around a corner, all of its round end.
+    pub(crate) round_m: f64,
 }
 
 impl DirectedEdge {
@@ -29,6 +34,7 @@ impl DirectedEdge {
             length: a.distance(b),
             half_width: (0.5 * data.width_m - BODY_M).max(0.1),
             kind: data.kind,
+            round_m: KERB_ROUND_M,
         }
     }
 
@@ -42,12 +48,12 @@ impl DirectedEdge {
         self.from + self.along * along + self.along.perp() * left
     }
 
-    /// How far outside the strip a point lies. Its beginning is round, as one comes around a corner there; its end is not, as
-    /// there may be a kerb.
+    /// How far outside the strip a point lies. Its beginning is round, as one comes around a corner there, but reaches no further
+    /// back than to where a kerb may be; its end is not.
     pub(crate) fn outside(&self, p: DVec2) -> f64 {
         let (along, left) = self.local(p);
         let beside = if along < 0.0 { DVec2::new(along, left).length() } else { left.abs() };
-        (along - self.length).max(beside - self.half_width).max(0.0)
+        (along - self.length).max(-along - self.round_m).max(beside - self.half_width).max(0.0)
     }
 }
 

@@ -43,6 +43,8 @@ pub(crate) struct Walker {
     pub(crate) from: WalkNodeId,
     /// The edge underfoot, then those to come, each with the node it leads to.
     pub(crate) way: VecDeque<(WalkEdgeId, WalkNodeId)>,
+    /// Whether they came to the edge underfoot from a sidewalk, not over a road.
+    pub(crate) around_corner: bool,
     /// How many edges they have walked.
     pub(crate) passed: u32,
     pub(crate) position: DVec2,
@@ -127,6 +129,7 @@ impl Walker {
             side: 0.5,
             from,
             way: [(edge, to)].into(),
+            around_corner: no_kerb_at(roads, from),
             passed: 0,
             position,
             velocity: DVec2::ZERO,
@@ -155,12 +158,16 @@ impl Walker {
             return strip;
         }
         let (edge, to) = self.way[0];
-        DirectedEdge::new(roads, self.from, edge, to)
+        let strip = DirectedEdge::new(roads, self.from, edge, to);
+        if self.around_corner { DirectedEdge { round_m: f64::INFINITY, ..strip } } else { strip }
     }
 
     fn next_strip(&self, roads: &Roads) -> Option<DirectedEdge> {
         let &(edge, to) = self.way.get(1).filter(|_| !self.on_roadway())?;
-        Some(DirectedEdge::new(roads, self.way[0].1, edge, to))
+        let next = DirectedEdge::new(roads, self.way[0].1, edge, to);
+        let here = roads.network.walk.edges[self.way[0].0.index()].kind;
+        let corner = here == WalkKind::Sidewalk && next.kind == WalkKind::Sidewalk;
+        Some(if corner { DirectedEdge { round_m: f64::INFINITY, ..next } } else { next })
     }
 
     /// The crossing underfoot.
@@ -255,7 +262,7 @@ impl Walker {
             self.stuck.0 += step_s;
             self.crowded_s += step_s;
             if self.crowded_s > GIVES_UP_S && strip.kind == WalkKind::Sidewalk && !self.on_roadway() {
-                self.turn_back();
+                self.turn_back(roads);
             }
             if self.stuck.0 > 1.5 {
                 // Face to face: step aside or back, and try again.
@@ -303,6 +310,7 @@ impl Walker {
         if passes && let Some((_, node)) = self.way.pop_front() {
             self.from = node;
             self.passed += 1;
+            self.around_corner = strip.kind == WalkKind::Sidewalk && next.kind == WalkKind::Sidewalk;
             if next.kind == WalkKind::Sidewalk {
                 self.want_to_cross(scene.roads);
             }
@@ -310,12 +318,13 @@ impl Walker {
     }
 
     /// Back to where the edge underfoot began; what was planned is forgotten, and so are those with whom they walked.
-    fn turn_back(&mut self) {
+    fn turn_back(&mut self, roads: &Roads) {
         let (edge, to) = self.way[0];
         self.way = [(edge, self.from)].into();
         self.from = to;
         self.crowded_s = 0.0;
         (self.jaywalk, self.company) = (None, None);
+        self.around_corner = no_kerb_at(roads, self.from);
     }
 
     /// A way to a random place, after what is planned.
@@ -377,6 +386,14 @@ impl Walker {
         let off = wrap_angle(atan2(facing.y, facing.x) - self.yaw);
         self.yaw = wrap_angle(self.yaw + (off * 5.0).clamp(-TURN_RATE, TURN_RATE) * step_s);
     }
+}
+
+/// Whether no crossing begins near a node.
+fn no_kerb_at(roads: &Roads, node: WalkNodeId) -> bool {
+    const NEAR_M: f64 = 4.0;
+    let at = roads.network.walk.nodes[node.index()].truncate();
+    let mut ends = roads.network.crossings.iter().flat_map(|crossing| crossing.ends);
+    !ends.any(|end| end.truncate().distance_squared(at) < NEAR_M * NEAR_M)
 }
 
 #[cfg(test)]
