@@ -61,7 +61,6 @@ fn labels_are_those_of_the_built_in_renderer() {
         vehicles: 40,
         pedestrians: 40,
         density: ActorDensity::default(),
-        // Where more is seen far away, a pixel at an edge falls to the other side now and then: a pose has other digits in degrees.
         focus: 0.2,
         profile: TrafficProfile::default(),
         jaywalking: 0.0,
@@ -79,7 +78,7 @@ fn labels_are_those_of_the_built_in_renderer() {
     let catalogue = Catalogue::builtin();
     let town = MapLibrary::builtin().town(MAP).expect("a town");
     let built_in = TownScene::load(&town, &catalogue).expect("a scene");
-    let (mut vehicles, mut people) = (0, 0);
+    let (mut vehicles, mut people, mut apart) = (0, 0, 0);
     for _ in 0..scene.frames {
         let step = session.tick().expect("a frame");
         let seen = step.task.render(&step.state).expect("pictures");
@@ -92,8 +91,11 @@ fn labels_are_those_of_the_built_in_renderer() {
             for (id, expected) in boxes(&shown).iter().filter(|(_, object)| object.pixels >= 50) {
                 let told = told.get(id).unwrap_or_else(|| panic!("{id:?} {expected:?} is not told of"));
                 assert_eq!(told.tag, expected.tag);
-                let iou = iou(told.bounds, expected.bounds);
-                assert!(iou >= 0.98, "{id:?} {told:?} {expected:?}: {iou}");
+                // A pose has other digits in degrees: now and then a pixel at an edge falls to the other side, which is much of
+                // a small box.
+                let near = told.bounds.iter().zip(expected.bounds).all(|(a, b)| a.abs_diff(b) <= 1);
+                assert!(near, "{id:?} {told:?} {expected:?}");
+                apart += u32::from(iou(told.bounds, expected.bounds) < 0.98);
                 let is_person = matches!(expected.tag, ClassTag::Pedestrians | ClassTag::Rider);
                 (vehicles, people) = (vehicles + u32::from(!is_person), people + u32::from(is_person));
             }
@@ -101,6 +103,7 @@ fn labels_are_those_of_the_built_in_renderer() {
         }
     }
     assert!(vehicles > 60 && people > 12, "{vehicles} vehicles and {people} people were compared");
+    assert!(apart * 50 <= vehicles + people, "{apart} of {vehicles} vehicles and {people} people have other boxes");
 }
 
 /// Depths are the same to the centimetre, but for single pixels at edges and wheels that turn.

@@ -8,6 +8,9 @@ use glam::{DQuat, DVec3, Vec2};
 const PIXELS: f64 = 0.25;
 /// Lengths are written in millimetres.
 const METRES: f64 = 2e-3;
+/// Further beside the picture than so many of its widths a corner is not compared: there the polynomial of a lens magnifies the
+/// last digit of a place to any distance.
+const WIDTHS_BESIDE: f64 = 10.0;
 
 /// A frame as its labels are judged by.
 pub(super) struct LabelledFrame<'a> {
@@ -92,7 +95,8 @@ impl LabelledFrame<'_> {
         let turned = |i: usize| centre + world_from_object * (half * sign(i));
         let place = |i: usize| {
             let (at, depth) = self.camera.project(turned(i).as_vec3())?;
-            (depth > 0.2).then(|| (at.to_array().map(f64::from), f64::from(depth)))
+            let in_reach = f64::from(at.abs().max_element()) < WIDTHS_BESIDE * f64::from(self.camera.size.width);
+            (depth > 0.2 && in_reach).then(|| (at.to_array().map(f64::from), f64::from(depth)))
         };
         let near =
             |i: usize| place(i).zip(around.corners[i]).is_none_or(|((a, depth), b)| self.same_place(a, b, depth));

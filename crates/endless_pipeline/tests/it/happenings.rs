@@ -42,7 +42,7 @@ fn watch(town: &'static str, mut see: impl FnMut(&WorldState, &Happenings)) {
     let line =
         |name: &str, from: [f64; 2], to: [f64; 2]| CountingLine { map: town.into(), name: name.into(), from, to };
     let lines = vec![
-        line("west to east", [x - 300.0, y], [x + 300.0, y]),
+        line("west to east", [x - 3000.0, y], [x + 3000.0, y]),
         line("south to north", [x, y - 300.0], [x, y + 300.0]),
     ];
     let mut observer = SceneObserver::new(session.road_facts(), lines);

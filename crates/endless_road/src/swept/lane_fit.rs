@@ -23,6 +23,8 @@ const LONG_RADIUS_LEFT_TO_KERB: f64 = 1.8;
 const BESIDE_M: f64 = 0.4;
 /// Vehicles longer than this keep to streets of several lanes, metres.
 const BUS_M: f64 = 9.0;
+/// Width of the widest vehicles and what they keep from the middle of their lanes, metres.
+const WIDEST_M: f64 = 2.8;
 /// Beside the middle of their lanes drivers of long vehicles keep within this, metres.
 const STEERS_M: f64 = 0.05;
 /// Vehicles of two pieces turn like rigid ones this many times as long as the longer piece.
@@ -61,7 +63,10 @@ pub fn fits(network: &RoadNetwork, lane: &Lane, radius_m: f64, spec: &VehicleSpe
     let wide = lane.width_m > f64::from(spec.width_m) + BESIDE_M;
     // Two long ones side by side would touch in a bend: those that stray from their lanes keep to the last one.
     let last = lane.junction.is_some() || lane.right.is_none();
-    let alone = || last || strays_m(spec, radius_m) + STEERS_M < 0.5 * lane.width_m;
+    // There they leave room for the widest that keep to theirs.
+    let is_beside = lane.junction.is_none() && lane.left.is_some();
+    let leaves_room = || !is_beside || strays_m(spec, radius_m) + STEERS_M < lane.width_m - 0.5 * WIDEST_M;
+    let alone = || last && leaves_room() || strays_m(spec, radius_m) + STEERS_M < 0.5 * lane.width_m;
     wide && radius_m > lengths * rigid_m && (broad || length_m < BUS_M) && alone()
 }
 
@@ -111,7 +116,9 @@ mod tests {
             ..VehicleSpec::default()
         };
         let allowed = |radius_m| [0, 1].map(|k| fits(&network, &network.lanes[k], radius_m, &bus));
-        assert_eq!([allowed(25.0), allowed(40.0), allowed(400.0)], [[false; 2], [false, true], [true; 2]]);
+        assert_eq!([allowed(25.0), allowed(50.0), allowed(400.0)], [[false; 2], [false, true], [true; 2]]);
+        // Here its front would meet the side of the widest beside it.
+        assert_eq!(allowed(36.0), [false; 2]);
         // Alone on its side of the street it meets another one.
         let alone = Lane::new(LaneId(0), line(), 3.25, 14.0);
         assert_eq!(

@@ -26,7 +26,7 @@ fn drive(vehicles: u32, profile: TrafficProfile) -> AuditReport {
 #[test]
 fn bold_drivers_get_further_and_touch_nobody() {
     let reports =
-        [0.0, 0.5, 1.0].map(|aggressiveness| drive(40, TrafficProfile { aggressiveness, ..TrafficProfile::default() }));
+        [0.0, 0.5, 1.0].map(|aggressiveness| drive(16, TrafficProfile { aggressiveness, ..TrafficProfile::default() }));
     for report in &reports {
         assert!(report.passed(), "{report}");
     }

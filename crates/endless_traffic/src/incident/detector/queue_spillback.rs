@@ -12,7 +12,7 @@ use endless_world::{IncidentKind, InstanceId};
 const STANDS_MPS: f64 = 0.5;
 /// Gap between bumpers in a queue, at most, metres.
 const GAP_M: f64 = 7.0;
-/// The last of the queue is no further beyond the end of the junction than this, metres.
+/// One of the queue is no further beyond the end of the junction than this, metres.
 const FULL_M: f64 = 8.0;
 /// And no further before it.
 const INSIDE_M: f64 = 12.0;
@@ -47,13 +47,17 @@ fn spills_back(history: &StateHistory<'_>, exits: &[EndLine], frame: usize, head
     let z = f64::from(actor.pose.position.z);
     let mut last = history.body(actor);
     let mut queue = vec![head];
+    // The queue may go on to the road before the junction.
     while let Some((id, body)) = next_behind(history, frame, &queue, &last, z) {
         queue.push(id);
         last = body;
+        let rear = last.place(-last.half.x, 0.0).extend(z);
+        let near = |line: &EndLine| line.beyond_m(rear).is_some_and(|beyond| (-INSIDE_M..FULL_M).contains(&beyond));
+        if exits.iter().any(near) {
+            return true;
+        }
     }
-    let rear = last.place(-last.half.x, 0.0).extend(z);
-    let near = |line: &EndLine| line.beyond_m(rear).is_some_and(|beyond| (-INSIDE_M..FULL_M).contains(&beyond));
-    queue.len() > 1 && exits.iter().any(near)
+    false
 }
 
 /// Who stands behind a body with no more than a queue's gap between.
