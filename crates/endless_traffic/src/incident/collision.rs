@@ -1,10 +1,10 @@
 //! A rear-end collision: who follows does not look, and drives into the one ahead, who stands or brakes hard. Both then move
 //! as bodies on tyres ([`super::impact`]) until they stand, hazard lights on.
 
+use super::following::{FollowingPair, FollowingPairs};
 use super::moment::{Candidate, Moment};
 use super::order::{Braking, Order};
 use crate::vehicle::Vehicle;
-use endless_world::math::f64::wrap_angle;
 
 /// Who follows is faster than this, m/s.
 const LEAST_MPS: f64 = 4.0;
@@ -22,21 +22,12 @@ const STRAIGHT: f64 = 0.2;
 /// Pairs of whom one follows at some speed.
 pub(super) fn candidates(moment: &Moment<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
-    for (i, follower) in moment.watched() {
-        let free = |vehicle: &Vehicle| {
-            let rigid = vehicle.trailer.is_none() && !vehicle.class.two_wheeled();
-            vehicle.order.is_none() && vehicle.shift.is_none() && rigid
-        };
-        if follower.speed < LEAST_MPS || !free(follower) {
-            continue;
-        }
-        let leader = moment.occupancy.leader(moment.roads, moment.vehicles, i, GAP_M[1]);
-        let Some(leader) = leader.filter(|leader| (GAP_M[0]..GAP_M[1]).contains(&leader.gap)) else { continue };
-        let Some(ahead) = moment.vehicles.get(leader.vehicle).filter(|ahead| free(ahead)) else { continue };
-        let outside = [ahead, follower].iter().all(|vehicle| moment.roads.table(vehicle.lane()).junction.is_none());
-        if !outside || wrap_angle(ahead.yaw - follower.yaw).abs() > STRAIGHT {
-            continue;
-        }
+    let free = |vehicle: &Vehicle| {
+        let rigid = vehicle.trailer.is_none() && !vehicle.class.two_wheeled();
+        vehicle.order.is_none() && vehicle.shift.is_none() && rigid
+    };
+    let pairs = FollowingPairs { gap_m: GAP_M, least_mps: LEAST_MPS, straight: STRAIGHT };
+    for FollowingPair { follower: (i, _), leader, ahead } in pairs.of(moment, free) {
         for mps2 in BRAKING_MPS2 {
             let braking = (ahead.speed > SLOW_MPS).then_some(Braking { mps2, until_s: BRAKES_S });
             let first = Order { braking, collides: true, ..Order::default() };

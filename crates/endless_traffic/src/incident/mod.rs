@@ -16,6 +16,7 @@ mod collision;
 mod conflict;
 mod detector;
 mod fallen_rider;
+mod following;
 mod illegal_parking;
 pub(crate) mod impact;
 mod jaywalk;

@@ -1,10 +1,10 @@
 //! A near miss: who follows takes notice late that the one ahead stands, or brakes hard for nothing.
 
 use super::conflict::{EVASIVE_MPS2, NEAR_MISS_S};
+use super::following::{FollowingPair, FollowingPairs};
 use super::moment::{Candidate, Moment};
 use super::order::{Braking, Order};
 use crate::vehicle::Vehicle;
-use endless_world::math::f64::wrap_angle;
 
 /// Who follows is faster than this, m/s.
 const LEAST_MPS: f64 = 4.5;
@@ -28,19 +28,9 @@ const STRAIGHT: f64 = 0.05;
 /// Pairs on a straight lane, of whom one follows at some speed.
 pub(super) fn candidates(moment: &Moment<'_>) -> Vec<Candidate> {
     let mut found = Vec::new();
-    for (i, follower) in moment.watched() {
-        let free =
-            |vehicle: &Vehicle| vehicle.order.is_none() && vehicle.shift.is_none() && !vehicle.class.two_wheeled();
-        if follower.speed < LEAST_MPS || !free(follower) {
-            continue;
-        }
-        let leader = moment.occupancy.leader(moment.roads, moment.vehicles, i, GAP_M[1]);
-        let Some(leader) = leader.filter(|leader| (GAP_M[0]..GAP_M[1]).contains(&leader.gap)) else { continue };
-        let Some(ahead) = moment.vehicles.get(leader.vehicle).filter(|ahead| free(ahead)) else { continue };
-        let outside = [ahead, follower].iter().all(|vehicle| moment.roads.table(vehicle.lane()).junction.is_none());
-        if !outside || wrap_angle(ahead.yaw - follower.yaw).abs() > STRAIGHT {
-            continue;
-        }
+    let free = |vehicle: &Vehicle| vehicle.order.is_none() && vehicle.shift.is_none() && !vehicle.class.two_wheeled();
+    let pairs = FollowingPairs { gap_m: GAP_M, least_mps: LEAST_MPS, straight: STRAIGHT };
+    for FollowingPair { follower: (i, follower), leader, ahead } in pairs.of(moment, free) {
         let brakes_s = ahead.speed / BRAKING_MPS2;
         let hard = Braking { mps2: BRAKING_MPS2, until_s: brakes_s + STANDS_S };
         let brakes = (ahead.speed > SLOW_MPS).then_some(hard);
