@@ -28,6 +28,13 @@ const ANTICIPATION: f64 = 0.5;
 const LEFT_COST: f64 = 0.4;
 /// Directions that are looked at beside the wanted one, radians to the left.
 const TURNS: [f64; 14] = [-0.15, 0.15, -0.3, 0.3, -0.5, 0.5, -0.7, 0.7, -0.9, 0.9, -1.15, 1.15, -1.4, 1.4];
+/// Who gets on with less than this share of the speed they want is held up.
+const HELD_SHARE: f64 = 0.3;
+/// Who is so near presses on others, metres beyond their bodies.
+const PRESSES_M: f64 = 0.1;
+/// People make way with this share of the speed of those who press on them, and no faster, m/s.
+const YIELDING: f64 = 0.5;
+const YIELDS_MPS: f64 = 0.6;
 /// A way's edges are looked for at these distances, metres.
 const STATIONS_M: [f64; 5] = [0.2, 0.5, 1.0, 2.0, 3.5];
 
@@ -64,6 +71,15 @@ pub(crate) fn avoid(at: DVec2, wanted: DVec2, near: &[Passer], way: &Footway<'_>
         }
     }
     best.1 * pace.min(gap_ahead(at, best.1, near) / TIME_GAP_S)
+}
+
+/// The velocity that somebody takes in single file: they stay behind whoever is ahead.
+pub(crate) fn follow(at: DVec2, wanted: DVec2, near: &[Passer]) -> DVec2 {
+    let pace = wanted.length();
+    if pace < 1e-6 {
+        return wanted;
+    }
+    wanted / pace * pace.min(gap_ahead(at, wanted / pace, near) / TIME_GAP_S)
 }
 
 /// How many people are so near that it is crowded.
@@ -103,6 +119,18 @@ fn touch_in(relative: DVec2, velocity: DVec2, shy: f64) -> Option<f64> {
     let a = velocity.length_squared();
     let discriminant = closing * closing - a * (relative.length_squared() - apart * apart);
     (discriminant > 0.0 && a > 1e-9).then(|| ((closing - discriminant.sqrt()) / a).max(0.0))
+}
+
+/// The velocity with which somebody makes way for those who press on them: in a jam nobody would get on who is not let through.
+pub(crate) fn give_way(at: DVec2, near: &[Passer]) -> DVec2 {
+    let pressed = |passer: &Passer| {
+        let away = at - passer.at;
+        let distance = away.length();
+        let push = passer.intent.dot(away) / distance.max(1e-6);
+        let held = passer.velocity.length() < HELD_SHARE * passer.intent.length();
+        (held && push > 0.0 && distance < 2.0 * BODY_M + PRESSES_M).then(|| away / distance * push)
+    };
+    (near.iter().filter_map(pressed).sum::<DVec2>() * YIELDING).clamp_length_max(YIELDS_MPS)
 }
 
 /// Room to the nearest body ahead in a direction, as all stand now, metres.

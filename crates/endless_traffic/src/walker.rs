@@ -6,7 +6,7 @@ use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
 use crate::incident::RoadWalk;
 use crate::jaywalk::{Jaywalk, Roadway};
-use crate::pedestrian_avoidance::{avoid, crowd, somebody_comes};
+use crate::pedestrian_avoidance::{avoid, crowd, follow, give_way, somebody_comes};
 use crate::people_grid::{Passer, PeopleGrid};
 use crate::roads::Roads;
 use crate::walk_strip::{BODY_M, DirectedEdge, Footway, height, unit_vector};
@@ -27,8 +27,18 @@ const TURN_RATE: f64 = 3.5;
 const ACCELERATION: f64 = 2.5;
 /// How much less somebody keeps to their place across the strip for each one who is near.
 const CROWD_EASE: f64 = 0.25;
-/// Who has been stuck in a crowd for so long turns back, seconds.
-const GIVES_UP_S: f64 = 25.0;
+/// Who meets somebody is at least this far right of the middle, metres: two pass one another then.
+const PASSES_M: f64 = 0.28;
+/// Where the middles of bodies have less room than this to either side, metres, people walk in single file.
+const NARROW_M: f64 = 0.5;
+/// Who has stood before somebody for so long tries to get past, seconds.
+const STUCK_S: f64 = 1.5;
+/// Who wants to go slower than this waits, m/s; and who has been stuck in a crowd for so long, seconds, lets others through as they do.
+const WAITS_MPS: f64 = 0.3;
+const LETS_THROUGH_S: f64 = 5.0;
+/// Who has been stuck in a crowd for so long turns back, sooner or later: after so much more in the mean, seconds.
+const PATIENT_S: f64 = 6.0;
+const GIVES_UP_S: f64 = 10.0;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Walker {
@@ -237,8 +247,12 @@ impl Walker {
         let crowd = if makes_room { 0 } else { crowd(self.position, near).saturating_sub(company.len()) };
         let ease = 1.0 / (1.0 + CROWD_EASE * crowd as f64);
         let keep = |s: &DirectedEdge| {
+            if s.half_width < NARROW_M {
+                return -PASSES_M.min(s.half_width);
+            }
             let here = s.local(self.position).1.clamp(-s.half_width, s.half_width);
-            let middle = -self.side * s.half_width;
+            let beside_who_comes = if makes_room { PASSES_M.min(s.half_width) } else { 0.0 };
+            let middle = -(self.side * s.half_width).max(beside_who_comes);
             let place = self.company.as_deref().map_or(middle, |company| company.beside(middle, s.half_width));
             here + (place - here) * ease
         };
@@ -261,10 +275,13 @@ impl Walker {
         if pace > 0.3 && self.velocity.length() < 0.15 {
             self.stuck.0 += step_s;
             self.crowded_s += step_s;
-            if self.crowded_s > GIVES_UP_S && strip.kind == WalkKind::Sidewalk && !self.on_roadway() {
+            // Who has stepped onto the road is expected to go on.
+            let off_road = strip.kind == WalkKind::Sidewalk || along < 0.0;
+            let gives_up = self.crowded_s > PATIENT_S && self.stream.chance(step_s / GIVES_UP_S);
+            if gives_up && off_road && !self.on_roadway() {
                 self.turn_back(roads);
             }
-            if self.stuck.0 > 1.5 {
+            if self.stuck.0 > STUCK_S {
                 // Face to face: step aside or back, and try again.
                 self.stuck = (0.5, self.stream.range_f64(-2.4, 1.6));
             }
@@ -278,7 +295,17 @@ impl Walker {
             self.stuck.1 = 0.0;
         }
         let way = Footway { strip: &strip, next: next.as_ref().filter(|_| !kerb) };
-        let change = avoid(self.position, wanted, near, &way) - self.velocity;
+        // Who does not want to get on, or does not, lets others through.
+        let stays = pace < WAITS_MPS || self.crowded_s > LETS_THROUGH_S;
+        let makes_way = if stays { give_way(self.position, near) } else { DVec2::ZERO };
+        // Who overtakes on a narrow sidewalk would stand in the way of those who come.
+        let in_file = makes_room && strip.kind == WalkKind::Sidewalk && strip.half_width < NARROW_M;
+        let free = if in_file && self.stuck.0 < STUCK_S {
+            follow(self.position, wanted, near)
+        } else {
+            avoid(self.position, wanted, near, &way)
+        };
+        let change = free + makes_way - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
         self.advance(near, &way, kerb, step_s);
         let waits_for = self.jaywalk.as_deref().and_then(Jaywalk::waits_for);

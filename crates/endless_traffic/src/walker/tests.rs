@@ -63,32 +63,37 @@ impl Crowd {
 
     /// A corridor of 3.5 m that closes on itself, with people evenly spread.
     fn corridor(density: f64, directions: Directions) -> Self {
+        Self::corridor_of(3.5, density, directions)
+    }
+
+    /// The same of a width, metres.
+    fn corridor_of(width_m: f64, density: f64, directions: Directions) -> Self {
         const SIDES: u32 = 20;
         const RADIUS_M: f64 = 10.0;
-        const WIDTH_M: f64 = 3.5;
-        const FILES: usize = 6;
+        const FILE_M: f64 = 0.58;
+        let files = ((width_m - 2.0 * BODY_M) / FILE_M) as usize + 1;
         let node = |k: u32| {
             let (sin, cos) = sin_cos(TAU * f64::from(k) / f64::from(SIDES));
             DVec3::new(RADIUS_M * cos, RADIUS_M * sin, 0.0)
         };
         let edge = |k: u32| WalkEdge {
             nodes: [WalkNodeId(k), WalkNodeId((k + 1) % SIDES)],
-            width_m: WIDTH_M,
+            width_m,
             kind: WalkKind::Sidewalk,
         };
         let (roads, graph) =
             ways(WalkNetwork { nodes: (0..SIDES).map(node).collect(), edges: (0..SIDES).map(edge).collect() });
-        let area = TAU * RADIUS_M * WIDTH_M;
+        let area = TAU * RADIUS_M * width_m;
         let mut crowd = Self { roads, graph, walkers: Vec::new(), area };
         let mut stream = Stream::named(3, "test.corridor", &[]);
         let people = (density * area).round() as usize;
-        let ranks = people.div_ceil(FILES);
+        let ranks = people.div_ceil(files);
         for i in 0..people {
-            let along = (i / FILES) as f64 / ranks as f64 * f64::from(SIDES);
+            let along = (i / files) as f64 / ranks as f64 * f64::from(SIDES);
             let edge = along as u32;
             let [a, b] = [edge, (edge + 1) % SIDES].map(|k| node(k).truncate());
             let out = a.lerp(b, along.fract()).normalize();
-            let beside = 0.58 * ((i % FILES) as f64 - 0.5 * (FILES - 1) as f64);
+            let beside = FILE_M * ((i % files) as f64 - 0.5 * (files - 1) as f64);
             let turned = match directions {
                 Directions::One => false,
                 Directions::Sorted => beside < 0.0,
@@ -207,6 +212,15 @@ fn so_it_does_where_people_come_the_other_way() {
     assert!(shares[0] > 0.4, "{shares:?}");
     let shares = over_weidmann(&[0.25, 0.5, 1.0], Directions::Mixed);
     assert!(shares.iter().all(|share| (0.75..1.25).contains(share)), "{shares:?}");
+}
+
+/// Two files pass one another where two bodies just fit beside one another, and nobody blocks the way for ever.
+#[test]
+fn people_pass_on_a_narrow_sidewalk() {
+    for (density, directions) in [(0.6, Directions::Sorted), (0.4, Directions::Mixed)] {
+        let seen = Crowd::corridor_of(1.25, density, directions).walk(60.0, 20.0);
+        assert!(seen.mean_mps > 0.9 && seen.standing < 0.05, "{directions:?}: {seen:?}");
+    }
 }
 
 #[test]
