@@ -42,6 +42,7 @@ pub mod osm;
 mod polyline;
 mod road_map;
 mod route;
+mod signal_coordination;
 mod spawn;
 pub mod swept;
 mod terrain;
@@ -64,5 +65,6 @@ pub use road_map::{
     BuildingFootprint, ImportNote, LandUse, LandUseArea, LaneSurface, LaneType, MapObject, MapObjectKind, MarkingColor,
     RoadMap, RoadMarking,
 };
+pub use route::likelihood_of;
 pub use terrain::Terrain;
 pub use walk::WalkGraph;

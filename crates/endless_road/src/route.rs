@@ -101,13 +101,18 @@ impl RoadNetwork {
         if choices.is_empty() {
             return None;
         }
-        let weight = |next: &LaneId| match self.lane(*next).turn {
-            Turn::Straight => 2.0,
-            Turn::Left | Turn::Right => 1.0,
-            Turn::UTurn => 0.02,
-        };
+        let weight = |next: &LaneId| likelihood_of(self.lane(*next).turn);
         let weights: Vec<f64> = choices.iter().map(weight).zip(preference(&choices)).map(|(w, p)| w * p).collect();
         Some(choices[stream.weighted(&weights)])
+    }
+}
+
+/// How likely drivers make a turn, relative to others.
+pub fn likelihood_of(turn: Turn) -> f64 {
+    match turn {
+        Turn::Straight => 2.0,
+        Turn::Left | Turn::Right => 1.0,
+        Turn::UTurn => 0.02,
     }
 }
 

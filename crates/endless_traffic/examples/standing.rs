@@ -1,7 +1,7 @@
 //! Who stands long, and where: `cargo run -p endless_traffic --release --example standing -- MAP [vehicles] [people]
 //! [seconds] [seed] [focus]`; a map is the name of a town or a file, and the focus that many percent on what the first two cameras
-//! see. A line for every vehicle that stood longer than a minute:
-//! how long, where, on which lane and how far from its end, what governs that end, who stands ahead.
+//! see. A line for everybody who stood longer than a minute: when and where; of vehicles on which lane, how far from its end, and
+//! what governs that end.
 #![expect(clippy::print_stdout, reason = "a report on standard output")]
 
 use endless_asset::Catalogue;
@@ -86,14 +86,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         s.tick();
         let state = s.state();
-        for (k, actor) in state.actors.iter().enumerate().filter(|(_, a)| matches!(a.motion, Motion::Vehicle(_))) {
-            speed_sum = (speed_sum.0 + f64::from(actor.velocity_mps.length()), speed_sum.1 + 1.0);
+        for (k, actor) in state.actors.iter().enumerate() {
+            let driven = matches!(actor.motion, Motion::Vehicle(_));
+            if driven {
+                speed_sum = (speed_sum.0 + f64::from(actor.velocity_mps.length()), speed_sum.1 + 1.0);
+            }
             stood[k] = if actor.velocity_mps.length() < 0.1 { stood[k] + 1.0 / FPS } else { 0.0 };
             if stood[k] > LONG_S && !reported[k] {
                 reported[k] = true;
                 let at = actor.pose.position.as_dvec3().truncate();
-                let lane = place(&town.network, at);
-                println!("{:.0} s: vehicle {k}, {:?}, at {at:.1}: {lane}", state.time_s, actor.class);
+                let surface = if driven {
+                    place(&town.network, at)
+                } else {
+                    format!("crossing {:?}, waiting {}", actor.behaviour.crossing, actor.behaviour.waiting)
+                };
+                println!("{:.0} s: {k}, {:?}, at {at:.1}: {surface}", state.time_s, actor.class);
             }
         }
     }

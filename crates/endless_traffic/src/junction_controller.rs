@@ -7,6 +7,7 @@
 use super::entry_request::{
     EntryRequest, approach_control, aspect, goes_before, request, sign_allows, stopping_m, travel_s, yields_to,
 };
+use crate::gridlock;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::{RightOfWay, Vehicle};
@@ -19,6 +20,10 @@ const SPARE_M: f64 = 2.5;
 const ANOTHER_M: f64 = 8.0;
 /// Seconds of waiting after which room on the next road alone is enough.
 const CHANCE_S: f64 = 40.0;
+/// Room is kept for who has waited at the line for so long, a light's whole cycle, seconds.
+const STARVES_S: f64 = 75.0;
+/// They follow a queue that moves off, as if it went on for so long, seconds.
+const MOVES_ON_S: f64 = 4.0;
 /// Roads beyond a junction are looked along this far, metres; and so many of them, where they are short.
 const SEEN_M: f64 = 60.0;
 const MOST_ROADS: usize = 3;
@@ -35,6 +40,16 @@ pub(crate) struct JunctionController {
     requests: Vec<EntryRequest>,
     /// Vehicles with the right of way, by junction.
     holders: Vec<Vec<usize>>,
+    /// Those who have waited for long at the line.
+    starving: Vec<Starving>,
+}
+
+/// Somebody who has waited for long to get beyond a junction.
+#[derive(Debug, Clone, Copy)]
+struct Starving {
+    vehicle: usize,
+    exit: LaneId,
+    waited_s: f64,
 }
 
 impl JunctionController {
@@ -73,15 +88,22 @@ impl JunctionController {
                 None => vehicle.waited_s = 0.0,
             }
         }
+        self.starving.clear();
+        let starving = |r: &&EntryRequest| r.waited_s > STARVES_S && r.at_the_line();
+        let as_starving = |r: &EntryRequest| Starving { vehicle: r.vehicle, exit: r.exit, waited_s: r.waited_s };
+        self.starving.extend(requests.iter().filter(starving).map(as_starving));
         // Who has waited longest is asked first, or others might take the room beyond for ever.
         requests.sort_by(|a, b| b.waited_s.total_cmp(&a.waited_s));
+        let has_room = |request: &EntryRequest| self.has_exit_space(roads, occupancy, vehicles, request);
+        let gridlocked = gridlock::circles(roads, occupancy, vehicles, &requests, has_room);
         for (k, request) in requests.iter().enumerate() {
             let mut others =
                 requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction).map(|(_, r)| r);
             let comes_first = sign_allows(roads, request)
                 && !occupancy.crosses_claimed(roads, &request.lanes)
                 && is_next(roads, occupancy, vehicles, request.vehicle, request.junction, request.distance);
-            if comes_first && !self.has_exit_space(roads, occupancy, vehicles, request) {
+            let moves_on = gridlocked.binary_search(&k).is_ok();
+            if comes_first && !moves_on && !self.has_exit_space(roads, occupancy, vehicles, request) {
                 if (request.waited_s / DETOUR_S).floor() > ((request.waited_s - step_s) / DETOUR_S).floor().max(0.0) {
                     take_another_way(roads, &mut vehicles[request.vehicle], request.lanes[0]);
                 }
@@ -127,7 +149,8 @@ impl JunctionController {
         // Who joins a ring leaves room for one of those in it: when all its pieces are full, nobody gets on. Not for ever.
         let patient = request.waited_s < CHANCE_S;
         let left = if patient && request.control == TrafficControl::Yield { ANOTHER_M } else { 0.0 };
-        let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left;
+        let kept = self.kept_free_m(vehicles, request);
+        let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left + kept;
         let mut behind = Some(request.junction);
         let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
         for _ in 0..MOST_ROADS {
@@ -136,7 +159,8 @@ impl JunctionController {
             while let Some(lane) = lanes.next_if(|&l| length < SEEN_M && roads.table(l).junction.is_none()) {
                 for o in occupancy.on(lane).iter().filter(|o| o.vehicle != request.vehicle) {
                     let stop_m = vehicles.get(o.vehicle).map_or(0.0, Vehicle::firm_stop_m);
-                    free = free.min(length + o.rear + stop_m);
+                    let moves_off_m = if patient { 0.0 } else { o.speed * MOVES_ON_S };
+                    free = free.min(length + o.rear + stop_m + moves_off_m);
                 }
                 length += roads.table(lane).length;
             }
@@ -161,6 +185,15 @@ impl JunctionController {
             needed = 2.0 * me.half_length + SPARE_M;
         }
         true
+    }
+
+    /// Room beyond the junction that is kept for somebody who has waited long to get there, and longer than who asks, metres: where
+    /// there is room for few, and lights let others go first whenever there is any, they would never get on.
+    fn kept_free_m(&self, vehicles: &[Vehicle], request: &EntryRequest) -> f64 {
+        let longest = self.starving.iter().filter(|s| s.exit == request.exit && s.vehicle != request.vehicle);
+        let longest =
+            longest.max_by(|a, b| a.waited_s.total_cmp(&b.waited_s)).filter(|s| s.waited_s > request.waited_s);
+        longest.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
     }
 
     /// Those who have the right of way already and priority will be out of the way in time.

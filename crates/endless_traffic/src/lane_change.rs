@@ -3,6 +3,7 @@
 
 use crate::crossing::comfortable_stop_m;
 use crate::kinematics;
+use crate::lane_choice;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::{LaneChange, LaneCover, Vehicle};
@@ -44,6 +45,7 @@ pub(crate) fn step(
     if !thinks || vehicles[i].class == ObjectClass::Bicycle {
         return;
     }
+    lane_choice::think(roads, &mut vehicles[i]);
     let lane = roads.network.lane(vehicles[i].lane());
     let best = [lane.left, lane.right]
         .into_iter()
@@ -127,7 +129,7 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
         }
         None => 0.0,
     };
-    Some(then - now - me.driver.politeness * harm)
+    Some(then - now - me.driver.politeness * harm + lane_choice::incentive(roads, me, target))
 }
 
 fn begin(roads: &Roads, occupancy: &mut Occupancy, vehicles: &mut [Vehicle], i: usize, target: LaneId) {

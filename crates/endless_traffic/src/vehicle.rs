@@ -2,6 +2,7 @@
 
 use crate::driver::Driver;
 use crate::incident::Order;
+use crate::lane_choice::Aim;
 use crate::roads::Roads;
 use crate::trailer::TrailerState;
 use endless_road::swept::{OrientedRectangle, SWINGS_OUT_M};
@@ -71,6 +72,8 @@ pub(crate) struct Vehicle {
     pub(crate) shift: Option<LaneChange>,
     /// Lane change to come: target, and seconds until it begins.
     pub(crate) intent: Option<(LaneId, f64)>,
+    /// Where it is to go at the next junction.
+    pub(crate) aim: Option<Aim>,
     pub(crate) rights_of_way: Vec<RightOfWay>,
     /// Seconds standing before a junction.
     pub(crate) waited_s: f64,
@@ -118,6 +121,7 @@ impl Vehicle {
             acceleration: 0.0,
             shift: None,
             intent: None,
+            aim: None,
             rights_of_way: Vec::new(),
             waited_s: 0.0,
             order: None,

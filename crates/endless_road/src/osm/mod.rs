@@ -57,7 +57,7 @@ pub use error::OsmError;
 pub use extract::{OsmBounds, OsmExtract, OsmMember, OsmMemberKind, OsmNode, OsmRelation, OsmTags, OsmWay};
 pub(crate) use projection::{FLATTENING, RADIUS_M, raw as transverse_mercator};
 
-use crate::{Junction, JunctionId, RoadMap, Terrain};
+use crate::{Junction, JunctionId, RoadMap, Terrain, signal_coordination};
 use endless_world::DrivingSide;
 use glam::DVec2;
 use height::GroundHeight;
@@ -197,6 +197,7 @@ fn build(plan: &mut StreetPlan, context: &mut ImportContext<'_>) -> Result<RoadM
     plaza::add(&surfaces.areas, &surroundings::outlines_of_buildings(context), context, network);
     repair::mend(network, context);
     map.network = std::mem::take(&mut map.network).finish()?;
+    signal_coordination::coordinate(&mut map.network);
     surface::streets(plan, &mut map);
     map.lane_surfaces.extend(surfaces.lane_surfaces);
     map.markings.extend(surfaces.markings);

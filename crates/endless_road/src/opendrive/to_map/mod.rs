@@ -20,7 +20,7 @@ mod turnaround;
 mod walk;
 
 use super::{OpenDriveDocument, OpenDriveError};
-use crate::{RoadMap, RoadNetwork};
+use crate::{RoadMap, RoadNetwork, signal_coordination};
 use sampled::SampledDocument;
 
 /// Reads an OpenDRIVE file's text.
@@ -55,8 +55,10 @@ pub fn read(text: &str) -> Result<RoadMap, OpenDriveError> {
     let groups = signals::apply(&sampled, &governed, &mut network, &mut notes);
     signals::apply_priorities(&sampled, &graph, &mut network);
     let left = document.roads.iter().filter(|road| road.left_hand).count();
+    let mut network = network.finish()?;
+    signal_coordination::coordinate(&mut network);
     let mut map = RoadMap {
-        network: network.finish()?,
+        network,
         lane_surfaces: lane_surfaces::lane_surfaces(&sampled),
         markings: markings::markings(&sampled),
         left_hand: 2 * left > document.roads.len(),
