@@ -14,11 +14,8 @@ use serde_json::json;
 use std::{collections::BTreeMap, f64::consts::TAU};
 
 /// Maps, weathers, times of day and seeds.
-const SCENES: [(&str, &str, &str, u64); 3] = [
-    ("Town02", "clear_sky", "afternoon", 1),
-    ("Town02", "rainy", "night", 2),
-    ("Altstadt", "foggy", "morning", 4),
-];
+const SCENES: [(&str, &str, &str, u64); 3] =
+    [("Town02", "clear_sky", "afternoon", 1), ("Town02", "rainy", "night", 2), ("Altstadt", "foggy", "morning", 4)];
 /// Pixels around the panorama, and directions of the LiDAR: 2 degrees each.
 const AROUND: u32 = 180;
 
