@@ -4,6 +4,7 @@ mod actors;
 mod bake_cache;
 mod bake_key;
 mod bodies;
+mod carrier_fit;
 mod helped_once;
 mod hits_folder;
 mod instant;

@@ -24,6 +24,25 @@ pub enum SimulatorError {
         /// Whom it rides on.
         wanted: String,
     },
+    /// Nobody who could carry a sensor outside the body.
+    #[error(
+        "video {video}: sensor {sensor} rides on {wanted}, and of {candidates} on {map} only {fitting} have it outside their \
+         bodies with a free view: mount it higher or farther out, or on another class"
+    )]
+    NoCarrierFits {
+        /// The video.
+        video: u32,
+        /// The map.
+        map: String,
+        /// The sensor.
+        sensor: String,
+        /// Whom it rides on.
+        wanted: String,
+        /// Those of the class who are there.
+        candidates: usize,
+        /// Those of them who can carry it.
+        fitting: u32,
+    },
     /// A map that there is not.
     #[error("unknown map '{map}': use one of {}", known.join(", "))]
     UnknownMap {

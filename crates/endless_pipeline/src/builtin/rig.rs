@@ -1,6 +1,8 @@
 //! The rig of a scene: who carries its sensors, and where these are.
 
+use super::carrier_fit::{CarrierBody, looks_out};
 use crate::SimulatorError;
+use endless_render::FrameScene;
 use endless_traffic::{DrivingCondition, Simulation};
 use endless_world::{
     Actor, Carrier, InstanceId, ObjectClass, PinholeCamera, SceneSensor, SceneSettings, SensorMount, SensorPose,
@@ -32,14 +34,15 @@ struct Scouted {
 }
 
 impl SceneRig {
-    /// Of a scene whose traffic has not begun. `condition` tells the weather of a frame.
+    /// Of a scene whose traffic has not begun. `condition` tells the weather of a frame, `draw` shows who is there in a state.
     ///
     /// # Errors
-    /// [`SimulatorError::NoCarrier`].
+    /// [`SimulatorError::NoCarrier`], [`SimulatorError::NoCarrierFits`].
     pub(super) fn new(
         simulation: &Simulation,
         settings: &SceneSettings,
         condition: impl Fn(u32) -> DrivingCondition,
+        draw: impl Fn(&WorldState) -> FrameScene,
     ) -> Result<Self, SimulatorError> {
         let sensors = settings.sensors.clone();
         let mut rig = Self {
@@ -54,14 +57,14 @@ impl SceneRig {
         }
         let is_carried = rig.sensors.iter().any(|sensor| sensor.mount.carrier().is_some());
         let scouted = scout(simulation, settings, is_carried, condition);
+        let mut chosen: BTreeMap<Carrier, InstanceId> = BTreeMap::new();
         for (place, sensor) in rig.sensors.iter().enumerate() {
             let Some(by) = sensor.mount.carrier() else { continue };
-            let id = scouted.carrier(by).ok_or_else(|| SimulatorError::NoCarrier {
-                video: settings.video,
-                map: settings.map.clone(),
-                sensor: sensor.name.clone(),
-                wanted: wanted(by),
-            })?;
+            let id = match chosen.get(&by) {
+                Some(id) => *id,
+                None => scouted.carrier(by, settings, &draw)?,
+            };
+            chosen.insert(by, id);
             rig.carriers[place] = Some(id);
         }
         let at_second = scouted.states.iter().find(|state| state.frame == 1);
@@ -162,19 +165,63 @@ fn scout(
 }
 
 impl Scouted {
-    fn carrier(&self, by: Carrier) -> Option<InstanceId> {
+    /// The carrier of all sensors that ask for it: of those who can carry them, the one that is so many places behind the one
+    /// that gets farthest.
+    fn carrier(
+        &self,
+        by: Carrier,
+        settings: &SceneSettings,
+        draw: impl Fn(&WorldState) -> FrameScene,
+    ) -> Result<InstanceId, SimulatorError> {
+        let carried: Vec<&SceneSensor> =
+            settings.sensors.iter().filter(|sensor| sensor.mount.carrier() == Some(by)).collect();
+        let found = self.candidates(by);
+        let sensor = |sensor: &SceneSensor| sensor.name.clone();
+        if found.len() <= by.number as usize {
+            return Err(SimulatorError::NoCarrier {
+                video: settings.video,
+                map: settings.map.clone(),
+                sensor: carried.first().map_or_else(String::new, |first| sensor(first)),
+                wanted: wanted(by),
+            });
+        }
+        // People carry sensors before their eyes.
+        let asks = by.class != Some(ObjectClass::Pedestrian) && carried.iter().any(|sensor| looks_out(&sensor.model));
+        let (mut fitting, mut blind) = (0, None);
+        for actor in &found {
+            let body = asks.then(|| CarrierBody::new(actor, draw(&self.alone(actor))));
+            match body.and_then(|body| carried.iter().find(|sensor| !body.lets_see(sensor))) {
+                Some(hidden) => blind = blind.or(Some(hidden)),
+                None if fitting == by.number => return Ok(actor.id),
+                None => fitting += 1,
+            }
+        }
+        Err(SimulatorError::NoCarrierFits {
+            video: settings.video,
+            map: settings.map.clone(),
+            sensor: blind.map_or_else(String::new, |blind| sensor(blind)),
+            wanted: wanted(by),
+            candidates: found.len(),
+            fitting,
+        })
+    }
+
+    /// Those of its class who are there in all frames, first the one that gets farthest.
+    fn candidates(&self, by: Carrier) -> Vec<&Actor> {
         let fits = |actor: &&Actor| match by.class {
             Some(class) => actor.class == class,
             None => actor.class != ObjectClass::Pedestrian,
         };
-        let mut found: Vec<(f64, InstanceId)> = self.states[0]
-            .actors
-            .iter()
-            .filter(fits)
-            .filter_map(|actor| Some((*self.ways_m.get(&actor.id)?, actor.id)))
-            .collect();
-        found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
-        found.get(by.number as usize).map(|(_, id)| *id)
+        let there = self.states[0].actors.iter().filter(fits);
+        let mut found: Vec<(f64, &Actor)> =
+            there.filter_map(|actor| Some((*self.ways_m.get(&actor.id)?, actor))).collect();
+        found.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.id.cmp(&b.1.id)));
+        found.into_iter().map(|(_, actor)| actor).collect()
+    }
+
+    /// The first state, in which nobody else is there.
+    fn alone(&self, actor: &Actor) -> WorldState {
+        WorldState { actors: vec![*actor], signals: Vec::new(), ..self.states[0].clone() }
     }
 }
 

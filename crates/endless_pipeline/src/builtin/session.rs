@@ -119,7 +119,9 @@ impl<'m> BuiltinSession<'m> {
             map: settings.map.clone(),
             source: source.into(),
         })?;
-        let rig = SceneRig::new(&simulation, settings, condition)?;
+        let draw =
+            |state: &WorldState| ActorModels::in_town(&map.town_scene, catalogue, &state.actors).frame_scene(state);
+        let rig = SceneRig::new(&simulation, settings, condition, draw)?;
         let moving_cameras = MovingCameras::new(settings, bakes.timeline(), wanted, rig.moving_cameras());
         let population = simulation.population();
         let parked = simulation.parked().to_vec();

@@ -3,16 +3,15 @@
 use crate::{
     city::city,
     fake::{assert_same, options},
+    seen::Seen,
 };
 use endless_dataset::{
-    CameraLayout, CameraRecord, DatasetLayout, Layer, RecipeDraft, RgbFormat, UserCamera, VideoLayout, check,
-    depth_from_rgb, instance_from_rgb, read_json, read_objects, read_rgb,
+    CameraRecord, DatasetLayout, Layer, RecipeDraft, UserCamera, VideoLayout, check, read_json, read_objects,
 };
 use endless_interchange::MapLibrary;
 use endless_pipeline::{Generated, SilentProgress, generate, resolve_recipe};
 use endless_world::{
-    CameraSite, ClassTag, DepthMeasure, FAR_PLANE_M, Image, ImageSize, InstanceId, InstancePixel, LensModel,
-    PinholeCamera,
+    CameraSite, ClassTag, DepthMeasure, FAR_PLANE_M, InstanceId, InstancePixel, LensModel, PinholeCamera,
 };
 use glam::{Vec2, Vec3};
 use serde_json::{Value, json};
@@ -58,62 +57,11 @@ fn above_junction(name: &str, yaw: f64, pitch: f64, height: f64, change: &Value)
     sensor
 }
 
-/// A frame of a camera.
-struct Seen {
-    camera: PinholeCamera,
-    depth: Image<f32>,
-    instance: Image<InstancePixel>,
-    rgb: Image<[u8; 3]>,
-}
-
-impl Seen {
-    fn of_sensor(made: &Generated, video: &VideoLayout, name: &str) -> Self {
-        let sensor = made.plan.scenes[0].sensors.iter().find(|sensor| sensor.name == name).expect("of the rig");
-        let (fixed, size) = (sensor.fixed_camera().expect("it stands"), sensor.model.camera().expect("a lens").size);
-        Self::read(&video.sensor(name), PinholeCamera::new(&fixed.site, size))
-    }
-
-    fn read(files: &CameraLayout, camera: PinholeCamera) -> Self {
-        let layer = |layer: Layer| read_rgb(&files.frame(layer, 1, RgbFormat::Png), layer.format(RgbFormat::Png));
-        let layer = |named: Layer| layer(named).expect("a picture").rgb8().expect("8 bit").clone();
-        let instance = instance_from_rgb(&layer(Layer::Instance)).expect("ids");
-        Self { camera, depth: depth_from_rgb(&layer(Layer::Depth)), instance, rgb: layer(Layer::Rgb) }
-    }
-
-    /// Distance from the lens of what a pixel shows, and what it is; `None` beside edges, where places decide.
-    fn inner(&self, x: i32, y: i32) -> Option<(f32, InstancePixel)> {
-        let ImageSize { width, height } = self.camera.size;
-        if x < 1 || y < 1 || x + 1 >= width as i32 || y + 1 >= height as i32 {
-            return None;
-        }
-        let (here, depth) = (*self.instance.at(x as u32, y as u32), *self.depth.at(x as u32, y as u32));
-        let even = (-1..=1).flat_map(|dy| (-1..=1).map(move |dx| (x + dx, y + dy))).all(|(x, y)| {
-            let (x, y) = (x as u32, y as u32);
-            *self.instance.at(x, y) == here && (self.depth.at(x, y) - depth).abs() < 0.1 * depth
-        });
-        let forward = self.camera.world_from_camera.z_axis;
-        let ray = self.camera.ray(x as f32 + 0.5, y as f32 + 0.5).filter(|_| even)?;
-        let planar = self.camera.lens.depth_measure() == DepthMeasure::Planar;
-        Some((if planar { depth / ray.direction.dot(forward) } else { depth }, here))
-    }
-
-    /// How many of this one's pixels away from edges another camera at the same place shows, how many of those it shows
-    /// as something else, and at how many of those that are alike it is nearer or farther.
-    fn compare(&self, other: &Self) -> [u32; 4] {
-        let ImageSize { width, height } = self.camera.size;
-        let [mut asked, mut objects, mut unlike, mut apart] = [0; 4];
-        for (x, y) in (0..height as i32).flat_map(|y| (0..width as i32).map(move |x| (x, y))) {
-            let Some((distance, here)) = self.inner(x, y) else { continue };
-            let ray = self.camera.ray(x as f32 + 0.5, y as f32 + 0.5).expect("it is shown");
-            let Some((at, _)) = other.camera.project(ray.origin + ray.direction * distance) else { continue };
-            let Some((there_m, there)) = other.inner(at.x.floor() as i32, at.y.floor() as i32) else { continue };
-            asked += 1;
-            objects += u32::from(here.id.0 > 0);
-            unlike += u32::from(here != there);
-            apart += u32::from(here == there && here.tag != ClassTag::Sky && (there_m / distance - 1.0).abs() > 0.1);
-        }
-        [asked, objects, unlike, apart]
-    }
+/// A camera of the rig that stands still.
+fn seen_by(made: &Generated, video: &VideoLayout, name: &str) -> Seen {
+    let sensor = made.plan.scenes[0].sensors.iter().find(|sensor| sensor.name == name).expect("of the rig");
+    let (fixed, size) = (sensor.fixed_camera().expect("it stands"), sensor.model.camera().expect("a lens").size);
+    Seen::read(&video.sensor(name), PinholeCamera::new(&fixed.site, size))
 }
 
 #[test]
@@ -138,7 +86,7 @@ fn a_fisheye_and_a_panorama_see_what_pinholes_see_from_there() {
     let out = tempfile::tempdir().expect("temp");
     let draft = RecipeDraft { sensor: serde_json::from_value(sensors).ok(), vehicles: Some(90), ..draft() };
     let (made, video) = make(draft, out.path());
-    let seen = |name: &str| Seen::of_sensor(&made, &video, name);
+    let seen = |name: &str| seen_by(&made, &video, name);
     let panorama = seen("panorama");
     for name in ["fisheye", "bent"] {
         let (north, fisheye) = (seen("north"), seen(name));
@@ -173,7 +121,7 @@ fn from_above_objects_are_where_the_world_has_them() {
     let out = tempfile::tempdir().expect("temp");
     let draft = RecipeDraft { sensor: serde_json::from_value(sensors).ok(), vehicles: Some(90), ..draft() };
     let (made, video) = make(draft, out.path());
-    let camera = Seen::of_sensor(&made, &video, "above").camera;
+    let camera = seen_by(&made, &video, "above").camera;
     // North is up: a metre is six pixels.
     let [middle, east, north] = [Vec3::ZERO, Vec3::X, Vec3::Y]
         .map(|way| camera.project(camera.position + way - Vec3::Z * 50.0).expect("below").0);

@@ -2,6 +2,7 @@
 
 mod bake_cache;
 mod builds;
+mod carriers;
 mod changing;
 mod city;
 mod clone;
@@ -20,3 +21,5 @@ mod people_layers;
 mod randomised;
 mod record;
 mod rig;
+mod seen;
+mod sensor_geometry;

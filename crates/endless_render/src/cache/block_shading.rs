@@ -9,11 +9,13 @@ use super::row_block::{BLOCK, BlockPoint, RowBlock};
 use super::sky_sample::sky_samples8;
 use crate::accel::RayStream;
 use crate::camera_rays::{is_nowhere, sample_ray};
-use crate::material::{PackedBsdf, Reflection8};
+use crate::material::{Bsdf, PackedBsdf, Reflection8};
 use crate::pixel_layers::PixelLayers;
 use crate::rgb9e5::Rgb9e5;
 use crate::sampling::SAMPLES;
-use crate::shade::{MIRROR_THRESHOLD, halos, halos8, mirror_footprint, mirror_ray, shade_hit8};
+use crate::shade::{
+    MIRROR_THRESHOLD, halos, halos8, mirror_footprint, mirror_ray, shade_hit8, sharp_share, soft_mirror,
+};
 use crate::vec3x8::{Vec3x8, lane_of, side_by_side};
 use glam::Vec3A;
 use std::mem::discriminant;
@@ -145,13 +147,14 @@ impl RowBlock<'_> {
         let emission = reflection.emission();
         let ambient = reflection.lit_by_ambient(&columns(eight, |point| point.irradiance));
         let left = lit.transmittance;
-        let parts: [Vec3x8; 3] = [
-            std::array::from_fn(|k| emission[k] * left + lit.glow[k]),
-            ambient.map(|axis| axis * left),
-            direct.map(|axis| axis * left),
-        ];
+        let mut rest: Vec3x8 = std::array::from_fn(|k| emission[k] * left + lit.glow[k]);
+        let mut weights = reflection.coat_reflectance();
+        if self.row.irradiance.is_none() {
+            let soft = self.soften(eight, &bsdfs, &mut weights);
+            rest = std::array::from_fn(|k| rest[k] + soft[k] * left);
+        }
+        let parts: [Vec3x8; 3] = [rest, ambient.map(|axis| axis * left), direct.map(|axis| axis * left)];
         let [rest, ambient, shone] = parts.each_ref().map(Rgb9e5::pack8);
-        let weights = reflection.coat_reflectance();
         let mirrors = weights[0].fast_max(weights[1]).fast_max(weights[2]).simd_ge(f32x8::splat(MIRROR_THRESHOLD));
         let mirrors = mirrors.to_bitmask();
         for (i, point) in eight.iter().enumerate() {
@@ -185,6 +188,30 @@ impl RowBlock<'_> {
                 });
             }
         }
+    }
+
+    /// Where a coat's mirror is hardly seen before what lies under it, it shows the soft light of the probes: gives that light
+    /// and takes its share from the weights. In the light of probes alone.
+    fn soften(&self, eight: &Eight<'_, '_>, bsdfs: &[Option<Bsdf>; 8], weights: &mut Vec3x8) -> Vec3x8 {
+        let uniform = &self.row.primary.uniform[self.first..];
+        let mut soft = [Vec3A::ZERO; 8];
+        for (i, point) in eight.iter().enumerate() {
+            let (Some(point), Some(bsdf)) = (point, &bsdfs[i]) else { continue };
+            let weight = lane_of(weights, i);
+            if weight.max_element() < MIRROR_THRESHOLD {
+                continue;
+            }
+            let share = if uniform[usize::from(point.lane) % BLOCK] { 1.0 } else { 0.5 };
+            let sharp = sharp_share(share, weight, bsdf);
+            let sharp = if sharp * weight.max_element() < MIRROR_THRESHOLD { 0.0 } else { sharp };
+            if sharp < 1.0 {
+                soft[i] = weight * soft_mirror(&self.pass.tracer, &point.surface, bsdf) * (1.0 - sharp);
+                for (axis, kept) in weights.iter_mut().zip((weight * sharp).to_array()) {
+                    axis.as_mut_array()[i] = kept;
+                }
+            }
+        }
+        side_by_side(soft)
     }
 
     /// The third samples of the uniform pixels whose centres mirror, in gathered light.

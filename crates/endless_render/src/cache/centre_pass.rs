@@ -4,6 +4,7 @@
 use super::bake_pass::BakePass;
 use super::block_hits::BlockHits;
 use super::centre_band::{CentreBand, Centres, SunBits};
+use super::faint_ends::is_plain;
 use super::packed_hit::PackedHit;
 use super::primary_hits::PackedNormals;
 use super::sparse_centre::{Centre, FIRST, ROWS, SunSeen};
@@ -80,6 +81,7 @@ impl BakePass<'_> {
         let (material, kind) = instances[instance as usize].material_of(triangle);
         let is_lens = matches!(kind.surface, Surface::SignalLens(_));
         let is_leaf = kind.surface == Surface::Foliage;
+        let is_plain = is_plain(kind.surface);
         let normals = TriangleNormals::new(&instances[instance as usize], triangle);
         for (row, own) in alike.to_le_bytes().into_iter().enumerate().filter(|(_, own)| *own != 0) {
             let (distances, weights) = (hits.distances[row], hits.weights[row]);
@@ -96,7 +98,8 @@ impl BakePass<'_> {
                 let hit = PackedHit::of(instance, triangle, [second[lane], third[lane]]);
                 let normals = PackedNormals { geometric: geometric[lane], shading: shading[lane] };
                 let distance = distances[lane];
-                tell(row, lane, Centre { distance, hit, normals, material, is_lens, is_leaf, sun: SunSeen::Never });
+                let sun = SunSeen::Never;
+                tell(row, lane, Centre { distance, hit, normals, material, is_lens, is_leaf, is_plain, sun });
             }
         }
     }

@@ -25,6 +25,7 @@ mod coverage;
 mod covered_centres;
 mod developed_frame;
 mod edge_samples;
+mod faint_ends;
 mod flow;
 mod flow_from_elsewhere;
 mod frame;

@@ -8,7 +8,7 @@ use super::sparse_centre::{Centre, ROWS, SunSeen};
 use super::sun_rays::{LitPlaces, faces8};
 use crate::accel::{Hit, Ray, RayStream, StreamHits, lanes};
 use crate::light::Sun;
-use crate::octahedron::{pack8, unpack8};
+use crate::octahedron::{self, pack8, unpack8};
 use crate::scene::{Instance, normals_of_hits};
 use crate::vec3x8::lane_of;
 use endless_scene::Surface;
@@ -32,8 +32,22 @@ pub(super) struct SampleBundle {
 #[derive(Clone, Copy)]
 pub(super) struct RowCentres<'a> {
     pub(super) centres: &'a [Centre],
+    /// Of the rows above and below, if there are such.
+    pub(super) beside: [Option<&'a [Centre]>; 2],
     /// Which are near the edge of a shadow, of eight that follow each other a bit each.
     pub(super) edges: &'a [u8],
+}
+
+impl<'a> RowCentres<'a> {
+    /// The centre of the neighbour towards which a sample of a pixel lies.
+    fn towards(&self, x: usize, sample: usize) -> Option<&'a Centre> {
+        let [above, below] = self.beside;
+        match sample {
+            1 => self.centres.get(x + 1),
+            2 => below.map(|row| &row[x]),
+            _ => above.map(|row| &row[x]),
+        }
+    }
 }
 
 /// What eight samples met: where it was nothing, what one of the others met.
@@ -51,8 +65,10 @@ pub(super) struct SampleSeen {
     pub(super) normals: PackedNormals,
     /// It lies on the flat piece of its pixel's centre.
     pub(super) goes_on: bool,
-    /// From where a ray tells whether it sees the sun; none where its pixel tells that, now or later.
+    /// From where a ray tells whether it sees the sun; none where its pixel tells that, now or later, or a neighbour.
     pub(super) asks_sun_from: Option<Vec3A>,
+    /// A neighbour tells that it sees the sun.
+    pub(super) is_lit_as_beside: bool,
 }
 
 impl SampleSeen {
@@ -62,6 +78,7 @@ impl SampleSeen {
         normals: PackedNormals::NONE,
         goes_on: false,
         asks_sun_from: None,
+        is_lit_as_beside: false,
     };
 }
 
@@ -116,10 +133,11 @@ impl SampleBundle {
         row: usize,
         Hits8 { hits, met }: &Hits8,
         instances: &[Instance],
-        RowCentres { centres, edges }: RowCentres<'_>,
+        known: RowCentres<'_>,
         sun: Option<&Sun>,
         seen: &mut [SampleSeen; 8],
     ) {
+        let RowCentres { centres, edges, .. } = known;
         let places = &self.places[8 * row..][..8];
         let normals = normals_of_hits(instances, hits, &self.rays.direction.map(|axis| axis[row]));
         let distances = f32x8::new(hits.map(|hit| hit.t));
@@ -127,7 +145,8 @@ impl SampleBundle {
         let (geometric, shading) = (pack8(&normals.geometric), pack8(&normals.shading));
         let second = PackedHit::weights8(f32x8::new(hits.map(|hit| hit.u)));
         let third = PackedHit::weights8(f32x8::new(hits.map(|hit| hit.v)));
-        let (mut is_leaf, mut may_go_on, mut by_light, mut by_edge, mut by_leaf) = (0, 0, 0, 0, 0);
+        let (mut is_leaf, mut may_go_on, mut by_leaf) = (0, 0, 0);
+        let (mut by_light, mut by_shade, mut by_edge) = (0, 0, 0);
         for (lane, (hit, seen)) in hits.iter().zip(seen.iter_mut()).enumerate() {
             let (x, centre) = (places[lane].0, &centres[places[lane].0]);
             let (material, kind) = instances[hit.instance as usize].material_of(hit.triangle);
@@ -137,18 +156,34 @@ impl SampleBundle {
             is_leaf |= u32::from(kind.surface == Surface::Foliage) << lane;
             may_go_on |= u32::from(centre.may_continue(&seen.hit, material)) << lane;
             by_light |= u32::from(centre.sun == SunSeen::Lit) << lane;
+            by_shade |= u32::from(centre.sun == SunSeen::Shaded) << lane;
             by_edge |= u32::from(edges[x / 8] >> (x % 8) & 1) << lane;
             by_leaf |= u32::from(centre.is_leaf) << lane;
         }
         let by_centre: [PackedNormals; 8] = std::array::from_fn(|lane| centres[places[lane].0].normals);
         let by_centre_geometric = unpack8(&by_centre.map(|normals| normals.geometric));
         if let Some(sun) = sun {
-            // Far from shadows' edges those count as lit whose pixel's centre is lit, whatever the ray would say. Near them,
-            // those that face the sun ask its whole disc later, but for pixels of leaves, where a ray a sample does.
+            // Far from shadows' edges those count as lit whose pixel's centre is lit, and as shaded whose centre is shaded,
+            // whatever the ray would say. Near them, those that face the sun ask its whole disc later, but for pixels of
+            // leaves, where a ray a sample does.
             let later = by_edge & !by_leaf & faces8(&by_centre_geometric, sun) & faces8(&unpack8(&geometric), sun);
-            let as_centre = by_light & !(by_edge & by_leaf);
+            let as_centre = by_light & !(by_edge & by_leaf) | by_shade & !by_edge;
             let lit = LitPlaces { positions, normals: normals.geometric, distances, is_leaf };
-            let asking = met & !as_centre & !later & lit.can_be_lit_by(sun);
+            let mut asking = met & !as_centre & !later & lit.can_be_lit_by(sun);
+            // A surface that goes on to the neighbour's centre is lit as it is there; leaves are not.
+            for lane in lanes(asking & !is_leaf) {
+                let (x, sample) = places[lane];
+                let Some(beside) = known.towards(x, sample).filter(|beside| beside.sun != SunSeen::Never) else {
+                    continue;
+                };
+                let (material, _) = instances[hits[lane].instance as usize].material_of(hits[lane].triangle);
+                let normal = octahedron::unpack(beside.normals.geometric);
+                if beside.may_continue(&seen[lane].hit, material) && normal.dot(lane_of(&normals.geometric, lane)) > 0.9
+                {
+                    seen[lane].is_lit_as_beside = beside.sun == SunSeen::Lit;
+                    asking &= !(1 << lane);
+                }
+            }
             if asking != 0 {
                 let origins = lit.ray_origins(sun);
                 lanes(asking).for_each(|lane| seen[lane].asks_sun_from = Some(lane_of(&origins, lane)));

@@ -27,6 +27,8 @@ pub(super) struct Centre {
     /// On a lens of a traffic light.
     pub(super) is_lens: bool,
     pub(super) is_leaf: bool,
+    /// Its light depends on nothing but what falls on it.
+    pub(super) is_plain: bool,
     pub(super) sun: SunSeen,
 }
 
@@ -47,6 +49,7 @@ impl Centre {
         material: 0,
         is_lens: false,
         is_leaf: false,
+        is_plain: false,
         sun: SunSeen::Never,
     };
 

@@ -12,6 +12,7 @@
 use super::bake_pass::BakePass;
 use super::bake_stats::timed;
 use super::centre_band::Centres;
+use super::faint_ends::DayLight;
 use super::primary_hits::RowSurfaces;
 use super::shadow_edges::ShadowEdges;
 use super::sparse_row::SparseRow;
@@ -22,7 +23,8 @@ impl BakePass<'_> {
     /// What can be told before any row is looked at alone.
     pub(super) fn trace_sparse(&self) -> SparsePrimary<'_> {
         let centres = timed("centres", || self.trace_centres());
-        let ends = timed("ends of surfaces", || SurfaceEnds::new(self.camera, &centres));
+        let light = DayLight::of(self.tracer.environment);
+        let ends = timed("ends of surfaces", || SurfaceEnds::new(self.camera, &centres, light.as_ref()));
         let edges = timed("ends of shadows", || ShadowEdges::new(&centres, self.pixel_angle));
         self.stats.add(self.camera.size.pixels() as u64 * 2);
         SparsePrimary { pass: self, centres, ends, edges }
@@ -51,7 +53,10 @@ impl SparsePrimary<'_> {
         let (hits, normals) = (&mut surfaces.hits[..], &mut surfaces.normals[..]);
         let (centres, edges) = (self.centres.row(y), self.edges.row(y));
         let KeptRow { distances, sun_free, uniform } = kept;
-        let mut row = SparseRow { pass: self.pass, y, centres, edges, distances, hits, normals, sun_free, uniform };
+        let row_at = |y: usize| (y < self.centres.height).then(|| self.centres.row(y));
+        let beside = [y.checked_sub(1).and_then(row_at), row_at(y + 1)];
+        let mut row =
+            SparseRow { pass: self.pass, y, centres, beside, edges, distances, hits, normals, sun_free, uniform };
         row.fill(|x| self.ends.known(x, y));
         surfaces
     }

@@ -18,6 +18,8 @@ pub(super) struct SparseRow<'a> {
     pub(super) pass: &'a BakePass<'a>,
     pub(super) y: usize,
     pub(super) centres: &'a [Centre],
+    /// Of the rows above and below, if there are such.
+    pub(super) beside: [Option<&'a [Centre]>; 2],
     /// Which are near the edge of a shadow: of eight that follow each other, a bit each.
     pub(super) edges: &'a [u8],
     pub(super) distances: &'a mut [[f32; SAMPLES]],
@@ -180,7 +182,7 @@ impl SparseRow<'_> {
 
     fn trace(&mut self, bundle: &mut SampleBundle) {
         let pass = self.pass;
-        let known = RowCentres { centres: self.centres, edges: self.edges };
+        let known = RowCentres { centres: self.centres, beside: self.beside, edges: self.edges };
         bundle.trace(pass, known, |x, sample, seen| {
             let Some(seen) = seen else {
                 self.uniform[x] = false;
@@ -190,6 +192,9 @@ impl SparseRow<'_> {
             self.hits[x][sample] = seen.hit;
             self.normals[x][sample] = seen.normals;
             self.uniform[x] &= seen.goes_on;
+            if seen.is_lit_as_beside {
+                self.sun_free[x][sample] = WHOLE;
+            }
             if let (Some(origin), Some(sun)) = (seen.asks_sun_from, &pass.tracer.environment.sun) {
                 // From leaves near and far, which have little in common: alone they are faster.
                 let ray = Ray { origin, direction: sun.disc[sample][FIRST], tmax: f32::MAX };

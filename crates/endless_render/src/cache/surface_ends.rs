@@ -1,8 +1,10 @@
 //! Where surfaces end between the centres of neighbouring pixels.
 
 use super::centre_band::Centres;
+use super::faint_ends::DayLight;
 use super::pieces8::Pieces8;
 use super::sparse_centre::Centre;
+use crate::accel::lanes;
 use crate::camera_rays::{aims8, places8};
 use crate::octahedron::unpack8;
 use crate::sampling::SAMPLES;
@@ -25,12 +27,13 @@ struct GoesOn {
 }
 
 impl SurfaceEnds {
-    pub(super) fn new(camera: &PinholeCamera, centres: &Centres) -> Self {
+    /// By day, ends that are hardly seen are none.
+    pub(super) fn new(camera: &PinholeCamera, centres: &Centres, light: Option<&DayLight>) -> Self {
         let row_blocks = centres.width.div_ceil(8);
         let mut goes_on = vec![GoesOn::default(); row_blocks * centres.height];
         goes_on.par_chunks_mut(row_blocks).enumerate().for_each(|(y, row)| {
             for (block, goes_on) in row.iter_mut().enumerate() {
-                *goes_on = compare_block(camera, centres, 8 * block, y);
+                *goes_on = compare_block(camera, centres, light, 8 * block, y);
             }
         });
         Self { goes_on, row_blocks }
@@ -48,7 +51,7 @@ impl SurfaceEnds {
 }
 
 /// Whether the surfaces of up to eight pixels from `x` on go on.
-fn compare_block(camera: &PinholeCamera, centres: &Centres, x: usize, y: usize) -> GoesOn {
+fn compare_block(camera: &PinholeCamera, centres: &Centres, light: Option<&DayLight>, x: usize, y: usize) -> GoesOn {
     let row = centres.row(y);
     let own = &row[x..row.len().min(x + 8)];
     let right = compare(own, &row[x + 1..row.len().min(x + 9)]);
@@ -61,11 +64,17 @@ fn compare_block(camera: &PinholeCamera, centres: &Centres, x: usize, y: usize) 
     let mut goes_on = GoesOn { right: right.alike | at_the_end, below: below.alike };
     if right.unsure | below.unsure != 0 {
         let pieces = Pieces8::of_centres(camera, row, x, y);
+        let faint = |ends: u8, others: &[Centre]| {
+            let is_faint = |lane: usize| light.is_some_and(|light| light.is_faint(&own[lane], &others[lane]));
+            lanes(ends.into()).filter(|&lane| is_faint(lane)).fold(0, |bits, lane| bits | 1 << lane)
+        };
         if right.unsure != 0 {
             goes_on.right |= right.unsure & pieces.go_on_in(&Pieces8::of_centres(camera, row, x + 1, y));
+            goes_on.right |= faint(right.unsure & !goes_on.right, &row[x + 1..]);
         }
         if below.unsure != 0 {
             goes_on.below |= below.unsure & pieces.go_on_in(&Pieces8::of_centres(camera, centres.row(y + 1), x, y + 1));
+            goes_on.below |= faint(below.unsure & !goes_on.below, &centres.row(y + 1)[x..]);
         }
     }
     goes_on

@@ -154,8 +154,7 @@ impl MirrorRay {
     /// On bright paint, and in a small `share` of a pixel, a weak mirror is hardly seen: there it shows soft light alone.
     fn new(point: &SurfaceInteraction<'_>, bsdf: &Bsdf, share: f32, pixel_angle: f32) -> Option<Self> {
         let weight = bsdf.coat_reflectance(-point.direction);
-        let contrast = share * weight.max_element() / (bsdf.albedo.max_element() + 0.05);
-        let sharp = math::smoothstep(0.12, 0.20, contrast);
+        let sharp = sharp_share(share, weight, bsdf);
         let ray = mirror_ray(point, bsdf);
         let footprint_m = mirror_footprint(point.distance, bsdf.coat_roughness, pixel_angle);
         (weight.max_element() >= MIRROR_THRESHOLD).then_some(Self { ray, weight, sharp, footprint_m })
@@ -170,11 +169,26 @@ impl MirrorRay {
     fn light(&self, tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, image: Option<Vec3A>) -> Vec3A {
         let mut shown = image.unwrap_or(Vec3A::ZERO) * self.sharp;
         if self.sharp < 1.0 {
-            let soft = tracer.ambient(point.position, self.ray.direction) * (FRAC_1_PI * point.ambient_occlusion);
-            shown += soft * (1.0 - self.sharp);
+            shown += soft_image(tracer, point, self.ray.direction) * (1.0 - self.sharp);
         }
         self.weight * shown
     }
+}
+
+/// How much of a mirror's image is what its ray meets, 0 to 1; the rest is soft light. `share` is that of a pixel which it
+/// fills, `weight` that of light which the coat reflects.
+pub(crate) fn sharp_share(share: f32, weight: Vec3A, bsdf: &Bsdf) -> f32 {
+    let contrast = share * weight.max_element() / (bsdf.albedo.max_element() + 0.05);
+    math::smoothstep(0.12, 0.20, contrast)
+}
+
+/// What a mirror shows as far as it is soft, kcd/m².
+pub(crate) fn soft_mirror(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, bsdf: &Bsdf) -> Vec3A {
+    soft_image(tracer, point, bsdf.mirror_direction(point.direction, point.geometric_normal))
+}
+
+fn soft_image(tracer: &Tracer<'_>, point: &SurfaceInteraction<'_>, direction: Vec3A) -> Vec3A {
+    tracer.ambient(point.position, direction) * (FRAC_1_PI * point.ambient_occlusion)
 }
 
 /// Width of a pixel on a surface.
