@@ -47,6 +47,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         },
         jaywalking: args.jaywalking,
         groups: args.groups,
+        bus_stops: town.bus_stops(),
         ..TrafficSettings::default()
     };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;

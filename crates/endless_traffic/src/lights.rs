@@ -86,6 +86,11 @@ impl Lamps {
 
 /// The side to which the driver is about to go.
 fn indicated(vehicle: &Vehicle, roads: &Roads) -> Option<Side> {
+    if let Some(halt) = &vehicle.kerb_halt
+        && (halt.stands() || halt.indicates().is_some())
+    {
+        return halt.indicates();
+    }
     if let Some(shift) = vehicle.shift {
         // Coming from the left (positive offset) means moving to the right.
         return Some(if shift.offset_m > 0.0 { Side::Right } else { Side::Left });

@@ -5,6 +5,8 @@ mod world_state;
 
 use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
+use crate::bus_service;
+use crate::bus_stop::BusHalts;
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
 use crate::incident::{StagedIncident, impact, road_walker, wrong_way};
@@ -19,7 +21,7 @@ use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
 use crate::steering::DriverView;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, WalkerView};
-use crate::{kinematics, lane_change, lights, signals, spawn, walker};
+use crate::{kerb_halt, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::{
     Actor, Behaviour, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalState, TooManyInstances, VehicleMotion,
@@ -52,6 +54,8 @@ pub struct Simulation {
     occupancy: Occupancy,
     controller: JunctionController,
     crossings: Vec<CrossingState>,
+    /// Where buses stop.
+    bus_halts: Arc<BusHalts>,
     roadway: Roadway,
     signals: Vec<SignalState>,
     /// Those who move as recorded tracks say.
@@ -145,6 +149,7 @@ impl Simulation {
             population.pedestrians_spawned += people;
         }
         own_ids.go_on_after(ids);
+        let bus_halts = Arc::new(BusHalts::new(&roads, &settings.bus_stops, &standing));
         let arrivals = Arrivals::new(fleet.vehicles, settings, vehicles.len(), standing);
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
@@ -164,6 +169,7 @@ impl Simulation {
             occupancy: Occupancy::default(),
             controller: JunctionController::default(),
             crossings,
+            bus_halts,
             roadway: Roadway::default(),
             signals: Vec::new(),
             playback,
@@ -256,8 +262,12 @@ impl Simulation {
         road_walker::occupy(&self.walkers, &mut self.occupancy);
         for i in 0..self.vehicles.len() {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
+            if thinks && !self.bus_halts.is_empty() {
+                bus_service::look_out(&self.roads, &self.bus_halts, &mut self.vehicles[i]);
+            }
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }
+        kerb_halt::step(&self.roads, &mut self.vehicles, step_s);
         self.controller.step(&self.roads, &self.occupancy, &self.signals, &mut self.vehicles, step_s);
         let come = self.arrivals.step(
             &ArrivalView {

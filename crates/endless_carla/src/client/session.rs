@@ -276,6 +276,7 @@ fn simulation(map: &CarlaMap, settings: &SceneSettings, people_alone: bool) -> R
         condition,
         focus,
         errands: Vec::new(),
+        bus_stops: Vec::new(),
         // Vehicles of the server would not see them.
         jaywalking: if people_alone { 0.0 } else { settings.jaywalking },
         groups: settings.groups,

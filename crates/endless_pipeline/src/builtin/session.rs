@@ -94,6 +94,7 @@ impl<'m> BuiltinSession<'m> {
             condition,
             focus,
             errands,
+            bus_stops: map.town.bus_stops(),
             jaywalking,
             groups,
             first,

@@ -23,13 +23,13 @@ pub(crate) struct Moment<'a> {
 }
 
 impl Moment<'_> {
-    /// Vehicles that are seen or soon will be, with their numbers.
+    /// Vehicles that are seen or soon will be, with their numbers; those apart that halt at the kerb.
     pub(super) fn watched(&self) -> impl Iterator<Item = (usize, &Vehicle)> {
         self.vehicles
             .iter()
             .enumerate()
             .zip(self.watched[0])
-            .filter(|(_, watched)| **watched)
+            .filter(|((_, vehicle), watched)| **watched && vehicle.kerb_halt.is_none())
             .map(|(vehicle, _)| vehicle)
     }
 

@@ -2,6 +2,7 @@
 
 mod behaviour;
 mod borders;
+mod bus_stops;
 mod focus;
 #[path = "../../../endless_road/tests/it/grid/mod.rs"]
 mod grid;
