@@ -19,6 +19,7 @@ use crate::population::Population;
 use crate::roads::{Roads, TrafficMap};
 use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
 use crate::steering::DriverView;
+use crate::stop_places::StopPlaces;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, WalkerView};
 use crate::{kerb_halt, kinematics, lane_change, lights, signals, spawn, walker};
@@ -125,6 +126,7 @@ impl Simulation {
         if settings.jaywalking > 0.0 {
             roads.midblock = Arc::new(MidblockWays::new(&roads.network, &roads.borders, &standing));
         }
+        roads.stop_places = Arc::new(StopPlaces::new(&roads, &settings.bus_stops));
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);

@@ -2,6 +2,7 @@
 //! at crossings when they may.
 
 use crate::body_contact::{bounds_of_bodies, bounds_of_strip, nearest_within};
+use crate::bus_wait::BusErrand;
 use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
 use crate::incident::RoadWalk;
@@ -65,6 +66,8 @@ pub(crate) struct Walker {
     pub(crate) jaywalk: Option<Box<Jaywalk>>,
     /// Those with whom they walk.
     pub(crate) company: Option<Box<Company>>,
+    /// What they have to do with buses.
+    pub(crate) bus: BusErrand,
     /// A way over the road, away from crossings.
     pub(crate) road_walk: Option<RoadWalk>,
 }
@@ -144,6 +147,7 @@ impl Walker {
             jaywalks: false,
             jaywalk: None,
             company: None,
+            bus: BusErrand::default(),
             road_walk: None,
         }
     }
@@ -228,6 +232,7 @@ impl Walker {
         }
         pace *= self.keeps_together(&strip, company, step_s);
         let talks_at = self.talks_at(&strip, step_s);
+        let (bus_at, bus_from) = self.waits_for_bus(roads, &strip, near, step_s).unzip();
         if let Some(on_roadway) = self.pace_on_roadway(scene.roadway, number) {
             pace = on_roadway;
         }
@@ -250,9 +255,9 @@ impl Walker {
             Some(n) if !kerb => n.point((ahead - strip.length).min(n.length), keep(&n)),
             _ => strip.point(strip.length, keep(&strip)),
         };
-        let target = talks_at.or(own_kerb).unwrap_or(target);
+        let target = bus_at.or(talks_at).or(own_kerb).unwrap_or(target);
         let to_target = target - self.position;
-        if (kerb || talks_at.is_some()) && to_target.length() < 0.9 {
+        if (kerb || talks_at.is_some() || bus_at.is_some()) && to_target.length() < 0.9 {
             // At the kerb: stand and wait.
             pace *= ((to_target.length() - 0.25) / 0.65).clamp(0.0, 1.0);
         }
@@ -281,7 +286,7 @@ impl Walker {
         let change = avoid(self.position, wanted, near, &way) - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
         self.advance(near, &way, kerb, step_s);
-        let waits_for = self.jaywalk.as_deref().and_then(Jaywalk::waits_for);
+        let waits_for = self.jaywalk.as_deref().and_then(Jaywalk::waits_for).or(bus_from);
         let talks_to = talks_at.and_then(|_| self.talks_to(company));
         if talks_to.is_some() {
             self.talk();
@@ -295,6 +300,9 @@ impl Walker {
     fn advance_route(&mut self, scene: &WalkerView<'_>, crossings: &[CrossingState]) {
         if self.way.len() < 2 {
             self.plan(scene.roads, scene.graph);
+        }
+        if self.bus.waits() {
+            return;
         }
         let strip = self.strip(scene.roads);
         let left = strip.length - strip.local(self.position).0;

@@ -1,5 +1,6 @@
 //! Buses at their stops.
 
+use crate::grid::Grid;
 use crate::watch;
 use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
 use endless_traffic::{Simulation, TrafficAudit, TrafficSettings};
@@ -169,4 +170,53 @@ fn others_change_lanes_to_pass_a_bus_at_its_stop() {
         }
     }
     assert!(passed > 10, "{passed} passed a bus that stood");
+}
+
+/// Where a person has stood, and for how long, seconds.
+fn waits(network: &RoadNetwork, bus_stops: &[BusStop]) -> Vec<(Actor, f64)> {
+    let specs = watch::specs();
+    let bus_stops = bus_stops.to_vec();
+    let settings = TrafficSettings { vehicles: 0, pedestrians: 60, seed: 2, fps: FPS, bus_stops, ..Default::default() };
+    let mut simulation = watch::simulation(network, &specs, &settings);
+    let mut audit = TrafficAudit::new(network, &specs, &[], FPS);
+    let mut stands: BTreeMap<u16, f64> = BTreeMap::new();
+    let mut waits: Vec<(Actor, f64)> = Vec::new();
+    for _ in 0..(300.0 * FPS) as usize {
+        simulation.tick();
+        let state = simulation.state();
+        audit.look(&state);
+        for person in &state.actors {
+            let stood_s = stands.entry(person.id.0).or_default();
+            let stands = matches!(person.motion, Motion::Walker(motion) if motion.speed_mps < 0.05);
+            *stood_s = if stands && !person.behaviour.waiting { *stood_s + 1.0 / FPS } else { 0.0 };
+            if *stood_s > 30.0 {
+                waits.retain(|(other, _)| other.id != person.id);
+                waits.push((*person, *stood_s));
+            }
+        }
+    }
+    let report = audit.report();
+    assert!(report.passed(), "{report}");
+    waits
+}
+
+#[test]
+fn people_wait_at_stops_facing_the_road_and_walk_on_if_no_bus_comes() {
+    let network = Grid { columns: 3, rows: 3, lanes: 1 }.network();
+    let bus_stops = stops(&network);
+    let waits_there = waits(&network, &bus_stops);
+    assert!(waits_there.len() > 5, "{} wait", waits_there.len());
+    for (person, stood_s) in waits_there {
+        let at = person.pose.position.as_dvec3().truncate();
+        let signs = bus_stops.iter().map(|stop| stop.position.as_dvec3().truncate().distance(at));
+        let sign_m = signs.fold(f64::INFINITY, f64::min);
+        assert!((0.4..6.0).contains(&sign_m), "{sign_m:.1} m from a sign");
+        let lanes = network.lanes.iter().filter(|lane| lane.junction.is_none());
+        let roads = lanes.map(|lane| lane.centerline.position(lane.centerline.project(at).0).truncate() - at);
+        let road = roads.min_by(|a, b| a.length().total_cmp(&b.length())).expect("a street");
+        let (sin, cos) = sin_cos(f64::from(person.pose.yaw_rad));
+        assert!(DVec2::new(cos, sin).dot(road.normalize()) > 0.9, "does not face the road");
+        assert!(stood_s < 135.0, "{stood_s:.0} s");
+    }
+    assert!(waits(&network, &[]).is_empty());
 }
