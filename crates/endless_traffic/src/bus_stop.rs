@@ -22,6 +22,8 @@ const SHORTEST_M: f64 = 7.0;
 const STRAIGHT_RAD: f64 = 0.15;
 /// Along these metres before and beyond a halt a bus may be beside its usual way.
 pub(crate) const BESIDE_ALONG_M: [f64; 2] = [45.0, 40.0];
+/// Half the room that people need at a door, metres.
+const DOOR_ROOM_M: f64 = 1.0;
 /// Room to bodies that stand beside the lane, metres.
 const CLEAR_M: f64 = 0.25;
 /// A bus does not leave its lane, metres to its edge.
@@ -40,6 +42,8 @@ pub(crate) struct BusHalt {
     pub(crate) side: Side,
     /// From the lane's middle to where nothing of a bus may be, on the side of the kerb, metres.
     pub(crate) kerb_m: f64,
+    /// Whether nothing stands between the door of a bus and the sidewalk.
+    pub(crate) is_open: bool,
 }
 
 /// All halts, by lane.
@@ -109,12 +113,18 @@ fn halt(roads: &RoadTables, stop: usize, place: &BusStop, standing: &[OrientedRe
         return None;
     }
     let room_m = room_behind(roads, lane, front) - BEYOND_M;
-    let heading = |s: f64| lane.centerline.at(s).heading_rad;
-    let bend = wrap_angle(heading(front.min(lane.centerline.length())) - heading((front - LONGEST_M).max(0.0)));
-    let usable = room_m > SHORTEST_M && bend.abs() < STRAIGHT_RAD;
+    let usable = room_m > SHORTEST_M && is_straight(lane, front);
     let kerb_m =
         clear_m(lane, [s - BESIDE_ALONG_M[0], s + BESIDE_ALONG_M[1]], left, standing).min(0.5 * lane.width_m - EDGE_M);
-    usable.then_some(BusHalt { stop, lane: lane.id, s, room_m, side: place.side, kerb_m })
+    let is_open = clear_m(lane, [s - DOOR_ROOM_M, s + DOOR_ROOM_M], left, standing) > 0.5 * lane.width_m + BESIDE_M;
+    usable.then_some(BusHalt { stop, lane: lane.id, s, room_m, side: place.side, kerb_m, is_open })
+}
+
+/// Whether a lane is straight along the longest vehicle whose front is at a place.
+pub(crate) fn is_straight(lane: &Lane, front: f64) -> bool {
+    let heading = |s: f64| lane.centerline.at(s).heading_rad;
+    let [rear, front] = [(front - LONGEST_M).max(0.0), front.min(lane.centerline.length())];
+    wrap_angle(heading(front) - heading(rear)).abs() < STRAIGHT_RAD
 }
 
 /// Metres from a place on a lane to the next junction or crossing.
@@ -157,7 +167,7 @@ pub(crate) fn clear_m(lane: &Lane, [from, to]: [f64; 2], left: f64, standing: &[
     let near = |body: &&OrientedRectangle| {
         let (s, t) = lane.centerline.project(body.center);
         let reach = body.half.length();
-        s + reach > from && s - reach < to && t.abs() < 0.5 * lane.width_m + reach + 1.0
+        s + reach > from && s - reach < to && t.abs() < 0.5 * lane.width_m + reach + BESIDE_M
     };
     let corners = |body: &OrientedRectangle| {
         [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]].map(|[x, y]| body.place(x * body.half.x, y * body.half.y))

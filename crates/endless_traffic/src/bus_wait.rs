@@ -1,5 +1,6 @@
 //! People who wait for a bus: they stand at the kerb beside the stop's sign and face the road, for as long as their patience lasts.
 
+use crate::bus_riders::Ride;
 use crate::people_grid::Passer;
 use crate::roads::Roads;
 use crate::stop_places::StopPlace;
@@ -26,6 +27,7 @@ const AGAIN: u32 = 8;
 /// What somebody has to do with buses.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct BusErrand {
+    pub(crate) ride: Option<Ride>,
     /// The stop at which they made up their mind last, and how many edges they had walked then.
     decided: Option<(usize, u32)>,
     wait: Option<Wait>,
@@ -43,6 +45,27 @@ impl BusErrand {
     /// Whether somebody waits, or is on the way to where they will.
     pub(crate) fn waits(&self) -> bool {
         self.wait.is_some()
+    }
+
+    /// The place at which somebody stands and waits.
+    pub(crate) fn stands_at(&self, at: DVec2) -> Option<StopPlace> {
+        let place = self.wait?.place;
+        (place.at.distance(at) < THERE_M).then_some(place)
+    }
+
+    /// Whether they are inside of a bus, where nobody sees them.
+    pub(crate) fn is_inside(&self) -> bool {
+        matches!(self.ride, Some(Ride::Inside(_)))
+    }
+
+    /// Of somebody who gets on.
+    pub(crate) fn riding(ride: Ride) -> Self {
+        Self { ride: Some(ride), ..Self::default() }
+    }
+
+    /// Of somebody who comes out of a bus at a stop: they do not wait for the next one.
+    pub(crate) fn after_ride(ride: Ride, stop: usize, passed: u32) -> Self {
+        Self { ride: Some(ride), decided: Some((stop, passed)), wait: None }
     }
 
     /// Whether they have made up their mind about a stop, and are still near it.

@@ -18,6 +18,8 @@ const INDICATES_M: f64 = 45.0;
 const INDICATES_S: f64 = 2.0;
 /// Who stands so near before the place has come to it, metres.
 const THERE_M: f64 = 1.6;
+/// A door takes so long to close, seconds.
+const CLOSES_S: f64 = 1.0;
 /// Slower than this a vehicle stands, m/s.
 const STANDS_MPS: f64 = 0.05;
 /// A line that is never passed, so near ahead of who stands, metres.
@@ -46,6 +48,10 @@ pub(crate) struct KerbHalt {
     lane: LaneId,
     front_s: f64,
     pub(crate) side: Side,
+    /// The bus stop at which people get on and off.
+    stop: Option<usize>,
+    /// For how long it has stood, seconds.
+    stood_s: f64,
     /// How far to the left of its usual place it stands, metres.
     left_m: f64,
     /// How long it stands, seconds.
@@ -66,7 +72,38 @@ impl KerbHalt {
     ) -> Self {
         let (front_s, ahead_m) = (front_s + LEAVES_M, ahead_m + LEAVES_M);
         let left_m = left_m - vehicle.driver.lateral_m;
-        Self { lane, front_s, side, left_m, stands_s, phase: Phase::Coming, drift: None, ahead_m }
+        Self {
+            lane,
+            front_s,
+            side,
+            stop: None,
+            stood_s: 0.0,
+            left_m,
+            stands_s,
+            phase: Phase::Coming,
+            drift: None,
+            ahead_m,
+        }
+    }
+
+    /// At which people get on and off.
+    pub(crate) fn for_stop(self, stop: Option<usize>) -> Self {
+        Self { stop, ..self }
+    }
+
+    /// The bus stop at which it stands with its door open, and for how long it has, seconds.
+    pub(crate) fn at_stop(&self) -> Option<(usize, f64)> {
+        self.stop.filter(|_| matches!(self.phase, Phase::Standing { .. })).map(|stop| (stop, self.stood_s))
+    }
+
+    /// It waits for somebody who gets on or off.
+    pub(crate) fn held(self) -> Self {
+        match self.phase {
+            Phase::Standing { left_s } => {
+                Self { phase: Phase::Standing { left_s: left_s.max(INDICATES_S + CLOSES_S) }, ..self }
+            }
+            _ => self,
+        }
     }
 
     /// A vehicle this fast can come to a comfortable halt from so far, metres.
@@ -138,7 +175,10 @@ fn go_on(roads: &Roads, vehicle: &Vehicle, mut halt: KerbHalt, step_s: f64) -> O
             }
         }
         Phase::Standing { left_s } if left_s <= 0.0 => return leave(vehicle, halt),
-        Phase::Standing { left_s } => halt.phase = Phase::Standing { left_s: left_s - step_s },
+        Phase::Standing { left_s } => {
+            halt.phase = Phase::Standing { left_s: left_s - step_s };
+            halt.stood_s += step_s;
+        }
         Phase::Leaving => return halt.drift.filter(|drift| !drift.is_over(vehicle.rolled)).map(|_| halt),
     }
     Some(halt)

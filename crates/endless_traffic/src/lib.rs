@@ -47,6 +47,7 @@ mod attraction;
 mod audit;
 mod behaviour;
 mod body_contact;
+mod bus_riders;
 mod bus_service;
 mod bus_stop;
 mod bus_wait;

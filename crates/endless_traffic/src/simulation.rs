@@ -5,7 +5,6 @@ mod world_state;
 
 use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
-use crate::bus_service;
 use crate::bus_stop::BusHalts;
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
@@ -22,6 +21,7 @@ use crate::steering::DriverView;
 use crate::stop_places::StopPlaces;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, WalkerView};
+use crate::{bus_riders, bus_service};
 use crate::{kerb_halt, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::{
@@ -253,6 +253,9 @@ impl Simulation {
             roadway: &self.roadway,
             others: &others.people,
         };
+        if self.gathering.is_none() && !self.bus_halts.is_empty() {
+            bus_riders::step(&self.roads, &mut self.vehicles, &mut self.walkers, step_s);
+        }
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
         road_walker::step(&mut self.walkers, &self.roads, step_s);
         others.note_people(&mut self.crossings);

@@ -46,6 +46,11 @@ impl StopPlaces {
         self.0.is_empty()
     }
 
+    /// Those of a stop.
+    pub(crate) fn at(&self, stop: usize) -> impl Iterator<Item = &StopPlace> {
+        self.0.iter().filter(move |place| place.stop == stop)
+    }
+
     pub(crate) fn on(&self, edge: WalkEdgeId) -> &[StopPlace] {
         let from = self.0.partition_point(|place| place.edge.index() < edge.index());
         let number = self.0[from..].partition_point(|place| place.edge == edge);
@@ -64,15 +69,14 @@ struct Beside {
 }
 
 fn places(roads: &RoadTables, stop: usize, sign: DVec3) -> Vec<StopPlace> {
-    let Some(first) = beside(roads, sign) else { return Vec::new() };
     let lanes = roads.network.lanes.iter().filter(|lane| lane.junction.is_none());
     let nearest = lanes.map(|lane| {
         let (s, t) = lane.centerline.project(sign.truncate());
-        (t.abs(), lane.centerline.position(s).truncate())
+        (t.abs(), lane.centerline.position(s).truncate(), lane.centerline.direction(s))
     });
-    let Some((_, lane)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Vec::new() };
+    let Some((_, lane, along)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Vec::new() };
     let place = |off: &f64| {
-        let on = beside(roads, sign + (first.along * *off).extend(0.0))?;
+        let on = beside(roads, sign + (along * *off).extend(0.0))?;
         let middle = on.from + on.along * on.s;
         let road = on.along.perp() * on.along.perp_dot(lane - middle).signum();
         Some(StopPlace { stop, edge: on.edge, at: middle + road * (on.half_width - EDGE_M), road })

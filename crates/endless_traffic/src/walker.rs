@@ -2,6 +2,7 @@
 //! at crossings when they may.
 
 use crate::body_contact::{bounds_of_bodies, bounds_of_strip, nearest_within};
+use crate::bus_riders::Ride;
 use crate::bus_wait::BusErrand;
 use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
@@ -31,9 +32,13 @@ const CROWD_EASE: f64 = 0.25;
 /// Who has been stuck in a crowd for so long turns back, seconds.
 const GIVES_UP_S: f64 = 25.0;
 
+/// Where nobody sees anybody.
+const NOWHERE: DVec2 = DVec2::splat(1e7);
+
 #[derive(Debug, Clone)]
 pub(crate) struct Walker {
     pub(crate) variant: u64,
+    pub(crate) spec: PedestrianSpec,
     pub(crate) stream: Stream,
     /// Whether they come to what is looked at.
     pub(crate) drawn: bool,
@@ -90,18 +95,27 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
     let grid = PeopleGrid::new(&people);
     let (mut numbers, mut near) = (Vec::new(), Vec::new());
     for (i, walker) in walkers.iter_mut().enumerate() {
-        if walker.road_walk.is_some() {
+        if walker.road_walk.is_some() || walker.bus.is_inside() {
             continue;
         }
         grid.nearest(&people, i, &mut numbers);
         near.clear();
         near.extend(numbers.iter().map(|(_, other)| people[*other as usize]));
+        if let Some(ride) = walker.bus.ride {
+            match ride {
+                Ride::GettingOn(through) => walker.go_through(scene.roads, through, true, &near, step_s),
+                Ride::GettingOff(through) => walker.go_through(scene.roads, through, false, &near, step_s),
+                Ride::Inside(_) => {}
+            }
+            people[i] = walker.seen();
+            continue;
+        }
         let company = walker.company.as_deref().map_or_else(Vec::new, |company| company.others(&people, i));
         walker.step(scene, i, &near, &company, crossings, step_s);
         people[i] = walker.seen();
     }
     crossings.iter_mut().for_each(|state| state.look_again(step_s));
-    for walker in walkers.iter().filter(|walker| walker.road_walk.is_none()) {
+    for walker in walkers.iter().filter(|walker| walker.road_walk.is_none() && walker.bus.ride.is_none()) {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
         } else if let Some(id) = walker.next_crossing(scene.roads) {
@@ -126,6 +140,7 @@ impl Walker {
         let yaw = atan2(along.y, along.x);
         Self {
             variant: 0,
+            spec: *spec,
             stream,
             drawn: false,
             pace: f64::from(spec.walk_mps),
@@ -154,7 +169,8 @@ impl Walker {
 
     /// As others see them.
     fn seen(&self) -> Passer {
-        Passer { at: self.position, velocity: self.velocity, intent: self.intent, passed: self.passed }
+        let at = if self.bus.is_inside() { NOWHERE } else { self.position };
+        Passer { at, velocity: self.velocity, intent: self.intent, passed: self.passed }
     }
 
     fn strip(&self, roads: &Roads) -> DirectedEdge {

@@ -1,5 +1,6 @@
 //! Vehicles on their lanes, people on sidewalks and crossings.
 
+use super::bus_door::is_before_door;
 use super::cell_grid::CellGrid;
 use super::check::AuditCheck;
 use super::finding::{Share, Worst};
@@ -97,6 +98,10 @@ impl Surfaces {
         }
         if outside_m > NEAR_M {
             outside_m = self.strips.iter().map(|strip| strip.outside_m(glance.at)).fold(outside_m, f64::min);
+        }
+        // Nor does who gets on or off a bus.
+        if outside_m > 0.0 && is_before_door(sight, glance.at) {
+            return;
         }
         self.off_sidewalk.note(outside_m, || glance.told(sight));
         self.off_sidewalk_share.note(outside_m > BESIDE_M);

@@ -35,7 +35,12 @@ impl Moment<'_> {
 
     /// People on foot who are seen, with their numbers.
     pub(super) fn watched_walkers(&self) -> impl Iterator<Item = (usize, &Walker)> {
-        self.walkers.iter().enumerate().zip(self.watched[1]).filter(|(_, watched)| **watched).map(|(walker, _)| walker)
+        self.walkers
+            .iter()
+            .enumerate()
+            .zip(self.watched[1])
+            .filter(|((_, walker), watched)| **watched && walker.bus.ride.is_none())
+            .map(|(walker, _)| walker)
     }
 
     /// Whether a signal is red at both of these times, seconds from now.

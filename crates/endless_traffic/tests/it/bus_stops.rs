@@ -2,7 +2,7 @@
 
 use crate::grid::Grid;
 use crate::watch;
-use endless_road::{Lane, LaneId, Polyline, RoadNetwork};
+use endless_road::{Lane, LaneId, Polyline, RoadNetwork, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
 use endless_traffic::{Simulation, TrafficAudit, TrafficSettings};
 use endless_world::math::f64::sin_cos;
 use endless_world::{Actor, BusStop, Motion, ObjectClass, Side};
@@ -29,7 +29,15 @@ fn ring() -> RoadNetwork {
         ..Lane::new(LaneId(id), half(radius_m, 180 * (id % 2)), 3.5, 11.0)
     };
     let lanes = vec![lane(0, 180.0, 2), lane(1, 180.0, 3), lane(2, 176.5, 0), lane(3, 176.5, 1)];
-    RoadNetwork { lanes, ..RoadNetwork::default() }.finish().expect("consistent")
+    // A sidewalk around them, in sixty pieces.
+    let node = |k: u32| {
+        let (sin, cos) = sin_cos(f64::from(6 * k).to_radians());
+        DVec3::new(183.4 * cos, 183.4 * sin, 0.15)
+    };
+    let edge =
+        |k: u32| WalkEdge { nodes: [WalkNodeId(k), WalkNodeId((k + 1) % 60)], width_m: 2.4, kind: WalkKind::Sidewalk };
+    let walk = WalkNetwork { nodes: (0..60).map(node).collect(), edges: (0..60).map(edge).collect() };
+    RoadNetwork { lanes, walk, ..RoadNetwork::default() }.finish().expect("consistent")
 }
 
 /// A sign in the middle of each kerb lane.
@@ -219,4 +227,33 @@ fn people_wait_at_stops_facing_the_road_and_walk_on_if_no_bus_comes() {
         assert!(stood_s < 135.0, "{stood_s:.0} s");
     }
     assert!(waits(&network, &[]).is_empty());
+}
+
+#[test]
+fn people_get_on_buses_and_off_at_another_stop() {
+    let (network, specs) = (ring(), watch::specs());
+    let first = vec![ObjectClass::Bus; 6];
+    let bus_stops = stops(&network);
+    let settings =
+        TrafficSettings { vehicles: 12, pedestrians: 60, seed: 4, fps: FPS, first, bus_stops, ..Default::default() };
+    let mut simulation = watch::simulation(&network, &specs, &settings);
+    let mut audit = TrafficAudit::new(&network, &specs, &[], FPS);
+    let known: Vec<_> = simulation.everybody(1, |_| Default::default()).iter().map(|actor| actor.id).collect();
+    let (mut before, mut on, mut off) = (Vec::new(), 0, 0);
+    for frame in 0..(1500.0 * FPS) as usize {
+        simulation.tick();
+        let state = simulation.state();
+        audit.look(&state);
+        let people = state.actors.iter().filter(|actor| actor.class == ObjectClass::Pedestrian);
+        let now: Vec<_> = people.map(|actor| actor.id).collect();
+        assert!(now.iter().all(|id| known.contains(id)));
+        if frame > 0 {
+            on += before.iter().filter(|id| !now.contains(id)).count();
+            off += now.iter().filter(|id| !before.contains(id)).count();
+        }
+        before = now;
+    }
+    let report = audit.report();
+    assert!(report.passed(), "{report}");
+    assert!(on >= 5 && off >= 3 && off <= on, "{on} got on, {off} off");
 }
