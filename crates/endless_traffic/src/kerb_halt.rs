@@ -50,6 +50,8 @@ pub(crate) struct KerbHalt {
     pub(crate) side: Side,
     /// The bus stop at which people get on and off.
     stop: Option<usize>,
+    /// Whether its hazard lights are on while it stands.
+    hazards: bool,
     /// For how long it has stood, seconds.
     stood_s: f64,
     /// How far to the left of its usual place it stands, metres.
@@ -77,6 +79,7 @@ impl KerbHalt {
             front_s,
             side,
             stop: None,
+            hazards: false,
             stood_s: 0.0,
             left_m,
             stands_s,
@@ -89,6 +92,15 @@ impl KerbHalt {
     /// At which people get on and off.
     pub(crate) fn for_stop(self, stop: Option<usize>) -> Self {
         Self { stop, ..self }
+    }
+
+    pub(crate) fn with_hazard_lights(self) -> Self {
+        Self { hazards: true, ..self }
+    }
+
+    /// Whether its hazard lights are on.
+    pub(crate) fn warns(&self) -> bool {
+        self.hazards && self.stands()
     }
 
     /// The bus stop at which it stands with its door open, and for how long it has, seconds.

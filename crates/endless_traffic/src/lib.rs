@@ -57,6 +57,7 @@ mod company_draw;
 mod crossing;
 mod demand;
 mod density;
+mod double_parking;
 mod driver;
 mod entry_request;
 mod focus;
@@ -93,6 +94,7 @@ mod walker;
 mod weather_pace;
 
 pub use audit::{AuditCheck, AuditLine, AuditReport, TrafficAudit};
+pub use double_parking::USUAL_DELIVERIES;
 pub use focus::{Focus, View};
 pub use incident::{DetectedIncident, IncidentDetector, IncidentRequest};
 pub use playback::{PlayedTracks, TrackFit};

@@ -78,6 +78,8 @@ pub struct TrafficSettings {
     pub jaywalking: f64,
     /// Share of people who walk in groups of two to four, 0 to 1.
     pub groups: f64,
+    /// Share of vans and lorries that deliver, 0 to 1: now and then they stand in the lane at the kerb, hazard lights on.
+    pub deliveries: f64,
     /// Classes of the vehicles that are spawned first; all others are drawn by their frequency.
     pub first: Vec<ObjectClass>,
     /// Which vehicles there are, and how they are driven.
@@ -98,6 +100,7 @@ impl Default for TrafficSettings {
             bus_stops: Vec::new(),
             jaywalking: 0.0,
             groups: 0.0,
+            deliveries: 0.0,
             first: Vec::new(),
             profile: TrafficProfile::default(),
         }

@@ -7,6 +7,7 @@ use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::bus_stop::BusHalts;
 use crate::crossing::{CrossingState, note_vehicles};
+use crate::double_parking::Deliveries;
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
 use crate::incident::{StagedIncident, impact, road_walker, wrong_way};
 use crate::jaywalk::{Roadway, people_on_lanes};
@@ -57,6 +58,7 @@ pub struct Simulation {
     crossings: Vec<CrossingState>,
     /// Where buses stop.
     bus_halts: Arc<BusHalts>,
+    deliveries: Arc<Deliveries>,
     roadway: Roadway,
     signals: Vec<SignalState>,
     /// Those who move as recorded tracks say.
@@ -152,6 +154,7 @@ impl Simulation {
         }
         own_ids.go_on_after(ids);
         let bus_halts = Arc::new(BusHalts::new(&roads, &settings.bus_stops, &standing));
+        let deliveries = Arc::new(Deliveries::new(settings.deliveries, &standing));
         let arrivals = Arrivals::new(fleet.vehicles, settings, vehicles.len(), standing);
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
@@ -172,6 +175,7 @@ impl Simulation {
             controller: JunctionController::default(),
             crossings,
             bus_halts,
+            deliveries,
             roadway: Roadway::default(),
             signals: Vec::new(),
             playback,
@@ -269,6 +273,9 @@ impl Simulation {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
             if thinks && !self.bus_halts.is_empty() {
                 bus_service::look_out(&self.roads, &self.bus_halts, &mut self.vehicles[i]);
+            }
+            if thinks {
+                self.deliveries.look_out(&self.roads, &self.occupancy, &self.bus_halts, &mut self.vehicles, i);
             }
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }

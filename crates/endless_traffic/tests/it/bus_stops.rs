@@ -14,7 +14,12 @@ const FPS: f64 = 30.0;
 const DOOR_M: f64 = 1.15;
 
 /// Two lanes around a circle, each in two halves; who is on the outer ones drives along the kerb.
-fn ring() -> RoadNetwork {
+pub(crate) fn ring() -> RoadNetwork {
+    ring_of(true)
+}
+
+/// With the inner lanes, or without.
+pub(crate) fn ring_of(inner: bool) -> RoadNetwork {
     let half = |radius_m: f64, begin: u32| {
         let on_circle = |i: u32| {
             let (sin, cos) = sin_cos(f64::from(i).to_radians());
@@ -24,11 +29,12 @@ fn ring() -> RoadNetwork {
     };
     let lane = |id: u32, radius_m: f64, beside: u32| Lane {
         successors: vec![LaneId(id ^ 1)],
-        left: (id < 2).then_some(LaneId(beside)),
+        left: (inner && id < 2).then_some(LaneId(beside)),
         right: (id >= 2).then_some(LaneId(beside)),
         ..Lane::new(LaneId(id), half(radius_m, 180 * (id % 2)), 3.5, 11.0)
     };
-    let lanes = vec![lane(0, 180.0, 2), lane(1, 180.0, 3), lane(2, 176.5, 0), lane(3, 176.5, 1)];
+    let mut lanes = vec![lane(0, 180.0, 2), lane(1, 180.0, 3), lane(2, 176.5, 0), lane(3, 176.5, 1)];
+    lanes.truncate(if inner { 4 } else { 2 });
     // A sidewalk around them, in sixty pieces.
     let node = |k: u32| {
         let (sin, cos) = sin_cos(f64::from(6 * k).to_radians());
