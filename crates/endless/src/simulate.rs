@@ -10,7 +10,9 @@ use endless_asset::Catalogue;
 use endless_dataset::{VideoEncoder, encode_png, yuv_from_rgb};
 use endless_interchange::{MapLibrary, TopView, TrajectoryFormat, TrajectoryScene, TrajectoryWriter};
 use endless_town::Town;
-use endless_traffic::{AuditReport, DrivingCondition, Fleet, Population, Simulation, TrafficAudit, TrafficSettings};
+use endless_traffic::{
+    AuditReport, DrivingCondition, Fleet, Population, Simulation, TrafficAudit, TrafficSettings, USUAL_DELIVERIES,
+};
 use endless_world::{Condition, ImageSize, TrafficProfile, WorldState};
 use std::{
     io::{self, Write},
@@ -47,6 +49,8 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         },
         jaywalking: args.jaywalking,
         groups: args.groups,
+        bus_stops: town.bus_stops(),
+        deliveries: USUAL_DELIVERIES,
         ..TrafficSettings::default()
     };
     let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;

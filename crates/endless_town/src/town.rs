@@ -1,13 +1,18 @@
 //! What a town is.
 
 use crate::dressing::near_detail::DetailSource;
+use crate::placement::PlacedObject;
 use crate::placement::Placement;
 use crate::street_features::StreetFeatures;
-use endless_asset::Catalogue;
+use endless_asset::{Catalogue, Prop};
 use endless_road::{Georeference, RoadNetwork};
 use endless_scene::{Mesh, StreetLamp};
-use endless_world::{CameraSite, ParkedVehicle, Stream};
+use endless_world::{BusStop, CameraSite, ParkedVehicle, Side, Stream};
+use glam::Vec3;
 use std::sync::Arc;
+
+/// A sign and a shelter within this distance are of one stop, metres.
+const ONE_STOP_M: f32 = 14.0;
 
 /// A whole map. By default an empty one, without a name.
 #[derive(Debug, Clone, Default)]
@@ -42,6 +47,27 @@ impl Town {
     /// shown of it for these cameras.
     pub fn details_near(&self, cameras: &[CameraSite], catalogue: &Catalogue) -> Vec<Placement> {
         self.detail_source.place(&self.network, cameras, catalogue)
+    }
+
+    /// Where buses stop: signs, and shelters that have no sign near by.
+    pub fn bus_stops(&self) -> Vec<BusStop> {
+        let places = |wanted: Prop| {
+            let of = move |placement: &Placement| match placement.object {
+                PlacedObject::Prop(prop, _) if prop == wanted => {
+                    Some(Vec3::from(placement.world_from_object.translation))
+                }
+                _ => None,
+            };
+            self.placements.iter().filter_map(of)
+        };
+        let mut found: Vec<Vec3> = Vec::new();
+        for place in places(Prop::BusStop).chain(places(Prop::BusShelter)) {
+            if found.iter().all(|other| other.distance(place) > ONE_STOP_M) {
+                found.push(place);
+            }
+        }
+        let side = if self.streets.left_hand { Side::Left } else { Side::Right };
+        found.into_iter().map(|position| BusStop { position, side }).collect()
     }
 
     /// Takes parked vehicles away, so that about this share of them, 0 to 1, is left; with a larger share stand all of a smaller

@@ -134,6 +134,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         pedestrians: number(8, 40.0) as u32,
         jaywalking: f64::from(number(9, 0.0)),
         groups: f64::from(number(10, 0.0)),
+        bus_stops: town.bus_stops(),
         focus: Focus::new(&town.network, &[View::around(centre.extend(0.0))], 0.8, &|_, _| true),
         ..TrafficSettings::default()
     };

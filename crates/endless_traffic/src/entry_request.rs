@@ -85,6 +85,9 @@ pub(super) fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle,
                 let control = roads.network.lane(before).end_control;
                 let light = aspect(control, signals);
                 let distance = to_line - vehicle.half_length;
+                if vehicle.kerb_halt.is_some_and(|halt| halt.is_before(distance)) {
+                    return None;
+                }
                 // Who has waited at the line to turn left clears the junction when the light changes.
                 let clears = light == Some(SignalAspect::Yellow)
                     && vehicle.waited_s > 1.5

@@ -6,6 +6,7 @@
 //! is moved in any other way than by driving and walking.
 
 use crate::attraction::ROOM_M;
+use crate::bus_wait::BusErrand;
 use crate::focus::{STEP_M, count_in, samples};
 use crate::kinematics;
 use crate::roads::Roads;
@@ -284,6 +285,7 @@ impl Gathering {
             walker.height = height(roads, nodes[0], walker.way[0], position);
             walker.steps = Footsteps::new(&self.people[i], position, yaw);
             (walker.stuck, walker.crowded_s, walker.jaywalk) = ((0.0, 0.0), 0.0, None);
+            walker.bus = BusErrand::default();
             walker.plan(roads, graph);
             return true;
         }

@@ -15,11 +15,12 @@ const GRAVITY: f64 = 9.81;
 /// A two-wheeler that lies on its side lies on what stands out, at this share of half its width.
 const LIES_ON: f64 = 0.9;
 
-/// Offset from the lane's middle and its slope, and whether a lane change has ended.
-fn lateral(vehicle: &Vehicle) -> (f64, f64, bool) {
+/// Offset from the lane's middle and its slope after as many metres more as were travelled, and whether a lane change has ended.
+fn lateral(vehicle: &Vehicle, travelled: f64) -> (f64, f64, bool) {
     let Some(shift) = vehicle.shift else {
         let (aside_m, slope) = vehicle.order.map_or((0.0, 0.0), |order| order.aside(vehicle.rolled));
-        return (vehicle.driver.lateral_m + aside_m, slope, false);
+        let (kerb_m, kerb_slope) = vehicle.kerb_halt.map_or((0.0, 0.0), |halt| halt.aside(vehicle.rolled + travelled));
+        return (vehicle.driver.lateral_m + aside_m + kerb_m, slope + kerb_slope, false);
     };
     let u = ((vehicle.s - shift.begin_s) / shift.length_m).clamp(0.0, 1.0);
     // Quintic: position, slope and curvature continuous.
@@ -51,7 +52,7 @@ pub(crate) fn advance(vehicle: &mut Vehicle, roads: &Roads, step_s: f64) {
     let before = vehicle.speed;
     vehicle.speed = (before + vehicle.acceleration * step_s).max(0.0);
     let travelled = 0.5 * (before + vehicle.speed) * step_s;
-    let (_, slope, _) = lateral(vehicle);
+    let (_, slope, _) = lateral(vehicle, 0.0);
     vehicle.s += travelled / (1.0 + slope * slope).sqrt();
     while vehicle.s > roads.table(vehicle.lane()).length && vehicle.here + 1 < vehicle.route.len() {
         vehicle.s -= roads.table(vehicle.lane()).length;
@@ -68,7 +69,7 @@ pub(crate) fn advance(vehicle: &mut Vehicle, roads: &Roads, step_s: f64) {
         vehicle.route.drain(..keep);
         vehicle.here -= keep;
     }
-    if lateral(vehicle).2 {
+    if lateral(vehicle, 0.0).2 {
         vehicle.shift = None;
     }
     place(vehicle, roads, travelled, step_s);
@@ -91,7 +92,7 @@ fn place(vehicle: &mut Vehicle, roads: &Roads, travelled: f64, step_s: f64) {
     let pivot_x = pivot_ahead_m(vehicle);
     let (lane, s) = ahead_by(vehicle, roads, pivot_x);
     let on = roads.network.lane(lane).centerline.at(s);
-    let (t, slope, _) = lateral(vehicle);
+    let (t, slope, _) = lateral(vehicle, travelled);
     let course = on.heading_rad + atan(slope);
     let (sin, cos) = sin_cos(on.heading_rad);
     let pivot = on.position + DVec3::new(-sin, cos, 0.0) * t;

@@ -32,6 +32,11 @@ pub(crate) fn step(
     thinks: bool,
     step_s: f64,
 ) {
+    // Who halts at the kerb keeps to its lane.
+    if vehicles[i].kerb_halt.is_some() {
+        vehicles[i].intent = None;
+        return;
+    }
     if let Some((target, left)) = vehicles[i].intent {
         let neighbours = roads.network.lane(vehicles[i].lane());
         let still = neighbours.left == Some(target) || neighbours.right == Some(target);

@@ -9,7 +9,8 @@ use endless_world::{ObjectClass, Side, VehicleLights};
 const BLINK_HZ: f64 = 1.5;
 
 pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, headlights_on: f32, time_s: f64, step_s: f64) {
-    let hazards = vehicle.order.is_some_and(|order| vehicle.speed < order.hazards_below_mps);
+    let warns = vehicle.kerb_halt.is_some_and(|halt| halt.warns());
+    let hazards = warns || vehicle.order.is_some_and(|order| vehicle.speed < order.hazards_below_mps);
     if vehicle.class != ObjectClass::Bicycle {
         let braking = brakes(vehicle.acceleration, vehicle.speed);
         vehicle.brake_hold_s = brake_hold_s(vehicle.brake_hold_s, braking, step_s);
@@ -86,6 +87,11 @@ impl Lamps {
 
 /// The side to which the driver is about to go.
 fn indicated(vehicle: &Vehicle, roads: &Roads) -> Option<Side> {
+    if let Some(halt) = &vehicle.kerb_halt
+        && (halt.stands() || halt.indicates().is_some())
+    {
+        return halt.indicates();
+    }
     if let Some(shift) = vehicle.shift {
         // Coming from the left (positive offset) means moving to the right.
         return Some(if shift.offset_m > 0.0 { Side::Right } else { Side::Left });

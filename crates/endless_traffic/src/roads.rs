@@ -4,6 +4,7 @@ use crate::attraction::Attraction;
 use crate::focus::Focus;
 use crate::midblock::MidblockWays;
 use crate::overlap::{ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, alongside, make_room, siblings};
+use crate::stop_places::StopPlaces;
 use endless_road::swept::{LONG_M, curvature_per_m, fits, leaves_oncoming_room, smallest_radius_m};
 use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
 use endless_world::{VehicleModelId, VehicleSpec};
@@ -84,6 +85,8 @@ pub(crate) struct Roads {
     pub(crate) attraction: Attraction,
     /// Where people cross away from crossings; nowhere, if nobody does.
     pub(crate) midblock: Arc<MidblockWays>,
+    /// Where people wait for buses.
+    pub(crate) stop_places: Arc<StopPlaces>,
 }
 
 impl Roads {
@@ -93,6 +96,7 @@ impl Roads {
             tables: Arc::clone(tables),
             attraction: Attraction::new(&tables.network, focus, errands),
             midblock: Arc::default(),
+            stop_places: Arc::default(),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::Focus;
 use endless_world::walking::PedestrianSpec;
-use endless_world::{Condition, ObjectClass, TrafficProfile, VehicleSpec};
+use endless_world::{BusStop, Condition, ObjectClass, TrafficProfile, VehicleSpec};
 use glam::Vec3;
 
 /// The vehicles and people there are to draw from.
@@ -72,10 +72,14 @@ pub struct TrafficSettings {
     pub focus: Focus,
     /// Places in the world where people have something to do, metres: stops and shops.
     pub errands: Vec<Vec3>,
+    /// Where buses stop; nowhere by default.
+    pub bus_stops: Vec<BusStop>,
     /// Share of people who cross roads away from crossings when a gap in traffic lets them, 0 to 1.
     pub jaywalking: f64,
     /// Share of people who walk in groups of two to four, 0 to 1.
     pub groups: f64,
+    /// Share of vans and lorries that deliver, 0 to 1: now and then they stand in the lane at the kerb, hazard lights on.
+    pub deliveries: f64,
     /// Classes of the vehicles that are spawned first; all others are drawn by their frequency.
     pub first: Vec<ObjectClass>,
     /// Which vehicles there are, and how they are driven.
@@ -93,8 +97,10 @@ impl Default for TrafficSettings {
             condition,
             focus: Focus::default(),
             errands: Vec::new(),
+            bus_stops: Vec::new(),
             jaywalking: 0.0,
             groups: 0.0,
+            deliveries: 0.0,
             first: Vec::new(),
             profile: TrafficProfile::default(),
         }

@@ -5,7 +5,9 @@ mod world_state;
 
 use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
+use crate::bus_stop::BusHalts;
 use crate::crossing::{CrossingState, note_vehicles};
+use crate::double_parking::Deliveries;
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
 use crate::incident::{StagedIncident, impact, road_walker, wrong_way};
 use crate::jaywalk::{Roadway, people_on_lanes};
@@ -17,9 +19,11 @@ use crate::population::Population;
 use crate::roads::{Roads, TrafficMap};
 use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
 use crate::steering::DriverView;
+use crate::stop_places::StopPlaces;
 use crate::vehicle::Vehicle;
 use crate::walker::{Walker, WalkerView};
-use crate::{kinematics, lane_change, lights, signals, spawn, walker};
+use crate::{bus_riders, bus_service};
+use crate::{kerb_halt, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::{
     Actor, Behaviour, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalState, TooManyInstances, VehicleMotion,
@@ -52,6 +56,9 @@ pub struct Simulation {
     occupancy: Occupancy,
     controller: JunctionController,
     crossings: Vec<CrossingState>,
+    /// Where buses stop.
+    bus_halts: Arc<BusHalts>,
+    deliveries: Arc<Deliveries>,
     roadway: Roadway,
     signals: Vec<SignalState>,
     /// Those who move as recorded tracks say.
@@ -121,6 +128,7 @@ impl Simulation {
         if settings.jaywalking > 0.0 {
             roads.midblock = Arc::new(MidblockWays::new(&roads.network, &roads.borders, &standing));
         }
+        roads.stop_places = Arc::new(StopPlaces::new(&roads, &settings.bus_stops));
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
@@ -145,6 +153,8 @@ impl Simulation {
             population.pedestrians_spawned += people;
         }
         own_ids.go_on_after(ids);
+        let bus_halts = Arc::new(BusHalts::new(&roads, &settings.bus_stops, &standing));
+        let deliveries = Arc::new(Deliveries::new(settings.deliveries, &standing));
         let arrivals = Arrivals::new(fleet.vehicles, settings, vehicles.len(), standing);
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
@@ -164,6 +174,8 @@ impl Simulation {
             occupancy: Occupancy::default(),
             controller: JunctionController::default(),
             crossings,
+            bus_halts,
+            deliveries,
             roadway: Roadway::default(),
             signals: Vec::new(),
             playback,
@@ -245,6 +257,9 @@ impl Simulation {
             roadway: &self.roadway,
             others: &others.people,
         };
+        if self.gathering.is_none() && !self.bus_halts.is_empty() {
+            bus_riders::step(&self.roads, &mut self.vehicles, &mut self.walkers, step_s);
+        }
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
         road_walker::step(&mut self.walkers, &self.roads, step_s);
         others.note_people(&mut self.crossings);
@@ -256,8 +271,15 @@ impl Simulation {
         road_walker::occupy(&self.walkers, &mut self.occupancy);
         for i in 0..self.vehicles.len() {
             let thinks = (self.steps + 7 * i as u64).is_multiple_of(a_second);
+            if thinks && !self.bus_halts.is_empty() {
+                bus_service::look_out(&self.roads, &self.bus_halts, &mut self.vehicles[i]);
+            }
+            if thinks {
+                self.deliveries.look_out(&self.roads, &self.occupancy, &self.bus_halts, &mut self.vehicles, i);
+            }
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }
+        kerb_halt::step(&self.roads, &mut self.vehicles, step_s);
         self.controller.step(&self.roads, &self.occupancy, &self.signals, &mut self.vehicles, step_s);
         let come = self.arrivals.step(
             &ArrivalView {

@@ -46,6 +46,7 @@ impl DriverView<'_> {
         if let Some(gap) = self.line_ahead(i, leader) {
             wanted = wanted.min(driver.stop_at(me.speed, gap));
         }
+        let wanted = me.kerb_halt.map_or(wanted, |halt| halt.wanted(wanted, driver, me.speed));
         let wanted = me.order.map_or(wanted, |order| order.wanted(wanted));
         let eased = wanted.clamp(me.acceleration - JERK_DOWN * step_s, me.acceleration + JERK_UP * step_s);
         let hardest = HARDEST_BRAKING.min(LAST_BRAKING + BRAKING_PER_MPS * me.speed);

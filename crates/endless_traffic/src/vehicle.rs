@@ -2,6 +2,7 @@
 
 use crate::driver::Driver;
 use crate::incident::Order;
+use crate::kerb_halt::KerbHalt;
 use crate::lane_choice::Aim;
 use crate::roads::Roads;
 use crate::trailer::TrailerState;
@@ -79,6 +80,8 @@ pub(crate) struct Vehicle {
     pub(crate) waited_s: f64,
     /// What an incident makes it do.
     pub(crate) order: Option<Order>,
+    /// A halt at the kerb to come or under way.
+    pub(crate) kerb_halt: Option<KerbHalt>,
 
     pub(crate) pose: Pose,
     pub(crate) yaw: f64,
@@ -125,6 +128,7 @@ impl Vehicle {
             rights_of_way: Vec::new(),
             waited_s: 0.0,
             order: None,
+            kerb_halt: None,
             pose: Pose::default(),
             yaw: 0.0,
             pivot: DVec3::ZERO,

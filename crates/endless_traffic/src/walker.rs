@@ -2,6 +2,8 @@
 //! at crossings when they may.
 
 use crate::body_contact::{bounds_of_bodies, bounds_of_strip, nearest_within};
+use crate::bus_riders::Ride;
+use crate::bus_wait::BusErrand;
 use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
 use crate::incident::RoadWalk;
@@ -40,9 +42,13 @@ const LETS_THROUGH_S: f64 = 5.0;
 const PATIENT_S: f64 = 6.0;
 const GIVES_UP_S: f64 = 10.0;
 
+/// Where nobody sees anybody.
+const NOWHERE: DVec2 = DVec2::splat(1e7);
+
 #[derive(Debug, Clone)]
 pub(crate) struct Walker {
     pub(crate) variant: u64,
+    pub(crate) spec: PedestrianSpec,
     pub(crate) stream: Stream,
     /// Whether they come to what is looked at.
     pub(crate) drawn: bool,
@@ -75,6 +81,8 @@ pub(crate) struct Walker {
     pub(crate) jaywalk: Option<Box<Jaywalk>>,
     /// Those with whom they walk.
     pub(crate) company: Option<Box<Company>>,
+    /// What they have to do with buses.
+    pub(crate) bus: BusErrand,
     /// A way over the road, away from crossings.
     pub(crate) road_walk: Option<RoadWalk>,
 }
@@ -97,18 +105,27 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
     let grid = PeopleGrid::new(&people);
     let (mut numbers, mut near) = (Vec::new(), Vec::new());
     for (i, walker) in walkers.iter_mut().enumerate() {
-        if walker.road_walk.is_some() {
+        if walker.road_walk.is_some() || walker.bus.is_inside() {
             continue;
         }
         grid.nearest(&people, i, &mut numbers);
         near.clear();
         near.extend(numbers.iter().map(|(_, other)| people[*other as usize]));
+        if let Some(ride) = walker.bus.ride {
+            match ride {
+                Ride::GettingOn(through) => walker.go_through(scene.roads, through, true, &near, step_s),
+                Ride::GettingOff(through) => walker.go_through(scene.roads, through, false, &near, step_s),
+                Ride::Inside(_) => {}
+            }
+            people[i] = walker.seen();
+            continue;
+        }
         let company = walker.company.as_deref().map_or_else(Vec::new, |company| company.others(&people, i));
         walker.step(scene, i, &near, &company, crossings, step_s);
         people[i] = walker.seen();
     }
     crossings.iter_mut().for_each(|state| state.look_again(step_s));
-    for walker in walkers.iter().filter(|walker| walker.road_walk.is_none()) {
+    for walker in walkers.iter().filter(|walker| walker.road_walk.is_none() && walker.bus.ride.is_none()) {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
         } else if let Some(id) = walker.next_crossing(scene.roads) {
@@ -133,6 +150,7 @@ impl Walker {
         let yaw = atan2(along.y, along.x);
         Self {
             variant: 0,
+            spec: *spec,
             stream,
             drawn: false,
             pace: f64::from(spec.walk_mps),
@@ -154,13 +172,15 @@ impl Walker {
             jaywalks: false,
             jaywalk: None,
             company: None,
+            bus: BusErrand::default(),
             road_walk: None,
         }
     }
 
     /// As others see them.
     fn seen(&self) -> Passer {
-        Passer { at: self.position, velocity: self.velocity, intent: self.intent, passed: self.passed }
+        let at = if self.bus.is_inside() { NOWHERE } else { self.position };
+        Passer { at, velocity: self.velocity, intent: self.intent, passed: self.passed }
     }
 
     fn strip(&self, roads: &Roads) -> DirectedEdge {
@@ -238,6 +258,7 @@ impl Walker {
         }
         pace *= self.keeps_together(&strip, company, step_s);
         let talks_at = self.talks_at(&strip, step_s);
+        let (bus_at, bus_from) = self.waits_for_bus(roads, &strip, near, step_s).unzip();
         if let Some(on_roadway) = self.pace_on_roadway(scene.roadway, number) {
             pace = on_roadway;
         }
@@ -264,9 +285,9 @@ impl Walker {
             Some(n) if !kerb => n.point((ahead - strip.length).min(n.length), keep(&n)),
             _ => strip.point(strip.length, keep(&strip)),
         };
-        let target = talks_at.or(own_kerb).unwrap_or(target);
+        let target = bus_at.or(talks_at).or(own_kerb).unwrap_or(target);
         let to_target = target - self.position;
-        if (kerb || talks_at.is_some()) && to_target.length() < 0.9 {
+        if (kerb || talks_at.is_some() || bus_at.is_some()) && to_target.length() < 0.9 {
             // At the kerb: stand and wait.
             pace *= ((to_target.length() - 0.25) / 0.65).clamp(0.0, 1.0);
         }
@@ -308,7 +329,7 @@ impl Walker {
         let change = free + makes_way - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
         self.advance(near, &way, kerb, step_s);
-        let waits_for = self.jaywalk.as_deref().and_then(Jaywalk::waits_for);
+        let waits_for = self.jaywalk.as_deref().and_then(Jaywalk::waits_for).or(bus_from);
         let talks_to = talks_at.and_then(|_| self.talks_to(company));
         if talks_to.is_some() {
             self.talk();
@@ -322,6 +343,9 @@ impl Walker {
     fn advance_route(&mut self, scene: &WalkerView<'_>, crossings: &[CrossingState]) {
         if self.way.len() < 2 {
             self.plan(scene.roads, scene.graph);
+        }
+        if self.bus.waits() {
+            return;
         }
         let strip = self.strip(scene.roads);
         let left = strip.length - strip.local(self.position).0;

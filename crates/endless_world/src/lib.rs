@@ -19,6 +19,7 @@ mod asset;
 mod attributes;
 mod behaviour;
 mod body_part;
+mod bus_stop;
 mod camera;
 mod camera_look;
 mod class;
@@ -64,6 +65,7 @@ pub use attributes::{
 };
 pub use behaviour::{Behaviour, LanePlace, Side};
 pub use body_part::BodyPart;
+pub use bus_stop::BusStop;
 pub use camera::{CameraRay, CameraSite, Mount, PinholeCamera};
 pub use camera_look::{CameraLook, CameraLookChoice, Distortion, RecorderClock};
 pub use class::{ClassTag, ObjectClass};

@@ -276,6 +276,8 @@ fn simulation(map: &CarlaMap, settings: &SceneSettings, people_alone: bool) -> R
         condition,
         focus,
         errands: Vec::new(),
+        bus_stops: Vec::new(),
+        deliveries: 0.0,
         // Vehicles of the server would not see them.
         jaywalking: if people_alone { 0.0 } else { settings.jaywalking },
         groups: settings.groups,

@@ -27,7 +27,9 @@ use endless_city::ActorModels;
 use endless_dataset::SpawnCounts;
 use endless_render::{FrameScene, NeighbourFrame, NeighbourFrames, RayCaster, render_labels};
 use endless_sensor::{Atmosphere, Lidar, Radar, SweepInterval};
-use endless_traffic::{DrivingCondition, Fleet, IncidentRequest, PlayedTracks, Simulation, TrafficSettings};
+use endless_traffic::{
+    DrivingCondition, Fleet, IncidentRequest, PlayedTracks, Simulation, TrafficSettings, USUAL_DELIVERIES,
+};
 use endless_world::{
     Actor, InstanceId, ObjectClass, PinholeCamera, RigEventCamera, SceneCamera, SceneSettings, SensorFrame,
     SensorLayers, SensorModel, SensorPose, StagedIncidents, Track, WorldState,
@@ -94,6 +96,9 @@ impl<'m> BuiltinSession<'m> {
             condition,
             focus,
             errands,
+            bus_stops: map.town.bus_stops(),
+            // Where events are asked for, nobody else parks on the lane.
+            deliveries: if settings.events.is_empty() { USUAL_DELIVERIES } else { 0.0 },
             jaywalking,
             groups,
             first,

@@ -1,6 +1,7 @@
 //! Bodies that touch. A contact counts once, when it begins.
 
 use super::body::Body;
+use super::bus_door::goes_through;
 use super::cell_grid::CellGrid;
 use super::check::AuditCheck;
 use super::finding::Incidents;
@@ -103,7 +104,8 @@ impl Contacts {
             let parked = self.parked_grid.near(bounds).map(|other| &self.parked[other]);
             let hit = moving
                 .chain(parked)
-                .filter(|(_, body)| body.touches_disc(person.at, PERSON_M - ROUNDING_M, feet, feet + TALL_M));
+                .filter(|(_, body)| body.touches_disc(person.at, PERSON_M - ROUNDING_M, feet, feet + TALL_M))
+                .filter(|(vehicle, _)| !sight.of(*vehicle).is_some_and(|bus| goes_through(bus, person.at)));
             self.touching.extend(hit.map(|&(vehicle, _)| (id, vehicle)));
             let others = self.people_grid.near(around(person.at, 2.0 * PERSON_M)).filter(|&other| other > number);
             let touched = others.map(|other| people[other]).filter(|other| {

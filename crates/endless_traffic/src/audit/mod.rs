@@ -13,6 +13,7 @@
 //! ```
 
 pub(crate) mod body;
+mod bus_door;
 mod cell_grid;
 mod check;
 mod contact;

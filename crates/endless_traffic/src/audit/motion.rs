@@ -1,5 +1,6 @@
 //! How bodies move: without jumps and jerks, wheels forward, and nobody vanishes.
 
+use super::bus_door::is_behind_door;
 use super::check::AuditCheck;
 use super::finding::{Incidents, Share, Worst};
 use super::report::AuditLine;
@@ -76,7 +77,7 @@ impl Motions {
     pub(super) fn look(&mut self, sight: &Sight<'_>) {
         for gone in &sight.vanished {
             *entry(&mut self.accelerations, usize::from(gone.id.0)) = None;
-            if !self.at_an_end(gone) {
+            if !self.at_an_end(gone) && !at_a_door(sight, gone) {
                 self.vanishings.add(|| format!("{} is gone", Glance::new(gone, None, sight.specs).told(sight)));
             }
         }
@@ -84,7 +85,7 @@ impl Motions {
             match (glance.before, glance.driven) {
                 (Some(before), Some((motion, spec))) => self.driving(sight, glance, &before, motion, spec),
                 (Some(_), None) => self.walking(sight, glance),
-                (None, _) if !sight.first && !self.at_an_end(glance.actor) => {
+                (None, _) if !sight.first && !self.at_an_end(glance.actor) && !at_a_door(sight, glance.actor) => {
                     self.vanishings.add(|| format!("{} appears", glance.told(sight)));
                 }
                 (None, _) => {}
@@ -161,6 +162,12 @@ impl Motions {
             self.yaw_rate.line(AuditCheck::YawRate),
         ]
     }
+}
+
+/// Whether somebody on foot is right behind the door of a bus that stands.
+fn at_a_door(sight: &Sight<'_>, actor: &Actor) -> bool {
+    let at = actor.pose.position.as_dvec3().truncate();
+    matches!(actor.motion, Motion::Walker(_)) && sight.glances.iter().any(|bus| is_behind_door(bus, at))
 }
 
 fn road_ends(network: &RoadNetwork) -> Vec<DVec2> {

@@ -2,7 +2,7 @@
 
 use endless_road::{Lane, LaneId, RoadNetwork};
 use endless_world::math::f64::sin_cos;
-use endless_world::{Actor, Motion, VehicleMotion, VehicleSpec, WorldState};
+use endless_world::{Actor, InstanceId, Motion, VehicleMotion, VehicleSpec, WorldState};
 use glam::DVec2;
 
 /// One frame, and who was where in the one before.
@@ -17,6 +17,14 @@ pub(super) struct Sight<'a> {
     /// Who was there in the frame before and is not any more.
     pub(super) vanished: Vec<Actor>,
     pub(super) glances: Vec<Glance<'a>>,
+}
+
+impl<'a> Sight<'a> {
+    /// Who has this id in this frame.
+    pub(super) fn of(&self, id: InstanceId) -> Option<&Glance<'a>> {
+        let place = self.glances.binary_search_by_key(&id, |glance| glance.actor.id).ok()?;
+        Some(&self.glances[place])
+    }
 }
 
 /// Somebody in the frame before.

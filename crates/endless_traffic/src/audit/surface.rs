@@ -1,12 +1,13 @@
 //! Vehicles on their lanes, people on sidewalks and crossings.
 
+use super::bus_door::is_before_door;
 use super::cell_grid::CellGrid;
 use super::check::AuditCheck;
 use super::finding::{Share, Worst};
 use super::report::AuditLine;
-use super::sight::{Glance, Sight};
+use super::sight::{Glance, Sight, entry};
 use endless_road::{Lane, LaneId, RoadNetwork};
-use endless_world::VehicleSpec;
+use endless_world::{VehicleLights, VehicleMotion, VehicleSpec};
 use glam::DVec2;
 
 /// In a junction there is road beside lanes, too, at least so much, metres.
@@ -17,6 +18,9 @@ const BESIDE_M: f64 = 0.1;
 const NEAR_M: f64 = 1.0;
 /// Who is further beside the middle of their lane is aside, metres.
 const ASIDE_M: f64 = 0.5;
+/// Slower than this a vehicle stands, m/s; hazard lights flash at least so often, seconds.
+const STANDS_MPS: f64 = 0.05;
+const FLASHES_S: f64 = 1.0;
 
 /// Measures where road users are.
 #[derive(Debug)]
@@ -29,6 +33,8 @@ pub(super) struct Surfaces {
     lane_error: Worst,
     lane_error_share: Share,
     two_wheelers_out: Worst,
+    /// When the hazard lights of each vehicle were last seen, by id, seconds.
+    hazards_s: Vec<Option<f64>>,
 }
 
 /// A sidewalk or a crossing.
@@ -70,13 +76,14 @@ impl Surfaces {
             lane_error: Worst::default(),
             lane_error_share: Share::default(),
             two_wheelers_out: Worst::default(),
+            hazards_s: Vec::new(),
         }
     }
 
     pub(super) fn look(&mut self, sight: &Sight<'_>) {
         for glance in &sight.glances {
             match glance.driven {
-                Some((_, spec)) => self.driving(sight, glance, spec),
+                Some((motion, spec)) => self.driving(sight, glance, motion, spec),
                 None => self.walking(sight, glance),
             }
         }
@@ -98,11 +105,16 @@ impl Surfaces {
         if outside_m > NEAR_M {
             outside_m = self.strips.iter().map(|strip| strip.outside_m(glance.at)).fold(outside_m, f64::min);
         }
+        // Nor does who gets on or off a bus.
+        if outside_m > 0.0 && is_before_door(sight, glance.at) {
+            return;
+        }
         self.off_sidewalk.note(outside_m, || glance.told(sight));
         self.off_sidewalk_share.note(outside_m > BESIDE_M);
     }
 
-    fn driving(&mut self, sight: &Sight<'_>, glance: &Glance<'_>, spec: &VehicleSpec) {
+    fn driving(&mut self, sight: &Sight<'_>, glance: &Glance<'_>, motion: VehicleMotion, spec: &VehicleSpec) {
+        let warns = self.warns(sight, glance, motion);
         let behaviour = glance.actor.behaviour;
         let (Some((lane, s)), None) = (glance.lane(sight.network), behaviour.lane_left) else { return };
         let [front_m, rear_m] = [spec.front_axle_m, spec.rear_axle_m].map(f64::from);
@@ -113,11 +125,20 @@ impl Surfaces {
             self.two_wheelers_out.note(out_m, || glance.told(sight));
         } else {
             self.lane_error.note(middle.error_m, || glance.told(sight));
-            self.lane_error_share.note(middle.error_m > ASIDE_M);
+            self.lane_error_share.note(middle.error_m > ASIDE_M && !warns);
         }
         for axle_m in [front_m, rear_m] {
             self.off_lane.note(aside(axle_m).off_m, || glance.told(sight));
         }
+    }
+
+    /// Whether somebody stands with hazard lights on: they are where they are on purpose.
+    fn warns(&mut self, sight: &Sight<'_>, glance: &Glance<'_>, motion: VehicleMotion) -> bool {
+        let seen_s = entry(&mut self.hazards_s, glance.place());
+        if motion.lights.contains(VehicleLights::LEFT_BLINKER | VehicleLights::RIGHT_BLINKER) {
+            *seen_s = Some(sight.state.time_s);
+        }
+        f64::from(motion.speed_mps) < STANDS_MPS && seen_s.is_some_and(|seen_s| sight.state.time_s - seen_s < FLASHES_S)
     }
 
     pub(super) fn lines(&self) -> Vec<AuditLine> {

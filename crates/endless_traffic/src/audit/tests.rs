@@ -13,6 +13,7 @@ use glam::{DVec3, Vec3};
 const FPS: f64 = 10.0;
 const CAR: u32 = 0;
 const BICYCLE: u32 = 1;
+const BUS: u32 = 2;
 
 fn specs() -> Vec<VehicleSpec> {
     let bicycle = VehicleSpec {
@@ -24,7 +25,16 @@ fn specs() -> Vec<VehicleSpec> {
         rear_axle_m: -0.55,
         ..VehicleSpec::default()
     };
-    vec![VehicleSpec::default(), bicycle]
+    let bus = VehicleSpec {
+        name: "bus.city",
+        class: ObjectClass::Bus,
+        length_m: 12.0,
+        width_m: 2.5,
+        front_axle_m: 3.3,
+        rear_axle_m: -2.6,
+        ..VehicleSpec::default()
+    };
+    vec![VehicleSpec::default(), bicycle, bus]
 }
 
 /// A street of 400 m to the east with a signal half way, a stop sign after 300 m, and a sidewalk to its south that a crossing
@@ -288,4 +298,38 @@ fn lights_and_signs_are_kept() {
     let boldest = 10.0 * MOST_LIMIT_FACTOR + AuditCheck::Speeding.limit();
     assert_eq!(fails(4.0, |t| vec![goes(1, 110.0, boldest - 0.1, t)]), []);
     assert_eq!(fails(4.0, |t| vec![goes(1, 110.0, boldest + 0.1, t)]), [AuditCheck::Speeding]);
+}
+
+/// A bus whose front door is at x = 35, to the right at y = -1.65, and goes on this fast from `from_s` on.
+fn bus(time_s: f64, from_s: f64, speed_mps: f64) -> Actor {
+    let goes = time_s >= from_s;
+    let way_m = speed_mps * (time_s - from_s).max(0.0);
+    vehicle(1, BUS, [30.15 + way_m, -0.4], if goes { speed_mps } else { 0.0 })
+}
+
+#[test]
+fn people_get_on_and_off_buses_by_the_front_door_while_these_stand() {
+    let to_door = |x: f64| move |t: f64| (t < 2.5).then(|| person(2, [x, -3.2 + 0.8 * t]));
+    let gets_on = |t: f64| std::iter::once(bus(t, 99.0, 0.0)).chain(to_door(34.9)(t)).collect();
+    assert_eq!(fails(5.0, gets_on), []);
+    let gets_off = |t: f64| {
+        std::iter::once(bus(t, 99.0, 0.0)).chain((t > 1.0).then(|| person(2, [35.1, -0.4 - 0.8 * t]))).collect()
+    };
+    assert_eq!(fails(4.0, gets_off), []);
+    // Through its side, or while it rolls.
+    let by_the_side = |t: f64| std::iter::once(bus(t, 99.0, 0.0)).chain(to_door(32.0)(t)).collect();
+    assert_eq!(
+        fails(5.0, by_the_side),
+        [AuditCheck::PeopleHit, AuditCheck::OffSidewalk, AuditCheck::OffSidewalkShare, AuditCheck::Vanishings]
+    );
+    let rolls = |t: f64| std::iter::once(bus(t, 2.0, 0.3)).chain(to_door(34.9)(t)).collect();
+    let found = fails(5.0, rolls);
+    assert!(found.contains(&AuditCheck::PeopleHit) && found.contains(&AuditCheck::Vanishings), "{found:?}");
+}
+
+#[test]
+fn nobody_vanishes_beside_a_bus() {
+    let vanishes =
+        |t: f64| std::iter::once(bus(t, 99.0, 0.0)).chain((t < 2.0).then(|| person(2, [35.0, -2.0]))).collect();
+    assert_eq!(fails(4.0, vanishes), [AuditCheck::Vanishings]);
 }

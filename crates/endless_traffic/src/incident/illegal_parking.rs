@@ -54,7 +54,7 @@ pub(super) fn is_aside(moment: &Moment<'_>, actors: &[usize]) -> bool {
 }
 
 /// The side on which a sidewalk runs along a lane with no other lane between: 1 left, −1 right.
-fn kerb_side(roads: &Roads, lane: &Lane, s: f64) -> Option<f64> {
+pub(crate) fn kerb_side(roads: &Roads, lane: &Lane, s: f64) -> Option<f64> {
     let here = lane.centerline.at(s);
     let at = here.position.truncate();
     let ahead = lane.centerline.direction(s);

@@ -23,19 +23,24 @@ pub(crate) struct Moment<'a> {
 }
 
 impl Moment<'_> {
-    /// Vehicles that are seen or soon will be, with their numbers.
+    /// Vehicles that are seen or soon will be, with their numbers; those apart that halt at the kerb.
     pub(super) fn watched(&self) -> impl Iterator<Item = (usize, &Vehicle)> {
         self.vehicles
             .iter()
             .enumerate()
             .zip(self.watched[0])
-            .filter(|(_, watched)| **watched)
+            .filter(|((_, vehicle), watched)| **watched && vehicle.kerb_halt.is_none())
             .map(|(vehicle, _)| vehicle)
     }
 
     /// People on foot who are seen, with their numbers.
     pub(super) fn watched_walkers(&self) -> impl Iterator<Item = (usize, &Walker)> {
-        self.walkers.iter().enumerate().zip(self.watched[1]).filter(|(_, watched)| **watched).map(|(walker, _)| walker)
+        self.walkers
+            .iter()
+            .enumerate()
+            .zip(self.watched[1])
+            .filter(|((_, walker), watched)| **watched && walker.bus.ride.is_none())
+            .map(|(walker, _)| walker)
     }
 
     /// Whether a signal is red at both of these times, seconds from now.

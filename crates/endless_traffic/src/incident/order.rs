@@ -80,7 +80,8 @@ impl Order {
 }
 
 impl Drift {
-    fn at(&self, rolled_m: f64) -> (f64, f64) {
+    /// Metres to the left, and the slope, where the wheels have rolled so far.
+    pub(crate) fn at(&self, rolled_m: f64) -> (f64, f64) {
         let (there, back) = (self.from(self.begin_m, rolled_m), self.back_m.map(|back_m| self.from(back_m, rolled_m)));
         back.map_or(there, |back| (there.0 - back.0, there.1 - back.1))
     }

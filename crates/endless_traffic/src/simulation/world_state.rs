@@ -14,14 +14,14 @@ impl Simulation {
     ///
     /// Where vehicles come and leave, a copy of the simulation finds out who comes.
     pub fn everybody(&self, frames: u32, condition: impl Fn(u32) -> DrivingCondition) -> Vec<Actor> {
-        let mut actors = self.simulated();
+        let mut actors = self.simulated(true);
         if self.roads.borders.are_open() {
             let mut known: BTreeSet<InstanceId> = actors.iter().map(|actor| actor.id).collect();
             let mut later = self.clone();
             for _ in 0..frames {
                 later.set_condition(condition(later.frame + 1));
                 later.tick();
-                actors.extend(later.simulated().into_iter().filter(|actor| known.insert(actor.id)));
+                actors.extend(later.simulated(true).into_iter().filter(|actor| known.insert(actor.id)));
             }
         }
         actors.extend(self.playback.iter().flat_map(Playback::everybody));
@@ -38,15 +38,15 @@ impl Simulation {
     /// again of those who play tracks; then those who have come onto the map since the warm-up began.
     pub fn state(&self) -> WorldState {
         let time_s = f64::from(self.frame) / self.fps;
-        let mut actors = self.simulated();
+        let mut actors = self.simulated(false);
         let playback = self.playback.iter();
         actors.extend(playback.flat_map(|playback| playback.state(&self.roads.network, time_s)));
         actors.sort_by_key(|actor| actor.id);
         WorldState { frame: self.frame, time_s, actors, signals: self.signals.clone() }
     }
 
-    /// Those whose ways are simulated.
-    fn simulated(&self) -> Vec<Actor> {
+    /// Those whose ways are simulated, with those inside of buses or without.
+    fn simulated(&self, inside: bool) -> Vec<Actor> {
         let time_s = f64::from(self.frame) / self.fps;
         let mut actors = Vec::with_capacity(self.vehicles.len() + self.walkers.len());
         for (vehicle, &(id, rider_id)) in self.vehicles.iter().zip(&self.ids.vehicles) {
@@ -71,6 +71,9 @@ impl Simulation {
         }
         let outfit = self.outfit;
         for (walker, &id) in self.walkers.iter().zip(&self.ids.walkers) {
+            if walker.bus.is_inside() && !inside {
+                continue;
+            }
             let motion = WalkerMotion {
                 speed_mps: walker.velocity.length() as f32,
                 gait: walker.gait,

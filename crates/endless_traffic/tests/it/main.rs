@@ -2,6 +2,8 @@
 
 mod behaviour;
 mod borders;
+mod bus_stops;
+mod deliveries;
 mod focus;
 #[path = "../../../endless_road/tests/it/grid/mod.rs"]
 mod grid;

@@ -2,7 +2,7 @@
 
 use endless_asset::Catalogue;
 use endless_town::Town;
-use endless_traffic::{Fleet, Simulation, TrafficSettings};
+use endless_traffic::{Fleet, Simulation, TrafficSettings, USUAL_DELIVERIES};
 use endless_world::walking::PedestrianSpec;
 
 const FPS: f64 = 30.0;
@@ -23,8 +23,17 @@ fn flows(catalogue: &Catalogue, town: &Town, seed: u64) {
     assert!(!town.parked.is_empty() || name == "Town06", "{name}: nobody parks here");
     let pedestrian = |variant| PedestrianSpec { walk_mps: 1.35, ..Catalogue::pedestrian_spec(variant) };
     let fleet = Fleet { vehicles: &specs, pedestrian: &pedestrian };
-    let settings =
-        TrafficSettings { vehicles: ASKED[0], pedestrians: ASKED[1], seed, fps: FPS, ..TrafficSettings::default() };
+    let [vehicles, pedestrians] = ASKED;
+    let bus_stops = town.bus_stops();
+    let settings = TrafficSettings {
+        vehicles,
+        pedestrians,
+        seed,
+        fps: FPS,
+        bus_stops,
+        deliveries: USUAL_DELIVERIES,
+        ..TrafficSettings::default()
+    };
     let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings).expect("few enough");
     let f = crate::watch::watch(&mut s, &town.network, &specs, SIMULATED_S, FPS);
     let p = s.population();

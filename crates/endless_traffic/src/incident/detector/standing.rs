@@ -6,7 +6,7 @@ use super::detected::{DetectedIncident, runs};
 use super::history::StateHistory;
 use endless_road::Lane;
 use endless_road::swept::OrientedRectangle;
-use endless_world::{IncidentKind, InstanceId};
+use endless_world::{IncidentKind, InstanceId, Motion, ObjectClass, VehicleLights};
 use glam::DVec3;
 
 /// Slower than this a vehicle stands, m/s.
@@ -37,7 +37,8 @@ pub(super) fn detect(history: &StateHistory<'_>, kind: IncidentKind) -> Vec<Dete
         };
         let frames = (1..history.states.len()).filter(stands);
         for (begin, end) in runs(frames, 0) {
-            if ((end - begin) as f64) < LEAST_S * history.fps || held(history, &lines, begin, end, id) {
+            let short = ((end - begin) as f64) < LEAST_S * history.fps;
+            if short || at_bus_stop(history, begin, end, id) || held(history, &lines, begin, end, id) {
                 continue;
             }
             let Some(aside_m) = aside_m(history, end, id) else { continue };
@@ -49,6 +50,14 @@ pub(super) fn detect(history: &StateHistory<'_>, kind: IncidentKind) -> Vec<Dete
         }
     }
     found
+}
+
+/// Whether it is a bus without hazard lights, which stands to let people in.
+fn at_bus_stop(history: &StateHistory<'_>, begin: usize, end: usize, id: InstanceId) -> bool {
+    let actors = || (begin..=end).filter_map(|frame| history.actor(frame, id));
+    let both = VehicleLights::LEFT_BLINKER | VehicleLights::RIGHT_BLINKER;
+    let flashes = |motion: Motion| matches!(motion, Motion::Vehicle(motion) if motion.lights.contains(both));
+    actors().all(|actor| actor.class == ObjectClass::Bus && !flashes(actor.motion))
 }
 
 /// Whether something holds somebody most of the time, or it is a two-wheeler, which stops where it likes.

@@ -1,0 +1,204 @@
+//! A halt at the kerb: a vehicle indicates, pulls in as far as its lane allows, stands for a while, indicates to the road and
+//! drives on. It keeps to its lane meanwhile; those behind it wait, or change lanes.
+
+use crate::driver::Driver;
+use crate::incident::Drift;
+use crate::roads::Roads;
+use crate::vehicle::Vehicle;
+use endless_road::LaneId;
+use endless_world::Side;
+
+/// Pulling in begins so far before the place, metres, and ends so far before it.
+const PULLS_IN_M: f64 = 32.0;
+const STRAIGHT_M: f64 = 3.0;
+/// Nobody pulls in or out along less than this, metres.
+const LEAST_DRIFT_M: f64 = 12.0;
+/// Indicators show from this far before the place, metres, and for so long before the vehicle goes on, seconds.
+const INDICATES_M: f64 = 45.0;
+const INDICATES_S: f64 = 2.0;
+/// Who stands so near before the place has come to it, metres.
+const THERE_M: f64 = 1.6;
+/// A door takes so long to close, seconds.
+const CLOSES_S: f64 = 1.0;
+/// Slower than this a vehicle stands, m/s.
+const STANDS_MPS: f64 = 0.05;
+/// A line that is never passed, so near ahead of who stands, metres.
+const HOLDS_M: f64 = 0.06;
+/// What a driver's braking leaves to the line on average, metres.
+const LEAVES_M: f64 = 0.6;
+/// Braking before a halt, m/s²: people stand in buses.
+const BRAKING_MPS2: f64 = 1.2;
+
+/// How far a vehicle is with it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Phase {
+    Coming,
+    /// Until it goes on, seconds.
+    Standing {
+        left_s: f64,
+    },
+    /// On the way back to its usual place in the lane.
+    Leaving,
+}
+
+/// A halt to come or under way.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct KerbHalt {
+    /// Where the front bumper is to stand.
+    lane: LaneId,
+    front_s: f64,
+    pub(crate) side: Side,
+    /// The bus stop at which people get on and off.
+    stop: Option<usize>,
+    /// Whether its hazard lights are on while it stands.
+    hazards: bool,
+    /// For how long it has stood, seconds.
+    stood_s: f64,
+    /// How far to the left of its usual place it stands, metres.
+    left_m: f64,
+    /// How long it stands, seconds.
+    stands_s: f64,
+    phase: Phase,
+    drift: Option<Drift>,
+    /// From the front bumper to the place, metres.
+    ahead_m: f64,
+}
+
+impl KerbHalt {
+    /// `left_m`: where it stands, metres to the left of the lane's middle.
+    pub(crate) fn new(
+        vehicle: &Vehicle,
+        (lane, front_s, ahead_m): (LaneId, f64, f64),
+        (side, left_m): (Side, f64),
+        stands_s: f64,
+    ) -> Self {
+        let (front_s, ahead_m) = (front_s + LEAVES_M, ahead_m + LEAVES_M);
+        let left_m = left_m - vehicle.driver.lateral_m;
+        Self {
+            lane,
+            front_s,
+            side,
+            stop: None,
+            hazards: false,
+            stood_s: 0.0,
+            left_m,
+            stands_s,
+            phase: Phase::Coming,
+            drift: None,
+            ahead_m,
+        }
+    }
+
+    /// At which people get on and off.
+    pub(crate) fn for_stop(self, stop: Option<usize>) -> Self {
+        Self { stop, ..self }
+    }
+
+    pub(crate) fn with_hazard_lights(self) -> Self {
+        Self { hazards: true, ..self }
+    }
+
+    /// Whether its hazard lights are on.
+    pub(crate) fn warns(&self) -> bool {
+        self.hazards && self.stands()
+    }
+
+    /// The bus stop at which it stands with its door open, and for how long it has, seconds.
+    pub(crate) fn at_stop(&self) -> Option<(usize, f64)> {
+        self.stop.filter(|_| matches!(self.phase, Phase::Standing { .. })).map(|stop| (stop, self.stood_s))
+    }
+
+    /// It waits for somebody who gets on or off.
+    pub(crate) fn held(self) -> Self {
+        match self.phase {
+            Phase::Standing { left_s } => {
+                Self { phase: Phase::Standing { left_s: left_s.max(INDICATES_S + CLOSES_S) }, ..self }
+            }
+            _ => self,
+        }
+    }
+
+    /// A vehicle this fast can come to a comfortable halt from so far, metres.
+    pub(crate) fn least_ahead_m(speed_mps: f64) -> f64 {
+        speed_mps * speed_mps / (2.0 * BRAKING_MPS2) + LEAST_DRIFT_M + STRAIGHT_M
+    }
+
+    /// Whether it stands, and does not go yet.
+    pub(crate) fn stands(&self) -> bool {
+        matches!(self.phase, Phase::Standing { left_s } if left_s > INDICATES_S)
+    }
+
+    /// The acceleration of somebody who would like to have that one, m/s².
+    pub(crate) fn wanted(&self, wanted: f64, driver: &Driver, speed_mps: f64) -> f64 {
+        let gap_m = match self.phase {
+            Phase::Coming => self.ahead_m,
+            Phase::Standing { .. } => HOLDS_M,
+            Phase::Leaving => return wanted,
+        };
+        let gently = Driver { brake: driver.brake.min(BRAKING_MPS2), ..*driver };
+        wanted.min(gently.stop_at(speed_mps, gap_m.max(HOLDS_M)))
+    }
+
+    /// Metres to the left of the usual place in the lane, and the slope to there.
+    pub(crate) fn aside(&self, rolled_m: f64) -> (f64, f64) {
+        self.drift.map_or((0.0, 0.0), |drift| drift.at(rolled_m))
+    }
+
+    /// Where the indicators show.
+    pub(crate) fn indicates(&self) -> Option<Side> {
+        let road = if self.side == Side::Left { Side::Right } else { Side::Left };
+        match self.phase {
+            Phase::Coming => (self.ahead_m < INDICATES_M).then_some(self.side),
+            Phase::Standing { left_s } => (left_s < INDICATES_S).then_some(road),
+            Phase::Leaving => Some(road),
+        }
+    }
+
+    /// Whether the vehicle halts before a line so far ahead of its front bumper, metres, so that it needs no right of way beyond.
+    pub(crate) fn is_before(&self, to_line_m: f64) -> bool {
+        self.phase != Phase::Leaving && self.ahead_m < to_line_m
+    }
+}
+
+/// Goes on with all halts by one step.
+pub(crate) fn step(roads: &Roads, vehicles: &mut [Vehicle], step_s: f64) {
+    for vehicle in vehicles.iter_mut() {
+        if let Some(halt) = vehicle.kerb_halt.take() {
+            vehicle.kerb_halt = go_on(roads, vehicle, halt, step_s);
+        }
+    }
+}
+
+fn go_on(roads: &Roads, vehicle: &Vehicle, mut halt: KerbHalt, step_s: f64) -> Option<KerbHalt> {
+    let stands = vehicle.speed < STANDS_MPS;
+    match halt.phase {
+        Phase::Coming => {
+            let mut ahead = vehicle.ahead(roads).filter(|(lane, _)| *lane == halt.lane);
+            let ahead_m = ahead.next().map(|(_, base)| base + halt.front_s - vehicle.half_length);
+            let Some(ahead_m) = ahead_m.filter(|ahead_m| *ahead_m > -1.0) else { return leave(vehicle, halt) };
+            halt.ahead_m = ahead_m;
+            if halt.drift.is_none() && ahead_m < PULLS_IN_M {
+                let length_m = (ahead_m - STRAIGHT_M).max(LEAST_DRIFT_M);
+                let (begin_m, left_m) = (vehicle.rolled, halt.left_m);
+                halt.drift = Some(Drift { begin_m, length_m, left_m, back_m: None });
+            }
+            if stands && ahead_m < THERE_M {
+                halt.phase = Phase::Standing { left_s: halt.stands_s + INDICATES_S };
+            }
+        }
+        Phase::Standing { left_s } if left_s <= 0.0 => return leave(vehicle, halt),
+        Phase::Standing { left_s } => {
+            halt.phase = Phase::Standing { left_s: left_s - step_s };
+            halt.stood_s += step_s;
+        }
+        Phase::Leaving => return halt.drift.filter(|drift| !drift.is_over(vehicle.rolled)).map(|_| halt),
+    }
+    Some(halt)
+}
+
+/// Back to the usual place in the lane.
+fn leave(vehicle: &Vehicle, halt: KerbHalt) -> Option<KerbHalt> {
+    let drift = halt.drift?;
+    let drift = Some(Drift { back_m: Some(vehicle.rolled), ..drift });
+    Some(KerbHalt { phase: Phase::Leaving, drift, ..halt })
+}
