@@ -214,7 +214,7 @@ pub(crate) fn siblings(network: &RoadNetwork, lane: &Lane, body: &DesignVehicles
             let sweep = |l: &Lane| SweptPath::between(network, l, body.broad, 0.0, reach);
             let swept = sweep(lane).conflict(&sweep(them)).map(|((_, until), _)| until);
             if let Some(until) = known.into_iter().chain(swept).reduce(f64::max) {
-                siblings.push(DivergingLane { lane: other, until: until + 1.0 });
+                siblings.push(DivergingLane { lane: other, until: until + LONGER_M });
             }
         }
     }

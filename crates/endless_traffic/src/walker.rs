@@ -320,12 +320,9 @@ impl Walker {
         let stays = pace < WAITS_MPS || self.crowded_s > LETS_THROUGH_S;
         let makes_way = if stays { give_way(self.position, near) } else { DVec2::ZERO };
         // Who overtakes on a narrow sidewalk would stand in the way of those who come.
-        let in_file = makes_room && strip.kind == WalkKind::Sidewalk && strip.half_width < NARROW_M;
-        let free = if in_file && self.stuck.0 < STUCK_S {
-            follow(self.position, wanted, near)
-        } else {
-            avoid(self.position, wanted, near, &way)
-        };
+        let in_file =
+            makes_room && self.stuck.0 <= 0.0 && strip.kind == WalkKind::Sidewalk && strip.half_width < NARROW_M;
+        let free = if in_file { follow(self.position, wanted, near) } else { avoid(self.position, wanted, near, &way) };
         let change = free + makes_way - self.velocity;
         self.velocity += change.clamp_length_max(ACCELERATION * step_s);
         self.advance(near, &way, kerb, step_s);

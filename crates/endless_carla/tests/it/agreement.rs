@@ -59,7 +59,7 @@ fn labels_are_those_of_the_built_in_renderer() {
         cameras: sites.iter().take(2).map(|site| SceneCamera { site: site.clone(), look: CameraLook::CLEAN }).collect(),
         sensors: Vec::new(),
         vehicles: 40,
-        pedestrians: 40,
+        pedestrians: 60,
         density: ActorDensity::default(),
         focus: 0.2,
         profile: TrafficProfile::default(),

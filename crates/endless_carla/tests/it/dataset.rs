@@ -68,6 +68,17 @@ fn depths(out: &Path) -> Vec<Image<[u8; 3]>> {
         .collect()
 }
 
+/// Whether what stands where is the same to the centimetre: who is asked again for an instant may have turned a wheel meanwhile.
+fn agree(told: &[Image<[u8; 3]>], expected: &[Image<[u8; 3]>]) -> bool {
+    // CARLA's depth: a kilometre in 24 bits, the lowest first.
+    let metres = |[low, middle, high]: [u8; 3]| {
+        f64::from(u32::from_le_bytes([low, middle, high, 0])) / f64::from((1u32 << 24) - 1) * 1000.0
+    };
+    let near = |(a, b): (&[u8; 3], &[u8; 3])| (metres(*a) - metres(*b)).abs() < 0.01;
+    told.len() == expected.len()
+        && told.iter().zip(expected).all(|(told, expected)| told.data.iter().zip(&expected.data).all(near))
+}
+
 fn is_sound(out: &Path) {
     let report = check(out).expect("a dataset");
     assert_eq!((report.findings, report.images), (vec![], 3 * 2 * u64::from(FRAMES)));
@@ -108,7 +119,7 @@ fn what_is_lost_or_false_on_the_way_never_comes_into_a_dataset() {
         make(&simulator, out.path()).unwrap_or_else(|error| panic!("{fault:?}: {error}"));
         is_sound(out.path());
         assert!(faults.count() > 0, "{fault:?} happened");
-        assert!(depths(out.path()) == expected, "{fault:?}: every frame shows its own instant");
+        assert!(agree(&depths(out.path()), &expected), "{fault:?}: every frame shows its own instant");
     }
 }
 
