@@ -144,7 +144,7 @@ fn greens(program: &SignalProgram, signal: SignalId) -> Vec<bool> {
         .iter()
         .map(|phase| {
             ends += phase.duration_s;
-            (ends, phase.aspects.iter().any(|a| *a == (signal, SignalAspect::Green)))
+            (ends, phase.aspects.contains(&(signal, SignalAspect::Green)))
         })
         .collect();
     let at = |second: usize| spans.iter().find(|span| second as f64 + 0.5 < span.0).is_some_and(|span| span.1);

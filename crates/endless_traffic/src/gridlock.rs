@@ -74,6 +74,7 @@ mod tests {
     use crate::roads::TrafficMap;
     use crate::settings::DrivingCondition;
     use endless_road::{Junction, JunctionId, Lane, Polyline, RoadNetwork};
+    use endless_world::math::f64::sin_cos;
     use endless_world::{Stream, VehicleModelId, VehicleRef, VehicleSpec};
     use glam::DVec3;
 
@@ -90,7 +91,8 @@ mod tests {
             let centre = b - ahead * 10.0 + (c - b).normalize() * 10.0;
             let arc = (0..=16).map(|i| {
                 let turn = f64::from(i) / 16.0 * std::f64::consts::FRAC_PI_2;
-                centre - (c - b).normalize() * (10.0 * turn.cos()) + ahead * (10.0 * turn.sin())
+                let (sin, cos) = sin_cos(turn);
+                centre - (c - b).normalize() * (10.0 * cos) + ahead * (10.0 * sin)
             });
             let mut way = Lane::new(LaneId(2 * k as u32 + 1), Polyline::new(arc), 3.5, 13.9);
             way.junction = Some(JunctionId(k as u16));

@@ -121,6 +121,7 @@ mod tests {
     use crate::roads::TrafficMap;
     use crate::settings::DrivingCondition;
     use endless_road::{Junction, Lane, Polyline, RoadNetwork};
+    use endless_world::math::f64::sin_cos;
     use endless_world::{VehicleModelId, VehicleRef, VehicleSpec};
     use glam::DVec3;
 
@@ -130,7 +131,8 @@ mod tests {
         let lane = |id: u32, points: &[[f64; 2]]| Lane::new(LaneId(id), line(points), 3.5, 13.9);
         let arc: Vec<[f64; 2]> = (0..=16)
             .map(|i| f64::from(i) / 16.0 * std::f64::consts::FRAC_PI_2)
-            .map(|turn| [200.0 + 15.0 * turn.sin(), 3.5 + 15.0 * (1.0 - turn.cos())])
+            .map(sin_cos)
+            .map(|(sin, cos)| [200.0 + 15.0 * sin, 3.5 + 15.0 * (1.0 - cos)])
             .collect();
         let mut lanes = vec![
             lane(0, &[[0.0, 3.5], [200.0, 3.5]]),

@@ -7,7 +7,7 @@ use endless_world::math::f64::{atan, exp, tan, wrap_angle};
 pub const DRAWBAR: f64 = 0.85;
 
 /// Who is pushed straight back would turn to neither side, radians.
-const MOST_ANGLE: f64 = 3.0;
+const MOST_ANGLE: f64 = std::f64::consts::PI - 1e-6;
 
 /// Heading of what is drawn by a bar when the bar's front has come some metres in direction `pull`, radians: the exact solution of
 /// the drawbar's equation for a straight piece of way.
