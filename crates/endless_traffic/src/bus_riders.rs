@@ -2,8 +2,8 @@
 //! inside is not seen; they come out again at another stop.
 
 use crate::body_contact::{bounds_of_bodies, nearest_within};
+use crate::bus_errand::{BusErrand, Ride, Through};
 use crate::bus_stop::{DOOR_M, sign};
-use crate::bus_wait::BusErrand;
 use crate::people_grid::Passer;
 use crate::roads::Roads;
 use crate::stop_places::StopPlace;
@@ -36,25 +36,6 @@ const TURN_RATE: f64 = 3.5;
 /// So near to a point of their way people have come to it, metres.
 const THERE_M: f64 = 0.12;
 
-/// Somebody's ride on a bus.
-#[derive(Debug, Clone, Copy)]
-pub(crate) enum Ride {
-    GettingOn(Through),
-    Inside(VehicleRef),
-    GettingOff(Through),
-}
-
-/// The way through a door.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Through {
-    bus: VehicleRef,
-    points: [DVec2; 2],
-    /// Inside of the bus, behind the door.
-    inside: DVec2,
-    next: usize,
-    since_s: f64,
-}
-
 /// An open door.
 struct Door {
     bus: VehicleRef,
@@ -62,16 +43,6 @@ struct Door {
     inside: DVec2,
     /// Unit vector out of it.
     out: DVec2,
-}
-
-impl Ride {
-    /// The bus at whose door somebody is.
-    fn at_door_of(&self) -> Option<VehicleRef> {
-        match self {
-            Self::GettingOn(through) | Self::GettingOff(through) => Some(through.bus),
-            Self::Inside(_) => None,
-        }
-    }
 }
 
 /// Opens the doors of buses that stand at stops: lets people off and on, and keeps the buses until they are.

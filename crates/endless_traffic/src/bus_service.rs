@@ -43,7 +43,7 @@ fn next_halt(roads: &Roads, halts: &BusHalts, vehicle: &Vehicle) -> Option<KerbH
             );
             let place = (lane, halt.front(), ahead_m);
             let kerb = (halt.side, halt.left_m(width_m));
-            let kerb_halt = KerbHalt::new(vehicle, place, kerb, dwell_s(&mut own));
+            let kerb_halt = KerbHalt::new(vehicle.driver.lateral_m, place, kerb, dwell_s(&mut own));
             return Some(kerb_halt.for_stop(halt.is_open.then_some(halt.stop)));
         }
     }

@@ -1,6 +1,6 @@
 //! People who wait for a bus: they stand at the kerb beside the stop's sign and face the road, for as long as their patience lasts.
 
-use crate::bus_riders::Ride;
+use crate::bus_errand::{THERE_M, Wait};
 use crate::people_grid::Passer;
 use crate::roads::Roads;
 use crate::stop_places::StopPlace;
@@ -16,63 +16,8 @@ const AHEAD_M: f64 = 0.3;
 const PATIENCE_S: [f64; 2] = [45.0, 130.0];
 /// A place is taken if somebody is within this of it, metres.
 const TAKEN_M: f64 = 0.55;
-/// Who is so near to their place has come to it, metres.
-const THERE_M: f64 = 0.6;
 /// Nobody looks for a place for longer, seconds.
 const LOOKS_S: f64 = 20.0;
-
-/// Who has come along a stop makes up their mind again after so many pieces of their way.
-const AGAIN: u32 = 8;
-
-/// What somebody has to do with buses.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct BusErrand {
-    pub(crate) ride: Option<Ride>,
-    /// The stop at which they made up their mind last, and how many edges they had walked then.
-    decided: Option<(usize, u32)>,
-    wait: Option<Wait>,
-}
-
-/// A wait under way.
-#[derive(Debug, Clone, Copy)]
-struct Wait {
-    place: StopPlace,
-    left_s: f64,
-    looked_s: f64,
-}
-
-impl BusErrand {
-    /// Whether somebody waits, or is on the way to where they will.
-    pub(crate) fn waits(&self) -> bool {
-        self.wait.is_some()
-    }
-
-    /// The place at which somebody stands and waits.
-    pub(crate) fn stands_at(&self, at: DVec2) -> Option<StopPlace> {
-        let place = self.wait?.place;
-        (place.at.distance(at) < THERE_M).then_some(place)
-    }
-
-    /// Whether they are inside of a bus, where nobody sees them.
-    pub(crate) fn is_inside(&self) -> bool {
-        matches!(self.ride, Some(Ride::Inside(_)))
-    }
-
-    /// Of somebody who gets on.
-    pub(crate) fn riding(ride: Ride) -> Self {
-        Self { ride: Some(ride), ..Self::default() }
-    }
-
-    /// Of somebody who comes out of a bus at a stop: they do not wait for the next one.
-    pub(crate) fn after_ride(ride: Ride, stop: usize, passed: u32) -> Self {
-        Self { ride: Some(ride), decided: Some((stop, passed)), wait: None }
-    }
-
-    /// Whether they have made up their mind about a stop, and are still near it.
-    fn has_decided(&self, stop: usize, passed: u32) -> bool {
-        self.decided.is_some_and(|(other, when)| other == stop && passed < when + AGAIN)
-    }
-}
 
 impl Walker {
     /// Where to stand and wait for a bus, and the way to look there; while they do.

@@ -104,7 +104,10 @@ impl Deliveries {
         let width_m = f64::from(roads.specs[me.asset.model.index()].width_m);
         let left_m = sign(side) * (kerb_m - 0.5 * width_m).max(0.0);
         let stands_s = own.range_f64(STANDS_S[0], STANDS_S[1]);
-        Some(KerbHalt::new(me, (lane.id, front, ahead_m), (side, left_m), stands_s).with_hazard_lights())
+        Some(
+            KerbHalt::new(me.driver.lateral_m, (lane.id, front, ahead_m), (side, left_m), stands_s)
+                .with_hazard_lights(),
+        )
     }
 }
 

@@ -6,7 +6,7 @@
 //! is moved in any other way than by driving and walking.
 
 use crate::attraction::ROOM_M;
-use crate::bus_wait::BusErrand;
+use crate::bus_errand::BusErrand;
 use crate::focus::{STEP_M, count_in, samples};
 use crate::kinematics;
 use crate::roads::Roads;

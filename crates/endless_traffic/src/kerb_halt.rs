@@ -3,25 +3,18 @@
 
 use crate::driver::Driver;
 use crate::incident::Drift;
-use crate::roads::Roads;
-use crate::vehicle::Vehicle;
 use endless_road::LaneId;
 use endless_world::Side;
 
-/// Pulling in begins so far before the place, metres, and ends so far before it.
-const PULLS_IN_M: f64 = 32.0;
-const STRAIGHT_M: f64 = 3.0;
+/// Pulling in ends so far before the place, metres.
+pub(crate) const STRAIGHT_M: f64 = 3.0;
 /// Nobody pulls in or out along less than this, metres.
-const LEAST_DRIFT_M: f64 = 12.0;
+pub(crate) const LEAST_DRIFT_M: f64 = 12.0;
 /// Indicators show from this far before the place, metres, and for so long before the vehicle goes on, seconds.
 const INDICATES_M: f64 = 45.0;
-const INDICATES_S: f64 = 2.0;
-/// Who stands so near before the place has come to it, metres.
-const THERE_M: f64 = 1.6;
+pub(crate) const INDICATES_S: f64 = 2.0;
 /// A door takes so long to close, seconds.
 const CLOSES_S: f64 = 1.0;
-/// Slower than this a vehicle stands, m/s.
-const STANDS_MPS: f64 = 0.05;
 /// A line that is never passed, so near ahead of who stands, metres.
 const HOLDS_M: f64 = 0.06;
 /// What a driver's braking leaves to the line on average, metres.
@@ -31,7 +24,7 @@ const BRAKING_MPS2: f64 = 1.2;
 
 /// How far a vehicle is with it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Phase {
+pub(crate) enum Phase {
     Coming,
     /// Until it goes on, seconds.
     Standing {
@@ -45,35 +38,35 @@ enum Phase {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct KerbHalt {
     /// Where the front bumper is to stand.
-    lane: LaneId,
-    front_s: f64,
+    pub(crate) lane: LaneId,
+    pub(crate) front_s: f64,
     pub(crate) side: Side,
     /// The bus stop at which people get on and off.
-    stop: Option<usize>,
+    pub(crate) stop: Option<usize>,
     /// Whether its hazard lights are on while it stands.
-    hazards: bool,
+    pub(crate) hazards: bool,
     /// For how long it has stood, seconds.
-    stood_s: f64,
+    pub(crate) stood_s: f64,
     /// How far to the left of its usual place it stands, metres.
-    left_m: f64,
+    pub(crate) left_m: f64,
     /// How long it stands, seconds.
-    stands_s: f64,
-    phase: Phase,
-    drift: Option<Drift>,
+    pub(crate) stands_s: f64,
+    pub(crate) phase: Phase,
+    pub(crate) drift: Option<Drift>,
     /// From the front bumper to the place, metres.
-    ahead_m: f64,
+    pub(crate) ahead_m: f64,
 }
 
 impl KerbHalt {
-    /// `left_m`: where it stands, metres to the left of the lane's middle.
+    /// `left_m`: where it stands, `lateral_m`: where it drives, metres to the left of the lane's middle.
     pub(crate) fn new(
-        vehicle: &Vehicle,
+        lateral_m: f64,
         (lane, front_s, ahead_m): (LaneId, f64, f64),
         (side, left_m): (Side, f64),
         stands_s: f64,
     ) -> Self {
         let (front_s, ahead_m) = (front_s + LEAVES_M, ahead_m + LEAVES_M);
-        let left_m = left_m - vehicle.driver.lateral_m;
+        let left_m = left_m - lateral_m;
         Self {
             lane,
             front_s,
@@ -158,47 +151,4 @@ impl KerbHalt {
     pub(crate) fn is_before(&self, to_line_m: f64) -> bool {
         self.phase != Phase::Leaving && self.ahead_m < to_line_m
     }
-}
-
-/// Goes on with all halts by one step.
-pub(crate) fn step(roads: &Roads, vehicles: &mut [Vehicle], step_s: f64) {
-    for vehicle in vehicles.iter_mut() {
-        if let Some(halt) = vehicle.kerb_halt.take() {
-            vehicle.kerb_halt = go_on(roads, vehicle, halt, step_s);
-        }
-    }
-}
-
-fn go_on(roads: &Roads, vehicle: &Vehicle, mut halt: KerbHalt, step_s: f64) -> Option<KerbHalt> {
-    let stands = vehicle.speed < STANDS_MPS;
-    match halt.phase {
-        Phase::Coming => {
-            let mut ahead = vehicle.ahead(roads).filter(|(lane, _)| *lane == halt.lane);
-            let ahead_m = ahead.next().map(|(_, base)| base + halt.front_s - vehicle.half_length);
-            let Some(ahead_m) = ahead_m.filter(|ahead_m| *ahead_m > -1.0) else { return leave(vehicle, halt) };
-            halt.ahead_m = ahead_m;
-            if halt.drift.is_none() && ahead_m < PULLS_IN_M {
-                let length_m = (ahead_m - STRAIGHT_M).max(LEAST_DRIFT_M);
-                let (begin_m, left_m) = (vehicle.rolled, halt.left_m);
-                halt.drift = Some(Drift { begin_m, length_m, left_m, back_m: None });
-            }
-            if stands && ahead_m < THERE_M {
-                halt.phase = Phase::Standing { left_s: halt.stands_s + INDICATES_S };
-            }
-        }
-        Phase::Standing { left_s } if left_s <= 0.0 => return leave(vehicle, halt),
-        Phase::Standing { left_s } => {
-            halt.phase = Phase::Standing { left_s: left_s - step_s };
-            halt.stood_s += step_s;
-        }
-        Phase::Leaving => return halt.drift.filter(|drift| !drift.is_over(vehicle.rolled)).map(|_| halt),
-    }
-    Some(halt)
-}
-
-/// Back to the usual place in the lane.
-fn leave(vehicle: &Vehicle, halt: KerbHalt) -> Option<KerbHalt> {
-    let drift = halt.drift?;
-    let drift = Some(Drift { back_m: Some(vehicle.rolled), ..drift });
-    Some(KerbHalt { phase: Phase::Leaving, drift, ..halt })
 }

@@ -2,6 +2,7 @@
 //! road, and change to a lane from which theirs leads on, if they get there in time. Who does not goes where the lane leads.
 
 use crate::roads::Roads;
+use crate::turn_aim::Aim;
 use crate::vehicle::Vehicle;
 use endless_road::{JunctionId, LaneId, Turn, likelihood_of};
 use endless_world::Stream;
@@ -10,13 +11,6 @@ use endless_world::Stream;
 const WORTH_MPS2: f64 = 0.6;
 /// So many lanes follow one another before a junction at most.
 const MOST_PIECES: usize = 6;
-
-/// Where a driver wants to go at the next junction.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Aim {
-    junction: JunctionId,
-    turn: Turn,
-}
 
 /// The junction to which a lane leads, and the last lane before it; none where roads part or run together before.
 fn approach(roads: &Roads, lane: LaneId) -> Option<(JunctionId, LaneId)> {

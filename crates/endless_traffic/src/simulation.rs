@@ -21,9 +21,10 @@ use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
 use crate::steering::DriverView;
 use crate::stop_places::StopPlaces;
 use crate::vehicle::Vehicle;
+use crate::walk_strip::BODY_M;
 use crate::walker::{Walker, WalkerView};
 use crate::{bus_riders, bus_service};
-use crate::{kerb_halt, kinematics, lane_change, lights, signals, spawn, walker};
+use crate::{kerb_halting, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::{
     Actor, Behaviour, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalState, TooManyInstances, VehicleMotion,
@@ -128,7 +129,7 @@ impl Simulation {
         if settings.jaywalking > 0.0 {
             roads.midblock = Arc::new(MidblockWays::new(&roads.network, &roads.borders, &standing));
         }
-        roads.stop_places = Arc::new(StopPlaces::new(&roads, &settings.bus_stops));
+        roads.stop_places = Arc::new(StopPlaces::new(&roads.network, &settings.bus_stops, BODY_M));
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
@@ -279,7 +280,7 @@ impl Simulation {
             }
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }
-        kerb_halt::step(&self.roads, &mut self.vehicles, step_s);
+        kerb_halting::step(&self.roads, &mut self.vehicles, step_s);
         self.controller.step(&self.roads, &self.occupancy, &self.signals, &mut self.vehicles, step_s);
         let come = self.arrivals.step(
             &ArrivalView {

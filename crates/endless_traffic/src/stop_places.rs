@@ -1,8 +1,6 @@
 //! Where people wait for buses: on the sidewalk at the kerb, beside the stop's sign.
 
-use crate::roads::RoadTables;
-use crate::walk_strip::BODY_M;
-use endless_road::{WalkEdge, WalkEdgeId, WalkKind};
+use endless_road::{RoadNetwork, WalkEdge, WalkEdgeId, WalkKind};
 use endless_world::BusStop;
 use glam::{DVec2, DVec3};
 
@@ -35,8 +33,9 @@ pub(crate) struct StopPlace {
 pub(crate) struct StopPlaces(Vec<StopPlace>);
 
 impl StopPlaces {
-    pub(crate) fn new(roads: &RoadTables, stops: &[BusStop]) -> Self {
-        let of_stop = |(stop, at): (usize, &BusStop)| places(roads, stop, at.position.as_dvec3());
+    /// For bodies of this radius, metres.
+    pub(crate) fn new(network: &RoadNetwork, stops: &[BusStop], body_m: f64) -> Self {
+        let of_stop = |(stop, at): (usize, &BusStop)| places(network, stop, at.position.as_dvec3(), body_m);
         let mut all: Vec<StopPlace> = stops.iter().enumerate().flat_map(of_stop).collect();
         all.sort_by_key(|place| (place.edge.index(), place.stop));
         Self(all)
@@ -68,15 +67,15 @@ struct Beside {
     half_width: f64,
 }
 
-fn places(roads: &RoadTables, stop: usize, sign: DVec3) -> Vec<StopPlace> {
-    let lanes = roads.network.lanes.iter().filter(|lane| lane.junction.is_none());
+fn places(network: &RoadNetwork, stop: usize, sign: DVec3, body_m: f64) -> Vec<StopPlace> {
+    let lanes = network.lanes.iter().filter(|lane| lane.junction.is_none());
     let nearest = lanes.map(|lane| {
         let (s, t) = lane.centerline.project(sign.truncate());
         (t.abs(), lane.centerline.position(s).truncate(), lane.centerline.direction(s))
     });
     let Some((_, lane, along)) = nearest.min_by(|a, b| a.0.total_cmp(&b.0)) else { return Vec::new() };
     let place = |off: &f64| {
-        let on = beside(roads, sign + (along * *off).extend(0.0))?;
+        let on = beside(network, sign + (along * *off).extend(0.0), body_m)?;
         let middle = on.from + on.along * on.s;
         let road = on.along.perp() * on.along.perp_dot(lane - middle).signum();
         Some(StopPlace { stop, edge: on.edge, at: middle + road * (on.half_width - EDGE_M), road })
@@ -85,15 +84,15 @@ fn places(roads: &RoadTables, stop: usize, sign: DVec3) -> Vec<StopPlace> {
 }
 
 /// The nearest sidewalk on which people may wait.
-fn beside(roads: &RoadTables, at: DVec3) -> Option<Beside> {
-    let walk = &roads.network.walk;
+fn beside(network: &RoadNetwork, at: DVec3, body_m: f64) -> Option<Beside> {
+    let walk = &network.walk;
     let found = |(number, edge): (usize, &WalkEdge)| {
         let [a, b] = edge.nodes.map(|node| walk.nodes[node.index()]);
         let level = (0.5 * (a.z + b.z) - at.z).abs() < STOREY_M + 0.5 * (a.z - b.z).abs();
         let [from, to] = [a, b].map(DVec3::truncate);
         let along = (to - from).normalize_or_zero();
         let (s, t) = ((at.truncate() - from).dot(along), along.perp_dot(at.truncate() - from));
-        let half_width = 0.5 * edge.width_m - BODY_M;
+        let half_width = 0.5 * edge.width_m - body_m;
         let inside = s > FROM_ENDS_M && s < from.distance(to) - FROM_ENDS_M;
         let fits = edge.kind == WalkKind::Sidewalk && half_width > ROOMY_M && level && inside;
         let beside = Beside { edge: WalkEdgeId(number as u32), from, along, s, half_width };

@@ -3,9 +3,9 @@
 use crate::driver::Driver;
 use crate::incident::Order;
 use crate::kerb_halt::KerbHalt;
-use crate::lane_choice::Aim;
 use crate::roads::Roads;
 use crate::trailer::TrailerState;
+use crate::turn_aim::Aim;
 use endless_road::swept::{OrientedRectangle, SWINGS_OUT_M};
 use endless_road::{JunctionId, LaneId, TrafficControl};
 use endless_world::{ObjectClass, Pose, Side, Stream, VehicleLights, VehicleRef, VehicleSpec};

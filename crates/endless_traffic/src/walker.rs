@@ -2,8 +2,7 @@
 //! at crossings when they may.
 
 use crate::body_contact::{bounds_of_bodies, bounds_of_strip, nearest_within};
-use crate::bus_riders::Ride;
-use crate::bus_wait::BusErrand;
+use crate::bus_errand::{BusErrand, Ride};
 use crate::company::Company;
 use crate::crossing::{CrossingPedestrian, CrossingState, signal_of};
 use crate::incident::RoadWalk;
