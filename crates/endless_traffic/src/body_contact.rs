@@ -20,6 +20,11 @@ pub(crate) struct Bound {
     most: f64,
 }
 
+/// No further than this in a direction of unit length in a step, metres.
+pub(crate) fn bound(direction: DVec2, room_m: f64, step_s: f64) -> Bound {
+    Bound { direction, most: (room_m / step_s).max(0.0) }
+}
+
 /// The bounds that bodies near somebody put on their velocity for a step.
 pub(crate) fn bounds_of_bodies(at: DVec2, near: &[Passer], step_s: f64) -> Vec<Bound> {
     let apart = 2.0 * BODY_M + SKIN_M;

@@ -1,14 +1,14 @@
 //! People who get on and off buses: one after another, the nearest first, by the front door of a bus that stands at its stop. Who is
 //! inside is not seen; they come out again at another stop.
 
-use crate::body_contact::{bounds_of_bodies, nearest_within};
+use crate::body_contact::{bound, bounds_of_bodies, nearest_within};
 use crate::bus_errand::{BusErrand, Ride, Through};
 use crate::bus_stop::{DOOR_M, sign};
 use crate::people_grid::Passer;
 use crate::roads::Roads;
 use crate::stop_places::StopPlace;
 use crate::vehicle::Vehicle;
-use crate::walk_strip::height;
+use crate::walk_strip::{BODY_M, height};
 use crate::walker::Walker;
 use endless_world::VehicleRef;
 use endless_world::math::f64::{atan2, sin_cos, wrap_angle};
@@ -21,6 +21,8 @@ const INSIDE_M: f64 = 0.5;
 const KERB_M: [f64; 2] = [0.3, 2.6];
 /// Who gets off goes so far beyond the kerb, metres.
 const BEYOND_M: f64 = 0.35;
+/// Kept between a bus and who goes along it to its door, metres.
+const BESIDE_BUS_M: f64 = 0.02;
 /// The way out is clear if nobody is within this of it, metres.
 const CLEAR_M: f64 = 0.8;
 /// Somebody inside gets off after this time at a stop on average, seconds.
@@ -151,7 +153,14 @@ impl Walker {
         let wanted = left.normalize_or_zero() * PACE_MPS.min(3.0 * left.length() + 0.2);
         self.intent = wanted;
         let change = (wanted - self.velocity).clamp_length_max(ACCELERATION * step_s);
-        self.velocity = nearest_within(&bounds_of_bodies(self.position, near, step_s), self.velocity + change);
+        let mut bounds = bounds_of_bodies(self.position, near, step_s);
+        if gets_on && through.next == 0 {
+            // Past the others, but not into the bus beside its door.
+            let out = (through.points[0] - through.inside).normalize_or_zero();
+            let room_m = (self.position - through.inside).dot(out) - INSIDE_M - BODY_M - BESIDE_BUS_M;
+            bounds.push(bound(-out, room_m, step_s));
+        }
+        self.velocity = nearest_within(&bounds, self.velocity + change);
         self.position += self.velocity * step_s;
         self.walked += self.velocity.length() * step_s;
         let off = wrap_angle(atan2(left.y, left.x) - self.yaw);
@@ -162,10 +171,13 @@ impl Walker {
         if self.position.distance(through.points[through.next]) < THERE_M {
             through.next += 1;
         }
-        let behind_door = self.position.distance(through.inside) < INSIDE_M - THERE_M;
+        let from_inside_m = self.position.distance(through.inside);
+        let behind_door = from_inside_m < INSIDE_M - THERE_M;
+        // Nobody gives up half in the door.
+        let clear = behind_door || from_inside_m > INSIDE_M + BODY_M;
         self.bus.ride = if through.next >= through.points.len() {
             gets_on.then_some(Ride::Inside(through.bus))
-        } else if through.since_s > GIVES_UP_S {
+        } else if clear && through.since_s > GIVES_UP_S {
             behind_door.then_some(Ride::Inside(through.bus))
         } else {
             Some(if gets_on { Ride::GettingOn(through) } else { Ride::GettingOff(through) })
