@@ -19,6 +19,8 @@ const SLOW_MPS: f64 = 4.0;
 pub(crate) struct EntryRequest {
     pub(crate) vehicle: usize,
     pub(crate) junction: JunctionId,
+    /// The last lane before it.
+    pub(crate) before: LaneId,
     /// From the front bumper to the line, metres.
     pub(crate) distance: f64,
     /// Distance before the line at which it waits, metres.
@@ -95,6 +97,7 @@ pub(super) fn request(roads: &Roads, signals: &[SignalState], vehicle: &Vehicle,
                 return Some(EntryRequest {
                     vehicle: i,
                     junction: inside,
+                    before,
                     distance,
                     setback: roads.table(before).setback,
                     speed: vehicle.speed,

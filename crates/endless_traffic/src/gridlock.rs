@@ -38,7 +38,7 @@ pub(crate) fn circles(
         .iter()
         .enumerate()
         .filter(|(_, r)| stands(r) && r.at_the_line() && !has_room(r))
-        .filter_map(|(k, r)| Some((last_lane_before(roads, &vehicles[r.vehicle], r.lanes[0])?, k)))
+        .map(|(k, r)| (r.before, k))
         .collect();
     let next = |k: usize| {
         let exit = requests[k].exit;
@@ -50,13 +50,6 @@ pub(crate) fn circles(
     let mut found: Vec<usize> = heads.values().copied().filter(closes).collect();
     found.sort_unstable();
     found
-}
-
-/// The lane of a route before this one.
-fn last_lane_before(roads: &Roads, vehicle: &Vehicle, connector: LaneId) -> Option<LaneId> {
-    let ahead: Vec<LaneId> = vehicle.ahead(roads).map(|(lane, _)| lane).collect();
-    let place = ahead.iter().position(|&lane| lane == connector)?;
-    place.checked_sub(1).map(|before| ahead[before])
 }
 
 /// The lane at whose end the queue on a lane waits, as the way of somebody in it tells.

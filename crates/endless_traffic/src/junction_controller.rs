@@ -40,16 +40,6 @@ pub(crate) struct JunctionController {
     requests: Vec<EntryRequest>,
     /// Vehicles with the right of way, by junction.
     holders: Vec<Vec<usize>>,
-    /// Those who have waited for long at the line.
-    starving: Vec<Starving>,
-}
-
-/// Somebody who has waited for long to get beyond a junction.
-#[derive(Debug, Clone, Copy)]
-struct Starving {
-    vehicle: usize,
-    exit: LaneId,
-    waited_s: f64,
 }
 
 impl JunctionController {
@@ -88,13 +78,9 @@ impl JunctionController {
                 None => vehicle.waited_s = 0.0,
             }
         }
-        self.starving.clear();
-        let starving = |r: &&EntryRequest| r.waited_s > STARVES_S && r.at_the_line();
-        let as_starving = |r: &EntryRequest| Starving { vehicle: r.vehicle, exit: r.exit, waited_s: r.waited_s };
-        self.starving.extend(requests.iter().filter(starving).map(as_starving));
         // Who has waited longest is asked first, or others might take the room beyond for ever.
         requests.sort_by(|a, b| b.waited_s.total_cmp(&a.waited_s));
-        let has_room = |request: &EntryRequest| self.has_exit_space(roads, occupancy, vehicles, request);
+        let has_room = |request: &EntryRequest| self.has_exit_space(roads, occupancy, vehicles, &requests, request);
         let gridlocked = gridlock::circles(roads, occupancy, vehicles, &requests, has_room);
         for (k, request) in requests.iter().enumerate() {
             let mut others =
@@ -103,7 +89,7 @@ impl JunctionController {
                 && !occupancy.crosses_claimed(roads, &request.lanes)
                 && is_next(roads, occupancy, vehicles, request.vehicle, request.junction, request.distance);
             let moves_on = gridlocked.binary_search(&k).is_ok();
-            if comes_first && !moves_on && !self.has_exit_space(roads, occupancy, vehicles, request) {
+            if comes_first && !moves_on && !self.has_exit_space(roads, occupancy, vehicles, &requests, request) {
                 if (request.waited_s / DETOUR_S).floor() > ((request.waited_s - step_s) / DETOUR_S).floor().max(0.0) {
                     take_another_way(roads, &mut vehicles[request.vehicle], request.lanes[0]);
                 }
@@ -140,6 +126,7 @@ impl JunctionController {
         roads: &Roads,
         occupancy: &Occupancy,
         vehicles: &[Vehicle],
+        requests: &[EntryRequest],
         request: &EntryRequest,
     ) -> bool {
         let me = &vehicles[request.vehicle];
@@ -149,7 +136,7 @@ impl JunctionController {
         // Who joins a ring leaves room for one of those in it: when all its pieces are full, nobody gets on. Not for ever.
         let patient = request.waited_s < CHANCE_S;
         let left = if patient && request.control == TrafficControl::Yield { ANOTHER_M } else { 0.0 };
-        let kept = self.kept_free_m(vehicles, request);
+        let kept = kept_free_m(vehicles, requests, request);
         let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left + kept;
         let mut behind = Some(request.junction);
         let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
@@ -187,15 +174,6 @@ impl JunctionController {
         true
     }
 
-    /// Room beyond the junction that is kept for somebody who has waited long to get there, and longer than who asks, metres: where
-    /// there is room for few, and lights let others go first whenever there is any, they would never get on.
-    fn kept_free_m(&self, vehicles: &[Vehicle], request: &EntryRequest) -> f64 {
-        let longest = self.starving.iter().filter(|s| s.exit == request.exit && s.vehicle != request.vehicle);
-        let longest =
-            longest.max_by(|a, b| a.waited_s.total_cmp(&b.waited_s)).filter(|s| s.waited_s > request.waited_s);
-        longest.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
-    }
-
     /// Those who have the right of way already and priority will be out of the way in time.
     fn clear_of_holders(&self, roads: &Roads, vehicles: &[Vehicle], request: &EntryRequest) -> bool {
         let me = &vehicles[request.vehicle];
@@ -222,6 +200,15 @@ impl JunctionController {
         }
         true
     }
+}
+
+/// Room beyond the junction that is kept for somebody who has waited long to get there, and longer than who asks, metres: where
+/// there is room for few, and lights let others go first whenever there is any, they would never get on.
+fn kept_free_m(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryRequest) -> f64 {
+    let starves = |r: &&EntryRequest| r.waited_s > STARVES_S.max(request.waited_s) && r.at_the_line();
+    let there = requests.iter().filter(|r| r.exit == request.exit && r.vehicle != request.vehicle);
+    let longest = there.filter(starves).max_by(|a, b| a.waited_s.total_cmp(&b.waited_s));
+    longest.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
 }
 
 /// Whether the vehicle directly ahead on the approach, whose line is `distance` metres from the front bumper, has the right of
