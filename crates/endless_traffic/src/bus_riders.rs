@@ -3,7 +3,8 @@
 
 use crate::body_contact::{bound, bounds_of_bodies, nearest_within};
 use crate::bus_errand::{BusErrand, Ride, Through};
-use crate::bus_stop::{DOOR_M, sign};
+use crate::bus_stop::DOOR_M;
+use crate::kerb_room::sign;
 use crate::people_grid::Passer;
 use crate::roads::Roads;
 use crate::stop_places::StopPlace;

@@ -1,9 +1,9 @@
 //! Deliveries: vans and lorries that stand in the lane at the kerb for a minute or two, hazard lights on, where others can pass on
 //! another lane.
 
-use crate::bus_stop::{BusHalts, clear_m, is_straight, room_ahead, room_behind, sign};
-use crate::incident::kerb_side;
+use crate::bus_stop::BusHalts;
 use crate::kerb_halt::KerbHalt;
+use crate::kerb_room::{is_straight, kerb_m, kerb_side, left_m, room_ahead, room_behind, sign};
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
@@ -29,8 +29,6 @@ const ALONE_M: f64 = 15.0;
 const FROM_STOPS_M: f64 = 50.0;
 /// A place is looked for from where they can halt to so much further, metres.
 const FURTHER_M: f64 = 80.0;
-/// They stay in their lane, metres to its edge.
-const EDGE_M: f64 = 0.1;
 
 /// Who delivers, and where they cannot stand.
 #[derive(Debug, Clone)]
@@ -100,9 +98,9 @@ impl Deliveries {
         let passed_by = if side == Side::Left { lane.right } else { lane.left };
         passed_by?;
         let along = [front - 60.0, front + 40.0];
-        let kerb_m = clear_m(lane, along, sign(side), &self.standing).min(0.5 * lane.width_m - EDGE_M);
+        let kerb_m = kerb_m(lane, along, sign(side), &self.standing);
         let width_m = f64::from(roads.specs[me.asset.model.index()].width_m);
-        let left_m = sign(side) * (kerb_m - 0.5 * width_m).max(0.0);
+        let left_m = left_m(side, kerb_m, width_m);
         let stands_s = own.range_f64(STANDS_S[0], STANDS_S[1]);
         Some(
             KerbHalt::new(me.driver.lateral_m, (lane.id, front, ahead_m), (side, left_m), stands_s)

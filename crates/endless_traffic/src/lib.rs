@@ -70,6 +70,7 @@ mod jaywalk;
 mod junction_controller;
 mod kerb_halt;
 mod kerb_halting;
+mod kerb_room;
 mod kinematics;
 mod lane_change;
 mod lane_choice;

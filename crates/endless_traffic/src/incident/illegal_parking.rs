@@ -3,9 +3,8 @@
 use super::moment::{Candidate, Moment};
 use super::order::{Braking, Drift, Order};
 use super::standing::{place, stop_m};
-use crate::roads::Roads;
+use crate::kerb_room::kerb_side;
 use crate::vehicle::Vehicle;
-use endless_road::{Lane, WalkKind};
 
 /// Braking of who pulls over, m/s².
 const BRAKING_MPS2: f64 = 1.6;
@@ -19,8 +18,6 @@ const EDGE_M: f64 = 0.1;
 const LEAST_ASIDE_M: f64 = 0.45;
 /// Who stands so far beside the lane's middle is at its edge, metres.
 const ASIDE_M: f64 = 0.38;
-/// The kerb is within this beside the lane's middle, metres.
-const KERB_M: f64 = 9.0;
 
 /// Those who drive along a kerb and have room to stand there.
 pub(super) fn candidates(moment: &Moment<'_>) -> Vec<Candidate> {
@@ -51,26 +48,4 @@ pub(super) fn is_aside(moment: &Moment<'_>, actors: &[usize]) -> bool {
     let vehicle = &moment.vehicles[actors[0]];
     let middle = vehicle.pose.position.as_dvec3().truncate();
     moment.roads.network.lane(vehicle.lane()).centerline.project(middle).1.abs() > ASIDE_M
-}
-
-/// The side on which a sidewalk runs along a lane with no other lane between: 1 left, −1 right.
-pub(crate) fn kerb_side(roads: &Roads, lane: &Lane, s: f64) -> Option<f64> {
-    let here = lane.centerline.at(s);
-    let at = here.position.truncate();
-    let ahead = lane.centerline.direction(s);
-    let walk = &roads.network.walk;
-    let mut best: Option<(f64, f64)> = None;
-    for edge in walk.edges.iter().filter(|edge| edge.kind == WalkKind::Sidewalk) {
-        let [a, b] = edge.nodes.map(|node| walk.nodes[node.index()].truncate());
-        let along = b - a;
-        let u = ((at - a).dot(along) / along.length_squared().max(1e-9)).clamp(0.0, 1.0);
-        let beside = a + along * u - at;
-        let distance = beside.length();
-        if distance < KERB_M && best.is_none_or(|(nearest, _)| distance < nearest) {
-            best = Some((distance, ahead.perp_dot(beside).signum()));
-        }
-    }
-    let (_, side) = best?;
-    let beside = if side > 0.0 { lane.left } else { lane.right };
-    beside.is_none().then_some(side)
 }

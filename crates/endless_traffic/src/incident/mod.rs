@@ -34,7 +34,6 @@ mod standing;
 pub(crate) mod wrong_way;
 
 pub use detector::{DetectedIncident, IncidentDetector};
-pub(crate) use illegal_parking::kerb_side;
 pub(crate) use moment::{Candidate, Moment};
 pub(crate) use order::{Drift, Order};
 pub(crate) use rehearsal::Rehearsal;
