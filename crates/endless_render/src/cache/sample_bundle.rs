@@ -67,8 +67,8 @@ pub(super) struct SampleSeen {
     pub(super) goes_on: bool,
     /// From where a ray tells whether it sees the sun; none where its pixel tells that, now or later, or a neighbour.
     pub(super) asks_sun_from: Option<Vec3A>,
-    /// A neighbour tells that it sees the sun.
-    pub(super) is_lit_as_beside: bool,
+    /// Whether it sees the sun, if a neighbour tells that.
+    pub(super) is_lit_as_beside: Option<bool>,
 }
 
 impl SampleSeen {
@@ -78,7 +78,7 @@ impl SampleSeen {
         normals: PackedNormals::NONE,
         goes_on: false,
         asks_sun_from: None,
-        is_lit_as_beside: false,
+        is_lit_as_beside: None,
     };
 }
 
@@ -170,7 +170,19 @@ impl SampleBundle {
             let as_centre = by_light & !(by_edge & by_leaf) | by_shade & !by_edge;
             let lit = LitPlaces { positions, normals: normals.geometric, distances, is_leaf };
             let mut asking = met & !as_centre & !later & lit.can_be_lit_by(sun);
-            // A surface that goes on to the neighbour's centre is lit as it is there; leaves are not.
+            // Among leaves of one plant light and shade mix everywhere alike.
+            for lane in lanes(asking & is_leaf) {
+                let (x, sample) = places[lane];
+                let asked = |centre: &&Centre| {
+                    centre.is_leaf && centre.sun != SunSeen::Never && centre.hit.is_on_instance_of(&seen[lane].hit)
+                };
+                let beside = known.towards(x, sample).filter(asked).or(Some(&centres[x]).filter(asked));
+                if let Some(beside) = beside {
+                    seen[lane].is_lit_as_beside = Some(beside.sun == SunSeen::Lit);
+                    asking &= !(1 << lane);
+                }
+            }
+            // A surface that goes on to the neighbour's centre is lit as it is there.
             for lane in lanes(asking & !is_leaf) {
                 let (x, sample) = places[lane];
                 let Some(beside) = known.towards(x, sample).filter(|beside| beside.sun != SunSeen::Never) else {
@@ -180,7 +192,7 @@ impl SampleBundle {
                 let normal = octahedron::unpack(beside.normals.geometric);
                 if beside.may_continue(&seen[lane].hit, material) && normal.dot(lane_of(&normals.geometric, lane)) > 0.9
                 {
-                    seen[lane].is_lit_as_beside = beside.sun == SunSeen::Lit;
+                    seen[lane].is_lit_as_beside = Some(beside.sun == SunSeen::Lit);
                     asking &= !(1 << lane);
                 }
             }

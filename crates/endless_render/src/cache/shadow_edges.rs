@@ -8,6 +8,32 @@ use rayon::prelude::*;
 const PENUMBRA: usize = 4;
 /// Half the width of the shadow's edge of something five metres away.
 const PENUMBRA_M: f32 = 0.023;
+/// Edges whose half is narrower than this are sharp, pixels: they lie between the two pixels that tell of them.
+const SHARP: f32 = 0.7;
+
+/// How many pixels before and after itself a pixel looks for the edge of a shadow.
+#[derive(Clone, Copy)]
+struct Reach {
+    before: usize,
+    after: usize,
+}
+
+impl Reach {
+    fn of(centre: &Centre, pixel_angle: f32) -> Self {
+        let pixels = PENUMBRA_M / (centre.distance * pixel_angle);
+        // An edge is told by the pixel to the left of it, or above.
+        if pixels < SHARP {
+            return Self { before: 1, after: 0 };
+        }
+        let reach = (pixels as usize).clamp(1, PENUMBRA);
+        Self { before: reach, after: reach }
+    }
+
+    /// These pixels from here on, in the order of a byte's bits.
+    fn window(self) -> u32 {
+        (1 << (self.before + 1 + self.after)) - 1
+    }
+}
 
 /// The pixels near the edge of a shadow.
 pub(super) struct ShadowEdges {
@@ -42,8 +68,7 @@ impl Bits {
 impl ShadowEdges {
     pub(super) fn new(centres: &Centres, pixel_angle: f32) -> Self {
         let edges = Bits::new(centres, |y, place| edges_of(centres, y, place));
-        // How far from there, by the width of a pixel.
-        let reach = |centre: &Centre| ((PENUMBRA_M / (centre.distance * pixel_angle)) as usize).clamp(1, PENUMBRA);
+        let reach = |centre: &Centre| Reach::of(centre, pixel_angle);
         let across = Bits::new(centres, |y, place| {
             let row = edges.row(y);
             let byte = |place: usize| u32::from(row.get(place).copied().unwrap_or(0));
@@ -55,8 +80,7 @@ impl ShadowEdges {
             let own = &centres.row(y)[8 * place..];
             own.iter().take(8).enumerate().fold(0, |bits, (lane, centre)| {
                 let reach = reach(centre);
-                let window = (1u32 << (2 * reach + 1)) - 1;
-                bits | u8::from(around >> (8 + lane - reach) & window != 0) << lane
+                bits | u8::from(around >> (8 + lane - reach.before) & reach.window() != 0) << lane
             })
         });
         let near = Bits::new(centres, |y, place| {
@@ -70,8 +94,8 @@ impl ShadowEdges {
             own.iter().take(8).enumerate().filter(|(lane, _)| asking >> lane & 1 == 1).fold(
                 0,
                 |bits, (lane, centre)| {
-                    let reach = reach(centre);
-                    let mut rows = y.saturating_sub(reach)..(y + reach + 1).min(centres.height);
+                    let Reach { before, after } = reach(centre);
+                    let mut rows = y.saturating_sub(before)..(y + after + 1).min(centres.height);
                     bits | u8::from(rows.any(|y| across.row(y)[place] >> lane & 1 == 1)) << lane
                 },
             )

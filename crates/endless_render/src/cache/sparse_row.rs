@@ -52,9 +52,15 @@ impl SparseRow<'_> {
         let width = self.centres.len();
         let is_central = self.pass.camera.lens.is_central();
         let mut bundle = SampleBundle::none();
+        let mut among_leaves = Vec::new();
         for first in (0..width).step_by(8) {
             let pixels = first..(first + 8).min(width);
-            let known = self.begin(pixels.clone(), &known);
+            let mut known = self.begin(pixels.clone(), &known);
+            let dense = lanes(known.all & !known.whole()).filter(|lane| self.is_among_leaves(first + lane));
+            let dense = dense.fold(0, |bits, lane| bits | 1 << lane);
+            among_leaves.extend(lanes(dense).map(|lane| first + lane));
+            known.samples[2] |= dense;
+            known.samples[3] |= dense;
             let is_whole = known.whole() == known.all;
             if is_whole && known.sky == known.all {
                 continue;
@@ -70,9 +76,26 @@ impl SparseRow<'_> {
             }
         }
         self.trace(&mut bundle);
+        among_leaves.into_iter().for_each(|x| self.share_among_leaves(x));
         if let Some(sun) = &self.pass.tracer.environment.sun {
             self.ask_the_disc(sun);
         }
+    }
+
+    /// Whether a pixel and its four neighbours see leaves of one plant: two of its samples tell all.
+    fn is_among_leaves(&self, x: usize) -> bool {
+        let own = &self.centres[x];
+        let is_alike = |other: &Centre| other.is_leaf && other.hit.is_on_instance_of(&own.hit);
+        let beside = [x.checked_sub(1), Some(x + 1)].into_iter().flatten().filter_map(|x| self.centres.get(x));
+        own.is_leaf && beside.chain(self.beside.iter().flatten().map(|row| &row[x])).all(is_alike)
+    }
+
+    /// The second sample of such a pixel tells the third, as the centre does the last.
+    fn share_among_leaves(&mut self, x: usize) {
+        self.distances[x][2] = self.distances[x][1];
+        self.hits[x][2] = self.hits[x][1];
+        self.normals[x][2] = self.normals[x][1];
+        self.sun_free[x][2] = self.sun_free[x][1];
     }
 
     /// Takes what the centres of up to eight pixels tell.
@@ -186,14 +209,15 @@ impl SparseRow<'_> {
         bundle.trace(pass, known, |x, sample, seen| {
             let Some(seen) = seen else {
                 self.uniform[x] = false;
+                self.distances[x][sample] = f32::MAX;
                 return;
             };
             self.distances[x][sample] = seen.distance;
             self.hits[x][sample] = seen.hit;
             self.normals[x][sample] = seen.normals;
             self.uniform[x] &= seen.goes_on;
-            if seen.is_lit_as_beside {
-                self.sun_free[x][sample] = WHOLE;
+            if let Some(is_lit) = seen.is_lit_as_beside {
+                self.sun_free[x][sample] = if is_lit { WHOLE } else { 0 };
             }
             if let (Some(origin), Some(sun)) = (seen.asks_sun_from, &pass.tracer.environment.sun) {
                 // From leaves near and far, which have little in common: alone they are faster.
