@@ -1,4 +1,4 @@
-//! Ends of surfaces that are hardly seen: both sides are of one material without a coat, as far away as each other, and the
+//! Ends of surfaces that are hardly seen: both sides are of one material without a coat, about as far away, and the
 //! light of sun and sky falls on them alike. Nothing between the centres of such pixels is worth a ray.
 
 use super::sparse_centre::{Centre, SunSeen};
@@ -8,10 +8,10 @@ use endless_scene::Surface;
 use glam::Vec3A;
 use std::f32::consts::PI;
 
-/// Largest difference of light, as a share of the larger one: at most 2 of 255 in a pixel of which one side covers half.
-const FAINT: f32 = 0.06;
+/// Largest difference of light, as a share of the larger one: at most 4 of 255 in a pixel of which one side covers half.
+const FAINT: f32 = 0.12;
 /// Largest difference of distances, as a share.
-const NEAR: f32 = 0.03;
+const NEAR: f32 = 0.3;
 
 /// The light of a day, as bright as it falls on a surface in the open.
 pub(super) struct DayLight {
@@ -89,7 +89,7 @@ mod tests {
         let wall = centre(10.0, Vec3A::X, SunSeen::Shaded);
         let bent = Vec3A::new(1.0, 0.3, 0.0);
         assert!(light.is_faint(&wall, &centre(10.1, bent, SunSeen::Never)), "a corner in the shade");
-        assert!(!light.is_faint(&wall, &centre(11.0, bent, SunSeen::Shaded)), "something farther away");
+        assert!(!light.is_faint(&wall, &centre(15.0, bent, SunSeen::Shaded)), "something farther away");
         assert!(!light.is_faint(&wall, &centre(10.1, Vec3A::Z, SunSeen::Shaded)), "a sill, which the sky lights more");
         assert!(!light.is_faint(&wall, &centre(10.1, bent, SunSeen::Lit)), "the edge of a shadow");
         // In the sun a bend shows sooner.

@@ -1,5 +1,6 @@
 //! The sun near the edges of shadows: what the samples of a row see of its disc.
 
+use super::shadow_edges::is_sharp;
 use super::sparse_centre::{BY_FIRST, BY_RIM, FIRST, RIM, WHOLE};
 use super::sparse_row::SparseRow;
 use super::sun_rays::{LitPlaces, faces8};
@@ -27,23 +28,24 @@ impl SparseRow<'_> {
     }
 
     /// Asks what each sample near the edge of a shadow sees of the sun's disc: one of two parts first, and the other where
-    /// the samples of a pixel do not agree.
+    /// the samples of a pixel do not agree and the edge is not sharp.
     pub(super) fn ask_the_disc(&mut self, sun: &Sun) {
         let waiting = &mut WaitingSunRays::none();
         let near = self.near_shadows_edge(sun);
         for pixel in &near {
             for (sample, origin) in pixel.origins() {
                 // The centre has asked the first part already.
-                let known = if sample == 0 { self.sun_free[pixel.x][0] & BY_FIRST } else { 0 };
+                let [first, rim] = if pixel.is_sharp { [WHOLE; 2] } else { [BY_FIRST, BY_RIM] };
+                let known = if sample == 0 { self.sun_free[pixel.x][0] & first } else { 0 };
                 self.sun_free[pixel.x][sample] = known;
                 if sample != 0 {
-                    let question = SunQuestion { pixel: pixel.x, sample, parts: BY_RIM };
+                    let question = SunQuestion { pixel: pixel.x, sample, parts: rim };
                     self.ask(waiting, question, origin, sun.disc[sample][RIM]);
                 }
             }
         }
         self.trace_to_sun(waiting);
-        for pixel in &near {
+        for pixel in near.iter().filter(|pixel| !pixel.is_sharp) {
             let asked = pixel.origins().count();
             let lit = pixel.origins().filter(|(sample, _)| self.sun_free[pixel.x][*sample] != 0).count();
             let agree = asked > 1 && (lit == 0 || lit == asked);
@@ -73,6 +75,7 @@ impl SparseRow<'_> {
             let asking: [_; SAMPLES] = std::array::from_fn(|sample| self.asking(sun, first, near, sample, &rays));
             found.extend(lanes(near).map(|lane| PenumbraPixel {
                 x: first + lane,
+                is_sharp: is_sharp(&self.centres[first + lane], self.pass.pixel_angle),
                 asked: asking.each_ref().map(|(asked, _)| asked >> lane & 1 == 1),
                 origins: asking.each_ref().map(|(_, origins)| lane_of(origins, lane)),
             }));
@@ -102,6 +105,8 @@ impl SparseRow<'_> {
 struct PenumbraPixel {
     /// In the row.
     x: usize,
+    /// One part of the disc stands for all.
+    is_sharp: bool,
     /// The samples that ask the sun, and from where.
     asked: [bool; SAMPLES],
     origins: [Vec3A; SAMPLES],

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 const PENUMBRA: usize = 4;
 /// Half the width of the shadow's edge of something five metres away.
 const PENUMBRA_M: f32 = 0.023;
-/// Edges whose half is narrower than this are sharp, pixels: they lie between the two pixels that tell of them.
+/// Edges of which half is narrower than this are sharp, pixels.
 const SHARP: f32 = 0.7;
 
 /// How many pixels before and after itself a pixel looks for the edge of a shadow.
@@ -20,12 +20,11 @@ struct Reach {
 
 impl Reach {
     fn of(centre: &Centre, pixel_angle: f32) -> Self {
-        let pixels = PENUMBRA_M / (centre.distance * pixel_angle);
         // An edge is told by the pixel to the left of it, or above.
-        if pixels < SHARP {
+        if is_sharp(centre, pixel_angle) {
             return Self { before: 1, after: 0 };
         }
-        let reach = (pixels as usize).clamp(1, PENUMBRA);
+        let reach = (penumbra(centre, pixel_angle) as usize).clamp(1, PENUMBRA);
         Self { before: reach, after: reach }
     }
 
@@ -33,6 +32,16 @@ impl Reach {
     fn window(self) -> u32 {
         (1 << (self.before + 1 + self.after)) - 1
     }
+}
+
+/// Half the width of a shadow's edge, pixels.
+fn penumbra(centre: &Centre, pixel_angle: f32) -> f32 {
+    PENUMBRA_M / (centre.distance * pixel_angle)
+}
+
+/// Whether the edges of shadows lie between two pixels here: each sample sees all of the sun's disc, or nothing.
+pub(super) fn is_sharp(centre: &Centre, pixel_angle: f32) -> bool {
+    penumbra(centre, pixel_angle) < SHARP
 }
 
 /// The pixels near the edge of a shadow.

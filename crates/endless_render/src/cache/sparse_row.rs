@@ -82,12 +82,10 @@ impl SparseRow<'_> {
         }
     }
 
-    /// Whether a pixel and its four neighbours see leaves of one plant: two of its samples tell all.
+    /// Whether a pixel and its four neighbours see leaves: two of its samples tell all.
     fn is_among_leaves(&self, x: usize) -> bool {
-        let own = &self.centres[x];
-        let is_alike = |other: &Centre| other.is_leaf && other.hit.is_on_instance_of(&own.hit);
-        let beside = [x.checked_sub(1), Some(x + 1)].into_iter().flatten().filter_map(|x| self.centres.get(x));
-        own.is_leaf && beside.chain(self.beside.iter().flatten().map(|row| &row[x])).all(is_alike)
+        let row = self.centres[x.saturating_sub(1)..].iter().take(if x == 0 { 2 } else { 3 });
+        row.chain(self.beside.iter().flatten().map(|row| &row[x])).all(|centre| centre.is_leaf)
     }
 
     /// The second sample of such a pixel tells the third, as the centre does the last.
