@@ -30,9 +30,9 @@ pub(crate) struct CrossingState {
     /// middle it sweeps at most.
     pub(crate) taken: Vec<(f64, f64)>,
     /// A vehicle stands before it.
-    waits: bool,
-    /// For how long one has stood there while people came, seconds.
-    held_s: f64,
+    pub(crate) waits: bool,
+    /// People wait so that drivers get past for once.
+    pub(crate) lets_drivers_go: bool,
 }
 
 /// Vehicles closer than this to a crossing stand on it in people's eyes, metres.
@@ -45,27 +45,14 @@ const LONG_SWEEPS_M: f64 = 1.2;
 const HALT_MPS2: f64 = 2.0;
 /// A vehicle this near before a crossing waits for it, metres.
 const WAITS_M: f64 = 3.0;
-/// After people have held up a driver for so long at a crossing without a signal, they let them go, for so long, seconds.
-const HELD_S: f64 = 25.0;
-const LET_GO_S: f64 = 15.0;
 /// Drivers stop for people that walk towards their lane from this far, metres.
 const NOTICED_M: f64 = 7.0;
 
 impl CrossingState {
     /// Begins another look at people, after a step.
-    pub(crate) fn look_again(&mut self, step_s: f64) {
-        let busy = self.wanted || !self.people.is_empty() || self.lets_drivers_go();
-        self.held_s = if self.waits && busy { self.held_s + step_s } else { 0.0 };
-        if self.held_s > HELD_S + LET_GO_S {
-            self.held_s = 0.0;
-        }
+    pub(crate) fn look_again(&mut self) {
         self.people.clear();
         self.wanted = false;
-    }
-
-    /// Whether people wait so that drivers get past for once.
-    pub(crate) fn lets_drivers_go(&self) -> bool {
-        self.held_s > HELD_S
     }
 
     /// Whether a pedestrian on it blocks a vehicle on a lane, or soon will.
@@ -151,29 +138,4 @@ pub(crate) fn note_vehicles(roads: &Roads, vehicles: &[Vehicle], crossings: &mut
 /// The signal of a crossing, as an index.
 pub(crate) fn signal_of(roads: &Roads, crossing: CrossingId) -> Option<usize> {
     roads.network.crossings[crossing.index()].signal.map(|s| usize::from(s.0))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn people_let_drivers_go_after_a_while() {
-        let mut state = CrossingState::default();
-        let (mut held, mut let_go) = (0.0, 0.0);
-        for _ in 0..2000 {
-            state.waits = true;
-            state.wanted = !state.lets_drivers_go();
-            state.look_again(0.1);
-            if state.lets_drivers_go() { let_go += 0.1 } else { held += 0.1 }
-        }
-        assert!((let_go / (held + let_go) - LET_GO_S / (HELD_S + LET_GO_S)).abs() < 0.02, "{let_go} {held}");
-        // Where no driver waits, nobody is let go.
-        for _ in 0..2000 {
-            state.waits = false;
-            state.wanted = true;
-            state.look_again(0.1);
-            assert!(!state.lets_drivers_go());
-        }
-    }
 }

@@ -7,7 +7,7 @@ pub struct Population {
     pub vehicles_asked: u32,
     /// Moving vehicles spawned.
     pub vehicles_spawned: u32,
-    /// Spawn points for vehicles in this town; long vehicles take the room of several.
+    /// Moving vehicles with which traffic on this map still flows, at most.
     pub vehicle_capacity: u32,
     /// Pedestrians requested.
     pub pedestrians_asked: u32,

@@ -6,6 +6,7 @@ mod world_state;
 use crate::actor_ids::ActorIds;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::bus_stop::BusHalts;
+use crate::courtesy::{self, Courtesy};
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::double_parking::Deliveries;
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
@@ -23,7 +24,7 @@ use crate::stop_places::StopPlaces;
 use crate::vehicle::Vehicle;
 use crate::walk_strip::BODY_M;
 use crate::walker::{Walker, WalkerView};
-use crate::{bus_riders, bus_service};
+use crate::{bus_riders, bus_service, destination_exchange};
 use crate::{kerb_halting, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::{
@@ -57,6 +58,7 @@ pub struct Simulation {
     occupancy: Occupancy,
     controller: JunctionController,
     crossings: Vec<CrossingState>,
+    courtesies: Vec<Courtesy>,
     /// Where buses stop.
     bus_halts: Arc<BusHalts>,
     deliveries: Arc<Deliveries>,
@@ -158,6 +160,7 @@ impl Simulation {
         let deliveries = Arc::new(Deliveries::new(settings.deliveries, &standing));
         let arrivals = Arrivals::new(fleet.vehicles, settings, vehicles.len(), standing);
         let crossings = vec![CrossingState::default(); network.crossings.len()];
+        let courtesies = courtesy::courtesies(network);
         let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
         let warm_up_s = if alone { PLAYBACK_WARM_UP_S } else { WARM_UP_S };
         let warm_up_frames = (warm_up_s * fps).ceil() as u32;
@@ -175,6 +178,7 @@ impl Simulation {
             occupancy: Occupancy::default(),
             controller: JunctionController::default(),
             crossings,
+            courtesies,
             bus_halts,
             deliveries,
             roadway: Roadway::default(),
@@ -240,6 +244,7 @@ impl Simulation {
             let seen: Vec<u32> = self.vehicles.iter().map(|v| views_ahead(&self.roads, v, LEADS_M)).collect();
             self.roads.attraction.notice(seen.into_iter());
             self.roads.attraction.queues.notice(self.vehicles.iter().map(|v| (v.lane(), v.speed)));
+            destination_exchange::step(&self.roads, &self.graph, &mut self.walkers);
             if let Some(gathering) = &mut self.gathering {
                 gathering.step(&self.roads, &self.graph, &mut self.vehicles, &mut self.walkers, -self.time_s);
             }
@@ -264,6 +269,7 @@ impl Simulation {
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
         road_walker::step(&mut self.walkers, &self.roads, step_s);
         others.note_people(&mut self.crossings);
+        self.courtesies.iter_mut().for_each(|courtesy| courtesy.step(&mut self.crossings, step_s));
         self.occupancy.rebuild(&self.roads, &self.vehicles);
         others.occupy(&mut self.occupancy, self.vehicles.len());
         let jaywalks = self.walkers.iter().filter_map(|w| Some((w.jaywalk.as_deref()?, w.position)));

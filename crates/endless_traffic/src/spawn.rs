@@ -38,20 +38,21 @@ pub(crate) fn points(roads: &Roads, models: usize) -> Vec<SpawnPoint> {
     roads.network.spawn_points.iter().copied().filter(usable).collect()
 }
 
-/// Lane that every vehicle needs for traffic to flow, metres: with less, all wait for one another on a small map.
-const ROOM_M: f64 = 16.0;
-/// The same where vehicles leave the map, so that nobody waits in a circle.
-const OPEN_ROOM_M: f64 = 10.0;
+/// Vehicles on a kilometre of lane where all stand: `examples/realism` measures it.
+const JAM_PER_KM: f64 = 145.0;
+/// Share of that beyond which a network carries no more, and queues reach back from one junction to the next: between a fifth and a
+/// quarter in the centre of Yokohama (Geroliminis and Daganzo 2008, "Existence of urban-scale macroscopic fundamental diagrams").
+const CRITICAL_SHARE: f64 = 0.25;
 
-/// How many vehicles the lanes can take on which they circulate.
+/// How many vehicles the lanes on which they circulate take so that they still flow: the number at the top of the map's
+/// macroscopic fundamental diagram.
 pub(crate) fn capacity(roads: &Roads, models: usize) -> usize {
     let points = points(roads, models);
     let mut lanes: Vec<_> = points.iter().map(|p| p.lane).collect();
     lanes.sort_unstable();
     lanes.dedup();
     let metres: f64 = lanes.iter().map(|&lane| roads.table(lane).length).sum();
-    let room = if roads.borders.are_open() { OPEN_ROOM_M } else { ROOM_M };
-    points.len().min((metres / room).ceil() as usize)
+    points.len().min((metres / 1000.0 * JAM_PER_KM * CRITICAL_SHARE).ceil() as usize)
 }
 
 /// The bodies of parked vehicles, with room around them.

@@ -123,13 +123,13 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
         walker.step(scene, i, &near, &company, crossings, step_s);
         people[i] = walker.seen();
     }
-    crossings.iter_mut().for_each(|state| state.look_again(step_s));
+    crossings.iter_mut().for_each(CrossingState::look_again);
     for walker in walkers.iter().filter(|walker| walker.road_walk.is_none() && walker.bus.ride.is_none()) {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
         } else if let Some(id) = walker.next_crossing(scene.roads) {
             let state = &mut crossings[id.index()];
-            state.wanted = signal_of(scene.roads, id).is_some() || !state.lets_drivers_go();
+            state.wanted = signal_of(scene.roads, id).is_some() || !state.lets_drivers_go;
         }
     }
 }
@@ -222,7 +222,7 @@ impl Walker {
     fn may_cross(&self, scene: &WalkerView<'_>, id: CrossingId, crossings: &[CrossingState]) -> bool {
         let light = signal_of(scene.roads, id).map(|s| scene.signals[s].aspect);
         let state = &crossings[id.index()];
-        let lets_drivers_go = light.is_none() && state.lets_drivers_go();
+        let lets_drivers_go = light.is_none() && state.lets_drivers_go;
         light.is_none_or(|a| a == SignalAspect::Green) && !state.danger && !lets_drivers_go
     }
 
@@ -364,8 +364,13 @@ impl Walker {
         }
     }
 
+    /// Whether a crowd has kept them from getting on for so long, seconds.
+    pub(crate) fn is_stuck_in_crowd(&self, for_s: f64) -> bool {
+        self.crowded_s > for_s && !self.on_roadway() && self.road_walk.is_none() && self.bus.ride.is_none()
+    }
+
     /// Back to where the edge underfoot began; what was planned is forgotten, and so are those with whom they walked.
-    fn turn_back(&mut self, roads: &Roads) {
+    pub(crate) fn turn_back(&mut self, roads: &Roads) {
         let (edge, to) = self.way[0];
         self.way = [(edge, self.from)].into();
         self.from = to;
