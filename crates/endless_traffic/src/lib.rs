@@ -41,6 +41,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod across;
 mod actor_ids;
 mod arrivals;
 mod attraction;
@@ -61,6 +62,7 @@ mod density;
 mod double_parking;
 mod driver;
 mod entry_request;
+mod filtering;
 mod focus;
 mod gap_acceptance;
 mod gathering;

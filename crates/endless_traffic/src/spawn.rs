@@ -2,6 +2,7 @@
 
 use crate::company_draw::{CompanyDraw, look_for};
 use crate::driver::Driver;
+use crate::filtering;
 use crate::kinematics;
 use crate::roads::Roads;
 use crate::settings::TrafficSettings;
@@ -144,6 +145,7 @@ pub(crate) fn vehicles(
         let driver = Driver::new(spec, &settings.condition, settings.profile.aggressiveness, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.drawn = drawn;
+        vehicle.rides_past_queues = filtering::rides_past_queues(&vehicle, settings.profile.region);
         vehicle.plan(roads);
         kinematics::settle(&mut vehicle, roads);
         placed.push(vehicle);
