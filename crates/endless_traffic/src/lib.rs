@@ -69,6 +69,7 @@ mod gathering;
 mod gridlock;
 mod incident;
 mod jaywalk;
+mod jogging;
 mod junction_controller;
 mod kerb_halt;
 mod kerb_halting;
