@@ -14,6 +14,7 @@ use endless_road::{
 };
 use endless_traffic::{Fleet, Simulation, TrafficSettings};
 use endless_world::math::f64::{exp, sin_cos};
+use endless_world::walking::PedestrianSpec;
 use endless_world::{Actor, Motion, ObjectClass, SignalAspect, SignalId, VehicleSpec};
 use glam::DVec3;
 use std::{collections::BTreeMap, error::Error, f64::consts::TAU, process::ExitCode};
@@ -68,6 +69,11 @@ const OFF_WEIDMANN: Published = Published {
 
 /// Longest time headway of who follows somebody, seconds (Highway Capacity Manual 2010, chapter 15).
 const FOLLOWS_S: f64 = 3.0;
+
+/// Somebody who walks: nobody jogged in the corridors that were measured.
+fn who_walks(seed: u64) -> PedestrianSpec {
+    PedestrianSpec { dressed_to_run: false, ..Catalogue::pedestrian_spec(seed) }
+}
 
 /// Prints a figure beside what is published; whether it is within the range.
 fn compare(published: &Published, ours: f64) -> bool {
@@ -339,7 +345,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         .into_iter()
         .filter(|s| matches!(s.class, ObjectClass::Car | ObjectClass::Van))
         .collect();
-    let fleet = Fleet { vehicles: &cars, pedestrian: &Catalogue::pedestrian_spec };
+    let fleet = Fleet { vehicles: &cars, pedestrian: &who_walks };
     let parts: Vec<String> = std::env::args().skip(1).collect();
     let asked = |part: &str| parts.is_empty() || parts.iter().any(|p| p == part);
     let mut within = true;

@@ -2,6 +2,7 @@
 
 use crate::crossing::CrossingState;
 use crate::driver::Driver;
+use crate::filtering;
 use crate::kinematics;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
@@ -11,7 +12,7 @@ use crate::vehicle::Vehicle;
 use crate::vehicle_mix;
 use endless_road::LaneId;
 use endless_road::swept::OrientedRectangle;
-use endless_world::{LookPool, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
+use endless_world::{LookPool, Region, Stream, VehicleModelId, VehicleRef, VehicleSpec, choose_vehicle};
 
 /// Who waits so long for room to come takes another road, seconds.
 const PATIENCE_S: f64 = 6.0;
@@ -47,8 +48,9 @@ pub(crate) struct Arrivals {
     parked: Vec<OrientedRectangle>,
     /// How often each model comes.
     frequencies: Vec<f64>,
-    /// Of the drivers, 0 to 1.
+    /// Of the drivers, 0 to 1, and where they drive.
     aggressiveness: f64,
+    region: Region,
 }
 
 impl Arrivals {
@@ -61,8 +63,13 @@ impl Arrivals {
     ) -> Self {
         let TrafficSettings { seed, profile, .. } = settings;
         let frequencies = vehicle_mix::frequencies(specs, profile);
-        let aggressiveness = profile.aggressiveness;
-        Self { seed: *seed, wanted, drawn: 0, waiting: Vec::new(), parked, frequencies, aggressiveness }
+        let (aggressiveness, region) = (profile.aggressiveness, profile.region);
+        Self { seed: *seed, wanted, drawn: 0, waiting: Vec::new(), parked, frequencies, aggressiveness, region }
+    }
+
+    /// The bodies of parked vehicles.
+    pub(crate) fn parked(&self) -> &[OrientedRectangle] {
+        &self.parked
     }
 
     /// To a road that was so wet, and is now.
@@ -123,6 +130,7 @@ impl Arrivals {
         let half = 0.5 * f64::from(spec.length_m);
         let mut vehicle = Vehicle::new(spec, VehicleRef { model, variant }, driver, entry, half, own);
         vehicle.drawn = drawn;
+        vehicle.rides_past_queues = filtering::rides_past_queues(&vehicle, self.region);
         vehicle.plan(roads);
         while vehicle.s > roads.table(vehicle.lane()).length && vehicle.here + 1 < vehicle.route.len() {
             vehicle.s -= roads.table(vehicle.lane()).length;

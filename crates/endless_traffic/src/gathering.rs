@@ -334,6 +334,7 @@ fn set_down(vehicle: &mut Vehicle, roads: &Roads, slot: LaneSlot, speed: f64) {
     vehicle.acceleration = 0.0;
     vehicle.shift = None;
     vehicle.intent = None;
+    vehicle.filtering = None;
     vehicle.rights_of_way.clear();
     vehicle.waited_s = 0.0;
     vehicle.roll = 0.0;

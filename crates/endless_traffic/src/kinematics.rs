@@ -20,7 +20,8 @@ fn lateral(vehicle: &Vehicle, travelled: f64) -> (f64, f64, bool) {
     let Some(shift) = vehicle.shift else {
         let (aside_m, slope) = vehicle.order.map_or((0.0, 0.0), |order| order.aside(vehicle.rolled));
         let (kerb_m, kerb_slope) = vehicle.kerb_halt.map_or((0.0, 0.0), |halt| halt.aside(vehicle.rolled + travelled));
-        return (vehicle.driver.lateral_m + aside_m + kerb_m, slope + kerb_slope, false);
+        let (past_m, past_slope) = vehicle.filtering.map_or((0.0, 0.0), |way| way.aside(vehicle.rolled + travelled));
+        return (vehicle.driver.lateral_m + aside_m + kerb_m + past_m, slope + kerb_slope + past_slope, false);
     };
     let u = ((vehicle.s - shift.begin_s) / shift.length_m).clamp(0.0, 1.0);
     // Quintic: position, slope and curvature continuous.

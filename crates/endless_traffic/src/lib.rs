@@ -41,6 +41,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod across;
 mod actor_ids;
 mod arrivals;
 mod attraction;
@@ -63,12 +64,14 @@ mod destination_exchange;
 mod double_parking;
 mod driver;
 mod entry_request;
+mod filtering;
 mod focus;
 mod gap_acceptance;
 mod gathering;
 mod gridlock;
 mod incident;
 mod jaywalk;
+mod jogging;
 mod junction_controller;
 mod kerb_halt;
 mod kerb_halting;

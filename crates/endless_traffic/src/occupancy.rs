@@ -1,5 +1,7 @@
 //! Which vehicles are on which lane.
 
+use crate::across::Across;
+use crate::filtering::{self, pace_past};
 use crate::overlap::MergeOverlap;
 use crate::roads::Roads;
 use crate::vehicle::{LaneCover, Vehicle};
@@ -15,6 +17,11 @@ pub(crate) struct Occupant {
     pub(crate) rear: f64,
     pub(crate) front: f64,
     pub(crate) speed: f64,
+    pub(crate) across: Across,
+    /// Whether it stands or crawls in a queue, so that riders may pass it.
+    pub(crate) queues: bool,
+    /// Whether it passes those in a queue.
+    pub(crate) filters: bool,
 }
 
 impl Occupant {
@@ -43,6 +50,24 @@ pub(crate) struct Leader {
     pub(crate) speed: f64,
 }
 
+/// Those ahead.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Leaders {
+    /// Whom to stay behind.
+    pub(crate) ahead: Option<Leader>,
+    /// Who is half a length ahead or less, with room between the sides of both: one of the two lets the other go first.
+    pub(crate) beside: Option<Leader>,
+    /// The speed at which to pass those in a queue, m/s.
+    pub(crate) pace_mps: Option<f64>,
+}
+
+impl Leaders {
+    /// The nearest of them.
+    pub(crate) fn nearest(self) -> Option<Leader> {
+        self.ahead.into_iter().chain(self.beside).min_by(|a, b| a.gap.total_cmp(&b.gap))
+    }
+}
+
 /// All lanes' occupants, rebuilt every step.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Occupancy {
@@ -63,15 +88,26 @@ impl Occupancy {
         let mut scratch = std::mem::take(&mut self.scratch);
         for (i, vehicle) in vehicles.iter().enumerate() {
             vehicle.covers(roads, &mut scratch);
-            for cover in &scratch {
-                self.put(i, *cover, vehicle.speed);
+            let (across, queues) = (vehicle.across(), filtering::queues(vehicle));
+            let filters = vehicle.filtering.is_some();
+            for LaneCover { lane, rear, front } in scratch.iter().copied() {
+                let occupant = Occupant { vehicle: i, rear, front, speed: vehicle.speed, across, queues, filters };
+                self.lanes[lane.index()].push(occupant);
+                if let Some(beside) = filtering::lane_beside(roads, vehicle, lane) {
+                    let along = if lane == vehicle.lane() { beside.s - vehicle.s } else { 0.0 };
+                    let (rear, front, across) = (rear + along, front + along, beside.seen(across));
+                    self.lanes[beside.lane.index()].push(Occupant { rear, front, across, ..occupant });
+                }
             }
         }
         self.scratch = scratch;
     }
 
     pub(crate) fn put(&mut self, vehicle: usize, cover: LaneCover, speed: f64) {
-        self.lanes[cover.lane.index()].push(Occupant { vehicle, rear: cover.rear, front: cover.front, speed });
+        let LaneCover { lane, rear, front } = cover;
+        let across = Across::WHOLE;
+        let occupant = Occupant { vehicle, rear, front, speed, across, queues: false, filters: false };
+        self.lanes[lane.index()].push(occupant);
     }
 
     /// Gives lanes of junctions, in ascending order, to vehicles which no controller knows.
@@ -116,49 +152,76 @@ impl Occupancy {
 
     /// The same of the vehicle with number `i`.
     pub(crate) fn leader_of(&self, roads: &Roads, me: &Vehicle, i: usize, reach: f64) -> Option<Leader> {
-        let mut best: Option<Leader> = None;
+        self.leaders(roads, me, i, reach).nearest()
+    }
+
+    /// Those ahead of the vehicle with number `i`, by what it makes of them.
+    pub(crate) fn leaders(&self, roads: &Roads, me: &Vehicle, i: usize, reach: f64) -> Leaders {
+        let mut found = Leaders::default();
         for (lane, base) in me.ahead(roads).take_while(|(_, base)| *base <= reach) {
             for beside in &roads.table(lane).alongside {
                 for o in self.on(beside.lane).iter().filter(|o| beside.other_range.0 - o.front < MERGE_M) {
                     if let Some(leader) = merging(me, i, base, beside, o)
-                        && best.is_none_or(|b| leader.gap < b.gap)
+                        && found.ahead.is_none_or(|b| leader.gap < b.gap)
                     {
-                        best = Some(leader);
+                        found.ahead = Some(leader);
                     }
                 }
             }
         }
-        let mut consider = |o: &Occupant, base: f64, position: Option<f64>| {
+        let filters = me.filtering.is_some();
+        // Beyond a junction is another queue.
+        let mut same_queue = true;
+        let mut consider = |o: &Occupant, base: f64, position: Option<f64>, across: &Across, same_queue: bool| {
             // On the same lane, what is further on is ahead; side by side, the lower number leads.
             let ahead = position.is_none_or(|s| (o.middle(), i) > (s, o.vehicle));
-            if o.vehicle != i && ahead {
-                let gap = base + o.rear - me.half_length;
-                if best.is_none_or(|b| gap < b.gap) {
-                    best = Some(Leader { vehicle: o.vehicle, gap, speed: o.speed });
-                }
+            if o.vehicle == i || !ahead {
+                return;
+            }
+            let gap = base + o.rear - me.half_length;
+            let leader = Leader { vehicle: o.vehicle, gap, speed: o.speed };
+            let place = if same_queue && o.queues && filtering::passes(me, across, &o.across, gap) {
+                let pace = pace_past(o.speed, gap);
+                found.pace_mps = Some(found.pace_mps.map_or(pace, |least: f64| least.min(pace)));
+                return;
+            } else if (filters || o.filters) && filtering::is_beside(across, &o.across, gap) {
+                &mut found.beside
+            } else {
+                &mut found.ahead
+            };
+            if place.is_none_or(|b| gap < b.gap) {
+                *place = Some(leader);
             }
         };
+        let across = me.across();
         for (k, (lane, base)) in me.ahead(roads).enumerate() {
             if base > reach {
                 break;
             }
             let position = (k == 0).then_some(me.s);
+            same_queue &= roads.table(lane).junction.is_none();
             for o in self.on(lane) {
-                consider(o, base, position);
+                consider(o, base, position, &across, same_queue);
             }
             for sibling in &roads.table(lane).siblings {
                 for o in self.on(sibling.lane).iter().filter(|o| o.rear < sibling.until) {
-                    consider(o, base, position);
+                    consider(o, base, position, &Across::WHOLE, false);
+                }
+            }
+            if let Some(beside) = filtering::lane_beside(roads, me, lane) {
+                let base = if k == 0 { -beside.s } else { base };
+                for o in self.on(beside.lane) {
+                    consider(o, base, position.map(|_| beside.s), &beside.seen(across), same_queue);
                 }
             }
         }
         if let Some(shift) = me.shift {
             let s = me.s + shift.from_minus_here;
             for o in self.on(shift.from) {
-                consider(o, -s, Some(s));
+                consider(o, -s, Some(s), &Across::WHOLE, false);
             }
         }
-        best
+        found
     }
 }
 

@@ -9,6 +9,7 @@ use crate::bus_stop::BusHalts;
 use crate::courtesy::{self, Courtesy};
 use crate::crossing::{CrossingState, note_vehicles};
 use crate::double_parking::Deliveries;
+use crate::filtering::{self, RiderView};
 use crate::gathering::{Gathering, LEADS_M, views_ahead};
 use crate::incident::{StagedIncident, impact, road_walker, wrong_way};
 use crate::jaywalk::{Roadway, people_on_lanes};
@@ -287,6 +288,13 @@ impl Simulation {
             lane_change::step(&self.roads, &mut self.occupancy, &mut self.vehicles, i, thinks, step_s);
         }
         kerb_halting::step(&self.roads, &mut self.vehicles, step_s);
+        let riders = RiderView {
+            roads: &self.roads,
+            occupancy: &self.occupancy,
+            signals: &self.signals,
+            parked: self.arrivals.parked(),
+        };
+        filtering::step(&riders, &mut self.vehicles, self.steps);
         self.controller.step(&self.roads, &self.occupancy, &self.signals, &mut self.vehicles, step_s);
         let come = self.arrivals.step(
             &ArrivalView {

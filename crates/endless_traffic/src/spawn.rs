@@ -2,6 +2,8 @@
 
 use crate::company_draw::{CompanyDraw, look_for};
 use crate::driver::Driver;
+use crate::filtering;
+use crate::jogging;
 use crate::kinematics;
 use crate::roads::Roads;
 use crate::settings::TrafficSettings;
@@ -145,6 +147,7 @@ pub(crate) fn vehicles(
         let driver = Driver::new(spec, &settings.condition, settings.profile.aggressiveness, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
         vehicle.drawn = drawn;
+        vehicle.rides_past_queues = filtering::rides_past_queues(&vehicle, settings.profile.region);
         vehicle.plan(roads);
         kinematics::settle(&mut vehicle, roads);
         placed.push(vehicle);
@@ -191,10 +194,13 @@ pub(crate) fn walkers(
         let spec = pedestrian(variant);
         let brisk = own.range_f64(0.92, 1.08);
         let pace = f64::from(spec.walk_mps).clamp(0.6, 2.0) * if hurries && spec.can_run() { 1.9 } else { brisk };
+        let jogs = if companies.joins() { None } else { jogging::pace_mps(&spec, &settings.condition, &own) };
+        let (pace, jogs) = (jogs.unwrap_or(pace), jogs.is_some());
         let side = own.range_f64(0.15, 0.85);
         let drawn = roads.attraction.draws(&mut own);
         // Who pushes or draws something uses crossings.
         let jaywalks = spec.can_run()
+            && !jogs
             && settings.jaywalking > 0.0
             && Stream::named(settings.seed, "traffic.jaywalker", &[u64::from(k)]).chance(settings.jaywalking);
         if companies.joins() {
@@ -251,6 +257,7 @@ pub(crate) fn walkers(
                 pace,
                 side,
                 jaywalks,
+                jogs,
                 walked: own.range_f64(0.0, 2.0),
                 ..Walker::new(roads, &spec, (edge, nodes), position, own.fork(1))
             };
@@ -262,7 +269,10 @@ pub(crate) fn walkers(
         if let Some((_, mut walker)) = best {
             walker.plan(roads, graph);
             placed.push(walker);
-            companies.begin(&placed);
+            // Who jogs does so alone.
+            if !jogs {
+                companies.begin(&placed);
+            }
         }
     }
     placed

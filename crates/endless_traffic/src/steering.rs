@@ -3,7 +3,7 @@
 use crate::crossing::{CrossingState, blocks_lane, comfortable_stop_m, signal_of};
 use crate::driver::HARDEST_BRAKING;
 use crate::junction_controller::JunctionController;
-use crate::occupancy::{Leader, Occupancy};
+use crate::occupancy::{Leader, Leaders, Occupancy};
 use crate::roads::{PLANNED_BRAKING, Roads};
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
@@ -15,6 +15,8 @@ pub(crate) const SIGHT_M: f64 = 180.0;
 const CLOSE_M: f64 = 50.0;
 /// Who waits for somebody nearer than this beyond the line waits at the line, metres.
 const AT_LINE_M: f64 = 0.5;
+/// Who lets somebody go first who is beside them, with room between, brakes no harder, m/s².
+const LETS_GO_MPS2: f64 = 1.5;
 /// How fast acceleration may rise and fall, m/s³.
 const JERK_UP: f64 = 5.0;
 const JERK_DOWN: f64 = 25.0;
@@ -38,10 +40,17 @@ impl DriverView<'_> {
         let me = &self.vehicles[i];
         let driver = &me.driver;
         let looks = me.order.is_none_or(|order| order.sees_leader());
-        let leader = self.occupancy.leader(self.roads, self.vehicles, i, SIGHT_M).filter(|_| looks);
+        let leaders = if looks { self.occupancy.leaders(self.roads, me, i, SIGHT_M) } else { Leaders::default() };
+        let leader = leaders.nearest();
         let mut wanted = driver.free(me.speed, speed_ahead(self.roads, me));
-        if let Some(leader) = leader {
-            wanted = wanted.min(driver.follow(me.speed, leader.gap, leader.speed));
+        if let Some(ahead) = leaders.ahead {
+            wanted = wanted.min(driver.follow(me.speed, ahead.gap, ahead.speed));
+        }
+        if let Some(beside) = leaders.beside {
+            wanted = wanted.min(driver.follow(me.speed, beside.gap, beside.speed).max(-LETS_GO_MPS2));
+        }
+        if let Some(pace_mps) = leaders.pace_mps {
+            wanted = wanted.min(driver.free(me.speed, pace_mps));
         }
         if let Some(gap) = self.line_ahead(i, leader) {
             wanted = wanted.min(driver.stop_at(me.speed, gap));

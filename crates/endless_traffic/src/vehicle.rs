@@ -1,6 +1,8 @@
 //! One moving vehicle.
 
+use crate::across::Across;
 use crate::driver::Driver;
+use crate::filtering::Filtering;
 use crate::incident::Order;
 use crate::kerb_halt::KerbHalt;
 use crate::roads::Roads;
@@ -55,6 +57,7 @@ pub(crate) struct Vehicle {
     pub(crate) class: ObjectClass,
     pub(crate) ridden: bool,
     pub(crate) half_length: f64,
+    pub(crate) half_width: f64,
     pub(crate) wheelbase: f64,
     /// Distance of the rear axle behind the origin, metres.
     pub(crate) rear_axle: f64,
@@ -82,6 +85,9 @@ pub(crate) struct Vehicle {
     pub(crate) order: Option<Order>,
     /// A halt at the kerb to come or under way.
     pub(crate) kerb_halt: Option<KerbHalt>,
+    /// Whether it passes queues at red lights, and how it does so now.
+    pub(crate) rides_past_queues: bool,
+    pub(crate) filtering: Option<Filtering>,
 
     pub(crate) pose: Pose,
     pub(crate) yaw: f64,
@@ -112,6 +118,7 @@ impl Vehicle {
             class: spec.class,
             ridden: spec.ridden,
             half_length: 0.5 * f64::from(spec.length_m),
+            half_width: 0.5 * f64::from(spec.width_m),
             wheelbase: f64::from(spec.front_axle_m - spec.rear_axle_m).max(0.6),
             rear_axle: f64::from(-spec.rear_axle_m),
             driver,
@@ -129,6 +136,8 @@ impl Vehicle {
             waited_s: 0.0,
             order: None,
             kerb_halt: None,
+            rides_past_queues: false,
+            filtering: None,
             pose: Pose::default(),
             yaw: 0.0,
             pivot: DVec3::ZERO,
@@ -215,6 +224,16 @@ impl Vehicle {
             let at = self.s + shift.from_minus_here;
             into.push(LaneCover { lane: shift.from, rear: at - self.half_length, front: at + self.half_length });
         }
+    }
+
+    /// What it takes of the width of its lane, on the way to its place there too.
+    pub(crate) fn across(&self) -> Across {
+        if self.shift.is_some() || self.order.is_some() || self.kerb_halt.is_some() {
+            return Across::WHOLE;
+        }
+        let usual_m = self.driver.lateral_m;
+        let (now_m, goal_m) = self.filtering.map_or((0.0, 0.0), |way| (way.aside(self.rolled).0, way.goal_m()));
+        Across::between(usual_m + now_m, usual_m + goal_m, self.half_width)
     }
 
     /// Its body seen from above, with a margin all round, metres.

@@ -77,6 +77,8 @@ pub(crate) struct Walker {
     pub(crate) crowded_s: f64,
     /// Whether they cross roads away from crossings, and such a crossing.
     pub(crate) jaywalks: bool,
+    /// Whether they jog.
+    pub(crate) jogs: bool,
     pub(crate) jaywalk: Option<Box<Jaywalk>>,
     /// Those with whom they walk.
     pub(crate) company: Option<Box<Company>>,
@@ -169,6 +171,7 @@ impl Walker {
             stuck: (0.0, 0.0),
             crowded_s: 0.0,
             jaywalks: false,
+            jogs: false,
             jaywalk: None,
             company: None,
             bus: BusErrand::default(),
@@ -249,7 +252,7 @@ impl Walker {
             let light = signal_of(roads, id).map(|s| scene.signals[s].aspect);
             if matches!(light, Some(SignalAspect::Yellow | SignalAspect::Red)) {
                 // The light changes: hurry.
-                pace = (1.5 * pace).min(if self.steps.can_run() { 2.6 } else { 1.9 });
+                pace = (1.5 * pace).min(if self.steps.can_run() { 2.6 } else { 1.9 }).max(pace);
             }
             if crossings[id.index()].step_is_unsafe(person) {
                 pace = 0.0;

@@ -26,6 +26,9 @@ pub(crate) struct GaitStyle {
     pub(crate) carried: Carried,
 }
 
+/// Younger people go with somebody, older ones seldom run.
+const JOGGING_AGES: std::ops::Range<f32> = 15.0..66.0;
+
 impl GaitStyle {
     pub(crate) fn new(variant: u64, appearance: &Appearance) -> Self {
         let mut s = Stream::named(variant, "gait", &[]);
@@ -55,7 +58,14 @@ impl GaitStyle {
             Carried::Cane | Carried::Suitcase => Mobility::Encumbered,
             _ => Mobility::Agile,
         };
-        PedestrianSpec { height_m: appearance.height, walk_mps: self.walk_mps, step_phase: self.offset, mobility }
+        let empty_handed = appearance.carried == Carried::Nothing;
+        PedestrianSpec {
+            height_m: appearance.height,
+            walk_mps: self.walk_mps,
+            step_phase: self.offset,
+            mobility,
+            dressed_to_run: appearance.outfit == "sports" && empty_handed && JOGGING_AGES.contains(&appearance.age),
+        }
     }
 
     /// The speed that a gait's stride is for, when no steps are given.

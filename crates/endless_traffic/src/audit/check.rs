@@ -40,7 +40,8 @@ pub enum AuditCheck {
     LaneError,
     /// Share of driving time with more than half a metre of that.
     LaneErrorShare,
-    /// Furthest that the side of a two-wheeler was outside of its lane, metres: where in the lane they keep is their choice.
+    /// Furthest that the side of a two-wheeler was outside of its lane, metres: where in the lane they keep is their choice. Over
+    /// the line to a lane of the same direction it may be by its width.
     TwoWheelersOut,
     /// Vehicles that passed a light that had been red for a second, or for four if they had waited at the line to turn.
     RedLights,

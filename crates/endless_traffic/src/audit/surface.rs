@@ -120,15 +120,18 @@ impl Surfaces {
         let [front_m, rear_m] = [spec.front_axle_m, spec.rear_axle_m].map(f64::from);
         let aside = |along_m: f64| aside(sight.network, lane, s + along_m, glance.at + glance.ahead * along_m);
         let middle = aside(0.5 * (front_m + rear_m));
+        let width_m = f64::from(spec.width_m);
         if spec.class.two_wheeled() {
-            let out_m = middle.off_m + 0.5 * f64::from(spec.width_m);
-            self.two_wheelers_out.note(out_m, || glance.told(sight));
+            // Between two lanes of one direction they pass queues: the body may be over the line, but no further.
+            let room_m = if middle.beside_lane { width_m } else { 0.0 };
+            self.two_wheelers_out.note(middle.off_m + 0.5 * width_m - room_m, || glance.told(sight));
         } else {
             self.lane_error.note(middle.error_m, || glance.told(sight));
             self.lane_error_share.note(middle.error_m > ASIDE_M && !warns);
         }
-        for axle_m in [front_m, rear_m] {
-            self.off_lane.note(aside(axle_m).off_m, || glance.told(sight));
+        for axle in [front_m, rear_m].map(aside) {
+            let room_m = if spec.class.two_wheeled() && axle.beside_lane { 0.5 * width_m } else { 0.0 };
+            self.off_lane.note(axle.off_m - room_m, || glance.told(sight));
         }
     }
 
@@ -160,15 +163,23 @@ struct Aside {
     error_m: f64,
     /// Beyond its edge, metres; negative inside.
     off_m: f64,
+    /// Whether a lane of the same direction lies on that side.
+    beside_lane: bool,
 }
 
 /// A place near `s` of a lane, across it, or across the nearest of the lanes before or after it.
 fn aside(network: &RoadNetwork, lane: &Lane, s: f64, at: DVec2) -> Aside {
     let across = |lane: &Lane, s: f64| {
         let line = &lane.centerline;
-        let error_m = (at - line.position(s).truncate()).dot(line.direction(s).perp()).abs();
+        let left_m = (at - line.position(s).truncate()).dot(line.direction(s).perp());
+        let side = |lane: &Lane| if left_m > 0.0 { lane.left } else { lane.right }.is_some();
+        let beside_lane = if lane.junction.is_some() {
+            lane.predecessors.iter().any(|&before| side(network.lane(before)))
+        } else {
+            side(lane)
+        };
         let room_m = if lane.junction.is_some() { IN_JUNCTION_M } else { 0.0 };
-        Aside { error_m, off_m: error_m - 0.5 * lane.width_m - room_m }
+        Aside { error_m: left_m.abs(), off_m: left_m.abs() - 0.5 * lane.width_m - room_m, beside_lane }
     };
     let length_m = lane.centerline.length();
     let nearest = |lanes: &[LaneId], s: &dyn Fn(&Lane) -> f64| {

@@ -38,7 +38,7 @@ fn specs() -> Vec<VehicleSpec> {
 }
 
 /// A street of 400 m to the east with a signal half way, a stop sign after 300 m, and a sidewalk to its south that a crossing
-/// with a signal of its own goes on from at x = 50.
+/// with a signal of its own goes on from at x = 50. Before the signal there is a second lane to the left.
 fn street() -> RoadNetwork {
     let line = |from: f64, to: f64| Polyline::new([from, 0.5 * (from + to), to].map(|x| DVec3::new(x, 0.0, 0.0)));
     let lane = |id: u32, from: f64, to: f64, next: &[u32], end_control| Lane {
@@ -47,6 +47,8 @@ fn street() -> RoadNetwork {
         ..Lane::new(LaneId(id), line(from, to), 3.5, 10.0)
     };
     let signal = SignalId(0);
+    let beside = Polyline::new([100.0, 200.0].map(|x| DVec3::new(x, 3.5, 0.0)));
+    let before_signal = lane(1, 100.0, 200.0, &[2], TrafficControl::Signal(signal));
     let phase = SignalPhase { duration_s: 10.0, aspects: vec![(signal, SignalAspect::Red)] };
     let node = |x: f64, y: f64| DVec3::new(x, y, 0.0);
     let edge = |a: u32, b: u32, kind| WalkEdge { nodes: [WalkNodeId(a), WalkNodeId(b)], width_m: 2.0, kind };
@@ -54,9 +56,10 @@ fn street() -> RoadNetwork {
     RoadNetwork {
         lanes: vec![
             lane(0, 0.0, 100.0, &[1], TrafficControl::Free),
-            lane(1, 100.0, 200.0, &[2], TrafficControl::Signal(signal)),
+            Lane { left: Some(LaneId(4)), ..before_signal },
             lane(2, 200.0, 300.0, &[3], TrafficControl::Stop),
             lane(3, 300.0, 400.0, &[], TrafficControl::Free),
+            Lane { right: Some(LaneId(1)), ..Lane::new(LaneId(4), beside, 3.5, 10.0) },
         ],
         junctions: vec![Junction {
             program: Some(SignalProgram { phases: vec![phase], offset_s: 0.0 }),
@@ -222,6 +225,9 @@ fn everybody_keeps_to_their_surface() {
     // Two-wheelers keep to the side, but to their lane.
     assert_eq!(fails(5.0, aside(BICYCLE, -1.4)), []);
     assert_eq!(fails(5.0, aside(BICYCLE, -1.5)), [AuditCheck::TwoWheelersOut]);
+    // Or between their lane and one beside it.
+    assert_eq!(fails(5.0, aside(BICYCLE, 2.0)), []);
+    assert_eq!(fails(5.0, aside(BICYCLE, 2.2)), [AuditCheck::OffLane, AuditCheck::TwoWheelersOut]);
     let changes = |t: f64| {
         let mut car = vehicle(1, CAR, [110.0 + 5.0 * t, 1.2], 5.0);
         car.behaviour.lane_left = Some(0);

@@ -4,6 +4,7 @@ mod behaviour;
 mod borders;
 mod bus_stops;
 mod deliveries;
+mod filtering;
 mod focus;
 #[path = "../../../endless_road/tests/it/grid/mod.rs"]
 mod grid;

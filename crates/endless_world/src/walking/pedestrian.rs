@@ -25,6 +25,8 @@ pub struct PedestrianSpec {
     pub step_phase: f32,
     /// How they move.
     pub mobility: Mobility,
+    /// Whether they wear what people jog in, and have nothing in their hands.
+    pub dressed_to_run: bool,
 }
 
 impl PedestrianSpec {
@@ -37,6 +39,6 @@ impl PedestrianSpec {
 impl Default for PedestrianSpec {
     /// A grown-up of average height.
     fn default() -> Self {
-        Self { height_m: 1.72, walk_mps: 1.36, step_phase: 0.0, mobility: Mobility::Agile }
+        Self { height_m: 1.72, walk_mps: 1.36, step_phase: 0.0, mobility: Mobility::Agile, dressed_to_run: false }
     }
 }
