@@ -4,14 +4,15 @@ use crate::args::{SimulateArgs, SimulateOutputs};
 use crate::exit::FAILURE;
 use crate::file::{make_folder_of, write};
 use crate::memory;
-use crate::simulate_options::{OutputFile, TopViewFormat};
+use crate::simulate_options::{OutputFile, TopViewFormat, VehicleCount};
 use anyhow::Result;
 use endless_asset::Catalogue;
 use endless_dataset::{VideoEncoder, encode_png, yuv_from_rgb};
 use endless_interchange::{MapLibrary, TopView, TrajectoryFormat, TrajectoryScene, TrajectoryWriter};
 use endless_town::Town;
 use endless_traffic::{
-    AuditReport, DrivingCondition, Fleet, Population, Simulation, TrafficAudit, TrafficSettings, USUAL_DELIVERIES,
+    AuditReport, DrivingCondition, Fleet, Population, Simulation, TrafficAudit, TrafficMap, TrafficSettings,
+    USUAL_DELIVERIES,
 };
 use endless_world::{Condition, ImageSize, TrafficProfile, WorldState};
 use std::{
@@ -35,8 +36,13 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
     let fleet = Fleet { vehicles: &specs, pedestrian: &Catalogue::pedestrian_spec };
     // Traffic is the same whatever is written of it.
     let every = (LOOKS_A_SECOND / args.fps - 1e-9).ceil().max(1.0) as u32;
+    let map = TrafficMap::new(town.network.clone(), &specs);
+    let vehicles = match args.vehicles {
+        VehicleCount::Number(number) => number,
+        VehicleCount::Max => map.most_that_flow(),
+    };
     let settings = TrafficSettings {
-        vehicles: args.vehicles.asked(),
+        vehicles,
         pedestrians: args.pedestrians,
         seed: args.seed,
         fps: args.fps * f64::from(every),
@@ -53,7 +59,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         deliveries: USUAL_DELIVERIES,
         ..TrafficSettings::default()
     };
-    let mut traffic = Simulation::new(&town.network, &fleet, &town.parked, &settings)?;
+    let mut traffic = Simulation::on_map(&map, &fleet, &town.parked, &settings)?;
     let mut files = Files::begin(&args.wanted, &town, catalogue, &specs, args.fps)?;
     let mut audit = args.wanted.audit.then(|| {
         TrafficAudit::new(&town.network, &specs, traffic.parked(), settings.fps)

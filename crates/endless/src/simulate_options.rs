@@ -35,17 +35,8 @@ impl TopViewFormat {
 pub(crate) enum VehicleCount {
     /// So many, or as many as find room.
     Number(u32),
-    /// As many as the map holds.
+    /// As many as the map takes and still flow.
     Max,
-}
-
-impl VehicleCount {
-    pub(crate) fn asked(self) -> u32 {
-        match self {
-            Self::Number(number) => number,
-            Self::Max => u32::MAX,
-        }
-    }
 }
 
 impl FromStr for VehicleCount {

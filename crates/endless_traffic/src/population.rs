@@ -7,7 +7,7 @@ pub struct Population {
     pub vehicles_asked: u32,
     /// Moving vehicles spawned.
     pub vehicles_spawned: u32,
-    /// Moving vehicles with which traffic on this map still flows, at most.
+    /// Moving vehicles for which this map has room.
     pub vehicle_capacity: u32,
     /// Pedestrians requested.
     pub pedestrians_asked: u32,

@@ -63,7 +63,7 @@ impl LaneTable {
 
 /// A road network with tables for drivers of all models of a fleet: made once a map. Clones share it.
 #[derive(Debug, Clone)]
-pub struct TrafficMap(Arc<RoadTables>);
+pub struct TrafficMap(pub(crate) Arc<RoadTables>);
 
 /// The network with its tables.
 #[derive(Debug)]

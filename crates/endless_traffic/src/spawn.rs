@@ -5,7 +5,7 @@ use crate::driver::Driver;
 use crate::filtering;
 use crate::jogging;
 use crate::kinematics;
-use crate::roads::Roads;
+use crate::roads::{RoadTables, Roads, TrafficMap};
 use crate::settings::TrafficSettings;
 use crate::vehicle::Vehicle;
 use crate::vehicle_mix;
@@ -35,26 +35,43 @@ const PARKED_M: f64 = 0.15;
 const MISSES: u64 = 40;
 
 /// The spawn points on lanes where vehicles of some model circulate.
-pub(crate) fn points(roads: &Roads, models: usize) -> Vec<SpawnPoint> {
+pub(crate) fn points(roads: &RoadTables, models: usize) -> Vec<SpawnPoint> {
     let usable = |p: &SpawnPoint| (0..models).any(|m| roads.allowed(VehicleModelId::from_index(m))[p.lane.index()]);
     roads.network.spawn_points.iter().copied().filter(usable).collect()
 }
 
+/// Lane that every vehicle needs to find its way in, metres: with less, all wait for one another on a small map.
+const ROOM_M: f64 = 16.0;
+/// The same where vehicles leave the map, so that nobody waits in a circle.
+const OPEN_ROOM_M: f64 = 10.0;
 /// Vehicles on a kilometre of lane where all stand: `examples/realism` measures it.
 const JAM_PER_KM: f64 = 145.0;
 /// Share of that beyond which a network carries no more, and queues reach back from one junction to the next: between a fifth and a
 /// quarter in the centre of Yokohama (Geroliminis and Daganzo 2008, "Existence of urban-scale macroscopic fundamental diagrams").
 const CRITICAL_SHARE: f64 = 0.25;
 
-/// How many vehicles the lanes on which they circulate take so that they still flow: the number at the top of the map's
-/// macroscopic fundamental diagram.
-pub(crate) fn capacity(roads: &Roads, models: usize) -> usize {
+/// How many vehicles find room on the lanes on which they circulate.
+pub(crate) fn capacity(roads: &RoadTables, models: usize) -> usize {
+    let room = if roads.borders.are_open() { OPEN_ROOM_M } else { ROOM_M };
+    as_many_as(roads, models, 1.0 / room)
+}
+
+impl TrafficMap {
+    /// How many vehicles its lanes take so that traffic still flows: the number at the top of the map's macroscopic fundamental
+    /// diagram.
+    pub fn most_that_flow(&self) -> u32 {
+        as_many_as(&self.0, self.0.specs.len(), JAM_PER_KM / 1000.0 * CRITICAL_SHARE) as u32
+    }
+}
+
+/// So many a metre of the lanes on which vehicles circulate.
+fn as_many_as(roads: &RoadTables, models: usize, per_metre: f64) -> usize {
     let points = points(roads, models);
     let mut lanes: Vec<_> = points.iter().map(|p| p.lane).collect();
     lanes.sort_unstable();
     lanes.dedup();
     let metres: f64 = lanes.iter().map(|&lane| roads.table(lane).length).sum();
-    points.len().min((metres / 1000.0 * JAM_PER_KM * CRITICAL_SHARE).ceil() as usize)
+    points.len().min((metres * per_metre).ceil() as usize)
 }
 
 /// The bodies of parked vehicles, with room around them.
