@@ -12,14 +12,14 @@ use endless_world::ObjectClass;
 
 /// Gap to somebody behind who plays a recorded track, metres.
 const PLAYED_GAP_M: f64 = 15.0;
-/// Hardest braking a change may ask of the new follower, m/s².
-const SAFE_BRAKING: f64 = 2.0;
+/// Hardest braking that who moves over, or comes beside, may ask of those behind there, m/s².
+pub(crate) const SAFE_BRAKING: f64 = 2.0;
 /// Gain that makes a change worthwhile, m/s².
 const THRESHOLD: f64 = 0.25;
 /// Drivers indicate for this long before they move over, seconds.
 const INDICATE_S: f64 = 1.3;
 /// Lanes with tighter bends are not left, metres.
-const STRAIGHT_RADIUS_M: f64 = 60.0;
+pub(crate) const STRAIGHT_RADIUS_M: f64 = 60.0;
 /// Clear of the lane's beginning, metres.
 const FROM_START_M: f64 = 22.0;
 

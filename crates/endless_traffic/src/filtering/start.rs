@@ -6,6 +6,7 @@ use super::view::RiderView;
 use super::way::{Filtering, drift_length_m};
 use crate::across::Across;
 use crate::incident::Drift;
+use crate::lane_change::{SAFE_BRAKING, STRAIGHT_RADIUS_M};
 use crate::occupancy::Leader;
 use crate::vehicle::Vehicle;
 use endless_road::swept::OrientedRectangle;
@@ -16,8 +17,6 @@ use glam::DVec2;
 
 /// Queues are looked at this far ahead, metres.
 const SEEN_M: f64 = 90.0;
-/// Lanes with tighter bends are not left, metres.
-const STRAIGHT_RADIUS_M: f64 = 60.0;
 /// Room kept to the edge of the road, metres.
 const EDGE_M: f64 = 0.1;
 /// Nobody begins faster, m/s.
@@ -26,8 +25,6 @@ const FASTEST_MPS: f64 = 12.0;
 const COMES_MPS: f64 = 8.0;
 /// Who is faster gets beside somebody while both still move, m/s.
 const ROLLS_MPS: f64 = 3.0;
-/// Hardest braking asked of those behind in the lane beside, m/s².
-const SAFE_BRAKING: f64 = 2.0;
 /// Distance between places that are asked for parked vehicles, metres, and how far one of those reaches.
 const PLACE_M: f64 = 1.5;
 const PARKED_REACH_M: f64 = 15.0;
