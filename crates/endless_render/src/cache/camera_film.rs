@@ -66,7 +66,8 @@ impl CameraFilm {
         if spreads_light {
             return film;
         }
-        let mut rgb: Vec<_> = film.radiance.par_iter().map(|&r| film.response.tone.apply(r)).collect();
+        let mut rgb = Vec::new();
+        film.response.tone.append(&film.radiance, &mut rgb);
         film.darken(&mut rgb);
         Self { rgb, ..film }
     }

@@ -91,6 +91,12 @@ impl GBuffer {
         row.pixel(pixel % self.width, &self.distances[pixel], &self.sun_free[pixel], self.uniform[pixel])
     }
 
+    /// Which of up to 32 pixels of a row, the first of which is given, mirror at all, and which lie on lenses of traffic lights,
+    /// a bit each.
+    pub(super) fn mirroring_and_lenses(&self, first: usize, count: usize) -> [u32; 2] {
+        self.rows[first / self.width].mirroring_and_lenses(first % self.width, count)
+    }
+
     /// All pixels.
     pub(super) fn pixels(&self) -> usize {
         self.uniform.len()

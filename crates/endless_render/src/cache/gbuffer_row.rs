@@ -102,6 +102,15 @@ impl GBufferRow {
         self.mirrors.shrink_to_fit();
     }
 
+    /// Which of up to 32 pixels from `x` on mirror at all, and which lie on lenses of traffic lights, a bit each.
+    pub(super) fn mirroring_and_lenses(&self, x: usize, count: usize) -> [u32; 2] {
+        let bits = |is_so: fn(&KeptPixel) -> bool| {
+            let pixels = self.pixels[x..x + count].iter().enumerate();
+            pixels.fold(0, |bits, (lane, pixel)| bits | u32::from(is_so(pixel)) << lane)
+        };
+        [bits(|pixel| pixel.mirrored != 0), bits(|pixel| pixel.lenses != 0)]
+    }
+
     /// What is kept of eight pixels of which one sample each tells all.
     pub(super) fn plain_eight(&self, x: usize) -> Option<&[GBufferSample; 8]> {
         let pixels = self.pixels.get(x..x + 8)?;

@@ -207,7 +207,7 @@ impl<'a> RowBlock<'a> {
         let (pass, points) = (self.pass, &mut self.points[from..]);
         let (Some(first), Some(last)) = (points.first(), points.last()) else { return };
         let (start, way) = (first.surface.position, last.surface.position - first.surface.position);
-        let even = last.lane > first.lane + 1 && is_one_plane(points);
+        let even = last.lane > first.lane + 1 && is_nearly_plane(points);
         let ends = even.then(|| (ambient(pass, &first.surface), ambient(pass, &last.surface)));
         for point in points {
             let light = match ends {
@@ -246,14 +246,16 @@ fn open(point: &SurfaceInteraction<'_>) -> f32 {
     }
 }
 
-/// Whether points that follow each other lie on one flat piece of a plane.
-fn is_one_plane(points: &[BlockPoint<'_>]) -> bool {
+/// Whether points that follow each other lie on one piece that is flat, or hardly bends.
+fn is_nearly_plane(points: &[BlockPoint<'_>]) -> bool {
     /// Far less than from probe to probe.
     const WIDE_M: f32 = 1.0;
+    /// Cosine of the largest angle between normals.
+    const BENT: f32 = 0.996;
     let (Some(from), Some(to)) = (points.first(), points.last()) else { return false };
     let (from, to) = (&from.surface, &to.surface);
     let same = |p: &SurfaceInteraction<'_>| {
-        p.normal == from.normal && (p.position - from.position).dot(from.geometric_normal).abs() < 0.02
+        p.normal.dot(from.normal) > BENT && (p.position - from.position).dot(from.geometric_normal).abs() < 0.02
     };
     (to.position - from.position).length_squared() < WIDE_M * WIDE_M && points.iter().all(|p| same(&p.surface))
 }

@@ -59,15 +59,14 @@ struct TileRow<'a> {
 
 impl<'a> TileRow<'a> {
     fn new(gbuffer: &'a GBuffer, first: usize, count: usize) -> Self {
-        let (mut sunlit, mut mirroring, mut lens) = ([0; SAMPLES], 0, false);
-        for lane in 0..count {
-            let pixel = gbuffer.pixel(first + lane);
-            mirroring |= u32::from(pixel.mirrored != 0) << lane;
-            lens |= pixel.lenses != 0;
-            for (sunlit, free) in sunlit.iter_mut().zip(pixel.sun_free) {
+        let [mirroring, lenses] = gbuffer.mirroring_and_lenses(first, count);
+        let mut sunlit = [0; SAMPLES];
+        for (lane, free) in gbuffer.sun_free[first..first + count].iter().enumerate() {
+            for (sunlit, free) in sunlit.iter_mut().zip(free) {
                 *sunlit |= u32::from(*free != 0) << lane;
             }
         }
+        let lens = lenses != 0;
         Self { gbuffer, first, sunlit, mirroring, lens }
     }
 }
