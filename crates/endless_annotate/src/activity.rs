@@ -23,7 +23,7 @@ pub enum Action {
     Hurrying,
     /// Running.
     Running,
-    /// Sitting, or rolling in a wheelchair.
+    /// Sitting, on the way down to a seat or up from it, or rolling in a wheelchair.
     Sitting,
     /// Walking with both hands on something on wheels.
     Pushing,

@@ -33,7 +33,8 @@ fn person(bencher: divan::Bencher<'_, '_>) {
 }
 
 fn walker() -> (PersonModel, WalkerMotion) {
-    let motion = WalkerMotion { speed_mps: 1.4, gait: Gait::Walk, walked_m: 3.1, time_s: 2.2, footing: None };
+    let motion =
+        WalkerMotion { speed_mps: 1.4, gait: Gait::Walk, walked_m: 3.1, time_s: 2.2, footing: None, risen: 0.0 };
     (Catalogue::builtin().person(7), motion)
 }
 

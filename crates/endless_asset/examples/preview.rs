@@ -134,7 +134,7 @@ fn posed(person: &endless_asset::PersonModel, gait: Gait, walked_m: f32) -> Mesh
         Gait::Run => 3.0,
         _ => 0.0,
     };
-    let pose = person.pose(&WalkerMotion { speed_mps, gait, walked_m, time_s: walked_m, footing: None });
+    let pose = person.pose(&WalkerMotion { speed_mps, gait, walked_m, time_s: walked_m, footing: None, risen: 0.0 });
     Mesh { positions: pose.positions, normals: pose.normals, ..(*person.rest).clone() }
 }
 

@@ -87,7 +87,7 @@ pub enum Gait {
     Hurry,
     /// Running.
     Run,
-    /// Sitting, or rolling in a wheelchair.
+    /// Sitting, on the way down to a seat or up from it, or rolling in a wheelchair.
     Sit,
     /// Walking with both hands on something on wheels.
     Push,
@@ -130,6 +130,8 @@ pub struct WalkerMotion {
     pub time_s: f32,
     /// Positions of the feet; `None` for a steady walk straight ahead.
     pub footing: Option<Footing>,
+    /// Of who sits: the share of the way up from a seat to a stand, 0 while they sit.
+    pub risen: f32,
 }
 
 /// Motion, by kind of actor.

@@ -18,6 +18,7 @@ mod actor;
 mod asset;
 mod attributes;
 mod behaviour;
+mod bench_seat;
 mod body_part;
 mod bus_stop;
 mod camera;
@@ -64,6 +65,7 @@ pub use attributes::{
     AgeGroup, ColoredPiece, Hairdo, NamedColor, Occupants, PersonAttributes, Sex, VehicleAttributes, Word,
 };
 pub use behaviour::{Behaviour, LanePlace, Side};
+pub use bench_seat::BenchSeat;
 pub use body_part::BodyPart;
 pub use bus_stop::BusStop;
 pub use camera::{CameraRay, CameraSite, Mount, PinholeCamera};

@@ -3,7 +3,7 @@
 use super::paint;
 use crate::shape::Sculpt;
 use endless_scene::{Material, Surface};
-use endless_world::math;
+use endless_world::{BenchSeat, math};
 use glam::{Affine3A, Quat, Vec3};
 use std::f32::consts::TAU;
 
@@ -12,7 +12,12 @@ pub(crate) fn bench() -> Sculpt {
     let mut s = Sculpt::new();
     for i in 0..4 {
         let x = -0.20 + 0.115 * i as f32;
-        s.add(Sculpt::cuboid(Vec3::new(x, -0.9, 0.43), Vec3::new(x + 0.095, 0.9, 0.465), 0.01, paint::SLATS));
+        s.add(Sculpt::cuboid(
+            Vec3::new(x, -0.9, 0.43),
+            Vec3::new(x + 0.095, 0.9, BenchSeat::HEIGHT_M),
+            0.01,
+            paint::SLATS,
+        ));
     }
     for i in 0..3 {
         let z = 0.55 + 0.12 * i as f32;

@@ -4,7 +4,7 @@ use super::appearance::{Appearance, Carried};
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{Bone, Side, Skeleton};
 use super::step;
-use super::{hold, wheeled};
+use super::{hold, sit, wheeled};
 use endless_world::math::UnfusedQuat;
 use endless_world::walking::{Mobility, PedestrianSpec, average_speed_mps, foot_home, running_share, stride_m};
 use endless_world::{FootPlace, Gait, Stream, WalkerMotion, math};
@@ -20,14 +20,18 @@ pub(crate) struct GaitStyle {
     swing: f32,
     elbow: f32,
     /// Forward bend of the upper back, radians; old people stoop.
-    slouch: f32,
+    pub(crate) slouch: f32,
     /// One of several ways to stand about.
-    manner: usize,
+    pub(crate) manner: usize,
     pub(crate) carried: Carried,
 }
 
 /// Younger people go with somebody, older ones seldom run.
 const JOGGING_AGES: std::ops::Range<f32> = 15.0..66.0;
+/// Who carries anything else would have it in the bench, or on their knees; who is smaller does not sit with their feet on the
+/// ground, metres.
+const HANDS_FREE: [Carried; 3] = [Carried::Nothing, Carried::Phone, Carried::Call];
+const SITS_FROM_M: f32 = 1.5;
 
 impl GaitStyle {
     pub(crate) fn new(variant: u64, appearance: &Appearance) -> Self {
@@ -64,6 +68,7 @@ impl GaitStyle {
             walk_mps: self.walk_mps,
             step_phase: self.offset,
             mobility,
+            sits_down: HANDS_FREE.contains(&appearance.carried) && appearance.height > SITS_FROM_M,
             dressed_to_run: appearance.outfit == "sports" && empty_handed && JOGGING_AGES.contains(&appearance.age),
         }
     }
@@ -111,9 +116,18 @@ fn feet(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> (f32, 
 
 /// The posture at an instant.
 pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {
-    if motion.gait == Gait::Sit || habit.carried == Carried::Wheelchair {
-        return sitting(motion, skeleton, habit);
+    if habit.carried == Carried::Wheelchair {
+        return rolling(motion, skeleton, habit);
     }
+    if motion.gait == Gait::Sit {
+        let stands = WalkerMotion { speed_mps: 0.0, gait: Gait::Idle, ..*motion };
+        return sit::posture(motion, skeleton, habit, || upright(&stands, skeleton, habit));
+    }
+    upright(motion, skeleton, habit)
+}
+
+/// On both feet.
+fn upright(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {
     let (phase, feet) = feet(motion, skeleton, habit);
     let h = skeleton.height;
     let speed = motion.speed_mps;
@@ -250,15 +264,13 @@ fn act(posture: &mut Posture, motion: &WalkerMotion, skeleton: &Skeleton, habit:
     }
 }
 
-/// On a seat of a chair's height; in a wheelchair hands drive the wheels.
-fn sitting(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {
+/// In a wheelchair, whose wheels the hands drive.
+fn rolling(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {
     let (h, b) = (skeleton.height, skeleton.body);
     let own = habit.offset * TAU;
     let foot = skeleton.joint(Bone::FootL);
-    let rolls = habit.carried == Carried::Wheelchair;
-    let lift = if rolls { 0.075 * h } else { 0.0 };
     let legs = Side::BOTH.map(|side| Leg {
-        ankle: Vec3::new(0.245 * h, 0.055 * h * side.sign(), foot.z + lift),
+        ankle: Vec3::new(0.245 * h, 0.055 * h * side.sign(), foot.z + 0.075 * h),
         pitch: 0.0,
         knee: Vec3::new(1.0, 0.12 * side.sign(), 0.8),
         yaw: 0.12 * side.sign(),
@@ -266,14 +278,7 @@ fn sitting(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Pos
     });
     let push = motion.walked_m / 0.9 + habit.offset;
     let stroke = math::sin(TAU * push) * f32::from(motion.speed_mps > 0.05);
-    let arm = |side: Side| {
-        let y = 0.165 * h * side.sign();
-        Arm::Reach(if rolls {
-            Vec3::new((0.02 + 0.10 * stroke) * h, y, 0.375 * b)
-        } else {
-            Vec3::new(0.16 * h, 0.06 * h * side.sign(), 0.335 * b)
-        })
-    };
+    let arm = |side: Side| Arm::Reach(Vec3::new((0.02 + 0.10 * stroke) * h, 0.165 * h * side.sign(), 0.375 * b));
     Posture {
         pelvis: Vec3::new(-0.02 * h, 0.0, wheeled::SEAT * b + 0.055 * h),
         pelvis_turn: Quat::from_rotation_y(-0.12),

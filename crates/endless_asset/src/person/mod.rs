@@ -22,6 +22,7 @@ mod part;
 mod posture;
 mod rider;
 mod seeded;
+mod sit;
 mod skeleton;
 mod skin;
 mod step;

@@ -1,7 +1,7 @@
 use super::*;
 use endless_world::math::UnfusedQuat;
 use endless_world::walking::Footsteps;
-use endless_world::{Gait, KEYPOINTS, Outfit, PersonRef, Stream};
+use endless_world::{BenchSeat, Gait, KEYPOINTS, Outfit, PersonRef, Stream};
 use glam::{DVec2, Quat};
 use rayon::prelude::*;
 use skeleton::Side;
@@ -16,7 +16,7 @@ fn motion(person: &PersonModel, gait: Gait, walked_m: f32) -> WalkerMotion {
         Gait::Run => 3.0 * (person.height_m / 1.72).sqrt(),
         _ => 0.0,
     };
-    WalkerMotion { speed_mps, gait, walked_m, time_s: walked_m, footing: None }
+    WalkerMotion { speed_mps, gait, walked_m, time_s: walked_m, footing: None, risen: 0.0 }
 }
 
 fn person(variant: u64) -> PersonModel {
@@ -49,9 +49,11 @@ fn feet_are_on_the_ground_in_all_phases() {
                 let pose = person.pose(&motion(&person, gait, 0.13 * k as f32));
                 let [left, right] = soles(&person, &pose);
                 let low = left.min(right);
-                // Runners fly; feet rest on a wheelchair's plate.
+                // Runners fly; feet rest on a wheelchair's plate; small people's dangle from a bench.
                 let most = if rolls {
                     0.2
+                } else if gait == Gait::Sit {
+                    if person.height_m < 1.5 { 0.3 } else { 0.03 }
                 } else if gait == Gait::Run {
                     0.12
                 } else {
@@ -59,9 +61,48 @@ fn feet_are_on_the_ground_in_all_phases() {
                 };
                 assert!(low > -0.01 && low < most, "variant {variant} {gait:?} {k}: {low}");
                 let all = pose.positions.iter().map(|p| p.z).fold(f32::INFINITY, f32::min);
-                assert!(all > -0.015, "variant {variant} {gait:?} {k}: {all} ({})", person.traits.carries);
+                // Nobody who draws a suitcase sits down with it.
+                let least = if gait == Gait::Sit { -0.03 } else { -0.015 };
+                assert!(all > least, "variant {variant} {gait:?} {k}: {all} ({})", person.traits.carries);
             }
         }
+    }
+}
+
+#[test]
+fn who_sits_down_lowers_themselves_onto_the_bench_over_feet_that_stay() {
+    let seated: Vec<u64> = (0..300).filter(|&variant| pedestrian_spec(variant).sits_down).collect();
+    assert!(seated.len() > 60, "{} of 300 sit down", seated.len());
+    for variant in seated {
+        let person = person(variant);
+        let h = person.height_m;
+        let ahead_m = BenchSeat::FEET_AHEAD * h;
+        let mut ankles_before: Option<[Vec3; 2]> = None;
+        let mut hips_before = 0.0;
+        for k in 0..=20 {
+            let risen = k as f32 / 20.0;
+            let m = WalkerMotion { risen, ..motion(&person, Gait::Sit, 0.0) };
+            let joints = person.joints(&m);
+            // The body goes forward by what its feet are ahead of it.
+            let ankles = [Bone::FootL, Bone::FootR].map(|foot| joints[foot as usize] + Vec3::X * (ahead_m * risen));
+            if let Some(before) = ankles_before {
+                for (at, earlier) in ankles.iter().zip(before) {
+                    assert!(at.distance(earlier) < 0.012, "variant {variant} {risen}: {at} {earlier}");
+                }
+            }
+            ankles_before = Some(ankles);
+            let hips = joints[Bone::Pelvis as usize].z;
+            assert!(hips >= hips_before, "variant {variant} {risen}: hips sink from {hips_before} to {hips}");
+            hips_before = hips;
+        }
+        let pose = person.pose(&motion(&person, Gait::Sit, 0.0));
+        // Hems of coats and skirts hang down beside the bench; most of who sits is above its seat.
+        let over_seat = |p: &&Vec3| p.x > -0.2 && p.x < 0.2 && p.y.abs() < 0.2 && p.z > 0.3;
+        let (mut below, mut all) = (0, 0);
+        for p in pose.positions.iter().filter(over_seat) {
+            (below, all) = (below + usize::from(p.z < BenchSeat::HEIGHT_M - 0.06), all + 1);
+        }
+        assert!(20 * below < all, "variant {variant}: {below} of {all} corners are in the bench");
     }
 }
 
@@ -113,6 +154,7 @@ fn feet_do_not_slide() {
                 walked_m: walked as f32,
                 time_s: tick as f32 * dt as f32,
                 footing: Some(steps.footing()),
+                ..WalkerMotion::default()
             };
             for side in Side::BOTH {
                 let foot = motion.footing.expect("just given").feet[side.index()];

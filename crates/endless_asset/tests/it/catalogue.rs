@@ -261,7 +261,7 @@ proptest! {
         let person = CATALOGUE.person(variant);
         assert_sound(&person.rest, "person at rest");
         let gait = [Gait::Stand, Gait::Walk, Gait::Run][gait];
-        let pose = person.pose(&WalkerMotion { speed_mps: person.walk_mps, gait, walked_m, time_s: walked_m, footing: None });
+        let pose = person.pose(&WalkerMotion { speed_mps: person.walk_mps, gait, walked_m, time_s: walked_m, footing: None, risen: 0.0 });
         let posed = Mesh { positions: pose.positions, normals: pose.normals, ..(*person.rest).clone() };
         let n = posed.triangles.len();
         prop_assert!((3000..10_500).contains(&n), "{} triangles", n);

@@ -26,6 +26,7 @@ impl WalkerBody {
             walked_m: self.walked_m() as f32,
             time_s: time_s as f32,
             footing: None,
+            ..WalkerMotion::default()
         }
     }
 }

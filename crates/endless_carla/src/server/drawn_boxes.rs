@@ -57,7 +57,7 @@ fn person_bounds(catalogue: &Catalogue, person: PersonRef) -> Bounds {
     for (gait, speed_mps) in PACES {
         for instant in 0..INSTANTS {
             let gone = f32::from(instant) * APART;
-            let motion = WalkerMotion { speed_mps, gait, walked_m: gone, time_s: gone, footing: None };
+            let motion = WalkerMotion { speed_mps, gait, walked_m: gone, time_s: gone, footing: None, risen: 0.0 };
             model.place(&model.stance(&motion), &mut positions);
             bounds = positions.iter().fold(bounds, |(low, high), &place| (low.min(place), high.max(place)));
         }
@@ -101,7 +101,14 @@ mod tests {
         let model = catalogue.dressed_person(person);
         for step in 0..40u8 {
             let walked_m = 0.037 + 0.05 * f32::from(step);
-            let motion = WalkerMotion { speed_mps: 1.2, gait: Gait::Walk, walked_m, time_s: walked_m, footing: None };
+            let motion = WalkerMotion {
+                speed_mps: 1.2,
+                gait: Gait::Walk,
+                walked_m,
+                time_s: walked_m,
+                footing: None,
+                risen: 0.0,
+            };
             for place in model.pose(&motion).positions {
                 let aside = [place.x - middle.x, -place.y - middle.y];
                 assert!(aside[0].abs() < half.x + 0.02 && aside[1].abs() < half.y + 0.02, "{place} of {bounds:?}");

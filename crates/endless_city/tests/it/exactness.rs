@@ -89,6 +89,7 @@ fn actors(town: &Town, catalogue: &Catalogue, site: &CameraSite, lights: bool, r
                 walked_m: random.f32() * 3.0,
                 time_s: 1.0,
                 footing: None,
+                ..WalkerMotion::default()
             }),
             behaviour: Behaviour::default(),
             parked: false,

@@ -188,6 +188,7 @@ impl PersonBody {
             walked_m: self.walked as f32,
             time_s: time_s as f32,
             footing: Some(self.steps.footing()),
+            ..WalkerMotion::default()
         })
     }
 }

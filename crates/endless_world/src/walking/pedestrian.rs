@@ -27,6 +27,8 @@ pub struct PedestrianSpec {
     pub mobility: Mobility,
     /// Whether they wear what people jog in, and have nothing in their hands.
     pub dressed_to_run: bool,
+    /// Whether they sit down on benches: tall enough, and nothing about them that would be in the way.
+    pub sits_down: bool,
 }
 
 impl PedestrianSpec {
@@ -39,6 +41,13 @@ impl PedestrianSpec {
 impl Default for PedestrianSpec {
     /// A grown-up of average height.
     fn default() -> Self {
-        Self { height_m: 1.72, walk_mps: 1.36, step_phase: 0.0, mobility: Mobility::Agile, dressed_to_run: false }
+        Self {
+            height_m: 1.72,
+            walk_mps: 1.36,
+            step_phase: 0.0,
+            mobility: Mobility::Agile,
+            dressed_to_run: false,
+            sits_down: true,
+        }
     }
 }
