@@ -56,6 +56,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
         jaywalking: args.jaywalking,
         groups: args.groups,
         bus_stops: town.bus_stops(),
+        bench_seats: town.bench_seats(),
         deliveries: USUAL_DELIVERIES,
         ..TrafficSettings::default()
     };
@@ -64,6 +65,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
     let mut audit = args.wanted.audit.then(|| {
         TrafficAudit::new(&town.network, &specs, traffic.parked(), settings.fps)
             .with_aggressiveness(args.aggressiveness)
+            .with_bench_seats(&settings.bench_seats)
     });
     let frames = (args.seconds * settings.fps).round() as u32;
     let mut simulating = Duration::ZERO;

@@ -7,12 +7,16 @@ use crate::street_features::StreetFeatures;
 use endless_asset::{Catalogue, Prop};
 use endless_road::{Georeference, RoadNetwork};
 use endless_scene::{Mesh, StreetLamp};
-use endless_world::{BusStop, CameraSite, ParkedVehicle, Side, Stream};
+use endless_world::math::f64::atan2;
+use endless_world::{BenchSeat, BusStop, CameraSite, ParkedVehicle, Side, Stream};
 use glam::Vec3;
 use std::sync::Arc;
 
 /// A sign and a shelter within this distance are of one stop, metres.
 const ONE_STOP_M: f32 = 14.0;
+/// Seats are so far to the left of the middle of a bench, and before it, clear of its back, metres.
+const SEATS_M: [f32; 3] = [0.6, 0.0, -0.6];
+const SEAT_AHEAD_M: f32 = 0.03;
 
 /// A whole map. By default an empty one, without a name.
 #[derive(Debug, Clone, Default)]
@@ -68,6 +72,20 @@ impl Town {
         }
         let side = if self.streets.left_hand { Side::Left } else { Side::Right };
         found.into_iter().map(|position| BusStop { position, side }).collect()
+    }
+
+    /// Seats of the benches along streets and in parks: of each bench one in the middle and one to either side.
+    pub fn bench_seats(&self) -> Vec<BenchSeat> {
+        let of = |placement: &Placement| {
+            let bench = placement.world_from_object;
+            let facing = bench.transform_vector3(Vec3::X);
+            let seat = move |across_m: f32| BenchSeat {
+                position: bench.transform_point3(Vec3::new(SEAT_AHEAD_M, across_m, 0.0)),
+                yaw_rad: atan2(f64::from(facing.y), f64::from(facing.x)) as f32,
+            };
+            matches!(placement.object, PlacedObject::Prop(Prop::Bench, _)).then(|| SEATS_M.map(seat))
+        };
+        self.placements.iter().filter_map(of).flatten().collect()
     }
 
     /// Takes parked vehicles away, so that about this share of them, 0 to 1, is left; with a larger share stand all of a smaller

@@ -135,6 +135,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         jaywalking: f64::from(number(9, 0.0)),
         groups: f64::from(number(10, 0.0)),
         bus_stops: town.bus_stops(),
+        bench_seats: town.bench_seats(),
         focus: Focus::new(&town.network, &[View::around(centre.extend(0.0))], 0.8, &|_, _| true),
         ..TrafficSettings::default()
     };

@@ -26,6 +26,6 @@ pub(crate) fn of_vehicle(vehicle: &Vehicle, roads: &Roads) -> Behaviour {
 pub(crate) fn of_walker(walker: &Walker, roads: &Roads) -> Behaviour {
     let crossing = walker.crossing(roads).map(|(id, _)| id.0);
     let stands = walker.velocity.length() < STANDS_MPS;
-    let at_kerb = walker.next_crossing(roads).is_some() || walker.waits_for_gap();
+    let at_kerb = !walker.is_at_bench() && (walker.next_crossing(roads).is_some() || walker.waits_for_gap());
     Behaviour { crossing, waiting: stands && at_kerb, jaywalking: walker.on_roadway(), ..Behaviour::default() }
 }

@@ -54,7 +54,7 @@ impl Walker {
 
     /// Whoever comes along a stop may wait there.
     fn decide(&mut self, places: &[StopPlace], strip: &DirectedEdge, near: &[Passer]) {
-        if places.is_empty() || self.jogs || self.company.is_some() || self.on_roadway() {
+        if places.is_empty() || self.rest.is_some() || self.jogs || self.company.is_some() || self.on_roadway() {
             return;
         }
         let here = strip.local(self.position).0;

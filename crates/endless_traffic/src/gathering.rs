@@ -231,8 +231,8 @@ impl Gathering {
         for (i, walker) in walkers.iter().enumerate() {
             let views = views_of(roads, walker);
             count_in(&mut counts, views);
-            // Groups stay where they are.
-            if views == 0 && walker.drawn && walker.company.is_none() {
+            // Groups stay where they are, and who sits.
+            if views == 0 && walker.drawn && walker.company.is_none() && walker.rest.is_none() {
                 idle.push(i);
             }
         }

@@ -93,6 +93,7 @@ mod roads;
 mod settings;
 mod signals;
 mod simulation;
+mod sitting;
 mod spawn;
 mod steering;
 mod stop_places;

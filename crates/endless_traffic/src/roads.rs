@@ -4,6 +4,7 @@ use crate::attraction::Attraction;
 use crate::focus::Focus;
 use crate::midblock::MidblockWays;
 use crate::overlap::{ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, alongside, make_room, siblings};
+use crate::sitting::BenchPlaces;
 use crate::stop_places::StopPlaces;
 use endless_road::swept::{LONG_M, curvature_per_m, fits, leaves_oncoming_room, smallest_radius_m};
 use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
@@ -87,6 +88,8 @@ pub(crate) struct Roads {
     pub(crate) midblock: Arc<MidblockWays>,
     /// Where people wait for buses.
     pub(crate) stop_places: Arc<StopPlaces>,
+    /// Where people sit.
+    pub(crate) benches: Arc<BenchPlaces>,
 }
 
 impl Roads {
@@ -97,6 +100,7 @@ impl Roads {
             attraction: Attraction::new(&tables.network, focus, errands),
             midblock: Arc::default(),
             stop_places: Arc::default(),
+            benches: Arc::default(),
         }
     }
 }

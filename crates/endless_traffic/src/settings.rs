@@ -2,7 +2,7 @@
 
 use crate::Focus;
 use endless_world::walking::PedestrianSpec;
-use endless_world::{BusStop, Condition, ObjectClass, TrafficProfile, VehicleSpec};
+use endless_world::{BenchSeat, BusStop, Condition, ObjectClass, TrafficProfile, VehicleSpec};
 use glam::Vec3;
 
 /// The vehicles and people there are to draw from.
@@ -74,6 +74,8 @@ pub struct TrafficSettings {
     pub errands: Vec<Vec3>,
     /// Where buses stop; nowhere by default.
     pub bus_stops: Vec<BusStop>,
+    /// Seats of benches; nowhere by default.
+    pub bench_seats: Vec<BenchSeat>,
     /// Share of people who cross roads away from crossings when a gap in traffic lets them, 0 to 1.
     pub jaywalking: f64,
     /// Share of people who walk in groups of two to four, 0 to 1.
@@ -98,6 +100,7 @@ impl Default for TrafficSettings {
             focus: Focus::default(),
             errands: Vec::new(),
             bus_stops: Vec::new(),
+            bench_seats: Vec::new(),
             jaywalking: 0.0,
             groups: 0.0,
             deliveries: 0.0,

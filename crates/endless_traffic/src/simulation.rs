@@ -20,6 +20,7 @@ use crate::playback::{Playback, PlayedTracks, Presence};
 use crate::population::Population;
 use crate::roads::{Roads, TrafficMap};
 use crate::settings::{DrivingCondition, Fleet, TrafficSettings};
+use crate::sitting::{self, BenchPlaces};
 use crate::steering::DriverView;
 use crate::stop_places::StopPlaces;
 use crate::vehicle::Vehicle;
@@ -133,6 +134,7 @@ impl Simulation {
             roads.midblock = Arc::new(MidblockWays::new(&roads.network, &roads.borders, &standing));
         }
         roads.stop_places = Arc::new(StopPlaces::new(&roads.network, &settings.bus_stops, BODY_M));
+        roads.benches = Arc::new(BenchPlaces::new(&roads.network, &settings.bench_seats, BODY_M));
         let network = &roads.network;
         let graph = WalkGraph::new(&network.walk);
         let vehicles = spawn::vehicles(&roads, fleet.vehicles, &standing, settings);
@@ -267,6 +269,7 @@ impl Simulation {
         if self.gathering.is_none() && !self.bus_halts.is_empty() {
             bus_riders::step(&self.roads, &mut self.vehicles, &mut self.walkers, step_s);
         }
+        sitting::choose(&self.roads, &mut self.walkers, &self.condition, step_s);
         walker::step(&scene, &mut self.walkers, &mut self.crossings, step_s);
         road_walker::step(&mut self.walkers, &self.roads, step_s);
         others.note_people(&mut self.crossings);

@@ -7,6 +7,7 @@ use crate::jogging;
 use crate::kinematics;
 use crate::roads::{RoadTables, Roads, TrafficMap};
 use crate::settings::TrafficSettings;
+use crate::sitting;
 use crate::vehicle::Vehicle;
 use crate::vehicle_mix;
 use crate::walker::Walker;
@@ -292,6 +293,7 @@ pub(crate) fn walkers(
             }
         }
     }
+    sitting::seat_some(roads, &mut placed, &settings.condition, settings.seed);
     placed
 }
 

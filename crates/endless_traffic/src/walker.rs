@@ -10,6 +10,7 @@ use crate::jaywalk::{Jaywalk, Roadway};
 use crate::pedestrian_avoidance::{avoid, crowd, follow, give_way, somebody_comes};
 use crate::people_grid::{Passer, PeopleGrid};
 use crate::roads::Roads;
+use crate::sitting::Rest;
 use crate::walk_strip::{BODY_M, DirectedEdge, Footway, height, unit_vector};
 use endless_road::{CrossingId, WalkEdgeId, WalkGraph, WalkKind, WalkNodeId};
 use endless_world::math::f64::{atan2, wrap_angle};
@@ -84,6 +85,9 @@ pub(crate) struct Walker {
     pub(crate) company: Option<Box<Company>>,
     /// What they have to do with buses.
     pub(crate) bus: BusErrand,
+    /// A rest on a bench, and seconds until they would sit down again.
+    pub(crate) rest: Option<Box<Rest>>,
+    pub(crate) rests_again_s: f64,
     /// A way over the road, away from crossings.
     pub(crate) road_walk: Option<RoadWalk>,
 }
@@ -102,7 +106,9 @@ pub(crate) struct WalkerView<'a> {
 pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &mut [CrossingState], step_s: f64) {
     let own = walkers.iter().map(Walker::seen);
     let others = scene.others.iter().map(|&(at, velocity)| Passer { at, velocity, intent: velocity, passed: 0 });
-    let mut people: Vec<Passer> = own.chain(others).collect();
+    let stands = |at: DVec2| Passer { at, velocity: DVec2::ZERO, intent: DVec2::ZERO, passed: 0 };
+    let knees = walkers.iter().filter_map(|walker| walker.rest.as_deref()?.knees()).map(stands);
+    let mut people: Vec<Passer> = own.chain(others).chain(knees).collect();
     let grid = PeopleGrid::new(&people);
     let (mut numbers, mut near) = (Vec::new(), Vec::new());
     for (i, walker) in walkers.iter_mut().enumerate() {
@@ -121,12 +127,18 @@ pub(crate) fn step(scene: &WalkerView<'_>, walkers: &mut [Walker], crossings: &m
             people[i] = walker.seen();
             continue;
         }
+        if walker.is_at_bench() {
+            walker.step_at_bench(scene.roads, &near, step_s);
+            people[i] = walker.seen();
+            continue;
+        }
         let company = walker.company.as_deref().map_or_else(Vec::new, |company| company.others(&people, i));
         walker.step(scene, i, &near, &company, crossings, step_s);
         people[i] = walker.seen();
     }
     crossings.iter_mut().for_each(CrossingState::look_again);
-    for walker in walkers.iter().filter(|walker| walker.road_walk.is_none() && walker.bus.ride.is_none()) {
+    let walks = |walker: &&Walker| walker.road_walk.is_none() && walker.bus.ride.is_none() && !walker.is_at_bench();
+    for walker in walkers.iter().filter(walks) {
         if let Some((id, person)) = walker.crossing(scene.roads) {
             crossings[id.index()].people.push(person);
         } else if let Some(id) = walker.next_crossing(scene.roads) {
@@ -175,6 +187,8 @@ impl Walker {
             jaywalk: None,
             company: None,
             bus: BusErrand::default(),
+            rest: None,
+            rests_again_s: 0.0,
             road_walk: None,
         }
     }
@@ -261,6 +275,7 @@ impl Walker {
         pace *= self.keeps_together(&strip, company, step_s);
         let talks_at = self.talks_at(&strip, step_s);
         let (bus_at, bus_from) = self.waits_for_bus(roads, &strip, near, step_s).unzip();
+        let bench_at = self.comes_to_bench(step_s);
         if let Some(on_roadway) = self.pace_on_roadway(scene.roadway, number) {
             pace = on_roadway;
         }
@@ -287,7 +302,7 @@ impl Walker {
             Some(n) if !kerb => n.point((ahead - strip.length).min(n.length), keep(&n)),
             _ => strip.point(strip.length, keep(&strip)),
         };
-        let target = bus_at.or(talks_at).or(own_kerb).unwrap_or(target);
+        let target = bus_at.or(bench_at).or(talks_at).or(own_kerb).unwrap_or(target);
         let to_target = target - self.position;
         if (kerb || talks_at.is_some() || bus_at.is_some()) && to_target.length() < 0.9 {
             // At the kerb: stand and wait.
@@ -343,7 +358,7 @@ impl Walker {
         if self.way.len() < 2 {
             self.plan(scene.roads, scene.graph);
         }
-        if self.bus.waits() {
+        if self.bus.waits() || self.rest.is_some() {
             return;
         }
         let strip = self.strip(scene.roads);
@@ -369,7 +384,11 @@ impl Walker {
 
     /// Whether a crowd has kept them from getting on for so long, seconds.
     pub(crate) fn is_stuck_in_crowd(&self, for_s: f64) -> bool {
-        self.crowded_s > for_s && !self.on_roadway() && self.road_walk.is_none() && self.bus.ride.is_none()
+        self.crowded_s > for_s
+            && !self.on_roadway()
+            && self.road_walk.is_none()
+            && self.bus.ride.is_none()
+            && !self.is_at_bench()
     }
 
     /// Back to where the edge underfoot began; what was planned is forgotten, and so are those with whom they walked.

@@ -97,6 +97,7 @@ impl<'m> BuiltinSession<'m> {
             focus,
             errands,
             bus_stops: map.town.bus_stops(),
+            bench_seats: map.town.bench_seats(),
             // Where events are asked for, nobody else parks on the lane.
             deliveries: if settings.events.is_empty() { USUAL_DELIVERIES } else { 0.0 },
             jaywalking,

@@ -19,6 +19,8 @@ pub enum AuditCheck {
     OffSidewalk,
     /// Share of walking time spent more than 0.1 m outside of them.
     OffSidewalkShare,
+    /// Times that somebody sat down elsewhere than on the seat of a bench.
+    BesideSeat,
     /// Times that somebody got further in a frame than their speed allows, or backwards.
     Jumps,
     /// Times that somebody appeared or vanished elsewhere than at an end of the map's roads or ways.
@@ -64,6 +66,7 @@ impl AuditCheck {
         Self::OffLane,
         Self::OffSidewalk,
         Self::OffSidewalkShare,
+        Self::BesideSeat,
         Self::LaneError,
         Self::LaneErrorShare,
         Self::TwoWheelersOut,
@@ -92,6 +95,7 @@ impl AuditCheck {
             Self::OffLane => "axle outside of its lane",
             Self::OffSidewalk => "person off sidewalks and crossings",
             Self::OffSidewalkShare => "time more than 0.1 m off them",
+            Self::BesideSeat => "people who sit beside a seat",
             Self::Jumps => "jumps",
             Self::Vanishings => "appeared or vanished inside the map",
             Self::Acceleration => "largest acceleration",
@@ -116,6 +120,7 @@ impl AuditCheck {
             Self::Collisions
             | Self::PeopleHit
             | Self::PeopleTouch
+            | Self::BesideSeat
             | Self::Jumps
             | Self::Vanishings
             | Self::RedLights
@@ -137,6 +142,7 @@ impl AuditCheck {
             Self::Collisions
             | Self::PeopleHit
             | Self::PeopleTouch
+            | Self::BesideSeat
             | Self::Jumps
             | Self::Vanishings
             | Self::RedLights

@@ -8,10 +8,12 @@
 //! WorldState ─► sight (this frame, the one before) ─┬─► contact   bodies that touch
 //!                                                   ├─► motion    jumps, jerks, slips, who vanishes
 //!                                                   ├─► standing  who is stuck
+//!                                                   ├─► bench     who sits on no seat
 //!                                                   ├─► surface   lanes, sidewalks, crossings
 //!                                                   └─► rules     lights, stop signs, limits
 //! ```
 
+mod bench;
 pub(crate) mod body;
 mod bus_door;
 mod cell_grid;
@@ -29,9 +31,10 @@ pub use check::AuditCheck;
 pub use report::{AuditLine, AuditReport};
 
 use crate::driver::pace_of;
+use bench::Benches;
 use contact::Contacts;
 use endless_road::RoadNetwork;
-use endless_world::{Actor, InstanceId, VehicleSpec, WorldState};
+use endless_world::{Actor, BenchSeat, InstanceId, VehicleSpec, WorldState};
 use motion::Motions;
 use rules::Rules;
 use sight::{Glance, Past, Sight};
@@ -52,6 +55,7 @@ pub struct TrafficAudit<'a> {
     contacts: Contacts,
     motions: Motions,
     standing: Standing,
+    benches: Benches,
     surfaces: Surfaces,
     rules: Rules,
 }
@@ -73,6 +77,7 @@ impl<'a> TrafficAudit<'a> {
             contacts: Contacts::new(specs, parked),
             motions: Motions::new(network),
             standing: Standing::default(),
+            benches: Benches::default(),
             surfaces: Surfaces::new(network),
             rules: Rules::new(network),
         }
@@ -82,6 +87,12 @@ impl<'a> TrafficAudit<'a> {
     #[must_use]
     pub fn with_aggressiveness(self, aggressiveness: f64) -> Self {
         Self { rules: self.rules.with_pace(pace_of(aggressiveness)), ..self }
+    }
+
+    /// On a map with these seats: people leave sidewalks for them, and sit for long.
+    #[must_use]
+    pub fn with_bench_seats(self, seats: &[BenchSeat]) -> Self {
+        Self { benches: Benches::new(seats), ..self }
     }
 
     /// Looks at the next frame. Its actors are in the order of their ids.
@@ -107,8 +118,9 @@ impl<'a> TrafficAudit<'a> {
         sight.vanished.extend(self.before.iter().map(|past| past.actor).filter(|actor| !there(actor.id)));
         self.contacts.look(&sight);
         self.motions.look(&sight);
-        self.standing.look(&sight);
-        self.surfaces.look(&sight);
+        self.benches.look(&sight);
+        self.standing.look(&sight, &self.benches);
+        self.surfaces.look(&sight, &self.benches);
         self.rules.look(&sight);
         self.before.clear();
         self.before.extend(sight.glances.iter().map(|glance| Past { actor: *glance.actor, ahead: glance.ahead }));
@@ -118,7 +130,11 @@ impl<'a> TrafficAudit<'a> {
     /// What was found so far.
     pub fn report(&self) -> AuditReport {
         let lines = self.contacts.lines().into_iter();
-        let lines = lines.chain(self.standing.lines()).chain(self.surfaces.lines()).chain(self.motions.lines());
+        let lines = lines
+            .chain(self.standing.lines())
+            .chain(self.surfaces.lines())
+            .chain(self.benches.lines())
+            .chain(self.motions.lines());
         AuditReport {
             lines: lines.chain(self.rules.lines()).collect(),
             seconds: self.frames.saturating_sub(1) as f64 / self.fps,

@@ -1,5 +1,6 @@
-//! Who does not get on. Those whom a signal holds do not count meanwhile.
+//! Who does not get on. Those whom a signal holds do not count meanwhile, nor do those who sit on a bench.
 
+use super::bench::Benches;
 use super::check::AuditCheck;
 use super::finding::Worst;
 use super::report::AuditLine;
@@ -33,7 +34,7 @@ struct Stand {
 }
 
 impl Standing {
-    pub(super) fn look(&mut self, sight: &Sight<'_>) {
+    pub(super) fn look(&mut self, sight: &Sight<'_>, benches: &Benches) {
         for gone in &sight.vanished {
             *entry(&mut self.stands, usize::from(gone.id.0)) = None;
         }
@@ -46,7 +47,8 @@ impl Standing {
                 continue;
             }
             // Most go on: who held them is asked of those alone who have stood for a moment.
-            let held = stand.free_s > 1.0 && (held_in_queue(sight, glance) || held_at_kerb(sight, glance));
+            let sits = glance.driven.is_none() && benches.is_on_seat(glance);
+            let held = sits || stand.free_s > 1.0 && (held_in_queue(sight, glance) || held_at_kerb(sight, glance));
             if !held {
                 stand.free_s += sight.frame_s;
             }

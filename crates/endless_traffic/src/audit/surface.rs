@@ -1,5 +1,6 @@
 //! Vehicles on their lanes, people on sidewalks and crossings.
 
+use super::bench::Benches;
 use super::bus_door::is_before_door;
 use super::cell_grid::CellGrid;
 use super::check::AuditCheck;
@@ -80,16 +81,16 @@ impl Surfaces {
         }
     }
 
-    pub(super) fn look(&mut self, sight: &Sight<'_>) {
+    pub(super) fn look(&mut self, sight: &Sight<'_>, benches: &Benches) {
         for glance in &sight.glances {
             match glance.driven {
                 Some((motion, spec)) => self.driving(sight, glance, motion, spec),
-                None => self.walking(sight, glance),
+                None => self.walking(sight, benches, glance),
             }
         }
     }
 
-    fn walking(&mut self, sight: &Sight<'_>, glance: &Glance<'_>) {
+    fn walking(&mut self, sight: &Sight<'_>, benches: &Benches, glance: &Glance<'_>) {
         // Who crosses a road away from crossings is off them on purpose.
         if glance.actor.behaviour.jaywalking {
             return;
@@ -105,8 +106,8 @@ impl Surfaces {
         if outside_m > NEAR_M {
             outside_m = self.strips.iter().map(|strip| strip.outside_m(glance.at)).fold(outside_m, f64::min);
         }
-        // Nor does who gets on or off a bus.
-        if outside_m > 0.0 && is_before_door(sight, glance.at) {
+        // So is who gets on or off a bus, and who sits down or gets up.
+        if outside_m > 0.0 && (is_before_door(sight, glance.at) || benches.is_before_seat(glance.at)) {
             return;
         }
         self.off_sidewalk.note(outside_m, || glance.told(sight));

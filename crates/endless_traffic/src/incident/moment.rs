@@ -39,7 +39,7 @@ impl Moment<'_> {
             .iter()
             .enumerate()
             .zip(self.watched[1])
-            .filter(|((_, walker), watched)| **watched && walker.bus.ride.is_none())
+            .filter(|((_, walker), watched)| **watched && walker.bus.ride.is_none() && !walker.is_at_bench())
             .map(|(walker, _)| walker)
     }
 

@@ -80,6 +80,7 @@ impl Simulation {
                 walked_m: walker.walked as f32,
                 time_s: time_s as f32,
                 footing: Some(walker.steps.footing()),
+                risen: walker.risen().unwrap_or_default() as f32,
             };
             actors.push(Actor {
                 id,

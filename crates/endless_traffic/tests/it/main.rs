@@ -1,6 +1,7 @@
 //! Integration tests of `endless_traffic`, in one binary: a module a subject.
 
 mod behaviour;
+mod benches;
 mod borders;
 mod bus_stops;
 mod deliveries;

@@ -2,7 +2,7 @@
 
 use endless_asset::Catalogue;
 use endless_town::Town;
-use endless_traffic::{Fleet, Simulation, TrafficSettings, USUAL_DELIVERIES};
+use endless_traffic::{Fleet, Simulation, TrafficAudit, TrafficSettings, USUAL_DELIVERIES};
 use endless_world::walking::PedestrianSpec;
 
 const FPS: f64 = 30.0;
@@ -31,11 +31,13 @@ fn flows(catalogue: &Catalogue, town: &Town, seed: u64) {
         seed,
         fps: FPS,
         bus_stops,
+        bench_seats: town.bench_seats(),
         deliveries: USUAL_DELIVERIES,
         ..TrafficSettings::default()
     };
     let mut s = Simulation::new(&town.network, &fleet, &town.parked, &settings).expect("few enough");
-    let f = crate::watch::watch(&mut s, &town.network, &specs, SIMULATED_S, FPS);
+    let audit = TrafficAudit::new(&town.network, &specs, s.parked(), FPS).with_bench_seats(&settings.bench_seats);
+    let f = crate::watch::watch_by(audit, &mut s, SIMULATED_S, FPS);
     let p = s.population();
     let driven = f.driven_m / f64::from(p.vehicles_spawned) / SIMULATED_S;
     let walked = f.walked_m / f64::from(p.pedestrians_spawned) / SIMULATED_S;

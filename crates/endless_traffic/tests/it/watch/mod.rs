@@ -62,7 +62,17 @@ pub(crate) fn watch(
     seconds: f64,
     fps: f64,
 ) -> AuditReport {
-    let mut audit = TrafficAudit::new(network, specs, simulation.parked(), fps);
+    let audit = TrafficAudit::new(network, specs, simulation.parked(), fps);
+    watch_by(audit, simulation, seconds, fps)
+}
+
+/// The same with an audit that has not begun.
+pub(crate) fn watch_by(
+    mut audit: TrafficAudit<'_>,
+    simulation: &mut Simulation,
+    seconds: f64,
+    fps: f64,
+) -> AuditReport {
     audit.look(&simulation.state());
     for _ in 0..(seconds * fps) as usize {
         simulation.tick();

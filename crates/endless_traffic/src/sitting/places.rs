@@ -1,0 +1,87 @@
+//! Seats that can be reached from a sidewalk.
+
+use crate::walk_strip::unit_vector;
+use endless_road::{RoadNetwork, WalkEdge, WalkEdgeId, WalkKind};
+use endless_world::BenchSeat;
+use glam::{DVec2, DVec3};
+
+/// Seats are reached from where the sidewalk is nearest to this far before them, metres, and no further away than that.
+const BEFORE_M: f64 = 0.42;
+const REACH_M: f64 = 2.5;
+/// Who leaves the sidewalk for a seat is at least so far before the middle of it: not behind the bench, metres.
+const IN_FRONT_M: f64 = 0.35;
+/// And so far from the ends of a piece of it, metres.
+const FROM_ENDS_M: f64 = 0.3;
+/// Seats and sidewalks further above or below are on another level, metres.
+const STOREY_M: f64 = 1.0;
+
+/// A seat beside a sidewalk.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct BenchPlace {
+    /// Of the seat, in the list of all.
+    pub(crate) seat: usize,
+    pub(crate) edge: WalkEdgeId,
+    /// Where one leaves the sidewalk.
+    pub(crate) from: DVec2,
+    /// Below who sits, on the ground.
+    pub(crate) at: DVec3,
+    /// Where they look, radians, and the same as a unit vector.
+    pub(crate) yaw: f64,
+    pub(crate) facing: DVec2,
+}
+
+/// All of them, by sidewalk.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct BenchPlaces(Vec<BenchPlace>);
+
+impl BenchPlaces {
+    /// For bodies of this radius, metres.
+    pub(crate) fn new(network: &RoadNetwork, seats: &[BenchSeat], body_m: f64) -> Self {
+        let of_seat = |(seat, at): (usize, &BenchSeat)| place(network, seat, at, body_m);
+        let mut all: Vec<BenchPlace> = seats.iter().enumerate().filter_map(of_seat).collect();
+        all.sort_by_key(|place| (place.edge.index(), place.seat));
+        Self(all)
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    pub(crate) fn all(&self) -> &[BenchPlace] {
+        &self.0
+    }
+
+    pub(crate) fn on(&self, edge: WalkEdgeId) -> &[BenchPlace] {
+        let from = self.0.partition_point(|place| place.edge.index() < edge.index());
+        let number = self.0[from..].partition_point(|place| place.edge == edge);
+        &self.0[from..from + number]
+    }
+}
+
+fn place(network: &RoadNetwork, seat: usize, on: &BenchSeat, body_m: f64) -> Option<BenchPlace> {
+    let walk = &network.walk;
+    let (at, yaw) = (on.position.as_dvec3(), f64::from(on.yaw_rad));
+    let facing = unit_vector(yaw);
+    let before = at.truncate() + facing * BEFORE_M;
+    let found = |(number, edge): (usize, &WalkEdge)| {
+        let [a, b] = edge.nodes.map(|node| walk.nodes[node.index()]);
+        let [from, to] = [a, b].map(DVec3::truncate);
+        let length = from.distance(to);
+        if edge.kind != WalkKind::Sidewalk || length < 2.0 * FROM_ENDS_M {
+            return None;
+        }
+        let along = (to - from) / length;
+        let s = (before - from).dot(along).clamp(FROM_ENDS_M, length - FROM_ENDS_M);
+        let usable_m = (0.5 * edge.width_m - body_m).max(0.0);
+        let t = along.perp_dot(before - from).clamp(-usable_m, usable_m);
+        let leaves = from + along * s + along.perp() * t;
+        let level = (a.z + (b.z - a.z) * (s / length) - at.z).abs() < STOREY_M;
+        let in_front = (leaves - at.truncate()).dot(facing) > IN_FRONT_M;
+        let away_m = leaves.distance(before);
+        let edge = WalkEdgeId(number as u32);
+        let usable = level && in_front && away_m < REACH_M;
+        usable.then_some((away_m, BenchPlace { seat, edge, from: leaves, at, yaw, facing }))
+    };
+    let edges = walk.edges.iter().enumerate().filter_map(found);
+    edges.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
+}
