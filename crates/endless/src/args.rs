@@ -12,7 +12,7 @@ use clap::builder::{PathBufValueParser, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 use endless_carla::client::Address;
 use endless_interchange::TrajectoryFormat;
-use endless_world::{DrivingSide, Region, TimeOfDay, Weather};
+use endless_world::{DrivingSide, Region, SignalControl, TimeOfDay, Weather};
 use std::path::PathBuf;
 
 /// Endless annotated urban datasets seen by surveillance cameras.
@@ -144,6 +144,9 @@ pub(crate) struct SimulateArgs {
     /// How drivers drive: 0 all cautious, 0.5 as counted on real streets, 1 all bold.
     #[arg(long, value_name = "0..1", default_value_t = 0.5, value_parser = share)]
     pub(crate) aggressiveness: f64,
+    /// How signals are controlled: fixed by their plans, or actuated by who comes.
+    #[arg(long, value_name = "WORD", default_value = "fixed", value_parser = words(SignalControl::ALL, SignalControl::name))]
+    pub(crate) signals: SignalControl,
     #[command(flatten)]
     pub(crate) wanted: SimulateOutputs,
 }

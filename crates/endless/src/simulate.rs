@@ -51,6 +51,7 @@ pub(crate) fn run(library: &MapLibrary, args: &SimulateArgs) -> Result<ExitCode>
             region: args.region,
             two_wheelers: args.two_wheelers,
             aggressiveness: args.aggressiveness,
+            signals: args.signals,
             ..TrafficProfile::default()
         },
         jaywalking: args.jaywalking,

@@ -150,6 +150,7 @@ fn settings(combination: Combination<'_>, video: u32, recipe: &Recipe) -> SceneS
             two_wheelers: recipe.two_wheelers,
             aggressiveness: recipe.aggressiveness,
             parked: recipe.parked,
+            signals: recipe.signals,
         },
         jaywalking: recipe.jaywalking,
         groups: recipe.groups,

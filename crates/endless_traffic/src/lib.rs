@@ -43,6 +43,7 @@
 
 mod across;
 mod actor_ids;
+mod actuated;
 mod arrivals;
 mod attraction;
 mod audit;

@@ -4,6 +4,7 @@ mod incidents;
 mod world_state;
 
 use crate::actor_ids::ActorIds;
+use crate::actuated::ActuatedSignals;
 use crate::arrivals::{ArrivalView, Arrivals, has_left};
 use crate::bus_stop::BusHalts;
 use crate::courtesy::{self, Courtesy};
@@ -30,8 +31,8 @@ use crate::{bus_riders, bus_service, destination_exchange};
 use crate::{kerb_halting, kinematics, lane_change, lights, signals, spawn, walker};
 use endless_road::{RoadNetwork, WalkGraph};
 use endless_world::{
-    Actor, Behaviour, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalState, TooManyInstances, VehicleMotion,
-    VehicleSpec,
+    Actor, Behaviour, InstanceIdAllocator, Motion, Outfit, ParkedVehicle, SignalControl, SignalState, TooManyInstances,
+    VehicleMotion, VehicleSpec,
 };
 use glam::Vec3;
 use std::sync::Arc;
@@ -66,6 +67,8 @@ pub struct Simulation {
     deliveries: Arc<Deliveries>,
     roadway: Roadway,
     signals: Vec<SignalState>,
+    /// What controls them, where their plans are not fixed.
+    actuated: Option<ActuatedSignals>,
     /// Those who move as recorded tracks say.
     playback: Option<Playback>,
     /// Until the first frame.
@@ -162,6 +165,8 @@ impl Simulation {
         let bus_halts = Arc::new(BusHalts::new(&roads, &settings.bus_stops, &standing));
         let deliveries = Arc::new(Deliveries::new(settings.deliveries, &standing));
         let arrivals = Arrivals::new(fleet.vehicles, settings, vehicles.len(), standing);
+        let is_actuated = settings.profile.signals == SignalControl::Actuated;
+        let actuated = is_actuated.then(|| ActuatedSignals::new(&roads));
         let crossings = vec![CrossingState::default(); network.crossings.len()];
         let courtesies = courtesy::courtesies(network);
         let alone = playback.is_some() && vehicles.is_empty() && walkers.is_empty();
@@ -186,6 +191,7 @@ impl Simulation {
             deliveries,
             roadway: Roadway::default(),
             signals: Vec::new(),
+            actuated,
             playback,
             gathering,
             staged: Vec::new(),
@@ -236,7 +242,7 @@ impl Simulation {
         }
         self.frame += 1;
         self.time_s = if begin < 0.0 { begin + frame_s } else { f64::from(self.frame) / self.fps };
-        signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
+        self.show_signals(None);
         self.note_incidents();
     }
 
@@ -252,7 +258,7 @@ impl Simulation {
                 gathering.step(&self.roads, &self.graph, &mut self.vehicles, &mut self.walkers, -self.time_s);
             }
         }
-        signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
+        self.show_signals(Some(step_s));
         note_vehicles(&self.roads, &self.vehicles, &mut self.crossings);
         let others = self.presence();
         others.note_vehicles(&self.roads, &mut self.crossings);
@@ -328,6 +334,18 @@ impl Simulation {
         self.cross_borders(come);
         if let Some(playback) = &mut self.playback {
             playback.advance(&self.roads.network, self.time_s + step_s, step_s, self.condition.headlights_on);
+        }
+    }
+
+    /// What signals show now; those that follow traffic move on by a step, if there is one.
+    fn show_signals(&mut self, step_s: Option<f64>) {
+        signals::aspects_at(&self.roads.network, self.time_s, &mut self.signals);
+        let Some(actuated) = &mut self.actuated else { return };
+        match step_s {
+            Some(step_s) => {
+                actuated.step(&self.roads, &self.vehicles, &self.crossings, step_s, &mut self.signals);
+            }
+            None => actuated.show(&mut self.signals),
         }
     }
 

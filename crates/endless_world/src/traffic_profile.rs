@@ -35,6 +35,38 @@ impl Region {
     }
 }
 
+/// How signals of junctions are controlled.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default, Serialize, Deserialize)]
+#[derive(strum::Display, strum::EnumString, strum::IntoStaticStr, strum::VariantArray)]
+#[serde(rename_all = "snake_case")]
+#[strum(serialize_all = "snake_case", parse_err_ty = UnknownName, parse_err_fn = Self::unknown)]
+pub enum SignalControl {
+    /// By plans that only time decides over.
+    #[default]
+    Fixed,
+    /// By those who come: green goes on while vehicles do, and who does not call is passed over.
+    Actuated,
+}
+
+impl SignalControl {
+    /// All of them.
+    pub const ALL: &[Self] = Self::VARIANTS;
+
+    /// As options have it.
+    pub fn name(self) -> &'static str {
+        self.into()
+    }
+
+    /// Whether it is what holds where nothing is asked for.
+    pub fn is_fixed(&self) -> bool {
+        *self == Self::Fixed
+    }
+
+    fn unknown(given: &str) -> UnknownName {
+        UnknownName::new("control of signals", given, Self::ALL)
+    }
+}
+
 /// What is driven on the streets of a scene, and how.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
@@ -48,11 +80,20 @@ pub struct TrafficProfile {
     pub aggressiveness: f64,
     /// Share of the map's parked vehicles that are there, 0 to 1.
     pub parked: f64,
+    /// How signals are controlled.
+    #[serde(skip_serializing_if = "SignalControl::is_fixed")]
+    pub signals: SignalControl,
 }
 
 impl Default for TrafficProfile {
     fn default() -> Self {
-        Self { region: Region::default(), two_wheelers: None, aggressiveness: 0.5, parked: 1.0 }
+        Self {
+            region: Region::default(),
+            two_wheelers: None,
+            aggressiveness: 0.5,
+            parked: 1.0,
+            signals: SignalControl::default(),
+        }
     }
 }
 

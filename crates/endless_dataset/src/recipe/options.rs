@@ -9,8 +9,8 @@ use super::{rig::SensorSpec, serde_size, user_camera::UserCamera};
 use crate::{Layer, RgbFormat};
 use endless_annotate::CountingLine;
 use endless_world::{
-    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, IncidentKind, RandomisedPart, Region, TimeOfDay,
-    TrafficDensity, Weather,
+    ActorDensity, CameraLookChoice, CameraSite, Changing, ImageSize, IncidentKind, RandomisedPart, Region,
+    SignalControl, TimeOfDay, TrafficDensity, Weather,
 };
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeMap, path::PathBuf};
@@ -121,6 +121,9 @@ recipe_options! {
     /// Share of the maps' parked vehicles that are there.
     parked: f64 => #[serde(default = "whole", skip_serializing_if = "is_whole")] f64,
         OptionKind::Number { least: 0.0, most: 1.0 }, Value("1");
+    /// How signals of junctions are controlled: fixed by their plans, or actuated by who comes (docs/traffic.md).
+    signals: String => #[serde(default, skip_serializing_if = "SignalControl::is_fixed")] SignalControl,
+        OptionKind::Word(Vocabulary::of::<SignalControl>()), Value("fixed");
     /// Share of pedestrians who cross roads away from crossings when a gap in traffic lets them.
     jaywalking: f64 => #[serde(default, skip_serializing_if = "is_zero")] f64,
         OptionKind::Number { least: 0.0, most: 1.0 }, Value("0");

@@ -3,7 +3,7 @@
 use endless_annotate::{Happenings, LightState, SceneFrame, SignalRecord, WeatherState, count_by_class};
 use endless_road::RoadNetwork;
 use endless_traffic::{SignalCountdown, signal_countdowns};
-use endless_world::{Actor, ObjectClass, SceneWeather, SignalId, SignalState, WorldState};
+use endless_world::{Actor, ObjectClass, SceneWeather, SignalControl, SignalId, SignalState, WorldState};
 
 /// Scene time is summed up before frame 0: a signal that changes in that very instant may be a rounding error early or late.
 const ROUNDING_S: f64 = 1e-9;
@@ -14,6 +14,7 @@ pub(super) fn scene_frame(
     network: &RoadNetwork,
     parked: &[Actor],
     state: &WorldState,
+    control: SignalControl,
 ) -> SceneFrame {
     let riders = state.actors.iter().filter(|actor| actor.rider_id.is_some()).map(|_| ObjectClass::Rider);
     SceneFrame {
@@ -21,11 +22,19 @@ pub(super) fn scene_frame(
         time_s: state.time_s,
         weather: WeatherState::new(weather),
         light: LightState::new(weather),
-        signals: signals(network, state),
+        signals: match control {
+            SignalControl::Fixed => signals(network, state),
+            SignalControl::Actuated => shown(state),
+        },
         counts: count_by_class(state.actors.iter().chain(parked).map(|actor| actor.class).chain(riders)),
         // Whoever sees all frames in their order tells of it.
         happenings: Happenings::default(),
     }
+}
+
+/// Signals that follow traffic: nobody knows when they change.
+fn shown(state: &WorldState) -> Vec<SignalRecord> {
+    (0..).zip(&state.signals).map(|(id, signal)| SignalRecord::new(SignalId(id), signal.aspect, None)).collect()
 }
 
 fn signals(network: &RoadNetwork, state: &WorldState) -> Vec<SignalRecord> {

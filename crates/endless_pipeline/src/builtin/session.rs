@@ -286,8 +286,9 @@ impl<'m> RenderTask<'m> for BuiltinRenderTask<'m> {
     }
 
     fn scene_frame(&self, state: &WorldState) -> Option<SceneFrame> {
-        let BuiltinScene { bakes, map, parked, .. } = &*self.scene;
-        Some(scene_frame(&bakes.weather(state.frame), &map.town.network, parked, state))
+        let BuiltinScene { bakes, map, parked, settings, .. } = &*self.scene;
+        let (network, control) = (&map.town.network, settings.profile.signals);
+        Some(scene_frame(&bakes.weather(state.frame), network, parked, state, control))
     }
 
     fn sensor_pose(&self, state: &WorldState, sensor: usize) -> Result<SensorPose, SimulatorError> {

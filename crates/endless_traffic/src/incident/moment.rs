@@ -2,6 +2,7 @@
 
 use super::order::Order;
 use super::road_walk::RoadWalk;
+use crate::actuated::ActuatedSignals;
 use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::signals;
@@ -20,6 +21,8 @@ pub(crate) struct Moment<'a> {
     pub(crate) watched: [&'a [bool]; 2],
     /// Scene time, seconds.
     pub(crate) time_s: f64,
+    /// Signals that follow traffic: what they will show, nobody knows.
+    pub(crate) actuated: Option<&'a ActuatedSignals>,
 }
 
 impl Moment<'_> {
@@ -43,8 +46,11 @@ impl Moment<'_> {
             .map(|(walker, _)| walker)
     }
 
-    /// Whether a signal is red at both of these times, seconds from now.
+    /// Whether a signal is red at both of these times, seconds from now; one that follows traffic counts as what it shows.
     pub(super) fn is_red(&self, signal: SignalId, after_s: [f64; 2]) -> bool {
+        if let Some(actuated) = self.actuated {
+            return after_s.into_iter().all(|after_s| actuated.is_red(signal, after_s));
+        }
         let mut aspects = Vec::new();
         after_s.into_iter().all(|after_s| {
             signals::aspects_at(&self.roads.network, self.time_s + after_s, &mut aspects);

@@ -143,8 +143,8 @@ impl Simulation {
     }
 
     fn moment<'a>(&'a self, occupancy: &'a Occupancy, watched: [&'a [bool]; 2]) -> Moment<'a> {
-        let Self { roads, vehicles, walkers, time_s, .. } = self;
-        Moment { roads, occupancy, vehicles, walkers, watched, time_s: *time_s }
+        let Self { roads, vehicles, walkers, time_s, actuated, .. } = self;
+        Moment { roads, occupancy, vehicles, walkers, watched, time_s: *time_s, actuated: actuated.as_ref() }
     }
 
     fn with_orders(&self, kind: IncidentKind, candidate: Candidate) -> StagedIncident {

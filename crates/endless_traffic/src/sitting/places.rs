@@ -85,3 +85,42 @@ fn place(network: &RoadNetwork, seat: usize, on: &BenchSeat, body_m: f64) -> Opt
     let edges = walk.edges.iter().enumerate().filter_map(found);
     edges.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, place)| place)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use endless_road::{WalkNetwork, WalkNodeId};
+    use std::f64::consts::{FRAC_PI_2, PI};
+
+    /// A sidewalk of 3 m along x, at y from -1.5 to 1.5.
+    fn sidewalk() -> RoadNetwork {
+        let edge = WalkEdge { nodes: [WalkNodeId(0), WalkNodeId(1)], width_m: 3.0, kind: WalkKind::Sidewalk };
+        let nodes = vec![DVec3::ZERO, DVec3::new(40.0, 0.0, 0.0)];
+        RoadNetwork { walk: WalkNetwork { nodes, edges: vec![edge] }, ..RoadNetwork::default() }
+    }
+
+    fn seat(x: f64, y: f64, z: f64, yaw: f64) -> BenchSeat {
+        BenchSeat { position: DVec3::new(x, y, z).as_vec3(), yaw_rad: yaw as f32 }
+    }
+
+    #[test]
+    fn seats_are_reached_from_their_front() {
+        let seats = [
+            // On the sidewalk, at the kerb, and beside it.
+            seat(10.0, -0.9, 0.1, FRAC_PI_2),
+            seat(20.0, 2.5, 0.0, -FRAC_PI_2),
+            // Looking away from it, too far away, and on a bridge above.
+            seat(20.0, 2.5, 0.0, FRAC_PI_2),
+            seat(20.0, 9.0, 0.0, -FRAC_PI_2),
+            seat(20.0, 0.0, 4.0, PI),
+        ];
+        let places = BenchPlaces::new(&sidewalk(), &seats, 0.25);
+        let reached: Vec<usize> = places.on(WalkEdgeId(0)).iter().map(|place| place.seat).collect();
+        assert_eq!(reached, [0, 1]);
+        assert!(places.all().len() == 2 && places.on(WalkEdgeId(1)).is_empty());
+        for place in places.all() {
+            assert!(place.from.y.abs() <= 1.25 + 1e-9, "leaves the sidewalk at {}", place.from);
+            assert!((place.from - place.at.truncate()).dot(place.facing) > IN_FRONT_M);
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! Integration tests of `endless_traffic`, in one binary: a module a subject.
 
+mod actuated;
 mod behaviour;
 mod benches;
 mod borders;
