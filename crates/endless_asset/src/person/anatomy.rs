@@ -1,9 +1,9 @@
 //! A person's skeleton and way of moving: enough to tell where joints and keypoints are, without any mesh.
 
-use super::appearance::Appearance;
+use super::appearance::{Appearance, Carried};
 use super::skeleton::{BONES, Bone, Skeleton};
-use super::{gait, hold, part};
-use endless_world::{BodyKeypoints, FOOT_KEYPOINT_COUNT, KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
+use super::{gait, hold, part, sit};
+use endless_world::{BodyKeypoints, FOOT_KEYPOINT_COUNT, Gait, KEYPOINT_COUNT, Outfit, PersonRef, WalkerMotion};
 use glam::{Affine3A, Vec3};
 
 /// The skeleton of one person, in motion.
@@ -51,7 +51,9 @@ impl Anatomy {
 
     /// How every bone stands at an instant, from the rest pose.
     pub(crate) fn bones(&self, motion: &WalkerMotion) -> [Affine3A; BONES] {
-        let mut bones = gait::posture(motion, &self.skeleton, &self.habit).solve(&self.skeleton);
+        let on_bench = motion.gait == Gait::Sit && self.habit.carried != Carried::Wheelchair;
+        let posture = if on_bench { sit::posture } else { gait::posture };
+        let mut bones = posture(motion, &self.skeleton, &self.habit).solve(&self.skeleton);
         hold::place(&mut bones, motion, &self.skeleton, self.habit.carried);
         bones
     }

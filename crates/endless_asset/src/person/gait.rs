@@ -4,7 +4,7 @@ use super::appearance::{Appearance, Carried};
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{Bone, Side, Skeleton};
 use super::step;
-use super::{hold, sit, wheeled};
+use super::{hold, wheeled};
 use endless_world::math::UnfusedQuat;
 use endless_world::walking::{Mobility, PedestrianSpec, average_speed_mps, foot_home, running_share, stride_m};
 use endless_world::{FootPlace, Gait, Stream, WalkerMotion, math};
@@ -114,14 +114,10 @@ fn feet(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> (f32, 
     (cycle - cycle.floor(), feet)
 }
 
-/// The posture at an instant.
+/// The posture at an instant of who is on their feet, or in a wheelchair.
 pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {
     if habit.carried == Carried::Wheelchair {
         return rolling(motion, skeleton, habit);
-    }
-    if motion.gait == Gait::Sit {
-        let stands = WalkerMotion { speed_mps: 0.0, gait: Gait::Idle, ..*motion };
-        return sit::posture(motion, skeleton, habit, || upright(&stands, skeleton, habit));
     }
     upright(motion, skeleton, habit)
 }

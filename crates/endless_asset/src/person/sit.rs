@@ -1,12 +1,12 @@
 //! On a bench, and down to it and up again: feet stay where they are, the body goes back over them and down.
 
-use super::gait::GaitStyle;
+use super::gait::{self, GaitStyle};
 use super::hold;
 use super::posture::{Arm, Leg, Posture};
 use super::skeleton::{Bone, Side, Skeleton};
 use super::step;
 use endless_world::math::UnfusedQuat;
-use endless_world::{BenchSeat, FootPlace, WalkerMotion, math};
+use endless_world::{BenchSeat, FootPlace, Gait, WalkerMotion, math};
 use glam::{Quat, Vec3};
 use std::f32::consts::TAU;
 
@@ -19,15 +19,14 @@ const TIPTOE: f32 = 0.55;
 /// Who gets up or sits down leans forward meanwhile, so that they stay over their feet, radians.
 const LEAN: f32 = 0.55;
 
-/// On a bench's seat; `standing` is how they stand before it, of which they have as much as they have risen.
-pub(crate) fn posture(
-    motion: &WalkerMotion,
-    skeleton: &Skeleton,
-    habit: &GaitStyle,
-    standing: impl FnOnce() -> Posture,
-) -> Posture {
+/// On a bench's seat, or as much as they have risen as they stand before it.
+pub(crate) fn posture(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {
     let seated = seated(motion, skeleton, habit);
-    if motion.risen <= 0.0 { seated } else { between(&seated, &standing(), motion.risen.min(1.0), skeleton) }
+    if motion.risen <= 0.0 {
+        return seated;
+    }
+    let stands = WalkerMotion { speed_mps: 0.0, gait: Gait::Idle, ..*motion };
+    between(&seated, &gait::posture(&stands, skeleton, habit), motion.risen.min(1.0), skeleton)
 }
 
 fn seated(motion: &WalkerMotion, skeleton: &Skeleton, habit: &GaitStyle) -> Posture {

@@ -5,8 +5,8 @@ use endless_road::{
     WalkNetwork, WalkNodeId,
 };
 use endless_world::{
-    Behaviour, InstanceId, LanePlace, Motion, ObjectClass, Outfit, PersonRef, Pose, SignalAspect, SignalId,
-    SignalState, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion,
+    Behaviour, BenchSeat, Gait, InstanceId, LanePlace, Motion, ObjectClass, Outfit, PersonRef, Pose, SignalAspect,
+    SignalId, SignalState, VehicleModelId, VehicleMotion, VehicleRef, WalkerMotion,
 };
 use glam::{DVec3, Vec3};
 
@@ -338,4 +338,34 @@ fn nobody_vanishes_beside_a_bus() {
     let vanishes =
         |t: f64| std::iter::once(bus(t, 99.0, 0.0)).chain((t < 2.0).then(|| person(2, [35.0, -2.0]))).collect();
     assert_eq!(fails(4.0, vanishes), [AuditCheck::Vanishings]);
+}
+
+/// Beside the sidewalk, on a seat or not, somebody sits down after 2 s.
+#[test]
+fn who_sits_for_long_sits_on_a_seat() {
+    let sits_at = |x: f64| {
+        move |t: f64| {
+            let mut person = person(1, [x, -5.8]);
+            let gait = if t < 2.0 { Gait::Idle } else { Gait::Sit };
+            person.motion = Motion::Walker(WalkerMotion { gait, ..WalkerMotion::default() });
+            vec![person]
+        }
+    };
+    let (network, specs) = (street(), specs());
+    let seat = BenchSeat { position: Vec3::new(20.0, -5.8, 0.0), yaw_rad: 0.0 };
+    let watched = |actors: &dyn Fn(f64) -> Vec<Actor>| {
+        let mut audit = TrafficAudit::new(&network, &specs, &[], FPS).with_bench_seats(&[seat]);
+        for frame in 0..(200.0 * FPS) as u32 {
+            let time_s = f64::from(frame) / FPS;
+            let signals = vec![SignalState { aspect: SignalAspect::Green }; 2];
+            audit.look(&WorldState { frame, time_s, actors: actors(time_s), signals });
+        }
+        failed(&audit.report())
+    };
+    assert_eq!(watched(&sits_at(20.0)), []);
+    // On the ground before the bench, for too long.
+    assert_eq!(watched(&sits_at(20.5)), [AuditCheck::PersonStands, AuditCheck::BesideSeat]);
+    // Where there is no bench.
+    let surface = [AuditCheck::OffSidewalk, AuditCheck::OffSidewalkShare];
+    assert_eq!(watched(&sits_at(40.0))[1..3], surface);
 }

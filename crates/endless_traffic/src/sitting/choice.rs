@@ -1,7 +1,7 @@
 //! Who sits down on a bench, when, and for how long.
 
+use super::errand::{AGAIN_S, Rest};
 use super::places::BenchPlace;
-use super::rest::Rest;
 use crate::roads::Roads;
 use crate::settings::DrivingCondition;
 use crate::walk_strip::DirectedEdge;
@@ -17,8 +17,6 @@ const SITS: f64 = 0.2;
 const AHEAD_M: [f64; 2] = [0.5, 4.5];
 /// For how long they sit, seconds.
 const SITS_S: [f64; 2] = [60.0, 420.0];
-/// After a rest nobody sits down again for so long, seconds.
-pub(super) const AGAIN_S: f64 = 180.0;
 /// Who still sits when it gets dark or begins to rain gets up within this time, seconds.
 const LEAVES_S: f64 = 15.0;
 /// By day at most this share of vehicles has its headlights on; wetter seats are not sat on.

@@ -5,9 +5,10 @@
 //! to who has chosen it.
 
 mod choice;
+mod errand;
 mod places;
 mod rest;
 
 pub(crate) use choice::{choose, seat_some};
+pub(crate) use errand::Rest;
 pub(crate) use places::BenchPlaces;
-pub(crate) use rest::Rest;

@@ -1,8 +1,8 @@
 //! Seats that can be reached from a sidewalk.
 
-use crate::walk_strip::unit_vector;
 use endless_road::{RoadNetwork, WalkEdge, WalkEdgeId, WalkKind};
 use endless_world::BenchSeat;
+use endless_world::math::f64::sin_cos;
 use glam::{DVec2, DVec3};
 
 /// Seats are reached from where the sidewalk is nearest to this far before them, metres, and no further away than that.
@@ -61,7 +61,8 @@ impl BenchPlaces {
 fn place(network: &RoadNetwork, seat: usize, on: &BenchSeat, body_m: f64) -> Option<BenchPlace> {
     let walk = &network.walk;
     let (at, yaw) = (on.position.as_dvec3(), f64::from(on.yaw_rad));
-    let facing = unit_vector(yaw);
+    let (sin, cos) = sin_cos(yaw);
+    let facing = DVec2::new(cos, sin);
     let before = at.truncate() + facing * BEFORE_M;
     let found = |(number, edge): (usize, &WalkEdge)| {
         let [a, b] = edge.nodes.map(|node| walk.nodes[node.index()]);

@@ -1,5 +1,6 @@
 //! A rest on a bench, from the way there to the way back.
 
+use super::errand::{AGAIN_S, Phase, Rest, eased};
 use super::places::BenchPlace;
 use crate::body_contact::{bounds_of_bodies, nearest_within};
 use crate::people_grid::Passer;
@@ -27,73 +28,8 @@ const DOWN_S: f64 = 2.0;
 /// Nobody looks for their seat for longer, nor tries to get to it or away from it, seconds.
 const LOOKS_S: f64 = 25.0;
 const TRIES_S: f64 = 12.0;
-/// Knees of who sits are so far ahead of them, metres.
-const KNEES_M: f64 = 0.4;
 /// Somebody may touch who sits down where there is less than this between the middles of bodies, metres.
 const ROOM_M: f64 = 2.0 * BODY_M + 0.01;
-
-/// Somebody's rest.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Rest {
-    pub(crate) place: BenchPlace,
-    phase: Phase,
-    /// How long they have been in this phase, seconds.
-    since_s: f64,
-    /// For how long they will sit, seconds.
-    pub(crate) left_s: f64,
-}
-
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Phase {
-    /// Along the sidewalk.
-    Comes,
-    /// From the sidewalk to before the seat.
-    Leaves,
-    Turns,
-    /// Share of the way, 0 to 1.
-    SitsDown(f64),
-    Sits,
-    GetsUp(f64),
-    /// To the sidewalk.
-    Returns,
-}
-
-impl Rest {
-    /// Of somebody who has chosen a seat.
-    pub(crate) fn chosen(place: BenchPlace, left_s: f64) -> Self {
-        Self { place, phase: Phase::Comes, since_s: 0.0, left_s }
-    }
-
-    /// Whether they have left the sidewalk.
-    pub(crate) fn is_at_bench(&self) -> bool {
-        self.phase != Phase::Comes
-    }
-
-    /// Share of the way up from the seat, while they are on it or between it and a stand.
-    fn risen(&self) -> Option<f64> {
-        match self.phase {
-            Phase::SitsDown(share) => Some(1.0 - eased(share)),
-            Phase::GetsUp(share) => Some(eased(share)),
-            Phase::Sits => Some(0.0),
-            _ => None,
-        }
-    }
-
-    /// Where the knees of who sits are in others' way.
-    pub(crate) fn knees(&self) -> Option<DVec2> {
-        (self.phase == Phase::Sits).then(|| self.place.at.truncate() + self.place.facing * KNEES_M)
-    }
-
-    fn to(self, phase: Phase) -> Option<Self> {
-        Some(Self { phase, since_s: 0.0, ..self })
-    }
-}
-
-/// Smoothly from 0 to 1.
-fn eased(share: f64) -> f64 {
-    let u = share.clamp(0.0, 1.0);
-    u * u * u * (10.0 + u * (6.0 * u - 15.0))
-}
 
 impl Walker {
     /// Whether they have left the sidewalk for a bench.
@@ -193,7 +129,7 @@ impl Walker {
         self.height += change * (4.0 * step_s).min(1.0);
         self.rest = next.map(Box::new);
         if self.rest.is_none() {
-            self.rests_again_s = super::choice::AGAIN_S;
+            self.rests_again_s = AGAIN_S;
         }
     }
 
