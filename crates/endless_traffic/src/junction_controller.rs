@@ -9,8 +9,10 @@ use super::entry_request::{
 };
 use crate::gridlock;
 use crate::occupancy::Occupancy;
+use crate::overlap::SweptApproach;
 use crate::roads::Roads;
 use crate::vehicle::{RightOfWay, Vehicle};
+use endless_road::swept::LONG_M;
 use endless_road::{JunctionId, LaneId, TrafficControl, Turn};
 use endless_world::{SignalAspect, SignalState};
 
@@ -32,6 +34,9 @@ const MOST_ROADS: usize = 3;
 const DETOUR_S: f64 = 15.0;
 /// Who has the right of way and has stood this long before the junction is held up by something else, seconds.
 const HELD_UP_S: f64 = 4.0;
+
+/// Slower than this somebody stands, m/s.
+const STANDS_MPS: f64 = 0.5;
 
 /// Gives and takes back the right of way through junctions.
 #[derive(Debug, Clone, Default)]
@@ -101,7 +106,8 @@ impl JunctionController {
                     && others
                         .all(|other| !yields_to(roads, request, other) && goes_before(roads, vehicles, request, other))
             };
-            let fits = comes_first && (!lets_others_go || clear());
+            let finds_room = || sweeps_free_ground(roads, occupancy, &vehicles[request.vehicle], &request.lanes);
+            let fits = comes_first && (!lets_others_go || clear()) && finds_room();
             if fits {
                 self.order += 1;
                 let vehicle = &mut vehicles[request.vehicle];
@@ -200,6 +206,16 @@ impl JunctionController {
         }
         true
     }
+}
+
+/// Whether nobody stands where a long vehicle sweeps that turns on these lanes: who has had the right of way and lost it may
+/// stand further on than where one waits.
+fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes: &[LaneId]) -> bool {
+    let stands_there = |swept: &SweptApproach| {
+        let from = roads.table(swept.lane).length - swept.last_m;
+        occupancy.on(swept.lane).iter().any(|o| o.front > from && o.speed < STANDS_MPS)
+    };
+    2.0 * me.half_length < LONG_M || !lanes.iter().any(|&lane| roads.table(lane).sweeps.iter().any(stands_there))
 }
 
 /// Room beyond the junction that is kept for somebody who has waited long to get there, and longer than who asks, metres: where

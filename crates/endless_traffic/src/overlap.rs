@@ -48,6 +48,14 @@ impl MergeOverlap {
     }
 }
 
+/// The last piece of a lane before a junction, over which long vehicles sweep that turn beside it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct SweptApproach {
+    pub(crate) lane: LaneId,
+    /// From its end, metres.
+    pub(crate) last_m: f64,
+}
+
 /// The bodies for which room is kept.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DesignVehicles {
@@ -163,13 +171,14 @@ fn setback(network: &RoadNetwork, before: LaneId, body: DesignVehicle, turning: 
 }
 
 /// Takes the ways through junctions from a long model on which it would touch those who wait, wherever they wait, and
-/// keeps its room free before the lines elsewhere.
+/// keeps its room free before the lines elsewhere: `sweeps` has it by the lane on which one turns.
 pub(crate) fn make_room(
     network: &RoadNetwork,
     bodies: DesignVehicles,
     spec: &VehicleSpec,
     allowed: &mut [bool],
     setbacks: &mut [f64],
+    sweeps: &mut [Vec<SweptApproach>],
 ) {
     let body = DesignVehicle::around(std::iter::once(spec), ASIDE_M);
     for junction in &network.junctions {
@@ -196,8 +205,13 @@ pub(crate) fn make_room(
                 allowed[lane.index()] = false;
                 continue;
             }
-            for (before, needed) in needed {
+            for (before, needed) in needed.into_iter().filter(|(_, needed)| *needed > 0.0) {
                 setbacks[before.index()] = needed.max(setbacks[before.index()]);
+                let swept = &mut sweeps[lane.index()];
+                match swept.iter_mut().find(|s| s.lane == before) {
+                    Some(known) => known.last_m = needed.max(known.last_m),
+                    None => swept.push(SweptApproach { lane: before, last_m: needed }),
+                }
             }
         }
     }

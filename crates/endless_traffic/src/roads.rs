@@ -3,7 +3,9 @@
 use crate::attraction::Attraction;
 use crate::focus::Focus;
 use crate::midblock::MidblockWays;
-use crate::overlap::{ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, alongside, make_room, siblings};
+use crate::overlap::{
+    ConflictTables, DesignVehicles, DivergingLane, MergeOverlap, SweptApproach, alongside, make_room, siblings,
+};
 use crate::sitting::BenchPlaces;
 use crate::stop_places::StopPlaces;
 use endless_road::swept::{LONG_M, curvature_per_m, fits, leaves_oncoming_room, smallest_radius_m};
@@ -45,6 +47,8 @@ pub(crate) struct LaneTable {
     pub(crate) alongside: Vec<MergeOverlap>,
     /// Distance from the lane's end at which vehicles wait, so that those who turn get past, metres.
     pub(crate) setback: f64,
+    /// Where nobody may stand while a long vehicle turns on it.
+    pub(crate) sweeps: Vec<SweptApproach>,
 }
 
 impl LaneTable {
@@ -153,18 +157,24 @@ impl TrafficMap {
         }
         let everybody = network.lanes_in_use(&borders);
         let mut setbacks: Vec<f64> = lanes.iter().map(|table| table.setback).collect();
+        let mut sweeps = vec![Vec::new(); lanes.len()];
         let allowed = specs
             .iter()
             .map(|spec| {
                 let mut stays = wide_enough(&network, &lanes, &everybody, spec);
                 if f64::from(spec.length_m) >= LONG_M {
-                    make_room(&network, bodies, spec, &mut stays, &mut setbacks);
+                    make_room(&network, bodies, spec, &mut stays, &mut setbacks, &mut sweeps);
                 }
                 lanes_that_lead_on(&network, &borders, stays)
             })
             .collect();
-        for (table, setback) in lanes.iter_mut().zip(setbacks) {
-            table.setback = setback.min((table.length - bodies.length_m()).max(0.0));
+        for (table, setback) in lanes.iter_mut().zip(&mut setbacks) {
+            *setback = setback.min((table.length - bodies.length_m()).max(0.0));
+            table.setback = *setback;
+        }
+        for (table, mut sweeps) in lanes.iter_mut().zip(sweeps) {
+            sweeps.iter_mut().for_each(|swept| swept.last_m = swept.last_m.min(setbacks[swept.lane.index()]));
+            table.sweeps = sweeps;
         }
         Self(Arc::new(RoadTables { network, borders, specs: specs.to_vec(), allowed, lanes }))
     }
