@@ -333,6 +333,7 @@ fn set_down(vehicle: &mut Vehicle, roads: &Roads, slot: LaneSlot, speed: f64) {
     vehicle.speed = speed;
     vehicle.acceleration = 0.0;
     vehicle.shift = None;
+    vehicle.tail = None;
     vehicle.intent = None;
     vehicle.filtering = None;
     vehicle.rights_of_way.clear();

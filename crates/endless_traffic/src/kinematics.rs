@@ -4,7 +4,7 @@
 
 use crate::incident::impact;
 use crate::roads::Roads;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{LaneTail, Vehicle};
 use endless_road::LaneId;
 use endless_road::swept::{DRAWBAR, towed_heading};
 use endless_world::Pose;
@@ -71,8 +71,9 @@ pub(crate) fn advance(vehicle: &mut Vehicle, roads: &Roads, step_s: f64) {
         vehicle.here -= keep;
     }
     if lateral(vehicle, 0.0).2 {
-        vehicle.shift = None;
+        vehicle.tail = vehicle.shift.take().and_then(|change| LaneTail::of(vehicle, change));
     }
+    vehicle.tail = vehicle.tail.filter(|tail| tail.is_there(vehicle));
     place(vehicle, roads, travelled, step_s);
 }
 

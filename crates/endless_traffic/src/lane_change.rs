@@ -74,6 +74,7 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
     let table = roads.table(me.lane());
     let room = change_length(me) + 12.0 + me.half_length;
     if me.shift.is_some()
+        || me.tail.is_some()
         || me.speed < 3.0
         || table.junction.is_some()
         || !roads.allowed(me.asset.model)[target.index()]

@@ -43,6 +43,31 @@ pub(crate) struct LaneChange {
     pub(crate) length_m: f64,
 }
 
+/// A lane that a long vehicle has left, while what comes last of it is still there.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct LaneTail {
+    /// The lane left, and its `s` minus that of the lane it is on.
+    pub(crate) from: LaneId,
+    pub(crate) from_minus_here: f64,
+    /// The lane it is on, and how far on it the last of it has come over.
+    pub(crate) here: LaneId,
+    pub(crate) until_s: f64,
+}
+
+impl LaneTail {
+    /// Of a vehicle that has just changed lanes: what is long comes over a length later, what is short at once.
+    pub(crate) fn of(vehicle: &Vehicle, change: LaneChange) -> Option<Self> {
+        let LaneChange { from, from_minus_here, .. } = change;
+        let until_s = vehicle.s + 2.0 * vehicle.half_length;
+        vehicle.long().then(|| Self { from, from_minus_here, here: vehicle.lane(), until_s })
+    }
+
+    /// Whether it is still there.
+    pub(crate) fn is_there(&self, vehicle: &Vehicle) -> bool {
+        vehicle.lane() == self.here && vehicle.s < self.until_s
+    }
+}
+
 /// A part of a lane that a body covers, not clipped to the lane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LaneCover {
@@ -74,6 +99,7 @@ pub(crate) struct Vehicle {
     pub(crate) speed: f64,
     pub(crate) acceleration: f64,
     pub(crate) shift: Option<LaneChange>,
+    pub(crate) tail: Option<LaneTail>,
     /// Lane change to come: target, and seconds until it begins.
     pub(crate) intent: Option<(LaneId, f64)>,
     /// Where it is to go at the next junction.
@@ -130,6 +156,7 @@ impl Vehicle {
             speed: 0.0,
             acceleration: 0.0,
             shift: None,
+            tail: None,
             intent: None,
             aim: None,
             rights_of_way: Vec::new(),
@@ -224,16 +251,25 @@ impl Vehicle {
             let at = self.s + shift.from_minus_here;
             into.push(LaneCover { lane: shift.from, rear: at - self.half_length, front: at + self.half_length });
         }
+        if let Some(tail) = self.tail {
+            let at = self.s + tail.from_minus_here;
+            into.push(LaneCover { lane: tail.from, rear: at - self.half_length, front: at });
+        }
     }
 
     /// What it takes of the width of its lane, on the way to its place there too.
     pub(crate) fn across(&self) -> Across {
-        if self.shift.is_some() || self.order.is_some() || self.kerb_halt.is_some() {
+        if self.shift.is_some() || self.tail.is_some() || self.order.is_some() || self.kerb_halt.is_some() {
             return Across::WHOLE;
         }
         let usual_m = self.driver.lateral_m;
-        let (now_m, goal_m) = self.filtering.map_or((0.0, 0.0), |way| (way.aside(self.rolled).0, way.goal_m()));
-        Across::between(usual_m + now_m, usual_m + goal_m, self.half_width)
+        let Some(way) = self.filtering else { return Across::between(usual_m, usual_m, self.half_width) };
+        let ((now_m, slope), goal_m) = (way.aside(self.rolled), way.goal_m());
+        // Who stands aslant has its rear where it comes from.
+        let rear_m = now_m - slope * 2.0 * self.half_length;
+        let [right_m, left_m] =
+            [rear_m.min(now_m).min(goal_m), rear_m.max(now_m).max(goal_m)].map(|aside_m| usual_m + aside_m);
+        Across::between(right_m, left_m, self.half_width)
     }
 
     /// Its body seen from above, with a margin all round, metres.

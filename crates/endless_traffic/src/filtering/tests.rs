@@ -6,6 +6,7 @@ use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::roads::TrafficMap;
 use crate::settings::DrivingCondition;
+use crate::vehicle::LaneChange;
 use endless_road::{Junction, JunctionId, Lane, LaneId, Polyline, RoadNetwork, TrafficControl};
 use endless_world::{
     ObjectClass, Region, Side, SignalAspect, SignalId, SignalState, Stream, VehicleModelId, VehicleRef, VehicleSpec,
@@ -160,6 +161,40 @@ fn the_way_back_begins_where_the_rider_is() {
             );
         }
     }
+}
+
+#[test]
+fn who_stops_aslant_on_the_way_back_still_takes_the_place_of_its_rear() {
+    let roads = street(2, 3.3);
+    let mut rider = vehicle(&roads, 0, 1, 190.0, 0.0);
+    let drift = Drift { begin_m: 0.0, length_m: 8.0, left_m: 1.65, back_m: None };
+    rider.filtering = Some(Filtering { drift, straddles: Some(Side::Left) }.back(20.0, 0.0, 9.0));
+    rider.rolled = 24.0;
+    let at_pivot_m = rider.filtering.expect("a way back").aside(rider.rolled).0;
+    let taken = rider.across();
+    assert!(at_pivot_m < 1.0 && taken.left_m > at_pivot_m + rider.half_width + 0.4, "{at_pivot_m} {taken:?}");
+}
+
+#[test]
+fn a_lane_that_a_long_vehicle_has_left_is_taken_until_its_rear_has_come_over() {
+    let roads = street(2, 3.3);
+    let left_for = |model: usize| {
+        let mut mover = vehicle(&roads, model, 0, 60.0, 5.0);
+        let (from, offset_m) = (LaneId(1), -3.3);
+        mover.shift = Some(LaneChange { from, from_minus_here: 0.0, offset_m, begin_s: 60.0, length_m: 24.0 });
+        let mut covers = Vec::new();
+        let mut gone_at_m = 60.0;
+        for _ in 0..300 {
+            crate::kinematics::advance(&mut mover, &roads, 1.0 / 30.0);
+            mover.covers(&roads, &mut covers);
+            if covers.iter().any(|cover| cover.lane == from) {
+                gone_at_m = mover.s;
+            }
+        }
+        gone_at_m - 84.0
+    };
+    assert!(left_for(1).abs() < 0.3, "a car");
+    assert!((left_for(2) - 12.0).abs() < 0.4, "a bus");
 }
 
 #[test]
