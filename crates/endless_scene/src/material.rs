@@ -20,6 +20,10 @@ pub enum LightSlot {
     IndicatorRight,
     /// Reversing light.
     Reverse,
+    /// The left half of a beacon, of the colour of its lens.
+    BeaconLeft,
+    /// The right half.
+    BeaconRight,
 }
 
 /// The aspect of a signal group that lights a lens.

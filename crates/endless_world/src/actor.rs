@@ -51,6 +51,10 @@ bitflags::bitflags! {
         const FOG = 128;
         /// Cabin light.
         const INTERIOR = 256;
+        /// The left half of the beacons of emergency vehicles, lit (flashing is the traffic's business).
+        const SPECIAL1 = 512;
+        /// The right half of them.
+        const SPECIAL2 = 1024;
     }
 }
 

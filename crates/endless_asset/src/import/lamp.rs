@@ -19,6 +19,7 @@ fn color(slot: LightSlot) -> [f32; 3] {
         LightSlot::Head | LightSlot::Reverse => [0.75, 0.76, 0.78],
         LightSlot::Tail | LightSlot::Brake => [0.45, 0.012, 0.012],
         LightSlot::IndicatorLeft | LightSlot::IndicatorRight => [0.62, 0.24, 0.02],
+        LightSlot::BeaconLeft | LightSlot::BeaconRight => [0.015, 0.07, 0.62],
     }
 }
 

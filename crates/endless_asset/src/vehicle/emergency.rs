@@ -5,6 +5,7 @@ use super::car::CarShape;
 use super::draw::DesignDraw;
 use super::{cars, paint, van};
 use crate::shape::{Region, Sculpt};
+use endless_scene::Material;
 use glam::{Vec2, Vec3};
 
 /// How high a light bar stands above the roof.
@@ -16,8 +17,8 @@ pub(crate) fn light_bar(centre: Vec3, half_width: f32, two_coloured: bool) -> Sc
         let (low, high) = (centre + Vec3::new(-0.13, y0, 0.015), centre + Vec3::new(0.13, y1, BAR_M));
         Sculpt::cuboid(low, high, 0.03, m)
     };
-    let mut bar = lens(0.25 * half_width, half_width, paint::BLUE_LIGHT);
-    let other = if two_coloured { paint::RED_LIGHT } else { paint::BLUE_LIGHT };
+    let mut bar = lens(0.25 * half_width, half_width, paint::BEACON_LEFT);
+    let other = if two_coloured { paint::RED_BEACON_RIGHT } else { paint::BEACON_RIGHT };
     bar.add(lens(-half_width, -0.25 * half_width, other));
     bar.add(lens(-0.24 * half_width, 0.24 * half_width, paint::GREY));
     bar.add(Sculpt::cuboid(
@@ -27,6 +28,11 @@ pub(crate) fn light_bar(centre: Vec3, half_width: f32, two_coloured: bool) -> Sc
         paint::TRIM,
     ));
     bar
+}
+
+/// The lens of a beacon beside the middle of the roof.
+pub(crate) fn beacon(y: f32) -> Material {
+    if y > 0.0 { paint::BEACON_LEFT } else { paint::BEACON_RIGHT }
 }
 
 fn marked(shape: CarShape, draw: &DesignDraw) -> VehicleBlueprint {
@@ -109,7 +115,7 @@ pub(crate) fn ambulance(draw: &DesignDraw) -> VehicleBlueprint {
                 at - Vec3::new(0.06, 0.14, 0.0),
                 at + Vec3::new(0.06, 0.14, 0.09),
                 0.02,
-                paint::BLUE_LIGHT,
+                beacon(y),
             ));
         }
     })

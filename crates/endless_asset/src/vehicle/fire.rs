@@ -2,7 +2,7 @@
 
 use super::assemble::VehicleBlueprint;
 use super::draw::DesignDraw;
-use super::emergency::light_bar;
+use super::emergency::{beacon, light_bar};
 use super::lorry::{BODY_HALF_WIDTH, CAB_TOP, Cab, FRAME_Z, Lorry, rect};
 use super::paint;
 use crate::shape::{Region, Sculpt};
@@ -63,12 +63,7 @@ pub(crate) fn engine(draw: &DesignDraw) -> VehicleBlueprint {
         }
         s.add(light_bar(v(-0.62, 0.0, CAB_TOP - 0.01), 0.85, false));
         for y in [-0.95, 0.95] {
-            s.add(Sculpt::cuboid(
-                v(x0 + 0.05, y - 0.1, top),
-                v(x0 + 0.2, y + 0.1, top + 0.12),
-                0.03,
-                paint::BLUE_LIGHT,
-            ));
+            s.add(Sculpt::cuboid(v(x0 + 0.05, y - 0.1, top), v(x0 + 0.2, y + 0.1, top + 0.12), 0.03, beacon(y)));
         }
         s
     });

@@ -35,7 +35,10 @@ pub(crate) const BRAKE_LIGHT: Material = of(Surface::VehicleLight(LightSlot::Bra
 pub(crate) const REVERSE: Material = of(Surface::VehicleLight(LightSlot::Reverse), [0.7, 0.7, 0.7]);
 pub(crate) const LEFT: Material = of(Surface::VehicleLight(LightSlot::IndicatorLeft), [0.85, 0.30, 0.02]);
 pub(crate) const RIGHT: Material = of(Surface::VehicleLight(LightSlot::IndicatorRight), [0.85, 0.30, 0.02]);
-pub(crate) const BLUE_LIGHT: Material = of(Surface::LitSign, [0.015, 0.07, 0.62]);
+/// Of beacons, to the left and to the right, and where those to the right are red.
+pub(crate) const BEACON_LEFT: Material = of(Surface::VehicleLight(LightSlot::BeaconLeft), [0.015, 0.07, 0.62]);
+pub(crate) const BEACON_RIGHT: Material = of(Surface::VehicleLight(LightSlot::BeaconRight), [0.015, 0.07, 0.62]);
+pub(crate) const RED_BEACON_RIGHT: Material = of(Surface::VehicleLight(LightSlot::BeaconRight), [0.60, 0.015, 0.012]);
 pub(crate) const RED_LIGHT: Material = of(Surface::LitSign, [0.60, 0.015, 0.012]);
 pub(crate) const AMBER_LIGHT: Material = of(Surface::LitSign, [0.80, 0.34, 0.01]);
 /// Colours of liveries.

@@ -90,6 +90,7 @@ fn assert_lights_are_on_the_surface(vehicle: &VehicleModel) {
         };
         let motor = vehicle.spec.class != ObjectClass::Bicycle;
         let (four, whole) = (motor && !vehicle.spec.ridden, vehicle.trailer().is_none());
+        let is_emergency = |name: &str| ["police", "ambulance", "fire"].iter().any(|what| name.contains(what));
         // Whether it must have them, and whether it may.
         let slots = [
             (LightSlot::Tail, -Vec3::X, [true; 2]),
@@ -98,6 +99,8 @@ fn assert_lights_are_on_the_surface(vehicle: &VehicleModel) {
             (LightSlot::Head, Vec3::X, [motor; 2]),
             (LightSlot::IndicatorLeft, Vec3::Y, [motor; 2]),
             (LightSlot::IndicatorRight, -Vec3::Y, [motor; 2]),
+            (LightSlot::BeaconLeft, Vec3::Y, [is_emergency(name); 2]),
+            (LightSlot::BeaconRight, -Vec3::Y, [is_emergency(name); 2]),
         ];
         for (slot, towards, [must, may]) in slots.into_iter().filter(|s| (s.1 == -Vec3::X) == rear) {
             let parts = lens(slot);

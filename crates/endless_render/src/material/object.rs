@@ -123,6 +123,7 @@ pub(super) fn vehicle_light(
     let glare = if environment.night { NIGHT_GLARE } else { 1.0 };
     let red = Vec3A::new(1.0, 0.035, 0.02);
     let amber = Vec3A::new(1.0, 0.42, 0.03);
+    let beacon = base * (24.0 / base.max_element().max(1e-3));
     bsdf.emission = glare
         * match slot {
             LightSlot::Head if on(VehicleLights::LOW_BEAM | VehicleLights::HIGH_BEAM) => {
@@ -134,6 +135,8 @@ pub(super) fn vehicle_light(
             LightSlot::IndicatorLeft if on(VehicleLights::LEFT_BLINKER) => amber * 16.0,
             LightSlot::IndicatorRight if on(VehicleLights::RIGHT_BLINKER) => amber * 16.0,
             LightSlot::Reverse if on(VehicleLights::REVERSE) => Vec3A::splat(12.0),
+            LightSlot::BeaconLeft if on(VehicleLights::SPECIAL1) => beacon,
+            LightSlot::BeaconRight if on(VehicleLights::SPECIAL2) => beacon,
             _ => Vec3A::ZERO,
         };
     bsdf
