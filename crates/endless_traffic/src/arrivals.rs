@@ -2,6 +2,7 @@
 
 use crate::crossing::CrossingState;
 use crate::driver::Driver;
+use crate::emergency;
 use crate::filtering;
 use crate::kinematics;
 use crate::occupancy::Occupancy;
@@ -129,6 +130,7 @@ impl Arrivals {
         let driver = Driver::new(spec, view.condition, self.aggressiveness, &mut own);
         let half = 0.5 * f64::from(spec.length_m);
         let mut vehicle = Vehicle::new(spec, VehicleRef { model, variant }, driver, entry, half, own);
+        emergency::call(roads, &mut vehicle);
         vehicle.drawn = drawn;
         vehicle.rides_past_queues = filtering::rides_past_queues(&vehicle, self.region);
         vehicle.plan(roads);

@@ -2,6 +2,7 @@
 //! another lane.
 
 use crate::bus_stop::BusHalts;
+use crate::emergency::is_emergency;
 use crate::kerb_halt::KerbHalt;
 use crate::kerb_room::{is_straight, kerb_m, kerb_side, left_m, room_ahead, room_behind, sign};
 use crate::occupancy::Occupancy;
@@ -54,14 +55,15 @@ impl Deliveries {
     ) {
         let me = &vehicles[i];
         let busy = me.kerb_halt.is_some() || me.order.is_some() || me.shift.is_some() || me.intent.is_some();
-        if self.share > 0.0 && !busy && self.delivers(me) {
+        if self.share > 0.0 && !busy && self.delivers(roads, me) {
             vehicles[i].kerb_halt = self.place(roads, occupancy, halts, vehicles, i);
         }
     }
 
-    fn delivers(&self, vehicle: &Vehicle) -> bool {
+    fn delivers(&self, roads: &Roads, vehicle: &Vehicle) -> bool {
         let class = matches!(vehicle.class, ObjectClass::Van | ObjectClass::Truck);
         class
+            && !is_emergency(roads.specs[vehicle.asset.model.index()].name)
             && vehicle.trailer.is_none()
             && 2.0 * vehicle.half_length < LONGEST_M
             && Stream::named(vehicle.asset.variant, "traffic.deliverer", &[]).chance(self.share)

@@ -1,5 +1,6 @@
 //! The request of a vehicle to enter a junction, and which of two requests goes first.
 
+use crate::emergency::gives_up_turn;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::{JunctionId, LaneId, TrafficControl, Turn};
@@ -11,6 +12,8 @@ const PATIENCE_S: f64 = 2.5;
 const COURTESY_S: f64 = 25.0;
 /// They stand for it this share of the time that the other has waited.
 const COURTEOUS_SHARE: f64 = 0.25;
+/// Slower than this somebody stands, m/s.
+const STANDS_MPS: f64 = 0.5;
 /// Traffic is slow below this speed, m/s.
 const SLOW_MPS: f64 = 4.0;
 
@@ -38,6 +41,16 @@ impl EntryRequest {
     /// Whether no other vehicle stands between it and the line.
     pub(super) fn at_the_line(&self) -> bool {
         self.distance < 6.0 + self.setback
+    }
+
+    /// Whether it can still stop before the line.
+    fn can_stop(&self) -> bool {
+        self.speed < STANDS_MPS || self.distance > stopping_m(self.speed)
+    }
+
+    /// Whether it comes to the line or stands there, not in a queue before it.
+    fn comes(&self) -> bool {
+        self.at_the_line() || self.speed > SLOW_MPS
     }
 }
 
@@ -126,10 +139,14 @@ pub(super) fn sign_allows(roads: &Roads, request: &EntryRequest) -> bool {
     }
 }
 
-/// Whether `me`, in slow traffic, gives up its turn for `other`, who has waited long to join it or to get across.
-pub(super) fn yields_to(roads: &Roads, me: &EntryRequest, other: &EntryRequest) -> bool {
+/// Whether `me` gives up its turn for `other`, who is on call, or in slow traffic has waited long to join it or to get across.
+pub(super) fn yields_to(roads: &Roads, vehicles: &[Vehicle], me: &EntryRequest, other: &EntryRequest) -> bool {
     let meet =
         || me.lanes.iter().any(|&l| roads.table(l).conflicts(true).iter().any(|c| other.lanes.contains(&c.other)));
+    let called = gives_up_turn(&vehicles[me.vehicle], &vehicles[other.vehicle], other.waited_s);
+    if called && !other.held && other.comes() && me.before != other.before && me.can_stop() && meet() {
+        return true;
+    }
     other.waited_s > COURTESY_S
         && other.waited_s > me.waited_s
         && !other.held
@@ -141,6 +158,10 @@ pub(super) fn yields_to(roads: &Roads, me: &EntryRequest, other: &EntryRequest) 
 /// Whether `me` may go although `other`, which has no right of way yet, approaches too.
 pub(super) fn goes_before(roads: &Roads, vehicles: &[Vehicle], me: &EntryRequest, other: &EntryRequest) -> bool {
     if other.held {
+        return true;
+    }
+    let called = gives_up_turn(&vehicles[other.vehicle], &vehicles[me.vehicle], me.waited_s);
+    if called && me.comes() && other.can_stop() {
         return true;
     }
     let driver = &vehicles[me.vehicle].driver;

@@ -103,8 +103,9 @@ impl JunctionController {
             let lets_others_go = !vehicles[request.vehicle].order.is_some_and(|order| order.heedless);
             let mut clear = || {
                 self.clear_of_holders(roads, vehicles, request)
-                    && others
-                        .all(|other| !yields_to(roads, request, other) && goes_before(roads, vehicles, request, other))
+                    && others.all(|other| {
+                        !yields_to(roads, vehicles, request, other) && goes_before(roads, vehicles, request, other)
+                    })
             };
             let finds_room = || sweeps_free_ground(roads, occupancy, &vehicles[request.vehicle], &request.lanes);
             let fits = comes_first && (!lets_others_go || clear()) && finds_room();

@@ -2,6 +2,7 @@
 //! models"): change if it helps me more than it harms the others, and if nobody must brake hard.
 
 use crate::crossing::comfortable_stop_m;
+use crate::emergency;
 use crate::kinematics;
 use crate::lane_choice;
 use crate::occupancy::Occupancy;
@@ -99,6 +100,7 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
     if occupancy.people_on(target).iter().any(|p| p.s > s - me.half_length && p.s < s + room + braking_m) {
         return None;
     }
+    let for_call = emergency::incentive(&occupancy.coming, me, target, s)?;
     let (mut ahead, mut behind) = ((f64::INFINITY, 0.0), (f64::INFINITY, None));
     for o in occupancy.on(target).iter().filter(|o| o.vehicle != i) {
         if o.middle() > s {
@@ -135,7 +137,7 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
         }
         None => 0.0,
     };
-    Some(then - now - me.driver.politeness * harm + lane_choice::incentive(roads, me, target))
+    Some(then - now - me.driver.politeness * harm + lane_choice::incentive(roads, me, target) + for_call)
 }
 
 fn begin(roads: &Roads, occupancy: &mut Occupancy, vehicles: &mut [Vehicle], i: usize, target: LaneId) {

@@ -64,6 +64,7 @@ mod density;
 mod destination_exchange;
 mod double_parking;
 mod driver;
+mod emergency;
 mod entry_request;
 mod filtering;
 mod focus;

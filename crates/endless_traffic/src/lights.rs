@@ -1,5 +1,6 @@
 //! Lights: brake, indicators, headlights, cabins.
 
+use crate::emergency;
 use crate::roads::Roads;
 use crate::vehicle::Vehicle;
 use endless_road::Turn;
@@ -23,6 +24,7 @@ pub(crate) fn update(vehicle: &mut Vehicle, roads: &Roads, headlights_on: f32, t
         indicating: vehicle.indicating,
     };
     vehicle.lights = lamps.lit(headlights_on, time_s);
+    vehicle.lights |= emergency::beacons(vehicle, lamps.own, time_s);
     if hazards && lamps.flashes(time_s) {
         vehicle.lights |= VehicleLights::LEFT_BLINKER | VehicleLights::RIGHT_BLINKER;
     }

@@ -1,6 +1,7 @@
 //! Which vehicles are on which lane.
 
 use crate::across::Across;
+use crate::emergency::ComingCall;
 use crate::filtering::{self, pace_past};
 use crate::overlap::MergeOverlap;
 use crate::roads::Roads;
@@ -75,6 +76,8 @@ pub(crate) struct Occupancy {
     scratch: Vec<LaneCover>,
     /// Lanes of junctions that belong to vehicles which no controller knows.
     claimed: Vec<LaneId>,
+    /// Where those on call are about to come.
+    pub(crate) coming: Vec<ComingCall>,
     /// By lane.
     people: Vec<PersonOnLane>,
 }
@@ -101,6 +104,8 @@ impl Occupancy {
             }
         }
         self.scratch = scratch;
+        self.coming.clear();
+        self.coming.extend(vehicles.iter().flat_map(|vehicle| ComingCall::ahead_of(roads, vehicle)));
     }
 
     pub(crate) fn put(&mut self, vehicle: usize, cover: LaneCover, speed: f64) {

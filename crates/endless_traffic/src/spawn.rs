@@ -2,6 +2,7 @@
 
 use crate::company_draw::{CompanyDraw, look_for};
 use crate::driver::Driver;
+use crate::emergency;
 use crate::filtering;
 use crate::jogging;
 use crate::kinematics;
@@ -164,6 +165,7 @@ pub(crate) fn vehicles(
         let asset = VehicleRef { model, variant };
         let driver = Driver::new(spec, &settings.condition, settings.profile.aggressiveness, &mut own);
         let mut vehicle = Vehicle::new(spec, asset, driver, point.lane, point.s, own);
+        emergency::call(roads, &mut vehicle);
         vehicle.drawn = drawn;
         vehicle.rides_past_queues = filtering::rides_past_queues(&vehicle, settings.profile.region);
         vehicle.plan(roads);

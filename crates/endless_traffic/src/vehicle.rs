@@ -88,6 +88,8 @@ pub(crate) struct Vehicle {
     pub(crate) rear_axle: f64,
     pub(crate) driver: Driver,
     pub(crate) stream: Stream,
+    /// Whether it is an emergency vehicle whose beacons flash.
+    pub(crate) on_call: bool,
     /// Whether it comes to what is looked at.
     pub(crate) drawn: bool,
 
@@ -149,6 +151,7 @@ impl Vehicle {
             rear_axle: f64::from(-spec.rear_axle_m),
             driver,
             stream,
+            on_call: false,
             drawn: false,
             route: VecDeque::from([lane]),
             here: 0,
