@@ -71,6 +71,12 @@ impl JunctionController {
                 self.holders[right_of_way.junction.index()].push(i);
             }
         }
+        for (junction, holders) in self.holders.iter().enumerate() {
+            let junction = JunctionId(junction as u16);
+            for (k, &one) in holders.iter().enumerate() {
+                holders[k + 1..].iter().for_each(|&other| ahead_goes_first(roads, vehicles, junction, [one, other]));
+            }
+        }
         let mut requests = std::mem::take(&mut self.requests);
         requests.clear();
         for (i, vehicle) in vehicles.iter_mut().enumerate() {
@@ -206,6 +212,26 @@ impl JunctionController {
             base += roads.table(lane).length;
         }
         true
+    }
+}
+
+/// Of two on the same way through a junction who is ahead goes first: a rider who has the right of way may have let somebody go
+/// before it. Others would wait for the one behind, and it for them. Whom the one ahead need not wait for now has waited for the
+/// one behind, on the same way; not for one that is longer.
+fn ahead_goes_first(roads: &Roads, vehicles: &mut [Vehicle], junction: JunctionId, pair: [usize; 2]) {
+    let way = |i: usize| vehicles[i].right_of_way_at(junction).map(|g| (&g.lanes, g.order));
+    let (Some(one), Some(other)) = (way(pair[0]), way(pair[1])) else { return };
+    if one.0 != other.0 {
+        return;
+    }
+    let to_go = pair.map(|i| vehicles[i].distance_to(roads, one.0[0]).unwrap_or(f64::NEG_INFINITY));
+    let [ahead, behind] = if to_go[0] < to_go[1] { pair } else { [pair[1], pair[0]] };
+    let [first, second] = if to_go[0] < to_go[1] { [one.1, other.1] } else { [other.1, one.1] };
+    if first > second && (!vehicles[ahead].long() || vehicles[behind].long()) {
+        for (i, order) in [(ahead, second), (behind, first)] {
+            let held = vehicles[i].rights_of_way.iter_mut().find(|g| g.junction == junction);
+            held.into_iter().for_each(|g| g.order = order);
+        }
     }
 }
 
