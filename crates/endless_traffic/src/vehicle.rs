@@ -8,7 +8,7 @@ use crate::kerb_halt::KerbHalt;
 use crate::roads::Roads;
 use crate::trailer::TrailerState;
 use crate::turn_aim::Aim;
-use endless_road::swept::{OrientedRectangle, SWINGS_OUT_M};
+use endless_road::swept::{LONG_M, OrientedRectangle, SWINGS_OUT_M};
 use endless_road::{JunctionId, LaneId, TrafficControl};
 use endless_world::{ObjectClass, Pose, Side, Stream, VehicleLights, VehicleRef, VehicleSpec};
 use glam::{DVec3, Vec3};
@@ -59,7 +59,8 @@ impl LaneTail {
     pub(crate) fn of(vehicle: &Vehicle, change: LaneChange) -> Option<Self> {
         let LaneChange { from, from_minus_here, .. } = change;
         let until_s = vehicle.s + 2.0 * vehicle.half_length;
-        vehicle.long().then(|| Self { from, from_minus_here, here: vehicle.lane(), until_s })
+        let trails = vehicle.trailer.is_some() || 2.0 * vehicle.half_length >= LONG_M;
+        trails.then(|| Self { from, from_minus_here, here: vehicle.lane(), until_s })
     }
 
     /// Whether it is still there.
