@@ -224,7 +224,8 @@ fn ahead_goes_first(roads: &Roads, vehicles: &mut [Vehicle], junction: JunctionI
     if one.0 != other.0 {
         return;
     }
-    let to_go = pair.map(|i| vehicles[i].distance_to(roads, one.0[0]).unwrap_or(f64::NEG_INFINITY));
+    let [Some(one_to_go), Some(other_to_go)] = pair.map(|i| vehicles[i].distance_to(roads, one.0[0])) else { return };
+    let to_go = [one_to_go, other_to_go];
     let [ahead, behind] = if to_go[0] < to_go[1] { pair } else { [pair[1], pair[0]] };
     let [first, second] = if to_go[0] < to_go[1] { [one.1, other.1] } else { [other.1, one.1] };
     if first > second && (!vehicles[ahead].long() || vehicles[behind].long()) {

@@ -2,6 +2,7 @@
 
 use crate::crossing::{CrossingState, blocks_lane, comfortable_stop_m, signal_of};
 use crate::driver::HARDEST_BRAKING;
+use crate::filtering;
 use crate::junction_controller::JunctionController;
 use crate::occupancy::{Leader, Leaders, Occupancy};
 use crate::roads::{PLANNED_BRAKING, Roads};
@@ -43,10 +44,12 @@ impl DriverView<'_> {
         let leaders = if looks { self.occupancy.leaders(self.roads, me, i, SIGHT_M) } else { Leaders::default() };
         let leader = leaders.nearest();
         let mut wanted = driver.free(me.speed, speed_ahead(self.roads, me));
+        let lets_go_first =
+            |beside: &Leader| self.vehicles.get(beside.vehicle).is_none_or(|other| filtering::lets_go_first(me, other));
         if let Some(ahead) = leaders.ahead {
             wanted = wanted.min(driver.follow(me.speed, ahead.gap, ahead.speed));
         }
-        if let Some(beside) = leaders.beside {
+        if let Some(beside) = leaders.beside.filter(lets_go_first) {
             wanted = wanted.min(driver.follow(me.speed, beside.gap, beside.speed).max(-LETS_GO_MPS2));
         }
         if let Some(pace_mps) = leaders.pace_mps {

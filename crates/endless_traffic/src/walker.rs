@@ -284,7 +284,7 @@ impl Walker {
         let makes_room = somebody_comes(self.position, strip.along, near);
         let crowd = if makes_room { 0 } else { crowd(self.position, near).saturating_sub(company.len()) };
         let ease = 1.0 / (1.0 + CROWD_EASE * crowd as f64);
-        let keep = |s: &DirectedEdge| {
+        let keep = |s: &DirectedEdge, ahead: f64, step: usize| {
             if s.half_width < NARROW_M {
                 return -PASSES_M.min(s.half_width);
             }
@@ -292,15 +292,20 @@ impl Walker {
             let beside_who_comes = if makes_room { PASSES_M.min(s.half_width) } else { 0.0 };
             let middle = -(self.side * s.half_width).max(beside_who_comes);
             let place = self.company.as_deref().map_or(middle, |company| company.beside(middle, s.half_width));
-            here + (place - here) * ease
+            let left = here + (place - here) * ease;
+            let is_sidewalk = s.kind == WalkKind::Sidewalk && !self.on_roadway();
+            if is_sidewalk { roads.benches.kept_before(self.way[step].0, s, ahead, left) } else { left }
         };
         // Whom they stop goes to the right first.
         let share = if makes_room { (self.velocity.length() / self.pace).clamp(0.2, 1.0) } else { 1.0 };
         let ahead = along + AIM_M * share;
         let target = match next {
-            _ if ahead <= strip.length => strip.point(ahead.max(0.3), keep(&strip)),
-            Some(n) if !kerb => n.point((ahead - strip.length).min(n.length), keep(&n)),
-            _ => strip.point(strip.length, keep(&strip)),
+            _ if ahead <= strip.length => strip.point(ahead.max(0.3), keep(&strip, ahead, 0)),
+            Some(n) if !kerb => {
+                let ahead = (ahead - strip.length).min(n.length);
+                n.point(ahead, keep(&n, ahead, 1))
+            }
+            _ => strip.point(strip.length, keep(&strip, strip.length, 0)),
         };
         let target = bus_at.or(bench_at).or(talks_at).or(own_kerb).unwrap_or(target);
         let to_target = target - self.position;

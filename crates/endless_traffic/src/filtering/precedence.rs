@@ -13,6 +13,8 @@ pub(super) const CLEAR_M: f64 = 0.15;
 pub(super) const QUEUES_MPS: f64 = 2.0;
 /// Who is less than this ahead, bumper to bumper, is beside somebody, metres.
 const BESIDE_M: f64 = 2.0;
+/// Who is slower has not set off, m/s.
+const STAYS_MPS: f64 = 0.1;
 /// Room kept to who stands at the end of the queue, metres.
 pub(super) const BEHIND_M: f64 = 1.0;
 
@@ -52,4 +54,10 @@ fn goal(me: &Vehicle, across: &Across) -> Across {
 /// Whether two of whom one passes queues are beside one another, with room between, so far apart, bumper to bumper.
 pub(crate) fn is_beside(across: &Across, theirs: &Across, gap_m: f64) -> bool {
     gap_m < BESIDE_M && across.is_clear_of(theirs, CLEAR_M)
+}
+
+/// Whether somebody lets another go first who is beside them, with room between: not who may go while the other stands and may
+/// not. That one may wait for who waits for this one.
+pub(crate) fn lets_go_first(me: &Vehicle, other: &Vehicle) -> bool {
+    me.rights_of_way.is_empty() || !waits(other) || other.speed >= STAYS_MPS
 }

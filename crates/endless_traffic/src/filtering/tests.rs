@@ -6,7 +6,7 @@ use crate::occupancy::Occupancy;
 use crate::roads::Roads;
 use crate::roads::TrafficMap;
 use crate::settings::DrivingCondition;
-use crate::vehicle::LaneChange;
+use crate::vehicle::{LaneChange, RightOfWay};
 use endless_road::{Junction, JunctionId, Lane, LaneId, Polyline, RoadNetwork, TrafficControl};
 use endless_world::{
     ObjectClass, Region, Side, SignalAspect, SignalId, SignalState, Stream, VehicleModelId, VehicleRef, VehicleSpec,
@@ -145,6 +145,22 @@ fn who_passes_sees_the_queue_as_beside_and_the_queue_lets_it_go_first() {
     vehicles[1].speed = 3.0;
     let moves = seen(&vehicles, 0);
     assert!(moves.pace_mps.is_none() && moves.beside.is_some_and(|beside| beside.vehicle == 1), "{moves:?}");
+}
+
+#[test]
+fn who_may_go_does_not_wait_for_a_rider_who_stands_beside_and_may_not() {
+    let roads = street(1, 3.3);
+    let (mut car, mut rider) = (vehicle(&roads, 1, 0, 197.0, 0.0), vehicle(&roads, 0, 0, 197.2, 0.0));
+    assert!(lets_go_first(&car, &rider), "neither may go");
+    let lanes = vec![LaneId(1)];
+    let right = RightOfWay { junction: JunctionId(0), order: 1, lanes, exit: LaneId(2), entered: false, stood_s: 0.0 };
+    car.rights_of_way.push(right.clone());
+    assert!(!lets_go_first(&car, &rider));
+    rider.speed = 1.0;
+    assert!(lets_go_first(&car, &rider), "it has set off");
+    rider.speed = 0.0;
+    rider.rights_of_way.push(right);
+    assert!(lets_go_first(&car, &rider), "it may go, too");
 }
 
 #[test]
