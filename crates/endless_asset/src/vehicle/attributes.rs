@@ -62,7 +62,7 @@ mod tests {
     use super::*;
     use crate::Catalogue;
     use crate::vehicle::design::DESIGNS;
-    use endless_scene::{Mesh, Surface};
+    use endless_scene::{LightSlot, Mesh, Surface};
     use endless_world::VehicleRef;
     use rayon::prelude::*;
     use std::{collections::BTreeSet, sync::LazyLock};
@@ -110,11 +110,15 @@ mod tests {
 
     #[test]
     fn special_service_is_known_by_its_equipment() {
-        // Light bars of emergency vehicles and roof signs of taxis are lit signs; others of their classes have none.
+        // Emergency vehicles have beacons and taxis a lit sign on the roof; others of their classes have neither.
+        let tells = |surface: Surface| {
+            let beacon = Surface::VehicleLight(LightSlot::BeaconLeft);
+            surface == Surface::LitSign || surface == beacon
+        };
         for design in DESIGNS.iter().filter(|d| matches!(d.class, ObjectClass::Car | ObjectClass::Van)) {
             for index in 0..3 {
                 let model = VehicleModel::new(design, index, design.frequency);
-                let lit = area(model.body(), |s| s == Surface::LitSign) > 0.0;
+                let lit = area(model.body(), tells) > 0.0;
                 assert_eq!(lit, model.attributes(0).special_type.is_some(), "{} {index}", design.name);
             }
         }
