@@ -6,6 +6,7 @@
 
 mod choice;
 mod errand;
+mod passing;
 mod places;
 mod rest;
 

@@ -1,6 +1,5 @@
 //! Seats that can be reached from a sidewalk.
 
-use crate::walk_strip::DirectedEdge;
 use endless_road::{RoadNetwork, WalkEdge, WalkEdgeId, WalkKind};
 use endless_world::BenchSeat;
 use endless_world::math::f64::sin_cos;
@@ -15,8 +14,6 @@ const IN_FRONT_M: f64 = 0.35;
 const FROM_ENDS_M: f64 = 0.3;
 /// Who passes keeps so far before the middle of a seat, metres: knees reach that far, and two bodies are half as wide each.
 const PASSES_M: f64 = 0.9;
-/// From so far before a seat to so far behind it, along the sidewalk, metres.
-const PASSES_FROM_M: [f64; 2] = [-4.0, 0.8];
 /// The room that is left to those who pass, for the middles of bodies, metres.
 const ROOM_M: f64 = 0.4;
 /// Benches look across a sidewalk, or are no matter of those who walk along it: least sine of the angle between.
@@ -43,31 +40,17 @@ pub(crate) struct BenchPlace {
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BenchPlaces(Vec<BenchPlace>);
 
-impl BenchPlace {
-    /// Where those keep who pass it on a strip, metres to the left: no further to the right, or to the left, than this.
-    fn side(&self, strip: &DirectedEdge) -> Option<[f64; 2]> {
-        let (_, left) = strip.local(self.at.truncate());
-        let across = strip.along.perp_dot(self.facing);
-        match across {
-            _ if across > ACROSS => Some([left + PASSES_M, f64::INFINITY]),
-            _ if across < -ACROSS => Some([f64::NEG_INFINITY, left - PASSES_M]),
-            _ => None,
-        }
+/// Where those keep who pass a seat so far to the left of the middle of a sidewalk, whose look goes so far across it to the left: from
+/// so far to the left of the middle on, and up to so far, metres.
+pub(super) fn passing_range(left: f64, across: f64) -> [f64; 2] {
+    match across {
+        _ if across > ACROSS => [left + PASSES_M, f64::INFINITY],
+        _ if across < -ACROSS => [f64::NEG_INFINITY, left - PASSES_M],
+        _ => [f64::NEG_INFINITY, f64::INFINITY],
     }
 }
 
 impl BenchPlaces {
-    /// Where those keep who come along a strip of an edge, metres to the left of its middle: before the benches that are near, not
-    /// behind them.
-    pub(crate) fn kept_before(&self, edge: WalkEdgeId, strip: &DirectedEdge, along: f64, left: f64) -> f64 {
-        let near = self.on(edge).iter().filter(|place| {
-            let past_m = along - strip.local(place.at.truncate()).0;
-            (PASSES_FROM_M[0]..PASSES_FROM_M[1]).contains(&past_m)
-        });
-        let kept = near.filter_map(|place| place.side(strip)).fold(left, |left, [low, high]| left.max(low).min(high));
-        kept.clamp(-strip.half_width, strip.half_width)
-    }
-
     /// For bodies of this radius, metres.
     pub(crate) fn new(network: &RoadNetwork, seats: &[BenchSeat], body_m: f64) -> Self {
         let of_seat = |(seat, at): (usize, &BenchSeat)| place(network, seat, at, body_m);
@@ -114,13 +97,8 @@ fn place(network: &RoadNetwork, seat: usize, on: &BenchSeat, body_m: f64) -> Opt
         let away_m = leaves.distance(before);
         let edge = WalkEdgeId(number as u32);
         // Others pass before it.
-        let passes = |limit: f64| usable_m - limit >= ROOM_M;
-        let left = along.perp_dot(at.truncate() - from);
-        let leaves_room = match along.perp_dot(facing) {
-            across if across > ACROSS => passes(left + PASSES_M),
-            across if across < -ACROSS => passes(PASSES_M - left),
-            _ => true,
-        };
+        let [least, most] = passing_range(along.perp_dot(at.truncate() - from), along.perp_dot(facing));
+        let leaves_room = usable_m - least >= ROOM_M && usable_m + most >= ROOM_M;
         let usable = level && in_front && away_m < REACH_M && leaves_room;
         usable.then_some((away_m, BenchPlace { seat, edge, from: leaves, at, yaw, facing }))
     };
@@ -160,18 +138,6 @@ mod tests {
         let reached: Vec<usize> = places.on(WalkEdgeId(0)).iter().map(|place| place.seat).collect();
         assert_eq!(reached, [0, 1]);
         assert!(places.all().len() == 2 && places.on(WalkEdgeId(1)).is_empty());
-        // Who walks there either way passes before the seat at the kerb.
-        for [from, to] in [[0, 1], [1, 0]].map(|ends| ends.map(WalkNodeId)) {
-            let roads = sidewalk();
-            let [a, b] = [from, to].map(|node| roads.walk.nodes[node.index()].truncate());
-            let along = (b - a).normalize();
-            let kind = WalkKind::Sidewalk;
-            let strip = DirectedEdge { from: a, along, length: 40.0, half_width: 1.25, kind, round_m: 0.3 };
-            let (at, left) = strip.local(DVec2::new(10.0, -0.9));
-            let kept = places.kept_before(WalkEdgeId(0), &strip, at, left);
-            assert!((strip.point(at, kept).y - 0.0).abs() < 1e-6, "{kept}");
-            assert_eq!(places.kept_before(WalkEdgeId(0), &strip, strip.local(DVec2::new(35.0, 0.0)).0, left), left);
-        }
         for place in places.all() {
             assert!(place.from.y.abs() <= 1.25 + 1e-9, "leaves the sidewalk at {}", place.from);
             assert!((place.from - place.at.truncate()).dot(place.facing) > IN_FRONT_M);
