@@ -5,7 +5,7 @@ use super::patience::{PatientReader, StopFlag, Wait};
 use crate::rpc::read_value;
 use crate::wire::Wire;
 use rmpv::Value;
-use std::io::{BufReader, Write};
+use std::io::{BufRead, BufReader, Write};
 use std::net::{SocketAddr, TcpStream, ToSocketAddrs};
 use std::time::Duration;
 
@@ -106,8 +106,13 @@ impl Connection {
 
     /// The answer to a request; those to earlier ones, for which nobody waits, are passed over.
     fn answer(&mut self, id: u32, method: &'static str, limit: Duration) -> Result<Value, ClientError> {
-        self.reader.get_mut().wait = Some(Wait::new("answer", limit, &self.stop));
+        let wait = Wait::new("answer", limit, &self.stop);
         loop {
+            self.reader.get_mut().wait = Some(wait.clone());
+            if let Err(error) = self.reader.fill_buf() {
+                return Err(self.reader.get_mut().reason(ClientError::Lost(error)));
+            }
+            self.reader.get_mut().wait = Some(wait.to_the_end());
             let response = read_value(&mut self.reader).map_err(|error| self.reader.get_mut().reason(error))?;
             let [kind, answered, error, result] = response.as_array().map_or(&[][..], Vec::as_slice) else {
                 return Err(ClientError::Protocol("a response has four elements".to_owned()));
@@ -161,5 +166,35 @@ mod tests {
         for garbage in [Value::Nil, Value::from("x"), Value::Array(vec![]), answer(vec![])] {
             assert!(matches!(unwrapped("a", &garbage), Err(ClientError::Protocol(_))));
         }
+    }
+
+    #[test]
+    fn an_answer_in_which_somebody_stops_is_not_taken_for_the_next() {
+        let listener = std::net::TcpListener::bind(("127.0.0.1", 0)).expect("a port");
+        let port = listener.local_addr().expect("an address").port();
+        let stop = StopFlag::default();
+        let stopped = stop.clone();
+        let server = std::thread::spawn(move || {
+            let (mut stream, _) = listener.accept().expect("a client");
+            for id in 1..=2 {
+                read_value(&mut stream).expect("a request");
+                let mut answer = Vec::new();
+                let parts = [1.into(), id.into(), Value::Nil, Value::from("as said")];
+                rmpv::encode::write_value(&mut answer, &Value::Array(parts.into())).expect("memory");
+                let (first, rest) = answer.split_at(6);
+                stream.write_all(first).expect("a client");
+                std::thread::sleep(Duration::from_millis(50));
+                stopped.stop();
+                std::thread::sleep(Duration::from_millis(250));
+                stream.write_all(rest).expect("a client");
+            }
+        });
+        let mut connection = Connection::new("127.0.0.1", port, &stop).expect("a server");
+        let limit = Duration::from_secs(20);
+        let first = connection.plain("first", vec![], limit);
+        assert!(matches!(first, Ok(_) | Err(ClientError::Interrupted)), "{first:?}");
+        let next = stop.pause(|| connection.plain("next", vec![], limit)).expect("an answer of its own");
+        assert_eq!(next.as_str(), Some("as said"));
+        server.join().expect("no panic");
     }
 }

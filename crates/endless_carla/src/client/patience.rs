@@ -59,6 +59,12 @@ impl Wait {
         Self { action, limit, until: Instant::now() + limit, stop: stop.clone() }
     }
 
+    /// For the rest of what has begun to come, even when the user wants to stop: who stopped in the middle of it would take the rest
+    /// for something new.
+    pub(super) fn to_the_end(&self) -> Self {
+        Self { stop: StopFlag::default(), ..self.clone() }
+    }
+
     /// How long the next piece of waiting may be.
     ///
     /// # Errors
