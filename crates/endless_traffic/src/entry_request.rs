@@ -13,7 +13,7 @@ const COURTESY_S: f64 = 25.0;
 /// They stand for it this share of the time that the other has waited.
 const COURTEOUS_SHARE: f64 = 0.25;
 /// Slower than this somebody stands, m/s.
-const STANDS_MPS: f64 = 0.5;
+pub(super) const STANDS_MPS: f64 = 0.5;
 /// Traffic is slow below this speed, m/s.
 const SLOW_MPS: f64 = 4.0;
 

@@ -6,13 +6,11 @@ use endless_world::walking::PedestrianSpec;
 
 /// Speeds, m/s: from 9 to 12 km/h, jogging in the Compendium of Physical Activities (Ainsworth et al. 2011).
 const JOGS_MPS: [f64; 2] = [2.5, 3.3];
-/// By day at most this share of vehicles has its headlights on.
-const DAYLIGHT: f32 = 0.5;
 
 /// The pace of somebody who jogs, m/s; `None` for all others.
 pub(crate) fn pace_mps(spec: &PedestrianSpec, condition: &DrivingCondition, own: &Stream) -> Option<f64> {
     const OWN: u64 = 0x6a_6f_67;
-    let jogs = spec.dressed_to_run && condition.headlights_on < DAYLIGHT && condition.rain <= 0.0;
+    let jogs = spec.dressed_to_run && condition.is_day_without_rain();
     jogs.then(|| own.fork(OWN).range_f64(JOGS_MPS[0], JOGS_MPS[1]))
 }
 

@@ -5,7 +5,8 @@
 //! the order in which they got it, so nobody waits in a circle and no two bodies meet.
 
 use super::entry_request::{
-    EntryRequest, approach_control, aspect, goes_before, request, sign_allows, stopping_m, travel_s, yields_to,
+    EntryRequest, STANDS_MPS, approach_control, aspect, goes_before, request, sign_allows, stopping_m, travel_s,
+    yields_to,
 };
 use crate::gridlock;
 use crate::occupancy::Occupancy;
@@ -34,9 +35,6 @@ const MOST_ROADS: usize = 3;
 const DETOUR_S: f64 = 15.0;
 /// Who has the right of way and has stood this long before the junction is held up by something else, seconds.
 const HELD_UP_S: f64 = 4.0;
-
-/// Slower than this somebody stands, m/s.
-const STANDS_MPS: f64 = 0.5;
 
 /// Gives and takes back the right of way through junctions.
 #[derive(Debug, Clone, Default)]
@@ -225,9 +223,8 @@ fn ahead_goes_first(roads: &Roads, vehicles: &mut [Vehicle], junction: JunctionI
         return;
     }
     let [Some(one_to_go), Some(other_to_go)] = pair.map(|i| vehicles[i].distance_to(roads, one.0[0])) else { return };
-    let to_go = [one_to_go, other_to_go];
-    let [ahead, behind] = if to_go[0] < to_go[1] { pair } else { [pair[1], pair[0]] };
-    let [first, second] = if to_go[0] < to_go[1] { [one.1, other.1] } else { [other.1, one.1] };
+    let [one, other] = [(pair[0], one.1), (pair[1], other.1)];
+    let [(ahead, first), (behind, second)] = if one_to_go < other_to_go { [one, other] } else { [other, one] };
     if first > second && (!vehicles[ahead].long() || vehicles[behind].long()) {
         for (i, order) in [(ahead, second), (behind, first)] {
             let held = vehicles[i].rights_of_way.iter_mut().find(|g| g.junction == junction);

@@ -34,7 +34,15 @@ impl Default for DrivingCondition {
     }
 }
 
+/// By day at most this share of vehicles has its headlights on.
+const DAYLIGHT: f32 = 0.5;
+
 impl DrivingCondition {
+    /// Whether people do outdoors what they do by day while it does not rain.
+    pub(crate) fn is_day_without_rain(&self) -> bool {
+        self.headlights_on < DAYLIGHT && self.rain <= 0.0
+    }
+
     /// Whether drivers keep the speeds and distances that they keep in another one.
     pub(crate) fn drives_like(&self, other: &Self) -> bool {
         self.wetness == other.wetness && self.visibility_m == other.visibility_m

@@ -19,8 +19,7 @@ const AHEAD_M: [f64; 2] = [0.5, 4.5];
 const SITS_S: [f64; 2] = [60.0, 420.0];
 /// Who still sits when it gets dark or begins to rain gets up within this time, seconds.
 const LEAVES_S: f64 = 15.0;
-/// By day at most this share of vehicles has its headlights on; wetter seats are not sat on.
-const DAYLIGHT: f32 = 0.5;
+/// Wetter seats are not sat on.
 const DRY: f32 = 0.2;
 /// Seats of a bench that count once: people choose among benches, not seats.
 const SEATS_A_BENCH: f64 = 3.0;
@@ -30,7 +29,7 @@ const APART_M: f64 = 1.0;
 
 /// Whether people sit down: by day, while it is dry.
 fn invites(condition: &DrivingCondition) -> bool {
-    condition.headlights_on < DAYLIGHT && condition.rain <= 0.0 && condition.wetness < DRY
+    condition.is_day_without_rain() && condition.wetness < DRY
 }
 
 impl Walker {
