@@ -56,7 +56,8 @@ impl<S, T> FrameScheduler<S, T> {
         Self { state: Mutex::new(state), changed: Condvar::new(), frames, window }
     }
 
-    /// The next job; waits for it. `None` when everything is done or a worker failed.
+    /// The next job; waits for it. `None` when a worker failed, or the last frames are under way and nothing waits: their
+    /// workers do what they bring, and who has no job may help them.
     pub(super) fn next(&self) -> Option<WorkerJob<S, T>> {
         let mut state = self.lock();
         loop {
@@ -72,17 +73,16 @@ impl<S, T> FrameScheduler<S, T> {
                     return Some(WorkerJob::Sink { camera, item });
                 }
             }
-            let slowest = state.sinks.iter().map(|s| s.next).min().unwrap_or(0);
             let frame = state.begun;
-            if frame < self.frames
-                && frame < slowest.saturating_add(self.window)
+            if frame == self.frames {
+                return None;
+            }
+            let slowest = state.sinks.iter().map(|s| s.next).min().unwrap_or(0);
+            if frame < slowest.saturating_add(self.window)
                 && let Some(session) = state.session.take()
             {
                 state.begun += 1;
                 return Some(WorkerJob::Frame { frame, session });
-            }
-            if slowest == self.frames {
-                return None;
             }
             state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
         }
