@@ -168,7 +168,15 @@ struct Aside {
     beside_lane: bool,
 }
 
-/// A place near `s` of a lane, across it, or across the nearest of the lanes before or after it.
+impl Aside {
+    /// Across two lanes that overlap: whoever is inside of one of them is not outside.
+    fn or(self, other: Self) -> Self {
+        let inner = if self.off_m <= other.off_m { self } else { other };
+        Self { error_m: self.error_m.min(other.error_m), ..inner }
+    }
+}
+
+/// A place near `s` of a lane, across it, or across those before or after it.
 fn aside(network: &RoadNetwork, lane: &Lane, s: f64, at: DVec2) -> Aside {
     let across = |lane: &Lane, s: f64| {
         let line = &lane.centerline;
@@ -183,14 +191,13 @@ fn aside(network: &RoadNetwork, lane: &Lane, s: f64, at: DVec2) -> Aside {
         Aside { error_m: left_m.abs(), off_m: left_m.abs() - 0.5 * lane.width_m - room_m, beside_lane }
     };
     let length_m = lane.centerline.length();
-    let nearest = |lanes: &[LaneId], s: &dyn Fn(&Lane) -> f64| {
-        let all = lanes.iter().map(|&id| network.lane(id)).map(|lane| across(lane, s(lane)));
-        all.min_by(|a, b| a.error_m.total_cmp(&b.error_m))
+    let any_of = |lanes: &[LaneId], s: &dyn Fn(&Lane) -> f64| {
+        lanes.iter().map(|&id| network.lane(id)).map(|lane| across(lane, s(lane))).reduce(Aside::or)
     };
     let beyond = if s < 0.0 {
-        nearest(&lane.predecessors, &|before| before.centerline.length() + s)
+        any_of(&lane.predecessors, &|before| before.centerline.length() + s)
     } else if s > length_m {
-        nearest(&lane.successors, &|_| s - length_m)
+        any_of(&lane.successors, &|_| s - length_m)
     } else {
         None
     };
