@@ -10,6 +10,8 @@ use endless_road::LaneId;
 
 /// Who comes to where lanes run into one another is seen from this far before it, metres.
 const MERGE_M: f64 = 30.0;
+/// Those ahead are taken to brake no harder, m/s².
+const BRAKES_MPS2: f64 = 3.0;
 
 /// A vehicle on a lane.
 #[derive(Debug, Clone, Copy)]
@@ -51,11 +53,21 @@ pub(crate) struct Leader {
     pub(crate) speed: f64,
 }
 
+impl Leader {
+    /// How far ahead its rear would stand if it braked hard, metres.
+    pub(crate) fn could_stand_m(&self) -> f64 {
+        self.gap + self.speed * self.speed / (2.0 * BRAKES_MPS2)
+    }
+}
+
 /// Those ahead.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Leaders {
     /// Whom to stay behind.
     pub(crate) ahead: Option<Leader>,
+    /// Of all ahead the one who could stand first on the way, as another than the nearest may: somebody in a queue, with one
+    /// before it who moves over in time, or one on the lane that is being left.
+    pub(crate) stands_first: Option<Leader>,
     /// Who is half a length ahead or less, with room between the sides of both: one of the two lets the other go first.
     pub(crate) beside: Option<Leader>,
     /// The speed at which to pass those in a queue, m/s.
@@ -66,6 +78,12 @@ impl Leaders {
     /// The nearest of them.
     pub(crate) fn nearest(self) -> Option<Leader> {
         self.ahead.into_iter().chain(self.beside).min_by(|a, b| a.gap.total_cmp(&b.gap))
+    }
+
+    /// How far ahead the first of them could stand, metres.
+    pub(crate) fn could_stand_m(self) -> f64 {
+        let all = [self.ahead, self.beside, self.stands_first].into_iter().flatten();
+        all.map(|leader| leader.could_stand_m()).fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -185,18 +203,18 @@ impl Occupancy {
             }
             let gap = base + o.rear - me.half_length;
             let leader = Leader { vehicle: o.vehicle, gap, speed: o.speed };
-            let place = if same_queue && o.queues && filtering::passes(me, across, &o.across, gap) {
+            if same_queue && o.queues && filtering::passes(me, across, &o.across, gap) {
                 let pace = pace_past(o.speed, gap);
                 found.pace_mps = Some(found.pace_mps.map_or(pace, |least: f64| least.min(pace)));
                 return;
-            } else if (filters || o.filters) && filtering::is_beside(across, &o.across, gap) {
-                &mut found.beside
-            } else {
-                &mut found.ahead
-            };
-            if place.is_none_or(|b| gap < b.gap) {
-                *place = Some(leader);
             }
+            if (filters || o.filters) && filtering::is_beside(across, &o.across, gap) {
+                found.beside = found.beside.filter(|b| b.gap <= gap).or(Some(leader));
+                return;
+            }
+            found.ahead = found.ahead.filter(|b| b.gap <= gap).or(Some(leader));
+            let later = |first: &Leader| first.could_stand_m() <= leader.could_stand_m();
+            found.stands_first = found.stands_first.filter(later).or(Some(leader));
         };
         let across = me.across();
         for (k, (lane, base)) in me.ahead(roads).enumerate() {
@@ -243,4 +261,43 @@ fn merging(me: &Vehicle, i: usize, base: f64, beside: &MergeOverlap, o: &Occupan
     let room = beside.range.0 - mine;
     let gap = (o.rear + shift - mine - me.half_length).max(room);
     Some(Leader { vehicle: o.vehicle, gap, speed: o.speed })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::driver::Driver;
+    use crate::focus::Focus;
+    use crate::roads::TrafficMap;
+    use crate::settings::DrivingCondition;
+    use endless_road::{Lane, Polyline, RoadNetwork};
+    use endless_world::{Stream, VehicleModelId, VehicleRef, VehicleSpec};
+    use glam::DVec3;
+
+    #[test]
+    fn who_stands_is_seen_beyond_somebody_near_who_drives_on() {
+        let spec = VehicleSpec::default();
+        let line = Polyline::new([DVec3::ZERO, 300.0 * DVec3::X]);
+        let network = RoadNetwork { lanes: vec![Lane::new(LaneId(0), line, 3.5, 25.0)], ..RoadNetwork::default() };
+        let map = TrafficMap::new(network.finish().expect("a lane"), std::slice::from_ref(&spec));
+        let roads = Roads::new(&map, &Focus::default(), &[]);
+        let asset = VehicleRef { model: VehicleModelId::from_index(0), variant: 0 };
+        let mut stream = Stream::named(1, "test.occupancy", &[]);
+        let mut vehicle = |s: f64, speed: f64| {
+            let driver = Driver::new(&spec, &DrivingCondition::default(), 0.5, &mut stream);
+            let vehicle = Vehicle::new(&spec, asset, driver, LaneId(0), s, stream.fork(s as u64));
+            Vehicle { speed, ..vehicle }
+        };
+        let mut vehicles = vec![vehicle(10.0, 23.0), vehicle(35.0, 24.0), vehicle(70.0, 0.0)];
+        let found = |vehicles: &[Vehicle]| {
+            let mut occupancy = Occupancy::default();
+            occupancy.rebuild(&roads, vehicles);
+            let leaders = occupancy.leaders(&roads, &vehicles[0], 0, 180.0);
+            [leaders.ahead, leaders.stands_first].map(|leader| leader.map(|l| l.vehicle))
+        };
+        assert_eq!(found(&vehicles), [Some(1), Some(2)]);
+        // Where both stand it is the nearest alone.
+        vehicles[1].speed = 0.0;
+        assert_eq!(found(&vehicles), [Some(1), Some(1)]);
+    }
 }

@@ -42,11 +42,10 @@ impl DriverView<'_> {
         let driver = &me.driver;
         let looks = me.order.is_none_or(|order| order.sees_leader());
         let leaders = if looks { self.occupancy.leaders(self.roads, me, i, SIGHT_M) } else { Leaders::default() };
-        let leader = leaders.nearest();
         let mut wanted = driver.free(me.speed, speed_ahead(self.roads, me));
         let lets_go_first =
             |beside: &Leader| self.vehicles.get(beside.vehicle).is_none_or(|other| filtering::lets_go_first(me, other));
-        if let Some(ahead) = leaders.ahead {
+        for ahead in leaders.ahead.into_iter().chain(leaders.stands_first) {
             wanted = wanted.min(driver.follow(me.speed, ahead.gap, ahead.speed));
         }
         if let Some(beside) = leaders.beside.filter(lets_go_first) {
@@ -55,7 +54,7 @@ impl DriverView<'_> {
         if let Some(pace_mps) = leaders.pace_mps {
             wanted = wanted.min(driver.free(me.speed, pace_mps));
         }
-        if let Some(gap) = self.line_ahead(i, leader) {
+        if let Some(gap) = self.line_ahead(i, leaders.could_stand_m()) {
             wanted = wanted.min(driver.stop_at(me.speed, gap));
         }
         let wanted = me.kerb_halt.map_or(wanted, |halt| halt.wanted(wanted, driver, me.speed));
@@ -65,11 +64,11 @@ impl DriverView<'_> {
         eased.clamp(-hardest, driver.accelerate)
     }
 
-    /// Distance from the front bumper to the nearest line at which to stop.
-    fn line_ahead(&self, i: usize, leader: Option<Leader>) -> Option<f64> {
+    /// Distance from the front bumper to the nearest line at which to stop, where those ahead could stand so far on, metres.
+    fn line_ahead(&self, i: usize, leaders_m: f64) -> Option<f64> {
         let me = &self.vehicles[i];
         let heedless = me.order.is_some_and(|order| order.heedless);
-        let sure = self.surely_free(i, leader);
+        let sure = self.surely_free(i, leaders_m);
         let mut nearest = f64::INFINITY;
         let mut setback = 0.0;
         for (k, (lane, base)) in me.ahead(self.roads).enumerate() {
@@ -121,9 +120,9 @@ impl DriverView<'_> {
     }
 
     /// How far the front bumper gets without waiting for anybody, even if those ahead brake, metres.
-    fn surely_free(&self, i: usize, leader: Option<Leader>) -> f64 {
+    fn surely_free(&self, i: usize, leaders_m: f64) -> f64 {
         let me = &self.vehicles[i];
-        let mut free = leader.map_or(f64::INFINITY, |l| l.gap + l.speed * l.speed / 6.0);
+        let mut free = leaders_m;
         for (lane, base) in me.ahead(self.roads).take_while(|a| a.1 < CLOSE_M) {
             let right_of_way = self.roads.table(lane).junction.and_then(|junction| me.right_of_way_at(junction));
             if let Some(right_of_way) = right_of_way {
