@@ -25,19 +25,19 @@ const STANDS_S: f64 = 45.0;
 const MOST_QUEUES: usize = 24;
 
 /// The requests, by index in ascending order, of those who are first in queues that wait for one another in a circle.
-/// `has_room` tells whether somebody finds room beyond the junction.
+/// `has_room` tells whether the one with this index finds room beyond the junction.
 pub(crate) fn circles(
     roads: &Roads,
     occupancy: &Occupancy,
     vehicles: &[Vehicle],
     requests: &[EntryRequest],
-    has_room: impl Fn(&EntryRequest) -> bool,
+    has_room: impl Fn(usize) -> bool,
 ) -> Vec<usize> {
     let stands = |r: &EntryRequest| r.waited_s > STANDS_S;
     let heads: BTreeMap<LaneId, usize> = requests
         .iter()
         .enumerate()
-        .filter(|(_, r)| stands(r) && r.at_the_line() && !has_room(r))
+        .filter(|&(k, r)| stands(r) && r.at_the_line() && !has_room(k))
         .map(|(k, r)| (r.before, k))
         .collect();
     let next = |k: usize| {

@@ -11,6 +11,7 @@ use super::entry_request::{
 use crate::gridlock;
 use crate::occupancy::Occupancy;
 use crate::overlap::SweptApproach;
+use crate::queue_tail::{Queued, queue_tail_m};
 use crate::roads::Roads;
 use crate::vehicle::{RightOfWay, Vehicle};
 use endless_road::swept::LONG_M;
@@ -90,10 +91,15 @@ impl JunctionController {
         // Who has waited longest is asked first, or others might take the room beyond for ever.
         requests.sort_by(|a, b| b.waited_s.total_cmp(&a.waited_s));
         let has_room = |request: &EntryRequest| self.has_exit_space(roads, occupancy, vehicles, &requests, request);
-        let gridlocked = gridlock::circles(roads, occupancy, vehicles, &requests, has_room);
+        // Who stands at a line without room beyond goes nowhere: others neither wait for them nor let them go first.
+        let goes_nowhere: Vec<bool> =
+            requests.iter().map(|r| r.speed < STANDS_MPS && r.at_the_line() && !has_room(r)).collect();
+        let gridlocked = gridlock::circles(roads, occupancy, vehicles, &requests, |k| !goes_nowhere[k]);
         for (k, request) in requests.iter().enumerate() {
-            let mut others =
-                requests.iter().enumerate().filter(|&(l, r)| l != k && r.junction == request.junction).map(|(_, r)| r);
+            let others = requests.iter().zip(&goes_nowhere).enumerate();
+            let mut others = others
+                .filter(|&(l, (r, &goes_nowhere))| l != k && r.junction == request.junction && !goes_nowhere)
+                .map(|(_, (r, _))| r);
             let comes_first = sign_allows(roads, request)
                 && !occupancy.crosses_claimed(roads, &request.lanes)
                 && is_next(roads, occupancy, vehicles, request.vehicle, request.junction, request.distance);
@@ -108,7 +114,9 @@ impl JunctionController {
             let mut clear = || {
                 self.clear_of_holders(roads, vehicles, request)
                     && others.all(|other| {
-                        !yields_to(roads, vehicles, request, other) && goes_before(roads, vehicles, request, other)
+                        let lets_me_go = || yields_to(roads, vehicles, other, request);
+                        !yields_to(roads, vehicles, request, other)
+                            && (goes_before(roads, vehicles, request, other) || lets_me_go())
                     })
             };
             let finds_room = || sweeps_free_ground(roads, occupancy, &vehicles[request.vehicle], &request.lanes);
@@ -153,16 +161,24 @@ impl JunctionController {
         let mut lanes = route.skip_while(|&l| l != request.exit).peekable();
         for _ in 0..MOST_ROADS {
             let Some(&first) = lanes.peek() else { return true };
-            let (mut length, mut free) = (0.0, f64::INFINITY);
+            let (mut length, mut queue) = (0.0, Vec::new());
             while let Some(lane) = lanes.next_if(|&l| length < SEEN_M && roads.table(l).junction.is_none()) {
                 for o in occupancy.on(lane).iter().filter(|o| o.vehicle != request.vehicle) {
                     let stop_m = vehicles.get(o.vehicle).map_or(0.0, Vehicle::firm_stop_m);
                     let moves_off_m = if patient { 0.0 } else { o.speed * MOVES_ON_S };
-                    free = free.min(length + o.rear + stop_m + moves_off_m);
+                    queue.push(Queued {
+                        vehicle: o.vehicle,
+                        rear: length + o.rear,
+                        front: length + o.front,
+                        goes_on_m: stop_m + moves_off_m,
+                        filters: o.filters,
+                    });
                 }
                 length += roads.table(lane).length;
             }
-            free = free.min(length).min(SEEN_M);
+            let ends_at_line = lanes.peek().is_some_and(|&next| roads.table(next).junction.is_some());
+            let line_m = if ends_at_line { length } else { f64::INFINITY };
+            let mut free = queue_tail_m(&mut queue, line_m).min(length).min(SEEN_M);
             for &other in behind.map_or(&[][..], |junction| self.holders(junction)) {
                 let heads_there =
                     vehicles[other].rights_of_way.iter().any(|g| Some(g.junction) == behind && g.exit == first);
@@ -244,10 +260,11 @@ fn sweeps_free_ground(roads: &Roads, occupancy: &Occupancy, me: &Vehicle, lanes:
 }
 
 /// Room beyond the junction that is kept for somebody who has waited long to get there, and longer than who asks, metres: where
-/// there is room for few, and lights let others go first whenever there is any, they would never get on.
+/// there is room for few, and lights let others go first whenever there is any, they would never get on. Nobody keeps it for those
+/// behind or beside them, who wait until they have gone.
 fn kept_free_m(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryRequest) -> f64 {
     let starves = |r: &&EntryRequest| r.waited_s > STARVES_S.max(request.waited_s) && r.at_the_line();
-    let there = requests.iter().filter(|r| r.exit == request.exit && r.vehicle != request.vehicle);
+    let there = requests.iter().filter(|r| r.exit == request.exit && r.before != request.before);
     let longest = there.filter(starves).max_by(|a, b| a.waited_s.total_cmp(&b.waited_s));
     longest.map_or(0.0, |starving| 2.0 * vehicles[starving.vehicle].half_length + SPARE_M)
 }

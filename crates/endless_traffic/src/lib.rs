@@ -90,6 +90,7 @@ mod pedestrian_avoidance;
 mod people_grid;
 mod playback;
 mod population;
+mod queue_tail;
 mod queues;
 mod roads;
 mod settings;
