@@ -22,6 +22,8 @@ use endless_world::{SignalAspect, SignalState};
 const SPARE_M: f64 = 2.5;
 /// What another vehicle needs, metres.
 const ANOTHER_M: f64 = 8.0;
+/// Share of a lane that who comes to it leaves free where one gets off it by a change of lanes alone.
+const RING_SHARE: f64 = 0.5;
 /// Seconds of waiting after which room on the next road alone is enough.
 const CHANCE_S: f64 = 40.0;
 /// Room is kept for who has waited at the line for so long, a light's whole cycle, seconds.
@@ -154,7 +156,14 @@ impl JunctionController {
         let crossing_end = crossings.iter().filter(|c| c.range.0 < 12.0).map(|c| c.range.1).fold(0.0, f64::max);
         // Who joins a ring leaves room for one of those in it: when all its pieces are full, nobody gets on. Not for ever.
         let patient = request.waited_s < CHANCE_S;
-        let left = if patient && request.control == TrafficControl::Yield { ANOTHER_M } else { 0.0 };
+        let [before, exit] = [request.before, request.exit].map(|lane| roads.table(lane));
+        let left = if exit.leads_back && !before.leads_back {
+            if request.waited_s < STARVES_S { RING_SHARE * exit.length } else { ANOTHER_M }
+        } else if patient && request.control == TrafficControl::Yield {
+            ANOTHER_M
+        } else {
+            0.0
+        };
         let kept = kept_free_m(vehicles, requests, request);
         let mut needed = crossing_end + 2.0 * me.half_length + SPARE_M + left + kept;
         let mut behind = Some(request.junction);

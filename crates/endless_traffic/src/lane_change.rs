@@ -21,8 +21,18 @@ const THRESHOLD: f64 = 0.25;
 const INDICATE_S: f64 = 1.3;
 /// Lanes with tighter bends are not left, metres.
 pub(crate) const STRAIGHT_RADIUS_M: f64 = 60.0;
-/// Clear of the lane's beginning, metres.
-const FROM_START_M: f64 = 22.0;
+/// Nor are those in whose bends a body bows out further than this, metres: in bends long vehicles fill their lanes.
+const BOWS_OUT_M: f64 = 0.05;
+/// Changes take so long, seconds, and at least this far: of short vehicles and of those that swing out, metres.
+const CHANGE_S: f64 = 3.5;
+const SHORTEST_M: [f64; 2] = [16.0, 24.0];
+/// Those ahead are looked at so far, metres.
+const SEEN_M: f64 = 120.0;
+/// Those ahead stop no harder when they come to a queue, m/s².
+const QUEUES_UP_MPS2: f64 = 2.0;
+/// Clear of the lane's beginning and of the line at its end, metres.
+const FROM_START_M: f64 = 6.0;
+const TO_LINE_M: f64 = 6.0;
 
 /// Goes on with a change that was indicated, or thinks about one. `thinks` is true once a second.
 pub(crate) fn step(
@@ -43,7 +53,7 @@ pub(crate) fn step(
         let still = neighbours.left == Some(target) || neighbours.right == Some(target);
         let left = left - step_s;
         vehicles[i].intent = (still && left > -1.5).then_some((target, left));
-        if still && left <= 0.0 && gain(roads, occupancy, vehicles, i, target).is_some() {
+        if still && left <= 0.0 && gain(roads, occupancy, vehicles, i, target, 0.0).is_some() {
             begin(roads, occupancy, vehicles, i, target);
         }
         return;
@@ -56,7 +66,7 @@ pub(crate) fn step(
     let best = [lane.left, lane.right]
         .into_iter()
         .flatten()
-        .filter_map(|target| gain(roads, occupancy, vehicles, i, target).map(|g| (g, target)))
+        .filter_map(|target| gain(roads, occupancy, vehicles, i, target, INDICATE_S).map(|g| (g, target)))
         .max_by(|a, b| a.0.total_cmp(&b.0));
     if let Some((gain, target)) = best
         && gain > THRESHOLD
@@ -66,14 +76,26 @@ pub(crate) fn step(
 }
 
 fn change_length(vehicle: &Vehicle) -> f64 {
-    (vehicle.speed * 4.0).max(24.0)
+    (CHANGE_S * vehicle.speed).max(SHORTEST_M[usize::from(vehicle.long())])
 }
 
-/// What a change would gain, m/s²; `None` if it is not possible or not safe.
-fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, target: LaneId) -> Option<f64> {
+/// The tightest bend in which somebody changes lanes, metres.
+fn tightest_m(vehicle: &Vehicle) -> f64 {
+    STRAIGHT_RADIUS_M.max(vehicle.half_length * vehicle.half_length / (2.0 * BOWS_OUT_M))
+}
+
+/// What a change would gain that begins in so many seconds, m/s²; `None` if it is not possible or not safe.
+fn gain(
+    roads: &Roads,
+    occupancy: &Occupancy,
+    vehicles: &[Vehicle],
+    i: usize,
+    target: LaneId,
+    begins_s: f64,
+) -> Option<f64> {
     let me = &vehicles[i];
     let table = roads.table(me.lane());
-    let room = change_length(me) + 12.0 + me.half_length;
+    let room = change_length(me) + TO_LINE_M + me.half_length;
     if me.shift.is_some()
         || me.tail.is_some()
         || me.speed < 3.0
@@ -83,12 +105,15 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
         return None;
     }
     // Nor is a bend.
-    if table.radius.min(roads.table(target).radius) < STRAIGHT_RADIUS_M {
+    if table.radius.min(roads.table(target).radius) < tightest_m(me) {
         return None;
     }
     let at = roads.network.lane(me.lane()).centerline.at(me.s).position.truncate();
     let (s, _) = roads.network.lane(target).centerline.project(at);
-    if me.s.min(s) < FROM_START_M || (table.length - me.s).min(roads.table(target).length - s) < room {
+    let begins_m = begins_s * me.speed;
+    let from_start = me.s.min(s) + begins_m - me.half_length;
+    let to_end = (table.length - me.s).min(roads.table(target).length - s) - begins_m;
+    if from_start < FROM_START_M || to_end < room {
         return None;
     }
     // A crossing is no place to change lanes.
@@ -115,13 +140,28 @@ fn gain(roads: &Roads, occupancy: &Occupancy, vehicles: &[Vehicle], i: usize, ta
             }
         }
     }
+    // Nor is who comes onto that lane overlooked.
+    for &before in &roads.network.lane(target).predecessors {
+        for o in occupancy.on(before).iter().filter(|o| o.vehicle != i) {
+            let gap = s - me.half_length - (o.front - roads.table(before).length);
+            if gap < behind.0 {
+                behind = (gap, Some(o.vehicle));
+            }
+        }
+    }
     if ahead.0 < 3.0 || behind.0 < 3.0 {
         return None;
     }
     let wanted = me.driver.cruise_mps.min(roads.table(me.lane()).speed_at(me.s) * me.driver.limit_factor);
     let free = me.driver.free(me.speed, wanted);
     let react = |gap: f64, speed: f64| if gap.is_finite() { me.driver.follow(me.speed, gap, speed) } else { free };
-    let now = occupancy.leader(roads, vehicles, i, 80.0).map_or(free, |l| react(l.gap, l.speed)).min(free);
+    let leader = occupancy.leader(roads, vehicles, i, SEEN_M);
+    // Who comes into a queue before the change has ended would stand in the way of two lanes.
+    let ends = |gap: f64, speed: f64| gap + speed * speed / (2.0 * QUEUES_UP_MPS2) > change_length(me);
+    if !ends(ahead.0, ahead.1) || leader.is_some_and(|l| !ends(l.gap, l.speed)) {
+        return None;
+    }
+    let now = leader.map_or(free, |l| react(l.gap, l.speed)).min(free);
     let then = react(ahead.0, ahead.1).min(free);
     // Who plays a track brakes for nobody.
     if behind.1.is_some_and(|follower| follower >= vehicles.len()) && behind.0 < PLAYED_GAP_M {

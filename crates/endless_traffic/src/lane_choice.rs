@@ -9,6 +9,8 @@ use endless_world::Stream;
 
 /// What a lane change towards the right lane is worth, m/s²: a little more than what bothers a driver enough to change at all.
 const WORTH_MPS2: f64 = 0.6;
+/// A lane with a queue that leaves less open is one to avoid.
+const OPEN: f64 = 0.5;
 /// So many lanes follow one another before a junction at most.
 const MOST_PIECES: usize = 6;
 
@@ -85,16 +87,26 @@ fn choose(
     (turns.len() > 1 && weights.iter().sum::<f64>() > 0.0).then(|| turns[stream.weighted(&weights)])
 }
 
-/// How many lanes a lane is beside the nearest one from which the turn can be made, if there is any.
+/// Whether a way through a junction leads neither into a queue nor to where one has to turn soon.
+fn drives_on(roads: &Roads, way: LaneId) -> bool {
+    !roads.table(way).ends_in_turn && roads.attraction.queues.openness(way) > OPEN
+}
+
+/// How many lanes a lane is beside the nearest one from which the turn can be made, if there is any: one that leads on beyond, if
+/// there is one.
 fn changes_left(roads: &Roads, lane: LaneId, aim: Aim) -> Option<usize> {
     let lanes = lanes_to(roads, lane, aim.junction);
-    let offers = |lane: LaneId| {
+    let offers = |lane: LaneId, leads_on: bool| {
         let ways = approach(roads, lane).map(|(_, before)| &roads.network.lane(before).successors);
-        ways.is_some_and(|ways| ways.iter().any(|&way| roads.network.lane(way).turn == aim.turn))
+        let suits = |way: LaneId| roads.network.lane(way).turn == aim.turn;
+        ways.is_some_and(|ways| ways.iter().any(|&way| suits(way) && (!leads_on || drives_on(roads, way))))
     };
     let here = lanes.iter().position(|&other| other == lane)?;
-    let right = lanes.iter().enumerate().filter(|(_, lane)| offers(**lane));
-    right.map(|(k, _)| k.abs_diff(here)).min()
+    let nearest = |leads_on: bool| {
+        let right = lanes.iter().enumerate().filter(|(_, lane)| offers(**lane, leads_on));
+        right.map(|(k, _)| k.abs_diff(here)).min()
+    };
+    nearest(true).or_else(|| nearest(false))
 }
 
 /// What a change to the lane beside is worth because the way leads on from there, m/s²; negative, where it leads elsewhere.

@@ -102,6 +102,7 @@ mod steering;
 mod stop_places;
 mod trailer;
 mod turn_aim;
+mod turn_lane;
 mod vehicle;
 mod vehicle_mix;
 mod walk_strip;

@@ -8,6 +8,7 @@ use crate::overlap::{
 };
 use crate::sitting::BenchPlaces;
 use crate::stop_places::StopPlaces;
+use crate::turn_lane;
 use endless_road::swept::{LONG_M, curvature_per_m, fits, leaves_oncoming_room, smallest_radius_m};
 use endless_road::{Borders, CrossingId, JunctionId, LaneConflict, LaneId, RoadNetwork};
 use endless_world::{VehicleModelId, VehicleSpec};
@@ -49,6 +50,10 @@ pub(crate) struct LaneTable {
     pub(crate) setback: f64,
     /// Where nobody may stand while a long vehicle turns on it.
     pub(crate) sweeps: Vec<SweptApproach>,
+    /// Whether who drives on straight from here will have to turn where others go straight on, with no room to change lanes before.
+    pub(crate) ends_in_turn: bool,
+    /// Whether one comes back to it who changes to no other lane.
+    pub(crate) leads_back: bool,
 }
 
 impl LaneTable {
@@ -154,6 +159,10 @@ impl TrafficMap {
         }
         for lane in &network.lanes {
             lanes[lane.id.index()].siblings = siblings(&network, lane, &bodies);
+        }
+        for (table, lane) in lanes.iter_mut().zip(&network.lanes) {
+            table.ends_in_turn = turn_lane::ends_in_turn(&network, lane);
+            table.leads_back = turn_lane::leads_back(&network, lane);
         }
         let everybody = network.lanes_in_use(&borders);
         let mut setbacks: Vec<f64> = lanes.iter().map(|table| table.setback).collect();
