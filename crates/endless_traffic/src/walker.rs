@@ -294,7 +294,7 @@ impl Walker {
             let place = self.company.as_deref().map_or(middle, |company| company.beside(middle, s.half_width));
             let left = here + (place - here) * ease;
             let is_sidewalk = s.kind == WalkKind::Sidewalk && !self.on_roadway();
-            if is_sidewalk { roads.benches.kept_before(self.way[step].0, s, ahead, left) } else { left }
+            if is_sidewalk { roads.benches.kept_before(self.way[step].0, s, self.position, ahead, left) } else { left }
         };
         // Whom they stop goes to the right first.
         let share = if makes_room { (self.velocity.length() / self.pace).clamp(0.2, 1.0) } else { 1.0 };

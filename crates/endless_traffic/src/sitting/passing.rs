@@ -3,17 +3,22 @@
 use super::places::{BenchPlace, BenchPlaces, passing_range};
 use crate::walk_strip::DirectedEdge;
 use endless_road::WalkEdgeId;
+use glam::DVec2;
 
 /// Benches matter from so far before them to so far behind them, along the sidewalk, metres.
 const NEAR_M: [f64; 2] = [-4.0, 0.8];
+/// Who has been pushed behind a bench is no further from a seat of it, metres.
+const BEHIND_M: f64 = 1.5;
 
 impl BenchPlaces {
     /// Where those keep who would be so far to the left of the middle of a strip, of an edge, at a place along it: before the
-    /// benches that are near, metres to the left.
-    pub(crate) fn kept_before(&self, edge: WalkEdgeId, strip: &DirectedEdge, along: f64, left: f64) -> f64 {
+    /// benches that are near, metres to the left. Who is behind one now does not come through those who sit there.
+    pub(crate) fn kept_before(&self, edge: WalkEdgeId, strip: &DirectedEdge, now: DVec2, along: f64, left: f64) -> f64 {
         let near = |place: &&BenchPlace| {
             let past_m = along - strip.local(place.at.truncate()).0;
-            (NEAR_M[0]..NEAR_M[1]).contains(&past_m)
+            let from_seat = now - place.at.truncate();
+            let is_behind = from_seat.dot(place.facing) < 0.0 && from_seat.length() < BEHIND_M;
+            (NEAR_M[0]..NEAR_M[1]).contains(&past_m) && !is_behind
         };
         let range_at =
             |place: &BenchPlace| passing_range(strip.local(place.at.truncate()).1, strip.along.perp_dot(place.facing));
@@ -28,7 +33,7 @@ mod tests {
     use super::*;
     use endless_road::{RoadNetwork, WalkEdge, WalkKind, WalkNetwork, WalkNodeId};
     use endless_world::BenchSeat;
-    use glam::{DVec2, DVec3};
+    use glam::DVec3;
     use std::f32::consts::FRAC_PI_2;
 
     #[test]
@@ -44,10 +49,12 @@ mod tests {
             let along = (to - from).normalize();
             let strip = DirectedEdge { from, along, length: 40.0, half_width: 1.25, kind, round_m: 0.3 };
             let (at, left) = strip.local(DVec2::new(10.0, -0.9));
-            let kept = places.kept_before(WalkEdgeId(0), &strip, at, left);
+            let kept = places.kept_before(WalkEdgeId(0), &strip, from, at, left);
             assert!(strip.point(at, kept).y.abs() < 1e-6, "{kept}");
             let (elsewhere, _) = strip.local(DVec2::new(35.0, 0.0));
-            assert_eq!(places.kept_before(WalkEdgeId(0), &strip, elsewhere, left), left);
+            assert_eq!(places.kept_before(WalkEdgeId(0), &strip, from, elsewhere, left), left);
+            let behind = DVec2::new(10.3, -1.25);
+            assert_eq!(places.kept_before(WalkEdgeId(0), &strip, behind, at, left), left, "they walk out as they came");
         }
     }
 }
