@@ -6,7 +6,7 @@ use crate::emergency;
 use crate::kinematics;
 use crate::lane_choice;
 use crate::occupancy::Occupancy;
-use crate::roads::Roads;
+use crate::roads::{PLANNED_BRAKING, Roads};
 use crate::vehicle::{LaneChange, LaneCover, Vehicle};
 use endless_road::LaneId;
 use endless_world::ObjectClass;
@@ -22,7 +22,7 @@ const INDICATE_S: f64 = 1.3;
 /// Lanes with tighter bends are not left, metres.
 pub(crate) const STRAIGHT_RADIUS_M: f64 = 60.0;
 /// Nor are those in whose bends a body bows out further than this, metres: in bends long vehicles fill their lanes.
-const BOWS_OUT_M: f64 = 0.05;
+const BOWS_OUT_M: f64 = 0.15;
 /// Changes take so long, seconds, and at least this far: of short vehicles and of those that swing out, metres.
 const CHANGE_S: f64 = 3.5;
 const SHORTEST_M: [f64; 2] = [16.0, 24.0];
@@ -84,6 +84,14 @@ fn tightest_m(vehicle: &Vehicle) -> f64 {
     STRAIGHT_RADIUS_M.max(vehicle.half_length * vehicle.half_length / (2.0 * BOWS_OUT_M))
 }
 
+/// How fast somebody may be on a lane so far before its end, metres, whatever way they take from there, m/s.
+fn fastest_mps(roads: &Roads, vehicle: &Vehicle, lane: LaneId, to_end_m: f64) -> f64 {
+    let allowed = roads.allowed(vehicle.asset.model);
+    let ways = roads.network.lane(lane).successors.iter().filter(|way| allowed[way.index()]);
+    let slowest = ways.map(|way| roads.table(*way).speed_at(0.0)).fold(f64::INFINITY, f64::min);
+    (slowest * slowest + 2.0 * PLANNED_BRAKING * to_end_m).sqrt()
+}
+
 /// What a change would gain that begins in so many seconds, m/s²; `None` if it is not possible or not safe.
 fn gain(
     roads: &Roads,
@@ -114,6 +122,9 @@ fn gain(
     let from_start = me.s.min(s) + begins_m - me.half_length;
     let to_end = (table.length - me.s).min(roads.table(target).length - s) - begins_m;
     if from_start < FROM_START_M || to_end < room {
+        return None;
+    }
+    if me.speed > fastest_mps(roads, me, target, to_end) {
         return None;
     }
     // A crossing is no place to change lanes.

@@ -19,6 +19,8 @@ use glam::DVec2;
 const SEEN_M: f64 = 90.0;
 /// Room kept to the edge of the road, metres.
 const EDGE_M: f64 = 0.1;
+/// Beside the lanes inside a junction there is as much room, metres.
+const BESIDE_WAY_M: f64 = 0.5;
 /// Nobody begins faster, m/s.
 const FASTEST_MPS: f64 = 12.0;
 /// Who comes to the queue no faster than this will soon be in it, m/s.
@@ -95,7 +97,10 @@ impl Passage {
         if lanes_beside.is_some_and(|lanes| lanes.last().is_some_and(|lane| !waits_at(view, *lane))) {
             return None;
         }
-        let half_m = way.iter().map(|(lane, _)| 0.5 * roads.network.lane(*lane).width_m).fold(f64::INFINITY, f64::min);
+        let half_m = |lane: LaneId| 0.5 * roads.network.lane(lane).width_m;
+        // Beyond the line the way may be narrower than before it.
+        let beyond_m = me.ahead(roads).nth(way.len()).map_or(f64::INFINITY, |(lane, _)| half_m(lane) + BESIDE_WAY_M);
+        let half_m = way.iter().map(|(lane, _)| half_m(*lane)).fold(beyond_m, f64::min);
         let edge_m = if straddles { half_m } else { half_m - me.half_width - EDGE_M };
         let place_m = if side == Side::Left { edge_m } else { -edge_m };
         let left_m = place_m - me.driver.lateral_m;

@@ -97,7 +97,7 @@ fn watched(network: &RoadNetwork, bus_stops: &[BusStop]) -> (Vec<Stand>, String,
     let mut audit = TrafficAudit::new(network, &specs, &[], FPS);
     let mut stands: Vec<Stand> = Vec::new();
     let mut current: BTreeMap<u16, Stand> = BTreeMap::new();
-    for _ in 0..(420.0 * FPS) as usize {
+    for _ in 0..(600.0 * FPS) as usize {
         simulation.tick();
         let state = simulation.state();
         audit.look(&state);

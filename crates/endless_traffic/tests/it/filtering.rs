@@ -9,7 +9,7 @@ use glam::Vec2;
 use std::collections::BTreeMap;
 
 const FPS: f64 = 30.0;
-const SECONDS: f64 = 400.0;
+const SECONDS: f64 = 600.0;
 
 /// How much faster riders were than each vehicle that they passed at a crawl, m/s, and how much room was between, metres; the audit
 /// must be content.
