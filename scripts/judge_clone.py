@@ -51,8 +51,8 @@ def simulate(endless: pathlib.Path, town: str, work: pathlib.Path):
     for name, period in TRIPS:
         trips = work / f"{name}.trips.xml"
         kind = ["--pedestrians"] if name == "pedestrian" else ["--vehicle-class", name, "--prefix", name]
-        run(sys.executable, home / "tools/randomTrips.py", "-n", work / "town.net.xml", "-o", trips, "-e", BEGIN_S + 10, "-p", period,
-            "--seed", 7, *kind, env=environment)
+        run(sys.executable, home / "tools/randomTrips.py", "-n", work / "town.net.xml", "-o", trips, "-r", work / f"{name}.rou.xml",
+            "-e", BEGIN_S + 10, "-p", period, "--seed", 7, *kind, env=environment)
         routes.append(str(trips))
     run(home / "bin/sumo", "-n", work / "town.net.xml", "-r", ",".join(routes), "--step-length", STEP_S, "--fcd-output", work / "fcd.xml",
         "-e", BEGIN_S + SECONDS + 2, "--ignore-route-errors", "--no-step-log", "--no-warnings", "--seed", 7, env=environment)

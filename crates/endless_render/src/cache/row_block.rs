@@ -82,7 +82,6 @@ pub(super) struct RowBlock<'a> {
     pub(super) row: ShadedRow<'a>,
     /// The first pixel in the row.
     pub(super) first: usize,
-    count: usize,
     pub(super) points: Vec<BlockPoint<'a>>,
     pub(super) skies: Vec<SkySample>,
     /// For each lane the one whose light it has: itself, where it is shaded.
@@ -93,12 +92,12 @@ impl<'a> RowBlock<'a> {
     /// That looks at nothing yet.
     pub(super) fn new(pass: &'a BakePass<'a>, row: ShadedRow<'a>) -> Self {
         let (points, skies) = (Vec::with_capacity(LANES), Vec::with_capacity(LANES));
-        Self { pass, row, first: 0, count: 0, points, skies, told_by: [NOBODY; LANES] }
+        Self { pass, row, first: 0, points, skies, told_by: [NOBODY; LANES] }
     }
 
     /// Turns to `count` pixels of the row from `first` on.
     pub(super) fn look_at(&mut self, first: usize, count: usize) {
-        (self.first, self.count) = (first, count);
+        self.first = first;
         self.points.clear();
         self.skies.clear();
         for pixel in (0..count).step_by(8) {
@@ -221,15 +220,8 @@ impl<'a> RowBlock<'a> {
         }
     }
 
-    /// A sample that may tell the light of this one: the next pixel's centre, if both see one place of a surface, or an earlier
-    /// one of the same pixel.
+    /// An earlier sample of the same pixel that may tell the light of this one.
     fn alike(&self, lane: usize, hit: &Hit) -> Option<u16> {
-        let (pixel, sample) = (lane % BLOCK, lane / BLOCK);
-        let [x, next] = [self.first + pixel, self.first + pixel + 1];
-        let hits = &self.row.primary.surfaces.hits;
-        if sample == 1 && pixel + 1 < self.count && hits[x][1] == hits[next][0] {
-            return Some(pixel as u16 + 1);
-        }
         let seen = self.row.primary.pixel(self.first + lane % BLOCK);
         let may_tell = |&other: &usize| {
             let shaded = usize::from(self.told_by[other]) == other;

@@ -40,7 +40,7 @@ pub(super) struct RowCentres<'a> {
 
 impl<'a> RowCentres<'a> {
     /// The centre of the neighbour towards which a sample of a pixel lies.
-    pub(super) fn towards(&self, x: usize, sample: usize) -> Option<&'a Centre> {
+    fn towards(&self, x: usize, sample: usize) -> Option<&'a Centre> {
         let [above, below] = self.beside;
         match sample {
             1 => self.centres.get(x + 1),

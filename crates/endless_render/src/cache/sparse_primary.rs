@@ -1,8 +1,8 @@
 //! The first pass of a bake for one instant: all samples are traced only where that tells anything.
 //!
 //! Where the centre of a pixel and that of the neighbour towards which a sample lies are on one flat piece of one surface, so
-//! is the sample: it is known without a ray. Where one of the two sees a leaf, the sample sees what one of the centres does.
-//! The sun's disc is asked by up to eight rays a pixel near the edges of shadows, and by one a pixel everywhere else.
+//! is the sample: it is known without a ray. The sun's disc is asked by up to eight rays a pixel near the edges of shadows, by one
+//! a sample among leaves there, and by one a pixel everywhere else.
 //!
 //! ```text
 //! centres of all pixels ──► where surfaces end ──► samples that are not known

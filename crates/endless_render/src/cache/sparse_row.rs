@@ -13,9 +13,6 @@ use crate::vec3x8::{Vec3x8, dot, lane_of};
 use std::ops::Range;
 use wide::f32x8;
 
-/// The sample that sees what its pixel's centre does where the neighbours see leaves.
-const LIKE_CENTRE: usize = 3;
-
 /// A row of pixels whose centres are known.
 pub(super) struct SparseRow<'a> {
     pub(super) pass: &'a BakePass<'a>,
@@ -36,8 +33,6 @@ pub(super) struct SparseRow<'a> {
 #[derive(Clone, Copy)]
 struct Known {
     samples: [u32; SAMPLES],
-    /// The samples that see what the centres of their neighbours see.
-    beside: [u32; SAMPLES],
     /// Pixels that see the sky.
     sky: u32,
     /// All pixels there are.
@@ -51,16 +46,21 @@ impl Known {
     }
 }
 
-impl<'a> SparseRow<'a> {
+impl SparseRow<'_> {
     /// `known` tells of each pixel the samples that lie on the surface of its centre.
     pub(super) fn fill(&mut self, known: impl Fn(usize) -> [bool; SAMPLES]) {
         let width = self.centres.len();
         let is_central = self.pass.camera.lens.is_central();
         let mut bundle = SampleBundle::none();
+        let mut among_leaves = Vec::new();
         for first in (0..width).step_by(8) {
             let pixels = first..(first + 8).min(width);
             let mut known = self.begin(pixels.clone(), &known);
-            self.look_among_leaves(first, &mut known);
+            let dense = lanes(known.all & !known.whole()).filter(|lane| self.is_among_leaves(first + lane));
+            let dense = dense.fold(0, |bits, lane| bits | 1 << lane);
+            among_leaves.extend(lanes(dense).map(|lane| first + lane));
+            known.samples[2] |= dense;
+            known.samples[3] |= dense;
             let is_whole = known.whole() == known.all;
             if is_whole && known.sky == known.all {
                 continue;
@@ -72,55 +72,33 @@ impl<'a> SparseRow<'a> {
                 let rays = self.rays(aims);
                 let centres = rays.places(0, self.centre_distances(pixels.clone()));
                 self.spread(pixels, &rays, &centres, &known);
-                self.take_from_beside(first, &known);
                 self.ask_for_unknown(first, &rays, &centres, &known, &mut bundle);
             }
         }
         self.trace(&mut bundle);
+        among_leaves.into_iter().for_each(|x| self.share_among_leaves(x));
         if let Some(sun) = &self.pass.tracer.environment.sun {
             self.ask_the_disc(sun);
         }
     }
 
-    /// Leaves are smaller than pixels. Where one of two neighbours sees a leaf, what is between their centres is either's: a pixel
-    /// is half what its own centre sees and half what those beside it do. That takes no rays, is less grainy than as many
-    /// samples of the pixel alone, and in the mean leaves as much sky between the leaves.
-    fn look_among_leaves(&self, first: usize, known: &mut Known) {
-        let row = self.known_centres();
-        for lane in lanes(known.all & !known.whole()) {
-            let x = first + lane;
-            for sample in 1..SAMPLES {
-                let is_known = known.samples[sample] >> lane & 1 == 1;
-                let Some(beside) = row.towards(x, sample).filter(|_| !is_known) else { continue };
-                if self.centres[x].is_leaf || beside.is_leaf {
-                    let tells = if sample == LIKE_CENTRE { &mut known.samples } else { &mut known.beside };
-                    tells[sample] |= 1 << lane;
-                }
-            }
-        }
+    /// Whether a pixel and its four neighbours see leaves: two of its samples tell all.
+    fn is_among_leaves(&self, x: usize) -> bool {
+        let row = self.centres[x.saturating_sub(1)..].iter().take(if x == 0 { 2 } else { 3 });
+        row.chain(self.beside.iter().flatten().map(|row| &row[x])).all(|centre| centre.is_leaf)
     }
 
-    /// Takes for samples of up to eight pixels what the centres of their neighbours see.
-    fn take_from_beside(&mut self, first: usize, known: &Known) {
-        for sample in 1..SAMPLES {
-            for x in lanes(known.beside[sample]).map(|lane| first + lane) {
-                let Some(beside) = self.known_centres().towards(x, sample) else { continue };
-                self.distances[x][sample] = beside.distance;
-                self.hits[x][sample] = beside.hit;
-                self.normals[x][sample] = beside.normals;
-                self.sun_free[x][sample] = if beside.sun == SunSeen::Lit { WHOLE } else { 0 };
-                self.uniform[x] = false;
-            }
-        }
-    }
-
-    fn known_centres(&self) -> RowCentres<'a> {
-        RowCentres { centres: self.centres, beside: self.beside, edges: self.edges }
+    /// The second sample of such a pixel tells the third, as the centre does the last.
+    fn share_among_leaves(&mut self, x: usize) {
+        self.distances[x][2] = self.distances[x][1];
+        self.hits[x][2] = self.hits[x][1];
+        self.normals[x][2] = self.normals[x][1];
+        self.sun_free[x][2] = self.sun_free[x][1];
     }
 
     /// Takes what the centres of up to eight pixels tell.
     fn begin(&mut self, pixels: Range<usize>, known: impl Fn(usize) -> [bool; SAMPLES]) -> Known {
-        let mut all = Known { samples: [0; SAMPLES], beside: [0; SAMPLES], sky: 0, all: (1 << pixels.len()) - 1 };
+        let mut all = Known { samples: [0; SAMPLES], sky: 0, all: (1 << pixels.len()) - 1 };
         for (lane, x) in pixels.enumerate() {
             let centre = &self.centres[x];
             self.distances[x] = [centre.distance; SAMPLES];
@@ -214,8 +192,7 @@ impl<'a> SparseRow<'a> {
         bundle: &mut SampleBundle,
     ) {
         for lane in lanes(known.all & !known.whole()) {
-            let is_told = |sample: usize| (known.samples[sample] | known.beside[sample]) >> lane & 1 == 1;
-            for sample in (1..SAMPLES).filter(|&sample| !is_told(sample)) {
+            for sample in (1..SAMPLES).filter(|&sample| known.samples[sample] >> lane & 1 == 0) {
                 bundle.push((first + lane, sample), &rays.ray(8 * sample + lane), lane_of(centres, lane));
                 if bundle.is_full() {
                     self.trace(bundle);
@@ -226,7 +203,7 @@ impl<'a> SparseRow<'a> {
 
     fn trace(&mut self, bundle: &mut SampleBundle) {
         let pass = self.pass;
-        let known = self.known_centres();
+        let known = RowCentres { centres: self.centres, beside: self.beside, edges: self.edges };
         bundle.trace(pass, known, |x, sample, seen| {
             let Some(seen) = seen else {
                 self.uniform[x] = false;
