@@ -25,19 +25,19 @@ const STANDS_S: f64 = 45.0;
 const MOST_QUEUES: usize = 24;
 
 /// The requests, by index in ascending order, of those who are first in queues that wait for one another in a circle.
-/// `has_room` tells whether the one with this index finds room beyond the junction.
+/// `goes_nowhere` tells of each whether it stands at the line without room beyond the junction.
 pub(crate) fn circles(
     roads: &Roads,
     occupancy: &Occupancy,
     vehicles: &[Vehicle],
     requests: &[EntryRequest],
-    has_room: impl Fn(usize) -> bool,
+    goes_nowhere: &[bool],
 ) -> Vec<usize> {
     let stands = |r: &EntryRequest| r.waited_s > STANDS_S;
     let heads: BTreeMap<LaneId, usize> = requests
         .iter()
         .enumerate()
-        .filter(|&(k, r)| stands(r) && r.at_the_line() && !has_room(k))
+        .filter(|&(k, r)| stands(r) && goes_nowhere[k])
         .map(|(k, r)| (r.before, k))
         .collect();
     let next = |k: usize| {
@@ -119,7 +119,8 @@ mod tests {
         let mut requests: Vec<EntryRequest> =
             (0..4).map(|i| request(&roads, &[], &vehicles[i], i).expect("at a junction")).collect();
         requests.iter_mut().for_each(|r| r.waited_s = 2.0 * STANDS_S);
-        let found = |requests: &[EntryRequest], room: bool| circles(&roads, &occupancy, &vehicles, requests, |_| room);
+        let found =
+            |requests: &[EntryRequest], room: bool| circles(&roads, &occupancy, &vehicles, requests, &[!room; 4]);
         assert_eq!(found(&requests, false), [0, 1, 2, 3]);
         assert!(found(&requests, true).is_empty());
         requests[2].waited_s = 1.0;

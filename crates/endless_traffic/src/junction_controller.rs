@@ -96,7 +96,7 @@ impl JunctionController {
         // Who stands at a line without room beyond goes nowhere: others neither wait for them nor let them go first.
         let goes_nowhere: Vec<bool> =
             requests.iter().map(|r| r.speed < STANDS_MPS && r.at_the_line() && !has_room(r)).collect();
-        let gridlocked = gridlock::circles(roads, occupancy, vehicles, &requests, |k| !goes_nowhere[k]);
+        let gridlocked = gridlock::circles(roads, occupancy, vehicles, &requests, &goes_nowhere);
         for (k, request) in requests.iter().enumerate() {
             let others = requests.iter().zip(&goes_nowhere).enumerate();
             let mut others = others

@@ -6,7 +6,7 @@ use crate::emergency;
 use crate::kinematics;
 use crate::lane_choice;
 use crate::occupancy::Occupancy;
-use crate::roads::{PLANNED_BRAKING, Roads};
+use crate::roads::{Roads, fastest_before};
 use crate::vehicle::{LaneChange, LaneCover, Vehicle};
 use endless_road::LaneId;
 use endless_world::ObjectClass;
@@ -89,7 +89,7 @@ fn fastest_mps(roads: &Roads, vehicle: &Vehicle, lane: LaneId, to_end_m: f64) ->
     let allowed = roads.allowed(vehicle.asset.model);
     let ways = roads.network.lane(lane).successors.iter().filter(|way| allowed[way.index()]);
     let slowest = ways.map(|way| roads.table(*way).speed_at(0.0)).fold(f64::INFINITY, f64::min);
-    (slowest * slowest + 2.0 * PLANNED_BRAKING * to_end_m).sqrt()
+    fastest_before(slowest, to_end_m)
 }
 
 /// What a change would gain that begins in so many seconds, m/s²; `None` if it is not possible or not safe.

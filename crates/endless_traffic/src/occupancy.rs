@@ -5,13 +5,11 @@ use crate::emergency::ComingCall;
 use crate::filtering::{self, pace_past};
 use crate::overlap::MergeOverlap;
 use crate::roads::Roads;
-use crate::vehicle::{LaneCover, Vehicle};
+use crate::vehicle::{LaneCover, Vehicle, firm_stop_m};
 use endless_road::LaneId;
 
 /// Who comes to where lanes run into one another is seen from this far before it, metres.
 const MERGE_M: f64 = 30.0;
-/// Those ahead are taken to brake no harder, m/s².
-const BRAKES_MPS2: f64 = 3.0;
 
 /// A vehicle on a lane.
 #[derive(Debug, Clone, Copy)]
@@ -54,9 +52,9 @@ pub(crate) struct Leader {
 }
 
 impl Leader {
-    /// How far ahead its rear would stand if it braked hard, metres.
+    /// How far ahead its rear would stand if it braked firmly, metres.
     pub(crate) fn could_stand_m(&self) -> f64 {
-        self.gap + self.speed * self.speed / (2.0 * BRAKES_MPS2)
+        self.gap + firm_stop_m(self.speed)
     }
 }
 

@@ -20,7 +20,12 @@ const STATION_M: f64 = 1.0;
 /// Sideways acceleration that people accept in bends, m/s².
 const BEND_MPS2: f64 = 2.0;
 /// Braking planned before a bend, m/s².
-pub(crate) const PLANNED_BRAKING: f64 = 1.3;
+const PLANNED_BRAKING: f64 = 1.3;
+
+/// How fast one may be so far before a place that is passed at a speed, m/s and metres.
+pub(crate) fn fastest_before(passed_mps: f64, distance_m: f64) -> f64 {
+    (passed_mps * passed_mps + 2.0 * PLANNED_BRAKING * distance_m).sqrt()
+}
 
 /// A crossing over a lane.
 #[derive(Debug, Clone, Copy)]
@@ -245,8 +250,7 @@ fn table(network: &RoadNetwork, id: LaneId) -> LaneTable {
         })
         .collect();
     for i in (0..stations - 1).rev() {
-        let reachable = (profile[i + 1] * profile[i + 1] + 2.0 * PLANNED_BRAKING * STATION_M).sqrt();
-        profile[i] = profile[i].min(reachable);
+        profile[i] = profile[i].min(fastest_before(profile[i + 1], STATION_M));
     }
     let radius = smallest_radius_m(line);
     LaneTable { length, junction: lane.junction, profile, radius, ..LaneTable::default() }

@@ -5,7 +5,7 @@ use crate::driver::HARDEST_BRAKING;
 use crate::filtering;
 use crate::junction_controller::JunctionController;
 use crate::occupancy::{Leader, Leaders, Occupancy};
-use crate::roads::{PLANNED_BRAKING, Roads};
+use crate::roads::{Roads, fastest_before};
 use crate::vehicle::Vehicle;
 use endless_road::LaneId;
 use endless_world::{SignalAspect, SignalState};
@@ -207,7 +207,7 @@ pub(crate) fn speed_ahead(roads: &Roads, me: &Vehicle) -> f64 {
         let profile = table.speed_at(at);
         // Bends by the driver's courage, limits by the driver's patience.
         let allowed = (profile * me.driver.bend_factor).min(limit * me.driver.limit_factor);
-        speed = speed.min((allowed * allowed + 2.0 * PLANNED_BRAKING * distance).sqrt());
+        speed = speed.min(fastest_before(allowed, distance));
     }
     speed
 }

@@ -28,8 +28,8 @@ fn ends_in_turn_within(network: &RoadNetwork, lane: &Lane, pieces: u32) -> bool 
     if straight.peek().is_some() {
         return straight.all(|&next| ends_in_turn_within(network, network.lane(next), pieces - 1));
     }
-    let beside = [lane.left, lane.right].into_iter().flatten();
-    !lane.successors.is_empty() && beside.into_iter().any(|l| network.lane(l).successors.iter().any(goes_straight))
+    let mut beside = [lane.left, lane.right].into_iter().flatten();
+    !lane.successors.is_empty() && beside.any(|l| network.lane(l).successors.iter().any(goes_straight))
 }
 
 /// Whether one comes back to a lane if one changes to no other: on through the only way at each junction.

@@ -133,6 +133,12 @@ pub(crate) struct Vehicle {
     pub(crate) indicating: Option<Side>,
 }
 
+/// How far somebody so fast comes who brakes firmly, metres.
+pub(crate) fn firm_stop_m(speed_mps: f64) -> f64 {
+    const FIRM_MPS2: f64 = 3.0;
+    speed_mps * speed_mps / (2.0 * FIRM_MPS2)
+}
+
 impl Vehicle {
     pub(crate) fn new(
         spec: &VehicleSpec,
@@ -284,7 +290,7 @@ impl Vehicle {
 
     /// Where it could stand at the earliest if it braked firmly, metres from now.
     pub(crate) fn firm_stop_m(&self) -> f64 {
-        self.speed * self.speed / (2.0 * 3.0)
+        firm_stop_m(self.speed)
     }
 
     /// Whether an order makes it go on as if this control were not there.

@@ -145,8 +145,8 @@ fn top_tree(boxes: &[(Vec3A, Vec3A)]) -> (Bvh, Vec<u32>) {
         return (Bvh::empty(), order);
     }
     let boxes: Vec<Aabb> = boxes.iter().map(|&(min, max)| Aabb::new(min, max)).collect();
-    let params = if boxes.len() > 1000 { BvhBuildParams::very_slow_build() } else { BvhBuildParams::very_fast_build() };
-    let params = BvhBuildParams { max_prims_per_leaf: 1, ..params };
+    let preset = if boxes.len() > 1000 { BvhBuildParams::very_slow_build() } else { BvhBuildParams::very_fast_build() };
+    let params = BvhBuildParams { max_prims_per_leaf: 1, ..preset };
     let source = build_bvh2(&boxes, params, &mut Duration::default());
     let one = |_| 1;
     let mut tree = collapse(&source, COSTS, one, |things| {

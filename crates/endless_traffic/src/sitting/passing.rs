@@ -7,8 +7,8 @@ use glam::DVec2;
 
 /// Benches matter from so far before them to so far behind them, along the sidewalk, metres.
 const NEAR_M: [f64; 2] = [-4.0, 0.8];
-/// Who has been pushed behind a bench is no further from a seat of it, metres.
-const BEHIND_M: f64 = 1.5;
+/// Who has been pushed behind a bench is so far behind a seat of it and no further away from it, metres.
+const BEHIND_M: [f64; 2] = [0.0, 1.5];
 
 impl BenchPlaces {
     /// Where those keep who would be so far to the left of the middle of a strip, of an edge, at a place along it: before the
@@ -16,9 +16,7 @@ impl BenchPlaces {
     pub(crate) fn kept_before(&self, edge: WalkEdgeId, strip: &DirectedEdge, now: DVec2, along: f64, left: f64) -> f64 {
         let near = |place: &&BenchPlace| {
             let past_m = along - strip.local(place.at.truncate()).0;
-            let from_seat = now - place.at.truncate();
-            let is_behind = from_seat.dot(place.facing) < 0.0 && from_seat.length() < BEHIND_M;
-            (NEAR_M[0]..NEAR_M[1]).contains(&past_m) && !is_behind
+            (NEAR_M[0]..NEAR_M[1]).contains(&past_m) && !place.is_behind(now, BEHIND_M)
         };
         let range_at =
             |place: &BenchPlace| passing_range(strip.local(place.at.truncate()).1, strip.along.perp_dot(place.facing));

@@ -36,6 +36,14 @@ pub(crate) struct BenchPlace {
     pub(crate) facing: DVec2,
 }
 
+impl BenchPlace {
+    /// Whether a place is at least so far behind the seat, metres, and no further away from it.
+    pub(super) fn is_behind(&self, at: DVec2, [least_m, within_m]: [f64; 2]) -> bool {
+        let from_seat = at - self.at.truncate();
+        from_seat.dot(self.facing) < -least_m && from_seat.length() < within_m
+    }
+}
+
 /// All of them, by sidewalk.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct BenchPlaces(Vec<BenchPlace>);

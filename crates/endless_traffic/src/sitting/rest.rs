@@ -28,17 +28,10 @@ const DOWN_S: f64 = 2.0;
 /// Nobody looks for their seat for longer, nor tries to get to it or away from it, seconds.
 const LOOKS_S: f64 = 25.0;
 const TRIES_S: f64 = 12.0;
-/// Who is this far behind a seat and no further away from it may be shut in by those who sit, metres.
-const BEHIND_M: f64 = 0.1;
-const SHUTS_IN_M: f64 = 1.0;
+/// Who is this far behind a seat and no further away from it could not get away any more once somebody sits there, metres.
+const SHUTS_IN_M: [f64; 2] = [0.1, 1.0];
 /// Somebody may touch who sits down where there is less than this between the middles of bodies, metres.
 const ROOM_M: f64 = 2.0 * BODY_M + 0.01;
-
-/// Whether who is there could not get away from behind a bench any more, once somebody sits on this seat of it.
-fn is_behind_seat(place: &BenchPlace, at: DVec2) -> bool {
-    let from_seat = at - place.at.truncate();
-    from_seat.dot(place.facing) < -BEHIND_M && from_seat.length() < SHUTS_IN_M
-}
 
 impl Walker {
     /// Whether they have left the sidewalk for a bench.
@@ -100,7 +93,7 @@ impl Walker {
                 let off = wrap_angle(place.yaw - self.yaw);
                 self.yaw = wrap_angle(self.yaw + (off * 4.0).clamp(-TURN_RATE, TURN_RATE) * step_s);
                 let settled = rest.since_s > SETTLES_S && off.abs() < TURNED_RAD && self.velocity.length() < 0.05;
-                let sits_down = settled && !near.iter().any(|other| is_behind_seat(&place, other.at));
+                let sits_down = settled && !near.iter().any(|other| place.is_behind(other.at, SHUTS_IN_M));
                 match (sits_down, rest.since_s > TRIES_S) {
                     (true, _) => rest.to(Phase::SitsDown(0.0)),
                     (_, true) => rest.to(Phase::Returns),
