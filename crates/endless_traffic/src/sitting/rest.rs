@@ -104,6 +104,8 @@ impl Walker {
                 self.yaw = place.yaw;
                 match self.lower(&place, share, step_s, near, |share| 1.0 - eased(share)) {
                     share if share >= 1.0 => rest.to(Phase::Sits),
+                    // Somebody who has come behind the seat stays in the way, and may be shut in: they get up and go.
+                    share if rest.since_s > TRIES_S => rest.to(Phase::GetsUp(1.0 - share)),
                     share => Some(Rest { phase: Phase::SitsDown(share), ..rest }),
                 }
             }
@@ -174,5 +176,47 @@ impl Walker {
             self.yaw = wrap_angle(self.yaw + (off * 5.0).clamp(-TURN_RATE, TURN_RATE) * step_s);
         }
         self.position.distance(point) < THERE_M
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::focus::Focus;
+    use crate::roads::TrafficMap;
+    use crate::sitting::BenchPlaces;
+    use endless_road::{RoadNetwork, WalkEdge, WalkEdgeId, WalkKind, WalkNetwork, WalkNodeId};
+    use endless_world::Stream;
+    use endless_world::walking::PedestrianSpec;
+    use glam::DVec3;
+
+    const STEP_S: f64 = 1.0 / 30.0;
+
+    #[test]
+    fn who_cannot_sit_down_for_somebody_behind_the_seat_gets_up_again() {
+        let ends = [WalkNodeId(0), WalkNodeId(1)];
+        let edge = WalkEdge { nodes: ends, width_m: 3.0, kind: WalkKind::Sidewalk };
+        let walk = WalkNetwork { nodes: vec![DVec3::ZERO, DVec3::new(40.0, 0.0, 0.0)], edges: vec![edge] };
+        let network = RoadNetwork { walk, ..RoadNetwork::default() }.finish().expect("a sidewalk");
+        let seat = BenchSeat { position: DVec3::new(10.0, -0.9, 0.1).as_vec3(), yaw_rad: std::f32::consts::FRAC_PI_2 };
+        let place = BenchPlaces::new(&network, &[seat], BODY_M).all()[0];
+        let roads = Roads::new(&TrafficMap::new(network, &[]), &Focus::default(), &[]);
+        let (spec, stream) = (PedestrianSpec::default(), Stream::named(1, "test.rest", &[]));
+        let mut walker = Walker::new(&roads, &spec, (WalkEdgeId(0), ends), place.from, stream);
+        walker.position = walker.before_seat(&place);
+        let rest = Rest { place, phase: Phase::SitsDown(0.0), since_s: 0.0, left_s: 60.0 };
+        walker.rest = Some(Box::new(rest));
+        let at = place.at.truncate() - place.facing * 0.3;
+        let behind = Passer { at, velocity: DVec2::ZERO, intent: DVec2::ZERO, passed: 0 };
+        let (mut lowest, mut jump_m) = (1.0f64, 0.0f64);
+        for _ in 0..(2.5 * TRIES_S / STEP_S) as u32 {
+            let before = walker.position;
+            walker.step_at_bench(&roads, &[behind], STEP_S);
+            jump_m = jump_m.max(walker.position.distance(before));
+            lowest = lowest.min(walker.risen().unwrap_or(1.0));
+            assert!(walker.position.distance(at) > 2.0 * BODY_M - 1e-9, "they touch");
+        }
+        assert!(lowest > 0.0 && lowest < 0.9, "{lowest} of the way up at the lowest");
+        assert!(walker.rest.is_none() && jump_m < 0.05, "{:?} {jump_m}", walker.rest);
     }
 }
