@@ -9,7 +9,7 @@ use super::entry_request::{
     yields_to,
 };
 use crate::gridlock;
-use crate::occupancy::Occupancy;
+use crate::occupancy::{Leader, Occupancy};
 use crate::overlap::SweptApproach;
 use crate::queue_tail::{Queued, queue_tail_m};
 use crate::roads::Roads;
@@ -279,7 +279,7 @@ fn kept_free_m(vehicles: &[Vehicle], requests: &[EntryRequest], request: &EntryR
 }
 
 /// Whether the vehicle directly ahead on the approach, whose line is `distance` metres from the front bumper, has the right of
-/// way already.
+/// way already. A rider beside it who waits for the way of another lane is in another queue.
 fn is_next(
     roads: &Roads,
     occupancy: &Occupancy,
@@ -288,8 +288,15 @@ fn is_next(
     junction: JunctionId,
     distance: f64,
 ) -> bool {
-    let Some(leader) = occupancy.leader(roads, vehicles, i, distance + vehicles[i].half_length) else { return true };
-    leader.gap > distance || vehicles.get(leader.vehicle).is_some_and(|ahead| ahead.right_of_way_at(junction).is_some())
+    let me = &vehicles[i];
+    let leaders = occupancy.leaders(roads, me, i, distance + me.half_length);
+    let goes = |leader: &Leader| {
+        let ahead = vehicles.get(leader.vehicle);
+        leader.gap > distance || ahead.is_some_and(|ahead| ahead.right_of_way_at(junction).is_some())
+    };
+    let elsewhere = |leader: &Leader| vehicles.get(leader.vehicle).is_some_and(|v| !me.route.contains(&v.lane()));
+    leaders.ahead.is_none_or(|leader| goes(&leader))
+        && leaders.beside.is_none_or(|leader| goes(&leader) || elsewhere(&leader))
 }
 
 /// Chooses another lane through a junction, if there is any, and a way from there on.
