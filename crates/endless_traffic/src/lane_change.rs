@@ -5,10 +5,12 @@ use crate::crossing::comfortable_stop_m;
 use crate::emergency;
 use crate::kinematics;
 use crate::lane_choice;
-use crate::occupancy::Occupancy;
+use crate::occupancy::{Leader, Occupancy};
 use crate::roads::{Roads, fastest_before};
+use crate::steering::speed_ahead;
 use crate::vehicle::{LaneChange, LaneCover, Vehicle};
 use endless_road::LaneId;
+use endless_road::swept::curvature_per_m;
 use endless_world::ObjectClass;
 
 /// Gap to somebody behind who plays a recorded track, metres.
@@ -19,9 +21,10 @@ pub(crate) const SAFE_BRAKING: f64 = 2.0;
 const THRESHOLD: f64 = 0.25;
 /// Drivers indicate for this long before they move over, seconds.
 const INDICATE_S: f64 = 1.3;
-/// Lanes with tighter bends are not left, metres.
+/// In tighter bends nobody changes lanes, metres; and how far apart the places are at which a lane is looked at for them.
 pub(crate) const STRAIGHT_RADIUS_M: f64 = 60.0;
-/// Nor are those in whose bends a body bows out further than this, metres: in bends long vehicles fill their lanes.
+const LOOKS_M: f64 = 2.0;
+/// Nor does anybody where a body bows out further than this, metres: in bends long vehicles fill their lanes.
 const BOWS_OUT_M: f64 = 0.15;
 /// Changes take so long, seconds, and at least this far: of short vehicles and of those that swing out, metres.
 const CHANGE_S: f64 = 3.5;
@@ -30,6 +33,8 @@ const SHORTEST_M: [f64; 2] = [16.0, 24.0];
 const SEEN_M: f64 = 120.0;
 /// Those ahead stop no harder when they come to a queue, m/s².
 const QUEUES_UP_MPS2: f64 = 2.0;
+/// Who drives with this share of the speed that they like has nobody near ahead.
+const AT_EASE: f64 = 0.9;
 /// Clear of the lane's beginning and of the line at its end, metres.
 const FROM_START_M: f64 = 6.0;
 const TO_LINE_M: f64 = 6.0;
@@ -84,6 +89,16 @@ fn tightest_m(vehicle: &Vehicle) -> f64 {
     STRAIGHT_RADIUS_M.max(vehicle.half_length * vehicle.half_length / (2.0 * BOWS_OUT_M))
 }
 
+/// Whether a lane bends too much for a change somewhere between two places.
+fn bends(roads: &Roads, lane: LaneId, [from_m, to_m]: [f64; 2], vehicle: &Vehicle) -> bool {
+    let (table, tightest_m) = (roads.table(lane), tightest_m(vehicle));
+    let line = &roads.network.lane(lane).centerline;
+    let (from_m, to_m) = (from_m.max(0.0), to_m.min(table.length));
+    let places = ((to_m - from_m) / LOOKS_M).ceil().max(0.0) as u32;
+    let tight = |k: u32| curvature_per_m(line, (from_m + LOOKS_M * f64::from(k)).min(to_m)) * tightest_m > 1.0;
+    table.radius < tightest_m && (0..=places).any(tight)
+}
+
 /// How fast somebody may be on a lane so far before its end, metres, whatever way they take from there, m/s.
 fn fastest_mps(roads: &Roads, vehicle: &Vehicle, lane: LaneId, to_end_m: f64) -> f64 {
     let allowed = roads.allowed(vehicle.asset.model);
@@ -112,10 +127,6 @@ fn gain(
     {
         return None;
     }
-    // Nor is a bend.
-    if table.radius.min(roads.table(target).radius) < tightest_m(me) {
-        return None;
-    }
     let at = roads.network.lane(me.lane()).centerline.at(me.s).position.truncate();
     let (s, _) = roads.network.lane(target).centerline.project(at);
     let begins_m = begins_s * me.speed;
@@ -127,7 +138,15 @@ fn gain(
     if me.speed > fastest_mps(roads, me, target, to_end) {
         return None;
     }
-    // A crossing is no place to change lanes.
+    // A bend is no place to change lanes.
+    let over_m = begins_m + room;
+    if [(me.lane(), me.s), (target, s)]
+        .iter()
+        .any(|&(lane, s)| bends(roads, lane, [s - me.half_length, s + over_m], me))
+    {
+        return None;
+    }
+    // Nor is a crossing.
     if roads.table(target).cuts.iter().any(|c| c.range.1 > s - me.half_length && c.range.0 < s + room) {
         return None;
     }
@@ -169,7 +188,9 @@ fn gain(
     let leader = occupancy.leader(roads, vehicles, i, SEEN_M);
     // Who comes into a queue before the change has ended would stand in the way of two lanes.
     let ends = |gap: f64, speed: f64| gap + speed * speed / (2.0 * QUEUES_UP_MPS2) > change_length(me);
-    if !ends(ahead.0, ahead.1) || leader.is_some_and(|l| !ends(l.gap, l.speed)) {
+    // Who is as fast as it likes comes to no queue.
+    let at_ease = |l: &Leader| vehicles.get(l.vehicle).is_some_and(|v| v.speed > AT_EASE * speed_ahead(roads, v));
+    if !ends(ahead.0, ahead.1) || leader.is_some_and(|l| !ends(l.gap, l.speed) && !at_ease(&l)) {
         return None;
     }
     let now = leader.map_or(free, |l| react(l.gap, l.speed)).min(free);
@@ -214,4 +235,72 @@ fn begin(roads: &Roads, occupancy: &mut Occupancy, vehicles: &mut [Vehicle], i: 
     let cover = LaneCover { lane: target, rear: s - me.half_length, front: s + me.half_length };
     let speed = me.speed;
     occupancy.put(i, cover, speed);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::driver::Driver;
+    use crate::focus::Focus;
+    use crate::roads::TrafficMap;
+    use crate::settings::DrivingCondition;
+    use endless_road::{Lane, Polyline, RoadNetwork};
+    use endless_world::math::f64::sin_cos;
+    use endless_world::{Stream, VehicleModelId, VehicleRef, VehicleSpec};
+    use glam::DVec3;
+
+    /// Two lanes of one direction, 300 m straight on, then a bend of 30 m to the left.
+    fn road(specs: &[VehicleSpec]) -> Roads {
+        let line = |left_m: f64| {
+            let bend = (0..=20).map(move |k| {
+                let (sin, cos) = sin_cos(f64::from(k) * 0.05);
+                let radius_m = 30.0 - left_m;
+                DVec3::new(300.0 + radius_m * sin, 30.0 - radius_m * cos, 0.0)
+            });
+            Polyline::new([DVec3::new(0.0, left_m, 0.0)].into_iter().chain(bend))
+        };
+        let lane = |id: u32, left_m: f64| Lane::new(LaneId(id), line(left_m), 3.5, 22.0);
+        let right = Lane { left: Some(LaneId(1)), ..lane(0, 0.0) };
+        let left = Lane { right: Some(LaneId(0)), ..lane(1, 3.5) };
+        let network = RoadNetwork { lanes: vec![right, left], ..RoadNetwork::default() }.finish().expect("a road");
+        Roads::new(&TrafficMap::new(network, specs), &Focus::default(), &[])
+    }
+
+    #[test]
+    fn who_follows_a_bicycle_passes_it_where_the_road_is_straight() {
+        let bicycle = VehicleSpec {
+            class: ObjectClass::Bicycle,
+            length_m: 1.8,
+            width_m: 0.6,
+            front_axle_m: 0.5,
+            rear_axle_m: -0.5,
+            cruise_mps: 5.0,
+            ..VehicleSpec::default()
+        };
+        let specs = [VehicleSpec::default(), bicycle];
+        let roads = road(&specs);
+        let mut stream = Stream::named(1, "test.lane_change", &[]);
+        let mut on_the_right = |model: usize, s: f64, share: f64| {
+            let spec = &specs[model];
+            let asset = VehicleRef { model: VehicleModelId::from_index(model), variant: 0 };
+            let driver = Driver::new(spec, &DrivingCondition::default(), 0.5, &mut stream);
+            let speed = share * 5.0;
+            let mut vehicle = Vehicle::new(spec, asset, driver, LaneId(0), s, stream.fork(s as u64));
+            (vehicle.speed, vehicle.driver.cruise_mps) = (speed, if model == 1 { 5.0 } else { 16.0 });
+            vehicle.plan(&roads);
+            vehicle
+        };
+        let mut gain_at = |s: f64, share: f64| {
+            // 8 m from bumper to bumper, as one follows at that speed.
+            let car = on_the_right(0, s, share);
+            let rear = s + car.half_length + 8.0;
+            let vehicles = [car, on_the_right(1, rear + 0.9, share)];
+            let mut occupancy = Occupancy::default();
+            occupancy.rebuild(&roads, &vehicles);
+            gain(&roads, &occupancy, &vehicles, 0, LaneId(1), INDICATE_S)
+        };
+        assert!(gain_at(60.0, 1.0).is_some_and(|gain| gain > THRESHOLD));
+        assert!(gain_at(60.0, 0.7).is_none(), "who goes slower than it likes may come to a queue");
+        assert!(gain_at(290.0, 1.0).is_none(), "the bend");
+    }
 }
