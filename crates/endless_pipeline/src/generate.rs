@@ -58,7 +58,8 @@ pub fn generate<S: Simulator>(
     options: &GenerateOptions,
     progress: &dyn Progress,
 ) -> Result<Generated, GenerateError> {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.max(1)).build()?;
+    let waiting = usize::from(simulator.capabilities().waits);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(options.threads.max(1) + waiting).build()?;
     // Whatever works side by side, loading and baking too, finds this pool around it.
     pool.install(|| generate_in(&pool, simulator, recipe, root, options, progress))
 }

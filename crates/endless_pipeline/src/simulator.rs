@@ -124,6 +124,8 @@ pub struct Capabilities {
     pub random_access: bool,
     /// The same settings give the same video every time. Otherwise an interrupted video is recorded again.
     pub repeatable: bool,
+    /// A tick is a wait for another program: there is one worker more than there are threads, as one of them only waits.
+    pub waits: bool,
 }
 
 /// A map, and what for it is loaded.

@@ -11,6 +11,7 @@ use endless_annotate::Box3d;
 use endless_world::{Actor, ClassTag, Image, InstanceId, InstancePixel, PinholeCamera, Pose};
 use glam::Vec3;
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// How far pixels of an actor may lie beside its box, metres: arms, mirrors, and riders above what they ride.
 const BESIDE_M: Vec3 = Vec3::new(1.0, 1.0, 1.3);
@@ -103,59 +104,46 @@ impl InstanceTable {
         }
     }
 
-    /// Reads a picture, and makes sure that actors are where the world has them.
+    /// Looks at a picture, and makes sure that actors are where the world has them: what its pixels are that show objects.
     ///
     /// # Errors
     /// When pixels of an actor lie where it is not: ids are used twice, or the picture is of another instant.
-    pub(super) fn read(
+    pub(super) fn look(
         &mut self,
         picture: &Picture,
-        depth: &Image<f32>,
+        depth: &Picture,
         camera: &PinholeCamera,
         poses: &BTreeMap<u16, Pose>,
-    ) -> Result<Image<InstancePixel>, ClientError> {
-        let mut data = Vec::with_capacity(picture.size().pixels());
+    ) -> Result<SeenObjects, ClientError> {
         let mut places = Places { camera, depth, of_objects: BTreeMap::new(), unknown: BTreeMap::new() };
-        let stuff = InstancePixel { tag: ClassTag::Unlabeled, id: InstanceId::STUFF };
-        let mut last = (InstanceKey { label: u8::MAX, id: 0 }, stuff, Place::Nowhere);
-        for (at, key) in picture.pixels().map(InstanceKey::of).enumerate() {
-            if key != last.0 {
-                let (pixel, place) = self.pixel(key, poses);
-                last = (key, pixel, place);
+        let mut seen = SeenObjects::default();
+        for (key, run) in picture.runs() {
+            if !is_thing(class(key)) {
+                continue;
             }
-            match last.2 {
-                Place::Nowhere => {}
+            let (pixel, place) = self.pixel(key, poses);
+            match place {
                 Place::Object { id, grows } => {
                     if let Some(own) = self.boxes.get(&id) {
-                        places.of_object(id, own, at, grows);
+                        places.of_object(id, own, run, grows);
                     }
                 }
-                Place::Unknown => places.of_unknown(key, at),
+                Place::Unknown => places.of_unknown(key, run),
             }
-            data.push(last.1);
+            seen.0.insert(key, pixel);
         }
         places.judge()?;
         self.boxes.extend(places.grown());
-        let unknown = std::mem::take(&mut places.unknown);
-        if !unknown.is_empty() {
-            for (key, points) in unknown {
-                self.add_still(key, &points)?;
-            }
-            for (pixel, key) in data.iter_mut().zip(picture.pixels().map(InstanceKey::of)) {
-                if let Some((id, actor)) = self.stills.get(&key) {
-                    *pixel = InstancePixel { tag: actor.class.tag(), id: *id };
-                }
-            }
+        for (key, points) in std::mem::take(&mut places.unknown) {
+            let pixel = self.add_still(key, &points)?;
+            seen.0.insert(key, pixel);
         }
-        Ok(Image { size: picture.size(), data })
+        Ok(seen)
     }
 
     /// What a pixel shows, and what is to be made sure of it.
     fn pixel(&self, key: InstanceKey, poses: &BTreeMap<u16, Pose>) -> (InstancePixel, Place) {
-        let tag = ClassTag::from_value(key.label).unwrap_or(ClassTag::Unlabeled);
-        if !is_thing(tag) {
-            return (InstancePixel { tag, id: InstanceId::STUFF }, Place::Nowhere);
-        }
+        let tag = class(key);
         if let Some((id, actor)) = self.stills.get(&key) {
             return (InstancePixel { tag: actor.class.tag(), id: *id }, Place::Object { id: *id, grows: true });
         }
@@ -170,20 +158,39 @@ impl InstanceTable {
     }
 
     /// Something of the map that is seen for the first time, at these places.
-    fn add_still(&mut self, key: InstanceKey, points: &[Vec3]) -> Result<(), ClientError> {
+    fn add_still(&mut self, key: InstanceKey, points: &[Vec3]) -> Result<InstancePixel, ClientError> {
         let wanted = InstanceId(key.id);
         let id = if self.taken.insert(wanted, ()).is_none() { wanted } else { self.free_id()? };
         let (actor, size) = self.objects.describe(key.label, id, points);
         self.boxes.insert(id, grown(&box_on_ground(&actor.pose, size), points, BESIDE_M));
         self.stills.insert(key, (id, actor));
-        Ok(())
+        Ok(InstancePixel { tag: actor.class.tag(), id })
     }
 }
 
+/// What the pixels of a picture are that show objects.
+#[derive(Debug, Default)]
+pub(super) struct SeenObjects(BTreeMap<InstanceKey, InstancePixel>);
+
+impl SeenObjects {
+    /// What all pixels are.
+    pub(super) fn instance(&self, picture: &Picture) -> Image<InstancePixel> {
+        let mut data = Vec::with_capacity(picture.size().pixels());
+        for (key, run) in picture.runs() {
+            let stuff = || InstancePixel { tag: class(key), id: InstanceId::STUFF };
+            let pixel = self.0.get(&key).copied().unwrap_or_else(stuff);
+            data.extend(std::iter::repeat_n(pixel, run.len()));
+        }
+        Image { size: picture.size(), data }
+    }
+}
+
+fn class(key: InstanceKey) -> ClassTag {
+    ClassTag::from_value(key.label).unwrap_or(ClassTag::Unlabeled)
+}
+
 /// What is to be made sure of a pixel.
-#[derive(Clone, Copy)]
 enum Place {
-    Nowhere,
     /// It shall lie in the box of this object, or so near that the box grows.
     Object {
         id: InstanceId,
@@ -209,7 +216,7 @@ fn is_thing(tag: ClassTag) -> bool {
 /// Where pixels are in the world.
 struct Places<'a> {
     camera: &'a PinholeCamera,
-    depth: &'a Image<f32>,
+    depth: &'a Picture,
     of_objects: BTreeMap<InstanceId, SeenBox>,
     unknown: BTreeMap<InstanceKey, Vec<Vec3>>,
 }
@@ -231,35 +238,30 @@ impl Places<'_> {
         let (x, y) = ((at % width) as f32 + 0.5, (at / width) as f32 + 0.5);
         let direction = self.camera.ray_through(x, y);
         let forward = self.camera.world_from_camera.z_axis;
-        self.camera.position + direction * (self.depth.data[at] / direction.dot(forward))
+        self.camera.position + direction * (self.depth.depth_at(at) / direction.dot(forward))
     }
 
-    fn of_object(&mut self, id: InstanceId, told: &Box3d, at: usize, grows: bool) {
-        let point = self.point(at);
+    fn of_object(&mut self, id: InstanceId, told: &Box3d, run: Range<usize>, grows: bool) {
         let half = 0.5 * told.size;
-        let seen = self.of_objects.entry(id).or_insert_with(|| SeenBox {
-            told: *told,
-            low: -half,
-            high: half,
-            pixels: 0,
-            elsewhere: 0,
-        });
-        seen.pixels += 1;
-        let own = in_box(told, point);
-        if !is_near(told, own, BESIDE_M) {
-            seen.elsewhere += 1;
-        } else if grows {
-            (seen.low, seen.high) = (seen.low.min(own - ROUNDING_M), seen.high.max(own + ROUNDING_M));
+        let new = SeenBox { told: *told, low: -half, high: half, pixels: 0, elsewhere: 0 };
+        let mut seen = self.of_objects.remove(&id).unwrap_or(new);
+        seen.pixels += run.len() as u32;
+        for at in run {
+            let own = in_box(told, self.point(at));
+            if !is_near(told, own, BESIDE_M) {
+                seen.elsewhere += 1;
+            } else if grows {
+                (seen.low, seen.high) = (seen.low.min(own - ROUNDING_M), seen.high.max(own + ROUNDING_M));
+            }
         }
+        self.of_objects.insert(id, seen);
     }
 
-    fn of_unknown(&mut self, key: InstanceKey, at: usize) {
+    fn of_unknown(&mut self, key: InstanceKey, run: Range<usize>) {
         const ENOUGH: usize = 4096;
-        let point = self.point(at);
-        let points = self.unknown.entry(key).or_default();
-        if points.len() < ENOUGH {
-            points.push(point);
-        }
+        let known = self.unknown.get(&key).map_or(0, Vec::len);
+        let points: Vec<Vec3> = run.take(ENOUGH.saturating_sub(known)).map(|at| self.point(at)).collect();
+        self.unknown.entry(key).or_default().extend(points);
     }
 
     fn judge(&self) -> Result<(), ClientError> {

@@ -24,6 +24,7 @@ mod instances;
 mod lights;
 mod map;
 mod patience;
+mod payload;
 mod picture;
 mod server;
 mod session;

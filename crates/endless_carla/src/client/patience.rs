@@ -92,11 +92,13 @@ pub(super) struct PatientReader {
     pub(super) wait: Option<Wait>,
     /// Why reading ended, if not by the connection.
     ended: Option<ClientError>,
+    /// As the connection has it.
+    timeout: Option<Duration>,
 }
 
 impl PatientReader {
     pub(super) fn new(stream: TcpStream) -> Self {
-        Self { stream, wait: None, ended: None }
+        Self { stream, wait: None, ended: None, timeout: None }
     }
 
     /// Why reading ended: by itself, or by an error of the connection.
@@ -115,7 +117,10 @@ impl Read for PatientReader {
                     return Err(io::ErrorKind::TimedOut.into());
                 }
             };
-            self.stream.set_read_timeout(piece)?;
+            if self.timeout != piece {
+                self.stream.set_read_timeout(piece)?;
+                self.timeout = piece;
+            }
             match self.stream.read(buffer) {
                 Err(error) if matches!(error.kind(), io::ErrorKind::WouldBlock | io::ErrorKind::TimedOut) => {}
                 other => return other,

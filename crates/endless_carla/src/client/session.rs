@@ -1,7 +1,7 @@
 //! One scene on a server, from its population to its last frame.
 
 use super::address::Address;
-use super::camera::{Pictures, SessionCamera, sensors};
+use super::camera::{SessionCamera, sensors};
 use super::cast::{Cast, Casting};
 use super::driver::Driver;
 use super::error::ClientError;
@@ -19,10 +19,7 @@ use endless_asset::Catalogue;
 use endless_dataset::SpawnCounts;
 use endless_pipeline::{SimulationSession, SimulationStep, SimulatorError};
 use endless_traffic::{DrivingCondition, Fleet, Focus, Simulation, TrafficSettings, View};
-use endless_world::{
-    CameraSite, ObjectClass, PinholeCamera, Pose, SceneSettings, SceneWeather, SensorFrame, WorldState,
-};
-use rayon::prelude::*;
+use endless_world::{CameraSite, ObjectClass, PinholeCamera, Pose, SceneSettings, SceneWeather, WorldState};
 use std::collections::BTreeMap;
 use std::time::Duration;
 
@@ -118,7 +115,7 @@ impl<'m> CarlaSession<'m> {
     }
 
     /// The next frame; where that changes nothing it is tried again when pictures are lost.
-    fn advance(&mut self, world: &mut World) -> Result<(WorldState, Vec<SensorFrame>), ClientError> {
+    fn advance(&mut self, world: &mut World) -> Result<(WorldState, CarlaRenderTask), ClientError> {
         if self.next > 0 {
             step_once(&mut self.driver, &self.cast, &mut self.lights, world)?;
         }
@@ -137,7 +134,7 @@ impl<'m> CarlaSession<'m> {
     }
 
     /// The frame at which all is placed.
-    fn frame(&mut self, world: &mut World) -> Result<(WorldState, Vec<SensorFrame>), ClientError> {
+    fn frame(&mut self, world: &mut World) -> Result<(WorldState, CarlaRenderTask), ClientError> {
         let snapshot = world.tick()?;
         let mut state = self.driver.state(&self.cast, world, &snapshot, self.next, self.settings.fps)?;
         for actor in &mut state.actors {
@@ -145,29 +142,13 @@ impl<'m> CarlaSession<'m> {
         }
         let poses: BTreeMap<u16, Pose> = state.actors.iter().map(|actor| (actor.id.0, actor.pose)).collect();
         self.table.begin_frame(&poses);
-        let mut taken = Vec::with_capacity(self.cameras.len());
+        let mut seen = Vec::with_capacity(self.cameras.len());
         for camera in &mut self.cameras {
-            taken.push(camera.pictures(world, &snapshot)?);
+            let pictures = camera.pictures(world, &snapshot)?;
+            let objects = self.table.look(&pictures.instance, &pictures.depth, &camera.camera, &poses)?;
+            seen.push((pictures, objects));
         }
-        let decoded = |Pictures { rgb, depth, instance }: Pictures| (rgb.rgb(), depth.depth(), instance);
-        let decoded: Vec<_> = taken.into_par_iter().map(decoded).collect();
-        let mut frames = Vec::with_capacity(decoded.len());
-        for (camera, (rgb, depth, instance)) in self.cameras.iter().zip(decoded) {
-            let instance = self.table.read(&instance, &depth, &camera.camera, &poses)?;
-            frames.push(SensorFrame {
-                frame: self.next,
-                rgb,
-                depth,
-                instance,
-                normals: None,
-                albedo: None,
-                shadow: None,
-                body_parts: None,
-                flow: None,
-                flow_backward: None,
-            });
-        }
-        Ok((state, frames))
+        Ok((state, CarlaRenderTask::new(seen, &self.table)))
     }
 
     fn leave(&mut self, world: &mut World) -> Result<(), ClientError> {
@@ -328,9 +309,8 @@ impl<'m> SimulationSession<'m> for CarlaSession<'m> {
 
     fn tick(&mut self) -> Result<SimulationStep<'m>, SimulatorError> {
         let server = self.server;
-        let (state, frames) = server.with_world(|world| self.advance(world)).map_err(|e| server.told(e))?;
+        let (state, task) = server.with_world(|world| self.advance(world)).map_err(|e| server.told(e))?;
         self.next += 1;
-        let task = CarlaRenderTask::new(frames, &self.table);
         Ok(SimulationStep { state, task: Box::new(task) })
     }
 }

@@ -180,7 +180,7 @@ impl Simulator for CarlaSimulator {
     type Map = CarlaMap;
 
     fn capabilities(&self) -> Capabilities {
-        Capabilities { random_access: false, repeatable: false }
+        Capabilities { random_access: true, repeatable: false, waits: true }
     }
 
     fn load_map(&self, wanted: &MapUse<'_>) -> Result<CarlaMap, SimulatorError> {

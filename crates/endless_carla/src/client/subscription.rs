@@ -3,10 +3,12 @@
 use super::connection::connect;
 use super::error::ClientError;
 use super::patience::{PatientReader, Wait};
+use super::payload::{Payload, Spares};
 use crate::stream::SensorHeader;
 use crate::wire::Bytes;
 use std::io::{self, BufReader, Read, Write};
 use std::net::{Shutdown, TcpStream};
+use std::sync::Arc;
 use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
 use std::thread;
 
@@ -31,7 +33,7 @@ pub(super) struct Subscription {
 pub(super) struct StreamMessage {
     pub(super) header: SensorHeader,
     /// What follows the header.
-    pub(super) payload: Vec<u8>,
+    pub(super) payload: Payload,
 }
 
 impl Subscription {
@@ -103,8 +105,9 @@ impl Drop for Subscription {
 }
 
 fn listen(mut reader: BufReader<PatientReader>, messages: &SyncSender<Result<StreamMessage, ClientError>>) {
+    let spares = Arc::default();
     loop {
-        let message = read_message(&mut reader);
+        let message = read_message(&mut reader, &spares);
         let is_end = message.is_err();
         // Nobody may listen any more.
         if messages.send(message).is_err() || is_end {
@@ -113,7 +116,7 @@ fn listen(mut reader: BufReader<PatientReader>, messages: &SyncSender<Result<Str
     }
 }
 
-fn read_message(reader: &mut impl Read) -> Result<StreamMessage, ClientError> {
+fn read_message(reader: &mut impl Read, spares: &Arc<Spares>) -> Result<StreamMessage, ClientError> {
     let mut length = [0; 4];
     reader.read_exact(&mut length).map_err(ClientError::Lost)?;
     let length = u32::from_le_bytes(length);
@@ -125,12 +128,14 @@ fn read_message(reader: &mut impl Read) -> Result<StreamMessage, ClientError> {
     let rest = (length as usize).checked_sub(header.len()).ok_or_else(short)?;
     reader.read_exact(&mut header).map_err(ClientError::Lost)?;
     // Memory is taken for what arrives, not for what is announced.
-    let mut payload = Vec::new();
-    let read = reader.take(rest as u64).read_to_end(&mut payload).map_err(ClientError::Lost)?;
-    if read < rest {
+    let mut bytes = spares.take();
+    bytes.truncate(rest);
+    reader.read_exact(&mut bytes).map_err(ClientError::Lost)?;
+    reader.take((rest - bytes.len()) as u64).read_to_end(&mut bytes).map_err(ClientError::Lost)?;
+    if bytes.len() < rest {
         return Err(ClientError::Lost(io::ErrorKind::UnexpectedEof.into()));
     }
-    Ok(StreamMessage { header: SensorHeader::read(&header), payload })
+    Ok(StreamMessage { header: SensorHeader::read(&header), payload: Payload::new(bytes, spares) })
 }
 
 #[cfg(test)]
@@ -147,16 +152,24 @@ mod tests {
         let mut message = header.begin(3);
         message.extend([1, 2, 3]);
         let bytes = [&(message.len() as u32).to_le_bytes()[..], &message].concat();
-        let read = read_message(&mut &bytes[..]).unwrap();
-        assert_eq!((read.header, read.payload), (header, vec![1, 2, 3]));
-        assert!(matches!(read_message(&mut &bytes[..20]), Err(ClientError::Lost(_))));
-        assert!(matches!(read_message(&mut &[255; 99][..]), Err(ClientError::Protocol(_))));
+        let spares = Arc::default();
+        let read_one = |mut bytes: &[u8]| read_message(&mut bytes, &spares);
+        // Into new memory, into what is left of a longer one and of a shorter one.
+        for left in [0, 9, 2] {
+            drop(Payload::new(vec![255; left], &spares));
+            let read = read_one(&bytes).unwrap();
+            assert_eq!((&read.header, &read.payload[..]), (&header, &[1, 2, 3][..]));
+            let _not_for_the_next = spares.take();
+        }
+        assert!(matches!(read_one(&bytes[..20]), Err(ClientError::Lost(_))));
+        assert!(matches!(read_one(&bytes[..bytes.len() - 1]), Err(ClientError::Lost(_))));
+        assert!(matches!(read_one(&[255; 99]), Err(ClientError::Protocol(_))));
     }
 
     proptest! {
         #[test]
         fn any_bytes_are_a_message_or_an_error(bytes in prop::collection::vec(any::<u8>(), 0..200)) {
-            let _ = read_message(&mut &bytes[..]);
+            let _ = read_message(&mut &bytes[..], &Arc::default());
         }
     }
 }

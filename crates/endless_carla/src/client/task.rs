@@ -1,22 +1,24 @@
 //! A frame as the recorder takes it.
 
-use super::instances::InstanceTable;
+use super::camera::Pictures;
+use super::instances::{InstanceTable, SeenObjects};
 use endless_annotate::{Box3d, CameraView, ObjectShapes, SceneObjects, WorldKeypoints};
 use endless_pipeline::{RenderTask, SceneTruth, SimulatorError};
 use endless_world::{Actor, InstanceId, SensorFrame, WorldState};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-/// A frame whose pictures are here.
+/// A frame whose pictures are here, and fit: they are decoded while the server makes the next ones.
 pub(super) struct CarlaRenderTask {
-    frames: Vec<SensorFrame>,
+    /// One a camera.
+    seen: Vec<(Pictures, SeenObjects)>,
     stills: Vec<Actor>,
     boxes: BTreeMap<InstanceId, Box3d>,
 }
 
 impl CarlaRenderTask {
-    pub(super) fn new(frames: Vec<SensorFrame>, table: &InstanceTable) -> Self {
-        Self { frames, stills: table.stills(), boxes: table.boxes().clone() }
+    pub(super) fn new(seen: Vec<(Pictures, SeenObjects)>, table: &InstanceTable) -> Self {
+        Self { seen, stills: table.stills(), boxes: table.boxes().clone() }
     }
 }
 
@@ -29,8 +31,20 @@ impl<'m> RenderTask<'m> for CarlaRenderTask {
         }
     }
 
-    fn render(self: Box<Self>, _state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
-        Ok(self.frames)
+    fn render(self: Box<Self>, state: &WorldState) -> Result<Vec<SensorFrame>, SimulatorError> {
+        let decoded = |(Pictures { rgb, depth, instance }, objects): (Pictures, SeenObjects)| SensorFrame {
+            frame: state.frame,
+            rgb: rgb.rgb(),
+            depth: depth.depth(),
+            instance: objects.instance(&instance),
+            normals: None,
+            albedo: None,
+            shadow: None,
+            body_parts: None,
+            flow: None,
+            flow_backward: None,
+        };
+        Ok(self.seen.into_iter().map(decoded).collect())
     }
 }
 

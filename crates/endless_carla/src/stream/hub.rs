@@ -79,7 +79,7 @@ impl StreamHub {
     /// Sends a message to all who listen.
     pub fn publish(&self, id: u32, message: Vec<u8>, delivery: Delivery) {
         let sessions = self.streams().get(&id).map_or_else(Vec::new, |stream| stream.sessions.clone());
-        let message: Arc<[u8]> = message.into();
+        let message = Arc::new(message);
         for session in sessions {
             match delivery {
                 Delivery::Every => session.send(&message),

@@ -11,7 +11,7 @@ mod snapshot;
 mod token;
 
 pub use hub::{Delivery, StreamHub};
-pub use image::{image_header, image_payload};
+pub use image::{image_header, image_message};
 pub use listener::listen_for_sessions;
 pub use message::{SensorHeader, WORLD_OBSERVER};
 pub use read_snapshot::{RecordKind, read_snapshot};

@@ -22,7 +22,7 @@ pub(super) struct Session {
 
 #[derive(Default)]
 struct Queue {
-    messages: VecDeque<Arc<[u8]>>,
+    messages: VecDeque<Arc<Vec<u8>>>,
     bytes: usize,
     /// One is on its way.
     writing: bool,
@@ -50,7 +50,7 @@ impl Session {
     }
 
     /// Adds a message, and waits for room; closes the session if there is none for too long.
-    pub(super) fn send(&self, message: &Arc<[u8]>) {
+    pub(super) fn send(&self, message: &Arc<Vec<u8>>) {
         let deadline = Instant::now() + PATIENCE;
         let mut queue = self.queue();
         while !queue.closed && queue.bytes > 0 && queue.bytes + message.len() > MOST_BYTES {
@@ -67,7 +67,7 @@ impl Session {
     }
 
     /// Adds a message unless another waits.
-    pub(super) fn send_latest(&self, message: &Arc<[u8]>) {
+    pub(super) fn send_latest(&self, message: &Arc<Vec<u8>>) {
         let mut queue = self.queue();
         if queue.messages.is_empty() && !queue.writing {
             queue.push(message);
@@ -92,7 +92,7 @@ impl Session {
     }
 
     /// The next message; `None` when the session ends.
-    fn next(&self) -> Option<Arc<[u8]>> {
+    fn next(&self) -> Option<Arc<Vec<u8>>> {
         let mut queue = self.queue();
         loop {
             if queue.closed {
@@ -126,7 +126,7 @@ impl Session {
 }
 
 impl Queue {
-    fn push(&mut self, message: &Arc<[u8]>) {
+    fn push(&mut self, message: &Arc<Vec<u8>>) {
         if !self.closed {
             self.bytes += message.len();
             self.messages.push_back(Arc::clone(message));

@@ -137,7 +137,7 @@ impl Simulator for BuiltinSimulator {
     type Map = BuiltinMap;
 
     fn capabilities(&self) -> Capabilities {
-        Capabilities { random_access: true, repeatable: true }
+        Capabilities { random_access: true, repeatable: true, waits: false }
     }
 
     fn load_map(&self, wanted: &MapUse<'_>) -> Result<BuiltinMap, SimulatorError> {

@@ -25,8 +25,8 @@ impl Events {
         }
         self.last_us = now_us;
         let events = self.camera.observe(now_us, image);
-        let mut message = header.begin(12 + BYTES * events.len());
-        image_header(&mut message, [image.size.width, image.size.height], fov_deg);
+        let size = [image.size.width, image.size.height];
+        let mut message = image_header(header, size, fov_deg, BYTES * events.len());
         for event in events {
             message.extend(event.x.to_le_bytes());
             message.extend(event.y.to_le_bytes());

@@ -1,7 +1,7 @@
 //! Pictures as CARLA's cameras send them.
 
 use crate::blueprint::SensorKind;
-use crate::stream::{SensorHeader, image_header, image_payload};
+use crate::stream::{SensorHeader, image_header, image_message};
 use endless_dataset::rgb_from_metres;
 use endless_world::{FlowPixel, PinholeCamera, SensorFrame};
 use glam::Vec3;
@@ -16,38 +16,35 @@ pub(super) fn message(
 ) -> Option<Vec<u8>> {
     const OPAQUE: u8 = 255;
     let size = [seen.rgb.size.width, seen.rgb.size.height];
-    let mut message = header.begin(12 + 4 * seen.rgb.data.len());
-    let out = &mut message;
-    match kind {
+    Some(match kind {
         SensorKind::Rgb => {
-            image_payload(out, size, fov_deg, seen.rgb.data.iter().map(|&[r, g, b]| [b, g, r, OPAQUE]));
+            image_message(header, size, fov_deg, seen.rgb.data.iter().map(|&[r, g, b]| [b, g, r, OPAQUE]))
         }
         SensorKind::Depth => {
-            image_payload(out, size, fov_deg, seen.depth.data.iter().map(|&depth_m| depth_pixel(depth_m)));
+            image_message(header, size, fov_deg, seen.depth.data.iter().map(|&depth_m| depth_pixel(depth_m)))
         }
         SensorKind::Semantic => {
-            image_payload(out, size, fov_deg, seen.instance.data.iter().map(|p| [0, 0, p.tag.value(), OPAQUE]));
+            image_message(header, size, fov_deg, seen.instance.data.iter().map(|p| [0, 0, p.tag.value(), OPAQUE]))
         }
         SensorKind::Instance => {
             let pixel = |p: &endless_world::InstancePixel| {
                 let [low, high] = p.id.0.to_le_bytes();
                 [high, low, p.tag.value(), OPAQUE]
             };
-            image_payload(out, size, fov_deg, seen.instance.data.iter().map(pixel));
+            image_message(header, size, fov_deg, seen.instance.data.iter().map(pixel))
         }
         SensorKind::Normals => {
             let normals = seen.normals.as_ref()?;
-            image_payload(out, size, fov_deg, normals.data.iter().map(|normal| normal_pixel(*normal, camera)));
+            image_message(header, size, fov_deg, normals.data.iter().map(|normal| normal_pixel(*normal, camera)))
         }
         SensorKind::OpticalFlow => {
             let flow = seen.flow_backward.as_ref()?;
-            image_header(out, size, fov_deg);
-            out.reserve(8 * flow.data.len());
-            out.extend(flow.data.iter().flat_map(|&pixel| flow_pixel(pixel, size)).flat_map(f32::to_le_bytes));
+            let mut message = image_header(header, size, fov_deg, 8 * flow.data.len());
+            message.extend(flow.data.iter().flat_map(|&pixel| flow_pixel(pixel, size)).flat_map(f32::to_le_bytes));
+            message
         }
         _ => return None,
-    }
-    Some(message)
+    })
 }
 
 /// A share of the far plane's distance, as datasets have it.

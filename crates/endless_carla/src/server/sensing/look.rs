@@ -39,9 +39,6 @@ pub(super) struct Look {
     pub(super) sensors: Vec<Measurement>,
 }
 
-/// What clients are to be sent: by stream.
-type Messages = Vec<(u32, Vec<u8>)>;
-
 impl Views {
     /// Looks, and sends what is seen.
     pub(super) fn look(&mut self, look: Look, hub: &StreamHub, delivery: Delivery) {
@@ -60,7 +57,8 @@ impl Views {
         let still = self.lamps.scene(map.scene.static_scene());
         let (cameras, others): (Vec<_>, Vec<_>) = sensors.into_iter().partition(|one| one.camera().is_some());
         let caster = RayCaster::new(still, &frame);
-        let swept: Messages = others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather))).collect();
+        let swept: Vec<(u32, Vec<u8>)> =
+            others.par_iter().map(|one| (one.stream, one.sweep(&caster, &weather))).collect();
         let light = Light { still, weather, seed, step_s };
         let alike = look_alike(cameras);
         let at_once = alike.len() < rayon::current_num_threads();
@@ -78,18 +76,17 @@ impl Views {
                 (view, making, alike)
             })
             .collect();
-        let shown: Vec<(CameraView, u32, Messages)> = views
+        // What is seen is on its way while others still look.
+        let send = |stream, message| hub.publish(stream, message, delivery);
+        swept.into_iter().for_each(|(stream, message)| send(stream, message));
+        let shown: Vec<(u32, CameraView)> = views
             .into_par_iter()
             .map(|(mut view, making, alike)| {
-                let messages = show(&mut view, &alike, &light, &making, &frame);
-                (view, alike[0].stream, messages)
+                show(&mut view, &alike, &light, &making, &frame, send);
+                (alike[0].stream, view)
             })
             .collect();
-        swept.into_iter().for_each(|(stream, message)| hub.publish(stream, message, delivery));
-        for (view, stream, messages) in shown {
-            self.cameras.insert(stream, view);
-            messages.into_iter().for_each(|(stream, message)| hub.publish(stream, message, delivery));
-        }
+        self.cameras.extend(shown);
     }
 
     /// A sensor has gone.
@@ -98,20 +95,21 @@ impl Views {
     }
 }
 
-/// The messages of cameras that look alike, such as one for colours and one for depth: they share one picture.
+/// Sends the messages of cameras that look alike, such as one for colours and one for depth: they share one picture.
 fn show(
     view: &mut CameraView,
     alike: &[Measurement],
     light: &Light<'_>,
     making: &Making,
     frame: &Arc<FrameScene>,
-) -> Messages {
-    let (first, Some(settings)) = (&alike[0], alike[0].camera()) else { return Vec::new() };
+    send: impl Fn(u32, Vec<u8>),
+) {
+    let (first, Some(settings)) = (&alike[0], alike[0].camera()) else { return };
     let normals = alike.iter().any(|one| one.kind == SensorKind::Normals);
     let flow_backward = alike.iter().any(|one| one.kind == SensorKind::OpticalFlow);
     let layers = SensorLayers { normals, flow_backward, ..SensorLayers::default() };
     let (seen, camera) = view.render(light, making, frame, settings, &first.pose, layers);
-    let message = |one: &Measurement| {
+    for one in alike {
         let message = match &one.what {
             Measured::Events(_, events) => {
                 let new = || Events::new(events, settings.size, one.seed);
@@ -119,9 +117,10 @@ fn show(
             }
             _ => image::message(&one.header, one.kind, settings.fov_deg, &seen, &camera),
         };
-        Some((one.stream, message?))
-    };
-    alike.iter().filter_map(message).collect()
+        if let Some(message) = message {
+            send(one.stream, message);
+        }
+    }
 }
 
 fn look_alike(cameras: Vec<Measurement>) -> Vec<Vec<Measurement>> {

@@ -50,7 +50,7 @@ impl Simulator for LiveFake {
     type Map = ();
 
     fn capabilities(&self) -> Capabilities {
-        Capabilities { random_access: false, repeatable: false }
+        Capabilities { random_access: false, repeatable: false, waits: true }
     }
 
     fn load_map(&self, _wanted: &MapUse<'_>) -> Result<(), SimulatorError> {

@@ -69,7 +69,7 @@ impl Simulator for Fake {
     type Map = ();
 
     fn capabilities(&self) -> Capabilities {
-        Capabilities { random_access: true, repeatable: true }
+        Capabilities { random_access: true, repeatable: true, waits: false }
     }
 
     fn load_map(&self, _wanted: &MapUse<'_>) -> Result<(), SimulatorError> {
