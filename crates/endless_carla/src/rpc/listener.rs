@@ -2,6 +2,7 @@
 
 use super::connection::{Caller, ConnectionId};
 use super::decode::read_value;
+use super::eager::EagerReader;
 use super::request::Request;
 use super::standing::StandingAnswers;
 use std::io::BufReader;
@@ -57,7 +58,7 @@ fn serve(
 ) -> Result<(), String> {
     let failed = |error: std::io::Error| error.to_string();
     stream.set_nodelay(true).map_err(failed)?;
-    let mut reader = BufReader::new(stream.try_clone().map_err(failed)?);
+    let mut reader = BufReader::new(EagerReader::new(stream.try_clone().map_err(failed)?));
     let (caller, queue) = Caller::new(id, stream);
     let name = format!("answers {}", id.0);
     let writer = thread::Builder::new().name(name).spawn(move || queue.write_all()).map_err(failed)?;
@@ -72,7 +73,10 @@ fn serve(
             Err(error) => break Err(error.to_string()),
         };
         let is_over = match standing.response(&request) {
-            Some(response) => caller.send_now(&response).is_err(),
+            Some(response) => {
+                reader.get_mut().answered();
+                caller.send_now(&response).is_err()
+            }
             None => events.send(RpcEvent::Call(caller.clone(), request)).is_err(),
         };
         if is_over {

@@ -4,6 +4,7 @@
 mod answer;
 mod connection;
 mod decode;
+mod eager;
 mod listener;
 mod request;
 mod standing;
