@@ -41,6 +41,9 @@ const LETS_THROUGH_S: f64 = 5.0;
 /// Who has been stuck in a crowd for so long turns back, sooner or later: after so much more in the mean, seconds.
 const PATIENT_S: f64 = 6.0;
 const GIVES_UP_S: f64 = 10.0;
+/// Whom a vehicle that stands on a crossing has kept on the road for so long goes back to the kerb, seconds: drivers wait for
+/// them, and that vehicle may wait for these drivers.
+const HELD_UP_S: f64 = 12.0;
 
 /// Where nobody sees anybody.
 const NOWHERE: DVec2 = DVec2::splat(1e7);
@@ -76,6 +79,8 @@ pub(crate) struct Walker {
     pub(crate) stuck: (f64, f64),
     /// Seconds for which they have been stuck in a crowd, less those in which they got on.
     pub(crate) crowded_s: f64,
+    /// Seconds for which they have stood on a crossing before a vehicle.
+    pub(crate) held_up_s: f64,
     /// Whether they cross roads away from crossings, and such a crossing.
     pub(crate) jaywalks: bool,
     /// Whether they jog.
@@ -182,6 +187,7 @@ impl Walker {
             steps: Footsteps::new(spec, position, yaw),
             stuck: (0.0, 0.0),
             crowded_s: 0.0,
+            held_up_s: 0.0,
             jaywalks: false,
             jogs: false,
             jaywalk: None,
@@ -256,19 +262,20 @@ impl Walker {
         if !self.cross_roadway(roads, scene.roadway, number, step_s) {
             self.advance_route(scene, crossings);
         }
+        let held_up = self.is_held_up(roads, crossings, step_s);
         let strip = self.strip(roads);
         let next = self.next_strip(roads);
         let (along, _) = strip.local(self.position);
         let own_kerb = self.kerb_ahead(&strip, AIM_M);
         let kerb = own_kerb.is_some() || matches!(next.map(|n| n.kind), Some(WalkKind::Crossing(_)));
         let mut pace = self.pace;
-        if let Some((id, person)) = self.crossing(roads) {
+        if let Some((id, _)) = self.crossing(roads) {
             let light = signal_of(roads, id).map(|s| scene.signals[s].aspect);
             if matches!(light, Some(SignalAspect::Yellow | SignalAspect::Red)) {
                 // The light changes: hurry.
                 pace = (1.5 * pace).min(if self.steps.can_run() { 2.6 } else { 1.9 }).max(pace);
             }
-            if crossings[id.index()].step_is_unsafe(person) {
+            if held_up {
                 pace = 0.0;
             }
         }
@@ -356,6 +363,24 @@ impl Walker {
         self.turn(&strip, talks_to.or(waits_for).or(next.filter(|_| kerb).map(|next| next.along)), step_s);
         self.steps.advance(self.position, self.yaw, self.velocity, step_s);
         self.height = self.height_on_roadway().unwrap_or_else(|| height(roads, self.from, self.way[0], self.position));
+    }
+
+    /// Whether a vehicle keeps them from going on over a crossing. Where it has done so for long, they turn back.
+    fn is_held_up(&mut self, roads: &Roads, crossings: &[CrossingState], step_s: f64) -> bool {
+        let is_unsafe = |walker: &Self| {
+            walker.crossing(roads).is_some_and(|(id, person)| crossings[id.index()].step_is_unsafe(person))
+        };
+        if !is_unsafe(self) {
+            self.held_up_s = 0.0;
+            return false;
+        }
+        self.held_up_s += step_s;
+        if self.held_up_s < HELD_UP_S {
+            return true;
+        }
+        self.turn_back(roads);
+        self.held_up_s = 0.0;
+        is_unsafe(self)
     }
 
     /// Takes the next edge when the end of this one is near, and plans a new way when it ends.

@@ -230,3 +230,45 @@ fn five_hundred_on_a_square_keep_moving() {
     assert!(seen.mean_mps > 1.0 && seen.standing < 0.02, "{seen:?}");
     assert!(seen.nearest_m > 2.0 * BODY_M && seen.outside_m < 0.01, "{seen:?}");
 }
+
+#[test]
+fn whom_a_vehicle_keeps_on_the_road_goes_back() {
+    let nodes = [-20.0, 0.0, 10.0, 30.0].map(|y| DVec3::new(0.0, y, 0.0));
+    let edge = |k: u32, kind| WalkEdge { nodes: [WalkNodeId(k), WalkNodeId(k + 1)], width_m: 3.0, kind };
+    let kinds = [WalkKind::Sidewalk, WalkKind::Crossing(CrossingId(0)), WalkKind::Sidewalk];
+    let edges = (0..).zip(kinds).map(|(k, kind)| edge(k, kind)).collect();
+    let line = endless_road::Polyline::new([-40.0, 0.0, 40.0].map(|x| DVec3::new(x, 7.0, 0.0)));
+    let network = RoadNetwork {
+        lanes: vec![endless_road::Lane::new(endless_road::LaneId(0), line, 3.5, 10.0)],
+        walk: WalkNetwork { nodes: nodes.to_vec(), edges },
+        crossings: vec![endless_road::Crossing {
+            ends: [nodes[1], nodes[2]],
+            width_m: 3.0,
+            signal: None,
+            cuts: Vec::new(),
+        }],
+        ..RoadNetwork::default()
+    };
+    let network = network.finish().expect("a crossing and its sidewalks");
+    let graph = WalkGraph::new(&network.walk);
+    let roads = Roads::new(&TrafficMap::new(network, &[]), &Focus::default(), &[]);
+    let stream = Stream::named(3, "test.crossing", &[]);
+    let ends = [WalkNodeId(0), WalkNodeId(1)];
+    let walker = Walker::new(&roads, &PedestrianSpec::default(), (WalkEdgeId(0), ends), DVec2::new(0.0, -3.0), stream);
+    let mut walkers = [walker];
+    walkers[0].way.extend([(WalkEdgeId(1), WalkNodeId(2)), (WalkEdgeId(2), WalkNodeId(3))]);
+    // A car stands on the far lane for ever.
+    let mut crossings = [CrossingState { occupied: true, taken: vec![(7.0, 2.5)], ..CrossingState::default() }];
+    let view = WalkerView { roads: &roads, graph: &graph, signals: &[], roadway: &Roadway::default(), others: &[] };
+    let (mut furthest, mut on_road_s) = (f64::NEG_INFINITY, 0.0);
+    for _ in 0..(30.0 / STEP_S) as u32 {
+        step(&view, &mut walkers, &mut crossings, STEP_S);
+        furthest = furthest.max(walkers[0].position.y);
+        on_road_s += if walkers[0].position.y > 0.0 { STEP_S } else { 0.0 };
+        // Once they are back they stay there: drivers go.
+        crossings[0].danger = on_road_s > 5.0;
+    }
+    assert!(furthest > 3.0 && furthest < 4.5, "the near lane is free, the far one is not: {furthest} m");
+    assert!(walkers[0].position.y < 0.5, "still at {} m", walkers[0].position.y);
+    assert!(on_road_s > HELD_UP_S && on_road_s < HELD_UP_S + 10.0, "{on_road_s} s on the road");
+}
