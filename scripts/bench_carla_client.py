@@ -14,6 +14,7 @@ import json
 import math
 import pathlib
 import re
+import shutil
 import statistics
 import subprocess
 import tempfile
@@ -81,7 +82,7 @@ def main():
                 rates[name].append(generate(args.program, out, *recipe, *flags))
                 if pair == 0:
                     print(f"{name}: {moving_pixels(out):.0f} pixels of a picture show what moves", flush=True)
-                subprocess.run(["rm", "-r", out], check=True)
+                shutil.rmtree(out)
             print("  ".join(f"{name}: {rates[name][-1]:.1f}" for name in ways), flush=True)
         for name, of_way in rates.items():
             print(f"camera frames a second, {name}: {statistics.median(of_way):.1f}")
