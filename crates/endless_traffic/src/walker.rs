@@ -262,14 +262,14 @@ impl Walker {
         if !self.cross_roadway(roads, scene.roadway, number, step_s) {
             self.advance_route(scene, crossings);
         }
-        let held_up = self.is_held_up(roads, crossings, step_s);
+        let on_crossing = self.on_crossing(roads, crossings, step_s);
         let strip = self.strip(roads);
         let next = self.next_strip(roads);
         let (along, _) = strip.local(self.position);
         let own_kerb = self.kerb_ahead(&strip, AIM_M);
         let kerb = own_kerb.is_some() || matches!(next.map(|n| n.kind), Some(WalkKind::Crossing(_)));
         let mut pace = self.pace;
-        if let Some((id, _)) = self.crossing(roads) {
+        if let Some((id, held_up)) = on_crossing {
             let light = signal_of(roads, id).map(|s| scene.signals[s].aspect);
             if matches!(light, Some(SignalAspect::Yellow | SignalAspect::Red)) {
                 // The light changes: hurry.
@@ -365,22 +365,19 @@ impl Walker {
         self.height = self.height_on_roadway().unwrap_or_else(|| height(roads, self.from, self.way[0], self.position));
     }
 
-    /// Whether a vehicle keeps them from going on over a crossing. Where it has done so for long, they turn back.
-    fn is_held_up(&mut self, roads: &Roads, crossings: &[CrossingState], step_s: f64) -> bool {
-        let is_unsafe = |walker: &Self| {
-            walker.crossing(roads).is_some_and(|(id, person)| crossings[id.index()].step_is_unsafe(person))
+    /// The crossing underfoot, and whether a vehicle keeps them from going on. Where it has done so for long, they turn back.
+    fn on_crossing(&mut self, roads: &Roads, crossings: &[CrossingState], step_s: f64) -> Option<(CrossingId, bool)> {
+        let look = |walker: &Self| {
+            walker.crossing(roads).map(|(id, person)| (id, crossings[id.index()].step_is_unsafe(person)))
         };
-        if !is_unsafe(self) {
-            self.held_up_s = 0.0;
-            return false;
-        }
-        self.held_up_s += step_s;
+        let seen = look(self);
+        self.held_up_s = if seen.is_some_and(|(_, held_up)| held_up) { self.held_up_s + step_s } else { 0.0 };
         if self.held_up_s < HELD_UP_S {
-            return true;
+            return seen;
         }
-        self.turn_back(roads);
         self.held_up_s = 0.0;
-        is_unsafe(self)
+        self.turn_back(roads);
+        look(self)
     }
 
     /// Takes the next edge when the end of this one is near, and plans a new way when it ends.
