@@ -48,8 +48,8 @@ pub(crate) fn step(
     thinks: bool,
     step_s: f64,
 ) {
-    // Who halts at the kerb or passes a queue keeps to its lane.
-    if vehicles[i].kerb_halt.is_some() || vehicles[i].filtering.is_some() {
+    // Who halts at the kerb, passes a queue, or does what an incident asks of them keeps to its lane.
+    if vehicles[i].kerb_halt.is_some() || vehicles[i].filtering.is_some() || vehicles[i].order.is_some() {
         vehicles[i].intent = None;
         return;
     }
