@@ -85,15 +85,18 @@ fn stage(
 ) -> Result<(), Box<dyn Error>> {
     let Place { town, map } = place;
     let fleet = Fleet { vehicles: specs, pedestrian: &Catalogue::pedestrian_spec };
-    // Lights can be run where the cameras see some.
+    // Lights can be run where the cameras see somebody who passes one.
     let needs_lights = kind == IncidentKind::RedLightRun;
-    let pairs = (0..town.cameras.len()).map(|k| cameras(town, 2 * (draw / TOWNS.len()) + k));
-    let Some(cameras) = pairs.into_iter().find(|pair| !needs_lights || lights_shown(town, pair) > 0) else {
-        println!("{kind}, draw {draw}, {}: left out, its cameras see no lights", town.name);
+    let scenes = (0..town.cameras.len()).map(|k| {
+        let cameras = cameras(town, 2 * (draw / TOWNS.len()) + k);
+        let views = cameras.clone().map(View::Camera);
+        (cameras, Focus::new(&town.network, &views, 0.8, &|_, _| true))
+    });
+    let Some((cameras, focus)) = scenes.into_iter().find(|(_, focus)| !needs_lights || sees_a_light(town, focus))
+    else {
+        println!("{kind}, draw {draw}, {}: left out, its cameras see nobody who passes a light", town.name);
         return Ok(());
     };
-    let views = cameras.clone().map(View::Camera);
-    let focus = Focus::new(&town.network, &views, 0.8, &|_, _| true);
     let seed = 1 + draw as u64;
     let settings =
         TrafficSettings { vehicles: 60, pedestrians: 20, seed, fps: FPS, focus: focus.clone(), ..Default::default() };
@@ -152,11 +155,12 @@ fn cameras(town: &Town, first: usize) -> [PinholeCamera; 2] {
     [first, first + 1].map(|number| PinholeCamera::new(&town.cameras[number % town.cameras.len()], SIZE))
 }
 
-/// How many lanes end at a light in the pictures.
-fn lights_shown(town: &Town, cameras: &[PinholeCamera]) -> usize {
+/// Whether those are seen who wait at some light, and those who have passed it.
+fn sees_a_light(town: &Town, focus: &Focus) -> bool {
     let lights = town.network.lanes.iter().filter(|lane| matches!(lane.end_control, TrafficControl::Signal(_)));
-    let end = |lane: &Lane| lane.centerline.position(lane.centerline.length()).as_vec3();
-    lights.filter(|lane| cameras.iter().any(|camera| is_shown(camera, end(lane)))).count()
+    let waits = |lane: &Lane| focus.on_lane(lane.id.index(), lane.centerline.length()) != 0;
+    let passes = |lane: &Lane| lane.successors.iter().any(|way| focus.on_lane(way.index(), 0.0) != 0);
+    lights.into_iter().any(|lane| waits(lane) && passes(lane))
 }
 
 /// Whether a place is in a picture, and near enough for a vehicle there to have a box.

@@ -127,8 +127,8 @@ impl Focus {
         self.views().map(|view| [metres(&self.lanes, view), metres(&self.walks, view)]).collect()
     }
 
-    /// The views that see a place of a lane, a bit each.
-    pub(crate) fn on_lane(&self, lane: usize, s: f64) -> u32 {
+    /// The views that see a place of a lane, metres from its beginning, a bit each.
+    pub fn on_lane(&self, lane: usize, s: f64) -> u32 {
         self.lanes.get(lane).map_or(0, |bits| nearest(bits, s))
     }
 

@@ -8,11 +8,12 @@ use endless_road::{Lane, TrafficControl};
 use endless_world::{IncidentKind, InstanceId, SignalAspect, SignalId};
 use glam::{DVec2, DVec3};
 
-/// Red for so long, seconds: who passes sooner could not stop any more. Who is slower than that, m/s, had waited at the
-/// line, and may clear the junction for longer, seconds.
+/// Red for so long, seconds: who passes sooner could not stop any more. Who has waited at the line, and stood less than this
+/// long ago, may clear the junction for as long.
 const RED_S: f64 = 1.0;
-const WAITED_MPS: f64 = 3.0;
 const CLEARS_S: f64 = 4.0;
+/// Slower than this a vehicle stands, m/s.
+const STANDS_MPS: f64 = 0.5;
 
 pub(super) fn detect(history: &StateHistory<'_>) -> Vec<DetectedIncident> {
     let network = history.network;
@@ -45,9 +46,11 @@ pub(super) fn detect(history: &StateHistory<'_>) -> Vec<DetectedIncident> {
                 }
                 continue;
             }
-            let fast = (front - front_before).length() * history.fps > WAITED_MPS;
-            let most_s = if fast { RED_S } else { CLEARS_S };
-            let mut passed = entries.iter().filter(|line| line.passed(front_before, front, ahead));
+            let mut passed = entries.iter().filter(|line| line.passed(front_before, front, ahead)).peekable();
+            if passed.peek().is_none() {
+                continue;
+            }
+            let most_s = if has_waited(history, frame, id) { CLEARS_S } else { RED_S };
             let red = |line: &EndLine| line.signal.is_some_and(|signal| red_for_s(history, frame, signal) >= most_s);
             if passed.any(red) {
                 begun = Some(frame);
@@ -55,6 +58,15 @@ pub(super) fn detect(history: &StateHistory<'_>) -> Vec<DetectedIncident> {
         }
     }
     found
+}
+
+/// Whether somebody stood not long ago.
+fn has_waited(history: &StateHistory<'_>, frame: usize, id: InstanceId) -> bool {
+    let frames = (CLEARS_S * history.fps) as usize;
+    let stands = |frame: usize| {
+        history.actor(frame, id).is_some_and(|actor| f64::from(actor.velocity_mps.length()) < STANDS_MPS)
+    };
+    (frame.saturating_sub(frames)..frame).any(stands)
 }
 
 /// Front, rear, and the unit vector ahead.
